@@ -1,0 +1,131 @@
+//! Monte Carlo sampling for firmware, WASM and renderers: every classical warp of uniforms onto an
+//! interval, a disk, directions, a lobe or a triangle, each with its density and its inverse, over `f32`,
+//! without `std` and without allocation.
+//!
+//! A sample's way through the crate is one straight corridor, and the modules are its rooms:
+//!
+//! ```text
+//! generator (rand_core) -> canonical uniforms -> warp -> point, density
+//!                          [uniform]             [warp, on a tier]
+//! ```
+//!
+//! A warp is a pure function of explicit uniforms, so that one and the same warp serves a pseudo-random
+//! generator, a stratified or low-discrepancy set, a Markov chain in the unit cube and a replay from a log.
+//!
+//! # Choosing a tier
+//! The tier is chosen once, by type: `use microwarp::poly as mw;` for `f32` arithmetic alone (the
+//! choice for microcontrollers and WASM), `use microwarp::libm as mw;` for the functions of the `libm`
+//! crate. Both families carry the same names, take the same uniforms and state their errors warp by warp.
+//!
+//! ```
+//! use microwarp::{Warp, poly as mw};
+//! use rand_pcg::Pcg32;
+//!
+//! let mut rng = Pcg32::new(42, 54);
+//! let lobe = mw::PhongLobe::new(50.0)?;
+//! let direction = lobe.draw(&mut rng);
+//! let density = lobe.pdf(direction);
+//! assert!(density > 0.0);
+//! # Ok::<(), microwarp::Error>(())
+//! ```
+//!
+//! # Promises
+//! - The same uniforms give the same bits on every target.
+//! - Any `f32` serves as a uniform (see [`uniform::Uniforms::canonical`]) and any parameter a constructor
+//!   accepted gives finite results inside the stated domain; a refused parameter is an [`Error`].
+//! - Nothing panics, allocates, recurses or loops without a bound.
+//! - A sample never has density 0.
+#![no_std]
+#![deny(unsafe_code, missing_docs)]
+#![allow(
+    clippy::many_single_char_names,
+    clippy::similar_names,
+    reason = "formulas keep the letters of their sources"
+)]
+#![warn(
+    missing_debug_implementations,
+    missing_copy_implementations,
+    unreachable_pub,
+    unused_qualifications,
+    clippy::pedantic
+)]
+#![deny(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unreachable,
+    clippy::todo,
+    clippy::unimplemented,
+    clippy::indexing_slicing,
+    clippy::string_slice,
+    clippy::arithmetic_side_effects,
+    clippy::integer_division_remainder_used
+)]
+
+mod error;
+pub mod tier;
+pub mod uniform;
+pub mod warp;
+
+pub use error::Error;
+pub use warp::{
+    Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent, Transform,
+    Triangle, TriangleOn, Warp,
+};
+
+/// Names the warps of one tier, so that a program says its tier once.
+macro_rules! tier_module {
+    ($(#[$doc:meta])* $module:ident, $tier:ident) => {
+        $(#[$doc])*
+        pub mod $module {
+            use crate::warp;
+            pub use crate::tier::$tier as Tier;
+            pub use crate::warp::{
+                Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent,
+                Transform, Triangle, TriangleOn,
+            };
+            /// [`warp::Cone`] in this tier.
+            pub type Cone = warp::Cone<Tier>;
+            /// [`warp::CosineHemisphere`] in this tier.
+            pub type CosineHemisphere = warp::CosineHemisphere<Tier>;
+            /// [`warp::Disk`] in this tier.
+            pub type Disk = warp::Disk<Tier>;
+            /// [`warp::DiskConcentric`] in this tier.
+            pub type DiskConcentric = warp::DiskConcentric<Tier>;
+            /// [`warp::Exponential`] in this tier.
+            pub type Exponential = warp::Exponential<Tier>;
+            /// [`warp::ExponentialTail`] in this tier.
+            pub type ExponentialTail = warp::ExponentialTail<Tier>;
+            /// [`warp::Hemisphere`] in this tier.
+            pub type Hemisphere = warp::Hemisphere<Tier>;
+            /// [`warp::MalleyHemisphere`] in this tier.
+            pub type MalleyHemisphere = warp::MalleyHemisphere<Tier>;
+            /// [`warp::Normal`] in this tier.
+            pub type Normal = warp::Normal<Tier>;
+            /// [`warp::NormalPair`] in this tier.
+            pub type NormalPair = warp::NormalPair<Tier>;
+            /// [`warp::PhongLobe`] in this tier.
+            pub type PhongLobe = warp::PhongLobe<Tier>;
+            /// [`warp::Power`] in this tier.
+            pub type Power = warp::Power<Tier>;
+            /// [`warp::Sphere`] in this tier.
+            pub type Sphere = warp::Sphere<Tier>;
+            /// [`warp::Spherical`] in this tier.
+            pub type Spherical = warp::Spherical<Tier>;
+            /// [`warp::SphericalPatch`] in this tier.
+            pub type SphericalPatch = warp::SphericalPatch<Tier>;
+            /// [`warp::TruncatedExponential`] in this tier.
+            pub type TruncatedExponential = warp::TruncatedExponential<Tier>;
+        }
+    };
+}
+
+tier_module! {
+    /// The warps of the reference tier, over the `libm` crate.
+    libm, Libm
+}
+
+tier_module! {
+    /// The warps of the polynomial tier: `f32` arithmetic alone.
+    poly, Poly
+}

@@ -1,0 +1,80 @@
+//! The tiers: which elementary functions a warp is built on.
+//!
+//! A tier is chosen once, by type, at compile time. Here live the trait and the two square-root
+//! facts both tiers share; the functions themselves are in `tier/libm.rs` and `tier/poly.rs`.
+//! Angles are in turns (one turn is 2π radians), because a fraction of a turn reduces exactly.
+
+mod libm;
+mod normal;
+mod poly;
+mod product;
+mod sqrt;
+
+pub use self::libm::Libm;
+pub use self::poly::Poly;
+pub(crate) use self::product::{
+    exp_of_product, one_minus_cos_radians, pow_of_quotient, two_product,
+};
+pub(crate) use self::sqrt::sqrt;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Libm {}
+    impl Sealed for super::Poly {}
+}
+
+/// Elementary functions over `f32`, in one of two trades of speed for accuracy.
+///
+/// The trait is sealed: [`Libm`] and [`Poly`] implement it and nothing else can. Each function is
+/// total: whatever `f32` it is handed, it returns without a panic, and for arguments inside the
+/// stated domain the result is within the error stated at the tier.
+pub trait Tier: sealed::Sealed + Copy + Default + core::fmt::Debug + PartialEq + 'static {
+    /// The name of the tier, as it is written in tables: `"libm"` or `"poly"`.
+    const NAME: &'static str;
+
+    /// The square root of `x >= 0`, correctly rounded in both tiers.
+    #[must_use]
+    #[inline]
+    fn sqrt(x: f32) -> f32 {
+        sqrt(x)
+    }
+
+    /// `(sin(2πt), cos(2πt))` of a phase `t` in turns.
+    ///
+    /// The quadrant is reduced exactly, so quarter turns give exactly 0 and ±1. A phase that is not
+    /// finite counts as a whole number of turns.
+    #[must_use]
+    fn sincos_turns(t: f32) -> (f32, f32);
+
+    /// The angle of the point `(x, y)` in turns, in `[-1/2, 1/2]`; 0 at the origin and for NaN.
+    #[must_use]
+    fn atan2_turns(y: f32, x: f32) -> f32;
+
+    /// The natural logarithm of `x > 0`.
+    #[must_use]
+    fn ln(x: f32) -> f32;
+
+    /// `ln(1 + x)` for `x > -1`, accurate where `x` is small.
+    #[must_use]
+    fn ln_1p(x: f32) -> f32;
+
+    /// `e^x`; 0 below the smallest subnormal, infinite past the largest finite value.
+    #[must_use]
+    fn exp(x: f32) -> f32;
+
+    /// `e^x - 1`, accurate where `x` is small.
+    #[must_use]
+    fn exp_m1(x: f32) -> f32;
+
+    /// `x^y` for `x >= 0`.
+    #[must_use]
+    fn pow(x: f32, y: f32) -> f32;
+
+    /// The cumulative distribution function of the standard normal at `x <= 0`, the lower tail.
+    #[must_use]
+    fn normal_cdf_lower(x: f32) -> f32;
+
+    /// The standard normal quantile of a lower-tail probability `p` in `(0, 1/2]`; at most 0.
+    #[must_use]
+    fn normal_quantile_lower(p: f32) -> f32;
+}

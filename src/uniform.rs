@@ -1,0 +1,272 @@
+//! Canonical uniforms: numbers in [0, 1), how they are drawn, and the rule that brings any `f32`
+//! into range.
+//!
+//! Here live the grids and the strata. What becomes of a uniform is the business of
+//! [`warp`](crate::warp).
+//!
+//! | function | values | smallest | largest | words (`u32`) a number |
+//! |---|---|---|---|---|
+//! | [`grid`] | k·2⁻²⁴, equally likely | 0 | 1 − 2⁻²⁴ | 1 |
+//! | [`open`] | (k + ½)·2⁻²³, equally likely | 2⁻²⁴ | 1 − 2⁻²⁴ | 1 |
+//! | [`full`] | every `f32` a 64-bit fraction truncates to | 0, then 2⁻⁶⁴ | 1 − 2⁻²⁴ | 2 |
+
+mod strata;
+
+pub use self::strata::{MAX_STRATA, Strata1d, Strata2d};
+
+use core::convert::Infallible;
+use rand_core::{Rng, TryRng};
+
+/// The largest `f32` below 1, which is also the last point of the 24-bit grid: 1 − 2⁻²⁴.
+pub const LARGEST: f32 = 1.0 - f32::EPSILON / 2.0;
+
+/// The smallest positive `f32`, 2⁻¹⁴⁹: what a uniform of 0 counts as where a map is infinite or a
+/// density zero at 0.
+pub const SMALLEST: f32 = f32::from_bits(1);
+
+/// The spacing of the 24-bit grid, 2⁻²⁴.
+const STEP: f32 = f32::EPSILON / 2.0;
+
+/// Uniforms that are known to lie in [0, 1).
+///
+/// Made from any `f32` by [`Uniforms::canonical`], or straight from a generator by
+/// [`Uniforms::try_draw`], which cannot leave the range and so pays for no check.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Canonical<U>(U);
+
+impl<U: Copy> Canonical<U> {
+    /// The uniforms themselves.
+    #[must_use]
+    #[inline]
+    pub const fn get(self) -> U {
+        self.0
+    }
+}
+
+impl<const N: usize> Canonical<[f32; N]> {
+    /// The uniforms one by one, each still known to lie in [0, 1).
+    #[must_use]
+    #[inline]
+    pub fn each(self) -> [Canonical<f32>; N] {
+        self.0.map(Canonical)
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl<const N: usize> Sealed for [f32; N] {}
+}
+
+/// The uniforms that one sample of a warp takes: an `f32`, or an array of them.
+///
+/// The trait is sealed. How many uniforms a warp takes is its type
+/// [`Warp::Uniforms`](crate::Warp::Uniforms).
+pub trait Uniforms: sealed::Sealed + Copy {
+    /// How many numbers these are.
+    const COUNT: usize;
+
+    /// Brings every number into [0, 1): NaN and everything below 0 become 0, everything from 1
+    /// upwards becomes [`LARGEST`].
+    ///
+    /// ```
+    /// use microwarp::uniform::{LARGEST, Uniforms};
+    /// assert_eq!([f32::NAN, 7.0].canonical().get(), [0.0, LARGEST]);
+    /// ```
+    #[must_use]
+    fn canonical(self) -> Canonical<Self>;
+
+    /// Draws them from the 24-bit [`grid`], one `u32` a number, in order.
+    ///
+    /// # Errors
+    /// The generator's own error; numbers drawn before it failed are dropped.
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error>;
+}
+
+impl Uniforms for f32 {
+    const COUNT: usize = 1;
+
+    #[inline]
+    fn canonical(self) -> Canonical<Self> {
+        // Written so that NaN, which fails both comparisons, becomes 0.
+        Canonical(if self >= 1.0 {
+            LARGEST
+        } else if self > 0.0 {
+            self
+        } else {
+            0.0
+        })
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
+        Ok(Canonical(grid_from_word(rng.try_next_u32()?)))
+    }
+}
+
+impl<const N: usize> Uniforms for [f32; N] {
+    const COUNT: usize = N;
+
+    #[inline]
+    fn canonical(self) -> Canonical<Self> {
+        Canonical(self.map(|u| u.canonical().get()))
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
+        let mut drawn = [0.0; N];
+        for u in &mut drawn {
+            *u = grid_from_word(rng.try_next_u32()?);
+        }
+        Ok(Canonical(drawn))
+    }
+}
+
+/// Unwraps the result of a generator that cannot fail.
+#[inline]
+pub(crate) fn infallible<T>(result: Result<T, Infallible>) -> T {
+    match result {
+        Ok(value) => value,
+        Err(never) => match never {},
+    }
+}
+
+/// The upper 24 bits of a word as a multiple of 2⁻²⁴ in [0, 1).
+///
+/// Each of the 2²⁴ values comes from exactly 256 words. Exact: no rounding takes place.
+///
+/// ```
+/// use microwarp::uniform;
+/// assert_eq!(uniform::grid_from_word(0), 0.0);
+/// assert_eq!(uniform::grid_from_word(u32::MAX), uniform::LARGEST);
+/// ```
+#[must_use]
+#[inline]
+pub const fn grid_from_word(word: u32) -> f32 {
+    (word >> 8) as f32 * STEP
+}
+
+/// The upper 23 bits of a word as the middle of one of 2²³ equal cells: in [2⁻²⁴, 1 − 2⁻²⁴].
+///
+/// Each of the 2²³ values comes from exactly 512 words. Exact: no rounding takes place.
+///
+/// ```
+/// use microwarp::uniform;
+/// assert_eq!(uniform::open_from_word(0), 2.0_f32.powi(-24));
+/// assert_eq!(uniform::open_from_word(u32::MAX), uniform::LARGEST);
+/// ```
+#[must_use]
+#[inline]
+pub const fn open_from_word(word: u32) -> f32 {
+    // The low bit is the half step; 24 significant bits fit an f32 exactly.
+    ((word >> 9) << 1 | 1) as f32 * STEP
+}
+
+/// A 64-bit fraction truncated to the nearest `f32` below: small values keep their precision.
+///
+/// `high` holds the leading 32 bits. Every value of at least 2⁻⁴⁰ has all its 24 bits, whatever its
+/// exponent; the smallest value above 0 is 2⁻⁶⁴, and 0 itself comes from one word pair in 2⁶⁴.
+///
+/// ```
+/// use microwarp::uniform;
+/// assert_eq!(uniform::full_from_words(0, 1), 2.0_f32.powi(-64));
+/// assert_eq!(uniform::full_from_words(u32::MAX, u32::MAX), uniform::LARGEST);
+/// ```
+#[must_use]
+#[inline]
+pub const fn full_from_words(high: u32, low: u32) -> f32 {
+    // Built from bits: a rounding conversion could give 1.0, and costs a call on soft float.
+    let zeros = high.leading_zeros();
+    let (window, zeros) = if zeros < 32 {
+        // `low >> 1 >> (31 - zeros)` is `low >> (32 - zeros)` without the shift by 32.
+        ((high << zeros) | (low >> 1 >> (31 - zeros)), zeros)
+    } else {
+        let more = low.leading_zeros();
+        if more == 32 {
+            return 0.0;
+        }
+        (low << more, 32 + more)
+    };
+    // `window` has its leading bit set and stands for window · 2^-(32 + zeros).
+    let exponent = 126 - zeros;
+    f32::from_bits((exponent << 23) | ((window >> 8) & 0x007f_ffff))
+}
+
+/// Draws one number of the 24-bit grid in [0, 1). One word.
+///
+/// # Errors
+/// The generator's own error.
+#[inline]
+pub fn try_grid<R: TryRng + ?Sized>(rng: &mut R) -> Result<f32, R::Error> {
+    rng.try_next_u32().map(grid_from_word)
+}
+
+/// Draws one number of the 24-bit grid in [0, 1). One word.
+///
+/// ```
+/// use microwarp::uniform;
+/// use rand_pcg::Pcg32;
+/// let u = uniform::grid(&mut Pcg32::new(1, 1));
+/// assert!((0.0..1.0).contains(&u));
+/// ```
+#[inline]
+pub fn grid<R: Rng + ?Sized>(rng: &mut R) -> f32 {
+    infallible(try_grid(rng))
+}
+
+/// Draws one number of the open interval (0, 1). One word.
+///
+/// # Errors
+/// The generator's own error.
+#[inline]
+pub fn try_open<R: TryRng + ?Sized>(rng: &mut R) -> Result<f32, R::Error> {
+    rng.try_next_u32().map(open_from_word)
+}
+
+/// Draws one number of the open interval (0, 1). One word.
+///
+/// ```
+/// use microwarp::uniform;
+/// use rand_pcg::Pcg32;
+/// let u = uniform::open(&mut Pcg32::new(1, 1));
+/// assert!(u > 0.0 && u < 1.0);
+/// ```
+#[inline]
+pub fn open<R: Rng + ?Sized>(rng: &mut R) -> f32 {
+    infallible(try_open(rng))
+}
+
+/// Draws one full-resolution number in [0, 1). Two words, the leading one first.
+///
+/// # Errors
+/// The generator's own error.
+#[inline]
+pub fn try_full<R: TryRng + ?Sized>(rng: &mut R) -> Result<f32, R::Error> {
+    let high = rng.try_next_u32()?;
+    let low = rng.try_next_u32()?;
+    Ok(full_from_words(high, low))
+}
+
+/// Draws one full-resolution number in [0, 1). Two words, the leading one first.
+///
+/// `-ln` of it reaches 44.36, where the 24-bit grid ends at 16.64.
+///
+/// ```
+/// use microwarp::uniform;
+/// use rand_pcg::Pcg32;
+/// let u = uniform::full(&mut Pcg32::new(1, 1));
+/// assert!((0.0..1.0).contains(&u));
+/// ```
+#[inline]
+pub fn full<R: Rng + ?Sized>(rng: &mut R) -> f32 {
+    infallible(try_full(rng))
+}
+
+/// Draws a full-resolution number, already known to be canonical.
+#[inline]
+pub(crate) fn try_full_canonical<R: TryRng + ?Sized>(
+    rng: &mut R,
+) -> Result<Canonical<f32>, R::Error> {
+    try_full(rng).map(Canonical)
+}

@@ -1,0 +1,159 @@
+//! Jittered strata in one and two dimensions, without storage.
+
+use super::{Canonical, STEP, Uniforms, infallible};
+use crate::error::Error;
+use rand_core::{Rng, TryRng};
+
+/// The most strata along one axis: 2²³, so that every stratum holds at least two grid points.
+pub const MAX_STRATA: u32 = 1 << 23;
+
+/// Divides [0, 1) into `count` strata of equal width; each gives one jittered point.
+///
+/// Domain: stratum `i` covers [i/n, (i+1)/n). Range: [0, 1). Uniforms: one a point, one word drawn.
+/// The point is (i + r)/n rounded to the 24-bit grid, accurate to 2⁻²⁴ absolute. A point never leaves
+/// [0, 1), and leaves its own stratum only by that rounding at a border that is not on the grid.
+///
+/// Source: D. P. Mitchell, "Consequences of Stratified Sampling in Graphics", 1996.
+///
+/// ```
+/// use microwarp::uniform::Strata1d;
+/// let strata = Strata1d::new(4)?;
+/// assert_eq!(strata.point(3, 0.5), 0.875);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Strata1d {
+    count: u32,
+}
+
+impl Strata1d {
+    /// Divides the unit interval into `count` strata.
+    ///
+    /// # Errors
+    /// [`Error::Empty`] for 0, [`Error::TooLarge`] above [`MAX_STRATA`].
+    pub const fn new(count: u32) -> Result<Self, Error> {
+        match count {
+            0 => Err(Error::Empty),
+            1..=MAX_STRATA => Ok(Self { count }),
+            _ => Err(Error::TooLarge),
+        }
+    }
+
+    /// The number of strata.
+    #[must_use]
+    pub const fn count(self) -> u32 {
+        self.count
+    }
+
+    /// The point of stratum `i` (taken modulo the count) at the jitter `r`; any `f32` serves as `r`.
+    #[must_use]
+    #[inline]
+    pub fn point(self, i: u32, r: f32) -> f32 {
+        self.place(i, r.canonical())
+    }
+
+    /// Draws the jittered point of stratum `i` (taken modulo the count). One word.
+    ///
+    /// # Errors
+    /// The generator's own error.
+    #[inline]
+    pub fn try_draw<R: TryRng + ?Sized>(self, i: u32, rng: &mut R) -> Result<f32, R::Error> {
+        Ok(self.place(i, f32::try_draw(rng)?))
+    }
+
+    /// Draws the jittered point of stratum `i` (taken modulo the count). One word.
+    #[inline]
+    pub fn draw<R: Rng + ?Sized>(self, i: u32, rng: &mut R) -> f32 {
+        infallible(self.try_draw(i, rng))
+    }
+
+    fn place(self, i: u32, r: Canonical<f32>) -> f32 {
+        let i = i % self.count.max(1);
+        // In units of 2^-24 the offset is below 2^24 and the sum below 2^47, so integers hold
+        // (i + r) 2^24 exactly and the quotient is the grid point below it.
+        let jitter = (r.get() * 16_777_216.0) as u32;
+        let scaled = (u64::from(i) << 24) | u64::from(jitter);
+        let k = (scaled / u64::from(self.count.max(1))) as u32;
+        k as f32 * STEP
+    }
+}
+
+/// Divides [0, 1)² into `columns` × `rows` strata of equal area; each gives one jittered point.
+///
+/// Domain: stratum (i, j) covers [i/n, (i+1)/n) × [j/m, (j+1)/m). Range: [0, 1)². Uniforms: two a
+/// point, two words drawn (the column's jitter first). Accuracy as for [`Strata1d`].
+///
+/// Source: R. L. Cook, "Stochastic Sampling in Computer Graphics", 1986.
+///
+/// ```
+/// use microwarp::uniform::Strata2d;
+/// use rand_pcg::Pcg32;
+/// let (strata, mut rng) = (Strata2d::new(8, 4)?, Pcg32::new(7, 1));
+/// for k in 0..strata.count() {
+///     let [u, v] = strata.draw(k, &mut rng);
+///     assert!(u < 1.0 && v < 1.0);
+/// }
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Strata2d {
+    columns: Strata1d,
+    rows: Strata1d,
+}
+
+impl Strata2d {
+    /// Divides the unit square into `columns` × `rows` strata.
+    ///
+    /// # Errors
+    /// [`Error::Empty`] if either is 0; [`Error::TooLarge`] above [`MAX_STRATA`] along an axis or
+    /// where the number of strata exceeds `u32`.
+    pub const fn new(columns: u32, rows: u32) -> Result<Self, Error> {
+        match (
+            Strata1d::new(columns),
+            Strata1d::new(rows),
+            columns.checked_mul(rows),
+        ) {
+            (Ok(columns), Ok(rows), Some(_)) => Ok(Self { columns, rows }),
+            (Err(e), _, _) | (_, Err(e), _) => Err(e),
+            _ => Err(Error::TooLarge),
+        }
+    }
+
+    /// The number of strata, columns × rows.
+    #[must_use]
+    pub const fn count(self) -> u32 {
+        self.columns.count.wrapping_mul(self.rows.count)
+    }
+
+    /// The point of stratum `k`, counted row by row and taken modulo the count, at the jitter `r`.
+    #[must_use]
+    #[inline]
+    pub fn point(self, k: u32, r: [f32; 2]) -> [f32; 2] {
+        let [x, y] = r;
+        let (i, j) = self.cell(k);
+        [self.columns.point(i, x), self.rows.point(j, y)]
+    }
+
+    /// Draws the jittered point of stratum `k`, counted row by row. Two words.
+    ///
+    /// # Errors
+    /// The generator's own error.
+    #[inline]
+    pub fn try_draw<R: TryRng + ?Sized>(self, k: u32, rng: &mut R) -> Result<[f32; 2], R::Error> {
+        let (i, j) = self.cell(k);
+        Ok([self.columns.try_draw(i, rng)?, self.rows.try_draw(j, rng)?])
+    }
+
+    /// Draws the jittered point of stratum `k`, counted row by row. Two words.
+    #[inline]
+    pub fn draw<R: Rng + ?Sized>(self, k: u32, rng: &mut R) -> [f32; 2] {
+        infallible(self.try_draw(k, rng))
+    }
+
+    fn cell(self, k: u32) -> (u32, u32) {
+        let columns = self.columns.count.max(1);
+        (k % columns, (k / columns) % self.rows.count.max(1))
+    }
+}

@@ -1,0 +1,211 @@
+//! Warps: maps from canonical uniforms to a domain, each with its density and its inverse.
+//!
+//! Here live the [`Warp`] trait and the list of families; each family is a file of its own. A warp is
+//! a pure function of explicit uniforms: generators enter only through [`Warp::draw`],
+//! [`Warp::try_draw`] and their slice forms.
+
+mod cone;
+mod direction;
+mod disk;
+mod exponential;
+mod frame;
+mod hemisphere;
+mod interval;
+mod inversion;
+mod linear;
+mod lobe;
+mod marginal;
+mod normal;
+mod power;
+mod sphere;
+mod spherical;
+mod tent;
+mod transform;
+mod triangle;
+mod truncated;
+
+pub use self::cone::Cone;
+pub use self::disk::{Disk, DiskConcentric};
+pub use self::exponential::{Exponential, ExponentialTail};
+pub use self::frame::{Frame, Oriented};
+pub use self::hemisphere::{CosineHemisphere, Hemisphere, MalleyHemisphere};
+pub use self::interval::Interval;
+pub use self::inversion::Inversion;
+pub use self::linear::Linear;
+pub use self::lobe::PhongLobe;
+pub use self::marginal::MarginalConditional;
+pub use self::normal::{Normal, NormalPair};
+pub use self::power::{Power, PowerMax};
+pub use self::sphere::Sphere;
+pub use self::spherical::{Spherical, SphericalPatch};
+pub use self::tent::Tent;
+pub use self::transform::Transform;
+pub use self::triangle::{Triangle, TriangleOn};
+pub use self::truncated::TruncatedExponential;
+
+use crate::uniform::{Canonical, SMALLEST, Uniforms, infallible};
+use rand_core::{Rng, TryRng};
+
+/// A map from uniforms to a point, with the density of that point and the inverse map.
+///
+/// The three belong together: `pdf(sample(u))` is the density with which `sample` realises the point,
+/// and `invert(sample(u))` is `u` again, both within the bounds stated at each warp.
+///
+/// To write a warp of one's own, give the three types and the three required functions;
+/// [`Inversion`](crate::Inversion) does it from closures.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// use rand_pcg::Pcg32;
+///
+/// let disk = mw::Disk::new();
+/// let point = disk.sample([0.25, 0.5]);        // from uniforms of one's own
+/// let again = disk.draw(&mut Pcg32::new(1, 1)); // from a generator
+/// assert!((disk.pdf(point) - 1.0 / core::f32::consts::PI).abs() < 1e-7);
+/// # let _ = again;
+/// ```
+pub trait Warp {
+    /// The uniforms one sample takes; how many is part of the type.
+    type Uniforms: Uniforms;
+    /// The point: `f32` on the line, `[f32; 2]` in the plane, `[f32; 3]` for directions.
+    type Point: Copy;
+    /// The type of a density, `f32` in the float tiers.
+    type Density: Copy;
+
+    /// The point of uniforms that are known to lie in [0, 1).
+    #[must_use]
+    fn sample_canonical(&self, u: Canonical<Self::Uniforms>) -> Self::Point;
+
+    /// The density at `x` with respect to length, area or solid angle; 0 outside the domain and for
+    /// NaN. Never 0 at a point that `sample` returned.
+    #[must_use]
+    fn pdf(&self, x: Self::Point) -> Self::Density;
+
+    /// Uniforms in [0, 1) whose sample is `x`. A point outside the domain gives the uniforms of some
+    /// point inside it.
+    #[must_use]
+    fn invert(&self, x: Self::Point) -> Self::Uniforms;
+
+    /// The point of any uniforms whatever: they are brought into [0, 1) by the rule of
+    /// [`Uniforms::canonical`] first.
+    #[must_use]
+    #[inline]
+    fn sample(&self, u: Self::Uniforms) -> Self::Point {
+        self.sample_canonical(u.canonical())
+    }
+
+    /// Draws one point: one `u32` of the generator for each uniform, unless the warp says otherwise.
+    ///
+    /// # Errors
+    /// The generator's own error; nothing is drawn then.
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Self::Point, R::Error>
+    where
+        Self: Sized,
+    {
+        Ok(self.sample_canonical(Self::Uniforms::try_draw(rng)?))
+    }
+
+    /// Draws one point from a generator that cannot fail.
+    #[inline]
+    fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Self::Point
+    where
+        Self: Sized,
+    {
+        infallible(self.try_draw(rng))
+    }
+
+    /// Fills a slice with points, in order.
+    ///
+    /// # Errors
+    /// The generator's own error; the points before the failing one are in place, the rest of the
+    /// slice is untouched.
+    #[inline]
+    fn try_fill<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+        points: &mut [Self::Point],
+    ) -> Result<(), R::Error>
+    where
+        Self: Sized,
+    {
+        for point in points {
+            *point = self.try_draw(rng)?;
+        }
+        Ok(())
+    }
+
+    /// Fills a slice with points from a generator that cannot fail.
+    #[inline]
+    fn fill<R: Rng + ?Sized>(&self, rng: &mut R, points: &mut [Self::Point])
+    where
+        Self: Sized,
+    {
+        infallible(self.try_fill(rng, points));
+    }
+}
+
+/// A reference to a warp is a warp, so that compositions can borrow.
+impl<W: Warp> Warp for &W {
+    type Uniforms = W::Uniforms;
+    type Point = W::Point;
+    type Density = W::Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<Self::Uniforms>) -> Self::Point {
+        (**self).sample_canonical(u)
+    }
+
+    #[inline]
+    fn pdf(&self, x: Self::Point) -> Self::Density {
+        (**self).pdf(x)
+    }
+
+    #[inline]
+    fn invert(&self, x: Self::Point) -> Self::Uniforms {
+        (**self).invert(x)
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Self::Point, R::Error> {
+        (**self).try_draw(rng)
+    }
+}
+
+/// Brings the density of a point inside the domain into the positive finite range: what underflows
+/// becomes 2⁻¹⁴⁹ and what overflows the largest `f32`, so that a sample never has density 0 and a
+/// quotient by a density is never 0/0 or a division by 0.
+#[inline]
+pub(crate) fn representable(density: f32) -> f32 {
+    if density > f32::MAX {
+        f32::MAX
+    } else if density >= SMALLEST {
+        density
+    } else {
+        SMALLEST
+    }
+}
+
+/// The uniform itself, or 2⁻¹⁴⁹ in place of 0, for maps that are infinite or of density 0 there.
+#[inline]
+pub(crate) fn above_zero(u: f32) -> f32 {
+    if u > 0.0 { u } else { SMALLEST }
+}
+
+/// Brings a computed uniform into [0, 1) by the rule for uniforms.
+#[inline]
+pub(crate) fn into_unit(u: f32) -> f32 {
+    u.canonical().get()
+}
+
+/// `x`, or the nearer bound where it lies outside; `low` for NaN.
+#[inline]
+pub(crate) fn clamp(x: f32, low: f32, high: f32) -> f32 {
+    if x >= high {
+        high
+    } else if x > low {
+        x
+    } else {
+        low
+    }
+}

@@ -1,0 +1,36 @@
+//! What the warps over directions share: building a direction and reading one without cancellation.
+
+use super::into_unit;
+use crate::tier::Tier;
+
+/// The direction with the given sine and cosine of its polar angle, `turn` turns about the axis.
+#[inline]
+pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32) -> [f32; 3] {
+    let (s, c) = T::sincos_turns(turn);
+    [sin * c, sin * s, cos]
+}
+
+/// 1 − cos θ of a direction, from x and y where z has rounded away what they still hold.
+#[inline]
+pub(crate) fn one_minus_cos(direction: [f32; 3]) -> f32 {
+    let [x, y, z] = direction;
+    if z > 0.0 {
+        (x * x + y * y) / (1.0 + z)
+    } else {
+        1.0 - z
+    }
+}
+
+/// The azimuth of (x, y) in turns, in [0, 1).
+#[inline]
+pub(crate) fn azimuth<T: Tier>(x: f32, y: f32) -> f32 {
+    let turns = T::atan2_turns(y, x);
+    into_unit(if turns < 0.0 { turns + 1.0 } else { turns })
+}
+
+/// Whether all three numbers are numbers.
+#[inline]
+pub(crate) fn is_direction(direction: [f32; 3]) -> bool {
+    let [x, y, z] = direction;
+    (x + y + z).is_finite()
+}

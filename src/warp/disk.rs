@@ -1,0 +1,164 @@
+//! The uniform distribution on the unit disk: by polar inversion, and by Shirley's concentric map.
+
+use super::{Warp, direction::azimuth, into_unit};
+use crate::tier::Tier;
+use crate::uniform::Canonical;
+use core::f32::consts::FRAC_1_PI;
+use core::marker::PhantomData;
+
+/// The largest radius either map uses, two steps below 1: far enough inside that the rounding of sine,
+/// cosine and the products never carries a point over the rim.
+const RIM: f32 = 1.0 - f32::EPSILON;
+
+/// Uniform on the unit disk, by polar coordinates.
+///
+/// r = √u₁, θ = u₂ turns.
+///
+/// - Uniforms: two, radius then angle. Both 0 give the centre.
+/// - Range: x² + y² ≤ 1, always.
+/// - Density: 1/π per unit area.
+///
+/// Source: P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let disk = mw::Disk::new();
+/// assert_eq!(disk.sample([0.25, 0.5]), [-0.5, 0.0]);
+/// assert_eq!(disk.invert([-0.5, 0.0]), [0.25, 0.5]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Disk<T>(PhantomData<T>);
+
+impl<T: Tier> Disk<T> {
+    /// The unit disk.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<T: Tier> Warp for Disk<T> {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 2];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
+        let [u1, u2] = u.get();
+        let r = T::sqrt(u1);
+        let r = if r < RIM { r } else { RIM };
+        let (s, c) = T::sincos_turns(u2);
+        [r * c, r * s]
+    }
+
+    #[inline]
+    fn pdf(&self, point: [f32; 2]) -> f32 {
+        uniform_density(point)
+    }
+
+    #[inline]
+    fn invert(&self, point: [f32; 2]) -> [f32; 2] {
+        let [x, y] = point;
+        [into_unit(x * x + y * y), azimuth::<T>(x, y)]
+    }
+}
+
+#[inline]
+fn uniform_density([x, y]: [f32; 2]) -> f32 {
+    if x * x + y * y <= 1.0 { FRAC_1_PI } else { 0.0 }
+}
+
+/// Uniform on the unit disk, by Shirley's concentric map.
+///
+/// Squares about the centre of the unit square become circles about the centre of the disk: neighbours
+/// stay neighbours and strata stay compact, which the polar map does not give. With a = 2u₁ − 1,
+/// b = 2u₂ − 1, the larger in magnitude is the radius and the quotient of the two the angle in its wedge.
+///
+/// - Uniforms: two. (½, ½) gives the centre.
+/// - Range: x² + y² ≤ 1, always.
+/// - Density: 1/π per unit area.
+///
+/// Source: P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics
+/// Tools, 1997.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let disk = mw::DiskConcentric::new();
+/// assert_eq!(disk.sample([0.5, 0.5]), [0.0, 0.0]);
+/// assert_eq!(disk.sample([0.75, 0.5]), [0.5, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DiskConcentric<T>(PhantomData<T>);
+
+impl<T: Tier> DiskConcentric<T> {
+    /// The unit disk.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+/// Signed radius and angle in turns of the concentric map, before the rim is kept.
+#[inline]
+fn wedge(u: [f32; 2]) -> (f32, f32) {
+    let [u1, u2] = u;
+    let (a, b) = (2.0 * u1 - 1.0, 2.0 * u2 - 1.0);
+    if a.abs() > b.abs() {
+        (a, 0.125 * (b / a))
+    } else if b != 0.0 {
+        (b, 0.25 - 0.125 * (a / b))
+    } else {
+        (0.0, 0.0)
+    }
+}
+
+/// The concentric map. The hemisphere of Malley's method stands on it.
+#[inline]
+pub(crate) fn concentric<T: Tier>(u: [f32; 2]) -> [f32; 2] {
+    let (r, turn) = wedge(u);
+    let r = super::clamp(r, -RIM, RIM);
+    let (s, c) = T::sincos_turns(turn);
+    [r * c, r * s]
+}
+
+/// The inverse of the concentric map for a point whose distance from the rim, 1 − r, is known.
+#[inline]
+pub(crate) fn concentric_inverse<T: Tier>(point: [f32; 2], to_rim: f32) -> [f32; 2] {
+    let [x, y] = point;
+    // Half the distance to the rim is the dominant uniform or its complement, exactly as small.
+    let m = 0.5 * to_rim;
+    let r = 1.0 - to_rim;
+    let near = |coordinate: f32| into_unit(if coordinate < 0.0 { m } else { 1.0 - m });
+    if x.abs() > y.abs() {
+        let across = r * 8.0 * T::atan2_turns(y, x.abs());
+        [near(x), into_unit(0.5 + 0.5 * across)]
+    } else {
+        let across = r * 8.0 * T::atan2_turns(x, y.abs());
+        [into_unit(0.5 + 0.5 * across), near(y)]
+    }
+}
+
+impl<T: Tier> Warp for DiskConcentric<T> {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 2];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
+        concentric::<T>(u.get())
+    }
+
+    #[inline]
+    fn pdf(&self, point: [f32; 2]) -> f32 {
+        uniform_density(point)
+    }
+
+    #[inline]
+    fn invert(&self, point: [f32; 2]) -> [f32; 2] {
+        let [x, y] = point;
+        let r = into_unit(T::sqrt(x * x + y * y));
+        concentric_inverse::<T>(point, 1.0 - r)
+    }
+}

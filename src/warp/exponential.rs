@@ -1,0 +1,156 @@
+//! The exponential distribution, in both orientations.
+
+use super::{Warp, above_zero, into_unit, representable};
+use crate::error::{Error, positive};
+use crate::tier::{Tier, exp_of_product};
+use crate::uniform::{Canonical, try_full_canonical};
+use core::marker::PhantomData;
+use rand_core::TryRng;
+
+/// The smallest accepted rate: −ln 2⁻¹⁴⁹ divided by it is still finite.
+const MIN_RATE: f32 = 104.0 / f32::MAX;
+
+const fn checked_rate(rate: f32) -> Result<f32, Error> {
+    match positive(rate) {
+        Ok(rate) if rate < MIN_RATE => Err(Error::TooLarge),
+        other => other,
+    }
+}
+
+/// Exponential with rate a, increasing with the uniform: −ln(1 − u)/a.
+///
+/// - Uniforms: one. The largest sample is set by the largest uniform: 16.64/a.
+/// - Range: [0, 16.64/a].
+/// - Density: a e^(−ax) for x ≥ 0.
+///
+/// Where the tail matters beyond 16.64/a, take [`ExponentialTail`].
+///
+/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let free_path = mw::Exponential::new(2.0)?;
+/// assert_eq!(free_path.sample(0.0), 0.0);
+/// assert!((free_path.sample(0.5) - 0.346_573_6).abs() < 1e-7);
+/// assert_eq!(free_path.pdf(0.0), 2.0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Exponential<T> {
+    rate: f32,
+    tier: PhantomData<T>,
+}
+
+impl<T: Tier> Exponential<T> {
+    /// Exponential with the given rate (the reciprocal of the mean).
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
+    /// [`Error::TooLarge`] for a rate so small that the tail overflows (below 3.1e-37).
+    pub const fn new(rate: f32) -> Result<Self, Error> {
+        match checked_rate(rate) {
+            Ok(rate) => Ok(Self {
+                rate,
+                tier: PhantomData,
+            }),
+            Err(e) => Err(e),
+        }
+    }
+}
+
+fn density<T: Tier>(rate: f32, x: f32) -> f32 {
+    if x >= 0.0 {
+        representable(rate * exp_of_product::<T>(-rate, x))
+    } else {
+        0.0
+    }
+}
+
+impl<T: Tier> Warp for Exponential<T> {
+    type Uniforms = f32;
+    type Point = f32;
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
+        -T::ln_1p(-u.get()) / self.rate
+    }
+
+    #[inline]
+    fn pdf(&self, x: f32) -> f32 {
+        density::<T>(self.rate, x)
+    }
+
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        into_unit(-T::exp_m1(-self.rate * x))
+    }
+}
+
+/// Exponential with rate a, decreasing with the uniform: −ln(u)/a, tail first.
+///
+/// Small uniforms keep their precision in `f32`, so this orientation reaches the far tail: 44.36/a
+/// from full-resolution uniforms, which is what [`Warp::draw`] takes here, and 103.28/a at u = 0,
+/// which counts as 2⁻¹⁴⁹.
+///
+/// - Uniforms: one; drawing takes **two** words of the generator for it.
+/// - Range: [5.9e-8/a, 103.28/a].
+/// - Density: a e^(−ax) for x ≥ 0.
+///
+/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let decay = mw::ExponentialTail::new(1.0)?;
+/// assert!(decay.sample(2.0_f32.powi(-60)) > 41.0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ExponentialTail<T> {
+    rate: f32,
+    tier: PhantomData<T>,
+}
+
+impl<T: Tier> ExponentialTail<T> {
+    /// Exponential with the given rate (the reciprocal of the mean).
+    ///
+    /// # Errors
+    /// As [`Exponential::new`].
+    pub const fn new(rate: f32) -> Result<Self, Error> {
+        match checked_rate(rate) {
+            Ok(rate) => Ok(Self {
+                rate,
+                tier: PhantomData,
+            }),
+            Err(e) => Err(e),
+        }
+    }
+}
+
+impl<T: Tier> Warp for ExponentialTail<T> {
+    type Uniforms = f32;
+    type Point = f32;
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
+        -T::ln(above_zero(u.get())) / self.rate
+    }
+
+    #[inline]
+    fn pdf(&self, x: f32) -> f32 {
+        density::<T>(self.rate, x)
+    }
+
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        into_unit(exp_of_product::<T>(-self.rate, x))
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
+        Ok(self.sample_canonical(try_full_canonical(rng)?))
+    }
+}

@@ -1,0 +1,187 @@
+//! The upper hemisphere: uniform, and in proportion to the cosine by inversion and by Malley's method.
+
+use super::direction::{around, azimuth, is_direction};
+use super::disk::{concentric, concentric_inverse};
+use super::{Warp, above_zero, into_unit, representable};
+use crate::tier::Tier;
+use crate::uniform::Canonical;
+use core::f32::consts::FRAC_1_PI;
+use core::marker::PhantomData;
+
+/// Uniform over the hemisphere about +z.
+///
+/// z = u₁, sin θ = √((1 − u₁)(1 + u₁)), φ = u₂ turns: the horizon is at u₁ = 0.
+///
+/// - Uniforms: two, polar then azimuth.
+/// - Range: unit vectors with z ≥ 0.
+/// - Density: 1/(2π) per steradian where z ≥ 0.
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let hemisphere = mw::Hemisphere::new();
+/// assert_eq!(hemisphere.sample([0.0, 0.5]), [-1.0, 0.0, 0.0]);
+/// assert_eq!(hemisphere.pdf([0.0, 0.0, -1.0]), 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hemisphere<T>(PhantomData<T>);
+
+impl<T: Tier> Hemisphere<T> {
+    /// The directions with z ≥ 0.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<T: Tier> Warp for Hemisphere<T> {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 3];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
+        let [u1, u2] = u.get();
+        around::<T>(T::sqrt((1.0 - u1) * (1.0 + u1)), u1, u2)
+    }
+
+    #[inline]
+    fn pdf(&self, direction: [f32; 3]) -> f32 {
+        let [_, _, z] = direction;
+        if z >= 0.0 && is_direction(direction) {
+            0.5 * FRAC_1_PI
+        } else {
+            0.0
+        }
+    }
+
+    #[inline]
+    fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
+        let [x, y, z] = direction;
+        [into_unit(z), azimuth::<T>(x, y)]
+    }
+}
+
+/// In proportion to the cosine over the hemisphere about +z, by inversion.
+///
+/// sin θ = √u₁, cos θ = √(1 − u₁), φ = u₂ turns: the pole is at u₁ = 0.
+///
+/// - Uniforms: two, polar then azimuth.
+/// - Range: unit vectors with z > 0.
+/// - Density: cos θ/π per steradian; never 0 at a sample, whose z is at least 2⁻¹².
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let lambert = mw::CosineHemisphere::new();
+/// assert_eq!(lambert.sample([0.0, 0.0]), [0.0, 0.0, 1.0]);
+/// assert_eq!(lambert.invert([0.0, 0.0, 1.0]), [0.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CosineHemisphere<T>(PhantomData<T>);
+
+impl<T: Tier> CosineHemisphere<T> {
+    /// The directions with z > 0, weighted by z.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+#[inline]
+fn cosine_density(direction: [f32; 3]) -> f32 {
+    let [_, _, z] = direction;
+    if z > 0.0 && is_direction(direction) {
+        representable(z * FRAC_1_PI)
+    } else {
+        0.0
+    }
+}
+
+impl<T: Tier> Warp for CosineHemisphere<T> {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 3];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
+        let [u1, u2] = u.get();
+        around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2)
+    }
+
+    #[inline]
+    fn pdf(&self, direction: [f32; 3]) -> f32 {
+        cosine_density(direction)
+    }
+
+    #[inline]
+    fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
+        let [x, y, z] = direction;
+        // Whichever of sin² and cos² is small holds the digits.
+        let sin2 = x * x + y * y;
+        let u1 = if sin2 < 0.5 { sin2 } else { 1.0 - z * z };
+        [into_unit(u1), azimuth::<T>(x, y)]
+    }
+}
+
+/// In proportion to the cosine over the hemisphere about +z, by Malley's method.
+///
+/// A point of the concentric disk, lifted onto the hemisphere; 1 − r² is formed from the uniforms, where
+/// it does not cancel. Strata stay compact, as with [`DiskConcentric`](super::DiskConcentric).
+///
+/// - Uniforms: two. (½, ½) gives the pole.
+/// - Range: unit vectors with z > 0.
+/// - Density: cos θ/π per steradian; never 0 at a sample.
+///
+/// Source: T. J. V. Malley, "A Shading Method for Computer Generated Images", 1988; P. Shirley and
+/// K. Chiu, "A Low Distortion Map Between Disk and Square", 1997.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let lambert = mw::MalleyHemisphere::new();
+/// assert_eq!(lambert.sample([0.5, 0.5]), [0.0, 0.0, 1.0]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MalleyHemisphere<T>(PhantomData<T>);
+
+impl<T: Tier> MalleyHemisphere<T> {
+    /// The directions with z > 0, weighted by z.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<T: Tier> Warp for MalleyHemisphere<T> {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 3];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
+        let [x, y] = concentric::<T>(u.get());
+        // The radius is 1 - 2m, so 1 - r² = 4m(1 - m).
+        let [m1, m2] = u.get().map(|u| if u < 0.5 { u } else { 1.0 - u });
+        let m = above_zero(if m1 < m2 { m1 } else { m2 });
+        [x, y, 2.0 * T::sqrt(m * (1.0 - m))]
+    }
+
+    #[inline]
+    fn pdf(&self, direction: [f32; 3]) -> f32 {
+        cosine_density(direction)
+    }
+
+    #[inline]
+    fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
+        let [x, y, z] = direction;
+        let r = into_unit(T::sqrt(x * x + y * y));
+        // 1 - r from the height near the rim, directly near the pole.
+        let to_rim = if r > 0.5 { z * z / (1.0 + r) } else { 1.0 - r };
+        concentric_inverse::<T>([x, y], to_rim)
+    }
+}

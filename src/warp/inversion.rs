@@ -1,0 +1,71 @@
+//! A warp from a user's own inverse CDF.
+
+use super::{Warp, into_unit};
+use crate::uniform::Canonical;
+
+/// Any one-dimensional density, given by its inverse CDF, the density itself and its CDF.
+///
+/// - Uniforms: one.
+/// - Density and range: the user's. The three functions must belong together; what they return is passed
+///   on as it is, except that `invert` is brought into [0, 1).
+/// - Errors: those of the three functions; the warp adds none.
+///
+/// Source: J. von Neumann's letter to S. Ulam, 1947, as told by R. Eckhardt, 1987.
+///
+/// ```
+/// use microwarp::{Inversion, Warp};
+/// // p(x) = 2x on [0, 1]
+/// let ramp = Inversion::new(
+///     |u: f32| libm::sqrtf(u),
+///     |x: f32| if (0.0..=1.0).contains(&x) { 2.0 * x } else { 0.0 },
+///     |x: f32| x * x,
+/// );
+/// assert_eq!(ramp.sample(0.25), 0.5);
+/// assert_eq!(ramp.pdf(0.5), 1.0);
+/// assert_eq!(ramp.invert(0.5), 0.25);
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Inversion<Q, P, C> {
+    quantile: Q,
+    pdf: P,
+    cdf: C,
+}
+
+impl<Q, P, C> Inversion<Q, P, C>
+where
+    Q: Fn(f32) -> f32,
+    P: Fn(f32) -> f32,
+    C: Fn(f32) -> f32,
+{
+    /// The warp with inverse CDF `quantile`, density `pdf` and CDF `cdf`.
+    pub const fn new(quantile: Q, pdf: P, cdf: C) -> Self {
+        Self { quantile, pdf, cdf }
+    }
+}
+
+impl<Q, P, C> Warp for Inversion<Q, P, C>
+where
+    Q: Fn(f32) -> f32,
+    P: Fn(f32) -> f32,
+    C: Fn(f32) -> f32,
+{
+    type Uniforms = f32;
+    type Point = f32;
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
+        (self.quantile)(u.get())
+    }
+
+    #[inline]
+    fn pdf(&self, x: f32) -> f32 {
+        (self.pdf)(x)
+    }
+
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        into_unit((self.cdf)(x))
+    }
+}

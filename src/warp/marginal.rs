@@ -1,0 +1,96 @@
+//! A two-dimensional warp made of a marginal and a conditional.
+
+use super::{Warp, representable};
+use crate::uniform::Canonical;
+use rand_core::TryRng;
+
+/// x from a marginal, then y from the conditional that belongs to that x.
+///
+/// - Uniforms: two, the marginal's then the conditional's.
+/// - Density: p(x) p(y | x). Where the marginal is 0, as in an empty row, it is 0 and the conditional is
+///   not asked for; a sample never comes from there.
+/// - Errors: those of the two warps.
+///
+/// Source: M. Rosenblatt, "Remarks on a Multivariate Transformation", 1952.
+///
+/// ```
+/// use microwarp::{Interval, MarginalConditional, Warp, poly as mw};
+/// // Uniform on the triangle 0 ≤ y ≤ x ≤ 1: p(x) = 2x, p(y | x) = 1/x.
+/// let whole = Interval::new(0.0, 1.0)?;
+/// let triangle = MarginalConditional::new(mw::Linear::new(0.0, 1.0)?, |x: f32| {
+///     Interval::new(0.0, x).unwrap_or(whole)
+/// });
+/// assert_eq!(triangle.sample([0.25, 0.5]), [0.5, 0.25]);
+/// assert_eq!(triangle.pdf([0.5, 0.25]), 2.0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MarginalConditional<M, F> {
+    marginal: M,
+    conditional: F,
+}
+
+impl<M, F, C> MarginalConditional<M, F>
+where
+    M: Warp<Uniforms = f32, Point = f32, Density = f32>,
+    C: Warp<Uniforms = f32, Point = f32, Density = f32>,
+    F: Fn(f32) -> C,
+{
+    /// The warp of the given marginal and of the conditional that `conditional` gives for an x.
+    pub const fn new(marginal: M, conditional: F) -> Self {
+        Self {
+            marginal,
+            conditional,
+        }
+    }
+}
+
+impl<M, F, C> Warp for MarginalConditional<M, F>
+where
+    M: Warp<Uniforms = f32, Point = f32, Density = f32>,
+    C: Warp<Uniforms = f32, Point = f32, Density = f32>,
+    F: Fn(f32) -> C,
+{
+    type Uniforms = [f32; 2];
+    type Point = [f32; 2];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
+        let [u1, u2] = u.each();
+        let x = self.marginal.sample_canonical(u1);
+        [x, (self.conditional)(x).sample_canonical(u2)]
+    }
+
+    #[inline]
+    fn pdf(&self, point: [f32; 2]) -> f32 {
+        let [x, y] = point;
+        let marginal = self.marginal.pdf(x);
+        if marginal > 0.0 {
+            let conditional = (self.conditional)(x).pdf(y);
+            if conditional > 0.0 {
+                return representable(marginal * conditional);
+            }
+        }
+        0.0
+    }
+
+    #[inline]
+    fn invert(&self, point: [f32; 2]) -> [f32; 2] {
+        let [x, y] = point;
+        let u1 = self.marginal.invert(x);
+        let u2 = if self.marginal.pdf(x) > 0.0 {
+            (self.conditional)(x).invert(y)
+        } else {
+            0.0
+        };
+        [u1, u2]
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 2], R::Error> {
+        let x = self.marginal.try_draw(rng)?;
+        Ok([x, (self.conditional)(x).try_draw(rng)?])
+    }
+}

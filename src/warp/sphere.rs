@@ -1,0 +1,68 @@
+//! The uniform distribution over all directions.
+
+use super::Warp;
+use super::direction::{around, azimuth, is_direction, one_minus_cos};
+use super::into_unit;
+use crate::tier::Tier;
+use crate::uniform::Canonical;
+use core::f32::consts::FRAC_1_PI;
+use core::marker::PhantomData;
+
+/// Uniform over the unit sphere.
+///
+/// z = 1 − 2u₁, sin θ = 2√(u₁(1 − u₁)), φ = u₂ turns: the pole +z is at u₁ = 0.
+///
+/// - Uniforms: two, polar then azimuth.
+/// - Range: unit vectors.
+/// - Density: 1/(4π) per steradian, for any finite direction.
+///
+/// Source: J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995, for Archimedes' map.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let sphere = mw::Sphere::new();
+/// assert_eq!(sphere.sample([0.5, 0.25]), [0.0, 1.0, 0.0]);
+/// assert_eq!(sphere.invert([0.0, 1.0, 0.0]), [0.5, 0.25]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Sphere<T>(PhantomData<T>);
+
+impl<T: Tier> Sphere<T> {
+    /// All directions.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<T: Tier> Warp for Sphere<T> {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 3];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
+        let [u1, u2] = u.get();
+        let sin = 2.0 * T::sqrt(u1 * (1.0 - u1));
+        around::<T>(sin, 1.0 - 2.0 * u1, u2)
+    }
+
+    #[inline]
+    fn pdf(&self, direction: [f32; 3]) -> f32 {
+        if is_direction(direction) {
+            0.25 * FRAC_1_PI
+        } else {
+            0.0
+        }
+    }
+
+    #[inline]
+    fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
+        let [x, y, _] = direction;
+        [
+            into_unit(0.5 * one_minus_cos(direction)),
+            azimuth::<T>(x, y),
+        ]
+    }
+}

@@ -1,0 +1,278 @@
+//! Spherical coordinates with their Jacobians, and the uniform distribution on a latitude-longitude patch.
+
+use super::direction::{around, azimuth, is_direction, one_minus_cos};
+use super::{Warp, clamp, into_unit};
+use crate::error::{Error, finite};
+use crate::tier::{Tier, sqrt};
+use crate::uniform::Canonical;
+use core::f32::consts::TAU;
+use core::marker::PhantomData;
+
+/// A point in spherical coordinates: radius, polar angle θ from +z and azimuth φ from +x, in turns.
+///
+/// - Domain: r ≥ 0, θ in [0, ½], φ in [0, 1), in turns (one turn is 2π radians).
+/// - The volume element is r² sin θ dr dθ dφ and the solid angle sin θ dθ dφ, with θ and φ in radians.
+///
+/// ```
+/// use microwarp::poly as mw;
+/// let p = mw::Spherical::from_cartesian([0.0, 3.0, 0.0]);
+/// assert_eq!((p.radius(), p.theta(), p.phi()), (3.0, 0.25, 0.25));
+/// assert_eq!(p.to_cartesian(), [0.0, 3.0, 0.0]);
+/// assert_eq!(p.volume_jacobian(), 9.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Spherical<T> {
+    radius: f32,
+    theta: f32,
+    phi: f32,
+    tier: PhantomData<T>,
+}
+
+impl<T: Tier> Spherical<T> {
+    /// The point at the given radius, polar angle and azimuth, both in turns.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] for a negative radius,
+    /// [`Error::OutOfRange`] for a polar angle outside [0, ½] turns. Any finite azimuth is accepted.
+    pub const fn new(radius: f32, theta: f32, phi: f32) -> Result<Self, Error> {
+        match (finite(radius), finite(theta), finite(phi)) {
+            (Err(e), _, _) | (_, Err(e), _) | (_, _, Err(e)) => Err(e),
+            _ if radius < 0.0 => Err(Error::Negative),
+            _ if theta < 0.0 || theta > 0.5 => Err(Error::OutOfRange),
+            _ => Ok(Self {
+                radius,
+                theta,
+                phi,
+                tier: PhantomData,
+            }),
+        }
+    }
+
+    /// The spherical coordinates of a point. The origin has both angles 0; a coordinate that is not
+    /// finite counts as 0.
+    #[must_use]
+    pub fn from_cartesian(point: [f32; 3]) -> Self {
+        let [x, y, z] = point.map(|c| if c.is_finite() { c } else { 0.0 });
+        let (scale, [x, y, z]) = scaled([x, y, z]);
+        let equatorial = sqrt(x * x + y * y);
+        let radius = sqrt(equatorial * equatorial + z * z) * scale;
+        Self {
+            radius: clamp(radius, 0.0, f32::MAX),
+            theta: T::atan2_turns(equatorial, z).abs(),
+            phi: azimuth::<T>(x, y),
+            tier: PhantomData,
+        }
+    }
+
+    /// The radius.
+    #[must_use]
+    pub const fn radius(&self) -> f32 {
+        self.radius
+    }
+
+    /// The polar angle from +z in turns, in [0, ½].
+    #[must_use]
+    pub const fn theta(&self) -> f32 {
+        self.theta
+    }
+
+    /// The azimuth from +x in turns.
+    #[must_use]
+    pub const fn phi(&self) -> f32 {
+        self.phi
+    }
+
+    /// The point in Cartesian coordinates.
+    #[must_use]
+    pub fn to_cartesian(&self) -> [f32; 3] {
+        let (sin, cos) = T::sincos_turns(self.theta);
+        around::<T>(sin, cos, self.phi).map(|c| c * self.radius)
+    }
+
+    /// sin θ: multiplies a density per steradian into one per radian of θ and radian of φ.
+    #[must_use]
+    pub fn solid_angle_jacobian(&self) -> f32 {
+        T::sincos_turns(self.theta).0
+    }
+
+    /// r² sin θ: multiplies a density per unit volume into one per unit of r, radian of θ and radian
+    /// of φ. The largest `f32` where it overflows.
+    #[must_use]
+    pub fn volume_jacobian(&self) -> f32 {
+        clamp(
+            self.radius * self.solid_angle_jacobian() * self.radius,
+            0.0,
+            f32::MAX,
+        )
+    }
+}
+
+/// A power of two near the largest coordinate, and the point divided by it: squares neither over- nor
+/// underflow after that.
+fn scaled(point: [f32; 3]) -> (f32, [f32; 3]) {
+    let mut largest = f32::MIN_POSITIVE;
+    for c in point {
+        largest = clamp(c.abs(), largest, f32::MAX);
+    }
+    let scale = f32::from_bits(largest.to_bits() & 0x7f80_0000);
+    (scale, point.map(|c| c / scale))
+}
+
+/// The unit vector along a direction of any finite length.
+pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
+    for c in direction {
+        finite(c)?;
+    }
+    let (_, [x, y, z]) = scaled(direction);
+    let length = sqrt(x * x + y * y + z * z);
+    if length > 0.0 {
+        Ok([x / length, y / length, z / length])
+    } else {
+        Err(Error::ZeroLength)
+    }
+}
+
+/// Uniform over the directions between two polar angles and two azimuths.
+///
+/// cos θ is uniform between its two ends, carried as 1 − cos θ and 1 + cos θ so that neither pole
+/// cancels; φ is uniform.
+///
+/// - Uniforms: two, polar then azimuth.
+/// - Range: unit vectors with θ and φ in the given ranges (φ modulo one turn).
+/// - Density: 1/Ω per steradian inside, Ω = (cos θ₀ − cos θ₁)(φ₁ − φ₀)·2π.
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016, for dω = sin θ dθ dφ.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let octant = mw::SphericalPatch::new(0.0, 0.25, 0.0, 0.25)?;
+/// assert!((octant.solid_angle() - core::f32::consts::FRAC_PI_2).abs() < 1e-6);
+/// assert!(octant.pdf([0.6, 0.0, 0.8]) > 0.0);
+/// assert_eq!(octant.pdf([-0.6, 0.0, 0.8]), 0.0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SphericalPatch<T> {
+    /// 1 − cos θ and 1 + cos θ at the first polar angle, and what they gain on the way to the second.
+    down: f32,
+    up: f32,
+    drop: f32,
+    phi: f32,
+    width: f32,
+    density: f32,
+    tier: PhantomData<T>,
+}
+
+/// How far outside the patch, relative to its own extent, rounding can carry a sample.
+const EDGE_SLACK: f32 = 8.0 * f32::EPSILON;
+
+impl<T: Tier> SphericalPatch<T> {
+    /// The directions with θ in [`theta0`, `theta1`] and φ in [`phi0`, `phi1`], all in turns.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::Reversed`] if an upper end is below its lower,
+    /// [`Error::OutOfRange`] for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1
+    /// turn, [`Error::Empty`] for a patch with no extent or one whose density overflows.
+    pub fn new(theta0: f32, theta1: f32, phi0: f32, phi1: f32) -> Result<Self, Error> {
+        for angle in [theta0, theta1, phi0, phi1] {
+            finite(angle)?;
+        }
+        if theta0 > theta1 || phi0 > phi1 {
+            return Err(Error::Reversed);
+        }
+        let width = phi1 - phi0;
+        if theta0 < 0.0 || theta1 > 0.5 || phi0.abs() > 1.0 || width > 1.0 {
+            return Err(Error::OutOfRange);
+        }
+        // 1 - cos θ = 2 sin²(θ/2); cos θ₀ - cos θ₁ = 2 sin((θ₀+θ₁)/2) sin((θ₁-θ₀)/2).
+        let (sin_half, cos_half) = T::sincos_turns(0.5 * theta0);
+        let (mean, _) = T::sincos_turns(0.5 * theta0 + 0.5 * theta1);
+        let (half_width, _) = T::sincos_turns(0.5 * (theta1 - theta0));
+        let drop = 2.0 * mean * half_width;
+        let density = 1.0 / TAU / drop / width;
+        if !(density.is_finite() && drop > 0.0 && width > 0.0) {
+            return Err(Error::Empty);
+        }
+        Ok(Self {
+            down: 2.0 * sin_half * sin_half,
+            up: 2.0 * cos_half * cos_half,
+            drop,
+            phi: phi0,
+            width,
+            density,
+            tier: PhantomData,
+        })
+    }
+
+    /// The solid angle in steradians.
+    #[must_use]
+    pub fn solid_angle(&self) -> f32 {
+        1.0 / self.density
+    }
+
+    /// The position of a direction in the patch, (0, 0) to (1, 1) inside it.
+    #[inline]
+    fn position(&self, direction: [f32; 3]) -> [f32; 2] {
+        let [x, y, z] = direction;
+        let polar = if z < 0.0 {
+            let below = (x * x + y * y) / (1.0 - z);
+            (self.up - below) / self.drop
+        } else {
+            (one_minus_cos(direction) - self.down) / self.drop
+        };
+        let turn = T::atan2_turns(y, x) - self.phi;
+        // The representative of the azimuth nearest to the middle of the patch.
+        let off = turn - 0.5 * self.width;
+        let whole = if off > 1.5 {
+            2.0
+        } else if off > 0.5 {
+            1.0
+        } else if off < -1.5 {
+            -2.0
+        } else if off < -0.5 {
+            -1.0
+        } else {
+            0.0
+        };
+        [polar, (turn - whole) / self.width]
+    }
+}
+
+impl<T: Tier> Warp for SphericalPatch<T> {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 3];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
+        let [u1, u2] = u.get();
+        let down = self.down + u1 * self.drop;
+        let up = clamp(self.up - u1 * self.drop, 0.0, 2.0);
+        let cos = if down < up { 1.0 - down } else { up - 1.0 };
+        around::<T>(T::sqrt(down * up), cos, self.phi + u2 * self.width)
+    }
+
+    #[inline]
+    fn pdf(&self, direction: [f32; 3]) -> f32 {
+        let [polar, azimuth] = self.position(direction);
+        // Near a pole the azimuth of a rounded direction says little; the pole itself lies in every patch
+        // that touches it.
+        let [x, y, _] = direction;
+        let sin = sqrt(x * x + y * y);
+        let polar_slack = EDGE_SLACK * (2.0 / self.drop);
+        let azimuth_slack = EDGE_SLACK / self.width + f32::MIN_POSITIVE / (sin + f32::MIN_POSITIVE);
+        let inside = |t: f32, slack: f32| t >= -slack && t <= 1.0 + slack;
+        if is_direction(direction) && inside(polar, polar_slack) && inside(azimuth, azimuth_slack) {
+            self.density
+        } else {
+            0.0
+        }
+    }
+
+    #[inline]
+    fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
+        self.position(direction).map(into_unit)
+    }
+}

@@ -1,0 +1,82 @@
+//! The tent (triangle) filter.
+
+use super::{Warp, clamp, into_unit};
+use crate::error::{Error, positive};
+use crate::tier::sqrt;
+use crate::uniform::Canonical;
+
+/// The tent on (−r, r): density falling linearly from the centre to 0 at ±r.
+///
+/// With t = 2u below the middle and 2(1 − u) above, x = ∓r(1 − t)/(1 + √t), which is ∓r(1 − √t)
+/// without its cancellation at the centre.
+///
+/// - Uniforms: one.
+/// - Range: (−r, r); the ends, where the density is 0, are never returned.
+/// - Density: (1 − |x|/r)/r.
+/// - Both tiers share this code: it needs nothing but a square root.
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016; form re-derived.
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let filter = mw::Tent::new(2.0)?;
+/// assert_eq!(filter.sample(0.125), -1.0);
+/// assert_eq!(filter.pdf(-1.0), 0.25);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tent {
+    radius: f32,
+    /// The largest magnitude returned, the neighbour of the radius.
+    last: f32,
+}
+
+impl Tent {
+    /// The tent of the given radius about 0.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
+    /// [`Error::Empty`] for a radius below the smallest normal `f32`.
+    pub const fn new(radius: f32) -> Result<Self, Error> {
+        match positive(radius) {
+            Ok(radius) if radius >= f32::MIN_POSITIVE => Ok(Self {
+                radius,
+                last: f32::from_bits(radius.to_bits() - 1),
+            }),
+            Ok(_) => Err(Error::Empty),
+            Err(e) => Err(e),
+        }
+    }
+}
+
+impl Warp for Tent {
+    type Uniforms = f32;
+    type Point = f32;
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
+        let u = u.get();
+        let t = if u < 0.5 { 2.0 * u } else { 2.0 * (1.0 - u) };
+        let x = clamp(self.radius * ((1.0 - t) / (1.0 + sqrt(t))), 0.0, self.last);
+        if u < 0.5 { -x } else { x }
+    }
+
+    #[inline]
+    fn pdf(&self, x: f32) -> f32 {
+        let rest = self.radius - x.abs();
+        if rest > 0.0 {
+            super::representable(rest / self.radius / self.radius)
+        } else {
+            0.0
+        }
+    }
+
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        let rest = clamp((self.radius - x.abs()) / self.radius, 0.0, 1.0);
+        let half = 0.5 * rest * rest;
+        into_unit(if x < 0.0 { half } else { 1.0 - half })
+    }
+}
