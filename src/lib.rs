@@ -37,17 +37,23 @@
 //! - A sample never has density 0.
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
-#![allow(
-    clippy::many_single_char_names,
-    clippy::similar_names,
-    reason = "formulas keep the letters of their sources"
-)]
 #![warn(
     missing_debug_implementations,
     missing_copy_implementations,
     unreachable_pub,
     unused_qualifications,
     clippy::pedantic
+)]
+#![allow(
+    clippy::many_single_char_names,
+    clippy::similar_names,
+    reason = "formulas keep the letters of their sources"
+)]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "the range of what is cast is stated beside each cast"
 )]
 #![deny(
     clippy::unwrap_used,

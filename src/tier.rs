@@ -13,7 +13,8 @@ mod sqrt;
 pub use self::libm::Libm;
 pub use self::poly::Poly;
 pub(crate) use self::product::{
-    exp_of_product, one_minus_cos_radians, pow_of_quotient, two_product,
+    coin_series, exp_of_product, log_residual, one_minus_cos_radians, pow_of_quotient, scaled_exp,
+    two_product, two_sum,
 };
 pub(crate) use self::sqrt::sqrt;
 
@@ -28,7 +29,9 @@ mod sealed {
 /// The trait is sealed: [`Libm`] and [`Poly`] implement it and nothing else can. Each function is
 /// total: whatever `f32` it is handed, it returns without a panic, and for arguments inside the
 /// stated domain the result is within the error stated at the tier.
-pub trait Tier: sealed::Sealed + Copy + Default + core::fmt::Debug + PartialEq + 'static {
+pub trait Tier:
+    sealed::Sealed + Copy + Default + core::fmt::Debug + PartialEq + Send + Sync + 'static
+{
     /// The name of the tier, as it is written in tables: `"libm"` or `"poly"`.
     const NAME: &'static str;
 

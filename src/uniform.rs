@@ -160,7 +160,7 @@ pub const fn grid_from_word(word: u32) -> f32 {
 #[inline]
 pub const fn open_from_word(word: u32) -> f32 {
     // The low bit is the half step; 24 significant bits fit an f32 exactly.
-    ((word >> 9) << 1 | 1) as f32 * STEP
+    (((word >> 9) << 1) | 1) as f32 * STEP
 }
 
 /// A 64-bit fraction truncated to the nearest `f32` below: small values keep their precision.
@@ -180,16 +180,17 @@ pub const fn full_from_words(high: u32, low: u32) -> f32 {
     let zeros = high.leading_zeros();
     let (window, zeros) = if zeros < 32 {
         // `low >> 1 >> (31 - zeros)` is `low >> (32 - zeros)` without the shift by 32.
-        ((high << zeros) | (low >> 1 >> (31 - zeros)), zeros)
+        let below = (low >> 1).wrapping_shr(31_u32.wrapping_sub(zeros));
+        (high.wrapping_shl(zeros) | below, zeros)
     } else {
         let more = low.leading_zeros();
         if more == 32 {
             return 0.0;
         }
-        (low << more, 32 + more)
+        (low.wrapping_shl(more), more.wrapping_add(32))
     };
     // `window` has its leading bit set and stands for window · 2^-(32 + zeros).
-    let exponent = 126 - zeros;
+    let exponent = 126_u32.wrapping_sub(zeros);
     f32::from_bits((exponent << 23) | ((window >> 8) & 0x007f_ffff))
 }
 

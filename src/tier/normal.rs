@@ -1,13 +1,75 @@
-//! The standard normal distribution's lower tail and its quantile, over the functions of a tier.
+//! The standard normal distribution's lower tail and its quantile, over the exponential, logarithm and
+//! square root of a tier; both tiers share them. The upper half is the caller's, by symmetry.
 
-use super::Tier;
+use super::{Tier, exp_of_product};
 
-/// Placeholder until the derived fits arrive.
+/// Numerator of `e^(t²/2) Φ(-t)` in powers of t; see `MILLS` in `tests/derivation`.
+const MILLS: [f32; 5] = [0.5, 0.438_578_04, 0.183_418_35, 0.040_687_24, 0.004_122_001];
+/// Its denominator, less the 1.
+const MILLS_OVER: [f32; 5] = [
+    1.675_041,
+    1.203_321_8,
+    0.469_947_28,
+    0.101_994_04,
+    0.010_332_209,
+];
+
+/// Numerator of `-Φ⁻¹(1/2 - q)/q - 5/2` in powers of q²; see `CENTRAL` in `tests/derivation`.
+const CENTRAL: [f32; 5] = [
+    0.006_628_286_6,
+    2.585_684_3,
+    -9.713_775,
+    3.230_520_5,
+    2.330_104_8,
+];
+/// Its denominator, less the 1.
+const CENTRAL_OVER: [f32; 2] = [-5.920_813_6, 8.288_465];
+
+/// Numerator of `3r/2 + Φ⁻¹(e^(-r²))` in powers of r; see `TAIL` in `tests/derivation`.
+const TAIL: [f32; 5] = [
+    2.924_783_5,
+    6.779_671_7,
+    1.912_044_4,
+    0.349_245_3,
+    0.039_793_614,
+];
+/// Its denominator, less the 1.
+const TAIL_OVER: [f32; 3] = [4.943_938_7, 3.917_732, 0.465_646_77];
+
+/// Φ(x) for `x <= 0`; what is above 0 or not a number counts as 0.
 pub(crate) fn cdf_lower<T: Tier>(x: f32) -> f32 {
-    0.5 * ::libm::erfcf(-x * core::f32::consts::FRAC_1_SQRT_2)
+    // Below -15 the probability rounds to 0, and so does the exponential.
+    let t = if x < 0.0 { -x } else { 0.0 };
+    let t = if t < 15.0 { t } else { 15.0 };
+    let [n0, n1, n2, n3, n4] = MILLS;
+    let [d1, d2, d3, d4, d5] = MILLS_OVER;
+    // All coefficients are positive, so neither sum cancels.
+    let numerator = n0 + t * (n1 + t * (n2 + t * (n3 + t * n4)));
+    let denominator = 1.0 + t * (d1 + t * (d2 + t * (d3 + t * (d4 + t * d5))));
+    exp_of_product::<T>(-0.5 * t, t) * (numerator / denominator)
 }
 
-/// Placeholder until the derived fits arrive.
+/// The quantile of `p` in `(0, 1/2]`; what is below counts as the smallest subnormal, what is above or
+/// not a number as 1/2.
 pub(crate) fn quantile_lower<T: Tier>(p: f32) -> f32 {
-    -T::sqrt(-2.0 * T::ln(p))
+    let q = if p < 0.5 { p - 0.5 } else { 0.0 };
+    if q >= -0.375 {
+        let w = q * q;
+        let [n0, n1, n2, n3, n4] = CENTRAL;
+        let [d1, d2] = CENTRAL_OVER;
+        let numerator = n0 + w * (n1 + w * (n2 + w * (n3 + w * n4)));
+        let denominator = 1.0 + w * (d1 + w * d2);
+        // q is exact, so the relative error stays small up to the median.
+        2.5 * q + q * (numerator / denominator)
+    } else {
+        let smallest = f32::from_bits(1);
+        let p = if p > smallest { p } else { smallest };
+        let r = T::sqrt(-T::ln(p));
+        let [n0, n1, n2, n3, n4] = TAIL;
+        let [d1, d2, d3] = TAIL_OVER;
+        let numerator = n0 + r * (n1 + r * (n2 + r * (n3 + r * n4)));
+        let denominator = 1.0 + r * (d1 + r * (d2 + r * d3));
+        // r/2 minus a quotient near 1 is small beside r, which is added last.
+        (numerator / denominator - 0.5 * r) - r
+    }
 }

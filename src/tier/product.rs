@@ -43,9 +43,10 @@ pub(crate) fn one_minus_cos_radians<T: Tier>(x: f32) -> f32 {
     2.0 * sine * sine
 }
 
-/// `(x/r)^n` for positive x and r, without the error that rounding the quotient would bring.
+/// `(x/r)^n` for positive x and r and n given as a sum, without the error that rounding the quotient
+/// would bring.
 #[inline]
-pub(crate) fn pow_of_quotient<T: Tier>(x: f32, r: f32, n: f32) -> f32 {
+pub(crate) fn pow_of_quotient<T: Tier>(x: f32, r: f32, n: f32, n_rest: f32) -> f32 {
     let quotient = x / r;
     if !(f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) {
         // Fourth roots bring any quotient of two floats into range; only a small |n| leaves the power
@@ -56,11 +57,57 @@ pub(crate) fn pow_of_quotient<T: Tier>(x: f32, r: f32, n: f32) -> f32 {
     let (back, dropped) = two_product(quotient, r);
     let short = ((x - back) - dropped) / x;
     let power = T::pow(quotient, n);
+    let mut correction = n * short;
+    if n_rest != 0.0 {
+        correction += n_rest * T::ln(quotient);
+    }
     // Where n times the shortfall is not small the power itself is 0 or infinite.
-    let correction = n * short;
     if correction.abs() < 0.125 {
         power + power * correction
     } else {
         power
     }
+}
+
+/// `scale · e^(exponent + rest)` where the exponential alone may leave the range of `f32`.
+#[inline]
+pub(crate) fn scaled_exp<T: Tier>(scale: f32, exponent: f32, rest: f32) -> f32 {
+    let x = if exponent.abs() < 80.0 {
+        scale * T::exp(exponent)
+    } else {
+        let half = T::exp(0.5 * exponent);
+        (scale * half) * half
+    };
+    x + x * rest
+}
+
+/// What a rounded logarithm `log` of `x` lacks, to the accuracy of the tier's exponential: one step of
+/// Newton's method on `e^log = x`.
+pub(crate) fn log_residual<T: Tier>(x: f32, log: f32) -> f32 {
+    // In two halves, since e^(-log) alone may overflow.
+    let half = T::exp(-0.5 * log);
+    let (product, dropped) = two_product(x * half, half);
+    (product - 1.0) + dropped
+}
+
+/// S in −ln(near + away·e^(−z))/z = away·(1 − z·near·S), near + away = 1, for |z| up to ½.
+///
+/// The left side is the cumulant generating function of a coin that shows 1 with probability `away`; S is
+/// its series with p = near·away and d = near − away. The first term left out is below 1e-10.
+#[inline]
+pub(crate) fn coin_series(z: f32, near: f32, away: f32) -> f32 {
+    let (p, d) = (near * away, near - away);
+    let seventh = d * (1.0 - p * (60.0 - 360.0 * p)) * (1.0 / 5040.0);
+    let sixth = (1.0 - p * (30.0 - 120.0 * p)) * (1.0 / 720.0) - z * seventh;
+    let fifth = d * (1.0 - 12.0 * p) * (1.0 / 120.0) - z * sixth;
+    let fourth = (1.0 - 6.0 * p) * (1.0 / 24.0) - z * fifth;
+    0.5 - z * (d * (1.0 / 6.0) - z * fourth)
+}
+
+/// The sum and what rounding it dropped, exact for any order of magnitudes.
+#[inline]
+pub(crate) fn two_sum(a: f32, b: f32) -> (f32, f32) {
+    let sum = a + b;
+    let b_part = sum - a;
+    (sum, (a - (sum - b_part)) + (b - b_part))
 }

@@ -69,14 +69,19 @@ impl Strata1d {
     }
 
     fn place(self, i: u32, r: Canonical<f32>) -> f32 {
-        let i = i % self.count.max(1);
+        let i = remainder(i, self.count);
         // In units of 2^-24 the offset is below 2^24 and the sum below 2^47, so integers hold
         // (i + r) 2^24 exactly and the quotient is the grid point below it.
         let jitter = (r.get() * 16_777_216.0) as u32;
         let scaled = (u64::from(i) << 24) | u64::from(jitter);
-        let k = (scaled / u64::from(self.count.max(1))) as u32;
+        let k = scaled.checked_div(u64::from(self.count)).unwrap_or(0) as u32;
         k as f32 * STEP
     }
+}
+
+/// The remainder, without the panic of a division by 0 that the constructor has ruled out.
+fn remainder(i: u32, count: u32) -> u32 {
+    i.checked_rem(count).unwrap_or(0)
 }
 
 /// Divides [0, 1)² into `columns` × `rows` strata of equal area; each gives one jittered point.
@@ -153,7 +158,10 @@ impl Strata2d {
     }
 
     fn cell(self, k: u32) -> (u32, u32) {
-        let columns = self.columns.count.max(1);
-        (k % columns, (k / columns) % self.rows.count.max(1))
+        let row = k.checked_div(self.columns.count).unwrap_or(0);
+        (
+            remainder(k, self.columns.count),
+            remainder(row, self.rows.count),
+        )
     }
 }

@@ -15,12 +15,22 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// Uniform over the directions within an angle of +z.
 ///
 /// Carried as k = 1 − cos θmax, which keeps its digits where cos θmax has rounded to 1: with
-/// q = u₁k, sin θ = √(q(2 − q)), cos θ = 1 − q. A cone of 1e-7 rad samples as accurately as a wide one.
+/// q = u₁k, sin θ = √(q(2 − q)), cos θ = 1 − q, and 2 − q carried likewise. A cone of 1e-7 rad samples as accurately as a wide one.
 ///
 /// - Uniforms: two, polar then azimuth; the axis is at u₁ = 0.
 /// - Range: unit vectors with 1 − cos θ ≤ k. For cones under 3e-4 rad z is 1 and all the information is in
 ///   x and y, which `pdf` and `invert` read.
 /// - Density: 1/(2πk) per steradian inside the cone (a few ulp beyond its rim included).
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 2.4e-7 | 2.4e-7 |
+/// | sin θ, ulp | 16 | 16 |
+/// | unit length | 2.2e-7 | 2.2e-7 |
+/// | pdf, relative | 1.9e-7 | 1.9e-7 |
+/// | realised density, relative | 1.9e-7 | 1.9e-7 |
+/// | inverse | 2.5e-7 | 2.5e-7 |
+/// | round trip | 3.6e-7 | 3.6e-7 |
 ///
 /// Source: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting
 /// Calculations", 1996.
@@ -38,8 +48,13 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 pub struct Cone<T> {
     /// 1 − cos of the half angle, in (0, 2].
     k: f32,
+    /// 1 + cos of the half angle, which 2 − k has lost where the cone is nearly the sphere.
+    rest: f32,
     tier: PhantomData<T>,
 }
+
+/// By how much the `f32` nearest to π is too large.
+const PI_EXCESS: f32 = (PI as f64 - core::f64::consts::PI) as f32;
 
 impl<T: Tier> Cone<T> {
     /// The cone of 1 − cos θmax = `k`, in (0, 2]; 2 is the whole sphere.
@@ -53,6 +68,7 @@ impl<T: Tier> Cone<T> {
             Ok(k) if k < f32::MIN_POSITIVE => Err(Error::Empty),
             Ok(k) => Ok(Self {
                 k,
+                rest: 2.0 - k,
                 tier: PhantomData,
             }),
             Err(e) => Err(e),
@@ -70,7 +86,10 @@ impl<T: Tier> Cone<T> {
             return Err(Error::OutOfRange);
         }
         let k = one_minus_cos_radians::<T>(radians);
-        Self::from_one_minus_cos(if k > 2.0 { 2.0 } else { k })
+        let mut cone = Self::from_one_minus_cos(if k > 2.0 { 2.0 } else { k })?;
+        // 1 + cos θ is 1 - cos(π - θ).
+        cone.rest = one_minus_cos_radians::<T>((PI - radians) - PI_EXCESS);
+        Ok(cone)
     }
 
     /// The cone in which a sphere is seen: `sine` is its radius over the distance to its centre, in (0, 1].
@@ -108,8 +127,15 @@ impl<T: Tier> Warp for Cone<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
         let [u1, u2] = u.get();
-        let q = u1 * self.k;
-        around::<T>(T::sqrt(q * (2.0 - q)), 1.0 - q, u2)
+        let down = u1 * self.k;
+        // Whichever of 1 - cos and 1 + cos is smaller holds the digits; the other is 2 minus it, so that
+        // sine and cosine are those of one angle.
+        if down < 1.0 {
+            around::<T>(T::sqrt(down * (2.0 - down)), 1.0 - down, u2)
+        } else {
+            let up = self.rest + (1.0 - u1) * self.k;
+            around::<T>(T::sqrt(up * (2.0 - up)), up - 1.0, u2)
+        }
     }
 
     #[inline]

@@ -14,7 +14,7 @@ pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32) -> [f32; 3] {
 #[inline]
 pub(crate) fn one_minus_cos(direction: [f32; 3]) -> f32 {
     let [x, y, z] = direction;
-    if z > 0.0 {
+    if z > 0.5 {
         (x * x + y * y) / (1.0 + z)
     } else {
         1.0 - z

@@ -18,6 +18,14 @@ const RIM: f32 = 1.0 - f32::EPSILON;
 /// - Range: x² + y² ≤ 1, always.
 /// - Density: 1/π per unit area.
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 1.6e-7 | 1.6e-7 |
+/// | pdf, relative | 4.1e-8 | 4.1e-8 |
+/// | realised density, relative | 4.1e-8 | 4.1e-8 |
+/// | inverse | 7.5e-8 | 7.5e-8 |
+/// | round trip | 3.0e-7 | 3.0e-7 |
+///
 /// Source: P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
 ///
 /// ```
@@ -78,6 +86,14 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// - Uniforms: two. (½, ½) gives the centre.
 /// - Range: x² + y² ≤ 1, always.
 /// - Density: 1/π per unit area.
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 2.4e-7 | 2.4e-7 |
+/// | pdf, relative | 4.1e-8 | 4.1e-8 |
+/// | realised density, relative | 4.1e-8 | 4.1e-8 |
+/// | inverse | 1.2e-7 | 1.2e-7 |
+/// | round trip | 1.8e-7 | 1.8e-7 |
 ///
 /// Source: P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics
 /// Tools, 1997.

@@ -25,6 +25,14 @@ const fn checked_rate(rate: f32) -> Result<f32, Error> {
 ///
 /// Where the tail matters beyond 16.64/a, take [`ExponentialTail`].
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 1.6 | 1.6 |
+/// | pdf, relative | 1.7e-7 | 1.7e-7 |
+/// | realised density, relative | 1.3e-6 | 1.3e-6 |
+/// | inverse | 5.8e-8 | 5.8e-8 |
+/// | round trip | 6.0e-8 | 6.0e-8 |
+///
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///
 /// ```
@@ -97,6 +105,14 @@ impl<T: Tier> Warp for Exponential<T> {
 /// - Uniforms: one; drawing takes **two** words of the generator for it.
 /// - Range: [5.9e-8/a, 103.28/a].
 /// - Density: a e^(−ax) for x ≥ 0.
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 1.6 | 1.6 |
+/// | pdf, relative | 3.9e-6 | 3.9e-6 |
+/// | realised density, relative | 3.1e-6 | 3.1e-6 |
+/// | inverse | 5.8e-8 | 5.8e-8 |
+/// | round trip | 6.0e-8 | 6.0e-8 |
 ///
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///

@@ -89,6 +89,15 @@ impl Frame {
 /// - A world direction holds a lobe narrower than about 3e-4 rad only to the rounding of its coordinates
 ///   (6e-8 rad); sample such lobes in their own frame where more is needed.
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 2.1e-7 | 2.1e-7 |
+/// | unit length | 1.7e-7 | 1.7e-7 |
+/// | pdf, relative | 2.4e-4 | 2.4e-4 |
+/// | realised density, relative | 4.9e-4 | 4.9e-4 |
+/// | inverse | 3.6e-7 | 3.6e-7 |
+/// | round trip | 5.4e-7 | 5.4e-7 |
+///
 /// ```
 /// use microwarp::{Frame, Oriented, Warp, poly as mw};
 /// let wall = Oriented::new(mw::CosineHemisphere::new(), Frame::new([-1.0, 0.0, 0.0])?);

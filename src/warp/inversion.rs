@@ -16,9 +16,13 @@ use crate::uniform::Canonical;
 /// use microwarp::{Inversion, Warp};
 /// // p(x) = 2x on [0, 1]
 /// let ramp = Inversion::new(
-///     |u: f32| libm::sqrtf(u),
-///     |x: f32| if (0.0..=1.0).contains(&x) { 2.0 * x } else { 0.0 },
-///     |x: f32| x * x,
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 1.2e7 | 1.2e7 |
+/// | pdf, relative | 3.4e-15 | 3.4e-15 |
+/// | realised density, relative | 6.0e-8 | 6.0e-8 |
+/// | inverse | 3.0e-8 | 3.0e-8 |
+/// | round trip | 6.0e-8 | 6.0e-8 |
 /// );
 /// assert_eq!(ramp.sample(0.25), 0.5);
 /// assert_eq!(ramp.pdf(0.5), 1.0);

@@ -14,6 +14,14 @@ use crate::uniform::{Canonical, LARGEST};
 /// - Density: 2((1 − x)a + xb)/(a + b) on [0, 1].
 /// - Both tiers share this code: it needs nothing but a square root.
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 2.8 | 2.8 |
+/// | pdf, relative | 1.4e-7 | 1.4e-7 |
+/// | realised density, relative | 1.1e-4 | 1.1e-4 |
+/// | inverse | 1.6e-7 | 1.6e-7 |
+/// | round trip | 1.8e-7 | 1.8e-7 |
+///
 /// Source: J. H. Ahrens and U. Dieter's trapezoidal method, 1972, in the form of M. Pharr, W. Jakob and
 /// G. Humphreys, "Physically Based Rendering", 2023.
 ///
@@ -71,14 +79,15 @@ impl Warp for Linear {
             above_zero(u.get())
         };
         let root = sqrt((1.0 - u) * (a * a) + u * (b * b));
-        let x = u * ((a + b) / (a + root));
+        // a + root may be subnormal and its reciprocal infinite; the quotient by it is not.
+        let x = (u / (a + root)) * (a + b);
         if x < 1.0 { x } else { LARGEST }
     }
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
         let Self { a, b } = *self;
-        if x >= 0.0 && x <= 1.0 {
+        if (0.0..=1.0).contains(&x) {
             representable(2.0 * (((1.0 - x) * a + x * b) / (a + b)))
         } else {
             0.0

@@ -2,7 +2,9 @@
 
 use super::{Warp, above_zero, clamp, into_unit, representable};
 use crate::error::{Error, finite};
-use crate::tier::{Tier, pow_of_quotient};
+use crate::tier::{
+    Tier, coin_series, log_residual, pow_of_quotient, scaled_exp, two_product, two_sum,
+};
 use crate::uniform::{Canonical, SMALLEST};
 use core::marker::PhantomData;
 
@@ -15,6 +17,14 @@ use core::marker::PhantomData;
 /// - Uniforms: one.
 /// - Range: [a, b]; above 0 where the density is 0 or infinite at a = 0.
 /// - Density: m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b].
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 1.3e7 | 1.3e7 |
+/// | pdf, relative | 0.14 | 0.14 |
+/// | realised density, relative | 19 | 19 |
+/// | inverse | 2.8e-6 | 2.8e-6 |
+/// | round trip | 0.03 | 0.03 |
 ///
 /// Source: M. E. J. Newman, "Power Laws, Pareto Distributions and Zipf's Law", 2005; stable form derived
 /// here.
@@ -30,26 +40,32 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Power<T> {
-    n: f32,
-    /// n + 1.
+    /// n + 1, and what rounding it dropped.
     m: f32,
+    m_rest: f32,
+    /// 1/m likewise; unused where z is small.
+    root: f32,
+    root_rest: f32,
     low: f32,
     high: f32,
     /// R, the end where xᵐ is larger.
     anchor: f32,
     /// Whether u = 0 is at the anchor.
     from_anchor: bool,
-    /// |ln(bᵐ/aᵐ)|; infinite where one of the two vanishes beside the other.
+    /// ln(b/a), and what rounding it dropped.
+    span: f32,
+    span_rest: f32,
+    /// |m| ln(b/a); infinite where the other end vanishes beside the anchor.
     z: f32,
     /// (O/R)ᵐ = e^(−z), O being the other end.
     rest: f32,
-    /// The density at the anchor.
-    peak: f32,
+    /// The density is this times (x/R)ᵐ/x.
+    shape: f32,
     tier: PhantomData<T>,
 }
 
-/// Below this z the map is within rounding of its limit n = −1.
-const LOGARITHMIC: f32 = f32::MIN_POSITIVE;
+/// Up to this z the exponent is a series about the logarithmic law n = −1.
+const SERIES: f32 = 0.5;
 
 impl<T: Tier> Power<T> {
     /// Density ∝ xⁿ on [a, b], increasing with the uniform.
@@ -78,49 +94,84 @@ impl<T: Tier> Power<T> {
         if a > b {
             return Err(Error::Reversed);
         }
-        if a == b {
+        if a >= b {
             return Err(Error::Empty);
         }
-        let m = n + 1.0;
+        let (m, m_rest) = two_sum(n, 1.0);
         if a == 0.0 && m <= 0.0 {
             return Err(Error::NotNormalizable);
         }
-        let octaves = ln_ratio::<T>(a, b);
-        let z = m.abs() * octaves;
+        let (span, span_rest) = ln_ratio::<T>(a, b);
+        let z = m.abs() * span;
         let anchor = if m < 0.0 { a } else { b };
-        let peak = if z < LOGARITHMIC {
-            1.0 / octaves / anchor
+        let shape = if z < f32::EPSILON {
+            // |m|/(1 - e^-z) is (1 + z/2)/ln(b/a), which rounds to its limit.
+            1.0 / span
         } else {
-            m.abs() / -T::exp_m1(-z) / anchor
+            m.abs() / -T::exp_m1(-z)
         };
-        if !peak.is_finite() {
+        if !(shape / anchor).is_finite() {
             return Err(Error::Empty);
         }
+        let root = 1.0 / m;
+        let (back, dropped) = two_product(root, m);
         Ok(Self {
-            n,
             m,
+            m_rest,
+            root,
+            root_rest: ((1.0 - back) - dropped - root * m_rest) / m,
             // x = 0 is left out where the density there is 0 or infinite.
             low: if a > 0.0 || n == 0.0 { a } else { SMALLEST },
             high: b,
             anchor,
             from_anchor: increasing == (m < 0.0),
+            span,
+            span_rest,
             z,
             rest: T::exp(-z),
-            peak,
+            shape,
             tier: PhantomData,
         })
     }
+
+    /// R e^(∓span·g), where g runs from 0 at the anchor to 1 at the other end: away, bent by z.
+    #[inline]
+    fn along_span(&self, near: f32, away: f32) -> f32 {
+        let bend = self.z * (near * away) * coin_series(self.z, near, away);
+        let (straight, dropped) = two_product(self.span, away);
+        let (exponent, dropped_again) = two_sum(straight, -self.span * bend);
+        let dropped = dropped + dropped_again + away * self.span_rest;
+        if self.m < 0.0 {
+            scaled_exp::<T>(self.anchor, exponent, dropped)
+        } else {
+            scaled_exp::<T>(self.anchor, -exponent, -dropped)
+        }
+    }
 }
 
-/// ln(b/a) for 0 ≤ a < b, accurate however close the two are and without overflow.
-fn ln_ratio<T: Tier>(a: f32, b: f32) -> f32 {
-    if b < 2.0 * a {
-        T::ln_1p((b - a) / a)
-    } else if a > 0.0 {
-        T::ln(b) - T::ln(a)
-    } else {
-        f32::INFINITY
+/// ln(b/a) for 0 ≤ a < b, accurate however close or far apart the two are, and what it lacks.
+fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
+    if a == 0.0 {
+        return (f32::INFINITY, 0.0);
     }
+    if b < 2.0 * a {
+        let (difference, base) = (b - a, a);
+        let quotient = difference / base;
+        let (back, dropped) = two_product(quotient, base);
+        let short = ((difference - back) - dropped) / base;
+        return (T::ln_1p(quotient), short / (1.0 + quotient));
+    }
+    let quotient = b / a;
+    if (f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) && a >= f32::MIN_POSITIVE {
+        let (back, dropped) = two_product(quotient, a);
+        let short = ((b - back) - dropped) / b;
+        let log = T::ln(quotient);
+        return two_sum(log, log_residual::<T>(quotient, log) + short);
+    }
+    let (log_b, log_a) = (T::ln(b), T::ln(a));
+    let (span, dropped) = two_sum(log_b, -log_a);
+    let residuals = log_residual::<T>(b, log_b) - log_residual::<T>(a, log_a);
+    two_sum(span, dropped + residuals)
 }
 
 impl<T: Tier> Warp for Power<T> {
@@ -131,20 +182,29 @@ impl<T: Tier> Warp for Power<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let u = u.get();
-        // `near` of the way is the anchor's share of the mixture, `away` the other end's.
+        // How much of the mixture is the anchor's and how much the other end's.
         let (near, away) = if self.from_anchor {
             (1.0 - u, u)
         } else {
             (u, 1.0 - u)
         };
-        let x = if self.z < LOGARITHMIC {
-            self.anchor * T::exp(-away * ln_ratio::<T>(self.low, self.high))
+        let x = if self.z < SERIES {
+            self.along_span(near, away)
         } else {
-            let ratio = near + away * self.rest;
-            if ratio < 0.5 {
-                self.anchor * T::pow(above_zero(ratio), 1.0 / self.m)
+            let mixed = near + away * self.rest;
+            if mixed < 0.5 {
+                let mixed = if self.rest > 0.0 || self.low > SMALLEST {
+                    mixed
+                } else {
+                    above_zero(mixed)
+                };
+                let power = T::pow(mixed, self.root);
+                let x = self.anchor * power;
+                let correction = T::ln(above_zero(mixed)) * self.root_rest;
+                x + x * correction
             } else {
-                self.anchor * T::exp(T::ln_1p(away * T::exp_m1(-self.z)) / self.m)
+                let log = T::ln_1p(away * T::exp_m1(-self.z));
+                self.anchor * T::exp(log * self.root)
             }
         };
         clamp(x, self.low, self.high)
@@ -153,7 +213,9 @@ impl<T: Tier> Warp for Power<T> {
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
         if x >= self.low && x <= self.high {
-            representable(self.peak * pow_of_quotient::<T>(x, self.anchor, self.n))
+            let power = pow_of_quotient::<T>(x, self.anchor, self.m, self.m_rest);
+            // In this order a power that has nearly vanished is not divided into nothing.
+            representable(self.shape * (power / x))
         } else {
             0.0
         }
@@ -167,11 +229,15 @@ impl<T: Tier> Warp for Power<T> {
         } else {
             (x, self.anchor)
         };
-        let octaves = ln_ratio::<T>(low, high);
-        let away = if self.z < LOGARITHMIC {
-            octaves / ln_ratio::<T>(self.low, self.high)
+        let part = if low < high {
+            ln_ratio::<T>(low, high).0
         } else {
-            T::exp_m1(-self.m.abs() * octaves) / T::exp_m1(-self.z)
+            0.0
+        };
+        let away = if self.z < f32::EPSILON {
+            part / self.span
+        } else {
+            T::exp_m1(-self.m.abs() * part) / T::exp_m1(-self.z)
         };
         into_unit(if self.from_anchor { away } else { 1.0 - away })
     }
@@ -187,6 +253,14 @@ impl<T: Tier> Warp for Power<T> {
 /// - Inverse: many sets of uniforms share their largest; `invert` gives N times the point itself, whose
 ///   sample is the point exactly.
 /// - Both tiers share this code.
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 1 | 1 |
+/// | pdf, relative | 1.2e-7 | 1.2e-7 |
+/// | realised density, relative | 1.2e-7 | 1.2e-7 |
+/// | inverse | 0 | 0 |
+/// | round trip | 1.5e-45 | 1.5e-45 |
 ///
 /// Source: M. Pharr and G. Humphreys, "Physically Based Rendering", 2004.
 ///
@@ -227,10 +301,10 @@ impl<const N: usize> Warp for PowerMax<N> {
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
-        if !(x >= 0.0 && x <= 1.0) {
+        if !(0.0..=1.0).contains(&x) {
             return 0.0;
         }
-        let (mut power, mut square, mut left) = (1.0_f32, x, N - 1);
+        let (mut power, mut square, mut left) = (1.0_f32, x, N.wrapping_sub(1));
         while left > 0 {
             if left & 1 == 1 {
                 power *= square;

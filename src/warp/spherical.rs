@@ -142,6 +142,15 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 /// - Range: unit vectors with θ and φ in the given ranges (φ modulo one turn).
 /// - Density: 1/Ω per steradian inside, Ω = (cos θ₀ − cos θ₁)(φ₁ − φ₀)·2π.
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 2.1e-7 | 2.1e-7 |
+/// | unit length | 1.9e-7 | 1.9e-7 |
+/// | pdf, relative | 1.3e-7 | 1.3e-7 |
+/// | realised density, relative | 1.3e-7 | 1.3e-7 |
+/// | inverse | 4.0e-5 | 4.0e-5 |
+/// | round trip | 4.5e-5 | 4.5e-5 |
+///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016, for dω = sin θ dθ dφ.
 ///
 /// ```
@@ -155,7 +164,8 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphericalPatch<T> {
-    /// 1 − cos θ and 1 + cos θ at the first polar angle, and what they gain on the way to the second.
+    /// 1 − cos θ at the first polar angle, 1 + cos θ at the second, and what each gains on the way to
+    /// the other.
     down: f32,
     up: f32,
     drop: f32,
@@ -187,7 +197,8 @@ impl<T: Tier> SphericalPatch<T> {
             return Err(Error::OutOfRange);
         }
         // 1 - cos θ = 2 sin²(θ/2); cos θ₀ - cos θ₁ = 2 sin((θ₀+θ₁)/2) sin((θ₁-θ₀)/2).
-        let (sin_half, cos_half) = T::sincos_turns(0.5 * theta0);
+        let (sin_half, _) = T::sincos_turns(0.5 * theta0);
+        let (_, cos_half) = T::sincos_turns(0.5 * theta1);
         let (mean, _) = T::sincos_turns(0.5 * theta0 + 0.5 * theta1);
         let (half_width, _) = T::sincos_turns(0.5 * (theta1 - theta0));
         let drop = 2.0 * mean * half_width;
@@ -217,8 +228,12 @@ impl<T: Tier> SphericalPatch<T> {
     fn position(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, z] = direction;
         let polar = if z < 0.0 {
-            let below = (x * x + y * y) / (1.0 - z);
-            (self.up - below) / self.drop
+            let above = if z < -0.5 {
+                (x * x + y * y) / (1.0 - z)
+            } else {
+                1.0 + z
+            };
+            1.0 - (above - self.up) / self.drop
         } else {
             (one_minus_cos(direction) - self.down) / self.drop
         };
@@ -249,9 +264,13 @@ impl<T: Tier> Warp for SphericalPatch<T> {
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
         let [u1, u2] = u.get();
         let down = self.down + u1 * self.drop;
-        let up = clamp(self.up - u1 * self.drop, 0.0, 2.0);
-        let cos = if down < up { 1.0 - down } else { up - 1.0 };
-        around::<T>(T::sqrt(down * up), cos, self.phi + u2 * self.width)
+        let phi = self.phi + u2 * self.width;
+        if down < 1.0 {
+            around::<T>(T::sqrt(down * (2.0 - down)), 1.0 - down, phi)
+        } else {
+            let up = self.up + (1.0 - u1) * self.drop;
+            around::<T>(T::sqrt(up * (2.0 - up)), up - 1.0, phi)
+        }
     }
 
     #[inline]

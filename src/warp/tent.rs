@@ -15,6 +15,14 @@ use crate::uniform::Canonical;
 /// - Density: (1 − |x|/r)/r.
 /// - Both tiers share this code: it needs nothing but a square root.
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 2.3 | 2.3 |
+/// | pdf, relative | 1.5e-7 | 1.5e-7 |
+/// | realised density, relative | 670 | 670 |
+/// | inverse | 1.3e-7 | 1.3e-7 |
+/// | round trip | 1.2e-7 | 1.2e-7 |
+///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016; form re-derived.
 ///
 /// ```
@@ -42,7 +50,7 @@ impl Tent {
         match positive(radius) {
             Ok(radius) if radius >= f32::MIN_POSITIVE => Ok(Self {
                 radius,
-                last: f32::from_bits(radius.to_bits() - 1),
+                last: f32::from_bits(radius.to_bits().wrapping_sub(1)),
             }),
             Ok(_) => Err(Error::Empty),
             Err(e) => Err(e),

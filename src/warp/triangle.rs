@@ -15,6 +15,14 @@ use crate::uniform::Canonical;
 /// - Density: 2 with respect to (u, v), where none is negative.
 /// - Both tiers share this code: it needs nothing but a square root.
 ///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 7.3e-8 | 7.3e-8 |
+/// | pdf, relative | 0 | 0 |
+/// | realised density, relative | 0 | 0 |
+/// | inverse | 1.8e-7 | 1.8e-7 |
+/// | round trip | 6.0e-8 | 6.0e-8 |
+///
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///
 /// ```
@@ -74,6 +82,14 @@ impl Warp for Triangle {
 /// - Range: the triangle, to the rounding of its coordinates.
 /// - Density: 1/area per unit area on the triangle, and 0 farther outside it than that rounding.
 /// - Both tiers share this code.
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 1.1e-7 | 1.1e-7 |
+/// | pdf, relative | 7.2e-8 | 7.2e-8 |
+/// | realised density, relative | 7.2e-8 | 7.2e-8 |
+/// | inverse | 4.8e-7 | 4.8e-7 |
+/// | round trip | 0.2 | 0.2 |
 ///
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///

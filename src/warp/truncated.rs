@@ -2,13 +2,12 @@
 
 use super::{Warp, clamp, into_unit, representable};
 use crate::error::{Error, finite, positive};
-use crate::tier::{Tier, exp_of_product};
+use crate::tier::{Tier, coin_series, exp_of_product};
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
 
-/// Below this product of rate and length the map is its Taylor series, whose first omitted term is
-/// under 1.1e-8 relative.
-const SERIES: f32 = 1.0 / 128.0;
+/// Below this product of rate and length the map is a series, which knows no cancellation.
+const SERIES: f32 = 0.5;
 
 /// Above this product of a negative rate and length, e^|z| would overflow.
 const STEEP: f32 = 80.0;
@@ -21,6 +20,14 @@ const STEEP: f32 = 80.0;
 /// - Uniforms: one.
 /// - Range: [0, X].
 /// - Density: c e^(−cx)/(1 − e^(−z)) on [0, X].
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, ulp | 1.7e7 | 1.7e7 |
+/// | pdf, relative | 2.1e-6 | 2.1e-6 |
+/// | realised density, relative | 3.0e-4 | 3.0e-4 |
+/// | inverse | 1.8e-6 | 1.8e-6 |
+/// | round trip | 2.0e-6 | 2.0e-6 |
 ///
 /// Source: C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating
 /// Media", 2012.
@@ -45,6 +52,8 @@ pub struct TruncatedExponential<T> {
     least: f32,
     /// The density at its higher end.
     peak: f32,
+    /// The length a small uniform maps to per unit: 1 over the density at 0.
+    slope: f32,
     tier: PhantomData<T>,
 }
 
@@ -78,6 +87,7 @@ impl<T: Tier> TruncatedExponential<T> {
             decay,
             least: T::exp(-z.abs()),
             peak,
+            slope: if z > -STEEP { -decay / rate } else { 0.0 },
             tier: PhantomData,
         })
     }
@@ -92,10 +102,14 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let (u, z) = (u.get(), self.z);
         let x = if z.abs() < SERIES {
-            let inner = 1.0 - (1.0 - 2.0 * u) * z * (1.0 / 3.0);
-            u * self.length * (1.0 - (1.0 - u) * (0.5 * z) * inner)
+            let bend = z * (1.0 - u) * coin_series(z, 1.0 - u, u);
+            self.length * (u - u * bend)
         } else if z > -STEEP {
             let drop = u * self.decay;
+            if drop.abs() < f32::EPSILON / 2.0 {
+                // ln(1 + drop) is drop, and the product may be subnormal where x is not.
+                return clamp(u * self.slope, 0.0, self.length);
+            }
             let log = if drop < -0.5 {
                 // 1 - u is exact on the grid; 1 + drop would lose what is left of it.
                 T::ln((1.0 - u) + u * self.least)
@@ -115,8 +129,23 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
         if !(x >= 0.0 && x <= self.length) {
             return 0.0;
         }
-        let from_peak = if self.rate > 0.0 { x } else { self.length - x };
-        representable(self.peak * exp_of_product::<T>(-self.rate.abs(), from_peak))
+        let rate = self.rate.abs();
+        let (from_peak, dropped) = if self.rate > 0.0 {
+            (x, 0.0)
+        } else {
+            let rest = self.length - x;
+            (rest, (self.length - rest) - x)
+        };
+        let shape = exp_of_product::<T>(-rate, from_peak);
+        let correction = rate * dropped;
+        representable(
+            self.peak
+                * if correction.abs() < 0.125 {
+                    shape - shape * correction
+                } else {
+                    shape
+                },
+        )
     }
 
     #[inline]

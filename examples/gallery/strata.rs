@@ -1,0 +1,113 @@
+//! The pictures of jittered strata beside plain uniforms, in one and two dimensions.
+
+use crate::canvas::{Area, Canvas, MUTED, POINT, WHITE, faded, ramp};
+use crate::text::{Align, Type};
+use microwarp::uniform::{self, Strata1d, Strata2d};
+use rand_pcg::Pcg32;
+
+/// Strata along an axis.
+const LINE: u32 = 24;
+const PLANE: [u32; 2] = [10, 16];
+/// Sets of points on the line, one above the other.
+const ROWS: u32 = 7;
+
+fn background(canvas: &mut Canvas, area: Area) {
+    let [r, g, b] = ramp(0.6).map(|c| c as u8);
+    canvas.rectangle(area, [r, g, b, 255]);
+}
+
+/// Draws sets of plain uniforms above and of jittered ones below.
+pub fn line(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32) {
+    let strata = Strata1d::new(LINE).expect("a number of strata");
+    let title = 20.0 * unit;
+    let half = Area {
+        h: 0.5 * area.h - 2.0 * unit,
+        ..area
+    };
+    let below = Area {
+        y: area.y + 0.5 * area.h + 2.0 * unit,
+        ..half
+    };
+    for (half, jittered) in [(half, false), (below, true)] {
+        let name = if jittered { "jittered" } else { "plain" };
+        let at = [half.x, half.y + 0.75 * title];
+        canvas.text(
+            name,
+            at,
+            Align::Left,
+            Type::plain(14.5 * unit, MUTED),
+            half.w,
+        );
+        let half = half.inside(0.0, title, 0.0, 4.0 * unit);
+        background(canvas, half);
+        for i in 1..LINE {
+            let x = half.x + half.w * i as f32 / LINE as f32;
+            canvas.segment(
+                [x, half.y],
+                [x, half.y + half.h],
+                0.8 * unit,
+                faded(WHITE, 0.9),
+            );
+        }
+        let pitch = half.h / ROWS as f32;
+        for row in 0..ROWS {
+            let middle = half.y + (row as f32 + 0.5) * pitch;
+            for i in 0..LINE {
+                let u = if jittered {
+                    strata.draw(i, rng)
+                } else {
+                    uniform::grid(rng)
+                };
+                canvas.disc(
+                    [half.x + half.w * u, middle],
+                    2.0 * unit,
+                    faded(POINT, 0.85),
+                );
+            }
+        }
+    }
+}
+
+/// Draws plain uniforms on the left and jittered ones on the right.
+pub fn plane(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32) {
+    let [columns, rows] = PLANE;
+    let strata = Strata2d::new(columns, rows).expect("a number of strata");
+    let (title, gap) = (20.0 * unit, 14.0 * unit);
+    // Square strata.
+    let side = ((area.h - title) / rows as f32).min(0.5 * (area.w - gap) / columns as f32);
+    let (w, h) = (side * columns as f32, side * rows as f32);
+    let left = area.x + 0.5 * (area.w - gap) - w;
+    for (x, jittered) in [(left, false), (left + w + gap, true)] {
+        let name = if jittered { "jittered" } else { "plain" };
+        canvas.text(
+            name,
+            [x, area.y + 0.75 * title],
+            Align::Left,
+            Type::plain(14.5 * unit, MUTED),
+            w,
+        );
+        let place = Area::new(x, area.y + title, w, h);
+        background(canvas, place);
+        let white = faded(WHITE, 0.9);
+        for i in 1..columns {
+            let x = x + side * i as f32;
+            canvas.segment([x, place.y], [x, place.y + h], 0.8 * unit, white);
+        }
+        for j in 1..rows {
+            let y = place.y + side * j as f32;
+            canvas.segment([x, y], [x + w, y], 0.8 * unit, white);
+        }
+        for k in 0..strata.count() {
+            let [u, v] = if jittered {
+                strata.draw(k, rng)
+            } else {
+                [uniform::grid(rng), uniform::grid(rng)]
+            };
+            canvas.disc(
+                [x + w * u, place.y + h * (1.0 - v)],
+                1.7 * unit,
+                faded(POINT, 0.85),
+            );
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The table: one row for each warp, its parameters and a tier.
+
+use crate::catalogue::{Entry, Measure};
+use crate::check::{ALARM, Figures};
+use crate::sheet::thousands;
+use comfy_table::{CellAlignment, Table, presets};
+
+/// A p-value, in scientific notation where it is extreme.
+pub fn p_text(p: Option<f64>) -> String {
+    match p {
+        None => "–".into(),
+        Some(0.0) => "< 1e-300".into(),
+        Some(p) if p < 1e-3 => format!("{p:.1e}"),
+        Some(p) => format!("{p:.3}"),
+    }
+}
+
+/// An error with its unit: ulp, or a distance as a share of the size of the domain.
+pub fn error_text(entry: &Entry, error: f64) -> String {
+    match entry.measure {
+        Measure::Ulp => format!("{error:.2} ulp"),
+        Measure::UlpOf(scale) => format!("{error:.2} ulp of {}", short(scale)),
+        Measure::Length(length) if length == 1.0 => format!("{error:.2e}"),
+        Measure::Length(length) => format!("{error:.2e} of {}", short(length)),
+    }
+}
+
+fn short(x: f64) -> String {
+    if (1e-3..1e4).contains(&x) {
+        format!("{x}")
+    } else {
+        format!("{x:.0e}")
+    }
+}
+
+pub fn print(rows: &[(&Entry, &Figures)]) {
+    let mut table = Table::new();
+    table.load_preset(presets::ASCII_MARKDOWN);
+    table.set_header([
+        "warp",
+        "parameters",
+        "tier",
+        "samples",
+        "χ² p-value",
+        "largest error",
+        "ns a sample",
+    ]);
+    for (entry, figures) in rows {
+        table.add_row([
+            entry.name.to_string(),
+            entry.parameters.to_string(),
+            entry.tier.to_string(),
+            thousands(figures.samples),
+            p_text(figures.p),
+            error_text(entry, figures.error),
+            format!("{:.1}", figures.nanoseconds),
+        ]);
+    }
+    for column in 3..7 {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    println!("{table}");
+    println!(
+        "χ² p-value: samples against the density the crate reports, integrated over cells in f64; \
+         below {ALARM:.0e} is a failure.\n\
+         largest error: of a sample against f64, over as many samples; in ulp of the exact value, or as a \
+         distance where no unit stands (\"of s\": in units of s).\n\
+         ns a sample: through `fill` into this program's table, generator included, one thread of several at work."
+    );
+}

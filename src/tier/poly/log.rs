@@ -1,0 +1,107 @@
+//! Logarithms of the polynomial tier, to one `f32`. The longer one that a power needs is in `pow.rs`.
+
+use super::exp::LN_2;
+
+/// `(ln((1+s)/(1-s)) - 2s)/s³` in powers of s²; see `LOGARITHM` in `tests/derivation`.
+const LOGARITHM: [f32; 3] = [0.666_667_76, 0.399_775_86, 0.298_706_95];
+
+const ONE: u32 = 0x3f80_0000;
+
+/// `(k, m - 1)` where the positive normal `x` is `m·2^k` and m is between `√½` and √2; exact.
+#[inline]
+#[allow(
+    clippy::cast_possible_wrap,
+    reason = "the exponent is signed and its bits are shifted as such"
+)]
+pub(super) fn normalised(x: f32) -> (i32, f32) {
+    const SQRT_HALF: u32 = 0x3f35_04f3;
+    let bits = x.to_bits();
+    let k = (bits.wrapping_sub(SQRT_HALF) as i32) >> 23;
+    (k, power_of_two_times(x, k.wrapping_neg()) - 1.0)
+}
+
+/// `x·2^k`, exact where both are normal.
+#[inline]
+#[allow(
+    clippy::cast_sign_loss,
+    reason = "adding a negative exponent wraps to a subtraction"
+)]
+pub(super) fn power_of_two_times(x: f32, k: i32) -> f32 {
+    f32::from_bits(x.to_bits().wrapping_add((k as u32) << 23))
+}
+
+/// Whether `x` is positive, normal and finite.
+#[inline]
+pub(super) fn is_plain(x: f32) -> bool {
+    (f32::MIN_POSITIVE..=f32::MAX).contains(&x)
+}
+
+/// `f/(2+f)`, and by how much `ln(1+f)` stays below `f`, for f between `√½ - 1` and `√2 - 1`.
+#[inline]
+fn shortfall(f: f32) -> (f32, f32) {
+    let s = f / (2.0 + f);
+    let w = s * s;
+    let [l0, l1, l2] = LOGARITHM;
+    // ln(1+f) = 2s + s·R(s²), and 2s = f - s·f.
+    (s, s * (f - w * (l0 + w * (l1 + w * l2))))
+}
+
+#[inline]
+#[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
+fn ln_plain(x: f32, scaled: f32) -> f32 {
+    let (k, f) = normalised(x);
+    let k = k as f32 - scaled;
+    let [high, low] = LN_2;
+    let (_, drop) = shortfall(f);
+    // k·high is exact; the smaller terms are summed first.
+    k * high + (f - (drop - k * low))
+}
+
+/// The natural logarithm.
+#[inline]
+pub(super) fn ln(x: f32) -> f32 {
+    if is_plain(x) {
+        ln_plain(x, 0.0)
+    } else {
+        ln_edge(x)
+    }
+}
+
+#[cold]
+fn ln_edge(x: f32) -> f32 {
+    if x > f32::MAX {
+        x
+    } else if x > 0.0 {
+        ln_plain(x * 8_388_608.0, 23.0)
+    } else if x == 0.0 {
+        f32::NEG_INFINITY
+    } else {
+        f32::NAN
+    }
+}
+
+/// `ln(1 + x)`.
+#[inline]
+#[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
+pub(super) fn ln_1p(x: f32) -> f32 {
+    if x > -0.29 && x < 0.41 {
+        return x - shortfall(x).1;
+    }
+    // From 2^24 on the 1 is below half a unit in the last place.
+    if !(x > -1.0 && x < 16_777_216.0) {
+        return ln(1.0 + x);
+    }
+    let sum = 1.0 + x;
+    let dropped = if x < 1.0 {
+        x - (sum - 1.0)
+    } else {
+        1.0 - (sum - x)
+    };
+    let (k, f) = normalised(sum);
+    let (s, drop) = shortfall(f);
+    // What the sum dropped, scaled like f, moves the logarithm by 1/(1+f) ≈ 1 - 2s of itself.
+    let dropped = dropped * power_of_two_times(f32::from_bits(ONE), k.wrapping_neg());
+    let k = k as f32;
+    let [high, low] = LN_2;
+    k * high + (f - (drop - (k * low + dropped * (1.0 - 2.0 * s))))
+}

@@ -1,0 +1,108 @@
+//! Powers of the polynomial tier: an exponential of a product that must be known to more than one
+//! `f32`. Every quantity is carried as a head of 12 bits, whose products are exact, and a rest.
+
+use super::exp::{LN_2, beyond_linear, nearest, scaled};
+use super::log::{is_plain, normalised, power_of_two_times};
+
+/// `(3/2s ln((1+s)/(1-s)) - 3 - s²)/s⁴` in powers of s²; see `LONG_LOGARITHM` in `tests/derivation`.
+const LONG_LOGARITHM: [f32; 3] = [0.600_002_3, 0.428_206_3, 0.351_297_05];
+
+/// 2/(3 ln 2) in two parts, the first of 12 bits; see `TO_LOG2` in `tests/derivation`.
+const TO_LOG2: [f32; 2] = [0.961_669_9, 0.000_126_772_05];
+
+/// The upper 12 bits of the significand.
+#[inline]
+fn head(x: f32) -> f32 {
+    f32::from_bits(x.to_bits() & 0xffff_f000)
+}
+
+/// The binary logarithm of a positive normal `x`, plus `offset`: a head and the rest, together good to
+/// about 2^-33.
+#[inline]
+#[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
+fn log2(x: f32, offset: f32) -> (f32, f32) {
+    let (k, f) = normalised(x);
+    let k = k as f32 + offset;
+
+    // s = f/(2+f). The rest of s comes from what its head leaves of the numerator.
+    let divisor = 2.0 + f;
+    let divisor_head = head(divisor);
+    let divisor_rest = f - (divisor_head - 2.0);
+    let reciprocal = 1.0 / divisor;
+    let s_head = head(f * reciprocal);
+    let s_rest = reciprocal * ((f - s_head * divisor_head) - s_head * divisor_rest);
+    let s = s_head + s_rest;
+
+    // t = 3 + s² + s⁴ P(s²), so that s·t = 3/2 ln(1+f).
+    let [p0, p1, p2] = LONG_LOGARITHM;
+    let z = s * s;
+    let z_head = s_head * s_head;
+    let small = s_rest * (s_head + s) + z * z * (p0 + z * (p1 + z * p2));
+    let t_head = head(3.0 + z_head + small);
+    let t_rest = small - ((t_head - 3.0) - z_head);
+
+    let exact = s_head * t_head;
+    let small = s_rest * t_head + s * t_rest;
+    let product_head = head(exact + small);
+    let product_rest = small - (product_head - exact);
+
+    let [c_head, c_rest] = TO_LOG2;
+    let exact = product_head * c_head;
+    let small = product_head * c_rest + product_rest * (c_head + c_rest);
+    let log_head = head((exact + small) + k);
+    (log_head, small - ((log_head - k) - exact))
+}
+
+/// `x^y` for `x >= 0`.
+pub(super) fn pow(x: f32, y: f32) -> f32 {
+    if y == 0.0 || x == 1.0 {
+        return 1.0;
+    }
+    let (log_head, log_rest) = if is_plain(x) {
+        log2(x, 0.0)
+    } else if x > 0.0 && x < 1.0 {
+        log2(x * 8_388_608.0, -23.0)
+    } else {
+        return pow_edge(x, y);
+    };
+    // The exponent of 2, beyond which only 0 and infinity are left; infinite y ends here too.
+    let whole = y * (log_head + log_rest);
+    if whole > 129.0 {
+        return f32::INFINITY;
+    }
+    if whole < -151.0 {
+        return 0.0;
+    }
+    let y_head = head(y);
+    let exact = y_head * log_head;
+    let small = (y - y_head) * log_head + y * log_rest;
+    let (n, k) = nearest(exact + small);
+    let r = exact - n;
+    let r_head = head(r + small);
+    let r_rest = (r - r_head) + small;
+
+    // e^(r ln 2), again with an exact head.
+    let [ln2_head, ln2_rest] = LN_2;
+    let natural = (r_head + r_rest) * (ln2_head + ln2_rest);
+    let beyond = r_head * ln2_rest + r_rest * (ln2_head + ln2_rest) + beyond_linear(natural);
+    let power = 1.0 + (r_head * ln2_head + beyond);
+    if whole > -125.0 && whole < 127.0 {
+        power_of_two_times(power, k)
+    } else if whole.is_nan() {
+        whole
+    } else {
+        scaled(power, k)
+    }
+}
+
+/// Powers of 0 and infinity; not a number for the rest, which is below 0 or was not a number before.
+#[cold]
+fn pow_edge(x: f32, y: f32) -> f32 {
+    if y.is_nan() || !(x >= 0.0) {
+        f32::NAN
+    } else if (x == 0.0) == (y > 0.0) {
+        0.0
+    } else {
+        f32::INFINITY
+    }
+}

@@ -1,0 +1,121 @@
+//! Sine, cosine and arctangent of angles in turns, of the polynomial tier. The exact reduction of a
+//! phase is used by the reference tier too.
+
+/// `sin(πr/2)/r - 1` in powers of r²; see `SINE` in `tests/derivation`.
+const SINE: [f32; 4] = [0.570_796_3, -0.645_962_9, 0.079_675_086, -0.004_590_591];
+
+/// `(cos(πr/2) - 1)/r²` in powers of r²; see `COSINE` in `tests/derivation`.
+const COSINE: [f32; 3] = [-1.233_698, 0.253_607, -0.020_427_959];
+
+/// `atan(z)/(2πz) - 1/8` in powers of z²; see `ANGLE` in `tests/derivation`.
+const ANGLE: [f32; 5] = [
+    0.034_154_94,
+    -0.053_050_812,
+    0.031_790_677,
+    -0.022_048_812,
+    0.012_717_884,
+];
+
+/// tan(π/8), half way between the axis and the diagonal.
+const TAN_SIXTEENTH_TURN: f32 = 0.414_213_57;
+
+/// Splits a phase in turns into quarter turns: their count, of which the last two bits hold, and the
+/// remainder `r` with `|r| <= 1/2`. Nothing is rounded.
+#[inline]
+pub(crate) fn reduce_turns(t: f32) -> (u32, f32) {
+    // Adding 1.5·2^23 leaves no bits below the unit, so that the sum is rounded to an integer, which
+    // then stands in its last bits.
+    const ROUND: f32 = 12_582_912.0;
+    let t = if t.abs() < 1_048_576.0 {
+        t
+    } else {
+        fraction(t)
+    };
+    let quarters = 4.0 * t;
+    let shifted = quarters + ROUND;
+    (shifted.to_bits(), quarters - (shifted - ROUND))
+}
+
+/// A large phase less its whole turns; from 2^23 on all are whole, and so is what is not finite.
+fn fraction(t: f32) -> f32 {
+    const WHOLE: f32 = 8_388_608.0;
+    let size = t.abs();
+    if size < WHOLE {
+        (size - ((size + WHOLE) - WHOLE)).copysign(t)
+    } else {
+        0.0
+    }
+}
+
+/// Carries the sine and cosine of a remainder into its quadrant.
+#[inline]
+pub(crate) fn swap_quadrant(quadrant: u32, s: f32, c: f32) -> (f32, f32) {
+    match quadrant & 3 {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    }
+}
+
+/// `(sin(2πt), cos(2πt))`.
+#[inline]
+pub(super) fn sincos_turns(t: f32) -> (f32, f32) {
+    let (quadrant, r) = reduce_turns(t);
+    let z = r * r;
+    let [s0, s1, s2, s3] = SINE;
+    let [c0, c1, c2] = COSINE;
+    // The leading 1 of both sums is exact, so only the smaller part carries rounding errors.
+    let s = r + r * (s0 + z * (s1 + z * (s2 + z * s3)));
+    let c = 1.0 + z * (c0 + z * (c1 + z * c2));
+    swap_quadrant(quadrant, s, c)
+}
+
+/// The angle of `(x, y)` in turns.
+#[inline]
+pub(super) fn atan2_turns(y: f32, x: f32) -> f32 {
+    let (mut ax, mut ay) = (x.abs(), y.abs());
+    let sum = ax + ay;
+    if !(1.0e-30..=f32::MAX).contains(&sum) {
+        if let Some(scaled) = rescaled(ax, ay) {
+            (ax, ay) = scaled;
+        } else {
+            return 0.0;
+        }
+    }
+    // The angle is measured from the nearest of axis, diagonal and axis, over one quotient.
+    let (from, rise, run) = if ay < ax * TAN_SIXTEENTH_TURN {
+        (0.0, ay, ax)
+    } else if ax < ay * TAN_SIXTEENTH_TURN {
+        (0.25, -ax, ay)
+    } else {
+        (0.125, ay - ax, ay + ax)
+    };
+    let z = rise / run;
+    let w = z * z;
+    let [a0, a1, a2, a3, a4] = ANGLE;
+    let turned = 0.125 * z + z * (a0 + w * (a1 + w * (a2 + w * (a3 + w * a4))));
+    let first_half = from + turned;
+    let angle = if x < 0.0 {
+        0.5 - first_half
+    } else {
+        first_half
+    };
+    angle.copysign(y)
+}
+
+/// Coordinates brought to where their sum is finite and their quotients are not coarse; `None` at the
+/// origin and where one is not a number. Infinity counts as the largest finite value.
+#[cold]
+fn rescaled(ax: f32, ay: f32) -> Option<(f32, f32)> {
+    const UP: f32 = 1.267_650_6e30;
+    let quarter = |a: f32| 0.25 * if a > f32::MAX { f32::MAX } else { a };
+    let sum = ax + ay;
+    if sum > f32::MAX {
+        Some((quarter(ax), quarter(ay)))
+    } else if sum > 0.0 {
+        Some((ax * UP, ay * UP))
+    } else {
+        None
+    }
+}

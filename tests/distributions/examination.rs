@@ -1,0 +1,353 @@
+//! One entry under examination: what is expected of its samples, and what a run of them gave.
+//!
+//! Cells are a grid in the unit square of the entry's chart; what they should hold comes from the warp's
+//! own density by quadrature. Which entries are examined, and how often, is not said here.
+
+use crate::catalogue::stats::{self, Axis};
+use crate::catalogue::truth::{self, Point};
+use crate::catalogue::{Domain, Entry, Measure};
+use rand_pcg::Pcg32;
+
+/// How far the integral of a density may be from 1. `f32` densities reach some 1e-6.
+const INTEGRAL: f64 = 1e-5;
+
+/// Samples are drawn by so many.
+const CHUNK: usize = 1 << 14;
+
+/// A function of a point whose mean is tested.
+#[derive(Clone, Copy)]
+enum Moment {
+    First(usize),
+    Second(usize),
+    Mixed(usize, usize),
+}
+
+impl Moment {
+    fn of(self, t: &Point) -> f64 {
+        match self {
+            Self::First(i) => t[i],
+            Self::Second(i) => t[i] * t[i],
+            Self::Mixed(i, j) => t[i] * t[j],
+        }
+    }
+
+    fn name(self) -> String {
+        let axis = |i| ["x", "y", "z"][i];
+        match self {
+            Self::First(i) => format!("mean {}", axis(i)),
+            Self::Second(i) => format!("mean {}²", axis(i)),
+            Self::Mixed(i, j) => format!("mean {}{}", axis(i), axis(j)),
+        }
+    }
+}
+
+/// Which moments are tested over a domain.
+fn moments(domain: Domain) -> Vec<Moment> {
+    use Moment::{First, Mixed, Second};
+    match domain {
+        Domain::Line => vec![First(0), Second(0)],
+        Domain::Plane => vec![First(0), First(1), Second(0), Second(1), Mixed(0, 1)],
+        _ => (0..3).map(First).chain((0..3).map(Second)).collect(),
+    }
+}
+
+/// How many tests one run over a domain makes.
+pub fn tests(domain: Domain) -> usize {
+    let axes = if domain == Domain::Line { 1 } else { 2 };
+    1 + axes + moments(domain).len()
+}
+
+/// In which coordinates moments are taken.
+#[derive(Clone, Copy, PartialEq)]
+enum Coordinates {
+    Point,
+    /// 1 − cos θ in the place of z, where the lobe is so narrow that z itself is rounded away.
+    Complement,
+    /// F(x), where the tail of x is too heavy for its moments to be normal.
+    Quantile,
+}
+
+impl Coordinates {
+    fn of(self, x: Point, u: f64) -> Point {
+        match self {
+            Self::Point => x,
+            Self::Complement => [x[0], x[1], truth::complements(x).0],
+            Self::Quantile => [u, 0.0, 0.0],
+        }
+    }
+}
+
+/// What is expected of an entry.
+pub struct Examination<'a> {
+    entry: &'a Entry,
+    /// Samples of a run.
+    pub samples: usize,
+    axes: [Axis; 2],
+    /// The probability of each cell, row by row.
+    cells: Vec<f64>,
+    /// The integral of the density.
+    pub integral: f64,
+    coordinates: Coordinates,
+    centre: Point,
+    spread: Point,
+    /// The exact mean of each moment in standardised coordinates.
+    means: Vec<f64>,
+    /// By how much each coordinate of a sample may be wrong: a few ulp of its extent.
+    rounding: Point,
+}
+
+/// What a run of samples gave.
+pub struct Report {
+    pub chi2: f64,
+    pub dof: usize,
+    /// Each test with its p-value: chi-square first, then the distances, then the moments.
+    pub tests: Vec<(String, f64)>,
+    /// What no chance excuses.
+    pub faults: Vec<String>,
+}
+
+impl Report {
+    /// Every fault, and every test whose p-value is not at least the threshold.
+    pub fn objections(&self, threshold: f64) -> Vec<String> {
+        let low = |(_, p): &&(String, f64)| {
+            let passed = *p >= threshold;
+            !passed // so that NaN is an objection
+        };
+        let rejected = self
+            .tests
+            .iter()
+            .filter(low)
+            .map(|(name, p)| format!("{name}: p = {p:.1e}"));
+        self.faults.iter().cloned().chain(rejected).collect()
+    }
+
+    /// The lowest p-value of the tests whose name starts so; NaN if one of them is.
+    pub fn lowest(&self, start: &str) -> f64 {
+        let tests = self
+            .tests
+            .iter()
+            .filter(|(name, _)| name.starts_with(start));
+        tests.map(|t| t.1).fold(
+            f64::INFINITY,
+            |a, b| if a < b || a.is_nan() { a } else { b },
+        )
+    }
+}
+
+fn wide(x: [f32; 3]) -> Point {
+    x.map(f64::from)
+}
+
+impl<'a> Examination<'a> {
+    /// Lays out the cells and computes what is expected of (at most) `samples` samples.
+    pub fn new(entry: &'a Entry, samples: usize) -> Self {
+        let line = entry.domain == Domain::Line;
+        let (samples, axes) = if line {
+            let (cells, samples) = stats::resolve(entry, samples);
+            let axis = Axis::new(cells, |u| stats::between_floats(entry, u));
+            (samples, [axis, Axis::none()])
+        } else {
+            // In the plane and over directions the cells are so wide beside the rounding of a point
+            // (at most 1e-5 of the unit square, in the tile of 1e-3) that it needs no care.
+            (samples, [63, 31].map(|cells| Axis::new(cells, |u| u)))
+        };
+        let mut this = Self {
+            entry,
+            samples,
+            cells: vec![0.0; axes[0].cells() * axes[1].cells()],
+            axes,
+            integral: 0.0,
+            coordinates: Coordinates::Point,
+            centre: [0.0; 3],
+            spread: [1.0; 3],
+            means: Vec::new(),
+            rounding: [0.0; 3],
+        };
+        let nodes = this.integrate(if line { 20 } else { 12 });
+        this.choose_rounding(&nodes);
+        this.choose_coordinates(&nodes);
+        this
+    }
+
+    /// Integrates the density over each cell: the integral over the cell of the warp's density divided
+    /// by the chart's. Returns the nodes as (point, first coordinate of the chart, probability).
+    fn integrate(&mut self, grades: i32) -> Vec<(Point, f64, f64)> {
+        let [first, second] = [self.axes[0].nodes(grades), self.axes[1].nodes(0)];
+        let mut nodes = Vec::with_capacity(first.len() * second.len());
+        for &(i, u, across) in &first {
+            for &(j, v, along) in &second {
+                let rounded = self.entry.chart.sample([u, v, 0.0, 0.0]).map(|c| c as f32);
+                let x = wide(rounded);
+                // Both at the rounded point, so that its rounding cancels.
+                let ratio = f64::from(self.entry.warp.pdf(rounded)) / self.entry.chart.pdf(x);
+                let probability = across * along * ratio;
+                self.cells[i * self.axes[1].cells() + j] += probability;
+                self.integral += probability;
+                nodes.push((x, u, probability));
+            }
+        }
+        nodes
+    }
+
+    fn choose_rounding(&mut self, nodes: &[(Point, f64, f64)]) {
+        let extent = |k: usize| nodes.iter().map(|n| n.0[k].abs()).fold(0.0, f64::max);
+        let size = match self.entry.measure {
+            Measure::UlpOf(size) => [size, 0.0, 0.0],
+            // Relative to each sample; see `strays`.
+            Measure::Ulp => [0.0; 3],
+            Measure::Length(_) => [extent(0), extent(1), extent(2)],
+        };
+        self.rounding = size.map(|s| 4.0 * f64::from(f32::EPSILON) * s);
+    }
+
+    fn choose_coordinates(&mut self, nodes: &[(Point, f64, f64)]) {
+        if self.entry.domain == Domain::Directions {
+            let (low, high) = nodes.iter().fold((1.0, -1.0), |(low, high), n| {
+                (n.0[2].min(low), n.0[2].max(high))
+            });
+            // z in fewer than some 1e4 steps of f32 has moments that rounding changes.
+            if high - low < 1e-3 {
+                self.coordinates = Coordinates::Complement;
+            }
+        }
+        let skewness = self.standardise(nodes);
+        // The first term of Edgeworth's series at the threshold of some 6.5 standard deviations: where
+        // it is not small, the mean of that many samples is not yet normal there.
+        let correction = skewness * 6.5f64.powi(3) / (6.0 * (self.samples as f64).sqrt());
+        if self.entry.domain == Domain::Line && correction > 0.25 {
+            self.coordinates = Coordinates::Quantile;
+            self.standardise(nodes);
+        }
+    }
+
+    /// Computes centre, spread and exact moments; returns the largest skewness of what is averaged.
+    fn standardise(&mut self, nodes: &[(Point, f64, f64)]) -> f64 {
+        let average =
+            |f: &dyn Fn(Point, f64) -> f64| nodes.iter().map(|&(x, u, p)| p * f(x, u)).sum::<f64>();
+        let coordinates = self.coordinates;
+        let centre: Point = std::array::from_fn(|k| average(&|x, u| coordinates.of(x, u)[k]));
+        let spread: Point = std::array::from_fn(|k| {
+            average(&|x, u| (coordinates.of(x, u)[k] - centre[k]).powi(2)).sqrt()
+        });
+        (self.centre, self.spread) = (centre, spread);
+        let mut skewness = 0.0_f64;
+        let mut means = Vec::new();
+        for moment in moments(self.entry.domain) {
+            let value = |x, u| moment.of(&self.standard(x, u));
+            let mean = average(&value);
+            let central = |power| average(&|x, u| (value(x, u) - mean).powi(power));
+            skewness = skewness.max(central(3).abs() / central(2).powf(1.5));
+            means.push(mean);
+        }
+        self.means = means;
+        skewness
+    }
+
+    fn standard(&self, x: Point, u: f64) -> Point {
+        let y = self.coordinates.of(x, u);
+        std::array::from_fn(|k| (y[k] - self.centre[k]) / self.spread[k])
+    }
+
+    /// Whether chart coordinates outside the unit square, or NaN, are more than the point's rounding.
+    fn strays(&self, x: Point, u: [f64; 2]) -> bool {
+        let invert = |x| self.entry.chart.invert(x);
+        let at = invert(x);
+        let mut slack = [1e-12; 2];
+        for k in 0..3 {
+            let mut near = x;
+            near[k] += self.rounding[k].max(f64::from(f32::EPSILON) * x[k].abs());
+            for (slack, (moved, at)) in slack.iter_mut().zip(invert(near).into_iter().zip(at)) {
+                *slack += (moved - at).abs();
+            }
+        }
+        let inside = (0..2).all(|i| u[i] >= -slack[i] && u[i] <= 1.0 + slack[i]);
+        !inside
+    }
+
+    /// Draws the samples through `Warp::fill` and tests them.
+    pub fn run(&self, seed: u64) -> Report {
+        let mut rng = Pcg32::new(seed, seed);
+        let moments = moments(self.entry.domain);
+        let mut tally = [0, 1].map(|i: usize| vec![0_u64; self.axes[i].count()]);
+        let mut observed = vec![0_u64; self.cells.len()];
+        let mut sums = vec![(0.0, 0.0); moments.len()];
+        let mut faults = Vec::new();
+        let mut left = self.samples;
+        while left > 0 {
+            let points = self.entry.warp.fill(&mut rng, left.min(CHUNK));
+            left -= points.len();
+            for (i, &point) in points.iter().enumerate() {
+                let x = wide(point);
+                let [u, v, ..] = self.entry.chart.invert(x);
+                let inside = (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v);
+                if !inside && self.strays(x, [u, v]) {
+                    faults.push(format!("{point:?} lies outside the domain, at ({u}, {v})"));
+                }
+                let seen = i % 64 > 0 || self.entry.warp.pdf(point) > 0.0;
+                if !seen {
+                    faults.push(format!(
+                        "{point:?} has density {}",
+                        self.entry.warp.pdf(point)
+                    ));
+                }
+                let (i, j) = (self.axes[0].find(u), self.axes[1].find(v));
+                tally[0][i] += 1;
+                tally[1][j] += 1;
+                observed[i / self.axes[0].fine * self.axes[1].cells() + j / self.axes[1].fine] += 1;
+                let t = self.standard(x, u);
+                for ((sum, moment), mean) in sums.iter_mut().zip(&moments).zip(&self.means) {
+                    let off = moment.of(&t) - mean;
+                    *sum = (sum.0 + off, sum.1 + off * off);
+                }
+            }
+            if faults.len() > 3 {
+                break;
+            }
+        }
+        self.judge(&observed, &tally, &sums, faults)
+    }
+
+    fn judge(
+        &self,
+        observed: &[u64],
+        tally: &[Vec<u64>; 2],
+        sums: &[(f64, f64)],
+        mut faults: Vec<String>,
+    ) -> Report {
+        let n = self.samples as f64;
+        let normal = (self.integral - 1.0).abs() <= INTEGRAL;
+        if !normal {
+            faults.push(format!("the density integrates to {}", self.integral));
+        }
+        let expected: Vec<f64> = self.cells.iter().map(|p| n * p).collect();
+        let (chi2, dof, p) = stats::chi_square(observed, &expected).unwrap_or_else(|fault| {
+            faults.push(fault);
+            (f64::NAN, 0, f64::NAN)
+        });
+        let mut tests = vec![("chi-square".to_string(), p)];
+        for (axis, tally) in self
+            .axes
+            .iter()
+            .zip(tally)
+            .filter(|(axis, _)| axis.count() > 1)
+        {
+            let (mut below, mut distance) = (0, 0.0_f64);
+            for (count, border) in tally.iter().zip(&axis.borders[1..]) {
+                below += count;
+                distance = distance.max((below as f64 / n - border).abs());
+            }
+            tests.push(("distance".to_string(), stats::kolmogorov(distance, n)));
+        }
+        for (moment, (sum, squares)) in moments(self.entry.domain).into_iter().zip(sums) {
+            let (mean, square) = (sum / n, squares / n);
+            let error = ((square - mean * mean) / n).sqrt();
+            tests.push((moment.name(), stats::two_sided(mean / error)));
+        }
+        Report {
+            chi2,
+            dof,
+            tests,
+            faults,
+        }
+    }
+}

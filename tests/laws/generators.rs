@@ -1,0 +1,199 @@
+//! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
+
+use microwarp::uniform::{self, Uniforms as _};
+use microwarp::{Warp, libm, poly};
+use rand_core::{Rng, TryRng};
+use rand_pcg::Pcg32;
+use std::convert::Infallible;
+
+/// Counts the words it hands out, all the same or from a generator.
+struct Counting<R> {
+    inner: R,
+    words: u32,
+}
+
+impl<R: Rng> TryRng for Counting<R> {
+    type Error = Infallible;
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        self.words += 1;
+        Ok(self.inner.next_u32())
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        unreachable!("draws are counted in u32")
+    }
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
+        unreachable!("draws are counted in u32")
+    }
+}
+
+/// Fails after some words.
+struct Failing(u32);
+
+#[derive(Debug, PartialEq)]
+struct Broken(u32);
+
+impl std::fmt::Display for Broken {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "broken {}", self.0)
+    }
+}
+
+impl std::error::Error for Broken {}
+
+impl TryRng for Failing {
+    type Error = Broken;
+    fn try_next_u32(&mut self) -> Result<u32, Broken> {
+        if self.0 == 0 {
+            return Err(Broken(17));
+        }
+        self.0 -= 1;
+        Ok(0x8000_0000)
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Broken> {
+        unreachable!()
+    }
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Broken> {
+        unreachable!()
+    }
+}
+
+/// Yields one word for ever.
+#[derive(Clone)]
+struct Stuck(u32);
+
+impl TryRng for Stuck {
+    type Error = Infallible;
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        Ok(self.0)
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        Ok(u64::from(self.0) << 32 | u64::from(self.0))
+    }
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        bytes.fill(self.0 as u8);
+        Ok(())
+    }
+}
+
+fn consumes<W: Warp>(warp: &W, words: u32) {
+    let mut rng = Counting {
+        inner: Pcg32::new(1, 1),
+        words: 0,
+    };
+    warp.draw(&mut rng);
+    assert_eq!(rng.words, words);
+    let mut points = [warp.draw(&mut Pcg32::new(1, 1)); 10];
+    warp.fill(&mut rng, &mut points);
+    assert_eq!(rng.words, 11 * words);
+}
+
+#[test]
+fn a_draw_consumes_the_documented_number_of_words() {
+    consumes(&poly::Interval::new(0.0, 1.0).unwrap(), 1);
+    consumes(&poly::Power::new(2.0, 0.0, 1.0).unwrap(), 1);
+    consumes(&poly::PowerMax::<5>::new(), 5);
+    consumes(&poly::Exponential::new(1.0).unwrap(), 1);
+    consumes(&poly::ExponentialTail::new(1.0).unwrap(), 2);
+    consumes(&poly::TruncatedExponential::new(1.0, 1.0).unwrap(), 1);
+    consumes(&poly::Normal::new(0.0, 1.0).unwrap(), 1);
+    consumes(&poly::NormalPair::new([0.0; 2], 1.0).unwrap(), 2);
+    consumes(&poly::Disk::new(), 2);
+    consumes(&poly::Triangle::new(), 2);
+    consumes(&libm::Sphere::new(), 2);
+    consumes(&libm::PhongLobe::new(5.0).unwrap(), 2);
+    // A composition consumes what its parts do.
+    let frame = poly::Frame::new([0.0, 1.0, 0.0]).unwrap();
+    consumes(&poly::Oriented::new(poly::Hemisphere::new(), frame), 2);
+    let tail = poly::ExponentialTail::new(1.0).unwrap();
+    consumes(
+        &poly::Transform::new(tail, |x| 2.0 * x, |y: f32| 0.5 * y, |_| 2.0),
+        2,
+    );
+    consumes(&&tail, 2);
+    let either = poly::MarginalConditional::new(tail, |_| poly::Interval::new(0.0, 1.0).unwrap());
+    consumes(&either, 3);
+}
+
+#[test]
+fn drawing_is_sampling_at_the_drawn_uniforms() {
+    let disk = poly::Disk::new();
+    let mut points = [[0.0; 2]; 100];
+    disk.fill(&mut Pcg32::new(9, 9), &mut points);
+    let (mut drawn, mut explicit) = (Pcg32::new(9, 9), Pcg32::new(9, 9));
+    for point in points {
+        assert_eq!(point, disk.draw(&mut drawn));
+        let u = [uniform::grid(&mut explicit), uniform::grid(&mut explicit)];
+        assert_eq!(point, disk.sample(u));
+    }
+    let tail = libm::ExponentialTail::new(1.0).unwrap();
+    let (mut drawn, mut explicit) = (Pcg32::new(9, 9), Pcg32::new(9, 9));
+    for _ in 0..100 {
+        assert_eq!(
+            tail.draw(&mut drawn),
+            tail.sample(uniform::full(&mut explicit))
+        );
+    }
+}
+
+#[test]
+fn a_failing_generator_passes_its_error_on() {
+    let disk = poly::Disk::new();
+    assert_eq!(disk.try_draw(&mut Failing(0)), Err(Broken(17)));
+    assert_eq!(disk.try_draw(&mut Failing(1)), Err(Broken(17)));
+    assert!(disk.try_draw(&mut Failing(2)).is_ok());
+    let mut points = [[9.0; 2]; 4];
+    assert_eq!(disk.try_fill(&mut Failing(5), &mut points), Err(Broken(17)));
+    assert!(points[1] != [9.0; 2] && points[2] == [9.0; 2]);
+    assert_eq!(
+        poly::ExponentialTail::new(1.0)
+            .unwrap()
+            .try_draw(&mut Failing(1)),
+        Err(Broken(17))
+    );
+    assert_eq!(uniform::try_grid(&mut Failing(0)), Err(Broken(17)));
+    assert_eq!(uniform::try_open(&mut Failing(0)), Err(Broken(17)));
+    assert_eq!(uniform::try_full(&mut Failing(1)), Err(Broken(17)));
+    assert!(<[f32; 3]>::try_draw(&mut Failing(2)).is_err());
+    let strata = uniform::Strata2d::new(2, 2).unwrap();
+    assert_eq!(strata.try_draw(0, &mut Failing(1)), Err(Broken(17)));
+}
+
+#[test]
+fn a_stuck_generator_draws_finite_points() {
+    for word in [0, 1, 0x7fff_ffff, 0x8000_0000, u32::MAX] {
+        let mut rng = Stuck(word);
+        assert!(
+            poly::Normal::new(0.0, 1.0)
+                .unwrap()
+                .draw(&mut rng)
+                .is_finite()
+        );
+        assert!(
+            poly::ExponentialTail::new(1.0)
+                .unwrap()
+                .draw(&mut rng)
+                .is_finite()
+        );
+        assert!(
+            poly::PhongLobe::new(1e8)
+                .unwrap()
+                .draw(&mut rng)
+                .iter()
+                .all(|c| c.is_finite())
+        );
+        assert!(
+            poly::NormalPair::new([0.0; 2], 1.0)
+                .unwrap()
+                .draw(&mut rng)
+                .iter()
+                .all(|c| c.is_finite())
+        );
+    }
+}
+
+#[test]
+fn a_dyn_generator_will_do() {
+    let mut pcg = Pcg32::new(3, 3);
+    let rng: &mut dyn Rng = &mut pcg;
+    assert!(poly::Disk::new().draw(rng)[0].abs() <= 1.0);
+}
