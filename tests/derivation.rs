@@ -118,12 +118,15 @@ impl Rational {
 impl Split {
     /// The upper bits of the value as one f32, what is missing as another.
     fn derive(&self) -> Derived {
-        let high = f32::from_bits((self.value as f32).to_bits() & !0 << (24 - self.bits));
+        let nearest = self.value as f32;
+        let high = f32::from_bits(nearest.to_bits() & (!0 << (24 - self.bits)));
         let low = (self.value - f64::from(high)) as f32;
+        let values = [high, low][..self.parts].to_vec();
+        let error = values.iter().fold(self.value, |rest, &v| rest - f64::from(v));
         Derived {
             ideal: 0.0,
-            rounded: (f64::from(high) + f64::from(low) - self.value).abs() / self.value,
-            constants: vec![(self.name, vec![high, low])],
+            rounded: error.abs() / self.value,
+            constants: vec![(self.name, values)],
         }
     }
 }

@@ -135,6 +135,37 @@ fn any_uniform_gives_a_finite_point_of_the_domain() {
     }
 }
 
+/// The whole rim of the disk, every second uniform there is at the largest radius.
+#[test]
+fn no_point_of_the_disk_lies_beyond_its_rim() {
+    let last = microwarp::uniform::LARGEST;
+    for entry in entries() {
+        let rims: &[fn(f32, f32) -> Uniforms] = match entry.name {
+            "Disk" => &[|rim, u| [rim, u, 0.0, 0.0]],
+            "DiskConcentric" => &[
+                |_, u| [0.0, u, 0.0, 0.0],
+                |_, u| [u, 0.0, 0.0, 0.0],
+                |rim, u| [rim, u, 0.0, 0.0],
+                |rim, u| [u, rim, 0.0, 0.0],
+            ],
+            _ => continue,
+        };
+        for rim in rims {
+            for k in 0..1_u32 << 24 {
+                let u = rim(last, k as f32 / 16_777_216.0);
+                let [x, y, _] = entry.warp.sample(u);
+                let r2 = f64::from(x) * f64::from(x) + f64::from(y) * f64::from(y);
+                assert!(r2 <= 1.0, "{} at {u:?}: r² = {r2}", entry.label());
+                assert!(
+                    entry.warp.pdf([x, y, 0.0]) > 0.0,
+                    "{} at {u:?} has density 0",
+                    entry.label()
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn a_sample_never_has_density_zero() {
     for entry in entries() {

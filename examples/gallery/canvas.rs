@@ -188,11 +188,15 @@ impl Canvas {
         let rgba = self.pixels.data();
         let colours = NeuQuant::new(3, 256, rgba);
         let mut palette = colours.color_map_rgb();
-        // The page itself must be white to the last bit.
-        let white = colours.index_of(&WHITE);
-        palette[3 * white..][..3].fill(255);
+        // The page must be white to the last bit, and a colour used sparingly must not drift.
+        for fixed in [WHITE, INK, HAIR, ACCENT] {
+            let entry = &mut palette[3 * colours.index_of(&fixed)..][..3];
+            if entry.iter().zip(fixed).all(|(a, b)| a.abs_diff(b) < 40) {
+                entry.copy_from_slice(&fixed[..3]);
+            }
+        }
         // Neighbouring pixels are mostly equal, and finding a colour takes time.
-        let (mut last, mut index) = (WHITE, white as u8);
+        let (mut last, mut index) = (WHITE, colours.index_of(&WHITE) as u8);
         let indices: Vec<u8> = rgba
             .chunks_exact(4)
             .map(|pixel| {

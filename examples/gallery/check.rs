@@ -1,19 +1,22 @@
 //! The numbers of the table: each warp is compared with its density, with its exact counterpart and
 //! with the clock.
 
+use crate::catalogue::stats::{self, Axis};
 use crate::catalogue::{Domain, Entry, Measure, Point, Uniforms};
 use crate::table::p_text;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::time::Instant;
 
 /// A p-value below this is no accident in any number of runs.
 pub const ALARM: f64 = 1e-9;
 
-/// Cells of the chart along the axes, odd so that no symmetry of a warp falls onto a border.
-const LINE_CELLS: [usize; 2] = [501, 1];
+/// Cells along the axes of a chart of two dimensions; odd, so that no symmetry of a warp falls onto
+/// a border. On the line there are as many as `f32` bears.
 const AREA_CELLS: [usize; 2] = [61, 33];
+
+/// How often the panels of the quadrature are halved towards the ends, where maps have singularities.
+const GRADES: i32 = 8;
 
 /// Points drawn at a time: a block stays in the nearest cache.
 const BLOCK: usize = 512;
@@ -28,42 +31,41 @@ pub fn generator(seed: u64, entry: &Entry, purpose: u64) -> Pcg32 {
 
 /// What was measured for one warp in one tier.
 pub struct Figures {
-    pub samples: usize,
-    /// None where `f32` does not resolve the distribution.
-    pub p: Option<f64>,
-    /// Samples at which the density is 0, or that are not numbers.
-    pub astray: usize,
+    pub shape: Shape,
     /// The largest error of a sample, in the measure of the entry.
     pub error: f64,
     pub nanoseconds: f64,
 }
 
-impl Figures {
+/// What came of the test of shape.
+pub struct Shape {
+    pub samples: usize,
+    /// Samples at which the density is 0, or that are not numbers.
+    pub astray: usize,
+    /// The p-value, or why there can be none.
+    pub outcome: Result<f64, String>,
+}
+
+impl Shape {
     /// What is wrong, if anything is.
     pub fn complaint(&self) -> Option<String> {
-        if self.astray > 0 {
-            Some(format!("{} samples where the density is 0", self.astray))
-        } else {
-            self.p.filter(|&p| p.is_nan() || p < ALARM).map(|p| {
-                format!(
-                    "samples do not follow the density, p-value {}",
-                    p_text(Some(p))
-                )
-            })
+        match &self.outcome {
+            _ if self.astray > 0 => Some(format!("{} samples where the density is 0", self.astray)),
+            Err(fault) => Some(fault.clone()),
+            Ok(p) if *p >= ALARM => None,
+            Ok(_) => Some(format!(
+                "samples do not follow the density, p-value {}",
+                p_text(self)
+            )),
         }
     }
 }
 
 pub fn measure(entry: &Entry, seed: u64, samples: usize) -> Figures {
-    let nanoseconds = time(entry, &mut generator(seed, entry, 0));
-    let error = largest_error(entry, &mut generator(seed, entry, 1), samples);
-    let (p, astray) = shape(entry, &mut generator(seed, entry, 2), samples);
     Figures {
-        samples,
-        p: entry.resolved.then_some(p),
-        astray,
-        error,
-        nanoseconds,
+        nanoseconds: time(entry, &mut generator(seed, entry, 0)),
+        error: largest_error(entry, &mut generator(seed, entry, 1), samples),
+        shape: shape(entry, &mut generator(seed, entry, 2), samples),
     }
 }
 
@@ -110,82 +112,54 @@ fn ulp(x: f64) -> f64 {
     2f64.powi(exponent as i32 - 23)
 }
 
-/// The p-value of the chi-square test of samples against the density, and how many samples have none.
-fn shape(entry: &Entry, rng: &mut Pcg32, samples: usize) -> (f64, usize) {
-    let [columns, rows] = match entry.domain {
-        Domain::Line => LINE_CELLS,
-        _ => AREA_CELLS,
+/// The chi-square test of samples against the density.
+fn shape(entry: &Entry, rng: &mut Pcg32, samples: usize) -> Shape {
+    let (samples, axes) = match entry.domain {
+        Domain::Line => {
+            let (cells, samples) = stats::resolve(entry, samples);
+            let axis = Axis::new(cells, |u| stats::between_floats(entry, u));
+            (samples, [axis, Axis::none()])
+        }
+        _ => (samples, AREA_CELLS.map(|cells| Axis::new(cells, |u| u))),
     };
-    let mut counts = vec![0_u32; columns * rows];
+    let [columns, rows] = axes.each_ref().map(Axis::cells);
+    let mut observed = vec![0_u64; columns * rows];
     let (mut left, mut astray) = (samples, 0);
     while left > 0 {
         let block = left.min(BLOCK);
         for point in entry.warp.fill(rng, block) {
-            let [u, v, ..] = entry.chart.invert(point.map(f64::from));
-            if u.is_finite() && v.is_finite() && entry.warp.pdf(point) > 0.0 {
-                let cell =
-                    |u: f64, cells: usize| ((u * cells as f64).max(0.0) as usize).min(cells - 1);
-                counts[cell(v, rows) * columns + cell(u, columns)] += 1;
+            let place = entry.chart.invert(point.map(f64::from));
+            if place[0].is_finite() && place[1].is_finite() && entry.warp.pdf(point) > 0.0 {
+                let [column, row] = [0, 1].map(|k| axes[k].find(place[k]) / axes[k].fine);
+                observed[row * columns + column] += 1;
             } else {
                 astray += 1;
             }
         }
         left -= block;
     }
-    let expected = |cell: usize| {
-        samples as f64 * mass(entry, [cell % columns, cell / columns], [columns, rows])
-    };
-    let pairs = counts
-        .iter()
-        .enumerate()
-        .map(|(cell, &count)| (f64::from(count), expected(cell)));
-    (chi_square(pairs), astray)
+    let expected = expected(entry, &axes, samples);
+    let outcome = stats::chi_square(&observed, &expected).map(|(_, _, p)| p);
+    Shape {
+        samples,
+        astray,
+        outcome,
+    }
 }
 
-/// The probability of a cell of the chart: the crate's own density, by quadrature in f64.
-fn mass(entry: &Entry, cell: [usize; 2], cells: [usize; 2]) -> f64 {
-    /// Gauss-Legendre of four nodes on [0, 1].
-    const NODES: [(f64, f64); 4] = [
-        (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
-        (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
-        (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
-        (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
-    ];
-    let flat = cells[1] == 1;
-    let rows: &[(f64, f64)] = if flat { &[(0.5, 1.0)] } else { &NODES };
-    let mut sum = 0.0;
-    for (s, weight_s) in NODES {
-        for &(t, weight_t) in rows {
-            let u = (cell[0] as f64 + s) / cells[0] as f64;
-            let v = (cell[1] as f64 + t) / cells[1] as f64;
+/// How many samples the cells of the chart should hold: the crate's own density, by quadrature in f64.
+fn expected(entry: &Entry, axes: &[Axis; 2], samples: usize) -> Vec<f64> {
+    let columns = axes[0].cells();
+    let mut expected = vec![0.0; columns * axes[1].cells()];
+    let rows = axes[1].nodes(0);
+    for (column, u, weight_u) in axes[0].nodes(GRADES) {
+        for &(row, v, weight_v) in &rows {
             let point: Point = entry.chart.sample([u, v, 0.0, 0.0]).map(|x| x as f32);
             // The chart's own density is the reciprocal of its Jacobian.
             let stretch = entry.chart.pdf(point.map(f64::from));
-            sum += weight_s * weight_t * f64::from(entry.warp.pdf(point)) / stretch;
+            let density = f64::from(entry.warp.pdf(point)) / stretch;
+            expected[row * columns + column] += samples as f64 * weight_u * weight_v * density;
         }
     }
-    sum / (cells[0] * cells[1]) as f64
-}
-
-/// Pearson's test of (observed, expected) counts; cells that expect fewer than 5 are pooled.
-fn chi_square(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let (mut cells, small): (Vec<_>, Vec<_>) = pairs.partition(|pair| pair.1 >= 5.0);
-    let pool = small
-        .iter()
-        .fold((0.0, 0.0), |sum, pair| (sum.0 + pair.0, sum.1 + pair.1));
-    if pool.0 > 0.0 && pool.1 == 0.0 {
-        // Samples where none can be.
-        return 0.0;
-    }
-    match cells.last_mut() {
-        // A pool that is itself too small joins a neighbour.
-        Some(last) if pool.1 < 5.0 => *last = (last.0 + pool.0, last.1 + pool.1),
-        _ => cells.push(pool),
-    }
-    let statistic: f64 = cells
-        .iter()
-        .map(|(seen, expected)| (seen - expected).powi(2) / expected)
-        .sum();
-    let freedom = cells.len().max(2) as f64 - 1.0;
-    ChiSquared::new(freedom).map_or(f64::NAN, |distribution| distribution.sf(statistic))
+    expected
 }

@@ -1,6 +1,6 @@
 //! The list of pictures: one line each, naming an entry of `tests/catalogue` and how it is looked at.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 /// One picture of the gallery.
 pub struct Picture {
@@ -109,7 +109,7 @@ const EQUILATERAL: View = View::Triangle([[0.5, 0.0, 1.0], [0.866_025, 0.0, 0.0]
 const FLAT: View = View::Triangle([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
 /// Space seen from a corner, z upwards.
 const CORNER: View = View::Triangle([
-    [-0.707_107, 0.707_107, 0.0],
+    [-FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0],
     [-0.408_248, -0.408_248, 0.816_497],
 ]);
 

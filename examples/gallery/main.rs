@@ -130,6 +130,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     for (entry, figures) in measured {
         complaints.extend(
             figures
+                .shape
                 .complaint()
                 .map(|c| format!("{}: {c}", entry.label())),
         );

@@ -97,8 +97,8 @@ pub fn single(subject: &Subject, figures: &[Option<&Figures>], args: &Args) -> C
         if let Some(Some(figures)) = figures.get(tier) {
             let text = format!(
                 "{} samples · χ² p = {} · largest error {}",
-                thousands(figures.samples),
-                p_text(figures.p),
+                thousands(figures.shape.samples),
+                p_text(&figures.shape),
                 error_text(entry, figures.error)
             );
             canvas.text(

@@ -1,17 +1,17 @@
 //! The table: one row for each warp, its parameters and a tier.
 
 use crate::catalogue::{Entry, Measure};
-use crate::check::{ALARM, Figures};
+use crate::check::{ALARM, Figures, Shape};
 use crate::sheet::thousands;
 use comfy_table::{CellAlignment, Table, presets};
 
 /// A p-value, in scientific notation where it is extreme.
-pub fn p_text(p: Option<f64>) -> String {
-    match p {
-        None => "–".into(),
-        Some(0.0) => "< 1e-300".into(),
-        Some(p) if p < 1e-3 => format!("{p:.1e}"),
-        Some(p) => format!("{p:.3}"),
+pub fn p_text(shape: &Shape) -> String {
+    match shape.outcome {
+        Err(_) => "none".into(),
+        Ok(0.0) => "< 1e-300".into(),
+        Ok(p) if p < 1e-3 => format!("{p:.1e}"),
+        Ok(p) => format!("{p:.3}"),
     }
 }
 
@@ -20,7 +20,7 @@ pub fn error_text(entry: &Entry, error: f64) -> String {
     match entry.measure {
         Measure::Ulp => format!("{error:.2} ulp"),
         Measure::UlpOf(scale) => format!("{error:.2} ulp of {}", short(scale)),
-        Measure::Length(length) if length == 1.0 => format!("{error:.2e}"),
+        Measure::Length(1.0) => format!("{error:.2e}"),
         Measure::Length(length) => format!("{error:.2e} of {}", short(length)),
     }
 }
@@ -50,8 +50,8 @@ pub fn print(rows: &[(&Entry, &Figures)]) {
             entry.name.to_string(),
             entry.parameters.to_string(),
             entry.tier.to_string(),
-            thousands(figures.samples),
-            p_text(figures.p),
+            thousands(figures.shape.samples),
+            p_text(&figures.shape),
             error_text(entry, figures.error),
             format!("{:.1}", figures.nanoseconds),
         ]);

@@ -3,15 +3,25 @@
 
 use super::{Tier, exp_of_product};
 
-/// Numerator of `e^(t²/2) Φ(-t)` in powers of t; see `MILLS` in `tests/derivation`.
-const MILLS: [f32; 5] = [0.5, 0.438_578_04, 0.183_418_35, 0.040_687_24, 0.004_122_001];
+/// √(2π), the slope of `e^(-t²/2)/Φ(-t)` far out; see `SQRT_TAU` in `tests/derivation`.
+const SQRT_TAU: [f32; 1] = [
+    2.506_628_3,
+];
+
+/// Numerator of `e^(-t²/2)/Φ(-t) - √(2π) t` in powers of t; see `MILLS` in `tests/derivation`.
+const MILLS: [f32; 5] = [
+    2.0,
+    0.918_382_7,
+    0.230_169_43,
+    0.024_202_941,
+    2.337_683e-6,
+];
 /// Its denominator, less the 1.
-const MILLS_OVER: [f32; 5] = [
-    1.675_041,
-    1.203_321_8,
-    0.469_947_28,
-    0.101_994_04,
-    0.010_332_209,
+const MILLS_OVER: [f32; 4] = [
+    0.914_620_16,
+    0.395_019_17,
+    0.090_987_86,
+    0.009_698_549,
 ];
 
 /// Numerator of `-Φ⁻¹(1/2 - q)/q - 5/2` in powers of q²; see `CENTRAL` in `tests/derivation`.
@@ -23,7 +33,10 @@ const CENTRAL: [f32; 5] = [
     2.330_104_8,
 ];
 /// Its denominator, less the 1.
-const CENTRAL_OVER: [f32; 2] = [-5.920_813_6, 8.288_465];
+const CENTRAL_OVER: [f32; 2] = [
+    -5.920_813_6,
+    8.288_465,
+];
 
 /// Numerator of `3r/2 + Φ⁻¹(e^(-r²))` in powers of r; see `TAIL` in `tests/derivation`.
 const TAIL: [f32; 5] = [
@@ -34,19 +47,27 @@ const TAIL: [f32; 5] = [
     0.039_793_614,
 ];
 /// Its denominator, less the 1.
-const TAIL_OVER: [f32; 3] = [4.943_938_7, 3.917_732, 0.465_646_77];
+const TAIL_OVER: [f32; 3] = [
+    4.943_938_7,
+    3.917_732,
+    0.465_646_77,
+];
 
 /// Φ(x) for `x <= 0`; what is above 0 or not a number counts as 0.
 pub(crate) fn cdf_lower<T: Tier>(x: f32) -> f32 {
     // Below -15 the probability rounds to 0, and so does the exponential.
     let t = if x < 0.0 { -x } else { 0.0 };
     let t = if t < 15.0 { t } else { 15.0 };
+    let [slope] = SQRT_TAU;
     let [n0, n1, n2, n3, n4] = MILLS;
-    let [d1, d2, d3, d4, d5] = MILLS_OVER;
+    let [d1, d2, d3, d4] = MILLS_OVER;
     // All coefficients are positive, so neither sum cancels.
     let numerator = n0 + t * (n1 + t * (n2 + t * (n3 + t * n4)));
-    let denominator = 1.0 + t * (d1 + t * (d2 + t * (d3 + t * (d4 + t * d5))));
-    exp_of_product::<T>(-0.5 * t, t) * (numerator / denominator)
+    let denominator = 1.0 + t * (d1 + t * (d2 + t * (d3 + t * d4)));
+    // The exponential over slope·t + numerator/denominator. Where the first term is the larger one the
+    // rounding errors of the denominator cancel, as it stands above and below the line.
+    let power = exp_of_product::<T>(-0.5 * t, t);
+    (power * denominator) / ((slope * t) * denominator + numerator)
 }
 
 /// The quantile of `p` in `(0, 1/2]`; what is below counts as the smallest subnormal, what is above or

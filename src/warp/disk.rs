@@ -2,13 +2,13 @@
 
 use super::{Warp, direction::azimuth, into_unit};
 use crate::tier::Tier;
-use crate::uniform::Canonical;
+use crate::uniform::{Canonical, LARGEST};
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
-/// The largest radius either map uses, two steps below 1: far enough inside that the rounding of sine,
-/// cosine and the products never carries a point over the rim.
-const RIM: f32 = 1.0 - f32::EPSILON;
+/// The largest radius either map uses, one step below 1: far enough inside that the rounding of sine,
+/// cosine and the products carries no point over the rim (`tests/laws.rs` walks all of it).
+const RIM: f32 = LARGEST;
 
 /// Uniform on the unit disk, by polar coordinates.
 ///
@@ -54,8 +54,8 @@ impl<T: Tier> Warp for Disk<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
         let [u1, u2] = u.get();
+        // The root of the largest uniform is again the largest f32 below 1.
         let r = T::sqrt(u1);
-        let r = if r < RIM { r } else { RIM };
         let (s, c) = T::sincos_turns(u2);
         [r * c, r * s]
     }

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 /// The source files that may hold a derived constant.
-const FILES: [&str; 5] = [
+const FILES: [&str; 6] = [
+    "src/tier/libm.rs",
     "src/tier/normal.rs",
     "src/tier/poly/trig.rs",
     "src/tier/poly/log.rs",
@@ -22,7 +23,9 @@ fn find(name: &str) -> Option<(PathBuf, String, std::ops::Range<usize>)> {
         let path = path(file);
         let text = std::fs::read_to_string(&path).ok()?;
         let declared = text.find(&start)?;
-        let open = declared + text[declared..].find("= [")? + 3;
+        // Past the type, which has a bracket of its own; the list may stand on a line below.
+        let value = declared + text[declared..].find('=')?;
+        let open = value + text[value..].find('[')? + 1;
         let close = open + text[open..].find("];")?;
         Some((path, text, open..close))
     })

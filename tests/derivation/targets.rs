@@ -1,6 +1,6 @@
 //! What is fitted: the functions behind every constant, where, in how many terms, and with which weight.
 
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, LN_2, TAU};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, LN_2, SQRT_2, TAU};
 
 /// A value to be met at x; the weight turns an error there into the error that counts.
 pub struct Point {
@@ -31,11 +31,12 @@ pub struct Rational {
     pub target: fn(f64) -> Point,
 }
 
-/// A number in two parts, the first of so many bits that products with it are exact.
+/// A number in one or two parts, the first of so many bits.
 pub struct Split {
     pub name: &'static str,
     pub value: f64,
     pub bits: u32,
+    pub parts: usize,
 }
 
 /// A power series, summed backwards.
@@ -120,13 +121,13 @@ fn exponential(r: f64) -> Point {
     }
 }
 
-/// e^(t²/2) times the lower tail of the normal distribution at -t, relative.
+/// 1/(e^(t²/2) Φ(-t)) - √(2π) t, which falls from 2 to 0, relative to the quotient.
 fn mills(t: f64) -> Point {
-    let value = 0.5 * libm::exp(0.5 * t * t) * libm::erfc(t * FRAC_1_SQRT_2);
+    let quotient = 2.0 / (libm::exp(0.5 * t * t) * libm::erfc(t * FRAC_1_SQRT_2));
     Point {
         x: t,
-        value,
-        weight: 1.0 / value,
+        value: quotient - f64::from(TAU.sqrt() as f32) * t,
+        weight: 1.0 / quotient,
     }
 }
 
@@ -169,7 +170,7 @@ pub fn polynomials() -> Vec<Polynomial> {
     };
     vec![
         fit("SINE", [0.0, 0.25], 4, sine),
-        fit("COSINE", [0.0, 0.25], 3, cosine),
+        fit("COSINE", [0.0, 0.25], 4, cosine),
         fit("ANGLE", [0.0, tangent.powi(2)], 5, angle),
         fit("LOGARITHM", [0.0, artanh.powi(2)], 3, logarithm),
         fit("LONG_LOGARITHM", [0.0, artanh.powi(2)], 3, long_logarithm),
@@ -184,8 +185,8 @@ pub fn rationals() -> Vec<Rational> {
             names: ["MILLS", "MILLS_OVER"],
             interval: [0.0, 15.0],
             numerator: 5,
-            denominator: 5,
-            first: Some(0.5),
+            denominator: 4,
+            first: Some(2.0),
             target: mills,
         },
         Rational {
@@ -208,10 +209,18 @@ pub fn rationals() -> Vec<Rational> {
 }
 
 pub fn splits() -> Vec<Split> {
-    let split = |name, value| Split {
+    let split = |name, value, bits, parts| Split {
         name,
         value,
-        bits: 12,
+        bits,
+        parts,
     };
-    vec![split("LN_2", LN_2), split("TO_LOG2", 2.0 / (3.0 * LN_2))]
+    vec![
+        // Heads of 12 bits, whose products are exact.
+        split("LN_2", LN_2, 12, 2),
+        split("TO_LOG2", 2.0 / (3.0 * LN_2), 12, 2),
+        split("HALF_PI", FRAC_PI_2, 24, 2),
+        split("SQRT_TAU", TAU.sqrt(), 24, 1),
+        split("TAN_SIXTEENTH_TURN", SQRT_2 - 1.0, 24, 1),
+    ]
 }

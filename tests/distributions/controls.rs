@@ -1,1 +1,342 @@
-//! controls
+//! The examination itself under test: what is wrong by a little is rejected, at the threshold and with
+//! the sample sizes of the real run, and what is right gives p-values that are uniform.
+
+use crate::SAMPLES;
+use crate::catalogue::{self, Domain, Entry, Erased, Point, Uniforms, stats};
+use crate::examination::{self, Examination, Report};
+use microwarp::uniform::grid;
+use rand_pcg::Pcg32;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+type Map = fn([f64; 2]) -> [f64; 3];
+type Density = fn(&dyn Erased, Point) -> f32;
+
+/// An entry's warp with its map or its density replaced by a wrong one.
+struct Wrong {
+    right: Arc<dyn Erased>,
+    map: Option<Map>,
+    pdf: Density,
+}
+
+impl Erased for Wrong {
+    fn sample(&self, u: Uniforms) -> Point {
+        match self.map {
+            Some(map) => map([u[0], u[1]].map(f64::from)).map(|c| c as f32),
+            None => self.right.sample(u),
+        }
+    }
+    fn pdf(&self, x: Point) -> f32 {
+        (self.pdf)(self.right.as_ref(), x)
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        self.right.invert(x)
+    }
+    fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point> {
+        match self.map {
+            Some(_) => (0..n)
+                .map(|_| self.sample([grid(rng), grid(rng), 0.0, 0.0]))
+                .collect(),
+            None => self.right.fill(rng, n),
+        }
+    }
+}
+
+fn entry(label: &str) -> Entry {
+    let found = catalogue::entries()
+        .into_iter()
+        .find(|e| e.label() == label);
+    found.unwrap_or_else(|| panic!("no entry {label}"))
+}
+
+fn true_density(warp: &dyn Erased, x: Point) -> f32 {
+    warp.pdf(x)
+}
+
+/// Examines a wrong warp with a seed no other run has.
+fn report(label: &str, map: Option<Map>, pdf: Density) -> (Domain, Report) {
+    let mut entry = entry(label);
+    entry.warp = Arc::new(Wrong {
+        right: Arc::clone(&entry.warp),
+        map,
+        pdf,
+    });
+    let seed = label
+        .bytes()
+        .fold(1, |seed: u64, b| seed.wrapping_mul(31) + u64::from(b));
+    (entry.domain, Examination::new(&entry, SAMPLES).run(seed))
+}
+
+/// The threshold of the real run.
+fn threshold() -> f64 {
+    let entries = catalogue::entries();
+    let resolved = entries.iter().filter(|e| e.resolved);
+    stats::threshold(resolved.map(|e| examination::tests(e.domain)).sum())
+}
+
+/// Asserts that each of the named tests, or faults, is among the objections.
+fn assert_rejected(what: &str, report: &Report, by: &[&str]) {
+    let objections = report.objections(threshold());
+    println!("{what}: {}", objections.join("; "));
+    for name in by {
+        let found = objections.iter().any(|o| o.contains(name));
+        assert!(found, "{what} passes the {name}: {objections:?}");
+    }
+}
+
+#[test]
+fn wrong_maps_are_rejected() {
+    let maps: [(&str, &str, Map, &[&str]); 10] = [
+        (
+            "an interval bent by xi^1.01",
+            "Interval [0, 1] poly",
+            |[u, _]| [u.powf(1.01), 0.0, 0.0],
+            &["chi-square", "distance", "mean x", "mean x²"],
+        ),
+        (
+            "an exponential whose rate is off by 1 %",
+            "Exponential a=1 poly",
+            |[u, _]| [-(-u).ln_1p() / 1.01, 0.0, 0.0],
+            &["chi-square", "distance", "mean x", "mean x²"],
+        ),
+        (
+            "a normal of deviation 1.01",
+            "Normal 0, 1 libm",
+            |[u, v]| [1.01 * normal(u, v), 0.0, 0.0],
+            &["chi-square", "distance", "mean x²"],
+        ),
+        (
+            "a disk with r = xi",
+            "Disk poly",
+            |[u, v]| [u * (TAU * v).cos(), u * (TAU * v).sin(), 0.0],
+            &["chi-square", "distance", "mean x²", "mean y²"],
+        ),
+        (
+            "a disk turned slightly unevenly",
+            "DiskConcentric libm",
+            |[u, v]| disk(u, v.powf(1.01)),
+            &["chi-square", "distance", "mean y"],
+        ),
+        (
+            "a normal pair without the square root",
+            "NormalPair 0, 1 libm",
+            |[u, v]| normal_pair(u, v),
+            &["chi-square", "distance", "mean x²"],
+        ),
+        (
+            "a hemisphere with theta linear in xi",
+            "Hemisphere poly",
+            |[u, v]| direction(0.5 * PI * u, v),
+            &["chi-square", "distance", "mean z", "mean z²"],
+        ),
+        (
+            "a sphere with theta linear in xi",
+            "Sphere libm",
+            |[u, v]| direction(PI * u, v),
+            &["chi-square", "distance", "mean z²"],
+        ),
+        (
+            "a cosine hemisphere left at +z",
+            "Oriented cosine about (1, 2, 3) poly",
+            |[u, v]| direction(u.sqrt().asin(), v),
+            &["chi-square", "distance", "mean x"],
+        ),
+        (
+            "a triangle with v = xi (1 - u)",
+            "Triangle poly",
+            |[u, v]| [u, v * (1.0 - u), (1.0 - u) * (1.0 - v)],
+            &["chi-square", "distance", "mean x"],
+        ),
+    ];
+    for (what, label, map, by) in maps {
+        let (_, report) = report(label, Some(map), true_density);
+        assert_rejected(what, &report, by);
+    }
+}
+
+fn disk(u: f64, v: f64) -> [f64; 3] {
+    [u.sqrt() * (TAU * v).cos(), u.sqrt() * (TAU * v).sin(), 0.0]
+}
+
+fn normal(u: f64, v: f64) -> f64 {
+    (-2.0 * (-u).ln_1p()).sqrt() * (TAU * v).cos()
+}
+
+fn normal_pair(u: f64, v: f64) -> [f64; 3] {
+    let r = -2.0 * (-u).ln_1p();
+    [r * (TAU * v).cos(), r * (TAU * v).sin(), 0.0]
+}
+
+fn direction(theta: f64, v: f64) -> [f64; 3] {
+    [
+        theta.sin() * (TAU * v).cos(),
+        theta.sin() * (TAU * v).sin(),
+        theta.cos(),
+    ]
+}
+
+/// One warp of each domain kind, with a density that is neither constant nor comfortable where there is one.
+const KINDS: [&str; 5] = [
+    "Power n=2.5 [0, 1] poly",
+    "NormalPair 0, 1 poly",
+    "PhongLobe n=50 poly",
+    "Oriented cosine about -z poly",
+    "TriangleOn space poly",
+];
+
+#[test]
+fn densities_off_by_one_percent_are_rejected() {
+    let mut kinds = Vec::new();
+    for label in KINDS {
+        let (kind, too_large) = report(label, None, |warp, x| 1.01 * warp.pdf(x));
+        assert_rejected(
+            &format!("{label}, density 1 % too large"),
+            &too_large,
+            &["chi-square", "integrates"],
+        );
+        kinds.push(kind);
+    }
+    // Of the right integral: too small on one side of a symmetry, too large on the other.
+    for label in [
+        "Normal 0, 1 poly",
+        "Disk poly",
+        "Sphere libm",
+        "Oriented cosine about -z libm",
+    ] {
+        let (_, tilted) = report(label, None, |warp, x| {
+            warp.pdf(x) * if x[0] < 0.0 { 0.99 } else { 1.01 }
+        });
+        assert_rejected(
+            &format!("{label}, density tilted by 1 %"),
+            &tilted,
+            &["chi-square", "mean x"],
+        );
+    }
+    for kind in [
+        Domain::Line,
+        Domain::Plane,
+        Domain::Directions,
+        Domain::World,
+        Domain::Space,
+    ] {
+        assert!(kinds.contains(&kind), "no control over {kind:?}");
+    }
+}
+
+#[test]
+fn what_is_not_a_number_or_not_possible_is_rejected() {
+    for label in KINDS {
+        let (_, nowhere) = report(label, None, |_, _| f32::NAN);
+        assert_rejected(
+            &format!("{label}, density NaN"),
+            &nowhere,
+            &["has density NaN", "integrates", "chi-square"],
+        );
+        let (_, once) = report(label, Some(|_| [f64::NAN; 3]), true_density);
+        assert_rejected(
+            &format!("{label}, samples NaN"),
+            &once,
+            &["outside the domain"],
+        );
+    }
+    let (_, half) = report("Disk poly", None, |warp, x| {
+        if x[1] < 0.0 { 0.0 } else { 2.0 * warp.pdf(x) }
+    });
+    assert_rejected(
+        "a density of half a disk",
+        &half,
+        &["has density 0", "zero density"],
+    );
+    let (_, wide) = report(
+        "Disk poly",
+        Some(|[u, v]| disk(1.000_01 * u, v)),
+        true_density,
+    );
+    assert_rejected("a disk too wide by 5e-6", &wide, &["outside the domain"]);
+    let (_, wide) = report(
+        "Interval [0, 1] poly",
+        Some(|[u, _]| [1.000_01 * u, 0.0, 0.0]),
+        true_density,
+    );
+    assert_rejected(
+        "an interval too wide by 1e-5",
+        &wide,
+        &["outside the domain"],
+    );
+}
+
+#[test]
+fn p_values_of_correct_warps_are_uniform() {
+    use statrs::distribution::Uniform;
+    use statrs::stats_tests::NaNPolicy;
+    use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
+    let mut checked = 0;
+    for label in [
+        "Exponential a=1 poly",
+        "Normal 0, 1 libm",
+        "DiskConcentric poly",
+        "PhongLobe n=1e6 poly",
+        "Oriented cosine about (1, 2, 3) libm",
+    ] {
+        let entry = entry(label);
+        let examination = Examination::new(&entry, 100_000);
+        let reports: Vec<Report> = (0..200).map(|i| examination.run(1_000_000 + i)).collect();
+        for (k, (name, _)) in reports[0].tests.iter().enumerate() {
+            let p: Vec<f64> = reports.iter().map(|r| r.tests[k].1).collect();
+            let (d, uniform) = ks_onesample(
+                p,
+                &Uniform::new(0.0, 1.0).unwrap(),
+                KSOneSampleAlternativeMethod::TwoSidedAsymptotic,
+                NaNPolicy::Error,
+            )
+            .unwrap();
+            println!("{label}, {name}: 200 p-values are {d:.3} from uniform, p = {uniform:.3}");
+            assert!(uniform >= 1e-6, "{label}, {name}: {uniform}");
+            checked += 1;
+        }
+    }
+    assert_eq!(checked, 4 + 4 + 8 + 9 + 9);
+}
+
+#[test]
+fn the_distance_agrees_with_the_one_statrs_computes() {
+    use statrs::distribution::Exp;
+    use statrs::stats_tests::NaNPolicy;
+    use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
+    let entry = entry("Exponential a=1 libm");
+    for seed in 0..20 {
+        let n = 100_000;
+        let sample = entry.warp.fill(&mut Pcg32::new(seed, seed), n);
+        let (d, p) = ks_onesample(
+            sample.iter().map(|x| f64::from(x[0])).collect(),
+            &Exp::new(1.0).unwrap(),
+            KSOneSampleAlternativeMethod::TwoSidedAsymptotic,
+            NaNPolicy::Error,
+        )
+        .unwrap();
+        assert!(
+            (stats::kolmogorov(d, n as f64) - p).abs() <= 1e-9,
+            "{d}: {p}"
+        );
+        let ours = Examination::new(&entry, n).run(seed).lowest("distance");
+        // Read at 3e4 places only, the distance may be smaller by their spacing.
+        let nearest = stats::kolmogorov(d - 1.0 / 32_704.0, n as f64);
+        assert!(
+            ours >= p - 1e-9 && ours <= nearest + 1e-9,
+            "{p} <= {ours} <= {nearest}"
+        );
+    }
+}
+
+#[test]
+fn the_family_of_tests_stays_below_one_false_alarm_in_a_million() {
+    for tests in [1, 100, 1500] {
+        let none = (1.0 - stats::threshold(tests)).powi(tests as i32);
+        assert!((1.0 - none) <= 1.01e-7, "{tests} tests: {}", 1.0 - none);
+    }
+    // Cells below 5 are pooled: 3 + 2 beside 45 and 50 make three cells.
+    let (chi2, dof, p) = stats::chi_square(&[45, 50, 5, 0], &[45.0, 50.0, 3.0, 2.0]).unwrap();
+    assert_eq!((chi2, dof), (0.0, 2));
+    assert!(p >= 1.0);
+    assert!(stats::chi_square(&[45, 50, 1], &[45.0, 51.0, 0.0]).is_err());
+}

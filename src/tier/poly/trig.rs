@@ -2,10 +2,20 @@
 //! phase is used by the reference tier too.
 
 /// `sin(πr/2)/r - 1` in powers of r²; see `SINE` in `tests/derivation`.
-const SINE: [f32; 4] = [0.570_796_3, -0.645_962_9, 0.079_675_086, -0.004_590_591];
+const SINE: [f32; 4] = [
+    0.570_796_3,
+    -0.645_962_9,
+    0.079_675_086,
+    -0.004_590_591,
+];
 
 /// `(cos(πr/2) - 1)/r²` in powers of r²; see `COSINE` in `tests/derivation`.
-const COSINE: [f32; 3] = [-1.233_698, 0.253_607, -0.020_427_959];
+const COSINE: [f32; 4] = [
+    -1.233_700_5,
+    0.253_668_52,
+    -0.020_855_254,
+    0.000_893_572_6,
+];
 
 /// `atan(z)/(2πz) - 1/8` in powers of z²; see `ANGLE` in `tests/derivation`.
 const ANGLE: [f32; 5] = [
@@ -16,8 +26,10 @@ const ANGLE: [f32; 5] = [
     0.012_717_884,
 ];
 
-/// tan(π/8), half way between the axis and the diagonal.
-const TAN_SIXTEENTH_TURN: f32 = 0.414_213_57;
+/// tan(π/8), half way between the axis and the diagonal; see the name in `tests/derivation`.
+const TAN_SIXTEENTH_TURN: [f32; 1] = [
+    0.414_213_57,
+];
 
 /// Splits a phase in turns into quarter turns: their count, of which the last two bits hold, and the
 /// remainder `r` with `|r| <= 1/2`. Nothing is rounded.
@@ -41,7 +53,8 @@ fn fraction(t: f32) -> f32 {
     const WHOLE: f32 = 8_388_608.0;
     let size = t.abs();
     if size < WHOLE {
-        (size - ((size + WHOLE) - WHOLE)).copysign(t)
+        let rest = size - ((size + WHOLE) - WHOLE);
+        if t < 0.0 { -rest } else { rest }
     } else {
         0.0
     }
@@ -64,10 +77,10 @@ pub(super) fn sincos_turns(t: f32) -> (f32, f32) {
     let (quadrant, r) = reduce_turns(t);
     let z = r * r;
     let [s0, s1, s2, s3] = SINE;
-    let [c0, c1, c2] = COSINE;
+    let [c0, c1, c2, c3] = COSINE;
     // The leading 1 of both sums is exact, so only the smaller part carries rounding errors.
     let s = r + r * (s0 + z * (s1 + z * (s2 + z * s3)));
-    let c = 1.0 + z * (c0 + z * (c1 + z * c2));
+    let c = 1.0 + z * (c0 + z * (c1 + z * (c2 + z * c3)));
     swap_quadrant(quadrant, s, c)
 }
 
@@ -84,9 +97,10 @@ pub(super) fn atan2_turns(y: f32, x: f32) -> f32 {
         }
     }
     // The angle is measured from the nearest of axis, diagonal and axis, over one quotient.
-    let (from, rise, run) = if ay < ax * TAN_SIXTEENTH_TURN {
+    let [tangent] = TAN_SIXTEENTH_TURN;
+    let (from, rise, run) = if ay < ax * tangent {
         (0.0, ay, ax)
-    } else if ax < ay * TAN_SIXTEENTH_TURN {
+    } else if ax < ay * tangent {
         (0.25, -ax, ay)
     } else {
         (0.125, ay - ax, ay + ax)
