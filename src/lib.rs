@@ -79,6 +79,11 @@ pub use warp::{
     Triangle, TriangleOn, Warp,
 };
 
+/// The examples of the README are tests too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// Names the warps of one tier, so that a program says its tier once.
 macro_rules! tier_module {
     ($(#[$doc:meta])* $module:ident, $tier:ident) => {

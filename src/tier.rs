@@ -14,7 +14,7 @@ pub use self::libm::Libm;
 pub use self::poly::Poly;
 pub(crate) use self::product::{
     coin_series, exp_of_product, log_residual, one_minus_cos_radians, pow_of_quotient, scaled_exp,
-    two_product, two_sum,
+    scaled_exp_of_product, two_product, two_sum,
 };
 pub(crate) use self::sqrt::sqrt;
 
@@ -35,7 +35,7 @@ pub trait Tier:
     /// The name of the tier, as it is written in tables: `"libm"` or `"poly"`.
     const NAME: &'static str;
 
-    /// The square root of `x >= 0`, correctly rounded in both tiers.
+    /// The square root of `x >= 0`, correctly rounded in both tiers; not a number below 0.
     #[must_use]
     #[inline]
     fn sqrt(x: f32) -> f32 {
@@ -50,14 +50,17 @@ pub trait Tier:
     fn sincos_turns(t: f32) -> (f32, f32);
 
     /// The angle of the point `(x, y)` in turns, in `[-1/2, 1/2]`; 0 at the origin and for NaN.
+    ///
+    /// Its sign is that of `y`, down to the sign of a zero. An infinite coordinate counts as the largest
+    /// finite one, so the axes and the diagonals are exact however far out.
     #[must_use]
     fn atan2_turns(y: f32, x: f32) -> f32;
 
-    /// The natural logarithm of `x > 0`.
+    /// The natural logarithm of `x > 0`; `-∞` at 0, not a number below.
     #[must_use]
     fn ln(x: f32) -> f32;
 
-    /// `ln(1 + x)` for `x > -1`, accurate where `x` is small.
+    /// `ln(1 + x)` for `x > -1`, accurate where `x` is small; `-∞` at -1, not a number below.
     #[must_use]
     fn ln_1p(x: f32) -> f32;
 
@@ -69,15 +72,22 @@ pub trait Tier:
     #[must_use]
     fn exp_m1(x: f32) -> f32;
 
-    /// `x^y` for `x >= 0`.
+    /// `x^y` for `x >= 0`; unspecified below, where it may be not a number.
+    ///
+    /// `x^0` and `1^y` are 1 whatever the other is; otherwise powers of 0 and infinity are 0 or infinite.
     #[must_use]
     fn pow(x: f32, y: f32) -> f32;
 
     /// The cumulative distribution function of the standard normal at `x <= 0`, the lower tail.
+    ///
+    /// What is above 0 or not a number counts as 0, where the function is exactly 1/2.
     #[must_use]
     fn normal_cdf_lower(x: f32) -> f32;
 
     /// The standard normal quantile of a lower-tail probability `p` in `(0, 1/2]`; at most 0.
+    ///
+    /// What is not above 0 counts as the smallest subnormal, what is above 1/2 or not a number as 1/2, where
+    /// the quantile is exactly 0.
     #[must_use]
     fn normal_quantile_lower(p: f32) -> f32;
 }

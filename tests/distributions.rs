@@ -1,19 +1,27 @@
 //! Samples follow the density they report: every warp of the catalogue in both tiers, ten million samples
 //! each, by chi-square, Kolmogorov and Smirnov's distance and moments.
 //!
-//! Here lives the run over the whole catalogue. How one entry is examined is in `examination`, that the
-//! examination rejects what is wrong in `controls`, and strata in `strata`.
+//! Here lives the run over the whole catalogue. How one entry is examined is in `examination`; that the
+//! examination rejects what is wrong is in `controls`, that it does not reject what is right in
+//! `calibration`. Jittered strata are in `strata`.
 
+#[path = "distributions/calibration.rs"]
+mod calibration;
 mod catalogue;
 #[path = "distributions/controls.rs"]
 mod controls;
 #[path = "distributions/examination.rs"]
 mod examination;
+#[path = "distributions/moments.rs"]
+mod moments;
+#[path = "distributions/report.rs"]
+mod report;
 #[path = "distributions/strata.rs"]
 mod strata;
 
 use catalogue::{Entry, stats};
-use examination::{Examination, Report};
+use examination::Examination;
+use report::Report;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -52,7 +60,7 @@ fn samples_follow_the_density_they_report() {
     let start = Instant::now();
     let (entries, unresolved): (Vec<_>, Vec<_>) =
         catalogue::entries().into_iter().partition(|e| e.resolved);
-    let due = entries.iter().map(|e| examination::tests(e.domain)).sum();
+    let due = entries.iter().map(|e| moments::tests(e.domain)).sum();
     let threshold = stats::threshold(due);
     let rows = examine(&entries);
 

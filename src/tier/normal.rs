@@ -4,25 +4,12 @@
 use super::{Tier, exp_of_product};
 
 /// √(2π), the slope of `e^(-t²/2)/Φ(-t)` far out; see `SQRT_TAU` in `tests/derivation`.
-const SQRT_TAU: [f32; 1] = [
-    2.506_628_3,
-];
+const SQRT_TAU: [f32; 1] = [2.506_628_3];
 
 /// Numerator of `e^(-t²/2)/Φ(-t) - √(2π) t` in powers of t; see `MILLS` in `tests/derivation`.
-const MILLS: [f32; 5] = [
-    2.0,
-    0.918_382_7,
-    0.230_169_43,
-    0.024_202_941,
-    2.337_683e-6,
-];
+const MILLS: [f32; 5] = [2.0, 0.918_382_7, 0.230_169_43, 0.024_202_941, 2.337_683e-6];
 /// Its denominator, less the 1.
-const MILLS_OVER: [f32; 4] = [
-    0.914_620_16,
-    0.395_019_17,
-    0.090_987_86,
-    0.009_698_549,
-];
+const MILLS_OVER: [f32; 4] = [0.914_620_16, 0.395_019_17, 0.090_987_86, 0.009_698_549];
 
 /// Numerator of `-Φ⁻¹(1/2 - q)/q - 5/2` in powers of q²; see `CENTRAL` in `tests/derivation`.
 const CENTRAL: [f32; 5] = [
@@ -33,25 +20,18 @@ const CENTRAL: [f32; 5] = [
     2.330_104_8,
 ];
 /// Its denominator, less the 1.
-const CENTRAL_OVER: [f32; 2] = [
-    -5.920_813_6,
-    8.288_465,
-];
+const CENTRAL_OVER: [f32; 2] = [-5.920_813_6, 8.288_465];
 
-/// Numerator of `3r/2 + Φ⁻¹(e^(-r²))` in powers of r; see `TAIL` in `tests/derivation`.
+/// Numerator of `3r/2 - 1 + Φ⁻¹(e^(-r²))` in powers of r; see `TAIL` in `tests/derivation`.
 const TAIL: [f32; 5] = [
-    2.924_783_5,
-    6.779_671_7,
-    1.912_044_4,
-    0.349_245_3,
+    1.924_783_3,
+    1.835_733_2,
+    -2.005_687_7,
+    -0.116_401_46,
     0.039_793_614,
 ];
 /// Its denominator, less the 1.
-const TAIL_OVER: [f32; 3] = [
-    4.943_938_7,
-    3.917_732,
-    0.465_646_77,
-];
+const TAIL_OVER: [f32; 3] = [4.943_938_7, 3.917_732, 0.465_646_77];
 
 /// Φ(x) for `x <= 0`; what is above 0 or not a number counts as 0.
 pub(crate) fn cdf_lower<T: Tier>(x: f32) -> f32 {
@@ -90,7 +70,7 @@ pub(crate) fn quantile_lower<T: Tier>(p: f32) -> f32 {
         let [d1, d2, d3] = TAIL_OVER;
         let numerator = n0 + r * (n1 + r * (n2 + r * (n3 + r * n4)));
         let denominator = 1.0 + r * (d1 + r * (d2 + r * d3));
-        // r/2 minus a quotient near 1 is small beside r, which is added last.
-        (numerator / denominator - 0.5 * r) - r
+        // What is rounded most is smallest, and r itself is added last.
+        (numerator / denominator - (0.5 * r - 1.0)) - r
     }
 }

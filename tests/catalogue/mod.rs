@@ -201,7 +201,9 @@ where
         resolved: true,
         stated: true,
         round_trip: true,
-        open: !usable && (first[0] <= 0.0 || domain != Domain::Line),
+        open: !usable
+            && (first[0] <= 0.0 || domain != Domain::Line)
+            && name != "TruncatedExponential",
         warp: Arc::new(Wrapped(warp)),
         chart: Arc::clone(&truth),
         truth,
@@ -263,6 +265,7 @@ fn line<T: Tier>() -> Vec<Entry> {
         ("n=-1.000001 [1, 100]", -1.000_001, 1.0, 100.0, true),
         ("n=-2.5 [1, 1e20]", -2.5, 1.0, 1e20, true),
         ("n=-0.99 [1e-10, 1e10]", -0.99, 1e-10, 1e10, true),
+        ("n=-0.95 [1e-10, 1e10]", -0.95, 1e-10, 1e10, true),
         ("n=1 [1e20, 1e21]", 1.0, 1e20, 1e21, true),
         ("n=2 [1e-30, 1e-29]", 2.0, 1e-30, 1e-29, true),
         ("n=-1 [1e-37, 1e37]", -1.0, 1e-37, 1e37, true),

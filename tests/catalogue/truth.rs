@@ -87,6 +87,9 @@ pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
             } else {
                 // (x/r)^m = near + away e^-z, written relative to r where away is small.
                 let (near, away) = if m > 0.0 { (t, rest) } else { (rest, t) };
+                if near == 0.0 {
+                    return if m > 0.0 { a } else { b };
+                }
                 let z = m.abs() * octaves;
                 let argument = away * (-z).exp_m1();
                 let log = if argument < -0.5 {
@@ -239,7 +242,8 @@ pub fn normal_quantile_lower(p: f64) -> f64 {
         // Newton on ln Φ converges from the left in the tail, where Newton on Φ overshoots.
         let step = (cdf / p).ln() * cdf / density;
         x -= step;
-        if step.abs() <= 1e-15 * x.abs() {
+        // The convergence is quadratic: after a step this small the next would be below rounding.
+        if step.abs() <= 1e-9 * x.abs() {
             break;
         }
     }

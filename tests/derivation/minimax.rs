@@ -100,8 +100,8 @@ impl Problem {
         eliminate(system.collect())
     }
 
-    /// The best coefficients that are all f32: each is rounded in turn and the rest fitted anew, then
-    /// single steps are tried for as long as one helps. `fixed` are given from the start.
+    /// Coefficients that are all f32: each is rounded in turn and the rest fitted anew. `fixed` are given
+    /// from the start.
     pub fn solve_rounded(&self, fixed: &[Option<f32>]) -> Vec<f32> {
         let mut fixed = fixed.to_vec();
         while let Some(next) = fixed.iter().position(Option::is_none) {

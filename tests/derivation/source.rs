@@ -31,6 +31,16 @@ fn find(name: &str) -> Option<(PathBuf, String, std::ops::Range<usize>)> {
     })
 }
 
+/// The names of all lists of constants in the sources.
+pub fn names() -> Vec<String> {
+    let texts = FILES.map(|file| std::fs::read_to_string(path(file)).unwrap());
+    let lines = texts.iter().flat_map(|text| text.lines());
+    lines
+        .filter_map(|line| line.split_once("const ")?.1.split_once(": [f32; "))
+        .map(|(name, _)| name.to_owned())
+        .collect()
+}
+
 /// The values of a constant in the sources.
 pub fn constants(name: &str) -> Option<Vec<f32>> {
     let (_, text, range) = find(name)?;

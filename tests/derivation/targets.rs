@@ -146,13 +146,13 @@ fn central_quantile(z: f64) -> Point {
     }
 }
 
-/// 3r/2 - z over r = √(-ln p), where p is the probability below the normal quantile -z; relative to z.
+/// 3r/2 - 1 - z over r = √(-ln p), where p is the probability below the normal quantile -z; relative to z.
 fn tail_quantile(z: f64) -> Point {
     let p = 0.5 * libm::erfc(z * FRAC_1_SQRT_2);
     let r = (-libm::log(p)).sqrt();
     Point {
         x: r,
-        value: 1.5 * r - z,
+        value: 1.5 * r - 1.0 - z,
         weight: 1.0 / z,
     }
 }

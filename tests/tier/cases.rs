@@ -162,6 +162,7 @@ pub fn cases() -> Vec<Case> {
                 Powers { x: [0.1, 10.0], count: 1 << 21 },
                 Powers { x: [0.5, 2.0], count: 1 << 21 },
                 Powers { x: [0.999, 1.001], count: 1 << 20 },
+                Powers { x: [0.999_999, 1.000_001], count: 1 << 18 },
                 Pairs { x: [TINY, f32::MAX], y: [TINY, f32::MAX], count: 1 << 20 },
                 Pairs { x: [0.01, 100.0], y: [0.01, 30.0], count: 1 << 21 },
                 Edges,

@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 pub struct Figures {
     pub ulp: f64,
     pub absolute: f64,
+    /// Over results that are not subnormal.
+    pub relative: f64,
     /// Where the error in ulp was met.
     pub worst: Input,
 }
@@ -22,12 +24,18 @@ impl Figures {
         self.join(Self {
             ulp: absolute / ulp(truth),
             absolute,
+            relative: if truth.abs() < f64::from(f32::MIN_POSITIVE) {
+                0.0
+            } else {
+                absolute / truth.abs()
+            },
             worst: input,
         });
     }
 
     pub fn join(&mut self, other: Self) {
         raise(&mut self.absolute, other.absolute);
+        raise(&mut self.relative, other.relative);
         if raise(&mut self.ulp, other.ulp) {
             self.worst = other.worst;
         }
@@ -50,48 +58,110 @@ fn ulp(x: f64) -> f64 {
     2.0_f64.powi(exponent - 23)
 }
 
-/// A row of the table in a tier's documentation: a dash stands for a figure that says nothing.
+/// A row of the table in a tier's documentation: a dash stands for a figure that says nothing there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     pub function: String,
     pub domain: String,
     pub ulp: Option<f64>,
     pub absolute: Option<f64>,
+    pub relative: Option<f64>,
 }
+
+impl Row {
+    /// What is worth stating of measured figures, rounded up to two digits.
+    pub fn stating(function: &str, domain: &str, figures: Figures) -> Self {
+        // Ulp say nothing of a difference from 1, absolute errors nothing of results without bound, and
+        // relative errors nothing new unless results span many magnitudes.
+        let state = |told: bool, x: f64| told.then_some(rounded_up(x));
+        Self {
+            function: function.to_owned(),
+            domain: domain.to_owned(),
+            ulp: state(!function.contains('²'), figures.ulp),
+            absolute: state(figures.absolute < 1.0e-4, figures.absolute),
+            relative: state(function.starts_with("normal"), figures.relative),
+        }
+    }
+
+    pub fn line(&self) -> String {
+        let cell = |x: Option<f64>, text: fn(f64) -> String| x.map_or("-".to_owned(), text);
+        let e = |x| format!("{x:e}");
+        format!(
+            "/// | `{}` | {} | {} | {} | {} |",
+            self.function,
+            self.domain,
+            cell(self.ulp, |x| x.to_string()),
+            cell(self.absolute, e),
+            cell(self.relative, e)
+        )
+    }
+
+    /// Whether every stated figure holds and none has become too loose.
+    pub fn agrees_with(&self, figures: Figures) -> bool {
+        let stated_and_measured = [
+            (self.ulp, figures.ulp, 0.05),
+            (self.absolute, figures.absolute, 1.0e-9),
+            (self.relative, figures.relative, 1.0e-9),
+        ];
+        let told = |row: &Self| [row.ulp, row.absolute, row.relative].map(|x| x.is_some());
+        told(self) == told(&Self::stating(&self.function, &self.domain, figures))
+            && stated_and_measured
+                .into_iter()
+                .all(|(stated, measured, slack)| {
+                    stated.is_none_or(|x| measured <= x && x <= 1.25 * measured + slack)
+                })
+    }
+}
+
+pub const HEAD: [&str; 2] = [
+    "/// | function | domain | max ulp | max absolute | max relative |",
+    "/// |---|---|--:|--:|--:|",
+];
 
 pub fn source(tier: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/tier/{tier}.rs"))
 }
 
-/// The rows of a table in doc comments whose first column names a function.
-pub fn rows(text: &str) -> Vec<Row> {
-    let cells = |line: &str| -> Option<Vec<String>> {
-        let row = line.trim().strip_prefix("/// |")?.strip_suffix('|')?;
-        Some(row.split('|').map(|cell| cell.trim().to_owned()).collect())
-    };
-    text.lines()
-        .filter_map(cells)
-        .filter_map(|cells| {
-            let [function, domain, ulp, absolute] = cells.try_into().ok()?;
-            let function = function.strip_prefix('`')?.strip_suffix('`')?.to_owned();
-            Some(Row {
-                function,
-                domain,
-                ulp: ulp.parse().ok(),
-                absolute: absolute.parse().ok(),
-            })
-        })
-        .collect()
+/// The rows of the table in a tier's doc comment whose first column names a function.
+pub fn stated(tier: &str) -> Vec<Row> {
+    let text = std::fs::read_to_string(source(tier)).unwrap();
+    text.lines().filter_map(row).collect()
 }
 
-/// Whether a stated figure holds and has not become too loose: it may be a quarter above the measured
-/// one, and a little more where that is next to nothing.
-pub fn agrees(stated: Option<f64>, measured: f64, slack: f64) -> bool {
-    stated.is_none_or(|stated| measured <= stated && stated <= 1.25 * measured + slack)
+fn row(line: &str) -> Option<Row> {
+    let line = line.strip_prefix("/// |")?.strip_suffix('|')?;
+    let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+    let [function, domain, ulp, absolute, relative] = cells.try_into().ok()?;
+    Some(Row {
+        function: function.strip_prefix('`')?.strip_suffix('`')?.to_owned(),
+        domain: domain.to_owned(),
+        ulp: ulp.parse().ok(),
+        absolute: absolute.parse().ok(),
+        relative: relative.parse().ok(),
+    })
 }
 
-/// Rounded up to two digits, as it is to be stated.
-pub fn rounded_up(x: f64) -> f64 {
+/// Replaces the table in a tier's doc comment.
+pub fn write(tier: &str, rows: &[Row]) {
+    let path = source(tier);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let is_table = |line: &str| line.starts_with("/// |");
+    let before = text.lines().take_while(|line| !is_table(line));
+    let after = text
+        .lines()
+        .skip_while(|line| !is_table(line))
+        .filter(|line| !is_table(line));
+    let lines: Vec<String> = before
+        .chain(HEAD)
+        .map(str::to_owned)
+        .chain(rows.iter().map(Row::line))
+        .chain(after.map(str::to_owned))
+        .collect();
+    std::fs::write(path, lines.join("\n") + "\n").unwrap();
+}
+
+/// Rounded up to two digits.
+fn rounded_up(x: f64) -> f64 {
     if !(x > 0.0 && x.is_finite()) {
         return x;
     }

@@ -13,10 +13,7 @@ const EXPONENTIAL: [f32; 5] = [
 ];
 
 /// ln 2 in two parts, the first of 12 bits; see `LN_2` in `tests/derivation`.
-pub(super) const LN_2: [f32; 2] = [
-    0.693_115_23,
-    3.194_618_3e-5,
-];
+pub(super) const LN_2: [f32; 2] = [0.693_115_23, 3.194_618_3e-5];
 
 /// The integer nearest to `x`, `|x| < 2^21`: as `f32` and as an integer.
 #[inline]
@@ -89,7 +86,8 @@ pub(super) fn exp_m1(x: f32) -> f32 {
     if x > -18.0 && x < 88.0 {
         let (k, a, b) = reduced(x);
         let power = power_of_two_times(1.0, k);
-        (power * a + (power - 1.0)) + power * b
+        // The power's product is exact, so that nothing steps back where a + b does not.
+        power * (a + b) + (power - 1.0)
     } else if x < 0.0 {
         // e^-18 is less than half of the spacing below 1.
         -1.0

@@ -3,11 +3,7 @@
 use super::exp::LN_2;
 
 /// `(ln((1+s)/(1-s)) - 2s)/s³` in powers of s²; see `LOGARITHM` in `tests/derivation`.
-const LOGARITHM: [f32; 3] = [
-    0.666_667_76,
-    0.399_775_86,
-    0.298_706_95,
-];
+const LOGARITHM: [f32; 3] = [0.666_667_76, 0.399_775_86, 0.298_706_95];
 
 const ONE: u32 = 0x3f80_0000;
 

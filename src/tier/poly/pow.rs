@@ -5,17 +5,10 @@ use super::exp::{LN_2, beyond_linear, nearest, scaled};
 use super::log::{is_plain, normalised, power_of_two_times};
 
 /// `(3/2s ln((1+s)/(1-s)) - 3 - s²)/s⁴` in powers of s²; see `LONG_LOGARITHM` in `tests/derivation`.
-const LONG_LOGARITHM: [f32; 3] = [
-    0.600_002_3,
-    0.428_206_3,
-    0.351_297_05,
-];
+const LONG_LOGARITHM: [f32; 3] = [0.600_002_3, 0.428_206_3, 0.351_297_05];
 
 /// 2/(3 ln 2) in two parts, the first of 12 bits; see `TO_LOG2` in `tests/derivation`.
-const TO_LOG2: [f32; 2] = [
-    0.961_669_9,
-    0.000_126_772_05,
-];
+const TO_LOG2: [f32; 2] = [0.961_669_9, 0.000_126_772_05];
 
 /// The upper 12 bits of the significand.
 #[inline]
@@ -62,7 +55,7 @@ fn log2(x: f32, offset: f32) -> (f32, f32) {
 
 /// `x^y` for `x >= 0`.
 pub(super) fn pow(x: f32, y: f32) -> f32 {
-    if y == 0.0 || x == 1.0 {
+    if y == 0.0 || x.to_bits() == 1.0_f32.to_bits() {
         return 1.0;
     }
     let (log_head, log_rest) = if is_plain(x) {
@@ -105,7 +98,7 @@ pub(super) fn pow(x: f32, y: f32) -> f32 {
 /// Powers of 0 and infinity; not a number for the rest, which is below 0 or was not a number before.
 #[cold]
 fn pow_edge(x: f32, y: f32) -> f32 {
-    if y.is_nan() || !(x >= 0.0) {
+    if x < 0.0 || x.is_nan() || y.is_nan() {
         f32::NAN
     } else if (x == 0.0) == (y > 0.0) {
         0.0

@@ -2,20 +2,10 @@
 //! phase is used by the reference tier too.
 
 /// `sin(πr/2)/r - 1` in powers of r²; see `SINE` in `tests/derivation`.
-const SINE: [f32; 4] = [
-    0.570_796_3,
-    -0.645_962_9,
-    0.079_675_086,
-    -0.004_590_591,
-];
+const SINE: [f32; 4] = [0.570_796_3, -0.645_962_9, 0.079_675_086, -0.004_590_591];
 
 /// `(cos(πr/2) - 1)/r²` in powers of r²; see `COSINE` in `tests/derivation`.
-const COSINE: [f32; 4] = [
-    -1.233_700_5,
-    0.253_668_52,
-    -0.020_855_254,
-    0.000_893_572_6,
-];
+const COSINE: [f32; 4] = [-1.233_700_5, 0.253_668_52, -0.020_855_254, 0.000_893_572_6];
 
 /// `atan(z)/(2πz) - 1/8` in powers of z²; see `ANGLE` in `tests/derivation`.
 const ANGLE: [f32; 5] = [
@@ -27,9 +17,7 @@ const ANGLE: [f32; 5] = [
 ];
 
 /// tan(π/8), half way between the axis and the diagonal; see the name in `tests/derivation`.
-const TAN_SIXTEENTH_TURN: [f32; 1] = [
-    0.414_213_57,
-];
+const TAN_SIXTEENTH_TURN: [f32; 1] = [0.414_213_57];
 
 /// Splits a phase in turns into quarter turns: their count, of which the last two bits hold, and the
 /// remainder `r` with `|r| <= 1/2`. Nothing is rounded.

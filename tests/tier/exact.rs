@@ -1,0 +1,110 @@
+//! What holds without an error: the correctly rounded root, quarter turns, and steps that never go back.
+
+use crate::in_parallel;
+use microwarp::tier::{Libm, Poly, Tier};
+
+/// Every f32 of two adjacent binades, which stand for all others by scaling with powers of 4, and a
+/// sample of those against f64, whose root rounds to the same f32.
+#[test]
+fn the_square_root_is_correctly_rounded() {
+    let check = |bits: u32| {
+        let x = f32::from_bits(bits);
+        let exact = f64::from(x).sqrt() as f32;
+        assert!(Poly::sqrt(x).to_bits() == exact.to_bits(), "√{x}");
+        assert!(Libm::sqrt(x).to_bits() == exact.to_bits(), "√{x}");
+    };
+    let one = 1.0_f32.to_bits();
+    in_parallel(1 << 8, |chunk| {
+        let start = one + ((chunk as u32) << 16);
+        (start..start + (1 << 16)).for_each(check);
+    });
+    (0..=f32::MAX.to_bits()).step_by(2047).for_each(check);
+    (0..1 << 12).for_each(check);
+}
+
+fn quarter_turns_are_exact<T: Tier>() {
+    let whole = [0.0, 1.0, 2.0, 1_000.0, 1_048_576.0, 4_194_304.0];
+    for turns in whole {
+        for (quarter, expected) in [(0.0, (0.0, 1.0)), (0.25, (1.0, 0.0)), (0.5, (0.0, -1.0))] {
+            let t: f32 = turns + quarter;
+            let exact = t - turns == quarter;
+            assert!(!exact || T::sincos_turns(t) == expected, "{} {t}", T::NAME);
+            let mirrored = (-expected.0, expected.1);
+            assert!(
+                !exact || T::sincos_turns(-t) == mirrored,
+                "{} {}",
+                T::NAME,
+                -t
+            );
+        }
+    }
+    for huge in [
+        8_388_607.0,
+        8_388_608.0,
+        3.0e30,
+        f32::MAX,
+        f32::INFINITY,
+        f32::NAN,
+    ] {
+        assert_eq!(T::sincos_turns(huge), (0.0, 1.0), "{} {huge}", T::NAME);
+        assert_eq!(T::sincos_turns(-huge), (0.0, 1.0), "{} -{huge}", T::NAME);
+    }
+    let eighth = [(1.0, 1.0, 0.125), (1.0, -1.0, 0.375), (-1.0, 1.0, -0.125)];
+    let axes = [
+        (0.0, 1.0, 0.0),
+        (1.0, 0.0, 0.25),
+        (0.0, -1.0, 0.5),
+        (-1.0, 0.0, -0.25),
+    ];
+    for (y, x, turns) in eighth.into_iter().chain(axes) {
+        for size in [1.0e-45, 1.0e-38, 1.0, f32::MAX, f32::INFINITY] {
+            let scaled = |a: f32| if a == 0.0 { a } else { size * a };
+            let angle = T::atan2_turns(scaled(y), scaled(x));
+            assert_eq!(angle, turns, "{}: ({x}, {y}) times {size}", T::NAME);
+        }
+    }
+}
+
+#[test]
+fn quarter_turns_are_exact_in_both_tiers() {
+    quarter_turns_are_exact::<Libm>();
+    quarter_turns_are_exact::<Poly>();
+}
+
+/// How often a function of the uniform steps back, over every input of the grid.
+fn steps_back(function: impl Fn(f32) -> f32) -> u32 {
+    let mut last = f32::NEG_INFINITY;
+    let mut steps = 0;
+    for k in 0..=1_u32 << 24 {
+        let y = function(k as f32 / 16_777_216.0);
+        // Not a number is no step forward either.
+        steps += if y >= last { 0 } else { 1 };
+        last = y;
+    }
+    steps
+}
+
+/// What the warps of one number rest on is as monotone as it is in mathematics.
+#[test]
+fn logarithms_exponentials_and_quantile_never_step_back() {
+    type Rising = fn(f32) -> f32;
+    let functions: [(&str, Rising); 6] = [
+        ("ln", Poly::ln),
+        ("ln_1p", |u| Poly::ln_1p(u - 1.0)),
+        ("exp", |u| Poly::exp(u - 1.0)),
+        ("exp_m1", |u| Poly::exp_m1(u - 1.0)),
+        ("normal_cdf_lower", |u| {
+            Poly::normal_cdf_lower(8.0 * u - 8.0)
+        }),
+        ("normal_quantile_lower", |u| {
+            Poly::normal_quantile_lower(0.5 * u)
+        }),
+    ];
+    in_parallel(functions.len(), |i| {
+        let (name, function) = functions[i];
+        assert_eq!(steps_back(function), 0, "{name}");
+    });
+    // A sine of half a wave steps back, and so does what is not a number.
+    assert!(steps_back(|u| Poly::sincos_turns(0.25 * u + 0.001).0) > 0);
+    assert!(steps_back(|u| if u == 0.5 { f32::NAN } else { u }) > 0);
+}
