@@ -52,7 +52,7 @@ fn pairs() -> Vec<Pair> {
 /// dense grid with all edges where it is two. Further parameter sets of the same warp are swept with a
 /// prime stride, which visits every residue.
 fn measure((libm, poly): &Pair, first_of_name: bool) -> [Figures; 2] {
-    let stride = if first_of_name { 61 } else { 401 };
+    let stride = if first_of_name { 1 } else { 29 };
     let mut figures = [Figures::default(); 2];
     let mut at = |u: Uniforms, deep: bool, polar: bool| {
         let exact = Exact::of(libm, u, deep);
@@ -87,7 +87,7 @@ fn measure((libm, poly): &Pair, first_of_name: bool) -> [Figures; 2] {
                 }
             }
             // An odd stride walks through all residues of the grid, not just round numbers.
-            let n = 200;
+            let n = 640;
             let axis: Vec<f32> = (0..n)
                 .map(|i| ((i * 21_845 + 11) % GRID) as f32 * STEP)
                 .chain(EDGES)

@@ -91,11 +91,11 @@ impl Frame {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 1.6e-7 | 1.6e-7 |
-/// | unit length | 1.5e-7 | 1.5e-7 |
-/// | pdf, relative | 2.0e-4 | 2.1e-4 |
-/// | realised density, relative | 3.7e-4 | 3.7e-4 |
-/// | inverse | 1.9e-7 | 1.9e-7 |
+/// | sample, of the size | 1.9e-7 | 1.8e-7 |
+/// | unit length | 1.7e-7 | 1.8e-7 |
+/// | pdf, relative | 2.4e-4 | 2.1e-4 |
+/// | realised density, relative | 4.9e-4 | 4.9e-4 |
+/// | inverse | 3.6e-7 | 3.8e-7 |
 /// | round trip | 5.1e-7 | 5.1e-7 |
 ///
 /// ```

@@ -182,7 +182,7 @@ fn full_table(measured: &[Measured]) -> String {
         "# Measured errors\n\n\
          Written by `MICROWARP_WRITE=1 cargo test --test accuracy` and compared with what is measured by every\n\
          `cargo test`. Largest errors against `f64` formulas: of a sample over all 2^24 grid inputs (warps of\n\
-         one uniform, and sin θ and cos θ of directions; every 13th input for further parameter sets of the same\n\
+         one uniform, and sin θ and cos θ of directions; every 29th input for further parameter sets of the same\n\
          warp) or over a dense grid of uniforms (more than one), always with all edges;\n\
          of the density at the returned point, and against the density with which the map arrives\n\
          there (realised); of the inverse at the returned point, and of u after sample and inverse. Each cell\n\

@@ -219,7 +219,6 @@ pub fn splits() -> Vec<Split> {
         // Heads of 12 bits, whose products are exact.
         split("LN_2", LN_2, 12, 2),
         split("TO_LOG2", 2.0 / (3.0 * LN_2), 12, 2),
-        split("HALF_PI", FRAC_PI_2, 24, 2),
         split("SQRT_TAU", TAU.sqrt(), 24, 1),
         split("TAN_SIXTEENTH_TURN", SQRT_2 - 1.0, 24, 1),
     ]

@@ -1,0 +1,208 @@
+//! Exact counterparts of the warps over directions.
+
+use super::{DiskConcentric, Point, Truth, Uniforms, dot, turn};
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
+
+/// A distribution over directions that depends on the polar angle alone, in terms of q = 1 − cos θ.
+pub struct Polar<Q, P, C> {
+    /// (1 − cos θ, 1 + cos θ) of the first uniform.
+    pub q: Q,
+    /// The density per steradian at (1 − cos θ, 1 + cos θ).
+    pub pdf: P,
+    /// The first uniform of (1 − cos θ, 1 + cos θ).
+    pub cdf: C,
+}
+
+/// 1 − cos θ and 1 + cos θ of a direction that may have been rounded, each from what holds it.
+pub fn complements(x: Point) -> (f64, f64) {
+    let sin2 = x[0] * x[0] + x[1] * x[1];
+    if x[2] > 0.5 {
+        let up = 1.0 + x[2];
+        (sin2 / up, 2.0 - sin2 / up)
+    } else if x[2] < -0.5 {
+        let down = 1.0 - x[2];
+        (2.0 - sin2 / down, sin2 / down)
+    } else {
+        (1.0 - x[2], 1.0 + x[2])
+    }
+}
+
+impl<Q, P, C> Truth for Polar<Q, P, C>
+where
+    Q: Fn(f64) -> (f64, f64) + Send + Sync,
+    P: Fn(f64, f64) -> f64 + Send + Sync,
+    C: Fn(f64, f64) -> f64 + Send + Sync,
+{
+    fn sample(&self, u: Uniforms) -> Point {
+        let (down, up) = (self.q)(u[0]);
+        let (s, c) = (TAU * u[1]).sin_cos();
+        let sin = (down * up).sqrt();
+        let cos = if down < up { 1.0 - down } else { up - 1.0 };
+        [sin * c, sin * s, cos]
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        let (down, up) = complements(x);
+        (self.pdf)(down, up)
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let (down, up) = complements(x);
+        [(self.cdf)(down, up), turn(x[0], x[1]), 0.0, 0.0]
+    }
+}
+
+pub fn sphere() -> Box<dyn Truth> {
+    Box::new(Polar {
+        q: |u| (2.0 * u, 2.0 * (1.0 - u)),
+        pdf: |_, _| 0.25 * FRAC_1_PI,
+        cdf: |down, _| 0.5 * down,
+    })
+}
+
+pub fn hemisphere() -> Box<dyn Truth> {
+    Box::new(Polar {
+        q: |u| (1.0 - u, 1.0 + u),
+        pdf: |_, _| 0.5 * FRAC_1_PI,
+        cdf: |down, _| 1.0 - down,
+    })
+}
+
+/// cos θ of its two complements.
+fn cosine(down: f64, up: f64) -> f64 {
+    if down < 0.5 { 1.0 - down } else { up - 1.0 }
+}
+
+pub fn cosine_hemisphere() -> Box<dyn Truth> {
+    Box::new(Polar {
+        q: |u: f64| {
+            let cos = (1.0 - u).sqrt();
+            (u / (1.0 + cos), 1.0 + cos)
+        },
+        pdf: |down, up| cosine(down, up) * FRAC_1_PI,
+        cdf: |down, up| down * up,
+    })
+}
+
+/// Malley's method: the concentric disk lifted onto the hemisphere.
+pub struct Malley;
+
+impl Truth for Malley {
+    fn sample(&self, u: Uniforms) -> Point {
+        let [x, y, _] = DiskConcentric.sample(u);
+        let m = u[0].min(1.0 - u[0]).min(u[1]).min(1.0 - u[1]);
+        [x, y, 2.0 * (m * (1.0 - m)).sqrt()]
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        x[2] * FRAC_1_PI
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        DiskConcentric.invert(x)
+    }
+}
+
+pub fn phong(n: f32) -> Box<dyn Truth> {
+    let n = f64::from(n);
+    let ln_cos = |down: f64, up: f64| {
+        if down < 0.5 {
+            (-down).ln_1p()
+        } else {
+            (up - 1.0).ln()
+        }
+    };
+    Box::new(Polar {
+        q: move |u: f64| {
+            let log = (-u).ln_1p() / (n + 1.0);
+            (-log.exp_m1(), 1.0 + log.exp())
+        },
+        pdf: move |down, up| (n + 1.0) / TAU * (n * ln_cos(down, up)).exp(),
+        cdf: move |down, up| -((n + 1.0) * ln_cos(down, up)).exp_m1(),
+    })
+}
+
+/// A cone of 1 − cos θmax = `k` and 1 + cos θmax = `rest`.
+pub fn cone(k: f64, rest: f64) -> Box<dyn Truth> {
+    Box::new(Polar {
+        q: move |u| (u * k, rest + (1.0 - u) * k),
+        pdf: move |_, _| 1.0 / (TAU * k),
+        cdf: move |down, _| down / k,
+    })
+}
+
+/// 1 − cos of a half angle in radians.
+pub fn one_minus_cos(radians: f32) -> f64 {
+    2.0 * (0.5 * f64::from(radians)).sin().powi(2)
+}
+
+/// 1 + cos of a half angle in radians.
+pub fn one_plus_cos(radians: f32) -> f64 {
+    2.0 * (0.5 * f64::from(radians)).cos().powi(2)
+}
+
+pub struct Patch {
+    pub theta: [f64; 2],
+    pub phi: [f64; 2],
+}
+
+impl Patch {
+    fn drop(&self) -> f64 {
+        let [t0, t1] = self.theta;
+        2.0 * (PI * (t0 + t1)).sin() * (PI * (t1 - t0)).sin()
+    }
+    fn first(&self) -> (f64, f64) {
+        let (s, c) = (PI * self.theta[0]).sin_cos();
+        (2.0 * s * s, 2.0 * c * c)
+    }
+}
+
+impl Truth for Patch {
+    fn sample(&self, u: Uniforms) -> Point {
+        let (down, _) = self.first();
+        let last = 2.0 * (PI * self.theta[1]).cos().powi(2);
+        let (down, up) = (down + u[0] * self.drop(), last + (1.0 - u[0]) * self.drop());
+        let phi = self.phi[0] + u[1] * (self.phi[1] - self.phi[0]);
+        let (s, c) = (TAU * phi).sin_cos();
+        let sin = (down * up).sqrt();
+        let cos = if down < up { 1.0 - down } else { up - 1.0 };
+        [sin * c, sin * s, cos]
+    }
+    fn pdf(&self, _: Point) -> f64 {
+        1.0 / (self.drop() * TAU * (self.phi[1] - self.phi[0]))
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let (down, up) = complements(x);
+        let (first_down, first_up) = self.first();
+        let u = if down < up {
+            down - first_down
+        } else {
+            first_up - up
+        } / self.drop();
+        let width = self.phi[1] - self.phi[0];
+        let off = x[1].atan2(x[0]) / TAU - self.phi[0] - 0.5 * width;
+        [u, (off - off.round()) / width + 0.5, 0.0, 0.0]
+    }
+}
+
+/// A truth over directions turned onto a normal by an exact frame.
+pub struct Turned {
+    pub inner: Box<dyn Truth>,
+    /// The rows are the frame's axes.
+    pub axes: [Point; 3],
+}
+
+impl Turned {
+    fn local(&self, x: Point) -> Point {
+        self.axes.map(|axis| dot(axis, x))
+    }
+}
+
+impl Truth for Turned {
+    fn sample(&self, u: Uniforms) -> Point {
+        let local = self.inner.sample(u);
+        std::array::from_fn(|k| (0..3).map(|i| local[i] * self.axes[i][k]).sum())
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        self.inner.pdf(self.local(x))
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        self.inner.invert(self.local(x))
+    }
+}
