@@ -3,6 +3,15 @@
 //! Here live the [`Warp`] trait and the list of families; each family is a file of its own. A warp is
 //! a pure function of explicit uniforms: generators enter only through [`Warp::draw`],
 //! [`Warp::try_draw`] and their slice forms.
+//!
+//! # Stated errors
+//! Each warp carries a table of its largest errors in both tiers, over the parameter sets listed one by
+//! one in `docs/accuracy.md`, extreme ones included; `tests/accuracy.rs` reads the tables and holds the
+//! crate to them. *sample*: against the exact map of the same uniforms, in units in the last place (ulp) or
+//! as a distance. *sin θ*, *cos θ*: of directions, over all 2²⁴ polar uniforms. *unit length*: of a direction,
+//! from 1. *pdf*: at the returned point. *realised density*: of the returned point against the exact density
+//! of the uniforms' own point, so that rounding the point counts. *inverse*: at the returned point,
+//! absolute. *round trip*: u after `sample` and `invert`, absolute, where `f32` can hold the distribution.
 
 mod cone;
 mod direction;
@@ -52,7 +61,7 @@ use rand_core::{Rng, TryRng};
 /// and `invert(sample(u))` is `u` again, both within the bounds stated at each warp.
 ///
 /// To write a warp of one's own, give the three types and the three required functions;
-/// [`Inversion`](crate::Inversion) does it from closures.
+/// [`Inversion`] does it from closures.
 ///
 /// ```
 /// use microwarp::{Warp, poly as mw};

@@ -25,7 +25,7 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | sample, of the size | 1.5e-7 | 1.5e-7 |
-/// | sin θ, ulp | 2 | 2 |
+/// | sin θ, ulp | 1.9 | 1.9 |
 /// | unit length | 1.3e-7 | 1.4e-7 |
 /// | pdf, relative | 1.9e-7 | 1.2e-7 |
 /// | realised density, relative | 1.9e-7 | 1.2e-7 |

@@ -22,8 +22,7 @@ use crate::uniform::{Canonical, LARGEST};
 /// | inverse | 1.6e-7 | 1.6e-7 |
 /// | round trip | 1.8e-7 | 1.8e-7 |
 ///
-/// Source: J. H. Ahrens and U. Dieter's trapezoidal method, 1972, in the form of M. Pharr, W. Jakob and
-/// G. Humphreys, "Physically Based Rendering", 2023.
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///
 /// ```
 /// use microwarp::{Warp, poly as mw};

@@ -17,6 +17,8 @@ use core::marker::PhantomData;
 /// - Uniforms: one.
 /// - Range: [a, b]; above 0 where the density is 0 or infinite at a = 0.
 /// - Density: m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b].
+/// - A sample is within 6.1 ulp, except where 0 < |n + 1| < ¼ and the interval spans so many decades that
+///   |n + 1| ln(b/a) exceeds ½: there the error grows to 1.6/|n + 1| ulp, 32 in the table.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -278,7 +280,7 @@ impl<T: Tier> Warp for Power<T> {
 /// | inverse | 0 | 0 |
 /// | round trip | 1.5e-45 | 1.5e-45 |
 ///
-/// Source: M. Pharr and G. Humphreys, "Physically Based Rendering", 2004.
+/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///
 /// ```
 /// use microwarp::{PowerMax, Warp};

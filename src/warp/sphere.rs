@@ -26,7 +26,7 @@ use core::marker::PhantomData;
 /// | inverse | 7.1e-8 | 5.9e-8 |
 /// | round trip | 6.0e-8 | 7.5e-8 |
 ///
-/// Source: J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995, for Archimedes' map.
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///
 /// ```
 /// use microwarp::{Warp, poly as mw};

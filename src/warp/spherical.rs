@@ -11,6 +11,8 @@ use core::marker::PhantomData;
 /// A point in spherical coordinates: radius, polar angle θ from +z and azimuth φ from +x, in turns.
 ///
 /// - Domain: r ≥ 0, θ in [0, ½], φ in [0, 1), in turns (one turn is 2π radians).
+/// - Errors: radius 1.3e-7 relative, coordinates 1.5e-7 of the radius, angles 9.3e-8 turns (`libm`) or
+///   6.0e-8 (`poly`).
 /// - The volume element is r² sin θ dr dθ dφ and the solid angle sin θ dθ dφ, with θ and φ in radians.
 ///
 /// ```
@@ -56,7 +58,7 @@ impl<T: Tier> Spherical<T> {
         let [x, y, z] = point.map(|c| if c.is_finite() { c } else { 0.0 });
         let (scale, [x, y, z]) = scaled([x, y, z]);
         let equatorial = sqrt(x * x + y * y);
-        let radius = sqrt(equatorial * equatorial + z * z) * scale;
+        let radius = sqrt(x * x + y * y + z * z) * scale;
         Self {
             radius: clamp(radius, 0.0, f32::MAX),
             theta: T::atan2_turns(equatorial, z).abs(),

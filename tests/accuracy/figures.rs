@@ -24,8 +24,11 @@ pub struct Figures {
     pub round_trip: f64,
 }
 
+/// Reaches one figure.
+type Row = fn(&mut Figures) -> &mut f64;
+
 /// The rows of an accuracy table: their titles and how to reach them.
-pub const ROWS: [(&str, fn(&mut Figures) -> &mut f64); 8] = [
+pub const ROWS: [(&str, Row); 8] = [
     ("sample", |f| &mut f.sample),
     ("sin θ, ulp", |f| &mut f.sine),
     ("cos θ, ulp", |f| &mut f.cosine),

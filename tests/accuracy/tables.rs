@@ -232,7 +232,11 @@ pub fn write(measured: &[Measured]) {
                 rounded_up(b)
             ));
         }
-        let is_row = |l: &String| l.trim_start_matches("///").trim().starts_with('|');
+        // A closure in an example begins with a bar too, but with no space after it.
+        let is_row = |l: &String| {
+            let text = l.trim_start_matches("///").trim();
+            text.starts_with("| ") || text.starts_with("|--")
+        };
         let at = if let Some(first) = range.clone().find(|&i| is_row(&lines[i])) {
             let rows = lines[first..].iter().take_while(|l| is_row(l)).count();
             lines.drain(first..first + rows);

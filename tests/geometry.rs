@@ -1,0 +1,182 @@
+//! Frames and spherical coordinates: no singular normal, no singular point, and the errors they state.
+
+use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::warp::Spherical;
+use microwarp::{Frame, uniform};
+use rand_pcg::Pcg32;
+use std::f64::consts::TAU;
+
+fn wide(x: [f32; 3]) -> [f64; 3] {
+    x.map(f64::from)
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Normals everywhere, near and at every axis, and of every length.
+fn normals() -> Vec<[f32; 3]> {
+    let mut normals = vec![];
+    let small = [
+        0.0, -0.0, 1e-45, -1e-30, 1e-12, 1e-7, -6e-8, 1e-4, -1e-3, 0.1,
+    ];
+    for a in small {
+        for b in small {
+            for c in [1.0, -1.0] {
+                normals.extend([[a, b, c], [c, a, b], [a, c, b]]);
+            }
+        }
+    }
+    let mut rng = Pcg32::new(5, 5);
+    let mut number = || 2.0 * uniform::grid(&mut rng) - 1.0;
+    for _ in 0..1_000_000 {
+        normals.push([number(), number(), number()]);
+    }
+    for scale in [1e-45, 1e-38, 1e-20, 1e20, 3e38] {
+        normals.push([0.3 * scale, -0.7 * scale, scale]);
+    }
+    normals.retain(|n| *n != [0.0; 3]);
+    normals
+}
+
+/// The bound that the documentation of `Frame` states.
+const FRAME_ERROR: f64 = 3.0e-7;
+
+#[test]
+fn every_normal_has_an_orthonormal_frame() {
+    let mut worst: f64 = 0.0;
+    for normal in normals() {
+        let frame = Frame::new(normal).unwrap_or_else(|e| panic!("{normal:?}: {e}"));
+        let [tangent, bitangent] = frame.tangents().map(wide);
+        let axis = wide(frame.normal());
+        let n = wide(normal);
+        let length = dot(n, n).sqrt();
+        // Subnormal normals have few digits; their own direction is what counts.
+        let exact = n.map(|c| c / length);
+        let cross = [
+            tangent[1] * bitangent[2] - tangent[2] * bitangent[1],
+            tangent[2] * bitangent[0] - tangent[0] * bitangent[2],
+            tangent[0] * bitangent[1] - tangent[1] * bitangent[0],
+        ];
+        let errors = [
+            dot(tangent, tangent) - 1.0,
+            dot(bitangent, bitangent) - 1.0,
+            dot(axis, axis) - 1.0,
+            dot(tangent, bitangent),
+            dot(tangent, axis),
+            dot(bitangent, axis),
+            dot(cross, axis) - 1.0,
+            1.0 - dot(axis, exact),
+        ];
+        for error in errors {
+            let error = error.abs();
+            assert!(error <= FRAME_ERROR, "{normal:?}: {errors:?}");
+            worst = worst.max(error);
+        }
+    }
+    println!("frames: {worst:.2e}");
+    assert!(FRAME_ERROR <= 1.25 * worst, "stale: {worst:.2e}");
+}
+
+#[test]
+fn turning_there_and_back_is_the_identity() {
+    let mut rng = Pcg32::new(6, 6);
+    for normal in normals().into_iter().step_by(101) {
+        let frame = Frame::new(normal).unwrap();
+        let local = [(); 3].map(|()| 2.0 * uniform::grid(&mut rng) - 1.0);
+        let back = frame.to_local(frame.to_world(local));
+        for (a, b) in back.into_iter().zip(local) {
+            assert!((a - b).abs() <= 1.0e-6, "{normal:?} {local:?} {back:?}");
+        }
+        // The z axis goes to the normal exactly.
+        assert_eq!(frame.to_world([0.0, 0.0, 1.0]), frame.normal());
+    }
+}
+
+/// The bounds that the documentation of `Spherical` states: the radius relative, coordinates relative to
+/// the radius, and angles in turns.
+const RADIUS_ERROR: f64 = 1.3e-7;
+const CARTESIAN_ERROR: f64 = 1.5e-7;
+const ANGLE_ERROR: f64 = 9.3e-8;
+
+fn spherical_coordinates<T: Tier>() {
+    let (mut worst_radius, mut worst_point, mut worst_angle) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for point in normals() {
+        let s = Spherical::<T>::from_cartesian(point);
+        let p = wide(point);
+        let r = dot(p, p).sqrt();
+        let theta = p[0].hypot(p[1]).atan2(p[2]) / TAU;
+        // On the axis every azimuth is right, and 0 is what is given.
+        let phi = if p[0] == 0.0 && p[1] == 0.0 {
+            0.0
+        } else {
+            p[1].atan2(p[0]) / TAU
+        };
+        let relative = (f64::from(s.radius()) - r).abs() / r;
+        if (1e-30..1e30).contains(&r) {
+            assert!(relative <= RADIUS_ERROR, "{point:?}: {s:?}");
+            worst_radius = worst_radius.max(relative);
+        }
+        let off = (f64::from(s.phi()) - phi).rem_euclid(1.0);
+        let angles = [(f64::from(s.theta()) - theta).abs(), off.min(1.0 - off)];
+        for error in angles {
+            assert!(error <= ANGLE_ERROR, "{point:?}: {s:?} {angles:?}");
+            worst_angle = worst_angle.max(error);
+        }
+        if (1e-30..1e30).contains(&r) {
+            for (a, b) in s.to_cartesian().into_iter().zip(p) {
+                // Angles of 24 bits place a point to 2π 2^-25 of its radius at best.
+                let error = (f64::from(a) - b).abs() / r;
+                assert!(error <= 2.0 * TAU * ANGLE_ERROR, "{point:?}: {s:?}");
+            }
+        }
+        let exact = {
+            let (theta, phi) = (TAU * f64::from(s.theta()), TAU * f64::from(s.phi()));
+            [
+                theta.sin() * phi.cos(),
+                theta.sin() * phi.sin(),
+                theta.cos(),
+            ]
+        };
+        let radius = f64::from(s.radius());
+        for (a, b) in s.to_cartesian().into_iter().zip(exact) {
+            let error = (f64::from(a) / radius - b).abs();
+            if radius > 1e-30 {
+                assert!(error <= CARTESIAN_ERROR, "{s:?}");
+                worst_point = worst_point.max(error);
+            }
+        }
+        let sine = (TAU * f64::from(s.theta())).sin();
+        assert!((f64::from(s.solid_angle_jacobian()) - sine).abs() <= 1.0e-7);
+    }
+    for (worst, stated) in [(worst_radius, RADIUS_ERROR), (worst_point, CARTESIAN_ERROR)] {
+        assert!(
+            stated <= 1.25 * worst,
+            "stale: {stated:.2e}, measured {worst:.2e}"
+        );
+    }
+    println!(
+        "{}: {worst_radius:.2e} {worst_point:.2e} {worst_angle:.2e}",
+        T::NAME
+    );
+}
+
+#[test]
+fn spherical_coordinates_keep_their_stated_errors() {
+    spherical_coordinates::<Libm>();
+    spherical_coordinates::<Poly>();
+}
+
+#[test]
+fn poles_and_origin_have_coordinates() {
+    let of = Spherical::<Poly>::from_cartesian;
+    let parts = |s: Spherical<Poly>| (s.radius(), s.theta(), s.phi());
+    assert_eq!(parts(of([0.0, 0.0, 2.0])), (2.0, 0.0, 0.0));
+    assert_eq!(parts(of([0.0, 0.0, -2.0])), (2.0, 0.5, 0.0));
+    assert_eq!(parts(of([0.0, 0.0, 0.0])), (0.0, 0.0, 0.0));
+    assert_eq!(parts(of([-1.0, 0.0, 0.0])), (1.0, 0.25, 0.5));
+    assert_eq!(of([f32::NAN, 1.0, f32::INFINITY]).radius(), 1.0);
+    let far = of([f32::MAX, f32::MAX, f32::MAX]);
+    assert_eq!(far.radius(), f32::MAX);
+    assert!(far.volume_jacobian() == f32::MAX);
+}
