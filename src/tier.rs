@@ -12,6 +12,7 @@ mod sqrt;
 
 pub use self::libm::Libm;
 pub use self::poly::Poly;
+pub(crate) use self::poly::exchanged;
 pub(crate) use self::product::{
     coin_series, exp_of_product, log_residual, one_minus_cos_radians, pow_of_quotient, scaled_exp,
     scaled_exp_of_product, two_product, two_sum,

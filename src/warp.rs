@@ -12,6 +12,8 @@
 //! from 1. *pdf*: at the returned point. *realised density*: of the returned point against the exact density
 //! of the uniforms' own point, so that rounding the point counts. *inverse*: at the returned point,
 //! absolute. *round trip*: u after `sample` and `invert`, absolute, where `f32` can hold the distribution.
+//! With one uniform every input of the grid was tried; with several, 2²⁴ points, and the bound stated is a
+//! tenth above the largest error found.
 
 mod cone;
 mod direction;

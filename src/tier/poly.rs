@@ -9,7 +9,7 @@ mod pow;
 mod trig;
 
 use super::{Tier, normal};
-pub(crate) use trig::{reduce_turns, swap_quadrant};
+pub(crate) use trig::{exchanged, reduce_turns, swap_quadrant};
 
 /// The polynomial tier: `f32` arithmetic only, no `f64`, no tables.
 ///

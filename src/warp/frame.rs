@@ -91,12 +91,12 @@ impl Frame {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 1.9e-7 | 1.8e-7 |
-/// | unit length | 1.7e-7 | 1.8e-7 |
-/// | pdf, relative | 2.4e-4 | 2.1e-4 |
-/// | realised density, relative | 4.9e-4 | 4.9e-4 |
-/// | inverse | 3.6e-7 | 3.8e-7 |
-/// | round trip | 5.1e-7 | 5.1e-7 |
+/// | sample, of the size | 2.2e-7 | 2.4e-7 |
+/// | unit length | 2.1e-7 | 2.2e-7 |
+/// | pdf, relative | 2.6e-4 | 1.9e-4 |
+/// | realised density, relative | 3.1e-4 | 4.1e-4 |
+/// | inverse | 1.5e-6 | 1.6e-6 |
+/// | round trip | 2.8e-6 | 2.8e-6 |
 ///
 /// ```
 /// use microwarp::{Frame, Oriented, Warp, poly as mw};

@@ -13,11 +13,11 @@ use rand_core::TryRng;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 3.9 | 3.9 |
-/// | pdf, relative | 4.8e-7 | 3.8e-7 |
-/// | realised density, relative | 8.8e-7 | 8.1e-7 |
-/// | inverse | 3.2e-7 | 3.4e-7 |
-/// | round trip | 5.4e-7 | 5.4e-7 |
+/// | sample, ulp | 3.9 | 4 |
+/// | pdf, relative | 4.7e-7 | 3.7e-7 |
+/// | realised density, relative | 8.6e-7 | 6.8e-7 |
+/// | inverse | 3.1e-7 | 3.2e-7 |
+/// | round trip | 5.4e-7 | 4.8e-7 |
 ///
 /// Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997.
 ///

@@ -51,12 +51,26 @@ fn fraction(t: f32) -> f32 {
 /// Carries the sine and cosine of a remainder into its quadrant.
 #[inline]
 pub(crate) fn swap_quadrant(quadrant: u32, s: f32, c: f32) -> (f32, f32) {
-    match quadrant & 3 {
-        0 => (s, c),
-        1 => (c, -s),
-        2 => (-s, -c),
-        _ => (-c, s),
-    }
+    const SIGN: u32 = 0x8000_0000;
+    let (s, c) = exchanged(quadrant & 1 == 1, s, c);
+    let negative_sine = quadrant.wrapping_shl(30) & SIGN;
+    let negative_cosine = quadrant.wrapping_add(1).wrapping_shl(30) & SIGN;
+    (
+        f32::from_bits(s.to_bits() ^ negative_sine),
+        f32::from_bits(c.to_bits() ^ negative_cosine),
+    )
+}
+
+/// `(b, a)` where `when` holds, else `(a, b)`; by bits, since what depends on a random number is not to be
+/// predicted by a branch.
+#[inline]
+pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
+    let (a, b) = (a.to_bits(), b.to_bits());
+    let difference = (a ^ b) & u32::from(when).wrapping_neg();
+    (
+        f32::from_bits(a ^ difference),
+        f32::from_bits(b ^ difference),
+    )
 }
 
 /// `(sin(2πt), cos(2πt))`.
