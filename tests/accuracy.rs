@@ -162,7 +162,6 @@ fn every_warp_keeps_its_stated_error() {
             name: libm.name,
             parameters: libm.parameters,
             measure: libm.measure,
-            exhaustive: libm.uniforms == 1,
             figures,
         })
         .collect();

@@ -44,11 +44,32 @@ pub(crate) fn scaled_exp_of_product<T: Tier>(scale: f32, a: f32, b: f32) -> f32 
     }
 }
 
+/// `e^(ab) - 1`, without the error that rounding the product would bring.
+#[inline]
+pub(crate) fn exp_m1_of_product<T: Tier>(a: f32, b: f32) -> f32 {
+    let (product, dropped) = two_product(a, b);
+    let power = T::exp_m1(product);
+    if product.abs() < 87.0 {
+        power + (power + 1.0) * dropped
+    } else {
+        power
+    }
+}
+
+/// 1/(4π) and what its `f32` lacks; worked out by the compiler, no double reaches the target.
+const QUARTER: f32 = 0.25 * FRAC_1_PI;
+const REST: f32 = (0.25 * core::f64::consts::FRAC_1_PI - QUARTER as f64) as f32;
+
 /// `1 - cos(x)` of an angle in `[0, π]` radians, to a few ulp however small the angle.
 pub(crate) fn one_minus_cos_radians<T: Tier>(x: f32) -> f32 {
-    const QUARTER: f32 = 0.25 * FRAC_1_PI;
-    // What QUARTER lacks of 1/(4π); worked out by the compiler, no double reaches the target.
-    const REST: f32 = (0.25 * core::f64::consts::FRAC_1_PI - QUARTER as f64) as f32;
+    if x < 1.0 {
+        // Taylor's series, whose first term is nearly all; its first omitted one is below 2e-9.
+        let (y, dropped) = two_product(x, x);
+        let tail = 1.0 - y / 90.0 * (1.0 - y / 132.0);
+        let bend = y / 12.0 * (1.0 - y / 30.0 * (1.0 - y / 56.0 * tail));
+        let half = 0.5 * y;
+        return half - (half * bend - 0.5 * dropped);
+    }
     let (turn, dropped) = two_product(x, QUARTER);
     let (s, c) = T::sincos_turns(turn);
     let sine = s + c * TAU * (dropped + x * REST);
@@ -73,9 +94,10 @@ pub(crate) fn pow_of_quotient<T: Tier>(x: f32, r: f32, n: f32, n_rest: f32) -> f
     if n_rest != 0.0 {
         correction += n_rest * T::ln(quotient);
     }
-    // Where n times the shortfall is not small the power itself is 0 or infinite.
-    if correction.abs() < 0.125 {
+    if correction.abs() < 1.0e-4 {
         power + power * correction
+    } else if correction.is_finite() {
+        power * T::exp(correction)
     } else {
         power
     }
@@ -87,8 +109,9 @@ pub(crate) fn scaled_exp<T: Tier>(scale: f32, exponent: f32, rest: f32) -> f32 {
     let x = if exponent.abs() < 80.0 {
         scale * T::exp(exponent)
     } else {
-        let half = T::exp(0.5 * exponent);
-        (scale * half) * half
+        // A quarter of the exponent of any quotient of two floats is in range.
+        let quarter = T::exp(0.25 * exponent);
+        scale * quarter * quarter * quarter * quarter
     };
     x + x * rest
 }

@@ -10,8 +10,8 @@ pub const MAX_STRATA: u32 = 1 << 23;
 /// Divides [0, 1) into `count` strata of equal width; each gives one jittered point.
 ///
 /// Domain: stratum `i` covers [i/n, (i+1)/n). Range: [0, 1). Uniforms: one a point, one word drawn.
-/// The point is (i + r)/n rounded to the 24-bit grid, accurate to 2⁻²⁴ absolute. A point never leaves
-/// [0, 1), and leaves its own stratum only by that rounding at a border that is not on the grid.
+/// The point is (i + r)/n truncated to the 24-bit grid, accurate to 2⁻²⁴ absolute. A point never leaves
+/// [0, 1), and leaves its own stratum only by that truncation at a border that is not on the grid.
 ///
 /// Source: D. P. Mitchell, "Consequences of Stratified Sampling in Graphics", 1996.
 ///

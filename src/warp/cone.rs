@@ -1,6 +1,6 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
-use super::direction::{around, azimuth, is_direction, one_minus_cos};
+use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
 use super::{Warp, into_unit};
 use crate::error::{Error, finite, positive};
 use crate::tier::{Tier, one_minus_cos_radians, sqrt};
@@ -127,15 +127,7 @@ impl<T: Tier> Warp for Cone<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
         let [u1, u2] = u.get();
-        let down = u1 * self.k;
-        // Whichever of 1 - cos and 1 + cos is smaller holds the digits; the other is 2 minus it, so that
-        // sine and cosine are those of one angle.
-        if down < 1.0 {
-            around::<T>(T::sqrt(down * (2.0 - down)), 1.0 - down, u2)
-        } else {
-            let up = self.rest + (1.0 - u1) * self.k;
-            around::<T>(T::sqrt(up * (2.0 - up)), up - 1.0, u2)
-        }
+        between_poles::<T>(u1 * self.k, self.rest + (1.0 - u1) * self.k, u2)
     }
 
     #[inline]

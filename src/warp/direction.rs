@@ -10,6 +10,20 @@ pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32) -> [f32; 3] {
     [sin * c, sin * s, cos]
 }
 
+/// The direction with the given 1 − cos θ and 1 + cos θ, `turn` turns about the axis.
+///
+/// Of the two the smaller holds the digits; the larger is taken as 2 minus it, so that sine and cosine are
+/// those of one angle.
+#[inline]
+pub(crate) fn between_poles<T: Tier>(down: f32, up: f32, turn: f32) -> [f32; 3] {
+    let (small, cos) = if down < 1.0 {
+        (down, 1.0 - down)
+    } else {
+        (up, up - 1.0)
+    };
+    around::<T>(T::sqrt(small * (2.0 - small)), cos, turn)
+}
+
 /// 1 − cos θ of a direction, from x and y where z has rounded away what they still hold.
 #[inline]
 pub(crate) fn one_minus_cos(direction: [f32; 3]) -> f32 {
@@ -32,5 +46,5 @@ pub(crate) fn azimuth<T: Tier>(x: f32, y: f32) -> f32 {
 #[inline]
 pub(crate) fn is_direction(direction: [f32; 3]) -> bool {
     let [x, y, z] = direction;
-    (x + y + z).is_finite()
+    x.is_finite() && y.is_finite() && z.is_finite()
 }

@@ -34,7 +34,7 @@ const RIM: f32 = LARGEST;
 /// assert_eq!(disk.sample([0.25, 0.5]), [-0.5, 0.0]);
 /// assert_eq!(disk.invert([-0.5, 0.0]), [0.25, 0.5]);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Disk<T>(PhantomData<T>);
 
@@ -104,7 +104,7 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// assert_eq!(disk.sample([0.5, 0.5]), [0.0, 0.0]);
 /// assert_eq!(disk.sample([0.75, 0.5]), [0.5, 0.0]);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskConcentric<T>(PhantomData<T>);
 

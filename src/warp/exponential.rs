@@ -68,7 +68,7 @@ impl<T: Tier> Exponential<T> {
 }
 
 fn density<T: Tier>(rate: f32, x: f32) -> f32 {
-    if x >= 0.0 {
+    if (0.0..=f32::MAX).contains(&x) {
         representable(scaled_exp_of_product::<T>(rate, -rate, x))
     } else {
         0.0

@@ -3,6 +3,7 @@
 use super::Warp;
 use super::spherical::normalised;
 use crate::error::Error;
+use crate::tier::sqrt;
 use crate::uniform::Canonical;
 use rand_core::TryRng;
 
@@ -86,8 +87,14 @@ impl Frame {
 /// A warp over directions turned onto a normal: sampled about it, read back in its frame.
 ///
 /// - Uniforms and density: those of the inner warp; a rotation changes no solid angle.
+/// - Range: the inner warp's directions, turned.
 /// - A world direction holds a lobe narrower than about 3e-4 rad only to the rounding of its coordinates
-///   (6e-8 rad); sample such lobes in their own frame where more is needed.
+///   (6e-8 rad); sample such lobes in their own frame where more is needed. For the same reason a direction
+///   up to 4e-7 rad beyond the rim of the domain has the density of the rim. At the sides of a turned
+///   [`SphericalPatch`](super::SphericalPatch) next to its pole even that may be too little, and a sample
+///   may read as density 0 there.
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -114,15 +121,32 @@ pub struct Oriented<W> {
 
 impl<W> Oriented<W> {
     /// `warp` in the given frame.
+    #[must_use]
     pub const fn new(warp: W, frame: Frame) -> Self {
         Self { warp, frame }
     }
 }
 
-impl<W: Warp<Point = [f32; 3]>> Warp for Oriented<W> {
+/// The angle by which turning into the world and back can carry a direction over its rim.
+const RIM: f32 = 4.0e-7;
+
+/// The direction tilted by the angle `RIM` towards the axis (1) or away from it (−1).
+#[inline]
+fn tilted(direction: [f32; 3], towards: f32) -> [f32; 3] {
+    let [x, y, z] = direction;
+    let sin = sqrt(x * x + y * y);
+    let (tilt, scale) = (
+        towards * RIM,
+        1.0 - towards * RIM * z / (sin + f32::MIN_POSITIVE),
+    );
+    let scale = if scale > 0.0 { scale } else { 0.0 };
+    [x * scale, y * scale, z + tilt * sin]
+}
+
+impl<W: Warp<Point = [f32; 3], Density = f32>> Warp for Oriented<W> {
     type Uniforms = W::Uniforms;
     type Point = [f32; 3];
-    type Density = W::Density;
+    type Density = f32;
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<W::Uniforms>) -> [f32; 3] {
@@ -130,8 +154,16 @@ impl<W: Warp<Point = [f32; 3]>> Warp for Oriented<W> {
     }
 
     #[inline]
-    fn pdf(&self, direction: [f32; 3]) -> W::Density {
-        self.warp.pdf(self.frame.to_local(direction))
+    fn pdf(&self, direction: [f32; 3]) -> f32 {
+        let local = self.frame.to_local(direction);
+        let mut density = self.warp.pdf(local);
+        for towards in [1.0, -1.0] {
+            if density > 0.0 {
+                break;
+            }
+            density = self.warp.pdf(tilted(local, towards));
+        }
+        density
     }
 
     #[inline]

@@ -34,7 +34,7 @@ use core::marker::PhantomData;
 /// assert_eq!(hemisphere.sample([0.0, 0.5]), [-1.0, 0.0, 0.0]);
 /// assert_eq!(hemisphere.pdf([0.0, 0.0, -1.0]), 0.0);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hemisphere<T>(PhantomData<T>);
 
@@ -103,7 +103,7 @@ impl<T: Tier> Warp for Hemisphere<T> {
 /// assert_eq!(lambert.sample([0.0, 0.0]), [0.0, 0.0, 1.0]);
 /// assert_eq!(lambert.invert([0.0, 0.0, 1.0]), [0.0, 0.0]);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CosineHemisphere<T>(PhantomData<T>);
 
@@ -177,7 +177,7 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
 /// let lambert = mw::MalleyHemisphere::new();
 /// assert_eq!(lambert.sample([0.5, 0.5]), [0.0, 0.0, 1.0]);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MalleyHemisphere<T>(PhantomData<T>);
 

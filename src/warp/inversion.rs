@@ -32,7 +32,7 @@ use crate::uniform::Canonical;
 /// assert_eq!(ramp.pdf(0.5), 1.0);
 /// assert_eq!(ramp.invert(0.5), 0.25);
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Inversion<Q, P, C> {
     quantile: Q,
@@ -47,6 +47,7 @@ where
     C: Fn(f32) -> f32,
 {
     /// The warp with inverse CDF `quantile`, density `pdf` and CDF `cdf`.
+    #[must_use]
     pub const fn new(quantile: Q, pdf: P, cdf: C) -> Self {
         Self { quantile, pdf, cdf }
     }

@@ -47,8 +47,9 @@ const LN_HALF: f32 = -core::f32::consts::LN_2;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PhongLobe<T> {
     n: f32,
-    /// n + 1.
+    /// n + 1, and the share of it that rounding dropped.
     m: f32,
+    slip: f32,
     tier: PhantomData<T>,
 }
 
@@ -60,11 +61,20 @@ impl<T: Tier> PhongLobe<T> {
     pub const fn new(n: f32) -> Result<Self, Error> {
         match finite(n) {
             Ok(n) if n < 0.0 => Err(Error::Negative),
-            Ok(n) => Ok(Self {
-                n,
-                m: n + 1.0,
-                tier: PhantomData,
-            }),
+            Ok(n) => {
+                let m = n + 1.0;
+                Ok(Self {
+                    n,
+                    m,
+                    // Exact: of two numbers the larger less their sum holds all but what was dropped.
+                    slip: if n < 1.0 {
+                        n - (m - 1.0)
+                    } else {
+                        1.0 - (m - n)
+                    } / m,
+                    tier: PhantomData,
+                })
+            }
             Err(e) => Err(e),
         }
     }
@@ -90,6 +100,7 @@ impl<T: Tier> Warp for PhongLobe<T> {
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
         let [u1, u2] = u.get();
         let ln_cos = T::ln_1p(-u1) / self.m;
+        let ln_cos = ln_cos - ln_cos * self.slip;
         let (cos, q) = if ln_cos > LN_HALF {
             let q = -T::exp_m1(ln_cos);
             (1.0 - q, q)

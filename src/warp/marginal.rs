@@ -6,7 +6,7 @@ use rand_core::TryRng;
 
 /// x from a marginal, then y from the conditional that belongs to that x.
 ///
-/// - Uniforms: two, the marginal's then the conditional's.
+/// - Uniforms: two, the marginal's then the conditional's; drawing takes what drawing the two takes.
 /// - Density: p(x) p(y | x). Where the marginal is 0, as in an empty row, it is 0 and the conditional is
 ///   not asked for; a sample never comes from there.
 /// - Errors: those of the two warps.
@@ -32,7 +32,7 @@ use rand_core::TryRng;
 /// assert_eq!(triangle.pdf([0.5, 0.25]), 2.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MarginalConditional<M, F> {
     marginal: M,
@@ -46,6 +46,7 @@ where
     F: Fn(f32) -> C,
 {
     /// The warp of the given marginal and of the conditional that `conditional` gives for an x.
+    #[must_use]
     pub const fn new(marginal: M, conditional: F) -> Self {
         Self {
             marginal,

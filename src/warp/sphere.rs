@@ -34,7 +34,7 @@ use core::marker::PhantomData;
 /// assert_eq!(sphere.sample([0.5, 0.25]), [0.0, 1.0, 0.0]);
 /// assert_eq!(sphere.invert([0.0, 1.0, 0.0]), [0.5, 0.25]);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sphere<T>(PhantomData<T>);
 

@@ -29,7 +29,7 @@ use rand_core::TryRng;
 /// assert!((stretched.pdf(1.5) - 1.0 / 3.0).abs() < 1e-7);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Transform<W, F, G, J> {
     warp: W,
@@ -47,6 +47,7 @@ where
 {
     /// `warp` followed by `forward`; `backward` is its inverse and `jacobian` the absolute value of its
     /// derivative, or of its Jacobian determinant, at a point of the inner warp.
+    #[must_use]
     pub const fn new(warp: W, forward: F, backward: G, jacobian: J) -> Self {
         Self {
             warp,

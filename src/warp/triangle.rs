@@ -12,7 +12,7 @@ use crate::uniform::Canonical;
 ///
 /// - Uniforms: two.
 /// - Range: [u, v, w], none negative, with sum 1 to rounding.
-/// - Density: 2 with respect to (u, v), where none is negative.
+/// - Density: 2 with respect to (u, v), where none is negative and their sum is 1 to rounding.
 /// - Both tiers share this code: it needs nothing but a square root.
 ///
 /// | error | `libm` | `poly` |
@@ -57,7 +57,8 @@ impl Warp for Triangle {
     #[inline]
     fn pdf(&self, point: [f32; 3]) -> f32 {
         let [u, v, w] = point;
-        if u >= 0.0 && v >= 0.0 && w >= 0.0 && u <= 1.0 && v <= 1.0 && w <= 1.0 {
+        let whole = (u + v + w - 1.0).abs() <= 4.0 * f32::EPSILON;
+        if u >= 0.0 && v >= 0.0 && w >= 0.0 && whole {
             2.0
         } else {
             0.0
@@ -114,6 +115,8 @@ pub struct TriangleOn<const D: usize> {
     density: f32,
     /// How far outside [0, 1] the rounding of a point's coordinates can carry its barycentrics.
     slack: f32,
+    /// How far from the plane of the triangle it can carry a coordinate.
+    lift: f32,
 }
 
 impl<const D: usize> TriangleOn<D> {
@@ -156,7 +159,7 @@ impl<const D: usize> TriangleOn<D> {
             return Err(Error::TooLarge);
         }
         let reach = norm(p) + norm(q);
-        let rounding = 4.0 * f32::EPSILON * (0.5 * largest / scale + reach);
+        let rounding = 2.0 * f32::EPSILON * (0.5 * largest / scale + reach);
         Ok(Self {
             vertices,
             sides,
@@ -164,6 +167,7 @@ impl<const D: usize> TriangleOn<D> {
             cross2,
             density,
             slack: rounding * reach / cross,
+            lift: 8.0 * f32::EPSILON * largest,
         })
     }
 
@@ -247,7 +251,12 @@ impl<const D: usize> Warp for TriangleOn<D> {
     fn pdf(&self, point: [f32; D]) -> f32 {
         let [u, v, w] = self.barycentric(point);
         let least = -self.slack;
-        if u >= least && v >= least && w >= least {
+        let mut in_plane = true;
+        let [a, b, c] = self.vertices;
+        for (((x, a), b), c) in point.into_iter().zip(a).zip(b).zip(c) {
+            in_plane &= (x - (u * a + v * b + w * c)).abs() <= self.lift;
+        }
+        if in_plane && u >= least && v >= least && w >= least {
             self.density
         } else {
             0.0

@@ -2,7 +2,7 @@
 
 use super::{Warp, clamp, into_unit, representable};
 use crate::error::{Error, finite, positive};
-use crate::tier::{Tier, coin_series, exp_of_product, scaled_exp_of_product};
+use crate::tier::{Tier, coin_series, exp_m1_of_product, exp_of_product, scaled_exp_of_product};
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
 
@@ -67,15 +67,15 @@ impl<T: Tier> TruncatedExponential<T> {
         let (rate, length) = (finite(rate)?, positive(length)?);
         let z = rate * length;
         let decay = if z > -STEEP {
-            T::exp_m1(-z)
+            exp_m1_of_product::<T>(-rate, length)
         } else {
-            T::exp_m1(z)
+            exp_m1_of_product::<T>(rate, length)
         };
         let peak = if z.abs() < f32::EPSILON {
             // z/(1 - e^-z) at the higher end is 1 + |z|/2, which rounds to 1.
             1.0 / length
         } else {
-            rate.abs() / -T::exp_m1(-z.abs())
+            rate.abs() / -exp_m1_of_product::<T>(-rate.abs(), length)
         };
         if !peak.is_finite() {
             return Err(Error::Empty);
@@ -85,9 +85,13 @@ impl<T: Tier> TruncatedExponential<T> {
             length,
             z,
             decay,
-            least: T::exp(-z.abs()),
+            least: exp_of_product::<T>(-rate.abs(), length),
             peak,
-            slope: if z > -STEEP { -decay / rate } else { 0.0 },
+            slope: if z > -STEEP && z.abs() >= SERIES {
+                -decay / rate
+            } else {
+                0.0
+            },
             tier: PhantomData,
         })
     }
@@ -153,10 +157,10 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
         into_unit(if z.abs() < f32::EPSILON {
             x / self.length
         } else if z > -STEEP {
-            T::exp_m1(-self.rate * x) / self.decay
+            exp_m1_of_product::<T>(-self.rate, x) / self.decay
         } else {
             let rest = exp_of_product::<T>(self.rate, self.length - x);
-            rest * (T::exp_m1(self.rate * x) / self.decay)
+            rest * (exp_m1_of_product::<T>(self.rate, x) / self.decay)
         })
     }
 }

@@ -151,12 +151,14 @@ pub fn density_and_inverse_error(entry: &Entry, exact: &Exact, x: Point, figures
         if k > 0 && azimuth_is_lost(entry, point) {
             continue;
         }
-        raise(
-            &mut figures.inverse,
-            apart(inverse[k], at_point[k].clamp(0.0, 1.0)),
-        );
+        let turns = is_azimuth(entry, k);
+        let found = apart(inverse[k], at_point[k].clamp(0.0, 1.0), turns);
+        raise(&mut figures.inverse, found);
         if entry.round_trip {
-            raise(&mut figures.round_trip, apart(inverse[k], exact.u[k]));
+            raise(
+                &mut figures.round_trip,
+                apart(inverse[k], exact.u[k], turns),
+            );
         }
     }
 }
@@ -178,8 +180,16 @@ fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
     }
 }
 
-/// The distance of two uniforms, across the seam where 0 and 1 are the same azimuth.
-fn apart(a: f64, b: f64) -> f64 {
+/// Whether the k-th uniform is an azimuth, of which 0 and 1 are the same.
+fn is_azimuth(entry: &Entry, k: usize) -> bool {
+    let turned = matches!(entry.domain, Domain::Directions | Domain::World);
+    let polar =
+        (turned && entry.name != "MalleyHemisphere") || matches!(entry.name, "Disk" | "NormalPair");
+    k == 1 && polar
+}
+
+/// The distance of two uniforms, across the seam where they are turns.
+fn apart(a: f64, b: f64, turns: bool) -> f64 {
     let d = (a - b).abs();
-    d.min((1.0 - d).abs())
+    if turns { d.min((1.0 - d).abs()) } else { d }
 }

@@ -47,6 +47,8 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
     for (label, n) in [
         ("n=0", 0.0),
         ("n=1", 1.0),
+        ("n=1.4136", 1.413_630_8),
+        ("n=3.4715", 3.471_497_3),
         ("n=50", 50.0),
         ("n=1e4", 1e4),
         ("n=1e6", 1e6),
@@ -64,7 +66,9 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
     for (label, angle) in [
         ("1e-7 rad", 1e-7),
         ("1e-4 rad", 1e-4),
+        ("3.9e-3 rad", 0.003_918_659),
         ("1e-2 rad", 1e-2),
+        ("1.6e-2 rad", 0.016_239_65),
         ("0.1 rad", 0.1),
         ("1.5 rad", 1.5),
         ("3 rad", 3.0),

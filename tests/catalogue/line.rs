@@ -16,6 +16,7 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         ("[-3e38, 3e38]", -3e38, 3e38, true),
         ("[1e6, 1e6+1/16]", 1e6, 1e6 + 0.0625, false),
         ("[0, 1e-35]", 0.0, 1e-35, true),
+        ("[-1.7374, -1.5582]", -1.737_384_2, -1.558_242_2, true),
     ] {
         let scale = f64::from(f32::max(f32::abs(a), f32::abs(b)));
         for increasing in [true, false] {
@@ -53,7 +54,17 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         ("n=1000 [1, 2]", 1000.0, 1.0, 2.0, true),
         ("n=-1000 [1, 2]", -1000.0, 1.0, 2.0, true),
         ("n=1e8 [1, 2]", 1e8, 1.0, 2.0, false),
-        ("n=3 [1, 1.0001]", 3.0, 1.0, 1.0001, true),
+        ("n=3 [1, 1.0001]", 3.0, 1.0, 1.0001, false),
+        (
+            "n=-0.7427 [3.5e-3, 2.5e13]",
+            -0.742_730_2,
+            3.537_985e-3,
+            2.506_938_2e13,
+            true,
+        ),
+        ("n=-0.9 [0, 1e30]", -0.9, 0.0, 1e30, true),
+        ("n=1e6 [1, 3]", 1e6, 1.0, 3.0, false),
+        ("n=1e8 [1, 3]", 1e8, 1.0, 3.0, false),
     ] {
         for increasing in [true, false] {
             let (name, warp) = if increasing {
@@ -137,6 +148,7 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         ("c=1e4 X=1", 1e4, 1.0),
         ("c=-1e4 X=1", -1e4, 1.0),
         ("c=1e30 X=1e-30", 1e30, 1e-30),
+        ("c=-17.727 X=0.5695", -17.727_365, 0.569_503_3),
         ("c=1e30 X=1e30", 1e30, 1e30),
     ] {
         // Far from the peak of a steep rise towards X, f32 near X resolves 1 part in 1e4 of it.
@@ -170,6 +182,7 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         ("1 to 1.000001", 1.0, 1.000_001),
         ("1e-20 to 1e20", 1e-20, 1e20),
         ("3e38 to 1e38", 3e38, 1e38),
+        ("5500 to 100866", 5_499.947, 100_865.68),
     ] {
         t.push(entry::<T, _>(
             "Linear",

@@ -114,6 +114,24 @@ fn a_draw_consumes_the_documented_number_of_words() {
     consumes(&either, 3);
 }
 
+/// Over the whole catalogue: as many words as uniforms, but two for the tail.
+#[test]
+fn every_warp_consumes_as_many_words_as_it_takes_uniforms() {
+    for entry in crate::catalogue::entries() {
+        let words = if entry.name == "ExponentialTail" {
+            2
+        } else {
+            entry.uniforms
+        };
+        let (mut drawn, mut stepped) = (Pcg32::new(8, 8), Pcg32::new(8, 8));
+        entry.warp.fill(&mut drawn, 10);
+        for _ in 0..10 * words {
+            stepped.next_u32();
+        }
+        assert_eq!(drawn, stepped, "{}", entry.label());
+    }
+}
+
 #[test]
 fn drawing_is_sampling_at_the_drawn_uniforms() {
     let disk = poly::Disk::new();

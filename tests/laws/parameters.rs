@@ -36,6 +36,7 @@ fn impossible_parameters_are_refused_by_name() {
         Power::new(1.0, 2.0, 1.0) => Reversed;
         Power::new(1.0, 1.0, 1.0) => Empty;
         Power::new(1.0, 0.0, TINY) => Empty;
+        Power::new(-1.0, TINY, 1.0) => Empty;
         Power::new(-1.0, 0.0, 1.0) => NotNormalizable;
         Power::new(-3.0, 0.0, 1.0) => NotNormalizable;
         Power::decreasing(-1.0, 0.0, 1.0) => NotNormalizable;
@@ -125,7 +126,7 @@ fn accepted_extremes_are_total() {
         "interval of one step" => poly::Interval::new(1.0, 1.000_000_1);
         "power 3e38" => poly::Power::new(3.0e38, 0.0, 1.0);
         "power -3e38" => poly::Power::new(-3.0e38, 1.0, 2.0);
-        "power over all floats" => poly::Power::new(-1.0, TINY, f32::MAX);
+        "power over nearly all floats" => poly::Power::new(-1.0, 1.0e-36, f32::MAX);
         "power of nearly -1 from 0" => poly::Power::new(-0.999_999_94, 0.0, 1.0);
         "power to the largest float" => poly::Power::new(0.5, 0.0, f32::MAX);
         "power over one step" => poly::Power::new(7.0, 1.0, 1.000_000_1);
