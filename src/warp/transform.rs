@@ -13,11 +13,11 @@ use rand_core::TryRng;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 3.9 | 4 |
-/// | pdf, relative | 4.7e-7 | 3.7e-7 |
-/// | realised density, relative | 8.6e-7 | 6.8e-7 |
-/// | inverse | 3.1e-7 | 3.2e-7 |
-/// | round trip | 5.4e-7 | 4.8e-7 |
+/// | sample, ulp | 4.3 | 4.3 |
+/// | pdf, relative | 5.2e-7 | 4.0e-7 |
+/// | realised density, relative | 9.5e-7 | 7.5e-7 |
+/// | inverse | 3.4e-7 | 3.5e-7 |
+/// | round trip | 6.0e-7 | 5.3e-7 |
 ///
 /// Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997.
 ///
