@@ -18,7 +18,7 @@ use core::marker::PhantomData;
 /// - Range: [a, b]; above 0 where the density is 0 or infinite at a = 0.
 /// - Density: m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b].
 /// - Where 0 < |n + 1| < ¼ and |n + 1| ln(b/a) exceeds ½, as over many decades, the error of a sample grows
-///   in inverse proportion to |n + 1|; it is a few ulp everywhere else.
+///   in inverse proportion to |n + 1|; it is under 10 ulp everywhere else.
 /// - With a = 0 and n < 0 the density is infinite at 0: the largest `f32` stands for what exceeds it, and
 ///   samples that would be smaller than 2⁻¹⁴⁹ are 2⁻¹⁴⁹, as most are for n within 1e-3 of −1.
 ///
