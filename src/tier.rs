@@ -1,7 +1,8 @@
 //! The tiers: which elementary functions a warp is built on.
 //!
 //! A tier is chosen once, by type, at compile time. Here lives the trait; the functions themselves are
-//! in `tier/libm.rs` and `tier/poly.rs`. Angles are in turns (one turn is 2π radians), because a fraction of a turn reduces exactly.
+//! in `tier/libm.rs` and `tier/poly.rs`. Angles are in turns (one turn is 2π radians), because a fraction
+//! of a turn reduces exactly.
 
 mod libm;
 mod normal;
@@ -14,7 +15,7 @@ pub use self::poly::Poly;
 pub(crate) use self::poly::exchanged;
 pub(crate) use self::product::{
     coin_series, exp_m1_of_product, exp_of_product, log_residual, one_minus_cos_radians,
-    pow_of_quotient, scaled_exp, scaled_exp_of_product, two_product, two_sum,
+    pow_of_quotient, remainder, scaled_exp, scaled_exp_of_product, two_product, two_sum,
 };
 pub(crate) use self::sqrt::sqrt;
 

@@ -3,11 +3,24 @@
 use super::Tier;
 use core::f32::consts::{FRAC_1_PI, TAU};
 
-/// The upper half of the significand and the rest; both have at most 12 bits and their sum is `x`.
+/// The upper 12 bits of the significand; what is left of `x` has no more than 12 either.
+#[inline]
+pub(crate) fn head(x: f32) -> f32 {
+    f32::from_bits(x.to_bits() & 0xffff_f000)
+}
+
+/// The head and the rest, whose sum is `x`.
 #[inline]
 fn split(x: f32) -> (f32, f32) {
-    let high = f32::from_bits(x.to_bits() & 0xffff_f000);
+    let high = head(x);
     (high, x - high)
+}
+
+/// What a rounded quotient leaves of its dividend: `dividend - quotient·divisor`.
+#[inline]
+pub(crate) fn remainder(dividend: f32, quotient: f32, divisor: f32) -> f32 {
+    let (back, dropped) = two_product(quotient, divisor);
+    (dividend - back) - dropped
 }
 
 /// `a * b` rounded, and what the rounding dropped: exact unless the product over- or underflows.
@@ -87,8 +100,7 @@ pub(crate) fn pow_of_quotient<T: Tier>(x: f32, r: f32, n: f32, n_rest: f32) -> f
         let (x, r) = (T::sqrt(T::sqrt(x)), T::sqrt(T::sqrt(r)));
         return T::pow(x / r, 4.0 * n);
     }
-    let (back, dropped) = two_product(quotient, r);
-    let short = ((x - back) - dropped) / x;
+    let short = remainder(x, quotient, r) / x;
     let power = T::pow(quotient, n);
     let mut correction = n * short;
     if n_rest != 0.0 {

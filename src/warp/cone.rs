@@ -2,7 +2,7 @@
 
 use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
 use super::{Warp, into_unit};
-use crate::error::{Error, finite, positive};
+use crate::error::{Error, positive};
 use crate::tier::{Tier, one_minus_cos_radians, sqrt};
 use crate::uniform::Canonical;
 use core::f32::consts::{FRAC_1_PI, PI};
@@ -98,7 +98,7 @@ impl<T: Tier> Cone<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::OutOfRange`] above 1 (the viewer is inside the sphere), [`Error::Empty`] below 1.6e-19.
     pub fn from_sphere(sine: f32) -> Result<Self, Error> {
-        let sine = positive(finite(sine)?)?;
+        let sine = positive(sine)?;
         if sine > 1.0 {
             return Err(Error::OutOfRange);
         }

@@ -47,6 +47,8 @@ const REACH: f32 = 14.5;
 pub struct Normal<T> {
     mean: f32,
     deviation: f32,
+    /// The density at the mean.
+    peak: f32,
     tier: PhantomData<T>,
 }
 
@@ -57,11 +59,13 @@ impl<T: Tier> Normal<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a deviation of 0 or less,
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
     pub const fn new(mean: f32, deviation: f32) -> Result<Self, Error> {
+        let peak = FRAC_1_SQRT_TAU / deviation;
         match checked(mean, deviation) {
-            Ok(()) if !(FRAC_1_SQRT_TAU / deviation).is_finite() => Err(Error::Empty),
+            Ok(()) if !peak.is_finite() => Err(Error::Empty),
             Ok(()) => Ok(Self {
                 mean,
                 deviation,
+                peak,
                 tier: PhantomData,
             }),
             Err(e) => Err(e),
@@ -98,8 +102,7 @@ impl<T: Tier> Warp for Normal<T> {
     fn pdf(&self, x: f32) -> f32 {
         let t = (x - self.mean) / self.deviation;
         if x.is_finite() {
-            let peak = FRAC_1_SQRT_TAU / self.deviation;
-            representable(scaled_exp_of_product::<T>(peak, -0.5 * t, t))
+            representable(scaled_exp_of_product::<T>(self.peak, -0.5 * t, t))
         } else {
             0.0
         }
@@ -145,6 +148,8 @@ impl<T: Tier> Warp for Normal<T> {
 pub struct NormalPair<T> {
     mean: [f32; 2],
     deviation: f32,
+    /// The density at the mean point.
+    peak: f32,
     tier: PhantomData<T>,
 }
 
@@ -170,6 +175,7 @@ impl<T: Tier> NormalPair<T> {
             Ok(Self {
                 mean,
                 deviation,
+                peak,
                 tier: PhantomData,
             })
         }
@@ -200,8 +206,7 @@ impl<T: Tier> Warp for NormalPair<T> {
         let [x, y] = self.standardised(point);
         let [px, py] = point;
         if px.is_finite() && py.is_finite() {
-            let peak = 1.0 / TAU / self.deviation / self.deviation;
-            let along_x = scaled_exp_of_product::<T>(peak, -0.5 * x, x);
+            let along_x = scaled_exp_of_product::<T>(self.peak, -0.5 * x, x);
             representable(scaled_exp_of_product::<T>(along_x, -0.5 * y, y))
         } else {
             0.0

@@ -3,7 +3,7 @@
 use super::{Warp, above_zero, clamp, into_unit, representable};
 use crate::error::{Error, finite};
 use crate::tier::{
-    Tier, coin_series, log_residual, pow_of_quotient, scaled_exp, two_product, two_sum,
+    Tier, coin_series, log_residual, pow_of_quotient, remainder, scaled_exp, two_product, two_sum,
 };
 use crate::uniform::{Canonical, SMALLEST};
 use core::marker::PhantomData;
@@ -64,6 +64,8 @@ pub struct Power<T> {
     z_rest: f32,
     /// (O/R)ᵐ = e^(−z), O being the other end.
     rest: f32,
+    /// e^(−z) − 1.
+    decay: f32,
     /// The density is this times (x/R)ᵐ/x.
     shape: f32,
     tier: PhantomData<T>,
@@ -110,22 +112,22 @@ impl<T: Tier> Power<T> {
         let (z, z_dropped) = two_product(m.abs(), span);
         let z_rest = or_zero(z_dropped + m.abs() * span_rest + m_rest.copysign(m * m_rest) * span);
         let anchor = if m < 0.0 { a } else { b };
+        let decay = T::exp_m1(-z);
         let shape = if z < f32::EPSILON {
             // |m|/(1 - e^-z) is (1 + z/2)/ln(b/a), which rounds to its limit.
             1.0 / span
         } else {
-            m.abs() / -T::exp_m1(-z)
+            m.abs() / -decay
         };
         if !(shape / anchor).is_finite() {
             return Err(Error::Empty);
         }
         let root = 1.0 / m;
-        let (back, dropped) = two_product(root, m);
         let power = Self {
             m,
             m_rest,
             root,
-            root_rest: or_zero(((1.0 - back) - dropped - root * m_rest) / m),
+            root_rest: or_zero((remainder(1.0, root, m) - root * m_rest) / m),
             // x = 0 is left out where the density there is 0 or infinite.
             low: if a > 0.0 || n == 0.0 { a } else { SMALLEST },
             high: b,
@@ -136,6 +138,7 @@ impl<T: Tier> Power<T> {
             z,
             z_rest,
             rest: T::exp(-z) * (1.0 - z_rest),
+            decay,
             shape,
             tier: PhantomData,
         };
@@ -189,14 +192,12 @@ fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
     if b < 2.0 * a {
         let (difference, base) = (b - a, a);
         let quotient = difference / base;
-        let (back, dropped) = two_product(quotient, base);
-        let short = ((difference - back) - dropped) / base;
+        let short = remainder(difference, quotient, base) / base;
         return (T::ln_1p(quotient), short / (1.0 + quotient));
     }
     let quotient = b / a;
     if (f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) && a >= f32::MIN_POSITIVE {
-        let (back, dropped) = two_product(quotient, a);
-        let short = ((b - back) - dropped) / b;
+        let short = remainder(b, quotient, a) / b;
         let log = T::ln(quotient);
         return two_sum(log, log_residual::<T>(quotient, log) + short);
     }
@@ -214,15 +215,15 @@ impl<T: Tier> Warp for Power<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let u = u.get();
-        // How much of the mixture is the anchor's and how much the other end's.
-        let (near, away) = if self.from_anchor {
-            (1.0 - u, u)
-        } else {
-            (u, 1.0 - u)
-        };
         let x = if self.z < SERIES {
             self.along_span(u)
         } else {
+            // How much of the mixture is the anchor's and how much the other end's.
+            let (near, away) = if self.from_anchor {
+                (1.0 - u, u)
+            } else {
+                (u, 1.0 - u)
+            };
             let mixed = near + away * self.rest;
             if mixed < 0.5 {
                 let mixed = if self.rest > 0.0 || self.low > SMALLEST {
@@ -242,7 +243,7 @@ impl<T: Tier> Warp for Power<T> {
                     scaled_exp::<T>(self.anchor, exponent, dropped + rest)
                 }
             } else {
-                let log = T::ln_1p(away * T::exp_m1(-self.z));
+                let log = T::ln_1p(away * self.decay);
                 self.anchor * T::exp(log * self.root)
             }
         };
@@ -276,7 +277,7 @@ impl<T: Tier> Warp for Power<T> {
         let away = if self.z < f32::EPSILON {
             part / self.span
         } else {
-            T::exp_m1(-self.m.abs() * part) / T::exp_m1(-self.z)
+            T::exp_m1(-self.m.abs() * part) / self.decay
         };
         into_unit(if self.from_anchor { away } else { 1.0 - away })
     }

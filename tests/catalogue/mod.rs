@@ -68,8 +68,6 @@ pub struct Entry {
     pub measure: Measure,
     /// Whether `f32` resolves the distribution well enough for a test of its shape.
     pub resolved: bool,
-    /// Whether the figures count for the table in the documentation of the warp.
-    pub stated: bool,
     /// Whether u is recovered by the round trip, which parameters that `f32` barely resolves prevent.
     pub round_trip: bool,
     /// Whether u = 0 counts as 2^-149, as the documentation of the warp says.
@@ -112,26 +110,9 @@ impl Entry {
 }
 
 /// Arrays of up to N numbers, as the erased table holds them.
-pub trait Flat<const N: usize>: Copy + Default2 {
+pub trait Flat<const N: usize>: Copy {
     fn flat(self) -> [f32; N];
     fn unflat(flat: [f32; N]) -> Self;
-}
-
-/// `Default` for arrays of any length.
-pub trait Default2 {
-    fn zero() -> Self;
-}
-
-impl Default2 for f32 {
-    fn zero() -> Self {
-        0.0
-    }
-}
-
-impl<const M: usize> Default2 for [f32; M] {
-    fn zero() -> Self {
-        [0.0; M]
-    }
 }
 
 impl<const N: usize> Flat<N> for f32 {
@@ -170,7 +151,7 @@ where
         self.0.invert(W::Point::unflat(x)).flat()
     }
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point> {
-        let mut points = vec![W::Point::zero(); n];
+        let mut points = vec![W::Point::unflat([0.0; 3]); n];
         self.0.fill(rng, &mut points);
         points.into_iter().map(Flat::flat).collect()
     }
@@ -201,7 +182,6 @@ where
         uniforms: <W::Uniforms as microwarp::uniform::Uniforms>::COUNT,
         measure,
         resolved: true,
-        stated: true,
         round_trip: true,
         open: !usable
             && (first[0] <= 0.0 || domain != Domain::Line)

@@ -15,7 +15,7 @@ const EXPONENTIAL: [f32; 5] = [
 /// ln 2 in two parts, the first of 12 bits; see `LN_2` in `tests/derivation`.
 pub(super) const LN_2: [f32; 2] = [0.693_115_23, 3.194_618_3e-5];
 
-/// The integer nearest to `x`, `|x| < 2^21`: as `f32` and as an integer.
+/// The integer nearest to `x`, `|x| <= 2^22`: as `f32` and as an integer.
 #[inline]
 #[allow(
     clippy::cast_possible_wrap,

@@ -3,18 +3,13 @@
 
 use super::exp::{LN_2, beyond_linear, nearest, scaled};
 use super::log::{is_plain, normalised, power_of_two_times};
+use crate::tier::product::head;
 
 /// `(3/2s ln((1+s)/(1-s)) - 3 - s²)/s⁴` in powers of s²; see `LONG_LOGARITHM` in `tests/derivation`.
 const LONG_LOGARITHM: [f32; 3] = [0.600_002_3, 0.428_206_3, 0.351_297_05];
 
 /// 2/(3 ln 2) in two parts, the first of 12 bits; see `TO_LOG2` in `tests/derivation`.
 const TO_LOG2: [f32; 2] = [0.961_669_9, 0.000_126_772_05];
-
-/// The upper 12 bits of the significand.
-#[inline]
-fn head(x: f32) -> f32 {
-    f32::from_bits(x.to_bits() & 0xffff_f000)
-}
 
 /// The binary logarithm of a positive normal `x`, plus `offset`: a head and the rest, together good to
 /// about 2^-33.

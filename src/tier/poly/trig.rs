@@ -1,6 +1,8 @@
 //! Sine, cosine and arctangent of angles in turns, of the polynomial tier. The exact reduction of a
 //! phase is used by the reference tier too.
 
+use super::exp::nearest;
+
 /// `sin(πr/2)/r - 1` in powers of r²; see `SINE` in `tests/derivation`.
 const SINE: [f32; 4] = [0.570_796_3, -0.645_962_9, 0.079_675_086, -0.004_590_591];
 
@@ -23,17 +25,14 @@ const TAN_SIXTEENTH_TURN: [f32; 1] = [0.414_213_57];
 /// remainder `r` with `|r| <= 1/2`. Nothing is rounded.
 #[inline]
 pub(crate) fn reduce_turns(t: f32) -> (u32, f32) {
-    // Adding 1.5·2^23 leaves no bits below the unit, so that the sum is rounded to an integer, which
-    // then stands in its last bits.
-    const ROUND: f32 = 12_582_912.0;
     let t = if t.abs() < 1_048_576.0 {
         t
     } else {
         fraction(t)
     };
     let quarters = 4.0 * t;
-    let shifted = quarters + ROUND;
-    (shifted.to_bits(), quarters - (shifted - ROUND))
+    let (whole, quadrant) = nearest(quarters);
+    (quadrant as u32, quarters - whole)
 }
 
 /// A large phase less its whole turns; from 2^23 on all are whole, and so is what is not finite.
