@@ -34,11 +34,38 @@ pub enum Error {
     NotNormalizable,
     /// A direction has no length.
     ZeroLength,
+    /// There is nothing to choose from: no weight was given.
+    NoWeights,
+    /// More weights than a table may hold, or than its storage has room for.
+    TooManyWeights,
+    /// The weight at this index is NaN or infinite.
+    NotFiniteWeight(usize),
+    /// The weight at this index is negative.
+    NegativeWeight(usize),
+    /// Every weight is zero.
+    AllZero,
+    /// The weight at this index is positive but so small beside the others that the words of the table
+    /// would not reach it.
+    Unreachable(usize),
+    /// Entries handed over as a finished table are not one.
+    NotATable,
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::NotFiniteWeight(index) => return write!(f, "weight {index} is NaN or infinite"),
+            Self::NegativeWeight(index) => return write!(f, "weight {index} is negative"),
+            Self::Unreachable(index) => {
+                return write!(
+                    f,
+                    "weight {index} is too small beside the others to be reached"
+                );
+            }
+            Self::NoWeights => "there are no weights",
+            Self::TooManyWeights => "there are more weights than the table holds",
+            Self::AllZero => "every weight is zero",
+            Self::NotATable => "the entries do not form a table",
             Self::NotFinite => "a parameter is NaN or infinite",
             Self::Reversed => "the lower bound is above the upper bound",
             Self::Empty => "the domain has no extent, or too little for a finite density",

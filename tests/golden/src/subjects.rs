@@ -112,6 +112,30 @@ fn v(x: f32) -> f32 {
     black_box(x)
 }
 
+/// A number for each refusal, the index it names included.
+pub(crate) fn refusal(error: Error) -> u32 {
+    let (code, index) = match error {
+        Error::NotFinite => (0, 0),
+        Error::Reversed => (1, 0),
+        Error::Empty => (2, 0),
+        Error::TooLarge => (3, 0),
+        Error::NotPositive => (4, 0),
+        Error::Negative => (5, 0),
+        Error::OutOfRange => (6, 0),
+        Error::NotNormalizable => (7, 0),
+        Error::ZeroLength => (8, 0),
+        Error::NoWeights => (9, 0),
+        Error::TooManyWeights => (10, 0),
+        Error::NotFiniteWeight(i) => (11, i),
+        Error::NegativeWeight(i) => (12, i),
+        Error::AllZero => (13, 0),
+        Error::Unreachable(i) => (14, i),
+        Error::NotATable => (15, 0),
+        _ => (255, 0),
+    };
+    code + ((index as u32) << 8)
+}
+
 /// What a constructor says of parameters that are mostly impossible: 0, or the error's number and one.
 fn verdict<W>(result: Result<W, Error>, out: &mut Out) {
     out.word(match result {
@@ -119,7 +143,7 @@ fn verdict<W>(result: Result<W, Error>, out: &mut Out) {
             black_box(&warp);
             0
         }
-        Err(e) => (e as u32).saturating_add(1),
+        Err(e) => refusal(e).saturating_add(1),
     });
 }
 
@@ -305,7 +329,7 @@ subjects! {
                     tangent.put(out);
                     bitangent.put(out);
                 }
-                Err(e) => out.word(e as u32),
+                Err(e) => out.word(refusal(e)),
             }
         },
         "spherical" => |[a, b, c, _], _, out| {
@@ -314,17 +338,17 @@ subjects! {
             s.to_cartesian().put(out);
             match Spherical::<T>::new(a, 0.5 * b, c) {
                 Ok(s) => s.to_cartesian().put(out),
-                Err(e) => out.word(e as u32),
+                Err(e) => out.word(refusal(e)),
             }
         },
         "solid angles" => |[a, b, ..], _, out| {
             match Cone::<T>::from_one_minus_cos(2.0 * a) {
                 Ok(cone) => [cone.one_minus_cos(), cone.solid_angle()].put(out),
-                Err(e) => out.word(e as u32),
+                Err(e) => out.word(refusal(e)),
             }
             match SphericalPatch::<T>::new(0.25 * a, 0.25 + 0.25 * b, -a, b - a) {
                 Ok(patch) => out.float(patch.solid_angle()),
-                Err(e) => out.word(e as u32),
+                Err(e) => out.word(refusal(e)),
             }
             if let Ok(triangle) = TriangleOn::new([[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]]) {
                 out.float(triangle.area());
