@@ -69,6 +69,7 @@
     clippy::integer_division_remainder_used
 )]
 
+pub mod discrete;
 mod error;
 pub mod tier;
 pub mod uniform;

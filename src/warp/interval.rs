@@ -99,7 +99,7 @@ impl Interval {
 }
 
 /// The representable neighbour of `from` on the way to `to`; the two differ.
-const fn neighbour(from: f32, to: f32) -> f32 {
+pub(crate) const fn neighbour(from: f32, to: f32) -> f32 {
     let bits = from.to_bits();
     let up = to > from;
     if from == 0.0 {

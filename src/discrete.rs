@@ -1,0 +1,44 @@
+//! Discrete and tabulated distributions: an index by its weight, a cell by its height.
+//!
+//! Here live the tables ([`Cdf`], [`Alias`]), the piecewise-constant densities that stand on them
+//! ([`PiecewiseConstant1d`], [`PiecewiseConstant2d`]), and selection without a table ([`select_once`],
+//! [`Reservoir`]). Rejection is in another room.
+//!
+//! Weights are turned into integers once, sums are exact, selection compares integers: the probability a
+//! table reports is the probability with which it selects, to the last bit, and the same 32 bits select
+//! the same index on every target. The tables need no elementary function and serve every tier.
+//!
+//! | | entries | memory an entry | random bits a selection | steps of the probabilities |
+//! |---|---|---|---|---|
+//! | [`Cdf`] of `u32` | up to [`MAX_ENTRIES`] | 4 bytes | 32 | 2⁻³² |
+//! | [`Cdf`] of `u64` | up to [`MAX_ENTRIES`] | 8 bytes | 64 | 2⁻⁶⁴ |
+//! | [`Alias`] of `u32` | up to [`MAX_ENTRIES`], room for a power of two | 12 bytes | 32 | 2⁻³² |
+//! | [`Alias`] of `u64` | up to [`MAX_ENTRIES`], room for a power of two | 24 bytes | 64 | 2⁻⁶⁴ |
+//! | [`select_once`] | any number | none | 32 | 2⁻³² |
+//! | [`Reservoir`] | any number | one item | 64 an item | 2⁻⁶⁴ |
+
+mod alias;
+mod cdf;
+mod cells;
+mod once;
+mod piecewise1d;
+mod piecewise2d;
+mod quantize;
+mod reservoir;
+mod selection;
+mod storage;
+mod total;
+mod word;
+
+pub use self::alias::{Alias, AliasEntry};
+pub use self::cdf::Cdf;
+pub use self::once::{select_once, select_once_uniform};
+pub use self::piecewise1d::PiecewiseConstant1d;
+pub use self::piecewise2d::PiecewiseConstant2d;
+pub use self::reservoir::Reservoir;
+pub use self::selection::Selection;
+pub use self::storage::{Grid, Storage};
+pub use self::word::Word;
+
+/// The most entries a table may have, 2²⁴: as many as there are points on the grid of an `f32` uniform.
+pub const MAX_ENTRIES: usize = 1 << 24;

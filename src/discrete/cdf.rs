@@ -1,0 +1,369 @@
+//! A discrete distribution as a table of cumulated words, searched by halving.
+
+use super::quantize::{Ends, Source};
+use super::selection::{Selection, Share, amount};
+use super::storage::Storage;
+use super::word::Word;
+use crate::error::Error;
+use crate::uniform::{Uniforms, infallible};
+use core::ops::RangeInclusive;
+use rand_core::{Rng, TryRng};
+
+/// A bounded table that selects an index with probability proportional to its weight.
+///
+/// The weights are turned once into whole numbers of words: of the 2³² words of a `u32` (2⁶⁴ of a
+/// `u64`), entry i is given the consecutive words [`Cdf::words_of`], and a selection is nothing but a search
+/// for the entry that a word belongs to. So the probability that the table reports, [`Cdf::numerator`]
+/// out of [`Word::TOTAL`], is exactly the one with which it selects.
+///
+/// - Storage: an array (a `const` in flash), a [`heapless::Vec`], or a borrowed slice; `u32` or `u64`.
+///   As many words as entries.
+/// - Uniforms: one, as 32 bits, as an `f32`, or as a word; drawing takes one `u32` from a table of `u32`,
+///   two from a table of `u64`. The same bits give the same index in every form.
+/// - Weights: up to [`MAX_ENTRIES`](super::MAX_ENTRIES) finite `f32` or `u32`, zero or positive, not all
+///   zero. A weight is kept exactly unless it is below 2⁻⁴⁷ of the largest.
+/// - A weight of zero is never selected. A positive weight is given at least one word.
+/// - How far the probability may differ from weight/total: in a table of `u32`, and whatever the table
+///   from 32 bits, by less than 2⁻³² (one step where some weight is below a step); from the 24-bit grid of
+///   an `f32` by less than 2⁻²⁴. Where no division of the 2³² words has every entry within a step of its
+///   share and every positive weight at least one, the constructor says [`Error::Unreachable`]; a table of
+///   `u64` takes any weights, from 2⁻¹⁴⁹ to `f32::MAX` in one table, and steps of 2⁻⁶⁴ that weights below a
+///   step are given are taken from the others.
+/// - The full words of the table, which drawing uses, reach every positive weight, each with its pmf. From
+///   32 bits in a table of `u64`, and from the 24 of an `f32`, an entry far below 2⁻³² or 2⁻²⁴ is either
+///   not reached or, by the one bit string that its words happen to hold, more often than its pmf says.
+/// - Time: log₂ n comparisons. Building takes one or two 128-bit divisions an entry, none in a `const`.
+///
+/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
+///
+/// ```
+/// use microwarp::discrete::Cdf;
+/// use rand_pcg::Pcg32;
+///
+/// // Checked by the compiler, kept in flash.
+/// const LOADED: Cdf<[u32; 4]> = match Cdf::<[u32; 4]>::new(&[1.0, 0.0, 2.0, 1.0]) {
+///     Ok(table) => table,
+///     Err(_) => panic!("bad weights"),
+/// };
+/// assert_eq!(LOADED.pmf(2), 0.5);
+/// let chosen = LOADED.select_uniform(0.375);
+/// assert_eq!((chosen.index, chosen.leftover), (2, 0.25));
+/// let index = LOADED.draw(&mut Pcg32::new(1, 1)).index;
+/// assert_ne!(index, 1);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Cdf<S> {
+    /// For every entry but the last the number of words below its end, saturating; in place of the last
+    /// the index of the last entry of positive weight, whose end is beyond all words.
+    ends: S,
+}
+
+macro_rules! constructors {
+    ($word:ident, $fill:ident) => {
+        /// Fills a slice of as many words as there are weights.
+        pub(crate) const fn $fill(mut ends: Ends<'_>, out: &mut [$word]) {
+            let last = ends.last();
+            let mut rest = out;
+            while let Some((slot, others)) = rest.split_first_mut() {
+                *slot = match ends.next() {
+                    _ if others.is_empty() => last as $word,
+                    Some(end) if end < $word::MAX as u128 => end as $word,
+                    _ => $word::MAX,
+                };
+                rest = others;
+            }
+        }
+
+        impl<const N: usize> Cdf<[$word; N]> {
+            /// The table of these weights, as an array.
+            ///
+            /// # Errors
+            /// [`Error::NoWeights`], [`Error::TooManyWeights`], [`Error::NegativeWeight`] and
+            /// [`Error::NotFiniteWeight`] with the index, [`Error::AllZero`], and from a table of `u32`
+            /// [`Error::Unreachable`] with the index of the smallest positive weight.
+            pub const fn new(weights: &[f32; N]) -> Result<Self, Error> {
+                match Source::floats(weights) {
+                    Ok(source) => Self::of(source),
+                    Err(error) => Err(error),
+                }
+            }
+
+            /// The table of these integer weights, as an array.
+            ///
+            /// # Errors
+            /// As [`Cdf::new`], as far as integers can be at fault.
+            pub const fn from_integers(weights: &[u32; N]) -> Result<Self, Error> {
+                match Source::integers(weights) {
+                    Ok(source) => Self::of(source),
+                    Err(error) => Err(error),
+                }
+            }
+
+            const fn of(source: Source<'_>) -> Result<Self, Error> {
+                match Ends::new(source, $word::BITS) {
+                    Ok(steps) => {
+                        let mut ends = [0; N];
+                        $fill(steps, &mut ends);
+                        Ok(Self { ends })
+                    }
+                    Err(error) => Err(error),
+                }
+            }
+
+            /// A table of words that are known to be one.
+            pub(crate) const fn trusted(ends: [$word; N]) -> Self {
+                Self { ends }
+            }
+
+            /// A view of the table.
+            #[must_use]
+            pub const fn view(&self) -> Cdf<&[$word]> {
+                Cdf { ends: &self.ends }
+            }
+        }
+
+        impl<const N: usize> Cdf<heapless::Vec<$word, N>> {
+            /// The table of these weights, as a vector of bounded capacity.
+            ///
+            /// # Errors
+            /// As for an array; [`Error::TooManyWeights`] also for more than the vector holds.
+            pub fn new(weights: &[f32]) -> Result<Self, Error> {
+                Self::of(Source::floats(weights)?, weights.len())
+            }
+
+            /// The table of these integer weights, as a vector of bounded capacity.
+            ///
+            /// # Errors
+            /// As [`Cdf::new`], as far as integers can be at fault.
+            pub fn from_integers(weights: &[u32]) -> Result<Self, Error> {
+                Self::of(Source::integers(weights)?, weights.len())
+            }
+
+            fn of(source: Source<'_>, entries: usize) -> Result<Self, Error> {
+                let mut ends = heapless::Vec::new();
+                if ends.resize(entries, 0).is_err() {
+                    return Err(Error::TooManyWeights);
+                }
+                $fill(Ends::new(source, $word::BITS)?, &mut ends);
+                Ok(Self { ends })
+            }
+        }
+
+        impl<'a> Cdf<&'a [$word]> {
+            /// The table of these weights, laid out at the beginning of memory of the caller's.
+            ///
+            /// # Errors
+            /// As for an array; [`Error::TooManyWeights`] also for more than the memory holds. What the
+            /// memory held is then untouched.
+            pub fn new_in(weights: &[f32], memory: &'a mut [$word]) -> Result<Self, Error> {
+                Self::of(Source::floats(weights)?, weights.len(), memory)
+            }
+
+            /// The table of these integer weights, laid out at the beginning of memory of the caller's.
+            ///
+            /// # Errors
+            /// As `new_in`, as far as integers can be at fault.
+            pub fn from_integers_in(
+                weights: &[u32],
+                memory: &'a mut [$word],
+            ) -> Result<Self, Error> {
+                Self::of(Source::integers(weights)?, weights.len(), memory)
+            }
+
+            pub(crate) fn of(
+                source: Source<'_>,
+                entries: usize,
+                memory: &'a mut [$word],
+            ) -> Result<Self, Error> {
+                let ends = Ends::new(source, $word::BITS)?;
+                let out = memory.get_mut(..entries).ok_or(Error::TooManyWeights)?;
+                $fill(ends, out);
+                Ok(Self { ends: out })
+            }
+        }
+    };
+}
+
+constructors!(u32, fill_u32);
+constructors!(u64, fill_u64);
+
+impl<'a, W: Word> Cdf<&'a [W]> {
+    /// A view of words that are known to be a table.
+    #[inline]
+    pub(crate) const fn view_of(ends: &'a [W]) -> Self {
+        Self { ends }
+    }
+}
+
+impl<W: Word, S: Storage<Item = W>> Cdf<S> {
+    /// A table out of the words of a finished one, such as [`Cdf::as_words`] gave: kept in flash by
+    /// another program, sent over a wire.
+    ///
+    /// # Errors
+    /// [`Error::NoWeights`] without words, [`Error::TooManyWeights`], [`Error::NotATable`] for words
+    /// that no constructor could have made.
+    pub fn from_words(words: S) -> Result<Self, Error> {
+        let items = words.items();
+        let (&last, interior) = items.split_last().ok_or(Error::NoWeights)?;
+        if items.len() > super::MAX_ENTRIES {
+            return Err(Error::TooManyWeights);
+        }
+        let last = last.as_index();
+        if last > interior.len() {
+            return Err(Error::NotATable);
+        }
+        let mut before = W::ZERO;
+        for (index, &end) in interior.iter().enumerate() {
+            if end < before || (index >= last && end != W::MAX) {
+                return Err(Error::NotATable);
+            }
+            before = end;
+        }
+        Ok(Self { ends: words })
+    }
+
+    /// The words of the table.
+    #[must_use]
+    #[inline]
+    pub fn as_words(&self) -> &[W] {
+        self.ends.items()
+    }
+
+    /// How many entries there are, those of weight zero included; at least one.
+    #[must_use]
+    #[inline]
+    pub fn entries(&self) -> usize {
+        self.ends.items().len()
+    }
+
+    /// The ends of all entries but the last, and the last of positive weight.
+    #[inline]
+    fn parts(&self) -> (&[W], usize) {
+        match self.ends.items().split_last() {
+            Some((last, interior)) => (interior, last.as_index()),
+            None => (&[], 0),
+        }
+    }
+
+    /// The entry that a word belongs to. The search is here and nowhere else.
+    #[must_use]
+    #[inline]
+    pub fn index(&self, word: W) -> usize {
+        let (ends, last) = self.parts();
+        let index = ends.partition_point(|&end| end <= word);
+        if index < last { index } else { last }
+    }
+
+    /// The first word of an entry, and how many it has; of an entry of positive weight.
+    #[inline]
+    pub(crate) fn share(&self, index: usize) -> (W, W) {
+        let (ends, last) = self.parts();
+        let start = match index.checked_sub(1) {
+            Some(before) => ends.get(before).copied().unwrap_or(W::ZERO),
+            None => W::ZERO,
+        };
+        let end = if index < last {
+            ends.get(index).copied().unwrap_or(W::ZERO)
+        } else {
+            // Beyond all words, which is 0 to subtraction that wraps.
+            W::ZERO
+        };
+        (start, end.minus(start))
+    }
+
+    #[inline]
+    pub(crate) fn locate(&self, word: W) -> Share<W> {
+        let index = self.index(word);
+        let (start, count) = self.share(index);
+        Share {
+            index,
+            offset: word.minus(start),
+            count,
+        }
+    }
+
+    #[inline]
+    fn selection(&self, word: W, fraction: f32, bits: u32) -> Selection {
+        let share = self.locate(word);
+        share.selection(amount(share.count) * W::STEP, fraction, bits)
+    }
+
+    /// Selects by 32 bits.
+    #[must_use]
+    #[inline]
+    pub fn select(&self, bits: u32) -> Selection {
+        self.selection(W::from_bits(bits), 0.0, 32)
+    }
+
+    /// Selects by a whole word of the table.
+    #[must_use]
+    #[inline]
+    pub fn select_word(&self, word: W) -> Selection {
+        self.selection(word, 0.0, W::BITS)
+    }
+
+    /// Selects by any `f32`, brought into [0, 1) by the rule of [`Uniforms::canonical`] first.
+    ///
+    /// [`uniform::grid_from_word`](crate::uniform::grid_from_word) of some bits selects the entry that
+    /// the leading 24 of them do. The leftover is counted as that of a 24-bit uniform.
+    #[must_use]
+    #[inline]
+    pub fn select_uniform(&self, u: f32) -> Selection {
+        let (word, fraction) = W::from_uniform(u.canonical());
+        self.selection(word, fraction, 24)
+    }
+
+    /// Draws an entry: one `u32` of the generator from a table of `u32`, two from a table of `u64`.
+    ///
+    /// # Errors
+    /// The generator's own error.
+    #[inline]
+    pub fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Selection, R::Error> {
+        Ok(self.select_word(W::try_draw(rng)?))
+    }
+
+    /// Draws an entry from a generator that cannot fail.
+    #[inline]
+    pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Selection {
+        infallible(self.try_draw(rng))
+    }
+
+    /// The first word of an entry and how many it has, 0 meaning all; nothing for one that has none.
+    #[inline]
+    pub(crate) fn mass(&self, index: usize) -> Option<(W, W)> {
+        let (_, last) = self.parts();
+        if index > last {
+            return None;
+        }
+        let (start, count) = self.share(index);
+        (count != W::ZERO || index == last).then_some((start, count))
+    }
+
+    /// The words that select an entry; none for a weight of zero and beyond the last entry.
+    #[must_use]
+    #[inline]
+    pub fn words_of(&self, index: usize) -> Option<RangeInclusive<W>> {
+        let (start, count) = self.mass(index)?;
+        Some(start..=start.minus(W::ONE.minus(count)))
+    }
+
+    /// How many of the words select an entry: its probability is this out of [`Word::TOTAL`], exactly.
+    #[must_use]
+    #[inline]
+    pub fn numerator(&self, index: usize) -> W::Count {
+        match self.mass(index) {
+            None => W::ZERO.into(),
+            Some((_, count)) if count == W::ZERO => W::TOTAL,
+            Some((_, count)) => count.into(),
+        }
+    }
+
+    /// The probability of an entry: the numerator over the total, correctly rounded; 0 beyond the last.
+    #[must_use]
+    #[inline]
+    pub fn pmf(&self, index: usize) -> f32 {
+        self.mass(index)
+            .map_or(0.0, |(_, count)| amount(count) * W::STEP)
+    }
+}

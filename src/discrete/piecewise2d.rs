@@ -1,0 +1,338 @@
+//! A density that is constant on each of equal cells of a rectangle: a picture as a distribution.
+
+use super::cdf::{Cdf, fill_u32, fill_u64};
+use super::cells::Cells;
+use super::piecewise1d::PiecewiseConstant1d;
+use super::quantize::{Ends, Scan, Source};
+use super::storage::{Grid, Storage};
+use super::word::Word;
+use crate::error::Error;
+use crate::uniform::Canonical;
+use crate::warp::{Warp, representable};
+use rand_core::TryRng;
+
+/// Piecewise constant on a rectangle, for environment lights and texture maps: a row v by the marginal
+/// p(v), then a column u by the conditional p(u given v) of that row.
+///
+/// Weights are given row by row: columns run along u, rows along v.
+///
+/// - Storage: a table of one entry a row and one of one entry a cell. Arrays in a `const` are all in
+///   flash, 4 (rows + cells) bytes of it with `u32`, and cost no RAM; borrowed slices serve pictures whose
+///   size is known at run time. At most [`MAX_ENTRIES`](super::MAX_ENTRIES) cells.
+/// - Uniforms: two, along u and along v. Drawing takes two words, in this order, of one `u32` each from
+///   tables of `u32` and two each from tables of `u64`, and uses all their bits.
+/// - Density: the product of the two cells' probabilities over the cell's area, both as realised; 0 in a
+///   cell of weight zero. A cell contains its lower edges; the upper ends count as part of the last.
+/// - A positive cell is given at least one word of its row, and its row at least one word.
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
+///
+/// ```
+/// use microwarp::Warp;
+/// use microwarp::discrete::PiecewiseConstant2d;
+/// // Two rows of three columns, on [0, 3) × [0, 1): the compiler builds it, flash holds it.
+/// const SKY: PiecewiseConstant2d<[u32; 2], [[u32; 3]; 2]> =
+///     match PiecewiseConstant2d::<[u32; 2], [[u32; 3]; 2]>::new(
+///         &[[1.0, 0.0, 1.0], [0.0, 6.0, 0.0]],
+///         [0.0, 3.0],
+///         [0.0, 1.0],
+///     ) {
+///         Ok(table) => table,
+///         Err(_) => panic!("bad weights"),
+///     };
+/// assert_eq!(SKY.sample([0.5, 0.625]), [1.5, 0.75]);
+/// assert_eq!(SKY.pdf([1.5, 0.75]), 1.5);
+/// assert_eq!(SKY.cell([1.5, 0.75]), [1, 1]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PiecewiseConstant2d<M, C> {
+    marginal: PiecewiseConstant1d<M>,
+    conditional: C,
+    columns: Cells,
+    width: u32,
+}
+
+macro_rules! constructors {
+    ($word:ident, $fill:ident, $fill_row:ident) => {
+        /// The conditional of one row, whose first cell has the index `first`. A row of zeros, which the
+        /// marginal never selects, becomes the table of one certain entry.
+        const fn $fill_row(weights: &[f32], out: &mut [$word], first: usize) -> Result<(), Error> {
+            let source = match Source::floats(weights) {
+                Ok(source) => source,
+                Err(Error::AllZero) => {
+                    let mut rest = out;
+                    while let Some((slot, others)) = rest.split_first_mut() {
+                        *slot = if others.is_empty() { 0 } else { $word::MAX };
+                        rest = others;
+                    }
+                    return Ok(());
+                }
+                Err(error) => return Err(error),
+            };
+            match Ends::new(source, $word::BITS) {
+                Ok(ends) => {
+                    $fill(ends, out);
+                    Ok(())
+                }
+                Err(Error::Unreachable(index)) => {
+                    Err(Error::Unreachable(first.wrapping_add(index)))
+                }
+                Err(error) => Err(error),
+            }
+        }
+
+        impl<const U: usize, const V: usize> PiecewiseConstant2d<[$word; V], [[$word; U]; V]> {
+            /// These weights as the masses of equal cells of a rectangle, as arrays: for a `const`.
+            ///
+            /// # Errors
+            /// Those of [`Cdf::new`], an index counting cells row by row; those of
+            /// [`PiecewiseConstant1d::new`] for the two ranges.
+            pub const fn new(
+                weights: &[[f32; U]; V],
+                u: [f32; 2],
+                v: [f32; 2],
+            ) -> Result<Self, Error> {
+                let columns = match Cells::new(u, U) {
+                    Ok(columns) => columns,
+                    Err(error) => return Err(error),
+                };
+                let mut scan = Scan::new();
+                let mut rows = weights.as_slice();
+                while let Some((row, rest)) = rows.split_first() {
+                    scan = match scan.over(row) {
+                        Ok(scan) => scan,
+                        Err(error) => return Err(error),
+                    };
+                    rows = rest;
+                }
+                let unit = match scan.unit() {
+                    Ok(unit) => unit,
+                    Err(error) => return Err(error),
+                };
+                let mut conditional = [[0; U]; V];
+                let mut sums = [0; V];
+                let mut rows = weights.as_slice();
+                let mut tables: &mut [[$word; U]] = &mut conditional;
+                let mut left: &mut [u128] = &mut sums;
+                let mut first = 0_usize;
+                while let (Some((row, rest)), Some((table, others)), Some((sum, more))) = (
+                    rows.split_first(),
+                    tables.split_first_mut(),
+                    left.split_first_mut(),
+                ) {
+                    *sum = unit.sum(row);
+                    if let Err(error) = $fill_row(row, table, first) {
+                        return Err(error);
+                    }
+                    first = first.wrapping_add(U);
+                    (rows, tables, left) = (rest, others, more);
+                }
+                let marginal = match Ends::new(Source::Sums(&sums), $word::BITS) {
+                    Ok(ends) => {
+                        let mut words = [0; V];
+                        $fill(ends, &mut words);
+                        Cdf::<[$word; V]>::trusted(words)
+                    }
+                    Err(Error::Unreachable(row)) => {
+                        return Err(Error::Unreachable(row.wrapping_mul(U)));
+                    }
+                    Err(error) => return Err(error),
+                };
+                match PiecewiseConstant1d::over(marginal, V, v) {
+                    Ok(marginal) => Ok(Self {
+                        marginal,
+                        conditional,
+                        columns,
+                        width: U as u32,
+                    }),
+                    Err(error) => Err(error),
+                }
+            }
+        }
+
+        impl<'a> PiecewiseConstant2d<&'a [$word], &'a [$word]> {
+            /// These weights, row by row, as the masses of equal cells of a rectangle; the tables are
+            /// laid out at the beginning of memory of the caller's, which takes one word a row and one
+            /// word a cell.
+            ///
+            /// # Errors
+            /// As for arrays; [`Error::OutOfRange`] where the weights are not rows times columns in
+            /// number, [`Error::TooManyWeights`] also where the memory does not hold the tables.
+            pub fn new_in(
+                weights: &[f32],
+                [columns, rows]: [usize; 2],
+                u: [f32; 2],
+                v: [f32; 2],
+                marginal: &'a mut [$word],
+                conditional: &'a mut [$word],
+            ) -> Result<Self, Error> {
+                if columns.checked_mul(rows) != Some(weights.len()) {
+                    return Err(Error::OutOfRange);
+                }
+                let source = Source::rows(weights, columns)?;
+                let cells = Cells::new(u, columns)?;
+                let tables = conditional
+                    .get_mut(..weights.len())
+                    .ok_or(Error::TooManyWeights)?;
+                let cdf = match Cdf::<&[$word]>::of(source, rows, marginal) {
+                    Err(Error::Unreachable(row)) => {
+                        return Err(Error::Unreachable(row.wrapping_mul(columns)));
+                    }
+                    other => other?,
+                };
+                let marginal = PiecewiseConstant1d::over(cdf, rows, v)?;
+                let pairs = weights
+                    .chunks_exact(columns)
+                    .zip(tables.chunks_exact_mut(columns));
+                for (row, (weights, table)) in pairs.enumerate() {
+                    $fill_row(weights, table, row.wrapping_mul(columns))?;
+                }
+                Ok(Self {
+                    marginal,
+                    conditional: tables,
+                    columns: cells,
+                    width: columns as u32,
+                })
+            }
+        }
+    };
+}
+
+constructors!(u32, fill_u32, fill_row_u32);
+constructors!(u64, fill_u64, fill_row_u64);
+
+impl<W, M, C> PiecewiseConstant2d<M, C>
+where
+    W: Word,
+    M: Storage<Item = W>,
+    C: Grid<Word = W>,
+{
+    /// A distribution out of the words of finished tables, such as [`PiecewiseConstant2d::as_words`] gave:
+    /// the marginal's, and row by row those of the conditionals.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::from_words`] and of [`PiecewiseConstant1d::new`]; [`Error::NotATable`] also where
+    /// the rows are not of equal length.
+    pub fn from_words(
+        marginal: M,
+        conditional: C,
+        u: [f32; 2],
+        v: [f32; 2],
+    ) -> Result<Self, Error> {
+        let cdf = Cdf::from_words(marginal)?;
+        let rows = cdf.entries();
+        let cells = conditional.flat().len();
+        let width = cells.checked_div(rows).unwrap_or(0);
+        if width.checked_mul(rows) != Some(cells) {
+            return Err(Error::NotATable);
+        }
+        let columns = Cells::new(u, width)?;
+        let marginal = PiecewiseConstant1d::over(cdf, rows, v)?;
+        for row in conditional.flat().chunks_exact(width) {
+            Cdf::from_words(row)?;
+        }
+        Ok(Self {
+            marginal,
+            conditional,
+            columns,
+            width: width as u32,
+        })
+    }
+
+    /// The words of the tables: the marginal's, and row by row those of the conditionals.
+    #[must_use]
+    #[inline]
+    pub fn as_words(&self) -> (&[W], &[W]) {
+        (self.marginal.cdf().as_words(), self.conditional.flat())
+    }
+
+    /// The numbers of columns and of rows.
+    #[must_use]
+    #[inline]
+    pub fn shape(&self) -> [usize; 2] {
+        [self.width as usize, self.marginal.cdf().entries()]
+    }
+
+    /// p(v): the distribution of the rows along v.
+    #[must_use]
+    #[inline]
+    pub const fn marginal(&self) -> &PiecewiseConstant1d<M> {
+        &self.marginal
+    }
+
+    /// The column and the row of the cell that a point lies in; those of the nearer end for a point
+    /// outside.
+    #[must_use]
+    #[inline]
+    pub fn cell(&self, [u, v]: [f32; 2]) -> [usize; 2] {
+        [self.columns.find(u), self.marginal.cell(v)]
+    }
+
+    /// p(u given v): the distribution of the columns in a row; that of the last row beyond it.
+    #[must_use]
+    #[inline]
+    pub fn conditional(&self, row: usize) -> PiecewiseConstant1d<&[W]> {
+        let width = self.width as usize;
+        let last = self.marginal.cdf().entries().saturating_sub(1);
+        let row = if row < last { row } else { last };
+        let start = row.wrapping_mul(width);
+        let words = self
+            .conditional
+            .flat()
+            .get(start..start.wrapping_add(width))
+            .unwrap_or(&[]);
+        PiecewiseConstant1d::within(Cdf::view_of(words), self.columns)
+    }
+}
+
+impl<W, M, C> Warp for PiecewiseConstant2d<M, C>
+where
+    W: Word,
+    M: Storage<Item = W>,
+    C: Grid<Word = W>,
+{
+    type Uniforms = [f32; 2];
+    type Point = [f32; 2];
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
+        let [along_u, along_v] = u.each();
+        let (row, v) = self.marginal.cell_and_place(W::from_uniform(along_v));
+        let (_, u) = self
+            .conditional(row)
+            .cell_and_place(W::from_uniform(along_u));
+        [u, v]
+    }
+
+    #[inline]
+    fn pdf(&self, [u, v]: [f32; 2]) -> f32 {
+        let marginal = self.marginal.pdf(v);
+        if marginal > 0.0 {
+            let conditional = self.conditional(self.marginal.cell(v)).pdf(u);
+            if conditional > 0.0 {
+                return representable(marginal * conditional);
+            }
+        }
+        0.0
+    }
+
+    #[inline]
+    fn invert(&self, [u, v]: [f32; 2]) -> [f32; 2] {
+        let row = self.marginal.cell(v);
+        [self.conditional(row).invert(u), self.marginal.invert(v)]
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 2], R::Error> {
+        let along_u = W::try_draw(rng)?;
+        let along_v = W::try_draw(rng)?;
+        let (row, v) = self.marginal.cell_and_place((along_v, 0.0));
+        let (_, u) = self.conditional(row).cell_and_place((along_u, 0.0));
+        Ok([u, v])
+    }
+}

@@ -1,0 +1,126 @@
+//! A running sum of weights of any size, in fixed memory: what selection without a table divides by.
+
+use crate::error::Error;
+
+/// A positive number as 64 leading bits and an exponent: mantissa · 2^(exponent − 214), or 0.
+///
+/// Adding drops what lies below the 64 bits: less than 2⁻⁶³ of the sum each time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct Total {
+    /// The leading bit is set, unless the number is 0.
+    mantissa: u64,
+    exponent: u32,
+}
+
+/// 2^64: the whole, as shares are counted.
+pub(crate) const WHOLE: u128 = 1 << 64;
+
+impl Total {
+    pub(crate) const ZERO: Self = Self {
+        mantissa: 0,
+        exponent: 0,
+    };
+
+    /// A weight, exactly.
+    pub(crate) const fn of(weight: f32) -> Result<Self, Error> {
+        if !weight.is_finite() {
+            return Err(Error::NotFinite);
+        }
+        if weight < 0.0 {
+            return Err(Error::Negative);
+        }
+        let bits = weight.to_bits() & 0x7fff_ffff;
+        let (field, fraction) = (bits >> 23, (bits & 0x007f_ffff) as u64);
+        let (field, significand) = if field == 0 {
+            (1, fraction)
+        } else {
+            (field, fraction | 0x0080_0000)
+        };
+        if significand == 0 {
+            return Ok(Self::ZERO);
+        }
+        let up = significand.leading_zeros();
+        Ok(Self {
+            mantissa: significand.wrapping_shl(up),
+            exponent: field.wrapping_add(64).wrapping_sub(up),
+        })
+    }
+
+    pub(crate) const fn is_zero(self) -> bool {
+        self.mantissa == 0
+    }
+
+    /// How far the mantissa of `self` must be shifted down to the exponent of a larger number.
+    const fn below(self, larger: Self) -> u32 {
+        larger.exponent.wrapping_sub(self.exponent)
+    }
+
+    pub(crate) const fn plus(self, other: Self) -> Self {
+        if self.is_zero() {
+            return other;
+        }
+        if other.is_zero() {
+            return self;
+        }
+        let (large, small) = if self.exponent >= other.exponent {
+            (self, other)
+        } else {
+            (other, self)
+        };
+        let aligned = match small.mantissa.checked_shr(small.below(large)) {
+            Some(aligned) => aligned,
+            None => 0,
+        };
+        let (sum, carried) = large.mantissa.overflowing_add(aligned);
+        if carried {
+            Self {
+                mantissa: sum >> 1 | 1 << 63,
+                exponent: large.exponent.wrapping_add(1),
+            }
+        } else {
+            Self {
+                mantissa: sum,
+                exponent: large.exponent,
+            }
+        }
+    }
+
+    /// What part of `whole`, which is not below it, this is: in steps of 2⁻⁶⁴, rounded down, from 0 to
+    /// 2⁶⁴; a positive number has at least one step.
+    pub(crate) const fn share_of(self, whole: Self) -> u128 {
+        if self.is_zero() {
+            return 0;
+        }
+        let up = (self.mantissa as u128) << 64;
+        let aligned = match up.checked_shr(self.below(whole)) {
+            Some(aligned) => aligned,
+            None => 0,
+        };
+        match aligned.checked_div(whole.mantissa as u128) {
+            Some(0) | None => 1,
+            Some(share) if share > WHOLE => WHOLE,
+            Some(share) => share,
+        }
+    }
+
+    /// The quotient of this and `whole`, which is not below it, as an `f32`; never 0.
+    pub(crate) fn ratio(self, whole: Self) -> f32 {
+        // 63 or 64 bits of quotient, and a last bit for what the division left: a conversion of these
+        // rounds as that of the exact quotient would.
+        let up = u128::from(self.mantissa) << 63;
+        let divisor = u128::from(whole.mantissa);
+        let quotient = up.checked_div(divisor).unwrap_or(0);
+        let inexact = quotient.wrapping_mul(divisor) != up;
+        let digits = (quotient as u64 | u64::from(inexact)) as f32;
+        // The exponents differ by 277 and a stream's growth at most; two powers of two reach there.
+        let down = self.below(whole).wrapping_add(63);
+        let half = down >> 1;
+        crate::warp::representable(digits * power(half) * power(down.wrapping_sub(half)))
+    }
+}
+
+/// 2^-n for n up to 126, and 0 beyond.
+fn power(n: u32) -> f32 {
+    f32::from_bits(127_u32.saturating_sub(n) << 23)
+}

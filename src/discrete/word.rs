@@ -1,0 +1,153 @@
+//! The words a table is made of and is asked with: `u32` or `u64`.
+
+use crate::uniform::Canonical;
+use core::fmt::Debug;
+use core::hash::Hash;
+use rand_core::TryRng;
+
+/// What tables need of a word and nobody else does.
+pub(crate) mod sealed {
+    pub trait Arithmetic: Copy + Ord {
+        const ZERO: Self;
+        const ONE: Self;
+        const MAX: Self;
+        fn minus(self, other: Self) -> Self;
+        fn less_one(self) -> Self {
+            self.minus(Self::ONE)
+        }
+        /// The leading `bits` bits as a number; 0 where there are to be none.
+        fn leading(self, bits: u32) -> usize;
+        /// All but the leading `bits` bits.
+        fn trailing(self, bits: u32) -> Self;
+        /// 2^(BITS - bits), or 0 where that is 2^BITS.
+        fn part(bits: u32) -> Self;
+        fn as_index(self) -> usize;
+        fn as_f32(self) -> f32;
+        /// The exponent of the leading bit; the number must not be 0.
+        fn log2(self) -> u32;
+    }
+}
+use sealed::Arithmetic;
+
+/// The words of a table: [`u32`] or [`u64`]. The trait is sealed.
+///
+/// A table of `u32` realises its probabilities in steps of 2⁻³² from one 32-bit word and keeps 4 bytes an
+/// entry; a table of `u64` in steps of 2⁻⁶⁴ from two, and 8 bytes.
+pub trait Word: Arithmetic + Debug + Hash {
+    /// Bits in a word.
+    const BITS: u32;
+    /// 2^−BITS, the step of the probabilities.
+    const STEP: f32;
+    /// A number of words, which may be all of them: `u64` for `u32`, `u128` for `u64`.
+    type Count: Copy + Ord + Debug + From<Self>;
+    /// How many words there are, 2^BITS.
+    const TOTAL: Self::Count;
+
+    /// A word whose leading bits are these; the bits it has beyond 32 are 0.
+    #[must_use]
+    fn from_bits(bits: u32) -> Self;
+
+    /// The word that a uniform truncates to, and what truncation left, in steps of a word.
+    #[must_use]
+    fn from_uniform(u: Canonical<f32>) -> (Self, f32);
+
+    /// Draws a word: one `u32` of the generator for a `u32`, two for a `u64`, the leading one first.
+    ///
+    /// # Errors
+    /// The generator's own error.
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self, R::Error>;
+}
+
+macro_rules! arithmetic {
+    ($word:ident) => {
+        impl Arithmetic for $word {
+            const ZERO: Self = 0;
+            const ONE: Self = 1;
+            const MAX: Self = $word::MAX;
+            #[inline]
+            fn minus(self, other: Self) -> Self {
+                self.wrapping_sub(other)
+            }
+            #[inline]
+            fn leading(self, bits: u32) -> usize {
+                // In two steps, because a shift by all the bits is none.
+                (self >> 1).wrapping_shr(($word::BITS - 1).wrapping_sub(bits)) as usize
+            }
+            #[inline]
+            fn trailing(self, bits: u32) -> Self {
+                self & Self::part(bits).wrapping_sub(1)
+            }
+            #[inline]
+            fn part(bits: u32) -> Self {
+                let half: Self = 1 << ($word::BITS - 1);
+                half.wrapping_shr(bits) << 1
+            }
+            #[inline]
+            fn as_index(self) -> usize {
+                self as usize
+            }
+            #[inline]
+            fn as_f32(self) -> f32 {
+                self as f32
+            }
+            #[inline]
+            fn log2(self) -> u32 {
+                ($word::BITS - 1).saturating_sub(self.leading_zeros())
+            }
+        }
+    };
+}
+
+arithmetic!(u32);
+arithmetic!(u64);
+
+impl Word for u32 {
+    const BITS: u32 = 32;
+    const STEP: f32 = 1.0 / 4_294_967_296.0;
+    type Count = u64;
+    const TOTAL: u64 = 1 << 32;
+
+    #[inline]
+    fn from_bits(bits: u32) -> Self {
+        bits
+    }
+
+    #[inline]
+    fn from_uniform(u: Canonical<f32>) -> (Self, f32) {
+        // Exact: a power of two times less than 1, and its whole part has no more bits than it had.
+        let scaled = u.get() * 4_294_967_296.0;
+        let word = scaled as Self;
+        (word, scaled - word as f32)
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self, R::Error> {
+        rng.try_next_u32()
+    }
+}
+
+impl Word for u64 {
+    const BITS: u32 = 64;
+    const STEP: f32 = 1.0 / 18_446_744_073_709_551_616.0;
+    type Count = u128;
+    const TOTAL: u128 = 1 << 64;
+
+    #[inline]
+    fn from_bits(bits: u32) -> Self {
+        Self::from(bits) << 32
+    }
+
+    #[inline]
+    fn from_uniform(u: Canonical<f32>) -> (Self, f32) {
+        let scaled = u.get() * 18_446_744_073_709_551_616.0;
+        let word = scaled as Self;
+        (word, scaled - word as f32)
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self, R::Error> {
+        let high = rng.try_next_u32()?;
+        let low = rng.try_next_u32()?;
+        Ok(Self::from(high) << 32 | Self::from(low))
+    }
+}
