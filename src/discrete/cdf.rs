@@ -81,7 +81,7 @@ macro_rules! constructors {
             /// # Errors
             /// [`Error::NoWeights`], [`Error::TooManyWeights`], [`Error::NegativeWeight`] and
             /// [`Error::NotFiniteWeight`] with the index, [`Error::AllZero`], and from a table of `u32`
-            /// [`Error::Unreachable`] with the index of the smallest positive weight.
+            /// [`Error::Unreachable`] with the index of a positive weight below a step.
             pub const fn new(weights: &[f32; N]) -> Result<Self, Error> {
                 match Source::floats(weights) {
                     Ok(source) => Self::of(source),

@@ -14,7 +14,7 @@ pub(crate) struct Total {
 }
 
 /// 2^64: the whole, as shares are counted.
-pub(crate) const WHOLE: u128 = 1 << 64;
+const WHOLE: u128 = 1 << 64;
 
 impl Total {
     pub(crate) const ZERO: Self = Self {
@@ -84,6 +84,40 @@ impl Total {
                 exponent: large.exponent,
             }
         }
+    }
+
+    /// This times 2³², in units of the last bit of `larger`, and whether bits were dropped.
+    const fn aligned(self, larger: Self) -> (u128, bool) {
+        let up = (self.mantissa as u128) << 32;
+        let below = self.below(larger);
+        match up.checked_shr(below) {
+            Some(kept) => (kept, up.trailing_zeros() < below && up > 0),
+            None => (0, up > 0),
+        }
+    }
+
+    /// Whether the point at `word` of 2³² parts of `self` is at or beyond `sum`, which is not above
+    /// `self`.
+    pub(crate) const fn reaches(self, word: u32, sum: Self) -> bool {
+        let (aligned, dropped) = sum.aligned(self);
+        let point = self.point(word);
+        point > aligned || (point == aligned && !dropped)
+    }
+
+    /// The point at `word` of 2³² parts of `self`, in units of its last bit over 2³².
+    const fn point(self, word: u32) -> u128 {
+        (self.mantissa as u128).wrapping_mul(word as u128)
+    }
+
+    /// Where between `below` and `below + width` the point at `word` of 2³² parts of `self` lies.
+    pub(crate) fn place(self, word: u32, below: Self, width: Self) -> f32 {
+        let offset = self.point(word).saturating_sub(below.aligned(self).0);
+        // Too narrow for any of the parts: then nothing is left of the uniform either.
+        let width = width.aligned(self).0;
+        if width == 0 {
+            return 0.0;
+        }
+        offset as f32 / width as f32
     }
 
     /// What part of `whole`, which is not below it, this is: in steps of 2⁻⁶⁴, rounded down, from 0 to

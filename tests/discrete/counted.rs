@@ -1,0 +1,349 @@
+//! `Cdf`: every entry's words counted, in both widths, from 24, 32 and 64 bits.
+
+use crate::cases::{cases, wild};
+use crate::{Exact, STEP, counts, grid_counts, grid_point};
+use microwarp::Error;
+use microwarp::discrete::Cdf;
+use std::ops::RangeInclusive;
+
+/// What must hold of counts out of 2^bits: each within `slack` 2^-32 steps of its part, none for a weight of zero.
+fn objections(exact: &Exact, counts: &[u128], bits: u32, slack: u64) -> Vec<String> {
+    assert_eq!(counts.len(), exact.weights.len());
+    assert_eq!(counts.iter().sum::<u128>(), 1 << bits);
+    let nothing = 0_u32.into();
+    let mut found = Vec::new();
+    for (i, &count) in counts.iter().enumerate() {
+        if exact.weights[i] == nothing && count > 0 {
+            found.push(format!("entry {i} of weight 0 has {count} of 2^{bits}"));
+        }
+        if !exact.within(i, count, bits, slack) {
+            found.push(format!("entry {i} has {count} of 2^{bits}"));
+        }
+    }
+    found
+}
+
+fn assert_right(what: &str, exact: &Exact, counts: &[u128], bits: u32, slack: u64) {
+    let found = objections(exact, counts, bits, slack);
+    assert!(
+        found.is_empty(),
+        "{what}: {} objections, the first: {}",
+        found.len(),
+        found[0]
+    );
+}
+
+/// The counts that a table claims, each held to its first and its last word: for tables too large for
+/// galloping, and as good where the selection goes up with the word.
+fn claimed(
+    n: usize,
+    last: u64,
+    words: impl Fn(usize) -> Option<(u64, u64)>,
+    index: impl Fn(u64) -> usize,
+) -> Vec<u128> {
+    let mut counts = vec![0; n];
+    let mut next = Some(0);
+    for (i, count) in counts.iter_mut().enumerate() {
+        if let Some((start, end)) = words(i) {
+            assert_eq!(Some(start), next, "{i}");
+            assert_eq!((index(start), index(end)), (i, i));
+            *count = u128::from(end - start) + 1;
+            next = end.checked_add(1).filter(|&word| word <= last);
+        }
+    }
+    assert_eq!(next, None, "words without an entry");
+    counts
+}
+
+/// More entries than this are not galloped through at 64 bits.
+const FEW: usize = 5000;
+
+/// A table of u32 as counted, or the refusal that the weights deserve.
+fn check_narrow(
+    what: &str,
+    weights: &[f32],
+    exact: &Exact,
+    memory: &mut [u32],
+    one_by_one: bool,
+) -> bool {
+    let n = weights.len();
+    let table = match Cdf::<&[u32]>::new_in(weights, memory) {
+        Ok(table) => table,
+        Err(error) => {
+            assert!(
+                !exact.divisible(32),
+                "{what}: {error:?}, but it can be done"
+            );
+            let Error::Unreachable(index) = error else {
+                panic!("{what}: {error:?}");
+            };
+            let small = &exact.weights[index];
+            assert!(
+                *small > 0_u32.into() && (small << 32_u32) < exact.total,
+                "{what}"
+            );
+            return false;
+        }
+    };
+    assert_eq!(table.entries(), n);
+    let counted = counts(n, u32::MAX.into(), |word| table.index(word as u32));
+    assert_right(what, exact, &counted, 32, STEP);
+    for (i, &count) in counted.iter().enumerate() {
+        assert_eq!(u128::from(table.numerator(i)), count, "{what} {i}");
+        assert!(count > 0 || weights[i] == 0.0, "{what}: {i} is not reached");
+        // 33 bits of numerator are exact in an f64, and its quotient by a power of two too.
+        let pmf = (count as f64 / 4_294_967_296.0) as f32;
+        assert_eq!(table.pmf(i).to_bits(), pmf.to_bits(), "{what} {i}");
+        let words = table
+            .words_of(i)
+            .map_or(0, |r| u128::from(r.end() - r.start()) + 1);
+        assert_eq!(words, count, "{what} {i}");
+    }
+    assert_eq!(table.numerator(n), 0);
+    assert_eq!(table.pmf(usize::MAX).to_bits(), 0);
+    assert!(table.words_of(n).is_none());
+    let by_uniform = |u| table.select_uniform(u).index;
+    let counted = counts(n, (1 << 24) - 1, |k| by_uniform(grid_point(k)));
+    assert_right(what, exact, &counted, 24, STEP);
+    if one_by_one {
+        assert_eq!(counted, grid_counts(n, by_uniform), "{what}");
+    }
+    true
+}
+
+fn check_wide(what: &str, weights: &[f32], exact: &Exact, memory: &mut [u64], one_by_one: bool) {
+    let n = weights.len();
+    let table = Cdf::<&[u64]>::new_in(weights, memory).unwrap();
+    let counted = if n > FEW {
+        let words = |i| table.words_of(i).map(RangeInclusive::into_inner);
+        claimed(n, u64::MAX, words, |word| table.index(word))
+    } else {
+        counts(n, u64::MAX, |word| table.index(word))
+    };
+    // The steps that tiny weights are given, and those lost where weights span more than 47 binary orders.
+    assert_right(what, exact, &counted, 64, STEP << 21);
+    for (i, &count) in counted.iter().enumerate() {
+        assert_eq!(table.numerator(i), count, "{what} {i}");
+        assert!(count > 0 || weights[i] == 0.0, "{what}: {i} is not reached");
+        let pmf = count as f32 / 2_f32.powi(64);
+        assert_eq!(table.pmf(i).to_bits(), pmf.to_bits(), "{what} {i}");
+    }
+    // The same, seen from 32 bits.
+    let counted = counts(n, u32::MAX.into(), |bits| table.select(bits as u32).index);
+    assert_right(what, exact, &counted, 32, STEP + (1 << 21));
+    let by_uniform = |u| table.select_uniform(u).index;
+    let counted = counts(n, (1 << 24) - 1, |k| by_uniform(grid_point(k)));
+    assert_right(what, exact, &counted, 24, STEP + (1 << 21));
+    if one_by_one {
+        assert_eq!(counted, grid_counts(n, by_uniform), "{what}");
+    }
+}
+
+#[test]
+fn every_entry_has_its_share_of_the_words() {
+    let (mut narrow, mut wide) = (vec![0; 1 << 20], vec![0; 1 << 20]);
+    let mut refused = Vec::new();
+    for (what, weights) in cases() {
+        let exact = Exact::of(&weights);
+        let few = (5..=1000).contains(&weights.len());
+        if !check_narrow(what, &weights, &exact, &mut narrow, few) {
+            refused.push(what);
+        }
+        check_wide(what, &weights, &exact, &mut wide, few);
+        println!("{what}: {} entries counted", weights.len());
+    }
+    println!("too small to be reached by 32 bits: {refused:?}");
+    assert_eq!(
+        refused,
+        [
+            "geometric, 253",
+            "geometric, 2^20",
+            "geometric down",
+            "geometric, 20 decades",
+            "all there is",
+            "one huge first",
+            "one huge amid",
+            "one huge last",
+            "random, 60 decades",
+        ]
+    );
+}
+
+#[test]
+fn wild_tables_are_as_good_as_can_be() {
+    let (mut narrow, mut wide) = ([0; 24], [0; 24]);
+    let (mut taken, mut crowded) = (0, 0);
+    for seed in 0..20_000 {
+        let weights = wild(seed);
+        let exact = Exact::of(&weights);
+        let what = format!("{weights:?}");
+        if check_narrow(&what, &weights, &exact, &mut narrow, false) {
+            taken += 1;
+        }
+        crowded += i32::from(
+            exact
+                .weights
+                .iter()
+                .any(|w| *w > 0_u32.into() && (w << 32_u32) < exact.total),
+        );
+        check_wide(&what, &weights, &exact, &mut wide, false);
+    }
+    println!("{taken} of 20000 taken by u32, {crowded} with a weight below a step");
+    assert!(crowded > 2_000 && taken > 20_000 - crowded + 500);
+}
+
+#[test]
+fn all_the_words_of_a_table_counted_one_by_one() {
+    let weights = [0.0, 1.0, 1e-9, 0.0, 2.5, 3e-10, 0.0];
+    let table = Cdf::<[u32; 7]>::new(&weights).unwrap();
+    let totals = std::sync::Mutex::new([0_u64; 7]);
+    std::thread::scope(|scope| {
+        for half in 0..2_u32 {
+            let (table, totals) = (&table, &totals);
+            scope.spawn(move || {
+                let mut counts = [0_u64; 7];
+                for rest in 0..1_u32 << 31 {
+                    counts[table.index(half << 31 | rest)] += 1;
+                }
+                let mut totals = totals.lock().unwrap();
+                for (total, count) in totals.iter_mut().zip(counts) {
+                    *total += count;
+                }
+            });
+        }
+    });
+    let totals = totals.into_inner().unwrap();
+    for (i, total) in totals.into_iter().enumerate() {
+        assert_eq!(table.numerator(i), total, "{i}");
+    }
+    // Galloping over the same table finds the same.
+    let galloped = counts(7, u32::MAX.into(), |word| table.index(word as u32));
+    assert!(galloped.iter().eq(totals.map(u128::from).iter()));
+}
+
+#[test]
+fn the_same_bits_select_the_same_entry() {
+    let weights: Vec<f32> = (1..=1000).map(|i| (i * i % 97) as f32).collect();
+    let (mut narrow, mut wide) = (vec![0; 1000], vec![0; 1000]);
+    let narrow = Cdf::<&[u32]>::new_in(&weights, &mut narrow).unwrap();
+    let wide = Cdf::<&[u64]>::new_in(&weights, &mut wide).unwrap();
+    for k in 0..1_u32 << 24 {
+        let bits = k << 8;
+        let index = narrow.select(bits).index;
+        let u = microwarp::uniform::grid_from_word(bits);
+        assert_eq!(narrow.select_uniform(u).index, index);
+        assert_eq!(narrow.index(bits), index);
+        // No weight is below a step, so both widths cut at the same places.
+        assert_eq!(wide.select(bits).index, index);
+        assert_eq!(wide.select_uniform(u).index, index);
+    }
+}
+
+#[test]
+fn the_three_storages_hold_the_same_words() {
+    const WEIGHTS: [f32; 5] = [1.0, 0.0, 4.0, 0.5, 0.0];
+    const FLASH: Cdf<[u32; 5]> = match Cdf::<[u32; 5]>::new(&WEIGHTS) {
+        Ok(table) => table,
+        Err(_) => panic!("refused"),
+    };
+    static WIDE: Cdf<[u64; 5]> = match Cdf::<[u64; 5]>::from_integers(&[2, 0, 8, 1, 0]) {
+        Ok(table) => table,
+        Err(_) => panic!("refused"),
+    };
+    assert_eq!(size_of_val(&FLASH), 20);
+    assert_eq!(size_of_val(&WIDE), 40);
+    let vector = Cdf::<heapless::Vec<u32, 8>>::new(&WEIGHTS).unwrap();
+    let mut memory = [7; 9];
+    let slice = Cdf::<&[u32]>::new_in(&WEIGHTS, &mut memory).unwrap();
+    assert_eq!(FLASH.as_words(), vector.as_words());
+    assert_eq!(FLASH.as_words(), slice.as_words());
+    assert_eq!(FLASH.view(), slice);
+    assert_eq!(memory[5..], [7; 4]);
+    let again = Cdf::from_words(*FLASH.view().as_words().first_chunk::<5>().unwrap());
+    assert_eq!(again, Ok(FLASH));
+    let integers = Cdf::<heapless::Vec<u64, 8>>::from_integers(&[2, 0, 8, 1, 0]).unwrap();
+    assert_eq!(integers.as_words(), WIDE.as_words());
+    for i in 0..5 {
+        assert_eq!(WIDE.pmf(i), FLASH.pmf(i));
+    }
+}
+
+#[test]
+fn integer_weights_are_exact() {
+    let weights = [0, 1, u32::MAX, 3, 0, u32::MAX - 1, 0];
+    let table = Cdf::<[u64; 7]>::from_integers(&weights).unwrap();
+    let total: u128 = weights.iter().map(|&w| u128::from(w)).sum();
+    let mut below = 0;
+    for (i, &weight) in weights.iter().enumerate() {
+        let up = |w: u128| (w << 64).div_ceil(total);
+        let count = up(below + u128::from(weight)) - up(below);
+        assert_eq!(table.numerator(i), count, "{i}");
+        below += u128::from(weight);
+    }
+}
+
+#[test]
+fn a_die_is_fair() {
+    let die = Cdf::<[u32; 6]>::from_integers(&[1; 6]).unwrap();
+    let p = |i: usize| die.numerator(i) as f64 / 4_294_967_296.0;
+    let mean: f64 = (0..6).map(|i| (i + 1) as f64 * p(i)).sum();
+    let square: f64 = (0..6).map(|i| ((i + 1) * (i + 1)) as f64 * p(i)).sum();
+    assert!((mean - 3.5).abs() <= 1e-9, "{mean}");
+    assert!((square - mean * mean - 35.0 / 12.0).abs() <= 1e-8);
+    // Samples: seven standard errors.
+    let mut rng = rand_pcg::Pcg32::new(6, 6);
+    let n = 10_000_000;
+    let (mut sum, mut squares) = (0_u64, 0_u64);
+    for _ in 0..n {
+        let eyes = die.draw(&mut rng).index as u64 + 1;
+        sum += eyes;
+        squares += eyes * eyes;
+    }
+    let n = f64::from(n);
+    let mean = sum as f64 / n;
+    let variance = squares as f64 / n - mean * mean;
+    assert!((mean - 3.5).abs() <= 7.0 * (35.0 / 12.0 / n).sqrt());
+    // The fourth central moment of a die is 707/48.
+    let spread = ((707.0 / 48.0 - (35.0_f64 / 12.0).powi(2)) / n).sqrt();
+    assert!((variance - 35.0 / 12.0).abs() <= 7.0 * spread);
+}
+
+/// The check rejects what peers do: running sums in f32, and the convention that ends belong to the
+/// entry before them.
+#[test]
+fn wrong_tables_are_rejected() {
+    let weights = vec![0.1_f32; 100_000];
+    let exact = Exact::of(&weights);
+    let mut sum = 0.0;
+    let ends: Vec<f32> = weights
+        .iter()
+        .map(|w| {
+            sum += w;
+            sum
+        })
+        .collect();
+    let ends: Vec<u64> = ends
+        .iter()
+        .map(|end| (f64::from(end / sum) * 4_294_967_296.0) as u64)
+        .collect();
+    let naive = |word: u64| ends.partition_point(|&end| end <= word);
+    let counted = counts(100_000, u32::MAX.into(), naive);
+    let found = objections(&exact, &counted, 32, STEP);
+    assert!(found.len() > 90_000, "{}", found.len());
+
+    let weights = [0.0, 1.0, 0.0, 1.0];
+    let exact = Exact::of(&weights);
+    let ends = [0.0, 0.5, 0.5, 1.0];
+    let closed = |u: f32| ends.partition_point(|&end| end < u);
+    let found = objections(&exact, &grid_counts(4, closed), 24, STEP);
+    assert_eq!(found, ["entry 0 of weight 0 has 1 of 2^24"]);
+
+    // Off by two steps of 2^32, at one border.
+    let table = Cdf::<[u32; 4]>::new(&[1.0, 2.0, 3.0, 4.0]).unwrap();
+    let mut words: [u32; 4] = *table.as_words().first_chunk().unwrap();
+    words[1] += 2;
+    let wrong = Cdf::from_words(words).unwrap();
+    let counted = counts(4, u32::MAX.into(), |word| wrong.index(word as u32));
+    let found = objections(&Exact::of(&[1.0, 2.0, 3.0, 4.0]), &counted, 32, STEP);
+    assert_eq!(found.len(), 2, "{found:?}");
+}
