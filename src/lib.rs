@@ -70,6 +70,7 @@
 )]
 
 mod error;
+pub mod rejection;
 pub mod tier;
 pub mod uniform;
 pub mod warp;
