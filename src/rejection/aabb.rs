@@ -11,8 +11,6 @@ use crate::warp::{Interval, Warp};
 /// - Density: the product of 1/(bᵢ − aᵢ), on the closed box.
 /// - Errors of a coordinate are those of [`Interval`]; the density adds one rounding a dimension.
 ///
-/// Source: none needed; a product of independent [`Interval`]s.
-///
 /// ```
 /// use microwarp::{Warp, rejection::Aabb};
 /// let room = Aabb::new([0.0, -1.0, 0.0], [4.0, 1.0, 2.0])?;

@@ -94,6 +94,16 @@ fn the_rim_of_the_ball_is_exact() {
     assert!(walked > 700_000);
 }
 
+/// The very last points inside and the very first outside that there are: squares of 2^48 - 6 and 2^48 + 10 in
+/// the disk, of 2^48 - 5 and 2^48 + 3 in the ball. `f32` holds 1 for any of them.
+#[test]
+fn the_points_next_to_the_rim_fall_on_their_side() {
+    assert!(check_disk([2_647_575, 16_566_995]));
+    assert!(!check_disk([2_660_371, 16_564_945]));
+    assert!(check_ball([1_152_541, 9_948_921, 13_459_777]));
+    assert!(!check_ball([3_143_153, 11_182_755, 12_105_435]));
+}
+
 /// A grid symmetric about 0: turning any uniform round turns the sign of its coordinate.
 #[test]
 fn the_grid_is_symmetric() {
