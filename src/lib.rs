@@ -71,6 +71,7 @@
 
 pub mod discrete;
 mod error;
+pub mod rejection;
 pub mod tier;
 pub mod uniform;
 pub mod warp;

@@ -12,6 +12,7 @@ mod catalogue;
 mod check;
 mod line;
 mod list;
+mod scale;
 mod sheet;
 mod strata;
 mod table;

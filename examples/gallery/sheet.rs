@@ -6,7 +6,7 @@ use crate::canvas::{ACCENT, Area, BAR, Canvas, INK, MUTED, POINT, WHITE, faded, 
 use crate::check::{Figures, generator};
 use crate::list::View;
 use crate::table::{error_text, p_text};
-use crate::text::{Align, Type};
+use crate::text::{Align, Type, thousands};
 use crate::{area, line, strata};
 use rand_pcg::Pcg32;
 
@@ -111,19 +111,6 @@ pub fn single(subject: &Subject, figures: &[Option<&Figures>], args: &Args) -> C
         }
     }
     canvas
-}
-
-/// 1000000 as "1 000 000".
-pub fn thousands(n: usize) -> String {
-    let digits = n.to_string();
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
-            text.push('\u{202f}');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 /// The contact sheet, in the tier whose place is `tier`.

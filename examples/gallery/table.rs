@@ -2,7 +2,7 @@
 
 use crate::catalogue::{Entry, Measure};
 use crate::check::{ALARM, Figures, Shape};
-use crate::sheet::thousands;
+use crate::text::thousands;
 use comfy_table::{CellAlignment, Table, presets};
 
 /// A p-value, in scientific notation where it is extreme.

@@ -38,6 +38,19 @@ impl Type {
     }
 }
 
+/// 1000000 as "1 000 000".
+pub fn thousands(n: usize) -> String {
+    let digits = n.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i) % 3 == 0 {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 /// A font that is compiled in: the gallery must look the same on a machine without any.
 pub struct Fonts {
     regular: Face<'static>,

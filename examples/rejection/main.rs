@@ -1,0 +1,130 @@
+//! Rejection in pictures: what is proposed, what is accepted, and the measured efficiency beside the exact
+//! one. `cargo run --release --example rejection -- --help`
+//!
+//! What is drawn is one list, `scenes.rs`. Here lives the order of the work.
+
+mod args;
+#[path = "../gallery/canvas.rs"]
+#[allow(dead_code, reason = "the gallery draws more")]
+mod canvas;
+mod measure;
+mod page;
+mod plot;
+#[path = "../gallery/scale.rs"]
+mod scale;
+mod scenes;
+#[path = "../gallery/text.rs"]
+mod text;
+
+use args::Args;
+use comfy_table::{CellAlignment, Table, presets};
+use indicatif::{ProgressBar, ProgressStyle};
+use measure::Measured;
+use scenes::Scene;
+use std::error::Error;
+use std::process::ExitCode;
+use std::time::Instant;
+use text::thousands;
+
+/// Standard errors beyond which a measured efficiency is not the exact one.
+const ALARM: f64 = 6.0;
+
+fn main() -> ExitCode {
+    let args = match args::parse() {
+        Ok(Some(args)) => args,
+        Ok(None) => {
+            println!("{}", args::HELP);
+            return ExitCode::SUCCESS;
+        }
+        Err(error) => {
+            eprintln!("rejection: {error}\nTry --help.");
+            return ExitCode::from(2);
+        }
+    };
+    match run(&args) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => {
+            eprintln!("\nFAILED: an efficiency is not what it must be.");
+            ExitCode::FAILURE
+        }
+        Err(error) => {
+            eprintln!("rejection: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Does everything; returns whether every efficiency is what it must be.
+fn run(args: &Args) -> Result<bool, Box<dyn Error>> {
+    let start = Instant::now();
+    let scenes = scenes::all()?;
+    std::fs::create_dir_all(&args.out).map_err(|e| format!("{}: {e}", args.out.display()))?;
+    let progress = ProgressBar::new(2 * scenes.len() as u64);
+    progress.set_style(
+        ProgressStyle::with_template("{elapsed:>4} [{bar:40}] {pos}/{len} {msg}")?
+            .progress_chars("=> "),
+    );
+    let mut rows = Vec::new();
+    for scene in &scenes {
+        progress.set_message(format!("sampling {}", scene.name));
+        let measured = measure::measure(scene, args)?;
+        progress.inc(1);
+        progress.set_message(format!("drawing {}", scene.name));
+        let path = args.out.join(format!("{}.png", scene.file));
+        let saved = page::draw(scene, &measured, args).save(&path);
+        saved.map_err(|e| format!("{}: {e}", path.display()))?;
+        progress.inc(1);
+        rows.push((scene, measured));
+    }
+    progress.finish_and_clear();
+    print(&rows);
+    println!(
+        "\n{} pictures in {}; {:.1} s.",
+        rows.len(),
+        args.out.display(),
+        start.elapsed().as_secs_f64()
+    );
+    // Written so that NaN is no success.
+    Ok(rows.iter().all(|(s, m)| m.deviation(s).abs() <= ALARM))
+}
+
+fn print(rows: &[(&Scene, Measured)]) {
+    let mut table = Table::new();
+    table.load_preset(presets::ASCII_MARKDOWN);
+    table.set_header([
+        "density",
+        "proposed from",
+        "points",
+        "tries",
+        "efficiency",
+        "exact",
+        "off by",
+        "most tries",
+        "budget",
+        "ns a point",
+    ]);
+    for (scene, measured) in rows {
+        table.add_row([
+            scene.name.to_string(),
+            scene.proposal.to_string(),
+            thousands(measured.points),
+            thousands(measured.tries),
+            format!("{:.3} %", 100.0 * measured.efficiency()),
+            format!("{} = {:.3} %", scene.formula, 100.0 * scene.efficiency),
+            format!("{:+.2} σ", measured.deviation(scene)).replace('-', "−"),
+            measured.most().to_string(),
+            scene.budget.to_string(),
+            format!("{:.1}", measured.nanoseconds),
+        ]);
+    }
+    for column in (2..5).chain(6..10) {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    println!("{table}");
+    println!(
+        "efficiency: accepted points over tries. off by: in standard errors; beyond {ALARM} is a failure.\n\
+         ns a point: through `draw`, generator, tally and a call through a pointer included."
+    );
+}

@@ -1,0 +1,190 @@
+//! The unit disk and the unit ball by rejection from their boxes, on integers.
+
+use super::{Failure, Rejection, checked_budget};
+use crate::error::Error;
+use crate::uniform::Uniforms;
+use core::f32::consts::{FRAC_1_PI, FRAC_PI_4, FRAC_PI_6};
+use rand_core::TryRng;
+
+/// 2²⁴, the radius in units of the grid.
+const RADIUS: u32 = 1 << 24;
+
+/// The odd number from −(2²⁴ − 1) to 2²⁴ − 1 with this index, counted from 0.
+#[inline]
+#[expect(
+    clippy::cast_possible_wrap,
+    reason = "two's complement is what is meant"
+)]
+const fn odd(index: u32) -> i32 {
+    // The index is below 2²⁴.
+    ((index << 1) | 1).wrapping_sub(RADIUS) as i32
+}
+
+/// The grid point of any uniforms whatever: the first 24 bits of each count.
+#[inline]
+fn of_uniforms<const N: usize>(u: [f32; N]) -> [i32; N] {
+    u.canonical().get().map(|u| odd((u * 16_777_216.0) as u32))
+}
+
+/// Draws a grid point, a word a coordinate: the one that [`of_uniforms`] gives for the same words' uniforms.
+#[inline]
+fn draw<const N: usize, R: TryRng + ?Sized>(rng: &mut R) -> Result<[i32; N], Failure<R::Error>> {
+    let mut grid = [0; N];
+    for m in &mut grid {
+        *m = odd(rng.try_next_u32().map_err(Failure::Generator)? >> 8);
+    }
+    Ok(grid)
+}
+
+/// The point itself where it lies inside. On integers this is exact, and on cores without a floating-point
+/// unit cheaper.
+#[inline]
+fn accepted<const N: usize>(grid: [i32; N]) -> Option<[f32; N]> {
+    // N squares of 24 bits: far from the 64 that would overflow. Squares of odd numbers are 1 modulo 8, so
+    // that their sum is never the squared radius and no point lies on the rim.
+    let square = grid.iter().fold(0_u64, |sum, m| {
+        let m = u64::from(m.unsigned_abs());
+        sum.wrapping_add(m.wrapping_mul(m))
+    });
+    let inside = square < 1 << 48;
+    inside.then(|| grid.map(|m| m as f32 * (f32::EPSILON / 2.0)))
+}
+
+/// Uniform on the unit disk, by rejection from the square around it.
+///
+/// - Uniforms: two, a try. Words a try: two. Only the first 24 bits of each count.
+/// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0; each such point
+///   of the disk is equally likely.
+/// - Density: 1/π per unit area.
+/// - Efficiency: π/4.
+/// - No elementary function, hence no tier; where the number of tries must be constant, take
+///   [`Disk`](crate::warp::Disk).
+///
+/// The sample is exact and the density is off by 4.5e-8, relative.
+///
+/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+///
+/// ```
+/// use microwarp::rejection::{DiskRejection, Rejection};
+/// use rand_pcg::Pcg32;
+/// let disk = DiskRejection::new();
+/// let [x, y] = disk.draw(&mut Pcg32::new(1, 1))?.point;
+/// assert!(x * x + y * y <= 1.0);
+/// assert_eq!(disk.attempt([0.0, 0.0]), None); // a corner of the square
+/// # Ok::<(), microwarp::rejection::Failure>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DiskRejection {
+    budget: u32,
+}
+
+/// Uniform on the unit ball, by rejection from the cube around it.
+///
+/// - Uniforms: three, a try. Words a try: three. Only the first 24 bits of each count.
+/// - Range: x² + y² + z² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0; each such
+///   point of the ball is equally likely.
+/// - Density: 3/(4π) per unit volume.
+/// - Efficiency: π/6.
+/// - No elementary function, hence no tier.
+///
+/// The sample is exact and the density is off by 3e-8, relative.
+///
+/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+///
+/// ```
+/// use microwarp::rejection::{BallRejection, Rejection};
+/// use rand_pcg::Pcg32;
+/// let ball = BallRejection::new();
+/// let point = ball.draw(&mut Pcg32::new(1, 1))?.point;
+/// assert!((ball.pdf(point) - 0.238_732_4).abs() < 1e-7);
+/// # Ok::<(), microwarp::rejection::Failure>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BallRejection {
+    budget: u32,
+}
+
+/// What disk and ball have in common; only words differ.
+macro_rules! unit_ball {
+    ($name:ident, $dimensions:literal, $efficiency:expr, $budget:literal, $density:expr, $rim:expr) => {
+        impl $name {
+            /// The share of proposals that is accepted, in theory.
+            pub const EFFICIENCY: f32 = $efficiency;
+
+            /// The budget of [`Self::new`]. A true random generator spends it with a probability below
+            /// 2⁻⁶⁴.
+            pub const BUDGET: u32 = $budget;
+
+            /// With the default budget.
+            #[must_use]
+            pub const fn new() -> Self {
+                Self {
+                    budget: Self::BUDGET,
+                }
+            }
+
+            /// With at most `budget` tries a point.
+            ///
+            /// # Errors
+            /// [`Error::NotPositive`] for a budget of 0.
+            pub const fn with_budget(budget: u32) -> Result<Self, Error> {
+                match checked_budget(budget) {
+                    Ok(budget) => Ok(Self { budget }),
+                    Err(e) => Err(e),
+                }
+            }
+
+            /// One try with uniforms of one's own, brought into [0, 1) by the rule of
+            /// [`Uniforms::canonical`]; `None` if the point lies outside.
+            #[must_use]
+            #[inline]
+            pub fn attempt(&self, u: [f32; $dimensions]) -> Option<[f32; $dimensions]> {
+                accepted(of_uniforms(u))
+            }
+
+            /// The density at a point; 0 outside and for NaN. Never 0 at a point that was drawn.
+            #[must_use]
+            #[inline]
+            pub fn pdf(&self, point: [f32; $dimensions]) -> f32 {
+                let square: f32 = point.iter().map(|c| c * c).sum();
+                if square <= $rim { $density } else { 0.0 }
+            }
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+
+        impl Rejection for $name {
+            type Point = [f32; $dimensions];
+
+            #[inline]
+            fn budget(&self) -> u32 {
+                self.budget
+            }
+
+            #[inline]
+            fn try_once<R: TryRng + ?Sized>(
+                &self,
+                rng: &mut R,
+            ) -> Result<Option<Self::Point>, Failure<R::Error>> {
+                draw(rng).map(accepted)
+            }
+        }
+    };
+}
+
+// Two squares whose exact sum is below 1 are rounded to at most 1; three, to at most the next f32.
+unit_ball!(DiskRejection, 2, FRAC_PI_4, 32, FRAC_1_PI, 1.0);
+unit_ball!(
+    BallRejection,
+    3,
+    FRAC_PI_6,
+    64,
+    0.238_732_41,
+    1.0 + f32::EPSILON
+);

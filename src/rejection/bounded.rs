@@ -1,0 +1,178 @@
+//! A density below a multiple of another from which one can sample.
+
+use super::{Failure, Rejection, checked_budget};
+use crate::error::{Error, positive};
+use crate::warp::Warp;
+use core::convert::Infallible;
+use rand_core::TryRng;
+
+/// How far f/(c p) may lie above 1 and count as 1: 2⁻²⁰, because f, c and p are rounded.
+///
+/// Where the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
+pub const SLACK: f32 = 8.0 * f32::EPSILON;
+
+/// A density f, known up to a factor, with f ≤ c p: a point proposed with density p is accepted with
+/// probability f/(c p).
+///
+/// - Uniforms: those of the proposal and one word, a try. Words a try: what drawing the proposal takes,
+///   then one, which is drawn whether it decides or not.
+/// - Range: that of the proposal, where f > 0. A point where f is 0 is never accepted.
+/// - Density: f/∫f. The probability of acceptance is the `f32` f/(c p), exact to 2 ulp whatever the
+///   magnitudes (nothing overflows or underflows on the way), rounded to a multiple of 2⁻³²; so a ratio
+///   of 2⁻³⁴ or less is never accepted and a ratio of 1 always.
+/// - Efficiency: (∫f)/c.
+///
+/// The bound is checked at every point that is proposed, and f above it by more than [`SLACK`] is reported
+/// as [`Failure::BoundExceeded`], for clamping would change the distribution in silence.
+///
+/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+///
+/// ```
+/// use microwarp::poly as mw;
+/// use microwarp::rejection::{Bounded, Rejection};
+/// use rand_pcg::Pcg32;
+/// // f = 1/(1 + |x|²) on the disk, where p = 1/π: f/p is at most π, at the centre.
+/// let f = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
+/// let bumped = Bounded::new(mw::Disk::new(), f, core::f32::consts::PI, 100)?;
+/// let accepted = bumped.draw(&mut Pcg32::new(1, 1))?;
+/// // The efficiency is π ln 2 / π = 69 %.
+/// assert!(accepted.tries <= 100);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bounded<W, F> {
+    proposal: W,
+    density: F,
+    bound: f32,
+    budget: u32,
+}
+
+impl<W, F> Bounded<W, F>
+where
+    W: Warp<Density = f32>,
+    F: Fn(W::Point) -> f32,
+{
+    /// The density f = `density` over points of `proposal`, with c = `bound` and at most `budget` tries a
+    /// point.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a bound that is NaN or infinite, [`Error::NotPositive`] for a bound of 0
+    /// or less and for a budget of 0.
+    pub fn new(proposal: W, density: F, bound: f32, budget: u32) -> Result<Self, Error> {
+        Ok(Self {
+            proposal,
+            density,
+            bound: positive(bound)?,
+            budget: checked_budget(budget)?,
+        })
+    }
+
+    /// One try with uniforms of one's own and a word that decides, the smaller the more surely for the
+    /// point. A uniform number v in [0, 1) serves as the word `(v * 4_294_967_296.0) as u32`.
+    ///
+    /// # Errors
+    /// [`Failure::BoundExceeded`], [`Failure::NotFinite`], [`Failure::Negative`] and
+    /// [`Failure::ProposalDensity`], whatever the word.
+    #[inline]
+    pub fn attempt(
+        &self,
+        u: W::Uniforms,
+        word: u32,
+    ) -> Result<Option<W::Point>, Failure<Infallible>> {
+        self.judge(self.proposal.sample(u), word)
+    }
+
+    #[inline]
+    fn judge<E>(&self, point: W::Point, word: u32) -> Result<Option<W::Point>, Failure<E>> {
+        let f = (self.density)(point);
+        if !f.is_finite() {
+            return Err(Failure::NotFinite);
+        }
+        if f < 0.0 {
+            return Err(Failure::Negative);
+        }
+        let p = self.proposal.pdf(point);
+        if !(p > 0.0 && p <= f32::MAX) {
+            return Err(Failure::ProposalDensity);
+        }
+        if f == 0.0 {
+            return Ok(None);
+        }
+        let ratio = quotient(f, p, self.bound);
+        if ratio > 1.0 + SLACK {
+            return Err(Failure::BoundExceeded { ratio });
+        }
+        Ok(happens(ratio, word).then_some(point))
+    }
+}
+
+impl<W, F> Rejection for Bounded<W, F>
+where
+    W: Warp<Density = f32>,
+    F: Fn(W::Point) -> f32,
+{
+    type Point = W::Point;
+
+    #[inline]
+    fn budget(&self) -> u32 {
+        self.budget
+    }
+
+    #[inline]
+    fn try_once<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+    ) -> Result<Option<W::Point>, Failure<R::Error>> {
+        let point = self.proposal.try_draw(rng).map_err(Failure::Generator)?;
+        let word = rng.try_next_u32().map_err(Failure::Generator)?;
+        self.judge(point, word)
+    }
+}
+
+/// f/(p c) of three positive finite numbers. Their exponents are set aside, so that only the result can
+/// overflow; a result that would be below 2⁻¹²⁸ is merely tiny.
+#[inline]
+fn quotient(f: f32, p: f32, c: f32) -> f32 {
+    let ((f, i), (p, j), (c, k)) = (split(f), split(p), split(c));
+    // The mantissas' quotient lies in (1/4, 2); the exponents' are within 149 of 0 each.
+    let exponent = i.wrapping_sub(j).wrapping_sub(k).clamp(-126, 130);
+    let power = |e: i32| f32::from_bits((e.wrapping_add(127) as u32) << 23);
+    // In two factors, because 2¹²⁸ is no f32: 2⁻⁶³ to 2⁶⁵ each.
+    let half = exponent >> 1;
+    (f / p) / c * power(half) * power(exponent.wrapping_sub(half))
+}
+
+/// x = m·2ᵉ with m in [1, 2), for a positive finite x.
+#[inline]
+#[expect(
+    clippy::cast_possible_wrap,
+    reason = "an exponent field has 8 bits: x has no sign"
+)]
+fn split(x: f32) -> (f32, i32) {
+    let (x, lifted) = if x < f32::MIN_POSITIVE {
+        (x * 16_777_216.0, 151)
+    } else {
+        (x, 127)
+    };
+    let bits = x.to_bits();
+    let mantissa = f32::from_bits((bits & 0x007f_ffff) | 0x3f80_0000);
+    (mantissa, ((bits >> 23) as i32).wrapping_sub(lifted))
+}
+
+/// Whether an event of this probability happens, by a word: true for the nearest integer to 2³² times the
+/// probability of all words, so never for 0 and always for 1.
+#[inline]
+fn happens(probability: f32, word: u32) -> bool {
+    if probability >= 1.0 {
+        return true;
+    }
+    // Exact, and an integer from 2²³ up, where adding a half would no longer be exact.
+    let threshold = probability * 4_294_967_296.0;
+    let nearest = if threshold < 8_388_608.0 {
+        threshold + 0.5
+    } else {
+        threshold
+    };
+    word < nearest as u32
+}

@@ -1,0 +1,67 @@
+//! Why a rejection sampler returned no point.
+
+use core::convert::Infallible;
+use core::error::Error;
+use core::fmt;
+
+/// Why a rejection sampler returned no point; `E` is the generator's own error.
+///
+/// ```
+/// use microwarp::rejection::{Failure, Region, Rejection};
+/// use microwarp::Interval;
+/// use rand_pcg::Pcg32;
+/// let nowhere = Region::new(Interval::new(0.0, 1.0)?, |_| false, 10)?;
+/// assert_eq!(nowhere.draw(&mut Pcg32::new(1, 1)), Err(Failure::BudgetSpent { tries: 10 }));
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Failure<E = Infallible> {
+    /// The generator failed.
+    Generator(E),
+    /// No point was accepted within the budget.
+    BudgetSpent {
+        /// The points proposed, which is the budget.
+        tries: u32,
+    },
+    /// A point was proposed at which the density lies above the bound.
+    BoundExceeded {
+        /// f/(c p) at that point, above 1; infinite where it overflows `f32`. A bound of c times this
+        /// would have been needed, at least.
+        ratio: f32,
+    },
+    /// The density at a proposed point is NaN or infinite.
+    NotFinite,
+    /// The density at a proposed point is negative.
+    Negative,
+    /// The proposal's own density at the point it proposed is not a positive finite number. No warp of
+    /// this crate does this; a warp made of a user's own functions can.
+    ProposalDensity,
+}
+
+impl<E: fmt::Display> fmt::Display for Failure<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Generator(error) => return write!(f, "the generator failed: {error}"),
+            Self::BudgetSpent { tries } => {
+                return write!(f, "no point was accepted in {tries} tries");
+            }
+            Self::BoundExceeded { ratio } => {
+                return write!(f, "the density is {ratio} times its bound");
+            }
+            Self::NotFinite => "the density is NaN or infinite",
+            Self::Negative => "the density is negative",
+            Self::ProposalDensity => "the proposal's density is not positive and finite",
+        })
+    }
+}
+
+impl<E: Error + 'static> Error for Failure<E> {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Generator(error) => Some(error),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! Budgets are kept to the word, and no generator makes a sampler hang.
+
+use crate::generators::{Broken, Counting, Cycle, Failing};
+use microwarp::rejection::{
+    Aabb, Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,
+};
+use microwarp::uniform::grid_from_word;
+use microwarp::{Error, Interval, poly};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+const STUCK: [u32; 14] = [
+    0,
+    1,
+    0xff,
+    0x100,
+    0x3fff_ffff,
+    0x4000_0000,
+    0x7fff_ffff,
+    0x8000_0000,
+    0x8000_00ff,
+    0xaaaa_aaaa,
+    0xc000_0000,
+    0xffff_fe00,
+    0xffff_feff,
+    u32::MAX,
+];
+
+/// A sampler that never accepts spends exactly its budget of tries and of words.
+fn spends<S: Rejection>(sampler: &S, tries: u32, words: u64)
+where
+    S::Point: std::fmt::Debug + PartialEq,
+{
+    let mut rng = Counting::new(Pcg32::new(1, 1));
+    assert_eq!(sampler.budget(), tries);
+    assert_eq!(sampler.draw(&mut rng), Err(Failure::BudgetSpent { tries }));
+    assert_eq!(rng.words, words);
+}
+
+#[test]
+fn a_budget_is_spent_to_the_word() {
+    let line = Interval::new(0.0, 1.0).unwrap();
+    let tail = poly::ExponentialTail::new(1.0).unwrap();
+    let cube = Aabb::new([0.0; 3], [1.0; 3]).unwrap();
+    for budget in [1, 2, 7, 1000] {
+        let tries = u64::from(budget);
+        spends(
+            &Region::new(line, |_| false, budget).unwrap(),
+            budget,
+            tries,
+        );
+        spends(
+            &Region::new(tail, |_| false, budget).unwrap(),
+            budget,
+            2 * tries,
+        );
+        spends(
+            &Region::new(cube, |_| false, budget).unwrap(),
+            budget,
+            3 * tries,
+        );
+        // One word more for the decision.
+        spends(
+            &Bounded::new(line, |_| 0.0, 1.0, budget).unwrap(),
+            budget,
+            2 * tries,
+        );
+        spends(
+            &Bounded::new(tail, |_| 0.0, 1.0, budget).unwrap(),
+            budget,
+            3 * tries,
+        );
+        spends(
+            &Bounded::new(cube, |_| -0.0, 1.0, budget).unwrap(),
+            budget,
+            4 * tries,
+        );
+    }
+}
+
+#[test]
+fn tries_and_words_agree() {
+    fn agree<S: Rejection>(sampler: &S, words: u64) {
+        let mut rng = Counting::new(Pcg32::new(2, 2));
+        for _ in 0..1000 {
+            let before = rng.words;
+            let accepted = sampler.draw(&mut rng).unwrap();
+            assert_eq!(rng.words - before, words * u64::from(accepted.tries));
+        }
+    }
+    agree(&DiskRejection::new(), 2);
+    agree(&BallRejection::new(), 3);
+    let f = |[x, y]: [f32; 2]| x * y;
+    agree(
+        &Bounded::new(Aabb::new([0.0; 2], [1.0; 2]).unwrap(), f, 1.0, 500).unwrap(),
+        3,
+    );
+    let tail = poly::ExponentialTail::new(1.0).unwrap();
+    agree(&Region::new(tail, |x| x > 1.0, 500).unwrap(), 2);
+}
+
+#[test]
+fn a_budget_of_nothing_is_refused() {
+    let line = Interval::new(0.0, 1.0).unwrap();
+    assert_eq!(
+        Region::new(line, |_| true, 0).err(),
+        Some(Error::NotPositive)
+    );
+    assert_eq!(
+        Bounded::new(line, |_| 1.0, 1.0, 0).err(),
+        Some(Error::NotPositive)
+    );
+    assert_eq!(DiskRejection::with_budget(0), Err(Error::NotPositive));
+    assert_eq!(BallRejection::with_budget(0), Err(Error::NotPositive));
+    const DISK: Result<DiskRejection, Error> = DiskRejection::with_budget(5);
+    assert_eq!(DISK.unwrap().budget(), 5);
+}
+
+/// Stuck at one value: a point at the first try, or an error when the budget is spent.
+#[test]
+fn a_stuck_generator_ends_at_once_or_with_the_budget() {
+    fn ends<S: Rejection>(sampler: &S, word: u32) -> bool {
+        let words = [word];
+        let mut rng = Counting::new(Cycle::new(&words));
+        match sampler.draw(&mut rng) {
+            Ok(accepted) => {
+                assert_eq!(accepted.tries, 1);
+                true
+            }
+            Err(Failure::BudgetSpent { tries }) => {
+                assert_eq!(tries, sampler.budget());
+                false
+            }
+            Err(other) => panic!("{other:?}"),
+        }
+    }
+    let line = Interval::new(0.0, 1.0).unwrap();
+    let (mut points, mut errors) = (0, 0);
+    for word in STUCK {
+        let ended = [
+            ends(&DiskRejection::new(), word),
+            ends(&BallRejection::new(), word),
+            ends(&Region::new(line, |x| x > 0.5, 50).unwrap(), word),
+            ends(&Bounded::new(line, |x| x, 1.0, 50).unwrap(), word),
+            ends(
+                &Bounded::new(poly::Disk::new(), |[x, _]: [f32; 2]| x.abs(), 4.0, 50).unwrap(),
+                word,
+            ),
+        ];
+        points += ended.iter().filter(|e| **e).count();
+        errors += ended.iter().filter(|e| !**e).count();
+    }
+    assert!(
+        points > 10 && errors > 10,
+        "{points} points, {errors} errors"
+    );
+    // What a dead peripheral reads as is a corner of the box, and so an error.
+    for word in [0, u32::MAX] {
+        assert!(!ends(&DiskRejection::new(), word) && !ends(&BallRejection::new(), word));
+    }
+}
+
+#[test]
+fn an_alternating_generator_ends_too() {
+    for words in [
+        &[0, u32::MAX][..],
+        &[u32::MAX, 0],
+        &[0, u32::MAX, 0x8000_0000, 5, 0],
+    ] {
+        let disk = DiskRejection::new().draw(&mut Cycle::new(words));
+        let ball = BallRejection::new().draw(&mut Cycle::new(words));
+        if words.len() == 2 {
+            assert_eq!(disk, Err(Failure::BudgetSpent { tries: 32 }));
+            assert_eq!(ball, Err(Failure::BudgetSpent { tries: 64 }));
+        }
+        assert!(disk.is_ok_and(|a| a.tries <= 5) || words.len() == 2);
+    }
+}
+
+#[test]
+fn a_failing_generator_passes_its_error_on() {
+    let broken = |left: u64| Failing {
+        word: u32::MAX,
+        left,
+    };
+    let line = Interval::new(0.0, 1.0).unwrap();
+    let zero = Bounded::new(line, |_| 0.0, 1.0, 10).unwrap();
+    let nowhere = Region::new(line, |_| false, 10).unwrap();
+    let generator = Failure::Generator(Broken(17));
+    // The corner of the box is proposed again and again until the generator fails or the budget is spent.
+    for left in 0..64 {
+        let disk = DiskRejection::new()
+            .try_draw(&mut broken(left))
+            .unwrap_err();
+        assert_eq!(disk, generator);
+        let spent = |tries| Failure::BudgetSpent { tries };
+        let ball = BallRejection::with_budget(10).unwrap();
+        let ball = ball.try_draw(&mut broken(left)).unwrap_err();
+        assert_eq!(ball, if left < 30 { generator } else { spent(10) });
+        let zero = zero.try_draw(&mut broken(left)).unwrap_err();
+        assert_eq!(zero, if left < 20 { generator } else { spent(10) });
+        let nowhere = nowhere.try_draw(&mut broken(left)).unwrap_err();
+        assert_eq!(nowhere, if left < 10 { generator } else { spent(10) });
+    }
+    let source = std::error::Error::source(&generator).unwrap();
+    assert_eq!(source.downcast_ref(), Some(&Broken(17)));
+    assert_eq!(generator.to_string(), "the generator failed: broken 17");
+}
+
+/// Drawing is attempting at the drawn words.
+#[test]
+fn drawing_is_attempting_at_the_drawn_uniforms() {
+    let disk = DiskRejection::new();
+    let f = |[x, y]: [f32; 2]| x * x + y * y;
+    let square = Aabb::new([0.0; 2], [1.0; 2]).unwrap();
+    let bounded = Bounded::new(square, f, 2.0, 1000).unwrap();
+    let region = Region::new(square, |p| f(p) < 0.5, 1000).unwrap();
+    let (mut drawn, mut replayed) = (Pcg32::new(3, 3), Pcg32::new(3, 3));
+    for _ in 0..1000 {
+        let mut u = || grid_from_word(replayed.next_u32());
+        let once: Result<_, Failure> = disk.try_once(&mut drawn);
+        assert_eq!(once, Ok(disk.attempt([u(), u()])));
+        let once: Result<_, Failure> = region.try_once(&mut drawn);
+        assert_eq!(once, Ok(region.attempt([u(), u()])));
+        let once: Result<_, Failure> = bounded.try_once(&mut drawn);
+        let u = [u(), u()];
+        assert_eq!(once, bounded.attempt(u, replayed.next_u32()));
+    }
+    assert_eq!(drawn, replayed);
+}
+
+#[test]
+fn a_dyn_generator_will_do() {
+    let mut rng = Pcg32::new(4, 4);
+    let accepted: Accepted<[f32; 3]> = BallRejection::new().draw(&mut rng).unwrap();
+    let mut again = Pcg32::new(4, 4);
+    let erased: &mut dyn Rng = &mut again;
+    assert_eq!(BallRejection::new().draw(erased), Ok(accepted));
+}

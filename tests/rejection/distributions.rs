@@ -1,0 +1,152 @@
+//! Accepted points have the stated law, in their whole domain and whatever the number of tries.
+
+use crate::catalogue::stats;
+use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
+use crate::subjects::{self, run};
+use microwarp::rejection::{Aabb, Bounded, DiskRejection, Failure, Region, Rejection};
+use microwarp::uniform::{Canonical, Uniforms};
+use microwarp::{Interval, Triangle, Warp, libm, poly};
+use rand_core::TryRng;
+use std::f32::consts::{FRAC_1_PI, PI};
+
+#[test]
+fn accepted_points_have_the_stated_law() {
+    for (subject, outcome) in subjects::all().iter().zip(subjects::outcomes()) {
+        assert_eq!(outcome.points.len(), 1 + subject.axes);
+        assert_passes(subject.name, &outcome.points);
+    }
+}
+
+/// A point that took three tries has the law of one that took one.
+#[test]
+fn points_do_not_depend_on_their_tries() {
+    let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI, 600).unwrap();
+    let run = run(&bump, subjects::bump, 7);
+    let patient = |least: u32| -> Vec<[f64; 2]> {
+        let pairs = run.uniforms.iter().zip(&run.tries);
+        pairs
+            .filter(|(_, k)| **k >= least)
+            .map(|(u, _)| *u)
+            .collect()
+    };
+    let late = patient(3);
+    assert!(late.len() > 100_000);
+    assert_passes("third tries and later", &p_values_of_points(&late));
+    // The control: as if a point were handed out of those that had been turned down.
+    let turned_down = Bounded::new(
+        poly::Disk::new(),
+        |x| 1.0 - subjects::bump_density(x),
+        0.5 * PI,
+        600,
+    );
+    let mut wrong = late;
+    let other = run_of(&turned_down.unwrap());
+    wrong.splice(0..20_000, other.into_iter().take(20_000));
+    assert_rejected("some turned down", &p_values_of_points(&wrong));
+}
+
+fn run_of<S: Rejection<Point = [f32; 2]>>(sampler: &S) -> Vec<[f64; 2]> {
+    run(sampler, subjects::bump, 8).uniforms
+}
+
+/// A disk with r = u, as one of the source documents nearly has it, which claims the density 1/π.
+struct WrongDisk;
+
+impl Warp for WrongDisk {
+    type Uniforms = [f32; 2];
+    type Point = [f32; 2];
+    type Density = f32;
+    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
+        let [r, turns] = u.get();
+        let (s, c) = (2.0 * PI * turns).sin_cos();
+        [r * c, r * s]
+    }
+    fn pdf(&self, _: [f32; 2]) -> f32 {
+        FRAC_1_PI
+    }
+    fn invert(&self, _: [f32; 2]) -> [f32; 2] {
+        unreachable!("rejection needs no inverse")
+    }
+}
+
+/// Acceptance by the six leading bits of the word alone.
+struct CoarseCoin<W, F>(Bounded<W, F>);
+
+impl<W, F> Rejection for CoarseCoin<W, F>
+where
+    W: Warp<Density = f32>,
+    F: Fn(W::Point) -> f32,
+{
+    type Point = W::Point;
+    fn budget(&self) -> u32 {
+        600
+    }
+    fn try_once<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+    ) -> Result<Option<W::Point>, Failure<R::Error>> {
+        let u = W::Uniforms::try_draw(rng).map_err(Failure::Generator)?;
+        let word = rng.try_next_u32().map_err(Failure::Generator)?;
+        Ok(self.0.attempt(u.get(), word & 0xfc00_0000).unwrap())
+    }
+}
+
+fn p_values<S: Rejection, const D: usize>(
+    sampler: &S,
+    uniform: impl Fn(S::Point) -> [f64; D],
+) -> Vec<f64> {
+    // The same points and the same threshold as the real runs.
+    p_values_of_points(&run(sampler, uniform, 99).uniforms)
+}
+
+#[test]
+fn regions_that_are_slightly_off_are_rejected() {
+    let square = Aabb::new([-1.0; 2], [1.0; 2]).unwrap();
+    let narrow = |[x, y]: [f32; 2]| x * x + y * y <= 0.995;
+    let narrow = Region::new(square, narrow, 100).unwrap();
+    assert_rejected("narrow disk", &p_values(&narrow, subjects::disk));
+    let oval = |[x, y]: [f32; 2]| x * x + 1.01 * y * y <= 1.0;
+    let oval = Region::new(square, oval, 100).unwrap();
+    assert_rejected("oval", &p_values(&oval, subjects::disk));
+    let cap = Region::new(libm::Hemisphere::new(), |n: [f32; 3]| n[2] > 0.505, 100).unwrap();
+    assert_rejected("small cap", &p_values(&cap, subjects::cap));
+    let triangle = |b: [f32; 3]| b[0] < 0.99 * b[1];
+    let triangle = Region::new(Triangle::new(), triangle, 100).unwrap();
+    assert_rejected("triangle", &p_values(&triangle, subjects::half_triangle));
+    // A disk at the centre of which a little hole has been left.
+    let ring = |[x, y]: [f32; 2]| (4e-3..=1.0).contains(&(x * x + y * y));
+    let ring = Region::new(square, ring, 100).unwrap();
+    assert_rejected("punctured disk", &p_values(&ring, subjects::disk));
+}
+
+#[test]
+fn densities_that_are_slightly_off_are_rejected() {
+    let disk = poly::Disk::new();
+    let clamped = |x| subjects::bump_density(x).min(0.9);
+    let clamped = Bounded::new(disk, clamped, 0.9 * PI, 600).unwrap();
+    assert_rejected("a clamped peak", &p_values(&clamped, subjects::bump));
+    let wrong = Bounded::new(WrongDisk, subjects::bump_density, PI, 600).unwrap();
+    assert_rejected("proposals r = u", &p_values(&wrong, subjects::bump));
+    let line = Interval::new(0.0, PI).unwrap();
+    let raised = Bounded::new(line, |x: f32| 0.03 + x.sin(), 1.03 * PI, 600).unwrap();
+    assert_rejected("sin + 0.03", &p_values(&raised, subjects::half_sine));
+    let coarse = Bounded::new(line, f32::sin, PI, 600).unwrap();
+    let coarse = p_values(&CoarseCoin(coarse), subjects::half_sine);
+    assert_rejected("a coin of six bits", &coarse);
+    // Dividing by c alone where c p is meant: as if f were f p.
+    let lobe = poly::CosineHemisphere::new();
+    let forgetful = move |n: [f32; 3]| n[2] * n[2] * lobe.pdf(n);
+    let forgetful = Bounded::new(lobe, forgetful, 1.0, 600).unwrap();
+    let forgetful = p_values(&forgetful, subjects::squared_cosine);
+    assert_rejected("the proposal's density forgotten", &forgetful);
+}
+
+/// The disk's own law is not that of 1/(1 + r²), and conversely.
+#[test]
+fn laws_are_told_apart() {
+    let disk = DiskRejection::new();
+    assert_rejected("disk for bump", &p_values(&disk, subjects::bump));
+    let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI, 600).unwrap();
+    assert_rejected("bump for disk", &p_values(&bump, subjects::disk));
+    assert!(stats::threshold(1) > crate::threshold());
+}
