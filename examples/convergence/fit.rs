@@ -1,0 +1,154 @@
+//! Lines of errors, the slopes fitted to them, and the check of those slopes.
+
+use crate::integrand::grid_bias;
+use crate::method::{DIMENSIONS, METHODS, Method, Rate};
+use crate::rules::FLOOR;
+
+/// How far a fitted slope may lie from its theory.
+///
+/// Measured over the seeds 1 to 30 at 128 repetitions: the line that scatters most is the stratified one
+/// in six dimensions, by 0.012 (standard deviation) about a mean 0.008 off its theory, 0.041 at worst.
+/// Four deviations and the mean make 0.056. Rules do not scatter: Simpson's n + 1 points for n intervals
+/// put it 0.027 off in six dimensions. Different rates lie 1/6 apart at the least, almost three tolerances.
+pub const TOLERANCE: f64 = 0.06;
+
+/// How many times the floor an error must be, so that the floor tilts no fit.
+const CLEARANCE: f64 = 8.0;
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Use {
+    Fitted,
+    /// Too few evaluations for the theory to hold.
+    Early,
+    /// Too near the floor of the arithmetic or of the grid of uniforms.
+    Floor,
+}
+
+pub struct Point {
+    pub evaluations: f64,
+    pub error: f64,
+    pub used: Use,
+}
+
+impl Point {
+    pub fn new(method: Method, size: u32, s: u32, error: f64) -> Self {
+        Self {
+            evaluations: method.evaluations(size, s) as f64,
+            error,
+            used: if error < floor(method, s) {
+                Use::Floor
+            } else if size < method.asymptotic_from(s) {
+                Use::Early
+            } else {
+                Use::Fitted
+            },
+        }
+    }
+}
+
+/// The error below which a point is left out.
+pub fn floor(method: Method, s: u32) -> f64 {
+    if method.is_random() {
+        CLEARANCE * grid_bias(s)
+    } else {
+        FLOOR
+    }
+}
+
+/// One method in one dimension.
+pub struct Line {
+    pub method: Method,
+    pub dimension: u32,
+    pub points: Vec<Point>,
+    pub fit: Fit,
+}
+
+impl Line {
+    pub fn new(method: Method, dimension: u32, points: Vec<Point>) -> Self {
+        let fit = Fit::new(&points);
+        Self {
+            method,
+            dimension,
+            points,
+            fit,
+        }
+    }
+
+    pub fn theory(&self) -> Rate {
+        self.method.theory(self.dimension)
+    }
+
+    pub fn fitted(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter().filter(|point| point.used == Use::Fitted)
+    }
+}
+
+/// The straight line of least squares through the logarithms (base 10) of the points that count.
+pub struct Fit {
+    pub slope: f64,
+    /// The standard error of the slope, from the residuals.
+    pub scatter: f64,
+    /// A point of the line: the mean of the points.
+    pub through: [f64; 2],
+}
+
+impl Fit {
+    fn new(points: &[Point]) -> Self {
+        let logs: Vec<[f64; 2]> = points
+            .iter()
+            .filter(|point| point.used == Use::Fitted)
+            .map(|point| [point.evaluations.log10(), point.error.log10()])
+            .collect();
+        let count = logs.len() as f64;
+        let sum = |of: &dyn Fn(&[f64; 2]) -> f64| logs.iter().map(of).sum::<f64>();
+        let [x, y] = [sum(&|p| p[0]) / count, sum(&|p| p[1]) / count];
+        let spread = sum(&|p| (p[0] - x).powi(2));
+        let slope = sum(&|p| (p[0] - x) * (p[1] - y)) / spread;
+        let residuals = sum(&|p| (p[1] - y - slope * (p[0] - x)).powi(2));
+        Self {
+            slope,
+            scatter: (residuals / (count - 2.0) / spread).sqrt(),
+            through: [x, y],
+        }
+    }
+
+    /// Whether the slope is that of a rate. Not so where a slope is NaN, as it is without points.
+    fn agrees(&self, rate: Rate) -> bool {
+        (self.slope - rate.slope()).abs() <= TOLERANCE
+    }
+}
+
+/// With a minus sign as wide as a digit.
+pub fn signed(x: f64, digits: usize) -> String {
+    format!("{x:.digits$}").replace('-', "−")
+}
+
+/// What is wrong with the slopes, and how many wrong rates were refused.
+pub fn check(lines: &[Line]) -> (Vec<String>, usize) {
+    let mut rates: Vec<Rate> = Vec::new();
+    for s in DIMENSIONS {
+        for rate in METHODS.map(|method| method.theory(s)) {
+            if !rates.contains(&rate) {
+                rates.push(rate);
+            }
+        }
+    }
+    let (mut complaints, mut refused) = (Vec::new(), 0);
+    for line in lines {
+        let name = format!("{} in {}-D", line.method.name(), line.dimension);
+        let slope = signed(line.fit.slope, 3);
+        if !line.fit.agrees(line.theory()) {
+            let theory = line.theory();
+            complaints.push(format!("{name}: slope {slope}, theory {theory}"));
+        }
+        // The control: a check that lets another rate pass as well would prove nothing.
+        for &wrong in rates.iter().filter(|&&rate| rate != line.theory()) {
+            if line.fit.agrees(wrong) {
+                complaints.push(format!("{name}: slope {slope} passes for {wrong} too"));
+            } else {
+                refused += 1;
+            }
+        }
+    }
+    (complaints, refused)
+}
