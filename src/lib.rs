@@ -78,7 +78,7 @@ pub mod warp;
 
 pub use error::Error;
 pub use warp::{
-    Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent, Transform,
+    Aabb, Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent, Transform,
     Triangle, TriangleOn, Warp,
 };
 
@@ -95,7 +95,7 @@ macro_rules! tier_module {
             use crate::warp;
             pub use crate::tier::$tier as Tier;
             pub use crate::warp::{
-                Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent,
+                Aabb, Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent,
                 Transform, Triangle, TriangleOn,
             };
             /// [`warp::Cone`] in this tier.

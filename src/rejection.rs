@@ -3,7 +3,8 @@
 //! Here live the loop, once, and the list of samplers: [`Region`] keeps the points of a warp for which a
 //! predicate holds, [`Bounded`] turns the points of one density into points of another, and
 //! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function.
-//! [`Aabb`] is the box to propose from. What a proposal is, is the business of [`warp`](crate::warp).
+//! What a proposal is, is the business of [`warp`](crate::warp); the usual one is the bounding box,
+//! [`Aabb`](crate::Aabb).
 //!
 //! # Efficiency
 //! The share of proposals that is accepted is the **efficiency** e. For a region it is the probability that
@@ -25,13 +26,11 @@
 //! [`Failure::BudgetSpent`]; so a region that is empty, or a generator stuck at one value, is noticed.
 //! [`budget_for`] gives a budget that a true random generator does not spend in practice.
 
-mod aabb;
 mod ball;
 mod bounded;
 mod failure;
 mod region;
 
-pub use self::aabb::Aabb;
 pub use self::ball::{BallRejection, DiskRejection};
 pub use self::bounded::{Bounded, SLACK};
 pub use self::failure::Failure;

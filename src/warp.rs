@@ -16,6 +16,7 @@
 //! at the others; with several, 2²⁴ points and 2²¹. The bounds stated are a tenth above the largest errors
 //! found.
 
+mod aabb;
 mod cone;
 mod direction;
 mod disk;
@@ -36,6 +37,7 @@ mod transform;
 mod triangle;
 mod truncated;
 
+pub use self::aabb::Aabb;
 pub use self::cone::Cone;
 pub use self::disk::{Disk, DiskConcentric};
 pub use self::exponential::{Exponential, ExponentialTail};

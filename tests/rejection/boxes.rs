@@ -1,6 +1,6 @@
 //! The box to propose from is a warp: sample, density and inverse, and what it refuses.
 
-use microwarp::rejection::Aabb;
+use microwarp::Aabb;
 use microwarp::{Error, Warp};
 use rand_pcg::Pcg32;
 

@@ -1,8 +1,8 @@
 //! Budgets are kept to the word, and no generator makes a sampler hang.
 
 use crate::generators::{Broken, Counting, Cycle, Failing};
-use microwarp::rejection::{
-    Aabb, Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,
+use microwarp::Aabb;
+use microwarp::rejection::{ Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,
 };
 use microwarp::uniform::grid_from_word;
 use microwarp::{Error, Interval, poly};

@@ -3,8 +3,8 @@
 //! A map is the exact distribution function, coordinate by coordinate, in f64; it knows nothing of the crate.
 
 use crate::examination::{Run, histogram, p_values_of_points};
-use microwarp::rejection::{
-    Aabb, BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for,
+use microwarp::Aabb;
+use microwarp::rejection::{ BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for,
 };
 use microwarp::{Interval, Triangle, libm, poly};
 use rand_pcg::Pcg32;
