@@ -5,8 +5,8 @@
 //! A sample's way through the crate is one straight corridor, and the modules are its rooms:
 //!
 //! ```text
-//! generator (rand_core) -> canonical uniforms -> warp -> point, density
-//!                          [uniform]             [warp, on a tier]
+//! generator (rand_core) -> canonical uniforms -> warp -> point, density -> estimate, error
+//!                          [uniform]             [warp, on a tier]         [estimate]
 //! ```
 //!
 //! A warp is a pure function of explicit uniforms, so that one and the same warp serves a pseudo-random
@@ -70,6 +70,7 @@
 )]
 
 mod error;
+pub mod estimate;
 pub mod tier;
 pub mod uniform;
 pub mod warp;
