@@ -1,12 +1,16 @@
 //! Monte Carlo sampling for firmware, WASM and renderers: every classical warp of uniforms onto an
-//! interval, a disk, directions, a lobe or a triangle, each with its density and its inverse, over `f32`,
-//! without `std` and without allocation.
+//! interval, a disk, directions, a lobe or a triangle, each with its density and its inverse; discrete and
+//! tabulated distributions, rejection and estimators; over `f32`, without `std` and without allocation.
 //!
 //! A sample's way through the crate is one straight corridor, and the modules are its rooms:
 //!
 //! ```text
-//! generator (rand_core) -> canonical uniforms -> warp -> point, density
-//!                          [uniform]             [warp, on a tier]
+//! generator (rand_core) -> canonical uniforms -> warp -> point, density -> estimate, error
+//!                          [uniform]             [warp, on a tier]         [estimate]
+//!                                                table -> index, pmf, leftover uniform
+//!                                                [discrete]
+//!                                                tries -> point accepted, within a budget
+//!                                                [rejection]
 //! ```
 //!
 //! A warp is a pure function of explicit uniforms, so that one and the same warp serves a pseudo-random
@@ -71,6 +75,7 @@
 
 pub mod discrete;
 mod error;
+pub mod estimate;
 pub mod rejection;
 pub mod tier;
 pub mod uniform;
@@ -78,8 +83,8 @@ pub mod warp;
 
 pub use error::Error;
 pub use warp::{
-    Aabb, Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent, Transform,
-    Triangle, TriangleOn, Warp,
+    Aabb, Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent,
+    Transform, Triangle, TriangleOn, Warp,
 };
 
 /// The examples of the README are tests too.

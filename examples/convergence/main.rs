@@ -15,6 +15,7 @@ mod plot;
 mod random;
 mod rules;
 mod table;
+#[allow(dead_code, reason = "the gallery writes more than this figure needs")]
 #[path = "../gallery/text.rs"]
 mod text;
 

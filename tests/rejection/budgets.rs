@@ -2,7 +2,8 @@
 
 use crate::generators::{Broken, Counting, Cycle, Failing};
 use microwarp::Aabb;
-use microwarp::rejection::{ Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,
+use microwarp::rejection::{
+    Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,
 };
 use microwarp::uniform::grid_from_word;
 use microwarp::{Error, Interval, poly};

@@ -4,7 +4,7 @@ use crate::catalogue::stats;
 use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
 use crate::subjects::{self, run};
 use microwarp::Aabb;
-use microwarp::rejection::{ Bounded, DiskRejection, Failure, Region, Rejection};
+use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
 use microwarp::{Interval, Triangle, Warp, libm, poly};
 use rand_core::TryRng;

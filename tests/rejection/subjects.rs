@@ -4,8 +4,7 @@
 
 use crate::examination::{Run, histogram, p_values_of_points};
 use microwarp::Aabb;
-use microwarp::rejection::{ BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for,
-};
+use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for};
 use microwarp::{Interval, Triangle, libm, poly};
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, LN_2, PI, TAU};

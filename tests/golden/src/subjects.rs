@@ -1,6 +1,14 @@
 //! The subjects and the inputs of the golden table. A new warp is one line here.
 
 use core::hint::black_box;
+use microwarp::discrete::{
+    Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Reservoir, Selection,
+    select_once, select_once_uniform,
+};
+use microwarp::estimate::{Integral, Moments, Ratio, balance_heuristic, power_heuristic};
+use microwarp::rejection::{
+    Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, SLACK, budget_for,
+};
 use microwarp::tier::Tier;
 use microwarp::uniform::{self, Strata1d, Strata2d, Uniforms};
 use microwarp::warp::*;
@@ -147,6 +155,91 @@ fn verdict<W>(result: Result<W, Error>, out: &mut Out) {
     });
 }
 
+/// A try: whether the point was accepted, and the point.
+fn attempted<const N: usize>(point: Option<[f32; N]>, out: &mut Out) {
+    out.word(u32::from(point.is_some()));
+    if let Some(point) = point {
+        point.put(out);
+    }
+}
+
+/// A number for each failure, with the ratio or the tries it names.
+fn failed<E>(failure: Failure<E>, out: &mut Out) {
+    match failure {
+        Failure::Generator(_) => out.word(0xf0),
+        Failure::BudgetSpent { tries } => {
+            out.word(0xf1);
+            out.word(tries);
+        }
+        Failure::BoundExceeded { ratio } => {
+            out.word(0xf2);
+            out.float(ratio);
+        }
+        Failure::NotFinite => out.word(0xf3),
+        Failure::Negative => out.word(0xf4),
+        Failure::ProposalDensity => out.word(0xf5),
+        _ => out.word(0xff),
+    }
+}
+
+/// A drawn point with its tries, or the failure.
+fn drawn<const N: usize, E>(result: Result<Accepted<[f32; N]>, Failure<E>>, out: &mut Out) {
+    match result {
+        Ok(Accepted { point, tries }) => {
+            out.word(tries);
+            point.put(out);
+        }
+        Err(failure) => failed(failure, out),
+    }
+}
+
+/// What is not known yields the word of a NaN.
+fn figure(x: Option<f32>, out: &mut Out) {
+    out.float(x.unwrap_or(f32::NAN));
+}
+
+fn bound(x: Result<f32, Error>, out: &mut Out) {
+    match x {
+        Ok(x) => out.float(x),
+        Err(e) => out.word(refusal(e)),
+    }
+}
+
+/// What a selection yields.
+fn selected(chosen: Selection, out: &mut Out) {
+    out.word(chosen.index as u32);
+    out.float(chosen.pmf);
+    out.float(chosen.leftover);
+    out.word(chosen.leftover_bits);
+}
+
+/// A selection, or the refusal.
+fn selected_or(chosen: Result<Selection, Error>, out: &mut Out) {
+    match chosen {
+        Ok(chosen) => selected(chosen, out),
+        Err(e) => out.word(refusal(e)),
+    }
+}
+
+/// The table of a selector, or the refusal.
+fn with<S>(table: Result<S, Error>, out: &mut Out, then: impl FnOnce(S, &mut Out)) {
+    match table {
+        Ok(table) => then(table, out),
+        Err(e) => out.word(refusal(e)),
+    }
+}
+
+/// Weights with zeros and decades, which the compiler cannot see.
+fn weights() -> [f32; 6] {
+    [v(0.0), v(1.0), v(1e-6), v(37.0), v(0.3), v(0.0)]
+}
+
+/// Known to the compiler, in flash.
+static FLASH: Cdf<[u32; 6]> = match Cdf::<[u32; 6]>::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) {
+    Ok(table) => table,
+    Err(_) => panic!("refused"),
+};
+
 /// Accepts a warp and the result of a constructor alike.
 trait Built {
     type Warp;
@@ -249,6 +342,11 @@ subjects! {
         "Cone sphere" => Cone::<T>::from_sphere(v(0.5)),
         "SphericalPatch" => SphericalPatch::<T>::new(v(0.1), v(0.4), v(-0.25), v(0.5)),
         "Oriented" => Frame::new([v(1.0), v(2.0), v(-3.0)]).map(|f| Oriented::new(CosineHemisphere::<T>::new(), f)),
+        "Aabb" => Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]),
+        "PiecewiseConstant1d" => PiecewiseConstant1d::<[u32; 6]>::from_weights(&weights(), v(-3.0), v(5.0)),
+        "PiecewiseConstant1d wide" => PiecewiseConstant1d::<[u64; 6]>::from_weights(&weights(), v(-3e38), v(3e38)),
+        "PiecewiseConstant2d" => PiecewiseConstant2d::<[u32; 3], [[u32; 6]; 3]>::new(&[weights(), [v(0.0); 6], [v(0.5); 6]], [v(0.0), v(6.0)], [v(-1.0), v(1.0)]),
+        "PiecewiseConstant2d wide" => PiecewiseConstant2d::<[u64; 2], [[u64; 6]; 2]>::new(&[weights(), [v(1e-30); 6]], [v(0.0), v(1.0)], [v(0.0), v(1.0)]),
     }
     functions {
         "verdicts on the line" => |[a, b, c, _], _, out| {
@@ -352,6 +450,266 @@ subjects! {
             }
             if let Ok(triangle) = TriangleOn::new([[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]]) {
                 out.float(triangle.area());
+            }
+        },
+        "cdf" => |[a, b, ..], input, out| {
+            let bits = (b * 4_294_967_296.0) as u32;
+            with(Cdf::<[u32; 6]>::new(&weights()), out, |table, out| {
+                selected(table.select_uniform(a), out);
+                selected(table.select(bits), out);
+                selected(FLASH.draw(&mut generator(input)), out);
+                out.word(table.words_of(input & 7).map_or(u32::MAX, |words| *words.start()));
+                out.word(table.numerator(input & 7) as u32);
+                out.word(u32::from(table == FLASH));
+            });
+        },
+        "cdf wide" => |[a, b, ..], input, out| {
+            let bits = (b * 4_294_967_296.0) as u32;
+            with(Cdf::<[u64; 6]>::new(&weights()), out, |table, out| {
+                selected(table.select_uniform(a), out);
+                selected(table.select(bits), out);
+                selected(table.draw(&mut generator(input)), out);
+                out.word((table.numerator(input & 7) >> 32) as u32);
+                out.word(table.numerator(input & 7) as u32);
+                out.word(table.as_words().first().map_or(0, |word| *word as u32));
+            });
+        },
+        "cdf of any weights" => |[a, b, c, d], _, out| {
+            let mut memory = [0_u32; 6];
+            let any = [a, b, 1e-9 * c, d, 1e6 * a];
+            with(Cdf::<&[u32]>::new_in(&any, &mut memory), out, |table, out| {
+                table.as_words().iter().for_each(|&word| out.word(word));
+                out.float(table.pmf(0));
+            });
+            with(Cdf::<heapless::Vec<u64, 6>>::new(&any), out, |table, out| {
+                for index in 0..table.entries() {
+                    out.word((table.numerator(index) >> 32) as u32);
+                }
+            });
+            out.word(u32::from(Cdf::from_words([a.to_bits(), b.to_bits(), 1]).is_ok()));
+        },
+        "cdf of integers" => |[a, b, c, d], input, out| {
+            let any = [a.to_bits(), b.to_bits() >> 9, c.to_bits() >> 20, d.to_bits()];
+            with(Cdf::<[u32; 4]>::from_integers(&any), out, |table, out| {
+                table.as_words().iter().for_each(|&word| out.word(word));
+            });
+            with(Cdf::<heapless::Vec<u32, 3>>::from_integers(any.get(..input & 3).unwrap_or(&[])), out, |table, out| {
+                out.float(table.pmf(0));
+            });
+            let mut memory = [0_u64; 4];
+            with(Cdf::<&[u64]>::from_integers_in(&any, &mut memory), out, |table, out| {
+                out.float(table.pmf(3));
+            });
+        },
+        "alias" => |[a, b, ..], input, out| {
+            let bits = (b * 4_294_967_296.0) as u32;
+            with(Alias::<[AliasEntry<u32>; 8]>::new(&weights()), out, |table, out| {
+                selected(table.select_uniform(a), out);
+                selected(table.select(bits), out);
+                selected(table.draw(&mut generator(input)), out);
+                out.word(table.numerator(input & 7) as u32);
+                out.word(table.bins() as u32);
+            });
+        },
+        "alias wide" => |[a, b, c, d], input, out| {
+            let mut memory = [AliasEntry::<u64>::EMPTY; 8];
+            let any = [a, b, 1e-9 * c, d, 1e6 * a];
+            with(Alias::<&[AliasEntry<u64>]>::new_in(&any, &mut memory), out, |table, out| {
+                selected(table.select_uniform(a), out);
+                selected(table.select((b * 4_294_967_296.0) as u32), out);
+                selected(table.draw(&mut generator(input)), out);
+                out.word((table.numerator(0) >> 32) as u32);
+            });
+            let integers = [a.to_bits(), b.to_bits() >> 9, 0];
+            with(Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integers(&integers), out, |table, out| {
+                out.float(table.pmf(1));
+            });
+        },
+        "select once" => |[a, b, c, d], _, out| {
+            selected_or(select_once(&weights(), (a * 4_294_967_296.0) as u32), out);
+            selected_or(select_once_uniform(&[b, c, 1e-9 * d, a], c), out);
+            selected_or(select_once(&[a - 0.5, b, 0.0], 0), out);
+        },
+        "reservoir" => |[a, b, c, d], input, out| {
+            let mut rng = generator(input);
+            let (mut one, mut two) = (Reservoir::new(), Reservoir::new());
+            for (item, weight) in [a, b, 1e30 * c, 1e-30 * d].into_iter().enumerate() {
+                match one.offer(item as u32, weight, &mut rng) {
+                    Ok(taken) => out.word(u32::from(taken)),
+                    Err(e) => out.word(refusal(e)),
+                }
+                let _ = two.offer_with(item as u32 + 4, weight + 0.5, (weight.to_bits() as u64) << 32);
+            }
+            out.word(one.item().copied().unwrap_or(99));
+            out.float(one.pmf());
+            out.word(u32::from(one.merge(two, &mut rng)));
+            out.word(one.item().copied().unwrap_or(99));
+            out.float(one.pmf());
+        },
+        "piecewise of any weights" => |[a, b, c, d], input, out| {
+            let (mut rows, mut cells) = ([0_u32; 2], [0_u32; 4]);
+            let table = PiecewiseConstant2d::<&[u32], &[u32]>::new_in(&[a, b, c, d], [2, 2], [0.0, 1.0], [a, 9.0], &mut rows, &mut cells);
+            with(table, out, |table, out| {
+                let point = table.draw(&mut generator(input));
+                point.put(out);
+                out.float(table.pdf(point));
+                let [column, row] = table.cell(point);
+                out.word((2 * row + column) as u32);
+                table.marginal().sample(b).put(out);
+                table.conditional(1).sample(c).put(out);
+                let (marginal, conditional) = table.as_words();
+                out.word(u32::from(PiecewiseConstant2d::from_words(marginal, conditional, [0.0, 1.0], [a, 9.0]).is_ok()));
+            });
+            with(Cdf::<[u64; 3]>::new(&[a, b, c]).and_then(|cdf| PiecewiseConstant1d::new(cdf, -1.0, d)), out, |line, out| {
+                line.sample(a).put(out);
+                line.draw(&mut generator(input)).put(out);
+                out.word(line.cell(b) as u32);
+                out.float(line.cdf().pmf(1));
+            });
+        },
+        "rejection disk and ball" => |[a, b, c, _], input, out| {
+            let mut rng = generator(input);
+            attempted(DiskRejection::new().attempt([a, b]), out);
+            attempted(BallRejection::new().attempt([a, b, c]), out);
+            drawn(DiskRejection::new().draw(&mut rng), out);
+            drawn(BallRejection::new().try_draw(&mut rng), out);
+        },
+        "rejection budgets and densities" => |[a, b, c, d], input, out| {
+            let mut rng = generator(input);
+            out.float(DiskRejection::new().pdf([2.0 * a - 1.0, b]));
+            out.float(BallRejection::new().pdf([a, 2.0 * b - 1.0, c]));
+            for budget in [0, 1, 3] {
+                match DiskRejection::with_budget(black_box(budget)) {
+                    Ok(disk) => drawn(disk.draw(&mut rng), out),
+                    Err(e) => out.word(refusal(e)),
+                }
+            }
+            match BallRejection::with_budget(black_box(2)) {
+                Ok(ball) => out.word(ball.budget()),
+                Err(e) => out.word(refusal(e)),
+            }
+            for efficiency in [d - 0.5, 1e-7 * d] {
+                match budget_for(efficiency) {
+                    Ok(budget) => out.word(budget),
+                    Err(e) => out.word(refusal(e)),
+                }
+            }
+        },
+        "rejection region" => |[a, b, c, d], input, out| {
+            let region = Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]).and_then(|room| {
+                out.float(room.pdf([a, b, 2.0 + c]));
+                room.invert([a, 0.5 * b, 2.0 + c]).put(out);
+                Region::new(room, move |[x, y, z]: [f32; 3]| x * y * z > d - 0.5, 20)
+            });
+            match region {
+                Ok(region) => {
+                    attempted(region.attempt([a, b, c]), out);
+                    drawn(region.draw(&mut generator(input)), out);
+                }
+                Err(e) => out.word(refusal(e)),
+            }
+        },
+        "rejection bounded" => |[a, b, c, d], input, out| {
+            // f/p is at most π; the bound is one from 2 to 4, so that it is exceeded sometimes.
+            let bump = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
+            match Bounded::new(Disk::<T>::new(), bump, 2.0 + 2.0 * c, 30) {
+                Ok(bounded) => {
+                    match bounded.attempt([a, b], (d * 4_294_967_296.0) as u32) {
+                        Ok(point) => attempted(point, out),
+                        Err(failure) => failed(failure, out),
+                    }
+                    drawn(bounded.draw(&mut generator(input)), out);
+                }
+                Err(e) => out.word(refusal(e)),
+            }
+            // Far magnitudes: f, p and c near both ends of f32, and the slack.
+            let far = Inversion::new(|u: f32| u, |_| 1e-39, |x: f32| x);
+            for (f, bound) in [(a * 1e-39, 1.0), (0.5 * b, 3e38), (1e-39 * (1.0 + SLACK * c), 1.0), (1e-39 * (d - 0.5), 1.0)] {
+                match Bounded::new(far, move |_| f, bound, 1).map(|far| far.attempt(a, (d * 4_294_967_296.0) as u32)) {
+                    Ok(Ok(point)) => out.word(u32::from(point.is_some())),
+                    Ok(Err(failure)) => failed(failure, out),
+                    Err(e) => out.word(refusal(e)),
+                }
+            }
+        },
+        "rejection verdicts" => |[a, b, c, d], _, out| {
+            let disk = Disk::<T>::new();
+            verdict(Region::new(disk, |_| true, (8.0 * a) as u32), out);
+            verdict(Bounded::new(disk, |_| 1.0, b - 0.5, 1), out);
+            verdict(Bounded::new(disk, |_| 1.0, 1.0, (4.0 * c) as u32), out);
+            verdict(DiskRejection::with_budget((2.0 * d) as u32), out);
+            verdict(BallRejection::with_budget((2.0 * a) as u32), out);
+            verdict(Aabb::new([a, b], [c, d]), out);
+            verdict(Aabb::new([0.0; 3], [1e13, 1e13 * a, 1e13 * b]), out);
+        },
+        "moments" => |[a, b, c, d], _, out| {
+            let (mut moments, mut other) = (Moments::new(), Moments::default());
+            for (i, x) in [a, b, c, d, 3.0 * a, a + b, 1.0 - c].into_iter().enumerate() {
+                moments.push(1000.0 + x);
+                if i < 5 {
+                    other.push(v(1e-30) * x);
+                }
+            }
+            out.word(moments.count() as u32);
+            out.word(moments.refused() as u32);
+            figure(moments.mean(), out);
+            figure(moments.variance(), out);
+            figure(moments.population_variance(), out);
+            figure(moments.standard_deviation(), out);
+            figure(moments.standard_error(), out);
+            figure(other.standard_deviation(), out);
+            other.merge(&moments);
+            figure(other.mean(), out);
+            figure(other.variance(), out);
+            // By itself it doubles: the count to 2^40 and a little, with all digits of the mean.
+            for _ in 0..37 {
+                other.merge(&other.clone());
+            }
+            out.word((other.count() >> 32) as u32);
+            out.word(other.count() as u32);
+            figure(other.mean(), out);
+            figure(other.standard_error(), out);
+        },
+        "integral" => |[a, b, c, d], _, out| {
+            let (mut integral, mut other) = (Integral::new(), Integral::new());
+            for (f, pdf) in [(a, b), (b, c), (c, d), (d, a)] {
+                integral.push(f, pdf);
+                other.push(v(1e20) * f, pdf + 0.5);
+            }
+            figure(integral.estimate(), out);
+            figure(integral.standard_error(), out);
+            bound(integral.chebyshev_bound(a), out);
+            bound(integral.normal_bound::<T>(b), out);
+            integral.merge(&other);
+            out.word(integral.count() as u32);
+            out.word(integral.refused() as u32);
+            figure(integral.estimate(), out);
+            figure(integral.moments().variance(), out);
+            bound(integral.chebyshev_bound(v(0.05)), out);
+            bound(integral.normal_bound::<T>(v(0.95)), out);
+        },
+        "ratio" => |[a, b, c, d], _, out| {
+            let (mut ratio, mut other) = (Ratio::new(), Ratio::default());
+            for (value, weight) in [(a, b), (b, c), (c, d), (d, a), (a + b, -0.1 * c)] {
+                ratio.push(100.0 + value, weight);
+                other.push(value, v(1e10) * weight);
+            }
+            out.word(ratio.count() as u32);
+            out.word(ratio.refused() as u32);
+            figure(ratio.estimate(), out);
+            figure(ratio.standard_error(), out);
+            ratio.merge(&other);
+            out.word(ratio.count() as u32);
+            figure(ratio.estimate(), out);
+            figure(ratio.standard_error(), out);
+        },
+        "heuristics" => |[a, b, c, d], _, out| {
+            let n = c.to_bits() >> 20;
+            for (f, g) in [(a, b), (v(1e-25) * c, v(1e20) * b), (v(3e38) * a, v(3e38) * d)] {
+                out.float(balance_heuristic(1, f, 1, g));
+                out.float(balance_heuristic(n, f, 7, g));
+                out.float(power_heuristic(1, f, 1, g));
+                out.float(power_heuristic(n, f, 7, g));
             }
         },
     }

@@ -1,0 +1,74 @@
+//! How a long run is measured: against exact sums, at checkpoints.
+
+use crate::{assert_stated, relative, stated};
+use microwarp::estimate::{Moments, Ratio};
+
+/// Exact sums in integers: between 512 and 2048 every f32 is a multiple of 2⁻¹⁴.
+#[derive(Default)]
+pub struct Exact {
+    count: i128,
+    sum: i64,
+    squares: i128,
+}
+
+impl Exact {
+    const UNIT: f32 = 16_384.0;
+
+    pub fn push(&mut self, x: f32) {
+        assert!((512.0..2048.0).contains(&x), "{x}");
+        let steps = (x * Self::UNIT) as i64 - 1000 * Self::UNIT as i64;
+        self.count += 1;
+        self.sum += steps;
+        self.squares += i128::from(steps * steps);
+    }
+
+    fn mean_and_variance(&self) -> (f64, f64) {
+        let unit = f64::from(Self::UNIT);
+        let sum = i128::from(self.sum);
+        let squares = (self.squares * self.count - sum * sum) as f64;
+        let pairs = (self.count * (self.count - 1)) as f64;
+        let mean = 1000.0 + self.sum as f64 / self.count as f64 / unit;
+        (mean, squares / pairs / (unit * unit))
+    }
+}
+
+/// Relative errors of a mean and a variance.
+pub fn errors(mean: Option<f32>, variance: Option<f32>, exact: &Exact) -> [f64; 2] {
+    let (exact_mean, exact_variance) = exact.mean_and_variance();
+    [
+        relative(mean, exact_mean),
+        relative(variance, exact_variance),
+    ]
+}
+
+/// The largest errors at the checkpoints of a run, from a hundredth of it on: a single one may be lucky.
+#[derive(Clone, Copy, Default)]
+pub struct Largest([f64; 2]);
+
+impl Largest {
+    fn take(&mut self, errors: [f64; 2]) {
+        for (largest, error) in self.0.iter_mut().zip(errors) {
+            assert!(!error.is_nan());
+            *largest = largest.max(error);
+        }
+    }
+
+    pub fn moments(&mut self, moments: &Moments, exact: &Exact) {
+        assert_eq!(i128::from(moments.count()), exact.count);
+        self.take(errors(moments.mean(), moments.variance(), exact));
+    }
+
+    pub fn ratio(&mut self, ratio: &Ratio, exact: [f64; 2]) {
+        let [estimate, error] = exact;
+        self.take([
+            relative(ratio.estimate(), estimate),
+            relative(ratio.standard_error(), error),
+        ]);
+    }
+
+    pub fn assert_stated(&self, source: &str, rows: [&str; 2], column: usize) {
+        for (row, measured) in rows.into_iter().zip(self.0) {
+            assert_stated(row, measured, stated(source, row, column));
+        }
+    }
+}

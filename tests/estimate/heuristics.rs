@@ -1,0 +1,130 @@
+//! The weights of combined techniques: in [0, 1], summing to 1, and accurate, whatever the densities.
+
+use microwarp::estimate::{balance_heuristic, power_heuristic};
+use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
+
+const DENSITIES: [f32; 16] = [
+    0.0,
+    1e-45,
+    1e-40,
+    f32::MIN_POSITIVE,
+    1e-25,
+    1e-19,
+    1e-3,
+    1.0,
+    3.0,
+    1e5,
+    1e19,
+    1e20,
+    1.2e29,
+    3e38,
+    f32::MAX,
+    f32::INFINITY,
+];
+const COUNTS: [u32; 6] = [0, 1, 2, 7, 16_777_217, u32::MAX];
+
+type Heuristic = fn(u32, f32, u32, f32) -> f32;
+
+/// Each with its exponent, and its stated errors for counts of 1 and for any counts.
+const HEURISTICS: [(Heuristic, i32, [&str; 2]); 2] = [
+    (balance_heuristic, 1, ["2.7", "4.3"]),
+    (power_heuristic, 2, ["4.6", "7.2"]),
+];
+
+/// The weight in f64: 1 of infinity against less, nothing where both are nothing.
+fn exact(n_f: u32, f: f32, n_g: u32, g: f32, exponent: i32) -> f64 {
+    let (f, g) = (if n_f > 0 { f } else { 0.0 }, if n_g > 0 { g } else { 0.0 });
+    let [f, g] = if f == f32::INFINITY || g == f32::INFINITY {
+        [f, g].map(|p| f64::from(u8::from(p == f32::INFINITY)))
+    } else {
+        [f64::from(f), f64::from(g)]
+    };
+    let (f, g) = (
+        (f64::from(n_f) * f).powi(exponent),
+        (f64::from(n_g) * g).powi(exponent),
+    );
+    if f == 0.0 { 0.0 } else { f / (f + g) }
+}
+
+/// The error in units of the spacing of f32 at the exact value.
+fn ulps(got: f32, exact: f64) -> f64 {
+    let below = (exact as f32).min(1.0);
+    let exponent = (f64::from(below).log2().floor() as i32).max(-126);
+    (f64::from(got) - exact).abs() / 2f64.powi(exponent - 23)
+}
+
+/// Checks a pair of densities; returns the error.
+fn check(heuristic: Heuristic, exponent: i32, [n_f, n_g]: [u32; 2], [f, g]: [f32; 2]) -> f64 {
+    let (w, other) = (heuristic(n_f, f, n_g, g), heuristic(n_g, g, n_f, f));
+    let what = format!("{n_f} of {f:e} against {n_g} of {g:e}: {w:e}, {other:e}");
+    assert!(
+        (0.0..=1.0).contains(&w) && (0.0..=1.0).contains(&other),
+        "{what}"
+    );
+    if n_f > 0 && f > 0.0 || n_g > 0 && g > 0.0 {
+        assert!((w + other - 1.0).abs() <= f32::EPSILON, "{what}");
+    } else {
+        assert!(w == 0.0 && other == 0.0, "{what}");
+    }
+    ulps(w, exact(n_f, f, n_g, g, exponent))
+}
+
+#[test]
+fn weights_survive_all_densities() {
+    for (heuristic, exponent, [_, stated]) in HEURISTICS {
+        for f in DENSITIES {
+            for g in DENSITIES {
+                for n_f in COUNTS {
+                    for n_g in COUNTS {
+                        let error = check(heuristic, exponent, [n_f, n_g], [f, g]);
+                        let stated: f64 = stated.parse().unwrap();
+                        assert!(error <= stated, "{n_f} of {f:e}, {n_g} of {g:e}: {error}");
+                    }
+                }
+                if f == g && f > 0.0 {
+                    assert_eq!(heuristic(1, f, 1, g), 0.5);
+                }
+            }
+        }
+        // No densities at all count as 0.
+        for none in [f32::NAN, -1.0, -0.0, f32::NEG_INFINITY] {
+            assert_eq!(heuristic(1, none, 1, 1.0), 0.0);
+            assert_eq!(heuristic(1, 1.0, 1, none), 1.0);
+            assert_eq!(heuristic(1, none, 1, none), 0.0);
+        }
+    }
+    // The control: the textbook formula does not survive.
+    let textbook = |f: f32, g: f32| f * f / (f * f + g * g);
+    let survives = |f: f32, g: f32| (0.0..=1.0).contains(&textbook(f, g));
+    assert!(survives(3.0, 1.0) && !survives(1e-25, 1e-25) && !survives(1e20, 1.0));
+}
+
+#[test]
+fn weights_keep_the_stated_errors() {
+    let source = include_str!("../../src/estimate/heuristic.rs");
+    let mut rng = Pcg32::new(61, 54);
+    for (heuristic, exponent, [single, counted]) in HEURISTICS {
+        let statement =
+            format!("Error: {single} ulp for counts of 1, {counted} ulp for any counts");
+        assert!(source.contains(&statement), "{statement}");
+        let mut worst = [0.0_f64; 2];
+        for i in 0..2_000_000 {
+            // Any density against one within a factor of up to 2^±160.
+            let f = f32::from_bits(rng.next_u32() % f32::INFINITY.to_bits());
+            let apart = (f64::from(rng.next_u32()) / 2f64.powi(31) - 1.0) * f64::from(1 + i % 160);
+            let g = (f64::from(f) * apart.exp2()).min(f64::from(f32::MAX)) as f32;
+            let shift = rng.next_u32() % 32;
+            let counts = [
+                1 + (rng.next_u32() >> shift),
+                1 + (rng.next_u32() >> (31 - shift)),
+            ];
+            for (worst, counts) in worst.iter_mut().zip([[1, 1], counts]) {
+                *worst = worst.max(check(heuristic, exponent, counts, [f, g]));
+            }
+        }
+        for (worst, stated) in worst.into_iter().zip([single, counted]) {
+            crate::assert_stated("ulp", worst, stated.parse().unwrap());
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Many short runs of all magnitudes and shapes against two passes in f64, pushed and merged at random.
+
+use crate::{MOMENTS, RATIO, assert_stated, at_most, stated, truth};
+use microwarp::estimate::{Moments, Ratio};
+use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
+
+const RUNS: u32 = 300_000;
+
+/// A number in [0, 1).
+fn unit(rng: &mut Pcg32) -> f64 {
+    f64::from(rng.next_u32()) / 2f64.powi(32)
+}
+
+/// One of several.
+fn below(rng: &mut Pcg32, n: u32) -> u32 {
+    (unit(rng) * f64::from(n)) as u32
+}
+
+/// A run of samples, and how many powers of ten their mean may be above their deviation.
+fn run(rng: &mut Pcg32) -> Vec<f32> {
+    let n = 2 + (unit(rng) * unit(rng) * 300.0) as usize;
+    let scale = 2f64.powf(unit(rng) * 270.0 - 146.0);
+    let mean = 10f64.powf(unit(rng) * 5.0 - 1.5) * if rng.next_u32() & 1 == 0 { 1.0 } else { -1.0 };
+    let shape = below(rng, 6);
+    let shaped = |i: usize, rng: &mut Pcg32| match shape {
+        0 => unit(rng),
+        1 => -unit(rng).max(1e-9).ln(),
+        // The first is far away, and so is the first centre.
+        2 => {
+            if i == 0 {
+                -mean
+            } else {
+                unit(rng)
+            }
+        }
+        // Sorted.
+        3 => i as f64 / n as f64 + 0.01 * unit(rng),
+        // Two values.
+        4 => f64::from(rng.next_u32() & 1),
+        // A late outlier.
+        _ => {
+            if i + 1 == n {
+                1e4
+            } else {
+                unit(rng)
+            }
+        }
+    };
+    (0..n)
+        .map(|i| ((mean + shaped(i, rng)) * scale) as f32)
+        .filter(|x| x.is_finite())
+        .collect()
+}
+
+/// Pushes a run in one, or in parts that are then merged.
+fn gather<S: Copy, E: Default + Copy>(
+    rng: &mut Pcg32,
+    samples: &[S],
+    push: impl Fn(&mut E, S),
+    merge: impl Fn(&mut E, &E),
+) -> E {
+    let mut parts = [E::default(); 4];
+    let used = 1 + below(rng, 4);
+    for &sample in samples {
+        push(&mut parts[below(rng, used) as usize], sample);
+    }
+    let [mut all, rest @ ..] = parts;
+    rest.iter().for_each(|part| merge(&mut all, part));
+    all
+}
+
+/// Whether a result has full precision in f32.
+fn normal(x: f64) -> bool {
+    (1.2e-38..3.4e38).contains(&x.abs())
+}
+
+#[derive(Default)]
+struct Worst(f64, Vec<f32>);
+
+impl Worst {
+    fn take(&mut self, error: f64, samples: &[f32]) {
+        assert!(!error.is_nan(), "{samples:?}");
+        if error > self.0 {
+            *self = Self(error, samples.to_vec());
+        }
+    }
+}
+
+#[test]
+fn short_runs_keep_the_stated_errors() {
+    let mut rng = Pcg32::new(0x5047, 54);
+    let (mut of_mean, mut of_variance) = (Worst::default(), Worst::default());
+    let (mut naive, mut compared) = (0, 0);
+    for _ in 0..RUNS {
+        let samples = run(&mut rng);
+        if samples.len() < 2 {
+            continue;
+        }
+        let moments: Moments = gather(&mut rng, &samples, Moments::push, Moments::merge);
+        assert_eq!(moments.count(), samples.len() as u64);
+        let (mean, variance) = truth(samples.iter().map(|&x| f64::from(x)));
+        let deviation = variance.sqrt();
+        if normal(mean) {
+            let error = (f64::from(moments.mean().unwrap()) - mean).abs();
+            of_mean.take(error / mean.abs().max(deviation), &samples);
+        }
+        let n = samples.len() as f64;
+        let pairs = [
+            (moments.variance(), variance, 1.0),
+            (moments.population_variance(), variance * (n - 1.0) / n, 1.0),
+            // Twice the relative error of a root is that of the square.
+            (moments.standard_deviation(), deviation, 2.0),
+            (moments.standard_error(), deviation / n.sqrt(), 2.0),
+        ];
+        for (got, exact, times) in pairs {
+            let got = f64::from(got.unwrap());
+            if normal(exact) {
+                of_variance.take(times * (got - exact).abs() / exact, &samples);
+            } else if exact == 0.0 {
+                assert!(got == 0.0, "{got} of {samples:?}");
+            } else {
+                // Saturated above, within the spacing below.
+                let nearest = exact.min(f64::from(f32::MAX));
+                assert!(
+                    (got - nearest).abs() <= 2e-45 + 1e-6 * nearest,
+                    "{got} for {exact}"
+                );
+            }
+        }
+        if normal(variance) && normal(mean * mean) {
+            // The textbook formula, as a control.
+            let (sum, squares) = samples
+                .iter()
+                .fold((0.0, 0.0), |(s, q), x| (s + x, q + x * x));
+            let textbook = (squares - sum * sum / n as f32) / (n as f32 - 1.0);
+            compared += 1;
+            let off = (f64::from(textbook) - variance).abs() / variance;
+            naive += u32::from(!at_most(off, stated(MOMENTS, "variance", 3)));
+        }
+    }
+    println!("mean: {:?}\nvariance: {:?}", of_mean.1, of_variance.1);
+    assert_stated("mean", of_mean.0, stated(MOMENTS, "mean", 3));
+    assert_stated("variance", of_variance.0, stated(MOMENTS, "variance", 3));
+    println!("the textbook formula fails {naive} of {compared}");
+    assert!(naive > compared / 2, "the textbook formula passes");
+}
+
+#[test]
+fn short_weighted_runs_keep_the_stated_errors() {
+    let mut rng = Pcg32::new(0x5048, 54);
+    let (mut of_ratio, mut of_error) = (Worst::default(), Worst::default());
+    for _ in 0..RUNS {
+        let values = run(&mut rng);
+        if values.len() < 2 {
+            continue;
+        }
+        // Weights over up to six powers of ten, of any magnitude.
+        let spread = 6.0 * unit(&mut rng);
+        let scale = 2f64.powf(unit(&mut rng) * 220.0 - 120.0);
+        let samples: Vec<(f32, f32)> = values
+            .iter()
+            .map(|&x| (x, (scale * 10f64.powf(spread * unit(&mut rng))) as f32))
+            .collect();
+        let push = |ratio: &mut Ratio, (x, w)| ratio.push(x, w);
+        let ratio: Ratio = gather(&mut rng, &samples, push, Ratio::merge);
+        let exact = || samples.iter().map(|&(x, w)| (f64::from(x), f64::from(w)));
+        let weights: f64 = exact().map(|(_, w)| w).sum();
+        let near = f64::from(values[0]);
+        let r = near + exact().map(|(x, w)| w * (x - near)).sum::<f64>() / weights;
+        let n = samples.len() as f64;
+        let squares: f64 = exact().map(|(x, w)| (w * (x - r)).powi(2)).sum();
+        let error = (n / (n - 1.0) * squares).sqrt() / weights;
+        let spread = exact().map(|(x, w)| w * (x - r) * (x - r)).sum::<f64>() / weights;
+        if normal(r) {
+            let off = (f64::from(ratio.estimate().unwrap()) - r).abs();
+            of_ratio.take(off / r.abs().max(spread.sqrt()), &values);
+        }
+        if normal(error) {
+            let off = (f64::from(ratio.standard_error().unwrap()) - error).abs();
+            of_error.take(off / error, &values);
+        }
+    }
+    assert_stated("ratio", of_ratio.0, stated(RATIO, "ratio", 3));
+    assert_stated(
+        "standard error",
+        of_error.0,
+        stated(RATIO, "standard error", 3),
+    );
+}
