@@ -20,6 +20,7 @@
 mod alias;
 mod cdf;
 mod cells;
+mod division;
 mod once;
 mod piecewise1d;
 mod piecewise2d;

@@ -24,6 +24,9 @@ const LEAST: f32 = 1.0 / 4_194_304.0;
 
 impl Cells {
     pub(crate) const fn new([low, high]: [f32; 2], count: usize) -> Result<Self, Error> {
+        if count == 0 {
+            return Err(Error::NoWeights);
+        }
         match (finite(low), finite(high)) {
             (Ok(_), Ok(_)) => {}
             (Err(e), _) | (_, Err(e)) => return Err(e),

@@ -20,7 +20,7 @@ use crate::uniform::{LARGEST, Uniforms};
 ///   far below a step is either not reached or, by the one bit string that falls on it, more often than
 ///   its pmf says: where that matters, take a `Cdf` of `u64`.
 /// - pmf: the weight over the sum, rounded to nearest; never 0.
-/// - Time: two additions and one product of 64 bits a weight, one 128-bit division in all.
+/// - Time: two additions and a product of 64 bits a weight, one division in all.
 ///
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///

@@ -185,11 +185,15 @@ macro_rules! constructors {
                     other => other?,
                 };
                 let marginal = PiecewiseConstant1d::over(cdf, rows, v)?;
-                let pairs = weights
-                    .chunks_exact(columns)
-                    .zip(tables.chunks_exact_mut(columns));
-                for (row, (weights, table)) in pairs.enumerate() {
-                    $fill_row(weights, table, row.wrapping_mul(columns))?;
+                // Row by row without a division, which `chunks_exact` would bring and a panic with it.
+                let (mut cells_left, mut words_left, mut first) = (weights, &mut *tables, 0_usize);
+                while let (Some((row, more)), Some((table, others))) = (
+                    cells_left.split_at_checked(columns),
+                    words_left.split_at_mut_checked(columns),
+                ) {
+                    $fill_row(row, table, first)?;
+                    first = first.wrapping_add(columns);
+                    (cells_left, words_left) = (more, others);
                 }
                 Ok(Self {
                     marginal,
@@ -232,8 +236,10 @@ where
         }
         let columns = Cells::new(u, width)?;
         let marginal = PiecewiseConstant1d::over(cdf, rows, v)?;
-        for row in conditional.flat().chunks_exact(width) {
+        let mut left = conditional.flat();
+        while let Some((row, more)) = left.split_at_checked(width) {
             Cdf::from_words(row)?;
+            left = more;
         }
         Ok(Self {
             marginal,

@@ -4,6 +4,7 @@
 //! the number of words below it. What is done with these numbers is not said here.
 
 use super::MAX_ENTRIES;
+use super::division::scaled;
 use crate::error::Error;
 
 /// Bits of the sum of all weights: what leaves room for a shift by 32 in 128 bits.
@@ -226,24 +227,6 @@ impl<'a> Source<'a> {
             },
         }
     }
-}
-
-/// `floor(x · 2^bits / total)` and whether something was left, for `x <= total < 2^95`.
-const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
-    let mut quotient = 0_u128;
-    let mut rest = x;
-    let mut left = bits;
-    while left > 0 {
-        let up = rest.wrapping_shl(32);
-        let digit = match up.checked_div(total) {
-            Some(digit) => digit,
-            None => 0,
-        };
-        rest = up.wrapping_sub(digit.wrapping_mul(total));
-        quotient = quotient.wrapping_shl(32).wrapping_add(digit);
-        left = left.wrapping_sub(32);
-    }
-    (quotient, rest > 0)
 }
 
 /// Turns weights one by one into the number of words below the end of each.

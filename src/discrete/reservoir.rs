@@ -127,7 +127,7 @@ impl<T> Reservoir<T> {
             return false;
         }
         self.total = self.total.plus(mass);
-        let taken = u128::from(bits) < mass.share_of(self.total);
+        let taken = mass.contains(bits, self.total);
         if taken {
             self.held = Some((item, own));
         }

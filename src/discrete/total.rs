@@ -1,5 +1,6 @@
 //! A running sum of weights of any size, in fixed memory: what selection without a table divides by.
 
+use super::division::scaled;
 use crate::error::Error;
 
 /// A positive number as 64 leading bits and an exponent: mantissa · 2^(exponent − 214), or 0.
@@ -12,9 +13,6 @@ pub(crate) struct Total {
     mantissa: u64,
     exponent: u32,
 }
-
-/// 2^64: the whole, as shares are counted.
-const WHOLE: u128 = 1 << 64;
 
 impl Total {
     pub(crate) const ZERO: Self = Self {
@@ -120,35 +118,30 @@ impl Total {
         offset as f32 / width as f32
     }
 
-    /// What part of `whole`, which is not below it, this is: in steps of 2⁻⁶⁴, rounded down, from 0 to
-    /// 2⁶⁴; a positive number has at least one step.
-    pub(crate) const fn share_of(self, whole: Self) -> u128 {
+    /// Whether a word of 2⁶⁴ falls on this part of `whole`, which is not below it: it does for the first
+    /// floor(2⁶⁴ · self/whole) of them, and for 0 if this is positive at all.
+    pub(crate) const fn contains(self, word: u64, whole: Self) -> bool {
         if self.is_zero() {
-            return 0;
+            return false;
         }
-        let up = (self.mantissa as u128) << 64;
-        let aligned = match up.checked_shr(self.below(whole)) {
-            Some(aligned) => aligned,
+        let share = match ((self.mantissa as u128) << 64).checked_shr(self.below(whole)) {
+            Some(share) => share,
             None => 0,
         };
-        match aligned.checked_div(whole.mantissa as u128) {
-            Some(0) | None => 1,
-            Some(share) if share > WHOLE => WHOLE,
-            Some(share) => share,
-        }
+        // At most 2⁶⁴ times less than 2⁶⁴.
+        let next = (word as u128).wrapping_add(1);
+        word == 0 || next.wrapping_mul(whole.mantissa as u128) <= share
     }
 
     /// The quotient of this and `whole`, which is not below it, as an `f32`; never 0.
     pub(crate) fn ratio(self, whole: Self) -> f32 {
-        // 63 or 64 bits of quotient, and a last bit for what the division left: a conversion of these
-        // rounds as that of the exact quotient would.
-        let up = u128::from(self.mantissa) << 63;
-        let divisor = u128::from(whole.mantissa);
-        let quotient = up.checked_div(divisor).unwrap_or(0);
-        let inexact = quotient.wrapping_mul(divisor) != up;
-        let digits = (quotient as u64 | u64::from(inexact)) as f32;
+        // The mantissas' quotient lies between 1/2 and 2. Of its half 31 or 32 bits, the last of which
+        // stands for all that follow: their conversion rounds as that of the exact quotient would.
+        let twice = u128::from(whole.mantissa) << 1;
+        let (quotient, inexact) = scaled(self.mantissa.into(), twice, 32);
+        let digits = (quotient as u32 | u32::from(inexact)) as f32;
         // The exponents differ by 277 and a stream's growth at most; two powers of two reach there.
-        let down = self.below(whole).wrapping_add(63);
+        let down = self.below(whole).wrapping_add(31);
         let half = down >> 1;
         crate::warp::representable(digits * power(half) * power(down.wrapping_sub(half)))
     }

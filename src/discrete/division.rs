@@ -1,0 +1,26 @@
+//! The one division of the tables, of 128-bit numbers, digit by digit.
+//!
+//! The compiler's own routine is two to four times as fast on a host, and three kilobytes of flash on a
+//! Cortex-M0.
+
+/// `floor(x · 2^bits / total)` and whether something was left, for `x <= total < 2^127`.
+pub(crate) const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
+    let mut quotient = 0_u128;
+    let mut rest = x;
+    // A whole is found at the start, and leaves less than the total from then on.
+    if rest >= total {
+        rest = rest.wrapping_sub(total);
+        quotient = 1;
+    }
+    let mut left = bits;
+    while left > 0 {
+        rest <<= 1;
+        quotient <<= 1;
+        // Without a branch, which no processor could predict.
+        let digit = (rest >= total) as u128;
+        rest = rest.wrapping_sub(total & 0_u128.wrapping_sub(digit));
+        quotient |= digit;
+        left = left.wrapping_sub(1);
+    }
+    (quotient, rest > 0)
+}
