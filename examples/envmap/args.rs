@@ -1,0 +1,67 @@
+//! The command line: what may be asked of the example, and what is said to those who ask wrongly.
+
+use lexopt::prelude::*;
+use lexopt::{Error, Parser};
+use std::num::ParseIntError;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+pub const HELP: &str = "\
+Turns a picture of the sky into a table, samples it, checks the samples against the picture's own
+probabilities, lights a plane with it, and draws all that.
+
+    cargo run --release --example envmap [-- OPTIONS]
+
+    --seed N             seed of the generators [42]; the same seed gives the same figure
+    --out DIR            where the figure goes [target/envmap]
+    --samples N          samples of each table, 100000 to 10000000 [1000000]
+    --make-picture DIR   only writes sky.png and small_weights.rs, the two generated files of this
+                         example, whose place is examples/envmap
+    --help               this text
+
+The exit code is 1 if a p-value is below 1e-9, if a sample lies where the picture is black, if a table
+that is wrong on purpose passes, if a Monte Carlo estimate is off, or if the picture is not the one that
+--make-picture makes; it is 2 for arguments that make no sense.";
+
+pub struct Args {
+    pub seed: u64,
+    pub out: PathBuf,
+    pub samples: usize,
+    pub make_picture: Option<PathBuf>,
+}
+
+/// What the command line asks for; `None` for help.
+pub fn parse() -> Result<Option<Args>, Error> {
+    let mut args = Args {
+        seed: 42,
+        out: PathBuf::from("target/envmap"),
+        samples: 1_000_000,
+        make_picture: None,
+    };
+    let mut parser = Parser::from_env();
+    while let Some(arg) = parser.next()? {
+        match arg {
+            Long("seed") => args.seed = number(&mut parser, "--seed")?,
+            Long("out") => args.out = parser.value()?.into(),
+            Long("samples") => {
+                args.samples = number(&mut parser, "--samples")?;
+                if !(100_000..=10_000_000).contains(&args.samples) {
+                    let text = "must lie between 100000 and 10000000";
+                    return Err(format!("--samples {}: {text}", args.samples).into());
+                }
+            }
+            Long("make-picture") => args.make_picture = Some(parser.value()?.into()),
+            Short('h') | Long("help") => return Ok(None),
+            _ => return Err(arg.unexpected()),
+        }
+    }
+    Ok(Some(args))
+}
+
+fn number<T: FromStr<Err = ParseIntError>>(parser: &mut Parser, name: &str) -> Result<T, Error> {
+    let value = parser.value()?.string()?;
+    let digits = value.replace('_', "");
+    digits
+        .parse()
+        .map_err(|error| format!("{name} {value}: {error}").into())
+}
