@@ -32,8 +32,9 @@ use rand_core::{Rng, TryRng};
 /// - The full words of the table, which drawing uses, reach every positive weight, each with its pmf. From
 ///   32 bits in a table of `u64`, and from the 24 of an `f32`, an entry far below 2⁻³² or 2⁻²⁴ is either
 ///   not reached or, by the one bit string that its words happen to hold, more often than its pmf says.
-/// - Time: log₂ n comparisons. Building takes a 128-bit division an entry, digit by digit, a second and a
-///   third where some weight is below a step, and none at run time in a `const`.
+/// - Time: log₂ n comparisons. Building takes a 128-bit division an entry, digit by digit, and two more
+///   where some weight is below a step; a `const` is built by the compiler. Beyond some thousand entries it
+///   asks for `#![allow(long_running_const_eval)]`.
 ///
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///

@@ -213,7 +213,7 @@ impl<W, M, C> PiecewiseConstant2d<M, C>
 where
     W: Word,
     M: Storage<Item = W>,
-    C: Grid<Word = W>,
+    C: Grid<Item = W>,
 {
     /// A distribution out of the words of finished tables, such as [`PiecewiseConstant2d::as_words`] gave:
     /// the marginal's, and row by row those of the conditionals.
@@ -299,7 +299,7 @@ impl<W, M, C> Warp for PiecewiseConstant2d<M, C>
 where
     W: Word,
     M: Storage<Item = W>,
-    C: Grid<Word = W>,
+    C: Grid<Item = W>,
 {
     type Uniforms = [f32; 2];
     type Point = [f32; 2];

@@ -39,7 +39,7 @@ pub trait Word: Arithmetic + Debug + Hash {
     /// 2^−BITS, the step of the probabilities.
     const STEP: f32;
     /// A number of words, which may be all of them: `u64` for `u32`, `u128` for `u64`.
-    type Count: Copy + Ord + Debug + From<Self>;
+    type Count: Copy + Ord + Debug + From<Self> + Into<u128>;
     /// How many words there are, 2^BITS.
     const TOTAL: Self::Count;
 
