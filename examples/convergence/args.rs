@@ -1,5 +1,6 @@
 //! The command line of the convergence figure.
 
+use crate::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
 use std::path::PathBuf;
@@ -38,12 +39,10 @@ pub fn parse() -> Result<Option<Args>, Error> {
     while let Some(arg) = parser.next()? {
         match arg {
             Long("out") => args.out = parser.value()?.into(),
-            Long("seed") => args.seed = parser.value()?.parse()?,
+            Long("seed") => args.seed = number(&mut parser, "--seed")?,
             Long("repetitions") => {
-                args.repetitions = parser.value()?.parse()?;
-                if !(LEAST..=10_000).contains(&args.repetitions) {
-                    return Err(format!("--repetitions must lie between {LEAST} and 10000").into());
-                }
+                args.repetitions =
+                    within(&mut parser, "--repetitions", LEAST as usize, 10_000)? as u32;
             }
             Short('h') | Long("help") => return Ok(None),
             _ => return Err(arg.unexpected()),

@@ -4,9 +4,10 @@
 //! Here lives the order of the work. The program fails when a slope is not the one theory gives.
 
 mod args;
-#[allow(dead_code, reason = "the gallery draws more than this figure needs")]
-#[path = "../gallery/canvas.rs"]
+#[path = "../common/canvas.rs"]
 mod canvas;
+#[path = "../common/cli.rs"]
+mod cli;
 mod figure;
 mod fit;
 mod integrand;
@@ -15,8 +16,7 @@ mod plot;
 mod random;
 mod rules;
 mod table;
-#[allow(dead_code, reason = "the gallery writes more than this figure needs")]
-#[path = "../gallery/text.rs"]
+#[path = "../common/text.rs"]
 mod text;
 
 use args::Args;
@@ -29,31 +29,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 fn main() -> ExitCode {
-    let args = match args::parse() {
-        Ok(Some(args)) => args,
-        Ok(None) => {
-            println!("{}", args::HELP);
-            return ExitCode::SUCCESS;
-        }
-        Err(error) => {
-            eprintln!("convergence: {error}\nTry --help.");
-            return ExitCode::from(2);
-        }
-    };
-    match run(&args) {
-        Ok(complaints) if complaints.is_empty() => ExitCode::SUCCESS,
-        Ok(complaints) => {
-            eprintln!("\nFAILED:");
-            complaints
-                .iter()
-                .for_each(|complaint| eprintln!("  {complaint}"));
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("convergence: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    cli::run("convergence", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns what is wrong with the slopes.

@@ -1,10 +1,9 @@
 //! The command line: what may be asked of the example, and what is said to those who ask wrongly.
 
+use crate::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
-use std::num::ParseIntError;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 pub const HELP: &str = "\
 Turns a picture of the sky into a table, samples it, checks the samples against the picture's own
@@ -44,11 +43,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
             Long("seed") => args.seed = number(&mut parser, "--seed")?,
             Long("out") => args.out = parser.value()?.into(),
             Long("samples") => {
-                args.samples = number(&mut parser, "--samples")?;
-                if !(100_000..=10_000_000).contains(&args.samples) {
-                    let text = "must lie between 100000 and 10000000";
-                    return Err(format!("--samples {}: {text}", args.samples).into());
-                }
+                args.samples = within(&mut parser, "--samples", 100_000, 10_000_000)?;
             }
             Long("make-picture") => args.make_picture = Some(parser.value()?.into()),
             Short('h') | Long("help") => return Ok(None),
@@ -56,12 +51,4 @@ pub fn parse() -> Result<Option<Args>, Error> {
         }
     }
     Ok(Some(args))
-}
-
-fn number<T: FromStr<Err = ParseIntError>>(parser: &mut Parser, name: &str) -> Result<T, Error> {
-    let value = parser.value()?.string()?;
-    let digits = value.replace('_', "");
-    digits
-        .parse()
-        .map_err(|error| format!("{name} {value}: {error}").into())
 }

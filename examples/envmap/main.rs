@@ -5,11 +5,12 @@
 //! work.
 
 mod args;
-#[allow(dead_code, reason = "the gallery draws more")]
-#[path = "../gallery/canvas.rs"]
+#[path = "../common/canvas.rs"]
 mod canvas;
 #[path = "../../tests/catalogue/mod.rs"]
 mod catalogue;
+#[path = "../common/cli.rs"]
+mod cli;
 mod controls;
 mod figure;
 mod light;
@@ -20,7 +21,7 @@ mod scene;
 mod small;
 mod small_weights;
 mod study;
-#[path = "../gallery/text.rs"]
+#[path = "../common/text.rs"]
 mod text;
 
 use args::Args;
@@ -42,33 +43,12 @@ const POINTS: usize = 4000;
 const NIGHT: f32 = 1e-9;
 
 fn main() -> ExitCode {
-    let args = match args::parse() {
-        Ok(Some(args)) => args,
-        Ok(None) => {
-            println!("{}", args::HELP);
-            return ExitCode::SUCCESS;
+    cli::run("envmap", args::HELP, args::parse(), |args| {
+        match &args.make_picture {
+            Some(folder) => make_picture(folder).map(|()| Vec::new()),
+            None => run(args),
         }
-        Err(error) => {
-            eprintln!("envmap: {error}\nTry --help.");
-            return ExitCode::from(2);
-        }
-    };
-    let result = match &args.make_picture {
-        Some(folder) => make_picture(folder).map(|()| Vec::new()),
-        None => run(&args),
-    };
-    match result {
-        Ok(complaints) if complaints.is_empty() => ExitCode::SUCCESS,
-        Ok(complaints) => {
-            eprintln!("\nFAILED:");
-            complaints.iter().for_each(|c| eprintln!("  {c}"));
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("envmap: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    })
 }
 
 /// Writes the two generated files.

@@ -114,7 +114,7 @@ impl Study {
     where
         W: Word,
         M: Storage<Item = W>,
-        C: Grid<Word = W>,
+        C: Grid<Item = W>,
     {
         let mut points = vec![[0.0; 2]; samples];
         let start = Instant::now();

@@ -1,10 +1,9 @@
 //! The command line: what may be asked of the gallery, and what is said to those who ask wrongly.
 
+use crate::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
-use std::num::ParseIntError;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 pub const HELP: &str = "\
 Draws every warp of microwarp in both tiers, checks the samples against the density and prints a table.
@@ -70,21 +69,4 @@ pub fn parse() -> Result<Option<Args>, Error> {
         }
     }
     Ok(Some(args))
-}
-
-fn number<T: FromStr<Err = ParseIntError>>(parser: &mut Parser, name: &str) -> Result<T, Error> {
-    let value = parser.value()?.string()?;
-    let digits = value.replace('_', "");
-    digits
-        .parse()
-        .map_err(|error| format!("{name} {value}: {error}").into())
-}
-
-fn within(parser: &mut Parser, name: &str, least: usize, most: usize) -> Result<usize, Error> {
-    let value = number(parser, name)?;
-    if (least..=most).contains(&value) {
-        Ok(value)
-    } else {
-        Err(format!("{name} {value}: must lie between {least} and {most}").into())
-    }
 }

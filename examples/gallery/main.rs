@@ -6,16 +6,21 @@
 
 mod area;
 mod args;
+#[path = "../common/canvas.rs"]
 mod canvas;
 #[path = "../../tests/catalogue/mod.rs"]
 mod catalogue;
 mod check;
+#[path = "../common/cli.rs"]
+mod cli;
 mod line;
 mod list;
+#[path = "../common/scale.rs"]
 mod scale;
 mod sheet;
 mod strata;
 mod table;
+#[path = "../common/text.rs"]
 mod text;
 
 use args::Args;
@@ -40,31 +45,7 @@ pub struct Subject<'a> {
 }
 
 fn main() -> ExitCode {
-    let args = match args::parse() {
-        Ok(Some(args)) => args,
-        Ok(None) => {
-            println!("{}", args::HELP);
-            return ExitCode::SUCCESS;
-        }
-        Err(error) => {
-            eprintln!("gallery: {error}\nTry --help.");
-            return ExitCode::from(2);
-        }
-    };
-    match run(&args) {
-        Ok(complaints) if complaints.is_empty() => ExitCode::SUCCESS,
-        Ok(complaints) => {
-            eprintln!("\nFAILED:");
-            complaints
-                .iter()
-                .for_each(|complaint| eprintln!("  {complaint}"));
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("gallery: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    cli::run("gallery", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns what is wrong with the warps.

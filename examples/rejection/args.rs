@@ -1,5 +1,6 @@
 //! The command line: what may be asked for, and what is said to those who ask wrongly.
 
+use crate::cli::{number, within};
 use lexopt::Error;
 use lexopt::prelude::*;
 use std::path::PathBuf;
@@ -36,25 +37,17 @@ pub fn parse() -> Result<Option<Args>, Error> {
     let mut parser = lexopt::Parser::from_env();
     while let Some(arg) = parser.next()? {
         match arg {
-            Long("seed") => args.seed = parser.value()?.parse()?,
+            Long("seed") => args.seed = number(&mut parser, "--seed")?,
             Long("out") => args.out = parser.value()?.into(),
             Long("points") => {
-                args.points = within("--points", parser.value()?.parse()?, 1000, 100_000_000)?;
+                args.points = within(&mut parser, "--points", 1000, 100_000_000)?;
             }
             Long("shown") => {
-                args.shown = within("--shown", parser.value()?.parse()?, 10, 100_000)?;
+                args.shown = within(&mut parser, "--shown", 10, 100_000)?;
             }
             Short('h') | Long("help") => return Ok(None),
             _ => return Err(arg.unexpected()),
         }
     }
     Ok(Some(args))
-}
-
-fn within(name: &str, value: usize, least: usize, most: usize) -> Result<usize, Error> {
-    if (least..=most).contains(&value) {
-        Ok(value)
-    } else {
-        Err(format!("{name} {value}: must lie between {least} and {most}").into())
-    }
 }

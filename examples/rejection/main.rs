@@ -4,16 +4,17 @@
 //! What is drawn is one list, `scenes.rs`. Here lives the order of the work.
 
 mod args;
-#[path = "../gallery/canvas.rs"]
-#[allow(dead_code, reason = "the gallery draws more")]
+#[path = "../common/canvas.rs"]
 mod canvas;
+#[path = "../common/cli.rs"]
+mod cli;
 mod measure;
 mod page;
 mod plot;
-#[path = "../gallery/scale.rs"]
+#[path = "../common/scale.rs"]
 mod scale;
 mod scenes;
-#[path = "../gallery/text.rs"]
+#[path = "../common/text.rs"]
 mod text;
 
 use args::Args;
@@ -30,32 +31,11 @@ use text::thousands;
 const ALARM: f64 = 6.0;
 
 fn main() -> ExitCode {
-    let args = match args::parse() {
-        Ok(Some(args)) => args,
-        Ok(None) => {
-            println!("{}", args::HELP);
-            return ExitCode::SUCCESS;
-        }
-        Err(error) => {
-            eprintln!("rejection: {error}\nTry --help.");
-            return ExitCode::from(2);
-        }
-    };
-    match run(&args) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => {
-            eprintln!("\nFAILED: an efficiency is not what it must be.");
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("rejection: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    cli::run("rejection", args::HELP, args::parse(), run)
 }
 
-/// Does everything; returns whether every efficiency is what it must be.
-fn run(args: &Args) -> Result<bool, Box<dyn Error>> {
+/// Does everything; returns which efficiencies are not what they must be.
+fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let scenes = scenes::all()?;
     std::fs::create_dir_all(&args.out).map_err(|e| format!("{}: {e}", args.out.display()))?;
@@ -84,8 +64,13 @@ fn run(args: &Args) -> Result<bool, Box<dyn Error>> {
         args.out.display(),
         start.elapsed().as_secs_f64()
     );
-    // Written so that NaN is no success.
-    Ok(rows.iter().all(|(s, m)| m.deviation(s).abs() <= ALARM))
+    let complaints = rows.iter().filter_map(|(scene, measured)| {
+        let off = measured.deviation(scene);
+        // Written so that NaN is no success.
+        let right = off.abs() <= ALARM;
+        (!right).then(|| format!("{}: the efficiency is off by {off:+.1} σ", scene.name))
+    });
+    Ok(complaints.collect())
 }
 
 fn print(rows: &[(&Scene, Measured)]) {

@@ -1,5 +1,7 @@
 //! Axes: where a number lies along one, and the round numbers that are written beside it.
 
+#![allow(dead_code, reason = "each example uses a part")]
+
 /// A linear or logarithmic axis, from 0 at one end to 1 at the other.
 #[derive(Clone, Copy)]
 pub struct Scale {

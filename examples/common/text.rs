@@ -1,5 +1,7 @@
 //! Text: a font that is compiled in, its measures and the outlines of its letters.
 
+#![allow(dead_code, reason = "each example uses a part")]
+
 use crate::canvas::{Colour, INK};
 use tiny_skia::{Path, PathBuilder};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};

@@ -2,6 +2,8 @@
 //!
 //! What is drawn where is not said here; colours are, so that all pictures share one palette.
 
+#![allow(dead_code, reason = "each example uses a part")]
+
 use crate::text::{Align, Fonts, Type};
 use color_quant::NeuQuant;
 use std::path::Path;
