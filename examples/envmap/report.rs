@@ -3,20 +3,8 @@
 use crate::controls::Control;
 use crate::light::{DIRECTIONS, Quantity, REPETITIONS};
 use crate::study::{ALARM, Outcome, Study};
+use crate::text::thousands;
 use comfy_table::{CellAlignment, Table, presets};
-
-/// 1000000 as "1 000 000".
-pub fn thousands(n: usize) -> String {
-    let digits = n.to_string();
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
-            text.push('\u{202f}');
-        }
-        text.push(digit);
-    }
-    text
-}
 
 /// A p-value, in scientific notation where it is extreme.
 pub fn p_text(outcome: &Outcome) -> String {

@@ -1,7 +1,8 @@
 //! A discrete distribution as a table of cumulated words, searched by halving.
 
-use super::quantize::{Ends, Source};
-use super::selection::{Selection, Share, amount};
+use super::ladder::Ends;
+use super::selection::{Selection, Share, amount, selections};
+use super::source::Source;
 use super::storage::Storage;
 use super::word::Word;
 use crate::error::Error;
@@ -291,45 +292,7 @@ impl<W: Word, S: Storage<Item = W>> Cdf<S> {
         share.selection(amount(share.count) * W::STEP, fraction, bits)
     }
 
-    /// Selects by 32 bits.
-    #[must_use]
-    #[inline]
-    pub fn select(&self, bits: u32) -> Selection {
-        self.selection(W::from_bits(bits), 0.0, 32)
-    }
-
-    /// Selects by a whole word of the table.
-    #[must_use]
-    #[inline]
-    pub fn select_word(&self, word: W) -> Selection {
-        self.selection(word, 0.0, W::BITS)
-    }
-
-    /// Selects by any `f32`, brought into [0, 1) by the rule of [`Uniforms::canonical`] first.
-    ///
-    /// [`uniform::grid_from_word`](crate::uniform::grid_from_word) of some bits selects the entry that
-    /// the leading 24 of them do. The leftover is counted as that of a 24-bit uniform.
-    #[must_use]
-    #[inline]
-    pub fn select_uniform(&self, u: f32) -> Selection {
-        let (word, fraction) = W::from_uniform(u.canonical());
-        self.selection(word, fraction, 24)
-    }
-
-    /// Draws an entry: one `u32` of the generator from a table of `u32`, two from a table of `u64`.
-    ///
-    /// # Errors
-    /// The generator's own error.
-    #[inline]
-    pub fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Selection, R::Error> {
-        Ok(self.select_word(W::try_draw(rng)?))
-    }
-
-    /// Draws an entry from a generator that cannot fail.
-    #[inline]
-    pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Selection {
-        infallible(self.try_draw(rng))
-    }
+    selections!(W);
 
     /// The first word of an entry and how many it has, 0 meaning all; nothing for one that has none.
     #[inline]

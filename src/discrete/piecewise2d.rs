@@ -2,8 +2,9 @@
 
 use super::cdf::{Cdf, fill_u32, fill_u64};
 use super::cells::Cells;
+use super::ladder::Ends;
 use super::piecewise1d::PiecewiseConstant1d;
-use super::quantize::{Ends, Scan, Source};
+use super::source::{Scan, Source};
 use super::storage::{Grid, Storage};
 use super::word::Word;
 use crate::error::Error;

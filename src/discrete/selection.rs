@@ -67,3 +67,51 @@ pub(crate) fn amount<W: Word>(count: W) -> f32 {
         count.as_f32()
     }
 }
+
+/// The ways to select, which both kinds of table have: by bits, by a word, by a uniform, from a generator.
+/// The table gives `selection(word, fraction, bits)`.
+macro_rules! selections {
+    ($word:ident) => {
+        /// Selects by 32 bits.
+        #[must_use]
+        #[inline]
+        pub fn select(&self, bits: u32) -> Selection {
+            self.selection($word::from_bits(bits), 0.0, 32)
+        }
+
+        /// Selects by a whole word of the table.
+        #[must_use]
+        #[inline]
+        pub fn select_word(&self, word: $word) -> Selection {
+            self.selection(word, 0.0, $word::BITS)
+        }
+
+        /// Selects by any `f32`, brought into [0, 1) by the rule of
+        /// [`Uniforms::canonical`](crate::uniform::Uniforms::canonical) first.
+        ///
+        /// [`uniform::grid_from_word`](crate::uniform::grid_from_word) of some bits selects the entry that
+        /// the leading 24 of them do. The leftover is counted as that of a 24-bit uniform.
+        #[must_use]
+        #[inline]
+        pub fn select_uniform(&self, u: f32) -> Selection {
+            let (word, fraction) = $word::from_uniform(u.canonical());
+            self.selection(word, fraction, 24)
+        }
+
+        /// Draws an entry: one `u32` of the generator from a table of `u32`, two from a table of `u64`.
+        ///
+        /// # Errors
+        /// The generator's own error.
+        #[inline]
+        pub fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Selection, R::Error> {
+            Ok(self.select_word($word::try_draw(rng)?))
+        }
+
+        /// Draws an entry from a generator that cannot fail.
+        #[inline]
+        pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Selection {
+            infallible(self.try_draw(rng))
+        }
+    };
+}
+pub(crate) use selections;

@@ -1,10 +1,8 @@
-//! From weights to whole numbers of steps: the exact arithmetic behind every table, all of it `const`.
+//! Weights as integers in one common unit, so that their sums are exact; all of it `const`.
 //!
-//! Weights become integers in one common unit, their prefix sums are exact, and each prefix sum becomes
-//! the number of words below it. What is done with these numbers is not said here.
+//! What becomes of the sums is said in `ladder`.
 
 use super::MAX_ENTRIES;
-use super::division::scaled;
 use crate::error::Error;
 
 /// Bits of the sum of all weights: what leaves room for a shift by 32 in 128 bits.
@@ -186,7 +184,7 @@ impl<'a> Source<'a> {
     }
 
     /// The next weight; nothing after the last.
-    const fn next(&mut self) -> Option<u128> {
+    pub(crate) const fn next(&mut self) -> Option<u128> {
         match self {
             Self::Floats { weights, unit } => match weights.split_first() {
                 Some((&weight, rest)) => {
@@ -225,142 +223,6 @@ impl<'a> Source<'a> {
                 }
                 None => None,
             },
-        }
-    }
-}
-
-/// Turns weights one by one into the number of words below the end of each.
-///
-/// The rule. Where no positive weight is below a step, the end of entry i is the smallest word that is
-/// not below 2^bits · (w₀ + … + wᵢ)/(w₀ + w₁ + …): the words of an entry are those that the real-valued
-/// selection gives it, at 24, 32 and 64 bits alike. Where one is, it is given a step, and the others make
-/// room: with 32 bits none of them by more than a step from its share, or the table is refused; with 64
-/// bits by what it takes, which is below 2⁻⁴⁰ altogether.
-#[derive(Clone, Copy)]
-pub(crate) struct Ladder {
-    bits: u32,
-    total: u128,
-    /// The entries so far, as a sum of weights.
-    sum: u128,
-    /// The end of the last entry.
-    end: u128,
-    /// How many steps all the entries to come need at least.
-    needed: u128,
-    /// Whether some positive weight is below a step.
-    crowded: bool,
-    /// The last entry of positive weight.
-    pub(crate) last: usize,
-}
-
-impl Ladder {
-    pub(crate) const fn new(source: Source<'_>, bits: u32) -> Result<Self, Error> {
-        let mut ladder = Self {
-            bits,
-            total: 0,
-            sum: 0,
-            end: 0,
-            needed: 0,
-            crowded: false,
-            last: 0,
-        };
-        let (mut smallest, mut least, mut index) = (u128::MAX, 0, 0_usize);
-        let mut scan = source;
-        while let Some(weight) = scan.next() {
-            if weight > 0 {
-                ladder.last = index;
-                if weight < smallest {
-                    (smallest, least) = (weight, index);
-                }
-            }
-            ladder.total = ladder.total.wrapping_add(weight);
-            index = index.wrapping_add(1);
-        }
-        if ladder.total == 0 {
-            return Err(Error::AllZero);
-        }
-        ladder.crowded = scaled(smallest, ladder.total, bits).0 == 0;
-        let mut scan = source;
-        while let Some(weight) = scan.next() {
-            ladder.needed = ladder.needed.wrapping_add(ladder.bounds(weight).0);
-        }
-        if ladder.needed > ladder.words() {
-            return Err(Error::Unreachable(least));
-        }
-        Ok(ladder)
-    }
-
-    /// How many words there are.
-    const fn words(&self) -> u128 {
-        1_u128.wrapping_shl(self.bits)
-    }
-
-    /// The fewest and the most steps an entry may be given.
-    const fn bounds(&self, weight: u128) -> (u128, u128) {
-        if weight == 0 {
-            return (0, 0);
-        }
-        if !self.crowded || self.bits > 32 {
-            return (1, self.words());
-        }
-        let (whole, inexact) = scaled(weight, self.total, self.bits);
-        let fewest = if inexact {
-            whole
-        } else {
-            whole.saturating_sub(1)
-        };
-        (if fewest > 0 { fewest } else { 1 }, whole.wrapping_add(1))
-    }
-
-    /// The end of the next entry, whose weight this is.
-    const fn climb(&mut self, weight: u128) -> u128 {
-        if weight == 0 {
-            return self.end;
-        }
-        self.sum = self.sum.wrapping_add(weight);
-        let (whole, inexact) = scaled(self.sum, self.total, self.bits);
-        let mut end = whole.wrapping_add(inexact as u128);
-        if self.crowded {
-            let (fewest, most) = self.bounds(weight);
-            self.needed = self.needed.wrapping_sub(fewest);
-            let room = self.words().wrapping_sub(self.needed);
-            let (low, high) = (self.end.wrapping_add(fewest), self.end.wrapping_add(most));
-            let high = if high < room { high } else { room };
-            if end > high {
-                end = high;
-            }
-            if end < low {
-                end = low;
-            }
-        }
-        self.end = end;
-        end
-    }
-}
-
-/// The ends of all entries in turn.
-pub(crate) struct Ends<'a> {
-    source: Source<'a>,
-    ladder: Ladder,
-}
-
-impl<'a> Ends<'a> {
-    pub(crate) const fn new(source: Source<'a>, bits: u32) -> Result<Self, Error> {
-        match Ladder::new(source, bits) {
-            Ok(ladder) => Ok(Self { source, ladder }),
-            Err(error) => Err(error),
-        }
-    }
-
-    /// The last entry of positive weight.
-    pub(crate) const fn last(&self) -> usize {
-        self.ladder.last
-    }
-
-    /// How many words lie below the end of the next entry.
-    pub(crate) const fn next(&mut self) -> Option<u128> {
-        match self.source.next() {
-            Some(weight) => Some(self.ladder.climb(weight)),
-            None => None,
         }
     }
 }
