@@ -8,7 +8,6 @@
 mod alias;
 #[path = "discrete/cases.rs"]
 mod cases;
-#[allow(dead_code, reason = "only the statistics are used")]
 mod catalogue;
 #[path = "discrete/counted.rs"]
 mod counted;
