@@ -56,21 +56,22 @@ pub fn select_once_uniform(weights: &[f32], u: f32) -> Result<Selection, Error> 
 
 fn pass(weights: &[f32], word: u32, bits: u32) -> Result<Selection, Error> {
     let mut behind = weights.iter().enumerate();
-    let mut total = Total::ZERO;
-    let mut below = Total::ZERO;
     let (mut index, mut own) = match behind.next() {
         Some((index, &weight)) => (index, weigh(index, weight)?),
         None => return Err(Error::NoWeights),
     };
+    // The sums before and with the entry behind.
+    let (mut below, mut end) = (Total::ZERO, own);
+    let mut total = Total::ZERO;
     for (ahead, &weight) in weights.iter().enumerate() {
         total = total.plus(weigh(ahead, weight)?);
         // The sums behind are those ahead were, so the place behind cannot overtake.
-        while total.reaches(word, below.plus(own)) {
+        while total.reaches(word, end) {
             let Some((next, &weight)) = behind.next() else {
                 break;
             };
-            below = below.plus(own);
             (index, own) = (next, weigh(next, weight)?);
+            (below, end) = (end, end.plus(own));
         }
     }
     if total.is_zero() {
