@@ -44,3 +44,7 @@ pub use self::word::Word;
 
 /// The most entries a table may have, 2²⁴: as many as there are points on the grid of an `f32` uniform.
 pub const MAX_ENTRIES: usize = 1 << 24;
+
+/// The bits of the largest weight of a table, at least; every other is kept to the same unit, and a positive
+/// one never to less than one unit. A weight of 24 bits is thus exact from 2⁻⁴⁷ of the largest up.
+pub const WEIGHT_BITS: u32 = 71;

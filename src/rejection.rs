@@ -23,7 +23,8 @@
 //!
 //! # Budget
 //! There is no unbounded loop. A sampler tries as often as its budget says, then reports
-//! [`Failure::BudgetSpent`]; so a region that is empty, or a generator stuck at one value, is noticed.
+//! [`Failure::BudgetSpent`]; so a region that is empty, or a generator
+//! stuck at values that are rejected, ends in an error and not in a hang.
 //! [`budget_for`] gives a budget that a true random generator does not spend in practice.
 
 mod ball;

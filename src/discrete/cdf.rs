@@ -24,15 +24,16 @@ use rand_core::{Rng, TryRng};
 /// - Weights: up to [`MAX_ENTRIES`](super::MAX_ENTRIES) finite `f32` or `u32`, zero or positive, not all
 ///   zero. A weight is kept exactly unless it is below 2⁻⁴⁷ of the largest.
 /// - A weight of zero is never selected. A positive weight is given at least one word.
-/// - How far the probability may differ from weight/total: in a table of `u32`, and whatever the table
-///   from 32 bits, by less than 2⁻³² (one step where some weight is below a step); from the 24-bit grid of
-///   an `f32` by less than 2⁻²⁴. Where no division of the 2³² words has every entry within a step of its
-///   share and every positive weight at least one, the constructor says [`Error::Unreachable`]; a table of
-///   `u64` takes any weights, from 2⁻¹⁴⁹ to `f32::MAX` in one table, and steps of 2⁻⁶⁴ that weights below a
-///   step are given are taken from the others.
-/// - The full words of the table, which drawing uses, reach every positive weight, each with its pmf. From
-///   32 bits in a table of `u64`, and from the 24 of an `f32`, an entry far below 2⁻³² or 2⁻²⁴ is either
-///   not reached or, by the one bit string that its words happen to hold, more often than its pmf says.
+/// - How far the probability may differ from weight/total: in a table of `u32` by less than 2⁻³² (by one step
+///   at most where some weight is below a step), in a table of `u64` by less than n 2⁻⁶⁴ + 2⁻⁵⁵. Where no
+///   division of the 2³² words has every entry within a step of its share and every positive weight at least
+///   one, the constructor says [`Error::Unreachable`]; a table of `u64` takes any weights, from 2⁻¹⁴⁹ to
+///   `f32::MAX` in one table, and the steps that weights below a step are given are taken from the others.
+/// - The full words of the table, which drawing uses, reach every positive weight, each with its pmf. Fewer
+///   bits divide their own steps: 32 bits in a table of `u64`, and the 24-bit grid of an `f32` in either,
+///   give an entry its share to within one step of 2⁻³² or 2⁻²⁴ (and what the table's own words are off).
+///   An entry about such a step or below it is then either not reached or, by the one bit string that its
+///   words happen to hold, more often than its pmf says.
 /// - Time: log₂ n comparisons. Building takes a 128-bit division an entry, digit by digit, and two more
 ///   where some weight is below a step; a `const` is built by the compiler. Beyond some thousand entries it
 ///   asks for `#![allow(long_running_const_eval)]`.
@@ -205,7 +206,7 @@ impl<W: Word, S: Storage<Item = W>> Cdf<S> {
     ///
     /// # Errors
     /// [`Error::NoWeights`] without words, [`Error::TooManyWeights`], [`Error::NotATable`] for words
-    /// that no constructor could have made.
+    /// that are not one.
     pub fn from_words(words: S) -> Result<Self, Error> {
         let items = words.items();
         let (&last, interior) = items.split_last().ok_or(Error::NoWeights)?;

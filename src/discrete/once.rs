@@ -19,7 +19,7 @@ use crate::uniform::{LARGEST, Uniforms};
 ///   grid by less than 2⁻²⁴), and by what sums of 64 bits drop: 2⁻⁶³ a weight, 2⁻⁴³ for a million. A weight
 ///   far below a step is either not reached or, by the one bit string that falls on it, more often than
 ///   its pmf says: where that matters, take a `Cdf` of `u64`.
-/// - pmf: the weight over the sum, rounded to nearest; never 0.
+/// - pmf: the weight over the sum, correctly rounded unless subnormal; never 0.
 /// - Time: two additions and a product of 64 bits a weight, one division in all.
 ///
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
@@ -36,7 +36,7 @@ use crate::uniform::{LARGEST, Uniforms};
 /// ```
 #[inline]
 pub fn select_once(weights: &[f32], bits: u32) -> Result<Selection, Error> {
-    pass(weights, bits, 32)
+    pass(weights, (bits, 0.0), 32)
 }
 
 /// [`select_once`] by any `f32`, brought into [0, 1) by the rule of [`Uniforms::canonical`] first.
@@ -51,10 +51,11 @@ pub fn select_once(weights: &[f32], bits: u32) -> Result<Selection, Error> {
 /// ```
 #[inline]
 pub fn select_once_uniform(weights: &[f32], u: f32) -> Result<Selection, Error> {
-    pass(weights, u32::from_uniform(u.canonical()).0, 24)
+    pass(weights, u32::from_uniform(u.canonical()), 24)
 }
 
-fn pass(weights: &[f32], word: u32, bits: u32) -> Result<Selection, Error> {
+/// By a word, and what lies below it, of so many random bits.
+fn pass(weights: &[f32], (word, fraction): (u32, f32), bits: u32) -> Result<Selection, Error> {
     let mut behind = weights.iter().enumerate();
     let (mut index, mut own) = match behind.next() {
         Some((index, &weight)) => (index, weigh(index, weight)?),
@@ -77,7 +78,7 @@ fn pass(weights: &[f32], word: u32, bits: u32) -> Result<Selection, Error> {
     if total.is_zero() {
         return Err(Error::AllZero);
     }
-    let leftover = total.place(word, below, own);
+    let leftover = total.place(word, fraction, below, own);
     let pmf = own.ratio(total);
     // The exponent of the pmf is log2 of it, rounded down.
     let spent = 127_u32.saturating_sub(pmf.to_bits() >> 23);

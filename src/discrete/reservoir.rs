@@ -14,8 +14,8 @@ use rand_core::{Rng, TryRng};
 /// - Memory: one item, two sums.
 /// - Uniforms: one of 64 bits an offer or merger, which is two `u32` of a generator, taken whatever the
 ///   weight.
-/// - A weight of zero is never held. A positive weight is held with probability 2⁻⁶⁴ at least; the
-///   probabilities are off by less than 2⁻⁶³ for each item that follows.
+/// - A weight of zero is never held. A positive weight is taken for one bit string in 2⁶⁴ at least when it is
+///   offered; the probabilities are off by less than 2⁻⁶³ for each item that follows.
 ///
 /// Source: M. T. Chao, "A General Purpose Unequal Probability Sampling Plan", 1982.
 ///
@@ -143,8 +143,8 @@ impl<T> Reservoir<T> {
         }
     }
 
-    /// The probability with which the item held is the one: its weight over the sum, rounded to nearest;
-    /// 0 while nothing is held, and never 0 afterwards.
+    /// The probability with which the item held is the one: its weight over the sum, correctly rounded
+    /// unless subnormal; 0 while nothing is held, and never 0 afterwards.
     #[must_use]
     pub fn pmf(&self) -> f32 {
         match &self.held {

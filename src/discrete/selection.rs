@@ -15,8 +15,9 @@ pub struct Selection {
     /// index.
     pub leftover: f32,
     /// How many random bits the leftover holds, at most; an `f32` can show the leading 24 of them. From
-    /// 32 bits, an entry of probability p leaves 32 + log₂ p, rounded down. With fewer than are wanted,
-    /// draw a fresh uniform.
+    /// 32 bits, an entry of probability p leaves 32 + log₂ p, rounded down, in all but an
+    /// [`Alias`](super::Alias), where it is a bin's part that counts. With fewer than are wanted, draw a
+    /// fresh uniform.
     pub leftover_bits: u32,
 }
 

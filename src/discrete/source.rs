@@ -2,11 +2,16 @@
 //!
 //! What becomes of the sums is said in `ladder`.
 
-use super::MAX_ENTRIES;
+use super::{MAX_ENTRIES, WEIGHT_BITS};
 use crate::error::Error;
 
 /// Bits of the sum of all weights: what leaves room for a shift by 32 in 128 bits.
 const SUM_BITS: u32 = 95;
+
+const _: () = assert!(
+    WEIGHT_BITS + MAX_ENTRIES.trailing_zeros() <= SUM_BITS,
+    "as many weights of so many bits overflow the sum"
+);
 
 /// Where weights come from, one after the other, as integers in one unit.
 #[derive(Clone, Copy)]

@@ -107,15 +107,16 @@ impl Total {
         (self.mantissa as u128).wrapping_mul(word as u128)
     }
 
-    /// Where between `below` and `below + width` the point at `word` of 2³² parts of `self` lies.
-    pub(crate) fn place(self, word: u32, below: Self, width: Self) -> f32 {
+    /// Where between `below` and `below + width` the point at `word` and a fraction of 2³² parts of `self`
+    /// lies.
+    pub(crate) fn place(self, word: u32, fraction: f32, below: Self, width: Self) -> f32 {
         let offset = self.point(word).saturating_sub(below.aligned(self).0);
-        // Too narrow for any of the parts: then nothing is left of the uniform either.
         let width = width.aligned(self).0;
+        // Too narrow for any of the parts: then nothing is left of the uniform either.
         if width == 0 {
             return 0.0;
         }
-        offset as f32 / width as f32
+        (offset as f32 + fraction * self.mantissa as f32) / width as f32
     }
 
     /// Whether a word of 2⁶⁴ falls on this part of `whole`, which is not below it: it does for the first

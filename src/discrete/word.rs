@@ -84,7 +84,8 @@ macro_rules! arithmetic {
             }
             #[inline]
             fn as_index(self) -> usize {
-                self as usize
+                // Saturating, so that an index that is none is none on every target.
+                self.try_into().unwrap_or(usize::MAX)
             }
             #[inline]
             fn as_f32(self) -> f32 {

@@ -130,7 +130,8 @@ impl Integral {
     /// How far the estimate is off at most, with about the probability `confidence`, in the normal
     /// approximation: its standard error times Φ⁻¹((1 + `confidence`)/2).
     ///
-    /// It holds for large N, by the central limit theorem. Below two samples it is the largest `f32`.
+    /// It holds for large N, by the central limit theorem. Below two samples it is the largest `f32`. A
+    /// confidence counts to 2⁻²⁴, so that one of 10⁻⁴ has three digits and one below 3·10⁻⁸ is 0.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::OutOfRange`] for a `confidence` not strictly
@@ -138,7 +139,10 @@ impl Integral {
     #[inline]
     pub fn normal_bound<T: Tier>(&self, confidence: f32) -> Result<f32, Error> {
         let tail = 0.5 * (1.0 - probability(confidence)?);
-        Ok(self.bound(|error| -T::normal_quantile_lower(tail) * error))
+        let deviations = -T::normal_quantile_lower(tail);
+        // A confidence that rounding has made 0 leaves the sign of 0 behind.
+        let deviations = if deviations > 0.0 { deviations } else { 0.0 };
+        Ok(self.bound(|error| deviations * error))
     }
 
     #[inline]

@@ -144,7 +144,8 @@ macro_rules! unit_ball {
                 accepted(of_uniforms(u))
             }
 
-            /// The density at a point; 0 outside and for NaN. Never 0 at a point that was drawn.
+            /// The density at a point; 0 outside, but for rounding at the rim, and for NaN. Never 0 at a point
+            /// that was drawn.
             #[must_use]
             #[inline]
             pub fn pdf(&self, point: [f32; $dimensions]) -> f32 {

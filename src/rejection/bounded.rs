@@ -160,8 +160,8 @@ fn split(x: f32) -> (f32, i32) {
     (mantissa, ((bits >> 23) as i32).wrapping_sub(lifted))
 }
 
-/// Whether an event of this probability happens, by a word: true for the nearest integer to 2³² times the
-/// probability of all words, so never for 0 and always for 1.
+/// Whether an event of this probability happens, by a word: true for 2³² times the probability of all
+/// words, to within one of the nearest integer, so never for 0 and always for 1.
 #[inline]
 fn happens(probability: f32, word: u32) -> bool {
     if probability >= 1.0 {

@@ -93,6 +93,12 @@ fn a_uniform_selects_what_its_bits_select() {
         assert_eq!(by_bits.index, by_uniform.index);
         assert_eq!(by_uniform.leftover_bits, by_bits.leftover_bits - 8);
     }
+    // What an f32 has below 32 bits is left over too.
+    for u in [1e-12_f32, 3e-10, 1e-20, 1e-45] {
+        assert_eq!(select_once_uniform(&[7.0], u).unwrap().leftover, u);
+        let half = select_once_uniform(&[1.0, 1.0], u).unwrap().leftover;
+        assert!((half - 2.0 * u).abs() <= 2e-7 * u, "{u} {half}");
+    }
     for u in [f32::NAN, -1.0, f32::NEG_INFINITY, 1.0, 9.0, f32::INFINITY] {
         let chosen = select_once_uniform(&weights, u).unwrap();
         assert!(chosen.pmf > 0.0 && (0.0..1.0).contains(&chosen.leftover));

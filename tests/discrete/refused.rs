@@ -109,6 +109,9 @@ fn words_that_are_no_table_are_refused() {
     assert_eq!(Cdf::from_words([5_u32, 4, 2]), Err(NotATable));
     assert_eq!(Cdf::from_words([4_u32, 5, 1]), Err(NotATable));
     assert_eq!(Cdf::from_words([4_u32, 5, 3]), Err(NotATable));
+    // An index beyond 32 bits is none on targets of 32 bits either.
+    assert_eq!(Cdf::from_words([4_u64, 5, 1 << 32 | 2]), Err(NotATable));
+    assert!(Cdf::from_words([4_u64, 5, 2]).is_ok());
     assert!(Cdf::from_words([4_u32, 5, 2]).is_ok());
     assert!(Cdf::from_words([4_u32, u32::MAX, 1]).is_ok());
     // Whatever is accepted is a table: its words are all somebody's.
