@@ -17,6 +17,7 @@
 //! found.
 
 mod aabb;
+mod apart;
 mod cone;
 mod direction;
 mod disk;
@@ -38,6 +39,7 @@ mod triangle;
 mod truncated;
 
 pub use self::aabb::Aabb;
+pub(crate) use self::apart::Apart;
 pub use self::cone::Cone;
 pub use self::disk::{Disk, DiskConcentric};
 pub use self::exponential::{Exponential, ExponentialTail};

@@ -2,7 +2,7 @@
 
 use super::{Failure, Rejection, checked_budget};
 use crate::error::{Error, positive};
-use crate::warp::Warp;
+use crate::warp::{Apart, Warp};
 use core::convert::Infallible;
 use rand_core::TryRng;
 
@@ -130,34 +130,10 @@ where
     }
 }
 
-/// f/(p c) of three positive finite numbers. Their exponents are set aside, so that only the result can
-/// overflow; a result that would be below 2⁻¹²⁸ is merely tiny.
+/// f/(p c) of three positive finite numbers, where only the result can overflow.
 #[inline]
 fn quotient(f: f32, p: f32, c: f32) -> f32 {
-    let ((f, i), (p, j), (c, k)) = (split(f), split(p), split(c));
-    // The mantissas' quotient lies in (1/4, 2); the exponents' are within 149 of 0 each.
-    let exponent = i.wrapping_sub(j).wrapping_sub(k).clamp(-126, 130);
-    let power = |e: i32| f32::from_bits((e.wrapping_add(127) as u32) << 23);
-    // In two factors, because 2¹²⁸ is no f32: 2⁻⁶³ to 2⁶⁵ each.
-    let half = exponent >> 1;
-    (f / p) / c * power(half) * power(exponent.wrapping_sub(half))
-}
-
-/// x = m·2ᵉ with m in [1, 2), for a positive finite x.
-#[inline]
-#[expect(
-    clippy::cast_possible_wrap,
-    reason = "an exponent field has 8 bits: x has no sign"
-)]
-fn split(x: f32) -> (f32, i32) {
-    let (x, lifted) = if x < f32::MIN_POSITIVE {
-        (x * 16_777_216.0, 151)
-    } else {
-        (x, 127)
-    };
-    let bits = x.to_bits();
-    let mantissa = f32::from_bits((bits & 0x007f_ffff) | 0x3f80_0000);
-    (mantissa, ((bits >> 23) as i32).wrapping_sub(lifted))
+    Apart::of(f).over(Apart::of(p)).over(Apart::of(c)).value()
 }
 
 /// Whether an event of this probability happens, by a word: true for 2³² times the probability of all

@@ -1,6 +1,6 @@
 //! The uniform distribution on an axis-aligned box of any dimension.
 
-use super::{Interval, Warp};
+use super::{Apart, Interval, Warp};
 use crate::error::Error;
 use crate::uniform::Canonical;
 
@@ -34,15 +34,21 @@ impl<const N: usize> Aabb<N> {
     /// The box between two opposite corners, `low` and `high`.
     ///
     /// # Errors
-    /// Those of [`Interval::new`] for each side; [`Error::Empty`] or [`Error::TooLarge`] where the density,
-    /// multiplied side by side, overflows `f32` or falls below its smallest normal number.
+    /// Those of [`Interval::new`] for each side; [`Error::Empty`] or [`Error::TooLarge`] where the density
+    /// overflows `f32` or is below its smallest normal number.
     pub fn new(low: [f32; N], high: [f32; N]) -> Result<Self, Error> {
         let mut sides = [Interval::new(0.0, 1.0)?; N];
-        let mut density = 1.0;
+        let mut measure = Apart::ONE;
         for ((side, a), b) in sides.iter_mut().zip(low).zip(high) {
             *side = Interval::new(a, b)?;
-            density *= side.pdf(a);
+            let length = if (b - a).is_finite() {
+                Apart::of(b - a)
+            } else {
+                Apart::of(0.5 * b - 0.5 * a).times(TWO)
+            };
+            measure = measure.times(length);
         }
+        let density = Apart::ONE.over(measure).value();
         if density > f32::MAX {
             Err(Error::Empty)
         } else if density >= f32::MIN_POSITIVE {
@@ -52,6 +58,8 @@ impl<const N: usize> Aabb<N> {
         }
     }
 }
+
+const TWO: Apart = Apart::of(2.0);
 
 impl<const N: usize> Warp for Aabb<N> {
     type Uniforms = [f32; N];

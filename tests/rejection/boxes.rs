@@ -3,6 +3,7 @@
 use microwarp::Aabb;
 use microwarp::{Error, Warp};
 use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
 
 #[test]
 fn boxes_are_warps() {
@@ -35,4 +36,36 @@ fn boxes_are_warps() {
         Aabb::new([0.0; 2], [1e-30, 1e30]).unwrap().pdf([0.0; 2]),
         1.0
     );
+}
+
+/// The density is that of the f64 product, however far the sides lie apart, or the box is refused.
+#[test]
+fn the_density_of_a_box_keeps_its_digits() {
+    let mut rng = Pcg32::new(6, 6);
+    let (mut accepted, mut plain_off) = (0, 0);
+    for _ in 0..200_000 {
+        let mut side = || {
+            let power = (rng.next_u32() % 250) as i32 - 125;
+            let digits = 1.0 + rng.next_u32() as f32 / 4_294_967_296.0;
+            digits * 2_f32.powi(power)
+        };
+        let high = [side(), side(), side(), side()];
+        let exact: f64 = high.iter().map(|&h| 1.0 / f64::from(h)).product();
+        let off = |density: f32| (f64::from(density) / exact - 1.0).abs();
+        match Aabb::new([0.0; 4], high) {
+            Ok(room) => {
+                accepted += 1;
+                assert!(off(room.pdf([0.0; 4])) <= 3.2e-7, "{high:?}");
+                let plain = high.iter().map(|h| 1.0 / h).product();
+                plain_off += i32::from(!(off(plain) <= 3.2e-7));
+            }
+            Err(Error::Empty) => assert!(exact > 3.402_8e38, "{high:?}"),
+            Err(Error::TooLarge) => assert!(exact < 1.175_5e-38, "{high:?}"),
+            Err(other) => panic!("{other:?}"),
+        }
+    }
+    println!("{accepted} accepted, {plain_off} of which a plain product gets wrong");
+    assert!(accepted > 50_000 && plain_off > 1_000);
+    let wide = Aabb::new([-2e38, 0.0], [2e38, 2e-38]).unwrap();
+    assert!((wide.pdf([0.0; 2]) - 0.125).abs() <= 1e-7);
 }

@@ -487,6 +487,8 @@ subjects! {
                 }
             });
             out.word(u32::from(Cdf::from_words([a.to_bits(), b.to_bits(), 1]).is_ok()));
+            let index = 2 + (u64::from(a.to_bits() >> 29) << 32);
+            out.word(u32::from(Cdf::from_words([1, 2, index]).is_ok()));
         },
         "cdf of integers" => |[a, b, c, d], input, out| {
             let any = [a.to_bits(), b.to_bits() >> 9, c.to_bits() >> 20, d.to_bits()];
