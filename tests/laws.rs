@@ -287,6 +287,9 @@ fn the_density_outside_the_domain_is_zero() {
             "SphericalPatch" => &[[0.6, 0.0, -0.8], [0.0, 0.0, 1.0]],
             "TriangleOn" => &[[5.0e18, 3.0, 0.0], [0.1, -1.0e18, 0.0], [0.2, 0.2, 1.0e18]],
             "MarginalConditional" => &[[0.5, 0.6, 0.0], [1.5, 0.5, 0.0]],
+            "Aabb" => &[[f32::MAX, 2.0, 0.0], [0.0, f32::MAX, 0.0]],
+            "PiecewiseConstant1d" => &[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]],
+            "PiecewiseConstant2d" => &[[5.1, 0.5, 0.0], [0.5, f32::MAX, 0.0], [-3.1, -0.5, 0.0]],
             "Oriented" if entry.parameters.ends_with("3)") => &[[-0.3, -0.5, -0.8]],
             "Oriented" => &[[0.0, 0.0, 1.0]],
             // The whole line, plane or sphere.

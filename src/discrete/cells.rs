@@ -1,7 +1,7 @@
 //! Equal cells of an interval: where their edges are in `f32`, and which one a number lies in.
 
 use crate::error::{Error, finite};
-use crate::warp::{clamp, neighbour};
+use crate::warp::{Apart, clamp, neighbour};
 
 /// An interval in equal cells.
 ///
@@ -19,8 +19,12 @@ pub(crate) struct Cells {
     scale: f32,
 }
 
-/// The least width of a cell, of the larger bound: four steps of an `f32`, so that edges differ.
-const LEAST: f32 = 1.0 / 4_194_304.0;
+/// The least width of a cell, 2⁻²⁰ of the larger bound.
+///
+/// An edge is off by at most 2.5 · 2⁻²⁴ of the larger bound, five roundings, which is below a sixth of such
+/// a cell: edges differ. There are then at most 2²¹ cells, so the four roundings of the guess in
+/// [`Cells::find`] carry it by at most half a cell.
+const LEAST: f32 = 1.0 / 1_048_576.0;
 
 impl Cells {
     pub(crate) const fn new([low, high]: [f32; 2], count: usize) -> Result<Self, Error> {
@@ -39,8 +43,9 @@ impl Cells {
         let count = count as f32;
         let per_length = count / length;
         let larger = if -low > high { -low } else { high };
-        // The first refuses an empty interval too, whose quotient is infinite.
-        if !per_length.is_finite() || length / count < LEAST * (larger * scale) {
+        // The first refuses an empty interval too, whose quotient is infinite; twice, because rounding
+        // makes some cells narrower than others.
+        if !(2.0 * per_length).is_finite() || length / count < LEAST * (larger * scale) {
             return Err(Error::Empty);
         }
         Ok(Self {
@@ -50,6 +55,25 @@ impl Cells {
             per_length,
             scale,
         })
+    }
+
+    /// Refuses a rectangle on which a uniform density is not a normal number, or on one cell of which it
+    /// could overflow.
+    pub(crate) const fn check_area(&self, other: &Self) -> Result<(), Error> {
+        let area = self.length().times(other.length());
+        let cells = Apart::of(self.count).times(Apart::of(other.count));
+        if Apart::ONE.over(area).value() < f32::MIN_POSITIVE {
+            return Err(Error::TooLarge);
+        }
+        if cells.times(Apart::of(2.0)).over(area).value() > f32::MAX {
+            return Err(Error::Empty);
+        }
+        Ok(())
+    }
+
+    const fn length(&self) -> Apart {
+        let scaled = self.high * self.scale - self.low * self.scale;
+        Apart::of(scaled).over(Apart::of(self.scale))
     }
 
     /// The lower edge of a cell; the upper end of the interval for the number of cells.
@@ -70,8 +94,11 @@ impl Cells {
     #[inline]
     pub(crate) fn place(&self, index: usize, fraction: f32) -> f32 {
         let (low, high) = self.edges(index);
-        let x = (1.0 - fraction) * low + fraction * high;
-        clamp(x, low, neighbour(high, low))
+        let s = self.scale;
+        // Not the form with 1 − fraction, whose two products make it fall back by a step now and then.
+        let x = low * s + fraction * (high * s - low * s);
+        // 1/s, of 1 and of 1/2 alike.
+        clamp(x * (3.0 - 2.0 * s), low, neighbour(high, low))
     }
 
     /// Whether a number is in the interval, both ends included.
@@ -85,7 +112,7 @@ impl Cells {
     pub(crate) fn find(&self, x: f32) -> usize {
         let last = self.count - 1.0;
         let guess = (x * self.scale - self.low * self.scale) * self.per_length;
-        // Rounding carries the guess by one cell at most: `tests/piecewise.rs` walks all edges.
+        // Off by one cell at most, see `LEAST`; `tests/piecewise.rs` walks all edges.
         let mut index = clamp(guess, 0.0, last) as u32 as f32;
         if index > 0.0 && x < self.edge(index) {
             index -= 1.0;
@@ -101,6 +128,12 @@ impl Cells {
         let (low, high) = self.edges(index);
         let s = self.scale;
         clamp((x * s - low * s) / (high * s - low * s), 0.0, 1.0)
+    }
+
+    /// Whether these cells are narrower than those.
+    #[inline]
+    pub(crate) fn narrower(&self, than: &Self) -> bool {
+        self.per_length * self.scale > than.per_length * than.scale
     }
 
     /// The density of a mass spread over a cell, as wide as its edges in `f32` make it.

@@ -21,10 +21,23 @@ use rand_core::TryRng;
 ///   all their bits: it reaches cells that the 24-bit grid of an `f32` passes over.
 /// - Density: the cell's probability over its width, both as realised; 0 in a cell of weight zero. A cell
 ///   contains its lower edge, and `high` counts as part of the last.
-/// - Cells: their edges are low + (high − low) j/n, rounded; they must be four `f32` steps wide at least.
+/// - Cells: their edges are (1 − t) low + t high with t = j/n, each operation rounded to `f32`. A cell must
+///   be at least 2⁻²⁰ of the larger bound wide.
+/// - Errors are against the weights as given; of `sample` in ulp of the larger bound. The figures hold in
+///   both tiers, which share this code. In a table of `u32` a cell of probability p has its share of the
+///   words to 2⁻³² only: that adds up to 2⁻³²/p of its density to the error of the density, and of its
+///   width to that of a sample, which shows for p below some 2⁻⁸.
+///
+/// - Where a cell has few words it has as few places: one of a single word yields its lower edge. And since
+///   the inverse is an `f32`, it returns to cells of probability below some 2⁻²⁴ only nearly.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
+/// | sample, ulp of the scale | 0.89 | 0.89 |
+/// | pdf, relative | 1.6e-7 | 1.6e-7 |
+/// | realised density, relative | 1.6e-7 | 1.6e-7 |
+/// | inverse | 1.2e-7 | 1.2e-7 |
+/// | round trip | 2.0e-7 | 2.0e-7 |
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///
@@ -96,8 +109,8 @@ impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinite bounds, [`Error::Reversed`] for low > high,
-    /// [`Error::Empty`] for bounds that are equal or so close that cells are less than four `f32` steps
-    /// wide or a density could overflow.
+    /// [`Error::Empty`] for bounds that are equal or so close that cells are narrower than 2⁻²⁰ of the
+    /// larger bound or a density could overflow.
     pub fn new(cdf: Cdf<S>, low: f32, high: f32) -> Result<Self, Error> {
         let entries = cdf.entries();
         Self::over(cdf, entries, [low, high])
@@ -115,6 +128,22 @@ impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
     #[inline]
     pub fn cell(&self, x: f32) -> usize {
         self.cells.find(x)
+    }
+
+    /// The cell that a point lies in and its probability; nothing outside and for a weight of zero.
+    #[inline]
+    pub(crate) fn mass_at(&self, x: f32) -> Option<(usize, f32)> {
+        if !self.cells.contains(x) {
+            return None;
+        }
+        let index = self.cells.find(x);
+        let (_, count) = self.cdf.mass(index)?;
+        Some((index, amount(count) * W::STEP))
+    }
+
+    #[inline]
+    pub(crate) const fn cells(&self) -> &Cells {
+        &self.cells
     }
 
     /// The cell that a word, and what lies below it, selects; and the point within it.
@@ -138,12 +167,8 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
-        if !self.cells.contains(x) {
-            return 0.0;
-        }
-        let index = self.cells.find(x);
-        match self.cdf.mass(index) {
-            Some((_, count)) => representable(self.cells.density(index, amount(count) * W::STEP)),
+        match self.mass_at(x) {
+            Some((index, mass)) => representable(self.cells.density(index, mass)),
             None => 0.0,
         }
     }

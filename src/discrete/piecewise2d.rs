@@ -24,10 +24,25 @@ use rand_core::TryRng;
 ///   tables of `u32` and two each from tables of `u64`, and uses all their bits.
 /// - Density: the product of the two cells' probabilities over the cell's area, both as realised; 0 in a
 ///   cell of weight zero. A cell contains its lower edges; the upper ends count as part of the last.
-/// - A positive cell is given at least one word of its row, and its row at least one word.
+/// - A positive cell is given at least one word of its row, and its row at least one word. With `u32` the
+///   probability of a cell differs from weight/total by less than 2⁻³¹; see [`Cdf`] for what else its
+///   words mean.
+/// - A cell whose density is below 2⁻¹⁴⁹ reports that.
+/// - Edges, errors and what an inverse can return to are as for [`PiecewiseConstant1d`]; the size is the
+///   largest bound.
+///
+/// For a picture of all directions, with u the azimuth in turns over [0, 1) and v the polar angle in half
+/// turns over [0, 1), give each weight the factor sin πv of its row's middle; the density per steradian is
+/// `pdf` / (2π² sin πv). Take `pdf` at the (u, v) that was sampled: a detour over a direction and back may
+/// round into the cell beside.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
+/// | sample, of the size | 8.3e-8 | 8.3e-8 |
+/// | pdf, relative | 1.5e-7 | 1.5e-7 |
+/// | realised density, relative | 1.5e-7 | 1.5e-7 |
+/// | inverse | 1.3e-7 | 1.3e-7 |
+/// | round trip | 3.3e-7 | 3.3e-7 |
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///
@@ -55,6 +70,30 @@ pub struct PiecewiseConstant2d<M, C> {
     conditional: C,
     columns: Cells,
     width: u32,
+}
+
+/// The index of the first positive weight of a row, whose first cell has the index `first`: the weight to
+/// blame where the row as a whole is too small.
+const fn positive(row: &[f32], first: usize) -> usize {
+    let (mut rest, mut index) = (row, first);
+    while let Some((&weight, others)) = rest.split_first() {
+        if weight > 0.0 {
+            break;
+        }
+        (rest, index) = (others, index.wrapping_add(1));
+    }
+    index
+}
+
+/// The cells along both axes.
+const fn grid([u, v]: [[f32; 2]; 2], [columns, rows]: [usize; 2]) -> Result<(Cells, Cells), Error> {
+    match (Cells::new(u, columns), Cells::new(v, rows)) {
+        (Ok(columns), Ok(rows)) => match columns.check_area(&rows) {
+            Ok(()) => Ok((columns, rows)),
+            Err(error) => Err(error),
+        },
+        (Err(error), _) | (_, Err(error)) => Err(error),
+    }
 }
 
 macro_rules! constructors {
@@ -90,25 +129,28 @@ macro_rules! constructors {
             /// These weights as the masses of equal cells of a rectangle, as arrays: for a `const`.
             ///
             /// # Errors
-            /// Those of [`Cdf::new`], an index counting cells row by row; those of
-            /// [`PiecewiseConstant1d::new`] for the two ranges.
+            /// Those of [`Cdf::new`], an index counting cells row by row; where a row as a whole is
+            /// [`Error::Unreachable`], that of its first positive weight. Those of
+            /// [`PiecewiseConstant1d::new`] for the two ranges; [`Error::TooLarge`] and [`Error::Empty`]
+            /// also for a rectangle on which a uniform density is below the smallest normal `f32`, or on
+            /// one cell of which it could overflow.
             pub const fn new(
                 weights: &[[f32; U]; V],
                 u: [f32; 2],
                 v: [f32; 2],
             ) -> Result<Self, Error> {
-                let columns = match Cells::new(u, U) {
-                    Ok(columns) => columns,
+                let (columns, rows) = match grid([u, v], [U, V]) {
+                    Ok(cells) => cells,
                     Err(error) => return Err(error),
                 };
                 let mut scan = Scan::new();
-                let mut rows = weights.as_slice();
-                while let Some((row, rest)) = rows.split_first() {
+                let mut cells = weights.as_slice();
+                while let Some((row, rest)) = cells.split_first() {
                     scan = match scan.over(row) {
                         Ok(scan) => scan,
                         Err(error) => return Err(error),
                     };
-                    rows = rest;
+                    cells = rest;
                 }
                 let unit = match scan.unit() {
                     Ok(unit) => unit,
@@ -116,12 +158,12 @@ macro_rules! constructors {
                 };
                 let mut conditional = [[0; U]; V];
                 let mut sums = [0; V];
-                let mut rows = weights.as_slice();
+                let mut cells = weights.as_slice();
                 let mut tables: &mut [[$word; U]] = &mut conditional;
                 let mut left: &mut [u128] = &mut sums;
                 let mut first = 0_usize;
                 while let (Some((row, rest)), Some((table, others)), Some((sum, more))) = (
-                    rows.split_first(),
+                    cells.split_first(),
                     tables.split_first_mut(),
                     left.split_first_mut(),
                 ) {
@@ -130,7 +172,7 @@ macro_rules! constructors {
                         return Err(error);
                     }
                     first = first.wrapping_add(U);
-                    (rows, tables, left) = (rest, others, more);
+                    (cells, tables, left) = (rest, others, more);
                 }
                 let marginal = match Ends::new(Source::Sums(&sums), $word::BITS) {
                     Ok(ends) => {
@@ -139,19 +181,20 @@ macro_rules! constructors {
                         Cdf::<[$word; V]>::trusted(words)
                     }
                     Err(Error::Unreachable(row)) => {
-                        return Err(Error::Unreachable(row.wrapping_mul(U)));
+                        let weights: &[f32] = match weights.split_at_checked(row) {
+                            Some((_, [row, ..])) => row,
+                            _ => &[],
+                        };
+                        return Err(Error::Unreachable(positive(weights, row.wrapping_mul(U))));
                     }
                     Err(error) => return Err(error),
                 };
-                match PiecewiseConstant1d::over(marginal, V, v) {
-                    Ok(marginal) => Ok(Self {
-                        marginal,
-                        conditional,
-                        columns,
-                        width: U as u32,
-                    }),
-                    Err(error) => Err(error),
-                }
+                Ok(Self {
+                    marginal: PiecewiseConstant1d::within(marginal, rows),
+                    conditional,
+                    columns,
+                    width: U as u32,
+                })
             }
         }
 
@@ -162,7 +205,8 @@ macro_rules! constructors {
             ///
             /// # Errors
             /// As for arrays; [`Error::OutOfRange`] where the weights are not rows times columns in
-            /// number, [`Error::TooManyWeights`] also where the memory does not hold the tables.
+            /// number, [`Error::TooManyWeights`] also where the memory does not hold the tables. After
+            /// [`Error::Unreachable`] the memory holds parts of tables.
             pub fn new_in(
                 weights: &[f32],
                 [columns, rows]: [usize; 2],
@@ -175,17 +219,18 @@ macro_rules! constructors {
                     return Err(Error::OutOfRange);
                 }
                 let source = Source::rows(weights, columns)?;
-                let cells = Cells::new(u, columns)?;
+                let (cells, row_cells) = grid([u, v], [columns, rows])?;
                 let tables = conditional
                     .get_mut(..weights.len())
                     .ok_or(Error::TooManyWeights)?;
                 let cdf = match Cdf::<&[$word]>::of(source, rows, marginal) {
                     Err(Error::Unreachable(row)) => {
-                        return Err(Error::Unreachable(row.wrapping_mul(columns)));
+                        let first = row.wrapping_mul(columns);
+                        let rest = weights.get(first..).unwrap_or(&[]);
+                        return Err(Error::Unreachable(positive(rest, first)));
                     }
                     other => other?,
                 };
-                let marginal = PiecewiseConstant1d::over(cdf, rows, v)?;
                 // Row by row without a division, which `chunks_exact` would bring and a panic with it.
                 let (mut cells_left, mut words_left, mut first) = (weights, &mut *tables, 0_usize);
                 while let (Some((row, more)), Some((table, others))) = (
@@ -197,7 +242,7 @@ macro_rules! constructors {
                     (cells_left, words_left) = (more, others);
                 }
                 Ok(Self {
-                    marginal,
+                    marginal: PiecewiseConstant1d::within(cdf, row_cells),
                     conditional: tables,
                     columns: cells,
                     width: columns as u32,
@@ -220,8 +265,8 @@ where
     /// the marginal's, and row by row those of the conditionals.
     ///
     /// # Errors
-    /// Those of [`Cdf::from_words`] and of [`PiecewiseConstant1d::new`]; [`Error::NotATable`] also where
-    /// the rows are not of equal length.
+    /// Those of [`Cdf::from_words`], and of `new` for the ranges; [`Error::NotATable`] also where the rows
+    /// are not of equal length.
     pub fn from_words(
         marginal: M,
         conditional: C,
@@ -232,18 +277,23 @@ where
         let rows = cdf.entries();
         let cells = conditional.flat().len();
         let width = cells.checked_div(rows).unwrap_or(0);
+        if cells == 0 {
+            return Err(Error::NoWeights);
+        }
+        if cells > super::MAX_ENTRIES {
+            return Err(Error::TooManyWeights);
+        }
         if width.checked_mul(rows) != Some(cells) {
             return Err(Error::NotATable);
         }
-        let columns = Cells::new(u, width)?;
-        let marginal = PiecewiseConstant1d::over(cdf, rows, v)?;
+        let (columns, rows) = grid([u, v], [width, rows])?;
         let mut left = conditional.flat();
         while let Some((row, more)) = left.split_at_checked(width) {
             Cdf::from_words(row)?;
             left = more;
         }
         Ok(Self {
-            marginal,
+            marginal: PiecewiseConstant1d::within(cdf, rows),
             conditional,
             columns,
             width: width as u32,
@@ -279,7 +329,8 @@ where
         [self.columns.find(u), self.marginal.cell(v)]
     }
 
-    /// p(u given v): the distribution of the columns in a row; that of the last row beyond it.
+    /// p(u given v): the distribution of the columns in a row; that of the last row beyond it. A row of
+    /// zeros, which the marginal never selects, gives a certain first column.
     #[must_use]
     #[inline]
     pub fn conditional(&self, row: usize) -> PiecewiseConstant1d<&[W]> {
@@ -318,14 +369,20 @@ where
 
     #[inline]
     fn pdf(&self, [u, v]: [f32; 2]) -> f32 {
-        let marginal = self.marginal.pdf(v);
-        if marginal > 0.0 {
-            let conditional = self.conditional(self.marginal.cell(v)).pdf(u);
-            if conditional > 0.0 {
-                return representable(marginal * conditional);
-            }
-        }
-        0.0
+        let Some((row, along_v)) = self.marginal.mass_at(v) else {
+            return 0.0;
+        };
+        let Some((column, along_u)) = self.conditional(row).mass_at(u) else {
+            return 0.0;
+        };
+        let (columns, rows) = (&self.columns, self.marginal.cells());
+        // The narrower side first: over the wider one alone the density may be subnormal and lose bits
+        // that the product of the two has.
+        representable(if columns.narrower(rows) {
+            rows.density(row, columns.density(column, along_u) * along_v)
+        } else {
+            columns.density(column, rows.density(row, along_v) * along_u)
+        })
     }
 
     #[inline]

@@ -13,6 +13,11 @@ use crate::uniform::Canonical;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
+/// | sample, of the size | 9.3e-8 | 9.3e-8 |
+/// | pdf, relative | 6.2e-8 | 6.2e-8 |
+/// | realised density, relative | 6.2e-8 | 6.2e-8 |
+/// | inverse | 7.5e-8 | 7.5e-8 |
+/// | round trip | 4.6e-7 | 4.6e-7 |
 ///
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///

@@ -87,8 +87,8 @@ fn by_struct(measured: &[Measured]) -> BTreeMap<&str, Vec<&Measured>> {
 /// The source file and the lines of the doc comment of a struct.
 fn doc_comment(name: &str) -> (PathBuf, Vec<String>, std::ops::Range<usize>) {
     let mut found = None;
-    let sources = fs::read_dir(root().join("src/warp")).unwrap();
-    for path in sources.map(|e| e.unwrap().path()) {
+    let rooms = ["src/warp", "src/discrete"].map(|room| fs::read_dir(root().join(room)).unwrap());
+    for path in rooms.into_iter().flatten().map(|e| e.unwrap().path()) {
         let text = fs::read_to_string(&path).unwrap();
         let lines: Vec<String> = text.lines().map(Into::into).collect();
         let is_struct = |l: &String| {
@@ -103,7 +103,7 @@ fn doc_comment(name: &str) -> (PathBuf, Vec<String>, std::ops::Range<usize>) {
             found = Some((path, lines, start..end));
         }
     }
-    found.unwrap_or_else(|| panic!("no struct {name} in src/warp"))
+    found.unwrap_or_else(|| panic!("no struct {name} in src/warp or src/discrete"))
 }
 
 const HEADER: &str = "| error | `libm` | `poly` |";

@@ -126,14 +126,17 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
             Exponential::<T>::new(rate).unwrap(),
             truth::exponential(rate),
         ));
-        t.push(entry::<T, _>(
-            "ExponentialTail",
-            label,
-            Line,
-            Ulp,
-            ExponentialTail::<T>::new(rate).unwrap(),
-            truth::exponential_tail(rate),
-        ));
+        t.push(
+            entry::<T, _>(
+                "ExponentialTail",
+                label,
+                Line,
+                Ulp,
+                ExponentialTail::<T>::new(rate).unwrap(),
+                truth::exponential_tail(rate),
+            )
+            .words(2),
+        );
     }
 
     for (label, rate, length) in [

@@ -6,6 +6,7 @@
 #![allow(dead_code, reason = "each test and example uses a part of the table")]
 
 mod directions;
+pub mod discrete;
 mod line;
 mod plane;
 pub mod stats;
@@ -65,6 +66,8 @@ pub struct Entry {
     pub domain: Domain,
     /// How many uniforms a sample takes.
     pub uniforms: usize,
+    /// How many `u32` of a generator a draw takes.
+    pub words: usize,
     pub measure: Measure,
     /// Whether `f32` resolves the distribution well enough for a test of its shape.
     pub resolved: bool,
@@ -102,6 +105,10 @@ impl Entry {
             e.resolved = false;
             e.round_trip = false;
         })
+    }
+
+    fn words(self, words: usize) -> Self {
+        self.with(|e| e.words = words)
     }
 
     fn no_round_trip(self) -> Self {
@@ -174,12 +181,14 @@ where
     let first = truth.sample([0.0; 4]);
     let density = truth.pdf(first);
     let usable = density > 0.0 && density < f64::INFINITY;
+    let uniforms = <W::Uniforms as microwarp::uniform::Uniforms>::COUNT;
     Entry {
         name,
         parameters,
         tier: T::NAME,
         domain,
-        uniforms: <W::Uniforms as microwarp::uniform::Uniforms>::COUNT,
+        uniforms,
+        words: uniforms,
         measure,
         resolved: true,
         round_trip: true,
@@ -203,5 +212,6 @@ fn of_tier<T: Tier>() -> Vec<Entry> {
     let mut table = line::entries::<T>();
     table.extend(plane::entries::<T>());
     table.extend(directions::entries::<T>());
+    table.extend(discrete::entries::<T>());
     table
 }

@@ -95,6 +95,25 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         )
         .no_round_trip(),
     );
+    for (label, low, high) in [
+        ("[-1, 1] x [2, 2.5]", [-1.0, 2.0], [1.0, 2.5]),
+        ("[0, 1e-30] x [-1e30, 0]", [0.0, -1e30], [1e-30, 0.0]),
+        ("[-3e38, 3e38] x [0, 1e-38]", [-3e38, 0.0], [3e38, 1e-38]),
+    ] {
+        let ends = low.iter().chain(&high);
+        let size = ends.fold(0.0, |size: f32, x: &f32| size.max(x.abs()));
+        t.push(entry::<T, _>(
+            "Aabb",
+            label,
+            Plane,
+            Length(size.into()),
+            Aabb::new(low, high).unwrap(),
+            Box::new(truth::Product {
+                marginal: truth::interval(low[0], high[0], true),
+                conditional: move |_| truth::interval(low[1], high[1], true),
+            }) as Box<dyn Truth>,
+        ));
+    }
     // Uniform below the diagonal: p(x) = 2x, p(y | x) = 1/x.
     let conditional = |x: f32| Interval::new(0.0, x).unwrap_or(Interval::new(0.0, 1.0).unwrap());
     t.push(entry::<T, _>(

@@ -5,10 +5,12 @@
 //! truth against itself: that its density is the derivative of its map, and its inverse the inverse.
 
 mod directions;
+mod discrete;
 mod line;
 mod plane;
 
 pub use directions::*;
+pub use discrete::*;
 pub use line::*;
 pub use plane::*;
 

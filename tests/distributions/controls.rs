@@ -88,7 +88,7 @@ fn assert_rejected(what: &str, report: &Report, by: &[&str]) {
 
 #[test]
 fn wrong_maps_are_rejected() {
-    let maps: [(&str, &str, Map, &[&str]); 10] = [
+    let maps: [(&str, &str, Map, &[&str]); 12] = [
         (
             "an interval bent by xi^1.01",
             "Interval [0, 1] poly",
@@ -149,10 +149,39 @@ fn wrong_maps_are_rejected() {
             |[u, v]| [u, v * (1.0 - u), (1.0 - u) * (1.0 - v)],
             &["chi-square", "distance", "mean x"],
         ),
+        (
+            "a cell with 1 % too much",
+            "PiecewiseConstant1d 2:0:4:1 on [0, 8] poly",
+            |[u, _]| [cells(u, 2.02 / 7.0), 0.0, 0.0],
+            &["chi-square", "distance", "mean x"],
+        ),
+        (
+            "a cell that leaks into one of weight zero",
+            "PiecewiseConstant1d 2:0:4:1 on [0, 8] poly",
+            |[u, _]| {
+                [
+                    cells(u, 2.0 / 7.0) + 0.001 * f64::from(u8::from(u < 2.0 / 7.0)),
+                    0.0,
+                    0.0,
+                ]
+            },
+            &["has density 0"],
+        ),
     ];
     for (what, label, map, by) in maps {
         let (_, report) = report(label, Some(map), true_density);
         assert_rejected(what, &report, by);
+    }
+}
+
+/// Cells of 2, 0, 4, 1 on [0, 8), the first with a share of its own.
+fn cells(u: f64, first: f64) -> f64 {
+    if u < first {
+        2.0 * u / first
+    } else if u < 6.0 / 7.0 {
+        4.0 + 2.0 * (u - first) / (6.0 / 7.0 - first)
+    } else {
+        6.0 + 14.0 * (u - 6.0 / 7.0)
     }
 }
 

@@ -2,6 +2,7 @@
 //! density, inverses in [0, 1), and a warp that equals itself. Parameters are random bit patterns.
 
 use crate::catalogue::Flat;
+use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::*;
 use microwarp::{Error, Frame, Warp};
@@ -72,7 +73,7 @@ impl Tally {
 
 fn every_constructor<T: Tier>() {
     let mut rng = Pcg32::new(2_026, 11);
-    let mut tally = [const { Tally(0) }; 15];
+    let mut tally = [const { Tally(0) }; 17];
     for _ in 0..ROUNDS {
         let p: [f32; 9] = std::array::from_fn(|_| any(&mut rng));
         let [a, b, c, d, ..] = p;
@@ -105,6 +106,29 @@ fn every_constructor<T: Tier>() {
         let phi = if a.abs() <= 1.0 { a } else { 0.25 };
         tally[13].check(
             SphericalPatch::<T>::new(t0, t1, phi, phi + b.abs() % 1.0),
+            &p,
+        );
+        let weights = [c, d, p[4], p[5]].map(f32::abs);
+        tally[15].check(
+            PiecewiseConstant1d::<[u32; 4]>::from_weights(&weights, low, high),
+            &p,
+        );
+        tally[15].check(
+            PiecewiseConstant1d::<[u64; 4]>::from_weights(&weights, low, high),
+            &p,
+        );
+        let rows = [
+            [weights[0], 0.0, weights[1]],
+            [0.0; 3],
+            [0.0, weights[2], weights[3]],
+        ];
+        let (across, along) = ([low, high], [p[6].min(p[7]), p[6].max(p[7])]);
+        tally[16].check(
+            PiecewiseConstant2d::<[u32; 3], [[u32; 3]; 3]>::new(&rows, across, along),
+            &p,
+        );
+        tally[16].check(
+            PiecewiseConstant2d::<[u64; 3], [[u64; 3]; 3]>::new(&rows, across, along),
             &p,
         );
         let frame = Frame::new([p[4], p[5], p[6]]);

@@ -1,5 +1,6 @@
 //! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
 
+use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
 use microwarp::uniform::{self, Uniforms as _};
 use microwarp::{Warp, libm, poly};
 use rand_core::{Rng, TryRng};
@@ -114,18 +115,14 @@ fn a_draw_consumes_the_documented_number_of_words() {
     consumes(&either, 3);
 }
 
-/// Over the whole catalogue: as many words as uniforms, but two for the tail.
+/// Over the whole catalogue, which knows the number: as many words as uniforms, but twice as many for the
+/// tail and for tables of `u64`.
 #[test]
-fn every_warp_consumes_as_many_words_as_it_takes_uniforms() {
+fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
     for entry in crate::catalogue::entries() {
-        let words = if entry.name == "ExponentialTail" {
-            2
-        } else {
-            entry.uniforms
-        };
         let (mut drawn, mut stepped) = (Pcg32::new(8, 8), Pcg32::new(8, 8));
         entry.warp.fill(&mut drawn, 10);
-        for _ in 0..10 * words {
+        for _ in 0..10 * entry.words {
             stepped.next_u32();
         }
         assert_eq!(drawn, stepped, "{}", entry.label());
@@ -153,6 +150,67 @@ fn drawing_is_sampling_at_the_drawn_uniforms() {
     }
 }
 
+/// A table draws from words and not from the grid: w of the 2³² words is the place w/2³² of the whole, and
+/// the same as the grid's where the grid has it.
+#[test]
+fn drawing_from_a_table_is_the_exact_place_of_the_word() {
+    let narrow = PiecewiseConstant1d::<[u32; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let wide = PiecewiseConstant1d::<[u64; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let plane = PiecewiseConstant2d::<[u32; 2], [[u32; 2]; 2]>::new(
+        &[[1.0, 3.0], [0.0, 4.0]],
+        [0.0, 4.0],
+        [0.0, 2.0],
+    );
+    let (narrow, wide, plane) = (narrow.unwrap(), wide.unwrap(), plane.unwrap());
+    // Cells of [0, 8) with a quarter, nothing, a half and a quarter of the words.
+    let place = |u: f64| match u {
+        u if u < 0.25 => 8.0 * u,
+        u if u < 0.75 => 4.0 + 4.0 * (u - 0.25),
+        u => 6.0 + 8.0 * (u - 0.75),
+    };
+    let words = [
+        0,
+        1,
+        255,
+        0x3fff_ffff,
+        0x4000_0000,
+        0x4000_0001,
+        0xbfff_ffff,
+        0xc000_0000,
+        !0,
+    ];
+    for word in words
+        .into_iter()
+        .chain((0..1000).map(|k: u32| k.wrapping_mul(0x9e37_79b9)))
+    {
+        let mut rng = Stuck(word);
+        let u = f64::from(word) / 4_294_967_296.0;
+        let x = narrow.draw(&mut rng);
+        assert!((f64::from(x) - place(u)).abs() <= 4.8e-7, "{word:#x}: {x}");
+        // The same word twice are 64 bits.
+        let x = wide.draw(&mut rng);
+        let u = u + f64::from(word) / 4_294_967_296.0 / 4_294_967_296.0;
+        assert!((f64::from(x) - place(u)).abs() <= 4.8e-7, "{word:#x}: {x}");
+        let mut coarse = Stuck(word & !0xff);
+        let u = uniform::grid_from_word(word);
+        assert_eq!(narrow.draw(&mut coarse), narrow.sample(u));
+        assert_eq!(plane.draw(&mut coarse), plane.sample([u, u]));
+    }
+    // Below the grid, words still tell points apart.
+    assert_eq!(
+        [1, 2, 3].map(|w| narrow.draw(&mut Stuck(w))),
+        [1.0, 2.0, 3.0].map(|w| w * 2f32.powi(-29))
+    );
+    // Along u first, then along v.
+    let mut rng = Pcg32::new(4, 4);
+    let drawn = plane.draw(&mut rng.clone());
+    let (first, second) = (rng.next_u32(), rng.next_u32());
+    let row = plane.marginal().draw(&mut Stuck(second));
+    assert_eq!(drawn[1], row);
+    let conditional = plane.conditional(plane.marginal().cell(row));
+    assert_eq!(drawn[0], conditional.draw(&mut Stuck(first)));
+}
+
 #[test]
 fn a_failing_generator_passes_its_error_on() {
     let disk = poly::Disk::new();
@@ -168,6 +226,13 @@ fn a_failing_generator_passes_its_error_on() {
             .try_draw(&mut Failing(1)),
         Err(Broken(17))
     );
+    let plane = |words| {
+        PiecewiseConstant2d::<[u64; 1], [[u64; 1]; 1]>::new(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
+            .unwrap()
+            .try_draw(&mut Failing(words))
+    };
+    assert_eq!(plane(3), Err(Broken(17)));
+    assert_eq!(plane(4), Ok([0.5, 0.5]));
     assert_eq!(uniform::try_grid(&mut Failing(0)), Err(Broken(17)));
     assert_eq!(uniform::try_open(&mut Failing(0)), Err(Broken(17)));
     assert_eq!(uniform::try_full(&mut Failing(1)), Err(Broken(17)));

@@ -1,0 +1,175 @@
+//! Bad weights, ranges, shapes and words get a typed error, with the index of the weight at fault.
+
+use microwarp::Error::{
+    AllZero, Empty, NegativeWeight, NoWeights, NotATable, NotFinite, NotFiniteWeight, OutOfRange,
+    Reversed, TooLarge, TooManyWeights, Unreachable,
+};
+use microwarp::discrete::{Cdf, PiecewiseConstant1d, PiecewiseConstant2d};
+use microwarp::{Error, Warp};
+
+const NAN: f32 = f32::NAN;
+const INF: f32 = f32::INFINITY;
+const UNIT: [f32; 2] = [0.0, 1.0];
+
+fn line<const N: usize>(weights: [f32; N], low: f32, high: f32) -> Option<Error> {
+    let narrow = PiecewiseConstant1d::<[u32; N]>::from_weights(&weights, low, high).err();
+    let wide = PiecewiseConstant1d::<[u64; N]>::from_weights(&weights, low, high).err();
+    assert!(narrow == wide || matches!(narrow, Some(Unreachable(_))));
+    narrow
+}
+
+/// The same refusal from arrays and from borrowed memory, of both words.
+fn plane<const C: usize, const R: usize>(
+    weights: [[f32; C]; R],
+    u: [f32; 2],
+    v: [f32; 2],
+) -> Option<Error> {
+    macro_rules! both {
+        ($word:ty) => {{
+            let array =
+                PiecewiseConstant2d::<[$word; R], [[$word; C]; R]>::new(&weights, u, v).err();
+            let flat = weights.as_flattened();
+            let (mut rows, mut cells) = ([0; R], vec![0; C * R]);
+            let borrowed = PiecewiseConstant2d::<&[$word], &[$word]>::new_in(
+                flat,
+                [C, R],
+                u,
+                v,
+                &mut rows,
+                &mut cells,
+            );
+            assert_eq!(array, borrowed.err());
+            array
+        }};
+    }
+    let (narrow, wide) = (both!(u32), both!(u64));
+    assert!(narrow == wide || matches!(narrow, Some(Unreachable(_))));
+    narrow
+}
+
+#[test]
+fn bad_weights_are_named_by_their_index() {
+    assert_eq!(line([], 0.0, 1.0), Some(NoWeights));
+    assert_eq!(line([0.0, -0.0], 0.0, 1.0), Some(AllZero));
+    assert_eq!(line([1.0, NAN], 0.0, 1.0), Some(NotFiniteWeight(1)));
+    assert_eq!(line([INF, 1.0], 0.0, 1.0), Some(NotFiniteWeight(0)));
+    assert_eq!(line([1.0, 1.0, -1e-45], 0.0, 1.0), Some(NegativeWeight(2)));
+    assert_eq!(line([1.0, 1e-20, 1.0, 1e-30], 0.0, 1.0), None);
+    assert_eq!(line([1e-45, f32::MAX], 0.0, 1.0), None);
+    assert_eq!(plane::<0, 0>([], UNIT, UNIT), Some(NoWeights));
+    assert_eq!(plane([[], []], UNIT, UNIT), Some(NoWeights));
+    assert_eq!(plane([[0.0; 3]; 2], UNIT, UNIT), Some(AllZero));
+    let mut weights = [[1.0; 5]; 4];
+    weights[2][3] = NAN;
+    assert_eq!(plane(weights, UNIT, UNIT), Some(NotFiniteWeight(13)));
+    weights[2][3] = -1.0;
+    assert_eq!(plane(weights, UNIT, UNIT), Some(NegativeWeight(13)));
+    weights[2][3] = INF;
+    weights[0][4] = -INF;
+    assert_eq!(plane(weights, UNIT, UNIT), Some(NotFiniteWeight(4)));
+    // A row that is not reached is blamed on its first light, a cell on itself. Two such weights are
+    // needed: a single one may take its word from a neighbour within the bound.
+    let dim = [0.0, 1e-12, 1e-12];
+    assert_eq!(
+        plane([[1.0; 3], dim, dim, dim], UNIT, UNIT),
+        Some(Unreachable(4))
+    );
+    assert_eq!(
+        plane([[1.0; 5], [1.0, 1e-12, 1e-13, 1e-12, 1e-12]], UNIT, UNIT),
+        Some(Unreachable(7))
+    );
+}
+
+#[test]
+fn bad_ranges_are_refused() {
+    for (range, error) in [
+        ([NAN, 1.0], NotFinite),
+        ([0.0, INF], NotFinite),
+        ([-INF, 1.0], NotFinite),
+        ([1.0, 0.0], Reversed),
+        ([2.0, 2.0], Empty),
+        ([0.0, 0.0], Empty),
+        ([1.0, 1.000_000_1], Empty),
+        ([0.0, 1e-45], Empty),
+        ([0.0, 1e-38], Empty),
+        ([-1e6, -1e6 + 1.0], Empty),
+    ] {
+        assert_eq!(line([1.0; 4], range[0], range[1]), Some(error), "{range:?}");
+        assert_eq!(plane([[1.0; 4]; 3], range, UNIT), Some(error), "{range:?}");
+        assert_eq!(plane([[1.0; 3]; 4], UNIT, range), Some(error), "{range:?}");
+    }
+    for range in [
+        [-f32::MAX, f32::MAX],
+        [0.0, 2.8e-38],
+        [-1e-30, 1e30],
+        [1e6, 1e6 + 4.0],
+    ] {
+        assert_eq!(line([1.0; 4], range[0], range[1]), None, "{range:?}");
+    }
+    // Of a rectangle it is the area that counts.
+    for (u, v, error) in [
+        ([-f32::MAX, f32::MAX], [0.0, 2.8e-38], None),
+        ([-f32::MAX, f32::MAX], UNIT, Some(TooLarge)),
+        ([0.0, 2e19], [0.0, 2e19], Some(TooLarge)),
+        ([0.0, 9e18], [0.0, 9e18], None),
+        ([0.0, 1e-18], [0.0, 1e-18], None),
+        ([0.0, 1e-19], [0.0, 1e-19], Some(Empty)),
+        ([1e6, 1e6 + 4.0], [1e6, 1e6 + 4.0], None),
+    ] {
+        assert_eq!(plane([[1.0; 4]; 4], u, v), error, "{u:?} {v:?}");
+    }
+}
+
+#[test]
+fn shapes_and_memory_must_fit() {
+    type Table<'a> = PiecewiseConstant2d<&'a [u32], &'a [u32]>;
+    let weights = [1.0; 6];
+    let build = |shape: [usize; 2], rows: usize, cells: usize| {
+        let (mut rows, mut cells) = (vec![0; rows], vec![0; cells]);
+        Table::new_in(&weights, shape, UNIT, UNIT, &mut rows, &mut cells).err()
+    };
+    assert_eq!(build([3, 2], 2, 6), None);
+    assert_eq!(build([3, 2], 9, 9), None);
+    for shape in [
+        [2, 2],
+        [4, 2],
+        [0, 6],
+        [6, 0],
+        [usize::MAX, 2],
+        [1 << 63, 1 << 63],
+    ] {
+        assert_eq!(build(shape, 6, 6), Some(OutOfRange), "{shape:?}");
+    }
+    assert_eq!(build([3, 2], 1, 6), Some(TooManyWeights));
+    assert_eq!(build([3, 2], 2, 5), Some(TooManyWeights));
+    for shape in [[0, 0], [0, 5], [5, 0]] {
+        let none = Table::new_in(&[], shape, UNIT, UNIT, &mut [], &mut []).err();
+        assert_eq!(none, Some(NoWeights), "{shape:?}");
+    }
+}
+
+#[test]
+fn words_that_are_no_table_are_refused() {
+    type Table<'a> = PiecewiseConstant2d<&'a [u32], &'a [u32]>;
+    let half = 1 << 31;
+    let build = |rows: &[u32], cells: &[u32]| Table::from_words(rows, cells, UNIT, UNIT).err();
+    assert_eq!(build(&[half, 1], &[half, 1, u32::MAX, 0]), None);
+    assert_eq!(build(&[], &[]), Some(NoWeights));
+    assert_eq!(build(&[half, 1], &[half, 1, 1]), Some(NotATable));
+    assert_eq!(build(&[half, 1], &[half]), Some(NotATable));
+    assert_eq!(build(&[half, 1], &[half, 1, half, 2]), Some(NotATable));
+    assert_eq!(build(&[half, 2], &[half, 1, half, 1]), Some(NotATable));
+    assert_eq!(build(&[half, 0], &[half, 1, half, 1]), Some(NotATable));
+    assert_eq!(build(&[0], &[half, 1, 2]), Some(NotATable));
+    assert_eq!(build(&[half, 1], &[half, 1, half, 0]), Some(NotATable));
+    assert_eq!(build(&[half, 1], &[]), Some(NoWeights));
+    let reversed = Table::from_words(&[half, 1], &[0, 0], [1.0, 0.0], UNIT).err();
+    assert_eq!(reversed, Some(Reversed));
+
+    let line = Cdf::from_words([half, 1]).unwrap();
+    let table = PiecewiseConstant1d::new(line, 0.0, 8.0).unwrap();
+    assert_eq!(table.sample(0.25), 2.0);
+    let bounded = Cdf::<heapless::Vec<u32, 4>>::new(&[1.0, 1.0]).unwrap();
+    let table = PiecewiseConstant1d::new(bounded, 0.0, 8.0).unwrap();
+    assert_eq!((table.sample(0.25), table.sample(0.75)), (2.0, 6.0));
+}
