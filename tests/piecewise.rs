@@ -8,6 +8,8 @@ mod edges;
 mod masses;
 #[path = "piecewise/pictures.rs"]
 mod pictures;
+#[path = "piecewise/places.rs"]
+mod places;
 #[path = "piecewise/refusals.rs"]
 mod refusals;
 

@@ -136,7 +136,7 @@ pub const PICTURES: &[Picture] = &[
     area("DiskConcentric", "", "Shirley's concentric map", window(0.0, 0.0, 1.02)),
     area("MarginalConditional", "0<y<x<1", "p(x) = 2x, p(y | x) = 1/x", window(0.5, 0.5, 0.51)),
     area("Aabb", "[-1, 1] x [2, 2.5]", "uniform on a box", window(0.0, 2.25, 1.05)),
-    area("PiecewiseConstant2d", "32 x 16 sky", "32 × 16 cells: clouds, a sun, a dark row", window(0.5, 0.5, 0.51)),
+    area("PiecewiseConstant2d", "32 x 16 sky", "clouds, a sun, a dark row", window(0.5, 0.5, 0.51)),
     area("SphericalPatch", "octant", "0 ≤ θ ≤ 90°, 0 ≤ φ ≤ 90°", View::Sky(FRAC_PI_2)),
     area("Triangle", "", "barycentric coordinates", EQUILATERAL),
     area("TriangleOn", "plane", "(0, 0), (4, 0), (1, 3)", FLAT),
