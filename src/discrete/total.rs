@@ -89,16 +89,22 @@ impl Total {
         let up = (self.mantissa as u128) << 32;
         let below = self.below(larger);
         match up.checked_shr(below) {
-            Some(kept) => (kept, up.trailing_zeros() < below && up > 0),
+            Some(kept) => (kept, kept.wrapping_shl(below) != up),
             None => (0, up > 0),
         }
     }
 
     /// Whether the point at `word` of 2³² parts of `self` is at or beyond `sum`, which is not above
     /// `self`.
+    #[inline]
     pub(crate) const fn reaches(self, word: u32, sum: Self) -> bool {
+        let (point, up) = (self.point(word), (sum.mantissa as u128) << 32);
+        let below = sum.below(self);
+        if below < 32 {
+            // A point has 96 bits, so that it can be brought to the units of the sum.
+            return point.wrapping_shl(below) >= up;
+        }
         let (aligned, dropped) = sum.aligned(self);
-        let point = self.point(word);
         point > aligned || (point == aligned && !dropped)
     }
 
