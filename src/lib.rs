@@ -38,6 +38,7 @@
 //! - Any `f32` serves as a uniform (see [`uniform::Uniforms::canonical`]) and any parameter a constructor
 //!   accepted gives finite results inside the stated domain; a refused parameter is an [`Error`].
 //! - Nothing panics, allocates, recurses or loops without a bound.
+//! - A weight of zero is never chosen, and a table selects with the probability it reports, to the last bit.
 //! - A sample never has density 0. (One exception, in world coordinates: the sides of a turned patch next to
 //!   its pole; see [`Oriented`].)
 #![no_std]
