@@ -371,7 +371,12 @@ impl<W: Word, S: Storage<Item = AliasEntry<W>>> Alias<S> {
     #[must_use]
     #[inline]
     pub fn index(&self, word: W) -> usize {
-        self.locate(word).index
+        let bin = word.leading(self.bin_bits);
+        match self.bin(bin) {
+            // Where the alias is the bin itself it does not matter which is taken.
+            Some(entry) if word.trailing(self.bin_bits) >= entry.threshold => entry.alias as usize,
+            _ => bin,
+        }
     }
 
     #[inline]

@@ -17,7 +17,7 @@ pub(crate) mod sealed {
         }
         /// The leading `bits` bits as a number; 0 where there are to be none.
         fn leading(self, bits: u32) -> usize;
-        /// All but the leading `bits` bits.
+        /// All but the leading `bits` bits; at least one must be left.
         fn trailing(self, bits: u32) -> Self;
         /// 2^(BITS - bits), or 0 where that is 2^BITS.
         fn part(bits: u32) -> Self;
@@ -75,7 +75,7 @@ macro_rules! arithmetic {
             }
             #[inline]
             fn trailing(self, bits: u32) -> Self {
-                self & Self::part(bits).wrapping_sub(1)
+                self.wrapping_shl(bits).wrapping_shr(bits)
             }
             #[inline]
             fn part(bits: u32) -> Self {

@@ -45,7 +45,12 @@ impl Memory {
         let n = weights.len();
         let wide = Cdf::<&[u64]>::new_in(weights, &mut self.wide_ends).unwrap();
         let table = Alias::<&[AliasEntry<u64>]>::new_in(weights, &mut self.wide_bins).unwrap();
-        let counted = counts(n, table.bins(), 64, |word| table.index(word));
+        let both = |word| {
+            let index = table.index(word);
+            assert_eq!(table.select_word(word).index, index);
+            index
+        };
+        let counted = counts(n, table.bins(), 64, both);
         for (i, &count) in counted.iter().enumerate() {
             assert_eq!(count, wide.numerator(i), "{what}: {i} of {n}");
             assert_eq!(table.numerator(i), count, "{what}: {i} of {n}");
@@ -55,7 +60,12 @@ impl Memory {
         let table = Alias::<&[AliasEntry<u32>]>::new_in(weights, &mut self.bins);
         match (narrow, table) {
             (Ok(narrow), Ok(table)) => {
-                let counted = counts(n, table.bins(), 32, |word| table.index(word as u32));
+                let both = |word| {
+                    let index = table.index(word as u32);
+                    assert_eq!(table.select(word as u32).index, index);
+                    index
+                };
+                let counted = counts(n, table.bins(), 32, both);
                 for (i, &count) in counted.iter().enumerate() {
                     assert_eq!(count, narrow.numerator(i).into(), "{what}: {i} of {n}");
                     assert_eq!(
