@@ -1,6 +1,6 @@
-//! The one division of the tables, of 128-bit numbers, digit by digit.
+//! The divisions of the tables, digit by digit.
 //!
-//! The compiler's own routine is two to four times as fast on a host, and three kilobytes of flash on a
+//! For 128 bits the compiler's own routine is two to four times as fast on a host, and three kilobytes of flash on a
 //! Cortex-M0.
 
 /// `floor(x · 2^bits / total)` and whether something was left, for `x <= total < 2^127`.
@@ -23,4 +23,26 @@ pub(crate) const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
         left = left.wrapping_sub(1);
     }
     (quotient, rest > 0)
+}
+
+/// `floor(x · 2^31 / d)` and whether something was left, for `d <= x + x` and `x < d + d`.
+pub(crate) const fn quotient(x: u64, d: u64) -> (u32, bool) {
+    let (mut rest, mut digits) = if x >= d {
+        (x.wrapping_sub(d), 1_u32)
+    } else {
+        (x, 0)
+    };
+    let mut left = 31_u32;
+    while left > 0 {
+        // The rest is below d, so that twice the rest less d fits even where twice the rest does not.
+        let carried = rest >> 63 > 0;
+        rest <<= 1;
+        digits <<= 1;
+        if carried || rest >= d {
+            rest = rest.wrapping_sub(d);
+            digits |= 1;
+        }
+        left = left.wrapping_sub(1);
+    }
+    (digits, rest > 0)
 }

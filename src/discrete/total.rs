@@ -1,6 +1,6 @@
 //! A running sum of weights of any size, in fixed memory: what selection without a table divides by.
 
-use super::division::scaled;
+use super::division::quotient;
 use crate::error::Error;
 
 /// A positive number as 64 leading bits and an exponent: mantissa · 2^(exponent − 214), or 0.
@@ -142,11 +142,10 @@ impl Total {
 
     /// The quotient of this and `whole`, which is not below it, as an `f32`; never 0.
     pub(crate) fn ratio(self, whole: Self) -> f32 {
-        // The mantissas' quotient lies between 1/2 and 2. Of its half 31 or 32 bits, the last of which
-        // stands for all that follow: their conversion rounds as that of the exact quotient would.
-        let twice = u128::from(whole.mantissa) << 1;
-        let (quotient, inexact) = scaled(self.mantissa.into(), twice, 32);
-        let digits = (quotient as u32 | u32::from(inexact)) as f32;
+        // The mantissas' quotient lies between 1/2 and 2. Of it 31 or 32 bits, the last of which stands for
+        // all that follow: their conversion rounds as that of the exact quotient would.
+        let (digits, inexact) = quotient(self.mantissa, whole.mantissa);
+        let digits = (digits | u32::from(inexact)) as f32;
         // The exponents differ by 277 and a stream's growth at most; two powers of two reach there.
         let down = self.below(whole).wrapping_add(31);
         let half = down >> 1;
