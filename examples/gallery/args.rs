@@ -13,7 +13,7 @@ Draws every warp of microwarp in both tiers, checks the samples against the dens
     --seed N       seed of the generator [42]; the same seed gives the same pictures
     --out DIR      where the pictures go [target/gallery]
     --sheet FILE   where the contact sheet goes [DIR/gallery.png]
-    --samples N    samples of each warp and tier for the table, 10000 to 100000000 [1000000]
+    --samples N    samples of each warp and tier for the table, 100000 to 100000000 [1000000]
     --points N     points drawn in a picture, 10 to 100000 [800]
     --only TEXT    only warps whose name contains TEXT; makes no contact sheet
     --threads N    threads at work [one a core]
@@ -59,7 +59,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
             Long("out") => args.out = parser.value()?.into(),
             Long("sheet") => args.sheet = Some(parser.value()?.into()),
             Long("samples") => {
-                args.samples = within(&mut parser, "--samples", 10_000, 100_000_000)?
+                args.samples = within(&mut parser, "--samples", 100_000, 100_000_000)?
             }
             Long("points") => args.points = within(&mut parser, "--points", 10, 100_000)?,
             Long("only") => args.only = Some(parser.value()?.string()?.to_lowercase()),
