@@ -11,7 +11,9 @@ pub const MAX_STRATA: u32 = 1 << 23;
 ///
 /// Domain: stratum `i` covers [i/n, (i+1)/n). Range: [0, 1). Uniforms: one a point, one word drawn.
 /// The point is (i + r)/n truncated to the 24-bit grid, accurate to 2⁻²⁴ absolute. A point never leaves
-/// [0, 1), and leaves its own stratum only by that truncation at a border that is not on the grid.
+/// [0, 1), and leaves its own stratum only by that truncation at a border that is not on the grid. On
+/// average it lies 2⁻²⁵ low, which an integral by more than some 10⁴ strata shows (the example `convergence`
+/// does).
 ///
 /// Source: D. P. Mitchell, "Consequences of Stratified Sampling in Graphics", 1996.
 ///
