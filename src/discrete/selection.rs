@@ -113,6 +113,22 @@ macro_rules! selections {
         pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Selection {
             infallible(self.try_draw(rng))
         }
+
+        /// Draws the index of an entry and nothing else: without a floating-point unit, where pmf and
+        /// leftover are most of the cost, the one to take. Words as for `try_draw`.
+        ///
+        /// # Errors
+        /// The generator's own error.
+        #[inline]
+        pub fn try_draw_index<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
+            Ok(self.index($word::try_draw(rng)?))
+        }
+
+        /// Draws the index of an entry and nothing else, from a generator that cannot fail.
+        #[inline]
+        pub fn draw_index<R: Rng + ?Sized>(&self, rng: &mut R) -> usize {
+            infallible(self.try_draw_index(rng))
+        }
     };
 }
 pub(crate) use selections;

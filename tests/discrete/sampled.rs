@@ -145,6 +145,8 @@ fn a_draw_takes_the_stated_words_and_passes_a_failure_on() {
     takes(1, |rng| narrow.try_draw(rng));
     takes(2, |rng| wide.try_draw(rng));
     takes(1, |rng| alias.try_draw(rng));
+    takes(1, |rng| narrow.try_draw_index(rng));
+    takes(2, |rng| wide_alias.try_draw_index(rng));
     takes(2, |rng| wide_alias.try_draw(rng));
     takes(2, |rng| Reservoir::new().try_offer(1, 0.0, rng));
     takes(2, |rng| {
@@ -155,4 +157,13 @@ fn a_draw_takes_the_stated_words_and_passes_a_failure_on() {
     let mut same = rng.clone();
     let word = u64::from(same.next_u32()) << 32 | u64::from(same.next_u32());
     assert_eq!(wide.draw(&mut rng), wide.select_word(word));
+    // The index alone is that of the selection.
+    let mut same = rng.clone();
+    for _ in 0..1000 {
+        assert_eq!(narrow.draw_index(&mut rng), narrow.draw(&mut same).index);
+        assert_eq!(
+            wide_alias.draw_index(&mut rng),
+            wide_alias.draw(&mut same).index
+        );
+    }
 }

@@ -510,7 +510,8 @@ subjects! {
                 selected(table.select(bits), out);
                 selected(table.draw(&mut generator(input)), out);
                 out.word(table.numerator(input & 7) as u32);
-                out.word(table.bins() as u32);
+                out.word(table.draw_index(&mut generator(input)) as u32);
+                    out.word(table.bins() as u32);
             });
         },
         "alias wide" => |[a, b, c, d], input, out| {
