@@ -15,6 +15,7 @@ mod integral;
 mod moments;
 mod ratio;
 mod sum;
+mod tally;
 
 pub use self::heuristic::{balance_heuristic, power_heuristic};
 pub use self::integral::Integral;

@@ -46,7 +46,7 @@ pub use self::exponential::{Exponential, ExponentialTail};
 pub use self::frame::{Frame, Oriented};
 pub use self::hemisphere::{CosineHemisphere, Hemisphere, MalleyHemisphere};
 pub use self::interval::Interval;
-pub(crate) use self::interval::neighbour;
+pub(crate) use self::interval::{extent, neighbour};
 pub use self::inversion::Inversion;
 pub use self::linear::Linear;
 pub use self::lobe::PhongLobe;

@@ -11,6 +11,7 @@ mod cases;
 mod catalogue;
 #[path = "discrete/counted.rs"]
 mod counted;
+mod drivers;
 #[path = "discrete/leftover.rs"]
 mod leftover;
 #[path = "discrete/once.rs"]

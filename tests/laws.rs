@@ -3,7 +3,10 @@
 
 #[path = "laws/any_parameters.rs"]
 mod any_parameters;
+#[path = "laws/boxes.rs"]
+mod boxes;
 mod catalogue;
+mod drivers;
 #[path = "laws/generators.rs"]
 mod generators;
 #[path = "laws/house.rs"]

@@ -3,21 +3,18 @@
 
 #[path = "rejection/bounds.rs"]
 mod bounds;
-#[path = "rejection/boxes.rs"]
-mod boxes;
 #[path = "rejection/budgets.rs"]
 mod budgets;
 mod catalogue;
 #[path = "rejection/distributions.rs"]
 mod distributions;
+mod drivers;
 #[path = "rejection/efficiency.rs"]
 mod efficiency;
 #[path = "rejection/exact.rs"]
 mod exact;
 #[path = "rejection/examination.rs"]
 mod examination;
-#[path = "rejection/generators.rs"]
-mod generators;
 #[path = "rejection/subjects.rs"]
 mod subjects;
 

@@ -46,12 +46,13 @@ impl Scale {
         }
         match x.log10().round() as i32 {
             e @ 0..=2 => format!("{}", 10_u32.pow(e as u32)),
-            e => format!("10{}", superscript(e)),
+            e => ten_to(e),
         }
     }
 }
 
-fn superscript(exponent: i32) -> String {
+/// A power of ten as it is written.
+pub fn ten_to(power: i32) -> String {
     let digit = |c| match c {
         '-' => '⁻',
         '1' => '¹',
@@ -59,7 +60,8 @@ fn superscript(exponent: i32) -> String {
         '3' => '³',
         c => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
     };
-    exponent.to_string().chars().map(digit).collect()
+    let raised: String = power.to_string().chars().map(digit).collect();
+    format!("10{raised}")
 }
 
 /// 1, 2 or 5 times a power of ten, at least `least`.

@@ -15,6 +15,8 @@ mod method;
 mod plot;
 mod random;
 mod rules;
+#[path = "../common/scale.rs"]
+mod scale;
 mod table;
 #[path = "../common/text.rs"]
 mod text;

@@ -3,6 +3,7 @@
 use crate::canvas::{Area, Canvas, Colour, HAIR, INK, MUTED, WHITE, faded};
 use crate::figure::TEXT;
 use crate::fit::{Line, Use};
+use crate::scale::ten_to;
 use crate::text::{Align, Type};
 
 /// Room for the labels of the vertical axis.
@@ -166,20 +167,4 @@ pub fn dot(canvas: &mut Canvas, at: [f32; 2], used: Use, colour: Colour) {
         canvas.disc(at, 5.2, WHITE);
         canvas.ring(at, 4.4, 2.0, colour);
     }
-}
-
-/// A power of ten as it is written.
-fn ten_to(power: i32) -> String {
-    let raised = |c| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        // The other digits stand in one row.
-        digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
-    };
-    format!(
-        "10{}",
-        power.to_string().chars().map(raised).collect::<String>()
-    )
 }

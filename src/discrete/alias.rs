@@ -1,7 +1,7 @@
 //! A discrete distribution as an alias table: one look-up, whatever the number of entries.
 
 use super::ladder::Ends;
-use super::selection::{Selection, Share, selections};
+use super::selection::{Selection, Share, amount, selections};
 use super::source::Source;
 use super::storage::Storage;
 use super::word::Word;
@@ -379,6 +379,14 @@ impl<W: Word, S: Storage<Item = AliasEntry<W>>> Alias<S> {
         }
     }
 
+    /// How many words an entry has, 0 meaning all; nothing for one that has none.
+    #[inline]
+    fn count(&self, index: usize) -> Option<W> {
+        let entry = self.bin(index)?;
+        let some = entry.numerator != W::ZERO || entry.alias as usize == index;
+        some.then_some(entry.numerator)
+    }
+
     #[inline]
     fn selection(&self, word: W, fraction: f32, bits: u32) -> Selection {
         let share = self.locate(word);
@@ -386,26 +394,4 @@ impl<W: Word, S: Storage<Item = AliasEntry<W>>> Alias<S> {
     }
 
     selections!(W);
-
-    /// How many of the words select an entry: its probability is this out of [`Word::TOTAL`], exactly.
-    #[must_use]
-    #[inline]
-    pub fn numerator(&self, index: usize) -> W::Count {
-        match self.bin(index) {
-            Some(bin) if bin.numerator == W::ZERO && bin.alias as usize == index => W::TOTAL,
-            Some(bin) => bin.numerator.into(),
-            None => W::ZERO.into(),
-        }
-    }
-
-    /// The probability of an entry: the numerator over the total, correctly rounded; 0 beyond the last.
-    #[must_use]
-    #[inline]
-    pub fn pmf(&self, index: usize) -> f32 {
-        match self.bin(index) {
-            Some(bin) if bin.numerator == W::ZERO && bin.alias as usize == index => 1.0,
-            Some(bin) => bin.numerator.as_f32() * W::STEP,
-            None => 0.0,
-        }
-    }
 }

@@ -115,11 +115,6 @@ macro_rules! constructors {
                 }
             }
 
-            /// A table of words that are known to be one.
-            pub(crate) const fn trusted(ends: [$word; N]) -> Self {
-                Self { ends }
-            }
-
             /// A view of the table.
             #[must_use]
             pub const fn view(&self) -> Cdf<&[$word]> {
@@ -192,10 +187,10 @@ macro_rules! constructors {
 constructors!(u32, fill_u32);
 constructors!(u64, fill_u64);
 
-impl<'a, W: Word> Cdf<&'a [W]> {
-    /// A view of words that are known to be a table.
+impl<S> Cdf<S> {
+    /// A table of words that are known to be one.
     #[inline]
-    pub(crate) const fn view_of(ends: &'a [W]) -> Self {
+    pub(crate) const fn trusted(ends: S) -> Self {
         Self { ends }
     }
 }
@@ -306,30 +301,16 @@ impl<W: Word, S: Storage<Item = W>> Cdf<S> {
         (count != W::ZERO || index == last).then_some((start, count))
     }
 
+    #[inline]
+    fn count(&self, index: usize) -> Option<W> {
+        self.mass(index).map(|(_, count)| count)
+    }
+
     /// The words that select an entry; none for a weight of zero and beyond the last entry.
     #[must_use]
     #[inline]
     pub fn words_of(&self, index: usize) -> Option<RangeInclusive<W>> {
         let (start, count) = self.mass(index)?;
         Some(start..=start.minus(W::ONE.minus(count)))
-    }
-
-    /// How many of the words select an entry: its probability is this out of [`Word::TOTAL`], exactly.
-    #[must_use]
-    #[inline]
-    pub fn numerator(&self, index: usize) -> W::Count {
-        match self.mass(index) {
-            None => W::ZERO.into(),
-            Some((_, count)) if count == W::ZERO => W::TOTAL,
-            Some((_, count)) => count.into(),
-        }
-    }
-
-    /// The probability of an entry: the numerator over the total, correctly rounded; 0 beyond the last.
-    #[must_use]
-    #[inline]
-    pub fn pmf(&self, index: usize) -> f32 {
-        self.mass(index)
-            .map_or(0.0, |(_, count)| amount(count) * W::STEP)
     }
 }

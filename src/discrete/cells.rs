@@ -1,7 +1,7 @@
 //! Equal cells of an interval: where their edges are in `f32`, and which one a number lies in.
 
-use crate::error::{Error, finite};
-use crate::warp::{Apart, clamp, neighbour};
+use crate::error::Error;
+use crate::warp::{Apart, clamp, extent, neighbour};
 
 /// An interval in equal cells.
 ///
@@ -31,15 +31,10 @@ impl Cells {
         if count == 0 {
             return Err(Error::NoWeights);
         }
-        match (finite(low), finite(high)) {
-            (Ok(_), Ok(_)) => {}
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        }
-        if low > high {
-            return Err(Error::Reversed);
-        }
-        let scale = if (high - low).is_finite() { 1.0 } else { 0.5 };
-        let length = high * scale - low * scale;
+        let (scale, length) = match extent(low, high) {
+            Ok(extent) => extent,
+            Err(e) => return Err(e),
+        };
         let count = count as f32;
         let per_length = count / length;
         let larger = if -low > high { -low } else { high };

@@ -13,57 +13,60 @@ use crate::error::Error;
 /// selection gives it, at 24, 32 and 64 bits alike. Where one is, it is given a step, and the others make
 /// room: with 32 bits none of them by more than a step from its share, or the table is refused; with 64
 /// bits by what it takes, which is below 2⁻⁴⁰ altogether.
-#[derive(Clone, Copy)]
-pub(crate) struct Ladder {
+pub(crate) struct Ends<'a> {
+    source: Source<'a>,
     bits: u32,
     total: u128,
     /// The entries so far, as a sum of weights.
     sum: u128,
     /// The end of the last entry.
     end: u128,
-    /// How many steps all the entries to come need at least.
-    needed: u128,
     /// Whether some positive weight is below a step.
     crowded: bool,
+    /// How many steps all the entries to come need at least, where the table is crowded.
+    needed: u128,
     /// The last entry of positive weight.
-    pub(crate) last: usize,
+    last: usize,
 }
 
-impl Ladder {
-    pub(crate) const fn new(source: Source<'_>, bits: u32) -> Result<Self, Error> {
-        let mut ladder = Self {
+impl<'a> Ends<'a> {
+    pub(crate) const fn new(source: Source<'a>, bits: u32) -> Result<Self, Error> {
+        let mut ends = Self {
+            source,
             bits,
             total: 0,
             sum: 0,
             end: 0,
-            needed: 0,
             crowded: false,
+            needed: 0,
             last: 0,
         };
         let (mut smallest, mut least, mut index) = (u128::MAX, 0, 0_usize);
         let mut scan = source;
         while let Some(weight) = scan.next() {
             if weight > 0 {
-                ladder.last = index;
+                ends.last = index;
                 if weight < smallest {
                     (smallest, least) = (weight, index);
                 }
             }
-            ladder.total = ladder.total.wrapping_add(weight);
+            ends.total = ends.total.wrapping_add(weight);
             index = index.wrapping_add(1);
         }
-        if ladder.total == 0 {
+        if ends.total == 0 {
             return Err(Error::AllZero);
         }
-        ladder.crowded = scaled(smallest, ladder.total, bits).0 == 0;
-        let mut scan = source;
-        while let Some(weight) = scan.next() {
-            ladder.needed = ladder.needed.wrapping_add(ladder.bounds(weight).0);
+        ends.crowded = scaled(smallest, ends.total, bits).0 == 0;
+        if ends.crowded {
+            let mut scan = source;
+            while let Some(weight) = scan.next() {
+                ends.needed = ends.needed.wrapping_add(ends.bounds(weight).0);
+            }
+            if ends.needed > ends.words() {
+                return Err(Error::Unreachable(least));
+            }
         }
-        if ladder.needed > ladder.words() {
-            return Err(Error::Unreachable(least));
-        }
-        Ok(ladder)
+        Ok(ends)
     }
 
     /// How many words there are.
@@ -71,12 +74,12 @@ impl Ladder {
         1_u128.wrapping_shl(self.bits)
     }
 
-    /// The fewest and the most steps an entry may be given.
+    /// The fewest and the most steps an entry of a crowded table may be given.
     const fn bounds(&self, weight: u128) -> (u128, u128) {
         if weight == 0 {
             return (0, 0);
         }
-        if !self.crowded || self.bits > 32 {
+        if self.bits > 32 {
             return (1, self.words());
         }
         let (whole, inexact) = scaled(weight, self.total, self.bits);
@@ -112,31 +115,16 @@ impl Ladder {
         self.end = end;
         end
     }
-}
-
-/// The ends of all entries in turn.
-pub(crate) struct Ends<'a> {
-    source: Source<'a>,
-    ladder: Ladder,
-}
-
-impl<'a> Ends<'a> {
-    pub(crate) const fn new(source: Source<'a>, bits: u32) -> Result<Self, Error> {
-        match Ladder::new(source, bits) {
-            Ok(ladder) => Ok(Self { source, ladder }),
-            Err(error) => Err(error),
-        }
-    }
 
     /// The last entry of positive weight.
     pub(crate) const fn last(&self) -> usize {
-        self.ladder.last
+        self.last
     }
 
     /// How many words lie below the end of the next entry.
     pub(crate) const fn next(&mut self) -> Option<u128> {
         match self.source.next() {
-            Some(weight) => Some(self.ladder.climb(weight)),
+            Some(weight) => Some(self.climb(weight)),
             None => None,
         }
     }

@@ -343,7 +343,7 @@ where
             .flat()
             .get(start..start.wrapping_add(width))
             .unwrap_or(&[]);
-        PiecewiseConstant1d::within(Cdf::view_of(words), self.columns)
+        PiecewiseConstant1d::within(Cdf::trusted(words), self.columns)
     }
 }
 

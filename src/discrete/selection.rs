@@ -69,8 +69,9 @@ pub(crate) fn amount<W: Word>(count: W) -> f32 {
     }
 }
 
-/// The ways to select, which both kinds of table have: by bits, by a word, by a uniform, from a generator.
-/// The table gives `selection(word, fraction, bits)`.
+/// What both kinds of table have: selection by bits, by a word, by a uniform, from a generator, and the
+/// probabilities. The table gives `selection(word, fraction, bits)`, and `count(index)`, the words of an
+/// entry, where 0 means all.
 macro_rules! selections {
     ($word:ident) => {
         /// Selects by 32 bits.
@@ -128,6 +129,26 @@ macro_rules! selections {
         #[inline]
         pub fn draw_index<R: Rng + ?Sized>(&self, rng: &mut R) -> usize {
             infallible(self.try_draw_index(rng))
+        }
+
+        /// How many of the words select an entry: its probability is this out of [`Word::TOTAL`], exactly.
+        #[must_use]
+        #[inline]
+        pub fn numerator(&self, index: usize) -> $word::Count {
+            match self.count(index) {
+                None => $word::ZERO.into(),
+                Some(count) if count == $word::ZERO => $word::TOTAL,
+                Some(count) => count.into(),
+            }
+        }
+
+        /// The probability of an entry: the numerator over the total, correctly rounded; 0 beyond the
+        /// last.
+        #[must_use]
+        #[inline]
+        pub fn pmf(&self, index: usize) -> f32 {
+            self.count(index)
+                .map_or(0.0, |count| amount(count) * $word::STEP)
         }
     };
 }

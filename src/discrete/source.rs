@@ -40,7 +40,7 @@ pub(crate) struct Unit {
 }
 
 /// The exponent field and the significand of a weight, whose value is significand · 2^(field - 150).
-const fn decode(weight: f32) -> (u32, u32) {
+pub(crate) const fn decode(weight: f32) -> (u32, u32) {
     let bits = weight.to_bits() & 0x7fff_ffff;
     let (field, fraction) = (bits >> 23, bits & 0x007f_ffff);
     if field == 0 {

@@ -1,6 +1,7 @@
 //! A running sum of weights of any size, in fixed memory: what selection without a table divides by.
 
 use super::division::quotient;
+use super::source::decode;
 use crate::error::Error;
 
 /// A positive number as 64 leading bits and an exponent: mantissa · 2^(exponent − 214), or 0.
@@ -28,16 +29,11 @@ impl Total {
         if weight < 0.0 {
             return Err(Error::Negative);
         }
-        let bits = weight.to_bits() & 0x7fff_ffff;
-        let (field, fraction) = (bits >> 23, (bits & 0x007f_ffff) as u64);
-        let (field, significand) = if field == 0 {
-            (1, fraction)
-        } else {
-            (field, fraction | 0x0080_0000)
-        };
+        let (field, significand) = decode(weight);
         if significand == 0 {
             return Ok(Self::ZERO);
         }
+        let significand = significand as u64;
         let up = significand.leading_zeros();
         Ok(Self {
             mantissa: significand.wrapping_shl(up),

@@ -12,9 +12,6 @@ pub(crate) mod sealed {
         const ONE: Self;
         const MAX: Self;
         fn minus(self, other: Self) -> Self;
-        fn less_one(self) -> Self {
-            self.minus(Self::ONE)
-        }
         /// The leading `bits` bits as a number; 0 where there are to be none.
         fn leading(self, bits: u32) -> usize;
         /// All but the leading `bits` bits; at least one must be left.
@@ -23,6 +20,8 @@ pub(crate) mod sealed {
         fn part(bits: u32) -> Self;
         fn as_index(self) -> usize;
         fn as_f32(self) -> f32;
+        /// The whole part of a number that is in range.
+        fn truncated(x: f32) -> Self;
         /// The exponent of the leading bit; the number must not be 0.
         fn log2(self) -> u32;
     }
@@ -49,7 +48,13 @@ pub trait Word: Arithmetic + Debug + Hash {
 
     /// The word that a uniform truncates to, and what truncation left, in steps of a word.
     #[must_use]
-    fn from_uniform(u: Canonical<f32>) -> (Self, f32);
+    #[inline]
+    fn from_uniform(u: Canonical<f32>) -> (Self, f32) {
+        // Exact: a power of two times less than 1, and its whole part has no more bits than it had.
+        let scaled = u.get() * (1.0 / Self::STEP);
+        let word = Self::truncated(scaled);
+        (word, scaled - word.as_f32())
+    }
 
     /// Draws a word: one `u32` of the generator for a `u32`, two for a `u64`, the leading one first.
     ///
@@ -92,6 +97,10 @@ macro_rules! arithmetic {
                 self as f32
             }
             #[inline]
+            fn truncated(x: f32) -> Self {
+                x as Self
+            }
+            #[inline]
             fn log2(self) -> u32 {
                 ($word::BITS - 1).saturating_sub(self.leading_zeros())
             }
@@ -114,14 +123,6 @@ impl Word for u32 {
     }
 
     #[inline]
-    fn from_uniform(u: Canonical<f32>) -> (Self, f32) {
-        // Exact: a power of two times less than 1, and its whole part has no more bits than it had.
-        let scaled = u.get() * 4_294_967_296.0;
-        let word = scaled as Self;
-        (word, scaled - word as f32)
-    }
-
-    #[inline]
     fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self, R::Error> {
         rng.try_next_u32()
     }
@@ -136,13 +137,6 @@ impl Word for u64 {
     #[inline]
     fn from_bits(bits: u32) -> Self {
         Self::from(bits) << 32
-    }
-
-    #[inline]
-    fn from_uniform(u: Canonical<f32>) -> (Self, f32) {
-        let scaled = u.get() * 18_446_744_073_709_551_616.0;
-        let word = scaled as Self;
-        (word, scaled - word as f32)
     }
 
     #[inline]

@@ -1,6 +1,7 @@
 //! Mean and variance of a run of samples.
 
 use super::sum::{Scale, Sum};
+use super::tally::Tally;
 use crate::tier::sqrt;
 
 /// The running mean and variance of samples, in fixed memory, and mergeable.
@@ -45,8 +46,7 @@ use crate::tier::sqrt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Moments {
-    count: u64,
-    refused: u64,
+    tally: Tally,
     scale: Scale,
     /// A number near the mean; this and both sums are on the scale.
     centre: f32,
@@ -69,8 +69,7 @@ impl Moments {
     #[inline]
     pub const fn new() -> Self {
         Self {
-            count: 0,
-            refused: 0,
+            tally: Tally::NOTHING,
             scale: Scale::FINEST,
             centre: 0.0,
             sum: Sum::ZERO,
@@ -81,22 +80,20 @@ impl Moments {
     /// Takes in one sample; refuses NaN and infinity.
     #[inline]
     pub fn push(&mut self, x: f32) {
-        if !x.is_finite() || self.count == u64::MAX {
-            self.refused = self.refused.saturating_add(1);
+        if !self.tally.admits(x.is_finite()) {
             return;
         }
         if !self.scale.holds(x) {
             self.rescale(Scale::of(x));
         }
         let x = self.scale.apply(x);
-        if self.count == 0 {
+        if self.count() == 1 {
             self.centre = x;
         }
         let difference = x - self.centre;
         self.sum = self.sum.plus(difference);
         self.squares = self.squares.plus(difference * difference);
-        self.count = self.count.saturating_add(1);
-        if self.count.is_power_of_two() {
+        if self.count().is_power_of_two() {
             self.recentre();
         }
     }
@@ -104,52 +101,53 @@ impl Moments {
     /// Takes in all that another has: the result is that of all samples together, as accurate as if they
     /// had been pushed one by one.
     pub fn merge(&mut self, other: &Self) {
-        let refused = self.refused.saturating_add(other.refused);
-        let (mut larger, mut smaller) = if self.count < other.count {
+        let tally = match self.tally.joined(other.tally) {
+            Ok(tally) => tally,
+            Err(full) => {
+                self.tally = full;
+                return;
+            }
+        };
+        let (mut larger, mut smaller) = if self.count() < other.count() {
             (*other, *self)
         } else {
             (*self, *other)
         };
-        larger.refused = refused;
-        match larger.count.checked_add(smaller.count) {
-            Some(count) if smaller.count > 0 => {
-                let scale = larger.scale.joined(smaller.scale);
-                larger.rescale(scale);
-                smaller.rescale(scale);
-                smaller.move_centre(larger.centre);
-                larger.sum = larger.sum.join(smaller.sum);
-                larger.squares = larger.squares.join(smaller.squares);
-                let grown = count.leading_zeros() < larger.count.leading_zeros();
-                larger.count = count;
-                if grown {
-                    larger.recentre();
-                }
-                *self = larger;
-            }
-            Some(_) => *self = larger,
-            None => self.refused = refused.saturating_add(other.count),
+        if smaller.count() > 0 {
+            let scale = larger.scale.joined(smaller.scale);
+            larger.rescale(scale);
+            smaller.rescale(scale);
+            smaller.move_centre(larger.centre);
+            larger.sum = larger.sum.join(smaller.sum);
+            larger.squares = larger.squares.join(smaller.squares);
         }
+        let grown = tally.count().leading_zeros() < larger.count().leading_zeros();
+        larger.tally = tally;
+        if grown {
+            larger.recentre();
+        }
+        *self = larger;
     }
 
     /// How many samples were taken in.
     #[must_use]
     #[inline]
     pub const fn count(&self) -> u64 {
-        self.count
+        self.tally.count()
     }
 
     /// How many samples were refused, because they were NaN or infinite.
     #[must_use]
     #[inline]
     pub const fn refused(&self) -> u64 {
-        self.refused
+        self.tally.refused()
     }
 
     /// The mean; [`None`] without samples.
     #[must_use]
     #[inline]
     pub fn mean(&self) -> Option<f32> {
-        (self.count > 0).then(|| self.scale.undo(self.centre + self.distance()))
+        (self.count() > 0).then(|| self.scale.undo(self.centre + self.distance()))
     }
 
     /// The unbiased variance, with n − 1 under the line; [`None`] below two samples.
@@ -163,8 +161,11 @@ impl Moments {
     #[must_use]
     #[inline]
     pub fn population_variance(&self) -> Option<f32> {
-        let variance = || self.scale.undo_square(self.corrected() / self.count as f32);
-        (self.count > 0).then(variance)
+        let variance = || {
+            self.scale
+                .undo_square(self.corrected() / self.count() as f32)
+        };
+        (self.count() > 0).then(variance)
     }
 
     /// The standard deviation, the root of [`Moments::variance`].
@@ -178,13 +179,13 @@ impl Moments {
     #[must_use]
     #[inline]
     pub fn standard_error(&self) -> Option<f32> {
-        let of_mean = self.scaled_variance()? / self.count as f32;
+        let of_mean = self.scaled_variance()? / self.count() as f32;
         Some(self.scale.undo(sqrt(of_mean)))
     }
 
     #[inline]
     fn scaled_variance(&self) -> Option<f32> {
-        (self.count > 1).then(|| self.corrected() / self.count.saturating_sub(1) as f32)
+        (self.count() > 1).then(|| self.corrected() / self.count().saturating_sub(1) as f32)
     }
 
     /// The sum of squares about the mean, on the scale.
@@ -198,7 +199,7 @@ impl Moments {
     /// From the centre to the mean.
     #[inline]
     fn distance(&self) -> f32 {
-        self.sum.value() / self.count as f32
+        self.sum.value() / self.count() as f32
     }
 
     /// Moves the centre to the mean.
@@ -210,7 +211,7 @@ impl Moments {
     /// Takes all differences from another centre, as if they had been from the start.
     fn move_centre(&mut self, centre: f32) {
         let step = centre - self.centre;
-        let count = Sum::of_count(self.count);
+        let count = Sum::of_count(self.count());
         // Σ(d − s)² = Σd² − s(Σd + Σ(d − s))
         let sum = self.sum.plus_multiple(count, -step);
         self.squares = self

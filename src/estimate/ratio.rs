@@ -2,6 +2,7 @@
 
 use super::saturated;
 use super::sum::{Scale, Sum};
+use super::tally::Tally;
 use crate::tier::sqrt;
 
 /// The ratio estimator Σwf/Σw: biased but consistent, with its standard error.
@@ -40,8 +41,7 @@ use crate::tier::sqrt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ratio {
-    count: u64,
-    refused: u64,
+    tally: Tally,
     value_scale: Scale,
     weight_scale: Scale,
     /// A value near the ratio, K. All that follows is on the scales.
@@ -71,8 +71,7 @@ impl Ratio {
     #[inline]
     pub const fn new() -> Self {
         Self {
-            count: 0,
-            refused: 0,
+            tally: Tally::NOTHING,
             value_scale: Scale::FINEST,
             weight_scale: Scale::FINEST,
             centre: 0.0,
@@ -87,12 +86,8 @@ impl Ratio {
     /// Takes in one sample; refuses NaN and infinity.
     #[inline]
     pub fn push(&mut self, value: f32, weight: f32) {
-        if !value.is_finite() || !weight.is_finite() || self.count == u64::MAX {
-            self.refused = self.refused.saturating_add(1);
-            return;
-        }
-        self.count = self.count.saturating_add(1);
-        if weight != 0.0 {
+        let sound = value.is_finite() && weight.is_finite();
+        if self.tally.admits(sound) && weight != 0.0 {
             self.add(value, weight);
         }
     }
@@ -126,10 +121,12 @@ impl Ratio {
 
     /// Takes in all that another has: the result is that of all samples together.
     pub fn merge(&mut self, other: &Self) {
-        let refused = self.refused.saturating_add(other.refused);
-        let Some(count) = self.count.checked_add(other.count) else {
-            self.refused = refused.saturating_add(other.count);
-            return;
+        let tally = match self.tally.joined(other.tally) {
+            Ok(tally) => tally,
+            Err(full) => {
+                self.tally = full;
+                return;
+            }
         };
         let value_scale = self.value_scale.joined(other.value_scale);
         let weight_scale = self.weight_scale.joined(other.weight_scale);
@@ -150,8 +147,7 @@ impl Ratio {
         if !heavier.weights.in_binade_of(weights) {
             heavier.recentre(heavier.products, heavier.weights);
         }
-        heavier.count = count;
-        heavier.refused = refused;
+        heavier.tally = tally;
         *self = heavier;
     }
 
@@ -159,14 +155,14 @@ impl Ratio {
     #[must_use]
     #[inline]
     pub const fn count(&self) -> u64 {
-        self.count
+        self.tally.count()
     }
 
     /// How many samples were refused, because the value or the weight was NaN or infinite.
     #[must_use]
     #[inline]
     pub const fn refused(&self) -> u64 {
-        self.refused
+        self.tally.refused()
     }
 
     /// The ratio Σwf/Σw; [`None`] while the weights sum to 0, as they do without samples.
@@ -193,10 +189,10 @@ impl Ratio {
             .value();
         // What has overflowed to NaN stays so, and comes out as the largest number.
         let squares = if squares < 0.0 { 0.0 } else { squares };
-        let count = self.count as f32;
-        let correction = count / self.count.saturating_sub(1) as f32;
+        let count = self.count() as f32;
+        let correction = count / self.count().saturating_sub(1) as f32;
         let error = sqrt(correction * squares) / self.weights.value().abs();
-        (self.count > 1).then(|| self.value_scale.undo(error))
+        (self.count() > 1).then(|| self.value_scale.undo(error))
     }
 
     /// Whether no sample had any weight.

@@ -81,21 +81,31 @@ impl Interval {
     }
 
     const fn density_on(a: f32, b: f32) -> Result<(f32, f32), Error> {
-        match (finite(a), finite(b)) {
-            (Ok(_), Ok(_)) => {}
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        }
-        if a > b {
-            return Err(Error::Reversed);
-        }
-        let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
-        let density = scale / (b * scale - a * scale);
+        let (scale, length) = match extent(a, b) {
+            Ok(extent) => extent,
+            Err(e) => return Err(e),
+        };
+        let density = scale / length;
         if density.is_finite() {
             Ok((scale, density))
         } else {
             Err(Error::Empty)
         }
     }
+}
+
+/// Refuses bounds that are not finite or not in order. Gives the length of the interval on a scale of 1, or
+/// of 1/2 where the length itself would overflow, and that scale before it.
+pub(crate) const fn extent(a: f32, b: f32) -> Result<(f32, f32), Error> {
+    match (finite(a), finite(b)) {
+        (Ok(_), Ok(_)) => {}
+        (Err(e), _) | (_, Err(e)) => return Err(e),
+    }
+    if a > b {
+        return Err(Error::Reversed);
+    }
+    let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
+    Ok((scale, b * scale - a * scale))
 }
 
 /// The representable neighbour of `from` on the way to `to`; the two differ.

@@ -1,9 +1,10 @@
 //! Drawn entries against their weights by chi-square, and what a draw takes from a generator.
 
 use crate::catalogue::stats::{chi_square, threshold};
+use crate::drivers::{Broken, Counting, Failing};
 use microwarp::discrete::{Alias, AliasEntry, Cdf, Reservoir};
 use rand_pcg::Pcg32;
-use rand_pcg::rand_core::{Rng, TryRng};
+use rand_pcg::rand_core::Rng;
 
 const SAMPLES: usize = 10_000_000;
 
@@ -95,46 +96,20 @@ fn wrong_weights_are_rejected() {
     assert!(p_value(&weights, 1, |rng| table.draw(rng).index).is_err());
 }
 
-/// Counts the words it hands out, and fails after some.
-struct Counting {
-    left: u32,
-    taken: u32,
-}
-
-#[derive(Debug, PartialEq)]
-struct Spent;
-
-impl std::fmt::Display for Spent {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("spent")
-    }
-}
-
-impl std::error::Error for Spent {}
-
-impl TryRng for Counting {
-    type Error = Spent;
-    fn try_next_u32(&mut self) -> Result<u32, Spent> {
-        self.left = self.left.checked_sub(1).ok_or(Spent)?;
-        self.taken += 1;
-        Ok(0x9234_5678_u32.wrapping_mul(self.taken))
-    }
-    fn try_next_u64(&mut self) -> Result<u64, Spent> {
-        unreachable!("draws are counted in u32")
-    }
-    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Spent> {
-        unreachable!("draws are counted in u32")
-    }
-}
-
 #[test]
 fn a_draw_takes_the_stated_words_and_passes_a_failure_on() {
-    fn takes<T>(words: u32, draw: impl Fn(&mut Counting) -> Result<T, Spent>) {
-        let mut rng = Counting { left: 9, taken: 0 };
+    fn driver(left: u64) -> Counting<Failing> {
+        Counting::new(Failing {
+            word: 0x9234_5678,
+            left,
+        })
+    }
+    fn takes<T>(words: u64, draw: impl Fn(&mut Counting<Failing>) -> Result<T, Broken>) {
+        let mut rng = driver(9);
         assert!(draw(&mut rng).is_ok());
-        assert_eq!(rng.taken, words);
+        assert_eq!(rng.words, words);
         for left in 0..words {
-            assert!(draw(&mut Counting { left, taken: 0 }).is_err());
+            assert!(draw(&mut driver(left)).is_err());
         }
     }
     const WEIGHTS: [f32; 4] = [1.0, 2.0, 0.0, 4.0];

@@ -1,5 +1,6 @@
 //! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
 
+use crate::drivers::{Broken, Counting, Failing};
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
 use microwarp::uniform::{self, Uniforms as _};
 use microwarp::{Warp, libm, poly};
@@ -7,54 +8,11 @@ use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 use std::convert::Infallible;
 
-/// Counts the words it hands out, all the same or from a generator.
-struct Counting<R> {
-    inner: R,
-    words: u32,
-}
-
-impl<R: Rng> TryRng for Counting<R> {
-    type Error = Infallible;
-    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
-        self.words += 1;
-        Ok(self.inner.next_u32())
-    }
-    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        unreachable!("draws are counted in u32")
-    }
-    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
-        unreachable!("draws are counted in u32")
-    }
-}
-
 /// Fails after some words.
-struct Failing(u32);
-
-#[derive(Debug, PartialEq)]
-struct Broken(u32);
-
-impl std::fmt::Display for Broken {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "broken {}", self.0)
-    }
-}
-
-impl std::error::Error for Broken {}
-
-impl TryRng for Failing {
-    type Error = Broken;
-    fn try_next_u32(&mut self) -> Result<u32, Broken> {
-        if self.0 == 0 {
-            return Err(Broken(17));
-        }
-        self.0 -= 1;
-        Ok(0x8000_0000)
-    }
-    fn try_next_u64(&mut self) -> Result<u64, Broken> {
-        unreachable!()
-    }
-    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Broken> {
-        unreachable!()
+fn failing(left: u64) -> Failing {
+    Failing {
+        word: 0x8000_0000,
+        left,
     }
 }
 
@@ -76,11 +34,8 @@ impl TryRng for Stuck {
     }
 }
 
-fn consumes<W: Warp>(warp: &W, words: u32) {
-    let mut rng = Counting {
-        inner: Pcg32::new(1, 1),
-        words: 0,
-    };
+fn consumes<W: Warp>(warp: &W, words: u64) {
+    let mut rng = Counting::new(Pcg32::new(1, 1));
     warp.draw(&mut rng);
     assert_eq!(rng.words, words);
     let mut points = [warp.draw(&mut Pcg32::new(1, 1)); 10];
@@ -214,31 +169,31 @@ fn drawing_from_a_table_is_the_exact_place_of_the_word() {
 #[test]
 fn a_failing_generator_passes_its_error_on() {
     let disk = poly::Disk::new();
-    assert_eq!(disk.try_draw(&mut Failing(0)), Err(Broken(17)));
-    assert_eq!(disk.try_draw(&mut Failing(1)), Err(Broken(17)));
-    assert!(disk.try_draw(&mut Failing(2)).is_ok());
+    assert_eq!(disk.try_draw(&mut failing(0)), Err(Broken(17)));
+    assert_eq!(disk.try_draw(&mut failing(1)), Err(Broken(17)));
+    assert!(disk.try_draw(&mut failing(2)).is_ok());
     let mut points = [[9.0; 2]; 4];
-    assert_eq!(disk.try_fill(&mut Failing(5), &mut points), Err(Broken(17)));
+    assert_eq!(disk.try_fill(&mut failing(5), &mut points), Err(Broken(17)));
     assert!(points[1] != [9.0; 2] && points[2] == [9.0; 2]);
     assert_eq!(
         poly::ExponentialTail::new(1.0)
             .unwrap()
-            .try_draw(&mut Failing(1)),
+            .try_draw(&mut failing(1)),
         Err(Broken(17))
     );
     let plane = |words| {
         PiecewiseConstant2d::<[u64; 1], [[u64; 1]; 1]>::new(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
             .unwrap()
-            .try_draw(&mut Failing(words))
+            .try_draw(&mut failing(words))
     };
     assert_eq!(plane(3), Err(Broken(17)));
     assert_eq!(plane(4), Ok([0.5, 0.5]));
-    assert_eq!(uniform::try_grid(&mut Failing(0)), Err(Broken(17)));
-    assert_eq!(uniform::try_open(&mut Failing(0)), Err(Broken(17)));
-    assert_eq!(uniform::try_full(&mut Failing(1)), Err(Broken(17)));
-    assert!(<[f32; 3]>::try_draw(&mut Failing(2)).is_err());
+    assert_eq!(uniform::try_grid(&mut failing(0)), Err(Broken(17)));
+    assert_eq!(uniform::try_open(&mut failing(0)), Err(Broken(17)));
+    assert_eq!(uniform::try_full(&mut failing(1)), Err(Broken(17)));
+    assert!(<[f32; 3]>::try_draw(&mut failing(2)).is_err());
     let strata = uniform::Strata2d::new(2, 2).unwrap();
-    assert_eq!(strata.try_draw(0, &mut Failing(1)), Err(Broken(17)));
+    assert_eq!(strata.try_draw(0, &mut failing(1)), Err(Broken(17)));
 }
 
 #[test]

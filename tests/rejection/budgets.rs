@@ -1,6 +1,6 @@
 //! Budgets are kept to the word, and no generator makes a sampler hang.
 
-use crate::generators::{Broken, Counting, Cycle, Failing};
+use crate::drivers::{Broken, Counting, Cycle, Failing};
 use microwarp::Aabb;
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,

@@ -1,4 +1,4 @@
-//! The box to propose from is a warp: sample, density and inverse, and what it refuses.
+//! The box is a warp: sample, density and inverse, and what it refuses.
 
 use microwarp::Aabb;
 use microwarp::{Error, Warp};

@@ -1,16 +1,18 @@
-//! Generators that count, fail, or are stuck.
+//! Generators that count, fail, or are stuck: what the tests of draws are driven by.
 
-use rand_core::{Rng, TryRng};
+#![allow(dead_code, reason = "each test uses a part")]
+
+use rand_core::TryRng;
 use std::convert::Infallible;
 
 /// Implements what is not asked of a generator here.
 macro_rules! words_only {
     ($error:ty) => {
         fn try_next_u64(&mut self) -> Result<u64, $error> {
-            unreachable!("rejection draws words of 32 bits")
+            unreachable!("draws are counted in u32")
         }
         fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), $error> {
-            unreachable!("rejection draws words of 32 bits")
+            unreachable!("draws are counted in u32")
         }
     };
 }
@@ -27,13 +29,14 @@ impl<R> Counting<R> {
     }
 }
 
-impl<R: Rng> TryRng for Counting<R> {
-    type Error = Infallible;
-    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+impl<R: TryRng> TryRng for Counting<R> {
+    type Error = R::Error;
+    fn try_next_u32(&mut self) -> Result<u32, R::Error> {
+        let word = self.inner.try_next_u32()?;
         self.words += 1;
-        Ok(self.inner.next_u32())
+        Ok(word)
     }
-    words_only!(Infallible);
+    words_only!(R::Error);
 }
 
 /// Yields some words again and again.
