@@ -8,7 +8,6 @@ use super::word::Word;
 use crate::error::Error;
 use crate::uniform::Canonical;
 use crate::warp::{Warp, into_unit, representable};
-use core::mem::ManuallyDrop;
 use rand_core::TryRng;
 
 /// Piecewise constant on an interval [low, high): a table's entries as the masses of equal cells.
@@ -65,19 +64,6 @@ impl<S> PiecewiseConstant1d<S> {
     pub(crate) const fn within(cdf: Cdf<S>, cells: Cells) -> Self {
         Self { cdf, cells }
     }
-
-    /// The entries of a table as cells of [low, high).
-    pub(crate) const fn over(cdf: Cdf<S>, entries: usize, range: [f32; 2]) -> Result<Self, Error> {
-        // A vector's destructor cannot be run by the compiler; on the way out there is nothing to free.
-        let cdf = ManuallyDrop::new(cdf);
-        match Cells::new(range, entries) {
-            Ok(cells) => Ok(Self {
-                cdf: ManuallyDrop::into_inner(cdf),
-                cells,
-            }),
-            Err(error) => Err(error),
-        }
-    }
 }
 
 macro_rules! from_weights {
@@ -92,8 +78,12 @@ macro_rules! from_weights {
                 low: f32,
                 high: f32,
             ) -> Result<Self, Error> {
-                match Cdf::<[$word; N]>::new(weights) {
-                    Ok(cdf) => Self::over(cdf, N, [low, high]),
+                let cdf = match Cdf::<[$word; N]>::new(weights) {
+                    Ok(cdf) => cdf,
+                    Err(error) => return Err(error),
+                };
+                match Cells::new([low, high], N) {
+                    Ok(cells) => Ok(Self::within(cdf, cells)),
                     Err(error) => Err(error),
                 }
             }
@@ -112,8 +102,8 @@ impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
     /// [`Error::Empty`] for bounds that are equal or so close that cells are narrower than 2⁻²⁰ of the
     /// larger bound or a density could overflow.
     pub fn new(cdf: Cdf<S>, low: f32, high: f32) -> Result<Self, Error> {
-        let entries = cdf.entries();
-        Self::over(cdf, entries, [low, high])
+        let cells = Cells::new([low, high], cdf.entries())?;
+        Ok(Self::within(cdf, cells))
     }
 
     /// The table of the cells.
