@@ -21,10 +21,12 @@ pub use self::heuristic::{balance_heuristic, power_heuristic};
 pub use self::integral::Integral;
 pub use self::moments::Moments;
 pub use self::ratio::Ratio;
+pub(crate) use self::sum::{Scale, Sum};
+pub(crate) use self::tally::Tally;
 
 /// The nearest finite number; an unknown one counts as out of range above.
 #[inline]
-fn saturated(x: f32) -> f32 {
+pub(crate) fn saturated(x: f32) -> f32 {
     if x.is_nan() {
         f32::MAX
     } else {

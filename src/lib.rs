@@ -77,6 +77,7 @@
 pub mod discrete;
 mod error;
 pub mod estimate;
+pub mod metropolis;
 pub mod rejection;
 pub mod tier;
 pub mod uniform;
@@ -104,6 +105,12 @@ macro_rules! tier_module {
                 Aabb, Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent,
                 Transform, Triangle, TriangleOn,
             };
+            /// [`metropolis::ExponentialStep`](crate::metropolis::ExponentialStep) in this tier.
+            pub type ExponentialStep = crate::metropolis::ExponentialStep<Tier>;
+            /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.
+            pub type LogDensity = crate::metropolis::LogDensity<Tier>;
+            /// [`metropolis::NormalStep`](crate::metropolis::NormalStep) in this tier.
+            pub type NormalStep<X> = crate::metropolis::NormalStep<X, Tier>;
             /// [`warp::Cone`] in this tier.
             pub type Cone = warp::Cone<Tier>;
             /// [`warp::CosineHemisphere`] in this tier.

@@ -38,6 +38,7 @@ pub use self::failure::Failure;
 pub use self::region::Region;
 
 use crate::error::{Error, positive};
+use crate::uniform::nearest;
 use core::convert::Infallible;
 use rand_core::{Rng, TryRng};
 
@@ -150,4 +151,15 @@ const fn checked_budget(budget: u32) -> Result<u32, Error> {
     } else {
         Err(Error::NotPositive)
     }
+}
+
+/// Whether an event of this probability happens, by a word: true for 2³² times the probability of all
+/// words, to within one of the nearest integer, so never for 0 and always for 1.
+#[inline]
+pub(crate) fn happens(probability: f32, word: u32) -> bool {
+    if probability >= 1.0 {
+        return true;
+    }
+    // Exact: a power of two.
+    word < nearest(probability * 4_294_967_296.0)
 }

@@ -271,3 +271,11 @@ pub(crate) fn try_full_canonical<R: TryRng + ?Sized>(
 ) -> Result<Canonical<f32>, R::Error> {
     try_full(rng).map(Canonical)
 }
+
+/// The integer nearest to a number from 0 to 2³², halves upwards.
+#[inline]
+pub(crate) fn nearest(x: f32) -> u32 {
+    // From 2²³ up it is an integer, and adding a half would no longer be exact.
+    let shifted = if x < 8_388_608.0 { x + 0.5 } else { x };
+    shifted as u32
+}

@@ -8,27 +8,27 @@ use crate::tier::{two_product, two_sum};
 /// `high` is the sum rounded, `low` what the rounding dropped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Sum {
+pub(crate) struct Sum {
     high: f32,
     low: f32,
 }
 
 impl Sum {
-    pub(super) const ZERO: Self = Self {
+    pub(crate) const ZERO: Self = Self {
         high: 0.0,
         low: 0.0,
     };
 
     /// A count, exact up to 2⁴⁸ and to one part in 2²⁴ beyond.
     #[inline]
-    pub(super) fn of_count(count: u64) -> Self {
+    pub(crate) fn of_count(count: u64) -> Self {
         let below = count & 0x00ff_ffff;
         Self::ZERO.plus((count ^ below) as f32).plus(below as f32)
     }
 
     /// The sum in one float.
     #[inline]
-    pub(super) const fn value(self) -> f32 {
+    pub(crate) const fn value(self) -> f32 {
         self.high
     }
 
@@ -37,7 +37,7 @@ impl Sum {
     /// The low part is brought back under the high one at once: left to itself it would stop growing
     /// where the terms fall below its own last place, as a plain sum does.
     #[inline]
-    pub(super) fn plus(self, term: f32) -> Self {
+    pub(crate) fn plus(self, term: f32) -> Self {
         let (sum, dropped) = two_sum(self.high, term);
         let low = self.low + dropped;
         let high = sum + low;
@@ -49,26 +49,26 @@ impl Sum {
 
     /// Whether two sums have sign and exponent in common.
     #[inline]
-    pub(super) fn in_binade_of(self, other: Self) -> bool {
+    pub(crate) fn in_binade_of(self, other: Self) -> bool {
         (self.high.to_bits() ^ other.high.to_bits()) >> 23 == 0
     }
 
     /// Adds another sum.
     #[inline]
-    pub(super) fn join(self, other: Self) -> Self {
+    pub(crate) fn join(self, other: Self) -> Self {
         self.plus(other.high).plus(other.low)
     }
 
     /// Adds a multiple of another sum.
     #[inline]
-    pub(super) fn plus_multiple(self, other: Self, factor: f32) -> Self {
+    pub(crate) fn plus_multiple(self, other: Self, factor: f32) -> Self {
         let (product, dropped) = two_product(other.high, factor);
         self.plus(product).plus(dropped + other.low * factor)
     }
 
     /// The sum of all terms multiplied by a power of two.
     #[inline]
-    pub(super) fn scaled(self, power: f32) -> Self {
+    pub(crate) fn scaled(self, power: f32) -> Self {
         Self {
             high: self.high * power,
             low: self.low * power,
@@ -82,19 +82,19 @@ impl Sum {
 /// rounds only what is 2⁻¹²⁶ of the largest number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Scale {
+pub(crate) struct Scale {
     factor: f32,
 }
 
 impl Scale {
     /// The scale before anything is met. Subnormal numbers stay on it: they come out below 1.
-    pub(super) const FINEST: Self = Self {
+    pub(crate) const FINEST: Self = Self {
         factor: f32::from_bits(253 << 23),
     };
 
     /// The scale on which x lies between 1 and 4, or below if the finest does not lift it there.
     #[inline]
-    pub(super) fn of(x: f32) -> Self {
+    pub(crate) fn of(x: f32) -> Self {
         let exponent = (x.to_bits() >> 23) & 0xff;
         // A factor of exponent 0 would be subnormal; without it, the top binade reaches from 2 to 4.
         let factor = 254_u32.saturating_sub(exponent).clamp(1, 253);
@@ -105,30 +105,30 @@ impl Scale {
 
     /// Whether x is within range on this scale.
     #[inline]
-    pub(super) fn holds(self, x: f32) -> bool {
+    pub(crate) fn holds(self, x: f32) -> bool {
         (x * self.factor).abs() < 4.0
     }
 
     #[inline]
-    pub(super) fn apply(self, x: f32) -> f32 {
+    pub(crate) fn apply(self, x: f32) -> f32 {
         x * self.factor
     }
 
     /// The number that was scaled, or the nearest finite one.
     #[inline]
-    pub(super) fn undo(self, x: f32) -> f32 {
+    pub(crate) fn undo(self, x: f32) -> f32 {
         saturated(x / self.factor)
     }
 
     /// Likewise of the product of two numbers so scaled.
     #[inline]
-    pub(super) fn undo_square(self, x: f32) -> f32 {
+    pub(crate) fn undo_square(self, x: f32) -> f32 {
         saturated(x / self.factor / self.factor)
     }
 
     /// The coarser of two scales.
     #[inline]
-    pub(super) fn joined(self, other: Self) -> Self {
+    pub(crate) fn joined(self, other: Self) -> Self {
         if other.factor < self.factor {
             other
         } else {
@@ -138,7 +138,7 @@ impl Scale {
 
     /// By what a number on this scale is to be multiplied for a coarser one; 0 if nothing is left there.
     #[inline]
-    pub(super) fn shrinking_to(self, coarser: Self) -> f32 {
+    pub(crate) fn shrinking_to(self, coarser: Self) -> f32 {
         coarser.factor / self.factor
     }
 }

@@ -3,30 +3,30 @@
 /// Two counts, neither of which wraps: what does not fit the first goes to the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Tally {
+pub(crate) struct Tally {
     count: u64,
     refused: u64,
 }
 
 impl Tally {
-    pub(super) const NOTHING: Self = Self {
+    pub(crate) const NOTHING: Self = Self {
         count: 0,
         refused: 0,
     };
 
     #[inline]
-    pub(super) const fn count(self) -> u64 {
+    pub(crate) const fn count(self) -> u64 {
         self.count
     }
 
     #[inline]
-    pub(super) const fn refused(self) -> u64 {
+    pub(crate) const fn refused(self) -> u64 {
         self.refused
     }
 
     /// Counts a sample, and says whether it is taken in: if it is sound, and there is room for it.
     #[inline]
-    pub(super) const fn admits(&mut self, sound: bool) -> bool {
+    pub(crate) const fn admits(&mut self, sound: bool) -> bool {
         let admitted = sound && self.count < u64::MAX;
         if admitted {
             self.count = self.count.saturating_add(1);
@@ -37,7 +37,7 @@ impl Tally {
     }
 
     /// Both together; or, where there is no room, all of the other refused.
-    pub(super) const fn joined(self, other: Self) -> Result<Self, Self> {
+    pub(crate) const fn joined(self, other: Self) -> Result<Self, Self> {
         let refused = self.refused.saturating_add(other.refused);
         match self.count.checked_add(other.count) {
             Some(count) => Ok(Self { count, refused }),

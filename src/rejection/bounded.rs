@@ -1,6 +1,6 @@
 //! A density below a multiple of another from which one can sample.
 
-use super::{Failure, Rejection, checked_budget};
+use super::{Failure, Rejection, checked_budget, happens};
 use crate::error::{Error, positive};
 use crate::warp::{Apart, Warp};
 use core::convert::Infallible;
@@ -134,21 +134,4 @@ where
 #[inline]
 fn quotient(f: f32, p: f32, c: f32) -> f32 {
     Apart::of(f).over(Apart::of(p)).over(Apart::of(c)).value()
-}
-
-/// Whether an event of this probability happens, by a word: true for 2³² times the probability of all
-/// words, to within one of the nearest integer, so never for 0 and always for 1.
-#[inline]
-fn happens(probability: f32, word: u32) -> bool {
-    if probability >= 1.0 {
-        return true;
-    }
-    // Exact, and an integer from 2²³ up, where adding a half would no longer be exact.
-    let threshold = probability * 4_294_967_296.0;
-    let nearest = if threshold < 8_388_608.0 {
-        threshold + 0.5
-    } else {
-        threshold
-    };
-    word < nearest as u32
 }

@@ -3,8 +3,8 @@
 /// A positive number as significand · 2^exponent.
 ///
 /// Each product and quotient is rounded once, and nothing over- or underflows before [`Apart::value`].
-#[derive(Clone, Copy)]
-pub(crate) struct Apart {
+#[derive(Clone, Copy, Debug)]
+pub struct Apart {
     /// In [1, 2).
     significand: f32,
     exponent: i32,
@@ -47,12 +47,19 @@ impl Apart {
             .raised(self.exponent.wrapping_sub(other.exponent))
     }
 
+    /// The number times 2^by.
     #[inline]
-    const fn raised(self, by: i32) -> Self {
+    pub(crate) const fn raised(self, by: i32) -> Self {
         Self {
             significand: self.significand,
             exponent: self.exponent.wrapping_add(by),
         }
+    }
+
+    /// The significand, in [1, 2), and the exponent.
+    #[inline]
+    pub(crate) const fn parts(self) -> (f32, i32) {
+        (self.significand, self.exponent)
     }
 
     /// The number; infinite where it overflows, subnormal or 0 where it is too small.

@@ -21,7 +21,7 @@ fn sources(under: &str) -> Vec<(PathBuf, String)> {
 }
 
 /// The rooms in their order; each knows only those before it.
-const ROOMS: [&str; 7] = [
+const ROOMS: [&str; 8] = [
     "error",
     "uniform",
     "tier",
@@ -29,6 +29,7 @@ const ROOMS: [&str; 7] = [
     "discrete",
     "rejection",
     "estimate",
+    "metropolis",
 ];
 
 fn room_of(path: &Path) -> Option<usize> {

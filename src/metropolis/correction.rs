@@ -1,0 +1,222 @@
+//! What a mutation says of its way there and back, and the acceptance that follows.
+
+use super::density::{Arithmetic, Density, Standing};
+use crate::tier::remainder;
+use crate::warp::Apart;
+
+/// What becomes of a proposal.
+#[derive(Clone, Copy, Debug)]
+pub enum Verdict {
+    /// Its density or its ratio is none.
+    Refused,
+    /// There is no way to it.
+    Never,
+    /// It is accepted with this probability.
+    With(f32),
+}
+
+mod sealed {
+    use super::{Density, Ratio, Verdict};
+
+    pub trait Judge: Copy {
+        /// What becomes of a proposal of density `to` where the chain is at a state of density `from`.
+        fn judge<D: Density>(self, from: D, to: D) -> Verdict;
+        /// The ratio, unless it is always 1.
+        fn ratio(self) -> Option<Ratio>;
+        /// Of a mixture, where a type without ratio has only parts without.
+        fn of_ratio(ratio: Option<Ratio>) -> Self;
+    }
+}
+pub(super) use sealed::Judge;
+
+/// The ratio T(x′→x)/T(x→x′) of a proposal: [`Symmetric`], which is 1 and costs nothing, or a [`Ratio`].
+/// The trait is sealed.
+pub trait Correction: Judge {
+    /// What a mixture of mutations of this kind and of another one states.
+    type With<C: Correction>: Correction;
+}
+
+/// The way back is as likely as the way there: T(x′→x) = T(x→x′).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Symmetric;
+
+impl Judge for Symmetric {
+    #[inline]
+    fn judge<D: Density>(self, from: D, to: D) -> Verdict {
+        match to.standing() {
+            Standing::Positive => Verdict::With(D::quotient(from, to)),
+            Standing::Zero => Verdict::Never,
+            Standing::Unsound => Verdict::Refused,
+        }
+    }
+
+    #[inline]
+    fn ratio(self) -> Option<Ratio> {
+        None
+    }
+
+    #[inline]
+    fn of_ratio(_: Option<Ratio>) -> Self {
+        Self
+    }
+}
+
+impl Correction for Symmetric {
+    type With<C: Correction> = C;
+}
+
+/// The ratio T(x′→x)/T(x→x′) of a proposal x′.
+///
+/// Its exponent is set aside, so that neither it nor its product with the densities over- or underflows.
+/// Error of the acceptance: 2 ulp, for densities and ratios of any magnitude.
+///
+/// ```
+/// use microwarp::metropolis::{Mutation, Proposal, Ratio};
+/// use rand_core::TryRng;
+///
+/// /// Multiplies by 2 three times as often as it halves.
+/// struct Doubling;
+///
+/// impl Mutation<f32> for Doubling {
+///     type Correction = Ratio;
+///
+///     fn try_propose<R: TryRng + ?Sized>(
+///         &self,
+///         from: f32,
+///         rng: &mut R,
+///     ) -> Result<Proposal<f32, Ratio>, R::Error> {
+///         // Densities with respect to length: the step back is 2 or 1/2 times as dense as its probability.
+///         Ok(if rng.try_next_u32()? >> 30 > 0 {
+///             Proposal::new(2.0 * from, Ratio::new(0.75, 0.25 * 2.0))
+///         } else {
+///             Proposal::new(0.5 * from, Ratio::new(0.25, 0.75 * 0.5))
+///         })
+///     }
+/// }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ratio(Way);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Way {
+    /// A positive ratio: significand and exponent.
+    Both(f32, i32),
+    /// There is no way back.
+    NoReturn,
+    Unsound,
+}
+
+impl Ratio {
+    /// The ratio of 1, of a symmetric proposal.
+    pub const ONE: Self = Self(Way::Both(1.0, 0));
+
+    /// The ratio of two densities: `forward` = T(x→x′), `backward` = T(x′→x), both with respect to the same
+    /// measure and up to the same factor.
+    ///
+    /// Where `backward` is 0 the proposal is never accepted. Densities that are NaN, infinite or negative,
+    /// and a `forward` of 0 (then x′ could not have been proposed), have the proposal refused and counted.
+    #[must_use]
+    #[inline]
+    pub fn new(forward: f32, backward: f32) -> Self {
+        match (forward.standing(), backward.standing()) {
+            (Standing::Positive, Standing::Positive) => {
+                Self::of_apart(Apart::of(backward).over(Apart::of(forward)))
+            }
+            (Standing::Positive, Standing::Zero) => Self(Way::NoReturn),
+            _ => Self(Way::Unsound),
+        }
+    }
+
+    /// The ratio of two counts up to 2⁶⁴, such as the numerators of a table, correctly rounded but for
+    /// quotients within 1e-6 ulp of the middle between two `f32`.
+    ///
+    /// Counts of 0 are treated as densities of 0 are by [`Ratio::new`], larger ones than 2⁶⁴ as 2⁶⁴.
+    #[must_use]
+    #[inline]
+    pub fn from_counts(forward: u128, backward: u128) -> Self {
+        match (forward, backward) {
+            (0, _) => Self(Way::Unsound),
+            (_, 0) => Self(Way::NoReturn),
+            _ => {
+                let (there, back) = (Digits::of(forward), Digits::of(backward));
+                let quotient = back.high / there.high;
+                let rest = remainder(back.high, quotient, there.high) + back.low;
+                let rounded = quotient + (rest - quotient * there.low) / there.high;
+                let exponent = back.exponent.wrapping_sub(there.exponent);
+                Self::of_apart(Apart::of(rounded).raised(exponent))
+            }
+        }
+    }
+
+    #[inline]
+    fn of_apart(x: Apart) -> Self {
+        let (significand, exponent) = x.parts();
+        Self(Way::Both(significand, exponent))
+    }
+}
+
+/// The leading 48 bits of a number: (high + low) 2^exponent.
+struct Digits {
+    /// From 1 to 2, of 24 bits.
+    high: f32,
+    /// The 24 bits that follow.
+    low: f32,
+    exponent: i32,
+}
+
+impl Digits {
+    /// Of a number that is not 0.
+    #[inline]
+    #[expect(clippy::cast_possible_wrap, reason = "there are 64 bits")]
+    fn of(count: u128) -> Self {
+        /// 2⁻²³, the last place of the high part.
+        const PLACE: f32 = f32::EPSILON;
+        let Ok(count) = u64::try_from(count) else {
+            return Self {
+                high: 1.0,
+                low: 0.0,
+                exponent: 64,
+            };
+        };
+        let zeros = count.leading_zeros();
+        let bits = count.wrapping_shl(zeros);
+        let (high, low) = ((bits >> 40) as u32, (bits >> 16) as u32 & 0x00ff_ffff);
+        Self {
+            high: high as f32 * PLACE,
+            low: low as f32 * (PLACE * PLACE * 0.5),
+            exponent: 63_i32.wrapping_sub(zeros as i32),
+        }
+    }
+}
+
+impl Judge for Ratio {
+    #[inline]
+    fn judge<D: Density>(self, from: D, to: D) -> Verdict {
+        match (self.0, to.standing()) {
+            (Way::Unsound, _) | (_, Standing::Unsound) => Verdict::Refused,
+            (Way::NoReturn, _) | (_, Standing::Zero) => Verdict::Never,
+            (Way::Both(significand, exponent), Standing::Positive) => {
+                let ratio = Apart::of(significand).raised(exponent);
+                let acceptance = D::quotient_apart(from, to).times(ratio).value();
+                Verdict::With(if acceptance < 1.0 { acceptance } else { 1.0 })
+            }
+        }
+    }
+
+    #[inline]
+    fn ratio(self) -> Option<Ratio> {
+        Some(self)
+    }
+
+    #[inline]
+    fn of_ratio(ratio: Option<Ratio>) -> Self {
+        ratio.unwrap_or(Self::ONE)
+    }
+}
+
+impl Correction for Ratio {
+    type With<C: Correction> = Self;
+}

@@ -1,0 +1,244 @@
+//! Steps as likely as their negatives, and the walks in ℝᴰ that they make.
+
+use super::coordinates::Coordinates;
+use super::{Mutation, Proposal, Symmetric};
+use crate::error::{Error, finite, positive};
+use crate::tier::{Tier, scaled_exp_of_product};
+use core::marker::PhantomData;
+use rand_core::TryRng;
+
+/// The law of a step along each coordinate, as likely as its negative to the last bit.
+///
+/// A pure function of one word: the word with all bits inverted gives the negative step.
+pub trait Displacement<X> {
+    /// The step along coordinate `axis`, counted from 0, of one word.
+    #[must_use]
+    fn displacement(&self, axis: usize, word: u32) -> f32;
+}
+
+/// A sign and one of 2²³ numbers of (0, 1): odd multiples of 2⁻²⁴, equally likely, whose product with the
+/// sign is the negative one of the inverted word.
+#[inline]
+fn signed(word: u32) -> (f32, f32) {
+    let (sign, word) = if word >> 31 == 0 {
+        (1.0, word)
+    } else {
+        (-1.0, !word)
+    };
+    let odd = ((word >> 8) << 1) | 1;
+    (sign, odd as f32 * (f32::EPSILON / 2.0))
+}
+
+/// Refuses widths that are no lengths, and those that are all 0.
+fn checked<X: Coordinates>(widths: X) -> Result<X, Error> {
+    let mut some = false;
+    for &width in widths.as_slice() {
+        if finite(width)? < 0.0 {
+            return Err(Error::Negative);
+        }
+        some |= width > 0.0;
+    }
+    if some {
+        Ok(widths)
+    } else {
+        Err(Error::NotPositive)
+    }
+}
+
+#[inline]
+fn along<X: Coordinates>(widths: &X, axis: usize) -> f32 {
+    widths.as_slice().get(axis).copied().unwrap_or(0.0)
+}
+
+/// Proposes x plus a step, uniform in a box about 0.
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`Wrapped`](super::Wrapped), the unit cube.
+/// - Words: one a coordinate. 2²⁴ steps a coordinate, odd multiples of the width times 2⁻²⁵, rounded.
+/// - T(x→x′) = T(x′→x), but for the rounding of x + step: 1/width for |x′ − x| < width/2.
+/// - A proposal beyond the range of `f32` stays at x instead.
+///
+/// Source: N. Metropolis et al., "Equation of State Calculations by Fast Computing Machines", 1953.
+///
+/// ```
+/// use microwarp::metropolis::{BoxStep, Displacement};
+/// let step = BoxStep::new([0.1, 0.0])?; // moves along the first coordinate only
+/// let word = 0x1234_5678;
+/// assert!(step.displacement(0, word) > 0.0 && step.displacement(0, word) < 0.05);
+/// assert_eq!(step.displacement(0, !word), -step.displacement(0, word));
+/// assert_eq!(step.displacement(1, word), 0.0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BoxStep<X> {
+    half_widths: X,
+}
+
+impl<X: Coordinates> BoxStep<X> {
+    /// Steps from −width/2 to width/2 along each coordinate. A width of 0 leaves a coordinate as it is.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0.
+    pub fn new(widths: X) -> Result<Self, Error> {
+        let mut half_widths = checked(widths)?;
+        for width in half_widths.as_mut_slice() {
+            *width *= 0.5;
+        }
+        Ok(Self { half_widths })
+    }
+}
+
+impl<X: Coordinates> Displacement<X> for BoxStep<X> {
+    #[inline]
+    fn displacement(&self, axis: usize, word: u32) -> f32 {
+        let (sign, u) = signed(word);
+        sign * u * along(&self.half_widths, axis)
+    }
+}
+
+/// Proposes x plus a normal step, independent along each coordinate.
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`Wrapped`](super::Wrapped), the unit cube.
+/// - Words: one a coordinate. 2²⁴ steps a coordinate, up to 5.42 deviations.
+/// - T(x→x′) = T(x′→x), but for the rounding of x + step: normal, truncated at 5.42 deviations.
+/// - A proposal beyond the range of `f32` stays at x instead.
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | step, ulp | 4.2 | 4.2 |
+///
+/// Source: M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988.
+///
+/// ```
+/// use microwarp::metropolis::Displacement;
+/// use microwarp::poly as mw;
+/// let step = mw::NormalStep::new(2.0_f32)?;
+/// assert!((step.displacement(0, u32::MAX / 4) + 2.0 * 0.674_489_7).abs() < 1e-6);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct NormalStep<X, T> {
+    deviations: X,
+    tier: PhantomData<T>,
+}
+
+impl<X: Coordinates, T: Tier> NormalStep<X, T> {
+    /// Steps with these standard deviations along the coordinates. One of 0 leaves a coordinate as it is.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0.
+    pub fn new(deviations: X) -> Result<Self, Error> {
+        Ok(Self {
+            deviations: checked(deviations)?,
+            tier: PhantomData,
+        })
+    }
+}
+
+impl<X: Coordinates, T: Tier> Displacement<X> for NormalStep<X, T> {
+    #[inline]
+    fn displacement(&self, axis: usize, word: u32) -> f32 {
+        let (sign, u) = signed(word);
+        sign * T::normal_quantile_lower(0.5 * u) * along(&self.deviations, axis)
+    }
+}
+
+/// Proposes x plus a step whose size is any within bounds, each order of magnitude as likely as the next.
+///
+/// Along each coordinate the step is ±b·(a/b)^ξ for sizes from a to b: density 1/(2|s| ln(b/a)) for
+/// a < |s| < b. Small steps refine, larger ones explore, and no width need be tuned.
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`Wrapped`](super::Wrapped), the unit cube, where 1/1024 and 1/64 are
+///   the sizes of the source.
+/// - Words: one a coordinate. 2²⁴ steps a coordinate.
+/// - T(x→x′) = T(x′→x), but for the rounding of x + step.
+/// - A proposal beyond the range of `f32` stays at x instead.
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | step, relative | 1e-6 | 1e-6 |
+///
+/// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
+/// Metropolis Light Transport Algorithm", 2002.
+///
+/// ```
+/// use microwarp::metropolis::Displacement;
+/// use microwarp::poly as mw;
+/// let step = mw::ExponentialStep::new(0.001, 0.1)?;
+/// let size = Displacement::<f32>::displacement(&step, 0, u32::MAX / 4).abs();
+/// assert!((size - 0.01).abs() < 1e-7);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ExponentialStep<T> {
+    largest: f32,
+    /// ln(smallest/largest), at most 0.
+    decay: f32,
+    tier: PhantomData<T>,
+}
+
+impl<T: Tier> ExponentialStep<T> {
+    /// Steps of the sizes from `smallest` to `largest`, along every coordinate.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Reversed`] if the smallest is not the smaller.
+    pub fn new(smallest: f32, largest: f32) -> Result<Self, Error> {
+        if positive(smallest)? > positive(largest)? {
+            return Err(Error::Reversed);
+        }
+        Ok(Self {
+            largest,
+            decay: T::ln(smallest) - T::ln(largest),
+            tier: PhantomData,
+        })
+    }
+}
+
+impl<X: Coordinates, T: Tier> Displacement<X> for ExponentialStep<T> {
+    #[inline]
+    fn displacement(&self, _: usize, word: u32) -> f32 {
+        let (sign, u) = signed(word);
+        sign * scaled_exp_of_product::<T>(self.largest, self.decay, u)
+    }
+}
+
+/// x plus a step along each coordinate, or x itself where that leaves the range of `f32`.
+#[inline]
+fn walked<X, L, R>(law: &L, from: X, rng: &mut R) -> Result<Proposal<X, Symmetric>, R::Error>
+where
+    X: Coordinates,
+    L: Displacement<X>,
+    R: TryRng + ?Sized,
+{
+    let mut to = from;
+    for (axis, x) in to.as_mut_slice().iter_mut().enumerate() {
+        *x += law.displacement(axis, rng.try_next_u32()?);
+    }
+    let inside = to.as_slice().iter().all(|x| x.is_finite());
+    Ok(Proposal::new(if inside { to } else { from }, Symmetric))
+}
+
+macro_rules! walks {
+    ($([$($tier:ident)?] $name:ty;)*) => {$(
+        impl<X: Coordinates, $($tier: Tier)?> Mutation<X> for $name {
+            type Correction = Symmetric;
+
+            #[inline]
+            fn try_propose<R: TryRng + ?Sized>(
+                &self,
+                from: X,
+                rng: &mut R,
+            ) -> Result<Proposal<X, Symmetric>, R::Error> {
+                walked(self, from, rng)
+            }
+        }
+    )*};
+}
+
+walks! {
+    [] BoxStep<X>;
+    [T] NormalStep<X, T>;
+    [T] ExponentialStep<T>;
+}

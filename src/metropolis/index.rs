@@ -1,0 +1,126 @@
+//! Mutations of indices.
+
+use super::{Mutation, Proposal, Ratio, Symmetric};
+use crate::discrete::{Cdf, Storage, Word};
+use crate::error::Error;
+use rand_core::TryRng;
+
+/// Proposes any of n indices, wherever the chain is.
+///
+/// - States: 0 to n − 1.
+/// - Words: 2, as one fraction of 64 bits.
+/// - T(x→x′) = 1/n, to 2⁻⁶⁴.
+///
+/// ```
+/// use microwarp::metropolis::{Mutation, UniformIndex};
+/// use rand_pcg::Pcg32;
+/// let Ok(proposal) = UniformIndex::new(6)?.try_propose(0, &mut Pcg32::new(1, 1));
+/// assert!(proposal.state < 6);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct UniformIndex {
+    count: u32,
+}
+
+impl UniformIndex {
+    /// Indices from 0 to `count` − 1.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for 0.
+    pub const fn new(count: u32) -> Result<Self, Error> {
+        if count > 0 {
+            Ok(Self { count })
+        } else {
+            Err(Error::NotPositive)
+        }
+    }
+}
+
+impl Mutation<usize> for UniformIndex {
+    type Correction = Symmetric;
+
+    #[inline]
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        _: usize,
+        rng: &mut R,
+    ) -> Result<Proposal<usize, Symmetric>, R::Error> {
+        // The leading 32 bits of a product of 64 bits by 32, in two parts.
+        let (high, low) = (rng.try_next_u32()?, rng.try_next_u32()?);
+        let count = u64::from(self.count);
+        let carried = u64::from(low).wrapping_mul(count) >> 32;
+        let product = u64::from(high).wrapping_mul(count).wrapping_add(carried);
+        Ok(Proposal::new((product >> 32) as usize, Symmetric))
+    }
+}
+
+/// Proposes a draw of the table that belongs to the state: any transition matrix T of n states.
+///
+/// - States: 0 to n − 1.
+/// - Words: those of a draw of the table.
+/// - T(x→x′) is the pmf of x′ in table x; the ratio is that of the numerators, exact to a rounding.
+/// - A state out of range stays where it is.
+///
+/// A transition that has no way back is never accepted.
+///
+/// Source: W. K. Hastings, "Monte Carlo Sampling Methods Using Markov Chains and Their Applications", 1970.
+///
+/// ```
+/// use microwarp::discrete::Cdf;
+/// use microwarp::metropolis::{Chain, TransitionTable};
+/// use rand_pcg::Pcg32;
+/// let rows = [[0.0, 0.5, 0.5], [0.9, 0.0, 0.1], [0.5, 0.5, 0.0]];
+/// let row = |i: usize| Cdf::<[u32; 3]>::new(&rows[i]);
+/// let mutation = TransitionTable::new([row(0)?, row(1)?, row(2)?])?;
+/// let weight = |i: usize| [1.0, 2.0, 4.0][i];
+/// let step = Chain::new(0, weight)?.step(weight, &mutation, &mut Pcg32::new(1, 1));
+/// assert_ne!(step.proposed, 0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TransitionTable<S, const N: usize> {
+    rows: [Cdf<S>; N],
+}
+
+impl<W: Word, S: Storage<Item = W>, const N: usize> TransitionTable<S, N> {
+    /// The table of each state in order, each with an entry for every state.
+    ///
+    /// # Errors
+    /// [`Error::NoWeights`] without states, [`Error::NotATable`] if a table has another number of entries.
+    pub fn new(rows: [Cdf<S>; N]) -> Result<Self, Error> {
+        if N == 0 {
+            Err(Error::NoWeights)
+        } else if rows.iter().any(|row| row.entries() != N) {
+            Err(Error::NotATable)
+        } else {
+            Ok(Self { rows })
+        }
+    }
+}
+
+impl<W: Word, S: Storage<Item = W>, const N: usize> Mutation<usize> for TransitionTable<S, N> {
+    type Correction = Ratio;
+
+    #[inline]
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: usize,
+        rng: &mut R,
+    ) -> Result<Proposal<usize, Ratio>, R::Error> {
+        let word = W::try_draw(rng)?;
+        let Some(there) = self.rows.get(from) else {
+            return Ok(Proposal::new(from, Ratio::ONE));
+        };
+        let to = there.index(word);
+        let ratio = match self.rows.get(to) {
+            Some(back) => {
+                Ratio::from_counts(there.numerator(to).into(), back.numerator(from).into())
+            }
+            None => Ratio::ONE,
+        };
+        Ok(Proposal::new(to, ratio))
+    }
+}

@@ -1,0 +1,142 @@
+//! Mutations of some coordinates, the others staying as they are.
+
+use super::{Mutation, Proposal};
+use crate::error::Error;
+use rand_core::TryRng;
+
+/// Changes K of D coordinates by a mutation of points of K.
+///
+/// - States: `[f32; D]`, of ℝᴰ or the unit cube, as the mutation's are.
+/// - Words: those of the mutation.
+/// - The ratio is the mutation's own: it may depend on the coordinates that it changes, and on no other.
+///
+/// ```
+/// use microwarp::metropolis::{Mutation, Subset, UniformStep};
+/// use rand_pcg::Pcg32;
+/// let lens = Subset::<_, 2, 5>::new(UniformStep::new(), [3, 4])?;
+/// let Ok(proposal) = lens.try_propose([0.5; 5], &mut Pcg32::new(1, 1));
+/// assert_eq!(proposal.state[..3], [0.5; 3]);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Subset<M, const K: usize, const D: usize> {
+    mutation: M,
+    axes: [usize; K],
+}
+
+impl<M, const K: usize, const D: usize> Subset<M, K, D> {
+    /// Changes the coordinates `axes`, counted from 0, which are handed to the mutation in this order.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a coordinate that does not exist or is named twice, and without any.
+    pub const fn new(mutation: M, axes: [usize; K]) -> Result<Self, Error>
+    where
+        M: Copy,
+    {
+        let mut rest: &[usize] = &axes;
+        while let Some((&axis, others)) = rest.split_first() {
+            let mut later = others;
+            while let Some((&other, beyond)) = later.split_first() {
+                if other == axis {
+                    return Err(Error::OutOfRange);
+                }
+                later = beyond;
+            }
+            if axis >= D {
+                return Err(Error::OutOfRange);
+            }
+            rest = others;
+        }
+        if K == 0 {
+            return Err(Error::OutOfRange);
+        }
+        Ok(Self { mutation, axes })
+    }
+}
+
+impl<M, const K: usize, const D: usize> Mutation<[f32; D]> for Subset<M, K, D>
+where
+    M: Mutation<[f32; K]>,
+{
+    type Correction = M::Correction;
+
+    #[inline]
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: [f32; D],
+        rng: &mut R,
+    ) -> Result<Proposal<[f32; D], M::Correction>, R::Error> {
+        let part = self
+            .axes
+            .map(|axis| from.get(axis).copied().unwrap_or_default());
+        let proposal = self.mutation.try_propose(part, rng)?;
+        let mut to = from;
+        for (axis, x) in self.axes.iter().zip(proposal.state) {
+            if let Some(place) = to.get_mut(*axis) {
+                *place = x;
+            }
+        }
+        Ok(Proposal {
+            state: to,
+            correction: proposal.correction,
+            kind: proposal.kind,
+        })
+    }
+}
+
+/// Changes one coordinate, picked at random, by a mutation of a single number.
+///
+/// In many dimensions a step in all of them at once is seldom accepted unless it is small.
+///
+/// - States: `[f32; D]`, of ℝᴰ or the unit cube, as the mutation's are.
+/// - Words: one, which picks, and those of the mutation. A coordinate is picked with probability 1/D, to
+///   2⁻³².
+/// - The ratio is the mutation's own.
+///
+/// ```
+/// use microwarp::metropolis::{Mutation, OneCoordinate, UniformStep};
+/// use rand_pcg::Pcg32;
+/// let one = OneCoordinate::new(UniformStep::new());
+/// let Ok(proposal) = one.try_propose([0.5; 32], &mut Pcg32::new(1, 1));
+/// assert_eq!(proposal.state.iter().filter(|x| **x != 0.5).count(), 1);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OneCoordinate<M> {
+    mutation: M,
+}
+
+impl<M> OneCoordinate<M> {
+    /// Changes one coordinate by this mutation.
+    #[must_use]
+    #[inline]
+    pub const fn new(mutation: M) -> Self {
+        Self { mutation }
+    }
+}
+
+impl<M: Mutation<f32>, const D: usize> Mutation<[f32; D]> for OneCoordinate<M> {
+    type Correction = M::Correction;
+
+    #[inline]
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: [f32; D],
+        rng: &mut R,
+    ) -> Result<Proposal<[f32; D], M::Correction>, R::Error> {
+        let word = u64::from(rng.try_next_u32()?);
+        let axis = (word.wrapping_mul(D as u64) >> 32) as usize;
+        let mut to = from;
+        let mut nothing = 0.0;
+        // Without coordinates there is nothing to change, but words are taken all the same.
+        let place = to.get_mut(axis).unwrap_or(&mut nothing);
+        let proposal = self.mutation.try_propose(*place, rng)?;
+        *place = proposal.state;
+        Ok(Proposal {
+            state: to,
+            correction: proposal.correction,
+            kind: proposal.kind,
+        })
+    }
+}

@@ -1,0 +1,232 @@
+//! How a chain finds its first state among those of another sampler.
+
+use super::density::{Arithmetic, Density, Standing};
+use super::{Chain, Source};
+use crate::estimate::Sum;
+use crate::rejection::{Failure, happens};
+use crate::tier::sqrt;
+use crate::warp::Apart;
+use core::convert::Infallible;
+use rand_core::{Rng, TryRng};
+
+/// A chain without start-up bias, with the weight that removes it.
+///
+/// Of M candidates y with density p, one is chosen to be the first state, with probability in proportion to
+/// w = f(y)/p(y), and the mean of all w is the run's weight W. For every k and g, the expectation of W g(X) at
+/// the state X after k steps is ∫fg: over many short runs, the mean of W times the mean of g along the run is
+/// unbiased from the first step on, and that of W alone is ∫f.
+///
+/// A run without any candidate of positive weight ([`Failure::BudgetSpent`]) counts in those means, as 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Start<X, D = f32> {
+    /// The chain, at the state chosen.
+    pub chain: Chain<X, D>,
+    /// The run's weight W: an unbiased estimate of the normalisation ∫f, if p is normalised. On the scale of
+    /// the density, so of a [`LogDensity`](super::LogDensity) the logarithm.
+    pub weight: D,
+    /// Its standard error in proportion to it, estimated from the candidates; [`None`] from a single one.
+    pub relative_error: Option<f32>,
+    /// How many candidates had a positive density.
+    pub positive: u32,
+}
+
+/// Candidates seen so far, of which one is held, each with probability in proportion to its weight.
+struct Candidates<X, D> {
+    held: Option<(X, D)>,
+    /// The sum of the weights and that of their squares, in units of 2^exponent and of its square.
+    sum: Sum,
+    squares: Sum,
+    exponent: i32,
+    positive: u32,
+}
+
+impl<X: Copy, D: Density> Candidates<X, D> {
+    const NONE: Self = Self {
+        held: None,
+        sum: Sum::ZERO,
+        squares: Sum::ZERO,
+        exponent: i32::MIN,
+        positive: 0,
+    };
+
+    /// Takes in a candidate, and holds it if the word says so.
+    fn offer(&mut self, state: X, density: D, weight: Apart, word: u32) {
+        let (_, exponent) = weight.parts();
+        if exponent > self.exponent {
+            let shrunk = power(self.exponent.saturating_sub(exponent));
+            self.sum = self.sum.scaled(shrunk);
+            self.squares = self.squares.scaled(shrunk).scaled(shrunk);
+            self.exponent = exponent;
+        }
+        let weight = self.in_units(weight);
+        self.sum = self.sum.plus(weight);
+        self.squares = self.squares.plus(weight * weight);
+        self.positive = self.positive.saturating_add(1);
+        if happens(weight / self.sum.value(), word) {
+            self.held = Some((state, density));
+        }
+    }
+
+    /// At most 2, and 0 if too small to count.
+    fn in_units(&self, weight: Apart) -> f32 {
+        let (significand, exponent) = weight.parts();
+        significand * power(exponent.saturating_sub(self.exponent))
+    }
+
+    fn start(self, candidates: u32) -> Option<Start<X, D>> {
+        let (state, density) = self.held?;
+        let count = candidates as f32;
+        // The sum is at least 1, and no more than twice the count.
+        let weight = Apart::of(self.sum.value() / count).raised(self.exponent);
+        let relative_error = (candidates > 1).then(|| {
+            let mean = self.sum.value() / count;
+            let spread = self.squares.value() / count / mean / mean - 1.0;
+            sqrt(if spread > 0.0 { spread } else { 0.0 } / (count - 1.0))
+        });
+        Some(Start {
+            chain: Chain::at(state, density),
+            weight: D::of_apart(weight),
+            relative_error,
+            positive: self.positive,
+        })
+    }
+}
+
+/// 2^e for e up to 0; 0 far below.
+fn power(e: i32) -> f32 {
+    if e < -126 {
+        0.0
+    } else {
+        f32::from_bits((e.wrapping_add(127) as u32) << 23)
+    }
+}
+
+impl<X: Copy, D: Density> Chain<X, D> {
+    /// A chain at the first of at most `budget` states drawn whose density is positive.
+    ///
+    /// The start is then one that the density may hardly have chosen: let it burn in.
+    ///
+    /// - Words: those of the draws.
+    ///
+    /// # Errors
+    /// [`Failure::BudgetSpent`] if there was none, [`Failure::Generator`].
+    #[inline]
+    pub fn try_search<S, R>(
+        mut target: impl FnMut(X) -> D,
+        source: &S,
+        budget: u32,
+        rng: &mut R,
+    ) -> Result<Self, Failure<R::Error>>
+    where
+        S: Source<X>,
+        R: TryRng + ?Sized,
+    {
+        for _ in 0..budget {
+            let state = source.try_draw(rng).map_err(Failure::Generator)?;
+            let density = target(state);
+            if density.standing() == Standing::Positive {
+                return Ok(Self::at(state, density));
+            }
+        }
+        Err(Failure::BudgetSpent { tries: budget })
+    }
+
+    /// Likewise with a generator that cannot fail.
+    ///
+    /// # Errors
+    /// [`Failure::BudgetSpent`].
+    ///
+    /// ```
+    /// use microwarp::metropolis::{Chain, UniformStep};
+    /// use rand_pcg::Pcg32;
+    /// let spot = |x: f32| if (0.7..0.8).contains(&x) { 1.0 } else { 0.0 };
+    /// assert!(Chain::new(0.5, spot).is_err());
+    /// let chain = Chain::search(spot, &UniformStep::new(), 1000, &mut Pcg32::new(1, 1))?;
+    /// assert!((0.7..0.8).contains(&chain.state()));
+    /// # Ok::<(), microwarp::rejection::Failure>(())
+    /// ```
+    #[inline]
+    pub fn search<S, R>(
+        target: impl FnMut(X) -> D,
+        source: &S,
+        budget: u32,
+        rng: &mut R,
+    ) -> Result<Self, Failure<Infallible>>
+    where
+        S: Source<X>,
+        R: Rng + ?Sized,
+    {
+        Self::try_search(target, source, budget, rng)
+    }
+
+    /// A chain whose start is chosen among `candidates` states of another sampler, with the weight that
+    /// removes the start-up bias. See [`Start`].
+    ///
+    /// - Memory: one candidate, two sums.
+    /// - Words: those of each draw, and one more a candidate.
+    /// - A candidate whose density is NaN, infinite or negative counts as one of density 0.
+    /// - Error of the weight: that of the quotients f/p, and 2⁻²³; where `f32` overflows, it is the largest one. The
+    ///   probabilities are realised in steps of 2⁻³² a candidate.
+    ///
+    /// Source: E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997.
+    ///
+    /// # Errors
+    /// [`Failure::BudgetSpent`] if no candidate has a positive density, [`Failure::ProposalDensity`] if the
+    /// source's own density at a state it drew is not positive and finite, [`Failure::Generator`].
+    #[inline]
+    pub fn try_resample<S, R>(
+        mut target: impl FnMut(X) -> D,
+        source: &S,
+        candidates: u32,
+        rng: &mut R,
+    ) -> Result<Start<X, D>, Failure<R::Error>>
+    where
+        S: Source<X>,
+        R: TryRng + ?Sized,
+    {
+        let mut seen = Candidates::NONE;
+        for _ in 0..candidates {
+            let state = source.try_draw(rng).map_err(Failure::Generator)?;
+            let word = rng.try_next_u32().map_err(Failure::Generator)?;
+            let pdf = source.pdf(state);
+            if pdf.standing() != Standing::Positive {
+                return Err(Failure::ProposalDensity);
+            }
+            let density = target(state);
+            if density.standing() == Standing::Positive {
+                seen.offer(state, density, density.apart().over(Apart::of(pdf)), word);
+            }
+        }
+        seen.start(candidates)
+            .ok_or(Failure::BudgetSpent { tries: candidates })
+    }
+
+    /// Likewise with a generator that cannot fail.
+    ///
+    /// # Errors
+    /// [`Failure::BudgetSpent`], [`Failure::ProposalDensity`].
+    ///
+    /// ```
+    /// use microwarp::metropolis::{Chain, UniformStep};
+    /// use rand_pcg::Pcg32;
+    /// let f = |x: f32| (x - 0.5) * (x - 0.5); // whose integral over [0, 1) is 1/12
+    /// let start = Chain::resample(f, &UniformStep::new(), 1000, &mut Pcg32::new(1, 1))?;
+    /// let error = start.relative_error.unwrap_or(1.0);
+    /// assert!((start.weight * 12.0 - 1.0).abs() < 4.0 * error);
+    /// # Ok::<(), microwarp::rejection::Failure>(())
+    /// ```
+    #[inline]
+    pub fn resample<S, R>(
+        target: impl FnMut(X) -> D,
+        source: &S,
+        candidates: u32,
+        rng: &mut R,
+    ) -> Result<Start<X, D>, Failure<Infallible>>
+    where
+        S: Source<X>,
+        R: Rng + ?Sized,
+    {
+        Self::try_resample(target, source, candidates, rng)
+    }
+}

@@ -1,0 +1,101 @@
+//! What one step of a chain did.
+
+/// What became of a proposal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Outcome {
+    /// The chain is at the proposed state.
+    Accepted,
+    /// The chain stays where it was.
+    Rejected,
+    /// The chain stays where it was, because the proposed density is NaN, infinite or negative, or the
+    /// ratio of the mutation is none.
+    Refused,
+    /// The chain is at the proposed state, because it had rejected as often in a row as it was allowed to.
+    Forced,
+}
+
+/// One step of a chain: both states it dealt with, and how much each counts.
+///
+/// Of a run, either record [`Step::state`] for each step, or [`Step::recorded`], which has the same
+/// expectation and no more variance from the decision.
+///
+/// ```
+/// use microwarp::metropolis::{Chain, UniformIndex};
+/// use rand_pcg::Pcg32;
+/// let weights = [9.0, 1.0];
+/// let weight = |i: usize| weights[i];
+/// let mutation = UniformIndex::new(2)?;
+/// let (mut chain, mut rng) = (Chain::new(0, weight)?, Pcg32::new(1, 1));
+/// let mut histogram = [0.0; 2];
+/// for _ in 0..1000 {
+///     for (state, share) in chain.step(weight, &mutation, &mut rng).recorded() {
+///         histogram[state] += share;
+///     }
+/// }
+/// assert!((histogram[0] / 1000.0 - 0.9_f32).abs() < 0.05);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Step<X, D = f32> {
+    /// The state before the step, x.
+    pub from: X,
+    /// Its density, as the target gave it.
+    pub from_density: D,
+    /// The state proposed, x′. Of a refused proposal, and of one of acceptance 0, it may be anything.
+    pub proposed: X,
+    /// Its density, as the target gave it; of a refused proposal it may be anything.
+    pub proposed_density: D,
+    /// The probability with which the proposal is accepted, a, in [0, 1]: 0 of a refused one, 1 of a forced
+    /// one.
+    pub acceptance: f32,
+    /// What became of it.
+    pub outcome: Outcome,
+    /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 of any other.
+    pub kind: u32,
+}
+
+impl<X: Copy, D: Copy> Step<X, D> {
+    /// Whether the chain has moved to the proposed state.
+    #[must_use]
+    #[inline]
+    pub const fn is_accepted(&self) -> bool {
+        matches!(self.outcome, Outcome::Accepted | Outcome::Forced)
+    }
+
+    /// The state after the step.
+    #[must_use]
+    #[inline]
+    pub const fn state(&self) -> X {
+        if self.is_accepted() {
+            self.proposed
+        } else {
+            self.from
+        }
+    }
+
+    /// The density of the state after the step.
+    #[must_use]
+    #[inline]
+    pub const fn density(&self) -> D {
+        if self.is_accepted() {
+            self.proposed_density
+        } else {
+            self.from_density
+        }
+    }
+
+    /// Both states with the weights to record them with: 1 − a and a, which sum to 1.
+    ///
+    /// This is the expectation of recording the state after the step. Pass over a state of weight 0: if
+    /// refused, it may be outside the domain.
+    #[must_use]
+    #[inline]
+    pub const fn recorded(&self) -> [(X, f32); 2] {
+        [
+            (self.from, 1.0 - self.acceptance),
+            (self.proposed, self.acceptance),
+        ]
+    }
+}

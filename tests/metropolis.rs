@@ -1,0 +1,21 @@
+//! Metropolis: the chain is stationary where it says so, by exact matrices and by samples; nothing that is
+//! proposed wrongly gets in; a rejected step leaves no trace; a saved chain goes on as if nothing had been.
+
+#[path = "metropolis/acceptance.rs"]
+mod acceptance;
+mod catalogue;
+#[path = "metropolis/chains.rs"]
+mod chains;
+mod drivers;
+#[path = "metropolis/health.rs"]
+mod health;
+#[path = "metropolis/long.rs"]
+mod long;
+#[path = "metropolis/matrices.rs"]
+mod matrices;
+#[path = "metropolis/mutations.rs"]
+mod mutations;
+#[path = "metropolis/start.rs"]
+mod start;
+#[path = "metropolis/targets.rs"]
+mod targets;

@@ -1,0 +1,1 @@
+//! The chain as a value: counts, refusals, limits, exact restoring, saving and resuming, its size.

@@ -1,0 +1,1 @@
+//! The health figures against their definitions in f64.

@@ -1,0 +1,1 @@
+//! A hundred million steps.

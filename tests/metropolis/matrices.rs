@@ -1,0 +1,1 @@
+//! Exact transition matrices of the implemented step.

@@ -1,0 +1,1 @@
+//! The mutations: symmetry to the last bit, exact wrapping, ranges, words, errors.

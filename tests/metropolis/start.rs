@@ -1,0 +1,1 @@
+//! The start-up bias and its two cures.

@@ -1,0 +1,1 @@
+//! Continuous targets, with controls that must be rejected.
