@@ -17,30 +17,30 @@ pub trait Source<X> {
     ///
     /// # Errors
     /// The generator's own error.
-    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<X, R::Error>;
+    fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<X, R::Error>;
 
     /// The density at a state, with respect to the measure that the target's density is meant for; not
     /// necessarily normalised if no weight is to be read off a start.
     #[must_use]
-    fn pdf(&self, state: X) -> f32;
+    fn pdf_of_state(&self, state: X) -> f32;
 
     /// p(`from`)/p(`to`), the ratio of a proposal.
     #[must_use]
     #[inline]
-    fn ratio(&self, from: X, to: X) -> Ratio {
-        Ratio::new(self.pdf(to), self.pdf(from))
+    fn ratio_of_states(&self, from: X, to: X) -> Ratio {
+        Ratio::new(self.pdf_of_state(to), self.pdf_of_state(from))
     }
 }
 
 impl<W: Warp<Density = f32>> Source<W::Point> for W {
     #[inline]
-    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<W::Point, R::Error> {
-        Warp::try_draw(self, rng)
+    fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<W::Point, R::Error> {
+        self.try_draw(rng)
     }
 
     #[inline]
-    fn pdf(&self, state: W::Point) -> f32 {
-        Warp::pdf(self, state)
+    fn pdf_of_state(&self, state: W::Point) -> f32 {
+        self.pdf(state)
     }
 }
 
@@ -48,17 +48,17 @@ macro_rules! tables {
     ($($table:ident of $item:ty;)*) => {$(
         impl<W: Word, S: Storage<Item = $item>> Source<usize> for $table<S> {
             #[inline]
-            fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
+            fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
                 self.try_draw_index(rng)
             }
 
             #[inline]
-            fn pdf(&self, state: usize) -> f32 {
+            fn pdf_of_state(&self, state: usize) -> f32 {
                 self.pmf(state)
             }
 
             #[inline]
-            fn ratio(&self, from: usize, to: usize) -> Ratio {
+            fn ratio_of_states(&self, from: usize, to: usize) -> Ratio {
                 Ratio::from_counts(self.numerator(to).into(), self.numerator(from).into())
             }
         }
@@ -121,8 +121,8 @@ impl<X: Copy, S: Source<X>> Mutation<X> for Independence<S> {
         from: X,
         rng: &mut R,
     ) -> Result<Proposal<X, Ratio>, R::Error> {
-        let to = self.source.try_draw(rng)?;
-        Ok(Proposal::new(to, self.source.ratio(from, to)))
+        let to = self.source.try_draw_state(rng)?;
+        Ok(Proposal::new(to, self.source.ratio_of_states(from, to)))
     }
 }
 
@@ -156,12 +156,12 @@ impl UniformStep {
 
 impl<X: Coordinates> Source<X> for UniformStep {
     #[inline]
-    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<X, R::Error> {
+    fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<X, R::Error> {
         Ok(<X as Uniforms>::try_draw(rng)?.get())
     }
 
     #[inline]
-    fn pdf(&self, state: X) -> f32 {
+    fn pdf_of_state(&self, state: X) -> f32 {
         let inside = state.as_slice().iter().all(|x| (0.0..1.0).contains(x));
         if inside { 1.0 } else { 0.0 }
     }
@@ -176,6 +176,6 @@ impl<X: Coordinates> Mutation<X> for UniformStep {
         _: X,
         rng: &mut R,
     ) -> Result<Proposal<X, Symmetric>, R::Error> {
-        Ok(Proposal::new(self.try_draw(rng)?, Symmetric))
+        Ok(Proposal::new(self.try_draw_state(rng)?, Symmetric))
     }
 }

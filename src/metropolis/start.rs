@@ -123,7 +123,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         R: TryRng + ?Sized,
     {
         for _ in 0..budget {
-            let state = source.try_draw(rng).map_err(Failure::Generator)?;
+            let state = source.try_draw_state(rng).map_err(Failure::Generator)?;
             let density = target(state);
             if density.standing() == Standing::Positive {
                 return Ok(Self::at(state, density));
@@ -187,9 +187,9 @@ impl<X: Copy, D: Density> Chain<X, D> {
     {
         let mut seen = Candidates::NONE;
         for _ in 0..candidates {
-            let state = source.try_draw(rng).map_err(Failure::Generator)?;
+            let state = source.try_draw_state(rng).map_err(Failure::Generator)?;
             let word = rng.try_next_u32().map_err(Failure::Generator)?;
-            let pdf = source.pdf(state);
+            let pdf = source.pdf_of_state(state);
             if pdf.standing() != Standing::Positive {
                 return Err(Failure::ProposalDensity);
             }

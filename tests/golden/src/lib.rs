@@ -6,6 +6,7 @@
 //! between machines, so every NaN yields the same word.
 #![no_std]
 
+mod chains;
 mod subjects;
 
 use microwarp::tier::{Libm, Poly, Tier};

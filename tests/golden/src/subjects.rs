@@ -1,5 +1,6 @@
 //! The subjects and the inputs of the golden table. A new warp is one line here.
 
+use crate::chains;
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Reservoir, Selection,
@@ -70,7 +71,7 @@ impl<'a> Out<'a> {
 }
 
 /// One or several numbers: made from four, and put out.
-trait Numbers: Copy {
+pub(crate) trait Numbers: Copy {
     fn from_four(four: [f32; 4]) -> Self;
     fn put(self, out: &mut Out);
 }
@@ -95,7 +96,7 @@ impl<const N: usize> Numbers for [f32; N] {
     }
 }
 
-fn generator(input: usize) -> Pcg32 {
+pub(crate) fn generator(input: usize) -> Pcg32 {
     Pcg32::new(0x5eed + input as u64, 54)
 }
 
@@ -116,7 +117,7 @@ where
 }
 
 /// A parameter the compiler cannot see, so that the linked firmware holds the constructors' refusals too.
-fn v(x: f32) -> f32 {
+pub(crate) fn v(x: f32) -> f32 {
     black_box(x)
 }
 
@@ -145,7 +146,7 @@ pub(crate) fn refusal(error: Error) -> u32 {
 }
 
 /// What a constructor says of parameters that are mostly impossible: 0, or the error's number and one.
-fn verdict<W>(result: Result<W, Error>, out: &mut Out) {
+pub(crate) fn verdict<W>(result: Result<W, Error>, out: &mut Out) {
     out.word(match result {
         Ok(warp) => {
             black_box(&warp);
@@ -194,7 +195,7 @@ fn drawn<const N: usize, E>(result: Result<Accepted<[f32; N]>, Failure<E>>, out:
 }
 
 /// What is not known yields the word of a NaN.
-fn figure(x: Option<f32>, out: &mut Out) {
+pub(crate) fn figure(x: Option<f32>, out: &mut Out) {
     out.float(x.unwrap_or(f32::NAN));
 }
 
@@ -222,7 +223,7 @@ fn selected_or(chosen: Result<Selection, Error>, out: &mut Out) {
 }
 
 /// The table of a selector, or the refusal.
-fn with<S>(table: Result<S, Error>, out: &mut Out, then: impl FnOnce(S, &mut Out)) {
+pub(crate) fn with<S>(table: Result<S, Error>, out: &mut Out, then: impl FnOnce(S, &mut Out)) {
     match table {
         Ok(table) => then(table, out),
         Err(e) => out.word(refusal(e)),
@@ -715,5 +716,15 @@ subjects! {
                 out.float(power_heuristic(n, f, 7, g));
             }
         },
+        "chain displacements" => chains::displacements::<T>,
+        "chain acceptances" => chains::acceptances::<T>,
+        "chain in the cube" => chains::cube::<T>,
+        "chain in the plane" => chains::plane::<T>,
+        "chain of indices" => chains::indices,
+        "chain with limits" => chains::limits,
+        "chain starts" => chains::starts::<T>,
+        "chain of uniforms" => chains::primary::<T>,
+        "chain health" => chains::health,
+        "chain verdicts" => chains::verdicts::<T>,
     }
 }
