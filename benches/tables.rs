@@ -3,6 +3,9 @@
 //! `cargo bench --bench tables`. Each figure is for 1,024 of them with PCG32; compare figures of one run
 //! only. How long tables take to build is at the end, an entry being the item.
 
+mod common;
+
+use common::repeat;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use microwarp::Warp;
@@ -13,20 +16,8 @@ use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Rejection};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
-const ITEMS: usize = 1_024;
-
 fn main() {
     divan::main();
-}
-
-/// Repeats an action that draws.
-fn repeat<T>(bencher: Bencher, mut action: impl FnMut(&mut Pcg32) -> T) {
-    let mut rng = Pcg32::new(1, 1);
-    bencher.counter(ItemsCount::new(ITEMS)).bench_local(|| {
-        for _ in 0..ITEMS {
-            black_box(action(&mut rng));
-        }
-    });
 }
 
 fn weights(n: usize) -> Vec<f32> {

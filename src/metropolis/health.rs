@@ -158,7 +158,8 @@ impl<const LAGS: usize> Health<LAGS> {
             time += 2.0 * before;
             lag = lag.saturating_add(2);
         }
-        let least = 1.0 / (self.count().ilog2().max(1) as f32);
+        let log2 = 63_u32.saturating_sub(self.count().leading_zeros());
+        let least = 1.0 / log2.max(1) as f32;
         Some(if time > least { time } else { least })
     }
 

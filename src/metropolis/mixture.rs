@@ -4,6 +4,7 @@ use super::correction::{Correction, Judge as _};
 use super::{Mutation, Proposal, UniformStep};
 use crate::discrete::Cdf;
 use crate::error::Error;
+use crate::uniform::nearest;
 use rand_core::TryRng;
 
 /// N mutations of the same states: an array of one type, or a tuple of up to eight.
@@ -127,10 +128,14 @@ impl<M, const N: usize> Mixture<M, N> {
     /// # Errors
     /// Those of [`Cdf`] for the weights.
     pub fn new(mutations: M, weights: &[f32; N]) -> Result<Self, Error> {
-        Ok(Self {
-            mutations,
-            table: Cdf::<[u32; N]>::new(weights)?,
-        })
+        Ok(Self::from_table(mutations, Cdf::<[u32; N]>::new(weights)?))
+    }
+
+    /// Picks the mutations by a table of one's own: built by the compiler, it leaves what builds tables out
+    /// of the program.
+    #[must_use]
+    pub const fn from_table(mutations: M, table: Cdf<[u32; N]>) -> Self {
+        Self { mutations, table }
     }
 
     /// How often each mutation is picked, in units of 2⁻³².
@@ -148,19 +153,25 @@ impl<M, const N: usize> Mixture<M, N> {
 pub type LargeSmall<S> = Mixture<(UniformStep, S), 2>;
 
 impl<S> LargeSmall<S> {
-    /// Large steps with this probability, small ones otherwise.
+    /// Large steps with this probability, to the nearest multiple of 2⁻³², small ones otherwise.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a probability outside [0, 1]; [`Error::Unreachable`] for one so near to an
-    /// end that it is below 2⁻³² of the other.
+    /// [`Error::OutOfRange`] for a probability outside [0, 1]; [`Error::Unreachable`] for a positive one
+    /// below 2⁻³³, which no word would reach.
     pub fn large_small(probability: f32, small: S) -> Result<Self, Error> {
         if !(0.0..=1.0).contains(&probability) {
             return Err(Error::OutOfRange);
         }
-        Self::new(
-            (UniformStep::new(), small),
-            &[probability, 1.0 - probability],
-        )
+        let words = if probability < 1.0 {
+            [nearest(probability * 4_294_967_296.0), 1]
+        } else {
+            [u32::MAX, 0]
+        };
+        if words == [0, 1] && probability > 0.0 {
+            return Err(Error::Unreachable(0));
+        }
+        let table = Cdf::trusted(words);
+        Ok(Self::from_table((UniformStep::new(), small), table))
     }
 }
 
