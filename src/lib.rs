@@ -1,6 +1,7 @@
 //! Monte Carlo sampling for firmware, WASM and renderers: every classical warp of uniforms onto an
 //! interval, a disk, directions, a lobe or a triangle, each with its density and its inverse; discrete and
-//! tabulated distributions, rejection and estimators; over `f32`, without `std` and without allocation.
+//! tabulated distributions, rejection, estimators and Metropolis chains; over `f32`, without `std` and
+//! without allocation.
 //!
 //! A sample's way through the crate is one straight corridor, and the modules are its rooms:
 //!
@@ -11,10 +12,13 @@
 //!                                                [discrete]
 //!                                                tries -> point accepted, within a budget
 //!                                                [rejection]
+//!                                                chain -> states of any density, each from the one before
+//!                                                [metropolis]
 //! ```
 //!
 //! A warp is a pure function of explicit uniforms, so that one and the same warp serves a pseudo-random
-//! generator, a stratified or low-discrepancy set, a Markov chain in the unit cube and a replay from a log.
+//! generator, a stratified or low-discrepancy set, a Markov chain in the unit cube
+//! ([`metropolis::primary_density`]) and a replay from a log.
 //!
 //! # Choosing a tier
 //! The tier is chosen once, by type: `use microwarp::poly as mw;` for `f32` arithmetic alone (the
@@ -39,6 +43,8 @@
 //!   accepted gives finite results inside the stated domain; a refused parameter is an [`Error`].
 //! - Nothing panics, allocates, recurses or loops without a bound.
 //! - A weight of zero is never chosen, and a table selects with the probability it reports, to the last bit.
+//! - A chain never enters a state whose density is 0, NaN, infinite or negative, and a rejected step leaves it
+//!   as it was, to the last bit.
 //! - A sample never has density 0. (One exception, in world coordinates: the sides of a turned patch next to
 //!   its pole; see [`Oriented`].)
 #![no_std]
