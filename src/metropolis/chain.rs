@@ -368,12 +368,13 @@ impl<X: Copy, D: Density> Chain<X, D> {
     /// target.
     ///
     /// # Errors
-    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for more accepted and refused steps than
-    /// steps.
+    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for counts that no run has: more accepted
+    /// and refused, or accepted and rejected in a row, than steps.
     #[inline]
     pub fn resume(saved: Saved<X, D>) -> Result<Self, Error> {
-        match saved.accepted.checked_add(saved.refused) {
-            Some(decided) if decided <= saved.steps => {}
+        let stayed = saved.refused.max(saved.rejected_in_a_row.into());
+        match saved.accepted.checked_add(stayed) {
+            Some(steps) if steps <= saved.steps => {}
             _ => return Err(Error::OutOfRange),
         }
         saved.density.positive()?;
