@@ -71,7 +71,7 @@ fn along<X: Coordinates>(widths: &X, axis: usize) -> f32 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoxStep<X> {
-    half_widths: X,
+    widths: X,
 }
 
 impl<X: Coordinates> BoxStep<X> {
@@ -80,11 +80,9 @@ impl<X: Coordinates> BoxStep<X> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0.
     pub fn new(widths: X) -> Result<Self, Error> {
-        let mut half_widths = checked(widths)?;
-        for width in half_widths.as_mut_slice() {
-            *width *= 0.5;
-        }
-        Ok(Self { half_widths })
+        Ok(Self {
+            widths: checked(widths)?,
+        })
     }
 }
 
@@ -92,7 +90,8 @@ impl<X: Coordinates> Displacement<X> for BoxStep<X> {
     #[inline]
     fn displacement(&self, axis: usize, word: u32) -> f32 {
         let (sign, u) = signed(word);
-        sign * u * along(&self.half_widths, axis)
+        // Halving u is exact; halving a subnormal width would not be.
+        sign * (0.5 * u) * along(&self.widths, axis)
     }
 }
 
