@@ -9,6 +9,8 @@ mod chains;
 mod drivers;
 #[path = "metropolis/health.rs"]
 mod health;
+#[path = "metropolis/laws.rs"]
+mod laws;
 #[path = "metropolis/long.rs"]
 mod long;
 #[path = "metropolis/matrices.rs"]
@@ -17,5 +19,9 @@ mod matrices;
 mod mutations;
 #[path = "metropolis/start.rs"]
 mod start;
+#[path = "metropolis/stated.rs"]
+mod stated;
+#[path = "metropolis/step_errors.rs"]
+mod step_errors;
 #[path = "metropolis/targets.rs"]
 mod targets;

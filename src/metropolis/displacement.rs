@@ -126,10 +126,15 @@ impl<X: Coordinates, T: Tier> NormalStep<X, T> {
     /// Steps with these standard deviations along the coordinates. One of 0 leaves a coordinate as it is.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0.
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0; [`Error::TooLarge`]
+    /// above 6e37, where steps would overflow.
     pub fn new(deviations: X) -> Result<Self, Error> {
+        let deviations = checked(deviations)?;
+        if deviations.as_slice().iter().any(|&x| x > 6e37) {
+            return Err(Error::TooLarge);
+        }
         Ok(Self {
-            deviations: checked(deviations)?,
+            deviations,
             tier: PhantomData,
         })
     }
