@@ -14,7 +14,7 @@ pub use self::libm::Libm;
 pub use self::poly::Poly;
 pub(crate) use self::poly::exchanged;
 pub(crate) use self::product::{
-    coin_series, exp_m1_of_product, exp_of_product, log_residual, one_minus_cos_radians,
+    coin_series, exp_m1_of_product, exp_of_product, ln_ratio, log_residual, one_minus_cos_radians,
     pow_of_quotient, remainder, scaled_exp, scaled_exp_of_product, two_product, two_sum,
 };
 pub(crate) use self::sqrt::sqrt;

@@ -3,7 +3,7 @@
 use super::coordinates::Coordinates;
 use super::{Mutation, Proposal, Symmetric};
 use crate::error::{Error, finite, positive};
-use crate::tier::{Tier, scaled_exp_of_product};
+use crate::tier::{Tier, ln_ratio, scaled_exp, two_product};
 use core::marker::PhantomData;
 use rand_core::TryRng;
 
@@ -104,7 +104,7 @@ impl<X: Coordinates> Displacement<X> for BoxStep<X> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | step, ulp | 4.2 | 4.2 |
+/// | step, ulp | 4.7 | 4.7 |
 ///
 /// Source: M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988.
 ///
@@ -161,7 +161,7 @@ impl<X: Coordinates, T: Tier> Displacement<X> for NormalStep<X, T> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | step, relative | 1e-6 | 1e-6 |
+/// | step, relative | 5.4e-7 | 5.4e-7 |
 ///
 /// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
 /// Metropolis Light Transport Algorithm", 2002.
@@ -178,8 +178,9 @@ impl<X: Coordinates, T: Tier> Displacement<X> for NormalStep<X, T> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ExponentialStep<T> {
     largest: f32,
-    /// ln(smallest/largest), at most 0.
-    decay: f32,
+    /// ln(largest/smallest), and what it lacks: a long way down multiplies the rounding of a logarithm.
+    span: f32,
+    span_rest: f32,
     tier: PhantomData<T>,
 }
 
@@ -192,9 +193,11 @@ impl<T: Tier> ExponentialStep<T> {
         if positive(smallest)? > positive(largest)? {
             return Err(Error::Reversed);
         }
+        let (span, span_rest) = ln_ratio::<T>(smallest, largest);
         Ok(Self {
             largest,
-            decay: T::ln(smallest) - T::ln(largest),
+            span,
+            span_rest,
             tier: PhantomData,
         })
     }
@@ -204,7 +207,8 @@ impl<X: Coordinates, T: Tier> Displacement<X> for ExponentialStep<T> {
     #[inline]
     fn displacement(&self, _: usize, word: u32) -> f32 {
         let (sign, u) = signed(word);
-        sign * scaled_exp_of_product::<T>(self.largest, self.decay, u)
+        let (way, dropped) = two_product(self.span, u);
+        sign * scaled_exp::<T>(self.largest, -way, -dropped - self.span_rest * u)
     }
 }
 

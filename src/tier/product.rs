@@ -137,6 +137,29 @@ pub(crate) fn log_residual<T: Tier>(x: f32, log: f32) -> f32 {
     (product - 1.0) + dropped
 }
 
+/// ln(b/a) for 0 ≤ a < b, accurate however close or far apart the two are, and what it lacks.
+pub(crate) fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
+    if a == 0.0 {
+        return (f32::INFINITY, 0.0);
+    }
+    if b < 2.0 * a {
+        let (difference, base) = (b - a, a);
+        let quotient = difference / base;
+        let short = remainder(difference, quotient, base) / base;
+        return (T::ln_1p(quotient), short / (1.0 + quotient));
+    }
+    let quotient = b / a;
+    if (f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) && a >= f32::MIN_POSITIVE {
+        let short = remainder(b, quotient, a) / b;
+        let log = T::ln(quotient);
+        return two_sum(log, log_residual::<T>(quotient, log) + short);
+    }
+    let (log_b, log_a) = (T::ln(b), T::ln(a));
+    let (span, dropped) = two_sum(log_b, -log_a);
+    let residuals = log_residual::<T>(b, log_b) - log_residual::<T>(a, log_a);
+    two_sum(span, dropped + residuals)
+}
+
 /// S in −ln(near + away·e^(−z))/z = away·(1 − z·near·(½ − z·S)), near + away = 1, for |z| up to ½.
 ///
 /// The left side is the cumulant generating function of a coin that shows 1 with probability `away`; S is

@@ -3,7 +3,8 @@
 use super::{Warp, above_zero, clamp, into_unit, representable};
 use crate::error::{Error, finite};
 use crate::tier::{
-    Tier, coin_series, log_residual, pow_of_quotient, remainder, scaled_exp, two_product, two_sum,
+    Tier, coin_series, ln_ratio, log_residual, pow_of_quotient, remainder, scaled_exp, two_product,
+    two_sum,
 };
 use crate::uniform::{Canonical, SMALLEST};
 use core::marker::PhantomData;
@@ -182,29 +183,6 @@ impl<T: Tier> Power<T> {
 /// The number itself, or 0 in place of what the parameters leave undefined.
 const fn or_zero(x: f32) -> f32 {
     if x.is_finite() { x } else { 0.0 }
-}
-
-/// ln(b/a) for 0 ≤ a < b, accurate however close or far apart the two are, and what it lacks.
-fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
-    if a == 0.0 {
-        return (f32::INFINITY, 0.0);
-    }
-    if b < 2.0 * a {
-        let (difference, base) = (b - a, a);
-        let quotient = difference / base;
-        let short = remainder(difference, quotient, base) / base;
-        return (T::ln_1p(quotient), short / (1.0 + quotient));
-    }
-    let quotient = b / a;
-    if (f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) && a >= f32::MIN_POSITIVE {
-        let short = remainder(b, quotient, a) / b;
-        let log = T::ln(quotient);
-        return two_sum(log, log_residual::<T>(quotient, log) + short);
-    }
-    let (log_b, log_a) = (T::ln(b), T::ln(a));
-    let (span, dropped) = two_sum(log_b, -log_a);
-    let residuals = log_residual::<T>(b, log_b) - log_residual::<T>(a, log_a);
-    two_sum(span, dropped + residuals)
 }
 
 impl<T: Tier> Warp for Power<T> {
