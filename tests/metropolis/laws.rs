@@ -1,0 +1,220 @@
+//! The laws of steps, over every word: as likely as their negatives to the last bit, and distributed as
+//! stated, by exact counts.
+
+use microwarp::metropolis::{BoxStep, Displacement, ExponentialStep, NormalStep};
+use microwarp::tier::{Libm, Poly, Tier};
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// The words that differ, as the upper 24 bits of one.
+pub const WORDS: u32 = 1 << 24;
+/// Those that give one of two steps that are each other's negatives.
+pub const HALF: u32 = WORDS / 2;
+
+/// A step law along one coordinate, its type erased.
+pub struct Law {
+    pub name: String,
+    pub step: Box<dyn Fn(u32) -> f32>,
+}
+
+fn law(name: String, step: impl Displacement<f32> + 'static) -> Law {
+    let step = Box::new(move |word| step.displacement(0, word));
+    Law { name, step }
+}
+
+pub fn boxed(width: f32) -> Law {
+    law(format!("BoxStep {width:e}"), BoxStep::new(width).unwrap())
+}
+
+pub fn normal<T: Tier>(deviation: f32) -> Law {
+    let step = NormalStep::<_, T>::new(deviation).unwrap();
+    law(format!("{} NormalStep {deviation:e}", T::NAME), step)
+}
+
+pub fn exponential<T: Tier>(smallest: f32, largest: f32) -> Law {
+    let step = ExponentialStep::<T>::new(smallest, largest).unwrap();
+    let name = format!("{} ExponentialStep {smallest:e} {largest:e}", T::NAME);
+    law(name, step)
+}
+
+/// Every law with parameters about 1 and at both ends of what is accepted.
+fn laws() -> Vec<Law> {
+    let tiny = f32::from_bits(1);
+    let mut laws: Vec<_> = [0.1, 1.0, f32::MAX, f32::MIN_POSITIVE, 3.0 * tiny, tiny]
+        .map(boxed)
+        .into();
+    for size in [1.0, 1e-38, 6e37, tiny] {
+        laws.push(normal::<Libm>(size));
+        laws.push(normal::<Poly>(size));
+    }
+    for (smallest, largest) in [
+        (1.0 / 1024.0, 1.0 / 64.0),
+        (1e-30, 1e30),
+        (2.0, 2.0),
+        (tiny, f32::MAX),
+        (tiny, tiny),
+        (f32::MAX, f32::MAX),
+    ] {
+        laws.push(exponential::<Libm>(smallest, largest));
+        laws.push(exponential::<Poly>(smallest, largest));
+    }
+    laws
+}
+
+#[test]
+fn the_inverted_word_gives_the_negative_step_to_the_bit() {
+    for Law { name, step } in laws() {
+        for high in 0..HALF {
+            let word = high << 8;
+            let (there, back) = (step(word), step(!word));
+            assert_eq!(back.to_bits(), (-there).to_bits(), "{name}: {word:x}");
+            assert!(there.is_finite(), "{name}: {word:x}");
+        }
+    }
+    // The same comparison of a law that has no such words.
+    let naive = |word: u32| (word >> 8) as f32 * 2f32.powi(-24) - 0.5;
+    let off = (0..HALF).filter(|high| {
+        let word = high << 8;
+        naive(!word).to_bits() != (-naive(word)).to_bits()
+    });
+    assert_eq!(off.count(), HALF as usize);
+}
+
+#[test]
+fn the_low_eight_bits_of_a_word_do_not_matter() {
+    let laws = [
+        boxed(0.1),
+        normal::<Libm>(3.0),
+        normal::<Poly>(3.0),
+        exponential::<Libm>(1e-6, 1.0),
+        exponential::<Poly>(1e-6, 1.0),
+    ];
+    for Law { name, step } in laws {
+        for high in 0..WORDS {
+            let word = high << 8;
+            let bits = step(word).to_bits();
+            // Every low byte here and there, one of them everywhere.
+            let bytes = if high % 4099 == 0 { 0..256 } else { 0..1 };
+            for low in bytes.chain([high.wrapping_mul(0x9e37_79b1) >> 24]) {
+                assert_eq!(step(word | low).to_bits(), bits, "{name}: {word:x} {low:x}");
+            }
+        }
+    }
+}
+
+/// The steps are the odd multiples of the width times 2⁻²⁵, rounded once: each of one word of the 2²⁴.
+#[test]
+fn a_box_step_is_an_odd_multiple_of_its_width() {
+    let tiny = f32::from_bits(1);
+    let mut widths = vec![1.0, 0.1, 3.0, f32::MAX, f32::MIN_POSITIVE];
+    widths.extend((1..40).map(|k| k as f32 * tiny));
+    for width in widths {
+        let law = boxed(width);
+        let mut seen = vec![0_u32; HALF as usize / 32];
+        for high in 0..HALF {
+            let got = (law.step)(high << 8);
+            // Of a step that is not rounded away the multiple can be read off.
+            let odd = (f64::from(high) * 2.0 + 1.0) * 2f64.powi(-25);
+            let exact = odd * f64::from(width);
+            assert_eq!(got, exact as f32, "{width:e}: {high:x}");
+            assert!(f64::from(got) <= 0.5 * f64::from(width) + 1e-46);
+            if width == 1.0 {
+                let place = (f64::from(got) * 2f64.powi(24)).floor() as usize;
+                seen[place / 32] |= 1 << (place % 32);
+            }
+        }
+        assert!(width != 1.0 || seen.iter().all(|&bits| bits == u32::MAX));
+    }
+}
+
+/// How many words give a step up to each border, against the words expected: the largest difference, in
+/// units of what is allowed there.
+fn excess(law: &Law, borders: &[(f64, f64, f64)]) -> f64 {
+    let mut counts = vec![0_u32; borders.len() + 1];
+    for high in 0..WORDS {
+        let step = f64::from((law.step)(high << 8));
+        counts[borders.partition_point(|b| b.0 < step)] += 1;
+    }
+    let (mut below, mut most) = (0, 0.0_f64);
+    for (count, (_, share, allowed)) in counts.iter().zip(borders) {
+        below += count;
+        let off = (f64::from(below) - share * f64::from(WORDS)).abs();
+        most = most.max(off / allowed);
+    }
+    most
+}
+
+/// Borders of the normal law, in deviations: with the share below, and how many words the errors of the
+/// steps next to it may move across.
+fn normal_borders() -> Vec<(f64, f64, f64)> {
+    (-54..=54)
+        .map(|k| {
+            let x = f64::from(k) / 10.0;
+            let share = 0.5 * libm::erfc(-x * FRAC_1_SQRT_2);
+            let density = (-0.5 * x * x).exp() / std::f64::consts::TAU.sqrt();
+            let moved = 4.0 * x.abs() * 2f64.powi(-23) * density * f64::from(WORDS);
+            (x, share, 1.0 + moved)
+        })
+        .collect()
+}
+
+#[test]
+fn normal_steps_are_normal_to_the_word() {
+    let borders = normal_borders();
+    for right in [normal::<Libm>(1.0), normal::<Poly>(1.0)] {
+        let most = excess(&right, &borders);
+        println!("{}: {most:.2} of what is allowed", right.name);
+        assert!(most <= 1.0, "{}: {most}", right.name);
+    }
+    for wrong in [normal::<Poly>(1.000_01), boxed(12f32.sqrt())] {
+        let most = excess(&wrong, &borders);
+        println!("{}: {most:.2}", wrong.name);
+        assert!(most > 2.0, "{} passes: {most}", wrong.name);
+    }
+    // No step is beyond the one stated.
+    for law in [normal::<Libm>(1.0), normal::<Poly>(1.0)] {
+        let largest = (0..WORDS).map(|high| (law.step)(high << 8).abs());
+        let largest = largest.fold(0.0, f32::max);
+        assert!((5.415..5.425).contains(&largest), "{largest}");
+    }
+}
+
+/// Borders of the exponential law on both sides of 0, a tenth of a decade apart.
+fn exponential_borders(smallest: f64, largest: f64) -> Vec<(f64, f64, f64)> {
+    let span = (largest / smallest).ln();
+    let tenths = (span / 10f64.ln() * 10.0).round() as i32;
+    let share = |size: f64| (size / smallest).ln() / span;
+    let sizes: Vec<f64> = (1..tenths)
+        .map(|k| smallest * 10f64.powf(f64::from(k) / 10.0))
+        .collect();
+    // A relative error of 1e-6 moves so many words, and the law is of discrete steps.
+    let allowed = 1.0 + 1e-6 / span * f64::from(HALF);
+    let negative = sizes
+        .iter()
+        .rev()
+        .map(|&x| (-x, 0.5 - 0.5 * share(x), allowed));
+    let positive = sizes.iter().map(|&x| (x, 0.5 + 0.5 * share(x), allowed));
+    negative.chain(positive).collect()
+}
+
+#[test]
+fn every_tenth_of_a_decade_has_the_same_number_of_words() {
+    for (smallest, largest) in [(1e-3, 1e-1), (1e-6, 1.0), (1e-12, 1e12)] {
+        let borders = exponential_borders(smallest.into(), largest.into());
+        for right in [
+            exponential::<Libm>(smallest, largest),
+            exponential::<Poly>(smallest, largest),
+        ] {
+            let most = excess(&right, &borders);
+            println!("{}: {most:.2} of what is allowed", right.name);
+            assert!(most <= 1.0, "{}: {most}", right.name);
+        }
+        for wrong in [
+            exponential::<Poly>(smallest * 1.000_1, largest),
+            boxed(2.0 * largest),
+        ] {
+            let most = excess(&wrong, &borders);
+            println!("{}: {most:.2}", wrong.name);
+            assert!(most > 2.0, "{} passes: {most}", wrong.name);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Figures read from the documentation, and how a measured one is held to them.
+
+/// The sources whose documentation states figures.
+pub const DISPLACEMENT: &str = include_str!("../../src/metropolis/displacement.rs");
+
+/// A figure from the table of a source's documentation, by the head of its row and its column.
+pub fn stated(source: &str, row: &str, column: usize) -> f64 {
+    let mut rows = source
+        .lines()
+        .filter_map(|line| line.strip_prefix("/// | "))
+        .filter(|line| line.starts_with(row));
+    let figures = rows.next().expect("a row of that head");
+    assert!(rows.next().is_none(), "two rows {row}");
+    let figure = figures.split('|').nth(column).unwrap();
+    figure.trim().parse().unwrap()
+}
+
+/// Holds a measured error to the one stated, and the statement to being no more than half as much again as
+/// what is measured.
+pub fn assert_stated(what: &str, measured: f64, stated: f64) {
+    println!("{what}: {measured:.3e} measured, {stated:.2e} stated");
+    assert!(
+        measured <= stated,
+        "{what}: {measured:e} against {stated:e}"
+    );
+    assert!(
+        stated <= 1.5 * measured,
+        "{what}: {measured:e}, {stated:e} is stale"
+    );
+}

@@ -1,0 +1,179 @@
+//! The errors of steps, over every word, against f64.
+
+use crate::laws::{HALF, Law, exponential, normal};
+use crate::stated::{DISPLACEMENT, assert_stated, stated};
+use microwarp::tier::{Libm, Poly, Tier};
+use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+
+/// Sizes of the normal steps of the words whose leading bit is 0: the quantiles of odd multiples of 2⁻²⁵ up
+/// to 1/2, by Newton's method of third order from each to the next. Its function is libm's erf in f64, which
+/// no tier uses.
+fn quantiles() -> Vec<f64> {
+    let mut z = 0.0_f64;
+    let mut sizes: Vec<f64> = (0..HALF)
+        .rev()
+        .map(|high| {
+            let p = (2.0 * f64::from(high) + 1.0) * 2f64.powi(-25);
+            // Far out the steps between neighbours are long.
+            for _ in 0..if p < 1e-5 { 5 } else { 2 } {
+                let density = (-0.5 * z * z).exp() / TAU.sqrt();
+                let miss = if p > 0.25 {
+                    (0.5 - p) - 0.5 * libm::erf(z * FRAC_1_SQRT_2)
+                } else {
+                    0.5 * libm::erfc(z * FRAC_1_SQRT_2) - p
+                };
+                let newton = miss / density;
+                z += newton * (1.0 + 0.5 * z * newton);
+            }
+            z
+        })
+        .collect();
+    sizes.reverse();
+    sizes
+}
+
+/// The spacing of `f32` at a number.
+fn ulp(x: f64) -> f64 {
+    let exponent = x.abs().log2().floor().clamp(-126.0, 127.0);
+    2f64.powi(exponent as i32 - 23)
+}
+
+/// The largest error of a normal step in ulp, and the deviation of the largest that its word could have with
+/// another deviation.
+fn normal_error<T: Tier>(deviation: f32, quantiles: &[f64]) -> (f64, f32) {
+    let law = normal::<T>(deviation);
+    let (mut worst, mut worst_anywhere, mut there) = (0.0_f64, 0.0, 1.0);
+    for (high, size) in (0..).zip(quantiles) {
+        let exact = size * f64::from(deviation);
+        let got = f64::from((law.step)(high << 8)).abs();
+        assert!(got.is_finite(), "{}", law.name);
+        let error = (got - exact).abs() / ulp(exact);
+        worst = worst.max(error);
+        // An ulp is smallest beside a number just below a power of two: a deviation moves any step there.
+        let significand = size / 2f64.powf(size.log2().floor());
+        if error / significand > worst_anywhere {
+            worst_anywhere = error / significand;
+            there = 1.999_99 / significand;
+        }
+    }
+    (worst, there as f32)
+}
+
+fn normal_errors<T: Tier>(column: usize, quantiles: &[f64]) {
+    let (mut worst, there) = normal_error::<T>(1.0, quantiles);
+    for deviation in [there, 1e-38, 1e37, 6e37, 1.1, 1.7, 0.3] {
+        let (error, _) = normal_error::<T>(deviation, quantiles);
+        println!("{} NormalStep {deviation:e}: {error:.2} ulp", T::NAME);
+        worst = worst.max(error);
+    }
+    let stated = stated(DISPLACEMENT, "step, ulp", column);
+    assert_stated(&format!("{} NormalStep, ulp", T::NAME), worst, stated);
+    // Subnormal deviations, whose steps have their own spacing.
+    for deviation in [1.0e-39, f32::from_bits(77), f32::from_bits(1)] {
+        let (error, _) = normal_error::<T>(deviation, quantiles);
+        println!("{} NormalStep {deviation:e}: {error:.2} ulp", T::NAME);
+        assert!(error <= stated);
+    }
+    // A deviation that is off by a millionth shows.
+    let (right, wrong) = (1.5_f64, normal::<T>(1.500_001_5));
+    let shows = (0..HALF).step_by(1 << 10).any(|high| {
+        let exact = quantiles[high as usize] * right;
+        (f64::from((wrong.step)(high << 8)).abs() - exact).abs() / ulp(exact) > stated
+    });
+    assert!(shows);
+}
+
+#[test]
+fn normal_steps_have_the_stated_error() {
+    let quantiles = quantiles();
+    // Known values: Φ⁻¹(1/4), and that of 2⁻²⁵, from tables of more digits.
+    let quarter = 0.5 * (quantiles[(HALF / 2 - 1) as usize] + quantiles[(HALF / 2) as usize]);
+    assert!((quarter - 0.674_489_750_196_081_7).abs() < 1e-13);
+    normal_errors::<Libm>(1, &quantiles);
+    normal_errors::<Poly>(2, &quantiles);
+}
+
+/// The largest relative error of the sizes that are no subnormal numbers; of the others, what is left of the
+/// error in spacings when that is granted.
+fn sizes_off(law: &Law, smallest: f64, largest: f64, granted: f64) -> (f64, f64) {
+    let span = smallest.ln() - largest.ln();
+    let (mut relative, mut spacings) = (0.0_f64, 0.0_f64);
+    for high in 0..HALF {
+        let u = (2.0 * f64::from(high) + 1.0) * 2f64.powi(-24);
+        let exact = largest * (u * span).exp();
+        let got = f64::from((law.step)(high << 8));
+        assert!(got.is_finite() && got > 0.0, "{}: {high:x}", law.name);
+        let off = (got - exact).abs();
+        if exact < f64::from(f32::MIN_POSITIVE) {
+            spacings = spacings.max((off - granted * exact) / 2f64.powi(-149));
+        } else {
+            relative = relative.max(off / exact);
+        }
+    }
+    (relative, spacings)
+}
+
+fn exponential_errors<T: Tier>(column: usize) {
+    let tiny = f32::from_bits(1);
+    let stated = stated(DISPLACEMENT, "step, relative", column);
+    let mut worst = 0.0_f64;
+    for (smallest, largest) in [
+        (1.0 / 1024.0, 1.0 / 64.0),
+        (0.001, 0.1),
+        (1e-6, 1.0),
+        (1e-10, 3.0),
+        (1e-20, 1e10),
+        (1e-30, 1e30),
+        (1e-38, 1e38),
+        (1e-30, 1.1e-30),
+        (1e30, 1.000_01e30),
+        (3e37, 3.3e38),
+        (7.0, 7.000_001),
+        (tiny, f32::MAX),
+        (tiny, 1.0),
+        (1e-40, 1e-39),
+        (1.1e-40, 1.2e-40),
+        (1.3e-38, f32::MAX),
+    ] {
+        let law = exponential::<T>(smallest, largest);
+        let (relative, spacings) = sizes_off(&law, smallest.into(), largest.into(), stated);
+        println!("{}: {relative:.2e}, {spacings:.2} spacings", law.name);
+        worst = worst.max(relative);
+        // Among subnormal numbers each rounding is half a spacing: one of the size, the others on the way.
+        assert!(spacings <= 1.5, "{}: {spacings}", law.name);
+    }
+    assert_stated(&format!("{} ExponentialStep", T::NAME), worst, stated);
+    let wrong = exponential::<T>(1.000_01e-6, 1.0);
+    let (off, _) = sizes_off(&wrong, 1e-6, 1.0, stated);
+    assert!(off > stated, "a size off by 1e-5 passes: {off:e}");
+}
+
+#[test]
+fn exponential_steps_have_the_stated_error() {
+    exponential_errors::<Libm>(1);
+    exponential_errors::<Poly>(2);
+}
+
+/// Where there is nothing to choose every step is the one size, to the bit.
+#[test]
+fn equal_sizes_give_that_size_always() {
+    for size in [
+        1.0,
+        1e-30,
+        1e30,
+        f32::MAX,
+        f32::MIN_POSITIVE,
+        f32::from_bits(1),
+    ] {
+        for law in [
+            exponential::<Libm>(size, size),
+            exponential::<Poly>(size, size),
+        ] {
+            assert!(
+                (0..HALF).all(|high| (law.step)(high << 8) == size),
+                "{}",
+                law.name
+            );
+        }
+    }
+}
