@@ -275,7 +275,10 @@ pub(crate) fn try_full_canonical<R: TryRng + ?Sized>(
 /// The integer nearest to a number from 0 to 2³², halves upwards.
 #[inline]
 pub(crate) fn nearest(x: f32) -> u32 {
-    // From 2²³ up it is an integer, and adding a half would no longer be exact.
-    let shifted = if x < 8_388_608.0 { x + 0.5 } else { x };
+    /// The number below 1/2: added to a number whose fraction is at least 1/2, it gives the next integer all
+    /// the same, by rounding. A half added to this number itself would round to 1.
+    const HALF: f32 = 0.5 - f32::EPSILON / 4.0;
+    // From 2²³ up x is an integer, and the sum could round to the next.
+    let shifted = if x < 8_388_608.0 { x + HALF } else { x };
     shifted as u32
 }
