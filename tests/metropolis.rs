@@ -25,3 +25,5 @@ mod stated;
 mod step_errors;
 #[path = "metropolis/targets.rs"]
 mod targets;
+#[path = "metropolis/wrapping.rs"]
+mod wrapping;
