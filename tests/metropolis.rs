@@ -15,8 +15,12 @@ mod laws;
 mod long;
 #[path = "metropolis/matrices.rs"]
 mod matrices;
+#[path = "metropolis/mixtures.rs"]
+mod mixtures;
 #[path = "metropolis/mutations.rs"]
 mod mutations;
+#[path = "metropolis/parts.rs"]
+mod parts;
 #[path = "metropolis/start.rs"]
 mod start;
 #[path = "metropolis/stated.rs"]
@@ -25,5 +29,9 @@ mod stated;
 mod step_errors;
 #[path = "metropolis/targets.rs"]
 mod targets;
+#[path = "metropolis/words.rs"]
+mod words;
+#[path = "metropolis/wrapped.rs"]
+mod wrapped;
 #[path = "metropolis/wrapping.rs"]
 mod wrapping;

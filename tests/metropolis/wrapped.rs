@@ -1,0 +1,152 @@
+//! Walks in the unit cube: as many words lead from each grid point to each other as lead back.
+
+use crate::laws::{HALF, Law, WORDS, boxed, exponential, normal};
+use microwarp::metropolis::{
+    BoxStep, Displacement, ExponentialStep, Mutation, NormalStep, Wrapped, wrapping_add,
+};
+use microwarp::tier::{Libm, Poly};
+use microwarp::uniform::{LARGEST, grid_from_word};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// Laws whose steps are below a grid spacing, about one, as long as the line, and many times as long.
+fn laws() -> [Law; 8] {
+    [
+        boxed(1e-7),
+        normal::<Libm>(1e-6),
+        boxed(1.7),
+        normal::<Poly>(50.0),
+        exponential::<Poly>(1.0 / 1024.0, 1.0 / 64.0),
+        exponential::<Libm>(1.0 / 1024.0, 1.0 / 64.0),
+        exponential::<Poly>(1e-9, 1e-5),
+        exponential::<Libm>(1e-8, 1e4),
+    ]
+}
+
+/// Some places of the grid, close together and far apart, about both ends.
+fn places() -> [u32; 8] {
+    let (last, middle) = (WORDS - 1, WORDS / 2);
+    [0, 1, 5, 30_000, 90_000, middle, last - 2, last]
+}
+
+/// How many words lead from each place to each other.
+fn counts(law: &Law, places: &[u32], add: impl Fn(f32, f32) -> f32) -> Vec<Vec<u32>> {
+    let points: Vec<f32> = places.iter().map(|&k| grid_from_word(k << 8)).collect();
+    // Where each point of the grid stands among them.
+    let mut index = vec![u8::MAX; WORDS as usize];
+    for (i, &k) in places.iter().enumerate() {
+        index[k as usize] = i as u8;
+    }
+    let mut counts = vec![vec![0; points.len()]; points.len()];
+    for high in 0..WORDS {
+        let step = (law.step)(high << 8);
+        for (from, row) in points.iter().zip(&mut counts) {
+            let to = add(*from, step);
+            let place = (f64::from(to) * f64::from(WORDS)) as usize;
+            // What leaves the range leads nowhere.
+            let index = index.get(place).copied().unwrap_or(u8::MAX);
+            if let Some(count) = row.get_mut(usize::from(index)) {
+                *count += 1;
+            }
+        }
+    }
+    counts
+}
+
+/// How many words lead one way and not back.
+fn one_way(counts: &[Vec<u32>]) -> u32 {
+    let pairs = (0..counts.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    pairs
+        .map(|(i, j)| counts[i][j].abs_diff(counts[j][i]))
+        .sum()
+}
+
+#[test]
+fn as_many_words_lead_there_as_back() {
+    for law in laws() {
+        let counts = counts(&law, &places(), wrapping_add);
+        let moves = (0..counts.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let moves: u32 = moves.map(|(i, j)| counts[i][j]).sum();
+        println!("{}: {moves} words each way", law.name);
+        assert!(moves > 0, "{} leads nowhere", law.name);
+        assert_eq!(one_way(&counts), 0, "{}", law.name);
+    }
+    // The same counts see a sum in f32 that rounds.
+    for law in laws().into_iter().take(2) {
+        let naive = one_way(&counts(&law, &places(), |x, s| (x + s) - (x + s).floor()));
+        println!("{}: {naive} words lead one way by adding in f32", law.name);
+        assert!(naive > 100_000, "{}: {naive}", law.name);
+    }
+}
+
+/// The whole law: the number of words of each of the 2²⁴ distances is that of its negative.
+#[test]
+fn every_distance_has_the_words_of_its_negative() {
+    for law in laws() {
+        let mut counts = vec![0_u32; WORDS as usize];
+        for high in 0..WORDS {
+            let to = wrapping_add(0.0, (law.step)(high << 8));
+            counts[(f64::from(to) * f64::from(WORDS)) as usize] += 1;
+        }
+        assert_eq!(counts.iter().sum::<u32>(), WORDS);
+        for k in 1..HALF as usize {
+            let back = counts[WORDS as usize - k];
+            assert_eq!(counts[k], back, "{}: {k}", law.name);
+        }
+        // And it is the same everywhere.
+        let mut rng = Pcg32::new(0xd157, 54);
+        for _ in 0..200_000 {
+            let [from, word] = [rng.next_u32() >> 8, rng.next_u32()];
+            let step = (law.step)(word);
+            let to = wrapping_add(grid_from_word(from << 8), step);
+            let turned = (f64::from(wrapping_add(0.0, step)) * f64::from(WORDS)) as u32;
+            assert_eq!(to, grid_from_word((from + turned) << 8), "{}", law.name);
+        }
+    }
+}
+
+/// A law that is asked by the mutation and by the test.
+struct Borrowed<'a, L>(&'a L);
+
+impl<L: Displacement<[f32; 3]>> Displacement<[f32; 3]> for Borrowed<'_, L> {
+    fn displacement(&self, axis: usize, word: u32) -> f32 {
+        self.0.displacement(axis, word)
+    }
+}
+
+/// By the mutation: from anywhere, even from what is no point of the cube, to the sum modulo 1.
+fn walks<L: Displacement<[f32; 3]>>(law: L) {
+    let mutation = Wrapped::new(Borrowed(&law));
+    let any = [
+        f32::NAN,
+        7.0,
+        -1.0,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        1.0,
+        LARGEST,
+        0.3,
+    ];
+    let mut words = Pcg32::new(0x3a1c, 54);
+    let mut rng = words.clone();
+    for turn in 0..20_000 {
+        let from: [f32; 3] = std::array::from_fn(|axis| any[(turn * 3 + axis) % any.len()]);
+        let Ok(proposal) = mutation.try_propose(from, &mut rng);
+        assert_eq!(proposal.kind, 0);
+        for axis in 0..3 {
+            let step = law.displacement(axis, words.next_u32());
+            let to = proposal.state[axis];
+            assert_eq!(to, wrapping_add(from[axis], step));
+            assert!((0.0..1.0).contains(&to), "{} to {to}", from[axis]);
+        }
+    }
+}
+
+#[test]
+fn a_state_out_of_range_is_brought_in() {
+    walks(BoxStep::new([0.1, 0.0, 1000.0]).unwrap());
+    walks(NormalStep::<_, Libm>::new([0.1, 0.0, 6e37]).unwrap());
+    walks(NormalStep::<_, Poly>::new([1e-30, 1e-7, 1.0]).unwrap());
+    walks(ExponentialStep::<Libm>::new(1e-45, f32::MAX).unwrap());
+    walks(ExponentialStep::<Poly>::new(1.0 / 1024.0, 1.0 / 64.0).unwrap());
+}
