@@ -186,7 +186,12 @@ impl Canvas {
     }
 
     /// Saves as PNG in the 256 colours that fit best: a third of the size of one in full colour.
-    pub fn save(&self, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    pub fn save(&self, path: &Path) -> Result<(), String> {
+        self.encode(path)
+            .map_err(|e| format!("{}: {e}", path.display()))
+    }
+
+    fn encode(&self, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
         let rgba = self.pixels.data();
         let colours = NeuQuant::new(3, 256, rgba);
         let mut palette = colours.color_map_rgb();

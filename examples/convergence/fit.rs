@@ -3,6 +3,8 @@
 use crate::integrand::grid_bias;
 use crate::method::{DIMENSIONS, METHODS, Method, Rate};
 use crate::rules::FLOOR;
+use crate::slope::Fit;
+use crate::text::signed;
 
 /// How far a fitted slope may lie from its theory.
 ///
@@ -65,7 +67,8 @@ pub struct Line {
 
 impl Line {
     pub fn new(method: Method, dimension: u32, points: Vec<Point>) -> Self {
-        let fit = Fit::new(&points);
+        let counted = points.iter().filter(|point| point.used == Use::Fitted);
+        let fit = Fit::of_logarithms(counted.map(|point| [point.evaluations, point.error]));
         Self {
             method,
             dimension,
@@ -78,49 +81,14 @@ impl Line {
         self.method.theory(self.dimension)
     }
 
+    /// Whether the slope is that of a rate. Not so where a slope is NaN, as it is without points.
+    fn agrees(&self, rate: Rate) -> bool {
+        (self.fit.slope - rate.slope()).abs() <= TOLERANCE
+    }
+
     pub fn fitted(&self) -> impl Iterator<Item = &Point> {
         self.points.iter().filter(|point| point.used == Use::Fitted)
     }
-}
-
-/// The straight line of least squares through the logarithms (base 10) of the points that count.
-pub struct Fit {
-    pub slope: f64,
-    /// The standard error of the slope, from the residuals.
-    pub scatter: f64,
-    /// A point of the line: the mean of the points.
-    pub through: [f64; 2],
-}
-
-impl Fit {
-    fn new(points: &[Point]) -> Self {
-        let logs: Vec<[f64; 2]> = points
-            .iter()
-            .filter(|point| point.used == Use::Fitted)
-            .map(|point| [point.evaluations.log10(), point.error.log10()])
-            .collect();
-        let count = logs.len() as f64;
-        let sum = |of: &dyn Fn(&[f64; 2]) -> f64| logs.iter().map(of).sum::<f64>();
-        let [x, y] = [sum(&|p| p[0]) / count, sum(&|p| p[1]) / count];
-        let spread = sum(&|p| (p[0] - x).powi(2));
-        let slope = sum(&|p| (p[0] - x) * (p[1] - y)) / spread;
-        let residuals = sum(&|p| (p[1] - y - slope * (p[0] - x)).powi(2));
-        Self {
-            slope,
-            scatter: (residuals / (count - 2.0) / spread).sqrt(),
-            through: [x, y],
-        }
-    }
-
-    /// Whether the slope is that of a rate. Not so where a slope is NaN, as it is without points.
-    fn agrees(&self, rate: Rate) -> bool {
-        (self.slope - rate.slope()).abs() <= TOLERANCE
-    }
-}
-
-/// With a minus sign as wide as a digit.
-pub fn signed(x: f64, digits: usize) -> String {
-    format!("{x:.digits$}").replace('-', "−")
 }
 
 /// What is wrong with the slopes, and how many wrong rates were refused.
@@ -137,13 +105,13 @@ pub fn check(lines: &[Line]) -> (Vec<String>, usize) {
     for line in lines {
         let name = format!("{} in {}-D", line.method.name(), line.dimension);
         let slope = signed(line.fit.slope, 3);
-        if !line.fit.agrees(line.theory()) {
+        if !line.agrees(line.theory()) {
             let theory = line.theory();
             complaints.push(format!("{name}: slope {slope}, theory {theory}"));
         }
         // The control: a check that lets another rate pass as well would prove nothing.
         for &wrong in rates.iter().filter(|&&rate| rate != line.theory()) {
-            if line.fit.agrees(wrong) {
+            if line.agrees(wrong) {
                 complaints.push(format!("{name}: slope {slope} passes for {wrong} too"));
             } else {
                 refused += 1;

@@ -17,13 +17,16 @@ mod random;
 mod rules;
 #[path = "../common/scale.rs"]
 mod scale;
+#[path = "../common/slope.rs"]
+mod slope;
 mod table;
 #[path = "../common/text.rs"]
 mod text;
+#[path = "../common/work.rs"]
+mod work;
 
 use args::Args;
 use fit::{Line, Point};
-use indicatif::{ProgressBar, ProgressStyle};
 use method::{DIMENSIONS, METHODS, Method};
 use rand_pcg::Pcg32;
 use std::error::Error;
@@ -38,7 +41,7 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let path = args.out.join("convergence.png");
-    std::fs::create_dir_all(&args.out).map_err(|e| format!("{}: {e}", args.out.display()))?;
+    work::folder(&args.out)?;
 
     let kinds: Vec<(u32, Method)> = DIMENSIONS
         .iter()
@@ -49,11 +52,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         .flat_map(|&(s, method)| method.sizes(s).into_iter().map(move |n| (s, method, n)))
         .map(|(s, method, size)| work(method, size, s, args.repetitions))
         .sum();
-    let progress = ProgressBar::new(all);
-    progress.set_style(
-        ProgressStyle::with_template("{elapsed:>4} [{bar:40}] {percent:>3} % {msg}")?
-            .progress_chars("=> "),
-    );
+    let progress = work::progress(all, "{percent:>3} %")?;
     let mut lines = Vec::new();
     for (stream, &(s, method)) in kinds.iter().enumerate() {
         progress.set_message(format!("{} in {s}-D", method.name()));
@@ -72,8 +71,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     }
     progress.finish_and_clear();
 
-    let saved = figure::draw(&lines, args.repetitions).save(&path);
-    saved.map_err(|e| format!("{}: {e}", path.display()))?;
+    figure::draw(&lines, args.repetitions).save(&path)?;
     table::print(&lines, args.repetitions);
     let (complaints, refused) = fit::check(&lines);
     println!(

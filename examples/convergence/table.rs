@@ -1,8 +1,9 @@
 //! The table of slopes and what is to be said beside it.
 
-use crate::fit::{Line, TOLERANCE, Use, floor, signed};
+use crate::fit::{Line, TOLERANCE, Use, floor};
 use crate::integrand::grid_bias;
 use crate::rules::FLOOR;
+use crate::text::signed;
 use comfy_table::{CellAlignment, Table, presets};
 
 pub fn print(lines: &[Line], repetitions: u32) {

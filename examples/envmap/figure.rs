@@ -2,11 +2,13 @@
 
 use crate::canvas::{Area, Canvas, Colour, INK, MUTED, faded};
 use crate::controls::Control;
-use crate::panel::{BLACK, FAR, HEAD, cells, developed, diverging, head, tone};
+use crate::develop::{BLACK, FAR, developed, diverging};
+use crate::panel::{HEAD, cells, head};
 use crate::picture::Picture;
 use crate::report::p_text;
 use crate::study::{Study, Truth};
 use crate::text::{Align, Type, thousands};
+use crate::tone::tone;
 
 /// Pixels along a texel of the picture, a whole number so that texels stay sharp.
 const SCALE: usize = 3;

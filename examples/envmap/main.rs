@@ -12,8 +12,10 @@ mod catalogue;
 #[path = "../common/cli.rs"]
 mod cli;
 mod controls;
+mod develop;
 mod figure;
 mod light;
+#[path = "../common/panel.rs"]
 mod panel;
 mod picture;
 mod report;
@@ -21,12 +23,17 @@ mod scene;
 mod small;
 mod small_weights;
 mod study;
+#[path = "../common/table.rs"]
+mod table;
 #[path = "../common/text.rs"]
 mod text;
+#[path = "../common/tone.rs"]
+mod tone;
+#[path = "../common/work.rs"]
+mod work;
 
 use args::Args;
 use figure::Figure;
-use indicatif::{ProgressBar, ProgressStyle};
 use microwarp::Warp;
 use picture::Picture;
 use rand_pcg::Pcg32;
@@ -54,7 +61,7 @@ fn main() -> ExitCode {
 /// Writes the two generated files.
 fn make_picture(folder: &Path) -> Result<(), Box<dyn Error>> {
     let picture = scene::sky();
-    std::fs::create_dir_all(folder)?;
+    work::folder(folder)?;
     picture.write(&folder.join("sky.png"))?;
     std::fs::write(folder.join("small_weights.rs"), small::source(&picture))?;
     println!("sky.png and small_weights.rs in {}", folder.display());
@@ -64,12 +71,8 @@ fn make_picture(folder: &Path) -> Result<(), Box<dyn Error>> {
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    std::fs::create_dir_all(&args.out).map_err(|e| format!("{}: {e}", args.out.display()))?;
-    let progress = ProgressBar::new(7);
-    progress.set_style(
-        ProgressStyle::with_template("{elapsed:>4} [{bar:40}] {pos}/{len} {msg}")?
-            .progress_chars("=> "),
-    );
+    work::folder(&args.out)?;
+    let progress = work::progress(7, work::STEPS)?;
     let step = |text: &'static str| {
         progress.inc(1);
         progress.set_message(text);
@@ -128,8 +131,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         samples: args.samples,
     };
     let path = args.out.join("envmap.png");
-    let saved = figure.draw().save(&path);
-    saved.map_err(|e| format!("{}: {e}", path.display()))?;
+    figure.draw().save(&path)?;
     progress.finish_and_clear();
 
     let studies = [in_u32, in_u64, in_flash];

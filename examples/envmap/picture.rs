@@ -5,6 +5,7 @@
 //! Ward's RGBE: three mantissas and a common exponent, a channel being mantissa · 2^(E − 136), and black
 //! where E is 0. That is 2 in 1000 of the brightest channel over 76 decades, in four bytes.
 
+use crate::tone::luminance;
 use std::error::Error;
 use std::f64::consts::PI;
 use std::io::Cursor;
@@ -88,13 +89,8 @@ impl Picture {
         self
     }
 
-    /// Radiance as the eye weighs its colours, relative: the luminance of Rec. 709.
     pub fn luminance(&self) -> Vec<f64> {
-        let weigh = |t: &[f32; 3]| {
-            let [r, g, b] = t.map(f64::from);
-            0.2126 * r + 0.7152 * g + 0.0722 * b
-        };
-        self.texels.iter().map(weigh).collect()
+        self.texels.iter().map(|&t| luminance(t)).collect()
     }
 
     /// Luminance times solid angle, but for a constant: rows shrink towards the poles as sin θ, and

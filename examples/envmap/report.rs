@@ -3,8 +3,8 @@
 use crate::controls::Control;
 use crate::light::{DIRECTIONS, Quantity, REPETITIONS};
 use crate::study::{ALARM, Outcome, Study};
+use crate::table::print;
 use crate::text::thousands;
-use comfy_table::{CellAlignment, Table, presets};
 
 /// A p-value, in scientific notation where it is extreme.
 pub fn p_text(outcome: &Outcome) -> String {
@@ -21,18 +21,6 @@ fn chi_text(outcome: &Outcome) -> String {
         Err(_) => "none".into(),
         Ok((chi2, dof, _)) => format!("{chi2:.0} / {dof}"),
     }
-}
-
-/// A table whose columns are aligned to the right, but for so many.
-fn print(header: &[&str], rows: Vec<Vec<String>>, left: usize) {
-    let mut table = Table::new();
-    table.load_preset(presets::ASCII_MARKDOWN);
-    table.set_header(header.to_vec());
-    table.add_rows(rows);
-    for column in table.column_iter_mut().skip(left) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-    println!("{table}\n");
 }
 
 pub fn studies(studies: &[Study], mapping: Option<&str>) {

@@ -22,11 +22,12 @@ mod strata;
 mod table;
 #[path = "../common/text.rs"]
 mod text;
+#[path = "../common/work.rs"]
+mod work;
 
 use args::Args;
 use catalogue::Entry;
 use check::Figures;
-use indicatif::{ProgressBar, ProgressStyle};
 use list::{PICTURES, Picture, View};
 use std::error::Error;
 use std::path::PathBuf;
@@ -54,18 +55,14 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let entries = catalogue::entries();
     let mut complaints = without_picture(&entries);
     let subjects = subjects(&entries, args)?;
-    std::fs::create_dir_all(&args.out).map_err(|e| format!("{}: {e}", args.out.display()))?;
+    work::folder(&args.out)?;
 
     let rows: Vec<&Entry> = subjects
         .iter()
         .flat_map(|s| s.entries.iter().copied())
         .collect();
 
-    let progress = ProgressBar::new((rows.len() + subjects.len()) as u64);
-    progress.set_style(
-        ProgressStyle::with_template("{elapsed:>4} [{bar:40}] {pos}/{len} {msg}")?
-            .progress_chars("=> "),
-    );
+    let progress = work::progress((rows.len() + subjects.len()) as u64, work::STEPS)?;
     let figures = in_parallel(args.threads, &rows, |entry| {
         progress.set_message(format!("sampling {}", entry.label()));
         let figures = check::measure(entry, args.seed, args.samples);
@@ -84,7 +81,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         let path = args.out.join(file_name(subject.picture));
         let saved = sheet::single(subject, &known, args).save(&path);
         progress.inc(1);
-        saved.map_err(|e| format!("{}: {e}", path.display()))
+        saved
     });
     saved.into_iter().collect::<Result<Vec<()>, String>>()?;
     let mut places = vec![format!(
@@ -99,10 +96,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .clone()
             .unwrap_or_else(|| args.out.join("gallery.png"));
         if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+            work::folder(folder)?;
         }
-        let saved = sheet::contact(&subjects, SHEET_TIER, args).save(&path);
-        saved.map_err(|e| format!("{}: {e}", path.display()))?;
+        sheet::contact(&subjects, SHEET_TIER, args).save(&path)?;
         places.push(format!("the contact sheet in {}", path.display()));
     }
     progress.finish_and_clear();

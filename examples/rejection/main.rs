@@ -10,16 +10,18 @@ mod canvas;
 mod cli;
 mod measure;
 mod page;
+#[path = "../common/plot.rs"]
 mod plot;
 #[path = "../common/scale.rs"]
 mod scale;
 mod scenes;
 #[path = "../common/text.rs"]
 mod text;
+#[path = "../common/work.rs"]
+mod work;
 
 use args::Args;
 use comfy_table::{CellAlignment, Table, presets};
-use indicatif::{ProgressBar, ProgressStyle};
 use measure::Measured;
 use scenes::Scene;
 use std::error::Error;
@@ -38,12 +40,8 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let scenes = scenes::all()?;
-    std::fs::create_dir_all(&args.out).map_err(|e| format!("{}: {e}", args.out.display()))?;
-    let progress = ProgressBar::new(2 * scenes.len() as u64);
-    progress.set_style(
-        ProgressStyle::with_template("{elapsed:>4} [{bar:40}] {pos}/{len} {msg}")?
-            .progress_chars("=> "),
-    );
+    work::folder(&args.out)?;
+    let progress = work::progress(2 * scenes.len() as u64, work::STEPS)?;
     let mut rows = Vec::new();
     for scene in &scenes {
         progress.set_message(format!("sampling {}", scene.name));
@@ -51,8 +49,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         progress.inc(1);
         progress.set_message(format!("drawing {}", scene.name));
         let path = args.out.join(format!("{}.png", scene.file));
-        let saved = page::draw(scene, &measured, args).save(&path);
-        saved.map_err(|e| format!("{}: {e}", path.display()))?;
+        page::draw(scene, &measured, args).save(&path)?;
         progress.inc(1);
         rows.push((scene, measured));
     }

@@ -1,11 +1,6 @@
-//! The parts of the figure: colours of radiances and of differences, cells, heads of panels.
+//! What is shown of a histogram: the picture that it is of, and colours of differences.
 
-use crate::canvas::{Area, Canvas, MUTED};
 use crate::picture::{Picture, sin_of_row};
-use crate::text::{Align, Type};
-
-/// Title and caption of a panel.
-pub const HEAD: f32 = 66.0;
 
 /// Standard deviations at the ends of the colour scale.
 pub const FAR: f64 = 4.0;
@@ -15,32 +10,12 @@ const ABOVE: [f64; 3] = [200.0, 78.0, 48.0];
 /// that of some dark texels.
 pub const BLACK: [f64; 3] = [31.0, 42.0, 55.0];
 
-/// A radiance on paper: film that saturates slowly, and the exponent of a screen.
-pub fn tone(texel: [f64; 3]) -> [f64; 3] {
-    texel.map(|c| 255.0 * (1.0 - (-1.5 * c).exp()).powf(1.0 / 2.2))
-}
-
 /// From blue over white to red, for so many standard deviations, in thirds of one: the file's 256 colours
 /// are not enough for more, and would make unequal steps.
 pub fn diverging(deviations: f64) -> [f64; 3] {
     let end = if deviations < 0.0 { BELOW } else { ABOVE };
     let t = (deviations.abs().min(FAR) * 3.0).round() / (3.0 * FAR);
     end.map(|c| 250.0 + t * (c - 250.0))
-}
-
-/// Draws what `colour` says of each cell of a panel.
-pub fn cells(
-    canvas: &mut Canvas,
-    place: Area,
-    [columns, rows]: [usize; 2],
-    colour: impl Fn(usize) -> [f64; 3],
-) {
-    let colours: Vec<[f64; 3]> = (0..columns * rows).map(colour).collect();
-    canvas.shade(place, |x, y| {
-        let column = ((x - place.x) / place.w * columns as f32) as usize;
-        let row = ((y - place.y) / place.h * rows as f32) as usize;
-        colours.get(row * columns + column).copied()
-    });
 }
 
 /// The picture that a histogram is of. A sample bears the colour of its texel; how bright the texel is,
@@ -57,25 +32,4 @@ pub fn developed(picture: &Picture, histogram: &[u64]) -> Vec<[f64; 3]> {
         texel.map(|c| f64::from(c) * gain)
     };
     texels.map(develop).collect()
-}
-
-/// Writes the head of a panel; what is left is the panel.
-pub fn head(canvas: &mut Canvas, place: Area, title: &str, text: &str) -> Area {
-    let style = Type::bold(26.0);
-    canvas.text(
-        title,
-        [place.x, place.y + 42.0],
-        Align::Left,
-        style,
-        place.w,
-    );
-    let after = place.x + canvas.width(title, style) + 16.0;
-    canvas.text(
-        text,
-        [after, place.y + 42.0],
-        Align::Left,
-        Type::plain(21.0, MUTED),
-        place.x + place.w - after,
-    );
-    place.inside(0.0, HEAD - 10.0, 0.0, 10.0)
 }
