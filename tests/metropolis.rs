@@ -3,18 +3,30 @@
 
 #[path = "metropolis/acceptance.rs"]
 mod acceptance;
+#[path = "metropolis/balance.rs"]
+mod balance;
+#[path = "metropolis/binary.rs"]
+mod binary;
 mod catalogue;
 #[path = "metropolis/chains.rs"]
 mod chains;
+#[path = "metropolis/counterexamples.rs"]
+mod counterexamples;
 mod drivers;
+#[path = "metropolis/enumeration.rs"]
+mod enumeration;
 #[path = "metropolis/health.rs"]
 mod health;
+#[path = "metropolis/limited.rs"]
+mod limited;
 #[path = "metropolis/long.rs"]
 mod long;
 #[path = "metropolis/matrices.rs"]
 mod matrices;
 #[path = "metropolis/mutations.rs"]
 mod mutations;
+#[path = "metropolis/spectrum.rs"]
+mod spectrum;
 #[path = "metropolis/start.rs"]
 mod start;
 #[path = "metropolis/targets.rs"]
