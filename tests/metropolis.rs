@@ -3,14 +3,24 @@
 
 #[path = "metropolis/acceptance.rs"]
 mod acceptance;
+#[path = "metropolis/balance.rs"]
+mod balance;
+#[path = "metropolis/binary.rs"]
+mod binary;
 mod catalogue;
 #[path = "metropolis/chains.rs"]
 mod chains;
+#[path = "metropolis/counterexamples.rs"]
+mod counterexamples;
 mod drivers;
+#[path = "metropolis/enumeration.rs"]
+mod enumeration;
 #[path = "metropolis/health.rs"]
 mod health;
 #[path = "metropolis/laws.rs"]
 mod laws;
+#[path = "metropolis/limited.rs"]
+mod limited;
 #[path = "metropolis/long.rs"]
 mod long;
 #[path = "metropolis/matrices.rs"]
@@ -21,6 +31,8 @@ mod mixtures;
 mod mutations;
 #[path = "metropolis/parts.rs"]
 mod parts;
+#[path = "metropolis/spectrum.rs"]
+mod spectrum;
 #[path = "metropolis/start.rs"]
 mod start;
 #[path = "metropolis/stated.rs"]
