@@ -275,7 +275,9 @@ pub(crate) fn try_full_canonical<R: TryRng + ?Sized>(
 /// The integer nearest to a number from 0 to 2³², halves upwards.
 #[inline]
 pub(crate) fn nearest(x: f32) -> u32 {
+    // The number below a half: added to that number itself, a half would round up to 1.
+    const HALF: f32 = 0.5 - f32::EPSILON / 4.0;
     // From 2²³ up it is an integer, and adding a half would no longer be exact.
-    let shifted = if x < 8_388_608.0 { x + 0.5 } else { x };
+    let shifted = if x < 8_388_608.0 { x + HALF } else { x };
     shifted as u32
 }
