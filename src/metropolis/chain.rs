@@ -368,13 +368,15 @@ impl<X: Copy, D: Density> Chain<X, D> {
     /// target.
     ///
     /// # Errors
-    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for more accepted and refused steps than
-    /// steps.
+    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for more accepted steps than steps, and
+    /// for more that are refused, or that stayed in a row, than the others.
     #[inline]
     pub fn resume(saved: Saved<X, D>) -> Result<Self, Error> {
-        match saved.accepted.checked_add(saved.refused) {
-            Some(decided) if decided <= saved.steps => {}
-            _ => return Err(Error::OutOfRange),
+        let Some(stayed) = saved.steps.checked_sub(saved.accepted) else {
+            return Err(Error::OutOfRange);
+        };
+        if saved.refused > stayed || u64::from(saved.rejected_in_a_row) > stayed {
+            return Err(Error::OutOfRange);
         }
         saved.density.positive()?;
         Ok(Self { at: saved })
