@@ -75,7 +75,7 @@ fn rounded_difference<T: Tier>() {
     let mut rng = Pcg32::new(2, 2);
     let log = LogDensity::<T>::new;
     let (mut worst, mut inexact) = (0.0_f64, 0);
-    for _ in 0..2_000_000 {
+    for _ in 0..500_000 {
         let from = logarithm(&mut rng);
         let to = match rng.next_u32() % 2 {
             0 => logarithm(&mut rng),
