@@ -7,6 +7,8 @@ mod acceptance;
 mod balance;
 #[path = "metropolis/binary.rs"]
 mod binary;
+#[path = "metropolis/bits.rs"]
+mod bits;
 mod catalogue;
 #[path = "metropolis/chains.rs"]
 mod chains;
@@ -15,22 +17,34 @@ mod counterexamples;
 mod drivers;
 #[path = "metropolis/enumeration.rs"]
 mod enumeration;
+#[path = "metropolis/exact.rs"]
+mod exact;
 #[path = "metropolis/health.rs"]
 mod health;
 #[path = "metropolis/laws.rs"]
 mod laws;
 #[path = "metropolis/limited.rs"]
 mod limited;
+#[path = "metropolis/limits.rs"]
+mod limits;
+#[path = "metropolis/logarithms.rs"]
+mod logarithms;
 #[path = "metropolis/long.rs"]
 mod long;
 #[path = "metropolis/matrices.rs"]
 mod matrices;
 #[path = "metropolis/mixtures.rs"]
 mod mixtures;
+#[path = "metropolis/mutation_words.rs"]
+mod mutation_words;
 #[path = "metropolis/mutations.rs"]
 mod mutations;
 #[path = "metropolis/parts.rs"]
 mod parts;
+#[path = "metropolis/refusals.rs"]
+mod refusals;
+#[path = "metropolis/saved.rs"]
+mod saved;
 #[path = "metropolis/spectrum.rs"]
 mod spectrum;
 #[path = "metropolis/start.rs"]

@@ -13,16 +13,22 @@ use rand_core::{Rng, TryRng};
 ///
 /// At x, a mutation proposes x′, and with probability a = min(1, f(x′)T(x′→x)/(f(x)T(x→x′))) the chain goes
 /// there; otherwise it stays, to the last bit. The target f and the mutation are handed to each step: the
-/// chain itself is a plain value, of the size of one state, one density, three counts of 64 bits and one of
-/// 32. (A [`Step`] has two states and two densities.)
+/// chain itself is a plain value: one state, one density, three counts of 64 bits and one of 32. A [`Step`]
+/// has two states and two densities.
+///
+/// | bytes, of states that are | `f32` | `[f32; 2]` | `[f32; 32]` | `usize` of 64 bits |
+/// |---|--:|--:|--:|--:|
+/// | [`Chain`], [`Saved`] | 40 | 40 | 160 | 40 |
+/// | [`Step`] | 28 | 36 | 276 | 40 |
 ///
 /// - States: any `Copy` type: an index, a point of ℝᴰ, the uniforms of a warp.
 /// - Densities: `f32`, or [`LogDensity`](super::LogDensity), known up to a factor. Any positive finite ones
 ///   may meet in one chain: nothing over- or underflows on the way to the acceptance.
 /// - Words (`u32`) a step: those of the mutation and one more, which is drawn whether it decides or not.
 /// - Error of the acceptance: half an ulp at a symmetric mutation, 2 ulp at one with a
-///   [`Ratio`](super::Ratio). It is realised in steps of 2⁻³², to the nearest: a proposal of an acceptance
-///   up to 2⁻³³ is never taken. (In [`Step::recorded`] it counts all the same.)
+///   [`Ratio`](super::Ratio); of logarithms, see [`LogDensity`](super::LogDensity). It is realised in steps
+///   of 2⁻³², to the nearest: a proposal of an acceptance below 2⁻³³ is never taken. (In [`Step::recorded`] it
+///   counts all the same.)
 /// - A proposal whose density is NaN, infinite or negative is never accepted; it counts in
 ///   [`Chain::refused`].
 ///
@@ -158,13 +164,14 @@ impl<X: Copy, D: Density> Chain<X, D> {
     }
 
     /// Takes a step, but rejects no more than `limit` times in a row: the next proposal that has a positive
-    /// density is accepted then, whatever the probability ([`Outcome::Forced`]).
+    /// density and a way back is accepted then, whatever the probability ([`Outcome::Forced`]).
     ///
     /// This **biases** the chain: it is no longer stationary in f. States that are left seldom, which are
     /// those of high density, lose: one left with probability A a step keeps 1 − (1 − A)^(limit + 1) of the
-    /// time it would have had in a stay, and what it loses goes to where it is forced. With A well above
-    /// 1/limit that is next to nothing; below, a peak of density f is cut to about limit·A·f. The share of
-    /// forced steps says which it is.
+    /// time it would have had in a stay, and what it loses goes to where it is forced. (That is if each
+    /// proposal could be forced. It keeps more where some cannot, and where the state itself is proposed,
+    /// which counts as accepted.) With A well above 1/limit the loss is next to nothing; below, a peak of
+    /// density f is cut to about (limit + 1)·A·f. The share of forced steps says which it is.
     ///
     /// # Errors
     /// The generator's own error; the chain is then as it was.
@@ -368,14 +375,15 @@ impl<X: Copy, D: Density> Chain<X, D> {
     /// target.
     ///
     /// # Errors
-    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for counts that no run has: more accepted
-    /// and refused, or accepted and rejected in a row, than steps.
+    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for more accepted steps than steps, and
+    /// for more that are refused, or that stayed in a row, than the others.
     #[inline]
     pub fn resume(saved: Saved<X, D>) -> Result<Self, Error> {
-        let stayed = saved.refused.max(saved.rejected_in_a_row.into());
-        match saved.accepted.checked_add(stayed) {
-            Some(steps) if steps <= saved.steps => {}
-            _ => return Err(Error::OutOfRange),
+        let Some(stayed) = saved.steps.checked_sub(saved.accepted) else {
+            return Err(Error::OutOfRange);
+        };
+        if saved.refused > stayed || u64::from(saved.rejected_in_a_row) > stayed {
+            return Err(Error::OutOfRange);
         }
         saved.density.positive()?;
         Ok(Self { at: saved })

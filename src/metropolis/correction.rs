@@ -69,7 +69,8 @@ impl Correction for Symmetric {
 /// The ratio T(x′→x)/T(x→x′) of a proposal x′.
 ///
 /// Its exponent is set aside, so that neither it nor its product with the densities over- or underflows.
-/// Error of the acceptance: 2 ulp, for densities and ratios of any magnitude.
+/// Error of the acceptance: 2 ulp, for densities and ratios of any magnitude; of logarithms, see
+/// [`LogDensity`](super::LogDensity).
 ///
 /// ```
 /// use microwarp::metropolis::{Mutation, Proposal, Ratio};

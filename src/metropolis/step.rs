@@ -86,7 +86,8 @@ impl<X: Copy, D: Copy> Step<X, D> {
         }
     }
 
-    /// Both states with the weights to record them with: 1 − a and a, which sum to 1.
+    /// Both states with the weights to record them with: 1 − a and a, which sum to 1; as 1 − a is rounded, to
+    /// 2⁻²⁵, and exactly in `f32`.
     ///
     /// This is the expectation of recording the state after the step. Pass over a state of weight 0: if
     /// refused, it may be outside the domain.

@@ -1,137 +1,122 @@
-//! The words that mutations take of a generator, and that its failure at any of them passes through.
+//! Words: how many a step takes, and what is left of one that fails for want of them.
 
+use super::bits::Bits;
 use crate::drivers::{Broken, Counting, Failing};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
-    BoxStep, ExponentialStep, Independence, Mixture, Mutation, NormalStep, OneCoordinate, Proposal,
-    Subset, Symmetric, TransitionTable, UniformIndex, UniformStep, Wrapped,
+    BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TransitionTable,
+    UniformIndex, UniformStep, Wrapped,
 };
 use microwarp::poly as mw;
-use microwarp::tier::{Libm, Poly};
-use rand_core::TryRng;
 use rand_pcg::Pcg32;
 
-/// Takes exactly so many words of any generator, and hands on its error at each of them.
-fn takes<X, M>(name: &str, mutation: &M, from: X, words: u64)
+/// A mutation takes the words that the documentation says, and one decides, whatever comes of the proposal;
+/// where the generator fails at any of them, the chain is as it was, to the last bit, and goes on from there.
+fn words<X, M>(name: &str, start: X, mutation: &M, stated: impl Fn(u32) -> u64)
 where
-    X: Copy + std::fmt::Debug + PartialEq,
+    X: Copy + Bits,
     M: Mutation<X>,
-    M::Correction: PartialEq + std::fmt::Debug,
 {
-    for seed in 0..100 {
-        let mut rng = Counting::new(Pcg32::new(seed, 1));
-        let Ok(_) = mutation.try_propose(from, &mut rng);
-        assert_eq!(rng.words, words, "{name}");
-    }
-    // Above the words of the last of a mixture's mutations too.
-    for word in [0, 0x3000_0000, 0x9000_0000, u32::MAX] {
-        for left in 0..words {
-            let failed = mutation.try_propose(from, &mut Failing { word, left });
-            assert_eq!(failed.err(), Some(Broken(17)), "{name} at word {left}");
+    let mut outcomes = [0_u32; 4];
+    for (seed, density) in [1.0, 2e-3, 0.0, f32::NAN].into_iter().enumerate() {
+        let target = |x: X| match x.bits() == start.bits() {
+            true => 1.0,
+            false => density,
+        };
+        let mut chain = Chain::new(start, target).unwrap();
+        let mut rng = Pcg32::new(seed as u64, 1);
+        for _ in 0..50 {
+            let mut counted = Counting::new(rng.clone());
+            let before = chain;
+            let step = chain.step(target, mutation, &mut counted);
+            assert_eq!(counted.words, stated(step.kind) + 1, "{name}");
+            outcomes[step.outcome as usize] += 1;
+            rng = counted.inner;
+            // The same step, with a generator that fails at one word after the other.
+            for left in 0..counted.words {
+                let mut cut = before;
+                let mut failing = Failing { word: 0, left };
+                let end = cut.try_step(target, mutation, &mut failing);
+                // A mixture may take fewer words with this one.
+                if let Err(error) = end {
+                    assert_eq!(error, Broken(17));
+                    assert_eq!(cut.save().bits(), before.save().bits(), "{name}");
+                } else {
+                    assert!(name.contains("Mixture"), "{name}");
+                }
+            }
+            let mut failing = Failing { word: 0, left: 99 };
+            let mut cut = before;
+            let whole = cut.try_step(target, mutation, &mut failing).unwrap();
+            assert_eq!(99 - failing.left, stated(whole.kind) + 1, "{name}");
         }
-        let mut enough = Failing { word, left: words };
-        assert!(mutation.try_propose(from, &mut enough).is_ok(), "{name}");
-        assert_eq!(enough.left, 0, "{name}");
     }
+    println!("{name}: {} words, outcomes {outcomes:?}", stated(0) + 1);
+    assert!(outcomes[0] > 0, "{name}");
 }
 
 #[test]
-fn every_mutation_takes_the_words_stated() {
-    let point = [0.5_f32; 3];
-    takes("UniformStep", &UniformStep::new(), point, 3);
-    takes("UniformStep", &UniformStep::new(), 0.5_f32, 1);
-    takes("UniformStep", &UniformStep::new(), [0.5_f32; 0], 0);
-    takes("UniformIndex", &UniformIndex::new(6).unwrap(), 0, 2);
-    let boxed = BoxStep::new([0.1; 3]).unwrap();
-    takes("BoxStep", &boxed, point, 3);
-    takes("BoxStep", &BoxStep::new([0.1, 0.0]).unwrap(), [0.0; 2], 2);
-    takes("BoxStep", &BoxStep::new(0.1).unwrap(), 0.0, 1);
-    takes(
-        "NormalStep",
-        &NormalStep::<_, Libm>::new([1.0; 3]).unwrap(),
-        point,
-        3,
+fn steps_take_the_words_stated_and_failed_ones_leave_no_trace() {
+    let weights = [1.0, 2.0, 3.0, 4.0];
+    let cdf = Cdf::<[u32; 4]>::new(&weights).unwrap();
+    let wide = Cdf::<[u64; 4]>::new(&weights).unwrap();
+    let alias = Alias::<[AliasEntry<u32>; 4]>::new(&weights).unwrap();
+    let wide_alias = Alias::<[AliasEntry<u64>; 4]>::new(&weights).unwrap();
+    words("UniformIndex", 0, &UniformIndex::new(4).unwrap(), |_| 2);
+    words("Independence(Cdf)", 0, &Independence::new(cdf), |_| 1);
+    words("Independence(Cdf u64)", 0, &Independence::new(wide), |_| 2);
+    words("Independence(Alias)", 0, &Independence::new(alias), |_| 1);
+    words(
+        "Independence(Alias u64)",
+        0,
+        &Independence::new(wide_alias),
+        |_| 2,
     );
-    let exponential = ExponentialStep::<Poly>::new(0.01, 1.0).unwrap();
-    takes("ExponentialStep", &exponential, point, 3);
-    takes("ExponentialStep", &exponential, 0.5_f32, 1);
-    takes("Wrapped", &Wrapped::new(boxed), point, 3);
-    // Where a step would leave the range of f32, they are taken all the same.
-    takes(
-        "BoxStep",
-        &BoxStep::new([f32::MAX; 3]).unwrap(),
-        [f32::MAX; 3],
-        3,
-    );
-    takes("BoxStep", &boxed, [f32::NAN; 3], 3);
-
-    let pair = Independence::new(mw::NormalPair::new([0.0; 2], 1.0).unwrap());
-    takes("Independence", &pair, [0.0; 2], 2);
-    let table = Cdf::<[u32; 2]>::new(&[1.0, 3.0]).unwrap();
-    takes("Independence", &Independence::new(table), 0, 1);
-    let long = Alias::<[AliasEntry<u64>; 2]>::new(&[1.0, 3.0]).unwrap();
-    takes("Independence", &Independence::new(long), 0, 2);
-    takes(
+    words(
         "TransitionTable",
-        &TransitionTable::new([table; 2]).unwrap(),
-        1,
-        1,
+        0,
+        &TransitionTable::new([cdf; 4]).unwrap(),
+        |_| 1,
     );
-    takes(
+    words(
+        "TransitionTable u64",
+        0,
+        &TransitionTable::new([wide; 4]).unwrap(),
+        |_| 2,
+    );
+    // A state that the table does not have.
+    words(
         "TransitionTable",
-        &TransitionTable::new([table; 2]).unwrap(),
         9,
-        1,
+        &TransitionTable::new([cdf; 4]).unwrap(),
+        |_| 1,
     );
-
-    let two = Subset::<_, 2, 3>::new(UniformStep::new(), [2, 0]).unwrap();
-    takes("Subset", &two, point, 2);
-    let one = OneCoordinate::new(exponential);
-    takes("OneCoordinate", &one, point, 2);
-    takes("OneCoordinate", &one, [0.5; 0], 2);
-    takes("OneCoordinate", &OneCoordinate::new(Mirror), point, 1);
-    let mixture = Mixture::new((boxed, UniformStep::new()), &[1.0, 1.0]).unwrap();
-    takes("Mixture", &mixture, point, 4);
-    let outer = Mixture::new([mixture; 3], &[1.0; 3]).unwrap();
-    takes("Mixture of mixtures", &outer, point, 5);
-    takes("Mixture by reference", &&outer, point, 5);
-    let large_small = Mixture::large_small(0.5, Wrapped::new(boxed)).unwrap();
-    takes("LargeSmall", &large_small, point, 4);
-    takes(
-        "OneCoordinate of a mixture",
-        &OneCoordinate::new(large_small_line()),
-        point,
-        3,
+    words(
+        "Independence(Disk)",
+        [0.5, 0.25],
+        &Independence::new(mw::Disk::new()),
+        |_| 2,
     );
-}
-
-fn large_small_line() -> impl Mutation<f32, Correction = Symmetric> {
-    Mixture::large_small(0.5, Wrapped::new(BoxStep::new(0.1).unwrap())).unwrap()
-}
-
-/// A mutation that takes no word at all.
-struct Mirror;
-
-impl Mutation<f32> for Mirror {
-    type Correction = Symmetric;
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: f32,
-        _: &mut R,
-    ) -> Result<Proposal<f32, Self::Correction>, R::Error> {
-        let to = 1.0 - from;
-        Ok(Proposal::new(to, Symmetric))
-    }
-}
-
-/// Where the parts take different numbers of words, so does the mixture.
-#[test]
-fn a_mixture_takes_the_words_of_the_part_picked() {
+    words("UniformStep", [0.5_f32; 5], &UniformStep::new(), |_| 5);
+    words("UniformStep", 0.5_f32, &UniformStep::new(), |_| 1);
+    let of_box = BoxStep::new([0.1, 0.0, 0.3]).unwrap();
+    words("BoxStep", [-0.0_f32, 1e-40, 5.0], &of_box, |_| 3);
+    words(
+        "Wrapped(BoxStep)",
+        [-0.0_f32, 1e-40, 0.5],
+        &Wrapped::new(of_box),
+        |_| 3,
+    );
+    let normal = mw::NormalStep::new([0.1; 2]).unwrap();
+    words("NormalStep", [0.5_f32, -0.0], &normal, |_| 2);
+    let exponential = mw::ExponentialStep::new(0.001, 0.1).unwrap();
+    words("ExponentialStep", [0.5_f32; 7], &exponential, |_| 7);
+    let subset = Subset::<_, 2, 4>::new(normal, [3, 1]).unwrap();
+    words("Subset", [f32::NAN, 0.5, -0.0, 1.0], &subset, |_| 2);
     let one = OneCoordinate::new(BoxStep::new(0.1).unwrap());
-    let mixture = Mixture::new((UniformStep::new(), one), &[1.0, 1.0]).unwrap();
-    for (word, words) in [(0, 65), (u32::MAX, 3)] {
-        let mut rng = Failing { word, left: 100 };
-        assert!(mixture.try_propose([0.5; 64], &mut rng).is_ok());
-        assert_eq!(100 - rng.left, words);
-    }
+    words("OneCoordinate", [0.5_f32; 32], &one, |_| 2);
+    let mixture = Mixture::new((UniformStep::new(), one, subset), &[0.2, 0.3, 0.5]).unwrap();
+    words("Mixture", [0.5_f32; 4], &mixture, |kind| {
+        [5, 3, 3][kind as usize]
+    });
 }

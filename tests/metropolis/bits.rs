@@ -1,0 +1,58 @@
+//! States and chains as their bits: NaN is equal to itself, and 0 is not -0.
+
+use microwarp::metropolis::{LogDensity, Saved, Step};
+use microwarp::tier::Tier;
+
+/// What consists of bits.
+pub trait Bits {
+    fn bits(&self) -> Vec<u64>;
+}
+
+impl Bits for usize {
+    fn bits(&self) -> Vec<u64> {
+        vec![*self as u64]
+    }
+}
+
+impl Bits for f32 {
+    fn bits(&self) -> Vec<u64> {
+        vec![self.to_bits().into()]
+    }
+}
+
+impl<const N: usize> Bits for [f32; N] {
+    fn bits(&self) -> Vec<u64> {
+        self.iter().map(|x| x.to_bits().into()).collect()
+    }
+}
+
+impl<T: Tier> Bits for LogDensity<T> {
+    fn bits(&self) -> Vec<u64> {
+        self.get().bits()
+    }
+}
+
+impl<X: Bits, D: Bits> Bits for Saved<X, D> {
+    fn bits(&self) -> Vec<u64> {
+        let counts = [
+            self.steps,
+            self.accepted,
+            self.refused,
+            self.rejected_in_a_row.into(),
+        ];
+        [self.state.bits(), self.density.bits(), counts.to_vec()].concat()
+    }
+}
+
+impl<X: Bits, D: Bits> Bits for Step<X, D> {
+    fn bits(&self) -> Vec<u64> {
+        let rest = [
+            self.acceptance.to_bits().into(),
+            self.outcome as u64,
+            self.kind.into(),
+        ];
+        let from = [self.from.bits(), self.from_density.bits()].concat();
+        let to = [self.proposed.bits(), self.proposed_density.bits()].concat();
+        [from, to, rest.to_vec()].concat()
+    }
+}

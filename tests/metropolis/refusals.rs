@@ -1,0 +1,190 @@
+//! What is no density or no ratio is never accepted, whatever the words; and is counted as what it is.
+
+use super::acceptance::{Given, positive, step};
+use crate::drivers::Cycle;
+use microwarp::Error;
+use microwarp::metropolis::{Chain, Correction, LogDensity, Mixture, Outcome, Ratio, Symmetric};
+use microwarp::tier::{Libm, Poly};
+use rand_core::Rng as _;
+use rand_pcg::Pcg32;
+
+const WORDS: [u32; 5] = [0, 1, 1 << 31, u32::MAX - 1, u32::MAX];
+const FROM: [f32; 5] = [1e-45, f32::MIN_POSITIVE, 1.0, 3e38, f32::MAX];
+const NOT_A_NUMBER: [u32; 4] = [0x7fc0_0000, 0xffc0_0000, 0x7f80_0001, 0xff92_3456];
+
+fn refused() -> Vec<f32> {
+    let mut all: Vec<f32> = NOT_A_NUMBER.map(f32::from_bits).to_vec();
+    all.extend([
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        -1e-45,
+        -1.0,
+        -f32::MIN_POSITIVE,
+        f32::MIN,
+    ]);
+    all
+}
+
+#[test]
+fn a_density_that_is_none_is_refused_and_one_of_0_rejected() {
+    fn check<C: Correction>(correction: C) {
+        for from in FROM {
+            for word in WORDS {
+                for to in refused() {
+                    let step = step(from, to, correction, word);
+                    assert_eq!((step.outcome, step.acceptance), (Outcome::Refused, 0.0));
+                    assert_eq!(step.proposed_density.to_bits(), to.to_bits());
+                }
+                for to in [0.0, -0.0] {
+                    let step = step(from, to, correction, word);
+                    assert_eq!((step.outcome, step.acceptance), (Outcome::Rejected, 0.0));
+                }
+            }
+        }
+    }
+    check(Symmetric);
+    check(Ratio::ONE);
+    check(Ratio::new(1e-45, f32::MAX));
+    check(Ratio::from_counts(1, 1 << 64));
+}
+
+#[test]
+fn a_ratio_that_is_none_is_refused_and_no_way_back_rejected() {
+    let mut unsound = vec![Ratio::from_counts(0, 1), Ratio::from_counts(0, 0)];
+    let mut no_way_back = vec![Ratio::from_counts(1, 0), Ratio::from_counts(u128::MAX, 0)];
+    for good in FROM {
+        for bad in refused() {
+            unsound.extend([Ratio::new(bad, good), Ratio::new(good, bad)]);
+            unsound.extend([Ratio::new(bad, 0.0), Ratio::new(0.0, bad)]);
+        }
+        for zero in [0.0, -0.0] {
+            unsound.extend([Ratio::new(zero, good), Ratio::new(zero, zero)]);
+            no_way_back.push(Ratio::new(good, zero));
+        }
+    }
+    for word in WORDS {
+        for from in FROM {
+            for to in FROM {
+                for ratio in &unsound {
+                    let step = step(from, to, *ratio, word);
+                    assert_eq!((step.outcome, step.acceptance), (Outcome::Refused, 0.0));
+                }
+                for ratio in &no_way_back {
+                    let step = step(from, to, *ratio, word);
+                    assert_eq!((step.outcome, step.acceptance), (Outcome::Rejected, 0.0));
+                }
+            }
+            // No way back does not make a density of what is none.
+            for ratio in &no_way_back {
+                let step = step(from, f32::NAN, *ratio, word);
+                assert_eq!(step.outcome, Outcome::Refused);
+            }
+        }
+    }
+}
+
+/// Whether a number is a density, and whether it is positive; by its bits.
+fn is_density(x: f32) -> (bool, bool) {
+    let bits = x.to_bits();
+    let zero = bits << 1 == 0;
+    let positive = bits >> 31 == 0 && !zero && bits < 0x7f80_0000;
+    (zero || positive, positive)
+}
+
+#[test]
+fn any_bits_have_the_outcome_that_they_must_have() {
+    let mut rng = Pcg32::new(4, 4);
+    let mut seen = [0_u32; 4];
+    for round in 0..2_000_000 {
+        let from = positive(&mut rng);
+        let [to, forward, backward] = [(); 3].map(|()| f32::from_bits(rng.next_u32()));
+        let word = rng.next_u32();
+        let ratio = Ratio::new(forward, backward);
+        let one = match round % 2 {
+            0 => step(from, to, Symmetric, word),
+            _ => step(from, to, ratio, word),
+        };
+        let ((density, possible), (there, forth), (back, returns)) =
+            (is_density(to), is_density(forward), is_density(backward));
+        let ratio_counts = round % 2 == 1;
+        let due = if !density || (ratio_counts && !(there && forth && back)) {
+            Outcome::Refused
+        } else if !possible || (ratio_counts && !returns) {
+            Outcome::Rejected
+        } else if u64::from(word) < (f64::from(one.acceptance) * 2_f64.powi(32)).round() as u64 {
+            Outcome::Accepted
+        } else {
+            Outcome::Rejected
+        };
+        assert_eq!(one.outcome, due, "{from:e} -> {to:e}, {ratio:?}");
+        seen[due as usize] += 1;
+    }
+    assert!(seen[0].min(seen[1]).min(seen[2]) > 100_000, "{seen:?}");
+}
+
+/// To the nearest of 2^32 steps, halves upwards.
+#[test]
+fn an_acceptance_is_realised_to_the_nearest_step() {
+    let half = 2_f32.powi(-33);
+    let below = f32::from_bits(half.to_bits() - 1);
+    let accepts = |a: f32, word: u32| step(1.0, a, Symmetric, word).is_accepted();
+    for (a, words) in [
+        (1e-45, 0),
+        (1e-20, 0),
+        (below, 0),
+        (half, 1),
+        (3.0 * half, 2),
+        (f32::from_bits((3.0 * half).to_bits() - 1), 1),
+        (1e-9, 4),
+        (0.5, 1 << 31),
+        (1.0 - f32::EPSILON / 2.0, u32::MAX - 255),
+    ] {
+        assert_eq!(step(1.0, a, Symmetric, 0).acceptance, a);
+        assert!(words == 0 || accepts(a, words - 1), "{a:e}");
+        assert!(!accepts(a, words), "{a:e}");
+    }
+    assert!(accepts(1.0, u32::MAX) && accepts(f32::MAX, u32::MAX));
+}
+
+#[test]
+fn a_chain_starts_where_it_can_be_and_nowhere_else() {
+    let start = |f: f32| Chain::new(7_usize, |_| f).err();
+    for f in FROM {
+        assert_eq!(start(f), None);
+    }
+    for bits in NOT_A_NUMBER {
+        assert_eq!(start(f32::from_bits(bits)), Some(Error::NotFinite));
+    }
+    assert_eq!(start(f32::INFINITY), Some(Error::NotFinite));
+    assert_eq!(start(f32::NEG_INFINITY), Some(Error::NotFinite));
+    assert_eq!(start(0.0), Some(Error::NotPositive));
+    assert_eq!(start(-0.0), Some(Error::NotPositive));
+    assert_eq!(start(-1e-45), Some(Error::Negative));
+    let log = |l: f32| Chain::new(7_usize, |_| LogDensity::<Libm>::new(l)).err();
+    for l in [-0.0, f32::MIN, f32::MAX, -1e-45] {
+        assert_eq!(log(l), None);
+    }
+    assert_eq!(log(f32::NEG_INFINITY), Some(Error::NotPositive));
+    assert_eq!(log(f32::INFINITY), Some(Error::NotFinite));
+    assert_eq!(log(f32::NAN), Some(Error::NotFinite));
+    assert!(Chain::new(0.5_f32, LogDensity::<Poly>::new).is_ok());
+}
+
+/// A ratio passes through a mixture, and what is none stays none.
+#[test]
+fn a_mixture_refuses_what_its_parts_refuse() {
+    for (ratio, outcome, acceptance) in [
+        (Ratio::new(0.0, 1.0), Outcome::Refused, 0.0),
+        (Ratio::new(1.0, 0.0), Outcome::Rejected, 0.0),
+        (Ratio::new(4.0, 1.0), Outcome::Rejected, 0.25),
+        (Ratio::ONE, Outcome::Accepted, 1.0),
+    ] {
+        let mixture = Mixture::new((Given(Symmetric), Given(ratio)), &[0.0, 1.0]).unwrap();
+        let mut chain = Chain::new(0, |_| 1.0_f32).unwrap();
+        let step = chain.step(|_| 1.0, &mixture, &mut Cycle::new(&[5, u32::MAX]));
+        assert_eq!(
+            (step.outcome, step.acceptance, step.kind),
+            (outcome, acceptance, 1)
+        );
+    }
+}
