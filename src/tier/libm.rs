@@ -22,9 +22,9 @@ use super::{Tier, normal, poly};
 /// | `ln_1p` | -1 < x ≤ 0 | 0.83 | 5e-7 | - |
 /// | `ln_1p` | x > -1 | 0.83 | 3.9e-6 | - |
 /// | `exp` | -1 ≤ x ≤ 0 | 0.84 | 5e-8 | - |
-/// | `exp` | finite x | 0.86 | - | - |
+/// | `exp` | finite x | 0.92 | - | - |
 /// | `exp_m1` | -1 ≤ x ≤ 0 | 0.78 | 4e-8 | - |
-/// | `exp_m1` | finite x | 0.78 | - | - |
+/// | `exp_m1` | finite x | 0.82 | - | - |
 /// | `pow` | 0 ≤ x ≤ 1, y = 1/51 | 0.67 | 4e-8 | - |
 /// | `pow` | x ≥ 0, finite y | 0.86 | - | - |
 /// | `normal_cdf_lower` | x ≤ 0 | 4.8 | 1.5e-7 | 3e-7 |

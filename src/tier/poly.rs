@@ -25,9 +25,9 @@ pub(crate) use trig::{exchanged, reduce_turns, swap_quadrant};
 /// | `ln_1p` | -1 < x ≤ 0 | 0.96 | 5e-7 | - |
 /// | `ln_1p` | x > -1 | 0.96 | 3.9e-6 | - |
 /// | `exp` | -1 ≤ x ≤ 0 | 0.85 | 4.9e-8 | - |
-/// | `exp` | finite x | 0.86 | - | - |
+/// | `exp` | finite x | 0.9 | - | - |
 /// | `exp_m1` | -1 ≤ x ≤ 0 | 0.91 | 4.2e-8 | - |
-/// | `exp_m1` | finite x | 1.6 | - | - |
+/// | `exp_m1` | finite x | 1.7 | - | - |
 /// | `pow` | 0 ≤ x ≤ 1, y = 1/51 | 0.72 | 4.3e-8 | - |
 /// | `pow` | x ≥ 0, finite y | 0.93 | - | - |
 /// | `normal_cdf_lower` | x ≤ 0 | 4.8 | 1.5e-7 | 3e-7 |
