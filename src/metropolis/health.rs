@@ -205,7 +205,9 @@ impl<const LAGS: usize> Health<LAGS> {
     /// Moves the centre to the mean.
     #[cold]
     fn recentre(&mut self) {
-        let step = self.sum.value() / self.count() as f32;
+        // The step that is taken, not the one wished for: far from 0 the centre is rounded.
+        let centre = self.centre + self.sum.value() / self.count() as f32;
+        let step = centre - self.centre;
         self.squares = self.about(0, self.squares, step);
         let mut products = self.products;
         for (lag, product) in (1..).zip(&mut products) {
@@ -220,7 +222,7 @@ impl<const LAGS: usize> Health<LAGS> {
         }
         self.products = products;
         self.sum = self.sum.plus_multiple(Sum::of_count(self.count()), -step);
-        self.centre += step;
+        self.centre = centre;
     }
 
     #[cold]
