@@ -3,6 +3,8 @@
 
 #[path = "metropolis/acceptance.rs"]
 mod acceptance;
+#[path = "metropolis/agreement.rs"]
+mod agreement;
 mod catalogue;
 #[path = "metropolis/chains.rs"]
 mod chains;
@@ -13,6 +15,8 @@ mod health;
 mod laws;
 #[path = "metropolis/long.rs"]
 mod long;
+#[path = "metropolis/long_health.rs"]
+mod long_health;
 #[path = "metropolis/matrices.rs"]
 mod matrices;
 #[path = "metropolis/mixtures.rs"]
@@ -21,6 +25,10 @@ mod mixtures;
 mod mutations;
 #[path = "metropolis/parts.rs"]
 mod parts;
+#[path = "metropolis/r_hat.rs"]
+mod r_hat;
+#[path = "metropolis/series.rs"]
+mod series;
 #[path = "metropolis/start.rs"]
 mod start;
 #[path = "metropolis/stated.rs"]
@@ -29,6 +37,8 @@ mod stated;
 mod step_errors;
 #[path = "metropolis/targets.rs"]
 mod targets;
+#[path = "metropolis/times.rs"]
+mod times;
 #[path = "metropolis/words.rs"]
 mod words;
 #[path = "metropolis/wrapped.rs"]
