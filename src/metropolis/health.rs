@@ -8,7 +8,7 @@ use crate::estimate::{Scale, Sum, Tally};
 /// Push, after each step, a number that is a function of the state: a coordinate, an indicator, the logarithm
 /// of the density. Different functions of one chain may tell different times.
 ///
-/// - Memory: 16 bytes a lag and some 60 more. Time: a push takes a few operations a lag.
+/// - Memory: 16 bytes a lag and 40 more. Time: a push takes a few operations a lag.
 /// - Domain: any finite numbers. NaN and infinite ones are refused, and counted.
 /// - Range: autocorrelations lie in [−1, 1]. What is not known is [`None`].
 /// - Error of an autocorrelation: 3e-7, the largest found and a tenth: in short runs, where a rounding weighs

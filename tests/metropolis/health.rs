@@ -261,3 +261,11 @@ fn no_result_is_out_of_range() {
     println!("{known} autocorrelations, {times} times");
     assert!(known > 1_000_000 && times > 50_000);
 }
+
+#[test]
+fn the_memory_is_as_stated() {
+    assert_eq!(size_of::<Health<0>>(), 40);
+    assert_eq!(size_of::<Health<1>>(), 16 + 40);
+    assert_eq!(size_of::<Health<64>>(), 16 * 64 + 40);
+    assert!(HEALTH.contains("/// - Memory: 16 bytes a lag and 40 more."));
+}
