@@ -3,6 +3,8 @@
 
 #[path = "metropolis/acceptance.rs"]
 mod acceptance;
+#[path = "metropolis/agreement.rs"]
+mod agreement;
 #[path = "metropolis/balance.rs"]
 mod balance;
 #[path = "metropolis/binary.rs"]
@@ -31,6 +33,8 @@ mod limits;
 mod logarithms;
 #[path = "metropolis/long.rs"]
 mod long;
+#[path = "metropolis/long_health.rs"]
+mod long_health;
 #[path = "metropolis/matrices.rs"]
 mod matrices;
 #[path = "metropolis/mixtures.rs"]
@@ -41,10 +45,14 @@ mod mutation_words;
 mod mutations;
 #[path = "metropolis/parts.rs"]
 mod parts;
+#[path = "metropolis/r_hat.rs"]
+mod r_hat;
 #[path = "metropolis/refusals.rs"]
 mod refusals;
 #[path = "metropolis/saved.rs"]
 mod saved;
+#[path = "metropolis/series.rs"]
+mod series;
 #[path = "metropolis/spectrum.rs"]
 mod spectrum;
 #[path = "metropolis/start.rs"]
@@ -55,6 +63,8 @@ mod stated;
 mod step_errors;
 #[path = "metropolis/targets.rs"]
 mod targets;
+#[path = "metropolis/times.rs"]
+mod times;
 #[path = "metropolis/words.rs"]
 mod words;
 #[path = "metropolis/wrapped.rs"]

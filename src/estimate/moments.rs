@@ -183,6 +183,28 @@ impl Moments {
         Some(self.scale.undo(sqrt(of_mean)))
     }
 
+    /// The scale of the samples.
+    #[inline]
+    pub(crate) const fn scale(&self) -> Scale {
+        self.scale
+    }
+
+    /// A number near the mean, on a scale no finer than the samples'.
+    #[inline]
+    pub(crate) fn centre_on(&self, scale: Scale) -> f32 {
+        self.centre * self.scale.shrinking_to(scale)
+    }
+
+    /// The way from a centre to the mean, and the standard deviation, both on a scale no finer than the
+    /// samples'; [`None`] below two samples. The way is exact to a rounding of its own where the mean is not.
+    pub(crate) fn seen_from(&self, scale: Scale, centre: f32) -> Option<(f32, f32)> {
+        let deviation = sqrt(self.scaled_variance()?) * self.scale.shrinking_to(scale);
+        let mut moved = *self;
+        moved.rescale(scale);
+        moved.move_centre(centre);
+        Some((moved.distance(), deviation))
+    }
+
     #[inline]
     fn scaled_variance(&self) -> Option<f32> {
         (self.count() > 1).then(|| self.corrected() / self.count().saturating_sub(1) as f32)

@@ -8,10 +8,11 @@ use crate::estimate::{Scale, Sum, Tally};
 /// Push, after each step, a number that is a function of the state: a coordinate, an indicator, the logarithm
 /// of the density. Different functions of one chain may tell different times.
 ///
-/// - Memory: 16 bytes a lag and some 60 more. Time: a push takes a few operations a lag.
+/// - Memory: 16 bytes a lag and 40 more. Time: a push takes a few operations a lag.
 /// - Domain: any finite numbers. NaN and infinite ones are refused, and counted.
 /// - Range: autocorrelations lie in [−1, 1]. What is not known is [`None`].
-/// - Error of an autocorrelation: 4e-6, in runs of up to 10⁸ numbers whose mean is up to 100 deviations.
+/// - Error of an autocorrelation: 3e-7, the largest found and a tenth: in short runs, where a rounding weighs
+///   most. In one of 10⁸ numbers whose mean is 1000 deviations, and in ones of 3·10⁶ at up to 10⁶, it is 9e-8.
 ///
 /// Where correlation outlasts the lags, the time is [`None`]: push every 10th state, say, and multiply by 10.
 ///
@@ -139,7 +140,7 @@ impl<const LAGS: usize> Health<LAGS> {
     ///
     /// The sum ends where that of two neighbours, ρ₂ₘ + ρ₂ₘ₊₁, is no longer positive, each such pair counting
     /// at most as much as the one before: of a reversible chain, as this room's are, the true ones are
-    /// positive and decrease. The time is at least 1/log₂ n.
+    /// positive and decrease. It takes 3 lags or more. It is at least 1/⌊log₂ n⌋.
     ///
     /// [`None`] if the lags do not reach that far, and where no autocorrelation is known.
     #[must_use]
@@ -205,7 +206,9 @@ impl<const LAGS: usize> Health<LAGS> {
     /// Moves the centre to the mean.
     #[cold]
     fn recentre(&mut self) {
-        let step = self.sum.value() / self.count() as f32;
+        // The step that is taken, not the one wished for: far from 0 the centre is rounded.
+        let centre = self.centre + self.sum.value() / self.count() as f32;
+        let step = centre - self.centre;
         self.squares = self.about(0, self.squares, step);
         let mut products = self.products;
         for (lag, product) in (1..).zip(&mut products) {
@@ -220,7 +223,7 @@ impl<const LAGS: usize> Health<LAGS> {
         }
         self.products = products;
         self.sum = self.sum.plus_multiple(Sum::of_count(self.count()), -step);
-        self.centre += step;
+        self.centre = centre;
     }
 
     #[cold]

@@ -1,6 +1,7 @@
 //! Mixtures: each mutation by exactly the words of its table, with its own ratio and its index as the kind.
 
 use crate::drivers::Cycle;
+use crate::stated::{above, below};
 use microwarp::Error;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
@@ -177,23 +178,16 @@ fn large_steps_have_the_probability_asked_for() {
     type Steps = LargeSmall<Wrapped<mw::ExponentialStep>>;
     let small = Wrapped::new(mw::ExponentialStep::new(0.001, 0.1).unwrap());
     let new = |probability| Steps::large_small(probability, small);
-    for bad in [
-        f32::NAN,
-        -1e-45,
-        -1.0,
-        1.0_f32.next_up(),
-        2.0,
-        f32::INFINITY,
-    ] {
+    for bad in [f32::NAN, -1e-45, -1.0, above(1.0), 2.0, f32::INFINITY] {
         assert_eq!(new(bad).err(), Some(Error::OutOfRange), "{bad}");
     }
     let least = 2f32.powi(-33);
-    for bad in [1e-45, 1e-20, least.next_down()] {
+    for bad in [1e-45, 1e-20, below(least)] {
         assert_eq!(new(bad).err(), Some(Error::Unreachable(0)), "{bad:e}");
     }
     let mut rng = Pcg32::new(0x1a26e, 54);
     let mut probabilities = vec![0.0, -0.0, least, 2.0 * least, 3.0 * least, 5.0 * least];
-    probabilities.extend([1e-6, 0.1, 0.3, 0.5, 1.0_f32.next_down(), 1.0]);
+    probabilities.extend([1e-6, 0.1, 0.3, 0.5, below(1.0), 1.0]);
     probabilities.extend((0..1000).map(|_| rng.next_u32() as f32 * 2f32.powi(-32)));
     for probability in probabilities {
         let steps = new(probability).unwrap();

@@ -174,7 +174,7 @@ fn each_has_its_words<const D: usize>() {
         }
         let words = low - start;
         assert!(
-            words * D as u64 <= (1 << 32) + D as u64 - 1,
+            words * (D as u64) < (1 << 32) + D as u64,
             "{axis} of {D}: {words}"
         );
         assert!((words + 1) * D as u64 > 1 << 32, "{axis} of {D}: {words}");

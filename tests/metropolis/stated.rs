@@ -1,4 +1,4 @@
-//! Figures read from the documentation, and how a measured one is held to them.
+//! Figures read from the documentation, and how a measured one is held to them; the neighbours of a number.
 
 /// The sources whose documentation states figures.
 pub const DISPLACEMENT: &str = include_str!("../../src/metropolis/displacement.rs");
@@ -27,4 +27,21 @@ pub fn assert_stated(what: &str, measured: f64, stated: f64) {
         stated <= 1.5 * measured,
         "{what}: {measured:e}, {stated:e} is stale"
     );
+}
+
+/// The error of an autocorrelation, as its documentation states it in a line of the text.
+pub fn stated_error(source: &str) -> f64 {
+    let (_, rest) = source.split_once("Error of an autocorrelation: ").unwrap();
+    let figure = rest.split(',').next().unwrap();
+    figure.trim().parse().unwrap()
+}
+
+/// The next number towards 0, of one above it.
+pub fn below(x: f32) -> f32 {
+    f32::from_bits(x.to_bits() - 1)
+}
+
+/// The next number away from 0.
+pub fn above(x: f32) -> f32 {
+    f32::from_bits(x.to_bits() + 1)
 }

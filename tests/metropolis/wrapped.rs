@@ -133,11 +133,10 @@ fn walks<L: Displacement<[f32; 3]>>(law: L) {
         let from: [f32; 3] = std::array::from_fn(|axis| any[(turn * 3 + axis) % any.len()]);
         let Ok(proposal) = mutation.try_propose(from, &mut rng);
         assert_eq!(proposal.kind, 0);
-        for axis in 0..3 {
+        for (axis, (before, to)) in from.into_iter().zip(proposal.state).enumerate() {
             let step = law.displacement(axis, words.next_u32());
-            let to = proposal.state[axis];
-            assert_eq!(to, wrapping_add(from[axis], step));
-            assert!((0.0..1.0).contains(&to), "{} to {to}", from[axis]);
+            assert_eq!(to, wrapping_add(before, step));
+            assert!((0.0..1.0).contains(&to), "{before} to {to}");
         }
     }
 }

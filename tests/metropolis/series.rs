@@ -1,0 +1,136 @@
+//! Runs of numbers, and their autocorrelations by the definition in f64.
+
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// The definition: both sums over the differences from the mean, divided by the same count. Of a run whose
+/// numbers are all the same there is none.
+pub struct Truth {
+    differences: Vec<f64>,
+    variance: f64,
+}
+
+impl Truth {
+    pub fn new(run: &[f32]) -> Self {
+        // From a number of the run first: the differences of a run far from 0 then have all their digits, and
+        // on the scale of the largest, so that no square underflows.
+        let (first, n) = (run.first().map_or(0.0, |&x| f64::from(x)), run.len() as f64);
+        let mut differences: Vec<f64> = run.iter().map(|&x| f64::from(x) - first).collect();
+        let largest = differences.iter().fold(0.0_f64, |a, d| a.max(d.abs()));
+        if largest > 0.0 {
+            differences.iter_mut().for_each(|d| *d /= largest);
+        }
+        // Twice, since the first mean is rounded.
+        for _ in 0..2 {
+            let mean = differences.iter().sum::<f64>() / n;
+            differences.iter_mut().for_each(|d| *d -= mean);
+        }
+        let variance = if largest > 0.0 {
+            differences.iter().map(|d| d * d).sum()
+        } else {
+            0.0
+        };
+        Self {
+            differences,
+            variance,
+        }
+    }
+
+    pub fn autocorrelation(&self, lag: usize) -> Option<f64> {
+        if self.variance == 0.0 || lag >= self.differences.len() {
+            return None;
+        }
+        let pairs = self.differences.iter().zip(&self.differences[lag..]);
+        Some(pairs.map(|(a, b)| a * b).sum::<f64>() / self.variance)
+    }
+
+    /// Geyer's initial monotone sequence, and how near 0 any of the sums of pairs came that could have ended
+    /// it. None where the lags do not reach its end.
+    pub fn integrated_time(&self, lags: usize) -> Option<(f64, f64)> {
+        let rho: Vec<f64> = (0..=lags).map_while(|k| self.autocorrelation(k)).collect();
+        let pairs: Vec<f64> = rho.chunks_exact(2).map(|pair| pair[0] + pair[1]).collect();
+        let end = pairs.iter().position(|&pair| pair <= 0.0);
+        let nearest = |upto: usize| pairs[..upto].iter().fold(1.0_f64, |a, p| a.min(p.abs()));
+        let end = end?;
+        let mut least = f64::INFINITY;
+        let monotone = pairs[..end].iter().map(|&pair| {
+            least = least.min(pair);
+            least
+        });
+        let time = 2.0 * monotone.sum::<f64>() - 1.0;
+        let log2 = (self.differences.len() as f64).log2().floor().max(1.0);
+        Some((time.max(1.0 / log2), nearest(end + 1)))
+    }
+}
+
+pub fn unit(rng: &mut Pcg32) -> f64 {
+    (f64::from(rng.next_u32()) + 0.5) / 2f64.powi(32)
+}
+
+/// A normal number, by Box and Muller in f64.
+pub fn normal(rng: &mut Pcg32) -> f64 {
+    let (u, v) = (unit(rng), unit(rng));
+    (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
+}
+
+/// A stationary autoregression: x′ = ρx + noise, with variance 1 and autocorrelations ρᵏ.
+pub fn autoregression(rho: f64, n: usize, rng: &mut Pcg32) -> Vec<f64> {
+    let mut x = normal(rng);
+    let spread = (1.0 - rho * rho).sqrt();
+    (0..n)
+        .map(|_| {
+            let now = x;
+            x = rho * x + spread * normal(rng);
+            now
+        })
+        .collect()
+}
+
+/// The kinds of runs that are tried, of deviations about 1.
+pub const SHAPES: usize = 9;
+
+pub fn shaped(shape: usize, n: usize, rng: &mut Pcg32) -> Vec<f64> {
+    let noise = |rng: &mut Pcg32| normal(rng);
+    match shape {
+        0 => (0..n).map(|_| noise(rng)).collect(),
+        1 => autoregression(0.9, n, rng),
+        2 => autoregression(-0.8, n, rng),
+        // A random walk, which has no mean.
+        3 => {
+            let mut x = 0.0;
+            (0..n)
+                .map(|_| {
+                    x += noise(rng) / (n as f64).sqrt();
+                    x
+                })
+                .collect()
+        }
+        4 => (0..n)
+            .map(|i| if i % 2 == 0 { 1.0 } else { -1.0 })
+            .collect(),
+        // A chain that stays most of the time.
+        5 => {
+            let mut x = noise(rng);
+            (0..n)
+                .map(|_| {
+                    if unit(rng) < 0.1 {
+                        x = noise(rng);
+                    }
+                    x
+                })
+                .collect()
+        }
+        // A drift.
+        6 => (0..n)
+            .map(|i| i as f64 / n as f64 + 0.01 * noise(rng))
+            .collect(),
+        // The first is far away, and so is the first centre.
+        7 => (0..n)
+            .map(|i| if i == 0 { 300.0 } else { noise(rng) })
+            .collect(),
+        // A late outlier.
+        _ => (0..n)
+            .map(|i| if i + 1 == n { -300.0 } else { noise(rng) })
+            .collect(),
+    }
+}
