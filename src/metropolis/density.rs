@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::estimate::saturated;
 use crate::tier::{Tier, two_product};
-use crate::warp::{Apart, Warp};
+use crate::warp::{Apart, Warp, representable};
 use core::f32::consts::{LN_2, LOG2_E};
 use core::marker::PhantomData;
 
@@ -30,9 +30,10 @@ mod sealed {
         fn quotient(from: Self, to: Self) -> f32;
         /// to/from, of two positive densities.
         fn quotient_apart(from: Self, to: Self) -> Apart;
-        /// A positive density.
-        fn apart(self) -> Apart;
-        fn of_apart(x: Apart) -> Self;
+        /// Whether this density is the larger one, of two positive ones.
+        fn exceeds(self, other: Self) -> bool;
+        /// A positive density times a number.
+        fn scaled(self, by: Apart) -> Self;
     }
 }
 pub(super) use sealed::Arithmetic;
@@ -74,17 +75,17 @@ impl Arithmetic for f32 {
 
     #[inline]
     fn quotient_apart(from: Self, to: Self) -> Apart {
-        to.apart().over(from.apart())
+        Apart::of(to).over(Apart::of(from))
     }
 
     #[inline]
-    fn apart(self) -> Apart {
-        Apart::of(self)
+    fn exceeds(self, other: Self) -> bool {
+        self > other
     }
 
     #[inline]
-    fn of_apart(x: Apart) -> Self {
-        saturated(x.value())
+    fn scaled(self, by: Apart) -> Self {
+        representable(Apart::of(self).times(by).value())
     }
 }
 
@@ -194,14 +195,16 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
     }
 
     #[inline]
-    fn apart(self) -> Apart {
-        exp_apart::<T>(self.log)
+    fn exceeds(self, other: Self) -> bool {
+        self.log > other.log
     }
 
     #[inline]
-    fn of_apart(x: Apart) -> Self {
-        let (significand, exponent) = x.parts();
-        Self::new(T::ln(significand) + exponent as f32 * LN_2)
+    fn scaled(self, by: Apart) -> Self {
+        let (significand, exponent) = by.parts();
+        Self::new(saturated(
+            self.log + (T::ln(significand) + exponent as f32 * LN_2),
+        ))
     }
 }
 

@@ -15,6 +15,7 @@ use crate::estimate::{Scale, Sum, Tally};
 ///   most. In one of 10⁸ numbers whose mean is 1000 deviations, and in ones of 3·10⁶ at up to 10⁶, it is 9e-8.
 ///
 /// Where correlation outlasts the lags, the time is [`None`]: push every 10th state, say, and multiply by 10.
+/// It is a plain value, but its sums are its own affair: after a reset it begins anew.
 ///
 /// Source: C. J. Geyer, "Practical Markov Chain Monte Carlo", 1992.
 ///
@@ -131,33 +132,30 @@ impl<const LAGS: usize> Health<LAGS> {
     /// same.
     #[must_use]
     pub fn autocorrelation(&self, lag: usize) -> Option<f32> {
-        let variance = self.covariance(0)?;
-        let covariance = self.covariance(lag)?;
-        (variance > 0.0).then(|| (covariance / variance).clamp(-1.0, 1.0))
+        self.autocorrelations()?.nth(lag)
     }
 
     /// The integrated autocorrelation time, 1 + 2Σρₖ: how many steps are worth one independent sample.
     ///
     /// The sum ends where that of two neighbours, ρ₂ₘ + ρ₂ₘ₊₁, is no longer positive, each such pair counting
-    /// at most as much as the one before: of a reversible chain, as this room's are, the true ones are
-    /// positive and decrease. It takes 3 lags or more. It is at least 1/⌊log₂ n⌋.
+    /// at most as much as the one before: of a reversible chain, which one mutation or a
+    /// mixture makes, the true ones are positive and decrease. It takes 3 lags or more; an odd number of them
+    /// is used to the last. It is at least 1/⌊log₂ n⌋.
     ///
-    /// [`None`] if the lags do not reach that far, and where no autocorrelation is known.
+    /// [`None`] if the lags do not reach that far (the autocorrelation at the largest lag is then still
+    /// positive), and where no autocorrelation is known.
     #[must_use]
     pub fn integrated_time(&self) -> Option<f32> {
         let mut time = -1.0;
         let mut before = f32::MAX;
-        let mut lag = 0_usize;
+        let mut autocorrelations = self.autocorrelations()?;
         loop {
-            let even = self.autocorrelation(lag)?;
-            let odd = self.autocorrelation(lag.saturating_add(1))?;
-            let pair = even + odd;
+            let pair = autocorrelations.next()? + autocorrelations.next()?;
             if pair <= 0.0 {
                 break;
             }
             before = if pair < before { pair } else { before };
             time += 2.0 * before;
-            lag = lag.saturating_add(2);
         }
         let log2 = 63_u32.saturating_sub(self.count().leading_zeros());
         let least = 1.0 / log2.max(1) as f32;
@@ -172,35 +170,45 @@ impl<const LAGS: usize> Health<LAGS> {
         Some(self.count() as f32 / self.integrated_time()?)
     }
 
-    /// The sum of the products of differences from the mean, `lag` steps apart.
-    fn covariance(&self, lag: usize) -> Option<f32> {
-        if as_lags(self.count()) <= lag {
-            return None;
-        }
+    /// The autocorrelations from lag 0 on, as far as they are known.
+    fn autocorrelations(&self) -> Option<impl Iterator<Item = f32>> {
         let to_mean = self.sum.value() / self.count() as f32;
-        Some(self.about(lag, self.products_at(lag)?, to_mean).value())
+        let variance = self.about(to_mean).next()?.value();
+        let of_variance = move |sum: Sum| (sum.value() / variance).clamp(-1.0, 1.0);
+        (variance > 0.0).then(|| self.about(to_mean).map(of_variance))
     }
 
-    fn products_at(&self, lag: usize) -> Option<Sum> {
-        match lag.checked_sub(1) {
-            None => Some(self.squares),
-            Some(place) => self.products.get(place).copied(),
-        }
-    }
-
-    /// The sum of products at a lag, had the centre been farther up by `step`.
-    fn about(&self, lag: usize, products: Sum, step: f32) -> Sum {
-        // Σ(d − s)(d′ − s) = Σdd′ − s(Σd + Σd′) + (n − k)s². Both sums are over all but the first or the
-        // last k.
-        let [first, last] = [&self.first, &self.last].map(|ends| {
-            let sum = |sum: Sum, x: &f32| sum.plus(x - self.centre);
-            ends.iter().take(lag).fold(Sum::ZERO, sum).value()
-        });
-        let pairs = self.count().saturating_sub(lag as u64) as f32;
-        products
-            .plus_multiple(self.sum, -2.0 * step)
-            .plus(step * (first + last))
-            .plus(pairs * step * step)
+    /// The sums of products from lag 0 on, had the centre been farther up by `step`; as far as there are
+    /// numbers so many steps apart.
+    fn about(&self, step: f32) -> impl Iterator<Item = Sum> {
+        let Self {
+            centre,
+            first,
+            last,
+            sum,
+            squares,
+            products,
+            ..
+        } = self;
+        // The differences of the first k numbers and of the last k.
+        let mut ends = Sum::ZERO;
+        let farther = first.iter().zip(last).map(Some).chain([None]);
+        let lags = [squares].into_iter().chain(products).zip(farther);
+        let pairs = (0..=self.count()).rev();
+        lags.zip(pairs)
+            .take(as_lags(self.count()))
+            .map(move |((products, next), pairs)| {
+                // Σ(d − s)(d′ − s) = Σdd′ − s(Σd + Σd′) + (n − k)s². Both sums are over all but the first or
+                // the last k.
+                let moved = products
+                    .plus_multiple(*sum, -2.0 * step)
+                    .plus(step * ends.value())
+                    .plus(pairs as f32 * step * step);
+                if let Some((first, last)) = next {
+                    ends = ends.plus(first - centre).plus(last - centre);
+                }
+                moved
+            })
     }
 
     /// Moves the centre to the mean.
@@ -209,19 +217,12 @@ impl<const LAGS: usize> Health<LAGS> {
         // The step that is taken, not the one wished for: far from 0 the centre is rounded.
         let centre = self.centre + self.sum.value() / self.count() as f32;
         let step = centre - self.centre;
-        self.squares = self.about(0, self.squares, step);
-        let mut products = self.products;
-        for (lag, product) in (1..).zip(&mut products) {
-            *product = self.about(lag, *product, step);
-        }
+        let before = *self;
+        let mut moved = before.about(step);
         // A lag that no two numbers are apart has no products, whatever the centre.
-        for product in products
-            .iter_mut()
-            .skip(as_lags(self.count()).saturating_sub(1))
-        {
-            *product = Sum::ZERO;
+        for products in [&mut self.squares].into_iter().chain(&mut self.products) {
+            *products = moved.next().unwrap_or(Sum::ZERO);
         }
-        self.products = products;
         self.sum = self.sum.plus_multiple(Sum::of_count(self.count()), -step);
         self.centre = centre;
     }

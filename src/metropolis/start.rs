@@ -25,7 +25,8 @@ pub struct Start<X, D = f32> {
     /// The run's weight W: an unbiased estimate of the normalisation ∫f, if p is normalised. On the scale of
     /// the density, so of a [`LogDensity`](super::LogDensity) the logarithm.
     pub weight: D,
-    /// Its standard error in proportion to it, estimated from the candidates; [`None`] from a single one.
+    /// Its standard error in proportion to it, estimated from the candidates; [`None`] from a single one. Where
+    /// runs without a start are likely, it is too large for the mean of all runs.
     pub relative_error: Option<f32>,
     /// How many candidates had a positive density.
     pub positive: u32,
@@ -34,6 +35,8 @@ pub struct Start<X, D = f32> {
 /// Candidates seen so far, of which one is held, each with probability in proportion to its weight.
 struct Candidates<X, D> {
     held: Option<(X, D)>,
+    /// The largest density so far: weights are relative to it, since a logarithm may be beyond exponents.
+    base: Option<D>,
     /// The sum of the weights and that of their squares, in units of 2^exponent and of its square.
     sum: Sum,
     squares: Sum,
@@ -44,14 +47,17 @@ struct Candidates<X, D> {
 impl<X: Copy, D: Density> Candidates<X, D> {
     const NONE: Self = Self {
         held: None,
+        base: None,
         sum: Sum::ZERO,
         squares: Sum::ZERO,
         exponent: i32::MIN,
         positive: 0,
     };
 
-    /// Takes in a candidate, and holds it if the word says so.
-    fn offer(&mut self, state: X, density: D, weight: Apart, word: u32) {
+    /// Takes in a candidate of positive density, and holds it if the word says so.
+    fn offer(&mut self, state: X, density: D, pdf: f32, word: u32) {
+        let base = self.base_with(density);
+        let weight = D::quotient_apart(base, density).over(Apart::of(pdf));
         let (_, exponent) = weight.parts();
         if exponent > self.exponent {
             let shrunk = power(self.exponent.saturating_sub(exponent));
@@ -68,6 +74,23 @@ impl<X: Copy, D: Density> Candidates<X, D> {
         }
     }
 
+    /// The base, once this density has been met.
+    fn base_with(&mut self, density: D) -> D {
+        match self.base {
+            Some(base) if !density.exceeds(base) => return base,
+            Some(base) => {
+                let (factor, exponent) = D::quotient_apart(density, base).parts();
+                let times = |sum, factor| Sum::ZERO.plus_multiple(sum, factor);
+                self.sum = times(self.sum, factor);
+                self.squares = times(times(self.squares, factor), factor);
+                self.exponent = self.exponent.saturating_add(exponent);
+            }
+            None => {}
+        }
+        self.base = Some(density);
+        density
+    }
+
     /// At most 2, and 0 if too small to count.
     fn in_units(&self, weight: Apart) -> f32 {
         let (significand, exponent) = weight.parts();
@@ -75,9 +98,9 @@ impl<X: Copy, D: Density> Candidates<X, D> {
     }
 
     fn start(self, candidates: u32) -> Option<Start<X, D>> {
-        let (state, density) = self.held?;
+        let ((state, density), base) = (self.held?, self.base?);
         let count = candidates as f32;
-        // The sum is at least 1, and no more than twice the count.
+        // The sum is positive: the largest weight is at least one unit.
         let weight = Apart::of(self.sum.value() / count).raised(self.exponent);
         let relative_error = (candidates > 1).then(|| {
             let mean = self.sum.value() / count;
@@ -86,7 +109,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
         });
         Some(Start {
             chain: Chain::at(state, density),
-            weight: D::of_apart(weight),
+            weight: base.scaled(weight),
             relative_error,
             positive: self.positive,
         })
@@ -166,8 +189,9 @@ impl<X: Copy, D: Density> Chain<X, D> {
     /// - Memory: one candidate, two sums.
     /// - Words: those of each draw, and one more a candidate.
     /// - A candidate whose density is NaN, infinite or negative counts as one of density 0.
-    /// - Error of the weight: that of the quotients f/p, and 2⁻²³; where `f32` overflows, it is the largest one. The
-    ///   probabilities are realised in steps of 2⁻³² a candidate.
+    /// - Error of the weight: that of the quotients f/p, and 3e-7; of a logarithm that absolute, and its own
+    ///   rounding. Beyond the range of `f32`, it is the nearest positive one. The probabilities are realised
+    ///   in steps of 2⁻³² a candidate.
     ///
     /// Source: E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997.
     ///
@@ -195,7 +219,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
             }
             let density = target(state);
             if density.standing() == Standing::Positive {
-                seen.offer(state, density, density.apart().over(Apart::of(pdf)), word);
+                seen.offer(state, density, pdf, word);
             }
         }
         seen.start(candidates)

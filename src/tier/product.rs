@@ -150,7 +150,9 @@ pub(crate) fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
     }
     let quotient = b / a;
     if (f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) && a >= f32::MIN_POSITIVE {
-        let short = remainder(b, quotient, a) / b;
+        // Halved where the product of the quotient and a, which rounding may take above b, could overflow.
+        let half = if b > 1.0 { 0.5 } else { 1.0 };
+        let short = remainder(half * b, quotient, half * a) / (half * b);
         let log = T::ln(quotient);
         return two_sum(log, log_residual::<T>(quotient, log) + short);
     }
