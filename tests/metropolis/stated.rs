@@ -31,7 +31,12 @@ pub fn assert_stated(what: &str, measured: f64, stated: f64) {
 
 /// The error of an autocorrelation, as its documentation states it in a line of the text.
 pub fn stated_error(source: &str) -> f64 {
-    let (_, rest) = source.split_once("Error of an autocorrelation: ").unwrap();
+    after(source, "Error of an autocorrelation: ")
+}
+
+/// The number that follows some words in a text, up to a comma.
+pub fn after(source: &str, words: &str) -> f64 {
+    let (_, rest) = source.split_once(words).unwrap();
     let figure = rest.split(',').next().unwrap();
     figure.trim().parse().unwrap()
 }
