@@ -14,6 +14,7 @@
 //! | [`BoxStep`] | ℝᴰ | x + a step, uniform in a box | 1 | one a coordinate |
 //! | [`NormalStep`] | ℝᴰ | x + a normal step | 1 | one a coordinate |
 //! | [`ExponentialStep`] | ℝᴰ | x + a step of any size within bounds, on a logarithmic scale | 1 | one a coordinate |
+//! | [`Walk`] | ℝᴰ | x + a step of a law of one's own | 1 | one a coordinate |
 //! | [`Wrapped`] | unit cube | the same steps, modulo 1 | 1 | those of the step |
 //! | [`Subset`] | ℝᴰ, unit cube | changes of some coordinates | that of the change | those of the change |
 //! | [`OneCoordinate`] | ℝᴰ, unit cube | a change of one coordinate, picked at random | that of the change | 1, and those of the change |
@@ -58,7 +59,7 @@ pub use self::chain::{Chain, Saved};
 pub use self::coordinates::Coordinates;
 pub use self::correction::{Correction, Ratio, Symmetric};
 pub use self::density::{Density, LogDensity, primary_density};
-pub use self::displacement::{BoxStep, Displacement, ExponentialStep, NormalStep};
+pub use self::displacement::{BoxStep, Displacement, ExponentialStep, NormalStep, Walk};
 pub use self::health::Health;
 pub use self::independence::{Independence, Source, UniformStep};
 pub use self::index::{TransitionTable, UniformIndex};

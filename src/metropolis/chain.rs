@@ -193,6 +193,23 @@ impl<X: Copy, D: Density> Chain<X, D> {
     }
 
     /// Likewise with a generator that cannot fail.
+    ///
+    /// ```
+    /// use core::num::NonZeroU32;
+    /// use microwarp::metropolis::{Chain, Outcome, UniformStep};
+    /// use rand_pcg::Pcg32;
+    /// let spike = |x: f32| if x < 0.01 { 1e6 } else { 1.0 };
+    /// let limit = NonZeroU32::new(100).ok_or(microwarp::Error::NotPositive)?;
+    /// let (mut chain, mut rng) = (Chain::new(0.0, spike)?, Pcg32::new(1, 1));
+    /// let mut forced = 0;
+    /// for _ in 0..10_000 {
+    ///     let step = chain.step_limited(spike, &UniformStep::new(), limit, &mut rng);
+    ///     forced += u32::from(step.outcome == Outcome::Forced);
+    ///     assert!(chain.rejected_in_a_row() <= 100);
+    /// }
+    /// assert!(forced > 10); // here the limit decides, and the bias is large
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
     #[inline]
     pub fn step_limited<M, R>(
         &mut self,

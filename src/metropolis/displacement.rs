@@ -9,7 +9,9 @@ use rand_core::TryRng;
 
 /// The law of a step along each coordinate, as likely as its negative to the last bit.
 ///
-/// A pure function of one word: the word with all bits inverted gives the negative step.
+/// A pure function of one word: the word with all bits inverted gives the negative step. The three of this crate
+/// are mutations of points of ℝᴰ; one of your own becomes one by [`Walk`], and each becomes one of the unit cube
+/// by [`Wrapped`](super::Wrapped).
 pub trait Displacement<X> {
     /// The step along coordinate `axis`, counted from 0, of one word.
     #[must_use]
@@ -75,7 +77,7 @@ pub struct BoxStep<X> {
 }
 
 impl<X: Coordinates> BoxStep<X> {
-    /// Steps from −width/2 to width/2 along each coordinate. A width of 0 leaves a coordinate as it is.
+    /// Steps from −width/2 to width/2 along each coordinate. A width of 0 leaves a coordinate where it is.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0.
@@ -123,7 +125,7 @@ pub struct NormalStep<X, T> {
 }
 
 impl<X: Coordinates, T: Tier> NormalStep<X, T> {
-    /// Steps with these standard deviations along the coordinates. One of 0 leaves a coordinate as it is.
+    /// Steps with these standard deviations along the coordinates. One of 0 leaves a coordinate where it is.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0; [`Error::TooLarge`]
@@ -188,7 +190,7 @@ impl<T: Tier> ExponentialStep<T> {
     /// Steps of the sizes from `smallest` to `largest`, along every coordinate.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Reversed`] if the smallest is not the smaller.
+    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Reversed`] if the smallest is above the largest.
     pub fn new(smallest: f32, largest: f32) -> Result<Self, Error> {
         if positive(smallest)? > positive(largest)? {
             return Err(Error::Reversed);
@@ -249,4 +251,55 @@ walks! {
     [] BoxStep<X>;
     [T] NormalStep<X, T>;
     [T] ExponentialStep<T>;
+}
+
+/// Proposes x plus a step of a law of one's own, along each coordinate.
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`.
+/// - Words: one a coordinate.
+/// - T(x→x′) = T(x′→x), but for the rounding of x + step.
+/// - A proposal beyond the range of `f32` stays at x instead.
+///
+/// ```
+/// use microwarp::metropolis::{Displacement, Mutation, Walk};
+/// use rand_pcg::Pcg32;
+///
+/// /// A quarter up or down.
+/// struct Quarter;
+///
+/// impl Displacement<f32> for Quarter {
+///     fn displacement(&self, _: usize, word: u32) -> f32 {
+///         if word >> 31 == 0 { 0.25 } else { -0.25 }
+///     }
+/// }
+///
+/// let Ok(proposal) = Walk::new(Quarter).try_propose(1.0, &mut Pcg32::new(1, 1));
+/// assert!(proposal.state == 0.75 || proposal.state == 1.25);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Walk<L> {
+    law: L,
+}
+
+impl<L> Walk<L> {
+    /// The steps of this law.
+    #[must_use]
+    #[inline]
+    pub const fn new(law: L) -> Self {
+        Self { law }
+    }
+}
+
+impl<X: Coordinates, L: Displacement<X>> Mutation<X> for Walk<L> {
+    type Correction = Symmetric;
+
+    #[inline]
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: X,
+        rng: &mut R,
+    ) -> Result<Proposal<X, Symmetric>, R::Error> {
+        walked(&self.law, from, rng)
+    }
 }

@@ -93,8 +93,8 @@ tuples! {
 /// Proposes by one of N mutations, picked at each step with a fixed probability.
 ///
 /// Each of them keeps the target stationary by itself, with its own ratio, and so does the mixture; where one
-/// alone would not reach every state, or be slow to, another one can. Their frequencies are of little
-/// importance.
+/// alone would not reach every state, or be slow to, another one can. Their frequencies change
+/// how soon, not what the chain converges to.
 ///
 /// - States: those of the mutations.
 /// - Words: one, which picks, and those of the mutation picked.
@@ -149,7 +149,7 @@ impl<M, const N: usize> Mixture<M, N> {
 /// kind 1.
 ///
 /// The states proposed by large steps are uniform in the cube, whatever becomes of them: the mean of their
-/// densities estimates the normalisation.
+/// densities estimates the normalisation. (A refused one counts in it as 0.)
 pub type LargeSmall<S> = Mixture<(UniformStep, S), 2>;
 
 impl<S> LargeSmall<S> {

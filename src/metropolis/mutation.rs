@@ -11,7 +11,7 @@ pub struct Proposal<X, C> {
     pub state: X,
     /// T(x′→x)/T(x→x′).
     pub correction: C,
-    /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 of any other.
+    /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 without one.
     pub kind: u32,
 }
 

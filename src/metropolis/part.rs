@@ -26,7 +26,8 @@ pub struct Subset<M, const K: usize, const D: usize> {
 }
 
 impl<M, const K: usize, const D: usize> Subset<M, K, D> {
-    /// Changes the coordinates `axes`, counted from 0, which are handed to the mutation in this order.
+    /// Changes the coordinates `axes`, counted from 0, which are handed to the mutation in this order. (Of a
+    /// mutation that is not `Copy`, a reference will do.)
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a coordinate that does not exist or is named twice, and without any.

@@ -18,7 +18,9 @@ pub enum Outcome {
 /// One step of a chain: both states it dealt with, and how much each counts.
 ///
 /// Of a run, either record [`Step::state`] for each step, or [`Step::recorded`], which has the same
-/// expectation and no more variance from the decision.
+/// expectation, and usually less variance: what was proposed counts even if it was not accepted.
+///
+/// Source: E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997.
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, UniformIndex};
@@ -52,7 +54,7 @@ pub struct Step<X, D = f32> {
     pub acceptance: f32,
     /// What became of it.
     pub outcome: Outcome,
-    /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 of any other.
+    /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 without one.
     pub kind: u32,
 }
 

@@ -52,6 +52,9 @@ pub fn wrapping_add(uniform: f32, step: f32) -> f32 {
 ///   move.)
 /// - Words: one a coordinate.
 ///
+/// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
+/// Metropolis Light Transport Algorithm", 2002.
+///
 /// ```
 /// use microwarp::metropolis::{BoxStep, Mutation, Wrapped};
 /// use rand_pcg::Pcg32;

@@ -19,7 +19,7 @@ pub const SLACK: f32 = 8.0 * f32::EPSILON;
 /// - Range: that of the proposal, where f > 0. A point where f is 0 is never accepted.
 /// - Density: f/∫f. The probability of acceptance is the `f32` f/(c p), exact to 2 ulp whatever the
 ///   magnitudes (nothing overflows or underflows on the way), rounded to a multiple of 2⁻³²; so a ratio
-///   of 2⁻³⁴ or less is never accepted and a ratio of 1 always.
+///   below 2⁻³³ is never accepted and a ratio of 1 always.
 /// - Efficiency: (∫f)/c.
 ///
 /// The bound is checked at every point that is proposed, and f above it by more than [`SLACK`] is reported

@@ -144,6 +144,14 @@ fn accepted_extremes_are_total() {
         "narrowest normal" => poly::Normal::new(0.0, 1.0e-38);
         "narrow normal far away" => poly::Normal::new(1.0e30, 1.0e-30);
     }
+    // The product of a quotient and its divisor may be rounded beyond the largest float.
+    for start in (0..1000_u16).map(|i| 1.0 + f32::from(i) * 0.001_7) {
+        line("power from 1 or more to the largest float", &|u| {
+            let warp = poly::Power::new(-1.0, start, f32::MAX).unwrap();
+            let x = warp.sample(u);
+            (x, warp.pdf(x))
+        });
+    }
     for n in [0.0, TINY, 1.0e20, f32::MAX] {
         let lobe = poly::PhongLobe::new(n).unwrap();
         for u in edge {

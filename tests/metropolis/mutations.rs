@@ -61,6 +61,24 @@ fn refusals<T: Tier>() {
     }
 }
 
+/// The quotient of the sizes, times the smaller one, may be rounded beyond the largest `f32`.
+#[test]
+fn sizes_up_to_the_largest_number_are_sizes() {
+    let mut rng = Pcg32::new(17, 1);
+    for _ in 0..100_000 {
+        let smallest = f32::from_bits(rng.next_u32() % f32::MAX.to_bits() + 1);
+        for word in [0, u32::MAX / 3, u32::MAX / 2] {
+            let step = ExponentialStep::<Poly>::new(smallest, f32::MAX).unwrap();
+            let size = Displacement::<f32>::displacement(&step, 0, word);
+            // Rounded, a size may lie a few units beyond the bounds.
+            assert!(
+                size >= 0.999_999 * smallest && size <= f32::MAX,
+                "{smallest:e}"
+            );
+        }
+    }
+}
+
 #[test]
 fn impossible_steps_are_refused() {
     widths_refused(|w| BoxStep::new(w).err());

@@ -134,6 +134,9 @@ fn exponential_errors<T: Tier>(column: usize) {
         (1e-40, 1e-39),
         (1.1e-40, 1.2e-40),
         (1.3e-38, f32::MAX),
+        (1.08, f32::MAX),
+        (1.7, f32::MAX),
+        (2.6e9, f32::MAX),
     ] {
         let law = exponential::<T>(smallest, largest);
         let (relative, spacings) = sizes_off(&law, smallest.into(), largest.into(), stated);
