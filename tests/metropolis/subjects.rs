@@ -202,7 +202,7 @@ where
     let step = poly::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
     let mutation = Mixture::large_small(0.2, Wrapped::new(step)).unwrap();
     let lobe = chain(name, lobe_cells(z), [0.9, 0.1], target, mutation);
-    lobe.planned(Plan { stride: 4, ..PLAN })
+    lobe.planned(Plan { stride: 10, ..PLAN })
 }
 
 fn in_the_plane() -> Vec<Subject> {
