@@ -12,15 +12,25 @@ mod binary;
 #[path = "metropolis/bits.rs"]
 mod bits;
 mod catalogue;
+#[path = "metropolis/cells.rs"]
+mod cells;
 #[path = "metropolis/chains.rs"]
 mod chains;
 #[path = "metropolis/counterexamples.rs"]
 mod counterexamples;
+#[path = "metropolis/densities.rs"]
+mod densities;
 mod drivers;
 #[path = "metropolis/enumeration.rs"]
 mod enumeration;
+#[path = "metropolis/evidence.rs"]
+mod evidence;
 #[path = "metropolis/exact.rs"]
 mod exact;
+#[path = "metropolis/flawed_rules.rs"]
+mod flawed_rules;
+#[path = "metropolis/flaws.rs"]
+mod flaws;
 #[path = "metropolis/health.rs"]
 mod health;
 #[path = "metropolis/laws.rs"]
@@ -35,6 +45,8 @@ mod logarithms;
 mod long;
 #[path = "metropolis/long_health.rs"]
 mod long_health;
+#[path = "metropolis/long_record.rs"]
+mod long_record;
 #[path = "metropolis/matrices.rs"]
 mod matrices;
 #[path = "metropolis/mixtures.rs"]
@@ -49,6 +61,8 @@ mod parts;
 mod r_hat;
 #[path = "metropolis/refusals.rs"]
 mod refusals;
+#[path = "metropolis/runs.rs"]
+mod runs;
 #[path = "metropolis/saved.rs"]
 mod saved;
 #[path = "metropolis/series.rs"]
@@ -57,10 +71,16 @@ mod series;
 mod spectrum;
 #[path = "metropolis/start.rs"]
 mod start;
+#[path = "metropolis/start_choice.rs"]
+mod start_choice;
+#[path = "metropolis/start_weights.rs"]
+mod start_weights;
 #[path = "metropolis/stated.rs"]
 mod stated;
 #[path = "metropolis/step_errors.rs"]
 mod step_errors;
+#[path = "metropolis/subjects.rs"]
+mod subjects;
 #[path = "metropolis/targets.rs"]
 mod targets;
 #[path = "metropolis/times.rs"]

@@ -1,1 +1,211 @@
-//! A hundred million steps.
+//! A hundred million steps: nothing drifts, nothing sticks, nothing is lost.
+
+use crate::catalogue::stats;
+use crate::evidence::{assert_passes, assert_rejected, hotelling};
+use crate::long_record::{Setting, assert_sound};
+use microwarp::metropolis::{
+    BoxStep, Chain, LargeSmall, Mixture, Mutation, Proposal, Ratio, Saved, Wrapped,
+};
+use rand_core::TryRng;
+use rand_pcg::Pcg32;
+
+/// The p-values that are computed in this file: four of the normalisation and two of cells; two of cells.
+pub const P_VALUES: usize = 8;
+
+const STEPS: u64 = 100_000_000;
+
+fn parabola(x: f32) -> f32 {
+    (x - 0.5) * (x - 0.5)
+}
+
+const CELLS: usize = 32;
+
+/// The probabilities of 32 cells of equal width, of (x − c)².
+fn probabilities(c: f64) -> Vec<f64> {
+    let below = |i: usize| (i as f64 / CELLS as f64 - c).powi(3);
+    let all = below(CELLS) - below(0);
+    (0..CELLS)
+        .map(|i| (below(i + 1) - below(i)) / all)
+        .collect()
+}
+
+fn mutation() -> LargeSmall<Wrapped<BoxStep<f32>>> {
+    Mixture::large_small(0.1, Wrapped::new(BoxStep::new(0.1).unwrap())).unwrap()
+}
+
+fn setting(steps: u64) -> Setting<impl Fn(f32) -> f32, impl Fn(f32) -> usize, impl Fn(f32) -> f32> {
+    Setting {
+        target: parabola,
+        domain: 0.0..=1.0 - f32::EPSILON / 2.0,
+        cells: CELLS,
+        cell: |x: f32| (x * CELLS as f32) as usize,
+        watched: |x| x,
+        steps,
+    }
+}
+
+/// The probability to stay at x, by the midpoint rule.
+fn staying(x: f64) -> f64 {
+    let square = |x: f64| (x - 0.5) * (x - 0.5);
+    let nodes = |count: usize| (0..count).map(move |i| (i as f64 + 0.5) / count as f64);
+    let accepted = |y: f64| (square(y) / square(x)).min(1.0);
+    let large = nodes(500).map(accepted).sum::<f64>() / 500.0;
+    let small = nodes(500).map(|t| accepted((x + 0.1 * (t - 0.5)).rem_euclid(1.0)));
+    1.0 - 0.1 * large - 0.9 * small.sum::<f64>() / 500.0
+}
+
+/// Lengths that the longest stay can hardly fall short of, nor exceed.
+fn plausible_stays() -> std::ops::RangeInclusive<u32> {
+    let places = (0..400).map(|i| (f64::from(i) + 0.5) / 400.0);
+    let stays: Vec<[f64; 2]> = places
+        .map(|x| [3.0 * (2.0 * x - 1.0).powi(2) / 400.0, staying(x)])
+        .collect();
+    // How many stays of a length are expected, each begun by a move; and at most, wherever the chain is.
+    let expected = |length: i32| -> f64 {
+        let terms = stays.iter().map(|[p, r]| p * (1.0 - r) * r.powi(length));
+        STEPS as f64 * terms.sum::<f64>()
+    };
+    let worst = stays.iter().map(|s| s[1]).fold(staying(0.0), f64::max);
+    let least = (1..).take_while(|l| expected(*l) > 100.0).last().unwrap();
+    let most = (1..)
+        .find(|l| STEPS as f64 * worst.powi(*l) < 1e-9)
+        .unwrap();
+    least as u32..=most as u32
+}
+
+#[test]
+fn a_hundred_million_steps_leave_the_chain_as_it_should_be() {
+    let mut rng = Pcg32::new(8, 8);
+    let mut chain = Chain::new(0.1, parabola).unwrap();
+    chain.burn_in(parabola, &mutation(), 10_000, &mut rng);
+    let mutation = mutation();
+    let record = setting(STEPS).record(|target| {
+        let step = chain.step(target, &mutation, &mut rng);
+        (step, chain)
+    });
+    assert_sound(&record, &chain, STEPS);
+    let plausible = plausible_stays();
+    println!("longest stay {}, plausible {plausible:?}", record.longest);
+    assert!(plausible.contains(&record.longest));
+    for (way, shares) in ["plain", "weighted"].into_iter().zip(&record.shares) {
+        assert_passes(way, &[hotelling(shares, &probabilities(0.5))]);
+        assert_rejected("off by 0.001", &[hotelling(shares, &probabilities(0.501))]);
+    }
+    // Of uniform x, (x − ½)² has the mean 1/12 and the variance 1/80 − 1/144.
+    let (mean, variance) = (1.0 / 12.0, 1.0 / 80.0 - 1.0 / 144.0);
+    let z = |(count, sum): (f64, f64)| (sum / count - mean) / (variance / count).sqrt();
+    let [first, last] = [record.large[0], record.large[9]];
+    let all = record
+        .large
+        .iter()
+        .fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
+    let drift = |first: (f64, f64), last: (f64, f64)| (z(last) - z(first)) / 2_f64.sqrt();
+    let [a, b, c] = [first, last, all].map(|x| x.1 / x.0);
+    println!("integral {a:.7} at first, {b:.7} at last, {c:.7} in all, exact {mean:.7}");
+    let z_values = [z(first), z(last), drift(first, last), z(all)];
+    assert_passes("normalisation", &z_values.map(stats::two_sided));
+    // The control: densities that grow by 1e-10 a step, 1 % in the end.
+    let grown = (last.0, last.1 * (1.0 + 0.95 * STEPS as f64 * 1e-10));
+    assert_rejected(
+        "a drift of 1e-10 a step",
+        &[stats::two_sided(drift(first, grown))],
+    );
+}
+
+/// The control of the record: a cached density that drifts by one place a step is seen.
+#[test]
+fn a_density_that_drifts_is_noticed() {
+    let mut rng = Pcg32::new(9, 9);
+    let mut chain = Chain::new(0.1, parabola).unwrap();
+    let mutation = mutation();
+    let steps = 40_000;
+    let record = setting(steps).record(|target| {
+        let step = chain.step(target, &mutation, &mut rng);
+        let saved = chain.save();
+        let density = saved.density * (1.0 + f32::EPSILON);
+        chain = Chain::resume(Saved { density, ..saved }).unwrap();
+        (step, chain)
+    });
+    println!("drifting: {} of {steps} steps stale", record.stale);
+    assert!(record.stale > steps / 2);
+    // A chain that is stuck is one whose stays are beyond what is plausible.
+    let mut stuck = Chain::resume(Saved {
+        density: 1e30,
+        ..chain.save()
+    })
+    .unwrap();
+    let record = setting(steps).record(|target| {
+        let step = stuck.step(target, &mutation, &mut rng);
+        (step, stuck)
+    });
+    assert!(!plausible_stays().contains(&record.longest));
+}
+
+/// Up or down by 1 to 64 octaves, unless that leads beyond ±126; as dense, with respect to length, as 1/x′.
+struct Octaves;
+
+/// The exponent of a power of two.
+fn octave(x: f32) -> i32 {
+    (x.to_bits() >> 23) as i32 - 127
+}
+
+impl Mutation<f32> for Octaves {
+    type Correction = Ratio;
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: f32,
+        rng: &mut R,
+    ) -> Result<Proposal<f32, Ratio>, R::Error> {
+        let word = rng.try_next_u32()?;
+        let by = 1 + (word >> 26) as i32;
+        let to = octave(from) + if word & 0x0200_0000 == 0 { by } else { -by };
+        if to.abs() > 126 {
+            return Ok(Proposal::new(from, Ratio::ONE));
+        }
+        let to = f32::from_bits(((to + 127) as u32) << 23);
+        Ok(Proposal::new(to, Ratio::new(1.0 / to, 1.0 / from)))
+    }
+}
+
+/// The weight of an octave.
+fn weight(octave: i32) -> f32 {
+    1.0 + (octave + 1).rem_euclid(3) as f32
+}
+
+/// Densities from 1e-38 to 1.7e38, none of them rare: the proposals make up for them.
+#[test]
+fn densities_of_all_magnitudes_meet_in_one_chain() {
+    let mut chain = Chain::new(1.0, |x| weight(octave(x)) / x).unwrap();
+    let mut rng = Pcg32::new(10, 10);
+    let mut met = [f32::MAX, 0.0];
+    let setting = Setting {
+        target: |x: f32| weight(octave(x)) / x,
+        domain: 2_f32.powi(-126)..=2_f32.powi(126),
+        cells: 23,
+        cell: |x: f32| (octave(x) + 126) as usize / 11,
+        watched: |x: f32| octave(x) as f32,
+        steps: STEPS,
+    };
+    let record = setting.record(|target| {
+        let step = chain.step(target, &Octaves, &mut rng);
+        met = [met[0].min(chain.density()), met[1].max(chain.density())];
+        (step, chain)
+    });
+    println!("densities from {:e} to {:e}", met[0], met[1]);
+    assert!(met[0] < 3e-38 && met[1] > 1e38);
+    assert_sound(&record, &chain, STEPS);
+    let weights: Vec<f64> = (-126..=126).map(|e| f64::from(weight(e))).collect();
+    let total: f64 = weights.iter().sum();
+    let exact: Vec<f64> = weights
+        .chunks(11)
+        .map(|c| c.iter().sum::<f64>() / total)
+        .collect();
+    for (way, shares) in ["plain", "weighted"].into_iter().zip(&record.shares) {
+        assert_passes(way, &[hotelling(shares, &exact)]);
+        // The control: one octave more or less.
+        let mut other = exact.clone();
+        other[3] += 0.001;
+        other[4] -= 0.001;
+        assert_rejected("0.1 % moved", &[hotelling(shares, &other)]);
+    }
+}

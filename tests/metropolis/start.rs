@@ -1,1 +1,231 @@
-//! The start-up bias and its two cures.
+//! The start-up bias and its two cures, measured over many short runs of a slow chain.
+
+use crate::evidence::{assert_passes, assert_rejected, p_value_of_mean};
+use crate::start_weights;
+use microwarp::metropolis::{BoxStep, Chain, UniformStep};
+use rand_pcg::Pcg32;
+use std::sync::OnceLock;
+
+/// No fewer than the p-values that are computed here; `p_values_are_counted` counts them.
+pub const P_VALUES: usize = 120;
+
+#[test]
+fn p_values_are_counted() {
+    // Two functions at each length of a run, of each count of candidates and of the long burn-in; one
+    // comparison of burn-ins; then the weights.
+    let lengths = 2 * LENGTHS.len() * (CANDIDATES.len() + 1);
+    let computed = lengths + 1 + CANDIDATES.len() + start_weights::P_VALUES;
+    assert!(computed <= P_VALUES, "{computed}");
+}
+
+/// (x − ½)² between ¼ and 1: two humps of 1/9 and 8/9 of the mass, and nothing below.
+pub fn humps(x: f32) -> f32 {
+    if (0.25..1.0).contains(&x) {
+        (x - 0.5) * (x - 0.5)
+    } else {
+        0.0
+    }
+}
+
+/// Its integral, (1/8 + 1/64)/3.
+pub const INTEGRAL: f64 = 0.046_875;
+
+/// What is asked of a state: whether it is on the greater hump, and its place.
+fn asked(x: f32) -> [f64; 2] {
+    [if x > 0.5 { 1.0 } else { 0.0 }, f64::from(x)]
+}
+
+/// The same under the target: ∫x(x − ½)² from ¼ to 1 is (½)⁴/4 − (¼)⁴/4 and half of the integral.
+const TRUE: [f64; 2] = [8.0 / 9.0, 0.5 + (1.0 / 64.0 - 1.0 / 1024.0) / INTEGRAL];
+
+const RUNS: usize = 30_000;
+/// Steps after which a run is looked at.
+const LENGTHS: [u32; 10] = [0, 1, 2, 5, 10, 20, 50, 100, 200, 400];
+const CANDIDATES: [u32; 4] = [1, 4, 16, 64];
+
+/// Sums over runs: of a number, and of its square.
+#[derive(Clone, Copy, Default)]
+pub struct Sums(f64, f64);
+
+impl Sums {
+    pub fn add(&mut self, x: f64) {
+        self.0 += x;
+        self.1 += x * x;
+    }
+
+    pub fn mean(&self, count: usize) -> f64 {
+        self.0 / count as f64
+    }
+
+    pub fn variance(&self, count: usize) -> f64 {
+        self.1 / count as f64 - self.mean(count).powi(2)
+    }
+
+    pub fn p_value(&self, count: usize, exact: f64) -> f64 {
+        p_value_of_mean(self.0, self.1, count as f64, exact)
+    }
+}
+
+/// Over many runs of one kind, by length.
+struct Table {
+    /// What is asked, with the weight of the run: 0 of a run without a start.
+    weighted: Vec<[Sums; 2]>,
+    /// The same without weights, over the runs that have a start.
+    plain: Vec<[Sums; 2]>,
+    weights: Sums,
+    started: usize,
+}
+
+impl Table {
+    fn p_values(&self, exact: [f64; 2], sums: &[[Sums; 2]], count: usize) -> Vec<f64> {
+        let both = sums.iter().flat_map(|s| s.iter().zip(exact));
+        both.map(|(sums, exact)| sums.p_value(count, exact))
+            .collect()
+    }
+
+    /// Of W g(X) against ∫fg, at all lengths.
+    fn weighted(&self) -> Vec<f64> {
+        self.p_values(TRUE.map(|g| g * INTEGRAL), &self.weighted, RUNS)
+    }
+
+    /// Of g(X) against ∫fg/∫f.
+    fn plain(&self) -> Vec<f64> {
+        self.p_values(TRUE, &self.plain, self.started)
+    }
+
+    /// The bias in percent of the truth, of the share on the greater hump.
+    fn biases(&self, weighted: bool) -> String {
+        let (sums, count, exact) = if weighted {
+            (&self.weighted, RUNS, TRUE[0] * INTEGRAL)
+        } else {
+            (&self.plain, self.started, TRUE[0])
+        };
+        let bias = |s: &[Sums; 2]| 100.0 * (s[0].mean(count) / exact - 1.0);
+        sums.iter().map(|s| format!("{:8.2}", bias(s))).collect()
+    }
+}
+
+/// Runs of chains that `start` finds, each with its weight.
+fn runs(seed: u64, start: impl Fn(&mut Pcg32) -> Option<(Chain<f32>, f32)>) -> Table {
+    let step = BoxStep::new(0.4).unwrap();
+    let mut table = Table {
+        weighted: vec![Default::default(); LENGTHS.len()],
+        plain: vec![Default::default(); LENGTHS.len()],
+        weights: Sums::default(),
+        started: 0,
+    };
+    for run in 0..RUNS {
+        let mut rng = Pcg32::new(seed, run as u64);
+        let Some((mut chain, weight)) = start(&mut rng) else {
+            continue;
+        };
+        table.started += 1;
+        table.weights.add(weight.into());
+        for (row, length) in LENGTHS.into_iter().enumerate() {
+            while chain.steps() < length.into() {
+                chain.step(humps, &step, &mut rng);
+            }
+            for (i, g) in asked(chain.state()).into_iter().enumerate() {
+                table.plain[row][i].add(g);
+                table.weighted[row][i].add(f64::from(weight) * g);
+            }
+        }
+    }
+    table
+}
+
+/// On the lesser hump.
+fn badly_started(burn_in: u32) -> Table {
+    let step = BoxStep::new(0.4).unwrap();
+    runs(300 + u64::from(burn_in), |rng| {
+        let mut chain = Chain::new(0.3, humps).unwrap();
+        chain.burn_in(humps, &step, burn_in, rng);
+        Some((chain, 1.0))
+    })
+}
+
+/// By the counts of candidates.
+fn resampled() -> &'static [Table; 4] {
+    static TABLES: OnceLock<[Table; 4]> = OnceLock::new();
+    TABLES.get_or_init(|| {
+        CANDIDATES.map(|count| {
+            runs(700 + u64::from(count), |rng| {
+                let start = Chain::resample(humps, &UniformStep::new(), count, rng).ok()?;
+                Some((start.chain, start.weight))
+            })
+        })
+    })
+}
+
+/// Printed as the head of each table.
+fn head() -> String {
+    LENGTHS.map(|k| format!("{k:8}")).concat()
+}
+
+#[test]
+fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
+    println!("bias in %, k =              {}", head());
+    let tables = [0, 10, 100, 2000].map(|steps| (steps, badly_started(steps)));
+    for (steps, table) in &tables {
+        println!("bad start, burn-in {steps:4}     {}", table.biases(false));
+    }
+    let at = |table: &Table, row: usize| table.plain()[2 * row..2 * row + 2].to_vec();
+    let [bad, short, longer, long] = tables.map(|(_, table)| table);
+    // The bias is still there after 100 steps. (Before the first all states are the same: no spread to judge by.)
+    for row in 1..8 {
+        assert_rejected("a bad start", &at(&bad, row));
+        assert_rejected("10 steps of burn-in", &at(&short, row));
+    }
+    assert_rejected("100 steps of burn-in", &at(&longer, 0));
+    assert_passes("2000 steps of burn-in", &long.plain());
+    // Steps of the burn-in and steps after are the same steps.
+    let [k100, after_burn_in] =
+        [(&bad, 7), (&longer, 0)].map(|(t, row)| t.plain[row][0].mean(RUNS));
+    let spread = (0.25 / RUNS as f64).sqrt() * 2_f64.sqrt();
+    assert_passes(
+        "100 steps",
+        &[crate::catalogue::stats::two_sided(
+            (k100 - after_burn_in) / spread,
+        )],
+    );
+}
+
+#[test]
+fn a_weighted_start_is_unbiased_after_any_number_of_steps() {
+    println!("bias in %, k =              {}", head());
+    for (count, table) in CANDIDATES.into_iter().zip(resampled()) {
+        println!("{count:2} candidates, weighted     {}", table.biases(true));
+        println!("{count:2} candidates, not weighted {}", table.biases(false));
+    }
+    for (count, table) in CANDIDATES.into_iter().zip(resampled()) {
+        assert_passes(&format!("{count} candidates"), &table.weighted());
+        let mean = table.weights.mean(RUNS);
+        println!("mean weight {mean:.6}, exact {INTEGRAL:.6}");
+        assert_passes("mean weight", &[table.weights.p_value(RUNS, INTEGRAL)]);
+    }
+}
+
+/// The controls: without weights a start by few candidates is biased.
+#[test]
+fn a_start_without_its_weight_is_biased() {
+    for table in &resampled()[..2] {
+        assert_rejected("without the weight", &table.plain()[..2]);
+    }
+    // One candidate is not even better than a source that knows nothing.
+    let [one, four, ..] = resampled();
+    let bias = |t: &Table| (t.plain[0][0].mean(t.started) - TRUE[0]).abs();
+    assert!(bias(four) < bias(one));
+}
+
+/// A run without a start counts as 0, or a quarter of a single candidate's weight comes on top.
+#[test]
+fn runs_without_a_start_count_as_zero() {
+    let [one, ..] = resampled();
+    let none = RUNS - one.started;
+    let spread = (0.25 * 0.75 * RUNS as f64).sqrt();
+    println!("{none} of {RUNS} without a start");
+    assert!((none as f64 - 0.25 * RUNS as f64).abs() <= 6.0 * spread);
+    assert_rejected("left out", &[one.weights.p_value(one.started, INTEGRAL)]);
+    let left_out = one.p_values(TRUE.map(|g| g * INTEGRAL), &one.weighted, one.started);
+    assert_rejected("left out", &left_out);
+}

@@ -1,1 +1,107 @@
-//! Continuous targets, with controls that must be rejected.
+//! Continuous and discrete targets: every chain has the distribution that it should, in plain states, in weighted
+//! ones and in states far apart. How that is judged, and why correlated states can be, `evidence` says.
+
+use crate::evidence::{assert_passes, assert_rejected, p_value_of_uniforms};
+use crate::runs::{Outcome, PLAN, Plan};
+use crate::subjects;
+use std::sync::OnceLock;
+
+/// No fewer than the p-values that are computed in this file; `p_values_are_counted` counts them.
+pub const P_VALUES: usize = 80;
+
+#[test]
+fn p_values_are_counted() {
+    // Three a chain, and three of the calibration.
+    let computed = 3 * subjects::all().len() + 3;
+    assert!(computed <= P_VALUES, "{computed}");
+}
+
+fn outcomes() -> &'static [(&'static str, Plan, Outcome)] {
+    static OUTCOMES: OnceLock<Vec<(&'static str, Plan, Outcome)>> = OnceLock::new();
+    OUTCOMES.get_or_init(|| {
+        let seeded = subjects::all().into_iter().zip(500..);
+        let run = |(s, seed): (subjects::Subject, u64)| (s.name, s.plan, s.run(seed));
+        seeded.map(run).collect()
+    })
+}
+
+#[test]
+fn chains_have_the_distribution_of_their_target() {
+    for (name, _, outcome) in outcomes() {
+        println!(
+            "{name}: accepted {:.3}, times {:.2?}, thinned by {}, cell's time {:.2}",
+            outcome.accepted, outcome.times, outcome.thin, outcome.cell_time,
+        );
+        assert_passes(name, &outcome.p_values);
+    }
+}
+
+/// The times that thinning relies on: by `Health`, by its definition in f64, and by the spread of batches.
+#[test]
+fn autocorrelation_times_agree_with_two_other_ways_to_them() {
+    let mut ratios = Vec::new();
+    for (name, plan, outcome) in outcomes().iter().filter(|o| o.1.apart > 0.0) {
+        let stride = plan.stride as f64;
+        for (measured, exact) in outcome.times.into_iter().zip(outcome.exact_times) {
+            // Of 128 autocorrelations, each within 4e-6, twice the sum.
+            let error = (measured - exact).abs() / stride;
+            assert!(error <= 2.0 * 128.0 * 4e-6, "{name}: {measured}, {exact}");
+        }
+        // Whatever cell is the slowest, its times between states taken as independent are many.
+        let times = outcome.thin as f64 / outcome.cell_time;
+        assert!(times >= 3.0, "{name}: {times} times apart");
+        // Not where every tenth state only was looked at.
+        if plan.stride == 1 {
+            ratios.push(outcome.batch_time / outcome.times[0]);
+            println!(
+                "{name}: {:.2} by batches, {:.2}",
+                outcome.batch_time, outcome.times[0]
+            );
+        }
+    }
+    // A variance of k batches has the relative deviation √(2/(k−1)), which is 0.089; the time itself, of
+    // some thousand times' length, about as much again.
+    let off = |factor: f64| {
+        ratios
+            .iter()
+            .map(|r| (r * factor).ln().abs())
+            .fold(0.0, f64::max)
+    };
+    println!("largest |ln ratio| {:.3}", off(1.0));
+    assert!(off(1.0) <= 5.0 * 0.089 * 2_f64.sqrt());
+    // The control: a time twice as large.
+    assert!(off(2.0) > 5.0 * 0.089 * 2_f64.sqrt());
+}
+
+/// The p-values of many seeds are uniform, for batches shorter than those that are judged.
+#[test]
+fn p_values_of_right_chains_are_uniform() {
+    let short = Plan {
+        steps: 600,
+        burn_in: 200,
+        ..PLAN
+    };
+    let all = subjects::all();
+    let subject = all.iter().find(|s| s.name == "parabola, nine to one");
+    let subject = subject.unwrap();
+    let runs: Vec<Outcome> = (0..150).map(|i| subject.run_by(&short, 9000 + i)).collect();
+    let of = |way: usize| -> Vec<f64> { runs.iter().map(|o| o.p_values[way]).collect() };
+    for (way, name) in ["plain", "weighted", "far apart"].into_iter().enumerate() {
+        let p_values = of(way);
+        let below = |bound: f64| p_values.iter().filter(|p| **p < bound).count();
+        println!(
+            "{name}: {} below 0.5, {} below 0.05",
+            below(0.5),
+            below(0.05)
+        );
+        assert_passes(name, &[p_value_of_uniforms(&p_values)]);
+    }
+    // The control: as if every state were independent of the one before.
+    let dense = Plan {
+        apart: 0.01,
+        ..short
+    };
+    let runs = (0..50).map(|i| subject.run_by(&dense, 9000 + i).p_values[2]);
+    let naive = p_value_of_uniforms(&runs.collect::<Vec<_>>());
+    assert_rejected("correlated states", &[naive]);
+}

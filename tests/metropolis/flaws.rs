@@ -1,0 +1,142 @@
+//! Chains that are wrong, which the evidence must not let pass.
+
+use crate::densities::*;
+use crate::evidence::{assert_passes, assert_rejected};
+use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
+use microwarp::metropolis::{BoxStep, Chain, Mutation, Outcome, Proposal, Step, Symmetric};
+use rand_core::TryRng;
+use rand_pcg::Pcg32;
+
+/// The p-values of right chains here, computed beside the wrong ones'.
+pub const P_VALUES: usize = 17;
+
+/// Seeds of their own; the same plan as the right chains.
+pub fn p_values(subject: &Subject) -> [f64; 3] {
+    subject.run(77).p_values
+}
+
+pub fn rejected(subject: &Subject) {
+    assert_rejected(subject.name, &p_values(subject));
+}
+
+/// Steps on the parabola, nine to one, after which `then` has its say.
+fn altered(
+    name: &'static str,
+    then: impl Fn(Step<f32>) -> Option<Step<f32>> + Copy + 'static,
+) -> Subject {
+    walking(name, parabola_cells(), move |_| {
+        let mut chain = Chain::new(0.45, parabola).unwrap();
+        let mutation = nine_to_one();
+        move |rng: &mut Pcg32| {
+            loop {
+                if let Some(step) = then(chain.step(parabola, &mutation, rng)) {
+                    return step;
+                }
+            }
+        }
+    })
+}
+
+#[test]
+fn wrong_recordings_are_rejected() {
+    let moves = altered("accepted moves only", |step| {
+        step.is_accepted().then_some(step)
+    });
+    rejected(&moves);
+    let swapped = |step: Step<f32>| {
+        let acceptance = 1.0 - step.acceptance;
+        Some(Step { acceptance, ..step })
+    };
+    let swapped = altered("swapped weights", swapped);
+    let [plain, weighted, apart] = p_values(&swapped);
+    assert_rejected("swapped weights", &[weighted]);
+    // It is the recording alone that is wrong there.
+    assert_passes("and its plain states", &[plain, apart]);
+    let proposals = |step: Step<f32>| {
+        Some(Step {
+            acceptance: 1.0,
+            outcome: Outcome::Forced,
+            ..step
+        })
+    };
+    rejected(&altered("proposals for states", proposals));
+    assert_passes("nothing altered", &p_values(&altered("", Some)));
+}
+
+/// A step that is put back to the border where it leaves the unit interval.
+#[derive(Clone, Copy)]
+struct Clamped(BoxStep<f32>);
+
+impl Mutation<f32> for Clamped {
+    type Correction = Symmetric;
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: f32,
+        rng: &mut R,
+    ) -> Result<Proposal<f32, Symmetric>, R::Error> {
+        let proposal = self.0.try_propose(from, rng)?;
+        let state = proposal.state.clamp(0.0, 1.0);
+        Ok(Proposal { state, ..proposal })
+    }
+}
+
+/// Proposes anew until it is inside.
+#[derive(Clone, Copy)]
+struct Insistent(BoxStep<f32>);
+
+impl Mutation<f32> for Insistent {
+    type Correction = Symmetric;
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: f32,
+        rng: &mut R,
+    ) -> Result<Proposal<f32, Symmetric>, R::Error> {
+        loop {
+            let proposal = self.0.try_propose(from, rng)?;
+            if (0.0..=1.0).contains(&proposal.state) {
+                return Ok(proposal);
+            }
+        }
+    }
+}
+
+#[test]
+fn wrong_borders_are_rejected() {
+    let narrow = BoxStep::new(0.1).unwrap();
+    rejected(&slow_box("clamped to the border", Clamped(narrow)));
+    rejected(&slow_box("proposed anew at the border", Insistent(narrow)));
+}
+
+#[test]
+fn targets_that_are_slightly_off_are_rejected() {
+    let shifted = |x: f32| parabola(x) * if x > 0.5 { 1.05 } else { 1.0 };
+    let mutation = nine_to_one();
+    rejected(&chain(
+        "5 % on one side",
+        parabola_cells(),
+        0.45,
+        shifted,
+        mutation,
+    ));
+    let floor = |x: f32| parabola(x) + 0.003;
+    rejected(&chain(
+        "a floor of 3.6 %",
+        parabola_cells(),
+        0.45,
+        floor,
+        mutation,
+    ));
+}
+
+/// A chain that hardly moves off its start passes no test that starts far away.
+#[test]
+fn a_stuck_chain_is_rejected() {
+    let stuck = |x: f32| if x == 0.45 { 1e30 } else { parabola(x) };
+    rejected(&chain(
+        "stuck",
+        parabola_cells(),
+        0.45,
+        stuck,
+        nine_to_one(),
+    ));
+}

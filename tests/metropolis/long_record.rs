@@ -1,0 +1,109 @@
+//! What is kept of a long run, and what must hold of every one.
+
+use microwarp::metropolis::{Chain, Halves, Step, split_r_hat};
+
+const BATCHES: u64 = 400;
+
+/// Of a run, all that is to be held against the truth.
+pub struct Record {
+    /// Steps after which the chain's density was not that of its state, to the bit.
+    pub stale: u64,
+    /// Steps after which the state or the density was nothing that it may be.
+    pub unsound: u64,
+    /// Steps whose two weights did not sum to 1, and the sum of all weights.
+    pub uneven: u64,
+    pub weights: f64,
+    pub moved: u64,
+    /// The most steps in a row that stayed.
+    pub longest: u32,
+    /// Shares in the cells batch by batch, of plain and of weighted states.
+    pub shares: [Vec<Vec<f64>>; 2],
+    /// Of the proposals of kind 0, by tenths of the run: the count, and the sum of the densities.
+    pub large: [(f64, f64); 10],
+    pub halves: Halves,
+}
+
+/// What a run is of.
+pub struct Setting<F, C, P> {
+    pub target: F,
+    pub domain: std::ops::RangeInclusive<f32>,
+    pub cells: usize,
+    pub cell: C,
+    /// The number whose R̂ is taken.
+    pub watched: P,
+    pub steps: u64,
+}
+
+impl<F, C, P> Setting<F, C, P>
+where
+    F: Fn(f32) -> f32,
+    C: Fn(f32) -> usize,
+    P: Fn(f32) -> f32,
+{
+    /// Takes the steps; `walk` gives each together with the chain after it.
+    pub fn record(&self, mut walk: impl FnMut(&F) -> (Step<f32>, Chain<f32>)) -> Record {
+        let mut record = Record {
+            stale: 0,
+            unsound: 0,
+            uneven: 0,
+            weights: 0.0,
+            moved: 0,
+            longest: 0,
+            shares: [Vec::new(), Vec::new()],
+            large: [(0.0, 0.0); 10],
+            halves: Halves::new(self.steps / 2),
+        };
+        let batch = self.steps / BATCHES;
+        let mut in_a_row = 0;
+        for index in 0..BATCHES {
+            let mut counts = [(); 2].map(|()| vec![0.0; self.cells]);
+            let tenth = (10 * index / BATCHES) as usize;
+            for _ in 0..batch {
+                let (step, chain) = walk(&self.target);
+                let (state, density) = (chain.state(), chain.density());
+                let fresh = (self.target)(state).to_bits() == density.to_bits();
+                record.stale += u64::from(!fresh);
+                let sound = self.domain.contains(&state) && density > 0.0 && density <= f32::MAX;
+                record.unsound += u64::from(!sound);
+                in_a_row = if step.is_accepted() { 0 } else { in_a_row + 1 };
+                record.longest = record.longest.max(in_a_row);
+                record.moved += u64::from(step.is_accepted());
+                let [(from, stays), (to, goes)] = step.recorded();
+                record.uneven += u64::from(stays + goes != 1.0);
+                for (state, weight) in [(from, stays), (to, goes)] {
+                    if weight > 0.0 {
+                        counts[1][(self.cell)(state)] += f64::from(weight);
+                        record.weights += f64::from(weight);
+                    }
+                }
+                counts[0][(self.cell)(state)] += 1.0;
+                if step.kind == 0 {
+                    record.large[tenth].0 += 1.0;
+                    record.large[tenth].1 += f64::from(step.proposed_density);
+                }
+                record.halves.push((self.watched)(state));
+            }
+            for (shares, counts) in record.shares.iter_mut().zip(counts) {
+                shares.push(counts.iter().map(|c| c / batch as f64).collect());
+            }
+        }
+        record
+    }
+}
+
+/// What must hold of every record, whatever the target.
+pub fn assert_sound(record: &Record, chain: &Chain<f32>, steps: u64) {
+    assert_eq!((record.stale, record.unsound, record.uneven), (0, 0, 0));
+    assert_eq!((chain.steps(), chain.accepted()), (steps, record.moved));
+    assert_eq!(chain.refused(), 0);
+    // Each pair sums to 1 as f32; before that sum is rounded, it is off by 2⁻²⁵ at most.
+    let off = (record.weights / steps as f64 - 1.0).abs();
+    assert!(off <= 2_f64.powi(-25), "{off}");
+    // V/W of two halves is about their time over their length: 1e-6 for a time of 50.
+    let r_hat = f64::from(split_r_hat(&[record.halves]).unwrap());
+    println!(
+        "weights off by {off:.1e} of the steps, R-hat - 1 = {:.1e}",
+        r_hat - 1.0
+    );
+    assert!((r_hat - 1.0).abs() <= 1e-5, "{r_hat}");
+}
