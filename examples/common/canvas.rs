@@ -28,6 +28,10 @@ pub const POINT: Colour = [18, 52, 88, 255];
 pub const BAR: Colour = [183, 206, 228, 255];
 pub const WHITE: Colour = [255, 255, 255, 255];
 
+/// Colours with a place of their own in a file's palette: the page must be white to the last bit, a colour
+/// used sparingly must not drift, and none may bend those of a picture that come near it.
+const FIXED: [Colour; 4] = [WHITE, INK, HAIR, ACCENT];
+
 /// The colour of a density between 0 and 1, where 1 is the largest in the picture.
 pub fn ramp(t: f64) -> [f64; 3] {
     const STOPS: [[f64; 3]; 3] = [
@@ -193,23 +197,27 @@ impl Canvas {
 
     fn encode(&self, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
         let rgba = self.pixels.data();
-        let colours = NeuQuant::new(3, 256, rgba);
-        let mut palette = colours.color_map_rgb();
-        // The page must be white to the last bit, and a colour used sparingly must not drift.
-        for fixed in [WHITE, INK, HAIR, ACCENT] {
-            let entry = &mut palette[3 * colours.index_of(&fixed)..][..3];
-            if entry.iter().zip(fixed).all(|(a, b)| a.abs_diff(b) < 40) {
-                entry.copy_from_slice(&fixed[..3]);
-            }
-        }
+        let others: Vec<u8> = rgba
+            .chunks_exact(4)
+            .filter(|pixel| !FIXED.iter().any(|colour| colour == pixel))
+            .flatten()
+            .copied()
+            .collect();
+        let colours = NeuQuant::new(3, 256 - FIXED.len(), &others);
+        let mut palette: Vec<u8> = FIXED.iter().flat_map(|c| &c[..3]).copied().collect();
+        palette.extend(colours.color_map_rgb());
+        let find = |pixel: &[u8]| {
+            let fixed = FIXED.iter().position(|colour| colour == pixel);
+            fixed.unwrap_or_else(|| FIXED.len() + colours.index_of(pixel)) as u8
+        };
         // Neighbouring pixels are mostly equal, and finding a colour takes time.
-        let (mut last, mut index) = (WHITE, colours.index_of(&WHITE) as u8);
+        let (mut last, mut index) = (WHITE, find(&WHITE));
         let indices: Vec<u8> = rgba
             .chunks_exact(4)
             .map(|pixel| {
                 if pixel != last {
                     last.copy_from_slice(pixel);
-                    index = colours.index_of(pixel) as u8;
+                    index = find(pixel);
                 }
                 index
             })

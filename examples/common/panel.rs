@@ -1,5 +1,7 @@
 //! Pictures within a picture: cells of their own colours below a title and a caption.
 
+#![allow(dead_code, reason = "each example uses a part")]
+
 use crate::canvas::{Area, Canvas, MUTED};
 use crate::text::{Align, Type};
 

@@ -1,5 +1,7 @@
 //! A plot: a frame with a title and two axes, and places inside it.
 
+#![allow(dead_code, reason = "each example uses a part")]
+
 use crate::canvas::{Area, Canvas, HAIR, INK, MUTED, faded};
 use crate::scale::Scale;
 use crate::text::{Align, Type};
@@ -10,7 +12,7 @@ pub struct Plot {
     y: Scale,
 }
 
-/// Text beside an axis.
+/// Text beside an axis, unless said otherwise.
 const LABEL: f32 = 17.0;
 
 impl Plot {
@@ -23,13 +25,26 @@ impl Plot {
         x: Scale,
         y: Scale,
     ) -> Self {
-        let inside = area.inside(62.0, 34.0, 14.0, 58.0);
+        Self::sized(canvas, area, LABEL, [title, x_name], x, y)
+    }
+
+    /// The same with text beside the axes of another size, to which all else keeps its proportion.
+    pub fn sized(
+        canvas: &mut Canvas,
+        area: Area,
+        size: f32,
+        [title, x_name]: [&str; 2],
+        x: Scale,
+        y: Scale,
+    ) -> Self {
+        let of = |length: f32| length * (size / LABEL);
+        let inside = area.inside(of(62.0), of(34.0), of(14.0), of(58.0));
         let this = Self { inside, x, y };
-        let label = Type::plain(LABEL, MUTED);
-        let heading = Type::bold(21.0);
+        let label = Type::plain(size, MUTED);
+        let heading = Type::bold(of(21.0));
         canvas.text(
             title,
-            [inside.x, area.y + 20.0],
+            [inside.x, area.y + of(20.0)],
             Align::Left,
             heading,
             inside.w,
@@ -43,25 +58,25 @@ impl Plot {
                 1.0,
                 faded(HAIR, 0.8),
             );
-            let anchor = [inside.x - 8.0, at + 6.0];
-            canvas.text(&y.label(value), anchor, Align::Right, label, 54.0);
+            let anchor = [inside.x - of(8.0), at + of(6.0)];
+            canvas.text(&y.label(value), anchor, Align::Right, label, of(54.0));
         }
         canvas.segment([inside.x, floor], [inside.x + inside.w, floor], 1.3, INK);
         for value in x.ticks(8.0) {
             let [at, _] = this.place([value, y.from]);
-            canvas.segment([at, floor], [at, floor + 5.0], 1.3, INK);
+            canvas.segment([at, floor], [at, floor + of(5.0)], 1.3, INK);
             canvas.text(
                 &x.label(value),
-                [at, floor + 24.0],
+                [at, floor + of(24.0)],
                 Align::Middle,
                 label,
-                60.0,
+                of(60.0),
             );
         }
         let middle = inside.x + 0.5 * inside.w;
         canvas.text(
             x_name,
-            [middle, floor + 47.0],
+            [middle, floor + of(47.0)],
             Align::Middle,
             label,
             inside.w,
@@ -100,6 +115,11 @@ impl Plot {
             .map(|p| fits(&p).then(|| self.place(p)))
             .collect();
         canvas.line(pixels, width, colour);
+    }
+
+    /// Where there is data.
+    pub fn inside(&self) -> Area {
+        self.inside
     }
 
     /// Where the plot's upper right corner is, for a legend.

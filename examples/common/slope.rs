@@ -1,5 +1,7 @@
 //! The slope of a line in a diagram of two logarithmic axes.
 
+#![allow(dead_code, reason = "each example uses a part")]
+
 /// The straight line of least squares through the logarithms (base 10) of points.
 pub struct Fit {
     pub slope: f64,

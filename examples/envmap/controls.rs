@@ -1,7 +1,8 @@
 //! Tables that are wrong on purpose, in ways that are easy to get wrong: the test that the right table
 //! passes must reject each of them.
 
-use crate::study::{Memory, Outcome, Truth};
+use crate::study::{Memory, Truth};
+use crate::verdict::Outcome;
 use microwarp::{Error, Warp, poly as mw};
 use rand_pcg::Pcg32;
 

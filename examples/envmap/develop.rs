@@ -6,8 +6,7 @@ use crate::picture::{Picture, sin_of_row};
 pub const FAR: f64 = 4.0;
 const BELOW: [f64; 3] = [26.0, 84.0, 148.0];
 const ABOVE: [f64; 3] = [200.0, 78.0, 48.0];
-/// Cells where there is nothing to expect: the colour of ink, to which `Canvas::save` would otherwise bend
-/// that of some dark texels.
+/// Cells where there is nothing to expect: the colour of ink, which has a place of its own in the palette.
 pub const BLACK: [f64; 3] = [31.0, 42.0, 55.0];
 
 /// From blue over white to red, for so many standard deviations, in thirds of one: the file's 256 colours

@@ -29,6 +29,8 @@ mod table;
 mod text;
 #[path = "../common/tone.rs"]
 mod tone;
+#[path = "../common/verdict.rs"]
+mod verdict;
 #[path = "../common/work.rs"]
 mod work;
 
@@ -41,7 +43,8 @@ use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
-use study::{Memory, Study, Truth, passes};
+use study::{Memory, Study, Truth};
+use verdict::passes;
 
 const SKY: &[u8] = include_bytes!("sky.png");
 /// Samples that are drawn as points.

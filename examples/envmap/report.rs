@@ -2,17 +2,16 @@
 
 use crate::controls::Control;
 use crate::light::{DIRECTIONS, Quantity, REPETITIONS};
-use crate::study::{ALARM, Outcome, Study};
-use crate::table::print;
+use crate::study::Study;
+use crate::table::{self, print};
 use crate::text::thousands;
+use crate::verdict::{ALARM, Outcome};
 
 /// A p-value, in scientific notation where it is extreme.
 pub fn p_text(outcome: &Outcome) -> String {
     match outcome {
         Err(fault) => fault.clone(),
-        Ok((_, _, 0.0)) => "< 1e-300".into(),
-        Ok((_, _, p)) if *p < 1e-3 => format!("{p:.1e}"),
-        Ok((_, _, p)) => format!("{p:.3}"),
+        Ok((_, _, p)) => table::p_text(*p),
     }
 }
 

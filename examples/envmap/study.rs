@@ -1,18 +1,14 @@
 //! What is measured of one table, and whether it samples what the picture says.
 
 use crate::catalogue::stats;
+use crate::verdict::{Outcome, passes};
 use microwarp::discrete::{Grid, PiecewiseConstant2d, Storage, Word};
 use microwarp::{Error, Warp};
 use rand_pcg::Pcg32;
 use std::time::Instant;
 
-/// A p-value below this is no accident in any number of runs.
-pub const ALARM: f64 = 1e-9;
 /// Azimuth and polar angle in turns, as `Spherical` has them.
 pub const RANGE: [[f32; 2]; 2] = [[0.0, 1.0], [0.0, 0.5]];
-
-/// What came of a chi-square test: its value, the degrees of freedom and the p-value, or why none.
-pub type Outcome = Result<(f64, usize, f64), String>;
 
 /// The picture's own probabilities, which no table has a part in.
 #[derive(Clone)]
@@ -73,11 +69,6 @@ impl Truth {
         let samples: u64 = histogram.iter().sum();
         stats::chi_square(histogram, &self.expected(samples as usize))
     }
-}
-
-/// Whether the test let a table pass.
-pub fn passes(outcome: &Outcome) -> bool {
-    matches!(outcome, Ok((_, _, p)) if *p >= ALARM)
 }
 
 pub struct Study {

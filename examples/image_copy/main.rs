@@ -1,0 +1,73 @@
+//! A picture as the density of a chain: what comes back, and how fast.
+//! `cargo run --release --example image_copy -- --help`
+//!
+//! The picture is made by `scene.rs`, what is true of its copies is in `theory.rs`. Here lives the order of the
+//! work.
+
+mod args;
+#[path = "../common/canvas.rs"]
+mod canvas;
+#[path = "../common/cli.rs"]
+mod cli;
+mod copy;
+mod figure;
+#[path = "../common/mean.rs"]
+mod mean;
+#[path = "../common/panel.rs"]
+mod panel;
+#[path = "../common/plot.rs"]
+mod plot;
+mod report;
+#[path = "../common/scale.rs"]
+mod scale;
+mod scene;
+#[path = "../common/slope.rs"]
+mod slope;
+mod study;
+#[path = "../common/table.rs"]
+mod table;
+#[path = "../common/text.rs"]
+mod text;
+mod theory;
+#[path = "../common/tone.rs"]
+mod tone;
+#[path = "../common/verdict.rs"]
+mod verdict;
+#[path = "../common/work.rs"]
+mod work;
+
+use args::Args;
+use std::error::Error;
+use std::process::ExitCode;
+use std::time::Instant;
+use study::Study;
+
+fn main() -> ExitCode {
+    cli::run("image_copy", args::HELP, args::parse(), run)
+}
+
+/// Does everything; returns what is wrong.
+fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
+    let start = Instant::now();
+    work::folder(&args.out)?;
+    let progress = work::progress(args.repetitions, work::STEPS)?;
+    progress.set_message("copying");
+    let texels = scene::picture();
+    let luminance: Vec<f32> = texels.iter().map(|&t| tone::luminance(t) as f32).collect();
+    let study = Study::new(&luminance, args.most, args.repetitions, args.seed, || {
+        progress.inc(1)
+    })?;
+    progress.set_message("drawing");
+    let path = args.out.join("image_copy.png");
+    figure::draw(&study, &texels).save(&path)?;
+    progress.finish_and_clear();
+
+    report::errors(&study);
+    report::recordings(&study);
+    println!(
+        "\nThe figure is {}; {:.1} s.",
+        path.display(),
+        start.elapsed().as_secs_f64()
+    );
+    Ok(study.complaints())
+}

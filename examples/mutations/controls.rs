@@ -1,0 +1,72 @@
+//! What is wrong on purpose, or too short: each must be told from what is right.
+
+use crate::run::walk;
+use crate::study::{AGREED, LENGTHS, STARTS, Study};
+use crate::thinned::Thinned;
+use crate::verdict::{Outcome, passes};
+use microwarp::Error;
+use microwarp::metropolis::Step;
+use rand_pcg::Pcg32;
+
+pub struct Control {
+    pub name: String,
+    pub samples: u64,
+    pub outcome: Outcome,
+}
+
+/// What a chain gone wrong would record of a step.
+type Record = fn(&Step<f32>) -> Option<f32>;
+
+fn accepted_only(step: &Step<f32>) -> Option<f32> {
+    step.is_accepted().then(|| step.state())
+}
+
+fn every_proposal(step: &Step<f32>) -> Option<f32> {
+    (step.proposed_density > 0.0).then_some(step.proposed)
+}
+
+/// Recordings, as long as the long runs, that must not pass for the target. (Those of the box alone would
+/// take as long again as all else.)
+pub fn all(studies: &[Study], seed: u64) -> Result<Vec<Control>, Error> {
+    const WRONG: [(&str, Record); 2] = [
+        ("accepted moves only", accepted_only),
+        ("every proposal", every_proposal),
+    ];
+    let mut controls = Vec::new();
+    for study in studies.iter().filter(|study| study.is_long(LENGTHS[1])) {
+        for (stream, (what, record)) in (1000..).zip(WRONG) {
+            let mut thinned = Thinned::new(&study.truth);
+            let mut rng = Pcg32::new(seed, stream);
+            walk(study.rule, STARTS[0], study.long.steps, &mut rng, |step| {
+                record(step).into_iter().for_each(|x| thinned.push(x));
+            })?;
+            controls.push(Control {
+                name: format!("{}, {what} recorded", study.rule.name()),
+                samples: thinned.samples(),
+                outcome: thinned.test(),
+            });
+        }
+    }
+    Ok(controls)
+}
+
+/// What lets something wrong pass.
+pub fn complaints(controls: &[Control], studies: &[Study]) -> Vec<String> {
+    let passed = controls.iter().filter(|control| passes(&control.outcome));
+    let mut complaints: Vec<String> = passed
+        .map(|control| format!("{}: the test lets this pass", control.name))
+        .collect();
+    // Runs that cannot have been everywhere must be told from their numbers alone.
+    for study in studies {
+        let short = |steps: u64| (steps as f64) < study.truth.relaxation();
+        for pair in study.pairs.iter().filter(|pair| short(pair.steps)) {
+            let (name, r_hat) = (study.rule.name(), pair.r_hat);
+            // Written so that NaN, of chains that never moved, is told too.
+            if r_hat <= AGREED {
+                let steps = pair.steps;
+                complaints.push(format!("{name}, {steps} steps: split R̂ is only {r_hat:.3}"));
+            }
+        }
+    }
+    complaints
+}

@@ -1,0 +1,45 @@
+//! The test of a chain's states: so few of them that they are independent, against the target's bins.
+
+use crate::catalogue::stats;
+use crate::kernel::Truth;
+use crate::run::{BINS, bin};
+use crate::target::probabilities;
+use crate::verdict::Outcome;
+
+/// Relaxation times after which a state is taken as independent of the one before: what is left of the
+/// dependence then is e⁻⁸.
+const APART: f64 = 8.0;
+
+/// A histogram of every so many of the states shown to it.
+pub struct Thinned {
+    stride: u64,
+    seen: u64,
+    counts: Vec<u64>,
+}
+
+impl Thinned {
+    pub fn new(truth: &Truth) -> Self {
+        Self {
+            stride: (APART * truth.relaxation()).ceil() as u64,
+            seen: 0,
+            counts: vec![0; BINS],
+        }
+    }
+
+    pub fn push(&mut self, x: f32) {
+        self.seen += 1;
+        if self.seen % self.stride == 0 {
+            self.counts[bin(x)] += 1;
+        }
+    }
+
+    pub fn samples(&self) -> u64 {
+        self.counts.iter().sum()
+    }
+
+    pub fn test(&self) -> Outcome {
+        let samples = self.samples() as f64;
+        let expected: Vec<f64> = probabilities(BINS).iter().map(|p| p * samples).collect();
+        stats::chi_square(&self.counts, &expected)
+    }
+}
