@@ -1,8 +1,7 @@
 //! A chain over the pixels, and the copies of the picture that different recordings of it make.
 
-use microwarp::metropolis::{Chain, Mutation, Source, Start, Step, UniformIndex};
+use microwarp::metropolis::{Chain, Start, Step, UniformIndex};
 use microwarp::rejection::Failure;
-use rand_core::TryRng;
 use rand_pcg::Pcg32;
 
 /// What is written down of a step.
@@ -54,19 +53,6 @@ pub struct Snapshot {
     pub mean: f64,
 }
 
-/// Where chains start: any pixel. As a uniform distribution it has the picture's sum for a normalisation.
-pub struct AnyPixel(pub UniformIndex, pub usize);
-
-impl Source<usize> for AnyPixel {
-    fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
-        Ok(self.0.try_propose(0, rng)?.state)
-    }
-
-    fn pdf_of_state(&self, _: usize) -> f32 {
-        1.0 / self.1 as f32
-    }
-}
-
 pub struct Run<'a> {
     luminance: &'a [f32],
     mutation: UniformIndex,
@@ -87,8 +73,7 @@ impl<'a> Run<'a> {
     pub fn new(luminance: &'a [f32], mut rng: Pcg32) -> Result<Self, Failure> {
         let pixels = luminance.len();
         let mutation = UniformIndex::new(pixels as u32).map_err(|_| Failure::ProposalDensity)?;
-        let source = AnyPixel(mutation, pixels);
-        let start = Chain::resample(|i: usize| luminance[i], &source, CANDIDATES, &mut rng)?;
+        let start = Chain::resample(|i: usize| luminance[i], &mutation, CANDIDATES, &mut rng)?;
         Ok(Self {
             luminance,
             mutation,

@@ -8,7 +8,7 @@ use crate::warp::Warp;
 use rand_core::TryRng;
 
 /// Another sampler of the chain's states, whose density is known: any [`Warp`], a [`Cdf`] or [`Alias`] table
-/// of indices, the [`UniformStep`] of the unit cube.
+/// of indices, the [`UniformStep`] of the unit cube, the [`UniformIndex`](super::UniformIndex).
 ///
 /// It can propose ([`Independence`]) and it can start a chain ([`Chain::search`](super::Chain::search),
 /// [`Chain::resample`](super::Chain::resample)).

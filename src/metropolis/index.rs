@@ -1,6 +1,6 @@
 //! Mutations of indices.
 
-use super::{Mutation, Proposal, Ratio, Symmetric};
+use super::{Mutation, Proposal, Ratio, Source, Symmetric};
 use crate::discrete::{Cdf, Storage, Word};
 use crate::error::Error;
 use rand_core::TryRng;
@@ -38,6 +38,27 @@ impl UniformIndex {
     }
 }
 
+impl Source<usize> for UniformIndex {
+    #[inline]
+    fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
+        // The leading 32 bits of a product of 64 bits by 32, in two parts.
+        let (high, low) = (rng.try_next_u32()?, rng.try_next_u32()?);
+        let count = u64::from(self.count);
+        let carried = u64::from(low).wrapping_mul(count) >> 32;
+        let product = u64::from(high).wrapping_mul(count).wrapping_add(carried);
+        Ok((product >> 32) as usize)
+    }
+
+    #[inline]
+    fn pdf_of_state(&self, state: usize) -> f32 {
+        if (state as u64) < u64::from(self.count) {
+            1.0 / self.count as f32
+        } else {
+            0.0
+        }
+    }
+}
+
 impl Mutation<usize> for UniformIndex {
     type Correction = Symmetric;
 
@@ -47,12 +68,7 @@ impl Mutation<usize> for UniformIndex {
         _: usize,
         rng: &mut R,
     ) -> Result<Proposal<usize, Symmetric>, R::Error> {
-        // The leading 32 bits of a product of 64 bits by 32, in two parts.
-        let (high, low) = (rng.try_next_u32()?, rng.try_next_u32()?);
-        let count = u64::from(self.count);
-        let carried = u64::from(low).wrapping_mul(count) >> 32;
-        let product = u64::from(high).wrapping_mul(count).wrapping_add(carried);
-        Ok(Proposal::new((product >> 32) as usize, Symmetric))
+        Ok(Proposal::new(self.try_draw_state(rng)?, Symmetric))
     }
 }
 

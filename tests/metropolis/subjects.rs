@@ -195,7 +195,7 @@ pub fn gap_steps() -> impl Mutation<f32> {
 /// A lobe in the uniforms of a warp of another shape.
 fn lobe<W>(name: &'static str, warp: W, z: fn(f64) -> f64) -> Subject
 where
-    W: Warp<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + 'static,
+    W: Warp<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Copy + 'static,
 {
     let shine = libm::PhongLobe::new(SHINE).unwrap();
     let target = primary_density(warp, move |w: [f32; 3]| shine.pdf(w));
