@@ -14,8 +14,8 @@ pub enum Standing {
     Positive,
     /// A chain is never there.
     Zero,
-    /// Not a density at all.
-    Unsound,
+    /// Not a density at all, and why not.
+    Unsound(Error),
 }
 
 mod sealed {
@@ -25,7 +25,14 @@ mod sealed {
     pub trait Arithmetic: Copy {
         fn standing(self) -> Standing;
         /// Refuses every density where a chain cannot be, and says why.
-        fn positive(self) -> Result<(), Error>;
+        #[inline]
+        fn positive(self) -> Result<(), Error> {
+            match self.standing() {
+                Standing::Positive => Ok(()),
+                Standing::Zero => Err(Error::NotPositive),
+                Standing::Unsound(why) => Err(why),
+            }
+        }
         /// min(1, to/from), of two positive densities.
         fn quotient(from: Self, to: Self) -> f32;
         /// to/from, of two positive densities.
@@ -52,18 +59,10 @@ impl Arithmetic for f32 {
             Standing::Positive
         } else if self == 0.0 {
             Standing::Zero
+        } else if self.is_finite() {
+            Standing::Unsound(Error::Negative)
         } else {
-            Standing::Unsound
-        }
-    }
-
-    #[inline]
-    fn positive(self) -> Result<(), Error> {
-        match self.standing() {
-            Standing::Positive => Ok(()),
-            Standing::Zero => Err(Error::NotPositive),
-            Standing::Unsound if self.is_finite() => Err(Error::Negative),
-            Standing::Unsound => Err(Error::NotFinite),
+            Standing::Unsound(Error::NotFinite)
         }
     }
 
@@ -167,16 +166,7 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
         } else if self.log == f32::NEG_INFINITY {
             Standing::Zero
         } else {
-            Standing::Unsound
-        }
-    }
-
-    #[inline]
-    fn positive(self) -> Result<(), Error> {
-        match self.standing() {
-            Standing::Positive => Ok(()),
-            Standing::Zero => Err(Error::NotPositive),
-            Standing::Unsound => Err(Error::NotFinite),
+            Standing::Unsound(Error::NotFinite)
         }
     }
 

@@ -26,6 +26,17 @@ impl<X, C> Proposal<X, C> {
             kind: 0,
         }
     }
+
+    /// The same proposal of another state, for a mutation that is made of another one.
+    #[must_use]
+    #[inline]
+    pub fn map<Y>(self, state: impl FnOnce(X) -> Y) -> Proposal<Y, C> {
+        Proposal {
+            state: state(self.state),
+            correction: self.correction,
+            kind: self.kind,
+        }
+    }
 }
 
 /// A rule by which a chain at x proposes a state x′, with probability (density) T(x→x′).

@@ -71,18 +71,15 @@ where
         let part = self
             .axes
             .map(|axis| from.get(axis).copied().unwrap_or_default());
-        let proposal = self.mutation.try_propose(part, rng)?;
-        let mut to = from;
-        for (axis, x) in self.axes.iter().zip(proposal.state) {
-            if let Some(place) = to.get_mut(*axis) {
-                *place = x;
+        Ok(self.mutation.try_propose(part, rng)?.map(|part| {
+            let mut to = from;
+            for (axis, x) in self.axes.iter().zip(part) {
+                if let Some(place) = to.get_mut(*axis) {
+                    *place = x;
+                }
             }
-        }
-        Ok(Proposal {
-            state: to,
-            correction: proposal.correction,
-            kind: proposal.kind,
-        })
+            to
+        }))
     }
 }
 
@@ -128,16 +125,14 @@ impl<M: Mutation<f32>, const D: usize> Mutation<[f32; D]> for OneCoordinate<M> {
     ) -> Result<Proposal<[f32; D], M::Correction>, R::Error> {
         let word = u64::from(rng.try_next_u32()?);
         let axis = (word.wrapping_mul(D as u64) >> 32) as usize;
-        let mut to = from;
-        let mut nothing = 0.0;
         // Without coordinates there is nothing to change, but words are taken all the same.
-        let place = to.get_mut(axis).unwrap_or(&mut nothing);
-        let proposal = self.mutation.try_propose(*place, rng)?;
-        *place = proposal.state;
-        Ok(Proposal {
-            state: to,
-            correction: proposal.correction,
-            kind: proposal.kind,
-        })
+        let before = from.get(axis).copied().unwrap_or_default();
+        Ok(self.mutation.try_propose(before, rng)?.map(|x| {
+            let mut to = from;
+            if let Some(place) = to.get_mut(axis) {
+                *place = x;
+            }
+            to
+        }))
     }
 }

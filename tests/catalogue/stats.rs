@@ -15,6 +15,21 @@ pub fn threshold(tests: usize) -> f64 {
     -((-FAMILY).ln_1p() / tests as f64).exp_m1()
 }
 
+/// Whether no p-value is below the threshold. Written so that NaN does not pass.
+pub fn passes(p_values: &[f64], threshold: f64) -> bool {
+    !p_values.is_empty() && p_values.iter().all(|p| *p >= threshold)
+}
+
+pub fn assert_passes(what: &str, p_values: &[f64], threshold: f64) {
+    println!("{what}: {p_values:.3?}");
+    assert!(passes(p_values, threshold), "{what}: {p_values:?}");
+}
+
+pub fn assert_rejected(what: &str, p_values: &[f64], threshold: f64) {
+    println!("{what}: {p_values:?}");
+    assert!(!passes(p_values, threshold), "{what} passes: {p_values:?}");
+}
+
 /// Chi-square, degrees of freedom and p-value, cells that expect fewer than 5 being pooled.
 ///
 /// A sample where none can be, and an expectation that is not a number, are errors and not p-values.

@@ -24,19 +24,12 @@ pub fn threshold() -> f64 {
     stats::threshold(computed)
 }
 
-/// Written so that NaN does not pass.
-pub fn passes(p_values: &[f64]) -> bool {
-    !p_values.is_empty() && p_values.iter().all(|p| *p >= threshold())
-}
-
 pub fn assert_passes(what: &str, p_values: &[f64]) {
-    println!("{what}: {p_values:.3?}");
-    assert!(passes(p_values), "{what}: {p_values:?}");
+    stats::assert_passes(what, p_values, threshold());
 }
 
 pub fn assert_rejected(what: &str, p_values: &[f64]) {
-    println!("{what}: {p_values:?}");
-    assert!(!passes(p_values), "{what} passes: {p_values:?}");
+    stats::assert_rejected(what, p_values, threshold());
 }
 
 /// The p-value of Hotelling's T² of the batches' shares in the cells against the exact probabilities.
