@@ -73,6 +73,8 @@ mod spectrum;
 mod start;
 #[path = "metropolis/start_choice.rs"]
 mod start_choice;
+#[path = "metropolis/start_logs.rs"]
+mod start_logs;
 #[path = "metropolis/start_weights.rs"]
 mod start_weights;
 #[path = "metropolis/stated.rs"]
