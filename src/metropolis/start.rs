@@ -26,7 +26,8 @@ pub struct Start<X, D = f32> {
     /// the density, so of a [`LogDensity`](super::LogDensity) the logarithm.
     pub weight: D,
     /// Its standard error in proportion to it, estimated from the candidates; [`None`] from a single one. Where
-    /// runs without a start are likely, it is too large for the mean of all runs.
+    /// runs without a start are likely, it is too large for the mean of all runs; where all weights are alike it
+    /// comes out as up to 4e-4/√(M − 1) instead of 0.
     pub relative_error: Option<f32>,
     /// How many candidates had a positive density.
     pub positive: u32,
