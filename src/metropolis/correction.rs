@@ -47,7 +47,7 @@ impl Judge for Symmetric {
         match to.standing() {
             Standing::Positive => Verdict::With(D::quotient(from, to)),
             Standing::Zero => Verdict::Never,
-            Standing::Unsound(_) => Verdict::Refused,
+            Standing::Unsound => Verdict::Refused,
         }
     }
 
@@ -197,7 +197,7 @@ impl Judge for Ratio {
     #[inline]
     fn judge<D: Density>(self, from: D, to: D) -> Verdict {
         match (self.0, to.standing()) {
-            (Way::Unsound, _) | (_, Standing::Unsound(_)) => Verdict::Refused,
+            (Way::Unsound, _) | (_, Standing::Unsound) => Verdict::Refused,
             (Way::NoReturn, _) | (_, Standing::Zero) => Verdict::Never,
             (Way::Both(significand, exponent), Standing::Positive) => {
                 let ratio = Apart::of(significand).raised(exponent);

@@ -14,8 +14,8 @@ pub enum Standing {
     Positive,
     /// A chain is never there.
     Zero,
-    /// Not a density at all, and why not.
-    Unsound(Error),
+    /// Not a density at all.
+    Unsound,
 }
 
 mod sealed {
@@ -30,9 +30,11 @@ mod sealed {
             match self.standing() {
                 Standing::Positive => Ok(()),
                 Standing::Zero => Err(Error::NotPositive),
-                Standing::Unsound(why) => Err(why),
+                Standing::Unsound => Err(self.fault()),
             }
         }
+        /// Why it is unsound.
+        fn fault(self) -> Error;
         /// min(1, to/from), of two positive densities.
         fn quotient(from: Self, to: Self) -> f32;
         /// to/from, of two positive densities.
@@ -59,10 +61,17 @@ impl Arithmetic for f32 {
             Standing::Positive
         } else if self == 0.0 {
             Standing::Zero
-        } else if self.is_finite() {
-            Standing::Unsound(Error::Negative)
         } else {
-            Standing::Unsound(Error::NotFinite)
+            Standing::Unsound
+        }
+    }
+
+    #[inline]
+    fn fault(self) -> Error {
+        if self.is_finite() {
+            Error::Negative
+        } else {
+            Error::NotFinite
         }
     }
 
@@ -166,8 +175,13 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
         } else if self.log == f32::NEG_INFINITY {
             Standing::Zero
         } else {
-            Standing::Unsound(Error::NotFinite)
+            Standing::Unsound
         }
+    }
+
+    #[inline]
+    fn fault(self) -> Error {
+        Error::NotFinite
     }
 
     #[inline]

@@ -8,7 +8,8 @@ use crate::estimate::{Scale, Sum, Tally};
 /// Push, after each step, a number that is a function of the state: a coordinate, an indicator, the logarithm
 /// of the density. Different functions of one chain may tell different times.
 ///
-/// - Memory: 16 bytes a lag and 40 more. Time: a push takes a few operations a lag.
+/// - Memory: 16 bytes a lag and 40 more. Time: a push takes a few operations a lag, and some
+///   ten times as many where the count reaches a power of two.
 /// - Domain: any finite numbers. NaN and infinite ones are refused, and counted.
 /// - Range: autocorrelations lie in [−1, 1]. What is not known is [`None`].
 /// - Error of an autocorrelation: 3e-7, the largest found and a tenth, in short runs, where a rounding weighs
@@ -182,34 +183,21 @@ impl<const LAGS: usize> Health<LAGS> {
     /// The sums of products from lag 0 on, had the centre been farther up by `step`; as far as there are
     /// numbers so many steps apart.
     fn about(&self, step: f32) -> impl Iterator<Item = Sum> {
-        let Self {
-            centre,
-            first,
-            last,
-            sum,
-            squares,
-            products,
-            ..
-        } = self;
-        // The differences of the first k numbers and of the last k.
-        let mut ends = Sum::ZERO;
-        let farther = first.iter().zip(last).map(Some).chain([None]);
-        let lags = [squares].into_iter().chain(products).zip(farther);
-        let pairs = (0..=self.count()).rev();
-        lags.zip(pairs)
+        let mut moving = self.moving(step);
+        let sums = [&self.squares].into_iter().chain(&self.products);
+        sums.zip(farther(&self.first, &self.last))
             .take(as_lags(self.count()))
-            .map(move |((products, next), pairs)| {
-                // Σ(d − s)(d′ − s) = Σdd′ − s(Σd + Σd′) + (n − k)s². Both sums are over all but the first or
-                // the last k.
-                let moved = products
-                    .plus_multiple(*sum, -2.0 * step)
-                    .plus(step * ends.value())
-                    .plus(pairs as f32 * step * step);
-                if let Some((first, last)) = next {
-                    ends = ends.plus(first - centre).plus(last - centre);
-                }
-                moved
-            })
+            .map(move |(sum, ends)| moving.next(*sum, ends))
+    }
+
+    fn moving(&self, step: f32) -> Moving {
+        Moving {
+            centre: self.centre,
+            step,
+            sum: self.sum,
+            ends: Sum::ZERO,
+            pairs: self.count(),
+        }
     }
 
     /// Moves the centre to the mean.
@@ -218,11 +206,15 @@ impl<const LAGS: usize> Health<LAGS> {
         // The step that is taken, not the one wished for: far from 0 the centre is rounded.
         let centre = self.centre + self.sum.value() / self.count() as f32;
         let step = centre - self.centre;
-        let before = *self;
-        let mut moved = before.about(step);
-        // A lag that no two numbers are apart has no products, whatever the centre.
-        for products in [&mut self.squares].into_iter().chain(&mut self.products) {
-            *products = moved.next().unwrap_or(Sum::ZERO);
+        let mut moving = self.moving(step);
+        let sums = [&mut self.squares].into_iter().chain(&mut self.products);
+        for (sum, ends) in sums.zip(farther(&self.first, &self.last)) {
+            // A lag that no two numbers are apart has no products, whatever the centre.
+            *sum = if moving.pairs > 0 {
+                moving.next(*sum, ends)
+            } else {
+                Sum::ZERO
+            };
         }
         self.sum = self.sum.plus_multiple(Sum::of_count(self.count()), -step);
         self.centre = centre;
@@ -241,6 +233,44 @@ impl<const LAGS: usize> Health<LAGS> {
             *sum = sum.scaled(factor).scaled(factor);
         }
     }
+}
+
+/// Takes sums of products to another centre, lag by lag from 0 on.
+struct Moving {
+    centre: f32,
+    step: f32,
+    /// The sum of all differences from the centre.
+    sum: Sum,
+    /// The sum of those of the first numbers, as many as the lag, and of the last.
+    ends: Sum,
+    /// How many numbers are the lag apart.
+    pairs: u64,
+}
+
+impl Moving {
+    /// The sum at this lag; `ends` is what one lag more leaves out at either end.
+    #[inline]
+    fn next(&mut self, products: Sum, ends: Option<(&f32, &f32)>) -> Sum {
+        // Σ(d − s)(d′ − s) = Σdd′ − s(Σd + Σd′) + (n − k)s². Both sums are over all but the first or the last k.
+        let moved = products
+            .plus_multiple(self.sum, -2.0 * self.step)
+            .plus(self.step * self.ends.value())
+            .plus(self.pairs as f32 * self.step * self.step);
+        if let Some((first, last)) = ends {
+            self.ends = self.ends.plus(first - self.centre).plus(last - self.centre);
+        }
+        self.pairs = self.pairs.saturating_sub(1);
+        moved
+    }
+}
+
+/// The numbers at both ends, in the order in which greater lags leave them out; none beyond the last lag.
+#[inline]
+fn farther<'a>(
+    first: &'a [f32],
+    last: &'a [f32],
+) -> impl Iterator<Item = Option<(&'a f32, &'a f32)>> {
+    first.iter().zip(last).map(Some).chain([None])
 }
 
 /// A count of numbers where only those up to the lags matter.

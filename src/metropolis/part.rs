@@ -65,20 +65,19 @@ where
     #[inline]
     fn try_propose<R: TryRng + ?Sized>(
         &self,
-        from: [f32; D],
+        mut from: [f32; D],
         rng: &mut R,
     ) -> Result<Proposal<[f32; D], M::Correction>, R::Error> {
         let part = self
             .axes
             .map(|axis| from.get(axis).copied().unwrap_or_default());
         Ok(self.mutation.try_propose(part, rng)?.map(|part| {
-            let mut to = from;
             for (axis, x) in self.axes.iter().zip(part) {
-                if let Some(place) = to.get_mut(*axis) {
+                if let Some(place) = from.get_mut(*axis) {
                     *place = x;
                 }
             }
-            to
+            from
         }))
     }
 }
@@ -120,7 +119,7 @@ impl<M: Mutation<f32>, const D: usize> Mutation<[f32; D]> for OneCoordinate<M> {
     #[inline]
     fn try_propose<R: TryRng + ?Sized>(
         &self,
-        from: [f32; D],
+        mut from: [f32; D],
         rng: &mut R,
     ) -> Result<Proposal<[f32; D], M::Correction>, R::Error> {
         let word = u64::from(rng.try_next_u32()?);
@@ -128,11 +127,10 @@ impl<M: Mutation<f32>, const D: usize> Mutation<[f32; D]> for OneCoordinate<M> {
         // Without coordinates there is nothing to change, but words are taken all the same.
         let before = from.get(axis).copied().unwrap_or_default();
         Ok(self.mutation.try_propose(before, rng)?.map(|x| {
-            let mut to = from;
-            if let Some(place) = to.get_mut(axis) {
+            if let Some(place) = from.get_mut(axis) {
                 *place = x;
             }
-            to
+            from
         }))
     }
 }
