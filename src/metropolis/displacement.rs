@@ -1,16 +1,14 @@
-//! Steps as likely as their negatives, and the walks in ℝᴰ that they make.
+//! Steps as likely as their negatives. The walks that they make are in two files of their own.
 
 use super::coordinates::Coordinates;
-use super::{Mutation, Proposal, Symmetric};
 use crate::error::{Error, finite, positive};
 use crate::tier::{Tier, ln_ratio, scaled_exp, two_product};
 use core::marker::PhantomData;
-use rand_core::TryRng;
 
 /// The law of a step along each coordinate, as likely as its negative to the last bit.
 ///
 /// A pure function of one word: the word with all bits inverted gives the negative step. The three of this crate
-/// are mutations of points of ℝᴰ; one of your own becomes one by [`Walk`], and each becomes one of the unit cube
+/// are mutations of points of ℝᴰ; one of your own becomes one by [`Walk`](super::Walk), and each becomes one of the unit cube
 /// by [`Wrapped`](super::Wrapped).
 pub trait Displacement<X> {
     /// The step along coordinate `axis`, counted from 0, of one word.
@@ -211,95 +209,5 @@ impl<X: Coordinates, T: Tier> Displacement<X> for ExponentialStep<T> {
         let (sign, u) = signed(word);
         let (way, dropped) = two_product(self.span, u);
         sign * scaled_exp::<T>(self.largest, -way, -dropped - self.span_rest * u)
-    }
-}
-
-/// x plus a step along each coordinate, or x itself where that leaves the range of `f32`.
-#[inline]
-fn walked<X, L, R>(law: &L, from: X, rng: &mut R) -> Result<Proposal<X, Symmetric>, R::Error>
-where
-    X: Coordinates,
-    L: Displacement<X>,
-    R: TryRng + ?Sized,
-{
-    let mut to = from;
-    for (axis, x) in to.as_mut_slice().iter_mut().enumerate() {
-        *x += law.displacement(axis, rng.try_next_u32()?);
-    }
-    let inside = to.as_slice().iter().all(|x| x.is_finite());
-    Ok(Proposal::new(if inside { to } else { from }, Symmetric))
-}
-
-macro_rules! walks {
-    ($([$($tier:ident)?] $name:ty;)*) => {$(
-        impl<X: Coordinates, $($tier: Tier)?> Mutation<X> for $name {
-            type Correction = Symmetric;
-
-            #[inline]
-            fn try_propose<R: TryRng + ?Sized>(
-                &self,
-                from: X,
-                rng: &mut R,
-            ) -> Result<Proposal<X, Symmetric>, R::Error> {
-                walked(self, from, rng)
-            }
-        }
-    )*};
-}
-
-walks! {
-    [] BoxStep<X>;
-    [T] NormalStep<X, T>;
-    [T] ExponentialStep<T>;
-}
-
-/// Proposes x plus a step of a law of one's own, along each coordinate.
-///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`.
-/// - Words: one a coordinate.
-/// - T(x→x′) = T(x′→x), but for the rounding of x + step.
-/// - A proposal beyond the range of `f32` stays at x instead.
-///
-/// ```
-/// use microwarp::metropolis::{Displacement, Mutation, Walk};
-/// use rand_pcg::Pcg32;
-///
-/// /// A quarter up or down.
-/// struct Quarter;
-///
-/// impl Displacement<f32> for Quarter {
-///     fn displacement(&self, _: usize, word: u32) -> f32 {
-///         if word >> 31 == 0 { 0.25 } else { -0.25 }
-///     }
-/// }
-///
-/// let Ok(proposal) = Walk::new(Quarter).try_propose(1.0, &mut Pcg32::new(1, 1));
-/// assert!(proposal.state == 0.75 || proposal.state == 1.25);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Walk<L> {
-    law: L,
-}
-
-impl<L> Walk<L> {
-    /// The steps of this law.
-    #[must_use]
-    #[inline]
-    pub const fn new(law: L) -> Self {
-        Self { law }
-    }
-}
-
-impl<X: Coordinates, L: Displacement<X>> Mutation<X> for Walk<L> {
-    type Correction = Symmetric;
-
-    #[inline]
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: X,
-        rng: &mut R,
-    ) -> Result<Proposal<X, Symmetric>, R::Error> {
-        walked(&self.law, from, rng)
     }
 }
