@@ -9,7 +9,7 @@ use crate::estimate::{Scale, Sum, Tally};
 /// of the density. Different functions of one chain may tell different times.
 ///
 /// - Memory: 16 bytes a lag and 40 more. Time: a push takes a few operations a lag, and some
-///   ten times as many where the count reaches a power of two.
+///   seven times as many where the count reaches a power of two.
 /// - Domain: any finite numbers. NaN and infinite ones are refused, and counted.
 /// - Range: autocorrelations lie in [−1, 1]. What is not known is [`None`].
 /// - Error of an autocorrelation: 3e-7, the largest found and a tenth, in short runs, where a rounding weighs
