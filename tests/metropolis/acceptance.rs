@@ -43,16 +43,6 @@ pub fn acceptance<D: Density, C: Correction>(from: D, to: D, correction: C) -> f
     step(from, to, correction, 0).acceptance
 }
 
-/// A figure of a table in a documentation comment: the column of the row that begins with these words.
-pub fn stated(source: &str, row: &str, column: usize) -> f64 {
-    let row = source
-        .lines()
-        .find_map(|l| l.trim_start().strip_prefix("/// | ")?.strip_prefix(row))
-        .unwrap_or_else(|| panic!("no row {row}"));
-    let cell = row.split('|').nth(column).unwrap();
-    cell.trim().parse().unwrap()
-}
-
 /// Any positive finite number, each bit pattern as likely as the next.
 pub fn positive(rng: &mut Pcg32) -> f32 {
     f32::from_bits(1 + rng.next_u32() % (f32::INFINITY.to_bits() - 1))

@@ -1,7 +1,7 @@
 //! Chains that are saved, sent as bytes, and made chains again; and what a chain costs in bytes.
 
-use super::acceptance::stated;
 use super::bits::Bits;
+use super::stated::stated;
 use microwarp::Error;
 use microwarp::metropolis::{
     Chain, Density, LogDensity, Mixture, Mutation, Saved, Start, Step, UniformIndex, UniformStep,
@@ -193,28 +193,28 @@ fn sizes_are_those_stated() {
     const SOURCE: &str = include_str!("../../src/metropolis/chain.rs");
     fn check<X>(column: usize) {
         let sizes = [
-            ("[`Chain`], [`Saved`] |", size_of::<Chain<X>>()),
-            ("[`Chain`], [`Saved`] |", size_of::<Saved<X>>()),
+            ("[`Chain`], [`Saved`]", size_of::<Chain<X>>()),
+            ("[`Chain`], [`Saved`]", size_of::<Saved<X>>()),
             (
-                "[`Chain`], [`Saved`] |",
+                "[`Chain`], [`Saved`]",
                 size_of::<Chain<X, LogDensity<Libm>>>(),
             ),
             (
-                "[`Chain`], [`Saved`] |",
+                "[`Chain`], [`Saved`]",
                 size_of::<Chain<X, LogDensity<Poly>>>(),
             ),
-            ("[`Step`] |", size_of::<Step<X>>()),
-            ("[`Step`] |", size_of::<Step<X, LogDensity<Poly>>>()),
+            ("[`Step`]", size_of::<Step<X>>()),
+            ("[`Step`]", size_of::<Step<X, LogDensity<Poly>>>()),
         ];
         for (row, size) in sizes {
             assert_eq!(stated(SOURCE, row, column), size as f64, "{row} {column}");
         }
         println!("{sizes:?}");
     }
-    check::<f32>(0);
-    check::<[f32; 2]>(1);
-    check::<[f32; 32]>(2);
-    check::<usize>(3);
+    check::<f32>(1);
+    check::<[f32; 2]>(2);
+    check::<[f32; 32]>(3);
+    check::<usize>(4);
     // One number is as large as an array of one.
     assert_eq!(size_of::<Chain<[f32; 1]>>(), size_of::<Chain<f32>>());
     assert_eq!(size_of::<Step<[f32; 1]>>(), size_of::<Step<f32>>());
