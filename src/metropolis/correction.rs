@@ -103,8 +103,8 @@ pub struct Ratio(Way);
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 enum Way {
-    /// A positive ratio: significand and exponent.
-    Both(f32, i32),
+    /// A positive ratio.
+    Both(Apart),
     /// There is no way back.
     NoReturn,
     Unsound,
@@ -112,7 +112,7 @@ enum Way {
 
 impl Ratio {
     /// The ratio of 1, of a symmetric proposal.
-    pub const ONE: Self = Self(Way::Both(1.0, 0));
+    pub const ONE: Self = Self(Way::Both(Apart::ONE));
 
     /// The ratio of two densities: `forward` = T(x→x′), `backward` = T(x′→x), both with respect to the same
     /// measure and up to the same factor.
@@ -124,7 +124,7 @@ impl Ratio {
     pub fn new(forward: f32, backward: f32) -> Self {
         match (forward.standing(), backward.standing()) {
             (Standing::Positive, Standing::Positive) => {
-                Self::of_apart(Apart::of(backward).over(Apart::of(forward)))
+                Self(Way::Both(Apart::of(backward).over(Apart::of(forward))))
             }
             (Standing::Positive, Standing::Zero) => Self(Way::NoReturn),
             _ => Self(Way::Unsound),
@@ -147,15 +147,9 @@ impl Ratio {
                 let rest = remainder(back.high, quotient, there.high) + back.low;
                 let rounded = quotient + (rest - quotient * there.low) / there.high;
                 let exponent = back.exponent.wrapping_sub(there.exponent);
-                Self::of_apart(Apart::of(rounded).raised(exponent))
+                Self(Way::Both(Apart::of(rounded).raised(exponent)))
             }
         }
-    }
-
-    #[inline]
-    fn of_apart(x: Apart) -> Self {
-        let (significand, exponent) = x.parts();
-        Self(Way::Both(significand, exponent))
     }
 }
 
@@ -199,8 +193,7 @@ impl Judge for Ratio {
         match (self.0, to.standing()) {
             (Way::Unsound, _) | (_, Standing::Unsound) => Verdict::Refused,
             (Way::NoReturn, _) | (_, Standing::Zero) => Verdict::Never,
-            (Way::Both(significand, exponent), Standing::Positive) => {
-                let ratio = Apart::of(significand).raised(exponent);
+            (Way::Both(ratio), Standing::Positive) => {
                 let acceptance = D::quotient_apart(from, to).times(ratio).value();
                 Verdict::With(if acceptance < 1.0 { acceptance } else { 1.0 })
             }

@@ -3,7 +3,8 @@
 /// A positive number as significand · 2^exponent.
 ///
 /// Each product and quotient is rounded once, and nothing over- or underflows before [`Apart::value`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Apart {
     /// In [1, 2).
     significand: f32,
