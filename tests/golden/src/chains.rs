@@ -265,7 +265,7 @@ pub fn primary<T: Tier>([a, b, c, _]: [f32; 4], input: usize, out: &mut Out) {
     with(warps(), out, |(proposal, lobe), out| {
         let target = primary_density(proposal, |direction| lobe.pdf(direction));
         out.float(target([a, b]));
-        let chain = walk([a, b], &target, &UniformStep::new(), input, out);
+        let chain = walk([a, b], target, &UniformStep::new(), input, out);
         place(chain, out);
     });
 }
