@@ -162,6 +162,7 @@ impl<S> LargeSmall<S> {
         if !(0.0..=1.0).contains(&probability) {
             return Err(Error::OutOfRange);
         }
+        // By hand, which leaves what builds tables out of the program.
         let words = if probability < 1.0 {
             [nearest(probability * 4_294_967_296.0), 1]
         } else {

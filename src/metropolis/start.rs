@@ -61,7 +61,9 @@ impl<X: Copy, D: Density> Candidates<X, D> {
         let weight = D::quotient_apart(base, density).over(Apart::of(pdf));
         let (_, exponent) = weight.parts();
         if exponent > self.exponent {
-            let shrunk = power(self.exponent.saturating_sub(exponent));
+            let shrunk = Apart::ONE
+                .raised(self.exponent.saturating_sub(exponent))
+                .value();
             self.sum = self.sum.scaled(shrunk);
             self.squares = self.squares.scaled(shrunk).scaled(shrunk);
             self.exponent = exponent;
@@ -94,8 +96,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
 
     /// At most 2, and 0 if too small to count.
     fn in_units(&self, weight: Apart) -> f32 {
-        let (significand, exponent) = weight.parts();
-        significand * power(exponent.saturating_sub(self.exponent))
+        weight.raised(self.exponent.saturating_neg()).value()
     }
 
     fn start(self, candidates: u32) -> Option<Start<X, D>> {
@@ -114,15 +115,6 @@ impl<X: Copy, D: Density> Candidates<X, D> {
             relative_error,
             positive: self.positive,
         })
-    }
-}
-
-/// 2^e for e up to 0; 0 far below.
-fn power(e: i32) -> f32 {
-    if e < -126 {
-        0.0
-    } else {
-        f32::from_bits((e.wrapping_add(127) as u32) << 23)
     }
 }
 

@@ -6,6 +6,26 @@ use super::{Mutation, Proposal, Symmetric};
 use crate::tier::Tier;
 use rand_core::TryRng;
 
+/// Each coordinate with the step along it, of one word, put together by `sum`.
+#[inline]
+pub(super) fn displaced<X, L, R>(
+    law: &L,
+    from: X,
+    rng: &mut R,
+    sum: impl Fn(f32, f32) -> f32,
+) -> Result<X, R::Error>
+where
+    X: Coordinates,
+    L: Displacement<X>,
+    R: TryRng + ?Sized,
+{
+    let mut to = from;
+    for (axis, x) in to.as_mut_slice().iter_mut().enumerate() {
+        *x = sum(*x, law.displacement(axis, rng.try_next_u32()?));
+    }
+    Ok(to)
+}
+
 /// x plus a step along each coordinate, or x itself where that leaves the range of `f32`.
 #[inline]
 fn walked<X, L, R>(law: &L, from: X, rng: &mut R) -> Result<Proposal<X, Symmetric>, R::Error>
@@ -14,10 +34,7 @@ where
     L: Displacement<X>,
     R: TryRng + ?Sized,
 {
-    let mut to = from;
-    for (axis, x) in to.as_mut_slice().iter_mut().enumerate() {
-        *x += law.displacement(axis, rng.try_next_u32()?);
-    }
+    let to = displaced(law, from, rng, |x, step| x + step)?;
     let inside = to.as_slice().iter().all(|x| x.is_finite());
     Ok(Proposal::new(if inside { to } else { from }, Symmetric))
 }

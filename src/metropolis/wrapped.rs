@@ -2,6 +2,7 @@
 
 use super::coordinates::Coordinates;
 use super::displacement::Displacement;
+use super::walk::displaced;
 use super::{Mutation, Proposal, Symmetric};
 use crate::uniform::{Uniforms as _, grid_from_word, nearest};
 use rand_core::TryRng;
@@ -87,10 +88,7 @@ impl<X: Coordinates, L: Displacement<X>> Mutation<X> for Wrapped<L> {
         from: X,
         rng: &mut R,
     ) -> Result<Proposal<X, Symmetric>, R::Error> {
-        let mut to = from;
-        for (axis, x) in to.as_mut_slice().iter_mut().enumerate() {
-            *x = wrapping_add(*x, self.law.displacement(axis, rng.try_next_u32()?));
-        }
+        let to = displaced(&self.law, from, rng, wrapping_add)?;
         Ok(Proposal::new(to, Symmetric))
     }
 }
