@@ -2,7 +2,7 @@
 //! user may write.
 
 use crate::cells::Cells;
-use microwarp::metropolis::{Mutation, Proposal, Ratio, Symmetric};
+use microwarp::metropolis::{Mutation, Proposal, Ratio};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -139,23 +139,6 @@ pub fn weight_of(i: usize) -> f32 {
 pub fn index_cells() -> Cells<usize> {
     let weights: Vec<f64> = (0..STATES).map(|i| f64::from(weight_of(i))).collect();
     Cells::indices(&weights, 20)
-}
-
-/// One place up or down in a circle of them.
-#[derive(Clone, Copy)]
-pub struct Neighbour;
-
-impl Mutation<usize> for Neighbour {
-    type Correction = Symmetric;
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: usize,
-        rng: &mut R,
-    ) -> Result<Proposal<usize, Symmetric>, R::Error> {
-        let up = rng.try_next_u32()? >> 31 == 0;
-        let to = (from + if up { 1 } else { STATES - 1 }) % STATES;
-        Ok(Proposal::new(to, Symmetric))
-    }
 }
 
 /// 1/(1 + x²).

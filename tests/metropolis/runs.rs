@@ -3,6 +3,7 @@
 use crate::catalogue::stats;
 use crate::cells::Cells;
 use crate::evidence;
+use crate::series::Truth;
 use microwarp::metropolis::{Health, Step};
 use rand_pcg::Pcg32;
 
@@ -177,38 +178,17 @@ where
         let watched = (cells.watched)(state);
         for ((health, numbers), x) in health.iter_mut().zip(&mut numbers).zip(watched) {
             health.push(x);
-            numbers.push(f64::from(x));
+            numbers.push(x);
         }
     }
     let stride = plan.stride as f64;
     // Where no time is known it is long, or the walk stands still: states are taken far apart then. Of right
     // chains it has to be known, or it would not agree with that in f64.
     let times = health.map(|h| stride * h.integrated_time().map_or(LAGS as f64, f64::from));
-    [times, numbers.map(|n| stride * integrated_time(&n))]
-}
-
-/// Geyer's initial monotone sequence, straight from its definition.
-fn integrated_time(numbers: &[f64]) -> f64 {
-    let n = numbers.len();
-    let mean = numbers.iter().sum::<f64>() / n as f64;
-    let centred: Vec<f64> = numbers.iter().map(|x| x - mean).collect();
-    let covariance = |lag: usize| -> f64 {
-        let pairs = centred.iter().zip(&centred[lag..]);
-        pairs.map(|(a, b)| a * b).sum()
+    let exact = |run: Vec<f32>| match Truth::new(&run).integrated_time(LAGS - 1) {
+        Some((time, _)) => stride * time,
+        // The correlation outlasts the lags.
+        None => f64::NAN,
     };
-    let variance = covariance(0);
-    if variance == 0.0 {
-        return 1.0;
-    }
-    let (mut sum, mut least) = (0.0_f64, f64::INFINITY);
-    for m in 0..LAGS / 2 {
-        let pair = (covariance(2 * m) + covariance(2 * m + 1)) / variance;
-        if pair <= 0.0 {
-            return (2.0 * sum - 1.0).max(1.0 / (n as f64).log2().floor());
-        }
-        least = pair.min(least);
-        sum += least;
-    }
-    // The correlation outlasts the lags.
-    f64::NAN
+    [times, numbers.map(exact)]
 }

@@ -47,19 +47,18 @@ impl Truth {
     /// Geyer's initial monotone sequence, and how near 0 any of the sums of pairs came that could have ended
     /// it. None where the lags do not reach its end.
     pub fn integrated_time(&self, lags: usize) -> Option<(f64, f64)> {
-        let rho: Vec<f64> = (0..=lags).map_while(|k| self.autocorrelation(k)).collect();
-        let pairs: Vec<f64> = rho.chunks_exact(2).map(|pair| pair[0] + pair[1]).collect();
-        let end = pairs.iter().position(|&pair| pair <= 0.0);
-        let nearest = |upto: usize| pairs[..upto].iter().fold(1.0_f64, |a, p| a.min(p.abs()));
-        let end = end?;
-        let mut least = f64::INFINITY;
-        let monotone = pairs[..end].iter().map(|&pair| {
+        let (mut sum, mut least, mut nearest) = (0.0_f64, f64::INFINITY, 1.0_f64);
+        for even in (0..lags).step_by(2) {
+            let pair = self.autocorrelation(even)? + self.autocorrelation(even + 1)?;
+            nearest = nearest.min(pair.abs());
+            if pair <= 0.0 {
+                let log2 = (self.differences.len() as f64).log2().floor().max(1.0);
+                return Some(((2.0 * sum - 1.0).max(1.0 / log2), nearest));
+            }
             least = least.min(pair);
-            least
-        });
-        let time = 2.0 * monotone.sum::<f64>() - 1.0;
-        let log2 = (self.differences.len() as f64).log2().floor().max(1.0);
-        Some((time.max(1.0 / log2), nearest(end + 1)))
+            sum += least;
+        }
+        None
     }
 }
 

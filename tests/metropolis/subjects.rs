@@ -2,6 +2,7 @@
 
 use crate::cells::Cells;
 use crate::densities::*;
+use crate::matrices::Neighbour;
 use crate::runs::{Outcome, PLAN, Plan, run};
 use microwarp::metropolis::{
     BoxStep, Chain, Density, Independence, Mixture, Mutation, OneCoordinate, Step, Subset,
@@ -244,7 +245,7 @@ fn of_indices() -> Vec<Subject> {
     let shape: [f32; STATES] = std::array::from_fn(|i| 20.0 + (i % 50) as f32);
     let table = Independence::new(Cdf::<[u32; STATES]>::new(&shape).unwrap());
     let any = UniformIndex::new(STATES as u32).unwrap();
-    let mixed = Mixture::new((any, table, Neighbour), &[1.0, 1.0, 1.0]).unwrap();
+    let mixed = Mixture::new((any, table, Neighbour(STATES)), &[1.0, 1.0, 1.0]).unwrap();
     vec![
         chain("indices, uniform", index_cells(), 0, weight_of, any),
         chain("indices, table", index_cells(), 0, weight_of, table),
