@@ -83,6 +83,8 @@
 pub mod discrete;
 mod error;
 pub mod estimate;
+#[cfg(feature = "fixed")]
+pub mod fixed;
 pub mod metropolis;
 pub mod rejection;
 pub mod tier;

@@ -9,6 +9,8 @@
 //! | [`grid`] | k·2⁻²⁴, equally likely | 0 | 1 − 2⁻²⁴ | 1 |
 //! | [`open`] | (k + ½)·2⁻²³, equally likely | 2⁻²⁴ | 1 − 2⁻²⁴ | 1 |
 //! | [`full`] | every `f32` a 64-bit fraction truncates to | 0, then 2⁻⁶⁴ | 1 − 2⁻²⁴ | 2 |
+//!
+//! The integer tier takes the word itself, as a number of 32 fractional bits, with nothing on the way.
 
 mod strata;
 
@@ -44,11 +46,11 @@ impl<U: Copy> Canonical<U> {
     }
 }
 
-impl<const N: usize> Canonical<[f32; N]> {
+impl<U: Copy, const N: usize> Canonical<[U; N]> {
     /// The uniforms one by one, each still known to lie in [0, 1).
     #[must_use]
     #[inline]
-    pub fn each(self) -> [Canonical<f32>; N] {
+    pub fn each(self) -> [Canonical<U>; N] {
         self.0.map(Canonical)
     }
 }
@@ -57,9 +59,14 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl<const N: usize> Sealed for [f32; N] {}
+    #[cfg(feature = "fixed")]
+    impl Sealed for fixed::types::U0F32 {}
+    #[cfg(feature = "fixed")]
+    impl<const N: usize> Sealed for [fixed::types::U0F32; N] {}
 }
 
-/// The uniforms that one sample of a warp takes: an `f32`, or an array of them.
+/// The uniforms that one sample of a warp takes: an `f32`, or an array of them; in the integer tier a
+/// `U0F32`, or an array of those.
 ///
 /// The trait is sealed. How many uniforms a warp takes is its type
 /// [`Warp::Uniforms`](crate::Warp::Uniforms).
@@ -118,6 +125,42 @@ impl<const N: usize> Uniforms for [f32; N] {
         let mut drawn = [0.0; N];
         for u in &mut drawn {
             *u = grid_from_word(rng.try_next_u32()?);
+        }
+        Ok(Canonical(drawn))
+    }
+}
+
+/// All 2³² words are uniforms k·2⁻³² in [0, 1): nothing need be brought into range, and one `u32` of the generator
+/// is one number.
+#[cfg(feature = "fixed")]
+impl Uniforms for fixed::types::U0F32 {
+    const COUNT: usize = 1;
+
+    #[inline]
+    fn canonical(self) -> Canonical<Self> {
+        Canonical(self)
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
+        rng.try_next_u32().map(Self::from_bits).map(Canonical)
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<const N: usize> Uniforms for [fixed::types::U0F32; N] {
+    const COUNT: usize = N;
+
+    #[inline]
+    fn canonical(self) -> Canonical<Self> {
+        Canonical(self)
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
+        let mut drawn = [fixed::types::U0F32::ZERO; N];
+        for u in &mut drawn {
+            *u = fixed::types::U0F32::from_bits(rng.try_next_u32()?);
         }
         Ok(Canonical(drawn))
     }

@@ -67,7 +67,7 @@ impl Memory {
                 };
                 let counted = counts(n, table.bins(), 32, both);
                 for (i, &count) in counted.iter().enumerate() {
-                    assert_eq!(count, narrow.numerator(i).into(), "{what}: {i} of {n}");
+                    assert_eq!(count, u128::from(narrow.numerator(i)), "{what}: {i} of {n}");
                     assert_eq!(
                         table.numerator(i),
                         narrow.numerator(i),

@@ -21,7 +21,7 @@ fn sources(under: &str) -> Vec<(PathBuf, String)> {
 }
 
 /// The rooms in their order; each knows only those before it.
-const ROOMS: [&str; 8] = [
+const ROOMS: [&str; 9] = [
     "error",
     "uniform",
     "tier",
@@ -30,6 +30,7 @@ const ROOMS: [&str; 8] = [
     "rejection",
     "estimate",
     "metropolis",
+    "fixed",
 ];
 
 fn room_of(path: &Path) -> Option<usize> {

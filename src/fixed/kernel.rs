@@ -1,0 +1,1 @@
+//! The integer kernels: raw words in and out.
