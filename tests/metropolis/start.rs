@@ -122,7 +122,7 @@ fn runs(seed: u64, start: impl Fn(&mut Pcg32) -> Option<(Chain<f32>, f32)>) -> T
         table.started += 1;
         table.weights.add(weight.into());
         for (row, length) in LENGTHS.into_iter().enumerate() {
-            while chain.steps() < length.into() {
+            while chain.steps() < u64::from(length) {
                 chain.step(humps, &step, &mut rng);
             }
             for (i, g) in asked(chain.state()).into_iter().enumerate() {
