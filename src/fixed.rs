@@ -3,9 +3,17 @@
 //! Here live the warps for cores without a floating-point unit, the integer kernels they stand on, and what of
 //! the other rooms runs on integers alone. Feature `fixed`. Say the tier once, by `use microwarp::fixed as mw;`.
 
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "plain operators never overflow here: builds with overflow checks try them at the extremes"
+)]
+
+mod direction;
+mod disk;
 mod grade;
 mod kernel;
 
+pub use self::disk::Disk;
 pub use self::grade::{Coarse, Compact, Fine, Grade};
 
 use ::fixed::types::{I2F30, U0F32, U32F32};

@@ -1,64 +1,158 @@
 //! The grades: how accurately, and in how much flash, the integer kernels compute.
 
-use ::fixed::types::{I2F30, U0F32, U5F27};
+use super::kernel::{angle, exp, log, product, root, sine};
+use ::fixed::types::{I2F30, U0F32, U5F27, U16F16};
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Fine {}
-    impl Sealed for super::Coarse {}
-    impl Sealed for super::Compact {}
+    /// The kernels of a grade on raw words.
+    pub trait Kernels {
+        /// What no radius of a disk may exceed, in Q32, so that r² (sin² + cos²) stays below 1.
+        const RIM: u32;
+        fn sincos(phase: u32) -> (i32, i32);
+        fn sqrt(x: u32) -> u32;
+        fn neg_ln_1m(u: u32) -> u32;
+        fn exp_neg(x: u32) -> u32;
+        fn atan2(y: i32, x: i32) -> u32;
+    }
 }
+pub(super) use sealed::Kernels;
 
 /// Elementary functions on fixed-point numbers, in one of three trades of speed, accuracy and flash.
 ///
 /// The trait is sealed: [`Fine`], [`Coarse`] and [`Compact`] implement it and nothing else can. Each function
 /// is total: it takes every word there is.
 pub trait Grade:
-    sealed::Sealed + Copy + Default + core::fmt::Debug + PartialEq + Eq + Send + Sync + 'static
+    Kernels + Copy + Default + core::fmt::Debug + PartialEq + Eq + Send + Sync + 'static
 {
     /// The name of the grade, as it is written in tables.
     const NAME: &'static str;
 
     /// `(sin(2πt), cos(2πt))` of a phase `t` in turns. Quarter turns give exactly 0 and ±1.
     #[must_use]
-    fn sincos_turns(t: U0F32) -> (I2F30, I2F30);
+    #[inline]
+    fn sincos_turns(t: U0F32) -> (I2F30, I2F30) {
+        let (sin, cos) = Self::sincos(t.to_bits());
+        (I2F30::from_bits(sin), I2F30::from_bits(cos))
+    }
 
-    /// The angle of the point `(x, y)` in turns, in `[0, 1)`; 0 at the origin.
+    /// The angle of the point `(x, y)` in turns, in `[0, 1)`; 0 at the origin, exact on the axes.
     #[must_use]
-    fn atan2_turns(y: I2F30, x: I2F30) -> U0F32;
+    #[inline]
+    fn atan2_turns(y: I2F30, x: I2F30) -> U0F32 {
+        U0F32::from_bits(Self::atan2(y.to_bits(), x.to_bits()))
+    }
 
-    /// The square root; below 1 for every argument.
+    /// The square root, below 1 for every argument.
     #[must_use]
-    fn sqrt(x: U0F32) -> U0F32;
+    #[inline]
+    fn sqrt(x: U0F32) -> U0F32 {
+        U0F32::from_bits(<Self as Kernels>::sqrt(x.to_bits()))
+    }
 
-    /// −ln(1 − u), exactly 0 at 0 and 22.18 at the last word.
+    /// −ln(1 − u): exactly 0 at 0, and 22.18 at the last word.
     #[must_use]
-    fn neg_ln_1m(u: U0F32) -> U5F27;
+    #[inline]
+    fn neg_ln_1m(u: U0F32) -> U5F27 {
+        U5F27::from_bits(<Self as Kernels>::neg_ln_1m(u.to_bits()))
+    }
 
     /// e^−x; 1 counts as the largest word, 1 − 2⁻³².
     #[must_use]
-    fn exp_neg(x: U5F27) -> U0F32;
+    #[inline]
+    fn exp_neg(x: U5F27) -> U0F32 {
+        U0F32::from_bits(<Self as Kernels>::exp_neg(x.to_bits()))
+    }
 
-    /// 1 − e^−x, accurate where x is small.
+    /// 1 − e^−x, accurate also where x is small.
     #[must_use]
-    fn exp_m1_neg(x: U5F27) -> U0F32;
+    #[inline]
+    fn exp_m1_neg(x: U5F27) -> U0F32 {
+        let x = x.to_bits();
+        U0F32::from_bits(if x < exp::SMALL {
+            exp::one_minus_small(x, 27) << 5
+        } else {
+            !<Self as Kernels>::exp_neg(x)
+        })
+    }
 
-    /// `x^y` of `y` ≥ 0, where 1 counts as the largest word.
+    /// `x^y` of `y` ≥ 0, where 1 counts as the largest word; `0^0` is 1.
+    ///
+    /// The error of the logarithm is multiplied by y.
     #[must_use]
-    fn pow(x: U0F32, y: ::fixed::types::U16F16) -> U0F32;
+    #[inline]
+    fn pow(x: U0F32, y: U16F16) -> U0F32 {
+        let (x, y) = (x.to_bits(), y.to_bits());
+        if y == 0 {
+            return U0F32::MAX;
+        }
+        if x == 0 {
+            return U0F32::ZERO;
+        }
+        let log = <Self as Kernels>::neg_ln_1m(x.wrapping_neg());
+        let whole = y >> 16;
+        let fraction = product::by_half(log, y & 0xffff);
+        // Beyond 32 the power is below a word's step.
+        let exponent = match log.wrapping_mul(whole).checked_add(fraction) {
+            Some(exponent) if product::high(log, whole) == 0 => exponent,
+            _ => u32::MAX,
+        };
+        U0F32::from_bits(<Self as Kernels>::exp_neg(exponent))
+    }
 }
 
-/// Largest errors about 1e-6, with tables of 2 KB that all functions share.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Fine;
+macro_rules! grade {
+    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $rotations:literal) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct $grade;
 
-/// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Coarse;
+        impl Grade for $grade {
+            const NAME: &'static str = $name;
+        }
 
-/// Largest errors about 1e-6 without tables, in the least flash.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Compact;
+        impl Kernels for $grade {
+            const RIM: u32 = $rim;
+
+            #[inline]
+            fn sincos(phase: u32) -> (i32, i32) {
+                sine::$kernel(phase)
+            }
+
+            #[inline]
+            fn sqrt(x: u32) -> u32 {
+                root::$kernel(x)
+            }
+
+            #[inline]
+            fn neg_ln_1m(u: u32) -> u32 {
+                log::$kernel(u)
+            }
+
+            #[inline]
+            fn exp_neg(x: u32) -> u32 {
+                exp::$kernel(x)
+            }
+
+            #[inline]
+            fn atan2(y: i32, x: i32) -> u32 {
+                angle::vectoring(y, x, $rotations)
+            }
+        }
+    };
+}
+
+grade! {
+    /// Largest errors about 1e-6, with tables of 2 KB that all functions share.
+    Fine, fine, "fine", 0xffff_fff0, 23
+}
+
+grade! {
+    /// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
+    Coarse, coarse, "coarse", 0xffff_fff0, 14
+}
+
+grade! {
+    /// Largest errors about 1e-6 without tables, in the least flash.
+    Compact, compact, "compact", 0xffff_fff0, 23
+}

@@ -1,0 +1,58 @@
+//! The angle of a point.
+
+use super::tables::ROTATION;
+
+/// The angle of the point (x, y) in Q32 turns, by so many rotations that each halve what is left of it; 0 at the
+/// origin, and exact on the axes.
+#[inline]
+pub(in crate::fixed) fn vectoring(y: i32, x: i32, rotations: usize) -> u32 {
+    let (along, across) = (x.unsigned_abs(), y.unsigned_abs());
+    let (wide, narrow) = if across > along {
+        (across, along)
+    } else {
+        (along, across)
+    };
+    let (wide, narrow) = scaled(wide, narrow);
+    let first = rotated(wide, narrow, rotations);
+    // Out of the first eighth of the turn, by mirrors.
+    let quarter = if across > along {
+        (1_u32 << 30).wrapping_sub(first)
+    } else {
+        first
+    };
+    let half = if x < 0 {
+        (1_u32 << 31).wrapping_sub(quarter)
+    } else {
+        quarter
+    };
+    if y < 0 { half.wrapping_neg() } else { half }
+}
+
+/// Both numbers times a power of two that brings the larger one to 2²⁶ or above and below 2³⁰; 0 stays.
+#[inline]
+fn scaled(wide: u32, narrow: u32) -> (i32, i32) {
+    let (mut wide, mut narrow) = (wide, narrow);
+    for _ in 0..7 {
+        if wide >> 28 == 0 {
+            wide <<= 4;
+            narrow <<= 4;
+        }
+    }
+    ((wide >> 2) as i32, (narrow >> 2) as i32)
+}
+
+/// The angle of a point of the first eighth.
+#[inline]
+fn rotated(wide: i32, narrow: i32, rotations: usize) -> u32 {
+    let (mut x, mut y, mut angle) = (wide, narrow, 0_u32);
+    // An eighth of a turn is less than all rotations but the first add up to.
+    for (shift, turn) in (1_u32..).zip(ROTATION.iter().skip(1).take(rotations)) {
+        let (dx, dy) = (y >> shift, x >> shift);
+        (x, y, angle) = match y {
+            0 => break,
+            1.. => (x + dx, y - dy, angle.wrapping_add(*turn)),
+            _ => (x - dx, y + dy, angle.wrapping_sub(*turn)),
+        };
+    }
+    angle
+}

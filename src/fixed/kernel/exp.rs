@@ -1,0 +1,95 @@
+//! Exponentials of negative numbers.
+
+use super::product::{by_half, near};
+use super::tables::{LN_2_32ND, POWER, entry};
+
+/// The cell of x (Q27) and what is left of it, in Q21: x = (32 k + j) ln 2/32 + rest, as (k, j, rest).
+#[inline]
+fn cell(x: u32) -> (u32, u32, i32) {
+    /// 32/ln 2 in Q10, which need not be exact: it only picks the cell.
+    const CELLS: u32 = 47_274;
+    let cell = ((x >> 16) * CELLS + (1 << 20)) >> 21;
+    let rest = x.wrapping_sub(cell * LN_2_32ND) as i32;
+    (cell >> 5, cell & 31, (rest + 32) >> 6)
+}
+
+/// A power of 2 in Q31, shifted; without shift it is at most 1, which becomes the word below.
+#[inline]
+fn of_q31(power: u32, shift: u32) -> u32 {
+    (power - (power >> 31)) >> shift << 1
+}
+
+/// e^−x, Q27 to Q32, to the linear term.
+#[inline]
+pub(in crate::fixed) fn coarse(x: u32) -> u32 {
+    let (shift, part, rest) = cell(x);
+    if shift > 31 {
+        return 0;
+    }
+    let power = entry(&POWER, part);
+    of_q31(
+        power.wrapping_add_signed(-(((power >> 16) as i32 * rest) >> 5)),
+        shift,
+    )
+}
+
+/// e^−x, Q27 to Q32; 1 as the largest word.
+#[inline]
+pub(in crate::fixed) fn fine(x: u32) -> u32 {
+    let (shift, part, rest) = cell(x);
+    if shift > 31 {
+        return 0;
+    }
+    let power = entry(&POWER, part);
+    let top = (power >> 16) as i32;
+    // Half the way at the old power, then all of it at the new one: the quadratic term too.
+    let halfway = top - ((top * rest) >> 22);
+    of_q31(power.wrapping_add_signed(-((halfway * rest) >> 5)), shift)
+}
+
+/// log₂ e − 1, in Q32.
+const LOG2_E: u32 = 1_901_360_723;
+/// (1 − 2^−f)/f of 0 ≤ f < 1, in Q32; its signs alternate.
+const POWER_OF_2: [u32; 5] = [
+    2_977_032_627,
+    1_031_594_075,
+    237_583_395,
+    39_635_591,
+    4_097_547,
+];
+
+/// e^−x, Q27 to Q32, without a table; 1 as the largest word.
+#[inline]
+pub(in crate::fixed) fn compact(x: u32) -> u32 {
+    /// ln 2 in Q16.
+    const LN_2: u32 = 45_426;
+    // x log₂ e in Q26.
+    let exponent = (x >> 1) + near(x >> 1, LOG2_E);
+    let (shift, part) = (exponent >> 26, exponent << 6);
+    if shift > 31 {
+        return 0;
+    }
+    // The leading half of the part exactly, the rest by the derivative.
+    let (head, tail) = (part >> 16, part & 0xffff);
+    let [first, others @ ..] = POWER_OF_2;
+    let sum = others
+        .iter()
+        .rev()
+        .fold(0, |sum, &c| c - by_half(sum, head));
+    let power = !by_half(first - by_half(sum, head), head);
+    (power - (((power >> 16) * ((tail * LN_2) >> 16)) >> 16)) >> shift
+}
+
+/// Below this, 1/8 in Q27, [`one_minus_small`] is the one to take.
+pub(in crate::fixed) const SMALL: u32 = 1 << 24;
+
+/// 1 − e^−x of x below 1/8, in whatever Q of 22 fraction bits or more, with its relative precision.
+#[inline]
+pub(in crate::fixed) fn one_minus_small(x: u32, bits: u32) -> u32 {
+    // x in Q19, 16 bits, which is x/2 in Q20; then x/3 (1 − x/4) in Q18, and x/2 (1 − x/3 (1 − x/4)) in Q20, which
+    // is what (1 − e^−x)/x falls short of 1.
+    let head = x >> (bits - 19);
+    let third = (head * 10_923) >> 16;
+    let short = head - ((head * (third - ((third * head) >> 21))) >> 18);
+    x - (by_half(x, short) >> 4)
+}

@@ -1,0 +1,101 @@
+//! Logarithms.
+
+use super::NARROW;
+use super::product::{by_half, near};
+use super::tables::{LN_2, LOG, entry};
+
+/// A positive number in Q32 shifted left by the second result, to at least 1/2; of 0, 0 and at most 32.
+#[inline]
+fn normal(x: u32) -> (u32, u32) {
+    if NARROW {
+        let (mut m, mut shift) = (x, 0);
+        while m >> 31 == 0 && shift < 32 {
+            m <<= 1;
+            shift += 1;
+        }
+        (m, shift)
+    } else {
+        let shift = (x | 1).leading_zeros();
+        (x << shift, shift)
+    }
+}
+
+/// −ln(1 − u), Q32 to Q27; `None` of 0.
+#[inline]
+fn line(u: u32) -> (u32, u32, u32) {
+    let (m, shift) = normal(u.wrapping_neg());
+    // The leading bit is there always: the table begins at 1/2.
+    let cell = m << 1 >> 26;
+    let (from, to) = (entry(&LOG, cell), entry(&LOG, cell + 1));
+    let fall = (from - to) >> 5;
+    let part = m << 7 >> 16;
+    (from + shift * LN_2 - ((fall * part) >> 11), fall, part)
+}
+
+/// −ln(1 − u), Q32 to Q27, on a straight line between the points of a table.
+#[inline]
+pub(in crate::fixed) fn coarse(u: u32) -> u32 {
+    if u == 0 { 0 } else { line(u).0 }
+}
+
+/// −ln(1 − u), Q32 to Q27.
+#[inline]
+pub(in crate::fixed) fn fine(u: u32) -> u32 {
+    if u == 0 {
+        return 0;
+    }
+    let (straight, fall, part) = line(u);
+    // The curve hangs below its chord by half the square of the fall between the points, times what is left of
+    // the cell on either side.
+    let sides = (part * (0xffff - part)) >> 16;
+    straight - ((((fall * fall) >> 16) * sides) >> 18)
+}
+
+/// √2 − 1, in Q32.
+const ROOT_2: u32 = 1_779_033_704;
+/// −ln(1 − v)/v of 0 < v ≤ 1 − 1/√2, in Q31.
+const LOG_QUOTIENT: [u32; 5] = [
+    2_147_532_449,
+    1_071_494_036,
+    749_036_429,
+    328_956_973,
+    975_208_964,
+];
+
+/// −ln(1 − u), Q32 to Q27, without a table.
+#[inline]
+pub(in crate::fixed) fn compact(u: u32) -> u32 {
+    if u == 0 {
+        return 0;
+    }
+    let (mut m, shift) = normal(u.wrapping_neg());
+    let mut whole = shift * LN_2;
+    let widened = m.wrapping_add(near(m, ROOT_2));
+    // Without a carry it is still below 1.
+    if widened > m {
+        m = widened;
+        whole += LN_2 >> 1;
+    }
+    let rest = m.wrapping_neg();
+    // The leading half exactly, the rest by the derivative, which is 1/(1 − v).
+    let (head, tail) = (rest >> 16, rest & 0xffff);
+    let sum = LOG_QUOTIENT
+        .iter()
+        .rev()
+        .fold(0, |sum, &c| c + by_half(sum, head));
+    let square = (head * head) >> 16;
+    let steeper = (tail * (head + square + (square >> 2))) >> 16;
+    whole + (by_half(sum, head) >> 4) + ((tail + steeper) >> 5)
+}
+
+/// Below this, 2⁻⁸ in Q32, [`small`] is the one to take for relative precision.
+pub(in crate::fixed) const SMALL: u32 = 1 << 24;
+
+/// −ln(1 − u) of u below 2⁻⁸, Q32 to Q39, with the relative precision of u.
+#[inline]
+pub(in crate::fixed) fn small(u: u32) -> u32 {
+    // u/2 + u²/3 in Q24.
+    let head = u >> 8;
+    let more = (head >> 1) + ((((head * head) >> 16) * 85) >> 16);
+    (u << 7) + (by_half(u << 7, more) >> 8)
+}

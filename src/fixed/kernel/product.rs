@@ -1,0 +1,60 @@
+//! Products, the same bits with and without a long multiply.
+
+use super::NARROW;
+use core::hint::black_box;
+
+/// ⌊a·b/2³²⌋, exactly.
+#[inline]
+pub(in crate::fixed) fn high(a: u32, b: u32) -> u32 {
+    if NARROW {
+        let (ah, al, bh, bl) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
+        // Otherwise the compiler sees a long product in the four, and calls a routine for it that is twice as slow.
+        let bl = black_box(bl);
+        let middle = ah * bl + ((al * bl) >> 16);
+        let other = al * bh + (middle & 0xffff);
+        ah * bh + (middle >> 16) + (other >> 16)
+    } else {
+        ((u64::from(a) * u64::from(b)) >> 32) as u32
+    }
+}
+
+/// a·b/2³² to within 2, from below: three narrow products, as they are or out of wide ones.
+#[inline]
+pub(in crate::fixed) const fn near(a: u32, b: u32) -> u32 {
+    let (ah, bh, bl) = (a >> 16, b >> 16, b & 0xffff);
+    by_half(a, bh) + ((ah * bl) >> 16)
+}
+
+/// a·b/2³² to within 2, from below, of a signed b.
+#[inline]
+pub(in crate::fixed) const fn near_signed(a: u32, b: i32) -> i32 {
+    let (ah, bh, bl) = (a >> 16, b >> 16, (b & 0xffff) as u32);
+    by_signed_half(a, bh) + ((ah * bl) >> 16) as i32
+}
+
+/// ⌊a·b/2¹⁶⌋ of b < 2¹⁶, exactly.
+#[inline]
+pub(in crate::fixed) const fn by_half(a: u32, b: u32) -> u32 {
+    if NARROW {
+        (a >> 16) * b + (((a & 0xffff) * b) >> 16)
+    } else {
+        ((a as u64 * b as u64) >> 16) as u32
+    }
+}
+
+/// ⌊a·b/2¹⁶⌋ of −2¹⁵ ≤ b < 2¹⁵, exactly.
+#[inline]
+pub(in crate::fixed) const fn by_signed_half(a: u32, b: i32) -> i32 {
+    if NARROW {
+        (a >> 16) as i32 * b + (((a & 0xffff) as i32 * b) >> 16)
+    } else {
+        ((a as i64 * b as i64) >> 16) as i32
+    }
+}
+
+/// a² / 2³² to within 2, from below.
+#[inline]
+pub(in crate::fixed) const fn square(a: u32) -> u32 {
+    let (h, l) = (a >> 16, a & 0xffff);
+    h * h + ((h * l) >> 15)
+}

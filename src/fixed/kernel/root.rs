@@ -1,0 +1,84 @@
+//! Square roots.
+
+use super::NARROW;
+use super::product::by_half;
+use super::tables::{ROOT, entry};
+
+/// A positive number in Q32 shifted left by twice the second result, to at least 1/4; nothing of 0.
+#[inline]
+fn normal(x: u32) -> Option<(u32, u32)> {
+    if NARROW {
+        let (mut m, mut shift) = (x, 0);
+        loop {
+            // Said of the result itself, so that the compiler sees that it is inside the table.
+            if m >> 30 != 0 {
+                return Some((m, shift));
+            }
+            if shift == 15 {
+                return None;
+            }
+            m <<= 2;
+            shift += 1;
+        }
+    } else {
+        let shift = (x | 1).leading_zeros() >> 1;
+        let m = x << (2 * shift);
+        (m >> 30 != 0).then_some((m, shift))
+    }
+}
+
+/// On a straight line between two points of the table: the root of 1/4 ≤ m < 1, Q32 to Q16 from below, and the
+/// difference of the points.
+#[inline]
+fn line(m: u32) -> (u32, u32) {
+    // The table begins at 1/4.
+    let cell = (m >> 24).wrapping_sub(64);
+    let (from, to) = (
+        u32::from(entry(&ROOT, cell)),
+        u32::from(entry(&ROOT, cell + 1)),
+    );
+    let rise = to - from;
+    (from + ((rise * (m << 8 >> 16)) >> 16), rise)
+}
+
+/// The square root, Q32 to Q32, to 16 bits.
+#[inline]
+pub(in crate::fixed) fn coarse(x: u32) -> u32 {
+    normal(x).map_or(0, |(m, shift)| (line(m).0 << 16) >> shift)
+}
+
+/// The square root, Q32 to Q32.
+#[inline]
+pub(in crate::fixed) fn fine(x: u32) -> u32 {
+    let Some((m, shift)) = normal(x) else {
+        return 0;
+    };
+    let (root, rise) = line(m);
+    // A step of Newton's: the table rises by 1/(2√m) a cell, to 8 bits.
+    let rest = m.wrapping_sub(root * root) as i32;
+    (root << 16).wrapping_add_signed((rest * rise as i32) >> 8) >> shift
+}
+
+/// 1/√m of 1/4 ≤ m < 1, in Q14; its signs alternate.
+const INVERSE_ROOT: [u32; 3] = [43_759, 53_827, 26_846];
+
+/// The square root, Q32 to Q32, without a table.
+#[inline]
+pub(in crate::fixed) fn compact(x: u32) -> u32 {
+    let Some((m, shift)) = normal(x) else {
+        return 0;
+    };
+    let head = m >> 16;
+    let [r0, r1, r2] = INVERSE_ROOT;
+    // 1/√m in Q14, to 2.4 %; a step of Newton's makes it Q15, to 0.09 %.
+    let inverse = r0 - ((head * (r1 - ((head * r2) >> 16))) >> 16);
+    let excess = 3 * (1 << 15) - ((((inverse * inverse) >> 14) * head) >> 15);
+    let inverse = (inverse * excess) >> 15;
+    // √m in Q31, and by how much its square falls short of m, in Q30; two terms of the series for what remains.
+    let root = by_half(m, inverse);
+    let rest = (1 << 30) - by_half(root, inverse) as i32;
+    let short = rest >> 10;
+    let correction = (rest >> 5) + ((3 * short * short) >> 17);
+    let root = root.wrapping_add_signed(((root >> 16) as i32 * correction) >> 10);
+    (if root >> 31 == 0 { root << 1 } else { u32::MAX }) >> shift
+}

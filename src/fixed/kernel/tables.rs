@@ -1,0 +1,165 @@
+//! The tables that [`Fine`](crate::fixed::Fine) and [`Coarse`](crate::fixed::Coarse) share, computed by the
+//! compiler from series over integers.
+#![allow(
+    clippy::indexing_slicing,
+    clippy::integer_division_remainder_used,
+    reason = "the compiler evaluates all of this, and refuses to build what would panic"
+)]
+
+/// The fraction bits of what the series are summed in.
+const BITS: u32 = 96;
+const ONE: i128 = 1 << BITS;
+
+/// The product of two numbers below 4 in magnitude, in Q96; off by less than 2⁻⁴⁵, which is plenty.
+const fn product(a: i128, b: i128) -> i128 {
+    (a >> 48) * (b >> 48)
+}
+
+/// atan(1/n), by Gregory's series.
+const fn atan_of_inverse(n: i128) -> i128 {
+    let (mut power, mut sum, mut j) = (ONE / n, 0, 0);
+    while power != 0 {
+        let term = power / (2 * j + 1);
+        sum += if j % 2 == 0 { term } else { -term };
+        power /= n * n;
+        j += 1;
+    }
+    sum
+}
+
+/// π, by Machin's formula.
+const PI: i128 = 16 * atan_of_inverse(5) - 4 * atan_of_inverse(239);
+
+/// sin of an angle of 0 to π/4 (even terms of the series left out), or cos of it (odd ones).
+const fn circular(angle: i128, cosine: bool) -> i128 {
+    let (mut term, mut sum, mut j) = (if cosine { ONE } else { angle }, 0, 0);
+    let first = if cosine { 0 } else { 1 };
+    while j < 16 {
+        sum += term;
+        let n = first + 2 * j;
+        term = -product(product(term, angle), angle) / ((n + 1) * (n + 2));
+        j += 1;
+    }
+    sum
+}
+
+/// A number in Q96 as one of fewer fraction bits, rounded to the nearest.
+const fn rounded(x: i128, bits: u32) -> i128 {
+    (x + (1 << (BITS - bits - 1))) >> (BITS - bits)
+}
+
+/// The cells of a turn.
+pub(super) const SINE_CELLS: usize = 256;
+
+/// sin of a turn and a quarter in Q30, cut towards zero so that no point of the table lies outside the unit
+/// circle.
+pub(super) static SINE: [i32; SINE_CELLS / 4 * 5 + 1] = {
+    let mut table = [0; SINE_CELLS / 4 * 5 + 1];
+    let mut i = 0;
+    while i < table.len() {
+        let within = (i % 64) as i128;
+        let near = if within <= 32 { within } else { 64 - within };
+        let angle = PI * near / 128;
+        // The second half of a quarter is the cosine of what is left of it; every other quarter falls.
+        let falls = (i / 64) % 2 == 1;
+        let sine = circular(angle, (within > 32) != falls);
+        let sine = if sine > ONE { ONE } else { sine } >> (BITS - 30);
+        table[i] = if (i / 128) % 2 == 1 { -sine } else { sine } as i32;
+        i += 1;
+    }
+    table
+};
+
+/// The cells of [1/4, 1) that [`ROOT`] has.
+pub(super) const ROOT_CELLS: usize = 192;
+
+/// √((64 + i)/256) in Q16, rounded up, so that a straight line cut to 16 bits is off by nothing in the mean; the
+/// last is just below 1.
+pub(super) static ROOT: [u16; ROOT_CELLS + 1] = {
+    let mut table = [0; ROOT_CELLS + 1];
+    let mut i = 0;
+    while i < table.len() {
+        let root = ((64 + i as u64) << 24).isqrt() + 1;
+        table[i] = if root > 0xffff { 0xffff } else { root as u16 };
+        i += 1;
+    }
+    table
+};
+
+/// ln(a/b) of 0 < b ≤ a ≤ 2b, as twice the area tangent of (a − b)/(a + b).
+const fn ln_of_quotient(a: i128, b: i128) -> i128 {
+    let z = (a - b) * ONE / (a + b);
+    let (mut power, mut sum, mut j) = (z, 0, 0);
+    while j < 40 {
+        sum += power / (2 * j + 1);
+        power = product(product(power, z), z);
+        j += 1;
+    }
+    2 * sum
+}
+
+/// The cells of [1/2, 1) that [`LOG`] has.
+pub(super) const LOG_CELLS: usize = 64;
+
+/// −ln((64 + i)/128) in Q27.
+pub(super) static LOG: [u32; LOG_CELLS + 1] = {
+    let mut table = [0; LOG_CELLS + 1];
+    let mut i = 0;
+    while i < table.len() {
+        table[i] = rounded(ln_of_quotient(128, 64 + i as i128), 27) as u32;
+        i += 1;
+    }
+    table
+};
+
+/// ln 2 in Q27.
+pub(super) const LN_2: u32 = rounded(ln_of_quotient(2, 1), 27) as u32;
+
+/// ln 2/32 in Q27.
+pub(super) const LN_2_32ND: u32 = rounded(ln_of_quotient(2, 1) >> 5, 27) as u32;
+
+/// 2^(−j/32) in Q31.
+pub(super) static POWER: [u32; 32] = {
+    let step = exp_neg(ln_of_quotient(2, 1) >> 5);
+    let (mut table, mut power, mut j) = ([0; 32], ONE, 0);
+    while j < 32 {
+        table[j] = rounded(power, 31) as u32;
+        power = product(power, step);
+        j += 1;
+    }
+    table
+};
+
+/// e^−x of a small x.
+const fn exp_neg(x: i128) -> i128 {
+    let (mut term, mut sum, mut j) = (ONE, 0, 1);
+    while j < 20 {
+        sum += term;
+        term = -product(term, x) / j;
+        j += 1;
+    }
+    sum
+}
+
+/// How many turns a rotation by atan(2⁻ⁱ) is, in Q32.
+pub(super) const ROTATIONS: usize = 24;
+pub(super) static ROTATION: [u32; ROTATIONS] = {
+    let mut table = [0; ROTATIONS];
+    let mut i = 0;
+    while i < ROTATIONS {
+        let angle = if i == 0 {
+            PI / 4
+        } else {
+            atan_of_inverse(1 << i)
+        };
+        table[i] = (((angle << 29) / ((2 * PI) >> 4) + 1) >> 1) as u32;
+        i += 1;
+    }
+    table
+};
+
+/// An entry of a table; beyond its end, which no kernel goes, the default.
+#[inline]
+pub(super) fn entry<T: Copy + Default, const N: usize>(table: &[T; N], index: u32) -> T {
+    table.get(index as usize).copied().unwrap_or_default()
+}
