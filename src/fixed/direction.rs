@@ -2,13 +2,12 @@
 
 use super::Uniform;
 use super::grade::Kernels;
-use super::kernel::product::near_signed;
 
 /// The point of this distance from the centre (Q32) in the direction of a phase (Q32 turns), in Q30.
 #[inline]
 pub(super) fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
     let (sin, cos) = G::sincos(phase);
-    [near_signed(radius, cos), near_signed(radius, sin)]
+    [G::scaled(radius, cos), G::scaled(radius, sin)]
 }
 
 /// The angle of a point in turns, 0 at the origin.

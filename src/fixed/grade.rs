@@ -13,6 +13,8 @@ mod sealed {
         fn neg_ln_1m(u: u32) -> u32;
         fn exp_neg(x: u32) -> u32;
         fn atan2(y: i32, x: i32) -> u32;
+        /// A length (Q32) times a sine or cosine, in its Q.
+        fn scaled(length: u32, by: i32) -> i32;
     }
 }
 pub(super) use sealed::Kernels;
@@ -101,7 +103,7 @@ pub trait Grade:
 }
 
 macro_rules! grade {
-    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $rotations:literal) => {
+    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $rotations:literal, $scaled:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -138,21 +140,26 @@ macro_rules! grade {
             fn atan2(y: i32, x: i32) -> u32 {
                 angle::vectoring(y, x, $rotations)
             }
+
+            #[inline]
+            fn scaled(length: u32, by: i32) -> i32 {
+                product::$scaled(length, by)
+            }
         }
     };
 }
 
 grade! {
     /// Largest errors about 1e-6, with tables of 2 KB that all functions share.
-    Fine, fine, "fine", 0xffff_fff0, 23
+    Fine, fine, "fine", 0xffff_fff0, 23, near_signed
 }
 
 grade! {
     /// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
-    Coarse, coarse, "coarse", 0xffff_fff0, 14
+    Coarse, coarse, "coarse", 0xffff_fff0, 14, head_by_signed
 }
 
 grade! {
     /// Largest errors about 1e-6 without tables, in the least flash.
-    Compact, compact, "compact", 0xffff_fff0, 23
+    Compact, compact, "compact", 0xffff_fff0, 23, near_signed
 }

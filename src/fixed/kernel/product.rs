@@ -18,14 +18,14 @@ pub(in crate::fixed) fn high(a: u32, b: u32) -> u32 {
     }
 }
 
-/// a·b/2³² to within 2, from below: three narrow products, as they are or out of wide ones.
+/// a·b/2³² to within 3, from below: three narrow products, as they are or out of wide ones.
 #[inline]
 pub(in crate::fixed) const fn near(a: u32, b: u32) -> u32 {
     let (ah, bh, bl) = (a >> 16, b >> 16, b & 0xffff);
     by_half(a, bh) + ((ah * bl) >> 16)
 }
 
-/// a·b/2³² to within 2, from below, of a signed b.
+/// a·b/2³² to within 3, from below, of a signed b.
 #[inline]
 pub(in crate::fixed) const fn near_signed(a: u32, b: i32) -> i32 {
     let (ah, bh, bl) = (a >> 16, b >> 16, (b & 0xffff) as u32);
@@ -47,6 +47,17 @@ pub(in crate::fixed) const fn by_half(a: u32, b: u32) -> u32 {
 pub(in crate::fixed) const fn by_signed_half(a: u32, b: i32) -> i32 {
     if NARROW {
         (a >> 16) as i32 * b + (((a & 0xffff) as i32 * b) >> 16)
+    } else {
+        ((a as i64 * b as i64) >> 16) as i32
+    }
+}
+
+/// ⌊a·b/2³²⌋ of a multiple a of 2¹⁶ and a signed b, exactly.
+#[inline]
+pub(in crate::fixed) const fn head_by_signed(a: u32, b: i32) -> i32 {
+    let a = a >> 16;
+    if NARROW {
+        (b >> 16) * a as i32 + (((b & 0xffff) as u32 * a) >> 16) as i32
     } else {
         ((a as i64 * b as i64) >> 16) as i32
     }

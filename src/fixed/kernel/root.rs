@@ -27,10 +27,10 @@ fn normal(x: u32) -> Option<(u32, u32)> {
     }
 }
 
-/// On a straight line between two points of the table: the root of 1/4 ≤ m < 1, Q32 to Q16 from below, and the
-/// difference of the points.
+/// On a straight line between two points of the table: the root of 1/4 ≤ m < 1, Q32 to Q16 with so much added
+/// before it is cut (Q32), and the difference of the points.
 #[inline]
-fn line(m: u32) -> (u32, u32) {
+fn line(m: u32, added: u32) -> (u32, u32) {
     // The table begins at 1/4.
     let cell = (m >> 24).wrapping_sub(64);
     let (from, to) = (
@@ -38,13 +38,13 @@ fn line(m: u32) -> (u32, u32) {
         u32::from(entry(&ROOT, cell + 1)),
     );
     let rise = to - from;
-    (from + ((rise * (m << 8 >> 16)) >> 16), rise)
+    (from + ((rise * (m << 8 >> 16) + added) >> 16), rise)
 }
 
 /// The square root, Q32 to Q32, to 16 bits.
 #[inline]
 pub(in crate::fixed) fn coarse(x: u32) -> u32 {
-    normal(x).map_or(0, |(m, shift)| (line(m).0 << 16) >> shift)
+    normal(x).map_or(0, |(m, shift)| (line(m, 1 << 15).0 << 16) >> shift)
 }
 
 /// The square root, Q32 to Q32.
@@ -53,10 +53,10 @@ pub(in crate::fixed) fn fine(x: u32) -> u32 {
     let Some((m, shift)) = normal(x) else {
         return 0;
     };
-    let (root, rise) = line(m);
+    let (root, rise) = line(m, 0);
     // A step of Newton's: the table rises by 1/(2√m) a cell, to 8 bits.
-    let rest = m.wrapping_sub(root * root) as i32;
-    (root << 16).wrapping_add_signed((rest * rise as i32) >> 8) >> shift
+    let rest = m - root * root;
+    ((root << 16) + ((rest * rise) >> 8)) >> shift
 }
 
 /// 1/√m of 1/4 ≤ m < 1, in Q14; its signs alternate.

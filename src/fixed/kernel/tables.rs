@@ -73,13 +73,12 @@ pub(super) static SINE: [i32; SINE_CELLS / 4 * 5 + 1] = {
 /// The cells of [1/4, 1) that [`ROOT`] has.
 pub(super) const ROOT_CELLS: usize = 192;
 
-/// √((64 + i)/256) in Q16, rounded up, so that a straight line cut to 16 bits is off by nothing in the mean; the
-/// last is just below 1.
+/// √((64 + i)/256) in Q16, cut; the last is just below 1.
 pub(super) static ROOT: [u16; ROOT_CELLS + 1] = {
     let mut table = [0; ROOT_CELLS + 1];
     let mut i = 0;
     while i < table.len() {
-        let root = ((64 + i as u64) << 24).isqrt() + 1;
+        let root = ((64 + i as u64) << 24).isqrt();
         table[i] = if root > 0xffff { 0xffff } else { root as u16 };
         i += 1;
     }
