@@ -156,7 +156,7 @@ grade! {
 
 grade! {
     /// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
-    Coarse, coarse, "coarse", 0xffff_fff0, 14, head_by_signed
+    Coarse, coarse, "coarse", 0xffff_ffff, 14, rough_signed
 }
 
 grade! {

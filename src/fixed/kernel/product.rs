@@ -52,15 +52,10 @@ pub(in crate::fixed) const fn by_signed_half(a: u32, b: i32) -> i32 {
     }
 }
 
-/// ⌊a·b/2³²⌋ of a multiple a of 2¹⁶ and a signed b, exactly.
+/// a·b/2³² of a signed b of at most 2³⁰ in magnitude, from the first 15 bits of a and 17 of b: one narrow product.
 #[inline]
-pub(in crate::fixed) const fn head_by_signed(a: u32, b: i32) -> i32 {
-    let a = a >> 16;
-    if NARROW {
-        (b >> 16) * a as i32 + (((b & 0xffff) as u32 * a) >> 16) as i32
-    } else {
-        ((a as i64 * b as i64) >> 16) as i32
-    }
+pub(in crate::fixed) const fn rough_signed(a: u32, b: i32) -> i32 {
+    ((a >> 17) as i32 * (b >> 14)) >> 1
 }
 
 /// a² / 2³² to within 2, from below.
