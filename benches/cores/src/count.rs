@@ -109,17 +109,18 @@ fn calibrate(rounds: u32) -> u32 {
     since(then)
 }
 
-/// Cycles of `CALLS` calls, each on inputs of its own.
+/// Cycles of `CALLS` calls, each on inputs of its own, and the stack pointer at the calls.
 #[inline(never)]
-fn run(entry: &Entry, kernel: Kernel) -> u32 {
+fn run(entry: &Entry, kernel: Kernel) -> (u32, usize) {
     let (mut input, mut output) = (inputs(), outputs());
+    let top = stack_pointer();
     let then = now();
     for _ in 0..CALLS {
         kernel(input, output);
         input = input.wrapping_add(entry.inputs);
         output = output.wrapping_add(entry.outputs);
     }
-    since(then)
+    (since(then), top)
 }
 
 const PAINT: u32 = 0xA5C3_96E1;
@@ -141,19 +142,19 @@ fn stack_pointer() -> usize {
     DEPTH
 }
 
-/// Bytes from the stack pointer here down to the lowest word that the calls changed.
+/// Bytes from the stack pointer at the calls down to the lowest word that one of them changed.
 #[inline(never)]
 fn stack(entry: &Entry, kernel: Kernel) -> u32 {
-    let top = stack_pointer();
-    let bottom = top - DEPTH;
+    let painted = stack_pointer();
+    let bottom = painted - DEPTH;
     // Nothing is called while the paint goes on, which would be painted over.
     let mut at = bottom;
-    while at < top {
+    while at < painted {
         // SAFETY: free stack, of which the linker leaves more than this.
         unsafe { (at as *mut u32).write_volatile(PAINT) }
         at += 4;
     }
-    run(entry, kernel);
+    let (_, top) = run(entry, kernel);
     let mut at = bottom;
     // SAFETY: as above.
     while at < top && unsafe { (at as *const u32).read_volatile() } == PAINT {
@@ -182,7 +183,7 @@ pub fn measure(entry: &Entry) -> [u32; 8] {
             refill();
             deepest[which] = stack(entry, kernel).max(deepest[which]);
             refill();
-            cycles[which] += run(entry, kernel);
+            cycles[which] += run(entry, kernel).0;
         }
         for index in 0..CALLS * entry.outputs {
             // SAFETY: within the buffer.
