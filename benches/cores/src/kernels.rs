@@ -12,7 +12,7 @@ use microwarp::Warp;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use microwarp::rejection::{DiskRejection, Rejection};
-use microwarp::{libm, poly};
+use microwarp::{fixed as integer, libm, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -134,6 +134,12 @@ kernels! {
     "compact_exp_neg" (x: U5F27) -> U0F32 = Compact::exp_neg(x);
     "compact_exp_m1_neg" (x: U5F27) -> U0F32 = Compact::exp_m1_neg(x);
     "compact_pow" (x: U0F32, y: U16F16) -> U0F32 = Compact::pow(x, y);
+
+    // The integer tier.
+    "fine_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Fine>::new().sample([u, v]);
+    "fine_disk_pcg32" (rng) -> [I2F30; 2] = integer::Disk::<Fine>::new().draw(rng);
+    "coarse_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Coarse>::new().sample([u, v]);
+    "compact_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Compact>::new().sample([u, v]);
 
     // Tables in flash, by a word.
     "alias_1024" (word: u32) -> usize = {
