@@ -1,0 +1,204 @@
+//! Counting and painting.
+//!
+//! The emulator moves its clock by 64 ns an instruction, and `SysTick` counts the processor's clock cycles
+//! downwards; the host knows how many nanoseconds a cycle takes, and works out the rest.
+
+use crate::words::Output;
+use core::hint::black_box;
+use core::slice::from_raw_parts_mut;
+use rand_pcg::Pcg32;
+
+/// Reads its inputs at the first address, writes its outputs at the second.
+pub type Kernel = extern "C" fn(*mut u32, *mut u32);
+
+/// One line of the registry.
+pub struct Entry {
+    /// The function that is measured.
+    pub kernel: Kernel,
+    /// One that takes the same words in and out and does nothing between.
+    pub empty: Kernel,
+    /// How many words of input a call takes; none where the input is a generator.
+    pub inputs: usize,
+    /// How many words of output.
+    pub outputs: usize,
+    /// Makes the inputs of many calls.
+    pub fill: fn(Pcg32, &mut [u32]),
+}
+
+const MOST_INPUTS: usize = 4;
+const MOST_OUTPUTS: usize = 6;
+
+/// Loads `IN` words and stores as many as an `O` has, each by an instruction of its own as the kernels do.
+pub extern "C" fn empty<const IN: usize, O: Output>(input: *mut u32, output: *mut u32) {
+    const {
+        assert!(IN <= MOST_INPUTS && O::WORDS <= MOST_OUTPUTS);
+    }
+    // Not a loop, which small code might keep.
+    macro_rules! each {
+        ($bound:expr, $step:expr, $($index:literal)*) => {
+            $(if $index < $bound { $step($index); })*
+        };
+    }
+    let mut word = output.addr() as u32;
+    // SAFETY: an entry says how many words there are.
+    each!(IN, |i| word = unsafe { input.add(i).read_volatile() }, 0 1 2 3);
+    // SAFETY: as above.
+    each!(O::WORDS, |i| unsafe { output.add(i).write_volatile(word) }, 0 1 2 3 4 5);
+}
+
+const CALLS: usize = 64;
+const CHUNKS: u32 = 16;
+
+/// Aligned as a generator must be.
+#[repr(C, align(8))]
+struct Buffers {
+    inputs: [u32; CALLS * MOST_INPUTS],
+    outputs: [u32; CALLS * MOST_OUTPUTS],
+}
+
+static mut BUFFERS: Buffers = Buffers {
+    inputs: [0; CALLS * MOST_INPUTS],
+    outputs: [0; CALLS * MOST_OUTPUTS],
+};
+
+fn inputs() -> *mut u32 {
+    // SAFETY: there is one thread, and it holds no reference into them across a call.
+    unsafe { (&raw mut BUFFERS.inputs).cast() }
+}
+
+fn outputs() -> *mut u32 {
+    // SAFETY: there is one thread, and it holds no reference into them across a call.
+    unsafe { (&raw mut BUFFERS.outputs).cast() }
+}
+
+const SYST_CSR: *mut u32 = 0xE000_E010 as *mut u32;
+const SYST_RVR: *mut u32 = 0xE000_E014 as *mut u32;
+const SYST_CVR: *mut u32 = 0xE000_E018 as *mut u32;
+
+/// Counts the processor's clock down from 2^24 - 1, again and again.
+fn start_clock() {
+    // SAFETY: registers of every Cortex-M.
+    unsafe {
+        SYST_RVR.write_volatile(0xff_ffff);
+        SYST_CVR.write_volatile(0);
+        SYST_CSR.write_volatile(5);
+    }
+}
+
+fn now() -> u32 {
+    // SAFETY: a register of every Cortex-M.
+    unsafe { SYST_CVR.read_volatile() }
+}
+
+/// Cycles since `then`, of which there must have been fewer than 2^24.
+fn since(then: u32) -> u32 {
+    then.wrapping_sub(now()) & 0xff_ffff
+}
+
+/// Cycles of a loop of so many rounds, of five instructions each.
+#[inline(never)]
+fn calibrate(rounds: u32) -> u32 {
+    let then = now();
+    #[cfg(target_arch = "arm")]
+    // SAFETY: it counts a register down.
+    unsafe {
+        core::arch::asm!("2:", "nop", "nop", "nop", "subs {0}, {0}, #1", "bne 2b", inout(reg) rounds => _);
+    }
+    #[cfg(not(target_arch = "arm"))]
+    let _ = rounds;
+    since(then)
+}
+
+/// Cycles of `CALLS` calls, each on inputs of its own, and the stack pointer at the calls.
+#[inline(never)]
+fn run(entry: &Entry, kernel: Kernel) -> (u32, usize) {
+    let (mut input, mut output) = (inputs(), outputs());
+    let top = stack_pointer();
+    let then = now();
+    for _ in 0..CALLS {
+        kernel(input, output);
+        input = input.wrapping_add(entry.inputs);
+        output = output.wrapping_add(entry.outputs);
+    }
+    (since(then), top)
+}
+
+const PAINT: u32 = 0xA5C3_96E1;
+const DEPTH: usize = 8192;
+
+#[cfg(target_arch = "arm")]
+#[inline(always)]
+fn stack_pointer() -> usize {
+    let at;
+    // SAFETY: it reads a register.
+    unsafe {
+        core::arch::asm!("mov {0}, sp", out(reg) at);
+    }
+    at
+}
+
+#[cfg(not(target_arch = "arm"))]
+fn stack_pointer() -> usize {
+    DEPTH
+}
+
+/// Bytes from the stack pointer at the calls down to the lowest word that one of them changed.
+#[inline(never)]
+fn stack(entry: &Entry, kernel: Kernel) -> u32 {
+    let painted = stack_pointer();
+    let bottom = painted - DEPTH;
+    // Nothing is called while the paint goes on, which would be painted over.
+    let mut at = bottom;
+    while at < painted {
+        // SAFETY: free stack, of which the linker leaves more than this.
+        unsafe { (at as *mut u32).write_volatile(PAINT) }
+        at += 4;
+    }
+    let (_, top) = run(entry, kernel);
+    let mut at = bottom;
+    // SAFETY: as above.
+    while at < top && unsafe { (at as *const u32).read_volatile() } == PAINT {
+        at += 4;
+    }
+    (top - at) as u32
+}
+
+/// How many calls were counted; the cycles of a loop of 50,000 instructions and of one of 25,000; the cycles of
+/// the empty kernel and of the other; the stack of both; a hash of all that the kernel wrote.
+pub fn measure(entry: &Entry) -> [u32; 8] {
+    let entry = black_box(entry);
+    start_clock();
+    let long = calibrate(black_box(10_000));
+    let short = calibrate(black_box(5_000));
+    let (mut cycles, mut deepest, mut hash) = ([0; 2], [0; 2], 0x811c_9dc5_u32);
+    for chunk in 0..CHUNKS {
+        let random = || Pcg32::new(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(chunk.into()), 54);
+        for (which, kernel) in [entry.empty, entry.kernel].into_iter().enumerate() {
+            // SAFETY: nothing else uses the buffer while it is filled.
+            let refill = || {
+                (entry.fill)(random(), unsafe {
+                    from_raw_parts_mut(inputs(), CALLS * MOST_INPUTS)
+                })
+            };
+            refill();
+            deepest[which] = stack(entry, kernel).max(deepest[which]);
+            refill();
+            cycles[which] += run(entry, kernel).0;
+        }
+        for index in 0..CALLS * entry.outputs {
+            // SAFETY: within the buffer.
+            let word = unsafe { outputs().add(index).read_volatile() };
+            hash = (hash ^ word).wrapping_mul(0x0100_0193).rotate_left(5);
+        }
+    }
+    [
+        CALLS as u32 * CHUNKS,
+        long,
+        short,
+        cycles[0],
+        cycles[1],
+        deepest[0],
+        deepest[1],
+        hash,
+    ]
+}

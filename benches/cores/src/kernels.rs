@@ -1,0 +1,156 @@
+//! The registry of what is measured, one function a line.
+#![allow(
+    dead_code,
+    unused_imports,
+    reason = "a measurement compiles one line and leaves the others out"
+)]
+
+use crate::count::{Entry, empty};
+use crate::words::{Input, Output};
+use fixed::types::{I2F30, U0F32, U5F27, U16F16};
+use microwarp::Warp;
+use microwarp::discrete::{Alias, AliasEntry, Cdf};
+use microwarp::fixed::{Coarse, Compact, Fine, Grade};
+use microwarp::rejection::{DiskRejection, Rejection};
+use microwarp::{fixed as integer, libm, poly};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// `"name" (inputs) -> outputs = expression;`
+///
+/// Inputs are numbers of a word each, written `name: type` (`words.rs` says which types there are and which
+/// numbers each gets), or `(rng)`, a generator in memory, whose cost is part of the kernel's. Outputs are one
+/// such number, an array or a tuple of them.
+macro_rules! kernels {
+    ($($name:literal $inputs:tt -> $out:ty = $body:expr;)*) => {
+        /// Every entry; a measurement leaves one.
+        pub static REGISTRY: &[Entry] = &[
+            $(#[cfg(any(not(one_kernel), kernel = $name))] entry!($name $inputs -> $out = $body),)*
+        ];
+    };
+}
+
+macro_rules! entry {
+    ($name:literal ($($input:ident: $type:ty),+) -> $out:ty = $body:expr) => {{
+        const INPUTS: usize = [$(stringify!($input)),+].len();
+        #[unsafe(export_name = $name)]
+        #[inline(never)]
+        extern "C" fn kernel(at: *mut u32, to: *mut u32) {
+            // SAFETY: the entry below says how many words there are.
+            let [$($input),+] = core::array::from_fn(|index| at.wrapping_add(index));
+            $(let $input = unsafe { $input.cast::<$type>().read_volatile() };)+
+            let out: $out = $body;
+            unsafe { out.store(to) }
+        }
+        Entry {
+            kernel,
+            empty: empty::<INPUTS, $out>,
+            inputs: INPUTS,
+            outputs: <$out>::WORDS,
+            fill: |mut random, words| {
+                for call in words.chunks_exact_mut(INPUTS) {
+                    let mut word = call.iter_mut();
+                    $(if let Some(word) = word.next() { *word = <$type>::bits(random.next_u32()) })+
+                }
+            },
+        }
+    }};
+    ($name:literal ($rng:ident) -> $out:ty = $body:expr) => {{
+        #[unsafe(export_name = $name)]
+        #[inline(never)]
+        extern "C" fn kernel(at: *mut u32, to: *mut u32) {
+            // SAFETY: the entry below puts a generator there, and nobody else uses it.
+            let $rng = unsafe { &mut *at.cast::<Pcg32>() };
+            let out: $out = $body;
+            unsafe { out.store(to) }
+        }
+        Entry {
+            kernel,
+            empty: empty::<0, $out>,
+            inputs: 0,
+            outputs: <$out>::WORDS,
+            fill: |random, words| unsafe { words.as_mut_ptr().cast::<Pcg32>().write(random) },
+        }
+    }};
+}
+
+/// A parameter that was accepted, at compile time.
+const fn ok<T: Copy>(result: Result<T, microwarp::Error>) -> T {
+    match result {
+        Ok(value) => value,
+        Err(_) => panic!("refused"),
+    }
+}
+
+/// Weights of a table, no two neighbours alike.
+const fn weights<const N: usize>() -> [f32; N] {
+    let mut weights = [0.0; N];
+    let mut index = 0;
+    while index < N {
+        weights[index] = (index * 37 % 101 + 1) as f32;
+        index += 1;
+    }
+    weights
+}
+
+kernels! {
+    // The generator alone, for those rows that contain it.
+    "pcg32_word" (rng) -> u32 = rng.next_u32();
+    "pcg32_two_words" (rng) -> [u32; 2] = [rng.next_u32(), rng.next_u32()];
+
+    // The float tiers.
+    "poly_disk" (u: f32, v: f32) -> [f32; 2] = poly::Disk::new().sample([u, v]);
+    "poly_sphere" (u: f32, v: f32) -> [f32; 3] = poly::Sphere::new().sample([u, v]);
+    "poly_cosine_hemisphere" (u: f32, v: f32) -> [f32; 3] = poly::CosineHemisphere::new().sample([u, v]);
+    "poly_phong_lobe_50" (u: f32, v: f32) -> [f32; 3] = const { ok(poly::PhongLobe::new(50.0)) }.sample([u, v]);
+    "poly_exponential_1" (u: f32) -> f32 = const { ok(poly::Exponential::new(1.0)) }.sample(u);
+    "poly_normal_pair" (u: f32, v: f32) -> [f32; 2] = const { ok(poly::NormalPair::new([0.0; 2], 1.0)) }.sample([u, v]);
+    "libm_disk" (u: f32, v: f32) -> [f32; 2] = libm::Disk::new().sample([u, v]);
+    "libm_sphere" (u: f32, v: f32) -> [f32; 3] = libm::Sphere::new().sample([u, v]);
+    "libm_cosine_hemisphere" (u: f32, v: f32) -> [f32; 3] = libm::CosineHemisphere::new().sample([u, v]);
+    "libm_phong_lobe_50" (u: f32, v: f32) -> [f32; 3] = const { ok(libm::PhongLobe::new(50.0)) }.sample([u, v]);
+    "libm_exponential_1" (u: f32) -> f32 = const { ok(libm::Exponential::new(1.0)) }.sample(u);
+    "libm_normal_pair" (u: f32, v: f32) -> [f32; 2] = const { ok(libm::NormalPair::new([0.0; 2], 1.0)) }.sample([u, v]);
+
+    // The functions under the integer tier, in each grade.
+    "fine_sincos_turns" (t: U0F32) -> (I2F30, I2F30) = Fine::sincos_turns(t);
+    "fine_atan2_turns" (y: I2F30, x: I2F30) -> U0F32 = Fine::atan2_turns(y, x);
+    "fine_sqrt" (x: U0F32) -> U0F32 = Fine::sqrt(x);
+    "fine_neg_ln_1m" (u: U0F32) -> U5F27 = Fine::neg_ln_1m(u);
+    "fine_exp_neg" (x: U5F27) -> U0F32 = Fine::exp_neg(x);
+    "fine_exp_m1_neg" (x: U5F27) -> U0F32 = Fine::exp_m1_neg(x);
+    "fine_pow" (x: U0F32, y: U16F16) -> U0F32 = Fine::pow(x, y);
+    "coarse_sincos_turns" (t: U0F32) -> (I2F30, I2F30) = Coarse::sincos_turns(t);
+    "coarse_atan2_turns" (y: I2F30, x: I2F30) -> U0F32 = Coarse::atan2_turns(y, x);
+    "coarse_sqrt" (x: U0F32) -> U0F32 = Coarse::sqrt(x);
+    "coarse_neg_ln_1m" (u: U0F32) -> U5F27 = Coarse::neg_ln_1m(u);
+    "coarse_exp_neg" (x: U5F27) -> U0F32 = Coarse::exp_neg(x);
+    "coarse_exp_m1_neg" (x: U5F27) -> U0F32 = Coarse::exp_m1_neg(x);
+    "coarse_pow" (x: U0F32, y: U16F16) -> U0F32 = Coarse::pow(x, y);
+    "compact_sincos_turns" (t: U0F32) -> (I2F30, I2F30) = Compact::sincos_turns(t);
+    "compact_atan2_turns" (y: I2F30, x: I2F30) -> U0F32 = Compact::atan2_turns(y, x);
+    "compact_sqrt" (x: U0F32) -> U0F32 = Compact::sqrt(x);
+    "compact_neg_ln_1m" (u: U0F32) -> U5F27 = Compact::neg_ln_1m(u);
+    "compact_exp_neg" (x: U5F27) -> U0F32 = Compact::exp_neg(x);
+    "compact_exp_m1_neg" (x: U5F27) -> U0F32 = Compact::exp_m1_neg(x);
+    "compact_pow" (x: U0F32, y: U16F16) -> U0F32 = Compact::pow(x, y);
+
+    // The integer tier.
+    "fine_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Fine>::new().sample([u, v]);
+    "fine_disk_pcg32" (rng) -> [I2F30; 2] = integer::Disk::<Fine>::new().draw(rng);
+    "coarse_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Coarse>::new().sample([u, v]);
+    "compact_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Compact>::new().sample([u, v]);
+
+    // Tables in flash, by a word.
+    "alias_1024" (word: u32) -> usize = {
+        static TABLE: Alias<[AliasEntry<u32>; 1024]> = ok(Alias::<[AliasEntry<u32>; 1024]>::new(&weights::<1024>()));
+        TABLE.index(word)
+    };
+    "cdf_1024" (word: u32) -> usize = {
+        static TABLE: Cdf<[u32; 1024]> = ok(Cdf::<[u32; 1024]>::new(&weights::<1024>()));
+        TABLE.index(word)
+    };
+
+    // Rejection, with its generator.
+    "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
+}
