@@ -5,16 +5,25 @@
 
 #![expect(
     clippy::arithmetic_side_effects,
+    clippy::cast_possible_wrap,
     reason = "plain operators never overflow here: builds with overflow checks try them at the extremes"
 )]
 
+mod cone;
 mod direction;
 mod disk;
 mod grade;
+mod hemisphere;
 mod kernel;
+mod lobe;
+mod sphere;
 
+pub use self::cone::Cone;
 pub use self::disk::Disk;
 pub use self::grade::{Coarse, Compact, Fine, Grade};
+pub use self::hemisphere::{CosineHemisphere, Hemisphere};
+pub use self::lobe::PhongLobe;
+pub use self::sphere::Sphere;
 
 use ::fixed::types::{I2F30, U0F32, U32F32};
 

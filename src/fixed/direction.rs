@@ -1,7 +1,13 @@
-//! What the disk and the directions share: a radius turned about the centre, and the angle of a point.
+//! What the disk and the directions share: a radius turned about the centre, the angle of a point, and 1 − cos θ
+//! with its own exponent.
 
-use super::Uniform;
 use super::grade::Kernels;
+use super::kernel::product::near;
+use super::kernel::quotient::quotient;
+use super::{Coordinate, Uniform};
+
+/// 1 in Q30.
+pub(super) const ONE: i32 = 1 << 30;
 
 /// The point of this distance from the centre (Q32) in the direction of a phase (Q32 turns), in Q30.
 #[inline]
@@ -10,8 +16,116 @@ pub(super) fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
     [G::scaled(radius, cos), G::scaled(radius, sin)]
 }
 
+/// The direction of this sine (Q32) and cosine (Q30) of the polar angle, at a phase (Q32 turns).
+#[inline]
+pub(super) fn direction<G: Kernels>(sin: u32, cos: i32, phase: u32) -> [Coordinate; 3] {
+    let [x, y] = around::<G>(sin, phase);
+    [x, y, cos].map(Coordinate::from_bits)
+}
+
 /// The angle of a point in turns, 0 at the origin.
 #[inline]
-pub(super) fn azimuth<G: Kernels>(x: i32, y: i32) -> Uniform {
-    Uniform::from_bits(G::atan2(y, x))
+pub(super) fn azimuth<G: Kernels>(x: Coordinate, y: Coordinate) -> Uniform {
+    Uniform::from_bits(G::atan2(y.to_bits(), x.to_bits()))
+}
+
+/// A number of any magnitude below 2³²: mantissa·2^(−32 − exponent).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(super) struct Scaled {
+    pub(super) mantissa: u32,
+    pub(super) exponent: i32,
+}
+
+impl Scaled {
+    /// Of a mantissa whose first bit is set, if any.
+    #[inline]
+    pub(super) const fn normal(mantissa: u32, exponent: i32) -> Self {
+        let zeros = (mantissa | 1).leading_zeros();
+        Self {
+            mantissa: mantissa << zeros,
+            exponent: exponent + zeros as i32,
+        }
+    }
+
+    /// Of a number in so many fraction bits.
+    #[inline]
+    pub(super) const fn of(bits: u64, fraction: i32) -> Self {
+        let zeros = (bits | 1).leading_zeros() as i32;
+        Self {
+            mantissa: ((bits << zeros) >> 32) as u32,
+            exponent: zeros + fraction - 64,
+        }
+    }
+
+    /// In so many fraction bits, cut; what does not fit counts as the largest word.
+    #[inline]
+    pub(super) const fn to_bits(self, fraction: i32) -> u32 {
+        let left = fraction - 32 - self.exponent;
+        if left > 0 && (left > 31 || self.mantissa >> (32 - left) != 0) && self.mantissa != 0 {
+            u32::MAX
+        } else {
+            shifted(self.mantissa, -left)
+        }
+    }
+
+    /// a/b, from above by no more than 2⁻³⁰ of it; of mantissas whose first bits are set.
+    #[inline]
+    pub(super) const fn over(self, b: Self) -> Self {
+        let exponent = self.exponent - b.exponent;
+        if self.mantissa < b.mantissa {
+            Self::normal(quotient(self.mantissa, b.mantissa), exponent)
+        } else {
+            Self::normal(quotient(self.mantissa >> 1, b.mantissa), exponent - 1)
+        }
+    }
+
+    /// a·b, from below.
+    #[inline]
+    pub(super) const fn times(self, b: Self) -> Self {
+        Self {
+            mantissa: near(self.mantissa, b.mantissa),
+            exponent: self.exponent + b.exponent,
+        }
+    }
+
+    /// The direction for which this number, at most 1, is (1 − cos θ)/2.
+    #[inline]
+    pub(super) fn direction<G: Kernels>(self, phase: u32) -> [Coordinate; 3] {
+        let half = shifted(self.mantissa, self.exponent);
+        // sin² = 4 h (1 − h).
+        let square = self.mantissa - near(self.mantissa, half);
+        let exponent = self.exponent - 2;
+        let sin = if exponent <= 0 {
+            G::sqrt(shifted(square, exponent))
+        } else {
+            // An odd exponent is made even by halving once; what is left is halved in the root.
+            shifted(G::sqrt(square >> (exponent & 1)), exponent >> 1)
+        };
+        direction::<G>(sin, ONE - (half >> 1) as i32, phase)
+    }
+}
+
+/// A number shifted right, or left where the distance is negative.
+#[inline]
+const fn shifted(x: u32, right: i32) -> u32 {
+    if right > 31 {
+        0
+    } else if right >= 0 {
+        x >> right
+    } else {
+        x << -right
+    }
+}
+
+/// 1 − cos θ of a direction, from x and y where z has lost what they still hold.
+#[inline]
+pub(super) fn one_minus_cos([x, y, z]: [Coordinate; 3]) -> Scaled {
+    let (x, y, z) = (x.to_bits(), y.to_bits(), z.to_bits());
+    if z < ONE >> 1 {
+        return Scaled::normal(ONE.abs_diff(z), -2);
+    }
+    let square = |c: i32| u64::from(c.unsigned_abs()) * u64::from(c.unsigned_abs());
+    // (x² + y²)/(1 + z), in Q60 and Q30.
+    Scaled::of(square(x) + square(y), 60).over(Scaled::normal((ONE as u32) + z as u32, -2))
 }

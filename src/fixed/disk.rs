@@ -62,7 +62,7 @@ impl<G: Grade> Warp for Disk<G> {
 
     #[inline]
     fn invert(&self, point: [Coordinate; 2]) -> [Uniform; 2] {
-        let [x, y] = point.map(Coordinate::to_bits);
+        let [x, y] = point;
         // Q60 to Q32, halves upwards; the rim counts as the last word.
         let u1 = (square_of(point) + (1 << 27)) >> 28;
         let u1 = u32::try_from(u1).unwrap_or(u32::MAX);

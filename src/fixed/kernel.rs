@@ -13,6 +13,7 @@ pub(super) mod angle;
 pub(super) mod exp;
 pub(super) mod log;
 pub(super) mod product;
+pub(super) mod quotient;
 pub(super) mod root;
 pub(super) mod sine;
 mod tables;

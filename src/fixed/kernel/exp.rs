@@ -88,7 +88,7 @@ pub(in crate::fixed) const SMALL: u32 = 1 << 24;
 pub(in crate::fixed) fn one_minus_small(x: u32, bits: u32) -> u32 {
     // x in Q19, 16 bits, which is x/2 in Q20; then x/3 (1 − x/4) in Q18, and x/2 (1 − x/3 (1 − x/4)) in Q20, which
     // is what (1 − e^−x)/x falls short of 1.
-    let head = x >> (bits - 19);
+    let head = if bits > 50 { 0 } else { x >> (bits - 19) };
     let third = (head * 10_923) >> 16;
     let short = head - ((head * (third - ((third * head) >> 21))) >> 18);
     x - (by_half(x, short) >> 4)

@@ -27,24 +27,27 @@ fn normal(x: u32) -> Option<(u32, u32)> {
     }
 }
 
-/// On a straight line between two points of the table: the root of 1/4 ≤ m < 1, Q32 to Q16 with so much added
-/// before it is cut (Q32), and the difference of the points.
+/// The point of the table below 1/4 ≤ m < 1 (Q16), how far off the next one is, and how much of the way to there m
+/// has gone (Q16).
 #[inline]
-fn line(m: u32, added: u32) -> (u32, u32) {
+fn cell(m: u32) -> (u32, u32, u32) {
     // The table begins at 1/4.
     let cell = (m >> 24).wrapping_sub(64);
     let (from, to) = (
         u32::from(entry(&ROOT, cell)),
         u32::from(entry(&ROOT, cell + 1)),
     );
-    let rise = to - from;
-    (from + ((rise * (m << 8 >> 16) + added) >> 16), rise)
+    (from, to - from, m << 8 >> 16)
 }
 
-/// The square root, Q32 to Q32, to 16 bits.
+/// The square root, Q32 to Q32, on straight lines between the points of a table.
 #[inline]
 pub(in crate::fixed) fn coarse(x: u32) -> u32 {
-    normal(x).map_or(0, |(m, shift)| (line(m, 1 << 15).0 << 16) >> shift)
+    let Some((m, shift)) = normal(x) else {
+        return 0;
+    };
+    let (from, rise, part) = cell(m);
+    ((from << 16) + rise * part) >> shift
 }
 
 /// The square root, Q32 to Q32.
@@ -53,7 +56,8 @@ pub(in crate::fixed) fn fine(x: u32) -> u32 {
     let Some((m, shift)) = normal(x) else {
         return 0;
     };
-    let (root, rise) = line(m, 0);
+    let (from, rise, part) = cell(m);
+    let root = from + ((rise * part) >> 16);
     // A step of Newton's: the table rises by 1/(2√m) a cell, to 8 bits.
     let rest = m - root * root;
     ((root << 16) + ((rest * rise) >> 8)) >> shift

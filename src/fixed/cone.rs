@@ -1,0 +1,157 @@
+//! The uniform distribution over a cone of directions (a spherical cap).
+
+use super::direction::{Scaled, azimuth, one_minus_cos};
+use super::grade::{Compact, Fine, Grade, Kernels};
+use super::kernel::product::{by_half, near};
+use super::{Coordinate, Density, Uniform};
+use crate::error::Error;
+use crate::uniform::Canonical;
+use crate::warp::Warp;
+use ::fixed::types::U2F62;
+use core::marker::PhantomData;
+
+/// Uniform over the directions within an angle of +z.
+///
+/// Carried as k = 1 − cos θmax with an exponent of its own, so that narrow cones keep their digits: with
+/// h = u₁k/2, cos θ = 1 − 2h, sin θ = 2√(h(1 − h)).
+///
+/// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
+/// - Range: unit vectors with 1 − cos θ ≤ k. For narrow cones z is 1 and all the information is in x and y, which
+///   `pdf` and `invert` read.
+/// - Density: 1/(2πk) per steradian inside the cone, and 2⁻²⁰ of k beyond its rim, for the rounding there.
+///
+/// Source: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting
+/// Calculations", 1996.
+///
+/// ```
+/// use fixed::types::{I2F30, U0F32};
+/// use microwarp::{Warp, fixed as mw};
+/// let sun = mw::Cone::from_angle(U0F32::from_num(0.000_74))?; // half the angle the sun subtends, in turns
+/// let direction = sun.sample([0.9_f32, 0.3].map(U0F32::from_num));
+/// assert!(sun.pdf(direction) > 0);
+/// assert_eq!(sun.pdf([1, 0, 0].map(I2F30::from_num)), 0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Cone<G = Fine> {
+    /// k/2.
+    half: Scaled,
+    /// 1/(2πk) in Q32.
+    density: u64,
+    grade: PhantomData<G>,
+}
+
+/// 1/(2π), with its first bit set.
+const PER_ANGLE: Scaled = Scaled::normal(683_565_276, 0);
+
+impl<G: Grade> Cone<G> {
+    /// The cone of 1 − cos θmax = `k`, in (0, 2]; 2 is the whole sphere.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 2, [`Error::Empty`] below 2⁻³³, where the
+    /// density is no [`Density`].
+    pub const fn from_one_minus_cos(k: U2F62) -> Result<Self, Error> {
+        match k.to_bits() {
+            0 => Err(Error::NotPositive),
+            bits if bits > 1 << 63 => Err(Error::OutOfRange),
+            bits if bits < 1 << 29 => Err(Error::Empty),
+            bits => Ok(Self::of(Scaled::of(bits, 63))),
+        }
+    }
+
+    /// The cone of the given half angle in turns, in (0, 1/2].
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 1/2, [`Error::Empty`] below 2.5e-6 turns.
+    pub fn from_angle(turns: Uniform) -> Result<Self, Error> {
+        let bits = turns.to_bits();
+        if bits == 0 {
+            return Err(Error::NotPositive);
+        }
+        if bits > 1 << 31 {
+            return Err(Error::OutOfRange);
+        }
+        // k/2 is the square of the sine of half the angle, which keeps its digits in Q30.
+        let (sine, _) = Compact::sincos(bits >> 1);
+        let sine = u64::from(sine.unsigned_abs());
+        if sine < 1 << 14 {
+            return Err(Error::Empty);
+        }
+        Ok(Self::of(Scaled::of(sine * sine, 60)))
+    }
+
+    const fn of(half: Scaled) -> Self {
+        let density = PER_ANGLE.over(Scaled {
+            mantissa: half.mantissa,
+            exponent: half.exponent - 1,
+        });
+        // Below 2³² by the bounds of k.
+        let shift = -density.exponent;
+        let density = if shift >= 0 {
+            (density.mantissa as u64) << shift
+        } else {
+            (density.mantissa as u64) >> -shift
+        };
+        Self {
+            half,
+            density,
+            grade: PhantomData,
+        }
+    }
+
+    /// 1 − cos θmax, cut to 2⁻³⁰.
+    #[must_use]
+    pub const fn one_minus_cos(&self) -> ::fixed::types::U2F30 {
+        ::fixed::types::U2F30::from_bits(self.half.to_bits(31))
+    }
+}
+
+impl<G: Grade> Warp for Cone<G> {
+    type Uniforms = [Uniform; 2];
+    type Point = [Coordinate; 3];
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
+        let [u1, u2] = u.get().map(Uniform::to_bits);
+        let Scaled { mantissa, exponent } = self.half;
+        // A small u keeps its digits by 16 more bits.
+        let half = if u1 >> 16 == 0 {
+            Scaled {
+                mantissa: by_half(mantissa, u1),
+                exponent: exponent + 16,
+            }
+        } else {
+            Scaled {
+                mantissa: near(mantissa, u1),
+                exponent,
+            }
+        };
+        half.direction::<G>(u2)
+    }
+
+    #[inline]
+    fn pdf(&self, point: [Coordinate; 3]) -> Density {
+        // Against k, in units of which a sample is at most 1.
+        let share = one_minus_cos(point).over(Scaled {
+            mantissa: self.half.mantissa,
+            exponent: self.half.exponent - 1,
+        });
+        if share.to_bits(31) <= (1 << 31) + (1 << 11) {
+            Density::from_bits(self.density)
+        } else {
+            Density::ZERO
+        }
+    }
+
+    #[inline]
+    fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
+        let [x, y, _] = point;
+        let share = one_minus_cos(point).over(Scaled {
+            mantissa: self.half.mantissa,
+            exponent: self.half.exponent - 1,
+        });
+        [Uniform::from_bits(share.to_bits(32)), azimuth::<G>(x, y)]
+    }
+}

@@ -1,0 +1,155 @@
+//! Distributions over the hemisphere about +z: uniform, and in proportion to the cosine.
+
+use super::direction::{azimuth, direction, one_minus_cos};
+use super::grade::{Fine, Grade, Kernels};
+use super::kernel::product::{near, square};
+use super::{Coordinate, Density, Uniform};
+use crate::uniform::Canonical;
+use crate::warp::Warp;
+use core::marker::PhantomData;
+
+/// Uniform over the hemisphere about +z.
+///
+/// z = u₁, sin θ = √(1 − u₁²), φ = u₂ turns: the horizon is at u₁ = 0.
+///
+/// - Uniforms: two words, polar then azimuth.
+/// - Range: unit vectors with z ≥ 0.
+/// - Density: 1/(2π) per steradian where z ≥ 0, to 2⁻³³.
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+///
+/// ```
+/// use fixed::types::U0F32;
+/// use microwarp::{Warp, fixed as mw};
+/// let [_, _, z] = mw::Hemisphere::new().sample([0.75_f32, 0.5].map(U0F32::from_num));
+/// assert_eq!(z, 0.75);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hemisphere<G = Fine>(PhantomData<G>);
+
+impl<G: Grade> Hemisphere<G> {
+    /// The directions with z ≥ 0.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+/// 1/(2π) in Q32.
+const DENSITY: Density = Density::from_bits(683_565_276);
+
+impl<G: Grade> Warp for Hemisphere<G> {
+    type Uniforms = [Uniform; 2];
+    type Point = [Coordinate; 3];
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
+        let [u1, u2] = u.get().map(Uniform::to_bits);
+        // sin² θ: near the pole by 1 − u, which is exact there. Below 1 again once 2(1 − u) has wrapped.
+        let square = if u1 >> 31 == 0 {
+            !square(u1)
+        } else {
+            let rest = u1.wrapping_neg();
+            (rest << 1).wrapping_sub(square(rest))
+        };
+        direction::<G>(<G as Kernels>::sqrt(square), (u1 >> 2) as i32, u2)
+    }
+
+    #[inline]
+    fn pdf(&self, point: [Coordinate; 3]) -> Density {
+        let [_, _, z] = point;
+        if z >= Coordinate::ZERO {
+            DENSITY
+        } else {
+            Density::ZERO
+        }
+    }
+
+    #[inline]
+    fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
+        let [x, y, z] = point;
+        let u1 = if z > Coordinate::ZERO {
+            // 1 − (1 − cos θ): what x and y say of the pole is kept.
+            one_minus_cos(point).to_bits(32).wrapping_neg()
+        } else {
+            0
+        };
+        [Uniform::from_bits(u1), azimuth::<G>(x, y)]
+    }
+}
+
+/// In proportion to the cosine over the hemisphere about +z, by inversion.
+///
+/// sin θ = √u₁, cos θ = √(1 − u₁), φ = u₂ turns: the pole is at u₁ = 0.
+///
+/// - Uniforms: two words, polar then azimuth.
+/// - Range: unit vectors with z ≥ 2⁻¹⁷.
+/// - Density: cos θ/π per steradian, to 2⁻³¹; never 0 at a sample.
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+///
+/// ```
+/// use fixed::types::U0F32;
+/// use microwarp::{Warp, fixed as mw};
+/// let [_, _, z] = mw::CosineHemisphere::new().sample([0.75_f32, 0.5].map(U0F32::from_num));
+/// assert_eq!(z, 0.5);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CosineHemisphere<G = Fine>(PhantomData<G>);
+
+impl<G: Grade> CosineHemisphere<G> {
+    /// The directions with z ≥ 0.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+/// 1/π in Q32.
+const PER_COSINE: u32 = 1_367_130_551;
+
+impl<G: Grade> Warp for CosineHemisphere<G> {
+    type Uniforms = [Uniform; 2];
+    type Point = [Coordinate; 3];
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
+        let [u1, u2] = u.get().map(Uniform::to_bits);
+        let rest = if u1 == 0 { u32::MAX } else { u1.wrapping_neg() };
+        let cos = <G as Kernels>::sqrt(rest) >> 2;
+        direction::<G>(<G as Kernels>::sqrt(u1), cos as i32, u2)
+    }
+
+    #[inline]
+    fn pdf(&self, point: [Coordinate; 3]) -> Density {
+        let [_, _, z] = point;
+        if z > Coordinate::ZERO {
+            // Q30 times Q32, from below: up to 2³², of a z up to 2.
+            Density::from_bits(u64::from(near(z.to_bits() as u32, PER_COSINE)) << 2 | 2)
+        } else {
+            Density::ZERO
+        }
+    }
+
+    #[inline]
+    fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
+        let [x, y, z] = point;
+        let u1 = if z > Coordinate::ZERO {
+            // 1 − cos² = a (2 − a), from the half of a.
+            let half = one_minus_cos(point).to_bits(33).min(1 << 31);
+            let quarter = half - square(half).min(half);
+            if quarter >> 30 == 0 {
+                quarter << 2
+            } else {
+                u32::MAX
+            }
+        } else {
+            u32::MAX
+        };
+        [Uniform::from_bits(u1), azimuth::<G>(x, y)]
+    }
+}

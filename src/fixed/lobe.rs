@@ -1,0 +1,169 @@
+//! The cosine-power (Phong) lobe.
+
+use super::direction::{Scaled, azimuth, direction, one_minus_cos};
+use super::grade::{Fine, Grade, Kernels};
+use super::kernel::exp::one_minus_small;
+use super::kernel::log;
+use super::kernel::product::{by_half, near, square};
+use super::{Coordinate, Density, Uniform};
+use crate::error::Error;
+use crate::uniform::Canonical;
+use crate::warp::Warp;
+use ::fixed::types::U32F32;
+use core::marker::PhantomData;
+
+/// Density ∝ cosⁿθ over the hemisphere about +z, for any n ≥ 0.
+///
+/// cos θ = (1 − u₁)^(1/(n+1)), carried as 1 − cos θ with an exponent of its own, so that a lobe of n = 1e8 does not
+/// collapse onto its axis. n = 0 is the uniform hemisphere, n = 1 the cosine one.
+///
+/// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
+/// - Range: unit vectors with z > 0.
+/// - Density: (n + 1)/(2π) cosⁿθ per steradian; never 0 at a sample. What is above 2³² counts as the largest
+///   [`Density`], what is below 2⁻³² as the smallest.
+///
+/// Source: E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically
+/// Based Rendering", 1994.
+///
+/// ```
+/// use fixed::types::{U0F32, U32F32};
+/// use microwarp::{Warp, fixed as mw};
+/// let gloss = mw::PhongLobe::new(U32F32::from_num(100_000_000))?;
+/// let [x, y, z] = gloss.sample([0.5_f32, 0.1].map(U0F32::from_num)).map(|c| c.to_num::<f64>());
+/// assert!(1.0 - z < 1e-8);         // next to the axis,
+/// assert!(x * x + y * y > 1.3e-8); // but not on it
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PhongLobe<G = Fine> {
+    exponent: Scaled,
+    /// n + 1.
+    power: Scaled,
+    /// 1/(n + 1).
+    inverse: Scaled,
+    grade: PhantomData<G>,
+}
+
+/// 1, which has its first bit set below the point.
+const UNIT: Scaled = Scaled::normal(1 << 31, -1);
+/// 1/(2π).
+const PER_ANGLE: Scaled = Scaled::normal(683_565_276, 0);
+
+impl<G: Grade> PhongLobe<G> {
+    /// The lobe of exponent `n`, up to 2³² − 2.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] above.
+    pub const fn new(n: U32F32) -> Result<Self, Error> {
+        let exponent = n.to_bits();
+        if exponent > (u32::MAX as u64 - 1) << 32 {
+            return Err(Error::OutOfRange);
+        }
+        let power = Scaled::of(exponent + (1 << 32), 32);
+        // 1 itself as the largest number below it.
+        let inverse = if exponent == 0 {
+            Scaled {
+                mantissa: u32::MAX,
+                exponent: 0,
+            }
+        } else {
+            UNIT.over(power)
+        };
+        Ok(Self {
+            exponent: Scaled::of(exponent, 32),
+            power,
+            inverse,
+            grade: PhantomData,
+        })
+    }
+
+    /// −ln cos θ of a direction with z > 0.
+    #[inline]
+    fn neg_ln_cos(point: [Coordinate; 3]) -> Scaled {
+        let a = one_minus_cos(point);
+        if a.exponent >= 8 {
+            // a (1 + a/2 + a²/3), which for a below 2⁻⁸ is off by 2⁻²⁶ of it.
+            let part = a.to_bits(24);
+            let more = (part >> 1) + ((((part * part) >> 16) * 85) >> 16);
+            let mantissa = a.mantissa >> 1;
+            Scaled::normal(mantissa + (by_half(mantissa, more) >> 8), a.exponent - 1)
+        } else {
+            let cos = point[2].to_bits() as u32;
+            // −ln of the cosine itself, which here has all the digits.
+            let log = <G as Kernels>::neg_ln_1m(if cos >> 30 == 0 {
+                (cos << 2).wrapping_neg()
+            } else {
+                0
+            });
+            Scaled::normal(log, -5)
+        }
+    }
+}
+
+/// 1 − e^−x.
+#[inline]
+fn exp_m1_neg<G: Kernels>(x: Scaled) -> u32 {
+    // Below 1/8 by its own digits.
+    if x.exponent >= 3 {
+        let bits = x.to_bits(34);
+        one_minus_small(bits, 34) >> 2
+    } else {
+        !<G as Kernels>::exp_neg(x.to_bits(27))
+    }
+}
+
+impl<G: Grade> Warp for PhongLobe<G> {
+    type Uniforms = [Uniform; 2];
+    type Point = [Coordinate; 3];
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
+        let [u1, u2] = u.get().map(Uniform::to_bits);
+        // −ln(1 − u₁), near the axis with more digits.
+        let (log, bits) = if u1 < log::SMALL {
+            (log::small(u1), 39)
+        } else {
+            (<G as Kernels>::neg_ln_1m(u1), 27)
+        };
+        // −ln cos θ, in so many fraction bits.
+        let neg_ln_cos = near(log, self.inverse.mantissa);
+        let bits = bits + self.inverse.exponent;
+        if bits > 34 || neg_ln_cos >> (bits - 3) == 0 {
+            let a = one_minus_small(neg_ln_cos, bits as u32);
+            let half = Scaled {
+                mantissa: a,
+                exponent: bits - 31,
+            };
+            half.direction::<G>(u2)
+        } else {
+            let cos = <G as Kernels>::exp_neg(neg_ln_cos >> (bits - 27));
+            direction::<G>(<G as Kernels>::sqrt(!square(cos)), (cos >> 2) as i32, u2)
+        }
+    }
+
+    #[inline]
+    fn pdf(&self, point: [Coordinate; 3]) -> Density {
+        let [_, _, z] = point;
+        if z <= Coordinate::ZERO {
+            return Density::ZERO;
+        }
+        let log = Self::neg_ln_cos(point).times(self.exponent);
+        let shape = <G as Kernels>::exp_neg(log.to_bits(27));
+        let height = self.power.times(PER_ANGLE);
+        let density = (u64::from(height.mantissa) * u64::from(shape)) >> (32 + height.exponent);
+        Density::from_bits(density.max(1))
+    }
+
+    #[inline]
+    fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
+        let [x, y, z] = point;
+        let u1 = if z > Coordinate::ZERO {
+            exp_m1_neg::<G>(Self::neg_ln_cos(point).times(self.power))
+        } else {
+            u32::MAX
+        };
+        [Uniform::from_bits(u1), azimuth::<G>(x, y)]
+    }
+}
