@@ -97,7 +97,9 @@ impl Scaled {
         let square = self.mantissa - near(self.mantissa, half);
         let exponent = self.exponent - 2;
         let sin = if exponent <= 0 {
-            G::sqrt(shifted(square, exponent))
+            // At the equator the rounding of the product may carry it past 1.
+            let most = u32::MAX >> (-exponent & 31);
+            G::sqrt(square.min(most) << (-exponent & 31))
         } else {
             // An odd exponent is made even by halving once; what is left is halved in the root.
             shifted(G::sqrt(square >> (exponent & 1)), exponent >> 1)

@@ -72,7 +72,10 @@ impl<G: Grade> Warp for Hemisphere<G> {
         let [x, y, z] = point;
         let u1 = if z > Coordinate::ZERO {
             // 1 − (1 − cos θ): what x and y say of the pole is kept.
-            one_minus_cos(point).to_bits(32).wrapping_neg()
+            match one_minus_cos(point).to_bits(32) {
+                0 => u32::MAX,
+                rest => rest.wrapping_neg(),
+            }
         } else {
             0
         };
@@ -140,7 +143,7 @@ impl<G: Grade> Warp for CosineHemisphere<G> {
         let [x, y, z] = point;
         let u1 = if z > Coordinate::ZERO {
             // 1 − cos² = a (2 − a), from the half of a.
-            let half = one_minus_cos(point).to_bits(33).min(1 << 31);
+            let half = one_minus_cos(point).to_bits(31).min(1 << 31);
             let quarter = half - square(half).min(half);
             if quarter >> 30 == 0 {
                 quarter << 2

@@ -7,7 +7,7 @@
 
 use crate::count::{Entry, empty};
 use crate::words::{Input, Output};
-use fixed::types::{I2F30, U0F32, U5F27, U16F16};
+use fixed::types::{I2F30, U0F32, U2F62, U5F27, U16F16, U32F32};
 use microwarp::Warp;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
@@ -140,6 +140,21 @@ kernels! {
     "fine_disk_pcg32" (rng) -> [I2F30; 2] = integer::Disk::<Fine>::new().draw(rng);
     "coarse_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Coarse>::new().sample([u, v]);
     "compact_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Compact>::new().sample([u, v]);
+    "fine_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Sphere::<Fine>::new().sample([u, v]);
+    "fine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Hemisphere::<Fine>::new().sample([u, v]);
+    "fine_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::CosineHemisphere::<Fine>::new().sample([u, v]);
+    "fine_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::Cone::<Fine>::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
+    "fine_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::PhongLobe::<Fine>::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
+    "coarse_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Sphere::<Coarse>::new().sample([u, v]);
+    "coarse_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Hemisphere::<Coarse>::new().sample([u, v]);
+    "coarse_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::CosineHemisphere::<Coarse>::new().sample([u, v]);
+    "coarse_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::Cone::<Coarse>::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
+    "coarse_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::PhongLobe::<Coarse>::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
+    "compact_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Sphere::<Compact>::new().sample([u, v]);
+    "compact_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Hemisphere::<Compact>::new().sample([u, v]);
+    "compact_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::CosineHemisphere::<Compact>::new().sample([u, v]);
+    "compact_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::Cone::<Compact>::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
+    "compact_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::PhongLobe::<Compact>::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
 
     // Tables in flash, by a word.
     "alias_1024" (word: u32) -> usize = {
