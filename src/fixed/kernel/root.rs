@@ -31,8 +31,7 @@ fn normal(x: u32) -> Option<(u32, u32)> {
 /// has gone (Q16).
 #[inline]
 fn cell(m: u32) -> (u32, u32, u32) {
-    // The table begins at 1/4.
-    let cell = (m >> 24).wrapping_sub(64);
+    let cell = m >> 24;
     let (from, to) = (
         u32::from(entry(&ROOT, cell)),
         u32::from(entry(&ROOT, cell + 1)),

@@ -70,15 +70,16 @@ pub(super) static SINE: [i32; SINE_CELLS / 4 * 5 + 1] = {
     table
 };
 
-/// The cells of [1/4, 1) that [`ROOT`] has.
-pub(super) const ROOT_CELLS: usize = 192;
+/// The cells of [0, 1) that [`ROOT`] has.
+pub(super) const ROOT_CELLS: usize = 256;
 
-/// √((64 + i)/256) in Q16, cut; the last is just below 1.
+/// √(i/256) in Q16, cut, of 1/4 and above; the last is just below 1. The first quarter is not used, but without it
+/// each look-up would cost three instructions more on a Cortex-M0.
 pub(super) static ROOT: [u16; ROOT_CELLS + 1] = {
     let mut table = [0; ROOT_CELLS + 1];
-    let mut i = 0;
+    let mut i = 64;
     while i < table.len() {
-        let root = ((64 + i as u64) << 24).isqrt();
+        let root = ((i as u64) << 24).isqrt();
         table[i] = if root > 0xffff { 0xffff } else { root as u16 };
         i += 1;
     }
