@@ -71,12 +71,10 @@ pub(in crate::fixed) fn compact(x: u32) -> u32 {
     }
     // The leading half of the part exactly, the rest by the derivative.
     let (head, tail) = (part >> 16, part & 0xffff);
-    let [first, others @ ..] = POWER_OF_2;
-    let sum = others
-        .iter()
-        .rev()
-        .fold(0, |sum, &c| c - by_half(sum, head));
-    let power = !by_half(first - by_half(sum, head), head);
+    let [c0, c1, c2, c3, c4] = POWER_OF_2;
+    let next = |sum, c| c - by_half(sum, head);
+    let sum = next(next(next(next(c4, c3), c2), c1), c0);
+    let power = !by_half(sum, head);
     (power - (((power >> 16) * ((tail * LN_2) >> 16)) >> 16)) >> shift
 }
 

@@ -79,10 +79,9 @@ pub(in crate::fixed) fn compact(u: u32) -> u32 {
     let rest = m.wrapping_neg();
     // The leading half exactly, the rest by the derivative, which is 1/(1 − v).
     let (head, tail) = (rest >> 16, rest & 0xffff);
-    let sum = LOG_QUOTIENT
-        .iter()
-        .rev()
-        .fold(0, |sum, &c| c + by_half(sum, head));
+    let [c0, c1, c2, c3, c4] = LOG_QUOTIENT;
+    let next = |sum, c| c + by_half(sum, head);
+    let sum = next(next(next(next(c4, c3), c2), c1), c0);
     let square = (head * head) >> 16;
     let steeper = (tail * (head + square + (square >> 2))) >> 16;
     whole + (by_half(sum, head) >> 4) + ((tail + steeper) >> 5)
