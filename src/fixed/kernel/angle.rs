@@ -44,15 +44,18 @@ fn scaled(wide: u32, narrow: u32) -> (i32, i32) {
 /// The angle of a point of the first eighth.
 #[inline]
 fn rotated(wide: i32, narrow: i32, rotations: usize) -> u32 {
-    let (mut x, mut y, mut angle) = (wide, narrow, 0_u32);
-    // An eighth of a turn is less than all rotations but the first add up to.
-    for (shift, turn) in (1_u32..).zip(ROTATION.iter().skip(1).take(rotations)) {
+    let (mut x, mut y, mut angle, mut shift) = (wide, narrow, 0_u32, 0);
+    for turn in ROTATION.iter().take(rotations) {
+        shift += 1;
         let (dx, dy) = (y >> shift, x >> shift);
-        (x, y, angle) = match y {
-            0 => break,
-            1.. => (x + dx, y - dy, angle.wrapping_add(*turn)),
-            _ => (x - dx, y + dy, angle.wrapping_sub(*turn)),
-        };
+        if y == 0 {
+            break;
+        }
+        if y > 0 {
+            (x, y, angle) = (x + dx, y - dy, angle.wrapping_add(*turn));
+        } else {
+            (x, y, angle) = (x - dx, y + dy, angle.wrapping_sub(*turn));
+        }
     }
     angle
 }

@@ -141,17 +141,13 @@ const fn exp_neg(x: i128) -> i128 {
     sum
 }
 
-/// How many turns a rotation by atan(2⁻ⁱ) is, in Q32.
-pub(super) const ROTATIONS: usize = 24;
+/// How many turns a rotation by atan(2⁻ⁱ) is, in Q32, for i from 1: all of them add up to more than an eighth.
+pub(super) const ROTATIONS: usize = 23;
 pub(super) static ROTATION: [u32; ROTATIONS] = {
     let mut table = [0; ROTATIONS];
     let mut i = 0;
     while i < ROTATIONS {
-        let angle = if i == 0 {
-            PI / 4
-        } else {
-            atan_of_inverse(1 << i)
-        };
+        let angle = atan_of_inverse(2 << i);
         table[i] = (((angle << 29) / ((2 * PI) >> 4) + 1) >> 1) as u32;
         i += 1;
     }
