@@ -18,12 +18,41 @@ mod kernel;
 mod lobe;
 mod sphere;
 
-pub use self::cone::Cone;
-pub use self::disk::Disk;
 pub use self::grade::{Coarse, Compact, Fine, Grade};
-pub use self::hemisphere::{CosineHemisphere, Hemisphere};
-pub use self::lobe::PhongLobe;
-pub use self::sphere::Sphere;
+
+/// The warps of this tier with their grade as a parameter; the aliases beside this module name it.
+pub mod warp {
+    pub use super::cone::Cone;
+    pub use super::disk::Disk;
+    pub use super::hemisphere::{CosineHemisphere, Hemisphere};
+    pub use super::lobe::PhongLobe;
+    pub use super::sphere::Sphere;
+}
+
+/// Names the warps in one grade, so that a program says its grade once.
+macro_rules! names {
+    ($grade:ident) => {
+        names! { $grade;
+            Cone, CosineHemisphere, Disk, Hemisphere, PhongLobe, Sphere,
+        }
+    };
+    ($grade:ident; $($name:ident $([$($parameter:tt)*] [$($argument:tt)*])?,)*) => {$(
+        #[doc = concat!("[`warp::", stringify!($name), "`](crate::fixed::warp::", stringify!($name), ") in this grade.")]
+        pub type $name $(<$($parameter)*>)? = $crate::fixed::warp::$name<$($($argument)*,)? $crate::fixed::$grade>;
+    )*};
+}
+
+names!(Fine);
+
+/// The warps in grade [`Coarse`].
+pub mod coarse {
+    names!(Coarse);
+}
+
+/// The warps in grade [`Compact`].
+pub mod compact {
+    names!(Compact);
+}
 
 use ::fixed::types::{I2F30, U0F32, U32F32};
 

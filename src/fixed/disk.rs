@@ -20,7 +20,7 @@ use core::marker::PhantomData;
 /// ```
 /// use fixed::types::U0F32;
 /// use microwarp::{Warp, fixed as mw};
-/// let disk = mw::Disk::<mw::Fine>::new();
+/// let disk = mw::Disk::new();
 /// let [x, y] = disk.sample([0.25_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!((x.to_num::<f32>(), y.to_num::<f32>()), (-0.5, 0.0));
 /// ```

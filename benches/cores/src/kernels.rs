@@ -136,25 +136,25 @@ kernels! {
     "compact_pow" (x: U0F32, y: U16F16) -> U0F32 = Compact::pow(x, y);
 
     // The integer tier.
-    "fine_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Fine>::new().sample([u, v]);
-    "fine_disk_pcg32" (rng) -> [I2F30; 2] = integer::Disk::<Fine>::new().draw(rng);
-    "coarse_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Coarse>::new().sample([u, v]);
-    "compact_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::<Compact>::new().sample([u, v]);
-    "fine_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Sphere::<Fine>::new().sample([u, v]);
-    "fine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Hemisphere::<Fine>::new().sample([u, v]);
-    "fine_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::CosineHemisphere::<Fine>::new().sample([u, v]);
-    "fine_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::Cone::<Fine>::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
-    "fine_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::PhongLobe::<Fine>::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
-    "coarse_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Sphere::<Coarse>::new().sample([u, v]);
-    "coarse_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Hemisphere::<Coarse>::new().sample([u, v]);
-    "coarse_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::CosineHemisphere::<Coarse>::new().sample([u, v]);
-    "coarse_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::Cone::<Coarse>::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
-    "coarse_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::PhongLobe::<Coarse>::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
-    "compact_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Sphere::<Compact>::new().sample([u, v]);
-    "compact_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Hemisphere::<Compact>::new().sample([u, v]);
-    "compact_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::CosineHemisphere::<Compact>::new().sample([u, v]);
-    "compact_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::Cone::<Compact>::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
-    "compact_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::PhongLobe::<Compact>::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
+    "fine_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::Disk::new().sample([u, v]);
+    "fine_disk_pcg32" (rng) -> [I2F30; 2] = integer::Disk::new().draw(rng);
+    "coarse_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::coarse::Disk::new().sample([u, v]);
+    "compact_disk" (u: U0F32, v: U0F32) -> [I2F30; 2] = integer::compact::Disk::new().sample([u, v]);
+    "fine_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Sphere::new().sample([u, v]);
+    "fine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Hemisphere::new().sample([u, v]);
+    "fine_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::CosineHemisphere::new().sample([u, v]);
+    "fine_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::Cone::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
+    "fine_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::PhongLobe::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
+    "coarse_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::coarse::Sphere::new().sample([u, v]);
+    "coarse_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::coarse::Hemisphere::new().sample([u, v]);
+    "coarse_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::coarse::CosineHemisphere::new().sample([u, v]);
+    "coarse_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::coarse::Cone::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
+    "coarse_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::coarse::PhongLobe::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
+    "compact_sphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::compact::Sphere::new().sample([u, v]);
+    "compact_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::compact::Hemisphere::new().sample([u, v]);
+    "compact_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::compact::CosineHemisphere::new().sample([u, v]);
+    "compact_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::compact::Cone::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
+    "compact_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::compact::PhongLobe::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
 
     // Tables in flash, by a word.
     "alias_1024" (word: u32) -> usize = {
