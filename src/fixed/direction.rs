@@ -4,8 +4,10 @@
 use super::grade::Kernels;
 use super::kernel::product::near;
 use super::kernel::quotient::quotient;
-use super::{Coordinate, Uniform};
+use super::{Coordinate, Density, Uniform};
 
+/// 1, which has its first bit set below the point.
+pub(super) const UNIT: Scaled = Scaled::normal(1 << 31, -1);
 /// 1 in Q30.
 pub(super) const ONE: i32 = 1 << 30;
 
@@ -87,6 +89,21 @@ impl Scaled {
             mantissa: near(self.mantissa, b.mantissa),
             exponent: self.exponent + b.exponent,
         }
+    }
+
+    /// As the height of a density, times its shape (Q32); at least the smallest density there is, and at most the
+    /// largest.
+    #[inline]
+    pub(super) fn density(self, shape: u32) -> Density {
+        let density = u64::from(self.mantissa) * u64::from(shape);
+        let right = 32 + self.exponent;
+        let density = match right {
+            64.. => 0,
+            1.. => (density >> (right - 1)).div_ceil(2),
+            _ if density.leading_zeros() as i32 >= -right => density << -right,
+            _ => u64::MAX,
+        };
+        Density::from_bits(density.max(1))
     }
 
     /// The direction for which this number, at most 1, is (1 − cos θ)/2.

@@ -16,3 +16,42 @@ pub(in crate::fixed) const fn quotient(a: u32, b: u32) -> u32 {
     }
     digits
 }
+
+/// ⌊a·2³²/b⌋ of any a, and of b > 0.
+pub(in crate::fixed) const fn ratio(a: u32, b: u32) -> u64 {
+    let (mut rest, mut digits, mut left) = (0_u64, 0_u64, 64);
+    while left > 0 {
+        left -= 1;
+        rest = rest << 1 | ((a as u64) << 32 >> left) & 1;
+        digits <<= 1;
+        if rest >= b as u64 {
+            rest -= b as u64;
+            digits |= 1;
+        }
+    }
+    digits
+}
+
+/// 2ᵖ/b to the nearest whole number, of 0 < b ≤ 2³²; what does not fit counts as the largest.
+pub(in crate::fixed) const fn reciprocal(power: u32, b: u64) -> u64 {
+    let (mut rest, mut digits, mut left) = (1, 0_u64, power);
+    loop {
+        if rest >= b {
+            rest -= b;
+            if digits >> 63 != 0 {
+                return u64::MAX;
+            }
+            digits |= 1;
+        }
+        if left == 0 {
+            // Half of b or more is rounded up.
+            return digits.saturating_add((rest >= b - rest) as u64);
+        }
+        left -= 1;
+        rest <<= 1;
+        if digits >> 63 != 0 {
+            return u64::MAX;
+        }
+        digits <<= 1;
+    }
+}

@@ -1,0 +1,153 @@
+//! The exponential distribution, of mean 1 and of any mean.
+
+use super::direction::{Scaled, UNIT};
+use super::grade::{Fine, Grade, Kernels};
+use super::kernel::product::high;
+use super::kernel::quotient::ratio;
+use super::{Density, Length, Uniform};
+use crate::error::Error;
+use crate::uniform::Canonical;
+use crate::warp::Warp;
+use ::fixed::FixedU32;
+use ::fixed::types::extra::LeEqU32;
+use core::marker::PhantomData;
+
+/// Exponential with mean 1, increasing with the uniform: −ln(1 − u).
+///
+/// - Uniforms: one word.
+/// - Range: [0, 22.19].
+/// - Density: e^−x, at least 2⁻³².
+///
+/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+///
+/// ```
+/// use fixed::types::U0F32;
+/// use microwarp::{Warp, fixed as mw};
+/// let waiting = mw::StandardExponential::new();
+/// assert_eq!(waiting.sample(U0F32::ZERO), 0);
+/// assert!((waiting.sample(U0F32::from_num(0.5)).to_num::<f64>() - 0.693_147).abs() < 1e-6);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct StandardExponential<G = Fine>(PhantomData<G>);
+
+impl<G: Grade> StandardExponential<G> {
+    /// The exponential distribution of mean 1.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<G: Grade> Warp for StandardExponential<G> {
+    type Uniforms = Uniform;
+    type Point = Length;
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<Uniform>) -> Length {
+        <G as Grade>::neg_ln_1m(u.get())
+    }
+
+    #[inline]
+    fn pdf(&self, x: Length) -> Density {
+        let density = <G as Kernels>::exp_neg(x.to_bits());
+        Density::from_bits(u64::from(density.max(1)))
+    }
+
+    #[inline]
+    fn invert(&self, x: Length) -> Uniform {
+        G::exp_m1_neg(x)
+    }
+}
+
+/// Exponential with a given mean, increasing with the uniform: −ln(1 − u) times the mean.
+///
+/// The float tiers take the rate, its reciprocal; here a product is cheap and a quotient is not.
+///
+/// - Uniforms: one word.
+/// - Range: [0, 22.19 means], in the format of the mean, cut to its step below.
+/// - Density: e^(−x/mean)/mean, at least 2⁻³².
+///
+/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+///
+/// ```
+/// use fixed::types::{U0F32, U16F16};
+/// use microwarp::{Warp, fixed as mw};
+/// let waiting = mw::Exponential::new(U16F16::from_num(20))?;
+/// assert_eq!(waiting.sample(U0F32::ZERO), 0);
+/// assert!((waiting.sample(U0F32::from_num(0.5)).to_num::<f64>() - 13.862_94).abs() < 1e-4);
+/// assert!((waiting.pdf(U16F16::ZERO).to_num::<f64>() - 0.05).abs() < 1e-9);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exponential<Frac, G = Fine> {
+    mean: u32,
+    /// 1/mean.
+    height: Scaled,
+    format: PhantomData<(Frac, G)>,
+}
+
+/// The largest accepted mean in steps, as the largest sample of mean 1 is below 22.19.
+const LARGEST: u32 = 193_554_182;
+
+impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
+    /// Exponential with the given mean (the reciprocal of the rate).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for 0, [`Error::TooLarge`] where 22.19 means are more than the format holds.
+    pub const fn new(mean: FixedU32<Frac>) -> Result<Self, Error> {
+        match mean.to_bits() {
+            0 => Err(Error::NotPositive),
+            bits if bits > LARGEST => Err(Error::TooLarge),
+            bits => Ok(Self {
+                mean: bits,
+                height: UNIT.over(Scaled::of(bits as u64, Frac::I32)),
+                format: PhantomData,
+            }),
+        }
+    }
+}
+
+impl<Frac: LeEqU32, G: Grade> Warp for Exponential<Frac, G> {
+    type Uniforms = Uniform;
+    type Point = FixedU32<Frac>;
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<Uniform>) -> FixedU32<Frac> {
+        let log = <G as Kernels>::neg_ln_1m(u.get().to_bits());
+        FixedU32::from_bits(of_means(log, self.mean))
+    }
+
+    #[inline]
+    fn pdf(&self, x: FixedU32<Frac>) -> Density {
+        let means = in_means(x.to_bits(), self.mean);
+        self.height
+            .density(<G as Kernels>::exp_neg(means.to_bits()))
+    }
+
+    #[inline]
+    fn invert(&self, x: FixedU32<Frac>) -> Uniform {
+        G::exp_m1_neg(in_means(x.to_bits(), self.mean))
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<Frac, G> defmt::Format for Exponential<Frac, G> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "Exponential {{ mean: {=u32} }}", self.mean);
+    }
+}
+
+/// ⌊a·mean⌋ of a number in Q27; the product fits.
+#[inline]
+pub(super) fn of_means(a: u32, mean: u32) -> u32 {
+    high(a, mean) << 5 | a.wrapping_mul(mean) >> 27
+}
+
+/// x/mean, cut; what is 32 or more counts as just below.
+#[inline]
+pub(super) fn in_means(x: u32, mean: u32) -> Length {
+    Length::from_bits(u32::try_from(ratio(x, mean) >> 5).unwrap_or(u32::MAX))
+}

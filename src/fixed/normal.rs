@@ -1,0 +1,230 @@
+//! The normal distribution, two at a time, by Box and Muller's map.
+
+use super::direction::{Scaled, UNIT, around};
+use super::grade::{Fine, Grade, Kernels};
+use super::kernel::exp::{self, one_minus_small};
+use super::kernel::log;
+use super::kernel::product::near;
+use super::kernel::quotient::ratio;
+use super::{Density, Deviate, Uniform};
+use crate::error::Error;
+use crate::uniform::Canonical;
+use crate::warp::Warp;
+use ::fixed::FixedI32;
+use ::fixed::types::extra::LeEqU32;
+use core::marker::PhantomData;
+
+/// Two independent normals of mean 0 and deviation 1.
+///
+/// Radius √(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the origin.
+///
+/// - Uniforms: two words. (0, ·) gives the origin; the farthest point lies at 6.661.
+/// - Range: each coordinate in [−6.661, 6.661].
+/// - Density: e^(−r²/2)/(2π), per unit area, at least 2⁻³².
+///
+/// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
+///
+/// ```
+/// use fixed::types::U0F32;
+/// use microwarp::{Warp, fixed as mw};
+/// let noise = mw::StandardNormalPair::new();
+/// let [x, y] = noise.sample([0.864_664_7_f64, 0.5].map(U0F32::from_num));
+/// assert!((x.to_num::<f64>() + 2.0).abs() < 1e-6 && y == 0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct StandardNormalPair<G = Fine>(PhantomData<G>);
+
+impl<G: Grade> StandardNormalPair<G> {
+    /// The normal distribution of mean 0 and deviation 1 in each coordinate.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+/// √(−2 ln(1 − u)) in Q29, which is an eighth of it in Q32.
+#[inline]
+fn radius<G: Kernels>(u: u32) -> u32 {
+    // The logarithm in Q27 is, as a number in Q32, the square of an eighth of the radius. Near the centre, where the
+    // root is steep, it has 12 bits more.
+    let (square, half_of_them) = if u < log::SMALL {
+        (log::small(u), 6)
+    } else {
+        (G::neg_ln_1m(u), 0)
+    };
+    G::sqrt(square) >> half_of_them
+}
+
+/// x² + y² in Q54.
+#[inline]
+fn square_of(point: [u32; 2]) -> u64 {
+    let [x, y] = point.map(u64::from);
+    x * x + y * y
+}
+
+/// e^(−r²/2) of r² in Q54.
+#[inline]
+fn bell<G: Kernels>(square: u64) -> u32 {
+    G::exp_neg(u32::try_from(square >> 28).unwrap_or(u32::MAX))
+}
+
+/// 1 − e^(−r²/2) of r² in Q54.
+#[inline]
+fn outside<G: Kernels>(square: u64) -> u32 {
+    let half = u32::try_from(square >> 28).unwrap_or(u32::MAX);
+    if half < exp::SMALL {
+        one_minus_small((square >> 21) as u32, 34) >> 2
+    } else {
+        !G::exp_neg(half)
+    }
+}
+
+/// 1/(2π).
+const PEAK: Scaled = Scaled::normal(683_565_276, 0);
+
+impl<G: Grade> Warp for StandardNormalPair<G> {
+    type Uniforms = [Uniform; 2];
+    type Point = [Deviate; 2];
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Deviate; 2] {
+        let [u1, u2] = u.get().map(Uniform::to_bits);
+        around::<G>(radius::<G>(u1), u2).map(Deviate::from_bits)
+    }
+
+    #[inline]
+    fn pdf(&self, point: [Deviate; 2]) -> Density {
+        let [x, y] = point.map(|c| c.to_bits().unsigned_abs());
+        PEAK.density(bell::<G>(square_of([x, y])))
+    }
+
+    #[inline]
+    fn invert(&self, point: [Deviate; 2]) -> [Uniform; 2] {
+        let [x, y] = point.map(Deviate::to_bits);
+        let square = square_of([x.unsigned_abs(), y.unsigned_abs()]);
+        [outside::<G>(square), G::atan2(y, x)].map(Uniform::from_bits)
+    }
+}
+
+/// Two independent normals about a mean point with a common standard deviation.
+///
+/// As [`StandardNormalPair`], its points times the deviation, rounded to the format's step.
+///
+/// - Uniforms: two words. (0, ·) gives the mean itself; the farthest point lies at 6.661 deviations.
+/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 10⁴ that is all of it.
+///
+/// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
+///
+/// ```
+/// use fixed::types::{I16F16, U0F32};
+/// use microwarp::{Warp, fixed as mw};
+/// let noise = mw::NormalPair::new([100, -20].map(I16F16::from_num), I16F16::from_num(5))?;
+/// let [x, y] = noise.sample([0.864_664_7_f64, 0.5].map(U0F32::from_num));
+/// assert!((x.to_num::<f64>() - 90.0).abs() < 3e-5 && y == -20);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NormalPair<Frac, G = Fine> {
+    mean: [i32; 2],
+    /// The deviation, its first bit set by a shift that leaves products 2⁵ too small.
+    deviation: u32,
+    shift: u32,
+    /// The density at the mean point.
+    peak: Scaled,
+    format: PhantomData<(Frac, G)>,
+}
+
+impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
+    /// Normals about the given mean point with the given standard deviation in each coordinate.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a deviation of 0 or less; [`Error::TooLarge`] for one of 1/16 of the format's range
+    /// or more, or if the mean and 6.67 deviations overflow the format; [`Error::Empty`] if the density overflows,
+    /// for a deviation below 6.1e-6.
+    pub const fn new(mean: [FixedI32<Frac>; 2], deviation: FixedI32<Frac>) -> Result<Self, Error> {
+        let [x, y] = mean;
+        let (x, y, deviation) = (x.to_bits(), y.to_bits(), deviation.to_bits());
+        if deviation <= 0 {
+            return Err(Error::NotPositive);
+        }
+        // 6.67 deviations, and what rounding adds.
+        let reach = ((deviation as i64 * 427) >> 6) + 1;
+        let room = i32::MAX as i64 - reach;
+        if deviation >= 1 << 27 || x.unsigned_abs() as i64 > room || y.unsigned_abs() as i64 > room
+        {
+            return Err(Error::TooLarge);
+        }
+        let shift = deviation.leading_zeros();
+        let inverse = UNIT.over(Scaled::of(deviation as u64, Frac::I32));
+        let peak = inverse.times(inverse).times(PEAK);
+        if peak.exponent < -32 {
+            return Err(Error::Empty);
+        }
+        Ok(Self {
+            mean: [x, y],
+            deviation: (deviation as u32) << shift,
+            shift: shift - 5,
+            peak,
+            format: PhantomData,
+        })
+    }
+
+    /// The magnitudes of a point's coordinates from the mean, in deviations (Q27), 16 or more as 16.
+    #[inline]
+    fn standardised(&self, point: [FixedI32<Frac>; 2]) -> [u32; 2] {
+        let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
+        let deviation = self.deviation >> (self.shift + 5);
+        [x.abs_diff(mx), y.abs_diff(my)]
+            .map(|c| u32::try_from(ratio(c, deviation) >> 5).map_or(1 << 31, |c| c.min(1 << 31)))
+    }
+}
+
+impl<Frac: LeEqU32, G: Grade> Warp for NormalPair<Frac, G> {
+    type Uniforms = [Uniform; 2];
+    type Point = [FixedI32<Frac>; 2];
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [FixedI32<Frac>; 2] {
+        let ([u1, u2], [mx, my]) = (u.get().map(Uniform::to_bits), self.mean);
+        let [x, y] = around::<G>(near(radius::<G>(u1), self.deviation), u2);
+        let half = (1 << self.shift) >> 1;
+        [
+            mx + ((x + half) >> self.shift),
+            my + ((y + half) >> self.shift),
+        ]
+        .map(FixedI32::from_bits)
+    }
+
+    #[inline]
+    fn pdf(&self, point: [FixedI32<Frac>; 2]) -> Density {
+        let square = square_of(self.standardised(point));
+        self.peak.density(bell::<G>(square))
+    }
+
+    #[inline]
+    fn invert(&self, point: [FixedI32<Frac>; 2]) -> [Uniform; 2] {
+        let square = square_of(self.standardised(point));
+        let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
+        // No difference that saturates is that of a sample.
+        let angle = G::atan2(y.saturating_sub(my), x.saturating_sub(mx));
+        [outside::<G>(square), angle].map(Uniform::from_bits)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<Frac, G> defmt::Format for NormalPair<Frac, G> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let [x, y] = self.mean;
+        let deviation = self.deviation >> (self.shift + 5);
+        defmt::write!(
+            f,
+            "NormalPair {{ mean: [{=i32}, {=i32}], deviation: {=u32} }}",
+            x,
+            y,
+            deviation
+        );
+    }
+}

@@ -1,0 +1,85 @@
+//! The numbers of 32 bits that points of the integer tier are made of.
+
+use ::fixed::types::extra::LeEqU32;
+use ::fixed::{FixedI32, FixedU32};
+
+mod sealed {
+    /// A number as its bits.
+    pub trait Word: Copy {
+        /// How many of the bits are a fraction.
+        const FRACTION: u32;
+        /// The bit that carries the sign, if any.
+        const SIGN: u32;
+        fn to_word(self) -> u32;
+        fn from_word(word: u32) -> Self;
+    }
+}
+pub(super) use sealed::Word;
+
+/// A number of 32 bits: `i32`, `u32`, or of the `fixed` crate `FixedI32` and `FixedU32` with any number of
+/// fraction bits.
+///
+/// The trait is sealed.
+pub trait Number: Word {}
+
+impl<T: Word> Number for T {}
+
+impl Word for u32 {
+    const FRACTION: u32 = 0;
+    const SIGN: u32 = 0;
+
+    #[inline]
+    fn to_word(self) -> u32 {
+        self
+    }
+
+    #[inline]
+    fn from_word(word: u32) -> Self {
+        word
+    }
+}
+
+impl Word for i32 {
+    const FRACTION: u32 = 0;
+    const SIGN: u32 = 1 << 31;
+
+    #[inline]
+    fn to_word(self) -> u32 {
+        self as u32
+    }
+
+    #[inline]
+    fn from_word(word: u32) -> Self {
+        word as i32
+    }
+}
+
+impl<Frac: LeEqU32> Word for FixedU32<Frac> {
+    const FRACTION: u32 = Frac::U32;
+    const SIGN: u32 = 0;
+
+    #[inline]
+    fn to_word(self) -> u32 {
+        self.to_bits()
+    }
+
+    #[inline]
+    fn from_word(word: u32) -> Self {
+        Self::from_bits(word)
+    }
+}
+
+impl<Frac: LeEqU32> Word for FixedI32<Frac> {
+    const FRACTION: u32 = Frac::U32;
+    const SIGN: u32 = 1 << 31;
+
+    #[inline]
+    fn to_word(self) -> u32 {
+        self.to_bits() as u32
+    }
+
+    #[inline]
+    fn from_word(word: u32) -> Self {
+        Self::from_bits(word as i32)
+    }
+}

@@ -1,0 +1,118 @@
+//! The tent (triangle) filter.
+
+use super::direction::{Scaled, UNIT};
+use super::grade::{Fine, Grade, Kernels};
+use super::kernel::product::{high, square};
+use super::kernel::quotient::quotient;
+use super::{Density, Uniform};
+use crate::error::Error;
+use crate::uniform::Canonical;
+use crate::warp::Warp;
+use ::fixed::FixedI32;
+use ::fixed::types::extra::LeEqU32;
+use core::marker::PhantomData;
+
+/// The tent on (−r, r): density falling linearly from the centre to 0 at ±r.
+///
+/// With t = 2u below the middle and 2(1 − u) above, x = ∓r(1 − √t).
+///
+/// - Uniforms: one word.
+/// - Range: (−r, r), in the format of r, cut towards 0 to its step; the ends, where the density is 0, are never
+///   returned.
+/// - Density: (1 − |x|/r)/r, at least 2⁻³² inside.
+///
+/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+///
+/// ```
+/// use fixed::types::{I16F16, U0F32};
+/// use microwarp::{Warp, fixed as mw};
+/// let filter = mw::Tent::new(I16F16::from_num(2))?;
+/// assert!((filter.sample(U0F32::from_num(0.125)).to_num::<f64>() + 1.0).abs() < 2e-5);
+/// assert_eq!(filter.pdf(I16F16::from_num(-1)), 0.25);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tent<Frac, G = Fine> {
+    radius: u32,
+    /// The density at the centre.
+    height: Scaled,
+    format: PhantomData<(Frac, G)>,
+}
+
+impl<Frac: LeEqU32, G: Grade> Tent<Frac, G> {
+    /// The tent of the given radius about 0.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for 0 or less.
+    pub const fn new(radius: FixedI32<Frac>) -> Result<Self, Error> {
+        let radius = radius.to_bits();
+        if radius <= 0 {
+            return Err(Error::NotPositive);
+        }
+        let radius = radius as u32;
+        Ok(Self {
+            radius,
+            height: UNIT.over(Scaled::of(radius as u64, Frac::I32)),
+            format: PhantomData,
+        })
+    }
+}
+
+impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
+    type Uniforms = Uniform;
+    type Point = FixedI32<Frac>;
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<Uniform>) -> FixedI32<Frac> {
+        let u = u.get().to_bits();
+        let double = u << 1;
+        let below = u >> 31 == 0;
+        // In the middle itself t is 1, which counts as the word below.
+        let t = if below {
+            double
+        } else {
+            double.max(1).wrapping_neg()
+        };
+        let x = high(self.radius, !<G as Kernels>::sqrt(t)) as i32;
+        FixedI32::from_bits(if below { -x } else { x })
+    }
+
+    #[inline]
+    fn pdf(&self, x: FixedI32<Frac>) -> Density {
+        match self.rest(x) {
+            0 => Density::ZERO,
+            rest => self.height.density(rest),
+        }
+    }
+
+    #[inline]
+    fn invert(&self, x: FixedI32<Frac>) -> Uniform {
+        let half = square(self.rest(x)) >> 1;
+        Uniform::from_bits(if x.is_negative() {
+            half
+        } else {
+            half.wrapping_neg()
+        })
+    }
+}
+
+impl<Frac: LeEqU32, G> Tent<Frac, G> {
+    /// 1 − |x|/r in Q32, where 1 counts as the word below; 0 outside only.
+    #[inline]
+    fn rest(&self, x: FixedI32<Frac>) -> u32 {
+        let rest = self.radius.saturating_sub(x.to_bits().unsigned_abs());
+        if rest == self.radius {
+            u32::MAX
+        } else {
+            quotient(rest, self.radius)
+        }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<Frac, G> defmt::Format for Tent<Frac, G> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "Tent {{ radius: {=u32} }}", self.radius);
+    }
+}

@@ -1,0 +1,224 @@
+//! The exponential distribution truncated to an interval from 0.
+
+use super::direction::{ONE, Scaled, UNIT};
+use super::exponential::{in_means, of_means};
+use super::grade::{Fine, Grade, Kernels};
+use super::kernel::product::{high, near, near_signed, square};
+use super::kernel::quotient::{quotient, ratio};
+use super::{Density, Uniform};
+use crate::error::Error;
+use crate::uniform::Canonical;
+use crate::warp::Warp;
+use ::fixed::FixedU32;
+use ::fixed::types::extra::LeEqU32;
+use core::marker::PhantomData;
+
+/// Density ∝ e^(−x/mean) on [0, X).
+///
+/// With z = X/mean: x = −ln(1 − u(1 − e^(−z))) means, and where z is below 1/4 four terms of its series,
+/// X u (1 − (1 − u)z/2 (1 − z/3 ((1 − 2u) − z/4 (1 − 6u(1 − u))))), so that a long mean costs no digits: the limit
+/// is the uniform distribution. The float tiers take the rate, 1/mean, of either sign.
+///
+/// - Uniforms: one word.
+/// - Range: [0, X), in steps of the format, cut to the step below.
+/// - Density: e^(−x/mean)/(mean (1 − e^(−z))), at least 2⁻³² on [0, X).
+///
+/// Source: C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating
+/// Media", 2012.
+///
+/// ```
+/// use fixed::types::{U0F32, U16F16};
+/// use microwarp::{Warp, fixed as mw};
+/// let segment = mw::TruncatedExponential::new(U16F16::from_num(10), U16F16::from_num(4))?;
+/// let middle = segment.sample(U0F32::from_num(0.5)).to_num::<f64>();
+/// assert!((middle - 1.801_34).abs() < 2e-5);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TruncatedExponential<Frac, G = Fine> {
+    mean: u32,
+    length: u32,
+    map: Map,
+    /// The density at 0.
+    height: Scaled,
+    format: PhantomData<(Frac, G)>,
+}
+
+/// The form that the map takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Map {
+    /// Where z is small: z and z/3, and (1 − e^(−z))/z, all in Q32.
+    Series { z: u32, third: u32, mass: u64 },
+    /// Elsewhere e^(−z) in Q32, and the largest multiple of the mean below the length, in Q27.
+    Logarithm { end: u32, most: u32 },
+}
+
+/// Below this z, in Q32, the map is the series.
+const SERIES: u64 = 1 << 30;
+
+impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
+    /// Density ∝ e^(−x/mean) on [0, length).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a mean or a length of 0.
+    pub const fn new(mean: FixedU32<Frac>, length: FixedU32<Frac>) -> Result<Self, Error> {
+        let (mean, length) = (mean.to_bits(), length.to_bits());
+        if mean == 0 || length == 0 {
+            return Err(Error::NotPositive);
+        }
+        let z = ratio(length, mean);
+        // The mass is 1 over the height: what truncation leaves of the length, or of the mean.
+        let (map, mass) = if z < SERIES {
+            let mass = mean_density(z);
+            let z = z as u32;
+            let third = near(z, 0x5555_5556);
+            (Map::Series { z, third, mass }, length as u64 * mass)
+        } else {
+            let end = exponential(z);
+            let most = most(z, length, mean);
+            let all = (1 << 32) - end as u64;
+            (Map::Logarithm { end, most }, mean as u64 * all)
+        };
+        Ok(Self {
+            mean,
+            length,
+            map,
+            height: UNIT.over(Scaled::of(mass, 32 + Frac::I32)),
+            format: PhantomData,
+        })
+    }
+}
+
+/// The largest number in Q27, of words, whose product with the mean is below the length.
+const fn most(z: u64, length: u32, mean: u32) -> u32 {
+    let most = z >> 5;
+    if most > u32::MAX as u64 {
+        return u32::MAX;
+    }
+    // What has been cut from z has made it smaller, unless nothing was.
+    (most - (most * mean as u64 == (length as u64) << 27) as u64) as u32
+}
+
+/// A power series at z < 2³², in Q32, whose signs alternate, and which is positive throughout.
+const fn alternating(z: u64, terms: &[u32]) -> u64 {
+    let (mut sum, mut rest) = (0, terms);
+    while let Some((&term, others)) = rest.split_last() {
+        sum = term as u64 - ((z * sum + (1 << 31)) >> 32);
+        rest = others;
+    }
+    (1 << 32) - ((z * sum + (1 << 31)) >> 32)
+}
+
+/// 1/k! from k = 2 on, in Q32.
+const FACTORIALS: [u32; 12] = [
+    2_147_483_648,
+    715_827_883,
+    178_956_971,
+    35_791_394,
+    5_965_232,
+    852_176,
+    106_522,
+    11_836,
+    1_184,
+    108,
+    9,
+    1,
+];
+
+/// (1 − e^−z)/z of z below 1, both in Q32: what the density is on average, of what it is at 0.
+const fn mean_density(z: u64) -> u64 {
+    alternating(z, &FACTORIALS)
+}
+
+/// e^−z of z of at least 1/4, both in Q32.
+const fn exponential(z: u64) -> u32 {
+    /// ln 2 in Q32.
+    const LN_2: u64 = 2_977_044_472;
+    let (mut rest, mut halvings) = (z, 0);
+    while rest >= LN_2 {
+        if halvings == 32 {
+            return 0;
+        }
+        rest -= LN_2;
+        halvings += 1;
+    }
+    // 1 − x (1 − x/2 + x²/6 − …).
+    let power = (1 << 32) - ((rest * mean_density(rest)) >> 32);
+    ((power + ((1 << halvings) >> 1)) >> halvings) as u32
+}
+
+impl<Frac: LeEqU32, G: Grade> Warp for TruncatedExponential<Frac, G> {
+    type Uniforms = Uniform;
+    type Point = FixedU32<Frac>;
+    type Density = Density;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<Uniform>) -> FixedU32<Frac> {
+        let u = u.get().to_bits();
+        FixedU32::from_bits(match self.map {
+            Map::Series { z, third, .. } => high(self.length, series(u, z, third)),
+            Map::Logarithm { end, most } => {
+                let log = <G as Kernels>::neg_ln_1m(u - high(u, end));
+                of_means(log.min(most), self.mean)
+            }
+        })
+    }
+
+    #[inline]
+    fn pdf(&self, x: FixedU32<Frac>) -> Density {
+        let x = x.to_bits();
+        if x < self.length {
+            let means = in_means(x, self.mean);
+            self.height
+                .density(<G as Kernels>::exp_neg(means.to_bits()))
+        } else {
+            Density::ZERO
+        }
+    }
+
+    #[inline]
+    fn invert(&self, x: FixedU32<Frac>) -> Uniform {
+        let x = x.to_bits().min(self.length - 1);
+        Uniform::from_bits(match self.map {
+            Map::Series { mass, .. } => {
+                // x/X, and by how much more of its mean density lies below x than of all of it.
+                let share = quotient(x, self.length);
+                let more = mean_density(ratio(x, self.mean)).saturating_sub(mass);
+                // Of a mass of 1, which has no more, the divisor does not matter.
+                share.saturating_add(high(share, quotient(more as u32, mass as u32)))
+            }
+            Map::Logarithm { end, .. } => {
+                let below = G::exp_m1_neg(in_means(x, self.mean)).to_bits();
+                let all = end.wrapping_neg();
+                match all {
+                    0 => below,
+                    _ if below < all => quotient(below, all),
+                    _ => u32::MAX,
+                }
+            }
+        })
+    }
+}
+
+/// The series of the map, in Q32: at most u, and so below 1.
+#[inline]
+fn series(u: u32, z: u32, third: u32) -> u32 {
+    let spread = u - square(u);
+    // Half of z u (1 − u) in Q34, and what it is multiplied by in Q30.
+    let bend = near(spread, z) << 1;
+    let fourth = near_signed(z, ONE - (6 * (spread >> 2)) as i32) >> 2;
+    let factor = ONE - near_signed(third, ONE - (u >> 1) as i32 - fourth);
+    u - near_signed(bend, factor) as u32
+}
+
+#[cfg(feature = "defmt")]
+impl<Frac, G> defmt::Format for TruncatedExponential<Frac, G> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(
+            f,
+            "TruncatedExponential {{ mean: {=u32}, length: {=u32} }}",
+            self.mean,
+            self.length
+        );
+    }
+}
