@@ -13,6 +13,7 @@ mod cone;
 mod direction;
 mod disk;
 mod exponential;
+mod float;
 mod grade;
 mod hemisphere;
 mod interval;
@@ -25,6 +26,7 @@ mod tent;
 mod triangle;
 mod truncated;
 
+pub use self::float::{Float, FloatPoint, FloatUniforms};
 pub use self::grade::{Coarse, Compact, Fine, Grade};
 
 pub use self::interval::Interval;
@@ -64,13 +66,13 @@ names!(Fine);
 
 /// The warps in grade [`Coarse`].
 pub mod coarse {
-    pub use super::Interval;
+    pub use super::{Float, Interval};
     names!(Coarse);
 }
 
 /// The warps in grade [`Compact`].
 pub mod compact {
-    pub use super::Interval;
+    pub use super::{Float, Interval};
     names!(Compact);
 }
 

@@ -11,6 +11,7 @@
 
 pub(super) mod angle;
 pub(super) mod exp;
+pub(super) mod float;
 pub(super) mod log;
 pub(super) mod product;
 pub(super) mod quotient;

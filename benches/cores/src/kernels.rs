@@ -7,7 +7,7 @@
 
 use crate::count::{Entry, empty};
 use crate::words::{Input, Output};
-use fixed::types::{I2F30, U0F32, U2F62, U5F27, U16F16, U32F32};
+use fixed::types::{I2F30, I5F27, I16F16, U0F32, U2F62, U5F27, U16F16, U32F32};
 use microwarp::Warp;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
@@ -155,6 +155,43 @@ kernels! {
     "compact_cosine_hemisphere" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::compact::CosineHemisphere::new().sample([u, v]);
     "compact_cone" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::compact::Cone::from_one_minus_cos(U2F62::from_bits(1 << 60))) }.sample([u, v]);
     "compact_phong_lobe_50" (u: U0F32, v: U0F32) -> [I2F30; 3] = const { ok(integer::compact::PhongLobe::new(U32F32::from_bits(50 << 32))) }.sample([u, v]);
+    "fine_standard_exponential" (u: U0F32) -> U5F27 = integer::StandardExponential::new().sample(u);
+    "fine_exponential_20" (u: U0F32) -> U16F16 = const { ok(integer::Exponential::new(U16F16::from_bits(20 << 16))) }.sample(u);
+    "fine_truncated_exponential_10_20" (u: U0F32) -> U16F16 = const { ok(integer::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(20 << 16))) }.sample(u);
+    "fine_truncated_exponential_10_1" (u: U0F32) -> U16F16 = const { ok(integer::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(1 << 16))) }.sample(u);
+    "fine_standard_normal_pair" (u: U0F32, v: U0F32) -> [I5F27; 2] = integer::StandardNormalPair::new().sample([u, v]);
+    "fine_normal_pair_100_5" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::NormalPair::new([I16F16::from_bits(100 << 16); 2], I16F16::from_bits(5 << 16))) }.sample([u, v]);
+    "fine_tent_2" (u: U0F32) -> I16F16 = const { ok(integer::Tent::new(I16F16::from_bits(2 << 16))) }.sample(u);
+    "fine_triangle" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Triangle::new().sample([u, v]);
+    "coarse_standard_exponential" (u: U0F32) -> U5F27 = integer::coarse::StandardExponential::new().sample(u);
+    "coarse_exponential_20" (u: U0F32) -> U16F16 = const { ok(integer::coarse::Exponential::new(U16F16::from_bits(20 << 16))) }.sample(u);
+    "coarse_truncated_exponential_10_20" (u: U0F32) -> U16F16 = const { ok(integer::coarse::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(20 << 16))) }.sample(u);
+    "coarse_truncated_exponential_10_1" (u: U0F32) -> U16F16 = const { ok(integer::coarse::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(1 << 16))) }.sample(u);
+    "coarse_standard_normal_pair" (u: U0F32, v: U0F32) -> [I5F27; 2] = integer::coarse::StandardNormalPair::new().sample([u, v]);
+    "coarse_normal_pair_100_5" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::coarse::NormalPair::new([I16F16::from_bits(100 << 16); 2], I16F16::from_bits(5 << 16))) }.sample([u, v]);
+    "coarse_tent_2" (u: U0F32) -> I16F16 = const { ok(integer::coarse::Tent::new(I16F16::from_bits(2 << 16))) }.sample(u);
+    "coarse_triangle" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::coarse::Triangle::new().sample([u, v]);
+    "compact_standard_exponential" (u: U0F32) -> U5F27 = integer::compact::StandardExponential::new().sample(u);
+    "compact_exponential_20" (u: U0F32) -> U16F16 = const { ok(integer::compact::Exponential::new(U16F16::from_bits(20 << 16))) }.sample(u);
+    "compact_truncated_exponential_10_20" (u: U0F32) -> U16F16 = const { ok(integer::compact::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(20 << 16))) }.sample(u);
+    "compact_truncated_exponential_10_1" (u: U0F32) -> U16F16 = const { ok(integer::compact::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(1 << 16))) }.sample(u);
+    "compact_standard_normal_pair" (u: U0F32, v: U0F32) -> [I5F27; 2] = integer::compact::StandardNormalPair::new().sample([u, v]);
+    "compact_normal_pair_100_5" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::compact::NormalPair::new([I16F16::from_bits(100 << 16); 2], I16F16::from_bits(5 << 16))) }.sample([u, v]);
+    "compact_tent_2" (u: U0F32) -> I16F16 = const { ok(integer::compact::Tent::new(I16F16::from_bits(2 << 16))) }.sample(u);
+    "compact_triangle" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::compact::Triangle::new().sample([u, v]);
+    "interval_1_6" (u: U0F32) -> i32 = const { ok(integer::Interval::<i32>::inclusive(1, 6)) }.sample(u);
+    "fine_float_disk" (u: f32, v: f32) -> [f32; 2] = integer::Float::new(integer::Disk::new()).sample([u, v]);
+    "fine_float_sphere" (u: f32, v: f32) -> [f32; 3] = integer::Float::new(integer::Sphere::new()).sample([u, v]);
+    "fine_float_cosine_hemisphere" (u: f32, v: f32) -> [f32; 3] = integer::Float::new(integer::CosineHemisphere::new()).sample([u, v]);
+    "fine_float_phong_lobe_50" (u: f32, v: f32) -> [f32; 3] = integer::Float::new(const { ok(integer::PhongLobe::new(U32F32::from_bits(50 << 32))) }).sample([u, v]);
+    "fine_float_standard_exponential" (u: f32) -> f32 = integer::Float::new(integer::StandardExponential::new()).sample(u);
+    "fine_float_standard_normal_pair" (u: f32, v: f32) -> [f32; 2] = integer::Float::new(integer::StandardNormalPair::new()).sample([u, v]);
+    "coarse_float_disk" (u: f32, v: f32) -> [f32; 2] = integer::Float::new(integer::coarse::Disk::new()).sample([u, v]);
+    "coarse_float_sphere" (u: f32, v: f32) -> [f32; 3] = integer::Float::new(integer::coarse::Sphere::new()).sample([u, v]);
+    "coarse_float_cosine_hemisphere" (u: f32, v: f32) -> [f32; 3] = integer::Float::new(integer::coarse::CosineHemisphere::new()).sample([u, v]);
+    "coarse_float_phong_lobe_50" (u: f32, v: f32) -> [f32; 3] = integer::Float::new(const { ok(integer::coarse::PhongLobe::new(U32F32::from_bits(50 << 32))) }).sample([u, v]);
+    "coarse_float_standard_exponential" (u: f32) -> f32 = integer::Float::new(integer::coarse::StandardExponential::new()).sample(u);
+    "coarse_float_standard_normal_pair" (u: f32, v: f32) -> [f32; 2] = integer::Float::new(integer::coarse::StandardNormalPair::new()).sample([u, v]);
 
     // Tables in flash, by a word.
     "alias_1024" (word: u32) -> usize = {

@@ -1,6 +1,6 @@
 //! What goes into a kernel and comes out of it: numbers of one word each.
 
-use fixed::types::{I2F30, U0F32, U5F27, U16F16, U32F32};
+use fixed::types::{I2F30, I5F27, I16F16, U0F32, U5F27, U16F16, U32F32};
 
 /// An input of a kernel, a word of memory.
 pub trait Input: Copy {
@@ -57,7 +57,7 @@ macro_rules! words {
     )*};
 }
 
-words!(u32, f32, I2F30, U0F32, U5F27, U16F16);
+words!(u32, i32, f32, I2F30, I5F27, I16F16, U0F32, U5F27, U16F16);
 
 impl Output for usize {
     const WORDS: usize = 1;

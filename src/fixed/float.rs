@@ -1,0 +1,191 @@
+//! Warps of this tier for users of `f32`.
+
+use super::direction::Scaled;
+use super::kernel::float;
+use super::number::Number;
+use super::{Density, Uniform};
+use crate::uniform::{Canonical, Uniforms};
+use crate::warp::Warp;
+use ::fixed::types::extra::LeEqU32;
+use ::fixed::{FixedI32, FixedU32};
+use rand_core::TryRng;
+
+mod sealed {
+    pub trait Sealed {}
+}
+use sealed::Sealed;
+
+/// Uniforms of this tier that have a counterpart in `f32`: a [`Uniform`] or an array of them.
+///
+/// The trait is sealed.
+pub trait FloatUniforms: Uniforms + Sealed {
+    /// The same number of `f32`.
+    type Float: Uniforms;
+    /// The words of any `f32` whatever.
+    fn from_float(u: Self::Float) -> Self;
+    /// The `f32` below or at each word.
+    fn to_float(self) -> Self::Float;
+}
+
+/// Points that have a counterpart in `f32`: a [`Number`] or an array of them.
+///
+/// The trait is sealed.
+pub trait FloatPoint: Copy + Sealed {
+    /// The same number of `f32`.
+    type Float: Copy;
+    /// The numbers of the format nearest towards 0; the ends of the format for what does not fit, 0 for NaN.
+    fn from_float(x: Self::Float) -> Self;
+    /// The `f32` nearest towards 0.
+    fn to_float(self) -> Self::Float;
+}
+
+impl Sealed for i32 {}
+impl Sealed for u32 {}
+impl<Frac: LeEqU32> Sealed for FixedI32<Frac> {}
+impl<Frac: LeEqU32> Sealed for FixedU32<Frac> {}
+impl<T: Sealed, const N: usize> Sealed for [T; N] {}
+
+impl FloatUniforms for Uniform {
+    type Float = f32;
+
+    #[inline]
+    fn from_float(u: f32) -> Self {
+        Self::from_bits(float::uniform(u.to_bits()))
+    }
+
+    #[inline]
+    fn to_float(self) -> f32 {
+        f32::from_bits(float::of(self.to_bits(), 32))
+    }
+}
+
+impl<const N: usize> FloatUniforms for [Uniform; N] {
+    type Float = [f32; N];
+
+    #[inline]
+    fn from_float(u: [f32; N]) -> Self {
+        u.map(FloatUniforms::from_float)
+    }
+
+    #[inline]
+    fn to_float(self) -> [f32; N] {
+        self.map(FloatUniforms::to_float)
+    }
+}
+
+const SIGN: u32 = 1 << 31;
+
+impl<T: Number + Sealed> FloatPoint for T {
+    type Float = f32;
+
+    #[inline]
+    fn from_float(x: f32) -> Self {
+        let bits = x.to_bits();
+        let magnitude = float::magnitude(bits, T::FRACTION);
+        T::from_word(match (T::SIGN, bits & SIGN) {
+            (0, 0) => magnitude,
+            (0, _) => 0,
+            (_, 0) => magnitude.min(SIGN - 1),
+            _ => magnitude.min(SIGN).wrapping_neg(),
+        })
+    }
+
+    #[inline]
+    fn to_float(self) -> f32 {
+        let word = self.to_word();
+        f32::from_bits(if word & T::SIGN == 0 {
+            float::of(word, T::FRACTION)
+        } else {
+            float::of(word.wrapping_neg(), T::FRACTION) | SIGN
+        })
+    }
+}
+
+impl<T: Number + FloatPoint<Float = f32>, const N: usize> FloatPoint for [T; N] {
+    type Float = [f32; N];
+
+    #[inline]
+    fn from_float(x: [f32; N]) -> Self {
+        x.map(T::from_float)
+    }
+
+    #[inline]
+    fn to_float(self) -> [f32; N] {
+        self.map(T::to_float)
+    }
+}
+
+/// A warp of this tier with uniforms, points and densities in `f32`, for cores without a floating-point unit.
+///
+/// Everything between is done on integers, and the conversions take bits apart and put them together: a program that
+/// uses nothing else of `f32` links no floating-point routine.
+///
+/// - Uniforms: those of the warp, cut to multiples of 2⁻³²; any `f32` serves, by the rule of
+///   [`Uniforms::canonical`]. Drawing takes the words straight from the generator, all 32 bits of them.
+/// - Range: that of the warp; its coordinates are cut towards 0 to the 24 digits of an `f32`, so that no magnitude
+///   grows. Where the bounds of an interval have more than 24 digits, a coordinate can so leave it.
+/// - Density: that of the warp at the point converted back, in its format; what does not fit that counts as the
+///   end of the format, NaN as 0.
+/// - Error: that of the warp, and 6e-8 of the coordinate for its cut.
+///
+/// ```
+/// use microwarp::{Warp, fixed as mw};
+/// let disk = mw::Float::new(mw::Disk::new());
+/// assert_eq!(disk.sample([0.25, 0.5]), [-0.5, 0.0]);
+/// assert!((disk.pdf([-0.5, 0.0]) - 1.0 / core::f32::consts::PI).abs() < 1e-7);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Float<W>(W);
+
+impl<W> Float<W> {
+    /// The given warp in `f32`.
+    #[must_use]
+    pub const fn new(warp: W) -> Self {
+        Self(warp)
+    }
+}
+
+impl<W> Warp for Float<W>
+where
+    W: Warp<Density = Density>,
+    W::Uniforms: FloatUniforms,
+    W::Point: FloatPoint,
+{
+    type Uniforms = <W::Uniforms as FloatUniforms>::Float;
+    type Point = <W::Point as FloatPoint>::Float;
+    type Density = f32;
+
+    #[inline]
+    fn sample_canonical(&self, u: Canonical<Self::Uniforms>) -> Self::Point {
+        self.sample(u.get())
+    }
+
+    /// The point of any uniforms whatever, which the conversion brings into range by itself.
+    #[inline]
+    fn sample(&self, u: Self::Uniforms) -> Self::Point {
+        self.0.sample(W::Uniforms::from_float(u)).to_float()
+    }
+
+    #[inline]
+    fn pdf(&self, x: Self::Point) -> f32 {
+        let density = self.0.pdf(W::Point::from_float(x)).to_bits();
+        let Scaled { mantissa, exponent } = Scaled::of(density, 32);
+        let bits = ((125 - exponent) as u32) << 23;
+        f32::from_bits(if density == 0 {
+            0
+        } else {
+            bits + (mantissa >> 8)
+        })
+    }
+
+    #[inline]
+    fn invert(&self, x: Self::Point) -> Self::Uniforms {
+        self.0.invert(W::Point::from_float(x)).to_float()
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Self::Point, R::Error> {
+        self.0.try_draw(rng).map(W::Point::to_float)
+    }
+}
