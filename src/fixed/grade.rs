@@ -6,7 +6,8 @@ use ::fixed::types::{I2F30, U0F32, U5F27, U16F16};
 mod sealed {
     /// The kernels of a grade on raw words.
     pub trait Kernels {
-        /// What no radius of a disk may exceed, in Q32, so that r² (sin² + cos²) stays below 1.
+        /// What no radius of a disk may exceed, in Q32, so that r² (sin² + cos²) stays at most 1: the largest such
+        /// word, over all phases.
         const RIM: u32;
         fn sincos(phase: u32) -> (i32, i32);
         fn sqrt(x: u32) -> u32;
@@ -23,6 +24,33 @@ pub(super) use sealed::Kernels;
 ///
 /// The trait is sealed: [`Fine`], [`Coarse`] and [`Compact`] implement it and nothing else can. Each function
 /// is total: it takes every word there is.
+///
+/// Errors, largest, rms and mean, of what the grade returns against the exact value: over all 2³² arguments, and of
+/// `atan2_turns`, where they are in turns, over 2²⁸ points of all magnitudes.
+///
+/// | function | [`Fine`] | [`Coarse`] | [`Compact`] |
+/// |---|--:|--:|--:|
+/// | `sincos_turns` | 1e-6, 2e-7, 0 | 8.3e-5, 4.3e-5, -1.3e-7 | 6.5e-7, 3.1e-7, 0 |
+/// | `sqrt` | 2e-7, 4.2e-8, -7.4e-10 | 1.8e-5, 9e-6, -7.8e-6 | 6.1e-8, 2e-8, -1.6e-8 |
+/// | `neg_ln_1m` | 5.2e-7, 1.8e-7, 1.7e-7 | 3.3e-5, 1.3e-5, 1.1e-5 | 4.1e-7, 1.2e-7, -8.5e-9 |
+/// | `exp_neg` | 7.9e-7, 2.7e-8, -5.6e-11 | 6.9e-5, 3.6e-6, -6.7e-7 | 9.9e-8, 8.4e-9, 5.9e-10 |
+/// | `exp_m1_neg` | 7.2e-7, 2.4e-8, -3.8e-10 | 6e-5, 3.2e-6, 5.9e-7 | 4.2e-7, 9.3e-9, -8.4e-10 |
+/// | `exp_m1_neg`, x < 1/8 | 4.2e-7, 8.5e-8, -4.1e-8 | 4.2e-7, 8.5e-8, -4.1e-8 | 4.2e-7, 8.5e-8, -4.1e-8 |
+/// | `pow`, y = 0.0196 | 8e-7, 1.9e-7, -3.5e-8 | 7e-5, 2.8e-5, -2.1e-5 | 1.1e-7, 6.4e-8, 6e-8 |
+/// | `pow`, y = 0.5 | 8.9e-7, 1.6e-7, -5.4e-8 | 7.2e-5, 2.4e-5, -1.8e-5 | 2.3e-7, 6.3e-8, 1.9e-8 |
+/// | `pow`, y = 2.071 | 1.5e-6, 1.8e-7, -1.1e-7 | 8.4e-5, 2e-5, -1.4e-5 | 4.6e-7, 8.9e-8, 1.2e-8 |
+/// | `pow`, y = 50 | 1.6e-5, 9.2e-7, -1.6e-7 | 4.2e-4, 3.4e-5, -6.3e-6 | 4.6e-6, 5.3e-7, -7.7e-8 |
+/// | `atan2_turns` | 4.1e-8, 1.2e-8, 0 | 1.1e-5, 5.7e-6, 0 | 4.1e-8, 1.2e-8, 0 |
+///
+/// Functions that rise or fall do so but for single steps: by up to so many last places of the result they go back
+/// from an argument to the next.
+///
+/// | function | [`Fine`] | [`Coarse`] | [`Compact`] |
+/// |---|--:|--:|--:|
+/// | `sqrt` | 641 | 0 | 138 |
+/// | `neg_ln_1m` | 0 | 0 | 4 |
+/// | `exp_neg` | 598 | 39068 | 0 |
+/// | `exp_m1_neg` | 640 | 37114 | 640 |
 pub trait Grade:
     Kernels + Copy + Default + core::fmt::Debug + PartialEq + Eq + Send + Sync + 'static
 {
@@ -58,7 +86,7 @@ pub trait Grade:
         U5F27::from_bits(<Self as Kernels>::neg_ln_1m(u.to_bits()))
     }
 
-    /// e^−x; 1 counts as the largest word, 1 − 2⁻³².
+    /// e^−x; 1 counts as one of the two largest words, 1 − 2⁻³¹ or 1 − 2⁻³².
     #[must_use]
     #[inline]
     fn exp_neg(x: U5F27) -> U0F32 {
@@ -151,7 +179,7 @@ macro_rules! grade {
 
 grade! {
     /// Largest errors about 1e-6, with tables of 2 KB that all functions share.
-    Fine, fine, "fine", 0xffff_fff0, 23, near_signed
+    Fine, fine, "fine", 0xffff_f99c, 23, near_signed
 }
 
 grade! {
@@ -161,5 +189,5 @@ grade! {
 
 grade! {
     /// Largest errors about 1e-6 without tables, in the least flash.
-    Compact, compact, "compact", 0xffff_fff0, 23, near_signed
+    Compact, compact, "compact", 0xffff_f9a8, 23, near_signed
 }

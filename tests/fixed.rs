@@ -1,0 +1,35 @@
+//! The integer tier: its kernels keep the errors their documentation states, and its laws hold.
+//!
+//! Kernels are tried over one of every 16 of the 2³² words and at all edges; with `MICROWARP_FULL=1` in the
+//! environment over every word there is, which takes half an hour. Overflow checks are on, so a sweep that comes to
+//! its end is the proof that no plain operator overflows.
+
+#![allow(
+    clippy::duplicate_mod,
+    reason = "the kernels are compiled once for each kind of core"
+)]
+
+#[path = "fixed/cases.rs"]
+mod cases;
+#[path = "fixed/controls.rs"]
+mod controls;
+#[path = "fixed/figures.rs"]
+mod figures;
+#[path = "fixed/inputs.rs"]
+mod inputs;
+#[path = "fixed/kernels.rs"]
+mod kernels;
+#[path = "fixed/laws.rs"]
+mod laws;
+#[path = "fixed/rising.rs"]
+mod rising;
+#[path = "../examples/common/work.rs"]
+mod work;
+
+/// What sees the kernels themselves, which say of their functions that they are visible in a module of this name.
+mod fixed {
+    mod both_ways;
+    mod narrow;
+    mod rim;
+    mod wide;
+}

@@ -1,0 +1,110 @@
+//! The words over which kernels are tried, in chunks that threads can share.
+
+use crate::work;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Whether every word there is was asked for.
+pub fn full() -> bool {
+    std::env::var_os("MICROWARP_FULL").is_some()
+}
+
+/// A part of the words: `2^bits` of them from 0 on, one of every `stride`, and the edges.
+#[derive(Clone, Copy, Debug)]
+pub struct Words {
+    pub bits: u32,
+    pub stride: u32,
+}
+
+/// Words in a chunk.
+const CHUNK: u32 = 1 << 20;
+
+impl Words {
+    /// All 2³² words where they were asked for, otherwise one of every `stride`.
+    pub fn every(stride: u32) -> Self {
+        Self {
+            bits: 32,
+            stride: if full() { 1 } else { stride },
+        }
+    }
+
+    fn chunks(self) -> u32 {
+        1 << (self.bits - 20)
+    }
+
+    /// Hands every word of a chunk to `each`: the first of every stride is followed by one at another place in it.
+    fn for_each(self, chunk: u32, mut each: impl FnMut(u32)) {
+        let base = chunk * CHUNK;
+        for i in 0..CHUNK / self.stride {
+            // The leading bits of a multiple of an odd number: no two strides in a row are tried at the same place.
+            let place = i.wrapping_add(chunk).wrapping_mul(0x9e37_79b9);
+            let place = (u64::from(place) * u64::from(self.stride)) >> 32;
+            each(base + i * self.stride + place as u32);
+        }
+    }
+
+    /// Folds all words, a state for each chunk, on as many threads as there are cores; the states are in the order
+    /// of the chunks. The last of them is that of the edges.
+    pub fn fold<S: Send>(
+        self,
+        what: &str,
+        edges: &[u32],
+        state: impl Fn() -> S + Sync,
+        step: impl Fn(&mut S, u32) + Sync,
+    ) -> Vec<S> {
+        let bar = work::progress(self.chunks().into(), work::STEPS).unwrap();
+        bar.set_message(what.to_owned());
+        let next = AtomicU32::new(0);
+        let states = Mutex::new(Vec::new());
+        let threads = std::thread::available_parallelism().map_or(2, usize::from);
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                scope.spawn(|| {
+                    loop {
+                        let chunk = next.fetch_add(1, Ordering::Relaxed);
+                        if chunk >= self.chunks() {
+                            break;
+                        }
+                        let mut folded = state();
+                        self.for_each(chunk, |word| step(&mut folded, word));
+                        states.lock().unwrap().push((chunk, folded));
+                        bar.inc(1);
+                    }
+                });
+            }
+        });
+        bar.finish_and_clear();
+        let mut states = states.into_inner().unwrap();
+        states.sort_by_key(|(chunk, _)| *chunk);
+        let mut states: Vec<S> = states.into_iter().map(|(_, state)| state).collect();
+        let mut at_edges = state();
+        edges.iter().for_each(|&word| step(&mut at_edges, word));
+        states.push(at_edges);
+        states
+    }
+}
+
+/// Where kernels tend to break: the first and the last words, powers of two, quarters, and the borders of the cells
+/// of every table, each with its neighbours.
+pub fn edges() -> Vec<u32> {
+    let mut edges: Vec<u32> = (0..1 << 16).flat_map(|w: u32| [w, !w]).collect();
+    let mut around = |centre: u32, reach: u32| {
+        edges.extend((0..=2 * reach).map(|i| centre.wrapping_add(i).wrapping_sub(reach)));
+    };
+    (0..32).for_each(|bit| around(1 << bit, 64));
+    (0..8).for_each(|eighth| around(eighth << 29, 1000));
+    // Of all tables on a grid of phases or numbers.
+    (0..1 << 10).for_each(|cell| around(cell << 22, 8));
+    // Of logarithms and roots below 1, after normalising.
+    for shift in 0..26 {
+        for cell in 0..256 {
+            around((cell << 24) >> shift, 8);
+            around(((cell << 24) >> shift).wrapping_neg(), 8);
+        }
+    }
+    // Of exponentials, whose cells are found from the leading half.
+    (0..1 << 16).for_each(|half| around(half << 16, 2));
+    edges.sort_unstable();
+    edges.dedup();
+    edges
+}
