@@ -1,10 +1,9 @@
 //! The chain: where it is, and what it counts.
 
 use super::correction::{Judge, Verdict};
-use super::density::Density;
+use super::weight::{Probability, Weight};
 use super::{Mutation, Outcome, Saved, Step};
 use crate::error::Error;
-use crate::rejection::happens;
 use crate::uniform::infallible;
 use core::num::NonZeroU32;
 use rand_core::{Rng, TryRng};
@@ -63,7 +62,7 @@ pub struct Chain<X, D = f32> {
     pub(super) at: Saved<X, D>,
 }
 
-impl<X: Copy, D: Density> Chain<X, D> {
+impl<X: Copy, D: Weight> Chain<X, D> {
     /// A chain that starts at a state of one's own.
     ///
     /// # Errors
@@ -103,7 +102,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         target: impl FnOnce(X) -> D,
         mutation: &M,
         rng: &mut R,
-    ) -> Result<Step<X, D>, R::Error>
+    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
     where
         M: Mutation<X> + ?Sized,
         R: TryRng + ?Sized,
@@ -118,7 +117,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         target: impl FnOnce(X) -> D,
         mutation: &M,
         rng: &mut R,
-    ) -> Step<X, D>
+    ) -> Step<X, D, D::Acceptance>
     where
         M: Mutation<X> + ?Sized,
         R: Rng + ?Sized,
@@ -145,7 +144,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         mutation: &M,
         limit: NonZeroU32,
         rng: &mut R,
-    ) -> Result<Step<X, D>, R::Error>
+    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
     where
         M: Mutation<X> + ?Sized,
         R: TryRng + ?Sized,
@@ -180,7 +179,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         mutation: &M,
         limit: NonZeroU32,
         rng: &mut R,
-    ) -> Step<X, D>
+    ) -> Step<X, D, D::Acceptance>
     where
         M: Mutation<X> + ?Sized,
         R: Rng + ?Sized,
@@ -196,7 +195,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         mutation: &M,
         limit: u32,
         rng: &mut R,
-    ) -> Result<Step<X, D>, R::Error>
+    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
     where
         M: Mutation<X> + ?Sized,
         R: TryRng + ?Sized,
@@ -206,13 +205,13 @@ impl<X: Copy, D: Density> Chain<X, D> {
         let word = rng.try_next_u32()?;
         let density = target(proposal.state);
         let (acceptance, outcome) = match proposal.correction.judge(at.density, density) {
-            Verdict::With(a) if happens(a, word) => (a, Outcome::Accepted),
+            Verdict::With(a) if a.happens(word) => (a, Outcome::Accepted),
             Verdict::With(_) if limit < u32::MAX && at.rejected_in_a_row >= limit => {
-                (1.0, Outcome::Forced)
+                (D::Acceptance::ALWAYS, Outcome::Forced)
             }
             Verdict::With(a) => (a, Outcome::Rejected),
-            Verdict::Never => (0.0, Outcome::Rejected),
-            Verdict::Refused => (0.0, Outcome::Refused),
+            Verdict::Never => (D::Acceptance::NEVER, Outcome::Rejected),
+            Verdict::Refused => (D::Acceptance::NEVER, Outcome::Refused),
         };
         let step = Step {
             from: at.state,
@@ -228,7 +227,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
     }
 
     #[inline]
-    fn count(&mut self, step: &Step<X, D>) {
+    fn count(&mut self, step: &Step<X, D, D::Acceptance>) {
         let at = &mut self.at;
         at.steps = at.steps.saturating_add(1);
         if step.is_accepted() {
