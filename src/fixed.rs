@@ -5,8 +5,10 @@
 
 mod grade;
 mod kernel;
+mod rejection;
 
 pub use self::grade::{Coarse, Compact, Fine, Grade};
+pub use self::rejection::{DiskRejection, DiskRejection16};
 
 use ::fixed::types::{I2F30, U0F32, U32F32};
 
