@@ -32,7 +32,7 @@ mod storage;
 mod total;
 mod word;
 
-pub(crate) use self::division::{fraction, scaled};
+pub(crate) use self::division::{fraction, fraction_u32, scaled};
 
 pub use self::alias::{Alias, AliasEntry};
 pub use self::cdf::Cdf;

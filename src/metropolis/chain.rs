@@ -19,10 +19,12 @@ use rand_core::{Rng, TryRng};
 /// |---|--:|--:|--:|--:|
 /// | [`Chain`], [`Saved`] | 40 | 40 | 160 | 40 |
 /// | [`Step`] | 28 | 36 | 276 | 40 |
+/// | of integer weights | 40 | 48 | 288 | 48 |
 ///
 /// - States: any `Copy` type: an index, a point of ℝᴰ, the uniforms of a warp.
 /// - Densities: `f32`, or [`LogDensity`](super::LogDensity), known up to a factor. Any positive finite ones
-///   may meet in one chain: nothing over- or underflows on the way to the acceptance.
+///   may meet in one chain: nothing over- or underflows on the way to the acceptance. Or integer weights, `u32`:
+///   then the acceptance is exact, a [`Chance`](super::Chance), and no floating-point operation takes place.
 /// - Words (`u32`) a step: those of the mutation and one more, which is drawn whether it decides or not.
 /// - Error of the acceptance: half an ulp at a symmetric mutation, 2 ulp at one with a
 ///   [`Ratio`](super::Ratio); of logarithms, see [`LogDensity`](super::LogDensity). It is realised in steps

@@ -6,7 +6,7 @@
 )]
 
 use super::weight::Probability;
-use crate::discrete::{fraction, scaled};
+use crate::discrete::{fraction, fraction_u32, scaled};
 use crate::warp::Apart;
 
 /// The acceptance of a step between integer weights: how many of the 2³² words that decide accept it.
@@ -61,7 +61,11 @@ impl Chance {
         if self.part >= self.whole {
             return Self::TOTAL;
         }
-        let (words, inexact) = fraction(self.part, self.whole);
+        let (words, inexact) = if self.whole >> 32 == 0 {
+            fraction_u32(self.part as u32, self.whole as u32)
+        } else {
+            fraction(self.part, self.whole)
+        };
         words as u64 + inexact as u64
     }
 
