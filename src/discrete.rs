@@ -32,13 +32,15 @@ mod storage;
 mod total;
 mod word;
 
+pub(crate) use self::division::{fraction, fraction_u32, scaled};
+
 pub use self::alias::{Alias, AliasEntry};
 pub use self::cdf::Cdf;
 pub use self::once::{select_once, select_once_uniform};
 pub use self::piecewise1d::PiecewiseConstant1d;
 pub use self::piecewise2d::PiecewiseConstant2d;
 pub use self::reservoir::Reservoir;
-pub use self::selection::Selection;
+pub use self::selection::{ExactSelection, Selection};
 pub use self::storage::{Grid, Storage};
 pub use self::word::Word;
 

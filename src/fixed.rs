@@ -21,6 +21,7 @@ mod kernel;
 mod lobe;
 mod normal;
 mod number;
+mod rejection;
 mod sphere;
 mod tent;
 mod triangle;
@@ -28,6 +29,7 @@ mod truncated;
 
 pub use self::float::{Float, FloatPoint, FloatUniforms};
 pub use self::grade::{Coarse, Compact, Fine, Grade};
+pub use self::rejection::{DiskRejection, DiskRejection16};
 
 pub use self::interval::Interval;
 pub use self::number::Number;

@@ -40,8 +40,10 @@
 //! step on ([`Start`]).
 
 mod chain;
+mod chance;
 mod coordinates;
 mod correction;
+mod counts;
 mod density;
 mod displacement;
 mod health;
@@ -50,17 +52,21 @@ mod index;
 mod mixture;
 mod mutation;
 mod part;
+mod primary;
 mod r_hat;
 mod saved;
 mod start;
 mod step;
 mod walk;
+mod weight;
 mod wrapped;
 
 pub use self::chain::Chain;
+pub use self::chance::Chance;
 pub use self::coordinates::Coordinates;
 pub use self::correction::{Correction, Ratio, Symmetric};
-pub use self::density::{Density, LogDensity, primary_density};
+pub use self::counts::Counts;
+pub use self::density::{Density, LogDensity};
 pub use self::displacement::{BoxStep, Displacement, ExponentialStep, NormalStep};
 pub use self::health::Health;
 pub use self::independence::{Independence, Source, UniformStep};
@@ -68,9 +74,11 @@ pub use self::index::{TransitionTable, UniformIndex};
 pub use self::mixture::{LargeSmall, Mixture, Mutations};
 pub use self::mutation::{Mutation, Proposal};
 pub use self::part::{OneCoordinate, Subset};
+pub use self::primary::primary_density;
 pub use self::r_hat::{Halves, r_hat, split_r_hat};
 pub use self::saved::Saved;
 pub use self::start::Start;
 pub use self::step::{Outcome, Step};
 pub use self::walk::Walk;
+pub use self::weight::Weight;
 pub use self::wrapped::{Wrapped, wrapping_add};

@@ -4,7 +4,7 @@
 //! predicate holds, [`Bounded`] turns the points of one density into points of another, and
 //! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function.
 //! What a proposal is, is the business of [`warp`](crate::warp); the usual one is the bounding box,
-//! [`Aabb`](crate::Aabb).
+//! [`Aabb`](crate::Aabb). The disks whose points are fixed-point numbers are with their tier, feature `fixed`.
 //!
 //! # Efficiency
 //! The share of proposals that is accepted is the **efficiency** e. For a region it is the probability that
@@ -15,6 +15,8 @@
 //! |---|--:|--:|
 //! | [`DiskRejection`] | π/4 = 78.5 % | 2 |
 //! | [`BallRejection`] | π/6 = 52.4 % | 3 |
+//! | `fixed::DiskRejection` | π/4 = 78.5 % | 2 |
+//! | `fixed::DiskRejection16` | π/4 = 78.5 % | 1 |
 //! | [`Region`] | ∫ p over the region | what drawing the proposal takes |
 //! | [`Bounded`] | (∫f)/c | what drawing the proposal takes, and 1 |
 //!
@@ -145,7 +147,7 @@ pub const fn budget_for(efficiency: f32) -> Result<u32, Error> {
 }
 
 /// Refuses a budget without a single try.
-const fn checked_budget(budget: u32) -> Result<u32, Error> {
+pub(crate) const fn checked_budget(budget: u32) -> Result<u32, Error> {
     if budget > 0 {
         Ok(budget)
     } else {

@@ -12,6 +12,8 @@ mod catalogue;
 #[path = "discrete/counted.rs"]
 mod counted;
 mod drivers;
+#[path = "discrete/exact.rs"]
+mod exact;
 #[path = "discrete/leftover.rs"]
 mod leftover;
 #[path = "discrete/once.rs"]

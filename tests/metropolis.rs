@@ -33,6 +33,16 @@ mod flawed_rules;
 mod flaws;
 #[path = "metropolis/health.rs"]
 mod health;
+#[path = "metropolis/integer_balance.rs"]
+mod integer_balance;
+#[path = "metropolis/integer_chances.rs"]
+mod integer_chances;
+#[path = "metropolis/integer_flaws.rs"]
+mod integer_flaws;
+#[path = "metropolis/integer_matrices.rs"]
+mod integer_matrices;
+#[path = "metropolis/integers.rs"]
+mod integers;
 #[path = "metropolis/laws.rs"]
 mod laws;
 #[path = "metropolis/limited.rs"]

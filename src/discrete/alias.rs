@@ -1,7 +1,7 @@
 //! A discrete distribution as an alias table: one look-up, whatever the number of entries.
 
 use super::ladder::Ends;
-use super::selection::{Selection, Share, amount, selections};
+use super::selection::{ExactSelection, Selection, Share, amount, selections};
 use super::source::Source;
 use super::storage::Storage;
 use super::word::Word;

@@ -1,7 +1,7 @@
 //! A discrete distribution as a table of cumulated words, searched by halving.
 
 use super::ladder::Ends;
-use super::selection::{Selection, Share, amount, selections};
+use super::selection::{ExactSelection, Selection, Share, amount, selections};
 use super::source::Source;
 use super::storage::Storage;
 use super::word::Word;

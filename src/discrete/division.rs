@@ -46,3 +46,30 @@ pub(crate) const fn quotient(x: u64, d: u64) -> (u32, bool) {
     }
     (digits, rest > 0)
 }
+
+macro_rules! fractions {
+    ($($name:ident of $word:ident;)*) => {$(
+        /// `floor(x · 2^32 / d)` and whether something was left, for `x < d`.
+        pub(crate) const fn $name(x: $word, d: $word) -> (u32, bool) {
+            let (mut rest, mut digits) = (x, 0_u32);
+            let mut left = 32_u32;
+            while left > 0 {
+                // The rest is below d, so that twice the rest less d fits even where twice the rest does not.
+                let carried = rest >> ($word::BITS - 1) > 0;
+                rest <<= 1;
+                digits <<= 1;
+                if carried || rest >= d {
+                    rest = rest.wrapping_sub(d);
+                    digits |= 1;
+                }
+                left = left.wrapping_sub(1);
+            }
+            (digits, rest > 0)
+        }
+    )*};
+}
+
+fractions! {
+    fraction of u64;
+    fraction_u32 of u32;
+}

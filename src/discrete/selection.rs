@@ -21,6 +21,36 @@ pub struct Selection {
     pub leftover_bits: u32,
 }
 
+/// An entry that was selected, in integers alone: what a [`Selection`] says, without rounding.
+///
+/// From a table of `u32` the numerator is a `u64`, from one of `u64` a `u128`: it may be that of all words.
+///
+/// ```
+/// use microwarp::discrete::Cdf;
+/// const LOADED: Cdf<[u32; 3]> = match Cdf::<[u32; 3]>::from_integers(&[1, 0, 3]) {
+///     Ok(table) => table,
+///     Err(_) => panic!("bad weights"),
+/// };
+/// let chosen = LOADED.select_exact(0x7000_0000);
+/// assert_eq!((chosen.index, chosen.numerator), (2, 3 << 30));
+/// assert_eq!(chosen.leftover, 0x4000_0000); // a quarter of its share, which begins at 0x4000_0000
+/// assert_eq!(chosen.leftover_bits, 31);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ExactSelection<C = u64> {
+    /// The index of the entry.
+    pub index: usize,
+    /// How many of the words select this entry: its probability is this out of
+    /// [`Word::TOTAL`](super::Word::TOTAL).
+    pub numerator: C,
+    /// Where within the entry's share the word fell, in steps of 2⁻³², truncated: again 32 bits to select by,
+    /// independent of the index.
+    pub leftover: u32,
+    /// How many random bits the leftover holds, at most, as in [`Selection`]; a leftover can show 32 of them.
+    pub leftover_bits: u32,
+}
+
 /// A place within the share of an entry: `offset` of `count` words, where a count of 0 means all words.
 #[derive(Clone, Copy)]
 pub(crate) struct Share<W> {
@@ -35,6 +65,16 @@ impl<W: Word> Share<W> {
     pub(crate) fn leftover(&self, fraction: f32) -> f32 {
         let quotient = (self.offset.as_f32() + fraction) / amount(self.count);
         if quotient < 1.0 { quotient } else { LARGEST }
+    }
+
+    /// The place within the share in whole steps of 2^-32.
+    #[inline]
+    pub(crate) fn exact_leftover(&self) -> u32 {
+        if self.count == W::ZERO {
+            self.offset.to_bits()
+        } else {
+            self.offset.fraction(self.count)
+        }
     }
 
     /// How many bits the leftover holds where the word had that many.
@@ -113,6 +153,49 @@ macro_rules! selections {
         #[inline]
         pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Selection {
             infallible(self.try_draw(rng))
+        }
+
+        /// Selects by 32 bits, and says everything in integers: no floating-point operation takes place.
+        #[must_use]
+        #[inline]
+        pub fn select_exact(&self, bits: u32) -> ExactSelection<$word::Count> {
+            self.exact($word::from_bits(bits), 32)
+        }
+
+        /// Selects by a whole word of the table, and says everything in integers.
+        #[must_use]
+        #[inline]
+        pub fn select_exact_word(&self, word: $word) -> ExactSelection<$word::Count> {
+            self.exact(word, $word::BITS)
+        }
+
+        #[inline]
+        fn exact(&self, word: $word, bits: u32) -> ExactSelection<$word::Count> {
+            let share = self.locate(word);
+            ExactSelection {
+                index: share.index,
+                numerator: self.numerator(share.index),
+                leftover: share.exact_leftover(),
+                leftover_bits: share.bits(bits),
+            }
+        }
+
+        /// Draws an entry, and says everything in integers. Words as for `try_draw`.
+        ///
+        /// # Errors
+        /// The generator's own error.
+        #[inline]
+        pub fn try_draw_exact<R: TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+        ) -> Result<ExactSelection<$word::Count>, R::Error> {
+            Ok(self.select_exact_word($word::try_draw(rng)?))
+        }
+
+        /// Draws an entry from a generator that cannot fail, and says everything in integers.
+        #[inline]
+        pub fn draw_exact<R: Rng + ?Sized>(&self, rng: &mut R) -> ExactSelection<$word::Count> {
+            infallible(self.try_draw_exact(rng))
         }
 
         /// Draws the index of an entry and nothing else: without a floating-point unit, where pmf and

@@ -1,5 +1,6 @@
 //! The words a table is made of and is asked with: `u32` or `u64`.
 
+use super::division::{fraction, fraction_u32};
 use crate::uniform::Canonical;
 use core::fmt::Debug;
 use core::hash::Hash;
@@ -24,6 +25,10 @@ pub(crate) mod sealed {
         fn truncated(x: f32) -> Self;
         /// The exponent of the leading bit; the number must not be 0.
         fn log2(self) -> u32;
+        /// This over a larger number, in whole steps of 2^-32.
+        fn fraction(self, of: Self) -> u32;
+        /// The leading 32 bits.
+        fn to_bits(self) -> u32;
     }
 }
 use sealed::Arithmetic;
@@ -64,7 +69,7 @@ pub trait Word: Arithmetic + Debug + Hash {
 }
 
 macro_rules! arithmetic {
-    ($word:ident) => {
+    ($word:ident, $fraction:ident) => {
         impl Arithmetic for $word {
             const ZERO: Self = 0;
             const ONE: Self = 1;
@@ -104,12 +109,20 @@ macro_rules! arithmetic {
             fn log2(self) -> u32 {
                 ($word::BITS - 1).saturating_sub(self.leading_zeros())
             }
+            #[inline]
+            fn fraction(self, of: Self) -> u32 {
+                $fraction(self, of).0
+            }
+            #[inline]
+            fn to_bits(self) -> u32 {
+                (self >> ($word::BITS - 32)) as u32
+            }
         }
     };
 }
 
-arithmetic!(u32);
-arithmetic!(u64);
+arithmetic!(u32, fraction_u32);
+arithmetic!(u64, fraction);
 
 impl Word for u32 {
     const BITS: u32 = 32;

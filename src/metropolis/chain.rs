@@ -1,10 +1,9 @@
 //! The chain: where it is, and what it counts.
 
 use super::correction::{Judge, Verdict};
-use super::density::Density;
+use super::weight::{Probability, Weight};
 use super::{Mutation, Outcome, Saved, Step};
 use crate::error::Error;
-use crate::rejection::happens;
 use crate::uniform::infallible;
 use core::num::NonZeroU32;
 use rand_core::{Rng, TryRng};
@@ -20,10 +19,12 @@ use rand_core::{Rng, TryRng};
 /// |---|--:|--:|--:|--:|
 /// | [`Chain`], [`Saved`] | 40 | 40 | 160 | 40 |
 /// | [`Step`] | 28 | 36 | 276 | 40 |
+/// | of integer weights | 40 | 48 | 288 | 48 |
 ///
 /// - States: any `Copy` type: an index, a point of ℝᴰ, the uniforms of a warp.
 /// - Densities: `f32`, or [`LogDensity`](super::LogDensity), known up to a factor. Any positive finite ones
-///   may meet in one chain: nothing over- or underflows on the way to the acceptance.
+///   may meet in one chain: nothing over- or underflows on the way to the acceptance. Or integer weights, `u32`:
+///   then the acceptance is exact, a [`Chance`](super::Chance), and no floating-point operation takes place.
 /// - Words (`u32`) a step: those of the mutation and one more, which is drawn whether it decides or not.
 /// - Error of the acceptance: half an ulp at a symmetric mutation, 2 ulp at one with a
 ///   [`Ratio`](super::Ratio); of logarithms, see [`LogDensity`](super::LogDensity). It is realised in steps
@@ -63,7 +64,7 @@ pub struct Chain<X, D = f32> {
     pub(super) at: Saved<X, D>,
 }
 
-impl<X: Copy, D: Density> Chain<X, D> {
+impl<X: Copy, D: Weight> Chain<X, D> {
     /// A chain that starts at a state of one's own.
     ///
     /// # Errors
@@ -103,7 +104,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         target: impl FnOnce(X) -> D,
         mutation: &M,
         rng: &mut R,
-    ) -> Result<Step<X, D>, R::Error>
+    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
     where
         M: Mutation<X> + ?Sized,
         R: TryRng + ?Sized,
@@ -118,7 +119,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         target: impl FnOnce(X) -> D,
         mutation: &M,
         rng: &mut R,
-    ) -> Step<X, D>
+    ) -> Step<X, D, D::Acceptance>
     where
         M: Mutation<X> + ?Sized,
         R: Rng + ?Sized,
@@ -145,7 +146,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         mutation: &M,
         limit: NonZeroU32,
         rng: &mut R,
-    ) -> Result<Step<X, D>, R::Error>
+    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
     where
         M: Mutation<X> + ?Sized,
         R: TryRng + ?Sized,
@@ -180,7 +181,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         mutation: &M,
         limit: NonZeroU32,
         rng: &mut R,
-    ) -> Step<X, D>
+    ) -> Step<X, D, D::Acceptance>
     where
         M: Mutation<X> + ?Sized,
         R: Rng + ?Sized,
@@ -196,7 +197,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         mutation: &M,
         limit: u32,
         rng: &mut R,
-    ) -> Result<Step<X, D>, R::Error>
+    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
     where
         M: Mutation<X> + ?Sized,
         R: TryRng + ?Sized,
@@ -206,13 +207,13 @@ impl<X: Copy, D: Density> Chain<X, D> {
         let word = rng.try_next_u32()?;
         let density = target(proposal.state);
         let (acceptance, outcome) = match proposal.correction.judge(at.density, density) {
-            Verdict::With(a) if happens(a, word) => (a, Outcome::Accepted),
+            Verdict::With(a) if a.happens(word) => (a, Outcome::Accepted),
             Verdict::With(_) if limit < u32::MAX && at.rejected_in_a_row >= limit => {
-                (1.0, Outcome::Forced)
+                (D::Acceptance::ALWAYS, Outcome::Forced)
             }
             Verdict::With(a) => (a, Outcome::Rejected),
-            Verdict::Never => (0.0, Outcome::Rejected),
-            Verdict::Refused => (0.0, Outcome::Refused),
+            Verdict::Never => (D::Acceptance::NEVER, Outcome::Rejected),
+            Verdict::Refused => (D::Acceptance::NEVER, Outcome::Refused),
         };
         let step = Step {
             from: at.state,
@@ -228,7 +229,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
     }
 
     #[inline]
-    fn count(&mut self, step: &Step<X, D>) {
+    fn count(&mut self, step: &Step<X, D, D::Acceptance>) {
         let at = &mut self.at;
         at.steps = at.steps.saturating_add(1);
         if step.is_accepted() {

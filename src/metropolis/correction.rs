@@ -1,39 +1,49 @@
 //! What a mutation says of its way there and back, and the acceptance that follows.
 
-use super::density::{Arithmetic, Density, Standing};
-use crate::tier::remainder;
+use super::Counts;
+use super::counts::quotient_of_counts;
+use super::weight::{Standing, Weighing as _, Weight};
 use crate::warp::Apart;
 
 /// What becomes of a proposal.
 #[derive(Clone, Copy, Debug)]
-pub enum Verdict {
+pub enum Verdict<A> {
     /// Its density or its ratio is none.
     Refused,
     /// There is no way to it.
     Never,
     /// It is accepted with this probability.
-    With(f32),
+    With(A),
+}
+
+/// What a correction of any type states.
+#[derive(Clone, Copy, Debug)]
+pub enum Stated {
+    Nothing,
+    Counts(Counts),
+    Ratio(Ratio),
 }
 
 mod sealed {
-    use super::{Density, Ratio, Verdict};
+    use super::{Stated, Verdict, Weight};
 
     pub trait Judge: Copy {
         /// What becomes of a proposal of density `to` where the chain is at a state of density `from`.
-        fn judge<D: Density>(self, from: D, to: D) -> Verdict;
-        /// The ratio, unless it is always 1.
-        fn ratio(self) -> Option<Ratio>;
-        /// Of a mixture, where a type without ratio has only parts without.
-        fn of_ratio(ratio: Option<Ratio>) -> Self;
+        fn judge<D: Weight>(self, from: D, to: D) -> Verdict<D::Acceptance>;
+        fn stated(self) -> Stated;
+        /// Of a mixture, which has parts only whose statements its own type can hold.
+        fn of(stated: Stated) -> Self;
     }
 }
 pub(super) use sealed::Judge;
 
-/// The ratio T(x′→x)/T(x→x′) of a proposal: [`Symmetric`], which is 1 and costs nothing, or a [`Ratio`].
-/// The trait is sealed.
+/// The ratio T(x′→x)/T(x→x′) of a proposal: [`Symmetric`], which is 1 and costs nothing, [`Counts`], which are
+/// two integers, or a [`Ratio`]. The trait is sealed.
 pub trait Correction: Judge {
     /// What a mixture of mutations of this kind and of another one states.
     type With<C: Correction>: Correction;
+    /// What a mixture of mutations of this kind and of some with [`Counts`] states.
+    type WithCounts: Correction;
 }
 
 /// The way back is as likely as the way there: T(x′→x) = T(x→x′).
@@ -43,27 +53,28 @@ pub struct Symmetric;
 
 impl Judge for Symmetric {
     #[inline]
-    fn judge<D: Density>(self, from: D, to: D) -> Verdict {
+    fn judge<D: Weight>(self, from: D, to: D) -> Verdict<D::Acceptance> {
         match to.standing() {
-            Standing::Positive => Verdict::With(D::quotient(from, to)),
+            Standing::Positive => Verdict::With(D::accepted(from, to)),
             Standing::Zero => Verdict::Never,
             Standing::Unsound => Verdict::Refused,
         }
     }
 
     #[inline]
-    fn ratio(self) -> Option<Ratio> {
-        None
+    fn stated(self) -> Stated {
+        Stated::Nothing
     }
 
     #[inline]
-    fn of_ratio(_: Option<Ratio>) -> Self {
+    fn of(_: Stated) -> Self {
         Self
     }
 }
 
 impl Correction for Symmetric {
     type With<C: Correction> = C;
+    type WithCounts = Counts;
 }
 
 /// The ratio T(x′→x)/T(x→x′) of a proposal x′.
@@ -141,76 +152,39 @@ impl Ratio {
         match (forward, backward) {
             (0, _) => Self(Way::Unsound),
             (_, 0) => Self(Way::NoReturn),
-            _ => {
-                let (there, back) = (Digits::of(forward), Digits::of(backward));
-                let quotient = back.high / there.high;
-                let rest = remainder(back.high, quotient, there.high) + back.low;
-                let rounded = quotient + (rest - quotient * there.low) / there.high;
-                let exponent = back.exponent.wrapping_sub(there.exponent);
-                Self(Way::Both(Apart::of(rounded).raised(exponent)))
-            }
-        }
-    }
-}
-
-/// The leading 48 bits of a number: (high + low) 2^exponent.
-struct Digits {
-    /// From 1 to 2, of 24 bits.
-    high: f32,
-    /// The 24 bits that follow.
-    low: f32,
-    exponent: i32,
-}
-
-impl Digits {
-    /// Of a number that is not 0.
-    #[inline]
-    #[expect(clippy::cast_possible_wrap, reason = "there are 64 bits")]
-    fn of(count: u128) -> Self {
-        /// 2⁻²³, the last place of the high part.
-        const PLACE: f32 = f32::EPSILON;
-        let Ok(count) = u64::try_from(count) else {
-            return Self {
-                high: 1.0,
-                low: 0.0,
-                exponent: 64,
-            };
-        };
-        let zeros = count.leading_zeros();
-        let bits = count.wrapping_shl(zeros);
-        let (high, low) = ((bits >> 40) as u32, (bits >> 16) as u32 & 0x00ff_ffff);
-        Self {
-            high: high as f32 * PLACE,
-            low: low as f32 * (PLACE * PLACE * 0.5),
-            exponent: 63_i32.wrapping_sub(zeros as i32),
+            _ => Self(Way::Both(quotient_of_counts(forward, backward))),
         }
     }
 }
 
 impl Judge for Ratio {
     #[inline]
-    fn judge<D: Density>(self, from: D, to: D) -> Verdict {
+    fn judge<D: Weight>(self, from: D, to: D) -> Verdict<D::Acceptance> {
         match (self.0, to.standing()) {
             (Way::Unsound, _) | (_, Standing::Unsound) => Verdict::Refused,
             (Way::NoReturn, _) | (_, Standing::Zero) => Verdict::Never,
             (Way::Both(ratio), Standing::Positive) => {
-                let acceptance = D::quotient_apart(from, to).times(ratio).value();
-                Verdict::With(if acceptance < 1.0 { acceptance } else { 1.0 })
+                Verdict::With(D::accepted_with_ratio(from, to, ratio))
             }
         }
     }
 
     #[inline]
-    fn ratio(self) -> Option<Ratio> {
-        Some(self)
+    fn stated(self) -> Stated {
+        Stated::Ratio(self)
     }
 
     #[inline]
-    fn of_ratio(ratio: Option<Ratio>) -> Self {
-        ratio.unwrap_or(Self::ONE)
+    fn of(stated: Stated) -> Self {
+        match stated {
+            Stated::Nothing => Self::ONE,
+            Stated::Counts(counts) => counts.ratio(),
+            Stated::Ratio(ratio) => ratio,
+        }
     }
 }
 
 impl Correction for Ratio {
     type With<C: Correction> = Self;
+    type WithCounts = Self;
 }

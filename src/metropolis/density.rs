@@ -1,42 +1,20 @@
-//! What a target says of a state: its density, or the logarithm of it.
+//! Weights in floating point: a density, or the logarithm of it.
 
+use super::counts::quotient_of_counts;
+use super::weight::{Probability, Standing, Weighing, Weight};
 use crate::error::Error;
 use crate::estimate::saturated;
+use crate::rejection::happens;
 use crate::tier::{Tier, two_product};
-use crate::warp::{Apart, Warp, representable};
+use crate::warp::{Apart, representable};
 use core::f32::consts::{LN_2, LOG2_E};
 use core::marker::PhantomData;
 
-/// What a density says of its state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
-    /// A chain may be there.
-    Positive,
-    /// A chain is never there.
-    Zero,
-    /// Not a density at all.
-    Unsound,
-}
-
 mod sealed {
-    use super::{Apart, Error, Standing};
+    use super::Apart;
 
-    /// What acceptance needs of a density.
+    /// What a chain's start needs of a density beyond what a step does.
     pub trait Arithmetic: Copy {
-        fn standing(self) -> Standing;
-        /// Refuses every density where a chain cannot be, and says why.
-        #[inline]
-        fn positive(self) -> Result<(), Error> {
-            match self.standing() {
-                Standing::Positive => Ok(()),
-                Standing::Zero => Err(Error::NotPositive),
-                Standing::Unsound => Err(self.fault()),
-            }
-        }
-        /// Why it is unsound.
-        fn fault(self) -> Error;
-        /// min(1, to/from), of two positive densities.
-        fn quotient(from: Self, to: Self) -> f32;
         /// to/from, of two positive densities.
         fn quotient_apart(from: Self, to: Self) -> Apart;
         /// Whether this density is the larger one, of two positive ones.
@@ -47,14 +25,46 @@ mod sealed {
 }
 pub(super) use sealed::Arithmetic;
 
-/// What a target says of a state: an `f32`, which is the density itself up to a constant factor, or a
+/// A density in floating point: an `f32`, which is the density itself up to a constant factor, or a
 /// [`LogDensity`]. The trait is sealed.
 ///
 /// A density of 0 (a logarithm of −∞) is a state the chain never enters. One that is NaN, infinite or
 /// negative (a logarithm of NaN or +∞) is refused, and counted.
-pub trait Density: Arithmetic {}
+pub trait Density: Weight<Acceptance = f32> + Arithmetic {}
 
-impl Arithmetic for f32 {
+impl Probability for f32 {
+    const NEVER: Self = 0.0;
+    const ALWAYS: Self = 1.0;
+
+    #[inline]
+    fn happens(self, word: u32) -> bool {
+        happens(self, word)
+    }
+}
+
+/// The product of two positive numbers as an acceptance.
+#[inline]
+fn product(quotient: Apart, ratio: Apart) -> f32 {
+    let acceptance = quotient.times(ratio).value();
+    if acceptance < 1.0 { acceptance } else { 1.0 }
+}
+
+/// What of a weight is the same in both forms of a density.
+macro_rules! asymmetric {
+    () => {
+        #[inline]
+        fn accepted_with_ratio(from: Self, to: Self, ratio: Apart) -> f32 {
+            product(Self::quotient_apart(from, to), ratio)
+        }
+
+        #[inline]
+        fn accepted_with_counts(from: Self, to: Self, forward: u128, backward: u128) -> f32 {
+            Self::accepted_with_ratio(from, to, quotient_of_counts(forward, backward))
+        }
+    };
+}
+
+impl Weighing<f32> for f32 {
     #[inline]
     fn standing(self) -> Standing {
         if self > 0.0 && self <= f32::MAX {
@@ -76,11 +86,19 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
-    fn quotient(from: Self, to: Self) -> f32 {
+    fn accepted(from: Self, to: Self) -> f32 {
         // The quotient of a smaller number by a larger one cannot overflow.
         if to < from { to / from } else { 1.0 }
     }
 
+    asymmetric!();
+}
+
+impl Weight for f32 {
+    type Acceptance = Self;
+}
+
+impl Arithmetic for f32 {
     #[inline]
     fn quotient_apart(from: Self, to: Self) -> Apart {
         Apart::of(to).over(Apart::of(from))
@@ -167,7 +185,7 @@ fn exp_apart<T: Tier>(x: f32) -> Apart {
     Apart::of(T::exp(rest)).raised(exponent)
 }
 
-impl<T: Tier> Arithmetic for LogDensity<T> {
+impl<T: Tier> Weighing<f32> for LogDensity<T> {
     #[inline]
     fn standing(self) -> Standing {
         if self.log.is_finite() {
@@ -185,7 +203,7 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
     }
 
     #[inline]
-    fn quotient(from: Self, to: Self) -> f32 {
+    fn accepted(from: Self, to: Self) -> f32 {
         if to.log < from.log {
             T::exp(to.log - from.log)
         } else {
@@ -193,6 +211,14 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
         }
     }
 
+    asymmetric!();
+}
+
+impl<T: Tier> Weight for LogDensity<T> {
+    type Acceptance = f32;
+}
+
+impl<T: Tier> Arithmetic for LogDensity<T> {
     #[inline]
     fn quotient_apart(from: Self, to: Self) -> Apart {
         exp_apart::<T>(to.log - from.log)
@@ -213,56 +239,3 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
 }
 
 impl<T: Tier> Density for LogDensity<T> {}
-
-/// The density of a warp's uniforms under which its points have the density `f`: f/p, at the point.
-///
-/// This is how a chain in the unit cube drives a warp: the chain's state is the warp's uniforms, and the better
-/// the warp, the flatter what is left for the chain. Where f/p overflows `f32`, the state is refused.
-///
-/// Of several warps, one after the other, each takes its uniforms, and their densities multiply: a closure does
-/// it, as the second example shows.
-///
-/// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
-/// Metropolis Light Transport Algorithm", 2002.
-///
-/// ```
-/// use microwarp::metropolis::{Chain, ExponentialStep, Mixture, Wrapped, primary_density};
-/// use microwarp::{Warp, poly as mw};
-/// use rand_pcg::Pcg32;
-///
-/// // A lobe, and before it a bar that lets nothing pass.
-/// let lobe = mw::PhongLobe::new(20.0)?;
-/// let seen = move |w: [f32; 3]| if w[0].abs() < 0.02 { 0.0 } else { lobe.pdf(w) };
-/// let target = primary_density(lobe, seen);
-///
-/// let small = Wrapped::new(mw::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0)?);
-/// let mutation = Mixture::large_small(0.1, small)?;
-/// let mut rng = Pcg32::new(1, 1);
-/// let mut chain = Chain::new([0.5, 0.3], target)?;
-/// for _ in 0..1000 {
-///     let uniforms = chain.step(target, &mutation, &mut rng).state();
-///     assert!(lobe.sample(uniforms)[0].abs() >= 0.02);
-/// }
-///
-/// // A path: a point of a lens, then a direction.
-/// let lens = mw::Disk::new();
-/// let f = |p: [f32; 2], w: [f32; 3]| p[0] * p[0] * w[2];
-/// let path = |[a, b, c, d]: [f32; 4]| {
-///     let (p, w) = (lens.sample([a, b]), lobe.sample([c, d]));
-///     f(p, w) / (lens.pdf(p) * lobe.pdf(w))
-/// };
-/// let mut chain = Chain::new([0.5, 0.3, 0.5, 0.3], path)?;
-/// chain.step(path, &mutation, &mut rng);
-/// # Ok::<(), microwarp::Error>(())
-/// ```
-#[inline]
-pub fn primary_density<W, F>(warp: W, f: F) -> impl Fn(W::Uniforms) -> f32 + Copy
-where
-    W: Warp<Density = f32> + Copy,
-    F: Fn(W::Point) -> f32 + Copy,
-{
-    move |uniforms| {
-        let point = warp.sample(uniforms);
-        f(point) / warp.pdf(point)
-    }
-}

@@ -1,7 +1,7 @@
 //! Proposals that do not depend on where the chain is.
 
 use super::coordinates::Coordinates;
-use super::{Mutation, Proposal, Ratio, Symmetric};
+use super::{Correction, Counts, Mutation, Proposal, Ratio, Symmetric};
 use crate::discrete::{Alias, AliasEntry, Cdf, Storage, Word};
 use crate::uniform::Uniforms;
 use crate::warp::Warp;
@@ -13,6 +13,9 @@ use rand_core::TryRng;
 /// It can propose ([`Independence`]) and it can start a chain ([`Chain::search`](super::Chain::search),
 /// [`Chain::resample`](super::Chain::resample)).
 pub trait Source<X> {
+    /// What its proposals state: a [`Ratio`], or [`Counts`] of a table.
+    type Correction: Correction;
+
     /// Draws a state.
     ///
     /// # Errors
@@ -24,15 +27,15 @@ pub trait Source<X> {
     #[must_use]
     fn pdf_of_state(&self, state: X) -> f32;
 
-    /// p(`from`)/p(`to`), the ratio of a proposal.
+    /// p(`from`)/p(`to`), the ratio of a proposal: of two densities, `Ratio::new(self.pdf_of_state(to),
+    /// self.pdf_of_state(from))`.
     #[must_use]
-    #[inline]
-    fn ratio_of_states(&self, from: X, to: X) -> Ratio {
-        Ratio::new(self.pdf_of_state(to), self.pdf_of_state(from))
-    }
+    fn ratio_of_states(&self, from: X, to: X) -> Self::Correction;
 }
 
 impl<W: Warp<Density = f32>> Source<W::Point> for W {
+    type Correction = Ratio;
+
     #[inline]
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<W::Point, R::Error> {
         self.try_draw(rng)
@@ -42,11 +45,18 @@ impl<W: Warp<Density = f32>> Source<W::Point> for W {
     fn pdf_of_state(&self, state: W::Point) -> f32 {
         self.pdf(state)
     }
+
+    #[inline]
+    fn ratio_of_states(&self, from: W::Point, to: W::Point) -> Ratio {
+        Ratio::new(self.pdf(to), self.pdf(from))
+    }
 }
 
 macro_rules! tables {
     ($($table:ident of $item:ty;)*) => {$(
         impl<W: Word, S: Storage<Item = $item>> Source<usize> for $table<S> {
+            type Correction = Counts;
+
             #[inline]
             fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
                 self.try_draw_index(rng)
@@ -58,8 +68,8 @@ macro_rules! tables {
             }
 
             #[inline]
-            fn ratio_of_states(&self, from: usize, to: usize) -> Ratio {
-                Ratio::from_counts(self.numerator(to).into(), self.numerator(from).into())
+            fn ratio_of_states(&self, from: usize, to: usize) -> Counts {
+                Counts::new(self.numerator(to).into(), self.numerator(from).into())
             }
         }
     )*};
@@ -74,8 +84,7 @@ tables! {
 ///
 /// - States: the points of a warp, the indices of a table.
 /// - Words: those of the draw.
-/// - T(x→x′) = p(x′); the ratio is p(x)/p(x′). Of a table it is the ratio of the numerators, exact to a
-///   rounding.
+/// - T(x→x′) = p(x′); the ratio is p(x)/p(x′). Of a table it is that of the numerators, as [`Counts`].
 ///
 /// The nearer p comes to a multiple of f, the more is accepted; where it is one, all. States that p never
 /// proposes, the chain never visits; started at one, it never leaves it. Tails of f heavier than those of p
@@ -113,14 +122,14 @@ impl<S> Independence<S> {
 }
 
 impl<X: Copy, S: Source<X>> Mutation<X> for Independence<S> {
-    type Correction = Ratio;
+    type Correction = S::Correction;
 
     #[inline]
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         from: X,
         rng: &mut R,
-    ) -> Result<Proposal<X, Ratio>, R::Error> {
+    ) -> Result<Proposal<X, S::Correction>, R::Error> {
         let to = self.source.try_draw_state(rng)?;
         Ok(Proposal::new(to, self.source.ratio_of_states(from, to)))
     }
@@ -155,6 +164,8 @@ impl UniformStep {
 }
 
 impl<X: Coordinates> Source<X> for UniformStep {
+    type Correction = Ratio;
+
     #[inline]
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<X, R::Error> {
         Ok(<X as Uniforms>::try_draw(rng)?.get())
@@ -164,6 +175,11 @@ impl<X: Coordinates> Source<X> for UniformStep {
     fn pdf_of_state(&self, state: X) -> f32 {
         let inside = state.as_slice().iter().all(|x| (0.0..1.0).contains(x));
         if inside { 1.0 } else { 0.0 }
+    }
+
+    #[inline]
+    fn ratio_of_states(&self, from: X, to: X) -> Ratio {
+        Ratio::new(self.pdf_of_state(to), self.pdf_of_state(from))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Mutations of indices.
 
-use super::{Mutation, Proposal, Ratio, Source, Symmetric};
+use super::{Counts, Mutation, Proposal, Source, Symmetric};
 use crate::discrete::{Cdf, Storage, Word};
 use crate::error::Error;
 use rand_core::TryRng;
@@ -38,7 +38,16 @@ impl UniformIndex {
     }
 }
 
+impl UniformIndex {
+    #[inline]
+    fn has(self, state: usize) -> bool {
+        (state as u64) < u64::from(self.count)
+    }
+}
+
 impl Source<usize> for UniformIndex {
+    type Correction = Counts;
+
     #[inline]
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
         // The leading 32 bits of a product of 64 bits by 32, in two parts.
@@ -51,11 +60,16 @@ impl Source<usize> for UniformIndex {
 
     #[inline]
     fn pdf_of_state(&self, state: usize) -> f32 {
-        if (state as u64) < u64::from(self.count) {
+        if self.has(state) {
             1.0 / self.count as f32
         } else {
             0.0
         }
+    }
+
+    #[inline]
+    fn ratio_of_states(&self, from: usize, to: usize) -> Counts {
+        Counts::new(self.has(to).into(), self.has(from).into())
     }
 }
 
@@ -76,7 +90,7 @@ impl Mutation<usize> for UniformIndex {
 ///
 /// - States: 0 to n − 1.
 /// - Words: those of a draw of the table.
-/// - T(x→x′) is the pmf of x′ in table x; the ratio is that of the numerators, exact to a rounding.
+/// - T(x→x′) is the pmf of x′ in table x; the ratio is that of the numerators, as [`Counts`].
 /// - A state out of range stays where it is.
 ///
 /// A transition that has no way back is never accepted.
@@ -118,25 +132,23 @@ impl<W: Word, S: Storage<Item = W>, const N: usize> TransitionTable<S, N> {
 }
 
 impl<W: Word, S: Storage<Item = W>, const N: usize> Mutation<usize> for TransitionTable<S, N> {
-    type Correction = Ratio;
+    type Correction = Counts;
 
     #[inline]
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         from: usize,
         rng: &mut R,
-    ) -> Result<Proposal<usize, Ratio>, R::Error> {
+    ) -> Result<Proposal<usize, Counts>, R::Error> {
         let word = W::try_draw(rng)?;
         let Some(there) = self.rows.get(from) else {
-            return Ok(Proposal::new(from, Ratio::ONE));
+            return Ok(Proposal::new(from, Counts::EQUAL));
         };
         let to = there.index(word);
-        let ratio = match self.rows.get(to) {
-            Some(back) => {
-                Ratio::from_counts(there.numerator(to).into(), back.numerator(from).into())
-            }
-            None => Ratio::ONE,
+        let counts = match self.rows.get(to) {
+            Some(back) => Counts::new(there.numerator(to).into(), back.numerator(from).into()),
+            None => Counts::EQUAL,
         };
-        Ok(Proposal::new(to, ratio))
+        Ok(Proposal::new(to, counts))
     }
 }

@@ -1,7 +1,7 @@
 //! A chain as plain numbers, and back.
 
 use super::Chain;
-use super::density::Density;
+use super::weight::Weight;
 use crate::error::Error;
 
 /// All that a chain is, as plain numbers: to be kept in flash or sent over a wire, and made a chain again.
@@ -41,7 +41,7 @@ pub struct Saved<X, D = f32> {
     pub rejected_in_a_row: u32,
 }
 
-impl<X: Copy, D: Density> Chain<X, D> {
+impl<X: Copy, D: Weight> Chain<X, D> {
     /// The chain as plain numbers.
     #[must_use]
     #[inline]

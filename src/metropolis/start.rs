@@ -1,6 +1,7 @@
 //! How a chain finds its first state among those of another sampler.
 
-use super::density::{Arithmetic, Density, Standing};
+use super::density::Density;
+use super::weight::{Standing, Weighing, Weight};
 use super::{Chain, Source};
 use crate::estimate::Sum;
 use crate::rejection::{Failure, happens};
@@ -118,7 +119,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
     }
 }
 
-impl<X: Copy, D: Density> Chain<X, D> {
+impl<X: Copy, D: Weight> Chain<X, D> {
     /// A chain at the first of at most `budget` states drawn whose density is positive.
     ///
     /// The start is then one that the density may hardly have chosen: let it burn in.
@@ -175,7 +176,9 @@ impl<X: Copy, D: Density> Chain<X, D> {
     {
         Self::try_search(target, source, budget, rng)
     }
+}
 
+impl<X: Copy, D: Density> Chain<X, D> {
     /// A chain whose start is chosen among `candidates` states of another sampler, with the weight that
     /// removes the start-up bias. See [`Start`].
     ///

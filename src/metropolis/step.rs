@@ -1,5 +1,7 @@
 //! What one step of a chain did.
 
+use super::Chance;
+
 /// What became of a proposal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -40,7 +42,7 @@ pub enum Outcome {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Step<X, D = f32> {
+pub struct Step<X, D = f32, A = f32> {
     /// The state before the step, x.
     pub from: X,
     /// Its density, as the target gave it.
@@ -50,15 +52,15 @@ pub struct Step<X, D = f32> {
     /// Its density, as the target gave it; of a refused proposal it may be anything.
     pub proposed_density: D,
     /// The probability with which the proposal is accepted, a, in [0, 1]: 0 of a refused one, 1 of a forced
-    /// one.
-    pub acceptance: f32,
+    /// one. An `f32`, or of integer weights a [`Chance`].
+    pub acceptance: A,
     /// What became of it.
     pub outcome: Outcome,
     /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 without one.
     pub kind: u32,
 }
 
-impl<X: Copy, D: Copy> Step<X, D> {
+impl<X: Copy, D: Copy, A> Step<X, D, A> {
     /// Whether the chain has moved to the proposed state.
     #[must_use]
     #[inline]
@@ -87,7 +89,9 @@ impl<X: Copy, D: Copy> Step<X, D> {
             self.from_density
         }
     }
+}
 
+impl<X: Copy, D> Step<X, D> {
     /// Both states with the weights to record them with: 1 − a and a, which sum to 1; as 1 − a is rounded, to
     /// 2⁻²⁵, and exactly in `f32`.
     ///
@@ -99,6 +103,23 @@ impl<X: Copy, D: Copy> Step<X, D> {
         [
             (self.from, 1.0 - self.acceptance),
             (self.proposed, self.acceptance),
+        ]
+    }
+}
+
+impl<X: Copy, D> Step<X, D, Chance> {
+    /// Both states with the number of words, of 2³², to record them with: those that reject and those that
+    /// accept, which sum to 2³² exactly.
+    ///
+    /// This is exactly the expectation of recording the state after the step. Pass over a state without words: if
+    /// refused, it may be outside the domain.
+    #[must_use]
+    #[inline]
+    pub const fn recorded(&self) -> [(X, u64); 2] {
+        let words = self.acceptance.words();
+        [
+            (self.from, Chance::TOTAL.wrapping_sub(words)),
+            (self.proposed, words),
         ]
     }
 }

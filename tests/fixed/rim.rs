@@ -6,7 +6,7 @@ use super::wide::{product, sine};
 use crate::inputs::{Words, edges, full};
 use fixed::types::{I2F30, U0F32};
 use microwarp::Warp;
-use microwarp::fixed::{Coarse, Compact, Disk, Fine, Grade};
+use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp::Disk};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use std::path::Path;

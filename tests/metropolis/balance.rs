@@ -1,7 +1,7 @@
 //! What is asked of a transition matrix: sums, stationarity, detailed balance, eigenvalues; and in what each
 //! fails, so that the counter-examples can be asked too.
 
-use super::enumeration::{Driven, Path, TOTAL_BITS, Words};
+use super::enumeration::{Driven, Path, TOTAL_BITS, Words, exact, proposals, rounded};
 use super::spectrum::{Matrix, second_by_powers, second_by_rotations};
 use microwarp::metropolis::{Density, LogDensity, Mutation};
 use microwarp::tier::Tier;
@@ -87,13 +87,6 @@ impl Report {
     }
 }
 
-/// A number of up to some hundred bits, rounded.
-fn rounded(x: &BigUint) -> f64 {
-    let shift = x.bits().saturating_sub(64);
-    let leading = (x >> shift).iter_u64_digits().next().unwrap_or(0);
-    leading as f64 * 2_f64.powi(shift as i32)
-}
-
 /// 2^-33, half a step of the decision: to the nearest.
 const HALF_STEP: f64 = 0.5 / 4_294_967_296.0;
 /// What f64 itself may be off, and the 2^-64 by which the parts of a fraction differ.
@@ -142,23 +135,12 @@ impl Enumerated {
 
     /// Row i and column j, in units of 2^-128.
     pub fn exact(&self, i: usize, j: usize) -> BigUint {
-        let mut sum = BigUint::ZERO;
-        for path in &self.paths[i] {
-            let all = 1_u64 << 32;
-            if path.to == j {
-                sum += &path.proposals * path.accepted;
-            }
-            if i == j {
-                sum += &path.proposals * (all - path.accepted);
-            }
-        }
-        sum
+        exact(&self.paths, i, j)
     }
 
     /// How many of 2^96 words of the mutation of this kind propose j from i.
     pub fn proposals(&self, kind: u32, i: usize, j: usize) -> BigUint {
-        let of = |p: &&Path| p.kind == kind && p.to == j;
-        self.paths[i].iter().filter(of).map(|p| &p.proposals).sum()
+        proposals(&self.paths, kind, i, j)
     }
 
     /// The matrix of the states that the chain may be in.

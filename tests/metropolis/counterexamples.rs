@@ -13,7 +13,7 @@ pub fn table<const N: usize>(rows: [[f32; N]; N]) -> TransitionTable<[u32; N], N
 }
 
 /// Proposes by a table, and says that the way back is as likely.
-struct Forgetful<const N: usize>(TransitionTable<[u32; N], N>);
+pub struct Forgetful<const N: usize>(pub TransitionTable<[u32; N], N>);
 
 impl<const N: usize> Mutation<usize> for Forgetful<N> {
     type Correction = Symmetric;

@@ -5,7 +5,7 @@
 //! accept. What galloping takes for granted is then asked of random words.
 
 use crate::drivers::{Counting, Cycle};
-use microwarp::metropolis::{Chain, Density, Mutation, Outcome, Step};
+use microwarp::metropolis::{Chain, Mutation, Outcome, Step, Weight};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -30,15 +30,56 @@ impl Words {
 
 /// All words that propose one thing.
 #[derive(Clone, Debug)]
-pub struct Path {
+pub struct Path<A = f32> {
     pub to: usize,
     pub kind: u32,
     /// How many words, of 2^96.
     pub proposals: BigUint,
     /// The acceptance, as the step reports it.
-    pub acceptance: f32,
+    pub acceptance: A,
     /// How many decision words accept, of 2^32.
     pub accepted: u64,
+}
+
+impl<A> Path<A> {
+    /// The same path with its acceptance in other terms.
+    pub fn saying<B>(self, terms: impl Fn(A) -> B) -> Path<B> {
+        Path {
+            to: self.to,
+            kind: self.kind,
+            proposals: self.proposals,
+            acceptance: terms(self.acceptance),
+            accepted: self.accepted,
+        }
+    }
+}
+
+/// Row i and column j of the matrix, in units of 2^-128.
+pub fn exact<A>(paths: &[Vec<Path<A>>], i: usize, j: usize) -> BigUint {
+    let mut sum = BigUint::ZERO;
+    for path in &paths[i] {
+        let all = 1_u64 << 32;
+        if path.to == j {
+            sum += &path.proposals * path.accepted;
+        }
+        if i == j {
+            sum += &path.proposals * (all - path.accepted);
+        }
+    }
+    sum
+}
+
+/// How many of 2^96 words of the mutation of this kind propose j from i.
+pub fn proposals<A>(paths: &[Vec<Path<A>>], kind: u32, i: usize, j: usize) -> BigUint {
+    let of = |p: &&Path<A>| p.kind == kind && p.to == j;
+    paths[i].iter().filter(of).map(|p| &p.proposals).sum()
+}
+
+/// A number of up to some hundred bits, rounded.
+pub fn rounded(x: &BigUint) -> f64 {
+    let shift = x.bits().saturating_sub(64);
+    let leading = (x >> shift).iter_u64_digits().next().unwrap_or(0);
+    leading as f64 * 2_f64.powi(shift as i32)
 }
 
 /// Words from `first` to `last` in runs of the same key, by galloping and halving.
@@ -83,7 +124,7 @@ pub struct Driven<'a, F, M> {
 
 impl<F, M> Driven<'_, F, M> {
     /// One real step. It takes the words given, all of them, and no other.
-    pub fn step<D: Density>(&self, from: usize, words: &[u32]) -> Step<usize, D>
+    pub fn step<D: Weight>(&self, from: usize, words: &[u32]) -> Step<usize, D, D::Acceptance>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -98,7 +139,7 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// All paths out of a state.
-    pub fn paths<D: Density>(&self, from: usize) -> Vec<Path>
+    pub fn paths<D: Weight>(&self, from: usize) -> Vec<Path<D::Acceptance>>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -141,7 +182,7 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// The kind of a mixture at this picking word, if it takes `n` words after that one.
-    fn kind<D: Density>(&self, from: usize, pick: u32, n: usize) -> Option<u32>
+    fn kind<D: Weight>(&self, from: usize, pick: u32, n: usize) -> Option<u32>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -155,14 +196,14 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// The paths whose words begin with `pick`, of which there are `picks`.
-    fn proposals<D: Density>(
+    fn proposals<D: Weight>(
         &self,
         from: usize,
         pick: &[u32],
         (bits, parts): (u32, u64),
         picks: &BigUint,
         rng: &mut Pcg32,
-    ) -> Vec<Path>
+    ) -> Vec<Path<D::Acceptance>>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -177,7 +218,7 @@ impl<F, M> Driven<'_, F, M> {
         };
         let key = |word: u64| {
             let s = step(word, u32::MAX);
-            (s.proposed, s.kind, s.acceptance.to_bits())
+            (s.proposed, s.kind, s.acceptance)
         };
         let part = (1_u128 << bits) / u128::from(parts);
         let mut paths = Vec::new();
@@ -204,7 +245,7 @@ impl<F, M> Driven<'_, F, M> {
                     to: key.0,
                     kind: key.1,
                     proposals: (picks * words) << (64 - bits),
-                    acceptance: f32::from_bits(key.2),
+                    acceptance: key.2,
                     accepted,
                 });
             }

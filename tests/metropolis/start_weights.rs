@@ -2,7 +2,7 @@
 
 use crate::evidence::{assert_passes, assert_rejected};
 use crate::start::{INTEGRAL, Sums, humps};
-use microwarp::metropolis::{Chain, Density, LogDensity, Source, Start, UniformStep};
+use microwarp::metropolis::{Chain, Density, LogDensity, Ratio, Source, Start, UniformStep};
 use microwarp::rejection::Failure;
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::TryRng;
@@ -17,11 +17,15 @@ pub struct Listed<'a> {
 }
 
 impl Source<usize> for Listed<'_> {
+    type Correction = Ratio;
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
         Ok(rng.try_next_u32()? as usize % self.pdf.len())
     }
     fn pdf_of_state(&self, state: usize) -> f32 {
         self.pdf[state]
+    }
+    fn ratio_of_states(&self, from: usize, to: usize) -> Ratio {
+        Ratio::new(self.pdf[to], self.pdf[from])
     }
 }
 

@@ -7,6 +7,7 @@
 #![no_std]
 
 mod chains;
+mod integers;
 mod subjects;
 
 use microwarp::tier::{Libm, Poly, Tier};

@@ -1,6 +1,6 @@
 //! The subjects and the inputs of the golden table. A new warp is one line here.
 
-use crate::chains;
+use crate::{chains, integers};
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Reservoir, Selection,
@@ -165,7 +165,7 @@ fn attempted<const N: usize>(point: Option<[f32; N]>, out: &mut Out) {
 }
 
 /// A number for each failure, with the ratio or the tries it names.
-fn failed<E>(failure: Failure<E>, out: &mut Out) {
+pub(crate) fn failed<E>(failure: Failure<E>, out: &mut Out) {
     match failure {
         Failure::Generator(_) => out.word(0xf0),
         Failure::BudgetSpent { tries } => {
@@ -726,5 +726,10 @@ subjects! {
         "chain of uniforms" => chains::primary::<T>,
         "chain health" => chains::health,
         "chain verdicts" => chains::verdicts::<T>,
+        "integer chains" => integers::chains,
+        "integer chances" => integers::chances,
+        "integer selections" => integers::selections,
+        "integer selections wide" => integers::wide_selections,
+        "integer disks" => integers::disks,
     }
 }
