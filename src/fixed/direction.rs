@@ -28,7 +28,7 @@ pub(super) fn direction<G: Kernels>(sin: u32, cos: i32, phase: u32) -> [Coordina
 /// The angle of a point in turns, 0 at the origin.
 #[inline]
 pub(super) fn azimuth<G: Kernels>(x: Coordinate, y: Coordinate) -> Uniform {
-    Uniform::from_bits(G::atan2(y.to_bits(), x.to_bits()))
+    Uniform::from_bits(G::angle(y.to_bits(), x.to_bits()))
 }
 
 /// A number of any magnitude below 2³²: mantissa·2^(−32 − exponent).
@@ -116,10 +116,10 @@ impl Scaled {
         let sin = if exponent <= 0 {
             // At the equator the rounding of the product may carry it past 1.
             let most = u32::MAX >> (-exponent & 31);
-            G::sqrt(square.min(most) << (-exponent & 31))
+            G::root(square.min(most) << (-exponent & 31))
         } else {
             // An odd exponent is made even by halving once; what is left is halved in the root.
-            shifted(G::sqrt(square >> (exponent & 1)), exponent >> 1)
+            shifted(G::root(square >> (exponent & 1)), exponent >> 1)
         };
         direction::<G>(sin, ONE - (half >> 1) as i32, phase)
     }

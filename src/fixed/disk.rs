@@ -1,7 +1,7 @@
 //! The uniform distribution on the unit disk.
 
 use super::direction::{around, azimuth};
-use super::grade::{Fine, Grade, Kernels};
+use super::grade::{Fine, Grade};
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
 use crate::warp::Warp;
@@ -47,7 +47,7 @@ impl<G: Grade> Warp for Disk<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 2] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        let radius = <G as Kernels>::sqrt(u1).min(G::RIM);
+        let radius = G::root(u1).min(G::RIM);
         around::<G>(radius, u2).map(Coordinate::from_bits)
     }
 

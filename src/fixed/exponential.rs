@@ -1,7 +1,7 @@
 //! The exponential distribution, of mean 1 and of any mean.
 
 use super::direction::{Scaled, UNIT};
-use super::grade::{Fine, Grade, Kernels};
+use super::grade::{Fine, Grade};
 use super::kernel::product::high;
 use super::kernel::quotient::ratio;
 use super::{Density, Length, Uniform};
@@ -46,12 +46,12 @@ impl<G: Grade> Warp for StandardExponential<G> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<Uniform>) -> Length {
-        <G as Grade>::neg_ln_1m(u.get())
+        G::neg_ln_1m(u.get())
     }
 
     #[inline]
     fn pdf(&self, x: Length) -> Density {
-        let density = <G as Kernels>::exp_neg(x.to_bits());
+        let density = G::exp(x.to_bits());
         Density::from_bits(u64::from(density.max(1)))
     }
 
@@ -116,15 +116,14 @@ impl<Frac: LeEqU32, G: Grade> Warp for Exponential<Frac, G> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<Uniform>) -> FixedU32<Frac> {
-        let log = <G as Kernels>::neg_ln_1m(u.get().to_bits());
+        let log = G::log(u.get().to_bits());
         FixedU32::from_bits(of_means(log, self.mean))
     }
 
     #[inline]
     fn pdf(&self, x: FixedU32<Frac>) -> Density {
         let means = in_means(x.to_bits(), self.mean);
-        self.height
-            .density(<G as Kernels>::exp_neg(means.to_bits()))
+        self.height.density(G::exp(means.to_bits()))
     }
 
     #[inline]

@@ -10,10 +10,10 @@ mod sealed {
         /// word, over all phases.
         const RIM: u32;
         fn sincos(phase: u32) -> (i32, i32);
-        fn sqrt(x: u32) -> u32;
-        fn neg_ln_1m(u: u32) -> u32;
-        fn exp_neg(x: u32) -> u32;
-        fn atan2(y: i32, x: i32) -> u32;
+        fn root(x: u32) -> u32;
+        fn log(u: u32) -> u32;
+        fn exp(x: u32) -> u32;
+        fn angle(y: i32, x: i32) -> u32;
         /// A length (Q32) times a sine or cosine, in its Q.
         fn scaled(length: u32, by: i32) -> i32;
     }
@@ -69,28 +69,28 @@ pub trait Grade:
     #[must_use]
     #[inline]
     fn atan2_turns(y: I2F30, x: I2F30) -> U0F32 {
-        U0F32::from_bits(Self::atan2(y.to_bits(), x.to_bits()))
+        U0F32::from_bits(Self::angle(y.to_bits(), x.to_bits()))
     }
 
     /// The square root, below 1 for every argument.
     #[must_use]
     #[inline]
     fn sqrt(x: U0F32) -> U0F32 {
-        U0F32::from_bits(<Self as Kernels>::sqrt(x.to_bits()))
+        U0F32::from_bits(Self::root(x.to_bits()))
     }
 
     /// −ln(1 − u): exactly 0 at 0, and 22.18 at the last word.
     #[must_use]
     #[inline]
     fn neg_ln_1m(u: U0F32) -> U5F27 {
-        U5F27::from_bits(<Self as Kernels>::neg_ln_1m(u.to_bits()))
+        U5F27::from_bits(Self::log(u.to_bits()))
     }
 
     /// e^−x; 1 counts as one of the two largest words, 1 − 2⁻³¹ or 1 − 2⁻³².
     #[must_use]
     #[inline]
     fn exp_neg(x: U5F27) -> U0F32 {
-        U0F32::from_bits(<Self as Kernels>::exp_neg(x.to_bits()))
+        U0F32::from_bits(Self::exp(x.to_bits()))
     }
 
     /// 1 − e^−x, accurate also where x is small.
@@ -101,7 +101,7 @@ pub trait Grade:
         U0F32::from_bits(if x < exp::SMALL {
             exp::one_minus_small(x, 27) << 5
         } else {
-            !<Self as Kernels>::exp_neg(x)
+            !Self::exp(x)
         })
     }
 
@@ -118,7 +118,7 @@ pub trait Grade:
         if x == 0 {
             return U0F32::ZERO;
         }
-        let log = <Self as Kernels>::neg_ln_1m(x.wrapping_neg());
+        let log = Self::log(x.wrapping_neg());
         let whole = y >> 16;
         let fraction = product::by_half(log, y & 0xffff);
         // Beyond 32 the power is below a word's step.
@@ -126,7 +126,7 @@ pub trait Grade:
             Some(exponent) if product::high(log, whole) == 0 => exponent,
             _ => u32::MAX,
         };
-        U0F32::from_bits(<Self as Kernels>::exp_neg(exponent))
+        U0F32::from_bits(Self::exp(exponent))
     }
 }
 
@@ -150,22 +150,22 @@ macro_rules! grade {
             }
 
             #[inline]
-            fn sqrt(x: u32) -> u32 {
+            fn root(x: u32) -> u32 {
                 root::$kernel(x)
             }
 
             #[inline]
-            fn neg_ln_1m(u: u32) -> u32 {
+            fn log(u: u32) -> u32 {
                 log::$kernel(u)
             }
 
             #[inline]
-            fn exp_neg(x: u32) -> u32 {
+            fn exp(x: u32) -> u32 {
                 exp::$kernel(x)
             }
 
             #[inline]
-            fn atan2(y: i32, x: i32) -> u32 {
+            fn angle(y: i32, x: i32) -> u32 {
                 angle::vectoring(y, x, $rotations)
             }
 

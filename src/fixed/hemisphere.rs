@@ -1,7 +1,7 @@
 //! Distributions over the hemisphere about +z: uniform, and in proportion to the cosine.
 
 use super::direction::{azimuth, direction, one_minus_cos};
-use super::grade::{Fine, Grade, Kernels};
+use super::grade::{Fine, Grade};
 use super::kernel::product::{near, square};
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
@@ -54,7 +54,7 @@ impl<G: Grade> Warp for Hemisphere<G> {
             let rest = u1.wrapping_neg();
             (rest << 1).wrapping_sub(square(rest))
         };
-        direction::<G>(<G as Kernels>::sqrt(square), (u1 >> 2) as i32, u2)
+        direction::<G>(G::root(square), (u1 >> 2) as i32, u2)
     }
 
     #[inline]
@@ -123,8 +123,8 @@ impl<G: Grade> Warp for CosineHemisphere<G> {
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
         let rest = if u1 == 0 { u32::MAX } else { u1.wrapping_neg() };
-        let cos = <G as Kernels>::sqrt(rest) >> 2;
-        direction::<G>(<G as Kernels>::sqrt(u1), cos as i32, u2)
+        let cos = G::root(rest) >> 2;
+        direction::<G>(G::root(u1), cos as i32, u2)
     }
 
     #[inline]

@@ -91,7 +91,7 @@ impl<G: Grade> PhongLobe<G> {
         } else {
             let cos = point[2].to_bits() as u32;
             // −ln of the cosine itself, which here has all the digits.
-            let log = <G as Kernels>::neg_ln_1m(if cos >> 30 == 0 {
+            let log = G::log(if cos >> 30 == 0 {
                 (cos << 2).wrapping_neg()
             } else {
                 0
@@ -109,7 +109,7 @@ fn exp_m1_neg<G: Kernels>(x: Scaled) -> u32 {
         let bits = x.to_bits(34);
         one_minus_small(bits, 34) >> 2
     } else {
-        !<G as Kernels>::exp_neg(x.to_bits(27))
+        !G::exp(x.to_bits(27))
     }
 }
 
@@ -125,7 +125,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
         let (log, bits) = if u1 < log::SMALL {
             (log::small(u1), 39)
         } else {
-            (<G as Kernels>::neg_ln_1m(u1), 27)
+            (G::log(u1), 27)
         };
         // −ln cos θ, in so many fraction bits.
         let neg_ln_cos = near(log, self.inverse.mantissa);
@@ -138,8 +138,8 @@ impl<G: Grade> Warp for PhongLobe<G> {
             };
             half.direction::<G>(u2)
         } else {
-            let cos = <G as Kernels>::exp_neg(neg_ln_cos >> (bits - 27));
-            direction::<G>(<G as Kernels>::sqrt(!square(cos)), (cos >> 2) as i32, u2)
+            let cos = G::exp(neg_ln_cos >> (bits - 27));
+            direction::<G>(G::root(!square(cos)), (cos >> 2) as i32, u2)
         }
     }
 
@@ -150,7 +150,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
             return Density::ZERO;
         }
         let log = Self::neg_ln_cos(point).times(self.exponent);
-        let shape = <G as Kernels>::exp_neg(log.to_bits(27));
+        let shape = G::exp(log.to_bits(27));
         let height = self.power.times(PER_ANGLE);
         let density = (u64::from(height.mantissa) * u64::from(shape)) >> (32 + height.exponent);
         Density::from_bits(density.max(1))

@@ -51,9 +51,9 @@ fn radius<G: Kernels>(u: u32) -> u32 {
     let (square, half_of_them) = if u < log::SMALL {
         (log::small(u), 6)
     } else {
-        (G::neg_ln_1m(u), 0)
+        (G::log(u), 0)
     };
-    G::sqrt(square) >> half_of_them
+    G::root(square) >> half_of_them
 }
 
 /// x² + y² in Q54.
@@ -66,7 +66,7 @@ fn square_of(point: [u32; 2]) -> u64 {
 /// e^(−r²/2) of r² in Q54.
 #[inline]
 fn bell<G: Kernels>(square: u64) -> u32 {
-    G::exp_neg(u32::try_from(square >> 28).unwrap_or(u32::MAX))
+    G::exp(u32::try_from(square >> 28).unwrap_or(u32::MAX))
 }
 
 /// 1 − e^(−r²/2) of r² in Q54.
@@ -76,7 +76,7 @@ fn outside<G: Kernels>(square: u64) -> u32 {
     if half < exp::SMALL {
         one_minus_small((square >> 21) as u32, 34) >> 2
     } else {
-        !G::exp_neg(half)
+        !G::exp(half)
     }
 }
 
@@ -104,7 +104,7 @@ impl<G: Grade> Warp for StandardNormalPair<G> {
     fn invert(&self, point: [Deviate; 2]) -> [Uniform; 2] {
         let [x, y] = point.map(Deviate::to_bits);
         let square = square_of([x.unsigned_abs(), y.unsigned_abs()]);
-        [outside::<G>(square), G::atan2(y, x)].map(Uniform::from_bits)
+        [outside::<G>(square), G::angle(y, x)].map(Uniform::from_bits)
     }
 }
 
@@ -209,7 +209,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for NormalPair<Frac, G> {
         let square = square_of(self.standardised(point));
         let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
         // No difference that saturates is that of a sample.
-        let angle = G::atan2(y.saturating_sub(my), x.saturating_sub(mx));
+        let angle = G::angle(y.saturating_sub(my), x.saturating_sub(mx));
         [outside::<G>(square), angle].map(Uniform::from_bits)
     }
 }

@@ -1,7 +1,7 @@
 //! The uniform distribution over the sphere of directions.
 
 use super::direction::{ONE, azimuth, direction, one_minus_cos};
-use super::grade::{Fine, Grade, Kernels};
+use super::grade::{Fine, Grade};
 use super::kernel::product::square;
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
@@ -51,11 +51,7 @@ impl<G: Grade> Warp for Sphere<G> {
         let from_pole = if u1 >> 31 == 0 { u1 } else { u1.wrapping_neg() };
         // A quarter of sin² θ; cut by up to 2⁻³⁰ at the equator, where it would reach 1/4 and the shift overflow.
         let quarter = from_pole - square(from_pole) - (from_pole >> 29);
-        direction::<G>(
-            <G as Kernels>::sqrt(quarter << 2),
-            ONE - (u1 >> 1) as i32,
-            u2,
-        )
+        direction::<G>(G::root(quarter << 2), ONE - (u1 >> 1) as i32, u2)
     }
 
     #[inline]

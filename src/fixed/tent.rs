@@ -1,7 +1,7 @@
 //! The tent (triangle) filter.
 
 use super::direction::{Scaled, UNIT};
-use super::grade::{Fine, Grade, Kernels};
+use super::grade::{Fine, Grade};
 use super::kernel::product::{high, square};
 use super::kernel::quotient::quotient;
 use super::{Density, Uniform};
@@ -74,7 +74,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
         } else {
             double.max(1).wrapping_neg()
         };
-        let x = high(self.radius, !<G as Kernels>::sqrt(t)) as i32;
+        let x = high(self.radius, !G::root(t)) as i32;
         FixedI32::from_bits(if below { -x } else { x })
     }
 

@@ -1,7 +1,7 @@
 //! The uniform distribution on a triangle: in barycentric coordinates, and on three given vertices.
 
 use super::direction::ONE;
-use super::grade::{Fine, Grade, Kernels};
+use super::grade::{Fine, Grade};
 use super::kernel::product::near;
 use super::kernel::quotient::quotient;
 use super::{Coordinate, Density, Uniform};
@@ -48,7 +48,7 @@ impl<G: Grade> Warp for Triangle<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        let root = <G as Kernels>::sqrt(u1);
+        let root = G::root(u1);
         let (both, first) = ((root >> 2) as i32, (near(root, u2) >> 2) as i32);
         [ONE - both, first, both - first].map(Coordinate::from_bits)
     }

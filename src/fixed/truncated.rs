@@ -2,7 +2,7 @@
 
 use super::direction::{ONE, Scaled, UNIT};
 use super::exponential::{in_means, of_means};
-use super::grade::{Fine, Grade, Kernels};
+use super::grade::{Fine, Grade};
 use super::kernel::product::{high, near, near_signed, square};
 use super::kernel::quotient::{quotient, ratio};
 use super::{Density, Uniform};
@@ -158,7 +158,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for TruncatedExponential<Frac, G> {
         FixedU32::from_bits(match self.map {
             Map::Series { z, third, .. } => high(self.length, series(u, z, third)),
             Map::Logarithm { end, most } => {
-                let log = <G as Kernels>::neg_ln_1m(u - high(u, end));
+                let log = G::log(u - high(u, end));
                 of_means(log.min(most), self.mean)
             }
         })
@@ -169,8 +169,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for TruncatedExponential<Frac, G> {
         let x = x.to_bits();
         if x < self.length {
             let means = in_means(x, self.mean);
-            self.height
-                .density(<G as Kernels>::exp_neg(means.to_bits()))
+            self.height.density(G::exp(means.to_bits()))
         } else {
             Density::ZERO
         }
