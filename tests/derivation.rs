@@ -5,12 +5,18 @@
 //! Functions are summed from their series; only erf, erfc, exp and log of the normal distribution come
 //! from `libm`, in f64 and pure Rust, so that every host derives the same bits.
 
+#[path = "derivation/integer_targets.rs"]
+mod integer_targets;
+#[path = "derivation/integers.rs"]
+mod integers;
 #[path = "derivation/minimax.rs"]
 mod minimax;
 #[path = "derivation/source.rs"]
 mod source;
 #[path = "derivation/targets.rs"]
 mod targets;
+#[path = "derivation/words.rs"]
+mod words;
 
 use minimax::{Problem, points};
 use targets::{Point, Polynomial, Rational, Split};
@@ -20,6 +26,16 @@ struct Derived {
     constants: Vec<(&'static str, Vec<f32>)>,
     ideal: f64,
     rounded: f64,
+}
+
+/// The nearest f32.
+fn to_f32(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+/// Numbers that are f32 already.
+fn narrow(list: &[f64]) -> Vec<f32> {
+    list.iter().map(|&x| x as f32).collect()
 }
 
 fn powers(x: f64, count: usize) -> impl Iterator<Item = f64> {
@@ -40,12 +56,11 @@ impl Polynomial {
             (powers(x, self.terms).collect(), value, weight)
         };
         let problem = Problem::new(points(self.interval).into_iter().map(at));
-        let coefficients = problem.solve_rounded(&vec![None; self.terms]);
-        let wide: Vec<f64> = coefficients.iter().map(|&c| f64::from(c)).collect();
+        let coefficients = problem.solve_rounded(&vec![None; self.terms], to_f32);
         Derived {
             ideal: problem.largest_error(&problem.solve()),
-            rounded: problem.largest_error(&wide),
-            constants: vec![(self.name, coefficients)],
+            rounded: problem.largest_error(&coefficients),
+            constants: vec![(self.name, narrow(&coefficients))],
         }
     }
 }
@@ -101,14 +116,13 @@ impl Rational {
             (basis.collect(), p.value, p.weight)
         }));
         let mut fixed = vec![None; self.numerator];
-        fixed[0] = self.first;
-        let numerator = over_rounded.solve_rounded(&fixed);
-        let wide: Vec<f64> = numerator.iter().map(|&c| f64::from(c)).collect();
+        fixed[0] = first;
+        let numerator = over_rounded.solve_rounded(&fixed, to_f32);
         Derived {
             ideal,
-            rounded: over_rounded.largest_error(&wide),
+            rounded: over_rounded.largest_error(&numerator),
             constants: vec![
-                (self.names[0], numerator),
+                (self.names[0], narrow(&numerator)),
                 (self.names[1], denominator[1..].to_vec()),
             ],
         }

@@ -31,5 +31,8 @@ mod fixed {
     mod both_ways;
     mod narrow;
     mod rim;
+    mod table_entries;
+    #[path = "../../src/fixed/kernel/tables.rs"]
+    mod tables;
     mod wide;
 }

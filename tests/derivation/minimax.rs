@@ -1,5 +1,6 @@
 //! Best approximation in the maximum norm over a set of points, by exchange; and what rounding the
-//! coefficients to f32, one after the other, leaves of it. Which functions are fitted is not known here.
+//! coefficients, one after the other, leaves of it. Which functions are fitted is not known here, nor to what the
+//! coefficients are rounded.
 
 /// A weighted linear approximation problem: choose c so that the largest |weight (c·basis - target)| is small.
 pub struct Problem {
@@ -45,17 +46,14 @@ impl Problem {
     }
 
     /// The problem that is left when some coefficients are given.
-    fn with_fixed(&self, fixed: &[Option<f32>]) -> Self {
+    fn with_fixed(&self, fixed: &[Option<f64>]) -> Self {
         let rows = self.rows.iter().map(|row| {
             let free = row.iter().zip(fixed).filter(|(_, f)| f.is_none());
             free.map(|(a, _)| *a).collect()
         });
         let right = self.rows.iter().zip(&self.right).map(|(row, right)| {
             let given = row.iter().zip(fixed);
-            right
-                - given
-                    .map(|(a, f)| f.map_or(0.0, |f| a * f64::from(f)))
-                    .sum::<f64>()
+            right - given.map(|(a, f)| f.map_or(0.0, |f| a * f)).sum::<f64>()
         });
         Self {
             rows: rows.collect(),
@@ -100,14 +98,14 @@ impl Problem {
         eliminate(system.collect())
     }
 
-    /// Coefficients that are all f32: each is rounded in turn and the rest fitted anew. `fixed` are given
-    /// from the start.
-    pub fn solve_rounded(&self, fixed: &[Option<f32>]) -> Vec<f32> {
+    /// Coefficients that are all rounded: each in turn, and the rest fitted anew. `fixed` are given from the
+    /// start.
+    pub fn solve_rounded(&self, fixed: &[Option<f64>], round: impl Fn(f64) -> f64) -> Vec<f64> {
         let mut fixed = fixed.to_vec();
         while let Some(next) = fixed.iter().position(Option::is_none) {
             let c = self.with_fixed(&fixed).solve();
             // The first unknown of the remaining problem is the coefficient at `next`.
-            fixed[next] = Some(c[0] as f32);
+            fixed[next] = Some(round(c[0]));
         }
         fixed.into_iter().map(|f| f.unwrap_or(0.0)).collect()
     }

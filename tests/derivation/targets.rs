@@ -40,14 +40,14 @@ pub struct Split {
 }
 
 /// A power series, summed backwards.
-fn series(x: f64, coefficient: impl Fn(f64) -> f64) -> f64 {
+pub fn series(x: f64, coefficient: impl Fn(f64) -> f64) -> f64 {
     (0..40)
         .rev()
         .fold(0.0, |sum, j| sum * x + coefficient(f64::from(j)))
 }
 
 /// A series whose coefficients are the running products of a ratio.
-fn factorial_series(x: f64, first: f64, ratio: impl Fn(f64) -> f64) -> f64 {
+pub fn factorial_series(x: f64, first: f64, ratio: impl Fn(f64) -> f64) -> f64 {
     let mut term = first;
     let mut sum = first;
     for j in 1..40 {

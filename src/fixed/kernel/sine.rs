@@ -41,9 +41,9 @@ pub(in crate::fixed) fn fine(phase: u32) -> (i32, i32) {
 }
 
 /// sin(πx/4)/x over x², in Q32; its signs alternate.
-const SINE_QUOTIENT: [u32; 3] = [3_373_242_552, 346_663_985, 10_424_341];
+const SINE_QUOTIENT: [u32; 3] = [3_373_242_552, 346_663_986, 10_424_342];
 /// (1 − cos(πx/4))/x² over x², in Q32; its signs alternate.
-const COSINE_QUOTIENT: [u32; 3] = [1_324_673_091, 68_076_939, 1_370_782];
+const COSINE_QUOTIENT: [u32; 3] = [1_324_673_091, 68_076_938, 1_370_781];
 
 /// (sin, cos) of a phase in Q32 turns, in Q30, without a table.
 #[inline]
