@@ -30,6 +30,7 @@ mod work;
 mod fixed {
     mod both_ways;
     mod narrow;
+    mod quotients;
     mod rim;
     mod table_entries;
     #[path = "../../src/fixed/kernel/tables.rs"]

@@ -9,7 +9,7 @@ use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 
 /// Operands whose halves are all pairs of the ends of 16 bits and of powers of two.
-fn structured() -> Vec<u32> {
+pub fn structured() -> Vec<u32> {
     let mut halves = vec![
         0, 1, 2, 3, 0x00ff, 0x5555, 0x7ffe, 0x7fff, 0xaaaa, 0xfffe, 0xffff,
     ];
@@ -112,7 +112,7 @@ fn products_are_as_exact_as_they_say() {
 /// Everything a word gives in all kernels of one kind.
 macro_rules! all_of {
     ($kind:ident, $word:expr) => {{
-        use crate::fixed::$kind::{angle, exp, log, root, sine};
+        use crate::fixed::$kind::{angle, exp, float, log, root, sine};
         let word: u32 = $word;
         let small = word >> 8;
         (
@@ -126,6 +126,7 @@ macro_rules! all_of {
             ],
             [exp::fine(word), exp::coarse(word), exp::compact(word)],
             exp::one_minus_small(small, 27),
+            [0, 7, 27, 32].map(|fraction| float::of(word, fraction)),
             angle::vectoring(word as i32, word.wrapping_mul(0x9e37_79b9) as i32, 8),
         )
     }};

@@ -8,6 +8,8 @@ pub(super) const NARROW: bool = true;
 pub(super) mod angle;
 #[path = "../../src/fixed/kernel/exp.rs"]
 pub(super) mod exp;
+#[path = "../../src/fixed/kernel/float.rs"]
+pub(super) mod float;
 #[path = "../../src/fixed/kernel/log.rs"]
 pub(super) mod log;
 #[path = "../../src/fixed/kernel/product.rs"]

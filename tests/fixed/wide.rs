@@ -8,10 +8,14 @@ pub(super) const NARROW: bool = false;
 pub(super) mod angle;
 #[path = "../../src/fixed/kernel/exp.rs"]
 pub(super) mod exp;
+#[path = "../../src/fixed/kernel/float.rs"]
+pub(super) mod float;
 #[path = "../../src/fixed/kernel/log.rs"]
 pub(super) mod log;
 #[path = "../../src/fixed/kernel/product.rs"]
 pub(super) mod product;
+#[path = "../../src/fixed/kernel/quotient.rs"]
+pub(super) mod quotient;
 #[path = "../../src/fixed/kernel/root.rs"]
 pub(super) mod root;
 #[path = "../../src/fixed/kernel/sine.rs"]
