@@ -22,6 +22,7 @@ fn table() -> String {
         let len = evaluate(index, &mut words);
         let (name, input, tier) = describe(index);
         assert!(len > 0 && len < 16, "{name} yields {len} words");
+        assert!(!name.contains(','), "{name} is two columns");
         let _ = write!(text, "{tier} {name} #{input}");
         for word in &words[..len] {
             let _ = write!(text, ",{word:08x}");

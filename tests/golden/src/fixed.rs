@@ -1,0 +1,296 @@
+//! The subjects of the integer tier, in every grade, on inputs of their own. A new warp is one line here.
+//!
+//! Not a single floating-point operation: a program that evaluates only these links no routine for one.
+
+use crate::Out;
+use crate::subjects::{generator, refusal, with};
+use core::hint::black_box;
+use fixed::types::extra::{LeEqU32, Unsigned};
+use fixed::types::{I2F30, I16F16, U0F32, U2F62, U5F27, U16F16, U32F32};
+use fixed::{FixedI32, FixedU32, FixedU64};
+use microwarp::fixed::warp::*;
+use microwarp::fixed::{Coarse, Compact, Fine, Float, Grade};
+use microwarp::{Error, Warp};
+
+/// Words where integer maps break: the ends, the borders of quarters and of table cells, and some in between.
+const WORDS: [[u32; 2]; 12] = [
+    [0, 0],
+    [u32::MAX, u32::MAX],
+    [0, u32::MAX],
+    [u32::MAX, 0],
+    [1 << 31, 1 << 30],
+    [(1 << 31) - 1, (1 << 30) - 1],
+    [1 << 30, 3 << 30],
+    [1, 1 << 31],
+    [u32::MAX - 1, (1 << 31) - 1],
+    [1 << 24, 1 << 29],
+    [(1 << 24) - 1, (1 << 29) + 1],
+    [0x2bad_cafe, 0xbabe_face],
+];
+
+/// How many inputs each subject is evaluated on: the words, then draws from a generator.
+pub const INPUTS: usize = WORDS.len() + 4;
+
+/// Numbers that are made of words, and put out as words.
+trait Words: Copy {
+    fn from_words(words: [u32; 2]) -> Self;
+    fn put(self, out: &mut Out);
+}
+
+impl Words for i32 {
+    fn from_words([word, _]: [u32; 2]) -> Self {
+        word as i32
+    }
+    fn put(self, out: &mut Out) {
+        out.word(self as u32);
+    }
+}
+
+impl Words for f32 {
+    /// From 0 to below 2, by its bits.
+    fn from_words([word, _]: [u32; 2]) -> Self {
+        f32::from_bits(word >> 2)
+    }
+    fn put(self, out: &mut Out) {
+        // Asking for NaN would be an operation.
+        out.word(self.to_bits());
+    }
+}
+
+impl<Frac: LeEqU32> Words for FixedU32<Frac> {
+    fn from_words([word, _]: [u32; 2]) -> Self {
+        Self::from_bits(word)
+    }
+    fn put(self, out: &mut Out) {
+        out.word(self.to_bits());
+    }
+}
+
+impl<Frac: LeEqU32> Words for FixedI32<Frac> {
+    fn from_words([word, _]: [u32; 2]) -> Self {
+        Self::from_bits(word as i32)
+    }
+    fn put(self, out: &mut Out) {
+        out.word(self.to_bits() as u32);
+    }
+}
+
+impl<Frac: Unsigned> Words for FixedU64<Frac> {
+    fn from_words([high, low]: [u32; 2]) -> Self {
+        Self::from_bits(u64::from(high) << 32 | u64::from(low))
+    }
+    fn put(self, out: &mut Out) {
+        out.word((self.to_bits() >> 32) as u32);
+        out.word(self.to_bits() as u32);
+    }
+}
+
+impl<T: Words, const N: usize> Words for [T; N] {
+    fn from_words([first, second]: [u32; 2]) -> Self {
+        core::array::from_fn(|i| T::from_words([if i == 0 { first } else { second }; 2]))
+    }
+    fn put(self, out: &mut Out) {
+        for x in self {
+            x.put(out);
+        }
+    }
+}
+
+/// Sample, density and inverse at fixed words or at a drawn point; then density and inverse at a point of words,
+/// which may lie anywhere.
+fn triple<W>(warp: Result<W, Error>, input: usize, out: &mut Out)
+where
+    W: Warp,
+    W::Uniforms: Words,
+    W::Point: Words,
+    W::Density: Words,
+{
+    with(warp, out, |warp, out| {
+        let words = WORDS.get(input).map(|words| words.map(black_box));
+        let point = match words {
+            Some(words) => warp.sample(W::Uniforms::from_words(words)),
+            None => warp.draw(&mut generator(input)),
+        };
+        point.put(out);
+        for point in [
+            point,
+            W::Point::from_words(words.unwrap_or([0x2000_0000; 2])),
+        ] {
+            warp.pdf(point).put(out);
+            warp.invert(point).put(out);
+        }
+    });
+}
+
+/// A parameter the compiler cannot see.
+fn v<T: Words>(word: u32) -> T {
+    T::from_words([black_box(word), 0])
+}
+
+/// In Q16.
+fn whole<T: Words>(number: u32) -> T {
+    v(number << 16)
+}
+
+/// The words of an input, for what is no warp.
+fn words(input: usize) -> [u32; 2] {
+    use rand_core::Rng;
+    let drawn = || {
+        let mut rng = generator(input);
+        [rng.next_u32(), rng.next_u32()]
+    };
+    WORDS
+        .get(input)
+        .map_or_else(drawn, |words| words.map(black_box))
+}
+
+/// What a constructor says of any parameters.
+fn verdict<W>(result: Result<W, Error>, out: &mut Out) {
+    out.word(match result {
+        Ok(_) => 0,
+        Err(e) => refusal(e).saturating_add(1),
+    });
+}
+
+fn functions<G: Grade>(input: usize, out: &mut Out) {
+    let [a, b] = words(input);
+    let (phase, x) = (U0F32::from_bits(a), U5F27::from_bits(a));
+    let (sin, cos) = G::sincos_turns(phase);
+    [sin, cos].put(out);
+    <G as Grade>::sqrt(phase).put(out);
+    <G as Grade>::neg_ln_1m(phase).put(out);
+    <G as Grade>::exp_neg(x).put(out);
+    G::exp_m1_neg(x).put(out);
+    G::exp_m1_neg(U5F27::from_bits(a >> 8)).put(out);
+    for y in [b, b >> 16, 1 << 15, 0] {
+        G::pow(phase, U16F16::from_bits(y)).put(out);
+    }
+    let [y, x] = [a, b].map(|word| I2F30::from_bits(word as i32));
+    G::atan2_turns(y, x).put(out);
+}
+
+fn verdicts<G: Grade>(input: usize, out: &mut Out) {
+    let [a, b] = words(input);
+    let wide = u64::from(a) << 32 | u64::from(b);
+    verdict(Cone::<G>::from_one_minus_cos(U2F62::from_bits(wide)), out);
+    verdict(Cone::<G>::from_angle(U0F32::from_bits(b)), out);
+    verdict(PhongLobe::<G>::new(U32F32::from_bits(wide)), out);
+    verdict(Exponential::<_, G>::new(U16F16::from_bits(b)), out);
+    verdict(Tent::<_, G>::new(I16F16::from_bits(a as i32)), out);
+    let [mean, deviation] = [a, b >> 3].map(|word| I16F16::from_bits(word as i32));
+    verdict(NormalPair::<_, G>::new([mean; 2], deviation), out);
+    let [a, b] = [a, b].map(U16F16::from_bits);
+    verdict(TruncatedExponential::<_, G>::new(a, b), out);
+    verdict(Interval::<U16F16>::new(a, b), out);
+    verdict(Interval::<U16F16>::inclusive(a, b), out);
+}
+
+macro_rules! subjects {
+    (
+        in every grade { $($warp_name:literal => $warp:expr,)* }
+        functions { $($name:literal => $function:ident,)* }
+        without grade { $($plain_name:literal => $plain:expr,)* }
+    ) => {
+        const GRADED: &[&str] = &[$($warp_name,)* $($name,)*];
+        const PLAIN: &[&str] = &[$($plain_name,)*];
+
+        fn of_grade<G: Grade>(subject: usize, input: usize, out: &mut Out) {
+            let mut index = 0;
+            $(
+                if subject == index {
+                    return triple($warp, input, out);
+                }
+                index += 1;
+            )*
+            $(
+                if subject == index {
+                    return $function::<G>(input, out);
+                }
+                index += 1;
+            )*
+            let _ = index;
+        }
+
+        fn without_grade(subject: usize, input: usize, out: &mut Out) {
+            let mut index = 0;
+            $(
+                if subject == index {
+                    return triple($plain, input, out);
+                }
+                index += 1;
+            )*
+            let _ = index;
+        }
+    };
+}
+
+subjects! {
+    in every grade {
+        "Disk" => Ok(Disk::<G>::new()),
+        "Sphere" => Ok(Sphere::<G>::new()),
+        "Hemisphere" => Ok(Hemisphere::<G>::new()),
+        "CosineHemisphere" => Ok(CosineHemisphere::<G>::new()),
+        "Cone 0.1" => Cone::<G>::from_one_minus_cos(v(107_374_182)),
+        "Cone of a thousandth turn" => Cone::<G>::from_angle(v(4_294_967)),
+        "PhongLobe 0" => PhongLobe::<G>::new(v(0)),
+        "PhongLobe 50" => PhongLobe::<G>::new(v(50)),
+        "PhongLobe 1e8" => PhongLobe::<G>::new(v(100_000_000)),
+        "Triangle" => Ok(Triangle::<G>::new()),
+        "StandardExponential" => Ok(StandardExponential::<G>::new()),
+        "Exponential 20" => Exponential::<_, G>::new(whole::<U16F16>(20)),
+        "TruncatedExponential 10 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(10), whole(4)),
+        "TruncatedExponential 100 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(100), whole(4)),
+        "StandardNormalPair" => Ok(StandardNormalPair::<G>::new()),
+        "NormalPair 100 20 5" => NormalPair::<_, G>::new([whole::<I16F16>(100), whole(20)], whole(5)),
+        "Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)),
+        "Float Disk" => Ok(Float::new(Disk::<G>::new())),
+        "Float Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)).map(Float::new),
+    }
+    functions {
+        "functions" => functions,
+        "verdicts" => verdicts,
+    }
+    without grade {
+        "Interval of a die" => Interval::<i32>::inclusive(v(1), v(6)),
+        "Interval -3 5" => Interval::<I16F16>::new(whole(0xfffd), whole(5)),
+        "Interval of all words" => Interval::<U0F32>::inclusive(v(0), v(u32::MAX)),
+    }
+}
+
+/// The grades by name; what has none is named after the tier.
+const GRADES: [&str; 4] = [Fine::NAME, Coarse::NAME, Compact::NAME, "fixed"];
+
+/// How many cases there are.
+pub fn cases() -> usize {
+    let subjects = GRADED.len().saturating_mul(3).saturating_add(PLAIN.len());
+    subjects.saturating_mul(INPUTS)
+}
+
+/// The grade and the subject of a case.
+fn place(index: usize) -> (usize, usize) {
+    let (grade, subject) = (index / INPUTS / GRADED.len(), index / INPUTS % GRADED.len());
+    (grade, subject)
+}
+
+/// Evaluates one case into `out`.
+pub fn evaluate(index: usize, out: &mut Out) {
+    let ((grade, subject), input) = (place(index), index % INPUTS);
+    match grade {
+        0 => of_grade::<Fine>(subject, input, out),
+        1 => of_grade::<Coarse>(subject, input, out),
+        2 => of_grade::<Compact>(subject, input, out),
+        _ => without_grade(subject, input, out),
+    }
+}
+
+/// The subject, the input and the grade of a case.
+pub fn describe(index: usize) -> (&'static str, usize, &'static str) {
+    let (grade, subject) = place(index);
+    let names = if grade < 3 { GRADED } else { PLAIN };
+    let name = names.get(subject).copied().unwrap_or("");
+    (
+        name,
+        index % INPUTS,
+        GRADES.get(grade).copied().unwrap_or(""),
+    )
+}
