@@ -172,17 +172,17 @@ pub fn cases() -> Vec<Case> {
         case(
             "`sqrt`",
             |word| one((f64::from(word) * WORD).sqrt()),
-            grades!(|word| q32(<G as Grade>::sqrt(U0F32::from_bits(word)))),
+            grades!(|word| q32(G::sqrt(U0F32::from_bits(word)))),
         ),
         case(
             "`neg_ln_1m`",
             |word| one(-(-f64::from(word) * WORD).ln_1p()),
-            grades!(|word| q27(<G as Grade>::neg_ln_1m(U0F32::from_bits(word)))),
+            grades!(|word| q27(G::neg_ln_1m(U0F32::from_bits(word)))),
         ),
         case(
             "`exp_neg`",
             |word| one((-f64::from(word) * Q27).exp()),
-            grades!(|word| q32(<G as Grade>::exp_neg(U5F27::from_bits(word)))),
+            grades!(|word| q32(G::exp_neg(U5F27::from_bits(word)))),
         ),
         Case {
             // For the most part the complement of the one before.

@@ -50,15 +50,15 @@ const CONTROLS: [Control; 8] = [
         [s * short + c * angle, c * short - s * angle]
     }),
     ("`sqrt`", "compact", "no bias", |word| {
-        let root = <Compact as Grade>::sqrt(U0F32::from_bits(word));
+        let root = Compact::sqrt(U0F32::from_bits(word));
         [f64::from(root.to_bits()) * Q32 + 1.5e-8, f64::NAN]
     }),
     ("`sqrt`", "fine", "the next cell", |word| {
-        let root = <Fine as Grade>::sqrt(U0F32::from_bits(word.saturating_add(1 << 24)));
+        let root = Fine::sqrt(U0F32::from_bits(word.saturating_add(1 << 24)));
         [f64::from(root.to_bits()) * Q32, f64::NAN]
     }),
     ("`exp_neg`", "compact", "log2 e off in bit 12", |x| {
-        let power = <Compact as Grade>::exp_neg(U5F27::from_bits(x.saturating_add(x >> 12)));
+        let power = Compact::exp_neg(U5F27::from_bits(x.saturating_add(x >> 12)));
         [f64::from(power.to_bits()) * Q32, f64::NAN]
     }),
     (
@@ -66,7 +66,7 @@ const CONTROLS: [Control; 8] = [
         "compact",
         "not a number at one word in 2^16",
         |x| {
-            let power = <Compact as Grade>::exp_neg(U5F27::from_bits(x));
+            let power = Compact::exp_neg(U5F27::from_bits(x));
             let nan = x & 0xffff == 0x3c71;
             [
                 if nan {

@@ -11,15 +11,15 @@ fn sincos<G: Grade>(phase: u32) -> (i32, i32) {
 }
 
 fn sqrt<G: Grade>(x: u32) -> u32 {
-    <G as Grade>::sqrt(U0F32::from_bits(x)).to_bits()
+    G::sqrt(U0F32::from_bits(x)).to_bits()
 }
 
 fn neg_ln_1m<G: Grade>(u: u32) -> u32 {
-    <G as Grade>::neg_ln_1m(U0F32::from_bits(u)).to_bits()
+    G::neg_ln_1m(U0F32::from_bits(u)).to_bits()
 }
 
 fn exp_neg<G: Grade>(x: u32) -> u32 {
-    <G as Grade>::exp_neg(U5F27::from_bits(x)).to_bits()
+    G::exp_neg(U5F27::from_bits(x)).to_bits()
 }
 
 fn exp_m1_neg<G: Grade>(x: u32) -> u32 {

@@ -15,10 +15,10 @@ const NAMES: [&str; 4] = ["`sqrt`", "`neg_ln_1m`", "`exp_neg`", "`exp_m1_neg`"];
 
 fn functions<G: Grade>() -> [Rising; 4] {
     [
-        |word| <G as Grade>::sqrt(U0F32::from_bits(word)).to_bits(),
-        |word| <G as Grade>::neg_ln_1m(U0F32::from_bits(word)).to_bits(),
+        |word| G::sqrt(U0F32::from_bits(word)).to_bits(),
+        |word| G::neg_ln_1m(U0F32::from_bits(word)).to_bits(),
         // It falls, so its complement.
-        |word| !<G as Grade>::exp_neg(U5F27::from_bits(word)).to_bits(),
+        |word| !G::exp_neg(U5F27::from_bits(word)).to_bits(),
         |word| G::exp_m1_neg(U5F27::from_bits(word)).to_bits(),
     ]
 }

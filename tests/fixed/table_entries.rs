@@ -103,7 +103,7 @@ fn points_of_the_table_are_where_they_belong() {
         assert_eq!(i64::from(c.to_bits()), sine(i + 64), "{i}");
     }
     for i in 64..256 {
-        let root_of = <Coarse as Grade>::sqrt(U0F32::from_bits((i as u32) << 24));
+        let root_of = Coarse::sqrt(U0F32::from_bits((i as u32) << 24));
         assert_eq!(i64::from(root_of.to_bits() >> 16), root(i), "{i}");
     }
 }

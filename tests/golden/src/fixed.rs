@@ -1,6 +1,5 @@
 //! The subjects of the integer tier, in every grade, on inputs of their own. A new warp is one line here.
-//!
-//! Not a single floating-point operation: a program that evaluates only these links no routine for one.
+//! There is not a floating-point operation in it.
 
 use crate::Out;
 use crate::subjects::{generator, refusal, with};
@@ -157,9 +156,9 @@ fn functions<G: Grade>(input: usize, out: &mut Out) {
     let (phase, x) = (U0F32::from_bits(a), U5F27::from_bits(a));
     let (sin, cos) = G::sincos_turns(phase);
     [sin, cos].put(out);
-    <G as Grade>::sqrt(phase).put(out);
-    <G as Grade>::neg_ln_1m(phase).put(out);
-    <G as Grade>::exp_neg(x).put(out);
+    G::sqrt(phase).put(out);
+    G::neg_ln_1m(phase).put(out);
+    G::exp_neg(x).put(out);
     G::exp_m1_neg(x).put(out);
     G::exp_m1_neg(U5F27::from_bits(a >> 8)).put(out);
     for y in [b, b >> 16, 1 << 15, 0] {
