@@ -8,6 +8,9 @@
 //! table reports is the probability with which it selects, to the last bit, and the same 32 bits select
 //! the same index on every target. The tables need no elementary function and serve every tier.
 //!
+//! From integer weights (`from_integers`) to an index (`draw_index`) or an [`ExactSelection`] (`draw_exact`) there is
+//! no floating-point operation, nor in a program that does no more: for cores without a unit for it.
+//!
 //! | | entries | memory an entry | random bits a selection | steps of the probabilities |
 //! |---|---|---|---|---|
 //! | [`Cdf`] of `u32` | up to [`MAX_ENTRIES`] | 4 bytes | 32 | 2⁻³² |

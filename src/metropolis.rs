@@ -9,8 +9,8 @@
 //! |---|---|---|---|---|
 //! | [`UniformStep`] | unit cube | a new point of the cube | 1 | one a coordinate |
 //! | [`UniformIndex`] | indices | any index | 1 | 2 |
-//! | [`Independence`] | any | a draw of a warp or a table | p(x)/p(x′) | those of the draw |
-//! | [`TransitionTable`] | indices | a draw of the table of x | of two pmfs | those of the draw |
+//! | [`Independence`] | any | a draw of a warp or a table | p(x)/p(x′), of a table as two counts | those of the draw |
+//! | [`TransitionTable`] | indices | a draw of the table of x | of two pmfs, as counts | those of the draw |
 //! | [`BoxStep`] | ℝᴰ | x + a step, uniform in a box | 1 | one a coordinate |
 //! | [`NormalStep`] | ℝᴰ | x + a normal step | 1 | one a coordinate |
 //! | [`ExponentialStep`] | ℝᴰ | x + a step of any size within bounds, on a logarithmic scale | 1 | one a coordinate |
@@ -29,6 +29,14 @@
 //!   crosses a gap of density 0 wider than itself never, and a deep valley rarely. A [`Mixture`] with some
 //!   [`UniformStep`] or [`Independence`] proposals does.
 //! - *Aperiodicity*: a rejection now and then, or a step that may stay, is enough.
+//!
+//! # Integer weights
+//! A target may return a `u32` instead of a density. The acceptance is then a [`Chance`], an exact number of the
+//! 2³² words that decide, [`Step::recorded`] gives integers that sum to 2³², and nothing in a step is a
+//! floating-point operation: not with [`UniformIndex`], not with [`Independence`] of a table and
+//! [`TransitionTable`], which state [`Counts`], nor with a [`Mixture`] of them (by [`Mixture::from_table`]). A
+//! chain starts by [`Chain::new`] or [`Chain::search`]; [`Chain::resample`] and
+//! [`Chain::acceptance_rate`] are for floats.
 //!
 //! # Primary sample space
 //! A chain in the unit cube drives any warp: its state is the warp's uniforms, its density f/p at the point.

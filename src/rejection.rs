@@ -99,7 +99,9 @@ pub trait Rejection {
         rng: &mut R,
     ) -> Result<Accepted<Self::Point>, Failure<R::Error>> {
         let budget = self.budget();
-        for tries in 1..=budget {
+        let mut tries = 0_u32;
+        while tries < budget {
+            tries = tries.wrapping_add(1);
             if let Some(point) = self.try_once(rng)? {
                 return Ok(Accepted { point, tries });
             }

@@ -15,6 +15,8 @@ mod efficiency;
 mod exact;
 #[path = "rejection/examination.rs"]
 mod examination;
+#[path = "rejection/integers.rs"]
+mod integers;
 #[path = "rejection/subjects.rs"]
 mod subjects;
 

@@ -51,20 +51,23 @@ macro_rules! fractions {
     ($($name:ident of $word:ident;)*) => {$(
         /// `floor(x · 2^32 / d)` and whether something was left, for `x < d`.
         pub(crate) const fn $name(x: $word, d: $word) -> (u32, bool) {
-            let (mut rest, mut digits) = (x, 0_u32);
-            let mut left = 32_u32;
-            while left > 0 {
-                // The rest is below d, so that twice the rest less d fits even where twice the rest does not.
-                let carried = rest >> ($word::BITS - 1) > 0;
-                rest <<= 1;
-                digits <<= 1;
-                if carried || rest >= d {
-                    rest = rest.wrapping_sub(d);
-                    digits |= 1;
+            let (mut rest, mut digits) = (x, 1_u32);
+            loop {
+                // Twice the rest is compared with d without being formed, for it may not fit.
+                let gap = d.wrapping_sub(rest);
+                let digit = rest >= gap;
+                rest = if digit {
+                    rest.wrapping_sub(gap)
+                } else {
+                    rest << 1
+                };
+                let (shifted, last) = digits.overflowing_add(digits);
+                digits = shifted | digit as u32;
+                // The 1 of the beginning leaves at the 32nd digit. (A count is what compilers unroll, badly.)
+                if last {
+                    return (digits, rest > 0);
                 }
-                left = left.wrapping_sub(1);
             }
-            (digits, rest > 0)
         }
     )*};
 }

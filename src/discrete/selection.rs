@@ -155,7 +155,8 @@ macro_rules! selections {
             infallible(self.try_draw(rng))
         }
 
-        /// Selects by 32 bits, and says everything in integers: no floating-point operation takes place.
+        /// Selects by 32 bits, and says everything in integers: no floating-point operation takes place. The
+        /// leftover takes a division of 32 digits, unless it is not used.
         #[must_use]
         #[inline]
         pub fn select_exact(&self, bits: u32) -> ExactSelection<$word::Count> {

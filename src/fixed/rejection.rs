@@ -4,6 +4,10 @@
     clippy::arithmetic_side_effects,
     reason = "nothing overflows, which builds with overflow checks show"
 )]
+#![expect(
+    clippy::cast_possible_wrap,
+    reason = "words are read as signed numbers"
+)]
 
 use super::Density;
 use crate::error::Error;
@@ -11,36 +15,20 @@ use crate::rejection::{Failure, Rejection, checked_budget};
 use ::fixed::types::{I2F30, U0F32};
 use rand_core::TryRng;
 
-/// The odd number from −65535 to 65535 whose index, counted from 0, is the upper half of a word.
+/// What the squares of the odd numbers 2h + 1 and 2k + 1 are in units of 4: h(h + 1) + k(k + 1), and ½ in all.
+///
+/// Of numbers of 16 bits it is below 2³¹; and it is below 2³⁰ if the squares' sum is below 2³², which it never is
+/// itself, being 2 modulo 8.
 #[inline]
-#[expect(clippy::cast_possible_wrap, reason = "17 bits at most")]
-const fn coarse(word: u32) -> i32 {
-    ((word >> 16) << 1 | 1) as i32 - (1 << 16)
+const fn squares(h: i32, k: i32) -> i32 {
+    h * (h + 1) + k * (k + 1)
 }
 
-/// The odd number from −(2³⁰ − 1) to 2³⁰ − 1 whose index is the first 30 bits of a word: within the cell of the
-/// coarse one, by less than half of its width of 2¹⁵.
-#[inline]
-#[expect(clippy::cast_possible_wrap, reason = "31 bits at most")]
-const fn fine(word: u32) -> i32 {
-    (word >> 1 | 1) as i32 - (1 << 30)
-}
-
-/// The sum of the squares of two coarse numbers, and whether it is beyond 2³², modulo which it is given.
-#[inline]
-const fn squares(x: i32, y: i32) -> (u32, bool) {
-    // A square has 32 bits at most, so that no sign is lost by multiplying without.
-    let x = (x as u32).wrapping_mul(x as u32);
-    let y = (y as u32).wrapping_mul(y as u32);
-    x.overflowing_add(y)
-}
-
-/// Whether two fine numbers are those of a point of the disk: exactly, by products of 64 bits.
+/// Whether the squares of two odd numbers are below 2⁶⁰ in sum: exactly, by products of 64 bits.
 #[cold]
 #[inline(never)]
 const fn inside(x: i32, y: i32) -> bool {
     let (x, y) = (x as i64, y as i64);
-    // Squares of odd numbers are 1 modulo 8, so that their sum is never that of the radius.
     x * x + y * y < 1 << 60
 }
 
@@ -61,12 +49,13 @@ fn density([x, y]: [I2F30; 2]) -> Density {
 
 /// Uniform on the unit disk, by rejection from the square around it, from two words a try.
 ///
-/// - Uniforms: two, a try. Words a try: two. Only the first 30 bits of each count.
+/// - Uniforms: two, a try. Words a try: two. Only the first 30 bits of each count: as a signed number, so that a
+///   coordinate is 2u for u below ½, and 2u − 2 from there on.
 /// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻³⁰, symmetric about 0; each such point of
 ///   the disk is equally likely.
 /// - Density: 1/π per unit area, off by 2⁻³³ at most.
 /// - Efficiency: π/4.
-/// - No product of 64 bits but in 2 tries of 10,000, no division, no table; where the number of tries must be
+/// - No product of 64 bits but in 2 tries of 10,000, no division, no table. Where the number of tries must be
 ///   constant, take a warp.
 ///
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
@@ -77,7 +66,7 @@ fn density([x, y]: [I2F30; 2]) -> Density {
 /// let disk = mw::DiskRejection::new();
 /// let [x, y] = disk.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(x * x + y * y < 1);
-/// assert_eq!(disk.attempt([mw::Uniform::ZERO; 2]), None); // a corner of the square
+/// assert_eq!(disk.attempt([mw::Uniform::from_num(0.49); 2]), None); // in a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,7 +77,7 @@ pub struct DiskRejection {
 
 /// Uniform on the unit disk, by rejection from the square around it, from one word a try: 16 bits a coordinate.
 ///
-/// - Words a try: one. Its upper half is x, the lower y.
+/// - Words a try: one. Its halves are x, then y, as signed numbers.
 /// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻¹⁶, symmetric about 0; each of the
 ///   3,373,259,248 such points of the disk is one word.
 /// - Density: 1/π per unit area, of the cells of the grid; off by 2⁻³³ at most.
@@ -103,7 +92,7 @@ pub struct DiskRejection {
 /// let disk = mw::DiskRejection16::new();
 /// let [x, y] = disk.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(x * x + y * y < 1);
-/// assert_eq!(disk.attempt(0x8000_7fff), Some([mw::Coordinate::from_bits(1 << 14), mw::Coordinate::from_bits(-1 << 14)]));
+/// assert_eq!(disk.attempt(0x7fff_7fff), None); // a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -120,19 +109,15 @@ impl DiskRejection {
     #[must_use]
     #[inline]
     pub fn attempt(&self, u: [U0F32; 2]) -> Option<[I2F30; 2]> {
-        /// How near to the rim the coarse numbers do not decide, in units of their squares: a fine number is off
-        /// its cell's middle by d < 2^14 units of 2^-30, its square by less than 2^31 d + d², and both together by
-        /// less than 2^18 + 2 of these units.
-        const NEAR: u32 = 1 << 19;
-        let [a, b] = u.map(U0F32::to_bits);
-        let (x, y) = (fine(a), fine(b));
-        let (square, beyond) = squares(coarse(a), coarse(b));
-        // Near 0, which is as good as 2^32 here, the products of 64 bits say the same.
-        let accepted = if square.wrapping_add(NEAR) < 2 * NEAR {
-            inside(x, y)
-        } else {
-            !beyond
-        };
+        /// How near to the rim the first 16 bits do not decide. A coordinate of 30 bits is off the middle of those
+        /// that share them by less than 2^14 of its units, its square by less than 2^31 times that, and both
+        /// together by less than 2^46: that is 2^16 of the units that `squares` has, besides its half.
+        const NEAR: i32 = 1 << 17;
+        const RIM: i32 = 1 << 30;
+        let [a, b] = u.map(|u| u.to_bits() as i32);
+        let (x, y) = (a >> 1 | 1, b >> 1 | 1);
+        let square = squares(a >> 16, b >> 16);
+        let accepted = square < RIM - NEAR || (square < RIM + NEAR && inside(x, y));
         accepted.then(|| [x, y].map(I2F30::from_bits))
     }
 }
@@ -145,10 +130,9 @@ impl DiskRejection16 {
     #[must_use]
     #[inline]
     pub fn attempt(&self, word: u32) -> Option<[I2F30; 2]> {
-        let (x, y) = (coarse(word), coarse(word << 16));
-        // A sum of 2^32 itself there is none: squares of odd numbers are 1 modulo 8.
-        let (_, beyond) = squares(x, y);
-        (!beyond).then(|| [x, y].map(|c| I2F30::from_bits(c << 14)))
+        let word = word as i32;
+        let (h, k) = (word >> 16, word << 16 >> 16);
+        (squares(h, k) < 1 << 30).then(|| [h, k].map(|h| I2F30::from_bits((2 * h + 1) << 14)))
     }
 }
 

@@ -42,7 +42,8 @@ impl<X, C> Proposal<X, C> {
 /// A rule by which a chain at x proposes a state x′, with probability (density) T(x→x′).
 ///
 /// To write one of one's own, draw x′ and state the ratio T(x′→x)/T(x→x′): [`Symmetric`](super::Symmetric)
-/// where it is always 1, or a [`Ratio`](super::Ratio). Nothing else need be known of T.
+/// where it is always 1, [`Counts`](super::Counts) where it is one of two integers, or a
+/// [`Ratio`](super::Ratio). Nothing else need be known of T.
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, Mutation, Proposal, Symmetric};

@@ -3,9 +3,10 @@
 //! A map is the exact distribution function, coordinate by coordinate, in f64; it knows nothing of the crate.
 
 use crate::examination::{Run, histogram, p_values_of_points};
+use ::fixed::types::I2F30;
 use microwarp::Aabb;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for};
-use microwarp::{Interval, Triangle, libm, poly};
+use microwarp::{Interval, Triangle, fixed, libm, poly};
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, LN_2, PI, TAU};
 use std::sync::OnceLock;
@@ -81,6 +82,11 @@ fn turns(x: f64, y: f64) -> f64 {
 }
 
 pub fn disk(point: [f32; 2]) -> [f64; 2] {
+    let [x, y] = point.map(f64::from);
+    [x * x + y * y, turns(x, y)]
+}
+
+pub fn fixed_disk(point: [I2F30; 2]) -> [f64; 2] {
     let [x, y] = point.map(f64::from);
     [x * x + y * y, turns(x, y)]
 }
@@ -248,6 +254,18 @@ pub fn all() -> Vec<Subject> {
             2.0 / 3.0,
             bounded!(libm::CosineHemisphere::new(), |n: [f32; 3]| n[2] * n[2], pi),
             squared_cosine,
+        ),
+        subject(
+            "disk in integers, two words",
+            FRAC_PI_4,
+            fixed::DiskRejection::new(),
+            fixed_disk,
+        ),
+        subject(
+            "disk in integers, one word",
+            FRAC_PI_4,
+            fixed::DiskRejection16::new(),
+            fixed_disk,
         ),
     ]
 }
