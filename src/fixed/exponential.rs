@@ -18,6 +18,16 @@ use core::marker::PhantomData;
 /// - Range: [0, 22.19].
 /// - Density: e^−x, at least 2⁻³².
 ///
+/// In *sample* absolute, over the words; in *pdf* at every length; in *round trip* of the uniform:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 5.2e-7 | 3.4e-5 | 4.2e-7 |
+/// | sample, rms | 1.9e-7 | 1.4e-5 | 1.3e-7 |
+/// | sample, mean | 1.7e-7 | 1.2e-5 | -8.6e-9 |
+/// | pdf | 7.1e-7 | 6.9e-5 | 9.8e-8 |
+/// | round trip | 8.9e-7 | 6.9e-5 | 3.8e-7 |
+///
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///
 /// ```
@@ -89,7 +99,7 @@ pub struct Exponential<Frac, G = Fine> {
 }
 
 /// The largest accepted mean in steps, as the largest sample of mean 1 is below 22.19.
-const LARGEST: u32 = 193_554_182;
+const LARGEST: u32 = 193_554_181;
 
 impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
     /// Exponential with the given mean (the reciprocal of the rate).

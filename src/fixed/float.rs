@@ -22,9 +22,9 @@ pub trait FloatUniforms: Uniforms + Sealed {
     /// The same number of `f32`.
     type Float: Uniforms;
     /// The words of any `f32` whatever.
-    fn from_float(u: Self::Float) -> Self;
+    fn words(u: Self::Float) -> Self;
     /// The `f32` below or at each word.
-    fn to_float(self) -> Self::Float;
+    fn floats(self) -> Self::Float;
 }
 
 /// Points that have a counterpart in `f32`: a [`Number`] or an array of them.
@@ -49,12 +49,12 @@ impl FloatUniforms for Uniform {
     type Float = f32;
 
     #[inline]
-    fn from_float(u: f32) -> Self {
+    fn words(u: f32) -> Self {
         Self::from_bits(float::uniform(u.to_bits()))
     }
 
     #[inline]
-    fn to_float(self) -> f32 {
+    fn floats(self) -> f32 {
         f32::from_bits(float::of(self.to_bits(), 32))
     }
 }
@@ -63,13 +63,13 @@ impl<const N: usize> FloatUniforms for [Uniform; N] {
     type Float = [f32; N];
 
     #[inline]
-    fn from_float(u: [f32; N]) -> Self {
-        u.map(FloatUniforms::from_float)
+    fn words(u: [f32; N]) -> Self {
+        u.map(FloatUniforms::words)
     }
 
     #[inline]
-    fn to_float(self) -> [f32; N] {
-        self.map(FloatUniforms::to_float)
+    fn floats(self) -> [f32; N] {
+        self.map(FloatUniforms::floats)
     }
 }
 
@@ -164,7 +164,7 @@ where
     /// The point of any uniforms whatever, which the conversion brings into range by itself.
     #[inline]
     fn sample(&self, u: Self::Uniforms) -> Self::Point {
-        self.0.sample(W::Uniforms::from_float(u)).to_float()
+        self.0.sample(W::Uniforms::words(u)).to_float()
     }
 
     #[inline]
@@ -181,7 +181,7 @@ where
 
     #[inline]
     fn invert(&self, x: Self::Point) -> Self::Uniforms {
-        self.0.invert(W::Point::from_float(x)).to_float()
+        self.0.invert(W::Point::from_float(x)).floats()
     }
 
     #[inline]

@@ -1,10 +1,10 @@
 //! The normal distribution, two at a time, by Box and Muller's map.
 
-use super::direction::{Scaled, UNIT, around};
+use super::direction::{Scaled, UNIT};
 use super::grade::{Fine, Grade, Kernels};
 use super::kernel::exp::{self, one_minus_small};
 use super::kernel::log;
-use super::kernel::product::near;
+use super::kernel::product::{near, near_signed};
 use super::kernel::quotient::ratio;
 use super::{Density, Deviate, Uniform};
 use crate::error::Error;
@@ -21,6 +21,17 @@ use core::marker::PhantomData;
 /// - Uniforms: two words. (0, ·) gives the origin; the farthest point lies at 6.661.
 /// - Range: each coordinate in [−6.661, 6.661].
 /// - Density: e^(−r²/2)/(2π), per unit area, at least 2⁻³².
+///
+/// In *sample* the distance of the points; in *round trip* of the two uniforms, the second as a distance along the
+/// circle of the radius:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 3.9e-6 | 6.5e-4 | 4.3e-6 |
+/// | sample, rms | 5.0e-7 | 9.7e-5 | 6.6e-7 |
+/// | sample, mean | 2.6e-7 | -7.5e-5 | -1.4e-7 |
+/// | pdf | 1.3e-7 | 1.2e-5 | 1.7e-8 |
+/// | round trip | 1.1e-6 | 7.7e-5 | 8.2e-7 |
 ///
 /// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
 ///
@@ -54,6 +65,14 @@ fn radius<G: Kernels>(u: u32) -> u32 {
         (G::log(u), 0)
     };
     G::root(square) >> half_of_them
+}
+
+/// The point of this distance in the direction of a phase. In no grade by a product of fewer digits: most radii are
+/// far below the largest, and would keep few.
+#[inline]
+fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
+    let (sin, cos) = G::sincos(phase);
+    [near_signed(radius, cos), near_signed(radius, sin)]
 }
 
 /// x² + y² in Q54.
@@ -115,6 +134,12 @@ impl<G: Grade> Warp for StandardNormalPair<G> {
 /// - Uniforms: two words. (0, ·) gives the mean itself; the farthest point lies at 6.661 deviations.
 /// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 10⁴ that is all of it.
 ///
+/// In *sample* of the deviation, beyond half a step of the format in each coordinate:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 3.9e-6 | 6.5e-4 | 4.3e-6 |
+///
 /// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
 ///
 /// ```
@@ -159,6 +184,7 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         let shift = deviation.leading_zeros();
         let inverse = UNIT.over(Scaled::of(deviation as u64, Frac::I32));
         let peak = inverse.times(inverse).times(PEAK);
+        let peak = Scaled::normal(peak.mantissa, peak.exponent);
         if peak.exponent < -32 {
             return Err(Error::Empty);
         }

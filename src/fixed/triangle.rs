@@ -15,7 +15,16 @@ use core::marker::PhantomData;
 ///
 /// - Uniforms: two words.
 /// - Range: three coordinates, none negative, whose sum is exactly 1.
-/// - Density: 2 with respect to the last two, where none is negative and their sum is 1 to within 2⁻²⁸.
+/// - Density: 2 with respect to the last two, where none is negative and their sum is 1 to within 2⁻²³.
+///
+/// In *sample* the largest of a coordinate; in *round trip* of the two uniforms, the second times √u₁:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 2.0e-7 | 1.9e-5 | 6.1e-8 |
+/// | sample, rms | 3.5e-8 | 7.4e-6 | 1.7e-8 |
+/// | sample, mean | 0 | 2.0e-6 | 4.0e-9 |
+/// | round trip | 3.9e-7 | 3.4e-5 | 1.3e-7 |
 ///
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///
@@ -37,8 +46,9 @@ impl<G: Grade> Triangle<G> {
     }
 }
 
-/// By how many steps the sum of a point's coordinates may be off.
-const SLACK: u32 = 4;
+/// By how many steps the sum of a point's coordinates may be off: 2⁻²³, which three numbers cut to the digits of an
+/// `f32` are.
+const SLACK: u32 = 1 << 7;
 
 impl<G: Grade> Warp for Triangle<G> {
     type Uniforms = [Uniform; 2];

@@ -15,13 +15,24 @@ use core::marker::PhantomData;
 
 /// Density ∝ e^(−x/mean) on [0, X).
 ///
-/// With z = X/mean: x = −ln(1 − u(1 − e^(−z))) means, and where z is below 1/4 four terms of its series,
+/// With z = X/mean: x = −ln(1 − u(1 − e^(−z))) means, and where z is small (below 0.21, coarse 0.49) four terms of its series,
 /// X u (1 − (1 − u)z/2 (1 − z/3 ((1 − 2u) − z/4 (1 − 6u(1 − u))))), so that a long mean costs no digits: the limit
 /// is the uniform distribution. The float tiers take the rate, 1/mean, of either sign.
 ///
 /// - Uniforms: one word.
 /// - Range: [0, X), in steps of the format, cut to the step below.
 /// - Density: e^(−x/mean)/(mean (1 − e^(−z))), at least 2⁻³² on [0, X).
+///
+/// In *sample* of the smaller of mean and length, beyond a word of the uniform and a step of the format; in *pdf* of
+/// the largest density; in *round trip* of the uniform:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 2.3e-6 | 6.8e-5 | 2.3e-6 |
+/// | sample, rms | 4.8e-7 | 1.7e-5 | 4.4e-7 |
+/// | sample, mean | 2.4e-7 | 9.2e-6 | 1.1e-7 |
+/// | pdf | 7.7e-7 | 7.0e-5 | 1.1e-7 |
+/// | round trip | 4.4e-6 | 1.8e-4 | 2.4e-6 |
 ///
 /// Source: C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating
 /// Media", 2012.
@@ -49,12 +60,10 @@ pub struct TruncatedExponential<Frac, G = Fine> {
 enum Map {
     /// Where z is small: z and z/3, and (1 − e^(−z))/z, all in Q32.
     Series { z: u32, third: u32, mass: u64 },
-    /// Elsewhere e^(−z) in Q32, and the largest multiple of the mean below the length, in Q27.
+    /// Elsewhere a word more than e^(−z), as the product with u < 1 is cut; and the largest multiple of the mean below
+    /// the length, in Q27.
     Logarithm { end: u32, most: u32 },
 }
-
-/// Below this z, in Q32, the map is the series.
-const SERIES: u64 = 1 << 30;
 
 impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
     /// Density ∝ e^(−x/mean) on [0, length).
@@ -68,16 +77,16 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
         }
         let z = ratio(length, mean);
         // The mass is 1 over the height: what truncation leaves of the length, or of the mean.
-        let (map, mass) = if z < SERIES {
+        let (map, mass) = if z < G::SERIES {
             let mass = mean_density(z);
             let z = z as u32;
             let third = near(z, 0x5555_5556);
             (Map::Series { z, third, mass }, length as u64 * mass)
         } else {
             let end = exponential(z);
-            let most = most(z, length, mean);
-            let all = (1 << 32) - end as u64;
-            (Map::Logarithm { end, most }, mean as u64 * all)
+            let mass = mean as u64 * ((1 << 32) - end as u64);
+            let (end, most) = (end + 1, most(z, length, mean));
+            (Map::Logarithm { end, most }, mass)
         };
         Ok(Self {
             mean,
@@ -130,7 +139,7 @@ const fn mean_density(z: u64) -> u64 {
     alternating(z, &FACTORIALS)
 }
 
-/// e^−z of z of at least 1/4, both in Q32.
+/// e^−z of z of at least 0.2, both in Q32.
 const fn exponential(z: u64) -> u32 {
     /// ln 2 in Q32.
     const LN_2: u64 = 2_977_044_472;
@@ -188,7 +197,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for TruncatedExponential<Frac, G> {
             }
             Map::Logarithm { end, .. } => {
                 let below = G::exp_m1_neg(in_means(x, self.mean)).to_bits();
-                let all = end.wrapping_neg();
+                let all = 1_u32.wrapping_sub(end);
                 match all {
                     0 => below,
                     _ if below < all => quotient(below, all),

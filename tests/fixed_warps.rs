@@ -1,0 +1,20 @@
+//! The warps of the integer tier keep what their documentation promises, those but of directions.
+//!
+//! Overflow checks are on, so that a sweep that comes to its end is also the proof that nothing overflows.
+
+#[path = "fixed_warps/exponential.rs"]
+mod exponential;
+#[path = "fixed_warps/figures.rs"]
+mod figures;
+#[path = "fixed_warps/float.rs"]
+mod float;
+#[path = "fixed_warps/interval.rs"]
+mod interval;
+#[path = "fixed_warps/normal.rs"]
+mod normal;
+#[path = "fixed_warps/tent.rs"]
+mod tent;
+#[path = "fixed_warps/triangle.rs"]
+mod triangle;
+#[path = "fixed_warps/truncated.rs"]
+mod truncated;
