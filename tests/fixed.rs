@@ -11,8 +11,11 @@
 
 #[path = "fixed/cases.rs"]
 mod cases;
+mod catalogue;
 #[path = "fixed/controls.rs"]
 mod controls;
+#[path = "fixed/distributions.rs"]
+mod distributions;
 #[path = "fixed/figures.rs"]
 mod figures;
 #[path = "fixed/inputs.rs"]
@@ -23,8 +26,12 @@ mod kernels;
 mod laws;
 #[path = "fixed/rising.rs"]
 mod rising;
+#[path = "fixed/shapes.rs"]
+mod shapes;
 #[path = "../examples/common/work.rs"]
 mod work;
+#[path = "fixed/wrong_maps.rs"]
+mod wrong_maps;
 
 /// What sees the kernels themselves, which say of their functions that they are visible in a module of this name.
 mod fixed {

@@ -188,6 +188,9 @@ grade! {
 
 grade! {
     /// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
+    ///
+    /// Points have coordinates in steps of 2⁻¹⁵ from sine and cosine: a cone or a lobe that is narrower than a degree
+    /// needs another grade.
     Coarse, coarse, "coarse", 0xffff_ffff, 0x7d70_a3d7, 14, rough_signed
 }
 

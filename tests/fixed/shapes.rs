@@ -1,0 +1,179 @@
+//! The warps of the integer tier with their parameters, each with the exact map back to uniforms.
+//!
+//! A new warp is one line here. The exact maps are those of the catalogue, in `f64`, which holds every point of the
+//! tier without rounding.
+
+use crate::catalogue::truth::{self, Truth};
+use fixed::types::extra::LeEqU32;
+use fixed::types::{I16F16, U0F32, U2F62, U16F16, U32F32};
+use fixed::{FixedI32, FixedU32};
+use microwarp::Warp;
+use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade, Interval, warp::*};
+use rand_pcg::Pcg32;
+
+/// A point as it is.
+trait Exact: Copy {
+    fn exact(self) -> [f64; 3];
+    fn nowhere() -> Self;
+}
+
+impl<Frac: LeEqU32> Exact for FixedU32<Frac> {
+    fn exact(self) -> [f64; 3] {
+        [self.into(), 0.0, 0.0]
+    }
+    fn nowhere() -> Self {
+        Self::ZERO
+    }
+}
+
+impl<Frac: LeEqU32> Exact for FixedI32<Frac> {
+    fn exact(self) -> [f64; 3] {
+        [self.into(), 0.0, 0.0]
+    }
+    fn nowhere() -> Self {
+        Self::ZERO
+    }
+}
+
+impl<T: Exact, const N: usize> Exact for [T; N] {
+    fn exact(self) -> [f64; 3] {
+        std::array::from_fn(|i| self.get(i).map_or(0.0, |x| x.exact()[0]))
+    }
+    fn nowhere() -> Self {
+        [T::nowhere(); N]
+    }
+}
+
+/// Fills a slice with the uniforms of drawn points; says which of the points has density 0, if any.
+pub type Fill = Box<dyn Fn(&mut Pcg32, &mut [[f64; 2]]) -> Option<[f64; 3]> + Send + Sync>;
+
+/// A warp whose points have been mapped back: uniform on the unit interval, or on the unit square.
+pub struct Shape {
+    pub name: String,
+    /// How many uniforms a point has.
+    pub axes: usize,
+    pub samples: usize,
+    /// Cells along an axis.
+    pub cells: usize,
+    /// How far beyond the unit interval rounding may lead.
+    pub slack: f64,
+    pub fill: Fill,
+}
+
+/// How much of a grade's error would show, and so how many samples, in how many cells, its shape bears.
+struct Power {
+    samples: usize,
+    cells: [usize; 2],
+    slack: f64,
+}
+
+/// Samples off by e of the mass add 2 N K² e² to a chi-square of K cells along an axis, whose standard deviation
+/// is √(2K) on the line: of e = 1e-7 and 1e-5 that is next to nothing here.
+const FINE: Power = Power {
+    samples: 1 << 24,
+    cells: [251, 61],
+    slack: 4e-6,
+};
+const COMPACT: Power = Power {
+    samples: 1 << 22,
+    ..FINE
+};
+pub const COARSE_SAMPLES: usize = 1 << 22;
+const COARSE: Power = Power {
+    samples: COARSE_SAMPLES,
+    cells: [31, 31],
+    slack: 4e-4,
+};
+
+impl Shape {
+    pub fn new(name: String, axes: usize, samples: usize, fill: Fill) -> Self {
+        Self {
+            name,
+            axes,
+            samples,
+            cells: COARSE.cells[axes - 1],
+            slack: FINE.slack,
+            fill,
+        }
+    }
+}
+
+fn shape<W>(name: String, power: &Power, warp: W, truth: Box<dyn Truth>) -> Shape
+where
+    W: Warp<Density = Density> + Send + Sync + 'static,
+    W::Point: Exact,
+{
+    let axes = <W::Uniforms as microwarp::uniform::Uniforms>::COUNT;
+    Shape {
+        name,
+        axes,
+        samples: power.samples,
+        cells: power.cells[axes - 1],
+        slack: power.slack,
+        fill: Box::new(move |rng, uniforms| {
+            let mut points = vec![W::Point::nowhere(); uniforms.len()];
+            warp.fill(rng, &mut points);
+            for (uniforms, point) in uniforms.iter_mut().zip(&points) {
+                let [u, v, ..] = truth.invert(point.exact());
+                *uniforms = [u, v];
+            }
+            let mut seen = points.iter().step_by(16);
+            let without = seen.find(|point| warp.pdf(**point) == Density::ZERO);
+            without.map(|point| point.exact())
+        }),
+    }
+}
+
+fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
+    let q16 = U16F16::from_num::<f64>;
+    let lobe = |n| PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
+    let normals = NormalPair::<_, G>::new([100, -20].map(I16F16::from_num), I16F16::from_num(5));
+    let truncated =
+        |mean, length| TruncatedExponential::<_, G>::new(q16(mean), q16(length)).unwrap();
+    let narrow = U0F32::from_num(0.001);
+    let cone = |k: f64| Cone::<G>::from_one_minus_cos(U2F62::from_num(k)).unwrap();
+    let normal_pair = |mean, deviation| Box::new(truth::NormalPair { mean, deviation });
+    macro_rules! shapes {
+        ($($name:literal => $warp:expr, $truth:expr;)*) => {
+            vec![$(shape(format!("{} {}", $name, G::NAME), power, $warp, $truth)),*]
+        };
+    }
+    let mut shapes = shapes! {
+        "Disk" => Disk::<G>::new(), Box::new(truth::Disk);
+        "Sphere" => Sphere::<G>::new(), truth::sphere();
+        "Hemisphere" => Hemisphere::<G>::new(), truth::hemisphere();
+        "CosineHemisphere" => CosineHemisphere::<G>::new(), truth::cosine_hemisphere();
+        "Cone 0.25" => cone(0.25), truth::cone(0.25, 1.75);
+        "Cone 1.75" => cone(1.75), truth::cone(1.75, 0.25);
+        "PhongLobe 0" => lobe(0), truth::phong(0.0);
+        "PhongLobe 50" => lobe(50), truth::phong(50.0);
+        "Triangle" => Triangle::<G>::new(), Box::new(truth::Barycentric);
+        "StandardExponential" => StandardExponential::<G>::new(), truth::exponential(1.0);
+        "Exponential 16" => Exponential::<_, G>::new(q16(16.0)).unwrap(), truth::exponential(0.0625);
+        "TruncatedExponential 8, 16" => truncated(8.0, 16.0), truth::truncated_exponential(0.125, 16.0);
+        "TruncatedExponential 128, 16" => truncated(128.0, 16.0), truth::truncated_exponential(0.007_812_5, 16.0);
+        "StandardNormalPair" => StandardNormalPair::<G>::new(), normal_pair([0.0; 2], 1.0);
+        "NormalPair (100, -20), 5" => normals.unwrap(), normal_pair([100.0, -20.0], 5.0);
+        "Tent 2" => Tent::<_, G>::new(I16F16::from_num(2)).unwrap(), truth::tent(2.0);
+    };
+    // Coordinates in steps of 2⁻¹⁵ do not resolve what is that narrow.
+    if G::NAME != Coarse::NAME {
+        let half = (std::f64::consts::PI * f64::from(narrow)).sin().powi(2);
+        shapes.extend(shapes! {
+            "Cone of a thousandth turn" => Cone::<G>::from_angle(narrow).unwrap(),
+                truth::cone(2.0 * half, 2.0 - 2.0 * half);
+            "PhongLobe 1e6" => lobe(1_000_000), truth::phong(1e6);
+        });
+    }
+    shapes
+}
+
+pub fn shapes() -> Vec<Shape> {
+    let mut all = of_grade::<Fine>(&FINE);
+    all.extend(of_grade::<Coarse>(&COARSE));
+    all.extend(of_grade::<Compact>(&COMPACT));
+    let interval = Interval::<I16F16>::new(I16F16::from_num(-3), I16F16::from_num(5)).unwrap();
+    let truth = truth::interval(-3.0, 5.0, true);
+    all.push(shape("Interval [-3, 5)".into(), &FINE, interval, truth));
+    all
+}

@@ -1,0 +1,146 @@
+//! Negative controls of the distributions: maps that are wrong by a little are rejected by the same examination,
+//! with as few samples and cells as any grade gets.
+
+use crate::catalogue::truth::{self, Truth};
+use crate::distributions::{examine, threshold};
+use crate::shapes::{COARSE_SAMPLES, Shape, shapes};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+use std::f64::consts::TAU;
+
+/// A point of two uniforms.
+type Map = fn([f64; 2]) -> [f64; 3];
+
+fn shape(name: &str, axes: usize, map: Map, truth: Box<dyn Truth>) -> Shape {
+    let fill = move |rng: &mut Pcg32, uniforms: &mut [[f64; 2]]| {
+        for uniforms in uniforms {
+            let word = |rng: &mut Pcg32| f64::from(rng.next_u32()) / 4_294_967_296.0;
+            let u = [word(rng), if axes == 2 { word(rng) } else { 0.0 }];
+            let [u, v, ..] = truth.invert(map(u));
+            *uniforms = [u, v];
+        }
+        None
+    };
+    Shape::new(name.to_owned(), axes, COARSE_SAMPLES, Box::new(fill))
+}
+
+fn turned(r: f64, v: f64, z: f64) -> [f64; 3] {
+    [r * (TAU * v).cos(), r * (TAU * v).sin(), z]
+}
+
+fn normal(u: f64, v: f64) -> [f64; 3] {
+    turned((-2.0 * (-u).ln_1p()).sqrt(), v, 0.0)
+}
+
+fn lobe(power: f64, [u, v]: [f64; 2]) -> [f64; 3] {
+    let cos = (1.0 - u).powf(1.0 / power);
+    turned((1.0 - cos * cos).sqrt(), v, cos)
+}
+
+fn disk() -> Box<dyn Truth> {
+    Box::new(truth::Disk)
+}
+
+fn normals() -> Box<dyn Truth> {
+    Box::new(truth::NormalPair {
+        mean: [0.0; 2],
+        deviation: 1.0,
+    })
+}
+
+fn wrong() -> Vec<Shape> {
+    vec![
+        shape("disk with r = u", 2, |[u, v]| turned(u, v, 0.0), disk()),
+        shape(
+            "disk whose angles lean the more the farther out",
+            2,
+            |[u, v]| turned(u.sqrt(), v + 0.01 * u * (TAU * v).sin(), 0.0),
+            disk(),
+        ),
+        shape(
+            "disk turned unevenly",
+            2,
+            |[u, v]| turned(u.sqrt(), v.powf(1.01), 0.0),
+            disk(),
+        ),
+        shape(
+            "sphere with theta linear",
+            2,
+            |[u, v]| turned((TAU * u / 2.0).sin(), v, (TAU * u / 2.0).cos()),
+            truth::sphere(),
+        ),
+        shape(
+            "cosine hemisphere with z = u",
+            2,
+            |[u, v]| turned((1.0 - u * u).sqrt(), v, u),
+            truth::cosine_hemisphere(),
+        ),
+        shape(
+            "lobe of n + 1 = 51.3",
+            2,
+            |u| lobe(51.3, u),
+            truth::phong(50.0),
+        ),
+        shape(
+            "triangle without the root",
+            2,
+            |[u, v]| [1.0 - u, u * v, u * (1.0 - v)],
+            Box::new(truth::Barycentric),
+        ),
+        shape(
+            "exponential of mean 1.01",
+            1,
+            |[u, _]| [-1.01 * (-u).ln_1p(), 0.0, 0.0],
+            truth::exponential(1.0),
+        ),
+        shape(
+            "normals whose halves are correlated by 2 %",
+            2,
+            |[u, v]| {
+                let [x, y, _] = normal(u, v);
+                [x, 0.02 * x + (1.0 - 4e-4_f64).sqrt() * y, 0.0]
+            },
+            normals(),
+        ),
+        shape(
+            "normals of deviation 1.003",
+            2,
+            |[u, v]| normal(u, v).map(|x| 1.003 * x),
+            normals(),
+        ),
+        shape(
+            "tent with its ends cut",
+            1,
+            |[u, _]| {
+                [
+                    (2.0 * u - 1.0).mul_add(0.003, truth::tent(2.0).sample([u; 4])[0]),
+                    0.0,
+                    0.0,
+                ]
+            },
+            truth::tent(2.0),
+        ),
+        shape(
+            "interval with a gap",
+            1,
+            |[u, _]| [8.0 * u - 3.0 + 0.01 * (8.0 * u).floor() / 8.0, 0.0, 0.0],
+            truth::interval(-3.0, 5.0, true),
+        ),
+        shape(
+            "not a number",
+            1,
+            |[u, _]| [if u < 1e-5 { f64::NAN } else { u }, 0.0, 0.0],
+            truth::interval(0.0, 1.0, true),
+        ),
+    ]
+}
+
+#[test]
+fn wrong_maps_are_rejected() {
+    let threshold = threshold(&shapes());
+    for (seed, shape) in (0xbad..).zip(wrong()) {
+        let report = examine(&shape, seed);
+        println!("{}: {:?} {:?}", shape.name, report.p, report.fault);
+        assert!(!report.passes(threshold), "{} passes", shape.name);
+    }
+}
