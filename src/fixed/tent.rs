@@ -92,7 +92,8 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
         Uniform::from_bits(if x.is_negative() {
             half
         } else {
-            half.wrapping_neg()
+            // The upper end is the last word, not the first one.
+            half.max(1).wrapping_neg()
         })
     }
 }
