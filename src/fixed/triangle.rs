@@ -15,7 +15,7 @@ use core::marker::PhantomData;
 ///
 /// - Uniforms: two words.
 /// - Range: three coordinates, none negative, whose sum is exactly 1.
-/// - Density: 2 with respect to the last two, where none is negative and their sum is 1 to within 2⁻²⁸.
+/// - Density: 2 with respect to the last two, where none is negative and their sum is 1 to within 2⁻²³.
 ///
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///
@@ -37,8 +37,9 @@ impl<G: Grade> Triangle<G> {
     }
 }
 
-/// By how many steps the sum of a point's coordinates may be off.
-const SLACK: u32 = 4;
+/// By how many steps the sum of a point's coordinates may be off: in `f32` one of 1/2 and above may lack 63, one
+/// of 1/4 and above 31, and so on.
+const SLACK: u32 = 128;
 
 impl<G: Grade> Warp for Triangle<G> {
     type Uniforms = [Uniform; 2];
