@@ -9,6 +9,9 @@ mod sealed {
         /// What no radius of a disk may exceed, in Q32, so that r² (sin² + cos²) stays at most 1: the largest such
         /// word, over all phases.
         const RIM: u32;
+        /// By how much r² (sin² + cos²) of a root and a phase may exceed the exact r², in Q31 of it: twice the errors
+        /// of the root and of the sine and cosine, and what products round.
+        const BEYOND: u32;
         fn sincos(phase: u32) -> (i32, i32);
         fn root(x: u32) -> u32;
         fn log(u: u32) -> u32;
@@ -131,7 +134,7 @@ pub trait Grade:
 }
 
 macro_rules! grade {
-    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $rotations:literal, $scaled:ident) => {
+    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $beyond:expr, $rotations:literal, $scaled:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -143,6 +146,7 @@ macro_rules! grade {
 
         impl Kernels for $grade {
             const RIM: u32 = $rim;
+            const BEYOND: u32 = $beyond;
 
             #[inline]
             fn sincos(phase: u32) -> (i32, i32) {
@@ -179,15 +183,15 @@ macro_rules! grade {
 
 grade! {
     /// Largest errors about 1e-6, with tables of 2 KB that all functions share.
-    Fine, fine, "fine", 0xffff_f99c, 23, near_signed
+    Fine, fine, "fine", 0xffff_f99c, 1 << 12, 23, near_signed
 }
 
 grade! {
     /// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
-    Coarse, coarse, "coarse", 0xffff_ffff, 14, rough_signed
+    Coarse, coarse, "coarse", 0xffff_ffff, 1 << 17, 14, rough_signed
 }
 
 grade! {
     /// Largest errors about 1e-6 without tables, in the least flash.
-    Compact, compact, "compact", 0xffff_f9a8, 23, near_signed
+    Compact, compact, "compact", 0xffff_f9a8, 1 << 12, 23, near_signed
 }
