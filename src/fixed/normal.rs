@@ -113,7 +113,7 @@ impl<G: Grade> Warp for StandardNormalPair<G> {
 /// As [`StandardNormalPair`], its points times the deviation, rounded to the format's step.
 ///
 /// - Uniforms: two words. (0, ·) gives the mean itself; the farthest point lies at 6.661 deviations.
-/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 10⁴ that is all of it.
+/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 2.2·10⁴ that is all of it.
 ///
 /// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
 ///
@@ -159,6 +159,7 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         let shift = deviation.leading_zeros();
         let inverse = UNIT.over(Scaled::of(deviation as u64, Frac::I32));
         let peak = inverse.times(inverse).times(PEAK);
+        let peak = Scaled::normal(peak.mantissa, peak.exponent);
         if peak.exponent < -32 {
             return Err(Error::Empty);
         }
