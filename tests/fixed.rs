@@ -13,6 +13,8 @@
 mod cases;
 #[path = "fixed/controls.rs"]
 mod controls;
+#[path = "fixed/edges.rs"]
+mod edges;
 #[path = "fixed/figures.rs"]
 mod figures;
 #[path = "fixed/inputs.rs"]
