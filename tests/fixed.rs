@@ -16,6 +16,8 @@ mod catalogue;
 mod controls;
 #[path = "fixed/distributions.rs"]
 mod distributions;
+#[path = "fixed/edges.rs"]
+mod edges;
 #[path = "fixed/figures.rs"]
 mod figures;
 #[path = "fixed/inputs.rs"]

@@ -16,9 +16,11 @@ use core::marker::PhantomData;
 /// h = u₁k/2, cos θ = 1 − 2h, sin θ = 2√(h(1 − h)).
 ///
 /// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
-/// - Range: unit vectors with 1 − cos θ ≤ k. For narrow cones z is 1 and all the information is in x and y, which
+/// - Range: unit vectors with 1 − cos θ ≤ k, but for that rounding. In grade [`Coarse`](super::Coarse) x and y come
+///   in steps of 2⁻¹⁵, too few for cones of a small fraction of a degree. For narrow cones z is 1 and all the information is in x and y, which
 ///   `pdf` and `invert` read.
-/// - Density: 1/(2πk) per steradian inside the cone, and 2⁻²⁰ of k beyond its rim, for the rounding there.
+/// - Density: 1/(2πk) per steradian inside the cone and, for the rounding there, beyond its rim: by 2⁻¹⁹ of k
+///   (in grade [`Coarse`](super::Coarse) 2⁻¹⁴), and by three steps of x and y.
 ///
 /// Source: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting
 /// Calculations", 1996.
@@ -63,7 +65,8 @@ impl<G: Grade> Cone<G> {
     /// The cone of the given half angle in turns, in (0, 1/2].
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 1/2, [`Error::Empty`] below 2.5e-6 turns.
+    /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 1/2, [`Error::Empty`] below 2.43e-6 turns,
+    /// where the density is no [`Density`].
     pub fn from_angle(turns: Uniform) -> Result<Self, Error> {
         let bits = turns.to_bits();
         if bits == 0 {
@@ -75,7 +78,7 @@ impl<G: Grade> Cone<G> {
         // k/2 is the square of the sine of half the angle, which keeps its digits in Q30.
         let (sine, _) = Compact::sincos(bits >> 1);
         let sine = u64::from(sine.unsigned_abs());
-        if sine < 1 << 14 {
+        if sine < 1 << 13 {
             return Err(Error::Empty);
         }
         Ok(Self::of(Scaled::of(sine * sine, 60)))
@@ -133,12 +136,16 @@ impl<G: Grade> Warp for Cone<G> {
 
     #[inline]
     fn pdf(&self, point: [Coordinate; 3]) -> Density {
+        let [x, y, z] = point;
+        // Products round x and y outwards by up to this many steps.
+        let [x, y] = [x, y]
+            .map(|c| Coordinate::from_bits(c.to_bits().unsigned_abs().saturating_sub(3) as i32));
         // Against k, in units of which a sample is at most 1.
-        let share = one_minus_cos(point).over(Scaled {
+        let share = one_minus_cos([x, y, z]).over(Scaled {
             mantissa: self.half.mantissa,
             exponent: self.half.exponent - 1,
         });
-        if share.to_bits(31) <= (1 << 31) + (1 << 11) {
+        if share.to_bits(31) <= (1 << 31) + G::BEYOND {
             Density::from_bits(self.density)
         } else {
             Density::ZERO

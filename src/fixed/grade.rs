@@ -12,6 +12,9 @@ mod sealed {
         /// Below this z, in Q32, four terms of the series of the truncated exponential are at least as accurate as the
         /// logarithm, whose error is divided by z.
         const SERIES: u64;
+        /// By how much r² (sin² + cos²) of a root and a phase may exceed the exact r², in Q31 of it: twice the errors
+        /// of the root and of the sine and cosine, and what products round.
+        const BEYOND: u32;
         fn sincos(phase: u32) -> (i32, i32);
         fn root(x: u32) -> u32;
         fn log(u: u32) -> u32;
@@ -134,7 +137,7 @@ pub trait Grade:
 }
 
 macro_rules! grade {
-    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $series:literal, $rotations:literal, $scaled:ident) => {
+    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $series:literal, $beyond:expr, $rotations:literal, $scaled:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -147,6 +150,7 @@ macro_rules! grade {
         impl Kernels for $grade {
             const RIM: u32 = $rim;
             const SERIES: u64 = $series;
+            const BEYOND: u32 = $beyond;
 
             #[inline]
             fn sincos(phase: u32) -> (i32, i32) {
@@ -183,7 +187,7 @@ macro_rules! grade {
 
 grade! {
     /// Largest errors about 1e-6, with tables of 2 KB that all functions share.
-    Fine, fine, "fine", 0xffff_f99c, 0x35c2_8f5c, 23, near_signed
+    Fine, fine, "fine", 0xffff_f99c, 0x35c2_8f5c, 1 << 12, 23, near_signed
 }
 
 grade! {
@@ -191,10 +195,10 @@ grade! {
     ///
     /// Points have coordinates in steps of 2⁻¹⁵ from sine and cosine: a cone or a lobe that is narrower than a degree
     /// needs another grade.
-    Coarse, coarse, "coarse", 0xffff_ffff, 0x7d70_a3d7, 14, rough_signed
+    Coarse, coarse, "coarse", 0xffff_ffff, 0x7d70_a3d7, 1 << 17, 14, rough_signed
 }
 
 grade! {
     /// Largest errors about 1e-6 without tables, in the least flash.
-    Compact, compact, "compact", 0xffff_f9a8, 0x35c2_8f5c, 23, near_signed
+    Compact, compact, "compact", 0xffff_f9a8, 0x35c2_8f5c, 1 << 12, 23, near_signed
 }

@@ -18,7 +18,8 @@ use core::marker::PhantomData;
 /// collapse onto its axis. n = 0 is the uniform hemisphere, n = 1 the cosine one.
 ///
 /// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
-/// - Range: unit vectors with z > 0.
+/// - Range: unit vectors with z ≥ 2⁻³⁰. In grade [`Coarse`](super::Coarse) x and y come in steps of 2⁻¹⁵, so that of
+///   exponents above 10⁶ next to nothing is left.
 /// - Density: (n + 1)/(2π) cosⁿθ per steradian; never 0 at a sample. What is above 2³² counts as the largest
 ///   [`Density`], what is below 2⁻³² as the smallest.
 ///
@@ -61,8 +62,8 @@ impl<G: Grade> PhongLobe<G> {
             return Err(Error::OutOfRange);
         }
         let power = Scaled::of(exponent + (1 << 32), 32);
-        // 1 itself as the largest number below it.
-        let inverse = if exponent == 0 {
+        // 1 itself as the largest number below it, and what rounds to it.
+        let inverse = if power.mantissa == UNIT.mantissa && power.exponent == UNIT.exponent {
             Scaled {
                 mantissa: u32::MAX,
                 exponent: 0,
@@ -139,7 +140,9 @@ impl<G: Grade> Warp for PhongLobe<G> {
             half.direction::<G>(u2)
         } else {
             let cos = G::exp(neg_ln_cos >> (bits - 27));
-            direction::<G>(G::root(!square(cos)), (cos >> 2) as i32, u2)
+            // At the horizon the last words would give 0, where the density is 0.
+            let z = (cos >> 2).max(1) as i32;
+            direction::<G>(G::root(!square(cos)), z, u2)
         }
     }
 

@@ -132,7 +132,7 @@ impl<G: Grade> Warp for StandardNormalPair<G> {
 /// As [`StandardNormalPair`], its points times the deviation, rounded to the format's step.
 ///
 /// - Uniforms: two words. (0, ·) gives the mean itself; the farthest point lies at 6.661 deviations.
-/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 10⁴ that is all of it.
+/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 2.2·10⁴ that is all of it.
 ///
 /// In *sample* of the deviation, beyond half a step of the format in each coordinate:
 ///

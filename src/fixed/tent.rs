@@ -101,6 +101,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
         Uniform::from_bits(if x.is_negative() {
             half
         } else {
+            // The upper end is the last word, not the first one.
             half.max(1).wrapping_neg()
         })
     }
