@@ -22,9 +22,7 @@ fn rim_and_product(kernel: &str, new: Option<u32>) -> (u32, Scaled) {
     let start = text.find(&format!(", {kernel}, \"{kernel}\", ")).unwrap();
     let line = text[start + 2..].lines().next().unwrap().to_owned();
     let cells: Vec<&str> = line.split(", ").collect();
-    let [_, _, rim, _, scaled] = cells[..] else {
-        panic!("{line}");
-    };
+    let (rim, scaled) = (cells[2], cells[cells.len() - 1]);
     let scaled = match scaled {
         "near_signed" => product::near_signed,
         "rough_signed" => product::rough_signed,
