@@ -25,6 +25,7 @@ mod rejection;
 mod sphere;
 mod tent;
 mod triangle;
+mod triangle_on;
 mod truncated;
 
 pub use self::float::{Float, FloatPoint, FloatUniforms};
@@ -46,6 +47,7 @@ pub mod warp {
     pub use super::sphere::Sphere;
     pub use super::tent::Tent;
     pub use super::triangle::Triangle;
+    pub use super::triangle_on::TriangleOn;
     pub use super::truncated::TruncatedExponential;
 }
 
@@ -55,7 +57,7 @@ macro_rules! names {
         names! { $grade;
             Cone, CosineHemisphere, Disk, Exponential[Frac][Frac], Hemisphere, NormalPair[Frac][Frac], PhongLobe,
             Sphere, StandardExponential, StandardNormalPair, Tent[Frac][Frac], Triangle,
-            TruncatedExponential[Frac][Frac],
+            TriangleOn[Frac, const D: usize][Frac, D], TruncatedExponential[Frac][Frac],
         }
     };
     ($grade:ident; $($name:ident $([$($parameter:tt)*] [$($argument:tt)*])?,)*) => {$(

@@ -16,5 +16,7 @@ mod normal;
 mod tent;
 #[path = "fixed_warps/triangle.rs"]
 mod triangle;
+#[path = "fixed_warps/triangle_on.rs"]
+mod triangle_on;
 #[path = "fixed_warps/truncated.rs"]
 mod truncated;

@@ -64,3 +64,9 @@ pub(in crate::fixed) const fn square(a: u32) -> u32 {
     let (h, l) = (a >> 16, a & 0xffff);
     h * h + ((h * l) >> 15)
 }
+
+/// a·b, exactly.
+#[inline]
+pub(in crate::fixed) fn wide(a: u32, b: u32) -> u64 {
+    u64::from(high(a, b)) << 32 | u64::from(a.wrapping_mul(b))
+}
