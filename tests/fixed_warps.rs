@@ -1,7 +1,9 @@
-//! The warps of the integer tier keep what their documentation promises, those but of directions.
+//! The warps of the integer tier keep what their documentation promises.
 //!
 //! Overflow checks are on, so that a sweep that comes to its end is also the proof that nothing overflows.
 
+#[path = "fixed_warps/directions.rs"]
+mod directions;
 #[path = "fixed_warps/exponential.rs"]
 mod exponential;
 #[path = "fixed_warps/figures.rs"]

@@ -22,6 +22,17 @@ use core::marker::PhantomData;
 /// - Density: 1/(2πk) per steradian inside the cone and, for the rounding there, beyond its rim: by 2⁻¹⁹ of k
 ///   (in grade [`Coarse`](super::Coarse) 2⁻¹⁴), and by three steps of x and y.
 ///
+/// Over k from 0.01 to 2, rms and mean at 0.3; in *sample* the error of a coordinate, which of narrower cones is 1e-6
+/// of their size; in *round trip* of u₁, and of u₂ times sin θ:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 3.4e-5 | 1.5e-4 | 3.4e-5 |
+/// | sample, rms | 8.8e-8 | 3.2e-5 | 1.4e-7 |
+/// | sample, mean | 0 | -2.8e-6 | 0 |
+/// | unit length | 5.4e-7 | 1.6e-4 | 6.1e-7 |
+/// | round trip | 1.2e-6 | 7.1e-4 | 1.2e-6 |
+///
 /// Source: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting
 /// Calculations", 1996.
 ///

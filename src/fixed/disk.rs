@@ -15,6 +15,15 @@ use core::marker::PhantomData;
 /// - Range: x² + y² ≤ 1, always.
 /// - Density: 1/π per unit area, to 2⁻³³.
 ///
+/// In *sample* the error of a coordinate; in *round trip* of u₁, and of u₂ times the radius:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 9.3e-7 | 1.5e-4 | 6.9e-7 |
+/// | sample, rms | 1.5e-7 | 4.8e-5 | 2.3e-7 |
+/// | sample, mean | -1.2e-9 | -5.7e-6 | 0 |
+/// | round trip | 9.8e-7 | 3.1e-4 | 1.2e-6 |
+///
 /// Source: P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
 ///
 /// ```

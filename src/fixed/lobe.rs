@@ -20,8 +20,19 @@ use core::marker::PhantomData;
 /// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
 /// - Range: unit vectors with z ≥ 2⁻³⁰. In grade [`Coarse`](super::Coarse) x and y come in steps of 2⁻¹⁵, so that of
 ///   exponents above 10⁶ next to nothing is left.
-/// - Density: (n + 1)/(2π) cosⁿθ per steradian; never 0 at a sample. What is above 2³² counts as the largest
-///   [`Density`], what is below 2⁻³² as the smallest.
+/// - Density: (n + 1)/(2π) cosⁿθ per steradian; never 0 at a sample. What is below 2⁻³² counts as that.
+///
+/// Over n from 0 to 1000, rms and mean at 50; in *sample* the error of a coordinate, which of narrower lobes is 4e-6 of
+/// √(2/n); in *round trip* of u₁, and of u₂ times sin θ:
+///
+/// | error | fine | coarse | compact |
+/// |---|--:|--:|--:|
+/// | sample, max | 2.7e-6 | 1.5e-4 | 1.2e-6 |
+/// | sample, rms | 5.0e-8 | 1.8e-5 | 6.1e-8 |
+/// | sample, mean | -1.1e-9 | -1.1e-6 | 0 |
+/// | unit length | 5.0e-7 | 1.6e-4 | 6.0e-7 |
+/// | round trip | 1.3e-5 | 7.2e-4 | 5.1e-6 |
+/// | pdf, of that on the axis | 1.2e-5 | 5.6e-4 | 4.9e-6 |
 ///
 /// Source: E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically
 /// Based Rendering", 1994.
