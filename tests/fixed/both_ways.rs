@@ -4,7 +4,7 @@
 //! The kernels are compiled here in both ways from the very same files.
 
 use super::{narrow, wide};
-use crate::inputs::{Words, edges, full};
+use crate::inputs::{Words, edges};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 
@@ -134,11 +134,7 @@ macro_rules! all_of {
 
 #[test]
 fn both_kinds_of_kernels_give_the_same_bits() {
-    let words = Words {
-        bits: 32,
-        stride: if full() { 16 } else { 256 },
-    };
-    let differ = words.fold(
+    let differ = Words::full_or(16, 256).fold(
         "both kinds",
         &edges(),
         || 0_u64,

@@ -139,7 +139,7 @@ macro_rules! power_of {
     ($i:literal, $name:literal) => {
         Case {
             name: $name,
-            words: Words::every(128),
+            words: Words::full_or(8, 128),
             within: |word| word > 0,
             truth: |word| power(word, EXPONENTS[$i]),
             grades: grades!(|word| q32(G::pow(

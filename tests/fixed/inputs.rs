@@ -22,9 +22,14 @@ const CHUNK: u32 = 1 << 20;
 impl Words {
     /// All 2³² words where they were asked for, otherwise one of every `stride`.
     pub fn every(stride: u32) -> Self {
+        Self::full_or(1, stride)
+    }
+
+    /// One of every so many words: where all were asked for, and otherwise.
+    pub fn full_or(full_stride: u32, stride: u32) -> Self {
         Self {
             bits: 32,
-            stride: if full() { 1 } else { stride },
+            stride: if full() { full_stride } else { stride },
         }
     }
 
