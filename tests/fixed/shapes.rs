@@ -130,6 +130,13 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
     let normals = NormalPair::<_, G>::new([100, -20].map(I16F16::from_num), I16F16::from_num(5));
     let truncated =
         |mean, length| TruncatedExponential::<_, G>::new(q16(mean), q16(length)).unwrap();
+    let short = I16F16::from_num::<f64>;
+    let flat = [[-90.0, 10.0], [300.0, -200.0], [40.0, 250.0]];
+    let solid = [
+        [-90.0, 10.0, 5.0],
+        [300.0, -200.0, 70.0],
+        [40.0, 250.0, -300.0],
+    ];
     let narrow = U0F32::from_num(0.001);
     let cone = |k: f64| Cone::<G>::from_one_minus_cos(U2F62::from_num(k)).unwrap();
     let normal_pair = |mean, deviation| Box::new(truth::NormalPair { mean, deviation });
@@ -154,6 +161,10 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
         "TruncatedExponential 128, 16" => truncated(128.0, 16.0), truth::truncated_exponential(0.007_812_5, 16.0);
         "StandardNormalPair" => StandardNormalPair::<G>::new(), normal_pair([0.0; 2], 1.0);
         "NormalPair (100, -20), 5" => normals.unwrap(), normal_pair([100.0, -20.0], 5.0);
+        "TriangleOn" => TriangleOn::<_, 2, G>::new(flat.map(|v| v.map(short))).unwrap(),
+            Box::new(truth::OnTriangle(flat.map(|[x, y]| [x, y, 0.0])));
+        "TriangleOn, solid" => TriangleOn::<_, 3, G>::new(solid.map(|v| v.map(short))).unwrap(),
+            Box::new(truth::OnTriangle(solid));
         "Tent 2" => Tent::<_, G>::new(I16F16::from_num(2)).unwrap(), truth::tent(2.0);
     };
     // Coordinates in steps of 2⁻¹⁵ do not resolve what is that narrow.

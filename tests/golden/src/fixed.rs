@@ -235,6 +235,16 @@ subjects! {
         "PhongLobe 50" => PhongLobe::<G>::new(v(50)),
         "PhongLobe 1e8" => PhongLobe::<G>::new(v(100_000_000)),
         "Triangle" => Ok(Triangle::<G>::new()),
+        "TriangleOn" => TriangleOn::<_, 2, G>::new([
+            [whole::<I16F16>(0), whole(0)],
+            [whole(4), whole(1)],
+            [whole(0xfffd), whole(2)],
+        ]),
+        "TriangleOn solid" => TriangleOn::<_, 3, G>::new([
+            [whole::<I16F16>(0), whole(0), whole(7)],
+            [whole(4), whole(1), whole(0)],
+            [whole(0xfffd), whole(2), whole(5)],
+        ]),
         "StandardExponential" => Ok(StandardExponential::<G>::new()),
         "Exponential 20" => Exponential::<_, G>::new(whole::<U16F16>(20)),
         "TruncatedExponential 10 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(10), whole(4)),

@@ -38,7 +38,7 @@ where
     W::Point: FloatPoint,
 {
     all(warp, u, rng);
-    all(warp.map(Float::new), u.to_float(), rng);
+    all(warp.map(Float::new), u.floats(), rng);
 }
 
 fn grade<G: Grade>(rng: &mut Pcg32) {
@@ -81,6 +81,19 @@ fn grade<G: Grade>(rng: &mut Pcg32) {
         rng,
     );
     both(warp::Tent::<_, G>::new(short(input(11))), word(), rng);
+    let vertex = |i| [short(input(i)), short(input(i + 1)), short(input(i + 2))];
+    let vertices = [vertex(13), vertex(16), vertex(19)];
+    both(
+        warp::TriangleOn::<_, 3, G>::new(vertices),
+        [word(), word()],
+        rng,
+    );
+    let vertices = vertices.map(|[x, y, _]| [x, y]);
+    both(
+        warp::TriangleOn::<_, 2, G>::new(vertices),
+        [word(), word()],
+        rng,
+    );
     used(G::pow(word(), U16F16::from_bits(input(12))));
     used(G::exp_m1_neg(G::neg_ln_1m(word())));
 }
