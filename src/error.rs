@@ -22,7 +22,7 @@ pub enum Error {
     /// The domain has no extent, or so little that its density overflows `f32`.
     Empty,
     /// The domain is so large that its density is below the smallest positive `f32`, or its own
-    /// measure overflows.
+    /// measure overflows; in the integer tier, that points of it overflow their format.
     TooLarge,
     /// A parameter that must be positive is zero or negative.
     NotPositive,
@@ -69,7 +69,7 @@ impl fmt::Display for Error {
             Self::NotFinite => "a parameter is NaN or infinite",
             Self::Reversed => "the lower bound is above the upper bound",
             Self::Empty => "the domain has no extent, or too little for a finite density",
-            Self::TooLarge => "the domain is too large for a density above zero",
+            Self::TooLarge => "the domain is too large for its density or its numbers",
             Self::NotPositive => "a parameter that must be positive is not",
             Self::Negative => "a parameter that must not be negative is",
             Self::OutOfRange => "a parameter is outside its stated range",

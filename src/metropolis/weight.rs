@@ -42,6 +42,10 @@ mod sealed {
     }
 
     /// What a step needs of an acceptance.
+    #[allow(
+        unreachable_pub,
+        reason = "it bounds a type of a public trait, which Rust 1.85 does not see"
+    )]
     pub trait Probability: Copy {
         const NEVER: Self;
         const ALWAYS: Self;
