@@ -2,6 +2,52 @@
 //!
 //! Here live the warps for cores without a floating-point unit, the integer kernels they stand on, and what of
 //! the other rooms runs on integers alone. Feature `fixed`. Say the tier once, by `use microwarp::fixed as mw;`.
+//!
+//! ```
+//! use fixed::types::{I16F16, U16F16};
+//! use microwarp::{Warp, fixed as mw};
+//! use rand_pcg::Pcg32;
+//!
+//! let mut rng = Pcg32::new(42, 54);
+//! let [x, y] = mw::Disk::new().draw(&mut rng);           // in I2F30
+//! let quick = mw::coarse::Disk::new().draw(&mut rng);    // the same to 1e-4, in fewer instructions
+//! let waiting = mw::Exponential::new(U16F16::from_num(2.5))?.draw(&mut rng);
+//! let noise = mw::NormalPair::new([I16F16::ZERO; 2], I16F16::from_num(3))?.draw(&mut rng);
+//! let [a, b] = mw::Float::new(mw::Disk::new()).draw(&mut rng); // in f32, out of integers
+//! # let _ = (x, y, quick, waiting, noise, a, b);
+//! # Ok::<(), microwarp::Error>(())
+//! ```
+//!
+//! # Warps
+//! Every uniform is a word, [`Uniform`]; every density a [`Density`], whose steps are 2⁻³². Q stands for any format of 32
+//! bits of the `fixed` crate, the parameters' own.
+//!
+//! | warp | words | point | parameters | density |
+//! |---|--:|---|---|---|
+//! | [`Interval`] | 1 | `i32`, `u32`, or Q | ends | 1/(b − a), of integers the probability 1/n |
+//! | [`Tent`] | 1 | Q, signed | radius, in Q | per unit of length |
+//! | [`StandardExponential`] | 1 | `U5F27` | none: mean 1 | per unit of length |
+//! | [`Exponential`] | 1 | Q, unsigned | mean, in Q | per unit of length |
+//! | [`TruncatedExponential`] | 1 | Q, unsigned | mean and length, in Q | per unit of length |
+//! | [`StandardNormalPair`] | 2 | `[I5F27; 2]` | none: mean 0, deviation 1 | per unit of area |
+//! | [`NormalPair`] | 2 | `[Q; 2]`, signed | means and deviation, in Q | per unit of area |
+//! | [`Disk`] | 2 | `[I2F30; 2]` | none | 1/π |
+//! | [`Triangle`] | 2 | `[I2F30; 3]` | none | 2 |
+//! | [`TriangleOn`] | 2 | `[Q; D]`, signed | vertices, in Q | 1/area |
+//! | [`Sphere`], [`Hemisphere`], [`CosineHemisphere`] | 2 | `[I2F30; 3]` | none | per steradian |
+//! | [`Cone`] | 2 | `[I2F30; 3]` | 1 − cos θ in `U2F62`, or an angle in turns | per steradian |
+//! | [`PhongLobe`] | 2 | `[I2F30; 3]` | exponent in `U32F32` | per steradian |
+//! | [`Float`] | those of a warp | in `f32` | a warp of these | in `f32` |
+//!
+//! # Grades
+//! The names here are those of grade [`Fine`]; [`coarse`] and [`compact`] have the same names in theirs, and [`mod@warp`]
+//! has them with the grade as a parameter. [`Grade`] states the errors of the functions, each warp its own.
+//!
+//! | grade | largest errors | tables that all share |
+//! |---|--:|--:|
+//! | [`Fine`] | about 1e-6 | 2 KB |
+//! | [`Coarse`] | about 1e-4 | the same |
+//! | [`Compact`] | about 1e-6 | none |
 
 #![expect(
     clippy::arithmetic_side_effects,
@@ -22,6 +68,7 @@ mod lobe;
 mod normal;
 mod number;
 mod rejection;
+mod shadow;
 mod sphere;
 mod tent;
 mod triangle;

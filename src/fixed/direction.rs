@@ -94,8 +94,8 @@ impl Scaled {
     /// As the height of a density, times its shape (Q32); at least the smallest density there is, and at most the
     /// largest.
     #[inline]
-    pub(super) fn density(self, shape: u32) -> Density {
-        let density = u64::from(self.mantissa) * u64::from(shape);
+    pub(super) const fn density(self, shape: u32) -> Density {
+        let density = self.mantissa as u64 * shape as u64;
         let right = 32 + self.exponent;
         let density = match right {
             64.. => 0,
@@ -103,7 +103,7 @@ impl Scaled {
             _ if density.leading_zeros() as i32 >= -right => density << -right,
             _ => u64::MAX,
         };
-        Density::from_bits(density.max(1))
+        Density::from_bits(if density == 0 { 1 } else { density })
     }
 
     /// The direction for which this number, at most 1, is (1 − cos θ)/2.

@@ -123,7 +123,8 @@ impl<T: Number + FloatPoint<Float = f32>, const N: usize> FloatPoint for [T; N] 
 /// - Uniforms: those of the warp, cut to multiples of 2⁻³²; any `f32` serves, by the rule of
 ///   [`Uniforms::canonical`]. Drawing takes the words straight from the generator, all 32 bits of them.
 /// - Range: that of the warp; its coordinates are cut towards 0 to the 24 digits of an `f32`, so that no magnitude
-///   grows. Where the bounds of an interval have more than 24 digits, a coordinate can so leave it.
+///   grows. Where the ends of an interval or the vertices of a triangle have more digits, a point can so leave it, and
+///   has density 0 then.
 /// - Density: that of the warp at the point converted back, in its format; what does not fit that counts as the
 ///   end of the format, NaN as 0.
 /// - Error: that of the warp, and 6e-8 of the coordinate for its cut.

@@ -4,6 +4,7 @@ use super::direction::{ONE, Scaled, UNIT};
 use super::grade::{Fine, Grade};
 use super::kernel::product::wide;
 use super::kernel::quotient::quotient;
+use super::shadow::{largest, minor, next, shifted, sorted, squares};
 use super::triangle::Triangle;
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
@@ -46,7 +47,7 @@ pub struct TriangleOn<Frac, const D: usize, G = Fine> {
     low: [i32; D],
     /// The two coordinates that the triangle has the largest shadow on.
     axes: [usize; 2],
-    density: u64,
+    density: Density,
     format: PhantomData<(Frac, G)>,
 }
 
@@ -56,79 +57,78 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
     /// # Errors
     /// [`Error::TooLarge`] where the difference of two vertices overflows the format in a coordinate, [`Error::Empty`]
     /// for a triangle with no area, or so little that its density overflows.
-    pub fn new(vertices: [[FixedI32<Frac>; D]; 3]) -> Result<Self, Error> {
-        let vertices = vertices.map(|v| v.map(FixedI32::to_bits));
+    pub const fn new(vertices: [[FixedI32<Frac>; D]; 3]) -> Result<Self, Error> {
         let [a, b, c] = vertices;
-        let (p, q) = (difference(b, a), difference(c, a));
-        for side in [p, q, difference(c, b)].as_flattened() {
-            if side.unsigned_abs() > i32::MAX as u64 {
+        let [a, b, c] = [bits(a), bits(b), bits(c)];
+        let (vertices, mut low) = ([a.as_slice(), &b, &c], a);
+        let (mut rest, mut slots): (_, &mut [i32]) = (vertices, &mut low);
+        while let (Some((row, others)), Some((slot, later))) = (next(rest), slots.split_first_mut())
+        {
+            let [least, _, most] = sorted(row);
+            if most - least > i32::MAX as i64 {
                 return Err(Error::TooLarge);
             }
+            *slot = least as i32;
+            (rest, slots) = (others, later);
         }
-        let (mut axes, mut largest) = ([0, 0], 0);
-        for (i, j, minor) in minors(&p, &q) {
-            if minor.unsigned_abs() > largest {
-                (axes, largest) = ([i, j], minor.unsigned_abs());
-            }
-        }
+        let (axes, largest) = largest(vertices);
         if largest == 0 {
             return Err(Error::Empty);
         }
         // Twice the area: the root of the sum of the squares of all shadows, of so many bits that it fits.
         let bits = if D > 3 { 24 } else { 31 };
         let left = largest.leading_zeros() as i32 - (64 - bits);
-        let scaled = |minor: u64| {
-            if left > 0 {
-                minor << left
-            } else {
-                minor >> -left
-            }
-        };
         let norm = if D > 2 {
-            let squares = minors(&p, &q).map(|(_, _, minor)| scaled(minor.unsigned_abs()).pow(2));
-            squares.fold(0, u64::saturating_add).isqrt()
+            squares(vertices, left).isqrt()
         } else {
-            scaled(largest)
+            shifted(largest, left)
         };
         let height = UNIT.over(Scaled::of(norm, 2 * Frac::I32 + 1 + left));
         // 2³² or more.
         if height.exponent < -32 {
             return Err(Error::Empty);
         }
-        let mut low = a;
-        for ((low, b), c) in low.iter_mut().zip(b).zip(c) {
-            *low = (*low).min(b).min(c);
-        }
         Ok(Self {
-            vertices,
+            vertices: [a, b, c],
             low,
             axes,
-            density: height.density(u32::MAX).to_bits(),
+            density: height.density(u32::MAX),
             format: PhantomData,
         })
     }
+}
 
+/// The bits of a vertex.
+const fn bits<Frac, const D: usize>(vertex: [FixedI32<Frac>; D]) -> [i32; D] {
+    let mut bits = [0; D];
+    let (mut rest, mut slots): (_, &mut [i32]) = (vertex.as_slice(), &mut bits);
+    while let ([x, others @ ..], [slot, later @ ..]) = (rest, slots) {
+        *slot = x.to_bits();
+        (rest, slots) = (others, later);
+    }
+    bits
+}
+
+impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
     /// The two coordinates of the largest shadow.
     #[inline]
-    fn shadow(&self, point: [i32; D]) -> [i64; 2] {
-        self.axes
-            .map(|axis| i64::from(point.get(axis).copied().unwrap_or(0)))
+    fn shadow(&self, point: &[i32; D]) -> [i64; 2] {
+        self.axes.map(|axis| coordinate(point, axis))
     }
 
     /// Of a point of the bounding box twice the areas of the shadow's three parts, opposite to each vertex, positive
     /// inside; and what a step in each coordinate makes of them.
     #[inline]
-    fn parts(&self, point: [i32; D]) -> [(i64, i64); 3] {
-        let [a, b, c] = self.vertices.map(|v| self.shadow(v));
+    fn parts(&self, point: &[i32; D]) -> [(i64, i64); 3] {
+        let [a, b, c] = self.vertices.each_ref().map(|v| self.shadow(v));
         let x = self.shadow(point);
-        let part = |[x1, y1]: [i64; 2], [x2, y2]: [i64; 2]| {
-            let side = [x2 - x1, y2 - y1];
-            let [dx, dy] = [x[0] - x1, x[1] - y1];
-            (side[0] * dy - side[1] * dx, side[0].abs() + side[1].abs())
+        let part = |p: [i64; 2], q: [i64; 2]| {
+            let [side, way] = [q, x].map(|[x, y]| [x - p[0], y - p[1]]);
+            let part = side[0] * way[1] - side[1] * way[0];
+            (part, side[0].abs() + side[1].abs())
         };
         let parts = [part(b, c), part(c, a), part(a, b)];
-        let [b, c] = [[b, a], [c, a]].map(|[v, a]| [v[0] - a[0], v[1] - a[1]]);
-        if b[0] * c[1] - b[1] * c[0] < 0 {
+        if minor([a[0], b[0], c[0]], [a[1], b[1], c[1]]) < 0 {
             parts.map(|(part, step)| (-part, step))
         } else {
             parts
@@ -137,18 +137,17 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
 
     /// Whether a point of the bounding box lies in the triangle's plane, to two steps in each coordinate.
     #[inline]
-    fn is_in_plane(&self, point: [i32; D]) -> bool {
-        let [a, b, c] = self.vertices;
-        let (p, q, x) = (difference(b, a), difference(c, a), difference(point, a));
+    fn is_in_plane(&self, point: &[i32; D]) -> bool {
+        let row = |k| self.vertices.each_ref().map(|v| coordinate(v, k));
+        let way = |k| coordinate(point, k) - row(k)[0];
         let [i, j] = self.axes;
-        let at = |v: &[i64; D], k: usize| v.get(k).copied().unwrap_or(0);
-        let minor = |k, l| at(&p, k) * at(&q, l) - at(&p, l) * at(&q, k);
-        let main = minor(i, j);
+        let main = minor(row(i), row(j));
         let right = 34_u32.saturating_sub(main.unsigned_abs().leading_zeros());
         (0..D).all(|k| {
             // What the other two coordinates make of this one.
-            let [main, first, second] = [main, minor(k, j), minor(i, k)].map(|m| m >> right);
-            let [x, along, across] = [at(&x, k), at(&x, i), at(&x, j)];
+            let minors = [main, minor(row(k), row(j)), minor(row(i), row(k))];
+            let [main, first, second] = minors.map(|m| m >> right);
+            let [x, along, across] = [way(k), way(i), way(j)];
             let off = main * x - first * along - second * across;
             let step = main.abs() + first.abs() + second.abs();
             // A minor that was shortened is off by 1 of its own.
@@ -160,25 +159,23 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
             off.abs() <= 2 * step + cut
         })
     }
-}
 
-/// p − q.
-#[inline]
-fn difference<const D: usize>(p: [i32; D], q: [i32; D]) -> [i64; D] {
-    let mut d = p.map(i64::from);
-    for (d, q) in d.iter_mut().zip(q) {
-        *d -= i64::from(q);
+    /// The largest of each coordinate, beside the least.
+    #[inline]
+    fn ends(&self) -> impl Iterator<Item = (i32, i32)> {
+        let [a, b, c] = self.vertices;
+        let high = a
+            .into_iter()
+            .zip(b)
+            .zip(c)
+            .map(|((a, b), c)| a.max(b).max(c));
+        self.low.into_iter().zip(high)
     }
-    d
 }
 
-/// The areas that the parallelogram of two sides has in each plane of two coordinates.
-fn minors<const D: usize>(p: &[i64; D], q: &[i64; D]) -> impl Iterator<Item = (usize, usize, i64)> {
-    let sides = move || p.iter().zip(q).enumerate();
-    sides().flat_map(move |(i, (p1, q1))| {
-        let later = sides().skip(i + 1);
-        later.map(move |(j, (p2, q2))| (i, j, p1 * q2 - p2 * q1))
-    })
+#[inline]
+fn coordinate<const D: usize>(point: &[i32; D], axis: usize) -> i64 {
+    point.get(axis).map_or(0, |x| i64::from(*x))
 }
 
 impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
@@ -192,10 +189,11 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
         let [u, v, w] = weights.map(|c| c.to_bits() as u32);
         let ([a, b, c], mut point) = (self.vertices, self.low);
         for (((x, a), b), c) in point.iter_mut().zip(a).zip(b).zip(c) {
-            let share = |vertex: i32, weight| wide((vertex - *x) as u32, weight);
+            let low = *x;
+            let share = |vertex: i32, weight| wide((vertex - low) as u32, weight);
             // The weights' sum is 1, so that the sum of shares is at most the largest of them.
             let sum = share(a, u) + share(b, v) + share(c, w);
-            *x += ((sum + (1 << 29)) >> 30) as i32;
+            *x = low + ((sum + (1 << 29)) >> 30) as i32;
         }
         point.map(FixedI32::from_bits)
     }
@@ -203,14 +201,11 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
     #[inline]
     fn pdf(&self, point: [FixedI32<Frac>; D]) -> Density {
         let point = point.map(FixedI32::to_bits);
-        let [a, b, c] = self.vertices;
-        let mut in_box = true;
-        for ((((x, low), a), b), c) in point.into_iter().zip(self.low).zip(a).zip(b).zip(c) {
-            in_box &= low <= x && x <= a.max(b).max(c);
-        }
-        let inside = in_box && self.parts(point).iter().all(|(part, step)| *part >= -step);
-        if inside && (D == 2 || self.is_in_plane(point)) {
-            Density::from_bits(self.density)
+        let mut ends = self.ends().zip(&point);
+        let in_box = ends.all(|((low, high), x)| low <= *x && *x <= high);
+        let inside = in_box && self.parts(&point).iter().all(|(part, step)| *part >= -step);
+        if inside && (D == 2 || self.is_in_plane(&point)) {
+            self.density
         } else {
             Density::ZERO
         }
@@ -218,15 +213,15 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
 
     #[inline]
     fn invert(&self, point: [FixedI32<Frac>; D]) -> [Uniform; 2] {
-        let ([a, b, c], mut nearest) = (self.vertices, self.low);
-        for ((((n, x), a), b), c) in nearest.iter_mut().zip(point).zip(a).zip(b).zip(c) {
-            *n = x.to_bits().clamp(*n, a.max(b).max(c));
+        let mut nearest = point.map(FixedI32::to_bits);
+        for (x, (low, high)) in nearest.iter_mut().zip(self.ends()) {
+            *x = (*x).clamp(low, high);
         }
-        let x = self.shadow(nearest);
-        let [a, b, c] = self.vertices.map(|v| self.shadow(v));
+        let x = self.shadow(&nearest);
+        let [a, b, c] = self.vertices.each_ref().map(|v| self.shadow(v));
         // What lies outside a side by its rounding is brought back to the nearest point of that side: in a sliver a
         // weight of 0 alone would move it far.
-        let weights = match self.parts(nearest).map(|(part, _)| part) {
+        let weights = match self.parts(&nearest).map(|(part, _)| part) {
             [..0, _, _] => {
                 let t = along(b, c, x);
                 [0, ONE - t, t]

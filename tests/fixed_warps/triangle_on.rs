@@ -188,6 +188,12 @@ fn vertices_too_far_apart_or_on_a_line_are_refused() {
     // Half a square step, of density 2³³.
     assert_eq!(new([[100, 100], [101, 100], [100, 101]]), Err(Error::Empty));
     assert!(new([[100, 100], [102, 100], [100, 102]]).is_ok());
+    const FACET: Result<TriangleOn<U16, 2>, Error> = TriangleOn::new([
+        [I16F16::ZERO, I16F16::ZERO],
+        [I16F16::from_bits(1 << 18), I16F16::ZERO],
+        [I16F16::ZERO, I16F16::from_bits(1 << 17)],
+    ]);
+    assert_eq!(FACET.unwrap().pdf([I16F16::ZERO; 2]), 0.25);
     for too_far in [
         [[-1, 0], [i32::MAX, 0], [5, 5]],
         [[0, i32::MIN], [1, 0], [2, i32::MAX]],

@@ -93,6 +93,13 @@ const fn weights<const N: usize>() -> [f32; N] {
     weights
 }
 
+/// The vertices of a triangle.
+const FACET: [[I16F16; 2]; 3] = [
+    [I16F16::from_bits(-90 << 16), I16F16::from_bits(10 << 16)],
+    [I16F16::from_bits(300 << 16), I16F16::from_bits(-200 << 16)],
+    [I16F16::from_bits(40 << 16), I16F16::from_bits(250 << 16)],
+];
+
 kernels! {
     // The generator alone, for those rows that contain it.
     "pcg32_word" (rng) -> u32 = rng.next_u32();
@@ -163,6 +170,7 @@ kernels! {
     "fine_normal_pair_100_5" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::NormalPair::new([I16F16::from_bits(100 << 16); 2], I16F16::from_bits(5 << 16))) }.sample([u, v]);
     "fine_tent_2" (u: U0F32) -> I16F16 = const { ok(integer::Tent::new(I16F16::from_bits(2 << 16))) }.sample(u);
     "fine_triangle" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::Triangle::new().sample([u, v]);
+    "fine_triangle_on" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::TriangleOn::new(FACET)) }.sample([u, v]);
     "coarse_standard_exponential" (u: U0F32) -> U5F27 = integer::coarse::StandardExponential::new().sample(u);
     "coarse_exponential_20" (u: U0F32) -> U16F16 = const { ok(integer::coarse::Exponential::new(U16F16::from_bits(20 << 16))) }.sample(u);
     "coarse_truncated_exponential_10_20" (u: U0F32) -> U16F16 = const { ok(integer::coarse::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(20 << 16))) }.sample(u);
@@ -171,6 +179,7 @@ kernels! {
     "coarse_normal_pair_100_5" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::coarse::NormalPair::new([I16F16::from_bits(100 << 16); 2], I16F16::from_bits(5 << 16))) }.sample([u, v]);
     "coarse_tent_2" (u: U0F32) -> I16F16 = const { ok(integer::coarse::Tent::new(I16F16::from_bits(2 << 16))) }.sample(u);
     "coarse_triangle" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::coarse::Triangle::new().sample([u, v]);
+    "coarse_triangle_on" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::coarse::TriangleOn::new(FACET)) }.sample([u, v]);
     "compact_standard_exponential" (u: U0F32) -> U5F27 = integer::compact::StandardExponential::new().sample(u);
     "compact_exponential_20" (u: U0F32) -> U16F16 = const { ok(integer::compact::Exponential::new(U16F16::from_bits(20 << 16))) }.sample(u);
     "compact_truncated_exponential_10_20" (u: U0F32) -> U16F16 = const { ok(integer::compact::TruncatedExponential::new(U16F16::from_bits(10 << 16), U16F16::from_bits(20 << 16))) }.sample(u);
@@ -179,6 +188,7 @@ kernels! {
     "compact_normal_pair_100_5" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::compact::NormalPair::new([I16F16::from_bits(100 << 16); 2], I16F16::from_bits(5 << 16))) }.sample([u, v]);
     "compact_tent_2" (u: U0F32) -> I16F16 = const { ok(integer::compact::Tent::new(I16F16::from_bits(2 << 16))) }.sample(u);
     "compact_triangle" (u: U0F32, v: U0F32) -> [I2F30; 3] = integer::compact::Triangle::new().sample([u, v]);
+    "compact_triangle_on" (u: U0F32, v: U0F32) -> [I16F16; 2] = const { ok(integer::compact::TriangleOn::new(FACET)) }.sample([u, v]);
     "interval_1_6" (u: U0F32) -> i32 = const { ok(integer::Interval::<i32>::inclusive(1, 6)) }.sample(u);
     "fine_float_disk" (u: f32, v: f32) -> [f32; 2] = integer::Float::new(integer::Disk::new()).sample([u, v]);
     "fine_float_sphere" (u: f32, v: f32) -> [f32; 3] = integer::Float::new(integer::Sphere::new()).sample([u, v]);

@@ -1,0 +1,66 @@
+//! The shadows of a triangle on the planes of two coordinates, which make up its area.
+
+/// One coordinate of the three vertices.
+pub(super) type Row = [i64; 3];
+
+/// The next coordinate of the vertices, and the coordinates behind it.
+pub(super) const fn next(rest: [&[i32]; 3]) -> Option<(Row, [&[i32]; 3])> {
+    match rest {
+        [[a, a_rest @ ..], [b, b_rest @ ..], [c, c_rest @ ..]] => {
+            Some(([*a as i64, *b as i64, *c as i64], [a_rest, b_rest, c_rest]))
+        }
+        _ => None,
+    }
+}
+
+/// In their order.
+pub(super) const fn sorted([a, b, c]: Row) -> Row {
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    match c {
+        _ if c < low => [c, low, high],
+        _ if c > high => [low, high, c],
+        _ => [low, c, high],
+    }
+}
+
+/// Twice the triangle's shadow on the plane of two coordinates, with its sign.
+pub(super) const fn minor([a1, b1, c1]: Row, [a2, b2, c2]: Row) -> i64 {
+    (b1 - a1) * (c2 - a2) - (b2 - a2) * (c1 - a1)
+}
+
+/// The two coordinates of the largest shadow, and twice its size.
+pub(super) const fn largest(vertices: [&[i32]; 3]) -> ([usize; 2], u64) {
+    let (mut axes, mut largest, mut i, mut rest) = ([0, 0], 0, 0, vertices);
+    while let Some((first, others)) = next(rest) {
+        let (mut j, mut later) = (i + 1, others);
+        while let Some((second, behind)) = next(later) {
+            let minor = minor(first, second).unsigned_abs();
+            if minor > largest {
+                (axes, largest) = ([i, j], minor);
+            }
+            (j, later) = (j + 1, behind);
+        }
+        (i, rest) = (i + 1, others);
+    }
+    (axes, largest)
+}
+
+/// The sum of the squares of all shadows, shifted.
+pub(super) const fn squares(vertices: [&[i32]; 3], left: i32) -> u64 {
+    let (mut sum, mut rest) = (0_u64, vertices);
+    while let Some((first, others)) = next(rest) {
+        let mut later = others;
+        while let Some((second, behind)) = next(later) {
+            let minor = shifted(minor(first, second).unsigned_abs(), left);
+            sum = sum.saturating_add(minor * minor);
+            later = behind;
+        }
+        rest = others;
+    }
+    sum
+}
+
+/// Shifted left, or right where the distance is negative.
+pub(super) const fn shifted(x: u64, left: i32) -> u64 {
+    if left > 0 { x << left } else { x >> -left }
+}
