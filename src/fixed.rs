@@ -39,6 +39,13 @@
 //! | [`PhongLobe`] | 2 | `[I2F30; 3]` | exponent in `U32F32` | per steradian |
 //! | [`Float`] | those of a warp | in `f32` | a warp of these | in `f32` |
 //!
+//! # Densities
+//! Every warp has one, since an estimator divides by it, but a density in fixed point has its limits. Where it is constant it
+//! is as good as its steps of 2⁻³². Where it is an exponential ([`Exponential`], [`TruncatedExponential`], the normal
+//! pairs, [`PhongLobe`]) the error of the grade's `exp_neg` is a part of the peak, not of the value: far out in a tail
+//! few digits or none are left, though it is never 0 at a sample. Where values vary by more than 10⁶, take logarithms
+//! of one's own, or a float tier.
+//!
 //! # Grades
 //! The names here are those of grade [`Fine`]; [`coarse`] and [`compact`] have the same names in theirs, and [`mod@warp`]
 //! has them with the grade as a parameter. [`Grade`] states the errors of the functions, each warp its own.
