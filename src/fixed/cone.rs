@@ -31,7 +31,7 @@ use core::marker::PhantomData;
 /// | sample, rms | 8.8e-8 | 3.2e-5 | 1.4e-7 |
 /// | sample, mean | 0 | -2.8e-6 | 0 |
 /// | unit length | 5.4e-7 | 1.6e-4 | 6.1e-7 |
-/// | round trip | 1.2e-6 | 7.1e-4 | 1.2e-6 |
+/// | round trip | 1.1e-6 | 7.1e-4 | 1.2e-6 |
 ///
 /// Source: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting
 /// Calculations", 1996.

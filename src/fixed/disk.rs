@@ -19,7 +19,7 @@ use core::marker::PhantomData;
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
-/// | sample, max | 9.3e-7 | 1.5e-4 | 6.9e-7 |
+/// | sample, max | 9.2e-7 | 1.5e-4 | 6.9e-7 |
 /// | sample, rms | 1.5e-7 | 4.8e-5 | 2.3e-7 |
 /// | sample, mean | -1.2e-9 | -5.7e-6 | 0 |
 /// | round trip | 9.8e-7 | 3.1e-4 | 1.2e-6 |

@@ -27,11 +27,11 @@ use core::marker::PhantomData;
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
-/// | sample, max | 2.7e-6 | 1.5e-4 | 1.2e-6 |
+/// | sample, max | 2.6e-6 | 1.5e-4 | 1.2e-6 |
 /// | sample, rms | 5.0e-8 | 1.8e-5 | 6.1e-8 |
 /// | sample, mean | -1.1e-9 | -1.1e-6 | 0 |
-/// | unit length | 5.0e-7 | 1.6e-4 | 6.0e-7 |
-/// | round trip | 1.3e-5 | 7.2e-4 | 5.1e-6 |
+/// | unit length | 4.7e-7 | 1.6e-4 | 6.0e-7 |
+/// | round trip | 1.3e-5 | 7.1e-4 | 5.1e-6 |
 /// | pdf, of that on the axis | 1.2e-5 | 5.6e-4 | 4.9e-6 |
 ///
 /// Source: E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically
