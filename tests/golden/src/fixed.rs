@@ -184,6 +184,16 @@ fn verdicts<G: Grade>(input: usize, out: &mut Out) {
     verdict(Interval::<U16F16>::inclusive(a, b), out);
 }
 
+fn facets<G: Grade>(input: usize, out: &mut Out) {
+    let [a, b] = words(input);
+    let verdict_of = |facet: [[u32; 2]; 3], out: &mut Out| {
+        let facet = facet.map(|v| v.map(|word| I16F16::from_bits(word as i32)));
+        verdict(TriangleOn::<_, 2, G>::new(facet), out);
+    };
+    verdict_of([[a, b], [b, a], [a ^ b, 7]], out);
+    verdict_of([[a >> 2, b >> 2], [b >> 2, 0], [0, 7]], out);
+}
+
 macro_rules! subjects {
     (
         in every grade { $($warp_name:literal => $warp:expr,)* }
@@ -235,6 +245,8 @@ subjects! {
         "PhongLobe 50" => PhongLobe::<G>::new(v(50)),
         "PhongLobe 1e8" => PhongLobe::<G>::new(v(100_000_000)),
         "Triangle" => Ok(Triangle::<G>::new()),
+        "TriangleOn plane" => TriangleOn::<_, 2, G>::new([[whole::<I16F16>(0xfed4), whole(20)], [whole(400), whole(30)], [whole(7), whole(500)]]),
+        "TriangleOn space" => TriangleOn::<_, 3, G>::new([[whole::<I16F16>(1), whole(0), whole(0)], [whole(0), whole(2), v(1 << 15)], [whole(0xffff), whole(0), whole(3)]]),
         "StandardExponential" => Ok(StandardExponential::<G>::new()),
         "Exponential 20" => Exponential::<_, G>::new(whole::<U16F16>(20)),
         "TruncatedExponential 10 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(10), whole(4)),
@@ -248,6 +260,7 @@ subjects! {
     functions {
         "functions" => functions,
         "verdicts" => verdicts,
+        "verdicts of facets" => facets,
     }
     without grade {
         "Interval of a die" => Interval::<i32>::inclusive(v(1), v(6)),
