@@ -48,6 +48,7 @@ fn both_kinds_of_products_give_the_same_bits() {
     use wide::product as w;
     assert!(agree(n::high, w::high));
     assert!(agree(n::near, w::near));
+    assert!(agree(n::wide, w::wide));
     assert!(agree(
         |a, b| n::by_half(a, half(b)),
         |a, b| w::by_half(a, half(b))
@@ -75,6 +76,7 @@ fn products_are_as_exact_as_they_say() {
     use wide::product as w;
     let product = |a: u32, b: u32| u128::from(a) * u128::from(b);
     assert!(agree(w::high, |a, b| (product(a, b) >> 32) as u32));
+    assert!(agree(w::wide, |a, b| product(a, b) as u64));
     assert!(agree(
         |a, b| w::by_half(a, half(b)),
         |a, b| (product(a, half(b)) >> 16) as u32

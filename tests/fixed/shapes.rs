@@ -124,6 +124,9 @@ where
     }
 }
 
+const PLANE: [[i32; 2]; 3] = [[-300, 20], [400, -30], [-100, 500]];
+const SPACE: [[i32; 3]; 3] = [[-300, 20, 1000], [400, -30, 0], [-100, 500, 70]];
+
 fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
     let q16 = U16F16::from_num::<f64>;
     let lobe = |n| PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
@@ -155,6 +158,10 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
         "PhongLobe 0" => lobe(0), truth::phong(0.0);
         "PhongLobe 50" => lobe(50), truth::phong(50.0);
         "Triangle" => Triangle::<G>::new(), Box::new(truth::Barycentric);
+        "TriangleOn plane" => TriangleOn::<_, 2, G>::new(PLANE.map(|v| v.map(I16F16::from_num))).unwrap(),
+            Box::new(truth::OnTriangle(PLANE.map(|[x, y]| [x, y, 0]).map(|v| v.map(f64::from))));
+        "TriangleOn space" => TriangleOn::<_, 3, G>::new(SPACE.map(|v| v.map(I16F16::from_num))).unwrap(),
+            Box::new(truth::OnTriangle(SPACE.map(|v| v.map(f64::from))));
         "StandardExponential" => StandardExponential::<G>::new(), truth::exponential(1.0);
         "Exponential 16" => Exponential::<_, G>::new(q16(16.0)).unwrap(), truth::exponential(0.0625);
         "TruncatedExponential 8, 16" => truncated(8.0, 16.0), truth::truncated_exponential(0.125, 16.0);

@@ -184,6 +184,16 @@ fn verdicts<G: Grade>(input: usize, out: &mut Out) {
     verdict(Interval::<U16F16>::inclusive(a, b), out);
 }
 
+fn facets<G: Grade>(input: usize, out: &mut Out) {
+    let [a, b] = words(input);
+    let verdict_of = |facet: [[u32; 2]; 3], out: &mut Out| {
+        let facet = facet.map(|v| v.map(|word| I16F16::from_bits(word as i32)));
+        verdict(TriangleOn::<_, 2, G>::new(facet), out);
+    };
+    verdict_of([[a, b], [b, a], [a ^ b, 7]], out);
+    verdict_of([[a >> 2, b >> 2], [b >> 2, 0], [0, 7]], out);
+}
+
 macro_rules! subjects {
     (
         in every grade { $($warp_name:literal => $warp:expr,)* }
@@ -258,6 +268,7 @@ subjects! {
     functions {
         "functions" => functions,
         "verdicts" => verdicts,
+        "verdicts of facets" => facets,
     }
     without grade {
         "Interval of a die" => Interval::<i32>::inclusive(v(1), v(6)),
