@@ -215,7 +215,8 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
     fn invert(&self, point: [FixedI32<Frac>; D]) -> [Uniform; 2] {
         let mut nearest = point.map(FixedI32::to_bits);
         for (x, (low, high)) in nearest.iter_mut().zip(self.ends()) {
-            *x = (*x).clamp(low, high);
+            // `clamp` would panic where it cannot see the order of its bounds.
+            *x = (*x).max(low).min(high);
         }
         let x = self.shadow(&nearest);
         let [a, b, c] = self.vertices.each_ref().map(|v| self.shadow(v));

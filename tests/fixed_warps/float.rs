@@ -4,7 +4,7 @@ use fixed::types::extra::{LeEqU32, U0, U1, U16, U27, U30, U31, U32};
 use fixed::types::{I16F16, U0F32, U32F32};
 use fixed::{FixedI32, FixedU32};
 use microwarp::fixed::{FloatPoint, FloatUniforms};
-use microwarp::uniform::Uniforms;
+use microwarp::uniform::{LARGEST, Uniforms};
 use microwarp::{Warp, fixed as mw};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
@@ -22,7 +22,7 @@ fn patterns() -> impl Iterator<Item = f32> {
 
 #[test]
 fn any_f32_becomes_the_word_of_its_canonical_uniform() {
-    for u in patterns().chain([0.5, 1.0, 1.0_f32.next_down(), f32::NAN, -f32::NAN]) {
+    for u in patterns().chain([0.5, 1.0, LARGEST, f32::NAN, -f32::NAN]) {
         let canonical = f64::from(u.canonical().get());
         let due = (canonical * 4_294_967_296.0) as u32;
         assert_eq!(U0F32::words(u).to_bits(), due, "{u}");
@@ -36,7 +36,7 @@ fn any_f32_becomes_the_word_of_its_canonical_uniform() {
         assert_eq!(word.to_bits(), k << 8);
         assert_eq!(word.floats(), u);
     }
-    assert_eq!(U0F32::MAX.floats(), 1.0_f32.next_down());
+    assert_eq!(U0F32::MAX.floats(), LARGEST);
 }
 
 /// A number of magnitude below 2³³, cut to 24 digits, as f64 holds it.
