@@ -24,6 +24,8 @@
 //! The tier is chosen once, by type: `use microwarp::poly as mw;` for `f32` arithmetic alone (the
 //! choice for microcontrollers and WASM), `use microwarp::libm as mw;` for the functions of the `libm`
 //! crate. Both families carry the same names, take the same uniforms and state their errors warp by warp.
+//! For cores without a floating-point unit there is a third, feature `fixed`: `use microwarp::fixed as mw;` takes
+//! words and gives fixed-point numbers, in a thirtieth of the instructions that soft float takes on a Cortex-M0.
 //!
 //! ```
 //! use microwarp::{Warp, poly as mw};

@@ -16,9 +16,9 @@ use core::marker::PhantomData;
 /// h = u₁k/2, cos θ = 1 − 2h, sin θ = 2√(h(1 − h)).
 ///
 /// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
-/// - Range: unit vectors with 1 − cos θ ≤ k, but for that rounding. In grade [`Coarse`](super::Coarse) x and y come
-///   in steps of 2⁻¹⁵, too few for cones of a small fraction of a degree. For narrow cones z is 1 and all the information is in x and y, which
-///   `pdf` and `invert` read.
+/// - Range: unit vectors with 1 − cos θ ≤ k, but for their rounding. For narrow cones z is 1 and all the information
+///   is in x and y, which `pdf` and `invert` read. In grade [`Coarse`](super::Coarse) these come in steps of 2⁻¹⁵, too
+///   few for cones of a small fraction of a degree.
 /// - Density: 1/(2πk) per steradian inside the cone and, for the rounding there, beyond its rim: by 2⁻¹⁹ of k
 ///   (in grade [`Coarse`](super::Coarse) 2⁻¹⁴), and by three steps of x and y.
 ///
