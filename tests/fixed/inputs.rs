@@ -107,8 +107,12 @@ pub fn edges() -> Vec<u32> {
             around(((cell << 24) >> shift).wrapping_neg(), 8);
         }
     }
-    // Of exponentials, whose cells are found from the leading half.
+    // Of exponentials: cells that are found from the leading half, halvings, and of small numbers where the leading
+    // 16 bits change.
     (0..1 << 16).for_each(|half| around(half << 16, 2));
+    let halving = std::f64::consts::LN_2 * f64::from(1 << 27);
+    (0..47).for_each(|i| around((f64::from(i) * halving) as u32, 8));
+    (0..1 << 16).for_each(|head| around(head << 8, 1));
     edges.sort_unstable();
     edges.dedup();
     edges
