@@ -157,6 +157,43 @@ pub(crate) const fn checked_budget(budget: u32) -> Result<u32, Error> {
     }
 }
 
+/// Constructors of a sampler that is nothing but a budget.
+macro_rules! budgeted {
+    ($name:ident, $budget:literal) => {
+        impl $name {
+            /// The budget of [`Self::new`]. A true random generator spends it with a probability below
+            /// 2⁻⁶⁴.
+            pub const BUDGET: u32 = $budget;
+
+            /// With the default budget.
+            #[must_use]
+            pub const fn new() -> Self {
+                Self {
+                    budget: Self::BUDGET,
+                }
+            }
+
+            /// With at most `budget` tries a point.
+            ///
+            /// # Errors
+            /// [`Error::NotPositive`](crate::Error::NotPositive) for a budget of 0.
+            pub const fn with_budget(budget: u32) -> Result<Self, crate::Error> {
+                match $crate::rejection::checked_budget(budget) {
+                    Ok(budget) => Ok(Self { budget }),
+                    Err(e) => Err(e),
+                }
+            }
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+    };
+}
+pub(crate) use budgeted;
+
 /// Whether an event of this probability happens, by a word: true for 2³² times the probability of all
 /// words, to within one of the nearest integer, so never for 0 and always for 1.
 #[inline]

@@ -1,6 +1,6 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
-use super::direction::{Scaled, azimuth, one_minus_cos};
+use super::direction::{PER_ANGLE, Scaled, azimuth, one_minus_cos};
 use super::grade::{Compact, Fine, Grade, Kernels};
 use super::kernel::product::{by_half, near};
 use super::{Coordinate, Density, Uniform};
@@ -55,9 +55,6 @@ pub struct Cone<G = Fine> {
     grade: PhantomData<G>,
 }
 
-/// 1/(2π), with its first bit set.
-const PER_ANGLE: Scaled = Scaled::normal(683_565_276, 0);
-
 impl<G: Grade> Cone<G> {
     /// The cone of 1 − cos θmax = `k`, in (0, 2]; 2 is the whole sphere.
     ///
@@ -96,10 +93,7 @@ impl<G: Grade> Cone<G> {
     }
 
     const fn of(half: Scaled) -> Self {
-        let density = PER_ANGLE.over(Scaled {
-            mantissa: half.mantissa,
-            exponent: half.exponent - 1,
-        });
+        let density = PER_ANGLE.over(half.doubled());
         // Below 2³² by the bounds of k.
         let shift = -density.exponent;
         let density = if shift >= 0 {
@@ -152,10 +146,7 @@ impl<G: Grade> Warp for Cone<G> {
         let [x, y] = [x, y]
             .map(|c| Coordinate::from_bits(c.to_bits().unsigned_abs().saturating_sub(3) as i32));
         // Against k, in units of which a sample is at most 1.
-        let share = one_minus_cos([x, y, z]).over(Scaled {
-            mantissa: self.half.mantissa,
-            exponent: self.half.exponent - 1,
-        });
+        let share = one_minus_cos([x, y, z]).over(self.half.doubled());
         if share.to_bits(31) <= (1 << 31) + G::BEYOND {
             Density::from_bits(self.density)
         } else {
@@ -166,10 +157,7 @@ impl<G: Grade> Warp for Cone<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, _] = point;
-        let share = one_minus_cos(point).over(Scaled {
-            mantissa: self.half.mantissa,
-            exponent: self.half.exponent - 1,
-        });
+        let share = one_minus_cos(point).over(self.half.doubled());
         [Uniform::from_bits(share.to_bits(32)), azimuth::<G>(x, y)]
     }
 }

@@ -8,6 +8,8 @@ use super::{Coordinate, Density, Uniform};
 
 /// 1, which has its first bit set below the point.
 pub(super) const UNIT: Scaled = Scaled::normal(1 << 31, -1);
+/// 1/(2π).
+pub(super) const PER_ANGLE: Scaled = Scaled::normal(683_565_276, 0);
 /// 1 in Q30.
 pub(super) const ONE: i32 = 1 << 30;
 
@@ -23,6 +25,13 @@ pub(super) fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
 pub(super) fn direction<G: Kernels>(sin: u32, cos: i32, phase: u32) -> [Coordinate; 3] {
     let [x, y] = around::<G>(sin, phase);
     [x, y, cos].map(Coordinate::from_bits)
+}
+
+/// x² + y² of magnitudes up to 2³¹, in twice their fraction bits.
+#[inline]
+pub(super) fn square_of(point: [u32; 2]) -> u64 {
+    let [x, y] = point.map(u64::from);
+    x * x + y * y
 }
 
 /// The angle of a point in turns, 0 at the origin.
@@ -79,6 +88,15 @@ impl Scaled {
             Self::normal(quotient(self.mantissa, b.mantissa), exponent)
         } else {
             Self::normal(quotient(self.mantissa >> 1, b.mantissa), exponent - 1)
+        }
+    }
+
+    /// Twice the number.
+    #[inline]
+    pub(super) const fn doubled(self) -> Self {
+        Self {
+            mantissa: self.mantissa,
+            exponent: self.exponent - 1,
         }
     }
 
@@ -144,7 +162,7 @@ pub(super) fn one_minus_cos([x, y, z]: [Coordinate; 3]) -> Scaled {
     if z < ONE >> 1 {
         return Scaled::normal(ONE.abs_diff(z), -2);
     }
-    let square = |c: i32| u64::from(c.unsigned_abs()) * u64::from(c.unsigned_abs());
     // (x² + y²)/(1 + z), in Q60 and Q30.
-    Scaled::of(square(x) + square(y), 60).over(Scaled::normal((ONE as u32) + z as u32, -2))
+    let square = square_of([x, y].map(i32::unsigned_abs));
+    Scaled::of(square, 60).over(Scaled::normal((ONE as u32) + z as u32, -2))
 }

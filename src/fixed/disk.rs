@@ -1,6 +1,6 @@
 //! The uniform distribution on the unit disk.
 
-use super::direction::{around, azimuth};
+use super::direction::{around, azimuth, square_of};
 use super::grade::{Fine, Grade};
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
@@ -62,26 +62,31 @@ impl<G: Grade> Warp for Disk<G> {
 
     #[inline]
     fn pdf(&self, point: [Coordinate; 2]) -> Density {
-        if square_of(point) <= 1 << 60 {
-            DENSITY
-        } else {
-            Density::ZERO
-        }
+        uniform_density(point)
     }
 
     #[inline]
     fn invert(&self, point: [Coordinate; 2]) -> [Uniform; 2] {
         let [x, y] = point;
         // Q60 to Q32, halves upwards; the rim counts as the last word.
-        let u1 = (square_of(point) + (1 << 27)) >> 28;
+        let u1 = (radius_squared(point) + (1 << 27)) >> 28;
         let u1 = u32::try_from(u1).unwrap_or(u32::MAX);
         [Uniform::from_bits(u1), azimuth::<G>(x, y)]
     }
 }
 
-/// x² + y² in Q60, of coordinates up to 2 in magnitude.
+/// x² + y² in Q60.
 #[inline]
-fn square_of(point: [Coordinate; 2]) -> u64 {
-    let [x, y] = point.map(|c| u64::from(c.to_bits().unsigned_abs()));
-    x * x + y * y
+fn radius_squared(point: [Coordinate; 2]) -> u64 {
+    square_of(point.map(|c| c.to_bits().unsigned_abs()))
+}
+
+/// The density of the uniform distribution at a point.
+#[inline]
+pub(super) fn uniform_density(point: [Coordinate; 2]) -> Density {
+    if radius_squared(point) <= 1 << 60 {
+        DENSITY
+    } else {
+        Density::ZERO
+    }
 }

@@ -1,9 +1,10 @@
 //! The uniform distribution on an interval of integers or of fixed-point numbers.
 
 use super::kernel::product::high;
-use super::kernel::quotient::{quotient, reciprocal};
+use super::kernel::quotient::reciprocal;
 use super::number::Number;
 use super::{Density, Uniform};
+use crate::discrete::fraction_u32;
 use crate::error::Error;
 use crate::uniform::Canonical;
 use crate::warp::Warp;
@@ -157,10 +158,8 @@ impl<T: Number> Warp for Interval<T> {
 /// ⌈2³²·steps/count⌉ of steps < count.
 #[inline]
 fn first_word(steps: u32, count: u32) -> u32 {
-    let below = quotient(steps, count);
-    // What is left of the division, which is below the count, so that one word tells it.
-    let left = below.wrapping_mul(count) != 0;
-    below + u32::from(left)
+    let (below, inexact) = fraction_u32(steps, count);
+    below + u32::from(inexact)
 }
 
 #[cfg(feature = "defmt")]

@@ -1,6 +1,6 @@
 //! The cosine-power (Phong) lobe.
 
-use super::direction::{Scaled, azimuth, direction, one_minus_cos};
+use super::direction::{PER_ANGLE, Scaled, UNIT, azimuth, direction, one_minus_cos};
 use super::grade::{Fine, Grade, Kernels};
 use super::kernel::exp::one_minus_small;
 use super::kernel::log;
@@ -57,11 +57,6 @@ pub struct PhongLobe<G = Fine> {
     grade: PhantomData<G>,
 }
 
-/// 1, which has its first bit set below the point.
-const UNIT: Scaled = Scaled::normal(1 << 31, -1);
-/// 1/(2π).
-const PER_ANGLE: Scaled = Scaled::normal(683_565_276, 0);
-
 impl<G: Grade> PhongLobe<G> {
     /// The lobe of exponent `n`, up to 2³² − 2.
     ///
@@ -96,8 +91,7 @@ impl<G: Grade> PhongLobe<G> {
         let a = one_minus_cos(point);
         if a.exponent >= 8 {
             // a (1 + a/2 + a²/3), which for a below 2⁻⁸ is off by 2⁻²⁶ of it.
-            let part = a.to_bits(24);
-            let more = (part >> 1) + ((((part * part) >> 16) * 85) >> 16);
+            let more = log::excess(a.to_bits(24));
             let mantissa = a.mantissa >> 1;
             Scaled::normal(mantissa + (by_half(mantissa, more) >> 8), a.exponent - 1)
         } else {

@@ -1,6 +1,6 @@
 //! The normal distribution, two at a time, by Box and Muller's map.
 
-use super::direction::{Scaled, UNIT};
+use super::direction::{PER_ANGLE, Scaled, UNIT, square_of};
 use super::grade::{Fine, Grade, Kernels};
 use super::kernel::exp::{self, one_minus_small};
 use super::kernel::log;
@@ -75,13 +75,6 @@ fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
     [near_signed(radius, cos), near_signed(radius, sin)]
 }
 
-/// x² + y² in Q54.
-#[inline]
-fn square_of(point: [u32; 2]) -> u64 {
-    let [x, y] = point.map(u64::from);
-    x * x + y * y
-}
-
 /// e^(−r²/2) of r² in Q54.
 #[inline]
 fn bell<G: Kernels>(square: u64) -> u32 {
@@ -99,9 +92,6 @@ fn outside<G: Kernels>(square: u64) -> u32 {
     }
 }
 
-/// 1/(2π).
-const PEAK: Scaled = Scaled::normal(683_565_276, 0);
-
 impl<G: Grade> Warp for StandardNormalPair<G> {
     type Uniforms = [Uniform; 2];
     type Point = [Deviate; 2];
@@ -116,7 +106,7 @@ impl<G: Grade> Warp for StandardNormalPair<G> {
     #[inline]
     fn pdf(&self, point: [Deviate; 2]) -> Density {
         let [x, y] = point.map(|c| c.to_bits().unsigned_abs());
-        PEAK.density(bell::<G>(square_of([x, y])))
+        PER_ANGLE.density(bell::<G>(square_of([x, y])))
     }
 
     #[inline]
@@ -183,7 +173,7 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         }
         let shift = deviation.leading_zeros();
         let inverse = UNIT.over(Scaled::of(deviation as u64, Frac::I32));
-        let peak = inverse.times(inverse).times(PEAK);
+        let peak = inverse.times(inverse).times(PER_ANGLE);
         let peak = Scaled::normal(peak.mantissa, peak.exponent);
         if peak.exponent < -32 {
             return Err(Error::Empty);

@@ -10,8 +10,8 @@
 )]
 
 use super::Density;
-use crate::error::Error;
-use crate::rejection::{Failure, Rejection, checked_budget};
+use super::disk::uniform_density;
+use crate::rejection::{Failure, Rejection, budgeted};
 use ::fixed::types::{I2F30, U0F32};
 use rand_core::TryRng;
 
@@ -30,21 +30,6 @@ const fn squares(h: i32, k: i32) -> i32 {
 const fn inside(x: i32, y: i32) -> bool {
     let (x, y) = (x as i64, y as i64);
     x * x + y * y < 1 << 60
-}
-
-/// 1/π and 0, in steps of 2⁻³².
-#[inline]
-fn density([x, y]: [I2F30; 2]) -> Density {
-    let square = |c: I2F30| {
-        let c = u64::from(c.to_bits().unsigned_abs());
-        c * c
-    };
-    // At most 2^62 each.
-    if square(x) + square(y) <= 1 << 60 {
-        Density::FRAC_1_PI
-    } else {
-        Density::ZERO
-    }
 }
 
 /// Uniform on the unit disk, by rejection from the square around it, from two words a try.
@@ -139,41 +124,14 @@ impl DiskRejection16 {
 /// What both have in common.
 macro_rules! disks {
     ($($name:ident, $rng:ident => $words:expr;)*) => {$(
+        budgeted!($name, 32);
+
         impl $name {
-            /// The budget of [`Self::new`]. A true random generator spends it with a probability below
-            /// 2⁻⁶⁴.
-            pub const BUDGET: u32 = 32;
-
-            /// With the default budget.
-            #[must_use]
-            pub const fn new() -> Self {
-                Self {
-                    budget: Self::BUDGET,
-                }
-            }
-
-            /// With at most `budget` tries a point.
-            ///
-            /// # Errors
-            /// [`Error::NotPositive`] for a budget of 0.
-            pub const fn with_budget(budget: u32) -> Result<Self, Error> {
-                match checked_budget(budget) {
-                    Ok(budget) => Ok(Self { budget }),
-                    Err(e) => Err(e),
-                }
-            }
-
             /// The density at a point; 0 outside.
             #[must_use]
             #[inline]
             pub fn pdf(&self, point: [I2F30; 2]) -> Density {
-                density(point)
-            }
-        }
-
-        impl Default for $name {
-            fn default() -> Self {
-                Self::new()
+                uniform_density(point)
             }
         }
 

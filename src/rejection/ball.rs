@@ -1,7 +1,6 @@
 //! The unit disk and the unit ball by rejection from their boxes, on integers.
 
-use super::{Failure, Rejection, checked_budget};
-use crate::error::Error;
+use super::{Failure, Rejection, budgeted};
 use crate::uniform::Uniforms;
 use core::f32::consts::{FRAC_1_PI, FRAC_PI_4, FRAC_PI_6};
 use rand_core::TryRng;
@@ -109,32 +108,11 @@ pub struct BallRejection {
 /// What disk and ball have in common; only words differ.
 macro_rules! unit_ball {
     ($name:ident, $dimensions:literal, $efficiency:expr, $budget:literal, $density:expr, $rim:expr) => {
+        budgeted!($name, $budget);
+
         impl $name {
             /// The share of proposals that is accepted, in theory.
             pub const EFFICIENCY: f32 = $efficiency;
-
-            /// The budget of [`Self::new`]. A true random generator spends it with a probability below
-            /// 2⁻⁶⁴.
-            pub const BUDGET: u32 = $budget;
-
-            /// With the default budget.
-            #[must_use]
-            pub const fn new() -> Self {
-                Self {
-                    budget: Self::BUDGET,
-                }
-            }
-
-            /// With at most `budget` tries a point.
-            ///
-            /// # Errors
-            /// [`Error::NotPositive`] for a budget of 0.
-            pub const fn with_budget(budget: u32) -> Result<Self, Error> {
-                match checked_budget(budget) {
-                    Ok(budget) => Ok(Self { budget }),
-                    Err(e) => Err(e),
-                }
-            }
 
             /// One try with uniforms of one's own, brought into [0, 1) by the rule of
             /// [`Uniforms::canonical`]; `None` if the point lies outside.
@@ -151,12 +129,6 @@ macro_rules! unit_ball {
             pub fn pdf(&self, point: [f32; $dimensions]) -> f32 {
                 let square: f32 = point.iter().map(|c| c * c).sum();
                 if square <= $rim { $density } else { 0.0 }
-            }
-        }
-
-        impl Default for $name {
-            fn default() -> Self {
-                Self::new()
             }
         }
 

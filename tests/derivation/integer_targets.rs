@@ -171,15 +171,7 @@ pub fn numbers() -> Vec<Number> {
         one("sphere.rs", density, FRAC_1_PI / 4.0, 32),
         one("hemisphere.rs", density, FRAC_1_PI / 2.0, 32),
         one("hemisphere.rs", "const PER_COSINE: u32 = ", FRAC_1_PI, 32),
-        one("cone.rs", per_angle, FRAC_1_PI / 2.0, 32),
-        one("lobe.rs", per_angle, FRAC_1_PI / 2.0, 32),
-        one("lobe.rs", "(((part * part) >> 16) * ", 1.0 / 3.0, 8),
-        one(
-            "normal.rs",
-            "const PEAK: Scaled = Scaled::normal(",
-            FRAC_1_PI / 2.0,
-            32,
-        ),
+        one("direction.rs", per_angle, FRAC_1_PI / 2.0, 32),
         one("exponential.rs", "const LARGEST: u32 = ", largest, 32),
         one("truncated.rs", "const LN_2: u64 = ", LN_2, 32),
         list(

@@ -93,8 +93,11 @@ pub(in crate::fixed) const SMALL: u32 = 1 << 24;
 /// −ln(1 − u) of u below 2⁻⁸, Q32 to Q39, with the relative precision of u.
 #[inline]
 pub(in crate::fixed) fn small(u: u32) -> u32 {
-    // u/2 + u²/3 in Q24.
-    let head = u >> 8;
-    let more = (head >> 1) + ((((head * head) >> 16) * 85) >> 16);
-    (u << 7) + (by_half(u << 7, more) >> 8)
+    (u << 7) + (by_half(u << 7, excess(u >> 8)) >> 8)
+}
+
+/// By what part of u below 2⁻⁸ the logarithm exceeds it, u/2 + u²/3; in Q24, as the result.
+#[inline]
+pub(in crate::fixed) fn excess(head: u32) -> u32 {
+    (head >> 1) + ((((head * head) >> 16) * 85) >> 16)
 }
