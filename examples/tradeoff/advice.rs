@@ -2,13 +2,13 @@
 
 use crate::front::{Trade, cheapest, is_outside};
 use crate::list::PICTURED;
-use crate::report::{cost_text, error_text};
+use crate::report::cost_text;
 use crate::study::{Study, TARGETS};
 use crate::table;
 use std::collections::BTreeMap;
 
 /// Errors that a user may want to keep to.
-const CLASSES: [f64; 4] = [1e-3, 1e-5, 1e-6, 2.5e-7];
+const CLASSES: [f64; 4] = [1e-3, 1e-5, 1e-6, 3e-7];
 
 /// Those of a family whose error and cost are known on a target.
 pub fn traded<'a>(
@@ -47,7 +47,7 @@ pub fn which(studies: &[Study]) {
                 match cheapest(&trades, class) {
                     Some(i) => {
                         let cost = cost_text(Some(trades[i].cost));
-                        let tier = ours[i].0.sampler.tier;
+                        let tier = ours[i].0.sampler.title();
                         chosen
                             .entry(tier)
                             .or_default()
@@ -105,7 +105,7 @@ pub fn outside(studies: &[Study]) -> (Vec<Outside>, [usize; TARGETS.len()]) {
                         family.into(),
                         peer.sampler.label(),
                         cost_text(Some(trade.cost)),
-                        error_text(trade.error),
+                        format!("{:.2e}", trade.error),
                         best.map_or("none".into(), |(i, cost)| {
                             format!(
                                 "{}: {} ({:.2} times)",
@@ -115,7 +115,7 @@ pub fn outside(studies: &[Study]) -> (Vec<Outside>, [usize; TARGETS.len()]) {
                             )
                         }),
                         accurate.map_or("none".into(), |i| {
-                            format!("{}: {}", named(i), error_text(trades[i].error))
+                            format!("{}: {}", named(i), format_args!("{:.2e}", trades[i].error))
                         }),
                     ],
                 });

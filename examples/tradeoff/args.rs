@@ -14,7 +14,7 @@ libm, and draws error against cost on the host, on two microcontrollers and in W
     --seed N       seed of the generators [42]
     --out DIR      where tables and pictures go [target/tradeoff]
     --samples N    samples of each test of distribution, 100000 to 100000000 [1000000]
-    --rounds N     rounds of the contest by the clock, 8 to 10000 [150]
+    --rounds N     rounds of the contest by the clock, 8 to 10000 [200]
     --only TEXT    only samplers whose family or name contains TEXT
     --quick        a tenth of everything: for a first look
     --threads N    threads that measure errors [one a core]; the clock has the machine to itself
@@ -54,7 +54,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
         seed: 42,
         out: PathBuf::from("target/tradeoff"),
         samples: 1_000_000,
-        rounds: 150,
+        rounds: 200,
         only: None,
         quick: false,
         threads: std::thread::available_parallelism().map_or(1, usize::from),

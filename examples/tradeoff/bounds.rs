@@ -77,7 +77,7 @@ fn stated(warp: &str, title: &str) -> Option<[f64; 3]> {
             let rest = line.strip_prefix("pub struct ");
             rest.is_some_and(|rest| rest.split('<').next() == Some(warp))
         };
-        let Some(end) = lines.iter().position(|line| is_warp(line)) else {
+        let Some(end) = lines.iter().position(is_warp) else {
             continue;
         };
         let comment = lines[..end].iter().rev();

@@ -171,12 +171,12 @@ fn sweep(
             errors.peak = errors.peak.max(due);
         }
     };
-    let steps = Lattice::new(law.axes);
+    let steps = Lattice::new(law.uniforms);
     for k in 0..points {
         look(steps.at(k), true);
     }
     let edges = edges(bits);
-    let second = if law.axes > 1 { &edges[..] } else { &[0] };
+    let second = if law.uniforms > 1 { &edges[..] } else { &[0] };
     for &a in &edges {
         for &b in second {
             look([a, b, b, a], false);

@@ -10,7 +10,7 @@ pub struct Named {
     pub colour: Colour,
 }
 
-const SIZE: f32 = 15.0;
+const SIZE: f32 = 17.0;
 /// Half the extent of a mark, and the air around it.
 const MARK: f32 = 7.0;
 
@@ -50,11 +50,25 @@ fn places([x, y]: [f32; 2], w: f32) -> impl Iterator<Item = Area> {
         .map(move |[x, y]| Area::new(x, y, w, h))
 }
 
-/// Writes the names of points within an area.
-pub fn write(canvas: &mut Canvas, inside: Area, points: &[Named]) {
+/// Writes the names of points within an area, off a line from corner to corner where they can.
+pub fn write(canvas: &mut Canvas, inside: Area, points: &[Named], line: &[[f32; 2]]) {
     let marks: Vec<Area> = points
         .iter()
         .map(|p| Area::new(p.at[0] - 5.0, p.at[1] - 5.0, 10.0, 10.0))
+        .collect();
+    // Its pieces run along the axes.
+    let pieces: Vec<Area> = line
+        .windows(2)
+        .map(|ends| {
+            let [from, to] =
+                [0, 1].map(|k| [ends[0][k].min(ends[1][k]), ends[0][k].max(ends[1][k])]);
+            Area::new(
+                from[0] - 1.5,
+                to[0] - 1.5,
+                from[1] - from[0] + 3.0,
+                to[1] - to[0] + 3.0,
+            )
+        })
         .collect();
     // Those with the most neighbours have the least choice.
     let crowd = |p: &Named| {
@@ -74,7 +88,8 @@ pub fn write(canvas: &mut Canvas, inside: Area, points: &[Named]) {
                 .chain(&taken)
                 .map(|other| overlap(*place, *other))
                 .sum();
-            20.0 * outside + hidden + 1.5 * *rank as f32
+            let struck: f32 = pieces.iter().map(|piece| overlap(*place, *piece)).sum();
+            20.0 * outside + hidden + struck + 1.5 * *rank as f32
         };
         let best = places(point.at, width)
             .enumerate()

@@ -17,7 +17,7 @@ pub const DISK: &str = "disk";
 pub const SPHERE: &str = "sphere";
 pub const HEMISPHERE: &str = "hemisphere";
 pub const COSINE: &str = "cosine hemisphere";
-pub const LOBE: &str = "lobe, n = 50";
+pub const LOBE: &str = "lobe n = 50";
 pub const EXPONENTIAL: &str = "exponential";
 pub const NORMAL: &str = "two normals";
 /// Those of which there is a picture.

@@ -29,6 +29,7 @@ mod figures;
 mod front;
 mod labels;
 mod list;
+mod panel;
 mod peer_list;
 #[path = "../../benches/common/peers.rs"]
 mod peers;

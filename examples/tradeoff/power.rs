@@ -1,6 +1,6 @@
 //! The power of a chi-square test: what noncentrality it needs to reject, and what it rules out where it does not.
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
+use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
@@ -76,7 +76,14 @@ impl Power {
     }
 
     /// The noncentrality that a value rules out: it would have been exceeded in all but one of a hundred cases.
+    ///
+    /// By the normal law of the same mean and variance, as there are hundreds of degrees of freedom: of k and ν these
+    /// are k + ν and 2(k + 2ν). What is solved for ν is quadratic.
     pub fn ruled_out(self, value: f64) -> f64 {
-        self.with_chance(value, 1.0 - LEVEL)
+        let k = self.0 as f64;
+        let z2 = Normal::standard().inverse_cdf(1.0 - LEVEL).powi(2);
+        // (k + ν − value)² = 2 z² (k + 2ν), the larger root.
+        let (half, rest) = (k - value - 2.0 * z2, (k - value).powi(2) - 2.0 * z2 * k);
+        -half + (half * half - rest).sqrt()
     }
 }

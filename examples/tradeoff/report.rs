@@ -69,7 +69,7 @@ pub fn quality(studies: &[Study], samples: usize, threshold: f64) {
             row.extend(cells.map(|x| if known { error_text(x) } else { DASH.into() }));
         }
         row.push(p_text(study.shape.worst()));
-        row.push(shows_text(study.shows()));
+        row.push(shows_text(study.shows));
         row
     });
     let header = [
@@ -199,7 +199,7 @@ pub fn write(studies: &[Study], path: &Path) -> Result<(), String> {
         cells.push(number(distances.fold(f64::INFINITY, f64::min)));
         let bias = study.bias.map(|bias| [bias.lambda, bias.error].map(number));
         cells.extend(bias.unwrap_or_default());
-        let (samples, bound) = match study.shows() {
+        let (samples, bound) = match study.shows {
             Shows::After(samples) => (samples, false),
             Shows::NotBelow(samples) => (samples, true),
         };

@@ -111,6 +111,27 @@ pub type Fill = Box<dyn Fn(&mut Pcg32, &mut [Point]) + Send + Sync>;
 /// Draws a block of points into memory of its own.
 pub type Block = Box<dyn FnMut()>;
 
+impl Law {
+    /// Of a map that is one to one.
+    pub fn new(truth: Arc<dyn Truth>, uniforms: usize) -> Self {
+        Self {
+            chart: truth.clone(),
+            truth,
+            uniforms,
+            axes: uniforms,
+            open: false,
+        }
+    }
+
+    /// Whether the exact inverse leads back to where the exact map began: it does not where several uniforms make one
+    /// number.
+    pub fn inverts(&self) -> bool {
+        let u = [0.3, 0.6, 0.0, 0.0];
+        let back = self.truth.invert(self.truth.sample(u));
+        (0..self.uniforms).all(|k| (back[k] - u[k]).abs() < 1e-9)
+    }
+}
+
 /// What makes points out of uniforms, explicitly.
 pub struct Map {
     /// Bits of a uniform.
@@ -155,7 +176,11 @@ pub enum Way {
 #[derive(Clone)]
 pub struct Law {
     pub truth: Arc<dyn Truth>,
-    /// How many uniforms a point is one to one with.
+    /// How many uniforms a point takes.
+    pub uniforms: usize,
+    /// Some map onto the domain whose inverse is known, that of the law itself where it has one; and how many uniforms
+    /// it takes.
+    pub chart: Arc<dyn Truth>,
     pub axes: usize,
     /// Whether a uniform of 0 counts as 2^-149, as the documentation of the warp says.
     pub open: bool,
@@ -181,6 +206,15 @@ impl Sampler {
     /// `"Disk poly"`.
     pub fn label(&self) -> String {
         format!("{} {}", self.name, self.tier)
+    }
+
+    /// What tells it from others of its family: its tier, or its name where it has none.
+    pub fn title(&self) -> &str {
+        if self.tier == "rejection" {
+            &self.name
+        } else {
+            self.tier
+        }
     }
 }
 

@@ -72,7 +72,7 @@ impl<'a> Tally<'a> {
 
     fn count(&mut self, point: Point) {
         let axes = self.law.axes;
-        let u = self.law.truth.invert(point);
+        let u = self.law.chart.invert(point);
         self.astray |= !u[..axes].iter().all(|u| u.is_finite());
         self.observed[cells::cell(u, axes)] += 1;
         for (places, u) in self.places.iter_mut().zip(u) {

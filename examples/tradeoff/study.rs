@@ -12,9 +12,9 @@ use crate::shape::{self, Shape};
 use rand_pcg::Pcg32;
 
 /// Points whose errors are measured.
-const POINTS: usize = 400_000;
+const POINTS: usize = 800_000;
 /// Of these, points that are held to the documented bounds once more, in its units.
-const HELD: usize = 60_000;
+const HELD: usize = 100_000;
 /// Uniforms that are tried for a bias, about.
 const TRIED: usize = 1_000_000;
 
@@ -27,6 +27,8 @@ pub struct Study {
     pub shape: Shape,
     /// What is known of its bias; nothing where its uniforms cannot be chosen.
     pub bias: Option<Bias>,
+    /// After how many samples it shows: by what the map is, or by what samples have shown.
+    pub shows: Shows,
     pub times: Times,
     pub costs: [Cost; CORES.len()],
     /// Where it does not keep to its documentation.
@@ -50,8 +52,10 @@ impl Study {
         let shape = shape::examine(&sampler.fill, &sampler.law, args.samples, rng);
         let rng = &mut generator(args.seed, &label, 1);
         let costs = CORES.map(|(core, _)| costs.of(&sampler.kernel, core, sampler.calls));
+        let bias = bias(&sampler, args.share(TRIED), rng);
         Self {
-            bias: bias(&sampler, args.share(TRIED), rng),
+            shows: bias.map_or_else(|| shape.bound(), |bias| bias.shows()),
+            bias,
             complaints: bounds::complaints(&sampler, &errors, args.share(HELD) as u64),
             errors,
             shape,
@@ -59,12 +63,6 @@ impl Study {
             costs,
             sampler,
         }
-    }
-
-    /// After how many samples a bias shows: by what the map is, or by what samples have shown.
-    pub fn shows(&self) -> Shows {
-        self.bias
-            .map_or_else(|| self.shape.bound(), |bias| bias.shows())
     }
 
     /// What a sample costs on a target, generator included.
@@ -94,7 +92,7 @@ impl Study {
 fn bias(sampler: &Sampler, tried: usize, rng: &mut Pcg32) -> Option<Bias> {
     match &sampler.way {
         Way::Table(entries) => Some(Bias::exact(entries)),
-        Way::Map(map) if sampler.law.axes <= 2 && inverts(sampler) => {
+        Way::Map(map) if sampler.law.axes <= 2 && sampler.law.inverts() => {
             let borders = bias::borders(sampler.law.axes);
             Some(bias::estimate(
                 map,
@@ -105,12 +103,4 @@ fn bias(sampler: &Sampler, tried: usize, rng: &mut Pcg32) -> Option<Bias> {
         }
         _ => None,
     }
-}
-
-/// Whether the exact inverse of the exact map leads back to where it began: it does not where several uniforms
-/// make one number.
-fn inverts(sampler: &Sampler) -> bool {
-    let u = [0.3, 0.6, 0.0, 0.0];
-    let back = sampler.law.truth.invert(sampler.law.truth.sample(u));
-    (0..sampler.law.axes).all(|k| (back[k] - u[k]).abs() < 1e-9)
 }

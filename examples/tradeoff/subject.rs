@@ -71,7 +71,12 @@ impl Row {
     }
 
     pub fn of(mut self, entry: Entry) -> Self {
-        self.sampler.law.open = entry.open;
+        let law = &mut self.sampler.law;
+        law.open = entry.open;
+        if !law.inverts() {
+            law.chart = entry.chart.clone();
+            law.axes = 1;
+        }
         self.sampler.entry = Some(Arc::new(entry));
         self
     }
@@ -91,11 +96,7 @@ fn one_by_one<P: Exact>(draw: impl Fn(&mut Pcg32) -> P + 'static) -> Block {
 }
 
 pub fn law(truth: Box<dyn Truth>, axes: usize) -> Law {
-    Law {
-        truth: truth.into(),
-        axes,
-        open: false,
-    }
+    Law::new(truth.into(), axes)
 }
 
 /// A warp.
@@ -120,11 +121,7 @@ where
             .zip(points)
             .for_each(|(out, x)| *out = x.exact());
     };
-    let law = Law {
-        truth,
-        axes: <W::Uniforms as Uniforms>::COUNT,
-        open: false,
-    };
+    let law = Law::new(truth, <W::Uniforms as Uniforms>::COUNT);
     let draw = one_by_one(move |rng| warp.draw(rng));
     let mut row = Row::new(name, true, law, Way::Map(map), Box::new(fill), draw);
     let (mut kept, mut points) = (generator(), vec![W::Point::BLANK; POINTS]);
