@@ -22,7 +22,7 @@ const UNITS: [&str; TARGETS.len()] = [
     "nanoseconds a sample, drawn one by one",
     "instructions a sample",
     "instructions a sample",
-    "instructions a sample",
+    "executed operators a sample",
 ];
 
 pub fn draw(studies: &[Study]) -> Canvas {

@@ -79,6 +79,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         );
     }
     complaints.extend(front::check());
+    complaints.extend(bounds::check());
     let tests = rows
         .iter()
         .map(|row| shape::tests(row.sampler.law.axes))

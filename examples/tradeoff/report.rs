@@ -116,17 +116,16 @@ pub fn costs(studies: &[Study]) {
     let mut header: Vec<String> = ["family", "sampler", "tier", "ns, drawn", "ns, filled"]
         .map(String::from)
         .into();
-    for (_, core) in CORES {
-        header.extend(
-            ["insn", "with PCG32", "flash", "stack"].map(|title| format!("{core} {title}")),
-        );
+    for (core, _) in CORES {
+        let core = core.to_uppercase();
+        header.extend(["insn", "+ PCG32", "flash", "stack"].map(|title| format!("{core} {title}")));
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     table::print(&header, rows.collect(), 3);
     println!(
-        "ns: on this host, with PCG32, one by one and into a slice of 1024. Of the cores: executed instructions at \
-         opt-level 3, the\nuniforms given and with PCG32; bytes of code and tables at opt-level s, of stack at 3; \
-         from benches/cores/costs.csv. {DASH}: not measured.\nTwo normals: what gives one at a time is drawn twice.\n"
+        "ns: on this host, with PCG32, one by one and into a slice of 1024. Of the cores: executed instructions (of WASM, \
+         operators) at\nopt-level 3, the uniforms given and with PCG32; bytes of code and tables at opt-level s, of \
+         stack at 3; from benches/cores/costs.csv.\n{DASH}: not measured. Two normals: what gives one at a time is drawn twice.\n"
     );
 }
 
