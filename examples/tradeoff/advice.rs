@@ -47,7 +47,7 @@ pub fn which(studies: &[Study]) {
                 match cheapest(&trades, class) {
                     Some(i) => {
                         let cost = cost_text(Some(trades[i].cost));
-                        let tier = ours[i].0.sampler.title();
+                        let tier = ours[i].0.sampler.tier;
                         chosen
                             .entry(tier)
                             .or_default()
@@ -105,7 +105,15 @@ pub fn outside(studies: &[Study]) -> (Vec<Outside>, [usize; TARGETS.len()]) {
                         family.into(),
                         peer.sampler.label(),
                         cost_text(Some(trade.cost)),
-                        format!("{:.2e}", trade.error),
+                        format!(
+                            "{}{:.2e}",
+                            if peer.sampler.errs_at_least() {
+                                "≥ "
+                            } else {
+                                ""
+                            },
+                            trade.error
+                        ),
                         best.map_or("none".into(), |(i, cost)| {
                             format!(
                                 "{}: {} ({:.2} times)",

@@ -1,6 +1,6 @@
 //! Nanoseconds a sample, all samplers in one contest.
 
-use crate::contest::{BLOCKS, Contest, POINTS};
+use crate::contest::{BLOCKS, Contest, POINTS, Quartiles};
 use crate::sampler::Block;
 use std::collections::BTreeMap;
 
@@ -18,11 +18,13 @@ pub struct Times {
 
 /// Lets all blocks run in turn, in so many rounds. A time is the median of its quotients by that of the floor in the
 /// same round, times the median of the floor, so that it is not of another moment than the others'.
+///
+/// Also returns how far apart the quartiles of those quotients lie for most, relative to the median.
 pub fn run(
     blocks: Vec<(String, Block)>,
     rounds: usize,
     after_round: impl FnMut(),
-) -> BTreeMap<String, f64> {
+) -> (BTreeMap<String, f64>, f64) {
     // Every block has memory of its own, as points differ in size.
     let mut contest = Contest::of_blocks((), POINTS, BLOCKS);
     let mut names = vec![FLOOR.to_owned()];
@@ -34,10 +36,14 @@ pub fn run(
     let standings = contest.run(rounds, after_round);
     let floor = standings.nanoseconds(FLOOR).map_or(f64::NAN, |q| q.median);
     let time = |name: &String| standings.ratio(name, FLOOR).map(|q| q.median * floor);
-    names
+    let spreads = names
         .iter()
-        .filter_map(|name| Some((name.clone(), time(name)?)))
-        .collect()
+        .filter_map(|name| Some(standings.ratio(name, FLOOR)?.spread()));
+    let spread = Quartiles::of(spreads).median;
+    let times = names
+        .iter()
+        .filter_map(|name| Some((name.clone(), time(name)?)));
+    (times.collect(), spread)
 }
 
 fn floor() -> impl FnMut(&mut [()]) {

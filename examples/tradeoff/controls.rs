@@ -1,4 +1,5 @@
-//! What is wrong on purpose, and known in closed form: each must be found, and found to be as wrong as it is.
+//! What is wrong on purpose and known in closed form: each must be found, and found to be as wrong as it is. And one
+//! that is right, whose bias is known as all its uniforms can be tried.
 
 use crate::args::Args;
 use crate::bias::{self, Bias, Shows};
@@ -9,6 +10,8 @@ use crate::sampler::{Law, Map, Point, Words};
 use crate::shape::{self, Shape};
 use crate::study::generator;
 use crate::subject::law;
+use microwarp::Warp;
+use microwarp::uniform::grid_from_word;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -25,9 +28,10 @@ const REPETITIONS: usize = 60;
 
 pub struct Control {
     pub name: &'static str,
+    pub is_wrong: bool,
     pub shape: Shape,
     pub bias: Bias,
-    /// The noncentrality a sample, in closed form.
+    /// The noncentrality a sample, in closed form or by enumeration.
     pub exact: f64,
     /// Of how many tests with the number of samples found, how many rejected.
     pub rejected: Option<(usize, usize)>,
@@ -46,9 +50,10 @@ impl Control {
                 complaints.push(format!("{}: {what}", self.name));
             }
         };
+        let passes = self.shape.passes(threshold);
         hold(
-            "the test lets it pass".into(),
-            !self.shape.passes(threshold),
+            format!("passes the test: {passes}"),
+            passes != self.is_wrong,
         );
         let off = (self.bias.lambda - self.exact).abs();
         let near = off <= DOUBT * self.bias.error && self.bias.error <= 0.05 * self.exact;
@@ -112,6 +117,7 @@ fn control(
     };
     Control {
         name,
+        is_wrong: true,
         shape,
         bias,
         exact,
@@ -133,7 +139,7 @@ pub fn all(args: &Args) -> Vec<Control> {
     let exponential = sum_of_squares((0..parts).map(|i| left(i) - left(i + 1)));
     let wide = map(move |[u, _]| [-mean * (-u).ln_1p(), 0.0, 0.0]);
     let narrow = map(|[u, v]| [u * (TAU * v).cos(), u * (TAU * v).sin(), 0.0]);
-    vec![
+    let mut controls = vec![
         control(
             "disk with r = u",
             &narrow,
@@ -150,7 +156,41 @@ pub fn all(args: &Args) -> Vec<Control> {
             true,
             args,
         ),
-    ]
+    ];
+    let law = law(truth::exponential(1.0), 1);
+    let right = Map {
+        bits: 24,
+        at: Box::new(|[word, ..]| ([poly().sample(grid_from_word(word)).into(), 0.0, 0.0], None)),
+    };
+    let exact = enumerated(&right, &law);
+    let right = control(
+        "Exponential poly, as it is",
+        &right,
+        &law,
+        exact,
+        false,
+        args,
+    );
+    controls.push(Control {
+        is_wrong: false,
+        ..right
+    });
+    controls
+}
+
+fn poly() -> microwarp::poly::Exponential {
+    microwarp::poly::Exponential::new(1.0).expect("a rate")
+}
+
+/// The noncentrality a sample of a map of one uniform, by all its uniforms.
+fn enumerated(map: &Map, law: &Law) -> f64 {
+    let mut counts = vec![0_u64; cells::count(1)];
+    for number in 0..1_u32 << map.bits {
+        let point = (map.at)([number << (32 - map.bits), 0, 0, 0]).0;
+        counts[cells::cell(law.chart.invert(point), 1)] += 1;
+    }
+    let all = (1_u64 << map.bits) as f64;
+    sum_of_squares(counts.iter().map(|count| *count as f64 / all))
 }
 
 /// The sum of (p − p₀)²/p₀ over cells of equal p₀; cells side by side of the same p − p₀ are one.

@@ -83,7 +83,7 @@ pub fn draw(studies: &[Study]) -> Canvas {
                 line,
                 [MARGIN, y + dy],
                 Align::Left,
-                Type::bold(23.0),
+                Type::bold(20.0),
                 LEFT - 62.0,
             );
         }

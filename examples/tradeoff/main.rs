@@ -87,7 +87,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let threshold = catalogue::stats::threshold(tests);
 
     let progress = work::progress((rows.len() + args.rounds + 2) as u64, work::STEPS)?;
-    let studies = study(rows, &costs, args, &progress);
+    let (studies, spread) = study(rows, &costs, args, &progress);
     progress.set_message("maps that are wrong on purpose");
     let controls = controls::all(args);
     progress.inc(1);
@@ -98,7 +98,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     progress.finish_and_clear();
 
     report::quality(&studies, args.samples, threshold);
-    report::costs(&studies);
+    report::costs(&studies, spread);
     report::controls(&controls);
     advice::which(&studies);
     advice::print(&advice::outside(&studies));
@@ -126,8 +126,13 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     Ok(complaints)
 }
 
-/// Errors and distributions by several threads, then times by one.
-fn study(rows: Vec<Row>, costs: &costs::Costs, args: &Args, progress: &ProgressBar) -> Vec<Study> {
+/// Errors and distributions by several threads, then times by one; and how far those spread.
+fn study(
+    rows: Vec<Row>,
+    costs: &costs::Costs,
+    args: &Args,
+    progress: &ProgressBar,
+) -> (Vec<Study>, f64) {
     let mut blocks: Vec<(String, Block)> = Vec::new();
     let mut samplers = Vec::new();
     for (i, row) in rows.into_iter().enumerate() {
@@ -144,7 +149,7 @@ fn study(rows: Vec<Row>, costs: &costs::Costs, args: &Args, progress: &ProgressB
         study
     });
     progress.set_message("by the clock");
-    let times = clock::run(blocks, args.rounds, || progress.inc(1));
+    let (times, spread) = clock::run(blocks, args.rounds, || progress.inc(1));
     for (i, study) in studies.iter_mut().enumerate() {
         let time = |what| {
             times
@@ -156,5 +161,5 @@ fn study(rows: Vec<Row>, costs: &costs::Costs, args: &Args, progress: &ProgressB
             fill: time("filled"),
         };
     }
-    studies
+    (studies, spread)
 }

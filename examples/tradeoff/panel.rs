@@ -87,7 +87,7 @@ pub fn draw(
         let sampler = &study.sampler;
         let is_first = ours
             .iter()
-            .position(|(s, _)| s.sampler.title() == sampler.title())
+            .position(|(s, _)| s.sampler.tier == sampler.tier)
             == Some(i);
         // What is neither on the front nor a tier's own sampler would only crowd the others out.
         let is_named =
@@ -104,7 +104,7 @@ pub fn draw(
             let comma = if is_first { "" } else { ", " };
             named.push(Named {
                 at,
-                text: format!("{}{comma}{name}", sampler.title()),
+                text: format!("{}{comma}{name}", sampler.tier),
                 colour: if leads { INK } else { MUTED },
             });
         }

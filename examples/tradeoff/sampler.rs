@@ -208,13 +208,9 @@ impl Sampler {
         format!("{} {}", self.name, self.tier)
     }
 
-    /// What tells it from others of its family: its tier, or its name where it has none.
-    pub fn title(&self) -> &str {
-        if self.tier == "rejection" {
-            &self.name
-        } else {
-            self.tier
-        }
+    /// Whether its error may be larger than what is seen of it.
+    pub fn errs_at_least(&self) -> bool {
+        matches!(self.way, Way::Repaired(_))
     }
 }
 
