@@ -13,7 +13,7 @@
 
 use crate::cells;
 use crate::power::Power;
-use crate::sampler::{Law, Map, Words};
+use crate::sampler::{Chance, Law, Map, Words};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -40,8 +40,8 @@ pub enum Shows {
 
 impl Bias {
     /// Of cells whose probabilities are known beside what they should be.
-    pub fn exact(entries: &[[f64; 2]]) -> Self {
-        let terms = entries.iter().map(|[p, due]| (p - due).powi(2) / due);
+    pub fn exact(entries: &[Chance]) -> Self {
+        let terms = entries.iter().map(|e| (e.realised - e.due).powi(2) / e.due);
         Self {
             lambda: terms.sum(),
             error: 0.0,

@@ -85,6 +85,28 @@ impl Errors {
     }
 }
 
+impl Errors {
+    /// Holds a density that is reported to the true one.
+    fn judge(&mut self, density: f64, due: f64, counts: bool) {
+        let error = density - due;
+        if counts {
+            self.density.observe([error, 0.0, 0.0]);
+        } else {
+            self.density.raise(error.abs());
+        }
+        self.relative = self.relative.max(error.abs() / due);
+        self.peak = self.peak.max(due);
+    }
+
+    /// The errors of densities in units of the largest, once that is known.
+    fn of_peak(mut self) -> Self {
+        if self.peak > 0.0 {
+            self.density = self.density.scaled(1.0 / self.peak);
+        }
+        self
+    }
+}
+
 /// 2⁻³².
 const WORD: f64 = 1.0 / 4_294_967_296.0;
 
@@ -125,10 +147,17 @@ pub fn measure(sampler: &Sampler, points: u64) -> Errors {
             sweep(&sampler.law, map.bits, points, at)
         }
         // The points of an exact law, each rounded to the nearest that the sampler can return.
-        Way::Rejection(numbers) => sweep(&sampler.law, 24, points, |words| {
-            let exact = sampler.law.truth.sample(sampler.law.uniforms(words, 24));
-            (exact, exact.map(|x| numbers.nearest(x)), None)
-        }),
+        Way::Rejection(numbers) => {
+            let rounded = sweep(&sampler.law, 24, points, |words| {
+                let exact = sampler.law.truth.sample(sampler.law.uniforms(words, 24));
+                (exact, exact.map(|x| numbers.nearest(x)), None)
+            });
+            Errors {
+                point: rounded.point,
+                coordinate: rounded.coordinate,
+                ..densities(sampler, points)
+            }
+        }
         Way::Repaired(repaired) => {
             let mut drawn = vec![[0.0; 3]; points as usize];
             (sampler.fill)(&mut generator(), &mut drawn);
@@ -140,14 +169,28 @@ pub fn measure(sampler: &Sampler, points: u64) -> Errors {
         }
         Way::Table(entries) => {
             let mut errors = Errors::default();
-            for [probability, due] in entries {
-                errors.point.observe([probability - due, 0.0, 0.0]);
+            for entry in entries {
+                errors.observe([entry.due, 0.0, 0.0], [entry.realised, 0.0, 0.0], true);
+                if let Some(reported) = entry.reported {
+                    errors.judge(reported, entry.realised, true);
+                }
             }
-            errors.coordinate = errors.point.max;
-            errors
+            errors.of_peak()
         }
         Way::Opaque => Errors::default(),
     }
+}
+
+/// The errors of densities at points that are drawn.
+fn densities(sampler: &Sampler, points: u64) -> Errors {
+    let (mut errors, mut rng) = (Errors::default(), generator());
+    if let Some(judged) = &sampler.judged {
+        for _ in 0..points {
+            let (point, density) = judged(&mut rng);
+            errors.judge(density, sampler.law.truth.pdf(point), true);
+        }
+    }
+    errors.of_peak()
 }
 
 fn sweep(
@@ -161,14 +204,7 @@ fn sweep(
         let (exact, point, density) = at(words);
         errors.observe(exact, point, counts);
         if let Some(density) = density {
-            let due = law.truth.pdf(point);
-            if counts {
-                errors.density.observe([density - due, 0.0, 0.0]);
-            } else {
-                errors.density.raise((density - due).abs());
-            }
-            errors.relative = errors.relative.max((density - due).abs() / due);
-            errors.peak = errors.peak.max(due);
+            errors.judge(density, law.truth.pdf(point), counts);
         }
     };
     let steps = Lattice::new(law.uniforms);
@@ -182,10 +218,7 @@ fn sweep(
             look([a, b, b, a], false);
         }
     }
-    if errors.peak > 0.0 {
-        errors.density = errors.density.scaled(1.0 / errors.peak);
-    }
-    errors
+    errors.of_peak()
 }
 
 /// Points that fill the unit cube more evenly than any generator's: the multiples of numbers that are badly

@@ -208,12 +208,12 @@ fn others(rows: &mut Vec<Row>) -> Result<(), Error> {
     let disk = || law(Box::new(truth::Disk), 2);
     let ball = || law(Box::new(peer_list::Ball), 3);
     rows.extend([
-        rejection(Name::new(DISK, "DiskRejection", "rejection", "rejection_disk"), DiskRejection::new(), disk(), Numbers::Floats),
+        rejection(Name::new(DISK, "DiskRejection", "rejection", "rejection_disk"), DiskRejection::new(), DiskRejection::pdf, disk(), Numbers::Floats),
         rejection(Name::new(DISK, "fixed::DiskRejection", "fixed rejection", "fixed_rejection_disk"),
-            fine::DiskRejection::new(), disk(), Numbers::Steps(0.5_f64.powi(29))),
+            fine::DiskRejection::new(), fine::DiskRejection::pdf, disk(), Numbers::Steps(0.5_f64.powi(29))),
         rejection(Name::new(DISK, "fixed::DiskRejection16", "16-bit rejection", "fixed_rejection_disk_16"),
-            fine::DiskRejection16::new(), disk(), Numbers::Steps(0.5_f64.powi(15))),
-        rejection(Name::new(BALL, "BallRejection", "rejection", "rejection_ball"), BallRejection::new(), ball(), Numbers::Floats),
+            fine::DiskRejection16::new(), fine::DiskRejection16::pdf, disk(), Numbers::Steps(0.5_f64.powi(15))),
+        rejection(Name::new(BALL, "BallRejection", "rejection", "rejection_ball"), BallRejection::new(), BallRejection::pdf, ball(), Numbers::Floats),
     ]);
     let interval = fine::Interval::<I16F16>::new(I16F16::from_num(-3), I16F16::from_num(5))?;
     let name = Name::new(INTERVAL, "Interval [-3, 5] in steps of 2^-16", "fixed", "interval_1_6");

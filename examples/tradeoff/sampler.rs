@@ -108,6 +108,8 @@ impl Wide for microwarp::fixed::Density {
 pub type At = Box<dyn Fn(Words) -> (Point, Option<f64>) + Send + Sync>;
 /// Draws points.
 pub type Fill = Box<dyn Fn(&mut Pcg32, &mut [Point]) + Send + Sync>;
+/// Draws a point, and the density that is reported there.
+pub type Judged = Box<dyn Fn(&mut Pcg32) -> (Point, f64) + Send + Sync>;
 /// Draws a block of points into memory of its own.
 pub type Block = Box<dyn FnMut()>;
 
@@ -157,6 +159,15 @@ impl Numbers {
     }
 }
 
+/// The probabilities of an entry of a table.
+#[derive(Clone, Copy)]
+pub struct Chance {
+    pub due: f64,
+    pub realised: f64,
+    /// Nothing of a table that reports none.
+    pub reported: Option<f64>,
+}
+
 /// How the points come about.
 pub enum Way {
     /// By a map of uniforms, which can be held against the exact one.
@@ -167,7 +178,7 @@ pub enum Way {
     /// it tells by itself.
     Repaired(fn(Point) -> Point),
     /// By a table, which selects an entry with a probability that is known beside the one it should have.
-    Table(Vec<[f64; 2]>),
+    Table(Vec<Chance>),
     /// In a way that tells nothing but its points.
     Opaque,
 }
@@ -195,6 +206,8 @@ pub struct Sampler {
     pub law: Law,
     pub way: Way,
     pub fill: Fill,
+    /// Draws a point and the density that is reported there, where a map does not tell.
+    pub judged: Option<Judged>,
     /// What it is called in `benches/cores/costs.csv`, and how many calls are a sample.
     pub kernel: String,
     pub calls: f64,

@@ -55,6 +55,7 @@ impl Row {
                 law,
                 way,
                 fill,
+                judged: None,
                 kernel: name.kernel,
                 calls: 1.0,
                 entry: None,
@@ -148,8 +149,15 @@ pub fn drawn<P: Exact>(
     Row::new(name, ours, law, way, Box::new(fill), one_by_one(draw))
 }
 
-/// A sampler of this crate that rejects. A budget that is spent, which no true generator does, shows as the point 0.
-pub fn rejection<S>(name: Name, sampler: S, law: Law, numbers: Numbers) -> Row
+/// A sampler of this crate that rejects, with its density. A budget that is spent, which no true generator does, shows
+/// as the point 0.
+pub fn rejection<S, D: Wide>(
+    name: Name,
+    sampler: S,
+    pdf: impl Fn(&S, S::Point) -> D + Send + Sync + 'static,
+    law: Law,
+    numbers: Numbers,
+) -> Row
 where
     S: Rejection + Copy + Send + Sync + 'static,
     S::Point: Exact,
@@ -158,7 +166,12 @@ where
         Ok(accepted) => accepted.point,
         Err(_) => S::Point::BLANK,
     };
-    drawn(name, true, draw, law, Way::Rejection(numbers))
+    let mut row = drawn(name, true, draw, law, Way::Rejection(numbers));
+    row.sampler.judged = Some(Box::new(move |rng| {
+        let x = draw(rng);
+        (x.exact(), pdf(&sampler, x).wide())
+    }));
+    row
 }
 
 /// Somebody else's map of uniforms.

@@ -3,7 +3,7 @@
 use crate::catalogue::discrete;
 use crate::list::TABLE;
 use crate::peers::{rejecting, textbook};
-use crate::sampler::{Row, Way};
+use crate::sampler::{Chance, Row, Way};
 use crate::subject::{Name, indices};
 use microwarp::Error;
 use microwarp::discrete::{Alias, AliasEntry, Cdf, PiecewiseConstant2d};
@@ -44,10 +44,18 @@ fn due(weights: &[f32]) -> Vec<f64> {
     weights.iter().map(|w| f64::from(*w) / total).collect()
 }
 
-/// Probabilities beside what they should be.
-fn beside(weights: &[f32], probability: impl Fn(usize) -> f64) -> Way {
+/// Probabilities, realised and reported, beside what they should be.
+fn beside(weights: &[f32], chances: impl Fn(usize) -> (f64, Option<f32>)) -> Way {
     let due = due(weights).into_iter().enumerate();
-    Way::Table(due.map(|(i, due)| [probability(i), due]).collect())
+    let chance = |(i, due)| {
+        let (realised, reported) = chances(i);
+        Chance {
+            due,
+            realised,
+            reported: reported.map(f64::from),
+        }
+    };
+    Way::Table(due.map(chance).collect())
 }
 
 /// How many of the uniforms k 2⁻²⁴ select an entry below this one, where the selection rises.
@@ -70,7 +78,7 @@ pub fn add(rows: &mut Vec<Row>) -> Result<(), Error> {
     let name = |name, tier, kernel: &str| Name::new(TABLE, name, tier, kernel);
 
     let cdf = Cdf::<&[u32]>::new_in(&weights, leaked(ENTRIES))?;
-    let way = beside(&weights, |i| of_words(cdf.numerator(i)));
+    let way = beside(&weights, |i| (of_words(cdf.numerator(i)), Some(cdf.pmf(i))));
     let cdf_name = name("Cdf<u32>", "table", "cdf_1024");
     rows.push(indices(
         cdf_name,
@@ -81,7 +89,9 @@ pub fn add(rows: &mut Vec<Row>) -> Result<(), Error> {
     ));
 
     let alias = Alias::<&[AliasEntry<u32>]>::new_in(&weights, leaked(ENTRIES))?;
-    let way = beside(&weights, |i| of_words(alias.numerator(i)));
+    let way = beside(&weights, |i| {
+        (of_words(alias.numerator(i)), Some(alias.pmf(i)))
+    });
     let alias_name = name("Alias<u32>", "table", "alias_1024");
     rows.push(indices(
         alias_name,
@@ -94,7 +104,7 @@ pub fn add(rows: &mut Vec<Row>) -> Result<(), Error> {
     let sums = Arc::new(textbook::Sums::new(&weights));
     let edge = |i| below(&|u| sums.index(u), i);
     let way = beside(&weights, |i| {
-        f64::from(edge(i + 1) - edge(i)) / 16_777_216.0
+        (f64::from(edge(i + 1) - edge(i)) / 16_777_216.0, None)
     });
     let textbook_name = name("sums in f32", "plain libm", "peer_plain_libm_sums_1024");
     let selection = crate::peers::drawn(move |u: [f32; 1]| sums.index(u));
