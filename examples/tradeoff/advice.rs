@@ -8,7 +8,7 @@ use crate::table;
 use std::collections::BTreeMap;
 
 /// Errors that a user may want to keep to.
-const CLASSES: [f64; 4] = [1e-3, 1e-5, 1e-6, 3e-7];
+const CLASSES: [f64; 4] = [1e-3, 1e-5, 1e-6, 5e-7];
 
 /// Those of a family whose error and cost are known on a target.
 pub fn traded<'a>(
@@ -82,13 +82,17 @@ pub struct Outside {
     row: Vec<String>,
 }
 
-/// All of them, and how many points of peers there are on each target.
+/// All of them, and how many points of peers there are on each target beside ours.
 pub fn outside(studies: &[Study]) -> (Vec<Outside>, [usize; TARGETS.len()]) {
     let (mut all, mut peers) = (Vec::new(), [0; TARGETS.len()]);
     for (target, title) in TARGETS.iter().enumerate() {
         for family in families(studies) {
             let ours = traded(studies, family, target, true);
             let trades: Vec<Trade> = ours.iter().map(|(_, trade)| *trade).collect();
+            if trades.is_empty() {
+                // Nothing of ours has been measured there, which says nothing of the peers.
+                continue;
+            }
             for (peer, trade) in traded(studies, family, target, false) {
                 peers[target] += 1;
                 if !is_outside(&trade, &trades) {
