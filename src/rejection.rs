@@ -98,15 +98,7 @@ pub trait Rejection {
         &self,
         rng: &mut R,
     ) -> Result<Accepted<Self::Point>, Failure<R::Error>> {
-        let budget = self.budget();
-        let mut tries = 0_u32;
-        while tries < budget {
-            tries = tries.wrapping_add(1);
-            if let Some(point) = self.try_once(rng)? {
-                return Ok(Accepted { point, tries });
-            }
-        }
-        Err(Failure::BudgetSpent { tries: budget })
+        draw_after(0, self, rng)
     }
 
     /// Draws one point from a generator that cannot fail.
@@ -119,6 +111,36 @@ pub trait Rejection {
         rng: &mut R,
     ) -> Result<Accepted<Self::Point>, Failure<Infallible>> {
         self.try_draw(rng)
+    }
+}
+
+/// The tries after some that were not accepted.
+#[inline]
+fn draw_after<S: Rejection + ?Sized, R: TryRng + ?Sized>(
+    mut tries: u32,
+    sampler: &S,
+    rng: &mut R,
+) -> Result<Accepted<S::Point>, Failure<R::Error>> {
+    let budget = sampler.budget();
+    while tries < budget {
+        tries = tries.wrapping_add(1);
+        if let Some(point) = sampler.try_once(rng)? {
+            return Ok(Accepted { point, tries });
+        }
+    }
+    Err(Failure::BudgetSpent { tries: budget })
+}
+
+/// [`Rejection::try_draw`] of a sampler whose budget is not 0 and whose try is short: the first, which is mostly the
+/// last, stands ahead of the loop, so that it does without the loop's registers (a fifth of the instructions less).
+#[inline]
+pub(crate) fn draw_first_ahead<S: Rejection + ?Sized, R: TryRng + ?Sized>(
+    sampler: &S,
+    rng: &mut R,
+) -> Result<Accepted<S::Point>, Failure<R::Error>> {
+    match sampler.try_once(rng)? {
+        Some(point) => Ok(Accepted { point, tries: 1 }),
+        None => draw_after(1, sampler, rng),
     }
 }
 
