@@ -33,11 +33,15 @@ mod ball;
 mod bounded;
 mod failure;
 mod region;
+mod ziggurat;
 
 pub use self::ball::{BallRejection, DiskRejection};
 pub use self::bounded::{Bounded, SLACK};
 pub use self::failure::Failure;
 pub use self::region::Region;
+pub use self::ziggurat::{
+    ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
+};
 
 use crate::error::{Error, positive};
 use crate::uniform::nearest;
