@@ -1,8 +1,9 @@
 //! Rejection: points are proposed until one is accepted, for a number of tries given beforehand.
 //!
 //! Here live the loop, once, and the list of samplers: [`Region`] keeps the points of a warp for which a
-//! predicate holds, [`Bounded`] turns the points of one density into points of another, and
-//! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function.
+//! predicate holds, [`Bounded`] turns the points of one density into points of another,
+//! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function, and
+//! [`ZigguratNormal`] and [`ZigguratExponential`], each with a standard form, draw from the layers of a curve, in flash.
 //! What a proposal is, is the business of [`warp`](crate::warp); the usual one is the bounding box,
 //! [`Aabb`](crate::Aabb). The disks whose points are fixed-point numbers are with their tier, feature `fixed`.
 //!
@@ -15,6 +16,8 @@
 //! |---|--:|--:|
 //! | [`DiskRejection`] | π/4 = 78.5 % | 2 |
 //! | [`BallRejection`] | π/6 = 52.4 % | 3 |
+//! | [`ZigguratStandardNormal`], [`ZigguratNormal`] | 99.3 % | 1, sometimes 2 or 3 |
+//! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | 98.9 % | 1, sometimes 2 or 3 |
 //! | `fixed::DiskRejection` | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | π/4 = 78.5 % | 1 |
 //! | [`Region`] | ∫ p over the region | what drawing the proposal takes |
