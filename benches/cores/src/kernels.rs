@@ -11,7 +11,9 @@ use fixed::types::{I2F30, I5F27, I16F16, U0F32, U2F62, U5F27, U16F16, U32F32};
 use microwarp::Warp;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use microwarp::rejection::{BallRejection, DiskRejection, Rejection, ZigguratStandardExponential, ZigguratStandardNormal};
+use microwarp::rejection::{
+    BallRejection, DiskRejection, Rejection, ZigguratStandardExponential, ZigguratStandardNormal,
+};
 use microwarp::{fixed as integer, libm, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
