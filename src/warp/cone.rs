@@ -147,4 +147,6 @@ impl<T: Tier> Warp for Cone<T> {
             azimuth::<T>(x, y),
         ]
     }
+
+    super::filled_in_blocks!();
 }

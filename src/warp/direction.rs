@@ -6,8 +6,8 @@ use crate::tier::Tier;
 /// The direction with the given sine and cosine of its polar angle, `turn` turns about the axis.
 #[inline]
 pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32) -> [f32; 3] {
-    let (s, c) = T::sincos_turns(turn);
-    [sin * c, sin * s, cos]
+    let [x, y] = T::polar(sin, turn);
+    [x, y, cos]
 }
 
 /// The direction with the given 1 − cos θ and 1 + cos θ, `turn` turns about the axis.

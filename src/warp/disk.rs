@@ -56,8 +56,7 @@ impl<T: Tier> Warp for Disk<T> {
         let [u1, u2] = u.get();
         // The root of the largest uniform is again the largest f32 below 1.
         let r = T::sqrt(u1);
-        let (s, c) = T::sincos_turns(u2);
-        [r * c, r * s]
+        T::polar(r, u2)
     }
 
     #[inline]
@@ -70,6 +69,8 @@ impl<T: Tier> Warp for Disk<T> {
         let [x, y] = point;
         [into_unit(x * x + y * y), azimuth::<T>(x, y)]
     }
+
+    super::filled_in_blocks!();
 }
 
 #[inline]
@@ -127,9 +128,8 @@ pub(crate) fn concentric<T: Tier>(u: [f32; 2]) -> [f32; 2] {
     }
     // At most an eighth of a turn from the axis of its wedge, so that the angle keeps its digits; the
     // other axis is reached by exchanging sine and cosine.
-    let (s, c) = T::sincos_turns(0.125 * (across / radius));
-    let r = clamp(radius, -RIM, RIM);
-    let (x, y) = exchanged(!wide, r * c, r * s);
+    let [x, y] = T::polar(clamp(radius, -RIM, RIM), 0.125 * (across / radius));
+    let (x, y) = exchanged(!wide, x, y);
     [x, y]
 }
 
@@ -171,4 +171,6 @@ impl<T: Tier> Warp for DiskConcentric<T> {
         let r = into_unit(T::sqrt(x * x + y * y));
         concentric_inverse::<T>(point, 1.0 - r)
     }
+
+    super::filled_in_blocks!();
 }

@@ -82,7 +82,7 @@ impl<T: Tier> Warp for Exponential<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
-        -T::ln_1p(-u.get()) / self.rate
+        T::neg_ln_1m(u.get()) / self.rate
     }
 
     #[inline]
@@ -94,6 +94,8 @@ impl<T: Tier> Warp for Exponential<T> {
     fn invert(&self, x: f32) -> f32 {
         into_unit(-T::exp_m1(-self.rate * x))
     }
+
+    super::filled_in_blocks!();
 }
 
 /// Exponential with rate a, decreasing with the uniform: −ln(u)/a, tail first.

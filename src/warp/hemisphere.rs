@@ -74,6 +74,8 @@ impl<T: Tier> Warp for Hemisphere<T> {
         let [x, y, z] = direction;
         [into_unit(z), azimuth::<T>(x, y)]
     }
+
+    super::filled_in_blocks!();
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by inversion.
@@ -149,6 +151,8 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
         let u1 = if sin2 < 0.5 { sin2 } else { 1.0 - z * z };
         [into_unit(u1), azimuth::<T>(x, y)]
     }
+
+    super::filled_in_blocks!();
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by Malley's method.
@@ -216,4 +220,6 @@ impl<T: Tier> Warp for MalleyHemisphere<T> {
         let to_rim = if r > 0.5 { z * z / (1.0 + r) } else { 1.0 - r };
         concentric_inverse::<T>([x, y], to_rim)
     }
+
+    super::filled_in_blocks!();
 }

@@ -8,10 +8,6 @@ use crate::uniform::Canonical;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
-/// Below this logarithm of the cosine (cos θ < ½), the cosine itself holds the digits; above it,
-/// 1 − cos θ does.
-const LN_HALF: f32 = -core::f32::consts::LN_2;
-
 /// Density ∝ cosⁿθ over the hemisphere about +z, for any n ≥ 0.
 ///
 /// cos θ = (1 − u₁)^(1/(n+1)), carried as 1 − cos θ = −expm1(log1p(−u₁)/(n + 1)), so that a lobe of
@@ -89,14 +85,7 @@ impl<T: Tier> Warp for PhongLobe<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
         let [u1, u2] = u.get();
-        let ln_cos = T::ln_1p(-u1) / self.m;
-        let (cos, q) = if ln_cos > LN_HALF {
-            let q = -T::exp_m1(ln_cos);
-            (1.0 - q, q)
-        } else {
-            let cos = T::exp(ln_cos);
-            (cos, 1.0 - cos)
-        };
+        let (cos, q) = T::exp_neg_pair(T::neg_ln_1m(u1) / self.m);
         around::<T>(T::sqrt(q * (1.0 + cos)), cos, u2)
     }
 
@@ -121,4 +110,6 @@ impl<T: Tier> Warp for PhongLobe<T> {
         };
         [into_unit(u1), azimuth::<T>(x, y)]
     }
+
+    super::filled_in_blocks!();
 }

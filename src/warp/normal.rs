@@ -117,6 +117,8 @@ impl<T: Tier> Warp for Normal<T> {
             T::normal_cdf_lower(t)
         })
     }
+
+    super::filled_in_blocks!();
 }
 
 /// Two independent normals with a common standard deviation, by Box and Muller's map.
@@ -196,9 +198,9 @@ impl<T: Tier> Warp for NormalPair<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
         let ([u1, u2], [mx, my]) = (u.get(), self.mean);
-        let r = self.deviation * T::sqrt(-2.0 * T::ln_1p(-u1));
-        let (s, c) = T::sincos_turns(u2);
-        [mx + r * c, my + r * s]
+        let r = self.deviation * T::sqrt(2.0 * T::neg_ln_1m(u1));
+        let [x, y] = T::polar(r, u2);
+        [mx + x, my + y]
     }
 
     #[inline]
@@ -221,4 +223,6 @@ impl<T: Tier> Warp for NormalPair<T> {
             azimuth::<T>(x, y),
         ]
     }
+
+    super::filled_in_blocks!();
 }

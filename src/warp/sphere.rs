@@ -75,4 +75,6 @@ impl<T: Tier> Warp for Sphere<T> {
             azimuth::<T>(x, y),
         ]
     }
+
+    super::filled_in_blocks!();
 }

@@ -301,4 +301,6 @@ impl<T: Tier> Warp for SphericalPatch<T> {
             into_unit(self.turn(direction) / self.width),
         ]
     }
+
+    super::filled_in_blocks!();
 }

@@ -1,0 +1,71 @@
+//! Filling a slice with several points at a time, where processors have vectors.
+
+use super::Warp;
+use crate::uniform::Uniforms;
+use rand_core::TryRng;
+
+/// [`Warp::try_fill`] of a warp whose `try_draw` is the one provided.
+macro_rules! filled_in_blocks {
+    () => {
+        #[inline]
+        fn try_fill<R: rand_core::TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+            points: &mut [Self::Point],
+        ) -> Result<(), R::Error> {
+            crate::warp::fill::in_blocks(self, rng, points)
+        }
+    };
+}
+pub(crate) use filled_in_blocks;
+
+/// How many points are worked out together: few, so that the words of the next are drawn meanwhile. One where
+/// processors have no vectors, and a loop over several would only cost memory.
+const BLOCK: usize = if cfg!(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    target_feature = "simd128"
+)) {
+    8
+} else {
+    1
+};
+
+/// Draws the words of a block before it makes its points, so that no point waits for a generator and the compiler
+/// sees that they are independent.
+#[inline]
+pub(super) fn in_blocks<W: Warp, R: TryRng + ?Sized>(
+    warp: &W,
+    rng: &mut R,
+    points: &mut [W::Point],
+) -> Result<(), R::Error> {
+    let mut blocks = points.chunks_exact_mut(BLOCK);
+    for block in &mut blocks {
+        let mut words = [W::Uniforms::try_words(rng)?; BLOCK];
+        for (good, next) in (1..).zip(words.iter_mut().skip(1)) {
+            match W::Uniforms::try_words(rng) {
+                Ok(drawn) => *next = drawn,
+                Err(error) => {
+                    map(warp, block.iter_mut().zip(words).take(good));
+                    return Err(error);
+                }
+            }
+        }
+        map(warp, block.iter_mut().zip(words));
+    }
+    for point in blocks.into_remainder() {
+        *point = warp.try_draw(rng)?;
+    }
+    Ok(())
+}
+
+/// The points of words already drawn.
+#[inline]
+fn map<'a, W: Warp + 'a>(
+    warp: &W,
+    places: impl Iterator<Item = (&'a mut W::Point, <W::Uniforms as Uniforms>::Words)>,
+) {
+    for (point, words) in places {
+        *point = warp.sample_canonical(W::Uniforms::from_words(words));
+    }
+}
