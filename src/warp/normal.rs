@@ -131,7 +131,7 @@ impl<T: Tier> Warp for Normal<T> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 8.2e-7 | 8.3e-7 |
+/// | sample, of the size | 8.2e-7 | 8.7e-7 |
 /// | pdf, relative | 1.7e-6 | 1.6e-6 |
 /// | realised density, relative | 6.5e-6 | 5.5e-6 |
 /// | inverse | 1.3e-7 | 1.1e-7 |
