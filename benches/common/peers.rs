@@ -2,7 +2,8 @@
 //! a warp, each as a plain function.
 //!
 //! Maps take their uniforms explicitly, so that their errors can be measured beside ours; [`drawn`] puts a generator
-//! before them. What rejects takes the generator itself. Everything is in `f32`, as far as the peer lets it be.
+//! before them. What rejects takes the generator itself. Everything is in `f32`, as far as the peer lets it be, and
+//! marked to be inlined, as the generic functions of the peers and our own are wherever they are used.
 
 #![allow(dead_code, reason = "each bench and example uses a part")]
 
@@ -16,6 +17,7 @@ pub fn uniform(rng: &mut Pcg32) -> f32 {
 }
 
 /// Draws the uniforms of a map, in order.
+#[inline]
 pub fn drawn<const N: usize, P>(map: impl Fn([f32; N]) -> P) -> impl Fn(&mut Pcg32) -> P {
     move |rng| map(std::array::from_fn(|_| uniform(rng)))
 }
@@ -26,6 +28,7 @@ pub mod textbook {
     use std::f32::consts::TAU;
 
     /// The unit disk: radius √u₁, angle 2πu₂.
+    #[inline]
     pub fn disk([u1, u2]: [f32; 2]) -> [f32; 2] {
         let r = sqrtf(u1);
         let (s, c) = sincosf(TAU * u2);
@@ -33,12 +36,14 @@ pub mod textbook {
     }
 
     /// The unit circle: angle 2πu.
+    #[inline]
     pub fn circle([u]: [f32; 1]) -> [f32; 2] {
         let (s, c) = sincosf(TAU * u);
         [c, s]
     }
 
     /// The direction of height z, 2πu about the axis.
+    #[inline]
     fn at_height(z: f32, u: f32) -> [f32; 3] {
         let r = sqrtf(1.0 - z * z);
         let (s, c) = sincosf(TAU * u);
@@ -46,32 +51,38 @@ pub mod textbook {
     }
 
     /// The unit sphere: z = 1 − 2u₁.
+    #[inline]
     pub fn sphere([u1, u2]: [f32; 2]) -> [f32; 3] {
         at_height(1.0 - 2.0 * u1, u2)
     }
 
     /// The upper half of it: z = u₁.
+    #[inline]
     pub fn hemisphere([u1, u2]: [f32; 2]) -> [f32; 3] {
         at_height(u1, u2)
     }
 
     /// In proportion to the cosine: a point of the disk, lifted to √(1 − u₁).
+    #[inline]
     pub fn cosine_hemisphere([u1, u2]: [f32; 2]) -> [f32; 3] {
         let [x, y] = disk([u1, u2]);
         [x, y, sqrtf(1.0 - u1)]
     }
 
     /// In proportion to the nth power of the cosine, of `exponent` 1/(n + 1): z = u₁^(1/(n + 1)).
+    #[inline]
     pub fn lobe(exponent: f32, [u1, u2]: [f32; 2]) -> [f32; 3] {
         at_height(powf(u1, exponent), u2)
     }
 
     /// The exponential distribution of mean 1: −ln(1 − u).
+    #[inline]
     pub fn exponential([u]: [f32; 1]) -> f32 {
         -logf(1.0 - u)
     }
 
     /// Two standard normals, by Box and Muller.
+    #[inline]
     pub fn normal_pair([u1, u2]: [f32; 2]) -> [f32; 2] {
         let r = sqrtf(-2.0 * logf(1.0 - u1));
         let (s, c) = sincosf(TAU * u2);
@@ -79,6 +90,7 @@ pub mod textbook {
     }
 
     /// The unit ball: a direction times the cube root of a uniform.
+    #[inline]
     pub fn ball([u1, u2, u3]: [f32; 3]) -> [f32; 3] {
         let r = cbrtf(u3);
         sphere([u1, u2]).map(|x| r * x)
@@ -96,6 +108,7 @@ pub mod textbook {
             Self(running.collect())
         }
 
+        #[inline]
         pub fn index(&self, [u]: [f32; 1]) -> usize {
             let (total, sums) = self.0.split_last().expect("weights");
             let target = u * total;
@@ -109,16 +122,19 @@ pub mod micro {
     use micromath::F32;
     use std::f32::consts::TAU;
 
+    #[inline]
     fn sqrt(x: f32) -> f32 {
         F32(x).sqrt().0
     }
 
+    #[inline]
     fn sin_cos(x: f32) -> (f32, f32) {
         let (s, c) = F32(x).sin_cos();
         (s.0, c.0)
     }
 
     /// The unit disk: radius √u₁, angle 2πu₂.
+    #[inline]
     pub fn disk([u1, u2]: [f32; 2]) -> [f32; 2] {
         let r = sqrt(u1);
         let (s, c) = sin_cos(TAU * u2);
@@ -126,12 +142,14 @@ pub mod micro {
     }
 
     /// The unit circle: angle 2πu.
+    #[inline]
     pub fn circle([u]: [f32; 1]) -> [f32; 2] {
         let (s, c) = sin_cos(TAU * u);
         [c, s]
     }
 
     /// The direction of height z, 2πu about the axis.
+    #[inline]
     fn at_height(z: f32, u: f32) -> [f32; 3] {
         let r = sqrt(1.0 - z * z);
         let (s, c) = sin_cos(TAU * u);
@@ -139,32 +157,38 @@ pub mod micro {
     }
 
     /// The unit sphere: z = 1 − 2u₁.
+    #[inline]
     pub fn sphere([u1, u2]: [f32; 2]) -> [f32; 3] {
         at_height(1.0 - 2.0 * u1, u2)
     }
 
     /// The upper half of it: z = u₁.
+    #[inline]
     pub fn hemisphere([u1, u2]: [f32; 2]) -> [f32; 3] {
         at_height(u1, u2)
     }
 
     /// In proportion to the cosine: a point of the disk, lifted to √(1 − u₁).
+    #[inline]
     pub fn cosine_hemisphere([u1, u2]: [f32; 2]) -> [f32; 3] {
         let [x, y] = disk([u1, u2]);
         [x, y, sqrt(1.0 - u1)]
     }
 
     /// In proportion to the nth power of the cosine, of `exponent` 1/(n + 1): z = u₁^(1/(n + 1)).
+    #[inline]
     pub fn lobe(exponent: f32, [u1, u2]: [f32; 2]) -> [f32; 3] {
         at_height(F32(u1).powf(F32(exponent)).0, u2)
     }
 
     /// The exponential distribution of mean 1: −ln(1 − u).
+    #[inline]
     pub fn exponential([u]: [f32; 1]) -> f32 {
         -F32(1.0 - u).ln().0
     }
 
     /// Two standard normals, by Box and Muller.
+    #[inline]
     pub fn normal_pair([u1, u2]: [f32; 2]) -> [f32; 2] {
         let r = sqrt(-2.0 * F32(1.0 - u1).ln().0);
         let (s, c) = sin_cos(TAU * u2);
@@ -182,27 +206,32 @@ pub mod rejecting {
     use rand_pcg::Pcg32;
 
     /// The unit disk: `UnitDisc`.
+    #[inline]
     pub fn disk(rng: &mut Pcg32) -> [f32; 2] {
         UnitDisc.sample(rng)
     }
 
     /// The unit circle: `UnitCircle`.
+    #[inline]
     pub fn circle(rng: &mut Pcg32) -> [f32; 2] {
         UnitCircle.sample(rng)
     }
 
     /// The unit sphere: `UnitSphere`.
+    #[inline]
     pub fn sphere(rng: &mut Pcg32) -> [f32; 3] {
         UnitSphere.sample(rng)
     }
 
     /// The upper half of it: `UnitSphere`, folded.
+    #[inline]
     pub fn hemisphere(rng: &mut Pcg32) -> [f32; 3] {
         let [x, y, z] = sphere(rng);
         [x, y, z.abs()]
     }
 
     /// In proportion to the cosine: `UnitDisc`, lifted.
+    #[inline]
     pub fn cosine_hemisphere(rng: &mut Pcg32) -> [f32; 3] {
         let [x, y] = disk(rng);
         [x, y, (1.0 - (x * x + y * y)).max(0.0).sqrt()]
@@ -210,6 +239,7 @@ pub mod rejecting {
 
     /// In proportion to the nth power of the cosine, of `exponent` 1/(n + 1): `UnitCircle` at a height that is a
     /// power of a uniform.
+    #[inline]
     pub fn lobe(exponent: f32, rng: &mut Pcg32) -> [f32; 3] {
         let z = uniform(rng).powf(exponent);
         let r = (1.0 - z * z).sqrt();
@@ -218,16 +248,19 @@ pub mod rejecting {
     }
 
     /// The exponential distribution of mean 1: `Exp1`.
+    #[inline]
     pub fn exponential(rng: &mut Pcg32) -> f32 {
         Exp1.sample(rng)
     }
 
     /// One standard normal: `StandardNormal`.
+    #[inline]
     pub fn normal(rng: &mut Pcg32) -> f32 {
         StandardNormal.sample(rng)
     }
 
     /// The unit ball: `UnitBall`.
+    #[inline]
     pub fn ball(rng: &mut Pcg32) -> [f32; 3] {
         UnitBall.sample(rng)
     }
