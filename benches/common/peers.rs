@@ -81,6 +81,12 @@ pub mod textbook {
         -logf(1.0 - u)
     }
 
+    /// The exponential distribution of a rate: −ln(1 − u)/rate.
+    #[inline]
+    pub fn exponential_of_rate(rate: f32, [u]: [f32; 1]) -> f32 {
+        -logf(1.0 - u) / rate
+    }
+
     /// Two standard normals, by Box and Muller.
     #[inline]
     pub fn normal_pair([u1, u2]: [f32; 2]) -> [f32; 2] {

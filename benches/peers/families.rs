@@ -3,7 +3,7 @@
 use crate::contest::Standings;
 use crate::{draws, fills, tables};
 
-/// The generator and the conversion of its words to uniforms, as many as the map of the family takes.
+/// The words that the map of the family takes, and nothing made of them.
 pub const FLOOR: &str = "generator alone";
 pub const LIBM: &str = "libm";
 pub const POLY: &str = "poly";
@@ -17,6 +17,8 @@ pub const TEXTBOOK: &str = "plain libm";
 /// Of normals, which the tiers draw in pairs: one at a time.
 pub const LIBM_SINGLE: &str = "libm, one at a time";
 pub const POLY_SINGLE: &str = "poly, one at a time";
+/// Of slices, which the tiers fill: one point after the other.
+pub const DRAWN: &str = "poly, one by one";
 /// Of tables, which have no tier: the index alone, and the index with its probability and the leftover uniform.
 pub const INDEX: &str = "index";
 pub const SELECTION: &str = "index, pmf, leftover";

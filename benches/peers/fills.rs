@@ -1,8 +1,8 @@
 //! Contests of slices: our `fill` beside single draws, ours and the peers'.
 
 use crate::contest::Contest;
-use crate::draws::{EXPONENT, lobe_power};
-use crate::families::{LIBM, POLY, POLY_SINGLE, RAND_DISTR};
+use crate::draws::{EXPONENT, lobe_power, with_pairs, word};
+use crate::families::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
 use crate::peers::rejecting;
 use microwarp::{Warp, libm, poly};
 use rand_pcg::Pcg32;
@@ -13,7 +13,7 @@ const FILLED: usize = 4_096;
 const REPEATS: usize = 2;
 
 fn filled<P, L, W>(
-    blank: P,
+    contest: Contest<P>,
     libm: L,
     poly: W,
     peer: impl Fn(&mut Pcg32) -> P + 'static,
@@ -23,16 +23,21 @@ where
     L: Warp<Point = P> + 'static,
     W: Warp<Point = P> + Copy + 'static,
 {
-    Contest::of_blocks(blank, FILLED, REPEATS)
+    contest
         .warp_fill(LIBM, libm)
         .warp_fill(POLY, poly)
-        .warp(POLY_SINGLE, poly)
+        .warp(DRAWN, poly)
         .draw(RAND_DISTR, peer)
+}
+
+/// A contest with the generator alone, which draws two words a point.
+fn of_pairs<const N: usize>() -> Contest<[f32; N]> {
+    with_pairs(Contest::of_blocks([0.0; N], FILLED, REPEATS))
 }
 
 pub fn disk() -> Contest<[f32; 2]> {
     filled(
-        [0.0; 2],
+        of_pairs(),
         libm::Disk::new(),
         poly::Disk::new(),
         rejecting::disk,
@@ -41,7 +46,7 @@ pub fn disk() -> Contest<[f32; 2]> {
 
 pub fn sphere() -> Contest<[f32; 3]> {
     filled(
-        [0.0; 3],
+        of_pairs(),
         libm::Sphere::new(),
         poly::Sphere::new(),
         rejecting::sphere,
@@ -50,12 +55,12 @@ pub fn sphere() -> Contest<[f32; 3]> {
 
 pub fn hemisphere() -> Contest<[f32; 3]> {
     let (libm, poly) = (libm::Hemisphere::new(), poly::Hemisphere::new());
-    filled([0.0; 3], libm, poly, rejecting::hemisphere)
+    filled(of_pairs(), libm, poly, rejecting::hemisphere)
 }
 
 pub fn cosine_hemisphere() -> Contest<[f32; 3]> {
     let (libm, poly) = (libm::CosineHemisphere::new(), poly::CosineHemisphere::new());
-    filled([0.0; 3], libm, poly, rejecting::cosine_hemisphere)
+    filled(of_pairs(), libm, poly, rejecting::cosine_hemisphere)
 }
 
 pub fn lobe() -> Contest<[f32; 3]> {
@@ -63,12 +68,13 @@ pub fn lobe() -> Contest<[f32; 3]> {
     let (libm, poly) = (libm::PhongLobe::new(n), poly::PhongLobe::new(n));
     let power = lobe_power();
     let peer = move |rng: &mut Pcg32| rejecting::lobe(power, rng);
-    filled([0.0; 3], libm.unwrap(), poly.unwrap(), peer)
+    filled(of_pairs(), libm.unwrap(), poly.unwrap(), peer)
 }
 
 pub fn exponential() -> Contest<f32> {
     let (libm, poly) = (libm::Exponential::new(1.0), poly::Exponential::new(1.0));
-    filled(0.0, libm.unwrap(), poly.unwrap(), rejecting::exponential)
+    let floor = Contest::of_blocks(0.0, FILLED, REPEATS).draw(FLOOR, word);
+    filled(floor, libm.unwrap(), poly.unwrap(), rejecting::exponential)
 }
 
 /// Pairs, of which each counts as two.
@@ -76,5 +82,5 @@ pub fn normal() -> Contest<[f32; 2]> {
     let libm = libm::NormalPair::new([0.0; 2], 1.0);
     let poly = poly::NormalPair::new([0.0; 2], 1.0);
     let peer = |rng: &mut Pcg32| [rejecting::normal(rng), rejecting::normal(rng)];
-    filled([0.0; 2], libm.unwrap(), poly.unwrap(), peer).counting(2)
+    filled(of_pairs(), libm.unwrap(), poly.unwrap(), peer).counting(2)
 }
