@@ -20,11 +20,11 @@ fn tell(rate: Option<f32>, health: &Health<LAGS>, report: &mut [f64; 16]) {
     *time = health.integrated_time().unwrap_or(0.0).into();
 }
 
-/// Two hills on the unit square without borders: small normal steps, now and then a large one.
+/// Three hills on the unit square without borders: small normal steps, now and then a large one.
 pub fn of_density<T: Tier, V: Visit>(p: &Parameters, v: &mut V) -> Result<(), Refusal> {
     let &[deviation, large, ..] = p;
     let small = Wrapped::new(NormalStep::<_, T>::new([deviation; 2])?);
-    let chain = Chain::new([0.25, 0.375], hills::<T>)?;
+    let chain = Chain::new([0.0; 2], hills::<T>)?;
     v.take(Hills::<T> {
         chain,
         mutation: Mixture::large_small(large, small)?,
