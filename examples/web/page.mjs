@@ -48,6 +48,14 @@ function choose_tier(tier) {
   renew();
 }
 
+// What the documentation says of a sampler in one sentence, that of its tier where the tier has its own.
+function summary({ name, documented = name }, tier) {
+  const { float, integer } = module.documented.summaries;
+  const own = documented.startsWith("fixed::") || ["fine", "coarse", "compact"].includes(tier) ? integer : float;
+  const type = documented.replace("fixed::", "");
+  return own[type] ?? float[type] ?? integer[type];
+}
+
 function show_choices() {
   const { family, entry, tier, source } = state;
   choices(at("families"), "family", FAMILIES.map(({ name, label }) => ({ value: name, label })), family.name, choose_family);
@@ -78,10 +86,11 @@ function refresh(keep) {
   const source = entry.plans ? state.source : "random";
   const request = { subject: entry.name, tier, source, dimensions: entry.words, count, seed, parameters: p };
   const drawn = module.sample(request);
+  at("summary").textContent = summary(entry, tier);
   document.body.dataset.shown = `${entry.name} ${tier}`;
   if (drawn.refused) return show_refusal(drawn.refused, request);
   const truth = entry.truth(p, tier);
-  const judged = entry.counting(drawn, { entry, tier, p, truth, stated: module.stated });
+  const judged = entry.counting(drawn, { entry, tier, p, truth, stated: module.documented.bounds });
   const error = keep && state.kept && !(judged.error.max > state.kept.max) ? { ...judged.error, max: state.kept.max } : judged.error;
   state.kept = { max: error.max, count: count + (keep && state.kept ? state.kept.count : 0) };
   if (entry.view === "line" || entry.view === "bars") state.tallied = line.tally(keep ? state.tallied : null, { entry, drawn, truth });
@@ -120,9 +129,11 @@ function draw(keep) {
   if (!at("errors").hidden) residuals.draw(at("residuals"), scene);
 }
 
+const bound_of = (x) => (x < 1e-2 ? Number(x.toPrecision(2)).toExponential() : String(Number(x.toPrecision(2))));
+
 function reading(label, { max, rms, unit, stated }, count) {
   const above = stated !== null && !(max <= stated);
-  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : `stated: ${Number(stated.toPrecision(2))}${above ? ", so above it" : ""}`;
+  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : `stated: ${bound_of(stated)}${above ? ", so above it" : ""}`;
   return {
     label, value: figure(max), unit: unit === "exact" ? "" : unit, above,
     share: stated > 0 ? max / stated : null,
@@ -137,7 +148,7 @@ function show_readings() {
   list.push(...judged.further.map(({ fault = false, ...rest }) => ({ ...rest, above: fault })));
   list.push(speed ? {
     label: "Speed", value: figure(1e3 / speed.point), unit: "million/s",
-    note: `${figure(speed.point)} ns a point; of them ${figure(speed.word)} a word of PCG32`,
+    note: `${figure(speed.point)} ns a point; a word of PCG32 alone ${figure(speed.word)}`,
   } : { label: "Speed", value: "…", note: "in this browser, PCG32 included" });
   readings(at("readings"), list);
   const { max, stated, unit } = judged.error;

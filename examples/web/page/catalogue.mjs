@@ -28,11 +28,11 @@ const on_line = [
     ([a, b]) => line.interval(a, b), count.warp("Interval", { scale: ([a, b]) => Math.max(Math.abs(a), Math.abs(b)), integer: count.steps })),
   subject("IntervalDecreasing", "line", FLOAT, 1, () => [number("from", -3, -10, 10), number("to", 5, -10, 10)],
     ([a, b]) => line.interval(a, b, false), count.warp("Interval", { scale: ([a, b]) => Math.max(Math.abs(a), Math.abs(b)) }),
-    { label: "Interval::decreasing" }),
+    { label: "Interval::decreasing", documented: "Interval" }),
   subject("Power", "line", FLOAT, 1, () => [number("exponent", 2.5, -6, 10), number("from", 0, 0, 10), number("to", 1, 0, 10)],
     ([n, a, b]) => line.power(n, a, b), count.warp("Power")),
   subject("PowerDecreasing", "line", FLOAT, 1, () => [number("exponent", -1, -6, 10), number("from", 1, 0, 10), number("to", 10, 0, 10)],
-    ([n, a, b]) => line.power(n, a, b, false), count.warp("Power"), { label: "Power::decreasing" }),
+    ([n, a, b]) => line.power(n, a, b, false), count.warp("Power"), { label: "Power::decreasing", documented: "Power" }),
   subject("PowerMax", "line", FLOAT, 4, none, line.power_max, count.warp("PowerMax"), { label: "PowerMax<4>" }),
   subject("Exponential", "line", BOTH, 1, (tier) => [is_float(tier) ? number("rate", 1, 0, 10) : number("mean", 1, 0, 10)],
     ([a], tier) => line.exponential(is_float(tier) ? a : 1 / a),
@@ -58,7 +58,7 @@ const corner = (value) => number("", value, -4, 4);
 const in_plane = [
   subject("Disk", "plane", BOTH, 2, none, plane.disk, count.warp("Disk")),
   subject("DiskConcentric", "plane", FLOAT, 2, none, plane.disk_concentric, count.warp("DiskConcentric")),
-  subject("FloatDisk", "plane", INTEGER, 2, none, plane.disk, count.warp("Disk", { further: 6e-8 }), { label: "Float<Disk>" }),
+  subject("FloatDisk", "plane", INTEGER, 2, none, plane.disk, count.warp("Disk", { further: 6e-8 }), { label: "Float<Disk>", documented: "Float" }),
   subject("Triangle", "plane", BOTH, 2, none, plane.triangle, count.warp("Triangle")),
   subject("TriangleOn", "plane", BOTH, 2,
     () => [0, 0, 4, 0, 1, 3].map((value, k) => ({ ...corner(value), label: `${"ABC"[k >> 1]}, ${"xy"[k & 1]}` })),
@@ -93,7 +93,7 @@ const SIX = [3, 1, 0, 5, 2, 4];
 const tables = [
   subject("Cdf", "bars", EXACT, 1, () => weights(SIX), other.shares, count.table({ searched: true })),
   subject("Alias", "bars", EXACT, 1, () => weights(SIX), other.shares, count.table({})),
-  subject("SelectOnce", "bars", EXACT, 1, () => weights(SIX), other.shares, count.selection({ searched: true }), { label: "select_once" }),
+  subject("SelectOnce", "bars", EXACT, 1, () => weights(SIX), other.shares, count.selection({ searched: true }), { label: "select_once", documented: "select_once" }),
   subject("Reservoir", "bars", EXACT, 0, () => weights(SIX), other.shares, count.selection({}), { plans: false }),
   subject("PiecewiseConstant1d", "line", EXACT, 1, () => weights(SIX), (p) => line.histogram(p),
     count.warp("PiecewiseConstant1d", { scale: () => 1 }), { uniforms: count.word }),
@@ -104,8 +104,8 @@ const tables = [
 const rejections = [
   subject("DiskRejection", "plane", EXACT, 2, () => [budget(32)], () => other.disk_of_24_bits, count.rejection({})),
   subject("BallRejection", "sphere", EXACT, 3, () => [budget(64)], () => other.ball_of_24_bits, count.rejection({})),
-  subject("IntegerDiskRejection", "plane", EXACT, 2, () => [budget(32)], () => other.disk_of_30_bits, count.rejection({}), { label: "fixed::DiskRejection" }),
-  subject("IntegerDiskRejection16", "plane", EXACT, 1, () => [budget(32)], () => other.disk_of_16_bits, count.rejection({}), { label: "fixed::DiskRejection16" }),
+  subject("IntegerDiskRejection", "plane", EXACT, 2, () => [budget(32)], () => other.disk_of_30_bits, count.rejection({}), { label: "fixed::DiskRejection", documented: "fixed::DiskRejection" }),
+  subject("IntegerDiskRejection16", "plane", EXACT, 1, () => [budget(32)], () => other.disk_of_16_bits, count.rejection({}), { label: "fixed::DiskRejection16", documented: "fixed::DiskRejection16" }),
   subject("Region", "plane", EXACT, 2, () => [number("inner radius", 0.5, 0, 1), number("outer radius", 1, 0, 1.4), budget(100)],
     ([inner, outer]) => other.ring(inner, outer), count.rejection({ proposal: "Aabb" }), { label: "Region, a ring" }),
   subject("Bounded", "plane", FLOAT, 3, () => [number("sharpness", 8, 0, 50, 0.1), number("bound", 3.15, 0, 10), budget(100)],
@@ -115,7 +115,7 @@ const rejections = [
 const chains = [
   subject("Chain", "plane", FLOAT, 0, () => [number("step, deviation", 0.1, 0, 0.5, 0.005), number("large steps, share", 0.2, 0, 1)],
     other.hills, count.chain, { label: "Chain, three hills", trail: true }),
-  subject("IntegerChain", "bars", EXACT, 0, () => weights([9, 1, 0, 30, 4, 12], 40, 1), other.states, count.chain, { label: "Chain of integer weights" }),
+  subject("IntegerChain", "bars", EXACT, 0, () => weights([9, 1, 0, 30, 4, 12], 40, 1), other.states, count.chain, { label: "Chain of integer weights", documented: "Chain" }),
 ].map((entry) => ({ ...entry, plans: false }));
 
 export const FAMILIES = [

@@ -6,8 +6,15 @@ const element = (tag, properties = {}, ...children) => {
   return made;
 };
 
-// Fills a group with radio buttons; `options` are { value, label, disabled }.
+// Fills a group with radio buttons; `options` are { value, label, disabled }. Where the options are the same as before
+// the buttons stay, and with them the keyboard's focus and how far the row is scrolled.
 export function choices(fieldset, name, options, chosen, changed) {
+  const key = JSON.stringify(options);
+  if (fieldset.dataset.options === key) {
+    for (const input of fieldset.querySelectorAll("input")) input.checked = input.value === chosen;
+    return;
+  }
+  fieldset.dataset.options = key;
   const labels = options.map(({ value, label, disabled = false }) => {
     const input = element("input", { type: "radio", name, value, checked: value === chosen, disabled });
     input.addEventListener("change", () => changed(value));

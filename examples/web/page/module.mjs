@@ -27,7 +27,7 @@ class Microwarp {
     this.imports = WebAssembly.Module.imports(module).length;
     this.bytes = (address, length) => new Uint8Array(exports.memory.buffer, address, length);
     this.names = this.string("names").trim().split(" ");
-    this.stated = JSON.parse(this.string("stated"));
+    this.documented = JSON.parse(this.string("documented"));
     // The module never grows its memory, so that these views stay good.
     let address = exports.shared_memory();
     for (const [name, View, length] of LAYOUT) {

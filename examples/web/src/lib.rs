@@ -23,8 +23,8 @@ use run::{Samples, Timing};
 use shared::{Shared, shared};
 use subject::{NAMES, Subject, visit};
 
-/// The bounds that the crate's documentation states, as JSON.
-static STATED: &str = include_str!(concat!(env!("OUT_DIR"), "/stated.json"));
+/// What the crate's documentation says of its types, a sentence and the bounds of each, as JSON.
+static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));
 
 /// Where the memory is that both sides use; its layout is that of [`Shared`].
 #[unsafe(no_mangle)]
@@ -44,16 +44,16 @@ pub extern "C" fn names_length() -> usize {
     NAMES.len()
 }
 
-/// The stated bounds as JSON.
+/// What the documentation says, as JSON.
 #[unsafe(no_mangle)]
-pub extern "C" fn stated() -> *const u8 {
-    STATED.as_ptr()
+pub extern "C" fn documented() -> *const u8 {
+    DOCUMENTED.as_ptr()
 }
 
-/// How many bytes the stated bounds have.
+/// How many bytes that has.
 #[unsafe(no_mangle)]
-pub extern "C" fn stated_length() -> usize {
-    STATED.len()
+pub extern "C" fn documented_length() -> usize {
+    DOCUMENTED.len()
 }
 
 /// Draws `count` points of a subject in a tier with the parameters in the shared memory, from random words (source

@@ -42,8 +42,8 @@ export async function launch(program = "chromium") {
     "--headless=new", "--remote-debugging-pipe", `--user-data-dir=${profile}`, "--no-first-run", "--disable-gpu",
     "--disable-dev-shm-usage", "--hide-scrollbars", "--disable-background-networking", "--disable-component-update",
     "--disable-sync", "--no-default-browser-check",
-    // Chromium refuses to sandbox itself as root.
-    ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
+    // Chromium cannot sandbox itself as root nor in most containers, and loads nothing here but this page.
+    "--no-sandbox",
     "about:blank",
   ];
   const child = spawn(program, flags, { stdio: ["ignore", "ignore", "pipe", "pipe", "pipe"] });

@@ -105,7 +105,9 @@ async function on_a_desk() {
     await most_points(page, check);
     await turns(page, check);
     await page.call(() => document.querySelector('input[name="family"][value="directions"]').click());
-    await page.call(() => document.querySelector('input[name="subject"][value="CosineHemisphere"]').click());
+    for (const choice of ['[name="subject"][value="CosineHemisphere"]', '[name="tier"][value="poly"]']) {
+      await page.call((which) => document.querySelector(`input${which}`).click(), choice);
+    }
     await page.until(`/million/.test(document.getElementById("readings").textContent)`);
     await picture(page, "desk.png");
     await sound("desk", page);

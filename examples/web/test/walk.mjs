@@ -17,7 +17,7 @@ function shown() {
   const pixels = context.getImageData(0, 0, copy.width, copy.height).data;
   let inked = 0;
   for (let k = 3; k < pixels.length; k += 4) inked += pixels[k] > 0 ? 1 : 0;
-  return { ...document.body.dataset, inked };
+  return { ...document.body.dataset, inked, summary: document.getElementById("summary").textContent };
 }
 
 // The names of all samplers in the module itself, so that none can be missing from the page.
@@ -38,6 +38,7 @@ export async function every_subject(page, module, check) {
         const what = `${subject} ${tier}`;
         const found = await page.call(shown);
         check(found.shown === what, `${what} was chosen, and the page shows ${found.shown}`);
+        check(found.summary !== "" && found.summary !== "undefined", `${what}: no word on what it is`);
         check(found.refused === "", `${what}: refused, ${found.refused}`);
         check(Number(found.count) > 0 && found.inked > 500, `${what}: ${found.count} points, ${found.inked} pixels drawn`);
         const [error, stated] = [found.error, found.stated].map(Number);
@@ -151,5 +152,22 @@ export async function turns(page, check) {
   const last = await seed();
   await new Promise((resolve) => setTimeout(resolve, 400));
   check((await seed()) === last, "the page does not stop running");
-  await page.call(choose, "subject", "Sphere");
+  await by_arrows(page, check);
+  await page.call(() => document.activeElement.blur());
+}
+
+// The arrow keys go from one choice of a group to the next, and the focus stays with them.
+async function by_arrows(page, check) {
+  const focused = () => page.call(() => document.activeElement.value);
+  for (const group of ["family", "subject", "tier"]) {
+    await page.call(choose, "family", "plane");
+    await page.call((name) => document.querySelector(`input[name="${name}"]:checked`).focus(), group);
+    const visited = [await focused()];
+    for (let k = 0; k < 2; k += 1) {
+      for (const type of ["keyDown", "keyUp"]) await page.send("Input.dispatchKeyEvent", { type, key: "ArrowRight", code: "ArrowRight", windowsVirtualKeyCode: 39 });
+      visited.push(await focused());
+    }
+    const chosen = await page.call((name) => document.querySelector(`input[name="${name}"]:checked`).value, group);
+    check(new Set(visited).size > 1 && chosen === visited.at(-1), `by arrow keys from ${visited.join(" to ")}, and chosen is ${chosen}`);
+  }
 }

@@ -6,12 +6,7 @@ export function draw(canvas, { entry, drawn, truth, keep }) {
   const { context, width, height } = prepare(canvas, keep);
   const theme = colours();
   const [left, right, bottom, top] = truth.box;
-  const margin = 26;
-  const scale = Math.min((width - 2 * margin) / (right - left), (height - 2 * margin) / (top - bottom));
-  const place = ([x, y]) => [
-    width / 2 + (x - (left + right) / 2) * scale,
-    height / 2 - (y - (bottom + top) / 2) * scale,
-  ];
+  const { scale, place } = fitted(truth.box, width, height, entry.words === 2 && entry.plans && width > 600 ? INSET : 0);
   if (!keep) {
     if (truth.cells) shade_cells(context, theme, truth, place);
     if (truth.shade) shade_density(context, theme, truth, place, scale);
@@ -33,6 +28,23 @@ export function draw(canvas, { entry, drawn, truth, keep }) {
   label(context, short(right), east, south + 16, theme.faint, "right");
   label(context, short(bottom), west - 8, south - 5, theme.faint, "right");
   label(context, short(top), west - 8, north + 5, theme.faint, "right");
+}
+
+// Equal scales that fill the canvas, beside its upper left corner where the uniforms' square would be in the way.
+const MARGIN = 26;
+const INSET = 128;
+function fitted([left, right, bottom, top], width, height, inset) {
+  const within = (from) => {
+    const scale = Math.min((width - from - MARGIN) / (right - left), (height - 2 * MARGIN) / (top - bottom));
+    const place = ([x, y]) => [
+      (from + width - MARGIN) / 2 + (x - (left + right) / 2) * scale,
+      height / 2 - (y - (bottom + top) / 2) * scale,
+    ];
+    return { scale, place };
+  };
+  const full = within(MARGIN);
+  const [west, north] = full.place([left, top]);
+  return west - MARGIN < inset && north - MARGIN < inset && inset > 0 ? within(inset + MARGIN) : full;
 }
 
 function shade_cells(context, { bars }, { cells, box: [left, right, bottom, top] }, place) {
