@@ -42,7 +42,10 @@ fn read(directories: &[&str]) -> BTreeMap<String, Documented> {
         println!("cargo:rerun-if-changed={}", directory.display());
         for file in sources(&directory) {
             let text = fs::read_to_string(&file).expect("a source file is text");
-            types.extend(documented(&text));
+            // Of two types of one name that of the first directory is meant.
+            for (name, of) in documented(&text) {
+                types.entry(name).or_insert(of);
+            }
         }
     }
     assert!(!types.is_empty(), "no documentation in {directories:?}");

@@ -11,7 +11,7 @@ import * as residuals from "./view/residuals.mjs";
 
 const at = (id) => document.getElementById(id);
 const whole = (n) => n.toLocaleString("en");
-const figure = (x) => (x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 ? x.toExponential(2) : x.toPrecision(3));
+const figure = (x) => (Number.isNaN(x) ? "not known" : x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 ? x.toExponential(2) : x.toPrecision(3));
 
 const state = {
   family: FAMILIES[0], entry: null, tier: "poly", source: "random", values: [], seed: 1,
@@ -133,7 +133,7 @@ const bound_of = (x) => (x < 1e-2 ? Number(x.toPrecision(2)).toExponential() : S
 
 function reading(label, { max, rms, unit, stated }, count) {
   const above = stated !== null && !(max <= stated);
-  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : `stated: ${bound_of(stated)}${above ? ", so above it" : ""}`;
+  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : above ? `above the ${bound_of(stated)} stated for other parameters` : `stated: ${bound_of(stated)}`;
   return {
     label, value: figure(max), unit: unit === "exact" ? "" : unit, above,
     share: stated > 0 ? max / stated : null,

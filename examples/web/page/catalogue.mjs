@@ -49,10 +49,16 @@ const on_line = [
   subject("Linear", "line", FLOAT, 1, () => [number("density at 0", 1, 0, 10), number("density at 1", 3, 0, 10)],
     ([a, b]) => line.linear(a, b), count.warp("Linear")),
   subject("Normal", "line", FLOAT, 1, () => [number("mean", 0, -10, 10), number("deviation", 1, 0, 5)],
-    ([mean, deviation]) => line.normal(mean, deviation), count.warp("Normal")),
+    ([mean, deviation]) => line.normal(mean, deviation), count.warp("Normal", { scale: ([mean]) => Math.abs(mean) })),
   subject("Inversion", "line", FLOAT, 1, none, line.rising, count.warp("Inversion"), { label: "Inversion, ½ + x" }),
   subject("Transform", "line", FLOAT, 1, none, line.sine, count.warp("Transform"), { label: "Transform, sin x" }),
 ];
+
+// The largest coordinate of a triangle, or its extent along an axis where that is larger.
+function size_of_triangle(p) {
+  const along = [0, 1].map((axis) => p.filter((_, k) => k % 2 === axis));
+  return Math.max(...along.map((c) => Math.max(...c) - Math.min(...c)), ...p.map(Math.abs));
+}
 
 const corner = (value) => number("", value, -4, 4);
 const in_plane = [
@@ -62,7 +68,7 @@ const in_plane = [
   subject("Triangle", "plane", BOTH, 2, none, plane.triangle, count.warp("Triangle")),
   subject("TriangleOn", "plane", BOTH, 2,
     () => [0, 0, 4, 0, 1, 3].map((value, k) => ({ ...corner(value), label: `${"ABC"[k >> 1]}, ${"xy"[k & 1]}` })),
-    (p) => plane.triangle_on(p), count.warp("TriangleOn", { scale: (p) => Math.max(...p.map(Math.abs)), integer: count.of_extent })),
+    (p) => plane.triangle_on(p), count.warp("TriangleOn", { scale: size_of_triangle, integer: count.of_extent })),
   subject("NormalPair", "plane", BOTH, 2, () => [number("mean x", 0, -10, 10), number("mean y", 0, -10, 10), number("deviation", 1, 0, 5)],
     ([x, y, deviation]) => plane.normal_pair(x, y, deviation),
     count.warp("NormalPair", { scale: ([x, y, deviation]) => Math.max(deviation, Math.abs(x), Math.abs(y)), integer: count.of_deviation })),

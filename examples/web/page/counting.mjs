@@ -59,7 +59,8 @@ function float_error(type, scale, { tier, p, stated }) {
   const { unit, bound } = row(stated, "float", type, "sample", tier);
   const length = scale ? scale(p) : 1;
   const of = {
-    "ulp": (got, exact) => widest(got, exact) / ulp(exact[0]),
+    // Where a far mean is added, digits are lost that no sample there can hold.
+    "ulp": (got, exact) => widest(got, exact) / ulp(Math.max(Math.abs(exact[0]), scale ? length : 0)),
     "ulp of the scale": (got, exact) => widest(got, exact) / ulp(length),
     "of the size": (got, exact) => far(got, exact) / length,
   }[unit];
@@ -220,8 +221,9 @@ export const chain = (drawn, { truth }) => {
   const [acceptance, time] = drawn.report;
   const deviation = Math.sqrt((truth.variance * time) / drawn.count);
   const off = Math.abs(sum / drawn.count - truth.mean);
-  // Of a single state of positive weight nothing can be off.
-  const error = { label: "Error of the mean", max: off === 0 ? 0 : off / deviation, rms: null, unit: "σ of the mean", stated: 5, at: null };
+  // Of a single state of positive weight nothing can be off; of a chain whose time is not known nothing can be said.
+  const max = off === 0 ? 0 : time > 0 ? off / deviation : NaN;
+  const error = { label: "Error of the mean", max, rms: null, unit: "σ of the mean", stated: Number.isNaN(max) ? null : 5, at: null };
   return {
     error, density: density.reading("relative", null), residuals: [], signed: false,
     further: [
