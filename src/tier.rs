@@ -50,12 +50,12 @@ pub trait Tier:
     #[must_use]
     fn sincos_turns(t: f32) -> (f32, f32);
 
-    /// The point at a radius and an angle in turns, `[r cos 2πt, r sin 2πt]`, for fewer than 2²⁰ turns
+    /// The point at a radius and an angle in turns, `(r cos 2πt, r sin 2πt)`, for fewer than 2²⁰ turns
     /// either way.
     ///
     /// The quadrant is reduced exactly. More turns, and what is no number, give a point that means nothing.
     #[must_use]
-    fn polar(radius: f32, turn: f32) -> [f32; 2];
+    fn polar(radius: f32, turn: f32) -> (f32, f32);
 
     /// The angle of the point `(x, y)` in turns, in `[-1/2, 1/2]`; 0 at the origin and for NaN.
     ///

@@ -62,7 +62,7 @@ impl Tier for Libm {
     }
 
     #[inline]
-    fn polar(radius: f32, turn: f32) -> [f32; 2] {
+    fn polar(radius: f32, turn: f32) -> (f32, f32) {
         let (quadrant, r) = poly::reduce_few_turns(turn);
         let (s, c) = sincos_quarter(r);
         poly::polar(radius, quadrant, s, c)
@@ -95,8 +95,18 @@ impl Tier for Libm {
     }
 
     #[inline]
+    #[allow(
+        clippy::float_cmp,
+        reason = "whether nothing was rounded is asked exactly"
+    )]
     fn neg_ln_1m(u: f32) -> f32 {
-        -::libm::log1pf(-u)
+        // On the grid 1 - u is exact, and the plain logarithm is quicker.
+        let rest = 1.0 - u;
+        if 1.0 - rest == u {
+            0.0 - ::libm::logf(rest)
+        } else {
+            -::libm::log1pf(-u)
+        }
     }
 
     #[inline]

@@ -58,7 +58,7 @@ impl Tier for Poly {
     }
 
     #[inline]
-    fn polar(radius: f32, turn: f32) -> [f32; 2] {
+    fn polar(radius: f32, turn: f32) -> (f32, f32) {
         let (quadrant, r) = reduce_few_turns(turn);
         let (s, c) = trig::sincos_quarter(r);
         polar(radius, quadrant, s, c)

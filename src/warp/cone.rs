@@ -1,6 +1,7 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
 use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
+use super::fill::{Place, placed};
 use super::{Warp, into_unit};
 use crate::error::{Error, positive};
 use crate::tier::{Tier, one_minus_cos_radians, sqrt};
@@ -119,6 +120,13 @@ impl<T: Tier> Cone<T> {
     }
 }
 
+impl<T: Tier> Place<3> for Cone<T> {
+    #[inline]
+    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        between_poles::<T>(u1 * self.k, self.rest + (1.0 - u1) * self.k, u2, to);
+    }
+}
+
 impl<T: Tier> Warp for Cone<T> {
     type Uniforms = [f32; 2];
     type Point = [f32; 3];
@@ -126,8 +134,7 @@ impl<T: Tier> Warp for Cone<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        let [u1, u2] = u.get();
-        between_poles::<T>(u1 * self.k, self.rest + (1.0 - u1) * self.k, u2)
+        placed(self, u)
     }
 
     #[inline]
@@ -148,5 +155,5 @@ impl<T: Tier> Warp for Cone<T> {
         ]
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(of placed);
 }

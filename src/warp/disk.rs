@@ -1,5 +1,6 @@
 //! The uniform distribution on the unit disk: by polar inversion, and by Shirley's concentric map.
 
+use super::fill::{Place, placed};
 use super::{Warp, clamp, direction::azimuth, into_unit};
 use crate::tier::{Tier, exchanged};
 use crate::uniform::{Canonical, LARGEST};
@@ -46,6 +47,16 @@ impl<T: Tier> Disk<T> {
     }
 }
 
+impl<T: Tier> Place<2> for Disk<T> {
+    #[inline]
+    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+        // The root of the largest uniform is again the largest f32 below 1.
+        let r = T::sqrt(u1);
+        let (x, y) = T::polar(r, u2);
+        *to = [x, y];
+    }
+}
+
 impl<T: Tier> Warp for Disk<T> {
     type Uniforms = [f32; 2];
     type Point = [f32; 2];
@@ -53,10 +64,7 @@ impl<T: Tier> Warp for Disk<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
-        let [u1, u2] = u.get();
-        // The root of the largest uniform is again the largest f32 below 1.
-        let r = T::sqrt(u1);
-        T::polar(r, u2)
+        placed(self, u)
     }
 
     #[inline]
@@ -70,7 +78,7 @@ impl<T: Tier> Warp for Disk<T> {
         [into_unit(x * x + y * y), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(of placed);
 }
 
 #[inline]
@@ -128,7 +136,7 @@ pub(crate) fn concentric<T: Tier>(u: [f32; 2]) -> [f32; 2] {
     }
     // At most an eighth of a turn from the axis of its wedge, so that the angle keeps its digits; the
     // other axis is reached by exchanging sine and cosine.
-    let [x, y] = T::polar(clamp(radius, -RIM, RIM), 0.125 * (across / radius));
+    let (x, y) = T::polar(clamp(radius, -RIM, RIM), 0.125 * (across / radius));
     let (x, y) = exchanged(!wide, x, y);
     [x, y]
 }

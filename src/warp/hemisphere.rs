@@ -1,7 +1,8 @@
 //! The upper hemisphere: uniform, and in proportion to the cosine by inversion and by Malley's method.
 
-use super::direction::{around, azimuth, is_direction};
+use super::direction::{azimuth, is_direction, place_around};
 use super::disk::{concentric, concentric_inverse};
+use super::fill::{Place, placed};
 use super::{Warp, above_zero, into_unit, representable};
 use crate::tier::Tier;
 use crate::uniform::Canonical;
@@ -46,6 +47,15 @@ impl<T: Tier> Hemisphere<T> {
     }
 }
 
+impl<T: Tier> Place<3> for Hemisphere<T> {
+    #[inline]
+    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        // sin² = 1 - u² in terms of 1 - u, which is exact where it is small.
+        let rest = 1.0 - u1;
+        place_around::<T>(T::sqrt((rest + rest) - rest * rest), u1, u2, to);
+    }
+}
+
 impl<T: Tier> Warp for Hemisphere<T> {
     type Uniforms = [f32; 2];
     type Point = [f32; 3];
@@ -53,10 +63,7 @@ impl<T: Tier> Warp for Hemisphere<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        let [u1, u2] = u.get();
-        // sin² = 1 - u² in terms of 1 - u, which is exact where it is small.
-        let rest = 1.0 - u1;
-        around::<T>(T::sqrt((rest + rest) - rest * rest), u1, u2)
+        placed(self, u)
     }
 
     #[inline]
@@ -75,7 +82,7 @@ impl<T: Tier> Warp for Hemisphere<T> {
         [into_unit(z), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(of placed);
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by inversion.
@@ -127,6 +134,13 @@ fn cosine_density(direction: [f32; 3]) -> f32 {
     }
 }
 
+impl<T: Tier> Place<3> for CosineHemisphere<T> {
+    #[inline]
+    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        place_around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2, to);
+    }
+}
+
 impl<T: Tier> Warp for CosineHemisphere<T> {
     type Uniforms = [f32; 2];
     type Point = [f32; 3];
@@ -134,8 +148,7 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        let [u1, u2] = u.get();
-        around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2)
+        placed(self, u)
     }
 
     #[inline]
@@ -152,7 +165,7 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
         [into_unit(u1), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(of placed);
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by Malley's method.

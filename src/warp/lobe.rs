@@ -1,6 +1,7 @@
 //! The cosine-power lobe, also known as the Phong lobe.
 
-use super::direction::{around, azimuth, is_direction, one_minus_cos};
+use super::direction::{azimuth, is_direction, one_minus_cos, place_around};
+use super::fill::{Place, placed};
 use super::{Warp, into_unit, representable};
 use crate::error::{Error, finite};
 use crate::tier::Tier;
@@ -77,6 +78,14 @@ impl<T: Tier> PhongLobe<T> {
     }
 }
 
+impl<T: Tier> Place<3> for PhongLobe<T> {
+    #[inline]
+    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        let (cos, q) = T::exp_neg_pair(T::neg_ln_1m(u1) / self.m);
+        place_around::<T>(T::sqrt(q * (1.0 + cos)), cos, u2, to);
+    }
+}
+
 impl<T: Tier> Warp for PhongLobe<T> {
     type Uniforms = [f32; 2];
     type Point = [f32; 3];
@@ -84,9 +93,7 @@ impl<T: Tier> Warp for PhongLobe<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        let [u1, u2] = u.get();
-        let (cos, q) = T::exp_neg_pair(T::neg_ln_1m(u1) / self.m);
-        around::<T>(T::sqrt(q * (1.0 + cos)), cos, u2)
+        placed(self, u)
     }
 
     #[inline]
@@ -111,5 +118,5 @@ impl<T: Tier> Warp for PhongLobe<T> {
         [into_unit(u1), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(of placed);
 }

@@ -1,6 +1,7 @@
 //! The normal distribution: one at a time by its quantile, two at a time by Box and Muller's map.
 
 use super::direction::azimuth;
+use super::fill::{Place, placed};
 use super::{Warp, above_zero, into_unit, representable};
 use crate::error::{Error, finite, positive};
 use crate::tier::{Tier, scaled_exp_of_product};
@@ -190,6 +191,16 @@ impl<T: Tier> NormalPair<T> {
     }
 }
 
+impl<T: Tier> Place<2> for NormalPair<T> {
+    #[inline]
+    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+        let [mx, my] = self.mean;
+        let r = self.deviation * T::sqrt(2.0 * T::neg_ln_1m(u1));
+        let (x, y) = T::polar(r, u2);
+        *to = [mx + x, my + y];
+    }
+}
+
 impl<T: Tier> Warp for NormalPair<T> {
     type Uniforms = [f32; 2];
     type Point = [f32; 2];
@@ -197,10 +208,7 @@ impl<T: Tier> Warp for NormalPair<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
-        let ([u1, u2], [mx, my]) = (u.get(), self.mean);
-        let r = self.deviation * T::sqrt(2.0 * T::neg_ln_1m(u1));
-        let [x, y] = T::polar(r, u2);
-        [mx + x, my + y]
+        placed(self, u)
     }
 
     #[inline]
@@ -224,5 +232,5 @@ impl<T: Tier> Warp for NormalPair<T> {
         ]
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(of placed);
 }

@@ -1,7 +1,8 @@
 //! The uniform distribution over all directions.
 
 use super::Warp;
-use super::direction::{around, azimuth, is_direction, one_minus_cos};
+use super::direction::{azimuth, is_direction, one_minus_cos, place_around};
+use super::fill::{Place, placed};
 use super::into_unit;
 use crate::tier::Tier;
 use crate::uniform::Canonical;
@@ -46,6 +47,14 @@ impl<T: Tier> Sphere<T> {
     }
 }
 
+impl<T: Tier> Place<3> for Sphere<T> {
+    #[inline]
+    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        let sin = 2.0 * T::sqrt(u1 * (1.0 - u1));
+        place_around::<T>(sin, 1.0 - 2.0 * u1, u2, to);
+    }
+}
+
 impl<T: Tier> Warp for Sphere<T> {
     type Uniforms = [f32; 2];
     type Point = [f32; 3];
@@ -53,9 +62,7 @@ impl<T: Tier> Warp for Sphere<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        let [u1, u2] = u.get();
-        let sin = 2.0 * T::sqrt(u1 * (1.0 - u1));
-        around::<T>(sin, 1.0 - 2.0 * u1, u2)
+        placed(self, u)
     }
 
     #[inline]
@@ -76,5 +83,5 @@ impl<T: Tier> Warp for Sphere<T> {
         ]
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(of placed);
 }

@@ -136,8 +136,8 @@ pub fn cases() -> Vec<Case> {
             |t, _| sincos(t).0 => |t, _| T::sincos_turns(t).0,
             |t, _| sincos(t).1 => |t, _| T::sincos_turns(t).1),
         case!("polar, r = 1", "0 ≤ t ≤ 1", [Grid(1.0)], |_| true,
-            |t, _| sincos(t).1 => |t, _| T::polar(1.0, t)[0],
-            |t, _| sincos(t).0 => |t, _| T::polar(1.0, t)[1]),
+            |t, _| sincos(t).1 => |t, _| T::polar(1.0, t).0,
+            |t, _| sincos(t).0 => |t, _| T::polar(1.0, t).1),
         case!("sin² + cos²", "0 ≤ t ≤ 1", [Grid(1.0)], |_| true,
             // Squared and summed in f64, and rounded only after 1 has been taken off.
             |_, _| 0.0 => |t, _| {

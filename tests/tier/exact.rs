@@ -121,7 +121,7 @@ fn polar_is_the_radius_times_sine_and_cosine<T: Tier>() {
         let (s, c) = T::sincos_turns(turn);
         assert_eq!(
             T::polar(radius, turn),
-            [radius * c, radius * s],
+            (radius * c, radius * s),
             "{} {radius} {turn}",
             T::NAME
         );

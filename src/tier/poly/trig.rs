@@ -93,7 +93,7 @@ pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
 
 /// `radius · (cos, sin)` of a reduced phase whose sine and cosine within its quadrant are given.
 #[inline]
-pub(crate) fn polar(radius: f32, quadrant: u32, s: f32, c: f32) -> [f32; 2] {
+pub(crate) fn polar(radius: f32, quadrant: u32, s: f32, c: f32) -> (f32, f32) {
     // The signs go to the radius, which a hardware root leaves in a core register anyway. Sine and cosine
     // differ in sign where the quadrant is odd.
     let (s, c) = exchanged(quadrant & 1 == 1, s, c);
@@ -108,7 +108,7 @@ pub(crate) fn polar(radius: f32, quadrant: u32, s: f32, c: f32) -> [f32; 2] {
     } else {
         signed(radius, of_cosine) * c
     };
-    [x, y]
+    (x, y)
 }
 
 /// `(sin(2πt), cos(2πt))`.
