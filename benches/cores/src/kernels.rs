@@ -11,7 +11,7 @@ use fixed::types::{I2F30, I5F27, I16F16, U0F32, U2F62, U5F27, U16F16, U32F32};
 use microwarp::Warp;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use microwarp::rejection::{DiskRejection, Rejection};
+use microwarp::rejection::{BallRejection, DiskRejection, Rejection, ZigguratStandardExponential, ZigguratStandardNormal};
 use microwarp::{fixed as integer, libm, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -215,4 +215,9 @@ kernels! {
 
     // Rejection, with its generator.
     "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
+    "rejection_ball_pcg32" (rng) -> [f32; 3] = BallRejection::new().draw(rng).map_or([0.0; 3], |accepted| accepted.point);
+    "fixed_disk_rejection_pcg32" (rng) -> [I2F30; 2] = integer::DiskRejection::new().draw(rng).map_or([I2F30::ZERO; 2], |accepted| accepted.point);
+    "fixed_disk_rejection16_pcg32" (rng) -> [I2F30; 2] = integer::DiskRejection16::new().draw(rng).map_or([I2F30::ZERO; 2], |accepted| accepted.point);
+    "ziggurat_normal_pcg32" (rng) -> f32 = ZigguratStandardNormal::new().draw(rng).map_or(0.0, |accepted| accepted.point);
+    "ziggurat_exponential_pcg32" (rng) -> f32 = ZigguratStandardExponential::new().draw(rng).map_or(0.0, |accepted| accepted.point);
 }
