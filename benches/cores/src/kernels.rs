@@ -14,17 +14,19 @@ mod generator;
 mod integer;
 mod peers;
 mod primitives;
+mod rejection;
 mod tables;
 
 use crate::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 7] = [
+pub static REGISTRY: [&[Entry]; 8] = [
     chains::ENTRIES,
     float::ENTRIES,
     generator::ENTRIES,
     integer::ENTRIES,
     peers::ENTRIES,
     primitives::ENTRIES,
+    rejection::ENTRIES,
     tables::ENTRIES,
 ];

@@ -1,12 +1,9 @@
-//! Tables in flash and rejection, which belong to no tier.
+//! Tables in flash, which belong to no tier: the index that a word selects, or a point of the tabulated density.
 
-use crate::registry::kernels;
-use crate::registry::ok;
-use fixed::types::I2F30;
+use crate::count::Entry;
+use crate::registry::{entry, ok};
 use microwarp::Warp;
 use microwarp::discrete::{Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d};
-use microwarp::fixed as integer;
-use microwarp::rejection::{BallRejection, DiskRejection, Rejection};
 use rand_core::Rng;
 
 /// Weights of a table, no two neighbours alike.
@@ -30,71 +27,52 @@ const fn picture() -> [[f32; 16]; 8] {
     picture
 }
 
-// The tables are statics of the kernels that select from them: one elsewhere would be built by the compiler with
-// every function.
+/// Two kernels and the table of both, which the compiler builds with no other function: by inputs from memory, and
+/// drawn.
+macro_rules! tables {
+    ($(
+        $name:literal $drawn:literal $table:ident: $type:ty = $value:expr,
+        ($($input:ident: $number:ident),+) -> $out:ty = $body:expr, $rng:ident => $drawn_body:expr;
+    )*) => {
+        $(
+            #[cfg(any(not(one_kernel), kernel = $name, kernel = $drawn))]
+            static $table: $type = ok($value);
+        )*
 
-macro_rules! alias {
-    ($n:literal) => {{
-        static TABLE: Alias<[AliasEntry<u32>; $n]> =
-            ok(Alias::<[AliasEntry<u32>; $n]>::new(&weights::<$n>()));
-        &TABLE
-    }};
+        /// Every entry; a measurement leaves one.
+        pub static ENTRIES: &[Entry] = &[$(
+            #[cfg(any(not(one_kernel), kernel = $name))]
+            entry!($name ($($input: $number),+) -> $out = $body, {}),
+            #[cfg(any(not(one_kernel), kernel = $drawn))]
+            entry!($drawn ($rng) -> $out = $drawn_body, {}),
+        )*];
+    };
 }
 
-macro_rules! cdf {
-    ($n:literal) => {{
-        static TABLE: Cdf<[u32; $n]> = ok(Cdf::<[u32; $n]>::new(&weights::<$n>()));
-        &TABLE
-    }};
-}
+type AliasOf<const N: usize> = Alias<[AliasEntry<u32>; N]>;
+type CdfOf<const N: usize> = Cdf<[u32; N]>;
+type Pieces<const N: usize> = PiecewiseConstant1d<[u32; N]>;
+type Picture<const U: usize, const V: usize> = PiecewiseConstant2d<[u32; V], [[u32; U]; V]>;
 
-macro_rules! pieces {
-    ($n:literal) => {{
-        static TABLE: PiecewiseConstant1d<[u32; $n]> = ok(
-            PiecewiseConstant1d::<[u32; $n]>::from_weights(&weights::<$n>(), 0.0, 1.0),
-        );
-        &TABLE
-    }};
-}
+const UNIT: [f32; 2] = [0.0, 1.0];
 
-macro_rules! picture {
-    () => {{
-        static TABLE: PiecewiseConstant2d<[u32; 8], [[u32; 16]; 8]> =
-            ok(PiecewiseConstant2d::<[u32; 8], [[u32; 16]; 8]>::new(
-                &picture(),
-                [0.0, 1.0],
-                [0.0, 1.0],
-            ));
-        &TABLE
-    }};
-}
-
-kernels! {
-    // The index that a word selects.
-    "alias_8" (word: u32) -> usize = alias!(8).index(word);
-    "alias_8_pcg32" (rng) -> usize = alias!(8).index(rng.next_u32());
-    "alias_64" (word: u32) -> usize = alias!(64).index(word);
-    "alias_64_pcg32" (rng) -> usize = alias!(64).index(rng.next_u32());
-    "alias_1024" (word: u32) -> usize = alias!(1024).index(word);
-    "alias_1024_pcg32" (rng) -> usize = alias!(1024).index(rng.next_u32());
-    "cdf_8" (word: u32) -> usize = cdf!(8).index(word);
-    "cdf_8_pcg32" (rng) -> usize = cdf!(8).index(rng.next_u32());
-    "cdf_64" (word: u32) -> usize = cdf!(64).index(word);
-    "cdf_64_pcg32" (rng) -> usize = cdf!(64).index(rng.next_u32());
-    "cdf_1024" (word: u32) -> usize = cdf!(1024).index(word);
-    "cdf_1024_pcg32" (rng) -> usize = cdf!(1024).index(rng.next_u32());
-
-    // A point, which takes the rest of the word too.
-    "piecewise_constant_1d_64" (u: f32) -> f32 = pieces!(64).sample(u);
-    "piecewise_constant_1d_64_pcg32" (rng) -> f32 = pieces!(64).draw(rng);
-    "piecewise_constant_2d_16_8" (u: f32, v: f32) -> [f32; 2] = picture!().sample([u, v]);
-    "piecewise_constant_2d_16_8_pcg32" (rng) -> [f32; 2] = picture!().draw(rng);
-
-    // Rejection, with its generator.
-    "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
-    "rejection_ball_pcg32" (rng) -> [f32; 3] = BallRejection::new().draw(rng).map_or([0.0; 3], |accepted| accepted.point);
-    "fixed_rejection_disk_pcg32" (rng) -> [I2F30; 2] =
-        integer::DiskRejection::new().draw(rng).map_or([I2F30::ZERO; 2], |accepted| accepted.point);
-    "fixed_rejection_disk_16_pcg32" (rng) -> [I2F30; 2] =
-        integer::DiskRejection16::new().draw(rng).map_or([I2F30::ZERO; 2], |accepted| accepted.point);
+tables! {
+    "alias_8" "alias_8_pcg32" ALIAS_8: AliasOf<8> = AliasOf::<8>::new(&weights::<8>()),
+        (word: u32) -> usize = ALIAS_8.index(word), rng => ALIAS_8.index(rng.next_u32());
+    "alias_64" "alias_64_pcg32" ALIAS_64: AliasOf<64> = AliasOf::<64>::new(&weights::<64>()),
+        (word: u32) -> usize = ALIAS_64.index(word), rng => ALIAS_64.index(rng.next_u32());
+    "alias_1024" "alias_1024_pcg32" ALIAS_1024: AliasOf<1024> = AliasOf::<1024>::new(&weights::<1024>()),
+        (word: u32) -> usize = ALIAS_1024.index(word), rng => ALIAS_1024.index(rng.next_u32());
+    "cdf_8" "cdf_8_pcg32" CDF_8: CdfOf<8> = CdfOf::<8>::new(&weights()),
+        (word: u32) -> usize = CDF_8.index(word), rng => CDF_8.index(rng.next_u32());
+    "cdf_64" "cdf_64_pcg32" CDF_64: CdfOf<64> = CdfOf::<64>::new(&weights()),
+        (word: u32) -> usize = CDF_64.index(word), rng => CDF_64.index(rng.next_u32());
+    "cdf_1024" "cdf_1024_pcg32" CDF_1024: CdfOf<1024> = CdfOf::<1024>::new(&weights()),
+        (word: u32) -> usize = CDF_1024.index(word), rng => CDF_1024.index(rng.next_u32());
+    "piecewise_constant_1d_64" "piecewise_constant_1d_64_pcg32"
+        PIECES_64: Pieces<64> = Pieces::<64>::from_weights(&weights(), 0.0, 1.0),
+        (u: f32) -> f32 = PIECES_64.sample(u), rng => PIECES_64.draw(rng);
+    "piecewise_constant_2d_16_8" "piecewise_constant_2d_16_8_pcg32"
+        PICTURE_16_8: Picture<16, 8> = Picture::<16, 8>::new(&picture(), UNIT, UNIT),
+        (u: f32, v: f32) -> [f32; 2] = PICTURE_16_8.sample([u, v]), rng => PICTURE_16_8.draw(rng);
 }
