@@ -105,6 +105,33 @@ fn filling_is_drawing_one_by_one() {
     }
 }
 
+/// A generator of so many words.
+struct Ending {
+    rng: Pcg32,
+    left: usize,
+}
+
+impl Ending {
+    fn after(left: usize) -> Self {
+        let rng = Pcg32::new(5, 5);
+        Self { rng, left }
+    }
+}
+
+impl TryRng for Ending {
+    type Error = Broken;
+    fn try_next_u32(&mut self) -> Result<u32, Broken> {
+        self.left = self.left.checked_sub(1).ok_or(Broken(17))?;
+        Ok(self.rng.next_u32())
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Broken> {
+        unreachable!("draws are counted in u32")
+    }
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Broken> {
+        unreachable!("draws are counted in u32")
+    }
+}
+
 /// Of a generator that fails after so many words the points before are those of a sound one.
 fn fills_until_the_failure<W: Warp>(warp: &W, words: usize, blank: W::Point)
 where
@@ -112,9 +139,9 @@ where
 {
     for good in 0..20 * words {
         let mut points = [blank; 20];
-        let result = warp.try_fill(&mut failing(good), &mut points);
+        let result = warp.try_fill(&mut Ending::after(good), &mut points);
         assert_eq!(result, Err(Broken(17)));
-        let mut sound = failing(usize::MAX);
+        let mut sound = Ending::after(usize::MAX);
         for (i, point) in points.into_iter().enumerate() {
             let due = if i < good / words {
                 warp.try_draw(&mut sound).unwrap()
@@ -125,7 +152,10 @@ where
         }
     }
     let mut points = [blank; 20];
-    assert!(warp.try_fill(&mut failing(20 * words), &mut points).is_ok());
+    assert!(
+        warp.try_fill(&mut Ending::after(20 * words), &mut points)
+            .is_ok()
+    );
 }
 
 #[test]
