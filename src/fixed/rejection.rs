@@ -24,7 +24,7 @@ const fn squares(h: i32, k: i32) -> u32 {
     (h * h) as u32 + (k * k) as u32
 }
 
-/// Whether a point lies inside, by its sum of squares where that is off the rim by more than 2²³, which it is in 98.4
+/// Whether a point lies inside, by its sum of squares where that is off the rim by more than 2²³, which it is in 98.8
 /// tries of 100 and which firmware compares in one instruction; by `exact` elsewhere.
 #[inline]
 fn inside(sum: u32, exact: impl FnOnce() -> bool) -> bool {
@@ -48,7 +48,7 @@ const fn long_inside(x: i32, y: i32) -> bool {
 ///   the disk is equally likely.
 /// - Density: 1/π per unit area, off by 2⁻³³ at most.
 /// - Efficiency: π/4.
-/// - No product of 64 bits but in 2 tries of 10,000, no division, no table. Where the number of tries must be
+/// - No product of 64 bits but in 1 try of 85, no division, no table. Where the number of tries must be
 ///   constant, take a warp.
 ///
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.

@@ -140,12 +140,14 @@ fn try_on<L: Law, R: TryRng + ?Sized>(
     }
 }
 
-/// What the public samplers have in common: `$self` with `$placed`, which makes its number of a standard one.
+/// What the public samplers have in common: `$placed` is their number, made of the standard one `$x`.
 macro_rules! ziggurat {
     ($name:ident: $law:ty, |$sampler:ident, $x:ident| $placed:expr) => {
         impl $name {
-            /// One try with three words of one's own: the first decides nearly always, the second a place beyond
-            /// its layer's inner part, and both are the uniform of the tail. `None` if the number is rejected.
+            /// One try with three words of one's own; `None` if the number is rejected.
+            ///
+            /// The first word is nearly always all that counts. The second decides on a place beyond the inner part of
+            /// its layer; second and third are the uniform of a tail.
             #[must_use]
             pub fn attempt(&self, words: [u32; 3]) -> Option<f32> {
                 let $sampler = self;
