@@ -9,6 +9,7 @@
 
 #![allow(dead_code, reason = "each bench and example uses a part")]
 
+use microwarp::Warp;
 use rand_pcg::Pcg32;
 use statrs::statistics::{Data, OrderStatistics};
 use std::hint::black_box;
@@ -33,6 +34,8 @@ pub struct Contest<P> {
     blocks: Vec<Block<P>>,
     points: Vec<P>,
     repeats: usize,
+    /// How many samples a point is.
+    samples: usize,
 }
 
 impl<P: Copy + 'static> Contest<P> {
@@ -48,7 +51,15 @@ impl<P: Copy + 'static> Contest<P> {
             blocks: Vec::new(),
             points: vec![blank; points],
             repeats,
+            samples: 1,
         }
+    }
+
+    /// Counts every point as so many samples, as a pair of normals is two.
+    #[must_use]
+    pub fn counting(mut self, samples: usize) -> Self {
+        self.samples = samples;
+        self
     }
 
     /// Admits a sampler of single points.
@@ -74,6 +85,20 @@ impl<P: Copy + 'static> Contest<P> {
             fill(&mut rng, points);
             kept = rng;
         })
+    }
+
+    /// Admits a warp that is drawn from.
+    #[must_use]
+    pub fn warp<W: Warp<Point = P> + 'static>(self, name: &str, warp: W) -> Self {
+        let warp = black_box(warp);
+        self.draw(name, move |rng| warp.draw(rng))
+    }
+
+    /// Admits a warp that fills slices.
+    #[must_use]
+    pub fn warp_fill<W: Warp<Point = P> + 'static>(self, name: &str, warp: W) -> Self {
+        let warp = black_box(warp);
+        self.fill(name, move |rng, points| warp.fill(rng, points))
     }
 
     /// Admits anything that overwrites a block.
@@ -105,7 +130,7 @@ impl<P: Copy + 'static> Contest<P> {
         Standings::new(self.names, nanoseconds)
     }
 
-    /// Nanoseconds a point of one contestant, once.
+    /// Nanoseconds a sample of one contestant, once.
     fn turn(&mut self, contestant: usize) -> f64 {
         let block = &mut self.blocks[contestant];
         // A block that is not timed brings this one's code and tables into the caches.
@@ -116,7 +141,8 @@ impl<P: Copy + 'static> Contest<P> {
         }
         let elapsed = start.elapsed();
         black_box(&self.points);
-        elapsed.as_secs_f64() * 1e9 / (self.repeats * self.points.len()) as f64
+        let samples = self.repeats * self.points.len() * self.samples;
+        elapsed.as_secs_f64() * 1e9 / samples as f64
     }
 }
 
@@ -171,7 +197,7 @@ impl Quartiles {
 /// The times of all rounds.
 pub struct Standings {
     names: Vec<String>,
-    /// Of each contestant the nanoseconds a point in each round.
+    /// Of each contestant the nanoseconds a sample in each round.
     nanoseconds: Vec<Vec<f64>>,
 }
 
@@ -192,7 +218,7 @@ impl Standings {
         self.nanoseconds.get(place).map(Vec::as_slice)
     }
 
-    /// Nanoseconds a point.
+    /// Nanoseconds a sample.
     pub fn nanoseconds(&self, name: &str) -> Option<Quartiles> {
         Some(Quartiles::of(self.times(name)?.iter().copied()))
     }
