@@ -8,7 +8,9 @@ use crate::subject::{Name, law, rejection, warp};
 use crate::{peer_list, tables_list};
 use fixed::types::{I2F30, I16F16, U2F62, U4F28, U32F32};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp as integer};
-use microwarp::rejection::{BallRejection, DiskRejection};
+use microwarp::rejection::{
+    BallRejection, DiskRejection, ZigguratStandardExponential, ZigguratStandardNormal,
+};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::*;
 use microwarp::{Error, Frame, fixed as fine};
@@ -213,6 +215,10 @@ fn others(rows: &mut Vec<Row>) -> Result<(), Error> {
             fine::DiskRejection::new(), fine::DiskRejection::pdf, disk(), Numbers::Steps(0.5_f64.powi(29))),
         rejection(Name::new(DISK, "fixed::DiskRejection16", "16-bit rejection", "fixed_rejection_disk_16"),
             fine::DiskRejection16::new(), fine::DiskRejection16::pdf, disk(), Numbers::Steps(0.5_f64.powi(15))),
+        rejection(Name::new(EXPONENTIAL, "ZigguratStandardExponential", "ziggurat", "rejection_ziggurat_standard_exponential"),
+            ZigguratStandardExponential::new(), ZigguratStandardExponential::pdf, law(truth::exponential(1.0), 1), Numbers::Floats),
+        rejection(Name::new(NORMAL, "ZigguratStandardNormal", "ziggurat", "rejection_ziggurat_standard_normal"),
+            ZigguratStandardNormal::new(), ZigguratStandardNormal::pdf, law(truth::normal(0.0, 1.0), 1), Numbers::Floats).twice(),
         rejection(Name::new(BALL, "BallRejection", "rejection", "rejection_ball"), BallRejection::new(), BallRejection::pdf, ball(), Numbers::Floats),
     ]);
     let interval = fine::Interval::<I16F16>::new(I16F16::from_num(-3), I16F16::from_num(5))?;
