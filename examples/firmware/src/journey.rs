@@ -27,9 +27,12 @@ pub struct Journey {
     pub refused: u32,
 }
 
-/// A journey in a world of this seed. What is `heard` of the beacons goes through a filter: the range and what the
-/// tracker made of it, or nothing where the tracker is deaf.
-#[inline(never)]
+/// A journey in the world of this seed. A deaf tracker is the control: it only guesses. Each `refusal` is told, with
+/// its tick and its range.
+///
+/// # Errors
+/// None: the parameters are constants.
+#[inline(never)] // The tracker leaves the stack with it.
 pub fn travel(
     world: &World,
     seed: u64,

@@ -41,7 +41,7 @@ impl Tracker {
     ///
     /// # Errors
     /// [`Error::AllZero`] if the range agrees with no guess at all; nothing has changed then.
-    #[inline(never)]
+    #[inline(never)] // Its copy of the guesses is on the stack for as long as it runs.
     pub fn correct(&mut self, beacon: Place, range: f32, rng: &mut Pcg32) -> Result<(), Error> {
         let weights = self
             .particles

@@ -16,7 +16,7 @@ pub struct Pose {
     pub velocity: Place,
 }
 
-/// What answers a ping, in turn. The rover knows where the beacons are, and has to find the dock.
+/// What answers a ping. The rover knows where the beacons are, and has to find the dock.
 pub const BEACONS: [Place; 3] = [[-20.0, -15.0], [20.0, -15.0], [0.0, 20.0]];
 pub const DOCK: Place = [9.0, -4.0];
 
@@ -52,20 +52,15 @@ pub struct World {
 }
 
 impl World {
-    pub const fn new() -> Result<Self, Error> {
-        match (
-            mw::NormalPair::new([0.0; 2], 0.08),
-            mw::Normal::new(0.0, RANGE_DEVIATION),
-            mw::Exponential::new(1.0 / 6.0),
-        ) {
-            (Ok(ground), Ok(noise), Ok(detour)) => Ok(Self {
-                start: mw::Disk::new(),
-                ground,
-                noise,
-                detour,
-            }),
-            (Err(error), _, _) | (_, Err(error), _) | (_, _, Err(error)) => Err(error),
-        }
+    /// # Errors
+    /// None: the parameters are constants.
+    pub fn new() -> Result<Self, Error> {
+        Ok(Self {
+            start: mw::Disk::new(),
+            ground: mw::NormalPair::new([0.0; 2], 0.08)?,
+            noise: mw::Normal::new(0.0, RANGE_DEVIATION)?,
+            detour: mw::Exponential::new(1.0 / 6.0)?,
+        })
     }
 
     /// A pose to begin with.

@@ -67,7 +67,8 @@ fn main() -> ! {
     }
 }
 
-/// Drives over the lawn, and starts a chain from what the dock answered.
+/// Drives over the lawn, and starts a chain from what the dock answered. Not inlined, nor are those below: the stack
+/// is then that of one of them, not of all.
 #[inline(never)]
 fn drive() -> Result<Kept, Fault> {
     let world = World::new()?;
