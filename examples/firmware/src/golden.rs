@@ -1,0 +1,41 @@
+//! Prints golden bits, row by row as they stand in `tests/golden/golden.csv`.
+//!
+//! All of them together, every function of the crate in every tier, are more than the 256 KB of the smaller board;
+//! so there is a program for each tier.
+
+use crate::board::{exit, print};
+use core::fmt::{Error, Write};
+use microwarp_golden::describe;
+
+/// A tier: its first case, how many it has, and what evaluates them, counted from 0.
+pub struct Part {
+    pub first: usize,
+    pub count: usize,
+    pub evaluate: fn(usize, &mut [u32; 16]) -> usize,
+}
+
+impl Part {
+    /// Prints all its rows, and ends.
+    pub fn run(&self) -> ! {
+        exit(
+            (0..self.count)
+                .try_for_each(|index| self.row(index))
+                .is_ok(),
+        )
+    }
+
+    /// Prints a row in one piece: a call of the host costs much more than a byte.
+    fn row(&self, index: usize) -> Result<(), Error> {
+        let mut words = [0; 16];
+        let len = (self.evaluate)(index, &mut words);
+        let (name, input, tier) = describe(self.first + index);
+        let mut row = heapless::String::<256>::new();
+        write!(row, "{tier} {name} #{input}")?;
+        for word in words.iter().take(len) {
+            write!(row, ",{word:08x}")?;
+        }
+        writeln!(row)?;
+        print(&row);
+        Ok(())
+    }
+}
