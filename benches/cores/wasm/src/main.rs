@@ -3,14 +3,8 @@
 //! `count IMAGE` runs the harness in the image and prints the eight words that it prints on a Cortex-M, `sizes
 //! MODULE` the bytes of a module without its data, and those of the data.
 
-mod count;
-mod instrument;
-mod sizes;
-
+use microwarp_cores_wasm::{Failure, measure, sizes};
 use std::process::ExitCode;
-
-/// Whatever went wrong, for people.
-pub type Failure = Box<dyn std::error::Error>;
 
 fn answer() -> Result<String, Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -19,8 +13,8 @@ fn answer() -> Result<String, Failure> {
     };
     let module = std::fs::read(file)?;
     match what.as_str() {
-        "count" => count::measure(&module),
-        "sizes" => sizes::sizes(&module),
+        "count" => measure(&module),
+        "sizes" => sizes(&module),
         _ => Err(format!("no command {what}").into()),
     }
 }
