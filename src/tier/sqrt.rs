@@ -1,12 +1,13 @@
 //! The square root, correctly rounded, by the hardware instruction where stable Rust can reach it.
 //!
-//! `libm` reaches the instruction on x86-64, AArch64 and WASM but not on 32-bit Arm, and on x86-64 in a way
-//! that keeps a loop from being vectorised; `unsafe` stands for that one instruction. All ways
-//! round correctly, so the bits are the same.
+//! `libm` reaches the instruction on AArch64; not on 32-bit Arm, on WASM only with an unstable compiler, and on
+//! x86-64 in a way that keeps a loop from being vectorised. `unsafe` stands here alone, for that one
+//! instruction. All ways round correctly, so the bits are the same.
 
 #[cfg(not(any(
     all(target_arch = "arm", target_abi = "eabihf"),
-    target_arch = "x86_64"
+    target_arch = "x86_64",
+    target_arch = "wasm32"
 )))]
 #[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
@@ -47,4 +48,17 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     unsafe {
         _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(x)))
     }
+}
+
+/// The compiler knows the function of that name and puts the instruction in its place; where it did not, the function
+/// is the compiler's own, which every WASM program is linked with.
+#[cfg(target_arch = "wasm32")]
+#[allow(unsafe_code)]
+#[inline]
+pub(crate) fn sqrt(x: f32) -> f32 {
+    // SAFETY: the C function has this signature, and takes any number.
+    unsafe extern "C" {
+        safe fn sqrtf(x: f32) -> f32;
+    }
+    sqrtf(x)
 }
