@@ -1,8 +1,9 @@
 //! Rejection: points are proposed until one is accepted, for a number of tries given beforehand.
 //!
 //! Here live the loop, once, and the list of samplers: [`Region`] keeps the points of a warp for which a
-//! predicate holds, [`Bounded`] turns the points of one density into points of another, and
-//! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function.
+//! predicate holds, [`Bounded`] turns the points of one density into points of another,
+//! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function, and
+//! [`ZigguratNormal`] and [`ZigguratExponential`], each with a standard form, draw from the layers of a curve, in flash.
 //! What a proposal is, is the business of [`warp`](crate::warp); the usual one is the bounding box,
 //! [`Aabb`](crate::Aabb). The disks whose points are fixed-point numbers are with their tier, feature `fixed`.
 //!
@@ -15,6 +16,8 @@
 //! |---|--:|--:|
 //! | [`DiskRejection`] | π/4 = 78.5 % | 2 |
 //! | [`BallRejection`] | π/6 = 52.4 % | 3 |
+//! | [`ZigguratStandardNormal`], [`ZigguratNormal`] | 99.3 % | 1, sometimes 2 or 3 |
+//! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | 98.9 % | 1, sometimes 2 or 3 |
 //! | `fixed::DiskRejection` | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | π/4 = 78.5 % | 1 |
 //! | [`Region`] | ∫ p over the region | what drawing the proposal takes |
@@ -33,11 +36,15 @@ mod ball;
 mod bounded;
 mod failure;
 mod region;
+mod ziggurat;
 
 pub use self::ball::{BallRejection, DiskRejection};
 pub use self::bounded::{Bounded, SLACK};
 pub use self::failure::Failure;
 pub use self::region::Region;
+pub use self::ziggurat::{
+    ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
+};
 
 use crate::error::{Error, positive};
 use crate::uniform::nearest;
@@ -98,15 +105,7 @@ pub trait Rejection {
         &self,
         rng: &mut R,
     ) -> Result<Accepted<Self::Point>, Failure<R::Error>> {
-        let budget = self.budget();
-        let mut tries = 0_u32;
-        while tries < budget {
-            tries = tries.wrapping_add(1);
-            if let Some(point) = self.try_once(rng)? {
-                return Ok(Accepted { point, tries });
-            }
-        }
-        Err(Failure::BudgetSpent { tries: budget })
+        draw_after(0, self, rng)
     }
 
     /// Draws one point from a generator that cannot fail.
@@ -119,6 +118,36 @@ pub trait Rejection {
         rng: &mut R,
     ) -> Result<Accepted<Self::Point>, Failure<Infallible>> {
         self.try_draw(rng)
+    }
+}
+
+/// The tries after some that were not accepted.
+#[inline]
+fn draw_after<S: Rejection + ?Sized, R: TryRng + ?Sized>(
+    mut tries: u32,
+    sampler: &S,
+    rng: &mut R,
+) -> Result<Accepted<S::Point>, Failure<R::Error>> {
+    let budget = sampler.budget();
+    while tries < budget {
+        tries = tries.wrapping_add(1);
+        if let Some(point) = sampler.try_once(rng)? {
+            return Ok(Accepted { point, tries });
+        }
+    }
+    Err(Failure::BudgetSpent { tries: budget })
+}
+
+/// [`Rejection::try_draw`] of a sampler whose budget is not 0 and whose try is short: the first, which is mostly the
+/// last, stands ahead of the loop, so that it does without the loop's registers (a fifth of the instructions less).
+#[inline]
+pub(crate) fn draw_first_ahead<S: Rejection + ?Sized, R: TryRng + ?Sized>(
+    sampler: &S,
+    rng: &mut R,
+) -> Result<Accepted<S::Point>, Failure<R::Error>> {
+    match sampler.try_once(rng)? {
+        Some(point) => Ok(Accepted { point, tries: 1 }),
+        None => draw_after(1, sampler, rng),
     }
 }
 

@@ -50,6 +50,13 @@ pub trait Tier:
     #[must_use]
     fn sincos_turns(t: f32) -> (f32, f32);
 
+    /// The point at a radius and an angle in turns, `(r cos 2πt, r sin 2πt)`, for fewer than 2²⁰ turns
+    /// either way.
+    ///
+    /// The quadrant is reduced exactly. More turns, and what is no number, give a point that means nothing.
+    #[must_use]
+    fn polar(radius: f32, turn: f32) -> (f32, f32);
+
     /// The angle of the point `(x, y)` in turns, in `[-1/2, 1/2]`; 0 at the origin and for NaN.
     ///
     /// Its sign is that of `y`, down to the sign of a zero. An infinite coordinate counts as the largest
@@ -64,6 +71,14 @@ pub trait Tier:
     /// `ln(1 + x)` for `x > -1`, accurate where `x` is small; `-∞` at -1, not a number below.
     #[must_use]
     fn ln_1p(x: f32) -> f32;
+
+    /// `-ln(1 - u)` of a uniform in `[0, 1)`, accurate where u is small; unspecified outside.
+    #[must_use]
+    fn neg_ln_1m(u: f32) -> f32;
+
+    /// `(e^-x, 1 - e^-x)` for `0 <= x <= 87`, both accurate where they are small; unspecified outside.
+    #[must_use]
+    fn exp_neg_pair(x: f32) -> (f32, f32);
 
     /// `e^x`; 0 below the smallest subnormal, infinite past the largest finite value.
     #[must_use]

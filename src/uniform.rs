@@ -74,6 +74,9 @@ pub trait Uniforms: sealed::Sealed + Copy {
     /// How many numbers these are.
     const COUNT: usize;
 
+    /// The words they are drawn from: a `u32` a number.
+    type Words: Copy;
+
     /// Brings every number into [0, 1): NaN and everything below 0 become 0, everything from 1
     /// upwards becomes [`LARGEST`].
     ///
@@ -84,15 +87,28 @@ pub trait Uniforms: sealed::Sealed + Copy {
     #[must_use]
     fn canonical(self) -> Canonical<Self>;
 
+    /// Draws the words of as many numbers, in order.
+    ///
+    /// # Errors
+    /// The generator's own error; words drawn before it failed are dropped.
+    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::Words, R::Error>;
+
+    /// The numbers of these words, by [`grid_from_word`]; in the integer tier the words themselves.
+    fn from_words(words: Self::Words) -> Canonical<Self>;
+
     /// Draws them from the 24-bit [`grid`], one `u32` a number, in order.
     ///
     /// # Errors
     /// The generator's own error; numbers drawn before it failed are dropped.
-    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error>;
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
+        Self::try_words(rng).map(Self::from_words)
+    }
 }
 
 impl Uniforms for f32 {
     const COUNT: usize = 1;
+    type Words = u32;
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
@@ -107,13 +123,19 @@ impl Uniforms for f32 {
     }
 
     #[inline]
-    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
-        Ok(Canonical(grid_from_word(rng.try_next_u32()?)))
+    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<u32, R::Error> {
+        rng.try_next_u32()
+    }
+
+    #[inline]
+    fn from_words(word: u32) -> Canonical<Self> {
+        Canonical(grid_from_word(word))
     }
 }
 
 impl<const N: usize> Uniforms for [f32; N] {
     const COUNT: usize = N;
+    type Words = [u32; N];
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
@@ -121,12 +143,13 @@ impl<const N: usize> Uniforms for [f32; N] {
     }
 
     #[inline]
-    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
-        let mut drawn = [0.0; N];
-        for u in &mut drawn {
-            *u = grid_from_word(rng.try_next_u32()?);
-        }
-        Ok(Canonical(drawn))
+    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<[u32; N], R::Error> {
+        try_words(rng)
+    }
+
+    #[inline]
+    fn from_words(words: [u32; N]) -> Canonical<Self> {
+        Canonical(words.map(grid_from_word))
     }
 }
 
@@ -135,6 +158,7 @@ impl<const N: usize> Uniforms for [f32; N] {
 #[cfg(feature = "fixed")]
 impl Uniforms for fixed::types::U0F32 {
     const COUNT: usize = 1;
+    type Words = u32;
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
@@ -142,14 +166,20 @@ impl Uniforms for fixed::types::U0F32 {
     }
 
     #[inline]
-    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
-        rng.try_next_u32().map(Self::from_bits).map(Canonical)
+    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<u32, R::Error> {
+        rng.try_next_u32()
+    }
+
+    #[inline]
+    fn from_words(word: u32) -> Canonical<Self> {
+        Canonical(Self::from_bits(word))
     }
 }
 
 #[cfg(feature = "fixed")]
 impl<const N: usize> Uniforms for [fixed::types::U0F32; N] {
     const COUNT: usize = N;
+    type Words = [u32; N];
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
@@ -157,13 +187,24 @@ impl<const N: usize> Uniforms for [fixed::types::U0F32; N] {
     }
 
     #[inline]
-    fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
-        let mut drawn = [fixed::types::U0F32::ZERO; N];
-        for u in &mut drawn {
-            *u = fixed::types::U0F32::from_bits(rng.try_next_u32()?);
-        }
-        Ok(Canonical(drawn))
+    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<[u32; N], R::Error> {
+        try_words(rng)
     }
+
+    #[inline]
+    fn from_words(words: [u32; N]) -> Canonical<Self> {
+        Canonical(words.map(fixed::types::U0F32::from_bits))
+    }
+}
+
+/// Draws as many words, in order.
+#[inline]
+fn try_words<R: TryRng + ?Sized, const N: usize>(rng: &mut R) -> Result<[u32; N], R::Error> {
+    let mut words = [0; N];
+    for word in &mut words {
+        *word = rng.try_next_u32()?;
+    }
+    Ok(words)
 }
 
 /// Unwraps the result of a generator that cannot fail.

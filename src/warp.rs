@@ -22,6 +22,7 @@ mod cone;
 mod direction;
 mod disk;
 mod exponential;
+mod fill;
 mod frame;
 mod hemisphere;
 mod interval;
@@ -43,6 +44,7 @@ pub(crate) use self::apart::Apart;
 pub use self::cone::Cone;
 pub use self::disk::{Disk, DiskConcentric};
 pub use self::exponential::{Exponential, ExponentialTail};
+pub(crate) use self::fill::filled_in_blocks;
 pub use self::frame::{Frame, Oriented};
 pub use self::hemisphere::{CosineHemisphere, Hemisphere, MalleyHemisphere};
 pub use self::interval::Interval;
@@ -115,7 +117,14 @@ pub trait Warp {
     ///
     /// # Errors
     /// The generator's own error; nothing is drawn then.
-    #[inline]
+    // x86-64 converts an integer into a part of a register and waits for what was there before, unless the
+    // compiler clears it, which it does in a loop and not in a function that it calls from one.
+    #[allow(
+        clippy::inline_always,
+        reason = "as said above, on this processor alone"
+    )]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Self::Point, R::Error>
     where
         Self: Sized,
@@ -186,6 +195,15 @@ impl<W: Warp> Warp for &W {
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Self::Point, R::Error> {
         (**self).try_draw(rng)
+    }
+
+    #[inline]
+    fn try_fill<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+        points: &mut [Self::Point],
+    ) -> Result<(), R::Error> {
+        (**self).try_fill(rng, points)
     }
 }
 

@@ -6,6 +6,8 @@ mod bounds;
 #[path = "rejection/budgets.rs"]
 mod budgets;
 mod catalogue;
+#[path = "rejection/curves.rs"]
+mod curves;
 #[path = "rejection/distributions.rs"]
 mod distributions;
 mod drivers;
@@ -17,13 +19,19 @@ mod exact;
 mod examination;
 #[path = "rejection/integers.rs"]
 mod integers;
+#[path = "rejection/layers.rs"]
+mod layers;
 #[path = "rejection/subjects.rs"]
 mod subjects;
+#[path = "rejection/ziggurat_budgets.rs"]
+mod ziggurat_budgets;
+#[path = "rejection/ziggurats.rs"]
+mod ziggurats;
 
 use catalogue::stats;
 
 /// No fewer than the p-values that are computed in this file; `p_values_are_counted` counts them.
-const TESTS: usize = 100;
+const TESTS: usize = 150;
 
 /// The p-value below which a test rejects.
 fn threshold() -> f64 {
@@ -32,8 +40,8 @@ fn threshold() -> f64 {
 
 #[test]
 fn p_values_are_counted() {
-    // Chi-square and a distance an axis, for points; chi-square and a mean, for tries; five on their own.
+    // Chi-square and a distance an axis, for points; chi-square and a mean, for tries; five on their own; and the ziggurats'.
     let points: usize = subjects::all().iter().map(|s| 1 + s.axes).sum();
-    let computed = points + 2 * subjects::all().len() + 5;
+    let computed = points + 2 * subjects::all().len() + 5 + ziggurats::P_VALUES;
     assert!(computed <= TESTS, "{computed}");
 }

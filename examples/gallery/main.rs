@@ -32,8 +32,6 @@ use list::{PICTURES, Picture, View};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// The tier of the contact sheet, by its place in the catalogue's order.
@@ -63,7 +61,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         .collect();
 
     let progress = work::progress((rows.len() + subjects.len()) as u64, work::STEPS)?;
-    let figures = in_parallel(args.threads, &rows, |entry| {
+    let figures = work::in_parallel(args.threads, &rows, |entry| {
         progress.set_message(format!("sampling {}", entry.label()));
         let figures = check::measure(entry, args.seed, args.samples);
         progress.inc(1);
@@ -75,7 +73,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .map(|i| &figures[i])
     };
 
-    let saved = in_parallel(args.threads, &subjects, |subject| {
+    let saved = work::in_parallel(args.threads, &subjects, |subject| {
         progress.set_message(format!("drawing {}", subject.picture.name));
         let known: Vec<Option<&Figures>> = subject.entries.iter().map(|entry| of(entry)).collect();
         let path = args.out.join(file_name(subject.picture));
@@ -165,33 +163,4 @@ fn file_name(picture: &Picture) -> PathBuf {
     let words = name.split(|c: char| !c.is_alphanumeric() && c != '.');
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     format!("{}.png", words.join("-")).into()
-}
-
-/// The results of `work` on each item, in order, by several threads.
-fn in_parallel<T: Sync, R: Send>(
-    threads: usize,
-    items: &[T],
-    work: impl Fn(&T) -> R + Sync,
-) -> Vec<R> {
-    let next = AtomicUsize::new(0);
-    let results = Mutex::new(Vec::with_capacity(items.len()));
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                while let Some((i, item)) = {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    items.get(i).map(|item| (i, item))
-                } {
-                    let result = work(item);
-                    results
-                        .lock()
-                        .expect("no thread has panicked")
-                        .push((i, result));
-                }
-            });
-        }
-    });
-    let mut results = results.into_inner().expect("no thread has panicked");
-    results.sort_by_key(|(i, _)| *i);
-    results.into_iter().map(|(_, result)| result).collect()
 }

@@ -1,6 +1,6 @@
 //! The unit disk and the unit ball by rejection from their boxes, on integers.
 
-use super::{Failure, Rejection, budgeted};
+use super::{Accepted, Failure, Rejection, budgeted, draw_first_ahead};
 use crate::uniform::Uniforms;
 use core::f32::consts::{FRAC_1_PI, FRAC_PI_4, FRAC_PI_6};
 use rand_core::TryRng;
@@ -39,13 +39,12 @@ fn draw<const N: usize, R: TryRng + ?Sized>(rng: &mut R) -> Result<[i32; N], Fai
 /// unit cheaper.
 #[inline]
 fn accepted<const N: usize>(grid: [i32; N]) -> Option<[f32; N]> {
-    // N squares of 24 bits: far from the 64 that would overflow. Squares of odd numbers are 1 modulo 8, so
+    // N squares of 24 bits: far from the 63 that would overflow. Squares of odd numbers are 1 modulo 8, so
     // that their sum is never the squared radius and no point lies on the rim.
-    let square = grid.iter().fold(0_u64, |sum, m| {
-        let m = u64::from(m.unsigned_abs());
-        sum.wrapping_add(m.wrapping_mul(m))
+    let square = grid.iter().fold(0_i64, |sum, &m| {
+        sum.wrapping_add(i64::from(m).wrapping_mul(i64::from(m)))
     });
-    let inside = square < 1 << 48;
+    let inside = ((square >> 32) as u32) < 1 << 16;
     inside.then(|| grid.map(|m| m as f32 * (f32::EPSILON / 2.0)))
 }
 
@@ -146,6 +145,14 @@ macro_rules! unit_ball {
                 rng: &mut R,
             ) -> Result<Option<Self::Point>, Failure<R::Error>> {
                 draw(rng).map(accepted)
+            }
+
+            #[inline]
+            fn try_draw<R: TryRng + ?Sized>(
+                &self,
+                rng: &mut R,
+            ) -> Result<Accepted<Self::Point>, Failure<R::Error>> {
+                draw_first_ahead(self, rng)
             }
         }
     };

@@ -15,12 +15,17 @@ use super::{Tier, normal, poly};
 /// | `sqrt` | x ≥ 0 | 0.5 | - | - |
 /// | `sincos_turns` | 0 ≤ t ≤ 1 | 2 | 6.9e-8 | - |
 /// | `sincos_turns` | finite t | 2 | 6.9e-8 | - |
+/// | `polar, r = 1` | 0 ≤ t ≤ 1 | 2 | 6.9e-8 | - |
 /// | `sin² + cos²` | 0 ≤ t ≤ 1 | - | 8.4e-8 | - |
 /// | `atan2_turns` | finite x, y | 2.5 | 6.6e-8 | - |
 /// | `ln` | 2⁻²⁴ ≤ x ≤ 1 | 0.83 | 5e-7 | - |
 /// | `ln` | x > 0 | 0.83 | 3.9e-6 | - |
 /// | `ln_1p` | -1 < x ≤ 0 | 0.83 | 5e-7 | - |
 /// | `ln_1p` | x > -1 | 0.83 | 3.9e-6 | - |
+/// | `neg_ln_1m` | grid of [0, 1) | 0.83 | 5e-7 | - |
+/// | `neg_ln_1m` | 0 ≤ u < 1 | 0.83 | 5e-7 | - |
+/// | `exp_neg_pair` | 0 ≤ x ≤ 1 | 0.83 | 4.6e-8 | - |
+/// | `exp_neg_pair` | 0 ≤ x ≤ 87 | 0.91 | 4.6e-8 | - |
 /// | `exp` | -1 ≤ x ≤ 0 | 0.84 | 5e-8 | - |
 /// | `exp` | finite x | 0.92 | - | - |
 /// | `exp_m1` | -1 ≤ x ≤ 0 | 0.78 | 4e-8 | - |
@@ -38,16 +43,29 @@ use super::{Tier, normal, poly};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Libm;
 
+/// `(sin(2πr), cos(2πr))`.
+#[inline]
+fn sincos_quarter(r: f32) -> (f32, f32) {
+    // Rounding this product turns the angle by up to 4e-8 but leaves the point on the circle;
+    // correcting sine and cosine for it would round both again and move it off.
+    ::libm::sincosf(r * core::f32::consts::TAU)
+}
+
 impl Tier for Libm {
     const NAME: &'static str = "libm";
 
     #[inline]
     fn sincos_turns(t: f32) -> (f32, f32) {
         let (quadrant, r) = poly::reduce_turns(t);
-        // Rounding this product turns the angle by up to 4e-8 but leaves the point on the circle;
-        // correcting sine and cosine for it would round both again and move it off.
-        let (s, c) = ::libm::sincosf(r * core::f32::consts::FRAC_PI_2);
+        let (s, c) = sincos_quarter(r);
         poly::swap_quadrant(quadrant, s, c)
+    }
+
+    #[inline]
+    fn polar(radius: f32, turn: f32) -> (f32, f32) {
+        let (quadrant, r) = poly::reduce_few_turns(turn);
+        let (s, c) = sincos_quarter(r);
+        poly::polar(radius, quadrant, s, c)
     }
 
     #[inline]
@@ -74,6 +92,31 @@ impl Tier for Libm {
     #[inline]
     fn ln_1p(x: f32) -> f32 {
         ::libm::log1pf(x)
+    }
+
+    #[inline]
+    #[allow(
+        clippy::float_cmp,
+        reason = "whether nothing was rounded is asked exactly"
+    )]
+    fn neg_ln_1m(u: f32) -> f32 {
+        // On the grid 1 - u is exact, and the plain logarithm is quicker.
+        let rest = 1.0 - u;
+        if 1.0 - rest == u {
+            0.0 - ::libm::logf(rest)
+        } else {
+            -::libm::log1pf(-u)
+        }
+    }
+
+    #[inline]
+    fn exp_neg_pair(x: f32) -> (f32, f32) {
+        let rest = -::libm::expm1f(-x);
+        if rest < 0.5 {
+            (1.0 - rest, rest)
+        } else {
+            (::libm::expf(-x), rest)
+        }
     }
 
     #[inline]

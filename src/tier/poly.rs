@@ -9,21 +9,26 @@ mod pow;
 mod trig;
 
 use super::{Tier, normal};
-pub(crate) use trig::{exchanged, reduce_turns, swap_quadrant};
+pub(crate) use trig::{exchanged, polar, reduce_few_turns, reduce_turns, swap_quadrant};
 
 /// The polynomial tier: `f32` arithmetic only, no `f64`, no tables.
 ///
 /// | function | domain | max ulp | max absolute | max relative |
 /// |---|---|--:|--:|--:|
 /// | `sqrt` | x ≥ 0 | 0.5 | - | - |
-/// | `sincos_turns` | 0 ≤ t ≤ 1 | 1.3 | 6.8e-8 | - |
-/// | `sincos_turns` | finite t | 1.3 | 6.8e-8 | - |
-/// | `sin² + cos²` | 0 ≤ t ≤ 1 | - | 1.6e-7 | - |
+/// | `sincos_turns` | 0 ≤ t ≤ 1 | 2 | 7.2e-8 | - |
+/// | `sincos_turns` | finite t | 2 | 7.2e-8 | - |
+/// | `polar, r = 1` | 0 ≤ t ≤ 1 | 2 | 7.2e-8 | - |
+/// | `sin² + cos²` | 0 ≤ t ≤ 1 | - | 1.8e-7 | - |
 /// | `atan2_turns` | finite x, y | 1.7 | 2.8e-8 | - |
-/// | `ln` | 2⁻²⁴ ≤ x ≤ 1 | 0.96 | 5e-7 | - |
-/// | `ln` | x > 0 | 0.96 | 3.9e-6 | - |
-/// | `ln_1p` | -1 < x ≤ 0 | 0.96 | 5e-7 | - |
-/// | `ln_1p` | x > -1 | 0.96 | 3.9e-6 | - |
+/// | `ln` | 2⁻²⁴ ≤ x ≤ 1 | 1.1 | 5e-7 | - |
+/// | `ln` | x > 0 | 1.1 | 3.9e-6 | - |
+/// | `ln_1p` | -1 < x ≤ 0 | 0.95 | 5e-7 | - |
+/// | `ln_1p` | x > -1 | 0.95 | 3.9e-6 | - |
+/// | `neg_ln_1m` | grid of [0, 1) | 1.1 | 1.1e-6 | - |
+/// | `neg_ln_1m` | 0 ≤ u < 1 | 1.1 | 1.1e-6 | - |
+/// | `exp_neg_pair` | 0 ≤ x ≤ 1 | 0.91 | 4.9e-8 | - |
+/// | `exp_neg_pair` | 0 ≤ x ≤ 87 | 0.92 | 4.9e-8 | - |
 /// | `exp` | -1 ≤ x ≤ 0 | 0.85 | 4.9e-8 | - |
 /// | `exp` | finite x | 0.9 | - | - |
 /// | `exp_m1` | -1 ≤ x ≤ 0 | 0.91 | 4.2e-8 | - |
@@ -53,6 +58,13 @@ impl Tier for Poly {
     }
 
     #[inline]
+    fn polar(radius: f32, turn: f32) -> (f32, f32) {
+        let (quadrant, r) = reduce_few_turns(turn);
+        let (s, c) = trig::sincos_quarter(r);
+        polar(radius, quadrant, s, c)
+    }
+
+    #[inline]
     fn atan2_turns(y: f32, x: f32) -> f32 {
         trig::atan2_turns(y, x)
     }
@@ -65,6 +77,16 @@ impl Tier for Poly {
     #[inline]
     fn ln_1p(x: f32) -> f32 {
         log::ln_1p(x)
+    }
+
+    #[inline]
+    fn neg_ln_1m(u: f32) -> f32 {
+        log::neg_ln_1m(u)
+    }
+
+    #[inline]
+    fn exp_neg_pair(x: f32) -> (f32, f32) {
+        exp::exp_neg_pair(x)
     }
 
     #[inline]

@@ -6,8 +6,16 @@ use crate::tier::Tier;
 /// The direction with the given sine and cosine of its polar angle, `turn` turns about the axis.
 #[inline]
 pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32) -> [f32; 3] {
-    let (s, c) = T::sincos_turns(turn);
-    [sin * c, sin * s, cos]
+    let mut direction = [0.0; 3];
+    place_around::<T>(sin, cos, turn, &mut direction);
+    direction
+}
+
+/// The same, to where it is wanted.
+#[inline]
+pub(crate) fn place_around<T: Tier>(sin: f32, cos: f32, turn: f32, to: &mut [f32; 3]) {
+    let (x, y) = T::polar(sin, turn);
+    *to = [x, y, cos];
 }
 
 /// The direction with the given 1 − cos θ and 1 + cos θ, `turn` turns about the axis.
@@ -15,13 +23,13 @@ pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32) -> [f32; 3] {
 /// Of the two the smaller holds the digits; the larger is taken as 2 minus it, so that sine and cosine are
 /// those of one angle.
 #[inline]
-pub(crate) fn between_poles<T: Tier>(down: f32, up: f32, turn: f32) -> [f32; 3] {
+pub(crate) fn between_poles<T: Tier>(down: f32, up: f32, turn: f32, to: &mut [f32; 3]) {
     let (small, cos) = if down < 1.0 {
         (down, 1.0 - down)
     } else {
         (up, up - 1.0)
     };
-    around::<T>(T::sqrt(small * (2.0 - small)), cos, turn)
+    place_around::<T>(T::sqrt(small * (2.0 - small)), cos, turn, to);
 }
 
 /// 1 − cos θ of a direction, from x and y where z has rounded away what they still hold.

@@ -153,4 +153,6 @@ impl Warp for Interval {
         let s = self.scale;
         into_unit((x * s - self.start * s) / (self.end * s - self.start * s))
     }
+
+    super::filled_in_blocks!();
 }

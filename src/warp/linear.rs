@@ -99,4 +99,6 @@ impl Warp for Linear {
         let x = super::clamp(x, 0.0, 1.0);
         into_unit(x * ((a * (2.0 - x) + b * x) / (a + b)))
     }
+
+    super::filled_in_blocks!();
 }

@@ -87,4 +87,6 @@ impl Warp for Tent {
         let half = 0.5 * rest * rest;
         into_unit(if x < 0.0 { half } else { 1.0 - half })
     }
+
+    super::filled_in_blocks!();
 }

@@ -73,6 +73,8 @@ impl Warp for Triangle {
         let u1 = if s < 0.5 { s * s } else { 1.0 - u * (2.0 - u) };
         [into_unit(u1), into_unit(if s > 0.0 { v / s } else { 0.0 })]
     }
+
+    super::filled_in_blocks!();
 }
 
 /// Uniform on the triangle of three vertices in D dimensions (2 or 3, or more).
@@ -267,4 +269,6 @@ impl<const D: usize> Warp for TriangleOn<D> {
     fn invert(&self, point: [f32; D]) -> [f32; 2] {
         Triangle::new().invert(self.barycentric(point))
     }
+
+    super::filled_in_blocks!();
 }

@@ -163,4 +163,6 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
             rest * (exp_m1_of_product::<T>(self.rate, x) / self.decay)
         })
     }
+
+    super::filled_in_blocks!();
 }

@@ -109,7 +109,7 @@ fn doc_comment(name: &str) -> (PathBuf, Vec<String>, std::ops::Range<usize>) {
 const HEADER: &str = "| error | `libm` | `poly` |";
 
 /// The table of a doc comment as title and the two bounds.
-fn stated(name: &str) -> Vec<(String, [f64; 2])> {
+pub fn stated(name: &str) -> Vec<(String, [f64; 2])> {
     let (path, lines, range) = doc_comment(name);
     let table = lines[range]
         .iter()

@@ -84,6 +84,90 @@ fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
     }
 }
 
+/// Over the whole catalogue: blocks of points, where they are filled so, and what is left of them.
+#[test]
+fn filling_is_drawing_one_by_one() {
+    for entry in crate::catalogue::entries() {
+        for count in [1, 7, 8, 9, 31] {
+            let (mut filled, mut drawn) = (Pcg32::new(8, 8), Pcg32::new(8, 8));
+            let points = entry.warp.fill(&mut filled, count);
+            for (i, point) in points.into_iter().enumerate() {
+                let one = entry.warp.fill(&mut drawn, 1)[0];
+                assert_eq!(
+                    point.map(f32::to_bits),
+                    one.map(f32::to_bits),
+                    "{}: {i} of {count}",
+                    entry.label()
+                );
+            }
+            assert_eq!(filled, drawn, "{}", entry.label());
+        }
+    }
+}
+
+/// A generator of so many words.
+struct Ending {
+    rng: Pcg32,
+    left: usize,
+}
+
+impl Ending {
+    fn after(left: usize) -> Self {
+        let rng = Pcg32::new(5, 5);
+        Self { rng, left }
+    }
+}
+
+impl TryRng for Ending {
+    type Error = Broken;
+    fn try_next_u32(&mut self) -> Result<u32, Broken> {
+        self.left = self.left.checked_sub(1).ok_or(Broken(17))?;
+        Ok(self.rng.next_u32())
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Broken> {
+        unreachable!("draws are counted in u32")
+    }
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Broken> {
+        unreachable!("draws are counted in u32")
+    }
+}
+
+/// Of a generator that fails after so many words the points before are those of a sound one.
+fn fills_until_the_failure<W: Warp>(warp: &W, words: usize, blank: W::Point)
+where
+    W::Point: PartialEq + std::fmt::Debug,
+{
+    for good in 0..20 * words {
+        let mut points = [blank; 20];
+        let result = warp.try_fill(&mut Ending::after(good), &mut points);
+        assert_eq!(result, Err(Broken(17)));
+        let mut sound = Ending::after(usize::MAX);
+        for (i, point) in points.into_iter().enumerate() {
+            let due = if i < good / words {
+                warp.try_draw(&mut sound).unwrap()
+            } else {
+                blank
+            };
+            assert_eq!(point, due, "{i} after {good} words");
+        }
+    }
+    let mut points = [blank; 20];
+    assert!(
+        warp.try_fill(&mut Ending::after(20 * words), &mut points)
+            .is_ok()
+    );
+}
+
+#[test]
+fn the_points_before_a_failure_are_in_place() {
+    fills_until_the_failure(&poly::Disk::new(), 2, [9.0; 2]);
+    fills_until_the_failure(&poly::Sphere::new(), 2, [9.0; 3]);
+    fills_until_the_failure(&poly::Triangle::new(), 2, [9.0; 3]);
+    fills_until_the_failure(&poly::Exponential::new(1.0).unwrap(), 1, -1.0);
+    fills_until_the_failure(&poly::ExponentialTail::new(1.0).unwrap(), 2, -1.0);
+    fills_until_the_failure(&&libm::Hemisphere::new(), 2, [9.0; 3]);
+}
+
 #[test]
 fn drawing_is_sampling_at_the_drawn_uniforms() {
     let disk = poly::Disk::new();

@@ -139,7 +139,7 @@ fn the_rim_of_the_disk_from_two_words_is_exact() {
             assert!(beyond >= LONG || !check([sx * x, sy * beyond], rng.next_u32()));
         }
         wrong += u32::from(!by_halves([x, y]));
-        // Where the first 16 bits begin to decide is some 2^17 to 2^24 places from here; and anywhere between.
+        // Where the first 16 bits begin to decide is some 2^22 places from here; and anywhere between.
         for _ in 0..4 {
             let away = i64::from(rng.next_u32() >> (rng.next_u32() % 20)) * 2;
             for near in [y - away, y + away] {

@@ -2,6 +2,7 @@
 
 use crate::in_parallel;
 use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::uniform::LARGEST;
 
 /// Every f32 of two adjacent binades, which stand for all others by scaling with powers of 4, and a
 /// sample of those against f64, whose root rounds to the same f32.
@@ -88,9 +89,12 @@ fn steps_back(function: impl Fn(f32) -> f32) -> u32 {
 #[test]
 fn logarithms_exponentials_and_quantile_never_step_back() {
     type Rising = fn(f32) -> f32;
-    let functions: [(&str, Rising); 6] = [
+    let functions: [(&str, Rising); 9] = [
         ("ln", Poly::ln),
         ("ln_1p", |u| Poly::ln_1p(u - 1.0)),
+        ("neg_ln_1m", |u| Poly::neg_ln_1m(u.min(LARGEST))),
+        ("exp_neg_pair", |u| -Poly::exp_neg_pair(17.0 * u).0),
+        ("exp_neg_pair, 1 - e^-x", |u| Poly::exp_neg_pair(17.0 * u).1),
         ("exp", |u| Poly::exp(u - 1.0)),
         ("exp_m1", |u| Poly::exp_m1(u - 1.0)),
         ("normal_cdf_lower", |u| {
@@ -107,4 +111,35 @@ fn logarithms_exponentials_and_quantile_never_step_back() {
     // A sine of half a wave steps back, and so does what is not a number.
     assert!(steps_back(|u| Poly::sincos_turns(0.25 * u + 0.001).0) > 0);
     assert!(steps_back(|u| if u == 0.5 { f32::NAN } else { u }) > 0);
+}
+
+fn polar_is_the_radius_times_sine_and_cosine<T: Tier>() {
+    for k in 0..1_u32 << 22 {
+        // Of both signs, on the grid and off it.
+        let turn = k as f32 * (std::f32::consts::SQRT_2 / 1_048_576.0) - 2.0;
+        let radius = [1.0, 0.7, 1.0e-30, -0.3][k as usize % 4];
+        let (s, c) = T::sincos_turns(turn);
+        assert_eq!(
+            T::polar(radius, turn),
+            (radius * c, radius * s),
+            "{} {radius} {turn}",
+            T::NAME
+        );
+    }
+}
+
+#[test]
+fn polar_is_the_radius_times_sine_and_cosine_in_both_tiers() {
+    polar_is_the_radius_times_sine_and_cosine::<Libm>();
+    polar_is_the_radius_times_sine_and_cosine::<Poly>();
+}
+
+/// The pair is one of the functions it is made of, so that neither has to be stated apart.
+#[test]
+fn the_pair_of_exponentials_has_the_bits_of_both() {
+    for k in 0..1_u32 << 22 {
+        let x = k as f32 * (17.0 / 4_194_304.0);
+        let (power, rest) = Poly::exp_neg_pair(x);
+        assert_eq!((power, rest), (Poly::exp(-x), -Poly::exp_m1(-x)), "{x}");
+    }
 }

@@ -1,7 +1,8 @@
 //! Counting and painting.
 //!
 //! The emulator moves its clock by 64 ns an instruction, and `SysTick` counts the processor's clock cycles
-//! downwards; the host knows how many nanoseconds a cycle takes, and works out the rest.
+//! downwards; the host knows how many nanoseconds a cycle takes, and works out the rest. As WASM it is the host that
+//! counts and paints, and calls `module.rs`.
 
 use crate::words::Output;
 use core::hint::black_box;
@@ -21,6 +22,8 @@ pub struct Entry {
     pub inputs: usize,
     /// How many words of output.
     pub outputs: usize,
+    /// Done once before everything.
+    pub prepare: fn(),
     /// Makes the inputs of many calls.
     pub fill: fn(Pcg32, &mut [u32]),
 }
@@ -46,8 +49,9 @@ pub extern "C" fn empty<const IN: usize, O: Output>(input: *mut u32, output: *mu
     each!(O::WORDS, |i| unsafe { output.add(i).write_volatile(word) }, 0 1 2 3 4 5);
 }
 
-const CALLS: usize = 64;
-const CHUNKS: u32 = 16;
+/// Calls of a chunk, and how many chunks there are.
+pub const CALLS: usize = 64;
+pub const CHUNKS: u32 = 16;
 
 /// Aligned as a generator must be.
 #[repr(C, align(8))]
@@ -85,9 +89,15 @@ fn start_clock() {
     }
 }
 
+#[cfg(target_arch = "arm")]
 fn now() -> u32 {
     // SAFETY: a register of every Cortex-M.
     unsafe { SYST_CVR.read_volatile() }
+}
+
+#[cfg(not(target_arch = "arm"))]
+fn now() -> u32 {
+    0
 }
 
 /// Cycles since `then`, of which there must have been fewer than 2^24.
@@ -111,7 +121,7 @@ fn calibrate(rounds: u32) -> u32 {
 
 /// Cycles of `CALLS` calls, each on inputs of its own, and the stack pointer at the calls.
 #[inline(never)]
-fn run(entry: &Entry, kernel: Kernel) -> (u32, usize) {
+pub fn run(entry: &Entry, kernel: Kernel) -> (u32, usize) {
     let (mut input, mut output) = (inputs(), outputs());
     let top = stack_pointer();
     let then = now();
@@ -163,33 +173,45 @@ fn stack(entry: &Entry, kernel: Kernel) -> u32 {
     (top - at) as u32
 }
 
+/// Makes the inputs of a chunk of calls.
+pub fn refill(entry: &Entry, chunk: u32) {
+    let random = Pcg32::new(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(chunk.into()), 54);
+    // SAFETY: nothing else uses the buffer while it is filled.
+    (entry.fill)(random, unsafe {
+        from_raw_parts_mut(inputs(), CALLS * MOST_INPUTS)
+    });
+}
+
+/// A hash of nothing.
+pub const NO_HASH: u32 = 0x811c_9dc5;
+
+/// Goes on with a hash over what the calls of a chunk wrote.
+pub fn hashed(entry: &Entry, mut hash: u32) -> u32 {
+    for index in 0..CALLS * entry.outputs {
+        // SAFETY: within the buffer.
+        let word = unsafe { outputs().add(index).read_volatile() };
+        hash = (hash ^ word).wrapping_mul(0x0100_0193).rotate_left(5);
+    }
+    hash
+}
+
 /// How many calls were counted; the cycles of a loop of 50,000 instructions and of one of 25,000; the cycles of
 /// the empty kernel and of the other; the stack of both; a hash of all that the kernel wrote.
 pub fn measure(entry: &Entry) -> [u32; 8] {
     let entry = black_box(entry);
+    (entry.prepare)();
     start_clock();
     let long = calibrate(black_box(10_000));
     let short = calibrate(black_box(5_000));
-    let (mut cycles, mut deepest, mut hash) = ([0; 2], [0; 2], 0x811c_9dc5_u32);
+    let (mut cycles, mut deepest, mut hash) = ([0; 2], [0; 2], NO_HASH);
     for chunk in 0..CHUNKS {
-        let random = || Pcg32::new(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(chunk.into()), 54);
         for (which, kernel) in [entry.empty, entry.kernel].into_iter().enumerate() {
-            // SAFETY: nothing else uses the buffer while it is filled.
-            let refill = || {
-                (entry.fill)(random(), unsafe {
-                    from_raw_parts_mut(inputs(), CALLS * MOST_INPUTS)
-                })
-            };
-            refill();
+            refill(entry, chunk);
             deepest[which] = stack(entry, kernel).max(deepest[which]);
-            refill();
+            refill(entry, chunk);
             cycles[which] += run(entry, kernel).0;
         }
-        for index in 0..CALLS * entry.outputs {
-            // SAFETY: within the buffer.
-            let word = unsafe { outputs().add(index).read_volatile() };
-            hash = (hash ^ word).wrapping_mul(0x0100_0193).rotate_left(5);
-        }
+        hash = hashed(entry, hash);
     }
     [
         CALLS as u32 * CHUNKS,

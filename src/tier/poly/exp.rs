@@ -95,3 +95,13 @@ pub(super) fn exp_m1(x: f32) -> f32 {
         exp(x)
     }
 }
+
+/// `(e^-x, 1 - e^-x)` for `0 <= x <= 87`, from one series and without a branch.
+#[inline]
+pub(super) fn exp_neg_pair(x: f32) -> (f32, f32) {
+    let (k, a, b) = reduced(-x);
+    let power = power_of_two_times(1.0, k);
+    // Exact, as in the functions above.
+    let part = power * (a + b);
+    (power + part, (1.0 - power) - part)
+}

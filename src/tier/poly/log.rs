@@ -3,20 +3,23 @@
 use super::exp::LN_2;
 
 /// `(ln((1+s)/(1-s)) - 2s)/s³` in powers of s²; see `LOGARITHM` in `tests/derivation`.
-const LOGARITHM: [f32; 3] = [0.666_667_76, 0.399_775_86, 0.298_706_95];
+const LOGARITHM: [f32; 3] = [0.666_669_5, 0.399_576_57, 0.303_644_98];
 
 const ONE: u32 = 0x3f80_0000;
 
-/// `(k, m - 1)` where the positive normal `x` is `m·2^k` and m is between `√½` and √2; exact.
+/// 3/4, from which on the significands of these logarithms run: its bits fit an instruction.
+const THREE_QUARTERS: u32 = 0x3f40_0000;
+
+/// `(k, m - 1)` where the positive normal `x` is `m·2^k` and m is at least the number of the bits `from` and
+/// below twice that; exact.
 #[inline]
 #[allow(
     clippy::cast_possible_wrap,
     reason = "the exponent is signed and its bits are shifted as such"
 )]
-pub(super) fn normalised(x: f32) -> (i32, f32) {
-    const SQRT_HALF: u32 = 0x3f35_04f3;
+pub(super) fn normalised(x: f32, from: u32) -> (i32, f32) {
     let bits = x.to_bits();
-    let k = (bits.wrapping_sub(SQRT_HALF) as i32) >> 23;
+    let k = (bits.wrapping_sub(from) as i32) >> 23;
     (k, power_of_two_times(x, k.wrapping_neg()) - 1.0)
 }
 
@@ -36,7 +39,7 @@ pub(super) fn is_plain(x: f32) -> bool {
     (f32::MIN_POSITIVE..=f32::MAX).contains(&x)
 }
 
-/// `f/(2+f)`, and by how much `ln(1+f)` stays below `f`, for f between `√½ - 1` and `√2 - 1`.
+/// `f/(2+f)`, and by how much `ln(1+f)` stays below `f`, for f between -0.29 and 1/2.
 #[inline]
 fn shortfall(f: f32) -> (f32, f32) {
     let s = f / (2.0 + f);
@@ -49,7 +52,7 @@ fn shortfall(f: f32) -> (f32, f32) {
 #[inline]
 #[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
 fn ln_plain(x: f32, scaled: f32) -> f32 {
-    let (k, f) = normalised(x);
+    let (k, f) = normalised(x, THREE_QUARTERS);
     let k = k as f32 - scaled;
     let [high, low] = LN_2;
     let (_, drop) = shortfall(f);
@@ -84,7 +87,7 @@ fn ln_edge(x: f32) -> f32 {
 #[inline]
 #[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
 pub(super) fn ln_1p(x: f32) -> f32 {
-    if x > -0.29 && x < 0.41 {
+    if x > -0.29 && x < 0.5 {
         return x - shortfall(x).1;
     }
     // From 2^24 on the 1 is below half a unit in the last place.
@@ -97,11 +100,29 @@ pub(super) fn ln_1p(x: f32) -> f32 {
     } else {
         1.0 - (sum - x)
     };
-    let (k, f) = normalised(sum);
+    let (k, f) = normalised(sum, THREE_QUARTERS);
     let (s, drop) = shortfall(f);
     // What the sum dropped, scaled like f, moves the logarithm by 1/(1+f) ≈ 1 - 2s of itself.
     let dropped = dropped * power_of_two_times(f32::from_bits(ONE), k.wrapping_neg());
     let k = k as f32;
     let [high, low] = LN_2;
     k * high + (f - (drop - (k * low + dropped * (1.0 - 2.0 * s))))
+}
+
+/// `-ln(1 - u)` for u in [0, 1), without a branch.
+#[inline]
+#[allow(
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "the exponent is signed and its bits are shifted as such"
+)]
+pub(super) fn neg_ln_1m(u: f32) -> f32 {
+    // 1 - u = m·2^k with m from 3/4 to 3/2.
+    let k = ((1.0 - u).to_bits().wrapping_sub(THREE_QUARTERS) as i32) >> 23;
+    let scale = f32::from_bits(ONE.wrapping_sub((k as u32) << 23));
+    // m - 1, from u itself and so exact, whatever 1 - u was rounded to.
+    let f = (scale - 1.0) - scale * u;
+    let (_, drop) = shortfall(f);
+    (drop - f) - k as f32 * core::f32::consts::LN_2
 }

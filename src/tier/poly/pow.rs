@@ -8,6 +8,9 @@ use crate::tier::product::head;
 /// `(3/2s ln((1+s)/(1-s)) - 3 - s²)/s⁴` in powers of s²; see `LONG_LOGARITHM` in `tests/derivation`.
 const LONG_LOGARITHM: [f32; 3] = [0.600_002_3, 0.428_206_3, 0.351_297_05];
 
+/// √½, from which on the significands run.
+const SQRT_HALF: u32 = 0x3f35_04f3;
+
 /// 2/(3 ln 2) in two parts, the first of 12 bits; see `TO_LOG2` in `tests/derivation`.
 const TO_LOG2: [f32; 2] = [0.961_669_9, 0.000_126_772_05];
 
@@ -16,7 +19,7 @@ const TO_LOG2: [f32; 2] = [0.961_669_9, 0.000_126_772_05];
 #[inline]
 #[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
 fn log2(x: f32, offset: f32) -> (f32, f32) {
-    let (k, f) = normalised(x);
+    let (k, f) = normalised(x, SQRT_HALF);
     let k = k as f32 + offset;
 
     // s = f/(2+f). The rest of s comes from what its head leaves of the numerator.

@@ -8,7 +8,9 @@ use microwarp::discrete::{
 };
 use microwarp::estimate::{Integral, Moments, Ratio, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
-    Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, SLACK, budget_for,
+    Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, SLACK,
+    ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
+    budget_for,
 };
 use microwarp::tier::Tier;
 use microwarp::uniform::{self, Strata1d, Strata2d, Uniforms};
@@ -597,6 +599,44 @@ subjects! {
                     Ok(budget) => out.word(budget),
                     Err(e) => out.word(refusal(e)),
                 }
+            }
+        },
+        "rejection ziggurats" => |[a, b, c, d], input, out| {
+            // Any layer and place; a wedge; the far tails.
+            let word = |u: f32| (u * 4_294_967_296.0) as u32;
+            let (normal, wait) = (ZigguratStandardNormal::new(), ZigguratStandardExponential::new());
+            let words = [word(a).wrapping_add(word(b) >> 24), word(c), word(d)];
+            for words in [words, [word(a) | 0x7fff_ff00, word(b), word(c)], [0x7fff_ff00, word(c) >> 20, word(d)]] {
+                for x in [normal.attempt(words), wait.attempt(words)] {
+                    figure(x, out);
+                }
+            }
+            let mut rng = generator(input);
+            for drawn in [normal.draw(&mut rng), wait.try_draw(&mut rng)] {
+                figure(drawn.ok().map(|drawn| drawn.point), out);
+            }
+            out.float(normal.pdf(10.0 * a));
+            out.float(wait.pdf(b - 0.25));
+        },
+        "rejection ziggurats scaled" => |[a, b, c, d], input, out| {
+            let mut rng = generator(input);
+            with(ZigguratNormal::new(a - 0.5, 1e3 * b), out, |normal, out| {
+                out.word(normal.draw(&mut rng).map_or(0, |drawn| drawn.tries));
+                figure(normal.attempt([(c * 4_294_967_296.0) as u32, 7, 8]), out);
+                figure(normal.draw(&mut rng).ok().map(|drawn| drawn.point), out);
+                out.float(normal.pdf(c - d));
+            });
+            with(ZigguratExponential::new(1e3 * b), out, |wait, out| {
+                figure(wait.attempt([(c * 4_294_967_296.0) as u32, 7, 8]), out);
+                figure(wait.draw(&mut rng).ok().map(|drawn| drawn.point), out);
+                out.float(wait.pdf(d));
+            });
+            verdict(ZigguratNormal::with_budget(1e38 * a, 1e37 * (b + 0.25), (3.0 * c) as u32), out);
+            verdict(ZigguratExponential::with_budget(d - 0.25, (3.0 * c) as u32), out);
+            verdict(ZigguratStandardNormal::with_budget((3.0 * c) as u32), out);
+            match ZigguratStandardExponential::with_budget(black_box(1)) {
+                Ok(wait) => out.word(wait.draw(&mut rng).map_or(0xf1, |drawn| drawn.tries)),
+                Err(e) => out.word(refusal(e)),
             }
         },
         "rejection region" => |[a, b, c, d], input, out| {

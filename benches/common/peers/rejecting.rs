@@ -1,0 +1,80 @@
+//! The samplers of rand_distr, and what its users put together from them where it has none. They reject, so that
+//! the number of words they draw is random.
+
+use super::uniform;
+use rand_distr::weighted::{WeightedAliasIndex, WeightedIndex};
+use rand_distr::{Distribution, Exp1, StandardNormal};
+use rand_distr::{UnitBall, UnitCircle, UnitDisc, UnitSphere};
+use rand_pcg::Pcg32;
+
+/// The unit disk: `UnitDisc`.
+#[inline]
+pub fn disk(rng: &mut Pcg32) -> [f32; 2] {
+    UnitDisc.sample(rng)
+}
+
+/// The unit circle: `UnitCircle`.
+#[inline]
+pub fn circle(rng: &mut Pcg32) -> [f32; 2] {
+    UnitCircle.sample(rng)
+}
+
+/// The unit sphere: `UnitSphere`.
+#[inline]
+pub fn sphere(rng: &mut Pcg32) -> [f32; 3] {
+    UnitSphere.sample(rng)
+}
+
+/// The upper half of it: `UnitSphere`, folded.
+#[inline]
+pub fn hemisphere(rng: &mut Pcg32) -> [f32; 3] {
+    let [x, y, z] = sphere(rng);
+    [x, y, z.abs()]
+}
+
+/// In proportion to the cosine: `UnitDisc`, lifted.
+#[inline]
+pub fn cosine_hemisphere(rng: &mut Pcg32) -> [f32; 3] {
+    let [x, y] = disk(rng);
+    [x, y, (1.0 - (x * x + y * y)).max(0.0).sqrt()]
+}
+
+/// In proportion to the nth power of the cosine, of `exponent` 1/(n + 1): `UnitCircle` at a height that is a
+/// power of a uniform.
+#[inline]
+pub fn lobe(exponent: f32, rng: &mut Pcg32) -> [f32; 3] {
+    let z = uniform(rng).powf(exponent);
+    let r = (1.0 - z * z).sqrt();
+    let [x, y] = circle(rng);
+    [r * x, r * y, z]
+}
+
+/// The exponential distribution of mean 1: `Exp1`.
+#[inline]
+pub fn exponential(rng: &mut Pcg32) -> f32 {
+    Exp1.sample(rng)
+}
+
+/// One standard normal: `StandardNormal`.
+#[inline]
+pub fn normal(rng: &mut Pcg32) -> f32 {
+    StandardNormal.sample(rng)
+}
+
+/// The unit ball: `UnitBall`.
+#[inline]
+pub fn ball(rng: &mut Pcg32) -> [f32; 3] {
+    UnitBall.sample(rng)
+}
+
+/// Indices by running sums: `WeightedIndex<f32>`.
+pub fn cumulative(weights: &[f32]) -> impl Fn(&mut Pcg32) -> usize + use<> {
+    let table = WeightedIndex::new(weights.iter().copied()).expect("weights");
+    move |rng| table.sample(rng)
+}
+
+/// Indices by Walker's aliases: `WeightedAliasIndex<f32>`.
+pub fn aliases(weights: &[f32]) -> impl Fn(&mut Pcg32) -> usize + use<> {
+    let table = WeightedAliasIndex::new(weights.to_vec()).expect("weights");
+    move |rng| table.sample(rng)
+}

@@ -1,0 +1,33 @@
+//! What a function costs as WASM, for `benches/cores/run`.
+//!
+//! `count IMAGE` runs the harness in the image and prints the eight words that it prints on a Cortex-M, `sizes
+//! MODULE` the bytes of a module without its data, and those of the data.
+
+use microwarp_cores_wasm::{Failure, measure, sizes};
+use std::process::ExitCode;
+
+fn answer() -> Result<String, Failure> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [what, file] = arguments.as_slice() else {
+        return Err("usage: count IMAGE | sizes MODULE".into());
+    };
+    let module = std::fs::read(file)?;
+    match what.as_str() {
+        "count" => measure(&module),
+        "sizes" => sizes(&module),
+        _ => Err(format!("no command {what}").into()),
+    }
+}
+
+fn main() -> ExitCode {
+    match answer() {
+        Ok(answer) => {
+            println!("{answer}");
+            ExitCode::SUCCESS
+        }
+        Err(failure) => {
+            eprintln!("{failure}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Who meets whom: the list of contests, and what contestants are called in all of them.
+
+use crate::contest::Standings;
+use crate::{draws, fills, tables};
+
+/// The words that the map of the family takes, and nothing made of them.
+pub const FLOOR: &str = "generator alone";
+pub const LIBM: &str = "libm";
+pub const POLY: &str = "poly";
+pub const FINE: &str = "fixed, in f32";
+pub const COARSE: &str = "fixed::coarse, in f32";
+pub const COMPACT: &str = "fixed::compact, in f32";
+pub const REJECTION: &str = "rejection";
+pub const RAND_DISTR: &str = "rand_distr";
+pub const MICROMATH: &str = "micromath";
+pub const TEXTBOOK: &str = "plain libm";
+/// Of normals, which the tiers draw in pairs: one at a time.
+pub const LIBM_SINGLE: &str = "libm, one at a time";
+pub const POLY_SINGLE: &str = "poly, one at a time";
+/// Of slices, which the tiers fill: one point after the other.
+pub const DRAWN: &str = "poly, one by one";
+/// Of tables, which have no tier: the index alone, and the index with its probability and the leftover uniform.
+pub const INDEX: &str = "index";
+pub const SELECTION: &str = "index, pmf, leftover";
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// One sample after the other.
+    Draw,
+    /// Our `fill` of a slice beside the peers' single draws.
+    Fill,
+}
+
+pub struct Family {
+    pub name: &'static str,
+    pub kind: Kind,
+    /// What the contestant called rand_distr is.
+    pub peer: &'static str,
+    /// Runs so many rounds, with a call after each.
+    pub run: fn(usize, &mut dyn FnMut()) -> Standings,
+}
+
+impl Family {
+    pub fn title(&self) -> String {
+        match self.kind {
+            Kind::Draw => self.name.into(),
+            Kind::Fill => format!("{}, filled", self.name),
+        }
+    }
+}
+
+macro_rules! families {
+    ($($kind:ident $name:literal $peer:literal $contest:expr;)*) => {
+        /// All of them, in the order of the tables.
+        pub fn all() -> Vec<Family> {
+            vec![$(Family {
+                name: $name,
+                kind: Kind::$kind,
+                peer: $peer,
+                run: |rounds, after_round| $contest.run(rounds, after_round),
+            }),*]
+        }
+    };
+}
+
+families! {
+    Draw "disk" "UnitDisc" draws::disk();
+    Draw "circle" "UnitCircle" draws::circle();
+    Draw "sphere" "UnitSphere" draws::sphere();
+    Draw "hemisphere" "UnitSphere, folded" draws::hemisphere();
+    Draw "cosine hemisphere" "UnitDisc, lifted" draws::cosine_hemisphere();
+    Draw "lobe" "powf and UnitCircle" draws::lobe();
+    Draw "exponential" "Exp1" draws::exponential();
+    Draw "normal" "StandardNormal" draws::normal();
+    Draw "ball" "UnitBall" draws::ball();
+    Draw "cdf of 8" "WeightedIndex" tables::cdf(8);
+    Draw "cdf of 64" "WeightedIndex" tables::cdf(64);
+    Draw "cdf of 1024" "WeightedIndex" tables::cdf(1024);
+    Draw "alias of 8" "WeightedAliasIndex" tables::alias(8);
+    Draw "alias of 64" "WeightedAliasIndex" tables::alias(64);
+    Draw "alias of 1024" "WeightedAliasIndex" tables::alias(1024);
+    Fill "disk" "UnitDisc" fills::disk();
+    Fill "sphere" "UnitSphere" fills::sphere();
+    Fill "hemisphere" "UnitSphere, folded" fills::hemisphere();
+    Fill "cosine hemisphere" "UnitDisc, lifted" fills::cosine_hemisphere();
+    Fill "lobe" "powf and UnitCircle" fills::lobe();
+    Fill "exponential" "Exp1" fills::exponential();
+    Fill "normal" "StandardNormal" fills::normal();
+}

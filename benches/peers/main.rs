@@ -1,0 +1,69 @@
+//! Every sampler beside its peers in one process: rand_distr, micromath, the formulas in books over libm, and the
+//! generator alone. `cargo bench --bench peers -- --help`
+//!
+//! How times are taken and compared is in `../common/contest.rs`, what the peers are in `../common/peers.rs`, who meets
+//! whom in `families.rs`. Here lives the order of the work.
+
+mod args;
+#[path = "../../examples/common/cli.rs"]
+mod cli;
+#[path = "../common/contest.rs"]
+mod contest;
+mod draws;
+mod families;
+mod fills;
+#[path = "../common/peers.rs"]
+mod peers;
+mod report;
+#[path = "../../examples/common/table.rs"]
+mod table;
+mod tables;
+#[path = "../../examples/common/work.rs"]
+mod work;
+
+use args::Args;
+use contest::Standings;
+use families::{Family, Kind};
+use std::error::Error;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    cli::run("peers", args::HELP, args::parse(), run)
+}
+
+/// Does everything. What is slow is reported and is no failure: times depend on who else uses the machine.
+fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
+    let wanted = |family: &Family| args.wants(family.name);
+    let families: Vec<Family> = families::all().into_iter().filter(wanted).collect();
+    if families.is_empty() {
+        // As with every bench: what is asked for may be in another.
+        println!("no family of such a name; --help lists them");
+        return Ok(Vec::new());
+    }
+    work::folder(&args.out)?;
+    let progress = work::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
+    let mut results: Vec<(Family, Standings)> = Vec::new();
+    for family in families {
+        progress.set_message(family.title());
+        let standings = (family.run)(args.rounds, &mut || progress.inc(1));
+        results.push((family, standings));
+    }
+    progress.finish_and_clear();
+
+    if args.markdown {
+        report::summary(&results);
+    } else {
+        report::tables(&results, Kind::Draw);
+        report::tables(&results, Kind::Fill);
+        report::targets(&results);
+    }
+    report::noise(&results);
+    let path = args.out.join("peers.csv");
+    std::fs::write(&path, report::csv(&results))?;
+    println!(
+        "\n{} rounds; every figure is in {}.",
+        args.rounds,
+        path.display()
+    );
+    Ok(Vec::new())
+}

@@ -1,0 +1,63 @@
+//! Nanoseconds a sample, all samplers in one contest.
+
+use crate::contest::{BLOCKS, Contest, POINTS, Quartiles};
+use crate::sampler::Block;
+use std::collections::BTreeMap;
+
+/// What every other time is a multiple of: two words as uniforms, and nothing made of them.
+pub const FLOOR: &str = "two uniforms";
+
+/// The times of a sampler.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Times {
+    /// Drawn one by one.
+    pub draw: Option<f64>,
+    /// Filling a slice.
+    pub fill: Option<f64>,
+}
+
+/// Lets all blocks run in turn, in so many rounds. A time is the median of its quotients by that of the floor in the
+/// same round, times the median of the floor, so that it is not of another moment than the others'.
+///
+/// Also returns how far apart the quartiles of those quotients lie for most, relative to the median.
+pub fn run(
+    blocks: Vec<(String, Block)>,
+    rounds: usize,
+    after_round: impl FnMut(),
+) -> (BTreeMap<String, f64>, f64) {
+    // Every block has memory of its own, as points differ in size.
+    let mut contest = Contest::of_blocks((), POINTS, BLOCKS);
+    let mut names = vec![FLOOR.to_owned()];
+    contest = contest.block(FLOOR, floor());
+    for (name, mut block) in blocks {
+        contest = contest.block(&name, move |_: &mut [()]| block());
+        names.push(name);
+    }
+    let standings = contest.run(rounds, after_round);
+    let floor = standings.nanoseconds(FLOOR).map_or(f64::NAN, |q| q.median);
+    let time = |name: &String| standings.ratio(name, FLOOR).map(|q| q.median * floor);
+    let spreads = names
+        .iter()
+        .filter_map(|name| Some(standings.ratio(name, FLOOR)?.spread()));
+    let spread = Quartiles::of(spreads).median;
+    let times = names
+        .iter()
+        .filter_map(|name| Some((name.clone(), time(name)?)));
+    (times.collect(), spread)
+}
+
+fn floor() -> impl FnMut(&mut [()]) {
+    let mut kept = crate::contest::generator();
+    let mut points = vec![[0.0_f32; 2]; POINTS];
+    move |_| {
+        let mut rng = kept.clone();
+        for point in std::hint::black_box(&mut points) {
+            *point = [
+                crate::peers::uniform(&mut rng),
+                crate::peers::uniform(&mut rng),
+            ];
+        }
+        kept = rng;
+        std::hint::black_box(&points);
+    }
+}

@@ -1,0 +1,247 @@
+// The page: what is chosen, what is drawn and measured of it, and how often. The module samples, `truth` knows better.
+
+import { MOST, SOURCES, load } from "./page/module.mjs";
+import { verify } from "./page/golden.mjs";
+import { FAMILIES, TIER_LABELS, realised } from "./page/catalogue.mjs";
+import { choices, parameters, readings } from "./page/controls.mjs";
+import * as line from "./view/line.mjs";
+import * as plane from "./view/plane.mjs";
+import * as sphere from "./view/sphere.mjs";
+import * as residuals from "./view/residuals.mjs";
+
+const at = (id) => document.getElementById(id);
+const whole = (n) => n.toLocaleString("en");
+const figure = (x) => (Number.isNaN(x) ? "not known" : x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 ? x.toExponential(2) : x.toPrecision(3));
+
+const state = {
+  family: FAMILIES[0], entry: null, tier: "poly", source: "random", values: [], seed: 1,
+  running: null, kept: null, tallied: null, scene: null, speed: null, clock: null,
+};
+let module;
+
+// --- what is chosen ----------------------------------------------------------------------------------
+
+function choose_family(name) {
+  state.family = FAMILIES.find((family) => family.name === name);
+  choose_subject(state.family.subjects[0].name);
+}
+
+function choose_subject(name) {
+  state.entry = state.family.subjects.find((entry) => entry.name === name);
+  choose_tier(state.entry.tiers.includes(state.tier) ? state.tier : state.entry.tiers.at(state.entry.tiers.length > 1 ? 1 : 0));
+  show_choices();
+}
+
+function choose_tier(tier) {
+  const before = state.entry.parameters(state.tier).map(({ label }) => label).join();
+  const list = state.entry.parameters(tier);
+  const same = state.shown === state.entry && before === list.map(({ label }) => label).join();
+  state.tier = tier;
+  if (!same) {
+    state.values = list.map(({ value }) => value);
+    parameters(at("parameters"), list, (values) => {
+      state.values = values;
+      renew();
+    });
+  }
+  state.shown = state.entry;
+  renew();
+}
+
+// What the documentation says of a sampler in one sentence, that of its tier where the tier has its own.
+function summary({ name, documented = name }, tier) {
+  const { float, integer } = module.documented.summaries;
+  const own = documented.startsWith("fixed::") || ["fine", "coarse", "compact"].includes(tier) ? integer : float;
+  const type = documented.replace("fixed::", "");
+  return own[type] ?? float[type] ?? integer[type];
+}
+
+function show_choices() {
+  const { family, entry, tier, source } = state;
+  choices(at("families"), "family", FAMILIES.map(({ name, label }) => ({ value: name, label })), family.name, choose_family);
+  choices(at("subjects"), "subject", family.subjects.map(({ name, label }) => ({ value: name, label })), entry.name, choose_subject);
+  choices(at("tiers"), "tier", entry.tiers.map((value) => ({ value, label: TIER_LABELS[value] })), tier, choose_tier);
+  choices(at("sources"), "source", SOURCES.map((value) => ({ value, label: value, disabled: !entry.plans && value !== "random" })),
+    entry.plans ? source : "random", (value) => {
+      state.source = value;
+      renew();
+    });
+}
+
+// --- what is measured --------------------------------------------------------------------------------
+
+// What is chosen has changed: what was kept of it is forgotten.
+function renew() {
+  Object.assign(state, { kept: null, tallied: null, speed: null });
+  refresh(false);
+  measure_speed_soon();
+}
+
+function refresh(keep) {
+  const { entry, tier, seed, values } = state;
+  const count = Math.min(MOST, 2 ** Number(at("count").value));
+  at("count-text").textContent = whole(count);
+  at("seed").textContent = String(seed);
+  const p = values.map((value) => realised(entry, tier, value));
+  const source = entry.plans ? state.source : "random";
+  const request = { subject: entry.name, tier, source, dimensions: entry.words, count, seed, parameters: p };
+  const drawn = module.sample(request);
+  at("summary").textContent = summary(entry, tier);
+  document.body.dataset.shown = `${entry.name} ${tier}`;
+  if (drawn.refused) return show_refusal(drawn.refused, request);
+  const truth = entry.truth(p, tier);
+  const judged = entry.counting(drawn, { entry, tier, p, truth, stated: module.documented.bounds });
+  const error = keep && state.kept && !(judged.error.max > state.kept.max) ? { ...judged.error, max: state.kept.max } : judged.error;
+  state.kept = { max: error.max, count: count + (keep && state.kept ? state.kept.count : 0) };
+  if (entry.view === "line" || entry.view === "bars") state.tallied = line.tally(keep ? state.tallied : null, { entry, drawn, truth });
+  state.scene = { entry, drawn, truth, judged: { ...judged, error }, request, tallied: state.tallied };
+  draw(keep);
+  show_readings();
+}
+
+// The clock is read when nothing has been changed for a moment, so that dragging a slider is not held up.
+function measure_speed_soon() {
+  clearTimeout(state.clock);
+  state.clock = setTimeout(measure_speed, 200);
+}
+
+function measure_speed() {
+  if (!state.scene || state.running) return;
+  state.speed = module.time(state.scene.request);
+  show_readings();
+}
+
+// --- what is shown -----------------------------------------------------------------------------------
+
+function draw(keep) {
+  const { scene } = state;
+  if (!scene) return;
+  const { entry } = scene;
+  const pictures = { line: line.draw, bars: line.draw_bars, plane: plane.draw, sphere: sphere.draw };
+  const turnable = entry.view === "sphere";
+  at("refusal").hidden = true;
+  at("errors").hidden = scene.judged.residuals.length === 0;
+  at("uniforms").hidden = entry.words !== 2 || !["plane", "sphere"].includes(entry.view);
+  at("view").classList.toggle("turnable", turnable);
+  at("view").tabIndex = turnable ? 0 : -1;
+  pictures[entry.view](at("view"), { ...scene, keep: keep && entry.view === "plane" && state.kept.count < 1 << 18 });
+  if (!at("uniforms").hidden) plane.draw_uniforms(at("square"), { ...scene, keep: false });
+  if (!at("errors").hidden) residuals.draw(at("residuals"), scene);
+}
+
+const bound_of = (x) => (x < 1e-2 ? Number(x.toPrecision(2)).toExponential() : String(Number(x.toPrecision(2))));
+
+function reading(label, { max, rms, unit, stated }, count) {
+  const above = stated !== null && !(max <= stated);
+  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : above ? `above the ${bound_of(stated)} stated for other parameters` : `stated: ${bound_of(stated)}`;
+  return {
+    label, value: figure(max), unit: unit === "exact" ? "" : unit, above,
+    share: stated > 0 ? max / stated : null,
+    note: [bound, rms === null ? "" : `rms ${figure(rms)}`, count > 0 ? `of ${whole(count)}` : ""].filter(Boolean).join("; "),
+  };
+}
+
+function show_readings() {
+  const { scene: { entry, judged, request }, speed, kept } = state;
+  const list = [reading(judged.error.label ?? "Largest error", judged.error, state.running ? kept.count : 0)];
+  if (judged.density) list.push(reading("Error of its density", judged.density, 0));
+  list.push(...judged.further.map(({ fault = false, ...rest }) => ({ ...rest, above: fault })));
+  list.push(speed ? {
+    label: "Speed", value: figure(1e3 / speed.point), unit: "million/s",
+    note: `${figure(speed.point)} ns a point; a word of PCG32 alone ${figure(speed.word)}`,
+  } : { label: "Speed", value: "…", note: "in this browser, PCG32 included" });
+  readings(at("readings"), list);
+  const { max, stated, unit } = judged.error;
+  Object.assign(document.body.dataset, { error: String(max), stated: String(stated), refused: "", count: String(request.count) });
+  at("caption").textContent = captions[entry.view](entry);
+  at("view").setAttribute("aria-label", `${entry.label}, ${TIER_LABELS[request.tier]}: ${whole(request.count)} points; largest error ${figure(max)} ${unit}. ${captions[entry.view](entry)}`);
+}
+
+const captions = {
+  line: () => "Bars: the points drawn. Line: the density in f64.",
+  bars: () => "Bars: how often each index was selected. Lines: the exact shares.",
+  plane: (entry) => (entry.trail ? "States in the order of their colours, over the density." : "Points in the colour of their first uniform."),
+  sphere: () => "Turn it by dragging or with the arrow keys; Home turns it back. +z is up.",
+};
+
+function show_refusal({ name, meaning }, request) {
+  state.scene = null;
+  stop();
+  const context = at("view").getContext("2d");
+  context.clearRect(0, 0, at("view").width, at("view").height);
+  for (const id of ["uniforms", "errors"]) at(id).hidden = true;
+  const refusal = at("refusal");
+  refusal.hidden = false;
+  refusal.querySelector("strong").textContent = name;
+  refusal.querySelector("span").textContent = meaning;
+  at("caption").textContent = "";
+  at("view").setAttribute("aria-label", `${request.subject}: nothing is drawn, ${name}`);
+  readings(at("readings"), []);
+  Object.assign(document.body.dataset, { refused: name, error: "", stated: "", count: "0" });
+}
+
+// --- running -----------------------------------------------------------------------------------------
+
+function stop() {
+  clearInterval(state.running);
+  state.running = null;
+  at("run").setAttribute("aria-pressed", "false");
+  at("run").textContent = "Run";
+}
+
+function start() {
+  const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  state.running = setInterval(() => {
+    state.seed += 1;
+    refresh(true);
+  }, calm ? 1000 : 150);
+  at("run").setAttribute("aria-pressed", "true");
+  at("run").textContent = "Stop";
+}
+
+function wire() {
+  at("count").addEventListener("input", renew);
+  at("again").addEventListener("click", () => {
+    state.seed += 1;
+    renew();
+  });
+  at("run").addEventListener("click", () => (state.running ? stop() : start()));
+  at("clock").addEventListener("click", measure_speed);
+  at("controls").addEventListener("submit", (event) => event.preventDefault());
+  sphere.make_turnable(at("view"), () => state.scene?.entry.view === "sphere", () => draw(false));
+  new ResizeObserver(() => draw(false)).observe(at("view"));
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw(false));
+}
+
+// --- the golden bits ---------------------------------------------------------------------------------
+
+function browser() {
+  const brand = navigator.userAgentData?.brands?.find(({ brand }) => !/not/i.test(brand));
+  return brand ? `${brand.brand} ${brand.version}` : (/(Firefox|Chrome|Version)\/[\d.]+/.exec(navigator.userAgent)?.[0] ?? "this browser");
+}
+
+async function show_golden() {
+  const said = at("golden");
+  try {
+    const { cases, agreed, problems } = await verify(module, "golden.csv");
+    said.dataset.state = problems.length === 0 ? "verified" : "mismatch";
+    said.textContent = problems.length === 0
+      ? `Golden bits verified: all ${whole(agreed)} words of ${whole(cases)} cases agree in ${browser()}.`
+      : `Golden bits MISMATCH: ${whole(problems.length)} of ${whole(agreed + problems.length)} do not agree in ${browser()}. First: ${problems[0]}.`;
+  } catch (problem) {
+    said.dataset.state = "mismatch";
+    said.textContent = `Golden bits NOT verified: ${problem.message}.`;
+  }
+}
+
+try {
+  module = await load("microwarp.wasm");
+  at("module").textContent = `The module is ${whole(module.size)} bytes, imports ${module.imports === 0 ? "nothing and cannot panic" : `${module.imports} functions`}.`;
+  wire();
+  choose_family("plane");
+  await show_golden();
+} catch (problem) {
+  at("golden").dataset.state = "mismatch";
+  at("golden").textContent = `The module could not be loaded: ${problem.message}.`;
+  throw problem;
+}

@@ -1,0 +1,124 @@
+//! Every sampler of microwarp behind plain exports, for a page that knows nothing of Rust but numbers.
+//!
+//! Here live the exports and the memory that the page and the module share. What is sampled is in `float`,
+//! `integer`, `tables`, `rejected` and `chains`, one function a family; `run` samples and times what they name,
+//! `source` is where the words come from. The panic handler calls an import: a module whose panics
+//! cannot be reached needs none, and the page and its test make sure of that.
+#![no_std]
+#![allow(unsafe_code)]
+
+mod chains;
+mod float;
+mod integer;
+mod numbers;
+mod rejected;
+mod run;
+mod shared;
+mod source;
+mod subject;
+mod tables;
+
+use core::panic::PanicInfo;
+use run::{Samples, Timing};
+use shared::{Shared, shared};
+use subject::{NAMES, Subject, visit};
+
+/// What the crate's documentation says of its types, a sentence and the bounds of each, as JSON.
+static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));
+
+/// Where the memory is that both sides use; its layout is that of [`Shared`].
+#[unsafe(no_mangle)]
+pub extern "C" fn shared_memory() -> *const Shared {
+    &raw const *shared()
+}
+
+/// The names of all subjects in the order of their numbers, separated by spaces.
+#[unsafe(no_mangle)]
+pub extern "C" fn names() -> *const u8 {
+    NAMES.as_ptr()
+}
+
+/// How many bytes the names have.
+#[unsafe(no_mangle)]
+pub extern "C" fn names_length() -> usize {
+    NAMES.len()
+}
+
+/// What the documentation says, as JSON.
+#[unsafe(no_mangle)]
+pub extern "C" fn documented() -> *const u8 {
+    DOCUMENTED.as_ptr()
+}
+
+/// How many bytes that has.
+#[unsafe(no_mangle)]
+pub extern "C" fn documented_length() -> usize {
+    DOCUMENTED.len()
+}
+
+/// Draws `count` points of a subject in a tier with the parameters in the shared memory, from random words (source
+/// 0), stratified ones (1) or ones of low discrepancy (2) along the first `dimensions`. Returns 0, or how many bytes
+/// of the text say why not.
+#[unsafe(no_mangle)]
+pub extern "C" fn sample(
+    subject: u32,
+    tier: u32,
+    source: u32,
+    dimensions: u32,
+    count: u32,
+    seed: u32,
+) -> usize {
+    let shared = shared();
+    shared.report = [0.0; 16];
+    let parameters = shared.parameters;
+    let words = source::Words::new(source, dimensions, count, seed);
+    let mut samples = Samples::new(words, count, shared);
+    match visit(Subject::of(subject), tier, &parameters, &mut samples) {
+        Ok(()) => 0,
+        Err(refusal) => refusal.write(&mut shared.text),
+    }
+}
+
+/// Draws `count` points from PCG32 and keeps none, for the page to look at its clock before and after. Returns the
+/// exclusive or of their bits, so that none can be left out.
+#[unsafe(no_mangle)]
+pub extern "C" fn time(subject: u32, tier: u32, count: u32, seed: u32) -> u32 {
+    let parameters = shared().parameters;
+    let mut timing = Timing::new(count, seed);
+    match visit(Subject::of(subject), tier, &parameters, &mut timing) {
+        Ok(()) => timing.bits(),
+        Err(_) => 0,
+    }
+}
+
+/// Draws `count` words from PCG32 and keeps none: what the generator alone takes.
+#[unsafe(no_mangle)]
+pub extern "C" fn time_words(count: u32, seed: u32) -> u32 {
+    run::words(count, seed)
+}
+
+/// How many golden cases there are.
+#[unsafe(no_mangle)]
+pub extern "C" fn golden_cases() -> usize {
+    microwarp_golden::cases()
+}
+
+/// Evaluates one golden case into the words of the shared memory; returns how many.
+#[unsafe(no_mangle)]
+pub extern "C" fn golden_evaluate(index: usize) -> usize {
+    microwarp_golden::evaluate(index, &mut shared().golden)
+}
+
+#[cfg(target_arch = "wasm32")]
+#[link(wasm_import_module = "page")]
+unsafe extern "C" {
+    safe fn panicked() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    #[cfg(target_arch = "wasm32")]
+    panicked();
+    #[cfg(not(target_arch = "wasm32"))]
+    loop {}
+}

@@ -1,0 +1,173 @@
+// Holds the page to what it promises, in headless Chromium.
+//   node test/run.mjs SITE PANICS.wasm PICTURES
+// SITE has microwarp.wasm and golden.csv as `build` left them; PANICS.wasm is a module that can panic; PICTURES is
+// where the screenshots go. Every check that could pass by seeing nothing has a control that it must object to.
+
+import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { serve } from "../serve.mjs";
+import { launch } from "./browser.mjs";
+import { every_subject, most_points, refusals, turns } from "./walk.mjs";
+
+const web = dirname(dirname(fileURLToPath(import.meta.url)));
+const [site, panics, pictures] = process.argv.slice(2);
+if (!pictures) throw new Error("usage: node test/run.mjs SITE PANICS.wasm PICTURES");
+
+const DESK = { width: 1280, height: 900 };
+const PHONE = { width: 390, height: 844, scale: 2, mobile: true };
+const NARROW = { width: 320, height: 640, mobile: true };
+const DARK_AND_STILL = [{ name: "prefers-color-scheme", value: "dark" }, { name: "prefers-reduced-motion", value: "reduce" }];
+
+const faults = [];
+const say = (text) => console.log(text);
+function check(holds, fault) {
+  if (!holds) faults.push(fault);
+  return holds;
+}
+
+// The table as it is: how many cases, how many words.
+function counted(table) {
+  const rows = table.split("\n").filter((row) => row.trim() !== "" && !row.startsWith("#"));
+  return { cases: rows.length, words: rows.reduce((sum, row) => sum + row.split(",").length - 1, 0) };
+}
+
+// The table with the lowest bit of the last word of its middle row changed.
+function one_bit_changed(table) {
+  const rows = table.split("\n");
+  const middle = Math.floor(rows.length / 2);
+  rows[middle] = rows[middle].replace(/[0-9a-f]$/, (digit) => (parseInt(digit, 16) ^ 1).toString(16));
+  return rows.join("\n");
+}
+
+function edited(text, from, to) {
+  if (!text.includes(from)) throw new Error(`a control edits what is not there: ${from}`);
+  return text.replace(from, to);
+}
+
+const module = await readFile(join(site, "microwarp.wasm"));
+const table = await readFile(join(site, "golden.csv"), "utf8");
+const built = { "microwarp.wasm": module, "golden.csv": table };
+const browser = await launch();
+
+// Opens the page with some of its files replaced, waits for what it says of the golden bits, and closes it again.
+async function with_page(what, screen, instead, work) {
+  const server = await serve(web, { instead: { ...built, ...instead } });
+  const page = await browser.open(server.url, screen);
+  try {
+    await page.until(`document.getElementById("golden").dataset.state !== "waiting"`);
+    const golden = await page.evaluate(`({ ...document.getElementById("golden").dataset, text: document.getElementById("golden").textContent })`);
+    return await work(page, golden);
+  } catch (problem) {
+    throw new Error(`${what}: ${problem.message}`);
+  } finally {
+    await page.close();
+    server.close();
+  }
+}
+
+// A page without a fault: nothing in the console, no request that failed, nothing wider than the screen.
+async function sound(what, page) {
+  page.problems.forEach((problem) => faults.push(`${what}: ${problem}`));
+  const [content, screen] = await page.evaluate("[document.documentElement.scrollWidth, innerWidth]");
+  check(content <= screen, `${what}: ${content} pixels wide on a screen of ${screen}`);
+}
+
+async function picture(page, name) {
+  await page.call(() => scrollTo(0, 0));
+  const png = await page.screenshot();
+  check(png.length > 10_000, `the picture ${name} is nearly empty`);
+  await writeFile(join(pictures, name), png);
+}
+
+// --- the module --------------------------------------------------------------------------------------
+
+function modules(panicking) {
+  const imports = (binary) => WebAssembly.Module.imports(new WebAssembly.Module(binary)).map(({ name }) => name);
+  check(imports(module).length === 0, `the module imports ${imports(module).join(", ")}: it can panic`);
+  check(imports(panicking).includes("panicked"), "control: a module that can panic does not show it");
+  say(`module: ${module.length} bytes, no import, so no panic; in a module that panics the import was seen`);
+}
+
+// --- the page ----------------------------------------------------------------------------------------
+
+async function on_a_desk() {
+  await with_page("desk", DESK, {}, async (page, golden) => {
+    const { cases, words } = counted(table);
+    const stated = (golden.text.match(/[\d,]+(?= words| cases)/g) ?? []).map((number) => Number(number.replaceAll(",", "")));
+    check(golden.state === "verified" && /verified/.test(golden.text), `golden bits: ${golden.text}`);
+    check(stated[0] === words && stated[1] === cases, `the page says "${golden.text}", the table has ${words} words of ${cases} cases`);
+    say(golden.text);
+    const seen = await every_subject(page, module, check);
+    say(`every sampler in every tier: ${seen.length} pictures, each with its error within the bound stated`);
+    const refused = await refusals(page, check);
+    say(`refused, each with its typed error: ${refused.join("; ")}`);
+    await most_points(page, check);
+    await turns(page, check);
+    await page.call(() => document.querySelector('input[name="family"][value="directions"]').click());
+    for (const choice of ['[name="subject"][value="CosineHemisphere"]', '[name="tier"][value="poly"]']) {
+      await page.call((which) => document.querySelector(`input${which}`).click(), choice);
+    }
+    await page.until(`/million/.test(document.getElementById("readings").textContent)`);
+    await picture(page, "desk.png");
+    await sound("desk", page);
+  });
+}
+
+async function on_small_screens() {
+  await with_page("phone", PHONE, {}, async (page) => {
+    await page.until(`/million/.test(document.getElementById("readings").textContent)`);
+    await picture(page, "phone.png");
+    await sound("phone", page);
+  });
+  await with_page("narrow, dark, still", { ...NARROW, features: DARK_AND_STILL }, {}, async (page) => {
+    await page.call(() => document.querySelector('input[name="family"][value="line"]').click());
+    await page.until(`/million/.test(document.getElementById("readings").textContent)`);
+    const paper = await page.evaluate("getComputedStyle(document.body).backgroundColor");
+    check(paper !== "rgb(247, 246, 242)", "the page is light where dark is preferred");
+    await picture(page, "narrow.png");
+    await sound("narrow", page);
+  });
+}
+
+// --- controls ----------------------------------------------------------------------------------------
+
+async function controls() {
+  await with_page("control: a changed bit", DESK, { "golden.csv": one_bit_changed(table) }, async (page, golden) => {
+    check(golden.state === "mismatch" && /MISMATCH: 1 of/.test(golden.text), `control: one changed bit, and the page says: ${golden.text}`);
+    say(`control, one bit changed: ${golden.text}`);
+  });
+  await with_page("control: no table", DESK, { "golden.csv": null }, async (page, golden) => {
+    check(golden.state === "mismatch" && page.problems.length > 0, "control: a table that is missing is not noticed");
+  });
+  const html = await readFile(join(web, "index.html"), "utf8");
+  const noisy = edited(html, "</body>", `<script>console.error("control")</script></body>`);
+  await with_page("control: a console error", DESK, { "index.html": noisy }, async (page) => {
+    check(page.problems.some((problem) => problem.includes("control")), "control: an error in the console is not noticed");
+  });
+  const truth = await readFile(join(web, "truth/plane.mjs"), "utf8");
+  const wrong = edited(truth, "turned(Math.sqrt(u), v) });", "turned(Math.sqrt(u) * (1 - 1e-6), v) });");
+  await with_page("control: a wrong truth", DESK, { "truth/plane.mjs": wrong }, async (page) => {
+    const { error, stated } = await page.evaluate("({ ...document.body.dataset })");
+    check(Number(error) > Number(stated), "control: an error of 1e-6 of a disk is not noticed");
+  });
+  say("controls: a missing table, an error in the console and an error above its bound were noticed");
+}
+
+await mkdir(pictures, { recursive: true });
+try {
+  modules(await readFile(panics));
+  await on_a_desk();
+  await on_small_screens();
+  await controls();
+} catch (problem) {
+  faults.push(problem.message);
+} finally {
+  await browser.close();
+}
+faults.slice(0, 30).forEach((fault) => console.error(fault));
+if (faults.length > 0) {
+  console.error(`FAILED: the page in Chromium, ${faults.length} faults`);
+  process.exit(1);
+}
+say(`the page in Chromium: all as promised; pictures in ${pictures}`);

@@ -1,0 +1,124 @@
+//! The layers of a ziggurat, computed by the compiler.
+#![allow(
+    clippy::indexing_slicing,
+    clippy::arithmetic_side_effects,
+    clippy::integer_division_remainder_used,
+    reason = "the compiler evaluates all of this, and refuses to build what would panic"
+)]
+
+/// How many layers there are, by the 8 bits that choose one.
+pub(super) const COUNT: usize = 256;
+
+/// What the layers are cut from, over x ≥ 0.
+#[derive(Clone, Copy)]
+pub(super) enum Shape {
+    /// e^(−x²/2).
+    Normal,
+    /// e^(−x).
+    Exponential,
+}
+
+/// What a try mostly needs of a layer.
+#[derive(Clone, Copy)]
+pub(super) struct Layer {
+    /// The even number of 2⁻²⁴ of the width below which a point lies under the curve whatever its height.
+    pub(super) inner: u32,
+    /// The width over 2²⁴.
+    pub(super) scale: f32,
+}
+
+/// Layers of equal area that cover a curve from below, the lowest with the tail.
+pub(super) struct Layers {
+    /// From the lowest, whose width is that of a rectangle of the same height and area.
+    pub(super) layers: [Layer; COUNT],
+}
+
+impl Layers {
+    /// Of a curve, from where the tail starts and the area of a layer: that with which the last one ends at the
+    /// curve's peak.
+    pub(super) const fn new(shape: Shape, tail: f64, area: f64) -> Self {
+        let mut table = Self {
+            layers: [Layer {
+                inner: 0,
+                scale: 0.0,
+            }; COUNT],
+        };
+        let mut height = shape.height(tail);
+        let (mut width, mut inner) = (area / height, tail);
+        let mut index = 0;
+        while index < COUNT {
+            // Below 2²⁴, and 0 for the last.
+            let half = (inner / width * 8_388_608.0 + 0.5) as u32;
+            table.layers[index] = Layer {
+                inner: 2 * half,
+                scale: (width / 16_777_216.0) as f32,
+            };
+            if index > 0 {
+                height += area / width;
+            }
+            width = inner;
+            index += 1;
+            // The height at the next inner end is 1 at the peak, where its logarithm would be rounding errors.
+            inner = if index + 1 < COUNT {
+                shape.at_height(height + area / width)
+            } else {
+                0.0
+            };
+        }
+        table
+    }
+}
+
+impl Shape {
+    const fn height(self, x: f64) -> f64 {
+        match self {
+            Self::Normal => 1.0 / exp(0.5 * x * x),
+            Self::Exponential => 1.0 / exp(x),
+        }
+    }
+
+    const fn at_height(self, height: f64) -> f64 {
+        match self {
+            Self::Normal => sqrt(-2.0 * ln(height)),
+            Self::Exponential => -ln(height),
+        }
+    }
+}
+
+/// e^x for 0 ≤ x ≤ 8, by its series.
+const fn exp(x: f64) -> f64 {
+    let (mut term, mut sum, mut n) = (1.0, 0.0, 1.0);
+    while n < 60.0 {
+        sum += term;
+        term *= x / n;
+        n += 1.0;
+    }
+    sum
+}
+
+/// ln x for 0 < x ≤ 1: of the powers of 2, and of what is near 1 by the series of artanh.
+const fn ln(x: f64) -> f64 {
+    let (mut near, mut twos) = (x, 0.0);
+    while near < core::f64::consts::FRAC_1_SQRT_2 {
+        near *= 2.0;
+        twos += 1.0;
+    }
+    let s = (near - 1.0) / (near + 1.0);
+    let (mut power, mut sum, mut n) = (2.0 * s, 0.0, 1.0);
+    while n < 40.0 {
+        sum += power / n;
+        power *= s * s;
+        n += 2.0;
+    }
+    sum - twos * core::f64::consts::LN_2
+}
+
+/// √x by Newton's method.
+const fn sqrt(x: f64) -> f64 {
+    let (mut root, mut n) = (1.0, 0);
+    while n < 12 {
+        root = 0.5 * (root + x / root);
+        n += 1;
+    }
+    root
+}

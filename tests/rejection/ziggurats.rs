@@ -1,0 +1,350 @@
+//! The numbers of the ziggurats have their laws, the tails included; a ziggurat with any of the known flaws fails the
+//! very same tests.
+
+use crate::catalogue::stats;
+use crate::curves::{CURVES, Curve, Geometry};
+use crate::examination::{
+    assert_passes, assert_rejected, histogram, p_value_of_mean, p_value_of_tries,
+};
+use crate::layers::{attempt, unit, word};
+use microwarp::rejection::{
+    Rejection, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
+    ZigguratStandardNormal,
+};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// Numbers of a run.
+const NUMBERS: usize = 10_000_000;
+
+/// The p-values of this file: of each curve ten of numbers and tries, two of a tail, one of independence; and of each
+/// scaled sampler what numbers have.
+pub const P_VALUES: usize = 2 * (10 + 2 + 1) + 2 * 8;
+
+/// What is wrong with a ziggurat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Flaw {
+    None,
+    /// Layer and place are read from the same end of the word.
+    SharedHighBits,
+    /// What lies beyond the inner part is handed out.
+    NoWedge,
+    /// What lies beyond the inner part is not.
+    InnerAlone,
+    /// The tail is exponential, as it is proposed and not yet accepted.
+    WrongTail,
+    /// There is none.
+    NoTail,
+}
+
+/// A ziggurat in f64, independent of the crate's.
+struct Reference {
+    curve: Curve,
+    geometry: Geometry,
+    flaw: Flaw,
+    rng: Pcg32,
+}
+
+impl Reference {
+    fn new(curve: Curve, flaw: Flaw) -> Self {
+        Self {
+            curve,
+            geometry: curve.geometry(),
+            flaw,
+            rng: Pcg32::new(77, 7),
+        }
+    }
+
+    fn uniform(&mut self) -> f64 {
+        (f64::from(self.rng.next_u32()) + 0.5) / 4_294_967_296.0
+    }
+
+    fn tail(&mut self) -> f64 {
+        let start = self.geometry.start;
+        if self.curve == Curve::Exponential {
+            // Not as steep where it is to be wrong.
+            let slope = if self.flaw == Flaw::WrongTail {
+                0.95
+            } else {
+                1.0
+            };
+            return start - self.uniform().ln() / slope;
+        }
+        loop {
+            let x = -self.uniform().ln() / start;
+            let y = -self.uniform().ln();
+            if self.flaw == Flaw::WrongTail || 2.0 * y > x * x {
+                return start + x;
+            }
+        }
+    }
+
+    fn number(&mut self) -> f64 {
+        loop {
+            let word = self.rng.next_u32();
+            let bits = match self.flaw {
+                Flaw::SharedHighBits => word >> 24,
+                _ => word & 0xff,
+            };
+            let (layer, share) = (bits as usize, f64::from(word >> 9) + 0.5);
+            let (width, inner) = (self.geometry.widths[layer], self.geometry.widths[layer + 1]);
+            let x = share / 8_388_608.0 * width;
+            let size = if x < inner {
+                x
+            } else if layer == 0 {
+                if self.flaw == Flaw::NoTail {
+                    continue;
+                }
+                self.tail()
+            } else {
+                let accepted = match self.flaw {
+                    Flaw::NoWedge => true,
+                    Flaw::InnerAlone => false,
+                    _ => {
+                        self.uniform() * self.curve.excess(width, inner)
+                            < self.curve.excess(width, x)
+                    }
+                };
+                if !accepted {
+                    continue;
+                }
+                x
+            };
+            let negative = self.curve == Curve::Normal && word & 0x100 != 0;
+            return if negative { -size } else { size };
+        }
+    }
+
+    fn numbers(&mut self) -> Vec<f64> {
+        (0..NUMBERS).map(|_| self.number()).collect()
+    }
+}
+
+/// Cells of equal probability, beyond the first and last of which there are ever smaller ones.
+fn borders(curve: Curve) -> Vec<f64> {
+    let mut borders: Vec<f64> = (1..1023).map(|k| f64::from(k) / 1023.0).collect();
+    for k in 11..21 {
+        borders.push(1.0 - 2f64.powi(-k));
+        if curve == Curve::Normal {
+            borders.push(2f64.powi(-k));
+        }
+    }
+    borders.sort_by(f64::total_cmp);
+    borders
+}
+
+/// Chi-square, Kolmogorov and Smirnov's distance, the numbers beyond the start of the tail, five moments.
+fn p_values_of_numbers(curve: Curve, numbers: &[f64]) -> Vec<f64> {
+    let n = numbers.len() as f64;
+    // Upper probabilities keep their digits in the tail of the normal law only on the other side.
+    let mut uniforms: Vec<f64> = numbers.iter().map(|x| curve.cdf(*x)).collect();
+    uniforms.sort_unstable_by(f64::total_cmp);
+    assert!(uniforms[0] >= 0.0 && uniforms[uniforms.len() - 1] <= 1.0);
+    let borders = borders(curve);
+    let mut counts = Vec::new();
+    let mut expected = Vec::new();
+    let (mut before, mut below) = (0, 0.0);
+    for border in borders.iter().copied().chain([1.0]) {
+        let reached = uniforms.partition_point(|u| *u < border);
+        let reached = if border < 1.0 {
+            reached
+        } else {
+            uniforms.len()
+        };
+        counts.push((reached - before) as u64);
+        expected.push((border - below) * n);
+        (before, below) = (reached, border);
+    }
+    let (_, _, chi_square) = stats::chi_square(&counts, &expected).unwrap();
+    let distance = uniforms
+        .iter()
+        .enumerate()
+        .map(|(i, u)| (u - i as f64 / n).abs().max((u - (i + 1) as f64 / n).abs()))
+        .fold(0.0, f64::max);
+    let start = curve.geometry().start;
+    let beyond = numbers.iter().filter(|x| x.abs() > start).count() as f64;
+    let total = curve.beyond(0.0);
+    let due = n * curve.beyond(start) / total;
+    let mut p_values = vec![
+        chi_square,
+        stats::kolmogorov(distance, n),
+        stats::two_sided((beyond - due) / due.sqrt()),
+    ];
+    for power in 1..=5 {
+        let mean = numbers.iter().map(|x| x.powi(power)).sum::<f64>() / n;
+        let (due, squares) = (curve.moment(power), curve.moment(2 * power));
+        let deviation = ((squares - due * due) / n).sqrt();
+        p_values.push(stats::two_sided((mean - due) / deviation));
+    }
+    p_values
+}
+
+impl Curve {
+    /// The mean of x^k: (k − 1)!! or 0, and k!.
+    fn moment(self, k: i32) -> f64 {
+        let product =
+            |from: i32, step: usize| (from..=k).step_by(step).map(f64::from).product::<f64>();
+        match self {
+            Curve::Normal if k % 2 == 1 => 0.0,
+            Curve::Normal => product(1, 2) / if k % 2 == 0 { 1.0 } else { f64::from(k) },
+            Curve::Exponential => product(1, 1),
+        }
+    }
+
+    fn efficiency(self) -> f64 {
+        self.beyond(0.0) / (256.0 * self.geometry().area)
+    }
+}
+
+/// Numbers as f64, and tries.
+fn draw(sampler: &impl Rejection<Point = f32>, seed: u64) -> (Vec<f64>, Vec<u32>) {
+    let mut rng = Pcg32::new(seed, 0x2199);
+    let draws = (0..NUMBERS).map(|_| {
+        let accepted = sampler.draw(&mut rng).unwrap();
+        (f64::from(accepted.point), accepted.tries)
+    });
+    draws.unzip()
+}
+
+#[test]
+fn moments_are_known() {
+    let normal = [0.0, 1.0, 0.0, 3.0, 0.0, 15.0, 0.0, 105.0];
+    let exponential = [1.0, 2.0, 6.0, 24.0, 120.0, 720.0, 5040.0, 40320.0];
+    for (k, (n, e)) in (1..).zip(normal.into_iter().zip(exponential)) {
+        assert_eq!(Curve::Normal.moment(k), n);
+        assert_eq!(Curve::Exponential.moment(k), e);
+    }
+}
+
+#[test]
+fn numbers_have_their_law_and_tries_theirs() {
+    for curve in CURVES {
+        let (numbers, tries) = match curve {
+            Curve::Normal => draw(&ZigguratStandardNormal::new(), 1),
+            Curve::Exponential => draw(&ZigguratStandardExponential::new(), 2),
+        };
+        let mut p_values = p_values_of_numbers(curve, &numbers);
+        let (tries, e) = (histogram(&tries), curve.efficiency());
+        p_values.extend([p_value_of_tries(&tries, e), p_value_of_mean(&tries, e)]);
+        assert_eq!(p_values.len(), 10);
+        assert_passes(&format!("{curve:?}"), &p_values);
+        // A thousandth more or fewer is seen both ways.
+        for wrong in [0.999 * e, 1.001 * e] {
+            assert_rejected("histogram", &[p_value_of_tries(&tries, wrong)]);
+            assert_rejected("mean", &[p_value_of_mean(&tries, wrong)]);
+        }
+        let stated = match curve {
+            Curve::Normal => ZigguratStandardNormal::EFFICIENCY,
+            Curve::Exponential => ZigguratStandardExponential::EFFICIENCY,
+        };
+        assert_eq!(stated, e as f32);
+    }
+}
+
+#[test]
+fn scaled_numbers_have_their_law() {
+    let normal = ZigguratNormal::new(-3.0, 0.25).unwrap();
+    let (numbers, _) = draw(&normal, 3);
+    let standard: Vec<f64> = numbers.iter().map(|x| (x + 3.0) / 0.25).collect();
+    assert_passes("scaled", &p_values_of_numbers(Curve::Normal, &standard));
+    // A mean off by four thousandths of the deviation, and a deviation by two of itself.
+    for (mean, deviation) in [(3.001, 0.25), (3.0, 0.250_5)] {
+        let wrong: Vec<f64> = numbers.iter().map(|x| (x + mean) / deviation).collect();
+        assert_rejected(
+            "scaled wrongly",
+            &p_values_of_numbers(Curve::Normal, &wrong),
+        );
+    }
+    let wait = ZigguratExponential::new(40.0).unwrap();
+    let (numbers, _) = draw(&wait, 4);
+    let standard: Vec<f64> = numbers.iter().map(|x| x * 40.0).collect();
+    let p_values = p_values_of_numbers(Curve::Exponential, &standard);
+    assert_passes("scaled", &p_values);
+    let wrong: Vec<f64> = numbers.iter().map(|x| x * 40.1).collect();
+    let p_values = p_values_of_numbers(Curve::Exponential, &wrong);
+    assert_rejected("scaled wrongly", &p_values);
+}
+
+/// The tests themselves: a right ziggurat passes, and every flaw is seen.
+#[test]
+fn flawed_ziggurats_are_rejected() {
+    for curve in CURVES {
+        let of = |flaw| p_values_of_numbers(curve, &Reference::new(curve, flaw).numbers());
+        assert_passes(&format!("{curve:?}, reference"), &of(Flaw::None));
+        for flaw in [
+            Flaw::SharedHighBits,
+            Flaw::NoWedge,
+            Flaw::InnerAlone,
+            Flaw::NoTail,
+        ] {
+            assert_rejected(&format!("{curve:?}, {flaw:?}"), &of(flaw));
+        }
+    }
+}
+
+/// Chi-square and distance of numbers beyond the tail's start.
+fn p_values_of_tail(curve: Curve, numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+    let start = curve.geometry().start;
+    let share = |x: f64| [1.0 - curve.beyond(x) / curve.beyond(start)];
+    let uniforms: Vec<[f64; 1]> = numbers.map(share).collect();
+    crate::examination::p_values_of_points(&uniforms)
+}
+
+/// A million numbers of the tail alone, which takes as many layers.
+#[test]
+fn tails_have_their_law() {
+    for curve in CURVES {
+        let mut rng = Pcg32::new(5, 5);
+        let first = word(curve, 0, (1 << 24) - 1);
+        let numbers = (0..1_000_000).map(|_| {
+            let words = [first, rng.next_u32(), rng.next_u32()];
+            f64::from(attempt(curve, words).unwrap())
+        });
+        let name = format!("{curve:?}, tail");
+        assert_passes(&name, &p_values_of_tail(curve, numbers));
+        let of = |flaw| {
+            let mut reference = Reference::new(curve, flaw);
+            let numbers: Vec<f64> = (0..1_000_000).map(|_| reference.tail()).collect();
+            p_values_of_tail(curve, numbers.into_iter())
+        };
+        assert_passes(&name, &of(Flaw::None));
+        assert_rejected(&name, &of(Flaw::WrongTail));
+    }
+}
+
+/// Chi-square of the layer and the last 8 bits of the place in it, over the words for which there are both.
+fn p_value_of_independence(parts: impl Fn(u32) -> Option<(usize, u32)>) -> f64 {
+    let mut rng = Pcg32::new(6, 6);
+    let mut counts = vec![0_u64; 255 * 256];
+    for _ in 0..NUMBERS {
+        if let Some((layer, place)) = parts(rng.next_u32()) {
+            counts[(layer - 1) * 256 + (place & 0xff) as usize] += 1;
+        }
+    }
+    let mean = counts.iter().sum::<u64>() as f64 / counts.len() as f64;
+    stats::chi_square(&counts, &vec![mean; counts.len()])
+        .unwrap()
+        .2
+}
+
+/// The layer and the place's last bits, which Marsaglia and Tsang read from the same bits.
+#[test]
+fn layer_and_place_are_independent() {
+    for curve in CURVES {
+        let units: Vec<f64> = (0..256).map(|k| f64::from(unit(curve, k))).collect();
+        let parts = |first: u32| {
+            let layer = (first & 0xff) as usize;
+            let x = attempt(curve, [first, 0, 0])?;
+            let place = (f64::from(x.abs()) / units[layer]).round() as u32;
+            // The lowest bit is always set.
+            (layer > 0).then_some((layer, place >> 1))
+        };
+        assert_passes("bits apart", &[p_value_of_independence(parts)]);
+    }
+    let shared = |first: u32| {
+        let layer = (first & 0xff) as usize;
+        let place = (first as i32).unsigned_abs();
+        (layer > 0).then_some((layer, place))
+    };
+    assert_rejected("bits shared", &[p_value_of_independence(shared)]);
+}
