@@ -75,7 +75,11 @@ fn the_only_unsafe_is_the_square_root() {
     for (path, text) in sources("src") {
         let code = text.lines().filter(|l| !l.trim_start().starts_with("//"));
         let unsafes = code
-            .filter(|l| l.contains("unsafe {") || l.contains("unsafe extern") || l.contains("allow(unsafe_code)"))
+            .filter(|l| {
+                l.contains("unsafe {")
+                    || l.contains("unsafe extern")
+                    || l.contains("allow(unsafe_code)")
+            })
             .count();
         assert_eq!(
             unsafes > 0,
