@@ -1,7 +1,7 @@
 //! Nanoseconds a point on the host: every warp in both tiers beside the generator alone.
 //!
-//! `cargo bench`. Each figure is for drawing 1,024 points with PCG32, so that calls and clocks do not show;
-//! compare figures of one run only.
+//! `cargo bench --bench warps`. Each figure is for 1,024 points with PCG32, drawn one by one or filled, so that calls
+//! and clocks do not show; compare figures of one run only.
 
 use divan::{Bencher, black_box};
 use microwarp::{Warp, uniform};
@@ -13,14 +13,24 @@ fn main() {
     divan::main();
 }
 
-fn fill<W: Warp>(bencher: Bencher, warp: &W) {
+fn repeat<W: Warp>(bencher: Bencher, warp: &W, action: impl Fn(&W, &mut Pcg32, &mut [W::Point])) {
     let mut rng = Pcg32::new(1, 1);
     let mut points = vec![warp.draw(&mut rng); POINTS];
     bencher
         .counter(divan::counter::ItemsCount::new(POINTS))
-        .bench_local(|| {
-            black_box(warp).fill(&mut rng, black_box(&mut points));
-        });
+        .bench_local(|| action(black_box(warp), &mut rng, black_box(&mut points)));
+}
+
+fn draw<W: Warp>(bencher: Bencher, warp: &W) {
+    repeat(bencher, warp, |warp, rng, points| {
+        for point in points {
+            *point = warp.draw(rng);
+        }
+    });
+}
+
+fn fill<W: Warp>(bencher: Bencher, warp: &W) {
+    repeat(bencher, warp, |warp, rng, points| warp.fill(rng, points));
 }
 
 /// The floor: two words of the generator as uniforms, and nothing made of them.
@@ -46,9 +56,17 @@ macro_rules! benches {
 
             macro_rules! bench {
                 ($name:ident, $warp:expr) => {
-                    #[divan::bench]
-                    fn $name(bencher: Bencher) {
-                        fill(bencher, &$warp);
+                    mod $name {
+                        use super::*;
+
+                        #[divan::bench]
+                        fn draw(bencher: Bencher) {
+                            super::draw(bencher, &$warp);
+                        }
+                        #[divan::bench]
+                        fn fill(bencher: Bencher) {
+                            super::fill(bencher, &$warp);
+                        }
                     }
                 };
             }
