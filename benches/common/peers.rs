@@ -22,6 +22,8 @@ pub fn drawn<const N: usize, P>(map: impl Fn([f32; N]) -> P) -> impl Fn(&mut Pcg
     move |rng| map(std::array::from_fn(|_| uniform(rng)))
 }
 
+#[path = "peers/formulas.rs"]
+mod formulas;
 #[path = "peers/micro.rs"]
 pub mod micro;
 #[path = "peers/rejecting.rs"]
