@@ -5,7 +5,9 @@ use crate::families::*;
 use crate::peers::{drawn, micro, rejecting, textbook};
 use fixed::types::U32F32;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, Grade, Uniform};
-use microwarp::rejection::{BallRejection, DiskRejection, Rejection};
+use microwarp::rejection::{
+    BallRejection, DiskRejection, Rejection, ZigguratStandardExponential, ZigguratStandardNormal,
+};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::Normal;
 use microwarp::{Warp, uniform};
@@ -160,6 +162,7 @@ pub fn exponential() -> Contest<f32> {
     let rate = black_box(1.0);
     let formula = move |u| textbook::exponential_of_rate(rate, u);
     grades!(contest, mw::StandardExponential::new())
+        .draw(REJECTION, accepted(ZigguratStandardExponential::new()))
         .draw(RAND_DISTR, rejecting::exponential)
         .draw(MICROMATH, drawn(micro::exponential))
         .draw(TEXTBOOK, drawn(formula))
@@ -175,9 +178,11 @@ fn one_at_a_time<T: Tier>() -> impl Fn(&mut Pcg32) -> [f32; 2] {
 pub fn normal() -> Contest<[f32; 2]> {
     let floor = of_pairs().counting(2);
     let pairs = tiers!(floor, mw::NormalPair::new([0.0; 2], 1.0).unwrap());
+    let ziggurat = accepted(ZigguratStandardNormal::new());
     grades!(pairs, mw::StandardNormalPair::new())
         .draw(LIBM_SINGLE, one_at_a_time::<Libm>())
         .draw(POLY_SINGLE, one_at_a_time::<Poly>())
+        .draw(REJECTION, move |rng| [ziggurat(rng), ziggurat(rng)])
         .draw(RAND_DISTR, |rng| {
             [rejecting::normal(rng), rejecting::normal(rng)]
         })
