@@ -20,9 +20,16 @@ pub(crate) use self::product::{
 pub(crate) use self::sqrt::sqrt;
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Libm {}
-    impl Sealed for super::Poly {}
+    pub trait Sealed {
+        /// Whether a compiler can work out several arguments of its functions together.
+        const VECTORS: bool;
+    }
+    impl Sealed for super::Libm {
+        const VECTORS: bool = false;
+    }
+    impl Sealed for super::Poly {
+        const VECTORS: bool = true;
+    }
 }
 
 /// Elementary functions over `f32`, in one of two trades of speed for accuracy.

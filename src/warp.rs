@@ -155,10 +155,7 @@ pub trait Warp {
     where
         Self: Sized,
     {
-        for point in points {
-            *point = self.try_draw(rng)?;
-        }
-        Ok(())
+        fill::one_by_one(self, rng, points)
     }
 
     /// Fills a slice with points from a generator that cannot fail.

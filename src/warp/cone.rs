@@ -155,5 +155,5 @@ impl<T: Tier> Warp for Cone<T> {
         ]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }

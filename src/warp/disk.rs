@@ -78,7 +78,7 @@ impl<T: Tier> Warp for Disk<T> {
         [into_unit(x * x + y * y), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }
 
 #[inline]
@@ -179,6 +179,4 @@ impl<T: Tier> Warp for DiskConcentric<T> {
         let r = into_unit(T::sqrt(x * x + y * y));
         concentric_inverse::<T>(point, 1.0 - r)
     }
-
-    super::filled_in_blocks!();
 }

@@ -95,7 +95,7 @@ impl<T: Tier> Warp for Exponential<T> {
         into_unit(-T::exp_m1(-self.rate * x))
     }
 
-    super::filled_in_blocks!();
+    super::filled_in_blocks!(where T::VECTORS);
 }
 
 /// Exponential with rate a, decreasing with the uniform: −ln(u)/a, tail first.

@@ -4,30 +4,44 @@ use super::Warp;
 use crate::uniform::{Canonical, Uniforms, grid_from_word};
 use rand_core::TryRng;
 
-/// [`Warp::try_fill`] of a warp whose `try_draw` is the one provided; with `of placed` of one that is a [`Place`].
+/// [`Warp::try_fill`] of a warp whose `try_draw` is the one provided; with `of placed` of one that is a [`Place`]. Where
+/// the condition fails, points are drawn one by one: a tier whose functions no compiler turns into vectors gains
+/// nothing.
 macro_rules! filled_in_blocks {
-    () => {
-        #[inline]
-        fn try_fill<R: rand_core::TryRng + ?Sized>(
-            &self,
-            rng: &mut R,
-            points: &mut [Self::Point],
-        ) -> Result<(), R::Error> {
-            crate::warp::fill::in_blocks(self, rng, points)
-        }
+    ($(where $vectors:expr)?) => {
+        $crate::warp::filled_in_blocks!(by in_blocks $(where $vectors)?);
     };
-    (of placed) => {
+    (of placed where $vectors:expr) => {
+        $crate::warp::filled_in_blocks!(by placed_in_blocks where $vectors);
+    };
+    (by $fill:ident $(where $vectors:expr)?) => {
         #[inline]
         fn try_fill<R: rand_core::TryRng + ?Sized>(
             &self,
             rng: &mut R,
             points: &mut [Self::Point],
         ) -> Result<(), R::Error> {
-            crate::warp::fill::placed_in_blocks(self, rng, points)
+            $(if !$vectors {
+                return crate::warp::fill::one_by_one(self, rng, points);
+            })?
+            crate::warp::fill::$fill(self, rng, points)
         }
     };
 }
 pub(crate) use filled_in_blocks;
+
+/// [`Warp::try_fill`] as it is provided.
+#[inline]
+pub(super) fn one_by_one<W: Warp, R: TryRng + ?Sized>(
+    warp: &W,
+    rng: &mut R,
+    points: &mut [W::Point],
+) -> Result<(), R::Error> {
+    for point in points {
+        *point = warp.try_draw(rng)?;
+    }
+    Ok(())
+}
 
 /// How many points are worked out together: few, so that the words of the next are drawn meanwhile. One where
 /// processors have no vectors, and a loop over several would only cost memory.

@@ -82,7 +82,7 @@ impl<T: Tier> Warp for Hemisphere<T> {
         [into_unit(z), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by inversion.
@@ -165,7 +165,7 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
         [into_unit(u1), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by Malley's method.
@@ -233,6 +233,4 @@ impl<T: Tier> Warp for MalleyHemisphere<T> {
         let to_rim = if r > 0.5 { z * z / (1.0 + r) } else { 1.0 - r };
         concentric_inverse::<T>([x, y], to_rim)
     }
-
-    super::filled_in_blocks!();
 }

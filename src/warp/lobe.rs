@@ -118,5 +118,5 @@ impl<T: Tier> Warp for PhongLobe<T> {
         [into_unit(u1), azimuth::<T>(x, y)]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }

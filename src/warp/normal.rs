@@ -118,8 +118,6 @@ impl<T: Tier> Warp for Normal<T> {
             T::normal_cdf_lower(t)
         })
     }
-
-    super::filled_in_blocks!();
 }
 
 /// Two independent normals with a common standard deviation, by Box and Muller's map.
@@ -232,5 +230,5 @@ impl<T: Tier> Warp for NormalPair<T> {
         ]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }

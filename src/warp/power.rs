@@ -259,8 +259,6 @@ impl<T: Tier> Warp for Power<T> {
         };
         into_unit(if self.from_anchor { away } else { 1.0 - away })
     }
-
-    super::filled_in_blocks!();
 }
 
 /// Density N x^(N−1) on [0, 1): the largest of N uniforms.
@@ -345,6 +343,4 @@ impl<const N: usize> Warp for PowerMax<N> {
     fn invert(&self, x: f32) -> [f32; N] {
         [into_unit(x); N]
     }
-
-    super::filled_in_blocks!();
 }

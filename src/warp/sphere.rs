@@ -83,5 +83,5 @@ impl<T: Tier> Warp for Sphere<T> {
         ]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }

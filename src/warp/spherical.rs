@@ -309,5 +309,5 @@ impl<T: Tier> Warp for SphericalPatch<T> {
         ]
     }
 
-    super::filled_in_blocks!(of placed);
+    super::filled_in_blocks!(of placed where T::VECTORS);
 }

@@ -163,6 +163,4 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
             rest * (exp_m1_of_product::<T>(self.rate, x) / self.decay)
         })
     }
-
-    super::filled_in_blocks!();
 }
