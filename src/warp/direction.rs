@@ -5,15 +5,7 @@ use crate::tier::Tier;
 
 /// The direction with the given sine and cosine of its polar angle, `turn` turns about the axis.
 #[inline]
-pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32) -> [f32; 3] {
-    let mut direction = [0.0; 3];
-    place_around::<T>(sin, cos, turn, &mut direction);
-    direction
-}
-
-/// The same, to where it is wanted.
-#[inline]
-pub(crate) fn place_around<T: Tier>(sin: f32, cos: f32, turn: f32, to: &mut [f32; 3]) {
+pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32, to: &mut [f32; 3]) {
     let (x, y) = T::polar(sin, turn);
     *to = [x, y, cos];
 }
@@ -29,7 +21,7 @@ pub(crate) fn between_poles<T: Tier>(down: f32, up: f32, turn: f32, to: &mut [f3
     } else {
         (up, up - 1.0)
     };
-    place_around::<T>(T::sqrt(small * (2.0 - small)), cos, turn, to);
+    around::<T>(T::sqrt(small * (2.0 - small)), cos, turn, to);
 }
 
 /// 1 − cos θ of a direction, from x and y where z has rounded away what they still hold.

@@ -1,6 +1,6 @@
 //! The upper hemisphere: uniform, and in proportion to the cosine by inversion and by Malley's method.
 
-use super::direction::{azimuth, is_direction, place_around};
+use super::direction::{around, azimuth, is_direction};
 use super::disk::{concentric, concentric_inverse};
 use super::fill::{Place, placed};
 use super::{Warp, above_zero, into_unit, representable};
@@ -52,7 +52,7 @@ impl<T: Tier> Place<3> for Hemisphere<T> {
     fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         // sin² = 1 - u² in terms of 1 - u, which is exact where it is small.
         let rest = 1.0 - u1;
-        place_around::<T>(T::sqrt((rest + rest) - rest * rest), u1, u2, to);
+        around::<T>(T::sqrt((rest + rest) - rest * rest), u1, u2, to);
     }
 }
 
@@ -137,7 +137,7 @@ fn cosine_density(direction: [f32; 3]) -> f32 {
 impl<T: Tier> Place<3> for CosineHemisphere<T> {
     #[inline]
     fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        place_around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2, to);
+        around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2, to);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The cosine-power lobe, also known as the Phong lobe.
 
-use super::direction::{azimuth, is_direction, one_minus_cos, place_around};
+use super::direction::{around, azimuth, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
 use super::{Warp, into_unit, representable};
 use crate::error::{Error, finite};
@@ -82,7 +82,7 @@ impl<T: Tier> Place<3> for PhongLobe<T> {
     #[inline]
     fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let (cos, q) = T::exp_neg_pair(T::neg_ln_1m(u1) / self.m);
-        place_around::<T>(T::sqrt(q * (1.0 + cos)), cos, u2, to);
+        around::<T>(T::sqrt(q * (1.0 + cos)), cos, u2, to);
     }
 }
 

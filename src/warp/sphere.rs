@@ -1,7 +1,7 @@
 //! The uniform distribution over all directions.
 
 use super::Warp;
-use super::direction::{azimuth, is_direction, one_minus_cos, place_around};
+use super::direction::{around, azimuth, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
 use super::into_unit;
 use crate::tier::Tier;
@@ -51,7 +51,7 @@ impl<T: Tier> Place<3> for Sphere<T> {
     #[inline]
     fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let sin = 2.0 * T::sqrt(u1 * (1.0 - u1));
-        place_around::<T>(sin, 1.0 - 2.0 * u1, u2, to);
+        around::<T>(sin, 1.0 - 2.0 * u1, u2, to);
     }
 }
 

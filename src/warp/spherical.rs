@@ -91,7 +91,9 @@ impl<T: Tier> Spherical<T> {
     #[must_use]
     pub fn to_cartesian(&self) -> [f32; 3] {
         let (sin, cos) = T::sincos_turns(self.theta);
-        around::<T>(sin, cos, self.phi).map(|c| c * self.radius)
+        let mut direction = [0.0; 3];
+        around::<T>(sin, cos, self.phi, &mut direction);
+        direction.map(|c| c * self.radius)
     }
 
     /// sin θ: multiplies a density per steradian into one per radian of θ and radian of φ.

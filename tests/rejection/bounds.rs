@@ -18,10 +18,9 @@ fn attempt(f: f32, p: f32, c: f32, word: u32) -> Result<Option<f32>, Failure> {
     bounded.attempt(0.0, word)
 }
 
-/// How many of the 2³² words accept, by bisection.
-fn words_that_accept(f: f32, p: f32, c: f32) -> u64 {
-    let accepts = |word: u64| attempt(f, p, c, word as u32).unwrap().is_some();
-    let (mut low, mut high) = (0, 1 << 32);
+/// How many words below a limit accept, of which the accepting ones come first; by bisection.
+pub fn count_from_0(limit: u64, accepts: impl Fn(u64) -> bool) -> u64 {
+    let (mut low, mut high) = (0, limit);
     while low < high {
         let middle = (low + high) / 2;
         if accepts(middle) {
@@ -31,6 +30,12 @@ fn words_that_accept(f: f32, p: f32, c: f32) -> u64 {
         }
     }
     low
+}
+
+/// How many of the 2³² words accept.
+fn words_that_accept(f: f32, p: f32, c: f32) -> u64 {
+    let accepts = |word: u64| attempt(f, p, c, word as u32).unwrap().is_some();
+    count_from_0(1 << 32, accepts)
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The layers of the ziggurats are those of an exact computation, and what is between them is decided by the curve.
 
+use crate::bounds::count_from_0;
 use crate::curves::{CURVES, Curve, Geometry, LAYERS};
 use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
 use rand_core::Rng;
@@ -36,30 +37,12 @@ pub fn unit(curve: Curve, layer: usize) -> f32 {
 fn accepting(curve: Curve, layer: usize, place: u32) -> u64 {
     let accepts =
         |second: u64| attempt(curve, [word(curve, layer, place), second as u32, 0]).is_some();
-    let (mut low, mut high) = (0, 1 << 32);
-    while low < high {
-        let middle = (low + high) / 2;
-        if accepts(middle) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    low
+    count_from_0(1 << 32, accepts)
 }
 
 /// The first place of a layer at which something holds that holds from there on.
 fn first_place(holds: impl Fn(u32) -> bool) -> u32 {
-    let (mut low, mut high) = (0, 1 << 23);
-    while low < high {
-        let middle = (low + high) / 2;
-        if holds(2 * middle + 1) {
-            high = middle;
-        } else {
-            low = middle + 1;
-        }
-    }
-    2 * low + 1
+    2 * count_from_0(1 << 23, |half| !holds(2 * half as u32 + 1)) as u32 + 1
 }
 
 /// A number in the source of a law.

@@ -3,7 +3,8 @@
 #![no_std]
 #![allow(unsafe_code)]
 
-use core::panic::PanicInfo;
+#[path = "../src/panic.rs"]
+mod panic;
 
 static WORDS: [u32; 4] = [1, 2, 3, 5];
 
@@ -11,18 +12,4 @@ static WORDS: [u32; 4] = [1, 2, 3, 5];
 #[unsafe(no_mangle)]
 pub extern "C" fn word(index: usize) -> u32 {
     WORDS[index]
-}
-
-#[cfg(target_arch = "wasm32")]
-#[link(wasm_import_module = "page")]
-unsafe extern "C" {
-    safe fn panicked() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &PanicInfo) -> ! {
-    #[cfg(target_arch = "wasm32")]
-    panicked();
-    #[cfg(not(target_arch = "wasm32"))]
-    loop {}
 }

@@ -11,6 +11,7 @@ mod chains;
 mod float;
 mod integer;
 mod numbers;
+mod panic;
 mod rejected;
 mod run;
 mod shared;
@@ -18,7 +19,6 @@ mod source;
 mod subject;
 mod tables;
 
-use core::panic::PanicInfo;
 use run::{Samples, Timing};
 use shared::{Shared, shared};
 use subject::{NAMES, Subject, visit};
@@ -107,18 +107,4 @@ pub extern "C" fn golden_cases() -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_evaluate(index: usize) -> usize {
     microwarp_golden::evaluate(index, &mut shared().golden)
-}
-
-#[cfg(target_arch = "wasm32")]
-#[link(wasm_import_module = "page")]
-unsafe extern "C" {
-    safe fn panicked() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &PanicInfo) -> ! {
-    #[cfg(target_arch = "wasm32")]
-    panicked();
-    #[cfg(not(target_arch = "wasm32"))]
-    loop {}
 }

@@ -53,43 +53,32 @@ fn sky(clouds: f32, sun: f32) -> [[f32; 6]; 4] {
 
 struct Cumulated(Cdf<[u32; ENTRIES]>);
 
-impl Draw for Cumulated {
-    type Point = usize;
-
-    fn draw<R: Rng>(&mut self, rng: &mut R) -> Result<usize, Refusal> {
-        Ok(self.0.draw_index(rng))
-    }
-
-    fn density(&self, index: usize) -> f64 {
-        self.0.pmf(index).into()
-    }
-
-    fn report(&self, report: &mut [f64; 16]) {
-        for (index, slot) in report.iter_mut().enumerate().take(ENTRIES) {
-            *slot = self.0.numerator(index) as f64;
-        }
-    }
-}
-
 struct Aliased<'a>(Alias<&'a [AliasEntry<u32>]>);
 
-impl Draw for Aliased<'_> {
-    type Point = usize;
+/// Draws the index of a table's entry, and reports the numerators of all.
+macro_rules! indices {
+    ($($table:ty),*) => {$(
+        impl Draw for $table {
+            type Point = usize;
 
-    fn draw<R: Rng>(&mut self, rng: &mut R) -> Result<usize, Refusal> {
-        Ok(self.0.draw_index(rng))
-    }
+            fn draw<R: Rng>(&mut self, rng: &mut R) -> Result<usize, Refusal> {
+                Ok(self.0.draw_index(rng))
+            }
 
-    fn density(&self, index: usize) -> f64 {
-        self.0.pmf(index).into()
-    }
+            fn density(&self, index: usize) -> f64 {
+                self.0.pmf(index).into()
+            }
 
-    fn report(&self, report: &mut [f64; 16]) {
-        for (index, slot) in report.iter_mut().enumerate().take(ENTRIES) {
-            *slot = self.0.numerator(index) as f64;
+            fn report(&self, report: &mut [f64; 16]) {
+                for (index, slot) in report.iter_mut().enumerate().take(ENTRIES) {
+                    *slot = self.0.numerator(index) as f64;
+                }
+            }
         }
-    }
+    )*};
 }
+
+indices!(Cumulated, Aliased<'_>);
 
 /// A selection and the probability it reported; the page is told that, not one worked out again.
 #[derive(Clone, Copy)]

@@ -1,0 +1,18 @@
+//! What becomes of a panic: an import, which stands in a module if and only if something in it can panic. The control
+//! in `examples/panics.rs` has this very handler.
+
+use core::panic::PanicInfo;
+
+#[cfg(target_arch = "wasm32")]
+#[link(wasm_import_module = "page")]
+unsafe extern "C" {
+    safe fn panicked() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    #[cfg(target_arch = "wasm32")]
+    panicked();
+    #[cfg(not(target_arch = "wasm32"))]
+    loop {}
+}
