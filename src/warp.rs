@@ -113,6 +113,17 @@ pub trait Warp {
         self.sample_canonical(u.canonical())
     }
 
+    /// The point of the words that its uniforms are drawn from: what drawing gives, and filling.
+    ///
+    /// That is the sample of the grid's uniforms, unless the domain is open at an end or the density vanishes there.
+    /// Such a warp counts a word as the middle of the uniforms that it stands for, so that no draw lies beyond its share
+    /// of the tail.
+    #[must_use]
+    #[inline]
+    fn sample_words(&self, words: <Self::Uniforms as Uniforms>::Words) -> Self::Point {
+        self.sample_canonical(Self::Uniforms::from_words(words))
+    }
+
     /// Draws one point: one `u32` of the generator for each uniform, unless the warp says otherwise.
     ///
     /// # Errors
@@ -129,7 +140,7 @@ pub trait Warp {
     where
         Self: Sized,
     {
-        Ok(self.sample_canonical(Self::Uniforms::try_draw(rng)?))
+        Ok(self.sample_words(Self::Uniforms::try_words(rng)?))
     }
 
     /// Draws one point from a generator that cannot fail.
@@ -187,6 +198,11 @@ impl<W: Warp> Warp for &W {
     #[inline]
     fn invert(&self, x: Self::Point) -> Self::Uniforms {
         (**self).invert(x)
+    }
+
+    #[inline]
+    fn sample_words(&self, words: <Self::Uniforms as Uniforms>::Words) -> Self::Point {
+        (**self).sample_words(words)
     }
 
     #[inline]

@@ -175,6 +175,11 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
     }
 
     #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        self.cell_and_place((W::from_bits(word), 0.0)).1
+    }
+
+    #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
         Ok(self.cell_and_place((W::try_draw(rng)?, 0.0)).1)
     }

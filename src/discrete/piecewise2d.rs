@@ -345,6 +345,14 @@ where
             .unwrap_or(&[]);
         PiecewiseConstant1d::within(Cdf::trusted(words), self.columns)
     }
+
+    /// The point of exact words, along u and along v.
+    #[inline]
+    fn at(&self, [along_u, along_v]: [W; 2]) -> [f32; 2] {
+        let (row, v) = self.marginal.cell_and_place((along_v, 0.0));
+        let (_, u) = self.conditional(row).cell_and_place((along_u, 0.0));
+        [u, v]
+    }
 }
 
 impl<W, M, C> Warp for PiecewiseConstant2d<M, C>
@@ -392,11 +400,14 @@ where
     }
 
     #[inline]
+    fn sample_words(&self, [along_u, along_v]: [u32; 2]) -> [f32; 2] {
+        self.at([W::from_bits(along_u), W::from_bits(along_v)])
+    }
+
+    #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 2], R::Error> {
         let along_u = W::try_draw(rng)?;
         let along_v = W::try_draw(rng)?;
-        let (row, v) = self.marginal.cell_and_place((along_v, 0.0));
-        let (_, u) = self.conditional(row).cell_and_place((along_u, 0.0));
-        Ok([u, v])
+        Ok(self.at([along_u, along_v]))
     }
 }

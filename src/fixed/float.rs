@@ -20,7 +20,7 @@ use sealed::Sealed;
 /// The trait is sealed.
 pub trait FloatUniforms: Uniforms + Sealed {
     /// The same number of `f32`.
-    type Float: Uniforms;
+    type Float: Uniforms<Words = Self::Words>;
     /// The words of any `f32` whatever.
     fn words(u: Self::Float) -> Self;
     /// The `f32` below or at each word.
@@ -183,6 +183,11 @@ where
     #[inline]
     fn invert(&self, x: Self::Point) -> Self::Uniforms {
         self.0.invert(W::Point::from_float(x)).floats()
+    }
+
+    #[inline]
+    fn sample_words(&self, words: <Self::Uniforms as Uniforms>::Words) -> Self::Point {
+        self.0.sample_words(words).to_float()
     }
 
     #[inline]

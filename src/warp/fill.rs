@@ -90,7 +90,7 @@ fn map<'a, W: Warp + 'a>(
     places: impl Iterator<Item = (&'a mut W::Point, <W::Uniforms as Uniforms>::Words)>,
 ) {
     for (point, words) in places {
-        *point = warp.sample_canonical(W::Uniforms::from_words(words));
+        *point = warp.sample_words(words);
     }
 }
 

@@ -4,7 +4,7 @@ use super::Warp;
 use super::spherical::normalised;
 use crate::error::Error;
 use crate::tier::sqrt;
-use crate::uniform::Canonical;
+use crate::uniform::{Canonical, Uniforms};
 use rand_core::TryRng;
 
 /// A right-handed orthonormal frame whose third axis is a given normal, without a singular normal.
@@ -169,6 +169,11 @@ impl<W: Warp<Point = [f32; 3], Density = f32>> Warp for Oriented<W> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> W::Uniforms {
         self.warp.invert(self.frame.to_local(direction))
+    }
+
+    #[inline]
+    fn sample_words(&self, words: <W::Uniforms as Uniforms>::Words) -> [f32; 3] {
+        self.frame.to_world(self.warp.sample_words(words))
     }
 
     #[inline]

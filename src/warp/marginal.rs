@@ -98,6 +98,13 @@ where
     }
 
     #[inline]
+    fn sample_words(&self, words: [u32; 2]) -> [f32; 2] {
+        let [first, second] = words;
+        let x = self.marginal.sample_words(first);
+        [x, (self.conditional)(x).sample_words(second)]
+    }
+
+    #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 2], R::Error> {
         let x = self.marginal.try_draw(rng)?;
         Ok([x, (self.conditional)(x).try_draw(rng)?])

@@ -1,7 +1,7 @@
 //! Transformation of variables: a warp followed by a map, with the Jacobian carried along.
 
 use super::{Warp, representable};
-use crate::uniform::Canonical;
+use crate::uniform::{Canonical, Uniforms};
 use rand_core::TryRng;
 
 /// A warp followed by a one-to-one map y = f(x), with density p(x)/|J(x)|.
@@ -89,6 +89,11 @@ where
     #[inline]
     fn invert(&self, y: Y) -> W::Uniforms {
         self.warp.invert((self.backward)(y))
+    }
+
+    #[inline]
+    fn sample_words(&self, words: <W::Uniforms as Uniforms>::Words) -> Y {
+        (self.forward)(self.warp.sample_words(words))
     }
 
     #[inline]

@@ -12,8 +12,9 @@ mod plane;
 pub mod stats;
 pub mod truth;
 
-use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::uniform::Uniforms as _;
+use microwarp::{Transform, Warp};
 use rand_pcg::Pcg32;
 use std::sync::Arc;
 use truth::Truth;
@@ -56,6 +57,8 @@ pub trait Erased: Send + Sync {
     fn invert(&self, x: Point) -> Uniforms;
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
+    /// One point of the generator by each way to draw it: what the way is, and the point.
+    fn ways(&self, rng: &Pcg32) -> Vec<(&'static str, Point)>;
 }
 
 /// One warp with its parameters in one tier.
@@ -161,6 +164,28 @@ where
         let mut points = vec![W::Point::unflat([0.0; 3]); n];
         self.0.fill(rng, &mut points);
         points.into_iter().map(Flat::flat).collect()
+    }
+    fn ways(&self, rng: &Pcg32) -> Vec<(&'static str, Point)> {
+        let words = || W::Uniforms::try_words(&mut rng.clone()).unwrap();
+        // One of a block, of what is left of one, and alone.
+        let filled = |n| self.fill(&mut rng.clone(), n)[0];
+        let same = Transform::new(&self.0, |x| x, |x| x, |_| 1.0);
+        let mut through = [same.draw(&mut rng.clone()); 9];
+        same.fill(&mut rng.clone(), &mut through);
+        vec![
+            ("drawn", self.0.draw(&mut rng.clone()).flat()),
+            ("filled", filled(9)),
+            ("filled alone", filled(1)),
+            ("by reference", (&&self.0).draw(&mut rng.clone()).flat()),
+            ("transformed", same.draw(&mut rng.clone()).flat()),
+            ("transformed, filled", through[0].flat()),
+            ("of words", self.0.sample_words(words()).flat()),
+            (
+                "of words, by reference",
+                (&&self.0).sample_words(words()).flat(),
+            ),
+            ("of words, transformed", same.sample_words(words()).flat()),
+        ]
     }
 }
 

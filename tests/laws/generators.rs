@@ -105,6 +105,23 @@ fn filling_is_drawing_one_by_one() {
     }
 }
 
+/// Over the whole catalogue: by whichever way a point is drawn, it is the same. Where a draw takes more words than there
+/// are uniforms, those of one number alone make another.
+#[test]
+fn every_way_to_draw_gives_the_same_point() {
+    for entry in crate::catalogue::entries() {
+        for seed in 0..20 {
+            let ways = entry.warp.ways(&Pcg32::new(seed, 8));
+            let due = ways[0].1.map(f32::to_bits);
+            for (way, point) in ways {
+                if entry.words == entry.uniforms || !way.starts_with("of words") {
+                    assert_eq!(point.map(f32::to_bits), due, "{}: {way}", entry.label());
+                }
+            }
+        }
+    }
+}
+
 /// A generator of so many words.
 struct Ending {
     rng: Pcg32,
