@@ -8,6 +8,7 @@
 //! |---|---|---|---|---|
 //! | [`grid`] | k·2⁻²⁴, equally likely | 0 | 1 − 2⁻²⁴ | 1 |
 //! | [`open`] | (k + ½)·2⁻²³, equally likely | 2⁻²⁴ | 1 − 2⁻²⁴ | 1 |
+//! | [`deep_from_word`] | (k + ½)·2⁻²³; (k + ½)·2⁻³² below 2⁻⁹ | 2⁻³³ | 1 − 2⁻²⁴ | 1 |
 //! | [`full`] | every `f32` a 64-bit fraction truncates to | 0, then 2⁻⁶⁴ | 1 − 2⁻²⁴ | 2 |
 //!
 //! The integer tier takes the word itself, as a number of 32 fractional bits, with nothing on the way.
@@ -247,6 +248,35 @@ pub const fn open_from_word(word: u32) -> f32 {
     (((word >> 9) << 1) | 1) as f32 * STEP
 }
 
+/// The middle of the words that give this number: the cells of [`open_from_word`], and from 2⁻⁹ down those of single
+/// words.
+///
+/// So the end at 0 is open and as fine as 32 bits can make it, at the cost of the ordinary grid: with this uniform a tail
+/// that starts at 0 has its moments.
+///
+/// ```
+/// use microwarp::uniform;
+/// assert_eq!(uniform::deep_from_word(0), 2.0_f32.powi(-33));
+/// assert_eq!(uniform::deep_from_word(1), 3.0 * 2.0_f32.powi(-33));
+/// assert_eq!(uniform::deep_from_word(u32::MAX), uniform::LARGEST);
+/// ```
+#[must_use]
+#[inline]
+pub const fn deep_from_word(word: u32) -> f32 {
+    // The low bit is the half step, and 24 significant bits fit an f32 exactly.
+    if word < 1 << 23 {
+        ((word << 1) | 1) as f32 * (STEP / 512.0)
+    } else {
+        ((word >> 8) | 1) as f32 * STEP
+    }
+}
+
+/// [`deep_from_word`], already known to be canonical.
+#[inline]
+pub(crate) const fn deep(word: u32) -> Canonical<f32> {
+    Canonical(deep_from_word(word))
+}
+
 /// A 64-bit fraction truncated to the nearest `f32` below: small values keep their precision.
 ///
 /// `high` holds the leading 32 bits. Every value of at least 2⁻⁴⁰ has all its 24 bits, whatever its
@@ -348,12 +378,15 @@ pub fn full<R: Rng + ?Sized>(rng: &mut R) -> f32 {
     infallible(try_full(rng))
 }
 
-/// Draws a full-resolution number, already known to be canonical.
+/// [`full_from_words`], where 0 counts as the middle of its cell, 2⁻⁶⁵; already known to be canonical.
 #[inline]
-pub(crate) fn try_full_canonical<R: TryRng + ?Sized>(
-    rng: &mut R,
-) -> Result<Canonical<f32>, R::Error> {
-    try_full(rng).map(Canonical)
+pub(crate) const fn open_full(high: u32, low: u32) -> Canonical<f32> {
+    let u = full_from_words(high, low);
+    Canonical(if u > 0.0 {
+        u
+    } else {
+        STEP * STEP * (STEP * 128.0)
+    })
 }
 
 /// The integer nearest to a number from 0 to 2³², halves upwards.

@@ -18,7 +18,7 @@ pub use self::normal::{ZigguratNormal, ZigguratStandardNormal};
 
 use self::layers::{Layer, Layers};
 use super::{Accepted, Failure, happens};
-use crate::uniform::full_from_words;
+use crate::uniform::open_full;
 use core::convert::Infallible;
 use rand_core::TryRng;
 
@@ -68,7 +68,7 @@ fn beyond<L: Law, E>(
 ) -> Result<Option<f32>, E> {
     let word = next()?;
     if index == 0 {
-        return Ok(Some(L::tail(full_from_words(word, next()?), x)));
+        return Ok(Some(L::tail(open_full(word, next()?).get(), x)));
     }
     let width = |index: usize| {
         // Past the last layer is the peak.

@@ -3,7 +3,7 @@
 use super::{Warp, above_zero, into_unit, representable};
 use crate::error::{Error, positive};
 use crate::tier::{Tier, exp_of_product, scaled_exp_of_product};
-use crate::uniform::{Canonical, try_full_canonical};
+use crate::uniform::{Canonical, deep, open_full};
 use core::marker::PhantomData;
 use rand_core::TryRng;
 
@@ -101,8 +101,8 @@ impl<T: Tier> Warp for Exponential<T> {
 /// Exponential with rate a, decreasing with the uniform: −ln(u)/a, tail first.
 ///
 /// Small uniforms keep their precision in `f32`, so this orientation reaches the far tail: 44.36/a
-/// from full-resolution uniforms, which is what [`Warp::draw`] takes here, and 103.28/a at u = 0,
-/// which counts as 2⁻¹⁴⁹.
+/// from full-resolution uniforms, which is what [`Warp::draw`] takes here (and 45.06/a where all 64 bits are 0), and
+/// 103.28/a at an explicit u = 0, which counts as 2⁻¹⁴⁹.
 ///
 /// - Uniforms: one; drawing takes **two** words of the generator for it.
 /// - Range: [5.9e-8/a, 103.28/a].
@@ -167,8 +167,16 @@ impl<T: Tier> Warp for ExponentialTail<T> {
         into_unit(exp_of_product::<T>(-self.rate, x))
     }
 
+    /// The point of one word, for those who have no second one: the tail ends at 22.87/a then.
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        self.sample_canonical(deep(word))
+    }
+
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
-        Ok(self.sample_canonical(try_full_canonical(rng)?))
+        let high = rng.try_next_u32()?;
+        let low = rng.try_next_u32()?;
+        Ok(self.sample_canonical(open_full(high, low)))
     }
 }

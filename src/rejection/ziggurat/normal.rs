@@ -45,7 +45,6 @@ impl Law for Standard {
 
     #[inline]
     fn tail(u: f32, x: f32) -> f32 {
-        // A probability of 0 counts as the smallest above it.
         Poly::normal_quantile_lower(u * BEYOND).copysign(x)
     }
 }
@@ -53,10 +52,9 @@ impl Law for Standard {
 /// Standard normal, by a ziggurat: one word, one table entry of 8 bytes and one product in 98.5 draws of 100.
 ///
 /// - Words a try: one. A second in 1.5 % of the tries; a second and a third in 0.026 %, for the tail.
-/// - Range: the finite numbers up to ±14.13, never 0. Up to 3.654 they lie on 256 grids laid over each other, one a
+/// - Range: the finite numbers up to ±10.08, never 0. Up to 3.654 they lie on 256 grids laid over each other, one a
 ///   layer: the odd multiples of 2⁻²⁴ of its width, which is 0.215 to 3.91; so the smallest is 1.3e-8. The tails
-///   beyond, each of probability 1.29e-4, are inverted at a uniform of full resolution and end at ±10.01, but for one
-///   pair of words in 2⁶⁴, which gives ±14.13.
+///   beyond, each of probability 1.29e-4, are inverted at a uniform of full resolution.
 /// - Density: e^(−x²/2)/√(2π), at least 2⁻¹⁴⁹ for every finite x; off as that of [`Normal`] is.
 /// - Efficiency: 99.33 %.
 /// - Of one word, the first 24 bits are the place and the last 8 choose the layer, so that neither tells anything of
@@ -76,7 +74,7 @@ impl Law for Standard {
 /// use rand_pcg::Pcg32;
 /// let noise = ZigguratStandardNormal::new();
 /// let x = noise.draw(&mut Pcg32::new(1, 1))?.point;
-/// assert!(x.abs() < 14.13);
+/// assert!(x.abs() < 10.08);
 /// assert!((noise.pdf(0.0) - 0.398_942_3).abs() < 1e-7);
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
@@ -91,7 +89,7 @@ budgeted!(ZigguratStandardNormal, 9);
 /// Normal with a mean and a standard deviation, by a ziggurat: μ + σz of a standard normal z, rounded twice.
 ///
 /// - Words a try, efficiency, z: those of [`ZigguratStandardNormal`].
-/// - Range: μ ± 14.13σ.
+/// - Range: μ ± 10.08σ.
 /// - Density: e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x; off as that of [`Normal`] is.
 /// - A deviation near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the numbers.
 ///
