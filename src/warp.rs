@@ -240,6 +240,16 @@ pub(crate) fn above_zero(u: f32) -> f32 {
     if u > 0.0 { u } else { SMALLEST }
 }
 
+/// A word of a law that is symmetric: the probability beyond its point on the point's side, the middle of the words
+/// that fall together there, in (0, 1/2]; and whether that side is the upper one.
+#[inline]
+pub(crate) fn folded(word: u32) -> (f32, bool) {
+    let upper = word >> 31 == 1;
+    let rank = if upper { !word } else { word };
+    // Rounded once, and half a step above the rank.
+    ((rank << 1 | 1) as f32 * (f32::EPSILON / 1024.0), upper)
+}
+
 /// Brings a computed uniform into [0, 1) by the rule for uniforms.
 #[inline]
 pub(crate) fn into_unit(u: f32) -> f32 {

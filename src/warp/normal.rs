@@ -2,7 +2,7 @@
 
 use super::direction::azimuth;
 use super::fill::{Place, placed};
-use super::{Warp, above_zero, into_unit, representable};
+use super::{Warp, above_zero, folded, into_unit, representable};
 use crate::error::{Error, finite, positive};
 use crate::tier::{Tier, scaled_exp_of_product};
 use crate::uniform::Canonical;
@@ -21,7 +21,8 @@ const REACH: f32 = 14.5;
 /// x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata.
 ///
 /// - Uniforms: one. On the 24-bit grid the lower tail ends at −5.30σ (and −14.2σ at u = 0, which counts
-///   as 2⁻¹⁴⁹) and the upper one at 5.30σ.
+///   as 2⁻¹⁴⁹) and the upper one at 5.30σ. Drawing takes all 32 bits of a word, as the middle of their cell: both
+///   tails end at 6.34σ, and the moments of what can be drawn are those of the law (the eighth to 1e-6).
 /// - Density: e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
 /// - A deviation near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the samples.
 ///
@@ -83,6 +84,15 @@ const fn checked(mean: f32, deviation: f32) -> Result<(), Error> {
     }
 }
 
+impl<T: Tier> Normal<T> {
+    /// The point beyond which there is this probability in the tail on its own side.
+    #[inline]
+    fn beyond(&self, tail: f32, upper: bool) -> f32 {
+        let quantile = T::normal_quantile_lower(tail);
+        self.mean + self.deviation * if upper { -quantile } else { quantile }
+    }
+}
+
 impl<T: Tier> Warp for Normal<T> {
     type Uniforms = f32;
     type Point = f32;
@@ -91,12 +101,11 @@ impl<T: Tier> Warp for Normal<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let u = u.get();
-        let quantile = if u < 0.5 {
-            T::normal_quantile_lower(above_zero(u))
+        if u < 0.5 {
+            self.beyond(above_zero(u), false)
         } else {
-            -T::normal_quantile_lower(1.0 - u)
-        };
-        self.mean + self.deviation * quantile
+            self.beyond(1.0 - u, true)
+        }
     }
 
     #[inline]
@@ -117,6 +126,12 @@ impl<T: Tier> Warp for Normal<T> {
         } else {
             T::normal_cdf_lower(t)
         })
+    }
+
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        let (tail, upper) = folded(word);
+        self.beyond(tail, upper)
     }
 }
 

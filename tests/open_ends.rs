@@ -1,0 +1,103 @@
+//! What is open at an end is drawn so that the moments of all that can be drawn are those of the law.
+//!
+//! Every moment here is the exact mean over the 2³² words of a generator (or over all pairs of them): those next to both
+//! ends one by one, the others by so many in every octave of the distance from the nearer end. The old rule, which took
+//! the grid's 0 for 2⁻¹⁴⁹ or an end for a point, is the control in each test: the same bounds reject it.
+
+use microwarp::uniform::Uniforms;
+use microwarp::{Warp, libm, poly};
+
+/// Words and the share of all words that each stands for.
+fn words(per_octave: u32) -> Vec<(u32, f64)> {
+    let mut all: Vec<(u32, f64)> = (0..per_octave).map(|word| (word, 1.0)).collect();
+    let mut octave = u64::from(per_octave);
+    while octave < 1 << 31 {
+        let stride = octave / u64::from(per_octave);
+        // The middle of a stride: of an even number the lower one of two, alternating with the upper one.
+        all.extend((0..u64::from(per_octave)).map(|i| {
+            let middle = octave + i * stride + (stride - (i & 1)) / 2;
+            (middle as u32, stride as f64)
+        }));
+        octave *= 2;
+    }
+    let above: Vec<_> = all.iter().map(|&(word, n)| (!word, n)).collect();
+    all.extend(above);
+    assert!(all.iter().map(|(_, n)| n).sum::<f64>() == 2f64.powi(32));
+    all.into_iter()
+        .map(|(word, n)| (word, n * 2f64.powi(-32)))
+        .collect()
+}
+
+/// The mean of f over all words.
+fn mean(f: impl Fn(u32) -> f64) -> f64 {
+    words(4096)
+        .iter()
+        .map(|&(word, share)| share * f(word))
+        .sum()
+}
+
+/// The old rule: a draw is the sample of the grid's uniform.
+fn old<W: Warp>(warp: &W, words: <W::Uniforms as Uniforms>::Words) -> W::Point {
+    warp.sample(W::Uniforms::from_words(words).get())
+}
+
+/// A moment: its name, what is averaged at a point, its value under the law, and how far off, relatively, it may be.
+type Moment<'a, X> = (&'a str, &'a dyn Fn(X) -> f64, f64, f64);
+
+/// Whether the moment of what is drawn is the law's, and that of the old rule is not.
+fn holds<W: Warp<Uniforms = f32>>(what: &str, warp: &W, (name, f, due, bound): Moment<W::Point>) {
+    let off = |at: &dyn Fn(u32) -> W::Point| mean(|word| f(at(word))) / due - 1.0;
+    let (drawn, before) = (
+        off(&|word| warp.sample_words(word)),
+        off(&|word| old(warp, word)),
+    );
+    println!("{what}, {name}: off by {drawn:.1e}, by the old rule {before:.1e}");
+    assert!(drawn.abs() <= bound, "{what}, {name}: {drawn}");
+    assert!(before.abs() > bound, "{what}, {name}: the old rule passes");
+}
+
+#[test]
+fn a_mean_over_all_words_is_exact() {
+    let u = |word: u32| (f64::from(word) + 0.5) * 2f64.powi(-32);
+    assert!((mean(|_| 1.0) - 1.0).abs() <= 1e-14);
+    assert!((mean(|word| u(word).powi(7)) - 0.125).abs() <= 1e-8);
+    // The midpoint rule over all words is off by ζ(1/2, 1/2)/2¹⁷ of its own.
+    assert!(
+        (mean(|word| 0.5 / u(word).sqrt()) - 1.0 + 0.604_898_643 / 2f64.powi(17)).abs() <= 1e-8
+    );
+}
+
+macro_rules! both_tiers {
+    (|$warps:ident| $body:block) => {{
+        {
+            use libm as $warps;
+            $body
+        }
+        {
+            use poly as $warps;
+            $body
+        }
+    }};
+}
+
+#[test]
+fn a_normal_deviate_has_the_moments_of_the_law() {
+    both_tiers!(|mw| {
+        let normal = mw::Normal::new(0.0, 1.0).unwrap();
+        for (k, due, bound) in [(2, 1.0, 1e-6), (4, 3.0, 1e-6), (8, 105.0, 3e-6)] {
+            let power = |z: f32| f64::from(z).powi(k);
+            holds("Normal", &normal, (&format!("z^{k}"), &power, due, bound));
+        }
+        // Symmetric to the last bit, and increasing.
+        let mut last = f32::NEG_INFINITY;
+        let mut rising = words(4096);
+        rising.sort_unstable_by_key(|(word, _)| *word);
+        for (word, _) in rising {
+            let z = normal.sample_words(word);
+            assert_eq!(z, -normal.sample_words(!word), "{word:#x}");
+            assert!(z >= last, "{word:#x}");
+            last = z;
+        }
+        assert!(last > 6.33 && last < 6.35);
+    });
+}
