@@ -101,3 +101,83 @@ fn a_normal_deviate_has_the_moments_of_the_law() {
         assert!(last > 6.33 && last < 6.35);
     });
 }
+
+/// 1/p where p vanishes at an end: its mean is the width of the domain, if nothing stands next to the end that has more
+/// than its share.
+fn reciprocal<W: Warp<Point = f32, Density = f32>>(warp: &W) -> impl Fn(f32) -> f64 + '_ {
+    |x| 1.0 / f64::from(warp.pdf(x))
+}
+
+#[test]
+fn a_power_has_the_moments_of_the_law() {
+    both_tiers!(|mw| {
+        for (n, b) in [(2.5, 1.0), (1.0, 2.0), (99.0, 3.0), (-0.5, 4.0)] {
+            for decreasing in [false, true] {
+                let power = if decreasing {
+                    mw::Power::decreasing(n, 0.0, b)
+                } else {
+                    mw::Power::new(n, 0.0, b)
+                }
+                .unwrap();
+                // An exponential number.
+                let m = f64::from(n) + 1.0;
+                let y = |x: f32| -m * (f64::from(x) / f64::from(b)).ln();
+                let what = format!("Power n={n} decreasing={decreasing}");
+                holds(&what, &power, ("y^4", &|x| y(x).powi(4), 24.0, 5e-6));
+                holds(&what, &power, ("y^8", &|x| y(x).powi(8), 40320.0, 2e-4));
+                if n == 1.0 && !decreasing {
+                    let width = reciprocal(&power);
+                    holds(&what, &power, ("1/p", &width, 2.0, 2e-5));
+                }
+            }
+        }
+        // An end that is closed and next to one that is not.
+        let power = mw::Power::new(3.0, 1e-10, 1.0).unwrap();
+        holds(
+            "Power from 1e-10",
+            &power,
+            ("1/p", &reciprocal(&power), 1.0, 5e-3),
+        );
+    });
+}
+
+#[test]
+fn a_slope_that_starts_at_nothing_weighs_its_whole_width() {
+    for (a, b) in [(0.0, 1.0), (1e-20, 1.0), (0.0, 3e38)] {
+        let linear = poly::Linear::new(a, b).unwrap();
+        let what = format!("Linear {a} to {b}");
+        holds(&what, &linear, ("1/p", &reciprocal(&linear), 1.0, 2e-5));
+    }
+    for radius in [1.0, 3e18] {
+        let tent = poly::Tent::new(radius).unwrap();
+        let due = 2.0 * f64::from(radius);
+        holds("Tent", &tent, ("1/p", &reciprocal(&tent), due, 2e-5));
+    }
+}
+
+#[test]
+fn the_start_of_a_steep_rise_has_its_own_share() {
+    both_tiers!(|mw| {
+        let rise = mw::TruncatedExponential::new(-1e4, 1.0).unwrap();
+        let fourth = |x: f32| (1e4 * (1.0 - f64::from(x))).powi(4);
+        holds("TruncatedExponential", &rise, ("y^4", &fourth, 24.0, 1e-3));
+    });
+}
+
+/// The mean over all pairs of words.
+fn mean_of_pairs(f: impl Fn([u32; 2]) -> f64) -> f64 {
+    let words = words(64);
+    let along = |first: u32| -> f64 { words.iter().map(|&(word, s)| s * f([first, word])).sum() };
+    words.iter().map(|&(word, share)| share * along(word)).sum()
+}
+
+#[test]
+fn the_largest_of_two_weighs_its_whole_width() {
+    let largest = poly::PowerMax::<2>::new();
+    let width = |x: f32| 1.0 / f64::from(largest.pdf(x));
+    let drawn = mean_of_pairs(|pair| width(largest.sample_words(pair)));
+    let before = mean_of_pairs(|pair| width(old(&largest, pair)));
+    println!("PowerMax of 2, 1/p: {drawn}, by the old rule {before}");
+    assert!((drawn - 1.0).abs() <= 1e-3, "{drawn}");
+    assert!((before - 1.0).abs() > 1e-3, "{before}");
+}

@@ -101,4 +101,9 @@ impl Warp for Linear {
     }
 
     super::filled_in_blocks!();
+
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        self.sample_canonical(crate::uniform::deep(word))
+    }
 }

@@ -259,6 +259,17 @@ impl<T: Tier> Warp for Power<T> {
         };
         into_unit(if self.from_anchor { away } else { 1.0 - away })
     }
+
+    /// The end where the density may be 0 or infinite is the one that u = 0 gives, from either side.
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        let from_other_end = Self {
+            from_anchor: false,
+            ..*self
+        };
+        let word = if self.from_anchor { !word } else { word };
+        from_other_end.sample_canonical(crate::uniform::deep(word))
+    }
 }
 
 /// Density N x^(N−1) on [0, 1): the largest of N uniforms.
@@ -342,5 +353,11 @@ impl<const N: usize> Warp for PowerMax<N> {
     #[inline]
     fn invert(&self, x: f32) -> [f32; N] {
         [into_unit(x); N]
+    }
+
+    #[inline]
+    fn sample_words(&self, words: [u32; N]) -> f32 {
+        let largest = words.into_iter().fold(0, u32::max);
+        crate::uniform::deep_from_word(largest)
     }
 }

@@ -1,6 +1,6 @@
 //! The tent (triangle) filter.
 
-use super::{Warp, clamp, into_unit};
+use super::{Warp, clamp, folded, into_unit};
 use crate::error::{Error, positive};
 use crate::tier::sqrt;
 use crate::uniform::Canonical;
@@ -11,7 +11,8 @@ use crate::uniform::Canonical;
 /// without its cancellation at the centre.
 ///
 /// - Uniforms: one.
-/// - Range: (−r, r); the ends, where the density is 0, are never returned.
+/// - Range: (−r, r); the ends, where the density is 0, are never returned. Drawing takes all 32 bits of a word, as the
+///   middle of their cell, so that no draw is nearer to an end than its share of the tail.
 /// - Density: (1 − |x|/r)/r.
 /// - Both tiers share this code: it needs nothing but a square root.
 ///
@@ -58,6 +59,15 @@ impl Tent {
     }
 }
 
+impl Tent {
+    /// The distance from the centre beyond which there is this probability on one side.
+    #[inline]
+    fn beyond(&self, tail: f32) -> f32 {
+        let t = 2.0 * tail;
+        clamp(self.radius * ((1.0 - t) / (1.0 + sqrt(t))), 0.0, self.last)
+    }
+}
+
 impl Warp for Tent {
     type Uniforms = f32;
     type Point = f32;
@@ -66,9 +76,11 @@ impl Warp for Tent {
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let u = u.get();
-        let t = if u < 0.5 { 2.0 * u } else { 2.0 * (1.0 - u) };
-        let x = clamp(self.radius * ((1.0 - t) / (1.0 + sqrt(t))), 0.0, self.last);
-        if u < 0.5 { -x } else { x }
+        if u < 0.5 {
+            -self.beyond(u)
+        } else {
+            self.beyond(1.0 - u)
+        }
     }
 
     #[inline]
@@ -89,4 +101,11 @@ impl Warp for Tent {
     }
 
     super::filled_in_blocks!();
+
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        let (tail, upper) = folded(word);
+        let x = self.beyond(tail);
+        if upper { x } else { -x }
+    }
 }

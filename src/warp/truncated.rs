@@ -163,4 +163,9 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
             rest * (exp_m1_of_product::<T>(self.rate, x) / self.decay)
         })
     }
+
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        self.sample_canonical(crate::uniform::deep(word))
+    }
 }
