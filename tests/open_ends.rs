@@ -181,3 +181,17 @@ fn the_largest_of_two_weighs_its_whole_width() {
     assert!((drawn - 1.0).abs() <= 1e-3, "{drawn}");
     assert!((before - 1.0).abs() > 1e-3, "{before}");
 }
+
+#[test]
+fn the_horizon_of_malleys_hemisphere_has_its_own_share() {
+    both_tiers!(|mw| {
+        let lambert = mw::MalleyHemisphere::new();
+        let width = |w: [f32; 3]| 1.0 / f64::from(lambert.pdf(w));
+        let due = std::f64::consts::TAU;
+        let drawn = mean_of_pairs(|pair| width(lambert.sample_words(pair))) / due - 1.0;
+        let before = mean_of_pairs(|pair| width(old(&lambert, pair))) / due - 1.0;
+        println!("MalleyHemisphere, 1/p: off by {drawn:.1e}, by the old rule {before:.1e}");
+        assert!(drawn.abs() <= 1e-3, "{drawn}");
+        assert!(before.abs() > 1e-3, "{before}");
+    });
+}

@@ -5,7 +5,7 @@ use super::disk::{concentric, concentric_inverse};
 use super::fill::{Place, placed};
 use super::{Warp, above_zero, into_unit, representable};
 use crate::tier::Tier;
-use crate::uniform::Canonical;
+use crate::uniform::{Canonical, open_from_word};
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -173,7 +173,8 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
 /// A point of the concentric disk, lifted onto the hemisphere; 1 − r² is formed from the uniforms, where
 /// it does not cancel. Strata stay compact, as with [`DiskConcentric`](super::DiskConcentric).
 ///
-/// - Uniforms: two. (½, ½) gives the pole.
+/// - Uniforms: two. (½, ½) gives the pole. Drawing takes them from the grid without 0
+///   ([`open`](crate::uniform::open)), so that no draw is nearer to the horizon than its share.
 /// - Range: unit vectors with z > 0.
 /// - Density: cos θ/π per steradian; never 0 at a sample.
 ///
@@ -232,5 +233,10 @@ impl<T: Tier> Warp for MalleyHemisphere<T> {
         // 1 - r from the height near the rim, directly near the pole.
         let to_rim = if r > 0.5 { z * z / (1.0 + r) } else { 1.0 - r };
         concentric_inverse::<T>([x, y], to_rim)
+    }
+
+    #[inline]
+    fn sample_words(&self, words: [u32; 2]) -> [f32; 3] {
+        self.sample(words.map(open_from_word))
     }
 }
