@@ -4,8 +4,11 @@
 //! ends one by one, the others by so many in every octave of the distance from the nearer end. The old rule, which took
 //! the grid's 0 for 2⁻¹⁴⁹ or an end for a point, is the control in each test: the same bounds reject it.
 
+mod drivers;
+
+use drivers::Cycle;
 use microwarp::uniform::Uniforms;
-use microwarp::{Warp, libm, poly};
+use microwarp::{Inversion, Warp, libm, poly};
 
 /// Words and the share of all words that each stands for.
 fn words(per_octave: u32) -> Vec<(u32, f64)> {
@@ -194,4 +197,45 @@ fn the_horizon_of_malleys_hemisphere_has_its_own_share() {
         assert!(drawn.abs() <= 1e-3, "{drawn}");
         assert!(before.abs() > 1e-3, "{before}");
     });
+}
+
+#[test]
+fn an_inverse_cdf_is_not_asked_for_its_end() {
+    // The logistic law, infinite at both ends, whose variance is π²/3.
+    let logistic = Inversion::new(
+        |u: f32| (f64::from(u) / (1.0 - f64::from(u))).ln() as f32,
+        |x: f32| 1.0 / (2.0 + 2.0 * x.cosh()),
+        |x: f32| 1.0 / (1.0 + (-x).exp()),
+    );
+    let square = |x: f32| f64::from(x).powi(2);
+    let due = std::f64::consts::PI.powi(2) / 3.0;
+    holds("Inversion", &logistic, ("x^2", &square, due, 1e-5));
+}
+
+/// Composed, a word means what it means to the warp within.
+#[test]
+fn compositions_draw_as_what_they_are_made_of() {
+    let normal = poly::Normal::new(0.0, 1.0).unwrap();
+    let malley = poly::MalleyHemisphere::new();
+    let frame = poly::Frame::new([0.3, -0.2, 0.6]).unwrap();
+    let turned = poly::Oriented::new(malley, frame);
+    let nested = poly::MarginalConditional::new(&normal, |x| {
+        poly::Transform::new(normal, move |y| x + y, move |y: f32| y - x, |_| 1.0)
+    });
+    for word in [0, 1, 255, 0x7fff_ffff, 0x8000_0000, 0x1234_5678, !0] {
+        let words = [word];
+        let mut rng = Cycle::new(&words);
+        let (z, up) = (normal.draw(&mut rng), malley.draw(&mut rng));
+        assert_eq!(z, normal.sample_words(word));
+        assert_eq!(nested.draw(&mut rng), [z, z + z]);
+        assert_eq!(nested.sample_words([word; 2]), [z, z + z]);
+        assert_eq!(turned.draw(&mut rng), frame.to_world(up));
+        assert_eq!(turned.sample_words([word; 2]), frame.to_world(up));
+        let mut filled = [[0.0; 3]; 9];
+        turned.fill(&mut rng, &mut filled);
+        assert_eq!(filled, [frame.to_world(up); 9]);
+    }
+    // Which the grid's uniforms would not have been.
+    assert!(normal.sample(0.0) != normal.sample_words(0));
+    assert!(malley.sample([0.0; 2]) != malley.sample_words([0; 2]));
 }

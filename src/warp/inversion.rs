@@ -5,7 +5,8 @@ use crate::uniform::Canonical;
 
 /// Any one-dimensional density, given by its inverse CDF, the density itself and its CDF.
 ///
-/// - Uniforms: one.
+/// - Uniforms: one. Drawn ones are never 0 ([`deep_from_word`](crate::uniform::deep_from_word)), where an inverse CDF may
+///   be infinite; explicit ones can be.
 /// - Density and range: the user's. The three functions must belong together; what they return is passed
 ///   on as it is, except that `invert` is brought into [0, 1).
 /// - Errors: those of the three functions; the warp adds none. The figures are of p(x) = ½ + x.
@@ -76,5 +77,10 @@ where
     #[inline]
     fn invert(&self, x: f32) -> f32 {
         into_unit((self.cdf)(x))
+    }
+
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        self.sample_canonical(crate::uniform::deep(word))
     }
 }
