@@ -10,6 +10,7 @@ mod calibration;
 mod catalogue;
 #[path = "distributions/controls.rs"]
 mod controls;
+mod drivers;
 #[path = "distributions/examination.rs"]
 mod examination;
 #[path = "distributions/moments.rs"]

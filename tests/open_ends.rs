@@ -7,7 +7,7 @@
 mod drivers;
 
 use drivers::Cycle;
-use microwarp::uniform::Uniforms;
+use microwarp::uniform::{Strata1d, Uniforms, grid_from_word};
 use microwarp::{Inversion, Warp, libm, poly};
 
 /// Words and the share of all words that each stands for.
@@ -238,4 +238,46 @@ fn compositions_draw_as_what_they_are_made_of() {
     // Which the grid's uniforms would not have been.
     assert!(normal.sample(0.0) != normal.sample_words(0));
     assert!(malley.sample([0.0; 2]) != malley.sample_words([0; 2]));
+}
+
+/// A draw in the first of many strata: the moments of a normal deviate in the tail that it covers.
+#[test]
+fn a_stratum_at_an_end_has_its_own_share() {
+    both_tiers!(|mw| {
+        let strata = Strata1d::new(4096).unwrap();
+        let (normal, ramp) = (
+            mw::Normal::new(0.0, 1.0).unwrap(),
+            mw::Linear::new(0.0, 1.0).unwrap(),
+        );
+        let by_word = |word: u32| strata.draw(0, &mut Cycle::new(&[word]));
+        // What came before: a jitter of the grid, and the sum cut to it.
+        let by_grid = |word: u32| strata.point(0, grid_from_word(word));
+        // 1/p = 1/(2√u) has the mean √n there.
+        let width = |u: f32| 1.0 / f64::from(ramp.pdf(ramp.sample(u))) / 64.0;
+        // The tail's sixth moment, by Simpson's rule from −40 to its end, which Φ⁻¹(1/4096) is.
+        let end = -3.487_104_104;
+        let step = (40.0 + end) / 20_000.0;
+        let sixth: f64 = (0..=20_000)
+            .map(|k| {
+                let weight = if k % 20_000 == 0 {
+                    1.0
+                } else {
+                    2.0 + 2.0 * f64::from(k % 2)
+                };
+                let z = -40.0 + f64::from(k) * step;
+                weight * z.powi(6) * (-0.5 * z * z).exp()
+            })
+            .sum();
+        let due = sixth * step / 3.0 / std::f64::consts::TAU.sqrt() * 4096.0;
+        let power = |u: f32| f64::from(normal.sample(u)).powi(6) / due;
+        for (what, f) in [("z^6", &power as &dyn Fn(f32) -> f64), ("1/p", &width)] {
+            let drawn = mean(|word| f(by_word(word))) - 1.0;
+            let before = mean(|word| f(by_grid(word))) - 1.0;
+            println!(
+                "first of 4096 strata, {what}: off by {drawn:.1e}, by the old rule {before:.1e}"
+            );
+            assert!(drawn.abs() <= 5e-4, "{what}: {drawn}");
+            assert!(before.abs() > 5e-4, "{what}: {before}");
+        }
+    });
 }

@@ -58,7 +58,9 @@ pub trait Erased: Send + Sync {
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
     /// One point of the generator by each way to draw it: what the way is, and the point.
-    fn ways(&self, rng: &Pcg32) -> Vec<(&'static str, Point)>;
+    fn ways(&self, _rng: &Pcg32) -> Vec<(&'static str, Point)> {
+        Vec::new()
+    }
 }
 
 /// One warp with its parameters in one tier.

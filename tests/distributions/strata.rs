@@ -1,7 +1,8 @@
 //! Jittered strata: every stratum gets its point, the mean stays right, and the variance falls below that
 //! of plain sampling, on a smooth integrand and on a discontinuous one.
 
-use microwarp::uniform::{LARGEST, Strata1d, Strata2d, grid};
+use crate::drivers::Cycle;
+use microwarp::uniform::{LARGEST, Strata1d, Strata2d, grid, grid_from_word};
 use rand_pcg::Pcg32;
 
 /// Estimates of an integral by plain and by stratified sampling: means and variances of each.
@@ -132,6 +133,17 @@ fn within(x: f32, i: u32, n: u32) -> bool {
     (0.0..1.0).contains(&x) && x > i / n - 2f64.powi(-24) && x < (i + 1.0) / n
 }
 
+/// Whether a drawn x does: it is the middle of a cell of 2⁻²³, across a border by half of one unless that is on its edge.
+fn drawn_within(x: f32, i: u32, n: u32) -> bool {
+    let half = if n.is_power_of_two() {
+        0.0
+    } else {
+        2f64.powi(-24)
+    };
+    let (x, i, n) = (f64::from(x), f64::from(i), f64::from(n));
+    x > 0.0 && x < 1.0 && x > i / n - half && x < (i + 1.0) / n + half
+}
+
 #[test]
 fn every_stratum_of_the_line_gets_its_point() {
     let mut rng = Pcg32::new(21, 21);
@@ -140,12 +152,12 @@ fn every_stratum_of_the_line_gets_its_point() {
         for k in 0..count.min(100_000) {
             // Spread over all of them where there are more.
             let i = (u64::from(k) * u64::from(count) / u64::from(count.min(100_000))) as u32;
-            for x in [
-                strata.point(i, 0.0),
-                strata.point(i, LARGEST),
-                strata.draw(i, &mut rng),
-            ] {
+            for x in [strata.point(i, 0.0), strata.point(i, LARGEST)] {
                 assert!(within(x, i, count), "stratum {i} of {count} got {x}");
+            }
+            let ends = [0, u32::MAX].map(|word| strata.draw(i, &mut Cycle::new(&[word])));
+            for x in [strata.draw(i, &mut rng), ends[0], ends[1]] {
+                assert!(drawn_within(x, i, count), "stratum {i} of {count} drew {x}");
             }
         }
         assert!(within(strata.point(count - 1, LARGEST), count - 1, count));
@@ -162,11 +174,41 @@ fn every_stratum_of_the_square_gets_its_point() {
             for [x, y] in [
                 strata.point(k, [0.0, LARGEST]),
                 strata.point(k, [LARGEST, 0.0]),
-                strata.draw(k, &mut rng),
             ] {
                 let placed = within(x, k % columns, columns) && within(y, k / columns, rows);
                 assert!(placed, "stratum {k} of {columns} x {rows} got ({x}, {y})");
             }
+            let [x, y] = strata.draw(k, &mut rng);
+            let placed =
+                drawn_within(x, k % columns, columns) && drawn_within(y, k / columns, rows);
+            assert!(placed, "stratum {k} of {columns} x {rows} drew ({x}, {y})");
         }
+    }
+}
+
+/// How far a drawn point is, on average, from the place of its word in its stratum: nowhere. The grid's jitter was 2⁻²⁵
+/// low.
+#[test]
+fn drawn_points_are_right_on_average() {
+    for count in [1, 3, 64, 1000] {
+        let strata = Strata1d::new(count).unwrap();
+        let mean = |at: &dyn Fn(u32, u32) -> f32| {
+            let (mut sum, mut points) = (0.0, 0.0);
+            for k in 0..1_u32 << 16 {
+                // Odd, so that the low half takes every value once, in no order of the high one.
+                let word = k << 16 | (k.wrapping_mul(40_503) & 0xffff);
+                for i in 0..count {
+                    let place = (f64::from(word) + 0.5) * 2f64.powi(-32);
+                    sum += f64::from(at(i, word)) - (f64::from(i) + place) / f64::from(count);
+                    points += 1.0;
+                }
+            }
+            sum / points
+        };
+        let drawn = mean(&|i, word| strata.draw(i, &mut Cycle::new(&[word])));
+        let grid = mean(&|i, word| strata.point(i, grid_from_word(word)));
+        println!("{count} strata: {drawn:.1e} off on average, of the grid's jitter {grid:.1e}");
+        assert!(drawn.abs() <= 1e-9, "{drawn}");
+        assert!(grid.abs() > 2.5e-8, "{grid}");
     }
 }

@@ -112,6 +112,7 @@ fn every_way_to_draw_gives_the_same_point() {
     for entry in crate::catalogue::entries() {
         for seed in 0..20 {
             let ways = entry.warp.ways(&Pcg32::new(seed, 8));
+            assert_eq!(ways.len(), 9);
             let due = ways[0].1.map(f32::to_bits);
             for (way, point) in ways {
                 if entry.words == entry.uniforms || !way.starts_with("of words") {
