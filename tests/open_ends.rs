@@ -6,9 +6,11 @@
 
 mod drivers;
 
+use ::fixed::types::extra::U30;
+use ::fixed::types::{I2F30, U0F32};
 use drivers::Cycle;
 use microwarp::uniform::{Strata1d, Uniforms, grid_from_word};
-use microwarp::{Inversion, Warp, libm, poly};
+use microwarp::{Inversion, Warp, fixed, libm, poly};
 
 /// Words and the share of all words that each stands for.
 fn words(per_octave: u32) -> Vec<(u32, f64)> {
@@ -280,4 +282,22 @@ fn a_stratum_at_an_end_has_its_own_share() {
             assert!(before.abs() > 5e-4, "{what}: {before}");
         }
     });
+}
+
+#[test]
+fn an_integer_tent_weighs_its_whole_width() {
+    let tent = fixed::Tent::<U30>::new(I2F30::ONE).unwrap();
+    let width = |x: I2F30| 1.0 / tent.pdf(x).to_num::<f64>();
+    let drawn = mean(|word| width(tent.sample_words(word))) / 2.0 - 1.0;
+    let before = mean(|word| width(tent.sample(U0F32::from_bits(word)))) / 2.0 - 1.0;
+    println!("fixed::Tent, 1/p: off by {drawn:.1e}, by the old rule {before:.1e}");
+    assert!(drawn.abs() <= 1e-4, "{drawn}");
+    assert!(before.abs() > 1e-4, "{before}");
+    for word in [0, 1, 255, 0x7fff_ffff, 0x8000_0000, !0] {
+        let mirrored = -tent.sample_words(!word);
+        assert_eq!(tent.sample_words(word), mirrored, "{word:#x}");
+        assert_eq!(tent.draw(&mut Cycle::new(&[word])), mirrored);
+        let x = fixed::Float::new(tent).draw(&mut Cycle::new(&[word]));
+        assert_eq!(x, fixed::Float::new(tent).sample_words(word));
+    }
 }

@@ -16,7 +16,7 @@ use core::marker::PhantomData;
 ///
 /// With t = 2u below the middle and 2(1 − u) above, x = ∓r(1 − √t).
 ///
-/// - Uniforms: one word.
+/// - Uniforms: one word. Drawn, it counts as the middle of its step, so that no draw is nearer to an end than its share.
 /// - Range: (−r, r), in the format of r, cut towards 0 to its step; the ends, where the density is 0, are never
 ///   returned.
 /// - Density: (1 − |x|/r)/r, at least 2⁻³² inside.
@@ -75,16 +75,17 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<Uniform>) -> FixedI32<Frac> {
         let u = u.get().to_bits();
-        let double = u << 1;
-        let below = u >> 31 == 0;
         // In the middle itself t is 1, which counts as the word below.
-        let t = if below {
-            double
-        } else {
-            double.max(1).wrapping_neg()
-        };
-        let x = high(self.radius, !G::root(t)) as i32;
-        FixedI32::from_bits(if below { -x } else { x })
+        let double = u << 1;
+        let upper = u >> 31 == 1;
+        self.beyond(
+            if upper {
+                double.max(1).wrapping_neg()
+            } else {
+                double
+            },
+            upper,
+        )
     }
 
     #[inline]
@@ -105,9 +106,27 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
             half.max(1).wrapping_neg()
         })
     }
+
+    #[inline]
+    fn sample_words(&self, word: u32) -> FixedI32<Frac> {
+        // The middle of the word, as the ends have no density.
+        let double = word << 1 | 1;
+        let upper = word >> 31 == 1;
+        self.beyond(if upper { double.wrapping_neg() } else { double }, upper)
+    }
 }
 
 impl<Frac: LeEqU32, G> Tent<Frac, G> {
+    /// The point of twice the probability beyond it on its side.
+    #[inline]
+    fn beyond(&self, t: u32, upper: bool) -> FixedI32<Frac>
+    where
+        G: Grade,
+    {
+        let x = high(self.radius, !G::root(t)) as i32;
+        FixedI32::from_bits(if upper { x } else { -x })
+    }
+
     /// 1 − |x|/r in Q32, where 1 counts as the word below; 0 outside only.
     #[inline]
     fn rest(&self, x: FixedI32<Frac>) -> u32 {
