@@ -84,7 +84,9 @@ pub fn hold(families: &[Family], file: &str) {
     let mut worst_known = Vec::new();
     for ((family, found), kept) in families.iter().zip(&found).zip(&kept) {
         let most = found.iter().map(|w| w.ratio).fold(0.0, f64::max);
-        if !(most >= QUICK) {
+        // Written so that NaN complains, here and below.
+        let near = most >= QUICK;
+        if !near {
             complaints.push(format!(
                 "{}: the search comes no nearer than {most:.3}",
                 family.label
@@ -101,7 +103,8 @@ pub fn hold(families: &[Family], file: &str) {
                 "{}; {title}: found {quick:.3}, known {:.3} of what is stated",
                 family.label, worst.ratio
             );
-            if !(worst.ratio <= 1.0) {
+            let holds = worst.ratio <= 1.0;
+            if !holds {
                 complaints.push(format!(
                     "{}; {title}: {}",
                     family.label,
@@ -121,7 +124,8 @@ pub fn hold(families: &[Family], file: &str) {
     }
     for (statement, title, ratio) in known {
         // A statement of 0 is kept by an error of 0.
-        if !(ratio >= 0.5 || ratio == 0.0) {
+        let fresh = ratio >= 0.5 || ratio == 0.0;
+        if !fresh {
             complaints.push(format!(
                 "{statement}; {title}: stated twice too large, {ratio:.3}"
             ));
