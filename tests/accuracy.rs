@@ -181,6 +181,18 @@ fn the_statements_hold_for_every_parameter() {
     adversary::hold(&families::families(), "accuracy/worst.csv");
 }
 
+/// The old branch of the power law, whose exponential overflows alone, is found within the quick budget.
+#[test]
+fn a_branch_that_overflows_alone_is_found() {
+    let flawed = families::flawed();
+    let found = adversary::attack(&flawed, adversary::search::Budget::Quick);
+    for (family, worst) in flawed.iter().zip(found) {
+        // A wrong branch, not a digit too few: the sample is the wrong end of the interval.
+        let sample = &worst[0];
+        assert!(sample.ratio > 1e3, "{}", sample.describe(family));
+    }
+}
+
 /// The measurement itself notices an error of the size it is there to find.
 #[test]
 fn a_wrong_warp_is_noticed() {

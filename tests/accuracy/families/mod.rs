@@ -1,6 +1,7 @@
 //! Every constructor of the float tiers as a family for the adversary: what it takes, and the entry it gives.
 
 mod directions;
+mod flawed;
 mod line;
 mod plane;
 
@@ -34,6 +35,14 @@ pub fn families() -> Vec<Family> {
     let mut all = of_tier::<Libm>();
     all.extend(of_tier::<Poly>());
     all
+}
+
+/// Families with a planted defect, one a tier.
+pub fn flawed() -> Vec<Family> {
+    vec![
+        family(flawed::overflowing::<Libm>(), Libm::NAME),
+        family(flawed::overflowing::<Poly>(), Poly::NAME),
+    ]
 }
 
 fn of_tier<T: Tier>() -> Vec<Family> {
