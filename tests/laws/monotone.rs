@@ -6,7 +6,7 @@
 
 use crate::any_parameters::any;
 use microwarp::discrete::PiecewiseConstant1d;
-use microwarp::{Error, Interval, Tent, Warp};
+use microwarp::{Error, Interval, Linear, Tent, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -48,6 +48,13 @@ fn listed() -> Vec<(&'static str, Option<Map>)> {
         ("[1e38, 3e38)", rising(Interval::new(1e38, 3e38))),
         ("[0, 3e-39)", rising(Interval::new(0.0, 3e-39))),
         ("(-2, -1.3]", falling(Interval::decreasing(-2.0, -1.3))),
+        ("0 to 1", rising(Linear::new(0.0, 1.0))),
+        ("1e-6 to 1", rising(Linear::new(1e-6, 1.0))),
+        ("0.3 to 1", rising(Linear::new(0.3, 1.0))),
+        ("0.7 to 0.9", rising(Linear::new(0.7, 0.9))),
+        ("1 to 1.000001", rising(Linear::new(1.0, 1.000_001))),
+        ("1 to 0.3", rising(Linear::new(1.0, 0.3))),
+        ("1e20 to 1e-20", rising(Linear::new(1e20, 1e-20))),
         ("tent 1", rising(Tent::new(1.0))),
         ("tent 3e38", rising(Tent::new(3e38))),
         ("tent 1.2e-38", rising(Tent::new(1.2e-38))),
@@ -72,6 +79,7 @@ fn families() -> Vec<(&'static str, fn([f32; 6]) -> Option<Map>)> {
         ("narrow Interval decreasing", |p| {
             falling(narrow(p, Interval::decreasing))
         }),
+        ("Linear", |p| rising(Linear::new(p[0].abs(), p[1].abs()))),
         ("Tent", |p| rising(Tent::new(p[0]))),
         ("PiecewiseConstant1d", |p| {
             let ((a, b), [_, _, weights @ ..]) = (ordered(p), p.map(f32::abs));
