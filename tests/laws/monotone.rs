@@ -15,6 +15,9 @@ const STEP: f32 = 1.0 / 16_777_216.0;
 
 type Map = Box<dyn Fn(f32) -> f32>;
 
+/// The map of some parameters; nothing where they are refused.
+type Build = fn([f32; 6]) -> Option<Map>;
+
 /// A map that is stated to rise with the uniform; one that falls is negated.
 fn rising<W: Warp<Uniforms = f32, Point = f32> + 'static>(warp: Result<W, Error>) -> Option<Map> {
     let warp = warp.ok()?;
@@ -62,7 +65,7 @@ fn listed() -> Vec<(&'static str, Option<Map>)> {
 }
 
 /// Whatever a constructor accepts, one line a family.
-fn families() -> Vec<(&'static str, fn([f32; 6]) -> Option<Map>)> {
+fn families() -> Vec<(&'static str, Build)> {
     fn ordered([a, b, ..]: [f32; 6]) -> (f32, f32) {
         (a.min(b), a.max(b))
     }
