@@ -62,7 +62,7 @@ pub(crate) use self::fill::filled_in_blocks;
 pub use self::frame::{Frame, Oriented};
 pub use self::hemisphere::{CosineHemisphere, Hemisphere, MalleyHemisphere};
 pub use self::interval::Interval;
-pub(crate) use self::interval::{extent, neighbour};
+pub(crate) use self::interval::{Segment, extent, neighbour};
 pub use self::inversion::Inversion;
 pub use self::linear::Linear;
 pub use self::lobe::PhongLobe;

@@ -11,6 +11,8 @@ mod drivers;
 mod generators;
 #[path = "laws/house.rs"]
 mod house;
+#[path = "laws/monotone.rs"]
+mod monotone;
 #[path = "laws/parameters.rs"]
 mod parameters;
 

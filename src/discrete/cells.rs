@@ -1,7 +1,7 @@
 //! Equal cells of an interval: where their edges are in `f32`, and which one a number lies in.
 
 use crate::error::Error;
-use crate::warp::{Apart, clamp, extent, neighbour};
+use crate::warp::{Apart, Segment, clamp, extent, neighbour};
 
 /// An interval in equal cells.
 ///
@@ -85,15 +85,17 @@ impl Cells {
         (self.edge(index), self.edge(index + 1.0))
     }
 
-    /// The point at a fraction of a cell; within the cell, whose upper edge belongs to the next.
+    /// The point at a fraction of a cell, which increases with the fraction; within the cell, whose upper
+    /// edge belongs to the next.
     #[inline]
+    #[expect(
+        clippy::float_cmp,
+        reason = "points that are the edge itself, no others"
+    )]
     pub(crate) fn place(&self, index: usize, fraction: f32) -> f32 {
         let (low, high) = self.edges(index);
-        let s = self.scale;
-        // Not the form with 1 − fraction, whose two products make it fall back by a step now and then.
-        let x = low * s + fraction * (high * s - low * s);
-        // 1/s, of 1 and of 1/2 alike.
-        clamp(x * (3.0 - 2.0 * s), low, neighbour(high, low))
+        let x = Segment::new(low, high).at(fraction);
+        if x == high { neighbour(high, low) } else { x }
     }
 
     /// Whether a number is in the interval, both ends included.

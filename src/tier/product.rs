@@ -5,27 +5,27 @@ use core::f32::consts::{FRAC_1_PI, TAU};
 
 /// The upper 12 bits of the significand; what is left of `x` has no more than 12 either.
 #[inline]
-pub(crate) fn head(x: f32) -> f32 {
+pub(crate) const fn head(x: f32) -> f32 {
     f32::from_bits(x.to_bits() & 0xffff_f000)
 }
 
 /// The head and the rest, whose sum is `x`.
 #[inline]
-fn split(x: f32) -> (f32, f32) {
+const fn split(x: f32) -> (f32, f32) {
     let high = head(x);
     (high, x - high)
 }
 
 /// What a rounded quotient leaves of its dividend: `dividend - quotient·divisor`.
 #[inline]
-pub(crate) fn remainder(dividend: f32, quotient: f32, divisor: f32) -> f32 {
+pub(crate) const fn remainder(dividend: f32, quotient: f32, divisor: f32) -> f32 {
     let (back, dropped) = two_product(quotient, divisor);
     (dividend - back) - dropped
 }
 
 /// `a * b` rounded, and what the rounding dropped: exact unless the product over- or underflows.
 #[inline]
-pub(crate) fn two_product(a: f32, b: f32) -> (f32, f32) {
+pub(crate) const fn two_product(a: f32, b: f32) -> (f32, f32) {
     let product = a * b;
     let ((a1, a0), (b1, b0)) = (split(a), split(b));
     let dropped = ((a1 * b1 - product) + a1 * b0 + a0 * b1) + a0 * b0;
@@ -181,7 +181,7 @@ pub(crate) fn coin_series(z: f32, near: f32, away: f32) -> f32 {
 
 /// The sum and what rounding it dropped, exact for any order of magnitudes.
 #[inline]
-pub(crate) fn two_sum(a: f32, b: f32) -> (f32, f32) {
+pub(crate) const fn two_sum(a: f32, b: f32) -> (f32, f32) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))

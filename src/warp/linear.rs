@@ -1,13 +1,14 @@
 //! A density that changes linearly across the unit interval.
 
-use super::{Warp, above_zero, into_unit, representable};
+use super::{Apart, Warp, above_zero, into_unit, representable};
 use crate::error::{Error, finite};
-use crate::tier::sqrt;
-use crate::uniform::{Canonical, LARGEST};
+use crate::tier::{remainder, sqrt, two_product, two_sum};
+use crate::uniform::{Canonical, LARGEST, SMALLEST};
 
 /// Linear on [0, 1): density ∝ (1 − x)a + xb.
 ///
-/// x = u(a + b)/(a + √((1 − u)a² + ub²)), which stays accurate where a and b are nearly equal.
+/// x = u(a + b)/(a + √((1 − u)a² + ub²)), which stays accurate where a and b are nearly equal, and one step of
+/// Newton's method in higher precision. Increasing with the uniform, whatever the densities.
 ///
 /// - Uniforms: one.
 /// - Range: [0, 1); where a is 0, (0, 1).
@@ -16,11 +17,14 @@ use crate::uniform::{Canonical, LARGEST};
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 3.8 | 3.8 |
-/// | pdf, relative | 2.1e-7 | 2.1e-7 |
-/// | realised density, relative | 1.2e-4 | 1.2e-4 |
-/// | inverse | 1.7e-7 | 1.7e-7 |
-/// | round trip | 3.3e-7 | 3.3e-7 |
+/// | sample, ulp | 0.76 | 0.76 |
+/// | pdf, relative | 2.4e-7 | 2.4e-7 |
+/// | realised density, relative | 2.4e-7 + 0.52*s | 2.4e-7 + 0.52*s |
+/// | inverse | 3e-7 | 3e-7 |
+/// | round trip | 3e-7 + 0.76*r | 3e-7 + 0.76*r |
+///
+/// s and r are what one ulp of x makes of the density and of the inverse. Only samples below 3e-38 are off by more than
+/// 0.51 ulp.
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///
@@ -34,10 +38,18 @@ use crate::uniform::{Canonical, LARGEST};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Linear {
-    /// The densities at both ends, scaled so that the larger is 1.
+    /// The densities at both ends times 2⁶⁰, so that not even the product of two tiny numbers is rounded to a
+    /// subnormal one. What the first lacks follows it.
     a: f32,
+    a_rest: f32,
     b: f32,
+    /// Half of b − a, and what that lacks.
+    slope: f32,
+    slope_rest: f32,
 }
+
+/// Density 1, as the fields hold it.
+const ONE: f32 = (1_u64 << 60) as f32;
 
 impl Linear {
     /// Density ∝ `a` at 0 and ∝ `b` at 1.
@@ -57,11 +69,30 @@ impl Linear {
         if larger == 0.0 {
             return Err(Error::NotPositive);
         }
+        let lift = 60_i32.wrapping_sub(Apart::of(larger).parts().1);
+        let (a, b) = (lifted(a, lift), lifted(b, lift));
+        let (sum, dropped) = two_sum(a, b);
+        let (a, b) = (a * (2.0 * ONE), b * (2.0 * ONE));
+        let share = a / sum;
+        let a_rest = (remainder(a, share, sum) - share * dropped) / sum;
+        let (slope, slope_rest) = two_sum(ONE, -share);
         Ok(Self {
-            a: a / larger,
-            b: b / larger,
+            a: share,
+            a_rest,
+            b: b / sum,
+            slope,
+            slope_rest: slope_rest - a_rest,
         })
     }
+}
+
+/// x times 2^by, and not 0 unless x is.
+const fn lifted(x: f32, by: i32) -> f32 {
+    if x == 0.0 {
+        return 0.0;
+    }
+    let lifted = Apart::of(x).raised(by).value();
+    if lifted > 0.0 { lifted } else { SMALLEST }
 }
 
 impl Warp for Linear {
@@ -71,23 +102,29 @@ impl Warp for Linear {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
-        let Self { a, b } = *self;
+        let Self { a, b, .. } = *self;
         let u = if a > 0.0 {
             u.get()
         } else {
             above_zero(u.get())
         };
         let root = sqrt((1.0 - u) * (a * a) + u * (b * b));
-        // a + root may be subnormal and its reciprocal infinite; the quotient by it is not.
-        let x = (u / (a + root)) * (a + b);
+        let aim = u * ONE;
+        let x = 2.0 * aim / (a + root);
+        // One step of Newton's method on x(a + slope x) = aim, whose left side carries what is rounded off.
+        let (bend, bend_rest) = two_product(self.slope, x);
+        let (mean, mean_rest) = two_sum(a, bend);
+        let rest = mean_rest + (bend_rest + (self.a_rest + self.slope_rest * x));
+        let (mass, mass_rest) = two_product(mean, x);
+        let over = (mass - aim) + (mass_rest + rest * x);
+        let x = x - over / (mean + bend);
         if x < 1.0 { x } else { LARGEST }
     }
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
-        let Self { a, b } = *self;
         if (0.0..=1.0).contains(&x) {
-            representable(2.0 * (((1.0 - x) * a + x * b) / (a + b)))
+            representable(((1.0 - x) * self.a + x * self.b) * (1.0 / ONE))
         } else {
             0.0
         }
@@ -95,9 +132,8 @@ impl Warp for Linear {
 
     #[inline]
     fn invert(&self, x: f32) -> f32 {
-        let Self { a, b } = *self;
         let x = super::clamp(x, 0.0, 1.0);
-        into_unit(x * ((a * (2.0 - x) + b * x) / (a + b)))
+        into_unit(x * ((self.a * (2.0 - x) + self.b * x) * (0.5 / ONE)))
     }
 
     super::filled_in_blocks!();

@@ -27,7 +27,7 @@ const UNIFORMS: [[f32; 4]; 10] = [
 ];
 
 /// A float of any kind: any bits, any magnitude, or a small comfortable number.
-fn any(rng: &mut Pcg32) -> f32 {
+pub fn any(rng: &mut Pcg32) -> f32 {
     let word = rng.next_u32();
     match word % 4 {
         0 => f32::from_bits(rng.next_u32()),

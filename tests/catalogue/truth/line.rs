@@ -177,12 +177,11 @@ pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
 pub fn tent(radius: f32) -> Box<dyn Truth> {
     let r = f64::from(radius);
     Box::new(Line {
+        // 1 - sqrt(t) through the logarithm of t = 1 - rest, so that nothing cancels at the centre.
         quantile: move |u: f64| {
-            if u < 0.5 {
-                -r * (1.0 - (2.0 * u).sqrt())
-            } else {
-                r * (1.0 - (2.0 * (1.0 - u)).sqrt())
-            }
+            let rest = (1.0 - 2.0 * u).abs();
+            let x = -r * (0.5 * (-rest).ln_1p()).exp_m1();
+            if u < 0.5 { -x } else { x }
         },
         pdf: move |x: f64| (r - x.abs()) / r / r,
         cdf: move |x: f64| {

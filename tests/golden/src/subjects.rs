@@ -305,6 +305,7 @@ subjects! {
     warps {
         "Interval -3 5" => Interval::new(v(-3.0), v(5.0)),
         "Interval decreasing 3e38" => Interval::decreasing(v(-3e38), v(3e38)),
+        "Interval 1 3.1" => Interval::new(v(1.0), v(3.1)),
         "Power 2.5" => Power::<T>::new(v(2.5), v(0.0), v(1.0)),
         "Power -1" => Power::<T>::new(v(-1.0), v(1.0), v(100.0)),
         "Power -0.99 decades" => Power::<T>::new(v(-0.99), v(1e-10), v(1e10)),
