@@ -13,6 +13,8 @@ mod generators;
 mod house;
 #[path = "laws/parameters.rs"]
 mod parameters;
+#[path = "laws/power.rs"]
+mod power;
 
 use catalogue::{Domain, Entry, Point, Uniforms, entries};
 
