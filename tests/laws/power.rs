@@ -4,7 +4,7 @@
 
 use crate::catalogue::truth;
 use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::warp::Power;
+use microwarp::warp::{Power, PowerMax};
 use microwarp::{Warp, poly as mw};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -181,4 +181,29 @@ fn no_power_law_steps_back_and_each_begins_at_its_start() {
             }
         }
     }
+}
+
+/// The density of the largest of N, against plain powering as the control.
+#[test]
+fn the_density_of_the_largest_of_very_many_keeps_its_error() {
+    const MANY: usize = 100_000;
+    let (warp, truth) = (PowerMax::<MANY>::new(), truth::power_max(MANY as u32));
+    let (mut worst, mut plain) = (0.0, 0.0);
+    for k in 0..20_000 {
+        let x = 1.0 - k as f32 * (0.25 * STEP);
+        let exact = truth.pdf([f64::from(x), 0.0, 0.0]);
+        let off = |density: f64| (density - exact).abs() / exact;
+        worst = f64::max(worst, off(f64::from(warp.pdf(x))));
+        let (mut power, mut square, mut left) = (1.0_f32, x, MANY - 1);
+        while left > 0 {
+            if left & 1 == 1 {
+                power *= square;
+            }
+            square *= square;
+            left >>= 1;
+        }
+        plain = f64::max(plain, off(f64::from(MANY as f32 * power)));
+    }
+    assert!(worst <= 1.4e-7, "{worst}");
+    assert!(plain > 1e-4, "{plain}");
 }
