@@ -15,6 +15,8 @@ mod house;
 mod parameters;
 #[path = "laws/power.rs"]
 mod power;
+#[path = "laws/truncated.rs"]
+mod truncated;
 
 use catalogue::{Domain, Entry, Point, Uniforms, entries};
 

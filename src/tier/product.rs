@@ -6,7 +6,7 @@ use core::f32::consts::{FRAC_1_PI, TAU};
 
 /// The upper 12 bits of the significand; what is left of `x` has no more than 12 either.
 #[inline]
-pub(crate) fn head(x: f32) -> f32 {
+pub(crate) const fn head(x: f32) -> f32 {
     f32::from_bits(x.to_bits() & 0xffff_f000)
 }
 
@@ -182,6 +182,12 @@ pub(crate) const fn pair(x: f64) -> (f32, f32) {
 }
 
 pub(crate) const LN_2: (f32, f32) = pair(core::f64::consts::LN_2);
+
+/// log₂e as a head of 12 bits and the rest.
+pub(crate) const LOG2_E: (f32, f32) = {
+    let high = head(core::f32::consts::LOG2_E);
+    (high, (core::f64::consts::LOG2_E - high as f64) as f32)
+};
 
 /// 1/24, 1/6, 1/2 and 1.
 const FIRST_TERMS: [(f32, f32); 4] = [pair(1.0 / 24.0), pair(1.0 / 6.0), (0.5, 0.0), (1.0, 0.0)];

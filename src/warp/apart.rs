@@ -1,6 +1,6 @@
 //! Numbers whose exponents are set aside, for products that leave the range of `f32` on the way only.
 
-use crate::tier::{exp2, head, log2_1p, remainder, times};
+use crate::tier::{exp2, head, log2_1p, remainder, times, two_product};
 
 /// A positive number as significand · 2^exponent.
 ///
@@ -36,6 +36,18 @@ impl Apart {
             significand: f32::from_bits((bits & 0x007f_ffff) | 0x3f80_0000),
             exponent: ((bits >> 23) as i32).wrapping_sub(lifted),
         }
+    }
+
+    /// The magnitude of a/(b·c), rounded once, where a and b are numbers and what they lack.
+    pub(crate) fn of_quotient(a: (f32, f32), b: (f32, f32), c: Self) -> Self {
+        let (top, bottom) = (Self::of(a.0.abs()), Self::of(b.0.abs()));
+        let (divisor, dropped) = two_product(bottom.significand, c.significand);
+        let first = top.significand / divisor;
+        let short = remainder(top.significand, first, divisor) / top.significand + a.1 / a.0
+            - dropped / divisor
+            - b.1 / b.0;
+        let exponent = bottom.exponent.wrapping_add(c.exponent);
+        Self::of(first + first * short).raised(top.exponent.wrapping_sub(exponent))
     }
 
     #[inline]

@@ -4,7 +4,7 @@ use super::{Apart, Warp, clamp, into_unit, representable};
 use crate::error::{Error, finite};
 use crate::tier::{
     LN_2, Tier, exp2, exp2_m1, head, log2_1p, log2_of_sum, product, quick_two_sum, remainder,
-    times, two_product, two_sum,
+    times, two_sum,
 };
 use crate::uniform::{Canonical, SMALLEST};
 use core::marker::PhantomData;
@@ -136,7 +136,7 @@ impl<T: Tier> Power<T> {
             drop,
             rest,
             root,
-            peak: quotient(height.0, height.1, anchor),
+            peak: Apart::of_quotient(height.0, height.1, anchor),
             tier: PhantomData,
         };
         if power.first < power.low {
@@ -208,18 +208,6 @@ fn decay(span: (f32, f32), m: Pair) -> (Pair, Pair) {
         (drop, dropped - rest.1 / LIFT)
     };
     (drop, rest)
-}
-
-/// |m|/(D·R), rounded once.
-fn quotient(m: Pair, drop: Pair, anchor: Apart) -> Apart {
-    let (dividend, divisor) = (Apart::of(m.0.abs()), Apart::of(drop.0));
-    let (over, dropped) = two_product(divisor.parts().0, anchor.parts().0);
-    let top = dividend.parts().0;
-    let first = top / over;
-    let short = remainder(top, first, over) / top + m.1 / m.0 - dropped / over - drop.1 / drop.0;
-    let exponent = |x: Apart| x.parts().1;
-    Apart::of(first + first * short)
-        .raised(exponent(dividend).wrapping_sub(exponent(divisor).wrapping_add(exponent(anchor))))
 }
 
 impl<T: Tier> Warp for Power<T> {

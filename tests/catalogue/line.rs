@@ -165,6 +165,9 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         ("c=1e30 X=1e-30", 1e30, 1e-30),
         ("c=-17.727 X=0.5695", -17.727_365, 0.569_503_3),
         ("c=1e30 X=1e30", 1e30, 1e30),
+        ("c=-95 X=1", -95.0, 1.0),
+        ("c=3e-39 X=3.4e38", 3.045_662e-39, 3.391_878_5e38),
+        ("c=-1.76e-6 X=2", -1.758_337e-6, 1.998_206_7),
     ] {
         // Far from the peak of a steep rise towards X, f32 near X resolves 1 part in 1e4 of it.
         let steep = rate * length < -1e3;
