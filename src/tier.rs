@@ -12,10 +12,11 @@ mod sqrt;
 
 pub use self::libm::Libm;
 pub use self::poly::Poly;
-pub(crate) use self::poly::exchanged;
+pub(crate) use self::poly::{exchanged, exp2, log2_1p, log2_of_sum, times};
 pub(crate) use self::product::{
-    coin_series, exp_m1_of_product, exp_of_product, ln_ratio, log_residual, one_minus_cos_radians,
-    pow_of_quotient, remainder, scaled_exp, scaled_exp_of_product, two_product, two_sum,
+    LN_2, LOG2_E, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, head, ln_ratio,
+    one_minus_cos_radians, product, quick_two_sum, remainder, scaled_exp, scaled_exp_of_product,
+    two_product, two_sum,
 };
 pub(crate) use self::sqrt::sqrt;
 

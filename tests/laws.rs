@@ -15,6 +15,10 @@ mod house;
 mod monotone;
 #[path = "laws/parameters.rs"]
 mod parameters;
+#[path = "laws/power.rs"]
+mod power;
+#[path = "laws/truncated.rs"]
+mod truncated;
 
 use catalogue::{Domain, Entry, Point, Uniforms, entries};
 

@@ -9,6 +9,8 @@ mod pow;
 mod trig;
 
 use super::{Tier, normal};
+pub(super) use exp::nearest;
+pub(crate) use pow::{exp2, log2_1p, log2_of_sum, times};
 pub(crate) use trig::{exchanged, polar, reduce_few_turns, reduce_turns, swap_quadrant};
 
 /// The polynomial tier: `f32` arithmetic only, no `f64`, no tables.

@@ -1,6 +1,7 @@
 //! Functions of a product whose rounding would be amplified: the product's own error is carried along.
 
 use super::Tier;
+use super::poly::nearest;
 use core::f32::consts::{FRAC_1_PI, TAU};
 
 /// The upper 12 bits of the significand; what is left of `x` has no more than 12 either.
@@ -89,32 +90,6 @@ pub(crate) fn one_minus_cos_radians<T: Tier>(x: f32) -> f32 {
     2.0 * sine * sine
 }
 
-/// `(x/r)^n` for positive x and r and n given as a sum, without the error that rounding the quotient
-/// would bring.
-#[inline]
-pub(crate) fn pow_of_quotient<T: Tier>(x: f32, r: f32, n: f32, n_rest: f32) -> f32 {
-    let quotient = x / r;
-    if !(f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) {
-        // Fourth roots bring any quotient of two floats into range; only a small |n| leaves the power
-        // there, so the fourfold exponent costs no accuracy that shows.
-        let (x, r) = (T::sqrt(T::sqrt(x)), T::sqrt(T::sqrt(r)));
-        return T::pow(x / r, 4.0 * n);
-    }
-    let short = remainder(x, quotient, r) / x;
-    let power = T::pow(quotient, n);
-    let mut correction = n * short;
-    if n_rest != 0.0 {
-        correction += n_rest * T::ln(quotient);
-    }
-    if correction.abs() < 1.0e-4 {
-        power + power * correction
-    } else if correction.is_finite() {
-        power * T::exp(correction)
-    } else {
-        power
-    }
-}
-
 /// `scale · e^(exponent + rest)` where the exponential alone may leave the range of `f32`.
 #[inline]
 pub(crate) fn scaled_exp<T: Tier>(scale: f32, exponent: f32, rest: f32) -> f32 {
@@ -130,7 +105,7 @@ pub(crate) fn scaled_exp<T: Tier>(scale: f32, exponent: f32, rest: f32) -> f32 {
 
 /// What a rounded logarithm `log` of `x` lacks, to the accuracy of the tier's exponential: one step of
 /// Newton's method on `e^log = x`.
-pub(crate) fn log_residual<T: Tier>(x: f32, log: f32) -> f32 {
+fn log_residual<T: Tier>(x: f32, log: f32) -> f32 {
     // In two halves, since e^(-log) alone may overflow.
     let half = T::exp(-0.5 * log);
     let (product, dropped) = two_product(x * half, half);
@@ -185,4 +160,51 @@ pub(crate) const fn two_sum(a: f32, b: f32) -> (f32, f32) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))
+}
+
+/// The sum and what rounding it dropped, for an `a` that is not the smaller.
+#[inline]
+pub(crate) fn quick_two_sum(a: f32, b: f32) -> (f32, f32) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+/// The product of two sums of two, likewise.
+#[inline]
+pub(crate) fn product((a, a_rest): (f32, f32), (b, b_rest): (f32, f32)) -> (f32, f32) {
+    let (product, dropped) = two_product(a, b);
+    quick_two_sum(product, dropped + (a * b_rest + a_rest * b))
+}
+
+/// A number and what it lacks as an `f32`, worked out by the compiler: no double reaches the target.
+pub(crate) const fn pair(x: f64) -> (f32, f32) {
+    (x as f32, (x - x as f32 as f64) as f32)
+}
+
+pub(crate) const LN_2: (f32, f32) = pair(core::f64::consts::LN_2);
+
+/// log₂e as a head of 12 bits and the rest.
+pub(crate) const LOG2_E: (f32, f32) = {
+    let high = head(core::f32::consts::LOG2_E);
+    (high, (core::f64::consts::LOG2_E - high as f64) as f32)
+};
+
+/// 1/24, 1/6, 1/2 and 1.
+const FIRST_TERMS: [(f32, f32); 4] = [pair(1.0 / 24.0), pair(1.0 / 6.0), (0.5, 0.0), (1.0, 0.0)];
+
+/// `(k, rise)` with `2^(x + rest) = 2^k (1 + rise)` and `rise` good to 2^-40 of itself; for x up to 2^22.
+pub(crate) fn exp2_m1((x, rest): (f32, f32)) -> (i32, (f32, f32)) {
+    let (n, k) = nearest(x);
+    let y = product(two_sum(x - n, rest), LN_2);
+    // Taylor's series of (e^y - 1)/y, whose first terms count for more than one float holds.
+    let tail = [1.0 / 40_320.0, 1.0 / 5_040.0, 1.0 / 720.0, 1.0 / 120.0];
+    let tail = tail
+        .iter()
+        .fold(1.0 / 362_880.0, |sum, term| term + y.0 * sum);
+    let series = FIRST_TERMS.iter().fold((tail, 0.0), |sum, term| {
+        let (more, more_rest) = product(y, sum);
+        let (sum, dropped) = quick_two_sum(term.0, more);
+        (sum, dropped + (more_rest + term.1))
+    });
+    (k, product(y, series))
 }

@@ -1,10 +1,10 @@
-//! The power law on an interval, in both orientations, and the largest of several uniforms.
+//! The power law on an interval, in both orientations. Both tiers share the code.
 
-use super::{Warp, above_zero, clamp, into_unit, representable};
+use super::{Apart, Warp, clamp, into_unit, representable};
 use crate::error::{Error, finite};
 use crate::tier::{
-    Tier, coin_series, ln_ratio, log_residual, pow_of_quotient, remainder, scaled_exp, two_product,
-    two_sum,
+    LN_2, Tier, exp2, exp2_m1, head, log2_1p, log2_of_sum, product, quick_two_sum, remainder,
+    times, two_sum,
 };
 use crate::uniform::{Canonical, SMALLEST};
 use core::marker::PhantomData;
@@ -12,24 +12,26 @@ use core::marker::PhantomData;
 /// Density ∝ xⁿ on [a, b], for any n: −1, near −1, 0, and up to ±1e8 and beyond.
 ///
 /// With m = n + 1, xᵐ is uniform between aᵐ and bᵐ. Everything is carried relative to the end R where
-/// xᵐ is larger, as t = 1 − (x/R)ᵐ, so that nothing overflows and m near 0 does not cancel.
-/// [`Power::new`] runs from a at u = 0 to b, [`Power::decreasing`] from b to a.
+/// xᵐ is larger, as t = 1 − (x/R)ᵐ, and the logarithm of 1 − t to nine digits, so that nothing overflows and
+/// m near 0 does not cancel. [`Power::new`] runs from a at u = 0 to b, [`Power::decreasing`] from b to a.
 ///
 /// - Uniforms: one.
 /// - Range: [a, b]; above 0 where the density is 0 or infinite at a = 0.
 /// - Density: m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b].
-/// - Where 0 < |n + 1| < ¼ and |n + 1| ln(b/a) exceeds ½, as over many decades, the error of a sample grows
-///   in inverse proportion to |n + 1|; it is under 10 ulp everywhere else.
+/// - A sample never steps back from one uniform of the grid to the next.
 /// - With a = 0 and n < 0 the density is infinite at 0: the largest `f32` stands for what exceeds it, and
 ///   samples that would be smaller than 2⁻¹⁴⁹ are 2⁻¹⁴⁹, as most are for n within 1e-3 of −1.
+/// - Both tiers share this code.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 37 | 37 |
-/// | pdf, relative | 2.9e-7 | 2.9e-7 |
-/// | realised density, relative | 2.2e-4 | 2.2e-4 |
-/// | inverse | 2.1e-7 | 2.1e-7 |
-/// | round trip | 6.6e-5 | 6.6e-5 |
+/// | sample, ulp | 1 | 1 |
+/// | pdf, relative | 1.3e-7 | 1.3e-7 |
+/// | realised density, relative | 1.3e-7 + s | 1.3e-7 + s |
+/// | inverse | 3e-7 | 3e-7 |
+/// | round trip | 3e-7 + r | 3e-7 + r |
+///
+/// s and r: by how much the exact density, relatively, and the exact inverse change over one ulp of x.
 ///
 /// Source: M. E. J. Newman, "Power Laws, Pareto Distributions and Zipf's Law", 2005; stable form derived
 /// here.
@@ -45,42 +47,36 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Power<T> {
-    /// n + 1, and what rounding it dropped.
-    m: f32,
-    m_rest: f32,
-    /// 1/m likewise; unused where z is small.
-    root: f32,
-    root_rest: f32,
+    n: f32,
     low: f32,
     high: f32,
-    /// R, the end where xᵐ is larger.
-    anchor: f32,
-    /// Whether u = 0 is at the anchor.
+    /// The sample of u = 0.
+    first: f32,
+    /// Whether u = 0 is at R, which is a for n < −1 and b otherwise.
     from_anchor: bool,
-    /// ln(b/a), and what rounding it dropped.
-    span: f32,
-    span_rest: f32,
-    /// |m| ln(b/a), and what rounding it dropped; infinite where the other end vanishes beside the anchor.
-    z: f32,
-    z_rest: f32,
-    /// (O/R)ᵐ = e^(−z), O being the other end.
-    rest: f32,
-    /// e^(−z) − 1.
-    decay: f32,
-    /// The density is this times (x/R)ᵐ/x.
-    shape: f32,
+    /// D = 1 − e^(−z) with z = |m| ln(b/a); 1 for m = 0.
+    drop: Pair,
+    /// 2⁶⁴e^(−z), or 0 where that is nothing beside any uniform.
+    rest: Pair,
+    /// 1/m; −log₂(b/a) for m = 0.
+    root: Pair,
+    /// The density at R.
+    peak: Apart,
     tier: PhantomData<T>,
 }
 
-/// Up to this z the exponent is a series about the logarithmic law n = −1.
-const SERIES: f32 = 0.5;
+/// A number and what it lacks.
+type Pair = (f32, f32);
+
+/// 2⁶⁴, which keeps the least uniforms and e^(−z) off the subnormal numbers.
+const LIFT: f32 = 18_446_744_073_709_551_616.0;
 
 impl<T: Tier> Power<T> {
     /// Density ∝ xⁿ on [a, b], increasing with the uniform.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] for a < 0, [`Error::Reversed`] for
-    /// a > b, [`Error::Empty`] for a = b or an a > 0 or width so small that the density overflows,
+    /// a > b, [`Error::Empty`] for a = b or a density that overflows, at b or at an a > 0,
     /// [`Error::NotNormalizable`] for a = 0 with n ≤ −1.
     pub fn new(n: f32, a: f32, b: f32) -> Result<Self, Error> {
         Self::build(n, a, b, true)
@@ -105,84 +101,113 @@ impl<T: Tier> Power<T> {
         if a >= b {
             return Err(Error::Empty);
         }
-        let (m, m_rest) = two_sum(n, 1.0);
-        if a == 0.0 && m <= 0.0 {
+        if a == 0.0 && n <= -1.0 {
             return Err(Error::NotNormalizable);
         }
-        let (span, span_rest) = ln_ratio::<T>(a, b);
-        let (z, z_dropped) = two_product(m.abs(), span);
-        let z_rest = or_zero(z_dropped + m.abs() * span_rest + m_rest.copysign(m * m_rest) * span);
-        let anchor = if m < 0.0 { a } else { b };
-        let decay = T::exp_m1(-z);
-        let shape = if z < f32::EPSILON {
-            // |m|/(1 - e^-z) is (1 + z/2)/ln(b/a), which rounds to its limit.
-            1.0 / span
+        let m = two_sum(n, 1.0);
+        let span = if a > 0.0 {
+            Apart::of(b).log2_over(Apart::of(a))
         } else {
-            m.abs() / -decay
+            (f32::INFINITY, 0.0)
         };
-        if !(shape / anchor).is_finite() {
-            return Err(Error::Empty);
-        }
-        let root = 1.0 / m;
-        let power = Self {
-            m,
-            m_rest,
-            root,
-            root_rest: or_zero((remainder(1.0, root, m) - root * m_rest) / m),
+        let (drop, rest, root, height) = if m.0 == 0.0 {
+            let span = quick_two_sum(span.0, span.1);
+            let whole = (1.0, 0.0);
+            (
+                whole,
+                (0.0, 0.0),
+                (-span.0, -span.1),
+                (whole, product(span, LN_2)),
+            )
+        } else {
+            let (drop, rest) = decay(span, m);
+            let inverse = 1.0 / m.0;
+            let short = remainder(1.0, inverse, m.0) - inverse * m.1;
+            (drop, rest, (inverse, short / m.0), (m, drop))
+        };
+        let anchor = Apart::of(if m.0 < 0.0 { a } else { b });
+        let mut power = Self {
+            n,
             // x = 0 is left out where the density there is 0 or infinite.
             low: if a > 0.0 || n == 0.0 { a } else { SMALLEST },
             high: b,
-            anchor,
-            from_anchor: increasing == (m < 0.0),
-            span,
-            span_rest,
-            z,
-            z_rest,
-            rest: T::exp(-z) * (1.0 - z_rest),
-            decay,
-            shape,
+            first: if increasing { a } else { b },
+            from_anchor: increasing == (m.0 < 0.0),
+            drop,
+            rest,
+            root,
+            peak: Apart::of_quotient(height.0, height.1, anchor),
             tier: PhantomData,
         };
-        // With a > 0 the density is finite on the whole interval; from 0 an integrable singularity is
-        // accepted.
-        if a > 0.0 && !(power.pdf(a) < f32::MAX && power.pdf(b) < f32::MAX) {
+        if power.first < power.low {
+            power.first = power.along(SMALLEST);
+        }
+        // From 0 an integrable singularity is accepted.
+        if power.density(b) > f32::MAX || (a > 0.0 && power.density(a) > f32::MAX) {
             return Err(Error::Empty);
         }
         Ok(power)
     }
 
-    /// The end at u = 0 times e^(±span·g), where g runs from 0 to 1 with u, bent by z:
-    /// g = u − z u(1 − u)(½ − z S). Over many decades the exponent is large, so its main parts are carried
-    /// with what rounding drops of them.
+    /// R, the end where xᵐ is larger.
     #[inline]
-    fn along_span(&self, u: f32) -> f32 {
-        let (z, z_rest) = if self.from_anchor {
-            (self.z, self.z_rest)
+    const fn anchor(&self) -> f32 {
+        if self.n < -1.0 { self.low } else { self.high }
+    }
+
+    /// The sample of a uniform in (0, 1).
+    #[inline]
+    fn along(&self, u: f32) -> f32 {
+        // How much of the mixture is the anchor's, and how much the other end's.
+        let rise = 1.0 - u;
+        let (u, rise) = ((u, 0.0), (rise, (1.0 - rise) - u));
+        let (near, away) = if self.from_anchor {
+            (rise, u)
         } else {
-            (-self.z, -self.z_rest)
+            (u, rise)
         };
-        let (p, p_rest) = two_product(u, 1.0 - u);
-        let (bend, bend_rest) = two_product(0.5 * z, p);
-        let bend_rest = bend_rest + 0.5 * (z * p_rest + z_rest * p);
-        let unbend = z * z * p * coin_series(z, 1.0 - u, u);
-        let (straight, rest_1) = two_product(self.span, u);
-        let (bent, rest_2) = two_product(self.span, bend);
-        let (exponent, rest_3) = two_sum(straight, -bent);
-        let (exponent, rest_4) = two_sum(exponent, self.span * unbend);
-        let rest = (rest_1 - rest_2)
-            + (rest_3 + rest_4)
-            + ((u - bend) * self.span_rest - self.span * bend_rest);
-        if self.from_anchor == (self.m < 0.0) {
-            scaled_exp::<T>(self.low, exponent, rest)
+        let (q, q_rest) = product(away, self.drop);
+        let log = if self.n + 1.0 == 0.0 {
+            let part = head(q);
+            (part, (q - part) + q_rest)
+        } else if q < 0.29 {
+            log2_1p(0.0, -q, -q_rest)
         } else {
-            scaled_exp::<T>(self.high, -exponent, -rest)
-        }
+            let (far, far_rest) = product(away, self.rest);
+            let (w, dropped) = two_sum(near.0 * LIFT, far);
+            log2_of_sum(w, dropped + (near.1 * LIFT + far_rest), 64.0)
+        };
+        let x = Apart::of(self.anchor()).times_power(log, self.root).value();
+        clamp(x, self.low, self.high)
+    }
+
+    /// The density inside the domain; infinite where it overflows.
+    #[inline]
+    fn density(&self, x: f32) -> f32 {
+        let log = Apart::of(x).log2_over(Apart::of(self.anchor()));
+        self.peak.times_power(log, (self.n, 0.0)).value()
     }
 }
 
-/// The number itself, or 0 in place of what the parameters leave undefined.
-const fn or_zero(x: f32) -> f32 {
-    if x.is_finite() { x } else { 0.0 }
+/// 1 − e^(−z) and 2⁶⁴e^(−z) for z = |m| ln(b/a), from log₂(b/a).
+fn decay(span: (f32, f32), m: Pair) -> (Pair, Pair) {
+    // From here on e^(−z) is less than 2⁻⁴⁰ of the smallest float.
+    if m.0.abs() * (span.0 + span.1) >= 190.0 {
+        return ((1.0, 0.0), (0.0, 0.0));
+    }
+    let (exact, small) = times(span, -m.0.abs());
+    let small = small - m.1.copysign(m.0 * m.1) * span.0;
+    let (k, rise) = exp2_m1(quick_two_sum(exact, small));
+    let (power, dropped) = quick_two_sum(1.0, rise.0);
+    let scale = Apart::ONE.raised(k.wrapping_add(64)).value();
+    let rest = (power * scale, (dropped + rise.1) * scale);
+    let drop = if k == 0 {
+        (-rise.0, -rise.1)
+    } else {
+        let (drop, dropped) = quick_two_sum(1.0, -rest.0 / LIFT);
+        (drop, dropped - rest.1 / LIFT)
+    };
+    (drop, rest)
 }
 
 impl<T: Tier> Warp for Power<T> {
@@ -193,47 +218,13 @@ impl<T: Tier> Warp for Power<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let u = u.get();
-        let x = if self.z < SERIES {
-            self.along_span(u)
-        } else {
-            // How much of the mixture is the anchor's and how much the other end's.
-            let (near, away) = if self.from_anchor {
-                (1.0 - u, u)
-            } else {
-                (u, 1.0 - u)
-            };
-            let mixed = near + away * self.rest;
-            if mixed < 0.5 {
-                let mixed = if self.rest > 0.0 || self.low > SMALLEST {
-                    mixed
-                } else {
-                    above_zero(mixed)
-                };
-                let power = T::pow(mixed, self.root);
-                let log = T::ln(above_zero(mixed));
-                if (f32::MIN_POSITIVE..=f32::MAX).contains(&power) || mixed == 0.0 {
-                    let x = self.anchor * power;
-                    x + x * (log * self.root_rest)
-                } else {
-                    // The power alone leaves the range of f32 where the sample does not.
-                    let (exponent, dropped) = two_product(log, self.root);
-                    let rest = log_residual::<T>(mixed, log) * self.root + log * self.root_rest;
-                    scaled_exp::<T>(self.anchor, exponent, dropped + rest)
-                }
-            } else {
-                let log = T::ln_1p(away * self.decay);
-                self.anchor * T::exp(log * self.root)
-            }
-        };
-        clamp(x, self.low, self.high)
+        if u > 0.0 { self.along(u) } else { self.first }
     }
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
         if x >= self.low && x <= self.high {
-            let power = pow_of_quotient::<T>(x, self.anchor, self.m, self.m_rest);
-            // In this order a power that has nearly vanished is not divided into nothing.
-            representable(self.shape * (power / x))
+            representable(self.density(x))
         } else {
             0.0
         }
@@ -242,22 +233,26 @@ impl<T: Tier> Warp for Power<T> {
     #[inline]
     fn invert(&self, x: f32) -> f32 {
         let x = clamp(x, self.low, self.high);
-        let (low, high) = if self.m < 0.0 {
-            (self.anchor, x)
+        let log = Apart::of(x).log2_over(Apart::of(self.anchor()));
+        let m = two_sum(self.n, 1.0);
+        let (power, away) = if m.0 == 0.0 {
+            (0.0, (log.0 + log.1) / self.root.0)
+        } else if m.0 * (log.0 + log.1) > -190.0 {
+            let (exact, small) = times(log, m.0);
+            let (k, a, b) = exp2(exact, small + m.1 * log.0);
+            let scale = Apart::ONE.raised(k).value();
+            let part = scale * (a + b);
+            (scale + part, ((1.0 - scale) - part) / self.drop.0)
         } else {
-            (x, self.anchor)
+            (0.0, 1.0)
         };
-        let part = if low < high {
-            ln_ratio::<T>(low, high).0
+        // A small share of the other end's, where it is known better than as what is left.
+        let near = if away > 0.5 && self.drop.0 > 0.5 && power > 0.0 {
+            (power - self.rest.0 / LIFT) / self.drop.0
         } else {
-            0.0
+            1.0 - away
         };
-        let away = if self.z < f32::EPSILON {
-            part / self.span
-        } else {
-            T::exp_m1(-self.m.abs() * part) / self.decay
-        };
-        into_unit(if self.from_anchor { away } else { 1.0 - away })
+        into_unit(if self.from_anchor { away } else { near })
     }
 
     /// The end where the density may be 0 or infinite is the one that u = 0 gives, from either side.
@@ -269,95 +264,5 @@ impl<T: Tier> Warp for Power<T> {
         };
         let word = if self.from_anchor { !word } else { word };
         from_other_end.sample_canonical(crate::uniform::deep(word))
-    }
-}
-
-/// Density N x^(N−1) on [0, 1): the largest of N uniforms.
-///
-/// The power law of exponent n = N − 1 without a logarithm or a root; the loop is bounded by N.
-///
-/// - Uniforms: N, all alike; N = 0 does not compile.
-/// - Range: (0, 1).
-/// - Density: N x^(N−1) on [0, 1], to N·6e-8 relative.
-/// - Inverse: many sets of uniforms share their largest; `invert` gives N times the point itself, whose
-///   sample is the point exactly.
-/// - Both tiers share this code.
-///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, ulp | 1.1 | 1.1 |
-/// | pdf, relative | 1.3e-7 | 1.3e-7 |
-/// | realised density, relative | 1.3e-7 | 1.3e-7 |
-/// | inverse | 0 | 0 |
-/// | round trip | 1.6e-45 | 1.6e-45 |
-///
-/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
-///
-/// ```
-/// use microwarp::{PowerMax, Warp};
-/// let quadratic = PowerMax::<3>::new();
-/// assert_eq!(quadratic.sample([0.5, 0.75, 0.25]), 0.75);
-/// assert_eq!(quadratic.pdf(0.5), 0.75);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PowerMax<const N: usize>(());
-
-impl<const N: usize> PowerMax<N> {
-    /// The largest of N uniforms.
-    #[must_use]
-    pub const fn new() -> Self {
-        const { assert!(N > 0, "the largest of no uniforms does not exist") };
-        Self(())
-    }
-}
-
-impl<const N: usize> Default for PowerMax<N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<const N: usize> Warp for PowerMax<N> {
-    type Uniforms = [f32; N];
-    type Point = f32;
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; N]>) -> f32 {
-        let mut largest = SMALLEST;
-        for u in u.get() {
-            if u > largest {
-                largest = u;
-            }
-        }
-        largest
-    }
-
-    #[inline]
-    fn pdf(&self, x: f32) -> f32 {
-        if !(0.0..=1.0).contains(&x) {
-            return 0.0;
-        }
-        let (mut power, mut square, mut left) = (1.0_f32, x, N.wrapping_sub(1));
-        while left > 0 {
-            if left & 1 == 1 {
-                power *= square;
-            }
-            square *= square;
-            left >>= 1;
-        }
-        representable(N as f32 * power)
-    }
-
-    #[inline]
-    fn invert(&self, x: f32) -> [f32; N] {
-        [into_unit(x); N]
-    }
-
-    #[inline]
-    fn sample_words(&self, words: [u32; N]) -> f32 {
-        let largest = words.into_iter().fold(0, u32::max);
-        crate::uniform::deep_from_word(largest)
     }
 }

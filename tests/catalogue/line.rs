@@ -65,6 +65,18 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         ("n=-0.9 [0, 1e30]", -0.9, 0.0, 1e30, true),
         ("n=1e6 [1, 3]", 1e6, 1.0, 3.0, false),
         ("n=1e8 [1, 3]", 1e8, 1.0, 3.0, false),
+        ("n=-1.005 [1e-37, 1e38]", -1.005, 1e-37, 1e38, true),
+        ("n=-1.007 [1e-30, 1e30]", -1.007, 1e-30, 1e30, true),
+        ("n=-3 [1e-20, 1e20]", -3.0, 1e-20, 1e20, true),
+        ("n=-0.748 [127, 7.3e6]", -0.748, 127.0, 7.3e6, true),
+        ("n=-1 [1e-40, 1]", -1.0, 1e-40, 1.0, true),
+        (
+            "n=-0.9974 [1.6e-38, 4e28]",
+            -0.997_436_5,
+            1.595_427_9e-38,
+            4.033_297e28,
+            true,
+        ),
     ] {
         for increasing in [true, false] {
             let (name, warp) = if increasing {
@@ -153,6 +165,9 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
         ("c=1e30 X=1e-30", 1e30, 1e-30),
         ("c=-17.727 X=0.5695", -17.727_365, 0.569_503_3),
         ("c=1e30 X=1e30", 1e30, 1e30),
+        ("c=-95 X=1", -95.0, 1.0),
+        ("c=3e-39 X=3.4e38", 3.045_662e-39, 3.391_878_5e38),
+        ("c=-1.76e-6 X=2", -1.758_337e-6, 1.998_206_7),
     ] {
         // Far from the peak of a steep rise towards X, f32 near X resolves 1 part in 1e4 of it.
         let steep = rate * length < -1e3;

@@ -21,7 +21,7 @@ pub(super) const LN_2: [f32; 2] = [0.693_115_23, 3.194_618_3e-5];
     clippy::cast_possible_wrap,
     reason = "the low bits are a signed integer"
 )]
-pub(super) fn nearest(x: f32) -> (f32, i32) {
+pub(in crate::tier) fn nearest(x: f32) -> (f32, i32) {
     // Adding 1.5·2^23 leaves no bits below the unit, and the integer stands in the last bits.
     const ROUND: f32 = 12_582_912.0;
     let shifted = x + ROUND;

@@ -1,5 +1,5 @@
-//! Powers of the polynomial tier: an exponential of a product that must be known to more than one
-//! `f32`. Every quantity is carried as a head of 12 bits, whose products are exact, and a rest.
+//! Powers: an exponential of a product that must be known to more than one `f32`. Every quantity is
+//! carried as a head of 12 bits, whose products are exact, and a rest. The pieces serve both tiers.
 
 use super::exp::{LN_2, beyond_linear, nearest, scaled};
 use super::log::{is_plain, normalised, power_of_two_times};
@@ -14,14 +14,27 @@ const SQRT_HALF: u32 = 0x3f35_04f3;
 /// 2/(3 ln 2) in two parts, the first of 12 bits; see `TO_LOG2` in `tests/derivation`.
 const TO_LOG2: [f32; 2] = [0.961_669_9, 0.000_126_772_05];
 
-/// The binary logarithm of a positive normal `x`, plus `offset`: a head and the rest, together good to
-/// about 2^-33.
+/// The binary logarithm of a positive normal `x`, plus `offset`: see [`log2_1p`].
 #[inline]
 #[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
 fn log2(x: f32, offset: f32) -> (f32, f32) {
     let (k, f) = normalised(x, SQRT_HALF);
-    let k = k as f32 + offset;
+    log2_1p(k as f32 + offset, f, 0.0)
+}
 
+/// The binary logarithm of a positive normal `x` and what it lacks, less `offset`, likewise.
+#[inline]
+#[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
+pub(crate) fn log2_of_sum(x: f32, lack: f32, offset: f32) -> (f32, f32) {
+    let (k, f) = normalised(x, SQRT_HALF);
+    let scale = power_of_two_times(1.0, k.wrapping_neg());
+    log2_1p(k as f32 - offset, f, lack * scale)
+}
+
+/// `k + log2(1 + f + lack)` for whole k and f from √½ - 1 to √2 - 1: a head and the rest, together good to
+/// about 2^-33 of the logarithm.
+#[inline]
+pub(crate) fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
     // s = f/(2+f). The rest of s comes from what its head leaves of the numerator.
     let divisor = 2.0 + f;
     let divisor_head = head(divisor);
@@ -29,6 +42,12 @@ fn log2(x: f32, offset: f32) -> (f32, f32) {
     let reciprocal = 1.0 / divisor;
     let s_head = head(f * reciprocal);
     let s_rest = reciprocal * ((f - s_head * divisor_head) - s_head * divisor_rest);
+    // ds/df = 2/(2+f)². A number that lacks nothing, as a constant, leaves no operation behind.
+    let s_rest = if lack == 0.0 {
+        s_rest
+    } else {
+        s_rest + 2.0 * reciprocal * reciprocal * lack
+    };
     let s = s_head + s_rest;
 
     // t = 3 + s² + s⁴ P(s²), so that s·t = 3/2 ln(1+f).
@@ -51,6 +70,28 @@ fn log2(x: f32, offset: f32) -> (f32, f32) {
     (log_head, small - ((log_head - k) - exact))
 }
 
+/// The product of a logarithm, given as a head and a rest, and `y`: an exact part and a small one.
+#[inline]
+pub(crate) fn times((log_head, log_rest): (f32, f32), y: f32) -> (f32, f32) {
+    let y_head = head(y);
+    (y_head * log_head, (y - y_head) * log_head + y * log_rest)
+}
+
+/// `(k, a, b)` with `2^(exact + small) = 2^k (1 + a + b)`, where a is exact and b small; for sums up to 2^22.
+#[inline]
+pub(crate) fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
+    let (n, k) = nearest(exact + small);
+    let r = exact - n;
+    let r_head = head(r + small);
+    let r_rest = (r - r_head) + small;
+
+    // e^(r ln 2), again with an exact head.
+    let [ln2_head, ln2_rest] = LN_2;
+    let natural = (r_head + r_rest) * (ln2_head + ln2_rest);
+    let beyond = r_head * ln2_rest + r_rest * (ln2_head + ln2_rest) + beyond_linear(natural);
+    (k, r_head * ln2_head, beyond)
+}
+
 /// `x^y` for `x >= 0`.
 pub(super) fn pow(x: f32, y: f32) -> f32 {
     if y == 0.0 || x.to_bits() == 1.0_f32.to_bits() {
@@ -71,19 +112,9 @@ pub(super) fn pow(x: f32, y: f32) -> f32 {
     if whole < -151.0 {
         return 0.0;
     }
-    let y_head = head(y);
-    let exact = y_head * log_head;
-    let small = (y - y_head) * log_head + y * log_rest;
-    let (n, k) = nearest(exact + small);
-    let r = exact - n;
-    let r_head = head(r + small);
-    let r_rest = (r - r_head) + small;
-
-    // e^(r ln 2), again with an exact head.
-    let [ln2_head, ln2_rest] = LN_2;
-    let natural = (r_head + r_rest) * (ln2_head + ln2_rest);
-    let beyond = r_head * ln2_rest + r_rest * (ln2_head + ln2_rest) + beyond_linear(natural);
-    let power = 1.0 + (r_head * ln2_head + beyond);
+    let (exact, small) = times((log_head, log_rest), y);
+    let (k, a, b) = exp2(exact, small);
+    let power = 1.0 + (a + b);
     if whole > -125.0 && whole < 127.0 {
         power_of_two_times(power, k)
     } else if whole.is_nan() {

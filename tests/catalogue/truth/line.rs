@@ -37,64 +37,71 @@ pub fn interval(a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
     })
 }
 
-/// The power law, through logarithms relative to the end where x^m is larger.
+/// ln(x/r), to a few units of f64 however close or far apart the two are; infinite for an r of 0.
+fn log_ratio(x: f64, r: f64) -> f64 {
+    if r == 0.0 {
+        f64::INFINITY
+    } else if x > 0.5 * r && x < 2.0 * r {
+        ((x - r) / r).ln_1p()
+    } else {
+        (x / r).ln()
+    }
+}
+
+/// The power law, through logarithms relative to the end R where x^m is larger.
 pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
     let (n, a, b) = (f64::from(n), f64::from(a), f64::from(b));
     let m = n + 1.0;
-    let octaves = ((b - a) / a).ln_1p();
-    let r = if m < 0.0 { a } else { b };
-    // The mass between a and x as a share of the whole.
-    let below = move |x: f64| {
-        let part = ((x - a) / a).ln_1p();
+    let (r, other) = if m < 0.0 { (a, b) } else { (b, a) };
+    // |m| and |ln(x/R)|; infinite where the other end is 0, and for m = 0 the law is that of the logarithm.
+    let (steep, span) = (m.abs(), log_ratio(b, a));
+    let drop = -(-steep * span).exp_m1();
+    let from_anchor = increasing == (m < 0.0);
+    // The share of the mass that is no farther from R than x, and the share that is.
+    let shares = move |x: f64| {
+        let (part, left) = (log_ratio(x, r).abs(), log_ratio(x, other).abs());
         if m == 0.0 {
-            part / octaves
-        } else if a == 0.0 {
-            (x / b).powf(m)
-        } else if m > 0.0 {
-            // Relative to b: (1 - (a/x)^m) (x/b)^m / (1 - (a/b)^m)
-            (m * (part - octaves)).exp() * (-m * part).exp_m1() / (-m * octaves).exp_m1()
+            (part / span, left / span)
         } else {
-            (m * part).exp_m1() / (m * octaves).exp_m1()
+            let power = (-steep * part).exp();
+            (
+                -(-steep * part).exp_m1() / drop,
+                power * -(-steep * left).exp_m1() / drop,
+            )
         }
     };
     Box::new(Line {
         quantile: move |u: f64| {
-            let (t, rest) = if increasing {
-                (u, 1.0 - u)
-            } else {
+            let (near, away) = if from_anchor {
                 (1.0 - u, u)
-            };
-            if m == 0.0 {
-                a * (t * octaves).exp()
-            } else if a == 0.0 {
-                b * t.powf(1.0 / m)
             } else {
-                // (x/r)^m = near + away e^-z, written relative to r where away is small.
-                let (near, away) = if m > 0.0 { (t, rest) } else { (rest, t) };
-                if near == 0.0 {
-                    return if m > 0.0 { a } else { b };
-                }
-                let z = m.abs() * octaves;
-                let argument = away * (-z).exp_m1();
-                let log = if argument < -0.5 {
-                    (near + away * (-z).exp()).ln()
-                } else {
-                    argument.ln_1p()
-                };
-                r * (log / m).exp()
-            }
+                (u, 1.0 - u)
+            };
+            let log = if m == 0.0 {
+                -away * span
+            } else if near == 0.0 {
+                // Where e^-z may be 0 and its logarithm is not.
+                -steep * span / m
+            } else if away * drop < 0.5 {
+                (-away * drop).ln_1p() / m
+            } else {
+                (near + away * (-steep * span).exp()).ln() / m
+            };
+            r * log.exp()
         },
         pdf: move |x: f64| {
-            let peak = if m == 0.0 {
-                1.0 / (octaves * r)
-            } else if a == 0.0 {
-                m / r
+            let peak = if m == 0.0 { 1.0 / span } else { steep / drop };
+            let power = if n == 0.0 {
+                1.0
             } else {
-                m.abs() / (-(-(m.abs()) * octaves).exp_m1() * r)
+                (n * log_ratio(x, r)).exp()
             };
-            peak * (n * (x / r).ln()).exp()
+            peak / r * power
         },
-        cdf: move |x: f64| if increasing { below(x) } else { 1.0 - below(x) },
+        cdf: move |x: f64| {
+            let (away, near) = shares(x);
+            if from_anchor { away } else { near }
+        },
     })
 }
 
@@ -102,11 +109,18 @@ pub fn power_max(count: u32) -> Box<dyn Truth> {
     struct Max(u32);
     impl Truth for Max {
         fn sample(&self, u: Uniforms) -> Point {
-            let largest = u[..self.0 as usize].iter().copied().fold(0.0, f64::max);
+            let all = u.len().min(self.0 as usize);
+            let largest = u[..all].iter().copied().fold(0.0, f64::max);
             [largest, 0.0, 0.0]
         }
         fn pdf(&self, x: Point) -> f64 {
-            f64::from(self.0) * x[0].powi(self.0 as i32 - 1)
+            let n = f64::from(self.0 - 1);
+            let power = if n == 0.0 {
+                1.0
+            } else {
+                (n * log_ratio(x[0], 1.0)).exp()
+            };
+            (n + 1.0) * power
         }
         fn invert(&self, x: Point) -> Uniforms {
             [x[0]; 4]
@@ -135,40 +149,40 @@ pub fn exponential_tail(rate: f32) -> Box<dyn Truth> {
 
 pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
     let (c, len) = (f64::from(rate), f64::from(length));
+    // Exact: both have 24 bits.
     let z = c * len;
+    // (1 - e^-t)/t, which is 1 at t = 0.
+    let mean = |t: f64| if t == 0.0 { 1.0 } else { -(-t).exp_m1() / t };
     Box::new(Line {
         quantile: move |u: f64| {
-            if z.abs() < 1e-9 {
-                u * len * (1.0 - (1.0 - u) * z / 2.0)
-            } else if z > -700.0 {
-                let argument = u * (-z).exp_m1();
-                let log = if argument < -0.5 {
-                    ((1.0 - u) + u * (-z).exp()).ln()
-                } else {
-                    argument.ln_1p()
-                };
-                -log / c
+            // -ln(1 - u + u e^-z)/c.
+            if z.abs() < 1e-7 {
+                // Two terms of the series in z; the next is below 1e-15.
+                u * len * (1.0 - (1.0 - u) * z / 2.0 * (1.0 - (1.0 - 2.0 * u) * z / 3.0))
+            } else if z > 0.0 && u * -(-z).exp_m1() > 0.5 {
+                -((1.0 - u) + u * (-z).exp()).ln() / c
+            } else if z > 0.0 {
+                -(u * (-z).exp_m1()).ln_1p() / c
+            } else if z > -40.0 {
+                (u * (-z).exp_m1()).ln_1p() / -c
+            } else if -z + u.ln() > 40.0 {
+                // The 1 beside u e^|z| is lost even here, and that power may overflow.
+                len - (u.ln() + (1.0 - u) / u * z.exp()) / c
             } else {
-                // e^-z overflows even here; measured from the far end.
-                len + if u > 0.0 { u.ln().max(z) } else { z } / -c
+                ((-z + u.ln()).exp() - u).ln_1p() / -c
             }
         },
         pdf: move |x: f64| {
             let from_peak = if c > 0.0 { x } else { len - x };
-            let peak = if z.abs() < 1e-9 {
-                1.0 / len
-            } else {
-                c.abs() / -(-z.abs()).exp_m1()
-            };
-            peak * (-c.abs() * from_peak).exp()
+            (-c.abs() * from_peak).exp() / (mean(z.abs()) * len)
         },
         cdf: move |x: f64| {
-            if z.abs() < 1e-9 {
-                x / len
-            } else if c > 0.0 {
-                (-c * x).exp_m1() / (-z).exp_m1()
+            // From the end where the density is larger, shares are relative to the whole.
+            let share = |x: f64| x * mean(c.abs() * x) / (len * mean(z.abs()));
+            if c > 0.0 {
+                share(x)
             } else {
-                (-c.abs() * (len - x)).exp() * (c * x).exp_m1() / z.exp_m1()
+                (-c.abs() * (len - x)).exp() * share(x)
             }
         },
     })

@@ -1,0 +1,76 @@
+//! The steep rise of a truncated exponential, whose power e^|z| leaves the range of `f32`: right down to
+//! x = 0. The map that was there before, measured from the far end alone, fails here.
+
+use crate::catalogue::truth;
+use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::{Warp, warp::TruncatedExponential};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// What the documentation states, in ulp.
+const STATED: f64 = 3.9;
+
+/// The steep form as it was.
+fn from_the_far_end<T: Tier>(rate: f32, length: f32, u: f32) -> f32 {
+    let least = T::exp(rate * length);
+    (length + T::ln(u + (1.0 - u) * least) / -rate).clamp(0.0, length)
+}
+
+fn ulp(x: f64) -> f64 {
+    let x = (x as f32).max(f32::MIN_POSITIVE);
+    f64::from(f32::from_bits(x.to_bits() + 1) - x)
+}
+
+fn steep_rises_are_right<T: Tier>() {
+    let mut rng = Pcg32::new(13, 3);
+    let mut unit = move || f64::from(rng.next_u32()) / 4_294_967_296.0;
+    let mut control = [0.0, 0.0];
+    for _ in 0..200_000 {
+        let length = 10_f64.powf(-30.0 + 60.0 * unit()) as f32;
+        let rate = -((75.0 + 115.0 * unit()) / f64::from(length)) as f32;
+        let warp = TruncatedExponential::<T>::new(rate, length).unwrap();
+        let start = warp.sample(0.0);
+        assert!(start == 0.0, "{rate} {length}: {start} at 0");
+        let z = f64::from(rate) * f64::from(length);
+        if z > -104.0 && z < -87.3 {
+            let old = from_the_far_end::<T>(rate, length, 0.0);
+            control[0] = f64::max(control[0], f64::from(old / length));
+        }
+        let u = 10_f64.powf(-45.0 * unit().powi(2)) as f32;
+        let u = if u > 0.0 && u < 1.0 { u } else { 0.5 };
+        let truth = truth::truncated_exponential(rate, length);
+        let [exact, ..] = truth.sample([f64::from(u), 0.0, 0.0, 0.0]);
+        let off = |x: f32| (f64::from(x) - exact).abs() / ulp(exact);
+        let error = off(warp.sample(u));
+        assert!(error <= STATED, "{rate} {length} at {u}: {error} ulp");
+        control[1] = f64::max(control[1], off(from_the_far_end::<T>(rate, length, u)));
+    }
+    assert!(control[0] > 1e-3 && control[1] > 1e3, "{control:?}");
+}
+
+#[test]
+fn steep_rises_are_right_in_both_tiers() {
+    steep_rises_are_right::<Libm>();
+    steep_rises_are_right::<Poly>();
+}
+
+/// Uniforms off the grid, small enough that a product by the power is subnormal or a length per uniform
+/// overflows.
+#[test]
+fn the_least_uniforms_keep_their_digits() {
+    for (rate, length) in [
+        (-60e-30, 1e30),
+        (-2e-39, 3.4e38),
+        (1e-39, 3.4e38),
+        (0.3, 1.0),
+    ] {
+        let warp = TruncatedExponential::<Poly>::new(rate, length).unwrap();
+        let truth = truth::truncated_exponential(rate, length);
+        for k in 1..1_000 {
+            let u = f32::from_bits(k * 15_000);
+            let [exact, ..] = truth.sample([f64::from(u), 0.0, 0.0, 0.0]);
+            let error = (f64::from(warp.sample(u)) - exact).abs() / ulp(exact);
+            assert!(error <= STATED, "{rate} {length} at {u:e}: {error} ulp");
+        }
+    }
+}
