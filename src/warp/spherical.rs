@@ -4,7 +4,7 @@ use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
 use super::{Warp, clamp, into_unit};
 use crate::error::{Error, finite};
-use crate::tier::{Tier, sqrt};
+use crate::tier::{Tier, sqrt, two_sum};
 use crate::uniform::Canonical;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
@@ -184,7 +184,9 @@ pub struct SphericalPatch<T> {
     up: f32,
     drop: f32,
     phi: f32,
+    /// The width in azimuth and what it lacks.
     width: f32,
+    rest: f32,
     density: f32,
     tier: PhantomData<T>,
 }
@@ -193,6 +195,8 @@ pub struct SphericalPatch<T> {
 /// of azimuth.
 const POLAR_SLACK: f32 = 4.0 * f32::EPSILON;
 const AZIMUTH_SLACK: f32 = 2.5 * f32::EPSILON;
+/// What underflows of 1 ∓ cos θ next to a pole.
+const UNDERFLOW: f32 = 4.0 * f32::MIN_POSITIVE;
 
 impl<T: Tier> SphericalPatch<T> {
     /// The directions with θ in [`theta0`, `theta1`] and φ in [`phi0`, `phi1`], all in turns.
@@ -200,7 +204,8 @@ impl<T: Tier> SphericalPatch<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Reversed`] if an upper end is below its lower,
     /// [`Error::OutOfRange`] for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1
-    /// turn, [`Error::Empty`] for a patch with no extent or one whose density overflows.
+    /// turn, [`Error::Empty`] for a patch with no extent, one whose density overflows or
+    /// one whose cos θ₀ − cos θ₁ is below the smallest normal `f32`. A width that rounds to 1 is a whole turn.
     pub fn new(theta0: f32, theta1: f32, phi0: f32, phi1: f32) -> Result<Self, Error> {
         for angle in [theta0, theta1, phi0, phi1] {
             finite(angle)?;
@@ -208,18 +213,26 @@ impl<T: Tier> SphericalPatch<T> {
         if theta0 > theta1 || phi0 > phi1 {
             return Err(Error::Reversed);
         }
-        let width = phi1 - phi0;
+        let (width, rest) = two_sum(phi1, -phi0);
         if theta0 < 0.0 || theta1 > 0.5 || phi0.abs() > 1.0 || width > 1.0 {
             return Err(Error::OutOfRange);
         }
         // 1 - cos θ = 2 sin²(θ/2); cos θ₀ - cos θ₁ = 2 sin((θ₀+θ₁)/2) sin((θ₁-θ₀)/2).
         let (sin_half, _) = T::sincos_turns(0.5 * theta0);
         let (_, cos_half) = T::sincos_turns(0.5 * theta1);
-        let (mean, _) = T::sincos_turns(0.5 * theta0 + 0.5 * theta1);
+        // The sine of the mean from the nearer pole: beside the lower one the sum of both angles has rounded
+        // away what the cosine needs. Half the width is that of the angles themselves.
+        let sum = theta0 + theta1;
+        let sum = if sum <= 0.5 {
+            sum
+        } else {
+            (0.5 - theta0) + (0.5 - theta1)
+        };
+        let (mean, _) = T::sincos_turns(0.5 * sum);
         let (half_width, _) = T::sincos_turns(0.5 * (theta1 - theta0));
         let drop = 2.0 * mean * half_width;
         let density = 1.0 / TAU / drop / width;
-        if !(density.is_finite() && drop > 0.0 && width > 0.0) {
+        if !(density.is_finite() && drop >= f32::MIN_POSITIVE && width > 0.0) {
             return Err(Error::Empty);
         }
         Ok(Self {
@@ -228,6 +241,7 @@ impl<T: Tier> SphericalPatch<T> {
             drop,
             phi: phi0,
             width,
+            rest: if width < 1.0 { rest } else { 0.0 },
             density,
             tier: PhantomData,
         })
@@ -272,7 +286,12 @@ impl<T: Tier> Place<3> for SphericalPatch<T> {
     fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let down = self.down + u1 * self.drop;
         let up = self.up + (1.0 - u1) * self.drop;
-        between_poles::<T>(down, up, self.phi + u2 * self.width, to);
+        // A sum of turns rounds up to four times as coarsely as the coordinates: the point is turned by
+        // what the sum dropped.
+        let (turn, dropped) = two_sum(self.phi, u2 * self.width);
+        between_poles::<T>(down, up, turn, to);
+        let (angle, [x, y, z]) = ((dropped + u2 * self.rest) * TAU, *to);
+        *to = [x - angle * y, y + angle * x, z];
     }
 }
 
@@ -289,8 +308,8 @@ impl<T: Tier> Warp for SphericalPatch<T> {
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         let [x, y, _] = direction;
-        let first = self.down - self.down * POLAR_SLACK;
-        let last = self.up - self.up * POLAR_SLACK;
+        let first = self.down - self.down * POLAR_SLACK - UNDERFLOW;
+        let last = self.up - self.up * POLAR_SLACK - UNDERFLOW;
         let turn = self.turn(direction);
         // A pole lies in every patch that touches it, whatever azimuth stands for it.
         let beside = (x == 0.0 && y == 0.0)
