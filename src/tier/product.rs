@@ -70,9 +70,9 @@ pub(crate) fn exp_m1_of_product<T: Tier>(a: f32, b: f32) -> f32 {
     }
 }
 
-/// 1/(4π) and what its `f32` lacks; worked out by the compiler, no double reaches the target.
-const QUARTER: f32 = 0.25 * FRAC_1_PI;
-const REST: f32 = (0.25 * core::f64::consts::FRAC_1_PI - QUARTER as f64) as f32;
+/// 1/(2π) and what its `f32` lacks; worked out by the compiler, no double reaches the target.
+const TURN: f32 = 0.5 * FRAC_1_PI;
+const REST: f32 = (0.5 * core::f64::consts::FRAC_1_PI - TURN as f64) as f32;
 
 /// `1 - cos(x)` of an angle in `[0, π]` radians, to a few ulp however small the angle.
 pub(crate) fn one_minus_cos_radians<T: Tier>(x: f32) -> f32 {
@@ -84,10 +84,10 @@ pub(crate) fn one_minus_cos_radians<T: Tier>(x: f32) -> f32 {
         let half = 0.5 * y;
         return half - (half * bend - 0.5 * dropped);
     }
-    let (turn, dropped) = two_product(x, QUARTER);
+    // Nothing cancels here, and the square of a sine would double its error.
+    let (turn, dropped) = two_product(x, TURN);
     let (s, c) = T::sincos_turns(turn);
-    let sine = s + c * TAU * (dropped + x * REST);
-    2.0 * sine * sine
+    1.0 - (c - s * TAU * (dropped + x * REST))
 }
 
 /// `scale · e^(exponent + rest)` where the exponential alone may leave the range of `f32`.

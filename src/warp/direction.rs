@@ -3,6 +3,9 @@
 use super::into_unit;
 use crate::tier::Tier;
 
+/// 2⁻¹⁰⁰: a 1 − cos θ below it may have lost digits where it is a product, and is half of sin²θ.
+pub(crate) const DEEP: f32 = 7.888_609e-31;
+
 /// The direction with the given sine and cosine of its polar angle, `turn` turns about the axis.
 #[inline]
 pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32, to: &mut [f32; 3]) {

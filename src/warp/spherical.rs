@@ -1,10 +1,10 @@
 //! Spherical coordinates with their Jacobians, and the uniform distribution on a latitude-longitude patch.
 
-use super::direction::{around, azimuth, between_poles, is_direction, one_minus_cos};
+use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
 use super::{Warp, clamp, into_unit};
 use crate::error::{Error, finite};
-use crate::tier::{Tier, sqrt};
+use crate::tier::{Tier, sqrt, two_sum};
 use crate::uniform::Canonical;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
@@ -13,8 +13,11 @@ use core::marker::PhantomData;
 ///
 /// - Domain: r ≥ 0, θ in [0, ½], φ any finite number of turns (one turn is 2π radians); `from_cartesian`
 ///   gives φ in [0, 1).
-/// - Errors: radius 1.3e-7 relative, coordinates 1.5e-7 of the radius, angles 9.3e-8 turns (`libm`) or
-///   6.0e-8 (`poly`).
+/// - Errors, whatever the coordinates: radius 1.4e-7 relative, Cartesian coordinates 1.5e-7 of the radius,
+///   angles 9.8e-8 turns (`libm`) or 6.0e-8 (`poly`), the Jacobians 7.2e-8 (sin θ, absolute) and, for θ
+///   from 1e-37 to below ½, 2.5e-7 (r² sin θ, relative); where a result is subnormal, half a step of the
+///   subnormals more. Azimuths are reduced exactly, however many turns they are. A radius that overflows is
+///   the largest `f32`.
 /// - The volume element is r² sin θ dr dθ dφ and the solid angle sin θ dθ dφ, with θ and φ in radians.
 ///
 /// ```
@@ -57,14 +60,17 @@ impl<T: Tier> Spherical<T> {
     /// finite counts as 0.
     #[must_use]
     pub fn from_cartesian(point: [f32; 3]) -> Self {
-        let [x, y, z] = point.map(|c| if c.is_finite() { c } else { 0.0 });
-        let (scale, [x, y, z]) = scaled([x, y, z]);
+        let point = point.map(|c| if c.is_finite() { c } else { 0.0 });
+        let (scale, [x, y, z]) = scaled(point);
         let equatorial = sqrt(x * x + y * y);
         let radius = sqrt(x * x + y * y + z * z) * scale;
+        // Beside a far larger z, x and y would leave the range of `f32` if they were divided too.
+        let [x, y, _] = point;
+        let phi = azimuth::<T>(x, y);
         Self {
             radius: clamp(radius, 0.0, f32::MAX),
             theta: T::atan2_turns(equatorial, z).abs(),
-            phi: azimuth::<T>(x, y),
+            phi,
             tier: PhantomData,
         }
     }
@@ -91,9 +97,9 @@ impl<T: Tier> Spherical<T> {
     #[must_use]
     pub fn to_cartesian(&self) -> [f32; 3] {
         let (sin, cos) = T::sincos_turns(self.theta);
-        let mut direction = [0.0; 3];
-        around::<T>(sin, cos, self.phi, &mut direction);
-        direction.map(|c| c * self.radius)
+        // Not by `Tier::polar`, which takes fewer than 2^20 turns.
+        let (sin_phi, cos_phi) = T::sincos_turns(self.phi);
+        [sin * cos_phi, sin * sin_phi, cos].map(|c| c * self.radius)
     }
 
     /// sin θ: multiplies a density per steradian into one per radian of θ and radian of φ.
@@ -152,12 +158,15 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 2.0e-7 | 2.6e-7 |
-/// | unit length | 1.6e-7 | 2.0e-7 |
-/// | pdf, relative | 1.4e-7 | 1.4e-7 |
-/// | realised density, relative | 1.4e-7 | 1.4e-7 |
-/// | inverse | 4.5e-5 | 2.6e-5 |
-/// | round trip | 5.0e-5 | 4.9e-5 |
+/// | sample, of the size | 3.8e-7 | 3.8e-7 |
+/// | unit length | 1.8e-7 | 1.9e-7 |
+/// | pdf, relative | 5.5e-7 | 5.5e-7 |
+/// | realised density, relative | 5.5e-7 | 5.5e-7 |
+/// | inverse | min(1, 2e-7 + 5e-7*q/c + 1.4e-7/w) | min(1, 2e-7 + 5e-7*q/c + 1.1e-7/w) |
+/// | round trip | min(1, 2e-7 + 6e-7*q/c + 1.4e-7/w) | min(1, 2e-7 + 6e-7*q/c + 1.1e-7/w) |
+///
+/// These hold for every patch: c is cos θ₀ − cos θ₁, w the width φ₁ − φ₀ in turns, and q the smaller of
+/// 1 − cos θ₁ and 1 + cos θ₀.
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016, for dω = sin θ dθ dφ.
 ///
@@ -178,7 +187,9 @@ pub struct SphericalPatch<T> {
     up: f32,
     drop: f32,
     phi: f32,
+    /// The width in azimuth and what it lacks.
     width: f32,
+    rest: f32,
     density: f32,
     tier: PhantomData<T>,
 }
@@ -187,6 +198,8 @@ pub struct SphericalPatch<T> {
 /// of azimuth.
 const POLAR_SLACK: f32 = 4.0 * f32::EPSILON;
 const AZIMUTH_SLACK: f32 = 2.5 * f32::EPSILON;
+/// What underflows of 1 ∓ cos θ next to a pole.
+const UNDERFLOW: f32 = 4.0 * f32::MIN_POSITIVE;
 
 impl<T: Tier> SphericalPatch<T> {
     /// The directions with θ in [`theta0`, `theta1`] and φ in [`phi0`, `phi1`], all in turns.
@@ -194,7 +207,8 @@ impl<T: Tier> SphericalPatch<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Reversed`] if an upper end is below its lower,
     /// [`Error::OutOfRange`] for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1
-    /// turn, [`Error::Empty`] for a patch with no extent or one whose density overflows.
+    /// turn, [`Error::Empty`] for a patch with no extent, one whose density overflows or
+    /// one whose cos θ₀ − cos θ₁ is below the smallest normal `f32`. A width that rounds to 1 is a whole turn.
     pub fn new(theta0: f32, theta1: f32, phi0: f32, phi1: f32) -> Result<Self, Error> {
         for angle in [theta0, theta1, phi0, phi1] {
             finite(angle)?;
@@ -202,18 +216,26 @@ impl<T: Tier> SphericalPatch<T> {
         if theta0 > theta1 || phi0 > phi1 {
             return Err(Error::Reversed);
         }
-        let width = phi1 - phi0;
+        let (width, rest) = two_sum(phi1, -phi0);
         if theta0 < 0.0 || theta1 > 0.5 || phi0.abs() > 1.0 || width > 1.0 {
             return Err(Error::OutOfRange);
         }
         // 1 - cos θ = 2 sin²(θ/2); cos θ₀ - cos θ₁ = 2 sin((θ₀+θ₁)/2) sin((θ₁-θ₀)/2).
         let (sin_half, _) = T::sincos_turns(0.5 * theta0);
         let (_, cos_half) = T::sincos_turns(0.5 * theta1);
-        let (mean, _) = T::sincos_turns(0.5 * theta0 + 0.5 * theta1);
+        // The sine of the mean from the nearer pole: beside the lower one the sum of both angles has rounded
+        // away what the cosine needs. Half the width is that of the angles themselves.
+        let sum = theta0 + theta1;
+        let sum = if sum <= 0.5 {
+            sum
+        } else {
+            (0.5 - theta0) + (0.5 - theta1)
+        };
+        let (mean, _) = T::sincos_turns(0.5 * sum);
         let (half_width, _) = T::sincos_turns(0.5 * (theta1 - theta0));
         let drop = 2.0 * mean * half_width;
         let density = 1.0 / TAU / drop / width;
-        if !(density.is_finite() && drop > 0.0 && width > 0.0) {
+        if !(density.is_finite() && drop >= f32::MIN_POSITIVE && width > 0.0) {
             return Err(Error::Empty);
         }
         Ok(Self {
@@ -222,6 +244,7 @@ impl<T: Tier> SphericalPatch<T> {
             drop,
             phi: phi0,
             width,
+            rest: if width < 1.0 { rest } else { 0.0 },
             density,
             tier: PhantomData,
         })
@@ -266,7 +289,12 @@ impl<T: Tier> Place<3> for SphericalPatch<T> {
     fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let down = self.down + u1 * self.drop;
         let up = self.up + (1.0 - u1) * self.drop;
-        between_poles::<T>(down, up, self.phi + u2 * self.width, to);
+        // A sum of turns rounds up to four times as coarsely as the coordinates: the point is turned by
+        // what the sum dropped.
+        let (turn, dropped) = two_sum(self.phi, u2 * self.width);
+        between_poles::<T>(down, up, turn, to);
+        let (angle, [x, y, z]) = ((dropped + u2 * self.rest) * TAU, *to);
+        *to = [x - angle * y, y + angle * x, z];
     }
 }
 
@@ -283,8 +311,8 @@ impl<T: Tier> Warp for SphericalPatch<T> {
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         let [x, y, _] = direction;
-        let first = self.down - self.down * POLAR_SLACK;
-        let last = self.up - self.up * POLAR_SLACK;
+        let first = self.down - self.down * POLAR_SLACK - UNDERFLOW;
+        let last = self.up - self.up * POLAR_SLACK - UNDERFLOW;
         let turn = self.turn(direction);
         // A pole lies in every patch that touches it, whatever azimuth stands for it.
         let beside = (x == 0.0 && y == 0.0)
