@@ -2,7 +2,7 @@
 
 use super::direction::{PER_ANGLE, Scaled, azimuth, one_minus_cos};
 use super::grade::{Compact, Fine, Grade, Kernels};
-use super::kernel::product::{by_half, near};
+use super::kernel::product::{by_half, near, wide};
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
@@ -124,6 +124,14 @@ impl<G: Grade> Warp for Cone<G> {
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
         let Scaled { mantissa, exponent } = self.half;
+        if exponent <= 0 {
+            // Wider than a hemisphere, where h comes near 1: by all its bits, from the nearer pole.
+            let half = wide(mantissa, u1) << -exponent;
+            let below = half >> 63 != 0;
+            let from_pole = if below { half.wrapping_neg() } else { half };
+            let [x, y, z] = Scaled::of(from_pole, 64).direction::<G>(u2);
+            return [x, y, if below { -z } else { z }];
+        }
         // A small u keeps its digits by 16 more bits.
         let half = if u1 >> 16 == 0 {
             Scaled {
