@@ -127,9 +127,11 @@ impl<G: Grade> Warp for PhongLobe<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // −ln(1 − u₁), near the axis with more digits.
+        // −ln(1 − u₁), with more digits the nearer the axis.
         let (log, bits) = if u1 < log::SMALL {
             (log::small(u1), 39)
+        } else if u1 >> 29 == 0 {
+            (log::eighth(u1), 34)
         } else {
             (G::log(u1), 27)
         };

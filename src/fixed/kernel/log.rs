@@ -114,3 +114,9 @@ pub(in crate::fixed) fn excess_of_eighth(a: u32) -> u32 {
     let sum = next(next(next(next(c4, c3), c2), c1), c0);
     near(a, (1 << 31) + ((head * sum) >> 3))
 }
+
+/// −ln(1 − u) of u from [`SMALL`] to 1/8, Q32 to Q34, with the relative precision of u.
+#[inline]
+pub(in crate::fixed) fn eighth(u: u32) -> u32 {
+    (u << 2) + near(u << 2, excess_of_eighth(u))
+}
