@@ -1,8 +1,9 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
 use super::direction::{PER_ANGLE, Scaled, azimuth, one_minus_cos};
-use super::grade::{Compact, Fine, Grade, Kernels};
-use super::kernel::product::{by_half, near};
+use super::grade::{Fine, Grade};
+use super::kernel::product::{by_half, near, wide};
+use super::truncated::alternating;
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
@@ -75,21 +76,28 @@ impl<G: Grade> Cone<G> {
     /// # Errors
     /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 1/2, [`Error::Empty`] below 2.43e-6 turns,
     /// where the density is no [`Density`].
-    pub fn from_angle(turns: Uniform) -> Result<Self, Error> {
+    pub const fn from_angle(turns: Uniform) -> Result<Self, Error> {
+        /// Half a turn.
+        const HALF: u32 = 1 << 31;
         let bits = turns.to_bits();
         if bits == 0 {
             return Err(Error::NotPositive);
         }
-        if bits > 1 << 31 {
+        if bits > HALF {
             return Err(Error::OutOfRange);
         }
-        // k/2 is the square of the sine of half the angle, which keeps its digits in Q30.
-        let (sine, _) = Compact::sincos(bits >> 1);
-        let sine = u64::from(sine.unsigned_abs());
-        if sine < 1 << 13 {
+        // k/2 is the square of the sine of half the angle, beyond an eighth of a turn that of its complement's from 1.
+        let half = if bits <= HALF >> 1 {
+            let (square, fraction) = sine_squared(bits);
+            Scaled::of(square, fraction)
+        } else {
+            let (square, fraction) = sine_squared(HALF - bits);
+            Scaled::of((1 << 63) - (square >> (fraction - 63)), 63)
+        };
+        if half.exponent > 33 {
             return Err(Error::Empty);
         }
-        Ok(Self::of(Scaled::of(sine * sine, 60)))
+        Ok(Self::of(half))
     }
 
     const fn of(half: Scaled) -> Self {
@@ -115,6 +123,34 @@ impl<G: Grade> Cone<G> {
     }
 }
 
+/// 1/3, 2/45, 1/315, …, of which the series of sin² is made, in Q32.
+const SQUARE: [u32; 7] = [
+    1_431_655_765,
+    190_887_435,
+    13_634_817,
+    605_992,
+    18_363,
+    404,
+    7,
+];
+
+/// sin² of half of so many words of a turn, at most a quarter of it, and its fraction bits, of which there are 64 or
+/// more.
+const fn sine_squared(words: u32) -> (u64, i32) {
+    /// π in Q32.
+    const PI: u64 = 13_493_037_705;
+    // At most π/4.
+    let angle = Scaled::of(words as u64 * PI, 64);
+    if angle.mantissa == 0 {
+        return (0, 64);
+    }
+    let square = (angle.mantissa as u64 * angle.mantissa as u64) >> 32;
+    let fraction = 2 * angle.exponent;
+    // In Q32, for the series.
+    let z = if fraction > 31 { 0 } else { square >> fraction };
+    (square * alternating(z, &SQUARE), 64 + fraction)
+}
+
 impl<G: Grade> Warp for Cone<G> {
     type Uniforms = [Uniform; 2];
     type Point = [Coordinate; 3];
@@ -124,6 +160,14 @@ impl<G: Grade> Warp for Cone<G> {
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
         let Scaled { mantissa, exponent } = self.half;
+        if exponent <= 0 {
+            // Wider than a hemisphere, where h comes near 1: by all its bits, from the nearer pole.
+            let half = wide(mantissa, u1) << -exponent;
+            let below = half >> 63 != 0;
+            let from_pole = if below { half.wrapping_neg() } else { half };
+            let [x, y, z] = Scaled::of(from_pole, 64).direction::<G>(u2);
+            return [x, y, if below { -z } else { z }];
+        }
         // A small u keeps its digits by 16 more bits.
         let half = if u1 >> 16 == 0 {
             Scaled {

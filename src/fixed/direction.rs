@@ -131,15 +131,18 @@ impl Scaled {
         // sin² = 4 h (1 − h).
         let square = self.mantissa - near(self.mantissa, half);
         let exponent = self.exponent - 2;
-        let sin = if exponent <= 0 {
+        let (sin, halvings) = if exponent <= 0 {
             // At the equator the rounding of the product may carry it past 1.
             let most = u32::MAX >> (-exponent & 31);
-            G::root(square.min(most) << (-exponent & 31))
+            (G::root(square.min(most) << (-exponent & 31)), 0)
         } else {
             // An odd exponent is made even by halving once; what is left is halved in the root.
-            shifted(G::root(square >> (exponent & 1)), exponent >> 1)
+            (G::root(square >> (exponent & 1)), (exponent >> 1).min(31))
         };
-        direction::<G>(sin, ONE - (half >> 1) as i32, phase)
+        // Halved once it is turned, so that what the product cuts is small beside the step of the point.
+        let rounding = ((1_u32 << halvings) >> 1) as i32;
+        let [x, y] = around::<G>(sin, phase).map(|c| (c + rounding) >> halvings);
+        [x, y, ONE - (half >> 1) as i32].map(Coordinate::from_bits)
     }
 }
 

@@ -4,7 +4,7 @@ use super::direction::{PER_ANGLE, Scaled, UNIT, azimuth, direction, one_minus_co
 use super::grade::{Fine, Grade, Kernels};
 use super::kernel::exp::one_minus_small;
 use super::kernel::log;
-use super::kernel::product::{by_half, near, square};
+use super::kernel::product::{near, square};
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
@@ -89,11 +89,11 @@ impl<G: Grade> PhongLobe<G> {
     #[inline]
     fn neg_ln_cos(point: [Coordinate; 3]) -> Scaled {
         let a = one_minus_cos(point);
-        if a.exponent >= 8 {
-            // a (1 + a/2 + a²/3), which for a below 2⁻⁸ is off by 2⁻²⁶ of it.
-            let more = log::excess(a.to_bits(24));
+        if a.exponent >= 3 {
+            // Below 1/8 by the series, as what the logarithm is off is multiplied by n.
+            let more = log::excess_of_eighth(a.to_bits(32));
             let mantissa = a.mantissa >> 1;
-            Scaled::normal(mantissa + (by_half(mantissa, more) >> 8), a.exponent - 1)
+            Scaled::normal(mantissa + near(mantissa, more), a.exponent - 1)
         } else {
             let cos = point[2].to_bits() as u32;
             // −ln of the cosine itself, which here has all the digits.
@@ -127,9 +127,11 @@ impl<G: Grade> Warp for PhongLobe<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // −ln(1 − u₁), near the axis with more digits.
+        // −ln(1 − u₁), with more digits the nearer the axis.
         let (log, bits) = if u1 < log::SMALL {
             (log::small(u1), 39)
+        } else if u1 >> 29 == 0 {
+            (log::eighth(u1), 34)
         } else {
             (G::log(u1), 27)
         };

@@ -109,7 +109,7 @@ const fn most(z: u64, length: u32, mean: u32) -> u32 {
 }
 
 /// A power series at z < 2³², in Q32, whose signs alternate, and which is positive throughout.
-const fn alternating(z: u64, terms: &[u32]) -> u64 {
+pub(super) const fn alternating(z: u64, terms: &[u32]) -> u64 {
     let (mut sum, mut rest) = (0, terms);
     while let Some((&term, others)) = rest.split_last() {
         sum = term as u64 - ((z * sum + (1 << 31)) >> 32);

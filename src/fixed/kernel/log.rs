@@ -101,3 +101,22 @@ pub(in crate::fixed) fn small(u: u32) -> u32 {
 pub(in crate::fixed) fn excess(head: u32) -> u32 {
     (head >> 1) + ((((head * head) >> 16) * 85) >> 16)
 }
+
+/// By what part of a number below 1/8 its −ln(1 − a) exceeds it, a/2 + a²/3 + …, in Q32 as the number.
+#[inline]
+pub(in crate::fixed) fn excess_of_eighth(a: u32) -> u32 {
+    /// 1/3, 1/4, …, in Q16.
+    const TERMS: [u32; 5] = [21_845, 16_384, 13_107, 10_923, 9_362];
+    // In Q19, 16 bits.
+    let head = a >> 13;
+    let [c0, c1, c2, c3, c4] = TERMS;
+    let next = |sum, c| c + ((head * sum) >> 19);
+    let sum = next(next(next(next(c4, c3), c2), c1), c0);
+    near(a, (1 << 31) + ((head * sum) >> 3))
+}
+
+/// −ln(1 − u) of u from [`SMALL`] to 1/8, Q32 to Q34, with the relative precision of u.
+#[inline]
+pub(in crate::fixed) fn eighth(u: u32) -> u32 {
+    (u << 2) + near(u << 2, excess_of_eighth(u))
+}
