@@ -22,21 +22,21 @@ use rand_core::TryRng;
 ///   contains its lower edge, and `high` counts as part of the last.
 /// - Cells: their edges are (1 − t) low + t high with t = j/n, each operation rounded to `f32`. A cell must
 ///   be at least 2⁻²⁰ of the larger bound wide.
-/// - Errors are against the weights as given; of `sample` in ulp of the larger bound. The figures hold in
-///   both tiers, which share this code. In a table of `u32` a cell of probability p has its share of the
-///   words to 2⁻³² only: that adds up to 2⁻³²/p of its density to the error of the density, and of its
-///   width to that of a sample, which shows for p below some 2⁻⁸.
-///
+/// - Errors are against the probabilities of the table, which are whole numbers of words; how far those may be from the
+///   weights is said at [`Cdf`]. The figures hold in both tiers, which share this code; of `sample` they are in
+///   ulp of the larger bound.
 /// - Where a cell has few words it has as few places: one of a single word yields its lower edge. And since
 ///   the inverse is an `f32`, it returns to cells of probability below some 2⁻²⁴ only nearly.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp of the scale | 0.89 | 0.89 |
-/// | pdf, relative | 1.6e-7 | 1.6e-7 |
-/// | realised density, relative | 1.6e-7 | 1.6e-7 |
-/// | inverse | 1.2e-7 | 1.2e-7 |
-/// | round trip | 2.0e-7 | 2.0e-7 |
+/// | sample, ulp of the scale | 4.1 | 4.1 |
+/// | pdf, relative | 1.8e-7 | 1.8e-7 |
+/// | realised density, relative | 1.8e-7 | 1.8e-7 |
+/// | inverse | 2.7e-7 | 2.7e-7 |
+/// | round trip | 1.2e-7 + 2.5*r | 1.2e-7 + 2.5*r |
+///
+/// r is what one ulp of the larger bound makes of the inverse.
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///

@@ -108,10 +108,10 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
             Plane,
             Length(size.into()),
             Aabb::new(low, high).unwrap(),
-            Box::new(truth::Product {
-                marginal: truth::interval(low[0], high[0], true),
-                conditional: move |_| truth::interval(low[1], high[1], true),
-            }) as Box<dyn Truth>,
+            Box::new(truth::Sides(vec![
+                [low[0].into(), high[0].into()],
+                [low[1].into(), high[1].into()],
+            ])) as Box<dyn Truth>,
         ));
     }
     // Uniform below the diagonal: p(x) = 2x, p(y | x) = 1/x.

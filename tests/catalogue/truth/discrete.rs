@@ -106,10 +106,13 @@ impl Picture {
         let weights: Vec<f64> = weights.iter().map(|w| f64::from(*w)).collect();
         let rows = || weights.chunks_exact(columns);
         let sums: Vec<f64> = rows().map(|row| row.iter().sum()).collect();
-        Self {
-            marginal: Histogram::new(&sums, v).expect("a positive weight"),
-            rows: rows().map(|row| Histogram::new(row, u)).collect(),
-        }
+        let rows = rows().map(|row| Histogram::new(row, u)).collect();
+        Self::of(Histogram::new(&sums, v).expect("a positive weight"), rows)
+    }
+
+    /// Of a distribution of the rows, and one in each of them.
+    pub fn of(marginal: Histogram, rows: Vec<Option<Histogram>>) -> Self {
+        Self { marginal, rows }
     }
 }
 

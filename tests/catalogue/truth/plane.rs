@@ -120,6 +120,32 @@ impl Truth for OnTriangle {
     }
 }
 
+/// Uniform on a box of so many sides, each from its low to its high end.
+pub struct Sides(pub Vec<[f64; 2]>);
+
+impl Truth for Sides {
+    fn sample(&self, u: Uniforms) -> Point {
+        let mut point = [0.0; 3];
+        for ((x, [low, high]), u) in point.iter_mut().zip(&self.0).zip(u) {
+            *x = low + u * (high - low);
+        }
+        point
+    }
+    fn pdf(&self, _: Point) -> f64 {
+        self.0
+            .iter()
+            .map(|[low, high]| 1.0 / (high - low))
+            .product()
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let mut uniforms = [0.0; 4];
+        for ((u, [low, high]), x) in uniforms.iter_mut().zip(&self.0).zip(x) {
+            *u = (x - low) / (high - low);
+        }
+        uniforms
+    }
+}
+
 /// A marginal in x and a conditional in y given x.
 pub struct Product<F> {
     pub marginal: Box<dyn Truth>,
