@@ -27,11 +27,11 @@ const fn checked_rate(rate: f32) -> Result<f32, Error> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 1.6 | 2 |
-/// | pdf, relative | 2.1e-7 | 2.1e-7 |
-/// | realised density, relative | 1.4e-6 | 1.5e-6 |
+/// | sample, ulp | 1.9 | 2.5 |
+/// | pdf, relative | 2.3e-7 | 2.3e-7 |
+/// | realised density, relative | 3e-7 + 2*s | 3e-7 + 2*s |
 /// | inverse | 6.4e-8 | 6.5e-8 |
-/// | round trip | 6.6e-8 | 6.6e-8 |
+/// | round trip | 4e-8 + 2*r | 4e-8 + 2*r |
 ///
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///
@@ -110,11 +110,11 @@ impl<T: Tier> Warp for Exponential<T> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 1.7 | 1.9 |
-/// | pdf, relative | 2.2e-7 | 2.2e-7 |
-/// | realised density, relative | 1.3e-6 | 1.3e-6 |
+/// | sample, ulp | 1.9 | 2.1 |
+/// | pdf, relative | 4.8e-7 | 4.8e-7 |
+/// | realised density, relative | 3e-7 + 2*s | 3e-7 + 2*s |
 /// | inverse | 6.2e-8 | 6.2e-8 |
-/// | round trip | 6.6e-8 | 6.6e-8 |
+/// | round trip | 4e-8 + 2*r | 4e-8 + 2*r |
 ///
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///

@@ -105,6 +105,7 @@ pub fn sample_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figure
     let unit = match entry.measure {
         Measure::Ulp => ulp(exact.point[0]),
         Measure::UlpOf(scale) => ulp(scale),
+        Measure::UlpFrom(mean) => ulp((exact.point[0] - mean).abs().max(mean.abs())),
         Measure::Length(length) => length,
     };
     raise(&mut figures.sample, distance / unit);

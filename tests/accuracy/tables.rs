@@ -25,6 +25,7 @@ fn unit(measure: Measure) -> &'static str {
     match measure {
         Measure::Ulp => "ulp",
         Measure::UlpOf(_) => "ulp of the scale",
+        Measure::UlpFrom(_) => "ulp of mean or deviate",
         Measure::Length(_) => "of the size",
     }
 }

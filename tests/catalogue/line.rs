@@ -7,7 +7,7 @@ use truth::Truth;
 
 pub(super) fn entries<T: Tier>() -> Vec<Entry> {
     use Domain::Line;
-    use Measure::{Ulp, UlpOf};
+    use Measure::{Ulp, UlpFrom, UlpOf};
     let mut t = Vec::new();
 
     for (label, a, b, resolved) in [
@@ -211,42 +211,31 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
             truth::linear(a, b),
         ));
     }
-    t.push(entry::<T, _>(
-        "Normal",
-        "0, 1",
-        Line,
-        Ulp,
-        Normal::<T>::new(0.0, 1.0).unwrap(),
-        truth::normal(0.0, 1.0),
-    ));
-    t.push(
-        entry::<T, _>(
+    for (label, mean, deviation) in [
+        ("0, 1", 0.0, 1.0),
+        ("100, 1", 100.0, 1.0),
+        ("0, 1e-30", 0.0, 1e-30),
+        ("0, 1e36", 0.0, 1e36),
+    ] {
+        let e = entry::<T, _>(
             "Normal",
-            "100, 1",
+            label,
             Line,
-            UlpOf(100.0),
-            Normal::<T>::new(100.0, 1.0).unwrap(),
-            truth::normal(100.0, 1.0),
-        )
-        .no_round_trip(),
-    );
-    t.push(entry::<T, _>(
-        "Normal",
-        "0, 1e-30",
-        Line,
-        Ulp,
-        Normal::<T>::new(0.0, 1e-30).unwrap(),
-        truth::normal(0.0, 1e-30),
-    ));
-    t.push(entry::<T, _>(
-        "Normal",
-        "0, 1e36",
-        Line,
-        Ulp,
-        Normal::<T>::new(0.0, 1e36).unwrap(),
-        truth::normal(0.0, 1e36),
-    ));
-    t.push(entry::<T, _>(
+            UlpFrom(f64::from(mean)),
+            Normal::<T>::new(mean, deviation).unwrap(),
+            truth::normal(mean, deviation),
+        );
+        t.push(if mean == 0.0 { e } else { e.no_round_trip() });
+    }
+    t.extend([inversion::<T>(), sine::<T>(), logarithm::<T>()]);
+    t
+}
+
+/// p(x) = ½ + x on [0, 1].
+pub fn inversion<T: Tier>() -> Entry {
+    use Domain::Line;
+    use Measure::Ulp;
+    entry::<T, _>(
         "Inversion",
         "p=1/2+x",
         Line,
@@ -261,13 +250,18 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
             pdf: |x: f64| 0.5 + x,
             cdf: |x: f64| 0.5 * x * (1.0 + x),
         }) as Box<dyn Truth>,
-    ));
-    // Y = sin X with p(x) = 2x on [0, 1]: p(y) = 2 asin(y)/sqrt(1 - y²) on [0, sin 1].
+    )
+}
+
+/// Y = sin X with p(x) = 2x on [0, 1]: p(y) = 2 asin(y)/√(1 − y²) on [0, sin 1].
+pub fn sine<T: Tier>() -> Entry {
+    use Domain::Line;
+    use Measure::Ulp;
     let sine = |x: f32| T::sincos_turns(x * (1.0 / core::f32::consts::TAU)).0;
     let cosine = |x: f32| T::sincos_turns(x * (1.0 / core::f32::consts::TAU)).1;
     let arcsine =
         |y: f32| T::atan2_turns(y, T::sqrt((1.0 - y) * (1.0 + y))) * core::f32::consts::TAU;
-    t.push(entry::<T, _>(
+    entry::<T, _>(
         "Transform",
         "y=sin x",
         Line,
@@ -278,9 +272,14 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
             pdf: |y: f64| 2.0 * y.asin() / (1.0 - y * y).sqrt(),
             cdf: |y: f64| y.asin().powi(2),
         }) as Box<dyn Truth>,
-    ));
-    // p(x) = x on [sqrt 2, 2] becomes p(y) = e^y on [0, ln 2] under y = 2 ln x - ln 2.
-    t.push(entry::<T, _>(
+    )
+}
+
+/// p(x) = x on [√2, 2] becomes p(y) = e^y on [0, ln 2] under y = 2 ln x − ln 2.
+pub fn logarithm<T: Tier>() -> Entry {
+    use Domain::Line;
+    use Measure::UlpOf;
+    entry::<T, _>(
         "Transform",
         "y=2 ln x - ln 2",
         Line,
@@ -306,6 +305,5 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
                 ((y + f64::from(core::f32::consts::LN_2)).exp() - low) / (4.0 - low)
             },
         }) as Box<dyn Truth>,
-    ));
-    t
+    )
 }

@@ -7,8 +7,8 @@
 
 mod directions;
 pub mod discrete;
-mod line;
-mod plane;
+pub mod line;
+pub mod plane;
 pub mod stats;
 pub mod truth;
 
@@ -44,8 +44,10 @@ pub enum Domain {
 pub enum Measure {
     /// Units in the last place of the exact value: relative accuracy everywhere.
     Ulp,
-    /// Units in the last place of a fixed magnitude, for maps through 0 or to a far mean.
+    /// Units in the last place of a fixed magnitude, for maps through 0.
     UlpOf(f64),
+    /// Units in the last place of a mean or of the distance from it, whichever is larger.
+    UlpFrom(f64),
     /// Euclidean distance in units of a length.
     Length(f64),
 }

@@ -46,7 +46,7 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
             "NormalPair",
             label,
             Plane,
-            Length(f64::from(deviation).max(f64::from(mean[0]))),
+            Length(truth::normal_pair_size(mean, deviation)),
             NormalPair::<T>::new(mean, deviation).unwrap(),
             Box::new(truth::NormalPair {
                 mean: mean.map(f64::from),
@@ -114,13 +114,18 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
             ])) as Box<dyn Truth>,
         ));
     }
-    // Uniform below the diagonal: p(x) = 2x, p(y | x) = 1/x.
+    t.push(below_diagonal::<T>());
+    t
+}
+
+/// Uniform below the diagonal: p(x) = 2x, p(y | x) = 1/x.
+pub fn below_diagonal<T: Tier>() -> Entry {
     let conditional = |x: f32| Interval::new(0.0, x).unwrap_or(Interval::new(0.0, 1.0).unwrap());
-    t.push(entry::<T, _>(
+    entry::<T, _>(
         "MarginalConditional",
         "0<y<x<1",
-        Plane,
-        Length(1.0),
+        Domain::Plane,
+        Measure::Length(1.0),
         MarginalConditional::new(Linear::new(0.0, 1.0).unwrap(), conditional),
         Box::new(truth::Product {
             marginal: truth::linear(0.0, 1.0),
@@ -132,6 +137,5 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
                 }) as Box<dyn Truth>
             },
         }) as Box<dyn Truth>,
-    ));
-    t
+    )
 }

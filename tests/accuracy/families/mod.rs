@@ -3,6 +3,7 @@
 mod directions;
 mod flawed;
 mod line;
+mod open;
 mod plane;
 
 use crate::adversary::statement::Statement;
@@ -47,6 +48,7 @@ pub fn flawed() -> Vec<Family> {
 
 fn of_tier<T: Tier>() -> Vec<Family> {
     let mut all = line::constructors::<T>();
+    all.extend(open::constructors::<T>());
     all.extend(plane::constructors::<T>());
     all.extend(directions::constructors::<T>());
     all.into_iter().map(|c| family(c, T::NAME)).collect()
@@ -231,6 +233,9 @@ fn units(entry: &Entry, point: [f64; 3]) -> [f64; 3] {
     const HALF_STEP: f64 = 1.0 / 16_777_216.0;
     match (entry.domain, entry.measure) {
         (Domain::Line, Measure::UlpOf(scale)) => [ulp(scale), 0.0, 0.0],
+        (Domain::Line, Measure::UlpFrom(mean)) => {
+            [ulp((point[0] - mean).abs().max(mean.abs())), 0.0, 0.0]
+        }
         (Domain::Line, _) => [ulp(point[0]), 0.0, 0.0],
         (Domain::Plane, Measure::Length(size)) => [size * HALF_STEP, size * HALF_STEP, 0.0],
         (Domain::Directions, _) => {

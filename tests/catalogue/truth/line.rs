@@ -226,18 +226,24 @@ pub fn normal_cdf(x: f64) -> f64 {
     0.5 * libm::erfc(-x * std::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// The standard normal quantile of a lower-tail probability, by Newton's method on the log of the CDF.
+/// The standard normal quantile of a lower-tail probability up to 1/2, by Newton's method: about the middle on the
+/// probability between there and x, whose digits do not cancel, in the tail on the logarithm of the CDF, which
+/// converges from either side.
 pub fn normal_quantile_lower(p: f64) -> f64 {
-    let mut x = if p > 0.1 {
+    let middle = p > 0.1;
+    let mut x = if middle {
         (p - 0.5) * TAU.sqrt()
     } else {
         -(-2.0 * p.ln()).sqrt()
     };
     for _ in 0..60 {
-        let cdf = normal_cdf(x);
         let density = (-0.5 * x * x).exp() / TAU.sqrt();
-        // Newton on ln Φ converges from the left in the tail, where Newton on Φ overshoots.
-        let step = (cdf / p).ln() * cdf / density;
+        let step = if middle {
+            (0.5 * libm::erf(x * std::f64::consts::FRAC_1_SQRT_2) - (p - 0.5)) / density
+        } else {
+            let cdf = normal_cdf(x);
+            (cdf / p).ln() * cdf / density
+        };
         x -= step;
         // The convergence is quadratic: after a step this small the next would be below rounding.
         if step.abs() <= 1e-9 * x.abs() {

@@ -8,6 +8,11 @@ pub struct NormalPair {
     pub deviation: f64,
 }
 
+/// The largest coordinate of a normal pair, which lies up to 5.77 deviations from its mean.
+pub fn normal_pair_size([x, y]: [f32; 2], deviation: f32) -> f64 {
+    f64::from(x.abs().max(y.abs())) + 5.77 * f64::from(deviation)
+}
+
 impl Truth for NormalPair {
     fn sample(&self, u: Uniforms) -> Point {
         let r = self.deviation * (-2.0 * (-u[0]).ln_1p()).sqrt();
