@@ -97,6 +97,7 @@ fn largest_error(entry: &Entry, rng: &mut Pcg32, samples: usize) -> f64 {
             .sqrt();
         let error = match entry.measure {
             Measure::Ulp => distance / ulp(exact[0]),
+            Measure::UlpFrom(mean) => distance / ulp((exact[0] - mean).abs().max(mean.abs())),
             Measure::UlpOf(scale) => distance / ulp(scale),
             Measure::Length(length) => distance / length,
         };

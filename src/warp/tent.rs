@@ -65,7 +65,7 @@ impl Tent {
 impl Tent {
     /// The distance from the centre beyond which there is this probability on one side.
     #[inline]
-    fn beyond(&self, tail: f32) -> f32 {
+    fn beyond(self, tail: f32) -> f32 {
         let t = 2.0 * tail;
         clamp(self.radius * ((1.0 - t) / (1.0 + sqrt(t))), 0.0, self.last)
     }
