@@ -104,6 +104,8 @@ impl<T: Tier> Power<T> {
         if a == 0.0 && n <= -1.0 {
             return Err(Error::NotNormalizable);
         }
+        // The zero of the other sign has other bits.
+        let a = a + 0.0;
         let m = two_sum(n, 1.0);
         let span = if a > 0.0 {
             Apart::of(b).log2_over(Apart::of(a))

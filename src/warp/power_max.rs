@@ -77,11 +77,12 @@ impl<const N: usize> Warp for PowerMax<N> {
             return 0.0;
         }
         if N <= 4 {
-            let mut power = 1.0_f32;
+            // N first: the power alone may be subnormal where the density is not.
+            let mut density = N as f32;
             for _ in 1..N {
-                power *= x;
+                density *= x;
             }
-            representable(N as f32 * power)
+            representable(density)
         } else {
             let log = Apart::of(x.abs()).log2_over(Apart::ONE);
             let peak = Apart::of(N as f32);

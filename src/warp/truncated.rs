@@ -146,10 +146,11 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
             -log / self.rate
         } else {
             let rise = u * LIFT * self.power;
-            if rise <= f32::MAX {
+            if rise <= LIFT {
                 T::ln_1p(rise) / -self.rate
             } else {
-                // Measured from the far end, where the mass is.
+                // Measured from the far end, where the mass is; from here on no digits of x are lost, and so
+                // far out neighbours of the grid are many steps apart.
                 self.length + T::ln(u) / -self.rate
             }
         };

@@ -130,6 +130,8 @@ fn the_cases_that_were_found_are_mended() {
     for start in [0.0, -1.0, f32::NAN] {
         assert!(falling.sample(start) == 1e20);
     }
+    let flat = mw::Power::new(0.0, -0.0, 1.0).unwrap();
+    assert!(flat.sample(0.0) == 0.0 && flat.invert(0.0) == 0.0 && flat.pdf(-0.0) == 1.0);
     let log = mw::Power::new(-1.0, 1e-40, 1.0).unwrap();
     let density = f64::from(log.pdf(1e-40));
     near(log.pdf(1.0), 1.0 / -f64::from(1e-40_f32).ln());

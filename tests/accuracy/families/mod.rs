@@ -5,6 +5,7 @@ mod flawed;
 mod line;
 mod open;
 mod plane;
+mod power;
 
 use crate::adversary::statement::Statement;
 use crate::adversary::words::Kind;
@@ -49,6 +50,7 @@ pub fn flawed() -> Vec<Family> {
 fn of_tier<T: Tier>() -> Vec<Family> {
     let mut all = line::constructors::<T>();
     all.extend(open::constructors::<T>());
+    all.extend(power::constructors::<T>());
     all.extend(plane::constructors::<T>());
     all.extend(directions::constructors::<T>());
     all.into_iter().map(|c| family(c, T::NAME)).collect()

@@ -57,6 +57,12 @@ pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
     let (steep, span) = (m.abs(), log_ratio(b, a));
     let drop = -(-steep * span).exp_m1();
     let from_anchor = increasing == (m < 0.0);
+    // What is smaller stands for it, as the documentation says.
+    let least = if a == 0.0 && n != 0.0 {
+        2f64.powi(-149)
+    } else {
+        0.0
+    };
     // The share of the mass that is no farther from R than x, and the share that is.
     let shares = move |x: f64| {
         let (part, left) = (log_ratio(x, r).abs(), log_ratio(x, other).abs());
@@ -87,7 +93,8 @@ pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
             } else {
                 (near + away * (-steep * span).exp()).ln() / m
             };
-            r * log.exp()
+            let x = r * log.exp();
+            if u > 0.0 { x.max(least) } else { x }
         },
         pdf: move |x: f64| {
             let peak = if m == 0.0 { 1.0 / span } else { steep / drop };
