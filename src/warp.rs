@@ -52,6 +52,7 @@ mod spherical;
 mod tent;
 mod transform;
 mod triangle;
+mod triangle_on;
 mod truncated;
 
 pub use self::aabb::Aabb;
@@ -75,7 +76,8 @@ pub use self::sphere::Sphere;
 pub use self::spherical::{Spherical, SphericalPatch};
 pub use self::tent::Tent;
 pub use self::transform::Transform;
-pub use self::triangle::{Triangle, TriangleOn};
+pub use self::triangle::Triangle;
+pub use self::triangle_on::TriangleOn;
 pub use self::truncated::TruncatedExponential;
 
 use crate::uniform::{Canonical, SMALLEST, Uniforms, infallible};

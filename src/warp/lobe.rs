@@ -74,7 +74,7 @@ impl<T: Tier> PhongLobe<T> {
 
     /// m ln cos θ of a direction with z > 0.
     #[inline]
-    fn log_rest(&self, direction: [f32; 3]) -> f32 {
+    fn log_rest(self, direction: [f32; 3]) -> f32 {
         let [x, y, z] = direction;
         if z <= 0.5 {
             self.m * T::ln(z)
@@ -91,7 +91,7 @@ impl<T: Tier> PhongLobe<T> {
     /// cos θ is z(1 + d), where d tells what x and y know more than z: (1 − x² − y² − z²)/(z + z²), of which
     /// every digit counts, as n multiplies it.
     #[inline]
-    fn power(&self, [x, y, z]: [f32; 3]) -> f32 {
+    fn power(self, [x, y, z]: [f32; 3]) -> f32 {
         let (x, y, n, half) = if self.n < NEEDLE {
             (x, y, self.n, 0.5)
         } else {
