@@ -60,7 +60,7 @@ pub struct TruncatedExponential<Frac, G = Fine> {
 enum Map {
     /// Where z is small: z and z/3, and (1 − e^(−z))/z, all in Q32.
     Series { z: u32, third: u32, mass: u64 },
-    /// Elsewhere a word more than e^(−z), as the product with u < 1 is cut; and the largest multiple of the mean below
+    /// Elsewhere the word above e^(−z), as the product with u < 1 is cut, so that both are off by less than a word; and the largest multiple of the mean below
     /// the length, in Q27.
     Logarithm { end: u32, most: u32 },
 }
@@ -139,7 +139,7 @@ const fn mean_density(z: u64) -> u64 {
     alternating(z, &FACTORIALS)
 }
 
-/// e^−z of z of at least 0.2, both in Q32.
+/// e^−z of z of at least 0.2, both in Q32, cut.
 const fn exponential(z: u64) -> u32 {
     /// ln 2 in Q32.
     const LN_2: u64 = 2_977_044_472;
@@ -153,7 +153,7 @@ const fn exponential(z: u64) -> u32 {
     }
     // 1 − x (1 − x/2 + x²/6 − …).
     let power = (1 << 32) - ((rest * mean_density(rest)) >> 32);
-    ((power + ((1 << halvings) >> 1)) >> halvings) as u32
+    (power >> halvings) as u32
 }
 
 impl<Frac: LeEqU32, G: Grade> Warp for TruncatedExponential<Frac, G> {
