@@ -2,6 +2,7 @@
 //!
 //! Overflow checks are on, so that a sweep that comes to its end is also the proof that nothing overflows.
 
+#[allow(dead_code, reason = "floats have more kinds of parameters")]
 mod adversary;
 #[path = "fixed_warps/directions.rs"]
 mod directions;

@@ -75,7 +75,7 @@ fn cone<G: Grade>(p: &[u32]) -> Option<Subject> {
         )
     } else {
         // Of all magnitudes.
-        let k = (u64::from(p[1]) << 32 | u64::from(p[2])) >> (p[0] >> 2) % 40;
+        let k = (u64::from(p[1]) << 32 | u64::from(p[2])) >> ((p[0] >> 2) % 40);
         (
             Cone::<G>::from_one_minus_cos(U2F62::from_bits(k)),
             k as f64 * 0.5_f64.powi(62),
@@ -99,7 +99,7 @@ where
 }
 
 fn lobe<G: Grade>(p: &[u32]) -> Option<Subject> {
-    let n = (u64::from(p[1]) << 32 | u64::from(p[2])) >> p[0] % 64;
+    let n = (u64::from(p[1]) << 32 | u64::from(p[2])) >> (p[0] % 64);
     let warp = PhongLobe::<G>::new(U32F32::from_bits(n)).ok()?;
     let n = n as f64 * WORD;
     let size = (2.0 / (n + 1.0)).sqrt().min(1.0);

@@ -177,12 +177,12 @@ fn any_route<G: Grade>(p: &[u32]) -> Option<Subject> {
         1 => route(StandardNormalPair::<G>::new(), |u| u, pair),
         2 => route(Triangle::<G>::new(), |u| u, triple),
         3 => route(
-            Cone::<G>::from_one_minus_cos(U2F62::from_bits(wide >> (p[0] >> 3) % 32)).ok()?,
+            Cone::<G>::from_one_minus_cos(U2F62::from_bits(wide >> ((p[0] >> 3) % 32))).ok()?,
             |u| u,
             triple,
         ),
         4 => route(
-            PhongLobe::<G>::new(U32F32::from_bits(wide >> (p[0] >> 3) % 64)).ok()?,
+            PhongLobe::<G>::new(U32F32::from_bits(wide >> ((p[0] >> 3) % 64))).ok()?,
             |u| u,
             triple,
         ),

@@ -43,7 +43,7 @@ fn tent<Frac: LeEqU32 + 'static, G: Grade>(radius: u32) -> Option<Subject> {
         errors[1] = density_error(got, density(steps), peak);
         errors[2] = back_error(warp.invert(x), w);
         // Anywhere.
-        let any = (i64::from(other as i32) * i64::from(radius) >> 31) as i32;
+        let any = ((i64::from(other as i32) * i64::from(radius)) >> 31) as i32;
         let there = warp.pdf(bits(any));
         if f64::from(any).abs() < r {
             errors[1] = errors[1].max(density_error(there, density(any.into()), peak));

@@ -106,7 +106,7 @@ fn vertices<const D: usize>(p: &[u32]) -> [[i32; D]; 3] {
     if p[1] >> 30 & 1 != 0 {
         // The third next to the line of the others.
         for k in 0..D {
-            let along = (i64::from(b[k]) - i64::from(a[k])) * i64::from(p[2] >> 4) >> 28;
+            let along = ((i64::from(b[k]) - i64::from(a[k])) * i64::from(p[2] >> 4)) >> 28;
             c[k] = (i64::from(a[k]) + along).clamp(i32::MIN.into(), i32::MAX.into()) as i32;
             c[k] = c[k].saturating_add((p[3 + k] % 5) as i32 - 2);
         }
