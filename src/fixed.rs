@@ -46,6 +46,11 @@
 //! few digits or none are left, though it is never 0 at a sample. Where values vary by more than 10⁶, take logarithms
 //! of one's own, or a float tier.
 //!
+//! # Errors
+//! The table of each warp states the largest errors for all parameters, all formats and all words, as a number or as a
+//! formula in what is named above it; rms and mean are those of the sets that the tests list. An adversary in the tests searches
+//! for worse.
+//!
 //! # Grades
 //! The names here are those of grade [`Fine`]; [`coarse`] and [`compact`] have the same names in theirs, and [`mod@warp`]
 //! has them with the grade as a parameter. [`Grade`] states the errors of the functions, each warp its own.

@@ -12,6 +12,8 @@
 #[path = "fixed/cases.rs"]
 mod cases;
 mod catalogue;
+#[path = "fixed/composed.rs"]
+mod composed;
 #[path = "fixed/controls.rs"]
 mod controls;
 #[path = "fixed/distributions.rs"]

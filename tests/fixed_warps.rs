@@ -2,10 +2,14 @@
 //!
 //! Overflow checks are on, so that a sweep that comes to its end is also the proof that nothing overflows.
 
+#[allow(dead_code, reason = "floats have more kinds of parameters")]
+mod adversary;
 #[path = "fixed_warps/directions.rs"]
 mod directions;
 #[path = "fixed_warps/exponential.rs"]
 mod exponential;
+#[path = "fixed_warps/families/mod.rs"]
+mod families;
 #[path = "fixed_warps/figures.rs"]
 mod figures;
 #[path = "fixed_warps/float.rs"]

@@ -1,5 +1,6 @@
 //! Whether errors keep to the bounds that the documentation states; both are read at run time.
 
+use crate::adversary::statement::Statement;
 use crate::error::{Errors, Lattice};
 use crate::figures::{Exact, Figures, ROWS, density_and_inverse_error, sample_error};
 use crate::sampler::{FromWords, Sampler};
@@ -103,8 +104,13 @@ fn stated(warp: &str, title: &str) -> Option<[f64; 3]> {
         let mut comment =
             comment.take_while(|line| line.starts_with("///") || line.starts_with("#["));
         let row = comment.find_map(|line| line.strip_prefix(&format!("/// | {title} |")))?;
-        let cells = row.split('|').filter_map(|cell| cell.trim().parse().ok());
-        return cells.collect::<Vec<_>>().try_into().ok();
+        // Formulas are held by the tests.
+        let number = |cell: &str| Some(Statement::parse(cell)?.number().unwrap_or(f64::INFINITY));
+        let cells = row
+            .trim_end_matches('|')
+            .split('|')
+            .map(|cell| number(cell.trim()));
+        return cells.collect::<Option<Vec<_>>>()?.try_into().ok();
     }
     None
 }

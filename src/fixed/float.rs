@@ -127,7 +127,7 @@ impl<T: Number + FloatPoint<Float = f32>, const N: usize> FloatPoint for [T; N] 
 ///   has density 0 then.
 /// - Density: that of the warp at the point converted back, in its format; what does not fit that counts as the
 ///   end of the format, NaN as 0.
-/// - Error: that of the warp, and 6e-8 of the coordinate for its cut.
+/// - Error: that of the warp, and 1.2e-7 of the coordinate for its cut.
 ///
 /// ```
 /// use microwarp::{Warp, fixed as mw};

@@ -31,8 +31,9 @@ pub(super) use sealed::Kernels;
 /// The trait is sealed: [`Fine`], [`Coarse`] and [`Compact`] implement it and nothing else can. Each function
 /// is total: it takes every word there is.
 ///
-/// Errors, largest, rms and mean, of what the grade returns against the exact value: over all 2³² arguments; of `pow`
-/// over one of every 8; of `atan2_turns`, where they are in turns, over 2²⁸ points of all magnitudes.
+/// Errors, largest, rms and mean, of what the grade returns against the exact value: over all 2³² arguments, so that the
+/// largest is proven; of `pow` over one of every 8, and of `atan2_turns`, where they are in turns, over 2²⁸ points of all
+/// magnitudes, so that it is the largest found.
 ///
 /// | function | [`Fine`] | [`Coarse`] | [`Compact`] |
 /// |---|--:|--:|--:|
@@ -193,8 +194,8 @@ grade! {
 grade! {
     /// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
     ///
-    /// Points have coordinates in steps of 2⁻¹⁵ from sine and cosine: a cone or a lobe that is narrower than a degree
-    /// needs another grade.
+    /// Coordinates of disks and directions are products of 15 bits: they are right to 1.4e-4 of the size, of narrow cones and
+    /// lobes too.
     Coarse, coarse, "coarse", 0xffff_ffff, 0x7d70_a3d7, 1 << 17, 14, rough_signed
 }
 

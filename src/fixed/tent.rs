@@ -21,14 +21,16 @@ use core::marker::PhantomData;
 ///   returned.
 /// - Density: (1 − |x|/r)/r, at least 2⁻³² inside.
 ///
-/// In *sample* of the radius, beyond a step of the format; in *round trip* of the uniform:
+/// In *sample* of the radius, beyond a step of the format; in *pdf* of the largest density, beyond a step; in *round trip*
+/// of the uniform. The radius has n steps of the format:
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
 /// | sample, max | 2.0e-7 | 1.9e-5 | 6.1e-8 |
 /// | sample, rms | 4.2e-8 | 9.0e-6 | 2.0e-8 |
 /// | sample, mean | 0 | 0 | 0 |
-/// | round trip | 2.0e-7 | 1.7e-5 | 6.1e-8 |
+/// | pdf | 8e-10 | 8e-10 | 8e-10 |
+/// | round trip | 2.0e-7 + 1/n | 1.7e-5 + 1/n | 6.1e-8 + 1/n |
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///

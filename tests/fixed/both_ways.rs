@@ -125,6 +125,7 @@ macro_rules! all_of {
                 log::coarse(word),
                 log::compact(word),
                 log::small(small),
+                log::eighth(word >> 3),
             ],
             [exp::fine(word), exp::coarse(word), exp::compact(word)],
             exp::one_minus_small(small, 27),

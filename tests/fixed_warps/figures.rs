@@ -1,6 +1,8 @@
 //! How far a warp is from the truth, over how many words, and what its documentation says about it.
 
+use crate::adversary::statement::Statement;
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -163,8 +165,39 @@ fn source(file: &str) -> PathBuf {
         .join(file)
 }
 
-/// Holds the rows of the table in the doc comment of a warp, of the form `| title | fine | coarse | compact |`,
-/// against what was measured. `MICROWARP_WRITE=1` writes them anew.
+/// The lines of a file, and among them those of a warp's doc comment.
+fn doc_comment(file: &str, warp: &str) -> (Vec<String>, Range<usize>) {
+    let text = fs::read_to_string(source(file)).unwrap();
+    let lines: Vec<String> = text.lines().map(Into::into).collect();
+    let end = lines
+        .iter()
+        .position(|l| l.starts_with(&format!("pub struct {warp}<")))
+        .unwrap_or_else(|| panic!("{file} has no {warp}"));
+    let start = lines[..end]
+        .iter()
+        .rposition(|l| !l.starts_with("///") && !l.starts_with("#["))
+        .unwrap();
+    (lines, start..end)
+}
+
+fn row_of(lines: &[String], mut range: Range<usize>, warp: &str, title: &str) -> usize {
+    range
+        .find(|&i| lines[i].starts_with(&format!("/// | {title} |")))
+        .unwrap_or_else(|| panic!("{warp} states nothing of: {title}"))
+}
+
+/// The cells of a row of the form `| title | fine | coarse | compact |`.
+pub fn cells(file: &str, warp: &str, title: &str) -> [String; 3] {
+    let (lines, range) = doc_comment(file, warp);
+    let row = lines[row_of(&lines, range, warp, title)].trim_end_matches('|');
+    let cells = row.split('|').skip(2).map(|cell| cell.trim().to_owned());
+    cells.collect::<Vec<_>>().try_into().expect("three cells")
+}
+
+/// Holds the rows of the table in the doc comment of a warp against what was measured on the listed sets.
+///
+/// A largest error is stated for all parameters and words, which the adversary attacks: here it must not be exceeded, where
+/// it is a number. Rms and mean are those of the listed sets; `MICROWARP_WRITE=1` writes them anew.
 pub fn hold(file: &str, warp: &str, rows: &[(&str, [f64; 3])]) {
     for (title, measured) in rows {
         println!(
@@ -177,42 +210,25 @@ pub fn hold(file: &str, warp: &str, rows: &[(&str, [f64; 3])]) {
     let _one = FILES
         .lock()
         .unwrap_or_else(std::sync::PoisonError::into_inner);
-    let text = fs::read_to_string(source(file)).unwrap();
-    let mut lines: Vec<String> = text.lines().map(Into::into).collect();
-    let end = lines
-        .iter()
-        .position(|l| l.starts_with(&format!("pub struct {warp}<")))
-        .unwrap_or_else(|| panic!("{file} has no {warp}"));
-    let start = lines[..end]
-        .iter()
-        .rposition(|l| !l.starts_with("///") && !l.starts_with("#["))
-        .unwrap();
     let write = std::env::var_os("MICROWARP_WRITE").is_some();
     for (title, measured) in rows {
-        let row = (start..end)
-            .find(|&i| lines[i].starts_with(&format!("/// | {title} |")))
-            .unwrap_or_else(|| panic!("{warp} states nothing of: {title}"));
-        if write {
+        let largest = !title.ends_with("rms") && !title.ends_with("mean");
+        if write && !largest {
+            let (mut lines, range) = doc_comment(file, warp);
+            let row = row_of(&lines, range, warp, title);
             let cells = measured.map(|x| rounded_up(x * MARGIN)).join(" | ");
             lines[row] = format!("/// | {title} | {cells} |");
-            continue;
+            fs::write(source(file), lines.join("\n") + "\n").unwrap();
         }
-        let cells: Vec<f64> = lines[row]
-            .split('|')
-            .skip(2)
-            .filter(|c| !c.trim().is_empty())
-            .map(|c| c.trim().parse().unwrap())
-            .collect();
-        assert_eq!(cells.len(), 3, "{warp}: {title}");
-        for (stated, measured) in cells.into_iter().zip(measured) {
-            assert!(
-                states(stated, *measured),
-                "{warp}: {title}: stated {stated:e} for {measured:e}"
-            );
+        for (cell, measured) in cells(file, warp, title).iter().zip(measured) {
+            let stated = Statement::parse(cell).unwrap_or_else(|| panic!("{warp}: {cell}"));
+            let holds = match stated.number() {
+                Some(stated) if largest => *measured <= stated,
+                Some(stated) => states(stated, *measured),
+                None => largest,
+            };
+            assert!(holds, "{warp}: {title}: stated {cell} for {measured:e}");
         }
-    }
-    if write {
-        fs::write(source(file), lines.join("\n") + "\n").unwrap();
     }
 }
 

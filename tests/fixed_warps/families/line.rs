@@ -1,0 +1,160 @@
+//! Warps of one word: the tent and the exponentials.
+
+use super::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
+use fixed::types::extra::LeEqU32;
+use fixed::types::{U0F32, U5F27};
+use fixed::{FixedI32, FixedU32};
+use microwarp::Warp;
+use microwarp::fixed::Grade;
+use microwarp::fixed::warp::{Exponential, StandardExponential, Tent, TruncatedExponential};
+
+/// Steps of a format in 1.
+fn one<Frac: LeEqU32>() -> f64 {
+    2_f64.powi(Frac::U32 as i32)
+}
+
+fn word(w: u32) -> U0F32 {
+    U0F32::from_bits(w)
+}
+
+fn back_error(back: U0F32, w: u32) -> f64 {
+    back.to_num::<f64>() - uniform(w)
+}
+
+fn tent<Frac: LeEqU32 + 'static, G: Grade>(radius: u32) -> Option<Subject> {
+    let bits = FixedI32::<Frac>::from_bits;
+    let warp = Tent::<Frac, G>::new(bits(radius as i32)).ok()?;
+    let r = f64::from(radius);
+    let peak = one::<Frac>() / r;
+    let density = move |x: f64| (r - x.abs()) / r * peak;
+    Subject::new(vec![("n", r)], move |[w, other], errors| {
+        let u = uniform(w);
+        let due = if u < 0.5 {
+            (2.0 * u).sqrt() - 1.0
+        } else {
+            1.0 - (2.0 - 2.0 * u).sqrt()
+        };
+        let x = warp.sample(word(w));
+        let steps = f64::from(x.to_bits());
+        check(steps.abs() < r, "outside")?;
+        let got = warp.pdf(x);
+        check(got > 0, "no density at a sample")?;
+        errors[0] = beyond(steps - due * r, 1.0) / r;
+        errors[1] = density_error(got, density(steps), peak);
+        errors[2] = back_error(warp.invert(x), w);
+        // Anywhere.
+        let any = ((i64::from(other as i32) * i64::from(radius)) >> 31) as i32;
+        let there = warp.pdf(bits(any));
+        if f64::from(any).abs() < r {
+            errors[1] = errors[1].max(density_error(there, density(any.into()), peak));
+        } else {
+            check(there == 0, "density outside")?;
+        }
+        Ok(())
+    })
+}
+
+fn standard<G: Grade>() -> Option<Subject> {
+    let warp = StandardExponential::<G>::new();
+    Subject::new(vec![], move |[w, other], errors| {
+        let x = warp.sample(word(w));
+        check(x <= 22.19, "outside")?;
+        check(warp.pdf(x) > 0, "no density at a sample")?;
+        errors[0] = x.to_num::<f64>() + (-uniform(w)).ln_1p();
+        errors[2] = back_error(warp.invert(x), w);
+        for x in [x, U5F27::from_bits(other)] {
+            let error = density_error(warp.pdf(x), (-x.to_num::<f64>()).exp(), 1.0);
+            errors[1] = errors[1].max(error);
+        }
+        Ok(())
+    })
+}
+
+fn exponential<Frac: LeEqU32 + 'static, G: Grade>(mean: u32) -> Option<Subject> {
+    let bits = FixedU32::<Frac>::from_bits;
+    let warp = Exponential::<Frac, G>::new(bits(mean)).ok()?;
+    let m = f64::from(mean);
+    let peak = one::<Frac>() / m;
+    Subject::new(vec![("n", m)], move |[w, other], errors| {
+        let x = warp.sample(word(w));
+        let steps = f64::from(x.to_bits());
+        check(steps <= 22.19 * m, "outside")?;
+        check(warp.pdf(x) > 0, "no density at a sample")?;
+        let due = -(-uniform(w)).ln_1p() * m;
+        errors[0] = beyond(steps - due, 1.0) / m;
+        errors[2] = back_error(warp.invert(x), w);
+        for x in [x, bits(other)] {
+            let due = (-f64::from(x.to_bits()) / m).exp() * peak;
+            errors[1] = errors[1].max(density_error(warp.pdf(x), due, peak));
+        }
+        Ok(())
+    })
+}
+
+fn truncated<Frac: LeEqU32 + 'static, G: Grade>(mean: u32, length: u32) -> Option<Subject> {
+    let bits = FixedU32::<Frac>::from_bits;
+    let warp = TruncatedExponential::<Frac, G>::new(bits(mean), bits(length)).ok()?;
+    let (m, l) = (f64::from(mean), f64::from(length));
+    let z = l / m;
+    // What the density is in means, at 0: one over this, which is in steps.
+    let mass = -(-z).exp_m1() * m;
+    let peak = one::<Frac>() / mass;
+    let truth = move |w: f64| -(w.clamp(0.0, 1.0) * (-z).exp_m1()).ln_1p() * m;
+    Subject::new(vec![("n", mass)], move |[w, other], errors| {
+        let x = warp.sample(word(w));
+        let steps = f64::from(x.to_bits());
+        check(x.to_bits() < length, "outside")?;
+        check(warp.pdf(x) > 0, "no density at a sample")?;
+        // Beyond a word of the uniform to either side and a step below.
+        let u = uniform(w);
+        let (least, most) = (truth(u - super::WORD) - 1.0, truth(u + super::WORD));
+        let off = (least - steps).max(steps - most).max(0.0);
+        errors[0] = if steps.is_nan() || least.is_nan() {
+            f64::NAN
+        } else {
+            off
+        } / m.min(l);
+        errors[2] = back_error(warp.invert(x), w);
+        let any = ((u64::from(other) * u64::from(length)) >> 32) as u32;
+        for x in [x, bits(any)] {
+            let due = (-f64::from(x.to_bits()) / m).exp() * peak;
+            errors[1] = errors[1].max(density_error(warp.pdf(x), due, peak));
+        }
+        check(
+            other < length || warp.pdf(bits(other)) == 0,
+            "density outside",
+        )
+    })
+}
+
+const ROWS: &[&str] = &["sample, max", "pdf", "round trip"];
+
+pub(super) fn families(all: &mut Vec<Family>) {
+    family!(all, "Tent", "tent.rs", ROWS, 2, |p, G| in_format!(
+        p[0], tent, G, p[1]
+    ));
+    family!(
+        all,
+        "StandardExponential",
+        "exponential.rs",
+        ROWS,
+        0,
+        |_p, G| standard::<G>()
+    );
+    family!(
+        all,
+        "Exponential",
+        "exponential.rs",
+        ROWS,
+        2,
+        |p, G| in_format!(p[0], exponential, G, p[1])
+    );
+    family!(
+        all,
+        "TruncatedExponential",
+        "truncated.rs",
+        ROWS,
+        3,
+        |p, G| in_format!(p[0], truncated, G, p[1], p[2])
+    );
+}
