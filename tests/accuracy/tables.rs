@@ -178,7 +178,7 @@ fn compare(
 
 /// Whether two tables say the same, but for the last digit of a figure: the exact formulas run on the
 /// host's own `f64` functions.
-fn same_figures(a: &str, b: &str) -> bool {
+pub fn same_figures(a: &str, b: &str) -> bool {
     let (a, b): (Vec<_>, Vec<_>) = (
         a.split_whitespace().collect(),
         b.split_whitespace().collect(),

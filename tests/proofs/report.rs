@@ -1,0 +1,100 @@
+//! The figures: as stated in the documentation of the maps, as proven, as found, and their table in `docs/proofs.md`.
+
+use crate::maps::{MAPS, Outcome, Row};
+use crate::tables::{self, same_figures};
+use std::fmt::Write as _;
+
+/// The rows that are proven, as the table of a map calls them.
+const TITLES: [&str; 4] = ["sample", "sin θ, ulp", "cos θ, ulp", "unit length"];
+
+/// A bound this much above what is found is too far from it.
+const FAR: f64 = 1.25;
+
+/// Three digits, rounded up.
+fn rounded_up(x: f64) -> String {
+    let unit = 10f64.powi(x.log10().floor() as i32 - 2);
+    let up = (x / unit * (1.0 - 1e-9)).ceil() * unit;
+    if up > 0.01 {
+        format!("{up:.3}")
+    } else {
+        format!("{up:.2e}")
+    }
+}
+
+/// What a map states of each row, in `libm` and in `poly`; not a number where it states nothing.
+pub fn stated(name: &str) -> [[f64; 2]; 4] {
+    let table = tables::stated(name);
+    // The size of a pair is its reach, 5.77 deviations.
+    let size = if name == "NormalPair" { 5.77 } else { 1.0 };
+    TITLES.map(|title| {
+        let row = table.iter().find(|(t, _)| t.starts_with(title));
+        row.map_or([f64::NAN; 2], |(_, cells)| {
+            cells.each_ref().map(|cell| size * cell.number().unwrap())
+        })
+    })
+}
+
+/// What is wrong with a row.
+pub fn complaint(row: Row, stated: f64) -> Option<String> {
+    let Row { proven, found } = row;
+    // Each written so that NaN fails.
+    let (holds, said, near) = (found <= proven, proven <= stated, proven <= FAR * found);
+    if !holds {
+        Some(format!("found {found:.4e}, proven {proven:.4e}"))
+    } else if !said {
+        Some(format!("stated {stated}, proven {proven:.4e}"))
+    } else if !near {
+        Some(format!("proven {proven:.4e}, found only {found:.4e}"))
+    } else {
+        None
+    }
+}
+
+/// Complains of rows that do not hold, of stated bounds beyond what is proven, and of a table that says otherwise. Each map
+/// comes in both tiers, each tier with any uniforms and with those of the grid.
+pub fn check(outcomes: &[[[Outcome; 2]; 2]]) {
+    let mut complaints = String::new();
+    let mut table = String::from(
+        "| map | error | stated | proven | found | proven, grid | found, grid |\n\
+         |---|---|--:|--:|--:|--:|--:|\n",
+    );
+    for (name, tiers) in MAPS.into_iter().zip(outcomes) {
+        for (i, (title, stated)) in TITLES.into_iter().zip(stated(name)).enumerate() {
+            if stated[0].is_nan() {
+                continue;
+            }
+            let mut columns = [const { Vec::new() }; 5];
+            for (tier, stated) in tiers.iter().zip(stated) {
+                let [any, grid] = tier.each_ref().map(|outcome| outcome.rows[i]);
+                for row in [any, grid] {
+                    if let Some(complaint) = complaint(row, stated) {
+                        let _ = writeln!(complaints, "{name}: {title}: {complaint}");
+                    }
+                }
+                // What a normal pair states holds for all its parameters, too.
+                let tight = stated <= 1.1 * any.proven || name == "NormalPair";
+                if !tight {
+                    let _ = writeln!(complaints, "{name}: {title}: {stated} may be less: {any:?}");
+                }
+                let figures = [stated, any.proven, any.found, grid.proven, grid.found];
+                for (column, figure) in columns.iter_mut().zip(figures) {
+                    column.push(rounded_up(figure));
+                }
+            }
+            let cells = columns.map(|column| column.join(" / "));
+            let _ = writeln!(table, "| {name} | {title} | {} |", cells.join(" | "));
+        }
+    }
+    print!("{table}");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/proofs.md");
+    let text = std::fs::read_to_string(path).unwrap();
+    let start = text.find("\n| map |").unwrap() + 1;
+    let end = start + text[start..].find("\n\n").unwrap() + 1;
+    if std::env::var_os("MICROWARP_WRITE").is_some() {
+        let text = [&text[..start], &table, &text[end..]].concat();
+        std::fs::write(path, text).unwrap();
+    } else if !same_figures(&text[start..end], &table) {
+        complaints.push_str("docs/proofs.md is not what is computed\n");
+    }
+    assert!(complaints.is_empty(), "\n{complaints}");
+}
