@@ -133,6 +133,16 @@ fn factorials() -> Vec<f64> {
     products.collect()
 }
 
+/// The coefficients of sin²x/x² in powers of x² after the leading 1, without their signs: 2^(2k−1)/(2k)! from k = 2 on.
+fn squared_sine() -> Vec<f64> {
+    let terms = (2..9).scan(1.0, |term, k| {
+        let k = f64::from(k);
+        *term *= 4.0 / (2.0 * k * (2.0 * k - 1.0));
+        Some(*term)
+    });
+    terms.collect()
+}
+
 /// The share of the points of a grid of 2¹⁶ × 2¹⁶, none of them on an axis, that lie in the disk.
 fn share_of_grid() -> f64 {
     let inside = |x: u64| {
@@ -163,6 +173,14 @@ pub fn numbers() -> Vec<Number> {
         one(SINE, "const RADIANS: i32 = ", cell, 20),
         one(LOG, "const ROOT_2: u32 = ", SQRT_2 - 1.0, 32),
         one(LOG, "(((head * head) >> 16) * ", 1.0 / 3.0, 8),
+        list(
+            LOG,
+            "const TERMS: [u32; 5] = [",
+            (3..8).map(|k| 1.0 / f64::from(k)).collect(),
+            16,
+        ),
+        list("cone.rs", "const SQUARE: [u32; 7] = [", squared_sine(), 32),
+        one("cone.rs", "const PI: u64 = ", PI, 32),
         one(EXP, "const CELLS: u32 = ", 32.0 / LN_2, 10),
         one(EXP, "const LOG2_E: u32 = ", LOG2_E - 1.0, 32),
         one(EXP, "const LN_2: u32 = ", LN_2, 16),
