@@ -188,7 +188,7 @@ impl<T: Tier> Warp for Normal<T> {
 /// | inverse | 1.6e-7 | 1.6e-7 |
 /// | round trip | 1.5e-7 + 1.8*r | 1.5e-7 + 1.8*r |
 ///
-/// The size is the farthest coordinate, the larger of the means' magnitudes and 5.77σ; w is that of the means over σ, and
+/// The size is the farthest coordinate, the larger of the means' magnitudes plus 5.77σ; w is that of the means over σ, and
 /// no realised density is stated from 1e6 on.
 ///
 /// The sample error of the standard pair, of mean 0 and deviation 1, is proven for every pair of uniforms: see
