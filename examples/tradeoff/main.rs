@@ -4,6 +4,7 @@
 //! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in `tests/catalogue`. Here
 //! lives the order of the work.
 
+mod adversary;
 mod advice;
 mod args;
 mod bias;

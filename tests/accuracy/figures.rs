@@ -181,7 +181,7 @@ fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
 }
 
 /// Whether the k-th uniform is an azimuth, of which 0 and 1 are the same.
-fn is_azimuth(entry: &Entry, k: usize) -> bool {
+pub fn is_azimuth(entry: &Entry, k: usize) -> bool {
     let turned = matches!(entry.domain, Domain::Directions | Domain::World);
     let polar =
         (turned && entry.name != "MalleyHemisphere") || matches!(entry.name, "Disk" | "NormalPair");
@@ -189,7 +189,7 @@ fn is_azimuth(entry: &Entry, k: usize) -> bool {
 }
 
 /// The distance of two uniforms, across the seam where they are turns.
-fn apart(a: f64, b: f64, turns: bool) -> f64 {
+pub fn apart(a: f64, b: f64, turns: bool) -> f64 {
     let d = (a - b).abs();
     if turns { d.min((1.0 - d).abs()) } else { d }
 }

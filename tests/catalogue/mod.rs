@@ -80,6 +80,8 @@ pub struct Entry {
     /// Coordinates in the unit square in which cells for a test of shape are laid out: the inverse of
     /// some map onto the domain, not always that of the warp itself.
     pub chart: Arc<dyn Truth>,
+    /// The parameters that the formulas of its documentation name.
+    pub variables: Vec<(&'static str, f64)>,
 }
 
 impl Entry {
@@ -105,6 +107,10 @@ impl Entry {
             e.resolved = false;
             e.round_trip = false;
         })
+    }
+
+    pub fn variables(self, variables: &[(&'static str, f64)]) -> Self {
+        self.with(|e| e.variables = variables.to_vec())
     }
 
     fn words(self, words: usize) -> Self {
@@ -164,7 +170,7 @@ where
     }
 }
 
-fn entry<T: Tier, W>(
+pub fn entry<T: Tier, W>(
     name: &'static str,
     parameters: &'static str,
     domain: Domain,
@@ -198,6 +204,7 @@ where
         warp: Arc::new(Wrapped(warp)),
         chart: Arc::clone(&truth),
         truth,
+        variables: Vec::new(),
     }
 }
 

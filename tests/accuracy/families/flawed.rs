@@ -1,0 +1,71 @@
+//! A sampler with a planted defect, which the search must find within its quick budget.
+
+use super::Constructor;
+use crate::adversary::words::Kind::{Any, Positive};
+use crate::catalogue::{Domain, Measure, entry, truth};
+use microwarp::Warp;
+use microwarp::tier::Tier;
+use microwarp::uniform::Canonical;
+use microwarp::warp::Power;
+
+/// The power law by the exponential of one quotient, which leaves the range of `f32` where the sample does not; a clamp
+/// hides it. It is right to some 60 ulp for most parameters and wrong over many decades near n = −1.
+#[derive(Clone, Copy)]
+struct Overflowing<T> {
+    warp: Power<T>,
+    m: f32,
+    a: f32,
+    b: f32,
+}
+
+impl<T: Tier> Warp for Overflowing<T> {
+    type Uniforms = f32;
+    type Point = f32;
+    type Density = f32;
+
+    fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
+        let Self { m, a, b, .. } = *self;
+        let u = u.get();
+        let span = T::ln(b) - T::ln(a);
+        let (anchor, near, away) = if m < 0.0 {
+            (a, 1.0 - u, u)
+        } else {
+            (b, u, 1.0 - u)
+        };
+        let mixed = near + away * T::exp(-m.abs() * span);
+        (anchor * T::exp(T::ln(mixed) / m)).clamp(a, b)
+    }
+
+    fn pdf(&self, x: f32) -> f32 {
+        self.warp.pdf(x)
+    }
+
+    fn invert(&self, x: f32) -> f32 {
+        self.warp.invert(x)
+    }
+}
+
+pub(super) fn overflowing<T: Tier>() -> Constructor {
+    Constructor {
+        name: "Power",
+        constructor: "with an exponential that overflows alone",
+        parameters: &[Any, Positive, Positive],
+        build: |p| {
+            let [n, a, b] = [p[0], p[1], p[2]];
+            let warp = Power::<T>::new(n, a, b).ok()?;
+            // What it does at n = −1 exactly and from 0 is another branch.
+            let m = n + 1.0;
+            let warp = (m != 0.0 && a > 0.0).then_some(Overflowing { warp, m, a, b })?;
+            let truth = truth::power(n, a, b, true);
+            Some(entry::<T, _>(
+                "Power",
+                "",
+                Domain::Line,
+                Measure::Ulp,
+                warp,
+                truth,
+            ))
+        },
+        seeds: Vec::new(),
+    }
+}

@@ -1,0 +1,243 @@
+//! Every constructor of the float tiers as a family for the adversary: what it takes, and the entry it gives.
+
+mod directions;
+mod flawed;
+mod line;
+mod plane;
+
+use crate::adversary::statement::Statement;
+use crate::adversary::words::Kind;
+use crate::adversary::{Case, Family, Observe};
+use crate::catalogue::truth::Truth;
+use crate::catalogue::{Domain, Entry, Measure, Uniforms};
+use crate::figures::{
+    Exact, Figures, ROWS, apart, density_and_inverse_error, is_azimuth, polar_error, sample_error,
+    ulp, wide,
+};
+use crate::tables;
+use microwarp::tier::{Libm, Poly, Tier};
+
+/// One constructor, in one tier.
+struct Constructor {
+    /// The struct, whose documentation holds the statement.
+    name: &'static str,
+    /// What tells constructors of one struct apart.
+    constructor: &'static str,
+    parameters: &'static [Kind],
+    /// The entry of these parameters; nothing where they are refused.
+    build: fn(&[f32]) -> Option<Entry>,
+    /// Parameters to start from.
+    seeds: Vec<Vec<f32>>,
+}
+
+/// All families of both tiers.
+pub fn families() -> Vec<Family> {
+    let mut all = of_tier::<Libm>();
+    all.extend(of_tier::<Poly>());
+    all
+}
+
+/// Families with a planted defect, one a tier.
+pub fn flawed() -> Vec<Family> {
+    vec![
+        family(flawed::overflowing::<Libm>(), Libm::NAME),
+        family(flawed::overflowing::<Poly>(), Poly::NAME),
+    ]
+}
+
+fn of_tier<T: Tier>() -> Vec<Family> {
+    let mut all = line::constructors::<T>();
+    all.extend(plane::constructors::<T>());
+    all.extend(directions::constructors::<T>());
+    all.into_iter().map(|c| family(c, T::NAME)).collect()
+}
+
+fn family(of: Constructor, tier: &'static str) -> Family {
+    let column = usize::from(tier != "libm");
+    let rows: Vec<Row> = tables::stated(of.name)
+        .into_iter()
+        .map(|(title, cells)| {
+            let index = ROWS.iter().position(|(row, _)| title.starts_with(row));
+            Row {
+                index: index.unwrap_or_else(|| panic!("{}: no row {title:?}", of.name)),
+                statement: cells[column].clone(),
+                title,
+            }
+        })
+        .collect();
+    let titles = rows.iter().map(|r| r.title.clone()).collect();
+    let spaced = |part: &str| {
+        if part.is_empty() {
+            String::new()
+        } else {
+            format!(" {part}")
+        }
+    };
+    let (build, seeds) = (of.build, of.seeds);
+    let arity = of.parameters.len();
+    // Any parameters the constructor accepts tell how many uniforms a sample takes.
+    let uniforms = crate::adversary::words::first_accepted(of.parameters, |p| {
+        build(&floats(p)).map(|entry| entry.uniforms)
+    });
+    Family {
+        label: format!("{}{} {tier}", of.name, spaced(of.constructor)),
+        statement: format!("{} {tier}", of.name),
+        parameters: of.parameters.to_vec(),
+        uniforms: vec![Kind::Uniform; uniforms],
+        rows: titles,
+        seeds: seeds
+            .iter()
+            .map(|s| s.iter().map(|x| x.to_bits()).collect())
+            .collect(),
+        build: Box::new(move |words| {
+            assert_eq!(words.len(), arity);
+            let entry = build(&floats(words))?;
+            Some(Box::new(Subject {
+                entry,
+                rows: rows.clone(),
+            }))
+        }),
+    }
+}
+
+fn floats(words: &[u32]) -> Vec<f32> {
+    words.iter().map(|w| f32::from_bits(*w)).collect()
+}
+
+#[derive(Clone)]
+struct Row {
+    title: String,
+    /// Among [`ROWS`].
+    index: usize,
+    statement: Statement,
+}
+
+/// A warp beside its truth and its statements.
+struct Subject {
+    entry: Entry,
+    rows: Vec<Row>,
+}
+
+impl Case for Subject {
+    fn judge(&self, u: [u32; 4], observe: &mut Observe) {
+        let entry = &self.entry;
+        let u: Uniforms = u.map(f32::from_bits);
+        let exact = Exact::of(entry, u, true);
+        let x = entry.warp.sample(u);
+        if !in_order(entry, x) {
+            return observe(0, f64::INFINITY, 1.0);
+        }
+        let mut figures = Figures::default();
+        sample_error(entry, &exact, x, &mut figures);
+        density_and_inverse_error(entry, &exact, x, &mut figures);
+        if entry.domain == Domain::Directions && u[1] == 0.0 {
+            polar_error(entry, &exact, x, &mut figures);
+        }
+        let mut moved = None;
+        for (k, row) in self.rows.iter().enumerate() {
+            let error = *ROWS[row.index].1(&mut figures);
+            let values: Vec<f64> = row
+                .statement
+                .names()
+                .iter()
+                .map(|name| match name.as_str() {
+                    "s" => {
+                        moved
+                            .get_or_insert_with(|| Moved::of(entry, &exact, x))
+                            .density
+                    }
+                    "r" => {
+                        moved
+                            .get_or_insert_with(|| Moved::of(entry, &exact, x))
+                            .inverse
+                    }
+                    _ => self.variable(name),
+                })
+                .collect();
+            observe(k, error, row.statement.eval(&values));
+        }
+    }
+}
+
+impl Subject {
+    fn variable(&self, name: &str) -> f64 {
+        let found = self
+            .entry
+            .variables
+            .iter()
+            .find(|(known, _)| *known == name);
+        found
+            .unwrap_or_else(|| panic!("{}: no parameter {name}", self.entry.label()))
+            .1
+    }
+}
+
+/// Whether a sample is what every sample must be: finite, of positive finite density, with an inverse in range.
+fn in_order(entry: &Entry, x: [f32; 3]) -> bool {
+    let density = entry.warp.pdf(x);
+    x.iter().all(|c| c.is_finite())
+        && density > 0.0
+        && density <= f32::MAX
+        && entry.warp.invert(x).iter().all(|u| (0.0..1.0).contains(u))
+}
+
+/// What rounding the point by one unit does to the exact density, relatively, and to the exact inverse: `s` and `r` of the
+/// formulas. The larger of what it does at the exact point and at the returned one.
+struct Moved {
+    density: f64,
+    inverse: f64,
+}
+
+impl Moved {
+    fn of(entry: &Entry, exact: &Exact, x: [f32; 3]) -> Self {
+        let (a, b) = (Self::at(entry, exact.point), Self::at(entry, wide(x)));
+        Self {
+            density: a.density.max(b.density),
+            inverse: a.inverse.max(b.inverse),
+        }
+    }
+
+    fn at(entry: &Entry, point: [f64; 3]) -> Self {
+        let truth: &dyn Truth = entry.truth.as_ref();
+        let (density, inverse) = (truth.pdf(point), truth.invert(point));
+        let mut moved = Self {
+            density: 0.0,
+            inverse: 0.0,
+        };
+        for (k, unit) in units(entry, point).into_iter().enumerate() {
+            if unit == 0.0 {
+                continue;
+            }
+            let (mut relative, mut turned): (f64, f64) = (0.0, 0.0);
+            for by in [unit, -unit] {
+                let mut there = point;
+                there[k] += by;
+                // What is not a number lies outside the domain and says nothing; `max` passes it over.
+                relative = relative.max((truth.pdf(there) - density).abs() / density);
+                let back = truth.invert(there);
+                for i in 0..entry.uniforms {
+                    turned = turned.max(apart(back[i], inverse[i], is_azimuth(entry, i)));
+                }
+            }
+            moved.density += relative;
+            moved.inverse += turned;
+        }
+        moved
+    }
+}
+
+/// The unit of rounding of each coordinate; 0 for those that a point of the domain does not have.
+fn units(entry: &Entry, point: [f64; 3]) -> [f64; 3] {
+    const HALF_STEP: f64 = 1.0 / 16_777_216.0;
+    match (entry.domain, entry.measure) {
+        (Domain::Line, Measure::UlpOf(scale)) => [ulp(scale), 0.0, 0.0],
+        (Domain::Line, _) => [ulp(point[0]), 0.0, 0.0],
+        (Domain::Plane, Measure::Length(size)) => [size * HALF_STEP, size * HALF_STEP, 0.0],
+        (Domain::Directions, _) => {
+            let sine = point[0].hypot(point[1]);
+            [ulp(sine), ulp(sine), ulp(point[2])]
+        }
+        (_, Measure::Length(size)) => [size * HALF_STEP; 3],
+        _ => point.map(ulp),
+    }
+}

@@ -1,0 +1,138 @@
+//! An adversary of the stated errors: a search over parameters and uniforms for the worst case of each row.
+//!
+//! Here live the search, the statements it attacks and the worst cases kept from earlier searches. What a
+//! sampler is, and how its errors are measured, is the business of the tests that set the adversary on it.
+//! Parameters and uniforms are raw words, so that one search serves `f32` and the integer tier.
+
+pub mod kept;
+pub mod search;
+pub mod statement;
+pub mod words;
+
+use search::{Budget, Worst};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use words::Kind;
+
+/// Four uniforms as raw words; those a sampler does not take are 0.
+pub type Uniforms = [u32; 4];
+
+/// Receives the row, the error found and the bound stated for it.
+pub type Observe<'a> = dyn FnMut(usize, f64, f64) + 'a;
+
+/// A sampler with parameters that its constructor has accepted.
+pub trait Case {
+    /// Measures all errors at one point. An error counts against the bound of its row; NaN is infinitely wrong.
+    fn judge(&self, u: Uniforms, observe: &mut Observe);
+}
+
+/// Builds a sampler from its parameters; nothing where the constructor refuses them.
+pub type Build = dyn Fn(&[u32]) -> Option<Box<dyn Case>> + Send + Sync;
+
+/// Everything that one constructor accepts, in one tier or grade.
+pub struct Family {
+    /// Unique, without commas or semicolons: `"Power decreasing poly"`.
+    pub label: String,
+    /// Families of one statement are held to it together: `"Power poly"`.
+    pub statement: String,
+    pub parameters: Vec<Kind>,
+    pub uniforms: Vec<Kind>,
+    /// The titles of the rows, by the index that [`Case::judge`] gives.
+    pub rows: Vec<String>,
+    pub build: Box<Build>,
+    /// Parameters that someone has listed, to start from.
+    pub seeds: Vec<Vec<u32>>,
+}
+
+/// The worst of each row of each family, found by all threads of the machine.
+pub fn attack(families: &[Family], budget: Budget) -> Vec<Vec<Worst>> {
+    let next = AtomicUsize::new(0);
+    let found = Mutex::new(vec![Vec::new(); families.len()]);
+    let threads = std::thread::available_parallelism().map_or(2, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(family) = families.get(i) else {
+                        break;
+                    };
+                    let worst = search::worst(family, budget);
+                    found.lock().unwrap()[i] = worst;
+                }
+            });
+        }
+    });
+    found.into_inner().unwrap()
+}
+
+/// What the search finds by itself is at least this part of some bound of each family, so that a bound lowered to two
+/// thirds is noticed at once.
+const QUICK: f64 = 2.0 / 3.0;
+
+/// Holds the statements of all families against the worst cases: those kept in a file beside the test and those found
+/// now. A statement fails when it is exceeded, when it is more than twice the worst case known, and when the quick search
+/// by itself would not notice one of its bounds lowered to two thirds.
+///
+/// `MICROWARP_SEARCH=seconds` searches each family for so long, from seeds that differ from run to run;
+/// `MICROWARP_WRITE=1` keeps the worst cases.
+pub fn hold(families: &[Family], file: &str) {
+    let kept = kept::read(file, families);
+    let found = attack(families, Budget::of_environment());
+    let mut complaints = Vec::new();
+    let mut known: Vec<(String, String, f64)> = Vec::new();
+    let mut worst_known = Vec::new();
+    for ((family, found), kept) in families.iter().zip(&found).zip(&kept) {
+        let most = found.iter().map(|w| w.ratio).fold(0.0, f64::max);
+        // Written so that NaN complains, here and below.
+        let near = most >= QUICK;
+        if !near {
+            complaints.push(format!(
+                "{}: the search comes no nearer than {most:.3}",
+                family.label
+            ));
+        }
+        for (row, title) in family.rows.iter().enumerate() {
+            let worst = if kept[row].ratio > found[row].ratio {
+                &kept[row]
+            } else {
+                &found[row]
+            };
+            let quick = found[row].ratio;
+            println!(
+                "{}; {title}: found {quick:.3}, known {:.3} of what is stated",
+                family.label, worst.ratio
+            );
+            let holds = worst.ratio <= 1.0;
+            if !holds {
+                complaints.push(format!(
+                    "{}; {title}: {}",
+                    family.label,
+                    worst.describe(family)
+                ));
+            }
+            let entry = (family.statement.clone(), title.clone());
+            match known
+                .iter_mut()
+                .find(|(s, t, _)| (s, t) == (&entry.0, &entry.1))
+            {
+                Some(known) => known.2 = known.2.max(worst.ratio),
+                None => known.push((entry.0, entry.1, worst.ratio)),
+            }
+            worst_known.push((family, title.clone(), worst.clone()));
+        }
+    }
+    for (statement, title, ratio) in known {
+        // A statement of 0 is kept by an error of 0.
+        let fresh = ratio >= 0.5 || ratio == 0.0;
+        if !fresh {
+            complaints.push(format!(
+                "{statement}; {title}: stated twice too large, {ratio:.3}"
+            ));
+        }
+    }
+    if std::env::var_os("MICROWARP_WRITE").is_some() {
+        kept::write(file, &worst_known);
+    }
+    assert!(complaints.is_empty(), "\n{}\n", complaints.join("\n"));
+}

@@ -1,0 +1,44 @@
+//! A stated bound: a number, or a formula in the parameters of the sampler and in what its exact density says.
+
+use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral, literal_matcher_from_pattern};
+
+literal_matcher_from_pattern!(Scientific, r"^[0-9]+(\.[0-9]+)?(e[+-]?[0-9]+)?");
+
+/// One cell of a table of errors.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    formula: FlatEx<f64, FloatOpsFactory<f64>, Scientific>,
+}
+
+impl Statement {
+    /// Reads `2e-7` or `3e-7 + 2*s`; nothing where the text is neither.
+    pub fn parse(cell: &str) -> Option<Self> {
+        FlatEx::parse(cell).ok().map(|formula| Self { formula })
+    }
+
+    /// The names that the formula holds.
+    pub fn names(&self) -> &[String] {
+        self.formula.var_names()
+    }
+
+    /// The number, where the cell holds no names.
+    pub fn number(&self) -> Option<f64> {
+        self.names().is_empty().then(|| self.eval(&[]))
+    }
+
+    /// The bound for these values of [`Statement::names`], in their order.
+    pub fn eval(&self, values: &[f64]) -> f64 {
+        self.formula.eval(values).expect("a value for each name")
+    }
+}
+
+#[test]
+fn cells_are_read_as_written() {
+    let read = |cell, values: &[f64]| Statement::parse(cell).map(|s| s.eval(values));
+    assert_eq!(read("1.3e-7", &[]), Some(1.3e-7));
+    assert_eq!(read("3e-7 + 2*s", &[1e-3]), Some(3e-7 + 2e-3));
+    assert_eq!(read("max(b, 2*a)/4", &[3.0, 5.0]), Some(1.5));
+    assert_eq!(Statement::parse("2*s + r").unwrap().names(), ["r", "s"]);
+    assert!(Statement::parse("2*s").unwrap().number().is_none());
+    assert!(Statement::parse("twice + ").is_none() && Statement::parse("2e").is_none());
+}
