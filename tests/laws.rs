@@ -13,6 +13,8 @@ mod generators;
 mod house;
 #[path = "laws/parameters.rs"]
 mod parameters;
+#[path = "laws/shapes.rs"]
+mod shapes;
 
 use catalogue::{Domain, Entry, Point, Uniforms, entries};
 

@@ -107,10 +107,10 @@ impl Frame {
 /// |---|--:|--:|
 /// | sample, of the size | 4.0e-7 | 4.0e-7 |
 /// | unit length | 3.2e-7 | 3.2e-7 |
-/// | pdf, relative | 5e-7 + 6*s | 5e-7 + 6*s |
-/// | realised density, relative | 5e-7 + 6*s | 5e-7 + 6*s |
-/// | inverse | min(1, 5e-7 + 6*r) | min(1, 5e-7 + 6*r) |
-/// | round trip | min(1, 5e-7 + 6*r) | min(1, 5e-7 + 6*r) |
+/// | pdf, relative | 5e-7 + 8*s | 5e-7 + 8*s |
+/// | realised density, relative | 5e-7 + 8*s | 5e-7 + 8*s |
+/// | inverse | min(1, 5e-7 + 10*r) | min(1, 5e-7 + 10*r) |
+/// | round trip | min(1, 5e-7 + 10*r) | min(1, 5e-7 + 10*r) |
 ///
 /// These hold for every normal. s is by how much the density changes, relatively, and r by how much the uniforms
 /// do, when each coordinate of the direction moves by 2⁻²⁴: for lobes and rims so narrow or steep that s
