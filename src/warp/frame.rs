@@ -105,12 +105,12 @@ impl Frame {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.0e-7 | 4.0e-7 |
-/// | unit length | 3.2e-7 | 3.2e-7 |
+/// | sample, of the size | 4.2e-7 | 4.2e-7 |
+/// | unit length | 3.6e-7 | 3.6e-7 |
 /// | pdf, relative | 5e-7 + 8*s | 5e-7 + 8*s |
 /// | realised density, relative | 5e-7 + 8*s | 5e-7 + 8*s |
-/// | inverse | min(1, 5e-7 + 10*r) | min(1, 5e-7 + 10*r) |
-/// | round trip | min(1, 5e-7 + 10*r) | min(1, 5e-7 + 10*r) |
+/// | inverse | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
+/// | round trip | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
 ///
 /// These hold for every normal. s is by how much the density changes, relatively, and r by how much the uniforms
 /// do, when each coordinate of the direction moves by 2⁻²⁴: for lobes and rims so narrow or steep that s

@@ -100,8 +100,8 @@ impl<T: Tier> Warp for Hemisphere<T> {
 /// | cos θ, ulp | 1.0 | 1.0 |
 /// | unit length | 1.2e-7 | 1.6e-7 |
 /// | pdf, relative | 3.6e-7 | 4.0e-7 |
-/// | realised density, relative | 1.6e-7 | 1.6e-7 |
-/// | inverse | 2.1e-7 | 2.2e-7 |
+/// | realised density, relative | 1.8e-7 | 1.8e-7 |
+/// | inverse | 2.2e-7 | 2.3e-7 |
 /// | round trip | 2.0e-7 | 2.0e-7 |
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
