@@ -133,7 +133,7 @@ pub(super) fn constructors<T: Tier>() -> Vec<Constructor> {
         turned("MalleyHemisphere", &[Any; 3], |p| {
             about::<T, _>(p, MalleyHemisphere::<T>::new(), Box::new(truth::Malley))
         }),
-        turned("Cone", &[Any, Any, Any, Within(1e-9, 2.0)], |p| {
+        turned("Cone", &[Any, Any, Any, Within(0.0, 2.0)], |p| {
             let k = f64::from(p[3]);
             about::<T, _>(
                 p,
