@@ -17,6 +17,8 @@ mod monotone;
 mod parameters;
 #[path = "laws/power.rs"]
 mod power;
+#[path = "laws/shapes.rs"]
+mod shapes;
 #[path = "laws/truncated.rs"]
 mod truncated;
 

@@ -105,16 +105,17 @@ impl Frame {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.0e-7 | 4.0e-7 |
-/// | unit length | 3.2e-7 | 3.2e-7 |
-/// | pdf, relative | 5e-7 + 6*s | 5e-7 + 6*s |
-/// | realised density, relative | 5e-7 + 6*s | 5e-7 + 6*s |
-/// | inverse | min(1, 5e-7 + 6*r) | min(1, 5e-7 + 6*r) |
-/// | round trip | min(1, 5e-7 + 6*r) | min(1, 5e-7 + 6*r) |
+/// | sample, of the size | 4.2e-7 | 4.2e-7 |
+/// | unit length | 3.6e-7 | 3.6e-7 |
+/// | pdf, relative | 5e-7 + 8*s | 5e-7 + 8*s |
+/// | realised density, relative | 5e-7 + 8*s | 5e-7 + 8*s |
+/// | inverse | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
+/// | round trip | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
 ///
-/// These hold for every normal. s is by how much the density changes, relatively, and r by how much the uniforms
-/// do, when each coordinate of the direction moves by 2⁻²⁴: for lobes and rims so narrow or steep that s
-/// is not small, the density in world coordinates is no better than that.
+/// These hold for every normal, over the hemispheres, cones of any width and lobes of n from 1 to 1e8; not over
+/// lobes above that, whose density in world coordinates may be wrong altogether, nor below, next to the horizon.
+/// s is by how much the density changes, relatively, and r by how much the uniforms do, when each coordinate of the
+/// direction moves by 2⁻²⁴.
 ///
 /// ```
 /// use microwarp::{Frame, Oriented, Warp, poly as mw};

@@ -158,8 +158,8 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 3.8e-7 | 3.8e-7 |
-/// | unit length | 1.8e-7 | 1.9e-7 |
+/// | sample, of the size | 4.2e-7 | 4.2e-7 |
+/// | unit length | 1.9e-7 | 2.3e-7 |
 /// | pdf, relative | 5.5e-7 | 5.5e-7 |
 /// | realised density, relative | 5.5e-7 | 5.5e-7 |
 /// | inverse | min(1, 2e-7 + 5e-7*q/c + 1.4e-7/w) | min(1, 2e-7 + 5e-7*q/c + 1.1e-7/w) |

@@ -16,7 +16,7 @@ use crate::uniform::Canonical;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 8.6e-8 | 8.6e-8 |
+/// | sample, of the size | 1.0e-7 | 1.0e-7 |
 /// | pdf, relative | 0 | 0 |
 /// | realised density, relative | 0 | 0 |
 /// | inverse | 2.0e-7 | 2.0e-7 |

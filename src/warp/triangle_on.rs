@@ -18,7 +18,7 @@ use crate::uniform::Canonical;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 3.2e-7 | 3.2e-7 |
+/// | sample, of the size | 3.3e-7 | 3.3e-7 |
 /// | pdf, relative | 2.4e-7 | 2.4e-7 |
 /// | realised density, relative | 2.4e-7 | 2.4e-7 |
 /// | inverse | min(1, 5e-7 + 6e-7/h + r) | min(1, 5e-7 + 6e-7/h + r) |
@@ -26,8 +26,8 @@ use crate::uniform::Canonical;
 ///
 /// These hold for every triangle accepted. The size is the largest magnitude of a coordinate of the vertices,
 /// h the height over the longest side in terms of it, and r by how much the uniforms of a point change when
-/// each coordinate moves by 2⁻²⁴ of the size. The clamped inverse of a point that rounding has put outside the
-/// triangle is that of some point of it.
+/// each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point within rounding of the first vertex, nearer
+/// than 2⁻²⁰ of the size over h, is lost.
 ///
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///

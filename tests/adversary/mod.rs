@@ -10,6 +10,7 @@ pub mod statement;
 pub mod words;
 
 use search::{Budget, Worst};
+use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use words::Kind;
@@ -66,7 +67,7 @@ pub fn attack(families: &[Family], budget: Budget) -> Vec<Vec<Worst>> {
     found.into_inner().unwrap()
 }
 
-/// What the search finds by itself is at least this part of some bound of each family, so that a bound lowered to two
+/// What the search finds by itself is at least this part of some bound of each statement, so that a bound lowered to two
 /// thirds is noticed at once.
 const QUICK: f64 = 2.0 / 3.0;
 
@@ -80,49 +81,38 @@ pub fn hold(families: &[Family], file: &str) {
     let kept = kept::read(file, families);
     let found = attack(families, Budget::of_environment());
     let mut complaints = Vec::new();
-    let mut known: Vec<(String, String, f64)> = Vec::new();
+    let mut quick: BTreeMap<&str, f64> = BTreeMap::new();
+    let mut known: BTreeMap<(&str, &str), f64> = BTreeMap::new();
     let mut worst_known = Vec::new();
-    for ((family, found), kept) in families.iter().zip(&found).zip(&kept) {
-        let most = found.iter().map(|w| w.ratio).fold(0.0, f64::max);
-        // Written so that NaN complains, here and below.
+    for ((family, found), kept) in families.iter().zip(found).zip(kept) {
+        let (statement, rows) = (family.statement.as_str(), family.rows.iter());
+        for (title, (found, kept)) in rows.zip(found.into_iter().zip(kept)) {
+            raise_to(quick.entry(statement).or_default(), found.ratio);
+            let now = found.ratio;
+            let worst = if kept.ratio > now { kept } else { found };
+            raise_to(known.entry((statement, title)).or_default(), worst.ratio);
+            println!(
+                "{}; {title}: found {now:.3}, known {:.3} of what is stated",
+                family.label, worst.ratio
+            );
+            // Written so that NaN complains, here and below.
+            let holds = worst.ratio <= 1.0;
+            if !holds {
+                let worst = worst.describe(family);
+                complaints.push(format!("{}; {title}: {worst}", family.label));
+            }
+            worst_known.push((family, title.clone(), worst));
+        }
+    }
+    for (statement, most) in quick {
         let near = most >= QUICK;
         if !near {
             complaints.push(format!(
-                "{}: the search comes no nearer than {most:.3}",
-                family.label
+                "{statement}: the search comes no nearer than {most:.3}"
             ));
         }
-        for (row, title) in family.rows.iter().enumerate() {
-            let worst = if kept[row].ratio > found[row].ratio {
-                &kept[row]
-            } else {
-                &found[row]
-            };
-            let quick = found[row].ratio;
-            println!(
-                "{}; {title}: found {quick:.3}, known {:.3} of what is stated",
-                family.label, worst.ratio
-            );
-            let holds = worst.ratio <= 1.0;
-            if !holds {
-                complaints.push(format!(
-                    "{}; {title}: {}",
-                    family.label,
-                    worst.describe(family)
-                ));
-            }
-            let entry = (family.statement.clone(), title.clone());
-            match known
-                .iter_mut()
-                .find(|(s, t, _)| (s, t) == (&entry.0, &entry.1))
-            {
-                Some(known) => known.2 = known.2.max(worst.ratio),
-                None => known.push((entry.0, entry.1, worst.ratio)),
-            }
-            worst_known.push((family, title.clone(), worst.clone()));
-        }
     }
-    for (statement, title, ratio) in known {
+    for ((statement, title), ratio) in known {
         // A statement of 0 is kept by an error of 0.
         let fresh = ratio >= 0.5 || ratio == 0.0;
         if !fresh {
@@ -135,4 +125,8 @@ pub fn hold(families: &[Family], file: &str) {
         kept::write(file, &worst_known);
     }
     assert!(complaints.is_empty(), "\n{}\n", complaints.join("\n"));
+}
+
+fn raise_to(most: &mut f64, ratio: f64) {
+    *most = most.max(ratio);
 }

@@ -15,7 +15,7 @@ pub enum Budget {
 }
 
 /// Points a family in the quick budget: about half a second.
-const QUICK_POINTS: u32 = 240_000;
+const QUICK_POINTS: u32 = 320_000;
 
 impl Budget {
     /// `MICROWARP_SEARCH=seconds` a family, from a new seed; otherwise the quick budget.

@@ -135,7 +135,7 @@ pub(super) fn entries<T: Tier>() -> Vec<Entry> {
 }
 
 /// The frame of Duff and others in f64.
-fn exact_frame(normal: [f32; 3]) -> [truth::Point; 3] {
+pub fn exact_frame(normal: [f32; 3]) -> [truth::Point; 3] {
     let n = normal.map(f64::from);
     let length = truth::dot(n, n).sqrt();
     let [x, y, z] = n.map(|c| c / length);

@@ -5,7 +5,7 @@
 
 #![allow(dead_code, reason = "each test and example uses a part of the table")]
 
-mod directions;
+pub mod directions;
 pub mod discrete;
 pub mod line;
 pub mod plane;

@@ -1,5 +1,6 @@
 //! Every constructor of the float tiers as a family for the adversary: what it takes, and the entry it gives.
 
+mod boxes;
 mod directions;
 mod flawed;
 mod line;
@@ -51,6 +52,7 @@ fn of_tier<T: Tier>() -> Vec<Family> {
     let mut all = line::constructors::<T>();
     all.extend(open::constructors::<T>());
     all.extend(power::constructors::<T>());
+    all.extend(boxes::constructors::<T>());
     all.extend(plane::constructors::<T>());
     all.extend(directions::constructors::<T>());
     all.into_iter().map(|c| family(c, T::NAME)).collect()

@@ -1,94 +1,116 @@
 //! The constructors of the warps of the plane and of triangles in space.
 
 use super::Constructor;
-use super::line::histogram;
-use crate::adversary::words::Kind::{Any, Positive};
-use crate::catalogue::truth::Truth;
-use crate::catalogue::{Domain, Entry, Flat, Measure, entry, truth};
-use microwarp::discrete::PiecewiseConstant2d;
+use crate::adversary::words::Kind::Any;
+use crate::catalogue::{Domain, Entry, Measure, entry, truth};
+use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use truth::Truth;
 
 pub(super) fn constructors<T: Tier>() -> Vec<Constructor> {
     vec![
         Constructor {
-            name: "Aabb",
-            constructor: "of 1 side",
-            parameters: &[Any; 2],
-            build: |p| sides::<T, 1>(p, Domain::Plane),
+            name: "Disk",
+            constructor: "",
+            parameters: &[],
+            build: |_| {
+                let truth: Box<dyn Truth> = Box::new(truth::Disk);
+                Some(planar::<T, _>("Disk", Disk::<T>::new(), truth))
+            },
             seeds: Vec::new(),
         },
         Constructor {
-            name: "Aabb",
-            constructor: "of 2 sides",
-            parameters: &[Any; 4],
-            build: |p| sides::<T, 2>(p, Domain::Plane),
+            name: "DiskConcentric",
+            constructor: "",
+            parameters: &[],
+            build: |_| {
+                let truth: Box<dyn Truth> = Box::new(truth::DiskConcentric);
+                Some(planar::<T, _>(
+                    "DiskConcentric",
+                    DiskConcentric::<T>::new(),
+                    truth,
+                ))
+            },
             seeds: Vec::new(),
         },
         Constructor {
-            name: "Aabb",
-            constructor: "of 3 sides",
+            name: "Triangle",
+            constructor: "",
+            parameters: &[],
+            build: |_| {
+                Some(entry::<T, _>(
+                    "Triangle",
+                    "",
+                    Domain::Space,
+                    Measure::Length(1.0),
+                    Triangle::new(),
+                    Box::new(truth::Barycentric) as Box<dyn Truth>,
+                ))
+            },
+            seeds: Vec::new(),
+        },
+        Constructor {
+            name: "TriangleOn",
+            constructor: "plane",
             parameters: &[Any; 6],
-            build: |p| sides::<T, 3>(p, Domain::Space),
-            seeds: Vec::new(),
+            build: |p| on_vertices::<T, 2>(p, Domain::Plane),
+            seeds: vec![
+                vec![0.0, 0.0, 4.0, 0.0, 1.0, 3.0],
+                vec![0.0, 0.0, 1.0, 0.0, 0.5, 1e-11],
+                vec![0.1, 0.2, 0.7, 0.9, 0.4, 0.55],
+                vec![1e6, 0.1, 1_000_001.0, -0.3, 1e6, 0.7],
+            ],
         },
         Constructor {
-            name: "PiecewiseConstant2d",
-            constructor: "of 2 by 2 cells",
-            parameters: &[Any, Any, Any, Any, Positive, Positive, Positive, Positive],
-            build: picture::<T>,
-            seeds: vec![vec![
-                -1.136_488_4,
-                1.123_338_6,
-                -1.131_686_4,
-                1.149_362_9,
-                0.069_521_83,
-                0.290_617_5,
-                0.890_342_7,
-                0.496_947_02,
-            ]],
+            name: "TriangleOn",
+            constructor: "space",
+            parameters: &[Any; 9],
+            build: |p| on_vertices::<T, 3>(p, Domain::Space),
+            seeds: vec![
+                vec![1.0, 0.0, 0.0, 0.0, 2.0, 0.5, -1.0, 0.0, 3.0],
+                vec![0.1, 0.2, 0.3, 0.7, 0.9, -0.4, 0.4, 0.55, -0.05],
+                vec![
+                    1e6,
+                    0.1,
+                    -7e3,
+                    1_000_001.0,
+                    -0.3,
+                    -7001.0,
+                    1e6,
+                    0.7,
+                    -7002.0,
+                ],
+            ],
         },
     ]
 }
 
-fn ordered(a: f32, b: f32) -> [f32; 2] {
-    [a.min(b), a.max(b)]
-}
-
-fn size(ends: &[f32]) -> f64 {
-    ends.iter().fold(0.0, |m: f32, x| m.max(x.abs())).into()
-}
-
-/// The bounds of each side, one after the other.
-fn sides<T: Tier, const N: usize>(p: &[f32], domain: Domain) -> Option<Entry>
+fn planar<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
 where
-    [f32; N]: Flat<3> + Flat<4>,
+    W: Warp<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
 {
-    let side = |i: usize| ordered(p[2 * i], p[2 * i + 1]);
-    let [low, high] = [0, 1].map(|end| std::array::from_fn(|i| side(i)[end]));
-    let warp = Aabb::<N>::new(low, high).ok()?;
-    let truth = truth::Sides((0..N).map(|i| side(i).map(f64::from)).collect());
-    let of_size = Measure::Length(size(p));
-    let truth = Box::new(truth) as Box<dyn Truth>;
-    Some(
-        entry::<T, _>("Aabb", "", domain, of_size, warp, truth)
-            .variables(&[("n", N as f64), ("m", size(p))]),
-    )
+    entry::<T, _>(name, "", Domain::Plane, Measure::Length(1.0), warp, truth)
 }
 
-/// Two ranges and the weights of two rows. The truth has the words of the tables.
-fn picture<T: Tier>(p: &[f32]) -> Option<Entry> {
-    let (u, v) = (ordered(p[0], p[1]), ordered(p[2], p[3]));
-    let weights = [[p[4], p[5]], [p[6], p[7]]];
-    let warp = PiecewiseConstant2d::<[u32; 2], [[u32; 2]; 2]>::new(&weights, u, v).ok()?;
-    let rows = (0..2).map(|row| histogram(warp.conditional(row).cdf(), u));
-    let truth = truth::Picture::of(histogram(warp.marginal().cdf(), v)?, rows.collect());
-    Some(entry::<T, _>(
-        "PiecewiseConstant2d",
+fn on_vertices<T: Tier, const D: usize>(p: &[f32], domain: Domain) -> Option<Entry>
+where
+    [f32; D]: crate::catalogue::Flat<3>,
+{
+    let vertices: [[f32; D]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| p[i * D + k]));
+    let warp = TriangleOn::new(vertices).ok()?;
+    let size = p.iter().fold(0.0_f32, |size, x| size.max(x.abs()));
+    let wide = vertices.map(|v| std::array::from_fn(|k| v.get(k).copied().map_or(0.0, f64::from)));
+    let truth = truth::OnTriangle(wide);
+    let height = truth.height() / f64::from(size);
+    let truth: Box<dyn Truth> = Box::new(truth);
+    let e = entry::<T, _>(
+        "TriangleOn",
         "",
-        Domain::Plane,
-        Measure::Length(size(&p[..4])),
+        domain,
+        Measure::Length(size.into()),
         warp,
-        Box::new(truth) as Box<dyn Truth>,
-    ))
+        truth,
+    );
+    Some(e.variables(&[("h", height)]))
 }

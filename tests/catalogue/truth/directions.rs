@@ -143,39 +143,58 @@ pub struct Patch {
 }
 
 impl Patch {
-    fn drop(&self) -> f64 {
+    /// cos θ₀ − cos θ₁.
+    pub fn drop(&self) -> f64 {
         let [t0, t1] = self.theta;
-        2.0 * (PI * (t0 + t1)).sin() * (PI * (t1 - t0)).sin()
+        let mean = if t0 + t1 <= 0.5 {
+            t0 + t1
+        } else {
+            (0.5 - t0) + (0.5 - t1)
+        };
+        2.0 * (PI * mean).sin() * (PI * (t1 - t0)).sin()
     }
-    fn first(&self) -> (f64, f64) {
-        let (s, c) = (PI * self.theta[0]).sin_cos();
-        (2.0 * s * s, 2.0 * c * c)
+    /// The width in turns, at most a whole one.
+    pub fn width(&self) -> f64 {
+        let width = self.phi[1] - self.phi[0];
+        if (width as f32) < 1.0 { width } else { 1.0 }
+    }
+    /// 1 − cos θ of the first side and 1 + cos θ of the second.
+    fn ends(&self) -> (f64, f64) {
+        let down = (PI * self.theta[0]).sin();
+        let up = (PI * (0.5 - self.theta[1])).sin();
+        (2.0 * down * down, 2.0 * up * up)
+    }
+    /// The smaller of 1 − cos θ₁ and 1 + cos θ₀.
+    pub fn reach(&self) -> f64 {
+        let (down, up) = self.ends();
+        (down + self.drop()).min(up + self.drop())
     }
 }
 
 impl Truth for Patch {
     fn sample(&self, u: Uniforms) -> Point {
-        let (down, _) = self.first();
-        let last = 2.0 * (PI * self.theta[1]).cos().powi(2);
-        let (down, up) = (down + u[0] * self.drop(), last + (1.0 - u[0]) * self.drop());
-        let phi = self.phi[0] + u[1] * (self.phi[1] - self.phi[0]);
-        let (s, c) = (TAU * phi).sin_cos();
-        let sin = (down * up).sqrt();
+        let (first, last) = self.ends();
+        let (down, up) = (
+            first + u[0] * self.drop(),
+            last + (1.0 - u[0]) * self.drop(),
+        );
+        let (s, c) = (TAU * (self.phi[0] + u[1] * self.width())).sin_cos();
+        let small = down.min(up);
+        let sin = (small * (2.0 - small)).sqrt();
         let cos = if down < up { 1.0 - down } else { up - 1.0 };
         [sin * c, sin * s, cos]
     }
     fn pdf(&self, _: Point) -> f64 {
-        1.0 / (self.drop() * TAU * (self.phi[1] - self.phi[0]))
+        1.0 / (self.drop() * TAU * self.width())
     }
     fn invert(&self, x: Point) -> Uniforms {
-        let (down, up) = complements(x);
-        let (first_down, first_up) = self.first();
+        let ((down, up), (first, last)) = (complements(x), self.ends());
         let u = if down < up {
-            down - first_down
+            (down - first) / self.drop()
         } else {
-            first_up - up
-        } / self.drop();
-        let width = self.phi[1] - self.phi[0];
+            1.0 - (up - last) / self.drop()
+        };
+        let width = self.width();
         let off = x[1].atan2(x[0]) / TAU - self.phi[0] - 0.5 * width;
         [u, (off - off.round()) / width + 0.5, 0.0, 0.0]
     }

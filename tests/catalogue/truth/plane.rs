@@ -1,6 +1,6 @@
 //! Exact counterparts of the warps of the plane and of triangles in space.
 
-use super::{Point, Truth, Uniforms, cross, dot, turn};
+use super::{Point, Truth, Uniforms, turn};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
 pub struct NormalPair {
@@ -96,12 +96,31 @@ impl Truth for Barycentric {
 }
 
 /// A triangle on three vertices; in the plane the third coordinates are 0.
+///
+/// Its area and barycentric coordinates are determinants that cancel as far as the triangle is flat, so
+/// they are worked out in sums of two doubles.
 pub struct OnTriangle(pub [Point; 3]);
 
 impl OnTriangle {
-    fn sides(&self) -> [Point; 2] {
+    fn sides(&self) -> [[Double; 3]; 2] {
         let [a, b, c] = self.0;
-        [0, 1].map(|i| std::array::from_fn(|k| [b, c][i][k] - a[k]))
+        [b, c].map(|to| differences(to, a))
+    }
+
+    fn twice_area(&self) -> f64 {
+        let [p, q] = self.sides();
+        let normal = double_cross(p, q);
+        double_dot(normal, normal).0.sqrt()
+    }
+
+    /// The height over the longest side.
+    pub fn height(&self) -> f64 {
+        let [a, b, c] = self.0;
+        let length = |p, q| {
+            let d = differences(p, q).map(|d| d.0);
+            d[0].hypot(d[1]).hypot(d[2])
+        };
+        self.twice_area() / length(a, b).max(length(b, c)).max(length(c, a))
     }
 }
 
@@ -111,17 +130,21 @@ impl Truth for OnTriangle {
         std::array::from_fn(|k| (0..3).map(|i| b[i] * self.0[i][k]).sum())
     }
     fn pdf(&self, _: Point) -> f64 {
-        let [p, q] = self.sides();
-        let c = cross(p, q);
-        2.0 / dot(c, c).sqrt()
+        2.0 / self.twice_area()
     }
     fn invert(&self, x: Point) -> Uniforms {
         let [p, q] = self.sides();
-        let c = cross(p, q);
-        let to: Point = std::array::from_fn(|k| x[k] - self.0[0][k]);
-        let v = dot(cross(to, q), c) / dot(c, c);
-        let w = dot(cross(p, to), c) / dot(c, c);
-        Barycentric.invert([1.0 - v - w, v, w])
+        let normal = double_cross(p, q);
+        let whole = double_dot(normal, normal);
+        let to = differences(x, self.0[0]);
+        let v = double_dot(double_cross(to, q), normal);
+        let w = double_dot(double_cross(p, to), normal);
+        let u = plus(whole, minus(plus(v, w)));
+        // A point that was rounded out of the triangle has the uniforms of one inside it.
+        let [u, v, w] = [u, v, w].map(|part| (part.0 / whole.0).clamp(0.0, 1.0));
+        let s = v + w;
+        let first = if s < 0.5 { s * s } else { 1.0 - u * (2.0 - u) };
+        [first, if s > 0.0 { v / s } else { 0.0 }, 0.0, 0.0]
     }
 }
 
@@ -149,6 +172,46 @@ impl Truth for Sides {
         }
         uniforms
     }
+}
+
+/// A sum of two doubles that do not overlap.
+type Double = (f64, f64);
+
+fn exact_sum(a: f64, b: f64) -> Double {
+    let sum = a + b;
+    let of_b = sum - a;
+    (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+fn plus(a: Double, b: Double) -> Double {
+    let ((high, low), (more, rest)) = (exact_sum(a.0, b.0), exact_sum(a.1, b.1));
+    let (high, low) = exact_sum(high, low + more);
+    exact_sum(high, low + rest)
+}
+
+fn minus(a: Double) -> Double {
+    (-a.0, -a.1)
+}
+
+fn times(a: Double, b: Double) -> Double {
+    let product = a.0 * b.0;
+    let dropped = a.0.mul_add(b.0, -product);
+    exact_sum(product, dropped + (a.0 * b.1 + a.1 * b.0))
+}
+
+fn differences(p: Point, q: Point) -> [Double; 3] {
+    std::array::from_fn(|k| exact_sum(p[k], -q[k]))
+}
+
+fn double_cross(p: [Double; 3], q: [Double; 3]) -> [Double; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| plus(times(p[i], q[j]), minus(times(p[j], q[i]))))
+}
+
+fn double_dot(p: [Double; 3], q: [Double; 3]) -> Double {
+    plus(
+        plus(times(p[0], q[0]), times(p[1], q[1])),
+        times(p[2], q[2]),
+    )
 }
 
 /// A marginal in x and a conditional in y given x.

@@ -1,0 +1,196 @@
+//! Triangles and patches of any shape and place: no density 0 at a sample of theirs, none above 0 far from them, and
+//! shares of the points of a small triangle far off that are right to the rounding of their cells.
+
+use crate::catalogue::truth::{OnTriangle, Truth};
+use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::warp::{SphericalPatch, TriangleOn};
+use microwarp::{Warp, uniform};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// 2 to a power between two ends, of either sign.
+fn spread(rng: &mut Pcg32, low: f32, high: f32) -> f32 {
+    let x = (low + uniform::grid(rng) * (high - low)).exp2();
+    if rng.next_u32() & 1 == 0 { x } else { -x }
+}
+
+fn centred(rng: &mut Pcg32) -> f32 {
+    2.0 * uniform::grid(rng) - 1.0
+}
+
+/// Ends and middles of the grid, and what lies between.
+fn edge(rng: &mut Pcg32) -> f32 {
+    match rng.next_u32() % 4 {
+        0 => 0.0,
+        1 => uniform::LARGEST,
+        _ => uniform::grid(rng),
+    }
+}
+
+/// Triangles of all kinds, every second of them a sliver, every third far from 0.
+fn triangle<const D: usize>(rng: &mut Pcg32) -> [[f32; D]; 3] {
+    let mut v = [[0.0; D]; 3].map(|p| p.map(|_: f32| centred(rng)));
+    if rng.next_u32() & 1 == 0 {
+        let (along, height) = (uniform::grid(rng), spread(rng, -38.0, 0.0));
+        for k in 0..D {
+            v[2][k] = v[0][k] + along * (v[1][k] - v[0][k]) + height * centred(rng);
+        }
+    }
+    if rng.next_u32() % 3 == 0 {
+        let far = spread(rng, 0.0, 20.0);
+        for k in 0..D {
+            let by = far * centred(rng);
+            v.iter_mut().for_each(|p| p[k] += by);
+        }
+    }
+    v.rotate_left((rng.next_u32() % 3) as usize);
+    v
+}
+
+/// The test that once told inside from outside in the plane: barycentric coordinates of one accuracy for all sides.
+fn once_inside(v: [[f32; 2]; 3], x: [f32; 2]) -> bool {
+    let from = |p: [f32; 2]| [p[0] - v[0][0], p[1] - v[0][1]];
+    let (p, q, to) = (from(v[1]), from(v[2]), from(x));
+    let wedge = |a: [f32; 2], b: [f32; 2]| a[0] * b[1] - a[1] * b[0];
+    let norm = |a: [f32; 2]| (a[0] * a[0] + a[1] * a[1]).sqrt();
+    let cross = wedge(p, q);
+    let (b, c) = (wedge(to, q) / cross, wedge(p, to) / cross);
+    let largest = v.as_flattened().iter().fold(0.0_f32, |m, c| m.max(c.abs()));
+    let reach = norm(p) + norm(q);
+    let slack = 2.0 * f32::EPSILON * (0.5 * largest + reach) * reach / cross.abs();
+    b >= -slack && c >= -slack && 1.0 - b - c >= -slack
+}
+
+fn own_samples<const D: usize>(mut once: impl FnMut([[f32; D]; 3], [f32; D]) -> bool) -> u32 {
+    let mut rng = Pcg32::new(13, D as u64);
+    let (mut lost, mut accepted) = (0, 0);
+    for _ in 0..400_000 {
+        let v = triangle::<D>(&mut rng);
+        let Ok(warp) = TriangleOn::new(v) else {
+            continue;
+        };
+        accepted += 1;
+        let u = [edge(&mut rng), edge(&mut rng)];
+        let x = warp.sample(u);
+        assert!(warp.pdf(x) > 0.0, "{v:?} at {u:?}: {x:?}");
+        lost += u32::from(!once(v, x));
+        // Four times its extent and what sixteen steps of the largest coordinate are, along any axis.
+        let size = |a: f32, c: &f32| a.max(c.abs());
+        let largest = v.as_flattened().iter().fold(0.0, size);
+        let mut away = x;
+        let by =
+            16.0 * f32::EPSILON * largest + 4.0 * (0..D).map(|k| side(v, k)).fold(0.0, f32::max);
+        away[rng.next_u32() as usize % D] += if rng.next_u32() & 1 == 0 { by } else { -by };
+        assert!(warp.pdf(away) == 0.0, "{v:?}: {away:?}");
+    }
+    assert!(accepted > 300_000);
+    lost
+}
+
+/// The range of a coordinate.
+fn side<const D: usize>(v: [[f32; D]; 3], k: usize) -> f32 {
+    let [a, b, c] = v.map(|p| p[k]);
+    a.max(b).max(c) - a.min(b).min(c)
+}
+
+#[test]
+fn no_triangle_has_density_zero_at_its_samples() {
+    let lost = own_samples::<2>(once_inside);
+    assert!(lost > 100, "the old test passes: {lost}");
+    own_samples::<3>(|_, _| true);
+}
+
+fn patches<T: Tier>() {
+    let mut rng = Pcg32::new(14, 4);
+    let mut accepted = 0;
+    for _ in 0..400_000 {
+        let mut theta = [(); 2].map(|()| match rng.next_u32() % 3 {
+            0 => spread(&mut rng, -80.0, -1.0).abs(),
+            1 => 0.5 - spread(&mut rng, -25.0, -1.0).abs(),
+            _ => 0.5 * uniform::grid(&mut rng),
+        });
+        if rng.next_u32() % 4 == 0 {
+            theta[1] = f32::from_bits(theta[0].to_bits() + rng.next_u32() % 8).min(0.5);
+        }
+        theta.sort_by(f32::total_cmp);
+        let (phi, width) = (centred(&mut rng), spread(&mut rng, -20.0, 0.0).abs());
+        let [low, high] = theta;
+        let Ok(patch) = SphericalPatch::<T>::new(low, high, phi, phi + width) else {
+            continue;
+        };
+        accepted += 1;
+        let u = [edge(&mut rng), edge(&mut rng)];
+        let x = patch.sample(u);
+        assert!(
+            patch.pdf(x) > 0.0,
+            "{theta:?} {phi} {width} at {u:?}: {x:?}"
+        );
+    }
+    assert!(accepted > 300_000);
+}
+
+#[test]
+fn no_patch_has_density_zero_at_its_samples() {
+    patches::<Libm>();
+    patches::<Poly>();
+}
+
+/// A patch beside the lower pole has the solid angle of its mirror image beside the upper one.
+#[test]
+fn patches_at_both_poles_have_the_same_solid_angle() {
+    for steps in [1, 2, 5, 1000] {
+        let width = steps as f32 / 33_554_432.0;
+        let patch = |from, to| {
+            SphericalPatch::<Poly>::new(from, to, 0.0, 1.0)
+                .unwrap()
+                .solid_angle()
+        };
+        let (south, north) = (patch(0.5 - width, 0.5), patch(0.0, width));
+        assert!(
+            (south / north - 1.0).abs() <= 5e-7,
+            "{steps}: {south} {north}"
+        );
+    }
+}
+
+/// The first coordinate of a triangle far off, in steps of its rounding from the first vertex: the largest difference
+/// between the distribution of points and the exact one at the borders of cells.
+fn distance(sample: impl Fn([f32; 2]) -> f32, v: [[f32; 2]; 3]) -> f64 {
+    const SIDE: u32 = 2048;
+    let step = f64::from(f32::from_bits(v[0][0].to_bits() + 1) - v[0][0]);
+    let truth = OnTriangle(v.map(|[x, y]| [f64::from(x), f64::from(y), 0.0]));
+    let cell = |x: f64| ((x - f64::from(v[0][0])) / step).round() as usize;
+    let cells = cell(f64::from(v[1][0].max(v[2][0]))) + 1;
+    let (mut found, mut exact) = (vec![0_i64; cells], vec![0_i64; cells]);
+    for i in 0..SIDE * SIDE {
+        // Off the multiples of the grid's step, as midpoints of its cells.
+        let u = [i / SIDE, i % SIDE].map(|k| (k as f32 + 0.5) / SIDE as f32);
+        found[cell(f64::from(sample(u)))] += 1;
+        let [a, b] = u.map(f64::from);
+        exact[cell(truth.sample([a, b, 0.0, 0.0])[0])] += 1;
+    }
+    let mut off = (0, 0_i64);
+    for (f, e) in found.into_iter().zip(exact) {
+        off.1 += f - e;
+        off.0 = off.0.max(off.1.abs());
+    }
+    off.0 as f64 / f64::from(SIDE * SIDE)
+}
+
+#[test]
+fn a_small_triangle_far_off_is_flat() {
+    let v = [[1e6, 1e6], [1_000_001.0, 1e6], [1_000_000.5, 1_000_001.0]];
+    let warp = TriangleOn::new(v).unwrap();
+    let found = distance(|u| warp.sample(u)[0], v);
+    assert!(found <= 2e-6, "{found:.1e}");
+    // The combination of the vertices themselves rounds three times.
+    let plain = distance(
+        |[u1, u2]| {
+            let s = u1.sqrt();
+            ((1.0 - u1) / (1.0 + s) * v[0][0] + s * u2 * v[1][0] + s * (1.0 - u2) * v[2][0])
+                .clamp(v[0][0], v[1][0])
+        },
+        v,
+    );
+    assert!(plain > 5e-3, "the plain form passes: {plain:.1e}");
+}
