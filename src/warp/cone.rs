@@ -27,7 +27,7 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | sample, of the size | 2.6e-7 | 2.6e-7 |
-/// | sin θ, ulp | 3.2 | 3.2 |
+/// | sin θ, ulp | 3.5 | 3.5 |
 /// | unit length | 1.7e-7 | 2.0e-7 |
 /// | pdf, relative | 3.0e-7 | 3.0e-7 |
 /// | realised density, relative | 3.0e-7 | 3.0e-7 |

@@ -104,7 +104,7 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// | pdf, relative | 4.5e-8 | 4.5e-8 |
 /// | realised density, relative | 4.5e-8 | 4.5e-8 |
 /// | inverse | 1.3e-7 | 9.7e-8 |
-/// | round trip | 1.4e-7 | 1.4e-7 |
+/// | round trip | 1.6e-7 | 1.6e-7 |
 ///
 /// The sample error is proven for every pair of uniforms: see `docs/proofs.md`.
 ///

@@ -106,7 +106,7 @@ impl Frame {
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | sample, of the size | 4.2e-7 | 4.2e-7 |
-/// | unit length | 3.6e-7 | 3.6e-7 |
+/// | unit length | 3.9e-7 | 3.9e-7 |
 /// | pdf, relative | 5e-7 + 8*s | 5e-7 + 8*s |
 /// | realised density, relative | 5e-7 + 8*s | 5e-7 + 8*s |
 /// | inverse | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |

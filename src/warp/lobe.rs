@@ -25,7 +25,7 @@ use core::marker::PhantomData;
 /// | sample, of the size | 1.8e-7 | 2.1e-7 |
 /// | sin θ, ulp | 3.2 | 3.2 |
 /// | cos θ, ulp | 38 | 45 |
-/// | unit length | 1.6e-7 | 2.0e-7 |
+/// | unit length | 1.8e-7 | 2.1e-7 |
 /// | pdf, relative | 4.0e-7 | 4.0e-7 |
 /// | realised density, relative | min(8e-6, 6e-7 + 15*s) | min(8e-6, 6e-7 + 15*s) |
 /// | inverse | 1.6e-7 | 1.6e-7 |

@@ -184,7 +184,7 @@ impl<T: Tier> Warp for Normal<T> {
 /// |---|--:|--:|
 /// | sample, of the size | 2.8e-7 | 2.8e-7 |
 /// | pdf, relative | 3.7e-7 | 3.7e-7 |
-/// | realised density, relative | 6e-7 + 4*s/max(0, 1 - w/1e6) | 6e-7 + 4*s/max(0, 1 - w/1e6) |
+/// | realised density, relative | 6e-7 + 4.4*s/max(0, 1 - w/1e6) | 6e-7 + 4.4*s/max(0, 1 - w/1e6) |
 /// | inverse | 1.6e-7 | 1.6e-7 |
 /// | round trip | 1.5e-7 + 1.8*r | 1.5e-7 + 1.8*r |
 ///

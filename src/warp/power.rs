@@ -29,7 +29,7 @@ use core::marker::PhantomData;
 /// | pdf, relative | 1.3e-7 | 1.3e-7 |
 /// | realised density, relative | 1.3e-7 + s | 1.3e-7 + s |
 /// | inverse | 3e-7 | 3e-7 |
-/// | round trip | 3e-7 + r | 3e-7 + r |
+/// | round trip | 3e-7 + 1.1*r | 3e-7 + 1.1*r |
 ///
 /// s and r: by how much the exact density, relatively, and the exact inverse change over one ulp of x.
 ///

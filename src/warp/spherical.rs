@@ -158,7 +158,7 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.2e-7 | 4.2e-7 |
+/// | sample, of the size | 4.4e-7 | 4.4e-7 |
 /// | unit length | 1.9e-7 | 2.3e-7 |
 /// | pdf, relative | 5.5e-7 | 5.5e-7 |
 /// | realised density, relative | 5.5e-7 | 5.5e-7 |

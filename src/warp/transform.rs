@@ -17,7 +17,7 @@ use rand_core::TryRng;
 /// | pdf, relative | 5.2e-7 | 4.1e-7 |
 /// | realised density, relative | 9.5e-7 | 7.5e-7 |
 /// | inverse | 3.4e-7 | 3.5e-7 |
-/// | round trip | 6.0e-7 | 5.3e-7 |
+/// | round trip | 6e-7 | 6e-7 |
 ///
 /// Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997.
 ///

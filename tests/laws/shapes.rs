@@ -32,8 +32,9 @@ fn triangle<const D: usize>(rng: &mut Pcg32) -> [[f32; D]; 3] {
     let mut v = [[0.0; D]; 3].map(|p| p.map(|_: f32| centred(rng)));
     if rng.next_u32() & 1 == 0 {
         let (along, height) = (uniform::grid(rng), spread(rng, -38.0, 0.0));
-        for k in 0..D {
-            v[2][k] = v[0][k] + along * (v[1][k] - v[0][k]) + height * centred(rng);
+        let [a, b, c] = &mut v;
+        for (c, (a, b)) in c.iter_mut().zip(a.iter().zip(b.iter())) {
+            *c = a + along * (b - a) + height * centred(rng);
         }
     }
     if rng.next_u32() % 3 == 0 {

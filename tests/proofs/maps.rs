@@ -2,7 +2,7 @@
 
 use crate::Uniforms;
 use crate::bounds::{Roundings, Worst};
-use crate::catalogue::{Entry, entries};
+use crate::catalogue::{Entry, Measure, entries};
 use crate::figures::{Figures, raise};
 use crate::phases::{self, Cell};
 use crate::radii::{self, Radii};
@@ -27,7 +27,12 @@ pub fn is_concentric(name: &str) -> bool {
 /// The map in the catalogue; of the normal pair the standard one.
 pub fn entry<T: Tier>(name: &str) -> Entry {
     let mut all = entries().into_iter();
-    all.find(|e| e.name == name && e.tier == T::NAME).unwrap()
+    let entry = all.find(|e| e.name == name && e.tier == T::NAME).unwrap();
+    // All are of size 1; the standard pair is measured in deviations.
+    Entry {
+        measure: Measure::Length(1.0),
+        ..entry
+    }
 }
 
 impl Roundings {
