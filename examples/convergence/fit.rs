@@ -1,6 +1,5 @@
 //! Lines of errors, the slopes fitted to them, and the check of those slopes.
 
-use crate::integrand::grid_bias;
 use crate::method::{DIMENSIONS, METHODS, Method, Rate};
 use crate::rules::FLOOR;
 use crate::slope::Fit;
@@ -14,15 +13,12 @@ use crate::text::signed;
 /// put it 0.027 off in six dimensions. Different rates lie 1/6 apart at the least, almost three tolerances.
 pub const TOLERANCE: f64 = 0.06;
 
-/// How many times the floor an error must be, so that the floor tilts no fit.
-const CLEARANCE: f64 = 8.0;
-
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Use {
     Fitted,
     /// Too few evaluations for the theory to hold.
     Early,
-    /// Too near the floor of the arithmetic or of the grid of uniforms.
+    /// Too near the floor of the arithmetic.
     Floor,
 }
 
@@ -37,7 +33,7 @@ impl Point {
         Self {
             evaluations: method.evaluations(size, s) as f64,
             error,
-            used: if error < floor(method, s) {
+            used: if error < FLOOR {
                 Use::Floor
             } else if size < method.asymptotic_from(s) {
                 Use::Early
@@ -45,15 +41,6 @@ impl Point {
                 Use::Fitted
             },
         }
-    }
-}
-
-/// The error below which a point is left out.
-pub fn floor(method: Method, s: u32) -> f64 {
-    if method.is_random() {
-        CLEARANCE * grid_bias(s)
-    } else {
-        FLOOR
     }
 }
 

@@ -22,13 +22,6 @@ pub fn integrand<const S: usize>(x: [f32; S]) -> f64 {
     f64::from(1_u32 << S) / (root * root)
 }
 
-/// How far the integral over the 24-bit grid lies from the exact one.
-///
-/// A uniform of the grid is truncated, by 2⁻²⁵ in the mean, and every factor falls by 3/2 from end to end.
-pub fn grid_bias(s: u32) -> f64 {
-    f64::from(s) * (factor(0.0) - factor(1.0)) * 2.0_f64.powi(-25)
-}
-
 /// A density that falls as the integrand does: along each axis e^(-cx) with c = ln 4, because a factor
 /// falls from 2 to 1/2.
 pub struct Importance {

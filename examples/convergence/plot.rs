@@ -148,11 +148,7 @@ impl Scale {
         if lost < 3 {
             return;
         }
-        let text = if line.method.is_random() {
-            "24-bit grid"
-        } else {
-            "rounding in f64"
-        };
+        let text = "rounding in f64";
         let [_, y] = self.at(0.0, last.error.log10());
         let anchor = [self.plot.x + self.plot.w, y - 20.0];
         let style = Type::plain(0.85 * TEXT, line.method.colour());

@@ -1,7 +1,6 @@
 //! The table of slopes and what is to be said beside it.
 
-use crate::fit::{Line, TOLERANCE, Use, floor};
-use crate::integrand::grid_bias;
+use crate::fit::{Line, TOLERANCE, Use};
 use crate::rules::FLOOR;
 use crate::text::signed;
 use comfy_table::{CellAlignment, Table, presets};
@@ -63,17 +62,6 @@ pub fn print(lines: &[Line], repetitions: u32) {
 /// Says of a line where it stops falling and why.
 fn lost_text(line: &Line, lost: usize) -> String {
     let (name, s) = (line.method.name(), line.dimension);
-    let limit = floor(line.method, s);
     let points = if lost == 1 { "point" } else { "points" };
-    if line.method.is_random() {
-        format!(
-            "Floor: {name} in {s}-D, {lost} {points} below {limit:.1e} left out: uniforms lie on a grid of 2⁻²⁴, \
-             truncated, which biases the integral by {:.1e}.",
-            grid_bias(s)
-        )
-    } else {
-        format!(
-            "Floor: {name} in {s}-D, {lost} {points} below {FLOOR:.1e} left out: rounding in f64."
-        )
-    }
+    format!("Floor: {name} in {s}-D, {lost} {points} below {FLOOR:.1e} left out: rounding in f64.")
 }

@@ -1,11 +1,12 @@
 //! How far the probabilities of the cells are off, and after how many samples a chi-square test would show it.
 //!
-//! A map is held against the exact one over the very grid of uniforms that a generator gives it, of 24 or 32 bits.
+//! A map is held against the exact one over the grid of explicit uniforms, of 24 or 32 bits. Warps that draw from finer
+//! ones (`Warp::sample_words`) are so judged by their map; of their draws the chi-square tests tell.
 //! A cell gains what the map carries in across its borders and loses what it carries out; nothing else counts, so
 //! uniforms are tried next to the borders, at distances that are spread evenly over all orders of magnitude, each
 //! with the weight of what it stands for. Each distance of the grid has a chance known exactly, so the estimate is
-//! of the sampler as it is, uniforms included, and without bias. What the grid alone puts into a cell too much or
-//! too little is added exactly.
+//! of the map, its uniforms included, and without bias. What the grid alone puts into a cell too much or too little
+//! is added exactly.
 //!
 //! That gives p − p₀ of every cell, with noise. The sum of (p − p₀)²/p₀ would count the noise; so the work is done
 //! several times over, and only products of different runs are summed, whose mean is free of it. How far that is

@@ -14,7 +14,7 @@ const FAMILIES: [(&str, &[&str]); 2] = [
 /// What the documentation of a type, or of a function, says.
 struct Documented {
     summary: String,
-    /// The rows of its table of errors: the quantity, and a number a tier, as written.
+    /// The rows of its table of errors: the quantity, and a number or a formula a tier, as written.
     bounds: Vec<(String, Vec<String>)>,
 }
 
@@ -70,7 +70,7 @@ fn documented(source: &str) -> Vec<(String, Documented)> {
             lines.push(doc.trim());
         } else if let Some(name) = name(line) {
             let summary = summary(&lines);
-            let bounds = lines.iter().filter_map(|line| row(line)).collect();
+            let bounds = errors(&lines);
             found.push((name, Documented { summary, bounds }));
             lines.clear();
         } else if !line.starts_with('#') {
@@ -105,19 +105,27 @@ fn summary(lines: &[&str]) -> String {
     plain.replace('`', "")
 }
 
-/// A row of a table whose columns but the first are numbers.
+/// The rows of the table whose first column is headed `error`, below its rule.
+fn errors(lines: &[&str]) -> Vec<(String, Vec<String>)> {
+    let table = lines
+        .iter()
+        .skip_while(|line| !line.starts_with("| error |"));
+    table.skip(2).map_while(|line| row(line)).collect()
+}
+
 fn row(line: &str) -> Option<(String, Vec<String>)> {
     let cells = line.strip_prefix('|')?.strip_suffix('|')?;
     let mut cells = cells.split('|').map(str::trim);
     let quantity = cells.next()?.to_owned();
-    let numbers: Vec<String> = cells.map(str::to_owned).collect();
-    let all = !numbers.is_empty() && numbers.iter().all(|cell| cell.parse::<f64>().is_ok());
-    all.then_some((quantity, numbers))
+    Some((quantity, cells.map(str::to_owned).collect()))
 }
 
 fn table(of: &Documented) -> String {
-    let rows = of.bounds.iter();
-    object(rows.map(|(quantity, numbers)| (quantity, format!("[{}]", numbers.join(",")))))
+    let rows = of.bounds.iter().map(|(quantity, stated)| {
+        let stated: Vec<_> = stated.iter().map(|cell| quoted(cell)).collect();
+        (quantity, format!("[{}]", stated.join(",")))
+    });
+    object(rows)
 }
 
 fn object<K: AsRef<str>>(members: impl IntoIterator<Item = (K, String)>) -> String {

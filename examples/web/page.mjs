@@ -133,7 +133,7 @@ const bound_of = (x) => (x < 1e-2 ? Number(x.toPrecision(2)).toExponential() : S
 
 function reading(label, { max, rms, unit, stated }, count) {
   const above = stated !== null && !(max <= stated);
-  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : above ? `above the ${bound_of(stated)} stated for other parameters` : `stated: ${bound_of(stated)}`;
+  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : above ? `above the ${bound_of(stated)} stated` : `stated: ${bound_of(stated)}`;
   return {
     label, value: figure(max), unit: unit === "exact" ? "" : unit, above,
     share: stated > 0 ? max / stated : null,

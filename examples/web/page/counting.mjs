@@ -5,6 +5,8 @@
 //   residuals [place, error], one a point
 //   further   [{ label, value, note, fault }]
 
+import { evaluate } from "./formula.mjs";
+
 // The spacing of f32 at the magnitude of an exact value.
 const view = new DataView(new ArrayBuffer(8));
 function ulp(x) {
@@ -16,14 +18,26 @@ function ulp(x) {
 const FLOAT = ["libm", "poly"];
 const COLUMN = { libm: 0, poly: 1, exact: 0, fine: 0, coarse: 1, compact: 2 };
 
-// Uniforms out of the words a point was drawn with.
-const grid = (words) => words.map((word) => (word >>> 8) / 2 ** 24);
+// Uniforms out of the words a point was drawn with, each exact in f64.
+export const grid = (words) => words.map((w) => (w >>> 8) / 2 ** 24);
 export const word = (words) => words.map((w) => w / 2 ** 32);
-// 64 bits, cut to the 24 digits of an f32.
+// The middle of a word, of 2⁹ words, and of 2⁹ but near 0 of one.
+export const centred = (words) => words.map((w) => (2 * w + 1) / 2 ** 33);
+export const open = (words) => words.map((w) => (2 * (w >>> 9) + 1) / 2 ** 24);
+export const deep = (words) => words.map((w) => (w < 2 ** 23 ? centred : open)([w])[0]);
+// The same with the words near 1 as fine as those near 0 are there.
+export const deep_down = (words) => deep(words.map((w) => ~w >>> 0)).map((t) => 1 - t);
+// The middle of a word, its distance from the nearer end rounded to the 24 digits of an f32.
+export const folded = (words) => words.map((w) => {
+  const upper = w >= 2 ** 31;
+  const tail = Math.fround(2 * (upper ? ~w >>> 0 : w) + 1) / 2 ** 33;
+  return upper ? 1 - tail : tail;
+});
+// 64 bits, cut to the 24 digits of an f32; 0 counts as the middle of its cell.
 export function full([high, low]) {
   const digits = (BigInt(high) << 32n) | BigInt(low);
   const excess = Math.max(0, digits.toString(2).length - 24);
-  return [Number((digits >> BigInt(excess)) << BigInt(excess)) / 2 ** 64];
+  return [Number((digits >> BigInt(excess)) << BigInt(excess)) / 2 ** 64 || 2 ** -65];
 }
 
 const far = (got, exact) => Math.hypot(...exact.map((x, k) => got[k] - x));
@@ -33,11 +47,11 @@ const widest = (got, exact) => Math.max(...exact.map((x, k) => Math.abs(got[k] -
 const STEP = 2 ** -16;
 export const steps = { unit: "steps of 2⁻¹⁶", bound: 1, of: (got, exact) => widest(got, exact) / STEP };
 export const distance = { unit: "of distance", of: far };
-export const of_length = (length, unit, type) => ({
+export const of_length = (length, unit, { words = 0, uniforms } = {}) => ({
   unit,
-  type,
+  uniforms,
   // A word of the uniform more or less moves a sample by that over the density.
-  of: (got, exact, { p, truth }) => Math.max(0, widest(got, exact) - STEP - 2 ** -32 / truth.pdf(exact[0])) / length(p),
+  of: (got, exact, { p, truth }) => Math.max(0, widest(got, exact) - STEP - (words && (words * 2 ** -32) / truth.pdf(exact[0]))) / length(p),
 });
 export const of_extent = {
   unit: "of the extent",
@@ -49,27 +63,29 @@ export const of_deviation = {
   of: (got, exact, { p }) => Math.hypot(...exact.map((x, k) => Math.max(0, Math.abs(got[k] - x) - STEP / 2))) / p[2],
 };
 
-// The row of a table of the documentation: what it is in, and the number of the tier.
-function row(stated, family, type, quantity, tier) {
+// The row of a table of the documentation: what it is in, and the bound of the tier for these values of its names.
+function row(stated, family, type, quantity, tier, names) {
   const found = Object.entries(stated[family]?.[type] ?? {}).find(([name]) => name === quantity || name.startsWith(`${quantity},`));
-  return found ? { unit: found[0].slice(quantity.length + 2), bound: found[1][COLUMN[tier]] } : null;
+  return found ? { unit: found[0].slice(quantity.length + 2), bound: evaluate(found[1][COLUMN[tier]], names) } : null;
 }
 
-function float_error(type, scale, { tier, p, stated }) {
-  const { unit, bound } = row(stated, "float", type, "sample", tier);
-  const length = scale ? scale(p) : 1;
+// `scale` is the length that the unit names, of the parameters and of the exact point.
+function float_error(type, scale, names, { tier, p, stated }) {
+  const { unit, bound } = row(stated, "float", type, "sample", tier, names);
+  const of_scale = (got, exact) => widest(got, exact) / ulp(scale(p, exact));
   const of = {
-    // Where a far mean is added, digits are lost that no sample there can hold.
-    "ulp": (got, exact) => widest(got, exact) / ulp(Math.max(Math.abs(exact[0]), scale ? length : 0)),
-    "ulp of the scale": (got, exact) => widest(got, exact) / ulp(length),
-    "of the size": (got, exact) => far(got, exact) / length,
+    "ulp": (got, exact) => widest(got, exact) / ulp(exact[0]),
+    "ulp of the scale": of_scale,
+    "ulp of mean or deviate": of_scale,
+    "of the size": (got, exact) => far(got, exact) / (scale ? scale(p, exact) : 1),
   }[unit];
+  if (!of) throw new Error(`${type}: a unit that is not known here: ${unit}`);
   return { unit, bound, of };
 }
 
-function integer_error(type, integer, further, { tier, stated }) {
-  const { unit = "in a coordinate", of = widest, type: whose = type } = integer ?? {};
-  const bound = integer?.bound ?? row(stated, "integer", whose, "sample", tier).bound + further;
+function integer_error(type, integer, names, further, { tier, stated }) {
+  const { unit = "in a coordinate", of = widest } = integer ?? {};
+  const bound = integer?.bound ?? row(stated, "integer", type, "sample", tier, names).bound + further;
   return { unit, bound, of };
 }
 
@@ -105,16 +121,18 @@ const points = function* ({ count, points: places, words, densities }, taken) {
 
 const argument = (entry, point) => (entry.view === "line" ? point[0] : point);
 
-// A warp: its points against the exact map of the very uniforms they were drawn with.
-export const warp = (type, { scale, integer, further = 0 } = {}) => (drawn, context) => {
-  const { entry, tier, truth, stated } = context;
+// A warp: its points against the exact map of the very uniforms they were drawn with. `variables` gives the names in
+// its stated bounds their values.
+export const warp = (type, { scale, integer, further = 0, variables = () => ({}) } = {}) => (drawn, context) => {
+  const { entry, tier, p, truth, stated } = context;
   const in_floats = FLOAT.includes(tier) || tier === "exact";
-  const { unit, bound, of } = in_floats ? float_error(type, scale, context) : integer_error(type, integer, further, context);
-  const uniforms = entry.uniforms ?? (in_floats ? grid : word);
+  const names = variables(p);
+  const { unit, bound, of } = in_floats ? float_error(type, scale, names, context) : integer_error(type, integer, names, further, context);
+  const uniforms = (in_floats ? entry.uniforms : integer?.uniforms) ?? (in_floats ? grid : word);
   const [error, density] = [new Largest(), new Largest()];
   const residuals = [];
   for (const { k, point, words, density: reported } of points(drawn, entry.words)) {
-    const u = uniforms(words);
+    const u = uniforms(words, p);
     const exact = truth.sample(u);
     const off = of(point, exact, context);
     error.take(off, k);
@@ -122,7 +140,7 @@ export const warp = (type, { scale, integer, further = 0 } = {}) => (drawn, cont
     const due = truth.pdf(argument(entry, point));
     density.take(in_floats ? Math.abs(reported - due) / due : Math.abs(reported - due), k);
   }
-  const pdf = in_floats ? row(stated, "float", type, "pdf", tier) : null;
+  const pdf = in_floats ? row(stated, "float", type, "pdf", tier, names) : null;
   return {
     error: error.reading(unit, bound),
     density: density.reading(in_floats ? "relative" : "absolute", pdf?.bound ?? null),
@@ -186,7 +204,7 @@ export const selection = ({ searched }) => (drawn, { truth: { shares } }) => {
 };
 
 // Rejection: points against what the words of the accepted try stand for, and the share that was accepted.
-export const rejection = ({ proposal }) => (drawn, context) => {
+export const rejection = ({ proposal, names }) => (drawn, context) => {
   const { entry, tier, truth, stated } = context;
   const error = new Largest();
   const residuals = [];
@@ -201,7 +219,7 @@ export const rejection = ({ proposal }) => (drawn, context) => {
   const [share, due] = [accepted / tries, truth.efficiency];
   const off = due < 1 ? Math.abs(share - due) / Math.sqrt((due * (1 - due)) / tries) : 0;
   return {
-    error: error.reading(proposal ? "of the size" : "exact", proposal ? row(stated, "float", proposal, "sample", tier).bound : 0),
+    error: error.reading(proposal ? "of the size" : "exact", proposal ? row(stated, "float", proposal, "sample", tier, names).bound : 0),
     density: null, residuals, signed: false,
     further: [
       { label: "Accepted", value: `${(100 * share).toFixed(1)} %`, note: `in theory ${(100 * due).toFixed(1)} %, ${off.toFixed(1)} σ off`, fault: !(off < 6) },

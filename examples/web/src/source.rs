@@ -89,9 +89,14 @@ impl Words {
         }
     }
 
-    /// The word of a number of the 24-bit grid, random below it.
+    /// A word of the cell that this is the middle of: from 2⁻⁹ up it has 2⁹ of them, below one.
     fn word(&mut self, u: f32) -> u32 {
-        ((u * 16_777_216.0) as u32).wrapping_shl(8) | self.rng.next_u32().wrapping_shr(24)
+        let first = (u * 4_294_967_296.0) as u32;
+        if u < 1.0 / 512.0 {
+            first
+        } else {
+            first >> 9 << 9 | self.rng.next_u32() >> 23
+        }
     }
 }
 

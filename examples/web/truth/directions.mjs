@@ -35,8 +35,8 @@ export const phong = (n) => ({
     const log = Math.log1p(-u) / (n + 1);
     return direction(Math.sqrt(-Math.expm1(2 * log)), Math.exp(log), v);
   },
-  // Near the axis z has lost the digits that x and y still hold.
-  pdf: ([x, y, z]) => ((n + 1) / TURN) * (z > 0.5 ? Math.exp((n / 2) * Math.log1p(-(x * x + y * y))) : z ** n),
+  // Near the axis z has lost the digits that x and y still hold: 1 − cos θ is read from them.
+  pdf: ([x, y, z]) => ((n + 1) / TURN) * (z > 0.5 ? Math.exp(n * Math.log1p(-(x * x + y * y) / (1 + z))) : z ** n),
 });
 
 export function cone(radians) {
