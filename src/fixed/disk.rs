@@ -24,8 +24,7 @@ use core::marker::PhantomData;
 /// | sample, mean | -1.2e-9 | -5.7e-6 | 0 |
 /// | round trip | 1.7e-6 | 3.1e-4 | 2.0e-6 |
 ///
-/// The largest error of a sample is proven: radius, sine and cosine are each tried over all their words, and what the
-/// product cuts is added. The other largest errors are the worst that searches have found, and a tenth.
+/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
 ///
 /// Source: P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
 ///

@@ -26,8 +26,7 @@ use core::marker::PhantomData;
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
 /// | round trip | 5.3e-7 | 1.6e-4 | 6.2e-7 |
 ///
-/// The largest error of a sample is proven: radius, sine and cosine are each tried over all their words, and what the
-/// product cuts is added. The other largest errors are the worst that searches have found, and a tenth.
+/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///
@@ -114,8 +113,7 @@ impl<G: Grade> Warp for Hemisphere<G> {
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
 /// | round trip | 5.9e-7 | 1.7e-4 | 6.2e-7 |
 ///
-/// The largest error of a sample is proven: radius, sine and cosine are each tried over all their words, and what the
-/// product cuts is added. The other largest errors are the worst that searches have found, and a tenth.
+/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///

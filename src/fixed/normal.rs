@@ -33,8 +33,7 @@ use core::marker::PhantomData;
 /// | pdf | 1.3e-7 | 1.2e-5 | 1.7e-8 |
 /// | round trip | 1.1e-6 | 7.7e-5 | 9.0e-7 |
 ///
-/// The largest error of a sample is proven: radius, sine and cosine are each tried over all their words, and what the
-/// product cuts is added. The other largest errors are the worst that searches have found, and a tenth.
+/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
 ///
 /// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
 ///

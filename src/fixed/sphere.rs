@@ -26,8 +26,7 @@ use core::marker::PhantomData;
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.0e-7 |
 /// | round trip | 2.7e-7 | 8.1e-5 | 3.1e-7 |
 ///
-/// The largest error of a sample is proven: radius, sine and cosine are each tried over all their words, and what the
-/// product cuts is added. The other largest errors are the worst that searches have found, and a tenth.
+/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
 ///
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///
