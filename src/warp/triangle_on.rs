@@ -18,7 +18,7 @@ use crate::uniform::Canonical;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 3.5e-7 | 3.5e-7 |
+/// | sample, of the size | 4.2e-7 | 4.2e-7 |
 /// | pdf, relative | 2.6e-7 | 2.6e-7 |
 /// | realised density, relative | 2.6e-7 | 2.6e-7 |
 /// | inverse | min(1, 5e-7 + 6e-7/h + r) | min(1, 5e-7 + 6e-7/h + r) |

@@ -160,7 +160,12 @@ impl Case for Subject {
                     _ => self.variable(name),
                 })
                 .collect();
-            observe(k, error, row.statement.eval(&values));
+            let bound = row.statement.eval(&values);
+            // Uniforms are never farther apart than 1: such a bound says nothing and is not held to be reached.
+            let empty = bound >= 1.0 && matches!(ROWS[row.index].0, "inverse" | "round trip");
+            if !empty {
+                observe(k, error, bound);
+            }
         }
     }
 }
