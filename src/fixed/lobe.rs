@@ -26,7 +26,7 @@ use core::marker::PhantomData;
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
-/// | sample, max | min(1.6e-6, 1.2e-5*w) + 1e-9 | min(1.7e-4, 9e-4*w) + 1e-9 | min(9.3e-7, 7.5e-6*w) + 1e-9 |
+/// | sample, max | min(1.8e-6, 1.35e-5*w) + 1e-9 | min(1.9e-4, 1e-3*w) + 1e-9 | min(1.05e-6, 8.4e-6*w) + 1e-9 |
 /// | sample, rms | 5.0e-8 | 1.8e-5 | 6.1e-8 |
 /// | sample, mean | -8.1e-10 | -1.1e-6 | 0 |
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
