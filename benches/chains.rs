@@ -3,14 +3,12 @@
 //! `cargo bench --bench chains`. Each figure is for 1,024 steps with PCG32, target included, which is a few
 //! multiplications unless said otherwise; compare figures of one run only.
 
-mod common;
-
-use common::repeat;
 use divan::{Bencher, black_box};
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::*;
 use microwarp::poly as mw;
 use rand_pcg::rand_core::Rng;
+use support::bench::repeat;
 
 fn main() {
     divan::main();

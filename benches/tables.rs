@@ -3,9 +3,6 @@
 //! `cargo bench --bench tables`. Each figure is for 1,024 of them with PCG32; compare figures of one run
 //! only. How long tables take to build is at the end, an entry being the item.
 
-mod common;
-
-use common::repeat;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use microwarp::Warp;
@@ -15,6 +12,7 @@ use microwarp::poly as mw;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Rejection};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
+use support::bench::repeat;
 
 fn main() {
     divan::main();

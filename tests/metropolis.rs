@@ -11,7 +11,6 @@ mod balance;
 mod binary;
 #[path = "metropolis/bits.rs"]
 mod bits;
-mod catalogue;
 #[path = "metropolis/cells.rs"]
 mod cells;
 #[path = "metropolis/chains.rs"]
@@ -20,7 +19,6 @@ mod chains;
 mod counterexamples;
 #[path = "metropolis/densities.rs"]
 mod densities;
-mod drivers;
 #[path = "metropolis/enumeration.rs"]
 mod enumeration;
 #[path = "metropolis/evidence.rs"]

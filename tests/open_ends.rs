@@ -4,13 +4,11 @@
 //! ends one by one, the others by so many in every octave of the distance from the nearer end. The old rule, which took
 //! the grid's 0 for 2⁻¹⁴⁹ or an end for a point, is the control in each test: the same bounds reject it.
 
-mod drivers;
-
 use ::fixed::types::extra::U30;
 use ::fixed::types::{I2F30, U0F32};
-use drivers::Cycle;
 use microwarp::uniform::{Strata1d, Uniforms, grid_from_word};
 use microwarp::{Inversion, Warp, fixed, libm, poly};
+use support::generators::Cycle;
 
 /// Words and the share of all words that each stands for.
 fn words(per_octave: u32) -> Vec<(u32, f64)> {

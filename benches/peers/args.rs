@@ -1,9 +1,9 @@
 //! The command line: what may be asked for, and what is said to those who ask wrongly.
 
-use crate::cli::within;
 use lexopt::Error;
 use lexopt::prelude::*;
 use std::path::PathBuf;
+use support::cli::within;
 
 pub const HELP: &str = "\
 Times every sampler beside its peers, in interleaved rounds, and prints nanoseconds a sample and the ratios within

@@ -1,8 +1,6 @@
 //! Contests of warps that are drawn one sample after the other.
 
-use crate::contest::Contest;
 use crate::families::*;
-use crate::peers::{drawn, micro, rejecting, textbook};
 use fixed::types::U32F32;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, Grade, Uniform};
 use microwarp::rejection::{
@@ -14,6 +12,8 @@ use microwarp::{Warp, uniform};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
+use support::contest::Contest;
+use support::peers::{drawn, micro, rejecting, textbook};
 
 /// Cosine-power lobes have this exponent.
 pub const EXPONENT: u16 = 50;

@@ -1,7 +1,7 @@
 //! Who meets whom: the list of contests, and what contestants are called in all of them.
 
-use crate::contest::Standings;
 use crate::{draws, fills, tables};
+use support::contest::Standings;
 
 /// The words that the map of the family takes, and nothing made of them.
 pub const FLOOR: &str = "generator alone";

@@ -1,11 +1,11 @@
 //! Contests of slices: our `fill` beside single draws, ours and the peers'.
 
-use crate::contest::Contest;
 use crate::draws::{EXPONENT, lobe_power, with_pairs, word};
 use crate::families::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
-use crate::peers::rejecting;
 use microwarp::{Warp, libm, poly};
 use rand_pcg::Pcg32;
+use support::contest::Contest;
+use support::peers::rejecting;
 
 /// Points that are filled at once.
 const FILLED: usize = 4_096;

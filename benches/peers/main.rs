@@ -5,30 +5,20 @@
 //! whom in `families.rs`. Here lives the order of the work.
 
 mod args;
-#[path = "../../examples/common/cli.rs"]
-mod cli;
-#[path = "../common/contest.rs"]
-mod contest;
 mod draws;
 mod families;
 mod fills;
-#[path = "../common/peers.rs"]
-mod peers;
 mod report;
-#[path = "../../examples/common/table.rs"]
-mod table;
 mod tables;
-#[path = "../../examples/common/work.rs"]
-mod work;
 
 use args::Args;
-use contest::Standings;
 use families::{Family, Kind};
 use std::error::Error;
 use std::process::ExitCode;
+use support::contest::Standings;
 
 fn main() -> ExitCode {
-    cli::run("peers", args::HELP, args::parse(), run)
+    support::cli::run("peers", args::HELP, args::parse(), run)
 }
 
 /// Does everything. What is slow is reported and is no failure: times depend on who else uses the machine.
@@ -40,8 +30,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         println!("no family of such a name; --help lists them");
         return Ok(Vec::new());
     }
-    work::folder(&args.out)?;
-    let progress = work::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
+    support::work::folder(&args.out)?;
+    let progress =
+        support::work::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
     let mut results: Vec<(Family, Standings)> = Vec::new();
     for family in families {
         progress.set_message(family.title());

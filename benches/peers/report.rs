@@ -1,9 +1,9 @@
 //! What is printed and written of the standings.
 
-use crate::contest::{Quartiles, Standings};
 use crate::families::*;
-use crate::table;
 use std::fmt::Write;
+use support::contest::{Quartiles, Standings};
+use support::table;
 
 pub type Results = [(Family, Standings)];
 

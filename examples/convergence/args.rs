@@ -1,9 +1,9 @@
 //! The command line of the convergence figure.
 
-use crate::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
 use std::path::PathBuf;
+use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Draws the error of six ways to integrate against the number of evaluations, in 1, 2 and 6 dimensions, fits

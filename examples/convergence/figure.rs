@@ -1,10 +1,10 @@
 //! The figure: a panel for each number of dimensions, errors over evaluations, and a legend with the slopes.
 
-use crate::canvas::{Area, Canvas, INK, MUTED};
 use crate::fit::{Line, Use};
 use crate::method::DIMENSIONS;
 use crate::plot::{LABELS, Scale, dot};
-use crate::text::{Align, Type, signed};
+use support::draw::canvas::{Area, Canvas, INK, MUTED};
+use support::draw::text::{Align, Type, signed};
 
 const WIDTH: f32 = 1800.0;
 const HEIGHT: f32 = 1076.0;

@@ -2,8 +2,8 @@
 
 use crate::method::{DIMENSIONS, METHODS, Method, Rate};
 use crate::rules::FLOOR;
-use crate::slope::Fit;
-use crate::text::signed;
+use support::draw::text::signed;
+use support::slope::Fit;
 
 /// How far a fitted slope may lie from its theory.
 ///

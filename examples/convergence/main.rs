@@ -4,10 +4,6 @@
 //! Here lives the order of the work. The program fails when a slope is not the one theory gives.
 
 mod args;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/cli.rs"]
-mod cli;
 mod figure;
 mod fit;
 mod integrand;
@@ -15,15 +11,7 @@ mod method;
 mod plot;
 mod random;
 mod rules;
-#[path = "../common/scale.rs"]
-mod scale;
-#[path = "../common/slope.rs"]
-mod slope;
 mod table;
-#[path = "../common/text.rs"]
-mod text;
-#[path = "../common/work.rs"]
-mod work;
 
 use args::Args;
 use fit::{Line, Point};
@@ -34,14 +22,14 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 fn main() -> ExitCode {
-    cli::run("convergence", args::HELP, args::parse(), run)
+    support::cli::run("convergence", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns what is wrong with the slopes.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let path = args.out.join("convergence.png");
-    work::folder(&args.out)?;
+    support::work::folder(&args.out)?;
 
     let kinds: Vec<(u32, Method)> = DIMENSIONS
         .iter()
@@ -52,7 +40,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         .flat_map(|&(s, method)| method.sizes(s).into_iter().map(move |n| (s, method, n)))
         .map(|(s, method, size)| work(method, size, s, args.repetitions))
         .sum();
-    let progress = work::progress(all, "{percent:>3} %")?;
+    let progress = support::work::progress(all, "{percent:>3} %")?;
     let mut lines = Vec::new();
     for (stream, &(s, method)) in kinds.iter().enumerate() {
         progress.set_message(format!("{} in {s}-D", method.name()));

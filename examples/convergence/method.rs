@@ -1,7 +1,7 @@
 //! The six methods: their names, what theory says of them, and the sizes at which they run.
 
-use crate::canvas::{Colour, INK};
 use std::fmt;
+use support::draw::canvas::{Colour, INK};
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Method {

@@ -1,10 +1,10 @@
 //! One plot of the figure: its axes, the lines of errors, and the theory as dashed lines.
 
-use crate::canvas::{Area, Canvas, Colour, HAIR, INK, MUTED, WHITE, faded};
 use crate::figure::TEXT;
 use crate::fit::{Line, Use};
-use crate::scale::ten_to;
-use crate::text::{Align, Type};
+use support::draw::canvas::{Area, Canvas, Colour, HAIR, INK, MUTED, WHITE, faded};
+use support::draw::scale::ten_to;
+use support::draw::text::{Align, Type};
 
 /// Room for the labels of the vertical axis.
 pub const LABELS: f32 = 78.0;

@@ -2,8 +2,8 @@
 
 use crate::fit::{Line, TOLERANCE, Use};
 use crate::rules::FLOOR;
-use crate::text::signed;
 use comfy_table::{CellAlignment, Table, presets};
+use support::draw::text::signed;
 
 pub fn print(lines: &[Line], repetitions: u32) {
     let mut table = Table::new();

@@ -1,9 +1,9 @@
 //! The command line: what may be asked of the example, and what is said to those who ask wrongly.
 
-use crate::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
 use std::path::PathBuf;
+use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Turns a picture of the sky into a table, samples it, checks the samples against the picture's own

@@ -2,9 +2,9 @@
 //! passes must reject each of them.
 
 use crate::study::{Memory, Truth};
-use crate::verdict::Outcome;
 use microwarp::{Error, Warp, poly as mw};
 use rand_pcg::Pcg32;
+use support::verdict::Outcome;
 
 pub struct Control {
     pub name: &'static str,

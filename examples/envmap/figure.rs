@@ -1,14 +1,14 @@
 //! The figure: the picture, its samples, and how far these are from it.
 
-use crate::canvas::{Area, Canvas, Colour, INK, MUTED, faded};
 use crate::controls::Control;
 use crate::develop::{BLACK, FAR, developed, diverging};
-use crate::panel::{HEAD, cells, head};
 use crate::picture::Picture;
 use crate::report::p_text;
 use crate::study::{Study, Truth};
-use crate::text::{Align, Type, thousands};
-use crate::tone::tone;
+use support::draw::canvas::{Area, Canvas, Colour, INK, MUTED, faded};
+use support::draw::panel::{HEAD, cells, head};
+use support::draw::text::{Align, Type, thousands};
+use support::draw::tone::tone;
 
 /// Pixels along a texel of the picture, a whole number so that texels stay sharp.
 const SCALE: usize = 3;

@@ -5,34 +5,16 @@
 //! work.
 
 mod args;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../../tests/catalogue/mod.rs"]
-mod catalogue;
-#[path = "../common/cli.rs"]
-mod cli;
 mod controls;
 mod develop;
 mod figure;
 mod light;
-#[path = "../common/panel.rs"]
-mod panel;
 mod picture;
 mod report;
 mod scene;
 mod small;
 mod small_weights;
 mod study;
-#[path = "../common/table.rs"]
-mod table;
-#[path = "../common/text.rs"]
-mod text;
-#[path = "../common/tone.rs"]
-mod tone;
-#[path = "../common/verdict.rs"]
-mod verdict;
-#[path = "../common/work.rs"]
-mod work;
 
 use args::Args;
 use figure::Figure;
@@ -44,7 +26,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 use study::{Memory, Study, Truth};
-use verdict::passes;
+use support::verdict::passes;
 
 const SKY: &[u8] = include_bytes!("sky.png");
 /// Samples that are drawn as points.
@@ -53,7 +35,7 @@ const POINTS: usize = 4000;
 const NIGHT: f32 = 1e-9;
 
 fn main() -> ExitCode {
-    cli::run("envmap", args::HELP, args::parse(), |args| {
+    support::cli::run("envmap", args::HELP, args::parse(), |args| {
         match &args.make_picture {
             Some(folder) => make_picture(folder).map(|()| Vec::new()),
             None => run(args),
@@ -64,7 +46,7 @@ fn main() -> ExitCode {
 /// Writes the two generated files.
 fn make_picture(folder: &Path) -> Result<(), Box<dyn Error>> {
     let picture = scene::sky();
-    work::folder(folder)?;
+    support::work::folder(folder)?;
     picture.write(&folder.join("sky.png"))?;
     std::fs::write(folder.join("small_weights.rs"), small::source(&picture))?;
     println!("sky.png and small_weights.rs in {}", folder.display());
@@ -74,8 +56,8 @@ fn make_picture(folder: &Path) -> Result<(), Box<dyn Error>> {
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    work::folder(&args.out)?;
-    let progress = work::progress(7, work::STEPS)?;
+    support::work::folder(&args.out)?;
+    let progress = support::work::progress(7, support::work::STEPS)?;
     let step = |text: &'static str| {
         progress.inc(1);
         progress.set_message(text);

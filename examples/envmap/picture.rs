@@ -5,11 +5,11 @@
 //! Ward's RGBE: three mantissas and a common exponent, a channel being mantissa · 2^(E − 136), and black
 //! where E is 0. That is 2 in 1000 of the brightest channel over 76 decades, in four bytes.
 
-use crate::tone::luminance;
 use std::error::Error;
 use std::f64::consts::PI;
 use std::io::Cursor;
 use std::path::Path;
+use support::draw::tone::luminance;
 
 /// Directions in rows of equal polar angle θ, from the zenith down, and columns of equal azimuth φ.
 #[derive(Clone, Debug, PartialEq)]

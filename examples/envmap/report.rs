@@ -3,9 +3,9 @@
 use crate::controls::Control;
 use crate::light::{DIRECTIONS, Quantity, REPETITIONS};
 use crate::study::Study;
-use crate::table::{self, print};
-use crate::text::thousands;
-use crate::verdict::{ALARM, Outcome};
+use support::draw::text::thousands;
+use support::table::{self, print};
+use support::verdict::{ALARM, Outcome};
 
 /// A p-value, in scientific notation where it is extreme.
 pub fn p_text(outcome: &Outcome) -> String {

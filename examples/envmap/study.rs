@@ -1,11 +1,11 @@
 //! What is measured of one table, and whether it samples what the picture says.
 
-use crate::catalogue::stats;
-use crate::verdict::{Outcome, passes};
 use microwarp::discrete::{Grid, PiecewiseConstant2d, Storage, Word};
 use microwarp::{Error, Warp};
 use rand_pcg::Pcg32;
 use std::time::Instant;
+use support::stats;
+use support::verdict::{Outcome, passes};
 
 /// Azimuth and polar angle in turns, as `Spherical` has them.
 pub const RANGE: [[f32; 2]; 2] = [[0.0, 1.0], [0.0, 0.5]];

@@ -1,13 +1,13 @@
 //! The picture of a distribution over an area: points over the shaded density, in true proportion,
 //! with the image of a grid of the unit square, which tells apart two maps onto one density.
 
-use crate::canvas::{ACCENT, Area, Canvas, HAIR, MUTED, POINT, WHITE, faded, ramp};
-use crate::catalogue::truth::complements;
-use crate::catalogue::{Domain, Entry, Point};
 use crate::list::View;
-use crate::text::{Align, Type};
 use microwarp::uniform::LARGEST;
 use rand_pcg::Pcg32;
+use support::draw::canvas::{ACCENT, Area, Canvas, HAIR, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::text::{Align, Type};
+use support::registry::{Domain, Entry, Point};
+use support::truth::complements;
 
 /// Squares along a side of the grid of the unit square.
 pub const GRID: u32 = 8;

@@ -1,9 +1,9 @@
 //! The command line: what may be asked of the gallery, and what is said to those who ask wrongly.
 
-use crate::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
 use std::path::PathBuf;
+use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Draws every warp of microwarp in both tiers, checks the samples against the density and prints a table.

@@ -1,12 +1,12 @@
 //! The numbers of the table: each warp is compared with its density, with its exact counterpart and
 //! with the clock.
 
-use crate::catalogue::stats::{self, Axis};
-use crate::catalogue::{Domain, Entry, Measure, Point, Uniforms};
 use crate::table::p_text;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 use std::time::Instant;
+use support::registry::{Domain, Entry, Measure, Point, Uniforms};
+use support::stats::{self, Axis};
 
 /// A p-value below this is no accident in any number of runs.
 pub const ALARM: f64 = 1e-9;

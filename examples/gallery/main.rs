@@ -6,33 +6,21 @@
 
 mod area;
 mod args;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../../tests/catalogue/mod.rs"]
-mod catalogue;
 mod check;
-#[path = "../common/cli.rs"]
-mod cli;
 mod line;
 mod list;
-#[path = "../common/scale.rs"]
-mod scale;
 mod sheet;
 mod strata;
 mod table;
-#[path = "../common/text.rs"]
-mod text;
-#[path = "../common/work.rs"]
-mod work;
 
 use args::Args;
-use catalogue::Entry;
 use check::Figures;
 use list::{PICTURES, Picture, View};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
+use support::registry::Entry;
 
 /// The tier of the contact sheet, by its place in the catalogue's order.
 const SHEET_TIER: usize = 1;
@@ -44,24 +32,25 @@ pub struct Subject<'a> {
 }
 
 fn main() -> ExitCode {
-    cli::run("gallery", args::HELP, args::parse(), run)
+    support::cli::run("gallery", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns what is wrong with the warps.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    let entries = catalogue::entries();
+    let entries = support::registry::entries();
     let mut complaints = without_picture(&entries);
     let subjects = subjects(&entries, args)?;
-    work::folder(&args.out)?;
+    support::work::folder(&args.out)?;
 
     let rows: Vec<&Entry> = subjects
         .iter()
         .flat_map(|s| s.entries.iter().copied())
         .collect();
 
-    let progress = work::progress((rows.len() + subjects.len()) as u64, work::STEPS)?;
-    let figures = work::in_parallel(args.threads, &rows, |entry| {
+    let progress =
+        support::work::progress((rows.len() + subjects.len()) as u64, support::work::STEPS)?;
+    let figures = support::work::in_parallel(args.threads, &rows, |entry| {
         progress.set_message(format!("sampling {}", entry.label()));
         let figures = check::measure(entry, args.seed, args.samples);
         progress.inc(1);
@@ -73,7 +62,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .map(|i| &figures[i])
     };
 
-    let saved = work::in_parallel(args.threads, &subjects, |subject| {
+    let saved = support::work::in_parallel(args.threads, &subjects, |subject| {
         progress.set_message(format!("drawing {}", subject.picture.name));
         let known: Vec<Option<&Figures>> = subject.entries.iter().map(|entry| of(entry)).collect();
         let path = args.out.join(file_name(subject.picture));
@@ -94,7 +83,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .clone()
             .unwrap_or_else(|| args.out.join("gallery.png"));
         if let Some(folder) = path.parent() {
-            work::folder(folder)?;
+            support::work::folder(folder)?;
         }
         sheet::contact(&subjects, SHEET_TIER, args).save(&path)?;
         places.push(format!("the contact sheet in {}", path.display()));

@@ -2,13 +2,13 @@
 
 use crate::Subject;
 use crate::args::Args;
-use crate::canvas::{ACCENT, Area, BAR, Canvas, INK, MUTED, POINT, WHITE, faded, ramp};
 use crate::check::{Figures, generator};
 use crate::list::View;
 use crate::table::{error_text, p_text};
-use crate::text::{Align, Type, thousands};
 use crate::{area, line, strata};
 use rand_pcg::Pcg32;
+use support::draw::canvas::{ACCENT, Area, BAR, Canvas, INK, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::text::{Align, Type, thousands};
 
 /// Purposes of generators beyond those of the check.
 const POINTS: u64 = 16;

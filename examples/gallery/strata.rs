@@ -1,9 +1,9 @@
 //! The pictures of jittered strata beside plain uniforms, in one and two dimensions.
 
-use crate::canvas::{Area, Canvas, MUTED, POINT, WHITE, faded, ramp};
-use crate::text::{Align, Type};
 use microwarp::uniform::{self, Strata1d, Strata2d};
 use rand_pcg::Pcg32;
+use support::draw::canvas::{Area, Canvas, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::text::{Align, Type};
 
 /// Strata along an axis.
 const LINE: u32 = 24;

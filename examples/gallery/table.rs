@@ -1,9 +1,9 @@
 //! The table: one row for each warp, its parameters and a tier.
 
-use crate::catalogue::{Entry, Measure};
 use crate::check::{ALARM, Figures, Shape};
-use crate::text::thousands;
 use comfy_table::{CellAlignment, Table, presets};
+use support::draw::text::thousands;
+use support::registry::{Entry, Measure};
 
 /// A p-value, in scientific notation where it is extreme.
 pub fn p_text(shape: &Shape) -> String {

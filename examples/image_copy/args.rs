@@ -1,10 +1,10 @@
 //! The command line: what may be asked for, and what is said to those who ask wrongly.
 
-use crate::cli::{number, within};
 use crate::study::DRAWN;
 use lexopt::Error;
 use lexopt::prelude::*;
 use std::path::PathBuf;
+use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Copies a picture by a chain over its pixels, records the chain in two ways, and holds the errors of the copies

@@ -1,14 +1,14 @@
 //! The figure: the picture and its copies, the two recordings one above the other, and their errors.
 
-use crate::canvas::{ACCENT, Area, Canvas, Colour, INK, MUTED, POINT};
 use crate::copy::{Recording, Snapshot, errors};
-use crate::panel::cells;
-use crate::plot::Plot;
-use crate::scale::Scale;
 use crate::scene::SHAPE;
 use crate::study::{DRAWN, Study};
-use crate::text::{Align, Type, signed, thousands};
-use crate::tone::tone;
+use support::draw::canvas::{ACCENT, Area, Canvas, Colour, INK, MUTED, POINT};
+use support::draw::panel::cells;
+use support::draw::plot::Plot;
+use support::draw::scale::Scale;
+use support::draw::text::{Align, Type, signed, thousands};
+use support::draw::tone::tone;
 
 /// Pixels along a texel, a whole number so that texels stay sharp.
 const SCALE: usize = 2;

@@ -5,36 +5,12 @@
 //! work.
 
 mod args;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/cli.rs"]
-mod cli;
 mod copy;
 mod figure;
-#[path = "../common/mean.rs"]
-mod mean;
-#[path = "../common/panel.rs"]
-mod panel;
-#[path = "../common/plot.rs"]
-mod plot;
 mod report;
-#[path = "../common/scale.rs"]
-mod scale;
 mod scene;
-#[path = "../common/slope.rs"]
-mod slope;
 mod study;
-#[path = "../common/table.rs"]
-mod table;
-#[path = "../common/text.rs"]
-mod text;
 mod theory;
-#[path = "../common/tone.rs"]
-mod tone;
-#[path = "../common/verdict.rs"]
-mod verdict;
-#[path = "../common/work.rs"]
-mod work;
 
 use args::Args;
 use std::error::Error;
@@ -43,17 +19,20 @@ use std::time::Instant;
 use study::Study;
 
 fn main() -> ExitCode {
-    cli::run("image_copy", args::HELP, args::parse(), run)
+    support::cli::run("image_copy", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    work::folder(&args.out)?;
-    let progress = work::progress(args.repetitions, work::STEPS)?;
+    support::work::folder(&args.out)?;
+    let progress = support::work::progress(args.repetitions, support::work::STEPS)?;
     progress.set_message("copying");
     let texels = scene::picture();
-    let luminance: Vec<f32> = texels.iter().map(|&t| tone::luminance(t) as f32).collect();
+    let luminance: Vec<f32> = texels
+        .iter()
+        .map(|&t| support::draw::tone::luminance(t) as f32)
+        .collect();
     let study = Study::new(&luminance, args.most, args.repetitions, args.seed, || {
         progress.inc(1)
     })?;

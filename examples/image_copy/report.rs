@@ -1,11 +1,11 @@
 //! The tables on the terminal: errors against mutations a pixel, and the controls.
 
 use crate::copy::{CANDIDATES, RECORDINGS, Recording};
-use crate::mean::Mean;
 use crate::study::{FITTED_FROM, Study};
-use crate::table;
-use crate::text::{signed, thousands};
-use crate::verdict::ALARM;
+use support::draw::text::{signed, thousands};
+use support::mean::Mean;
+use support::table;
+use support::verdict::ALARM;
 
 pub fn errors(study: &Study) {
     let mut rows = Vec::new();

@@ -1,12 +1,12 @@
 //! Repeated copies: their errors, slopes and what theory says of both.
 
 use crate::copy::{Errors, RECORDINGS, Recording, Run, Snapshot, errors};
-use crate::mean::Mean;
-use crate::slope::Fit;
 use crate::theory::Theory;
-use crate::verdict::ALARM;
 use microwarp::rejection::Failure;
 use rand_pcg::Pcg32;
+use support::mean::Mean;
+use support::slope::Fit;
+use support::verdict::ALARM;
 
 /// Where slopes begin: before, pixels have been visited a few times at most.
 pub const FITTED_FROM: u64 = 8;

@@ -3,10 +3,10 @@
 use crate::run::walk;
 use crate::study::{AGREED, LENGTHS, STARTS, Study};
 use crate::thinned::Thinned;
-use crate::verdict::{Outcome, passes};
 use microwarp::Error;
 use microwarp::metropolis::Step;
 use rand_pcg::Pcg32;
+use support::verdict::{Outcome, passes};
 
 pub struct Control {
     pub name: String,

@@ -1,13 +1,13 @@
 //! The figure: for each mutation a short run and a long one, each a histogram over its chain.
 
-use crate::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
-use crate::plot::Plot;
 use crate::report::{steps_text, time_text};
 use crate::run::{BINS, Run, variation};
-use crate::scale::Scale;
 use crate::study::{Pair, Study};
 use crate::target::density;
-use crate::text::{Align, Type, signed, thousands};
+use support::draw::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
+use support::draw::plot::Plot;
+use support::draw::scale::Scale;
+use support::draw::text::{Align, Type, signed, thousands};
 
 const WIDTH: f32 = 1760.0;
 const MARGIN: f32 = 36.0;

@@ -5,35 +5,15 @@
 //! of the work.
 
 mod args;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../../tests/catalogue/mod.rs"]
-mod catalogue;
-#[path = "../common/cli.rs"]
-mod cli;
 mod controls;
 mod figure;
 mod kernel;
 mod ladder;
-#[path = "../common/mean.rs"]
-mod mean;
-#[path = "../common/plot.rs"]
-mod plot;
 mod report;
 mod run;
-#[path = "../common/scale.rs"]
-mod scale;
 mod study;
-#[path = "../common/table.rs"]
-mod table;
 mod target;
-#[path = "../common/text.rs"]
-mod text;
 mod thinned;
-#[path = "../common/verdict.rs"]
-mod verdict;
-#[path = "../common/work.rs"]
-mod work;
 
 use args::Args;
 use std::error::Error;
@@ -42,15 +22,15 @@ use std::time::Instant;
 use study::Study;
 
 fn main() -> ExitCode {
-    cli::run("mutations", args::HELP, args::parse(), run)
+    support::cli::run("mutations", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    work::folder(&args.out)?;
+    support::work::folder(&args.out)?;
     let rules = target::Rule::all()?;
-    let progress = work::progress(rules.len() as u64 + 2, work::STEPS)?;
+    let progress = support::work::progress(rules.len() as u64 + 2, support::work::STEPS)?;
     let mut studies = Vec::new();
     for (stream, rule) in rules.iter().enumerate() {
         progress.set_message(format!("chains with the mutation {}", rule.name()));

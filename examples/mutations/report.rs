@@ -2,12 +2,12 @@
 
 use crate::controls::Control;
 use crate::ladder::{Ladder, Time};
-use crate::mean::deviation_text;
 use crate::run::variation;
 use crate::study::{AGREED, Study};
-use crate::table;
-use crate::text::thousands;
-use crate::verdict::{ALARM, Outcome};
+use support::draw::text::thousands;
+use support::mean::deviation_text;
+use support::table;
+use support::verdict::{ALARM, Outcome};
 
 /// A time in steps, to three digits.
 pub fn steps_text(steps: f64) -> String {

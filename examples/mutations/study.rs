@@ -3,14 +3,14 @@
 
 use crate::kernel::Truth;
 use crate::ladder::{Ladder, Time};
-use crate::mean::Mean;
 use crate::run::{BINS, Run, is_left, walk};
 use crate::target::Rule;
 use crate::thinned::Thinned;
-use crate::verdict::{ALARM, Outcome, passes};
 use microwarp::Error;
 use microwarp::metropolis::{Halves, Step, split_r_hat};
 use rand_pcg::Pcg32;
+use support::mean::Mean;
+use support::verdict::{ALARM, Outcome, passes};
 
 /// Split R̂ above which chains do not agree.
 pub const AGREED: f64 = 1.01;

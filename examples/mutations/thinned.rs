@@ -1,10 +1,10 @@
 //! The test of a chain's states: so few of them that they are independent, against the target's bins.
 
-use crate::catalogue::stats;
 use crate::kernel::Truth;
 use crate::run::{BINS, bin};
 use crate::target::probabilities;
-use crate::verdict::Outcome;
+use support::stats;
+use support::verdict::Outcome;
 
 /// Relaxation times after which a state is taken as independent of the one before: what is left of the
 /// dependence then is e⁻⁸.

@@ -1,9 +1,9 @@
 //! The command line: what may be asked for, and what is said to those who ask wrongly.
 
-use crate::cli::{number, within};
 use lexopt::Error;
 use lexopt::prelude::*;
 use std::path::PathBuf;
+use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Draws accepted and rejected points, and measures efficiencies beside the exact ones.

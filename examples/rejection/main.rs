@@ -4,21 +4,9 @@
 //! What is drawn is one list, `scenes.rs`. Here lives the order of the work.
 
 mod args;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/cli.rs"]
-mod cli;
 mod measure;
 mod page;
-#[path = "../common/plot.rs"]
-mod plot;
-#[path = "../common/scale.rs"]
-mod scale;
 mod scenes;
-#[path = "../common/text.rs"]
-mod text;
-#[path = "../common/work.rs"]
-mod work;
 
 use args::Args;
 use comfy_table::{CellAlignment, Table, presets};
@@ -27,21 +15,21 @@ use scenes::Scene;
 use std::error::Error;
 use std::process::ExitCode;
 use std::time::Instant;
-use text::thousands;
+use support::draw::text::thousands;
 
 /// Standard errors beyond which a measured efficiency is not the exact one.
 const ALARM: f64 = 6.0;
 
 fn main() -> ExitCode {
-    cli::run("rejection", args::HELP, args::parse(), run)
+    support::cli::run("rejection", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns which efficiencies are not what they must be.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let scenes = scenes::all()?;
-    work::folder(&args.out)?;
-    let progress = work::progress(2 * scenes.len() as u64, work::STEPS)?;
+    support::work::folder(&args.out)?;
+    let progress = support::work::progress(2 * scenes.len() as u64, support::work::STEPS)?;
     let mut rows = Vec::new();
     for scene in &scenes {
         progress.set_message(format!("sampling {}", scene.name));

@@ -1,12 +1,12 @@
 //! A page: accepted and rejected points on the left; radii, tries and the efficiency on the right.
 
 use crate::args::Args;
-use crate::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
 use crate::measure::{BARS, FIRST, Measured, spread};
-use crate::plot::Plot;
-use crate::scale::{Scale, round_step};
 use crate::scenes::Scene;
-use crate::text::{Align, Type, thousands};
+use support::draw::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
+use support::draw::plot::Plot;
+use support::draw::scale::{Scale, round_step};
+use support::draw::text::{Align, Type, thousands};
 
 const WIDTH: f32 = 1500.0;
 const HEIGHT: f32 = 1010.0;

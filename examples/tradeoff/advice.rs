@@ -4,8 +4,8 @@ use crate::front::{Trade, cheapest, is_outside};
 use crate::list::PICTURED;
 use crate::report::cost_text;
 use crate::study::{Study, TARGETS};
-use crate::table;
 use std::collections::BTreeMap;
+use support::table;
 
 /// Errors that a user may want to keep to.
 const CLASSES: [f64; 4] = [1e-3, 1e-5, 1e-6, 5e-7];

@@ -1,9 +1,9 @@
 //! The command line: what may be asked for, and what is said to those who ask wrongly.
 
-use crate::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
 use std::path::PathBuf;
+use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Measures what every sampler of microwarp gives and what it costs, beside those of rand_distr, micromath and plain

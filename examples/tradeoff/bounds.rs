@@ -1,12 +1,12 @@
 //! Whether errors keep to the bounds that the documentation states; both are read at run time.
 
-use crate::adversary::statement::Statement;
 use crate::error::{Errors, Lattice};
-use crate::figures::{Exact, Figures, ROWS, density_and_inverse_error, sample_error};
 use crate::sampler::{FromWords, Sampler};
-use crate::tables;
 use std::fs;
 use std::path::Path;
+use support::adversary::statement::Statement;
+use support::figures::{Exact, Figures, ROWS, density_and_inverse_error, sample_error};
+use support::tables;
 
 /// What is wrong with a sampler by its documentation, if anything is.
 pub fn complaints(sampler: &Sampler, errors: &Errors, points: u64) -> Vec<String> {

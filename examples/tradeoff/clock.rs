@@ -1,8 +1,8 @@
 //! Nanoseconds a sample, all samplers in one contest.
 
-use crate::contest::{BLOCKS, Contest, POINTS, Quartiles};
 use crate::sampler::Block;
 use std::collections::BTreeMap;
+use support::contest::{BLOCKS, Contest, POINTS, Quartiles};
 
 /// What every other time is a multiple of: two words as uniforms, and nothing made of them.
 pub const FLOOR: &str = "two uniforms";
@@ -47,14 +47,14 @@ pub fn run(
 }
 
 fn floor() -> impl FnMut(&mut [()]) {
-    let mut kept = crate::contest::generator();
+    let mut kept = support::contest::generator();
     let mut points = vec![[0.0_f32; 2]; POINTS];
     move |_| {
         let mut rng = kept.clone();
         for point in std::hint::black_box(&mut points) {
             *point = [
-                crate::peers::uniform(&mut rng),
-                crate::peers::uniform(&mut rng),
+                support::peers::uniform(&mut rng),
+                support::peers::uniform(&mut rng),
             ];
         }
         kept = rng;

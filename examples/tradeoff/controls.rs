@@ -3,7 +3,6 @@
 
 use crate::args::Args;
 use crate::bias::{self, Bias, Shows};
-use crate::catalogue::truth;
 use crate::cells;
 use crate::power::{LEVEL, Power};
 use crate::sampler::{Law, Map, Point, Words};
@@ -16,6 +15,7 @@ use rand_core::Rng;
 use rand_pcg::Pcg32;
 use statrs::distribution::{ContinuousCDF, Normal};
 use std::f64::consts::TAU;
+use support::truth;
 
 /// Standard errors by which an estimate may be off.
 const DOUBT: f64 = 5.0;

@@ -1,7 +1,7 @@
 //! How far points and densities are from the exact ones of the same uniforms.
 
-use crate::contest::generator;
 use crate::sampler::{Law, Point, Sampler, Way, Words};
+use support::contest::generator;
 
 /// Errors over a sweep. What is not a number counts as infinitely wrong.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,7 +1,7 @@
 //! Where the names of points go, so that they cover neither each other nor points.
 
-use crate::canvas::{Area, Canvas, Colour};
-use crate::text::{Align, Type};
+use support::draw::canvas::{Area, Canvas, Colour};
+use support::draw::text::{Align, Type};
 
 /// A point with a name.
 pub struct Named {

@@ -1,8 +1,6 @@
 //! The list of samplers: a line each. A new one is a line here, its family the heading it stands under.
 
 use crate::args::Args;
-use crate::catalogue::truth::{self, Truth};
-use crate::catalogue::{self, Entry};
 use crate::sampler::{Numbers, Row};
 use crate::subject::{Name, law, rejection, warp};
 use crate::{peer_list, tables_list};
@@ -14,6 +12,8 @@ use microwarp::rejection::{
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::*;
 use microwarp::{Error, Frame, fixed as fine};
+use support::registry::Entry;
+use support::truth::{self, Truth};
 
 pub const DISK: &str = "disk";
 pub const SPHERE: &str = "sphere";
@@ -36,7 +36,7 @@ pub const TABLE: &str = "table of 1024 weights";
 
 /// The rows that are asked for, by family; and what warps of the catalogue the list has forgotten.
 pub fn rows(args: &Args) -> Result<(Vec<Row>, Vec<String>), Error> {
-    let mut entries = catalogue::entries();
+    let mut entries = support::registry::entries();
     let mut rows = Vec::new();
     floats::<Libm>(&mut rows, &mut entries)?;
     floats::<Poly>(&mut rows, &mut entries)?;

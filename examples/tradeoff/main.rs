@@ -4,54 +4,28 @@
 //! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in `tests/catalogue`. Here
 //! lives the order of the work.
 
-mod adversary;
 mod advice;
 mod args;
 mod bias;
 mod bounds;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../../tests/catalogue/mod.rs"]
-mod catalogue;
 mod cells;
-#[path = "../common/cli.rs"]
-mod cli;
 mod clock;
-#[path = "../../benches/common/contest.rs"]
-mod contest;
 mod controls;
 mod costs;
 mod error;
 mod figure;
-/// How the tests measure what the documentation states, and read what it does.
-#[allow(dead_code, reason = "the tests use the rest")]
-#[path = "../../tests/accuracy/figures.rs"]
-mod figures;
 mod front;
 mod labels;
 mod list;
 mod panel;
 mod peer_list;
-#[path = "../../benches/common/peers.rs"]
-mod peers;
 mod power;
 mod report;
 mod sampler;
-#[path = "../common/scale.rs"]
-mod scale;
 mod shape;
 mod study;
 mod subject;
-#[path = "../common/table.rs"]
-mod table;
-#[allow(dead_code, reason = "the tests use the rest")]
-#[path = "../../tests/accuracy/tables.rs"]
-mod tables;
 mod tables_list;
-#[path = "../common/text.rs"]
-mod text;
-#[path = "../common/work.rs"]
-mod work;
 
 use args::Args;
 use clock::Times;
@@ -64,13 +38,13 @@ use std::time::Instant;
 use study::Study;
 
 fn main() -> ExitCode {
-    cli::run("tradeoff", args::HELP, args::parse(), run)
+    support::cli::run("tradeoff", args::HELP, args::parse(), run)
 }
 
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    work::folder(&args.out)?;
+    support::work::folder(&args.out)?;
     let costs = costs::Costs::checked_in()?;
     let (rows, mut complaints) = list::rows(args)?;
     if rows.is_empty() {
@@ -85,9 +59,10 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         .iter()
         .map(|row| shape::tests(row.sampler.law.axes))
         .sum();
-    let threshold = catalogue::stats::threshold(tests);
+    let threshold = support::stats::threshold(tests);
 
-    let progress = work::progress((rows.len() + args.rounds + 2) as u64, work::STEPS)?;
+    let progress =
+        support::work::progress((rows.len() + args.rounds + 2) as u64, support::work::STEPS)?;
     let (studies, spread) = study(rows, &costs, args, &progress);
     progress.set_message("maps that are wrong on purpose");
     let controls = controls::all(args);
@@ -141,7 +116,7 @@ fn study(
         blocks.extend(row.fill.map(|fill| (format!("{i} filled"), fill)));
         samplers.push(Mutex::new(Some(row.sampler)));
     }
-    let mut studies = work::in_parallel(args.threads, &samplers, |sampler| {
+    let mut studies = support::work::in_parallel(args.threads, &samplers, |sampler| {
         let sampler = sampler.lock().expect("no thread has panicked").take();
         let sampler = sampler.expect("each is taken once");
         progress.set_message(sampler.label());

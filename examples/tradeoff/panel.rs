@@ -1,12 +1,12 @@
 //! A panel of the figure: one family on one target.
 
 use crate::advice::traded;
-use crate::canvas::{ACCENT, Area, Canvas, HAIR, INK, MUTED, POINT, faded};
 use crate::front::{Trade, front};
 use crate::labels::{self, Named};
-use crate::scale::Scale;
 use crate::study::Study;
-use crate::text::{Align, Type, thousands};
+use support::draw::canvas::{ACCENT, Area, Canvas, HAIR, INK, MUTED, POINT, faded};
+use support::draw::scale::Scale;
+use support::draw::text::{Align, Type, thousands};
 
 /// Text beside the axes.
 pub const LABEL: f32 = 19.0;

@@ -4,11 +4,11 @@ use crate::bias::Shows;
 use crate::controls::Control;
 use crate::costs::{CORES, Cost};
 use crate::study::Study;
-use crate::table::{self, p_text};
-use crate::text::thousands;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
+use support::draw::text::thousands;
+use support::table::{self, p_text};
 
 /// What is not known, or does not apply.
 pub const DASH: &str = "–";

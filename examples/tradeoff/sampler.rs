@@ -2,14 +2,14 @@
 //!
 //! Which samplers there are is said in `list`.
 
-use crate::catalogue::Entry;
-use crate::catalogue::truth::Truth;
 use fixed::types::U0F32;
 use fixed::types::extra::LeEqU32;
 use fixed::{FixedI32, FixedU32};
 use microwarp::uniform::{Uniforms, grid_from_word};
 use rand_pcg::Pcg32;
 use std::sync::Arc;
+use support::registry::Entry;
+use support::truth::Truth;
 
 /// Up to three coordinates; those a point does not have are 0.
 pub type Point = [f64; 3];

@@ -2,11 +2,11 @@
 //! Kolmogorov and Smirnov's distance along each axis.
 
 use crate::bias::Shows;
-use crate::catalogue::stats;
 use crate::cells;
 use crate::power::Power;
 use crate::sampler::{Fill, Law, Point};
 use rand_pcg::Pcg32;
+use support::stats;
 
 /// Places along an axis where the distance is read.
 const PLACES: usize = 1 << 15;

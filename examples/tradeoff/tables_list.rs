@@ -1,13 +1,13 @@
 //! The list of tables, and of what selects by weights elsewhere.
 
-use crate::catalogue::discrete;
 use crate::list::TABLE;
-use crate::peers::{rejecting, textbook};
 use crate::sampler::{Chance, Row, Way};
 use crate::subject::{Name, indices};
 use microwarp::Error;
 use microwarp::discrete::{Alias, AliasEntry, Cdf, PiecewiseConstant2d};
 use std::sync::Arc;
+use support::peers::{rejecting, textbook};
+use support::registry::discrete;
 
 const ENTRIES: usize = 1024;
 
@@ -107,7 +107,7 @@ pub fn add(rows: &mut Vec<Row>) -> Result<(), Error> {
         (f64::from(edge(i + 1) - edge(i)) / 16_777_216.0, None)
     });
     let textbook_name = name("sums in f32", "plain libm", "peer_plain_libm_sums_1024");
-    let selection = crate::peers::drawn(move |u: [f32; 1]| sums.index(u));
+    let selection = support::peers::drawn(move |u: [f32; 1]| sums.index(u));
     let selection = Arc::new(selection);
     rows.push(indices(
         textbook_name,

@@ -1,10 +1,10 @@
 //! Drawn entries against their weights by chi-square, and what a draw takes from a generator.
 
-use crate::catalogue::stats::{chi_square, threshold};
-use crate::drivers::{Broken, Counting, Failing};
 use microwarp::discrete::{Alias, AliasEntry, Cdf, Reservoir};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
+use support::generators::{Broken, Counting, Failing};
+use support::stats::{chi_square, threshold};
 
 const SAMPLES: usize = 10_000_000;
 

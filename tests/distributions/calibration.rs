@@ -1,7 +1,6 @@
 //! The examination of correct warps is calibrated: its p-values are uniform, its distance is the one that
 //! statrs computes, and its threshold keeps the whole family's promise.
 
-use crate::catalogue::stats;
 use crate::controls::entry;
 use crate::examination::Examination;
 use crate::report::Report;
@@ -9,6 +8,7 @@ use rand_pcg::Pcg32;
 use statrs::distribution::{Exp, Uniform};
 use statrs::stats_tests::NaNPolicy;
 use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
+use support::stats;
 
 #[test]
 fn p_values_of_correct_warps_are_uniform() {

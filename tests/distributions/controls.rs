@@ -2,7 +2,6 @@
 //! the number of samples of the real run.
 
 use crate::SAMPLES;
-use crate::catalogue::{self, Domain, Entry, Erased, Point, Uniforms, stats};
 use crate::examination::Examination;
 use crate::moments::tests;
 use crate::report::Report;
@@ -10,6 +9,10 @@ use microwarp::uniform::grid;
 use rand_pcg::Pcg32;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
+use support::{
+    registry::{self, Domain, Entry, Erased, Point, Uniforms},
+    stats,
+};
 
 type Map = fn([f64; 2]) -> [f64; 3];
 type Density = fn(&dyn Erased, Point) -> f32;
@@ -45,7 +48,7 @@ impl Erased for Wrong {
 }
 
 pub fn entry(label: &str) -> Entry {
-    let found = catalogue::entries()
+    let found = support::registry::entries()
         .into_iter()
         .find(|e| e.label() == label);
     found.unwrap_or_else(|| panic!("no entry {label}"))
@@ -71,7 +74,7 @@ fn report(label: &str, map: Option<Map>, pdf: Density) -> (Domain, Report) {
 
 /// The threshold of the real run.
 fn threshold() -> f64 {
-    let entries = catalogue::entries();
+    let entries = support::registry::entries();
     let resolved = entries.iter().filter(|e| e.resolved);
     stats::threshold(resolved.map(|e| tests(e.domain)).sum())
 }

@@ -3,12 +3,12 @@
 //! Cells are a grid in the unit square of the entry's chart; what they should hold comes from the warp's
 //! own density by quadrature. Which entries are examined, and how often, is not said here.
 
-use crate::catalogue::stats::{self, Axis};
-use crate::catalogue::truth::Point;
-use crate::catalogue::{Domain, Entry, Measure};
 use crate::moments::{Coordinates, moments};
 use crate::report::Report;
 use rand_pcg::Pcg32;
+use support::registry::{Domain, Entry, Measure};
+use support::stats::{self, Axis};
+use support::truth::Point;
 
 /// How far the integral of a density may be from 1. The worst of the catalogue is off by 1.8e-7, which is
 /// three roundings of an `f32`.

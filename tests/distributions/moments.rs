@@ -1,7 +1,7 @@
 //! Which moments of the samples are tested over each kind of domain, and in which coordinates.
 
-use crate::catalogue::Domain;
-use crate::catalogue::truth::{self, Point};
+use support::registry::Domain;
+use support::truth::{self, Point};
 
 /// A function of a point whose mean is tested.
 #[derive(Clone, Copy)]

@@ -3,13 +3,13 @@
 //!
 //! Negative controls are in `wrong_maps`.
 
-use crate::catalogue::stats;
 use crate::shapes::{Shape, shapes};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use rand_pcg::Pcg32;
 use std::collections::BTreeSet;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use support::stats;
 
 /// What the samples of a shape gave.
 pub struct Report {

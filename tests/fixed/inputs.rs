@@ -1,8 +1,8 @@
 //! The words over which kernels are tried, in chunks that threads can share.
 
-use crate::work;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
+use support::work;
 
 /// Whether every word there is was asked for.
 pub fn full() -> bool {

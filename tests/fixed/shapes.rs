@@ -3,13 +3,13 @@
 //! A new warp is one line here. The exact maps are those of the catalogue, in `f64`, which holds every point of the
 //! tier without rounding.
 
-use crate::catalogue::truth::{self, Truth};
 use fixed::types::extra::LeEqU32;
 use fixed::types::{I16F16, U0F32, U2F62, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32};
 use microwarp::Warp;
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade, Interval, warp::*};
 use rand_pcg::Pcg32;
+use support::truth::{self, Truth};
 
 /// A point as it is.
 trait Exact: Copy {

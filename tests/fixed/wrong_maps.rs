@@ -1,12 +1,12 @@
 //! Negative controls of the distributions: maps that are wrong by a little are rejected by the same examination,
 //! with as few samples and cells as any grade gets.
 
-use crate::catalogue::truth::{self, Truth};
 use crate::distributions::{examine, threshold};
 use crate::shapes::{COARSE_SAMPLES, Shape, shapes};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
+use support::truth::{self, Truth};
 
 /// A point of two uniforms.
 type Map = fn([f64; 2]) -> [f64; 3];

@@ -1,10 +1,10 @@
 //! How far a warp is from the truth, over how many words, and what its documentation says about it.
 
-use crate::adversary::statement::Statement;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use support::adversary::statement::Statement;
 
 /// 2⁻³².
 pub const WORD: f64 = 1.0 / 4_294_967_296.0;

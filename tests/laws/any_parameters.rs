@@ -1,7 +1,6 @@
 //! Whatever parameters a constructor accepts, the warp is total: finite samples of positive, finite
 //! density, inverses in [0, 1), and a warp that equals itself. Parameters are random bit patterns.
 
-use crate::catalogue::Flat;
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::*;
@@ -9,6 +8,7 @@ use microwarp::{Error, Frame, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::fmt::Debug;
+use support::registry::Flat;
 
 const ROUNDS: u32 = 6_000;
 

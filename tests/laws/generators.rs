@@ -1,12 +1,12 @@
 //! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
 
-use crate::drivers::{Broken, Counting, Failing};
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
 use microwarp::uniform::{self, Uniforms as _};
 use microwarp::{Warp, libm, poly};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 use std::convert::Infallible;
+use support::generators::{Broken, Counting, Failing};
 
 /// Fails after some words.
 fn failing(left: u64) -> Failing {
@@ -74,7 +74,7 @@ fn a_draw_consumes_the_documented_number_of_words() {
 /// tail and for tables of `u64`.
 #[test]
 fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
-    for entry in crate::catalogue::entries() {
+    for entry in support::registry::entries() {
         let (mut drawn, mut stepped) = (Pcg32::new(8, 8), Pcg32::new(8, 8));
         entry.warp.fill(&mut drawn, 10);
         for _ in 0..10 * entry.words {
@@ -87,7 +87,7 @@ fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
 /// Over the whole catalogue: blocks of points, where they are filled so, and what is left of them.
 #[test]
 fn filling_is_drawing_one_by_one() {
-    for entry in crate::catalogue::entries() {
+    for entry in support::registry::entries() {
         for count in [1, 7, 8, 9, 31] {
             let (mut filled, mut drawn) = (Pcg32::new(8, 8), Pcg32::new(8, 8));
             let points = entry.warp.fill(&mut filled, count);
@@ -109,7 +109,7 @@ fn filling_is_drawing_one_by_one() {
 /// are uniforms, those of one number alone make another.
 #[test]
 fn every_way_to_draw_gives_the_same_point() {
-    for entry in crate::catalogue::entries() {
+    for entry in support::registry::entries() {
         for seed in 0..20 {
             let ways = entry.warp.ways(&Pcg32::new(seed, 8));
             assert_eq!(ways.len(), 9);

@@ -1,9 +1,9 @@
 //! The house itself: the order of its rooms, and that no warp is missing from the catalogue.
 
-use crate::catalogue::entries;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use support::registry::entries;
 
 fn sources(under: &str) -> Vec<(PathBuf, String)> {
     let mut found = Vec::new();

@@ -1,12 +1,12 @@
 //! Triangles and patches of any shape and place: no density 0 at a sample of theirs, none above 0 far from them, and
 //! shares of the points of a small triangle far off that are right to the rounding of their cells.
 
-use crate::catalogue::truth::{OnTriangle, Truth};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{SphericalPatch, TriangleOn};
 use microwarp::{Warp, uniform};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::truth::{OnTriangle, Truth};
 
 /// 2 to a power between two ends, of either sign.
 fn spread(rng: &mut Pcg32, low: f32, high: f32) -> f32 {

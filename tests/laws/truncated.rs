@@ -1,11 +1,11 @@
 //! The steep rise of a truncated exponential, whose power e^|z| leaves the range of `f32`: right down to
 //! x = 0. The map that was there before, measured from the far end alone, fails here.
 
-use crate::catalogue::truth;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{Warp, warp::TruncatedExponential};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::truth;
 
 /// What the documentation states, in ulp.
 const STATED: f64 = 3.9;

@@ -1,12 +1,12 @@
 //! The acceptance: as exact as stated, from densities and ratios of any magnitude.
 
 use super::exact::Fraction;
-use crate::drivers::Cycle;
 use microwarp::metropolis::{
     Chain, Correction, Density, Mutation, Outcome, Proposal, Ratio, Step, Symmetric,
 };
 use rand_core::{Rng as _, TryRng};
 use rand_pcg::Pcg32;
+use support::generators::Cycle;
 
 /// Proposes state 1, with a correction of the test's own.
 pub struct Given<C>(pub C);

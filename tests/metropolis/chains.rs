@@ -1,11 +1,11 @@
 //! The chain as a value: what a rejected and a refused step leave, counts, burning in, and what is recorded.
 
 use super::bits::Bits;
-use crate::drivers::{Broken, Cycle, Failing};
 use microwarp::metropolis::{Chain, Mutation, Outcome, Proposal, Symmetric, UniformStep};
 use microwarp::poly as mw;
 use rand_core::{Rng as _, TryRng};
 use rand_pcg::Pcg32;
+use support::generators::{Broken, Cycle, Failing};
 
 /// Proposes one state, at the cost of one word.
 struct To<X>(X);

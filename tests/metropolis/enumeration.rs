@@ -4,11 +4,11 @@
 //! same form runs, whose ends are found by galloping and halving; so is the number of decision words that
 //! accept. What galloping takes for granted is then asked of random words.
 
-use crate::drivers::{Counting, Cycle};
 use microwarp::metropolis::{Chain, Mutation, Outcome, Step, Weight};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
+use support::generators::{Counting, Cycle};
 
 /// All words are counted in units of 2^-128: 2^32 words pick, 2^64 propose and 2^32 decide. Of fewer words
 /// each counts as often as the missing ones would have made it.

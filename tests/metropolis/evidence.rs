@@ -14,9 +14,9 @@
 //! Besides, states many autocorrelation times apart are all but independent: for them Pearson's chi-square
 //! holds as it is, in more cells.
 
-use crate::catalogue::stats;
 use crate::{flaws, long, start, targets};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+use support::stats;
 
 /// The p-value below which a test rejects, of as many as the files judged here compute.
 pub fn threshold() -> f64 {

@@ -1,11 +1,11 @@
 //! How many words accept, of integer weights: the exact number, for weights and ratios of any magnitude.
 
 use super::acceptance::Given;
-use crate::drivers::Cycle;
 use microwarp::metropolis::{Chain, Chance, Correction, Counts, Outcome, Ratio, Step, Symmetric};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
+use support::generators::Cycle;
 
 /// All decision words, and all words of the widest table.
 pub const ALL: u64 = 1 << 32;

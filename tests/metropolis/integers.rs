@@ -5,8 +5,6 @@ use super::acceptance::{Given, positive, step as float_step};
 use super::enumeration::Words;
 use super::integer_balance::Enumerated;
 use super::stated::stated;
-use crate::catalogue::stats::{chi_square, threshold};
-use crate::drivers::{Broken, Counting, Failing};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     Chain, Chance, Counts, Independence, LogDensity, Mixture, Mutation, Outcome, Ratio, Saved,
@@ -18,6 +16,8 @@ use microwarp::{Error, poly};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
+use support::generators::{Broken, Counting, Failing};
+use support::stats::{chi_square, threshold};
 
 const WEIGHTS: [u32; 6] = [5, 0, 1, 40, 0, 12];
 

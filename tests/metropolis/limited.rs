@@ -5,9 +5,9 @@ use super::counterexamples::table;
 use super::enumeration::runs;
 use super::matrices::Neighbour;
 use super::spectrum::{Matrix, stationary};
-use crate::drivers::Cycle;
 use microwarp::metropolis::{Chain, Mutation, Outcome, Saved, UniformIndex};
 use std::num::NonZeroU32;
+use support::generators::Cycle;
 
 /// A chain with a limit, expanded: place x (limit + 1) + r for state x after r rejections.
 struct Expanded {

@@ -1,6 +1,5 @@
 //! A hundred million steps: nothing drifts, nothing sticks, nothing is lost.
 
-use crate::catalogue::stats;
 use crate::evidence::{assert_passes, assert_rejected, hotelling};
 use crate::long_record::{Setting, assert_sound};
 use microwarp::metropolis::{
@@ -8,6 +7,7 @@ use microwarp::metropolis::{
 };
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
+use support::stats;
 
 /// The p-values that are computed in this file: four of the normalisation and two of cells; two of cells.
 pub const P_VALUES: usize = 8;

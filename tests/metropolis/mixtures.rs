@@ -1,6 +1,5 @@
 //! Mixtures: each mutation by exactly the words of its table, with its own ratio and its index as the kind.
 
-use crate::drivers::Cycle;
 use crate::stated::{above, below};
 use microwarp::Error;
 use microwarp::discrete::Cdf;
@@ -11,6 +10,7 @@ use microwarp::metropolis::{
 use microwarp::poly as mw;
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
+use support::generators::Cycle;
 
 /// Proposes always one number, and states a ratio of it.
 #[derive(Clone, Copy)]

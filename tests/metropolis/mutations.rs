@@ -1,7 +1,6 @@
 //! What the constructors of mutations refuse, and that whatever they accept proposes in range: with random
 //! parameters, from any state.
 
-use crate::drivers::Cycle;
 use crate::stated::below;
 use microwarp::Error;
 use microwarp::metropolis::{
@@ -11,6 +10,7 @@ use microwarp::metropolis::{
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::generators::Cycle;
 
 const TINY: f32 = f32::from_bits(1);
 

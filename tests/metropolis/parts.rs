@@ -1,7 +1,6 @@
 //! Mutations of the whole cube, of indices and of some coordinates: what they pick, by exact counts, and
 //! what they leave alone.
 
-use crate::drivers::Cycle;
 use microwarp::Error;
 use microwarp::metropolis::{
     BoxStep, Independence, Mutation, NormalStep, OneCoordinate, Ratio, Subset, Symmetric,
@@ -11,6 +10,7 @@ use microwarp::poly as mw;
 use microwarp::tier::{Libm, Poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::generators::Cycle;
 
 #[test]
 fn a_uniform_step_is_the_words_on_the_grid() {

@@ -1,11 +1,11 @@
 //! How a chain is run for its evidence: batches, what they record, and the autocorrelation times.
 
-use crate::catalogue::stats;
 use crate::cells::Cells;
 use crate::evidence;
 use crate::series::Truth;
 use microwarp::metropolis::{Health, Step};
 use rand_pcg::Pcg32;
+use support::stats;
 
 /// How much is run.
 #[derive(Clone, Copy)]

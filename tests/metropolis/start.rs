@@ -184,9 +184,7 @@ fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
     let spread = (0.25 / RUNS as f64).sqrt() * 2_f64.sqrt();
     assert_passes(
         "100 steps",
-        &[crate::catalogue::stats::two_sided(
-            (k100 - after_burn_in) / spread,
-        )],
+        &[support::stats::two_sided((k100 - after_burn_in) / spread)],
     );
 }
 

@@ -1,13 +1,13 @@
 //! Which candidate starts a chain: its exact probability, by the words that choose it. And the search for a
 //! first state, what both refuse, and the words that they take.
 
-use crate::drivers::{Broken, Counting, Cycle, Failing};
 use crate::start_weights::Listed;
 use microwarp::metropolis::{Chain, LogDensity, UniformStep};
 use microwarp::poly;
 use microwarp::rejection::Failure;
 use microwarp::tier::Poly;
 use rand_pcg::Pcg32;
+use support::generators::{Broken, Counting, Cycle, Failing};
 
 /// How many of all 2³² words let candidate j, the last one, take the place of the one held. The words that
 /// do are those below a border, which bisection finds.

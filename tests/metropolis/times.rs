@@ -1,10 +1,10 @@
 //! The integrated autocorrelation time: Geyer's initial monotone sequence in f64 on the same runs, and theory.
 
-use crate::catalogue::stats;
 use crate::health::{HEALTH, pushed};
 use crate::series::{SHAPES, Truth, autoregression, normal, shaped};
 use crate::stated::stated_error;
 use rand_pcg::Pcg32;
+use support::stats;
 
 /// No fewer than the p-values that are computed in this file.
 const TESTS: usize = 10;

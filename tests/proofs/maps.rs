@@ -2,13 +2,13 @@
 
 use crate::Uniforms;
 use crate::bounds::{Roundings, Worst};
-use crate::catalogue::{Entry, Measure, entries};
-use crate::figures::{Figures, raise};
 use crate::phases::{self, Cell};
 use crate::radii::{self, Radii};
 use crate::search;
 use microwarp::tier::Tier;
 use microwarp::uniform::LARGEST;
+use support::figures::{Figures, raise};
+use support::registry::{Entry, Measure, entries};
 
 pub const MAPS: [&str; 7] = [
     "Disk",
@@ -116,7 +116,7 @@ pub fn examine<T: Tier>(
             found.join(largest);
         };
         near(&sample);
-        if entry.domain == crate::catalogue::Domain::Directions {
+        if entry.domain == support::registry::Domain::Directions {
             near(&length);
         }
     };

@@ -1,8 +1,8 @@
 //! The figures: as stated in the documentation of the maps, as proven, as found, and their table in `docs/proofs.md`.
 
 use crate::maps::{MAPS, Outcome, Row};
-use crate::tables::{self, same_figures};
 use std::fmt::Write as _;
+use support::tables::{self, same_figures};
 
 /// The rows that are proven, as the table of a map calls them.
 const TITLES: [&str; 4] = ["sample", "sin θ, ulp", "cos θ, ulp", "unit length"];

@@ -2,10 +2,10 @@
 
 use crate::Uniforms;
 use crate::bounds::Worst;
-use crate::catalogue::Entry;
-use crate::figures::{Exact, Figures, sample_error};
 use crate::phases::Cell;
 use crate::radii::Radii;
+use support::figures::{Exact, Figures, sample_error};
+use support::registry::Entry;
 
 /// Phases and first uniforms that are tried with each other.
 const PHASES: usize = 64;

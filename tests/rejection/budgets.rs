@@ -1,6 +1,5 @@
 //! Budgets are kept to the word, and no generator makes a sampler hang.
 
-use crate::drivers::{Broken, Counting, Cycle, Failing};
 use microwarp::Aabb;
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,
@@ -9,6 +8,7 @@ use microwarp::uniform::grid_from_word;
 use microwarp::{Error, Interval, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::generators::{Broken, Counting, Cycle, Failing};
 
 const STUCK: [u32; 14] = [
     0,

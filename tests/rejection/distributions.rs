@@ -1,6 +1,5 @@
 //! Accepted points have the stated law, in their whole domain and whatever the number of tries.
 
-use crate::catalogue::stats;
 use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
 use crate::subjects::{self, run};
 use microwarp::Aabb;
@@ -9,6 +8,7 @@ use microwarp::uniform::{Canonical, Uniforms};
 use microwarp::{Interval, Triangle, Warp, libm, poly};
 use rand_core::TryRng;
 use std::f32::consts::{FRAC_1_PI, PI};
+use support::stats;
 
 #[test]
 fn accepted_points_have_the_stated_law() {

@@ -1,7 +1,7 @@
 //! What is asked of a sampler's points and tries, and the p-values of the answers.
 
-use crate::catalogue::stats;
 use crate::threshold;
+use support::stats;
 
 /// The points of a run in coordinates that are uniform if the sampler is right, and the tries of each.
 pub struct Run<const D: usize> {

@@ -1,6 +1,5 @@
 //! The disks of the integer tier: every word there is, and for two words the whole rim, in exact arithmetic.
 
-use crate::drivers::{Broken, Counting, Cycle, Failing};
 use ::fixed::types::{I2F30, U0F32};
 use microwarp::Error;
 use microwarp::fixed::{DiskRejection, DiskRejection16};
@@ -8,6 +7,7 @@ use microwarp::rejection::{Failure, Rejection};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_4};
+use support::generators::{Broken, Counting, Cycle, Failing};
 
 /// The radius of each grid: 2^16 and 2^30 units.
 const SHORT: i64 = 1 << 16;

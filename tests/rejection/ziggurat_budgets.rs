@@ -1,7 +1,6 @@
 //! Budgets, words and extremes of the ziggurats.
 
 use crate::curves::{CURVES, Curve};
-use crate::drivers::{Broken, Counting, Cycle, Failing};
 use crate::layers::{attempt, word};
 use microwarp::rejection::{
     Failure, Rejection, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
@@ -10,6 +9,7 @@ use microwarp::rejection::{
 use microwarp::{Error, Warp, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::generators::{Broken, Counting, Cycle, Failing};
 
 /// The place farthest out in the last layer, where no second word but the very first ones accepts.
 fn rejected(curve: Curve) -> u32 {

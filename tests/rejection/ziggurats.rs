@@ -1,7 +1,6 @@
 //! The numbers of the ziggurats have their laws, the tails included; a ziggurat with any of the known flaws fails the
 //! very same tests.
 
-use crate::catalogue::stats;
 use crate::curves::{CURVES, Curve, Geometry};
 use crate::examination::{
     assert_passes, assert_rejected, histogram, p_value_of_mean, p_value_of_tries,
@@ -13,6 +12,7 @@ use microwarp::rejection::{
 };
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::stats;
 
 /// Numbers of a run.
 const NUMBERS: usize = 10_000_000;

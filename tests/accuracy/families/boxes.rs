@@ -2,12 +2,15 @@
 
 use super::Constructor;
 use super::line::histogram;
-use crate::adversary::words::Kind::{Any, Positive};
-use crate::catalogue::truth::Truth;
-use crate::catalogue::{Domain, Entry, Flat, Measure, entry, truth};
 use microwarp::discrete::PiecewiseConstant2d;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use support::adversary::words::Kind::{Any, Positive};
+use support::truth::Truth;
+use support::{
+    registry::{Domain, Entry, Flat, Measure, entry},
+    truth,
+};
 
 pub(super) fn constructors<T: Tier>() -> Vec<Constructor> {
     vec![

@@ -1,13 +1,16 @@
 //! The constructors of the warps over directions.
 
 use super::Constructor;
-use crate::adversary::words::Kind::{Any, Positive, Within};
-use crate::catalogue::directions::exact_frame;
-use crate::catalogue::{Domain, Entry, Measure, entry, truth};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
 use microwarp::{Frame, Warp};
 use std::f32::consts::PI;
+use support::adversary::words::Kind::{Any, Positive, Within};
+use support::registry::directions::exact_frame;
+use support::{
+    registry::{Domain, Entry, Measure, entry},
+    truth,
+};
 use truth::Truth;
 
 pub(super) fn constructors<T: Tier>() -> Vec<Constructor> {
@@ -163,7 +166,7 @@ where
 
 fn turned(
     constructor: &'static str,
-    parameters: &'static [crate::adversary::words::Kind],
+    parameters: &'static [support::adversary::words::Kind],
     build: fn(&[f32]) -> Option<Entry>,
 ) -> Constructor {
     Constructor {

@@ -1,12 +1,15 @@
 //! A sampler with a planted defect, which the search must find within its quick budget.
 
 use super::Constructor;
-use crate::adversary::words::Kind::{Any, Positive};
-use crate::catalogue::{Domain, Measure, entry, truth};
 use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::uniform::Canonical;
 use microwarp::warp::Power;
+use support::adversary::words::Kind::{Any, Positive};
+use support::{
+    registry::{Domain, Measure, entry},
+    truth,
+};
 
 /// The power law by the exponential of one quotient, which leaves the range of `f32` where the sample does not; a clamp
 /// hides it. It is right to some 60 ulp for most parameters and wrong over many decades near n = −1.

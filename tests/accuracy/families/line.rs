@@ -1,13 +1,16 @@
 //! The constructors of the warps of the line.
 
 use super::Constructor;
-use crate::adversary::words::Kind::{Any, Positive};
-use crate::catalogue::truth::Truth;
-use crate::catalogue::{Domain, Entry, Measure, entry, truth};
 use microwarp::Error;
 use microwarp::discrete::{Cdf, PiecewiseConstant1d, Storage};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use support::adversary::words::Kind::{Any, Positive};
+use support::truth::Truth;
+use support::{
+    registry::{Domain, Entry, Measure, entry},
+    truth,
+};
 
 pub(super) fn constructors<T: Tier>() -> Vec<Constructor> {
     vec![

@@ -8,17 +8,17 @@ mod open;
 mod plane;
 mod power;
 
-use crate::adversary::statement::Statement;
-use crate::adversary::words::Kind;
-use crate::adversary::{Case, Family, Observe};
-use crate::catalogue::truth::Truth;
-use crate::catalogue::{Domain, Entry, Measure, Uniforms};
-use crate::figures::{
+use microwarp::tier::{Libm, Poly, Tier};
+use support::adversary::statement::Statement;
+use support::adversary::words::Kind;
+use support::adversary::{Case, Family, Observe};
+use support::figures::{
     Exact, Figures, ROWS, apart, density_and_inverse_error, is_azimuth, polar_error, sample_error,
     ulp, wide,
 };
-use crate::tables;
-use microwarp::tier::{Libm, Poly, Tier};
+use support::registry::{Domain, Entry, Measure, Uniforms};
+use support::tables;
+use support::truth::Truth;
 
 /// One constructor, in one tier.
 struct Constructor {
@@ -82,7 +82,7 @@ fn family(of: Constructor, tier: &'static str) -> Family {
     let (build, seeds) = (of.build, of.seeds);
     let arity = of.parameters.len();
     // Any parameters the constructor accepts tell how many uniforms a sample takes.
-    let uniforms = crate::adversary::words::first_accepted(of.parameters, |p| {
+    let uniforms = support::adversary::words::first_accepted(of.parameters, |p| {
         build(&floats(p)).map(|entry| entry.uniforms)
     });
     Family {

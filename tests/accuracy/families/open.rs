@@ -1,11 +1,14 @@
 //! The constructors of the warps that are open at an end, normals and exponentials; and what users compose, by examples.
 
 use super::Constructor;
-use crate::adversary::words::Kind::{Any, Positive};
-use crate::catalogue::truth::Truth;
-use crate::catalogue::{Domain, Entry, Measure, entry, line, plane, truth};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use support::adversary::words::Kind::{Any, Positive};
+use support::truth::Truth;
+use support::{
+    registry::{Domain, Entry, Measure, entry, line, plane},
+    truth,
+};
 
 pub(super) fn constructors<T: Tier>() -> Vec<Constructor> {
     vec![

@@ -1,11 +1,14 @@
 //! The constructors of the warps of the plane and of triangles in space.
 
 use super::Constructor;
-use crate::adversary::words::Kind::Any;
-use crate::catalogue::{Domain, Entry, Measure, entry, truth};
 use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use support::adversary::words::Kind::Any;
+use support::{
+    registry::{Domain, Entry, Measure, entry},
+    truth,
+};
 use truth::Truth;
 
 pub(super) fn constructors<T: Tier>() -> Vec<Constructor> {
@@ -95,7 +98,7 @@ where
 
 fn on_vertices<T: Tier, const D: usize>(p: &[f32], domain: Domain) -> Option<Entry>
 where
-    [f32; D]: crate::catalogue::Flat<3>,
+    [f32; D]: support::registry::Flat<3>,
 {
     let vertices: [[f32; D]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| p[i * D + k]));
     let warp = TriangleOn::new(vertices).ok()?;

@@ -1,10 +1,13 @@
 //! The constructors of the power laws and of the exponential on an interval.
 
 use super::Constructor;
-use crate::adversary::words::Kind::{self, Any, Positive, Within};
-use crate::catalogue::{Domain, Entry, Measure, entry, truth};
 use microwarp::tier::Tier;
 use microwarp::warp::{Power, PowerMax, TruncatedExponential};
+use support::adversary::words::Kind::{self, Any, Positive, Within};
+use support::{
+    registry::{Domain, Entry, Measure, entry},
+    truth,
+};
 
 fn power<T: Tier>(n: f32, a: f32, b: f32, increasing: bool) -> Option<Entry> {
     let warp = if increasing {
@@ -24,7 +27,7 @@ fn power<T: Tier>(n: f32, a: f32, b: f32, increasing: bool) -> Option<Entry> {
 
 fn largest<T: Tier, const N: usize>() -> Option<Entry>
 where
-    [f32; N]: crate::catalogue::Flat<4>,
+    [f32; N]: support::registry::Flat<4>,
 {
     let truth = truth::power_max(u32::try_from(N).unwrap());
     let mut entry = entry::<T, _>(

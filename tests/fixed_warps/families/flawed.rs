@@ -1,13 +1,13 @@
 //! A warp with a planted defect, which the search must find within its quick budget.
 
 use super::{Family, Subject, directions};
-use crate::adversary::search::Budget;
-use crate::adversary::{Family as Attacked, attack};
 use fixed::types::{I2F30, U0F32, U2F62};
 use microwarp::Warp;
 use microwarp::fixed::warp::Cone;
 use microwarp::fixed::{Density, Fine, Grade, Uniform};
 use microwarp::uniform::Canonical;
+use support::adversary::search::Budget;
+use support::adversary::{Family as Attacked, attack};
 
 /// A cone whose sine is halved to its size before it is turned, so that what the product cuts counts in full.
 #[derive(Clone, Copy)]

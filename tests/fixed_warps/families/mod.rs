@@ -11,10 +11,10 @@ mod line;
 mod plane;
 mod triangle;
 
-use crate::adversary::statement::Statement;
-use crate::adversary::words::Kind;
-use crate::adversary::{self, Case, Observe, Uniforms};
 use crate::figures::cells;
+use support::adversary::statement::Statement;
+use support::adversary::words::Kind;
+use support::adversary::{self, Case, Observe, Uniforms};
 
 /// 2⁻³².
 pub const WORD: f64 = 1.0 / 4_294_967_296.0;

@@ -1,0 +1,217 @@
+//! Each warp keeps the error bounds that its documentation states, whatever its parameters.
+//!
+//! The bounds are read out of the documentation itself: the table in each warp's doc comment holds numbers and
+//! formulas. Two ways attack them. Listed parameter sets are swept, exhaustively where a sample takes one uniform;
+//! what they show stands in `docs/accuracy.md`, set by set. An adversary searches all parameters that a constructor
+//! accepts, and fails for a bound that is exceeded and for one twice too large.
+//! `MICROWARP_WRITE=1 cargo test --test accuracy` writes the page and the worst cases anew.
+
+mod families;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use support::figures::{Exact, Figures, density_and_inverse_error, polar_error, sample_error};
+use support::registry::{Domain, Entry, Uniforms, entries};
+
+const GRID: u32 = 1 << 24;
+const STEP: f32 = 1.0 / 16_777_216.0;
+
+/// Uniforms at which maps break: the ends, the middle, and values off the grid.
+const EDGES: [f32; 16] = [
+    0.0,
+    1.0e-45,
+    1.0e-40,
+    f32::MIN_POSITIVE,
+    1.0e-20,
+    STEP,
+    2.0 * STEP,
+    1.0e-3,
+    0.25,
+    0.5 - STEP,
+    0.5,
+    0.5 + STEP,
+    0.75,
+    1.0 - 2.0 * STEP,
+    1.0 - STEP,
+    0.333_333_34,
+];
+
+/// One warp with one parameter set, in both tiers.
+type Pair = (Entry, Entry);
+
+fn pairs() -> Vec<Pair> {
+    let (libm, poly): (Vec<_>, Vec<_>) = entries().into_iter().partition(|e| e.tier == "libm");
+    assert_eq!(libm.len(), poly.len());
+    libm.into_iter().zip(poly).collect()
+}
+
+/// Four uniforms of the grid for a counter: a hash of it, so that no two of them are in step.
+fn spread(k: u32) -> Uniforms {
+    [0x9e37_79b9_u32, 0x85eb_ca6b, 0xc2b2_ae35, 0x27d4_eb2f].map(|m| {
+        let mixed = (k.wrapping_add(1)).wrapping_mul(m);
+        let mixed = (mixed ^ (mixed >> 15)).wrapping_mul(m | 1);
+        ((mixed ^ (mixed >> 13)) >> 8) as f32 * STEP
+    })
+}
+
+/// Warps whose functions are the table's own, or whose every input is trivially exact.
+const COMPOSED: [&str; 5] = [
+    "Inversion",
+    "Transform",
+    "PowerMax",
+    "MarginalConditional",
+    "Oriented",
+];
+
+/// Measures both tiers of one warp: over every grid input where the input is one number, over 2^24
+/// points of the grid where it is two, always with all edges. Further parameter sets of the same warp
+/// are swept with a prime stride, which visits every residue.
+fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
+    let stride = if thorough { 1 } else { 13 };
+    let mut figures = [Figures::default(); 2];
+    let mut at = |u: Uniforms, deep: bool, polar: bool| {
+        let exact = Exact::of(libm, u, deep);
+        for (entry, figures) in [libm, poly].into_iter().zip(&mut figures) {
+            let x = entry.warp.sample(u);
+            if polar {
+                polar_error(entry, &exact, x, figures);
+            }
+            sample_error(entry, &exact, x, figures);
+            if deep {
+                density_and_inverse_error(entry, &exact, x, figures);
+            }
+        }
+    };
+    match libm.uniforms {
+        1 => {
+            for k in (0..GRID).step_by(stride) {
+                at([k as f32 * STEP, 0.0, 0.0, 0.0], true, false);
+            }
+            for u in EDGES {
+                // Generators yield nothing between 0 and 2^-64; samples hold there all the same.
+                at([u, 0.0, 0.0, 0.0], u == 0.0 || u >= 5.0e-20, false);
+            }
+        }
+        2 => {
+            if libm.domain == Domain::Directions
+                && libm.name != "MalleyHemisphere"
+                && libm.name != "SphericalPatch"
+            {
+                for k in (0..GRID).step_by(stride) {
+                    at([k as f32 * STEP, 0.0, 0.0, 0.0], false, true);
+                }
+            }
+            // Pairs of the grid spread over the square by multiplication; the density and the inverse, which
+            // cost most to judge, at every 8th.
+            for k in 0..if thorough { GRID } else { GRID / 8 } {
+                let [u1, u2, ..] = spread(k);
+                at([u1, u2, 0.0, 0.0], k % 8 == 0, false);
+            }
+            let axis: Vec<f32> = (0..48)
+                .map(|i| ((i * 349_525 + 11) % GRID) as f32 * STEP)
+                .chain(EDGES)
+                .collect();
+            for &u1 in &axis {
+                for &u2 in &axis {
+                    at([u1, u2, 0.0, 0.0], true, false);
+                }
+            }
+        }
+        n => {
+            for k in 0..GRID / 16 {
+                let u = spread(k);
+                let u = std::array::from_fn(|i| if i < n { u[i] } else { 0.0 });
+                at(u, true, false);
+            }
+            for u in EDGES {
+                at([u; 4], true, false);
+            }
+        }
+    }
+    figures
+}
+
+#[test]
+fn every_warp_keeps_its_stated_error() {
+    let pairs = pairs();
+    let next = AtomicUsize::new(0);
+    let measured = Mutex::new(vec![[Figures::default(); 2]; pairs.len()]);
+    let threads = std::thread::available_parallelism().map_or(2, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(pair) = pairs.get(i) else { break };
+                    let warp = |(e, _): &Pair| e.name.split(' ').next();
+                    let first = !pairs[..i].iter().any(|before| warp(before) == warp(pair));
+                    let figures = measure(pair, first && !COMPOSED.contains(&pair.0.name));
+                    measured.lock().unwrap()[i] = figures;
+                }
+            });
+        }
+    });
+    let measured = measured.into_inner().unwrap();
+    let rows: Vec<_> = pairs
+        .iter()
+        .zip(measured)
+        .map(|((libm, _), figures)| support::tables::Measured {
+            name: libm.name,
+            parameters: libm.parameters,
+            measure: libm.measure,
+            figures,
+        })
+        .collect();
+    if std::env::var_os("MICROWARP_WRITE").is_some() {
+        support::tables::write(&rows);
+    }
+    support::tables::check(&rows);
+}
+
+/// No parameters that a constructor accepts, and no uniforms, exceed what is stated.
+#[test]
+fn the_statements_hold_for_every_parameter() {
+    support::adversary::hold(&families::families(), "accuracy/worst.csv");
+}
+
+/// The old branch of the power law, whose exponential overflows alone, is found within the quick budget.
+#[test]
+fn a_branch_that_overflows_alone_is_found() {
+    let flawed = families::flawed();
+    let found = support::adversary::attack(&flawed, support::adversary::search::Budget::Quick);
+    for (family, worst) in flawed.iter().zip(found) {
+        // A wrong branch, not a digit too few: the sample is the wrong end of the interval.
+        let sample = &worst[0];
+        assert!(sample.ratio > 1e3, "{}", sample.describe(family));
+    }
+}
+
+/// The measurement itself notices an error of the size it is there to find.
+#[test]
+fn a_wrong_warp_is_noticed() {
+    let pairs = pairs();
+    let find = |name: &str| &pairs.iter().find(|(e, _)| e.name == name).unwrap().1;
+    let (disk, exponential) = (find("Disk"), find("Exponential"));
+    let u = [0.3, 0.7, 0.0, 0.0];
+    let exact = Exact::of(disk, u, true);
+    let mut figures = Figures::default();
+    sample_error(
+        disk,
+        &exact,
+        [0.3 * -0.309_017, 0.3 * -0.951_056_5, 0.0],
+        &mut figures,
+    );
+    assert!(
+        figures.sample > 0.2,
+        "the disk with r = u passes: {figures:?}"
+    );
+    let exact = Exact::of(exponential, u, true);
+    let x = exponential.warp.sample(u);
+    let off = f32::from_bits(x[0].to_bits() + 4);
+    let mut figures = Figures::default();
+    sample_error(exponential, &exact, [off, 0.0, 0.0], &mut figures);
+    assert!(figures.sample > 3.0, "four steps off pass: {figures:?}");
+    let mut figures = Figures::default();
+    sample_error(exponential, &exact, [f32::NAN, 0.0, 0.0], &mut figures);
+    assert!(figures.sample == f64::INFINITY, "NaN passes: {figures:?}");
+}

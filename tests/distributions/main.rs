@@ -1,0 +1,111 @@
+//! Samples follow the density they report: every warp of the catalogue in both tiers, ten million samples
+//! each, by chi-square, Kolmogorov and Smirnov's distance and moments.
+//!
+//! Here lives the run over the whole catalogue. How one entry is examined is in `examination`; that the
+//! examination rejects what is wrong is in `controls`, that it does not reject what is right in
+//! `calibration`. Jittered strata are in `strata`.
+
+mod calibration;
+mod controls;
+mod examination;
+mod moments;
+mod report;
+mod strata;
+
+use examination::Examination;
+use report::Report;
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+use support::{registry::Entry, stats};
+
+/// Samples for each entry, unless `f32` resolves it too coarsely for so many.
+const SAMPLES: usize = 10_000_000;
+
+/// The seed of an entry's run: fixed, and another one for every entry.
+fn seed(index: usize) -> u64 {
+    0x6d69_6372_6f77_6172 ^ (index as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+}
+
+/// Examines all entries in two threads; the rows are in the order of the entries.
+fn examine(entries: &[Entry]) -> Vec<(usize, f64, Report)> {
+    let (next, rows) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                loop {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(entry) = entries.get(i) else { break };
+                    let examination = Examination::new(entry, SAMPLES);
+                    let report = examination.run(seed(i));
+                    let row = (examination.samples, examination.integral, report);
+                    rows.lock().unwrap().insert(i, row);
+                }
+            });
+        }
+    });
+    rows.into_inner().unwrap().into_values().collect()
+}
+
+#[test]
+fn samples_follow_the_density_they_report() {
+    let start = Instant::now();
+    let (entries, unresolved): (Vec<_>, Vec<_>) = support::registry::entries()
+        .into_iter()
+        .partition(|e| e.resolved);
+    let due = entries.iter().map(|e| moments::tests(e.domain)).sum();
+    let threshold = stats::threshold(due);
+    let rows = examine(&entries);
+
+    println!(
+        "{:<50} {:>9} {:>9} {:>5} {:>8} {:>8} {:>8}  integral - 1",
+        "warp", "samples", "chi2", "dof", "p", "KS p", "moment p"
+    );
+    let (mut objections, mut made) = (Vec::new(), 0);
+    let mut most = BTreeMap::new();
+    for (entry, (samples, integral, report)) in entries.iter().zip(&rows) {
+        println!(
+            "{:<50} {samples:>9} {:>9.1} {:>5} {:>8.1e} {:>8.1e} {:>8.1e}  {:+.1e}",
+            entry.label(),
+            report.chi2,
+            report.dof,
+            report.lowest("chi"),
+            report.lowest("distance"),
+            report.lowest("mean"),
+            integral - 1.0
+        );
+        made += report.tests.len();
+        let most = most.entry((entry.name, entry.tier)).or_insert(0);
+        *most = samples.max(most).to_owned();
+        objections.extend(
+            report
+                .objections(threshold)
+                .iter()
+                .map(|o| format!("{}: {o}", entry.label())),
+        );
+    }
+    println!(
+        "{} entries examined, {} left out because f32 does not resolve their shape, {made} tests, threshold {threshold:.1e}, {:.0} s",
+        rows.len(),
+        unresolved.len(),
+        start.elapsed().as_secs_f64()
+    );
+    // Nothing may have been skipped in silence.
+    assert_eq!(rows.len(), entries.len());
+    assert_eq!(made, due);
+    for entry in &unresolved {
+        assert!(
+            most.contains_key(&(entry.name, entry.tier)),
+            "{} has no resolved parameters",
+            entry.name
+        );
+    }
+    for ((name, tier), samples) in most {
+        assert!(
+            samples >= SAMPLES,
+            "{name} {tier}: at most {samples} samples"
+        );
+    }
+    assert!(objections.is_empty(), "{}", objections.join("\n"));
+}

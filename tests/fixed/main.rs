@@ -1,0 +1,36 @@
+//! The integer tier: its kernels keep the errors their documentation states, and its laws hold.
+//!
+//! Kernels are tried over one of every 16 of the 2³² words and at all edges; with `MICROWARP_FULL=1` in the
+//! environment over every word there is, which takes half an hour. Overflow checks are on, so a sweep that comes to
+//! its end is the proof that no plain operator overflows.
+
+#![allow(
+    clippy::duplicate_mod,
+    reason = "the kernels are compiled once for each kind of core"
+)]
+
+mod cases;
+mod composed;
+mod controls;
+mod distributions;
+mod edges;
+mod figures;
+mod inputs;
+mod kernels;
+mod laws;
+mod rising;
+mod shapes;
+mod wrong_maps;
+
+/// What sees the kernels themselves, which say of their functions that they are visible in a module of this name.
+#[path = "."]
+mod fixed {
+    mod both_ways;
+    mod narrow;
+    mod quotients;
+    mod rim;
+    mod table_entries;
+    #[path = "../../src/fixed/kernel/tables.rs"]
+    mod tables;
+    mod wide;
+}

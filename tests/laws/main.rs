@@ -1,0 +1,371 @@
+//! The laws that hold for every warp: total, inside the domain, never of density 0, the same however
+//! it is drawn. Each law runs over the whole catalogue; what is particular to one warp is not here.
+
+mod any_parameters;
+mod boxes;
+mod generators;
+mod house;
+mod monotone;
+mod parameters;
+mod power;
+mod shapes;
+mod truncated;
+
+use support::registry::{Domain, Entry, Point, Uniforms, entries};
+
+/// Every kind of f32 a caller can hand in as a uniform.
+const ANY: [f32; 24] = [
+    0.0,
+    -0.0,
+    1.0e-45,
+    -1.0e-45,
+    1.0e-40,
+    f32::MIN_POSITIVE,
+    1.0e-20,
+    5.960_464_5e-8,
+    1.0e-3,
+    0.249_999_99,
+    0.25,
+    0.5,
+    0.500_000_06,
+    0.75,
+    0.999_999_9,
+    0.999_999_94,
+    1.0,
+    1.000_000_1,
+    7.0,
+    f32::MAX,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::NAN,
+    -f32::NAN,
+];
+
+fn for_any_uniforms(entry: &Entry, mut law: impl FnMut(Uniforms)) {
+    for &a in &ANY {
+        if entry.uniforms == 1 {
+            law([a, 0.0, 0.0, 0.0]);
+            continue;
+        }
+        for &b in &ANY {
+            law([a, b, a, b]);
+        }
+    }
+    // A coarse walk over the grid beside the special values.
+    for k in 0..65_536_u32 {
+        let u = |m: u32| (k.wrapping_mul(m) >> 8) as f32 / 16_777_216.0;
+        law([
+            u(0x9e37_79b9),
+            u(0x85eb_ca6b),
+            u(0xc2b2_ae35),
+            u(0x27d4_eb2f),
+        ]);
+    }
+}
+
+/// How far outside the unit square the exact inverse may place a point that was rounded.
+fn slack(entry: &Entry) -> f64 {
+    match entry.domain {
+        // In one dimension the domain is checked itself.
+        Domain::Line => f64::INFINITY,
+        _ if entry.parameters.contains("sliver") => 0.05,
+        _ if entry.parameters.contains("tile") => 1e-3,
+        _ => 2e-6,
+    }
+}
+
+fn assert_inside(entry: &Entry, x: Point, u: Uniforms) {
+    let label = entry.label();
+    assert!(x.iter().all(|c| c.is_finite()), "{label} at {u:?}: {x:?}");
+    let point = x.map(f64::from);
+    if entry.domain == Domain::Line {
+        let ends = [0.0, 1.0].map(|u| entry.truth.sample([u; 4])[0]);
+        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        // The ends themselves come out of f64 logarithms; a step of f32 outside is 1e6 times this. The
+        // ends of these are not bounds of a domain but the last sample, itself rounded to f32.
+        let rounded = matches!(entry.name, "Exponential" | "ExponentialTail" | "Transform");
+        let relative = if rounded { 2e-7 } else { 1e-13 };
+        let rounding = relative * low.abs().max(high.abs()).min(f64::from(f32::MAX));
+        let unbounded = matches!(entry.name, "Normal");
+        assert!(
+            unbounded || (point[0] >= low - rounding && point[0] <= high + rounding),
+            "{label} at {u:?}: {x:?} outside [{low}, {high}]"
+        );
+        return;
+    }
+    if matches!(entry.domain, Domain::Directions | Domain::World) {
+        let norm = point.iter().map(|c| c * c).sum::<f64>().sqrt();
+        assert!(
+            (norm - 1.0).abs() <= 2e-7,
+            "{label} at {u:?}: length {norm}"
+        );
+    }
+    if matches!(
+        entry.name,
+        "Hemisphere" | "CosineHemisphere" | "MalleyHemisphere" | "PhongLobe"
+    ) {
+        assert!(x[2] >= 0.0, "{label} at {u:?}: {x:?}");
+    }
+    if entry.name.starts_with("Disk") {
+        let r2 = point[0] * point[0] + point[1] * point[1];
+        assert!(r2 <= 1.0, "{label} at {u:?}: r² = {r2}");
+    }
+    if entry.name == "Triangle" {
+        assert!(x.iter().all(|c| *c >= 0.0), "{label} at {u:?}: {x:?}");
+        assert!(
+            (point.iter().sum::<f64>() - 1.0).abs() <= 1.2e-7,
+            "{label}: {x:?}"
+        );
+    }
+    if entry.name == "NormalPair" {
+        return;
+    }
+    let slack = slack(entry);
+    let at = entry.truth.invert(point);
+    for (i, c) in at[..entry.uniforms].iter().enumerate() {
+        let inside = *c >= -slack && *c <= 1.0 + slack;
+        // The azimuth of a point on the axis, or the share of two vertices at the third, is whatever it is.
+        let lost = i > 0 && (at[0] <= slack || c.is_nan());
+        assert!(inside || lost, "{label} at {u:?}: {x:?} is at {c}");
+    }
+}
+
+#[test]
+fn any_uniform_gives_a_finite_point_of_the_domain() {
+    for entry in entries() {
+        for_any_uniforms(&entry, |u| assert_inside(&entry, entry.warp.sample(u), u));
+    }
+}
+
+/// The whole rim of the disk, every second uniform there is at the largest radius.
+#[test]
+fn no_point_of_the_disk_lies_beyond_its_rim() {
+    let last = microwarp::uniform::LARGEST;
+    for entry in entries() {
+        let rims: &[fn(f32, f32) -> Uniforms] = match entry.name {
+            "Disk" => &[|rim, u| [rim, u, 0.0, 0.0]],
+            "DiskConcentric" => &[
+                |_, u| [0.0, u, 0.0, 0.0],
+                |_, u| [u, 0.0, 0.0, 0.0],
+                |rim, u| [rim, u, 0.0, 0.0],
+                |rim, u| [u, rim, 0.0, 0.0],
+            ],
+            _ => continue,
+        };
+        for rim in rims {
+            for k in 0..1_u32 << 24 {
+                let u = rim(last, k as f32 / 16_777_216.0);
+                let [x, y, _] = entry.warp.sample(u);
+                let r2 = f64::from(x) * f64::from(x) + f64::from(y) * f64::from(y);
+                assert!(r2 <= 1.0, "{} at {u:?}: r² = {r2}", entry.label());
+                assert!(
+                    entry.warp.pdf([x, y, 0.0]) > 0.0,
+                    "{} at {u:?} has density 0",
+                    entry.label()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sample_never_has_density_zero() {
+    for entry in entries() {
+        for_any_uniforms(&entry, |u| {
+            let x = entry.warp.sample(u);
+            let pdf = entry.warp.pdf(x);
+            assert!(
+                pdf > 0.0 && pdf <= f32::MAX,
+                "{} at {u:?}: {x:?} has {pdf}",
+                entry.label()
+            );
+        });
+    }
+}
+
+#[test]
+fn inverses_are_uniforms_and_lead_back() {
+    for entry in entries() {
+        for_any_uniforms(&entry, |u| {
+            let x = entry.warp.sample(u);
+            let back = entry.warp.invert(x);
+            let label = entry.label();
+            for u in &back[..entry.uniforms] {
+                assert!((0.0..1.0).contains(u), "{label}: {x:?} comes from {back:?}");
+            }
+            if entry.resolved {
+                let again = entry.warp.sample(back);
+                assert!(
+                    same_place(&entry, x, again),
+                    "{label}: {x:?} leads to {again:?}"
+                );
+            }
+        });
+    }
+}
+
+/// Whether two points have the same exact uniforms, as far as the rounding of both allows.
+fn same_place(entry: &Entry, a: Point, b: Point) -> bool {
+    let [a, b] = [a, b].map(|x| entry.truth.invert(x.map(f64::from)));
+    let tolerance = if entry.domain == Domain::Line {
+        4e-6
+    } else {
+        2.0 * slack(entry)
+    };
+    (0..entry.uniforms).all(|i| {
+        let d = (a[i] - b[i]).abs();
+        // The second uniform turns round, and is lost where the first is at an end.
+        let seam = i > 0 && (d >= 1.0 - tolerance || a[0] <= 1e-5 || a[0] >= 1.0 - 1e-5);
+        d <= tolerance || seam || d.is_nan()
+    })
+}
+
+/// Coordinates of points that no warp returned.
+const FAR: [f32; 12] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    -2.0,
+    1.0e-45,
+    1.0e30,
+    f32::MAX,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::NAN,
+];
+
+#[test]
+fn density_and_inverse_are_total() {
+    for entry in entries() {
+        // The closures of these two are the table's own.
+        let user = matches!(entry.name, "Inversion" | "Transform");
+        for x in FAR {
+            for y in FAR {
+                for z in FAR {
+                    let point = [x, y, z];
+                    let pdf = entry.warp.pdf(point);
+                    let finite = (0.0..=f32::MAX).contains(&pdf);
+                    assert!(
+                        finite || user,
+                        "{} has density {pdf} at {point:?}",
+                        entry.label()
+                    );
+                    for u in &entry.warp.invert(point)[..entry.uniforms] {
+                        assert!(
+                            (0.0..1.0).contains(u),
+                            "{} at {point:?}: {u}",
+                            entry.label()
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_density_outside_the_domain_is_zero() {
+    for entry in entries() {
+        let outside: &[Point] = match entry.name {
+            "Disk" | "DiskConcentric" => &[[1.0, 0.1, 0.0], [-0.8, 0.7, 0.0]],
+            "Hemisphere" | "CosineHemisphere" | "MalleyHemisphere" | "PhongLobe" => {
+                &[[0.6, 0.0, -0.8], [0.0, 0.0, -1.0]]
+            }
+            "Cone" if entry.parameters != "3 rad" => &[[0.0, 0.0, -1.0], [0.0, 0.999, -0.044_7]],
+            "Cone" => &[[0.0, 0.0, -1.0]],
+            "Triangle" => &[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0]],
+            "Tent" => &[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]],
+            "Linear" | "PowerMax" => &[[-1e-7, 0.0, 0.0], [1.000_000_1, 0.0, 0.0]],
+            "Exponential" | "ExponentialTail" | "TruncatedExponential" => &[[-1e-45, 0.0, 0.0]],
+            "Power" | "Power decreasing" => &[[-1.0, 0.0, 0.0], [f32::MAX, 0.0, 0.0]],
+            "Interval" | "Interval decreasing" => &[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]],
+            "SphericalPatch" if entry.parameters != "south" => {
+                &[[-0.6, -0.1, 0.8], [0.0, 0.0, -1.0]]
+            }
+            "SphericalPatch" => &[[0.6, 0.0, -0.8], [0.0, 0.0, 1.0]],
+            "TriangleOn" => &[[5.0e18, 3.0, 0.0], [0.1, -1.0e18, 0.0], [0.2, 0.2, 1.0e18]],
+            "MarginalConditional" => &[[0.5, 0.6, 0.0], [1.5, 0.5, 0.0]],
+            "Aabb" => &[[f32::MAX, 2.0, 0.0], [0.0, f32::MAX, 0.0]],
+            "PiecewiseConstant1d" => &[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]],
+            "PiecewiseConstant2d" => &[[5.1, 0.5, 0.0], [0.5, f32::MAX, 0.0], [-3.1, -0.5, 0.0]],
+            "Oriented" if entry.parameters.ends_with("3)") => &[[-0.3, -0.5, -0.8]],
+            "Oriented" => &[[0.0, 0.0, 1.0]],
+            // The whole line, plane or sphere.
+            "Normal" | "NormalPair" | "Sphere" | "Inversion" | "Transform" => &[],
+            other => panic!("no point outside the domain of {other} is listed"),
+        };
+        for &x in outside {
+            // A third coordinate of the plane does not exist.
+            if entry.domain == Domain::Plane && x[2] != 0.0 {
+                continue;
+            }
+            let pdf = entry.warp.pdf(x);
+            assert!(pdf == 0.0, "{} has density {pdf} at {x:?}", entry.label());
+        }
+        if !matches!(entry.name, "Inversion" | "Transform") {
+            let pdf = entry.warp.pdf([f32::NAN; 3]);
+            assert!(pdf == 0.0, "{} has density {pdf} at NaN", entry.label());
+        }
+    }
+}
+
+/// The exact counterparts hang together: the density is the derivative of the map, and the inverse
+/// leads back. This is what makes them fit to judge the crate.
+#[test]
+fn every_truth_agrees_with_itself() {
+    for entry in entries()
+        .into_iter()
+        .filter(|e| e.tier == "poly" && e.resolved)
+    {
+        if entry.name == "PowerMax" && entry.uniforms > 1 {
+            continue;
+        }
+        for k in 0..200 {
+            let u = [
+                0.013 + 0.004_86 * f64::from(k),
+                0.37 + 0.003 * f64::from(k % 7),
+                0.0,
+                0.0,
+            ];
+            let x = entry.truth.sample(u);
+            let back = entry.truth.invert(x);
+            for i in 0..entry.uniforms {
+                assert!(
+                    (back[i] - u[i]).abs() <= 1e-7,
+                    "{}: {u:?} comes back as {back:?}",
+                    entry.label()
+                );
+            }
+            let volume = volume_element(&entry, u);
+            let product = entry.truth.pdf(x) * volume;
+            assert!(
+                (product - 1.0).abs() <= 1e-4,
+                "{} at {u:?}: {product}",
+                entry.label()
+            );
+        }
+    }
+}
+
+/// Length, area or solid angle per unit of the uniforms, by central differences.
+fn volume_element(entry: &Entry, u: [f64; 4]) -> f64 {
+    let h = 1e-5;
+    let slope = |axis: usize| -> [f64; 3] {
+        let (mut up, mut down) = (u, u);
+        up[axis] += h;
+        down[axis] -= h;
+        let (up, down) = (entry.truth.sample(up), entry.truth.sample(down));
+        std::array::from_fn(|k| (up[k] - down[k]) / (2.0 * h))
+    };
+    if entry.uniforms == 1 {
+        return slope(0)[0].abs();
+    }
+    let (p, q) = (slope(0), slope(1));
+    if entry.name == "Triangle" {
+        return (p[0] * q[1] - p[1] * q[0]).abs();
+    }
+    let c = support::truth::cross(p, q);
+    support::truth::dot(c, c).sqrt()
+}

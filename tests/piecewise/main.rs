@@ -1,0 +1,73 @@
+//! Piecewise-constant densities, exactly: every edge of every cell, every probability, every refusal.
+//! Truth is integers and `f64`. How samples are distributed is in `distributions.rs`, errors of samples
+//! and densities are in `accuracy.rs`.
+
+mod edges;
+mod masses;
+mod pictures;
+mod places;
+mod refusals;
+
+use microwarp::Warp;
+use microwarp::discrete::Cdf;
+use rand_core::TryRng;
+use std::convert::Infallible;
+
+/// A generator that hands out given words, then none.
+pub struct Given<'a>(pub &'a [u32]);
+
+impl TryRng for Given<'_> {
+    type Error = Infallible;
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        let (first, rest) = self.0.split_first().expect("no more words than documented");
+        self.0 = rest;
+        Ok(*first)
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        unreachable!("words of 32 bits are drawn")
+    }
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
+        unreachable!("words of 32 bits are drawn")
+    }
+}
+
+/// The point of given words of the generator.
+pub fn draw<W: Warp>(warp: &W, words: &[u32]) -> W::Point {
+    warp.draw(&mut Given(words))
+}
+
+/// The words that a `u64` is drawn from.
+pub fn halves(word: u64) -> [u32; 2] {
+    [(word >> 32) as u32, word as u32]
+}
+
+/// The lower edges of equal cells, and the end: as documented, operation by operation.
+pub fn edge([low, high]: [f32; 2], count: usize, index: usize) -> f32 {
+    let t = index as f32 / count as f32;
+    (1.0 - t) * low + t * high
+}
+
+/// The spacing of `f32` just below a magnitude.
+pub fn step_below(x: f32) -> f64 {
+    f64::from(x.abs()) - f64::from(below(x.abs()))
+}
+
+/// A table of cells that all weigh the same.
+pub fn equal(count: usize, memory: &mut [u32]) -> Cdf<&[u32]> {
+    Cdf::<&[u32]>::from_integers_in(&vec![1; count], memory).unwrap()
+}
+
+/// The next `f32` above.
+pub fn above(x: f32) -> f32 {
+    let bits = x.to_bits();
+    match x {
+        0.0 => f32::from_bits(1),
+        x if x > 0.0 => f32::from_bits(bits + 1),
+        _ => f32::from_bits(bits - 1),
+    }
+}
+
+/// The next `f32` below.
+pub fn below(x: f32) -> f32 {
+    -above(-x)
+}

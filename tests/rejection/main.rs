@@ -1,0 +1,33 @@
+//! Rejection: the accepted points have the law that is stated, the tries are counted and geometric, budgets
+//! are kept to the word, and nothing that is wrong with a density or a generator is hidden.
+
+mod bounds;
+mod budgets;
+mod curves;
+mod distributions;
+mod efficiency;
+mod exact;
+mod examination;
+mod integers;
+mod layers;
+mod subjects;
+mod ziggurat_budgets;
+mod ziggurats;
+
+use support::stats;
+
+/// No fewer than the p-values that are computed in this file; `p_values_are_counted` counts them.
+const TESTS: usize = 150;
+
+/// The p-value below which a test rejects.
+fn threshold() -> f64 {
+    stats::threshold(TESTS)
+}
+
+#[test]
+fn p_values_are_counted() {
+    // Chi-square and a distance an axis, for points; chi-square and a mean, for tries; five on their own; and the ziggurats'.
+    let points: usize = subjects::all().iter().map(|s| 1 + s.axes).sum();
+    let computed = points + 2 * subjects::all().len() + 5 + ziggurats::P_VALUES;
+    assert!(computed <= TESTS, "{computed}");
+}

@@ -1,0 +1,60 @@
+//! The worst cases of earlier searches, checked in.
+
+use super::search::{Worst, raise};
+use super::{Family, Uniforms};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+fn path(file: &str) -> PathBuf {
+    crate::root().join("tests").join(file)
+}
+
+fn hex(words: &str) -> Vec<u32> {
+    let words = words.split_whitespace();
+    words
+        .map(|w| u32::from_str_radix(w, 16).expect("words in hex"))
+        .collect()
+}
+
+/// What the kept cases of each family reach now, row by row.
+pub fn read(file: &str, families: &[Family]) -> Vec<Vec<Worst>> {
+    let mut worst: Vec<_> = families
+        .iter()
+        .map(|f| vec![Worst::default(); f.rows.len()])
+        .collect();
+    let text = std::fs::read_to_string(path(file)).unwrap_or_default();
+    for line in text.lines().filter(|l| !l.starts_with('#')) {
+        let columns: Vec<&str> = line.split(';').collect();
+        let &[label, _, parameters, uniforms] = columns.as_slice() else {
+            panic!("{file} has the line {line:?}");
+        };
+        // A sampler that has gone takes its cases with it when the file is written anew.
+        let Some(i) = families.iter().position(|f| f.label == label) else {
+            continue;
+        };
+        let parameters = hex(parameters);
+        let uniforms: Uniforms = hex(uniforms).try_into().expect("four uniforms");
+        if let Some(case) = (families[i].build)(&parameters) {
+            raise(case.as_ref(), &parameters, uniforms, &mut worst[i]);
+        }
+    }
+    worst
+}
+
+/// Writes the worst case of each row.
+pub fn write(file: &str, worst: &[(&Family, String, Worst)]) {
+    let mut text = String::from(
+        "# The worst cases that searches have found, a row of each statement: family; row; parameters; uniforms (words in hex).\n",
+    );
+    for (family, title, worst) in worst {
+        let words = |words: &[u32]| {
+            let words: Vec<_> = words.iter().map(|w| format!("{w:08x}")).collect();
+            words.join(" ")
+        };
+        if worst.ratio > 0.0 {
+            let (p, u) = (words(&worst.parameters), words(&worst.uniforms));
+            let _ = writeln!(text, "{};{title};{p};{u}", family.label);
+        }
+    }
+    std::fs::write(path(file), text).unwrap();
+}

@@ -1,0 +1,8 @@
+//! Pictures: a canvas, text, axes, panels and colours.
+
+pub mod canvas;
+pub mod panel;
+pub mod plot;
+pub mod scale;
+pub mod text;
+pub mod tone;

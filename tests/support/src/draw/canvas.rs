@@ -1,0 +1,260 @@
+//! The drawing surface: anti-aliased lines, shapes and shading on pixels, saved as PNG.
+//!
+//! What is drawn where is not said here; colours are, so that all pictures share one palette.
+
+use super::text::{Align, Fonts, Type};
+use color_quant::NeuQuant;
+use std::path::Path;
+use tiny_skia::{
+    Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Rect, Stroke, Transform,
+};
+
+/// Red, green, blue, opacity.
+pub type Colour = [u8; 4];
+
+/// Text, axes.
+pub const INK: Colour = [31, 42, 55, 255];
+/// Secondary text.
+pub const MUTED: Colour = [98, 110, 124, 255];
+/// Hair lines behind the data.
+pub const HAIR: Colour = [205, 212, 220, 255];
+/// What is computed rather than sampled: density curves, axes of lobes.
+pub const ACCENT: Colour = [200, 78, 48, 255];
+/// Samples.
+pub const POINT: Colour = [18, 52, 88, 255];
+/// Histogram bars.
+pub const BAR: Colour = [183, 206, 228, 255];
+pub const WHITE: Colour = [255, 255, 255, 255];
+
+/// Colours with a place of their own in a file's palette: the page must be white to the last bit, a colour
+/// used sparingly must not drift, and none may bend those of a picture that come near it.
+const FIXED: [Colour; 4] = [WHITE, INK, HAIR, ACCENT];
+
+/// The colour of a density between 0 and 1, where 1 is the largest in the picture.
+pub fn ramp(t: f64) -> [f64; 3] {
+    const STOPS: [[f64; 3]; 3] = [
+        [255.0, 255.0, 255.0],
+        [208.0, 223.0, 237.0],
+        [150.0, 186.0, 219.0],
+    ];
+    let t = 2.0 * t.clamp(0.0, 1.0);
+    let (from, to, t) = if t < 1.0 { (0, 1, t) } else { (1, 2, t - 1.0) };
+    std::array::from_fn(|k| STOPS[from][k] + t * (STOPS[to][k] - STOPS[from][k]))
+}
+
+/// The same colour at the given opacity.
+pub fn faded(colour: Colour, opacity: f32) -> Colour {
+    let [r, g, b, a] = colour;
+    [r, g, b, (f32::from(a) * opacity) as u8]
+}
+
+/// A rectangle of the surface, in pixels, y downwards.
+#[derive(Clone, Copy, Debug)]
+pub struct Area {
+    pub x: f32,
+    pub y: f32,
+    pub w: f32,
+    pub h: f32,
+}
+
+impl Area {
+    pub fn new(x: f32, y: f32, w: f32, h: f32) -> Self {
+        Self { x, y, w, h }
+    }
+
+    /// What is left after margins of the given widths.
+    pub fn inside(self, left: f32, top: f32, right: f32, bottom: f32) -> Self {
+        Self::new(
+            self.x + left,
+            self.y + top,
+            self.w - left - right,
+            self.h - top - bottom,
+        )
+    }
+
+    /// The largest square in the middle.
+    pub fn square(self) -> Self {
+        let side = self.w.min(self.h);
+        Self::new(
+            self.x + 0.5 * (self.w - side),
+            self.y + 0.5 * (self.h - side),
+            side,
+            side,
+        )
+    }
+}
+
+pub struct Canvas {
+    pixels: Pixmap,
+    fonts: Fonts,
+}
+
+impl Canvas {
+    pub fn new(width: u32, height: u32) -> Self {
+        let mut pixels = Pixmap::new(width, height).expect("a picture has a size");
+        pixels.fill(Color::WHITE);
+        Self {
+            pixels,
+            fonts: Fonts::new(),
+        }
+    }
+
+    pub fn rectangle(&mut self, area: Area, colour: Colour) {
+        if let Some(rect) = Rect::from_xywh(area.x, area.y, area.w, area.h) {
+            self.pixels
+                .fill_rect(rect, &paint(colour), Transform::identity(), None);
+        }
+    }
+
+    pub fn disc(&mut self, centre: [f32; 2], radius: f32, colour: Colour) {
+        if let Some(path) = PathBuilder::from_circle(centre[0], centre[1], radius) {
+            self.fill(&path, colour);
+        }
+    }
+
+    pub fn ring(&mut self, centre: [f32; 2], radius: f32, width: f32, colour: Colour) {
+        if let Some(path) = PathBuilder::from_circle(centre[0], centre[1], radius) {
+            self.stroke(&path, width, colour);
+        }
+    }
+
+    /// A line through points; `None` lifts the pen.
+    pub fn line(
+        &mut self,
+        points: impl IntoIterator<Item = Option<[f32; 2]>>,
+        width: f32,
+        colour: Colour,
+    ) {
+        let (mut path, mut down) = (PathBuilder::new(), false);
+        for point in points {
+            match point {
+                Some([x, y]) if down => path.line_to(x, y),
+                Some([x, y]) => path.move_to(x, y),
+                None => {}
+            }
+            down = point.is_some();
+        }
+        if let Some(path) = path.finish() {
+            self.stroke(&path, width, colour);
+        }
+    }
+
+    pub fn segment(&mut self, from: [f32; 2], to: [f32; 2], width: f32, colour: Colour) {
+        self.line([Some(from), Some(to)], width, colour);
+    }
+
+    /// Colours every pixel of an area as `colour` says for its position, averaged over four places in
+    /// the pixel so that edges are smooth; `None` leaves what is there.
+    pub fn shade(&mut self, area: Area, colour: impl Fn(f32, f32) -> Option<[f64; 3]>) {
+        let width = self.pixels.width();
+        let (x0, y0) = (area.x.floor() as u32, area.y.floor() as u32);
+        let (x1, y1) = (
+            (area.x + area.w).ceil() as u32,
+            (area.y + area.h).ceil() as u32,
+        );
+        for y in y0..y1.min(self.pixels.height()) {
+            for x in x0..x1.min(width) {
+                let (mut sum, mut hits) = ([0.0; 3], 0.0);
+                for (dx, dy) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
+                    if let Some(c) = colour(x as f32 + dx, y as f32 + dy) {
+                        hits += 0.25;
+                        (0..3).for_each(|k| sum[k] += 0.25 * c[k]);
+                    }
+                }
+                if hits > 0.0 {
+                    let pixel = &mut self.pixels.data_mut()[4 * (y * width + x) as usize..][..3];
+                    for (byte, sum) in pixel.iter_mut().zip(sum) {
+                        *byte = (sum + (1.0 - hits) * f64::from(*byte)).round() as u8;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Writes a text at its anchor on the base line, smaller where it would be wider than `fit`.
+    pub fn text(&mut self, text: &str, anchor: [f32; 2], align: Align, style: Type, fit: f32) {
+        let natural = self.fonts.width(text, style);
+        let style = Type {
+            size: style.size * (fit / natural).min(1.0),
+            ..style
+        };
+        if let Some(path) = self.fonts.outline(text, anchor, align, style) {
+            self.fill(&path, style.colour);
+        }
+    }
+
+    pub fn width(&self, text: &str, style: Type) -> f32 {
+        self.fonts.width(text, style)
+    }
+
+    /// Saves as PNG in the 256 colours that fit best: a third of the size of one in full colour.
+    pub fn save(&self, path: &Path) -> Result<(), String> {
+        self.encode(path)
+            .map_err(|e| format!("{}: {e}", path.display()))
+    }
+
+    fn encode(&self, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+        let rgba = self.pixels.data();
+        let others: Vec<u8> = rgba
+            .chunks_exact(4)
+            .filter(|pixel| !FIXED.iter().any(|colour| colour == pixel))
+            .flatten()
+            .copied()
+            .collect();
+        let colours = NeuQuant::new(3, 256 - FIXED.len(), &others);
+        let mut palette: Vec<u8> = FIXED.iter().flat_map(|c| &c[..3]).copied().collect();
+        palette.extend(colours.color_map_rgb());
+        let find = |pixel: &[u8]| {
+            let fixed = FIXED.iter().position(|colour| colour == pixel);
+            fixed.unwrap_or_else(|| FIXED.len() + colours.index_of(pixel)) as u8
+        };
+        // Neighbouring pixels are mostly equal, and finding a colour takes time.
+        let (mut last, mut index) = (WHITE, find(&WHITE));
+        let indices: Vec<u8> = rgba
+            .chunks_exact(4)
+            .map(|pixel| {
+                if pixel != last {
+                    last.copy_from_slice(pixel);
+                    index = find(pixel);
+                }
+                index
+            })
+            .collect();
+        let file = std::io::BufWriter::new(std::fs::File::create(path)?);
+        let mut encoder = png::Encoder::new(file, self.pixels.width(), self.pixels.height());
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_palette(palette);
+        encoder.set_compression(png::Compression::High);
+        encoder.set_filter(png::Filter::NoFilter);
+        encoder.write_header()?.write_image_data(&indices)?;
+        Ok(())
+    }
+
+    fn fill(&mut self, path: &tiny_skia::Path, colour: Colour) {
+        self.pixels.fill_path(
+            path,
+            &paint(colour),
+            FillRule::Winding,
+            Transform::identity(),
+            None,
+        );
+    }
+
+    fn stroke(&mut self, path: &tiny_skia::Path, width: f32, colour: Colour) {
+        let stroke = Stroke {
+            width,
+            line_cap: LineCap::Butt,
+            line_join: LineJoin::Round,
+            ..Stroke::default()
+        };
+        self.pixels
+            .stroke_path(path, &paint(colour), &stroke, Transform::identity(), None);
+    }
+}
+
+fn paint([r, g, b, a]: Colour) -> Paint<'static> {
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(r, g, b, a);
+    paint.anti_alias = true;
+    paint
+}

@@ -1,0 +1,201 @@
+//! How the error of one warp is measured in one tier, and the figures that come out.
+
+use crate::registry::{Domain, Entry, Measure, Point, Uniforms};
+use crate::truth::{Truth, complements};
+
+/// The largest errors met in a sweep. Not-a-number counts as infinite.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Figures {
+    /// The sample, in the unit of the entry's measure.
+    pub sample: f64,
+    /// sin θ in ulp, directions only.
+    pub sine: f64,
+    /// cos θ in ulp, directions only.
+    pub cosine: f64,
+    /// The length of a direction, from 1.
+    pub length: f64,
+    /// The density at the returned point, relative.
+    pub pdf: f64,
+    /// The density at the returned point against the one with which u is mapped there, relative.
+    pub realised: f64,
+    /// The inverse at the returned point, absolute.
+    pub inverse: f64,
+    /// u after sample and inverse, absolute.
+    pub round_trip: f64,
+}
+
+/// Reaches one figure.
+type Row = fn(&mut Figures) -> &mut f64;
+
+/// The rows of an accuracy table: their titles and how to reach them.
+pub const ROWS: [(&str, Row); 8] = [
+    ("sample", |f| &mut f.sample),
+    ("sin θ, ulp", |f| &mut f.sine),
+    ("cos θ, ulp", |f| &mut f.cosine),
+    ("unit length", |f| &mut f.length),
+    ("pdf, relative", |f| &mut f.pdf),
+    ("realised density, relative", |f| &mut f.realised),
+    ("inverse", |f| &mut f.inverse),
+    ("round trip", |f| &mut f.round_trip),
+];
+
+impl Figures {
+    pub fn join(&mut self, mut other: Figures) {
+        for (_, row) in ROWS {
+            let theirs = *row(&mut other);
+            raise(row(self), theirs);
+        }
+    }
+}
+
+/// Raises a maximum; NaN, which would lose every comparison, counts as infinite.
+pub fn raise(maximum: &mut f64, error: f64) {
+    let error = if error.is_nan() { f64::INFINITY } else { error };
+    if error > *maximum {
+        *maximum = error;
+    }
+}
+
+/// The spacing of f32 at the magnitude of an exact value.
+pub fn ulp(x: f64) -> f64 {
+    let exponent = ((x.abs().to_bits() >> 52) as i32 - 1023).clamp(-126, 127);
+    f64::from_bits(((exponent - 23 + 1023) as u64) << 52)
+}
+
+pub fn wide(x: Point) -> [f64; 3] {
+    x.map(f64::from)
+}
+
+/// What a uniform of 0 counts as where a warp's documentation says so.
+const SMALLEST: f64 = f32::from_bits(1) as f64;
+
+/// The first point of the grid above 0. Below it a point next to an end where the density is 0 may round
+/// onto a neighbour whose density is a multiple of its own.
+const GRID_STEP: f64 = 1.0 / 16_777_216.0;
+
+/// What is exact for one input, worked out once for both tiers.
+pub struct Exact {
+    pub u: [f64; 4],
+    pub point: [f64; 3],
+    pub density: f64,
+}
+
+impl Exact {
+    pub fn of(entry: &Entry, u: Uniforms, with_density: bool) -> Self {
+        let truth: &dyn Truth = entry.truth.as_ref();
+        let zero = if entry.open { SMALLEST } else { 0.0 };
+        let u = u.map(|u| if u == 0.0 { zero } else { f64::from(u) });
+        let point = truth.sample(u);
+        let density = if with_density { truth.pdf(point) } else { 0.0 };
+        Self { u, point, density }
+    }
+}
+
+/// The error of a sample alone.
+pub fn sample_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figures) {
+    let x = wide(x);
+    let distance = {
+        let [a, b, c] = [0, 1, 2].map(|k| x[k] - exact.point[k]);
+        if entry.domain == Domain::Line {
+            a.abs()
+        } else {
+            (a * a + b * b + c * c).sqrt()
+        }
+    };
+    let unit = match entry.measure {
+        Measure::Ulp => ulp(exact.point[0]),
+        Measure::UlpOf(scale) => ulp(scale),
+        Measure::UlpFrom(mean) => ulp((exact.point[0] - mean).abs().max(mean.abs())),
+        Measure::Length(length) => length,
+    };
+    raise(&mut figures.sample, distance / unit);
+    if matches!(entry.domain, Domain::Directions | Domain::World) {
+        let norm = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
+        raise(&mut figures.length, (norm - 1.0).abs());
+    }
+}
+
+/// sin θ and cos θ of a direction sampled with azimuth 0, where x is sin θ itself.
+///
+/// Where cos θ passes through 0 its error in ulp means nothing, and is left out.
+pub fn polar_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figures) {
+    let [sine, _, cosine] = exact.point;
+    raise(
+        &mut figures.sine,
+        (f64::from(x[0]) - sine).abs() / ulp(sine),
+    );
+    if !matches!(entry.name, "Sphere" | "Cone") {
+        raise(
+            &mut figures.cosine,
+            (f64::from(x[2]) - cosine).abs() / ulp(cosine),
+        );
+    }
+}
+
+/// The errors of density and inverse at a returned point.
+pub fn density_and_inverse_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figures) {
+    let point = wide(x);
+    let pdf = f64::from(entry.warp.pdf(x));
+    // Outside the normal range of f32 a density is no longer accurate, only positive and finite.
+    let normal = f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX);
+    let relative = |truth: f64| (pdf - truth).abs() / truth;
+    let at_point = entry.truth.pdf(point);
+    if normal.contains(&at_point) && normal.contains(&exact.density) {
+        raise(&mut figures.pdf, relative(at_point));
+        if entry.resolved && exact.u[..entry.uniforms].iter().all(|u| *u >= GRID_STEP) {
+            raise(&mut figures.realised, relative(exact.density));
+        }
+    }
+    let inverse = entry.warp.invert(x).map(f64::from);
+    let at_point = entry.truth.invert(point);
+    for k in 0..entry.uniforms {
+        if k > 0 && azimuth_is_lost(entry, point) {
+            continue;
+        }
+        let turns = is_azimuth(entry, k);
+        let found = apart(inverse[k], at_point[k].clamp(0.0, 1.0), turns);
+        raise(&mut figures.inverse, found);
+        if entry.round_trip {
+            raise(
+                &mut figures.round_trip,
+                apart(inverse[k], exact.u[k], turns),
+            );
+        }
+    }
+}
+
+/// Whether all second uniforms give this point, as at the centre of a disk or a pole.
+fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
+    if entry.name == "TriangleOn" {
+        let height = entry.variables.iter().find(|(name, _)| *name == "h");
+        let height = height.map_or(1.0, |(_, h)| *h);
+        return entry.truth.invert(x)[0].sqrt() * height < 9.6e-7;
+    }
+    match entry.domain {
+        Domain::Line => false,
+        Domain::Plane => x[0] == 0.0 && x[1] == 0.0,
+        Domain::Directions => {
+            let (down, up) = complements(x);
+            down * up == 0.0
+        }
+        Domain::World => {
+            let local = entry.truth.invert(x)[0];
+            local < 1e-6
+        }
+        Domain::Space => x[1] == 0.0 && x[2] == 0.0 || entry.truth.invert(x)[0] == 0.0,
+    }
+}
+
+/// Whether the k-th uniform is an azimuth, of which 0 and 1 are the same.
+pub fn is_azimuth(entry: &Entry, k: usize) -> bool {
+    let turned = matches!(entry.domain, Domain::Directions | Domain::World);
+    let polar =
+        (turned && entry.name != "MalleyHemisphere") || matches!(entry.name, "Disk" | "NormalPair");
+    k == 1 && polar
+}
+
+/// The distance of two uniforms, across the seam where they are turns.
+pub fn apart(a: f64, b: f64, turns: bool) -> f64 {
+    let d = (a - b).abs();
+    if turns { d.min((1.0 - d).abs()) } else { d }
+}
