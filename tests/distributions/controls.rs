@@ -10,7 +10,7 @@ use rand_pcg::Pcg32;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 use support::{
-    registry::{self, Domain, Entry, Erased, Point, Uniforms},
+    registry::{Domain, Entry, Erased, Point, Uniforms},
     stats,
 };
 
