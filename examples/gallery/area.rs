@@ -1,11 +1,11 @@
 //! The picture of a distribution over an area: points over the shaded density, in true proportion,
 //! with the image of a grid of the unit square, which tells apart two maps onto one density.
 
-use crate::list::View;
 use microwarp::uniform::LARGEST;
 use rand_pcg::Pcg32;
 use support::draw::canvas::{ACCENT, Area, Canvas, HAIR, MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type};
+use support::registry::picture::View;
 use support::registry::{Domain, Entry, Point};
 use support::truth::complements;
 

@@ -5,6 +5,7 @@ use crate::table::p_text;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 use std::time::Instant;
+use support::figures::ulp;
 use support::registry::{Domain, Entry, Measure, Point, Uniforms};
 use support::stats::{self, Axis};
 
@@ -105,12 +106,6 @@ fn largest_error(entry: &Entry, rng: &mut Pcg32, samples: usize) -> f64 {
         largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
     }
     largest
-}
-
-/// The spacing of `f32` at a magnitude.
-fn ulp(x: f64) -> f64 {
-    let exponent = x.abs().max(f64::from(f32::MIN_POSITIVE)).log2().floor();
-    2f64.powi(exponent as i32 - 23)
 }
 
 /// The chi-square test of samples against the density.

@@ -1,12 +1,12 @@
 //! The picture of a distribution on the line: histogram, density and a few samples as ticks.
 
-use crate::list::Axes;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 use support::draw::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
 use support::draw::scale::{Scale, round_step};
 use support::draw::text::{Align, Type};
 use support::registry::Entry;
+use support::registry::picture::Axes;
 
 /// Samples in a histogram: few enough to see that it was sampled.
 pub const SAMPLES: usize = 100_000;

@@ -8,26 +8,27 @@ mod area;
 mod args;
 mod check;
 mod line;
-mod list;
 mod sheet;
 mod strata;
 mod table;
 
 use args::Args;
 use check::Figures;
-use list::{PICTURES, Picture, View};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 use support::registry::Entry;
+use support::registry::picture::{Picture, View};
 
 /// The tier of the contact sheet, by its place in the catalogue's order.
 const SHEET_TIER: usize = 1;
 
-/// A picture and what the catalogue knows of it in each tier; nothing for strata.
+/// A picture and what the registry knows of it in each tier; nothing for strata.
 pub struct Subject<'a> {
-    pub picture: &'static Picture,
+    pub name: &'static str,
+    pub parameters: &'static str,
+    pub picture: Picture,
     pub entries: Vec<&'a Entry>,
 }
 
@@ -63,9 +64,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     };
 
     let saved = support::work::in_parallel(args.threads, &subjects, |subject| {
-        progress.set_message(format!("drawing {}", subject.picture.name));
+        progress.set_message(format!("drawing {}", subject.name));
         let known: Vec<Option<&Figures>> = subject.entries.iter().map(|entry| of(entry)).collect();
-        let path = args.out.join(file_name(subject.picture));
+        let path = args.out.join(file_name(subject));
         let saved = sheet::single(subject, &known, args).save(&path);
         progress.inc(1);
         saved
@@ -108,34 +109,66 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     Ok(complaints)
 }
 
-/// Warps of the catalogue that the list of pictures has forgotten.
+/// Warps none of whose cases has a picture.
 fn without_picture(entries: &[Entry]) -> Vec<String> {
     let mut names: Vec<&str> = entries.iter().map(|entry| entry.name).collect();
-    names.dedup();
-    names.retain(|name| PICTURES.iter().all(|picture| picture.name != *name));
+    let pictured = |name: &str| {
+        entries
+            .iter()
+            .any(|e| e.name == name && e.picture.is_some())
+    };
+    names.retain(|name| !pictured(name));
     names.sort_unstable();
     names.dedup();
-    names
-        .iter()
-        .map(|name| format!("{name}: no picture in examples/gallery/list.rs"))
-        .collect()
+    let complaint = |name: &&str| format!("{name}: no picture in the registry");
+    names.iter().map(complaint).collect()
 }
+
+/// What has no density: strata, beside plain uniforms.
+const STRATA: [(&str, &str, Picture); 2] = [
+    (
+        "Strata1d",
+        "24",
+        Picture {
+            caption: "24 strata, one point in each",
+            view: View::Strata1d,
+        },
+    ),
+    (
+        "Strata2d",
+        "10 × 16",
+        Picture {
+            caption: "10 × 16 strata, one point in each",
+            view: View::Strata2d,
+        },
+    ),
+];
 
 /// The pictures asked for, each with its entries.
 fn subjects<'a>(entries: &'a [Entry], args: &Args) -> Result<Vec<Subject<'a>>, String> {
-    let mut subjects = Vec::new();
-    for picture in PICTURES.iter().filter(|picture| args.wants(picture.name)) {
-        let same =
-            |entry: &&Entry| entry.name == picture.name && entry.parameters == picture.parameters;
-        let entries: Vec<&Entry> = entries.iter().filter(same).collect();
-        if entries.is_empty() && !matches!(picture.view, View::Strata1d | View::Strata2d) {
-            return Err(format!(
-                "tests/catalogue has no {} with {}",
-                picture.name, picture.parameters
-            ));
+    let mut subjects: Vec<Subject> = Vec::new();
+    for entry in entries {
+        let Some(picture) = entry.picture else {
+            continue;
+        };
+        let same = |s: &&mut Subject| s.name == entry.name && s.parameters == entry.parameters;
+        match subjects.iter_mut().find(same) {
+            Some(subject) => subject.entries.push(entry),
+            None => subjects.push(Subject {
+                name: entry.name,
+                parameters: entry.parameters,
+                picture,
+                entries: vec![entry],
+            }),
         }
-        subjects.push(Subject { picture, entries });
     }
+    subjects.extend(STRATA.map(|(name, parameters, picture)| Subject {
+        name,
+        parameters,
+        picture,
+        entries: Vec::new(),
+    }));
+    subjects.retain(|subject| args.wants(subject.name));
     if subjects.is_empty() {
         return Err("no warp has a name like that; the names are those in the table".into());
     }
@@ -143,12 +176,12 @@ fn subjects<'a>(entries: &'a [Entry], args: &Args) -> Result<Vec<Subject<'a>>, S
 }
 
 /// "PhongLobe n=1e6" becomes "phonglobe-n-1e6.png".
-fn file_name(picture: &Picture) -> PathBuf {
-    let parameters = picture
+fn file_name(subject: &Subject) -> PathBuf {
+    let parameters = subject
         .parameters
         .replace("=-", "-minus-")
         .replace("[-", "minus-");
-    let name = format!("{} {parameters}", picture.name).to_lowercase();
+    let name = format!("{} {parameters}", subject.name).to_lowercase();
     let words = name.split(|c: char| !c.is_alphanumeric() && c != '.');
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     format!("{}.png", words.join("-")).into()

@@ -3,12 +3,12 @@
 use crate::Subject;
 use crate::args::Args;
 use crate::check::{Figures, generator};
-use crate::list::View;
 use crate::table::{error_text, p_text};
 use crate::{area, line, strata};
 use rand_pcg::Pcg32;
 use support::draw::canvas::{ACCENT, Area, BAR, Canvas, INK, MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type, thousands};
+use support::registry::picture::View;
 
 /// Purposes of generators beyond those of the check.
 const POINTS: u64 = 16;
@@ -40,14 +40,8 @@ pub fn single(subject: &Subject, figures: &[Option<&Figures>], args: &Args) -> C
     let mut canvas = Canvas::new(width as u32, height as u32);
     let inner = Area::new(0.0, 0.0, width, height).inside(40.0, 0.0, 40.0, 0.0);
     let title = Type::bold(34.0);
-    canvas.text(
-        subject.picture.name,
-        [inner.x, 56.0],
-        Align::Left,
-        title,
-        inner.w,
-    );
-    let after = inner.x + canvas.width(subject.picture.name, title) + 22.0;
+    canvas.text(subject.name, [inner.x, 56.0], Align::Left, title, inner.w);
+    let after = inner.x + canvas.width(subject.name, title) + 22.0;
     let caption = Type::plain(24.0, MUTED);
     canvas.text(
         subject.picture.caption,
@@ -156,7 +150,7 @@ pub fn contact(subjects: &[Subject], tier: usize, args: &Args) -> Canvas {
         for (column, subject) in row.iter().enumerate() {
             let place = Area::new(MARGIN + column as f32 * (cell + GAP), y, cell, h);
             canvas.text(
-                subject.picture.name,
+                subject.name,
                 [place.x, y + 20.0],
                 Align::Left,
                 Type::bold(21.0),

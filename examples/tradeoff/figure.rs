@@ -1,12 +1,12 @@
 //! The figure: error against cost, a column for each target and a row for each family.
 
 use crate::advice::traded;
-use crate::list::PICTURED;
 use crate::panel;
 use crate::study::{Study, TARGETS};
 use support::draw::canvas::{Area, Canvas, INK, MUTED, POINT, faded};
 use support::draw::scale::Scale;
 use support::draw::text::{Align, Type};
+use support::registry::family::PICTURED;
 
 const WIDTH: f32 = 2040.0;
 const MARGIN: f32 = 36.0;

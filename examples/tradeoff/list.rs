@@ -1,52 +1,30 @@
-//! The list of samplers: a line each. A new one is a line here, its family the heading it stands under.
+//! The samplers that are compared: the warps of the float tiers from the registry, and those that are listed here, a line each.
 
 use crate::args::Args;
 use crate::sampler::{Numbers, Row};
-use crate::subject::{Name, law, rejection, warp};
+use crate::subject::{Name, law, registered, rejection, warp};
 use crate::{peer_list, tables_list};
 use fixed::types::{I2F30, I16F16, U2F62, U4F28, U32F32};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp as integer};
 use microwarp::rejection::{
     BallRejection, DiskRejection, ZigguratStandardExponential, ZigguratStandardNormal,
 };
-use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::warp::*;
-use microwarp::{Error, Frame, fixed as fine};
-use support::registry::Entry;
+use microwarp::{Error, fixed as fine};
+use support::registry::family::*;
+use support::registry::{Entry, entries};
 use support::truth::{self, Truth};
 
-pub const DISK: &str = "disk";
-pub const SPHERE: &str = "sphere";
-pub const HEMISPHERE: &str = "hemisphere";
-pub const COSINE: &str = "cosine hemisphere";
-pub const LOBE: &str = "lobe n = 50";
-pub const EXPONENTIAL: &str = "exponential";
-pub const NORMAL: &str = "two normals";
-/// Those of which there is a picture.
-pub const PICTURED: [&str; 7] = [DISK, SPHERE, HEMISPHERE, COSINE, LOBE, EXPONENTIAL, NORMAL];
-const INTERVAL: &str = "interval";
-const POWER: &str = "power law";
-const TRUNCATED: &str = "truncated exponential";
-const LINE: &str = "tent, line, inversion";
-const TRIANGLE: &str = "triangle";
-const CAP: &str = "cone, patch";
-const COMPOSED: &str = "composed";
-pub const BALL: &str = "ball";
-pub const TABLE: &str = "table of 1024 weights";
-
-/// The rows that are asked for, by family; and what warps of the catalogue the list has forgotten.
+/// The rows that are asked for, by family; and which warps have no place in the comparison.
 pub fn rows(args: &Args) -> Result<(Vec<Row>, Vec<String>), Error> {
-    let mut entries = support::registry::entries();
-    let mut rows = Vec::new();
-    floats::<Libm>(&mut rows, &mut entries)?;
-    floats::<Poly>(&mut rows, &mut entries)?;
+    let (floats, left): (Vec<_>, Vec<_>) = entries().into_iter().partition(|e| e.trade.is_some());
+    let missing = missing(&floats, &left);
+    let mut rows: Vec<Row> = floats.into_iter().map(registered).collect();
     integers::<Fine>(&mut rows)?;
     integers::<Coarse>(&mut rows)?;
     integers::<Compact>(&mut rows)?;
     others(&mut rows)?;
     tables_list::add(&mut rows)?;
     peer_list::add(&mut rows);
-    let missing = missing(&rows, &entries);
     rows.retain(|row| args.wants(row.sampler.family, &row.sampler.label()));
     let mut families: Vec<&str> = PICTURED.to_vec();
     families.extend(rows.iter().map(|row| row.sampler.family));
@@ -58,92 +36,17 @@ pub fn rows(args: &Args) -> Result<(Vec<Row>, Vec<String>), Error> {
     Ok((rows, missing))
 }
 
-/// Warps of the catalogue of which no parameter set is listed in a tier.
-fn missing(rows: &[Row], left: &[Entry]) -> Vec<String> {
-    let mut missing: Vec<String> = left
-        .iter()
-        .filter(|entry| {
-            let listed = |row: &Row| {
-                let known = row.sampler.entry.as_ref();
-                known.is_some_and(|e| e.name == entry.name && e.tier == entry.tier)
-            };
-            !rows.iter().any(listed)
-        })
-        .map(|entry| {
-            format!(
-                "{} {}: not in examples/tradeoff/list.rs",
-                entry.name, entry.tier
-            )
-        })
-        .collect();
+/// Warps none of whose parameter sets has a place in a tier.
+fn missing(listed: &[Entry], left: &[Entry]) -> Vec<String> {
+    let has = |entry: &&Entry| {
+        let same = |e: &Entry| e.name == entry.name && e.tier == entry.tier;
+        !listed.iter().any(same)
+    };
+    let complaint =
+        |entry: &Entry| format!("{} {}: no place in comparisons", entry.name, entry.tier);
+    let mut missing: Vec<String> = left.iter().filter(has).map(complaint).collect();
     missing.dedup();
     missing
-}
-
-/// Takes an entry out of the catalogue.
-fn take(entries: &mut Vec<Entry>, name: &str, parameters: &str, tier: &str) -> Entry {
-    let same = |e: &Entry| e.name == name && e.parameters == parameters && e.tier == tier;
-    let place = entries.iter().position(same);
-    entries.swap_remove(place.unwrap_or_else(|| panic!("no {name} {parameters} in the catalogue")))
-}
-
-#[rustfmt::skip] // one line a sampler
-fn floats<T: Tier>(rows: &mut Vec<Row>, entries: &mut Vec<Entry>) -> Result<(), Error> {
-    // Family; name and parameters in the catalogue; name in costs.csv; the warp.
-    macro_rules! list {
-        ($($family:ident, $name:literal, $parameters:literal, $kernel:literal => $warp:expr;)*) => {$({
-            let entry = take(entries, $name, $parameters, T::NAME);
-            let space = if $parameters.is_empty() { "" } else { " " };
-            let name = format!("{}{space}{}", $name, $parameters);
-            let name = Name::new($family, &name, T::NAME, format!("{}_{}", T::NAME, $kernel));
-            rows.push(warp(name, $warp, entry.truth.clone()).of(entry));
-        })*};
-    }
-    let frame = Frame::new([1.0, 2.0, 3.0])?;
-    let plane = [[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]];
-    let sine = |x: f32| T::sincos_turns(x * (1.0 / core::f32::consts::TAU)).0;
-    let cosine = |x: f32| T::sincos_turns(x * (1.0 / core::f32::consts::TAU)).1;
-    let arcsine = |y: f32| T::atan2_turns(y, T::sqrt((1.0 - y) * (1.0 + y))) * core::f32::consts::TAU;
-    let unit = Interval::new(0.0, 1.0)?;
-    let below = move |x: f32| Interval::new(0.0, x).unwrap_or(unit);
-    list! {
-        DISK, "Disk", "", "disk" => Disk::<T>::new();
-        DISK, "DiskConcentric", "", "disk_concentric" => DiskConcentric::<T>::new();
-        SPHERE, "Sphere", "", "sphere" => Sphere::<T>::new();
-        HEMISPHERE, "Hemisphere", "", "hemisphere" => Hemisphere::<T>::new();
-        COSINE, "CosineHemisphere", "", "cosine_hemisphere" => CosineHemisphere::<T>::new();
-        COSINE, "MalleyHemisphere", "", "malley_hemisphere" => MalleyHemisphere::<T>::new();
-        LOBE, "PhongLobe", "n=50", "phong_lobe_50" => PhongLobe::<T>::new(50.0)?;
-        EXPONENTIAL, "Exponential", "a=1", "exponential_1" => Exponential::<T>::new(1.0)?;
-        EXPONENTIAL, "ExponentialTail", "a=1", "exponential_tail_1" => ExponentialTail::<T>::new(1.0)?;
-        NORMAL, "NormalPair", "0, 1", "normal_pair" => NormalPair::<T>::new([0.0; 2], 1.0)?;
-        INTERVAL, "Interval", "[-3, 5]", "interval" => Interval::new(-3.0, 5.0)?;
-        INTERVAL, "Interval decreasing", "[-3, 5]", "interval_decreasing" => Interval::decreasing(-3.0, 5.0)?;
-        POWER, "Power", "n=2.5 [0, 1]", "power" => Power::<T>::new(2.5, 0.0, 1.0)?;
-        POWER, "Power decreasing", "n=2.5 [0, 1]", "power_decreasing" => Power::<T>::decreasing(2.5, 0.0, 1.0)?;
-        POWER, "PowerMax", "N=4", "power_max_4" => PowerMax::<4>::new();
-        TRUNCATED, "TruncatedExponential", "c=2 X=3", "truncated_exponential_2_3" => TruncatedExponential::<T>::new(2.0, 3.0)?;
-        LINE, "Tent", "r=1", "tent_2" => Tent::new(1.0)?;
-        LINE, "Linear", "1 to 3", "linear_1_3" => Linear::new(1.0, 3.0)?;
-        LINE, "Inversion", "p=1/2+x", "inversion" => Inversion::new(
-            |u: f32| 4.0 * u / (1.0 + T::sqrt(1.0 + 8.0 * u)), |x: f32| 0.5 + x, |x: f32| 0.5 * x * (1.0 + x));
-        LINE, "Transform", "y=sin x", "transform" => Transform::new(Linear::new(0.0, 1.0)?, sine, arcsine, cosine);
-        LINE, "PiecewiseConstant1d", "2:0:4:1 on [0, 8]", "piecewise_1d" =>
-            microwarp::discrete::PiecewiseConstant1d::<[u32; 4]>::from_weights(&[146.0, 0.0, 292.0, 73.0], 0.0, 8.0)?;
-        TRIANGLE, "Triangle", "", "triangle" => Triangle::new();
-        TRIANGLE, "TriangleOn", "plane", "triangle_on" => TriangleOn::new(plane)?;
-        CAP, "Cone", "0.1 rad", "cone" => Cone::<T>::from_angle(0.1)?;
-        CAP, "SphericalPatch", "octant", "spherical_patch" => SphericalPatch::<T>::new(0.0, 0.25, 0.0, 0.25)?;
-        COMPOSED, "Oriented", "cosine about (1, 2, 3)", "oriented" => Oriented::new(CosineHemisphere::<T>::new(), frame);
-        COMPOSED, "MarginalConditional", "0<y<x<1", "marginal_conditional" =>
-            MarginalConditional::new(Linear::new(0.0, 1.0)?, below);
-        COMPOSED, "Aabb", "[-1, 1] x [2, 2.5]", "aabb" => Aabb::new([-1.0, 2.0], [1.0, 2.5])?;
-        COMPOSED, "PiecewiseConstant2d", "32 x 16 sky", "piecewise_2d" => tables_list::sky()?;
-    }
-    let entry = take(entries, "Normal", "0, 1", T::NAME);
-    let name = Name::new(NORMAL, "Normal 0, 1", T::NAME, format!("{}_normal", T::NAME));
-    rows.push(warp(name, Normal::<T>::new(0.0, 1.0)?, entry.truth.clone()).of(entry).twice());
-    Ok(())
 }
 
 /// The standard normal pair.

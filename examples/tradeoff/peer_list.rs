@@ -1,10 +1,13 @@
 //! The list of the peers' samplers: a line each.
 
-use crate::list::{BALL, COSINE, DISK, EXPONENTIAL, HEMISPHERE, LOBE, NORMAL, SPHERE, pair};
+use crate::list::pair;
 use crate::sampler::{FromWords, Map, Numbers, Row, Way};
 use crate::subject::{Name, drawn, law, map};
 use rand_pcg::Pcg32;
 use support::peers::{micro, rejecting, textbook};
+use support::registry::family::{
+    BALL, COSINE, DISK, EXPONENTIAL, HEMISPHERE, LOBE, NORMAL, SPHERE,
+};
 use support::truth::{self, Point, Truth, Uniforms};
 
 /// The unit ball: a direction, and the cube root of the third uniform as its length.

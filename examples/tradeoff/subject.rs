@@ -71,7 +71,7 @@ impl Row {
         self
     }
 
-    pub fn of(mut self, entry: Entry) -> Self {
+    fn of(mut self, entry: Entry) -> Self {
         let law = &mut self.sampler.law;
         law.open = entry.open;
         if !law.inverts() {
@@ -98,6 +98,35 @@ fn one_by_one<P: Exact>(draw: impl Fn(&mut Pcg32) -> P + 'static) -> Block {
 
 pub fn law(truth: Box<dyn Truth>, axes: usize) -> Law {
     Law::new(truth.into(), axes)
+}
+
+/// A warp of the registry.
+pub fn registered(entry: Entry) -> Row {
+    let trade = entry.trade.expect("it has a place in comparisons");
+    let space = if entry.parameters.is_empty() { "" } else { " " };
+    let name = format!("{}{space}{}", entry.name, entry.parameters);
+    let kernel = format!("{}_{}", entry.tier, trade.kernel);
+    let name = Name::new(trade.family, &name, entry.tier, kernel);
+    let (at, fill) = (entry.warp.clone(), entry.warp.clone());
+    let map = Map {
+        bits: <f32 as FromWords>::BITS,
+        at: Box::new(move |words| {
+            let x = at.sample(FromWords::of(&words));
+            (x.exact(), Some(at.pdf(x).wide()))
+        }),
+    };
+    let fill = move |rng: &mut Pcg32, out: &mut [[f64; 3]]| {
+        let points = fill.fill(rng, out.len());
+        out.iter_mut()
+            .zip(points)
+            .for_each(|(out, x)| *out = x.exact());
+    };
+    let law = Law::new(entry.truth.clone(), entry.uniforms);
+    let draw = entry.warp.block(false);
+    let mut row = Row::new(name, true, law, Way::Map(map), Box::new(fill), draw);
+    row.fill = Some(entry.warp.block(true));
+    row.sampler.calls = trade.calls;
+    row.of(entry)
 }
 
 /// A warp.

@@ -1,13 +1,12 @@
 //! The list of tables, and of what selects by weights elsewhere.
 
-use crate::list::TABLE;
 use crate::sampler::{Chance, Row, Way};
 use crate::subject::{Name, indices};
 use microwarp::Error;
-use microwarp::discrete::{Alias, AliasEntry, Cdf, PiecewiseConstant2d};
+use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use std::sync::Arc;
 use support::peers::{rejecting, textbook};
-use support::registry::discrete;
+use support::registry::family::TABLE;
 
 const ENTRIES: usize = 1024;
 
@@ -19,23 +18,6 @@ fn weights() -> Vec<f32> {
 /// Memory that lives as long as the program.
 fn leaked<W: Copy + Default>(entries: usize) -> &'static mut [W] {
     Box::leak(vec![W::default(); entries].into_boxed_slice())
-}
-
-type Sky = PiecewiseConstant2d<&'static [u32], &'static [u32]>;
-
-/// The sky of the tests' catalogue.
-pub fn sky() -> Result<Sky, Error> {
-    let [columns, rows] = discrete::SKY;
-    let unit = [0.0, 1.0];
-    let memory = (leaked(rows), leaked(columns * rows));
-    Sky::new_in(
-        &discrete::sky(),
-        discrete::SKY,
-        unit,
-        unit,
-        memory.0,
-        memory.1,
-    )
 }
 
 /// What an entry should be selected with.

@@ -11,7 +11,7 @@ mod families;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use support::figures::{Exact, Figures, density_and_inverse_error, polar_error, sample_error};
-use support::registry::{Domain, Entry, Uniforms, entries};
+use support::registry::{Entry, Uniforms, entries};
 
 const GRID: u32 = 1 << 24;
 const STEP: f32 = 1.0 / 16_777_216.0;
@@ -54,15 +54,6 @@ fn spread(k: u32) -> Uniforms {
     })
 }
 
-/// Warps whose functions are the table's own, or whose every input is trivially exact.
-const COMPOSED: [&str; 5] = [
-    "Inversion",
-    "Transform",
-    "PowerMax",
-    "MarginalConditional",
-    "Oriented",
-];
-
 /// Measures both tiers of one warp: over every grid input where the input is one number, over 2^24
 /// points of the grid where it is two, always with all edges. Further parameter sets of the same warp
 /// are swept with a prime stride, which visits every residue.
@@ -93,10 +84,7 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
             }
         }
         2 => {
-            if libm.domain == Domain::Directions
-                && libm.name != "MalleyHemisphere"
-                && libm.name != "SphericalPatch"
-            {
+            if libm.polar {
                 for k in (0..GRID).step_by(stride) {
                     at([k as f32 * STEP, 0.0, 0.0, 0.0], false, true);
                 }
@@ -145,7 +133,7 @@ fn every_warp_keeps_its_stated_error() {
                     let Some(pair) = pairs.get(i) else { break };
                     let warp = |(e, _): &Pair| e.name.split(' ').next();
                     let first = !pairs[..i].iter().any(|before| warp(before) == warp(pair));
-                    let figures = measure(pair, first && !COMPOSED.contains(&pair.0.name));
+                    let figures = measure(pair, first && !pair.0.composed);
                     measured.lock().unwrap()[i] = figures;
                 }
             });

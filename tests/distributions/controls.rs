@@ -37,6 +37,9 @@ impl Erased for Wrong {
     fn invert(&self, x: Point) -> Uniforms {
         self.right.invert(x)
     }
+    fn block(&self, _: bool) -> Box<dyn FnMut()> {
+        unreachable!("it is not timed")
+    }
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point> {
         match self.map {
             Some(_) => (0..n)

@@ -1,14 +1,10 @@
 //! Whatever parameters a constructor accepts, the warp is total: finite samples of positive, finite
-//! density, inverses in [0, 1), and a warp that equals itself. Parameters are random bit patterns.
+//! density, inverses in [0, 1). Parameters are random bits, ordinary and special numbers.
 
-use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
 use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::warp::*;
-use microwarp::{Error, Frame, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use std::fmt::Debug;
-use support::registry::Flat;
+use support::registry::{Registered, of_tier};
 
 const ROUNDS: u32 = 6_000;
 
@@ -40,117 +36,42 @@ pub fn any(rng: &mut Pcg32) -> f32 {
     }
 }
 
-struct Tally(u32);
-
-impl Tally {
-    /// Checks the laws on an accepted warp, and counts it.
-    fn check<W>(&mut self, built: Result<W, Error>, parameters: &[f32])
-    where
-        W: Warp<Density = f32> + Debug + PartialEq + Copy,
-        W::Uniforms: Flat<4>,
-        W::Point: Flat<3>,
-    {
-        let Ok(warp) = built else { return };
-        self.0 += 1;
-        let copy = warp;
-        assert!(warp == copy, "{parameters:?}: {warp:?} is not itself");
+fn total(of: &Registered, rng: &mut Pcg32) {
+    let mut accepted = 0;
+    for _ in 0..ROUNDS {
+        let parameters: Vec<f32> = of
+            .takes
+            .iter()
+            .map(|kind| f32::from_bits(kind.draw(rng)))
+            .collect();
+        let Ok(entry) = of.of_drawn(&parameters) else {
+            continue;
+        };
+        accepted += 1;
         for u in UNIFORMS {
-            let x = warp.sample(W::Uniforms::unflat(u));
-            let pdf = warp.pdf(x);
-            let back = warp.invert(x).flat();
-            let point = x.flat();
+            let x = entry.warp.sample(u);
+            let pdf = entry.warp.pdf(x);
+            let back = entry.warp.invert(x);
+            let label = format!("{} {} {parameters:?} at {u:?}", of.name, of.constructor);
             assert!(
-                point.iter().all(|c| c.is_finite()) && pdf > 0.0 && pdf <= f32::MAX,
-                "{parameters:?} at {u:?}: {point:?} has {pdf}: {warp:?}"
+                x.iter().all(|c| c.is_finite()) && pdf > 0.0 && pdf <= f32::MAX,
+                "{label}: {x:?} has {pdf}"
             );
             assert!(
                 back.iter().all(|u| (0.0..1.0).contains(u)),
-                "{parameters:?} at {u:?}: {point:?} comes from {back:?}: {warp:?}"
+                "{label}: {x:?} comes from {back:?}"
             );
         }
     }
+    let name = format!("{} {}", of.name, of.constructor);
+    println!("{name}: {accepted} of {ROUNDS} accepted");
+    assert!(accepted >= ROUNDS / 100, "{name} accepted only {accepted}");
 }
 
 fn every_constructor<T: Tier>() {
     let mut rng = Pcg32::new(2_026, 11);
-    let mut tally = [const { Tally(0) }; 17];
-    for _ in 0..ROUNDS {
-        let p: [f32; 9] = std::array::from_fn(|_| any(&mut rng));
-        let [a, b, c, d, ..] = p;
-        let (low, high) = if a < b { (a, b) } else { (b, a) };
-        let [t0, t1] = [c, d].map(|t| t.abs() % 0.5);
-        let (t0, t1) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
-        tally[0].check(Interval::new(low, high), &p);
-        tally[0].check(Interval::decreasing(low, high), &p);
-        tally[1].check(
-            Power::<T>::new(c, low.abs().min(high.abs()), low.abs().max(high.abs())),
-            &p,
-        );
-        tally[1].check(Power::<T>::decreasing(c, 0.0, high.abs()), &p);
-        tally[2].check(Exponential::<T>::new(a), &p);
-        tally[2].check(ExponentialTail::<T>::new(b), &p);
-        tally[3].check(TruncatedExponential::<T>::new(a, b), &p);
-        tally[4].check(Tent::new(a), &p);
-        tally[5].check(Linear::new(a, b), &p);
-        tally[6].check(Normal::<T>::new(a, b), &p);
-        tally[7].check(NormalPair::<T>::new([a, b], c), &p);
-        tally[8].check(TriangleOn::new([[a, b], [c, d], [p[4], p[5]]]), &p);
-        tally[9].check(
-            TriangleOn::new([[a, b, c], [d, p[4], p[5]], [p[6], p[7], p[8]]]),
-            &p,
-        );
-        tally[10].check(PhongLobe::<T>::new(a), &p);
-        tally[11].check(Cone::<T>::from_angle(a), &p);
-        tally[11].check(Cone::<T>::from_sphere(b), &p);
-        tally[12].check(Cone::<T>::from_one_minus_cos(c), &p);
-        let phi = if a.abs() <= 1.0 { a } else { 0.25 };
-        tally[13].check(
-            SphericalPatch::<T>::new(t0, t1, phi, phi + b.abs() % 1.0),
-            &p,
-        );
-        let weights = [c, d, p[4], p[5]].map(f32::abs);
-        tally[15].check(
-            PiecewiseConstant1d::<[u32; 4]>::from_weights(&weights, low, high),
-            &p,
-        );
-        tally[15].check(
-            PiecewiseConstant1d::<[u64; 4]>::from_weights(&weights, low, high),
-            &p,
-        );
-        let rows = [
-            [weights[0], 0.0, weights[1]],
-            [0.0; 3],
-            [0.0, weights[2], weights[3]],
-        ];
-        let (across, along) = ([low, high], [p[6].min(p[7]), p[6].max(p[7])]);
-        tally[16].check(
-            PiecewiseConstant2d::<[u32; 3], [[u32; 3]; 3]>::new(&rows, across, along),
-            &p,
-        );
-        tally[16].check(
-            PiecewiseConstant2d::<[u64; 3], [[u64; 3]; 3]>::new(&rows, across, along),
-            &p,
-        );
-        let frame = Frame::new([p[4], p[5], p[6]]);
-        tally[14].check(frame.map(|f| Oriented::new(Hemisphere::<T>::new(), f)), &p);
-        tally[14].check(
-            frame.map(|f| Oriented::new(MalleyHemisphere::<T>::new(), f)),
-            &p,
-        );
-        tally[14].check(
-            frame.and_then(|f| Ok(Oriented::new(PhongLobe::<T>::new(a)?, f))),
-            &p,
-        );
-        tally[14].check(
-            frame.and_then(|f| Ok(Oriented::new(Cone::<T>::from_angle(a)?, f))),
-            &p,
-        );
-    }
-    for (i, Tally(accepted)) in tally.iter().enumerate() {
-        assert!(
-            *accepted >= ROUNDS / 20,
-            "constructor {i} accepted only {accepted}"
-        );
+    for of in of_tier::<T>().iter().filter(|of| !of.takes.is_empty()) {
+        total(of, &mut rng);
     }
 }
 

@@ -11,7 +11,7 @@ mod power;
 mod shapes;
 mod truncated;
 
-use support::registry::{Domain, Entry, Point, Uniforms, entries};
+use support::registry::{Domain, Ends, Entry, Point, Uniforms, entries};
 
 /// Every kind of f32 a caller can hand in as a uniform.
 const ANY: [f32; 24] = [
@@ -63,32 +63,23 @@ fn for_any_uniforms(entry: &Entry, mut law: impl FnMut(Uniforms)) {
     }
 }
 
-/// How far outside the unit square the exact inverse may place a point that was rounded.
-fn slack(entry: &Entry) -> f64 {
-    match entry.domain {
-        // In one dimension the domain is checked itself.
-        Domain::Line => f64::INFINITY,
-        _ if entry.parameters.contains("sliver") => 0.05,
-        _ if entry.parameters.contains("tile") => 1e-3,
-        _ => 2e-6,
-    }
-}
-
 fn assert_inside(entry: &Entry, x: Point, u: Uniforms) {
     let label = entry.label();
     assert!(x.iter().all(|c| c.is_finite()), "{label} at {u:?}: {x:?}");
     let point = x.map(f64::from);
+    assert!((entry.inside)(point), "{label} at {u:?}: {x:?}");
     if entry.domain == Domain::Line {
         let ends = [0.0, 1.0].map(|u| entry.truth.sample([u; 4])[0]);
         let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        // The ends themselves come out of f64 logarithms; a step of f32 outside is 1e6 times this. The
-        // ends of these are not bounds of a domain but the last sample, itself rounded to f32.
-        let rounded = matches!(entry.name, "Exponential" | "ExponentialTail" | "Transform");
-        let relative = if rounded { 2e-7 } else { 1e-13 };
+        // The ends themselves come out of f64 logarithms; a step of f32 outside is 1e6 times this.
+        let relative = match entry.ends {
+            Ends::Bounds => 1e-13,
+            Ends::Samples => 2e-7,
+            Ends::None => return,
+        };
         let rounding = relative * low.abs().max(high.abs()).min(f64::from(f32::MAX));
-        let unbounded = matches!(entry.name, "Normal");
         assert!(
-            unbounded || (point[0] >= low - rounding && point[0] <= high + rounding),
+            point[0] >= low - rounding && point[0] <= high + rounding,
             "{label} at {u:?}: {x:?} outside [{low}, {high}]"
         );
         return;
@@ -100,27 +91,7 @@ fn assert_inside(entry: &Entry, x: Point, u: Uniforms) {
             "{label} at {u:?}: length {norm}"
         );
     }
-    if matches!(
-        entry.name,
-        "Hemisphere" | "CosineHemisphere" | "MalleyHemisphere" | "PhongLobe"
-    ) {
-        assert!(x[2] >= 0.0, "{label} at {u:?}: {x:?}");
-    }
-    if entry.name.starts_with("Disk") {
-        let r2 = point[0] * point[0] + point[1] * point[1];
-        assert!(r2 <= 1.0, "{label} at {u:?}: r² = {r2}");
-    }
-    if entry.name == "Triangle" {
-        assert!(x.iter().all(|c| *c >= 0.0), "{label} at {u:?}: {x:?}");
-        assert!(
-            (point.iter().sum::<f64>() - 1.0).abs() <= 1.2e-7,
-            "{label}: {x:?}"
-        );
-    }
-    if entry.name == "NormalPair" {
-        return;
-    }
-    let slack = slack(entry);
+    let slack = entry.slack;
     let at = entry.truth.invert(point);
     for (i, c) in at[..entry.uniforms].iter().enumerate() {
         let inside = *c >= -slack && *c <= 1.0 + slack;
@@ -141,31 +112,20 @@ fn any_uniform_gives_a_finite_point_of_the_domain() {
 #[test]
 fn no_point_of_the_disk_lies_beyond_its_rim() {
     let last = microwarp::uniform::LARGEST;
+    let mut walked = 0;
     for entry in entries() {
-        let rims: &[fn(f32, f32) -> Uniforms] = match entry.name {
-            "Disk" => &[|rim, u| [rim, u, 0.0, 0.0]],
-            "DiskConcentric" => &[
-                |_, u| [0.0, u, 0.0, 0.0],
-                |_, u| [u, 0.0, 0.0, 0.0],
-                |rim, u| [rim, u, 0.0, 0.0],
-                |rim, u| [u, rim, 0.0, 0.0],
-            ],
-            _ => continue,
-        };
-        for rim in rims {
+        for rim in entry.rims {
+            walked += 1;
             for k in 0..1_u32 << 24 {
                 let u = rim(last, k as f32 / 16_777_216.0);
-                let [x, y, _] = entry.warp.sample(u);
-                let r2 = f64::from(x) * f64::from(x) + f64::from(y) * f64::from(y);
-                assert!(r2 <= 1.0, "{} at {u:?}: r² = {r2}", entry.label());
-                assert!(
-                    entry.warp.pdf([x, y, 0.0]) > 0.0,
-                    "{} at {u:?} has density 0",
-                    entry.label()
-                );
+                let x = entry.warp.sample(u);
+                let label = entry.label();
+                assert!((entry.inside)(x.map(f64::from)), "{label} at {u:?}: {x:?}");
+                assert!(entry.warp.pdf(x) > 0.0, "{label} at {u:?} has density 0");
             }
         }
     }
+    assert_eq!(walked, 2 * 5);
 }
 
 #[test]
@@ -210,7 +170,7 @@ fn same_place(entry: &Entry, a: Point, b: Point) -> bool {
     let tolerance = if entry.domain == Domain::Line {
         4e-6
     } else {
-        2.0 * slack(entry)
+        2.0 * entry.slack
     };
     (0..entry.uniforms).all(|i| {
         let d = (a[i] - b[i]).abs();
@@ -239,8 +199,6 @@ const FAR: [f32; 12] = [
 #[test]
 fn density_and_inverse_are_total() {
     for entry in entries() {
-        // The closures of these two are the table's own.
-        let user = matches!(entry.name, "Inversion" | "Transform");
         for x in FAR {
             for y in FAR {
                 for z in FAR {
@@ -248,7 +206,7 @@ fn density_and_inverse_are_total() {
                     let pdf = entry.warp.pdf(point);
                     let finite = (0.0..=f32::MAX).contains(&pdf);
                     assert!(
-                        finite || user,
+                        finite || entry.closures,
                         "{} has density {pdf} at {point:?}",
                         entry.label()
                     );
@@ -268,45 +226,16 @@ fn density_and_inverse_are_total() {
 #[test]
 fn the_density_outside_the_domain_is_zero() {
     for entry in entries() {
-        let outside: &[Point] = match entry.name {
-            "Disk" | "DiskConcentric" => &[[1.0, 0.1, 0.0], [-0.8, 0.7, 0.0]],
-            "Hemisphere" | "CosineHemisphere" | "MalleyHemisphere" | "PhongLobe" => {
-                &[[0.6, 0.0, -0.8], [0.0, 0.0, -1.0]]
-            }
-            "Cone" if entry.parameters != "3 rad" => &[[0.0, 0.0, -1.0], [0.0, 0.999, -0.044_7]],
-            "Cone" => &[[0.0, 0.0, -1.0]],
-            "Triangle" => &[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0]],
-            "Tent" => &[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]],
-            "Linear" | "PowerMax" => &[[-1e-7, 0.0, 0.0], [1.000_000_1, 0.0, 0.0]],
-            "Exponential" | "ExponentialTail" | "TruncatedExponential" => &[[-1e-45, 0.0, 0.0]],
-            "Power" | "Power decreasing" => &[[-1.0, 0.0, 0.0], [f32::MAX, 0.0, 0.0]],
-            "Interval" | "Interval decreasing" => &[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]],
-            "SphericalPatch" if entry.parameters != "south" => {
-                &[[-0.6, -0.1, 0.8], [0.0, 0.0, -1.0]]
-            }
-            "SphericalPatch" => &[[0.6, 0.0, -0.8], [0.0, 0.0, 1.0]],
-            "TriangleOn" => &[[5.0e18, 3.0, 0.0], [0.1, -1.0e18, 0.0], [0.2, 0.2, 1.0e18]],
-            "MarginalConditional" => &[[0.5, 0.6, 0.0], [1.5, 0.5, 0.0]],
-            "Aabb" => &[[f32::MAX, 2.0, 0.0], [0.0, f32::MAX, 0.0]],
-            "PiecewiseConstant1d" => &[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]],
-            "PiecewiseConstant2d" => &[[5.1, 0.5, 0.0], [0.5, f32::MAX, 0.0], [-3.1, -0.5, 0.0]],
-            "Oriented" if entry.parameters.ends_with("3)") => &[[-0.3, -0.5, -0.8]],
-            "Oriented" => &[[0.0, 0.0, 1.0]],
-            // The whole line, plane or sphere.
-            "Normal" | "NormalPair" | "Sphere" | "Inversion" | "Transform" => &[],
-            other => panic!("no point outside the domain of {other} is listed"),
-        };
+        let label = entry.label();
+        let outside = entry.outside;
+        let outside = outside.unwrap_or_else(|| panic!("no point outside of {label} is listed"));
         for &x in outside {
-            // A third coordinate of the plane does not exist.
-            if entry.domain == Domain::Plane && x[2] != 0.0 {
-                continue;
-            }
             let pdf = entry.warp.pdf(x);
-            assert!(pdf == 0.0, "{} has density {pdf} at {x:?}", entry.label());
+            assert!(pdf == 0.0, "{label} has density {pdf} at {x:?}");
         }
-        if !matches!(entry.name, "Inversion" | "Transform") {
+        if !entry.closures {
             let pdf = entry.warp.pdf([f32::NAN; 3]);
-            assert!(pdf == 0.0, "{} has density {pdf} at NaN", entry.label());
+            assert!(pdf == 0.0, "{label} has density {pdf} at NaN");
         }
     }
 }
@@ -319,7 +248,7 @@ fn every_truth_agrees_with_itself() {
         .into_iter()
         .filter(|e| e.tier == "poly" && e.resolved)
     {
-        if entry.name == "PowerMax" && entry.uniforms > 1 {
+        if entry.folds {
             continue;
         }
         for k in 0..200 {
@@ -363,7 +292,7 @@ fn volume_element(entry: &Entry, u: [f64; 4]) -> f64 {
         return slope(0)[0].abs();
     }
     let (p, q) = (slope(0), slope(1));
-    if entry.name == "Triangle" {
+    if entry.domain == Domain::Barycentric {
         return (p[0] * q[1] - p[1] * q[0]).abs();
     }
     let c = support::truth::cross(p, q);

@@ -1,13 +1,12 @@
 //! A sampler with a planted defect, which the search must find within its quick budget.
 
-use super::Constructor;
-use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::uniform::Canonical;
 use microwarp::warp::Power;
+use microwarp::{Error, Warp};
 use support::adversary::words::Kind::{Any, Positive};
 use support::{
-    registry::{Domain, Measure, entry},
+    registry::{Domain, Measure, Registered, entry},
     truth,
 };
 
@@ -48,27 +47,32 @@ impl<T: Tier> Warp for Overflowing<T> {
     }
 }
 
-pub(super) fn overflowing<T: Tier>() -> Constructor {
-    Constructor {
+pub(super) fn overflowing<T: Tier>() -> Registered {
+    Registered {
         name: "Power",
         constructor: "with an exponential that overflows alone",
-        parameters: &[Any, Positive, Positive],
+        takes: &[Any, Positive, Positive],
+        ordered: &[],
         build: |p| {
             let [n, a, b] = [p[0], p[1], p[2]];
-            let warp = Power::<T>::new(n, a, b).ok()?;
+            let warp = Power::<T>::new(n, a, b)?;
             // What it does at n = −1 exactly and from 0 is another branch.
             let m = n + 1.0;
-            let warp = (m != 0.0 && a > 0.0).then_some(Overflowing { warp, m, a, b })?;
+            if m == 0.0 || a == 0.0 {
+                return Err(Error::OutOfRange);
+            }
+            let warp = Overflowing { warp, m, a, b };
             let truth = truth::power(n, a, b, true);
-            Some(entry::<T, _>(
+            Ok(entry::<T, _>(
                 "Power",
-                "",
                 Domain::Line,
                 Measure::Ulp,
                 warp,
                 truth,
             ))
         },
+        cases: Vec::new(),
         seeds: Vec::new(),
+        refused: Vec::new(),
     }
 }

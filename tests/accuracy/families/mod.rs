@@ -1,43 +1,26 @@
-//! Every constructor of the float tiers as a family for the adversary: what it takes, and the entry it gives.
+//! Every registered constructor as a family for the adversary: what it takes, and how its samples are judged.
 
-mod boxes;
-mod directions;
 mod flawed;
-mod line;
-mod open;
-mod plane;
-mod power;
 
-use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::tier::{Libm, Poly, Tier as _};
 use support::adversary::statement::Statement;
-use support::adversary::words::Kind;
+use support::adversary::words::{Kind, first_accepted};
 use support::adversary::{Case, Family, Observe};
 use support::figures::{
     Exact, Figures, ROWS, apart, density_and_inverse_error, is_azimuth, polar_error, sample_error,
     ulp, wide,
 };
-use support::registry::{Domain, Entry, Measure, Uniforms};
+use support::registry::{Domain, Entry, Measure, Registered, Uniforms, of_tier};
 use support::tables;
 use support::truth::Truth;
 
-/// One constructor, in one tier.
-struct Constructor {
-    /// The struct, whose documentation holds the statement.
-    name: &'static str,
-    /// What tells constructors of one struct apart.
-    constructor: &'static str,
-    parameters: &'static [Kind],
-    /// The entry of these parameters; nothing where they are refused.
-    build: fn(&[f32]) -> Option<Entry>,
-    /// Parameters to start from.
-    seeds: Vec<Vec<f32>>,
-}
-
 /// All families of both tiers.
 pub fn families() -> Vec<Family> {
-    let mut all = of_tier::<Libm>();
-    all.extend(of_tier::<Poly>());
-    all
+    let all =
+        |registered: Vec<Registered>, tier| registered.into_iter().map(move |of| family(of, tier));
+    all(of_tier::<Libm>(), Libm::NAME)
+        .chain(all(of_tier::<Poly>(), Poly::NAME))
+        .collect()
 }
 
 /// Families with a planted defect, one a tier.
@@ -48,17 +31,7 @@ pub fn flawed() -> Vec<Family> {
     ]
 }
 
-fn of_tier<T: Tier>() -> Vec<Family> {
-    let mut all = line::constructors::<T>();
-    all.extend(open::constructors::<T>());
-    all.extend(power::constructors::<T>());
-    all.extend(boxes::constructors::<T>());
-    all.extend(plane::constructors::<T>());
-    all.extend(directions::constructors::<T>());
-    all.into_iter().map(|c| family(c, T::NAME)).collect()
-}
-
-fn family(of: Constructor, tier: &'static str) -> Family {
+fn family(of: Registered, tier: &'static str) -> Family {
     let column = usize::from(tier != "libm");
     let rows: Vec<Row> = tables::stated(of.name)
         .into_iter()
@@ -79,25 +52,25 @@ fn family(of: Constructor, tier: &'static str) -> Family {
             format!(" {part}")
         }
     };
-    let (build, seeds) = (of.build, of.seeds);
-    let arity = of.parameters.len();
+    let arity = of.takes.len();
     // Any parameters the constructor accepts tell how many uniforms a sample takes.
-    let uniforms = support::adversary::words::first_accepted(of.parameters, |p| {
-        build(&floats(p)).map(|entry| entry.uniforms)
+    let uniforms = first_accepted(of.takes, |p| {
+        of.of_drawn(&floats(p)).ok().map(|entry| entry.uniforms)
     });
     Family {
         label: format!("{}{} {tier}", of.name, spaced(of.constructor)),
         statement: format!("{} {tier}", of.name),
-        parameters: of.parameters.to_vec(),
+        parameters: of.takes.to_vec(),
         uniforms: vec![Kind::Uniform; uniforms],
         rows: titles,
-        seeds: seeds
+        seeds: of
+            .seeds
             .iter()
             .map(|s| s.iter().map(|x| x.to_bits()).collect())
             .collect(),
         build: Box::new(move |words| {
             assert_eq!(words.len(), arity);
-            let entry = build(&floats(words))?;
+            let entry = of.of_drawn(&floats(words)).ok()?;
             Some(Box::new(Subject {
                 entry,
                 rows: rows.clone(),
@@ -172,14 +145,8 @@ impl Case for Subject {
 
 impl Subject {
     fn variable(&self, name: &str) -> f64 {
-        let found = self
-            .entry
-            .variables
-            .iter()
-            .find(|(known, _)| *known == name);
-        found
-            .unwrap_or_else(|| panic!("{}: no parameter {name}", self.entry.label()))
-            .1
+        let known = self.entry.variable(name);
+        known.unwrap_or_else(|| panic!("{}: no parameter {name}", self.entry.label()))
     }
 }
 

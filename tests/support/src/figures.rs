@@ -124,7 +124,7 @@ pub fn polar_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figures
         &mut figures.sine,
         (f64::from(x[0]) - sine).abs() / ulp(sine),
     );
-    if !matches!(entry.name, "Sphere" | "Cone") {
+    if entry.cosine {
         raise(
             &mut figures.cosine,
             (f64::from(x[2]) - cosine).abs() / ulp(cosine),
@@ -166,9 +166,7 @@ pub fn density_and_inverse_error(entry: &Entry, exact: &Exact, x: Point, figures
 
 /// Whether all second uniforms give this point, as at the centre of a disk or a pole.
 fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
-    if entry.name == "TriangleOn" {
-        let height = entry.variables.iter().find(|(name, _)| *name == "h");
-        let height = height.map_or(1.0, |(_, h)| *h);
+    if let Some(height) = entry.variable("h") {
         return entry.truth.invert(x)[0].sqrt() * height < 9.6e-7;
     }
     match entry.domain {
@@ -182,16 +180,15 @@ fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
             let local = entry.truth.invert(x)[0];
             local < 1e-6
         }
-        Domain::Space => x[1] == 0.0 && x[2] == 0.0 || entry.truth.invert(x)[0] == 0.0,
+        Domain::Space | Domain::Barycentric => {
+            x[1] == 0.0 && x[2] == 0.0 || entry.truth.invert(x)[0] == 0.0
+        }
     }
 }
 
 /// Whether the k-th uniform is an azimuth, of which 0 and 1 are the same.
 pub fn is_azimuth(entry: &Entry, k: usize) -> bool {
-    let turned = matches!(entry.domain, Domain::Directions | Domain::World);
-    let polar =
-        (turned && entry.name != "MalleyHemisphere") || matches!(entry.name, "Disk" | "NormalPair");
-    k == 1 && polar
+    k == 1 && entry.azimuth
 }
 
 /// The distance of two uniforms, across the seam where they are turns.

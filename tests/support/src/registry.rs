@@ -1,18 +1,27 @@
-//! The one table that lists every warp, in both tiers, with its exact counterpart.
+//! The registry of the warps of both float tiers: every constructor once, with its exact counterpart, its cases, what it
+//! refuses, its picture and its place in comparisons. Laws, measurements and pictures run over it and ask for no name.
 //!
-//! Every law runs over the whole table, so a new warp is one line here (and a truth in `truth.rs`).
-//! What the laws are is not said here: see the files in `tests/`.
+//! The files below hold a block a constructor; how a block is written is said at [`Registered`]. What runs on cores, without
+//! a truth, is registered in `tests/golden`.
 
-pub mod directions;
-pub mod discrete;
-pub mod line;
-pub mod plane;
+mod composed;
+mod directions;
+pub mod family;
+mod line;
+pub mod picture;
+mod plane;
+mod power;
+pub mod tables;
 
+use crate::adversary::words::Kind;
+use crate::contest::{POINTS, generator};
 use crate::truth::Truth;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::Uniforms as _;
-use microwarp::{Transform, Warp};
+use microwarp::{Error, Transform, Warp};
+use picture::{Picture, View};
 use rand_pcg::Pcg32;
+use std::hint::black_box;
 use std::sync::Arc;
 
 /// Up to four uniforms; those a warp does not take are 0.
@@ -31,8 +40,10 @@ pub enum Domain {
     Directions,
     /// Unit vectors in world coordinates.
     World,
-    /// Points of space, or barycentric coordinates.
+    /// Points of space.
     Space,
+    /// Barycentric coordinates.
+    Barycentric,
 }
 
 /// In what unit the error of a sample is stated.
@@ -55,6 +66,8 @@ pub trait Erased: Send + Sync {
     fn invert(&self, x: Point) -> Uniforms;
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
+    /// A block of points in memory of its own, drawn one by one or filled: what takes time is this alone.
+    fn block(&self, filled: bool) -> Box<dyn FnMut()>;
     /// One point of the generator by each way to draw it: what the way is, and the point.
     fn ways(&self, _rng: &Pcg32) -> Vec<(&'static str, Point)> {
         Vec::new()
@@ -78,6 +91,29 @@ pub struct Entry {
     pub round_trip: bool,
     /// Whether u = 0 counts as 2^-149, as the documentation of the warp says.
     pub open: bool,
+    /// Whether many uniforms give the same point.
+    pub folds: bool,
+    /// Whether the map is made of other warps, or of functions that are a user's.
+    pub composed: bool,
+    /// Whether density and inverse are functions of a user's, which need not be total.
+    pub closures: bool,
+    /// Whether the second uniform is an azimuth, of which 0 and 1 are the same.
+    pub azimuth: bool,
+    /// Whether a second uniform of 0 gives the direction of azimuth 0, so that sin θ and cos θ can be judged alone.
+    pub polar: bool,
+    /// Whether cos θ is judged in ulp: it passes through 0 otherwise.
+    pub cosine: bool,
+    pub ends: Ends,
+    /// How far outside the unit square the exact inverse may place a point that was rounded.
+    pub slack: f64,
+    /// What holds for every point beside its place in the domain, exactly.
+    pub inside: fn([f64; 3]) -> bool,
+    /// Points outside the domain, where the density is 0; `None` where nobody has said which those are.
+    pub outside: Option<&'static [Point]>,
+    /// Walks along the rim of the domain, from the largest uniform and the other one.
+    pub rims: &'static [fn(f32, f32) -> Uniforms],
+    pub picture: Option<Picture>,
+    pub trade: Option<Trade>,
     pub warp: Arc<dyn Erased>,
     pub truth: Arc<dyn Truth>,
     /// Coordinates in the unit square in which cells for a test of shape are laid out: the inverse of
@@ -85,6 +121,28 @@ pub struct Entry {
     pub chart: Arc<dyn Truth>,
     /// The parameters that the formulas of its documentation name.
     pub variables: Vec<(&'static str, f64)>,
+}
+
+/// What the samples of the first and of the last uniform are on the line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// The bounds of the domain.
+    Bounds,
+    /// Samples like others, which are rounded.
+    Samples,
+    /// Infinite.
+    None,
+}
+
+/// Where a sampler stands in the comparison of errors and costs.
+#[derive(Clone, Copy, Debug)]
+pub struct Trade {
+    /// The heading.
+    pub family: &'static str,
+    /// Its name in `benches/cores/costs.csv`, without the tier.
+    pub kernel: &'static str,
+    /// How many calls a sample of the family takes.
+    pub calls: f64,
 }
 
 impl Entry {
@@ -112,7 +170,7 @@ impl Entry {
         })
     }
 
-    pub fn variables(self, variables: &[(&'static str, f64)]) -> Self {
+    fn variables(self, variables: &[(&'static str, f64)]) -> Self {
         self.with(|e| e.variables = variables.to_vec())
     }
 
@@ -123,10 +181,130 @@ impl Entry {
     fn no_round_trip(self) -> Self {
         self.with(|e| e.round_trip = false)
     }
+
+    fn outside(self, points: &'static [Point]) -> Self {
+        self.with(|e| e.outside = Some(points))
+    }
+
+    fn picture(self, caption: &'static str, view: View) -> Self {
+        self.with(|e| e.picture = Some(Picture { caption, view }))
+    }
+
+    fn trade(self, family: &'static str, kernel: &'static str) -> Self {
+        self.with(|e| {
+            e.trade = Some(Trade {
+                family,
+                kernel,
+                calls: 1.0,
+            })
+        })
+    }
+
+    /// The value of a parameter of the formulas.
+    pub fn variable(&self, name: &str) -> Option<f64> {
+        let found = self.variables.iter().find(|(known, _)| *known == name);
+        found.map(|(_, value)| *value)
+    }
+}
+
+/// One constructor of a warp in one tier: everything that the host knows of it. All laws, measurements and pictures come
+/// from here.
+pub struct Registered {
+    /// The struct, whose documentation states the errors.
+    pub name: &'static str,
+    /// What tells constructors of one struct apart.
+    pub constructor: &'static str,
+    /// What kinds of numbers it takes, one after the other.
+    pub takes: &'static [Kind],
+    /// Pairs of numbers of which the smaller one comes first; who draws parameters puts them in order.
+    pub ordered: &'static [[usize; 2]],
+    /// The entry of these numbers, or why they are refused.
+    pub build: fn(&[f32]) -> Result<Entry, Error>,
+    /// The parameters under which every law runs: a label, the numbers, and what is particular to them.
+    pub cases: Vec<Case>,
+    /// Accepted parameters where the search for the worst case starts: hard ones, and the extremes.
+    pub seeds: Vec<Vec<f32>>,
+    pub refused: Vec<(Vec<f32>, Error)>,
+}
+
+/// A label, the numbers, and what is particular to them.
+pub type Case = (&'static str, Vec<f32>, fn(Entry) -> Entry);
+
+/// Nothing particular.
+const PLAIN: fn(Entry) -> Entry = |entry| entry;
+
+impl Registered {
+    fn new(
+        name: &'static str,
+        constructor: &'static str,
+        takes: &'static [Kind],
+        build: fn(&[f32]) -> Result<Entry, Error>,
+    ) -> Self {
+        Self {
+            name,
+            constructor,
+            takes,
+            ordered: &[],
+            build,
+            cases: Vec::new(),
+            seeds: Vec::new(),
+            refused: Vec::new(),
+        }
+    }
+
+    fn case(self, label: &'static str, parameters: &[f32]) -> Self {
+        self.case_with(label, parameters, PLAIN)
+    }
+
+    fn case_with(
+        mut self,
+        label: &'static str,
+        parameters: &[f32],
+        change: fn(Entry) -> Entry,
+    ) -> Self {
+        self.cases.push((label, parameters.to_vec(), change));
+        self
+    }
+
+    fn ordered(mut self, pairs: &'static [[usize; 2]]) -> Self {
+        self.ordered = pairs;
+        self
+    }
+
+    fn seed(mut self, parameters: &[f32]) -> Self {
+        self.seeds.push(parameters.to_vec());
+        self
+    }
+
+    fn refuse(mut self, parameters: &[f32], error: Error) -> Self {
+        self.refused.push((parameters.to_vec(), error));
+        self
+    }
+
+    /// The entry of numbers as they are drawn.
+    pub fn of_drawn(&self, numbers: &[f32]) -> Result<Entry, Error> {
+        let mut numbers = numbers.to_vec();
+        for &[low, high] in self.ordered {
+            let ends = [numbers[low], numbers[high]];
+            (numbers[low], numbers[high]) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        }
+        (self.build)(&numbers)
+    }
+
+    /// The entries of all cases.
+    pub fn entries(&self) -> impl Iterator<Item = Entry> {
+        self.cases.iter().map(|(label, parameters, change)| {
+            let entry = (self.build)(parameters);
+            let mut entry =
+                entry.unwrap_or_else(|error| panic!("{} {label}: {error:?}", self.name));
+            entry.parameters = label;
+            change(entry)
+        })
+    }
 }
 
 /// Arrays of up to N numbers, as the erased table holds them.
-pub trait Flat<const N: usize>: Copy {
+pub trait Flat<const N: usize>: Copy + 'static {
     fn flat(self) -> [f32; N];
     fn unflat(flat: [f32; N]) -> Self;
 }
@@ -149,13 +327,13 @@ impl<const M: usize, const N: usize> Flat<N> for [f32; M] {
     }
 }
 
-struct Wrapped<W>(W);
+struct Wrapped<W>(Arc<W>);
 
 impl<W> Erased for Wrapped<W>
 where
-    W: Warp<Density = f32> + Send + Sync,
+    W: Warp<Density = f32> + Send + Sync + 'static,
     W::Uniforms: Flat<4>,
-    W::Point: Flat<3>,
+    W::Point: Flat<3> + 'static,
 {
     fn sample(&self, u: Uniforms) -> Point {
         self.0.sample(W::Uniforms::unflat(u)).flat()
@@ -171,33 +349,49 @@ where
         self.0.fill(rng, &mut points);
         points.into_iter().map(Flat::flat).collect()
     }
+    fn block(&self, filled: bool) -> Box<dyn FnMut()> {
+        let (warp, mut kept) = (Arc::clone(&self.0), generator());
+        let mut points = vec![W::Point::unflat([0.0; 3]); POINTS];
+        Box::new(move || {
+            let mut rng = kept.clone();
+            if filled {
+                warp.fill(&mut rng, black_box(&mut points));
+            } else {
+                for point in black_box(&mut points) {
+                    *point = warp.draw(&mut rng);
+                }
+            }
+            kept = rng;
+            black_box(&points);
+        })
+    }
     fn ways(&self, rng: &Pcg32) -> Vec<(&'static str, Point)> {
         let words = || W::Uniforms::try_words(&mut rng.clone()).unwrap();
         // One of a block, of what is left of one, and alone.
         let filled = |n| self.fill(&mut rng.clone(), n)[0];
-        let same = Transform::new(&self.0, |x| x, |x| x, |_| 1.0);
+        let same = Transform::new(&*self.0, |x| x, |x| x, |_| 1.0);
         let mut through = [same.draw(&mut rng.clone()); 9];
         same.fill(&mut rng.clone(), &mut through);
         vec![
             ("drawn", self.0.draw(&mut rng.clone()).flat()),
             ("filled", filled(9)),
             ("filled alone", filled(1)),
-            ("by reference", (&&self.0).draw(&mut rng.clone()).flat()),
+            ("by reference", (&&*self.0).draw(&mut rng.clone()).flat()),
             ("transformed", same.draw(&mut rng.clone()).flat()),
             ("transformed, filled", through[0].flat()),
             ("of words", self.0.sample_words(words()).flat()),
             (
                 "of words, by reference",
-                (&&self.0).sample_words(words()).flat(),
+                (&&*self.0).sample_words(words()).flat(),
             ),
             ("of words, transformed", same.sample_words(words()).flat()),
         ]
     }
 }
 
+/// An entry of a warp and its truth; what is particular to it is said by the methods of [`Entry`].
 pub fn entry<T: Tier, W>(
     name: &'static str,
-    parameters: &'static str,
     domain: Domain,
     measure: Measure,
     warp: W,
@@ -213,9 +407,10 @@ where
     let density = truth.pdf(first);
     let usable = density > 0.0 && density < f64::INFINITY;
     let uniforms = <W::Uniforms as microwarp::uniform::Uniforms>::COUNT;
+    let turned = matches!(domain, Domain::Directions | Domain::World);
     Entry {
         name,
-        parameters,
+        parameters: "",
         tier: T::NAME,
         domain,
         uniforms,
@@ -223,27 +418,50 @@ where
         measure,
         resolved: true,
         round_trip: true,
-        open: !usable
-            && (first[0] <= 0.0 || domain != Domain::Line)
-            && name != "TruncatedExponential",
-        warp: Arc::new(Wrapped(warp)),
+        open: !usable && (first[0] <= 0.0 || domain != Domain::Line),
+        folds: false,
+        composed: false,
+        closures: false,
+        azimuth: turned,
+        polar: domain == Domain::Directions,
+        cosine: true,
+        ends: Ends::Bounds,
+        slack: if domain == Domain::Line {
+            f64::INFINITY
+        } else {
+            2e-6
+        },
+        inside: |_| true,
+        outside: None,
+        rims: &[],
+        picture: None,
+        trade: None,
+        warp: Arc::new(Wrapped(Arc::new(warp))),
         chart: Arc::clone(&truth),
         truth,
         variables: Vec::new(),
     }
 }
 
-/// Every warp at comfortable and at extreme parameters, in both tiers.
-pub fn entries() -> Vec<Entry> {
+/// Every constructor of every warp, in both tiers.
+pub fn registered() -> Vec<Registered> {
     let mut all = of_tier::<Libm>();
     all.extend(of_tier::<Poly>());
     all
 }
 
-fn of_tier<T: Tier>() -> Vec<Entry> {
-    let mut table = line::entries::<T>();
-    table.extend(plane::entries::<T>());
-    table.extend(directions::entries::<T>());
-    table.extend(discrete::entries::<T>());
-    table
+/// Every constructor of every warp in one tier.
+pub fn of_tier<T: Tier>() -> Vec<Registered> {
+    let mut all = line::registered::<T>();
+    all.extend(power::registered::<T>());
+    all.extend(composed::registered::<T>());
+    all.extend(plane::registered::<T>());
+    all.extend(directions::registered::<T>());
+    all.extend(tables::registered::<T>());
+    all
+}
+
+/// Every warp at comfortable and at extreme parameters, in both tiers.
+pub fn entries() -> Vec<Entry> {
+    registered().iter().flat_map(Registered::entries).collect()
 }

@@ -1,141 +1,185 @@
 //! The warps over directions.
 
-use super::{Domain, Entry, Measure, entry};
+use super::picture::View::Sky;
+use super::{Domain, Entry, Measure, Registered, entry, family};
+use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth::{self, Truth};
-use microwarp::Frame;
+use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
-use microwarp::warp::{self, *};
+use microwarp::warp::*;
+use microwarp::{Frame, Warp};
+use std::f32::{INFINITY as INF, NAN, consts::PI as PI_32};
+use std::f64::consts::{FRAC_PI_2, PI};
 
-pub(crate) fn entries<T: Tier>() -> Vec<Entry> {
-    use Domain::{Directions, World};
-    use Measure::Length;
-    let mut t = vec![
-        entry::<T, _>(
-            "Sphere",
-            "",
-            Directions,
-            Length(1.0),
-            Sphere::<T>::new(),
-            truth::sphere(),
-        ),
-        entry::<T, _>(
-            "Hemisphere",
-            "",
-            Directions,
-            Length(1.0),
-            Hemisphere::<T>::new(),
-            truth::hemisphere(),
-        ),
-        entry::<T, _>(
-            "CosineHemisphere",
-            "",
-            Directions,
-            Length(1.0),
-            CosineHemisphere::<T>::new(),
-            truth::cosine_hemisphere(),
-        ),
-        entry::<T, _>(
-            "MalleyHemisphere",
-            "",
-            Directions,
-            Length(1.0),
-            MalleyHemisphere::<T>::new(),
-            Box::new(truth::Malley) as Box<dyn Truth>,
-        )
-        .chart(truth::cosine_hemisphere()),
+const TINY: f32 = 1.0e-45;
+
+/// Directions about +z.
+fn about_z<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
+where
+    W: Warp<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
+{
+    entry::<T, _>(name, Domain::Directions, Measure::Length(1.0), warp, truth)
+}
+
+/// Marks a density that is 0 below the horizon.
+fn upper(mut entry: Entry) -> Entry {
+    entry.inside = |[_, _, z]| z >= 0.0;
+    entry.outside(&[[0.6, 0.0, -0.8], [0.0, 0.0, -1.0]])
+}
+
+fn cone<T: Tier>(warp: Result<Cone<T>, Error>, k: f64, rest: f64) -> Result<Entry, Error> {
+    let mut entry = about_z::<T, _>("Cone", warp?, truth::cone(k, rest));
+    entry.cosine = false;
+    Ok(entry.outside(&[[0.0, 0.0, -1.0], [0.0, 0.999, -0.044_7]]))
+}
+
+fn patch<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    let warp = SphericalPatch::<T>::new(p[0], p[1], p[2], p[3])?;
+    let [theta, phi] = [[p[0], p[1]], [p[2], p[3]]].map(|a| a.map(f64::from));
+    let truth = truth::Patch { theta, phi };
+    let variables = [
+        ("c", truth.drop()),
+        ("q", truth.reach()),
+        ("w", truth.width()),
     ];
-    for (label, n) in [
-        ("n=0", 0.0),
-        ("n=1", 1.0),
-        ("n=1.4136", 1.413_630_8),
-        ("n=3.4715", 3.471_497_3),
-        ("n=50", 50.0),
-        ("n=1e4", 1e4),
-        ("n=1e6", 1e6),
-        ("n=1e8", 1e8),
-    ] {
-        t.push(entry::<T, _>(
-            "PhongLobe",
-            label,
-            Directions,
-            Length(1.0),
-            PhongLobe::<T>::new(n).unwrap(),
-            truth::phong(n),
-        ));
-    }
-    for (label, angle) in [
-        ("1e-7 rad", 1e-7),
-        ("1e-4 rad", 1e-4),
-        ("3.9e-3 rad", 0.003_918_659),
-        ("1e-2 rad", 1e-2),
-        ("1.6e-2 rad", 0.016_239_65),
-        ("0.1 rad", 0.1),
-        ("1.5 rad", 1.5),
-        ("3 rad", 3.0),
-    ] {
-        t.push(entry::<T, _>(
-            "Cone",
-            label,
-            Directions,
-            Length(1.0),
-            Cone::<T>::from_angle(angle).unwrap(),
-            truth::cone(truth::one_minus_cos(angle), truth::one_plus_cos(angle)),
-        ));
-    }
-    t.push(entry::<T, _>(
-        "Cone",
-        "sphere at 1e-3",
-        Directions,
-        Length(1.0),
-        Cone::<T>::from_sphere(1e-3).unwrap(),
-        {
-            let s = f64::from(1e-3_f32);
-            let k = s * s / (1.0 + (1.0 - s * s).sqrt());
-            truth::cone(k, 2.0 - k)
-        },
-    ));
-    for (label, theta, phi) in [
-        ("octant", [0.0, 0.25], [0.0, 0.25]),
-        ("band", [0.2, 0.3], [-0.5, 0.5]),
-        ("south", [0.45, 0.5], [0.1, 0.6]),
-        ("1e-3 tile", [0.125, 0.126], [0.3, 0.301]),
-    ] {
-        let [[t0, t1], [p0, p1]]: [[f32; 2]; 2] = [theta, phi];
-        t.push(entry::<T, _>(
-            "SphericalPatch",
-            label,
-            Directions,
-            Length(1.0),
-            SphericalPatch::<T>::new(t0, t1, p0, p1).unwrap(),
-            Box::new(truth::Patch {
-                theta: theta.map(f64::from),
-                phi: phi.map(f64::from),
-            }) as Box<dyn Truth>,
-        ));
-    }
-    for (label, normal) in [
-        ("cosine about (1, 2, 3)", [1.0, 2.0, 3.0]),
-        ("cosine about -z", [0.0, 0.0, -1.0]),
-        ("cosine about (1e-4, 0, -1)", [1e-4, 0.0, -1.0]),
-    ] {
-        let frame = Frame::new(normal).unwrap();
-        t.push(entry::<T, _>(
-            "Oriented",
-            label,
-            World,
-            Length(1.0),
-            Oriented::new(warp::CosineHemisphere::<T>::new(), frame),
-            Box::new(truth::Turned {
-                inner: truth::cosine_hemisphere(),
-                axes: exact_frame(normal),
-            }) as Box<dyn Truth>,
-        ));
-    }
-    t
+    let mut entry = about_z::<T, _>("SphericalPatch", warp, Box::new(truth));
+    entry.polar = false;
+    Ok(entry
+        .variables(&variables)
+        .outside(&[[-0.6, -0.1, 0.8], [0.0, 0.0, -1.0]]))
+}
+
+/// A warp about the normal that the first three parameters are.
+fn oriented<T: Tier, W>(p: &[f32], warp: W, inner: Box<dyn Truth>) -> Result<Entry, Error>
+where
+    W: Warp<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
+{
+    let normal = [p[0], p[1], p[2]];
+    let warp = Oriented::new(warp, Frame::new(normal)?);
+    let axes = exact_frame(normal);
+    let truth: Box<dyn Truth> = Box::new(truth::Turned { inner, axes });
+    let mut entry = entry::<T, _>("Oriented", Domain::World, Measure::Length(1.0), warp, truth);
+    entry.composed = true;
+    Ok(entry.outside(&[[0.0, 0.0, 1.0]]))
+}
+
+fn turned(
+    constructor: &'static str,
+    takes: &'static [Kind],
+    build: fn(&[f32]) -> Result<Entry, Error>,
+) -> Registered {
+    Registered::new("Oriented", constructor, takes, build)
+        .refuse(&[&[0.0; 3], &[1.0][..takes.len() - 3]].concat(), ZeroLength)
+        .refuse(
+            &[&[0.0, NAN, 0.0], &[1.0][..takes.len() - 3]].concat(),
+            NotFinite,
+        )
+}
+
+#[rustfmt::skip] // one line a case
+pub(super) fn registered<T: Tier>() -> Vec<Registered> {
+    vec![
+        Registered::new("Sphere", "", &[], |_| {
+            let mut entry = about_z::<T, _>("Sphere", Sphere::<T>::new(), truth::sphere());
+            entry.cosine = false;
+            Ok(entry.outside(&[]))
+        })
+            .case_with("", &[], |e| e.picture("all directions", Sky(PI)).trade(family::SPHERE, "sphere")),
+        Registered::new("Hemisphere", "", &[], |_| {
+            Ok(upper(about_z::<T, _>("Hemisphere", Hemisphere::<T>::new(), truth::hemisphere())))
+        })
+            .case_with("", &[], |e| e.picture("the upper half", Sky(FRAC_PI_2)).trade(family::HEMISPHERE, "hemisphere")),
+        Registered::new("CosineHemisphere", "", &[], |_| {
+            Ok(upper(about_z::<T, _>("CosineHemisphere", CosineHemisphere::<T>::new(), truth::cosine_hemisphere())))
+        })
+            .case_with("", &[], |e| {
+                e.picture("p = cos θ / π, by inversion", Sky(FRAC_PI_2)).trade(family::COSINE, "cosine_hemisphere")
+            }),
+        Registered::new("MalleyHemisphere", "", &[], |_| {
+            let mut entry = upper(about_z::<T, _>("MalleyHemisphere", MalleyHemisphere::<T>::new(), Box::new(truth::Malley)));
+            (entry.azimuth, entry.polar) = (false, false);
+            Ok(entry.chart(truth::cosine_hemisphere()))
+        })
+            .case_with("", &[], |e| {
+                e.picture("p = cos θ / π, Malley's method", Sky(FRAC_PI_2)).trade(family::COSINE, "malley_hemisphere")
+            }),
+        Registered::new("PhongLobe", "", &[Positive], |p| {
+            Ok(upper(about_z::<T, _>("PhongLobe", PhongLobe::<T>::new(p[0])?, truth::phong(p[0]))))
+        })
+            .case("n=0", &[0.0])
+            .case("n=1", &[1.0])
+            .case("n=1.4136", &[1.413_630_8])
+            .case("n=3.4715", &[3.471_497_3])
+            .case_with("n=50", &[50.0], |e| e.picture("p ∝ cosⁿθ, n = 50", Sky(0.5)).trade(family::LOBE, "phong_lobe_50"))
+            .case("n=1e4", &[1e4])
+            .case_with("n=1e6", &[1e6], |e| e.picture("p ∝ cosⁿθ, n = 10⁶", Sky(0.0035)))
+            .case("n=1e8", &[1e8])
+            .seed(&[50.0]).seed(&[1e8]).seed(&[TINY]).seed(&[1.0e20]).seed(&[f32::MAX])
+            .refuse(&[NAN], NotFinite).refuse(&[-0.1], Negative),
+        Registered::new("Cone", "from_angle", &[Within(0.0, PI_32)], |p| {
+            cone(Cone::<T>::from_angle(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
+        })
+            .case_with("1e-7 rad", &[1e-7], |e| e.picture("half angle 10⁻⁷ rad", Sky(1.02e-7)))
+            .case("1e-4 rad", &[1e-4])
+            .case("3.9e-3 rad", &[0.003_918_659])
+            .case("1e-2 rad", &[1e-2])
+            .case("1.6e-2 rad", &[0.016_239_65])
+            .case_with("0.1 rad", &[0.1], |e| e.picture("half angle 0.1 rad", Sky(0.102)).trade(family::CAP, "cone"))
+            .case("1.5 rad", &[1.5])
+            .case_with("3 rad", &[3.0], |e| e.outside(&[[0.0, 0.0, -1.0]]))
+            .seed(&[1.05])
+            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[3.2], OutOfRange).refuse(&[1.0e-20], Empty),
+        Registered::new("Cone", "from_one_minus_cos", &[Within(0.0, 2.0)], |p| {
+            let k = f64::from(p[0]);
+            cone(Cone::<T>::from_one_minus_cos(p[0]), k, 2.0 - k)
+        })
+            .refuse(&[2.1], OutOfRange).refuse(&[TINY], Empty),
+        Registered::new("Cone", "from_sphere", &[Within(0.0, 1.0)], |p| {
+            let s = f64::from(p[0]);
+            let k = s * s / (1.0 + ((1.0 - s) * (1.0 + s)).sqrt());
+            cone(Cone::<T>::from_sphere(p[0]), k, 2.0 - k)
+        })
+            .case("sphere at 1e-3", &[1e-3])
+            .refuse(&[1.5], OutOfRange).refuse(&[-0.1], NotPositive),
+        Registered::new("SphericalPatch", "", &[Within(0.0, 0.5), Within(0.0, 0.5), Within(-1.0, 1.0), Within(-1.0, 2.0)], patch::<T>)
+            .case_with("octant", &[0.0, 0.25, 0.0, 0.25], |e| {
+                e.picture("0 ≤ θ ≤ 90°, 0 ≤ φ ≤ 90°", Sky(FRAC_PI_2)).trade(family::CAP, "spherical_patch")
+            })
+            .case_with("band", &[0.2, 0.3, -0.5, 0.5], |e| e.picture("72° ≤ θ ≤ 108°, every φ", Sky(PI)))
+            .case_with("south", &[0.45, 0.5, 0.1, 0.6], |e| e.outside(&[[0.6, 0.0, -0.8], [0.0, 0.0, 1.0]]))
+            .case_with("1e-3 tile", &[0.125, 0.126, 0.3, 0.301], |mut e| {
+                e.slack = 1e-3;
+                e
+            })
+            .seed(&[0.499_999_85, 0.5, 0.0, 1.0]).seed(&[0.0, 0.25, 0.0, 0.25])
+            .refuse(&[0.0, 0.25, NAN, 0.5], NotFinite).refuse(&[0.3, 0.2, 0.0, 0.5], Reversed)
+            .refuse(&[0.0, 0.6, 0.0, 0.5], OutOfRange).refuse(&[0.0, 0.5, 0.0, 1.5], OutOfRange)
+            .refuse(&[0.1, 0.1, 0.0, 0.5], Empty).refuse(&[0.1, 0.2, 0.5, 0.5], Empty).refuse(&[0.0, 0.2, 0.0, INF], NotFinite),
+        turned("CosineHemisphere", &[Any; 3], |p| {
+            oriented::<T, _>(p, CosineHemisphere::<T>::new(), truth::cosine_hemisphere())
+        })
+            .case_with("cosine about (1, 2, 3)", &[1.0, 2.0, 3.0], |e| {
+                e.outside(&[[-0.3, -0.5, -0.8]]).picture("cosine about (1, 2, 3)", Sky(PI)).trade(family::COMPOSED, "oriented")
+            })
+            .case("cosine about -z", &[0.0, 0.0, -1.0])
+            .case("cosine about (1e-4, 0, -1)", &[1e-4, 0.0, -1.0]),
+        turned("Hemisphere", &[Any; 3], |p| oriented::<T, _>(p, Hemisphere::<T>::new(), truth::hemisphere())),
+        turned("MalleyHemisphere", &[Any; 3], |p| {
+            // Its second uniform is no azimuth, and is held as one: at the seam both are the same.
+            oriented::<T, _>(p, MalleyHemisphere::<T>::new(), Box::new(truth::Malley))
+        }),
+        turned("Cone", &[Any, Any, Any, Within(0.0, 2.0)], |p| {
+            let k = f64::from(p[3]);
+            oriented::<T, _>(p, Cone::<T>::from_one_minus_cos(p[3])?, truth::cone(k, 2.0 - k))
+        }),
+        turned("PhongLobe", &[Any, Any, Any, Within(1.0, 1e8)], |p| {
+            oriented::<T, _>(p, PhongLobe::<T>::new(p[3])?, truth::phong(p[3]))
+        }),
+    ]
 }
 
 /// The frame of Duff and others in f64.
-pub fn exact_frame(normal: [f32; 3]) -> [truth::Point; 3] {
+fn exact_frame(normal: [f32; 3]) -> [truth::Point; 3] {
     let n = normal.map(f64::from);
     let length = truth::dot(n, n).sqrt();
     let [x, y, z] = n.map(|c| c / length);

@@ -1,141 +1,156 @@
-//! The warps of the plane and of triangles in space.
+//! The warps of the plane, of boxes and of triangles in space.
 
-use super::{Domain, Entry, Measure, entry};
+use super::picture::{CORNER, EQUILATERAL, FLAT, window};
+use super::{Domain, Entry, Flat, Measure, Registered, entry, family};
+use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
+use microwarp::Error::{self, *};
+use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use std::f32::NAN;
 
-pub(crate) fn entries<T: Tier>() -> Vec<Entry> {
-    use Domain::{Plane, Space};
-    use Measure::Length;
-    let mut t = vec![
-        entry::<T, _>(
-            "Disk",
-            "",
-            Plane,
-            Length(1.0),
-            Disk::<T>::new(),
-            Box::new(truth::Disk) as Box<dyn Truth>,
-        ),
-        entry::<T, _>(
-            "DiskConcentric",
-            "",
-            Plane,
-            Length(1.0),
-            DiskConcentric::<T>::new(),
-            Box::new(truth::DiskConcentric) as Box<dyn Truth>,
-        )
-        .chart(Box::new(truth::Disk) as Box<dyn Truth>),
-        entry::<T, _>(
-            "Triangle",
-            "",
-            Space,
-            Length(1.0),
-            Triangle::new(),
-            Box::new(truth::Barycentric) as Box<dyn Truth>,
-        ),
-    ];
-    for (label, mean, deviation) in [
-        ("0, 1", [0.0, 0.0], 1.0),
-        ("(3, -2), 0.5", [3.0, -2.0], 0.5),
-        ("0, 1e-18", [0.0, 0.0], 1e-18),
-        ("0, 1e18", [0.0, 0.0], 1e18),
-    ] {
-        let far = mean[0] != 0.0;
-        let e = entry::<T, _>(
-            "NormalPair",
-            label,
-            Plane,
-            Length(truth::normal_pair_size(mean, deviation)),
-            NormalPair::<T>::new(mean, deviation).unwrap(),
-            Box::new(truth::NormalPair {
-                mean: mean.map(f64::from),
-                deviation: f64::from(deviation),
-            }) as Box<dyn Truth>,
-        );
-        t.push(if far || deviation < 1e-10 {
-            e.no_round_trip()
-        } else {
-            e
-        });
-    }
-    let wide = |v: [f32; 2]| [f64::from(v[0]), f64::from(v[1]), 0.0];
-    for (label, vertices, size) in [
-        ("plane", [[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]], 4.0),
-        (
-            "plane 1e18",
-            [[-1e18, 0.0], [1e18, -1e18], [0.0, 1e18]],
-            2e18,
-        ),
-        ("plane sliver", [[0.0, 0.0], [1.0, 0.0], [0.5, 1e-5]], 1.0),
-    ] {
-        let e = entry::<T, _>(
-            "TriangleOn",
-            label,
-            Plane,
-            Length(size),
-            TriangleOn::new(vertices).unwrap(),
-            Box::new(truth::OnTriangle(vertices.map(wide))) as Box<dyn Truth>,
-        );
-        t.push(if label != "plane" {
-            e.no_round_trip()
-        } else {
-            e
-        });
-    }
-    let vertices = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.5], [-1.0, 0.0, 3.0_f32]];
-    t.push(
-        entry::<T, _>(
-            "TriangleOn",
-            "space",
-            Space,
-            Length(4.0),
-            TriangleOn::new(vertices).unwrap(),
-            Box::new(truth::OnTriangle(vertices.map(|v| v.map(f64::from)))) as Box<dyn Truth>,
-        )
-        .no_round_trip(),
-    );
-    for (label, low, high) in [
-        ("[-1, 1] x [2, 2.5]", [-1.0, 2.0], [1.0, 2.5]),
-        ("[0, 1e-30] x [-1e30, 0]", [0.0, -1e30], [1e-30, 0.0]),
-        ("[-3e38, 3e38] x [0, 1e-38]", [-3e38, 0.0], [3e38, 1e-38]),
-    ] {
-        let ends = low.iter().chain(&high);
-        let size = ends.fold(0.0, |size: f32, x: &f32| size.max(x.abs()));
-        t.push(entry::<T, _>(
-            "Aabb",
-            label,
-            Plane,
-            Length(size.into()),
-            Aabb::new(low, high).unwrap(),
-            Box::new(truth::Sides(vec![
-                [low[0].into(), high[0].into()],
-                [low[1].into(), high[1].into()],
-            ])) as Box<dyn Truth>,
-        ));
-    }
-    t.push(below_diagonal::<T>());
-    t
+fn on_disk<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
+where
+    W: Warp<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
+{
+    let mut entry = entry::<T, _>(name, Domain::Plane, Measure::Length(1.0), warp, truth);
+    entry.inside = |[x, y, _]| x * x + y * y <= 1.0;
+    entry.outside(&[[1.0, 0.1, 0.0], [-0.8, 0.7, 0.0]])
 }
 
-/// Uniform below the diagonal: p(x) = 2x, p(y | x) = 1/x.
-pub fn below_diagonal<T: Tier>() -> Entry {
-    let conditional = |x: f32| Interval::new(0.0, x).unwrap_or(Interval::new(0.0, 1.0).unwrap());
-    entry::<T, _>(
-        "MarginalConditional",
-        "0<y<x<1",
-        Domain::Plane,
-        Measure::Length(1.0),
-        MarginalConditional::new(Linear::new(0.0, 1.0).unwrap(), conditional),
-        Box::new(truth::Product {
-            marginal: truth::linear(0.0, 1.0),
-            conditional: |x: f64| {
-                Box::new(truth::Line {
-                    quantile: move |u| u * x,
-                    pdf: move |_| 1.0 / x,
-                    cdf: move |y| y / x,
-                }) as Box<dyn Truth>
-            },
-        }) as Box<dyn Truth>,
-    )
+fn normal_pair<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    let (mean, std_dev) = ([p[0], p[1]], p[2]);
+    let truth: Box<dyn Truth> = Box::new(truth::NormalPair {
+        mean: mean.map(f64::from),
+        deviation: f64::from(std_dev),
+    });
+    let size = Measure::Length(truth::normal_pair_size(mean, std_dev));
+    let warp = NormalPair::<T>::new(mean, std_dev)?;
+    let mut entry = entry::<T, _>("NormalPair", Domain::Plane, size, warp, truth);
+    let far = mean[0].abs().max(mean[1].abs());
+    entry.azimuth = true;
+    // Whatever the plane holds may be a sample; its inverse far out is an end.
+    entry.slack = f64::INFINITY;
+    Ok(entry
+        .variables(&[("w", f64::from(far) / f64::from(std_dev))])
+        .outside(&[]))
+}
+
+fn triangle_on<T: Tier, const D: usize>(p: &[f32], domain: Domain) -> Result<Entry, Error>
+where
+    [f32; D]: Flat<3>,
+{
+    let vertices: [[f32; D]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| p[i * D + k]));
+    let warp = TriangleOn::new(vertices)?;
+    let size = f64::from(p.iter().fold(0.0_f32, |size, x| size.max(x.abs())));
+    let wide = vertices.map(|v| std::array::from_fn(|k| v.get(k).copied().map_or(0.0, f64::from)));
+    let truth = truth::OnTriangle(wide);
+    let height = truth.height() / size;
+    let truth: Box<dyn Truth> = Box::new(truth);
+    let entry = entry::<T, _>("TriangleOn", domain, Measure::Length(size), warp, truth);
+    let outside: &[_] = if domain == Domain::Plane {
+        &[[5.0e18, 3.0, 0.0], [0.1, -1.0e18, 0.0]]
+    } else {
+        &[[5.0e18, 3.0, 0.0], [0.1, -1.0e18, 0.0], [0.2, 0.2, 1.0e18]]
+    };
+    Ok(entry.variables(&[("h", height)]).outside(outside))
+}
+
+fn largest(ends: &[f32]) -> f64 {
+    ends.iter().fold(0.0, |m: f32, x| m.max(x.abs())).into()
+}
+
+/// The bounds of each side, one after the other.
+fn sides<T: Tier, const N: usize>(p: &[f32], domain: Domain) -> Result<Entry, Error>
+where
+    [f32; N]: Flat<3> + Flat<4>,
+{
+    let [low, high] = [0, 1].map(|end| std::array::from_fn(|i| p[2 * i + end]));
+    let warp = Aabb::<N>::new(low, high)?;
+    let truth = truth::Sides((0..N).map(|i| [low[i], high[i]].map(f64::from)).collect());
+    let truth: Box<dyn Truth> = Box::new(truth);
+    let size = largest(p);
+    let entry = entry::<T, _>("Aabb", domain, Measure::Length(size), warp, truth);
+    let entry = entry.variables(&[("n", N as f64), ("m", size)]);
+    Ok(entry.outside(&[[f32::MAX, 2.0, 0.0], [0.0, f32::MAX, 0.0]]))
+}
+
+#[rustfmt::skip] // one line a case
+pub(super) fn registered<T: Tier>() -> Vec<Registered> {
+    vec![
+        Registered::new("Disk", "", &[], |_| {
+            let mut entry = on_disk::<T, _>("Disk", Disk::<T>::new(), Box::new(truth::Disk));
+            entry.azimuth = true;
+            entry.rims = &[|rim, u| [rim, u, 0.0, 0.0]];
+            Ok(entry)
+        })
+            .case_with("", &[], |e| e.picture("polar map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk")),
+        Registered::new("DiskConcentric", "", &[], |_| {
+            let mut entry = on_disk::<T, _>("DiskConcentric", DiskConcentric::<T>::new(), Box::new(truth::DiskConcentric));
+            entry.rims = &[
+                |_, u| [0.0, u, 0.0, 0.0],
+                |_, u| [u, 0.0, 0.0, 0.0],
+                |rim, u| [rim, u, 0.0, 0.0],
+                |rim, u| [u, rim, 0.0, 0.0],
+            ];
+            Ok(entry.chart(Box::new(truth::Disk) as Box<dyn Truth>))
+        })
+            .case_with("", &[], |e| {
+                e.picture("Shirley's concentric map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk_concentric")
+            }),
+        Registered::new("Triangle", "", &[], |_| {
+            let truth: Box<dyn Truth> = Box::new(truth::Barycentric);
+            let mut entry = entry::<T, _>("Triangle", Domain::Barycentric, Measure::Length(1.0), Triangle::new(), truth);
+            entry.inside = |x| x.iter().all(|c| *c >= 0.0) && (x.iter().sum::<f64>() - 1.0).abs() <= 1.2e-7;
+            Ok(entry.outside(&[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0]]))
+        })
+            .case_with("", &[], |e| e.picture("barycentric coordinates", EQUILATERAL).trade(family::TRIANGLE, "triangle")),
+        Registered::new("NormalPair", "", &[Any, Any, Positive], normal_pair::<T>)
+            .case_with("0, 1", &[0.0, 0.0, 1.0], |e| {
+                e.picture("Box and Muller, within 3σ", window(0.0, 0.0, 3.0)).trade(family::NORMAL, "normal_pair")
+            })
+            .case_with("(3, -2), 0.5", &[3.0, -2.0, 0.5], Entry::no_round_trip)
+            .case_with("0, 1e-18", &[0.0, 0.0, 1e-18], Entry::no_round_trip)
+            .case("0, 1e18", &[0.0, 0.0, 1e18])
+            .seed(&[0.0, 0.0, 1.0]).seed(&[3.0, -2.0, 0.5])
+            .refuse(&[0.0, NAN, 1.0], NotFinite).refuse(&[0.0, 0.0, -1.0], NotPositive)
+            .refuse(&[0.0, 0.0, 1.0e-30], Empty).refuse(&[0.0, 0.0, 1.0e30], TooLarge),
+        Registered::new("TriangleOn", "plane", &[Any; 6], |p| triangle_on::<T, 2>(p, Domain::Plane))
+            .case_with("plane", &[0.0, 0.0, 4.0, 0.0, 1.0, 3.0], |e| {
+                e.picture("(0, 0), (4, 0), (1, 3)", FLAT).trade(family::TRIANGLE, "triangle_on")
+            })
+            .case_with("plane 1e18", &[-1e18, 0.0, 1e18, -1e18, 0.0, 1e18], Entry::no_round_trip)
+            .case_with("plane sliver", &[0.0, 0.0, 1.0, 0.0, 0.5, 1e-5], |mut e| {
+                e.slack = 0.05;
+                e.no_round_trip()
+            })
+            .seed(&[0.0, 0.0, 4.0, 0.0, 1.0, 3.0]).seed(&[0.0, 0.0, 1.0, 0.0, 0.5, 1e-11])
+            .seed(&[0.1, 0.2, 0.7, 0.9, 0.4, 0.55]).seed(&[1e6, 0.1, 1_000_001.0, -0.3, 1e6, 0.7])
+            .refuse(&[0.0, 0.0, 1.0, 1.0, 2.0, 2.0], Empty).refuse(&[0.0; 6], Empty)
+            .refuse(&[NAN, 0.0, 1.0, 0.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 1e30, 0.0, 0.0, 1e30], TooLarge)
+            .refuse(&[0.0, 0.0, 1e-30, 0.0, 0.0, 1e-30], Empty),
+        Registered::new("TriangleOn", "space", &[Any; 9], |p| triangle_on::<T, 3>(p, Domain::Space))
+            .case_with("space", &[1.0, 0.0, 0.0, 0.0, 2.0, 0.5, -1.0, 0.0, 3.0], |e| {
+                e.no_round_trip().picture("three vertices in space", CORNER)
+            })
+            .seed(&[1.0, 0.0, 0.0, 0.0, 2.0, 0.5, -1.0, 0.0, 3.0])
+            .seed(&[0.1, 0.2, 0.3, 0.7, 0.9, -0.4, 0.4, 0.55, -0.05])
+            .seed(&[1e6, 0.1, -7e3, 1_000_001.0, -0.3, -7001.0, 1e6, 0.7, -7002.0])
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], Empty),
+        Registered::new("Aabb", "of 1 side", &[Any; 2], |p| sides::<T, 1>(p, Domain::Plane))
+            .ordered(&[[0, 1]])
+            .refuse(&[1.0, 0.0], Reversed),
+        Registered::new("Aabb", "of 2 sides", &[Any; 4], |p| sides::<T, 2>(p, Domain::Plane))
+            .ordered(&[[0, 1], [2, 3]])
+            .case_with("[-1, 1] x [2, 2.5]", &[-1.0, 1.0, 2.0, 2.5], |e| {
+                e.picture("uniform on a box", window(0.0, 2.25, 1.05)).trade(family::COMPOSED, "aabb")
+            })
+            .case("[0, 1e-30] x [-1e30, 0]", &[0.0, 1e-30, -1e30, 0.0])
+            .case("[-3e38, 3e38] x [0, 1e-38]", &[-3e38, 3e38, 0.0, 1e-38])
+            .refuse(&[0.0, 1.0, NAN, 1.0], NotFinite).refuse(&[0.0, 1.0, 2.0, 1.0], Reversed)
+            .refuse(&[0.0, 0.0, 0.0, 1.0], Empty),
+        Registered::new("Aabb", "of 3 sides", &[Any; 6], |p| sides::<T, 3>(p, Domain::Space))
+            .ordered(&[[0, 1], [2, 3], [4, 5]]),
+    ]
 }

@@ -1,0 +1,167 @@
+//! What users compose, by examples: inversions, transforms, and a marginal with its conditional.
+
+use super::picture::{View, between, window};
+use super::{Domain, Ends, Entry, Measure, Registered, entry, family};
+use crate::truth::{self, Truth};
+use microwarp::Error;
+use microwarp::tier::Tier;
+use microwarp::warp::*;
+
+/// An example without parameters of its own.
+fn example(
+    name: &'static str,
+    constructor: &'static str,
+    label: &'static str,
+    build: fn(&[f32]) -> Result<Entry, Error>,
+    change: fn(Entry) -> Entry,
+) -> Registered {
+    Registered::new(name, constructor, &[], build).case_with(label, &[], change)
+}
+
+/// Marks a map whose functions are the example's own.
+fn own(mut entry: Entry) -> Entry {
+    entry.composed = true;
+    entry.closures = true;
+    if entry.name == "Transform" {
+        entry.ends = Ends::Samples;
+    }
+    entry
+}
+
+pub(super) fn registered<T: Tier>() -> Vec<Registered> {
+    vec![
+        example(
+            "Inversion",
+            "",
+            "p=1/2+x",
+            |_| Ok(own(inversion::<T>().outside(&[]))),
+            |e| {
+                e.picture(
+                    "a user's inverse CDF: p = ½ + x",
+                    View::Line(between(-0.1, 1.1)),
+                )
+                .trade(family::LINE, "inversion")
+            },
+        ),
+        example(
+            "Transform",
+            "sine",
+            "y=sin x",
+            |_| Ok(own(sine::<T>().outside(&[]))),
+            |e| {
+                e.picture("y = sin x, with p(x) = 2x", View::Line(between(-0.1, 1.0)))
+                    .trade(family::LINE, "transform")
+            },
+        ),
+        example(
+            "Transform",
+            "logarithm",
+            "y=2 ln x - ln 2",
+            |_| Ok(own(logarithm::<T>().outside(&[]))),
+            |e| e,
+        ),
+        example(
+            "MarginalConditional",
+            "",
+            "0<y<x<1",
+            |_| {
+                let mut entry = below_diagonal::<T>().outside(&[[0.5, 0.6, 0.0], [1.5, 0.5, 0.0]]);
+                entry.composed = true;
+                Ok(entry)
+            },
+            |e| {
+                e.picture("p(x) = 2x, p(y | x) = 1/x", window(0.5, 0.5, 0.51))
+                    .trade(family::COMPOSED, "marginal_conditional")
+            },
+        ),
+    ]
+}
+
+/// p(x) = ½ + x on [0, 1].
+fn inversion<T: Tier>() -> Entry {
+    entry::<T, _>(
+        "Inversion",
+        Domain::Line,
+        Measure::Ulp,
+        Inversion::new(
+            |u: f32| 4.0 * u / (1.0 + T::sqrt(1.0 + 8.0 * u)),
+            |x: f32| 0.5 + x,
+            |x: f32| 0.5 * x * (1.0 + x),
+        ),
+        Box::new(truth::Line {
+            quantile: |u: f64| 4.0 * u / (1.0 + (1.0 + 8.0 * u).sqrt()),
+            pdf: |x: f64| 0.5 + x,
+            cdf: |x: f64| 0.5 * x * (1.0 + x),
+        }) as Box<dyn Truth>,
+    )
+}
+
+/// Y = sin X with p(x) = 2x on [0, 1]: p(y) = 2 asin(y)/√(1 − y²) on [0, sin 1].
+fn sine<T: Tier>() -> Entry {
+    let sine = |x: f32| T::sincos_turns(x * (1.0 / core::f32::consts::TAU)).0;
+    let cosine = |x: f32| T::sincos_turns(x * (1.0 / core::f32::consts::TAU)).1;
+    let arcsine =
+        |y: f32| T::atan2_turns(y, T::sqrt((1.0 - y) * (1.0 + y))) * core::f32::consts::TAU;
+    entry::<T, _>(
+        "Transform",
+        Domain::Line,
+        Measure::Ulp,
+        Transform::new(Linear::new(0.0, 1.0).unwrap(), sine, arcsine, cosine),
+        Box::new(truth::Line {
+            quantile: |u: f64| u.sqrt().sin(),
+            pdf: |y: f64| 2.0 * y.asin() / (1.0 - y * y).sqrt(),
+            cdf: |y: f64| y.asin().powi(2),
+        }) as Box<dyn Truth>,
+    )
+}
+
+/// p(x) = x on [√2, 2] becomes p(y) = e^y on [0, ln 2] under y = 2 ln x − ln 2.
+fn logarithm<T: Tier>() -> Entry {
+    entry::<T, _>(
+        "Transform",
+        Domain::Line,
+        Measure::UlpOf(0.7),
+        Transform::new(
+            Power::<T>::new(1.0, core::f32::consts::SQRT_2, 2.0).unwrap(),
+            |x: f32| 2.0 * T::ln(x) - core::f32::consts::LN_2,
+            |y: f32| T::exp(0.5 * (y + core::f32::consts::LN_2)),
+            |x: f32| 2.0 / x,
+        ),
+        Box::new(truth::Line {
+            // Exact for the interval whose lower end is the f32 nearest to the root of 2.
+            quantile: |u: f64| {
+                let low = f64::from(core::f32::consts::SQRT_2).powi(2);
+                ((1.0 - u) * low + u * 4.0).ln() - f64::from(core::f32::consts::LN_2)
+            },
+            pdf: |y: f64| {
+                let low = f64::from(core::f32::consts::SQRT_2).powi(2);
+                (y + f64::from(core::f32::consts::LN_2)).exp() / (4.0 - low)
+            },
+            cdf: |y: f64| {
+                let low = f64::from(core::f32::consts::SQRT_2).powi(2);
+                ((y + f64::from(core::f32::consts::LN_2)).exp() - low) / (4.0 - low)
+            },
+        }) as Box<dyn Truth>,
+    )
+}
+
+/// Uniform below the diagonal: p(x) = 2x, p(y | x) = 1/x.
+fn below_diagonal<T: Tier>() -> Entry {
+    let conditional = |x: f32| Interval::new(0.0, x).unwrap_or(Interval::new(0.0, 1.0).unwrap());
+    entry::<T, _>(
+        "MarginalConditional",
+        Domain::Plane,
+        Measure::Length(1.0),
+        MarginalConditional::new(Linear::new(0.0, 1.0).unwrap(), conditional),
+        Box::new(truth::Product {
+            marginal: truth::linear(0.0, 1.0),
+            conditional: |x: f64| {
+                Box::new(truth::Line {
+                    quantile: move |u| u * x,
+                    pdf: move |_| 1.0 / x,
+                    cdf: move |y| y / x,
+                }) as Box<dyn Truth>
+            },
+        }) as Box<dyn Truth>,
+    )
+}

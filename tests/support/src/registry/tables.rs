@@ -1,0 +1,231 @@
+//! The piecewise-constant densities.
+//!
+//! Weights are whole numbers of 511ths on the line, and of 63rds of a row and 31sts of a column in the
+//! plane: these are the numbers of cells with which shapes are tested, so that no jump of a density lies
+//! within a cell and quadrature is exact.
+
+use super::picture::{View, between, window};
+use super::{Domain, Entry, Measure, Registered, entry, family};
+use crate::adversary::words::Kind::{Any, Positive};
+use crate::truth::{self, Truth};
+use microwarp::discrete::{Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Storage};
+use microwarp::tier::Tier;
+use microwarp::{Error, Warp};
+
+/// The columns and the rows of [`sky`].
+pub const SKY: [usize; 2] = [32, 16];
+
+/// A sky of clouds with a sun in it, a column and a row without light.
+pub fn sky() -> Vec<f32> {
+    let [columns, rows] = SKY;
+    let (dark, sun) = ([9, 6], [21, 11]);
+    let mut weights = Vec::new();
+    for row in 0..rows {
+        // 31 in all.
+        let share = match row {
+            0 | 11 => 3,
+            15 => 1,
+            _ => 2 * u32::from(row != dark[1]),
+        };
+        let cloud = |column: usize| {
+            let (x, y) = (column as f64, row as f64);
+            (0.4 * x + 0.7 * y).sin() + (0.23 * x - 0.9 * y + 1.0).sin()
+        };
+        let mut brightest: Vec<usize> = (0..columns).filter(|c| *c != dark[0]).collect();
+        brightest.sort_by(|a, b| cloud(*b).total_cmp(&cloud(*a)));
+        // 63 in a row: 31 cells of 1, the rest in clouds and in the sun.
+        let mut cells = vec![1; columns];
+        cells[dark[0]] = 0;
+        let (thick, thin) = if row == sun[1] {
+            brightest.retain(|c| *c != sun[0]);
+            cells[sun[0]] += 7;
+            (10, 5)
+        } else {
+            (12, 8)
+        };
+        brightest[..thick].iter().for_each(|c| cells[*c] += 2);
+        let rim = &brightest[thick..thick + thin];
+        rim.iter().for_each(|c| cells[*c] += 1);
+        assert_eq!(cells.iter().sum::<u32>(), 63);
+        weights.extend(cells.iter().map(|w| (w * share) as f32));
+    }
+    weights
+}
+
+/// A table in memory that lives as long as the program.
+fn leaked<W: Copy + Default>(entries: usize) -> &'static mut [W] {
+    Box::leak(vec![W::default(); entries].into_boxed_slice())
+}
+
+fn on_line<T: Tier, W>(weights: &[f64], range: [f32; 2], warp: W) -> Entry
+where
+    W: Warp<Uniforms = f32, Point = f32, Density = f32> + Send + Sync + 'static,
+{
+    let truth = truth::Histogram::new(weights, range).expect("a positive weight");
+    let scale = Measure::UlpOf(f64::from(range[0].abs().max(range[1].abs())));
+    let truth: Box<dyn Truth> = Box::new(truth);
+    let entry = entry::<T, _>("PiecewiseConstant1d", Domain::Line, scale, warp, truth);
+    entry.outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]])
+}
+
+fn wide_weights(weights: &[f32]) -> Vec<f64> {
+    weights.iter().map(|w| f64::from(*w)).collect()
+}
+
+fn narrow<T: Tier>(weights: &[f32], range: [f32; 2]) -> Result<Entry, Error> {
+    let cdf = Cdf::<&[u32]>::new_in(weights, leaked(weights.len()))?;
+    let warp = PiecewiseConstant1d::new(cdf, range[0], range[1])?;
+    Ok(on_line::<T, _>(&wide_weights(weights), range, warp))
+}
+
+fn wide<T: Tier>(weights: &[f32], range: [f32; 2]) -> Result<Entry, Error> {
+    let cdf = Cdf::<&[u64]>::new_in(weights, leaked(weights.len()))?;
+    let warp = PiecewiseConstant1d::new(cdf, range[0], range[1])?;
+    Ok(on_line::<T, _>(&wide_weights(weights), range, warp).words(2))
+}
+
+fn in_plane<T: Tier>(
+    weights: &[f32],
+    shape: [usize; 2],
+    [u, v]: [[f32; 2]; 2],
+    words: usize,
+) -> Result<Entry, Error> {
+    let truth = truth::Picture::new(weights, shape[0], u, v);
+    let size = u.into_iter().chain(v).fold(0.0, |m: f32, x| m.max(x.abs()));
+    macro_rules! of {
+        ($word:ty) => {
+            picture::<T, _>(
+                truth,
+                size,
+                PiecewiseConstant2d::<&[$word], &[$word]>::new_in(
+                    weights,
+                    shape,
+                    u,
+                    v,
+                    leaked(shape[1]),
+                    leaked(weights.len()),
+                )?,
+            )
+        };
+    }
+    let entry = if words == 1 { of!(u32) } else { of!(u64) };
+    Ok(entry.words(2 * words))
+}
+
+fn picture<T: Tier, W>(truth: truth::Picture, size: f32, warp: W) -> Entry
+where
+    W: Warp<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
+{
+    let truth: Box<dyn Truth> = Box::new(truth);
+    let size = Measure::Length(size.into());
+    let entry = entry::<T, _>("PiecewiseConstant2d", Domain::Plane, size, warp, truth);
+    entry.outside(&[[5.1, 0.5, 0.0], [0.5, f32::MAX, 0.0], [-3.1, -0.5, 0.0]])
+}
+
+/// A range and as many weights as there are cells. The truth has the words of the table, not the weights.
+fn cells<T: Tier, const N: usize>(p: &[f32]) -> Result<Entry, Error> {
+    let range = [p[0], p[1]];
+    let weights: &[f32; N] = p[2..].try_into().expect("a weight a cell");
+    let warp = PiecewiseConstant1d::<[u32; N]>::from_weights(weights, range[0], range[1])?;
+    Ok(on_line::<T, _>(&numerators(warp.cdf()), range, warp))
+}
+
+/// Two ranges and the weights of two rows. The truth has the words of the tables.
+fn four_cells<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    let (u, v) = ([p[0], p[1]], [p[2], p[3]]);
+    let weights = [[p[4], p[5]], [p[6], p[7]]];
+    let warp = PiecewiseConstant2d::<[u32; 2], [[u32; 2]; 2]>::new(&weights, u, v)?;
+    let rows = (0..2).map(|row| truth::Histogram::new(&numerators(warp.conditional(row).cdf()), u));
+    let marginal = truth::Histogram::new(&numerators(warp.marginal().cdf()), v);
+    let truth = truth::Picture::of(marginal.expect("a positive weight"), rows.collect());
+    let size = p[..4].iter().fold(0.0, |m: f32, x| m.max(x.abs()));
+    Ok(picture::<T, _>(truth, size, warp))
+}
+
+/// The exact probabilities of a table.
+fn numerators<S: Storage<Item = u32>>(cdf: &Cdf<S>) -> Vec<f64> {
+    (0..cdf.entries())
+        .map(|j| cdf.numerator(j) as f64)
+        .collect()
+}
+
+/// A density of weights that are listed: no numbers are searched.
+fn listed(
+    name: &'static str,
+    label: &'static str,
+    build: fn(&[f32]) -> Result<Entry, Error>,
+    change: fn(Entry) -> Entry,
+) -> Registered {
+    Registered::new(name, label, &[], build).case_with(label, &[], change)
+}
+
+const FOUR: [f32; 4] = [146.0, 0.0, 292.0, 73.0];
+const UNIT: [f32; 2] = [0.0, 1.0];
+
+/// Weights that are products of a row's and a column's.
+fn product(along_u: &[f32], along_v: &[f32]) -> Vec<f32> {
+    let row = |v: &f32| along_u.iter().map(|u| u * v).collect::<Vec<_>>();
+    along_v.iter().flat_map(row).collect()
+}
+
+/// 6 x 6 cells, those along the edges dark.
+fn frame() -> Vec<f32> {
+    product(
+        &[0.0, 7.0, 0.0, 21.0, 35.0, 0.0],
+        &[0.0, 5.0, 0.0, 0.0, 26.0, 0.0],
+    )
+}
+
+#[rustfmt::skip] // one line a case
+pub(super) fn registered<T: Tier>() -> Vec<Registered> {
+    const LINE: &str = "PiecewiseConstant1d";
+    const PLANE: &str = "PiecewiseConstant2d";
+    vec![
+        listed(LINE, "2:0:4:1 on [0, 8]", |_| {
+            let warp = PiecewiseConstant1d::<[u32; 4]>::from_weights(&FOUR, 0.0, 8.0)?;
+            Ok(on_line::<T, _>(&wide_weights(&FOUR), [0.0, 8.0], warp))
+        }, |e| {
+            e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4))).trade(family::LINE, "piecewise_1d")
+        }),
+        listed(LINE, "0:0:3:4:0 on [-3, 5]", |_| narrow::<T>(&[0.0, 0.0, 219.0, 292.0, 0.0], [-3.0, 5.0]), |e| e),
+        listed(LINE, "10 equal on [-3e38, 3e38]", |_| narrow::<T>(&[0.1; 10], [-3e38, 3e38]), |e| e),
+        listed(LINE, "1 on [0, 1e-35]", |_| narrow::<T>(&[1e-30], [0.0, 1e-35]), |e| e),
+        listed(LINE, "73 on [0, 1]", |_| {
+            let mut many: Vec<f32> = (0..73).map(|k| (5 * k % 13 + 1) as f32).collect();
+            many[72] = 511.0 - many[..72].iter().sum::<f32>();
+            narrow::<T>(&many, UNIT)
+        }, |e| e),
+        listed(LINE, "2:0:4:1 on [1e30, 3e30], u64", |_| wide::<T>(&FOUR, [1e30, 3e30]), |e| e),
+        listed(LINE, "8 decades on [-1, 0], u64", |_| {
+            let decades: Vec<f32> = (0..8).map(|k| 10f32.powi(k - 7)).collect();
+            wide::<T>(&decades, [-1.0, 0.0])
+        }, |e| e),
+        // Nearly all of u goes into the 3e5 floats of one cell.
+        listed(LINE, "1e6 among 63 of 1, u64", |_| {
+            let mut bright = vec![1.0; 64];
+            bright[37] = 1e6;
+            wide::<T>(&bright, [-20.0, 300.0])
+        }, Entry::no_round_trip),
+        Registered::new(LINE, "of 2 cells", &[Any, Any, Positive, Positive], cells::<T, 2>)
+            .ordered(&[[0, 1]])
+            .seed(&[-1.945_361_4, 1.981_400_4, 0.123_744_264, 0.151_265_96]),
+        Registered::new(LINE, "of 4 cells", &[Any, Any, Positive, Positive, Positive, Positive], cells::<T, 4>)
+            .ordered(&[[0, 1]]),
+        listed(PLANE, "32 x 16 sky", |_| in_plane::<T>(&sky(), SKY, [UNIT; 2], 1), |e| {
+            e.picture("clouds, a sun, a dark row", window(0.5, 0.5, 0.51)).trade(family::COMPOSED, "piecewise_2d")
+        }),
+        listed(PLANE, "sun 1595:1, 9 x 3", |_| {
+            let sun = product(&[1.0, 1.0, 1.0, 55.0, 1.0, 1.0, 1.0, 1.0, 1.0], &[1.0, 29.0, 1.0]);
+            in_plane::<T>(&sun, [9, 3], [[-3.0, 5.0], [0.1, 0.7]], 1)
+        }, |e| e),
+        listed(PLANE, "dark frame, 6 x 6", |_| in_plane::<T>(&frame(), [6, 6], [[-0.5, 1.0], UNIT], 1), |e| e),
+        listed(PLANE, "1 x 1", |_| in_plane::<T>(&[0.25], [1, 1], [[-3.0, 5.0], UNIT], 1), |e| e),
+        listed(PLANE, "1 x 5", |_| in_plane::<T>(&[3.0, 0.0, 7.0, 1.0, 20.0], [1, 5], [UNIT, [-3.0, 5.0]], 1), |e| e),
+        listed(PLANE, "6 x 1", |_| in_plane::<T>(&[9.0, 0.0, 27.0, 6.0, 21.0, 0.0], [6, 1], [UNIT, [-3.0, 5.0]], 1), |e| e),
+        listed(PLANE, "6 x 6 on 1e-30 by 6e38", |_| in_plane::<T>(&frame(), [6, 6], [[0.0, 1e-30], [-3e38, 3e38]], 1), |e| e),
+        listed(PLANE, "32 x 16 sky, u64", |_| in_plane::<T>(&sky(), SKY, [UNIT, [-2.0, 0.3]], 2), |e| e),
+        Registered::new(PLANE, "of 2 by 2 cells", &[Any, Any, Any, Any, Positive, Positive, Positive, Positive], four_cells::<T>)
+            .ordered(&[[0, 1], [2, 3]])
+            .seed(&[-1.136_488_4, 1.123_338_6, -1.131_686_4, 1.149_362_9, 0.069_521_83, 0.290_617_5, 0.890_342_7, 0.496_947_02]),
+    ]
+}
