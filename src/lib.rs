@@ -88,6 +88,7 @@ pub mod estimate;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 pub mod metropolis;
+mod num;
 pub mod rejection;
 pub mod tier;
 pub mod uniform;

@@ -31,7 +31,6 @@
 //! `docs/accuracy.md` lists what single parameter sets show.
 
 mod aabb;
-mod apart;
 mod cone;
 mod direction;
 mod disk;
@@ -56,7 +55,6 @@ mod triangle_on;
 mod truncated;
 
 pub use self::aabb::Aabb;
-pub(crate) use self::apart::Apart;
 pub use self::cone::Cone;
 pub use self::disk::{Disk, DiskConcentric};
 pub use self::exponential::{Exponential, ExponentialTail};
@@ -64,7 +62,6 @@ pub(crate) use self::fill::filled_in_blocks;
 pub use self::frame::{Frame, Oriented};
 pub use self::hemisphere::{CosineHemisphere, Hemisphere, MalleyHemisphere};
 pub use self::interval::Interval;
-pub(crate) use self::interval::{Segment, extent, neighbour};
 pub use self::inversion::Inversion;
 pub use self::linear::Linear;
 pub use self::lobe::PhongLobe;
@@ -80,7 +77,7 @@ pub use self::triangle::Triangle;
 pub use self::triangle_on::TriangleOn;
 pub use self::truncated::TruncatedExponential;
 
-use crate::uniform::{Canonical, SMALLEST, Uniforms, infallible};
+use crate::uniform::{Canonical, Uniforms, infallible};
 use rand_core::{Rng, TryRng};
 
 /// A map from uniforms to a point, with the density of that point and the inverse map.
@@ -235,53 +232,5 @@ impl<W: Warp> Warp for &W {
         points: &mut [Self::Point],
     ) -> Result<(), R::Error> {
         (**self).try_fill(rng, points)
-    }
-}
-
-/// Brings the density of a point inside the domain into the positive finite range: what underflows
-/// becomes 2⁻¹⁴⁹ and what overflows the largest `f32`, so that a sample never has density 0 and a
-/// quotient by a density is never 0/0 or a division by 0.
-#[inline]
-pub(crate) fn representable(density: f32) -> f32 {
-    if density > f32::MAX {
-        f32::MAX
-    } else if density >= SMALLEST {
-        density
-    } else {
-        SMALLEST
-    }
-}
-
-/// The uniform itself, or 2⁻¹⁴⁹ in place of 0, for maps that are infinite or of density 0 there.
-#[inline]
-pub(crate) fn above_zero(u: f32) -> f32 {
-    if u > 0.0 { u } else { SMALLEST }
-}
-
-/// A word of a law that is symmetric: the probability beyond its point on the point's side, the middle of the words
-/// that fall together there, in (0, 1/2]; and whether that side is the upper one.
-#[inline]
-pub(crate) fn folded(word: u32) -> (f32, bool) {
-    let upper = word >> 31 == 1;
-    let rank = if upper { !word } else { word };
-    // Rounded once, and half a step above the rank.
-    ((rank << 1 | 1) as f32 * (f32::EPSILON / 1024.0), upper)
-}
-
-/// Brings a computed uniform into [0, 1) by the rule for uniforms.
-#[inline]
-pub(crate) fn into_unit(u: f32) -> f32 {
-    u.canonical().get()
-}
-
-/// `x`, or the nearer bound where it lies outside; `low` for NaN.
-#[inline]
-pub(crate) fn clamp(x: f32, low: f32, high: f32) -> f32 {
-    if x >= high {
-        high
-    } else if x > low {
-        x
-    } else {
-        low
     }
 }

@@ -1,9 +1,10 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
+use super::Warp;
 use super::direction::{DEEP, around, azimuth, between_poles, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
-use super::{Warp, into_unit};
 use crate::error::{Error, positive};
+use crate::num::into_unit;
 use crate::tier::{Tier, one_minus_cos_radians, sqrt};
 use crate::uniform::Canonical;
 use core::f32::consts::{FRAC_1_PI, PI};

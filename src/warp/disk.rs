@@ -1,7 +1,8 @@
 //! The uniform distribution on the unit disk: by polar inversion, and by Shirley's concentric map.
 
 use super::fill::{Place, placed};
-use super::{Warp, clamp, direction::azimuth, into_unit};
+use super::{Warp, direction::azimuth};
+use crate::num::{clamp, into_unit};
 use crate::tier::{Tier, exchanged};
 use crate::uniform::{Canonical, LARGEST};
 use core::f32::consts::FRAC_1_PI;

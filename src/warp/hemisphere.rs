@@ -1,9 +1,10 @@
 //! The upper hemisphere: uniform, and in proportion to the cosine by inversion and by Malley's method.
 
+use super::Warp;
 use super::direction::{around, azimuth, is_direction};
 use super::disk::{concentric, concentric_inverse};
 use super::fill::{Place, placed};
-use super::{Warp, above_zero, into_unit, representable};
+use crate::num::{above_zero, into_unit, representable};
 use crate::tier::Tier;
 use crate::uniform::{Canonical, open_from_word};
 use core::f32::consts::FRAC_1_PI;

@@ -1,10 +1,11 @@
 //! The cosine-power lobe, also known as the Phong lobe.
 
+use super::Warp;
 use super::direction::{DEEP, around, azimuth, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
-use super::{Warp, into_unit, representable};
 use crate::error::{Error, finite};
-use crate::tier::{Tier, exp_of_product, remainder, two_product, two_sum};
+use crate::num::{into_unit, remainder, representable, two_product, two_sum};
+use crate::tier::{Tier, exp_of_product};
 use crate::uniform::Canonical;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;

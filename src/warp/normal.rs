@@ -1,10 +1,11 @@
 //! The normal distribution: one at a time by its quantile, two at a time by Box and Muller's map.
 
+use super::Warp;
 use super::direction::azimuth;
 use super::fill::{Place, placed};
-use super::{Warp, above_zero, folded, into_unit, representable};
 use crate::error::{Error, finite, positive};
-use crate::tier::{Tier, remainder, scaled_exp, two_product, two_sum};
+use crate::num::{above_zero, folded, into_unit, remainder, representable, two_product, two_sum};
+use crate::tier::{Tier, scaled_exp};
 use crate::uniform::Canonical;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;

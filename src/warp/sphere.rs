@@ -3,7 +3,7 @@
 use super::Warp;
 use super::direction::{around, azimuth, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
-use super::into_unit;
+use crate::num::into_unit;
 use crate::tier::Tier;
 use crate::uniform::Canonical;
 use core::f32::consts::FRAC_1_PI;

@@ -1,10 +1,11 @@
 //! Spherical coordinates with their Jacobians, and the uniform distribution on a latitude-longitude patch.
 
+use super::Warp;
 use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
 use super::fill::{Place, placed};
-use super::{Warp, clamp, into_unit};
 use crate::error::{Error, finite};
-use crate::tier::{Tier, sqrt, two_sum};
+use crate::num::{clamp, into_unit, two_sum};
+use crate::tier::{Tier, sqrt};
 use crate::uniform::Canonical;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
