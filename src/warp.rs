@@ -44,6 +44,7 @@ mod linear;
 mod lobe;
 mod marginal;
 mod normal;
+mod planar;
 mod power;
 mod power_max;
 mod sphere;
@@ -54,28 +55,54 @@ mod triangle;
 mod triangle_on;
 mod truncated;
 
-pub use self::aabb::Aabb;
-pub use self::cone::Cone;
-pub use self::disk::{Disk, DiskConcentric};
-pub use self::exponential::{Exponential, ExponentialTail};
+/// Every warp in one line: where it is, its name and what it is; `<T>` marks what is generic over the tier.
+///
+/// From this list come the names of this module, those at the root of the crate, and the names of both tiers with
+/// their documentation.
+macro_rules! each_warp {
+    ($then:ident) => {
+        $then! {
+            aabb::Aabb "Uniform in a box of any dimension",
+            cone::Cone<T> "Uniform over the directions within an angle of +z",
+            disk::Disk<T> "Uniform on the unit disk, by polar coordinates",
+            disk::DiskConcentric<T> "Uniform on the unit disk, by Shirley's concentric map",
+            exponential::Exponential<T> "Exponential, increasing with the uniform",
+            exponential::ExponentialTail<T> "Exponential, decreasing with the uniform: the tail first",
+            frame::Frame "An orthonormal frame about a normal",
+            frame::Oriented "A warp over directions, turned onto a normal",
+            hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere, by inversion",
+            hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z",
+            hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere, by Malley's method",
+            interval::Interval "Uniform on an interval",
+            inversion::Inversion "Any density on the line, by its inverse CDF",
+            linear::Linear "Linear on [0, 1)",
+            lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere",
+            marginal::MarginalConditional "A marginal, and the conditional that belongs to its point",
+            normal::Normal<T> "Normal, one number at a time",
+            normal::NormalPair<T> "Two independent normals, by Box and Muller's map",
+            power::Power<T> "In proportion to any power on an interval",
+            power_max::PowerMax "The largest of N uniforms",
+            sphere::Sphere<T> "Uniform over the unit sphere",
+            spherical::Spherical<T> "A point in spherical coordinates",
+            spherical::SphericalPatch<T> "Uniform over the directions between two polar angles and two azimuths",
+            tent::Tent "The tent filter",
+            transform::Transform "A warp followed by a one-to-one map",
+            triangle::Triangle "Uniform barycentric coordinates",
+            triangle_on::TriangleOn "Uniform on a triangle given by its vertices",
+            truncated::TruncatedExponential<T> "Exponential on [0, X], rising or falling",
+        }
+    };
+}
+pub(crate) use each_warp;
+
+macro_rules! names {
+    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
+        $(pub use self::$file::$name;)*
+    };
+}
+each_warp!(names);
+
 pub(crate) use self::fill::filled_in_blocks;
-pub use self::frame::{Frame, Oriented};
-pub use self::hemisphere::{CosineHemisphere, Hemisphere, MalleyHemisphere};
-pub use self::interval::Interval;
-pub use self::inversion::Inversion;
-pub use self::linear::Linear;
-pub use self::lobe::PhongLobe;
-pub use self::marginal::MarginalConditional;
-pub use self::normal::{Normal, NormalPair};
-pub use self::power::Power;
-pub use self::power_max::PowerMax;
-pub use self::sphere::Sphere;
-pub use self::spherical::{Spherical, SphericalPatch};
-pub use self::tent::Tent;
-pub use self::transform::Transform;
-pub use self::triangle::Triangle;
-pub use self::triangle_on::TriangleOn;
-pub use self::truncated::TruncatedExponential;
 
 use crate::uniform::{Canonical, Uniforms, infallible};
 use rand_core::{Rng, TryRng};
@@ -181,7 +208,7 @@ pub trait Warp {
     where
         Self: Sized,
     {
-        fill::one_by_one(self, rng, points)
+        one_by_one(self, rng, points)
     }
 
     /// Fills a slice with points from a generator that cannot fail.
@@ -192,6 +219,19 @@ pub trait Warp {
     {
         infallible(self.try_fill(rng, points));
     }
+}
+
+/// [`Warp::try_fill`] as it is provided.
+#[inline]
+fn one_by_one<W: Warp, R: TryRng + ?Sized>(
+    warp: &W,
+    rng: &mut R,
+    points: &mut [W::Point],
+) -> Result<(), R::Error> {
+    for point in points {
+        *point = warp.try_draw(rng)?;
+    }
+    Ok(())
 }
 
 /// A reference to a warp is a warp, so that compositions can borrow.
