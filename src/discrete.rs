@@ -23,7 +23,6 @@
 mod alias;
 mod cdf;
 mod cells;
-mod division;
 mod ladder;
 mod once;
 mod piecewise1d;
@@ -34,8 +33,6 @@ mod source;
 mod storage;
 mod total;
 mod word;
-
-pub(crate) use self::division::{fraction, fraction_u32, scaled};
 
 pub use self::alias::{Alias, AliasEntry};
 pub use self::cdf::Cdf;

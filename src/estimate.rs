@@ -23,13 +23,3 @@ pub use self::moments::Moments;
 pub use self::ratio::Ratio;
 pub(crate) use self::sum::{Scale, Sum};
 pub(crate) use self::tally::Tally;
-
-/// The nearest finite number; an unknown one counts as out of range above.
-#[inline]
-pub(crate) fn saturated(x: f32) -> f32 {
-    if x.is_nan() {
-        f32::MAX
-    } else {
-        x.clamp(-f32::MAX, f32::MAX)
-    }
-}

@@ -72,6 +72,7 @@ mod direction;
 mod disk;
 mod exponential;
 mod float;
+mod formats;
 mod grade;
 mod hemisphere;
 mod interval;
@@ -88,66 +89,65 @@ mod triangle_on;
 mod truncated;
 
 pub use self::float::{Float, FloatPoint, FloatUniforms};
+pub use self::formats::{Coordinate, Density, Deviate, Length, Uniform};
 pub use self::grade::{Coarse, Compact, Fine, Grade};
 pub use self::rejection::{DiskRejection, DiskRejection16};
 
 pub use self::interval::Interval;
 pub use self::number::Number;
 
+/// Every warp with a grade in one line: where it is, its name, and other parameters, as declared and as named.
+macro_rules! each_warp {
+    ($then:ident $($grade:ident)?) => {
+        $then! { $($grade;)?
+            cone::Cone,
+            disk::Disk,
+            exponential::Exponential[Frac][Frac],
+            exponential::StandardExponential,
+            hemisphere::CosineHemisphere,
+            hemisphere::Hemisphere,
+            lobe::PhongLobe,
+            normal::NormalPair[Frac][Frac],
+            normal::StandardNormalPair,
+            sphere::Sphere,
+            tent::Tent[Frac][Frac],
+            triangle::Triangle,
+            triangle_on::TriangleOn[Frac, const D: usize][Frac, D],
+            truncated::TruncatedExponential[Frac][Frac],
+        }
+    };
+}
+
+macro_rules! graded {
+    ($($file:ident::$name:ident $([$($declared:tt)*] [$($named:tt)*])?,)*) => {
+        $(pub use super::$file::$name;)*
+    };
+}
+
 /// The warps of this tier with their grade as a parameter; the aliases beside this module name it.
 pub mod warp {
-    pub use super::cone::Cone;
-    pub use super::disk::Disk;
-    pub use super::exponential::{Exponential, StandardExponential};
-    pub use super::hemisphere::{CosineHemisphere, Hemisphere};
     pub use super::interval::Interval;
-    pub use super::lobe::PhongLobe;
-    pub use super::normal::{NormalPair, StandardNormalPair};
-    pub use super::sphere::Sphere;
-    pub use super::tent::Tent;
-    pub use super::triangle::Triangle;
-    pub use super::triangle_on::TriangleOn;
-    pub use super::truncated::TruncatedExponential;
+    each_warp!(graded);
 }
 
 /// Names the warps in one grade, so that a program says its grade once.
-macro_rules! names {
-    ($grade:ident) => {
-        names! { $grade;
-            Cone, CosineHemisphere, Disk, Exponential[Frac][Frac], Hemisphere, NormalPair[Frac][Frac], PhongLobe,
-            Sphere, StandardExponential, StandardNormalPair, Tent[Frac][Frac], Triangle,
-            TriangleOn[Frac, const D: usize][Frac, D], TruncatedExponential[Frac][Frac],
-        }
-    };
-    ($grade:ident; $($name:ident $([$($parameter:tt)*] [$($argument:tt)*])?,)*) => {$(
+macro_rules! in_grade {
+    ($grade:ident; $($file:ident::$name:ident $([$($declared:tt)*] [$($named:tt)*])?,)*) => {$(
         #[doc = concat!("[`warp::", stringify!($name), "`](crate::fixed::warp::", stringify!($name), ") in this grade.")]
-        pub type $name $(<$($parameter)*>)? = $crate::fixed::warp::$name<$($($argument)*,)? $crate::fixed::$grade>;
+        pub type $name $(<$($declared)*>)? = $crate::fixed::warp::$name<$($($named)*,)? $crate::fixed::$grade>;
     )*};
 }
 
-names!(Fine);
+each_warp!(in_grade Fine);
 
 /// The warps in grade [`Coarse`].
 pub mod coarse {
     pub use super::{Float, Interval};
-    names!(Coarse);
+    each_warp!(in_grade Coarse);
 }
 
 /// The warps in grade [`Compact`].
 pub mod compact {
     pub use super::{Float, Interval};
-    names!(Compact);
+    each_warp!(in_grade Compact);
 }
-
-use ::fixed::types::{I2F30, I5F27, U0F32, U5F27, U32F32};
-
-/// A uniform of the integer tier: k·2⁻³², each word a number.
-pub type Uniform = U0F32;
-/// A coordinate of a point of the unit disk or sphere. (`I1F31` cannot hold +1.)
-pub type Coordinate = I2F30;
-/// A coordinate of a standard normal pair.
-pub type Deviate = I5F27;
-/// A length of the standard exponential distribution.
-pub type Length = U5F27;
-/// A density, in steps of 2⁻³².
-pub type Density = U32F32;

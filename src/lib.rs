@@ -88,71 +88,59 @@ pub mod estimate;
 #[cfg(feature = "fixed")]
 pub mod fixed;
 pub mod metropolis;
+mod num;
 pub mod rejection;
 pub mod tier;
 pub mod uniform;
 pub mod warp;
 
 pub use error::Error;
-pub use warp::{
-    Aabb, Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent,
-    Transform, Triangle, TriangleOn, Warp,
-};
+pub use warp::Warp;
+
+/// Names at the root what both tiers share.
+macro_rules! shared {
+    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
+        $(shared!(@ $name $(<$tier>)?);)*
+    };
+    (@ $name:ident) => {
+        pub use warp::$name;
+    };
+    (@ $name:ident <T>) => {};
+}
+warp::each_warp!(shared);
 
 /// The examples of the README are tests too.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// Names the warps of one tier, so that a program says its tier once.
+/// Names the warps of one tier: aliases of what is generic over it, and what both tiers share.
+macro_rules! of_tier {
+    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
+        $(of_tier!(@ $name $(<$tier>)? $what);)*
+    };
+    (@ $name:ident $what:literal) => {
+        pub use crate::warp::$name;
+    };
+    (@ $name:ident <T> $what:literal) => {
+        #[doc = concat!($what, ": [`warp::", stringify!($name), "`](crate::warp::", stringify!($name), ") in this tier.")]
+        pub type $name = crate::warp::$name<Tier>;
+    };
+}
+
+/// A tier as a module, so that a program says its tier once.
 macro_rules! tier_module {
     ($(#[$doc:meta])* $module:ident, $tier:ident) => {
         $(#[$doc])*
         pub mod $module {
-            use crate::warp;
             pub use crate::tier::$tier as Tier;
-            pub use crate::warp::{
-                Aabb, Frame, Interval, Inversion, Linear, MarginalConditional, Oriented, PowerMax, Tent,
-                Transform, Triangle, TriangleOn,
-            };
+            crate::warp::each_warp!(of_tier);
             /// [`metropolis::ExponentialStep`](crate::metropolis::ExponentialStep) in this tier.
             pub type ExponentialStep = crate::metropolis::ExponentialStep<Tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.
             pub type LogDensity = crate::metropolis::LogDensity<Tier>;
             /// [`metropolis::NormalStep`](crate::metropolis::NormalStep) in this tier.
             pub type NormalStep<X> = crate::metropolis::NormalStep<X, Tier>;
-            /// [`warp::Cone`] in this tier.
-            pub type Cone = warp::Cone<Tier>;
-            /// [`warp::CosineHemisphere`] in this tier.
-            pub type CosineHemisphere = warp::CosineHemisphere<Tier>;
-            /// [`warp::Disk`] in this tier.
-            pub type Disk = warp::Disk<Tier>;
-            /// [`warp::DiskConcentric`] in this tier.
-            pub type DiskConcentric = warp::DiskConcentric<Tier>;
-            /// [`warp::Exponential`] in this tier.
-            pub type Exponential = warp::Exponential<Tier>;
-            /// [`warp::ExponentialTail`] in this tier.
-            pub type ExponentialTail = warp::ExponentialTail<Tier>;
-            /// [`warp::Hemisphere`] in this tier.
-            pub type Hemisphere = warp::Hemisphere<Tier>;
-            /// [`warp::MalleyHemisphere`] in this tier.
-            pub type MalleyHemisphere = warp::MalleyHemisphere<Tier>;
-            /// [`warp::Normal`] in this tier.
-            pub type Normal = warp::Normal<Tier>;
-            /// [`warp::NormalPair`] in this tier.
-            pub type NormalPair = warp::NormalPair<Tier>;
-            /// [`warp::PhongLobe`] in this tier.
-            pub type PhongLobe = warp::PhongLobe<Tier>;
-            /// [`warp::Power`] in this tier.
-            pub type Power = warp::Power<Tier>;
-            /// [`warp::Sphere`] in this tier.
-            pub type Sphere = warp::Sphere<Tier>;
-            /// [`warp::Spherical`] in this tier.
-            pub type Spherical = warp::Spherical<Tier>;
-            /// [`warp::SphericalPatch`] in this tier.
-            pub type SphericalPatch = warp::SphericalPatch<Tier>;
-            /// [`warp::TruncatedExponential`] in this tier.
-            pub type TruncatedExponential = warp::TruncatedExponential<Tier>;
         }
     };
 }

@@ -47,7 +47,6 @@ pub use self::ziggurat::{
 };
 
 use crate::error::{Error, positive};
-use crate::uniform::nearest;
 use core::convert::Infallible;
 use rand_core::{Rng, TryRng};
 
@@ -222,14 +221,3 @@ macro_rules! budgeted {
     };
 }
 pub(crate) use budgeted;
-
-/// Whether an event of this probability happens, by a word: true for 2³² times the probability of all
-/// words, to within one of the nearest integer, so never for 0 and always for 1.
-#[inline]
-pub(crate) fn happens(probability: f32, word: u32) -> bool {
-    if probability >= 1.0 {
-        return true;
-    }
-    // Exact: a power of two.
-    word < nearest(probability * 4_294_967_296.0)
-}

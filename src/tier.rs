@@ -1,35 +1,31 @@
 //! The tiers: which elementary functions a warp is built on.
 //!
 //! A tier is chosen once, by type, at compile time. Here lives the trait; the functions themselves are
-//! in `tier/libm.rs` and `tier/poly.rs`. Angles are in turns (one turn is 2π radians), because a fraction
+//! in `tier/libm.rs` and `tier/poly.rs`, and what both share beside them. Angles are in turns (one turn is 2π radians), because a fraction
 //! of a turn reduces exactly.
 
 mod libm;
 mod normal;
 mod poly;
+mod power;
 mod product;
 mod sqrt;
+mod turns;
 
 pub use self::libm::Libm;
 pub use self::poly::Poly;
-pub(crate) use self::poly::{exchanged, exp2, log2_1p, log2_of_sum, times};
+pub(crate) use self::power::{exp2, log2_1p, log2_of_sum, times};
 pub(crate) use self::product::{
-    LN_2, LOG2_E, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, head, ln_ratio,
-    one_minus_cos_radians, product, quick_two_sum, remainder, scaled_exp, scaled_exp_of_product,
-    two_product, two_sum,
+    LN_2, LOG2_E, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, ln_ratio,
+    one_minus_cos_radians, scaled_exp, scaled_exp_of_product,
 };
 pub(crate) use self::sqrt::sqrt;
+pub(crate) use self::turns::exchanged;
 
 mod sealed {
     pub trait Sealed {
         /// Whether a compiler can work out several arguments of its functions together.
         const VECTORS: bool;
-    }
-    impl Sealed for super::Libm {
-        const VECTORS: bool = false;
-    }
-    impl Sealed for super::Poly {
-        const VECTORS: bool = true;
     }
 }
 

@@ -16,16 +16,11 @@
 mod strata;
 
 pub use self::strata::{MAX_STRATA, Strata1d, Strata2d};
+pub use crate::num::{LARGEST, SMALLEST};
 
+use crate::num::into_unit;
 use core::convert::Infallible;
 use rand_core::{Rng, TryRng};
-
-/// The largest `f32` below 1, which is also the last point of the 24-bit grid: 1 − 2⁻²⁴.
-pub const LARGEST: f32 = 1.0 - f32::EPSILON / 2.0;
-
-/// The smallest positive `f32`, 2⁻¹⁴⁹: what a uniform of 0 counts as where a map is infinite or a
-/// density zero at 0.
-pub const SMALLEST: f32 = f32::from_bits(1);
 
 /// The spacing of the 24-bit grid, 2⁻²⁴.
 const STEP: f32 = f32::EPSILON / 2.0;
@@ -113,14 +108,7 @@ impl Uniforms for f32 {
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
-        // Written so that NaN, which fails both comparisons, becomes 0.
-        Canonical(if self >= 1.0 {
-            LARGEST
-        } else if self > 0.0 {
-            self
-        } else {
-            0.0
-        })
+        Canonical(into_unit(self))
     }
 
     #[inline]
@@ -277,6 +265,12 @@ pub(crate) const fn deep(word: u32) -> Canonical<f32> {
     Canonical(deep_from_word(word))
 }
 
+/// [`open_from_word`] of each word, already known to be canonical.
+#[inline]
+pub(crate) fn open_cells<const N: usize>(words: [u32; N]) -> Canonical<[f32; N]> {
+    Canonical(words.map(open_from_word))
+}
+
 /// A 64-bit fraction truncated to the nearest `f32` below: small values keep their precision.
 ///
 /// `high` holds the leading 32 bits. Every value of at least 2⁻⁴⁰ has all its 24 bits, whatever its
@@ -387,15 +381,4 @@ pub(crate) const fn open_full(high: u32, low: u32) -> Canonical<f32> {
     } else {
         STEP * STEP * (STEP * 128.0)
     })
-}
-
-/// The integer nearest to a number from 0 to 2³², halves upwards.
-#[inline]
-pub(crate) fn nearest(x: f32) -> u32 {
-    /// The number below 1/2: added to a number whose fraction is at least 1/2, it gives the next integer all
-    /// the same, by rounding. A half added to this number itself would round to 1.
-    const HALF: f32 = 0.5 - f32::EPSILON / 4.0;
-    // From 2²³ up x is an integer, and the sum could round to the next.
-    let shifted = if x < 8_388_608.0 { x + HALF } else { x };
-    shifted as u32
 }

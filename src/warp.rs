@@ -31,7 +31,6 @@
 //! `docs/accuracy.md` lists what single parameter sets show.
 
 mod aabb;
-mod apart;
 mod cone;
 mod direction;
 mod disk;
@@ -45,6 +44,7 @@ mod linear;
 mod lobe;
 mod marginal;
 mod normal;
+mod planar;
 mod power;
 mod power_max;
 mod sphere;
@@ -55,32 +55,56 @@ mod triangle;
 mod triangle_on;
 mod truncated;
 
-pub use self::aabb::Aabb;
-pub(crate) use self::apart::Apart;
-pub use self::cone::Cone;
-pub use self::disk::{Disk, DiskConcentric};
-pub use self::exponential::{Exponential, ExponentialTail};
-pub(crate) use self::fill::filled_in_blocks;
-pub use self::frame::{Frame, Oriented};
-pub use self::hemisphere::{CosineHemisphere, Hemisphere, MalleyHemisphere};
-pub use self::interval::Interval;
-pub(crate) use self::interval::{Segment, extent, neighbour};
-pub use self::inversion::Inversion;
-pub use self::linear::Linear;
-pub use self::lobe::PhongLobe;
-pub use self::marginal::MarginalConditional;
-pub use self::normal::{Normal, NormalPair};
-pub use self::power::Power;
-pub use self::power_max::PowerMax;
-pub use self::sphere::Sphere;
-pub use self::spherical::{Spherical, SphericalPatch};
-pub use self::tent::Tent;
-pub use self::transform::Transform;
-pub use self::triangle::Triangle;
-pub use self::triangle_on::TriangleOn;
-pub use self::truncated::TruncatedExponential;
+/// Every warp in one line: where it is, its name and what it is; `<T>` marks what is generic over the tier.
+///
+/// From this list come the names of this module, those at the root of the crate, and the names of both tiers with
+/// their documentation.
+macro_rules! each_warp {
+    ($then:ident) => {
+        $then! {
+            aabb::Aabb "Uniform in a box of any dimension",
+            cone::Cone<T> "Uniform over the directions within an angle of +z",
+            disk::Disk<T> "Uniform on the unit disk, by polar coordinates",
+            disk::DiskConcentric<T> "Uniform on the unit disk, by Shirley's concentric map",
+            exponential::Exponential<T> "Exponential, increasing with the uniform",
+            exponential::ExponentialTail<T> "Exponential, decreasing with the uniform: the tail first",
+            frame::Frame "An orthonormal frame about a normal",
+            frame::Oriented "A warp over directions, turned onto a normal",
+            hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere, by inversion",
+            hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z",
+            hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere, by Malley's method",
+            interval::Interval "Uniform on an interval",
+            inversion::Inversion "Any density on the line, by its inverse CDF",
+            linear::Linear "Linear on [0, 1)",
+            lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere",
+            marginal::MarginalConditional "A marginal, and the conditional that belongs to its point",
+            normal::Normal<T> "Normal, one number at a time",
+            normal::NormalPair<T> "Two independent normals, by Box and Muller's map",
+            power::Power<T> "In proportion to any power on an interval",
+            power_max::PowerMax "The largest of N uniforms",
+            sphere::Sphere<T> "Uniform over the unit sphere",
+            spherical::Spherical<T> "A point in spherical coordinates",
+            spherical::SphericalPatch<T> "Uniform over the directions between two polar angles and two azimuths",
+            tent::Tent "The tent filter",
+            transform::Transform "A warp followed by a one-to-one map",
+            triangle::Triangle "Uniform barycentric coordinates",
+            triangle_on::TriangleOn "Uniform on a triangle given by its vertices",
+            truncated::TruncatedExponential<T> "Exponential on [0, X], rising or falling",
+        }
+    };
+}
+pub(crate) use each_warp;
 
-use crate::uniform::{Canonical, SMALLEST, Uniforms, infallible};
+macro_rules! names {
+    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
+        $(pub use self::$file::$name;)*
+    };
+}
+each_warp!(names);
+
+pub(crate) use self::fill::filled_in_blocks;
+
+use crate::uniform::{Canonical, Uniforms, infallible};
 use rand_core::{Rng, TryRng};
 
 /// A map from uniforms to a point, with the density of that point and the inverse map.
@@ -184,7 +208,7 @@ pub trait Warp {
     where
         Self: Sized,
     {
-        fill::one_by_one(self, rng, points)
+        one_by_one(self, rng, points)
     }
 
     /// Fills a slice with points from a generator that cannot fail.
@@ -195,6 +219,19 @@ pub trait Warp {
     {
         infallible(self.try_fill(rng, points));
     }
+}
+
+/// [`Warp::try_fill`] as it is provided.
+#[inline]
+fn one_by_one<W: Warp, R: TryRng + ?Sized>(
+    warp: &W,
+    rng: &mut R,
+    points: &mut [W::Point],
+) -> Result<(), R::Error> {
+    for point in points {
+        *point = warp.try_draw(rng)?;
+    }
+    Ok(())
 }
 
 /// A reference to a warp is a warp, so that compositions can borrow.
@@ -235,53 +272,5 @@ impl<W: Warp> Warp for &W {
         points: &mut [Self::Point],
     ) -> Result<(), R::Error> {
         (**self).try_fill(rng, points)
-    }
-}
-
-/// Brings the density of a point inside the domain into the positive finite range: what underflows
-/// becomes 2⁻¹⁴⁹ and what overflows the largest `f32`, so that a sample never has density 0 and a
-/// quotient by a density is never 0/0 or a division by 0.
-#[inline]
-pub(crate) fn representable(density: f32) -> f32 {
-    if density > f32::MAX {
-        f32::MAX
-    } else if density >= SMALLEST {
-        density
-    } else {
-        SMALLEST
-    }
-}
-
-/// The uniform itself, or 2⁻¹⁴⁹ in place of 0, for maps that are infinite or of density 0 there.
-#[inline]
-pub(crate) fn above_zero(u: f32) -> f32 {
-    if u > 0.0 { u } else { SMALLEST }
-}
-
-/// A word of a law that is symmetric: the probability beyond its point on the point's side, the middle of the words
-/// that fall together there, in (0, 1/2]; and whether that side is the upper one.
-#[inline]
-pub(crate) fn folded(word: u32) -> (f32, bool) {
-    let upper = word >> 31 == 1;
-    let rank = if upper { !word } else { word };
-    // Rounded once, and half a step above the rank.
-    ((rank << 1 | 1) as f32 * (f32::EPSILON / 1024.0), upper)
-}
-
-/// Brings a computed uniform into [0, 1) by the rule for uniforms.
-#[inline]
-pub(crate) fn into_unit(u: f32) -> f32 {
-    u.canonical().get()
-}
-
-/// `x`, or the nearer bound where it lies outside; `low` for NaN.
-#[inline]
-pub(crate) fn clamp(x: f32, low: f32, high: f32) -> f32 {
-    if x >= high {
-        high
-    } else if x > low {
-        x
-    } else {
-        low
     }
 }

@@ -1,7 +1,7 @@
 //! Equal cells of an interval: where their edges are in `f32`, and which one a number lies in.
 
 use crate::error::Error;
-use crate::warp::{Apart, Segment, clamp, extent, neighbour};
+use crate::num::{Scaled, Segment, clamp, extent, neighbour};
 
 /// An interval in equal cells.
 ///
@@ -56,19 +56,19 @@ impl Cells {
     /// could overflow.
     pub(crate) const fn check_area(&self, other: &Self) -> Result<(), Error> {
         let area = self.length().times(other.length());
-        let cells = Apart::of(self.count).times(Apart::of(other.count));
-        if Apart::ONE.over(area).value() < f32::MIN_POSITIVE {
+        let cells = Scaled::of(self.count).times(Scaled::of(other.count));
+        if Scaled::ONE.over(area).value() < f32::MIN_POSITIVE {
             return Err(Error::TooLarge);
         }
-        if cells.times(Apart::of(2.0)).over(area).value() > f32::MAX {
+        if cells.times(Scaled::of(2.0)).over(area).value() > f32::MAX {
             return Err(Error::Empty);
         }
         Ok(())
     }
 
-    const fn length(&self) -> Apart {
+    const fn length(&self) -> Scaled {
         let scaled = self.high * self.scale - self.low * self.scale;
-        Apart::of(scaled).over(Apart::of(self.scale))
+        Scaled::of(scaled).over(Scaled::of(self.scale))
     }
 
     /// The lower edge of a cell; the upper end of the interval for the number of cells.

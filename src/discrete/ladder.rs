@@ -2,9 +2,9 @@
 //!
 //! Weights come as integers from `source`; what is done with the words is said at the tables.
 
-use super::division::scaled;
 use super::source::Source;
 use crate::error::Error;
+use crate::num::division::scaled;
 
 /// Turns weights one by one into the number of words below the end of each.
 ///

@@ -6,8 +6,9 @@ use super::selection::amount;
 use super::storage::Storage;
 use super::word::Word;
 use crate::error::Error;
+use crate::num::{into_unit, representable};
 use crate::uniform::Canonical;
-use crate::warp::{Warp, into_unit, representable};
+use crate::warp::Warp;
 use rand_core::TryRng;
 
 /// Piecewise constant on an interval [low, high): a table's entries as the masses of equal cells.

@@ -8,8 +8,9 @@ use super::source::{Scan, Source};
 use super::storage::{Grid, Storage};
 use super::word::Word;
 use crate::error::Error;
+use crate::num::representable;
 use crate::uniform::Canonical;
-use crate::warp::{Warp, representable};
+use crate::warp::Warp;
 use rand_core::TryRng;
 
 /// Piecewise constant on a rectangle, for environment lights and texture maps: a row v by the marginal

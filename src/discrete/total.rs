@@ -1,8 +1,8 @@
 //! A running sum of weights of any size, in fixed memory: what selection without a table divides by.
 
-use super::division::quotient;
 use super::source::decode;
 use crate::error::Error;
+use crate::num::division::quotient;
 
 /// A positive number as 64 leading bits and an exponent: mantissa · 2^(exponent − 214), or 0.
 ///
@@ -145,7 +145,7 @@ impl Total {
         // The exponents differ by 277 and a stream's growth at most; two powers of two reach there.
         let down = self.below(whole).wrapping_add(31);
         let half = down >> 1;
-        crate::warp::representable(digits * power(half) * power(down.wrapping_sub(half)))
+        crate::num::representable(digits * power(half) * power(down.wrapping_sub(half)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The words a table is made of and is asked with: `u32` or `u64`.
 
-use super::division::{fraction, fraction_u32};
+use crate::num::division::{fraction, fraction_u32};
 use crate::uniform::Canonical;
 use core::fmt::Debug;
 use core::hash::Hash;

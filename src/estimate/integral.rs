@@ -1,7 +1,8 @@
 //! An integral from samples of a density, with its error.
 
-use super::{Moments, saturated};
+use super::Moments;
 use crate::error::{Error, finite};
+use crate::num::saturated;
 use crate::tier::{Tier, sqrt};
 
 /// The estimate of an integral: the mean of f(X)/p(X) over samples X of density p, with its error.

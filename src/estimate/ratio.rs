@@ -1,8 +1,8 @@
 //! A weighted mean whose weights need not have a known sum.
 
-use super::saturated;
 use super::sum::{Scale, Sum};
 use super::tally::Tally;
+use crate::num::saturated;
 use crate::tier::sqrt;
 
 /// The ratio estimator Σwf/Σw: biased but consistent, with its standard error.

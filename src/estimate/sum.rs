@@ -1,7 +1,6 @@
 //! What keeps long sums true: two floats for a sum, and one power of two for its range.
 
-use super::saturated;
-use crate::tier::{two_product, two_sum};
+use crate::num::{saturated, two_product, two_sum};
 
 /// A sum in two floats: some 48 bits, so that each of 10⁸ terms still counts.
 ///

@@ -6,8 +6,8 @@
 )]
 
 use super::weight::Probability;
-use crate::discrete::{fraction, fraction_u32, scaled};
-use crate::warp::Apart;
+use crate::num::Scaled as Apart;
+use crate::num::division::{fraction, fraction_u32, scaled};
 
 /// The acceptance of a step between integer weights: how many of the 2³² words that decide accept it.
 ///

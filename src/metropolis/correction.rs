@@ -3,7 +3,7 @@
 use super::Counts;
 use super::counts::quotient_of_counts;
 use super::weight::{Standing, Weighing as _, Weight};
-use crate::warp::Apart;
+use crate::num::Scaled as Apart;
 
 /// What becomes of a proposal.
 #[derive(Clone, Copy, Debug)]

@@ -3,8 +3,7 @@
 use super::Ratio;
 use super::correction::{Correction, Judge, Stated, Verdict};
 use super::weight::{Standing, Weight};
-use crate::tier::remainder;
-use crate::warp::Apart;
+use crate::num::{Scaled as Apart, remainder};
 
 /// The ratio T(x′→x)/T(x→x′) of a proposal x′ as two integers, such as the numerators of a table.
 ///

@@ -3,10 +3,8 @@
 use super::counts::quotient_of_counts;
 use super::weight::{Probability, Standing, Weighing, Weight};
 use crate::error::Error;
-use crate::estimate::saturated;
-use crate::rejection::happens;
-use crate::tier::{Tier, two_product};
-use crate::warp::{Apart, representable};
+use crate::num::{Scaled as Apart, happens, representable, saturated, two_product};
+use crate::tier::Tier;
 use core::f32::consts::{LN_2, LOG2_E};
 use core::marker::PhantomData;
 

@@ -2,7 +2,8 @@
 
 use super::coordinates::Coordinates;
 use crate::error::{Error, finite, positive};
-use crate::tier::{Tier, ln_ratio, scaled_exp, two_product};
+use crate::num::two_product;
+use crate::tier::{Tier, ln_ratio, scaled_exp};
 use core::marker::PhantomData;
 
 /// The law of a step along each coordinate, as likely as its negative to the last bit.

@@ -4,7 +4,7 @@ use super::correction::{Correction, Judge as _, Stated};
 use super::{Mutation, Proposal, UniformStep};
 use crate::discrete::Cdf;
 use crate::error::Error;
-use crate::uniform::nearest;
+use crate::num::nearest;
 use rand_core::TryRng;
 
 /// N mutations of the same states: an array of one type, or a tuple of up to eight.

@@ -4,9 +4,9 @@ use super::density::Density;
 use super::weight::{Standing, Weighing, Weight};
 use super::{Chain, Source};
 use crate::estimate::Sum;
-use crate::rejection::{Failure, happens};
+use crate::num::{Scaled as Apart, happens};
+use crate::rejection::Failure;
 use crate::tier::sqrt;
-use crate::warp::Apart;
 use core::convert::Infallible;
 use rand_core::{Rng, TryRng};
 

@@ -2,7 +2,7 @@
 
 use super::Chance;
 use crate::error::Error;
-use crate::warp::Apart;
+use crate::num::Scaled as Apart;
 use core::fmt::Debug;
 
 /// What a weight says of its state.

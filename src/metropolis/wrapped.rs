@@ -4,7 +4,8 @@ use super::coordinates::Coordinates;
 use super::displacement::Displacement;
 use super::walk::displaced;
 use super::{Mutation, Proposal, Symmetric};
-use crate::uniform::{Uniforms as _, grid_from_word, nearest};
+use crate::num::nearest;
+use crate::uniform::{Uniforms as _, grid_from_word};
 use rand_core::TryRng;
 
 /// 2²⁴, the points of the grid.

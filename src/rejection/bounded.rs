@@ -1,8 +1,9 @@
 //! A density below a multiple of another from which one can sample.
 
-use super::{Failure, Rejection, checked_budget, happens};
+use super::{Failure, Rejection, checked_budget};
 use crate::error::{Error, positive};
-use crate::warp::{Apart, Warp};
+use crate::num::{Scaled, happens};
+use crate::warp::Warp;
 use core::convert::Infallible;
 use rand_core::TryRng;
 
@@ -133,5 +134,8 @@ where
 /// f/(p c) of three positive finite numbers, where only the result can overflow.
 #[inline]
 fn quotient(f: f32, p: f32, c: f32) -> f32 {
-    Apart::of(f).over(Apart::of(p)).over(Apart::of(c)).value()
+    Scaled::of(f)
+        .over(Scaled::of(p))
+        .over(Scaled::of(c))
+        .value()
 }

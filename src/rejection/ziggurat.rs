@@ -17,7 +17,8 @@ pub use self::exponential::{ZigguratExponential, ZigguratStandardExponential};
 pub use self::normal::{ZigguratNormal, ZigguratStandardNormal};
 
 use self::layers::{Layer, Layers};
-use super::{Accepted, Failure, happens};
+use super::{Accepted, Failure};
+use crate::num::happens;
 use crate::uniform::open_full;
 use core::convert::Infallible;
 use rand_core::TryRng;

@@ -2,7 +2,7 @@
 //!
 //! Only what `libm` would lose before or after its own work is added here; the functions are its own.
 
-use super::{Tier, normal, poly};
+use super::{Tier, normal, power, turns};
 
 /// The reference tier: the elementary functions of the `libm` crate.
 ///
@@ -51,21 +51,25 @@ fn sincos_quarter(r: f32) -> (f32, f32) {
     ::libm::sincosf(r * core::f32::consts::TAU)
 }
 
+impl super::sealed::Sealed for Libm {
+    const VECTORS: bool = false;
+}
+
 impl Tier for Libm {
     const NAME: &'static str = "libm";
 
     #[inline]
     fn sincos_turns(t: f32) -> (f32, f32) {
-        let (quadrant, r) = poly::reduce_turns(t);
+        let (quadrant, r) = turns::reduce_turns(t);
         let (s, c) = sincos_quarter(r);
-        poly::swap_quadrant(quadrant, s, c)
+        turns::swap_quadrant(quadrant, s, c)
     }
 
     #[inline]
     fn polar(radius: f32, turn: f32) -> (f32, f32) {
-        let (quadrant, r) = poly::reduce_few_turns(turn);
+        let (quadrant, r) = turns::reduce_few_turns(turn);
         let (s, c) = sincos_quarter(r);
-        poly::polar(radius, quadrant, s, c)
+        turns::polar(radius, quadrant, s, c)
     }
 
     #[inline]
@@ -134,7 +138,7 @@ impl Tier for Libm {
         // From 2^27 on `libm` 0.2.16 takes the power of an x below 1 - 2^-21 for 0 or infinity, which it
         // need not be yet.
         if y.abs() >= 134_217_728.0 {
-            return super::Poly::pow(x, y);
+            return power::pow(x, y);
         }
         // -0 counts as 0.
         ::libm::powf(x + 0.0, y)

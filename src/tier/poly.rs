@@ -1,17 +1,14 @@
 //! The polynomial tier: `f32` arithmetic only, in a fixed order of exactly rounded operations.
 //!
-//! Here stand the tier and what it states; the functions are in the modules below, and every
-//! coefficient in them is derived by `tests/derivation.rs`.
+//! Here stand the tier and what it states; the functions are in the modules below and in those that
+//! both tiers share, and every coefficient in them is derived by `tests/derivation.rs`.
 
 mod exp;
 mod log;
-mod pow;
 mod trig;
 
-use super::{Tier, normal};
-pub(super) use exp::nearest;
-pub(crate) use pow::{exp2, log2_1p, log2_of_sum, times};
-pub(crate) use trig::{exchanged, polar, reduce_few_turns, reduce_turns, swap_quadrant};
+use super::turns::{polar, reduce_few_turns};
+use super::{Tier, normal, power};
 
 /// The polynomial tier: `f32` arithmetic only, no `f64`, no tables.
 ///
@@ -50,6 +47,10 @@ pub(crate) use trig::{exchanged, polar, reduce_few_turns, reduce_turns, swap_qua
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Poly;
+
+impl super::sealed::Sealed for Poly {
+    const VECTORS: bool = true;
+}
 
 impl Tier for Poly {
     const NAME: &'static str = "poly";
@@ -103,7 +104,7 @@ impl Tier for Poly {
 
     #[inline]
     fn pow(x: f32, y: f32) -> f32 {
-        pow::pow(x, y)
+        power::pow(x, y)
     }
 
     #[inline]

@@ -1,37 +1,10 @@
 //! Functions of a product whose rounding would be amplified: the product's own error is carried along.
 
 use super::Tier;
-use super::poly::nearest;
+use crate::num::{
+    head, nearest_integer, pair, product, quick_two_sum, remainder, two_product, two_sum,
+};
 use core::f32::consts::{FRAC_1_PI, TAU};
-
-/// The upper 12 bits of the significand; what is left of `x` has no more than 12 either.
-#[inline]
-pub(crate) const fn head(x: f32) -> f32 {
-    f32::from_bits(x.to_bits() & 0xffff_f000)
-}
-
-/// The head and the rest, whose sum is `x`.
-#[inline]
-const fn split(x: f32) -> (f32, f32) {
-    let high = head(x);
-    (high, x - high)
-}
-
-/// What a rounded quotient leaves of its dividend: `dividend - quotient·divisor`.
-#[inline]
-pub(crate) const fn remainder(dividend: f32, quotient: f32, divisor: f32) -> f32 {
-    let (back, dropped) = two_product(quotient, divisor);
-    (dividend - back) - dropped
-}
-
-/// `a * b` rounded, and what the rounding dropped: exact unless the product over- or underflows.
-#[inline]
-pub(crate) const fn two_product(a: f32, b: f32) -> (f32, f32) {
-    let product = a * b;
-    let ((a1, a0), (b1, b0)) = (split(a), split(b));
-    let dropped = ((a1 * b1 - product) + a1 * b0 + a0 * b1) + a0 * b0;
-    (product, dropped)
-}
 
 /// `e^(ab)` for `ab <= 0`, without the error that rounding the product would bring.
 #[inline]
@@ -154,33 +127,6 @@ pub(crate) fn coin_series(z: f32, near: f32, away: f32) -> f32 {
     d * (1.0 / 6.0) - z * fourth
 }
 
-/// The sum and what rounding it dropped, exact for any order of magnitudes.
-#[inline]
-pub(crate) const fn two_sum(a: f32, b: f32) -> (f32, f32) {
-    let sum = a + b;
-    let b_part = sum - a;
-    (sum, (a - (sum - b_part)) + (b - b_part))
-}
-
-/// The sum and what rounding it dropped, for an `a` that is not the smaller.
-#[inline]
-pub(crate) fn quick_two_sum(a: f32, b: f32) -> (f32, f32) {
-    let sum = a + b;
-    (sum, b - (sum - a))
-}
-
-/// The product of two sums of two, likewise.
-#[inline]
-pub(crate) fn product((a, a_rest): (f32, f32), (b, b_rest): (f32, f32)) -> (f32, f32) {
-    let (product, dropped) = two_product(a, b);
-    quick_two_sum(product, dropped + (a * b_rest + a_rest * b))
-}
-
-/// A number and what it lacks as an `f32`, worked out by the compiler: no double reaches the target.
-pub(crate) const fn pair(x: f64) -> (f32, f32) {
-    (x as f32, (x - x as f32 as f64) as f32)
-}
-
 pub(crate) const LN_2: (f32, f32) = pair(core::f64::consts::LN_2);
 
 /// log₂e as a head of 12 bits and the rest.
@@ -194,7 +140,7 @@ const FIRST_TERMS: [(f32, f32); 4] = [pair(1.0 / 24.0), pair(1.0 / 6.0), (0.5, 0
 
 /// `(k, rise)` with `2^(x + rest) = 2^k (1 + rise)` and `rise` good to 2^-40 of itself; for x up to 2^22.
 pub(crate) fn exp2_m1((x, rest): (f32, f32)) -> (i32, (f32, f32)) {
-    let (n, k) = nearest(x);
+    let (n, k) = nearest_integer(x);
     let y = product(two_sum(x - n, rest), LN_2);
     // Taylor's series of (e^y - 1)/y, whose first terms count for more than one float holds.
     let tail = [1.0 / 40_320.0, 1.0 / 5_040.0, 1.0 / 720.0, 1.0 / 120.0];

@@ -1,8 +1,8 @@
 //! The uniform distribution on an axis-aligned box of any dimension.
 
-use super::{Apart, Interval, Warp};
+use super::{Interval, Warp};
 use crate::error::Error;
-use crate::tier::{remainder, two_product, two_sum};
+use crate::num::{Scaled, remainder, two_product, two_sum};
 use crate::uniform::Canonical;
 
 /// Uniform on an axis-aligned box of any dimension: the bounding box of a region.
@@ -53,16 +53,16 @@ impl<const N: usize> Aabb<N> {
             *side = Interval::new(a, b)?;
             let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
             let (length, rounded_off) = two_sum(b * scale, -a * scale);
-            let (digits, power) = Apart::of(length).over(Apart::of(scale)).parts();
+            let (digits, power) = Scaled::of(length).over(Scaled::of(scale)).parts();
             let (product, dropped) = two_product(significand, digits);
             rest += rounded_off / length + dropped / product;
             let more;
-            (significand, more) = Apart::of(product).parts();
+            (significand, more) = Scaled::of(product).parts();
             exponent = exponent.wrapping_add(power).wrapping_add(more);
         }
         let quotient = 1.0 / significand;
         let correction = remainder(1.0, quotient, significand) - rest;
-        let density = Apart::of(quotient + quotient * correction)
+        let density = Scaled::of(quotient + quotient * correction)
             .raised(exponent.wrapping_neg())
             .value();
         if density > f32::MAX {

@@ -1,11 +1,11 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
+use super::Warp;
 use super::direction::{DEEP, around, azimuth, between_poles, is_direction, one_minus_cos};
-use super::fill::{Place, placed};
-use super::{Warp, into_unit};
+use super::planar::{PlanarMap, planar};
 use crate::error::{Error, positive};
+use crate::num::into_unit;
 use crate::tier::{Tier, one_minus_cos_radians, sqrt};
-use crate::uniform::Canonical;
 use core::f32::consts::{FRAC_1_PI, PI};
 use core::marker::PhantomData;
 
@@ -124,9 +124,9 @@ impl<T: Tier> Cone<T> {
     }
 }
 
-impl<T: Tier> Place<3> for Cone<T> {
+impl<T: Tier> PlanarMap<3> for Cone<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let down = u1 * self.k;
         if down >= DEEP {
             between_poles::<T>(down, self.rest + (1.0 - u1) * self.k, u2, to);
@@ -138,14 +138,7 @@ impl<T: Tier> Place<3> for Cone<T> {
 }
 
 impl<T: Tier> Warp for Cone<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        placed(self, u)
-    }
+    planar!(3, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -164,6 +157,4 @@ impl<T: Tier> Warp for Cone<T> {
             azimuth::<T>(x, y),
         ]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }

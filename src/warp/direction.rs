@@ -1,6 +1,6 @@
 //! What the warps over directions share: building a direction and reading one without cancellation.
 
-use super::into_unit;
+use crate::num::into_unit;
 use crate::tier::Tier;
 
 /// 2⁻¹⁰⁰: a 1 − cos θ below it may have lost digits where it is a product, and is half of sin²θ.

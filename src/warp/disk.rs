@@ -1,7 +1,8 @@
 //! The uniform distribution on the unit disk: by polar inversion, and by Shirley's concentric map.
 
-use super::fill::{Place, placed};
-use super::{Warp, clamp, direction::azimuth, into_unit};
+use super::planar::{PlanarMap, planar};
+use super::{Warp, direction::azimuth};
+use crate::num::{clamp, into_unit};
 use crate::tier::{Tier, exchanged};
 use crate::uniform::{Canonical, LARGEST};
 use core::f32::consts::FRAC_1_PI;
@@ -49,9 +50,9 @@ impl<T: Tier> Disk<T> {
     }
 }
 
-impl<T: Tier> Place<2> for Disk<T> {
+impl<T: Tier> PlanarMap<2> for Disk<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
         // The root of the largest uniform is again the largest f32 below 1.
         let r = T::sqrt(u1);
         let (x, y) = T::polar(r, u2);
@@ -60,14 +61,7 @@ impl<T: Tier> Place<2> for Disk<T> {
 }
 
 impl<T: Tier> Warp for Disk<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 2];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
-        placed(self, u)
-    }
+    planar!(2, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, point: [f32; 2]) -> f32 {
@@ -79,8 +73,6 @@ impl<T: Tier> Warp for Disk<T> {
         let [x, y] = point;
         [into_unit(x * x + y * y), azimuth::<T>(x, y)]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }
 
 #[inline]

@@ -1,7 +1,8 @@
 //! The exponential distribution, in both orientations.
 
-use super::{Warp, above_zero, into_unit, representable};
+use super::Warp;
 use crate::error::{Error, positive};
+use crate::num::{above_zero, into_unit, representable};
 use crate::tier::{Tier, exp_of_product, scaled_exp_of_product};
 use crate::uniform::{Canonical, deep, open_full};
 use core::marker::PhantomData;

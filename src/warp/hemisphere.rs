@@ -1,11 +1,12 @@
 //! The upper hemisphere: uniform, and in proportion to the cosine by inversion and by Malley's method.
 
+use super::Warp;
 use super::direction::{around, azimuth, is_direction};
 use super::disk::{concentric, concentric_inverse};
-use super::fill::{Place, placed};
-use super::{Warp, above_zero, into_unit, representable};
+use super::planar::{PlanarMap, planar};
+use crate::num::{above_zero, into_unit, representable};
 use crate::tier::Tier;
-use crate::uniform::{Canonical, open_from_word};
+use crate::uniform::{Canonical, open_cells};
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -50,9 +51,9 @@ impl<T: Tier> Hemisphere<T> {
     }
 }
 
-impl<T: Tier> Place<3> for Hemisphere<T> {
+impl<T: Tier> PlanarMap<3> for Hemisphere<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         // sin² = 1 - u² in terms of 1 - u, which is exact where it is small.
         let rest = 1.0 - u1;
         around::<T>(T::sqrt((rest + rest) - rest * rest), u1, u2, to);
@@ -60,14 +61,7 @@ impl<T: Tier> Place<3> for Hemisphere<T> {
 }
 
 impl<T: Tier> Warp for Hemisphere<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        placed(self, u)
-    }
+    planar!(3, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -84,8 +78,6 @@ impl<T: Tier> Warp for Hemisphere<T> {
         let [x, y, z] = direction;
         [into_unit(z), azimuth::<T>(x, y)]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by inversion.
@@ -140,22 +132,15 @@ fn cosine_density(direction: [f32; 3]) -> f32 {
     }
 }
 
-impl<T: Tier> Place<3> for CosineHemisphere<T> {
+impl<T: Tier> PlanarMap<3> for CosineHemisphere<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2, to);
     }
 }
 
 impl<T: Tier> Warp for CosineHemisphere<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        placed(self, u)
-    }
+    planar!(3, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -170,8 +155,6 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
         let u1 = if sin2 < 0.5 { sin2 } else { 1.0 - z * z };
         [into_unit(u1), azimuth::<T>(x, y)]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }
 
 /// In proportion to the cosine over the hemisphere about +z, by Malley's method.
@@ -245,6 +228,6 @@ impl<T: Tier> Warp for MalleyHemisphere<T> {
 
     #[inline]
     fn sample_words(&self, words: [u32; 2]) -> [f32; 3] {
-        self.sample(words.map(open_from_word))
+        self.sample_canonical(open_cells(words))
     }
 }

@@ -1,6 +1,7 @@
 //! A warp from a user's own inverse CDF.
 
-use super::{Warp, into_unit};
+use super::Warp;
+use crate::num::into_unit;
 use crate::uniform::Canonical;
 
 /// Any one-dimensional density, given by its inverse CDF, the density itself and its CDF.

@@ -1,8 +1,11 @@
 //! A density that changes linearly across the unit interval.
 
-use super::{Apart, Warp, above_zero, into_unit, representable};
+use super::Warp;
 use crate::error::{Error, finite};
-use crate::tier::{remainder, sqrt, two_product, two_sum};
+use crate::num::{
+    Scaled, above_zero, clamp, into_unit, remainder, representable, two_product, two_sum,
+};
+use crate::tier::sqrt;
 use crate::uniform::{Canonical, LARGEST, SMALLEST};
 
 /// Linear on [0, 1): density ∝ (1 − x)a + xb.
@@ -69,7 +72,7 @@ impl Linear {
         if larger == 0.0 {
             return Err(Error::NotPositive);
         }
-        let lift = 60_i32.wrapping_sub(Apart::of(larger).parts().1);
+        let lift = 60_i32.wrapping_sub(Scaled::of(larger).parts().1);
         let (a, b) = (lifted(a, lift), lifted(b, lift));
         let (sum, dropped) = two_sum(a, b);
         let (a, b) = (a * (2.0 * ONE), b * (2.0 * ONE));
@@ -91,7 +94,7 @@ const fn lifted(x: f32, by: i32) -> f32 {
     if x == 0.0 {
         return 0.0;
     }
-    let lifted = Apart::of(x).raised(by).value();
+    let lifted = Scaled::of(x).raised(by).value();
     if lifted > 0.0 { lifted } else { SMALLEST }
 }
 
@@ -132,7 +135,7 @@ impl Warp for Linear {
 
     #[inline]
     fn invert(&self, x: f32) -> f32 {
-        let x = super::clamp(x, 0.0, 1.0);
+        let x = clamp(x, 0.0, 1.0);
         into_unit(x * ((self.a * (2.0 - x) + self.b * x) * (0.5 / ONE)))
     }
 

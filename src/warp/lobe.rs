@@ -1,11 +1,11 @@
 //! The cosine-power lobe, also known as the Phong lobe.
 
+use super::Warp;
 use super::direction::{DEEP, around, azimuth, is_direction, one_minus_cos};
-use super::fill::{Place, placed};
-use super::{Warp, into_unit, representable};
+use super::planar::{PlanarMap, planar};
 use crate::error::{Error, finite};
-use crate::tier::{Tier, exp_of_product, remainder, two_product, two_sum};
-use crate::uniform::Canonical;
+use crate::num::{into_unit, remainder, representable, two_product, two_sum};
+use crate::tier::{Tier, exp_of_product};
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -117,9 +117,9 @@ impl<T: Tier> PhongLobe<T> {
 /// 2⁴⁰: an exponent from which on the lobe lies where z is 1.
 const NEEDLE: f32 = 1_099_511_627_776.0;
 
-impl<T: Tier> Place<3> for PhongLobe<T> {
+impl<T: Tier> PlanarMap<3> for PhongLobe<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let log = T::neg_ln_1m(u1);
         let (cos, q) = T::exp_neg_pair(log / self.m);
         let sin = if q >= DEEP {
@@ -133,14 +133,7 @@ impl<T: Tier> Place<3> for PhongLobe<T> {
 }
 
 impl<T: Tier> Warp for PhongLobe<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        placed(self, u)
-    }
+    planar!(3, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -167,6 +160,4 @@ impl<T: Tier> Warp for PhongLobe<T> {
         };
         [into_unit(u1), azimuth::<T>(x, y)]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }

@@ -1,6 +1,7 @@
 //! A two-dimensional warp made of a marginal and a conditional.
 
-use super::{Warp, representable};
+use super::Warp;
+use crate::num::representable;
 use crate::uniform::Canonical;
 use rand_core::TryRng;
 

@@ -1,10 +1,11 @@
 //! The normal distribution: one at a time by its quantile, two at a time by Box and Muller's map.
 
+use super::Warp;
 use super::direction::azimuth;
-use super::fill::{Place, placed};
-use super::{Warp, above_zero, folded, into_unit, representable};
+use super::planar::{PlanarMap, planar};
 use crate::error::{Error, finite, positive};
-use crate::tier::{Tier, remainder, scaled_exp, two_product, two_sum};
+use crate::num::{above_zero, folded, into_unit, remainder, representable, two_product, two_sum};
+use crate::tier::{Tier, scaled_exp};
 use crate::uniform::Canonical;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
@@ -241,9 +242,9 @@ impl<T: Tier> NormalPair<T> {
     }
 }
 
-impl<T: Tier> Place<2> for NormalPair<T> {
+impl<T: Tier> PlanarMap<2> for NormalPair<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
         let [mx, my] = self.mean;
         let r = self.deviation * T::sqrt(2.0 * T::neg_ln_1m(u1));
         let (x, y) = T::polar(r, u2);
@@ -252,14 +253,7 @@ impl<T: Tier> Place<2> for NormalPair<T> {
 }
 
 impl<T: Tier> Warp for NormalPair<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 2];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
-        placed(self, u)
-    }
+    planar!(2, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, point: [f32; 2]) -> f32 {
@@ -285,6 +279,4 @@ impl<T: Tier> Warp for NormalPair<T> {
             azimuth::<T>(x, y),
         ]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }

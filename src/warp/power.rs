@@ -1,11 +1,11 @@
 //! The power law on an interval, in both orientations. Both tiers share the code.
 
-use super::{Apart, Warp, clamp, into_unit, representable};
+use super::Warp;
 use crate::error::{Error, finite};
-use crate::tier::{
-    LN_2, Tier, exp2, exp2_m1, head, log2_1p, log2_of_sum, product, quick_two_sum, remainder,
-    times, two_sum,
+use crate::num::{
+    Scaled, clamp, head, into_unit, product, quick_two_sum, remainder, representable, two_sum,
 };
+use crate::tier::{LN_2, Tier, exp2, exp2_m1, log2_1p, log2_of_sum, times};
 use crate::uniform::{Canonical, SMALLEST};
 use core::marker::PhantomData;
 
@@ -61,7 +61,7 @@ pub struct Power<T> {
     /// 1/m; −log₂(b/a) for m = 0.
     root: Pair,
     /// The density at R.
-    peak: Apart,
+    peak: Scaled,
     tier: PhantomData<T>,
 }
 
@@ -108,7 +108,7 @@ impl<T: Tier> Power<T> {
         let a = a + 0.0;
         let m = two_sum(n, 1.0);
         let span = if a > 0.0 {
-            Apart::of(b).log2_over(Apart::of(a))
+            Scaled::of(b).log2_over(Scaled::of(a))
         } else {
             (f32::INFINITY, 0.0)
         };
@@ -127,7 +127,7 @@ impl<T: Tier> Power<T> {
             let short = remainder(1.0, inverse, m.0) - inverse * m.1;
             (drop, rest, (inverse, short / m.0), (m, drop))
         };
-        let anchor = Apart::of(if m.0 < 0.0 { a } else { b });
+        let anchor = Scaled::of(if m.0 < 0.0 { a } else { b });
         let mut power = Self {
             n,
             // x = 0 is left out where the density there is 0 or infinite.
@@ -138,7 +138,7 @@ impl<T: Tier> Power<T> {
             drop,
             rest,
             root,
-            peak: Apart::of_quotient(height.0, height.1, anchor),
+            peak: Scaled::of_quotient(height.0, height.1, anchor),
             tier: PhantomData,
         };
         if power.first < power.low {
@@ -179,14 +179,16 @@ impl<T: Tier> Power<T> {
             let (w, dropped) = two_sum(near.0 * LIFT, far);
             log2_of_sum(w, dropped + (near.1 * LIFT + far_rest), 64.0)
         };
-        let x = Apart::of(self.anchor()).times_power(log, self.root).value();
+        let x = Scaled::of(self.anchor())
+            .times_power(log, self.root)
+            .value();
         clamp(x, self.low, self.high)
     }
 
     /// The density inside the domain; infinite where it overflows.
     #[inline]
     fn density(&self, x: f32) -> f32 {
-        let log = Apart::of(x).log2_over(Apart::of(self.anchor()));
+        let log = Scaled::of(x).log2_over(Scaled::of(self.anchor()));
         self.peak.times_power(log, (self.n, 0.0)).value()
     }
 }
@@ -201,7 +203,7 @@ fn decay(span: (f32, f32), m: Pair) -> (Pair, Pair) {
     let small = small - m.1.copysign(m.0 * m.1) * span.0;
     let (k, rise) = exp2_m1(quick_two_sum(exact, small));
     let (power, dropped) = quick_two_sum(1.0, rise.0);
-    let scale = Apart::ONE.raised(k.wrapping_add(64)).value();
+    let scale = Scaled::ONE.raised(k.wrapping_add(64)).value();
     let rest = (power * scale, (dropped + rise.1) * scale);
     let drop = if k == 0 {
         (-rise.0, -rise.1)
@@ -235,14 +237,14 @@ impl<T: Tier> Warp for Power<T> {
     #[inline]
     fn invert(&self, x: f32) -> f32 {
         let x = clamp(x, self.low, self.high);
-        let log = Apart::of(x).log2_over(Apart::of(self.anchor()));
+        let log = Scaled::of(x).log2_over(Scaled::of(self.anchor()));
         let m = two_sum(self.n, 1.0);
         let (power, away) = if m.0 == 0.0 {
             (0.0, (log.0 + log.1) / self.root.0)
         } else if m.0 * (log.0 + log.1) > -190.0 {
             let (exact, small) = times(log, m.0);
             let (k, a, b) = exp2(exact, small + m.1 * log.0);
-            let scale = Apart::ONE.raised(k).value();
+            let scale = Scaled::ONE.raised(k).value();
             let part = scale * (a + b);
             (scale + part, ((1.0 - scale) - part) / self.drop.0)
         } else {

@@ -1,6 +1,7 @@
 //! The largest of several uniforms: the power law of a whole exponent.
 
-use super::{Apart, Warp, into_unit, representable};
+use super::Warp;
+use crate::num::{Scaled, into_unit, representable};
 use crate::uniform::{Canonical, SMALLEST};
 
 /// Density N x^(N−1) on [0, 1): the largest of N uniforms.
@@ -84,8 +85,8 @@ impl<const N: usize> Warp for PowerMax<N> {
             }
             representable(density)
         } else {
-            let log = Apart::of(x.abs()).log2_over(Apart::ONE);
-            let peak = Apart::of(N as f32);
+            let log = Scaled::of(x.abs()).log2_over(Scaled::ONE);
+            let peak = Scaled::of(N as f32);
             representable(peak.times_power(log, Self::EXPONENT).value())
         }
     }

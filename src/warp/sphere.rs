@@ -2,10 +2,9 @@
 
 use super::Warp;
 use super::direction::{around, azimuth, is_direction, one_minus_cos};
-use super::fill::{Place, placed};
-use super::into_unit;
+use super::planar::{PlanarMap, planar};
+use crate::num::into_unit;
 use crate::tier::Tier;
-use crate::uniform::Canonical;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -50,23 +49,16 @@ impl<T: Tier> Sphere<T> {
     }
 }
 
-impl<T: Tier> Place<3> for Sphere<T> {
+impl<T: Tier> PlanarMap<3> for Sphere<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let sin = 2.0 * T::sqrt(u1 * (1.0 - u1));
         around::<T>(sin, 1.0 - 2.0 * u1, u2, to);
     }
 }
 
 impl<T: Tier> Warp for Sphere<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        placed(self, u)
-    }
+    planar!(3, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -85,6 +77,4 @@ impl<T: Tier> Warp for Sphere<T> {
             azimuth::<T>(x, y),
         ]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }

@@ -1,11 +1,11 @@
 //! Spherical coordinates with their Jacobians, and the uniform distribution on a latitude-longitude patch.
 
+use super::Warp;
 use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
-use super::fill::{Place, placed};
-use super::{Warp, clamp, into_unit};
+use super::planar::{PlanarMap, planar};
 use crate::error::{Error, finite};
-use crate::tier::{Tier, sqrt, two_sum};
-use crate::uniform::Canonical;
+use crate::num::{clamp, into_unit, two_sum};
+use crate::tier::{Tier, sqrt};
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
 
@@ -284,9 +284,9 @@ fn one_plus_cos([x, y, z]: [f32; 3]) -> f32 {
     one_minus_cos([x, y, -z])
 }
 
-impl<T: Tier> Place<3> for SphericalPatch<T> {
+impl<T: Tier> PlanarMap<3> for SphericalPatch<T> {
     #[inline]
-    fn place(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let down = self.down + u1 * self.drop;
         let up = self.up + (1.0 - u1) * self.drop;
         // A sum of turns rounds up to four times as coarsely as the coordinates: the point is turned by
@@ -299,14 +299,7 @@ impl<T: Tier> Place<3> for SphericalPatch<T> {
 }
 
 impl<T: Tier> Warp for SphericalPatch<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        placed(self, u)
-    }
+    planar!(3, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -338,6 +331,4 @@ impl<T: Tier> Warp for SphericalPatch<T> {
             into_unit(self.turn(direction) / self.width),
         ]
     }
-
-    super::filled_in_blocks!(of placed where T::VECTORS);
 }

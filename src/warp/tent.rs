@@ -1,7 +1,8 @@
 //! The tent (triangle) filter.
 
-use super::{Warp, clamp, folded, into_unit};
+use super::Warp;
 use crate::error::{Error, positive};
+use crate::num::{clamp, folded, into_unit, representable};
 use crate::tier::sqrt;
 use crate::uniform::Canonical;
 
@@ -90,7 +91,7 @@ impl Warp for Tent {
     fn pdf(&self, x: f32) -> f32 {
         let rest = self.radius - x.abs();
         if rest > 0.0 {
-            super::representable(rest / self.radius / self.radius)
+            representable(rest / self.radius / self.radius)
         } else {
             0.0
         }

@@ -1,6 +1,7 @@
 //! Transformation of variables: a warp followed by a map, with the Jacobian carried along.
 
-use super::{Warp, representable};
+use super::Warp;
+use crate::num::representable;
 use crate::uniform::{Canonical, Uniforms};
 use rand_core::TryRng;
 

@@ -1,6 +1,7 @@
 //! The uniform distribution on a triangle in barycentric coordinates.
 
-use super::{Warp, clamp, into_unit};
+use super::Warp;
+use crate::num::{clamp, into_unit};
 use crate::tier::sqrt;
 use crate::uniform::Canonical;
 

@@ -1,8 +1,9 @@
 //! The uniform distribution on the triangle of three given vertices.
 
-use super::{Triangle, Warp, clamp};
+use super::{Triangle, Warp};
 use crate::error::Error;
-use crate::tier::{remainder, sqrt, two_product, two_sum};
+use crate::num::{clamp, remainder, two_product, two_sum};
+use crate::tier::sqrt;
 use crate::uniform::Canonical;
 
 /// Uniform on the triangle of three vertices in D dimensions (2 or 3, or more).

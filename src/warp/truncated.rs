@@ -1,11 +1,9 @@
 //! The exponential distribution truncated to an interval from 0, with a rate of either sign.
 
-use super::{Apart, Warp, clamp, into_unit, representable};
+use super::Warp;
 use crate::error::{Error, finite, positive};
-use crate::tier::{
-    LOG2_E, Tier, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, quick_two_sum, times,
-    two_product, two_sum,
-};
+use crate::num::{Scaled, clamp, into_unit, quick_two_sum, representable, two_product, two_sum};
+use crate::tier::{LOG2_E, Tier, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, times};
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
 
@@ -79,9 +77,9 @@ impl<T: Tier> TruncatedExponential<T> {
         } else {
             let (exact, small) = times(LOG2_E, -z);
             let (k, rise) = exp2_m1(quick_two_sum(exact, small - z_rest * LOG2_E.0));
-            let power = Apart::of(1.0 + rise.0);
+            let power = Scaled::of(1.0 + rise.0);
             if z > -STEEP {
-                let scale = Apart::ONE.raised(k).value();
+                let scale = Scaled::ONE.raised(k).value();
                 let (decay, dropped) = two_sum(scale - 1.0, scale * rise.0);
                 (decay, dropped + scale * rise.1, power.raised(k).value())
             } else {
@@ -90,7 +88,7 @@ impl<T: Tier> TruncatedExponential<T> {
             }
         };
         // c/(1 - e^-z), also as |c| + |c|/(e^|z| - 1).
-        let share = Apart::of_quotient((rate, 0.0), (decay, decay_rest), Apart::ONE).value();
+        let share = Scaled::of_quotient((rate, 0.0), (decay, decay_rest), Scaled::ONE).value();
         let peak = if z.abs() < 1e-12 {
             1.0 / length
         } else if z > 0.0 {
@@ -170,7 +168,7 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
         let rate = -self.rate.abs();
         let (exponent, rest) = two_product(rate, from_peak);
         let exponent = (exponent, rest + rate * dropped);
-        representable(Apart::of(self.peak).times_power(LOG2_E, exponent).value())
+        representable(Scaled::of(self.peak).times_power(LOG2_E, exponent).value())
     }
 
     #[inline]

@@ -9,7 +9,7 @@ const FILES: [&str; 6] = [
     "src/tier/poly/trig.rs",
     "src/tier/poly/log.rs",
     "src/tier/poly/exp.rs",
-    "src/tier/poly/pow.rs",
+    "src/tier/power.rs",
 ];
 
 fn path(file: &str) -> PathBuf {

@@ -1,58 +1,17 @@
-//! Exponentials of the polynomial tier, and the pieces of them that a power needs.
+//! Exponentials of the polynomial tier. Their series is in `tier/power.rs`.
 
-use super::log::power_of_two_times;
+use crate::num::{ldexp, nearest_integer, power_of_two_times};
+use crate::tier::power::{LN_2, beyond_linear};
 use core::f32::consts::LOG2_E;
-
-/// `(e^r - 1 - r)/r²` in powers of r; see `EXPONENTIAL` in `tests/derivation`.
-const EXPONENTIAL: [f32; 5] = [
-    0.499_999_94,
-    0.166_665_15,
-    0.041_668_084,
-    0.008_369_35,
-    0.001_384_042_9,
-];
-
-/// ln 2 in two parts, the first of 12 bits; see `LN_2` in `tests/derivation`.
-pub(super) const LN_2: [f32; 2] = [0.693_115_23, 3.194_618_3e-5];
-
-/// The integer nearest to `x`, `|x| <= 2^22`: as `f32` and as an integer.
-#[inline]
-#[allow(
-    clippy::cast_possible_wrap,
-    reason = "the low bits are a signed integer"
-)]
-pub(in crate::tier) fn nearest(x: f32) -> (f32, i32) {
-    // Adding 1.5·2^23 leaves no bits below the unit, and the integer stands in the last bits.
-    const ROUND: f32 = 12_582_912.0;
-    let shifted = x + ROUND;
-    let integer = shifted.to_bits().wrapping_sub(ROUND.to_bits()) as i32;
-    (shifted - ROUND, integer)
-}
-
-/// `e^r - 1 - r` for `|r| <= ln(2)/2`.
-#[inline]
-pub(super) fn beyond_linear(r: f32) -> f32 {
-    let [e0, e1, e2, e3, e4] = EXPONENTIAL;
-    r * r * (e0 + r * (e1 + r * (e2 + r * (e3 + r * e4))))
-}
 
 /// `(k, a, b)` with `e^x = 2^k (1 + a + b)`, where a is exact and b small.
 #[inline]
 fn reduced(x: f32) -> (i32, f32, f32) {
-    let (n, k) = nearest(x * LOG2_E);
+    let (n, k) = nearest_integer(x * LOG2_E);
     let [high, low] = LN_2;
     let a = x - n * high;
     let rest = n * low;
     (k, a, beyond_linear(a - rest) - rest)
-}
-
-/// `x·2^k` for x near 1 and `|k| <= 252`, rounded once where it is subnormal.
-#[cold]
-pub(super) fn scaled(x: f32, k: i32) -> f32 {
-    let half = k >> 1;
-    let first = power_of_two_times(1.0, half);
-    let second = power_of_two_times(1.0, k.wrapping_sub(half));
-    x * first * second
 }
 
 /// `e^x`.
@@ -76,7 +35,7 @@ fn exp_edge(x: f32) -> f32 {
         x
     } else {
         let (k, a, b) = reduced(x);
-        scaled(1.0 + (a + b), k)
+        ldexp(1.0 + (a + b), k)
     }
 }
 

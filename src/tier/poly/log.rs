@@ -1,6 +1,7 @@
-//! Logarithms of the polynomial tier, to one `f32`. The longer one that a power needs is in `pow.rs`.
+//! Logarithms of the polynomial tier, to one `f32`. The longer one that a power needs is in `tier/power.rs`.
 
-use super::exp::LN_2;
+use crate::num::{is_plain, normalised, power_of_two_times};
+use crate::tier::power::LN_2;
 
 /// `(ln((1+s)/(1-s)) - 2s)/s³` in powers of s²; see `LOGARITHM` in `tests/derivation`.
 const LOGARITHM: [f32; 3] = [0.666_669_5, 0.399_576_57, 0.303_644_98];
@@ -9,35 +10,6 @@ const ONE: u32 = 0x3f80_0000;
 
 /// 3/4, from which on the significands of these logarithms run: its bits fit an instruction.
 const THREE_QUARTERS: u32 = 0x3f40_0000;
-
-/// `(k, m - 1)` where the positive normal `x` is `m·2^k` and m is at least the number of the bits `from` and
-/// below twice that; exact.
-#[inline]
-#[allow(
-    clippy::cast_possible_wrap,
-    reason = "the exponent is signed and its bits are shifted as such"
-)]
-pub(super) fn normalised(x: f32, from: u32) -> (i32, f32) {
-    let bits = x.to_bits();
-    let k = (bits.wrapping_sub(from) as i32) >> 23;
-    (k, power_of_two_times(x, k.wrapping_neg()) - 1.0)
-}
-
-/// `x·2^k`, exact where both are normal.
-#[inline]
-#[allow(
-    clippy::cast_sign_loss,
-    reason = "adding a negative exponent wraps to a subtraction"
-)]
-pub(super) fn power_of_two_times(x: f32, k: i32) -> f32 {
-    f32::from_bits(x.to_bits().wrapping_add((k as u32) << 23))
-}
-
-/// Whether `x` is positive, normal and finite.
-#[inline]
-pub(super) fn is_plain(x: f32) -> bool {
-    (f32::MIN_POSITIVE..=f32::MAX).contains(&x)
-}
 
 /// `f/(2+f)`, and by how much `ln(1+f)` stays below `f`, for f between -0.29 and 1/2.
 #[inline]

@@ -1,5 +1,6 @@
-//! Sine, cosine and arctangent of angles in turns, of the polynomial tier. The exact reduction of a
-//! phase is used by the reference tier too.
+//! Sine, cosine and arctangent of angles in turns, of the polynomial tier.
+
+use crate::tier::turns::{reduce_turns, swap_quadrant};
 
 /// `sin(2πr)/r` in powers of r²; see `SINE` in `tests/derivation`.
 #[allow(
@@ -22,94 +23,6 @@ const ANGLE: [f32; 5] = [
 
 /// tan(π/8), half way between the axis and the diagonal; see the name in `tests/derivation`.
 const TAN_SIXTEENTH_TURN: [f32; 1] = [0.414_213_57];
-
-const SIGN: u32 = 0x8000_0000;
-
-/// Splits a phase in turns into quarter turns: their count, of which the last two bits hold, and the
-/// remainder `r` in turns with `|r| <= 1/8`. Nothing is rounded.
-#[inline]
-pub(crate) fn reduce_turns(t: f32) -> (u32, f32) {
-    reduce_few_turns(if t.abs() < 1_048_576.0 {
-        t
-    } else {
-        fraction(t)
-    })
-}
-
-/// The same for fewer than 2^20 turns either way.
-#[inline]
-pub(crate) fn reduce_few_turns(t: f32) -> (u32, f32) {
-    // Adding 1.5·2^21 leaves no bits below a quarter, and the count stands in the last bits.
-    const ROUND: f32 = 3_145_728.0;
-    let shifted = t + ROUND;
-    // One constant, not its negative too: ROUND - shifted is exact, and so is the sum.
-    (shifted.to_bits(), t + (ROUND - shifted))
-}
-
-/// A large phase less its whole turns; from 2^23 on all are whole, and so is what is not finite.
-fn fraction(t: f32) -> f32 {
-    const WHOLE: f32 = 8_388_608.0;
-    let size = t.abs();
-    if size < WHOLE {
-        let rest = size - ((size + WHOLE) - WHOLE);
-        if t < 0.0 { -rest } else { rest }
-    } else {
-        0.0
-    }
-}
-
-/// Carries the sine and cosine of a remainder into its quadrant.
-#[inline]
-pub(crate) fn swap_quadrant(quadrant: u32, s: f32, c: f32) -> (f32, f32) {
-    let (s, c) = exchanged(quadrant & 1 == 1, s, c);
-    let negative_sine = quadrant.wrapping_shl(30) & SIGN;
-    let negative_cosine = quadrant.wrapping_add(1).wrapping_shl(30) & SIGN;
-    (
-        f32::from_bits(s.to_bits() ^ negative_sine),
-        f32::from_bits(c.to_bits() ^ negative_cosine),
-    )
-}
-
-/// `(b, a)` where `when` holds, else `(a, b)`; by bits, since what depends on a random number is not to be
-/// predicted by a branch.
-#[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
-#[inline]
-pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
-    let (a, b) = (a.to_bits(), b.to_bits());
-    let difference = (a ^ b) & u32::from(when).wrapping_neg();
-    (
-        f32::from_bits(a ^ difference),
-        f32::from_bits(b ^ difference),
-    )
-}
-
-/// The same on cores that do not predict, where moving both to the core registers and back costs more than a
-/// branch.
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-#[inline]
-pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
-    if when { (b, a) } else { (a, b) }
-}
-
-/// `radius · (cos, sin)` of a reduced phase whose sine and cosine within its quadrant are given.
-#[inline]
-pub(crate) fn polar(radius: f32, quadrant: u32, s: f32, c: f32) -> (f32, f32) {
-    // The signs go to the radius, which a hardware root leaves in a core register anyway. Sine and cosine
-    // differ in sign where the quadrant is odd.
-    let (s, c) = exchanged(quadrant & 1 == 1, s, c);
-    let of_sine = quadrant.wrapping_shl(30) & SIGN;
-    let of_cosine = of_sine ^ quadrant.wrapping_shl(31);
-    let signed = |x: f32, sign: u32| f32::from_bits(x.to_bits() ^ sign);
-    let y = signed(radius, of_sine) * s;
-    // On x86-64 the other goes to the product: two products alike would be paired into one of two-part vectors,
-    // whose shuffling takes longer than the rest.
-    let x = if cfg!(target_arch = "x86_64") {
-        signed(radius * c, of_cosine)
-    } else {
-        signed(radius, of_cosine) * c
-    };
-    (x, y)
-}
 
 /// `(sin(2πt), cos(2πt))`.
 #[inline]

@@ -1,4 +1,4 @@
-//! The divisions of the tables, digit by digit.
+//! Long division, digit by digit.
 //!
 //! For 128 bits the compiler's own routine is two to four times as fast on a host, and three kilobytes of flash on a
 //! Cortex-M0.

@@ -1,19 +1,21 @@
-//! Numbers whose exponents are set aside, for products that leave the range of `f32` on the way only.
+//! Numbers with exponents of their own, for products that leave the range of `f32` on the way only.
+//! Their logarithms and powers are in `tier/power.rs`.
 
-use crate::tier::{exp2, head, log2_1p, remainder, times, two_product};
+use super::error_free::{remainder, two_product};
+use super::exponent::power_of_two;
 
 /// A positive number as significand · 2^exponent.
 ///
-/// Each product and quotient is rounded once, and nothing over- or underflows before [`Apart::value`].
+/// Each product and quotient is rounded once, and nothing over- or underflows before [`Scaled::value`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Apart {
+pub struct Scaled {
     /// In [1, 2).
     significand: f32,
     exponent: i32,
 }
 
-impl Apart {
+impl Scaled {
     pub(crate) const ONE: Self = Self {
         significand: 1.0,
         exponent: 0,
@@ -77,50 +79,6 @@ impl Apart {
         (self.significand, self.exponent)
     }
 
-    /// The binary logarithm of the quotient by `other`: a head of 12 bits and the rest, together good to about
-    /// 2^-33 of it however close the two are.
-    #[inline]
-    pub(crate) fn log2_over(self, other: Self) -> (f32, f32) {
-        use core::f32::consts::SQRT_2;
-        let (divisor, k) = (
-            other.significand,
-            self.exponent.wrapping_sub(other.exponent),
-        );
-        // Brought within a factor of root 2 of the divisor, which the difference is exact for.
-        let (dividend, k) = if self.significand > SQRT_2 * divisor {
-            (0.5 * self.significand, k.wrapping_add(1))
-        } else if SQRT_2 * self.significand < divisor {
-            (2.0 * self.significand, k.wrapping_sub(1))
-        } else {
-            (self.significand, k)
-        };
-        let difference = dividend - divisor;
-        let f = difference / divisor;
-        // Exponents have 9 bits.
-        log2_1p(k as f32, f, remainder(difference, f, divisor) / divisor)
-    }
-
-    /// The number times (2^log)^(y + `y_rest`), where log is a head of 12 bits and a rest; 2^-1000 or 2^1000
-    /// for what is farther out.
-    #[inline]
-    pub(crate) fn times_power(self, log: (f32, f32), (y, y_rest): (f32, f32)) -> Self {
-        if (y * (log.0 + log.1)).abs() >= 1000.0 {
-            let up = (y > 0.0) == (log.0 > 0.0);
-            return Self::ONE.raised(if up { 1000 } else { -1000 });
-        }
-        let (exact, small) = times(log, y);
-        let (k, a, b) = exp2(exact, small + y_rest * log.0);
-        // s(1 + a + b), its largest product exact and all the rest in one sum, so that two powers
-        // that are nearly the same do not change places where k does.
-        let s = self.significand;
-        let (s_head, a_head) = (head(s), head(a + b));
-        let exact = s_head * a_head;
-        let small = (s - s_head) * a_head + s * ((a - a_head) + b);
-        let sum = s + exact;
-        let product = sum + ((exact - (sum - s)) + small);
-        Self::of(product).raised(self.exponent.wrapping_add(k))
-    }
-
     /// The number; infinite where it overflows, subnormal or 0 where it is too small.
     #[inline]
     pub(crate) const fn value(self) -> f32 {
@@ -133,14 +91,8 @@ impl Apart {
             self.exponent
         };
         let quarter = exponent >> 2;
-        let part = power(quarter);
-        let last = power(exponent.wrapping_sub(quarter.wrapping_mul(3)));
+        let part = power_of_two(quarter);
+        let last = power_of_two(exponent.wrapping_sub(quarter.wrapping_mul(3)));
         self.significand * part * part * part * last
     }
-}
-
-/// 2^e, for an exponent from -126 to 127.
-#[inline]
-const fn power(e: i32) -> f32 {
-    f32::from_bits((e.wrapping_add(127) as u32) << 23)
 }

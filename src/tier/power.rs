@@ -1,9 +1,28 @@
 //! Powers: an exponential of a product that must be known to more than one `f32`. Every quantity is
-//! carried as a head of 12 bits, whose products are exact, and a rest. The pieces serve both tiers.
+//! carried as a head of 12 bits, whose products are exact, and a rest. Both tiers stand on this file.
 
-use super::exp::{LN_2, beyond_linear, nearest, scaled};
-use super::log::{is_plain, normalised, power_of_two_times};
-use crate::tier::product::head;
+use crate::num::{
+    Scaled, head, is_plain, ldexp, nearest_integer, normalised, power_of_two_times, remainder,
+};
+
+/// `(e^r - 1 - r)/r²` in powers of r; see `EXPONENTIAL` in `tests/derivation`.
+const EXPONENTIAL: [f32; 5] = [
+    0.499_999_94,
+    0.166_665_15,
+    0.041_668_084,
+    0.008_369_35,
+    0.001_384_042_9,
+];
+
+/// ln 2 in two parts, the first of 12 bits; see `LN_2` in `tests/derivation`.
+pub(super) const LN_2: [f32; 2] = [0.693_115_23, 3.194_618_3e-5];
+
+/// `e^r - 1 - r` for `|r| <= ln(2)/2`.
+#[inline]
+pub(super) fn beyond_linear(r: f32) -> f32 {
+    let [e0, e1, e2, e3, e4] = EXPONENTIAL;
+    r * r * (e0 + r * (e1 + r * (e2 + r * (e3 + r * e4))))
+}
 
 /// `(3/2s ln((1+s)/(1-s)) - 3 - s²)/s⁴` in powers of s²; see `LONG_LOGARITHM` in `tests/derivation`.
 const LONG_LOGARITHM: [f32; 3] = [0.600_002_3, 0.428_206_3, 0.351_297_05];
@@ -80,7 +99,7 @@ pub(crate) fn times((log_head, log_rest): (f32, f32), y: f32) -> (f32, f32) {
 /// `(k, a, b)` with `2^(exact + small) = 2^k (1 + a + b)`, where a is exact and b small; for sums up to 2^22.
 #[inline]
 pub(crate) fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
-    let (n, k) = nearest(exact + small);
+    let (n, k) = nearest_integer(exact + small);
     let r = exact - n;
     let r_head = head(r + small);
     let r_rest = (r - r_head) + small;
@@ -90,6 +109,50 @@ pub(crate) fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
     let natural = (r_head + r_rest) * (ln2_head + ln2_rest);
     let beyond = r_head * ln2_rest + r_rest * (ln2_head + ln2_rest) + beyond_linear(natural);
     (k, r_head * ln2_head, beyond)
+}
+
+impl Scaled {
+    /// The binary logarithm of the quotient by `other`: a head of 12 bits and the rest, together good to about
+    /// 2^-33 of it however close the two are.
+    #[inline]
+    pub(crate) fn log2_over(self, other: Self) -> (f32, f32) {
+        use core::f32::consts::SQRT_2;
+        let ((s, exponent), (divisor, other_exponent)) = (self.parts(), other.parts());
+        let k = exponent.wrapping_sub(other_exponent);
+        // Brought within a factor of root 2 of the divisor, which the difference is exact for.
+        let (dividend, k) = if s > SQRT_2 * divisor {
+            (0.5 * s, k.wrapping_add(1))
+        } else if SQRT_2 * s < divisor {
+            (2.0 * s, k.wrapping_sub(1))
+        } else {
+            (s, k)
+        };
+        let difference = dividend - divisor;
+        let f = difference / divisor;
+        // Exponents have 9 bits.
+        log2_1p(k as f32, f, remainder(difference, f, divisor) / divisor)
+    }
+
+    /// The number times (2^log)^(y + `y_rest`), where log is a head of 12 bits and a rest; 2^-1000 or 2^1000
+    /// for what is farther out.
+    #[inline]
+    pub(crate) fn times_power(self, log: (f32, f32), (y, y_rest): (f32, f32)) -> Self {
+        if (y * (log.0 + log.1)).abs() >= 1000.0 {
+            let up = (y > 0.0) == (log.0 > 0.0);
+            return Self::ONE.raised(if up { 1000 } else { -1000 });
+        }
+        let (exact, small) = times(log, y);
+        let (k, a, b) = exp2(exact, small + y_rest * log.0);
+        // s(1 + a + b), its largest product exact and all the rest in one sum, so that two powers
+        // that are nearly the same do not change places where k does.
+        let (s, exponent) = self.parts();
+        let (s_head, a_head) = (head(s), head(a + b));
+        let exact = s_head * a_head;
+        let small = (s - s_head) * a_head + s * ((a - a_head) + b);
+        let sum = s + exact;
+        let product = sum + ((exact - (sum - s)) + small);
+        Self::of(product).raised(exponent.wrapping_add(k))
+    }
 }
 
 /// `x^y` for `x >= 0`.
@@ -120,7 +183,7 @@ pub(super) fn pow(x: f32, y: f32) -> f32 {
     } else if whole.is_nan() {
         whole
     } else {
-        scaled(power, k)
+        ldexp(power, k)
     }
 }
 

@@ -1,0 +1,71 @@
+//! The way between two numbers, in steps that never turn back.
+
+use crate::error::{Error, finite};
+
+/// The way from one number to another, in rounded steps that never turn back.
+///
+/// Between numbers of one sign the difference is formed once, start + t(end − start): shares of the points are then
+/// right to the rounding of their own cells, however few points there are. Otherwise both ends are weighted,
+/// (1 − t)start + t end, since a difference would cost digits, or overflow. Every operation increases with t, or
+/// decreases, so their chain does. For t < 1 it does not pass the end, but may round to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct Segment {
+    anchor: f32,
+    near: f32,
+    far: f32,
+}
+
+impl Segment {
+    pub(crate) const fn new(start: f32, end: f32) -> Self {
+        let (anchor, near, far) = if (start > 0.0 && end > 0.0) || (start < 0.0 && end < 0.0) {
+            (start, 0.0, end - start)
+        } else {
+            (0.0, start, end)
+        };
+        Self { anchor, near, far }
+    }
+
+    /// The number that `at` begins with; exact, since one of the two is 0.
+    #[inline]
+    pub(crate) const fn start(&self) -> f32 {
+        self.anchor + self.near
+    }
+
+    #[inline]
+    pub(crate) fn at(&self, t: f32) -> f32 {
+        self.anchor + ((1.0 - t) * self.near + t * self.far)
+    }
+}
+
+/// Refuses bounds that are not finite or not in order. Gives the length of the interval on a scale of 1, or
+/// of 1/2 where the length itself would overflow, and that scale before it.
+pub(crate) const fn extent(a: f32, b: f32) -> Result<(f32, f32), Error> {
+    match (finite(a), finite(b)) {
+        (Ok(_), Ok(_)) => {}
+        (Err(e), _) | (_, Err(e)) => return Err(e),
+    }
+    if a > b {
+        return Err(Error::Reversed);
+    }
+    let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
+    Ok((scale, b * scale - a * scale))
+}
+
+/// The representable neighbour of `from` on the way to `to`; the two differ.
+pub(crate) const fn neighbour(from: f32, to: f32) -> f32 {
+    let bits = from.to_bits();
+    let up = to > from;
+    if from == 0.0 {
+        return if up {
+            f32::from_bits(1)
+        } else {
+            f32::from_bits(0x8000_0001)
+        };
+    }
+    if (from > 0.0) == up {
+        f32::from_bits(bits.wrapping_add(1))
+    } else {
+        f32::from_bits(bits.wrapping_sub(1))
+    }
+}

@@ -1,0 +1,90 @@
+//! The shell of a warp of two uniforms: from its map come sampling, drawing and filling.
+
+use super::fill::BLOCK;
+use crate::uniform::{Canonical, Uniforms, grid_from_word};
+use rand_core::TryRng;
+
+/// What [`Warp`](super::Warp) asks for of a [`PlanarMap`] into so many dimensions, but for `pdf` and `invert`. Where the
+/// condition fails, points are drawn one by one.
+macro_rules! planar {
+    ($dimensions:literal, where $vectors:expr) => {
+        type Uniforms = [f32; 2];
+        type Point = [f32; $dimensions];
+        type Density = f32;
+
+        #[inline]
+        fn sample_canonical(&self, u: $crate::uniform::Canonical<[f32; 2]>) -> Self::Point {
+            $crate::warp::planar::sample(self, u)
+        }
+
+        #[inline]
+        fn try_fill<R: rand_core::TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+            points: &mut [Self::Point],
+        ) -> Result<(), R::Error> {
+            if !$vectors {
+                return $crate::warp::one_by_one(self, rng, points);
+            }
+            $crate::warp::planar::in_blocks(self, rng, points)
+        }
+    };
+}
+pub(super) use planar;
+
+/// A map of two uniforms, which is all that a warp of them is but for its density and its inverse. It puts its point
+/// where it is wanted.
+///
+/// Two `f32` in an array are passed and returned as one integer, and a loop that takes them out of it and puts them
+/// together again works with vectors half as long.
+pub(crate) trait PlanarMap<const D: usize> {
+    /// The point of two uniforms in [0, 1).
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; D]);
+}
+
+/// [`Warp::sample_canonical`](super::Warp::sample_canonical) of such a map.
+#[inline]
+pub(crate) fn sample<const D: usize, W: PlanarMap<D>>(
+    warp: &W,
+    u: Canonical<[f32; 2]>,
+) -> [f32; D] {
+    let [u1, u2] = u.get();
+    let mut point = [0.0; D];
+    warp.map(u1, u2, &mut point);
+    point
+}
+
+/// [`Warp::try_fill`](super::Warp::try_fill) of such a map, several points at a time.
+#[inline]
+pub(super) fn in_blocks<const D: usize, W, R>(
+    warp: &W,
+    rng: &mut R,
+    points: &mut [[f32; D]],
+) -> Result<(), R::Error>
+where
+    W: PlanarMap<D>,
+    R: TryRng + ?Sized,
+{
+    let mut blocks = points.chunks_exact_mut(BLOCK);
+    for block in &mut blocks {
+        let (mut first, mut second) = ([0; BLOCK], [0; BLOCK]);
+        let mut good = 0..;
+        let drawn = first.iter_mut().zip(&mut second).try_for_each(|(a, b)| {
+            *a = rng.try_next_u32()?;
+            *b = rng.try_next_u32()?;
+            good.next();
+            Ok(())
+        });
+        let words = block.iter_mut().zip(first.into_iter().zip(second));
+        let count = drawn.as_ref().map_or(good.start, |()| BLOCK);
+        for (point, (a, b)) in words.take(count) {
+            warp.map(grid_from_word(a), grid_from_word(b), point);
+        }
+        drawn?;
+    }
+    for point in blocks.into_remainder() {
+        let [a, b] = <[f32; 2]>::try_words(rng)?;
+        warp.map(grid_from_word(a), grid_from_word(b), point);
+    }
+    Ok(())
+}
