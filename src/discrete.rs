@@ -21,6 +21,7 @@
 //! | [`Reservoir`] | any number | one item | 64 an item | 2⁻⁶⁴ |
 
 mod alias;
+mod bins;
 mod cdf;
 mod cells;
 mod ladder;
@@ -34,7 +35,8 @@ mod storage;
 mod total;
 mod word;
 
-pub use self::alias::{Alias, AliasEntry};
+pub use self::alias::Alias;
+pub use self::bins::AliasEntry;
 pub use self::cdf::Cdf;
 pub use self::once::{select_once, select_once_uniform};
 pub use self::piecewise1d::PiecewiseConstant1d;

@@ -221,3 +221,36 @@ macro_rules! budgeted {
     };
 }
 pub(crate) use budgeted;
+
+/// [`Rejection`] of a sampler that is nothing but a budget and a short try.
+macro_rules! short_tries {
+    ($name:ident: $point:ty, |$sampler:ident, $rng:ident| $try:expr) => {
+        impl $crate::rejection::Rejection for $name {
+            type Point = $point;
+
+            #[inline]
+            fn budget(&self) -> u32 {
+                self.budget
+            }
+
+            #[inline]
+            fn try_once<R: rand_core::TryRng + ?Sized>(
+                &self,
+                $rng: &mut R,
+            ) -> Result<Option<$point>, $crate::rejection::Failure<R::Error>> {
+                let $sampler = self;
+                $try
+            }
+
+            #[inline]
+            fn try_draw<R: rand_core::TryRng + ?Sized>(
+                &self,
+                rng: &mut R,
+            ) -> Result<$crate::rejection::Accepted<$point>, $crate::rejection::Failure<R::Error>>
+            {
+                $crate::rejection::draw_first_ahead(self, rng)
+            }
+        }
+    };
+}
+pub(crate) use short_tries;

@@ -1,5 +1,6 @@
 //! A discrete distribution as an alias table: one look-up, whatever the number of entries.
 
+use super::bins::{AliasEntry, Bins};
 use super::ladder::Ends;
 use super::selection::{ExactSelection, Selection, Share, amount, selections};
 use super::source::Source;
@@ -9,38 +10,20 @@ use crate::error::Error;
 use crate::uniform::{Uniforms, infallible};
 use rand_core::{Rng, TryRng};
 
-/// An entry of an [`Alias`] table: 12 bytes for `u32`, 24 for `u64`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AliasEntry<W> {
-    /// How many of the words of this bin select its own entry; the others select its alias.
-    threshold: W,
-    /// How many words in all select the entry; 0 where it is the alias of its own bin means all.
-    numerator: W,
-    alias: u32,
-}
-
-macro_rules! empty {
-    ($word:ident) => {
-        impl AliasEntry<$word> {
-            /// What memory for a table is filled with before there is one.
-            pub const EMPTY: Self = Self {
-                threshold: 0,
-                numerator: 0,
-                alias: 0,
-            };
-        }
-
-        impl Default for AliasEntry<$word> {
-            fn default() -> Self {
-                Self::EMPTY
-            }
-        }
+impl<W: Word> AliasEntry<W> {
+    /// What memory for a table is filled with before there is one.
+    pub const EMPTY: Self = Self {
+        threshold: W::ZERO,
+        numerator: W::ZERO,
+        alias: 0,
     };
 }
 
-empty!(u32);
-empty!(u64);
+impl<W: Word> Default for AliasEntry<W> {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
 
 /// A bounded table that selects an index with probability proportional to its weight, in constant time.
 ///
@@ -83,105 +66,9 @@ pub struct Alias<S> {
     bin_bits: u32,
 }
 
-macro_rules! constructors {
-    ($word:ident, $lay:ident) => {
-        /// Lays the table out in a power of two of bins, at least as many as there are entries.
-        const fn $lay(mut ends: Ends<'_>, bins: &mut [AliasEntry<$word>]) {
-            let all = 1_u128 << $word::BITS;
-            let part = all.wrapping_shr(bins.len().trailing_zeros());
-            let mut index = 0_u32;
-            let mut before = 0;
-            let mut rest: &mut [AliasEntry<$word>] = &mut *bins;
-            while let Some((bin, others)) = rest.split_first_mut() {
-                let end = match ends.next() {
-                    Some(end) => end,
-                    None => before,
-                };
-                // All the words wrap to 0, which the alias of its own bin tells from none.
-                let numerator = end.wrapping_sub(before) as $word;
-                let whole = end.wrapping_sub(before) == all;
-                *bin = AliasEntry {
-                    threshold: numerator,
-                    numerator,
-                    alias: index,
-                };
-                if whole {
-                    bin.threshold = $word::MAX;
-                }
-                before = end;
-                index = index.wrapping_add(1);
-                rest = others;
-            }
-            AliasEntry::<$word>::settle(part, bins);
-        }
-
-        impl AliasEntry<$word> {
-            /// How many words select an entry.
-            const fn of(bins: &[Self], index: usize) -> Option<u128> {
-                match bins.split_at_checked(index) {
-                    Some((_, [bin, ..])) if bin.numerator == 0 && bin.threshold > 0 => {
-                        Some(1 << $word::BITS)
-                    }
-                    Some((_, [bin, ..])) => Some(bin.numerator as u128),
-                    _ => None,
-                }
-            }
-
-            /// The first from `from` on that has less than a bin's words, or that has not.
-            const fn seek(
-                part: u128,
-                bins: &[Self],
-                from: usize,
-                light: bool,
-            ) -> Option<(usize, u128)> {
-                let mut index = from;
-                while let Some(words) = Self::of(bins, index) {
-                    if (words < part) == light {
-                        return Some((index, words));
-                    }
-                    index = index.wrapping_add(1);
-                }
-                None
-            }
-
-            const fn put(bins: &mut [Self], index: usize, threshold: u128, alias: usize) {
-                if let Some((_, [bin, ..])) = bins.split_at_mut_checked(index) {
-                    bin.threshold = threshold as $word;
-                    bin.alias = alias as u32;
-                }
-            }
-
-            /// Fills up the bins of light entries, in order, with words of the heavy ones, in order: what
-            /// has been passed is settled, so nothing need be remembered but two places.
-            const fn settle(part: u128, bins: &mut [Self]) {
-                // The words of all make a bin's words times the bins, so some entry has a bin's words.
-                let Some((mut giver, mut has)) = Self::seek(part, bins, 0, false) else {
-                    return;
-                };
-                let mut light = 0;
-                loop {
-                    if has < part {
-                        // The giver has become light itself: the next one fills up its bin.
-                        let after = giver.wrapping_add(1);
-                        let Some((next, words)) = Self::seek(part, bins, after, false) else {
-                            return;
-                        };
-                        Self::put(bins, giver, has, next);
-                        has = words.wrapping_sub(part.wrapping_sub(has));
-                        giver = next;
-                    } else {
-                        let Some((taker, words)) = Self::seek(part, bins, light, true) else {
-                            // Nothing is left to fill: each giver to come fills its own bin.
-                            return;
-                        };
-                        Self::put(bins, taker, words, giver);
-                        has = has.wrapping_sub(part.wrapping_sub(words));
-                        light = taker.wrapping_add(1);
-                    }
-                }
-            }
-        }
-
+/// What `const` code cannot have of both words at once.
+macro_rules! arrays {
+    ($($word:ident, $either:ident;)*) => {$(
         impl<const M: usize> Alias<[AliasEntry<$word>; M]> {
             /// The table of these weights, as an array of bins; a power of two of them, which the
             /// compiler checks.
@@ -190,10 +77,7 @@ macro_rules! constructors {
             /// As [`Cdf::new`](super::Cdf::new); [`Error::TooManyWeights`] also for more weights than
             /// bins.
             pub const fn new<const N: usize>(weights: &[f32; N]) -> Result<Self, Error> {
-                match Source::floats(weights) {
-                    Ok(source) => Self::of(source, N),
-                    Err(error) => Err(error),
-                }
+                Self::of(Source::floats(weights), N)
             }
 
             /// The table of these integer weights, as an array of bins.
@@ -201,120 +85,131 @@ macro_rules! constructors {
             /// # Errors
             /// As [`Alias::new`], as far as integers can be at fault.
             pub const fn from_integers<const N: usize>(weights: &[u32; N]) -> Result<Self, Error> {
-                match Source::integers(weights) {
-                    Ok(source) => Self::of(source, N),
-                    Err(error) => Err(error),
-                }
+                Self::of(Source::integers(weights), N)
             }
 
-            const fn of(source: Source<'_>, entries: usize) -> Result<Self, Error> {
+            const fn of(
+                source: Result<Source<'_>, Error>,
+                entries: usize,
+            ) -> Result<Self, Error> {
                 const { assert!(M.is_power_of_two(), "bins must be a power of two in number") }
+                let source = match source {
+                    Ok(source) => source,
+                    Err(error) => return Err(error),
+                };
                 if entries > M || M > super::MAX_ENTRIES {
                     return Err(Error::TooManyWeights);
                 }
                 match Ends::new(source, $word::BITS) {
                     Ok(ends) => {
                         let mut bins = [AliasEntry::<$word>::EMPTY; M];
-                        $lay(ends, &mut bins);
-                        Ok(Self {
-                            bins,
-                            entries: entries as u32,
-                            bin_bits: M.trailing_zeros(),
-                        })
+                        Bins::$either(&mut bins).lay(ends);
+                        Ok(Self::trusted(bins, entries, M))
                     }
                     Err(error) => Err(error),
                 }
             }
-
-            /// A view of the table.
-            #[must_use]
-            pub const fn view(&self) -> Alias<&[AliasEntry<$word>]> {
-                Alias {
-                    bins: &self.bins,
-                    entries: self.entries,
-                    bin_bits: self.bin_bits,
-                }
-            }
         }
-
-        impl<const M: usize> Alias<heapless::Vec<AliasEntry<$word>, M>> {
-            /// The table of these weights, as a vector of bounded capacity.
-            ///
-            /// # Errors
-            /// As for an array; [`Error::TooManyWeights`] also where the vector does not hold the number
-            /// of weights rounded up to a power of two.
-            pub fn new(weights: &[f32]) -> Result<Self, Error> {
-                Self::of(Source::floats(weights)?, weights.len())
-            }
-
-            /// The table of these integer weights, as a vector of bounded capacity.
-            ///
-            /// # Errors
-            /// As `new`, as far as integers can be at fault.
-            pub fn from_integers(weights: &[u32]) -> Result<Self, Error> {
-                Self::of(Source::integers(weights)?, weights.len())
-            }
-
-            fn of(source: Source<'_>, entries: usize) -> Result<Self, Error> {
-                let count = entries.next_power_of_two();
-                let mut bins = heapless::Vec::new();
-                if bins.resize(count, AliasEntry::<$word>::EMPTY).is_err() {
-                    return Err(Error::TooManyWeights);
-                }
-                $lay(Ends::new(source, $word::BITS)?, &mut bins);
-                Ok(Self {
-                    bins,
-                    entries: entries as u32,
-                    bin_bits: count.trailing_zeros(),
-                })
-            }
-        }
-
-        impl<'a> Alias<&'a [AliasEntry<$word>]> {
-            /// The table of these weights, laid out at the beginning of memory of the caller's.
-            ///
-            /// # Errors
-            /// As for an array; [`Error::TooManyWeights`] also where the memory does not hold the number
-            /// of weights rounded up to a power of two. What the memory held is then untouched.
-            pub fn new_in(
-                weights: &[f32],
-                memory: &'a mut [AliasEntry<$word>],
-            ) -> Result<Self, Error> {
-                Self::of(Source::floats(weights)?, weights.len(), memory)
-            }
-
-            /// The table of these integer weights, laid out at the beginning of memory of the caller's.
-            ///
-            /// # Errors
-            /// As `new_in`, as far as integers can be at fault.
-            pub fn from_integers_in(
-                weights: &[u32],
-                memory: &'a mut [AliasEntry<$word>],
-            ) -> Result<Self, Error> {
-                Self::of(Source::integers(weights)?, weights.len(), memory)
-            }
-
-            fn of(
-                source: Source<'_>,
-                entries: usize,
-                memory: &'a mut [AliasEntry<$word>],
-            ) -> Result<Self, Error> {
-                let ends = Ends::new(source, $word::BITS)?;
-                let count = entries.next_power_of_two();
-                let bins = memory.get_mut(..count).ok_or(Error::TooManyWeights)?;
-                $lay(ends, bins);
-                Ok(Self {
-                    bins,
-                    entries: entries as u32,
-                    bin_bits: count.trailing_zeros(),
-                })
-            }
-        }
-    };
+    )*};
 }
 
-constructors!(u32, lay_u32);
-constructors!(u64, lay_u64);
+arrays! {
+    u32, U32;
+    u64, U64;
+}
+
+impl<S> Alias<S> {
+    /// A table laid out in so many bins.
+    const fn trusted(bins: S, entries: usize, count: usize) -> Self
+    where
+        S: Copy,
+    {
+        Self {
+            bins,
+            entries: entries as u32,
+            bin_bits: count.trailing_zeros(),
+        }
+    }
+}
+
+impl<W: Word, const M: usize> Alias<[AliasEntry<W>; M]> {
+    /// A view of the table.
+    #[must_use]
+    pub const fn view(&self) -> Alias<&[AliasEntry<W>]> {
+        Alias {
+            bins: &self.bins,
+            entries: self.entries,
+            bin_bits: self.bin_bits,
+        }
+    }
+}
+
+impl<W: Word, const M: usize> Alias<heapless::Vec<AliasEntry<W>, M>> {
+    /// The table of these weights, as a vector of bounded capacity.
+    ///
+    /// # Errors
+    /// As for an array; [`Error::TooManyWeights`] also where the vector does not hold the number
+    /// of weights rounded up to a power of two.
+    pub fn new(weights: &[f32]) -> Result<Self, Error> {
+        Self::of(Source::floats(weights)?, weights.len())
+    }
+
+    /// The table of these integer weights, as a vector of bounded capacity.
+    ///
+    /// # Errors
+    /// As `new`, as far as integers can be at fault.
+    pub fn from_integers(weights: &[u32]) -> Result<Self, Error> {
+        Self::of(Source::integers(weights)?, weights.len())
+    }
+
+    fn of(source: Source<'_>, entries: usize) -> Result<Self, Error> {
+        let count = entries.next_power_of_two();
+        let mut bins = heapless::Vec::new();
+        if bins.resize(count, AliasEntry::EMPTY).is_err() {
+            return Err(Error::TooManyWeights);
+        }
+        W::bins(&mut bins).lay(Ends::new(source, W::BITS)?);
+        Ok(Self {
+            bins,
+            entries: entries as u32,
+            bin_bits: count.trailing_zeros(),
+        })
+    }
+}
+
+impl<'a, W: Word> Alias<&'a [AliasEntry<W>]> {
+    /// The table of these weights, laid out at the beginning of memory of the caller's.
+    ///
+    /// # Errors
+    /// As for an array; [`Error::TooManyWeights`] also where the memory does not hold the number
+    /// of weights rounded up to a power of two. What the memory held is then untouched.
+    pub fn new_in(weights: &[f32], memory: &'a mut [AliasEntry<W>]) -> Result<Self, Error> {
+        Self::of(Source::floats(weights)?, weights.len(), memory)
+    }
+
+    /// The table of these integer weights, laid out at the beginning of memory of the caller's.
+    ///
+    /// # Errors
+    /// As `new_in`, as far as integers can be at fault.
+    pub fn from_integers_in(
+        weights: &[u32],
+        memory: &'a mut [AliasEntry<W>],
+    ) -> Result<Self, Error> {
+        Self::of(Source::integers(weights)?, weights.len(), memory)
+    }
+
+    fn of(
+        source: Source<'_>,
+        entries: usize,
+        memory: &'a mut [AliasEntry<W>],
+    ) -> Result<Self, Error> {
+        let ends = Ends::new(source, W::BITS)?;
+        let count = entries.next_power_of_two();
+        let bins = memory.get_mut(..count).ok_or(Error::TooManyWeights)?;
+        W::bins(bins).lay(ends);
+        Ok(Self::trusted(bins, entries, count))
+    }
+}
 
 impl<W: Word, S: Storage<Item = AliasEntry<W>>> Alias<S> {
     /// How many entries there are, those of weight zero included; at least one.

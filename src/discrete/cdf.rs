@@ -4,7 +4,7 @@ use super::ladder::Ends;
 use super::selection::{ExactSelection, Selection, Share, amount, selections};
 use super::source::Source;
 use super::storage::Storage;
-use super::word::Word;
+use super::word::{Word, Words};
 use crate::error::Error;
 use crate::uniform::{Uniforms, infallible};
 use core::ops::RangeInclusive;
@@ -63,22 +63,22 @@ pub struct Cdf<S> {
     ends: S,
 }
 
-macro_rules! constructors {
-    ($word:ident, $fill:ident) => {
-        /// Fills a slice of as many words as there are weights.
-        pub(crate) const fn $fill(mut ends: Ends<'_>, out: &mut [$word]) {
-            let last = ends.last();
-            let mut rest = out;
-            while let Some((slot, others)) = rest.split_first_mut() {
-                *slot = match ends.next() {
-                    _ if others.is_empty() => last as $word,
-                    Some(end) if end < $word::MAX as u128 => end as $word,
-                    _ => $word::MAX,
-                };
-                rest = others;
-            }
-        }
+/// Fills memory with as many words as there are weights.
+pub(crate) const fn fill(mut ends: Ends<'_>, mut words: Words<'_>) {
+    let last = ends.last();
+    while words.left() > 0 {
+        let end = match ends.next() {
+            _ if words.left() == 1 => last as u128,
+            Some(end) => end,
+            None => u128::MAX,
+        };
+        words = words.then(end);
+    }
+}
 
+/// What `const` code cannot have of both words at once.
+macro_rules! arrays {
+    ($($word:ident, $either:ident;)*) => {$(
         impl<const N: usize> Cdf<[$word; N]> {
             /// The table of these weights, as an array.
             ///
@@ -87,10 +87,7 @@ macro_rules! constructors {
             /// [`Error::NotFiniteWeight`] with the index, [`Error::AllZero`], and from a table of `u32`
             /// [`Error::Unreachable`] with the index of a positive weight below a step.
             pub const fn new(weights: &[f32; N]) -> Result<Self, Error> {
-                match Source::floats(weights) {
-                    Ok(source) => Self::of(source),
-                    Err(error) => Err(error),
-                }
+                Self::of(Source::floats(weights))
             }
 
             /// The table of these integer weights, as an array.
@@ -98,94 +95,92 @@ macro_rules! constructors {
             /// # Errors
             /// As [`Cdf::new`], as far as integers can be at fault.
             pub const fn from_integers(weights: &[u32; N]) -> Result<Self, Error> {
-                match Source::integers(weights) {
-                    Ok(source) => Self::of(source),
-                    Err(error) => Err(error),
-                }
+                Self::of(Source::integers(weights))
             }
 
-            const fn of(source: Source<'_>) -> Result<Self, Error> {
-                match Ends::new(source, $word::BITS) {
+            const fn of(source: Result<Source<'_>, Error>) -> Result<Self, Error> {
+                let mut ends = [0; N];
+                match Ends::of(source, $word::BITS) {
                     Ok(steps) => {
-                        let mut ends = [0; N];
-                        $fill(steps, &mut ends);
+                        fill(steps, Words::$either(&mut ends));
                         Ok(Self { ends })
                     }
                     Err(error) => Err(error),
                 }
             }
-
-            /// A view of the table.
-            #[must_use]
-            pub const fn view(&self) -> Cdf<&[$word]> {
-                Cdf { ends: &self.ends }
-            }
         }
-
-        impl<const N: usize> Cdf<heapless::Vec<$word, N>> {
-            /// The table of these weights, as a vector of bounded capacity.
-            ///
-            /// # Errors
-            /// As for an array; [`Error::TooManyWeights`] also for more than the vector holds.
-            pub fn new(weights: &[f32]) -> Result<Self, Error> {
-                Self::of(Source::floats(weights)?, weights.len())
-            }
-
-            /// The table of these integer weights, as a vector of bounded capacity.
-            ///
-            /// # Errors
-            /// As [`Cdf::new`], as far as integers can be at fault.
-            pub fn from_integers(weights: &[u32]) -> Result<Self, Error> {
-                Self::of(Source::integers(weights)?, weights.len())
-            }
-
-            fn of(source: Source<'_>, entries: usize) -> Result<Self, Error> {
-                let mut ends = heapless::Vec::new();
-                if ends.resize(entries, 0).is_err() {
-                    return Err(Error::TooManyWeights);
-                }
-                $fill(Ends::new(source, $word::BITS)?, &mut ends);
-                Ok(Self { ends })
-            }
-        }
-
-        impl<'a> Cdf<&'a [$word]> {
-            /// The table of these weights, laid out at the beginning of memory of the caller's.
-            ///
-            /// # Errors
-            /// As for an array; [`Error::TooManyWeights`] also for more than the memory holds. What the
-            /// memory held is then untouched.
-            pub fn new_in(weights: &[f32], memory: &'a mut [$word]) -> Result<Self, Error> {
-                Self::of(Source::floats(weights)?, weights.len(), memory)
-            }
-
-            /// The table of these integer weights, laid out at the beginning of memory of the caller's.
-            ///
-            /// # Errors
-            /// As `new_in`, as far as integers can be at fault.
-            pub fn from_integers_in(
-                weights: &[u32],
-                memory: &'a mut [$word],
-            ) -> Result<Self, Error> {
-                Self::of(Source::integers(weights)?, weights.len(), memory)
-            }
-
-            pub(crate) fn of(
-                source: Source<'_>,
-                entries: usize,
-                memory: &'a mut [$word],
-            ) -> Result<Self, Error> {
-                let ends = Ends::new(source, $word::BITS)?;
-                let out = memory.get_mut(..entries).ok_or(Error::TooManyWeights)?;
-                $fill(ends, out);
-                Ok(Self { ends: out })
-            }
-        }
-    };
+    )*};
 }
 
-constructors!(u32, fill_u32);
-constructors!(u64, fill_u64);
+arrays! {
+    u32, U32;
+    u64, U64;
+}
+
+impl<W: Word, const N: usize> Cdf<[W; N]> {
+    /// A view of the table.
+    #[must_use]
+    pub const fn view(&self) -> Cdf<&[W]> {
+        Cdf { ends: &self.ends }
+    }
+}
+
+impl<W: Word, const N: usize> Cdf<heapless::Vec<W, N>> {
+    /// The table of these weights, as a vector of bounded capacity.
+    ///
+    /// # Errors
+    /// As for an array; [`Error::TooManyWeights`] also for more than the vector holds.
+    pub fn new(weights: &[f32]) -> Result<Self, Error> {
+        Self::of(Source::floats(weights)?, weights.len())
+    }
+
+    /// The table of these integer weights, as a vector of bounded capacity.
+    ///
+    /// # Errors
+    /// As [`Cdf::new`], as far as integers can be at fault.
+    pub fn from_integers(weights: &[u32]) -> Result<Self, Error> {
+        Self::of(Source::integers(weights)?, weights.len())
+    }
+
+    fn of(source: Source<'_>, entries: usize) -> Result<Self, Error> {
+        let mut ends = heapless::Vec::new();
+        if ends.resize(entries, W::ZERO).is_err() {
+            return Err(Error::TooManyWeights);
+        }
+        fill(Ends::new(source, W::BITS)?, W::words(&mut ends));
+        Ok(Self { ends })
+    }
+}
+
+impl<'a, W: Word> Cdf<&'a [W]> {
+    /// The table of these weights, laid out at the beginning of memory of the caller's.
+    ///
+    /// # Errors
+    /// As for an array; [`Error::TooManyWeights`] also for more than the memory holds. What the
+    /// memory held is then untouched.
+    pub fn new_in(weights: &[f32], memory: &'a mut [W]) -> Result<Self, Error> {
+        Self::of(Source::floats(weights)?, weights.len(), memory)
+    }
+
+    /// The table of these integer weights, laid out at the beginning of memory of the caller's.
+    ///
+    /// # Errors
+    /// As `new_in`, as far as integers can be at fault.
+    pub fn from_integers_in(weights: &[u32], memory: &'a mut [W]) -> Result<Self, Error> {
+        Self::of(Source::integers(weights)?, weights.len(), memory)
+    }
+
+    pub(crate) fn of(
+        source: Source<'_>,
+        entries: usize,
+        memory: &'a mut [W],
+    ) -> Result<Self, Error> {
+        let ends = Ends::new(source, W::BITS)?;
+        let out = memory.get_mut(..entries).ok_or(Error::TooManyWeights)?;
+        fill(ends, W::words(out));
+        Ok(Self { ends: out })
+    }
+}
 
 impl<S> Cdf<S> {
     /// A table of words that are known to be one.

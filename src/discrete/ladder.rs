@@ -30,6 +30,14 @@ pub(crate) struct Ends<'a> {
 }
 
 impl<'a> Ends<'a> {
+    /// The same of a source that may have been refused.
+    pub(crate) const fn of(source: Result<Source<'a>, Error>, bits: u32) -> Result<Self, Error> {
+        match source {
+            Ok(source) => Self::new(source, bits),
+            Err(error) => Err(error),
+        }
+    }
+
     pub(crate) const fn new(source: Source<'a>, bits: u32) -> Result<Self, Error> {
         let mut ends = Self {
             source,

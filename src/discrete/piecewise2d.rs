@@ -1,12 +1,12 @@
 //! A density that is constant on each of equal cells of a rectangle: a picture as a distribution.
 
-use super::cdf::{Cdf, fill_u32, fill_u64};
+use super::cdf::{Cdf, fill};
 use super::cells::Cells;
 use super::ladder::Ends;
 use super::piecewise1d::PiecewiseConstant1d;
-use super::source::{Scan, Source};
+use super::source::{Scan, Source, Unit};
 use super::storage::{Grid, Storage};
-use super::word::Word;
+use super::word::{Word, Words};
 use crate::error::Error;
 use crate::num::representable;
 use crate::uniform::Canonical;
@@ -75,17 +75,16 @@ pub struct PiecewiseConstant2d<M, C> {
     width: u32,
 }
 
-/// The index of the first positive weight of a row, whose first cell has the index `first`: the weight to
-/// blame where the row as a whole is too small.
-const fn positive(row: &[f32], first: usize) -> usize {
-    let (mut rest, mut index) = (row, first);
+/// That a row as a whole is too small: its first positive weight is to blame. The weights are those from its first on.
+const fn unreachable(weights: &[f32], row: usize, columns: usize) -> Error {
+    let (mut rest, mut index) = (weights, row.wrapping_mul(columns));
     while let Some((&weight, others)) = rest.split_first() {
         if weight > 0.0 {
             break;
         }
         (rest, index) = (others, index.wrapping_add(1));
     }
-    index
+    Error::Unreachable(index)
 }
 
 /// The cells along both axes.
@@ -99,35 +98,42 @@ const fn grid([u, v]: [[f32; 2]; 2], [columns, rows]: [usize; 2]) -> Result<(Cel
     }
 }
 
-macro_rules! constructors {
-    ($word:ident, $fill:ident, $fill_row:ident) => {
-        /// The conditional of one row, whose first cell has the index `first`. A row of zeros, which the
-        /// marginal never selects, becomes the table of one certain entry.
-        const fn $fill_row(weights: &[f32], out: &mut [$word], first: usize) -> Result<(), Error> {
-            let source = match Source::floats(weights) {
-                Ok(source) => source,
-                Err(Error::AllZero) => {
-                    let mut rest = out;
-                    while let Some((slot, others)) = rest.split_first_mut() {
-                        *slot = if others.is_empty() { 0 } else { $word::MAX };
-                        rest = others;
-                    }
-                    return Ok(());
-                }
-                Err(error) => return Err(error),
-            };
-            match Ends::new(source, $word::BITS) {
-                Ok(ends) => {
-                    $fill(ends, out);
-                    Ok(())
-                }
-                Err(Error::Unreachable(index)) => {
-                    Err(Error::Unreachable(first.wrapping_add(index)))
-                }
-                Err(error) => Err(error),
+/// The unit that the weights of all rows have in common.
+const fn unit<const U: usize>(weights: &[[f32; U]]) -> Result<Unit, Error> {
+    let mut scan = Scan::new();
+    let mut left = weights;
+    while let Some((row, rest)) = left.split_first() {
+        scan = match scan.over(row) {
+            Ok(scan) => scan,
+            Err(error) => return Err(error),
+        };
+        left = rest;
+    }
+    scan.unit()
+}
+
+/// The conditional of one row, whose first cell has the index `first`. A row of zeros, which the
+/// marginal never selects, becomes the table of one certain entry.
+const fn fill_row(weights: &[f32], mut words: Words<'_>, first: usize) -> Result<(), Error> {
+    match Ends::of(Source::floats(weights), words.bits()) {
+        Ok(ends) => fill(ends, words),
+        Err(Error::AllZero) => {
+            while words.left() > 0 {
+                let last = words.left() == 1;
+                words = words.then(if last { 0 } else { u128::MAX });
             }
         }
+        Err(Error::Unreachable(index)) => {
+            return Err(Error::Unreachable(first.wrapping_add(index)));
+        }
+        Err(error) => return Err(error),
+    }
+    Ok(())
+}
 
+/// What `const` code cannot have of both words at once.
+macro_rules! arrays {
+    ($($word:ident, $either:ident;)*) => {$(
         impl<const U: usize, const V: usize> PiecewiseConstant2d<[$word; V], [[$word; U]; V]> {
             /// These weights as the masses of equal cells of a rectangle, as arrays: for a `const`.
             ///
@@ -146,117 +152,103 @@ macro_rules! constructors {
                     Ok(cells) => cells,
                     Err(error) => return Err(error),
                 };
-                let mut scan = Scan::new();
-                let mut cells = weights.as_slice();
-                while let Some((row, rest)) = cells.split_first() {
-                    scan = match scan.over(row) {
-                        Ok(scan) => scan,
-                        Err(error) => return Err(error),
-                    };
-                    cells = rest;
-                }
-                let unit = match scan.unit() {
+                let unit = match unit(weights) {
                     Ok(unit) => unit,
                     Err(error) => return Err(error),
                 };
-                let mut conditional = [[0; U]; V];
+                let (mut marginal, mut conditional) = ([0; V], [[0; U]; V]);
                 let mut sums = [0; V];
-                let mut cells = weights.as_slice();
+                let mut first = 0_usize;
+                let mut cells: &[[f32; U]] = weights;
                 let mut tables: &mut [[$word; U]] = &mut conditional;
                 let mut left: &mut [u128] = &mut sums;
-                let mut first = 0_usize;
-                while let (Some((row, rest)), Some((table, others)), Some((sum, more))) = (
-                    cells.split_first(),
-                    tables.split_first_mut(),
-                    left.split_first_mut(),
-                ) {
+                while let ([row, rest @ ..], [table, others @ ..], [sum, more @ ..]) =
+                    (cells, tables, left)
+                {
                     *sum = unit.sum(row);
-                    if let Err(error) = $fill_row(row, table, first) {
+                    if let Err(error) = fill_row(row, Words::$either(table), first) {
                         return Err(error);
                     }
                     first = first.wrapping_add(U);
                     (cells, tables, left) = (rest, others, more);
                 }
-                let marginal = match Ends::new(Source::Sums(&sums), $word::BITS) {
-                    Ok(ends) => {
-                        let mut words = [0; V];
-                        $fill(ends, &mut words);
-                        Cdf::<[$word; V]>::trusted(words)
-                    }
+                match Ends::new(Source::Sums(&sums), $word::BITS) {
+                    Ok(ends) => fill(ends, Words::$either(&mut marginal)),
                     Err(Error::Unreachable(row)) => {
-                        let weights: &[f32] = match weights.split_at_checked(row) {
-                            Some((_, [row, ..])) => row,
+                        let row_weights: &[f32] = match weights.split_at_checked(row) {
+                            Some((_, [weights, ..])) => weights,
                             _ => &[],
                         };
-                        return Err(Error::Unreachable(positive(weights, row.wrapping_mul(U))));
+                        return Err(unreachable(row_weights, row, U));
                     }
                     Err(error) => return Err(error),
-                };
+                }
                 Ok(Self {
-                    marginal: PiecewiseConstant1d::within(marginal, rows),
+                    marginal: PiecewiseConstant1d::within(Cdf::trusted(marginal), rows),
                     conditional,
                     columns,
                     width: U as u32,
                 })
             }
         }
-
-        impl<'a> PiecewiseConstant2d<&'a [$word], &'a [$word]> {
-            /// These weights, row by row, as the masses of equal cells of a rectangle; the tables are
-            /// laid out at the beginning of memory of the caller's, which takes one word a row and one
-            /// word a cell.
-            ///
-            /// # Errors
-            /// As for arrays; [`Error::OutOfRange`] where the weights are not rows times columns in
-            /// number, [`Error::TooManyWeights`] also where the memory does not hold the tables. After
-            /// [`Error::Unreachable`] the memory holds parts of tables.
-            pub fn new_in(
-                weights: &[f32],
-                [columns, rows]: [usize; 2],
-                u: [f32; 2],
-                v: [f32; 2],
-                marginal: &'a mut [$word],
-                conditional: &'a mut [$word],
-            ) -> Result<Self, Error> {
-                if columns.checked_mul(rows) != Some(weights.len()) {
-                    return Err(Error::OutOfRange);
-                }
-                let source = Source::rows(weights, columns)?;
-                let (cells, row_cells) = grid([u, v], [columns, rows])?;
-                let tables = conditional
-                    .get_mut(..weights.len())
-                    .ok_or(Error::TooManyWeights)?;
-                let cdf = match Cdf::<&[$word]>::of(source, rows, marginal) {
-                    Err(Error::Unreachable(row)) => {
-                        let first = row.wrapping_mul(columns);
-                        let rest = weights.get(first..).unwrap_or(&[]);
-                        return Err(Error::Unreachable(positive(rest, first)));
-                    }
-                    other => other?,
-                };
-                // Row by row without a division, which `chunks_exact` would bring and a panic with it.
-                let (mut cells_left, mut words_left, mut first) = (weights, &mut *tables, 0_usize);
-                while let (Some((row, more)), Some((table, others))) = (
-                    cells_left.split_at_checked(columns),
-                    words_left.split_at_mut_checked(columns),
-                ) {
-                    $fill_row(row, table, first)?;
-                    first = first.wrapping_add(columns);
-                    (cells_left, words_left) = (more, others);
-                }
-                Ok(Self {
-                    marginal: PiecewiseConstant1d::within(cdf, row_cells),
-                    conditional: tables,
-                    columns: cells,
-                    width: columns as u32,
-                })
-            }
-        }
-    };
+    )*};
 }
 
-constructors!(u32, fill_u32, fill_row_u32);
-constructors!(u64, fill_u64, fill_row_u64);
+arrays! {
+    u32, U32;
+    u64, U64;
+}
+
+impl<'a, W: Word> PiecewiseConstant2d<&'a [W], &'a [W]> {
+    /// These weights, row by row, as the masses of equal cells of a rectangle; the tables are
+    /// laid out at the beginning of memory of the caller's, which takes one word a row and one
+    /// word a cell.
+    ///
+    /// # Errors
+    /// As for arrays; [`Error::OutOfRange`] where the weights are not rows times columns in
+    /// number, [`Error::TooManyWeights`] also where the memory does not hold the tables. After
+    /// [`Error::Unreachable`] the memory holds parts of tables.
+    pub fn new_in(
+        weights: &[f32],
+        [columns, rows]: [usize; 2],
+        u: [f32; 2],
+        v: [f32; 2],
+        marginal: &'a mut [W],
+        conditional: &'a mut [W],
+    ) -> Result<Self, Error> {
+        if columns.checked_mul(rows) != Some(weights.len()) {
+            return Err(Error::OutOfRange);
+        }
+        let source = Source::rows(weights, columns)?;
+        let (cells, row_cells) = grid([u, v], [columns, rows])?;
+        let tables = conditional
+            .get_mut(..weights.len())
+            .ok_or(Error::TooManyWeights)?;
+        let cdf = match Cdf::<&[W]>::of(source, rows, marginal) {
+            Err(Error::Unreachable(row)) => {
+                let rest = weights.get(row.wrapping_mul(columns)..).unwrap_or(&[]);
+                return Err(unreachable(rest, row, columns));
+            }
+            other => other?,
+        };
+        // Row by row without a division, which `chunks_exact` would bring and a panic with it.
+        let (mut cells_left, mut words_left, mut first) = (weights, &mut *tables, 0_usize);
+        while let (Some((row, more)), Some((table, others))) = (
+            cells_left.split_at_checked(columns),
+            words_left.split_at_mut_checked(columns),
+        ) {
+            fill_row(row, W::words(table), first)?;
+            first = first.wrapping_add(columns);
+            (cells_left, words_left) = (more, others);
+        }
+        Ok(Self {
+            marginal: PiecewiseConstant1d::within(cdf, row_cells),
+            conditional: tables,
+            columns: cells,
+            width: columns as u32,
+        })
+    }
+}
 
 impl<W, M, C> PiecewiseConstant2d<M, C>
 where

@@ -1,5 +1,6 @@
 //! The words a table is made of and is asked with: `u32` or `u64`.
 
+use super::bins::{AliasEntry, Bins};
 use crate::num::division::{fraction, fraction_u32};
 use crate::uniform::Canonical;
 use core::fmt::Debug;
@@ -8,6 +9,16 @@ use rand_core::TryRng;
 
 /// What tables need of a word and nobody else does.
 pub(crate) mod sealed {
+    use crate::discrete::bins::{AliasEntry, Bins};
+
+    /// Memory for the words of a table, of either type, filled from the front: what `const` code takes in place of a
+    /// type parameter.
+    #[derive(Debug)]
+    pub enum Words<'a> {
+        U32(&'a mut [u32]),
+        U64(&'a mut [u64]),
+    }
+
     pub trait Arithmetic: Copy + Ord {
         const ZERO: Self;
         const ONE: Self;
@@ -29,9 +40,54 @@ pub(crate) mod sealed {
         fn fraction(self, of: Self) -> u32;
         /// The leading 32 bits.
         fn to_bits(self) -> u32;
+        fn words(memory: &mut [Self]) -> Words<'_>;
+        fn bins(memory: &mut [AliasEntry<Self>]) -> Bins<'_>;
     }
 }
 use sealed::Arithmetic;
+pub(crate) use sealed::Words;
+
+impl Words<'_> {
+    pub(crate) const fn bits(&self) -> u32 {
+        match self {
+            Self::U32(_) => u32::BITS,
+            Self::U64(_) => u64::BITS,
+        }
+    }
+
+    /// How many words are still to come.
+    #[inline]
+    pub(crate) const fn left(&self) -> usize {
+        match self {
+            Self::U32(memory) => memory.len(),
+            Self::U64(memory) => memory.len(),
+        }
+    }
+
+    /// What is left once the next word is this number; the largest word where it is larger.
+    #[inline]
+    pub(crate) const fn then(self, number: u128) -> Self {
+        match self {
+            Self::U32([slot, rest @ ..]) => {
+                *slot = if number < u32::MAX as u128 {
+                    number as u32
+                } else {
+                    u32::MAX
+                };
+                Self::U32(rest)
+            }
+            Self::U64([slot, rest @ ..]) => {
+                *slot = if number < u64::MAX as u128 {
+                    number as u64
+                } else {
+                    u64::MAX
+                };
+                Self::U64(rest)
+            }
+            full => full,
+        }
+    }
+}
 
 /// The words of a table: [`u32`] or [`u64`]. The trait is sealed.
 ///
@@ -69,7 +125,7 @@ pub trait Word: Arithmetic + Debug + Hash {
 }
 
 macro_rules! arithmetic {
-    ($word:ident, $fraction:ident) => {
+    ($word:ident, $fraction:ident, $either:ident) => {
         impl Arithmetic for $word {
             const ZERO: Self = 0;
             const ONE: Self = 1;
@@ -117,12 +173,20 @@ macro_rules! arithmetic {
             fn to_bits(self) -> u32 {
                 (self >> ($word::BITS - 32)) as u32
             }
+            #[inline]
+            fn words(memory: &mut [Self]) -> Words<'_> {
+                Words::$either(memory)
+            }
+            #[inline]
+            fn bins(memory: &mut [AliasEntry<Self>]) -> Bins<'_> {
+                Bins::$either(memory)
+            }
         }
     };
 }
 
-arithmetic!(u32, fraction_u32);
-arithmetic!(u64, fraction);
+arithmetic!(u32, fraction_u32, U32);
+arithmetic!(u64, fraction, U64);
 
 impl Word for u32 {
     const BITS: u32 = 32;

@@ -138,14 +138,17 @@ pub trait Grade:
 }
 
 macro_rules! grade {
-    ($(#[$doc:meta])* $grade:ident, $kernel:ident, $name:literal, $rim:literal, $series:literal, $beyond:expr, $rotations:literal, $scaled:ident) => {
+    ($(#[$doc:meta])* $grade:ident {
+        kernels: $kernel:ident, product: $scaled:ident, rotations: $rotations:literal,
+        rim: $rim:literal, series: $series:literal, beyond: $beyond:expr,
+    }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $grade;
 
         impl Grade for $grade {
-            const NAME: &'static str = $name;
+            const NAME: &'static str = stringify!($kernel);
         }
 
         impl Kernels for $grade {
@@ -188,7 +191,10 @@ macro_rules! grade {
 
 grade! {
     /// Largest errors about 1e-6, with tables of 2 KB that all functions share.
-    Fine, fine, "fine", 0xffff_f99c, 0x35c2_8f5c, 1 << 12, 23, near_signed
+    Fine {
+        kernels: fine, product: near_signed, rotations: 23,
+        rim: 0xffff_f99c, series: 0x35c2_8f5c, beyond: 1 << 12,
+    }
 }
 
 grade! {
@@ -196,10 +202,16 @@ grade! {
     ///
     /// Coordinates of disks and directions are products of 15 bits: they are right to 1.4e-4 of the size, of narrow cones and
     /// lobes too.
-    Coarse, coarse, "coarse", 0xffff_ffff, 0x7d70_a3d7, 1 << 17, 14, rough_signed
+    Coarse {
+        kernels: coarse, product: rough_signed, rotations: 14,
+        rim: 0xffff_ffff, series: 0x7d70_a3d7, beyond: 1 << 17,
+    }
 }
 
 grade! {
     /// Largest errors about 1e-6 without tables, in the least flash.
-    Compact, compact, "compact", 0xffff_f9a8, 0x35c2_8f5c, 1 << 12, 23, near_signed
+    Compact {
+        kernels: compact, product: near_signed, rotations: 23,
+        rim: 0xffff_f9a8, series: 0x35c2_8f5c, beyond: 1 << 12,
+    }
 }

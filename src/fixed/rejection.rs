@@ -11,9 +11,8 @@
 
 use super::Density;
 use super::disk::uniform_density;
-use crate::rejection::{Accepted, Failure, Rejection, budgeted, draw_first_ahead};
+use crate::rejection::{Failure, budgeted, short_tries};
 use ::fixed::types::{I2F30, U0F32};
-use rand_core::TryRng;
 
 /// The squared radius, in units of the sum of h² and k².
 const RIM: u32 = 1 << 30;
@@ -132,6 +131,7 @@ impl DiskRejection16 {
 macro_rules! disks {
     ($($name:ident, $rng:ident => $words:expr;)*) => {$(
         budgeted!($name, 32);
+        short_tries!($name: [I2F30; 2], |disk, $rng| Ok(disk.attempt($words)));
 
         impl $name {
             /// The density at a point; 0 outside.
@@ -139,31 +139,6 @@ macro_rules! disks {
             #[inline]
             pub fn pdf(&self, point: [I2F30; 2]) -> Density {
                 uniform_density(point)
-            }
-        }
-
-        impl Rejection for $name {
-            type Point = [I2F30; 2];
-
-            #[inline]
-            fn budget(&self) -> u32 {
-                self.budget
-            }
-
-            #[inline]
-            fn try_once<R: TryRng + ?Sized>(
-                &self,
-                $rng: &mut R,
-            ) -> Result<Option<[I2F30; 2]>, Failure<R::Error>> {
-                Ok(self.attempt($words))
-            }
-
-            #[inline]
-            fn try_draw<R: TryRng + ?Sized>(
-                &self,
-                rng: &mut R,
-            ) -> Result<Accepted<[I2F30; 2]>, Failure<R::Error>> {
-                draw_first_ahead(self, rng)
             }
         }
     )*};

@@ -1,6 +1,6 @@
 //! The unit disk and the unit ball by rejection from their boxes, on integers.
 
-use super::{Accepted, Failure, Rejection, budgeted, draw_first_ahead};
+use super::{Failure, budgeted, short_tries};
 use crate::uniform::Uniforms;
 use core::f32::consts::{FRAC_1_PI, FRAC_PI_4, FRAC_PI_6};
 use rand_core::TryRng;
@@ -131,30 +131,7 @@ macro_rules! unit_ball {
             }
         }
 
-        impl Rejection for $name {
-            type Point = [f32; $dimensions];
-
-            #[inline]
-            fn budget(&self) -> u32 {
-                self.budget
-            }
-
-            #[inline]
-            fn try_once<R: TryRng + ?Sized>(
-                &self,
-                rng: &mut R,
-            ) -> Result<Option<Self::Point>, Failure<R::Error>> {
-                draw(rng).map(accepted)
-            }
-
-            #[inline]
-            fn try_draw<R: TryRng + ?Sized>(
-                &self,
-                rng: &mut R,
-            ) -> Result<Accepted<Self::Point>, Failure<R::Error>> {
-                draw_first_ahead(self, rng)
-            }
-        }
+        short_tries!($name: [f32; $dimensions], |_sampler, rng| draw(rng).map(accepted));
     };
 }
 

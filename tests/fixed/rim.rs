@@ -19,23 +19,24 @@ type Scaled = fn(u32, i32) -> i32;
 fn rim_and_product(kernel: &str, new: Option<u32>) -> (u32, Scaled) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/fixed/grade.rs");
     let mut text = std::fs::read_to_string(&path).unwrap();
-    let start = text.find(&format!(", {kernel}, \"{kernel}\", ")).unwrap();
-    let line = text[start + 2..].lines().next().unwrap().to_owned();
-    let cells: Vec<&str> = line.split(", ").collect();
-    let (rim, scaled) = (cells[2], cells[cells.len() - 1]);
+    let start = text.find(&format!("kernels: {kernel},")).unwrap();
+    let value = |name: &str| {
+        let from = start + text[start..].find(name).unwrap() + name.len();
+        from..from + text[from..].find(',').unwrap()
+    };
+    let (rim, scaled) = (value(" rim: "), &text[value(" product: ")]);
     let scaled = match scaled {
         "near_signed" => product::near_signed,
         "rough_signed" => product::rough_signed,
         other => panic!("{other}"),
     };
     if let Some(new) = new {
-        let place = start + 2 + line.find(rim).unwrap();
         let word = format!("{:#x}_{:04x}", new >> 16, new & 0xffff);
-        text.replace_range(place..place + rim.len(), &word);
+        text.replace_range(rim, &word);
         std::fs::write(&path, text).unwrap();
         return (new, scaled);
     }
-    let digits = rim.trim_start_matches("0x").replace('_', "");
+    let digits = text[rim].trim_start_matches("0x").replace('_', "");
     (u32::from_str_radix(&digits, 16).unwrap(), scaled)
 }
 
