@@ -1,14 +1,14 @@
 //! What is asked of a transition matrix: sums, stationarity, detailed balance, eigenvalues; and in what each
 //! fails, so that the counter-examples can be asked too.
 
-use super::enumeration::{Driven, Path, TOTAL_BITS, Words, exact, proposals, rounded};
+use super::enumeration::{Driven, Path, TOTAL_BITS, Weighed, Words, exact, proposals, rounded};
 use super::spectrum::{Matrix, second_by_powers, second_by_rotations};
 use microwarp::metropolis::{Density, LogDensity, Mutation};
 use microwarp::tier::Tier;
 use num_bigint::BigUint;
 
 /// A density in f64, of which nothing but quotients are known.
-pub trait Truth: Density {
+pub trait Truth: Density + Weighed<Acceptance = f32> {
     /// `to` over `from`.
     fn ratio(from: Self, to: Self) -> f64;
     /// What the acceptance of a symmetric mutation may be off, in proportion to it.

@@ -5,9 +5,10 @@
 //! accept. What galloping takes for granted is then asked of random words.
 
 use crate::drivers::{Counting, Cycle};
-use microwarp::metropolis::{Chain, Mutation, Outcome, Step, Weight};
+use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Outcome, Step, Weight};
+use microwarp::tier::Tier;
 use num_bigint::BigUint;
-use rand_core::Rng as _;
+use rand_core::Rng;
 use rand_pcg::Pcg32;
 
 /// All words are counted in units of 2^-128: 2^32 words pick, 2^64 propose and 2^32 decide. Of fewer words
@@ -115,6 +116,38 @@ pub fn runs<K: PartialEq>(first: u64, last: u64, key: impl Fn(u64) -> K) -> Vec<
     }
 }
 
+/// A weight whose chain the harnesses can drive: the one test of a law runs over densities and integers.
+pub trait Weighed: Weight + PartialEq {
+    type Acceptance: Copy + PartialEq + std::fmt::Debug;
+    fn step<X: Copy, M: Mutation<X>, R: Rng>(
+        chain: &mut Chain<X, Self>,
+        target: impl FnOnce(X) -> Self,
+        mutation: &M,
+        rng: &mut R,
+    ) -> Step<X, Self, Self::Acceptance>;
+}
+
+macro_rules! weighed {
+    ($([$($tier:ident)?] $weight:ty, $acceptance:ty;)*) => {$(
+        impl<$($tier: Tier)?> Weighed for $weight {
+            type Acceptance = $acceptance;
+            fn step<X: Copy, M: Mutation<X>, R: Rng>(
+                chain: &mut Chain<X, Self>,
+                target: impl FnOnce(X) -> Self,
+                mutation: &M,
+                rng: &mut R,
+            ) -> Step<X, Self, Self::Acceptance> {
+                chain.step(target, mutation, rng)
+            }
+        }
+    )*};
+}
+weighed! {
+    [] f32, f32;
+    [T] LogDensity<T>, f32;
+    [] u32, Chance;
+}
+
 /// What is enumerated: target, mutation and words.
 pub struct Driven<'a, F, M> {
     pub target: F,
@@ -124,14 +157,14 @@ pub struct Driven<'a, F, M> {
 
 impl<F, M> Driven<'_, F, M> {
     /// One real step. It takes the words given, all of them, and no other.
-    pub fn step<D: Weight>(&self, from: usize, words: &[u32]) -> Step<usize, D, D::Acceptance>
+    pub fn step<D: Weighed>(&self, from: usize, words: &[u32]) -> Step<usize, D, D::Acceptance>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
     {
         let mut chain = Chain::new(from, &self.target).unwrap();
         let mut rng = Counting::new(Cycle::new(words));
-        let step = chain.step(&self.target, self.mutation, &mut rng);
+        let step = D::step(&mut chain, &self.target, self.mutation, &mut rng);
         assert_eq!(rng.words, words.len() as u64);
         assert_eq!((step.from, step.state()), (from, chain.state()));
         assert_ne!(step.outcome, Outcome::Refused);
@@ -139,7 +172,7 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// All paths out of a state.
-    pub fn paths<D: Weight>(&self, from: usize) -> Vec<Path<D::Acceptance>>
+    pub fn paths<D: Weighed>(&self, from: usize) -> Vec<Path<D::Acceptance>>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -182,7 +215,7 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// The kind of a mixture at this picking word, if it takes `n` words after that one.
-    fn kind<D: Weight>(&self, from: usize, pick: u32, n: usize) -> Option<u32>
+    fn kind<D: Weighed>(&self, from: usize, pick: u32, n: usize) -> Option<u32>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -191,12 +224,12 @@ impl<F, M> Driven<'_, F, M> {
         words[0] = pick;
         let mut rng = Counting::new(Cycle::new(&words));
         let mut chain = Chain::new(from, &self.target).unwrap();
-        let step = chain.step(&self.target, self.mutation, &mut rng);
+        let step = D::step(&mut chain, &self.target, self.mutation, &mut rng);
         (rng.words == words.len() as u64).then_some(step.kind)
     }
 
     /// The paths whose words begin with `pick`, of which there are `picks`.
-    fn proposals<D: Weight>(
+    fn proposals<D: Weighed>(
         &self,
         from: usize,
         pick: &[u32],
