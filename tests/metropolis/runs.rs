@@ -20,19 +20,29 @@ pub struct Plan {
     pub stride: usize,
     /// Autocorrelation times between states that are taken as independent; 0 for the last one of each batch.
     pub apart: f64,
+    /// Steps of the run by which autocorrelation times are taken.
+    pub pilot: usize,
 }
 
-/// The plan of the speed. Its burn-in leaves little: correlations fall as e^(−2t/τ) where a single relaxation
-/// dominates.
+/// The full plan. Its burn-in leaves little: correlations fall as e^(−2t/τ) where a single relaxation dominates.
+pub const FULL: Plan = Plan {
+    batches: 256,
+    steps: 8000,
+    burn_in: 1000,
+    stride: 1,
+    apart: 10.0,
+    pilot: 64_000,
+};
+
+/// The plan of the speed. Fewer batches tell a cell's own time less well: states are taken farther apart then.
 pub fn plan() -> Plan {
-    let full = speed::full();
-    Plan {
-        batches: if full { 256 } else { 128 },
-        steps: if full { 8000 } else { 2000 },
-        burn_in: 1000,
-        stride: 1,
-        apart: 10.0,
-    }
+    let quick = Plan {
+        batches: 128,
+        steps: 3000,
+        apart: 15.0,
+        ..FULL
+    };
+    if speed::full() { FULL } else { quick }
 }
 
 /// What came of the batches of one chain.
@@ -55,8 +65,6 @@ pub struct Outcome {
 
 /// Lags of `Health`.
 const LAGS: usize = 128;
-/// The numbers it takes in, in terms of the steps of a batch.
-const PILOT: usize = 8;
 
 /// Runs batches of what `start` makes: a chain about to be stepped.
 pub fn run<X, D, W>(
@@ -175,7 +183,7 @@ where
     }
     let mut health = [Health::<LAGS>::new(); 2];
     let mut numbers = [Vec::new(), Vec::new()];
-    for _ in 0..PILOT * plan.steps / plan.stride {
+    for _ in 0..plan.pilot / plan.stride {
         let mut state = walk(&mut rng).state();
         for _ in 1..plan.stride {
             state = walk(&mut rng).state();

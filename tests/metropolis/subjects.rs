@@ -31,7 +31,7 @@ impl Subject {
         (self.run)(plan, seed)
     }
 
-    fn planned(self, plan: Plan) -> Self {
+    pub fn planned(self, plan: Plan) -> Self {
         Self { plan, ..self }
     }
 }
@@ -120,6 +120,7 @@ fn on_the_line() -> Vec<Subject> {
     let source = poly::Exponential::new(0.4).unwrap();
     let long = Plan {
         steps: if speed::full() { 50_000 } else { 10_000 },
+        pilot: if speed::full() { 400_000 } else { 80_000 },
         burn_in: 20_000,
         stride: 10,
         batches: 128,

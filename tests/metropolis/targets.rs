@@ -86,6 +86,8 @@ fn p_values_of_right_chains_are_uniform() {
     let short = Plan {
         steps: 600,
         burn_in: 200,
+        apart: 10.0,
+        pilot: 4800,
         ..plan()
     };
     let all = subjects::all();

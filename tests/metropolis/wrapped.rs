@@ -91,8 +91,9 @@ fn as_many_words_lead_there_as_back() {
 #[test]
 fn every_distance_has_the_words_of_its_negative() {
     let (stride, turns) = speed::of("one word of, random words", (1, 200_000), (32, 20_000));
+    let mut counts = vec![0_u32; WORDS as usize];
     for law in laws() {
-        let mut counts = vec![0_u32; WORDS as usize];
+        counts.fill(0);
         for high in words(stride) {
             let to = wrapping_add(0.0, (law.step)(high << 8));
             counts[(f64::from(to) * f64::from(WORDS)) as usize] += 1;
