@@ -13,7 +13,7 @@ fn table(weights: [f32; 2]) -> Cdf<[u32; 2]> {
     Cdf::<[u32; 2]>::new(&weights).unwrap()
 }
 
-fn acceptance(chain: &Enumerated, from: usize, to: usize) -> f32 {
+fn acceptance(chain: &Enumerated<f32>, from: usize, to: usize) -> f32 {
     let all: Vec<f32> = chain.paths[from]
         .iter()
         .filter(|p| p.to == to)

@@ -4,11 +4,11 @@
 //! same form runs, whose ends are found by galloping and halving; so is the number of decision words that
 //! accept. What galloping takes for granted is then asked of random words.
 
+use super::weighed::Weighed;
 use crate::drivers::{Counting, Cycle};
-use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Outcome, Step, Weight};
-use microwarp::tier::Tier;
+use microwarp::metropolis::{Chain, Mutation, Outcome, Step};
 use num_bigint::BigUint;
-use rand_core::Rng;
+use rand_core::Rng as _;
 use rand_pcg::Pcg32;
 
 /// All words are counted in units of 2^-128: 2^32 words pick, 2^64 propose and 2^32 decide. Of fewer words
@@ -116,38 +116,6 @@ pub fn runs<K: PartialEq>(first: u64, last: u64, key: impl Fn(u64) -> K) -> Vec<
     }
 }
 
-/// A weight whose chain the harnesses can drive: the one test of a law runs over densities and integers.
-pub trait Weighed: Weight + PartialEq {
-    type Acceptance: Copy + PartialEq + std::fmt::Debug;
-    fn step<X: Copy, M: Mutation<X>, R: Rng>(
-        chain: &mut Chain<X, Self>,
-        target: impl FnOnce(X) -> Self,
-        mutation: &M,
-        rng: &mut R,
-    ) -> Step<X, Self, Self::Acceptance>;
-}
-
-macro_rules! weighed {
-    ($([$($tier:ident)?] $weight:ty, $acceptance:ty;)*) => {$(
-        impl<$($tier: Tier)?> Weighed for $weight {
-            type Acceptance = $acceptance;
-            fn step<X: Copy, M: Mutation<X>, R: Rng>(
-                chain: &mut Chain<X, Self>,
-                target: impl FnOnce(X) -> Self,
-                mutation: &M,
-                rng: &mut R,
-            ) -> Step<X, Self, Self::Acceptance> {
-                chain.step(target, mutation, rng)
-            }
-        }
-    )*};
-}
-weighed! {
-    [] f32, f32;
-    [T] LogDensity<T>, f32;
-    [] u32, Chance;
-}
-
 /// What is enumerated: target, mutation and words.
 pub struct Driven<'a, F, M> {
     pub target: F,
@@ -164,7 +132,7 @@ impl<F, M> Driven<'_, F, M> {
     {
         let mut chain = Chain::new(from, &self.target).unwrap();
         let mut rng = Counting::new(Cycle::new(words));
-        let step = D::step(&mut chain, &self.target, self.mutation, &mut rng);
+        let step = D::step(&mut chain, &self.target, self.mutation, None, &mut rng);
         assert_eq!(rng.words, words.len() as u64);
         assert_eq!((step.from, step.state()), (from, chain.state()));
         assert_ne!(step.outcome, Outcome::Refused);
@@ -224,7 +192,7 @@ impl<F, M> Driven<'_, F, M> {
         words[0] = pick;
         let mut rng = Counting::new(Cycle::new(&words));
         let mut chain = Chain::new(from, &self.target).unwrap();
-        let step = D::step(&mut chain, &self.target, self.mutation, &mut rng);
+        let step = D::step(&mut chain, &self.target, self.mutation, None, &mut rng);
         (rng.words == words.len() as u64).then_some(step.kind)
     }
 

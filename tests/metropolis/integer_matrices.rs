@@ -1,8 +1,8 @@
 //! Exact transition matrices of chains of integer weights: every acceptance is the exact number of words, and
 //! the weights are stationary and in detailed balance to the steps of 2^-32.
 
+use super::balance::Enumerated;
 use super::enumeration::Words;
-use super::integer_balance::Enumerated;
 use super::integer_chances::ALL;
 use super::matrices::Neighbour;
 use super::spectrum::by_rotations;

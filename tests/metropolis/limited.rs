@@ -201,6 +201,6 @@ fn a_limit_far_off_does_not_bias() {
     let (peak, limit) = speed::of("peak, limit", (9.0_f32, 200), (3.0, 60));
     let chain = expanded(&[peak, 1.0], &table([[0.0, 1.0], [1.0, 0.0]]), 32, limit);
     let (time, stays) = chain.time_and_stays();
-    let exact = f64::from(peak / (peak + 1.0));
+    let exact = f64::from(peak) / (f64::from(peak) + 1.0);
     assert!(1.0 - stays[0] <= 1e-10 && (time[0] - exact).abs() <= 1e-8);
 }

@@ -53,6 +53,7 @@ mod step_errors;
 mod subjects;
 mod targets;
 mod times;
+mod weighed;
 mod words;
 mod wrapped;
 mod wrapping;

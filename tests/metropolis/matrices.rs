@@ -52,7 +52,7 @@ fn examine<D: Truth, M: Mutation<usize>>(
     f: &[D],
     mutation: &M,
     words: &Words,
-) -> Enumerated {
+) -> Enumerated<D> {
     let found = Enumerated::new(f, mutation, words);
     let report = found.report();
     println!(
