@@ -1,11 +1,11 @@
 //! Chains of integer weights that are wrong, each in one way: the checks that the right ones pass see it.
 
 use super::balance::Enumerated;
-use super::counterexamples::Forgetful;
+use super::counterexamples::{Forgetful, integer_table as table};
 use super::enumeration::{Driven, Path, Words};
 use super::integer_balance::Report;
 use super::integer_chances::ALL;
-use super::integer_matrices::{LARGE, table};
+use super::matrices::LARGE_INTEGERS as LARGE;
 use microwarp::metropolis::{Mutation, TransitionTable, UniformIndex};
 use num_bigint::BigUint;
 

@@ -23,7 +23,6 @@ mod health;
 mod integer_balance;
 mod integer_chances;
 mod integer_flaws;
-mod integer_matrices;
 mod integers;
 mod laws;
 mod limited;
