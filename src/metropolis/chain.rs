@@ -1,12 +1,7 @@
-//! The chain: where it is, and what it counts.
+//! The chain: where it is, what it counts, and how it is kept.
 
-use super::correction::{Judge, Verdict};
-use super::weight::{Probability, Weight};
-use super::{Mutation, Outcome, Saved, Step};
+use super::weight::Weight;
 use crate::error::Error;
-use crate::uniform::infallible;
-use core::num::NonZeroU32;
-use rand_core::{Rng, TryRng};
 
 /// A Markov chain with a given stationary density, by the rule of Metropolis and Hastings.
 ///
@@ -61,7 +56,7 @@ use rand_core::{Rng, TryRng};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Chain<X, D = f32> {
-    pub(super) at: Saved<X, D>,
+    at: Saved<X, D>,
 }
 
 impl<X: Copy, D: Weight> Chain<X, D> {
@@ -91,199 +86,22 @@ impl<X: Copy, D: Weight> Chain<X, D> {
         Self { at }
     }
 
-    /// Takes a step: one proposal, accepted or not.
-    ///
-    /// The target must be the one that the chain was started with, and its density at a state always the
-    /// same.
-    ///
-    /// # Errors
-    /// The generator's own error; the chain is then as it was.
+    /// The chain is at the proposed state.
     #[inline]
-    pub fn try_step<M, R>(
-        &mut self,
-        target: impl FnOnce(X) -> D,
-        mutation: &M,
-        rng: &mut R,
-    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
-    where
-        M: Mutation<X> + ?Sized,
-        R: TryRng + ?Sized,
-    {
-        self.advance(target, mutation, u32::MAX, rng)
+    pub(super) const fn moved(&mut self, state: X, density: D) {
+        self.at.state = state;
+        self.at.density = density;
+        self.at.steps = self.at.steps.saturating_add(1);
+        self.at.accepted = self.at.accepted.saturating_add(1);
+        self.at.rejected_in_a_row = 0;
     }
 
-    /// Takes a step with a generator that cannot fail.
+    /// The chain is where it was.
     #[inline]
-    pub fn step<M, R>(
-        &mut self,
-        target: impl FnOnce(X) -> D,
-        mutation: &M,
-        rng: &mut R,
-    ) -> Step<X, D, D::Acceptance>
-    where
-        M: Mutation<X> + ?Sized,
-        R: Rng + ?Sized,
-    {
-        infallible(self.try_step(target, mutation, rng))
-    }
-
-    /// Takes a step, but rejects no more than `limit` times in a row: the next proposal that has a positive
-    /// density and a way back is accepted then, whatever the probability ([`Outcome::Forced`]).
-    ///
-    /// This **biases** the chain: it is no longer stationary in f. States that are left seldom, which are
-    /// those of high density, lose: one left with probability A a step keeps 1 − (1 − A)^(limit + 1) of the
-    /// time it would have had in a stay, and what it loses goes to where it is forced. (That is if each
-    /// proposal could be forced. It keeps more where some cannot, and where the state itself is proposed,
-    /// which counts as accepted.) With A well above 1/limit the loss is next to nothing; below, a peak of
-    /// density f is cut to about (limit + 1)·A·f. The share of forced steps says which it is.
-    ///
-    /// # Errors
-    /// The generator's own error; the chain is then as it was.
-    #[inline]
-    pub fn try_step_limited<M, R>(
-        &mut self,
-        target: impl FnOnce(X) -> D,
-        mutation: &M,
-        limit: NonZeroU32,
-        rng: &mut R,
-    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
-    where
-        M: Mutation<X> + ?Sized,
-        R: TryRng + ?Sized,
-    {
-        // A count that saturates never reaches no limit at all.
-        let limit = limit.get().min(u32::MAX.saturating_sub(1));
-        self.advance(target, mutation, limit, rng)
-    }
-
-    /// Likewise with a generator that cannot fail.
-    ///
-    /// ```
-    /// use core::num::NonZeroU32;
-    /// use microwarp::metropolis::{Chain, Outcome, UniformStep};
-    /// use rand_pcg::Pcg32;
-    /// let spike = |x: f32| if x < 0.01 { 1e6 } else { 1.0 };
-    /// let limit = NonZeroU32::new(100).ok_or(microwarp::Error::NotPositive)?;
-    /// let (mut chain, mut rng) = (Chain::new(0.0, spike)?, Pcg32::new(1, 1));
-    /// let mut forced = 0;
-    /// for _ in 0..10_000 {
-    ///     let step = chain.step_limited(spike, &UniformStep::new(), limit, &mut rng);
-    ///     forced += u32::from(step.outcome == Outcome::Forced);
-    ///     assert!(chain.rejected_in_a_row() <= 100);
-    /// }
-    /// assert!(forced > 10); // here the limit decides, and the bias is large
-    /// # Ok::<(), microwarp::Error>(())
-    /// ```
-    #[inline]
-    pub fn step_limited<M, R>(
-        &mut self,
-        target: impl FnOnce(X) -> D,
-        mutation: &M,
-        limit: NonZeroU32,
-        rng: &mut R,
-    ) -> Step<X, D, D::Acceptance>
-    where
-        M: Mutation<X> + ?Sized,
-        R: Rng + ?Sized,
-    {
-        infallible(self.try_step_limited(target, mutation, limit, rng))
-    }
-
-    /// The one step; a limit of `u32::MAX` is none.
-    #[inline]
-    fn advance<M, R>(
-        &mut self,
-        target: impl FnOnce(X) -> D,
-        mutation: &M,
-        limit: u32,
-        rng: &mut R,
-    ) -> Result<Step<X, D, D::Acceptance>, R::Error>
-    where
-        M: Mutation<X> + ?Sized,
-        R: TryRng + ?Sized,
-    {
-        let at = self.at;
-        let proposal = mutation.try_propose(at.state, rng)?;
-        let word = rng.try_next_u32()?;
-        let density = target(proposal.state);
-        let (acceptance, outcome) = match proposal.correction.judge(at.density, density) {
-            Verdict::With(a) if a.happens(word) => (a, Outcome::Accepted),
-            Verdict::With(_) if limit < u32::MAX && at.rejected_in_a_row >= limit => {
-                (D::Acceptance::ALWAYS, Outcome::Forced)
-            }
-            Verdict::With(a) => (a, Outcome::Rejected),
-            Verdict::Never => (D::Acceptance::NEVER, Outcome::Rejected),
-            Verdict::Refused => (D::Acceptance::NEVER, Outcome::Refused),
-        };
-        let step = Step {
-            from: at.state,
-            from_density: at.density,
-            proposed: proposal.state,
-            proposed_density: density,
-            acceptance,
-            outcome,
-            kind: proposal.kind,
-        };
-        self.count(&step);
-        Ok(step)
-    }
-
-    #[inline]
-    fn count(&mut self, step: &Step<X, D, D::Acceptance>) {
-        let at = &mut self.at;
-        at.steps = at.steps.saturating_add(1);
-        if step.is_accepted() {
-            at.state = step.proposed;
-            at.density = step.proposed_density;
-            at.accepted = at.accepted.saturating_add(1);
-            at.rejected_in_a_row = 0;
-        } else {
-            let refused = u64::from(step.outcome == Outcome::Refused);
-            at.refused = at.refused.saturating_add(refused);
-            at.rejected_in_a_row = at.rejected_in_a_row.saturating_add(1);
-        }
-    }
-
-    /// Takes `steps` steps and forgets them: a start that the density would hardly have chosen weighs less
-    /// and less with each. The counts begin anew.
-    ///
-    /// How many are enough, no rule says; a few times the integrated autocorrelation time of
-    /// [`Health`](super::Health) leaves little, if the chain has been everywhere.
-    ///
-    /// # Errors
-    /// The generator's own error; the steps before it are taken, and counted.
-    #[inline]
-    pub fn try_burn_in<M, R>(
-        &mut self,
-        mut target: impl FnMut(X) -> D,
-        mutation: &M,
-        steps: u32,
-        rng: &mut R,
-    ) -> Result<(), R::Error>
-    where
-        M: Mutation<X> + ?Sized,
-        R: TryRng + ?Sized,
-    {
-        for _ in 0..steps {
-            self.try_step(&mut target, mutation, rng)?;
-        }
-        self.reset_counts();
-        Ok(())
-    }
-
-    /// Likewise with a generator that cannot fail.
-    #[inline]
-    pub fn burn_in<M, R>(
-        &mut self,
-        target: impl FnMut(X) -> D,
-        mutation: &M,
-        steps: u32,
-        rng: &mut R,
-    ) where
-        M: Mutation<X> + ?Sized,
-        R: Rng + ?Sized,
-    {
-        infallible(self.try_burn_in(target, mutation, steps, rng));
+    pub(super) fn stayed(&mut self, refused: bool) {
+        self.at.steps = self.at.steps.saturating_add(1);
+        self.at.refused = self.at.refused.saturating_add(u64::from(refused));
+        self.at.rejected_in_a_row = self.at.rejected_in_a_row.saturating_add(1);
     }
 
     /// Sets all counts to 0, the rejections in a row included.
@@ -344,4 +162,66 @@ impl<X: Copy, D: Weight> Chain<X, D> {
     pub fn acceptance_rate(&self) -> Option<f32> {
         (self.at.steps > 0).then(|| self.at.accepted as f32 / self.at.steps as f32)
     }
+
+    /// The chain as plain numbers.
+    #[must_use]
+    #[inline]
+    pub const fn save(&self) -> Saved<X, D> {
+        self.at
+    }
+
+    /// A chain out of the numbers of a saved one. The density is taken as it was saved, without asking the
+    /// target.
+    ///
+    /// # Errors
+    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for more accepted steps than steps, and
+    /// for more that are refused, or that stayed in a row, than the others.
+    #[inline]
+    pub fn resume(saved: Saved<X, D>) -> Result<Self, Error> {
+        let Some(stayed) = saved.steps.checked_sub(saved.accepted) else {
+            return Err(Error::OutOfRange);
+        };
+        if saved.refused > stayed || u64::from(saved.rejected_in_a_row) > stayed {
+            return Err(Error::OutOfRange);
+        }
+        saved.density.positive()?;
+        Ok(Self { at: saved })
+    }
+}
+
+/// All that a chain is, as plain numbers: to be kept in flash or sent over a wire, and made a chain again.
+///
+/// A chain that is saved and resumed continues bit for bit, if the generator is kept too.
+///
+/// ```
+/// use microwarp::metropolis::{Chain, Saved, UniformStep};
+/// use rand_pcg::Pcg32;
+/// let f = |[x, y]: [f32; 2]| x + y;
+/// let mut rng = Pcg32::new(1, 1);
+/// let mut chain = Chain::new([0.5, 0.25], f)?;
+/// chain.step(f, &UniformStep::new(), &mut rng);
+///
+/// // Into storage of one's own, number by number, and back.
+/// let saved = chain.save();
+/// let words = [saved.state[0], saved.state[1], saved.density].map(f32::to_bits);
+/// let [x, y, density] = words.map(f32::from_bits);
+/// let again = Chain::resume(Saved { state: [x, y], density, ..saved })?;
+/// assert_eq!(again, chain);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Saved<X, D = f32> {
+    /// Where the chain is.
+    pub state: X,
+    /// The density there, positive.
+    pub density: D,
+    /// The steps taken since the start or the end of the burn-in.
+    pub steps: u64,
+    /// How many of them went to the proposed state, forced ones included.
+    pub accepted: u64,
+    /// How many proposals were refused.
+    pub refused: u64,
+    /// How many steps in a row, the last one included, have stayed; it saturates.
+    pub rejected_in_a_row: u32,
 }

@@ -1,13 +1,19 @@
-//! The acceptance of integer weights: exact, and without a floating-point operation.
+//! One step of a chain of integer weights: its exact acceptance, without a floating-point operation.
 
 #![expect(
     clippy::arithmetic_side_effects,
     reason = "nothing overflows, which builds with overflow checks show"
 )]
 
-use super::weight::Probability;
+use super::hastings::{Hastings, Stated as _};
+use super::rule::steps;
+use super::weight::{Standing, Weighing as _};
+use super::{Chain, Counts, Mutation, Outcome, Step};
 use crate::num::Scaled as Apart;
 use crate::num::division::{fraction, fraction_u32, scaled};
+use crate::uniform::infallible;
+use core::num::NonZeroU32;
+use rand_core::{Rng, TryRng};
 
 /// The acceptance of a step between integer weights: how many of the 2³² words that decide accept it.
 ///
@@ -49,9 +55,22 @@ impl Chance {
     /// How many words there are, 2³².
     pub const TOTAL: u64 = 1 << 32;
 
+    const NEVER: Self = Self::of(0, 1);
+    const ALWAYS: Self = Self::of(1, 1);
+
     #[inline]
-    pub(super) const fn of(part: u64, whole: u64) -> Self {
+    const fn of(part: u64, whole: u64) -> Self {
         Self { part, whole }
+    }
+
+    /// The rule: min(1, f′T′/(fT)), of a proposal of weight f′ by a chain at a state of weight f, both positive.
+    #[inline]
+    const fn acceptance(f: u32, f_new: u32, ratio: Hastings) -> Self {
+        match ratio {
+            Hastings::One => Self::of(f_new as u64, f as u64),
+            Hastings::Counts(counts) => Self::of_counts(f, f_new, counts),
+            Hastings::Ratio(ratio) => Self::of_apart(f, f_new, ratio.value),
+        }
     }
 
     /// How many words accept: from 0 to [`Chance::TOTAL`].
@@ -81,9 +100,10 @@ impl Chance {
 
     /// Of two weights, and two counts of 1 to 2⁶⁴.
     #[inline]
-    pub(super) const fn of_counts(from: u32, to: u32, forward: u128, backward: u128) -> Self {
+    const fn of_counts(from: u32, to: u32, counts: Counts) -> Self {
         /// Up to here the products with a weight have 64 bits.
         const NARROW: u128 = 1 << 32;
+        let Counts { forward, backward } = counts;
         if forward <= NARROW && backward <= NARROW {
             Self::of(to as u64 * backward as u64, from as u64 * forward as u64)
         } else {
@@ -93,7 +113,7 @@ impl Chance {
 
     /// Of two weights and a ratio, which is an integer of 24 bits times a power of two.
     #[inline]
-    pub(super) const fn of_apart(from: u32, to: u32, ratio: Apart) -> Self {
+    const fn of_apart(from: u32, to: u32, ratio: Apart) -> Self {
         let (significand, exponent) = ratio.parts();
         let digits = significand.to_bits() & 0x007f_ffff | 0x0080_0000;
         let (part, whole) = (to as u128 * digits as u128, from as u128);
@@ -125,12 +145,48 @@ impl PartialEq for Chance {
 
 impl Eq for Chance {}
 
-impl Probability for Chance {
-    const NEVER: Self = Self::of(0, 1);
-    const ALWAYS: Self = Self::of(1, 1);
-
+impl<X: Copy> Chain<X, u32> {
+    /// The one step; a limit of `u32::MAX` is none.
     #[inline]
-    fn happens(self, word: u32) -> bool {
-        self.accepts(word)
+    fn advance<R: TryRng + ?Sized>(
+        &mut self,
+        target: impl FnOnce(X) -> u32,
+        mutation: &(impl Mutation<X> + ?Sized),
+        limit: u32,
+        rng: &mut R,
+    ) -> Result<Step<X, u32, Chance>, R::Error> {
+        let proposal = mutation.try_propose(self.state(), rng)?;
+        let word = rng.try_next_u32()?;
+        let weight = target(proposal.state);
+        let ratio = proposal.correction.hastings();
+        let (a, outcome) = match weight.standing().and(ratio.standing()) {
+            Standing::Positive => match Chance::acceptance(self.density(), weight, ratio) {
+                a if a.accepts(word) => (a, Outcome::Accepted),
+                _ if self.must_move(limit) => (Chance::ALWAYS, Outcome::Forced),
+                a => (a, Outcome::Rejected),
+            },
+            Standing::Zero => (Chance::NEVER, Outcome::Rejected),
+            Standing::Unsound => (Chance::NEVER, Outcome::Refused),
+        };
+        Ok(self.take(proposal, weight, a, outcome))
+    }
+}
+
+steps!(u32, Chance);
+
+impl<X: Copy, D> Step<X, D, Chance> {
+    /// Both states with the number of words, of 2³², to record them with: those that reject and those that
+    /// accept, which sum to 2³² exactly.
+    ///
+    /// This is exactly the expectation of recording the state after the step. Pass over a state without words: if
+    /// refused, it may be outside the domain.
+    #[must_use]
+    #[inline]
+    pub const fn recorded(&self) -> [(X, u64); 2] {
+        let words = self.acceptance.words();
+        [
+            (self.from, Chance::TOTAL.wrapping_sub(words)),
+            (self.proposed, words),
+        ]
     }
 }

@@ -1,9 +1,8 @@
 //! Weights in floating point: a density, or the logarithm of it.
 
-use super::counts::quotient_of_counts;
-use super::weight::{Probability, Standing, Weighing, Weight};
+use super::weight::{Standing, Weighing, Weight};
 use crate::error::Error;
-use crate::num::{Scaled as Apart, happens, representable, saturated, two_product};
+use crate::num::{Scaled as Apart, representable, saturated, two_product};
 use crate::tier::Tier;
 use core::f32::consts::{LN_2, LOG2_E};
 use core::marker::PhantomData;
@@ -11,13 +10,15 @@ use core::marker::PhantomData;
 mod sealed {
     use super::Apart;
 
-    /// What a chain's start needs of a density beyond what a step does.
+    /// Arithmetic of positive densities.
     pub trait Arithmetic: Copy {
-        /// to/from, of two positive densities.
-        fn quotient_apart(from: Self, to: Self) -> Apart;
-        /// Whether this density is the larger one, of two positive ones.
+        /// Whether this density is the larger one.
         fn exceeds(self, other: Self) -> bool;
-        /// A positive density times a number.
+        /// The quotient by a larger density.
+        fn over(self, larger: Self) -> f32;
+        /// The quotient by any density.
+        fn apart_over(self, other: Self) -> Apart;
+        /// The product with a number.
         fn scaled(self, by: Apart) -> Self;
     }
 }
@@ -28,41 +29,9 @@ pub(super) use sealed::Arithmetic;
 ///
 /// A density of 0 (a logarithm of −∞) is a state the chain never enters. One that is NaN, infinite or
 /// negative (a logarithm of NaN or +∞) is refused, and counted.
-pub trait Density: Weight<Acceptance = f32> + Arithmetic {}
+pub trait Density: Weight + Arithmetic {}
 
-impl Probability for f32 {
-    const NEVER: Self = 0.0;
-    const ALWAYS: Self = 1.0;
-
-    #[inline]
-    fn happens(self, word: u32) -> bool {
-        happens(self, word)
-    }
-}
-
-/// The product of two positive numbers as an acceptance.
-#[inline]
-fn product(quotient: Apart, ratio: Apart) -> f32 {
-    let acceptance = quotient.times(ratio).value();
-    if acceptance < 1.0 { acceptance } else { 1.0 }
-}
-
-/// What of a weight is the same in both forms of a density.
-macro_rules! asymmetric {
-    () => {
-        #[inline]
-        fn accepted_with_ratio(from: Self, to: Self, ratio: Apart) -> f32 {
-            product(Self::quotient_apart(from, to), ratio)
-        }
-
-        #[inline]
-        fn accepted_with_counts(from: Self, to: Self, forward: u128, backward: u128) -> f32 {
-            Self::accepted_with_ratio(from, to, quotient_of_counts(forward, backward))
-        }
-    };
-}
-
-impl Weighing<f32> for f32 {
+impl Weighing for f32 {
     #[inline]
     fn standing(self) -> Standing {
         if self > 0.0 && self <= f32::MAX {
@@ -82,29 +51,24 @@ impl Weighing<f32> for f32 {
             Error::NotFinite
         }
     }
-
-    #[inline]
-    fn accepted(from: Self, to: Self) -> f32 {
-        // The quotient of a smaller number by a larger one cannot overflow.
-        if to < from { to / from } else { 1.0 }
-    }
-
-    asymmetric!();
 }
 
-impl Weight for f32 {
-    type Acceptance = Self;
-}
+impl Weight for f32 {}
 
 impl Arithmetic for f32 {
     #[inline]
-    fn quotient_apart(from: Self, to: Self) -> Apart {
-        Apart::of(to).over(Apart::of(from))
+    fn exceeds(self, other: Self) -> bool {
+        self > other
     }
 
     #[inline]
-    fn exceeds(self, other: Self) -> bool {
-        self > other
+    fn over(self, larger: Self) -> f32 {
+        self / larger
+    }
+
+    #[inline]
+    fn apart_over(self, other: Self) -> Apart {
+        Apart::of(self).over(Apart::of(other))
     }
 
     #[inline]
@@ -183,7 +147,7 @@ fn exp_apart<T: Tier>(x: f32) -> Apart {
     Apart::of(T::exp(rest)).raised(exponent)
 }
 
-impl<T: Tier> Weighing<f32> for LogDensity<T> {
+impl<T: Tier> Weighing for LogDensity<T> {
     #[inline]
     fn standing(self) -> Standing {
         if self.log.is_finite() {
@@ -199,32 +163,24 @@ impl<T: Tier> Weighing<f32> for LogDensity<T> {
     fn fault(self) -> Error {
         Error::NotFinite
     }
-
-    #[inline]
-    fn accepted(from: Self, to: Self) -> f32 {
-        if to.log < from.log {
-            T::exp(to.log - from.log)
-        } else {
-            1.0
-        }
-    }
-
-    asymmetric!();
 }
 
-impl<T: Tier> Weight for LogDensity<T> {
-    type Acceptance = f32;
-}
+impl<T: Tier> Weight for LogDensity<T> {}
 
 impl<T: Tier> Arithmetic for LogDensity<T> {
     #[inline]
-    fn quotient_apart(from: Self, to: Self) -> Apart {
-        exp_apart::<T>(to.log - from.log)
+    fn exceeds(self, other: Self) -> bool {
+        self.log > other.log
     }
 
     #[inline]
-    fn exceeds(self, other: Self) -> bool {
-        self.log > other.log
+    fn over(self, larger: Self) -> f32 {
+        T::exp(self.log - larger.log)
+    }
+
+    #[inline]
+    fn apart_over(self, other: Self) -> Apart {
+        exp_apart::<T>(self.log - other.log)
     }
 
     #[inline]

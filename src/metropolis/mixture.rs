@@ -1,6 +1,6 @@
 //! Several mutations, of which each step picks one.
 
-use super::correction::{Correction, Judge as _, Stated};
+use super::hastings::{Correction, Hastings, Stated as _};
 use super::{Mutation, Proposal, UniformStep};
 use crate::discrete::Cdf;
 use crate::error::Error;
@@ -39,7 +39,7 @@ impl<X: Copy, M: Mutation<X>, const N: usize> Mutations<X, N> for [M; N] {
         match self.get(index) {
             Some(mutation) => mutation.try_propose(from, rng),
             // No table has an index beyond its last entry.
-            None => Ok(Proposal::new(from, M::Correction::of(Stated::Nothing))),
+            None => Ok(Proposal::new(from, M::Correction::of(Hastings::One))),
         }
     }
 }
@@ -67,12 +67,12 @@ macro_rules! tuples {
                         let proposal = self.$index.try_propose(from, rng)?;
                         Proposal {
                             state: proposal.state,
-                            correction: Self::Correction::of(proposal.correction.stated()),
+                            correction: Self::Correction::of(proposal.correction.hastings()),
                             kind: proposal.kind,
                         }
                     })+
                     // No table has an index beyond its last entry.
-                    _ => Proposal::new(from, Self::Correction::of(Stated::Nothing)),
+                    _ => Proposal::new(from, Self::Correction::of(Hastings::One)),
                 })
             }
         }

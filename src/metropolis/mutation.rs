@@ -1,6 +1,6 @@
 //! The trait of what proposes.
 
-use super::correction::Correction;
+use super::hastings::Correction;
 use rand_core::TryRng;
 
 /// A state that is proposed, and what its mutation says of the way there and back.

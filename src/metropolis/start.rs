@@ -1,7 +1,7 @@
 //! How a chain finds its first state among those of another sampler.
 
 use super::density::Density;
-use super::weight::{Standing, Weighing, Weight};
+use super::weight::{Standing, Weighing as _, Weight};
 use super::{Chain, Source};
 use crate::estimate::Sum;
 use crate::num::{Scaled as Apart, happens};
@@ -59,7 +59,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
     /// Takes in a candidate of positive density, and holds it if the word says so.
     fn offer(&mut self, state: X, density: D, pdf: f32, word: u32) {
         let base = self.base_with(density);
-        let weight = D::quotient_apart(base, density).over(Apart::of(pdf));
+        let weight = density.apart_over(base).over(Apart::of(pdf));
         let (_, exponent) = weight.parts();
         if exponent > self.exponent {
             let shrunk = Apart::ONE
@@ -83,7 +83,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
         match self.base {
             Some(base) if !density.exceeds(base) => return base,
             Some(base) => {
-                let (factor, exponent) = D::quotient_apart(density, base).parts();
+                let (factor, exponent) = base.apart_over(density).parts();
                 let times = |sum, factor| Sum::ZERO.plus_multiple(sum, factor);
                 self.sum = times(self.sum, factor);
                 self.squares = times(times(self.squares, factor), factor);

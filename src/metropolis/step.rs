@@ -1,7 +1,5 @@
 //! What one step of a chain did.
 
-use super::Chance;
-
 /// What became of a proposal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -14,6 +12,23 @@ pub enum Outcome {
     /// ratio of the mutation is none.
     Refused,
     /// The chain is at the proposed state, because it had rejected as often in a row as it was allowed to.
+    ///
+    /// ```
+    /// use core::num::NonZeroU32;
+    /// use microwarp::metropolis::{Chain, Outcome, UniformStep};
+    /// use rand_pcg::Pcg32;
+    /// let spike = |x: f32| if x < 0.01 { 1e6 } else { 1.0 };
+    /// let limit = NonZeroU32::new(100).ok_or(microwarp::Error::NotPositive)?;
+    /// let (mut chain, mut rng) = (Chain::new(0.0, spike)?, Pcg32::new(1, 1));
+    /// let mut forced = 0;
+    /// for _ in 0..10_000 {
+    ///     let step = chain.step_limited(spike, &UniformStep::new(), limit, &mut rng);
+    ///     forced += u32::from(step.outcome == Outcome::Forced);
+    ///     assert!(chain.rejected_in_a_row() <= 100);
+    /// }
+    /// assert!(forced > 10); // here the limit decides, and the bias is large
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
     Forced,
 }
 
@@ -52,7 +67,7 @@ pub struct Step<X, D = f32, A = f32> {
     /// Its density, as the target gave it; of a refused proposal it may be anything.
     pub proposed_density: D,
     /// The probability with which the proposal is accepted, a, in [0, 1]: 0 of a refused one, 1 of a forced
-    /// one. An `f32`, or of integer weights a [`Chance`].
+    /// one. An `f32`, or of integer weights a [`Chance`](super::Chance).
     pub acceptance: A,
     /// What became of it.
     pub outcome: Outcome,
@@ -103,23 +118,6 @@ impl<X: Copy, D> Step<X, D> {
         [
             (self.from, 1.0 - self.acceptance),
             (self.proposed, self.acceptance),
-        ]
-    }
-}
-
-impl<X: Copy, D> Step<X, D, Chance> {
-    /// Both states with the number of words, of 2³², to record them with: those that reject and those that
-    /// accept, which sum to 2³² exactly.
-    ///
-    /// This is exactly the expectation of recording the state after the step. Pass over a state without words: if
-    /// refused, it may be outside the domain.
-    #[must_use]
-    #[inline]
-    pub const fn recorded(&self) -> [(X, u64); 2] {
-        let words = self.acceptance.words();
-        [
-            (self.from, Chance::TOTAL.wrapping_sub(words)),
-            (self.proposed, words),
         ]
     }
 }

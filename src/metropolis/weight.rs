@@ -1,26 +1,35 @@
-//! What a chain weighs its states by, in general: what a step asks of it, and integers.
+//! What a target says of a state, in general, and integer weights.
 
-use super::Chance;
 use crate::error::Error;
-use crate::num::Scaled as Apart;
-use core::fmt::Debug;
 
-/// What a weight says of its state.
+/// Whether a chain can be at a state, or can take a way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Standing {
-    /// A chain may be there.
+    /// It can.
     Positive,
-    /// A chain is never there.
+    /// It never does.
     Zero,
-    /// Not a weight at all.
+    /// The number is not a weight or a ratio at all.
     Unsound,
 }
 
-mod sealed {
-    use super::{Apart, Error, Standing};
+impl Standing {
+    /// That of a product.
+    #[inline]
+    pub(super) const fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Unsound, _) | (_, Self::Unsound) => Self::Unsound,
+            (Self::Zero, _) | (_, Self::Zero) => Self::Zero,
+            (Self::Positive, Self::Positive) => Self::Positive,
+        }
+    }
+}
 
-    /// What acceptance, of type `A`, needs of a weight.
-    pub trait Weighing<A>: Copy {
+mod sealed {
+    use super::{Error, Standing};
+
+    pub trait Weighing: Copy {
         fn standing(self) -> Standing;
         /// Refuses every weight where a chain cannot be, and says why.
         #[inline]
@@ -33,38 +42,17 @@ mod sealed {
         }
         /// Why it is unsound.
         fn fault(self) -> Error;
-        /// min(1, to/from), of two positive weights.
-        fn accepted(from: Self, to: Self) -> A;
-        /// Likewise with a ratio of the mutation.
-        fn accepted_with_ratio(from: Self, to: Self, ratio: Apart) -> A;
-        /// min(1, to·backward/(from·forward)), all positive, the counts up to 2⁶⁴.
-        fn accepted_with_counts(from: Self, to: Self, forward: u128, backward: u128) -> A;
-    }
-
-    /// What a step needs of an acceptance.
-    #[allow(
-        unreachable_pub,
-        reason = "it bounds a type of a public trait, which Rust 1.85 does not see"
-    )]
-    pub trait Probability: Copy {
-        const NEVER: Self;
-        const ALWAYS: Self;
-        /// Whether a word accepts.
-        fn happens(self, word: u32) -> bool;
     }
 }
-pub(super) use sealed::{Probability, Weighing};
+pub(super) use sealed::Weighing;
 
 /// What a target says of a state: a [`Density`](super::Density), which is an `f32` or the logarithm of one, or
 /// an integer, `u32`. The trait is sealed.
 ///
 /// A weight of 0 is a state the chain never enters.
-pub trait Weight: Weighing<<Self as Weight>::Acceptance> {
-    /// What the acceptance of a step is: `f32` of a density, an exact [`Chance`] of integers.
-    type Acceptance: Probability + Debug + PartialEq;
-}
+pub trait Weight: Weighing {}
 
-impl Weighing<Chance> for u32 {
+impl Weighing for u32 {
     #[inline]
     fn standing(self) -> Standing {
         if self > 0 {
@@ -78,23 +66,6 @@ impl Weighing<Chance> for u32 {
     fn fault(self) -> Error {
         Error::NotPositive
     }
-
-    #[inline]
-    fn accepted(from: Self, to: Self) -> Chance {
-        Chance::of(to.into(), from.into())
-    }
-
-    #[inline]
-    fn accepted_with_ratio(from: Self, to: Self, ratio: Apart) -> Chance {
-        Chance::of_apart(from, to, ratio)
-    }
-
-    #[inline]
-    fn accepted_with_counts(from: Self, to: Self, forward: u128, backward: u128) -> Chance {
-        Chance::of_counts(from, to, forward, backward)
-    }
 }
 
-impl Weight for u32 {
-    type Acceptance = Chance;
-}
+impl Weight for u32 {}

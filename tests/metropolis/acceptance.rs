@@ -1,6 +1,7 @@
 //! The acceptance: as exact as stated, from densities and ratios of any magnitude.
 
 use super::exact::Fraction;
+use crate::speed;
 use microwarp::metropolis::{
     Chain, Correction, Density, Mutation, Outcome, Proposal, Ratio, Step, Symmetric,
 };
@@ -65,7 +66,8 @@ fn between(rng: &mut Pcg32, low: i32, high: i32) -> i32 {
 fn a_symmetric_acceptance_is_correctly_rounded() {
     let mut rng = Pcg32::new(1, 1);
     let (mut worst, mut subnormal, mut below) = (0.0_f64, 0, 0);
-    for round in 0..1_000_000 {
+    let rounds = speed::of("rounds", 1_000_000, 100_000);
+    for round in 0..rounds {
         let from = positive(&mut rng);
         let to = match round % 4 {
             0 => positive(&mut rng),
@@ -85,7 +87,7 @@ fn a_symmetric_acceptance_is_correctly_rounded() {
         below += u32::from(a < 1.0);
     }
     println!("symmetric: {worst:.4} ulp; {below} below 1, {subnormal} subnormal");
-    assert!(worst > 0.49 && below > 500_000 && subnormal > 50_000);
+    assert!(worst > 0.49 && below > rounds / 2 && subnormal > rounds / 20);
 }
 
 /// Four numbers whose acceptance is likely to be neither 1 nor 0.
@@ -118,17 +120,18 @@ fn an_acceptance_with_a_ratio_is_within_2_ulp() {
         cases += u32::from(off > 0.0);
         off
     };
-    for _ in 0..1_000_000 {
+    let rounds = speed::of("rounds", 1_000_000, 100_000);
+    for _ in 0..rounds {
         if let Some(numbers) = four(&mut rng) {
             try_one(numbers);
         }
     }
-    for _ in 0..300_000 {
+    for _ in 0..rounds / 3 {
         try_one([(); 4].map(|()| positive(&mut rng)));
     }
     // A search for the worst: a quotient just above a power of two loses most, in proportion, and a product
     // just below one counts it most.
-    for _ in 0..200 {
+    for _ in 0..speed::of("searches", 200, 30) {
         let near = |rng: &mut Pcg32| 1.0 + f32::EPSILON * (rng.next_u32() >> 20) as f32;
         let mut best = [near(&mut rng), near(&mut rng), 1.0, 1.0];
         best[0] *= 2.0;
@@ -151,7 +154,7 @@ fn an_acceptance_with_a_ratio_is_within_2_ulp() {
         }
     }
     println!("with a ratio: {worst:.4} ulp; {cases} acceptances are rounded");
-    assert!(worst > 1.75 && cases > 500_000);
+    assert!(worst > 1.75 && cases > rounds / 2);
 }
 
 /// The value of a ratio, through the acceptance of two densities whose quotient is a power of two, which
@@ -180,7 +183,8 @@ fn a_ratio_of_counts_is_correctly_rounded_but_next_to_the_middle() {
         wrong += u32::from(off > 0.5);
     };
     let any = |rng: &mut Pcg32| u128::from(rng.next_u64() >> (rng.next_u32() % 64)).max(1);
-    for _ in 0..1_000_000 {
+    let rounds = speed::of("rounds", 1_000_000, 100_000);
+    for _ in 0..rounds {
         check(any(&mut rng), any(&mut rng));
     }
     const ALL: u128 = 1 << 64;
@@ -201,7 +205,7 @@ fn a_ratio_of_counts_is_correctly_rounded_but_next_to_the_middle() {
         }
     }
     // Next to the middle of two f32: the middle has 25 bits, and the count is off by a few parts in 2^48.
-    for _ in 0..1_000_000 {
+    for _ in 0..rounds {
         let forward = u128::from(rng.next_u64() | 1 << 63);
         let middle = u128::from(rng.next_u32() >> 8 | 1 << 23) * 2 + 1;
         let exact = (forward * middle) >> 25;

@@ -1,19 +1,19 @@
-//! What is asked of a transition matrix: sums, stationarity, detailed balance, eigenvalues; and in what each
-//! fails, so that the counter-examples can be asked too.
+//! The enumerated transitions of any chain, and what is asked of those of densities: sums, stationarity, detailed
+//! balance, eigenvalues; and in what each fails, so that the counter-examples can be asked too.
 
 use super::enumeration::{Driven, Path, TOTAL_BITS, Words, exact, proposals, rounded};
 use super::spectrum::{Matrix, second_by_powers, second_by_rotations};
+use super::weighed::Weighed;
 use microwarp::metropolis::{Density, LogDensity, Mutation};
 use microwarp::tier::Tier;
 use num_bigint::BigUint;
 
 /// A density in f64, of which nothing but quotients are known.
-pub trait Truth: Density {
+pub trait Truth: Density + Weighed<Acceptance = f32> {
     /// `to` over `from`.
     fn ratio(from: Self, to: Self) -> f64;
     /// What the acceptance of a symmetric mutation may be off, in proportion to it.
     fn error(from: Self, to: Self) -> f64;
-    fn is_positive(self) -> bool;
 }
 
 /// Half an ulp, and the largest ulp, in proportion to a number.
@@ -26,9 +26,6 @@ impl Truth for f32 {
     fn error(_: Self, _: Self) -> f64 {
         HALF
     }
-    fn is_positive(self) -> bool {
-        self > 0.0
-    }
 }
 
 impl<T: Tier> Truth for LogDensity<T> {
@@ -39,19 +36,87 @@ impl<T: Tier> Truth for LogDensity<T> {
         // An ulp, and the difference rounded.
         2.0 * HALF + HALF * (f64::from(to.get()) - f64::from(from.get())).abs()
     }
-    fn is_positive(self) -> bool {
-        self.get() > f32::NEG_INFINITY
-    }
 }
 
-/// The enumerated transitions of a chain, and the truth about its target.
-pub struct Enumerated {
-    /// Of each state; of one of density 0, none.
-    pub paths: Vec<Vec<Path>>,
-    /// The densities over the largest.
-    pub f: Vec<f64>,
-    ratio: Matrix,
-    error: Matrix,
+/// The enumerated transitions of a chain, and its weights.
+pub struct Enumerated<W: Weighed> {
+    pub f: Vec<W>,
+    /// Of each state; of one of weight 0, none.
+    pub paths: Vec<Vec<Path<W::Acceptance>>>,
+    /// How many of 2^64 words the ways there and back of one proposal may differ by and count as equal: the parts
+    /// of a fraction that does not divide them. Chains of integers are told of it.
+    pub uneven: u64,
+}
+
+impl<W: Weighed> Enumerated<W> {
+    /// Of paths from elsewhere.
+    pub fn of(f: &[W], paths: Vec<Vec<Path<W::Acceptance>>>) -> Self {
+        Self {
+            f: f.to_vec(),
+            paths,
+            uneven: 0,
+        }
+    }
+
+    pub fn new<M: Mutation<usize>>(f: &[W], mutation: &M, words: &Words) -> Self {
+        let driven = Driven {
+            target: |i: usize| f[i],
+            mutation,
+            words,
+        };
+        let paths = |i: usize| match f[i].is_positive() {
+            true => driven.paths(i),
+            false => Vec::new(),
+        };
+        Self::of(f, (0..f.len()).map(paths).collect())
+    }
+
+    pub fn states(&self) -> usize {
+        self.f.len()
+    }
+
+    /// Whether the chain may be there.
+    pub fn is_inside(&self, state: usize) -> bool {
+        !self.paths[state].is_empty()
+    }
+
+    /// Row i and column j, in units of 2^-128.
+    pub fn exact(&self, i: usize, j: usize) -> BigUint {
+        exact(&self.paths, i, j)
+    }
+
+    /// How many of 2^96 words of the mutation of this kind propose j from i.
+    pub fn proposals(&self, kind: u32, i: usize, j: usize) -> BigUint {
+        proposals(&self.paths, kind, i, j)
+    }
+
+    /// The matrix of the states that the chain may be in.
+    pub fn matrix(&self) -> Matrix {
+        let inside: Vec<usize> = (0..self.states()).filter(|i| self.is_inside(*i)).collect();
+        let unit = 2_f64.powi(-(TOTAL_BITS as i32));
+        let row = |i: &usize| {
+            let entry = |j: &usize| rounded(&self.exact(*i, *j)) * unit;
+            inside.iter().map(entry).collect()
+        };
+        inside.iter().map(row).collect()
+    }
+
+    /// The largest magnitude of an eigenvalue but the first: by rotations, by powers.
+    pub fn second(&self) -> [f64; 2] {
+        let matrix = self.matrix();
+        [second_by_rotations(&matrix), second_by_powers(&matrix)]
+    }
+
+    /// Whether each row sums to 1, exactly, and no state of weight 0 is entered.
+    pub fn rows_sum_to_one(&self) -> bool {
+        let one = BigUint::from(1_u32) << TOTAL_BITS;
+        (0..self.states()).all(|i| {
+            let row: Vec<BigUint> = (0..self.states()).map(|j| self.exact(i, j)).collect();
+            let stays_out = |j: usize| self.is_inside(j) || row[j] == BigUint::ZERO;
+            !self.is_inside(i)
+                || (row.iter().sum::<BigUint>() == one && (0..self.states()).all(stays_out))
+        })
+    }
 }
 
 /// What was found.
@@ -92,100 +157,49 @@ const HALF_STEP: f64 = 0.5 / 4_294_967_296.0;
 /// What f64 itself may be off, and the 2^-64 by which the parts of a fraction differ.
 const NOISE: f64 = 1e-14;
 
-impl Enumerated {
-    pub fn new<D: Truth, M: Mutation<usize>>(f: &[D], mutation: &M, words: &Words) -> Self {
-        let driven = Driven {
-            target: |i: usize| f[i],
-            mutation,
-            words,
-        };
-        let paths = (0..f.len())
-            .map(|i| match f[i].is_positive() {
-                true => driven.paths(i),
-                false => Vec::new(),
-            })
-            .collect();
-        let of = |what: fn(D, D) -> f64, i: usize, j: usize| {
-            let both = f[i].is_positive() && f[j].is_positive();
-            if both { what(f[i], f[j]) } else { 0.0 }
-        };
-        let matrix = |what: fn(D, D) -> f64| -> Matrix {
-            let row = |i| (0..f.len()).map(|j| of(what, i, j)).collect();
-            (0..f.len()).map(row).collect()
-        };
-        let ratio = matrix(D::ratio);
-        let largest = |i: &usize| f[*i].is_positive() && ratio[*i].iter().all(|r| *r <= 1.0);
-        let top = (0..f.len()).find(largest).unwrap();
-        Self {
-            f: ratio[top].clone(),
-            paths,
-            ratio,
-            error: matrix(D::error),
+impl<D: Truth> Enumerated<D> {
+    /// Of two states where the chain may be; 0 of others.
+    fn of_both(&self, what: fn(D, D) -> f64, i: usize, j: usize) -> f64 {
+        match self.is_inside(i) && self.is_inside(j) {
+            true => what(self.f[i], self.f[j]),
+            false => 0.0,
         }
     }
 
-    pub fn states(&self) -> usize {
-        self.f.len()
-    }
-
-    /// Whether the chain may be there.
-    fn is_inside(&self, state: usize) -> bool {
-        !self.paths[state].is_empty()
-    }
-
-    /// Row i and column j, in units of 2^-128.
-    pub fn exact(&self, i: usize, j: usize) -> BigUint {
-        exact(&self.paths, i, j)
-    }
-
-    /// How many of 2^96 words of the mutation of this kind propose j from i.
-    pub fn proposals(&self, kind: u32, i: usize, j: usize) -> BigUint {
-        proposals(&self.paths, kind, i, j)
-    }
-
-    /// The matrix of the states that the chain may be in.
-    pub fn matrix(&self) -> Matrix {
-        let inside: Vec<usize> = (0..self.states()).filter(|i| self.is_inside(*i)).collect();
-        let unit = 2_f64.powi(-(TOTAL_BITS as i32));
-        let row = |i: &usize| {
-            let entry = |j: &usize| rounded(&self.exact(*i, *j)) * unit;
-            inside.iter().map(entry).collect()
+    /// The densities over the largest.
+    fn relative(&self) -> Vec<f64> {
+        let row = |i: usize| -> Vec<f64> {
+            let states = 0..self.states();
+            states.map(|j| self.of_both(D::ratio, i, j)).collect()
         };
-        inside.iter().map(row).collect()
-    }
-
-    fn rows_sum_to_one(&self) -> bool {
-        let one = BigUint::from(1_u32) << TOTAL_BITS;
-        (0..self.states()).all(|i| {
-            let row: Vec<BigUint> = (0..self.states()).map(|j| self.exact(i, j)).collect();
-            let stays_out = |j: usize| self.is_inside(j) || row[j] == BigUint::ZERO;
-            !self.is_inside(i)
-                || (row.iter().sum::<BigUint>() == one && (0..self.states()).all(stays_out))
-        })
+        let inside = (0..self.states()).filter(|i| self.is_inside(*i));
+        let largest = |r: &Vec<f64>| r.iter().all(|r| *r <= 1.0);
+        inside.map(row).find(largest).unwrap()
     }
 
     /// The exact acceptance of a path, and what the stated errors allow it to be off.
-    fn acceptance(&self, i: usize, path: &Path) -> (f64, f64) {
+    fn acceptance(&self, i: usize, path: &Path<D::Acceptance>) -> (f64, f64) {
         let there = rounded(&self.proposals(path.kind, i, path.to));
         let back = rounded(&self.proposals(path.kind, path.to, i));
         if back == 0.0 {
             return (0.0, NOISE);
         }
-        let a = (self.ratio[i][path.to] * (back / there)).min(1.0);
+        let a = (self.of_both(D::ratio, i, path.to) * (back / there)).min(1.0);
         // Where the ratio is 1 for another reason than that, the greater error is granted needlessly.
         let asymmetric = if (back / there - 1.0).abs() <= NOISE {
             0.0
         } else {
             3.0 * HALF
         };
-        let relative = self.error[i][path.to] + asymmetric;
+        let relative = self.of_both(D::error, i, path.to) + asymmetric;
         (a, relative * a + HALF_STEP + NOISE)
     }
 
     pub fn report(&self) -> Report {
         let n = self.states();
         let unit = 2_f64.powi(-(TOTAL_BITS as i32));
-        let sum: f64 = self.f.iter().sum();
+        let f = self.relative();
+        let sum: f64 = f.iter().sum();
         let mut report = Report {
             rows: self.rows_sum_to_one(),
             stationary: 0.0,
@@ -204,18 +218,18 @@ impl Enumerated {
                 let realised = path.accepted as f64 / 4_294_967_296.0;
                 raise(&mut report.acceptance, (realised - a).abs() / tolerance);
                 let t = rounded(&path.proposals) * 2_f64.powi(-96);
-                allowed[i][path.to] += self.f[i] * t * tolerance;
+                allowed[i][path.to] += f[i] * t * tolerance;
             }
             for (j, flow) in flow[i].iter_mut().enumerate() {
-                *flow = self.f[i] * rounded(&self.exact(i, j)) * unit;
+                *flow = f[i] * rounded(&self.exact(i, j)) * unit;
             }
         }
         for j in 0..n {
             let arriving: f64 = (0..n).map(|i| flow[i][j]).sum();
-            let off = (arriving - self.f[j]).abs();
+            let off = (arriving - f[j]).abs();
             raise(&mut report.stationary, off / sum);
-            if self.f[j] >= 2_f64.powi(-32) {
-                raise(&mut report.per_state, off / self.f[j]);
+            if f[j] >= 2_f64.powi(-32) {
+                raise(&mut report.per_state, off / f[j]);
             }
             for i in 0..j {
                 let off = (flow[i][j] - flow[j][i]).abs();
@@ -226,8 +240,7 @@ impl Enumerated {
                 );
             }
         }
-        let matrix = self.matrix();
-        report.second = [second_by_rotations(&matrix), second_by_powers(&matrix)];
+        report.second = self.second();
         report
     }
 }

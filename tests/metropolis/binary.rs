@@ -2,6 +2,7 @@
 
 use super::balance::Enumerated;
 use super::enumeration::Words;
+use super::integer_chances::ALL;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{Independence, Mutation, TransitionTable, UniformIndex};
 use num_bigint::BigUint;
@@ -13,7 +14,7 @@ fn table(weights: [f32; 2]) -> Cdf<[u32; 2]> {
     Cdf::<[u32; 2]>::new(&weights).unwrap()
 }
 
-fn acceptance(chain: &Enumerated, from: usize, to: usize) -> f32 {
+fn acceptance(chain: &Enumerated<f32>, from: usize, to: usize) -> f32 {
     let all: Vec<f32> = chain.paths[from]
         .iter()
         .filter(|p| p.to == to)
@@ -91,6 +92,48 @@ fn the_misprinted_second_example_does_not_accept_everything() {
         assert!((a - 8.0 / 9.0).abs() <= 2.0 * 2_f64.powi(-24) + 1e-8, "{a}");
         for (from, to) in [(0, 0), (1, 0), (1, 1)] {
             assert_eq!(acceptance(&chain, from, to), 1.0);
+        }
+    }
+}
+
+/// T = 1/2 everywhere, f = 9 : 1. M = [[1 - a/2, a/2], [1/2, 1/2]] with a = 1/9, in whole words.
+#[test]
+fn the_first_binary_example_is_exact_in_integers() {
+    fn check<M: Mutation<usize>>(mutation: &M, words: &Words) {
+        let chain = Enumerated::new(&[9, 1], mutation, words);
+        let report = chain.report();
+        assert!(report.passes(), "{report:?}");
+        let unit = |x: u64, bits: u32| BigUint::from(x) << bits;
+        // 9 · 477218589 = 2^32 + 5, which is the next multiple.
+        const NINTH: u64 = 477_218_589;
+        assert_eq!((9 * NINTH, 5), (ALL + 5, 9 - ALL % 9));
+        assert_eq!(chain.exact(0, 1), unit(NINTH, 95));
+        assert_eq!(chain.exact(0, 0), unit((1 << 33) - NINTH, 95));
+        assert_eq!(chain.exact(1, 0), unit(1, 127));
+        assert_eq!(chain.exact(1, 1), unit(1, 127));
+    }
+    check(&UniformIndex::new(2).unwrap(), &Words::TWO);
+    let half = Cdf::<[u32; 2]>::from_integers(&[1, 1]).unwrap();
+    check(&Independence::new(half), &Words::ONE);
+    check(&TransitionTable::new([half; 2]).unwrap(), &Words::ONE);
+}
+
+/// T is f, normalised, to less than a word either way: 10 words of 2^32 in proportion to the smaller one, so that
+/// all but 20 words accept. Where T is f to the last word, all do.
+#[test]
+fn the_second_binary_example_accepts_everything_in_integers() {
+    for (f, least) in [([9, 1], ALL - 20), ([3, 1], ALL), ([1, u32::MAX], ALL)] {
+        let table = Cdf::<[u32; 2]>::from_integers(&f).unwrap();
+        let mutations = [
+            Enumerated::new(&f, &Independence::new(table), &Words::ONE),
+            Enumerated::new(&f, &TransitionTable::new([table; 2]).unwrap(), &Words::ONE),
+        ];
+        for chain in mutations {
+            let report = chain.report();
+            assert!(report.passes(), "{report:?}");
+            let accepted: Vec<u64> = chain.paths.iter().flatten().map(|p| p.accepted).collect();
+            assert_eq!(accepted.len(), 4);
+            assert!(accepted.iter().all(|a| *a >= least), "{f:?}: {accepted:?}");
         }
     }
 }

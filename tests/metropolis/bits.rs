@@ -14,6 +14,18 @@ impl Bits for usize {
     }
 }
 
+impl Bits for u32 {
+    fn bits(&self) -> Vec<u64> {
+        vec![(*self).into()]
+    }
+}
+
+impl Bits for u64 {
+    fn bits(&self) -> Vec<u64> {
+        vec![*self]
+    }
+}
+
 impl Bits for f32 {
     fn bits(&self) -> Vec<u64> {
         vec![self.to_bits().into()]
@@ -44,15 +56,11 @@ impl<X: Bits, D: Bits> Bits for Saved<X, D> {
     }
 }
 
-impl<X: Bits, D: Bits> Bits for Step<X, D> {
+impl<X: Bits, D: Bits, A: Bits> Bits for Step<X, D, A> {
     fn bits(&self) -> Vec<u64> {
-        let rest = [
-            self.acceptance.to_bits().into(),
-            self.outcome as u64,
-            self.kind.into(),
-        ];
+        let rest = [self.outcome as u64, self.kind.into()];
         let from = [self.from.bits(), self.from_density.bits()].concat();
         let to = [self.proposed.bits(), self.proposed_density.bits()].concat();
-        [from, to, rest.to_vec()].concat()
+        [from, to, self.acceptance.bits(), rest.to_vec()].concat()
     }
 }

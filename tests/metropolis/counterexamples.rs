@@ -2,6 +2,7 @@
 
 use super::balance::Enumerated;
 use super::enumeration::Words;
+use super::integer_chances::ALL;
 use super::matrices::Neighbour;
 use super::spectrum::by_rotations;
 use microwarp::discrete::Cdf;
@@ -105,5 +106,49 @@ fn a_cyclic_chain_is_seen() {
     }
     // A rejection now and then is enough.
     let report = Enumerated::new(&[1.0_f32, 0.999], &swap, &Words::ONE).report();
+    assert!(report.passes(), "{report:?}");
+}
+
+/// Rows of integers, exactly.
+pub fn integer_table<const N: usize>(rows: [[u32; N]; N]) -> TransitionTable<[u32; N], N> {
+    TransitionTable::new(rows.map(|row| Cdf::<[u32; N]>::from_integers(&row).unwrap())).unwrap()
+}
+
+/// Blocks without a way from one to the other: the eigenvalue 1 comes twice, and all else is right.
+#[test]
+fn a_reducible_chain_of_integers_is_seen() {
+    let blocks = [[1, 1, 0, 0], [1, 3, 0, 0], [0, 0, 1, 9], [0, 0, 1, 1]];
+    let cases = [
+        Enumerated::new(&[1, 2], &integer_table([[1, 1], [0, 1]]), &Words::ONE),
+        Enumerated::new(&[1, 2, 3, 4], &integer_table(blocks), &Words::ONE),
+        Enumerated::new(&[1, 2, 0, 3, 4, 0], &Neighbour(6), &Words::ONE),
+    ];
+    for chain in cases {
+        let report = chain.report();
+        assert!(report.rows && report.wrong[0] == 0 && report.is_stationary());
+        assert!(!report.converges() && !report.passes(), "{report:?}");
+        let values = by_rotations(&chain.matrix());
+        let ones = values.iter().filter(|v| (*v - 1.0).abs() <= 1e-9).count();
+        assert_eq!(ones, 2, "{values:?}");
+    }
+}
+
+/// T11 = T22 = 0 and every acceptance 1: the eigenvalue −1.
+#[test]
+fn a_cyclic_chain_of_integers_is_seen() {
+    let swap = integer_table([[0, 1], [1, 0]]);
+    for chain in [
+        Enumerated::new(&[1, 1], &swap, &Words::ONE),
+        Enumerated::new(&[u32::MAX; 6], &Neighbour(6), &Words::ONE),
+    ] {
+        assert!(chain.paths.iter().flatten().all(|p| p.accepted == ALL));
+        let report = chain.report();
+        assert!(report.rows && report.wrong[0] == 0 && report.is_stationary());
+        assert!(!report.converges() && !report.passes(), "{report:?}");
+        let values = by_rotations(&chain.matrix());
+        assert!((values[values.len() - 1] + 1.0).abs() <= 1e-9, "{values:?}");
+    }
+    // A rejection now and then is enough.
+    let report = Enumerated::new(&[1_000_000, 999_999], &swap, &Words::ONE).report();
     assert!(report.passes(), "{report:?}");
 }

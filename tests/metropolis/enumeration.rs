@@ -4,7 +4,8 @@
 //! same form runs, whose ends are found by galloping and halving; so is the number of decision words that
 //! accept. What galloping takes for granted is then asked of random words.
 
-use microwarp::metropolis::{Chain, Mutation, Outcome, Step, Weight};
+use super::weighed::Weighed;
+use microwarp::metropolis::{Chain, Mutation, Outcome, Step};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -124,14 +125,14 @@ pub struct Driven<'a, F, M> {
 
 impl<F, M> Driven<'_, F, M> {
     /// One real step. It takes the words given, all of them, and no other.
-    pub fn step<D: Weight>(&self, from: usize, words: &[u32]) -> Step<usize, D, D::Acceptance>
+    pub fn step<D: Weighed>(&self, from: usize, words: &[u32]) -> Step<usize, D, D::Acceptance>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
     {
         let mut chain = Chain::new(from, &self.target).unwrap();
         let mut rng = Counting::new(Cycle::new(words));
-        let step = chain.step(&self.target, self.mutation, &mut rng);
+        let step = D::step(&mut chain, &self.target, self.mutation, None, &mut rng);
         assert_eq!(rng.words, words.len() as u64);
         assert_eq!((step.from, step.state()), (from, chain.state()));
         assert_ne!(step.outcome, Outcome::Refused);
@@ -139,7 +140,7 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// All paths out of a state.
-    pub fn paths<D: Weight>(&self, from: usize) -> Vec<Path<D::Acceptance>>
+    pub fn paths<D: Weighed>(&self, from: usize) -> Vec<Path<D::Acceptance>>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -182,7 +183,7 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// The kind of a mixture at this picking word, if it takes `n` words after that one.
-    fn kind<D: Weight>(&self, from: usize, pick: u32, n: usize) -> Option<u32>
+    fn kind<D: Weighed>(&self, from: usize, pick: u32, n: usize) -> Option<u32>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -191,12 +192,12 @@ impl<F, M> Driven<'_, F, M> {
         words[0] = pick;
         let mut rng = Counting::new(Cycle::new(&words));
         let mut chain = Chain::new(from, &self.target).unwrap();
-        let step = chain.step(&self.target, self.mutation, &mut rng);
+        let step = D::step(&mut chain, &self.target, self.mutation, None, &mut rng);
         (rng.words == words.len() as u64).then_some(step.kind)
     }
 
     /// The paths whose words begin with `pick`, of which there are `picks`.
-    fn proposals<D: Weight>(
+    fn proposals<D: Weighed>(
         &self,
         from: usize,
         pick: &[u32],

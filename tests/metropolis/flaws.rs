@@ -2,6 +2,8 @@
 
 use crate::densities::*;
 use crate::evidence::{assert_passes, assert_rejected};
+use crate::runs::FULL;
+use crate::speed;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
 use microwarp::metropolis::{BoxStep, Chain, Mutation, Outcome, Proposal, Step, Symmetric};
 use rand_core::TryRng;
@@ -42,7 +44,8 @@ fn wrong_recordings_are_rejected() {
     let moves = altered("accepted moves only", |step| {
         step.is_accepted().then_some(step)
     });
-    rejected(&moves);
+    // Few steps are not enough to see it.
+    rejected(&moves.planned(FULL));
     let swapped = |step: Step<f32>| {
         let acceptance = 1.0 - step.acceptance;
         Some(Step { acceptance, ..step })
@@ -109,18 +112,19 @@ fn wrong_borders_are_rejected() {
 
 #[test]
 fn targets_that_are_slightly_off_are_rejected() {
-    let shifted = |x: f32| parabola(x) * if x > 0.5 { 1.05 } else { 1.0 };
+    let times = speed::of("factor on one side, floor", [1.05, 0.003], [1.2, 0.012]);
+    let shifted = move |x: f32| parabola(x) * if x > 0.5 { times[0] } else { 1.0 };
     let mutation = nine_to_one();
     rejected(&chain(
-        "5 % on one side",
+        "some percent on one side",
         parabola_cells(),
         0.45,
         shifted,
         mutation,
     ));
-    let floor = |x: f32| parabola(x) + 0.003;
+    let floor = move |x: f32| parabola(x) + times[1];
     rejected(&chain(
-        "a floor of 3.6 %",
+        "a floor of 3.6 % or more",
         parabola_cells(),
         0.45,
         floor,

@@ -1,21 +1,10 @@
 //! What is asked of the transition matrix of a chain of integer weights: the exact number of accepting words on
 //! every path, stationarity and detailed balance to the steps of 2^-32, eigenvalues.
 
-use super::enumeration::{Driven, Path, TOTAL_BITS, Words, exact, proposals, rounded};
+use super::balance::Enumerated;
+use super::enumeration::{Path, TOTAL_BITS, rounded};
 use super::integer_chances::ceiling;
-use super::spectrum::{Matrix, second_by_powers, second_by_rotations};
-use microwarp::metropolis::{Chance, Mutation};
 use num_bigint::BigUint;
-
-/// The enumerated transitions of a chain, and its weights.
-pub struct Enumerated {
-    pub f: Vec<u32>,
-    /// With the words that each acceptance says.
-    pub paths: Vec<Vec<Path<u64>>>,
-    /// How many of 2^64 words the ways there and back of one proposal may differ by and count as equal: the parts
-    /// of a fraction that does not divide them.
-    pub uneven: u64,
-}
 
 /// What was found, each in the units that the steps of 2^-32 allow.
 #[derive(Debug)]
@@ -56,50 +45,7 @@ fn difference(x: BigUint, y: BigUint) -> BigUint {
     if x > y { x - y } else { y - x }
 }
 
-impl Enumerated {
-    /// Of paths from elsewhere.
-    pub fn of(f: &[u32], paths: Vec<Vec<Path<u64>>>) -> Self {
-        Self {
-            f: f.to_vec(),
-            paths,
-            uneven: 0,
-        }
-    }
-
-    pub fn new<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Self {
-        let target = |i: usize| f[i];
-        let driven = Driven {
-            target,
-            mutation,
-            words,
-        };
-        let said = |path: Path<Chance>| path.saying(|chance| chance.words());
-        let paths = |i: usize| match f[i] {
-            0 => Vec::new(),
-            _ => driven.paths(i).into_iter().map(said).collect(),
-        };
-        let paths = (0..f.len()).map(paths).collect();
-        Self::of(f, paths)
-    }
-
-    pub fn exact(&self, i: usize, j: usize) -> BigUint {
-        exact(&self.paths, i, j)
-    }
-
-    pub fn proposals(&self, kind: u32, i: usize, j: usize) -> BigUint {
-        proposals(&self.paths, kind, i, j)
-    }
-
-    pub fn matrix(&self) -> Matrix {
-        let inside: Vec<usize> = (0..self.f.len()).filter(|i| self.f[*i] > 0).collect();
-        let unit = 2_f64.powi(-(TOTAL_BITS as i32));
-        let row = |i: &usize| {
-            let entry = |j: &usize| rounded(&self.exact(*i, *j)) * unit;
-            inside.iter().map(entry).collect()
-        };
-        inside.iter().map(row).collect()
-    }
-
+impl Enumerated<u32> {
     /// The words that must accept a path: its ways there and back are those that were counted.
     fn due(&self, i: usize, path: &Path<u64>) -> u64 {
         let there = self.proposals(path.kind, i, path.to);
@@ -115,11 +61,8 @@ impl Enumerated {
     pub fn report(&self) -> Report {
         let n = self.f.len();
         let one = BigUint::from(1_u32) << TOTAL_BITS;
-        let (mut rows, mut wrong) = (true, [0, 0]);
-        for i in (0..n).filter(|i| self.f[*i] > 0) {
-            let row: Vec<BigUint> = (0..n).map(|j| self.exact(i, j)).collect();
-            rows &= row.iter().sum::<BigUint>() == one;
-            rows &= (0..n).all(|j| self.f[j] > 0 || row[j] == BigUint::ZERO);
+        let mut wrong = [0, 0];
+        for i in 0..n {
             for path in &self.paths[i] {
                 let due = self.due(i, path);
                 let right = path.accepted == due && path.acceptance == due;
@@ -149,13 +92,12 @@ impl Enumerated {
                 balance = balance.max(over(&off, &granted(i, j)));
             }
         }
-        let matrix = self.matrix();
         Report {
-            rows,
+            rows: self.rows_sum_to_one(),
             wrong,
             stationary,
             balance,
-            second: [second_by_rotations(&matrix), second_by_powers(&matrix)],
+            second: self.second(),
         }
     }
 }

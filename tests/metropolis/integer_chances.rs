@@ -1,6 +1,7 @@
 //! How many words accept, of integer weights: the exact number, for weights and ratios of any magnitude.
 
 use super::acceptance::Given;
+use super::speed;
 use microwarp::metropolis::{Chain, Chance, Correction, Counts, Outcome, Ratio, Step, Symmetric};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
@@ -112,11 +113,12 @@ fn symmetric_proposals_are_accepted_by_the_exact_number_of_words() {
         }
     }
     let mut rng = Pcg32::new(1, 1);
-    for _ in 0..300_000 {
+    let rounds = speed::of("rounds", 300_000, 60_000);
+    for _ in 0..rounds {
         check(weight(&mut rng), weight(&mut rng));
     }
     // Next to each other, where all but a few words accept, and far apart.
-    for _ in 0..100_000 {
+    for _ in 0..rounds / 3 {
         let from = rng.next_u32() | 1 << 31;
         check(from, from - rng.next_u32() % 3);
         check(from, 1 + rng.next_u32() % 3);
@@ -149,14 +151,15 @@ fn proposals_with_counts_are_accepted_by_the_exact_number_of_words() {
             }
         }
     }
-    for round in 0..300_000 {
+    let rounds = speed::of("rounds", 300_000, 60_000);
+    for round in 0..rounds {
         // Those of tables of u32, then those of u64 as well.
         let bits = if round % 2 == 0 { 32 } else { 64 };
         let counts = [any(&mut rng, bits), any(&mut rng, bits)].map(u128::from);
         check(weight(&mut rng), weight(&mut rng), counts);
     }
     // Products that agree but for a little: T' is what makes f'T' next to fT, or to a whole number of words of it.
-    for _ in 0..300_000 {
+    for _ in 0..rounds {
         let (from, to) = (weight(&mut rng), weight(&mut rng));
         let forward = u128::from(any(&mut rng, 64));
         let whole = u128::from(from) * forward;
@@ -169,7 +172,7 @@ fn proposals_with_counts_are_accepted_by_the_exact_number_of_words() {
         check(from, to, [forward, backward]);
     }
     println!("one word, some, all: {seen:?}");
-    assert!(seen.iter().all(|n| *n > 10_000));
+    assert!(seen.iter().all(|n| *n > rounds / 30));
 }
 
 /// A ratio in floating point is an integer of 24 bits times a power of two, and counts as that.
@@ -177,7 +180,8 @@ fn proposals_with_counts_are_accepted_by_the_exact_number_of_words() {
 fn proposals_with_a_ratio_are_accepted_by_the_exact_number_of_words() {
     let mut rng = Pcg32::new(3, 3);
     let mut seen = [0_u32; 2];
-    for round in 0..300_000 {
+    let rounds = speed::of("rounds", 300_000, 60_000);
+    for round in 0..rounds {
         let (from, to) = (weight(&mut rng), weight(&mut rng));
         // Any bit pattern, or one that makes an acceptance between 2^-40 and 2.
         let ratio = match round % 2 {
@@ -203,7 +207,7 @@ fn proposals_with_a_ratio_are_accepted_by_the_exact_number_of_words() {
         seen[usize::from(got > 1 && got < ALL)] += 1;
     }
     println!("one word or all, and others: {seen:?}");
-    assert!(seen.iter().all(|n| *n > 50_000));
+    assert!(seen.iter().all(|n| *n > rounds / 6));
 }
 
 #[test]

@@ -1,16 +1,17 @@
 //! Chains of integer weights that are wrong, each in one way: the checks that the right ones pass see it.
 
-use super::counterexamples::Forgetful;
+use super::balance::Enumerated;
+use super::counterexamples::{Forgetful, integer_table as table};
 use super::enumeration::{Driven, Path, Words};
-use super::integer_balance::{Enumerated, Report};
+use super::integer_balance::Report;
 use super::integer_chances::ALL;
-use super::integer_matrices::{LARGE, table};
+use super::matrices::LARGE_INTEGERS as LARGE;
 use microwarp::metropolis::{Mutation, TransitionTable, UniformIndex};
 use num_bigint::BigUint;
 
 const ROWS: [[u32; 3]; 3] = [[4, 2, 2], [4, 2, 2], [1, 4, 3]];
 
-fn right<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Enumerated {
+fn right<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Enumerated<u32> {
     let found = Enumerated::new(f, mutation, words);
     let report = found.report();
     assert!(report.passes(), "{report:?}");
@@ -61,7 +62,7 @@ fn an_acceptance_rounded_to_a_float_is_seen() {
 }
 
 /// The words of each path as another rule would have them.
-fn by_another_rule(found: Enumerated, rule: fn(BigUint, BigUint) -> BigUint) -> Report {
+fn by_another_rule(found: Enumerated<u32>, rule: fn(BigUint, BigUint) -> BigUint) -> Report {
     let f = found.f.clone();
     let paths = (0..f.len()).map(|i| {
         let of = |path: &Path<u64>| {
@@ -69,9 +70,11 @@ fn by_another_rule(found: Enumerated, rule: fn(BigUint, BigUint) -> BigUint) -> 
             let back = found.proposals(path.kind, path.to, i) * f[path.to];
             let words = rule(back << 32_u32, there);
             let words = u64::try_from(words).unwrap_or(ALL).min(ALL);
-            let mut path = path.clone().saying(|_| words);
-            path.accepted = words;
-            path
+            Path {
+                acceptance: words,
+                accepted: words,
+                ..path.clone()
+            }
         };
         found.paths[i].iter().map(of).collect()
     });

@@ -1,6 +1,7 @@
 //! The acceptance from logarithms of densities, in both tiers, as exact as stated.
 
 use super::acceptance::{acceptance, positive, step};
+use super::speed::{self, sampled};
 use super::stated::stated;
 use microwarp::metropolis::{LogDensity, Outcome, Ratio, Symmetric};
 use microwarp::tier::{Libm, Poly, Tier};
@@ -54,10 +55,11 @@ fn symmetric<T: Tier>() {
         };
         worst = worst.max(off(acceptance(log(from), log(to), Symmetric), by.into()));
     };
-    for bits in 1.0_f32.to_bits()..=105.0_f32.to_bits() {
+    let (stride, rounds) = speed::of("one difference of, rounds", (1, 2_000_000), (101, 100_000));
+    for bits in sampled(1.0_f32.to_bits()..105.0_f32.to_bits() + 1, stride) {
         exactly_apart(0.0, -f32::from_bits(bits));
     }
-    for _ in 0..2_000_000 {
+    for _ in 0..rounds {
         exactly_apart(0.0, -(logarithm(&mut rng).abs()));
         let near = logarithm(&mut rng).rem_euclid(1000.0);
         exactly_apart(
@@ -76,7 +78,8 @@ fn rounded_difference<T: Tier>() {
     let mut rng = Pcg32::new(2, 2);
     let log = LogDensity::<T>::new;
     let (mut worst, mut inexact) = (0.0_f64, 0);
-    for _ in 0..500_000 {
+    let rounds = speed::of("rounds", 500_000, 30_000);
+    for _ in 0..rounds {
         let from = logarithm(&mut rng);
         let to = match rng.next_u32() % 2 {
             0 => logarithm(&mut rng),
@@ -97,7 +100,7 @@ fn rounded_difference<T: Tier>() {
         "{}: {worst:.3} of what rounded differences allow, in {inexact}",
         T::NAME
     );
-    assert!(worst > 0.5 && inexact > 100_000);
+    assert!(worst > 0.5 && inexact > rounds / 5);
 }
 
 /// The error in ulp where two logarithms are `by` apart, exactly.
@@ -111,7 +114,8 @@ fn with_ratio<T: Tier>([from, to]: [f32; 2], forward: f32, backward: f32) -> f64
 fn with_a_ratio<T: Tier>() {
     let mut rng = Pcg32::new(3, 3);
     let (mut worst, mut cases) = (0.0_f64, 0);
-    for round in 0..3_000_000 {
+    let (rounds, of_the_worst) = speed::of("rounds", (3_000_000, 15_000_000), (150_000, 600_000));
+    for round in 0..rounds {
         // A ratio from 2^-276 to 2^276, and a difference that all but makes up for it, exactly.
         let [forward, backward] = [(); 2].map(|()| match round % 3 {
             0 => positive(&mut rng),
@@ -128,7 +132,7 @@ fn with_a_ratio<T: Tier>() {
     }
     // The worst are found where an exponential is furthest from a power of two, which leaves its argument
     // longest, and the product just below one, where errors count most.
-    for _ in 0..15_000_000 {
+    for _ in 0..of_the_worst {
         let turns = f64::from(rng.next_u32() % 40) + 0.4 + 0.2 * uniform(&mut rng);
         let by = -(turns * std::f64::consts::LN_2) as f32;
         let forward = (1.0 + uniform(&mut rng)) as f32;
@@ -141,7 +145,7 @@ fn with_a_ratio<T: Tier>() {
         "{}, with a ratio: {worst:.3} ulp, {promised} stated",
         T::NAME
     );
-    assert!(worst <= promised && promised <= worst + 0.2 && cases > 1_000_000);
+    assert!(worst <= promised && promised <= worst + 0.2 && cases > rounds as u32 / 3);
 }
 
 #[test]

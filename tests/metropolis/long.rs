@@ -2,6 +2,7 @@
 
 use crate::evidence::{assert_passes, assert_rejected, hotelling};
 use crate::long_record::{Setting, assert_sound};
+use crate::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, LargeSmall, Mixture, Mutation, Proposal, Ratio, Saved, Wrapped,
 };
@@ -12,7 +13,17 @@ use support::stats;
 /// The p-values that are computed in this file: four of the normalisation and two of cells; two of cells.
 pub const P_VALUES: usize = 8;
 
-const STEPS: u64 = 100_000_000;
+/// The steps of the full form.
+const FULL: u64 = 100_000_000;
+
+fn steps() -> u64 {
+    speed::of("steps", FULL, 4_000_000)
+}
+
+/// How much farther off than in the full form a control has to be, to be seen as well.
+fn farther() -> f64 {
+    (FULL as f64 / steps() as f64).sqrt()
+}
 
 fn parabola(x: f32) -> f32 {
     (x - 0.5) * (x - 0.5)
@@ -55,7 +66,7 @@ fn staying(x: f64) -> f64 {
 }
 
 /// Lengths that the longest stay can hardly fall short of, nor exceed.
-fn plausible_stays() -> std::ops::RangeInclusive<u32> {
+fn plausible_stays(steps: u64) -> std::ops::RangeInclusive<u32> {
     let places = (0..400).map(|i| (f64::from(i) + 0.5) / 400.0);
     let stays: Vec<[f64; 2]> = places
         .map(|x| [3.0 * (2.0 * x - 1.0).powi(2) / 400.0, staying(x)])
@@ -63,12 +74,12 @@ fn plausible_stays() -> std::ops::RangeInclusive<u32> {
     // How many stays of a length are expected, each begun by a move; and at most, wherever the chain is.
     let expected = |length: i32| -> f64 {
         let terms = stays.iter().map(|[p, r]| p * (1.0 - r) * r.powi(length));
-        STEPS as f64 * terms.sum::<f64>()
+        steps as f64 * terms.sum::<f64>()
     };
     let worst = stays.iter().map(|s| s[1]).fold(staying(0.0), f64::max);
     let least = (1..).take_while(|l| expected(*l) > 100.0).last().unwrap();
     let most = (1..)
-        .find(|l| STEPS as f64 * worst.powi(*l) < 1e-9)
+        .find(|l| steps as f64 * worst.powi(*l) < 1e-9)
         .unwrap();
     least as u32..=most as u32
 }
@@ -79,17 +90,19 @@ fn a_hundred_million_steps_leave_the_chain_as_it_should_be() {
     let mut chain = Chain::new(0.1, parabola).unwrap();
     chain.burn_in(parabola, &mutation(), 10_000, &mut rng);
     let mutation = mutation();
-    let record = setting(STEPS).record(|target| {
+    let steps = steps();
+    let record = setting(steps).record(|target| {
         let step = chain.step(target, &mutation, &mut rng);
         (step, chain)
     });
-    assert_sound(&record, &chain, STEPS);
-    let plausible = plausible_stays();
+    assert_sound(&record, &chain, steps);
+    let plausible = plausible_stays(steps);
     println!("longest stay {}, plausible {plausible:?}", record.longest);
     assert!(plausible.contains(&record.longest));
     for (way, shares) in ["plain", "weighted"].into_iter().zip(&record.shares) {
         assert_passes(way, &[hotelling(shares, &probabilities(0.5))]);
-        assert_rejected("off by 0.001", &[hotelling(shares, &probabilities(0.501))]);
+        let other = probabilities(0.5 + 0.001 * farther());
+        assert_rejected("off by 0.001", &[hotelling(shares, &other)]);
     }
     // Of uniform x, (x − ½)² has the mean 1/12 and the variance 1/80 − 1/144.
     let (mean, variance) = (1.0 / 12.0, 1.0 / 80.0 - 1.0 / 144.0);
@@ -104,12 +117,9 @@ fn a_hundred_million_steps_leave_the_chain_as_it_should_be() {
     println!("integral {a:.7} at first, {b:.7} at last, {c:.7} in all, exact {mean:.7}");
     let z_values = [z(first), z(last), drift(first, last), z(all)];
     assert_passes("normalisation", &z_values.map(stats::two_sided));
-    // The control: densities that grow by 1e-10 a step, 1 % in the end.
-    let grown = (last.0, last.1 * (1.0 + 0.95 * STEPS as f64 * 1e-10));
-    assert_rejected(
-        "a drift of 1e-10 a step",
-        &[stats::two_sided(drift(first, grown))],
-    );
+    // The control: densities that grow by 1 % in the end, 1e-10 a step of the full form.
+    let grown = (last.0, last.1 * (1.0 + 0.95 * 0.01 * farther()));
+    assert_rejected("a drift", &[stats::two_sided(drift(first, grown))]);
 }
 
 /// The control of the record: a cached density that drifts by one place a step is seen.
@@ -138,7 +148,7 @@ fn a_density_that_drifts_is_noticed() {
         let step = stuck.step(target, &mutation, &mut rng);
         (step, stuck)
     });
-    assert!(!plausible_stays().contains(&record.longest));
+    assert!(!plausible_stays(FULL).contains(&record.longest));
 }
 
 /// Up or down by 1 to 64 octaves, unless that leads beyond ±126; as dense, with respect to length, as 1/x′.
@@ -184,7 +194,7 @@ fn densities_of_all_magnitudes_meet_in_one_chain() {
         cells: 23,
         cell: |x: f32| (octave(x) + 126) as usize / 11,
         watched: |x: f32| octave(x) as f32,
-        steps: STEPS,
+        steps: steps(),
     };
     let record = setting.record(|target| {
         let step = chain.step(target, &Octaves, &mut rng);
@@ -193,7 +203,7 @@ fn densities_of_all_magnitudes_meet_in_one_chain() {
     });
     println!("densities from {:e} to {:e}", met[0], met[1]);
     assert!(met[0] < 3e-38 && met[1] > 1e38);
-    assert_sound(&record, &chain, STEPS);
+    assert_sound(&record, &chain, setting.steps);
     let weights: Vec<f64> = (-126..=126).map(|e| f64::from(weight(e))).collect();
     let total: f64 = weights.iter().sum();
     let exact: Vec<f64> = weights
@@ -204,8 +214,8 @@ fn densities_of_all_magnitudes_meet_in_one_chain() {
         assert_passes(way, &[hotelling(shares, &exact)]);
         // The control: one octave more or less.
         let mut other = exact.clone();
-        other[3] += 0.001;
-        other[4] -= 0.001;
+        other[3] += 0.001 * farther();
+        other[4] -= 0.001 * farther();
         assert_rejected("0.1 % moved", &[hotelling(shares, &other)]);
     }
 }

@@ -1,6 +1,7 @@
 //! A hundred million numbers: autocorrelations as exact as stated, far from 0 too.
 
 use crate::health::HEALTH;
+use crate::speed;
 use crate::stated::{after, assert_stated, stated_error};
 use microwarp::metropolis::Health;
 use rand_core::Rng;
@@ -75,9 +76,10 @@ fn worst(mean: f64, count: u64) -> f64 {
 
 #[test]
 fn a_hundred_million_numbers_keep_the_stated_error() {
-    let mut largest = worst(1000.0, 100_000_000);
+    let [most, some] = speed::of("numbers", [100_000_000, 3_000_000], [3_000_000, 300_000]);
+    let mut largest = worst(1000.0, most);
     for mean in [0.0, 100.0, 1e6] {
-        largest = largest.max(worst(mean, 3_000_000));
+        largest = largest.max(worst(mean, some));
     }
     let stated = after(HEALTH, "Error in long runs: ");
     assert_stated("autocorrelation of long runs", largest, stated);

@@ -1,5 +1,5 @@
-//! Exact transition matrices of the implemented step: each keeps its target stationary, is in detailed
-//! balance, and has one eigenvalue of magnitude 1.
+//! Exact transition matrices of the implemented step: each keeps its target stationary, is in detailed balance, and
+//! has one eigenvalue of magnitude 1. Of integer weights every acceptance is the exact number of words.
 
 use super::balance::{Enumerated, Truth};
 use super::enumeration::Words;
@@ -46,13 +46,25 @@ const FAR_LOGS: [f32; 8] = [
     9_977.8,
 ];
 
+const INTEGERS: [u32; 8] = [3, 50, 725, 1, 12, 2, 550, 75];
+const EXTREME_INTEGERS: [u32; 8] = [1, u32::MAX, 1 << 31, 0, 3, u32::MAX - 1, 65_537, 1];
+pub const LARGE_INTEGERS: [u32; 8] = [
+    4_000_000_007,
+    u32::MAX,
+    2_147_483_659,
+    4_294_967_291,
+    3_000_000_019,
+    0xffff_fffe,
+    0x8000_0000,
+    0xaaaa_aaab,
+];
 /// Examines a chain, prints what was found, and demands that it passes.
 fn examine<D: Truth, M: Mutation<usize>>(
     name: &str,
     f: &[D],
     mutation: &M,
     words: &Words,
-) -> Enumerated {
+) -> Enumerated<D> {
     let found = Enumerated::new(f, mutation, words);
     let report = found.report();
     println!(
@@ -71,8 +83,13 @@ fn examine<D: Truth, M: Mutation<usize>>(
     found
 }
 
-/// A mutation with every kind of target.
-fn all_targets<M: Mutation<usize>, const N: usize>(name: &str, mutation: &M, words: &Words) {
+/// A mutation with every kind of target; ways there and back that differ by as many of 2^64 words count as equal.
+fn all_targets<M: Mutation<usize>, const N: usize>(
+    name: &str,
+    mutation: &M,
+    words: &Words,
+    uneven: u64,
+) {
     fn first<T: Copy, const N: usize>(of: &[T; 8]) -> [T; N] {
         std::array::from_fn(|i| of[i])
     }
@@ -90,6 +107,15 @@ fn all_targets<M: Mutation<usize>, const N: usize>(name: &str, mutation: &M, wor
         let poly = first::<_, N>(logs).map(LogDensity::<Poly>::new);
         examine(&named(&format!("{target}, poly")), &poly, mutation, words);
     }
+    for f in [INTEGERS, EXTREME_INTEGERS, LARGE_INTEGERS] {
+        let found = Enumerated::new(&f[..N], mutation, words);
+        let report = Enumerated { uneven, ..found }.report();
+        println!("{name}, {f:?}: {report:.3?}");
+        assert!(
+            report.passes() && report.wrong[1] >= N,
+            "{name}, {f:?}: {report:?}"
+        );
+    }
 }
 
 fn first<const N: usize>() -> [f32; N] {
@@ -100,7 +126,13 @@ fn first<const N: usize>() -> [f32; N] {
 fn uniform_indices() {
     fn of<const N: usize>() {
         let mutation = UniformIndex::new(N as u32).unwrap();
-        all_targets::<_, N>(&format!("UniformIndex({N})"), &mutation, &Words::TWO);
+        let uneven = u64::from(!N.is_power_of_two());
+        all_targets::<_, N>(
+            &format!("UniformIndex({N})"),
+            &mutation,
+            &Words::TWO,
+            uneven,
+        );
         // The parts of 2^64, to the word.
         let found = Enumerated::new(&[1.0_f32; N], &mutation, &Words::TWO);
         let start = |i: usize| ((i as u128) << 64).div_ceil(N as u128);
@@ -128,16 +160,21 @@ fn independence_over_tables() {
             Cdf::<[u64; N]>::new(&first()).unwrap(),
         );
         let named = |of: &str| format!("Independence({of}; {N})");
-        all_targets::<_, N>(&named("Cdf u32"), &Independence::new(narrow), &Words::ONE);
-        all_targets::<_, N>(&named("Cdf u64"), &Independence::new(wide), &Words::TWO);
+        all_targets::<_, N>(
+            &named("Cdf u32"),
+            &Independence::new(narrow),
+            &Words::ONE,
+            0,
+        );
+        all_targets::<_, N>(&named("Cdf u64"), &Independence::new(wide), &Words::TWO, 0);
         let narrow_alias = Alias::<[AliasEntry<u32>; 8]>::new::<N>(&first()).unwrap();
         let words = Words::Fraction { bits: 32, parts: 8 };
         let mutation = Independence::new(narrow_alias);
-        all_targets::<_, N>(&named("Alias u32"), &mutation, &words);
+        all_targets::<_, N>(&named("Alias u32"), &mutation, &words, 0);
         let wide_alias = Alias::<[AliasEntry<u64>; 8]>::new::<N>(&first()).unwrap();
         let words = Words::Fraction { bits: 64, parts: 8 };
         let mutation = Independence::new(wide_alias);
-        all_targets::<_, N>(&named("Alias u64"), &mutation, &words);
+        all_targets::<_, N>(&named("Alias u64"), &mutation, &words, 0);
         // What is proposed is what the table states.
         let found = Enumerated::new(&[1.0_f32; N], &mutation, &words);
         for j in 0..N {
@@ -175,8 +212,8 @@ fn wide_table<const N: usize>() -> TransitionTable<[u64; N], N> {
 fn transition_tables() {
     fn of<const N: usize>() {
         let named = |of: &str| format!("TransitionTable({of}; {N})");
-        all_targets::<_, N>(&named("u32"), &table::<N>(), &Words::ONE);
-        all_targets::<_, N>(&named("u64"), &wide_table::<N>(), &Words::TWO);
+        all_targets::<_, N>(&named("u32"), &table::<N>(), &Words::ONE, 0);
+        all_targets::<_, N>(&named("u64"), &wide_table::<N>(), &Words::TWO, 0);
     }
     // With two states and none of them staying, there would be no rejection where densities are equal.
     of::<2>();
@@ -235,21 +272,31 @@ fn mixtures_of_all_of_them() {
 
     let both_symmetric = Mixture::new((uniform, Neighbour(5)), &[0.3, 0.7]).unwrap();
     let words = Words::Picked(vec![Words::TWO, Words::ONE]);
-    all_targets::<_, 5>("Mixture(UniformIndex, Neighbour)", &both_symmetric, &words);
+    all_targets::<_, 5>(
+        "Mixture(UniformIndex, Neighbour)",
+        &both_symmetric,
+        &words,
+        1,
+    );
 
     let both_kinds = Mixture::new((Neighbour(5), table::<5>()), &[0.6, 0.4]).unwrap();
     let words = Words::Picked(vec![Words::ONE, Words::ONE]);
-    all_targets::<_, 5>("Mixture(Neighbour, TransitionTable)", &both_kinds, &words);
+    all_targets::<_, 5>(
+        "Mixture(Neighbour, TransitionTable)",
+        &both_kinds,
+        &words,
+        0,
+    );
 
     let four = (wide_table::<5>(), uniform, independence, Neighbour(5));
     let four = Mixture::new(four, &[1.0, 1e-6, 2.0, 3.0]).unwrap();
     let words = Words::Picked(vec![Words::TWO, Words::TWO, Words::TWO, Words::ONE]);
-    all_targets::<_, 5>("Mixture of four", &four, &words);
+    all_targets::<_, 5>("Mixture of four", &four, &words, 1);
 
     let other = [[0.1, 0.2, 0.7], [0.3, 0.3, 0.4], [0.8, 0.1, 0.1]];
     let other = other.map(|row| Cdf::<[u32; 3]>::new(&row).unwrap());
     let two = [table::<3>(), TransitionTable::new(other).unwrap()];
     let array = Mixture::new(two, &[0.5, 0.5]).unwrap();
     let words = Words::Picked(vec![Words::ONE, Words::ONE]);
-    all_targets::<_, 3>("Mixture of an array", &array, &words);
+    all_targets::<_, 3>("Mixture of an array", &array, &words, 0);
 }

@@ -1,6 +1,7 @@
 //! What the constructors of mutations refuse, and that whatever they accept proposes in range: with random
 //! parameters, from any state.
 
+use crate::speed;
 use crate::stated::below;
 use microwarp::Error;
 use microwarp::metropolis::{
@@ -129,7 +130,8 @@ where
 fn random_parameters<T: Tier>() {
     let mut rng = Pcg32::new(0xa11f, 54);
     let (mut accepted, mut totals) = ([0; 3], [0; 2]);
-    for _ in 0..300_000 {
+    let rounds = speed::of("parameters", 300_000, 60_000);
+    for _ in 0..rounds {
         let parameters = [any(&mut rng), any(&mut rng)];
         let [a, b] = parameters;
         let mut counts = [[0; 2]; 3];
@@ -153,8 +155,8 @@ fn random_parameters<T: Tier>() {
         "{}: {accepted:?} accepted, {totals:?} moved and stayed",
         T::NAME
     );
-    assert!(accepted.iter().all(|&n| n > 50_000));
-    assert!(totals.iter().all(|&n| n > 10_000));
+    assert!(accepted.iter().all(|&n| n > rounds / 6));
+    assert!(totals.iter().all(|&n| n > rounds / 30));
 }
 
 #[test]

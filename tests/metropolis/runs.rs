@@ -3,6 +3,7 @@
 use crate::cells::Cells;
 use crate::evidence;
 use crate::series::Truth;
+use crate::speed;
 use microwarp::metropolis::{Health, Step};
 use rand_pcg::Pcg32;
 use support::stats;
@@ -19,16 +20,30 @@ pub struct Plan {
     pub stride: usize,
     /// Autocorrelation times between states that are taken as independent; 0 for the last one of each batch.
     pub apart: f64,
+    /// Steps of the run by which autocorrelation times are taken.
+    pub pilot: usize,
 }
 
-/// What leaves little: correlations fall as e^(−2t/τ) where a single relaxation dominates.
-pub const PLAN: Plan = Plan {
+/// The full plan. Its burn-in leaves little: correlations fall as e^(−2t/τ) where a single relaxation dominates.
+pub const FULL: Plan = Plan {
     batches: 256,
     steps: 8000,
     burn_in: 1000,
     stride: 1,
     apart: 10.0,
+    pilot: 64_000,
 };
+
+/// The plan of the speed. Fewer batches tell a cell's own time less well: states are taken farther apart then.
+pub fn plan() -> Plan {
+    let quick = Plan {
+        batches: 128,
+        steps: 3000,
+        apart: 15.0,
+        ..FULL
+    };
+    if speed::full() { FULL } else { quick }
+}
 
 /// What came of the batches of one chain.
 pub struct Outcome {
@@ -50,8 +65,6 @@ pub struct Outcome {
 
 /// Lags of `Health`.
 const LAGS: usize = 128;
-/// The numbers it takes in, in terms of the steps of a batch.
-const PILOT: usize = 8;
 
 /// Runs batches of what `start` makes: a chain about to be stepped.
 pub fn run<X, D, W>(
@@ -170,7 +183,7 @@ where
     }
     let mut health = [Health::<LAGS>::new(); 2];
     let mut numbers = [Vec::new(), Vec::new()];
-    for _ in 0..PILOT * plan.steps / plan.stride {
+    for _ in 0..plan.pilot / plan.stride {
         let mut state = walk(&mut rng).state();
         for _ in 1..plan.stride {
             state = walk(&mut rng).state();

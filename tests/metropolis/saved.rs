@@ -2,10 +2,10 @@
 
 use super::bits::Bits;
 use super::stated::stated;
+use super::weighed::Weighed;
 use microwarp::Error;
 use microwarp::metropolis::{
-    Chain, Density, LogDensity, Mixture, Mutation, Saved, Start, Step, UniformIndex, UniformStep,
-    Wrapped,
+    Chain, LogDensity, Mixture, Mutation, Saved, Start, Step, UniformIndex, UniformStep, Wrapped,
 };
 use microwarp::tier::{Libm, Poly};
 use microwarp::{metropolis::BoxStep, poly as mw};
@@ -28,14 +28,13 @@ fn from_bytes(bytes: &[u8]) -> Vec<u64> {
 fn cut<X, D, M>(start: X, target: impl Fn(X) -> D, mutation: &M, back: impl Fn(&[u64]) -> (X, D))
 where
     X: Copy + Bits,
-    D: Density + Bits,
+    D: Weighed,
     M: Mutation<X>,
 {
     let limit = NonZeroU32::new(3).unwrap();
     // Limited steps now and then, so that rejections in a row matter.
-    let go = |chain: &mut Chain<X, D>, k: usize, rng: &mut Pcg32| match k % 3 {
-        0 => chain.step_limited(&target, mutation, limit, rng),
-        _ => chain.step(&target, mutation, rng),
+    let go = |chain: &mut Chain<X, D>, k: usize, rng: &mut Pcg32| {
+        D::step(chain, &target, mutation, (k % 3 == 0).then_some(limit), rng)
     };
     let (mut rng, mut chain) = (Pcg32::new(1, 2), Chain::new(start, &target).unwrap());
     let mut uncut = Vec::new();
@@ -94,6 +93,8 @@ fn a_run_that_is_cut_anywhere_goes_on_as_if_it_were_not() {
     let weights = |i: usize| [1e-3, 1e30, 1e29, 0.0, 5e29][i];
     let mutation = UniformIndex::new(5).unwrap();
     cut(1, weights, &mutation, |n| (n[0] as usize, number(&n[1])));
+    let weights = |i: usize| [1_u32, u32::MAX, 900_000_000, 0, 7][i];
+    cut(1, weights, &mutation, |n| (n[0] as usize, n[1] as u32));
     let peak = |x: f32| mw::LogDensity::new(-x * x);
     let step = mw::NormalStep::new(2.0_f32).unwrap();
     cut(-0.0, peak, &step, |n| {

@@ -1,6 +1,7 @@
 //! The start-up bias and its two cures, measured over many short runs of a slow chain.
 
 use crate::evidence::{assert_passes, assert_rejected, p_value_of_mean};
+use crate::speed;
 use crate::start_weights;
 use microwarp::metropolis::{BoxStep, Chain, UniformStep};
 use rand_pcg::Pcg32;
@@ -38,7 +39,10 @@ fn asked(x: f32) -> [f64; 2] {
 /// The same under the target: ∫x(x − ½)² from ¼ to 1 is (½)⁴/4 − (¼)⁴/4 and half of the integral.
 const TRUE: [f64; 2] = [8.0 / 9.0, 0.5 + (1.0 / 64.0 - 1.0 / 1024.0) / INTEGRAL];
 
-const RUNS: usize = 30_000;
+fn how_many() -> usize {
+    speed::of("runs", 30_000, 8_000)
+}
+
 /// Steps after which a run is looked at.
 const LENGTHS: [u32; 10] = [0, 1, 2, 5, 10, 20, 50, 100, 200, 400];
 const CANDIDATES: [u32; 4] = [1, 4, 16, 64];
@@ -73,6 +77,7 @@ struct Table {
     /// The same without weights, over the runs that have a start.
     plain: Vec<[Sums; 2]>,
     weights: Sums,
+    runs: usize,
     started: usize,
 }
 
@@ -85,7 +90,7 @@ impl Table {
 
     /// Of W g(X) against ∫fg, at all lengths.
     fn weighted(&self) -> Vec<f64> {
-        self.p_values(TRUE.map(|g| g * INTEGRAL), &self.weighted, RUNS)
+        self.p_values(TRUE.map(|g| g * INTEGRAL), &self.weighted, self.runs)
     }
 
     /// Of g(X) against ∫fg/∫f.
@@ -96,7 +101,7 @@ impl Table {
     /// The bias in percent of the truth, of the share on the greater hump.
     fn biases(&self, weighted: bool) -> String {
         let (sums, count, exact) = if weighted {
-            (&self.weighted, RUNS, TRUE[0] * INTEGRAL)
+            (&self.weighted, self.runs, TRUE[0] * INTEGRAL)
         } else {
             (&self.plain, self.started, TRUE[0])
         };
@@ -112,9 +117,10 @@ fn runs(seed: u64, start: impl Fn(&mut Pcg32) -> Option<(Chain<f32>, f32)>) -> T
         weighted: vec![Default::default(); LENGTHS.len()],
         plain: vec![Default::default(); LENGTHS.len()],
         weights: Sums::default(),
+        runs: how_many(),
         started: 0,
     };
-    for run in 0..RUNS {
+    for run in 0..table.runs {
         let mut rng = Pcg32::new(seed, run as u64);
         let Some((mut chain, weight)) = start(&mut rng) else {
             continue;
@@ -171,6 +177,7 @@ fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
     }
     let at = |table: &Table, row: usize| table.plain()[2 * row..2 * row + 2].to_vec();
     let [bad, short, longer, long] = tables.map(|(_, table)| table);
+    let runs = bad.runs;
     // The bias is still there after 100 steps. (Before the first all states are the same: no spread to judge by.)
     for row in 1..8 {
         assert_rejected("a bad start", &at(&bad, row));
@@ -180,8 +187,8 @@ fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
     assert_passes("2000 steps of burn-in", &long.plain());
     // Steps of the burn-in and steps after are the same steps.
     let [k100, after_burn_in] =
-        [(&bad, 7), (&longer, 0)].map(|(t, row)| t.plain[row][0].mean(RUNS));
-    let spread = (0.25 / RUNS as f64).sqrt() * 2_f64.sqrt();
+        [(&bad, 7), (&longer, 0)].map(|(t, row)| t.plain[row][0].mean(runs));
+    let spread = (0.25 / runs as f64).sqrt() * 2_f64.sqrt();
     assert_passes(
         "100 steps",
         &[support::stats::two_sided((k100 - after_burn_in) / spread)],
@@ -197,9 +204,12 @@ fn a_weighted_start_is_unbiased_after_any_number_of_steps() {
     }
     for (count, table) in CANDIDATES.into_iter().zip(resampled()) {
         assert_passes(&format!("{count} candidates"), &table.weighted());
-        let mean = table.weights.mean(RUNS);
+        let mean = table.weights.mean(table.runs);
         println!("mean weight {mean:.6}, exact {INTEGRAL:.6}");
-        assert_passes("mean weight", &[table.weights.p_value(RUNS, INTEGRAL)]);
+        assert_passes(
+            "mean weight",
+            &[table.weights.p_value(table.runs, INTEGRAL)],
+        );
     }
 }
 
@@ -219,10 +229,10 @@ fn a_start_without_its_weight_is_biased() {
 #[test]
 fn runs_without_a_start_count_as_zero() {
     let [one, ..] = resampled();
-    let none = RUNS - one.started;
-    let spread = (0.25 * 0.75 * RUNS as f64).sqrt();
-    println!("{none} of {RUNS} without a start");
-    assert!((none as f64 - 0.25 * RUNS as f64).abs() <= 6.0 * spread);
+    let (runs, none) = (one.runs, one.runs - one.started);
+    let spread = (0.25 * 0.75 * runs as f64).sqrt();
+    println!("{none} of {runs} without a start");
+    assert!((none as f64 - 0.25 * runs as f64).abs() <= 6.0 * spread);
     assert_rejected("left out", &[one.weights.p_value(one.started, INTEGRAL)]);
     let left_out = one.p_values(TRUE.map(|g| g * INTEGRAL), &one.weighted, one.started);
     assert_rejected("left out", &left_out);

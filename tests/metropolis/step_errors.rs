@@ -1,21 +1,28 @@
 //! The errors of steps, over every word, against f64.
 
 use crate::laws::{HALF, Law, exponential, normal};
+use crate::speed::{self, sampled};
 use crate::stated::{DISPLACEMENT, assert_stated, stated};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
-/// Sizes of the normal steps of the words whose leading bit is 0: the quantiles of odd multiples of 2⁻²⁵ up
-/// to 1/2, by Newton's method of third order from each to the next. Its function is libm's erf in f64, which
-/// no tier uses.
-fn quantiles() -> Vec<f64> {
+/// The words looked at whose leading bit is 0.
+fn halves() -> Vec<u32> {
+    sampled(0..HALF, speed::of("one word of", 1, 64)).collect()
+}
+
+/// Words with the sizes of their normal steps: the quantiles of odd multiples of 2⁻²⁵ up to 1/2, by Newton's method
+/// of third order from each to the next. Its function is libm's erf in f64, which no tier uses.
+fn quantiles(words: &[u32]) -> Vec<(u32, f64)> {
     let mut z = 0.0_f64;
-    let mut sizes: Vec<f64> = (0..HALF)
+    let mut sizes: Vec<(u32, f64)> = words
+        .iter()
         .rev()
-        .map(|high| {
+        .map(|&high| {
             let p = (2.0 * f64::from(high) + 1.0) * 2f64.powi(-25);
-            // Far out the steps between neighbours are long.
-            for _ in 0..if p < 1e-5 { 5 } else { 2 } {
+            // Where words are left out, and far out, the steps between neighbours are long.
+            let near = words.len() == HALF as usize && p >= 1e-5;
+            for _ in 0..if near { 2 } else { 6 } {
                 let density = (-0.5 * z * z).exp() / TAU.sqrt();
                 let miss = if p > 0.25 {
                     (0.5 - p) - 0.5 * libm::erf(z * FRAC_1_SQRT_2)
@@ -25,7 +32,7 @@ fn quantiles() -> Vec<f64> {
                 let newton = miss / density;
                 z += newton * (1.0 + 0.5 * z * newton);
             }
-            z
+            (high, z)
         })
         .collect();
     sizes.reverse();
@@ -40,10 +47,10 @@ fn ulp(x: f64) -> f64 {
 
 /// The largest error of a normal step in ulp, and the deviation of the largest that its word could have with
 /// another deviation.
-fn normal_error<T: Tier>(deviation: f32, quantiles: &[f64]) -> (f64, f32) {
+fn normal_error<T: Tier>(deviation: f32, quantiles: &[(u32, f64)]) -> (f64, f32) {
     let law = normal::<T>(deviation);
     let (mut worst, mut worst_anywhere, mut there) = (0.0_f64, 0.0, 1.0);
-    for (high, size) in (0..).zip(quantiles) {
+    for &(high, size) in quantiles {
         let exact = size * f64::from(deviation);
         let got = f64::from((law.step)(high << 8)).abs();
         assert!(got.is_finite(), "{}", law.name);
@@ -59,7 +66,7 @@ fn normal_error<T: Tier>(deviation: f32, quantiles: &[f64]) -> (f64, f32) {
     (worst, there as f32)
 }
 
-fn normal_errors<T: Tier>(column: usize, quantiles: &[f64]) {
+fn normal_errors<T: Tier>(column: usize, quantiles: &[(u32, f64)]) {
     let (mut worst, there) = normal_error::<T>(1.0, quantiles);
     for deviation in [there, 1e-38, 1e37, 6e37, 1.1, 1.7, 0.3] {
         let (error, _) = normal_error::<T>(deviation, quantiles);
@@ -76,8 +83,8 @@ fn normal_errors<T: Tier>(column: usize, quantiles: &[f64]) {
     }
     // A deviation that is off by a millionth shows.
     let (right, wrong) = (1.5_f64, normal::<T>(1.500_001_5));
-    let shows = (0..HALF).step_by(1 << 10).any(|high| {
-        let exact = quantiles[high as usize] * right;
+    let shows = quantiles.iter().any(|&(high, size)| {
+        let exact = size * right;
         (f64::from((wrong.step)(high << 8)).abs() - exact).abs() / ulp(exact) > stated
     });
     assert!(shows);
@@ -85,20 +92,23 @@ fn normal_errors<T: Tier>(column: usize, quantiles: &[f64]) {
 
 #[test]
 fn normal_steps_have_the_stated_error() {
-    let quantiles = quantiles();
-    // Known values: Φ⁻¹(1/4), and that of 2⁻²⁵, from tables of more digits.
-    let quarter = 0.5 * (quantiles[(HALF / 2 - 1) as usize] + quantiles[(HALF / 2) as usize]);
+    // A known value, from tables of more digits: Φ⁻¹(1/4), between two words.
+    let [(_, below), (_, above)] = quantiles(&[HALF / 2 - 1, HALF / 2])[..] else {
+        unreachable!("one size a word")
+    };
+    let quarter = 0.5 * (below + above);
     assert!((quarter - 0.674_489_750_196_081_7).abs() < 1e-13);
+    let quantiles = quantiles(&halves());
     normal_errors::<Libm>(1, &quantiles);
     normal_errors::<Poly>(2, &quantiles);
 }
 
 /// The largest relative error of the sizes that are no subnormal numbers; of the others, what is left of the
 /// error in spacings when that is granted.
-fn sizes_off(law: &Law, smallest: f64, largest: f64, granted: f64) -> (f64, f64) {
+fn sizes_off(words: &[u32], law: &Law, [smallest, largest]: [f64; 2], granted: f64) -> (f64, f64) {
     let span = smallest.ln() - largest.ln();
     let (mut relative, mut spacings) = (0.0_f64, 0.0_f64);
-    for high in 0..HALF {
+    for &high in words {
         let u = (2.0 * f64::from(high) + 1.0) * 2f64.powi(-24);
         let exact = largest * (u * span).exp();
         let got = f64::from((law.step)(high << 8));
@@ -114,6 +124,7 @@ fn sizes_off(law: &Law, smallest: f64, largest: f64, granted: f64) -> (f64, f64)
 }
 
 fn exponential_errors<T: Tier>(column: usize) {
+    let words = halves();
     let tiny = f32::from_bits(1);
     let stated = stated(DISPLACEMENT, "step, relative", column);
     let mut worst = 0.0_f64;
@@ -139,7 +150,8 @@ fn exponential_errors<T: Tier>(column: usize) {
         (2.6e9, f32::MAX),
     ] {
         let law = exponential::<T>(smallest, largest);
-        let (relative, spacings) = sizes_off(&law, smallest.into(), largest.into(), stated);
+        let sizes = [smallest, largest].map(f64::from);
+        let (relative, spacings) = sizes_off(&words, &law, sizes, stated);
         println!("{}: {relative:.2e}, {spacings:.2} spacings", law.name);
         worst = worst.max(relative);
         // Among subnormal numbers each rounding is half a spacing: one of the size, the others on the way.
@@ -147,7 +159,7 @@ fn exponential_errors<T: Tier>(column: usize) {
     }
     assert_stated(&format!("{} ExponentialStep", T::NAME), worst, stated);
     let wrong = exponential::<T>(1.000_01e-6, 1.0);
-    let (off, _) = sizes_off(&wrong, 1e-6, 1.0, stated);
+    let (off, _) = sizes_off(&words, &wrong, [1e-6, 1.0], stated);
     assert!(off > stated, "a size off by 1e-5 passes: {off:e}");
 }
 
@@ -160,6 +172,7 @@ fn exponential_steps_have_the_stated_error() {
 /// Where there is nothing to choose every step is the one size, to the bit.
 #[test]
 fn equal_sizes_give_that_size_always() {
+    let words = halves();
     for size in [
         1.0,
         1e-30,
@@ -173,7 +186,7 @@ fn equal_sizes_give_that_size_always() {
             exponential::<Poly>(size, size),
         ] {
             assert!(
-                (0..HALF).all(|high| (law.step)(high << 8) == size),
+                words.iter().all(|&high| (law.step)(high << 8) == size),
                 "{}",
                 law.name
             );

@@ -3,7 +3,8 @@
 use crate::cells::Cells;
 use crate::densities::*;
 use crate::matrices::Neighbour;
-use crate::runs::{Outcome, PLAN, Plan, run};
+use crate::runs::{Outcome, Plan, plan, run};
+use crate::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Density, Independence, Mixture, Mutation, OneCoordinate, Step, Subset,
     UniformIndex, UniformStep, Wrapped, primary_density,
@@ -30,7 +31,7 @@ impl Subject {
         (self.run)(plan, seed)
     }
 
-    fn planned(self, plan: Plan) -> Self {
+    pub fn planned(self, plan: Plan) -> Self {
         Self { plan, ..self }
     }
 }
@@ -48,7 +49,7 @@ where
 {
     Subject {
         name,
-        plan: PLAN,
+        plan: plan(),
         run: Box::new(move |plan, seed| run(plan, &cells, &start, seed)),
     }
 }
@@ -88,20 +89,22 @@ fn over_decades() -> impl Mutation<f32> {
 
 /// A step across the parabola that never crosses its valley in time, so that each batch starts on the target.
 /// Few states of a batch are then worth more than one, and the last of each are taken as independent.
-const SLOW: Plan = Plan {
-    batches: 2048,
-    steps: 1000,
-    burn_in: 0,
-    apart: 0.0,
-    ..PLAN
-};
+fn slow() -> Plan {
+    Plan {
+        batches: if speed::full() { 2048 } else { 1024 },
+        steps: 1000,
+        burn_in: 0,
+        apart: 0.0,
+        ..plan()
+    }
+}
 
 pub fn slow_box(name: &'static str, mutation: impl Mutation<f32> + Copy + 'static) -> Subject {
     walking(name, parabola_cells(), move |rng| {
         let mut chain = Chain::new(on_parabola(rng), parabola).unwrap();
         move |rng: &mut Pcg32| chain.step(parabola, &mutation, rng)
     })
-    .planned(SLOW)
+    .planned(slow())
 }
 
 fn on_the_line() -> Vec<Subject> {
@@ -116,13 +119,17 @@ fn on_the_line() -> Vec<Subject> {
     let wide = poly::ExponentialStep::new(0.01, 1e6).unwrap();
     let source = poly::Exponential::new(0.4).unwrap();
     let long = Plan {
-        steps: 50_000,
+        steps: if speed::full() { 50_000 } else { 10_000 },
+        pilot: if speed::full() { 400_000 } else { 80_000 },
         burn_in: 20_000,
         stride: 10,
         batches: 128,
-        ..PLAN
+        ..plan()
     };
-    let rare = Plan { stride: 4, ..PLAN };
+    let rare = Plan {
+        stride: 4,
+        ..plan()
+    };
     vec![
         chain(
             "parabola, uniform",
@@ -203,7 +210,10 @@ where
     let step = poly::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
     let mutation = Mixture::large_small(0.2, Wrapped::new(step)).unwrap();
     let lobe = chain(name, lobe_cells(z), [0.9, 0.1], target, mutation);
-    lobe.planned(Plan { stride: 10, ..PLAN })
+    lobe.planned(Plan {
+        stride: 10,
+        ..plan()
+    })
 }
 
 fn in_the_plane() -> Vec<Subject> {

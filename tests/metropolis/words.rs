@@ -1,6 +1,7 @@
 //! Words: how many a step takes, and what is left of one that fails for want of them.
 
 use super::bits::Bits;
+use super::weighed::Weighed;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TransitionTable,
@@ -17,18 +18,40 @@ where
     X: Copy + Bits,
     M: Mutation<X>,
 {
+    words_of(
+        [1.0, 1.0, 2e-3, 0.0, f32::NAN],
+        name,
+        start,
+        mutation,
+        &stated,
+    );
+    words_of([500, 500, 1, 0], name, start, mutation, &stated);
+}
+
+/// With targets that have the first weight at the start, and another one elsewhere.
+fn words_of<W, X, M, const N: usize>(
+    weights: [W; N],
+    name: &str,
+    start: X,
+    mutation: &M,
+    stated: &impl Fn(u32) -> u64,
+) where
+    W: Weighed,
+    X: Copy + Bits,
+    M: Mutation<X>,
+{
     let mut outcomes = [0_u32; 4];
-    for (seed, density) in [1.0, 2e-3, 0.0, f32::NAN].into_iter().enumerate() {
+    for (seed, weight) in weights.into_iter().skip(1).enumerate() {
         let target = |x: X| match x.bits() == start.bits() {
-            true => 1.0,
-            false => density,
+            true => weights[0],
+            false => weight,
         };
         let mut chain = Chain::new(start, target).unwrap();
         let mut rng = Pcg32::new(seed as u64, 1);
         for _ in 0..50 {
             let mut counted = Counting::new(rng.clone());
             let before = chain;
-            let step = chain.step(target, mutation, &mut counted);
+            let step = W::step(&mut chain, target, mutation, None, &mut counted);
             assert_eq!(counted.words, stated(step.kind) + 1, "{name}");
             outcomes[step.outcome as usize] += 1;
             rng = counted.inner;
@@ -36,7 +59,7 @@ where
             for left in 0..counted.words {
                 let mut cut = before;
                 let mut failing = Failing { word: 0, left };
-                let end = cut.try_step(target, mutation, &mut failing);
+                let end = W::try_step(&mut cut, target, mutation, None, &mut failing);
                 // A mixture may take fewer words with this one.
                 if let Err(error) = end {
                     assert_eq!(error, Broken(17));
@@ -47,7 +70,7 @@ where
             }
             let mut failing = Failing { word: 0, left: 99 };
             let mut cut = before;
-            let whole = cut.try_step(target, mutation, &mut failing).unwrap();
+            let whole = W::try_step(&mut cut, target, mutation, None, &mut failing).unwrap();
             assert_eq!(99 - failing.left, stated(whole.kind) + 1, "{name}");
         }
     }

@@ -1,6 +1,7 @@
 //! Walks in the unit cube: as many words lead from each grid point to each other as lead back.
 
 use crate::laws::{HALF, Law, WORDS, boxed, exponential, normal};
+use crate::speed;
 use microwarp::metropolis::{
     BoxStep, Displacement, ExponentialStep, Mutation, NormalStep, Wrapped, wrapping_add,
 };
@@ -29,8 +30,13 @@ fn places() -> [u32; 8] {
     [0, 1, 5, 30_000, 90_000, middle, last - 2, last]
 }
 
+/// One word of every `stride` and with each its inverse, whose step is the negative one.
+fn words(stride: u32) -> impl Iterator<Item = u32> + Clone {
+    speed::sampled(0..HALF, stride).flat_map(|high| [high, WORDS - 1 - high])
+}
+
 /// How many words lead from each place to each other.
-fn counts(law: &Law, places: &[u32], add: impl Fn(f32, f32) -> f32) -> Vec<Vec<u32>> {
+fn counts(law: &Law, places: &[u32], stride: u32, add: fn(f32, f32) -> f32) -> Vec<Vec<u32>> {
     let points: Vec<f32> = places.iter().map(|&k| grid_from_word(k << 8)).collect();
     // Where each point of the grid stands among them.
     let mut index = vec![u8::MAX; WORDS as usize];
@@ -38,7 +44,7 @@ fn counts(law: &Law, places: &[u32], add: impl Fn(f32, f32) -> f32) -> Vec<Vec<u
         index[k as usize] = i as u8;
     }
     let mut counts = vec![vec![0; points.len()]; points.len()];
-    for high in 0..WORDS {
+    for high in words(stride) {
         let step = (law.step)(high << 8);
         for (from, row) in points.iter().zip(&mut counts) {
             let to = add(*from, step);
@@ -63,8 +69,9 @@ fn one_way(counts: &[Vec<u32>]) -> u32 {
 
 #[test]
 fn as_many_words_lead_there_as_back() {
+    let stride = speed::of("one word of", 1, 16);
     for law in laws() {
-        let counts = counts(&law, &places(), wrapping_add);
+        let counts = counts(&law, &places(), stride, wrapping_add);
         let moves = (0..counts.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
         let moves: u32 = moves.map(|(i, j)| counts[i][j]).sum();
         println!("{}: {moves} words each way", law.name);
@@ -73,29 +80,32 @@ fn as_many_words_lead_there_as_back() {
     }
     // The same counts see a sum in f32 that rounds.
     for law in laws().into_iter().take(2) {
-        let naive = one_way(&counts(&law, &places(), |x, s| (x + s) - (x + s).floor()));
+        let rounding = |x, s| (x + s) - f32::floor(x + s);
+        let naive = one_way(&counts(&law, &places(), stride, rounding));
         println!("{}: {naive} words lead one way by adding in f32", law.name);
-        assert!(naive > 100_000, "{}: {naive}", law.name);
+        assert!(naive > 100_000 / stride, "{}: {naive}", law.name);
     }
 }
 
 /// The whole law: the number of words of each of the 2²⁴ distances is that of its negative.
 #[test]
 fn every_distance_has_the_words_of_its_negative() {
+    let (stride, turns) = speed::of("one word of, random words", (1, 200_000), (32, 20_000));
+    let mut counts = vec![0_u32; WORDS as usize];
     for law in laws() {
-        let mut counts = vec![0_u32; WORDS as usize];
-        for high in 0..WORDS {
+        counts.fill(0);
+        for high in words(stride) {
             let to = wrapping_add(0.0, (law.step)(high << 8));
             counts[(f64::from(to) * f64::from(WORDS)) as usize] += 1;
         }
-        assert_eq!(counts.iter().sum::<u32>(), WORDS);
+        assert_eq!(counts.iter().sum::<u32>() as usize, words(stride).count());
         for k in 1..HALF as usize {
             let back = counts[WORDS as usize - k];
             assert_eq!(counts[k], back, "{}: {k}", law.name);
         }
         // And it is the same everywhere.
         let mut rng = Pcg32::new(0xd157, 54);
-        for _ in 0..200_000 {
+        for _ in 0..turns {
             let [from, word] = [rng.next_u32() >> 8, rng.next_u32()];
             let step = (law.step)(word);
             let to = wrapping_add(grid_from_word(from << 8), step);

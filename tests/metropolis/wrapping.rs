@@ -1,5 +1,6 @@
 //! The sum modulo 1: by the rule that is documented, worked out in integers, for any two numbers at all.
 
+use crate::speed;
 use crate::stated::{above, below};
 use microwarp::metropolis::wrapping_add;
 use microwarp::uniform::LARGEST;
@@ -95,12 +96,17 @@ fn the_rule_in_integers_is_the_documented_one() {
     );
 }
 
-/// Every bit pattern of a range, and of the rest every 31st.
+/// Every bit pattern of a range, and of the rest every 31st; in the quick form, fewer of both.
 fn patterns(whole: std::ops::Range<u32>) -> impl Iterator<Item = u32> {
+    let [inside, outside] = speed::of(
+        "one bit pattern of, inside and outside",
+        [1, 31],
+        [101, 2003],
+    );
     (0..whole.start)
-        .step_by(31)
-        .chain(whole.clone())
-        .chain((whole.end..=u32::MAX).step_by(31))
+        .step_by(outside)
+        .chain(speed::sampled(whole.clone(), inside as u32))
+        .chain((whole.end..=u32::MAX).step_by(outside))
 }
 
 #[test]
@@ -135,14 +141,14 @@ fn any_uniform_at_all_is_added_to_by_the_rule() {
 #[test]
 fn nothing_near_the_ends_gives_1() {
     let steps: Vec<f32> = (0..POINTS)
-        .step_by(1021)
+        .step_by(speed::of("one step of", 1021, 16_381))
         .map(|k| f32::from_bits(k << 8))
         .chain((0..3000).flat_map(|k| {
             let bits = 2f32.powi(-25).to_bits() - 1500 + k;
             [f32::from_bits(bits), -f32::from_bits(bits)]
         }))
         .collect();
-    for near in 0..400 {
+    for near in 0..speed::of("numbers near each end", 400, 100) {
         for u in [
             f32::from_bits(1.0_f32.to_bits() - near),
             f32::from_bits(1.0_f32.to_bits() + near),
@@ -167,7 +173,7 @@ fn nothing_near_the_ends_gives_1() {
 fn a_step_and_its_negative_undo_each_other() {
     let mut rng = Pcg32::new(0x0a11, 54);
     let (mut undone, mut naive_undone) = (0, 0);
-    let turns = 20_000_000;
+    let turns = speed::of("random pairs", 20_000_000, 1_000_000);
     for _ in 0..turns {
         let u = point(rng.next_u32() >> 8);
         let s = f32::from_bits(rng.next_u32());
@@ -180,7 +186,8 @@ fn a_step_and_its_negative_undo_each_other() {
     println!("by adding in f32, {naive_undone} of {turns} come back");
     assert!(naive_undone < turns * 9 / 10);
     // Every uniform of the grid, with steps about half a place.
-    for place in 0..POINTS {
+    let stride = speed::of("one place of", 1, 61);
+    for place in speed::sampled(0..POINTS, stride) {
         let u = point(place);
         for s in [0.1, 2f32.powi(-25), below(2f32.powi(-25)), 1.5] {
             assert_eq!(wrapping_add(wrapping_add(u, s), -s), u);

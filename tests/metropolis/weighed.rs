@@ -1,0 +1,76 @@
+//! What a harness asks of densities and integer weights alike, so that one harness serves both kinds of chain.
+
+use super::bits::Bits;
+use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Step, Weight};
+use microwarp::tier::Tier;
+use rand_core::{Rng, TryRng};
+use std::fmt::Debug;
+use std::num::NonZeroU32;
+
+/// A weight, and the steps of its chain.
+pub trait Weighed: Weight + Bits + PartialEq + Debug {
+    /// The acceptance; of integer weights, the words that accept.
+    type Acceptance: Copy + PartialEq + Debug + Bits;
+
+    fn is_positive(self) -> bool;
+
+    /// A step, with a limit of rejections in a row or without.
+    fn try_step<X: Copy, M: Mutation<X>, R: TryRng>(
+        chain: &mut Chain<X, Self>,
+        target: impl FnOnce(X) -> Self,
+        mutation: &M,
+        limit: Option<NonZeroU32>,
+        rng: &mut R,
+    ) -> Result<Step<X, Self, Self::Acceptance>, R::Error>;
+
+    fn step<X: Copy, M: Mutation<X>, R: Rng>(
+        chain: &mut Chain<X, Self>,
+        target: impl FnOnce(X) -> Self,
+        mutation: &M,
+        limit: Option<NonZeroU32>,
+        rng: &mut R,
+    ) -> Step<X, Self, Self::Acceptance> {
+        let Ok(step) = Self::try_step(chain, target, mutation, limit, rng);
+        step
+    }
+}
+
+macro_rules! weighed {
+    ($([$($tier:ident)?] $weight:ty, $acceptance:ty, $said:expr, $is_positive:expr;)*) => {$(
+        impl<$($tier: Tier)?> Weighed for $weight {
+            type Acceptance = $acceptance;
+
+            fn is_positive(self) -> bool {
+                $is_positive(self)
+            }
+
+            fn try_step<X: Copy, M: Mutation<X>, R: TryRng>(
+                chain: &mut Chain<X, Self>,
+                target: impl FnOnce(X) -> Self,
+                mutation: &M,
+                limit: Option<NonZeroU32>,
+                rng: &mut R,
+            ) -> Result<Step<X, Self, $acceptance>, R::Error> {
+                let step = match limit {
+                    Some(limit) => chain.try_step_limited(target, mutation, limit, rng),
+                    None => chain.try_step(target, mutation, rng),
+                }?;
+                Ok(Step {
+                    from: step.from,
+                    from_density: step.from_density,
+                    proposed: step.proposed,
+                    proposed_density: step.proposed_density,
+                    acceptance: $said(step.acceptance),
+                    outcome: step.outcome,
+                    kind: step.kind,
+                })
+            }
+        }
+    )*};
+}
+
+weighed! {
+    [] f32, f32, |a| a, |f| f > 0.0;
+    [T] LogDensity<T>, f32, |a| a, |f: Self| f.get() > f32::NEG_INFINITY;
+    [] u32, u64, Chance::words, |f| f > 0;
+}
