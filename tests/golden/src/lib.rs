@@ -25,6 +25,53 @@ mod integers;
 #[cfg(feature = "cases")]
 mod subjects;
 
+/// What the lists hold of a type, for those who look whether it is complete.
+pub struct Listed {
+    pub name: &'static str,
+    /// Its golden subjects.
+    pub golden: &'static [&'static str],
+    /// Its cost kernels, without their tiers.
+    pub kernels: &'static [&'static str],
+    /// Why there are none.
+    pub no_kernel: Option<&'static str>,
+}
+
+macro_rules! listed {
+    ($list:ident: $($type:ident {
+        golden { $($golden:literal => $warp:expr,)* }
+        cost {
+            $($kernel:literal $u:tt $(: $number:ident)? -> $out:ty = $cost:expr,)*
+            $(none $reason:literal)?
+        }
+        page $page:tt
+    })*) => {
+        pub const $list: &[Listed] = &[$(Listed {
+            name: stringify!($type),
+            golden: &[$($golden),*],
+            kernels: &[$($kernel),*],
+            no_kernel: [$(Some($reason),)? None][0],
+        }),*];
+    };
+}
+
+macro_rules! listed_floats {
+    ($($blocks:tt)*) => { listed! { FLOAT_WARPS: $($blocks)* } };
+}
+
+macro_rules! listed_integers {
+    (
+        in every grade { $($graded:tt)* }
+        with floats { $($floats:tt)* }
+        without grade { $($plain:tt)* }
+    ) => {
+        listed! { GRADED_WARPS: $($graded)* $($floats)* }
+        listed! { PLAIN_WARPS: $($plain)* }
+    };
+}
+
+float_warps!(listed_floats);
+integer_warps!(listed_integers);
+
 #[cfg(feature = "cases")]
 pub use cases::*;
 #[cfg(feature = "cases")]
