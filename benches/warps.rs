@@ -4,8 +4,10 @@
 //! and clocks do not show; compare figures of one run only.
 
 use divan::{Bencher, black_box};
-use microwarp::{Warp, uniform};
+use microwarp::{Error, Warp, uniform};
+use microwarp_golden::float_warps;
 use rand_pcg::Pcg32;
+use std::fmt::{self, Display, Formatter};
 
 const POINTS: usize = 1_024;
 
@@ -47,54 +49,61 @@ fn a_floor_of_two_uniforms(bencher: Bencher) {
         });
 }
 
-/// The same warps in a tier; one line each.
+/// A warp of the list, under the name of its cost kernel.
+struct Timed {
+    name: &'static str,
+    draw: fn(Bencher),
+    fill: fn(Bencher),
+}
+
+impl Display for Timed {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+/// A parameter that was accepted.
+const fn ok<W: Copy>(warp: Result<W, Error>) -> W {
+    match warp {
+        Ok(warp) => warp,
+        Err(_) => panic!("refused"),
+    }
+}
+
+/// A warp whose constructor is no `const fn`.
+fn stored<W>(make: impl FnOnce() -> Result<W, Error>) -> W {
+    make().unwrap()
+}
+
+/// Every warp that has a cost kernel, in a tier.
 macro_rules! benches {
-    ($tier:ident) => {
+    (($tier:ident) $($type:ident {
+        golden $golden:tt
+        cost { $($name:literal $u:tt -> $out:ty = $warp:expr,)* $(none $reason:literal)? }
+        page $page:tt
+    })*) => {
         mod $tier {
-            use super::*;
-            use divan::Bencher;
+            use super::{Bencher, Timed, ok, stored};
+            use ::microwarp::$tier::*;
 
-            macro_rules! bench {
-                ($name:ident, $warp:expr) => {
-                    mod $name {
-                        use super::*;
+            const WARPS: &[Timed] = &[$($(Timed {
+                name: $name,
+                draw: |bencher| super::draw(bencher, &$warp),
+                fill: |bencher| super::fill(bencher, &$warp),
+            },)*)*];
 
-                        #[divan::bench]
-                        fn draw(bencher: Bencher) {
-                            super::draw(bencher, &$warp);
-                        }
-                        #[divan::bench]
-                        fn fill(bencher: Bencher) {
-                            super::fill(bencher, &$warp);
-                        }
-                    }
-                };
+            #[divan::bench(args = WARPS)]
+            fn draw(bencher: Bencher, warp: &Timed) {
+                (warp.draw)(bencher);
             }
-            use ::microwarp::$tier as mw;
-            bench!(interval, mw::Interval::new(-3.0, 5.0).unwrap());
-            bench!(power, mw::Power::new(2.5, 0.0, 1.0).unwrap());
-            bench!(exponential, mw::Exponential::new(1.0).unwrap());
-            bench!(exponential_tail, mw::ExponentialTail::new(1.0).unwrap());
-            bench!(
-                truncated_exponential,
-                mw::TruncatedExponential::new(2.0, 3.0).unwrap()
-            );
-            bench!(tent, mw::Tent::new(1.0).unwrap());
-            bench!(linear, mw::Linear::new(1.0, 3.0).unwrap());
-            bench!(normal, mw::Normal::new(0.0, 1.0).unwrap());
-            bench!(normal_pair, mw::NormalPair::new([0.0; 2], 1.0).unwrap());
-            bench!(disk, mw::Disk::new());
-            bench!(disk_concentric, mw::DiskConcentric::new());
-            bench!(triangle, mw::Triangle::new());
-            bench!(sphere, mw::Sphere::new());
-            bench!(hemisphere, mw::Hemisphere::new());
-            bench!(cosine_hemisphere, mw::CosineHemisphere::new());
-            bench!(malley_hemisphere, mw::MalleyHemisphere::new());
-            bench!(phong_lobe, mw::PhongLobe::new(50.0).unwrap());
-            bench!(cone, mw::Cone::from_angle(0.1).unwrap());
+
+            #[divan::bench(args = WARPS)]
+            fn fill(bencher: Bencher, warp: &Timed) {
+                (warp.fill)(bencher);
+            }
         }
     };
 }
 
-benches!(libm);
-benches!(poly);
+float_warps!(benches(libm));
+float_warps!(benches(poly));

@@ -14,97 +14,67 @@ macro_rules! kernels {
         pub static ENTRIES: &[$crate::count::Entry] = &[
             $(
                 #[cfg(any(not(one_kernel), kernel = $name))]
-                $crate::registry::entry!($name $inputs -> $out = $body, { $($prepare;)? }),
+                $crate::registry::entry!(($name) $inputs -> $out = $body, { $($prepare;)? }),
             )*
         ];
     };
 }
 
-/// `"poly_name" "poly_name_pcg32" "libm_name" "libm_name_pcg32" uniforms -> outputs = warp;`
+/// `LIST "prefix_" module, "name" uniforms number -> point = warp, ...`
 ///
-/// The same warp in both float tiers, each from uniforms in memory and drawn with a generator. The uniforms are
-/// named, one alone or several in brackets; the warp is an expression over the names of a tier.
-macro_rules! float_warps {
-    ($($poly:literal $poly_drawn:literal $libm:literal $libm_drawn:literal $u:tt -> $out:ty = $warp:expr;)*) => {
+/// Warps of one tier, whose names are in `module`, each from uniforms in memory and drawn with a generator. The names
+/// of the kernels are `prefix_name` and `prefix_name_pcg32`. The uniforms are named, one alone or several in brackets.
+macro_rules! warp_entries {
+    ($list:ident $prefix:literal $module:ident, $($name:literal $u:tt $number:ident -> $out:ty = $warp:expr,)*) => {
         /// Every entry; a measurement leaves one.
-        pub static ENTRIES: &[$crate::count::Entry] = &[$(
-            #[cfg(any(not(one_kernel), kernel = $poly))]
-            $crate::registry::sampled!($poly f32 $u -> $out = (microwarp::poly) $warp),
-            #[cfg(any(not(one_kernel), kernel = $poly_drawn))]
-            $crate::registry::drawn!($poly_drawn -> $out = (microwarp::poly) $warp),
-            #[cfg(any(not(one_kernel), kernel = $libm))]
-            $crate::registry::sampled!($libm f32 $u -> $out = (microwarp::libm) $warp),
-            #[cfg(any(not(one_kernel), kernel = $libm_drawn))]
-            $crate::registry::drawn!($libm_drawn -> $out = (microwarp::libm) $warp),
-        )*];
-    };
-}
-
-/// The same for the three grades of the integer tier: `"fine_name" "fine_name_pcg32" "coarse_name" ...`.
-macro_rules! integer_warps {
-    ($(
-        $fine:literal $fine_drawn:literal
-        $coarse:literal $coarse_drawn:literal
-        $compact:literal $compact_drawn:literal
-        $u:tt: $number:ident -> $out:ty = $warp:expr;
-    )*) => {
-        /// Every entry; a measurement leaves one.
-        pub static ENTRIES: &[$crate::count::Entry] = &[$(
-            #[cfg(any(not(one_kernel), kernel = $fine))]
-            $crate::registry::sampled!($fine $number $u -> $out = (microwarp::fixed) $warp),
-            #[cfg(any(not(one_kernel), kernel = $fine_drawn))]
-            $crate::registry::drawn!($fine_drawn -> $out = (microwarp::fixed) $warp),
-            #[cfg(any(not(one_kernel), kernel = $coarse))]
-            $crate::registry::sampled!($coarse $number $u -> $out = (microwarp::fixed::coarse) $warp),
-            #[cfg(any(not(one_kernel), kernel = $coarse_drawn))]
-            $crate::registry::drawn!($coarse_drawn -> $out = (microwarp::fixed::coarse) $warp),
-            #[cfg(any(not(one_kernel), kernel = $compact))]
-            $crate::registry::sampled!($compact $number $u -> $out = (microwarp::fixed::compact) $warp),
-            #[cfg(any(not(one_kernel), kernel = $compact_drawn))]
-            $crate::registry::drawn!($compact_drawn -> $out = (microwarp::fixed::compact) $warp),
+        pub static $list: &[$crate::count::Entry] = &[$(
+            #[cfg(any(not(one_kernel), all(prefix = $prefix, warp = $name, not(drawn))))]
+            $crate::registry::sampled!((concat!($prefix, $name)) $number $u -> $out = $module $warp),
+            #[cfg(any(not(one_kernel), all(prefix = $prefix, warp = $name, drawn)))]
+            $crate::registry::drawn!((concat!($prefix, $name, "_pcg32")) -> $out = $module $warp),
         )*];
     };
 }
 
 /// A warp that takes its uniforms from memory.
 macro_rules! sampled {
-    ($name:literal $number:ident [$($u:ident),+] -> $out:ty = ($($module:ident)::+) $warp:expr) => {
+    (($name:expr) $number:ident [$($u:ident),+] -> $out:ty = $module:ident $warp:expr) => {
         $crate::registry::entry!(
-            $name ($($u: $number),+) -> $out =
-                $crate::registry::with!(loaded ($($module)::+) $warp).sample([$($u),+]),
-            _ = $crate::registry::with!(made ($($module)::+) $warp)
+            ($name) ($($u: $number),+) -> $out =
+                $crate::registry::with!(loaded $module $warp).sample([$($u),+]),
+            _ = $crate::registry::with!(made $module $warp)
         )
     };
-    ($name:literal $number:ident $u:ident -> $out:ty = ($($module:ident)::+) $warp:expr) => {
+    (($name:expr) $number:ident $u:ident -> $out:ty = $module:ident $warp:expr) => {
         $crate::registry::entry!(
-            $name ($u: $number) -> $out = $crate::registry::with!(loaded ($($module)::+) $warp).sample($u),
-            _ = $crate::registry::with!(made ($($module)::+) $warp)
+            ($name) ($u: $number) -> $out = $crate::registry::with!(loaded $module $warp).sample($u),
+            _ = $crate::registry::with!(made $module $warp)
         )
     };
 }
 
 /// A warp that draws its uniforms.
 macro_rules! drawn {
-    ($name:literal -> $out:ty = ($($module:ident)::+) $warp:expr) => {
+    (($name:expr) -> $out:ty = $module:ident $warp:expr) => {
         $crate::registry::entry!(
-            $name (rng) -> $out = $crate::registry::with!(loaded ($($module)::+) $warp).draw(rng),
-            _ = $crate::registry::with!(made ($($module)::+) $warp)
+            ($name) (rng) -> $out = $crate::registry::with!(loaded $module $warp).draw(rng),
+            _ = $crate::registry::with!(made $module $warp)
         )
     };
 }
 
 /// A warp over the names of a module. What it calls `stored` is made by the preparation and loaded by the kernel.
 macro_rules! with {
-    ($stored:ident ($($module:ident)::+) $warp:expr) => {{
-        use $($module)::+::*;
+    ($stored:ident $module:ident $warp:expr) => {{
         use $crate::registry::$stored as stored;
+        use $module::*;
         $warp
     }};
 }
 
 /// One entry: its name, what goes in and out, what happens between, and what is done once before.
 macro_rules! entry {
-    ($name:literal ($($input:ident: $type:ty),+) -> $out:ty = $body:expr, $prepare:expr) => {{
+    (($name:expr) ($($input:ident: $type:ty),+) -> $out:ty = $body:expr, $prepare:expr) => {{
         const INPUTS: usize = [$(stringify!($input)),+].len();
         #[unsafe(export_name = $name)]
         #[inline(never)]
@@ -133,7 +103,7 @@ macro_rules! entry {
             },
         }
     }};
-    ($name:literal ($rng:ident) -> $out:ty = $body:expr, $prepare:expr) => {{
+    (($name:expr) ($rng:ident) -> $out:ty = $body:expr, $prepare:expr) => {{
         #[unsafe(export_name = $name)]
         #[inline(never)]
         extern "C" fn kernel(at: *mut u32, to: *mut u32) {
@@ -153,7 +123,7 @@ macro_rules! entry {
     }};
 }
 
-pub(crate) use {drawn, entry, float_warps, integer_warps, kernels, sampled, with};
+pub(crate) use {drawn, entry, kernels, sampled, warp_entries, with};
 
 /// A parameter that was accepted; at compile time, where it stands in a `const`.
 pub const fn ok<T: Copy>(result: Result<T, Error>) -> T {

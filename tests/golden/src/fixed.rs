@@ -1,4 +1,4 @@
-//! The subjects of the integer tier, in every grade, on inputs of their own. A new warp is one line here.
+//! The subjects of the integer tier, in every grade, on inputs of their own. The warps stand in `fixed_warps.rs`.
 //! There is not a floating-point operation in it.
 
 use crate::Out;
@@ -194,88 +194,58 @@ fn facets<G: Grade>(input: usize, out: &mut Out) {
     verdict_of([[a >> 2, b >> 2], [b >> 2, 0], [0, 7]], out);
 }
 
+/// The names and the constructors of the warps, and behind those with grades the functions.
 macro_rules! subjects {
     (
-        in every grade { $($warp_name:literal => $warp:expr,)* }
-        functions { $($name:literal => $function:ident,)* }
-        without grade { $($plain_name:literal => $plain:expr,)* }
+        in every grade { $($graded:ident {
+            golden { $($name:literal => $warp:expr,)* } cost $cost:tt page $page:tt
+        })* }
+        with floats { $($float:ident {
+            golden { $($float_name:literal => $float_warp:expr,)* } cost $float_cost:tt page $float_page:tt
+        })* }
+        without grade { $($plain:ident {
+            golden { $($plain_name:literal => $plain_warp:expr,)* } cost $plain_cost:tt page $plain_page:tt
+        })* }
     ) => {
-        const GRADED: &[&str] = &[$($warp_name,)* $($name,)*];
-        const PLAIN: &[&str] = &[$($plain_name,)*];
+        const GRADED: &[&str] = &[$($($name,)*)* $($($float_name,)*)* "functions", "verdicts", "verdicts of facets"];
+        const PLAIN: &[&str] = &[$($($plain_name,)*)*];
 
         fn of_grade<G: Grade>(subject: usize, input: usize, out: &mut Out) {
             let mut index = 0;
-            $(
+            $($(
                 if subject == index {
                     return triple($warp, input, out);
                 }
                 index += 1;
-            )*
-            $(
+            )*)*
+            $($(
                 if subject == index {
-                    return $function::<G>(input, out);
+                    return triple($float_warp, input, out);
                 }
                 index += 1;
-            )*
-            let _ = index;
+            )*)*
+            for function in [functions::<G>, verdicts::<G>, facets::<G>] {
+                if subject == index {
+                    return function(input, out);
+                }
+                index += 1;
+            }
         }
 
         fn without_grade(subject: usize, input: usize, out: &mut Out) {
             let mut index = 0;
-            $(
+            $($(
                 if subject == index {
-                    return triple($plain, input, out);
+                    return triple($plain_warp, input, out);
                 }
                 index += 1;
-            )*
+            )*)*
             let _ = index;
         }
     };
 }
 
-subjects! {
-    in every grade {
-        "Disk" => Ok(Disk::<G>::new()),
-        "Sphere" => Ok(Sphere::<G>::new()),
-        "Hemisphere" => Ok(Hemisphere::<G>::new()),
-        "CosineHemisphere" => Ok(CosineHemisphere::<G>::new()),
-        "Cone 0.1" => Cone::<G>::from_one_minus_cos(v(107_374_182)),
-        "Cone of a thousandth turn" => Cone::<G>::from_angle(v(4_294_967)),
-        "PhongLobe 0" => PhongLobe::<G>::new(v(0)),
-        "PhongLobe 50" => PhongLobe::<G>::new(v(50)),
-        "PhongLobe 1e8" => PhongLobe::<G>::new(v(100_000_000)),
-        "Triangle" => Ok(Triangle::<G>::new()),
-        "TriangleOn" => TriangleOn::<_, 2, G>::new([
-            [whole::<I16F16>(0), whole(0)],
-            [whole(4), whole(1)],
-            [whole(0xfffd), whole(2)],
-        ]),
-        "TriangleOn solid" => TriangleOn::<_, 3, G>::new([
-            [whole::<I16F16>(0), whole(0), whole(7)],
-            [whole(4), whole(1), whole(0)],
-            [whole(0xfffd), whole(2), whole(5)],
-        ]),
-        "StandardExponential" => Ok(StandardExponential::<G>::new()),
-        "Exponential 20" => Exponential::<_, G>::new(whole::<U16F16>(20)),
-        "TruncatedExponential 10 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(10), whole(4)),
-        "TruncatedExponential 100 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(100), whole(4)),
-        "StandardNormalPair" => Ok(StandardNormalPair::<G>::new()),
-        "NormalPair 100 20 5" => NormalPair::<_, G>::new([whole::<I16F16>(100), whole(20)], whole(5)),
-        "Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)),
-        "Float Disk" => Ok(Float::new(Disk::<G>::new())),
-        "Float Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)).map(Float::new),
-    }
-    functions {
-        "functions" => functions,
-        "verdicts" => verdicts,
-        "verdicts of facets" => facets,
-    }
-    without grade {
-        "Interval of a die" => Interval::<i32>::inclusive(v(1), v(6)),
-        "Interval -3 5" => Interval::<I16F16>::new(whole(0xfffd), whole(5)),
-        "Interval of all words" => Interval::<U0F32>::inclusive(v(0), v(u32::MAX)),
-    }
-}
+integer_warps!(subjects);
 
 /// The grades by name; what has none is named after the tier.
 const GRADES: [&str; 4] = [Fine::NAME, Coarse::NAME, Compact::NAME, "fixed"];

@@ -1,76 +1,78 @@
-//! The golden bits: every public function of microwarp evaluated on fixed inputs, on any target.
+//! What runs on cores: the warps of every tier, listed once, and the golden bits.
 //!
-//! The host, the WASM module and firmware all run this very code and compare what it yields with
-//! `golden.csv`. A case is one subject (a warp with its parameters, or an elementary function) at one
-//! input; it yields up to 16 words, the bits of `f32`s or plain integers. What a NaN's bits are differs
-//! between machines, so every NaN yields the same word.
+//! `warps.rs` and `fixed_warps.rs` list the warps. What is made of them elsewhere (costs, benches, the page) takes the
+//! lists alone, without the feature `cases`.
+//!
+//! The golden bits are every public function of microwarp evaluated on fixed inputs, on any target. The host, the WASM
+//! module and firmware all run this very code and compare what it yields with `golden.csv`. A case is one subject (a
+//! warp with its parameters, or an elementary function) at one input; it yields up to 16 words, the bits of `f32`s or
+//! plain integers. What a NaN's bits are differs between machines, so every NaN yields the same word.
 #![no_std]
 
+#[macro_use]
+mod warps;
+#[macro_use]
+mod fixed_warps;
+
+#[cfg(feature = "cases")]
+mod cases;
+#[cfg(feature = "cases")]
 mod chains;
+#[cfg(feature = "cases")]
 mod fixed;
+#[cfg(feature = "cases")]
 mod integers;
+#[cfg(feature = "cases")]
 mod subjects;
 
-use microwarp::tier::{Libm, Poly, Tier};
-pub use subjects::{INPUTS, Out, SUBJECTS};
-
-/// How many cases one tier has.
-pub fn cases_of_tier() -> usize {
-    SUBJECTS.len().saturating_mul(INPUTS)
+/// What the lists hold of a type, for those who look whether it is complete.
+pub struct Listed {
+    pub name: &'static str,
+    /// Its golden subjects.
+    pub golden: &'static [&'static str],
+    /// Its cost kernels, without their tiers.
+    pub kernels: &'static [&'static str],
+    /// Why there are none.
+    pub no_kernel: Option<&'static str>,
 }
 
-/// How many cases there are: those of `poly`, those of `libm`, then those of the integer tier.
-pub fn cases() -> usize {
-    of_floats().saturating_add(fixed::cases())
-}
-
-fn of_floats() -> usize {
-    cases_of_tier().saturating_mul(2)
-}
-
-/// Evaluates one case of any tier into `out`; returns how many words it wrote.
-pub fn evaluate(index: usize, out: &mut [u32; 16]) -> usize {
-    if let Some(rest) = index.checked_sub(of_floats()) {
-        return evaluate_fixed(rest, out);
-    }
-    match index.checked_sub(cases_of_tier()) {
-        None => evaluate_poly(index, out),
-        Some(rest) => evaluate_libm(rest, out),
-    }
-}
-
-/// The cases of the `poly` tier alone.
-pub fn evaluate_poly(index: usize, out: &mut [u32; 16]) -> usize {
-    case::<Poly>(index, out)
-}
-
-/// The cases of the `libm` tier alone.
-pub fn evaluate_libm(index: usize, out: &mut [u32; 16]) -> usize {
-    case::<Libm>(index, out)
-}
-
-/// The cases of the integer tier alone.
-pub fn evaluate_fixed(index: usize, out: &mut [u32; 16]) -> usize {
-    let mut out = Out::new(out);
-    fixed::evaluate(index, &mut out);
-    out.len()
-}
-
-/// The subject, the input and the tier or grade of a case.
-pub fn describe(index: usize) -> (&'static str, usize, &'static str) {
-    if let Some(rest) = index.checked_sub(of_floats()) {
-        return fixed::describe(rest);
-    }
-    let (rest, tier) = match index.checked_sub(cases_of_tier()) {
-        None => (index, Poly::NAME),
-        Some(rest) => (rest, Libm::NAME),
+macro_rules! listed {
+    ($list:ident: $($type:ident {
+        golden { $($golden:literal => $warp:expr,)* }
+        cost {
+            $($kernel:literal $u:tt $(: $number:ident)? -> $out:ty = $cost:expr,)*
+            $(none $reason:literal)?
+        }
+        page $page:tt
+    })*) => {
+        pub const $list: &[Listed] = &[$(Listed {
+            name: stringify!($type),
+            golden: &[$($golden),*],
+            kernels: &[$($kernel),*],
+            no_kernel: [$(Some($reason),)? None][0],
+        }),*];
     };
-    let name = SUBJECTS.get(rest / INPUTS).copied().unwrap_or("");
-    (name, rest % INPUTS, tier)
 }
 
-fn case<T: Tier>(index: usize, out: &mut [u32; 16]) -> usize {
-    let mut out = Out::new(out);
-    subjects::evaluate::<T>(index / INPUTS, index % INPUTS, &mut out);
-    out.len()
+macro_rules! listed_floats {
+    ($($blocks:tt)*) => { listed! { FLOAT_WARPS: $($blocks)* } };
 }
+
+macro_rules! listed_integers {
+    (
+        in every grade { $($graded:tt)* }
+        with floats { $($floats:tt)* }
+        without grade { $($plain:tt)* }
+    ) => {
+        listed! { GRADED_WARPS: $($graded)* $($floats)* }
+        listed! { PLAIN_WARPS: $($plain)* }
+    };
+}
+
+float_warps!(listed_floats);
+integer_warps!(listed_integers);
+
+#[cfg(feature = "cases")]
+pub use cases::*;
+#[cfg(feature = "cases")]
+pub use subjects::{INPUTS, Out};

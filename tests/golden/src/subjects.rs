@@ -1,4 +1,4 @@
-//! The subjects and the inputs of the golden table. A new warp is one line here.
+//! The subjects and the inputs of the golden table. The warps stand in `warps.rs`.
 
 use crate::{chains, integers};
 use core::hint::black_box;
@@ -103,12 +103,13 @@ pub(crate) fn generator(input: usize) -> Pcg32 {
 }
 
 /// Sample, density and inverse at fixed uniforms, or at a drawn point.
-fn triple<W>(warp: W, input: usize, out: &mut Out)
+fn triple<W>(warp: Result<W, Error>, input: usize, out: &mut Out)
 where
     W: Warp<Density = f32>,
     W::Uniforms: Numbers,
     W::Point: Numbers,
 {
+    let Ok(warp) = warp else { return };
     let point = match UNIFORMS.get(input) {
         Some(&u) => warp.sample(W::Uniforms::from_four(u)),
         None => warp.draw(&mut generator(input)),
@@ -243,48 +244,51 @@ static FLASH: Cdf<[u32; 6]> = match Cdf::<[u32; 6]>::new(&[0.0, 1.0, 1e-6, 37.0,
     Err(_) => panic!("refused"),
 };
 
-/// Accepts a warp and the result of a constructor alike.
-trait Built {
-    type Warp;
-    fn built(self) -> Result<Self::Warp, Error>;
-}
+macro_rules! warps {
+    ($($type:ident {
+        golden { $($name:literal => $warp:expr,)* } cost $cost:tt page $page:tt
+    })*) => {
+        /// The names of the warps, in the order of their cases.
+        const WARPS: &[&str] = &[$($($name,)*)*];
 
-impl<W> Built for Result<W, Error> {
-    type Warp = W;
-    fn built(self) -> Result<W, Error> {
-        self
-    }
-}
-
-struct Plain<W>(W);
-
-impl<W> Built for Plain<W> {
-    type Warp = W;
-    fn built(self) -> Result<W, Error> {
-        Ok(self.0)
-    }
-}
-
-macro_rules! subjects {
-    (
-        warps { $($warp_name:literal => $warp:expr,)* }
-        functions { $($name:literal => $function:expr,)* }
-    ) => {
-        /// The names of all subjects, in the order of their cases.
-        pub const SUBJECTS: &[&str] = &[$($warp_name,)* $($name,)*];
-
-        /// Evaluates one subject at one input; nothing for an index past the last.
-        pub fn evaluate<T: Tier>(subject: usize, input: usize, out: &mut Out) {
+        fn warp<T: Tier>(subject: usize, input: usize, out: &mut Out) {
             let mut index = 0;
-            $(
+            $($(
                 if subject == index {
-                    if let Ok(warp) = $warp.built() {
-                        triple(warp, input, out);
-                    }
-                    return;
+                    return triple($warp, input, out);
                 }
                 index += 1;
-            )*
+            )*)*
+            let _ = index;
+        }
+    };
+}
+
+float_warps!(warps);
+
+/// The name of a subject: the warps, then what is no warp.
+pub fn name(subject: usize) -> Option<&'static str> {
+    let function = || FUNCTIONS.get(subject.checked_sub(WARPS.len())?);
+    WARPS.get(subject).or_else(function).copied()
+}
+
+/// How many subjects there are.
+pub const SUBJECTS: usize = WARPS.len() + FUNCTIONS.len();
+
+/// Evaluates one subject at one input; nothing for an index past the last.
+pub fn evaluate<T: Tier>(subject: usize, input: usize, out: &mut Out) {
+    match subject.checked_sub(WARPS.len()) {
+        None => warp::<T>(subject, input, out),
+        Some(rest) => function::<T>(rest, input, out),
+    }
+}
+
+macro_rules! functions {
+    ($($name:literal => $function:expr,)*) => {
+        const FUNCTIONS: &[&str] = &[$($name,)*];
+
+        fn function<T: Tier>(subject: usize, input: usize, out: &mut Out) {
+            let mut index = 0;
             let uniforms = UNIFORMS.get(input).copied().unwrap_or_else(|| {
                 Uniforms::canonical(core::array::from_fn(|_| uniform::grid(&mut generator(input)))).get()
             });
@@ -301,476 +305,424 @@ macro_rules! subjects {
     };
 }
 
-subjects! {
-    warps {
-        "Interval -3 5" => Interval::new(v(-3.0), v(5.0)),
-        "Interval decreasing 3e38" => Interval::decreasing(v(-3e38), v(3e38)),
-        "Interval 1 3.1" => Interval::new(v(1.0), v(3.1)),
-        "Power 2.5" => Power::<T>::new(v(2.5), v(0.0), v(1.0)),
-        "Power -1" => Power::<T>::new(v(-1.0), v(1.0), v(100.0)),
-        "Power -0.99 decades" => Power::<T>::new(v(-0.99), v(1e-10), v(1e10)),
-        "Power decreasing -2.5" => Power::<T>::decreasing(v(-2.5), v(1.0), v(1e20)),
-        "Power 1000" => Power::<T>::new(v(1000.0), v(1.0), v(2.0)),
-        "PowerMax 3" => Plain(PowerMax::<3>::new()),
-        "Exponential" => Exponential::<T>::new(v(1.5)),
-        "ExponentialTail" => ExponentialTail::<T>::new(v(1.5)),
-        "TruncatedExponential 2" => TruncatedExponential::<T>::new(v(2.0), v(3.0)),
-        "TruncatedExponential small" => TruncatedExponential::<T>::new(v(1e-3), v(1.0)),
-        "TruncatedExponential -200" => TruncatedExponential::<T>::new(v(-200.0), v(1.0)),
-        "Tent" => Tent::new(v(2.0)),
-        "Linear" => Linear::new(v(1.0), v(3.0)),
-        "Linear from 0" => Linear::new(v(0.0), v(1.0)),
-        "Normal" => Normal::<T>::new(v(10.0), v(2.0)),
-        "NormalPair" => NormalPair::<T>::new([v(1.0), v(-1.0)], v(0.5)),
-        "Inversion" => Plain(Inversion::new(T::sqrt, |x: f32| 2.0 * x, |x: f32| x * x)),
-        "Transform" => Interval::new(v(0.0), v(2.0)).map(|i| Transform::new(i, T::exp, T::ln, T::exp)),
-        "MarginalConditional" => Linear::new(v(0.0), v(1.0)).and_then(|marginal| {
-            let whole = Interval::new(v(0.0), v(1.0))?;
-            Ok(MarginalConditional::new(marginal, move |x: f32| Interval::new(0.0, x).unwrap_or(whole)))
-        }),
-        "Disk" => Plain(Disk::<T>::new()),
-        "DiskConcentric" => Plain(DiskConcentric::<T>::new()),
-        "Triangle" => Plain(Triangle::new()),
-        "TriangleOn 2" => TriangleOn::new([[v(0.0), v(0.0)], [v(4.0), v(0.0)], [v(1.0), v(3.0)]]),
-        "TriangleOn 3" => TriangleOn::new([[v(1.0), v(0.0), v(0.0)], [v(0.0), v(2.0), v(0.5)], [v(-1.0), v(0.0), v(3.0)]]),
-        "Sphere" => Plain(Sphere::<T>::new()),
-        "Hemisphere" => Plain(Hemisphere::<T>::new()),
-        "CosineHemisphere" => Plain(CosineHemisphere::<T>::new()),
-        "MalleyHemisphere" => Plain(MalleyHemisphere::<T>::new()),
-        "PhongLobe 0" => PhongLobe::<T>::new(v(0.0)),
-        "PhongLobe 50" => PhongLobe::<T>::new(v(50.0)),
-        "PhongLobe 1e8" => PhongLobe::<T>::new(v(1e8)),
-        "Cone 0.1" => Cone::<T>::from_angle(v(0.1)),
-        "Cone 1e-7" => Cone::<T>::from_angle(v(1e-7)),
-        "Cone 3" => Cone::<T>::from_angle(v(3.0)),
-        "Cone sphere" => Cone::<T>::from_sphere(v(0.5)),
-        "SphericalPatch" => SphericalPatch::<T>::new(v(0.1), v(0.4), v(-0.25), v(0.5)),
-        "Oriented" => Frame::new([v(1.0), v(2.0), v(-3.0)]).map(|f| Oriented::new(CosineHemisphere::<T>::new(), f)),
-        "Aabb" => Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]),
-        "PiecewiseConstant1d" => PiecewiseConstant1d::<[u32; 6]>::from_weights(&weights(), v(-3.0), v(5.0)),
-        "PiecewiseConstant1d wide" => PiecewiseConstant1d::<[u64; 6]>::from_weights(&weights(), v(-3e38), v(3e38)),
-        "PiecewiseConstant2d" => PiecewiseConstant2d::<[u32; 3], [[u32; 6]; 3]>::new(&[weights(), [v(0.0); 6], [v(0.5); 6]], [v(0.0), v(6.0)], [v(-1.0), v(1.0)]),
-        "PiecewiseConstant2d wide" => PiecewiseConstant2d::<[u64; 2], [[u64; 6]; 2]>::new(&[weights(), [v(1e-30); 6]], [v(0.0), v(1.0)], [v(0.0), v(1.0)]),
-    }
-    functions {
-        "verdicts on the line" => |[a, b, c, _], _, out| {
-            verdict(Interval::new(a, b), out);
-            verdict(Interval::decreasing(b, c), out);
-            verdict(Power::<T>::new(c - 2.0, a, b), out);
-            verdict(Power::<T>::decreasing(a, b, c), out);
-            verdict(Exponential::<T>::new(a), out);
-            verdict(ExponentialTail::<T>::new(b - 0.5), out);
-            verdict(TruncatedExponential::<T>::new(a, b - 0.5), out);
-            verdict(Tent::new(a), out);
-            verdict(Linear::new(a - 0.5, b), out);
-            verdict(Normal::<T>::new(a, b), out);
-            verdict(NormalPair::<T>::new([a, b], c), out);
-        },
-        "verdicts on shapes" => |[a, b, c, d], _, out| {
-            verdict(TriangleOn::new([[a, b], [c, d], [a, a]]), out);
-            verdict(TriangleOn::new([[a, b, c], [c, d, b], [a, a, a]]), out);
-            verdict(PhongLobe::<T>::new(a - 0.5), out);
-            verdict(Cone::<T>::from_angle(4.0 * b), out);
-            verdict(Cone::<T>::from_sphere(2.0 * b), out);
-            verdict(Cone::<T>::from_one_minus_cos(3.0 * c), out);
-            verdict(SphericalPatch::<T>::new(a, b, c, d), out);
-            verdict(Spherical::<T>::new(a - 0.1, b, c), out);
-            verdict(Frame::new([a, b, c]), out);
-            verdict(Strata1d::new(a.to_bits()), out);
-            verdict(Strata2d::new(a.to_bits(), b.to_bits()), out);
-        },
-        "slices" => |_, input, out| {
-            let mut rng = generator(input);
-            let mut points = [0.0; 4];
-            if let Ok(tail) = ExponentialTail::<T>::new(v(2.0)) {
-                tail.fill(&mut rng, &mut points);
+functions! {
+    "verdicts on the line" => |[a, b, c, _], _, out| {
+        verdict(Interval::new(a, b), out);
+        verdict(Interval::decreasing(b, c), out);
+        verdict(Power::<T>::new(c - 2.0, a, b), out);
+        verdict(Power::<T>::decreasing(a, b, c), out);
+        verdict(Exponential::<T>::new(a), out);
+        verdict(ExponentialTail::<T>::new(b - 0.5), out);
+        verdict(TruncatedExponential::<T>::new(a, b - 0.5), out);
+        verdict(Tent::new(a), out);
+        verdict(Linear::new(a - 0.5, b), out);
+        verdict(Normal::<T>::new(a, b), out);
+        verdict(NormalPair::<T>::new([a, b], c), out);
+    },
+    "verdicts on shapes" => |[a, b, c, d], _, out| {
+        verdict(TriangleOn::new([[a, b], [c, d], [a, a]]), out);
+        verdict(TriangleOn::new([[a, b, c], [c, d, b], [a, a, a]]), out);
+        verdict(PhongLobe::<T>::new(a - 0.5), out);
+        verdict(Cone::<T>::from_angle(4.0 * b), out);
+        verdict(Cone::<T>::from_sphere(2.0 * b), out);
+        verdict(Cone::<T>::from_one_minus_cos(3.0 * c), out);
+        verdict(SphericalPatch::<T>::new(a, b, c, d), out);
+        verdict(Spherical::<T>::new(a - 0.1, b, c), out);
+        verdict(Frame::new([a, b, c]), out);
+        verdict(Strata1d::new(a.to_bits()), out);
+        verdict(Strata2d::new(a.to_bits(), b.to_bits()), out);
+    },
+    "slices" => |_, input, out| {
+        let mut rng = generator(input);
+        let mut points = [0.0; 4];
+        if let Ok(tail) = ExponentialTail::<T>::new(v(2.0)) {
+            tail.fill(&mut rng, &mut points);
+        }
+        points.put(out);
+        let mut points = [[0.0; 2]; 3];
+        let filled = Disk::<T>::new().try_fill(&mut rng, &mut points);
+        out.word(u32::from(filled.is_err()));
+        for point in points {
+            point.put(out);
+        }
+    },
+    "tier turns" => |[a, b, ..], _, out| {
+        let (s, c) = T::sincos_turns(a);
+        [s, c, T::atan2_turns(b - 0.5, a - 0.5), T::sqrt(b)].put(out);
+    },
+    "tier logarithms" => |[a, b, ..], _, out| {
+        [T::ln(a), T::ln_1p(-a), T::ln_1p(b), T::exp(10.0 * a), T::exp(-90.0 * b), T::exp_m1(-a)].put(out);
+    },
+    "tier powers" => |[a, b, ..], _, out| {
+        [T::pow(a, 2.5), T::pow(a, -0.3), T::pow(1.0 + b, 40.0 * a)].put(out);
+    },
+    "tier normal" => |[a, b, ..], _, out| {
+        [T::normal_cdf_lower(-14.0 * a), T::normal_quantile_lower(0.5 * b)].put(out);
+    },
+    "uniforms" => |u, input, out| {
+        u.canonical().get().put(out);
+        let mut rng = generator(input);
+        [uniform::grid(&mut rng), uniform::open(&mut rng), uniform::full(&mut rng)].put(out);
+        out.float(uniform::full_from_words(rng.next_u32() >> (2 * input), rng.next_u32()));
+        out.float(uniform::full_from_words(0, rng.next_u32() >> (2 * input)));
+    },
+    "strata" => |[a, b, ..], input, out| {
+        if let (Ok(line), Ok(square)) = (Strata1d::new(7), Strata2d::new(5, 3)) {
+            out.float(line.point(input as u32, a));
+            square.point(input as u32, [a, b]).put(out);
+            square.draw(input as u32, &mut generator(input)).put(out);
+            out.word(square.count());
+        }
+    },
+    "frame" => |[a, b, c, d], _, out| {
+        match Frame::new([a - 0.5, b - 0.5, c - 0.5]) {
+            Ok(frame) => {
+                frame.normal().put(out);
+                frame.to_world([a, b, d]).put(out);
+                frame.to_local([a, b, d]).put(out);
+                let [tangent, bitangent] = frame.tangents();
+                tangent.put(out);
+                bitangent.put(out);
             }
-            points.put(out);
-            let mut points = [[0.0; 2]; 3];
-            let filled = Disk::<T>::new().try_fill(&mut rng, &mut points);
-            out.word(u32::from(filled.is_err()));
-            for point in points {
-                point.put(out);
+            Err(e) => out.word(refusal(e)),
+        }
+    },
+    "spherical" => |[a, b, c, _], _, out| {
+        let s = Spherical::<T>::from_cartesian([a - 0.5, b - 0.5, c - 0.5]);
+        [s.radius(), s.theta(), s.phi(), s.solid_angle_jacobian(), s.volume_jacobian()].put(out);
+        s.to_cartesian().put(out);
+        match Spherical::<T>::new(a, 0.5 * b, c) {
+            Ok(s) => s.to_cartesian().put(out),
+            Err(e) => out.word(refusal(e)),
+        }
+    },
+    "solid angles" => |[a, b, ..], _, out| {
+        match Cone::<T>::from_one_minus_cos(2.0 * a) {
+            Ok(cone) => [cone.one_minus_cos(), cone.solid_angle()].put(out),
+            Err(e) => out.word(refusal(e)),
+        }
+        match SphericalPatch::<T>::new(0.25 * a, 0.25 + 0.25 * b, -a, b - a) {
+            Ok(patch) => out.float(patch.solid_angle()),
+            Err(e) => out.word(refusal(e)),
+        }
+        if let Ok(triangle) = TriangleOn::new([[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]]) {
+            out.float(triangle.area());
+        }
+    },
+    "cdf" => |[a, b, ..], input, out| {
+        let bits = (b * 4_294_967_296.0) as u32;
+        with(Cdf::<[u32; 6]>::new(&weights()), out, |table, out| {
+            selected(table.select_uniform(a), out);
+            selected(table.select(bits), out);
+            selected(FLASH.draw(&mut generator(input)), out);
+            out.word(table.words_of(input & 7).map_or(u32::MAX, |words| *words.start()));
+            out.word(table.numerator(input & 7) as u32);
+            out.word(u32::from(table == FLASH));
+        });
+    },
+    "cdf wide" => |[a, b, ..], input, out| {
+        let bits = (b * 4_294_967_296.0) as u32;
+        with(Cdf::<[u64; 6]>::new(&weights()), out, |table, out| {
+            selected(table.select_uniform(a), out);
+            selected(table.select(bits), out);
+            selected(table.draw(&mut generator(input)), out);
+            out.word((table.numerator(input & 7) >> 32) as u32);
+            out.word(table.numerator(input & 7) as u32);
+            out.word(table.as_words().first().map_or(0, |word| *word as u32));
+        });
+    },
+    "cdf of any weights" => |[a, b, c, d], _, out| {
+        let mut memory = [0_u32; 6];
+        let any = [a, b, 1e-9 * c, d, 1e6 * a];
+        with(Cdf::<&[u32]>::new_in(&any, &mut memory), out, |table, out| {
+            table.as_words().iter().for_each(|&word| out.word(word));
+            out.float(table.pmf(0));
+        });
+        with(Cdf::<heapless::Vec<u64, 6>>::new(&any), out, |table, out| {
+            for index in 0..table.entries() {
+                out.word((table.numerator(index) >> 32) as u32);
             }
-        },
-        "tier turns" => |[a, b, ..], _, out| {
-            let (s, c) = T::sincos_turns(a);
-            [s, c, T::atan2_turns(b - 0.5, a - 0.5), T::sqrt(b)].put(out);
-        },
-        "tier logarithms" => |[a, b, ..], _, out| {
-            [T::ln(a), T::ln_1p(-a), T::ln_1p(b), T::exp(10.0 * a), T::exp(-90.0 * b), T::exp_m1(-a)].put(out);
-        },
-        "tier powers" => |[a, b, ..], _, out| {
-            [T::pow(a, 2.5), T::pow(a, -0.3), T::pow(1.0 + b, 40.0 * a)].put(out);
-        },
-        "tier normal" => |[a, b, ..], _, out| {
-            [T::normal_cdf_lower(-14.0 * a), T::normal_quantile_lower(0.5 * b)].put(out);
-        },
-        "uniforms" => |u, input, out| {
-            u.canonical().get().put(out);
-            let mut rng = generator(input);
-            [uniform::grid(&mut rng), uniform::open(&mut rng), uniform::full(&mut rng)].put(out);
-            out.float(uniform::full_from_words(rng.next_u32() >> (2 * input), rng.next_u32()));
-            out.float(uniform::full_from_words(0, rng.next_u32() >> (2 * input)));
-        },
-        "strata" => |[a, b, ..], input, out| {
-            if let (Ok(line), Ok(square)) = (Strata1d::new(7), Strata2d::new(5, 3)) {
-                out.float(line.point(input as u32, a));
-                square.point(input as u32, [a, b]).put(out);
-                square.draw(input as u32, &mut generator(input)).put(out);
-                out.word(square.count());
-            }
-        },
-        "frame" => |[a, b, c, d], _, out| {
-            match Frame::new([a - 0.5, b - 0.5, c - 0.5]) {
-                Ok(frame) => {
-                    frame.normal().put(out);
-                    frame.to_world([a, b, d]).put(out);
-                    frame.to_local([a, b, d]).put(out);
-                    let [tangent, bitangent] = frame.tangents();
-                    tangent.put(out);
-                    bitangent.put(out);
-                }
+        });
+        out.word(u32::from(Cdf::from_words([a.to_bits(), b.to_bits(), 1]).is_ok()));
+        let index = 2 + (u64::from(a.to_bits() >> 29) << 32);
+        out.word(u32::from(Cdf::from_words([1, 2, index]).is_ok()));
+    },
+    "cdf of integers" => |[a, b, c, d], input, out| {
+        let any = [a.to_bits(), b.to_bits() >> 9, c.to_bits() >> 20, d.to_bits()];
+        with(Cdf::<[u32; 4]>::from_integers(&any), out, |table, out| {
+            table.as_words().iter().for_each(|&word| out.word(word));
+        });
+        with(Cdf::<heapless::Vec<u32, 3>>::from_integers(any.get(..input & 3).unwrap_or(&[])), out, |table, out| {
+            out.float(table.pmf(0));
+        });
+        let mut memory = [0_u64; 4];
+        with(Cdf::<&[u64]>::from_integers_in(&any, &mut memory), out, |table, out| {
+            out.float(table.pmf(3));
+        });
+    },
+    "alias" => |[a, b, ..], input, out| {
+        let bits = (b * 4_294_967_296.0) as u32;
+        with(Alias::<[AliasEntry<u32>; 8]>::new(&weights()), out, |table, out| {
+            selected(table.select_uniform(a), out);
+            selected(table.select(bits), out);
+            selected(table.draw(&mut generator(input)), out);
+            out.word(table.numerator(input & 7) as u32);
+            out.word(table.draw_index(&mut generator(input)) as u32);
+                out.word(table.bins() as u32);
+        });
+    },
+    "alias wide" => |[a, b, c, d], input, out| {
+        let mut memory = [AliasEntry::<u64>::EMPTY; 8];
+        let any = [a, b, 1e-9 * c, d, 1e6 * a];
+        with(Alias::<&[AliasEntry<u64>]>::new_in(&any, &mut memory), out, |table, out| {
+            selected(table.select_uniform(a), out);
+            selected(table.select((b * 4_294_967_296.0) as u32), out);
+            selected(table.draw(&mut generator(input)), out);
+            out.word((table.numerator(0) >> 32) as u32);
+        });
+        let integers = [a.to_bits(), b.to_bits() >> 9, 0];
+        with(Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integers(&integers), out, |table, out| {
+            out.float(table.pmf(1));
+        });
+    },
+    "select once" => |[a, b, c, d], _, out| {
+        selected_or(select_once(&weights(), (a * 4_294_967_296.0) as u32), out);
+        selected_or(select_once_uniform(&[b, c, 1e-9 * d, a], c), out);
+        selected_or(select_once(&[a - 0.5, b, 0.0], 0), out);
+    },
+    "reservoir" => |[a, b, c, d], input, out| {
+        let mut rng = generator(input);
+        let (mut one, mut two) = (Reservoir::new(), Reservoir::new());
+        for (item, weight) in [a, b, 1e30 * c, 1e-30 * d].into_iter().enumerate() {
+            match one.offer(item as u32, weight, &mut rng) {
+                Ok(taken) => out.word(u32::from(taken)),
                 Err(e) => out.word(refusal(e)),
             }
-        },
-        "spherical" => |[a, b, c, _], _, out| {
-            let s = Spherical::<T>::from_cartesian([a - 0.5, b - 0.5, c - 0.5]);
-            [s.radius(), s.theta(), s.phi(), s.solid_angle_jacobian(), s.volume_jacobian()].put(out);
-            s.to_cartesian().put(out);
-            match Spherical::<T>::new(a, 0.5 * b, c) {
-                Ok(s) => s.to_cartesian().put(out),
+            let _ = two.offer_with(item as u32 + 4, weight + 0.5, (weight.to_bits() as u64) << 32);
+        }
+        out.word(one.item().copied().unwrap_or(99));
+        out.float(one.pmf());
+        out.word(u32::from(one.merge(two, &mut rng)));
+        out.word(one.item().copied().unwrap_or(99));
+        out.float(one.pmf());
+    },
+    "piecewise of any weights" => |[a, b, c, d], input, out| {
+        let (mut rows, mut cells) = ([0_u32; 2], [0_u32; 4]);
+        let table = PiecewiseConstant2d::<&[u32], &[u32]>::new_in(&[a, b, c, d], [2, 2], [0.0, 1.0], [a, 9.0], &mut rows, &mut cells);
+        with(table, out, |table, out| {
+            let point = table.draw(&mut generator(input));
+            point.put(out);
+            out.float(table.pdf(point));
+            let [column, row] = table.cell(point);
+            out.word((2 * row + column) as u32);
+            table.marginal().sample(b).put(out);
+            table.conditional(1).sample(c).put(out);
+            let (marginal, conditional) = table.as_words();
+            out.word(u32::from(PiecewiseConstant2d::from_words(marginal, conditional, [0.0, 1.0], [a, 9.0]).is_ok()));
+        });
+        with(Cdf::<[u64; 3]>::new(&[a, b, c]).and_then(|cdf| PiecewiseConstant1d::new(cdf, -1.0, d)), out, |line, out| {
+            line.sample(a).put(out);
+            line.draw(&mut generator(input)).put(out);
+            out.word(line.cell(b) as u32);
+            out.float(line.cdf().pmf(1));
+        });
+    },
+    "rejection disk and ball" => |[a, b, c, _], input, out| {
+        let mut rng = generator(input);
+        attempted(DiskRejection::new().attempt([a, b]), out);
+        attempted(BallRejection::new().attempt([a, b, c]), out);
+        drawn(DiskRejection::new().draw(&mut rng), out);
+        drawn(BallRejection::new().try_draw(&mut rng), out);
+    },
+    "rejection budgets and densities" => |[a, b, c, d], input, out| {
+        let mut rng = generator(input);
+        out.float(DiskRejection::new().pdf([2.0 * a - 1.0, b]));
+        out.float(BallRejection::new().pdf([a, 2.0 * b - 1.0, c]));
+        for budget in [0, 1, 3] {
+            match DiskRejection::with_budget(black_box(budget)) {
+                Ok(disk) => drawn(disk.draw(&mut rng), out),
                 Err(e) => out.word(refusal(e)),
             }
-        },
-        "solid angles" => |[a, b, ..], _, out| {
-            match Cone::<T>::from_one_minus_cos(2.0 * a) {
-                Ok(cone) => [cone.one_minus_cos(), cone.solid_angle()].put(out),
+        }
+        match BallRejection::with_budget(black_box(2)) {
+            Ok(ball) => out.word(ball.budget()),
+            Err(e) => out.word(refusal(e)),
+        }
+        for efficiency in [d - 0.5, 1e-7 * d] {
+            match budget_for(efficiency) {
+                Ok(budget) => out.word(budget),
                 Err(e) => out.word(refusal(e)),
             }
-            match SphericalPatch::<T>::new(0.25 * a, 0.25 + 0.25 * b, -a, b - a) {
-                Ok(patch) => out.float(patch.solid_angle()),
+        }
+    },
+    "rejection ziggurats" => |[a, b, c, d], input, out| {
+        // Any layer and place; a wedge; the far tails.
+        let word = |u: f32| (u * 4_294_967_296.0) as u32;
+        let (normal, wait) = (ZigguratStandardNormal::new(), ZigguratStandardExponential::new());
+        let words = [word(a).wrapping_add(word(b) >> 24), word(c), word(d)];
+        for words in [words, [word(a) | 0x7fff_ff00, word(b), word(c)], [0x7fff_ff00, word(c) >> 20, word(d)]] {
+            for x in [normal.attempt(words), wait.attempt(words)] {
+                figure(x, out);
+            }
+        }
+        let mut rng = generator(input);
+        for drawn in [normal.draw(&mut rng), wait.try_draw(&mut rng)] {
+            figure(drawn.ok().map(|drawn| drawn.point), out);
+        }
+        out.float(normal.pdf(10.0 * a));
+        out.float(wait.pdf(b - 0.25));
+    },
+    "rejection ziggurats scaled" => |[a, b, c, d], input, out| {
+        let mut rng = generator(input);
+        with(ZigguratNormal::new(a - 0.5, 1e3 * b), out, |normal, out| {
+            out.word(normal.draw(&mut rng).map_or(0, |drawn| drawn.tries));
+            figure(normal.attempt([(c * 4_294_967_296.0) as u32, 7, 8]), out);
+            figure(normal.draw(&mut rng).ok().map(|drawn| drawn.point), out);
+            out.float(normal.pdf(c - d));
+        });
+        with(ZigguratExponential::new(1e3 * b), out, |wait, out| {
+            figure(wait.attempt([(c * 4_294_967_296.0) as u32, 7, 8]), out);
+            figure(wait.draw(&mut rng).ok().map(|drawn| drawn.point), out);
+            out.float(wait.pdf(d));
+        });
+        verdict(ZigguratNormal::with_budget(1e38 * a, 1e37 * (b + 0.25), (3.0 * c) as u32), out);
+        verdict(ZigguratExponential::with_budget(d - 0.25, (3.0 * c) as u32), out);
+        verdict(ZigguratStandardNormal::with_budget((3.0 * c) as u32), out);
+        match ZigguratStandardExponential::with_budget(black_box(1)) {
+            Ok(wait) => out.word(wait.draw(&mut rng).map_or(0xf1, |drawn| drawn.tries)),
+            Err(e) => out.word(refusal(e)),
+        }
+    },
+    "rejection region" => |[a, b, c, d], input, out| {
+        let region = Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]).and_then(|room| {
+            out.float(room.pdf([a, b, 2.0 + c]));
+            room.invert([a, 0.5 * b, 2.0 + c]).put(out);
+            Region::new(room, move |[x, y, z]: [f32; 3]| x * y * z > d - 0.5, 20)
+        });
+        match region {
+            Ok(region) => {
+                attempted(region.attempt([a, b, c]), out);
+                drawn(region.draw(&mut generator(input)), out);
+            }
+            Err(e) => out.word(refusal(e)),
+        }
+    },
+    "rejection bounded" => |[a, b, c, d], input, out| {
+        // f/p is at most π; the bound is one from 2 to 4, so that it is exceeded sometimes.
+        let bump = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
+        match Bounded::new(Disk::<T>::new(), bump, 2.0 + 2.0 * c, 30) {
+            Ok(bounded) => {
+                match bounded.attempt([a, b], (d * 4_294_967_296.0) as u32) {
+                    Ok(point) => attempted(point, out),
+                    Err(failure) => failed(failure, out),
+                }
+                drawn(bounded.draw(&mut generator(input)), out);
+            }
+            Err(e) => out.word(refusal(e)),
+        }
+        // Far magnitudes: f, p and c near both ends of f32, and the slack.
+        let far = Inversion::new(|u: f32| u, |_| 1e-39, |x: f32| x);
+        for (f, bound) in [(a * 1e-39, 1.0), (0.5 * b, 3e38), (1e-39 * (1.0 + SLACK * c), 1.0), (1e-39 * (d - 0.5), 1.0)] {
+            match Bounded::new(far, move |_| f, bound, 1).map(|far| far.attempt(a, (d * 4_294_967_296.0) as u32)) {
+                Ok(Ok(point)) => out.word(u32::from(point.is_some())),
+                Ok(Err(failure)) => failed(failure, out),
                 Err(e) => out.word(refusal(e)),
             }
-            if let Ok(triangle) = TriangleOn::new([[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]]) {
-                out.float(triangle.area());
+        }
+    },
+    "rejection verdicts" => |[a, b, c, d], _, out| {
+        let disk = Disk::<T>::new();
+        verdict(Region::new(disk, |_| true, (8.0 * a) as u32), out);
+        verdict(Bounded::new(disk, |_| 1.0, b - 0.5, 1), out);
+        verdict(Bounded::new(disk, |_| 1.0, 1.0, (4.0 * c) as u32), out);
+        verdict(DiskRejection::with_budget((2.0 * d) as u32), out);
+        verdict(BallRejection::with_budget((2.0 * a) as u32), out);
+        verdict(Aabb::new([a, b], [c, d]), out);
+        verdict(Aabb::new([0.0; 3], [1e13, 1e13 * a, 1e13 * b]), out);
+    },
+    "moments" => |[a, b, c, d], _, out| {
+        let (mut moments, mut other) = (Moments::new(), Moments::default());
+        for (i, x) in [a, b, c, d, 3.0 * a, a + b, 1.0 - c].into_iter().enumerate() {
+            moments.push(1000.0 + x);
+            if i < 5 {
+                other.push(v(1e-30) * x);
             }
-        },
-        "cdf" => |[a, b, ..], input, out| {
-            let bits = (b * 4_294_967_296.0) as u32;
-            with(Cdf::<[u32; 6]>::new(&weights()), out, |table, out| {
-                selected(table.select_uniform(a), out);
-                selected(table.select(bits), out);
-                selected(FLASH.draw(&mut generator(input)), out);
-                out.word(table.words_of(input & 7).map_or(u32::MAX, |words| *words.start()));
-                out.word(table.numerator(input & 7) as u32);
-                out.word(u32::from(table == FLASH));
-            });
-        },
-        "cdf wide" => |[a, b, ..], input, out| {
-            let bits = (b * 4_294_967_296.0) as u32;
-            with(Cdf::<[u64; 6]>::new(&weights()), out, |table, out| {
-                selected(table.select_uniform(a), out);
-                selected(table.select(bits), out);
-                selected(table.draw(&mut generator(input)), out);
-                out.word((table.numerator(input & 7) >> 32) as u32);
-                out.word(table.numerator(input & 7) as u32);
-                out.word(table.as_words().first().map_or(0, |word| *word as u32));
-            });
-        },
-        "cdf of any weights" => |[a, b, c, d], _, out| {
-            let mut memory = [0_u32; 6];
-            let any = [a, b, 1e-9 * c, d, 1e6 * a];
-            with(Cdf::<&[u32]>::new_in(&any, &mut memory), out, |table, out| {
-                table.as_words().iter().for_each(|&word| out.word(word));
-                out.float(table.pmf(0));
-            });
-            with(Cdf::<heapless::Vec<u64, 6>>::new(&any), out, |table, out| {
-                for index in 0..table.entries() {
-                    out.word((table.numerator(index) >> 32) as u32);
-                }
-            });
-            out.word(u32::from(Cdf::from_words([a.to_bits(), b.to_bits(), 1]).is_ok()));
-            let index = 2 + (u64::from(a.to_bits() >> 29) << 32);
-            out.word(u32::from(Cdf::from_words([1, 2, index]).is_ok()));
-        },
-        "cdf of integers" => |[a, b, c, d], input, out| {
-            let any = [a.to_bits(), b.to_bits() >> 9, c.to_bits() >> 20, d.to_bits()];
-            with(Cdf::<[u32; 4]>::from_integers(&any), out, |table, out| {
-                table.as_words().iter().for_each(|&word| out.word(word));
-            });
-            with(Cdf::<heapless::Vec<u32, 3>>::from_integers(any.get(..input & 3).unwrap_or(&[])), out, |table, out| {
-                out.float(table.pmf(0));
-            });
-            let mut memory = [0_u64; 4];
-            with(Cdf::<&[u64]>::from_integers_in(&any, &mut memory), out, |table, out| {
-                out.float(table.pmf(3));
-            });
-        },
-        "alias" => |[a, b, ..], input, out| {
-            let bits = (b * 4_294_967_296.0) as u32;
-            with(Alias::<[AliasEntry<u32>; 8]>::new(&weights()), out, |table, out| {
-                selected(table.select_uniform(a), out);
-                selected(table.select(bits), out);
-                selected(table.draw(&mut generator(input)), out);
-                out.word(table.numerator(input & 7) as u32);
-                out.word(table.draw_index(&mut generator(input)) as u32);
-                    out.word(table.bins() as u32);
-            });
-        },
-        "alias wide" => |[a, b, c, d], input, out| {
-            let mut memory = [AliasEntry::<u64>::EMPTY; 8];
-            let any = [a, b, 1e-9 * c, d, 1e6 * a];
-            with(Alias::<&[AliasEntry<u64>]>::new_in(&any, &mut memory), out, |table, out| {
-                selected(table.select_uniform(a), out);
-                selected(table.select((b * 4_294_967_296.0) as u32), out);
-                selected(table.draw(&mut generator(input)), out);
-                out.word((table.numerator(0) >> 32) as u32);
-            });
-            let integers = [a.to_bits(), b.to_bits() >> 9, 0];
-            with(Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integers(&integers), out, |table, out| {
-                out.float(table.pmf(1));
-            });
-        },
-        "select once" => |[a, b, c, d], _, out| {
-            selected_or(select_once(&weights(), (a * 4_294_967_296.0) as u32), out);
-            selected_or(select_once_uniform(&[b, c, 1e-9 * d, a], c), out);
-            selected_or(select_once(&[a - 0.5, b, 0.0], 0), out);
-        },
-        "reservoir" => |[a, b, c, d], input, out| {
-            let mut rng = generator(input);
-            let (mut one, mut two) = (Reservoir::new(), Reservoir::new());
-            for (item, weight) in [a, b, 1e30 * c, 1e-30 * d].into_iter().enumerate() {
-                match one.offer(item as u32, weight, &mut rng) {
-                    Ok(taken) => out.word(u32::from(taken)),
-                    Err(e) => out.word(refusal(e)),
-                }
-                let _ = two.offer_with(item as u32 + 4, weight + 0.5, (weight.to_bits() as u64) << 32);
-            }
-            out.word(one.item().copied().unwrap_or(99));
-            out.float(one.pmf());
-            out.word(u32::from(one.merge(two, &mut rng)));
-            out.word(one.item().copied().unwrap_or(99));
-            out.float(one.pmf());
-        },
-        "piecewise of any weights" => |[a, b, c, d], input, out| {
-            let (mut rows, mut cells) = ([0_u32; 2], [0_u32; 4]);
-            let table = PiecewiseConstant2d::<&[u32], &[u32]>::new_in(&[a, b, c, d], [2, 2], [0.0, 1.0], [a, 9.0], &mut rows, &mut cells);
-            with(table, out, |table, out| {
-                let point = table.draw(&mut generator(input));
-                point.put(out);
-                out.float(table.pdf(point));
-                let [column, row] = table.cell(point);
-                out.word((2 * row + column) as u32);
-                table.marginal().sample(b).put(out);
-                table.conditional(1).sample(c).put(out);
-                let (marginal, conditional) = table.as_words();
-                out.word(u32::from(PiecewiseConstant2d::from_words(marginal, conditional, [0.0, 1.0], [a, 9.0]).is_ok()));
-            });
-            with(Cdf::<[u64; 3]>::new(&[a, b, c]).and_then(|cdf| PiecewiseConstant1d::new(cdf, -1.0, d)), out, |line, out| {
-                line.sample(a).put(out);
-                line.draw(&mut generator(input)).put(out);
-                out.word(line.cell(b) as u32);
-                out.float(line.cdf().pmf(1));
-            });
-        },
-        "rejection disk and ball" => |[a, b, c, _], input, out| {
-            let mut rng = generator(input);
-            attempted(DiskRejection::new().attempt([a, b]), out);
-            attempted(BallRejection::new().attempt([a, b, c]), out);
-            drawn(DiskRejection::new().draw(&mut rng), out);
-            drawn(BallRejection::new().try_draw(&mut rng), out);
-        },
-        "rejection budgets and densities" => |[a, b, c, d], input, out| {
-            let mut rng = generator(input);
-            out.float(DiskRejection::new().pdf([2.0 * a - 1.0, b]));
-            out.float(BallRejection::new().pdf([a, 2.0 * b - 1.0, c]));
-            for budget in [0, 1, 3] {
-                match DiskRejection::with_budget(black_box(budget)) {
-                    Ok(disk) => drawn(disk.draw(&mut rng), out),
-                    Err(e) => out.word(refusal(e)),
-                }
-            }
-            match BallRejection::with_budget(black_box(2)) {
-                Ok(ball) => out.word(ball.budget()),
-                Err(e) => out.word(refusal(e)),
-            }
-            for efficiency in [d - 0.5, 1e-7 * d] {
-                match budget_for(efficiency) {
-                    Ok(budget) => out.word(budget),
-                    Err(e) => out.word(refusal(e)),
-                }
-            }
-        },
-        "rejection ziggurats" => |[a, b, c, d], input, out| {
-            // Any layer and place; a wedge; the far tails.
-            let word = |u: f32| (u * 4_294_967_296.0) as u32;
-            let (normal, wait) = (ZigguratStandardNormal::new(), ZigguratStandardExponential::new());
-            let words = [word(a).wrapping_add(word(b) >> 24), word(c), word(d)];
-            for words in [words, [word(a) | 0x7fff_ff00, word(b), word(c)], [0x7fff_ff00, word(c) >> 20, word(d)]] {
-                for x in [normal.attempt(words), wait.attempt(words)] {
-                    figure(x, out);
-                }
-            }
-            let mut rng = generator(input);
-            for drawn in [normal.draw(&mut rng), wait.try_draw(&mut rng)] {
-                figure(drawn.ok().map(|drawn| drawn.point), out);
-            }
-            out.float(normal.pdf(10.0 * a));
-            out.float(wait.pdf(b - 0.25));
-        },
-        "rejection ziggurats scaled" => |[a, b, c, d], input, out| {
-            let mut rng = generator(input);
-            with(ZigguratNormal::new(a - 0.5, 1e3 * b), out, |normal, out| {
-                out.word(normal.draw(&mut rng).map_or(0, |drawn| drawn.tries));
-                figure(normal.attempt([(c * 4_294_967_296.0) as u32, 7, 8]), out);
-                figure(normal.draw(&mut rng).ok().map(|drawn| drawn.point), out);
-                out.float(normal.pdf(c - d));
-            });
-            with(ZigguratExponential::new(1e3 * b), out, |wait, out| {
-                figure(wait.attempt([(c * 4_294_967_296.0) as u32, 7, 8]), out);
-                figure(wait.draw(&mut rng).ok().map(|drawn| drawn.point), out);
-                out.float(wait.pdf(d));
-            });
-            verdict(ZigguratNormal::with_budget(1e38 * a, 1e37 * (b + 0.25), (3.0 * c) as u32), out);
-            verdict(ZigguratExponential::with_budget(d - 0.25, (3.0 * c) as u32), out);
-            verdict(ZigguratStandardNormal::with_budget((3.0 * c) as u32), out);
-            match ZigguratStandardExponential::with_budget(black_box(1)) {
-                Ok(wait) => out.word(wait.draw(&mut rng).map_or(0xf1, |drawn| drawn.tries)),
-                Err(e) => out.word(refusal(e)),
-            }
-        },
-        "rejection region" => |[a, b, c, d], input, out| {
-            let region = Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]).and_then(|room| {
-                out.float(room.pdf([a, b, 2.0 + c]));
-                room.invert([a, 0.5 * b, 2.0 + c]).put(out);
-                Region::new(room, move |[x, y, z]: [f32; 3]| x * y * z > d - 0.5, 20)
-            });
-            match region {
-                Ok(region) => {
-                    attempted(region.attempt([a, b, c]), out);
-                    drawn(region.draw(&mut generator(input)), out);
-                }
-                Err(e) => out.word(refusal(e)),
-            }
-        },
-        "rejection bounded" => |[a, b, c, d], input, out| {
-            // f/p is at most π; the bound is one from 2 to 4, so that it is exceeded sometimes.
-            let bump = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
-            match Bounded::new(Disk::<T>::new(), bump, 2.0 + 2.0 * c, 30) {
-                Ok(bounded) => {
-                    match bounded.attempt([a, b], (d * 4_294_967_296.0) as u32) {
-                        Ok(point) => attempted(point, out),
-                        Err(failure) => failed(failure, out),
-                    }
-                    drawn(bounded.draw(&mut generator(input)), out);
-                }
-                Err(e) => out.word(refusal(e)),
-            }
-            // Far magnitudes: f, p and c near both ends of f32, and the slack.
-            let far = Inversion::new(|u: f32| u, |_| 1e-39, |x: f32| x);
-            for (f, bound) in [(a * 1e-39, 1.0), (0.5 * b, 3e38), (1e-39 * (1.0 + SLACK * c), 1.0), (1e-39 * (d - 0.5), 1.0)] {
-                match Bounded::new(far, move |_| f, bound, 1).map(|far| far.attempt(a, (d * 4_294_967_296.0) as u32)) {
-                    Ok(Ok(point)) => out.word(u32::from(point.is_some())),
-                    Ok(Err(failure)) => failed(failure, out),
-                    Err(e) => out.word(refusal(e)),
-                }
-            }
-        },
-        "rejection verdicts" => |[a, b, c, d], _, out| {
-            let disk = Disk::<T>::new();
-            verdict(Region::new(disk, |_| true, (8.0 * a) as u32), out);
-            verdict(Bounded::new(disk, |_| 1.0, b - 0.5, 1), out);
-            verdict(Bounded::new(disk, |_| 1.0, 1.0, (4.0 * c) as u32), out);
-            verdict(DiskRejection::with_budget((2.0 * d) as u32), out);
-            verdict(BallRejection::with_budget((2.0 * a) as u32), out);
-            verdict(Aabb::new([a, b], [c, d]), out);
-            verdict(Aabb::new([0.0; 3], [1e13, 1e13 * a, 1e13 * b]), out);
-        },
-        "moments" => |[a, b, c, d], _, out| {
-            let (mut moments, mut other) = (Moments::new(), Moments::default());
-            for (i, x) in [a, b, c, d, 3.0 * a, a + b, 1.0 - c].into_iter().enumerate() {
-                moments.push(1000.0 + x);
-                if i < 5 {
-                    other.push(v(1e-30) * x);
-                }
-            }
-            out.word(moments.count() as u32);
-            out.word(moments.refused() as u32);
-            figure(moments.mean(), out);
-            figure(moments.variance(), out);
-            figure(moments.population_variance(), out);
-            figure(moments.standard_deviation(), out);
-            figure(moments.standard_error(), out);
-            figure(other.standard_deviation(), out);
-            other.merge(&moments);
-            figure(other.mean(), out);
-            figure(other.variance(), out);
-            // By itself it doubles: the count to 2^40 and a little, with all digits of the mean.
-            for _ in 0..37 {
-                other.merge(&other.clone());
-            }
-            out.word((other.count() >> 32) as u32);
-            out.word(other.count() as u32);
-            figure(other.mean(), out);
-            figure(other.standard_error(), out);
-        },
-        "integral" => |[a, b, c, d], _, out| {
-            let (mut integral, mut other) = (Integral::new(), Integral::new());
-            for (f, pdf) in [(a, b), (b, c), (c, d), (d, a)] {
-                integral.push(f, pdf);
-                other.push(v(1e20) * f, pdf + 0.5);
-            }
-            figure(integral.estimate(), out);
-            figure(integral.standard_error(), out);
-            bound(integral.chebyshev_bound(a), out);
-            bound(integral.normal_bound::<T>(b), out);
-            integral.merge(&other);
-            out.word(integral.count() as u32);
-            out.word(integral.refused() as u32);
-            figure(integral.estimate(), out);
-            figure(integral.moments().variance(), out);
-            bound(integral.chebyshev_bound(v(0.05)), out);
-            bound(integral.normal_bound::<T>(v(0.95)), out);
-        },
-        "ratio" => |[a, b, c, d], _, out| {
-            let (mut ratio, mut other) = (Ratio::new(), Ratio::default());
-            for (value, weight) in [(a, b), (b, c), (c, d), (d, a), (a + b, -0.1 * c)] {
-                ratio.push(100.0 + value, weight);
-                other.push(value, v(1e10) * weight);
-            }
-            out.word(ratio.count() as u32);
-            out.word(ratio.refused() as u32);
-            figure(ratio.estimate(), out);
-            figure(ratio.standard_error(), out);
-            ratio.merge(&other);
-            out.word(ratio.count() as u32);
-            figure(ratio.estimate(), out);
-            figure(ratio.standard_error(), out);
-        },
-        "heuristics" => |[a, b, c, d], _, out| {
-            let n = c.to_bits() >> 20;
-            for (f, g) in [(a, b), (v(1e-25) * c, v(1e20) * b), (v(3e38) * a, v(3e38) * d)] {
-                out.float(balance_heuristic(1, f, 1, g));
-                out.float(balance_heuristic(n, f, 7, g));
-                out.float(power_heuristic(1, f, 1, g));
-                out.float(power_heuristic(n, f, 7, g));
-            }
-        },
-        "chain displacements" => chains::displacements::<T>,
-        "chain acceptances" => chains::acceptances::<T>,
-        "chain in the cube" => chains::cube::<T>,
-        "chain in the plane" => chains::plane::<T>,
-        "chain of indices" => chains::indices,
-        "chain with limits" => chains::limits,
-        "chain starts" => chains::starts::<T>,
-        "chain of uniforms" => chains::primary::<T>,
-        "chain health" => chains::health,
-        "chain verdicts" => chains::verdicts::<T>,
-        "integer chains" => integers::chains,
-        "integer chances" => integers::chances,
-        "integer selections" => integers::selections,
-        "integer selections wide" => integers::wide_selections,
-        "integer disks" => integers::disks,
-    }
+        }
+        out.word(moments.count() as u32);
+        out.word(moments.refused() as u32);
+        figure(moments.mean(), out);
+        figure(moments.variance(), out);
+        figure(moments.population_variance(), out);
+        figure(moments.standard_deviation(), out);
+        figure(moments.standard_error(), out);
+        figure(other.standard_deviation(), out);
+        other.merge(&moments);
+        figure(other.mean(), out);
+        figure(other.variance(), out);
+        // By itself it doubles: the count to 2^40 and a little, with all digits of the mean.
+        for _ in 0..37 {
+            other.merge(&other.clone());
+        }
+        out.word((other.count() >> 32) as u32);
+        out.word(other.count() as u32);
+        figure(other.mean(), out);
+        figure(other.standard_error(), out);
+    },
+    "integral" => |[a, b, c, d], _, out| {
+        let (mut integral, mut other) = (Integral::new(), Integral::new());
+        for (f, pdf) in [(a, b), (b, c), (c, d), (d, a)] {
+            integral.push(f, pdf);
+            other.push(v(1e20) * f, pdf + 0.5);
+        }
+        figure(integral.estimate(), out);
+        figure(integral.standard_error(), out);
+        bound(integral.chebyshev_bound(a), out);
+        bound(integral.normal_bound::<T>(b), out);
+        integral.merge(&other);
+        out.word(integral.count() as u32);
+        out.word(integral.refused() as u32);
+        figure(integral.estimate(), out);
+        figure(integral.moments().variance(), out);
+        bound(integral.chebyshev_bound(v(0.05)), out);
+        bound(integral.normal_bound::<T>(v(0.95)), out);
+    },
+    "ratio" => |[a, b, c, d], _, out| {
+        let (mut ratio, mut other) = (Ratio::new(), Ratio::default());
+        for (value, weight) in [(a, b), (b, c), (c, d), (d, a), (a + b, -0.1 * c)] {
+            ratio.push(100.0 + value, weight);
+            other.push(value, v(1e10) * weight);
+        }
+        out.word(ratio.count() as u32);
+        out.word(ratio.refused() as u32);
+        figure(ratio.estimate(), out);
+        figure(ratio.standard_error(), out);
+        ratio.merge(&other);
+        out.word(ratio.count() as u32);
+        figure(ratio.estimate(), out);
+        figure(ratio.standard_error(), out);
+    },
+    "heuristics" => |[a, b, c, d], _, out| {
+        let n = c.to_bits() >> 20;
+        for (f, g) in [(a, b), (v(1e-25) * c, v(1e20) * b), (v(3e38) * a, v(3e38) * d)] {
+            out.float(balance_heuristic(1, f, 1, g));
+            out.float(balance_heuristic(n, f, 7, g));
+            out.float(power_heuristic(1, f, 1, g));
+            out.float(power_heuristic(n, f, 7, g));
+        }
+    },
+    "chain displacements" => chains::displacements::<T>,
+    "chain acceptances" => chains::acceptances::<T>,
+    "chain in the cube" => chains::cube::<T>,
+    "chain in the plane" => chains::plane::<T>,
+    "chain of indices" => chains::indices,
+    "chain with limits" => chains::limits,
+    "chain starts" => chains::starts::<T>,
+    "chain of uniforms" => chains::primary::<T>,
+    "chain health" => chains::health,
+    "chain verdicts" => chains::verdicts::<T>,
+    "integer chains" => integers::chains,
+    "integer chances" => integers::chances,
+    "integer selections" => integers::selections,
+    "integer selections wide" => integers::wide_selections,
+    "integer disks" => integers::disks,
 }

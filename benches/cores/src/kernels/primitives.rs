@@ -1,9 +1,8 @@
-//! The functions under the integer tier, in each grade, and its interval of integers, which has none.
+//! The functions under the integer tier, in each grade.
 
-use crate::registry::{kernels, ok};
+use crate::registry::kernels;
 use fixed::types::{I2F30, U0F32, U5F27, U16F16};
-use microwarp::Warp;
-use microwarp::fixed::{Coarse, Compact, Fine, Grade, Interval};
+use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 
 kernels! {
     "fine_sincos_turns" (t: U0F32) -> (I2F30, I2F30) = Fine::sincos_turns(t);
@@ -27,6 +26,4 @@ kernels! {
     "compact_exp_neg" (x: U5F27) -> U0F32 = Compact::exp_neg(x);
     "compact_exp_m1_neg" (x: U5F27) -> U0F32 = Compact::exp_m1_neg(x);
     "compact_pow" (x: U0F32, y: U16F16) -> U0F32 = Compact::pow(x, y);
-    "interval_1_6" (u: U0F32) -> i32 = const { ok(Interval::<i32>::inclusive(1, 6)) }.sample(u);
-    "interval_1_6_pcg32" (rng) -> i32 = const { ok(Interval::<i32>::inclusive(1, 6)) }.draw(rng);
 }

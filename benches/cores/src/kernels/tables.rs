@@ -42,9 +42,9 @@ macro_rules! tables {
         /// Every entry; a measurement leaves one.
         pub static ENTRIES: &[Entry] = &[$(
             #[cfg(any(not(one_kernel), kernel = $name))]
-            entry!($name ($($input: $number),+) -> $out = $body, {}),
+            entry!(($name) ($($input: $number),+) -> $out = $body, {}),
             #[cfg(any(not(one_kernel), kernel = $drawn))]
-            entry!($drawn ($rng) -> $out = $drawn_body, {}),
+            entry!(($drawn) ($rng) -> $out = $drawn_body, {}),
         )*];
     };
 }

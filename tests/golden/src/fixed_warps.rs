@@ -1,0 +1,185 @@
+//! The warps of the integer tier, as far as they run on cores. A new warp is one block here.
+//!
+//! From these blocks come the golden subjects, the cost kernels of `benches/cores`, the probe without floating point
+//! and the subjects of the page. A block reads like those of `warps.rs`, with these differences:
+//! - `G` is the grade.
+//! - `golden`: `v` makes a number of the bits of a word and `whole` one of 16 fraction bits.
+//! - `cost`: the names become `fine_name`, `coarse_name`, `compact_name`, and the three with `_pcg32`. Behind the
+//!   uniforms stands their type.
+//! - `page`: `signed`, `unsigned`, `exponent` and `turns` bring a parameter into its format.
+
+/// Hands all blocks to the macro that is named: the warps that have grades, floats over them, and the others.
+#[macro_export]
+macro_rules! integer_warps {
+    ($then:ident $($with:tt)?) => {
+        $then! {
+            $($with)?
+            in every grade {
+                Disk {
+                    golden { "Disk" => Ok(Disk::<G>::new()), }
+                    cost { "disk" [u, v]: U0F32 -> [I2F30; 2] = Disk::new(), }
+                    page { plane 2: Disk() => Ok(Disk::<G>::new()), }
+                }
+                Sphere {
+                    golden { "Sphere" => Ok(Sphere::<G>::new()), }
+                    cost { "sphere" [u, v]: U0F32 -> [I2F30; 3] = Sphere::new(), }
+                    page { sphere 2: Sphere() => Ok(Sphere::<G>::new()), }
+                }
+                Hemisphere {
+                    golden { "Hemisphere" => Ok(Hemisphere::<G>::new()), }
+                    cost { "hemisphere" [u, v]: U0F32 -> [I2F30; 3] = Hemisphere::new(), }
+                    page { sphere 2: Hemisphere() => Ok(Hemisphere::<G>::new()), }
+                }
+                CosineHemisphere {
+                    golden { "CosineHemisphere" => Ok(CosineHemisphere::<G>::new()), }
+                    cost { "cosine_hemisphere" [u, v]: U0F32 -> [I2F30; 3] = CosineHemisphere::new(), }
+                    page { sphere 2: CosineHemisphere() => Ok(CosineHemisphere::<G>::new()), }
+                }
+                Cone {
+                    golden {
+                        "Cone 0.1" => Cone::<G>::from_one_minus_cos(v(107_374_182)),
+                        "Cone of a thousandth turn" => Cone::<G>::from_angle(v(4_294_967)),
+                    }
+                    cost {
+                        "cone" [u, v]: U0F32 -> [I2F30; 3] = const { ok(Cone::from_one_minus_cos(U2F62::lit("0.25"))) },
+                    }
+                    page {
+                        sphere 2: Cone(half_angle_in_turns: 0.1 in 0..0.5 by 0.001)
+                            => Cone::<G>::from_angle(turns(half_angle_in_turns)?),
+                    }
+                }
+                PhongLobe {
+                    golden {
+                        "PhongLobe 0" => PhongLobe::<G>::new(v(0)),
+                        "PhongLobe 50" => PhongLobe::<G>::new(v(50)),
+                        "PhongLobe 1e8" => PhongLobe::<G>::new(v(100_000_000)),
+                    }
+                    cost { "phong_lobe_50" [u, v]: U0F32 -> [I2F30; 3] = const { ok(PhongLobe::new(U32F32::lit("50"))) }, }
+                    page {
+                        sphere 2: PhongLobe(exponent: 50 in 0..200 by 0.5)
+                            => PhongLobe::<G>::new(self::exponent(exponent)?),
+                    }
+                }
+                Triangle {
+                    golden { "Triangle" => Ok(Triangle::<G>::new()), }
+                    cost { "triangle" [u, v]: U0F32 -> [I2F30; 3] = Triangle::new(), }
+                    page { plane 2: Triangle() => Ok(Triangle::<G>::new()), }
+                }
+                TriangleOn {
+                    golden {
+                        "TriangleOn" => TriangleOn::<_, 2, G>::new([
+                            [whole::<I16F16>(0), whole(0)],
+                            [whole(4), whole(1)],
+                            [whole(0xfffd), whole(2)],
+                        ]),
+                        "TriangleOn solid" => TriangleOn::<_, 3, G>::new([
+                            [whole::<I16F16>(0), whole(0), whole(7)],
+                            [whole(4), whole(1), whole(0)],
+                            [whole(0xfffd), whole(2), whole(5)],
+                        ]),
+                    }
+                    cost {
+                        "triangle_on" [u, v]: U0F32 -> [I16F16; 2] = const {
+                            ok(TriangleOn::new([
+                                [I16F16::lit("-90"), I16F16::lit("10")],
+                                [I16F16::lit("300"), I16F16::lit("-200")],
+                                [I16F16::lit("40"), I16F16::lit("250")],
+                            ]))
+                        },
+                    }
+                    page {
+                        plane 2: TriangleOn(
+                            a_x: 0 in -4..4, a_y: 0 in -4..4, b_x: 4 in -4..4,
+                            b_y: 0 in -4..4, c_x: 1 in -4..4, c_y: 3 in -4..4
+                        ) => TriangleOn::<_, 2, G>::new([
+                            [signed(a_x)?, signed(a_y)?],
+                            [signed(b_x)?, signed(b_y)?],
+                            [signed(c_x)?, signed(c_y)?],
+                        ]),
+                    }
+                }
+                StandardExponential {
+                    golden { "StandardExponential" => Ok(StandardExponential::<G>::new()), }
+                    cost { "standard_exponential" u: U0F32 -> U5F27 = StandardExponential::new(), }
+                    page { line 1: StandardExponential() => Ok(StandardExponential::<G>::new()), }
+                }
+                Exponential {
+                    golden { "Exponential 20" => Exponential::<_, G>::new(whole::<U16F16>(20)), }
+                    cost { "exponential_20" u: U0F32 -> U16F16 = const { ok(Exponential::new(U16F16::lit("20"))) }, }
+                    page { line 1: Exponential(mean: 1 in 0..10) => Exponential::<_, G>::new(unsigned(mean)?), }
+                }
+                TruncatedExponential {
+                    golden {
+                        "TruncatedExponential 10 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(10), whole(4)),
+                        "TruncatedExponential 100 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(100), whole(4)),
+                    }
+                    cost {
+                        "truncated_exponential_10_20" u: U0F32 -> U16F16
+                            = const { ok(TruncatedExponential::new(U16F16::lit("10"), U16F16::lit("20"))) },
+                        "truncated_exponential_10_1" u: U0F32 -> U16F16
+                            = const { ok(TruncatedExponential::new(U16F16::lit("10"), U16F16::lit("1"))) },
+                    }
+                    page {
+                        line 1: TruncatedExponential(mean: 0.5 in 0..10, length: 3 in 0..10)
+                            => TruncatedExponential::<_, G>::new(unsigned(mean)?, unsigned(length)?),
+                    }
+                }
+                StandardNormalPair {
+                    golden { "StandardNormalPair" => Ok(StandardNormalPair::<G>::new()), }
+                    cost { "standard_normal_pair" [u, v]: U0F32 -> [I5F27; 2] = StandardNormalPair::new(), }
+                    page { plane 2: StandardNormalPair() => Ok(StandardNormalPair::<G>::new()), }
+                }
+                NormalPair {
+                    golden {
+                        "NormalPair 100 20 5" => NormalPair::<_, G>::new([whole::<I16F16>(100), whole(20)], whole(5)),
+                    }
+                    cost {
+                        "normal_pair_100_5" [u, v]: U0F32 -> [I16F16; 2]
+                            = const { ok(NormalPair::new([I16F16::lit("100"); 2], I16F16::lit("5"))) },
+                    }
+                    page {
+                        plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, deviation: 1 in 0..5)
+                            => NormalPair::<_, G>::new([signed(mean_x)?, signed(mean_y)?], signed(deviation)?),
+                    }
+                }
+                Tent {
+                    golden { "Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)), }
+                    cost { "tent_2" u: U0F32 -> I16F16 = const { ok(Tent::new(I16F16::lit("2"))) }, }
+                    page { line 1: Tent(radius: 1 in 0..5) => Tent::<_, G>::new(signed(radius)?), }
+                }
+            }
+            with floats {
+                Float {
+                    golden {
+                        "Float Disk" => Ok(Float::new(Disk::<G>::new())),
+                        "Float Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)).map(Float::new),
+                    }
+                    cost {
+                        "float_disk" [u, v]: f32 -> [f32; 2] = Float::new(Disk::new()),
+                        "float_sphere" [u, v]: f32 -> [f32; 3] = Float::new(Sphere::new()),
+                        "float_cosine_hemisphere" [u, v]: f32 -> [f32; 3] = Float::new(CosineHemisphere::new()),
+                        "float_phong_lobe_50" [u, v]: f32 -> [f32; 3]
+                            = Float::new(const { ok(PhongLobe::new(U32F32::lit("50"))) }),
+                        "float_standard_exponential" u: f32 -> f32 = Float::new(StandardExponential::new()),
+                        "float_standard_normal_pair" [u, v]: f32 -> [f32; 2] = Float::new(StandardNormalPair::new()),
+                    }
+                    page { plane 2: FloatDisk() => Ok(Float::new(Disk::<G>::new())), }
+                }
+            }
+            without grade {
+                Interval {
+                    golden {
+                        "Interval of a die" => Interval::<i32>::inclusive(v(1), v(6)),
+                        "Interval -3 5" => Interval::<I16F16>::new(whole(0xfffd), whole(5)),
+                        "Interval of all words" => Interval::<U0F32>::inclusive(v(0), v(u32::MAX)),
+                    }
+                    cost { "interval_1_6" u: U0F32 -> i32 = const { ok(Interval::<i32>::inclusive(1, 6)) }, }
+                    page {
+                        line 1: Interval(from: -3 in -10..10, to: 5 in -10..10)
+                            => Interval::<I16F16>::new(signed(from)?, signed(to)?),
+                    }
+                }
+            }
+        }
+    };
+}
