@@ -9,15 +9,14 @@ mod plane;
 mod power;
 
 use microwarp::tier::{Libm, Poly, Tier};
-use support::adversary::statement::Statement;
 use support::adversary::words::Kind;
 use support::adversary::{Case, Family, Observe};
+use support::docs::{Statement, of_floats};
+use support::errors::{apart, ulp};
 use support::figures::{
-    Exact, Figures, ROWS, apart, density_and_inverse_error, is_azimuth, polar_error, sample_error,
-    ulp, wide,
+    Exact, Figures, ROWS, density_and_inverse_error, is_azimuth, polar_error, sample_error, wide,
 };
 use support::registry::{Domain, Entry, Measure, Uniforms};
-use support::tables;
 use support::truth::Truth;
 
 /// One constructor, in one tier.
@@ -60,7 +59,7 @@ fn of_tier<T: Tier>() -> Vec<Family> {
 
 fn family(of: Constructor, tier: &'static str) -> Family {
     let column = usize::from(tier != "libm");
-    let rows: Vec<Row> = tables::stated(of.name)
+    let rows: Vec<Row> = of_floats(of.name)
         .into_iter()
         .map(|(title, cells)| {
             let index = ROWS.iter().position(|(row, _)| title.starts_with(row));
