@@ -5,6 +5,7 @@ use microwarp::warp::Spherical;
 use microwarp::{Frame, uniform};
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
+use support::errors::raise;
 
 fn wide(x: [f32; 3]) -> [f64; 3] {
     x.map(f64::from)
@@ -187,7 +188,7 @@ fn equatorial_error(point: impl Fn(f32) -> [f32; 2]) -> f64 {
         let (sin, cos) = (TAU * (f64::from(phi) % 1.0)).sin_cos();
         let [x, y] = point(phi).map(f64::from);
         let error = (x - cos).abs().max((y - sin).abs());
-        worst = worst.max(if error.is_nan() { f64::INFINITY } else { error });
+        raise(&mut worst, error);
     }
     worst
 }

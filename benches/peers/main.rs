@@ -30,9 +30,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         println!("no family of such a name; --help lists them");
         return Ok(Vec::new());
     }
-    support::work::folder(&args.out)?;
+    support::progress::folder(&args.out)?;
     let progress =
-        support::work::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
+        support::progress::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
     let mut results: Vec<(Family, Standings)> = Vec::new();
     for family in families {
         progress.set_message(family.title());

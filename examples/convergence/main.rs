@@ -29,7 +29,7 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let path = args.out.join("convergence.png");
-    support::work::folder(&args.out)?;
+    support::progress::folder(&args.out)?;
 
     let kinds: Vec<(u32, Method)> = DIMENSIONS
         .iter()
@@ -40,7 +40,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         .flat_map(|&(s, method)| method.sizes(s).into_iter().map(move |n| (s, method, n)))
         .map(|(s, method, size)| work(method, size, s, args.repetitions))
         .sum();
-    let progress = support::work::progress(all, "{percent:>3} %")?;
+    let progress = support::progress::progress(all, "{percent:>3} %")?;
     let mut lines = Vec::new();
     for (stream, &(s, method)) in kinds.iter().enumerate() {
         progress.set_message(format!("{} in {s}-D", method.name()));

@@ -46,7 +46,7 @@ fn main() -> ExitCode {
 /// Writes the two generated files.
 fn make_picture(folder: &Path) -> Result<(), Box<dyn Error>> {
     let picture = scene::sky();
-    support::work::folder(folder)?;
+    support::progress::folder(folder)?;
     picture.write(&folder.join("sky.png"))?;
     std::fs::write(folder.join("small_weights.rs"), small::source(&picture))?;
     println!("sky.png and small_weights.rs in {}", folder.display());
@@ -56,8 +56,8 @@ fn make_picture(folder: &Path) -> Result<(), Box<dyn Error>> {
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    support::work::folder(&args.out)?;
-    let progress = support::work::progress(7, support::work::STEPS)?;
+    support::progress::folder(&args.out)?;
+    let progress = support::progress::progress(7, support::progress::STEPS)?;
     let step = |text: &'static str| {
         progress.inc(1);
         progress.set_message(text);

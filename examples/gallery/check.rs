@@ -5,8 +5,8 @@ use crate::table::p_text;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 use std::time::Instant;
-use support::figures::ulp;
-use support::registry::{Domain, Entry, Measure, Point, Uniforms};
+use support::figures::{self, Exact, sample_error};
+use support::registry::{Domain, Entry, Point, Uniforms};
 use support::stats::{self, Axis};
 
 /// A p-value below this is no accident in any number of runs.
@@ -84,28 +84,16 @@ fn time(entry: &Entry, rng: &mut Pcg32) -> f64 {
 
 /// The largest error of samples at drawn uniforms.
 fn largest_error(entry: &Entry, rng: &mut Pcg32, samples: usize) -> f64 {
-    let mut largest = 0.0_f64;
+    let mut errors = figures::Figures::default();
     for _ in 0..samples {
         let mut u: Uniforms = [0.0; 4];
         for u in &mut u[..entry.uniforms] {
             *u = uniform::grid(rng);
         }
-        let exact = entry.truth.sample(u.map(f64::from));
-        let got = entry.warp.sample(u).map(f64::from);
-        let distance = (0..3)
-            .map(|k| (got[k] - exact[k]).powi(2))
-            .sum::<f64>()
-            .sqrt();
-        let error = match entry.measure {
-            Measure::Ulp => distance / ulp(exact[0]),
-            Measure::UlpFrom(mean) => distance / ulp((exact[0] - mean).abs().max(mean.abs())),
-            Measure::UlpOf(scale) => distance / ulp(scale),
-            Measure::Length(length) => distance / length,
-        };
-        // Of a number and NaN, `max` takes the number; here NaN is an error without bound.
-        largest = largest.max(if error.is_nan() { f64::INFINITY } else { error });
+        let exact = Exact::of(entry, u, false);
+        sample_error(entry, &exact, entry.warp.sample(u), &mut errors);
     }
-    largest
+    errors.sample
 }
 
 /// The chi-square test of samples against the density.

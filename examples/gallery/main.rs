@@ -42,16 +42,18 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let entries = support::registry::entries();
     let mut complaints = without_picture(&entries);
     let subjects = subjects(&entries, args)?;
-    support::work::folder(&args.out)?;
+    support::progress::folder(&args.out)?;
 
     let rows: Vec<&Entry> = subjects
         .iter()
         .flat_map(|s| s.entries.iter().copied())
         .collect();
 
-    let progress =
-        support::work::progress((rows.len() + subjects.len()) as u64, support::work::STEPS)?;
-    let figures = support::work::in_parallel(args.threads, &rows, |entry| {
+    let progress = support::progress::progress(
+        (rows.len() + subjects.len()) as u64,
+        support::progress::STEPS,
+    )?;
+    let figures = support::parallel::in_parallel(args.threads, &rows, |entry| {
         progress.set_message(format!("sampling {}", entry.label()));
         let figures = check::measure(entry, args.seed, args.samples);
         progress.inc(1);
@@ -63,7 +65,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .map(|i| &figures[i])
     };
 
-    let saved = support::work::in_parallel(args.threads, &subjects, |subject| {
+    let saved = support::parallel::in_parallel(args.threads, &subjects, |subject| {
         progress.set_message(format!("drawing {}", subject.name));
         let known: Vec<Option<&Figures>> = subject.entries.iter().map(|entry| of(entry)).collect();
         let path = args.out.join(file_name(subject));
@@ -84,7 +86,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .clone()
             .unwrap_or_else(|| args.out.join("gallery.png"));
         if let Some(folder) = path.parent() {
-            support::work::folder(folder)?;
+            support::progress::folder(folder)?;
         }
         sheet::contact(&subjects, SHEET_TIER, args).save(&path)?;
         places.push(format!("the contact sheet in {}", path.display()));

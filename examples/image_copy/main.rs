@@ -25,8 +25,8 @@ fn main() -> ExitCode {
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    support::work::folder(&args.out)?;
-    let progress = support::work::progress(args.repetitions, support::work::STEPS)?;
+    support::progress::folder(&args.out)?;
+    let progress = support::progress::progress(args.repetitions, support::progress::STEPS)?;
     progress.set_message("copying");
     let texels = scene::picture();
     let luminance: Vec<f32> = texels

@@ -28,9 +28,9 @@ fn main() -> ExitCode {
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    support::work::folder(&args.out)?;
+    support::progress::folder(&args.out)?;
     let rules = target::Rule::all()?;
-    let progress = support::work::progress(rules.len() as u64 + 2, support::work::STEPS)?;
+    let progress = support::progress::progress(rules.len() as u64 + 2, support::progress::STEPS)?;
     let mut studies = Vec::new();
     for (stream, rule) in rules.iter().enumerate() {
         progress.set_message(format!("chains with the mutation {}", rule.name()));

@@ -28,8 +28,8 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let scenes = scenes::all()?;
-    support::work::folder(&args.out)?;
-    let progress = support::work::progress(2 * scenes.len() as u64, support::work::STEPS)?;
+    support::progress::folder(&args.out)?;
+    let progress = support::progress::progress(2 * scenes.len() as u64, support::progress::STEPS)?;
     let mut rows = Vec::new();
     for scene in &scenes {
         progress.set_message(format!("sampling {}", scene.name));

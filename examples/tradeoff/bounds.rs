@@ -2,11 +2,8 @@
 
 use crate::error::{Errors, Lattice};
 use crate::sampler::{FromWords, Sampler};
-use std::fs;
-use std::path::Path;
-use support::adversary::statement::Statement;
+use support::docs::{self, Doc};
 use support::figures::{Exact, Figures, ROWS, density_and_inverse_error, sample_error};
-use support::tables;
 
 /// What is wrong with a sampler by its documentation, if anything is.
 pub fn complaints(sampler: &Sampler, errors: &Errors, points: u64) -> Vec<String> {
@@ -69,7 +66,7 @@ fn of_floats(sampler: &Sampler, points: u64) -> Vec<String> {
         density_and_inverse_error(entry, &exact, x, &mut figures);
     }
     let name = entry.name.split(' ').next().unwrap_or(entry.name);
-    let stated = tables::stated(name);
+    let stated = docs::of_floats(name);
     let mut complaints = Vec::new();
     for (title, row) in ROWS {
         let found = *row(&mut figures);
@@ -89,30 +86,10 @@ fn of_floats(sampler: &Sampler, points: u64) -> Vec<String> {
 
 /// The figures of the three grades in the row of a doc comment.
 fn stated(warp: &str, title: &str) -> Option<[f64; 3]> {
-    let room = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/fixed");
-    let files = fs::read_dir(room).ok()?.filter_map(Result::ok);
-    for text in files.filter_map(|file| fs::read_to_string(file.path()).ok()) {
-        let lines: Vec<&str> = text.lines().collect();
-        let is_warp = |line: &&str| {
-            let rest = line.strip_prefix("pub struct ");
-            rest.is_some_and(|rest| rest.split('<').next() == Some(warp))
-        };
-        let Some(end) = lines.iter().position(is_warp) else {
-            continue;
-        };
-        let comment = lines[..end].iter().rev();
-        let mut comment =
-            comment.take_while(|line| line.starts_with("///") || line.starts_with("#["));
-        let row = comment.find_map(|line| line.strip_prefix(&format!("/// | {title} |")))?;
-        // Formulas are held by the tests.
-        let number = |cell: &str| Some(Statement::parse(cell)?.number().unwrap_or(f64::INFINITY));
-        let cells = row
-            .trim_end_matches('|')
-            .split('|')
-            .map(|cell| number(cell.trim()));
-        return cells.collect::<Option<Vec<_>>>()?.try_into().ok();
-    }
-    None
+    let row = Doc::find("fixed", warp)?.row(title)?;
+    // Formulas are held by the tests.
+    let number = |stated: docs::Statement| stated.number().unwrap_or(f64::INFINITY);
+    Some(row.statements().map(number))
 }
 
 /// A step of a density, 2⁻³².

@@ -2,6 +2,7 @@
 
 use crate::sampler::{Law, Point, Sampler, Way, Words};
 use support::contest::generator;
+use support::errors::raise;
 
 /// Errors over a sweep. What is not a number counts as infinitely wrong.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,8 +23,7 @@ impl Figures {
 
     /// An error that counts for the largest alone, of words that are tried for their place.
     fn raise(&mut self, size: f64) {
-        let size = if size.is_nan() { f64::INFINITY } else { size };
-        self.max = self.max.max(size);
+        raise(&mut self.max, size);
     }
 
     pub fn rms(&self) -> f64 {

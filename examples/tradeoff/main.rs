@@ -44,7 +44,7 @@ fn main() -> ExitCode {
 /// Does everything; returns what is wrong.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    support::work::folder(&args.out)?;
+    support::progress::folder(&args.out)?;
     let costs = costs::Costs::checked_in()?;
     let (rows, mut complaints) = list::rows(args)?;
     if rows.is_empty() {
@@ -61,8 +61,10 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         .sum();
     let threshold = support::stats::threshold(tests);
 
-    let progress =
-        support::work::progress((rows.len() + args.rounds + 2) as u64, support::work::STEPS)?;
+    let progress = support::progress::progress(
+        (rows.len() + args.rounds + 2) as u64,
+        support::progress::STEPS,
+    )?;
     let (studies, spread) = study(rows, &costs, args, &progress);
     progress.set_message("maps that are wrong on purpose");
     let controls = controls::all(args);
@@ -116,7 +118,7 @@ fn study(
         blocks.extend(row.fill.map(|fill| (format!("{i} filled"), fill)));
         samplers.push(Mutex::new(Some(row.sampler)));
     }
-    let mut studies = support::work::in_parallel(args.threads, &samplers, |sampler| {
+    let mut studies = support::parallel::in_parallel(args.threads, &samplers, |sampler| {
         let sampler = sampler.lock().expect("no thread has panicked").take();
         let sampler = sampler.expect("each is taken once");
         progress.set_message(sampler.label());

@@ -7,10 +7,11 @@
 //! `MICROWARP_WRITE=1 cargo test --test accuracy` writes the page and the worst cases anew.
 
 mod families;
+mod page;
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use page::Measured;
 use support::figures::{Exact, Figures, density_and_inverse_error, polar_error, sample_error};
+use support::parallel::{in_parallel, threads};
 use support::registry::{Entry, Uniforms, entries};
 
 const GRID: u32 = 1 << 24;
@@ -122,28 +123,17 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
 #[test]
 fn every_warp_keeps_its_stated_error() {
     let pairs = pairs();
-    let next = AtomicUsize::new(0);
-    let measured = Mutex::new(vec![[Figures::default(); 2]; pairs.len()]);
-    let threads = std::thread::available_parallelism().map_or(2, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(pair) = pairs.get(i) else { break };
-                    let warp = |(e, _): &Pair| e.name.split(' ').next();
-                    let first = !pairs[..i].iter().any(|before| warp(before) == warp(pair));
-                    let figures = measure(pair, first && !pair.0.composed);
-                    measured.lock().unwrap()[i] = figures;
-                }
-            });
-        }
+    let warp = |(e, _): &Pair| e.name.split(' ').next();
+    let jobs: Vec<usize> = (0..pairs.len()).collect();
+    let measured = in_parallel(threads(), &jobs, |&i| {
+        let pair = &pairs[i];
+        let first = !pairs[..i].iter().any(|before| warp(before) == warp(pair));
+        measure(pair, first && !pair.0.composed)
     });
-    let measured = measured.into_inner().unwrap();
     let rows: Vec<_> = pairs
         .iter()
         .zip(measured)
-        .map(|((libm, _), figures)| support::tables::Measured {
+        .map(|((libm, _), figures)| Measured {
             name: libm.name,
             parameters: libm.parameters,
             measure: libm.measure,
@@ -151,9 +141,9 @@ fn every_warp_keeps_its_stated_error() {
         })
         .collect();
     if std::env::var_os("MICROWARP_WRITE").is_some() {
-        support::tables::write(&rows);
+        page::write(&rows);
     }
-    support::tables::check(&rows);
+    page::check(&rows);
 }
 
 /// No parameters that a constructor accepts, and no uniforms, exceed what is stated.

@@ -15,9 +15,8 @@ mod strata;
 use examination::Examination;
 use report::Report;
 use std::collections::BTreeMap;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
+use support::parallel::{in_parallel, threads};
 use support::{registry::Entry, stats};
 
 /// Samples for each entry, unless `f32` resolves it too coarsely for so many.
@@ -28,24 +27,14 @@ fn seed(index: usize) -> u64 {
     0x6d69_6372_6f77_6172 ^ (index as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }
 
-/// Examines all entries in two threads; the rows are in the order of the entries.
+/// Examines all entries; the rows are in their order.
 fn examine(entries: &[Entry]) -> Vec<(usize, f64, Report)> {
-    let (next, rows) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
-    std::thread::scope(|scope| {
-        for _ in 0..2 {
-            scope.spawn(|| {
-                loop {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(entry) = entries.get(i) else { break };
-                    let examination = Examination::new(entry, SAMPLES);
-                    let report = examination.run(seed(i));
-                    let row = (examination.samples, examination.integral, report);
-                    rows.lock().unwrap().insert(i, row);
-                }
-            });
-        }
-    });
-    rows.into_inner().unwrap().into_values().collect()
+    let seeded: Vec<_> = entries.iter().enumerate().collect();
+    in_parallel(threads(), &seeded, |(i, entry)| {
+        let examination = Examination::new(entry, SAMPLES);
+        let report = examination.run(seed(*i));
+        (examination.samples, examination.integral, report)
+    })
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! How a long run is measured: against exact sums, at checkpoints.
 
-use crate::{assert_stated, relative, stated};
+use crate::relative;
 use microwarp::estimate::{Moments, Ratio};
+use support::docs::{Doc, assert_stated};
 
 /// Exact sums in integers: between 512 and 2048 every f32 is a multiple of 2⁻¹⁴.
 #[derive(Default)]
@@ -66,9 +67,11 @@ impl Largest {
         ]);
     }
 
-    pub fn assert_stated(&self, source: &str, rows: [&str; 2], column: usize) {
+    /// Holds the errors to those that an estimator states in a column of two rows.
+    pub fn assert_stated(&self, estimator: &str, rows: [&str; 2], column: usize) {
+        let doc = Doc::of("estimate", estimator);
         for (row, measured) in rows.into_iter().zip(self.0) {
-            assert_stated(row, measured, stated(source, row, column));
+            assert_stated(row, measured, doc.figure(row, column));
         }
     }
 }

@@ -3,6 +3,8 @@
 use microwarp::estimate::{balance_heuristic, power_heuristic};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
+use support::docs::assert_stated;
+use support::errors::ulps;
 
 const DENSITIES: [f32; 16] = [
     0.0,
@@ -45,13 +47,6 @@ fn exact(n_f: u32, f: f32, n_g: u32, g: f32, exponent: i32) -> f64 {
         (f64::from(n_g) * g).powi(exponent),
     );
     if f == 0.0 { 0.0 } else { f / (f + g) }
-}
-
-/// The error in units of the spacing of f32 at the exact value.
-fn ulps(got: f32, exact: f64) -> f64 {
-    let below = (exact as f32).min(1.0);
-    let exponent = (f64::from(below).log2().floor() as i32).max(-126);
-    (f64::from(got) - exact).abs() / 2f64.powi(exponent - 23)
 }
 
 /// Checks a pair of densities; returns the error.
@@ -124,7 +119,7 @@ fn weights_keep_the_stated_errors() {
             }
         }
         for (worst, stated) in worst.into_iter().zip([single, counted]) {
-            crate::assert_stated("ulp", worst, stated.parse().unwrap());
+            assert_stated("ulp", worst, stated.parse().unwrap());
         }
     }
 }

@@ -2,10 +2,11 @@
 //! sums and Welford's recurrence in f32 do not.
 
 use crate::checkpoints::{Exact, Largest, errors};
-use crate::{MOMENTS, RATIO, at_most, relative, stated};
+use crate::{at_most, relative};
 use microwarp::estimate::{Moments, Ratio};
 use microwarp::{Warp, poly as mw, uniform};
 use rand_pcg::Pcg32;
+use support::docs::Doc;
 
 const SAMPLES: u64 = 100_000_000;
 const CHECKPOINT: u64 = SAMPLES / 100;
@@ -32,10 +33,11 @@ const OF_RATIO: [&str; 2] = ["ratio", "standard error"];
 
 #[test]
 fn the_owed_accuracy_is_stated() {
-    for (source, rows) in [(MOMENTS, OF_MOMENTS), (RATIO, OF_RATIO)] {
+    for (estimator, rows) in [("Moments", OF_MOMENTS), ("Ratio", OF_RATIO)] {
+        let doc = Doc::of("estimate", estimator);
         for row in rows {
-            for column in [1, 2, 3] {
-                assert!(stated(source, row, column) <= OWED, "{row}");
+            for column in 0..3 {
+                assert!(doc.figure(row, column) <= OWED, "{row}");
             }
         }
     }
@@ -66,7 +68,7 @@ fn a_hundred_million_samples_one_by_one() {
             largest.moments(&moments, &exact);
         }
     }
-    largest.assert_stated(MOMENTS, OF_MOMENTS, 1);
+    largest.assert_stated("Moments", OF_MOMENTS, 0);
     let variance = |sum: f32, squares: f32| (squares - sum * sum / n) / (n - 1.0);
     let controls = [
         ("plain sums", sum / n, variance(sum, squares)),
@@ -142,7 +144,7 @@ fn a_hundred_million_samples_merged() {
             largest.moments(&chain, &exact);
         }
     }
-    largest.assert_stated(MOMENTS, OF_MOMENTS, 2);
+    largest.assert_stated("Moments", OF_MOMENTS, 1);
     let counts = parts.map(|part| part.count());
     assert!(
         counts[0] > 10_000 * counts[15] && counts[15] > 0,
@@ -239,8 +241,8 @@ fn a_hundred_million_weighted_samples() {
             largest[1].ratio(&merged, [exact, error]);
         }
     }
-    largest[0].assert_stated(RATIO, OF_RATIO, 1);
-    largest[1].assert_stated(RATIO, OF_RATIO, 2);
+    largest[0].assert_stated("Ratio", OF_RATIO, 0);
+    largest[1].assert_stated("Ratio", OF_RATIO, 1);
     let control = relative(Some(plain / plain_weights), exact);
     println!("plain sums: ratio off by {control:.2e}");
     assert!(control > OWED, "plain sums pass");

@@ -1,9 +1,10 @@
 //! Many short runs of all magnitudes and shapes against two passes in f64, pushed and merged at random.
 
-use crate::{MOMENTS, RATIO, assert_stated, at_most, stated, truth};
+use crate::{at_most, truth};
 use microwarp::estimate::{Moments, Ratio};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
+use support::docs::{Doc, assert_stated};
 
 const RUNS: u32 = 1_000_000;
 
@@ -119,6 +120,7 @@ const SEARCHED_WEIGHTED: [&[(f32, f32)]; 2] = [
 
 #[test]
 fn short_runs_keep_the_stated_errors() {
+    let doc = Doc::of("estimate", "Moments");
     let mut rng = Pcg32::new(0x5047, 54);
     let (mut of_mean, mut of_variance) = (Worst::default(), Worst::default());
     let (mut naive, mut compared) = (0, 0);
@@ -175,18 +177,19 @@ fn short_runs_keep_the_stated_errors() {
             let textbook = (squares - sum * sum / n as f32) / (n as f32 - 1.0);
             compared += 1;
             let off = (f64::from(textbook) - variance).abs() / variance;
-            naive += u32::from(!at_most(off, stated(MOMENTS, "variance", 3)));
+            naive += u32::from(!at_most(off, doc.figure("variance", 2)));
         }
     }
     println!("mean: {:?}\nvariance: {:?}", of_mean.1, of_variance.1);
-    assert_stated("mean", of_mean.0, stated(MOMENTS, "mean", 3));
-    assert_stated("variance", of_variance.0, stated(MOMENTS, "variance", 3));
+    assert_stated("mean", of_mean.0, doc.figure("mean", 2));
+    assert_stated("variance", of_variance.0, doc.figure("variance", 2));
     println!("the textbook formula fails {naive} of {compared}");
     assert!(naive > compared / 4, "the textbook formula passes");
 }
 
 #[test]
 fn short_weighted_runs_keep_the_stated_errors() {
+    let doc = Doc::of("estimate", "Ratio");
     let mut rng = Pcg32::new(0x5048, 54);
     let (mut of_ratio, mut of_error) = (Worst::default(), Worst::default());
     for k in 0..RUNS as usize {
@@ -234,10 +237,10 @@ fn short_weighted_runs_keep_the_stated_errors() {
             of_error.take(off / error, &values);
         }
     }
-    assert_stated("ratio", of_ratio.0, stated(RATIO, "ratio", 3));
+    assert_stated("ratio", of_ratio.0, doc.figure("ratio", 2));
     assert_stated(
         "standard error",
         of_error.0,
-        stated(RATIO, "standard error", 3),
+        doc.figure("standard error", 2),
     );
 }

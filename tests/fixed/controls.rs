@@ -4,7 +4,7 @@
 //! the real one tries cannot find more, so it is one of every 256 that must reject.
 
 use crate::cases::{Case, GRADES, cases};
-use crate::figures::{Figures, stated};
+use crate::figures::{self, Figures, stated};
 use crate::inputs::{Words, edges};
 use crate::kernels::measure;
 use fixed::types::{U0F32, U5F27};
@@ -95,7 +95,7 @@ fn a_fault_in_a_kernel_is_noticed() {
             grades: [wrong; 3],
             ..case.clone()
         };
-        let measured = measure(&case, &edges)[column].figures();
+        let measured = figures::figures(&measure(&case, &edges)[column]);
         println!("{name} {grade}, {what}: {measured:?}");
         assert_eq!(
             figures[column].agree_with(measured),

@@ -7,9 +7,8 @@ use crate::shapes::{Shape, shapes};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use rand_pcg::Pcg32;
 use std::collections::BTreeSet;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use support::stats;
+use support::parallel::{in_parallel, threads};
+use support::{docs, stats};
 
 /// What the samples of a shape gave.
 pub struct Report {
@@ -80,28 +79,14 @@ pub fn threshold(shapes: &[Shape]) -> f64 {
 fn samples_follow_their_distributions() {
     let shapes = shapes();
     let threshold = threshold(&shapes);
-    let (next, rejected) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
-    std::thread::scope(|scope| {
-        for _ in 0..std::thread::available_parallelism().map_or(2, usize::from) {
-            scope.spawn(|| {
-                loop {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(shape) = shapes.get(i) else { break };
-                    let Report { p, fault } = examine(shape, 0xd15c + i as u64);
-                    println!(
-                        "{:40} {p:.3?} {}",
-                        shape.name,
-                        fault.as_deref().unwrap_or("")
-                    );
-                    let report = Report { p, fault };
-                    if !report.passes(threshold) {
-                        rejected.lock().unwrap().push(shape.name.clone());
-                    }
-                }
-            });
-        }
+    let seeded: Vec<(u64, &Shape)> = (0xd15c..).zip(&shapes).collect();
+    let judged = in_parallel(threads(), &seeded, |(seed, shape)| {
+        let report = examine(shape, *seed);
+        let fault = report.fault.as_deref().unwrap_or("");
+        println!("{:40} {:.3?} {fault}", shape.name, report.p);
+        (shape.name.clone(), report.passes(threshold))
     });
-    let rejected = rejected.into_inner().unwrap();
+    let rejected: Vec<_> = judged.iter().filter(|(_, passes)| !passes).collect();
     assert!(
         rejected.is_empty(),
         "{rejected:?}, threshold {threshold:.1e}"
@@ -141,17 +126,10 @@ fn p_values_of_right_warps_are_uniform() {
 
 /// The warps that the sources of the integer tier implement; `Float` hands over those of others.
 fn implemented() -> BTreeSet<String> {
-    let room = concat!(env!("CARGO_MANIFEST_DIR"), "/src/fixed");
-    let files = std::fs::read_dir(room)
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
-    let files = files.filter(|path| path.extension().is_some_and(|e| e == "rs"));
-    let texts: Vec<String> = files
-        .map(|path| std::fs::read_to_string(path).unwrap())
-        .collect();
+    let texts = docs::sources("fixed");
     let lines = texts
         .iter()
-        .flat_map(|text| text.lines())
+        .flat_map(|(_, text)| text.lines())
         .filter(|line| line.starts_with("impl"));
     let names = lines.filter_map(|line| line.split_once(" Warp for ")?.1.split(['<', ' ']).next());
     names

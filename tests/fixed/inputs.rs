@@ -1,8 +1,7 @@
 //! The words over which kernels are tried, in chunks that threads can share.
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU32, Ordering};
-use support::work;
+use support::parallel::{in_parallel, threads};
+use support::progress::{STEPS, progress};
 
 /// Whether every word there is was asked for.
 pub fn full() -> bool {
@@ -57,31 +56,16 @@ impl Words {
         state: impl Fn() -> S + Sync,
         step: impl Fn(&mut S, u32) + Sync,
     ) -> Vec<S> {
-        let bar = work::progress(self.chunks().into(), work::STEPS).unwrap();
+        let bar = progress(self.chunks().into(), STEPS).unwrap();
         bar.set_message(what.to_owned());
-        let next = AtomicU32::new(0);
-        let states = Mutex::new(Vec::new());
-        let threads = std::thread::available_parallelism().map_or(2, usize::from);
-        std::thread::scope(|scope| {
-            for _ in 0..threads {
-                scope.spawn(|| {
-                    loop {
-                        let chunk = next.fetch_add(1, Ordering::Relaxed);
-                        if chunk >= self.chunks() {
-                            break;
-                        }
-                        let mut folded = state();
-                        self.for_each(chunk, |word| step(&mut folded, word));
-                        states.lock().unwrap().push((chunk, folded));
-                        bar.inc(1);
-                    }
-                });
-            }
+        let chunks: Vec<u32> = (0..self.chunks()).collect();
+        let mut states = in_parallel(threads(), &chunks, |&chunk| {
+            let mut folded = state();
+            self.for_each(chunk, |word| step(&mut folded, word));
+            bar.inc(1);
+            folded
         });
         bar.finish_and_clear();
-        let mut states = states.into_inner().unwrap();
-        states.sort_by_key(|(chunk, _)| *chunk);
-        let mut states: Vec<S> = states.into_iter().map(|(_, state)| state).collect();
         let mut at_edges = state();
         edges.iter().for_each(|&word| step(&mut at_edges, word));
         states.push(at_edges);

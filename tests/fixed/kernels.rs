@@ -5,7 +5,7 @@
 //! stated` measures over all words and writes them anew.
 
 use crate::cases::{Case, GRADES, cases};
-use crate::figures::{Errors, Figures, Row, stated, write};
+use crate::figures::{Errors, Figures, Row, figures, stated, write};
 use crate::inputs::edges;
 
 /// The errors of a case in each grade.
@@ -41,7 +41,7 @@ pub fn measure(case: &Case, edges: &[u32]) -> [Errors; 3] {
     }
     sum.iter_mut()
         .zip(&at_edges)
-        .for_each(|(sum, part)| sum.join_edges(part));
+        .for_each(|(sum, part)| sum.join_extreme(part));
     sum
 }
 
@@ -52,14 +52,14 @@ fn every_kernel_keeps_its_stated_errors() {
     for case in cases() {
         let errors = measure(&case, &edges);
         for (errors, grade) in errors.iter().zip(GRADES) {
-            let Figures { max, rms, mean } = errors.figures();
-            let worst = errors.worst;
+            let Figures { max, rms, mean } = figures(errors);
+            let worst = errors.at;
             println!(
                 "{:24} {grade:8} {max:.3e} (at {worst:#010x}), {rms:.3e}, {mean:+.2e}",
                 case.name
             );
         }
-        rows.push((case.name.to_owned(), errors.map(|errors| errors.figures())));
+        rows.push((case.name.to_owned(), errors.each_ref().map(figures)));
     }
     if std::env::var_os("MICROWARP_WRITE").is_some() {
         write(&rows);

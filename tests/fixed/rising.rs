@@ -6,7 +6,7 @@
 use crate::inputs::{Words, edges, full};
 use fixed::types::{U0F32, U5F27};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use std::path::{Path, PathBuf};
+use support::docs::{self, Doc, Row, states};
 
 /// A rising function of a word, in its words.
 type Rising = fn(u32) -> u32;
@@ -37,37 +37,21 @@ fn largest_fall(name: &str, function: Rising) -> u32 {
     falls.into_iter().max().unwrap()
 }
 
-fn source() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/fixed/grade.rs")
-}
-
-const MARK: &str = "/// | ";
-
-/// A row of the table: the function, and the falls in the three grades.
-fn row(line: &str) -> Option<(&str, [u32; 3])> {
-    let cells = line.strip_prefix(MARK)?.strip_suffix(" |")?;
-    let (name, numbers) = cells.split_once(" | ")?;
-    let numbers: Option<Vec<u32>> = numbers.split(" | ").map(|n| n.parse().ok()).collect();
-    Some((name, numbers?.try_into().ok()?))
-}
-
+/// The falls in the three grades, by the function.
 fn stated() -> Vec<(String, [u32; 3])> {
-    let text = std::fs::read_to_string(source()).unwrap();
-    let rows = text.lines().filter_map(row);
-    rows.map(|(name, falls)| (name.to_owned(), falls)).collect()
+    let mut tables = Doc::of("fixed", "Grade").tables();
+    let rows = tables.swap_remove(1).into_iter();
+    let falls = |cells: Vec<String>| -> Vec<u32> {
+        cells.iter().map(|cell| cell.parse().unwrap()).collect()
+    };
+    rows.map(|row| (row.title, falls(row.cells).try_into().unwrap()))
+        .collect()
 }
 
 fn write(measured: &[(String, [u32; 3])]) {
-    let text = std::fs::read_to_string(source()).unwrap();
-    let lines = text.lines().map(|line| {
-        let of = |name: &str| measured.iter().find(|row| row.0 == name);
-        match row(line).and_then(|(name, _)| of(name)) {
-            Some((name, [a, b, c])) => format!("{MARK}{name} | {a} | {b} | {c} |\n"),
-            None => format!("{line}\n"),
-        }
-    });
-    let text: String = lines.collect();
-    std::fs::write(source(), text).unwrap();
+    let rows = measured.iter();
+    let rows = rows.map(|(name, falls)| Row::new(name, falls.map(|fall| fall.to_string())));
+    docs::write("fixed", "Grade", 1, &rows.collect::<Vec<_>>());
 }
 
 /// Over all words the falls are those that are stated; over some of them, no larger and nearly as large.
@@ -75,7 +59,7 @@ fn agrees(stated: u32, measured: u32) -> bool {
     if full() {
         stated == measured
     } else {
-        measured <= stated && 5 * u64::from(measured) >= 4 * u64::from(stated)
+        states(stated.into(), measured.into(), 0.0)
     }
 }
 

@@ -80,14 +80,14 @@ fn the_standard_normal_pair_keeps_its_stated_errors() {
         pdf_error::<Coarse>(),
         pdf_error::<Compact>(),
     ];
-    rows.push(("pdf", pdf.map(|f| f.largest)));
+    rows.push(("pdf", pdf.map(|f| f.max)));
     let back = [
         round_trip::<Fine>(),
         round_trip::<Coarse>(),
         round_trip::<Compact>(),
     ];
-    rows.push(("round trip", back.map(|f| f.largest)));
-    hold("normal.rs", "StandardNormalPair", &rows);
+    rows.push(("round trip", back.map(|f| f.max)));
+    hold("StandardNormalPair", &rows);
 }
 
 /// What a sample is off beyond half a step of the format, in deviations.
@@ -104,7 +104,7 @@ fn scaled_error<Frac: LeEqU32 + Sync, G: Grade>(mean: [i32; 2], deviation: i32, 
         });
         observe(beyond[0].hypot(beyond[1]));
     });
-    figures.largest
+    figures.max
 }
 
 /// Deviations from a step to the largest accepted, means to the ends of the format.
@@ -130,7 +130,7 @@ fn a_normal_pair_is_the_standard_one_times_the_deviation_to_half_a_step() {
         worst_scaled::<Coarse>(),
         worst_scaled::<Compact>(),
     ];
-    hold("normal.rs", "NormalPair", &[("sample, max", worst)]);
+    hold("NormalPair", &[("sample, max", worst)]);
 }
 
 #[test]

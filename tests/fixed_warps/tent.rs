@@ -54,8 +54,8 @@ fn the_tent_keeps_its_stated_errors() {
         round_trip::<Compact>(),
     ];
     let mut rows = sample_rows(samples).to_vec();
-    rows.push(("round trip", back.map(|f| f.largest)));
-    hold("tent.rs", "Tent", &rows);
+    rows.push(("round trip", back.map(|f| f.max)));
+    hold("Tent", &rows);
 }
 
 fn is_inside_and_true<Frac: LeEqU32>(radius: i32, error: f64) {

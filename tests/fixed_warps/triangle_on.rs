@@ -92,16 +92,13 @@ const SOLID: [[[i32; 3]; 3]; 4] = [
 fn worst<G: Grade>() -> f64 {
     let flat = FLAT.map(sample_error::<2, G>);
     let solid = SOLID.map(sample_error::<3, G>);
-    flat.iter()
-        .chain(&solid)
-        .map(|f| f.largest)
-        .fold(0.0, f64::max)
+    flat.iter().chain(&solid).map(|f| f.max).fold(0.0, f64::max)
 }
 
 #[test]
 fn a_point_is_in_the_box_right_to_a_step_and_of_the_area_s_density() {
     let worst = [worst::<Fine>(), worst::<Coarse>(), worst::<Compact>()];
-    hold("triangle_on.rs", "TriangleOn", &[("sample, max", worst)]);
+    hold("TriangleOn", &[("sample, max", worst)]);
 }
 
 #[test]
@@ -111,7 +108,7 @@ fn four_dimensions_are_no_obstacle() {
         [1 << 20, -(1 << 19), 40, -5],
         [77, 1 << 18, -(1 << 20), 1 << 22],
     ]);
-    assert!(figures.largest <= 5e-7, "{figures:?}");
+    assert!(figures.max <= 5e-7, "{figures:?}");
 }
 
 #[test]

@@ -58,7 +58,7 @@ fn sample_error<G: Grade>() -> Figures {
             assert!(x < length, "{set:?} {w:#x}");
             observe((x / mean - truth(f64::from(w), z)) / unit);
         });
-        figures.largest = 0.0;
+        figures.max = 0.0;
         figures.join(&over_words(100_003, |w, observe| {
             let x = f64::from(warp.sample(U0F32::from_bits(w)).to_bits());
             observe(beyond(x / mean, w, z, 1.0 / mean) / unit);
@@ -82,7 +82,7 @@ fn pdf_error<G: Grade>() -> f64 {
                 observe((got.to_num::<f64>() - due).abs() / peak);
             }
         });
-        worst = worst.max(figures.largest);
+        worst = worst.max(figures.max);
     }
     worst
 }
@@ -95,7 +95,7 @@ fn round_trip<G: Grade>() -> f64 {
             let back = warp.invert(warp.sample(U0F32::from_bits(w))).to_bits();
             observe((f64::from(back) - f64::from(w)) * WORD);
         });
-        worst = worst.max(figures.largest);
+        worst = worst.max(figures.max);
     }
     worst
 }
@@ -124,7 +124,7 @@ fn the_truncated_exponential_keeps_its_stated_errors() {
             round_trip::<Compact>(),
         ],
     ));
-    hold("truncated.rs", "TruncatedExponential", &rows);
+    hold("TruncatedExponential", &rows);
 }
 
 /// Extreme parameters: samples below the length, in order of their size but for the error, of positive density.

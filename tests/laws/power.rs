@@ -7,6 +7,7 @@ use microwarp::warp::{Power, PowerMax};
 use microwarp::{Warp, poly as mw};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::errors::ulps;
 use support::truth;
 
 const STEP: f32 = 1.0 / 16_777_216.0;
@@ -25,11 +26,6 @@ const SETS: [[f32; 3]; 8] = [
     [-0.999_999_94, 1.0, 3.0],
     [0.5, 1.0, 2.0],
 ];
-
-fn ulp(x: f64) -> f64 {
-    let x = x as f32;
-    f64::from(f32::from_bits(x.to_bits() + 1) - x)
-}
 
 /// The map as it was, whose exponential stood alone in one branch, before a clamp; the other branch, which
 /// was right here, in f64.
@@ -72,7 +68,7 @@ fn walked(
         last = x;
         if k % 64 == 1 {
             let [exact, ..] = truth.sample([f64::from(u), 0.0, 0.0, 0.0]);
-            let error = (f64::from(x) - exact).abs() / ulp(exact);
+            let error = ulps(x, exact);
             assert!(!error.is_nan());
             worst = f64::max(worst, error);
         }

@@ -5,6 +5,7 @@ use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{Warp, warp::TruncatedExponential};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::errors::ulps;
 use support::truth;
 
 /// What the documentation states, in ulp.
@@ -14,11 +15,6 @@ const STATED: f64 = 3.9;
 fn from_the_far_end<T: Tier>(rate: f32, length: f32, u: f32) -> f32 {
     let least = T::exp(rate * length);
     (length + T::ln(u + (1.0 - u) * least) / -rate).clamp(0.0, length)
-}
-
-fn ulp(x: f64) -> f64 {
-    let x = (x as f32).max(f32::MIN_POSITIVE);
-    f64::from(f32::from_bits(x.to_bits() + 1) - x)
 }
 
 fn steep_rises_are_right<T: Tier>() {
@@ -40,7 +36,7 @@ fn steep_rises_are_right<T: Tier>() {
         let u = if u > 0.0 && u < 1.0 { u } else { 0.5 };
         let truth = truth::truncated_exponential(rate, length);
         let [exact, ..] = truth.sample([f64::from(u), 0.0, 0.0, 0.0]);
-        let off = |x: f32| (f64::from(x) - exact).abs() / ulp(exact);
+        let off = |x: f32| ulps(x, exact);
         let error = off(warp.sample(u));
         assert!(error <= STATED, "{rate} {length} at {u}: {error} ulp");
         control[1] = f64::max(control[1], off(from_the_far_end::<T>(rate, length, u)));
@@ -69,7 +65,7 @@ fn the_least_uniforms_keep_their_digits() {
         for k in 1..1_000 {
             let u = f32::from_bits(k * 15_000);
             let [exact, ..] = truth.sample([f64::from(u), 0.0, 0.0, 0.0]);
-            let error = (f64::from(warp.sample(u)) - exact).abs() / ulp(exact);
+            let error = ulps(warp.sample(u), exact);
             assert!(error <= STATED, "{rate} {length} at {u:e}: {error} ulp");
         }
     }

@@ -18,8 +18,7 @@ use bounds::Roundings;
 use maps::{Kernels, MAPS, Outcome, examine};
 use microwarp::tier::{Libm, Poly, Tier};
 use report::{complaint, stated};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU32, Ordering};
+use support::parallel::{self, threads};
 
 /// Which uniforms a bound holds for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,25 +31,8 @@ pub enum Uniforms {
 
 /// The results of jobs 0..count, worked out on as many threads as there are cores.
 fn in_parallel<T: Send>(count: u32, job: impl Fn(u32) -> T + Sync) -> Vec<T> {
-    let next = AtomicU32::new(0);
-    let done = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..std::thread::available_parallelism().map_or(2, usize::from) {
-            scope.spawn(|| {
-                loop {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    if i >= count {
-                        break;
-                    }
-                    let result = job(i);
-                    done.lock().unwrap().push((i, result));
-                }
-            });
-        }
-    });
-    let mut done = done.into_inner().unwrap();
-    done.sort_by_key(|(i, _)| *i);
-    done.into_iter().map(|(_, result)| result).collect()
+    let jobs: Vec<u32> = (0..count).collect();
+    parallel::in_parallel(threads(), &jobs, |&i| job(i))
 }
 
 fn outcomes<T: Tier>() -> Vec<[Outcome; 2]> {

@@ -7,7 +7,8 @@ use crate::radii::{self, Radii};
 use crate::search;
 use microwarp::tier::Tier;
 use microwarp::uniform::LARGEST;
-use support::figures::{Figures, raise};
+use support::errors::raise;
+use support::figures::Figures;
 use support::registry::{Entry, Measure, entries};
 
 pub const MAPS: [&str; 7] = [

@@ -2,18 +2,14 @@
 
 use crate::maps::{MAPS, Outcome, Row};
 use std::fmt::Write as _;
-use support::tables::{self, same_figures};
+use support::docs::{self, STALE, same_figures};
 
 /// The rows that are proven, as the table of a map calls them.
 const TITLES: [&str; 4] = ["sample", "sin θ, ulp", "cos θ, ulp", "unit length"];
 
-/// A bound this much above what is found is too far from it.
-const FAR: f64 = 1.25;
-
 /// Three digits, rounded up.
 fn rounded_up(x: f64) -> String {
-    let unit = 10f64.powi(x.log10().floor() as i32 - 2);
-    let up = (x / unit * (1.0 - 1e-9)).ceil() * unit;
+    let up = docs::rounded_up(x, 3);
     if up > 0.01 {
         format!("{up:.3}")
     } else {
@@ -23,7 +19,7 @@ fn rounded_up(x: f64) -> String {
 
 /// What a map states of each row, in `libm` and in `poly`; not a number where it states nothing.
 pub fn stated(name: &str) -> [[f64; 2]; 4] {
-    let table = tables::stated(name);
+    let table = docs::of_floats(name);
     // The size of a pair is its reach, 5.77 deviations.
     let size = if name == "NormalPair" { 5.77 } else { 1.0 };
     TITLES.map(|title| {
@@ -38,7 +34,7 @@ pub fn stated(name: &str) -> [[f64; 2]; 4] {
 pub fn complaint(row: Row, stated: f64) -> Option<String> {
     let Row { proven, found } = row;
     // Each written so that NaN fails.
-    let (holds, said, near) = (found <= proven, proven <= stated, proven <= FAR * found);
+    let (holds, said, near) = (found <= proven, proven <= stated, proven <= STALE * found);
     if !holds {
         Some(format!("found {found:.4e}, proven {proven:.4e}"))
     } else if !said {

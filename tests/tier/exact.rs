@@ -1,8 +1,8 @@
 //! What holds without an error: the correctly rounded root, quarter turns, and steps that never go back.
 
-use crate::in_parallel;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::LARGEST;
+use support::parallel::{in_parallel, threads};
 
 /// Every f32 of two adjacent binades, which stand for all others by scaling with powers of 4, and a
 /// sample of those against f64, whose root rounds to the same f32.
@@ -15,8 +15,8 @@ fn the_square_root_is_correctly_rounded() {
         assert!(Libm::sqrt(x).to_bits() == exact.to_bits(), "√{x}");
     };
     let one = 1.0_f32.to_bits();
-    in_parallel(1 << 8, |chunk| {
-        let start = one + ((chunk as u32) << 16);
+    let starts: Vec<u32> = (0..1 << 8).map(|chunk| one + (chunk << 16)).collect();
+    in_parallel(threads(), &starts, |&start| {
         (start..start + (1 << 16)).for_each(check);
     });
     (0..=f32::MAX.to_bits()).step_by(2047).for_each(check);
@@ -104,8 +104,7 @@ fn logarithms_exponentials_and_quantile_never_step_back() {
             Poly::normal_quantile_lower(0.5 * u)
         }),
     ];
-    in_parallel(functions.len(), |i| {
-        let (name, function) = functions[i];
+    in_parallel(threads(), &functions, |&(name, function)| {
         assert_eq!(steps_back(function), 0, "{name}");
     });
     // A sine of half a wave steps back, and so does what is not a number.

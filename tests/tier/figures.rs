@@ -1,7 +1,8 @@
 //! How far a function is from the truth, and what the documentation of a tier says about it.
 
 use crate::sweep::Input;
-use std::path::{Path, PathBuf};
+use support::docs::{self, Doc, rounded_up, states};
+use support::errors::{raise, relative, ulp};
 
 /// The largest errors of a function. What is not a number counts as infinitely wrong.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,7 +28,7 @@ impl Figures {
             relative: if truth.abs() < f64::from(f32::MIN_POSITIVE) {
                 0.0
             } else {
-                absolute / truth.abs()
+                relative(got, truth)
             },
             worst: input,
         });
@@ -40,22 +41,6 @@ impl Figures {
             self.worst = other.worst;
         }
     }
-}
-
-/// Raises a maximum, and says whether it did.
-fn raise(maximum: &mut f64, error: f64) -> bool {
-    let error = if error.is_nan() { f64::INFINITY } else { error };
-    let higher = error > *maximum;
-    if higher {
-        *maximum = error;
-    }
-    higher
-}
-
-/// The spacing of `f32` at the magnitude of an exact value; that of the subnormals below them.
-fn ulp(x: f64) -> f64 {
-    let exponent = ((x.abs().to_bits() >> 52) as i32 - 1023).clamp(-126, 127);
-    2.0_f64.powi(exponent - 23)
 }
 
 /// A row of the table in a tier's documentation: a dash stands for a figure that says nothing there.
@@ -73,7 +58,7 @@ impl Row {
     pub fn stating(function: &str, domain: &str, figures: Figures) -> Self {
         // Ulp say nothing of a difference from 1, absolute errors nothing of results without bound, and
         // relative errors nothing new unless results span many magnitudes.
-        let state = |told: bool, x: f64| told.then_some(rounded_up(x));
+        let state = |told: bool, x: f64| told.then_some(rounded_up(x, 2));
         Self {
             function: function.to_owned(),
             domain: domain.to_owned(),
@@ -83,89 +68,59 @@ impl Row {
         }
     }
 
-    pub fn line(&self) -> String {
+    pub fn written(&self) -> docs::Row {
         let cell = |x: Option<f64>, text: fn(f64) -> String| x.map_or("-".to_owned(), text);
         let e = |x| format!("{x:e}");
-        format!(
-            "/// | `{}` | {} | {} | {} | {} |",
-            self.function,
-            self.domain,
-            cell(self.ulp, |x| x.to_string()),
-            cell(self.absolute, e),
-            cell(self.relative, e)
+        docs::Row::new(
+            &format!("`{}`", self.function),
+            [
+                self.domain.clone(),
+                cell(self.ulp, |x| x.to_string()),
+                cell(self.absolute, e),
+                cell(self.relative, e),
+            ],
         )
     }
 
     /// Whether every stated figure holds and none has become too loose.
     pub fn agrees_with(&self, figures: Figures) -> bool {
         let stated_and_measured = [
-            (self.ulp, figures.ulp, 0.05),
-            (self.absolute, figures.absolute, 1.0e-9),
-            (self.relative, figures.relative, 1.0e-9),
+            (self.ulp, figures.ulp),
+            (self.absolute, figures.absolute),
+            (self.relative, figures.relative),
         ];
         let told = |row: &Self| [row.ulp, row.absolute, row.relative].map(|x| x.is_some());
         told(self) == told(&Self::stating(&self.function, &self.domain, figures))
             && stated_and_measured
                 .into_iter()
-                .all(|(stated, measured, slack)| {
-                    stated.is_none_or(|x| measured <= x && x <= 1.25 * measured + slack)
-                })
+                .all(|(stated, measured)| stated.is_none_or(|x| states(x, measured, 0.0)))
     }
 }
 
-pub const HEAD: [&str; 2] = [
-    "/// | function | domain | max ulp | max absolute | max relative |",
-    "/// |---|---|--:|--:|--:|",
-];
-
-pub fn source(tier: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/tier/{tier}.rs"))
+/// The name of a tier's type, which its tables document.
+fn item(tier: &str) -> &'static str {
+    if tier == "libm" { "Libm" } else { "Poly" }
 }
 
-/// The rows of the table in a tier's doc comment whose first column names a function.
+/// The rows of the table in a tier's doc comment.
 pub fn stated(tier: &str) -> Vec<Row> {
-    let text = std::fs::read_to_string(source(tier)).unwrap();
-    text.lines().filter_map(row).collect()
+    let tables = Doc::of("tier", item(tier)).tables();
+    tables.into_iter().flatten().map(row).collect()
 }
 
-fn row(line: &str) -> Option<Row> {
-    let line = line.strip_prefix("/// |")?.strip_suffix('|')?;
-    let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-    let [function, domain, ulp, absolute, relative] = cells.try_into().ok()?;
-    Some(Row {
-        function: function.strip_prefix('`')?.strip_suffix('`')?.to_owned(),
-        domain: domain.to_owned(),
+fn row(docs::Row { title, cells }: docs::Row) -> Row {
+    let [domain, ulp, absolute, relative] = cells.try_into().expect("four cells");
+    Row {
+        function: title.trim_matches('`').to_owned(),
+        domain,
         ulp: ulp.parse().ok(),
         absolute: absolute.parse().ok(),
         relative: relative.parse().ok(),
-    })
+    }
 }
 
 /// Replaces the table in a tier's doc comment.
 pub fn write(tier: &str, rows: &[Row]) {
-    let path = source(tier);
-    let text = std::fs::read_to_string(&path).unwrap();
-    let is_table = |line: &str| line.starts_with("/// |");
-    let before = text.lines().take_while(|line| !is_table(line));
-    let after = text
-        .lines()
-        .skip_while(|line| !is_table(line))
-        .filter(|line| !is_table(line));
-    let lines: Vec<String> = before
-        .chain(HEAD)
-        .map(str::to_owned)
-        .chain(rows.iter().map(Row::line))
-        .chain(after.map(str::to_owned))
-        .collect();
-    std::fs::write(path, lines.join("\n") + "\n").unwrap();
-}
-
-/// Rounded up to two digits.
-fn rounded_up(x: f64) -> f64 {
-    if !(x > 0.0 && x.is_finite()) {
-        return x;
-    }
-    let unit = 10.0_f64.powi(x.log10().floor() as i32 - 1);
-    let text = format!("{:.1e}", (x / unit).ceil() * unit);
-    text.parse().unwrap_or(x)
+    let rows: Vec<docs::Row> = rows.iter().map(Row::written).collect();
+    docs::write("tier", item(tier), 0, &rows);
 }

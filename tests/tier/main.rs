@@ -15,29 +15,10 @@ mod sweep;
 use cases::{Case, Function, cases};
 use figures::{Figures, Row, stated};
 use microwarp::tier::{Poly, Tier};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use support::parallel::{in_parallel, threads};
 use sweep::Sweep;
 
 const TIERS: [&str; 2] = ["libm", "poly"];
-
-/// Runs jobs 0..count on as many threads as there are cores.
-fn in_parallel(count: usize, job: impl Fn(usize) + Sync) {
-    let next = AtomicUsize::new(0);
-    std::thread::scope(|scope| {
-        for _ in 0..std::thread::available_parallelism().map_or(2, usize::from) {
-            scope.spawn(|| {
-                loop {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    if i >= count {
-                        break;
-                    }
-                    job(i);
-                }
-            });
-        }
-    });
-}
 
 /// The figures of both tiers over one chunk of a sweep.
 fn measure(case: &Case, sweep: Sweep, chunk: u32) -> [Figures; 2] {
@@ -63,16 +44,15 @@ fn measure_all(cases: &[Case]) -> Vec<[Figures; 2]> {
         .flat_map(|(i, case)| case.sweeps.iter().map(move |&sweep| (i, sweep)))
         .flat_map(|(i, sweep)| (0..sweep.chunks()).map(move |chunk| (i, sweep, chunk)))
         .collect();
-    let measured = Mutex::new(vec![[Figures::default(); 2]; cases.len()]);
-    in_parallel(jobs.len(), |job| {
-        let (i, sweep, chunk) = jobs[job];
-        let figures = measure(&cases[i], sweep, chunk);
-        let mut measured = measured.lock().unwrap();
+    let chunks = in_parallel(threads(), &jobs, |&(i, sweep, chunk)| {
+        measure(&cases[i], sweep, chunk)
+    });
+    let mut measured = vec![[Figures::default(); 2]; cases.len()];
+    for (&(i, ..), figures) in jobs.iter().zip(chunks) {
         for (sum, figures) in measured[i].iter_mut().zip(figures) {
             sum.join(figures);
         }
-    });
-    let mut measured = measured.into_inner().unwrap();
+    }
     // A function's narrower domain stands before the wider one that it is part of.
     for i in 1..cases.len() {
         if cases[i].function == cases[i - 1].function {
@@ -90,14 +70,14 @@ fn every_function_keeps_its_stated_error() {
     let cases = cases();
     let measured = measure_all(&cases);
     for (tier, name) in TIERS.iter().enumerate() {
-        println!("{name}\n{}", figures::HEAD[0]);
+        println!("{name}");
         let rows: Vec<Row> = cases
             .iter()
             .zip(&measured)
             .map(|(case, figures)| Row::stating(case.function, case.domain, figures[tier]))
             .collect();
         for (row, figures) in rows.iter().zip(&measured) {
-            println!("{} {:?}", row.line(), figures[tier].worst);
+            println!("{} {:?}", row.written().line(), figures[tier].worst);
         }
         if std::env::var_os("MICROWARP_WRITE").is_some() {
             figures::write(name, &rows);

@@ -3,15 +3,14 @@
 mod flawed;
 
 use microwarp::tier::{Libm, Poly, Tier as _};
-use support::adversary::statement::Statement;
 use support::adversary::words::{Kind, first_accepted};
 use support::adversary::{Case, Family, Observe};
+use support::docs::{Statement, of_floats};
+use support::errors::{apart, ulp};
 use support::figures::{
-    Exact, Figures, ROWS, apart, density_and_inverse_error, is_azimuth, polar_error, sample_error,
-    ulp, wide,
+    Exact, Figures, ROWS, density_and_inverse_error, is_azimuth, polar_error, sample_error, wide,
 };
 use support::registry::{Domain, Entry, Measure, Registered, Uniforms, of_tier};
-use support::tables;
 use support::truth::Truth;
 
 /// All families of both tiers.
@@ -33,7 +32,7 @@ pub fn flawed() -> Vec<Family> {
 
 fn family(of: Registered, tier: &'static str) -> Family {
     let column = usize::from(tier != "libm");
-    let rows: Vec<Row> = tables::stated(of.name)
+    let rows: Vec<Row> = of_floats(of.name)
         .into_iter()
         .map(|(title, cells)| {
             let index = ROWS.iter().position(|(row, _)| title.starts_with(row));

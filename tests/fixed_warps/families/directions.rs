@@ -135,7 +135,7 @@ const LOBE: &[&str] = &[
 ];
 
 pub(super) fn families(all: &mut Vec<Family>) {
-    family!(all, "Sphere", "sphere.rs", ROWS, 0, |_p, G| {
+    family!(all, "Sphere", ROWS, 0, |_p, G| {
         let polar = || -> Polar { Box::new(|u| (2.0 * (u * (1.0 - u)).sqrt(), 1.0 - 2.0 * u)) };
         directions(
             Sphere::<G>::new(),
@@ -145,7 +145,7 @@ pub(super) fn families(all: &mut Vec<Family>) {
             (1.0, 0.5 * WORD),
         )
     });
-    family!(all, "Hemisphere", "hemisphere.rs", ROWS, 0, |_p, G| {
+    family!(all, "Hemisphere", ROWS, 0, |_p, G| {
         let polar = || -> Polar { Box::new(|u| (((1.0 - u) * (1.0 + u)).sqrt(), u)) };
         directions(
             Hemisphere::<G>::new(),
@@ -155,23 +155,16 @@ pub(super) fn families(all: &mut Vec<Family>) {
             (1.0, 0.5 * WORD),
         )
     });
-    family!(
-        all,
-        "CosineHemisphere",
-        "hemisphere.rs",
-        ROWS,
-        0,
-        |_p, G| {
-            let polar = || -> Polar { Box::new(|u| (u.sqrt(), (1.0 - u).sqrt())) };
-            directions(
-                CosineHemisphere::<G>::new(),
-                vec![],
-                [polar(), polar()],
-                Box::new(|[_, _, z]| z * FRAC_1_PI),
-                (1.0, 16.0 * WORD),
-            )
-        }
-    );
-    family!(all, "Cone", "cone.rs", CONE, 3, |p, G| cone::<G>(p));
-    family!(all, "PhongLobe", "lobe.rs", LOBE, 3, |p, G| lobe::<G>(p));
+    family!(all, "CosineHemisphere", ROWS, 0, |_p, G| {
+        let polar = || -> Polar { Box::new(|u| (u.sqrt(), (1.0 - u).sqrt())) };
+        directions(
+            CosineHemisphere::<G>::new(),
+            vec![],
+            [polar(), polar()],
+            Box::new(|[_, _, z]| z * FRAC_1_PI),
+            (1.0, 16.0 * WORD),
+        )
+    });
+    family!(all, "Cone", CONE, 3, |p, G| cone::<G>(p));
+    family!(all, "PhongLobe", LOBE, 3, |p, G| lobe::<G>(p));
 }

@@ -214,7 +214,6 @@ fn any_route<G: Grade>(p: &[u32]) -> Option<Subject> {
 pub(super) fn families(all: &mut Vec<Family>) {
     all.push(Family {
         name: "Interval",
-        file: "",
         grade: 0,
         rows: &["pdf, to 1.1642e-10"],
         parameters: 3,
@@ -223,7 +222,6 @@ pub(super) fn families(all: &mut Vec<Family>) {
     family!(
         all,
         "Float",
-        "",
         &["sample, of the coordinate 1.2e-7"],
         3,
         |p, G| any_route::<G>(p)

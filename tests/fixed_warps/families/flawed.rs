@@ -78,7 +78,6 @@ fn halved(p: &[u32]) -> Option<Subject> {
 fn the_old_narrow_cone_is_found() {
     let family: Attacked = Family {
         name: "Cone",
-        file: "cone.rs",
         grade: 0,
         rows: directions::CONE,
         parameters: 3,

@@ -130,31 +130,15 @@ fn truncated<Frac: LeEqU32 + 'static, G: Grade>(mean: u32, length: u32) -> Optio
 const ROWS: &[&str] = &["sample, max", "pdf", "round trip"];
 
 pub(super) fn families(all: &mut Vec<Family>) {
-    family!(all, "Tent", "tent.rs", ROWS, 2, |p, G| in_format!(
-        p[0], tent, G, p[1]
+    family!(all, "Tent", ROWS, 2, |p, G| in_format!(p[0], tent, G, p[1]));
+    family!(all, "StandardExponential", ROWS, 0, |_p, G| standard::<G>());
+    family!(all, "Exponential", ROWS, 2, |p, G| in_format!(
+        p[0],
+        exponential,
+        G,
+        p[1]
     ));
-    family!(
-        all,
-        "StandardExponential",
-        "exponential.rs",
-        ROWS,
-        0,
-        |_p, G| standard::<G>()
-    );
-    family!(
-        all,
-        "Exponential",
-        "exponential.rs",
-        ROWS,
-        2,
-        |p, G| in_format!(p[0], exponential, G, p[1])
-    );
-    family!(
-        all,
-        "TruncatedExponential",
-        "truncated.rs",
-        ROWS,
-        3,
-        |p, G| in_format!(p[0], truncated, G, p[1], p[2])
-    );
+    family!(all, "TruncatedExponential", ROWS, 3, |p, G| in_format!(
+        p[0], truncated, G, p[1], p[2]
+    ));
 }

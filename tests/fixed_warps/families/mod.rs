@@ -11,10 +11,10 @@ mod line;
 mod plane;
 mod triangle;
 
-use crate::figures::cells;
-use support::adversary::statement::Statement;
+use crate::figures::statements;
 use support::adversary::words::Kind;
 use support::adversary::{self, Case, Observe, Uniforms};
+use support::docs::{Doc, Statement};
 
 /// 2⁻³².
 pub const WORD: f64 = 1.0 / 4_294_967_296.0;
@@ -36,9 +36,7 @@ struct Subject {
 
 /// A warp in a grade, over all parameters.
 struct Family {
-    /// Its name, and the file in `src/fixed` that documents it.
     name: &'static str,
-    file: &'static str,
     /// Fine, coarse, compact.
     grade: usize,
     /// The rows of its table.
@@ -117,13 +115,12 @@ impl Family {
     }
 
     fn statement(&self, title: &str) -> Statement {
-        let cell = match self.file {
-            // What is said in words.
-            "" => title.rsplit(' ').next().map(str::to_owned),
-            file => Some(cells(file, self.name, title)[self.grade].clone()),
-        };
-        let statement = cell.as_deref().and_then(Statement::parse);
-        statement.unwrap_or_else(|| panic!("{} states nothing of: {title}", self.name))
+        // What its documentation says in words stands as the title's last word here.
+        if Doc::of("fixed", self.name).tables().is_empty() {
+            let word = title.rsplit(' ').next().and_then(Statement::parse);
+            return word.unwrap_or_else(|| panic!("{} states nothing of: {title}", self.name));
+        }
+        statements(self.name, title)[self.grade].clone()
     }
 }
 
@@ -172,7 +169,7 @@ use in_format;
 
 /// A family in each of the grades.
 macro_rules! family {
-    ($all:ident, $name:literal, $file:literal, $rows:expr, $parameters:literal, |$p:ident, $grade:ident| $build:expr) => {{
+    ($all:ident, $name:literal, $rows:expr, $parameters:literal, |$p:ident, $grade:ident| $build:expr) => {{
         use microwarp::fixed::{Coarse, Compact, Fine, Grade};
         fn build<$grade: Grade>($p: &[u32]) -> Option<Subject> {
             $build
@@ -181,7 +178,6 @@ macro_rules! family {
         for (grade, build) in builds.into_iter().enumerate() {
             $all.push(Family {
                 name: $name,
-                file: $file,
                 grade,
                 rows: $rows,
                 parameters: $parameters,

@@ -116,15 +116,14 @@ pub(super) fn families(all: &mut Vec<Family>) {
     family!(
         all,
         "Disk",
-        "disk.rs",
         &["sample, max", "round trip"],
         0,
         |_p, G| disk::<G>()
     );
-    family!(all, "StandardNormalPair", "normal.rs", ROWS, 0, |_p, G| {
+    family!(all, "StandardNormalPair", ROWS, 0, |_p, G| {
         standard::<G>()
     });
-    family!(all, "NormalPair", "normal.rs", ROWS, 4, |p, G| in_format!(
+    family!(all, "NormalPair", ROWS, 4, |p, G| in_format!(
         p[0],
         normal,
         G,

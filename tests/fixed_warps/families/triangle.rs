@@ -126,23 +126,15 @@ pub(super) fn families(all: &mut Vec<Family>) {
     family!(
         all,
         "Triangle",
-        "triangle.rs",
         &["sample, max", "round trip"],
         0,
         |_p, G| triangle::<G>()
     );
-    family!(
-        all,
-        "TriangleOn",
-        "triangle_on.rs",
-        &["sample, max", "pdf"],
-        12,
-        |p, G| {
-            if p[0] & 8 == 0 {
-                in_format!(p[0], flat, G, p)
-            } else {
-                in_format!(p[0], solid, G, p)
-            }
+    family!(all, "TriangleOn", &["sample, max", "pdf"], 12, |p, G| {
+        if p[0] & 8 == 0 {
+            in_format!(p[0], flat, G, p)
+        } else {
+            in_format!(p[0], solid, G, p)
         }
-    );
+    });
 }

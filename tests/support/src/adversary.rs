@@ -1,18 +1,16 @@
 //! An adversary of the stated errors: a search over parameters and uniforms for the worst case of each row.
 //!
-//! Here live the search, the statements it attacks and the worst cases kept from earlier searches. What a
+//! Here live the search and the worst cases kept from earlier searches. What a
 //! sampler is, and how its errors are measured, is the business of the tests that set the adversary on it.
 //! Parameters and uniforms are raw words, so that one search serves `f32` and the integer tier.
 
 pub mod kept;
 pub mod search;
-pub mod statement;
 pub mod words;
 
+use crate::parallel::{in_parallel, threads};
 use search::{Budget, Worst};
 use std::collections::BTreeMap;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use words::Kind;
 
 /// Four uniforms as raw words; those a sampler does not take are 0.
@@ -47,24 +45,7 @@ pub struct Family {
 
 /// The worst of each row of each family, found by all threads of the machine.
 pub fn attack(families: &[Family], budget: Budget) -> Vec<Vec<Worst>> {
-    let next = AtomicUsize::new(0);
-    let found = Mutex::new(vec![Vec::new(); families.len()]);
-    let threads = std::thread::available_parallelism().map_or(2, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(family) = families.get(i) else {
-                        break;
-                    };
-                    let worst = search::worst(family, budget);
-                    found.lock().unwrap()[i] = worst;
-                }
-            });
-        }
-    });
-    found.into_inner().unwrap()
+    in_parallel(threads(), families, |family| search::worst(family, budget))
 }
 
 /// What the search finds by itself is at least this part of some bound of each statement, so that a bound lowered to two

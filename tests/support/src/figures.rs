@@ -1,5 +1,6 @@
 //! How the error of one warp is measured in one tier, and the figures that come out.
 
+use crate::errors::{apart, raise, ulp};
 use crate::registry::{Domain, Entry, Measure, Point, Uniforms};
 use crate::truth::{Truth, complements};
 
@@ -46,20 +47,6 @@ impl Figures {
             raise(row(self), theirs);
         }
     }
-}
-
-/// Raises a maximum; NaN, which would lose every comparison, counts as infinite.
-pub fn raise(maximum: &mut f64, error: f64) {
-    let error = if error.is_nan() { f64::INFINITY } else { error };
-    if error > *maximum {
-        *maximum = error;
-    }
-}
-
-/// The spacing of f32 at the magnitude of an exact value.
-pub fn ulp(x: f64) -> f64 {
-    let exponent = ((x.abs().to_bits() >> 52) as i32 - 1023).clamp(-126, 127);
-    f64::from_bits(((exponent - 23 + 1023) as u64) << 52)
 }
 
 pub fn wide(x: Point) -> [f64; 3] {
@@ -189,10 +176,4 @@ fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
 /// Whether the k-th uniform is an azimuth, of which 0 and 1 are the same.
 pub fn is_azimuth(entry: &Entry, k: usize) -> bool {
     k == 1 && entry.azimuth
-}
-
-/// The distance of two uniforms, across the seam where they are turns.
-pub fn apart(a: f64, b: f64, turns: bool) -> f64 {
-    let d = (a - b).abs();
-    if turns { d.min((1.0 - d).abs()) } else { d }
 }

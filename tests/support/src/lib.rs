@@ -8,19 +8,21 @@ pub mod adversary;
 pub mod bench;
 pub mod cli;
 pub mod contest;
+pub mod docs;
 pub mod draw;
+pub mod errors;
 pub mod figures;
 pub mod generators;
 pub mod mean;
+pub mod parallel;
 pub mod peers;
+pub mod progress;
 pub mod registry;
 pub mod slope;
 pub mod stats;
 pub mod table;
-pub mod tables;
 pub mod truth;
 pub mod verdict;
-pub mod work;
 
 use std::path::PathBuf;
 

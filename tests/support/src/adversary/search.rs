@@ -2,6 +2,7 @@
 
 use super::words::below;
 use super::{Case, Family, Uniforms};
+use crate::errors::or_infinite;
 use rand_pcg::Pcg32;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
@@ -68,10 +69,13 @@ impl Worst {
 pub fn raise(case: &dyn Case, parameters: &[u32], uniforms: Uniforms, worst: &mut [Worst]) -> bool {
     let mut raised = false;
     case.judge(uniforms, &mut |row, error, bound| {
-        let error = if error.is_nan() { f64::INFINITY } else { error };
+        let error = or_infinite(error);
         // An error of 0 keeps a bound of 0.
-        let ratio = if error == 0.0 { 0.0 } else { error / bound };
-        let ratio = if ratio.is_nan() { f64::INFINITY } else { ratio };
+        let ratio = if error == 0.0 {
+            0.0
+        } else {
+            or_infinite(error / bound)
+        };
         if ratio > worst[row].ratio {
             raised = true;
             worst[row] = Worst {

@@ -1,13 +1,12 @@
-//! The stated bounds: where they stand in the documentation, how they are read, checked and written.
+//! What is measured of each parameter set: held to what the documentation states, and written as `docs/accuracy.md`.
 
-use crate::adversary::statement::Statement;
-use crate::figures::{Figures, ROWS};
-use crate::registry::Measure;
-use crate::root;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use support::docs::{Statement, of_floats, rounded_up, same_figures};
+use support::figures::{Figures, ROWS};
+use support::registry::Measure;
+use support::root;
 
 /// What one parameter set showed, in both tiers.
 pub struct Measured {
@@ -28,13 +27,11 @@ fn unit(measure: Measure) -> &'static str {
 }
 
 /// Two significant digits, rounded up, so that the printed bound holds.
-fn rounded_up(x: f64) -> String {
-    if x == 0.0 {
-        return "0".into();
-    }
-    let magnitude = 10f64.powi(x.log10().floor() as i32 - 1);
-    let up = (x / magnitude * (1.0 - 1e-12)).ceil() * magnitude;
-    if (0.01..1000.0).contains(&up) {
+fn printed(x: f64) -> String {
+    let up = rounded_up(x, 2);
+    if up == 0.0 {
+        "0".into()
+    } else if (0.01..1000.0).contains(&up) {
         let text = format!("{up:.3}");
         text.trim_end_matches('0').trim_end_matches('.').into()
     } else {
@@ -76,65 +73,12 @@ fn by_struct(measured: &[Measured]) -> BTreeMap<&str, Vec<&Measured>> {
     groups
 }
 
-/// The source file and the lines of the doc comment of a struct.
-fn doc_comment(name: &str) -> (PathBuf, Vec<String>, std::ops::Range<usize>) {
-    let mut found = None;
-    let rooms = ["src/warp", "src/discrete"].map(|room| fs::read_dir(root().join(room)).unwrap());
-    for path in rooms.into_iter().flatten().map(|e| e.unwrap().path()) {
-        let text = fs::read_to_string(&path).unwrap();
-        let lines: Vec<String> = text.lines().map(Into::into).collect();
-        let is_struct = |l: &String| {
-            l.strip_prefix("pub struct ")
-                .is_some_and(|r| r.split(['<', '(', ' ', ';']).next() == Some(name))
-        };
-        if let Some(end) = lines.iter().position(is_struct) {
-            let start = (0..end)
-                .rev()
-                .find(|&i| !lines[i].starts_with("///") && !lines[i].starts_with("#["))
-                .map_or(0, |i| i + 1);
-            found = Some((path, lines, start..end));
-        }
-    }
-    found.unwrap_or_else(|| panic!("no struct {name} in src/warp or src/discrete"))
-}
-
-const HEADER: &str = "| error | `libm` | `poly` |";
-
-/// The table of a doc comment as title and the two bounds.
-pub fn stated(name: &str) -> Vec<(String, [Statement; 2])> {
-    let (path, lines, range) = doc_comment(name);
-    let table = lines[range]
-        .iter()
-        .map(|l| l.trim_start_matches("///").trim())
-        .skip_while(|l| *l != HEADER)
-        .skip(2)
-        .take_while(|l| l.starts_with('|'));
-    let rows: Vec<_> = table.map(|l| parse_row(l, &path)).collect();
-    assert!(
-        !rows.is_empty(),
-        "{name} states no errors in {}",
-        path.display()
-    );
-    rows
-}
-
-fn parse_row(line: &str, path: &Path) -> (String, [Statement; 2]) {
-    let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-    let statement = |i: usize| {
-        cells
-            .get(i)
-            .and_then(|c| Statement::parse(c))
-            .unwrap_or_else(|| panic!("no bound in {line:?} of {}", path.display()))
-    };
-    (cells[0].to_string(), [statement(1), statement(2)])
-}
-
 /// Complains of every number that is exceeded, and of every row that is missing or made up. Formulas, and whether a
 /// bound is too large, are the adversary's business.
 pub fn check(measured: &[Measured]) {
     let mut complaints = String::new();
     for (name, group) in by_struct(measured) {
-        compare(name, &summary(&group), &stated(name), &mut complaints);
+        compare(name, &summary(&group), &of_floats(name), &mut complaints);
     }
     let text = fs::read_to_string(root().join("docs/accuracy.md")).unwrap_or_default();
     if !same_figures(&text, &full_table(measured)) {
@@ -173,21 +117,6 @@ fn compare(
     }
 }
 
-/// Whether two tables say the same, but for the last digit of a figure: the exact formulas run on the
-/// host's own `f64` functions.
-pub fn same_figures(a: &str, b: &str) -> bool {
-    let (a, b): (Vec<_>, Vec<_>) = (
-        a.split_whitespace().collect(),
-        b.split_whitespace().collect(),
-    );
-    let near = |(a, b): (&&str, &&str)| {
-        a == b
-            || matches!((a.parse::<f64>(), b.parse::<f64>()),
-                (Ok(a), Ok(b)) if (a - b).abs() <= 0.1 * a.abs().max(b.abs()))
-    };
-    a.len() == b.len() && a.iter().zip(&b).all(near)
-}
-
 /// The table of every parameter set.
 fn full_table(measured: &[Measured]) -> String {
     let mut text = String::from(
@@ -212,7 +141,7 @@ fn full_table(measured: &[Measured]) -> String {
             let cell = if dash {
                 "–".to_string()
             } else {
-                format!("{} / {}", rounded_up(a), rounded_up(b))
+                format!("{} / {}", printed(a), printed(b))
             };
             cells.push(cell);
             if title == "sample" {
