@@ -2,12 +2,7 @@
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
-use support::work;
-
-/// Whether every word there is was asked for.
-pub fn full() -> bool {
-    std::env::var_os("MICROWARP_FULL").is_some()
-}
+use support::{speed, work};
 
 /// A part of the words: `2^bits` of them from 0 on, one of every `stride`, and the edges.
 #[derive(Clone, Copy, Debug)]
@@ -20,17 +15,16 @@ pub struct Words {
 const CHUNK: u32 = 1 << 20;
 
 impl Words {
-    /// All 2³² words where they were asked for, otherwise one of every `stride`.
+    /// All 2³² words where they were asked for, otherwise one of every `stride`, or of 64 times that in the quick speed.
     pub fn every(stride: u32) -> Self {
-        Self::full_or(1, stride)
+        Self::all_or(1, stride)
     }
 
     /// One of every so many words: where all were asked for, and otherwise.
-    pub fn full_or(full_stride: u32, stride: u32) -> Self {
-        Self {
-            bits: 32,
-            stride: if full() { full_stride } else { stride },
-        }
+    pub fn all_or(all: u32, stride: u32) -> Self {
+        let quick = stride * 64;
+        let stride = speed::or_all("one word tried of every", quick, stride, all);
+        Self { bits: 32, stride }
     }
 
     fn chunks(self) -> u32 {

@@ -15,6 +15,7 @@ pub mod mean;
 pub mod peers;
 pub mod registry;
 pub mod slope;
+pub mod speed;
 pub mod stats;
 pub mod table;
 pub mod tables;
