@@ -47,10 +47,9 @@ fn assert_stated(what: &str, measured: f64, stated: f64) {
         measured <= stated,
         "{what}: {measured:e} against {stated:e}"
     );
-    assert!(
-        stated <= 2.0 * measured,
-        "{what}: {measured:e}, {stated:e} is stale"
-    );
+    // Of fewer samples the largest errors are smaller.
+    let fresh = !support::speed::full() || stated <= 2.0 * measured;
+    assert!(fresh, "{what}: {measured:e}, {stated:e} is stale");
 }
 
 /// Mean and unbiased variance of numbers, in two passes.

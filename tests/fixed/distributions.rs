@@ -121,7 +121,7 @@ fn p_values_of_right_warps_are_uniform() {
             .find(|shape| shape.name == name)
             .unwrap();
         shape.samples = speed::of("samples of each run of right warps", 1 << 15, 1 << 16);
-        let count = speed::of("runs of right warps", 100, 200);
+        let count = speed::of("runs of right warps", 50, 200);
         // The same words would give the same uniforms again, whatever the warp.
         let seeds = first..first + count;
         let many = count as f64;

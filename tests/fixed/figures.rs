@@ -75,14 +75,20 @@ impl Figures {
         }
     }
 
-    /// Whether figures measured keep to these, and these are not stale.
-    pub fn agree_with(self, measured: Self) -> bool {
+    /// Whether figures measured keep to these, and these are not stale; the largest error only if so
+    /// many words have been tried that it must have been met.
+    pub fn agree_with(self, measured: Self, many: bool) -> bool {
         let within = |stated: f64, found: f64, slack: f64| {
             found.is_finite() && found <= stated + slack && 0.8 * stated <= found + slack
         };
+        let largest = if many {
+            within(self.max, measured.max, 0.0)
+        } else {
+            measured.max <= self.max
+        };
         let slack = NONE * measured.rms;
         let signed = measured.mean * if self.mean < 0.0 { -1.0 } else { 1.0 };
-        within(self.max, measured.max, 0.0)
+        largest
             && within(self.rms, measured.rms, 0.0)
             && within(self.mean.abs(), signed, slack)
             && (self.mean != 0.0 || measured.mean.abs() <= slack)

@@ -148,7 +148,8 @@ fn every_edge_of_the_narrowest_cells_is_found() {
         [0.1, 1.1],
         [-3e38, 3e38],
     ];
-    for range in ranges {
+    let every = speed::of("one range of narrow cells tried of every", 3, 1);
+    for range in ranges.into_iter().step_by(every) {
         let larger = f64::from(range[0].abs().max(range[1]));
         let length = f64::from(range[1]) - f64::from(range[0]);
         let most = (length / (LEAST * larger)) as usize;

@@ -16,7 +16,7 @@ use support::speed;
 pub static POINTS: LazyLock<usize> =
     LazyLock::new(|| speed::of("points of each sampler", 500_000, 2_000_000));
 
-/// By what factor controls are more wrong than with all points, as those are √4 times as many.
+/// By what factor controls are more wrong than with all points, as those are 2² times as many.
 pub static MORE: LazyLock<f64> =
     LazyLock::new(|| speed::of("factor of the errors of controls", 2.0, 1.0));
 

@@ -17,11 +17,11 @@ use support::{speed, stats};
 
 /// Numbers of a run.
 static NUMBERS: LazyLock<usize> =
-    LazyLock::new(|| speed::of("numbers of each ziggurat", 1_000_000, 10_000_000));
+    LazyLock::new(|| speed::of("numbers of each ziggurat", 2_000_000, 10_000_000));
 
-/// By what factor controls are more wrong than with all numbers, as those are √10 times as many.
+/// By what factor controls are more wrong than with all numbers, as those are 2.2² times as many.
 static MORE: LazyLock<f64> =
-    LazyLock::new(|| speed::of("factor of the errors of controls of ziggurats", 3.2, 1.0));
+    LazyLock::new(|| speed::of("factor of the errors of controls of ziggurats", 2.3, 1.0));
 
 /// The p-values of this file: of each curve ten of numbers and tries, two of a tail, one of independence; and of each
 /// scaled sampler what numbers have.
