@@ -1,5 +1,5 @@
 //! Negative controls: what is wrong by a little is rejected, by the same examination, with the threshold and
-//! the number of samples of the real run. A tenth of the samples rejects an error √10 times as large.
+//! the number of samples of the real run. A 25th of the samples rejects an error five times as large.
 
 use crate::SAMPLES;
 use crate::examination::Examination;
@@ -19,7 +19,7 @@ type Density = fn(&dyn Erased, Point) -> f32;
 
 /// How wrong most controls are: 1 % where all samples are drawn.
 static SLIGHT: LazyLock<f64> =
-    LazyLock::new(|| speed::of("part by which the controls are wrong", 0.032, 0.01));
+    LazyLock::new(|| speed::of("part by which the controls are wrong", 0.05, 0.01));
 
 /// An entry's warp with its map or its density replaced by a wrong one.
 struct Wrong {

@@ -1,5 +1,5 @@
 //! Samples follow the density they report: every warp of the catalogue in both tiers, ten million samples
-//! each, a million in the quick speed, by chi-square, Kolmogorov and Smirnov's distance and moments.
+//! each, 400,000 in the quick speed, by chi-square, Kolmogorov and Smirnov's distance and moments.
 //!
 //! Here lives the run over the whole catalogue. How one entry is examined is in `examination`; that the
 //! examination rejects what is wrong is in `controls`, that it does not reject what is right in
@@ -22,7 +22,7 @@ use support::{registry::Entry, speed, stats};
 
 /// Samples for each entry, unless `f32` resolves it too coarsely for so many.
 static SAMPLES: LazyLock<usize> =
-    LazyLock::new(|| speed::of("samples of each warp", 1_000_000, 10_000_000));
+    LazyLock::new(|| speed::of("samples of each warp", 400_000, 10_000_000));
 
 /// The seed of an entry's run: fixed, and another one for every entry.
 fn seed(index: usize) -> u64 {
