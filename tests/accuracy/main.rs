@@ -3,16 +3,19 @@
 //! The bounds are read out of the documentation itself: the table in each warp's doc comment holds numbers and
 //! formulas. Two ways attack them. Listed parameter sets are swept, exhaustively where a sample takes one uniform;
 //! what they show stands in `docs/accuracy.md`, set by set. An adversary searches all parameters that a constructor
-//! accepts, and fails for a bound that is exceeded and for one twice too large.
+//! accepts, and fails for a bound that is exceeded and for one twice too large. In the quick speed the page's figures
+//! are upper bounds, and the adversary knows the worst cases by those that earlier searches have found.
 //! `MICROWARP_WRITE=1 cargo test --test accuracy` writes the page and the worst cases anew.
 
 mod families;
 mod page;
 
 use page::Measured;
+use support::adversary::search::{Budget, USUAL};
 use support::figures::{Exact, Figures, density_and_inverse_error, polar_error, sample_error};
 use support::parallel::{in_parallel, threads};
 use support::registry::{Entry, Uniforms, entries};
+use support::speed;
 
 const GRID: u32 = 1 << 24;
 const STEP: f32 = 1.0 / 16_777_216.0;
@@ -55,11 +58,15 @@ fn spread(k: u32) -> Uniforms {
     })
 }
 
-/// Measures both tiers of one warp: over every grid input where the input is one number, over 2^24
+/// Measures both tiers of one warp, in the full speed over every grid input where the input is one number, over 2^24
 /// points of the grid where it is two, always with all edges. Further parameter sets of the same warp
-/// are swept with a prime stride, which visits every residue.
+/// are swept with a prime stride, which visits every residue. The quick speed takes longer strides everywhere.
 fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
-    let stride = if thorough { 1 } else { 13 };
+    let stride = match thorough {
+        true => speed::of("one grid input tried of every", 61, 1),
+        false => speed::of("one grid input tried of every, further sets", 1021, 13),
+    };
+    let fewer = speed::of("one pair of uniforms tried of every", 64, 1);
     let mut figures = [Figures::default(); 2];
     let mut at = |u: Uniforms, deep: bool, polar: bool| {
         let exact = Exact::of(libm, u, deep);
@@ -92,7 +99,7 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
             }
             // Pairs of the grid spread over the square by multiplication; the density and the inverse, which
             // cost most to judge, at every 8th.
-            for k in 0..if thorough { GRID } else { GRID / 8 } {
+            for k in 0..if thorough { GRID } else { GRID / 8 } / fewer {
                 let [u1, u2, ..] = spread(k);
                 at([u1, u2, 0.0, 0.0], k % 8 == 0, false);
             }
@@ -107,7 +114,7 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
             }
         }
         n => {
-            for k in 0..GRID / 16 {
+            for k in 0..GRID / 16 / fewer {
                 let u = spread(k);
                 let u = std::array::from_fn(|i| if i < n { u[i] } else { 0.0 });
                 at(u, true, false);
@@ -152,11 +159,11 @@ fn the_statements_hold_for_every_parameter() {
     support::adversary::hold(&families::families(), "accuracy/worst.csv");
 }
 
-/// The old branch of the power law, whose exponential overflows alone, is found within the quick budget.
+/// The old branch of the power law, whose exponential overflows alone, is found within the usual budget.
 #[test]
 fn a_branch_that_overflows_alone_is_found() {
     let flawed = families::flawed();
-    let found = support::adversary::attack(&flawed, support::adversary::search::Budget::Quick);
+    let found = support::adversary::attack(&flawed, Budget::Points(USUAL));
     for (family, worst) in flawed.iter().zip(found) {
         // A wrong branch, not a digit too few: the sample is the wrong end of the interval.
         let sample = &worst[0];

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
-use support::docs::{Statement, of_floats, rounded_up, same_figures};
+use support::docs::{Page, Statement, of_floats, rounded_up};
 use support::figures::{Figures, ROWS};
 use support::registry::Measure;
 use support::root;
@@ -81,7 +81,7 @@ pub fn check(measured: &[Measured]) {
         compare(name, &summary(&group), &of_floats(name), &mut complaints);
     }
     let text = fs::read_to_string(root().join("docs/accuracy.md")).unwrap_or_default();
-    if !same_figures(&text, &full_table(measured)) {
+    if !Page(&text).states(&full_table(measured)) {
         complaints.push_str("docs/accuracy.md is not what is measured\n");
     }
     assert!(complaints.is_empty(), "\n{complaints}");
@@ -122,7 +122,7 @@ fn full_table(measured: &[Measured]) -> String {
     let mut text = String::from(
         "# Measured errors\n\n\
          Written by `MICROWARP_WRITE=1 cargo test --test accuracy` and compared with what is measured by every\n\
-         `cargo test`. Largest errors against `f64` formulas: of a sample over all 2^24 grid inputs (warps of\n\
+         `MICROWARP_FULL=1 cargo test`. Largest errors against `f64` formulas: of a sample over all 2^24 grid inputs (warps of\n\
          one uniform, and sin θ and cos θ of directions; every 13th input for further parameter sets of the same\n\
          warp) or over 2^24 points of the grid (several uniforms; 2^21 for further sets), always with all edges;\n\
          of the density at the returned point, and against the density with which the map arrives\n\

@@ -3,6 +3,7 @@
 use crate::cases::{cases, wild};
 use crate::runs;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
+use support::speed;
 
 /// How many words select each entry: in each bin the runs, which may be two.
 fn counts(n: usize, bins: usize, bits: u32, index: impl Fn(u64) -> usize) -> Vec<u128> {
@@ -93,7 +94,7 @@ fn every_entry_has_the_words_it_has_in_a_cdf() {
 #[test]
 fn wild_tables_too() {
     let mut memory = Memory::new(32);
-    for seed in 20_000..40_000 {
+    for seed in 20_000..20_000 + speed::of("wild tables of aliases", 2_000, 20_000) {
         let weights = wild(seed);
         memory.check(&format!("{weights:?}"), &weights);
     }

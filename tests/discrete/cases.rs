@@ -2,6 +2,7 @@
 
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
+use support::speed;
 
 const MANY: usize = 1 << 20;
 const SOME: usize = 1 << 15;
@@ -38,8 +39,15 @@ fn one_huge(n: usize, at: usize, huge: f32, small: f32) -> Vec<f32> {
     weights
 }
 
-/// Name and weights of every case.
+/// Name and weights of every case; in the quick speed of those that are not large.
 pub fn cases() -> Vec<(&'static str, Vec<f32>)> {
+    let most = speed::of("largest table", SOME, MANY);
+    let mut cases = all();
+    cases.retain(|(_, weights)| weights.len() <= most);
+    cases
+}
+
+fn all() -> Vec<(&'static str, Vec<f32>)> {
     let small = f32::from_bits(1);
     vec![
         ("one", vec![3.0]),

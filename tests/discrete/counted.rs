@@ -5,6 +5,7 @@ use crate::{Exact, STEP, counts, grid_counts, grid_point};
 use microwarp::Error;
 use microwarp::discrete::Cdf;
 use std::ops::RangeInclusive;
+use support::speed;
 
 /// What must hold of counts out of 2^bits: each within `slack` 2^-32 steps of its part, none for a weight of zero.
 fn objections(exact: &Exact, counts: &[u128], bits: u32, slack: u64) -> Vec<String> {
@@ -143,9 +144,10 @@ fn check_wide(what: &str, weights: &[f32], exact: &Exact, memory: &mut [u64], on
 fn every_entry_has_its_share_of_the_words() {
     let (mut narrow, mut wide) = (vec![0; 1 << 20], vec![0; 1 << 20]);
     let mut refused = Vec::new();
+    let one_by_one = speed::of("largest table counted over the whole grid", 6, 1000);
     for (what, weights) in cases() {
         let exact = Exact::of(&weights);
-        let few = (5..=1000).contains(&weights.len());
+        let few = (5..=one_by_one).contains(&weights.len());
         if !check_narrow(what, &weights, &exact, &mut narrow, few) {
             refused.push(what);
         }
@@ -153,34 +155,34 @@ fn every_entry_has_its_share_of_the_words() {
         println!("{what}: {} entries counted", weights.len());
     }
     println!("too small to be reached by 32 bits: {refused:?}");
-    assert_eq!(
-        refused,
-        [
-            "geometric, 253",
-            "geometric, 2^20",
-            "geometric down",
-            "geometric, 20 decades",
-            "all there is",
-            "one huge first",
-            "one huge amid",
-            "one huge last",
-            "random, 60 decades",
-        ]
-    );
+    let mut due = vec![
+        "geometric, 253",
+        "geometric, 2^20",
+        "geometric down",
+        "geometric, 20 decades",
+        "all there is",
+        "one huge first",
+        "one huge amid",
+        "one huge last",
+        "random, 60 decades",
+    ];
+    due.retain(|what| cases().iter().any(|case| case.0 == *what));
+    assert_eq!(refused, due);
 }
 
 #[test]
 fn wild_tables_are_as_good_as_can_be() {
     let (mut narrow, mut wide) = ([0; 24], [0; 24]);
-    let (mut taken, mut crowded) = (0, 0);
-    for seed in 0..20_000 {
+    let (mut taken, mut crowded) = (0_u32, 0_u32);
+    let tables = speed::of("wild tables", 2_000_u32, 20_000);
+    for seed in 0..u64::from(tables) {
         let weights = wild(seed);
         let exact = Exact::of(&weights);
         let what = format!("{weights:?}");
         if check_narrow(&what, &weights, &exact, &mut narrow, false) {
             taken += 1;
         }
-        crowded += i32::from(
+        crowded += u32::from(
             exact
                 .weights
                 .iter()
@@ -188,14 +190,31 @@ fn wild_tables_are_as_good_as_can_be() {
         );
         check_wide(&what, &weights, &exact, &mut wide, false);
     }
-    println!("{taken} of 20000 taken by u32, {crowded} with a weight below a step");
-    assert!(crowded > 2_000 && taken > 20_000 - crowded + 500);
+    println!("{taken} of {tables} taken by u32, {crowded} with a weight below a step");
+    assert!(crowded > tables / 10 && taken > tables - crowded + tables / 40);
 }
 
+/// In the quick speed every 4093th word, and those next to where an entry begins.
 #[test]
 fn all_the_words_of_a_table_counted_one_by_one() {
     let weights = [0.0, 1.0, 1e-9, 0.0, 2.5, 3e-10, 0.0];
     let table = Cdf::<[u32; 7]>::new(&weights).unwrap();
+    // Galloping finds as many words as there are.
+    let galloped = counts(7, u32::MAX.into(), |word| table.index(word as u32));
+    for (i, count) in galloped.iter().enumerate() {
+        assert_eq!(u128::from(table.numerator(i)), *count, "{i}");
+    }
+    if !speed::full() {
+        let starts = (0..7).filter_map(|i| table.words_of(i).map(|words| *words.start()));
+        let near = starts.flat_map(|start| {
+            (0..1 << 16).map(move |by: u32| start.wrapping_add(by).wrapping_sub(1 << 15))
+        });
+        for word in (0..=u32::MAX).step_by(4093).chain(near) {
+            let words = table.words_of(table.index(word)).unwrap();
+            assert!(words.contains(&word), "{word:#x}");
+        }
+        return;
+    }
     let totals = std::sync::Mutex::new([0_u64; 7]);
     std::thread::scope(|scope| {
         for half in 0..2_u32 {
@@ -216,9 +235,6 @@ fn all_the_words_of_a_table_counted_one_by_one() {
     for (i, total) in totals.into_iter().enumerate() {
         assert_eq!(table.numerator(i), total, "{i}");
     }
-    // Galloping over the same table finds the same.
-    let galloped = counts(7, u32::MAX.into(), |word| table.index(word as u32));
-    assert!(galloped.iter().eq(totals.map(u128::from).iter()));
 }
 
 #[test]
@@ -227,7 +243,8 @@ fn the_same_bits_select_the_same_entry() {
     let (mut narrow, mut wide) = (vec![0; 1000], vec![0; 1000]);
     let narrow = Cdf::<&[u32]>::new_in(&weights, &mut narrow).unwrap();
     let wide = Cdf::<&[u64]>::new_in(&weights, &mut wide).unwrap();
-    for k in 0..1_u32 << 24 {
+    let stride = speed::of("one point of the grid tried of every", 61, 1);
+    for k in (0..1_u32 << 24).step_by(stride) {
         let bits = k << 8;
         let index = narrow.select(bits).index;
         let u = microwarp::uniform::grid_from_word(bits);
@@ -292,7 +309,7 @@ fn a_die_is_fair() {
     assert!((square - mean * mean - 35.0 / 12.0).abs() <= 1e-8);
     // Samples: seven standard errors.
     let mut rng = rand_pcg::Pcg32::new(6, 6);
-    let n = 10_000_000;
+    let n = speed::of("throws of the die", 1_000_000, 10_000_000);
     let (mut sum, mut squares) = (0_u64, 0_u64);
     for _ in 0..n {
         let eyes = die.draw(&mut rng).index as u64 + 1;

@@ -6,6 +6,7 @@ use num_bigint::BigUint;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use support::generators::{Broken, Counting, Failing};
+use support::speed;
 use support::stats::{chi_square, threshold};
 
 /// Integer weights of all kinds. Those below 2^24 are `f32` as well.
@@ -219,7 +220,7 @@ fn exact_draws_take_the_words_of_any_draw() {
 /// The p-value of leftovers, entry by entry, against the uniform law.
 fn p_value(mut draw: impl FnMut(&mut Pcg32) -> (usize, u32), pmf: &[f64], seed: u64) -> f64 {
     const CELLS: usize = 63;
-    let n = 2_000_000;
+    let n = speed::of("exact leftovers of each table", 400_000, 2_000_000);
     let mut rng = Pcg32::new(seed, 5);
     let mut observed = vec![0; pmf.len() * CELLS];
     for _ in 0..n {

@@ -4,6 +4,7 @@ use microwarp::discrete::{Alias, AliasEntry, Cdf, Selection, select_once};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::collections::BTreeSet;
+use support::speed;
 use support::stats::{chi_square, threshold};
 
 #[test]
@@ -65,7 +66,7 @@ fn as_many_values_as_bits_are_stated() {
 /// The p-value of leftovers, entry by entry, against the uniform law.
 fn p_value(mut draw: impl FnMut(&mut Pcg32) -> (usize, f32), pmf: &[f64], seed: u64) -> f64 {
     const CELLS: usize = 63;
-    let n = 5_000_000;
+    let n = speed::of("leftovers of each table", 500_000, 5_000_000);
     let mut rng = Pcg32::new(seed, 5);
     let mut observed = vec![0; pmf.len() * CELLS];
     for _ in 0..n {

@@ -4,6 +4,7 @@ use crate::runs;
 use microwarp::Error;
 use microwarp::discrete::Reservoir;
 use rand_pcg::Pcg32;
+use support::speed;
 use support::stats::{chi_square, threshold};
 
 /// With how many of the 2⁶⁴ bit strings a second item of weight `b` displaces the first of weight `a`.
@@ -44,17 +45,17 @@ fn an_item_takes_the_place_with_its_share_of_the_bits() {
 }
 
 const WEIGHTS: [f32; 10] = [0.0, 5.0, 1.0, 0.0, 0.25, 9.0, 3.0, 0.0, 0.7, 0.0];
-const RUNS: u32 = 1_000_000;
 
 /// The p-value of items held after many streams against their weights.
 fn p_value(mut stream: impl FnMut(&mut Pcg32) -> usize, seed: u64) -> Result<f64, String> {
     let mut rng = Pcg32::new(seed, 3);
     let mut observed = [0; 10];
-    for _ in 0..RUNS {
+    let runs = speed::of("streams", 200_000, 1_000_000);
+    for _ in 0..runs {
         observed[stream(&mut rng)] += 1;
     }
     let total: f64 = WEIGHTS.iter().map(|&w| f64::from(w)).sum();
-    let expected = WEIGHTS.map(|w| f64::from(w) / total * f64::from(RUNS));
+    let expected = WEIGHTS.map(|w| f64::from(w) / total * f64::from(runs));
     chi_square(&observed, &expected).map(|(_, _, p)| p)
 }
 

@@ -8,11 +8,13 @@ use rand_pcg::Pcg32;
 use statrs::distribution::{Exp, Uniform};
 use statrs::stats_tests::NaNPolicy;
 use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
-use support::stats;
+use support::{speed, stats};
 
 #[test]
 fn p_values_of_correct_warps_are_uniform() {
     let mut checked = 0;
+    let samples = speed::of("samples of each run of the calibration", 20_000, 100_000);
+    let runs = speed::of("runs of the calibration", 100, 200);
     for label in [
         "Exponential a=1 poly",
         "Normal 0, 1 libm",
@@ -21,8 +23,8 @@ fn p_values_of_correct_warps_are_uniform() {
         "Oriented cosine about (1, 2, 3) libm",
     ] {
         let entry = entry(label);
-        let examination = Examination::new(&entry, 100_000);
-        let reports: Vec<Report> = (0..200).map(|i| examination.run(1_000_000 + i)).collect();
+        let examination = Examination::new(&entry, samples);
+        let reports: Vec<Report> = (0..runs).map(|i| examination.run(1_000_000 + i)).collect();
         for (k, (name, _)) in reports[0].tests.iter().enumerate() {
             let p: Vec<f64> = reports.iter().map(|r| r.tests[k].1).collect();
             let (d, uniform) = ks_onesample(
@@ -32,7 +34,7 @@ fn p_values_of_correct_warps_are_uniform() {
                 NaNPolicy::Error,
             )
             .unwrap();
-            println!("{label}, {name}: 200 p-values are {d:.3} from uniform, p = {uniform:.3}");
+            println!("{label}, {name}: {runs} p-values are {d:.3} from uniform, p = {uniform:.3}");
             assert!(uniform >= 1e-6, "{label}, {name}: {uniform}");
             checked += 1;
         }

@@ -1,5 +1,5 @@
 //! Samples follow the density they report: every warp of the catalogue in both tiers, ten million samples
-//! each, by chi-square, Kolmogorov and Smirnov's distance and moments.
+//! each, 400,000 in the quick speed, by chi-square, Kolmogorov and Smirnov's distance and moments.
 //!
 //! Here lives the run over the whole catalogue. How one entry is examined is in `examination`; that the
 //! examination rejects what is wrong is in `controls`, that it does not reject what is right in
@@ -15,12 +15,14 @@ mod strata;
 use examination::Examination;
 use report::Report;
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 use std::time::Instant;
 use support::parallel::{in_parallel, threads};
-use support::{registry::Entry, stats};
+use support::{registry::Entry, speed, stats};
 
 /// Samples for each entry, unless `f32` resolves it too coarsely for so many.
-const SAMPLES: usize = 10_000_000;
+static SAMPLES: LazyLock<usize> =
+    LazyLock::new(|| speed::of("samples of each warp", 400_000, 10_000_000));
 
 /// The seed of an entry's run: fixed, and another one for every entry.
 fn seed(index: usize) -> u64 {
@@ -31,7 +33,7 @@ fn seed(index: usize) -> u64 {
 fn examine(entries: &[Entry]) -> Vec<(usize, f64, Report)> {
     let seeded: Vec<_> = entries.iter().enumerate().collect();
     in_parallel(threads(), &seeded, |(i, entry)| {
-        let examination = Examination::new(entry, SAMPLES);
+        let examination = Examination::new(entry, *SAMPLES);
         let report = examination.run(seed(*i));
         (examination.samples, examination.integral, report)
     })
@@ -92,7 +94,7 @@ fn samples_follow_the_density_they_report() {
     }
     for ((name, tier), samples) in most {
         assert!(
-            samples >= SAMPLES,
+            samples >= *SAMPLES,
             "{name} {tier}: at most {samples} samples"
         );
     }

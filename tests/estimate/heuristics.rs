@@ -5,6 +5,7 @@ use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use support::docs::assert_stated;
 use support::errors::ulps;
+use support::speed;
 
 const DENSITIES: [f32; 16] = [
     0.0,
@@ -104,7 +105,7 @@ fn weights_keep_the_stated_errors() {
             format!("Error: {single} ulp for counts of 1, {counted} ulp for any counts");
         assert!(source.contains(&statement), "{statement}");
         let mut worst = [0.0_f64; 2];
-        for i in 0..2_000_000 {
+        for i in 0..speed::of("weights of each heuristic", 200_000, 2_000_000) {
             // Any density against one within a factor of up to 2^±160.
             let f = f32::from_bits(rng.next_u32() % f32::INFINITY.to_bits());
             let apart = (f64::from(rng.next_u32()) / 2f64.powi(31) - 1.0) * f64::from(1 + i % 160);

@@ -1,4 +1,4 @@
-//! 10⁸ samples whose mean is 1000 deviations: the figures stay right, one by one and merged, where plain
+//! 10⁸ samples, in the quick speed 10⁷, whose mean is 1000 deviations: the figures stay right, one by one and merged, where plain
 //! sums and Welford's recurrence in f32 do not.
 
 use crate::checkpoints::{Exact, Largest, errors};
@@ -6,10 +6,17 @@ use crate::{at_most, relative};
 use microwarp::estimate::{Moments, Ratio};
 use microwarp::{Warp, poly as mw, uniform};
 use rand_pcg::Pcg32;
+use std::sync::LazyLock;
 use support::docs::Doc;
+use support::speed;
 
-const SAMPLES: u64 = 100_000_000;
-const CHECKPOINT: u64 = SAMPLES / 100;
+static SAMPLES: LazyLock<u64> =
+    LazyLock::new(|| speed::of("samples of a long run", 10_000_000, 100_000_000));
+
+/// Samples between two looks at the figures.
+fn checkpoint() -> u64 {
+    *SAMPLES / 100
+}
 
 /// What the project owes.
 const OWED: f64 = 1e-5;
@@ -17,7 +24,7 @@ const OWED: f64 = 1e-5;
 fn samples() -> impl Iterator<Item = f32> {
     let noise = mw::Normal::new(1000.0, 1.0).unwrap();
     let mut rng = Pcg32::new(0x10e8, 54);
-    (0..SAMPLES).map(move |_| noise.draw(&mut rng))
+    (0..*SAMPLES).map(move |_| noise.draw(&mut rng))
 }
 
 /// Likewise, but flat, and drawn in less time.
@@ -25,7 +32,7 @@ fn flat_samples() -> impl Iterator<Item = f32> {
     let half = 3f32.sqrt();
     let noise = mw::Interval::new(1000.0 - half, 1000.0 + half).unwrap();
     let mut rng = Pcg32::new(0x10eb, 54);
-    (0..SAMPLES).map(move |_| noise.draw(&mut rng))
+    (0..*SAMPLES).map(move |_| noise.draw(&mut rng))
 }
 
 const OF_MOMENTS: [&str; 2] = ["mean", "variance"];
@@ -44,13 +51,14 @@ fn the_owed_accuracy_is_stated() {
 }
 
 #[test]
-fn a_hundred_million_samples_one_by_one() {
+fn many_samples_one_by_one() {
     let mut moments = Moments::new();
     let (mut exact, mut largest) = (Exact::default(), Largest::default());
     // The controls: plain sums, sums about the first sample, and Welford's recurrence, all in f32.
     let (mut sum, mut squares) = (0.0_f32, 0.0_f32);
     let (mut first, mut shifted, mut shifted_squares) = (None, 0.0_f32, 0.0_f32);
     let (mut mean, mut corrected, mut n) = (0.0_f32, 0.0_f32, 0.0_f32);
+    let checkpoint = checkpoint();
     for (i, x) in (1_u64..).zip(samples()) {
         moments.push(x);
         exact.push(x);
@@ -64,7 +72,7 @@ fn a_hundred_million_samples_one_by_one() {
         let delta = x - mean;
         mean += delta / n;
         corrected += delta * (x - mean);
-        if i % CHECKPOINT == 0 {
+        if i % checkpoint == 0 {
             largest.moments(&moments, &exact);
         }
     }
@@ -119,18 +127,19 @@ impl Tree {
 }
 
 #[test]
-fn a_hundred_million_samples_merged() {
+fn many_samples_merged() {
     let (mut exact, mut largest) = (Exact::default(), Largest::default());
     // 16 parts: the first takes half the samples, the next a quarter and so on.
     let mut parts = [Moments::new(); 16];
     // Parts of 1 to 19 samples, in a tree and one after another.
     let (mut tree, mut chain, mut tiny) = (Tree::default(), Moments::new(), Moments::new());
     let mut size = 1;
+    let checkpoint = checkpoint();
     for (i, x) in (1_u64..).zip(flat_samples()) {
         exact.push(x);
-        parts[(SAMPLES / i).ilog2().min(15) as usize].push(x);
+        parts[(*SAMPLES / i).ilog2().min(15) as usize].push(x);
         tiny.push(x);
-        let check = i % CHECKPOINT == 0;
+        let check = i % checkpoint == 0;
         if tiny.count() == size || check {
             tree.push(tiny);
             chain.merge(&tiny);
@@ -208,17 +217,18 @@ fn the_order_of_samples_does_not_matter() {
 }
 
 #[test]
-fn a_hundred_million_weighted_samples() {
+fn many_weighted_samples() {
     let mut rng = Pcg32::new(0x10e9, 54);
     let (mut ratio, mut parts) = (Ratio::new(), [Ratio::new(); 16]);
     let mut largest = [Largest::default(); 2];
     // Σw, Σwd, Σw², Σw²d, Σw²d², with d from 1000, in f64.
     let mut sums = [0.0_f64; 5];
     let (mut plain, mut plain_weights, mut exact) = (0.0_f32, 0.0_f32, 0.0);
+    let checkpoint = checkpoint();
     for (i, x) in (1_u64..).zip(flat_samples()) {
         let weight = 0.5 + uniform::grid(&mut rng);
         ratio.push(x, weight);
-        parts[(SAMPLES / i).ilog2().min(15) as usize].push(x, weight);
+        parts[(*SAMPLES / i).ilog2().min(15) as usize].push(x, weight);
         let (w, d) = (f64::from(weight), f64::from(x) - 1000.0);
         let terms = [w, w * d, w * w, w * w * d, w * w * d * d];
         sums.iter_mut()
@@ -226,7 +236,7 @@ fn a_hundred_million_weighted_samples() {
             .for_each(|(sum, term)| *sum += term);
         plain += weight * x;
         plain_weights += weight;
-        if i % CHECKPOINT == 0 {
+        if i % checkpoint == 0 {
             let [w, wd, ww, wwd, wwdd] = sums;
             let distance = wd / w;
             let squares = wwdd - 2.0 * distance * wwd + distance * distance * ww;

@@ -4,9 +4,11 @@ use crate::{at_most, truth};
 use microwarp::estimate::{Moments, Ratio};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
+use std::sync::LazyLock;
 use support::docs::{Doc, assert_stated};
+use support::speed;
 
-const RUNS: u32 = 1_000_000;
+static RUNS: LazyLock<u32> = LazyLock::new(|| speed::of("short runs", 200_000, 1_000_000));
 
 /// A number in [0, 1).
 fn unit(rng: &mut Pcg32) -> f64 {
@@ -124,7 +126,7 @@ fn short_runs_keep_the_stated_errors() {
     let mut rng = Pcg32::new(0x5047, 54);
     let (mut of_mean, mut of_variance) = (Worst::default(), Worst::default());
     let (mut naive, mut compared) = (0, 0);
-    for k in 0..RUNS {
+    for k in 0..*RUNS {
         let samples = match k {
             0 => SEARCHED.to_vec(),
             _ => run(&mut rng),
@@ -192,7 +194,7 @@ fn short_weighted_runs_keep_the_stated_errors() {
     let doc = Doc::of("estimate", "Ratio");
     let mut rng = Pcg32::new(0x5048, 54);
     let (mut of_ratio, mut of_error) = (Worst::default(), Worst::default());
-    for k in 0..RUNS as usize {
+    for k in 0..*RUNS as usize {
         let values = run(&mut rng);
         if values.len() < 2 {
             continue;

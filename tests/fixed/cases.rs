@@ -4,6 +4,7 @@ use crate::inputs::Words;
 use fixed::types::{I2F30, U0F32, U5F27, U16F16};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use std::f64::consts::{FRAC_PI_2, TAU};
+use support::speed;
 
 /// One or two numbers of a word; where there is one, the second is NaN on both sides and not looked at.
 pub type Function = fn(u32) -> [f64; 2];
@@ -139,7 +140,7 @@ macro_rules! power_of {
     ($i:literal, $name:literal) => {
         Case {
             name: $name,
-            words: Words::full_or(8, 128),
+            words: Words::all_or(8, 128),
             within: |word| word > 0,
             truth: |word| power(word, EXPONENTS[$i]),
             grades: grades!(|word| q32(G::pow(
@@ -196,7 +197,7 @@ pub fn cases() -> Vec<Case> {
         Case {
             words: Words {
                 bits: 24,
-                stride: 1,
+                stride: speed::of("one small number tried of every", 16, 1),
             },
             within: |word| word < 1 << 24,
             ..case(
@@ -212,7 +213,7 @@ pub fn cases() -> Vec<Case> {
         Case {
             // Points at random: more of them where time allows it.
             words: Words {
-                bits: if crate::inputs::full() { 28 } else { 24 },
+                bits: speed::or_all("bits of the words of points", 20, 24, 28),
                 stride: 1,
             },
             turns: true,

@@ -2,10 +2,10 @@
 //!
 //! A coordinate is R'·C' + δ, where R' is what the radius' kernel gives and C' the sine or cosine. Off the truth R·C it is by
 //! (R' − R)·C' + R·(C' − C) + δ. Each factor is swept over all words of its own, its largest error kept apart for cells of its
-//! size, and δ is what the product cuts. The largest sum of a pair of cells is the bound: over all words with `MICROWARP_FULL=1`,
+//! size, and δ is what the product cuts. The largest sum of a pair of cells is the bound: over all words with `MICROWARP_FULL=all`,
 //! over one of every 256 otherwise.
 
-use crate::inputs::{Words, edges, full};
+use crate::inputs::{Words, edges};
 use fixed::types::U0F32;
 use microwarp::Warp;
 use microwarp::fixed::warp::{CosineHemisphere, Disk, Hemisphere, Sphere, StandardNormalPair};
@@ -13,6 +13,7 @@ use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use std::f64::consts::TAU;
 use support::docs::Doc;
 use support::errors::raise;
+use support::speed;
 
 const CELLS: usize = 256;
 const WORD: f64 = 1.0 / 4_294_967_296.0;
@@ -177,7 +178,7 @@ fn points_of_two_words_are_proven_to_keep_their_stated_errors() {
                 "{warp}: {proven:e} proven, {stated:e} stated"
             );
             // A statement is the proven number to two digits, not more.
-            let near = if full() { 1.1 } else { 1.2 };
+            let near = if speed::all() { 1.1 } else { 1.2 };
             assert!(
                 stated <= near * proven,
                 "{warp}: {proven:e} proven, {stated:e} stated"

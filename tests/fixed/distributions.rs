@@ -8,7 +8,7 @@ use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use rand_pcg::Pcg32;
 use std::collections::BTreeSet;
 use support::parallel::{in_parallel, threads};
-use support::{docs, stats};
+use support::{docs, speed, stats};
 
 /// What the samples of a shape gave.
 pub struct Report {
@@ -105,9 +105,11 @@ fn p_values_of_right_warps_are_uniform() {
             .into_iter()
             .find(|shape| shape.name == name)
             .unwrap();
-        shape.samples = 1 << 16;
+        shape.samples = speed::of("samples of each run of right warps", 1 << 15, 1 << 16);
+        let count = speed::of("runs of right warps", 50, 200);
         // The same words would give the same uniforms again, whatever the warp.
-        let seeds = first..first + 200;
+        let seeds = first..first + count;
+        let many = count as f64;
         let runs: Vec<Report> = seeds.map(|seed| examine(&shape, seed)).collect();
         for test in 0..=shape.axes {
             let mut p: Vec<f64> = runs.iter().map(|run| run.p[test]).collect();
@@ -115,9 +117,9 @@ fn p_values_of_right_warps_are_uniform() {
             let off = p
                 .iter()
                 .enumerate()
-                .map(|(i, p)| (p - (i as f64 + 0.5) / 200.0).abs());
-            let distance = off.fold(0.0, f64::max) + 0.5 / 200.0;
-            let chance = stats::kolmogorov(distance, 200.0);
+                .map(|(i, p)| (p - (i as f64 + 0.5) / many).abs());
+            let distance = off.fold(0.0, f64::max) + 0.5 / many;
+            let chance = stats::kolmogorov(distance, many);
             println!("{name}, test {test}: {distance:.3} from uniform, p = {chance:.3}");
             assert!(chance >= 1e-6, "{name}, test {test}: {chance}");
         }

@@ -41,9 +41,15 @@ impl Figures {
         }
     }
 
-    /// Whether figures measured keep to these, and these are not stale.
-    pub fn agree_with(self, measured: Self) -> bool {
-        states(self.max, measured.max, 0.0)
+    /// Whether figures measured keep to these, and these are not stale; the largest error only if so
+    /// many words have been tried that it must have been met.
+    pub fn agree_with(self, measured: Self, many: bool) -> bool {
+        let largest = if many {
+            states(self.max, measured.max, 0.0)
+        } else {
+            measured.max.is_finite() && measured.max <= self.max
+        };
+        largest
             && states(self.rms, measured.rms, 0.0)
             && states(self.mean, measured.mean, NONE * measured.rms)
     }

@@ -2,11 +2,7 @@
 
 use support::parallel::{in_parallel, threads};
 use support::progress::{STEPS, progress};
-
-/// Whether every word there is was asked for.
-pub fn full() -> bool {
-    std::env::var_os("MICROWARP_FULL").is_some()
-}
+use support::speed;
 
 /// A part of the words: `2^bits` of them from 0 on, one of every `stride`, and the edges.
 #[derive(Clone, Copy, Debug)]
@@ -19,17 +15,16 @@ pub struct Words {
 const CHUNK: u32 = 1 << 20;
 
 impl Words {
-    /// All 2³² words where they were asked for, otherwise one of every `stride`.
+    /// All 2³² words where they were asked for, otherwise one of every `stride`, or of 128 times that in the quick speed.
     pub fn every(stride: u32) -> Self {
-        Self::full_or(1, stride)
+        Self::all_or(1, stride)
     }
 
     /// One of every so many words: where all were asked for, and otherwise.
-    pub fn full_or(full_stride: u32, stride: u32) -> Self {
-        Self {
-            bits: 32,
-            stride: if full() { full_stride } else { stride },
-        }
+    pub fn all_or(all: u32, stride: u32) -> Self {
+        let quick = stride * 128;
+        let stride = speed::or_all("one word tried of every", quick, stride, all);
+        Self { bits: 32, stride }
     }
 
     fn chunks(self) -> u32 {
@@ -74,9 +69,12 @@ impl Words {
 }
 
 /// Where kernels tend to break: the first and the last words, powers of two, quarters, and the borders of the cells
-/// of every table, each with its neighbours.
+/// of every table, each with its neighbours. In the quick speed there are fewer neighbours.
 pub fn edges() -> Vec<u32> {
-    let mut edges: Vec<u32> = (0..1 << 16).flat_map(|w: u32| [w, !w]).collect();
+    let first = speed::of("first and last words", 1 << 13, 1 << 16);
+    let near = |full: u32| speed::of("neighbours of edges", full / 4, full);
+    let every = speed::of("one leading half or head tried of every", 8, 1);
+    let mut edges: Vec<u32> = (0..first).flat_map(|w: u32| [w, !w]).collect();
     let mut around = |centre: u32, reach: u32| {
         edges.extend((0..=2 * reach).map(|i| centre.wrapping_add(i).wrapping_sub(reach)));
     };
@@ -87,16 +85,17 @@ pub fn edges() -> Vec<u32> {
     // Of logarithms and roots below 1, after normalising.
     for shift in 0..26 {
         for cell in 0..256 {
-            around((cell << 24) >> shift, 8);
-            around(((cell << 24) >> shift).wrapping_neg(), 8);
+            around((cell << 24) >> shift, near(8));
+            around(((cell << 24) >> shift).wrapping_neg(), near(8));
         }
     }
     // Of exponentials: cells that are found from the leading half, halvings, and of small numbers where the leading
     // 16 bits change.
-    (0..1 << 16).for_each(|half| around(half << 16, 2));
+    let leading = || (0..1 << 16).step_by(every);
+    leading().for_each(|half| around(half << 16, 2));
     let halving = std::f64::consts::LN_2 * f64::from(1 << 27);
     (0..47).for_each(|i| around((f64::from(i) * halving) as u32, 8));
-    (0..1 << 16).for_each(|head| around(head << 8, 1));
+    leading().for_each(|head| around(head << 8, 1));
     edges.sort_unstable();
     edges.dedup();
     edges

@@ -5,6 +5,7 @@ use super::wide::float;
 use super::wide::quotient::{quotient, ratio, reciprocal};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
+use support::speed;
 
 /// Pairs of structured words, and of words of all magnitudes at random.
 fn pairs() -> impl Iterator<Item = (u32, u32)> {
@@ -14,7 +15,8 @@ fn pairs() -> impl Iterator<Item = (u32, u32)> {
         .flat_map(|a| structured.iter().map(move |b| (*a, *b)))
         .collect();
     let mut rng = Pcg32::seed_from_u64(7);
-    let random = (0..1 << 20).map(move |_| {
+    let count = speed::of("quotients at random", 1 << 17, 1 << 20);
+    let random = (0..count).map(move |_| {
         let mut word = || rng.next_u32() >> (rng.next_u32() & 31);
         (word(), word())
     });

@@ -1,15 +1,16 @@
 //! The rim of the disk: as wide as the sines and products of a grade allow, and not a word wider.
 //!
-//! `MICROWARP_WRITE=1 MICROWARP_FULL=1 cargo test --test fixed rim` writes it anew.
+//! `MICROWARP_WRITE=1 MICROWARP_FULL=all cargo test --test fixed rim` writes it anew.
 
 use super::wide::{product, sine};
-use crate::inputs::{Words, edges, full};
+use crate::inputs::{Words, edges};
 use fixed::types::{I2F30, U0F32};
 use microwarp::Warp;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp::Disk};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use std::path::Path;
+use support::speed;
 
 type Sincos = fn(u32) -> (i32, i32);
 type Scaled = fn(u32, i32) -> i32;
@@ -74,10 +75,10 @@ fn the_rim_is_the_widest() {
     for (name, sincos) in grades {
         let (_, scaled) = rim_and_product(name, None);
         let widest = widest(name, sincos, scaled);
-        let write = full() && std::env::var_os("MICROWARP_WRITE").is_some();
+        let write = speed::all() && std::env::var_os("MICROWARP_WRITE").is_some();
         let (rim, _) = rim_and_product(name, write.then_some(widest));
         println!("{name}: rim {rim:#x}, widest {widest:#x}");
-        if full() {
+        if speed::all() {
             assert_eq!(rim, widest, "{name}");
         } else {
             // Some of the phases allow no less than all of them.
@@ -111,7 +112,7 @@ fn points_lie_inside<G: Grade>() {
     assert_eq!(states.iter().sum::<u64>(), 0, "{}", G::NAME);
     // At random, and next to the rim at all scales.
     let mut rng = Pcg32::seed_from_u64(5);
-    for i in 0..1_u32 << 24 {
+    for i in 0..speed::of("points next to the rim", 1_u32 << 20, 1 << 24) {
         let u1 = !(rng.next_u32() >> (i & 31));
         let u2 = rng.next_u32();
         let (x, y) = bits(disk.sample([u1, u2].map(U0F32::from_bits)));

@@ -1,12 +1,13 @@
 //! Functions that rise may fall from a word to the next, by no more than the documentation of the grades says.
 //!
-//! The figures stand in its second table, in steps of the result; `MICROWARP_WRITE=1 MICROWARP_FULL=1 cargo test
+//! The figures stand in its second table, in steps of the result; `MICROWARP_WRITE=1 MICROWARP_FULL=all cargo test
 //! --test fixed rise` writes them anew.
 
-use crate::inputs::{Words, edges, full};
+use crate::inputs::{Words, edges};
 use fixed::types::{U0F32, U5F27};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use support::docs::{self, Doc, Row, states};
+use support::speed;
 
 /// A rising function of a word, in its words.
 type Rising = fn(u32) -> u32;
@@ -56,7 +57,7 @@ fn write(measured: &[(String, [u32; 3])]) {
 
 /// Over all words the falls are those that are stated; over some of them, no larger and nearly as large.
 fn agrees(stated: u32, measured: u32) -> bool {
-    if full() {
+    if speed::all() {
         stated == measured
     } else {
         states(stated.into(), measured.into(), 0.0)

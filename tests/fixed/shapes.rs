@@ -9,6 +9,7 @@ use fixed::{FixedI32, FixedU32};
 use microwarp::Warp;
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade, Interval, warp::*};
 use rand_pcg::Pcg32;
+use support::speed;
 use support::truth::{self, Truth};
 
 /// A point as it is.
@@ -78,19 +79,30 @@ const COMPACT: Power = Power {
     samples: 1 << 22,
     ..FINE
 };
-pub const COARSE_SAMPLES: usize = 1 << 22;
 const COARSE: Power = Power {
-    samples: COARSE_SAMPLES,
+    samples: 1 << 22,
     cells: [31, 31],
     slack: 4e-4,
 };
 
+/// The samples of any shape, and by how much more than in the full speed controls are wrong.
+const QUICK: (usize, f64) = (1 << 18, 4.0);
+
+/// The fewest samples that a shape gets, and how wrong its negative controls are.
+pub fn fewest() -> (usize, f64) {
+    if speed::full() {
+        (COARSE.samples, 1.0)
+    } else {
+        QUICK
+    }
+}
+
 impl Shape {
-    pub fn new(name: String, axes: usize, samples: usize, fill: Fill) -> Self {
+    pub fn new(name: String, axes: usize, fill: Fill) -> Self {
         Self {
             name,
             axes,
-            samples,
+            samples: fewest().0,
             cells: COARSE.cells[axes - 1],
             slack: FINE.slack,
             fill,
@@ -107,7 +119,7 @@ where
     Shape {
         name,
         axes,
-        samples: power.samples,
+        samples: speed::of("samples of each shape", QUICK.0, power.samples),
         cells: power.cells[axes - 1],
         slack: power.slack,
         fill: Box::new(move |rng, uniforms| {

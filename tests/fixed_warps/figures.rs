@@ -3,6 +3,7 @@
 use std::sync::Mutex;
 use support::docs::{self, Doc, Row, Statement, rounded_up, states};
 use support::errors::Errors;
+use support::speed;
 
 /// 2⁻³².
 pub const WORD: f64 = 1.0 / 4_294_967_296.0;
@@ -36,8 +37,10 @@ fn edges() -> impl Iterator<Item = u32> {
         }))
 }
 
-/// Every so many words, an odd number, from 0 on, on two threads; and all words about the edges.
+/// Every so many words, an odd number, from 0 on, on two threads; and all words about the edges. In the quick speed
+/// every 15th of those.
 pub fn over_words(stride: u32, observe: impl Fn(u32, &mut dyn FnMut(f64)) + Sync) -> Figures {
+    let stride = speed::of("one word tried of every", 15 * stride, stride);
     assert_eq!(stride % 2, 1, "so that all low bits occur");
     let total = Mutex::new(Figures::default());
     std::thread::scope(|scope| {
@@ -60,8 +63,9 @@ pub fn over_words(stride: u32, observe: impl Fn(u32, &mut dyn FnMut(f64)) + Sync
     total
 }
 
-/// This many pairs of words, in no step with each other; and all pairs of words next to powers of two.
+/// This many pairs of words, in the quick speed a 16th of them, in no step with each other; and all pairs of words next to powers of two.
 pub fn over_pairs(count: u64, observe: impl Fn([u32; 2], &mut dyn FnMut(f64)) + Sync) -> Figures {
+    let count = speed::of("pairs of words tried", count / 16, count);
     let total = Mutex::new(Figures::default());
     std::thread::scope(|scope| {
         for half in 0..2 {

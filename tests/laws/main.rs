@@ -12,6 +12,7 @@ mod shapes;
 mod truncated;
 
 use support::registry::{Domain, Ends, Entry, Point, Uniforms, entries};
+use support::speed;
 
 /// Every kind of f32 a caller can hand in as a uniform.
 const ANY: [f32; 24] = [
@@ -52,7 +53,7 @@ fn for_any_uniforms(entry: &Entry, mut law: impl FnMut(Uniforms)) {
         }
     }
     // A coarse walk over the grid beside the special values.
-    for k in 0..65_536_u32 {
+    for k in 0..speed::of("points of each warp", 8_192_u32, 65_536) {
         let u = |m: u32| (k.wrapping_mul(m) >> 8) as f32 / 16_777_216.0;
         law([
             u(0x9e37_79b9),
@@ -116,7 +117,8 @@ fn no_point_of_the_disk_lies_beyond_its_rim() {
     for entry in entries() {
         for rim in entry.rims {
             walked += 1;
-            for k in 0..1_u32 << 24 {
+            let stride = speed::of("one point of the rim tried of every", 61, 1);
+            for k in (0..1_u32 << 24).step_by(stride) {
                 let u = rim(last, k as f32 / 16_777_216.0);
                 let x = entry.warp.sample(u);
                 let label = entry.label();

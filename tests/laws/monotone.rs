@@ -9,9 +9,13 @@ use microwarp::discrete::PiecewiseConstant1d;
 use microwarp::{Error, Interval, Linear, Tent, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::speed;
 
 const GRID: u32 = 1 << 24;
 const STEP: f32 = 1.0 / 16_777_216.0;
+
+/// By how much less is tried in the quick speed than in the full one.
+const LESS: u32 = 16;
 
 type Map = Box<dyn Fn(f32) -> f32>;
 
@@ -113,7 +117,8 @@ fn below(x: f32) -> f32 {
 /// How often a map steps back between neighbours of the grid.
 fn steps_back(map: &Map) -> u32 {
     let mut before = map(0.0);
-    let back = (1..GRID).map(|k| {
+    let blocks = speed::blocks("the grid", GRID, LESS as usize);
+    let back = blocks.flatten().map(|k| {
         let x = map(k as f32 * STEP);
         let forth = x >= before;
         before = x;
@@ -126,7 +131,8 @@ fn steps_back(map: &Map) -> u32 {
 fn steps_back_somewhere(build: impl Fn([f32; 6]) -> Option<Map>) -> u32 {
     let mut rng = Pcg32::new(2_026, 13);
     let (mut back, mut accepted) = (0, 0);
-    while accepted < 4_000 {
+    let sets = speed::of("parameters of each family", 4_000 / LESS, 4_000);
+    while accepted < sets {
         let parameters = std::array::from_fn(|_| any(&mut rng));
         let Some(map) = build(parameters) else {
             continue;
@@ -152,7 +158,7 @@ fn listed_maps_never_turn_back() {
     }
     let wrong = steps_back(&rounded_twice(1e6, 1e6 + 1.0));
     println!("rounded twice: {wrong} steps back");
-    assert!(wrong > 10_000);
+    assert!(wrong > 10_000 / LESS);
 }
 
 #[test]
@@ -166,13 +172,15 @@ fn maps_of_any_parameters_never_turn_back() {
         narrow(p, |a, b| Ok(rounded_twice(a, b))).ok()
     });
     println!("rounded twice: {wrong} steps back");
-    assert!(wrong > 1_000);
+    assert!(wrong > 1_000 / LESS);
 }
 
-/// How uneven the points of [a, b) are, in uniforms of the grid: the largest error of a single point's share, and
-/// that of the number of uniforms up to a point (Kolmogorov's distance times 2²⁴). Exact counts of sorted samples.
+/// How uneven the points of [a, b) are, in uniforms of the grid, a coarser one in the quick speed: the largest error of a single point's share, and
+/// that of the number of uniforms up to a point (Kolmogorov's distance times their number). Exact counts of sorted samples.
 fn uneven(map: &Map, a: f32, b: f32) -> [f64; 2] {
-    let mut points: Vec<f32> = (0..GRID).map(|k| map(k as f32 * STEP)).collect();
+    let less = speed::of("one uniform counted of every", LESS, 1);
+    let count = GRID / less;
+    let mut points: Vec<f32> = (0..count).map(|k| map((k * less) as f32 * STEP)).collect();
     if !points.is_sorted() {
         points.sort_unstable_by(f32::total_cmp);
     }
@@ -186,7 +194,7 @@ fn uneven(map: &Map, a: f32, b: f32) -> [f64; 2] {
         } else {
             (edge - low) / (high - low)
         };
-        f64::from(GRID) * share
+        f64::from(count) * share
     };
     let (mut share, mut distance, mut start) = (0.0_f64, 0.0_f64, 0);
     while let Some(&x) = points.get(start) {
@@ -224,5 +232,6 @@ fn every_point_has_its_share_of_the_uniforms() {
     let down = negative(Box::new(|u| rounded_twice(1e6, 1e6 + 1.0)(1.0 - u)));
     let down = uneven(&down, -1e6 - 1.0, -1e6);
     println!("rounded twice: off by {up:?} and {down:?} uniforms");
-    assert!(up[0] > 1e5 && up[1] > 1e5 && down[0] > 1e5 && down[1] > 1e5);
+    let most = 1e5 / f64::from(LESS);
+    assert!(up.iter().chain(&down).all(|off| *off > most));
 }

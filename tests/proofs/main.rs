@@ -4,6 +4,7 @@
 //! and cosine, made of the other: the error of each factor is found by trying all its inputs, and what the products
 //! round is at most half an ulp. `docs/proofs.md` has the argument and the figures; here they are computed, compared
 //! with what the documentation of the maps states and with the largest errors that a search finds.
+//! In the quick speed one of every few inputs is tried, so that what is called proven is so only nearly.
 //! `MICROWARP_WRITE=1 cargo test --test proofs` writes the figures anew.
 
 mod bounds;
@@ -18,7 +19,9 @@ use bounds::Roundings;
 use maps::{Kernels, MAPS, Outcome, examine};
 use microwarp::tier::{Libm, Poly, Tier};
 use report::{complaint, stated};
+use std::sync::LazyLock;
 use support::parallel::{self, threads};
+use support::speed;
 
 /// Which uniforms a bound holds for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +31,9 @@ pub enum Uniforms {
     /// k·2⁻²⁴, which generators yield.
     Grid,
 }
+
+/// One of how many inputs is tried. Odd, so that all low bits occur.
+pub static STRIDE: LazyLock<u32> = LazyLock::new(|| speed::of("one input tried of every", 13, 1));
 
 /// The results of jobs 0..count, worked out on as many threads as there are cores.
 fn in_parallel<T: Send>(count: u32, job: impl Fn(u32) -> T + Sync) -> Vec<T> {
@@ -76,7 +82,7 @@ fn stated_errors_are_proven_for_every_uniform() {
 fn maps_have_the_form_that_is_examined<T: Tier>() {
     for name in MAPS {
         let entry = maps::entry::<T>(name);
-        for k in 0..1 << 18 {
+        for k in 0..(1 << 18) / *STRIDE {
             let u = [k, k + (1 << 20)].map(|k| {
                 let word = search::spread(k);
                 // Half of them of the grid, the others from all binades.
@@ -105,7 +111,7 @@ fn no_point_leaves_the_disk_of<T: Tier>() {
     let first = (1.0_f32 / 32_768.0).to_bits();
     let last = 0.125_f32.to_bits();
     in_parallel(64, |part| {
-        for bits in (first + part..=last).step_by(64) {
+        for bits in (first + part..=last).step_by(64 * *STRIDE as usize) {
             let (y, x) = rim(f32::from_bits(bits));
             let square = |x: f32| f64::from(x) * f64::from(x);
             // A sum that is not below 1 would not be rounded to below 1.

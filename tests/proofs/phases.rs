@@ -2,7 +2,7 @@
 //! images: a phase is reduced exactly, and the kernels are odd and even.
 
 use crate::range::Range;
-use crate::{Uniforms, in_parallel};
+use crate::{STRIDE, Uniforms, in_parallel};
 use std::f64::consts::{PI, TAU};
 
 /// The error is measured along this many axes of the plane, a half turn in all. A vector is longer than the
@@ -74,11 +74,12 @@ impl Cell {
         let axes: [_; AXES] = std::array::from_fn(axis);
         let [mut turns, mut sine, mut cosine, mut radial] = [Range::NONE; 4];
         let mut along = [Range::NONE; AXES];
-        for start in steps.clone().step_by(BLOCK) {
+        let stride = *STRIDE;
+        for start in steps.clone().step_by(BLOCK * stride as usize) {
             let [mut t, mut s, mut c, mut x, mut y, mut r] = [[0.0; BLOCK]; 6];
             for j in 0..BLOCK {
                 // The last block is filled up with the last phase.
-                let phase = phase(uniforms, (start + j as u32).min(steps.end - 1));
+                let phase = phase(uniforms, (start + j as u32 * stride).min(steps.end - 1));
                 let (found_s, found_c) = kernel(phase);
                 (t[j], s[j], c[j]) = (f64::from(phase), f64::from(found_s), f64::from(found_c));
                 let (exact_s, exact_c) = sincos(t[j]);

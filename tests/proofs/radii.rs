@@ -4,7 +4,7 @@
 //! it is the larger of the two numbers of the square that does so.
 
 use crate::range::Range;
-use crate::{Uniforms, in_parallel};
+use crate::{STRIDE, Uniforms, in_parallel};
 use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::uniform::LARGEST;
@@ -105,7 +105,7 @@ fn sweep(
             1.0_f32.to_bits() - FIRST.to_bits(),
         ),
     };
-    let block = |steps: std::ops::Range<u32>, radii: &mut Radii| {
+    let block = |steps: std::ops::Range<u32>, stride: u32, radii: &mut Radii| {
         let [
             mut us,
             mut rs,
@@ -117,7 +117,7 @@ fn sweep(
         ] = [[0.0; BLOCK]; 7];
         for j in 0..BLOCK {
             // What is left of a block is filled up with its last uniform.
-            let u = uniform((steps.start + j as u32).min(steps.end - 1));
+            let u = uniform((steps.start + j as u32 * stride).min(steps.end - 1));
             let ((r, z), (exact_r, exact_z)) = (map(u), exact(f64::from(u)));
             (us[j], rs[j]) = (f64::from(u), f64::from(r));
             off[j] = rs[j] - exact_r;
@@ -143,11 +143,12 @@ fn sweep(
         // The last radii of a normal pair are far apart, and stand alone.
         let apart = if (i + 1) * share == count { 4096 } else { 0 };
         let (start, middle, end) = (i * share, (i + 1) * share - apart, (i + 1) * share);
-        for start in (start..middle).step_by(BLOCK) {
-            block(start..start + BLOCK as u32, &mut part);
+        let reach = BLOCK as u32 * *STRIDE;
+        for start in (start..middle).step_by(reach as usize) {
+            block(start..(start + reach).min(middle), *STRIDE, &mut part);
         }
         for i in middle..end {
-            block(i..i + 1, &mut part);
+            block(i..i + 1, 1, &mut part);
         }
         part
     });

@@ -1,14 +1,14 @@
 //! Accepted points have the stated law, in their whole domain and whatever the number of tries.
 
 use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
-use crate::subjects::{self, run};
+use crate::subjects::{self, MORE, POINTS, run};
 use microwarp::Aabb;
 use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
 use microwarp::{Interval, Triangle, Warp, libm, poly};
 use rand_core::TryRng;
 use std::f32::consts::{FRAC_1_PI, PI};
-use support::stats;
+use support::{speed, stats};
 
 #[test]
 fn accepted_points_have_the_stated_law() {
@@ -31,7 +31,7 @@ fn points_do_not_depend_on_their_tries() {
             .collect()
     };
     let late = patient(3);
-    assert!(late.len() > 100_000);
+    assert!(late.len() > *POINTS / 20);
     assert_passes("third tries and later", &p_values_of_points(&late));
     // The control: as if a point were handed out of those that had been turned down.
     let turned_down = Bounded::new(
@@ -42,7 +42,8 @@ fn points_do_not_depend_on_their_tries() {
     );
     let mut wrong = late;
     let other = run_of(&turned_down.unwrap());
-    wrong.splice(0..20_000, other.into_iter().take(20_000));
+    let some = (0.01 * *MORE * *POINTS as f64) as usize;
+    wrong.splice(0..some, other.into_iter().take(some));
     assert_rejected("some turned down", &p_values_of_points(&wrong));
 }
 
@@ -70,8 +71,8 @@ impl Warp for WrongDisk {
     }
 }
 
-/// Acceptance by the six leading bits of the word alone.
-struct CoarseCoin<W, F>(Bounded<W, F>);
+/// Acceptance by the six leading bits of the word alone, or five in the quick speed.
+struct CoarseCoin<W, F>(Bounded<W, F>, u32);
 
 impl<W, F> Rejection for CoarseCoin<W, F>
 where
@@ -88,7 +89,7 @@ where
     ) -> Result<Option<W::Point>, Failure<R::Error>> {
         let u = W::Uniforms::try_draw(rng).map_err(Failure::Generator)?;
         let word = rng.try_next_u32().map_err(Failure::Generator)?;
-        Ok(self.0.attempt(u.get(), word & 0xfc00_0000).unwrap())
+        Ok(self.0.attempt(u.get(), word & self.1).unwrap())
     }
 }
 
@@ -103,19 +104,25 @@ fn p_values<S: Rejection, const D: usize>(
 #[test]
 fn regions_that_are_slightly_off_are_rejected() {
     let square = Aabb::new([-1.0; 2], [1.0; 2]).unwrap();
-    let narrow = |[x, y]: [f32; 2]| x * x + y * y <= 0.995;
+    let more = *MORE as f32;
+    let narrow = |[x, y]: [f32; 2]| x * x + y * y <= 1.0 - 0.005 * more;
     let narrow = Region::new(square, narrow, 100).unwrap();
     assert_rejected("narrow disk", &p_values(&narrow, subjects::disk));
-    let oval = |[x, y]: [f32; 2]| x * x + 1.01 * y * y <= 1.0;
+    let oval = |[x, y]: [f32; 2]| x * x + (1.0 + 0.01 * more) * y * y <= 1.0;
     let oval = Region::new(square, oval, 100).unwrap();
     assert_rejected("oval", &p_values(&oval, subjects::disk));
-    let cap = Region::new(libm::Hemisphere::new(), |n: [f32; 3]| n[2] > 0.505, 100).unwrap();
+    let cap = Region::new(
+        libm::Hemisphere::new(),
+        |n: [f32; 3]| n[2] > 0.5 + 0.005 * more,
+        100,
+    )
+    .unwrap();
     assert_rejected("small cap", &p_values(&cap, subjects::cap));
-    let triangle = |b: [f32; 3]| b[0] < 0.99 * b[1];
+    let triangle = |b: [f32; 3]| b[0] < (1.0 - 0.01 * more) * b[1];
     let triangle = Region::new(Triangle::new(), triangle, 100).unwrap();
     assert_rejected("triangle", &p_values(&triangle, subjects::half_triangle));
     // A disk at the centre of which a little hole has been left.
-    let ring = |[x, y]: [f32; 2]| (4e-3..=1.0).contains(&(x * x + y * y));
+    let ring = |[x, y]: [f32; 2]| (4e-3 * more..=1.0).contains(&(x * x + y * y));
     let ring = Region::new(square, ring, 100).unwrap();
     assert_rejected("punctured disk", &p_values(&ring, subjects::disk));
 }
@@ -123,17 +130,24 @@ fn regions_that_are_slightly_off_are_rejected() {
 #[test]
 fn densities_that_are_slightly_off_are_rejected() {
     let disk = poly::Disk::new();
-    let clamped = |x| subjects::bump_density(x).min(0.9);
-    let clamped = Bounded::new(disk, clamped, 0.9 * PI, 600).unwrap();
+    let more = *MORE as f32;
+    let peak = 1.0 - 0.1 * more;
+    let clamped = |x| subjects::bump_density(x).min(peak);
+    let clamped = Bounded::new(disk, clamped, peak * PI, 600).unwrap();
     assert_rejected("a clamped peak", &p_values(&clamped, subjects::bump));
     let wrong = Bounded::new(WrongDisk, subjects::bump_density, PI, 600).unwrap();
     assert_rejected("proposals r = u", &p_values(&wrong, subjects::bump));
     let line = Interval::new(0.0, PI).unwrap();
-    let raised = Bounded::new(line, |x: f32| 0.03 + x.sin(), 1.03 * PI, 600).unwrap();
-    assert_rejected("sin + 0.03", &p_values(&raised, subjects::half_sine));
+    let by = 0.03 * more;
+    let raised = Bounded::new(line, |x: f32| by + x.sin(), (1.0 + by) * PI, 600).unwrap();
+    assert_rejected(
+        "sin + 0.03 or more",
+        &p_values(&raised, subjects::half_sine),
+    );
     let coarse = Bounded::new(line, f32::sin, PI, 600).unwrap();
-    let coarse = p_values(&CoarseCoin(coarse), subjects::half_sine);
-    assert_rejected("a coin of six bits", &coarse);
+    let bits = u32::MAX << speed::of("bits that the coarse coin lacks", 27, 26);
+    let coarse = p_values(&CoarseCoin(coarse, bits), subjects::half_sine);
+    assert_rejected("a coin of few bits", &coarse);
     // Dividing by c alone where c p is meant: as if f were f p.
     let lobe = poly::CosineHemisphere::new();
     let forgetful = move |n: [f32; 3]| n[2] * n[2] * lobe.pdf(n);

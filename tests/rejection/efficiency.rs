@@ -3,7 +3,7 @@
 use crate::examination::{
     assert_passes, assert_rejected, p_value_of_mean, p_value_of_tries, totals,
 };
-use crate::subjects::{self, POINTS};
+use crate::subjects::{self, MORE, POINTS};
 use microwarp::Error;
 use microwarp::rejection::{BallRejection, DiskRejection, Failure, Rejection, budget_for};
 use rand_pcg::Pcg32;
@@ -19,11 +19,11 @@ fn tries_are_geometric_with_the_stated_efficiency() {
         println!("{name}: measured {measured:.5}, exact {e:.5}");
         let p_values = [p_value_of_tries(tries, e), p_value_of_mean(tries, e)];
         assert_passes(name, &p_values);
-        // A percent is seen in the histogram and half of it in the mean, both ways.
-        for sign in [-1.0, 1.0] {
-            let histogram = p_value_of_tries(tries, (1.0 + 0.01 * sign) * e);
+        // A percent is seen in the histogram and half of it in the mean, both ways; of fewer points twice that.
+        for off in [-*MORE, *MORE] {
+            let histogram = p_value_of_tries(tries, (1.0 + 0.01 * off) * e);
             assert_rejected("histogram 1 % off", &[histogram]);
-            let mean = p_value_of_mean(tries, (1.0 + 0.005 * sign) * e);
+            let mean = p_value_of_mean(tries, (1.0 + 0.005 * off) * e);
             assert_rejected("mean 0.5 % off", &[mean]);
         }
     }
@@ -54,7 +54,7 @@ fn a_budget_is_spent_as_often_as_it_must_be() {
     let ball = BallRejection::with_budget(5).unwrap();
     let mut rng = Pcg32::new(500, 500);
     let (mut disks, mut balls) = (0, 0);
-    for _ in 0..POINTS {
+    for _ in 0..*POINTS {
         match disk.draw(&mut rng) {
             Ok(accepted) => assert!((1..=2).contains(&accepted.tries)),
             Err(failure) => {
@@ -65,14 +65,20 @@ fn a_budget_is_spent_as_often_as_it_must_be() {
         balls += u32::from(ball.draw(&mut rng).is_err());
     }
     let p_value = |spent: u32, probability: f64| {
-        let n = POINTS as f64;
+        let n = *POINTS as f64;
         let deviation = (n * probability * (1.0 - probability)).sqrt();
         stats::two_sided((f64::from(spent) - n * probability) / deviation)
     };
     let [d, b] = [(1.0 - FRAC_PI_4).powi(2), (1.0 - FRAC_PI_6).powi(5)];
     assert_passes("budgets", &[p_value(disks, d), p_value(balls, b)]);
-    assert_rejected("budget of disk", &[p_value(disks, 1.05 * d)]);
-    assert_rejected("budget of ball", &[p_value(balls, 1.05 * b)]);
+    assert_rejected(
+        "budget of disk",
+        &[p_value(disks, (1.0 + 0.05 * *MORE) * d)],
+    );
+    assert_rejected(
+        "budget of ball",
+        &[p_value(balls, (1.0 + 0.05 * *MORE) * b)],
+    );
 }
 
 #[test]

@@ -5,6 +5,7 @@ use crate::curves::{CURVES, Curve, Geometry, LAYERS};
 use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::speed;
 
 /// 2²⁴, the width of a layer in units of its grid.
 const UNITS: f64 = 16_777_216.0;
@@ -159,7 +160,7 @@ fn the_realised_density_is_the_curve() {
             .map(|layer| f64::from(unit(curve, layer)))
             .collect();
         let (mut worst, mut mean, mut wedges) = (0.0_f64, 0.0, 0);
-        let places = 40_000;
+        let places = speed::of("places of each curve", 4_000, 40_000);
         for k in 0..places {
             // A place in a layer, its wedge mostly; then all the layers that reach as far.
             let layer = 1 + (rng.next_u32() % 255) as usize;
@@ -193,7 +194,7 @@ fn the_realised_density_is_the_curve() {
             mean += error / f64::from(places);
         }
         println!("{curve:?}: {worst:.2e} at most, {mean:.1e} on average, {wedges} wedges");
-        assert!(wedges > 30_000);
+        assert!(4 * wedges > 3 * places);
         assert!(worst <= 7e-7, "{curve:?}: {worst}");
         assert!(mean.abs() <= 3e-8, "{curve:?}: {mean}");
     }
@@ -214,7 +215,7 @@ fn tails_have_their_mass_and_their_law() {
         println!("{curve:?}: the tail's mass is off by {off:.1e}");
         assert!(off.abs() <= 1e-6, "{off}");
         let mut worst = 0.0_f64;
-        for k in 0..200_000 {
+        for k in 0..speed::of("words of each tail", 20_000, 200_000) {
             let (high, low) = (rng.next_u32() >> (k % 32), rng.next_u32());
             let x = attempt(curve, [word(curve, 0, (1 << 24) - 1), high, low]).unwrap();
             // Of 64 bits, less those that an f32 has no room for.

@@ -9,10 +9,16 @@ use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Reject
 use microwarp::{Interval, Triangle, fixed, libm, poly};
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, LN_2, PI, TAU};
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
+use support::speed;
 
 /// Points of a run.
-pub const POINTS: usize = 2_000_000;
+pub static POINTS: LazyLock<usize> =
+    LazyLock::new(|| speed::of("points of each sampler", 500_000, 2_000_000));
+
+/// By what factor controls are more wrong than with all points, as those are 2² times as many.
+pub static MORE: LazyLock<f64> =
+    LazyLock::new(|| speed::of("factor of the errors of controls", 2.0, 1.0));
 
 /// What came of a run.
 pub struct Outcome {
@@ -49,7 +55,7 @@ pub fn run<S: Rejection, const D: usize>(
 ) -> Run<D> {
     let mut rng = Pcg32::new(seed, 0xbed);
     let (mut uniforms, mut tries) = (Vec::new(), Vec::new());
-    for _ in 0..POINTS {
+    for _ in 0..*POINTS {
         let accepted = sampler.draw(&mut rng).unwrap();
         uniforms.push(uniform(accepted.point));
         tries.push(accepted.tries);

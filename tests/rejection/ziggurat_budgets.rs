@@ -10,6 +10,7 @@ use microwarp::{Error, Warp, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::generators::{Broken, Counting, Cycle, Failing};
+use support::speed;
 
 /// The place farthest out in the last layer, where no second word but the very first ones accepts.
 fn rejected(curve: Curve) -> u32 {
@@ -21,7 +22,8 @@ fn keeps_its_budget(sampler: &impl Rejection<Point = f32>, curve: Curve, budget:
     assert_eq!(sampler.budget(), budget);
     let mut rng = Counting::new(Pcg32::new(1, 1));
     let mut counts = [0; 3];
-    for _ in 0..1_000_000 {
+    let draws = speed::of("draws of each budget", 200_000, 1_000_000);
+    for _ in 0..draws {
         let before = rng.words;
         let tries = sampler.draw(&mut rng).unwrap().tries;
         let words = rng.words - before;
@@ -29,7 +31,10 @@ fn keeps_its_budget(sampler: &impl Rejection<Point = f32>, curve: Curve, budget:
         let last = words - 2 * u64::from(tries - 1);
         counts[last as usize - 1] += 1;
     }
-    assert!(counts.iter().all(|count| *count > 200), "{counts:?}");
+    assert!(
+        counts.iter().all(|count| *count > draws / 5000),
+        "{counts:?}"
+    );
     // Stuck at a word that no try accepts.
     let words = [rejected(curve)];
     let mut stuck = Counting::new(Cycle::new(&words));

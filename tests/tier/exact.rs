@@ -3,8 +3,9 @@
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::LARGEST;
 use support::parallel::{in_parallel, threads};
+use support::speed;
 
-/// Every f32 of two adjacent binades, which stand for all others by scaling with powers of 4, and a
+/// Every f32 of two adjacent binades, in the quick speed every 13th, which stand for all others by scaling with powers of 4, and a
 /// sample of those against f64, whose root rounds to the same f32.
 #[test]
 fn the_square_root_is_correctly_rounded() {
@@ -15,9 +16,10 @@ fn the_square_root_is_correctly_rounded() {
         assert!(Libm::sqrt(x).to_bits() == exact.to_bits(), "√{x}");
     };
     let one = 1.0_f32.to_bits();
+    let stride = speed::of("one root tried of every", 13, 1);
     let starts: Vec<u32> = (0..1 << 8).map(|chunk| one + (chunk << 16)).collect();
     in_parallel(threads(), &starts, |&start| {
-        (start..start + (1 << 16)).for_each(check);
+        (start..start + (1 << 16)).step_by(stride).for_each(check);
     });
     (0..=f32::MAX.to_bits()).step_by(2047).for_each(check);
     (0..1 << 12).for_each(check);
@@ -72,11 +74,11 @@ fn quarter_turns_are_exact_in_both_tiers() {
     quarter_turns_are_exact::<Poly>();
 }
 
-/// How often a function of the uniform steps back, over every input of the grid.
+/// How often a function of the uniform steps back, over the inputs of the grid.
 fn steps_back(function: impl Fn(f32) -> f32) -> u32 {
     let mut last = f32::NEG_INFINITY;
     let mut steps = 0;
-    for k in 0..=1_u32 << 24 {
+    for k in speed::blocks("the grid", (1 << 24) + 1, 16).flatten() {
         let y = function(k as f32 / 16_777_216.0);
         // Not a number is no step forward either.
         steps += if y >= last { 0 } else { 1 };

@@ -2,6 +2,7 @@
 
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
+use support::speed;
 
 /// Inputs of a function of one or two arguments; where there is one, it is the first.
 pub type Input = (f32, f32);
@@ -68,15 +69,28 @@ impl Sweep {
         self.len().div_ceil(CHUNK)
     }
 
-    /// Hands every input of a chunk to `each`.
-    pub fn for_each(self, chunk: u32, mut each: impl FnMut(Input)) {
+    /// One of how many inputs is tried: fewer of those at random and of far ones, of which there are fewer.
+    pub fn stride(self) -> usize {
+        match self {
+            Sweep::Grid(_) | Sweep::Magnitudes { step: 1, .. } => {
+                speed::of("one neighbour tried of every", 13, 1)
+            }
+            Sweep::Magnitudes { .. } | Sweep::Pairs { .. } | Sweep::Powers { .. } => {
+                speed::of("one other input tried of every", 3, 1)
+            }
+            Sweep::Edges => 1,
+        }
+    }
+
+    /// Hands one of every `stride` inputs of a chunk to `each`.
+    pub fn for_each(self, chunk: u32, stride: usize, mut each: impl FnMut(Input)) {
         let mut rng = Pcg32::seed_from_u64(u64::from(chunk) + 1);
         let mut magnitude = |[from, to]: [f32; 2]| {
             let span = to.to_bits() - from.to_bits();
             f32::from_bits(from.to_bits() + (rng.next_u64() % u64::from(span + 1)) as u32)
         };
         let start = chunk * CHUNK;
-        for i in start..self.len().min(start + CHUNK) {
+        for i in (start..self.len().min(start + CHUNK)).step_by(stride) {
             each(match self {
                 Sweep::Grid(factor) => (factor * (i as f32 / 16_777_216.0), 0.0),
                 Sweep::Magnitudes {

@@ -1,4 +1,4 @@
-//! A warp with a planted defect, which the search must find within its quick budget.
+//! A warp with a planted defect, which the search must find within its usual budget.
 
 use super::{Family, Subject, directions};
 use fixed::types::{I2F30, U0F32, U2F62};
@@ -6,7 +6,7 @@ use microwarp::Warp;
 use microwarp::fixed::warp::Cone;
 use microwarp::fixed::{Density, Fine, Grade, Uniform};
 use microwarp::uniform::Canonical;
-use support::adversary::search::Budget;
+use support::adversary::search::{Budget, USUAL};
 use support::adversary::{Family as Attacked, attack};
 
 /// A cone whose sine is halved to its size before it is turned, so that what the product cuts counts in full.
@@ -84,7 +84,7 @@ fn the_old_narrow_cone_is_found() {
         build: halved,
     }
     .stated();
-    let found = attack(&[family], Budget::Quick);
+    let found = attack(&[family], Budget::Points(USUAL));
     let sample = found[0][0].ratio;
     println!("{sample:.3} of what is stated");
     assert!(sample > 1.5);

@@ -19,6 +19,7 @@ pub mod peers;
 pub mod progress;
 pub mod registry;
 pub mod slope;
+pub mod speed;
 pub mod stats;
 pub mod table;
 pub mod truth;

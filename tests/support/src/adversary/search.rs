@@ -3,28 +3,36 @@
 use super::words::below;
 use super::{Case, Family, Uniforms};
 use crate::errors::or_infinite;
+use crate::speed;
 use rand_pcg::Pcg32;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// How long a family is attacked, and from where.
 #[derive(Clone, Copy, Debug)]
 pub enum Budget {
-    /// A fixed number of points, from a fixed seed.
-    Quick,
+    /// So many points, from a fixed seed.
+    Points(u32),
     /// For so long, from a given seed.
     Time(Duration, u64),
 }
 
-/// Points a family in the quick budget: about half a second.
-const QUICK_POINTS: u32 = 320_000;
+/// Points with which the search of any family comes near its worst case: about half a second.
+pub const USUAL: u32 = 320_000;
 
 impl Budget {
-    /// `MICROWARP_SEARCH=seconds` a family, from a new seed; otherwise the quick budget.
+    /// `MICROWARP_SEARCH=seconds` a family, from a new seed; otherwise the usual budget, or less in the quick speed.
     pub fn of_environment() -> Self {
         let seconds = std::env::var("MICROWARP_SEARCH")
             .ok()
             .and_then(|s| s.parse().ok());
-        seconds.map_or(Self::Quick, |seconds| {
+        let points = || {
+            Self::Points(speed::of(
+                "points of the search a family",
+                USUAL / 32,
+                USUAL,
+            ))
+        };
+        seconds.map_or_else(points, |seconds| {
             let now = SystemTime::now().duration_since(UNIX_EPOCH);
             let seed = now.map_or(0, |t| t.as_nanos() as u64);
             println!("search of {seconds} s a family from seed {seed}");
@@ -206,7 +214,7 @@ pub fn worst(family: &Family, budget: Budget) -> Vec<Worst> {
             (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
         });
     let seed = match budget {
-        Budget::Quick => 0,
+        Budget::Points(_) => 0,
         Budget::Time(_, seed) => seed,
     };
     let mut search = Search {
@@ -217,7 +225,7 @@ pub fn worst(family: &Family, budget: Budget) -> Vec<Worst> {
     };
     let began = Instant::now();
     while match budget {
-        Budget::Quick => search.points < QUICK_POINTS,
+        Budget::Points(points) => search.points < points,
         Budget::Time(time, _) => began.elapsed() < time,
     } {
         search.round();
