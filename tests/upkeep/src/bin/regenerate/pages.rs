@@ -36,7 +36,9 @@ fn replace(
 fn generated(page: &str, sources: &Sources) -> Outcome<(String, usize)> {
     if let Some((_, line)) = page.split_once(&format!("\n{}", FIGURE[0])) {
         // Markdown would end the paragraph there.
-        return Err(format!("a line begins with the mark of a figure: {line:.30}"));
+        return Err(format!(
+            "a line begins with the mark of a figure: {line:.30}"
+        ));
     }
     let (page, blocks) = replace(page, BLOCK, &|name| block(name, sources))?;
     let (page, figures) = replace(&page, FIGURE, &|words| figure(words, sources))?;
