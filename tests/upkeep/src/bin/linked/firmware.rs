@@ -1,0 +1,50 @@
+//! The application of examples/firmware: what it may not link, and what it occupies, compared with its sizes.csv.
+//!
+//! examples/firmware/check has copied it to target/firmware/TARGET, once with each way to log.
+
+use crate::forbidden::{self, Kind};
+use crate::image::Image;
+use crate::record::{self, compare};
+use crate::target;
+use microwarp_upkeep::{Outcome, read, write};
+
+const RECORD: &str = "examples/firmware/sizes.csv";
+const TITLES: [&str; 2] = ["flash", "RAM"];
+
+pub fn check(compiler: &str, writes: bool) -> Outcome {
+    forbidden::control()?;
+    record::control(TITLES)?;
+    let mut rows = Vec::new();
+    for target_name in ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"] {
+        for program in ["app_rtt", "app"] {
+            let file = target("firmware").join(target_name).join(program);
+            // Its panics are those of the logger and of checked indices.
+            forbidden::clean(&file, "main", &[Kind::Alloc, Kind::F64])?;
+            let image = Image::read(&file)?;
+            // `.defmt`, the strings of the log, stays on the host.
+            rows.push((
+                format!("{program},{target_name}"),
+                [image.size().0, image.ram()],
+            ));
+        }
+    }
+    if writes {
+        let mut text = format!("# {compiler}\nprogram,target,flash,ram\n");
+        for (name, [flash, ram]) in &rows {
+            text += &format!("{name},{flash},{ram}\n");
+        }
+        write(RECORD, &text)?;
+    }
+    let text = read(RECORD)?;
+    let percent = if text.starts_with(&format!("# {compiler}\n")) {
+        3
+    } else {
+        15
+    };
+    compare(&record::parse(&text)?, &rows, TITLES, percent, true)?;
+    println!(
+        "flash and RAM of {} programs are as recorded, to {percent} %",
+        rows.len()
+    );
+    Ok(())
+}

@@ -1,0 +1,105 @@
+//! Tables and figures between marks in the pages:
+//!
+//! ```text
+//! <!-- generated: NAME -->        a table, on lines of their own
+//! <!-- end -->
+//! <!-- figure: WORDS -->1,234<!-- --> a figure in a sentence
+//! ```
+
+use crate::sources::Sources;
+use crate::tables::{block, figure};
+use microwarp_upkeep::{Outcome, read, write};
+
+const PAGES: [&str; 2] = ["README.md", "examples/firmware/README.md"];
+/// How a mark begins, how it ends, and the mark behind what is generated.
+const BLOCK: [&str; 3] = ["<!-- generated: ", " -->\n", "<!-- end -->"];
+const FIGURE: [&str; 3] = ["<!-- figure: ", " -->", "<!-- -->"];
+
+/// A page with what stands between marks of a kind replaced, and how many there were.
+fn replace(
+    page: &str,
+    [open, close, end]: [&str; 3],
+    with: &dyn Fn(&str) -> Outcome<String>,
+) -> Outcome<(String, usize)> {
+    let (mut text, mut rest, mut count) = (String::new(), page, 0);
+    while let Some((before, after)) = rest.split_once(open) {
+        let parts = after
+            .split_once(close)
+            .and_then(|(name, after)| after.split_once(end).map(|(_, after)| (name, after)));
+        let (name, after) = parts.ok_or_else(|| format!("a mark has no end: {open}{after:.30}"))?;
+        text += &[before, open, name, close, &with(name)?, end].concat();
+        (rest, count) = (after, count + 1);
+    }
+    Ok((text + rest, count))
+}
+
+fn generated(page: &str, sources: &Sources) -> Outcome<(String, usize)> {
+    if let Some((_, line)) = page.split_once(&format!("\n{}", FIGURE[0])) {
+        // Markdown would end the paragraph there.
+        return Err(format!(
+            "a line begins with the mark of a figure: {line:.30}"
+        ));
+    }
+    let (page, blocks) = replace(page, BLOCK, &|name| block(name, sources))?;
+    let (page, figures) = replace(&page, FIGURE, &|words| figure(words, sources))?;
+    Ok((page, blocks + figures))
+}
+
+/// The lines that differ, old before new.
+fn difference(old: &str, new: &str) -> String {
+    let (old, new): (Vec<_>, Vec<_>) = (old.lines().collect(), new.lines().collect());
+    let lines = |sign, from: &[&str], other: &[&str]| -> String {
+        let only = from.iter().filter(|line| !other.contains(line));
+        only.map(|line| format!("{sign} {line}\n")).collect()
+    };
+    lines('-', &old, &new) + &lines('+', &new, &old)
+}
+
+/// A digit that is changed in any table and any sentence would be seen.
+fn control(page: &str, sources: &Sources) -> Outcome {
+    let mut seen = 0;
+    for [open, close, end] in [BLOCK, FIGURE] {
+        for (at, _) in page.match_indices(open) {
+            let start = at + page[at..].find(close).unwrap_or(0) + close.len();
+            let stop = start + page[start..].find(end).unwrap_or(0);
+            let digit = page[start..stop].rfind(|c: char| c.is_ascii_digit());
+            let digit = start + digit.ok_or("control: a block without a figure")?;
+            let other = if &page[digit..=digit] == "7" {
+                "8"
+            } else {
+                "7"
+            };
+            let tampered = [&page[..digit], other, &page[digit + 1..]].concat();
+            if generated(&tampered, sources)?.0 == tampered {
+                return Err(format!(
+                    "control: a wrong figure passes: {}",
+                    &page[at..start]
+                ));
+            }
+            seen += 1;
+        }
+    }
+    if seen > 0 {
+        Ok(())
+    } else {
+        Err("control: a page without a mark".into())
+    }
+}
+
+pub fn step(check: bool) -> Outcome {
+    let sources = Sources::read()?;
+    let mut stale = String::new();
+    for path in PAGES {
+        let old = read(path)?;
+        let (new, count) = generated(&old, &sources)?;
+        control(&new, &sources)?;
+        if !check {
+            write(path, &new)?;
+        } else if new == old {
+            println!("{path}: {count} generated tables and figures, as checked in");
+        } else {
+            stale += &format!("{path}:\n{}", difference(&old, &new));
+        }
+    }
+    if stale.is_empty() { Ok(()) } else { Err(stale) }
+}

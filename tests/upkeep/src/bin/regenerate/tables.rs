@@ -1,0 +1,311 @@
+//! The tables of the pages: which rows each has, and which figures stand in a row.
+
+use crate::sources::{Sources, grouped};
+use microwarp_upkeep::{Outcome, read};
+
+/// The generated blocks, by the names in their marks.
+pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
+    match name {
+        "warps" => warps(sources),
+        "selections" => beside(
+            sources,
+            SELECTIONS,
+            "| | ns, PCG32 included | Cortex-M4F, PCG32 included | Cortex-M0, PCG32 included |",
+        ),
+        "chains" => beside(sources, CHAINS, "| | ns | Cortex-M4F | Cortex-M0 |"),
+        "integers" => integers(sources),
+        "peers" => Ok(rows(&sources.peers)),
+        "firmware" => firmware(),
+        _ => Err(format!("no table is called {name}")),
+    }
+}
+
+/// One figure in a sentence, by the words in its mark.
+pub fn figure(expression: &str, sources: &Sources) -> Outcome<String> {
+    let words: Vec<&str> = expression.split_whitespace().collect();
+    let number = match words[..] {
+        ["instructions", core, kernel] => sources.instructions(core, kernel)?,
+        ["about", core, kernel] => hundreds(sources.instructions(core, kernel)?),
+        ["flash", core, name] => sources.flash(core, name)?,
+        ["golden", "words"] => sources.golden().0,
+        ["golden", "cases"] => sources.golden().1,
+        ["ns", bench, name] => return sources.nanoseconds(bench, name),
+        _ => return Err(format!("no figure is called {expression:?}")),
+    };
+    Ok(grouped(number))
+}
+
+/// To the nearest hundred.
+fn hundreds(number: u64) -> u64 {
+    (number + 50) / 100 * 100
+}
+
+/// Rows of a Markdown table; a cell of dashes and colons says how its column is aligned.
+fn rows(rows: &[Vec<String>]) -> String {
+    let cell = |cell: &String| match cell.trim_matches([':', '-']) {
+        _ if cell.is_empty() => " ".into(),
+        "" => cell.clone(),
+        _ => format!(" {cell} "),
+    };
+    let row = |cells: &Vec<String>| {
+        let cells: Vec<String> = cells.iter().map(cell).collect();
+        format!("|{}|\n", cells.join("|"))
+    };
+    rows.iter().map(row).collect()
+}
+
+/// A warp of the float tiers, its kernel and bench, and the row of its errors.
+struct Warp {
+    label: &'static str,
+    name: &'static str,
+    error: &'static str,
+    bench: &'static str,
+    kernel: &'static str,
+}
+
+const fn warp(
+    label: &'static str,
+    name: &'static str,
+    error: &'static str,
+    bench: &'static str,
+    kernel: &'static str,
+) -> Warp {
+    Warp {
+        label,
+        name,
+        error,
+        bench,
+        kernel,
+    }
+}
+
+#[rustfmt::skip]
+const WARPS: [Warp; 12] = [
+    warp("`Disk`", "Disk", "sample", "disk", "disk"),
+    warp("`DiskConcentric`", "DiskConcentric", "sample", "disk_concentric", "disk_concentric"),
+    warp("`Sphere`", "Sphere", "sample", "sphere", "sphere"),
+    warp("`Hemisphere`", "Hemisphere", "sample", "hemisphere", "hemisphere"),
+    warp("`CosineHemisphere`", "CosineHemisphere", "sample", "cosine_hemisphere", "cosine_hemisphere"),
+    warp("`PhongLobe`, n = 50: sin θ", "PhongLobe", "sin θ, ulp", "phong_lobe", "phong_lobe_50"),
+    warp("`Cone`: sin θ", "Cone", "sin θ, ulp", "cone", "cone"),
+    warp("`Triangle`", "Triangle", "sample", "triangle", "triangle"),
+    warp("`Exponential`", "Exponential", "sample, ulp", "exponential", "exponential_1"),
+    warp("`TruncatedExponential`", "TruncatedExponential", "sample, ulp", "truncated_exponential", "truncated_exponential_2_3"),
+    warp("`Normal`", "Normal", "sample, ulp", "normal", "normal"),
+    warp("`NormalPair`, of its reach 5.77σ", "NormalPair", "sample", "normal_pair", "normal_pair"),
+];
+
+fn warps(sources: &Sources) -> Outcome<String> {
+    let mut text = String::from(
+        "| warp | error, `libm` | error, `poly` | ns, `libm` | ns, `poly` | ns filled, `poly` | Cortex-M4F, `poly` | Cortex-M0, `poly` | WASM, `poly` | flash on M4F |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for Warp {
+        label,
+        name,
+        error,
+        bench,
+        kernel,
+    } in WARPS
+    {
+        let kernel = format!("poly_{kernel}_pcg32");
+        let unit = if error.contains("ulp") { " ulp" } else { "" };
+        let mut cells = vec![label.to_string()];
+        for tier in ["`libm`", "`poly`"] {
+            cells.push(sources.stated(name, error, tier)? + unit);
+        }
+        for action in ["libm::_::draw", "poly::_::draw", "poly::_::fill"] {
+            cells.push(sources.nanoseconds("warps", &action.replace('_', bench))?);
+        }
+        for core in ["m4f", "m0", "wasm"] {
+            cells.push(grouped(sources.instructions(core, &kernel)?));
+        }
+        cells.push(grouped(sources.code_at_s("m4f", &kernel)?));
+        text += &rows(&[cells]);
+    }
+    Ok(text)
+}
+
+/// A label, the benches on the host, the kernels (or what was counted without one).
+type Row = (
+    &'static str,
+    &'static [&'static str],
+    &'static [&'static str],
+);
+
+#[rustfmt::skip]
+const SELECTIONS: &[Row] = &[
+    ("one word of PCG32", &["tables a_floor_of_one_word"], &["pcg32_word"]),
+    ("`draw_index` from a `Cdf` of 6, of 1,024 `u32`", &["tables cdf_u32_index_only::6", "tables cdf_u32_index_only::1024"], &["cdf_6_index", "cdf_1024_pcg32"]),
+    ("`draw`, with pmf and leftover", &["tables cdf_u32::6", "tables cdf_u32::1024"], &["cdf_6", "cdf_1024"]),
+    ("`draw_index` from an `Alias` of 1,024 `u32`", &[], &["alias_1024_pcg32"]),
+    ("`draw`, with pmf and leftover, of 6, of 2²⁰", &["tables alias_u32::6", "tables alias_u32::1048576"], &["alias_1024"]),
+    ("`PiecewiseConstant1d` of 1,024; of 64 on the microcontrollers", &["tables piecewise_1d_of_1024"], &["piecewise_constant_1d_64_pcg32"]),
+    ("`PiecewiseConstant2d` of 256 × 128; of 32 × 16 on the microcontrollers", &["tables piecewise_2d_of_256_by_128"], &["piecewise_2d_32_16"]),
+    ("`select_once` over 2, 8, 64 weights; over 4, 16 on the microcontrollers, without a generator", &["tables select_once_over::2", "tables select_once_over::8", "tables select_once_over::64"], &["select_once_4", "select_once_16"]),
+    ("`Reservoir::offer`", &["tables reservoir_offer"], &["reservoir_offer"]),
+    ("`DiskRejection`, `BallRejection`", &["tables rejection_disk", "tables rejection_ball"], &["rejection_disk_pcg32", "rejection_ball_pcg32"]),
+    ("`ZigguratStandardNormal`, `ZigguratStandardExponential`", &["peers normal", "peers exponential"], &["rejection_ziggurat_standard_normal_pcg32", "rejection_ziggurat_standard_exponential_pcg32"]),
+    ("`fixed::DiskRejection16`, `fixed::DiskRejection`", &[], &["fixed_rejection_disk_16_pcg32", "fixed_rejection_disk_pcg32"]),
+    ("a step of a chain of `u32` weights, `UniformIndex`", &[], &["chain_integers_uniform_index"]),
+    ("`Moments::push`, `Integral::push`, without a generator on the microcontrollers", &["tables moments_push", "tables integral_push"], &["moments_push", "integral_push"]),
+];
+
+#[rustfmt::skip]
+const CHAINS: &[Row] = &[
+    ("`UniformStep`, 1 coordinate", &["chains uniform_1"], &["chain_uniform_1"]),
+    ("`BoxStep`, in ℝ; wrapped", &["chains box_1", "chains box_wrapped_1"], &["chain_box_1", "chain_box_wrapped_1"]),
+    ("`Mixture` of both, 9 : 1", &["chains box_and_uniform_1"], &["chain_box_and_uniform_1"]),
+    ("`NormalStep`, 2 coordinates, `LogDensity`", &["chains normal_2"], &["chain_normal_2"]),
+    ("`LargeSmall` with `ExponentialStep`, 2 and 32 coordinates", &["chains large_and_exponential::2", "chains large_and_exponential::32"], &["chain_large_exponential_2", "chain_large_exponential_32"]),
+    ("`OneCoordinate` of 32", &["chains one_coordinate::32"], &["chain_one_coordinate_32"]),
+    ("a Phong lobe driven through the unit square", &["chains lobe_driven"], &["chain_lobe"]),
+    ("`Independence` of a `Cdf` of 64", &["chains independence_of_a_table_of_64"], &["chain_independence_cdf_64"]),
+    ("`UniformIndex`", &["chains any_of_65536_indices"], &["chain_uniform_index"]),
+    ("`Health::push`, 16 and 64 lags, without a generator on the microcontrollers", &["chains health_push::16", "chains health_push::64"], &["health_push_16", "health_push_64"]),
+];
+
+/// Nanoseconds, and instructions on an M4F and an M0.
+fn beside(sources: &Sources, list: &[Row], header: &str) -> Outcome<String> {
+    let mut text = format!("{header}\n|---|--:|--:|--:|\n");
+    for (label, benches, kernels) in list {
+        let nanoseconds = |bench: &&str| match bench.split_once(' ') {
+            Some(("peers", family)) => rejection(sources, family),
+            Some((bench, name)) => sources.nanoseconds(bench, name),
+            None => Err(format!("no bench {bench}")),
+        };
+        let on = |core| {
+            kernels
+                .iter()
+                .map(|kernel| Ok(grouped(sources.instructions(core, kernel)?)))
+                .collect()
+        };
+        let cells: [Outcome<Vec<String>>; 3] = [
+            benches.iter().map(nanoseconds).collect(),
+            on("m4f"),
+            on("m0"),
+        ];
+        let mut row = vec![label.to_string()];
+        for cell in cells {
+            row.push(cell?.join(", "));
+        }
+        text += &rows(&[row]);
+    }
+    Ok(text)
+}
+
+/// What rejection took beside the peers, to a tenth.
+fn rejection(sources: &Sources, family: &str) -> Outcome<String> {
+    let cell = sources.peer(family, "rejection")?;
+    let value: f64 = cell
+        .parse()
+        .map_err(|_| format!("peers.md: {family}: {cell}"))?;
+    Ok(format!("{value:.1}"))
+}
+
+/// A label, what states its errors and in which row, its kernel, and that of the float tiers where one draws the same.
+type Integer = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    Option<&'static str>,
+);
+
+#[rustfmt::skip]
+const INTEGERS: [Integer; 11] = [
+    ("`sincos_turns`", "Grade", "`sincos_turns`", "sincos_turns", None),
+    ("`sqrt`", "Grade", "`sqrt`", "sqrt", None),
+    ("`Disk`", "Disk", "sample, max", "disk", Some("disk")),
+    ("`Sphere`", "Sphere", "sample, max", "sphere", Some("sphere")),
+    ("`Hemisphere`", "Hemisphere", "sample, max", "hemisphere", Some("hemisphere")),
+    ("`CosineHemisphere`", "CosineHemisphere", "sample, max", "cosine_hemisphere", Some("cosine_hemisphere")),
+    ("`Cone`, of the sine of its angle", "Cone", "sample, max", "cone", Some("cone")),
+    ("`PhongLobe`, n = 50; errors for every n", "PhongLobe", "sample, max", "phong_lobe_50", Some("phong_lobe_50")),
+    ("`StandardExponential`", "StandardExponential", "sample, max", "standard_exponential", Some("exponential_1")),
+    ("`StandardNormalPair`", "StandardNormalPair", "sample, max", "standard_normal_pair", Some("normal_pair")),
+    ("`Triangle`", "Triangle", "sample, max", "triangle", Some("triangle")),
+];
+
+/// The first number of a statement: of several, or of a formula whose first is the factor or the most.
+fn first_number(statement: &str) -> &str {
+    let start = statement.find(|c: char| c.is_ascii_digit()).unwrap_or(0);
+    let rest = &statement[start..];
+    let end = rest.find(|c: char| !(c.is_ascii_digit() || ".e-".contains(c)));
+    &rest[..end.unwrap_or(rest.len())]
+}
+
+fn integers(sources: &Sources) -> Outcome<String> {
+    let mut text = String::from(
+        "| | error, fine, coarse | M0: fine | coarse | compact | `f32` over fine | `poly` | `libm` | M3: fine | coarse | `poly` | flash on M0, fine | stack |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for (label, name, title, kernel, float) in INTEGERS {
+        let grades: &[&str] = if name == "Grade" {
+            &["[`Fine`]", "[`Coarse`]"]
+        } else {
+            &["fine", "coarse"]
+        };
+        let mut errors = Vec::new();
+        for grade in grades {
+            errors.push(first_number(&sources.stated(name, title, grade)?).to_string());
+        }
+        let mut row = vec![label.to_string(), errors.join(", ")];
+        let columns = [
+            ("m0", "fine", Some(kernel)),
+            ("m0", "coarse", Some(kernel)),
+            ("m0", "compact", Some(kernel)),
+            ("m0", "fine_float", Some(kernel)),
+            ("m0", "poly", float),
+            ("m0", "libm", float),
+            ("m3", "fine", Some(kernel)),
+            ("m3", "coarse", Some(kernel)),
+            ("m3", "poly", float),
+        ];
+        for (core, tier, kernel) in columns {
+            let kernel = kernel.map(|kernel| format!("{tier}_{kernel}"));
+            // Not every warp has a kernel with floats outside.
+            let kernel = kernel.filter(|kernel| tier != "fine_float" || sources.has_kernel(kernel));
+            let cell = kernel
+                .map(|kernel| sources.instructions(core, &kernel))
+                .transpose()?;
+            row.push(cell.map_or(String::new(), grouped));
+        }
+        let fine = format!("fine_{kernel}");
+        row.push(grouped(sources.code_at_s("m0", &fine)?));
+        row.push(grouped(sources.stack("m0", &fine)?));
+        text += &rows(&[row]);
+    }
+    Ok(text)
+}
+
+/// What the application of examples/firmware occupies, and by which compiler.
+fn firmware() -> Outcome<String> {
+    let record = read("examples/firmware/sizes.csv")?;
+    let compiler = record
+        .lines()
+        .next()
+        .unwrap_or_default()
+        .trim_start_matches("# ");
+    let mut text = format!(
+        "Bytes of the linked image, {compiler}:\n\n| program | target | flash | RAM |\n|---|---|--:|--:|\n"
+    );
+    for row in record.lines().skip(2) {
+        let cells: Vec<String> = row.split(',').map(String::from).collect();
+        let [program, target, flash, ram] = &cells[..] else {
+            return Err(format!("examples/firmware/sizes.csv: {row}"));
+        };
+        let name = if program == "app_rtt" {
+            "`app`, log by RTT".into()
+        } else {
+            format!("`{program}`")
+        };
+        text += &rows(&[vec![
+            name,
+            format!("`{target}`"),
+            flash.clone(),
+            ram.clone(),
+        ]]);
+    }
+    Ok(text)
+}
