@@ -224,15 +224,15 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
         // What lies outside a side by its rounding is brought back to the nearest point of that side: in a sliver a
         // weight of 0 alone would move it far.
         let weights = match self.parts(&nearest).map(|(part, _)| part) {
-            [..0, _, _] => {
+            [(..0), _, _] => {
                 let t = along(b, c, x);
                 [0, ONE - t, t]
             }
-            [_, ..0, _] => {
+            [_, (..0), _] => {
                 let t = along(c, a, x);
                 [t, 0, ONE - t]
             }
-            [_, _, ..0] => {
+            [_, _, (..0)] => {
                 let t = along(a, b, x);
                 [ONE - t, t, 0]
             }
