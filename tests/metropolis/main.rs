@@ -5,7 +5,6 @@ mod acceptance;
 mod agreement;
 mod balance;
 mod binary;
-mod bits;
 #[path = "../catalogue/mod.rs"]
 mod catalogue;
 mod cells;
@@ -22,7 +21,6 @@ mod flaws;
 mod health;
 mod integer_balance;
 mod integer_chances;
-mod integer_flaws;
 mod integers;
 mod laws;
 mod limited;
