@@ -7,7 +7,6 @@ mod balance;
 mod binary;
 #[path = "../catalogue/mod.rs"]
 mod catalogue;
-mod cells;
 mod chains;
 mod counterexamples;
 mod densities;

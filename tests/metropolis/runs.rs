@@ -1,7 +1,7 @@
 //! How a chain is run for its evidence: batches, what they record, and the autocorrelation times.
 
 use crate::catalogue::stats;
-use crate::cells::Cells;
+use crate::densities::Cells;
 use crate::evidence;
 use crate::series::Truth;
 use crate::speed;
