@@ -50,12 +50,6 @@ impl<X: Copy, D: Density> Chain<X, D> {
 
 steps!(D, f32, D: Density);
 
-/// A limit that a count reaches: one that saturates never reaches no limit at all.
-#[inline]
-pub(super) fn countable(limit: NonZeroU32) -> u32 {
-    limit.get().min(u32::MAX.saturating_sub(1))
-}
-
 impl<X: Copy, D: Weight> Chain<X, D> {
     /// Whether the next proposal there is a way to has to be accepted; never if the limit is `u32::MAX`.
     #[inline]
@@ -142,7 +136,9 @@ macro_rules! steps {
                 limit: NonZeroU32,
                 rng: &mut R,
             ) -> Result<Step<X, $weight, $acceptance>, R::Error> {
-                self.advance(target, mutation, $crate::metropolis::rule::countable(limit), rng)
+                // A count that saturates never reaches no limit at all.
+            let limit = limit.get().min(u32::MAX.saturating_sub(1));
+            self.advance(target, mutation, limit, rng)
             }
 
             /// Takes a step of limited rejections with a generator that cannot fail.

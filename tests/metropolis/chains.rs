@@ -1,6 +1,6 @@
 //! The chain as a value: what a rejected and a refused step leave, counts, burning in, and what is recorded.
 
-use super::bits::Bits;
+use super::weighed::Bits;
 use microwarp::metropolis::{Chain, Mutation, Outcome, Proposal, Symmetric, UniformStep};
 use microwarp::poly as mw;
 use rand_core::{Rng as _, TryRng};

@@ -1,5 +1,6 @@
 //! Positive numbers as exact fractions, and how far an `f32` is off one.
 
+use super::enumeration::rounded;
 use num_bigint::BigUint;
 
 /// numerator/denominator 2^exponent.
@@ -18,13 +19,6 @@ fn parts(x: f32) -> (u32, i64) {
         0 => (fraction, -149),
         _ => (fraction | 0x80_0000, i64::from(field) - 150),
     }
-}
-
-/// A number of any size, rounded.
-fn rounded(x: &BigUint) -> f64 {
-    let shift = x.bits().saturating_sub(64);
-    let leading = (x >> shift).iter_u64_digits().next().unwrap_or(0);
-    leading as f64 * 2_f64.powi(shift as i32)
 }
 
 impl Fraction {

@@ -1,6 +1,5 @@
 //! Rules of acceptance that are wrong, by their ratio or by their comparison.
 
-use crate::cells::Cells;
 use crate::densities::*;
 use crate::evidence::assert_passes;
 use crate::flaws::{p_values, rejected};

@@ -1,37 +1,14 @@
 //! What is asked of the transition matrix of a chain of integer weights: the exact number of accepting words on
-//! every path, stationarity and detailed balance to the steps of 2^-32, eigenvalues.
+//! every path, stationarity and detailed balance to the steps of 2^-32. Chains that are wrong, each in one way, are
+//! seen by it.
 
-use super::balance::Enumerated;
-use super::enumeration::{Path, TOTAL_BITS, rounded};
-use super::integer_chances::ceiling;
+use super::balance::{Enumerated, Examined, Report};
+use super::counterexamples::{Forgetful, integer_table as table};
+use super::enumeration::{Driven, Path, TOTAL_BITS, Words, rounded};
+use super::integer_chances::{ALL, ceiling};
+use super::matrices::LARGE_INTEGERS as LARGE;
+use microwarp::metropolis::{Mutation, TransitionTable, UniformIndex};
 use num_bigint::BigUint;
-
-/// What was found, each in the units that the steps of 2^-32 allow.
-#[derive(Debug)]
-pub struct Report {
-    /// Whether each row sums to 1, exactly, and no state of weight 0 is entered.
-    pub rows: bool,
-    /// Acceptances that are not the exact number of words, of those of all paths.
-    pub wrong: [usize; 2],
-    /// The largest |fM − f|, and of |f_i M_ij − f_j M_ji|, over what the steps allow.
-    pub stationary: f64,
-    pub balance: f64,
-    /// The largest magnitude of an eigenvalue but the first: by rotations, by powers.
-    pub second: [f64; 2],
-}
-
-impl Report {
-    pub fn passes(&self) -> bool {
-        let right = self.rows && self.wrong[0] == 0 && self.is_stationary();
-        right && self.converges() && (self.second[0] - self.second[1]).abs() <= 1e-6
-    }
-    pub fn is_stationary(&self) -> bool {
-        self.stationary <= 1.0 && self.balance <= 1.0
-    }
-    pub fn converges(&self) -> bool {
-        self.second.iter().all(|s| *s <= 1.0 - 1e-9)
-    }
-}
 
 /// A quotient of large numbers, of which the divisor may be 0.
 fn over(x: &BigUint, y: &BigUint) -> f64 {
@@ -57,14 +34,16 @@ impl Enumerated<u32> {
         };
         ceiling(back * self.f[path.to], &(there * self.f[i]))
     }
+}
 
-    pub fn report(&self) -> Report {
-        let n = self.f.len();
+impl Examined for u32 {
+    fn examine(chain: &Enumerated<Self>) -> Report {
+        let n = chain.f.len();
         let one = BigUint::from(1_u32) << TOTAL_BITS;
         let mut wrong = [0, 0];
         for i in 0..n {
-            for path in &self.paths[i] {
-                let due = self.due(i, path);
+            for path in &chain.paths[i] {
+                let due = chain.due(i, path);
                 let right = path.accepted == due && path.acceptance == due;
                 wrong[0] += usize::from(!right);
                 wrong[1] += 1;
@@ -72,20 +51,20 @@ impl Enumerated<u32> {
         }
         // The flow from i to j, in units of 2^-128, and what may be off: less than a word of 2^32 of what is
         // proposed either way, and the uneven parts.
-        let flow = |i: usize, j: usize| self.exact(i, j) * self.f[i];
+        let flow = |i: usize, j: usize| chain.exact(i, j) * chain.f[i];
         let granted = |i: usize, j: usize| {
             let proposed = |i: usize, j: usize| -> BigUint {
-                let to = self.paths[i].iter().filter(|p| p.to == j);
+                let to = chain.paths[i].iter().filter(|p| p.to == j);
                 to.map(|p| &p.proposals).sum()
             };
-            let uneven = BigUint::from(self.uneven) << 64_u32;
-            (proposed(i, j) + &uneven) * self.f[i] + (proposed(j, i) + &uneven) * self.f[j]
+            let uneven = BigUint::from(chain.uneven) << 64_u32;
+            (proposed(i, j) + &uneven) * chain.f[i] + (proposed(j, i) + &uneven) * chain.f[j]
         };
         let (mut stationary, mut balance) = (0.0_f64, 0.0_f64);
         for j in 0..n {
             let arriving: BigUint = (0..n).map(|i| flow(i, j)).sum();
             let allowed: BigUint = (0..n).filter(|i| *i != j).map(|i| granted(i, j)).sum();
-            let off = difference(arriving, &one * self.f[j]);
+            let off = difference(arriving, &one * chain.f[j]);
             stationary = stationary.max(over(&off, &allowed));
             for i in 0..j {
                 let off = difference(flow(i, j), flow(j, i));
@@ -93,11 +72,112 @@ impl Enumerated<u32> {
             }
         }
         Report {
-            rows: self.rows_sum_to_one(),
+            rows: chain.rows_sum_to_one(),
             wrong,
             stationary,
             balance,
-            second: self.second(),
+            second: chain.second(),
         }
     }
+}
+
+const ROWS: [[u32; 3]; 3] = [[4, 2, 2], [4, 2, 2], [1, 4, 3]];
+
+fn right<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Enumerated<u32> {
+    let found = Enumerated::new(f, mutation, words);
+    let report = found.report();
+    assert!(report.passes(), "{report:?}");
+    found
+}
+
+#[test]
+fn a_chain_of_integers_that_forgets_its_counts_is_seen() {
+    let f = [1, 2, 3];
+    right(&f, &table(ROWS), &Words::ONE);
+    let wrong = Enumerated::new(&f, &Forgetful(table(ROWS)), &Words::ONE).report();
+    println!("{wrong:?}");
+    // It is a chain, and it converges: to something else.
+    assert!(wrong.rows && wrong.converges());
+    assert!(wrong.wrong[0] > 0 && !wrong.is_stationary());
+    assert!(wrong.stationary > 1e7 && wrong.balance > 1e7);
+}
+
+/// The same weights and the same mutation through a float chain.
+fn in_floats<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Report {
+    let driven = Driven {
+        target: |i: usize| f[i] as f32,
+        mutation,
+        words,
+    };
+    let said = |path: Path| {
+        let words = path.accepted;
+        path.saying(|_| words)
+    };
+    let paths = |i: usize| driven.paths(i).into_iter().map(said).collect();
+    Enumerated::of(f, (0..f.len()).map(paths).collect()).report()
+}
+
+/// An f32 holds 24 bits of a weight of 32, and a quotient of 24 bits: some hundred words of 2^32.
+#[test]
+fn an_acceptance_rounded_to_a_float_is_seen() {
+    let any = UniformIndex::new(8).unwrap();
+    right(&LARGE, &any, &Words::TWO);
+    let wrong = in_floats(&LARGE, &any, &Words::TWO);
+    println!("{wrong:?}");
+    assert!(wrong.rows && wrong.converges());
+    assert!(wrong.wrong[0] > 10 && !wrong.is_stationary());
+    assert!(wrong.stationary > 10.0);
+    // Of small weights, and with a ratio, it is the number of words alone that tells.
+    let wrong = in_floats(&[1, 2, 3], &table(ROWS), &Words::ONE);
+    println!("{wrong:?}");
+    assert!(wrong.wrong[0] > 0 && !wrong.passes());
+}
+
+/// The words of each path as another rule would have them.
+fn by_another_rule(found: Enumerated<u32>, rule: fn(BigUint, BigUint) -> BigUint) -> Report {
+    let f = found.f.clone();
+    let paths = (0..f.len()).map(|i| {
+        let of = |path: &Path<u64>| {
+            let there = found.proposals(path.kind, i, path.to) * f[i];
+            let back = found.proposals(path.kind, path.to, i) * f[path.to];
+            let words = rule(back << 32_u32, there);
+            let words = u64::try_from(words).unwrap_or(ALL).min(ALL);
+            Path {
+                acceptance: words,
+                accepted: words,
+                ..path.clone()
+            }
+        };
+        found.paths[i].iter().map(of).collect()
+    });
+    Enumerated::of(&f, paths.collect()).report()
+}
+
+#[test]
+fn another_comparison_is_seen() {
+    let f = [4, 1, 6, 3];
+    let rows = [[2, 1, 1, 1], [4, 3, 2, 1], [1, 1, 1, 1], [9, 1, 5, 1]];
+    let mutation: TransitionTable<_, 4> = table(rows);
+    let found = || right(&f, &mutation, &Words::ONE);
+    let exact = |part, whole: BigUint| (part + &whole - 1_u32) / whole;
+    assert!(by_another_rule(found(), exact).passes());
+    // U·f·T ≤ 2^32·f'·T': a word more where the quotient is whole, as 4 to 1 by equal ways is.
+    let any = UniformIndex::new(4).unwrap();
+    let closed = |part: BigUint, whole: BigUint| part / whole + 1_u32;
+    let wrong = by_another_rule(right(&f, &any, &Words::TWO), closed);
+    assert!(wrong.wrong[0] > 0 && !wrong.passes(), "{wrong:?}");
+    // Truncated, as a uniform compared with ≥ would be; and to the nearest.
+    let truncated = |part: BigUint, whole: BigUint| part / whole;
+    let wrong = by_another_rule(found(), truncated);
+    assert!(wrong.wrong[0] > 0 && !wrong.passes(), "{wrong:?}");
+    let nearest = |part: BigUint, whole: BigUint| (part * 2_u32 + &whole) / (whole * 2_u32);
+    let wrong = by_another_rule(found(), nearest);
+    assert!(wrong.wrong[0] > 0 && !wrong.passes(), "{wrong:?}");
+    // The inverse ratio.
+    let inverse = |part: BigUint, whole: BigUint| {
+        let whole: BigUint = whole << 32_u32;
+        let quotient = &whole + &part - 1_u32;
+        (quotient / part) << 32_u32
+    };
+    assert!(!by_another_rule(found(), inverse).is_stationary());
 }

@@ -1,7 +1,7 @@
 //! Steps with a limit: never more rejections in a row than it says, and nothing forced that may not be.
 
-use microwarp::metropolis::{Chain, Mutation, Outcome, Proposal, Ratio, Saved, UniformStep};
-use rand_core::TryRng;
+use super::acceptance::Given;
+use microwarp::metropolis::{Chain, Outcome, Ratio, Saved, UniformStep};
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
 use support::generators::{Broken, Cycle, Failing};
@@ -89,21 +89,6 @@ fn what_has_no_density_is_never_forced() {
     assert!(forced > 1000 && beyond > 1000);
 }
 
-/// Proposes 1, with a ratio.
-struct With(Ratio);
-
-impl Mutation<usize> for With {
-    type Correction = Ratio;
-
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        _: usize,
-        _: &mut R,
-    ) -> Result<Proposal<usize, Ratio>, R::Error> {
-        Ok(Proposal::new(1, self.0))
-    }
-}
-
 fn rejected(times: u32) -> Chain<usize> {
     let saved = Saved {
         state: 0,
@@ -131,7 +116,7 @@ fn a_way_without_return_is_never_forced_and_an_acceptance_of_0_is() {
             let mut chain = rejected(times);
             let target = |_| density;
             let mut rng = Cycle::new(&[u32::MAX]);
-            let step = chain.step_limited(target, &With(ratio), most, &mut rng);
+            let step = chain.step_limited(target, &Given(ratio), most, &mut rng);
             let outcome = match outcome {
                 Outcome::Forced if times < 5 => Outcome::Rejected,
                 other => other,
@@ -152,14 +137,14 @@ fn a_way_without_return_is_never_forced_and_an_acceptance_of_0_is() {
 fn a_count_that_saturates_forces_nothing() {
     let mut chain = rejected(u32::MAX);
     for _ in 0..3 {
-        let step = chain.step(|_| 1e-45, &With(Ratio::ONE), &mut Cycle::new(&[u32::MAX]));
+        let step = chain.step(|_| 1e-45, &Given(Ratio::ONE), &mut Cycle::new(&[u32::MAX]));
         assert_eq!(step.outcome, Outcome::Rejected);
         assert_eq!(chain.rejected_in_a_row(), u32::MAX);
     }
     let mut chain = rejected(u32::MAX - 2);
     let mut step = || {
         let mut rng = Cycle::new(&[u32::MAX]);
-        chain.step_limited(|_| 1e-45, &With(Ratio::ONE), NonZeroU32::MAX, &mut rng)
+        chain.step_limited(|_| 1e-45, &Given(Ratio::ONE), NonZeroU32::MAX, &mut rng)
     };
     assert_eq!(step().outcome, Outcome::Rejected);
     assert_eq!(step().outcome, Outcome::Forced);

@@ -1,6 +1,6 @@
 //! How a chain is run for its evidence: batches, what they record, and the autocorrelation times.
 
-use crate::cells::Cells;
+use crate::densities::Cells;
 use crate::evidence;
 use crate::series::Truth;
 use crate::speed;

@@ -1,8 +1,7 @@
 //! Chains that are saved, sent as bytes, and made chains again; and what a chain costs in bytes.
 
-use super::bits::Bits;
 use super::stated::stated;
-use super::weighed::Weighed;
+use super::weighed::{Bits, Weighed};
 use microwarp::Error;
 use microwarp::metropolis::{
     Chain, LogDensity, Mixture, Mutation, Saved, Start, Step, UniformIndex, UniformStep, Wrapped,

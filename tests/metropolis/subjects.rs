@@ -1,6 +1,5 @@
 //! The chains under test: every mutation there is, over targets of all kinds.
 
-use crate::cells::Cells;
 use crate::densities::*;
 use crate::matrices::Neighbour;
 use crate::runs::{Outcome, Plan, plan, run};

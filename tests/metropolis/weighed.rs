@@ -1,7 +1,6 @@
 //! What a harness asks of densities and integer weights alike, so that one harness serves both kinds of chain.
 
-use super::bits::Bits;
-use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Step, Weight};
+use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Saved, Step, Weight};
 use microwarp::tier::Tier;
 use rand_core::{Rng, TryRng};
 use std::fmt::Debug;
@@ -73,4 +72,66 @@ weighed! {
     [] f32, f32, |a| a, |f| f > 0.0;
     [T] LogDensity<T>, f32, |a| a, |f: Self| f.get() > f32::NEG_INFINITY;
     [] u32, u64, Chance::words, |f| f > 0;
+}
+
+/// What consists of bits: NaN is equal to itself, and 0 is not -0.
+pub trait Bits {
+    fn bits(&self) -> Vec<u64>;
+}
+
+impl Bits for usize {
+    fn bits(&self) -> Vec<u64> {
+        vec![*self as u64]
+    }
+}
+
+impl Bits for u32 {
+    fn bits(&self) -> Vec<u64> {
+        vec![(*self).into()]
+    }
+}
+
+impl Bits for u64 {
+    fn bits(&self) -> Vec<u64> {
+        vec![*self]
+    }
+}
+
+impl Bits for f32 {
+    fn bits(&self) -> Vec<u64> {
+        vec![self.to_bits().into()]
+    }
+}
+
+impl<const N: usize> Bits for [f32; N] {
+    fn bits(&self) -> Vec<u64> {
+        self.iter().map(|x| x.to_bits().into()).collect()
+    }
+}
+
+impl<T: Tier> Bits for LogDensity<T> {
+    fn bits(&self) -> Vec<u64> {
+        self.get().bits()
+    }
+}
+
+impl<X: Bits, D: Bits> Bits for Saved<X, D> {
+    fn bits(&self) -> Vec<u64> {
+        let counts = [
+            self.steps,
+            self.accepted,
+            self.refused,
+            self.rejected_in_a_row.into(),
+        ];
+        [self.state.bits(), self.density.bits(), counts.to_vec()].concat()
+    }
+}
+
+impl<X: Bits, D: Bits, A: Bits> Bits for Step<X, D, A> {
+    fn bits(&self) -> Vec<u64> {
+        let rest = [self.outcome as u64, self.kind.into()];
+        let from = [self.from.bits(), self.from_density.bits()].concat();
+        let to = [self.proposed.bits(), self.proposed_density.bits()].concat();
+        [from, to, self.acceptance.bits(), rest.to_vec()].concat()
+    }
 }

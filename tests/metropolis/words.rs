@@ -1,7 +1,6 @@
 //! Words: how many a step takes, and what is left of one that fails for want of them.
 
-use super::bits::Bits;
-use super::weighed::Weighed;
+use super::weighed::{Bits, Weighed};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TransitionTable,
