@@ -3,7 +3,8 @@
 use crate::fit::{Line, Use};
 use crate::method::DIMENSIONS;
 use crate::plot::{LABELS, Scale, dot};
-use support::draw::canvas::{Area, Canvas, INK, MUTED};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{INK, MUTED};
 use support::draw::text::{Align, Type, signed};
 
 const WIDTH: f32 = 1800.0;

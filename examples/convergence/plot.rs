@@ -2,7 +2,8 @@
 
 use crate::figure::TEXT;
 use crate::fit::{Line, Use};
-use support::draw::canvas::{Area, Canvas, Colour, HAIR, INK, MUTED, WHITE, faded};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{Colour, HAIR, INK, MUTED, WHITE, faded};
 use support::draw::scale::ten_to;
 use support::draw::text::{Align, Type};
 

@@ -4,7 +4,8 @@
 use crate::list::View;
 use microwarp::uniform::LARGEST;
 use rand_pcg::Pcg32;
-use support::draw::canvas::{ACCENT, Area, Canvas, HAIR, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, HAIR, MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type};
 use support::registry::{Domain, Entry, Point};
 use support::truth::complements;

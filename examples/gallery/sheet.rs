@@ -7,7 +7,8 @@ use crate::list::View;
 use crate::table::{error_text, p_text};
 use crate::{area, line, strata};
 use rand_pcg::Pcg32;
-use support::draw::canvas::{ACCENT, Area, BAR, Canvas, INK, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, BAR, INK, MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type, thousands};
 
 /// Purposes of generators beyond those of the check.
