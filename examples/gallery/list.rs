@@ -1,6 +1,13 @@
 //! The list of pictures: one line each, naming an entry of `tests/catalogue` and how it is looked at.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
+use support::registry::Entry;
+
+/// A picture and what the catalogue knows of it in each tier; nothing for strata.
+pub struct Subject<'a> {
+    pub picture: &'static Picture,
+    pub entries: Vec<&'a Entry>,
+}
 
 /// One picture of the gallery.
 pub struct Picture {

@@ -15,7 +15,7 @@ mod table;
 
 use args::Args;
 use check::Figures;
-use list::{PICTURES, Picture, View};
+use list::{PICTURES, Picture, Subject, View};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -24,12 +24,6 @@ use support::registry::Entry;
 
 /// The tier of the contact sheet, by its place in the catalogue's order.
 const SHEET_TIER: usize = 1;
-
-/// A picture and what the catalogue knows of it in each tier; nothing for strata.
-pub struct Subject<'a> {
-    pub picture: &'static Picture,
-    pub entries: Vec<&'a Entry>,
-}
 
 fn main() -> ExitCode {
     support::cli::run("gallery", args::HELP, args::parse(), run)

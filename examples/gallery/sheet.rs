@@ -1,10 +1,9 @@
 //! Pages: one picture a warp with both tiers side by side, and the contact sheet of all.
 
-use crate::Subject;
 use crate::args::Args;
-use crate::check::{Figures, generator};
-use crate::list::View;
-use crate::table::{error_text, p_text};
+use crate::check::{Figures, generator, p_text};
+use crate::list::{Subject, View};
+use crate::table::error_text;
 use crate::{area, line, strata};
 use rand_pcg::Pcg32;
 use support::draw::canvas::{Area, Canvas};

@@ -1,7 +1,7 @@
 //! What follows from the figures: which tier to take when, and which of the peers' points ours do not cover.
 
+use crate::family::PICTURED;
 use crate::front::{Trade, cheapest, is_outside};
-use crate::list::PICTURED;
 use crate::report::cost_text;
 use crate::study::{Study, TARGETS};
 use std::collections::BTreeMap;

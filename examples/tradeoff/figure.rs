@@ -1,7 +1,7 @@
 //! The figure: error against cost, a column for each target and a row for each family.
 
 use crate::advice::traded;
-use crate::list::PICTURED;
+use crate::family::PICTURED;
 use crate::panel;
 use crate::study::{Study, TARGETS};
 use support::draw::canvas::{Area, Canvas};

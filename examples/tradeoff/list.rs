@@ -1,9 +1,13 @@
 //! The list of samplers: a line each. A new one is a line here, its family the heading it stands under.
 
 use crate::args::Args;
+use crate::family::*;
 use crate::sampler::{Numbers, Row};
 use crate::subject::{Name, law, rejection, warp};
-use crate::{peer_list, tables_list};
+use crate::{
+    peer_list::{self, pair},
+    tables_list,
+};
 use fixed::types::{I2F30, I16F16, U2F62, U4F28, U32F32};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp as integer};
 use microwarp::rejection::{
@@ -14,25 +18,6 @@ use microwarp::warp::*;
 use microwarp::{Error, Frame, fixed as fine};
 use support::registry::Entry;
 use support::truth::{self, Truth};
-
-pub const DISK: &str = "disk";
-pub const SPHERE: &str = "sphere";
-pub const HEMISPHERE: &str = "hemisphere";
-pub const COSINE: &str = "cosine hemisphere";
-pub const LOBE: &str = "lobe n = 50";
-pub const EXPONENTIAL: &str = "exponential";
-pub const NORMAL: &str = "two normals";
-/// Those of which there is a picture.
-pub const PICTURED: [&str; 7] = [DISK, SPHERE, HEMISPHERE, COSINE, LOBE, EXPONENTIAL, NORMAL];
-const INTERVAL: &str = "interval";
-const POWER: &str = "power law";
-const TRUNCATED: &str = "truncated exponential";
-const LINE: &str = "tent, line, inversion";
-const TRIANGLE: &str = "triangle";
-const CAP: &str = "cone, patch";
-const COMPOSED: &str = "composed";
-pub const BALL: &str = "ball";
-pub const TABLE: &str = "table of 1024 weights";
 
 /// The rows that are asked for, by family; and what warps of the catalogue the list has forgotten.
 pub fn rows(args: &Args) -> Result<(Vec<Row>, Vec<String>), Error> {
@@ -144,14 +129,6 @@ fn floats<T: Tier>(rows: &mut Vec<Row>, entries: &mut Vec<Entry>) -> Result<(), 
     let name = Name::new(NORMAL, "Normal 0, 1", T::NAME, format!("{}_normal", T::NAME));
     rows.push(warp(name, Normal::<T>::new(0.0, 1.0)?, entry.truth.clone()).of(entry).twice());
     Ok(())
-}
-
-/// The standard normal pair.
-pub fn pair() -> Box<dyn Truth> {
-    Box::new(truth::NormalPair {
-        mean: [0.0; 2],
-        deviation: 1.0,
-    })
 }
 
 #[rustfmt::skip] // one line a sampler

@@ -13,6 +13,7 @@ mod clock;
 mod controls;
 mod costs;
 mod error;
+mod family;
 mod figure;
 mod front;
 mod labels;

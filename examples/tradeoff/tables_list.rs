@@ -1,6 +1,6 @@
 //! The list of tables, and of what selects by weights elsewhere.
 
-use crate::list::TABLE;
+use crate::family::TABLE;
 use crate::sampler::{Chance, Row, Way};
 use crate::subject::{Name, indices};
 use microwarp::Error;

@@ -7,6 +7,7 @@
 //! `MICROWARP_WRITE=1 cargo test --test proofs` writes the figures anew.
 
 mod bounds;
+mod inputs;
 mod maps;
 mod phases;
 mod radii;
@@ -15,25 +16,10 @@ mod report;
 mod search;
 
 use bounds::Roundings;
+use inputs::{Uniforms, in_parallel};
 use maps::{Kernels, MAPS, Outcome, examine};
 use microwarp::tier::{Libm, Poly, Tier};
 use report::{complaint, stated};
-use support::parallel::{self, threads};
-
-/// Which uniforms a bound holds for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Uniforms {
-    /// Every `f32` in [0, 1).
-    Any,
-    /// k·2⁻²⁴, which generators yield.
-    Grid,
-}
-
-/// The results of jobs 0..count, worked out on as many threads as there are cores.
-fn in_parallel<T: Send>(count: u32, job: impl Fn(u32) -> T + Sync) -> Vec<T> {
-    let jobs: Vec<u32> = (0..count).collect();
-    parallel::in_parallel(threads(), &jobs, |&i| job(i))
-}
 
 fn outcomes<T: Tier>() -> Vec<[Outcome; 2]> {
     let any = Kernels::of(Uniforms::Any, T::sincos_turns);
