@@ -83,6 +83,9 @@
 )]
 
 pub mod discrete;
+#[cfg(test)]
+extern crate std;
+
 mod error;
 pub mod estimate;
 #[cfg(feature = "fixed")]

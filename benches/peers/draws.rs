@@ -1,6 +1,6 @@
 //! Contests of warps that are drawn one sample after the other.
 
-use crate::families::*;
+use crate::contestants::*;
 use fixed::types::U32F32;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, Grade, Uniform};
 use microwarp::rejection::{

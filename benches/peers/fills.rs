@@ -1,7 +1,7 @@
 //! Contests of slices: our `fill` beside single draws, ours and the peers'.
 
+use crate::contestants::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
 use crate::draws::{EXPONENT, lobe_power, with_pairs, word};
-use crate::families::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
 use microwarp::{Warp, libm, poly};
 use rand_pcg::Pcg32;
 use support::contest::Contest;

@@ -1,10 +1,11 @@
 //! Every sampler beside its peers in one process: rand_distr, micromath, the formulas in books over libm, and the
 //! generator alone. `cargo bench --bench peers -- --help`
 //!
-//! How times are taken and compared is in `../common/contest.rs`, what the peers are in `../common/peers.rs`, who meets
+//! How times are taken and compared is in `support::contest`, what the peers are in `support::peers`, who meets
 //! whom in `families.rs`. Here lives the order of the work.
 
 mod args;
+mod contestants;
 mod draws;
 mod families;
 mod fills;

@@ -1,5 +1,6 @@
 //! What is printed and written of the standings.
 
+use crate::contestants::*;
 use crate::families::*;
 use std::fmt::Write;
 use support::contest::{Quartiles, Standings};

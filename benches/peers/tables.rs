@@ -1,6 +1,6 @@
 //! Contests of tables of weights.
 
-use crate::families::{FLOOR, INDEX, RAND_DISTR, SELECTION, TEXTBOOK};
+use crate::contestants::{FLOOR, INDEX, RAND_DISTR, SELECTION, TEXTBOOK};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;

@@ -2,8 +2,9 @@
 
 use crate::fit::{Line, Use};
 use crate::method::DIMENSIONS;
-use crate::plot::{LABELS, Scale, dot};
-use support::draw::canvas::{Area, Canvas, INK, MUTED};
+use crate::plot::{LABELS, Scale, TEXT, dot};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{INK, MUTED};
 use support::draw::text::{Align, Type, signed};
 
 const WIDTH: f32 = 1800.0;
@@ -14,7 +15,6 @@ const GAP: f32 = 44.0;
 const TOP: f32 = 172.0;
 const TALL: f32 = 540.0;
 const ROW: f32 = 36.0;
-pub const TEXT: f32 = 26.0;
 
 pub fn draw(lines: &[Line], repetitions: u32) -> Canvas {
     let mut canvas = Canvas::new(WIDTH as u32, HEIGHT as u32);

@@ -1,7 +1,7 @@
 //! The six methods: their names, what theory says of them, and the sizes at which they run.
 
 use std::fmt;
-use support::draw::canvas::{Colour, INK};
+use support::draw::colour::{Colour, INK};
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Method {

@@ -1,11 +1,13 @@
 //! One plot of the figure: its axes, the lines of errors, and the theory as dashed lines.
 
-use crate::figure::TEXT;
 use crate::fit::{Line, Use};
-use support::draw::canvas::{Area, Canvas, Colour, HAIR, INK, MUTED, WHITE, faded};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{Colour, HAIR, INK, MUTED, WHITE, faded};
 use support::draw::scale::ten_to;
 use support::draw::text::{Align, Type};
 
+/// The size of the text.
+pub const TEXT: f32 = 26.0;
 /// Room for the labels of the vertical axis.
 pub const LABELS: f32 = 78.0;
 

@@ -3,7 +3,8 @@
 
 use microwarp::uniform::LARGEST;
 use rand_pcg::Pcg32;
-use support::draw::canvas::{ACCENT, Area, Canvas, HAIR, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, HAIR, MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type};
 use support::registry::picture::View;
 use support::registry::{Domain, Entry, Point};

@@ -1,13 +1,13 @@
 //! The numbers of the table: each warp is compared with its density, with its exact counterpart and
 //! with the clock.
 
-use crate::table::p_text;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 use std::time::Instant;
 use support::figures::{self, Exact, sample_error};
 use support::registry::{Domain, Entry, Point, Uniforms};
 use support::stats::{self, Axis};
+use support::table;
 
 /// A p-value below this is no accident in any number of runs.
 pub const ALARM: f64 = 1e-9;
@@ -45,6 +45,14 @@ pub struct Shape {
     pub astray: usize,
     /// The p-value, or why there can be none.
     pub outcome: Result<f64, String>,
+}
+
+/// The p-value as it is written.
+pub fn p_text(shape: &Shape) -> String {
+    match shape.outcome {
+        Err(_) => "none".into(),
+        Ok(p) => table::p_text(p),
+    }
 }
 
 impl Shape {

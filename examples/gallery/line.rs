@@ -2,7 +2,8 @@
 
 use microwarp::uniform;
 use rand_pcg::Pcg32;
-use support::draw::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, BAR, HAIR, INK, MUTED, POINT, faded};
 use support::draw::scale::{Scale, round_step};
 use support::draw::text::{Align, Type};
 use support::registry::Entry;

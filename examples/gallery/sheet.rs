@@ -2,11 +2,12 @@
 
 use crate::Subject;
 use crate::args::Args;
-use crate::check::{Figures, generator};
-use crate::table::{error_text, p_text};
+use crate::check::{Figures, generator, p_text};
+use crate::table::error_text;
 use crate::{area, line, strata};
 use rand_pcg::Pcg32;
-use support::draw::canvas::{ACCENT, Area, BAR, Canvas, INK, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, BAR, INK, MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type, thousands};
 use support::registry::picture::View;
 

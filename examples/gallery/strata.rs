@@ -2,7 +2,8 @@
 
 use microwarp::uniform::{self, Strata1d, Strata2d};
 use rand_pcg::Pcg32;
-use support::draw::canvas::{Area, Canvas, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type};
 
 /// Strata along an axis.

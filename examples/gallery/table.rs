@@ -1,19 +1,9 @@
 //! The table: one row for each warp, its parameters and a tier.
 
-use crate::check::{ALARM, Figures, Shape};
-use comfy_table::{CellAlignment, Table, presets};
+use crate::check::{ALARM, Figures, p_text};
 use support::draw::text::thousands;
 use support::registry::{Entry, Measure};
-
-/// A p-value, in scientific notation where it is extreme.
-pub fn p_text(shape: &Shape) -> String {
-    match shape.outcome {
-        Err(_) => "none".into(),
-        Ok(0.0) => "< 1e-300".into(),
-        Ok(p) if p < 1e-3 => format!("{p:.1e}"),
-        Ok(p) => format!("{p:.3}"),
-    }
-}
+use support::table;
 
 /// An error with its unit: ulp, or a distance as a share of the size of the domain.
 pub fn error_text(entry: &Entry, error: f64) -> String {
@@ -35,9 +25,7 @@ fn short(x: f64) -> String {
 }
 
 pub fn print(rows: &[(&Entry, &Figures)]) {
-    let mut table = Table::new();
-    table.load_preset(presets::ASCII_MARKDOWN);
-    table.set_header([
+    let header = [
         "warp",
         "parameters",
         "tier",
@@ -45,9 +33,9 @@ pub fn print(rows: &[(&Entry, &Figures)]) {
         "χ² p-value",
         "largest error",
         "ns a sample",
-    ]);
-    for (entry, figures) in rows {
-        table.add_row([
+    ];
+    let rows = rows.iter().map(|(entry, figures)| {
+        vec![
             entry.name.to_string(),
             entry.parameters.to_string(),
             entry.tier.to_string(),
@@ -55,14 +43,9 @@ pub fn print(rows: &[(&Entry, &Figures)]) {
             p_text(&figures.shape),
             error_text(entry, figures.error),
             format!("{:.1}", figures.nanoseconds),
-        ]);
-    }
-    for column in 3..7 {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    println!("{table}");
+        ]
+    });
+    table::print(&header, rows.collect(), 3);
     println!(
         "χ² p-value: samples against the density the crate reports, integrated over cells in f64; \
          below {ALARM:.0e} is a failure.\n\

@@ -3,7 +3,8 @@
 use crate::copy::{Recording, Snapshot, errors};
 use crate::scene::SHAPE;
 use crate::study::{DRAWN, Study};
-use support::draw::canvas::{ACCENT, Area, Canvas, Colour, INK, MUTED, POINT};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, Colour, INK, MUTED, POINT};
 use support::draw::panel::cells;
 use support::draw::plot::Plot;
 use support::draw::scale::Scale;

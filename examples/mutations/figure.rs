@@ -1,10 +1,12 @@
 //! The figure: for each mutation a short run and a long one, each a histogram over its chain.
 
 use crate::report::{steps_text, time_text};
-use crate::run::{BINS, Run, variation};
+use crate::run::{Run, variation};
 use crate::study::{Pair, Study};
+use crate::target::BINS;
 use crate::target::density;
-use support::draw::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, BAR, HAIR, INK, MUTED, POINT, faded};
 use support::draw::plot::Plot;
 use support::draw::scale::Scale;
 use support::draw::text::{Align, Type, signed, thousands};

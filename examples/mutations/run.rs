@@ -2,14 +2,12 @@
 
 use crate::kernel::Truth;
 use crate::ladder::Ladder;
-use crate::target::{Rule, probabilities, target};
+use crate::target::{BINS, Rule, bin, probabilities, target};
 use crate::thinned::Thinned;
 use microwarp::Error;
 use microwarp::metropolis::{Chain, Halves, Step};
 use rand_pcg::Pcg32;
 
-/// Bins of a histogram.
-pub const BINS: usize = 40;
 /// States of a run that are kept for the picture.
 const KEPT: u64 = 2500;
 
@@ -27,10 +25,6 @@ pub struct Run {
     pub crossings: u64,
     /// Some states in order, evenly spaced.
     pub trace: Vec<f32>,
-}
-
-pub fn bin(x: f32) -> usize {
-    ((x * BINS as f32) as usize).min(BINS - 1)
 }
 
 pub fn is_left(x: f32) -> bool {

@@ -3,7 +3,8 @@
 
 use crate::kernel::Truth;
 use crate::ladder::{Ladder, Time};
-use crate::run::{BINS, Run, is_left, walk};
+use crate::run::{Run, is_left, walk};
+use crate::target::BINS;
 use crate::target::Rule;
 use crate::thinned::Thinned;
 use microwarp::Error;

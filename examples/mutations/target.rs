@@ -4,6 +4,13 @@ use microwarp::Error;
 use microwarp::metropolis::{BoxStep, Mixture, Mutation, Proposal, Symmetric, UniformStep};
 use rand_core::TryRng;
 
+/// Bins of a histogram.
+pub const BINS: usize = 40;
+
+pub fn bin(x: f32) -> usize {
+    ((x * BINS as f32) as usize).min(BINS - 1)
+}
+
 /// Width of the box step.
 pub const WIDTH: f32 = 0.1;
 /// How often the mixture takes the box step.

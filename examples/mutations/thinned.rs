@@ -1,8 +1,7 @@
 //! The test of a chain's states: so few of them that they are independent, against the target's bins.
 
 use crate::kernel::Truth;
-use crate::run::{BINS, bin};
-use crate::target::probabilities;
+use crate::target::{BINS, bin, probabilities};
 use support::stats;
 use support::verdict::Outcome;
 

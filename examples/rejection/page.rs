@@ -3,7 +3,8 @@
 use crate::args::Args;
 use crate::measure::{BARS, FIRST, Measured, spread};
 use crate::scenes::Scene;
-use support::draw::canvas::{ACCENT, Area, BAR, Canvas, HAIR, INK, MUTED, POINT, faded};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, BAR, HAIR, INK, MUTED, POINT, faded};
 use support::draw::plot::Plot;
 use support::draw::scale::{Scale, round_step};
 use support::draw::text::{Align, Type, thousands};

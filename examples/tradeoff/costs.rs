@@ -1,8 +1,7 @@
 //! What the functions cost on other targets, as `benches/cores` has measured it.
 
 use std::collections::BTreeMap;
-
-const MEASURED: &str = include_str!("../../benches/cores/costs.csv");
+use support::COSTS;
 
 /// The cores, as the measurements name them, and as they are written.
 pub const CORES: [(&str, &str); 3] = [("m0", "Cortex-M0"), ("m4f", "Cortex-M4F"), ("wasm", "WASM")];
@@ -32,7 +31,7 @@ pub struct Costs(BTreeMap<(String, String, String), Line>);
 
 impl Costs {
     pub fn checked_in() -> Result<Self, String> {
-        Self::read(MEASURED)
+        Self::read(COSTS)
     }
 
     /// Reads lines of `function,core,opt,instructions,stack,code,tables`, by the names at their head.

@@ -3,7 +3,8 @@
 use crate::advice::traded;
 use crate::panel;
 use crate::study::{Study, TARGETS};
-use support::draw::canvas::{Area, Canvas, INK, MUTED, POINT, faded};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{INK, MUTED, POINT, faded};
 use support::draw::scale::Scale;
 use support::draw::text::{Align, Type};
 use support::registry::family::PICTURED;

@@ -1,6 +1,7 @@
 //! Where the names of points go, so that they cover neither each other nor points.
 
-use support::draw::canvas::{Area, Canvas, Colour};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::Colour;
 use support::draw::text::{Align, Type};
 
 /// A point with a name.

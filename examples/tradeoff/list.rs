@@ -3,7 +3,10 @@
 use crate::args::Args;
 use crate::sampler::{Numbers, Row};
 use crate::subject::{Name, law, registered, rejection, warp};
-use crate::{peer_list, tables_list};
+use crate::{
+    peer_list::{self, pair},
+    tables_list,
+};
 use fixed::types::{I2F30, I16F16, U2F62, U4F28, U32F32};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp as integer};
 use microwarp::rejection::{
@@ -47,14 +50,6 @@ fn missing(listed: &[Entry], left: &[Entry]) -> Vec<String> {
     let mut missing: Vec<String> = left.iter().filter(has).map(complaint).collect();
     missing.dedup();
     missing
-}
-
-/// The standard normal pair.
-pub fn pair() -> Box<dyn Truth> {
-    Box::new(truth::NormalPair {
-        mean: [0.0; 2],
-        deviation: 1.0,
-    })
 }
 
 #[rustfmt::skip] // one line a sampler

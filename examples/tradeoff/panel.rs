@@ -4,7 +4,8 @@ use crate::advice::traded;
 use crate::front::{Trade, front};
 use crate::labels::{self, Named};
 use crate::study::Study;
-use support::draw::canvas::{ACCENT, Area, Canvas, HAIR, INK, MUTED, POINT, faded};
+use support::draw::canvas::{Area, Canvas};
+use support::draw::colour::{ACCENT, HAIR, INK, MUTED, POINT, faded};
 use support::draw::scale::Scale;
 use support::draw::text::{Align, Type, thousands};
 

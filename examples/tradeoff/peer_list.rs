@@ -1,6 +1,5 @@
 //! The list of the peers' samplers: a line each.
 
-use crate::list::pair;
 use crate::sampler::{FromWords, Map, Numbers, Row, Way};
 use crate::subject::{Name, drawn, law, map};
 use rand_pcg::Pcg32;
@@ -9,6 +8,14 @@ use support::registry::family::{
     BALL, COSINE, DISK, EXPONENTIAL, HEMISPHERE, LOBE, NORMAL, SPHERE,
 };
 use support::truth::{self, Point, Truth, Uniforms};
+
+/// The standard normal pair.
+pub fn pair() -> Box<dyn Truth> {
+    Box::new(truth::NormalPair {
+        mean: [0.0; 2],
+        deviation: 1.0,
+    })
+}
 
 /// The unit ball: a direction, and the cube root of the third uniform as its length.
 pub struct Ball;

@@ -9,6 +9,15 @@
     reason = "debug builds check every operation over all inputs"
 )]
 
+/// Calls a function in the way of this core. Tests call it in both ways, for the same bits.
+macro_rules! on_this_core {
+    ($function:ident($($argument:expr),*)) => {{
+        #[cfg(test)]
+        assert!($function::<true>($($argument),*) == $function::<false>($($argument),*));
+        $function::<{ super::NARROW }>($($argument),*)
+    }};
+}
+
 pub(super) mod angle;
 pub(super) mod exp;
 pub(super) mod float;
@@ -18,6 +27,8 @@ pub(super) mod quotient;
 pub(super) mod root;
 pub(super) mod sine;
 mod tables;
+#[cfg(test)]
+mod tests;
 
 /// Whether the core multiplies 32 bits by 32 to 32 bits only. Of the Arm cores, those without
 /// compare-and-swap are the ones.

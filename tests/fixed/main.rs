@@ -4,11 +4,6 @@
 //! with `MICROWARP_FULL=all` in the environment over every word there is, which takes half an hour. Overflow checks are on, so a sweep that comes to
 //! its end is the proof that no plain operator overflows.
 
-#![allow(
-    clippy::duplicate_mod,
-    reason = "the kernels are compiled once for each kind of core"
-)]
-
 mod cases;
 mod composed;
 mod controls;
@@ -18,19 +13,7 @@ mod figures;
 mod inputs;
 mod kernels;
 mod laws;
+mod rim;
 mod rising;
 mod shapes;
 mod wrong_maps;
-
-/// What sees the kernels themselves, which say of their functions that they are visible in a module of this name.
-#[path = "."]
-mod fixed {
-    mod both_ways;
-    mod narrow;
-    mod quotients;
-    mod rim;
-    mod table_entries;
-    #[path = "../../src/fixed/kernel/tables.rs"]
-    mod tables;
-    mod wide;
-}

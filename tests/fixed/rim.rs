@@ -2,7 +2,6 @@
 //!
 //! `MICROWARP_WRITE=1 MICROWARP_FULL=all cargo test --test fixed rim` writes it anew.
 
-use super::wide::{product, sine};
 use crate::inputs::{Words, edges};
 use fixed::types::{I2F30, U0F32};
 use microwarp::Warp;
@@ -14,6 +13,23 @@ use support::speed;
 
 type Sincos = fn(u32) -> (i32, i32);
 type Scaled = fn(u32, i32) -> i32;
+
+/// The product of a length and a sine, from all digits but the lowest of the sine.
+fn near_signed(length: u32, by: i32) -> i32 {
+    let (high, low) = (by >> 16, by & 0xffff);
+    let exact = (i64::from(length) * i64::from(high)) >> 16;
+    exact as i32 + ((u64::from(length >> 16) * low as u64) >> 16) as i32
+}
+
+/// From the first 15 digits of the length and 17 of the sine.
+fn rough_signed(length: u32, by: i32) -> i32 {
+    ((length >> 17) as i32 * (by >> 14)) >> 1
+}
+
+fn sincos<G: Grade>(phase: u32) -> (i32, i32) {
+    let (s, c) = G::sincos_turns(U0F32::from_bits(phase));
+    (s.to_bits(), c.to_bits())
+}
 
 /// What the source says of a grade: its rim, and the product that scales by a sine. Replaces the rim where one is
 /// given.
@@ -27,8 +43,8 @@ fn rim_and_product(kernel: &str, new: Option<u32>) -> (u32, Scaled) {
     };
     let (rim, scaled) = (value(" rim: "), &text[value(" product: ")]);
     let scaled = match scaled {
-        "near_signed" => product::near_signed,
-        "rough_signed" => product::rough_signed,
+        "near_signed" => near_signed,
+        "rough_signed" => rough_signed,
         other => panic!("{other}"),
     };
     if let Some(new) = new {
@@ -68,9 +84,9 @@ fn widest(name: &str, sincos: Sincos, scaled: Scaled) -> u32 {
 #[test]
 fn the_rim_is_the_widest() {
     let grades: [(&str, Sincos); 3] = [
-        ("fine", sine::fine),
-        ("coarse", sine::coarse),
-        ("compact", sine::compact),
+        (Fine::NAME, sincos::<Fine>),
+        (Coarse::NAME, sincos::<Coarse>),
+        (Compact::NAME, sincos::<Compact>),
     ];
     for (name, sincos) in grades {
         let (_, scaled) = rim_and_product(name, None);
@@ -90,7 +106,7 @@ fn the_rim_is_the_widest() {
     }
     // A wider one is noticed: sines on the unit circle without its margin, that is, of length 1 and a bit more.
     let too_long = |phase| {
-        let (s, c) = sine::fine(phase);
+        let (s, c) = sincos::<Fine>(phase);
         (s + (s >> 18), c + (c >> 18))
     };
     let (rim, scaled) = rim_and_product("fine", None);
@@ -110,13 +126,21 @@ fn points_lie_inside<G: Grade>() {
         },
     );
     assert_eq!(states.iter().sum::<u64>(), 0, "{}", G::NAME);
-    // At random, and next to the rim at all scales.
+    // At random, and next to the rim at all scales; each the product of the radius and a sine that the rim is made for.
+    let (rim, scaled) = rim_and_product(G::NAME, None);
     let mut rng = Pcg32::seed_from_u64(5);
     for i in 0..speed::of("points next to the rim", 1_u32 << 20, 1 << 24) {
         let u1 = !(rng.next_u32() >> (i & 31));
         let u2 = rng.next_u32();
         let (x, y) = bits(disk.sample([u1, u2].map(U0F32::from_bits)));
         assert!(inside(x, y), "{}: {u1:#x}, {u2:#x}", G::NAME);
+        let radius = G::sqrt(U0F32::from_bits(u1)).to_bits().min(rim);
+        let (s, c) = sincos::<G>(u2);
+        assert_eq!(
+            (x, y),
+            (scaled(radius, c), scaled(radius, s)),
+            "{u1:#x}, {u2:#x}"
+        );
     }
 }
 

@@ -8,6 +8,7 @@
 //! `MICROWARP_WRITE=1 cargo test --test proofs` writes the figures anew.
 
 mod bounds;
+mod inputs;
 mod maps;
 mod phases;
 mod radii;
@@ -16,30 +17,10 @@ mod report;
 mod search;
 
 use bounds::Roundings;
+use inputs::{STRIDE, Uniforms, in_parallel};
 use maps::{Kernels, MAPS, Outcome, examine};
 use microwarp::tier::{Libm, Poly, Tier};
 use report::{complaint, stated};
-use std::sync::LazyLock;
-use support::parallel::{self, threads};
-use support::speed;
-
-/// Which uniforms a bound holds for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Uniforms {
-    /// Every `f32` in [0, 1).
-    Any,
-    /// k·2⁻²⁴, which generators yield.
-    Grid,
-}
-
-/// One of how many inputs is tried. Odd, so that all low bits occur.
-pub static STRIDE: LazyLock<u32> = LazyLock::new(|| speed::of("one input tried of every", 13, 1));
-
-/// The results of jobs 0..count, worked out on as many threads as there are cores.
-fn in_parallel<T: Send>(count: u32, job: impl Fn(u32) -> T + Sync) -> Vec<T> {
-    let jobs: Vec<u32> = (0..count).collect();
-    parallel::in_parallel(threads(), &jobs, |&i| job(i))
-}
 
 fn outcomes<T: Tier>() -> Vec<[Outcome; 2]> {
     let any = Kernels::of(Uniforms::Any, T::sincos_turns);

@@ -1,7 +1,7 @@
 //! The maps, the form in which they are examined, and what comes out.
 
-use crate::Uniforms;
 use crate::bounds::{Roundings, Worst};
+use crate::inputs::Uniforms;
 use crate::phases::{self, Cell};
 use crate::radii::{self, Radii};
 use crate::search;

@@ -1,8 +1,8 @@
 //! The error of sine and cosine over every phase of the first eighth of a turn. The other seven are its mirror
 //! images: a phase is reduced exactly, and the kernels are odd and even.
 
+use crate::inputs::{STRIDE, Uniforms, in_parallel};
 use crate::range::Range;
-use crate::{STRIDE, Uniforms, in_parallel};
 use std::f64::consts::{PI, TAU};
 
 /// The error is measured along this many axes of the plane, a half turn in all. A vector is longer than the

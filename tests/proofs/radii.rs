@@ -3,8 +3,8 @@
 //! The first uniform alone moves the point along an axis, where sine and cosine are exact. For the concentric maps
 //! it is the larger of the two numbers of the square that does so.
 
+use crate::inputs::{STRIDE, Uniforms, in_parallel};
 use crate::range::Range;
-use crate::{STRIDE, Uniforms, in_parallel};
 use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::uniform::LARGEST;

@@ -1,7 +1,7 @@
 //! A search for the largest error of a map, near where its bound is reached.
 
-use crate::Uniforms;
 use crate::bounds::Worst;
+use crate::inputs::Uniforms;
 use crate::phases::Cell;
 use crate::radii::Radii;
 use support::figures::{Exact, Figures, sample_error};

@@ -163,5 +163,5 @@ fn laws_are_told_apart() {
     assert_rejected("disk for bump", &p_values(&disk, subjects::bump));
     let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI, 600).unwrap();
     assert_rejected("bump for disk", &p_values(&bump, subjects::disk));
-    assert!(stats::threshold(1) > crate::threshold());
+    assert!(stats::threshold(1) > crate::examination::threshold());
 }

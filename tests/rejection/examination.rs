@@ -1,7 +1,14 @@
 //! What is asked of a sampler's points and tries, and the p-values of the answers.
 
-use crate::threshold;
 use support::stats;
+
+/// No fewer than the p-values that are computed in these files; `p_values_are_counted` counts them.
+pub const TESTS: usize = 150;
+
+/// The p-value below which a test rejects.
+pub fn threshold() -> f64 {
+    stats::threshold(TESTS)
+}
 
 /// The points of a run in coordinates that are uniform if the sampler is right, and the tries of each.
 pub struct Run<const D: usize> {

@@ -14,15 +14,7 @@ mod subjects;
 mod ziggurat_budgets;
 mod ziggurats;
 
-use support::stats;
-
-/// No fewer than the p-values that are computed in this file; `p_values_are_counted` counts them.
-const TESTS: usize = 150;
-
-/// The p-value below which a test rejects.
-fn threshold() -> f64 {
-    stats::threshold(TESTS)
-}
+use examination::TESTS;
 
 #[test]
 fn p_values_are_counted() {

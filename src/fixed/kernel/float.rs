@@ -1,7 +1,5 @@
 //! Conversions from and to the bits of an `f32`, without an operation on floats.
 
-use super::NARROW;
-
 /// The bits of 1.
 const ONE: u32 = 127 << 23;
 /// The bits of infinity; what is above is NaN or has a sign.
@@ -29,6 +27,12 @@ pub(in crate::fixed) fn of(number: u32, fraction: u32) -> u32 {
     }
     // The first bit of the fraction carries into the exponent.
     let exponent = (ONE >> 23) + 30 - fraction;
+    on_this_core!(scaled_on(number, exponent))
+}
+
+/// The bits of a positive number times a power of two, by the exponent of which its first digit is the highest of a word.
+#[inline]
+fn scaled_on<const NARROW: bool>(number: u32, exponent: u32) -> u32 {
     if NARROW {
         let (mut m, mut bits) = (number, exponent << 23);
         while m >> 31 == 0 {

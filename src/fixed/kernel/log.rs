@@ -1,12 +1,16 @@
 //! Logarithms.
 
-use super::NARROW;
 use super::product::{by_half, near};
 use super::tables::{LN_2, LOG, entry};
 
 /// A positive number in Q32 shifted left by the second result, to at least 1/2; of 0, 0 and at most 32.
 #[inline]
 fn normal(x: u32) -> (u32, u32) {
+    on_this_core!(normal_on(x))
+}
+
+#[inline]
+fn normal_on<const NARROW: bool>(x: u32) -> (u32, u32) {
     if NARROW {
         let (mut m, mut shift) = (x, 0);
         while m >> 31 == 0 && shift < 32 {

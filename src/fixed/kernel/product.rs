@@ -1,11 +1,15 @@
 //! Products, the same bits with and without a long multiply.
 
-use super::NARROW;
 use core::hint::black_box;
 
 /// ⌊a·b/2³²⌋, exactly.
 #[inline]
 pub(in crate::fixed) fn high(a: u32, b: u32) -> u32 {
+    on_this_core!(high_on(a, b))
+}
+
+#[inline]
+pub(super) fn high_on<const NARROW: bool>(a: u32, b: u32) -> u32 {
     if NARROW {
         let (ah, al, bh, bl) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
         // Otherwise the compiler sees a long product in the four, and calls a routine for it that is twice as slow.
@@ -35,6 +39,11 @@ pub(in crate::fixed) const fn near_signed(a: u32, b: i32) -> i32 {
 /// ⌊a·b/2¹⁶⌋ of b < 2¹⁶, exactly.
 #[inline]
 pub(in crate::fixed) const fn by_half(a: u32, b: u32) -> u32 {
+    on_this_core!(by_half_on(a, b))
+}
+
+#[inline]
+pub(super) const fn by_half_on<const NARROW: bool>(a: u32, b: u32) -> u32 {
     if NARROW {
         (a >> 16) * b + (((a & 0xffff) * b) >> 16)
     } else {
@@ -45,6 +54,11 @@ pub(in crate::fixed) const fn by_half(a: u32, b: u32) -> u32 {
 /// ⌊a·b/2¹⁶⌋ of −2¹⁵ ≤ b < 2¹⁵, exactly.
 #[inline]
 pub(in crate::fixed) const fn by_signed_half(a: u32, b: i32) -> i32 {
+    on_this_core!(by_signed_half_on(a, b))
+}
+
+#[inline]
+pub(super) const fn by_signed_half_on<const NARROW: bool>(a: u32, b: i32) -> i32 {
     if NARROW {
         (a >> 16) as i32 * b + (((a & 0xffff) as i32 * b) >> 16)
     } else {

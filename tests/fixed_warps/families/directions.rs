@@ -1,7 +1,7 @@
 //! Warps over directions.
 
+use super::family::{Family, STEP, Subject, WORD, beyond, check, family, uniform};
 use super::plane::{around, turns};
-use super::{Family, STEP, Subject, WORD, beyond, check, family, uniform};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
 use microwarp::Warp;
 use microwarp::fixed::warp::{Cone, CosineHemisphere, Hemisphere, PhongLobe, Sphere};

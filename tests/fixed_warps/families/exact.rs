@@ -1,6 +1,6 @@
 //! Warps that are exact, against long integers, and the route of `f32`.
 
-use super::{Family, Subject, WORD, check, family};
+use super::family::{Family, Subject, WORD, check, family};
 use fixed::types::extra::{U0, U16};
 use fixed::types::{I0F32, I16F16, I32F0, U0F32, U2F62, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32};

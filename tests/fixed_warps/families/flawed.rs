@@ -1,6 +1,7 @@
 //! A warp with a planted defect, which the search must find within its usual budget.
 
-use super::{Family, Subject, directions};
+use super::directions;
+use super::family::{Family, Subject};
 use fixed::types::{I2F30, U0F32, U2F62};
 use microwarp::Warp;
 use microwarp::fixed::warp::Cone;

@@ -1,6 +1,6 @@
 //! Warps of one word: the tent and the exponentials.
 
-use super::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
+use super::family::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
 use fixed::types::extra::LeEqU32;
 use fixed::types::{U0F32, U5F27};
 use fixed::{FixedI32, FixedU32};
@@ -107,7 +107,10 @@ fn truncated<Frac: LeEqU32 + 'static, G: Grade>(mean: u32, length: u32) -> Optio
         check(warp.pdf(x) > 0, "no density at a sample")?;
         // Beyond a word of the uniform to either side and a step below.
         let u = uniform(w);
-        let (least, most) = (truth(u - super::WORD) - 1.0, truth(u + super::WORD));
+        let (least, most) = (
+            truth(u - super::family::WORD) - 1.0,
+            truth(u + super::family::WORD),
+        );
         let off = (least - steps).max(steps - most).max(0.0);
         errors[0] = if steps.is_nan() || least.is_nan() {
             f64::NAN

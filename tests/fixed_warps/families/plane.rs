@@ -1,6 +1,6 @@
 //! The disk and the normals.
 
-use super::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
+use super::family::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
 use fixed::types::U0F32;
 use fixed::types::extra::LeEqU32;
 use fixed::{FixedI32, types::I5F27};
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// The point of a radius at a phase.
 pub fn around(radius: f64, phase: u32) -> [f64; 2] {
     // The phase to the nearest quarter exactly.
-    let (sin, cos) = (f64::from((phase << 2) as i32) * super::WORD * TAU / 4.0).sin_cos();
+    let (sin, cos) = (f64::from((phase << 2) as i32) * super::family::WORD * TAU / 4.0).sin_cos();
     let [x, y] = match phase.wrapping_add(1 << 29) >> 30 {
         0 => [cos, sin],
         1 => [-sin, cos],
@@ -24,7 +24,7 @@ pub fn around(radius: f64, phase: u32) -> [f64; 2] {
 
 /// The distance of a number of turns from a phase.
 pub fn turns(got: U0F32, phase: u32) -> f64 {
-    f64::from(got.to_bits().wrapping_sub(phase) as i32) * super::WORD
+    f64::from(got.to_bits().wrapping_sub(phase) as i32) * super::family::WORD
 }
 
 fn disk<G: Grade>() -> Option<Subject> {

@@ -1,6 +1,6 @@
 //! Triangles.
 
-use super::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
+use super::family::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
 use fixed::FixedI32;
 use fixed::types::U0F32;
 use fixed::types::extra::LeEqU32;

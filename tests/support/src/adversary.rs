@@ -4,45 +4,17 @@
 //! sampler is, and how its errors are measured, is the business of the tests that set the adversary on it.
 //! Parameters and uniforms are raw words, so that one search serves `f32` and the integer tier.
 
+mod family;
 pub mod kept;
 pub mod search;
 pub mod words;
+
+pub use family::{Build, Case, Family, Observe, Uniforms};
 
 use crate::parallel::{in_parallel, threads};
 use crate::speed;
 use search::{Budget, Worst};
 use std::collections::BTreeMap;
-use words::Kind;
-
-/// Four uniforms as raw words; those a sampler does not take are 0.
-pub type Uniforms = [u32; 4];
-
-/// Receives the row, the error found and the bound stated for it.
-pub type Observe<'a> = dyn FnMut(usize, f64, f64) + 'a;
-
-/// A sampler with parameters that its constructor has accepted.
-pub trait Case {
-    /// Measures all errors at one point. An error counts against the bound of its row; NaN is infinitely wrong.
-    fn judge(&self, u: Uniforms, observe: &mut Observe);
-}
-
-/// Builds a sampler from its parameters; nothing where the constructor refuses them.
-pub type Build = dyn Fn(&[u32]) -> Option<Box<dyn Case>> + Send + Sync;
-
-/// Everything that one constructor accepts, in one tier or grade.
-pub struct Family {
-    /// Unique, without commas or semicolons: `"Power decreasing poly"`.
-    pub label: String,
-    /// Families of one statement are held to it together: `"Power poly"`.
-    pub statement: String,
-    pub parameters: Vec<Kind>,
-    pub uniforms: Vec<Kind>,
-    /// The titles of the rows, by the index that [`Case::judge`] gives.
-    pub rows: Vec<String>,
-    pub build: Box<Build>,
-    /// Parameters that someone has listed, to start from.
-    pub seeds: Vec<Vec<u32>>,
-}
 
 /// The worst of each row of each family, found by all threads of the machine.
 pub fn attack(families: &[Family], budget: Budget) -> Vec<Vec<Worst>> {

@@ -24,6 +24,7 @@ pub mod stats;
 pub mod table;
 pub mod truth;
 pub mod verdict;
+pub mod words;
 
 use std::path::PathBuf;
 
@@ -31,3 +32,6 @@ use std::path::PathBuf;
 pub fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
+
+/// What `benches/cores` has measured and recorded.
+pub const COSTS: &str = include_str!("../../../benches/cores/costs.csv");

@@ -1,6 +1,7 @@
 //! Pictures within a picture: cells of their own colours below a title and a caption.
 
-use super::canvas::{Area, Canvas, MUTED};
+use super::canvas::{Area, Canvas};
+use super::colour::MUTED;
 use super::text::{Align, Type};
 
 /// Title and caption of a panel.

@@ -1,6 +1,7 @@
 //! A plot: a frame with a title and two axes, and places inside it.
 
-use super::canvas::{Area, Canvas, HAIR, INK, MUTED, faded};
+use super::canvas::{Area, Canvas};
+use super::colour::{HAIR, INK, MUTED, faded};
 use super::scale::Scale;
 use super::text::{Align, Type};
 

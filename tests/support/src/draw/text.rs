@@ -1,6 +1,6 @@
 //! Text: a font that is compiled in, its measures and the outlines of its letters.
 
-use super::canvas::{Colour, INK};
+use super::colour::{Colour, INK};
 use tiny_skia::{Path, PathBuilder};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
@@ -62,15 +62,17 @@ pub struct Fonts {
     bold: Face<'static>,
 }
 
-impl Fonts {
-    pub fn new() -> Self {
+impl Default for Fonts {
+    fn default() -> Self {
         let face = |data| Face::parse(data, 0).expect("the font is part of the program");
         Self {
             regular: face(dejavu::sans_condensed::regular()),
             bold: face(dejavu::sans_condensed::bold()),
         }
     }
+}
 
+impl Fonts {
     fn face(&self, style: Type) -> &Face<'static> {
         if style.bold {
             &self.bold

@@ -1,24 +1,16 @@
 //! Cores without a long multiply compute by other products and other loops than those with one: the bits are the
 //! same, and where products are said to be exact they are.
 //!
-//! The kernels are compiled here in both ways from the very same files.
+//! In tests a function that knows two ways takes both and compares them, so that each call here is a comparison.
 
-use super::{narrow, wide};
-use crate::inputs::{Words, edges};
+use super::structured;
+use crate::fixed::kernel::{angle, exp, float, log, product, root, sine};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
+use std::vec::Vec;
+use support::parallel::{in_parallel, threads};
 use support::speed;
-
-/// Operands whose halves are all pairs of the ends of 16 bits and of powers of two.
-pub fn structured() -> Vec<u32> {
-    let mut halves = vec![
-        0, 1, 2, 3, 0x00ff, 0x5555, 0x7ffe, 0x7fff, 0xaaaa, 0xfffe, 0xffff,
-    ];
-    halves.extend((2..16).map(|bit| 1 << bit));
-    let high = halves.iter().map(|half| half << 16);
-    high.flat_map(|high| halves.iter().map(move |low| high | low))
-        .collect()
-}
+use support::words::edges;
 
 /// Whether two functions agree on all pairs of structured operands and on many at random.
 fn agree<R: PartialEq>(f: impl Fn(u32, u32) -> R, g: impl Fn(u32, u32) -> R) -> bool {
@@ -31,8 +23,7 @@ fn agree<R: PartialEq>(f: impl Fn(u32, u32) -> R, g: impl Fn(u32, u32) -> R) -> 
     let pairs = structured
         .iter()
         .flat_map(|a| structured.iter().map(move |b| (*a, *b)));
-    let count = speed::of("pairs of operands at random", 1 << 18, 1 << 22);
-    let random = (0..count).map(|_| (random(), random()));
+    let random = (0..1 << 22).map(|_| (random(), random()));
     pairs.chain(random).all(|(a, b)| f(a, b) == g(a, b))
 }
 
@@ -46,36 +37,29 @@ const fn signed_half(b: u32) -> i32 {
 
 #[test]
 fn both_kinds_of_products_give_the_same_bits() {
-    use narrow::product as n;
-    use wide::product as w;
-    assert!(agree(n::high, w::high));
-    assert!(agree(n::near, w::near));
-    assert!(agree(n::wide, w::wide));
+    use product::{by_half_on, by_signed_half_on, high_on};
+    assert!(agree(high_on::<true>, high_on::<false>));
     assert!(agree(
-        |a, b| n::by_half(a, half(b)),
-        |a, b| w::by_half(a, half(b))
+        |a, b| by_half_on::<true>(a, half(b)),
+        |a, b| by_half_on::<false>(a, half(b))
     ));
     assert!(agree(
-        |a, b| n::by_signed_half(a, signed_half(b)),
-        |a, b| w::by_signed_half(a, signed_half(b))
-    ));
-    assert!(agree(
-        |a, b| n::near_signed(a, b as i32),
-        |a, b| w::near_signed(a, b as i32)
+        |a, b| by_signed_half_on::<true>(a, signed_half(b)),
+        |a, b| by_signed_half_on::<false>(a, signed_half(b))
     ));
     // The comparison itself sees a carry that is lost, and a sign.
     let careless = |a: u32, b: u32| (a >> 16) * (b >> 16) + (((a >> 16) * (b & 0xffff)) >> 16);
-    assert!(!agree(careless, w::high));
+    assert!(!agree(careless, high_on::<false>));
     assert!(!agree(
-        |a, b| n::by_half(a, half(b)) as i32,
-        |a, b| w::by_signed_half(a, signed_half(b))
+        |a, b| by_half_on::<true>(a, half(b)) as i32,
+        |a, b| by_signed_half_on::<false>(a, signed_half(b))
     ));
 }
 
 /// By products of 128 bits.
 #[test]
 fn products_are_as_exact_as_they_say() {
-    use wide::product as w;
+    use product as w;
     let product = |a: u32, b: u32| u128::from(a) * u128::from(b);
     assert!(agree(w::high, |a, b| (product(a, b) >> 32) as u32));
     assert!(agree(w::wide, |a, b| product(a, b) as u64));
@@ -113,37 +97,28 @@ fn products_are_as_exact_as_they_say() {
     ));
 }
 
-/// Everything a word gives in all kernels of one kind.
-macro_rules! all_of {
-    ($kind:ident, $word:expr) => {{
-        use crate::fixed::$kind::{angle, exp, float, log, root, sine};
-        let word: u32 = $word;
-        let small = word >> 8;
-        (
-            [sine::fine(word), sine::coarse(word), sine::compact(word)],
-            [root::fine(word), root::coarse(word), root::compact(word)],
-            [
-                log::fine(word),
-                log::coarse(word),
-                log::compact(word),
-                log::small(small),
-                log::eighth(word >> 3),
-            ],
-            [exp::fine(word), exp::coarse(word), exp::compact(word)],
-            exp::one_minus_small(small, 27),
-            [0, 7, 27, 32].map(|fraction| float::of(word, fraction)),
-            angle::vectoring(word as i32, word.wrapping_mul(0x9e37_79b9) as i32, 8),
-        )
-    }};
+/// Calls all kernels that know two ways, with a word.
+fn every_kernel(word: u32) {
+    let small = word >> 8;
+    core::hint::black_box((
+        [sine::fine(word), sine::coarse(word), sine::compact(word)],
+        [root::fine(word), root::coarse(word), root::compact(word)],
+        [log::fine(word), log::coarse(word), log::compact(word)],
+        [log::small(small), log::eighth(word >> 3)],
+        [exp::fine(word), exp::coarse(word), exp::compact(word)],
+        exp::one_minus_small(small, 27),
+        [0, 7, 27, 32].map(|fraction| float::of(word, fraction)),
+        angle::vectoring(word as i32, word.wrapping_mul(0x9e37_79b9) as i32, 8),
+    ));
 }
 
 #[test]
 fn both_kinds_of_kernels_give_the_same_bits() {
-    let differ = Words::all_or(16, 256).fold(
-        "both kinds",
-        &edges(),
-        || 0_u64,
-        |differ, word| *differ += u64::from(all_of!(narrow, word) != all_of!(wide, word)),
-    );
-    assert_eq!(differ.iter().sum::<u64>(), 0);
+    let stride = speed::or_all("one word of both ways tried of every", 16_411, 257, 17);
+    let parts: Vec<u32> = (0..256).collect();
+    in_parallel(threads(), &parts, |part| {
+        let words = (part << 24)..=(part << 24 | 0x00ff_ffff);
+        words.step_by(stride).for_each(every_kernel);
+    });
+    edges().into_iter().for_each(every_kernel);
 }

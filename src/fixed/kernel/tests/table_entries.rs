@@ -1,9 +1,10 @@
 //! Every entry of the tables that the compiler computes, against `f64` and exact integers.
 
-use super::tables;
-use fixed::types::U0F32;
-use microwarp::fixed::{Coarse, Grade};
+use crate::fixed::kernel::tables;
+use crate::fixed::{Coarse, Grade};
+use ::fixed::types::U0F32;
 use std::f64::consts::{LN_2, TAU};
+use std::vec::Vec;
 
 /// Which entries of a table are not the given ones.
 fn wrong<T: Copy + Into<i64>>(table: &[T], right: impl Fn(usize) -> i64) -> Vec<usize> {

@@ -1,10 +1,11 @@
 //! Quotients digit by digit, and conversions from and to the bits of an `f32`, against the host's own.
 
-use super::both_ways::structured;
-use super::wide::float;
-use super::wide::quotient::{quotient, ratio, reciprocal};
+use super::structured;
+use crate::fixed::kernel::float;
+use crate::fixed::kernel::quotient::{quotient, ratio, reciprocal};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
+use std::vec::Vec;
 use support::speed;
 
 /// Pairs of structured words, and of words of all magnitudes at random.

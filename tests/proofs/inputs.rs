@@ -1,0 +1,23 @@
+//! The inputs of the maps, and the threads that go through them.
+
+use std::sync::LazyLock;
+use support::parallel::{self, threads};
+use support::speed;
+
+/// Which uniforms a bound holds for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Uniforms {
+    /// Every `f32` in [0, 1).
+    Any,
+    /// k·2⁻²⁴, which generators yield.
+    Grid,
+}
+
+/// The results of jobs 0..count, worked out on as many threads as there are cores.
+pub fn in_parallel<T: Send>(count: u32, job: impl Fn(u32) -> T + Sync) -> Vec<T> {
+    let jobs: Vec<u32> = (0..count).collect();
+    parallel::in_parallel(threads(), &jobs, |&i| job(i))
+}
+
+/// One of how many inputs is tried. Odd, so that all low bits occur.
+pub static STRIDE: LazyLock<u32> = LazyLock::new(|| speed::of("one input tried of every", 13, 1));
