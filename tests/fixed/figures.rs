@@ -84,7 +84,7 @@ impl Figures {
         let largest = if many {
             within(self.max, measured.max, 0.0)
         } else {
-            measured.max <= self.max
+            measured.max.is_finite() && measured.max <= self.max
         };
         let slack = NONE * measured.rms;
         let signed = measured.mean * if self.mean < 0.0 { -1.0 } else { 1.0 };
