@@ -200,32 +200,6 @@ impl Page<'_> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::Page;
-
-    #[test]
-    fn a_page_is_held_to_its_figures() {
-        let page = Page("| Disk | 1.5e-7 / 2 |\n| Cone | – | 0 |\n");
-        let agrees = |text: &str| [true, false].map(|both| page.agrees(text, both));
-        assert_eq!(agrees(page.0), [true; 2]);
-        assert_eq!(agrees("| Disk | 1.4e-7 / 2 |\n| Cone | – | 0 |"), [true; 2]);
-        assert_eq!(
-            agrees("| Disk | 1.0e-7 / 2 |\n| Cone | – | 0 |"),
-            [false, true]
-        );
-        for wrong in [
-            "| Disk | 1.9e-7 / 2 |\n| Cone | – | 0 |",
-            "| Disk | NaN / 2 |\n| Cone | – | 0 |",
-            "| Disk | 1.5e-7 / 2 |\n| Cone | – | 1e-9 |",
-            "| Disk | 1.5e-7 / 2 |\n| Disk | – | 0 |",
-            "| Disk | 1.5e-7 / 2 |",
-        ] {
-            assert_eq!(agrees(wrong), [false; 2], "{wrong}");
-        }
-    }
-}
-
 /// The table of every parameter set.
 fn full_table(measured: &[Measured]) -> String {
     let mut text = String::from(
@@ -272,4 +246,30 @@ fn full_table(measured: &[Measured]) -> String {
 pub fn write(measured: &[Measured]) {
     fs::create_dir_all(root().join("docs")).unwrap();
     fs::write(root().join("docs/accuracy.md"), full_table(measured)).unwrap();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Page;
+
+    #[test]
+    fn a_page_is_held_to_its_figures() {
+        let page = Page("| Disk | 1.5e-7 / 2 |\n| Cone | – | 0 |\n");
+        let agrees = |text: &str| [true, false].map(|both| page.agrees(text, both));
+        assert_eq!(agrees(page.0), [true; 2]);
+        assert_eq!(agrees("| Disk | 1.4e-7 / 2 |\n| Cone | – | 0 |"), [true; 2]);
+        assert_eq!(
+            agrees("| Disk | 1.0e-7 / 2 |\n| Cone | – | 0 |"),
+            [false, true]
+        );
+        for wrong in [
+            "| Disk | 1.9e-7 / 2 |\n| Cone | – | 0 |",
+            "| Disk | NaN / 2 |\n| Cone | – | 0 |",
+            "| Disk | 1.5e-7 / 2 |\n| Cone | – | 1e-9 |",
+            "| Disk | 1.5e-7 / 2 |\n| Disk | – | 0 |",
+            "| Disk | 1.5e-7 / 2 |",
+        ] {
+            assert_eq!(agrees(wrong), [false; 2], "{wrong}");
+        }
+    }
 }
