@@ -6,7 +6,7 @@ use microwarp::tier::{Libm, Poly, Tier};
 
 /// How many cases one tier has.
 pub fn cases_of_tier() -> usize {
-    SUBJECTS.saturating_mul(INPUTS)
+    SUBJECTS.len().saturating_mul(INPUTS)
 }
 
 /// How many cases there are: those of `poly`, those of `libm`, then those of the integer tier.
@@ -55,7 +55,7 @@ pub fn describe(index: usize) -> (&'static str, usize, &'static str) {
         None => (index, Poly::NAME),
         Some(rest) => (rest, Libm::NAME),
     };
-    let name = subjects::name(rest / INPUTS).unwrap_or("");
+    let name = SUBJECTS.get(rest / INPUTS).copied().unwrap_or("");
     (name, rest % INPUTS, tier)
 }
 

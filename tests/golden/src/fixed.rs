@@ -224,11 +224,16 @@ macro_rules! subjects {
                 }
                 index += 1;
             )*)*
-            for function in [functions::<G>, verdicts::<G>, facets::<G>] {
-                if subject == index {
-                    return function(input, out);
-                }
-                index += 1;
+            if subject == index {
+                return functions::<G>(input, out);
+            }
+            index += 1;
+            if subject == index {
+                return verdicts::<G>(input, out);
+            }
+            index += 1;
+            if subject == index {
+                facets::<G>(input, out);
             }
         }
 

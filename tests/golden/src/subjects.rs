@@ -103,13 +103,12 @@ pub(crate) fn generator(input: usize) -> Pcg32 {
 }
 
 /// Sample, density and inverse at fixed uniforms, or at a drawn point.
-fn triple<W>(warp: Result<W, Error>, input: usize, out: &mut Out)
+fn triple<W>(warp: W, input: usize, out: &mut Out)
 where
     W: Warp<Density = f32>,
     W::Uniforms: Numbers,
     W::Point: Numbers,
 {
-    let Ok(warp) = warp else { return };
     let point = match UNIFORMS.get(input) {
         Some(&u) => warp.sample(W::Uniforms::from_four(u)),
         None => warp.draw(&mut generator(input)),
@@ -244,51 +243,28 @@ static FLASH: Cdf<[u32; 6]> = match Cdf::<[u32; 6]>::new(&[0.0, 1.0, 1e-6, 37.0,
     Err(_) => panic!("refused"),
 };
 
-macro_rules! warps {
-    ($($type:ident {
-        golden { $($name:literal => $warp:expr,)* } cost $cost:tt page $page:tt
-    })*) => {
-        /// The names of the warps, in the order of their cases.
-        const WARPS: &[&str] = &[$($($name,)*)*];
+/// The subjects: the warps of the list, and behind them what is no warp, functions of four uniforms and the input.
+macro_rules! subjects {
+    (
+        { $($name:literal => $function:expr,)* }
+        $($type:ident { golden { $($warp_name:literal => $warp:expr,)* } cost $cost:tt page $page:tt })*
+    ) => {
+        /// The names of all subjects, in the order of their cases: first the warps.
+        pub const SUBJECTS: &[&str] = &[$($($warp_name,)*)* $($name,)*];
 
-        fn warp<T: Tier>(subject: usize, input: usize, out: &mut Out) {
+        /// Evaluates one subject at one input; nothing for an index past the last.
+        pub fn evaluate<T: Tier>(subject: usize, input: usize, out: &mut Out) {
             let mut index = 0;
             $($(
                 if subject == index {
-                    return triple($warp, input, out);
+                    let warp: Result<_, Error> = $warp;
+                    if let Ok(warp) = warp {
+                        triple(warp, input, out);
+                    }
+                    return;
                 }
                 index += 1;
             )*)*
-            let _ = index;
-        }
-    };
-}
-
-float_warps!(warps);
-
-/// The name of a subject: the warps, then what is no warp.
-pub fn name(subject: usize) -> Option<&'static str> {
-    let function = || FUNCTIONS.get(subject.checked_sub(WARPS.len())?);
-    WARPS.get(subject).or_else(function).copied()
-}
-
-/// How many subjects there are.
-pub const SUBJECTS: usize = WARPS.len() + FUNCTIONS.len();
-
-/// Evaluates one subject at one input; nothing for an index past the last.
-pub fn evaluate<T: Tier>(subject: usize, input: usize, out: &mut Out) {
-    match subject.checked_sub(WARPS.len()) {
-        None => warp::<T>(subject, input, out),
-        Some(rest) => function::<T>(rest, input, out),
-    }
-}
-
-macro_rules! functions {
-    ($($name:literal => $function:expr,)*) => {
-        const FUNCTIONS: &[&str] = &[$($name,)*];
-
-        fn function<T: Tier>(subject: usize, input: usize, out: &mut Out) {
-            let mut index = 0;
             let uniforms = UNIFORMS.get(input).copied().unwrap_or_else(|| {
                 Uniforms::canonical(core::array::from_fn(|_| uniform::grid(&mut generator(input)))).get()
             });
@@ -305,7 +281,7 @@ macro_rules! functions {
     };
 }
 
-functions! {
+float_warps!(subjects {
     "verdicts on the line" => |[a, b, c, _], _, out| {
         verdict(Interval::new(a, b), out);
         verdict(Interval::decreasing(b, c), out);
@@ -725,4 +701,4 @@ functions! {
     "integer selections" => integers::selections,
     "integer selections wide" => integers::wide_selections,
     "integer disks" => integers::disks,
-}
+});
