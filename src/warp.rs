@@ -38,6 +38,7 @@ mod exponential;
 mod fill;
 mod frame;
 mod hemisphere;
+mod henyey_greenstein;
 mod interval;
 mod inversion;
 mod linear;
@@ -73,6 +74,7 @@ macro_rules! each_warp {
             hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere, by inversion",
             hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z",
             hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere, by Malley's method",
+            henyey_greenstein::HenyeyGreenstein<T> "The phase function of fog, clouds and skin",
             interval::Interval "Uniform on an interval",
             inversion::Inversion "Any density on the line, by its inverse CDF",
             linear::Linear "Linear on [0, 1)",

@@ -217,6 +217,16 @@ macro_rules! float_warps {
                 cost { "phong_lobe_50" [u, v] -> [f32; 3] = const { ok(PhongLobe::new(50.0)) }, }
                 page { sphere 2: PhongLobe(exponent: 50 in 0..200 by 0.5) => PhongLobe::<T>::new(exponent), }
             }
+            HenyeyGreenstein {
+                golden {
+                    "HenyeyGreenstein 0.8" => HenyeyGreenstein::<T>::new(v(0.8)),
+                    "HenyeyGreenstein -0.5" => HenyeyGreenstein::<T>::new(v(-0.5)),
+                    "HenyeyGreenstein 0" => HenyeyGreenstein::<T>::new(v(0.0)),
+                    "HenyeyGreenstein 1-2^-24" => HenyeyGreenstein::<T>::new(v(0.999_999_94)),
+                }
+                cost { "henyey_greenstein_08" [u, v] -> [f32; 3] = const { ok(HenyeyGreenstein::new(0.8)) }, }
+                page { sphere 2: HenyeyGreenstein(asymmetry: 0.8 in -0.99..0.99) => HenyeyGreenstein::<T>::new(asymmetry), }
+            }
             Cone {
                 golden {
                     "Cone 0.1" => Cone::<T>::from_angle(v(0.1)),

