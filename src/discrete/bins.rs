@@ -22,9 +22,10 @@ pub enum Bins<'a> {
 
 macro_rules! entry {
     ($($word:ident)*) => {$(
+        #[allow(clippy::inline_always, reason = "as that of the bins below")]
         impl AliasEntry<$word> {
             /// The bin of this index before words are given away; all of them wrap to 0.
-            #[inline]
+            #[inline(always)]
             const fn own(words: u128, index: u32) -> Self {
                 let numerator = words as $word;
                 let all = words >> $word::BITS > 0;
@@ -36,7 +37,7 @@ macro_rules! entry {
             }
 
             /// How many words select the entry of this bin, which has given none away.
-            #[inline]
+            #[inline(always)]
             const fn words(&self) -> u128 {
                 if self.numerator == 0 && self.threshold > 0 {
                     1 << $word::BITS
@@ -49,9 +50,13 @@ macro_rules! entry {
 }
 entry!(u32 u64);
 
+#[allow(
+    clippy::inline_always,
+    reason = "which word it is must be known at each place, or firmware of one carries the other"
+)]
 impl Bins<'_> {
     /// How many bins there are, and how many bits a word has.
-    #[inline]
+    #[inline(always)]
     const fn shape(&self) -> (usize, u32) {
         match self {
             Self::U32(bins) => (bins.len(), u32::BITS),
@@ -60,7 +65,7 @@ impl Bins<'_> {
     }
 
     /// How many words select an entry.
-    #[inline]
+    #[inline(always)]
     const fn words(&self, index: usize) -> Option<u128> {
         match self {
             Self::U32(bins) => match bins.split_at_checked(index) {
@@ -75,7 +80,7 @@ impl Bins<'_> {
     }
 
     /// Gives an entry the words that select it.
-    #[inline]
+    #[inline(always)]
     const fn own(&mut self, index: usize, words: u128) {
         match self {
             Self::U32(bins) => {
@@ -91,7 +96,7 @@ impl Bins<'_> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     const fn put(&mut self, index: usize, threshold: u128, alias: usize) {
         match self {
             Self::U32(bins) => {
@@ -108,6 +113,7 @@ impl Bins<'_> {
     }
 
     /// Lays the table out in a power of two of bins, at least as many as there are entries.
+    #[inline(always)]
     pub(crate) const fn lay(mut self, mut ends: Ends<'_>) {
         let (bins, bits) = self.shape();
         let part = 1_u128.wrapping_shl(bits.wrapping_sub(bins.trailing_zeros()));
@@ -125,6 +131,7 @@ impl Bins<'_> {
     }
 
     /// The first from `from` on that has less than a bin's words, or that has not.
+    #[inline(always)]
     const fn seek(&self, part: u128, from: usize, light: bool) -> Option<(usize, u128)> {
         let mut index = from;
         while let Some(words) = self.words(index) {
@@ -138,6 +145,7 @@ impl Bins<'_> {
 
     /// Fills up the bins of light entries, in order, with words of the heavy ones, in order: what
     /// has been passed is settled, so nothing need be remembered but two places.
+    #[inline(always)]
     const fn settle(&mut self, part: u128) {
         // The words of all make a bin's words times the bins, so some entry has a bin's words.
         let Some((mut giver, mut has)) = self.seek(part, 0, false) else {
