@@ -6,11 +6,9 @@ use microwarp::Warp;
 use microwarp::fixed::warp::{Cone, CosineHemisphere, Disk, Hemisphere, PhongLobe, Sphere};
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade};
 use std::f64::consts::{FRAC_1_PI, TAU};
+use support::truth::{self, Truth};
 
 const PAIRS: u64 = 1 << 20;
-
-/// Sine and cosine of the polar angle of a uniform.
-type Polar<'a> = &'a (dyn Fn(f64) -> (f64, f64) + Sync);
 
 /// What is measured of a warp over directions in one grade.
 #[derive(Clone, Copy, Default)]
@@ -34,26 +32,27 @@ impl Measured {
     }
 }
 
-/// The distance of two numbers of turns.
-fn apart(a: f64, b: f64) -> f64 {
+/// The distance of two numbers of turns, with its sign.
+fn turned(a: f64, b: f64) -> f64 {
     let d = a - b;
     d - d.round()
 }
 
-fn measured<W>(warp: &W, polar: Polar) -> Measured
+/// The exact point of a pair of words.
+fn exact(truth: &dyn Truth, pair: [u32; 2]) -> [f64; 3] {
+    let [u, v] = pair.map(|w| f64::from(w) * WORD);
+    truth.sample([u, v, 0.0, 0.0])
+}
+
+fn measured<W>(warp: &W, truth: &dyn Truth) -> Measured
 where
     W: Warp<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + Sync,
 {
     let point = |pair: [u32; 2]| warp.sample(pair.map(U0F32::from_bits));
-    let exact = |pair: [u32; 2]| {
-        let [u, v] = pair.map(|w| f64::from(w) * WORD);
-        let (sin, cos) = polar(u);
-        [sin * (TAU * v).cos(), sin * (TAU * v).sin(), cos]
-    };
     let sample = over_pairs(PAIRS, |pair, observe| {
         let got = point(pair);
         assert!(warp.pdf(got) > 0, "{pair:?}");
-        for (got, due) in got.into_iter().zip(exact(pair)) {
+        for (got, due) in got.into_iter().zip(exact(truth, pair)) {
             observe(got.to_num::<f64>() - due);
         }
     });
@@ -65,7 +64,8 @@ where
         let back = warp.invert(point(pair)).map(|u| u.to_num::<f64>());
         let [u, v] = pair.map(|w| f64::from(w) * WORD);
         observe(back[0] - u);
-        observe(apart(back[1], v) * polar(u).0);
+        let sine = exact(truth, [pair[0], 0])[0];
+        observe(turned(back[1], v) * sine);
     });
     Measured {
         sample,
@@ -85,24 +85,18 @@ fn rows(all: [Measured; 3]) -> Vec<(&'static str, [f64; 3])> {
 fn the_disk_keeps_its_stated_errors() {
     fn of<G: Grade>() -> [Figures; 2] {
         let warp = Disk::<G>::new();
-        let exact = |pair: [u32; 2]| {
-            let [u, v] = pair.map(|w| f64::from(w) * WORD);
-            (u.sqrt(), v)
-        };
         let sample = over_pairs(PAIRS, |pair, observe| {
             let got = warp.sample(pair.map(U0F32::from_bits));
             assert!(warp.pdf(got) > 0, "{pair:?}");
-            let (r, v) = exact(pair);
-            let due = [r * (TAU * v).cos(), r * (TAU * v).sin()];
-            for (got, due) in got.into_iter().zip(due) {
+            for (got, due) in got.into_iter().zip(exact(&truth::Disk, pair)) {
                 observe(got.to_num::<f64>() - due);
             }
         });
         let back = over_pairs(PAIRS / 4, |pair, observe| {
             let back = warp.invert(warp.sample(pair.map(U0F32::from_bits)));
-            let (r, v) = exact(pair);
+            let [u, v] = pair.map(|w| f64::from(w) * WORD);
             observe(back[0].to_num::<f64>() - f64::from(pair[0]) * WORD);
-            observe(apart(back[1].to_num(), v) * r);
+            observe(turned(back[1].to_num(), v) * u.sqrt());
         });
         [sample, back]
     }
@@ -114,33 +108,36 @@ fn the_disk_keeps_its_stated_errors() {
 
 #[test]
 fn the_sphere_keeps_its_stated_errors() {
-    let polar: Polar = &|u| (2.0 * (u * (1.0 - u)).sqrt(), 1.0 - 2.0 * u);
+    let truth = truth::sphere();
+    let truth = truth.as_ref();
     let all = [
-        measured(&Sphere::<Fine>::new(), polar),
-        measured(&Sphere::<Coarse>::new(), polar),
-        measured(&Sphere::<Compact>::new(), polar),
+        measured(&Sphere::<Fine>::new(), truth),
+        measured(&Sphere::<Coarse>::new(), truth),
+        measured(&Sphere::<Compact>::new(), truth),
     ];
     hold("Sphere", &rows(all));
 }
 
 #[test]
 fn the_hemisphere_keeps_its_stated_errors() {
-    let polar: Polar = &|u| (((1.0 - u) * (1.0 + u)).sqrt(), u);
+    let truth = truth::hemisphere();
+    let truth = truth.as_ref();
     let all = [
-        measured(&Hemisphere::<Fine>::new(), polar),
-        measured(&Hemisphere::<Coarse>::new(), polar),
-        measured(&Hemisphere::<Compact>::new(), polar),
+        measured(&Hemisphere::<Fine>::new(), truth),
+        measured(&Hemisphere::<Coarse>::new(), truth),
+        measured(&Hemisphere::<Compact>::new(), truth),
     ];
     hold("Hemisphere", &rows(all));
 }
 
 #[test]
 fn the_cosine_hemisphere_keeps_its_stated_errors() {
-    let polar: Polar = &|u| (u.sqrt(), (1.0 - u).sqrt());
+    let truth = truth::cosine_hemisphere();
+    let truth = truth.as_ref();
     let all = [
-        measured(&CosineHemisphere::<Fine>::new(), polar),
-        measured(&CosineHemisphere::<Coarse>::new(), polar),
-        measured(&CosineHemisphere::<Compact>::new(), polar),
+        measured(&CosineHemisphere::<Fine>::new(), truth),
+        measured(&CosineHemisphere::<Coarse>::new(), truth),
+        measured(&CosineHemisphere::<Compact>::new(), truth),
     ];
     hold("CosineHemisphere", &rows(all));
     let warp = CosineHemisphere::<Fine>::new();
@@ -152,16 +149,11 @@ fn the_cosine_hemisphere_keeps_its_stated_errors() {
     assert!(density.max <= bound, "{:e}", density.max);
 }
 
-/// The direction of 1 − cos θ.
-fn of_complement(a: f64) -> (f64, f64) {
-    ((a * (2.0 - a)).sqrt(), 1.0 - a)
-}
-
 #[test]
 fn the_cone_keeps_its_stated_errors() {
     fn of<G: Grade>(k: f64) -> Measured {
         let warp = Cone::<G>::from_one_minus_cos(U2F62::from_num(k)).unwrap();
-        measured(&warp, &|u| of_complement(u * k))
+        measured(&warp, truth::cone(k, 2.0 - k).as_ref())
     }
     fn all<G: Grade>() -> Measured {
         let mut all = of::<G>(0.3);
@@ -181,28 +173,25 @@ fn narrow_cones_and_lobes_keep_their_digits() {
     // Of the size of the cone or lobe itself.
     for k in [1e-5, 1e-8] {
         let warp = Cone::<Fine>::from_one_minus_cos(U2F62::from_num(k)).unwrap();
-        let found = measured(&warp, &|u| of_complement(u * k));
+        let found = measured(&warp, truth::cone(k, 2.0 - k).as_ref());
         let size = (2.0 * k).sqrt();
         println!("cone {k:e}: {:e} of {size:e}", found.sample.max);
         assert!(found.sample.max <= 1e-6 * size + 4.0 * 0.5_f64.powi(30));
     }
-    for n in [1e5, 1e8, 4e9] {
+    for n in [1e5_f64, 1e8, 4e9] {
         let warp = PhongLobe::<Fine>::new(U32F32::from_num(n)).unwrap();
-        let found = measured(&warp, &lobe(n));
+        let found = measured(&warp, truth::phong(n as f32).as_ref());
         let size = (2.0 / n).sqrt();
         println!("lobe {n:e}: {:e} of {size:e}", found.sample.max);
         assert!(found.sample.max <= 4e-6 * size + 4.0 * 0.5_f64.powi(30));
     }
 }
 
-fn lobe(n: f64) -> impl Fn(f64) -> (f64, f64) + Sync {
-    move |u| of_complement(-((-u).ln_1p() / (n + 1.0)).exp_m1())
-}
-
 #[test]
 fn the_lobe_keeps_its_stated_errors() {
     fn of<G: Grade>(n: f64) -> Measured {
-        measured(&PhongLobe::<G>::new(U32F32::from_num(n)).unwrap(), &lobe(n))
+        let warp = PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
+        measured(&warp, truth::phong(n as f32).as_ref())
     }
     fn all<G: Grade>() -> Measured {
         let mut all = of::<G>(50.0);
@@ -216,17 +205,11 @@ fn the_lobe_keeps_its_stated_errors() {
         let mut largest = 0.0_f64;
         for n in [0.0, 0.5, 1.0, 2.0, 10.0, 50.0, 1e3] {
             let warp = PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
-            let peak = (n + 1.0) / TAU;
+            let (peak, truth) = ((n + 1.0) / TAU, truth::phong(n as f32));
             let figures = over_pairs(PAIRS / 16, |pair, observe| {
                 let point = warp.sample(pair.map(U0F32::from_bits));
-                let [x, y, z] = point.map(|c| c.to_num::<f64>());
-                // Near the axis z has lost what x and y still hold.
-                let log = if z > 0.5 {
-                    (-(x * x + y * y) / (1.0 + z)).ln_1p()
-                } else {
-                    z.ln()
-                };
-                observe(warp.pdf(point).to_num::<f64>() / peak - (n * log).exp());
+                let due = truth.pdf(point.map(|c| c.to_num::<f64>()));
+                observe((warp.pdf(point).to_num::<f64>() - due) / peak);
             });
             largest = largest.max(figures.max);
         }

@@ -8,6 +8,7 @@ use fixed::types::{I5F27, I16F16, I32F0, U0F32};
 use microwarp::fixed::warp::{NormalPair, StandardNormalPair};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use microwarp::{Error, Warp};
+use support::truth::{self, Truth};
 
 const PAIRS: u64 = 1 << 21;
 
@@ -17,9 +18,12 @@ fn words(pair: [u32; 2]) -> [U0F32; 2] {
 
 /// Box and Muller's map, whose radius is exact near 0 too.
 fn truth([u, v]: [u32; 2]) -> [f64; 2] {
-    let radius = (-2.0 * (-f64::from(u) * WORD).ln_1p()).sqrt();
-    let (sin, cos) = (TAU * WORD * f64::from(v)).sin_cos();
-    [radius * cos, radius * sin]
+    let standard = truth::NormalPair {
+        mean: [0.0; 2],
+        deviation: 1.0,
+    };
+    let [x, y, _] = standard.sample([f64::from(u) * WORD, f64::from(v) * WORD, 0.0, 0.0]);
+    [x, y]
 }
 
 /// The distance, with the sign of the error of the radius, so that the mean is a bias.

@@ -5,13 +5,12 @@ use fixed::types::{I2F30, U0F32};
 use microwarp::Warp;
 use microwarp::fixed::warp::Triangle;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
+use support::truth::{Barycentric, Truth};
 
 const PAIRS: u64 = 1 << 22;
 
 fn truth([u, v]: [u32; 2]) -> [f64; 3] {
-    let (u, v) = (f64::from(u) * WORD, f64::from(v) * WORD);
-    let s = u.sqrt();
-    [(1.0 - u) / (1.0 + s), s * v, s * (1.0 - v)]
+    Barycentric.sample([f64::from(u) * WORD, f64::from(v) * WORD, 0.0, 0.0])
 }
 
 fn sample_error<G: Grade>() -> Figures {

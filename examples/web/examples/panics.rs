@@ -3,8 +3,7 @@
 #![no_std]
 #![allow(unsafe_code)]
 
-#[path = "../src/panic.rs"]
-mod panic;
+use microwarp_page_panic as _;
 
 static WORDS: [u32; 4] = [1, 2, 3, 5];
 

@@ -11,17 +11,19 @@ mod chains;
 mod float;
 mod integer;
 mod numbers;
-mod panic;
 mod rejected;
 mod run;
 mod shared;
 mod source;
 mod subject;
 mod tables;
+mod visit;
 
+use microwarp_page_panic as _;
 use run::{Samples, Timing};
 use shared::{Shared, shared};
-use subject::{NAMES, Subject, visit};
+use subject::{NAMES, Subject};
+use visit::visit;
 
 /// What the crate's documentation says of its types, a sentence and the bounds of each, as JSON.
 static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));

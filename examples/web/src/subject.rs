@@ -1,10 +1,4 @@
-//! The subjects by name, and the way from a name and a tier to a sampler.
-
-use crate::run::Visit;
-use crate::shared::Refusal;
-use crate::{chains, float, integer, rejected, tables};
-use microwarp::fixed::{Coarse, Compact, Fine};
-use microwarp::tier::{Libm, Poly};
+//! The subjects by name.
 
 /// The parameters of a subject, in the order in which the page lists them.
 pub type Parameters = [f32; 16];
@@ -38,37 +32,5 @@ impl Subject {
     /// The subject of a number, if there is one.
     pub fn of(number: u32) -> Option<Self> {
         Self::ALL.get(number as usize).copied()
-    }
-}
-
-/// Builds a subject in a tier (0 `libm`, 1 `poly`, 2 to 4 the grades of the integer tier, 5 none) and hands it to
-/// the visitor.
-///
-/// # Errors
-/// What its constructor, or its drawing, says.
-pub fn visit<V: Visit>(
-    subject: Option<Subject>,
-    tier: u32,
-    p: &Parameters,
-    visitor: &mut V,
-) -> Result<(), Refusal> {
-    let subject = subject.ok_or(Refusal::Unknown)?;
-    match tier {
-        0 => float::visit::<Libm, V>(subject, p, visitor),
-        1 => float::visit::<Poly, V>(subject, p, visitor),
-        2 => integer::visit::<Fine, V>(subject, p, visitor),
-        3 => integer::visit::<Coarse, V>(subject, p, visitor),
-        4 => integer::visit::<Compact, V>(subject, p, visitor),
-        5 => match subject {
-            Subject::IntegerChain => chains::of_integers(p, visitor),
-            Subject::Cdf
-            | Subject::Alias
-            | Subject::PiecewiseConstant1d
-            | Subject::PiecewiseConstant2d
-            | Subject::SelectOnce
-            | Subject::Reservoir => tables::visit(subject, p, visitor),
-            _ => rejected::visit(subject, p, visitor),
-        },
-        _ => Err(Refusal::Unknown),
     }
 }

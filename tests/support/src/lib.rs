@@ -1,6 +1,11 @@
-//! What the tests, the examples and the benches of microwarp share, on the host: the registry of samplers with
-//! their exact counterparts, the measures of errors, statistics, generators, contests of speed, the peers'
-//! formulas, drawings and command lines. Each exists once, here.
+//! What the tests, the examples and the benches of microwarp share, on the host. Each exists once, here.
+//!
+//! - What there is and what it should do: `registry`, `truth`, and `peers`, the formulas of others.
+//! - What is stated: `docs` reads, holds and writes the figures of the documentation.
+//! - What is measured: `errors` of numbers, `figures` of a warp, the `adversary` that searches for the worst; `stats`,
+//!   `mean`, `slope` and `verdict` of samples; `contest` and `bench` of times.
+//! - What it is fed with: `generators`, and `words` of the integer tier.
+//! - How it runs and shows: `parallel`, `progress`, `cli`, `table`, `draw`.
 //!
 //! What runs on a core, without `std`, is the business of the packages beside this one.
 

@@ -1,5 +1,7 @@
-//! What becomes of a panic: an import, which stands in a module if and only if something in it can panic. The control
-//! in `examples/panics.rs` has this very handler.
+//! What becomes of a panic: an import, which stands in a module if and only if something in it can panic. The page's
+//! module has this handler, and so has the control in `examples/panics.rs`.
+#![no_std]
+#![allow(unsafe_code, reason = "an import is declared")]
 
 use core::panic::PanicInfo;
 
