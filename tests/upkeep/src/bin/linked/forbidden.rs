@@ -69,7 +69,7 @@ impl Kind {
 }
 
 /// The names of a kind among some.
-fn findings<'a>(names: &'a [String], kind: Kind) -> Outcome<Vec<&'a str>> {
+fn findings(names: &[String], kind: Kind) -> Outcome<Vec<&str>> {
     let pattern = kind.pattern()?;
     let names = names.iter().map(String::as_str);
     Ok(names.filter(|name| pattern.is_match(name)).collect())
