@@ -1,4 +1,4 @@
-//! The subjects by name, and the way from a name and a tier to a sampler.
+//! The subjects: what the page is told of each, and the way from a number and a tier to a sampler.
 
 use crate::run::Visit;
 use crate::shared::Refusal;
@@ -9,66 +9,89 @@ use microwarp::tier::{Libm, Poly};
 /// The parameters of a subject, in the order in which the page lists them.
 pub type Parameters = [f32; 16];
 
+/// `LIST visit[generics] "family" "tiers": Type: view uniforms: Name(parameter: start in least..most by step) => sampler, ...`
+///
+/// A list of subjects: a text for the page, in JSON but for a comma behind the last of several, and a function that
+/// builds the subject of a number and hands it to a visitor. A sampler is an expression over its parameters that is a
+/// `Result`; `Type` is where its documentation stands.
 macro_rules! subjects {
-    ($($name:ident)*) => {
-        /// What can be sampled; its number is its place among the names.
-        #[derive(Clone, Copy, PartialEq, Eq)]
-        pub enum Subject { $($name),* }
+    ($told:ident $visit:ident[$($generics:tt)*] $family:literal $tiers:literal: $(
+        $type:ident: $view:ident $words:literal: $name:ident($(
+            $p:ident: $start:literal in $least:literal..$most:literal $(by $step:literal)?
+        ),*) => $sampler:expr,
+    )*) => {
+        /// What the page is told.
+        pub static $told: &str = concat!(
+            r#"{"family":""#, $family, r#"","tiers":""#, $tiers, r#"","subjects":["#,
+            $(
+                r#"{"name":""#, stringify!($name), r#"","type":""#, stringify!($type),
+                r#"","view":""#, stringify!($view), r#"","words":"#, $words, r#","parameters":["#,
+                $(
+                    r#"{"label":""#, stringify!($p), r#"","value":"#, $start,
+                    r#","min":"#, $least, r#","max":"#, $most, $(r#","step":"#, $step,)? "},",
+                )*
+                "]},",
+            )*
+            "]}",
+        );
 
-        impl Subject {
-            const ALL: &[Self] = &[$(Self::$name),*];
+        /// Builds a subject and hands it on.
+        pub fn $visit<$($generics)* V: crate::run::Visit>(
+            subject: u32,
+            p: &crate::subject::Parameters,
+            visitor: &mut V,
+        ) -> Result<(), crate::shared::Refusal> {
+            let mut index = 0;
+            $(
+                if subject == index {
+                    let &[$($p,)* ..] = p;
+                    return visitor.take($sampler?);
+                }
+                index += 1;
+            )*
+            let _ = index;
+            Err(crate::shared::Refusal::Unknown)
         }
-
-        /// All names, separated by spaces.
-        pub static NAMES: &str = concat!($(stringify!($name), " "),*);
     };
 }
+pub(crate) use subjects;
 
-subjects! {
-    Interval IntervalDecreasing Power PowerDecreasing PowerMax Exponential ExponentialTail StandardExponential
-    TruncatedExponential Tent Linear Normal Inversion Transform
-    Disk DiskConcentric FloatDisk Triangle TriangleOn NormalPair StandardNormalPair Aabb MarginalConditional
-    Sphere Hemisphere CosineHemisphere MalleyHemisphere PhongLobe Cone SphericalPatch Oriented
-    Cdf Alias PiecewiseConstant1d PiecewiseConstant2d SelectOnce Reservoir
-    DiskRejection BallRejection Region Bounded IntegerDiskRejection IntegerDiskRejection16
-    Chain IntegerChain
-}
+/// What the page is told of the subjects, list by list; the numbers of subjects count from 0 in each.
+pub static LISTS: [&str; 7] = [
+    float::WARPS,
+    integer::WARPS,
+    tables::TABLES,
+    rejected::PLAIN,
+    rejected::TIERED,
+    chains::OF_DENSITY,
+    chains::OF_INTEGERS,
+];
 
-impl Subject {
-    /// The subject of a number, if there is one.
-    pub fn of(number: u32) -> Option<Self> {
-        Self::ALL.get(number as usize).copied()
-    }
-}
-
-/// Builds a subject in a tier (0 `libm`, 1 `poly`, 2 to 4 the grades of the integer tier, 5 none) and hands it to
-/// the visitor.
+/// Builds a subject of a list in a tier (0 `libm`, 1 `poly`, 2 to 4 the grades of the integer tier, 5 none) and hands
+/// it to the visitor.
 ///
 /// # Errors
 /// What its constructor, or its drawing, says.
 pub fn visit<V: Visit>(
-    subject: Option<Subject>,
+    list: u32,
+    subject: u32,
     tier: u32,
     p: &Parameters,
     visitor: &mut V,
 ) -> Result<(), Refusal> {
-    let subject = subject.ok_or(Refusal::Unknown)?;
-    match tier {
-        0 => float::visit::<Libm, V>(subject, p, visitor),
-        1 => float::visit::<Poly, V>(subject, p, visitor),
-        2 => integer::visit::<Fine, V>(subject, p, visitor),
-        3 => integer::visit::<Coarse, V>(subject, p, visitor),
-        4 => integer::visit::<Compact, V>(subject, p, visitor),
-        5 => match subject {
-            Subject::IntegerChain => chains::of_integers(p, visitor),
-            Subject::Cdf
-            | Subject::Alias
-            | Subject::PiecewiseConstant1d
-            | Subject::PiecewiseConstant2d
-            | Subject::SelectOnce
-            | Subject::Reservoir => tables::visit(subject, p, visitor),
-            _ => rejected::visit(subject, p, visitor),
-        },
+    match (list, tier) {
+        (0, 0) => float::visit::<Libm, V>(subject, p, visitor),
+        (0, 1) => float::visit::<Poly, V>(subject, p, visitor),
+        (1, 2) => integer::visit::<Fine, V>(subject, p, visitor),
+        (1, 3) => integer::visit::<Coarse, V>(subject, p, visitor),
+        (1, 4) => integer::visit::<Compact, V>(subject, p, visitor),
+        (2, 5) => tables::visit(subject, p, visitor),
+        (3, 5) => rejected::plain(subject, p, visitor),
+        (4, 0) => rejected::tiered::<Libm, V>(subject, p, visitor),
+        (4, 1) => rejected::tiered::<Poly, V>(subject, p, visitor),
+        (5, 0) => chains::of_density::<Libm, V>(subject, p, visitor),
+        (5, 1) => chains::of_density::<Poly, V>(subject, p, visitor),
+        (6, 5) => chains::of_integers(subject, p, visitor),
         _ => Err(Refusal::Unknown),
     }
 }
