@@ -2,8 +2,9 @@
 
 import { MOST, SOURCES, load } from "./page/module.mjs";
 import { verify } from "./page/golden.mjs";
-import { FAMILIES, TIER_LABELS, realised } from "./page/catalogue.mjs";
+import { TIER_LABELS, families_of, realised } from "./page/catalogue.mjs";
 import { choices, parameters, readings } from "./page/controls.mjs";
+import { seen } from "./truth/drawn.mjs";
 import * as line from "./view/line.mjs";
 import * as plane from "./view/plane.mjs";
 import * as sphere from "./view/sphere.mjs";
@@ -14,15 +15,16 @@ const whole = (n) => n.toLocaleString("en");
 const figure = (x) => (Number.isNaN(x) ? "not known" : x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 ? x.toExponential(2) : x.toPrecision(3));
 
 const state = {
-  family: FAMILIES[0], entry: null, tier: "poly", source: "random", values: [], seed: 1,
+  family: null, entry: null, tier: "poly", source: "random", values: [], seed: 1,
   running: null, kept: null, tallied: null, scene: null, speed: null, clock: null,
 };
 let module;
+let families;
 
 // --- what is chosen ----------------------------------------------------------------------------------
 
 function choose_family(name) {
-  state.family = FAMILIES.find((family) => family.name === name);
+  state.family = families.find((family) => family.name === name);
   choose_subject(state.family.subjects[0].name);
 }
 
@@ -33,8 +35,8 @@ function choose_subject(name) {
 }
 
 function choose_tier(tier) {
-  const before = state.entry.parameters(state.tier).map(({ label }) => label).join();
-  const list = state.entry.parameters(tier);
+  const before = (state.entry.lists[state.tier] ?? []).map(({ label }) => label).join();
+  const list = state.entry.lists[tier];
   const same = state.shown === state.entry && before === list.map(({ label }) => label).join();
   state.tier = tier;
   if (!same) {
@@ -49,7 +51,7 @@ function choose_tier(tier) {
 }
 
 // What the documentation says of a sampler in one sentence, that of its tier where the tier has its own.
-function summary({ name, documented = name }, tier) {
+function summary({ documented }, tier) {
   const { float, integer } = module.documented.summaries;
   const own = documented.startsWith("fixed::") || ["fine", "coarse", "compact"].includes(tier) ? integer : float;
   const type = documented.replace("fixed::", "");
@@ -58,7 +60,7 @@ function summary({ name, documented = name }, tier) {
 
 function show_choices() {
   const { family, entry, tier, source } = state;
-  choices(at("families"), "family", FAMILIES.map(({ name, label }) => ({ value: name, label })), family.name, choose_family);
+  choices(at("families"), "family", families.map(({ name, label }) => ({ value: name, label })), family.name, choose_family);
   choices(at("subjects"), "subject", family.subjects.map(({ name, label }) => ({ value: name, label })), entry.name, choose_subject);
   choices(at("tiers"), "tier", entry.tiers.map((value) => ({ value, label: TIER_LABELS[value] })), tier, choose_tier);
   choices(at("sources"), "source", SOURCES.map((value) => ({ value, label: value, disabled: !entry.plans && value !== "random" })),
@@ -84,15 +86,15 @@ function refresh(keep) {
   at("seed").textContent = String(seed);
   const p = values.map((value) => realised(entry, tier, value));
   const source = entry.plans ? state.source : "random";
-  const request = { subject: entry.name, tier, source, dimensions: entry.words, count, seed, parameters: p };
+  const request = { subject: entry.name, place: entry.places[tier], tier, source, dimensions: entry.words, count, seed, parameters: p };
   const drawn = module.sample(request);
   at("summary").textContent = summary(entry, tier);
   document.body.dataset.shown = `${entry.name} ${tier}`;
   if (drawn.refused) return show_refusal(drawn.refused, request);
-  const truth = entry.truth(p, tier);
+  const truth = entry.truth?.(p, tier) ?? (keep ? state.scene?.truth : null) ?? seen(drawn);
   const judged = entry.counting(drawn, { entry, tier, p, truth, stated: module.documented.bounds });
-  const error = keep && state.kept && !(judged.error.max > state.kept.max) ? { ...judged.error, max: state.kept.max } : judged.error;
-  state.kept = { max: error.max, count: count + (keep && state.kept ? state.kept.count : 0) };
+  const error = keep && state.kept && judged.error && !(judged.error.max > state.kept.max) ? { ...judged.error, max: state.kept.max } : judged.error;
+  state.kept = { max: error?.max, count: count + (keep && state.kept ? state.kept.count : 0) };
   if (entry.view === "line" || entry.view === "bars") state.tallied = line.tally(keep ? state.tallied : null, { entry, drawn, truth });
   state.scene = { entry, drawn, truth, judged: { ...judged, error }, request, tallied: state.tallied };
   draw(keep);
@@ -143,7 +145,7 @@ function reading(label, { max, rms, unit, stated }, count) {
 
 function show_readings() {
   const { scene: { entry, judged, request }, speed, kept } = state;
-  const list = [reading(judged.error.label ?? "Largest error", judged.error, state.running ? kept.count : 0)];
+  const list = judged.error ? [reading(judged.error.label ?? "Largest error", judged.error, state.running ? kept.count : 0)] : [];
   if (judged.density) list.push(reading("Error of its density", judged.density, 0));
   list.push(...judged.further.map(({ fault = false, ...rest }) => ({ ...rest, above: fault })));
   list.push(speed ? {
@@ -151,15 +153,15 @@ function show_readings() {
     note: `${figure(speed.point)} ns a point; a word of PCG32 alone ${figure(speed.word)}`,
   } : { label: "Speed", value: "…", note: "in this browser, PCG32 included" });
   readings(at("readings"), list);
-  const { max, stated, unit } = judged.error;
-  Object.assign(document.body.dataset, { error: String(max), stated: String(stated), refused: "", count: String(request.count) });
+  const { max = "", stated = "", unit } = judged.error ?? {};
+  Object.assign(document.body.dataset, { truth: judged.error ? "f64" : "none", error: String(max), stated: String(stated), refused: "", count: String(request.count) });
   at("caption").textContent = captions[entry.view](entry);
-  at("view").setAttribute("aria-label", `${entry.label}, ${TIER_LABELS[request.tier]}: ${whole(request.count)} points; largest error ${figure(max)} ${unit}. ${captions[entry.view](entry)}`);
+  at("view").setAttribute("aria-label", `${entry.label}, ${TIER_LABELS[request.tier]}: ${whole(request.count)} points; ${judged.error ? `largest error ${figure(max)} ${unit}` : "no truth to count errors against"}. ${captions[entry.view](entry)}`);
 }
 
 const captions = {
-  line: () => "Bars: the points drawn. Line: the density in f64.",
-  bars: () => "Bars: how often each index was selected. Lines: the exact shares.",
+  line: (entry) => `Bars: the points drawn. Line: the density ${entry.truth ? "in f64" : "that is reported"}.`,
+  bars: (entry) => `Bars: how often each index was selected. Lines: the ${entry.truth ? "exact shares" : "probabilities that are reported"}.`,
   plane: (entry) => (entry.trail ? "States in the order of their colours, over the density." : "Points in the colour of their first uniform."),
   sphere: () => "Turn it by dragging or with the arrow keys; Home turns it back. +z is up.",
 };
@@ -236,6 +238,7 @@ async function show_golden() {
 
 try {
   module = await load("microwarp.wasm");
+  families = families_of(module.subjects);
   at("module").textContent = `The module is ${whole(module.size)} bytes, imports ${module.imports === 0 ? "nothing and cannot panic" : `${module.imports} functions`}.`;
   wire();
   choose_family("plane");

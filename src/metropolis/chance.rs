@@ -9,7 +9,7 @@ use super::hastings::{Hastings, Stated as _};
 use super::rule::steps;
 use super::weight::{Standing, Weighing as _};
 use super::{Chain, Counts, Mutation, Outcome, Step};
-use crate::num::Scaled as Apart;
+use crate::num::Scaled;
 use crate::num::division::{fraction, fraction_u32, scaled};
 use crate::uniform::infallible;
 use core::num::NonZeroU32;
@@ -113,7 +113,7 @@ impl Chance {
 
     /// Of two weights and a ratio, which is an integer of 24 bits times a power of two.
     #[inline]
-    const fn of_apart(from: u32, to: u32, ratio: Apart) -> Self {
+    const fn of_apart(from: u32, to: u32, ratio: Scaled) -> Self {
         let (significand, exponent) = ratio.parts();
         let digits = significand.to_bits() & 0x007f_ffff | 0x0080_0000;
         let (part, whole) = (to as u128 * digits as u128, from as u128);

@@ -2,13 +2,13 @@
 
 use super::weight::{Standing, Weighing, Weight};
 use crate::error::Error;
-use crate::num::{Scaled as Apart, representable, saturated, two_product};
+use crate::num::{Scaled, representable, saturated, two_product};
 use crate::tier::Tier;
 use core::f32::consts::{LN_2, LOG2_E};
 use core::marker::PhantomData;
 
 mod sealed {
-    use super::Apart;
+    use super::Scaled;
 
     /// Arithmetic of positive densities.
     pub trait Arithmetic: Copy {
@@ -17,9 +17,9 @@ mod sealed {
         /// The quotient by a larger density.
         fn over(self, larger: Self) -> f32;
         /// The quotient by any density.
-        fn apart_over(self, other: Self) -> Apart;
+        fn apart_over(self, other: Self) -> Scaled;
         /// The product with a number.
-        fn scaled(self, by: Apart) -> Self;
+        fn scaled(self, by: Scaled) -> Self;
     }
 }
 pub(super) use sealed::Arithmetic;
@@ -67,13 +67,13 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
-    fn apart_over(self, other: Self) -> Apart {
-        Apart::of(self).over(Apart::of(other))
+    fn apart_over(self, other: Self) -> Scaled {
+        Scaled::of(self).over(Scaled::of(other))
     }
 
     #[inline]
-    fn scaled(self, by: Apart) -> Self {
-        representable(Apart::of(self).times(by).value())
+    fn scaled(self, by: Scaled) -> Self {
+        representable(Scaled::of(self).times(by).value())
     }
 }
 
@@ -136,7 +136,7 @@ const LN_2_LOW: f32 = (core::f64::consts::LN_2 - LN_2 as f64) as f32;
 
 /// e^x, its exponent set aside.
 #[inline]
-fn exp_apart<T: Tier>(x: f32) -> Apart {
+fn exp_apart<T: Tier>(x: f32) -> Scaled {
     let x = x.clamp(-MOST, MOST);
     let scaled = x * LOG2_E;
     let exponent = (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i32;
@@ -144,7 +144,7 @@ fn exp_apart<T: Tier>(x: f32) -> Apart {
     let turns = exponent as f32;
     let (product, dropped) = two_product(turns, LN_2);
     let rest = ((x - product) - dropped) - turns * LN_2_LOW;
-    Apart::of(T::exp(rest)).raised(exponent)
+    Scaled::of(T::exp(rest)).raised(exponent)
 }
 
 impl<T: Tier> Weighing for LogDensity<T> {
@@ -179,12 +179,12 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
     }
 
     #[inline]
-    fn apart_over(self, other: Self) -> Apart {
+    fn apart_over(self, other: Self) -> Scaled {
         exp_apart::<T>(self.log - other.log)
     }
 
     #[inline]
-    fn scaled(self, by: Apart) -> Self {
+    fn scaled(self, by: Scaled) -> Self {
         let (significand, exponent) = by.parts();
         Self::new(saturated(
             self.log + (T::ln(significand) + exponent as f32 * LN_2),

@@ -2,7 +2,7 @@
 
 use super::weight::Standing;
 use super::{Counts, Ratio};
-use crate::num::Scaled as Apart;
+use crate::num::Scaled;
 
 /// The ratio of a proposal in any of its forms.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +25,7 @@ impl Hastings {
 
     /// A positive ratio in floating point; nothing where it is 1 for every proposal.
     #[inline]
-    pub(super) fn value(self) -> Option<Apart> {
+    pub(super) fn value(self) -> Option<Scaled> {
         match self {
             Self::One => None,
             Self::Counts(counts) => Some(counts.quotient()),

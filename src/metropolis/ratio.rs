@@ -1,7 +1,7 @@
 //! The ratio T(x′→x)/T(x→x′) of a proposal, as a number and as two integers.
 
 use super::weight::{Standing, Weighing as _};
-use crate::num::{Scaled as Apart, remainder};
+use crate::num::{Scaled, remainder};
 
 /// The ratio T(x′→x)/T(x→x′) of a proposal x′.
 ///
@@ -39,14 +39,14 @@ pub struct Ratio {
     /// Zero where there is no way back, and unsound where this is not a ratio.
     pub(super) standing: Standing,
     /// The ratio where it is positive.
-    pub(super) value: Apart,
+    pub(super) value: Scaled,
 }
 
 impl Ratio {
     /// The ratio of 1, of a symmetric proposal.
-    pub const ONE: Self = Self::positive(Apart::ONE);
+    pub const ONE: Self = Self::positive(Scaled::ONE);
 
-    const fn positive(value: Apart) -> Self {
+    const fn positive(value: Scaled) -> Self {
         Self {
             standing: Standing::Positive,
             value,
@@ -56,7 +56,7 @@ impl Ratio {
     const fn without_value(standing: Standing) -> Self {
         Self {
             standing,
-            value: Apart::ONE,
+            value: Scaled::ONE,
         }
     }
 
@@ -70,7 +70,7 @@ impl Ratio {
     pub fn new(forward: f32, backward: f32) -> Self {
         match (forward.standing(), backward.standing()) {
             (Standing::Positive, Standing::Positive) => {
-                Self::positive(Apart::of(backward).over(Apart::of(forward)))
+                Self::positive(Scaled::of(backward).over(Scaled::of(forward)))
             }
             (Standing::Positive, Standing::Zero) => Self::without_value(Standing::Zero),
             _ => Self::without_value(Standing::Unsound),
@@ -171,16 +171,16 @@ impl Counts {
 
     /// backward/forward, both positive, correctly rounded but next to the middle of two `f32`.
     #[inline]
-    pub(super) fn quotient(self) -> Apart {
+    pub(super) fn quotient(self) -> Scaled {
         if self.forward == self.backward {
-            return Apart::ONE;
+            return Scaled::ONE;
         }
         let (there, back) = (Digits::of(self.forward), Digits::of(self.backward));
         let quotient = back.high / there.high;
         let rest = remainder(back.high, quotient, there.high) + back.low;
         let rounded = quotient + (rest - quotient * there.low) / there.high;
         let exponent = back.exponent.wrapping_sub(there.exponent);
-        Apart::of(rounded).raised(exponent)
+        Scaled::of(rounded).raised(exponent)
     }
 }
 

@@ -4,7 +4,7 @@ use super::density::Density;
 use super::weight::{Standing, Weighing as _, Weight};
 use super::{Chain, Source};
 use crate::estimate::Sum;
-use crate::num::{Scaled as Apart, happens};
+use crate::num::{Scaled, happens};
 use crate::rejection::Failure;
 use crate::tier::sqrt;
 use core::convert::Infallible;
@@ -59,10 +59,10 @@ impl<X: Copy, D: Density> Candidates<X, D> {
     /// Takes in a candidate of positive density, and holds it if the word says so.
     fn offer(&mut self, state: X, density: D, pdf: f32, word: u32) {
         let base = self.base_with(density);
-        let weight = density.apart_over(base).over(Apart::of(pdf));
+        let weight = density.apart_over(base).over(Scaled::of(pdf));
         let (_, exponent) = weight.parts();
         if exponent > self.exponent {
-            let shrunk = Apart::ONE
+            let shrunk = Scaled::ONE
                 .raised(self.exponent.saturating_sub(exponent))
                 .value();
             self.sum = self.sum.scaled(shrunk);
@@ -96,7 +96,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
     }
 
     /// At most 2, and 0 if too small to count.
-    fn in_units(&self, weight: Apart) -> f32 {
+    fn in_units(&self, weight: Scaled) -> f32 {
         weight.raised(self.exponent.saturating_neg()).value()
     }
 
@@ -104,7 +104,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
         let ((state, density), base) = (self.held?, self.base?);
         let count = candidates as f32;
         // The sum is positive: the largest weight is at least one unit.
-        let weight = Apart::of(self.sum.value() / count).raised(self.exponent);
+        let weight = Scaled::of(self.sum.value() / count).raised(self.exponent);
         let relative_error = (candidates > 1).then(|| {
             let mean = self.sum.value() / count;
             let spread = self.squares.value() / count / mean / mean - 1.0;

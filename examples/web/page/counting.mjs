@@ -121,6 +121,22 @@ const points = function* ({ count, points: places, words, densities }, taken) {
 
 const argument = (entry, point) => (entry.view === "line" ? point[0] : point);
 
+// Without a truth: what is stated, and the densities that are reported.
+export const nothing = (drawn, { entry: { documented }, tier, stated }) => {
+  const densities = drawn.densities.subarray(0, drawn.count);
+  const family = tier in COLUMN && !FLOAT.includes(tier) && tier !== "exact" ? "integer" : "float";
+  const rows = Object.entries(stated[family]?.[documented] ?? {});
+  const short = (x) => Number(x.toPrecision(3));
+  return {
+    error: null, density: null, residuals: [], signed: false,
+    further: [
+      { label: "Largest error", value: "–", note: "there is no f64 truth on this page" },
+      ...rows.map(([quantity, cells]) => ({ label: `Stated, ${quantity}`, value: cells[COLUMN[tier]], note: "by the documentation" })),
+      { label: "Density", value: `${short(densities.reduce((a, b) => Math.min(a, b)))} to ${short(densities.reduce((a, b) => Math.max(a, b)))}`, note: "as reported at the points" },
+    ],
+  };
+};
+
 // A warp: its points against the exact map of the very uniforms they were drawn with. `variables` gives the names in
 // its stated bounds their values.
 export const warp = (type, { scale, integer, further = 0, variables = () => ({}) } = {}) => (drawn, context) => {

@@ -21,13 +21,24 @@ export async function load(url) {
   return Object.assign(new Microwarp(module, instance.exports), { size: binary.byteLength });
 }
 
+const text_of = (exports, name, ...of) => new TextDecoder().decode(
+  new Uint8Array(exports.memory.buffer, exports[name](...of), exports[`${name}_length`](...of)));
+
+// What the module tells of its subjects, list by list: { name, type, family, view, words, parameters, tiers, place }.
+// `place` is the number of the list and the number within it. There is a comma behind the last of several.
+export function* lists_of(exports) {
+  for (let list = 0; exports.subjects_length(list) > 0; list += 1) {
+    const { family, tiers, subjects } = JSON.parse(text_of(exports, "subjects", list).replace(/,(?=[\]}])/g, ""));
+    yield subjects.map((subject, number) => ({ ...subject, family, tiers: tiers.split(" "), place: [list, number] }));
+  }
+}
+
 class Microwarp {
   constructor(module, exports) {
     this.exports = exports;
     this.imports = WebAssembly.Module.imports(module).length;
-    this.bytes = (address, length) => new Uint8Array(exports.memory.buffer, address, length);
-    this.names = this.string("names").trim().split(" ");
-    this.documented = JSON.parse(this.string("documented"));
+    this.subjects = Array.from(lists_of(exports)).flat();
+    this.documented = JSON.parse(text_of(exports, "documented"));
     // The module never grows its memory, so that these views stay good.
     let address = exports.shared_memory();
     for (const [name, View, length] of LAYOUT) {
@@ -36,16 +47,12 @@ class Microwarp {
     }
   }
 
-  string(name) {
-    return new TextDecoder().decode(this.bytes(this.exports[name](), this.exports[`${name}_length`]()));
-  }
-
   // Draws points; gives views of the shared memory, good until the next call, or the typed error.
-  sample({ subject, tier, source, dimensions, count, seed, parameters }) {
+  sample({ place: [list, number], tier, source, dimensions, count, seed, parameters }) {
     this.parameters.fill(0);
     this.parameters.set(parameters);
     const refused = this.exports.sample(
-      this.names.indexOf(subject), TIERS.indexOf(tier), SOURCES.indexOf(source), dimensions, count, seed);
+      list, number, TIERS.indexOf(tier), SOURCES.indexOf(source), dimensions, count, seed);
     if (refused > 0) {
       const [name, meaning] = new TextDecoder().decode(this.text.slice(0, refused)).split("\n");
       return { refused: { name, meaning } };
@@ -55,11 +62,11 @@ class Microwarp {
   }
 
   // Nanoseconds a point, generator included, and a word of the generator alone.
-  time({ subject, tier, seed, parameters }) {
+  time({ place: [list, number], tier, seed, parameters }) {
     this.parameters.fill(0);
     this.parameters.set(parameters);
-    const [number, which] = [this.names.indexOf(subject), TIERS.indexOf(tier)];
-    const point = nanoseconds((count) => this.exports.time(number, which, count, seed));
+    const which = TIERS.indexOf(tier);
+    const point = nanoseconds((count) => this.exports.time(list, number, which, count, seed));
     const word = nanoseconds((count) => this.exports.time_words(count, seed));
     return { point, word };
   }

@@ -1,8 +1,9 @@
 //! Metropolis chains: over a density of the unit square, and over integer weights.
 
-use crate::run::{Draw, Visit};
+use crate::run::Draw;
 use crate::shared::Refusal;
-use crate::subject::Parameters;
+use crate::subject::subjects;
+use microwarp::Error;
 use microwarp::metropolis::{
     Chain, Health, LargeSmall, Mixture, NormalStep, UniformIndex, Wrapped,
 };
@@ -20,16 +21,18 @@ fn tell(rate: Option<f32>, health: &Health<LAGS>, report: &mut [f64; 16]) {
     *time = health.integrated_time().unwrap_or(0.0).into();
 }
 
-/// Three hills on the unit square without borders: small normal steps, now and then a large one.
-pub fn of_density<T: Tier, V: Visit>(p: &Parameters, v: &mut V) -> Result<(), Refusal> {
-    let &[deviation, large, ..] = p;
-    let small = Wrapped::new(NormalStep::<_, T>::new([deviation; 2])?);
-    let chain = Chain::new([0.0; 2], hills::<T>)?;
-    v.take(Hills::<T> {
-        chain,
-        mutation: Mixture::large_small(large, small)?,
-        health: Health::new(),
-    })
+subjects! {
+    OF_DENSITY of_density[T: Tier,] "chains" "libm poly":
+    Chain: plane 0: Chain(step_deviation: 0.1 in 0..0.5 by 0.005, share_of_large_steps: 0.2 in 0..1)
+        => Hills::<T>::new(step_deviation, share_of_large_steps),
+}
+
+subjects! {
+    OF_INTEGERS of_integers[] "chains" "exact":
+    Chain: bars 0: IntegerChain(
+        weight_0: 9 in 0..40 by 1, weight_1: 1 in 0..40 by 1, weight_2: 0 in 0..40 by 1,
+        weight_3: 30 in 0..40 by 1, weight_4: 4 in 0..40 by 1, weight_5: 12 in 0..40 by 1
+    ) => States::new([weight_0, weight_1, weight_2, weight_3, weight_4, weight_5]),
 }
 
 /// e^(3 (cos 2π(x + y) + cos 2π(x − 2y) − 2)), whose period is 1 in both coordinates.
@@ -43,6 +46,18 @@ struct Hills<T: Tier> {
     chain: Chain<[f32; 2]>,
     mutation: LargeSmall<Wrapped<NormalStep<[f32; 2], T>>>,
     health: Health<LAGS>,
+}
+
+impl<T: Tier> Hills<T> {
+    /// Three hills on the unit square without borders: small normal steps, now and then a large one.
+    fn new(deviation: f32, large: f32) -> Result<Self, Error> {
+        let small = Wrapped::new(NormalStep::<_, T>::new([deviation; 2])?);
+        Ok(Self {
+            chain: Chain::new([0.0; 2], hills::<T>)?,
+            mutation: Mixture::large_small(large, small)?,
+            health: Health::new(),
+        })
+    }
 }
 
 impl<T: Tier> Draw for Hills<T> {
@@ -66,20 +81,6 @@ impl<T: Tier> Draw for Hills<T> {
     }
 }
 
-/// Six states of integer weights; a proposal is any of them.
-pub fn of_integers<V: Visit>(p: &Parameters, v: &mut V) -> Result<(), Refusal> {
-    let &[a, b, c, d, e, f, ..] = p;
-    let weights = [a, b, c, d, e, f].map(|weight| weight as u32);
-    // A chain begins where it may be: at the heaviest state.
-    let heaviest = (0..6).max_by_key(|&state| weight(&weights, state));
-    v.take(States {
-        chain: Chain::new(heaviest.unwrap_or(0), |state| weight(&weights, state))?,
-        mutation: UniformIndex::new(6)?,
-        weights,
-        health: Health::new(),
-    })
-}
-
 fn weight(weights: &[u32; 6], state: usize) -> u32 {
     weights.get(state).copied().unwrap_or(0)
 }
@@ -89,6 +90,21 @@ struct States {
     mutation: UniformIndex,
     weights: [u32; 6],
     health: Health<LAGS>,
+}
+
+impl States {
+    /// Six states of integer weights; a proposal is any of them.
+    fn new(weights: [f32; 6]) -> Result<Self, Error> {
+        let weights = weights.map(|weight| weight as u32);
+        // A chain begins where it may be: at the heaviest state.
+        let heaviest = (0..6).max_by_key(|&state| weight(&weights, state));
+        Ok(Self {
+            chain: Chain::new(heaviest.unwrap_or(0), |state| weight(&weights, state))?,
+            mutation: UniformIndex::new(6)?,
+            weights,
+            health: Health::new(),
+        })
+    }
 }
 
 impl Draw for States {

@@ -1,52 +1,33 @@
-//! The warps of the integer tier; parameters in formats of 16 fraction bits.
+//! The warps of the integer tier, which `tests/golden/src/fixed_warps.rs` lists; parameters in their formats.
 
-use crate::run::Visit;
+use crate::run::of;
 use crate::shared::Refusal;
-use crate::subject::{Parameters, Subject};
+use crate::subject::subjects;
 use fixed::types::{I16F16, U0F32, U16F16, U32F32};
-use microwarp::fixed::warp::{
-    Cone, CosineHemisphere, Disk, Exponential, Hemisphere, Interval, NormalPair, PhongLobe, Sphere,
-    StandardExponential, StandardNormalPair, Tent, Triangle, TriangleOn, TruncatedExponential,
-};
+use microwarp::fixed::warp::*;
 use microwarp::fixed::{Float, Grade};
 
-/// Builds a subject and hands it on.
-pub fn visit<G: Grade, V: Visit>(
-    subject: Subject,
-    p: &Parameters,
-    v: &mut V,
-) -> Result<(), Refusal> {
-    let &[a, b, c, d, e, f, ..] = p;
-    match subject {
-        Subject::Interval => v.warp(&Interval::<I16F16>::new(signed(a)?, signed(b)?)?),
-        Subject::Tent => v.warp(&Tent::<_, G>::new(signed(a)?)?),
-        Subject::StandardExponential => v.warp(&StandardExponential::<G>::new()),
-        Subject::Exponential => v.warp(&Exponential::<_, G>::new(unsigned(a)?)?),
-        Subject::TruncatedExponential => v.warp(&TruncatedExponential::<_, G>::new(
-            unsigned(a)?,
-            unsigned(b)?,
-        )?),
-        Subject::Disk => v.warp(&Disk::<G>::new()),
-        Subject::FloatDisk => v.warp(&Float::new(Disk::<G>::new())),
-        Subject::Triangle => v.warp(&Triangle::<G>::new()),
-        Subject::TriangleOn => {
-            let vertex = |x, y| Ok::<_, Refusal>([signed(x)?, signed(y)?]);
-            let vertices = [vertex(a, b)?, vertex(c, d)?, vertex(e, f)?];
-            v.warp(&TriangleOn::<_, 2, G>::new(vertices)?)
+macro_rules! warps {
+    (
+        in every grade { $($graded:tt)* }
+        with floats { $($floats:tt)* }
+        without grade { $($plain:tt)* }
+    ) => {
+        warps! { @ $($graded)* $($floats)* $($plain)* }
+    };
+    (@ $($type:ident {
+        golden $golden:tt
+        cost $cost:tt
+        page { $($view:ident $words:literal: $name:ident $parameters:tt => $warp:expr,)* }
+    })*) => {
+        subjects! {
+            WARPS visit[G: Grade,] "" "fine coarse compact":
+            $($($type: $view $words: $name $parameters => of($warp),)*)*
         }
-        Subject::StandardNormalPair => v.warp(&StandardNormalPair::<G>::new()),
-        Subject::NormalPair => v.warp(&NormalPair::<_, G>::new(
-            [signed(a)?, signed(b)?],
-            signed(c)?,
-        )?),
-        Subject::Sphere => v.warp(&Sphere::<G>::new()),
-        Subject::Hemisphere => v.warp(&Hemisphere::<G>::new()),
-        Subject::CosineHemisphere => v.warp(&CosineHemisphere::<G>::new()),
-        Subject::PhongLobe => v.warp(&PhongLobe::<G>::new(exponent(a)?)?),
-        Subject::Cone => v.warp(&Cone::<G>::from_angle(turns(a)?)?),
-        _ => Err(Refusal::Unknown),
-    }
+    };
 }
+
+microwarp_golden::integer_warps!(warps);
 
 /// A parameter in steps of 2⁻¹⁶, if the format holds it; what has more digits is cut.
 fn signed(x: f32) -> Result<I16F16, Refusal> {

@@ -1,7 +1,7 @@
 //! Every sampler of microwarp behind plain exports, for a page that knows nothing of Rust but numbers.
 //!
 //! Here live the exports and the memory that the page and the module share. What is sampled is in `float`,
-//! `integer`, `tables`, `rejected` and `chains`, one function a family; `run` samples and times what they name,
+//! `integer`, `tables`, `rejected` and `chains`, a list of subjects each; `run` samples and times what they name,
 //! `source` is where the words come from. The panic handler calls an import: a module whose panics
 //! cannot be reached needs none, and the page and its test make sure of that.
 #![no_std]
@@ -22,8 +22,7 @@ mod visit;
 use microwarp_page_panic as _;
 use run::{Samples, Timing};
 use shared::{Shared, shared};
-use subject::{NAMES, Subject};
-use visit::visit;
+use visit::{LISTS, visit};
 
 /// What the crate's documentation says of its types, a sentence and the bounds of each, as JSON.
 static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));
@@ -34,16 +33,22 @@ pub extern "C" fn shared_memory() -> *const Shared {
     &raw const *shared()
 }
 
-/// The names of all subjects in the order of their numbers, separated by spaces.
-#[unsafe(no_mangle)]
-pub extern "C" fn names() -> *const u8 {
-    NAMES.as_ptr()
+/// What a list of subjects tells of them, in JSON but for a comma behind the last of several; there are so many lists
+/// until one is empty.
+fn told(list: usize) -> &'static str {
+    LISTS.get(list).copied().unwrap_or("")
 }
 
-/// How many bytes the names have.
+/// Where the text of a list is.
 #[unsafe(no_mangle)]
-pub extern "C" fn names_length() -> usize {
-    NAMES.len()
+pub extern "C" fn subjects(list: usize) -> *const u8 {
+    told(list).as_ptr()
+}
+
+/// How many bytes that has.
+#[unsafe(no_mangle)]
+pub extern "C" fn subjects_length(list: usize) -> usize {
+    told(list).len()
 }
 
 /// What the documentation says, as JSON.
@@ -58,11 +63,12 @@ pub extern "C" fn documented_length() -> usize {
     DOCUMENTED.len()
 }
 
-/// Draws `count` points of a subject in a tier with the parameters in the shared memory, from random words (source
+/// Draws `count` points of a subject of a list in a tier with the parameters in the shared memory, from random words (source
 /// 0), stratified ones (1) or ones of low discrepancy (2) along the first `dimensions`. Returns 0, or how many bytes
 /// of the text say why not.
 #[unsafe(no_mangle)]
 pub extern "C" fn sample(
+    list: u32,
     subject: u32,
     tier: u32,
     source: u32,
@@ -75,7 +81,7 @@ pub extern "C" fn sample(
     let parameters = shared.parameters;
     let words = source::Words::new(source, dimensions, count, seed);
     let mut samples = Samples::new(words, count, shared);
-    match visit(Subject::of(subject), tier, &parameters, &mut samples) {
+    match visit(list, subject, tier, &parameters, &mut samples) {
         Ok(()) => 0,
         Err(refusal) => refusal.write(&mut shared.text),
     }
@@ -84,10 +90,10 @@ pub extern "C" fn sample(
 /// Draws `count` points from PCG32 and keeps none, for the page to look at its clock before and after. Returns the
 /// exclusive or of their bits, so that none can be left out.
 #[unsafe(no_mangle)]
-pub extern "C" fn time(subject: u32, tier: u32, count: u32, seed: u32) -> u32 {
+pub extern "C" fn time(list: u32, subject: u32, tier: u32, count: u32, seed: u32) -> u32 {
     let parameters = shared().parameters;
     let mut timing = Timing::new(count, seed);
-    match visit(Subject::of(subject), tier, &parameters, &mut timing) {
+    match visit(list, subject, tier, &parameters, &mut timing) {
         Ok(()) => timing.bits(),
         Err(_) => 0,
     }

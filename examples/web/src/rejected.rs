@@ -1,56 +1,57 @@
 //! Rejection samplers. Each reports how many tries its points took.
 
 use crate::numbers::Numbers;
-use crate::run::{Draw, Visit};
+use crate::run::Draw;
 use crate::shared::Refusal;
-use crate::subject::{Parameters, Subject};
-use microwarp::Aabb;
+use crate::subject::subjects;
 use microwarp::fixed as integers;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection};
 use microwarp::tier::Tier;
 use microwarp::warp::Disk;
+use microwarp::{Aabb, Error};
 use rand_core::Rng;
 
-/// Builds a subject and hands it on.
-pub fn visit<V: Visit>(subject: Subject, p: &Parameters, v: &mut V) -> Result<(), Refusal> {
-    let &[inner, outer, budget, ..] = p;
-    match subject {
-        Subject::DiskRejection => {
-            let disk = DiskRejection::with_budget(inner as u32)?;
-            v.take(Tried::new(disk, |point| disk.pdf(point).into()))
-        }
-        Subject::BallRejection => {
-            let ball = BallRejection::with_budget(inner as u32)?;
-            v.take(Tried::new(ball, |point| ball.pdf(point).into()))
-        }
-        Subject::IntegerDiskRejection => {
-            let disk = integers::DiskRejection::with_budget(inner as u32)?;
-            v.take(Tried::new(disk, |point| only(disk.pdf(point))))
-        }
-        Subject::IntegerDiskRejection16 => {
-            let disk = integers::DiskRejection16::with_budget(inner as u32)?;
-            v.take(Tried::new(disk, |point| only(disk.pdf(point))))
-        }
-        Subject::Region => {
-            let square = Aabb::new([-1.0; 2], [1.0; 2])?;
-            let ring = move |[x, y]: [f32; 2]| {
-                let square = x * x + y * y;
-                inner * inner <= square && square <= outer * outer
-            };
-            // What a region's density is without its normalisation: that of the box.
-            let region = Region::new(square, ring, budget as u32)?;
-            v.take(Tried::new(region, |_| 0.25))
-        }
-        _ => Err(Refusal::Unknown),
-    }
+subjects! {
+    PLAIN plain[] "rejection" "exact":
+    DiskRejection: plane 2: DiskRejection(budget_in_tries: 32 in 0..128 by 1)
+        => DiskRejection::with_budget(budget_in_tries as u32)
+            .map(|disk| Tried::new(disk, move |point| disk.pdf(point).into())),
+    BallRejection: sphere 3: BallRejection(budget_in_tries: 64 in 0..128 by 1)
+        => BallRejection::with_budget(budget_in_tries as u32)
+            .map(|ball| Tried::new(ball, move |point| ball.pdf(point).into())),
+    DiskRejection: plane 2: IntegerDiskRejection(budget_in_tries: 32 in 0..128 by 1)
+        => integers::DiskRejection::with_budget(budget_in_tries as u32)
+            .map(|disk| Tried::new(disk, move |point| only(disk.pdf(point)))),
+    DiskRejection16: plane 1: IntegerDiskRejection16(budget_in_tries: 32 in 0..128 by 1)
+        => integers::DiskRejection16::with_budget(budget_in_tries as u32)
+            .map(|disk| Tried::new(disk, move |point| only(disk.pdf(point)))),
+    // What a region's density is without its normalisation: that of the box.
+    Region: plane 2: Region(inner_radius: 0.5 in 0..1, outer_radius: 1 in 0..1.4, budget_in_tries: 100 in 0..128 by 1)
+        => ring(inner_radius, outer_radius, budget_in_tries as u32).map(|ring| Tried::new(ring, |_| 0.25)),
 }
 
-/// f = 1/(1 + s(x² + y²)) over points of the disk, with a bound on f/p and a budget.
-pub fn bump<T: Tier, V: Visit>(p: &Parameters, v: &mut V) -> Result<(), Refusal> {
-    let &[sharpness, bound, budget, ..] = p;
-    let density = move |[x, y]: [f32; 2]| 1.0 / (1.0 + sharpness * (x * x + y * y));
-    let bumped = Bounded::new(Disk::<T>::new(), density, bound, budget as u32)?;
-    v.take(Tried::new(bumped, move |point| density(point).into()))
+subjects! {
+    TIERED tiered[T: Tier,] "rejection" "libm poly":
+    Bounded: plane 3: Bounded(sharpness: 8 in 0..50 by 0.1, bound: 3.15 in 0..10, budget_in_tries: 100 in 0..128 by 1)
+        => {
+            // f = 1/(1 + s(x² + y²)) over points of the disk, with a bound on f/p and a budget.
+            let density = move |[x, y]: [f32; 2]| 1.0 / (1.0 + sharpness * (x * x + y * y));
+            Bounded::new(Disk::<T>::new(), density, bound, budget_in_tries as u32)
+                .map(|bump| Tried::new(bump, move |point| density(point).into()))
+        },
+}
+
+/// Between two radii, in a square.
+fn ring(
+    inner: f32,
+    outer: f32,
+    budget: u32,
+) -> Result<Region<Aabb<2>, impl Fn([f32; 2]) -> bool>, Error> {
+    let ring = move |[x, y]: [f32; 2]| {
+        let square = x * x + y * y;
+        inner * inner <= square && square <= outer * outer
+    };
+    Region::new(Aabb::new([-1.0; 2], [1.0; 2])?, ring, budget)
 }
 
 fn only(number: impl Numbers) -> f64 {

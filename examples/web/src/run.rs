@@ -3,7 +3,7 @@
 use crate::numbers::Numbers;
 use crate::shared::{Refusal, Shared};
 use crate::source::Words;
-use microwarp::Warp;
+use microwarp::{Error, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -25,9 +25,14 @@ pub trait Draw {
 }
 
 /// A warp draws its points.
-pub struct Of<'a, W>(pub &'a W);
+pub struct Of<W>(W);
 
-impl<W> Draw for Of<'_, W>
+/// A warp that was accepted.
+pub fn of<W>(warp: Result<W, Error>) -> Result<Of<W>, Error> {
+    warp.map(Of)
+}
+
+impl<W> Draw for Of<W>
 where
     W: Warp,
     W::Point: Numbers,
@@ -51,17 +56,6 @@ pub trait Visit {
     /// # Errors
     /// What the subject says when it draws.
     fn take<D: Draw>(&mut self, subject: D) -> Result<(), Refusal>;
-
-    /// # Errors
-    /// None; a warp cannot fail.
-    fn warp<W>(&mut self, warp: &W) -> Result<(), Refusal>
-    where
-        W: Warp,
-        W::Point: Numbers,
-        W::Density: Numbers,
-    {
-        self.take(Of(warp))
-    }
 }
 
 /// Draws points into the shared memory.

@@ -1,8 +1,8 @@
 //! Tables of weights. What is selected by is a word, so no tier has a part in it.
 
-use crate::run::{Draw, Visit};
+use crate::run::{Draw, of};
 use crate::shared::Refusal;
-use crate::subject::{Parameters, Subject};
+use crate::subject::subjects;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Reservoir, select_once,
 };
@@ -11,33 +11,35 @@ use rand_core::Rng;
 /// How many weights the tables have.
 const ENTRIES: usize = 6;
 
-/// Builds a subject and hands it on.
-pub fn visit<V: Visit>(subject: Subject, p: &Parameters, v: &mut V) -> Result<(), Refusal> {
-    let &[a, b, c, d, e, f, ..] = p;
-    let weights = [a, b, c, d, e, f];
-    match subject {
-        Subject::Cdf => v.take(Cumulated(Cdf::<[u32; ENTRIES]>::new(&weights)?)),
-        Subject::Alias => {
-            let mut bins = [AliasEntry::<u32>::EMPTY; 8];
-            v.take(Aliased(Alias::<&[AliasEntry<u32>]>::new_in(
-                &weights, &mut bins,
-            )?))
+/// The subjects that take six weights, and those with parameters of their own.
+macro_rules! tables {
+    (
+        of weights { $($type:ident: $view:ident $words:literal: $name:ident => $table:expr,)* }
+        $($rest:tt)*
+    ) => {
+        subjects! {
+            TABLES visit[] "tables" "exact":
+            $($type: $view $words: $name(
+                weight_0: 3 in 0..10 by 0.1, weight_1: 1 in 0..10 by 0.1, weight_2: 0 in 0..10 by 0.1,
+                weight_3: 5 in 0..10 by 0.1, weight_4: 2 in 0..10 by 0.1, weight_5: 4 in 0..10 by 0.1
+            ) => $table([weight_0, weight_1, weight_2, weight_3, weight_4, weight_5]),)*
+            $($rest)*
         }
-        Subject::SelectOnce => v.take(Once(weights)),
-        Subject::Reservoir => v.take(Stream(weights)),
-        Subject::PiecewiseConstant1d => {
-            let cdf = Cdf::<[u32; ENTRIES]>::new(&weights)?;
-            v.warp(&PiecewiseConstant1d::new(cdf, 0.0, 1.0)?)
-        }
-        Subject::PiecewiseConstant2d => {
-            v.warp(&PiecewiseConstant2d::<[u32; 4], [[u32; 6]; 4]>::new(
-                &sky(a, b),
-                [0.0, 1.5],
-                [0.0, 1.0],
-            )?)
-        }
-        _ => Err(Refusal::Unknown),
+    };
+}
+
+tables! {
+    of weights {
+        Cdf: bars 1: Cdf => |weights: [f32; 6]| Cdf::<[u32; ENTRIES]>::new(&weights).map(Cumulated),
+        Alias: bars 1: Alias => |weights: [f32; 6]| Alias::<[AliasEntry<u32>; 8]>::new(&weights).map(Aliased),
+        select_once: bars 1: SelectOnce => |weights| Ok::<_, Refusal>(Once(weights)),
+        Reservoir: bars 0: Reservoir => |weights| Ok::<_, Refusal>(Stream(weights)),
+        PiecewiseConstant1d: line 1: PiecewiseConstant1d => |weights: [f32; 6]| {
+            of(PiecewiseConstant1d::<[u32; ENTRIES]>::from_weights(&weights, 0.0, 1.0))
+        },
     }
+    PiecewiseConstant2d: plane 2: PiecewiseConstant2d(clouds: 3 in 0..10 by 0.1, sun: 30 in 0..100 by 0.5)
+        => of(PiecewiseConstant2d::<[u32; 4], [[u32; 6]; 4]>::new(&sky(clouds, sun), [0.0, 1.5], [0.0, 1.0])),
 }
 
 /// Clouds of a given brightness with a sun among them, and a dark column.
@@ -53,7 +55,7 @@ fn sky(clouds: f32, sun: f32) -> [[f32; 6]; 4] {
 
 struct Cumulated(Cdf<[u32; ENTRIES]>);
 
-struct Aliased<'a>(Alias<&'a [AliasEntry<u32>]>);
+struct Aliased(Alias<[AliasEntry<u32>; 8]>);
 
 /// Draws the index of a table's entry, and reports the numerators of all.
 macro_rules! indices {
@@ -78,7 +80,7 @@ macro_rules! indices {
     )*};
 }
 
-indices!(Cumulated, Aliased<'_>);
+indices!(Cumulated, Aliased);
 
 /// A selection and the probability it reported; the page is told that, not one worked out again.
 #[derive(Clone, Copy)]

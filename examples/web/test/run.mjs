@@ -8,7 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { serve } from "../serve.mjs";
 import { launch } from "./browser.mjs";
-import { every_subject, most_points, refusals, turns } from "./walk.mjs";
+import { LOST, every_subject, lost_truths, most_points, refusals, turns } from "./walk.mjs";
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const [site, panics, pictures] = process.argv.slice(2);
@@ -98,8 +98,9 @@ async function on_a_desk() {
     check(golden.state === "verified" && /verified/.test(golden.text), `golden bits: ${golden.text}`);
     check(stated[0] === words && stated[1] === cases, `the page says "${golden.text}", the table has ${words} words of ${cases} cases`);
     say(golden.text);
-    const seen = await every_subject(page, module, check);
+    const { seen, plain } = await every_subject(page, module, check);
     say(`every sampler in every tier: ${seen.length} pictures, each with its error within the bound stated`);
+    say(plain.length > 0 ? `without a truth on the page: ${plain.join(", ")}` : "none is without a truth on the page");
     const refused = await refusals(page, check);
     say(`refused, each with its typed error: ${refused.join("; ")}`);
     await most_points(page, check);
@@ -151,6 +152,17 @@ async function controls() {
     const { error, stated } = await page.evaluate("({ ...document.body.dataset })");
     check(Number(error) > Number(stated), "control: an error of 1e-6 of a disk is not noticed");
   });
+  const catalogue = await readFile(join(web, "page/catalogue.mjs"), "utf8");
+  const less = LOST.reduce((text, [, name]) => edited(text, `\n  ${name}: {`, `\n  ...true || {`), catalogue);
+  await with_page("truths that are lost", DESK, { "page/catalogue.mjs": less }, async (page) => {
+    await lost_truths(page, check);
+    await sound("truths that are lost", page);
+  });
+  const unknown = edited(catalogue, "\n  Disk: {", "\n  Disc: {");
+  await with_page("control: a truth of nothing", DESK, { "page/catalogue.mjs": unknown }, async (page) => {
+    check(page.problems.length > 0, "control: a truth of an unknown sampler is not noticed");
+  });
+  say("a sampler without a truth is shown with what is stated; a truth without a sampler is refused");
   say("controls: a missing table, an error in the console and an error above its bound were noticed");
 }
 

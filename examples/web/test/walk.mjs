@@ -1,5 +1,7 @@
 // What the test does on the page as a visitor would: choosing, typing, turning. Its functions run in the page.
 
+import { lists_of } from "../page/module.mjs";
+
 // Chooses a radio button and tells what the page then shows.
 function choose(group, value) {
   document.querySelector(`input[name="${group}"][value="${value}"]`).click();
@@ -17,18 +19,25 @@ function shown() {
   const pixels = context.getImageData(0, 0, copy.width, copy.height).data;
   let inked = 0;
   for (let k = 3; k < pixels.length; k += 4) inked += pixels[k] > 0 ? 1 : 0;
-  return { ...document.body.dataset, inked, summary: document.getElementById("summary").textContent };
+  const text_of = (id) => document.getElementById(id).textContent;
+  return { ...document.body.dataset, inked, summary: text_of("summary"), text: text_of("readings") };
 }
 
 // The names of all samplers in the module itself, so that none can be missing from the page.
 function names_of(binary) {
   const { exports } = new WebAssembly.Instance(new WebAssembly.Module(binary), {});
-  return new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.names(), exports.names_length())).trim().split(" ");
+  return Array.from(lists_of(exports)).flat().map(({ name }) => name);
 }
 
-// Chooses every sampler in every tier once.
+// Of a sampler without a truth on the page: it says so, and what is stated of it.
+export function without_truth(what, { truth, error, text }, check) {
+  check(truth === "none" && error === "", `${what}: without a truth its error is ${error}`);
+  check(/no f64 truth/.test(text) && /Stated, sample/.test(text) && /reported at the points/.test(text), `${what}: without a truth the page says ${text}`);
+}
+
+// Chooses every sampler in every tier once. Gives what was seen with an error, and what without a truth.
 export async function every_subject(page, module, check) {
-  const seen = [];
+  const [seen, plain] = [[], []];
   for (const family of await page.call(options, "family")) {
     await page.call(choose, "family", family);
     for (const subject of await page.call(options, "subject")) {
@@ -41,6 +50,11 @@ export async function every_subject(page, module, check) {
         check(found.summary !== "" && found.summary !== "undefined", `${what}: no word on what it is`);
         check(found.refused === "", `${what}: refused, ${found.refused}`);
         check(Number(found.count) > 0 && found.inked > 500, `${what}: ${found.count} points, ${found.inked} pixels drawn`);
+        if (found.truth === "none") {
+          without_truth(what, found, check);
+          plain.push(what);
+          continue;
+        }
         const [error, stated] = [found.error, found.stated].map(Number);
         check(found.error !== "" && Number.isFinite(error), `${what}: its error is ${found.error}`);
         check(found.stated !== "null" && error <= stated, `${what}: its error is ${found.error}, stated is ${found.stated}`);
@@ -49,9 +63,9 @@ export async function every_subject(page, module, check) {
       }
     }
   }
-  const missing = names_of(module).filter((name) => !seen.some((what) => what.startsWith(`${name} `)));
+  const missing = names_of(module).filter((name) => ![...seen, ...plain].some((what) => what.startsWith(`${name} `)));
   check(missing.length === 0, `the page does not show ${missing.join(", ")}`);
-  return seen;
+  return { seen, plain };
 }
 
 // The uniforms by other plans than chance must give points of no larger error.
@@ -108,6 +122,20 @@ export async function refusals(page, check) {
     check(await page.call(refusal) === "" && Number(count) > 0 && inked > 500, `${subject} ${tier}: after good parameters nothing is drawn`);
   }
   return [...new Set(REFUSED.map(([, , , , due]) => due).filter((due) => !due.endsWith("::")))];
+}
+
+// One sampler of each view, of which the page has lost the truth.
+export const LOST = [["line", "Tent", "poly"], ["plane", "Triangle", "fine"], ["directions", "PhongLobe", "libm"], ["tables", "Alias", "exact"]];
+export async function lost_truths(page, check) {
+  for (const [family, subject, tier] of LOST) {
+    await page.call(choose, "family", family);
+    await page.call(choose, "subject", subject);
+    await page.call(choose, "tier", tier);
+    const found = await page.call(shown);
+    check(found.shown === `${subject} ${tier}` && found.refused === "" && found.inked > 500, `${subject} without a truth: ${found.inked} pixels, ${found.refused}`);
+    if (subject !== "Alias") without_truth(subject, found, check);
+    else check(found.truth === "none" && /no f64 truth/.test(found.text), `${subject} without a truth: ${found.text}`);
+  }
 }
 
 // The slider's end: as many points as the shared memory holds.

@@ -31,7 +31,7 @@ const WORDS: [[u32; 2]; 12] = [
 pub const INPUTS: usize = WORDS.len() + 4;
 
 /// Numbers that are made of words, and put out as words.
-trait Words: Copy {
+pub trait Words: Copy {
     fn from_words(words: [u32; 2]) -> Self;
     fn put(self, out: &mut Out);
 }
@@ -122,12 +122,12 @@ where
 }
 
 /// A parameter the compiler cannot see.
-fn v<T: Words>(word: u32) -> T {
+pub fn v<T: Words>(word: u32) -> T {
     T::from_words([black_box(word), 0])
 }
 
 /// In Q16.
-fn whole<T: Words>(number: u32) -> T {
+pub fn whole<T: Words>(number: u32) -> T {
     v(number << 16)
 }
 

@@ -19,7 +19,7 @@ mod cases;
 #[cfg(feature = "cases")]
 mod chains;
 #[cfg(feature = "cases")]
-mod fixed;
+pub mod fixed;
 #[cfg(feature = "cases")]
 mod integers;
 #[cfg(feature = "cases")]

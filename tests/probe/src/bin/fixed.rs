@@ -3,17 +3,14 @@
 #![no_std]
 #![no_main]
 
-use fixed::types::{I16F16, U0F32, U2F62, U16F16, U32F32};
-use microwarp::fixed::{
-    Coarse, Compact, Fine, Float, FloatPoint, FloatUniforms, Grade, Interval, warp,
-};
+use fixed::types::{I16F16, U0F32, U16F16, U32F32};
+use microwarp::fixed::warp::*;
+use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, FloatUniforms, Grade};
 use microwarp::{Error, Warp};
+use microwarp_golden::fixed::{Words, v, whole};
+use microwarp_golden::integer_warps;
 use microwarp_probe::{input, output};
 use rand_pcg::Pcg32;
-
-fn word() -> U0F32 {
-    U0F32::from_bits(input(7))
-}
 
 /// Anything whose bits can be handed out: the check wants them used, whatever they are.
 fn used<T: Copy>(value: T) {
@@ -21,9 +18,13 @@ fn used<T: Copy>(value: T) {
     output(core::mem::size_of::<T>() as u32);
 }
 
-fn all<W: Warp>(warp: Result<W, Error>, u: W::Uniforms, rng: &mut Pcg32) {
+fn all<W>(warp: Result<W, Error>, rng: &mut Pcg32)
+where
+    W: Warp,
+    W::Uniforms: Words,
+{
     let Ok(warp) = warp else { return output(1) };
-    let point = warp.sample(u);
+    let point = warp.sample(W::Uniforms::from_words([input(7), input(8)]));
     used(point);
     used(warp.pdf(point));
     used(warp.invert(point));
@@ -31,72 +32,44 @@ fn all<W: Warp>(warp: Result<W, Error>, u: W::Uniforms, rng: &mut Pcg32) {
 }
 
 /// The warp itself, and over it the route of f32.
-fn both<W>(warp: Result<W, Error>, u: W::Uniforms, rng: &mut Pcg32)
+fn both<W>(warp: Result<W, Error>, rng: &mut Pcg32)
 where
     W: Warp<Density = U32F32> + Copy,
-    W::Uniforms: FloatUniforms,
+    W::Uniforms: Words + FloatUniforms,
     W::Point: FloatPoint,
+    <Float<W> as Warp>::Uniforms: Words,
 {
-    all(warp, u, rng);
-    all(warp.map(Float::new), u.floats(), rng);
+    all(warp, rng);
+    all(warp.map(Float::new), rng);
 }
 
-fn grade<G: Grade>(rng: &mut Pcg32) {
-    let short = |bits| I16F16::from_bits(bits as i32);
-    let (mean, length) = (U16F16::from_bits(input(3)), U16F16::from_bits(input(4)));
-    both(Ok(warp::Disk::<G>::new()), [word(), word()], rng);
-    both(Ok(warp::Sphere::<G>::new()), [word(), word()], rng);
-    both(Ok(warp::Hemisphere::<G>::new()), [word(), word()], rng);
-    both(
-        Ok(warp::CosineHemisphere::<G>::new()),
-        [word(), word()],
-        rng,
-    );
-    let k = U2F62::from_bits(u64::from(input(5)) << 32);
-    both(
-        warp::Cone::<G>::from_one_minus_cos(k),
-        [word(), word()],
-        rng,
-    );
-    both(warp::Cone::<G>::from_angle(word()), [word(), word()], rng);
-    let n = U32F32::from_bits(u64::from(input(6)) << 32);
-    both(warp::PhongLobe::<G>::new(n), [word(), word()], rng);
-    both(Ok(warp::Triangle::<G>::new()), [word(), word()], rng);
-    both(Ok(warp::StandardExponential::<G>::new()), word(), rng);
-    both(warp::Exponential::<_, G>::new(mean), word(), rng);
-    both(
-        warp::TruncatedExponential::<_, G>::new(mean, length),
-        word(),
-        rng,
-    );
-    both(
-        Ok(warp::StandardNormalPair::<G>::new()),
-        [word(), word()],
-        rng,
-    );
-    let centre = [short(input(8)), short(input(9))];
-    both(
-        warp::NormalPair::<_, G>::new(centre, short(input(10))),
-        [word(), word()],
-        rng,
-    );
-    both(warp::Tent::<_, G>::new(short(input(11))), word(), rng);
-    let vertex = |i| [short(input(i)), short(input(i + 1)), short(input(i + 2))];
-    let vertices = [vertex(13), vertex(16), vertex(19)];
-    both(
-        warp::TriangleOn::<_, 3, G>::new(vertices),
-        [word(), word()],
-        rng,
-    );
-    let vertices = vertices.map(|[x, y, _]| [x, y]);
-    both(
-        warp::TriangleOn::<_, 2, G>::new(vertices),
-        [word(), word()],
-        rng,
-    );
-    used(G::pow(word(), U16F16::from_bits(input(12))));
-    used(G::exp_m1_neg(G::neg_ln_1m(word())));
+/// Every warp of the list.
+macro_rules! warps {
+    (
+        in every grade { $($graded:ident {
+            golden { $($name:literal => $warp:expr,)* } cost $cost:tt page $page:tt
+        })* }
+        with floats { $($float:ident {
+            golden { $($float_name:literal => $float_warp:expr,)* } cost $float_cost:tt page $float_page:tt
+        })* }
+        without grade { $($plain:ident {
+            golden { $($plain_name:literal => $plain_warp:expr,)* } cost $plain_cost:tt page $plain_page:tt
+        })* }
+    ) => {
+        fn grade<G: Grade>(rng: &mut Pcg32) {
+            $($(both($warp, rng);)*)*
+            $($(all($float_warp, rng);)*)*
+            used(G::pow(v(input(7)), v(input(12))));
+            used(G::exp_m1_neg(G::neg_ln_1m(v(input(7)))));
+        }
+
+        fn without_grade(rng: &mut Pcg32) {
+            $($(both($plain_warp, rng);)*)*
+        }
+    };
 }
+
+integer_warps!(warps);
 
 /// The name that the check looks for, so that it knows it has read the right file.
 #[unsafe(no_mangle)]
@@ -105,14 +78,10 @@ fn microwarp_fixed(rng: &mut Pcg32) {
     grade::<Fine>(rng);
     grade::<Coarse>(rng);
     grade::<Compact>(rng);
-    both(
-        Interval::<i32>::new(input(1) as i32, input(2) as i32),
-        word(),
-        rng,
-    );
-    both(Interval::<u32>::inclusive(input(1), input(2)), word(), rng);
-    let ends = [input(1), input(2)].map(U16F16::from_bits);
-    both(Interval::<U16F16>::new(ends[0], ends[1]), word(), rng);
+    without_grade(rng);
+    // Of formats that the list has not.
+    both(Interval::<u32>::inclusive(input(1), input(2)), rng);
+    both(Interval::<U16F16>::new(v(input(1)), v(input(2))), rng);
 }
 
 #[unsafe(no_mangle)]

@@ -1,0 +1,38 @@
+// Where the page has no truth: what the points themselves show, for the pictures. Nothing is measured against it.
+
+const least = (numbers) => numbers.reduce((a, b) => Math.min(a, b));
+const most = (numbers) => numbers.reduce((a, b) => Math.max(a, b));
+// A range is never empty.
+const range = (numbers) => {
+  const [low, high] = [least(numbers), most(numbers)];
+  return low < high ? [low, high] : [low - 0.5, high + 0.5];
+};
+
+export function seen({ count, points, densities }) {
+  const coordinate = (axis) => Array.from({ length: count }, (_, k) => points[3 * k + axis]);
+  const [x, y] = [coordinate(0), coordinate(1)];
+  const order = Array.from(x.keys()).sort((a, b) => x[a] - x[b]);
+  return {
+    range: range(x),
+    box: [...range(x), ...range(y)],
+    outline: [],
+    // The density reported at the nearest point drawn that is not below.
+    pdf: (at) => densities[order[bisected(order.length, (k) => x[order[k]] >= at)]],
+    get shares() {
+      const shares = new Array(most(x) + 1).fill(0);
+      x.forEach((index, k) => (shares[index] = densities[k]));
+      return shares;
+    },
+  };
+}
+
+// The first number at which a condition that becomes true and stays it holds; the last where it never does.
+function bisected(length, holds) {
+  let [low, high] = [0, length - 1];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (holds(middle)) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
