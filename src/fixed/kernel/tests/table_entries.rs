@@ -47,7 +47,9 @@ fn sine(i: usize) -> i64 {
 /// ⌊√(i/256)⌋ in Q16, of the entries that are used, and below 1.
 fn root(i: usize) -> i64 {
     let square = (i as i64) << 24;
-    let root = (0_i64..).find(|r| (r + 1) * (r + 1) > square).unwrap();
+    let root = (0..=1_i64 << 16)
+        .find(|r| (r + 1) * (r + 1) > square)
+        .unwrap();
     if i < 64 { 0 } else { root.min(0xffff) }
 }
 
