@@ -2,7 +2,7 @@
 
 use crate::densities::*;
 use crate::matrices::Neighbour;
-use crate::runs::{Outcome, Plan, plan, run};
+use crate::runs::{FULL, Outcome, Plan, plan, run};
 use crate::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Density, Independence, Mixture, Mutation, OneCoordinate, Step, Subset,
@@ -209,8 +209,11 @@ where
     let step = poly::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
     let mutation = Mixture::large_small(0.2, Wrapped::new(step)).unwrap();
     let lobe = chain(name, lobe_cells(z), [0.9, 0.1], target, mutation);
+    // As many states far apart as the fine cells ask for.
     lobe.planned(Plan {
         stride: 10,
+        steps: FULL.steps,
+        apart: FULL.apart,
         ..plan()
     })
 }
