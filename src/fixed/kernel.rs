@@ -14,7 +14,7 @@ macro_rules! on_this_core {
     ($function:ident($($argument:expr),*)) => {{
         #[cfg(test)]
         assert!($function::<true>($($argument),*) == $function::<false>($($argument),*));
-        $function::<{ super::NARROW }>($($argument),*)
+        $function::<{ $crate::fixed::kernel::NARROW }>($($argument),*)
     }};
 }
 

@@ -1,12 +1,16 @@
 //! Square roots.
 
-use super::NARROW;
 use super::product::by_half;
 use super::tables::{ROOT, entry};
 
 /// A positive number in Q32 shifted left by twice the second result, to at least 1/4; nothing of 0.
 #[inline]
 fn normal(x: u32) -> Option<(u32, u32)> {
+    on_this_core!(normal_on(x))
+}
+
+#[inline]
+fn normal_on<const NARROW: bool>(x: u32) -> Option<(u32, u32)> {
     if NARROW {
         let (mut m, mut shift) = (x, 0);
         loop {
