@@ -1,12 +1,12 @@
 //! Whether R̂ and the time tell chains that have been everywhere from chains that have not.
 
 use crate::series::autoregression;
-use crate::speed;
 use microwarp::estimate::Moments;
 use microwarp::metropolis::{
     BoxStep, Chain, Halves, Health, Mixture, Mutation, UniformStep, Wrapped, r_hat, split_r_hat,
 };
 use rand_pcg::Pcg32;
+use support::speed;
 
 const STEPS: usize = 20_000;
 
@@ -124,7 +124,7 @@ fn the_time_of_a_rare_crossing_is_seen() {
     let mut chain = Chain::new(0.25, humps).unwrap();
     let mut rng = Pcg32::new(5, 77);
     let (mut which, mut within) = (Health::<600>::new(), Health::<600>::new());
-    for _ in 0..speed::of("steps", 200_000, 50_000) {
+    for _ in 0..speed::of("steps", 50_000, 200_000) {
         let x = chain.step(humps, &rare, &mut rng).state();
         which.push(if x > 0.5 { 1.0 } else { 0.0 });
         within.push((x - if x > 0.5 { 0.75 } else { 0.25 }).abs());

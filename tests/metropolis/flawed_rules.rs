@@ -3,7 +3,6 @@
 use crate::densities::*;
 use crate::evidence::assert_passes;
 use crate::flaws::{p_values, rejected};
-use crate::speed;
 use crate::subjects::{Subject, chain, walking};
 use microwarp::metropolis::{
     Correction, Independence, Mutation, Outcome, Proposal, Ratio, Source, Step, Symmetric,
@@ -12,6 +11,7 @@ use microwarp::metropolis::{
 use microwarp::poly;
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
+use support::speed;
 
 /// A mutation whose ratio is replaced.
 #[derive(Clone, Copy)]

@@ -3,11 +3,11 @@
 use crate::densities::*;
 use crate::evidence::{assert_passes, assert_rejected};
 use crate::runs::FULL;
-use crate::speed;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
 use microwarp::metropolis::{BoxStep, Chain, Mutation, Outcome, Proposal, Step, Symmetric};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
+use support::speed;
 
 /// The p-values of right chains here, computed beside the wrong ones'.
 pub const P_VALUES: usize = 17;
@@ -112,7 +112,7 @@ fn wrong_borders_are_rejected() {
 
 #[test]
 fn targets_that_are_slightly_off_are_rejected() {
-    let times = speed::of("factor on one side, floor", [1.05, 0.003], [1.2, 0.012]);
+    let times = speed::of("factor on one side, floor", [1.2, 0.012], [1.05, 0.003]);
     let shifted = move |x: f32| parabola(x) * if x > 0.5 { times[0] } else { 1.0 };
     let mutation = nine_to_one();
     rejected(&chain(

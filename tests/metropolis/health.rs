@@ -2,11 +2,11 @@
 //! magnitude, far from 0.
 
 use crate::series::{SHAPES, Truth, normal, shaped, unit};
-use crate::speed;
 use crate::stated::{above, assert_stated, below, stated_error};
 use microwarp::metropolis::Health;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::speed;
 
 pub const HEALTH: &str = include_str!("../../src/metropolis/health.rs");
 
@@ -90,7 +90,7 @@ fn autocorrelations_are_right_after_every_push() {
 fn autocorrelations_of_short_runs_have_the_stated_error() {
     let mut rng = Pcg32::new(0x5407, 54);
     let (mut worst, mut of) = (0.0_f64, Vec::new());
-    for turn in 0..speed::of("runs", 2_000_000, 200_000) {
+    for turn in 0..speed::of("runs", 200_000, 2_000_000) {
         let n = 2 + turn % 5;
         let mean = [0.0, 0.5, 2.0, 30.0][turn / 5 % 4];
         let run: Vec<f32> = match turn % 3 {
@@ -229,7 +229,7 @@ fn what_is_no_number_leaves_no_trace() {
 fn no_result_is_out_of_range() {
     let mut rng = Pcg32::new(0x0b17, 54);
     let (mut known, mut times) = (0, 0);
-    let turns = speed::of("runs", 20_000, 4_000);
+    let turns = speed::of("runs", 4_000, 20_000);
     for turn in 0..turns {
         let mut health = Health::<6>::new();
         let n = 1 + turn % 40;

@@ -1,12 +1,12 @@
 //! How many words accept, of integer weights: the exact number, for weights and ratios of any magnitude.
 
 use super::acceptance::Given;
-use super::speed;
 use microwarp::metropolis::{Chain, Chance, Correction, Counts, Outcome, Ratio, Step, Symmetric};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
 use support::generators::Cycle;
+use support::speed;
 
 /// All decision words, and all words of the widest table.
 pub const ALL: u64 = 1 << 32;
@@ -113,7 +113,7 @@ fn symmetric_proposals_are_accepted_by_the_exact_number_of_words() {
         }
     }
     let mut rng = Pcg32::new(1, 1);
-    let rounds = speed::of("rounds", 300_000, 60_000);
+    let rounds = speed::of("rounds", 60_000, 300_000);
     for _ in 0..rounds {
         check(weight(&mut rng), weight(&mut rng));
     }
@@ -151,7 +151,7 @@ fn proposals_with_counts_are_accepted_by_the_exact_number_of_words() {
             }
         }
     }
-    let rounds = speed::of("rounds", 300_000, 60_000);
+    let rounds = speed::of("rounds", 60_000, 300_000);
     for round in 0..rounds {
         // Those of tables of u32, then those of u64 as well.
         let bits = if round % 2 == 0 { 32 } else { 64 };
@@ -180,7 +180,7 @@ fn proposals_with_counts_are_accepted_by_the_exact_number_of_words() {
 fn proposals_with_a_ratio_are_accepted_by_the_exact_number_of_words() {
     let mut rng = Pcg32::new(3, 3);
     let mut seen = [0_u32; 2];
-    let rounds = speed::of("rounds", 300_000, 60_000);
+    let rounds = speed::of("rounds", 60_000, 300_000);
     for round in 0..rounds {
         let (from, to) = (weight(&mut rng), weight(&mut rng));
         // Any bit pattern, or one that makes an acceptance between 2^-40 and 2.

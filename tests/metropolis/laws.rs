@@ -1,10 +1,10 @@
 //! The laws of steps, over every word: as likely as their negatives to the last bit, and distributed as
 //! stated, by exact counts.
 
-use crate::speed::{self, sampled};
 use microwarp::metropolis::{BoxStep, Displacement, ExponentialStep, NormalStep};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::FRAC_1_SQRT_2;
+use support::speed::{self, sampled};
 
 /// The words that differ, as the upper 24 bits of one.
 pub const WORDS: u32 = 1 << 24;
@@ -63,7 +63,7 @@ fn laws() -> Vec<Law> {
 
 #[test]
 fn the_inverted_word_gives_the_negative_step_to_the_bit() {
-    let words = sampled(0..HALF, speed::of("one word of", 1, 127));
+    let words = sampled(0..HALF, speed::of("one word of", 127, 1));
     for Law { name, step } in laws() {
         for high in words.clone() {
             let word = high << 8;
@@ -90,7 +90,7 @@ fn the_low_eight_bits_of_a_word_do_not_matter() {
         exponential::<Libm>(1e-6, 1.0),
         exponential::<Poly>(1e-6, 1.0),
     ];
-    let words = sampled(0..WORDS, speed::of("one word of", 1, 61));
+    let words = sampled(0..WORDS, speed::of("one word of", 61, 1));
     for Law { name, step } in laws {
         for high in words.clone() {
             let word = high << 8;
@@ -110,7 +110,7 @@ fn a_box_step_is_an_odd_multiple_of_its_width() {
     let tiny = f32::from_bits(1);
     let mut widths = vec![1.0, 0.1, 3.0, f32::MAX, f32::MIN_POSITIVE];
     widths.extend((1..40).map(|k| k as f32 * tiny));
-    let words = sampled(0..HALF, speed::of("one word of", 1, 127));
+    let words = sampled(0..HALF, speed::of("one word of", 127, 1));
     for width in widths {
         let law = boxed(width);
         let mut seen = vec![0_u32; HALF as usize / 32];
@@ -166,7 +166,7 @@ fn normal_borders() -> Vec<(f64, f64, f64)> {
 #[test]
 fn normal_steps_are_normal_to_the_word() {
     let borders = normal_borders();
-    let stride = speed::of("one word of", 1, 64);
+    let stride = speed::of("one word of", 64, 1);
     for right in [normal::<Libm>(1.0), normal::<Poly>(1.0)] {
         let most = excess(&right, &borders, stride);
         println!("{}: {most:.2} of what is allowed", right.name);
@@ -207,7 +207,7 @@ fn exponential_borders(smallest: f64, largest: f64) -> Vec<(f64, f64, f64)> {
 
 #[test]
 fn every_tenth_of_a_decade_has_the_same_number_of_words() {
-    let stride = speed::of("one word of", 1, 64);
+    let stride = speed::of("one word of", 64, 1);
     for (smallest, largest) in [(1e-3, 1e-1), (1e-6, 1.0), (1e-12, 1e12)] {
         let borders = exponential_borders(smallest.into(), largest.into());
         for right in [

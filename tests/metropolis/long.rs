@@ -2,12 +2,12 @@
 
 use crate::evidence::{assert_passes, assert_rejected, hotelling};
 use crate::long_record::{Setting, assert_sound};
-use crate::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, LargeSmall, Mixture, Mutation, Proposal, Ratio, Saved, Wrapped,
 };
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
+use support::speed;
 use support::stats;
 
 /// The p-values that are computed in this file: four of the normalisation and two of cells; two of cells.
@@ -17,7 +17,7 @@ pub const P_VALUES: usize = 8;
 const FULL: u64 = 100_000_000;
 
 fn steps() -> u64 {
-    speed::of("steps", FULL, 4_000_000)
+    speed::of("steps", 4_000_000, FULL)
 }
 
 /// How much farther off than in the full form a control has to be, to be seen as well.

@@ -35,7 +35,6 @@ mod runs;
 mod saved;
 mod series;
 mod spectrum;
-mod speed;
 mod start;
 mod start_choice;
 mod start_logs;

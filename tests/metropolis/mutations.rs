@@ -1,7 +1,6 @@
 //! What the constructors of mutations refuse, and that whatever they accept proposes in range: with random
 //! parameters, from any state.
 
-use crate::speed;
 use crate::stated::below;
 use microwarp::Error;
 use microwarp::metropolis::{
@@ -12,6 +11,7 @@ use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::generators::Cycle;
+use support::speed;
 
 const TINY: f32 = f32::from_bits(1);
 
@@ -130,7 +130,7 @@ where
 fn random_parameters<T: Tier>() {
     let mut rng = Pcg32::new(0xa11f, 54);
     let (mut accepted, mut totals) = ([0; 3], [0; 2]);
-    let rounds = speed::of("parameters", 300_000, 60_000);
+    let rounds = speed::of("parameters", 60_000, 300_000);
     for _ in 0..rounds {
         let parameters = [any(&mut rng), any(&mut rng)];
         let [a, b] = parameters;

@@ -2,12 +2,12 @@
 //! from chains that do not.
 
 use crate::series::{SHAPES, normal, shaped};
-use crate::speed;
 use crate::stated::{above, assert_stated, below, stated};
 use microwarp::estimate::Moments;
 use microwarp::metropolis::{Halves, r_hat, split_r_hat};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::speed;
 
 const R_HAT: &str = include_str!("../../src/metropolis/r_hat.rs");
 
@@ -166,7 +166,7 @@ fn r_hat_of_far_magnitudes_is_right_too() {
     assert_eq!(r_hat(constant.iter()), Some(f32::MAX));
     // Results are numbers in range whatever is pushed.
     let mut rng = Pcg32::new(0x4a9, 54);
-    for turn in 0..speed::of("runs", 100_000, 10_000) {
+    for turn in 0..speed::of("runs", 10_000, 100_000) {
         let mut all = [Halves::new(3), Halves::new(1 + turn % 4)];
         for _ in 0..2 + turn % 17 {
             for run in &mut all {

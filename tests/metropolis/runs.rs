@@ -3,9 +3,9 @@
 use crate::densities::Cells;
 use crate::evidence;
 use crate::series::Truth;
-use crate::speed;
 use microwarp::metropolis::{Health, Step};
 use rand_pcg::Pcg32;
+use support::speed;
 use support::stats;
 
 /// How much is run.

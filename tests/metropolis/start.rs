@@ -1,11 +1,11 @@
 //! The start-up bias and its two cures, measured over many short runs of a slow chain.
 
 use crate::evidence::{assert_passes, assert_rejected, p_value_of_mean};
-use crate::speed;
 use crate::start_weights;
 use microwarp::metropolis::{BoxStep, Chain, UniformStep};
 use rand_pcg::Pcg32;
 use std::sync::OnceLock;
+use support::speed;
 
 /// No fewer than the p-values that are computed here; `p_values_are_counted` counts them.
 pub const P_VALUES: usize = 120;
@@ -40,7 +40,7 @@ fn asked(x: f32) -> [f64; 2] {
 const TRUE: [f64; 2] = [8.0 / 9.0, 0.5 + (1.0 / 64.0 - 1.0 / 1024.0) / INTEGRAL];
 
 fn how_many() -> usize {
-    speed::of("runs", 30_000, 8_000)
+    speed::of("runs", 8_000, 30_000)
 }
 
 /// Steps after which a run is looked at.

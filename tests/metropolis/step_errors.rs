@@ -1,14 +1,14 @@
 //! The errors of steps, over every word, against f64.
 
 use crate::laws::{HALF, Law, exponential, normal};
-use crate::speed::{self, sampled};
 use crate::stated::{DISPLACEMENT, assert_stated, stated};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+use support::speed::{self, sampled};
 
 /// The words looked at whose leading bit is 0.
 fn halves() -> Vec<u32> {
-    sampled(0..HALF, speed::of("one word of", 1, 64)).collect()
+    sampled(0..HALF, speed::of("one word of", 64, 1)).collect()
 }
 
 /// Words with the sizes of their normal steps: the quantiles of odd multiples of 2⁻²⁵ up to 1/2, by Newton's method

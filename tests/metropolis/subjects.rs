@@ -3,7 +3,6 @@
 use crate::densities::*;
 use crate::matrices::Neighbour;
 use crate::runs::{FULL, Outcome, Plan, plan, run};
-use crate::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Density, Independence, Mixture, Mutation, OneCoordinate, Step, Subset,
     UniformIndex, UniformStep, Wrapped, primary_density,
@@ -11,6 +10,7 @@ use microwarp::metropolis::{
 use microwarp::{Warp, discrete::Cdf, libm, poly};
 use rand_pcg::Pcg32;
 use std::rc::Rc;
+use support::speed;
 
 type Runner = Box<dyn Fn(&Plan, u64) -> Outcome>;
 

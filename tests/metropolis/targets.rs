@@ -3,9 +3,9 @@
 
 use crate::evidence::{assert_passes, assert_rejected, p_value_of_uniforms};
 use crate::runs::{Outcome, Plan, plan};
-use crate::speed;
 use crate::subjects;
 use std::sync::OnceLock;
+use support::speed;
 
 /// No fewer than the p-values that are computed in this file; `p_values_are_counted` counts them.
 pub const P_VALUES: usize = 80;
@@ -77,7 +77,7 @@ fn autocorrelation_times_agree_with_two_other_ways_to_them() {
     println!("largest |ln ratio| {:.3}", off(1.0));
     assert!(off(1.0) <= allowed);
     // The control: a time twice as large, or three times where batches are fewer.
-    assert!(off(speed::of("times as large", 2.0, 3.0)) > allowed);
+    assert!(off(speed::of("times as large", 3.0, 2.0)) > allowed);
 }
 
 /// The p-values of many seeds are uniform, for batches shorter than those that are judged.
@@ -93,7 +93,7 @@ fn p_values_of_right_chains_are_uniform() {
     let all = subjects::all();
     let subject = all.iter().find(|s| s.name == "parabola, nine to one");
     let subject = subject.unwrap();
-    let seeds = speed::of("seeds", 150, 50);
+    let seeds = speed::of("seeds", 50, 150);
     let runs: Vec<Outcome> = (0..seeds)
         .map(|i| subject.run_by(&short, 9000 + i))
         .collect();

@@ -2,9 +2,9 @@
 
 use crate::health::{HEALTH, pushed};
 use crate::series::{SHAPES, Truth, autoregression, normal, shaped};
-use crate::speed;
 use crate::stated::stated_error;
 use rand_pcg::Pcg32;
+use support::speed;
 use support::stats;
 
 /// No fewer than the p-values that are computed in this file.
@@ -95,7 +95,7 @@ fn time_of<const LAGS: usize>(rho: f64, n: usize, rng: &mut Pcg32) -> Option<f64
 #[test]
 fn the_time_of_an_autoregression_is_that_of_theory() {
     let mut rng = Pcg32::new(0xa401, 54);
-    let n = speed::of("numbers", 1_000_000, 100_000);
+    let n = speed::of("numbers", 100_000, 1_000_000);
     for rho in [0.0, 0.5, 0.9, -0.5] {
         let time = time_of::<256>(rho, n, &mut rng).unwrap();
         assert!(p_value(time, rho, n) >= stats::threshold(TESTS), "{rho}");
@@ -120,7 +120,7 @@ fn the_time_of_an_autoregression_is_that_of_theory() {
 #[test]
 fn a_time_beyond_the_lags_is_none() {
     let mut rng = Pcg32::new(0xbe70, 54);
-    let run: Vec<f32> = autoregression(0.99, speed::of("numbers", 300_000, 60_000), &mut rng)
+    let run: Vec<f32> = autoregression(0.99, speed::of("numbers", 60_000, 300_000), &mut rng)
         .iter()
         .map(|x| *x as f32)
         .collect();

@@ -1,7 +1,6 @@
 //! Walks in the unit cube: as many words lead from each grid point to each other as lead back.
 
 use crate::laws::{HALF, Law, WORDS, boxed, exponential, normal};
-use crate::speed;
 use microwarp::metropolis::{
     BoxStep, Displacement, ExponentialStep, Mutation, NormalStep, Wrapped, wrapping_add,
 };
@@ -9,6 +8,7 @@ use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::{LARGEST, grid_from_word};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::speed;
 
 /// Laws whose steps are below a grid spacing, about one, as long as the line, and many times as long.
 fn laws() -> [Law; 8] {
@@ -69,7 +69,7 @@ fn one_way(counts: &[Vec<u32>]) -> u32 {
 
 #[test]
 fn as_many_words_lead_there_as_back() {
-    let stride = speed::of("one word of", 1, 16);
+    let stride = speed::of("one word of", 16, 1);
     for law in laws() {
         let counts = counts(&law, &places(), stride, wrapping_add);
         let moves = (0..counts.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
@@ -90,7 +90,7 @@ fn as_many_words_lead_there_as_back() {
 /// The whole law: the number of words of each of the 2²⁴ distances is that of its negative.
 #[test]
 fn every_distance_has_the_words_of_its_negative() {
-    let (stride, turns) = speed::of("one word of, random words", (1, 200_000), (32, 20_000));
+    let (stride, turns) = speed::of("one word of, random words", (32, 20_000), (1, 200_000));
     let mut counts = vec![0_u32; WORDS as usize];
     for law in laws() {
         counts.fill(0);

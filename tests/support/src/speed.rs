@@ -10,7 +10,7 @@
 //! Each choice is printed, past the test harness, which keeps to itself what passing tests print.
 
 use std::collections::BTreeSet;
-use std::fmt::Display;
+use std::fmt::Debug;
 use std::io::Write as _;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -52,23 +52,23 @@ pub fn all() -> bool {
 }
 
 /// One of two numbers of samples, strides or the like, by the speed. Says which.
-pub fn of<T: Display>(what: &str, quick: T, full: T) -> T {
+pub fn of<T: Debug>(what: &str, quick: T, full: T) -> T {
     of_three(what, [quick, full], None)
 }
 
 /// Likewise with a number of its own for every word there is.
-pub fn or_all<T: Display>(what: &str, quick: T, full: T, all: T) -> T {
+pub fn or_all<T: Debug>(what: &str, quick: T, full: T, all: T) -> T {
     of_three(what, [quick, full], Some(all))
 }
 
-fn of_three<T: Display>(what: &str, [quick, full]: [T; 2], all: Option<T>) -> T {
+fn of_three<T: Debug>(what: &str, [quick, full]: [T; 2], all: Option<T>) -> T {
     let speed = speed();
     let chosen = match (speed, all) {
         (Speed::Quick, _) => quick,
         (Speed::All, Some(all)) => all,
         _ => full,
     };
-    say(&format!("{speed:?} speed: {what}: {chosen}"));
+    say(&format!("{speed:?} speed: {what}: {chosen:?}"));
     chosen
 }
 
@@ -83,6 +83,17 @@ pub fn blocks(what: &str, count: u32, quick: usize) -> impl Iterator<Item = Rang
     starts.map(move |block| 256 * block..(256 * (block + 1)).min(count))
 }
 
+/// How many numbers at either end of a range are never left out.
+const EDGE: u32 = 4096;
+
+/// One of every `stride` numbers of a range, and all that are near its ends.
+pub fn sampled(range: Range<u32>, stride: u32) -> impl Iterator<Item = u32> + Clone {
+    let inner = range.start + EDGE..range.end - EDGE;
+    let edges = [range.start..inner.start, inner.end..range.end];
+    let [first, last] = edges;
+    first.chain(inner.step_by(stride as usize)).chain(last)
+}
+
 /// Prints a line once.
 fn say(line: &str) {
     static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
@@ -95,7 +106,7 @@ fn say(line: &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::Speed;
+    use super::{Speed, sampled};
 
     #[test]
     fn the_switch_is_read() {
@@ -104,5 +115,14 @@ mod tests {
         assert_eq!(Speed::parse(Some("all")), Speed::All);
         assert!(Speed::Quick < Speed::Full && Speed::Full < Speed::All);
         assert!(std::panic::catch_unwind(|| Speed::parse(Some("yes"))).is_err());
+    }
+
+    #[test]
+    fn a_stride_of_1_leaves_nothing_out() {
+        assert!(sampled(5..100_000, 1).eq(5..100_000));
+        let some: Vec<u32> = sampled(5..100_000, 64).collect();
+        assert_eq!((some[0], some[some.len() - 1]), (5, 99_999));
+        assert!(some.is_sorted() && some.len() < 10_000);
+        assert!(some.windows(2).all(|w| w[0] < w[1] && w[1] <= w[0] + 64));
     }
 }
