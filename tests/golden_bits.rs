@@ -225,8 +225,9 @@ fn nothing_public_is_without_golden_bits() {
     );
     let integer_files = ["fixed", "fixed_warps", "integers"];
     let golden = integer_files.map(|file| code(&format!("tests/golden/src/{file}.rs")));
-    let fixed = code("src/fixed.rs");
-    let names = public(&fixed, &all);
+    let (fixed, inside) = (code("src/fixed.rs"), code("src/fixed"));
+    let mut names = public(&fixed, &all);
+    names.extend(warps(&inside));
     assert!(names.len() > 15, "{} names are seen", names.len());
     assert!(missing(&names, &identifiers(&golden.concat())).is_empty());
 }

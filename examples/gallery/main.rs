@@ -1,7 +1,7 @@
 //! The gallery: draws every warp in both tiers, checks the samples against the density and against
 //! exact values, and prints a table. `cargo run --release --example gallery -- --help`
 //!
-//! What is drawn is one list, `list.rs`; what it should be is `tests/catalogue`. Here lives the order of
+//! What is drawn and what it should be is the registry in `tests/support`. Here lives the order of
 //! the work.
 
 mod area;

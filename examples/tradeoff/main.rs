@@ -1,7 +1,7 @@
 //! What each tier gives and what it costs, on every target, beside the peers.
 //! `cargo run --release --example tradeoff -- --help`
 //!
-//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in `tests/catalogue`. Here
+//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in the registry of `tests/support`. Here
 //! lives the order of the work.
 
 mod advice;

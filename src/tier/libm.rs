@@ -36,7 +36,7 @@ use super::{Tier, normal, power, turns};
 /// | `normal_quantile_lower` | 2⁻²⁴ ≤ p ≤ 1/2 | 2.4 | 5.3e-7 | 2.4e-7 |
 /// | `normal_quantile_lower` | 0 < p ≤ 1/2 | 2.5 | 1.8e-6 | 2.4e-7 |
 ///
-/// The errors are the largest that `tests/tier.rs` meets: over every input of the 2⁻²⁴ grid where the
+/// The errors are the largest that `tests/tier` meets: over every input of the 2⁻²⁴ grid where the
 /// domain is within the unit interval, elsewhere over a dense sample of every binade. Where a result is
 /// subnormal an ulp is the spacing of the subnormals; a dash stands for a figure that says nothing there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

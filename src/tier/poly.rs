@@ -1,7 +1,7 @@
 //! The polynomial tier: `f32` arithmetic only, in a fixed order of exactly rounded operations.
 //!
 //! Here stand the tier and what it states; the functions are in the modules below and in those that
-//! both tiers share, and every coefficient in them is derived by `tests/derivation.rs`.
+//! both tiers share, and every coefficient in them is derived by `tests/derivation`.
 
 mod exp;
 mod log;
@@ -38,7 +38,7 @@ use super::{Tier, normal, power};
 /// | `normal_quantile_lower` | 2⁻²⁴ ≤ p ≤ 1/2 | 2.4 | 5.5e-7 | 2.4e-7 |
 /// | `normal_quantile_lower` | 0 < p ≤ 1/2 | 2.5 | 1.8e-6 | 2.4e-7 |
 ///
-/// The errors are the largest that `tests/tier.rs` meets: over every input of the 2⁻²⁴ grid where the
+/// The errors are the largest that `tests/tier` meets: over every input of the 2⁻²⁴ grid where the
 /// domain is within the unit interval, elsewhere over a dense sample of every binade. Where a result is
 /// subnormal an ulp is the spacing of the subnormals; a dash stands for a figure that says nothing there.
 ///

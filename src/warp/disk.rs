@@ -9,7 +9,7 @@ use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
 /// The largest radius either map uses, one step below 1: far enough inside that the rounding of sine,
-/// cosine and the products carries no point over the rim (`tests/laws.rs` walks all of it).
+/// cosine and the products carries no point over the rim (`tests/laws` walks all of it).
 const RIM: f32 = LARGEST;
 
 /// Uniform on the unit disk, by polar coordinates.

@@ -1,7 +1,7 @@
 //! What each warp should do, in `f64`, written from the definitions and not from the crate's code.
 //!
 //! Formulas here are the textbook ones wherever doubles bear them; where even doubles would cancel
-//! (cones of 1e-7 rad), they are written in the complementary quantity. `tests/laws.rs` checks every
+//! (cones of 1e-7 rad), they are written in the complementary quantity. `tests/laws` checks every
 //! truth against itself: that its density is the derivative of its map, and its inverse the inverse.
 
 mod directions;

@@ -128,8 +128,15 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("g=-0.5", &[-0.5])
             .case("g=0", &[0.0])
             .case("g=0.999", &[0.999])
-            .case("g=1-2^-24", &[0.999_999_94])
-            .case("g=2^-24-1", &[-0.999_999_94])
+            // Moments rest on directions far from the peak, too rare for any number of samples.
+            .case_with("g=1-2^-24", &[0.999_999_94], |mut e| {
+                e.resolved = false;
+                e
+            })
+            .case_with("g=2^-24-1", &[-0.999_999_94], |mut e| {
+                e.resolved = false;
+                e
+            })
             .seed(&[0.8]).seed(&[-0.5]).seed(&[0.3]).seed(&[1e-3]).seed(&[-1e-8]).seed(&[0.999_999_94]).seed(&[-0.999_999_94])
             .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange),
         Registered::new("Cone", "from_angle", &[Within(0.0, PI_32)], |p| {

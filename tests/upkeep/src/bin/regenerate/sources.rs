@@ -1,6 +1,7 @@
 //! Where figures come from: what was counted, measured, linked and stated. Each is looked up by name, and one that is
 //! not there is an error.
 
+use microwarp_golden::{FLOAT_WARPS, GRADED_WARPS, Listed, PLAIN_WARPS};
 use microwarp_upkeep::{Outcome, read, root};
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
@@ -200,12 +201,27 @@ fn is(line: &str, item: &str) -> bool {
     rest.is_some_and(|rest| rest.split(['<', '(', ' ', ';', ':']).next() == Some(item))
 }
 
-/// The names of the kernels: string literals with which lines of the registry of benches/cores begin.
+/// The names of the kernels: those of the warps in the lists for cores, each in its tiers and drawn, and the string
+/// literals with which lines of benches/cores begin.
 fn kernels() -> BTreeSet<String> {
     let mut code = Vec::new();
     all_code(&root().join("benches/cores/src/kernels"), &mut code);
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     let mut names = BTreeSet::new();
+    let lists: [(&[Listed], &[&str]); 3] = [
+        (FLOAT_WARPS, &["poly_", "libm_"]),
+        (GRADED_WARPS, &["fine_", "coarse_", "compact_"]),
+        (PLAIN_WARPS, &[""]),
+    ];
+    for (warps, tiers) in lists {
+        for (kernel, tier) in warps
+            .iter()
+            .flat_map(|w| w.kernels)
+            .flat_map(|k| tiers.iter().map(move |t| (k, t)))
+        {
+            names.extend([format!("{tier}{kernel}"), format!("{tier}{kernel}_pcg32")]);
+        }
+    }
     for line in code.iter().flat_map(|text| text.lines()) {
         let mut rest = line.trim_start();
         while let Some((name, after)) = rest.strip_prefix('"').and_then(|r| r.split_once('"')) {
