@@ -5,7 +5,7 @@
     reason = "nothing overflows, which builds with overflow checks show"
 )]
 
-use super::hastings::{Hastings, Stated as _};
+use super::hastings::{Correction, Hastings, Stated as _};
 use super::rule::steps;
 use super::weight::{Standing, Weighing as _};
 use super::{Chain, Counts, Mutation, Outcome, Step};
@@ -65,8 +65,8 @@ impl Chance {
 
     /// The rule: min(1, f′T′/(fT)), of a proposal of weight f′ by a chain at a state of weight f, both positive.
     #[inline]
-    const fn acceptance(f: u32, f_new: u32, ratio: Hastings) -> Self {
-        match ratio {
+    fn acceptance(f: u32, f_new: u32, ratio: impl Correction) -> Self {
+        match ratio.hastings() {
             Hastings::One => Self::of(f_new as u64, f as u64),
             Hastings::Counts(counts) => Self::of_counts(f, f_new, counts),
             Hastings::Ratio(ratio) => Self::of_apart(f, f_new, ratio.value),
@@ -158,7 +158,7 @@ impl<X: Copy> Chain<X, u32> {
         let proposal = mutation.try_propose(self.state(), rng)?;
         let word = rng.try_next_u32()?;
         let weight = target(proposal.state);
-        let ratio = proposal.correction.hastings();
+        let ratio = proposal.correction;
         let (a, outcome) = match weight.standing().and(ratio.standing()) {
             Standing::Positive => match Chance::acceptance(self.density(), weight, ratio) {
                 a if a.accepts(word) => (a, Outcome::Accepted),

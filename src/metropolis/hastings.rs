@@ -12,32 +12,15 @@ pub enum Hastings {
     Ratio(Ratio),
 }
 
-impl Hastings {
-    /// Whether there is a way there and back.
-    #[inline]
-    pub(super) const fn standing(self) -> Standing {
-        match self {
-            Self::One => Standing::Positive,
-            Self::Counts(counts) => counts.standing(),
-            Self::Ratio(ratio) => ratio.standing,
-        }
-    }
-
-    /// A positive ratio in floating point; nothing where it is 1 for every proposal.
-    #[inline]
-    pub(super) fn value(self) -> Option<Scaled> {
-        match self {
-            Self::One => None,
-            Self::Counts(counts) => Some(counts.quotient()),
-            Self::Ratio(ratio) => Some(ratio.value),
-        }
-    }
-}
-
 mod sealed {
-    use super::Hastings;
+    use super::{Hastings, Scaled, Standing};
 
     pub trait Stated: Copy {
+        /// Whether there is a way there and back.
+        fn standing(self) -> Standing;
+        /// A positive ratio in floating point; nothing where it is 1 for every proposal, which the type says, so that a
+        /// chain of such mutations links no ratio.
+        fn value(self) -> Option<Scaled>;
         fn hastings(self) -> Hastings;
         /// Only mixtures call this, and their parts never state more than this type can hold.
         fn of(ratio: Hastings) -> Self;
@@ -61,6 +44,16 @@ pub struct Symmetric;
 
 impl Stated for Symmetric {
     #[inline]
+    fn standing(self) -> Standing {
+        Standing::Positive
+    }
+
+    #[inline]
+    fn value(self) -> Option<Scaled> {
+        None
+    }
+
+    #[inline]
     fn hastings(self) -> Hastings {
         Hastings::One
     }
@@ -77,6 +70,16 @@ impl Correction for Symmetric {
 }
 
 impl Stated for Counts {
+    #[inline]
+    fn standing(self) -> Standing {
+        self.way()
+    }
+
+    #[inline]
+    fn value(self) -> Option<Scaled> {
+        Some(self.quotient())
+    }
+
     #[inline]
     fn hastings(self) -> Hastings {
         Hastings::Counts(self)
@@ -97,6 +100,16 @@ impl Correction for Counts {
 }
 
 impl Stated for Ratio {
+    #[inline]
+    fn standing(self) -> Standing {
+        self.standing
+    }
+
+    #[inline]
+    fn value(self) -> Option<Scaled> {
+        Some(self.value)
+    }
+
     #[inline]
     fn hastings(self) -> Hastings {
         Hastings::Ratio(self)

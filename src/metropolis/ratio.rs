@@ -85,7 +85,7 @@ impl Ratio {
     #[inline]
     pub fn from_counts(forward: u128, backward: u128) -> Self {
         let counts = Counts::new(forward, backward);
-        match counts.standing() {
+        match counts.way() {
             Standing::Positive => Self::positive(counts.quotient()),
             standing => Self::without_value(standing),
         }
@@ -161,7 +161,7 @@ impl Counts {
 
     /// Zero where there is no way back, and unsound where there was no way to the proposal.
     #[inline]
-    pub(super) const fn standing(self) -> Standing {
+    pub(super) const fn way(self) -> Standing {
         match (self.forward, self.backward) {
             (0, _) => Standing::Unsound,
             (_, 0) => Standing::Zero,

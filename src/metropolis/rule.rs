@@ -1,7 +1,7 @@
 //! The rule of Metropolis and Hastings, for a chain of densities, and the ways to take a step.
 
 use super::density::Density;
-use super::hastings::{Hastings, Stated as _};
+use super::hastings::{Correction, Stated as _};
 use super::weight::{Standing, Weight};
 use super::{Chain, Mutation, Outcome, Proposal, Step};
 use crate::num::happens;
@@ -11,7 +11,7 @@ use rand_core::{Rng, TryRng};
 
 /// The rule: min(1, f′T′/(fT)), of a proposal of density f′ by a chain at a state of density f, both positive.
 #[inline]
-fn acceptance<D: Density>(f: D, f_new: D, ratio: Hastings) -> f32 {
+fn acceptance<D: Density>(f: D, f_new: D, ratio: impl Correction) -> f32 {
     let product = match ratio.value() {
         // T′ = T. The quotient of a smaller number by a larger one cannot overflow.
         None if f.exceeds(f_new) => return f_new.over(f),
@@ -34,7 +34,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         let proposal = mutation.try_propose(self.state(), rng)?;
         let word = rng.try_next_u32()?;
         let density = target(proposal.state);
-        let ratio = proposal.correction.hastings();
+        let ratio = proposal.correction;
         let (a, outcome) = match density.standing().and(ratio.standing()) {
             Standing::Positive => match acceptance(self.density(), density, ratio) {
                 a if happens(a, word) => (a, Outcome::Accepted),
