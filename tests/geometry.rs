@@ -1,8 +1,8 @@
 //! Frames and spherical coordinates: no singular normal, no singular point, and the errors they state.
 
 use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::warp::Spherical;
-use microwarp::{Frame, uniform};
+use microwarp::warp::{Cone, Spherical};
+use microwarp::{Frame, Oriented, Warp, uniform};
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
 use support::errors::raise;
@@ -311,4 +311,30 @@ fn poles_and_origin_have_coordinates() {
     let far = of([f32::MAX, f32::MAX, f32::MAX]);
     assert_eq!(far.radius(), f32::MAX);
     assert!(far.volume_jacobian() == f32::MAX);
+}
+
+/// Up to 3e-7 rad beyond where a cone ends, its turned copy has its density, and a little farther there is none.
+#[test]
+fn the_rim_of_a_turned_cone_is_as_wide_as_stated() {
+    for k in [0.1, 0.4, 0.6, 2.0 / 3.0, 0.7, 0.9, 1.0, 1.5_f32] {
+        let cone = Cone::<Poly>::from_one_minus_cos(k).unwrap();
+        let rim = (1.0 - f64::from(k)).acos();
+        for normal in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.3, -0.9, -0.4]] {
+            let turned_cone = Oriented::new(cone, Frame::new(normal).unwrap());
+            for azimuth in 0..100 {
+                let (sin, cos) = (f64::from(azimuth) / 100.0 * TAU).sin_cos();
+                let local = |beyond: f64| {
+                    let (radius, z) = (rim + beyond).sin_cos();
+                    [radius * cos, radius * sin, z]
+                };
+                let density =
+                    |beyond| turned_cone.pdf(turned(local(beyond), normal).map(|x| x as f32));
+                let steps = (0..100).map(|n| 2e-8 * f64::from(n));
+                let within = |beyond: &f64| cone.pdf(local(*beyond).map(|x| x as f32)) > 0.0;
+                let end = steps.take_while(within).last().unwrap();
+                assert!(density(end + 1e-7) == density(-1e-3), "{k} {normal:?}");
+                assert!(density(end + 1e-6) == 0.0, "{k} {normal:?}");
+            }
+        }
+    }
 }

@@ -6,7 +6,7 @@
 
 use ::fixed::types::extra::U30;
 use ::fixed::types::{I2F30, U0F32};
-use microwarp::uniform::{Strata1d, Uniforms, grid_from_word};
+use microwarp::uniform::{Strata1d, Uniforms, deep_from_word, grid_from_word};
 use microwarp::{Inversion, Warp, fixed, libm, poly};
 use support::generators::Cycle;
 
@@ -238,6 +238,16 @@ fn compositions_draw_as_what_they_are_made_of() {
     // Which the grid's uniforms would not have been.
     assert!(normal.sample(0.0) != normal.sample_words(0));
     assert!(malley.sample([0.0; 2]) != malley.sample_words([0; 2]));
+}
+
+/// One word reaches as deep as it can into a tail that a draw takes two for.
+#[test]
+fn a_tail_of_one_word_ends_at_the_deepest_uniform() {
+    let tail = poly::ExponentialTail::new(2.0).unwrap();
+    for word in [0, 1, 255, 0x7fff_ffff, 0x8000_0000, 0x1234_5678, !0] {
+        assert_eq!(tail.sample_words(word), tail.sample(deep_from_word(word)));
+    }
+    assert!((2.0 * tail.sample_words(0) - 22.873_9).abs() < 1e-3);
 }
 
 /// A draw in the first of many strata: the moments of a normal deviate in the tail that it covers.

@@ -1,7 +1,7 @@
 //! Canonical uniforms: every value of a grid is reachable and equally likely, and nothing leaves [0, 1).
 
 use microwarp::uniform::{
-    LARGEST, SMALLEST, Uniforms, full_from_words, grid_from_word, open_from_word,
+    LARGEST, SMALLEST, Uniforms, deep_from_word, full_from_words, grid_from_word, open_from_word,
 };
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
@@ -37,6 +37,24 @@ fn each_value_of_the_open_grid_comes_from_512_words() {
         assert!(f64::from(open_from_word(word)) == exact, "{word:#x}");
     });
     assert!(open_from_word(0) > 0.0 && open_from_word(u32::MAX) < 1.0);
+}
+
+#[test]
+fn the_deep_grid_has_the_middles_of_words_near_0_and_of_cells_above() {
+    let check = |word: u32| {
+        let middle =
+            |bits: u32| (f64::from(word >> bits) + 0.5) / f64::from(1_u32 << (31 - bits)) / 2.0;
+        let exact = middle(if word < 1 << 23 { 0 } else { 9 });
+        assert!(f64::from(deep_from_word(word)) == exact, "{word:#x}");
+    };
+    let mut rng = Pcg32::new(23, 54);
+    for _ in 0..100_000 {
+        let word = rng.next_u32();
+        check(word >> (word % 32));
+    }
+    for word in [0, 1, (1 << 23) - 1, 1 << 23, (1 << 23) + 511, u32::MAX] {
+        check(word);
+    }
 }
 
 /// The 64-bit fraction truncated to 24 significant bits, in integers alone.

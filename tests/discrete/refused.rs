@@ -2,7 +2,8 @@
 
 use crate::cases::wild;
 use microwarp::Error::{
-    AllZero, NegativeWeight, NoWeights, NotATable, NotFiniteWeight, TooManyWeights, Unreachable,
+    self, AllZero, NegativeWeight, NoWeights, NotATable, NotFiniteWeight, TooManyWeights,
+    Unreachable,
 };
 use microwarp::discrete::{Alias, AliasEntry, Cdf, MAX_ENTRIES, select_once};
 use rand_pcg::Pcg32;
@@ -176,4 +177,31 @@ fn any_uniform_selects_an_entry_of_positive_weight() {
             }
         }
     }
+}
+
+/// What an error prints names the weight, and no two print the same.
+#[test]
+fn every_error_says_which_it_is() {
+    let plain = [
+        Error::NotFinite,
+        Error::Reversed,
+        Error::Empty,
+        Error::TooLarge,
+        Error::NotPositive,
+        Error::Negative,
+        Error::OutOfRange,
+        Error::NotNormalizable,
+        Error::ZeroLength,
+        NoWeights,
+        TooManyWeights,
+        AllZero,
+        NotATable,
+    ];
+    let indexed = [NotFiniteWeight(17), NegativeWeight(17), Unreachable(17)];
+    assert!(indexed.iter().all(|e| e.to_string().contains("17")));
+    let mut texts = Vec::from_iter(plain.iter().chain(&indexed).map(Error::to_string));
+    assert!(texts.iter().all(|text| text.len() > 10), "{texts:?}");
+    texts.sort();
+    texts.dedup();
+    assert_eq!(texts.len(), plain.len() + indexed.len());
 }

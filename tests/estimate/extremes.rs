@@ -160,7 +160,7 @@ fn probabilities_outside_their_range_are_refused() {
     for p in [1e-45, 1e-10, 0.5, 0.999_999_94] {
         assert!(integral.chebyshev_bound(p).unwrap().is_finite());
         let bound = integral.normal_bound::<Libm>(p).unwrap();
-        assert!(bound.is_finite() && bound >= 0.0);
+        assert!(bound.is_finite() && bound >= 0.0 && bound.is_sign_positive());
     }
     let mut large = Integral::new();
     large.push(f32::MAX, 1.0);
@@ -234,4 +234,29 @@ fn the_standard_error_of_a_ratio_reaches_as_far_down_as_stated() {
             assert_eq!(off.abs() <= 1e-6, reached, "{far:e}: {off:e}");
         }
     }
+}
+
+/// Far from 0, where what is measured from any other centre would lose the scatter.
+#[test]
+fn merging_with_nothing_changes_no_bit() {
+    let (mut moments, mut ratio) = (Moments::new(), Ratio::new());
+    for k in 0..1000 {
+        let x = 16_777_000.0 + (k % 7) as f32;
+        moments.push(x);
+        ratio.push(x, 1.0 + (k % 3) as f32);
+    }
+    let mut weightless = Ratio::new();
+    weightless.push(5.0, 0.0);
+    let (mut left, mut right) = (moments, Moments::new());
+    left.merge(&Moments::new());
+    right.merge(&moments);
+    assert_eq!((left, right), (moments, moments));
+    let (mut left, mut right) = (ratio, weightless);
+    left.merge(&weightless);
+    right.merge(&ratio);
+    let figures = |r: Ratio| (r.estimate(), r.standard_error().map(|e| (e * 1e5).round()));
+    assert_eq!(
+        (figures(left), figures(right)),
+        (figures(ratio), figures(ratio))
+    );
 }

@@ -2,10 +2,11 @@
 //! shares of the points of a small triangle far off that are right to the rounding of their cells.
 
 use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::warp::{SphericalPatch, TriangleOn};
+use microwarp::warp::{Cone, SphericalPatch, Tent, TriangleOn};
 use microwarp::{Warp, uniform};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use std::f64::consts::PI;
 use support::truth::{OnTriangle, Truth};
 
 /// 2 to a power between two ends, of either sign.
@@ -194,4 +195,30 @@ fn a_small_triangle_far_off_is_flat() {
         v,
     );
     assert!(plain > 5e-3, "the plain form passes: {plain:.1e}");
+}
+
+fn an_angle_has_its_density<T: Tier>() {
+    for k in 1..=10_000_u16 {
+        let angle = 1.2 * f32::from(k) / 1e4;
+        let density = Cone::<T>::from_angle(angle).unwrap().pdf([0.0, 0.0, 1.0]);
+        let solid_angle = 4.0 * PI * (f64::from(angle) / 2.0).sin().powi(2);
+        let error = (f64::from(density) * solid_angle - 1.0).abs();
+        // What the warp states of every cone.
+        assert!(error <= 3.0e-7, "{angle}: {error}");
+    }
+}
+
+#[test]
+fn a_cone_of_any_angle_has_the_density_of_its_solid_angle() {
+    an_angle_has_its_density::<Libm>();
+    an_angle_has_its_density::<Poly>();
+}
+
+#[test]
+fn a_tent_has_no_density_at_its_ends() {
+    for radius in [1e-30, 0.1, 1.0, 1e30] {
+        let tent = Tent::new(radius).unwrap();
+        assert_eq!([-radius, radius].map(|x| tent.pdf(x)), [0.0; 2]);
+        assert!(tent.pdf(radius.next_down()) > 0.0);
+    }
 }

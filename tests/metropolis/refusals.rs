@@ -2,7 +2,9 @@
 
 use super::acceptance::{Given, positive, step};
 use microwarp::Error;
-use microwarp::metropolis::{Chain, Correction, LogDensity, Mixture, Outcome, Ratio, Symmetric};
+use microwarp::metropolis::{
+    Chain, Correction, Counts, LogDensity, Mixture, Outcome, Ratio, Source, Symmetric, UniformIndex,
+};
 use microwarp::tier::{Libm, Poly};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -186,5 +188,17 @@ fn a_mixture_refuses_what_its_parts_refuse() {
             (step.outcome, step.acceptance, step.kind),
             (outcome, acceptance, 1)
         );
+    }
+}
+
+#[test]
+fn an_index_out_of_range_has_no_probability() {
+    let any = UniformIndex::new(5).unwrap();
+    for state in 0..8 {
+        let inside = state < 5;
+        assert_eq!(any.pdf_of_state(state), if inside { 0.2 } else { 0.0 });
+        let count = inside.into();
+        assert_eq!(any.ratio_of_states(4, state), Counts::new(count, 1));
+        assert_eq!(any.ratio_of_states(state, 0), Counts::new(1, count));
     }
 }

@@ -231,6 +231,8 @@ fn a_table_of_512_cells_is_a_constant() {
     let rows = heapless::Vec::<u32, 20>::from_slice(marginal).unwrap();
     let cells = heapless::Vec::<u32, 512>::from_slice(conditional).unwrap();
     let bounded = PiecewiseConstant2d::from_words(rows, cells, [0.0, 2.0], [0.0, 1.0]).unwrap();
+    let words = [0x1234_5678, 0x9abc_def0];
+    assert_eq!(TABLE.sample_words(words), draw(&TABLE, &words));
     let mut lit = 0;
     for k in 0..100_000_u32 {
         let words = [k.wrapping_mul(0x9e37_79b9), k.wrapping_mul(0x85eb_ca6b)];
