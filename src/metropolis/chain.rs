@@ -7,13 +7,13 @@ use crate::error::Error;
 ///
 /// At x, a mutation proposes x′, and with probability a = min(1, f(x′)T(x′→x)/(f(x)T(x→x′))) the chain goes
 /// there; otherwise it stays, to the last bit. The target f and the mutation are handed to each step: the
-/// chain itself is a plain value: one state, one density, three counts of 64 bits and one of 32. A [`Step`]
+/// chain itself is a plain value: one state, one density, three counts of 64 bits and one of 32. A [`Step`](super::Step)
 /// has two states and two densities.
 ///
 /// | bytes, of states that are | `f32` | `[f32; 2]` | `[f32; 32]` | `usize` of 64 bits |
 /// |---|--:|--:|--:|--:|
 /// | [`Chain`], [`Saved`] | 40 | 40 | 160 | 40 |
-/// | [`Step`] | 28 | 36 | 276 | 40 |
+/// | [`Step`](super::Step) | 28 | 36 | 276 | 40 |
 /// | of integer weights | 40 | 48 | 288 | 48 |
 ///
 /// - States: any `Copy` type: an index, a point of ℝᴰ, the uniforms of a warp.
@@ -23,7 +23,7 @@ use crate::error::Error;
 /// - Words (`u32`) a step: those of the mutation and one more, which is drawn whether it decides or not.
 /// - Error of the acceptance: half an ulp at a symmetric mutation, 2 ulp at one with a
 ///   [`Ratio`](super::Ratio); of logarithms, see [`LogDensity`](super::LogDensity). It is realised in steps
-///   of 2⁻³², to the nearest: a proposal of an acceptance below 2⁻³³ is never taken. (In [`Step::recorded`] it
+///   of 2⁻³², to the nearest: a proposal of an acceptance below 2⁻³³ is never taken. (In [`Step::recorded`](super::Step::recorded) it
 ///   counts all the same.)
 /// - A proposal whose density is NaN, infinite or negative is never accepted; it counts in
 ///   [`Chain::refused`].

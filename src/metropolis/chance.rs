@@ -67,7 +67,7 @@ impl Chance {
     #[inline]
     fn acceptance(f: u32, f_new: u32, ratio: impl Correction) -> Self {
         match ratio.hastings() {
-            Hastings::One => Self::of(f_new as u64, f as u64),
+            Hastings::One => Self::of(f_new.into(), f.into()),
             Hastings::Counts(counts) => Self::of_counts(f, f_new, counts),
             Hastings::Ratio(ratio) => Self::of_apart(f, f_new, ratio.value),
         }
@@ -168,7 +168,7 @@ impl<X: Copy> Chain<X, u32> {
             Standing::Zero => (Chance::NEVER, Outcome::Rejected),
             Standing::Unsound => (Chance::NEVER, Outcome::Refused),
         };
-        Ok(self.take(proposal, weight, a, outcome))
+        Ok(self.take(&proposal, weight, a, outcome))
     }
 }
 

@@ -44,7 +44,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
             Standing::Zero => (0.0, Outcome::Rejected),
             Standing::Unsound => (0.0, Outcome::Refused),
         };
-        Ok(self.take(proposal, density, a, outcome))
+        Ok(self.take(&proposal, density, a, outcome))
     }
 }
 
@@ -61,7 +61,7 @@ impl<X: Copy, D: Weight> Chain<X, D> {
     #[inline]
     pub(super) fn take<C, A>(
         &mut self,
-        proposal: Proposal<X, C>,
+        proposal: &Proposal<X, C>,
         density: D,
         acceptance: A,
         outcome: Outcome,

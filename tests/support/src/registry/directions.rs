@@ -8,8 +8,11 @@ use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
 use microwarp::{Frame, Warp};
-use std::f32::{INFINITY as INF, NAN, consts::PI as PI_32};
+use std::f32::consts::PI as PI_32;
 use std::f64::consts::{FRAC_PI_2, PI};
+
+const NAN: f32 = f32::NAN;
+const INF: f32 = f32::INFINITY;
 
 const TINY: f32 = 1.0e-45;
 

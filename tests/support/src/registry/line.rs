@@ -8,7 +8,9 @@ use microwarp::Error::{self, *};
 use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
-use std::f32::{INFINITY as INF, NAN};
+
+const NAN: f32 = f32::NAN;
+const INF: f32 = f32::INFINITY;
 
 const TINY: f32 = 1.0e-45;
 

@@ -8,7 +8,8 @@ use microwarp::Error::{self, *};
 use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
-use std::f32::NAN;
+
+const NAN: f32 = f32::NAN;
 
 fn on_disk<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
 where
