@@ -19,7 +19,7 @@ type Density = fn(&dyn Erased, Point) -> f32;
 
 /// How wrong most controls are: 1 % where all samples are drawn.
 static SLIGHT: LazyLock<f64> =
-    LazyLock::new(|| speed::of("part by which the controls are wrong", 0.05, 0.01));
+    LazyLock::new(|| speed::of("part by which the controls are wrong", 0.065, 0.01));
 
 /// An entry's warp with its map or its density replaced by a wrong one.
 struct Wrong {

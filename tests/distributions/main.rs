@@ -22,7 +22,7 @@ use support::{registry::Entry, speed, stats};
 
 /// Samples for each entry, unless `f32` resolves it too coarsely for so many.
 static SAMPLES: LazyLock<usize> =
-    LazyLock::new(|| speed::of("samples of each warp", 400_000, 10_000_000));
+    LazyLock::new(|| speed::of("samples of each warp", 250_000, 10_000_000));
 
 /// The seed of an entry's run: fixed, and another one for every entry.
 fn seed(index: usize) -> u64 {

@@ -22,7 +22,7 @@ fn keeps_its_budget(sampler: &impl Rejection<Point = f32>, curve: Curve, budget:
     assert_eq!(sampler.budget(), budget);
     let mut rng = Counting::new(Pcg32::new(1, 1));
     let mut counts = [0; 3];
-    let draws = speed::of("draws of each budget", 200_000, 1_000_000);
+    let draws = speed::of("draws of each budget", 100_000, 1_000_000);
     for _ in 0..draws {
         let before = rng.words;
         let tries = sampler.draw(&mut rng).unwrap().tries;
