@@ -20,7 +20,7 @@ Draws every warp of microwarp in both tiers, checks the samples against the dens
     --help         this text
 
 The exit code is 1 if a p-value is below 1e-9, if a sample lies where the density is 0, or if a warp of
-the catalogue has no picture; it is 2 for arguments that make no sense.";
+the registry has no picture; it is 2 for arguments that make no sense.";
 
 pub struct Args {
     pub seed: u64,

@@ -21,7 +21,7 @@ use std::time::Instant;
 use support::registry::Entry;
 use support::registry::picture::{Picture, View};
 
-/// The tier of the contact sheet, by its place in the catalogue's order.
+/// The tier of the contact sheet, by its place in the registry's order.
 const SHEET_TIER: usize = 1;
 
 /// A picture and what the registry knows of it in each tier; nothing for strata.

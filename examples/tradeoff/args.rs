@@ -21,7 +21,7 @@ libm, and draws error against cost on the host, on two microcontrollers and in W
     --help         this text
 
 The exit code is 1 if an error exceeds its documented bound, if samples do not follow their distribution, if a
-sampler of the tests' catalogue is missing, or if a map that is wrong on purpose passes; it is 2 for arguments that
+sampler of the registry is missing, or if a map that is wrong on purpose passes; it is 2 for arguments that
 make no sense.";
 
 pub struct Args {

@@ -211,7 +211,7 @@ pub struct Sampler {
     /// What it is called in `benches/cores/costs.csv`, and how many calls are a sample.
     pub kernel: String,
     pub calls: f64,
-    /// What the tests' catalogue knows of it.
+    /// What the registry knows of it.
     pub entry: Option<Arc<Entry>>,
 }
 

@@ -5,9 +5,12 @@ use crate::uniform::Uniforms;
 use rand_core::TryRng;
 
 /// [`Warp::try_fill`] of a warp whose `try_draw` is the one provided. Where the condition fails, points are drawn one
-/// by one: a tier whose functions no compiler turns into vectors gains nothing.
+/// by one: a tier whose functions no compiler turns into vectors gains nothing. `by` names another way to fill blocks.
 macro_rules! filled_in_blocks {
     ($(where $vectors:expr)?) => {
+        $crate::warp::filled_in_blocks!(by $crate::warp::fill::in_blocks $(, where $vectors)?);
+    };
+    (by $in_blocks:path $(, where $vectors:expr)?) => {
         #[inline]
         fn try_fill<R: rand_core::TryRng + ?Sized>(
             &self,
@@ -17,7 +20,7 @@ macro_rules! filled_in_blocks {
             $(if !$vectors {
                 return $crate::warp::one_by_one(self, rng, points);
             })?
-            $crate::warp::fill::in_blocks(self, rng, points)
+            $in_blocks(self, rng, points)
         }
     };
 }

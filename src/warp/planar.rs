@@ -17,17 +17,7 @@ macro_rules! planar {
             $crate::warp::planar::sample(self, u)
         }
 
-        #[inline]
-        fn try_fill<R: rand_core::TryRng + ?Sized>(
-            &self,
-            rng: &mut R,
-            points: &mut [Self::Point],
-        ) -> Result<(), R::Error> {
-            if !$vectors {
-                return $crate::warp::one_by_one(self, rng, points);
-            }
-            $crate::warp::planar::in_blocks(self, rng, points)
-        }
+        $crate::warp::filled_in_blocks!(by $crate::warp::planar::in_blocks, where $vectors);
     };
 }
 pub(super) use planar;

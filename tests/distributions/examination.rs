@@ -10,7 +10,7 @@ use support::registry::{Domain, Entry, Measure};
 use support::stats::{self, Axis};
 use support::truth::Point;
 
-/// How far the integral of a density may be from 1. The worst of the catalogue is off by 1.8e-7, which is
+/// How far the integral of a density may be from 1. The worst of the registry is off by 1.8e-7, which is
 /// three roundings of an `f32`.
 const INTEGRAL: f64 = 1e-6;
 

@@ -1,7 +1,7 @@
-//! Samples follow the density they report: every warp of the catalogue in both tiers, ten million samples
+//! Samples follow the density they report: every warp of the registry in both tiers, ten million samples
 //! each, 400,000 in the quick speed, by chi-square, Kolmogorov and Smirnov's distance and moments.
 //!
-//! Here lives the run over the whole catalogue. How one entry is examined is in `examination`; that the
+//! Here lives the run over the whole registry. How one entry is examined is in `examination`; that the
 //! examination rejects what is wrong is in `controls`, that it does not reject what is right in
 //! `calibration`. Jittered strata are in `strata`.
 

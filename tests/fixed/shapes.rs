@@ -1,6 +1,6 @@
 //! The warps of the integer tier with their parameters, each with the exact map back to uniforms.
 //!
-//! A new warp is one line here. The exact maps are those of the catalogue, in `f64`, which holds every point of the
+//! A new warp is one line here. The exact maps are those of the library, in `f64`, which holds every point of the
 //! tier without rounding.
 
 use fixed::types::extra::LeEqU32;

@@ -70,7 +70,7 @@ fn a_draw_consumes_the_documented_number_of_words() {
     consumes(&either, 3);
 }
 
-/// Over the whole catalogue, which knows the number: as many words as uniforms, but twice as many for the
+/// Over the whole registry, which knows the number: as many words as uniforms, but twice as many for the
 /// tail and for tables of `u64`.
 #[test]
 fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
@@ -84,7 +84,7 @@ fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
     }
 }
 
-/// Over the whole catalogue: blocks of points, where they are filled so, and what is left of them.
+/// Over the whole registry: blocks of points, where they are filled so, and what is left of them.
 #[test]
 fn filling_is_drawing_one_by_one() {
     for entry in support::registry::entries() {
@@ -105,7 +105,7 @@ fn filling_is_drawing_one_by_one() {
     }
 }
 
-/// Over the whole catalogue: by whichever way a point is drawn, it is the same. Where a draw takes more words than there
+/// Over the whole registry: by whichever way a point is drawn, it is the same. Where a draw takes more words than there
 /// are uniforms, those of one number alone make another.
 #[test]
 fn every_way_to_draw_gives_the_same_point() {
