@@ -98,7 +98,7 @@ pub mod uniform;
 pub mod warp;
 
 pub use error::Error;
-pub use warp::Warp;
+pub use warp::contract::{Invert, Warp};
 
 /// Names at the root what both tiers share.
 macro_rules! shared {

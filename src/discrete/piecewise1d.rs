@@ -8,7 +8,7 @@ use super::word::Word;
 use crate::error::Error;
 use crate::num::{into_unit, representable};
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use rand_core::TryRng;
 
 /// Piecewise constant on an interval [low, high): a table's entries as the masses of equal cells.
@@ -42,7 +42,7 @@ use rand_core::TryRng;
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///
 /// ```
-/// use microwarp::Warp;
+/// use microwarp::{Invert, Warp};
 /// use microwarp::discrete::{Cdf, PiecewiseConstant1d};
 /// let cdf = Cdf::<[u32; 4]>::new(&[1.0, 0.0, 2.0, 1.0])?;
 /// let histogram = PiecewiseConstant1d::new(cdf, 0.0, 8.0)?;
@@ -165,6 +165,18 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
     }
 
     #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        self.cell_and_place((W::from_bits(word), 0.0)).1
+    }
+
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
+        Ok(self.cell_and_place((W::try_draw(rng)?, 0.0)).1)
+    }
+}
+
+impl<W: Word, S: Storage<Item = W>> Invert for PiecewiseConstant1d<S> {
+    #[inline]
     fn invert(&self, x: f32) -> f32 {
         let index = self.cells.find(x);
         let (start, mass) = match self.cdf.mass(index) {
@@ -173,15 +185,5 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
         };
         let within = mass * self.cells.fraction(index, x);
         into_unit((start.as_f32() + within) * W::STEP)
-    }
-
-    #[inline]
-    fn sample_words(&self, word: u32) -> f32 {
-        self.cell_and_place((W::from_bits(word), 0.0)).1
-    }
-
-    #[inline]
-    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
-        Ok(self.cell_and_place((W::try_draw(rng)?, 0.0)).1)
     }
 }

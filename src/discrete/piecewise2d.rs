@@ -10,7 +10,7 @@ use super::word::{Word, Words};
 use crate::error::Error;
 use crate::num::representable;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use rand_core::TryRng;
 
 /// Piecewise constant on a rectangle, for environment lights and texture maps: a row v by the marginal
@@ -50,7 +50,7 @@ use rand_core::TryRng;
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///
 /// ```
-/// use microwarp::Warp;
+/// use microwarp::{Invert, Warp};
 /// use microwarp::discrete::PiecewiseConstant2d;
 /// // Two rows of three columns, on [0, 3) × [0, 1): the compiler builds it, flash holds it.
 /// const SKY: PiecewiseConstant2d<[u32; 2], [[u32; 3]; 2]> =
@@ -389,12 +389,6 @@ where
     }
 
     #[inline]
-    fn invert(&self, [u, v]: [f32; 2]) -> [f32; 2] {
-        let row = self.marginal.cell(v);
-        [self.conditional(row).invert(u), self.marginal.invert(v)]
-    }
-
-    #[inline]
     fn sample_words(&self, [along_u, along_v]: [u32; 2]) -> [f32; 2] {
         self.at([W::from_bits(along_u), W::from_bits(along_v)])
     }
@@ -404,5 +398,18 @@ where
         let along_u = W::try_draw(rng)?;
         let along_v = W::try_draw(rng)?;
         Ok(self.at([along_u, along_v]))
+    }
+}
+
+impl<W, M, C> Invert for PiecewiseConstant2d<M, C>
+where
+    W: Word,
+    M: Storage<Item = W>,
+    C: Grid<Item = W>,
+{
+    #[inline]
+    fn invert(&self, [u, v]: [f32; 2]) -> [f32; 2] {
+        let row = self.marginal.cell(v);
+        [self.conditional(row).invert(u), self.marginal.invert(v)]
     }
 }

@@ -7,7 +7,7 @@ use super::truncated::alternating;
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::types::U2F62;
 use core::marker::PhantomData;
 
@@ -40,7 +40,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::{I2F30, U0F32};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let sun = mw::Cone::from_angle(U0F32::from_num(0.000_74))?; // half the angle the sun subtends, in turns
 /// let direction = sun.sample([0.9_f32, 0.3].map(U0F32::from_num));
 /// assert!(sun.pdf(direction) > 0);
@@ -198,7 +198,9 @@ impl<G: Grade> Warp for Cone<G> {
             Density::ZERO
         }
     }
+}
 
+impl<G: Grade> Invert for Cone<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, _] = point;

@@ -4,7 +4,7 @@ use super::direction::{around, azimuth, square_of};
 use super::grade::{Fine, Grade};
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use core::marker::PhantomData;
 
 /// Uniform on the unit disk, by polar coordinates.
@@ -30,7 +30,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::U0F32;
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let disk = mw::Disk::new();
 /// let [x, y] = disk.sample([0.25_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!((x.to_num::<f32>(), y.to_num::<f32>()), (-0.5, 0.0));
@@ -66,7 +66,9 @@ impl<G: Grade> Warp for Disk<G> {
     fn pdf(&self, point: [Coordinate; 2]) -> Density {
         uniform_density(point)
     }
+}
 
+impl<G: Grade> Invert for Disk<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 2]) -> [Uniform; 2] {
         let [x, y] = point;

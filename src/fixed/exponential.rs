@@ -7,7 +7,7 @@ use super::kernel::quotient::ratio;
 use super::{Density, Length, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::FixedU32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
@@ -32,7 +32,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::U0F32;
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let waiting = mw::StandardExponential::new();
 /// assert_eq!(waiting.sample(U0F32::ZERO), 0);
 /// assert!((waiting.sample(U0F32::from_num(0.5)).to_num::<f64>() - 0.693_147).abs() < 1e-6);
@@ -64,7 +64,9 @@ impl<G: Grade> Warp for StandardExponential<G> {
         let density = G::exp(x.to_bits());
         Density::from_bits(u64::from(density.max(1)))
     }
+}
 
+impl<G: Grade> Invert for StandardExponential<G> {
     #[inline]
     fn invert(&self, x: Length) -> Uniform {
         G::exp_m1_neg(x)
@@ -92,7 +94,7 @@ impl<G: Grade> Warp for StandardExponential<G> {
 ///
 /// ```
 /// use fixed::types::{U0F32, U16F16};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let waiting = mw::Exponential::new(U16F16::from_num(20))?;
 /// assert_eq!(waiting.sample(U0F32::ZERO), 0);
 /// assert!((waiting.sample(U0F32::from_num(0.5)).to_num::<f64>() - 13.862_94).abs() < 1e-4);
@@ -144,7 +146,9 @@ impl<Frac: LeEqU32, G: Grade> Warp for Exponential<Frac, G> {
         let means = in_means(x.to_bits(), self.mean);
         self.height.density(G::exp(means.to_bits()))
     }
+}
 
+impl<Frac: LeEqU32, G: Grade> Invert for Exponential<Frac, G> {
     #[inline]
     fn invert(&self, x: FixedU32<Frac>) -> Uniform {
         G::exp_m1_neg(in_means(x.to_bits(), self.mean))

@@ -5,7 +5,7 @@ use super::kernel::float;
 use super::number::Number;
 use super::{Density, Uniform};
 use crate::uniform::{Canonical, Uniforms};
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::types::extra::LeEqU32;
 use ::fixed::{FixedI32, FixedU32};
 use rand_core::TryRng;
@@ -130,7 +130,7 @@ impl<T: Number + FloatPoint<Float = f32>, const N: usize> FloatPoint for [T; N] 
 /// - Error: that of the warp, and 1.2e-7 of the coordinate for its cut.
 ///
 /// ```
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let disk = mw::Float::new(mw::Disk::new());
 /// assert_eq!(disk.sample([0.25, 0.5]), [-0.5, 0.0]);
 /// assert!((disk.pdf([-0.5, 0.0]) - 1.0 / core::f32::consts::PI).abs() < 1e-7);
@@ -181,11 +181,6 @@ where
     }
 
     #[inline]
-    fn invert(&self, x: Self::Point) -> Self::Uniforms {
-        self.0.invert(W::Point::from_float(x)).floats()
-    }
-
-    #[inline]
     fn sample_words(&self, words: <Self::Uniforms as Uniforms>::Words) -> Self::Point {
         self.0.sample_words(words).to_float()
     }
@@ -193,5 +188,17 @@ where
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Self::Point, R::Error> {
         self.0.try_draw(rng).map(W::Point::to_float)
+    }
+}
+
+impl<W> Invert for Float<W>
+where
+    W: Invert<Density = Density>,
+    W::Uniforms: FloatUniforms,
+    W::Point: FloatPoint,
+{
+    #[inline]
+    fn invert(&self, x: Self::Point) -> Self::Uniforms {
+        self.0.invert(W::Point::from_float(x)).floats()
     }
 }

@@ -5,7 +5,7 @@ use super::grade::{Fine, Grade};
 use super::kernel::product::{near, square};
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use core::marker::PhantomData;
 
 /// Uniform over the hemisphere about +z.
@@ -32,7 +32,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::U0F32;
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let [_, _, z] = mw::Hemisphere::new().sample([0.75_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(z, 0.75);
 /// ```
@@ -78,7 +78,9 @@ impl<G: Grade> Warp for Hemisphere<G> {
             Density::ZERO
         }
     }
+}
 
+impl<G: Grade> Invert for Hemisphere<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, z] = point;
@@ -119,7 +121,7 @@ impl<G: Grade> Warp for Hemisphere<G> {
 ///
 /// ```
 /// use fixed::types::U0F32;
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let [_, _, z] = mw::CosineHemisphere::new().sample([0.75_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(z, 0.5);
 /// ```
@@ -161,7 +163,9 @@ impl<G: Grade> Warp for CosineHemisphere<G> {
             Density::ZERO
         }
     }
+}
 
+impl<G: Grade> Invert for CosineHemisphere<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, z] = point;

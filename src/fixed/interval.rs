@@ -7,7 +7,7 @@ use super::{Density, Uniform};
 use crate::error::Error;
 use crate::num::division::fraction_u32;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::types::extra::LeEqU32;
 use ::fixed::{FixedI32, FixedU32};
 use core::marker::PhantomData;
@@ -28,7 +28,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::{I16F16, U0F32};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let dice = mw::Interval::<i32>::inclusive(1, 6)?;
 /// assert_eq!(dice.sample(U0F32::from_num(0.5)), 4);
 /// assert_eq!(dice.invert(4), 0.5);
@@ -138,7 +138,9 @@ impl<T: Number> Warp for Interval<T> {
             Density::ZERO
         }
     }
+}
 
+impl<T: Number> Invert for Interval<T> {
     #[inline]
     fn invert(&self, x: T) -> Uniform {
         let steps = x.to_word().wrapping_sub(self.start);

@@ -8,7 +8,7 @@ use super::kernel::product::{near, square};
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::types::U32F32;
 use core::marker::PhantomData;
 
@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::{U0F32, U32F32};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let gloss = mw::PhongLobe::new(U32F32::from_num(100_000_000))?;
 /// let [x, y, z] = gloss.sample([0.5_f32, 0.1].map(U0F32::from_num)).map(|c| c.to_num::<f64>());
 /// assert!(1.0 - z < 1e-8);         // next to the axis,
@@ -164,7 +164,9 @@ impl<G: Grade> Warp for PhongLobe<G> {
         let density = (u64::from(height.mantissa) * u64::from(shape)) >> (32 + height.exponent);
         Density::from_bits(density.max(1))
     }
+}
 
+impl<G: Grade> Invert for PhongLobe<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, z] = point;

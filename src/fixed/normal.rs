@@ -9,7 +9,7 @@ use super::kernel::quotient::ratio;
 use super::{Density, Deviate, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::FixedI32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
@@ -39,7 +39,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::U0F32;
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let noise = mw::StandardNormalPair::new();
 /// let [x, y] = noise.sample([0.864_664_7_f64, 0.5].map(U0F32::from_num));
 /// assert!((x.to_num::<f64>() + 2.0).abs() < 1e-6 && y == 0);
@@ -110,7 +110,9 @@ impl<G: Grade> Warp for StandardNormalPair<G> {
         let [x, y] = point.map(|c| c.to_bits().unsigned_abs());
         PER_ANGLE.density(bell::<G>(square_of([x, y])))
     }
+}
 
+impl<G: Grade> Invert for StandardNormalPair<G> {
     #[inline]
     fn invert(&self, point: [Deviate; 2]) -> [Uniform; 2] {
         let [x, y] = point.map(Deviate::to_bits);
@@ -139,7 +141,7 @@ impl<G: Grade> Warp for StandardNormalPair<G> {
 ///
 /// ```
 /// use fixed::types::{I16F16, U0F32};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let noise = mw::NormalPair::new([100, -20].map(I16F16::from_num), I16F16::from_num(5))?;
 /// let [x, y] = noise.sample([0.864_664_7_f64, 0.5].map(U0F32::from_num));
 /// assert!((x.to_num::<f64>() - 90.0).abs() < 3e-5 && y == -20);
@@ -224,7 +226,9 @@ impl<Frac: LeEqU32, G: Grade> Warp for NormalPair<Frac, G> {
         let square = square_of(self.standardised(point));
         self.peak.density(bell::<G>(square))
     }
+}
 
+impl<Frac: LeEqU32, G: Grade> Invert for NormalPair<Frac, G> {
     #[inline]
     fn invert(&self, point: [FixedI32<Frac>; 2]) -> [Uniform; 2] {
         let square = square_of(self.standardised(point));

@@ -5,7 +5,7 @@ use super::grade::{Fine, Grade};
 use super::kernel::product::square;
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use core::marker::PhantomData;
 
 /// Uniform over the unit sphere.
@@ -32,7 +32,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::U0F32;
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let [_, _, z] = mw::Sphere::new().sample([0.125_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(z, 0.75);
 /// ```
@@ -70,7 +70,9 @@ impl<G: Grade> Warp for Sphere<G> {
     fn pdf(&self, _: [Coordinate; 3]) -> Density {
         DENSITY
     }
+}
 
+impl<G: Grade> Invert for Sphere<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, _] = point;

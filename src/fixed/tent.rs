@@ -7,7 +7,7 @@ use super::kernel::quotient::quotient;
 use super::{Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::FixedI32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
@@ -36,7 +36,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::{I16F16, U0F32};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let filter = mw::Tent::new(I16F16::from_num(2))?;
 /// assert!((filter.sample(U0F32::from_num(0.125)).to_num::<f64>() + 1.0).abs() < 2e-5);
 /// assert_eq!(filter.pdf(I16F16::from_num(-1)), 0.25);
@@ -99,6 +99,16 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
     }
 
     #[inline]
+    fn sample_words(&self, word: u32) -> FixedI32<Frac> {
+        // The middle of the word, as the ends have no density.
+        let double = word << 1 | 1;
+        let upper = word >> 31 == 1;
+        self.beyond(if upper { double.wrapping_neg() } else { double }, upper)
+    }
+}
+
+impl<Frac: LeEqU32, G: Grade> Invert for Tent<Frac, G> {
+    #[inline]
     fn invert(&self, x: FixedI32<Frac>) -> Uniform {
         let half = square(self.rest(x)) >> 1;
         Uniform::from_bits(if x.is_negative() {
@@ -107,14 +117,6 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
             // The upper end is the last word, not the first one.
             half.max(1).wrapping_neg()
         })
-    }
-
-    #[inline]
-    fn sample_words(&self, word: u32) -> FixedI32<Frac> {
-        // The middle of the word, as the ends have no density.
-        let double = word << 1 | 1;
-        let upper = word >> 31 == 1;
-        self.beyond(if upper { double.wrapping_neg() } else { double }, upper)
     }
 }
 

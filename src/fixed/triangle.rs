@@ -6,7 +6,7 @@ use super::kernel::product::near;
 use super::kernel::quotient::quotient;
 use super::{Coordinate, Density, Uniform};
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use core::marker::PhantomData;
 
 /// Uniform barycentric coordinates.
@@ -30,7 +30,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::U0F32;
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let point = mw::Triangle::new().sample([0.25_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(point, [0.5, 0.25, 0.25]);
 /// ```
@@ -75,7 +75,9 @@ impl<G: Grade> Warp for Triangle<G> {
             Density::ZERO
         }
     }
+}
 
+impl<G: Grade> Invert for Triangle<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [_, b, c] = point.map(|c| c.to_bits().clamp(0, ONE) as u32);

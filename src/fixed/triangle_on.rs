@@ -9,7 +9,7 @@ use super::triangle::Triangle;
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::FixedI32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
@@ -34,7 +34,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::{I16F16, U0F32};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let facet = mw::TriangleOn::new([[0, 0], [4, 0], [0, 2]].map(|v| v.map(I16F16::from_num)))?;
 /// assert_eq!(facet.sample([0.25_f32, 0.5].map(U0F32::from_num)), [1.0, 0.5]);
 /// assert_eq!(facet.pdf([1.0, 0.5].map(I16F16::from_num)), 0.25);
@@ -211,7 +211,9 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
             Density::ZERO
         }
     }
+}
 
+impl<Frac: LeEqU32, const D: usize, G: Grade> Invert for TriangleOn<Frac, D, G> {
     #[inline]
     fn invert(&self, point: [FixedI32<Frac>; D]) -> [Uniform; 2] {
         let mut nearest = point.map(FixedI32::to_bits);

@@ -8,7 +8,7 @@ use super::kernel::quotient::{quotient, ratio};
 use super::{Density, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
-use crate::warp::Warp;
+use crate::warp::{Invert, Warp};
 use ::fixed::FixedU32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
@@ -39,7 +39,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use fixed::types::{U0F32, U16F16};
-/// use microwarp::{Warp, fixed as mw};
+/// use microwarp::{Invert, Warp, fixed as mw};
 /// let segment = mw::TruncatedExponential::new(U16F16::from_num(10), U16F16::from_num(4))?;
 /// let middle = segment.sample(U0F32::from_num(0.5)).to_num::<f64>();
 /// assert!((middle - 1.801_32).abs() < 2e-5);
@@ -183,7 +183,9 @@ impl<Frac: LeEqU32, G: Grade> Warp for TruncatedExponential<Frac, G> {
             Density::ZERO
         }
     }
+}
 
+impl<Frac: LeEqU32, G: Grade> Invert for TruncatedExponential<Frac, G> {
     #[inline]
     fn invert(&self, x: FixedU32<Frac>) -> Uniform {
         let x = x.to_bits().min(self.length - 1);

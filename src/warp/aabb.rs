@@ -1,6 +1,6 @@
 //! The uniform distribution on an axis-aligned box of any dimension.
 
-use super::{Interval, Warp};
+use super::{Interval, Invert, Warp};
 use crate::error::Error;
 use crate::num::{Scaled, remainder, two_product, two_sum};
 use crate::uniform::Canonical;
@@ -26,7 +26,7 @@ use crate::uniform::Canonical;
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///
 /// ```
-/// use microwarp::{Aabb, Warp};
+/// use microwarp::{Aabb, Invert, Warp};
 /// let room = Aabb::new([0.0, -1.0, 0.0], [4.0, 1.0, 2.0])?;
 /// assert_eq!(room.sample([0.25, 0.5, 0.75]), [1.0, 0.0, 1.5]);
 /// assert_eq!(room.pdf([1.0, 0.0, 1.5]), 1.0 / 16.0);
@@ -97,7 +97,9 @@ impl<const N: usize> Warp for Aabb<N> {
             .all(|(&x, side)| side.pdf(x) > 0.0);
         if inside { self.density } else { 0.0 }
     }
+}
 
+impl<const N: usize> Invert for Aabb<N> {
     #[inline]
     fn invert(&self, point: [f32; N]) -> [f32; N] {
         let mut u = [0.0; N];

@@ -1,8 +1,8 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
-use super::Warp;
 use super::direction::{DEEP, around, azimuth, between_poles, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
+use super::{Invert, Warp};
 use crate::error::{Error, positive};
 use crate::num::into_unit;
 use crate::tier::{Tier, one_minus_cos_radians, sqrt};
@@ -41,7 +41,7 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// Calculations", 1996.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let sun = mw::Cone::from_angle(0.004_65)?; // half the angle the sun subtends, in radians
 /// let direction = sun.sample([0.9, 0.3]);
 /// assert!(sun.pdf(direction) > 0.0);
@@ -148,7 +148,9 @@ impl<T: Tier> Warp for Cone<T> {
             0.0
         }
     }
+}
 
+impl<T: Tier> Invert for Cone<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, _] = direction;

@@ -1,7 +1,7 @@
 //! The uniform distribution on the unit disk: by polar inversion, and by Shirley's concentric map.
 
 use super::planar::{PlanarMap, planar};
-use super::{Warp, direction::azimuth};
+use super::{Invert, Warp, direction::azimuth};
 use crate::num::{clamp, into_unit};
 use crate::tier::{Tier, exchanged};
 use crate::uniform::{Canonical, LARGEST};
@@ -33,7 +33,7 @@ const RIM: f32 = LARGEST;
 /// Source: P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let disk = mw::Disk::new();
 /// assert_eq!(disk.sample([0.25, 0.5]), [-0.5, 0.0]);
 /// assert_eq!(disk.invert([-0.5, 0.0]), [0.25, 0.5]);
@@ -67,7 +67,9 @@ impl<T: Tier> Warp for Disk<T> {
     fn pdf(&self, point: [f32; 2]) -> f32 {
         uniform_density(point)
     }
+}
 
+impl<T: Tier> Invert for Disk<T> {
     #[inline]
     fn invert(&self, point: [f32; 2]) -> [f32; 2] {
         let [x, y] = point;
@@ -104,7 +106,7 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// Tools, 1997.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let disk = mw::DiskConcentric::new();
 /// assert_eq!(disk.sample([0.5, 0.5]), [0.0, 0.0]);
 /// assert_eq!(disk.sample([0.75, 0.5]), [0.5, 0.0]);
@@ -168,7 +170,9 @@ impl<T: Tier> Warp for DiskConcentric<T> {
     fn pdf(&self, point: [f32; 2]) -> f32 {
         uniform_density(point)
     }
+}
 
+impl<T: Tier> Invert for DiskConcentric<T> {
     #[inline]
     fn invert(&self, point: [f32; 2]) -> [f32; 2] {
         let [x, y] = point;

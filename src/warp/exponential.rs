@@ -1,6 +1,6 @@
 //! The exponential distribution, in both orientations.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::error::{Error, positive};
 use crate::num::{above_zero, into_unit, representable};
 use crate::tier::{Tier, exp_of_product, scaled_exp_of_product};
@@ -37,7 +37,7 @@ const fn checked_rate(rate: f32) -> Result<f32, Error> {
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let free_path = mw::Exponential::new(2.0)?;
 /// assert_eq!(free_path.sample(0.0), 0.0);
 /// assert!((free_path.sample(0.5) - 0.346_573_6).abs() < 1e-7);
@@ -91,12 +91,14 @@ impl<T: Tier> Warp for Exponential<T> {
         density::<T>(self.rate, x)
     }
 
+    super::filled_in_blocks!(where T::VECTORS);
+}
+
+impl<T: Tier> Invert for Exponential<T> {
     #[inline]
     fn invert(&self, x: f32) -> f32 {
         into_unit(-T::exp_m1(-self.rate * x))
     }
-
-    super::filled_in_blocks!(where T::VECTORS);
 }
 
 /// Exponential with rate a, decreasing with the uniform: −ln(u)/a, tail first.
@@ -120,7 +122,7 @@ impl<T: Tier> Warp for Exponential<T> {
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let decay = mw::ExponentialTail::new(1.0)?;
 /// assert!(decay.sample(2.0_f32.powi(-60)) > 41.0);
 /// # Ok::<(), microwarp::Error>(())
@@ -163,11 +165,6 @@ impl<T: Tier> Warp for ExponentialTail<T> {
         density::<T>(self.rate, x)
     }
 
-    #[inline]
-    fn invert(&self, x: f32) -> f32 {
-        into_unit(exp_of_product::<T>(-self.rate, x))
-    }
-
     /// The point of one word, for those who have no second one: the tail ends at 22.87/a then.
     #[inline]
     fn sample_words(&self, word: u32) -> f32 {
@@ -179,5 +176,12 @@ impl<T: Tier> Warp for ExponentialTail<T> {
         let high = rng.try_next_u32()?;
         let low = rng.try_next_u32()?;
         Ok(self.sample_canonical(open_full(high, low)))
+    }
+}
+
+impl<T: Tier> Invert for ExponentialTail<T> {
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        into_unit(exp_of_product::<T>(-self.rate, x))
     }
 }

@@ -1,7 +1,7 @@
 //! Turning local directions onto a given normal.
 
-use super::Warp;
 use super::spherical::normalised;
+use super::{Invert, Warp};
 use crate::error::Error;
 use crate::tier::sqrt;
 use crate::uniform::{Canonical, Uniforms};
@@ -118,7 +118,7 @@ impl Frame {
 /// direction moves by 2⁻²⁴.
 ///
 /// ```
-/// use microwarp::{Frame, Oriented, Warp, poly as mw};
+/// use microwarp::{Frame, Oriented, Invert, Warp, poly as mw};
 /// let wall = Oriented::new(mw::CosineHemisphere::new(), Frame::new([-1.0, 0.0, 0.0])?);
 /// let [x, _, _] = wall.sample([0.3, 0.8]);
 /// assert!(x < 0.0);
@@ -179,11 +179,6 @@ impl<W: Warp<Point = [f32; 3], Density = f32>> Warp for Oriented<W> {
     }
 
     #[inline]
-    fn invert(&self, direction: [f32; 3]) -> W::Uniforms {
-        self.warp.invert(self.frame.to_local(direction))
-    }
-
-    #[inline]
     fn sample_words(&self, words: <W::Uniforms as Uniforms>::Words) -> [f32; 3] {
         self.frame.to_world(self.warp.sample_words(words))
     }
@@ -192,5 +187,12 @@ impl<W: Warp<Point = [f32; 3], Density = f32>> Warp for Oriented<W> {
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 3], R::Error> {
         let local = self.warp.try_draw(rng)?;
         Ok(self.frame.to_world(local))
+    }
+}
+
+impl<W: Invert<Point = [f32; 3], Density = f32>> Invert for Oriented<W> {
+    #[inline]
+    fn invert(&self, direction: [f32; 3]) -> W::Uniforms {
+        self.warp.invert(self.frame.to_local(direction))
     }
 }

@@ -1,9 +1,9 @@
 //! The upper hemisphere: uniform, and in proportion to the cosine by inversion and by Malley's method.
 
-use super::Warp;
 use super::direction::{around, azimuth, is_direction};
 use super::disk::{concentric, concentric_inverse};
 use super::planar::{PlanarMap, planar};
+use super::{Invert, Warp};
 use crate::num::{above_zero, into_unit, representable};
 use crate::tier::Tier;
 use crate::uniform::{Canonical, open_cells};
@@ -34,7 +34,7 @@ use core::marker::PhantomData;
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let hemisphere = mw::Hemisphere::new();
 /// assert_eq!(hemisphere.sample([0.0, 0.5]), [-1.0, 0.0, 0.0]);
 /// assert_eq!(hemisphere.pdf([0.0, 0.0, -1.0]), 0.0);
@@ -72,7 +72,9 @@ impl<T: Tier> Warp for Hemisphere<T> {
             0.0
         }
     }
+}
 
+impl<T: Tier> Invert for Hemisphere<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, z] = direction;
@@ -105,7 +107,7 @@ impl<T: Tier> Warp for Hemisphere<T> {
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let lambert = mw::CosineHemisphere::new();
 /// assert_eq!(lambert.sample([0.0, 0.0]), [0.0, 0.0, 1.0]);
 /// assert_eq!(lambert.invert([0.0, 0.0, 1.0]), [0.0, 0.0]);
@@ -146,7 +148,9 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         cosine_density(direction)
     }
+}
 
+impl<T: Tier> Invert for CosineHemisphere<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, z] = direction;
@@ -182,7 +186,7 @@ impl<T: Tier> Warp for CosineHemisphere<T> {
 /// K. Chiu, "A Low Distortion Map Between Disk and Square", 1997.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let lambert = mw::MalleyHemisphere::new();
 /// assert_eq!(lambert.sample([0.5, 0.5]), [0.0, 0.0, 1.0]);
 /// ```
@@ -218,16 +222,18 @@ impl<T: Tier> Warp for MalleyHemisphere<T> {
     }
 
     #[inline]
+    fn sample_words(&self, words: [u32; 2]) -> [f32; 3] {
+        self.sample_canonical(open_cells(words))
+    }
+}
+
+impl<T: Tier> Invert for MalleyHemisphere<T> {
+    #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, z] = direction;
         let r = into_unit(T::sqrt(x * x + y * y));
         // 1 - r from the height near the rim, directly near the pole.
         let to_rim = if r > 0.5 { z * z / (1.0 + r) } else { 1.0 - r };
         concentric_inverse::<T>([x, y], to_rim)
-    }
-
-    #[inline]
-    fn sample_words(&self, words: [u32; 2]) -> [f32; 3] {
-        self.sample_canonical(open_cells(words))
     }
 }

@@ -1,8 +1,8 @@
 //! The phase function of Henyey and Greenstein.
 
-use super::Warp;
 use super::direction::{DEEP, around, azimuth, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
+use super::{Invert, Warp};
 use crate::error::{Error, finite};
 use crate::num::{into_unit, remainder, two_product, two_sum};
 use crate::tier::Tier;
@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// Rendering", 2023, rearranged here.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let fog = mw::HenyeyGreenstein::new(0.9)?;
 /// let [_, _, z] = fog.sample([0.5, 0.25]);
 /// assert!(z > 0.985); // half of the light turns by less than ten degrees
@@ -190,7 +190,9 @@ impl<T: Tier> Warp for HenyeyGreenstein<T> {
             0.0
         }
     }
+}
 
+impl<T: Tier> Invert for HenyeyGreenstein<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, _] = direction;

@@ -1,6 +1,6 @@
 //! The uniform distribution on an interval, in both orientations.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::error::Error;
 use crate::num::into_unit;
 use crate::num::{Segment, extent, neighbour};
@@ -31,7 +31,7 @@ use crate::uniform::Canonical;
 /// Source: F. Goualard, "Drawing Random Floating-Point Numbers from an Interval", 2022.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let angle = mw::Interval::new(-3.0, 5.0)?;
 /// assert_eq!(angle.sample(0.25), -1.0);
 /// assert_eq!(angle.pdf(0.0), 0.125);
@@ -118,6 +118,10 @@ impl Warp for Interval {
         if inside { self.density } else { 0.0 }
     }
 
+    super::filled_in_blocks!();
+}
+
+impl Invert for Interval {
     #[inline]
     fn invert(&self, x: f32) -> f32 {
         // Halves where the density is subnormal: the width itself could overflow.
@@ -129,6 +133,4 @@ impl Warp for Interval {
         let start = self.segment.start() * s;
         into_unit((x * s - start) / (self.end * s - start))
     }
-
-    super::filled_in_blocks!();
 }

@@ -1,6 +1,6 @@
 //! A warp from a user's own inverse CDF.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::num::into_unit;
 use crate::uniform::Canonical;
 
@@ -23,7 +23,7 @@ use crate::uniform::Canonical;
 /// Source: J. von Neumann's letter to S. Ulam, 1947, as told by R. Eckhardt, 1987.
 ///
 /// ```
-/// use microwarp::{Inversion, Warp};
+/// use microwarp::{Inversion, Invert, Warp};
 /// // p(x) = 2x on [0, 1]
 /// let ramp = Inversion::new(
 ///     |u: f32| libm::sqrtf(u),
@@ -76,12 +76,19 @@ where
     }
 
     #[inline]
-    fn invert(&self, x: f32) -> f32 {
-        into_unit((self.cdf)(x))
-    }
-
-    #[inline]
     fn sample_words(&self, word: u32) -> f32 {
         self.sample_canonical(crate::uniform::deep(word))
+    }
+}
+
+impl<Q, P, C> Invert for Inversion<Q, P, C>
+where
+    Q: Fn(f32) -> f32,
+    P: Fn(f32) -> f32,
+    C: Fn(f32) -> f32,
+{
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        into_unit((self.cdf)(x))
     }
 }

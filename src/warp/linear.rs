@@ -1,6 +1,6 @@
 //! A density that changes linearly across the unit interval.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::error::{Error, finite};
 use crate::num::{
     Scaled, above_zero, clamp, into_unit, remainder, representable, two_product, two_sum,
@@ -32,7 +32,7 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let ramp = mw::Linear::new(0.0, 3.0)?;
 /// assert_eq!(ramp.sample(0.25), 0.5);
 /// assert_eq!(ramp.pdf(0.5), 1.0);
@@ -133,16 +133,18 @@ impl Warp for Linear {
         }
     }
 
-    #[inline]
-    fn invert(&self, x: f32) -> f32 {
-        let x = clamp(x, 0.0, 1.0);
-        into_unit(x * ((self.a * (2.0 - x) + self.b * x) * (0.5 / ONE)))
-    }
-
     super::filled_in_blocks!();
 
     #[inline]
     fn sample_words(&self, word: u32) -> f32 {
         self.sample_canonical(crate::uniform::deep(word))
+    }
+}
+
+impl Invert for Linear {
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        let x = clamp(x, 0.0, 1.0);
+        into_unit(x * ((self.a * (2.0 - x) + self.b * x) * (0.5 / ONE)))
     }
 }

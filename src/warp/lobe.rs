@@ -1,8 +1,8 @@
 //! The cosine-power lobe, also known as the Phong lobe.
 
-use super::Warp;
 use super::direction::{DEEP, around, azimuth, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
+use super::{Invert, Warp};
 use crate::error::{Error, finite};
 use crate::num::{into_unit, remainder, representable, two_product, two_sum};
 use crate::tier::{Tier, exp_of_product};
@@ -39,7 +39,7 @@ use core::marker::PhantomData;
 /// Based Rendering", 1994.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let gloss = mw::PhongLobe::new(1e8)?;
 /// let [x, y, z] = gloss.sample([0.5, 0.1]);
 /// assert_eq!(z, 1.0);             // rounded away,
@@ -149,7 +149,9 @@ impl<T: Tier> Warp for PhongLobe<T> {
             0.0
         }
     }
+}
 
+impl<T: Tier> Invert for PhongLobe<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, z] = direction;

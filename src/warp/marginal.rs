@@ -1,6 +1,6 @@
 //! A two-dimensional warp made of a marginal and a conditional.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::num::representable;
 use crate::uniform::Canonical;
 use rand_core::TryRng;
@@ -23,7 +23,7 @@ use rand_core::TryRng;
 /// Source: M. Rosenblatt, "Remarks on a Multivariate Transformation", 1952.
 ///
 /// ```
-/// use microwarp::{Interval, MarginalConditional, Warp, poly as mw};
+/// use microwarp::{Interval, MarginalConditional, Invert, Warp, poly as mw};
 /// // Uniform on the triangle 0 ≤ y ≤ x ≤ 1: p(x) = 2x, p(y | x) = 1/x.
 /// let whole = Interval::new(0.0, 1.0)?;
 /// let triangle = MarginalConditional::new(mw::Linear::new(0.0, 1.0)?, |x: f32| {
@@ -87,18 +87,6 @@ where
     }
 
     #[inline]
-    fn invert(&self, point: [f32; 2]) -> [f32; 2] {
-        let [x, y] = point;
-        let u1 = self.marginal.invert(x);
-        let u2 = if self.marginal.pdf(x) > 0.0 {
-            (self.conditional)(x).invert(y)
-        } else {
-            0.0
-        };
-        [u1, u2]
-    }
-
-    #[inline]
     fn sample_words(&self, words: [u32; 2]) -> [f32; 2] {
         let [first, second] = words;
         let x = self.marginal.sample_words(first);
@@ -109,5 +97,24 @@ where
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 2], R::Error> {
         let x = self.marginal.try_draw(rng)?;
         Ok([x, (self.conditional)(x).try_draw(rng)?])
+    }
+}
+
+impl<M, F, C> Invert for MarginalConditional<M, F>
+where
+    M: Invert<Uniforms = f32, Point = f32, Density = f32>,
+    C: Invert<Uniforms = f32, Point = f32, Density = f32>,
+    F: Fn(f32) -> C,
+{
+    #[inline]
+    fn invert(&self, point: [f32; 2]) -> [f32; 2] {
+        let [x, y] = point;
+        let u1 = self.marginal.invert(x);
+        let u2 = if self.marginal.pdf(x) > 0.0 {
+            (self.conditional)(x).invert(y)
+        } else {
+            0.0
+        };
+        [u1, u2]
     }
 }

@@ -1,8 +1,8 @@
 //! The normal distribution: one at a time by its quantile, two at a time by Box and Muller's map.
 
-use super::Warp;
 use super::direction::azimuth;
 use super::planar::{PlanarMap, planar};
+use super::{Invert, Warp};
 use crate::error::{Error, finite, positive};
 use crate::num::{above_zero, folded, into_unit, remainder, representable, two_product, two_sum};
 use crate::tier::{Tier, scaled_exp};
@@ -42,7 +42,7 @@ const REACH: f32 = 14.5;
 /// for the division into regions; the coefficients are this crate's own.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let noise = mw::Normal::new(10.0, 2.0)?;
 /// assert_eq!(noise.sample(0.5), 10.0);
 /// assert!((noise.invert(12.0) - 0.841_344_8).abs() < 1e-6);
@@ -157,6 +157,14 @@ impl<T: Tier> Warp for Normal<T> {
     }
 
     #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        let (tail, upper) = folded(word);
+        self.beyond(tail, upper)
+    }
+}
+
+impl<T: Tier> Invert for Normal<T> {
+    #[inline]
     fn invert(&self, x: f32) -> f32 {
         let t = (x - self.mean) / self.deviation;
         into_unit(if t > 0.0 {
@@ -164,12 +172,6 @@ impl<T: Tier> Warp for Normal<T> {
         } else {
             T::normal_cdf_lower(t)
         })
-    }
-
-    #[inline]
-    fn sample_words(&self, word: u32) -> f32 {
-        let (tail, upper) = folded(word);
-        self.beyond(tail, upper)
     }
 }
 
@@ -198,7 +200,7 @@ impl<T: Tier> Warp for Normal<T> {
 /// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let noise = mw::NormalPair::new([0.0, 0.0], 1.0)?;
 /// assert_eq!(noise.sample([0.0, 0.7]), [0.0, 0.0]);
 /// # Ok::<(), microwarp::Error>(())
@@ -267,7 +269,9 @@ impl<T: Tier> Warp for NormalPair<T> {
             0.0
         }
     }
+}
 
+impl<T: Tier> Invert for NormalPair<T> {
     #[inline]
     fn invert(&self, point: [f32; 2]) -> [f32; 2] {
         let ([x, y], [mx, my]) = (point, self.mean);

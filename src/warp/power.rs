@@ -1,6 +1,6 @@
 //! The power law on an interval, in both orientations. Both tiers share the code.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::error::{Error, finite};
 use crate::num::{
     Scaled, clamp, head, into_unit, product, quick_two_sum, remainder, representable, two_sum,
@@ -37,7 +37,7 @@ use core::marker::PhantomData;
 /// here.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let spectrum = mw::Power::new(-1.0, 1.0, 100.0)?; // equal weight to every octave
 /// assert!((spectrum.sample(0.5) - 10.0).abs() < 1e-5);
 /// let area = mw::Power::new(1.0, 0.0, 2.0)?;
@@ -234,6 +234,19 @@ impl<T: Tier> Warp for Power<T> {
         }
     }
 
+    /// The end where the density may be 0 or infinite is the one that u = 0 gives, from either side.
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        let from_other_end = Self {
+            from_anchor: false,
+            ..*self
+        };
+        let word = if self.from_anchor { !word } else { word };
+        from_other_end.sample_canonical(crate::uniform::deep(word))
+    }
+}
+
+impl<T: Tier> Invert for Power<T> {
     #[inline]
     fn invert(&self, x: f32) -> f32 {
         let x = clamp(x, self.low, self.high);
@@ -257,16 +270,5 @@ impl<T: Tier> Warp for Power<T> {
             1.0 - away
         };
         into_unit(if self.from_anchor { away } else { near })
-    }
-
-    /// The end where the density may be 0 or infinite is the one that u = 0 gives, from either side.
-    #[inline]
-    fn sample_words(&self, word: u32) -> f32 {
-        let from_other_end = Self {
-            from_anchor: false,
-            ..*self
-        };
-        let word = if self.from_anchor { !word } else { word };
-        from_other_end.sample_canonical(crate::uniform::deep(word))
     }
 }

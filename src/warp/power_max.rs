@@ -1,6 +1,6 @@
 //! The largest of several uniforms: the power law of a whole exponent.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::num::{Scaled, into_unit, representable};
 use crate::uniform::{Canonical, SMALLEST};
 
@@ -26,7 +26,7 @@ use crate::uniform::{Canonical, SMALLEST};
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///
 /// ```
-/// use microwarp::{PowerMax, Warp};
+/// use microwarp::{PowerMax, Invert, Warp};
 /// let quadratic = PowerMax::<3>::new();
 /// assert_eq!(quadratic.sample([0.5, 0.75, 0.25]), 0.75);
 /// assert_eq!(quadratic.pdf(0.5), 0.75);
@@ -92,13 +92,15 @@ impl<const N: usize> Warp for PowerMax<N> {
     }
 
     #[inline]
-    fn invert(&self, x: f32) -> [f32; N] {
-        [into_unit(x); N]
-    }
-
-    #[inline]
     fn sample_words(&self, words: [u32; N]) -> f32 {
         let largest = words.into_iter().fold(0, u32::max);
         crate::uniform::deep_from_word(largest)
+    }
+}
+
+impl<const N: usize> Invert for PowerMax<N> {
+    #[inline]
+    fn invert(&self, x: f32) -> [f32; N] {
+        [into_unit(x); N]
     }
 }

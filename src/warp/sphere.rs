@@ -1,8 +1,8 @@
 //! The uniform distribution over all directions.
 
-use super::Warp;
 use super::direction::{around, azimuth, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
+use super::{Invert, Warp};
 use crate::num::into_unit;
 use crate::tier::Tier;
 use core::f32::consts::FRAC_1_PI;
@@ -32,7 +32,7 @@ use core::marker::PhantomData;
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let sphere = mw::Sphere::new();
 /// assert_eq!(sphere.sample([0.5, 0.25]), [0.0, 1.0, 0.0]);
 /// assert_eq!(sphere.invert([0.0, 1.0, 0.0]), [0.5, 0.25]);
@@ -68,7 +68,9 @@ impl<T: Tier> Warp for Sphere<T> {
             0.0
         }
     }
+}
 
+impl<T: Tier> Invert for Sphere<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, _] = direction;

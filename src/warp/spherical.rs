@@ -1,8 +1,8 @@
 //! Spherical coordinates with their Jacobians, and the uniform distribution on a latitude-longitude patch.
 
-use super::Warp;
 use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
+use super::{Invert, Warp};
 use crate::error::{Error, finite};
 use crate::num::{clamp, into_unit, two_sum};
 use crate::tier::{Tier, sqrt};
@@ -171,7 +171,7 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016, for dω = sin θ dθ dφ.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let octant = mw::SphericalPatch::new(0.0, 0.25, 0.0, 0.25)?;
 /// assert!((octant.solid_angle() - core::f32::consts::FRAC_PI_2).abs() < 1e-6);
 /// assert!(octant.pdf([0.6, 0.0, 0.8]) > 0.0);
@@ -317,7 +317,9 @@ impl<T: Tier> Warp for SphericalPatch<T> {
             0.0
         }
     }
+}
 
+impl<T: Tier> Invert for SphericalPatch<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [_, _, z] = direction;

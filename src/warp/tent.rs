@@ -1,6 +1,6 @@
 //! The tent (triangle) filter.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::error::{Error, positive};
 use crate::num::{clamp, folded, into_unit, representable};
 use crate::tier::sqrt;
@@ -31,7 +31,7 @@ use crate::uniform::Canonical;
 /// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016; form re-derived.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let filter = mw::Tent::new(2.0)?;
 /// assert_eq!(filter.sample(0.125), -1.0);
 /// assert_eq!(filter.pdf(-1.0), 0.25);
@@ -97,13 +97,6 @@ impl Warp for Tent {
         }
     }
 
-    #[inline]
-    fn invert(&self, x: f32) -> f32 {
-        let rest = clamp((self.radius - x.abs()) / self.radius, 0.0, 1.0);
-        let half = 0.5 * rest * rest;
-        into_unit(if x < 0.0 { half } else { 1.0 - half })
-    }
-
     super::filled_in_blocks!();
 
     #[inline]
@@ -111,5 +104,14 @@ impl Warp for Tent {
         let (tail, upper) = folded(word);
         let x = self.beyond(tail);
         if upper { x } else { -x }
+    }
+}
+
+impl Invert for Tent {
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        let rest = clamp((self.radius - x.abs()) / self.radius, 0.0, 1.0);
+        let half = 0.5 * rest * rest;
+        into_unit(if x < 0.0 { half } else { 1.0 - half })
     }
 }

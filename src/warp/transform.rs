@@ -1,6 +1,6 @@
 //! Transformation of variables: a warp followed by a map, with the Jacobian carried along.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::num::representable;
 use crate::uniform::{Canonical, Uniforms};
 use rand_core::TryRng;
@@ -23,7 +23,7 @@ use rand_core::TryRng;
 /// Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997.
 ///
 /// ```
-/// use microwarp::{Transform, Warp, poly as mw};
+/// use microwarp::{Transform, Invert, Warp, poly as mw};
 /// // x with density 2x on [0, 1]; y = 3x has density 2y/9 on [0, 3].
 /// let stretched = Transform::new(mw::Linear::new(0.0, 1.0)?, |x: f32| 3.0 * x, |y: f32| y / 3.0, |_| 3.0);
 /// assert_eq!(stretched.sample(0.25), 1.5);
@@ -88,11 +88,6 @@ where
     }
 
     #[inline]
-    fn invert(&self, y: Y) -> W::Uniforms {
-        self.warp.invert((self.backward)(y))
-    }
-
-    #[inline]
     fn sample_words(&self, words: <W::Uniforms as Uniforms>::Words) -> Y {
         (self.forward)(self.warp.sample_words(words))
     }
@@ -100,5 +95,19 @@ where
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Y, R::Error> {
         self.warp.try_draw(rng).map(&self.forward)
+    }
+}
+
+impl<W, F, G, J, Y> Invert for Transform<W, F, G, J>
+where
+    W: Invert<Density = f32>,
+    F: Fn(W::Point) -> Y,
+    G: Fn(Y) -> W::Point,
+    J: Fn(W::Point) -> f32,
+    Y: Copy,
+{
+    #[inline]
+    fn invert(&self, y: Y) -> W::Uniforms {
+        self.warp.invert((self.backward)(y))
     }
 }

@@ -1,6 +1,6 @@
 //! The uniform distribution on a triangle in barycentric coordinates.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::num::{clamp, into_unit};
 use crate::tier::sqrt;
 use crate::uniform::Canonical;
@@ -26,7 +26,7 @@ use crate::uniform::Canonical;
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///
 /// ```
-/// use microwarp::{Triangle, Warp};
+/// use microwarp::{Triangle, Invert, Warp};
 /// assert_eq!(Triangle::new().sample([0.25, 0.5]), [0.5, 0.25, 0.25]);
 /// assert_eq!(Triangle::new().invert([0.5, 0.25, 0.25]), [0.25, 0.5]);
 /// ```
@@ -65,6 +65,10 @@ impl Warp for Triangle {
         }
     }
 
+    super::filled_in_blocks!();
+}
+
+impl Invert for Triangle {
     #[inline]
     fn invert(&self, point: [f32; 3]) -> [f32; 2] {
         let [u, v, w] = point.map(|c| clamp(c, 0.0, 1.0));
@@ -73,6 +77,4 @@ impl Warp for Triangle {
         let u1 = if s < 0.5 { s * s } else { 1.0 - u * (2.0 - u) };
         [into_unit(u1), into_unit(if s > 0.0 { v / s } else { 0.0 })]
     }
-
-    super::filled_in_blocks!();
 }

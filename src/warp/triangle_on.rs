@@ -1,6 +1,6 @@
 //! The uniform distribution on the triangle of three given vertices.
 
-use super::{Triangle, Warp};
+use super::{Invert, Triangle, Warp};
 use crate::error::Error;
 use crate::num::{clamp, remainder, two_product, two_sum};
 use crate::tier::sqrt;
@@ -33,7 +33,7 @@ use crate::uniform::Canonical;
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///
 /// ```
-/// use microwarp::{TriangleOn, Warp};
+/// use microwarp::{TriangleOn, Invert, Warp};
 /// let facet = TriangleOn::new([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])?;
 /// assert_eq!(facet.sample([0.25, 0.5]), [1.0, 0.5]);
 /// assert_eq!(facet.pdf([1.0, 0.5]), 0.25);
@@ -316,6 +316,10 @@ impl<const D: usize> Warp for TriangleOn<D> {
         }
     }
 
+    super::filled_in_blocks!();
+}
+
+impl<const D: usize> Invert for TriangleOn<D> {
     #[inline]
     fn invert(&self, point: [f32; D]) -> [f32; 2] {
         // From the first vertex, where the second uniform is a quotient of what is small.
@@ -328,6 +332,4 @@ impl<const D: usize> Warp for TriangleOn<D> {
         };
         Triangle::new().invert([1.0 + u, v, w])
     }
-
-    super::filled_in_blocks!();
 }

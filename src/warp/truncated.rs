@@ -1,6 +1,6 @@
 //! The exponential distribution truncated to an interval from 0, with a rate of either sign.
 
-use super::Warp;
+use super::{Invert, Warp};
 use crate::error::{Error, finite, positive};
 use crate::num::{Scaled, clamp, into_unit, quick_two_sum, representable, two_product, two_sum};
 use crate::tier::{LOG2_E, Tier, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, times};
@@ -39,7 +39,7 @@ const LIFT: f32 = 1_267_650_600_228_229_401_496_703_205_376.0;
 /// Media", 2012.
 ///
 /// ```
-/// use microwarp::{Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw};
 /// let segment = mw::TruncatedExponential::new(0.0, 4.0)?;
 /// assert_eq!(segment.sample(0.25), 1.0);
 /// assert_eq!(segment.pdf(1.0), 0.25);
@@ -172,6 +172,13 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
     }
 
     #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        self.sample_canonical(crate::uniform::deep(word))
+    }
+}
+
+impl<T: Tier> Invert for TruncatedExponential<T> {
+    #[inline]
     fn invert(&self, x: f32) -> f32 {
         let x = clamp(x, 0.0, self.length);
         let z = self.z;
@@ -183,10 +190,5 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
             let rest = exp_of_product::<T>(self.rate, self.length - x);
             rest * -exp_m1_of_product::<T>(self.rate, x)
         })
-    }
-
-    #[inline]
-    fn sample_words(&self, word: u32) -> f32 {
-        self.sample_canonical(crate::uniform::deep(word))
     }
 }

@@ -4,7 +4,7 @@ use fixed::FixedI32;
 use fixed::types::extra::U0;
 use fixed::types::{I0F32, I2F30, I16F16, U0F32, U2F62, U32F32};
 use microwarp::fixed::{Coarse, Compact, Fine, Float, Grade, warp};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 

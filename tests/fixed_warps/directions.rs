@@ -2,9 +2,9 @@
 
 use crate::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
-use microwarp::Warp;
 use microwarp::fixed::warp::{Cone, CosineHemisphere, Disk, Hemisphere, PhongLobe, Sphere};
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade};
+use microwarp::{Invert, Warp};
 use std::f64::consts::{FRAC_1_PI, TAU};
 use support::truth::{self, Truth};
 
@@ -46,7 +46,7 @@ fn exact(truth: &dyn Truth, pair: [u32; 2]) -> [f64; 3] {
 
 fn measured<W>(warp: &W, truth: &dyn Truth) -> Measured
 where
-    W: Warp<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + Sync,
+    W: Invert<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + Sync,
 {
     let point = |pair: [u32; 2]| warp.sample(pair.map(U0F32::from_bits));
     let sample = over_pairs(PAIRS, |pair, observe| {

@@ -6,7 +6,7 @@ use fixed::types::extra::{LeEqU32, U0, U8, U16, U27, U32};
 use fixed::types::{U0F32, U5F27, U16F16, U32F0};
 use microwarp::fixed::warp::{Exponential, StandardExponential};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 
 fn word(w: u32) -> U0F32 {
     U0F32::from_bits(w)

@@ -5,7 +5,7 @@ use fixed::types::{I16F16, U0F32, U32F32};
 use fixed::{FixedI32, FixedU32};
 use microwarp::fixed::{FloatPoint, FloatUniforms};
 use microwarp::uniform::{LARGEST, Uniforms};
-use microwarp::{Warp, fixed as mw};
+use microwarp::{Invert, Warp, fixed as mw};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 
@@ -106,7 +106,7 @@ fn any_f32_becomes_the_nearest_number_towards_0() {
 /// Points, densities and inverses are those of the warp under it, converted.
 fn agrees<W>(warp: W)
 where
-    W: Warp<Density = U32F32> + Copy,
+    W: Invert<Density = U32F32> + Copy,
     W::Uniforms: FloatUniforms,
     W::Point: FloatPoint,
     <W::Point as FloatPoint>::Float: core::fmt::Debug + PartialEq,

@@ -4,7 +4,7 @@ use fixed::types::extra::{U16, U32};
 use fixed::types::{I0F32, I16F16, U0F32, U16F16};
 use fixed::{FixedI32, FixedU32};
 use microwarp::fixed::{Interval, Number};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 use support::speed;
 
 fn word(w: u128) -> U0F32 {

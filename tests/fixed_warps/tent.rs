@@ -6,7 +6,7 @@ use fixed::types::extra::{LeEqU32, U0, U16, U30, U32};
 use fixed::types::{I2F30, I16F16, U0F32};
 use microwarp::fixed::warp::Tent;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 
 /// In radii.
 fn truth(w: u32) -> f64 {

@@ -2,9 +2,9 @@
 
 use crate::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{I2F30, U0F32};
-use microwarp::Warp;
 use microwarp::fixed::warp::Triangle;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
+use microwarp::{Invert, Warp};
 use support::truth::{Barycentric, Truth};
 
 const PAIRS: u64 = 1 << 22;

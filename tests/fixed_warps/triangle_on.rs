@@ -6,7 +6,7 @@ use fixed::types::extra::{LeEqU32, U0, U16};
 use fixed::types::{I16F16, I32F0, U0F32};
 use microwarp::fixed::warp::TriangleOn;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 
 const PAIRS: u64 = 1 << 16;
 

@@ -6,7 +6,7 @@ use fixed::types::extra::{LeEqU32, U0, U16, U32};
 use fixed::types::{U0F32, U16F16};
 use microwarp::fixed::warp::TruncatedExponential;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 
 /// −ln(1 − u(1 − e^−z)), in means.
 fn truth(w: f64, z: f64) -> f64 {

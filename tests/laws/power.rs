@@ -4,7 +4,7 @@
 
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{Power, PowerMax};
-use microwarp::{Warp, poly as mw};
+use microwarp::{Invert, Warp, poly as mw};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::errors::ulps;

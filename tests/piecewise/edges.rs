@@ -3,7 +3,7 @@
 use crate::{above, below, draw, edge, equal, step_below};
 use microwarp::discrete::{Cdf, PiecewiseConstant1d};
 use microwarp::uniform::grid_from_word;
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 use support::speed;
 
 const RANGES: [[f32; 2]; 10] = [

@@ -2,9 +2,9 @@
 
 use crate::masses::cases;
 use crate::{above, below, draw, halves, step_below};
-use microwarp::Warp;
 use microwarp::discrete::{Cdf, PiecewiseConstant1d};
 use microwarp::uniform::{LARGEST, grid_from_word};
+use microwarp::{Invert, Warp};
 
 /// A word's place in its cell is its place among the words of the cell.
 #[test]

@@ -5,7 +5,7 @@ use crate::subjects::{self, MORE, POINTS, run};
 use microwarp::Aabb;
 use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
-use microwarp::{Interval, Triangle, Warp, libm, poly};
+use microwarp::{Interval, Invert, Triangle, Warp, libm, poly};
 use rand_core::TryRng;
 use std::f32::consts::{FRAC_1_PI, PI};
 use support::{speed, stats};
@@ -66,6 +66,9 @@ impl Warp for WrongDisk {
     fn pdf(&self, _: [f32; 2]) -> f32 {
         FRAC_1_PI
     }
+}
+
+impl Invert for WrongDisk {
     fn invert(&self, _: [f32; 2]) -> [f32; 2] {
         unreachable!("rejection needs no inverse")
     }

@@ -3,7 +3,7 @@
 use microwarp::tier::Tier;
 use microwarp::uniform::Canonical;
 use microwarp::warp::Power;
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert, Warp};
 use support::adversary::words::Kind::{Any, Positive};
 use support::{
     registry::{Domain, Measure, Registered, entry},
@@ -41,7 +41,9 @@ impl<T: Tier> Warp for Overflowing<T> {
     fn pdf(&self, x: f32) -> f32 {
         self.warp.pdf(x)
     }
+}
 
+impl<T: Tier> Invert for Overflowing<T> {
     fn invert(&self, x: f32) -> f32 {
         self.warp.invert(x)
     }

@@ -3,7 +3,7 @@
 use super::family::{Family, STEP, Subject, WORD, beyond, check, family, uniform};
 use super::plane::{around, turns};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
-use microwarp::Warp;
+use microwarp::Invert;
 use microwarp::fixed::warp::{Cone, CosineHemisphere, Hemisphere, PhongLobe, Sphere};
 use microwarp::fixed::{Density, Grade};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
@@ -22,7 +22,7 @@ fn directions<W>(
     (peak, free): (f64, f64),
 ) -> Option<Subject>
 where
-    W: Warp<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + 'static,
+    W: Invert<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + 'static,
 {
     Subject::new(variables, move |words, errors| {
         let sample = warp.sample(words.map(U0F32::from_bits));
@@ -87,7 +87,7 @@ fn cone<G: Grade>(p: &[u32]) -> Option<Subject> {
 /// A warp beside the truth of the cone of 1 − cos θ = k.
 pub(super) fn cone_of<W>(warp: W, k: f64) -> Option<Subject>
 where
-    W: Warp<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + 'static,
+    W: Invert<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + 'static,
 {
     let density = 1.0 / (TAU * k);
     let size = if k < 1.0 { of_complement(k).0 } else { 1.0 };

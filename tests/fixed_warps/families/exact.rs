@@ -4,11 +4,11 @@ use super::family::{Family, Subject, WORD, check, family};
 use fixed::types::extra::{U0, U16};
 use fixed::types::{I0F32, I16F16, I32F0, U0F32, U2F62, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32};
-use microwarp::Warp;
 use microwarp::fixed::warp::{
     Cone, Disk, NormalPair, PhongLobe, StandardNormalPair, Tent, Triangle, TruncatedExponential,
 };
 use microwarp::fixed::{Density, Float, FloatPoint, FloatUniforms, Grade, Interval, Number};
+use microwarp::{Invert, Warp};
 
 /// All values from the first on, in words, against exact shares.
 fn interval<T>(
@@ -133,7 +133,7 @@ fn route<W>(
     exact: fn(W::Point) -> Vec<f64>,
 ) -> Option<Subject>
 where
-    W: Warp<Density = Density> + Copy + 'static,
+    W: Invert<Density = Density> + Copy + 'static,
     W::Uniforms: FloatUniforms,
     W::Point: FloatPoint,
     <W::Uniforms as FloatUniforms>::Float: Numbers,

@@ -3,10 +3,10 @@
 use super::directions;
 use super::family::{Family, Subject};
 use fixed::types::{I2F30, U0F32, U2F62};
-use microwarp::Warp;
 use microwarp::fixed::warp::Cone;
 use microwarp::fixed::{Density, Fine, Grade, Uniform};
 use microwarp::uniform::Canonical;
+use microwarp::{Invert, Warp};
 use support::adversary::search::{Budget, USUAL};
 use support::adversary::{Family as Attacked, attack};
 
@@ -53,7 +53,9 @@ impl Warp for Halved {
     fn pdf(&self, point: [I2F30; 3]) -> Density {
         self.warp.pdf(point)
     }
+}
 
+impl Invert for Halved {
     fn invert(&self, point: [I2F30; 3]) -> [Uniform; 2] {
         self.warp.invert(point)
     }

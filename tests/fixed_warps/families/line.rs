@@ -4,9 +4,9 @@ use super::family::{Family, Subject, beyond, check, density_error, family, in_fo
 use fixed::types::extra::LeEqU32;
 use fixed::types::{U0F32, U5F27};
 use fixed::{FixedI32, FixedU32};
-use microwarp::Warp;
 use microwarp::fixed::Grade;
 use microwarp::fixed::warp::{Exponential, StandardExponential, Tent, TruncatedExponential};
+use microwarp::{Invert, Warp};
 
 /// Steps of a format in 1.
 fn one<Frac: LeEqU32>() -> f64 {

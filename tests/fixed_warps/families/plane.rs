@@ -4,9 +4,9 @@ use super::family::{Family, Subject, beyond, check, density_error, family, in_fo
 use fixed::types::U0F32;
 use fixed::types::extra::LeEqU32;
 use fixed::{FixedI32, types::I5F27};
-use microwarp::Warp;
 use microwarp::fixed::Grade;
 use microwarp::fixed::warp::{Disk, NormalPair, StandardNormalPair};
+use microwarp::{Invert, Warp};
 use std::f64::consts::TAU;
 
 /// The point of a radius at a phase.

@@ -4,9 +4,9 @@ use super::family::{Family, Subject, beyond, check, density_error, family, in_fo
 use fixed::FixedI32;
 use fixed::types::U0F32;
 use fixed::types::extra::LeEqU32;
-use microwarp::Warp;
 use microwarp::fixed::Grade;
 use microwarp::fixed::warp::{Triangle, TriangleOn};
+use microwarp::{Invert, Warp};
 
 /// Barycentric coordinates.
 fn weights([u, v]: [u32; 2]) -> [f64; 3] {

@@ -9,7 +9,7 @@ use fixed::types::{I2F30, I16F16, U0F32, U2F62, U5F27, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32, FixedU64};
 use microwarp::fixed::warp::*;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, Grade};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert};
 
 /// Words where integer maps break: the ends, the borders of quarters and of table cells, and some in between.
 const WORDS: [[u32; 2]; 12] = [
@@ -99,7 +99,7 @@ impl<T: Words, const N: usize> Words for [T; N] {
 /// which may lie anywhere.
 fn triple<W>(warp: Result<W, Error>, input: usize, out: &mut Out)
 where
-    W: Warp,
+    W: Invert,
     W::Uniforms: Words,
     W::Point: Words,
     W::Density: Words,

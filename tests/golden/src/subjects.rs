@@ -15,7 +15,7 @@ use microwarp::rejection::{
 use microwarp::tier::Tier;
 use microwarp::uniform::{self, Strata1d, Strata2d, Uniforms};
 use microwarp::warp::*;
-use microwarp::{Error, Frame, Warp};
+use microwarp::{Error, Frame, Invert, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -105,7 +105,7 @@ pub(crate) fn generator(input: usize) -> Pcg32 {
 /// Sample, density and inverse at fixed uniforms, or at a drawn point.
 fn triple<W>(warp: W, input: usize, out: &mut Out)
 where
-    W: Warp<Density = f32>,
+    W: Invert<Density = f32>,
     W::Uniforms: Numbers,
     W::Point: Numbers,
 {

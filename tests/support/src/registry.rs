@@ -18,7 +18,7 @@ use crate::contest::{POINTS, generator};
 use crate::truth::Truth;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::Uniforms as _;
-use microwarp::{Error, Transform, Warp};
+use microwarp::{Error, Invert, Transform, Warp};
 use picture::{Picture, View};
 use rand_pcg::Pcg32;
 use std::hint::black_box;
@@ -331,7 +331,7 @@ struct Wrapped<W>(Arc<W>);
 
 impl<W> Erased for Wrapped<W>
 where
-    W: Warp<Density = f32> + Send + Sync + 'static,
+    W: Invert<Density = f32> + Send + Sync + 'static,
     W::Uniforms: Flat<4>,
     W::Point: Flat<3> + 'static,
 {
@@ -398,7 +398,7 @@ pub fn entry<T: Tier, W>(
     truth: impl Into<Arc<dyn Truth>>,
 ) -> Entry
 where
-    W: Warp<Density = f32> + Send + Sync + 'static,
+    W: Invert<Density = f32> + Send + Sync + 'static,
     W::Uniforms: Flat<4>,
     W::Point: Flat<3>,
 {

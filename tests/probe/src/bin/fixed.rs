@@ -6,7 +6,7 @@
 use fixed::types::{I16F16, U0F32, U16F16, U32F32};
 use microwarp::fixed::warp::*;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, FloatUniforms, Grade};
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert};
 use microwarp_golden::fixed::{Words, v, whole};
 use microwarp_golden::integer_warps;
 use microwarp_probe::{input, output};
@@ -20,7 +20,7 @@ fn used<T: Copy>(value: T) {
 
 fn all<W>(warp: Result<W, Error>, rng: &mut Pcg32)
 where
-    W: Warp,
+    W: Invert,
     W::Uniforms: Words,
 {
     let Ok(warp) = warp else { return output(1) };
@@ -34,10 +34,10 @@ where
 /// The warp itself, and over it the route of f32.
 fn both<W>(warp: Result<W, Error>, rng: &mut Pcg32)
 where
-    W: Warp<Density = U32F32> + Copy,
+    W: Invert<Density = U32F32> + Copy,
     W::Uniforms: Words + FloatUniforms,
     W::Point: FloatPoint,
-    <Float<W> as Warp>::Uniforms: Words,
+    <Float<W> as microwarp::Warp>::Uniforms: Words,
 {
     all(warp, rng);
     all(warp.map(Float::new), rng);

@@ -7,7 +7,7 @@ use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
-use microwarp::{Frame, Warp};
+use microwarp::{Frame, Invert};
 use std::f32::consts::PI as PI_32;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -19,7 +19,7 @@ const TINY: f32 = 1.0e-45;
 /// Directions about +z.
 fn about_z<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
 where
-    W: Warp<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
+    W: Invert<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
 {
     entry::<T, _>(name, Domain::Directions, Measure::Length(1.0), warp, truth)
 }
@@ -55,7 +55,7 @@ fn patch<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
 /// A warp about the normal that the first three parameters are.
 fn oriented<T: Tier, W>(p: &[f32], warp: W, inner: Box<dyn Truth>) -> Result<Entry, Error>
 where
-    W: Warp<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
+    W: Invert<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
 {
     let normal = [p[0], p[1], p[2]];
     let warp = Oriented::new(warp, Frame::new(normal)?);

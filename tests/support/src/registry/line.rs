@@ -5,7 +5,7 @@ use super::{Domain, Ends, Entry, Measure, Registered, entry, family};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
-use microwarp::Warp;
+use microwarp::Invert;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
 
@@ -17,7 +17,7 @@ const TINY: f32 = 1.0e-45;
 /// A warp of the line whose error is counted in ulp of the sample.
 pub(super) fn in_ulp<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
 where
-    W: Warp<Point = f32, Density = f32> + Send + Sync + 'static,
+    W: Invert<Point = f32, Density = f32> + Send + Sync + 'static,
     W::Uniforms: super::Flat<4>,
 {
     entry::<T, _>(name, Domain::Line, Measure::Ulp, warp, truth)

@@ -5,7 +5,7 @@ use super::{Domain, Entry, Flat, Measure, Registered, entry, family};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
-use microwarp::Warp;
+use microwarp::Invert;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
 
@@ -13,7 +13,7 @@ const NAN: f32 = f32::NAN;
 
 fn on_disk<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
 where
-    W: Warp<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
+    W: Invert<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
 {
     let mut entry = entry::<T, _>(name, Domain::Plane, Measure::Length(1.0), warp, truth);
     entry.inside = |[x, y, _]| x * x + y * y <= 1.0;

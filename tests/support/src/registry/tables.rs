@@ -10,7 +10,7 @@ use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
 use microwarp::discrete::{Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Storage};
 use microwarp::tier::Tier;
-use microwarp::{Error, Warp};
+use microwarp::{Error, Invert};
 
 /// The columns and the rows of [`sky`].
 pub const SKY: [usize; 2] = [32, 16];
@@ -59,7 +59,7 @@ fn leaked<W: Copy + Default>(entries: usize) -> &'static mut [W] {
 
 fn on_line<T: Tier, W>(weights: &[f64], range: [f32; 2], warp: W) -> Entry
 where
-    W: Warp<Uniforms = f32, Point = f32, Density = f32> + Send + Sync + 'static,
+    W: Invert<Uniforms = f32, Point = f32, Density = f32> + Send + Sync + 'static,
 {
     let truth = truth::Histogram::new(weights, range).expect("a positive weight");
     let scale = Measure::UlpOf(f64::from(range[0].abs().max(range[1].abs())));
@@ -114,7 +114,7 @@ fn in_plane<T: Tier>(
 
 fn picture<T: Tier, W>(truth: truth::Picture, size: f32, warp: W) -> Entry
 where
-    W: Warp<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
+    W: Invert<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
 {
     let truth: Box<dyn Truth> = Box::new(truth);
     let size = Measure::Length(size.into());
