@@ -82,10 +82,12 @@
     clippy::integer_division_remainder_used
 )]
 
-pub mod discrete;
+#[cfg(feature = "alloc")]
+extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
+pub mod discrete;
 mod error;
 pub mod estimate;
 #[cfg(feature = "fixed")]

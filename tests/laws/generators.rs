@@ -211,13 +211,9 @@ fn drawing_is_sampling_at_the_drawn_uniforms() {
 /// the same as the grid's where the grid has it.
 #[test]
 fn drawing_from_a_table_is_the_exact_place_of_the_word() {
-    let narrow = PiecewiseConstant1d::<[u32; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
-    let wide = PiecewiseConstant1d::<[u64; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
-    let plane = PiecewiseConstant2d::<[u32; 2], [[u32; 2]; 2]>::new(
-        &[[1.0, 3.0], [0.0, 4.0]],
-        [0.0, 4.0],
-        [0.0, 2.0],
-    );
+    let narrow = PiecewiseConstant1d::new(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let wide = PiecewiseConstant1d::new_u64(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let plane = PiecewiseConstant2d::new(&[[1.0, 3.0], [0.0, 4.0]], [0.0, 4.0], [0.0, 2.0]);
     let (narrow, wide, plane) = (narrow.unwrap(), wide.unwrap(), plane.unwrap());
     // Cells of [0, 8) with a quarter, nothing, a half and a quarter of the words.
     let place = |u: f64| match u {
@@ -284,7 +280,7 @@ fn a_failing_generator_passes_its_error_on() {
         Err(Broken(17))
     );
     let plane = |words| {
-        PiecewiseConstant2d::<[u64; 1], [[u64; 1]; 1]>::new(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
+        PiecewiseConstant2d::new_u64(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
             .unwrap()
             .try_draw(&mut failing(words))
     };

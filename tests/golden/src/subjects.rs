@@ -238,7 +238,7 @@ fn weights() -> [f32; 6] {
 }
 
 /// Known to the compiler, in flash.
-static FLASH: Cdf<[u32; 6]> = match Cdf::<[u32; 6]>::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) {
+static FLASH: Cdf<[u32; 6]> = match Cdf::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) {
     Ok(table) => table,
     Err(_) => panic!("refused"),
 };
@@ -387,7 +387,7 @@ float_warps!(subjects {
     },
     "cdf" => |[a, b, ..], input, out| {
         let bits = (b * 4_294_967_296.0) as u32;
-        with(Cdf::<[u32; 6]>::new(&weights()), out, |table, out| {
+        with(Cdf::new(&weights()), out, |table, out| {
             selected(table.select_uniform(a), out);
             selected(table.select(bits), out);
             selected(FLASH.draw(&mut generator(input)), out);
@@ -398,7 +398,7 @@ float_warps!(subjects {
     },
     "cdf wide" => |[a, b, ..], input, out| {
         let bits = (b * 4_294_967_296.0) as u32;
-        with(Cdf::<[u64; 6]>::new(&weights()), out, |table, out| {
+        with(Cdf::new_u64(&weights()), out, |table, out| {
             selected(table.select_uniform(a), out);
             selected(table.select(bits), out);
             selected(table.draw(&mut generator(input)), out);
@@ -414,7 +414,7 @@ float_warps!(subjects {
             table.as_words().iter().for_each(|&word| out.word(word));
             out.float(table.pmf(0));
         });
-        with(Cdf::<heapless::Vec<u64, 6>>::new(&any), out, |table, out| {
+        with(Cdf::<heapless::Vec<u64, 6>>::from_slice(&any), out, |table, out| {
             for index in 0..table.entries() {
                 out.word((table.numerator(index) >> 32) as u32);
             }
@@ -425,10 +425,10 @@ float_warps!(subjects {
     },
     "cdf of integers" => |[a, b, c, d], input, out| {
         let any = [a.to_bits(), b.to_bits() >> 9, c.to_bits() >> 20, d.to_bits()];
-        with(Cdf::<[u32; 4]>::from_integers(&any), out, |table, out| {
+        with(Cdf::from_integers(&any), out, |table, out| {
             table.as_words().iter().for_each(|&word| out.word(word));
         });
-        with(Cdf::<heapless::Vec<u32, 3>>::from_integers(any.get(..input & 3).unwrap_or(&[])), out, |table, out| {
+        with(Cdf::<heapless::Vec<u32, 3>>::from_integer_slice(any.get(..input & 3).unwrap_or(&[])), out, |table, out| {
             out.float(table.pmf(0));
         });
         let mut memory = [0_u64; 4];
@@ -457,7 +457,7 @@ float_warps!(subjects {
             out.word((table.numerator(0) >> 32) as u32);
         });
         let integers = [a.to_bits(), b.to_bits() >> 9, 0];
-        with(Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integers(&integers), out, |table, out| {
+        with(Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integer_slice(&integers), out, |table, out| {
             out.float(table.pmf(1));
         });
     },
@@ -496,7 +496,7 @@ float_warps!(subjects {
             let (marginal, conditional) = table.as_words();
             out.word(u32::from(PiecewiseConstant2d::from_words(marginal, conditional, [0.0, 1.0], [a, 9.0]).is_ok()));
         });
-        with(Cdf::<[u64; 3]>::new(&[a, b, c]).and_then(|cdf| PiecewiseConstant1d::new(cdf, -1.0, d)), out, |line, out| {
+        with(Cdf::new_u64(&[a, b, c]).and_then(|cdf| PiecewiseConstant1d::from_cdf(cdf, -1.0, d)), out, |line, out| {
             line.sample(a).put(out);
             line.draw(&mut generator(input)).put(out);
             out.word(line.cell(b) as u32);
