@@ -5,7 +5,7 @@
 //! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function, and
 //! [`ZigguratNormal`] and [`ZigguratExponential`], each with a standard form, draw from the layers of a curve, in flash.
 //! What a proposal is, is the business of [`warp`](crate::warp); the usual one is the bounding box,
-//! [`Aabb`](crate::Aabb). The disks whose points are fixed-point numbers are with their tier, feature `fixed`.
+//! [`Aabb`](crate::warp::Aabb). The disks whose points are fixed-point numbers are with their tier, feature `fixed`.
 //!
 //! # Efficiency
 //! The share of proposals that is accepted is the **efficiency** e. For a region it is the probability that

@@ -17,7 +17,7 @@ use rand_core::TryRng;
 /// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
 ///
 /// ```
-/// use microwarp::Aabb;
+/// use microwarp::warp::Aabb;
 /// use microwarp::rejection::{Region, Rejection};
 /// use rand_pcg::Pcg32;
 /// // Uniform on a ring inside its box; the ring covers 59 % of it.

@@ -112,7 +112,7 @@ impl ZigguratStandardExponential {
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
-        const LAW: Result<Exponential<Poly>, Error> = Exponential::new(1.0);
+        const LAW: Result<Exponential<Poly>, Error> = Exponential::from_rate(1.0);
         LAW.map_or(0.0, |law| law.pdf(x))
     }
 }
@@ -136,7 +136,7 @@ impl ZigguratExponential {
     /// # Errors
     /// Those of [`Self::new`], and [`Error::NotPositive`] for a budget of 0.
     pub const fn with_budget(rate: f32, budget: u32) -> Result<Self, Error> {
-        match (Exponential::new(rate), checked_budget(budget)) {
+        match (Exponential::from_rate(rate), checked_budget(budget)) {
             (Ok(law), Ok(budget)) => Ok(Self { law, rate, budget }),
             (Err(e), _) | (_, Err(e)) => Err(e),
         }
