@@ -48,7 +48,7 @@
 //! - A chain never enters a state whose density is 0, NaN, infinite or negative, and a rejected step leaves it
 //!   as it was, to the last bit.
 //! - A sample never has density 0. (One exception, in world coordinates: the sides of a turned patch next to
-//!   its pole; see [`Oriented`].)
+//!   its pole; see [`warp::Oriented`].)
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
 #![warn(
@@ -99,18 +99,6 @@ pub mod warp;
 
 pub use error::Error;
 pub use warp::contract::{Invert, Warp};
-
-/// Names at the root what both tiers share.
-macro_rules! shared {
-    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
-        $(shared!(@ $name $(<$tier>)?);)*
-    };
-    (@ $name:ident) => {
-        pub use warp::$name;
-    };
-    (@ $name:ident <T>) => {};
-}
-warp::each_warp!(shared);
 
 /// The examples of the README are tests too.
 #[cfg(doctest)]

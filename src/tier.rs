@@ -4,21 +4,21 @@
 //! in `tier/libm.rs` and `tier/poly.rs`, and what both share beside them. Angles are in turns (one turn is 2π radians), because a fraction
 //! of a turn reduces exactly.
 
+mod compensated;
 mod libm;
 mod normal;
 mod poly;
 mod power;
-mod product;
 mod sqrt;
 mod turns;
 
-pub use self::libm::Libm;
-pub use self::poly::Poly;
-pub(crate) use self::power::{exp2, log2_1p, log2_of_sum, times};
-pub(crate) use self::product::{
+pub(crate) use self::compensated::{
     LN_2, LOG2_E, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, ln_ratio,
     one_minus_cos_radians, scaled_exp, scaled_exp_of_product,
 };
+pub use self::libm::Libm;
+pub use self::poly::Poly;
+pub(crate) use self::power::{exp2, log2_1p, log2_of_sum, times};
 pub(crate) use self::sqrt::sqrt;
 pub(crate) use self::turns::exchanged;
 
@@ -34,6 +34,10 @@ mod sealed {
 /// The trait is sealed: [`Libm`] and [`Poly`] implement it and nothing else can. Each function is
 /// total: whatever `f32` it is handed, it returns without a panic, and for arguments inside the
 /// stated domain the result is within the error stated at the tier.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a tier of floating-point functions",
+    note = "the tiers are `microwarp::tier::Poly` and `microwarp::tier::Libm`; `microwarp::poly` and `microwarp::libm` name every warp in one of them"
+)]
 pub trait Tier:
     sealed::Sealed + Copy + Default + core::fmt::Debug + PartialEq + Send + Sync + 'static
 {

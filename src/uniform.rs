@@ -66,6 +66,10 @@ mod sealed {
 ///
 /// The trait is sealed. How many uniforms a warp takes is its type
 /// [`Warp::Uniforms`](crate::Warp::Uniforms).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be the uniforms of a warp",
+    note = "uniforms are an `f32` or an array `[f32; N]`; with feature `fixed` also a `U0F32` or an array of them"
+)]
 pub trait Uniforms: sealed::Sealed + Copy {
     /// How many numbers these are.
     const COUNT: usize;

@@ -43,9 +43,9 @@ mod henyey_greenstein;
 mod interval;
 mod inversion;
 mod linear;
-mod lobe;
 mod marginal;
 mod normal;
+mod phong_lobe;
 mod planar;
 mod power;
 mod power_max;
@@ -79,7 +79,7 @@ macro_rules! each_warp {
             interval::Interval "Uniform on an interval",
             inversion::Inversion "Any density on the line, by its inverse CDF",
             linear::Linear "Linear on [0, 1)",
-            lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere",
+            phong_lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere",
             marginal::MarginalConditional "A marginal, and the conditional that belongs to its point",
             normal::Normal<T> "Normal, one number at a time",
             normal::NormalPair<T> "Two independent normals, by Box and Muller's map",

@@ -1,10 +1,10 @@
 //! What is drawn: four samplers, each with its exact efficiency and the exact law of its points' radius.
 
-use microwarp::Aabb;
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, budget_for,
 };
 use microwarp::uniform::grid;
+use microwarp::warp::Aabb;
 use microwarp::{Warp, poly as mw};
 use rand_core::Rng;
 use rand_pcg::Pcg32;

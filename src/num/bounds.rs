@@ -43,7 +43,7 @@ pub(crate) fn above_zero(u: f32) -> f32 {
 
 /// `x`, or the nearer bound where it lies outside; `low` for NaN.
 #[inline]
-pub(crate) fn clamp(x: f32, low: f32, high: f32) -> f32 {
+pub(crate) const fn clamp(x: f32, low: f32, high: f32) -> f32 {
     if x >= high {
         high
     } else if x > low {

@@ -39,14 +39,14 @@ pub(crate) const fn two_sum(a: f32, b: f32) -> (f32, f32) {
 
 /// The sum and what rounding it dropped, for an `a` that is not the smaller.
 #[inline]
-pub(crate) fn quick_two_sum(a: f32, b: f32) -> (f32, f32) {
+pub(crate) const fn quick_two_sum(a: f32, b: f32) -> (f32, f32) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
 /// The product of two sums of two, likewise.
 #[inline]
-pub(crate) fn product((a, a_rest): (f32, f32), (b, b_rest): (f32, f32)) -> (f32, f32) {
+pub(crate) const fn product((a, a_rest): (f32, f32), (b, b_rest): (f32, f32)) -> (f32, f32) {
     let (product, dropped) = two_product(a, b);
     quick_two_sum(product, dropped + (a * b_rest + a_rest * b))
 }

@@ -41,7 +41,7 @@ impl Scaled {
     }
 
     /// The magnitude of a/(b·c), rounded once, where a and b are numbers and what they lack.
-    pub(crate) fn of_quotient(a: (f32, f32), b: (f32, f32), c: Self) -> Self {
+    pub(crate) const fn of_quotient(a: (f32, f32), b: (f32, f32), c: Self) -> Self {
         let (top, bottom) = (Self::of(a.0.abs()), Self::of(b.0.abs()));
         let (divisor, dropped) = two_product(bottom.significand, c.significand);
         let first = top.significand / divisor;

@@ -19,7 +19,7 @@ pub(super) const LN_2: [f32; 2] = [0.693_115_23, 3.194_618_3e-5];
 
 /// `e^r - 1 - r` for `|r| <= ln(2)/2`.
 #[inline]
-pub(super) fn beyond_linear(r: f32) -> f32 {
+pub(super) const fn beyond_linear(r: f32) -> f32 {
     let [e0, e1, e2, e3, e4] = EXPONENTIAL;
     r * r * (e0 + r * (e1 + r * (e2 + r * (e3 + r * e4))))
 }
@@ -44,7 +44,7 @@ fn log2(x: f32, offset: f32) -> (f32, f32) {
 /// The binary logarithm of a positive normal `x` and what it lacks, less `offset`, likewise.
 #[inline]
 #[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
-pub(crate) fn log2_of_sum(x: f32, lack: f32, offset: f32) -> (f32, f32) {
+pub(crate) const fn log2_of_sum(x: f32, lack: f32, offset: f32) -> (f32, f32) {
     let (k, f) = normalised(x, SQRT_HALF);
     let scale = power_of_two_times(1.0, k.wrapping_neg());
     log2_1p(k as f32 - offset, f, lack * scale)
@@ -53,7 +53,7 @@ pub(crate) fn log2_of_sum(x: f32, lack: f32, offset: f32) -> (f32, f32) {
 /// `k + log2(1 + f + lack)` for whole k and f from √½ - 1 to √2 - 1: a head and the rest, together good to
 /// about 2^-33 of the logarithm.
 #[inline]
-pub(crate) fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
+pub(crate) const fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
     // s = f/(2+f). The rest of s comes from what its head leaves of the numerator.
     let divisor = 2.0 + f;
     let divisor_head = head(divisor);
@@ -91,14 +91,14 @@ pub(crate) fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
 
 /// The product of a logarithm, given as a head and a rest, and `y`: an exact part and a small one.
 #[inline]
-pub(crate) fn times((log_head, log_rest): (f32, f32), y: f32) -> (f32, f32) {
+pub(crate) const fn times((log_head, log_rest): (f32, f32), y: f32) -> (f32, f32) {
     let y_head = head(y);
     (y_head * log_head, (y - y_head) * log_head + y * log_rest)
 }
 
 /// `(k, a, b)` with `2^(exact + small) = 2^k (1 + a + b)`, where a is exact and b small; for sums up to 2^22.
 #[inline]
-pub(crate) fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
+pub(crate) const fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
     let (n, k) = nearest_integer(exact + small);
     let r = exact - n;
     let r_head = head(r + small);
@@ -115,7 +115,7 @@ impl Scaled {
     /// The binary logarithm of the quotient by `other`: a head of 12 bits and the rest, together good to about
     /// 2^-33 of it however close the two are.
     #[inline]
-    pub(crate) fn log2_over(self, other: Self) -> (f32, f32) {
+    pub(crate) const fn log2_over(self, other: Self) -> (f32, f32) {
         use core::f32::consts::SQRT_2;
         let ((s, exponent), (divisor, other_exponent)) = (self.parts(), other.parts());
         let k = exponent.wrapping_sub(other_exponent);
@@ -136,7 +136,7 @@ impl Scaled {
     /// The number times (2^log)^(y + `y_rest`), where log is a head of 12 bits and a rest; 2^-1000 or 2^1000
     /// for what is farther out.
     #[inline]
-    pub(crate) fn times_power(self, log: (f32, f32), (y, y_rest): (f32, f32)) -> Self {
+    pub(crate) const fn times_power(self, log: (f32, f32), (y, y_rest): (f32, f32)) -> Self {
         if (y * (log.0 + log.1)).abs() >= 1000.0 {
             let up = (y > 0.0) == (log.0 > 0.0);
             return Self::ONE.raised(if up { 1000 } else { -1000 });

@@ -26,7 +26,7 @@ use crate::uniform::Canonical;
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///
 /// ```
-/// use microwarp::{Aabb, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::Aabb};
 /// let room = Aabb::new([0.0, -1.0, 0.0], [4.0, 1.0, 2.0])?;
 /// assert_eq!(room.sample([0.25, 0.5, 0.75]), [1.0, 0.0, 1.5]);
 /// assert_eq!(room.pdf([1.0, 0.0, 1.5]), 1.0 / 16.0);
@@ -45,12 +45,20 @@ impl<const N: usize> Aabb<N> {
     /// # Errors
     /// Those of [`Interval::new`] for each side; [`Error::Empty`] or [`Error::TooLarge`] where the density
     /// overflows `f32` or is below its smallest normal number.
-    pub fn new(low: [f32; N], high: [f32; N]) -> Result<Self, Error> {
-        let mut sides = [Interval::new(0.0, 1.0)?; N];
+    pub const fn new(low: [f32; N], high: [f32; N]) -> Result<Self, Error> {
+        let mut sides = match Interval::new(0.0, 1.0) {
+            Ok(unit) => [unit; N],
+            Err(e) => return Err(e),
+        };
         // The product of the lengths is significand · 2^exponent · (1 + rest).
         let (mut significand, mut exponent, mut rest) = (1.0, 0_i32, 0.0);
-        for ((side, a), b) in sides.iter_mut().zip(low).zip(high) {
-            *side = Interval::new(a, b)?;
+        let mut left: (&mut [Interval], &[f32], &[f32]) = (&mut sides, &low, &high);
+        while let ([side, sides @ ..], [a, lows @ ..], [b, highs @ ..]) = left {
+            let (a, b) = (*a, *b);
+            *side = match Interval::new(a, b) {
+                Ok(side) => side,
+                Err(e) => return Err(e),
+            };
             let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
             let (length, rounded_off) = two_sum(b * scale, -a * scale);
             let (digits, power) = Scaled::of(length).over(Scaled::of(scale)).parts();
@@ -59,6 +67,7 @@ impl<const N: usize> Aabb<N> {
             let more;
             (significand, more) = Scaled::of(product).parts();
             exponent = exponent.wrapping_add(power).wrapping_add(more);
+            left = (sides, lows, highs);
         }
         let quotient = 1.0 / significand;
         let correction = remainder(1.0, quotient, significand) - rest;
@@ -72,6 +81,18 @@ impl<const N: usize> Aabb<N> {
         } else {
             Err(Error::TooLarge)
         }
+    }
+
+    /// The lower corner.
+    #[must_use]
+    pub fn low(&self) -> [f32; N] {
+        self.sides.map(|side| side.low())
+    }
+
+    /// The upper corner.
+    #[must_use]
+    pub fn high(&self) -> [f32; N] {
+        self.sides.map(|side| side.high())
     }
 }
 

@@ -42,7 +42,7 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 ///
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
-/// let sun = mw::Cone::from_angle(0.004_65)?; // half the angle the sun subtends, in radians
+/// let sun = mw::Cone::from_radians(0.004_65)?; // half the angle the sun subtends, in radians
 /// let direction = sun.sample([0.9, 0.3]);
 /// assert!(sun.pdf(direction) > 0.0);
 /// assert_eq!(sun.pdf([1.0, 0.0, 0.0]), 0.0);
@@ -85,15 +85,15 @@ impl<T: Tier> Cone<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::OutOfRange`] above π, [`Error::Empty`] below about 1.6e-19 rad.
-    pub fn from_angle(radians: f32) -> Result<Self, Error> {
-        let radians = positive(radians)?;
-        if radians > PI {
+    pub fn from_radians(half_angle: f32) -> Result<Self, Error> {
+        let half_angle = positive(half_angle)?;
+        if half_angle > PI {
             return Err(Error::OutOfRange);
         }
-        let k = one_minus_cos_radians::<T>(radians);
+        let k = one_minus_cos_radians::<T>(half_angle);
         let mut cone = Self::from_one_minus_cos(if k > 2.0 { 2.0 } else { k })?;
         // 1 + cos θ is 1 - cos(π - θ).
-        cone.rest = one_minus_cos_radians::<T>((PI - radians) - PI_EXCESS);
+        cone.rest = one_minus_cos_radians::<T>((PI - half_angle) - PI_EXCESS);
         Ok(cone)
     }
 
@@ -102,7 +102,7 @@ impl<T: Tier> Cone<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::OutOfRange`] above 1 (the viewer is inside the sphere), [`Error::Empty`] below 1.6e-19.
-    pub fn from_sphere(sine: f32) -> Result<Self, Error> {
+    pub fn from_sine(sine: f32) -> Result<Self, Error> {
         let sine = positive(sine)?;
         if sine > 1.0 {
             return Err(Error::OutOfRange);

@@ -21,6 +21,11 @@ use rand_core::{Rng, TryRng};
 /// assert!((disk.pdf(point) - 1.0 / core::f32::consts::PI).abs() < 1e-7);
 /// # let _ = again;
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a warp",
+    label = "a warp is expected here",
+    note = "a constructor returns a `Result`: take the warp out of it with `?`, or with `microwarp::constant!`"
+)]
 pub trait Warp {
     /// The uniforms one sample takes; how many is part of the type.
     type Uniforms: Uniforms;
@@ -116,6 +121,11 @@ pub trait Warp {
 ///
 /// Every warp of this crate has one. A warp of yours needs it only where something asks for it, such as the `invert`
 /// of a [`Transform`](crate::warp::Transform) around it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no inverse",
+    label = "a warp that can be inverted is expected here",
+    note = "`invert` is a trait of its own: implement `microwarp::Invert` beside `microwarp::Warp`"
+)]
 pub trait Invert: Warp {
     /// The uniforms in [0, 1) whose sample is `x`. For a point outside the domain, the uniforms of some
     /// point inside it.

@@ -18,6 +18,14 @@ const fn checked_rate(rate: f32) -> Result<f32, Error> {
     }
 }
 
+const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
+    match positive(mean) {
+        Ok(mean) if (1.0 / mean).is_finite() => Ok(1.0 / mean),
+        Ok(_) => Err(Error::Empty),
+        Err(e) => Err(e),
+    }
+}
+
 /// Exponential with rate a, increasing with the uniform: −ln(1 − u)/a.
 ///
 /// - Uniforms: one. The largest sample is set by the largest uniform: 16.64/a.
@@ -38,7 +46,7 @@ const fn checked_rate(rate: f32) -> Result<f32, Error> {
 ///
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
-/// let free_path = mw::Exponential::new(2.0)?;
+/// let free_path = mw::Exponential::from_rate(2.0)?;
 /// assert_eq!(free_path.sample(0.0), 0.0);
 /// assert!((free_path.sample(0.5) - 0.346_573_6).abs() < 1e-7);
 /// assert_eq!(free_path.pdf(0.0), 2.0);
@@ -57,7 +65,7 @@ impl<T: Tier> Exponential<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::TooLarge`] for a rate so small that the tail overflows (below 3.1e-37).
-    pub const fn new(rate: f32) -> Result<Self, Error> {
+    pub const fn from_rate(rate: f32) -> Result<Self, Error> {
         match checked_rate(rate) {
             Ok(rate) => Ok(Self {
                 rate,
@@ -65,6 +73,31 @@ impl<T: Tier> Exponential<T> {
             }),
             Err(e) => Err(e),
         }
+    }
+
+    /// Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
+    /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does (above
+    /// 3.2e36).
+    pub const fn from_mean(mean: f32) -> Result<Self, Error> {
+        match rate_of_mean(mean) {
+            Ok(rate) => Self::from_rate(rate),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The rate.
+    #[must_use]
+    pub const fn rate(&self) -> f32 {
+        self.rate
+    }
+
+    /// The mean, 1/rate rounded to `f32`.
+    #[must_use]
+    pub const fn mean(&self) -> f32 {
+        1.0 / self.rate
     }
 }
 
@@ -123,7 +156,7 @@ impl<T: Tier> Invert for Exponential<T> {
 ///
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
-/// let decay = mw::ExponentialTail::new(1.0)?;
+/// let decay = mw::ExponentialTail::from_rate(1.0)?;
 /// assert!(decay.sample(2.0_f32.powi(-60)) > 41.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
@@ -138,8 +171,8 @@ impl<T: Tier> ExponentialTail<T> {
     /// Exponential with the given rate (the reciprocal of the mean).
     ///
     /// # Errors
-    /// As [`Exponential::new`].
-    pub const fn new(rate: f32) -> Result<Self, Error> {
+    /// As [`Exponential::from_rate`].
+    pub const fn from_rate(rate: f32) -> Result<Self, Error> {
         match checked_rate(rate) {
             Ok(rate) => Ok(Self {
                 rate,
@@ -147,6 +180,31 @@ impl<T: Tier> ExponentialTail<T> {
             }),
             Err(e) => Err(e),
         }
+    }
+
+    /// Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
+    /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does (above
+    /// 3.2e36).
+    pub const fn from_mean(mean: f32) -> Result<Self, Error> {
+        match rate_of_mean(mean) {
+            Ok(rate) => Self::from_rate(rate),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The rate.
+    #[must_use]
+    pub const fn rate(&self) -> f32 {
+        self.rate
+    }
+
+    /// The mean, 1/rate rounded to `f32`.
+    #[must_use]
+    pub const fn mean(&self) -> f32 {
+        1.0 / self.rate
     }
 }
 

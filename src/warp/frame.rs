@@ -19,7 +19,7 @@ use rand_core::TryRng;
 /// Techniques, 2017.
 ///
 /// ```
-/// use microwarp::Frame;
+/// use microwarp::warp::Frame;
 /// let frame = Frame::new([0.0, 2.0, 0.0])?;
 /// assert_eq!(frame.to_world([0.0, 0.0, 1.0]), [0.0, 1.0, 0.0]);
 /// assert_eq!(frame.to_local([0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]);
@@ -118,7 +118,7 @@ impl Frame {
 /// direction moves by 2⁻²⁴.
 ///
 /// ```
-/// use microwarp::{Frame, Oriented, Invert, Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw, warp::{Frame, Oriented}};
 /// let wall = Oriented::new(mw::CosineHemisphere::new(), Frame::new([-1.0, 0.0, 0.0])?);
 /// let [x, _, _] = wall.sample([0.3, 0.8]);
 /// assert!(x < 0.0);
@@ -136,6 +136,18 @@ impl<W> Oriented<W> {
     #[must_use]
     pub const fn new(warp: W, frame: Frame) -> Self {
         Self { warp, frame }
+    }
+
+    /// The warp inside.
+    #[must_use]
+    pub const fn warp(&self) -> &W {
+        &self.warp
+    }
+
+    /// The frame.
+    #[must_use]
+    pub const fn frame(&self) -> Frame {
+        self.frame
     }
 }
 

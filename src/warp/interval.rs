@@ -82,6 +82,20 @@ impl Interval {
         }
     }
 
+    /// The lower bound.
+    #[must_use]
+    pub const fn low(&self) -> f32 {
+        let (start, end) = (self.segment.start(), self.end);
+        if start < end { start } else { end }
+    }
+
+    /// The upper bound.
+    #[must_use]
+    pub const fn high(&self) -> f32 {
+        let (start, end) = (self.segment.start(), self.end);
+        if start < end { end } else { start }
+    }
+
     const fn density_on(a: f32, b: f32) -> Result<f32, Error> {
         let (scale, length) = match extent(a, b) {
             Ok(extent) => extent,

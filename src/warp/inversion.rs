@@ -23,7 +23,7 @@ use crate::uniform::Canonical;
 /// Source: J. von Neumann's letter to S. Ulam, 1947, as told by R. Eckhardt, 1987.
 ///
 /// ```
-/// use microwarp::{Inversion, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::Inversion};
 /// // p(x) = 2x on [0, 1]
 /// let ramp = Inversion::new(
 ///     |u: f32| libm::sqrtf(u),

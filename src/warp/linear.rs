@@ -87,6 +87,12 @@ impl Linear {
             slope_rest: slope_rest - a_rest,
         })
     }
+
+    /// The densities at 0 and at 1: 2a/(a + b) and 2b/(a + b).
+    #[must_use]
+    pub const fn ends(&self) -> [f32; 2] {
+        [self.a / ONE, self.b / ONE]
+    }
 }
 
 /// x times 2^by, and not 0 unless x is.

@@ -23,7 +23,7 @@ use rand_core::TryRng;
 /// Source: M. Rosenblatt, "Remarks on a Multivariate Transformation", 1952.
 ///
 /// ```
-/// use microwarp::{Interval, MarginalConditional, Invert, Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw, warp::{Interval, MarginalConditional}};
 /// // Uniform on the triangle 0 ≤ y ≤ x ≤ 1: p(x) = 2x, p(y | x) = 1/x.
 /// let whole = Interval::new(0.0, 1.0)?;
 /// let triangle = MarginalConditional::new(mw::Linear::new(0.0, 1.0)?, |x: f32| {
@@ -53,6 +53,18 @@ where
             marginal,
             conditional,
         }
+    }
+
+    /// The marginal.
+    #[must_use]
+    pub const fn marginal(&self) -> &M {
+        &self.marginal
+    }
+
+    /// The conditional of this x.
+    #[must_use]
+    pub fn conditional(&self, x: f32) -> C {
+        (self.conditional)(x)
     }
 }
 

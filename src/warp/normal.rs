@@ -25,7 +25,7 @@ const REACH: f32 = 14.5;
 ///   as 2⁻¹⁴⁹) and the upper one at 5.30σ. Drawing takes all 32 bits of a word, as the middle of their cell: both
 ///   tails end at 6.34σ, and the moments of what can be drawn are those of the law (the eighth to 1e-6).
 /// - Density: e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
-/// - A deviation near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the samples.
+/// - A standard deviation near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the samples.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -35,7 +35,7 @@ const REACH: f32 = 14.5;
 /// | inverse | 1.8e-7 | 1.8e-7 |
 /// | round trip | 1.5e-7 + 3*r | 1.5e-7 + 3*r |
 ///
-/// The unit of a sample is an ulp of μ or of x − μ, whichever is larger; w is |μ|/σ. Of a deviation below 1e-6 of the
+/// The unit of a sample is an ulp of μ or of x − μ, whichever is larger; w is |μ|/σ. Of a standard deviation below 1e-6 of the
 /// mean, whose neighbouring `f32` differ in density by a factor, no realised density is stated.
 ///
 /// Source: M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988,
@@ -52,7 +52,7 @@ const REACH: f32 = 14.5;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normal<T> {
     mean: f32,
-    deviation: f32,
+    std_dev: f32,
     /// The density at the mean.
     peak: f32,
     tier: PhantomData<T>,
@@ -62,25 +62,37 @@ impl<T: Tier> Normal<T> {
     /// Normal with the given mean and standard deviation.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a deviation of 0 or less,
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a standard deviation of 0 or less,
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
-    pub const fn new(mean: f32, deviation: f32) -> Result<Self, Error> {
-        let peak = FRAC_1_SQRT_TAU / deviation;
-        match checked(mean, deviation) {
+    pub const fn new(mean: f32, std_dev: f32) -> Result<Self, Error> {
+        let peak = FRAC_1_SQRT_TAU / std_dev;
+        match checked(mean, std_dev) {
             Ok(()) if !peak.is_finite() => Err(Error::Empty),
             Ok(()) => Ok(Self {
                 mean,
-                deviation,
+                std_dev,
                 peak,
                 tier: PhantomData,
             }),
             Err(e) => Err(e),
         }
     }
+
+    /// The mean.
+    #[must_use]
+    pub const fn mean(&self) -> f32 {
+        self.mean
+    }
+
+    /// The standard deviation.
+    #[must_use]
+    pub const fn std_dev(&self) -> f32 {
+        self.std_dev
+    }
 }
 
-const fn checked(mean: f32, deviation: f32) -> Result<(), Error> {
-    match (finite(mean), positive(deviation)) {
+const fn checked(mean: f32, std_dev: f32) -> Result<(), Error> {
+    match (finite(mean), positive(std_dev)) {
         (Err(e), _) | (_, Err(e)) => Err(e),
         // The distance of x from the mean must not overflow either, hence twice the reach.
         (Ok(m), Ok(d)) if !(m.abs() + 2.0 * REACH * d).is_finite() => Err(Error::TooLarge),
@@ -93,24 +105,24 @@ impl<T: Tier> Normal<T> {
     #[inline]
     fn beyond(&self, tail: f32, upper: bool) -> f32 {
         let quantile = T::normal_quantile_lower(tail);
-        self.mean + self.deviation * if upper { -quantile } else { quantile }
+        self.mean + self.std_dev * if upper { -quantile } else { quantile }
     }
 }
 
 /// How many deviations x lies from the mean, and what rounding that has dropped.
 #[inline]
-fn standardised(x: f32, mean: f32, deviation: f32) -> (f32, f32) {
-    // Of a small deviation the dropped part would be subnormal.
-    let scale = if deviation < 1.0e-18 {
+fn standardised(x: f32, mean: f32, std_dev: f32) -> (f32, f32) {
+    // Of a small one the dropped part would be subnormal.
+    let scale = if std_dev < 1.0e-18 {
         18_446_744_073_709_551_616.0
     } else {
         1.0
     };
     let (distance, dropped) = two_sum(x, -mean);
-    let (distance, deviation) = (scale * distance, scale * deviation);
-    let t = distance / deviation;
-    let rest = remainder(distance, t, deviation) + scale * dropped;
-    (t, rest / deviation)
+    let (distance, std_dev) = (scale * distance, scale * std_dev);
+    let t = distance / std_dev;
+    let rest = remainder(distance, t, std_dev) + scale * dropped;
+    (t, rest / std_dev)
 }
 
 /// −t²/2 and what it lacks, of a t that lacks `rest`.
@@ -149,7 +161,7 @@ impl<T: Tier> Warp for Normal<T> {
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
         if x.is_finite() {
-            let t = standardised(x, self.mean, self.deviation);
+            let t = standardised(x, self.mean, self.std_dev);
             bell::<T>(self.peak, exponent(t))
         } else {
             0.0
@@ -166,7 +178,7 @@ impl<T: Tier> Warp for Normal<T> {
 impl<T: Tier> Invert for Normal<T> {
     #[inline]
     fn invert(&self, x: f32) -> f32 {
-        let t = (x - self.mean) / self.deviation;
+        let t = (x - self.mean) / self.std_dev;
         into_unit(if t > 0.0 {
             1.0 - T::normal_cdf_lower(-t)
         } else {
@@ -194,7 +206,7 @@ impl<T: Tier> Invert for Normal<T> {
 /// The size is the farthest coordinate, the larger of the means' magnitudes plus 5.77σ; w is that of the means over σ, and
 /// no realised density is stated from 1e6 on.
 ///
-/// The sample error of the standard pair, of mean 0 and deviation 1, is proven for every pair of uniforms: see
+/// The sample error of the standard pair, of mean 0 and standard deviation 1, is proven for every pair of uniforms: see
 /// `docs/proofs.md`.
 ///
 /// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
@@ -209,7 +221,7 @@ impl<T: Tier> Invert for Normal<T> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NormalPair<T> {
     mean: [f32; 2],
-    deviation: f32,
+    std_dev: f32,
     /// The density at the mean point.
     peak: f32,
     tier: PhantomData<T>,
@@ -219,16 +231,16 @@ impl<T: Tier> NormalPair<T> {
     /// Normals about the given mean point with the given standard deviation in each coordinate.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a deviation of 0 or less,
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a standard deviation of 0 or less,
     /// [`Error::TooLarge`] if a sample could overflow or the density vanish, [`Error::Empty`] if the
     /// density could overflow.
-    pub const fn new(mean: [f32; 2], deviation: f32) -> Result<Self, Error> {
+    pub const fn new(mean: [f32; 2], std_dev: f32) -> Result<Self, Error> {
         let [x, y] = mean;
-        match (checked(x, deviation), checked(y, deviation)) {
+        match (checked(x, std_dev), checked(y, std_dev)) {
             (Err(e), _) | (_, Err(e)) => return Err(e),
             _ => {}
         }
-        let peak = 1.0 / TAU / deviation / deviation;
+        let peak = 1.0 / TAU / std_dev / std_dev;
         if !peak.is_finite() {
             Err(Error::Empty)
         } else if peak < f32::MIN_POSITIVE {
@@ -236,11 +248,23 @@ impl<T: Tier> NormalPair<T> {
         } else {
             Ok(Self {
                 mean,
-                deviation,
+                std_dev,
                 peak,
                 tier: PhantomData,
             })
         }
+    }
+
+    /// The mean.
+    #[must_use]
+    pub const fn mean(&self) -> [f32; 2] {
+        self.mean
+    }
+
+    /// The standard deviation of each coordinate.
+    #[must_use]
+    pub const fn std_dev(&self) -> f32 {
+        self.std_dev
     }
 }
 
@@ -248,7 +272,7 @@ impl<T: Tier> PlanarMap<2> for NormalPair<T> {
     #[inline]
     fn map(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
         let [mx, my] = self.mean;
-        let r = self.deviation * T::sqrt(2.0 * T::neg_ln_1m(u1));
+        let r = self.std_dev * T::sqrt(2.0 * T::neg_ln_1m(u1));
         let (x, y) = T::polar(r, u2);
         *to = [mx + x, my + y];
     }
@@ -261,8 +285,8 @@ impl<T: Tier> Warp for NormalPair<T> {
     fn pdf(&self, point: [f32; 2]) -> f32 {
         let ([x, y], [mx, my]) = (point, self.mean);
         if x.is_finite() && y.is_finite() {
-            let (x, x_rest) = exponent(standardised(x, mx, self.deviation));
-            let (y, y_rest) = exponent(standardised(y, my, self.deviation));
+            let (x, x_rest) = exponent(standardised(x, mx, self.std_dev));
+            let (y, y_rest) = exponent(standardised(y, my, self.std_dev));
             let (sum, dropped) = two_sum(x, y);
             bell::<T>(self.peak, (sum, dropped + (x_rest + y_rest)))
         } else {
@@ -276,7 +300,7 @@ impl<T: Tier> Invert for NormalPair<T> {
     fn invert(&self, point: [f32; 2]) -> [f32; 2] {
         let ([x, y], [mx, my]) = (point, self.mean);
         let [x, y] = [x - mx, y - my];
-        let [across, along] = [x / self.deviation, y / self.deviation];
+        let [across, along] = [x / self.std_dev, y / self.std_dev];
         // In deviations the smallest distances would have no direction.
         [
             into_unit(-T::exp_m1(-0.5 * (across * across + along * along))),

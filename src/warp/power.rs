@@ -78,7 +78,7 @@ impl<T: Tier> Power<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] for a < 0, [`Error::Reversed`] for
     /// a > b, [`Error::Empty`] for a = b or a density that overflows, at b or at an a > 0,
     /// [`Error::NotNormalizable`] for a = 0 with n ≤ −1.
-    pub fn new(n: f32, a: f32, b: f32) -> Result<Self, Error> {
+    pub const fn new(n: f32, a: f32, b: f32) -> Result<Self, Error> {
         Self::build(n, a, b, true)
     }
 
@@ -86,12 +86,15 @@ impl<T: Tier> Power<T> {
     ///
     /// # Errors
     /// As [`Power::new`].
-    pub fn decreasing(n: f32, a: f32, b: f32) -> Result<Self, Error> {
+    pub const fn decreasing(n: f32, a: f32, b: f32) -> Result<Self, Error> {
         Self::build(n, a, b, false)
     }
 
-    fn build(n: f32, a: f32, b: f32, increasing: bool) -> Result<Self, Error> {
-        let (n, a, b) = (finite(n)?, finite(a)?, finite(b)?);
+    const fn build(n: f32, a: f32, b: f32, increasing: bool) -> Result<Self, Error> {
+        let (n, a, b) = match (finite(n), finite(a), finite(b)) {
+            (Ok(n), Ok(a), Ok(b)) => (n, a, b),
+            (Err(e), _, _) | (_, Err(e), _) | (_, _, Err(e)) => return Err(e),
+        };
         if a < 0.0 {
             return Err(Error::Negative);
         }
@@ -151,6 +154,24 @@ impl<T: Tier> Power<T> {
         Ok(power)
     }
 
+    /// The exponent n.
+    #[must_use]
+    pub const fn exponent(&self) -> f32 {
+        self.n
+    }
+
+    /// The lower bound a. Where the density is 0 or infinite at a = 0, this is 2⁻¹⁴⁹, the smallest sample.
+    #[must_use]
+    pub const fn low(&self) -> f32 {
+        self.low
+    }
+
+    /// The upper bound b.
+    #[must_use]
+    pub const fn high(&self) -> f32 {
+        self.high
+    }
+
     /// R, the end where xᵐ is larger.
     #[inline]
     const fn anchor(&self) -> f32 {
@@ -159,7 +180,7 @@ impl<T: Tier> Power<T> {
 
     /// The sample of a uniform in (0, 1).
     #[inline]
-    fn along(&self, u: f32) -> f32 {
+    const fn along(&self, u: f32) -> f32 {
         // How much of the mixture is the anchor's, and how much the other end's.
         let rise = 1.0 - u;
         let (u, rise) = ((u, 0.0), (rise, (1.0 - rise) - u));
@@ -187,14 +208,14 @@ impl<T: Tier> Power<T> {
 
     /// The density inside the domain; infinite where it overflows.
     #[inline]
-    fn density(&self, x: f32) -> f32 {
+    const fn density(&self, x: f32) -> f32 {
         let log = Scaled::of(x).log2_over(Scaled::of(self.anchor()));
         self.peak.times_power(log, (self.n, 0.0)).value()
     }
 }
 
 /// 1 − e^(−z) and 2⁶⁴e^(−z) for z = |m| ln(b/a), from log₂(b/a).
-fn decay(span: (f32, f32), m: Pair) -> (Pair, Pair) {
+const fn decay(span: (f32, f32), m: Pair) -> (Pair, Pair) {
     // From here on e^(−z) is less than 2⁻⁴⁰ of the smallest float.
     if m.0.abs() * (span.0 + span.1) >= 190.0 {
         return ((1.0, 0.0), (0.0, 0.0));

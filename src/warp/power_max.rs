@@ -26,7 +26,7 @@ use crate::uniform::{Canonical, SMALLEST};
 /// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
 ///
 /// ```
-/// use microwarp::{PowerMax, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::PowerMax};
 /// let quadratic = PowerMax::<3>::new();
 /// assert_eq!(quadratic.sample([0.5, 0.75, 0.25]), 0.75);
 /// assert_eq!(quadratic.pdf(0.5), 0.75);

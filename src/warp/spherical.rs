@@ -23,7 +23,7 @@ use core::marker::PhantomData;
 /// ```
 /// use microwarp::poly as mw;
 /// let p = mw::Spherical::from_cartesian([0.0, 3.0, 0.0]);
-/// assert_eq!((p.radius(), p.theta(), p.phi()), (3.0, 0.25, 0.25));
+/// assert_eq!((p.radius(), p.theta_turns(), p.phi_turns()), (3.0, 0.25, 0.25));
 /// assert_eq!(p.to_cartesian(), [0.0, 3.0, 0.0]);
 /// assert_eq!(p.volume_jacobian(), 9.0);
 /// ```
@@ -42,7 +42,7 @@ impl<T: Tier> Spherical<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] for a negative radius,
     /// [`Error::OutOfRange`] for a polar angle outside [0, ½] turns. Any finite azimuth is accepted.
-    pub const fn new(radius: f32, theta: f32, phi: f32) -> Result<Self, Error> {
+    pub const fn from_turns(radius: f32, theta: f32, phi: f32) -> Result<Self, Error> {
         match (finite(radius), finite(theta), finite(phi)) {
             (Err(e), _, _) | (_, Err(e), _) | (_, _, Err(e)) => Err(e),
             _ if radius < 0.0 => Err(Error::Negative),
@@ -83,13 +83,13 @@ impl<T: Tier> Spherical<T> {
 
     /// The polar angle from +z in turns, in [0, ½].
     #[must_use]
-    pub const fn theta(&self) -> f32 {
+    pub const fn theta_turns(&self) -> f32 {
         self.theta
     }
 
     /// The azimuth from +x in turns.
     #[must_use]
-    pub const fn phi(&self) -> f32 {
+    pub const fn phi_turns(&self) -> f32 {
         self.phi
     }
 
@@ -172,7 +172,7 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 ///
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
-/// let octant = mw::SphericalPatch::new(0.0, 0.25, 0.0, 0.25)?;
+/// let octant = mw::SphericalPatch::from_turns(0.0, 0.25, 0.0, 0.25)?;
 /// assert!((octant.solid_angle() - core::f32::consts::FRAC_PI_2).abs() < 1e-6);
 /// assert!(octant.pdf([0.6, 0.0, 0.8]) > 0.0);
 /// assert_eq!(octant.pdf([-0.6, 0.0, 0.8]), 0.0);
@@ -209,7 +209,7 @@ impl<T: Tier> SphericalPatch<T> {
     /// [`Error::OutOfRange`] for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1
     /// turn, [`Error::Empty`] for a patch with no extent, one whose density overflows or
     /// one whose cos θ₀ − cos θ₁ is below the smallest normal `f32`. A width that rounds to 1 is a whole turn.
-    pub fn new(theta0: f32, theta1: f32, phi0: f32, phi1: f32) -> Result<Self, Error> {
+    pub fn from_turns(theta0: f32, theta1: f32, phi0: f32, phi1: f32) -> Result<Self, Error> {
         for angle in [theta0, theta1, phi0, phi1] {
             finite(angle)?;
         }
@@ -254,6 +254,12 @@ impl<T: Tier> SphericalPatch<T> {
     #[must_use]
     pub fn solid_angle(&self) -> f32 {
         1.0 / self.density
+    }
+
+    /// The azimuths of the two sides in turns. The second is rounded to `f32`.
+    #[must_use]
+    pub const fn phi_turns(&self) -> [f32; 2] {
+        [self.phi, self.phi + self.width]
     }
 
     /// The azimuth of a direction from that of the first side, in turns: of its representatives the one

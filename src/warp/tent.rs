@@ -61,9 +61,13 @@ impl Tent {
             Err(e) => Err(e),
         }
     }
-}
 
-impl Tent {
+    /// The radius.
+    #[must_use]
+    pub const fn radius(&self) -> f32 {
+        self.radius
+    }
+
     /// The distance from the centre beyond which there is this probability on one side.
     #[inline]
     fn beyond(self, tail: f32) -> f32 {

@@ -23,7 +23,7 @@ use rand_core::TryRng;
 /// Source: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997.
 ///
 /// ```
-/// use microwarp::{Transform, Invert, Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw, warp::Transform};
 /// // x with density 2x on [0, 1]; y = 3x has density 2y/9 on [0, 3].
 /// let stretched = Transform::new(mw::Linear::new(0.0, 1.0)?, |x: f32| 3.0 * x, |y: f32| y / 3.0, |_| 3.0);
 /// assert_eq!(stretched.sample(0.25), 1.5);
@@ -56,6 +56,12 @@ where
             backward,
             jacobian,
         }
+    }
+
+    /// The warp inside.
+    #[must_use]
+    pub const fn warp(&self) -> &W {
+        &self.warp
     }
 }
 

@@ -26,7 +26,7 @@ use crate::uniform::Canonical;
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///
 /// ```
-/// use microwarp::{Triangle, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::Triangle};
 /// assert_eq!(Triangle::new().sample([0.25, 0.5]), [0.5, 0.25, 0.25]);
 /// assert_eq!(Triangle::new().invert([0.5, 0.25, 0.25]), [0.25, 0.5]);
 /// ```

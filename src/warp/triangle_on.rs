@@ -33,7 +33,7 @@ use crate::uniform::Canonical;
 /// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
 ///
 /// ```
-/// use microwarp::{TriangleOn, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::TriangleOn};
 /// let facet = TriangleOn::new([[0.0, 0.0], [4.0, 0.0], [0.0, 2.0]])?;
 /// assert_eq!(facet.sample([0.25, 0.5]), [1.0, 0.5]);
 /// assert_eq!(facet.pdf([1.0, 0.5]), 0.25);
@@ -145,6 +145,18 @@ impl<const D: usize> TriangleOn<D> {
             slack,
             lift: 2.0 * f32::EPSILON * (largest + length * unit * scale),
             density,
+        })
+    }
+
+    /// The vertices.
+    #[must_use]
+    pub fn vertices(&self) -> [[f32; D]; 3] {
+        // Exact: the offsets are.
+        self.offsets.map(|mut vertex| {
+            for (x, anchor) in vertex.iter_mut().zip(self.anchor) {
+                *x += anchor;
+            }
+            vertex
         })
     }
 

@@ -40,7 +40,7 @@ const LIFT: f32 = 1_267_650_600_228_229_401_496_703_205_376.0;
 ///
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
-/// let segment = mw::TruncatedExponential::new(0.0, 4.0)?;
+/// let segment = mw::TruncatedExponential::from_rate(0.0, 4.0)?;
 /// assert_eq!(segment.sample(0.25), 1.0);
 /// assert_eq!(segment.pdf(1.0), 0.25);
 /// # Ok::<(), microwarp::Error>(())
@@ -67,8 +67,11 @@ impl<T: Tier> TruncatedExponential<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a length of 0 or less,
     /// [`Error::Empty`] for a length whose reciprocal overflows.
-    pub fn new(rate: f32, length: f32) -> Result<Self, Error> {
-        let (rate, length) = (finite(rate)?, positive(length)?);
+    pub const fn from_rate(rate: f32, length: f32) -> Result<Self, Error> {
+        let (rate, length) = match (finite(rate), positive(length)) {
+            (Ok(rate), Ok(length)) => (rate, length),
+            (Err(e), _) | (_, Err(e)) => return Err(e),
+        };
         let (z, z_rest) = two_product(rate, length);
         let (decay, decay_rest, power) = if z > 190.0 {
             (-1.0, 0.0, 0.0)
@@ -110,6 +113,35 @@ impl<T: Tier> TruncatedExponential<T> {
             peak,
             tier: PhantomData,
         })
+    }
+
+    /// Density ∝ e^(−x/mean) on [0, length]: the exponential law of this mean, truncated. Its rate is 1/mean, rounded to
+    /// `f32`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a mean or a length of 0 or less,
+    /// [`Error::Empty`] for a mean or a length whose reciprocal overflows.
+    pub const fn from_mean(mean: f32, length: f32) -> Result<Self, Error> {
+        match positive(mean) {
+            Ok(mean) if (1.0 / mean).is_finite() => Self::from_rate(1.0 / mean, length),
+            Ok(_) => match positive(length) {
+                Ok(_) => Err(Error::Empty),
+                Err(e) => Err(e),
+            },
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The rate, of either sign.
+    #[must_use]
+    pub const fn rate(&self) -> f32 {
+        self.rate
+    }
+
+    /// The length of the interval.
+    #[must_use]
+    pub const fn length(&self) -> f32 {
+        self.length
     }
 }
 

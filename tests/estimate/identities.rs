@@ -20,7 +20,7 @@ fn merged<'a>(parts: impl IntoIterator<Item = &'a Moments>) -> Moments {
 
 fn exponential(n: usize, seed: u64) -> Vec<f32> {
     let mut samples = vec![0.0; n];
-    let warp = mw::Exponential::new(1.0).unwrap();
+    let warp = mw::Exponential::from_rate(1.0).unwrap();
     warp.fill(&mut Pcg32::new(seed, 54), &mut samples);
     samples
 }

@@ -6,7 +6,10 @@
 
 use crate::any_parameters::any;
 use microwarp::discrete::PiecewiseConstant1d;
-use microwarp::{Error, Interval, Linear, Tent, Warp};
+use microwarp::{
+    Error, Warp,
+    warp::{Interval, Linear, Tent},
+};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::speed;

@@ -35,7 +35,7 @@ impl<M: Mutation<f32>, C: Correction> Mutation<f32> for Restated<M, C> {
 #[test]
 fn a_chain_that_forgets_the_ratio_is_rejected() {
     let factors = Multiply { reach: 1.5 };
-    let source = Independence::new(poly::Exponential::new(0.4).unwrap());
+    let source = Independence::new(poly::Exponential::from_rate(0.4).unwrap());
     let cells = gamma_cells;
     let forgets = |_, _| Symmetric;
     let wrong = Restated {
@@ -88,7 +88,7 @@ fn a_chain_that_forgets_the_ratio_is_rejected() {
         &p_values(&chain("", cells(), 40.0, gamma, right)),
     );
     let rightly = |from, to| {
-        let source = poly::Exponential::new(0.4).unwrap();
+        let source = poly::Exponential::from_rate(0.4).unwrap();
         Source::<f32>::ratio_of_states(&source, from, to)
     };
     let right = Restated {

@@ -116,7 +116,7 @@ fn on_the_line() -> Vec<Subject> {
     let log_law = |x| poly::LogDensity::new(log_power(x) as f32);
     let log_drop = |x| libm::LogDensity::new(log_cliff(x) as f32);
     let wide = poly::ExponentialStep::new(0.01, 1e6).unwrap();
-    let source = poly::Exponential::new(0.4).unwrap();
+    let source = poly::Exponential::from_rate(0.4).unwrap();
     let long = Plan {
         steps: if speed::full() { 50_000 } else { 10_000 },
         pilot: if speed::full() { 400_000 } else { 80_000 },

@@ -2,7 +2,10 @@
 
 use microwarp::rejection::{Bounded, Failure, Rejection, SLACK};
 use microwarp::uniform::LARGEST;
-use microwarp::{Error, Interval, Inversion, Warp};
+use microwarp::{
+    Error, Warp,
+    warp::{Interval, Inversion},
+};
 use rand_pcg::Pcg32;
 
 /// The smallest positive `f32`.

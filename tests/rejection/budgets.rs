@@ -1,12 +1,12 @@
 //! Budgets are kept to the word, and no generator makes a sampler hang.
 
-use microwarp::Aabb;
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DEFAULT_BUDGET, DiskRejection, Failure, Region, Rejection,
     budget_for,
 };
 use microwarp::uniform::grid_from_word;
-use microwarp::{Error, Interval, poly};
+use microwarp::warp::Aabb;
+use microwarp::{Error, poly, warp::Interval};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::generators::{Broken, Counting, Cycle, Failing};
@@ -42,7 +42,7 @@ where
 #[test]
 fn a_budget_is_spent_to_the_word() {
     let line = Interval::new(0.0, 1.0).unwrap();
-    let tail = poly::ExponentialTail::new(1.0).unwrap();
+    let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
     let cube = Aabb::new([0.0; 3], [1.0; 3]).unwrap();
     for budget in [1, 2, 7, 1000] {
         let tries = u64::from(budget);
@@ -106,7 +106,7 @@ fn tries_and_words_agree() {
         &Bounded::new(Aabb::new([0.0; 2], [1.0; 2]).unwrap(), f, 1.0).unwrap(),
         3,
     );
-    let tail = poly::ExponentialTail::new(1.0).unwrap();
+    let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
     agree(&Region::new(tail, |x| x > 1.0), 2);
 }
 

@@ -2,10 +2,13 @@
 
 use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
 use crate::subjects::{self, MORE, POINTS, run};
-use microwarp::Aabb;
 use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
-use microwarp::{Interval, Invert, Triangle, Warp, libm, poly};
+use microwarp::warp::Aabb;
+use microwarp::{
+    Invert, Warp, libm, poly,
+    warp::{Interval, Triangle},
+};
 use rand_core::TryRng;
 use std::f32::consts::{FRAC_1_PI, PI};
 use support::{speed, stats};

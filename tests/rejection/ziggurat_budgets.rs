@@ -225,7 +225,7 @@ fn parameters_are_refused_as_by_the_warps() {
             let due = poly::Normal::new(a, b).err();
             assert_eq!(ZigguratNormal::new(a, b).err(), due, "{a} {b}");
         }
-        let due = poly::Exponential::new(a).err();
+        let due = poly::Exponential::from_rate(a).err();
         // A little less far down, since its tail reaches a little farther.
         let due = if a == 3.1e-37 {
             Some(Error::TooLarge)
@@ -333,7 +333,7 @@ fn extremes_of_scale_stay_finite_and_dense() {
     }
     for rate in [3.1e-37, 1e-30, 1.0, 1e30, f32::MAX] {
         let path = ZigguratExponential::from_rate(rate).unwrap();
-        let law = poly::Exponential::new(rate).unwrap();
+        let law = poly::Exponential::from_rate(rate).unwrap();
         for k in 0..20_000 {
             let mut words = [rng.next_u32(), rng.next_u32(), rng.next_u32()];
             match k {

@@ -59,7 +59,7 @@ impl World {
             start: mw::Disk::new(),
             ground: mw::NormalPair::new([0.0; 2], 0.08)?,
             noise: mw::Normal::new(0.0, RANGE_DEVIATION)?,
-            detour: mw::Exponential::new(1.0 / 6.0)?,
+            detour: mw::Exponential::from_rate(1.0 / 6.0)?,
         })
     }
 

@@ -8,7 +8,7 @@ use microwarp::fixed as integers;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection};
 use microwarp::tier::Tier;
 use microwarp::warp::Disk;
-use microwarp::{Aabb, Error};
+use microwarp::{Error, warp::Aabb};
 use rand_core::Rng;
 
 subjects! {

@@ -2,7 +2,7 @@
 
 use super::layers::{Layers, Shape};
 use super::{Law, attempt_at, try_draw, try_once, ziggurat};
-use crate::error::{Error, positive};
+use crate::error::Error;
 use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
 use crate::warp::{Exponential, Warp};
@@ -112,7 +112,7 @@ impl ZigguratStandardExponential {
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
-        const LAW: Result<Exponential<Poly>, Error> = Exponential::new(1.0);
+        const LAW: Result<Exponential<Poly>, Error> = Exponential::from_rate(1.0);
         LAW.map_or(0.0, |law| law.pdf(x))
     }
 }
@@ -132,31 +132,26 @@ impl ZigguratExponential {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] for a rate
     /// so small that the tail overflows (below 3.1e-37).
     pub const fn from_rate(rate: f32) -> Result<Self, Error> {
-        match Exponential::new(rate) {
-            Ok(law) => Ok(Self {
-                law,
-                rate,
-                budget: Self::BUDGET,
-            }),
-            Err(e) => Err(e),
-        }
+        Self::of(Exponential::from_rate(rate))
     }
 
-    /// Exponential with the given mean: that of rate 1/`mean`, rounded to `f32`.
+    /// Exponential with the given mean, and the budget [`Self::BUDGET`]. Its rate is 1/mean, rounded to `f32`.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
-    /// small that the rate overflows (below 2.94e-39), [`Error::TooLarge`] for one so large that the tail does
+    /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does
     /// (above 3.2e36).
     pub const fn from_mean(mean: f32) -> Result<Self, Error> {
-        match positive(mean) {
-            Ok(mean) => {
-                let rate = 1.0 / mean;
-                if rate > f32::MAX {
-                    return Err(Error::Empty);
-                }
-                Self::from_rate(rate)
-            }
+        Self::of(Exponential::from_mean(mean))
+    }
+
+    const fn of(law: Result<Exponential<Poly>, Error>) -> Result<Self, Error> {
+        match law {
+            Ok(law) => Ok(Self {
+                law,
+                rate: law.rate(),
+                budget: Self::BUDGET,
+            }),
             Err(e) => Err(e),
         }
     }
@@ -167,7 +162,7 @@ impl ZigguratExponential {
         self.rate
     }
 
-    /// The mean: 1/rate, rounded to `f32`.
+    /// The mean, 1/rate rounded to `f32`.
     #[must_use]
     pub const fn mean(&self) -> f32 {
         1.0 / self.rate

@@ -15,7 +15,7 @@ use microwarp::rejection::{
 use microwarp::tier::Tier;
 use microwarp::uniform::{self, Strata1d, Strata2d, Uniforms};
 use microwarp::warp::*;
-use microwarp::{Error, Frame, Invert, Warp};
+use microwarp::{Error, Invert, Warp, warp::Frame};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -287,9 +287,9 @@ float_warps!(subjects {
         verdict(Interval::decreasing(b, c), out);
         verdict(Power::<T>::new(c - 2.0, a, b), out);
         verdict(Power::<T>::decreasing(a, b, c), out);
-        verdict(Exponential::<T>::new(a), out);
-        verdict(ExponentialTail::<T>::new(b - 0.5), out);
-        verdict(TruncatedExponential::<T>::new(a, b - 0.5), out);
+        verdict(Exponential::<T>::from_rate(a), out);
+        verdict(ExponentialTail::<T>::from_rate(b - 0.5), out);
+        verdict(TruncatedExponential::<T>::from_rate(a, b - 0.5), out);
         verdict(Tent::new(a), out);
         verdict(Linear::new(a - 0.5, b), out);
         verdict(Normal::<T>::new(a, b), out);
@@ -299,11 +299,11 @@ float_warps!(subjects {
         verdict(TriangleOn::new([[a, b], [c, d], [a, a]]), out);
         verdict(TriangleOn::new([[a, b, c], [c, d, b], [a, a, a]]), out);
         verdict(PhongLobe::<T>::new(a - 0.5), out);
-        verdict(Cone::<T>::from_angle(4.0 * b), out);
-        verdict(Cone::<T>::from_sphere(2.0 * b), out);
+        verdict(Cone::<T>::from_radians(4.0 * b), out);
+        verdict(Cone::<T>::from_sine(2.0 * b), out);
         verdict(Cone::<T>::from_one_minus_cos(3.0 * c), out);
-        verdict(SphericalPatch::<T>::new(a, b, c, d), out);
-        verdict(Spherical::<T>::new(a - 0.1, b, c), out);
+        verdict(SphericalPatch::<T>::from_turns(a, b, c, d), out);
+        verdict(Spherical::<T>::from_turns(a - 0.1, b, c), out);
         verdict(Frame::new([a, b, c]), out);
         verdict(Strata1d::new(a.to_bits()), out);
         verdict(Strata2d::new(a.to_bits(), b.to_bits()), out);
@@ -311,7 +311,7 @@ float_warps!(subjects {
     "slices" => |_, input, out| {
         let mut rng = generator(input);
         let mut points = [0.0; 4];
-        if let Ok(tail) = ExponentialTail::<T>::new(v(2.0)) {
+        if let Ok(tail) = ExponentialTail::<T>::from_rate(v(2.0)) {
             tail.fill(&mut rng, &mut points);
         }
         points.put(out);
@@ -365,9 +365,9 @@ float_warps!(subjects {
     },
     "spherical" => |[a, b, c, _], _, out| {
         let s = Spherical::<T>::from_cartesian([a - 0.5, b - 0.5, c - 0.5]);
-        [s.radius(), s.theta(), s.phi(), s.solid_angle_jacobian(), s.volume_jacobian()].put(out);
+        [s.radius(), s.theta_turns(), s.phi_turns(), s.solid_angle_jacobian(), s.volume_jacobian()].put(out);
         s.to_cartesian().put(out);
-        match Spherical::<T>::new(a, 0.5 * b, c) {
+        match Spherical::<T>::from_turns(a, 0.5 * b, c) {
             Ok(s) => s.to_cartesian().put(out),
             Err(e) => out.word(refusal(e)),
         }
@@ -377,7 +377,7 @@ float_warps!(subjects {
             Ok(cone) => [cone.one_minus_cos(), cone.solid_angle()].put(out),
             Err(e) => out.word(refusal(e)),
         }
-        match SphericalPatch::<T>::new(0.25 * a, 0.25 + 0.25 * b, -a, b - a) {
+        match SphericalPatch::<T>::from_turns(0.25 * a, 0.25 + 0.25 * b, -a, b - a) {
             Ok(patch) => out.float(patch.solid_angle()),
             Err(e) => out.word(refusal(e)),
         }

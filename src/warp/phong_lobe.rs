@@ -72,6 +72,12 @@ impl<T: Tier> PhongLobe<T> {
         }
     }
 
+    /// The exponent n.
+    #[must_use]
+    pub const fn exponent(&self) -> f32 {
+        self.n
+    }
+
     /// m ln cos θ of a direction with z > 0.
     #[inline]
     fn log_rest(self, direction: [f32; 3]) -> f32 {

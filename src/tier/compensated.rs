@@ -135,22 +135,30 @@ pub(crate) const LOG2_E: (f32, f32) = {
     (high, (core::f64::consts::LOG2_E - high as f64) as f32)
 };
 
+/// 1/8!, 1/7!, 1/6! and 1/5!.
+const LAST_TERMS: [f32; 4] = [1.0 / 40_320.0, 1.0 / 5_040.0, 1.0 / 720.0, 1.0 / 120.0];
+
 /// 1/24, 1/6, 1/2 and 1.
 const FIRST_TERMS: [(f32, f32); 4] = [pair(1.0 / 24.0), pair(1.0 / 6.0), (0.5, 0.0), (1.0, 0.0)];
 
 /// `(k, rise)` with `2^(x + rest) = 2^k (1 + rise)` and `rise` good to 2^-40 of itself; for x up to 2^22.
-pub(crate) fn exp2_m1((x, rest): (f32, f32)) -> (i32, (f32, f32)) {
+pub(crate) const fn exp2_m1((x, rest): (f32, f32)) -> (i32, (f32, f32)) {
     let (n, k) = nearest_integer(x);
     let y = product(two_sum(x - n, rest), LN_2);
     // Taylor's series of (e^y - 1)/y, whose first terms count for more than one float holds.
-    let tail = [1.0 / 40_320.0, 1.0 / 5_040.0, 1.0 / 720.0, 1.0 / 120.0];
-    let tail = tail
-        .iter()
-        .fold(1.0 / 362_880.0, |sum, term| term + y.0 * sum);
-    let series = FIRST_TERMS.iter().fold((tail, 0.0), |sum, term| {
-        let (more, more_rest) = product(y, sum);
-        let (sum, dropped) = quick_two_sum(term.0, more);
-        (sum, dropped + (more_rest + term.1))
-    });
+    let mut tail = 1.0 / 362_880.0;
+    let mut terms: &[f32] = &LAST_TERMS;
+    while let [term, more @ ..] = terms {
+        tail = *term + y.0 * tail;
+        terms = more;
+    }
+    let mut series = (tail, 0.0);
+    let mut terms: &[(f32, f32)] = &FIRST_TERMS;
+    while let [(term, term_rest), more @ ..] = terms {
+        let (product, product_rest) = product(y, series);
+        let (sum, dropped) = quick_two_sum(*term, product);
+        series = (sum, dropped + (product_rest + *term_rest));
+        terms = more;
+    }
     (k, product(y, series))
 }
