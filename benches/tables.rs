@@ -108,7 +108,7 @@ fn rejection_ball(bencher: Bencher) {
 #[divan::bench]
 fn rejection_bump_on_the_disk(bencher: Bencher) {
     let bump = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
-    let bounded = Bounded::new(mw::Disk::new(), bump, std::f32::consts::PI, 100).unwrap();
+    let bounded = Bounded::new(mw::Disk::new(), bump, std::f32::consts::PI).unwrap();
     repeat(bencher, |rng| black_box(&bounded).draw(rng));
 }
 

@@ -193,5 +193,5 @@ pub fn disks(u: [f32; 4], input: usize, out: &mut Out) {
     drawn(short.draw(&mut generator(input)), out);
     let point = [a, d].map(|x| I2F30::from_bits(x as i32));
     wide(fine.pdf(point).to_bits(), out);
-    verdict(DiskRejection::with_budget(d & 1), out);
+    verdict(DiskRejection::new().with_budget(d & 1), out);
 }
