@@ -13,8 +13,14 @@
 //!
 //! The integer tier takes the word itself, as a number of 32 fractional bits, with nothing on the way.
 
+mod generators;
 mod strata;
 
+pub use self::generators::FromFn;
+#[cfg(feature = "rand_core_09")]
+pub use self::generators::Rng09;
+#[cfg(feature = "rand_core_06")]
+pub use self::generators::{Error06, Rng06, TryRng06};
 pub use self::strata::{MAX_STRATA, Strata1d, Strata2d};
 pub use crate::num::{LARGEST, SMALLEST};
 
