@@ -138,8 +138,8 @@ macro_rules! tier_module {
         pub mod $module {
             pub use crate::tier::$tier as Tier;
             crate::warp::each_warp!(of_tier);
-            /// [`metropolis::ExponentialStep`](crate::metropolis::ExponentialStep) in this tier.
-            pub type ExponentialStep = crate::metropolis::ExponentialStep<Tier>;
+            /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
+            pub type LogUniformStep = crate::metropolis::LogUniformStep<Tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.
             pub type LogDensity = crate::metropolis::LogDensity<Tier>;
             /// [`metropolis::NormalStep`](crate::metropolis::NormalStep) in this tier.

@@ -204,9 +204,9 @@ fn no_warp_is_without_golden_bits() {
 /// Public and in no golden subject by name, with the reason.
 const SPARED: [(&str, &str); 4] = [
     ("Chance", "the acceptance in a step of integer weights"),
+    ("RandomWalk", "how `BoxStep` and the other steps propose"),
     ("Start", "what `Chain::resample` returns"),
-    ("Step", "what `Chain::step` returns"),
-    ("Walk", "how `BoxStep` and the other steps propose"),
+    ("Transition", "what `Chain::step` returns"),
 ];
 
 /// Tables, selections, rejection samplers, mutations, chains, estimates, strata and tiers are in a golden subject.
