@@ -31,12 +31,13 @@ fn public(room: &str) -> Vec<&str> {
 }
 
 /// What a room makes public beside its samplers: traits, results, and parts of others.
-const BESIDE: [&str; 40] = [
+const BESIDE: [&str; 41] = [
     "Accepted",
     "AliasEntry",
     "Bins",
     "Chance",
     "Coordinates",
+    "Error06",
     "ExactSelection",
     "Failure",
     "FromFn",
