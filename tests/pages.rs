@@ -31,10 +31,9 @@ fn public(room: &str) -> Vec<&str> {
 }
 
 /// What a room makes public beside its samplers: traits, results, and parts of others.
-const BESIDE: [&str; 41] = [
+const BESIDE: [&str; 40] = [
     "Accepted",
     "AliasEntry",
-    "Bins",
     "Chance",
     "Coordinates",
     "Error06",
