@@ -28,12 +28,13 @@ pub(super) use sealed::Kernels;
 
 /// Elementary functions on fixed-point numbers, in one of three trades of speed, accuracy and flash.
 ///
-/// The trait is sealed: [`Fine`], [`Coarse`] and [`Compact`] implement it and nothing else can. Each function
-/// is total: it takes every word there is.
+/// [`Fine`] is the usual one, [`Coarse`] the fastest, [`Compact`] the smallest. Every warp of this tier takes a grade as a
+/// parameter. The trait is sealed: no other grades exist. Each function accepts every word.
 ///
-/// Errors, largest, rms and mean, of what the grade returns against the exact value: over all 2³² arguments, so that the
-/// largest is proven; of `pow` over one of every 8, and of `atan2_turns`, where they are in turns, over 2²⁸ points of all
-/// magnitudes, so that it is the largest found.
+/// # Accuracy
+/// The table holds the largest, the rms and the mean absolute error of the result. They cover all 2³² arguments, so that
+/// the largest is proven, with two exceptions: `pow` covers one argument of every 8, and `atan2_turns`, whose errors are
+/// in turns, 2²⁸ points of all magnitudes, so that its largest error is the largest found.
 ///
 /// | function | [`Fine`] | [`Coarse`] | [`Compact`] |
 /// |---|--:|--:|--:|
@@ -49,8 +50,8 @@ pub(super) use sealed::Kernels;
 /// | `pow`, y = 50 | 1.6e-5, 9.2e-7, -1.6e-7 | 4.2e-4, 3.4e-5, -6.3e-6 | 4.6e-6, 5.3e-7, -7.7e-8 |
 /// | `atan2_turns` | 4.2e-8, 1.2e-8, 0 | 1.1e-5, 5.7e-6, 0 | 4.2e-8, 1.2e-8, 0 |
 ///
-/// Functions that rise or fall do so but for single steps: by up to so many last places of the result they go back
-/// from an argument to the next.
+/// Rising and falling functions are monotone up to a few last places. The table holds the most by which the result steps
+/// back from one argument to the next, in last places.
 ///
 /// | function | [`Fine`] | [`Coarse`] | [`Compact`] |
 /// |---|--:|--:|--:|

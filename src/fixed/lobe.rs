@@ -12,17 +12,24 @@ use crate::warp::{Invert, Warp};
 use ::fixed::types::U32F32;
 use core::marker::PhantomData;
 
-/// Density ∝ cosⁿθ over the hemisphere about +z, for any n ≥ 0.
+/// In proportion to cosⁿθ over the hemisphere about +z (the Phong lobe), for any n ≥ 0.
 ///
-/// cos θ = (1 − u₁)^(1/(n+1)), carried as 1 − cos θ with an exponent of its own, so that a lobe of n = 1e8 does not
-/// collapse onto its axis. n = 0 is the uniform hemisphere, n = 1 the cosine one.
+/// cos θ = (1 − u₁)^(1/(n+1)). The warp computes 1 − cos θ with an exponent of its own, so that a lobe of n = 1e8 does
+/// not collapse onto its axis. n = 0 is the uniform hemisphere, n = 1 the cosine one.
 ///
-/// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
-/// - Range: unit vectors with z ≥ 2⁻³⁰. Of narrow lobes all the information is in x and y, in steps of 2⁻³⁰.
-/// - Density: (n + 1)/(2π) cosⁿθ per steradian; never 0 at a sample. What is below 2⁻³² counts as that.
+/// # Density
+/// (n + 1)/(2π) cosⁿθ per steradian where z > 0, at least 2⁻³² there; 0 elsewhere.
 ///
-/// Rms and mean at n = 50; in *sample* the error of a coordinate; in *round trip* of u₁, and of u₂ times sin θ. The size of the
-/// lobe is w, the smaller of √(2/(n + 1)) and 1; the farthest sample lies at 4.7 w:
+/// # Domain
+/// - Point: unit vectors with z ≥ 2⁻³⁰. In narrow lobes x and y hold all the information, in steps of 2⁻³⁰.
+/// - Uniforms: two words, polar angle then azimuth. The axis is at u₁ = 0.
+/// - Parameter: the exponent n from 0 to 2³² − 2. The warp keeps its first 32 binary digits.
+///
+/// # Accuracy
+/// *Sample* is the absolute error of a coordinate, *unit length* the largest error of the length. *Round trip* is the
+/// error of the uniforms after `sample` and `invert`: of u₁, and of u₂ times sin θ.
+/// *Pdf* is relative to the density on the axis. Rms and mean hold for n = 50. w is the size of the lobe, the smaller of
+/// √(2/(n + 1)) and 1; the farthest sample lies at 4.7 w.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -33,9 +40,15 @@ use core::marker::PhantomData;
 /// | round trip | 2.4e-6 + 2e-9/w | 4e-4 + 2e-9/w | 1.9e-6 + 2e-9/w |
 /// | pdf, of that on the axis | 1.4e-6 | 2.0e-4 | 9.6e-7 |
 ///
-/// Source: E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically
-/// Based Rendering", 1994.
+/// # Cost
+/// <!-- generated: cost fixed PhongLobe -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 330 on a Cortex-M0 (960 bytes), 171 on a Cortex-M3.
+/// - `coarse`: 277 on a Cortex-M0 (872 bytes), 141 on a Cortex-M3.
+/// - `compact`: 486 on a Cortex-M0 (1,596 bytes), 287 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{U0F32, U32F32};
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -45,6 +58,19 @@ use core::marker::PhantomData;
 /// assert!(x * x + y * y > 1.3e-8); // but not on it
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`CosineHemisphere`](super::CosineHemisphere) is the lobe of n = 1, at lower cost.
+/// - [`Cone`](super::Cone) is uniform and has a rim.
+/// - [`warp::PhongLobe`](crate::warp::PhongLobe) is the lobe of the float tiers.
+///
+/// # Source
+/// E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
+/// Report CW 197, K. U. Leuven, 1994, <http://graphics.cs.kuleuven.be/publications/Phong/>.
+#[doc(alias = "cosine_power")]
+#[doc(alias = "specular")]
+#[doc(alias = "glossy")]
+#[doc(alias = "phong")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PhongLobe<G = Fine> {

@@ -16,10 +16,9 @@ mod sealed {
 }
 pub(super) use sealed::Bits32;
 
-/// A number of 32 bits: `i32`, `u32`, or of the `fixed` crate `FixedI32` and `FixedU32` with any number of
-/// fraction bits.
+/// A number of 32 bits: `i32`, `u32`, or `FixedI32` and `FixedU32` of the crate `fixed`, with any number of fraction bits.
 ///
-/// The trait is sealed.
+/// The values of an [`Interval`](super::Interval) are such numbers. The trait is sealed.
 pub trait Number: Bits32 {}
 
 impl<T: Bits32> Number for T {}

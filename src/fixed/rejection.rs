@@ -41,17 +41,22 @@ const fn long_inside(x: i32, y: i32) -> bool {
 
 /// Uniform on the unit disk, by rejection from the square around it, from two words a try.
 ///
-/// - Uniforms: two, a try. Words a try: two. Only the first 30 bits of each count: as a signed number, so that a
-///   coordinate is 2u for u below ½, and 2u − 2 from there on.
-/// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻³⁰, symmetric about 0; each such point of
-///   the disk is equally likely.
-/// - Density: 1/π per unit area, off by 2⁻³³ at most.
-/// - Efficiency: π/4.
-/// - No product of 64 bits but in 1 try of 85, no division, no table. Where the number of tries must be
-///   constant, take a warp.
+/// # Density
+/// 1/π per unit area where x² + y² ≤ 1, to 2⁻³³; 0 elsewhere.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻³⁰, symmetric about 0. Each such point of the disk
+///   is equally likely.
+/// - Words a try: two, of which only the first 30 bits count. They are read as signed numbers: a coordinate is 2u for u
+///   below ½, and 2u − 2 from there on.
 ///
+/// # Accuracy
+/// Samples are exact.
+///
+/// # Cost
+/// Efficiency: π/4. Only 1 try in 85 needs a product of 64 bits. There is no division and no table.
+///
+/// # Examples
 /// ```
 /// use microwarp::{fixed as mw, rejection::Rejection};
 /// use rand_pcg::Pcg32;
@@ -61,6 +66,17 @@ const fn long_inside(x: i32, y: i32) -> bool {
 /// assert_eq!(disk.attempt([mw::Uniform::from_num(0.49); 2]), None); // in a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`DiskRejection16`] takes one word a try, for coordinates of 16 bits.
+/// - [`Disk`](super::Disk) takes a fixed number of words.
+/// - [`rejection::DiskRejection`](crate::rejection::DiskRejection) gives points in `f32`.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "circle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskRejection {
@@ -69,15 +85,21 @@ pub struct DiskRejection {
 
 /// Uniform on the unit disk, by rejection from the square around it, from one word a try: 16 bits a coordinate.
 ///
+/// # Density
+/// 1/π per unit area where x² + y² ≤ 1, spread over the cells of the grid, to 2⁻³³; 0 elsewhere.
+///
+/// # Domain
+/// - Point: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻¹⁶, symmetric about 0. Each of the 3,373,259,248 such
+///   points of the disk belongs to one word.
 /// - Words a try: one. Its halves are x, then y, as signed numbers.
-/// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻¹⁶, symmetric about 0; each of the
-///   3,373,259,248 such points of the disk is one word.
-/// - Density: 1/π per unit area, of the cells of the grid; off by 2⁻³³ at most.
-/// - Efficiency: π/4, less 4.1e-8.
-/// - No product of 64 bits, no division, no table.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Accuracy
+/// Samples are exact.
 ///
+/// # Cost
+/// Efficiency: π/4, less 4.1e-8. There is no product of 64 bits, no division and no table.
+///
+/// # Examples
 /// ```
 /// use microwarp::{fixed as mw, rejection::Rejection};
 /// use rand_pcg::Pcg32;
@@ -87,6 +109,16 @@ pub struct DiskRejection {
 /// assert_eq!(disk.attempt(0x7fff_7fff), None); // a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`DiskRejection`] has coordinates of 30 bits, from two words a try.
+/// - [`Disk`](super::Disk) takes a fixed number of words.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "circle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskRejection16 {

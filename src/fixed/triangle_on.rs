@@ -14,24 +14,38 @@ use ::fixed::FixedI32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
 
-/// Uniform on the triangle of three vertices in D dimensions (2 or 3, or more).
+/// Uniform on the triangle of three given vertices, in D dimensions (2, 3 or more).
 ///
-/// The barycentric combination of the vertices, in each coordinate rounded once to the step of the format.
+/// A point is the barycentric combination of the vertices; each coordinate is rounded once to the step of the format.
 ///
-/// - Uniforms: two words, as of [`Triangle`].
-/// - Range: the bounding box of the vertices, always, and the triangle to that rounding.
-/// - Density: 1/area per unit area on the triangle and up to a step outside it, at least 2⁻³².
-/// - `invert` gives words whose sample is x to some steps; of a triangle of few steps many words have the same sample.
+/// # Density
+/// 1/area per unit area on the triangle and up to a step outside it, at least 2⁻³²; 0 elsewhere.
 ///
-/// In *sample* of the extent of a coordinate, beyond half a step of the format; in *pdf* of the density, beyond a step:
+/// # Domain
+/// - Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
+/// - Uniforms: two words, those of [`Triangle`].
+/// - Parameters: three vertices in any signed format of 32 bits, no two farther apart than the format's largest number.
+/// - `invert` returns words whose sample is the point, give or take a few steps. In a triangle of few steps many words
+///   have the same sample.
+///
+/// # Accuracy
+/// *Sample* is relative to the extent of a coordinate, beyond half a step of the format. *Pdf* is the relative error of
+/// the density, beyond a step of 2⁻³².
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
 /// | sample, max | 2.0e-7 | 1.9e-5 | 6.2e-8 |
 /// | pdf | 2e-9 | 2e-9 | 2e-9 |
 ///
-/// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
+/// # Cost
+/// <!-- generated: cost fixed TriangleOn -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 263 on a Cortex-M0 (596 bytes), 87 on a Cortex-M3.
+/// - `coarse`: 257 on a Cortex-M0 (584 bytes), 83 on a Cortex-M3.
+/// - `compact`: 295 on a Cortex-M0 (684 bytes), 107 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{I16F16, U0F32};
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -41,6 +55,16 @@ use core::marker::PhantomData;
 /// assert_eq!(facet.pdf([4, 2].map(I16F16::from_num)), 0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Triangle`] gives the barycentric coordinates alone, to interpolate with.
+/// - [`warp::TriangleOn`](crate::warp::TriangleOn) is the one of the float tiers.
+///
+/// # Source
+/// G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
+#[doc(alias = "mesh")]
+#[doc(alias = "facet")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TriangleOn<Frac, const D: usize, G = Fine> {
     vertices: [[i32; D]; 3],

@@ -13,18 +13,26 @@ use ::fixed::FixedU32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
 
-/// Density ∝ e^(−x/mean) on [0, X).
+/// Exponential, truncated to an interval from 0: in proportion to e^(−x/mean) on [0, length).
 ///
-/// With z = X/mean: x = −ln(1 − u(1 − e^(−z))) means, and where z is small (below 0.21, coarse 0.49) four terms of its series,
-/// X u (1 − (1 − u)z/2 (1 − z/3 ((1 − 2u) − z/4 (1 − 6u(1 − u))))), so that a long mean costs no digits: the limit
-/// is the uniform distribution. The float tiers take the rate, 1/mean, of either sign.
+/// With z = length/mean, x = −ln(1 − u(1 − e⁻ᶻ)) means. Where z is small (below 0.21, in grade
+/// [`Coarse`](super::Coarse) below 0.49), four terms of the series of that keep the digits that the logarithm would lose:
+/// length·u(1 − (1 − u)z/2 (1 − z/3 ((1 − 2u) − z/4 (1 − 6u(1 − u))))). For a long mean the limit is the uniform
+/// distribution.
 ///
+/// # Density
+/// e^(−x/mean)/(mean (1 − e⁻ᶻ)) on [0, length), at least 2⁻³²; 0 elsewhere.
+///
+/// # Domain
+/// - Point: [0, length), in steps of the format, cut to the step below.
 /// - Uniforms: one word.
-/// - Range: [0, X), in steps of the format, cut to the step below.
-/// - Density: e^(−x/mean)/(mean (1 − e^(−z))), at least 2⁻³² on [0, X).
+/// - Parameters: mean and length in one unsigned format of 32 bits; or the rate in `U32F32`, and the length. Here the
+///   density always falls; the float tiers take rates of either sign.
 ///
-/// In *sample* of the smaller of mean and length, beyond a word of the uniform and a step of the format; in *pdf* of
-/// the largest density, beyond a step; in *round trip* of the uniform. The mean times 1 − e^(−z) has n steps of the format:
+/// # Accuracy
+/// *Sample* is relative to the smaller of mean and length, beyond a word of the uniform and a step of the format. *Pdf* is
+/// relative to the largest density, beyond a step of 2⁻³². *Round trip* is the error of the uniform after `sample` and
+/// `invert`. The mean times 1 − e⁻ᶻ is n steps of the format.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -34,9 +42,15 @@ use core::marker::PhantomData;
 /// | pdf | 8.1e-7 | 7.0e-5 | 1.1e-7 |
 /// | round trip | 4.4e-6 + 1/n | 1.8e-4 + 1/n | 2.4e-6 + 1/n |
 ///
-/// Source: C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating
-/// Media", 2012.
+/// # Cost
+/// <!-- generated: cost fixed TruncatedExponential -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 148 on a Cortex-M0 (364 bytes), 59 on a Cortex-M3.
+/// - `coarse`: 136 on a Cortex-M0 (340 bytes), 50 on a Cortex-M3.
+/// - `compact`: 194 on a Cortex-M0 (492 bytes), 95 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{U0F32, U16F16};
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -45,6 +59,17 @@ use core::marker::PhantomData;
 /// assert!((middle - 1.801_32).abs() < 2e-5);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Exponential`](super::Exponential) has no end.
+/// - [`warp::TruncatedExponential`](crate::warp::TruncatedExponential) is the one of the float tiers.
+///
+/// # Source
+/// C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating Media", 2012,
+/// <https://doi.org/10.1111/j.1467-8659.2012.03148.x>.
+#[doc(alias = "bounded_exponential")]
+#[doc(alias = "free_path")]
+#[doc(alias = "fog")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TruncatedExponential<Frac, G = Fine> {
     mean: u32,

@@ -50,18 +50,23 @@ fn accepted<const N: usize>(grid: [i32; N]) -> Option<[f32; N]> {
 
 /// Uniform on the unit disk, by rejection from the square around it.
 ///
-/// - Uniforms: two, a try. Words a try: two. Only the first 24 bits of each count.
-/// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0; each such point
-///   of the disk is equally likely.
-/// - Density: 1/π per unit area.
-/// - Efficiency: π/4.
-/// - No elementary function, hence no tier; where the number of tries must be constant, take
-///   [`Disk`](crate::warp::Disk).
+/// It uses no elementary function, and hence has no tier.
 ///
-/// The sample is exact and the density is off by 4.5e-8, relative.
+/// # Density
+/// 1/π per unit area inside; 0 outside.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0. Each such point of the disk is
+///   equally likely.
+/// - Words a try: two, of which only the first 24 bits count.
 ///
+/// # Accuracy
+/// Samples are exact. The density has a relative error of 4.5e-8.
+///
+/// # Cost
+/// Efficiency: π/4, so 1.27 tries a point on average.
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{DiskRejection, Rejection};
 /// use rand_pcg::Pcg32;
@@ -71,25 +76,43 @@ fn accepted<const N: usize>(grid: [i32; N]) -> Option<[f32; N]> {
 /// assert_eq!(disk.attempt([0.0, 0.0]), None); // a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`warp::Disk`](crate::warp::Disk) and [`warp::DiskConcentric`](crate::warp::DiskConcentric) take a fixed number of
+///   uniforms.
+/// - [`BallRejection`] is the ball.
+/// - `fixed::DiskRejection` and `fixed::DiskRejection16` give fixed-point numbers.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "circle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskRejection {
     budget: u32,
 }
 
-/// Uniform on the unit ball, by rejection from the cube around it.
+/// Uniform in the unit ball, by rejection from the cube around it.
 ///
-/// - Uniforms: three, a try. Words a try: three. Only the first 24 bits of each count.
-/// - Range: x² + y² + z² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0; each such
-///   point of the ball is equally likely.
-/// - Density: 3/(4π) per unit volume.
-/// - Efficiency: π/6.
-/// - No elementary function, hence no tier.
+/// It uses no elementary function, and hence has no tier.
 ///
-/// The sample is exact and the density is off by 3e-8, relative.
+/// # Density
+/// 3/(4π) per unit volume inside; 0 outside.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: x² + y² + z² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0. Each such point of the
+///   ball is equally likely.
+/// - Words a try: three, of which only the first 24 bits count.
 ///
+/// # Accuracy
+/// Samples are exact. The density has a relative error of 3e-8.
+///
+/// # Cost
+/// Efficiency: π/6, so 1.91 tries a point on average.
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{BallRejection, Rejection};
 /// use rand_pcg::Pcg32;
@@ -98,6 +121,17 @@ pub struct DiskRejection {
 /// assert!((ball.pdf(point) - 0.238_732_4).abs() < 1e-7);
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`DiskRejection`] is the disk.
+/// - [`warp::Sphere`](crate::warp::Sphere) is the surface of the ball.
+/// - [`Region`](super::Region) keeps any part of a box.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "sphere")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BallRejection {

@@ -12,22 +12,25 @@ use rand_core::TryRng;
 /// Where the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
 pub const SLACK: f32 = 8.0 * f32::EPSILON;
 
-/// A density f, known up to a factor, with f ≤ c p: a point proposed with density p is accepted with
-/// probability f/(c p).
+/// Any density f ≤ c p, known up to a factor, by rejection from a warp of density p.
 ///
-/// - Uniforms: those of the proposal and one word, a try. Words a try: what drawing the proposal takes,
-///   then one, which is drawn whether it decides or not.
-/// - Range: that of the proposal, where f > 0. A point where f is 0 is never accepted.
-/// - Density: f/∫f. The probability of acceptance is the `f32` f/(c p), exact to 2 ulp whatever the
-///   magnitudes (nothing overflows or underflows on the way), rounded to a multiple of 2⁻³²; so a ratio
-///   below 2⁻³³ is never accepted and a ratio of 1 always.
-/// - Efficiency: (∫f)/c.
+/// A proposed point is accepted with probability f/(c p).
 ///
-/// The bound is checked at every point that is proposed, and f above it by more than [`SLACK`] is reported
-/// as [`Failure::BoundExceeded`], for clamping would change the distribution in silence.
+/// # Density
+/// f/∫f. The probability of acceptance is f/(c p) as an `f32`, exact to 2 ulp for all magnitudes (nothing overflows or
+/// underflows on the way), then rounded to a multiple of 2⁻³². A ratio below 2⁻³³ is never accepted, a ratio of 1 always.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: that of the proposal, where f > 0.
+/// - Words a try: those of the proposal, then one that decides.
+/// - Parameters: the proposal, f, and the bound c. Each proposed point is checked against the bound. Where f exceeds it
+///   by more than [`SLACK`], the draw fails with [`Failure::BoundExceeded`]; clamping would change the distribution
+///   silently.
 ///
+/// # Cost
+/// Efficiency: (∫f)/c.
+///
+/// # Examples
 /// ```
 /// use microwarp::poly as mw;
 /// use microwarp::rejection::{Bounded, Rejection};
@@ -40,6 +43,17 @@ pub const SLACK: f32 = 8.0 * f32::EPSILON;
 /// assert!(accepted.tries <= bumped.budget());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # See also
+/// - [`Region`](super::Region), where f is p or 0.
+/// - [`metropolis`](crate::metropolis) needs no bound, but its points depend on each other.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "accept_reject")]
+#[doc(alias = "rejection_sampling")]
+#[doc(alias = "envelope")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bounded<W, F> {
