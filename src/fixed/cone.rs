@@ -87,7 +87,7 @@ impl<G: Grade> Cone<G> {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 2, [`Error::Empty`] below 2⁻³³, where the
-    /// density is no [`Density`].
+    /// density overflows.
     pub const fn from_one_minus_cos(k: U2F62) -> Result<Self, Error> {
         match k.to_bits() {
             0 => Err(Error::NotPositive),
@@ -101,7 +101,7 @@ impl<G: Grade> Cone<G> {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 1/2, [`Error::Empty`] below 2.43e-6 turns,
-    /// where the density is no [`Density`].
+    /// where the density overflows.
     pub const fn from_turns(half_angle: Uniform) -> Result<Self, Error> {
         /// Half a turn.
         const HALF: u32 = 1 << 31;
@@ -112,7 +112,7 @@ impl<G: Grade> Cone<G> {
         if bits > HALF {
             return Err(Error::OutOfRange);
         }
-        // k/2 is the square of the sine of half the angle, beyond an eighth of a turn that of its complement's from 1.
+        // k/2 is sin² of half the angle; beyond a quarter of a turn, 1 − sin² of half the supplement.
         let half = if bits <= HALF >> 1 {
             let (square, fraction) = sine_squared(bits);
             Scaled::of(square, fraction)
@@ -135,14 +135,14 @@ impl<G: Grade> Cone<G> {
         }
     }
 
-    /// k = 1 − cos θmax, as kept: its first 31 binary digits or more.
+    /// k = 1 − cos θmax. The cone keeps at least its first 31 binary digits.
     #[must_use]
     pub const fn one_minus_cos(&self) -> U2F62 {
         U2F62::from_bits(self.half.to_long_bits(63))
     }
 }
 
-/// 1/3, 2/45, 1/315, …, of which the series of sin² is made, in Q32.
+/// The terms of the series of sin², 1/3, 2/45, 1/315, …, in Q32.
 const SQUARE: [u32; 7] = [
     1_431_655_765,
     190_887_435,
@@ -153,8 +153,7 @@ const SQUARE: [u32; 7] = [
     7,
 ];
 
-/// sin² of half of so many words of a turn, at most a quarter of it, and its fraction bits, of which there are 64 or
-/// more.
+/// sin² of half an angle of at most a quarter of a turn (Q32), and the number of its fraction bits, 64 or more.
 const fn sine_squared(words: u32) -> (u64, i32) {
     /// π in Q32.
     const PI: u64 = 13_493_037_705;
@@ -180,14 +179,14 @@ impl<G: Grade> Warp for Cone<G> {
         let [u1, u2] = u.get().map(Uniform::to_bits);
         let Scaled { mantissa, exponent } = self.half;
         if exponent <= 0 {
-            // Wider than a hemisphere, where h comes near 1: by all its bits, from the nearer pole.
+            // Wider than a hemisphere h comes near 1. All its bits count, from the nearer pole.
             let half = wide(mantissa, u1) << -exponent;
             let below = half >> 63 != 0;
             let from_pole = if below { half.wrapping_neg() } else { half };
             let [x, y, z] = Scaled::of(from_pole, 64).direction::<G>(u2);
             return [x, y, if below { -z } else { z }];
         }
-        // A small u keeps its digits by 16 more bits.
+        // 16 more bits keep the digits of a small u.
         let half = if u1 >> 16 == 0 {
             Scaled {
                 mantissa: by_half(mantissa, u1),
@@ -208,7 +207,7 @@ impl<G: Grade> Warp for Cone<G> {
         // Products round x and y outwards by up to this many steps.
         let [x, y] = [x, y]
             .map(|c| Coordinate::from_bits(c.to_bits().unsigned_abs().saturating_sub(3) as i32));
-        // Against k, in units of which a sample is at most 1.
+        // In units of k, so that samples have at most 1.
         let share = one_minus_cos([x, y, z]).over(self.half.doubled());
         if share.to_bits(31) <= (1 << 31) + G::BEYOND {
             Density::from_bits(self.density)

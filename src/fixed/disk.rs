@@ -96,7 +96,7 @@ impl<G: Grade> Invert for Disk<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 2]) -> [Uniform; 2] {
         let [x, y] = point;
-        // Q60 to Q32, halves upwards; the rim counts as the last word.
+        // Q60 to Q32, to the nearest; the rim counts as the last word.
         let u1 = (radius_squared(point) + (1 << 27)) >> 28;
         let u1 = u32::try_from(u1).unwrap_or(u32::MAX);
         [Uniform::from_bits(u1), azimuth::<G>(x, y)]

@@ -159,14 +159,14 @@ pub struct Exponential<Frac, G = Fine> {
     format: PhantomData<(Frac, G)>,
 }
 
-/// The largest accepted mean in steps, as the largest sample of mean 1 is below 22.19.
+/// The largest accepted mean in steps: the largest sample, below 22.19 means, still fits.
 const LARGEST: u32 = 193_554_181;
 
 impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
-    /// Exponential with the given mean (the reciprocal of the rate).
+    /// Exponential with the given mean.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for 0, [`Error::TooLarge`] where 22.19 means are more than the format holds.
+    /// [`Error::NotPositive`] for 0, [`Error::TooLarge`] if 22.19 means overflow the format.
     pub const fn from_mean(mean: FixedU32<Frac>) -> Result<Self, Error> {
         match mean.to_bits() {
             0 => Err(Error::NotPositive),
@@ -179,11 +179,13 @@ impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
         }
     }
 
-    /// Exponential with the given rate: that of mean 1/`rate`, rounded to the nearest step of the points' format.
+    /// Exponential with the given rate, the reciprocal of the mean.
+    ///
+    /// The mean is 1/`rate`, rounded to the nearest step of the format of the points.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for 0, [`Error::Empty`] for a mean that rounds to 0 and for any rate above 2³¹,
-    /// [`Error::TooLarge`] where 22.19 means are more than the format holds.
+    /// [`Error::TooLarge`] if 22.19 means overflow the format.
     pub const fn from_rate(rate: Density) -> Result<Self, Error> {
         match mean_of(rate) {
             Ok(mean) => Self::from_mean(mean),
@@ -197,7 +199,7 @@ impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
         FixedU32::from_bits(self.mean)
     }
 
-    /// 1/mean, to the nearest step of 2⁻³²; the largest [`Density`] where that is more than it holds.
+    /// The rate: 1/mean, rounded to the nearest step of 2⁻³², or the largest [`Density`] if it does not fit.
     #[must_use]
     pub const fn rate(&self) -> Density {
         rate_of(self.mean())
@@ -254,13 +256,13 @@ impl<Frac, G> defmt::Format for Exponential<Frac, G> {
     }
 }
 
-/// ⌊a·mean⌋ of a number in Q27; the product fits.
+/// ⌊a·mean⌋ for a in Q27; the product has to fit.
 #[inline]
 pub(super) fn of_means(a: u32, mean: u32) -> u32 {
     high(a, mean) << 5 | a.wrapping_mul(mean) >> 27
 }
 
-/// x/mean, cut; what is 32 or more counts as just below.
+/// x/mean, cut, and at most just below 32.
 #[inline]
 pub(super) fn in_means(x: u32, mean: u32) -> Length {
     Length::from_bits(u32::try_from(ratio(x, mean) >> 5).unwrap_or(u32::MAX))

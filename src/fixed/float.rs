@@ -1,4 +1,4 @@
-//! Warps of this tier for users of `f32`.
+//! The warps of this tier for users of `f32`, and the conversions.
 
 use super::direction::Scaled;
 use super::kernel::float;
@@ -21,7 +21,7 @@ use sealed::Sealed;
 pub trait FloatUniforms: Uniforms + Sealed {
     /// The same number of `f32`.
     type Float: Uniforms<Words = Self::Words>;
-    /// The words of any `f32` whatever.
+    /// The words of any `f32`, brought into [0, 1).
     fn words(u: Self::Float) -> Self;
     /// The `f32` below or at each word.
     fn floats(self) -> Self::Float;
@@ -33,9 +33,9 @@ pub trait FloatUniforms: Uniforms + Sealed {
 pub trait FloatPoint: Copy + Sealed {
     /// The same number of `f32`.
     type Float: Copy;
-    /// The numbers of the format nearest towards 0; the ends of the format for what does not fit, 0 for NaN.
+    /// The numbers cut towards 0 to the format: its ends for those that do not fit, 0 for NaN.
     fn from_float(x: Self::Float) -> Self;
-    /// The `f32` nearest towards 0.
+    /// The numbers cut towards 0 to 24 digits.
     fn to_float(self) -> Self::Float;
 }
 
@@ -152,13 +152,13 @@ impl<T: Number + FloatPoint<Float = f32>, const N: usize> FloatPoint for [T; N] 
 pub struct Float<W>(W);
 
 impl<W> Float<W> {
-    /// The given warp in `f32`.
+    /// The given warp, with `f32` for its uniforms, points and densities.
     #[must_use]
     pub const fn new(warp: W) -> Self {
         Self(warp)
     }
 
-    /// The warp on fixed-point numbers.
+    /// The wrapped warp, on fixed-point numbers.
     #[must_use]
     pub const fn warp(&self) -> &W {
         &self.0
@@ -180,7 +180,7 @@ where
         self.sample(u.get())
     }
 
-    /// The point of any uniforms whatever, which the conversion brings into range by itself.
+    /// The point of any uniforms. The conversion brings them into range.
     #[inline]
     fn sample(&self, u: Self::Uniforms) -> Self::Point {
         self.0.sample(W::Uniforms::words(u)).to_float()

@@ -82,7 +82,7 @@ impl<G: Grade> Warp for Hemisphere<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // sin² θ: near the pole by 1 − u, which is exact there. Below 1 again once 2(1 − u) has wrapped.
+        // sin² θ. Near the pole from 1 − u, which is exact there; the subtraction undoes the overflow of the shift.
         let square = if u1 >> 31 == 0 {
             !square(u1)
         } else {
@@ -108,7 +108,7 @@ impl<G: Grade> Invert for Hemisphere<G> {
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, z] = point;
         let u1 = if z > Coordinate::ZERO {
-            // 1 − (1 − cos θ): what x and y say of the pole is kept.
+            // 1 − (1 − cos θ), which keeps what x and y tell near the pole.
             match one_minus_cos(point).to_bits(32) {
                 0 => u32::MAX,
                 rest => rest.wrapping_neg(),
@@ -204,7 +204,7 @@ impl<G: Grade> Warp for CosineHemisphere<G> {
     fn pdf(&self, point: [Coordinate; 3]) -> Density {
         let [_, _, z] = point;
         if z > Coordinate::ZERO {
-            // Q30 times Q32, from below: up to 2³², of a z up to 2.
+            // Q30 times Q32, cut: up to 2³² for a z up to 2.
             Density::from_bits(u64::from(near(z.to_bits() as u32, PER_COSINE)) << 2 | 2)
         } else {
             Density::ZERO
@@ -217,7 +217,7 @@ impl<G: Grade> Invert for CosineHemisphere<G> {
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, z] = point;
         let u1 = if z > Coordinate::ZERO {
-            // 1 − cos² = a (2 − a), from the half of a.
+            // 1 − cos² = a (2 − a), from half of a.
             let half = one_minus_cos(point).to_bits(31).min(1 << 31);
             let quarter = half - square(half).min(half);
             if quarter >> 30 == 0 {

@@ -61,14 +61,14 @@ use core::marker::PhantomData;
 pub struct Interval<T> {
     /// The bits of the lowest value.
     start: u32,
-    /// How many values there are; 0 stands for 2³².
+    /// The number of values; 0 stands for 2³².
     count: u32,
     density: u64,
     number: PhantomData<T>,
 }
 
 impl<T> Interval<T> {
-    /// Of this many values from these bits on; 0 stands for 2³².
+    /// The interval of so many values from these bits on; 0 stands for 2³².
     const fn of(start: u32, count: u32, fraction: u32) -> Self {
         let values = if count == 0 { 1 << 32 } else { count as u64 };
         let density = reciprocal(32 + fraction, values);
@@ -80,7 +80,7 @@ impl<T> Interval<T> {
         }
     }
 
-    /// How many values there are, from 1 to 2³².
+    /// The number of values, from 1 to 2³².
     #[must_use]
     pub const fn count(&self) -> u64 {
         if self.count == 0 {
@@ -191,7 +191,7 @@ impl<T: Number> Invert for Interval<T> {
     }
 }
 
-/// ⌈2³²·steps/count⌉ of steps < count.
+/// ⌈2³²·steps/count⌉, for steps < count.
 #[inline]
 fn first_word(steps: u32, count: u32) -> u32 {
     let (below, inexact) = fraction_u32(steps, count);

@@ -93,7 +93,7 @@ impl<G: Grade> PhongLobe<G> {
             return Err(Error::OutOfRange);
         }
         let power = Scaled::of(exponent + (1 << 32), 32);
-        // 1 itself as the largest number below it, and what rounds to it.
+        // 1, and whatever rounds to it, counts as the largest number below it.
         let inverse = if power.mantissa == UNIT.mantissa && power.exponent == UNIT.exponent {
             Scaled {
                 mantissa: u32::MAX,
@@ -110,7 +110,7 @@ impl<G: Grade> PhongLobe<G> {
         })
     }
 
-    /// The exponent n, as kept: its first 32 binary digits.
+    /// The exponent n. The lobe keeps its first 32 binary digits.
     #[must_use]
     pub const fn exponent(&self) -> U32F32 {
         U32F32::from_bits(self.exponent.to_long_bits(32))
@@ -121,13 +121,13 @@ impl<G: Grade> PhongLobe<G> {
     fn neg_ln_cos(point: [Coordinate; 3]) -> Scaled {
         let a = one_minus_cos(point);
         if a.exponent >= 3 {
-            // Below 1/8 by the series, as what the logarithm is off is multiplied by n.
+            // Below 1/8 by the series, since n multiplies the error of the logarithm.
             let more = log::excess_of_eighth(a.to_bits(32));
             let mantissa = a.mantissa >> 1;
             Scaled::normal(mantissa + near(mantissa, more), a.exponent - 1)
         } else {
             let cos = point[2].to_bits() as u32;
-            // −ln of the cosine itself, which here has all the digits.
+            // By the cosine itself, which has all its digits here.
             let log = G::log(if cos >> 30 == 0 {
                 (cos << 2).wrapping_neg()
             } else {
@@ -141,7 +141,7 @@ impl<G: Grade> PhongLobe<G> {
 /// 1 − e^−x.
 #[inline]
 fn exp_m1_neg<G: Kernels>(x: Scaled) -> u32 {
-    // Below 1/8 by its own digits.
+    // The series keeps the digits below 1/8.
     if x.exponent >= 3 {
         let bits = x.to_bits(34);
         one_minus_small(bits, 34) >> 2
@@ -158,7 +158,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // −ln(1 − u₁), with more digits the nearer the axis.
+        // −ln(1 − u₁), with more digits nearer the axis.
         let (log, bits) = if u1 < log::SMALL {
             (log::small(u1), 39)
         } else if u1 >> 29 == 0 {
@@ -166,7 +166,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
         } else {
             (G::log(u1), 27)
         };
-        // −ln cos θ, in so many fraction bits.
+        // −ln cos θ, with so many fraction bits.
         let neg_ln_cos = near(log, self.inverse.mantissa);
         let bits = bits + self.inverse.exponent;
         if bits > 34 || neg_ln_cos >> (bits - 3) == 0 {
@@ -178,7 +178,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
             half.direction::<G>(u2)
         } else {
             let cos = G::exp(neg_ln_cos >> (bits - 27));
-            // At the horizon the last words would give 0, where the density is 0.
+            // The last words would reach the horizon, where the density is 0.
             let z = (cos >> 2).max(1) as i32;
             direction::<G>(G::root(!square(cos)), z, u2)
         }

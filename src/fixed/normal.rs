@@ -73,7 +73,7 @@ use core::marker::PhantomData;
 pub struct StandardNormalPair<G = Fine>(PhantomData<G>);
 
 impl<G: Grade> StandardNormalPair<G> {
-    /// The normal distribution of mean 0 and standard deviation 1 in each coordinate.
+    /// Two normals of mean 0 and standard deviation 1.
     #[must_use]
     pub const fn new() -> Self {
         Self(PhantomData)
@@ -83,8 +83,8 @@ impl<G: Grade> StandardNormalPair<G> {
 /// √(−2 ln(1 − u)) in Q29, which is an eighth of it in Q32.
 #[inline]
 fn radius<G: Kernels>(u: u32) -> u32 {
-    // The logarithm in Q27 is, as a number in Q32, the square of an eighth of the radius. Near the centre, where the
-    // root is steep, it has 12 bits more.
+    // Read in Q32, the logarithm in Q27 is the square of an eighth of the radius. Near the centre, where the root is
+    // steep, it has 12 more bits.
     let (square, half_of_them) = if u < log::SMALL {
         (log::small(u), 6)
     } else {
@@ -93,8 +93,8 @@ fn radius<G: Kernels>(u: u32) -> u32 {
     G::root(square) >> half_of_them
 }
 
-/// The point of this distance in the direction of a phase. In no grade by a product of fewer digits: most radii are
-/// far below the largest, and would keep few.
+/// The point at this distance in the direction of a phase. No grade uses a shorter product here: most radii are far
+/// below the largest, and would keep few digits.
 #[inline]
 fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
     let (sin, cos) = G::sincos(phase);
@@ -199,7 +199,7 @@ impl<G: Grade> Invert for StandardNormalPair<G> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NormalPair<Frac, G = Fine> {
     mean: [i32; 2],
-    /// The standard deviation, its first bit set by a shift that leaves products 2⁵ too small.
+    /// The standard deviation, shifted until its first bit is set. Products with it are 2⁵ too small.
     std_dev: u32,
     shift: u32,
     /// The density at the mean point.
@@ -211,7 +211,7 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
     /// Normals about the given mean point with the given standard deviation in each coordinate.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a standard deviation of 0 or less; [`Error::TooLarge`] for one of 1/16 of the format's range
+    /// [`Error::NotPositive`] for a standard deviation of 0 or less; [`Error::TooLarge`] for 1/16 of the format's range
     /// or more, or if the mean and 6.67 deviations overflow the format; [`Error::Empty`] if the density overflows,
     /// for a standard deviation below 6.1e-6.
     pub const fn new(mean: [FixedI32<Frac>; 2], std_dev: FixedI32<Frac>) -> Result<Self, Error> {
@@ -220,7 +220,7 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         if std_dev <= 0 {
             return Err(Error::NotPositive);
         }
-        // 6.67 deviations, and what rounding adds.
+        // 6.67 standard deviations, and a step for rounding.
         let reach = ((std_dev as i64 * 427) >> 6) + 1;
         let room = i32::MAX as i64 - reach;
         if std_dev >= 1 << 27 || x.unsigned_abs() as i64 > room || y.unsigned_abs() as i64 > room {
@@ -255,7 +255,7 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         FixedI32::from_bits((self.std_dev >> (self.shift + 5)) as i32)
     }
 
-    /// The magnitudes of a point's coordinates from the mean, in deviations (Q27), 16 or more as 16.
+    /// The distances of a point from the mean in each coordinate, in standard deviations (Q27) and at most 16.
     #[inline]
     fn standardised(&self, point: [FixedI32<Frac>; 2]) -> [u32; 2] {
         let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
@@ -294,7 +294,7 @@ impl<Frac: LeEqU32, G: Grade> Invert for NormalPair<Frac, G> {
     fn invert(&self, point: [FixedI32<Frac>; 2]) -> [Uniform; 2] {
         let square = square_of(self.standardised(point));
         let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
-        // No difference that saturates is that of a sample.
+        // No sample has a difference that saturates.
         let angle = G::angle(y.saturating_sub(my), x.saturating_sub(mx));
         [outside::<G>(square), angle].map(Uniform::from_bits)
     }

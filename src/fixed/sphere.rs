@@ -81,9 +81,9 @@ impl<G: Grade> Warp for Sphere<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // From the nearer pole, at most 1/2.
+        // The distance from the nearer pole, at most 1/2.
         let from_pole = if u1 >> 31 == 0 { u1 } else { u1.wrapping_neg() };
-        // A quarter of sin² θ; cut by up to 2⁻³⁰ at the equator, where it would reach 1/4 and the shift overflow.
+        // A quarter of sin² θ. It is cut by up to 2⁻³⁰ at the equator, where 1/4 would overflow the shift.
         let quarter = from_pole - square(from_pole) - (from_pole >> 29);
         direction::<G>(G::root(quarter << 2), ONE - (u1 >> 1) as i32, u2)
     }

@@ -107,7 +107,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<Uniform>) -> FixedI32<Frac> {
         let u = u.get().to_bits();
-        // In the middle itself t is 1, which counts as the word below.
+        // In the middle t is 1, which counts as the word below.
         let double = u << 1;
         let upper = u >> 31 == 1;
         self.beyond(
@@ -130,7 +130,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
 
     #[inline]
     fn sample_words(&self, word: u32) -> FixedI32<Frac> {
-        // The middle of the word, as the ends have no density.
+        // The middle of the word, because the ends have density 0.
         let double = word << 1 | 1;
         let upper = word >> 31 == 1;
         self.beyond(if upper { double.wrapping_neg() } else { double }, upper)
@@ -144,14 +144,14 @@ impl<Frac: LeEqU32, G: Grade> Invert for Tent<Frac, G> {
         Uniform::from_bits(if x.is_negative() {
             half
         } else {
-            // The upper end is the last word, not the first one.
+            // The upper end is the last word, not 0.
             half.max(1).wrapping_neg()
         })
     }
 }
 
 impl<Frac: LeEqU32, G> Tent<Frac, G> {
-    /// The point of twice the probability beyond it on its side.
+    /// The point beyond which its half of the tent has the share t.
     #[inline]
     fn beyond(&self, t: u32, upper: bool) -> FixedI32<Frac>
     where
@@ -161,7 +161,7 @@ impl<Frac: LeEqU32, G> Tent<Frac, G> {
         FixedI32::from_bits(if upper { x } else { -x })
     }
 
-    /// 1 − |x|/r in Q32, where 1 counts as the word below; 0 outside only.
+    /// 1 − |x|/r in Q32, where 1 counts as the word below. It is 0 only outside.
     #[inline]
     fn rest(&self, x: FixedI32<Frac>) -> u32 {
         let rest = self.radius.saturating_sub(x.to_bits().unsigned_abs());

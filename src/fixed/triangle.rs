@@ -69,8 +69,7 @@ impl<G: Grade> Triangle<G> {
     }
 }
 
-/// By how many steps the sum of a point's coordinates may be off: 2⁻²³, which three numbers cut to the digits of an
-/// `f32` are.
+/// The allowed error of the sum of the coordinates, in steps: 2⁻²³, as for three numbers cut to the digits of an `f32`.
 const SLACK: u32 = 1 << 7;
 
 impl<G: Grade> Warp for Triangle<G> {
@@ -89,7 +88,7 @@ impl<G: Grade> Warp for Triangle<G> {
     #[inline]
     fn pdf(&self, point: [Coordinate; 3]) -> Density {
         let [a, b, c] = point.map(Coordinate::to_bits);
-        // Three numbers below 2³¹ have a sum below 2³³.
+        // Three numbers below 2³¹ sum up to less than 2³³.
         let sum = i64::from(a) + i64::from(b) + i64::from(c);
         let whole = sum.abs_diff(i64::from(ONE)) <= u64::from(SLACK);
         if a >= 0 && b >= 0 && c >= 0 && whole {

@@ -68,9 +68,9 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TriangleOn<Frac, const D: usize, G = Fine> {
     vertices: [[i32; D]; 3],
-    /// The least of each coordinate.
+    /// The smallest value of each coordinate.
     low: [i32; D],
-    /// The two coordinates that the triangle has the largest shadow on.
+    /// The two coordinates on whose plane the triangle has its largest projection.
     axes: [usize; 2],
     density: Density,
     format: PhantomData<(Frac, G)>,
@@ -100,7 +100,7 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
         if largest == 0 {
             return Err(Error::Empty);
         }
-        // Twice the area: the root of the sum of the squares of all shadows, of so many bits that it fits.
+        // Twice the area is the root of the sum of the squares of all minors, cut to so many bits that the sum fits.
         let bits = if D > 3 { 24 } else { 31 };
         let left = largest.leading_zeros() as i32 - (64 - bits);
         let norm = if D > 2 {
@@ -153,18 +153,18 @@ const fn numbers<Frac, const D: usize>(bits: [i32; D]) -> [FixedI32<Frac>; D] {
 }
 
 impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
-    /// The two coordinates of the largest shadow.
+    /// The projection on the plane of the two coordinates where the triangle is largest.
     #[inline]
-    fn shadow(&self, point: &[i32; D]) -> [i64; 2] {
+    fn projection(&self, point: &[i32; D]) -> [i64; 2] {
         self.axes.map(|axis| coordinate(point, axis))
     }
 
-    /// Of a point of the bounding box twice the areas of the shadow's three parts, opposite to each vertex, positive
-    /// inside; and what a step in each coordinate makes of them.
+    /// For a point of the bounding box, in projection: twice the area of the part opposite to each vertex, positive
+    /// inside, and by how much a step in each coordinate changes it.
     #[inline]
     fn parts(&self, point: &[i32; D]) -> [(i64, i64); 3] {
-        let [a, b, c] = self.vertices.each_ref().map(|v| self.shadow(v));
-        let x = self.shadow(point);
+        let [a, b, c] = self.vertices.each_ref().map(|v| self.projection(v));
+        let x = self.projection(point);
         let part = |p: [i64; 2], q: [i64; 2]| {
             let [side, way] = [q, x].map(|[x, y]| [x - p[0], y - p[1]]);
             let part = side[0] * way[1] - side[1] * way[0];
@@ -178,7 +178,7 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
         }
     }
 
-    /// Whether a point of the bounding box lies in the triangle's plane, to two steps in each coordinate.
+    /// Whether a point of the bounding box lies in the plane of the triangle, give or take two steps in each coordinate.
     #[inline]
     fn is_in_plane(&self, point: &[i32; D]) -> bool {
         let row = |k| self.vertices.each_ref().map(|v| coordinate(v, k));
@@ -187,13 +187,13 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
         let main = minor(row(i), row(j));
         let right = 34_u32.saturating_sub(main.unsigned_abs().leading_zeros());
         (0..D).all(|k| {
-            // What the other two coordinates make of this one.
+            // This coordinate follows from the other two.
             let minors = [main, minor(row(k), row(j)), minor(row(i), row(k))];
             let [main, first, second] = minors.map(|m| m >> right);
             let [x, along, across] = [way(k), way(i), way(j)];
             let off = main * x - first * along - second * across;
             let step = main.abs() + first.abs() + second.abs();
-            // A minor that was shortened is off by 1 of its own.
+            // A minor that was shifted is off by up to 1.
             let cut = if right > 0 {
                 x.abs() + along.abs() + across.abs()
             } else {
@@ -203,7 +203,7 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
         })
     }
 
-    /// The largest of each coordinate, beside the least.
+    /// The smallest and the largest value of each coordinate.
     #[inline]
     fn ends(&self) -> impl Iterator<Item = (i32, i32)> {
         let [a, b, c] = self.vertices;
@@ -234,7 +234,7 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Warp for TriangleOn<Frac, D, G> {
         for (((x, a), b), c) in point.iter_mut().zip(a).zip(b).zip(c) {
             let low = *x;
             let share = |vertex: i32, weight| wide((vertex - low) as u32, weight);
-            // The weights' sum is 1, so that the sum of shares is at most the largest of them.
+            // The weights sum up to 1, so the sum of shares is at most the largest of them.
             let sum = share(a, u) + share(b, v) + share(c, w);
             *x = low + ((sum + (1 << 29)) >> 30) as i32;
         }
@@ -260,13 +260,13 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Invert for TriangleOn<Frac, D, G> 
     fn invert(&self, point: [FixedI32<Frac>; D]) -> [Uniform; 2] {
         let mut nearest = point.map(FixedI32::to_bits);
         for (x, (low, high)) in nearest.iter_mut().zip(self.ends()) {
-            // `clamp` would panic where it cannot see the order of its bounds.
+            // `clamp` would panic if its bounds were reversed, and the compiler cannot see that they are not.
             *x = (*x).max(low).min(high);
         }
-        let x = self.shadow(&nearest);
-        let [a, b, c] = self.vertices.each_ref().map(|v| self.shadow(v));
-        // What lies outside a side by its rounding is brought back to the nearest point of that side: in a sliver a
-        // weight of 0 alone would move it far.
+        let x = self.projection(&nearest);
+        let [a, b, c] = self.vertices.each_ref().map(|v| self.projection(v));
+        // A point that rounding put outside a side goes back to the nearest point of that side. To set its weight to 0
+        // would move it far in a sliver.
         let weights = match self.parts(&nearest).map(|(part, _)| part) {
             [(..0), _, _] => {
                 let t = along(b, c, x);
@@ -281,7 +281,7 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Invert for TriangleOn<Frac, D, G> 
                 [ONE - t, t, 0]
             }
             parts => {
-                // Not negative; a quarter of each, so that their sum fits.
+                // None is negative. A quarter of each, so that their sum fits.
                 let [u, v, w] = parts.map(|part| part as u64 >> 2);
                 let whole = u + v + w;
                 let v = share(v, whole);
@@ -293,7 +293,7 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Invert for TriangleOn<Frac, D, G> 
     }
 }
 
-/// How far along a side the foot of x lies, in Q30.
+/// How far along a side the foot of the perpendicular from x lies, in Q30.
 #[inline]
 fn along(from: [i64; 2], to: [i64; 2], x: [i64; 2]) -> i32 {
     let [side, way] = [to, x].map(|[x, y]| [x - from[0], y - from[1]]);

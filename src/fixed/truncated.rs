@@ -80,18 +80,18 @@ pub struct TruncatedExponential<Frac, G = Fine> {
     format: PhantomData<(Frac, G)>,
 }
 
-/// The form that the map takes.
+/// How samples are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Map {
-    /// Where z is small: z and z/3, and (1 − e^(−z))/z, all in Q32.
+    /// For small z: z, z/3 and (1 − e⁻ᶻ)/z, all in Q32.
     Series { z: u32, third: u32, mass: u64 },
-    /// Elsewhere the word above e^(−z), as the product with u < 1 is cut, so that both are off by less than a word; and the largest multiple of the mean below
-    /// the length, in Q27.
+    /// For other z: the word above e⁻ᶻ, so that the product with u < 1, which is cut, is off by less than a word; and in
+    /// Q27 the largest multiple of the mean below the length.
     Logarithm { end: u32, most: u32 },
 }
 
 impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
-    /// Density ∝ e^(−x/mean) on [0, length).
+    /// In proportion to e^(−x/mean) on [0, length).
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a mean or a length of 0.
@@ -101,7 +101,7 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
             return Err(Error::NotPositive);
         }
         let z = ratio(length, mean);
-        // The mass is 1 over the height: what truncation leaves of the length, or of the mean.
+        // The mass is the reciprocal of the height: the part of the length, or of the mean, that truncation leaves.
         let (map, mass) = if z < G::SERIES {
             let mass = mean_density(z);
             let z = z as u32;
@@ -122,8 +122,9 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
         })
     }
 
-    /// Density ∝ e^(−rate·x) on [0, length): that of mean 1/`rate`, rounded to the nearest step of the points'
-    /// format.
+    /// In proportion to e^(−rate·x) on [0, length).
+    ///
+    /// The mean is 1/`rate`, rounded to the nearest step of the format of the points.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a rate or a length of 0, [`Error::Empty`] for a mean that rounds to 0 and for any
@@ -141,7 +142,7 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
         FixedU32::from_bits(self.mean)
     }
 
-    /// 1/mean, to the nearest step of 2⁻³²; the largest [`Density`] where that is more than it holds.
+    /// The rate: 1/mean, rounded to the nearest step of 2⁻³², or the largest [`Density`] if it does not fit.
     #[must_use]
     pub const fn rate(&self) -> Density {
         rate_of(self.mean())
@@ -154,17 +155,17 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
     }
 }
 
-/// The largest number in Q27, of words, whose product with the mean is below the length.
+/// The largest word in Q27 whose product with the mean is below the length.
 const fn most(z: u64, length: u32, mean: u32) -> u32 {
     let most = z >> 5;
     if most > u32::MAX as u64 {
         return u32::MAX;
     }
-    // What has been cut from z has made it smaller, unless nothing was.
+    // The cut made z smaller, unless it was exact.
     (most - (most * mean as u64 == (length as u64) << 27) as u64) as u32
 }
 
-/// A power series at z < 2³², in Q32, whose signs alternate, and which is positive throughout.
+/// 1 minus a power series with alternating signs at z < 1, in Q32. All partial results are positive.
 pub(super) const fn alternating(z: u64, terms: &[u32]) -> u64 {
     let (mut sum, mut rest) = (0, terms);
     while let Some((&term, others)) = rest.split_last() {
@@ -190,12 +191,12 @@ const FACTORIALS: [u32; 12] = [
     1,
 ];
 
-/// (1 − e^−z)/z of z below 1, both in Q32: what the density is on average, of what it is at 0.
+/// (1 − e⁻ᶻ)/z of z below 1, both in Q32: the mean of the density relative to its value at 0.
 const fn mean_density(z: u64) -> u64 {
     alternating(z, &FACTORIALS)
 }
 
-/// e^−z of z of at least 0.2, both in Q32, cut.
+/// e⁻ᶻ of z ≥ 0.2, both in Q32, cut.
 const fn exponential(z: u64) -> u32 {
     /// ln 2 in Q32.
     const LN_2: u64 = 2_977_044_472;
@@ -247,10 +248,10 @@ impl<Frac: LeEqU32, G: Grade> Invert for TruncatedExponential<Frac, G> {
         let x = x.to_bits().min(self.length - 1);
         Uniform::from_bits(match self.map {
             Map::Series { mass, .. } => {
-                // x/X, and by how much more of its mean density lies below x than of all of it.
+                // The share of the length, and by how much the mean density up to x exceeds that of the whole.
                 let share = quotient(x, self.length);
                 let more = mean_density(ratio(x, self.mean)).saturating_sub(mass);
-                // Of a mass of 1, which has no more, the divisor does not matter.
+                // For a mass of 1 the excess is 0, and the divisor does not matter.
                 share.saturating_add(high(share, quotient(more as u32, mass as u32)))
             }
             Map::Logarithm { end, .. } => {
@@ -266,11 +267,11 @@ impl<Frac: LeEqU32, G: Grade> Invert for TruncatedExponential<Frac, G> {
     }
 }
 
-/// The series of the map, in Q32: at most u, and so below 1.
+/// The series of the map, in Q32: at most u, hence below 1.
 #[inline]
 fn series(u: u32, z: u32, third: u32) -> u32 {
     let spread = u - square(u);
-    // Half of z u (1 − u) in Q34, and what it is multiplied by in Q30.
+    // z u (1 − u)/2 in Q34, and its factor in Q30.
     let bend = near(spread, z) << 1;
     let fourth = near_signed(z, ONE - (6 * (spread >> 2)) as i32) >> 2;
     let factor = ONE - near_signed(third, ONE - (u >> 1) as i32 - fourth);

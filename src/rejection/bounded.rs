@@ -1,4 +1,4 @@
-//! A density below a multiple of another from which one can sample.
+//! Rejection of a density below a multiple of another one, which can be sampled.
 
 use super::{DEFAULT_BUDGET, Failure, Rejection, with_budget};
 use crate::error::{Error, positive};
@@ -7,9 +7,9 @@ use crate::warp::Warp;
 use core::convert::Infallible;
 use rand_core::TryRng;
 
-/// How far f/(c p) may lie above 1 and count as 1: 2⁻²⁰, because f, c and p are rounded.
+/// The largest excess of f/(c p) over 1 that still counts as 1: 2⁻²⁰, because f, c and p are rounded.
 ///
-/// Where the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
+/// If the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
 pub const SLACK: f32 = 8.0 * f32::EPSILON;
 
 /// Any density f ≤ c p, known up to a factor, by rejection from a warp of density p.
@@ -68,7 +68,7 @@ where
     W: Warp<Density = f32>,
     F: Fn(W::Point) -> f32,
 {
-    /// The density f = `density` over points of `proposal`, with c = `bound` and the budget [`DEFAULT_BUDGET`].
+    /// Samples the density f = `density` by points of `proposal`, with c = `bound` and the budget [`DEFAULT_BUDGET`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a bound that is NaN or infinite, [`Error::NotPositive`] for a bound of 0
@@ -95,12 +95,13 @@ where
         self.bound
     }
 
-    /// One try with uniforms of one's own and a word that decides, the smaller the more surely for the
-    /// point. A uniform number v in [0, 1) serves as the word `(v * 4_294_967_296.0) as u32`.
+    /// One try with the given uniforms and a word that decides: a smaller word accepts more points.
+    ///
+    /// For a uniform number v in [0, 1), pass the word `(v * 4_294_967_296.0) as u32`.
     ///
     /// # Errors
     /// [`Failure::BoundExceeded`], [`Failure::NotFinite`], [`Failure::Negative`] and
-    /// [`Failure::ProposalDensity`], whatever the word.
+    /// [`Failure::ProposalDensity`], for any word.
     #[inline]
     pub fn attempt(
         &self,
@@ -157,7 +158,7 @@ where
     }
 }
 
-/// f/(p c) of three positive finite numbers, where only the result can overflow.
+/// f/(p c) of three positive finite numbers. Only the result can overflow.
 #[inline]
 fn quotient(f: f32, p: f32, c: f32) -> f32 {
     Scaled::of(f)

@@ -1,4 +1,4 @@
-//! A warp restricted to a region, given by a predicate.
+//! Rejection of the points outside a region, which a predicate describes.
 
 use super::{DEFAULT_BUDGET, Failure, Rejection, with_budget};
 use crate::warp::Warp;
@@ -59,7 +59,7 @@ where
     W: Warp,
     P: Fn(W::Point) -> bool,
 {
-    /// The part of `domain` in which `predicate` holds, with the budget [`DEFAULT_BUDGET`].
+    /// Samples the part of `domain` in which `predicate` holds, with the budget [`DEFAULT_BUDGET`].
     pub const fn new(domain: W, predicate: P) -> Self {
         Self {
             domain,
@@ -70,12 +70,12 @@ where
 
     with_budget!();
 
-    /// The warp whose points are kept or not.
+    /// The warp that proposes points.
     pub const fn domain(&self) -> &W {
         &self.domain
     }
 
-    /// One try with uniforms of one's own; `None` if the point lies outside the region.
+    /// One try with the given uniforms; `None` if the point lies outside the region.
     #[must_use]
     #[inline]
     pub fn attempt(&self, u: W::Uniforms) -> Option<W::Point> {

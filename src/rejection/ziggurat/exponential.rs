@@ -8,7 +8,7 @@ use crate::tier::{Poly, Tier};
 use crate::warp::{Exponential, Warp};
 use rand_core::TryRng;
 
-/// Where the tail starts. See `tests/rejection/layers.rs` for this and the next.
+/// Where the tail starts. `tests/rejection/layers.rs` checks this and the next.
 const START: f64 = 7.697_117_470_131_05;
 
 /// The area of a layer.
@@ -142,10 +142,10 @@ pub struct ZigguratExponential {
 }
 
 impl ZigguratStandardExponential {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = 0.989_009_2;
 
-    /// The density at a number; 0 for those below 0, NaN and infinity. Never 0 at a number that was drawn.
+    /// The density at a number. It is 0 below 0, for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
@@ -155,7 +155,7 @@ impl ZigguratStandardExponential {
 }
 
 impl ZigguratExponential {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = ZigguratStandardExponential::EFFICIENCY;
 
     /// The default budget, that of [`ZigguratStandardExponential`].
@@ -205,7 +205,7 @@ impl ZigguratExponential {
         1.0 / self.rate
     }
 
-    /// The density at a number; 0 for those below 0, NaN and infinity. Never 0 at a number that was drawn.
+    /// The density at a number. It is 0 below 0, for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {

@@ -8,7 +8,7 @@ use crate::tier::{Poly, Tier};
 use crate::warp::{Normal, Warp};
 use rand_core::TryRng;
 
-/// Where the tail starts. See `tests/rejection/layers.rs` for this and the next two.
+/// Where the tail starts. `tests/rejection/layers.rs` checks this and the next two.
 const START: f64 = 3.654_152_885_361_009;
 
 /// The area of a layer.
@@ -34,7 +34,7 @@ impl Law for Standard {
         reason = "two's complement is what is meant"
     )]
     fn place(word: u32) -> i32 {
-        // From −(2²⁴ − 1) to 2²⁴ − 1. The bit that is set is the layer's.
+        // From −(2²⁴ − 1) to 2²⁴ − 1. The lowest bit, which belongs to the layer, is set.
         (word as i32 >> 7) | 1
     }
 
@@ -153,10 +153,10 @@ pub struct ZigguratNormal {
 }
 
 impl ZigguratStandardNormal {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = 0.993_321_8;
 
-    /// The density at a number; 0 for NaN and infinity. Never 0 at a number that was drawn.
+    /// The density at a number. It is 0 for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
@@ -166,7 +166,7 @@ impl ZigguratStandardNormal {
 }
 
 impl ZigguratNormal {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = ZigguratStandardNormal::EFFICIENCY;
 
     /// The default budget, that of [`ZigguratStandardNormal`].
@@ -203,7 +203,7 @@ impl ZigguratNormal {
         self.std_dev
     }
 
-    /// The density at a number; 0 for NaN and infinity. Never 0 at a number that was drawn.
+    /// The density at a number. It is 0 for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
