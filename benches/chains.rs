@@ -125,7 +125,7 @@ fn independence_of_a_warp(bencher: Bencher) {
 fn independence_of_a_table_of_64(bencher: Bencher) {
     let weights: [f32; 64] = core::array::from_fn(|i| (i % 7) as f32 + 1.0);
     let target = |i: usize| (i % 5) as f32 + 1.0;
-    let table = Cdf::<[u32; 64]>::new(&weights).unwrap();
+    let table = Cdf::new(&weights).unwrap();
     steps(bencher, 0, target, Independence::new(table));
 }
 

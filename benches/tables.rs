@@ -81,7 +81,7 @@ fn reservoir_offer(bencher: Bencher) {
 fn piecewise_1d_of_1024(bencher: Bencher) {
     let mut memory = vec![0; 1_024];
     let cdf = Cdf::<&[u32]>::new_in(&weights(1_024), &mut memory).unwrap();
-    let table = PiecewiseConstant1d::new(cdf, 0.0, 1.0).unwrap();
+    let table = PiecewiseConstant1d::from_cdf(cdf, 0.0, 1.0).unwrap();
     repeat(bencher, |rng| black_box(&table).draw(rng));
 }
 
@@ -108,7 +108,7 @@ fn rejection_ball(bencher: Bencher) {
 #[divan::bench]
 fn rejection_bump_on_the_disk(bencher: Bencher) {
     let bump = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
-    let bounded = Bounded::new(mw::Disk::new(), bump, std::f32::consts::PI, 100).unwrap();
+    let bounded = Bounded::new(mw::Disk::new(), bump, std::f32::consts::PI).unwrap();
     repeat(bencher, |rng| black_box(&bounded).draw(rng));
 }
 

@@ -11,7 +11,7 @@
 //! let mut rng = Pcg32::new(42, 54);
 //! let [x, y] = mw::Disk::new().draw(&mut rng);           // in I2F30
 //! let quick = mw::coarse::Disk::new().draw(&mut rng);    // the same to 1e-4, in fewer instructions
-//! let waiting = mw::Exponential::new(U16F16::from_num(2.5))?.draw(&mut rng);
+//! let waiting = mw::Exponential::from_mean(U16F16::from_num(2.5))?.draw(&mut rng);
 //! let noise = mw::NormalPair::new([I16F16::ZERO; 2], I16F16::from_num(3))?.draw(&mut rng);
 //! let [a, b] = mw::Float::new(mw::Disk::new()).draw(&mut rng); // in f32, out of integers
 //! # let _ = (x, y, quick, waiting, noise, a, b);
@@ -78,10 +78,10 @@ mod hemisphere;
 mod interval;
 mod kernel;
 mod lobe;
+mod minors;
 mod normal;
 mod number;
 mod rejection;
-mod shadow;
 mod sphere;
 mod tent;
 mod triangle;

@@ -50,6 +50,12 @@ use crate::error::{Error, positive};
 use core::convert::Infallible;
 use rand_core::{Rng, TryRng};
 
+/// The budget of [`Region`] and [`Bounded`] where `with_budget` sets no other: 1000 tries.
+///
+/// A true random generator spends it with a probability below 2⁻⁶⁴ where the efficiency is 4.5 % or more. For less,
+/// take [`budget_for`].
+pub const DEFAULT_BUDGET: u32 = 1000;
+
 /// A point that was accepted, and how many tries it took.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -176,39 +182,38 @@ pub const fn budget_for(efficiency: f32) -> Result<u32, Error> {
     }
 }
 
-/// Refuses a budget without a single try.
-pub(crate) const fn checked_budget(budget: u32) -> Result<u32, Error> {
-    if budget > 0 {
-        Ok(budget)
-    } else {
-        Err(Error::NotPositive)
-    }
+/// The method that sets a sampler's budget, the same for all; `const` where no error would have to drop the sampler.
+macro_rules! with_budget {
+    ($($const:ident)?) => {
+        /// The same sampler with at most `budget` tries a point.
+        ///
+        /// # Errors
+        /// [`Error::NotPositive`](crate::Error::NotPositive) for a budget of 0.
+        pub $($const)? fn with_budget(mut self, budget: u32) -> Result<Self, crate::Error> {
+            if budget == 0 {
+                return Err(crate::Error::NotPositive);
+            }
+            self.budget = budget;
+            Ok(self)
+        }
+    };
 }
+pub(crate) use with_budget;
 
 /// Constructors of a sampler that is nothing but a budget.
 macro_rules! budgeted {
     ($name:ident, $budget:literal) => {
         impl $name {
-            /// The budget of [`Self::new`]. A true random generator spends it with a probability below
-            /// 2⁻⁶⁴.
+            /// The default budget. A true random generator spends it with a probability below 2⁻⁶⁴.
             pub const BUDGET: u32 = $budget;
 
-            /// With the default budget.
+            $crate::rejection::with_budget!(const);
+
+            /// The sampler with the budget [`Self::BUDGET`].
             #[must_use]
             pub const fn new() -> Self {
                 Self {
                     budget: Self::BUDGET,
-                }
-            }
-
-            /// With at most `budget` tries a point.
-            ///
-            /// # Errors
-            /// [`Error::NotPositive`](crate::Error::NotPositive) for a budget of 0.
-            pub const fn with_budget(budget: u32) -> Result<Self, crate::Error> {
-                match $crate::rejection::checked_budget(budget) {
-                    Ok(budget) => Ok(Self { budget }),
-                    Err(e) => Err(e),
                 }
             }
         }

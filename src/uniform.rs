@@ -12,8 +12,14 @@
 //!
 //! A uniform of the integer tier is the word itself, as a number of 32 fractional bits.
 
+mod generators;
 mod strata;
 
+pub use self::generators::FromFn;
+#[cfg(feature = "rand_core_09")]
+pub use self::generators::Rng09;
+#[cfg(feature = "rand_core_06")]
+pub use self::generators::{Error06, Rng06, TryRng06};
 pub use self::strata::{MAX_STRATA, Strata1d, Strata2d};
 pub use crate::num::{LARGEST, SMALLEST};
 

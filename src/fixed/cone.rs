@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// ```
 /// use fixed::types::{I2F30, U0F32};
 /// use microwarp::{Invert, Warp, fixed as mw};
-/// let sun = mw::Cone::from_angle(U0F32::from_num(0.000_74))?; // half the angle the sun subtends, in turns
+/// let sun = mw::Cone::from_turns(U0F32::from_num(0.000_74))?; // half the angle the sun subtends, in turns
 /// let direction = sun.sample([0.9_f32, 0.3].map(U0F32::from_num));
 /// assert!(sun.pdf(direction) > 0);
 /// assert_eq!(sun.pdf([1, 0, 0].map(I2F30::from_num)), 0);
@@ -77,10 +77,10 @@ impl<G: Grade> Cone<G> {
     /// # Errors
     /// [`Error::NotPositive`] for 0, [`Error::OutOfRange`] above 1/2, [`Error::Empty`] below 2.43e-6 turns,
     /// where the density is no [`Density`].
-    pub const fn from_angle(turns: Uniform) -> Result<Self, Error> {
+    pub const fn from_turns(half_angle: Uniform) -> Result<Self, Error> {
         /// Half a turn.
         const HALF: u32 = 1 << 31;
-        let bits = turns.to_bits();
+        let bits = half_angle.to_bits();
         if bits == 0 {
             return Err(Error::NotPositive);
         }
@@ -102,25 +102,18 @@ impl<G: Grade> Cone<G> {
     }
 
     const fn of(half: Scaled) -> Self {
-        let density = PER_ANGLE.over(half.doubled());
-        // Below 2³² by the bounds of k.
-        let shift = -density.exponent;
-        let density = if shift >= 0 {
-            (density.mantissa as u64) << shift
-        } else {
-            (density.mantissa as u64) >> -shift
-        };
         Self {
             half,
-            density,
+            // Below 2³² by the bounds of k.
+            density: PER_ANGLE.over(half.doubled()).to_long_bits(32),
             grade: PhantomData,
         }
     }
 
-    /// 1 − cos θmax, cut to 2⁻³⁰.
+    /// k = 1 − cos θmax, as kept: its first 31 binary digits or more.
     #[must_use]
-    pub const fn one_minus_cos(&self) -> ::fixed::types::U2F30 {
-        ::fixed::types::U2F30::from_bits(self.half.to_bits(31))
+    pub const fn one_minus_cos(&self) -> U2F62 {
+        U2F62::from_bits(self.half.to_long_bits(63))
     }
 }
 

@@ -80,6 +80,17 @@ impl Scaled {
         }
     }
 
+    /// In so many fraction bits of a longer word, cut; it has to fit.
+    #[inline]
+    pub(super) const fn to_long_bits(self, fraction: i32) -> u64 {
+        let left = fraction - 32 - self.exponent;
+        if left >= 0 {
+            (self.mantissa as u64) << left
+        } else {
+            (self.mantissa as u64) >> -left
+        }
+    }
+
     /// a/b, from above by no more than 2⁻³⁰ of it; of mantissas whose first bits are set.
     #[inline]
     pub(super) const fn over(self, b: Self) -> Self {

@@ -3,7 +3,7 @@
 use super::direction::{Scaled, UNIT};
 use super::grade::{Fine, Grade};
 use super::kernel::product::high;
-use super::kernel::quotient::ratio;
+use super::kernel::quotient::{ratio, reciprocal};
 use super::{Density, Length, Uniform};
 use crate::error::Error;
 use crate::uniform::Canonical;
@@ -95,7 +95,7 @@ impl<G: Grade> Invert for StandardExponential<G> {
 /// ```
 /// use fixed::types::{U0F32, U16F16};
 /// use microwarp::{Invert, Warp, fixed as mw};
-/// let waiting = mw::Exponential::new(U16F16::from_num(20))?;
+/// let waiting = mw::Exponential::from_mean(U16F16::from_num(20))?;
 /// assert_eq!(waiting.sample(U0F32::ZERO), 0);
 /// assert!((waiting.sample(U0F32::from_num(0.5)).to_num::<f64>() - 13.862_94).abs() < 1e-4);
 /// assert!((waiting.pdf(U16F16::ZERO).to_num::<f64>() - 0.05).abs() < 1e-9);
@@ -117,7 +117,7 @@ impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for 0, [`Error::TooLarge`] where 22.19 means are more than the format holds.
-    pub const fn new(mean: FixedU32<Frac>) -> Result<Self, Error> {
+    pub const fn from_mean(mean: FixedU32<Frac>) -> Result<Self, Error> {
         match mean.to_bits() {
             0 => Err(Error::NotPositive),
             bits if bits > LARGEST => Err(Error::TooLarge),
@@ -128,6 +128,48 @@ impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
             }),
         }
     }
+
+    /// Exponential with the given rate: that of mean 1/`rate`, rounded to the nearest step of the points' format.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for 0, [`Error::Empty`] for a mean that rounds to 0 and for any rate above 2³¹,
+    /// [`Error::TooLarge`] where 22.19 means are more than the format holds.
+    pub const fn from_rate(rate: Density) -> Result<Self, Error> {
+        match mean_of(rate) {
+            Ok(mean) => Self::from_mean(mean),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The mean.
+    #[must_use]
+    pub const fn mean(&self) -> FixedU32<Frac> {
+        FixedU32::from_bits(self.mean)
+    }
+
+    /// 1/mean, to the nearest step of 2⁻³²; the largest [`Density`] where that is more than it holds.
+    #[must_use]
+    pub const fn rate(&self) -> Density {
+        rate_of(self.mean())
+    }
+}
+
+/// 1/rate, rounded to the nearest step.
+pub(super) const fn mean_of<Frac: LeEqU32>(rate: Density) -> Result<FixedU32<Frac>, Error> {
+    match rate.to_bits() {
+        0 => Err(Error::NotPositive),
+        bits if bits > 1 << 63 => Err(Error::Empty),
+        bits => match reciprocal(32 + Frac::U32, bits) {
+            0 => Err(Error::Empty),
+            steps if steps > u32::MAX as u64 => Err(Error::TooLarge),
+            steps => Ok(FixedU32::from_bits(steps as u32)),
+        },
+    }
+}
+
+/// 1/mean, rounded to the nearest step.
+pub(super) const fn rate_of<Frac: LeEqU32>(mean: FixedU32<Frac>) -> Density {
+    Density::from_bits(reciprocal(32 + Frac::U32, mean.to_bits() as u64))
 }
 
 impl<Frac: LeEqU32, G: Grade> Warp for Exponential<Frac, G> {

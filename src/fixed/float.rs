@@ -145,6 +145,12 @@ impl<W> Float<W> {
     pub const fn new(warp: W) -> Self {
         Self(warp)
     }
+
+    /// The warp on fixed-point numbers.
+    #[must_use]
+    pub const fn warp(&self) -> &W {
+        &self.0
+    }
 }
 
 impl<W> Warp for Float<W>

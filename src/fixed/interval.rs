@@ -39,7 +39,7 @@ use core::marker::PhantomData;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interval<T> {
-    /// The bits of a.
+    /// The bits of the lowest value.
     start: u32,
     /// How many values there are; 0 stands for 2³².
     count: u32,
@@ -72,15 +72,15 @@ impl<T> Interval<T> {
 }
 
 macro_rules! constructors {
-    ([$($parameter:tt)*] $number:ty, |$x:ident| $bits:expr, $fraction:expr) => {
+    ([$($parameter:tt)*] $number:ty, |$x:ident| $bits:expr, |$word:ident| $from_word:expr, $fraction:expr) => {
         impl<$($parameter)*> Interval<$number> {
-            /// Uniform on [a, b), increasing with the uniform.
+            /// Uniform on [low, high), increasing with the uniform.
             ///
             /// # Errors
-            /// [`Error::Reversed`] for a > b, [`Error::Empty`] for a = b.
-            pub const fn new(a: $number, b: $number) -> Result<Self, Error> {
-                let start = { let $x = a; $bits };
-                let end = { let $x = b; $bits };
+            /// [`Error::Reversed`] for low > high, [`Error::Empty`] for low = high.
+            pub const fn new(low: $number, high: $number) -> Result<Self, Error> {
+                let start = { let $x = low; $bits };
+                let end = { let $x = high; $bits };
                 if start > end {
                     Err(Error::Reversed)
                 } else if start == end {
@@ -90,13 +90,13 @@ macro_rules! constructors {
                 }
             }
 
-            /// Uniform on [a, b], increasing with the uniform.
+            /// Uniform on [low, last], increasing with the uniform.
             ///
             /// # Errors
-            /// [`Error::Reversed`] for a > b.
-            pub const fn inclusive(a: $number, b: $number) -> Result<Self, Error> {
-                let start = { let $x = a; $bits };
-                let last = { let $x = b; $bits };
+            /// [`Error::Reversed`] for low > last.
+            pub const fn inclusive(low: $number, last: $number) -> Result<Self, Error> {
+                let start = { let $x = low; $bits };
+                let last = { let $x = last; $bits };
                 if start > last {
                     Err(Error::Reversed)
                 } else {
@@ -104,14 +104,28 @@ macro_rules! constructors {
                     Ok(Self::of(start as u32, count, $fraction))
                 }
             }
+
+            /// The lowest value.
+            #[must_use]
+            pub const fn low(&self) -> $number {
+                let $word = self.start;
+                $from_word
+            }
+
+            /// The largest value, which samples reach: one step below the `high` of [`Self::new`].
+            #[must_use]
+            pub const fn last(&self) -> $number {
+                let $word = self.start.wrapping_add(self.count.wrapping_sub(1));
+                $from_word
+            }
         }
     };
 }
 
-constructors!([] i32, |x| x, 0);
-constructors!([] u32, |x| x, 0);
-constructors!([Frac: LeEqU32] FixedI32<Frac>, |x| x.to_bits(), Frac::U32);
-constructors!([Frac: LeEqU32] FixedU32<Frac>, |x| x.to_bits(), Frac::U32);
+constructors!([] i32, |x| x, |word| word as i32, 0);
+constructors!([] u32, |x| x, |word| word, 0);
+constructors!([Frac: LeEqU32] FixedI32<Frac>, |x| x.to_bits(), |word| FixedI32::from_bits(word as i32), Frac::U32);
+constructors!([Frac: LeEqU32] FixedU32<Frac>, |x| x.to_bits(), |word| FixedU32::from_bits(word), Frac::U32);
 
 impl<T: Number> Warp for Interval<T> {
     type Uniforms = Uniform;

@@ -57,12 +57,12 @@ pub struct PhongLobe<G = Fine> {
 }
 
 impl<G: Grade> PhongLobe<G> {
-    /// The lobe of exponent `n`, up to 2³² − 2.
+    /// The lobe of this exponent n, up to 2³² − 2.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] above.
-    pub const fn new(n: U32F32) -> Result<Self, Error> {
-        let exponent = n.to_bits();
+    /// [`Error::OutOfRange`] above that.
+    pub const fn new(exponent: U32F32) -> Result<Self, Error> {
+        let exponent = exponent.to_bits();
         if exponent > (u32::MAX as u64 - 1) << 32 {
             return Err(Error::OutOfRange);
         }
@@ -82,6 +82,12 @@ impl<G: Grade> PhongLobe<G> {
             inverse,
             grade: PhantomData,
         })
+    }
+
+    /// The exponent n, as kept: its first 32 binary digits.
+    #[must_use]
+    pub const fn exponent(&self) -> U32F32 {
+        U32F32::from_bits(self.exponent.to_long_bits(32))
     }
 
     /// −ln cos θ of a direction with z > 0.

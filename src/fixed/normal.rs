@@ -14,7 +14,7 @@ use ::fixed::FixedI32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
 
-/// Two independent normals of mean 0 and deviation 1.
+/// Two independent normals of mean 0 and standard deviation 1.
 ///
 /// Radius √(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the origin.
 ///
@@ -49,7 +49,7 @@ use core::marker::PhantomData;
 pub struct StandardNormalPair<G = Fine>(PhantomData<G>);
 
 impl<G: Grade> StandardNormalPair<G> {
-    /// The normal distribution of mean 0 and deviation 1 in each coordinate.
+    /// The normal distribution of mean 0 and standard deviation 1 in each coordinate.
     #[must_use]
     pub const fn new() -> Self {
         Self(PhantomData)
@@ -123,13 +123,13 @@ impl<G: Grade> Invert for StandardNormalPair<G> {
 
 /// Two independent normals about a mean point with a common standard deviation.
 ///
-/// As [`StandardNormalPair`], its points times the deviation, rounded to the format's step.
+/// As [`StandardNormalPair`], its points times the standard deviation, rounded to the format's step.
 ///
 /// - Uniforms: two words. (0, ·) gives the mean itself; the farthest point lies at 6.661 deviations.
-/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 2.2·10⁴ that is all of it.
+/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a standard deviation above 2.2·10⁴ that is all of it.
 ///
-/// In *sample* of the deviation, beyond half a step of the format in each coordinate; in *pdf* of the largest density, beyond
-/// a step; in *round trip* as of [`StandardNormalPair`]. The deviation has n steps of the format:
+/// In *sample* of the standard deviation, beyond half a step of the format in each coordinate; in *pdf* of the largest density, beyond
+/// a step; in *round trip* as of [`StandardNormalPair`]. The standard deviation has n steps of the format:
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -150,8 +150,8 @@ impl<G: Grade> Invert for StandardNormalPair<G> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NormalPair<Frac, G = Fine> {
     mean: [i32; 2],
-    /// The deviation, its first bit set by a shift that leaves products 2⁵ too small.
-    deviation: u32,
+    /// The standard deviation, its first bit set by a shift that leaves products 2⁵ too small.
+    std_dev: u32,
     shift: u32,
     /// The density at the mean point.
     peak: Scaled,
@@ -162,24 +162,23 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
     /// Normals about the given mean point with the given standard deviation in each coordinate.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a deviation of 0 or less; [`Error::TooLarge`] for one of 1/16 of the format's range
+    /// [`Error::NotPositive`] for a standard deviation of 0 or less; [`Error::TooLarge`] for one of 1/16 of the format's range
     /// or more, or if the mean and 6.67 deviations overflow the format; [`Error::Empty`] if the density overflows,
-    /// for a deviation below 6.1e-6.
-    pub const fn new(mean: [FixedI32<Frac>; 2], deviation: FixedI32<Frac>) -> Result<Self, Error> {
+    /// for a standard deviation below 6.1e-6.
+    pub const fn new(mean: [FixedI32<Frac>; 2], std_dev: FixedI32<Frac>) -> Result<Self, Error> {
         let [x, y] = mean;
-        let (x, y, deviation) = (x.to_bits(), y.to_bits(), deviation.to_bits());
-        if deviation <= 0 {
+        let (x, y, std_dev) = (x.to_bits(), y.to_bits(), std_dev.to_bits());
+        if std_dev <= 0 {
             return Err(Error::NotPositive);
         }
         // 6.67 deviations, and what rounding adds.
-        let reach = ((deviation as i64 * 427) >> 6) + 1;
+        let reach = ((std_dev as i64 * 427) >> 6) + 1;
         let room = i32::MAX as i64 - reach;
-        if deviation >= 1 << 27 || x.unsigned_abs() as i64 > room || y.unsigned_abs() as i64 > room
-        {
+        if std_dev >= 1 << 27 || x.unsigned_abs() as i64 > room || y.unsigned_abs() as i64 > room {
             return Err(Error::TooLarge);
         }
-        let shift = deviation.leading_zeros();
-        let inverse = UNIT.over(Scaled::of(deviation as u64, Frac::I32));
+        let shift = std_dev.leading_zeros();
+        let inverse = UNIT.over(Scaled::of(std_dev as u64, Frac::I32));
         let peak = inverse.times(inverse).times(PER_ANGLE);
         let peak = Scaled::normal(peak.mantissa, peak.exponent);
         if peak.exponent < -32 {
@@ -187,20 +186,33 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         }
         Ok(Self {
             mean: [x, y],
-            deviation: (deviation as u32) << shift,
+            std_dev: (std_dev as u32) << shift,
             shift: shift - 5,
             peak,
             format: PhantomData,
         })
     }
 
+    /// The mean point.
+    #[must_use]
+    pub const fn mean(&self) -> [FixedI32<Frac>; 2] {
+        let [x, y] = self.mean;
+        [FixedI32::from_bits(x), FixedI32::from_bits(y)]
+    }
+
+    /// The standard deviation of each coordinate.
+    #[must_use]
+    pub const fn std_dev(&self) -> FixedI32<Frac> {
+        FixedI32::from_bits((self.std_dev >> (self.shift + 5)) as i32)
+    }
+
     /// The magnitudes of a point's coordinates from the mean, in deviations (Q27), 16 or more as 16.
     #[inline]
     fn standardised(&self, point: [FixedI32<Frac>; 2]) -> [u32; 2] {
         let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
-        let deviation = self.deviation >> (self.shift + 5);
+        let std_dev = self.std_dev >> (self.shift + 5);
         [x.abs_diff(mx), y.abs_diff(my)]
-            .map(|c| u32::try_from(ratio(c, deviation) >> 5).map_or(1 << 31, |c| c.min(1 << 31)))
+            .map(|c| u32::try_from(ratio(c, std_dev) >> 5).map_or(1 << 31, |c| c.min(1 << 31)))
     }
 }
 
@@ -212,7 +224,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for NormalPair<Frac, G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [FixedI32<Frac>; 2] {
         let ([u1, u2], [mx, my]) = (u.get().map(Uniform::to_bits), self.mean);
-        let [x, y] = around::<G>(near(radius::<G>(u1), self.deviation), u2);
+        let [x, y] = around::<G>(near(radius::<G>(u1), self.std_dev), u2);
         let half = (1 << self.shift) >> 1;
         [
             mx + ((x + half) >> self.shift),
@@ -243,13 +255,13 @@ impl<Frac: LeEqU32, G: Grade> Invert for NormalPair<Frac, G> {
 impl<Frac, G> defmt::Format for NormalPair<Frac, G> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let [x, y] = self.mean;
-        let deviation = self.deviation >> (self.shift + 5);
+        let std_dev = self.std_dev >> (self.shift + 5);
         defmt::write!(
             f,
-            "NormalPair {{ mean: [{=i32}, {=i32}], deviation: {=u32} }}",
+            "NormalPair {{ mean: [{=i32}, {=i32}], std_dev: {=u32} }}",
             x,
             y,
-            deviation
+            std_dev
         );
     }
 }

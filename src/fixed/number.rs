@@ -5,7 +5,7 @@ use ::fixed::{FixedI32, FixedU32};
 
 mod sealed {
     /// A number as its bits.
-    pub trait Word: Copy {
+    pub trait Bits32: Copy {
         /// How many of the bits are a fraction.
         const FRACTION: u32;
         /// The bit that carries the sign, if any.
@@ -14,17 +14,17 @@ mod sealed {
         fn from_word(word: u32) -> Self;
     }
 }
-pub(super) use sealed::Word;
+pub(super) use sealed::Bits32;
 
 /// A number of 32 bits: `i32`, `u32`, or of the `fixed` crate `FixedI32` and `FixedU32` with any number of
 /// fraction bits.
 ///
 /// The trait is sealed.
-pub trait Number: Word {}
+pub trait Number: Bits32 {}
 
-impl<T: Word> Number for T {}
+impl<T: Bits32> Number for T {}
 
-impl Word for u32 {
+impl Bits32 for u32 {
     const FRACTION: u32 = 0;
     const SIGN: u32 = 0;
 
@@ -39,7 +39,7 @@ impl Word for u32 {
     }
 }
 
-impl Word for i32 {
+impl Bits32 for i32 {
     const FRACTION: u32 = 0;
     const SIGN: u32 = 1 << 31;
 
@@ -54,7 +54,7 @@ impl Word for i32 {
     }
 }
 
-impl<Frac: LeEqU32> Word for FixedU32<Frac> {
+impl<Frac: LeEqU32> Bits32 for FixedU32<Frac> {
     const FRACTION: u32 = Frac::U32;
     const SIGN: u32 = 0;
 
@@ -69,7 +69,7 @@ impl<Frac: LeEqU32> Word for FixedU32<Frac> {
     }
 }
 
-impl<Frac: LeEqU32> Word for FixedI32<Frac> {
+impl<Frac: LeEqU32> Bits32 for FixedI32<Frac> {
     const FRACTION: u32 = Frac::U32;
     const SIGN: u32 = 1 << 31;
 

@@ -67,6 +67,12 @@ impl<Frac: LeEqU32, G: Grade> Tent<Frac, G> {
             format: PhantomData,
         })
     }
+
+    /// The radius.
+    #[must_use]
+    pub const fn radius(&self) -> FixedI32<Frac> {
+        FixedI32::from_bits(self.radius as i32)
+    }
 }
 
 impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {

@@ -4,7 +4,7 @@ use super::direction::{ONE, Scaled, UNIT};
 use super::grade::{Fine, Grade};
 use super::kernel::product::wide;
 use super::kernel::quotient::quotient;
-use super::shadow::{largest, minor, next, shifted, sorted, squares};
+use super::minors::{largest, minor, next, shifted, sorted, squares};
 use super::triangle::Triangle;
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
@@ -97,6 +97,13 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
             format: PhantomData,
         })
     }
+
+    /// The vertices.
+    #[must_use]
+    pub const fn vertices(&self) -> [[FixedI32<Frac>; D]; 3] {
+        let [a, b, c] = self.vertices;
+        [numbers(a), numbers(b), numbers(c)]
+    }
 }
 
 /// The bits of a vertex.
@@ -108,6 +115,17 @@ const fn bits<Frac, const D: usize>(vertex: [FixedI32<Frac>; D]) -> [i32; D] {
         (rest, slots) = (others, later);
     }
     bits
+}
+
+/// The vertex of these bits.
+const fn numbers<Frac, const D: usize>(bits: [i32; D]) -> [FixedI32<Frac>; D] {
+    let mut vertex = [FixedI32::ZERO; D];
+    let (mut rest, mut slots): (_, &mut [FixedI32<Frac>]) = (bits.as_slice(), &mut vertex);
+    while let ([x, others @ ..], [slot, later @ ..]) = (rest, slots) {
+        *slot = FixedI32::from_bits(*x);
+        (rest, slots) = (others, later);
+    }
+    vertex
 }
 
 impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {

@@ -1,7 +1,7 @@
 //! The exponential distribution truncated to an interval from 0.
 
 use super::direction::{ONE, Scaled, UNIT};
-use super::exponential::{in_means, of_means};
+use super::exponential::{in_means, mean_of, of_means, rate_of};
 use super::grade::{Fine, Grade};
 use super::kernel::product::{high, near, near_signed, square};
 use super::kernel::quotient::{quotient, ratio};
@@ -40,7 +40,7 @@ use core::marker::PhantomData;
 /// ```
 /// use fixed::types::{U0F32, U16F16};
 /// use microwarp::{Invert, Warp, fixed as mw};
-/// let segment = mw::TruncatedExponential::new(U16F16::from_num(10), U16F16::from_num(4))?;
+/// let segment = mw::TruncatedExponential::from_mean(U16F16::from_num(10), U16F16::from_num(4))?;
 /// let middle = segment.sample(U0F32::from_num(0.5)).to_num::<f64>();
 /// assert!((middle - 1.801_32).abs() < 2e-5);
 /// # Ok::<(), microwarp::Error>(())
@@ -70,7 +70,7 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a mean or a length of 0.
-    pub const fn new(mean: FixedU32<Frac>, length: FixedU32<Frac>) -> Result<Self, Error> {
+    pub const fn from_mean(mean: FixedU32<Frac>, length: FixedU32<Frac>) -> Result<Self, Error> {
         let (mean, length) = (mean.to_bits(), length.to_bits());
         if mean == 0 || length == 0 {
             return Err(Error::NotPositive);
@@ -95,6 +95,37 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
             height: UNIT.over(Scaled::of(mass, 32 + Frac::I32)),
             format: PhantomData,
         })
+    }
+
+    /// Density ∝ e^(−rate·x) on [0, length): that of mean 1/`rate`, rounded to the nearest step of the points'
+    /// format.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a rate or a length of 0, [`Error::Empty`] for a mean that rounds to 0 and for any
+    /// rate above 2³¹, [`Error::TooLarge`] for a mean that the format does not hold.
+    pub const fn from_rate(rate: Density, length: FixedU32<Frac>) -> Result<Self, Error> {
+        match mean_of(rate) {
+            Ok(mean) => Self::from_mean(mean, length),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The mean of the exponential distribution before it was truncated.
+    #[must_use]
+    pub const fn mean(&self) -> FixedU32<Frac> {
+        FixedU32::from_bits(self.mean)
+    }
+
+    /// 1/mean, to the nearest step of 2⁻³²; the largest [`Density`] where that is more than it holds.
+    #[must_use]
+    pub const fn rate(&self) -> Density {
+        rate_of(self.mean())
+    }
+
+    /// The length of the interval.
+    #[must_use]
+    pub const fn length(&self) -> FixedU32<Frac> {
+        FixedU32::from_bits(self.length)
     }
 }
 

@@ -98,7 +98,7 @@ tables! {
 /// use rand_pcg::Pcg32;
 /// // Proposals that already have the density asked for are all accepted.
 /// let weights = [9.0, 1.0];
-/// let mutation = Independence::new(Cdf::<[u32; 2]>::new(&weights)?);
+/// let mutation = Independence::new(Cdf::new(&weights)?);
 /// let mut chain = Chain::new(0, |i: usize| weights[i])?;
 /// for _ in 0..100 {
 ///     chain.step(|i| weights[i], &mutation, &mut Pcg32::new(1, 1));

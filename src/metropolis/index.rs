@@ -102,7 +102,7 @@ impl Mutation<usize> for UniformIndex {
 /// use microwarp::metropolis::{Chain, TransitionTable};
 /// use rand_pcg::Pcg32;
 /// let rows = [[0.0, 0.5, 0.5], [0.9, 0.0, 0.1], [0.5, 0.5, 0.0]];
-/// let row = |i: usize| Cdf::<[u32; 3]>::new(&rows[i]);
+/// let row = |i: usize| Cdf::new(&rows[i]);
 /// let mutation = TransitionTable::new([row(0)?, row(1)?, row(2)?])?;
 /// let weight = |i: usize| [1.0, 2.0, 4.0][i];
 /// let step = Chain::new(0, weight)?.step(weight, &mutation, &mut Pcg32::new(1, 1));

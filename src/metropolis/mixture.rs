@@ -128,7 +128,7 @@ impl<M, const N: usize> Mixture<M, N> {
     /// # Errors
     /// Those of [`Cdf`] for the weights.
     pub fn new(mutations: M, weights: &[f32; N]) -> Result<Self, Error> {
-        Ok(Self::from_table(mutations, Cdf::<[u32; N]>::new(weights)?))
+        Ok(Self::from_table(mutations, Cdf::new(weights)?))
     }
 
     /// Picks the mutations by a table of one's own: built by the compiler, it leaves what builds tables out

@@ -1,6 +1,6 @@
 //! A density below a multiple of another from which one can sample.
 
-use super::{Failure, Rejection, checked_budget};
+use super::{DEFAULT_BUDGET, Failure, Rejection, with_budget};
 use crate::error::{Error, positive};
 use crate::num::{Scaled, happens};
 use crate::warp::Warp;
@@ -34,10 +34,10 @@ pub const SLACK: f32 = 8.0 * f32::EPSILON;
 /// use rand_pcg::Pcg32;
 /// // f = 1/(1 + |x|²) on the disk, where p = 1/π: f/p is at most π, at the centre.
 /// let f = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
-/// let bumped = Bounded::new(mw::Disk::new(), f, core::f32::consts::PI, 100)?;
+/// let bumped = Bounded::new(mw::Disk::new(), f, core::f32::consts::PI)?;
 /// let accepted = bumped.draw(&mut Pcg32::new(1, 1))?;
 /// // The efficiency is π ln 2 / π = 69 %.
-/// assert!(accepted.tries <= 100);
+/// assert!(accepted.tries <= bumped.budget());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,19 +54,31 @@ where
     W: Warp<Density = f32>,
     F: Fn(W::Point) -> f32,
 {
-    /// The density f = `density` over points of `proposal`, with c = `bound` and at most `budget` tries a
-    /// point.
+    /// The density f = `density` over points of `proposal`, with c = `bound` and the budget [`DEFAULT_BUDGET`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a bound that is NaN or infinite, [`Error::NotPositive`] for a bound of 0
-    /// or less and for a budget of 0.
-    pub fn new(proposal: W, density: F, bound: f32, budget: u32) -> Result<Self, Error> {
+    /// or less.
+    pub fn new(proposal: W, density: F, bound: f32) -> Result<Self, Error> {
         Ok(Self {
             proposal,
             density,
             bound: positive(bound)?,
-            budget: checked_budget(budget)?,
+            budget: DEFAULT_BUDGET,
         })
+    }
+
+    with_budget!();
+
+    /// The warp that proposes points.
+    pub const fn proposal(&self) -> &W {
+        &self.proposal
+    }
+
+    /// The bound c.
+    #[must_use]
+    pub const fn bound(&self) -> f32 {
+        self.bound
     }
 
     /// One try with uniforms of one's own and a word that decides, the smaller the more surely for the

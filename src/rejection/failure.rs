@@ -10,7 +10,7 @@ use core::fmt;
 /// use microwarp::rejection::{Failure, Region, Rejection};
 /// use microwarp::warp::Interval;
 /// use rand_pcg::Pcg32;
-/// let nowhere = Region::new(Interval::new(0.0, 1.0)?, |_| false, 10)?;
+/// let nowhere = Region::new(Interval::new(0.0, 1.0)?, |_| false).with_budget(10)?;
 /// assert_eq!(nowhere.draw(&mut Pcg32::new(1, 1)), Err(Failure::BudgetSpent { tries: 10 }));
 /// # Ok::<(), microwarp::Error>(())
 /// ```

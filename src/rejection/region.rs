@@ -1,7 +1,6 @@
 //! A warp restricted to a region, given by a predicate.
 
-use super::{Failure, Rejection, checked_budget};
-use crate::error::Error;
+use super::{DEFAULT_BUDGET, Failure, Rejection, with_budget};
 use crate::warp::Warp;
 use rand_core::TryRng;
 
@@ -24,8 +23,7 @@ use rand_core::TryRng;
 /// let ring = Region::new(
 ///     Aabb::new([-1.0, -1.0], [1.0, 1.0])?,
 ///     |[x, y]: [f32; 2]| (0.25..=1.0).contains(&(x * x + y * y)),
-///     100,
-/// )?;
+/// );
 /// let [x, y] = ring.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(x * x + y * y >= 0.25);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -43,16 +41,20 @@ where
     W: Warp,
     P: Fn(W::Point) -> bool,
 {
-    /// The part of `domain` in which `predicate` holds, with at most `budget` tries a point.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`] for a budget of 0.
-    pub fn new(domain: W, predicate: P, budget: u32) -> Result<Self, Error> {
-        Ok(Self {
+    /// The part of `domain` in which `predicate` holds, with the budget [`DEFAULT_BUDGET`].
+    pub const fn new(domain: W, predicate: P) -> Self {
+        Self {
             domain,
             predicate,
-            budget: checked_budget(budget)?,
-        })
+            budget: DEFAULT_BUDGET,
+        }
+    }
+
+    with_budget!();
+
+    /// The warp whose points are kept or not.
+    pub const fn domain(&self) -> &W {
+        &self.domain
     }
 
     /// One try with uniforms of one's own; `None` if the point lies outside the region.

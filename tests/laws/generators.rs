@@ -1,7 +1,7 @@
 //! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
 
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
-use microwarp::uniform::{self, Uniforms as _};
+use microwarp::uniform::{self, FromFn, Uniforms as _};
 use microwarp::{Warp, libm, poly};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
@@ -211,13 +211,9 @@ fn drawing_is_sampling_at_the_drawn_uniforms() {
 /// the same as the grid's where the grid has it.
 #[test]
 fn drawing_from_a_table_is_the_exact_place_of_the_word() {
-    let narrow = PiecewiseConstant1d::<[u32; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
-    let wide = PiecewiseConstant1d::<[u64; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
-    let plane = PiecewiseConstant2d::<[u32; 2], [[u32; 2]; 2]>::new(
-        &[[1.0, 3.0], [0.0, 4.0]],
-        [0.0, 4.0],
-        [0.0, 2.0],
-    );
+    let narrow = PiecewiseConstant1d::new(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let wide = PiecewiseConstant1d::new_u64(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let plane = PiecewiseConstant2d::new(&[[1.0, 3.0], [0.0, 4.0]], [0.0, 4.0], [0.0, 2.0]);
     let (narrow, wide, plane) = (narrow.unwrap(), wide.unwrap(), plane.unwrap());
     // Cells of [0, 8) with a quarter, nothing, a half and a quarter of the words.
     let place = |u: f64| match u {
@@ -284,7 +280,7 @@ fn a_failing_generator_passes_its_error_on() {
         Err(Broken(17))
     );
     let plane = |words| {
-        PiecewiseConstant2d::<[u64; 1], [[u64; 1]; 1]>::new(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
+        PiecewiseConstant2d::new_u64(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
             .unwrap()
             .try_draw(&mut failing(words))
     };
@@ -336,4 +332,61 @@ fn a_dyn_generator_will_do() {
     let mut pcg = Pcg32::new(3, 3);
     let rng: &mut dyn Rng = &mut pcg;
     assert!(poly::Disk::new().draw(rng)[0].abs() <= 1.0);
+}
+
+#[test]
+fn a_closure_is_a_generator() {
+    let mut count = 0_u32;
+    let mut words = FromFn(|| {
+        count += 1;
+        count
+    });
+    assert_eq!(words.next_u32(), 1);
+    assert_eq!(words.next_u64(), 0x0000_0003_0000_0002);
+    let mut bytes = [0; 6];
+    words.fill_bytes(&mut bytes);
+    assert_eq!(bytes, [4, 0, 0, 0, 5, 0]);
+    assert_eq!(count, 5);
+
+    let mut wide = FromFn(|| 0x0123_4567_89ab_cdef_u64);
+    assert_eq!(wide.next_u32(), 0x0123_4567);
+    assert_eq!(wide.next_u64(), 0x0123_4567_89ab_cdef);
+    let mut bytes = [0; 9];
+    wide.fill_bytes(&mut bytes);
+    assert_eq!(
+        bytes,
+        [0xef, 0xcd, 0xab, 0x89, 0x67, 0x45, 0x23, 0x01, 0xef]
+    );
+
+    let mut next = 0_u8;
+    let mut narrow = FromFn(|| {
+        next += 1;
+        next
+    });
+    assert_eq!(narrow.next_u32(), 0x0403_0201);
+    assert_eq!(narrow.next_u64(), 0x0c0b_0a09_0807_0605);
+    let mut bytes = [0; 2];
+    narrow.fill_bytes(&mut bytes);
+    assert_eq!(bytes, [13, 14]);
+}
+
+/// Through a closure, a generator gives the points it gives by itself; a `&mut` to a closure serves as well.
+#[test]
+fn a_closure_changes_no_point() {
+    let (mut rng, mut own) = (Pcg32::new(1, 1), Pcg32::new(1, 1));
+    let mut closure = FromFn(|| own.next_u32());
+    for _ in 0..100 {
+        let expected = poly::Sphere::new().draw(&mut rng);
+        assert_eq!(poly::Sphere::new().draw(&mut &mut closure), expected);
+    }
+}
+
+#[test]
+fn the_error_of_a_closure_is_passed_on() {
+    let mut log = [1_u32, 2, 3].into_iter();
+    let mut rng = FromFn(|| log.next().ok_or(Broken(1)));
+    assert!(poly::Disk::new().try_draw(&mut rng).is_ok());
+    assert_eq!(poly::Disk::new().try_draw(&mut rng), Err(Broken(1)));
+    assert_eq!(rng.try_next_u64(), Err(Broken(1)));
+    assert_eq!(rng.try_fill_bytes(&mut [0; 3]), Err(Broken(1)));
 }

@@ -171,7 +171,7 @@ fn mixtures_of_counts_stay_counts() {
     fn is<M: Mutation<X, Correction = C>, X, C: microwarp::metropolis::Correction>(_: &M, _: C) {}
     let counts = Counts::new(1, 1);
     let row = Cdf::<[u32; 2]>::from_integers(&[1, 2]).unwrap();
-    let bins = Alias::<[AliasEntry<u64>; 2]>::from_integers(&[1, 2]).unwrap();
+    let bins = Alias::<[AliasEntry<u64>; 2]>::from_integers_u64(&[1, 2]).unwrap();
     let (cdf, alias) = (Independence::new(row), Independence::new(bins));
     let rows = TransitionTable::new([row; 2]).unwrap();
     let index = UniformIndex::new(2).unwrap();

@@ -69,7 +69,7 @@ fn every_mutation_takes_the_words_stated() {
     takes("Independence", &pair, [0.0; 2], 2);
     let table = Cdf::<[u32; 2]>::new(&[1.0, 3.0]).unwrap();
     takes("Independence", &Independence::new(table), 0, 1);
-    let long = Alias::<[AliasEntry<u64>; 2]>::new(&[1.0, 3.0]).unwrap();
+    let long = Alias::<[AliasEntry<u64>; 2]>::new_u64(&[1.0, 3.0]).unwrap();
     takes("Independence", &Independence::new(long), 0, 2);
     takes(
         "TransitionTable",

@@ -81,9 +81,9 @@ fn words_of<W, X, M, const N: usize>(
 fn steps_take_the_words_stated_and_failed_ones_leave_no_trace() {
     let weights = [1.0, 2.0, 3.0, 4.0];
     let cdf = Cdf::<[u32; 4]>::new(&weights).unwrap();
-    let wide = Cdf::<[u64; 4]>::new(&weights).unwrap();
+    let wide = Cdf::<[u64; 4]>::new_u64(&weights).unwrap();
     let alias = Alias::<[AliasEntry<u32>; 4]>::new(&weights).unwrap();
-    let wide_alias = Alias::<[AliasEntry<u64>; 4]>::new(&weights).unwrap();
+    let wide_alias = Alias::<[AliasEntry<u64>; 4]>::new_u64(&weights).unwrap();
     words("UniformIndex", 0, &UniformIndex::new(4).unwrap(), |_| 2);
     words("Independence(Cdf)", 0, &Independence::new(cdf), |_| 1);
     words("Independence(Cdf u64)", 0, &Independence::new(wide), |_| 2);

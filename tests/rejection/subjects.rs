@@ -173,12 +173,14 @@ pub fn all() -> Vec<Subject> {
     let mass = -(-2.0_f64).exp_m1();
     macro_rules! region {
         ($domain:expr, $predicate:expr, $e:expr) => {
-            Region::new($domain, $predicate, budget($e)).unwrap()
+            Region::new($domain, $predicate)
+                .with_budget(budget($e))
+                .unwrap()
         };
     }
     macro_rules! bounded {
         ($proposal:expr, $f:expr, $c:expr) => {
-            Bounded::new($proposal, $f, $c, 600).unwrap()
+            Bounded::new($proposal, $f, $c).unwrap()
         };
     }
     vec![

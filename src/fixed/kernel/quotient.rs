@@ -32,7 +32,7 @@ pub(in crate::fixed) const fn ratio(a: u32, b: u32) -> u64 {
     digits
 }
 
-/// 2ᵖ/b to the nearest whole number, of 0 < b ≤ 2³²; what does not fit counts as the largest.
+/// 2ᵖ/b to the nearest whole number, of 0 < b ≤ 2⁶³; what does not fit counts as the largest.
 pub(in crate::fixed) const fn reciprocal(power: u32, b: u64) -> u64 {
     let (mut rest, mut digits, mut left) = (1, 0_u64, power);
     loop {

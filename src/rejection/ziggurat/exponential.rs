@@ -3,7 +3,7 @@
 use super::layers::{Layers, Shape};
 use super::{Law, attempt_at, try_draw, try_once, ziggurat};
 use crate::error::Error;
-use crate::rejection::{Accepted, Failure, Rejection, budgeted, checked_budget};
+use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
 use crate::warp::{Exponential, Warp};
 use rand_core::TryRng;
@@ -91,7 +91,7 @@ budgeted!(ZigguratStandardExponential, 10);
 /// ```
 /// use microwarp::rejection::{Rejection, ZigguratExponential};
 /// use rand_pcg::Pcg32;
-/// let free_path = ZigguratExponential::new(2.0)?;
+/// let free_path = ZigguratExponential::from_rate(2.0)?;
 /// let x = free_path.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(free_path.pdf(x) > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -121,25 +121,51 @@ impl ZigguratExponential {
     /// The share of tries that is accepted, in theory.
     pub const EFFICIENCY: f32 = ZigguratStandardExponential::EFFICIENCY;
 
-    /// Exponential with the given rate (the reciprocal of the mean), and the budget of
-    /// [`ZigguratStandardExponential::new`].
+    /// The default budget, that of [`ZigguratStandardExponential`].
+    pub const BUDGET: u32 = ZigguratStandardExponential::BUDGET;
+
+    with_budget!(const);
+
+    /// Exponential with the given rate (the reciprocal of the mean), and the budget [`Self::BUDGET`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] for a rate
     /// so small that the tail overflows (below 3.1e-37).
-    pub const fn new(rate: f32) -> Result<Self, Error> {
-        Self::with_budget(rate, ZigguratStandardExponential::BUDGET)
+    pub const fn from_rate(rate: f32) -> Result<Self, Error> {
+        Self::of(Exponential::from_rate(rate))
     }
 
-    /// The same with at most `budget` tries a number.
+    /// Exponential with the given mean, and the budget [`Self::BUDGET`]. Its rate is 1/mean, rounded to `f32`.
     ///
     /// # Errors
-    /// Those of [`Self::new`], and [`Error::NotPositive`] for a budget of 0.
-    pub const fn with_budget(rate: f32, budget: u32) -> Result<Self, Error> {
-        match (Exponential::from_rate(rate), checked_budget(budget)) {
-            (Ok(law), Ok(budget)) => Ok(Self { law, rate, budget }),
-            (Err(e), _) | (_, Err(e)) => Err(e),
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
+    /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does
+    /// (above 3.2e36).
+    pub const fn from_mean(mean: f32) -> Result<Self, Error> {
+        Self::of(Exponential::from_mean(mean))
+    }
+
+    const fn of(law: Result<Exponential<Poly>, Error>) -> Result<Self, Error> {
+        match law {
+            Ok(law) => Ok(Self {
+                law,
+                rate: law.rate(),
+                budget: Self::BUDGET,
+            }),
+            Err(e) => Err(e),
         }
+    }
+
+    /// The rate.
+    #[must_use]
+    pub const fn rate(&self) -> f32 {
+        self.rate
+    }
+
+    /// The mean, 1/rate rounded to `f32`.
+    #[must_use]
+    pub const fn mean(&self) -> f32 {
+        1.0 / self.rate
     }
 
     /// The density at a number; 0 for those below 0, NaN and infinity. Never 0 at a number that was drawn.

@@ -3,7 +3,7 @@
 use super::layers::{Layers, Shape};
 use super::{Law, attempt_at, try_draw, try_once, ziggurat};
 use crate::error::Error;
-use crate::rejection::{Accepted, Failure, Rejection, budgeted, checked_budget};
+use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
 use crate::warp::{Normal, Warp};
 use rand_core::TryRng;
@@ -108,7 +108,7 @@ budgeted!(ZigguratStandardNormal, 9);
 pub struct ZigguratNormal {
     law: Normal<Poly>,
     mean: f32,
-    deviation: f32,
+    std_dev: f32,
     budget: u32,
 }
 
@@ -129,29 +129,38 @@ impl ZigguratNormal {
     /// The share of tries that is accepted, in theory.
     pub const EFFICIENCY: f32 = ZigguratStandardNormal::EFFICIENCY;
 
-    /// Normal with the given mean and standard deviation, and the budget of [`ZigguratStandardNormal::new`].
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a deviation of 0 or less,
-    /// [`Error::TooLarge`] if a number could overflow, [`Error::Empty`] if the density could.
-    pub const fn new(mean: f32, deviation: f32) -> Result<Self, Error> {
-        Self::with_budget(mean, deviation, ZigguratStandardNormal::BUDGET)
-    }
+    /// The default budget, that of [`ZigguratStandardNormal`].
+    pub const BUDGET: u32 = ZigguratStandardNormal::BUDGET;
 
-    /// The same with at most `budget` tries a number.
+    with_budget!(const);
+
+    /// Normal with the given mean and standard deviation, and the budget [`Self::BUDGET`].
     ///
     /// # Errors
-    /// Those of [`Self::new`], and [`Error::NotPositive`] for a budget of 0.
-    pub const fn with_budget(mean: f32, deviation: f32, budget: u32) -> Result<Self, Error> {
-        match (Normal::new(mean, deviation), checked_budget(budget)) {
-            (Ok(law), Ok(budget)) => Ok(Self {
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a standard deviation of 0 or less,
+    /// [`Error::TooLarge`] if a number could overflow, [`Error::Empty`] if the density could.
+    pub const fn new(mean: f32, std_dev: f32) -> Result<Self, Error> {
+        match Normal::new(mean, std_dev) {
+            Ok(law) => Ok(Self {
                 law,
                 mean,
-                deviation,
-                budget,
+                std_dev,
+                budget: Self::BUDGET,
             }),
-            (Err(e), _) | (_, Err(e)) => Err(e),
+            Err(e) => Err(e),
         }
+    }
+
+    /// The mean.
+    #[must_use]
+    pub const fn mean(&self) -> f32 {
+        self.mean
+    }
+
+    /// The standard deviation.
+    #[must_use]
+    pub const fn std_dev(&self) -> f32 {
+        self.std_dev
     }
 
     /// The density at a number; 0 for NaN and infinity. Never 0 at a number that was drawn.
@@ -163,4 +172,4 @@ impl ZigguratNormal {
 }
 
 ziggurat!(ZigguratStandardNormal: Standard, |_sampler, x| x);
-ziggurat!(ZigguratNormal: Standard, |normal, x| normal.mean + normal.deviation * x);
+ziggurat!(ZigguratNormal: Standard, |normal, x| normal.mean + normal.std_dev * x);

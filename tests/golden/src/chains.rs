@@ -166,9 +166,9 @@ pub fn indices([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     let any = [a, 0.5, 1e-6 * b, c, 0.25 + d, 2.0];
     let target = |i: usize| any.get(5_usize.wrapping_sub(i)).copied().unwrap_or(0.0);
     let mutation = || {
-        let row = |i: usize| Cdf::<[u32; 6]>::new(&any.map(|x| x + 0.1 * i as f32));
+        let row = |i: usize| Cdf::new(&any.map(|x| x + 0.1 * i as f32));
         let table = TransitionTable::new([row(0)?, row(1)?, row(2)?, row(3)?, row(4)?, row(5)?])?;
-        let cdf = Independence::new(Cdf::<[u64; 6]>::new(&any)?);
+        let cdf = Independence::new(Cdf::new_u64(&any)?);
         let alias = Independence::new(Alias::<[AliasEntry<u32>; 8]>::new(&any)?);
         Mixture::new(
             (UniformIndex::new(6)?, table, cdf, alias),
@@ -309,7 +309,7 @@ pub fn verdicts<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
         out,
     );
     verdict(
-        Cdf::<[u32; 1]>::new(&[c]).and_then(|row| TransitionTable::new([row; 2])),
+        Cdf::new(&[c]).and_then(|row| TransitionTable::new([row; 2])),
         out,
     );
     verdict(Chain::new(a, |x| x - 0.5), out);

@@ -277,21 +277,21 @@ macro_rules! float_warps {
             // Tables that are warps. The page shows them among the tables, which have no tier.
             PiecewiseConstant1d {
                 golden {
-                    "PiecewiseConstant1d" => PiecewiseConstant1d::<[u32; 6]>::from_weights(&weights(), v(-3.0), v(5.0)),
+                    "PiecewiseConstant1d" => PiecewiseConstant1d::new(&weights(), v(-3.0), v(5.0)),
                     "PiecewiseConstant1d wide"
-                        => PiecewiseConstant1d::<[u64; 6]>::from_weights(&weights(), v(-3e38), v(3e38)),
+                        => PiecewiseConstant1d::new_u64(&weights(), v(-3e38), v(3e38)),
                 }
                 cost { none "its kernels are those of the tables" }
                 page {}
             }
             PiecewiseConstant2d {
                 golden {
-                    "PiecewiseConstant2d" => PiecewiseConstant2d::<[u32; 3], [[u32; 6]; 3]>::new(
+                    "PiecewiseConstant2d" => PiecewiseConstant2d::new(
                         &[weights(), [v(0.0); 6], [v(0.5); 6]],
                         [v(0.0), v(6.0)],
                         [v(-1.0), v(1.0)],
                     ),
-                    "PiecewiseConstant2d wide" => PiecewiseConstant2d::<[u64; 2], [[u64; 6]; 2]>::new(
+                    "PiecewiseConstant2d wide" => PiecewiseConstant2d::new_u64(
                         &[weights(), [v(1e-30); 6]],
                         [v(0.0), v(1.0)],
                         [v(0.0), v(1.0)],

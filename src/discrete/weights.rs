@@ -1,11 +1,11 @@
-//! Weights as integers in one common unit, so that their sums are exact; all of it `const`.
+//! Weights as integers in one common unit, so that their sums are exact. All of it is `const`.
 //!
-//! What becomes of the sums is said in `ladder`.
+//! `apportionment` divides the words of a table by these sums.
 
 use super::{MAX_ENTRIES, WEIGHT_BITS};
 use crate::error::Error;
 
-/// Bits of the sum of all weights: what leaves room for a shift by 32 in 128 bits.
+/// Bits of the sum of all weights: 128 bits then have room for a shift by 32.
 const SUM_BITS: u32 = 95;
 
 const _: () = assert!(
@@ -13,9 +13,9 @@ const _: () = assert!(
     "as many weights of so many bits overflow the sum"
 );
 
-/// Where weights come from, one after the other, as integers in one unit.
+/// Weights, one after the other, as integers in one unit.
 #[derive(Clone, Copy)]
-pub(crate) enum Source<'a> {
+pub(crate) enum Weights<'a> {
     Floats {
         weights: &'a [f32],
         unit: Unit,
@@ -31,7 +31,7 @@ pub(crate) enum Source<'a> {
     Sums(&'a [u128]),
 }
 
-/// The unit in which weights are integers: how far the mantissa of the largest is shifted up.
+/// The unit in which weights are integers: how far the significand of the largest is shifted up.
 #[derive(Clone, Copy)]
 pub(crate) struct Unit {
     /// The exponent field of the largest weight.
@@ -50,7 +50,7 @@ pub(crate) const fn decode(weight: f32) -> (u32, u32) {
     }
 }
 
-/// What a first look over weights finds: whether all of them are weights, and the largest.
+/// What a first pass over weights finds: whether all of them are valid, and the largest.
 pub(crate) struct Scan {
     largest: u32,
     positive: bool,
@@ -66,7 +66,7 @@ impl Scan {
         }
     }
 
-    /// Looks over more weights.
+    /// Goes over more weights.
     pub(crate) const fn over(mut self, weights: &[f32]) -> Result<Self, Error> {
         let mut rest = weights;
         while let Some((&weight, others)) = rest.split_first() {
@@ -89,8 +89,8 @@ impl Scan {
 
     /// The unit of the weights: as fine as their number allows.
     ///
-    /// The largest is kept with all its bits, and so is every other that is not smaller by more than
-    /// 2^(47..71), by number; below that bits are dropped, but never the last.
+    /// The largest keeps all its bits, and so does every other unless it is smaller by more than 2^47 (among
+    /// 2²⁴ weights) to 2^71 (a single one). Smaller weights lose bits, but never their last.
     pub(crate) const fn unit(&self) -> Result<Unit, Error> {
         if let Err(error) = check_number(self.entries) {
             return Err(error);
@@ -108,7 +108,7 @@ impl Scan {
 
 impl Unit {
     const fn of(weights: &[f32]) -> Result<Self, Error> {
-        // First, so that no more is looked at than a table may hold.
+        // First, so that no pass is longer than the largest table.
         if let Err(error) = check_number(weights.len()) {
             return Err(error);
         }
@@ -158,7 +158,7 @@ const fn check_number(entries: usize) -> Result<(), Error> {
     }
 }
 
-impl<'a> Source<'a> {
+impl<'a> Weights<'a> {
     pub(crate) const fn floats(weights: &'a [f32]) -> Result<Self, Error> {
         match Unit::of(weights) {
             Ok(unit) => Ok(Self::Floats { weights, unit }),

@@ -1,46 +1,45 @@
-//! From exact sums of weights to whole numbers of words: the arithmetic behind every table, all of it `const`.
-//!
-//! Weights come as integers from `source`; what is done with the words is said at the tables.
+//! Apportionment: from exact sums of weights to whole numbers of words, the arithmetic behind every table. All of
+//! it is `const`.
 
-use super::source::Source;
+use super::weights::Weights;
 use crate::error::Error;
 use crate::num::division::scaled;
 
-/// Turns weights one by one into the number of words below the end of each.
+/// Turns weights, one by one, into the number of words below the end of each.
 ///
-/// The rule. Where no positive weight is below a step, the end of entry i is the smallest word that is
-/// not below 2^bits · (w₀ + … + wᵢ)/(w₀ + w₁ + …): the words of an entry are those that the real-valued
-/// selection gives it, at 24, 32 and 64 bits alike. Where one is, it is given a step, and the others make
-/// room: with 32 bits none of them by more than a step from its share, or the table is refused; with 64
-/// bits by what it takes, which is below 2⁻⁴⁰ altogether.
-pub(crate) struct Ends<'a> {
-    source: Source<'a>,
+/// The rule. Where no positive weight is below a step, the end of entry i is the smallest word that is not below
+/// 2^bits · (w₀ + … + wᵢ)/(w₀ + w₁ + …). An entry then has the words that real-valued selection gives it, at 24,
+/// 32 and 64 bits alike. Where a positive weight is below a step, it is given one step, and the others make room.
+/// With 32 bits no other may move by more than a step from its share, or the table is refused. With 64 bits the
+/// others lose what it takes, which is below 2⁻⁴⁰ altogether.
+pub(crate) struct Apportionment<'a> {
+    weights: Weights<'a>,
     bits: u32,
     total: u128,
-    /// The entries so far, as a sum of weights.
+    /// The sum of the weights so far.
     sum: u128,
     /// The end of the last entry.
     end: u128,
     /// Whether some positive weight is below a step.
     crowded: bool,
-    /// How many steps all the entries to come need at least, where the table is crowded.
+    /// How many steps all entries to come need at least, where the table is crowded.
     needed: u128,
     /// The last entry of positive weight.
     last: usize,
 }
 
-impl<'a> Ends<'a> {
-    /// The same of a source that may have been refused.
-    pub(crate) const fn of(source: Result<Source<'a>, Error>, bits: u32) -> Result<Self, Error> {
-        match source {
-            Ok(source) => Self::new(source, bits),
+impl<'a> Apportionment<'a> {
+    /// The same of weights that may have been refused.
+    pub(crate) const fn of(weights: Result<Weights<'a>, Error>, bits: u32) -> Result<Self, Error> {
+        match weights {
+            Ok(weights) => Self::new(weights, bits),
             Err(error) => Err(error),
         }
     }
 
-    pub(crate) const fn new(source: Source<'a>, bits: u32) -> Result<Self, Error> {
+    pub(crate) const fn new(weights: Weights<'a>, bits: u32) -> Result<Self, Error> {
         let mut ends = Self {
-            source,
+            weights,
             bits,
             total: 0,
             sum: 0,
@@ -50,7 +49,7 @@ impl<'a> Ends<'a> {
             last: 0,
         };
         let (mut smallest, mut least, mut index) = (u128::MAX, 0, 0_usize);
-        let mut scan = source;
+        let mut scan = weights;
         while let Some(weight) = scan.next() {
             if weight > 0 {
                 ends.last = index;
@@ -66,7 +65,7 @@ impl<'a> Ends<'a> {
         }
         ends.crowded = scaled(smallest, ends.total, bits).0 == 0;
         if ends.crowded {
-            let mut scan = source;
+            let mut scan = weights;
             while let Some(weight) = scan.next() {
                 ends.needed = ends.needed.wrapping_add(ends.bounds(weight).0);
             }
@@ -99,7 +98,7 @@ impl<'a> Ends<'a> {
         (if fewest > 0 { fewest } else { 1 }, whole.wrapping_add(1))
     }
 
-    /// The end of the next entry, whose weight this is.
+    /// The end of the next entry, which has this weight.
     const fn climb(&mut self, weight: u128) -> u128 {
         if weight == 0 {
             return self.end;
@@ -131,7 +130,7 @@ impl<'a> Ends<'a> {
 
     /// How many words lie below the end of the next entry.
     pub(crate) const fn next(&mut self) -> Option<u128> {
-        match self.source.next() {
+        match self.weights.next() {
             Some(weight) => Some(self.climb(weight)),
             None => None,
         }
