@@ -12,6 +12,8 @@ pub const MAX_STRATA: u32 = 1 << 23;
 ///
 /// Uniforms for a warp: the points of all strata cover [0, 1) more evenly than independent ones.
 ///
+#[doc = include_str!("../pictures/strata1d.html")]
+///
 /// # Domain
 /// - Stratum `i` covers [i/n, (i+1)/n).
 /// - Uniforms: one for each point, the jitter r; one word where it is drawn.
@@ -102,6 +104,8 @@ fn remainder(i: u32, count: u32) -> u32 {
 }
 
 /// Jittered sampling of [0, 1)²: `columns` × `rows` strata of equal area, each with one point at random.
+///
+#[doc = include_str!("../pictures/strata2d.html")]
 ///
 /// # Domain
 /// - Stratum (i, j) covers [i/n, (i+1)/n) × [j/m, (j+1)/m).

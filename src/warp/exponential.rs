@@ -30,6 +30,8 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 ///
 /// x = −ln(1 − u)/a.
 ///
+#[doc = include_str!("../pictures/exponential.html")]
+///
 /// # Density
 /// a e^(−ax) for x ≥ 0, else 0.
 ///
@@ -165,6 +167,8 @@ impl<T: Tier> Invert for Exponential<T> {
 /// x = −ln(u)/a. Small uniforms keep their precision in `f32`, so this orientation reaches 44.36/a from
 /// full-resolution uniforms, which is what [`Warp::draw`] takes here (45.06/a where all 64 bits are 0). An explicit
 /// u = 0 counts as 2⁻¹⁴⁹ and gives 103.28/a.
+///
+#[doc = include_str!("../pictures/exponential_tail.html")]
 ///
 /// # Density
 /// a e^(−ax) for x ≥ 0, else 0.

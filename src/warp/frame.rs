@@ -104,6 +104,8 @@ impl Frame {
 
 /// A warp over directions, turned from +z onto a given normal.
 ///
+#[doc = include_str!("../pictures/oriented.html")]
+///
 /// # Density
 /// That of the warp inside: a rotation changes no solid angle.
 ///

@@ -6,6 +6,8 @@ use crate::uniform::Canonical;
 
 /// Any density on the line, from its inverse CDF, the density itself and its CDF.
 ///
+#[doc = include_str!("../pictures/inversion.html")]
+///
 /// # Density
 /// That of the function given. The three functions must belong together. What they return is passed on as it is,
 /// except that `invert` is brought into [0, 1).

@@ -21,6 +21,8 @@ const REACH: f32 = 14.5;
 ///
 /// x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata.
 ///
+#[doc = include_str!("../pictures/normal.html")]
+///
 /// # Density
 /// e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
 ///
@@ -217,6 +219,8 @@ impl<T: Tier> Invert for Normal<T> {
 /// Two independent normals (Gaussians) with a common standard deviation, by Box and Muller's map.
 ///
 /// Radius σ√(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the mean point, cheaper than two quantiles.
+///
+#[doc = include_str!("../pictures/normal_pair.html")]
 ///
 /// # Density
 /// e^(−r²/2σ²)/(2πσ²) per unit area, at least 2⁻¹⁴⁹ for every finite point.
