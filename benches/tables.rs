@@ -7,7 +7,7 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use microwarp::Warp;
 use microwarp::discrete::*;
-use microwarp::estimate::{Integral, Moments, Ratio, balance_heuristic, power_heuristic};
+use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::poly as mw;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Rejection};
 use rand_pcg::Pcg32;
@@ -128,7 +128,7 @@ fn integral_push(bencher: Bencher) {
 
 #[divan::bench]
 fn ratio_push(bencher: Bencher) {
-    let mut ratio = Ratio::new();
+    let mut ratio = WeightedMean::new();
     repeat(bencher, |rng| {
         ratio.push(rng.next_u32() as f32, black_box(0.5))
     });

@@ -105,13 +105,15 @@
 //!
 //! # Generators
 //! [`Warp::draw`] takes any generator of rand_core 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement
-//! rand_core 0.6 or 0.9; the crate `rand_core_compat` adapts them in one line. `docs/generators.md` in the
-//! repository lists HALs, versions and the compiler errors that lead there.
+//! rand_core 0.6 or 0.9: features `rand_core_06` and `rand_core_09` bring the wrappers `uniform::Rng06` and
+//! `uniform::Rng09`. A closure becomes a generator by [`FromFn`](uniform::FromFn). `docs/generators.md` lists HALs, versions and
+//! compiler errors.
 //!
 //! # Features
 //! None is on by default, and no feature changes a number.
 //! - `fixed`: the integer tier, over the types of the `fixed` crate
 //! - `alloc`: tables in a `Vec` or a `Box`
+//! - `rand_core_06`, `rand_core_09`: generators of HALs that implement older versions of rand_core
 //! - `defmt`: `defmt::Format` on every public type
 //!
 //! # Constants
@@ -219,8 +221,8 @@ macro_rules! tier_module {
         pub mod $module {
             pub use crate::tier::$tier as Tier;
             crate::warp::each_warp!(of_tier);
-            /// [`metropolis::ExponentialStep`](crate::metropolis::ExponentialStep) in this tier.
-            pub type ExponentialStep = crate::metropolis::ExponentialStep<Tier>;
+            /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
+            pub type LogUniformStep = crate::metropolis::LogUniformStep<Tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.
             pub type LogDensity = crate::metropolis::LogDensity<Tier>;
             /// [`metropolis::NormalStep`](crate::metropolis::NormalStep) in this tier.

@@ -59,7 +59,7 @@ const BESIDE: [&str; 40] = [
     "SLACK",
     "Saved",
     "Selection",
-    "Source",
+    "StateSource",
     "Start",
     "StepLaw",
     "Storage",

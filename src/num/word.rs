@@ -13,7 +13,7 @@ pub(crate) fn happens(probability: f32, word: u32) -> bool {
 
 /// The integer nearest to a number from 0 to 2³², halves upwards.
 #[inline]
-pub(crate) fn nearest(x: f32) -> u32 {
+pub(crate) const fn nearest(x: f32) -> u32 {
     /// The number below 1/2. Added to a number whose fraction is at least 1/2, it still rounds to the next integer. A
     /// half added to this number itself would round to 1.
     const HALF: f32 = 0.5 - f32::EPSILON / 4.0;

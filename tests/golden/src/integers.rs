@@ -82,7 +82,7 @@ pub fn chains(u: [f32; 4], input: usize, out: &mut Out) {
 pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
     /// A mutation that says what it is told.
     struct Told<C>(C);
-    impl<C: Correction> Mutation<u32> for Told<C> {
+    impl<C: HastingsCorrection> Mutation<u32> for Told<C> {
         type Correction = C;
         fn try_propose<R: rand_core::TryRng + ?Sized>(
             &self,
@@ -92,7 +92,7 @@ pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
             Ok(Proposal::new(!from, self.0))
         }
     }
-    fn step<C: Correction>(from: u32, to: u32, told: C, input: usize, out: &mut Out) {
+    fn step<C: HastingsCorrection>(from: u32, to: u32, told: C, input: usize, out: &mut Out) {
         let weight = |x: u32| if x == 0 { from } else { to };
         match Chain::new(0, weight) {
             Ok(mut chain) => {
@@ -106,14 +106,14 @@ pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
     let all = 1_u128 << 64;
     step(a, b, Symmetric, input, out);
     step(u32::MAX, c >> (d & 31), Symmetric, input, out);
-    step(a, b, Counts::new((c | 1).into(), d.into()), input, out);
-    let large = Counts::new(all, u128::from(c) << 31);
+    step(a, b, HastingsCounts::new((c | 1).into(), d.into()), input, out);
+    let large = HastingsCounts::new(all, u128::from(c) << 31);
     step(a >> 16, b, large, input, out);
-    step(a, b, Ratio::from_counts(d.into(), c.into()), input, out);
+    step(a, b, HastingsRatio::from_counts(d.into(), c.into()), input, out);
     step(
         u32::MAX,
         b,
-        Ratio::new(black_box(3.0), u[3] + 1e-3),
+        HastingsRatio::new(black_box(3.0), u[3] + 1e-3),
         input,
         out,
     );

@@ -6,7 +6,7 @@ use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Reservoir, Selection,
     select_once, select_once_uniform,
 };
-use microwarp::estimate::{Integral, Moments, Ratio, balance_heuristic, power_heuristic};
+use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, SLACK,
     ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
@@ -629,9 +629,9 @@ float_warps!(subjects {
         figure(moments.mean(), out);
         figure(moments.variance(), out);
         figure(moments.population_variance(), out);
-        figure(moments.standard_deviation(), out);
+        figure(moments.std_dev(), out);
         figure(moments.standard_error(), out);
-        figure(other.standard_deviation(), out);
+        figure(other.std_dev(), out);
         other.merge(&moments);
         figure(other.mean(), out);
         figure(other.variance(), out);
@@ -663,18 +663,18 @@ float_warps!(subjects {
         bound(integral.normal_bound::<T>(v(0.95)), out);
     },
     "ratio" => |[a, b, c, d], _, out| {
-        let (mut ratio, mut other) = (Ratio::new(), Ratio::default());
+        let (mut ratio, mut other) = (WeightedMean::new(), WeightedMean::default());
         for (value, weight) in [(a, b), (b, c), (c, d), (d, a), (a + b, -0.1 * c)] {
             ratio.push(100.0 + value, weight);
             other.push(value, v(1e10) * weight);
         }
         out.word(ratio.count() as u32);
         out.word(ratio.refused() as u32);
-        figure(ratio.estimate(), out);
+        figure(ratio.mean(), out);
         figure(ratio.standard_error(), out);
         ratio.merge(&other);
         out.word(ratio.count() as u32);
-        figure(ratio.estimate(), out);
+        figure(ratio.mean(), out);
         figure(ratio.standard_error(), out);
     },
     "heuristics" => |[a, b, c, d], _, out| {

@@ -6,7 +6,7 @@
 use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection};
 use microwarp::fixed as mw;
 use microwarp::metropolis::{
-    Chain, Counts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
+    Chain, HastingsCounts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
 };
 use microwarp::rejection::Rejection;
 use microwarp_probe::{input, output};
@@ -33,17 +33,17 @@ const PICK: Cdf<[u32; 3]> = match Cdf::from_integers(&[2, 1, 1]) {
 struct Upwards;
 
 impl Mutation<usize> for Upwards {
-    type Correction = Counts;
+    type Correction = HastingsCounts;
 
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         from: usize,
         rng: &mut R,
-    ) -> Result<Proposal<usize, Counts>, R::Error> {
+    ) -> Result<Proposal<usize, HastingsCounts>, R::Error> {
         Ok(if rng.try_next_u32()? >> 30 > 0 {
-            Proposal::new(from.wrapping_add(1) & 3, Counts::new(3, 1))
+            Proposal::new(from.wrapping_add(1) & 3, HastingsCounts::new(3, 1))
         } else {
-            Proposal::new(from.wrapping_add(3) & 3, Counts::new(1, 3))
+            Proposal::new(from.wrapping_add(3) & 3, HastingsCounts::new(1, 3))
         })
     }
 }

@@ -236,12 +236,12 @@ const CHAINS: &[Row] = &[
     ("`BoxStep`, in ℝ; wrapped", &["chains box_1", "chains box_wrapped_1"], &["chain_box_1", "chain_box_wrapped_1"]),
     ("`Mixture` of both, 9 : 1", &["chains box_and_uniform_1"], &["chain_box_and_uniform_1"]),
     ("`NormalStep`, 2 coordinates, `LogDensity`", &["chains normal_2"], &["chain_normal_2"]),
-    ("`LargeSmall` with `ExponentialStep`, 2 and 32 coordinates", &["chains large_and_exponential::2", "chains large_and_exponential::32"], &["chain_large_exponential_2", "chain_large_exponential_32"]),
+    ("`LargeSmall` with `LogUniformStep`, 2 and 32 coordinates", &["chains large_and_exponential::2", "chains large_and_exponential::32"], &["chain_large_exponential_2", "chain_large_exponential_32"]),
     ("`OneCoordinate` of 32", &["chains one_coordinate::32"], &["chain_one_coordinate_32"]),
     ("a Phong lobe driven through the unit square", &["chains lobe_driven"], &["chain_lobe"]),
     ("`Independence` of a `Cdf` of 64", &["chains independence_of_a_table_of_64"], &["chain_independence_cdf_64"]),
     ("`UniformIndex`", &["chains any_of_65536_indices"], &["chain_uniform_index"]),
-    ("`Health::push`, 16 and 64 lags, without a generator on the microcontrollers", &["chains health_push::16", "chains health_push::64"], &["health_push_16", "health_push_64"]),
+    ("`Autocorrelation::push`, 16 and 64 lags, without a generator on the microcontrollers", &["chains health_push::16", "chains health_push::64"], &["health_push_16", "health_push_64"]),
 ];
 
 /// Nanoseconds, and instructions on an M4F and an M0.

@@ -1,15 +1,15 @@
 //! The Hastings ratio T(x′→x)/T(x→x′), in the forms in which a mutation states it.
 
-use super::weight::Standing;
-use super::{Counts, Ratio};
+use super::target_value::Standing;
+use super::{HastingsCounts, HastingsRatio};
 use crate::num::Scaled;
 
 /// The ratio of a proposal in any of its forms.
 #[derive(Clone, Copy, Debug)]
 pub enum Hastings {
     One,
-    Counts(Counts),
-    Ratio(Ratio),
+    HastingsCounts(HastingsCounts),
+    HastingsRatio(HastingsRatio),
 }
 
 mod sealed {
@@ -28,13 +28,13 @@ mod sealed {
 }
 pub(super) use sealed::Stated;
 
-/// The ratio T(x′→x)/T(x→x′) of a proposal: [`Symmetric`], which is 1 and costs nothing, [`Counts`], which are
-/// two integers, or a [`Ratio`]. The trait is sealed.
-pub trait Correction: Stated {
+/// The ratio T(x′→x)/T(x→x′) of a proposal: [`Symmetric`], which is 1 and costs nothing, [`HastingsCounts`], which are
+/// two integers, or a [`HastingsRatio`]. The trait is sealed.
+pub trait HastingsCorrection: Stated {
     /// What a mixture of mutations of this kind and of another one states.
-    type With<C: Correction>: Correction;
-    /// What a mixture of mutations of this kind and of some with [`Counts`] states.
-    type WithCounts: Correction;
+    type With<C: HastingsCorrection>: HastingsCorrection;
+    /// What a mixture of mutations of this kind and of some with [`HastingsCounts`] states.
+    type WithCounts: HastingsCorrection;
 }
 
 /// The way back is as likely as the way there: T(x′→x) = T(x→x′).
@@ -64,12 +64,12 @@ impl Stated for Symmetric {
     }
 }
 
-impl Correction for Symmetric {
-    type With<C: Correction> = C;
-    type WithCounts = Counts;
+impl HastingsCorrection for Symmetric {
+    type With<C: HastingsCorrection> = C;
+    type WithCounts = HastingsCounts;
 }
 
-impl Stated for Counts {
+impl Stated for HastingsCounts {
     #[inline]
     fn standing(self) -> Standing {
         self.way()
@@ -82,24 +82,24 @@ impl Stated for Counts {
 
     #[inline]
     fn hastings(self) -> Hastings {
-        Hastings::Counts(self)
+        Hastings::HastingsCounts(self)
     }
 
     #[inline]
     fn of(ratio: Hastings) -> Self {
         match ratio {
-            Hastings::Counts(counts) => counts,
+            Hastings::HastingsCounts(counts) => counts,
             _ => Self::EQUAL,
         }
     }
 }
 
-impl Correction for Counts {
-    type With<C: Correction> = C::WithCounts;
+impl HastingsCorrection for HastingsCounts {
+    type With<C: HastingsCorrection> = C::WithCounts;
     type WithCounts = Self;
 }
 
-impl Stated for Ratio {
+impl Stated for HastingsRatio {
     #[inline]
     fn standing(self) -> Standing {
         self.standing
@@ -112,20 +112,20 @@ impl Stated for Ratio {
 
     #[inline]
     fn hastings(self) -> Hastings {
-        Hastings::Ratio(self)
+        Hastings::HastingsRatio(self)
     }
 
     #[inline]
     fn of(ratio: Hastings) -> Self {
         match ratio {
             Hastings::One => Self::ONE,
-            Hastings::Counts(counts) => counts.ratio(),
-            Hastings::Ratio(ratio) => ratio,
+            Hastings::HastingsCounts(counts) => counts.ratio(),
+            Hastings::HastingsRatio(ratio) => ratio,
         }
     }
 }
 
-impl Correction for Ratio {
-    type With<C: Correction> = Self;
+impl HastingsCorrection for HastingsRatio {
+    type With<C: HastingsCorrection> = Self;
     type WithCounts = Self;
 }

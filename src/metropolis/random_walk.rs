@@ -1,7 +1,7 @@
 //! Random walks in ℝᴰ, and in the unit cube, whose sides are glued together.
 
 use super::coordinates::Coordinates;
-use super::displacement::{BoxStep, Displacement, ExponentialStep, NormalStep};
+use super::step_law::{BoxStep, LogUniformStep, NormalStep, StepLaw};
 use super::{Mutation, Proposal, Symmetric};
 use crate::num::nearest;
 use crate::tier::Tier;
@@ -18,7 +18,7 @@ fn displaced<X, L, R>(
 ) -> Result<X, R::Error>
 where
     X: Coordinates,
-    L: Displacement<X>,
+    L: StepLaw<X>,
     R: TryRng + ?Sized,
 {
     let mut to = from;
@@ -33,7 +33,7 @@ where
 fn walked<X, L, R>(law: &L, from: X, rng: &mut R) -> Result<Proposal<X, Symmetric>, R::Error>
 where
     X: Coordinates,
-    L: Displacement<X>,
+    L: StepLaw<X>,
     R: TryRng + ?Sized,
 {
     let to = displaced(law, from, rng, |x, step| x + step)?;
@@ -61,7 +61,7 @@ macro_rules! walks {
 walks! {
     [] BoxStep<X>;
     [T] NormalStep<X, T>;
-    [T] ExponentialStep<T>;
+    [T] LogUniformStep<T>;
 }
 
 /// Proposes x plus a step of a law of one's own, along each coordinate.
@@ -72,37 +72,44 @@ walks! {
 /// - A proposal beyond the range of `f32` stays at x instead.
 ///
 /// ```
-/// use microwarp::metropolis::{Displacement, Mutation, Walk};
+/// use microwarp::metropolis::{StepLaw, Mutation, RandomWalk};
 /// use rand_pcg::Pcg32;
 ///
 /// /// A quarter up or down.
 /// struct Quarter;
 ///
-/// impl Displacement<f32> for Quarter {
+/// impl StepLaw<f32> for Quarter {
 ///     fn displacement(&self, _: usize, word: u32) -> f32 {
 ///         if word >> 31 == 0 { 0.25 } else { -0.25 }
 ///     }
 /// }
 ///
-/// let Ok(proposal) = Walk::new(Quarter).try_propose(1.0, &mut Pcg32::new(1, 1));
+/// let Ok(proposal) = RandomWalk::new(Quarter).try_propose(1.0, &mut Pcg32::new(1, 1));
 /// assert!(proposal.state == 0.75 || proposal.state == 1.25);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Walk<L> {
+pub struct RandomWalk<L> {
     law: L,
 }
 
-impl<L> Walk<L> {
+impl<L> RandomWalk<L> {
     /// The steps of this law.
     #[must_use]
     #[inline]
     pub const fn new(law: L) -> Self {
         Self { law }
     }
+
+    /// The law of the steps.
+    #[must_use]
+    #[inline]
+    pub const fn law(&self) -> &L {
+        &self.law
+    }
 }
 
-impl<X: Coordinates, L: Displacement<X>> Mutation<X> for Walk<L> {
+impl<X: Coordinates, L: StepLaw<X>> Mutation<X> for RandomWalk<L> {
     type Correction = Symmetric;
 
     #[inline]
@@ -165,29 +172,36 @@ pub fn wrapping_add(uniform: f32, step: f32) -> f32 {
 /// Metropolis Light Transport Algorithm", 2002.
 ///
 /// ```
-/// use microwarp::metropolis::{BoxStep, Mutation, Wrapped};
+/// use microwarp::metropolis::{BoxStep, Mutation, WrappedWalk};
 /// use rand_pcg::Pcg32;
-/// let step = Wrapped::new(BoxStep::new([0.1; 3])?);
+/// let step = WrappedWalk::new(BoxStep::new([0.1; 3])?);
 /// let Ok(proposal) = step.try_propose([0.99, 0.5, 0.0], &mut Pcg32::new(1, 1));
 /// assert!(proposal.state.iter().all(|x| (0.0..1.0).contains(x)));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Wrapped<L> {
+pub struct WrappedWalk<L> {
     law: L,
 }
 
-impl<L> Wrapped<L> {
+impl<L> WrappedWalk<L> {
     /// The steps of this law, modulo 1.
     #[must_use]
     #[inline]
     pub const fn new(law: L) -> Self {
         Self { law }
     }
+
+    /// The law of the steps.
+    #[must_use]
+    #[inline]
+    pub const fn law(&self) -> &L {
+        &self.law
+    }
 }
 
-impl<X: Coordinates, L: Displacement<X>> Mutation<X> for Wrapped<L> {
+impl<X: Coordinates, L: StepLaw<X>> Mutation<X> for WrappedWalk<L> {
     type Correction = Symmetric;
 
     #[inline]

@@ -34,7 +34,7 @@ pub enum Outcome {
 
 /// One step of a chain: both states it dealt with, and how much each counts.
 ///
-/// Of a run, either record [`Step::state`] for each step, or [`Step::recorded`], which has the same
+/// Of a run, either record [`Transition::state`] for each step, or [`Transition::recorded`], which has the same
 /// expectation, and usually less variance: what was proposed counts even if it was not accepted.
 ///
 /// Source: E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997.
@@ -57,7 +57,7 @@ pub enum Outcome {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Step<X, D = f32, A = f32> {
+pub struct Transition<X, D = f32, A = f32> {
     /// The state before the step, x.
     pub from: X,
     /// Its density, as the target gave it.
@@ -75,7 +75,7 @@ pub struct Step<X, D = f32, A = f32> {
     pub kind: u32,
 }
 
-impl<X: Copy, D: Copy, A> Step<X, D, A> {
+impl<X: Copy, D: Copy, A> Transition<X, D, A> {
     /// Whether the chain has moved to the proposed state.
     #[must_use]
     #[inline]
@@ -106,7 +106,7 @@ impl<X: Copy, D: Copy, A> Step<X, D, A> {
     }
 }
 
-impl<X: Copy, D> Step<X, D> {
+impl<X: Copy, D> Transition<X, D> {
     /// Both states with the weights to record them with: 1 − a and a, which sum to 1; as 1 − a is rounded, to
     /// 2⁻²⁵, and exactly in `f32`.
     ///

@@ -2,7 +2,7 @@
 //! estimator has none; and its standard error is that of its own scatter.
 
 use crate::{Z, at_most, truth};
-use microwarp::estimate::{Integral, Moments, Ratio};
+use microwarp::estimate::{Integral, Moments, WeightedMean};
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 
@@ -23,14 +23,14 @@ fn biases(n: u32, repeats: usize) -> [Bias; 2] {
     let mut rng = Pcg32::new(u64::from(50 + n), 54);
     let (ratios, integrals): (Vec<f64>, Vec<f64>) = (0..repeats)
         .map(|_| {
-            let (mut ratio, mut integral) = (Ratio::new(), Integral::new());
+            let (mut ratio, mut integral) = (WeightedMean::new(), Integral::new());
             for _ in 0..n {
                 let x = uniform::open(&mut rng);
                 ratio.push(x, 2.0 * x);
                 integral.push(2.0 * x * x, 1.0);
             }
             let of = |x: Option<f32>| f64::from(x.unwrap());
-            (of(ratio.estimate()), of(integral.estimate()))
+            (of(ratio.mean()), of(integral.estimate()))
         })
         .unzip();
     [ratios, integrals].map(|estimates| {
@@ -123,7 +123,7 @@ fn the_standard_error_is_the_scatter_of_the_estimates() {
     let (mut errors, mut naive) = (Moments::new(), Moments::new());
     let estimates: Vec<f64> = (0..REPEATS)
         .map(|_| {
-            let (mut ratio, mut products) = (Ratio::new(), Moments::new());
+            let (mut ratio, mut products) = (WeightedMean::new(), Moments::new());
             for _ in 0..256 {
                 let x = uniform::open(&mut rng);
                 ratio.push(x, 2.0 * x);
@@ -131,7 +131,7 @@ fn the_standard_error_is_the_scatter_of_the_estimates() {
             }
             errors.push(ratio.standard_error().unwrap().powi(2));
             naive.push(products.standard_error().unwrap().powi(2));
-            f64::from(ratio.estimate().unwrap())
+            f64::from(ratio.mean().unwrap())
         })
         .collect();
     let (_, scatter) = truth(estimates.iter().copied());

@@ -13,7 +13,7 @@ use crate::tier::sqrt;
 /// this is why pixel filters are applied so. For samples of density p, give weights w/p.
 ///
 /// - Domain: finite values and weights; both may be negative. A sample of another kind is refused, and
-///   counted in [`Ratio::refused`]. A weight of 0 counts as a sample and adds nothing else.
+///   counted in [`WeightedMean::refused`]. A weight of 0 counts as a sample and adds nothing else.
 /// - Range: [`None`] while the weights sum to 0 (as a sum of 47 bits does), and for the error below two samples; no result is infinite.
 ///   With positive weights the estimate is between the smallest and the largest value, but for rounding.
 /// - Limit: 2⁶⁴ − 1 samples, as for [`Moments`](super::Moments).
@@ -32,15 +32,15 @@ use crate::tier::sqrt;
 /// Source: W. G. Cochran, "Sampling Techniques", 3rd edition, 1977, chapter 6.
 ///
 /// ```
-/// use microwarp::estimate::Ratio;
-/// let mut pixel = Ratio::new();
+/// use microwarp::estimate::WeightedMean;
+/// let mut pixel = WeightedMean::new();
 /// pixel.push(2.0, 0.25);
 /// pixel.push(4.0, 0.75);
-/// assert_eq!(pixel.estimate(), Some(3.5));
+/// assert_eq!(pixel.mean(), Some(3.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Ratio {
+pub struct WeightedMean {
     tally: Tally,
     value_scale: Scale,
     weight_scale: Scale,
@@ -58,14 +58,14 @@ pub struct Ratio {
     product_squares: Sum,
 }
 
-impl Default for Ratio {
+impl Default for WeightedMean {
     #[inline]
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl Ratio {
+impl WeightedMean {
     /// No samples yet.
     #[must_use]
     #[inline]
@@ -168,7 +168,7 @@ impl Ratio {
     /// The ratio Σwf/Σw; [`None`] while the weights sum to 0, as they do without samples.
     #[must_use]
     #[inline]
-    pub fn estimate(&self) -> Option<f32> {
+    pub fn mean(&self) -> Option<f32> {
         Some(self.value_scale.undo(self.centre + self.distance()?))
     }
 

@@ -1,6 +1,6 @@
 //! Weights in floating point: a density, or the logarithm of it.
 
-use super::weight::{Standing, Weighing, Weight};
+use super::target_value::{Standing, TargetValue, Weighing};
 use crate::error::Error;
 use crate::num::{Scaled, representable, saturated, two_product};
 use crate::tier::Tier;
@@ -17,7 +17,7 @@ mod sealed {
         /// The quotient by a larger density.
         fn over(self, larger: Self) -> f32;
         /// The quotient by any density.
-        fn apart_over(self, other: Self) -> Scaled;
+        fn quotient(self, other: Self) -> Scaled;
         /// The product with a number.
         fn scaled(self, by: Scaled) -> Self;
     }
@@ -29,18 +29,12 @@ pub(super) use sealed::Arithmetic;
 ///
 /// A density of 0 (a logarithm of −∞) is a state the chain never enters. One that is NaN, infinite or
 /// negative (a logarithm of NaN or +∞) is refused, and counted.
-pub trait Density: Weight + Arithmetic {}
+pub trait TargetDensity: TargetValue + Arithmetic {}
 
 impl Weighing for f32 {
     #[inline]
     fn standing(self) -> Standing {
-        if self > 0.0 && self <= f32::MAX {
-            Standing::Positive
-        } else if self == 0.0 {
-            Standing::Zero
-        } else {
-            Standing::Unsound
-        }
+        Standing::of_density(self)
     }
 
     #[inline]
@@ -53,7 +47,7 @@ impl Weighing for f32 {
     }
 }
 
-impl Weight for f32 {}
+impl TargetValue for f32 {}
 
 impl Arithmetic for f32 {
     #[inline]
@@ -67,7 +61,7 @@ impl Arithmetic for f32 {
     }
 
     #[inline]
-    fn apart_over(self, other: Self) -> Scaled {
+    fn quotient(self, other: Self) -> Scaled {
         Scaled::of(self).over(Scaled::of(other))
     }
 
@@ -77,7 +71,7 @@ impl Arithmetic for f32 {
     }
 }
 
-impl Density for f32 {}
+impl TargetDensity for f32 {}
 
 /// The natural logarithm of a density, up to a constant summand; −∞ for a density of 0.
 ///
@@ -88,7 +82,7 @@ impl Density for f32 {}
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | acceptance at a symmetric mutation, ulp | 1 | 1 |
-/// | acceptance at one with a [`Ratio`](super::Ratio), ulp | 2.6 | 2.6 |
+/// | acceptance at one with a [`HastingsRatio`](super::HastingsRatio), ulp | 2.6 | 2.6 |
 ///
 /// ```
 /// use microwarp::metropolis::Chain;
@@ -136,7 +130,7 @@ const LN_2_LOW: f32 = (core::f64::consts::LN_2 - LN_2 as f64) as f32;
 
 /// e^x, its exponent set aside.
 #[inline]
-fn exp_apart<T: Tier>(x: f32) -> Scaled {
+fn exp_scaled<T: Tier>(x: f32) -> Scaled {
     let x = x.clamp(-MOST, MOST);
     let scaled = x * LOG2_E;
     let exponent = (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i32;
@@ -165,7 +159,7 @@ impl<T: Tier> Weighing for LogDensity<T> {
     }
 }
 
-impl<T: Tier> Weight for LogDensity<T> {}
+impl<T: Tier> TargetValue for LogDensity<T> {}
 
 impl<T: Tier> Arithmetic for LogDensity<T> {
     #[inline]
@@ -179,8 +173,8 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
     }
 
     #[inline]
-    fn apart_over(self, other: Self) -> Scaled {
-        exp_apart::<T>(self.log - other.log)
+    fn quotient(self, other: Self) -> Scaled {
+        exp_scaled::<T>(self.log - other.log)
     }
 
     #[inline]
@@ -192,4 +186,4 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
     }
 }
 
-impl<T: Tier> Density for LogDensity<T> {}
+impl<T: Tier> TargetDensity for LogDensity<T> {}

@@ -1,6 +1,6 @@
 //! The ratio T(x′→x)/T(x→x′) of a proposal, as a number and as two integers.
 
-use super::weight::{Standing, Weighing as _};
+use super::target_value::Standing;
 use crate::num::{Scaled, remainder};
 
 /// The ratio T(x′→x)/T(x→x′) of a proposal x′.
@@ -10,39 +10,39 @@ use crate::num::{Scaled, remainder};
 /// [`LogDensity`](super::LogDensity).
 ///
 /// ```
-/// use microwarp::metropolis::{Mutation, Proposal, Ratio};
+/// use microwarp::metropolis::{Mutation, Proposal, HastingsRatio};
 /// use rand_core::TryRng;
 ///
 /// /// Multiplies by 2 three times as often as it halves.
 /// struct Doubling;
 ///
 /// impl Mutation<f32> for Doubling {
-///     type Correction = Ratio;
+///     type Correction = HastingsRatio;
 ///
 ///     fn try_propose<R: TryRng + ?Sized>(
 ///         &self,
 ///         from: f32,
 ///         rng: &mut R,
-///     ) -> Result<Proposal<f32, Ratio>, R::Error> {
+///     ) -> Result<Proposal<f32, HastingsRatio>, R::Error> {
 ///         // Densities with respect to length: the step back is 2 or 1/2 times as dense as its probability.
 ///         Ok(if rng.try_next_u32()? >> 30 > 0 {
-///             Proposal::new(2.0 * from, Ratio::new(0.75, 0.25 * 2.0))
+///             Proposal::new(2.0 * from, HastingsRatio::new(0.75, 0.25 * 2.0))
 ///         } else {
-///             Proposal::new(0.5 * from, Ratio::new(0.25, 0.75 * 0.5))
+///             Proposal::new(0.5 * from, HastingsRatio::new(0.25, 0.75 * 0.5))
 ///         })
 ///     }
 /// }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Ratio {
+pub struct HastingsRatio {
     /// Zero where there is no way back, and unsound where this is not a ratio.
     pub(super) standing: Standing,
     /// The ratio where it is positive.
     pub(super) value: Scaled,
 }
 
-impl Ratio {
+impl HastingsRatio {
     /// The ratio of 1, of a symmetric proposal.
     pub const ONE: Self = Self::positive(Scaled::ONE);
 
@@ -67,8 +67,11 @@ impl Ratio {
     /// and a `forward` of 0 (then x′ could not have been proposed), have the proposal refused and counted.
     #[must_use]
     #[inline]
-    pub fn new(forward: f32, backward: f32) -> Self {
-        match (forward.standing(), backward.standing()) {
+    pub const fn new(forward: f32, backward: f32) -> Self {
+        match (
+            Standing::of_density(forward),
+            Standing::of_density(backward),
+        ) {
             (Standing::Positive, Standing::Positive) => {
                 Self::positive(Scaled::of(backward).over(Scaled::of(forward)))
             }
@@ -80,11 +83,11 @@ impl Ratio {
     /// The ratio of two counts up to 2⁶⁴, such as the numerators of a table, correctly rounded but for
     /// quotients within 1e-6 ulp of the middle between two `f32`.
     ///
-    /// Counts of 0 are treated as densities of 0 are by [`Ratio::new`], larger ones than 2⁶⁴ as 2⁶⁴.
+    /// HastingsCounts of 0 are treated as densities of 0 are by [`HastingsRatio::new`], larger ones than 2⁶⁴ as 2⁶⁴.
     #[must_use]
     #[inline]
-    pub fn from_counts(forward: u128, backward: u128) -> Self {
-        let counts = Counts::new(forward, backward);
+    pub const fn from_counts(forward: u128, backward: u128) -> Self {
+        let counts = HastingsCounts::new(forward, backward);
         match counts.way() {
             Standing::Positive => Self::positive(counts.quotient()),
             standing => Self::without_value(standing),
@@ -95,10 +98,10 @@ impl Ratio {
 /// The ratio T(x′→x)/T(x→x′) of a proposal x′ as two integers, such as the numerators of a table.
 ///
 /// A chain of integer weights takes them as they are: its acceptance is exact, and no floating-point operation
-/// takes place. A chain of a [`Density`](super::Density) divides them, as [`Ratio::from_counts`] does.
+/// takes place. A chain of a [`TargetDensity`](super::TargetDensity) divides them, as [`HastingsRatio::from_counts`] does.
 ///
 /// ```
-/// use microwarp::metropolis::{Chain, Counts, Mutation, Proposal};
+/// use microwarp::metropolis::{Chain, HastingsCounts, Mutation, Proposal};
 /// use rand_core::TryRng;
 /// use rand_pcg::Pcg32;
 ///
@@ -106,17 +109,17 @@ impl Ratio {
 /// struct Upwards;
 ///
 /// impl Mutation<u32> for Upwards {
-///     type Correction = Counts;
+///     type Correction = HastingsCounts;
 ///
 ///     fn try_propose<R: TryRng + ?Sized>(
 ///         &self,
 ///         from: u32,
 ///         rng: &mut R,
-///     ) -> Result<Proposal<u32, Counts>, R::Error> {
+///     ) -> Result<Proposal<u32, HastingsCounts>, R::Error> {
 ///         Ok(if rng.try_next_u32()? >> 30 > 0 {
-///             Proposal::new((from + 1) % 10, Counts::new(3, 1))
+///             Proposal::new((from + 1) % 10, HastingsCounts::new(3, 1))
 ///         } else {
-///             Proposal::new((from + 9) % 10, Counts::new(1, 3))
+///             Proposal::new((from + 9) % 10, HastingsCounts::new(1, 3))
 ///         })
 ///     }
 /// }
@@ -130,12 +133,12 @@ impl Ratio {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Counts {
+pub struct HastingsCounts {
     pub(super) forward: u128,
     pub(super) backward: u128,
 }
 
-impl Counts {
+impl HastingsCounts {
     /// Those of a symmetric proposal.
     pub const EQUAL: Self = Self::new(1, 1);
 
@@ -152,11 +155,25 @@ impl Counts {
         }
     }
 
+    /// T(x→x′), at most 2⁶⁴.
+    #[must_use]
+    #[inline]
+    pub const fn forward(self) -> u128 {
+        self.forward
+    }
+
+    /// T(x′→x), at most 2⁶⁴.
+    #[must_use]
+    #[inline]
+    pub const fn backward(self) -> u128 {
+        self.backward
+    }
+
     /// The ratio in floating point.
     #[must_use]
     #[inline]
-    pub fn ratio(self) -> Ratio {
-        Ratio::from_counts(self.forward, self.backward)
+    pub const fn ratio(self) -> HastingsRatio {
+        HastingsRatio::from_counts(self.forward, self.backward)
     }
 
     /// Zero where there is no way back, and unsound where there was no way to the proposal.
@@ -171,7 +188,7 @@ impl Counts {
 
     /// backward/forward, both positive, correctly rounded but next to the middle of two `f32`.
     #[inline]
-    pub(super) fn quotient(self) -> Scaled {
+    pub(super) const fn quotient(self) -> Scaled {
         if self.forward == self.backward {
             return Scaled::ONE;
         }
@@ -205,16 +222,17 @@ impl Digits {
     /// Of a number that is not 0.
     #[inline]
     #[expect(clippy::cast_possible_wrap, reason = "there are 64 bits")]
-    fn of(count: u128) -> Self {
+    const fn of(count: u128) -> Self {
         /// 2⁻²³, the last place of the high part.
         const PLACE: f32 = f32::EPSILON;
-        let Ok(count) = u64::try_from(count) else {
+        if count >> 64 != 0 {
             return Self {
                 high: 1.0,
                 low: 0.0,
                 exponent: 64,
             };
-        };
+        }
+        let count = count as u64;
         let zeros = count.leading_zeros();
         let bits = count.wrapping_shl(zeros);
         let (high, low) = ((bits >> 40) as u32, (bits >> 16) as u32 & 0x00ff_ffff);

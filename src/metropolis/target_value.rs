@@ -15,6 +15,18 @@ pub enum Standing {
 }
 
 impl Standing {
+    /// That of a density in `f32`.
+    #[inline]
+    pub(super) const fn of_density(x: f32) -> Self {
+        if x > 0.0 && x <= f32::MAX {
+            Self::Positive
+        } else if x == 0.0 {
+            Self::Zero
+        } else {
+            Self::Unsound
+        }
+    }
+
     /// That of a product.
     #[inline]
     pub(super) const fn and(self, other: Self) -> Self {
@@ -46,11 +58,11 @@ mod sealed {
 }
 pub(super) use sealed::Weighing;
 
-/// What a target says of a state: a [`Density`](super::Density), which is an `f32` or the logarithm of one, or
+/// What a target says of a state: a [`TargetDensity`](super::TargetDensity), which is an `f32` or the logarithm of one, or
 /// an integer, `u32`. The trait is sealed.
 ///
 /// A weight of 0 is a state the chain never enters.
-pub trait Weight: Weighing {}
+pub trait TargetValue: Weighing {}
 
 impl Weighing for u32 {
     #[inline]
@@ -68,4 +80,4 @@ impl Weighing for u32 {
     }
 }
 
-impl Weight for u32 {}
+impl TargetValue for u32 {}

@@ -9,9 +9,9 @@ use core::marker::PhantomData;
 /// The law of a step along each coordinate, as likely as its negative to the last bit.
 ///
 /// A pure function of one word: the word with all bits inverted gives the negative step. The three of this crate
-/// are mutations of points of ℝᴰ; one of your own becomes one by [`Walk`](super::Walk), and each becomes one of the unit cube
-/// by [`Wrapped`](super::Wrapped).
-pub trait Displacement<X> {
+/// are mutations of points of ℝᴰ; one of your own becomes one by [`RandomWalk`](super::RandomWalk), and each becomes one of the unit cube
+/// by [`WrappedWalk`](super::WrappedWalk).
+pub trait StepLaw<X> {
     /// The step along coordinate `axis`, counted from 0, of one word.
     #[must_use]
     fn displacement(&self, axis: usize, word: u32) -> f32;
@@ -53,7 +53,7 @@ fn along<X: Coordinates>(widths: &X, axis: usize) -> f32 {
 
 /// Proposes x plus a step, uniform in a box about 0.
 ///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`Wrapped`](super::Wrapped), the unit cube.
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`WrappedWalk`](super::WrappedWalk), the unit cube.
 /// - Words: one a coordinate. 2²⁴ steps a coordinate, odd multiples of the width times 2⁻²⁵, rounded.
 /// - T(x→x′) = T(x′→x), but for the rounding of x + step: 1/width for |x′ − x| < width/2.
 /// - A proposal beyond the range of `f32` stays at x instead.
@@ -61,7 +61,7 @@ fn along<X: Coordinates>(widths: &X, axis: usize) -> f32 {
 /// Source: N. Metropolis et al., "Equation of State Calculations by Fast Computing Machines", 1953.
 ///
 /// ```
-/// use microwarp::metropolis::{BoxStep, Displacement};
+/// use microwarp::metropolis::{BoxStep, StepLaw};
 /// let step = BoxStep::new([0.1, 0.0])?; // moves along the first coordinate only
 /// let word = 0x1234_5678;
 /// assert!(step.displacement(0, word) > 0.0 && step.displacement(0, word) < 0.05);
@@ -85,9 +85,16 @@ impl<X: Coordinates> BoxStep<X> {
             widths: checked(widths)?,
         })
     }
+
+    /// The widths along the coordinates.
+    #[must_use]
+    #[inline]
+    pub const fn widths(&self) -> X {
+        self.widths
+    }
 }
 
-impl<X: Coordinates> Displacement<X> for BoxStep<X> {
+impl<X: Coordinates> StepLaw<X> for BoxStep<X> {
     #[inline]
     fn displacement(&self, axis: usize, word: u32) -> f32 {
         let (sign, u) = signed(word);
@@ -98,9 +105,9 @@ impl<X: Coordinates> Displacement<X> for BoxStep<X> {
 
 /// Proposes x plus a normal step, independent along each coordinate.
 ///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`Wrapped`](super::Wrapped), the unit cube.
-/// - Words: one a coordinate. 2²⁴ steps a coordinate, up to 5.42 deviations.
-/// - T(x→x′) = T(x′→x), but for the rounding of x + step: normal, truncated at 5.42 deviations.
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`WrappedWalk`](super::WrappedWalk), the unit cube.
+/// - Words: one a coordinate. 2²⁴ steps a coordinate, up to 5.42 standard deviations.
+/// - T(x→x′) = T(x′→x), but for the rounding of x + step: normal, truncated at 5.42 standard deviations.
 /// - A proposal beyond the range of `f32` stays at x instead.
 ///
 /// | error | `libm` | `poly` |
@@ -110,7 +117,7 @@ impl<X: Coordinates> Displacement<X> for BoxStep<X> {
 /// Source: M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988.
 ///
 /// ```
-/// use microwarp::metropolis::Displacement;
+/// use microwarp::metropolis::StepLaw;
 /// use microwarp::poly as mw;
 /// let step = mw::NormalStep::new(2.0_f32)?;
 /// assert!((step.displacement(0, u32::MAX / 4) + 2.0 * 0.674_489_7).abs() < 1e-6);
@@ -119,33 +126,40 @@ impl<X: Coordinates> Displacement<X> for BoxStep<X> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NormalStep<X, T> {
-    deviations: X,
+    std_devs: X,
     tier: PhantomData<T>,
 }
 
 impl<X: Coordinates, T: Tier> NormalStep<X, T> {
-    /// Steps with these standard deviations along the coordinates. One of 0 leaves a coordinate where it is.
+    /// Steps with these standard std_devs along the coordinates. One of 0 leaves a coordinate where it is.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0; [`Error::TooLarge`]
     /// above 6e37, where steps would overflow.
-    pub fn new(deviations: X) -> Result<Self, Error> {
-        let deviations = checked(deviations)?;
-        if deviations.as_slice().iter().any(|&x| x > 6e37) {
+    pub fn new(std_devs: X) -> Result<Self, Error> {
+        let std_devs = checked(std_devs)?;
+        if std_devs.as_slice().iter().any(|&x| x > 6e37) {
             return Err(Error::TooLarge);
         }
         Ok(Self {
-            deviations,
+            std_devs,
             tier: PhantomData,
         })
     }
+
+    /// The standard deviations along the coordinates.
+    #[must_use]
+    #[inline]
+    pub const fn std_devs(&self) -> X {
+        self.std_devs
+    }
 }
 
-impl<X: Coordinates, T: Tier> Displacement<X> for NormalStep<X, T> {
+impl<X: Coordinates, T: Tier> StepLaw<X> for NormalStep<X, T> {
     #[inline]
     fn displacement(&self, axis: usize, word: u32) -> f32 {
         let (sign, u) = signed(word);
-        sign * T::normal_quantile_lower(0.5 * u) * along(&self.deviations, axis)
+        sign * T::normal_quantile_lower(0.5 * u) * along(&self.std_devs, axis)
     }
 }
 
@@ -154,7 +168,7 @@ impl<X: Coordinates, T: Tier> Displacement<X> for NormalStep<X, T> {
 /// Along each coordinate the step is ±b·(a/b)^ξ for sizes from a to b: density 1/(2|s| ln(b/a)) for
 /// a < |s| < b. Small steps refine, larger ones explore, and no width need be tuned.
 ///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`Wrapped`](super::Wrapped), the unit cube, where 1/1024 and 1/64 are
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`WrappedWalk`](super::WrappedWalk), the unit cube, where 1/1024 and 1/64 are
 ///   the sizes of the source.
 /// - Words: one a coordinate. 2²⁴ steps a coordinate.
 /// - T(x→x′) = T(x′→x), but for the rounding of x + step.
@@ -168,16 +182,17 @@ impl<X: Coordinates, T: Tier> Displacement<X> for NormalStep<X, T> {
 /// Metropolis Light Transport Algorithm", 2002.
 ///
 /// ```
-/// use microwarp::metropolis::Displacement;
+/// use microwarp::metropolis::StepLaw;
 /// use microwarp::poly as mw;
-/// let step = mw::ExponentialStep::new(0.001, 0.1)?;
-/// let size = Displacement::<f32>::displacement(&step, 0, u32::MAX / 4).abs();
+/// let step = mw::LogUniformStep::new(0.001, 0.1)?;
+/// let size = StepLaw::<f32>::displacement(&step, 0, u32::MAX / 4).abs();
 /// assert!((size - 0.01).abs() < 1e-7);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ExponentialStep<T> {
+pub struct LogUniformStep<T> {
+    smallest: f32,
     largest: f32,
     /// ln(largest/smallest), and what it lacks: a long way down multiplies the rounding of a logarithm.
     span: f32,
@@ -185,7 +200,7 @@ pub struct ExponentialStep<T> {
     tier: PhantomData<T>,
 }
 
-impl<T: Tier> ExponentialStep<T> {
+impl<T: Tier> LogUniformStep<T> {
     /// Steps of the sizes from `smallest` to `largest`, along every coordinate.
     ///
     /// # Errors
@@ -196,15 +211,30 @@ impl<T: Tier> ExponentialStep<T> {
         }
         let (span, span_rest) = ln_ratio::<T>(smallest, largest);
         Ok(Self {
+            smallest,
             largest,
             span,
             span_rest,
             tier: PhantomData,
         })
     }
+
+    /// The smallest size of a step.
+    #[must_use]
+    #[inline]
+    pub const fn smallest(self) -> f32 {
+        self.smallest
+    }
+
+    /// The largest size of a step.
+    #[must_use]
+    #[inline]
+    pub const fn largest(self) -> f32 {
+        self.largest
+    }
 }
 
-impl<X: Coordinates, T: Tier> Displacement<X> for ExponentialStep<T> {
+impl<X: Coordinates, T: Tier> StepLaw<X> for LogUniformStep<T> {
     #[inline]
     fn displacement(&self, _: usize, word: u32) -> f32 {
         let (sign, u) = signed(word);

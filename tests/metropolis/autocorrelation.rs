@@ -3,25 +3,25 @@
 
 use crate::series::{SHAPES, Truth, normal, shaped, unit};
 use crate::stated::{above, assert_stated, below, stated_error};
-use microwarp::metropolis::Health;
+use microwarp::metropolis::Autocorrelation;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::speed;
 
-pub const HEALTH: &str = include_str!("../../src/metropolis/health.rs");
+pub const AUTOCORRELATION: &str = include_str!("../../src/metropolis/autocorrelation.rs");
 
-pub fn pushed<const LAGS: usize>(run: &[f32]) -> Health<LAGS> {
-    let mut health = Health::new();
+pub fn pushed<const LAGS: usize>(run: &[f32]) -> Autocorrelation<LAGS> {
+    let mut health = Autocorrelation::new();
     run.iter().for_each(|&x| health.push(x));
     health
 }
 
 /// The largest error of any autocorrelation, and that those are unknown which should be.
-pub fn largest_error<const LAGS: usize>(health: &Health<LAGS>, run: &[f32]) -> f64 {
+pub fn largest_error<const LAGS: usize>(health: &Autocorrelation<LAGS>, run: &[f32]) -> f64 {
     let truth = Truth::new(run);
     let mut worst = 0.0_f64;
     for lag in 0..=LAGS {
-        match (health.autocorrelation(lag), truth.autocorrelation(lag)) {
+        match (health.at_lag(lag), truth.autocorrelation(lag)) {
             (Some(got), Some(exact)) => {
                 let error = (f64::from(got) - exact).abs();
                 assert!(!error.is_nan() && got.abs() <= 1.0);
@@ -31,8 +31,8 @@ pub fn largest_error<const LAGS: usize>(health: &Health<LAGS>, run: &[f32]) -> f
             other => panic!("lag {lag} of {run:?}: {other:?}"),
         }
     }
-    assert_eq!(health.autocorrelation(LAGS + 1), None);
-    assert_eq!(health.autocorrelation(usize::MAX), None);
+    assert_eq!(health.at_lag(LAGS + 1), None);
+    assert_eq!(health.at_lag(usize::MAX), None);
     worst
 }
 
@@ -59,8 +59,8 @@ fn after_every_push<const LAGS: usize>() -> f64 {
             10f64.powi(turn as i32 - 30),
             &mut rng,
         );
-        let mut health = Health::<LAGS>::new();
-        assert_eq!(health.autocorrelation(0), None);
+        let mut health = Autocorrelation::<LAGS>::new();
+        assert_eq!(health.at_lag(0), None);
         for n in 1..=run.len() {
             health.push(run[n - 1]);
             assert_eq!(health.count(), n as u64);
@@ -73,7 +73,7 @@ fn after_every_push<const LAGS: usize>() -> f64 {
 
 #[test]
 fn autocorrelations_are_right_after_every_push() {
-    let stated = stated_error(HEALTH);
+    let stated = stated_error(AUTOCORRELATION);
     for worst in [
         after_every_push::<0>(),
         after_every_push::<1>(),
@@ -110,14 +110,14 @@ fn autocorrelations_of_short_runs_have_the_stated_error() {
         }
     }
     println!("worst of {of:?}");
-    assert_stated("autocorrelation", worst, stated_error(HEALTH));
+    assert_stated("autocorrelation", worst, stated_error(AUTOCORRELATION));
 }
 
 /// Longer runs, of each shape, and how far their mean may be from 0.
 #[test]
 fn autocorrelations_are_right_far_from_0() {
     let mut rng = Pcg32::new(0xfa20, 54);
-    let stated = stated_error(HEALTH);
+    let stated = stated_error(AUTOCORRELATION);
     for mean in [0.0, 1.0, 100.0, 1e3, 1e4, 1e6] {
         let mut worst = 0.0_f64;
         for shape in 0..SHAPES {
@@ -134,7 +134,7 @@ fn autocorrelations_are_right_far_from_0() {
 #[test]
 fn any_magnitude_is_taken_in() {
     let mut rng = Pcg32::new(0x3a97, 54);
-    let stated = stated_error(HEALTH);
+    let stated = stated_error(AUTOCORRELATION);
     let mut worst = 0.0_f64;
     for power in -45..=38 {
         for shape in 0..SHAPES {
@@ -161,7 +161,7 @@ fn any_magnitude_is_taken_in() {
             })
             .filter(|x| x.is_finite())
             .collect();
-        let mut health = Health::<5>::new();
+        let mut health = Autocorrelation::<5>::new();
         for n in 1..=run.len() {
             health.push(run[n - 1]);
             worst = worst.max(largest_error(&health, &run[..n]));
@@ -185,10 +185,10 @@ fn runs_without_autocorrelation_have_none() {
         1e38,
         0.1,
     ] {
-        let mut health = Health::<3>::new();
+        let mut health = Autocorrelation::<3>::new();
         for n in 0..100 {
             for lag in 0..5 {
-                assert_eq!(health.autocorrelation(lag), None, "{n} of {x:e}");
+                assert_eq!(health.at_lag(lag), None, "{n} of {x:e}");
             }
             assert_eq!(health.integrated_time(), None);
             assert_eq!(health.effective_sample_size(), None);
@@ -197,14 +197,14 @@ fn runs_without_autocorrelation_have_none() {
         // One that differs by the least there is.
         let other = if x == 0.0 { above(x) } else { below(x) };
         health.push(other);
-        assert_eq!(health.autocorrelation(0), Some(1.0), "{x:e}");
+        assert_eq!(health.at_lag(0), Some(1.0), "{x:e}");
     }
 }
 
 #[test]
 fn what_is_no_number_leaves_no_trace() {
     let mut rng = Pcg32::new(0x2ace, 54);
-    let (mut with, mut without) = (Health::<4>::new(), Health::<4>::new());
+    let (mut with, mut without) = (Autocorrelation::<4>::new(), Autocorrelation::<4>::new());
     for i in 0..500 {
         let x = normal(&mut rng) as f32;
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY]
@@ -216,7 +216,7 @@ fn what_is_no_number_leaves_no_trace() {
         with.push(x);
         without.push(x);
         for lag in 0..=4 {
-            assert_eq!(with.autocorrelation(lag), without.autocorrelation(lag));
+            assert_eq!(with.at_lag(lag), without.at_lag(lag));
         }
         assert_eq!(with.integrated_time(), without.integrated_time());
     }
@@ -231,7 +231,7 @@ fn no_result_is_out_of_range() {
     let (mut known, mut times) = (0, 0);
     let turns = speed::of("runs", 4_000, 20_000);
     for turn in 0..turns {
-        let mut health = Health::<6>::new();
+        let mut health = Autocorrelation::<6>::new();
         let n = 1 + turn % 40;
         for _ in 0..n {
             let bits = rng.next_u32();
@@ -242,7 +242,7 @@ fn no_result_is_out_of_range() {
                 bits >> 4 | 0x3000_0000
             }));
             for lag in 0..8 {
-                if let Some(rho) = health.autocorrelation(lag) {
+                if let Some(rho) = health.at_lag(lag) {
                     assert!((-1.0..=1.0).contains(&rho));
                     known += 1;
                 }
@@ -266,8 +266,8 @@ fn no_result_is_out_of_range() {
 
 #[test]
 fn the_memory_is_as_stated() {
-    assert_eq!(size_of::<Health<0>>(), 40);
-    assert_eq!(size_of::<Health<1>>(), 16 + 40);
-    assert_eq!(size_of::<Health<64>>(), 16 * 64 + 40);
-    assert!(HEALTH.contains("/// - Memory: 16 bytes a lag and 40 more."));
+    assert_eq!(size_of::<Autocorrelation<0>>(), 40);
+    assert_eq!(size_of::<Autocorrelation<1>>(), 16 + 40);
+    assert_eq!(size_of::<Autocorrelation<64>>(), 16 * 64 + 40);
+    assert!(AUTOCORRELATION.contains("/// - Memory: 16 bytes a lag and 40 more."));
 }

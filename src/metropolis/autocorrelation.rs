@@ -22,11 +22,11 @@ use crate::estimate::{Scale, Sum, Tally};
 /// Source: C. J. Geyer, "Practical Markov Chain Monte Carlo", 1992.
 ///
 /// ```
-/// use microwarp::metropolis::{BoxStep, Chain, Health};
+/// use microwarp::metropolis::{BoxStep, Chain, Autocorrelation};
 /// use rand_pcg::Pcg32;
 /// let f = |x: f32| 1.0 / (1.0 + x.powi(4));
 /// let (mut chain, mut rng) = (Chain::new(0.0, f)?, Pcg32::new(1, 1));
-/// let (step, mut health) = (BoxStep::new(4.0)?, Health::<64>::new());
+/// let (step, mut health) = (BoxStep::new(4.0)?, Autocorrelation::<64>::new());
 /// for _ in 0..10_000 {
 ///     health.push(chain.step(f, &step, &mut rng).state());
 /// }
@@ -36,7 +36,7 @@ use crate::estimate::{Scale, Sum, Tally};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Health<const LAGS: usize> {
+pub struct Autocorrelation<const LAGS: usize> {
     tally: Tally,
     scale: Scale,
     /// A number near the mean; this and all that follows is on the scale.
@@ -53,14 +53,14 @@ pub struct Health<const LAGS: usize> {
     products: [Sum; LAGS],
 }
 
-impl<const LAGS: usize> Default for Health<LAGS> {
+impl<const LAGS: usize> Default for Autocorrelation<LAGS> {
     #[inline]
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<const LAGS: usize> Health<LAGS> {
+impl<const LAGS: usize> Autocorrelation<LAGS> {
     /// No numbers yet.
     #[must_use]
     #[inline]
@@ -133,7 +133,7 @@ impl<const LAGS: usize> Health<LAGS> {
     /// [`None`] beyond the lags and where fewer numbers than `lag` + 1 were taken in; also where all are the
     /// same.
     #[must_use]
-    pub fn autocorrelation(&self, lag: usize) -> Option<f32> {
+    pub fn at_lag(&self, lag: usize) -> Option<f32> {
         self.autocorrelations()?.nth(lag)
     }
 
@@ -166,7 +166,7 @@ impl<const LAGS: usize> Health<LAGS> {
 
     /// The effective sample size: as many independent samples would give the mean the same error.
     ///
-    /// [`None`] where the [`Health::integrated_time`] is not known.
+    /// [`None`] where the [`Autocorrelation::integrated_time`] is not known.
     #[must_use]
     pub fn effective_sample_size(&self) -> Option<f32> {
         Some(self.count() as f32 / self.integrated_time()?)

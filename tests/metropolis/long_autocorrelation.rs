@@ -1,8 +1,8 @@
 //! A hundred million numbers: autocorrelations as exact as stated, far from 0 too.
 
-use crate::health::HEALTH;
+use crate::autocorrelation::AUTOCORRELATION;
 use crate::stated::{after, assert_stated, stated_error};
-use microwarp::metropolis::Health;
+use microwarp::metropolis::Autocorrelation;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::speed;
@@ -53,7 +53,7 @@ impl Sums {
 /// Runs of a correlated walk of deviation about 1 that drifts by as much, at a mean: the largest error.
 fn worst(mean: f64, count: u64) -> f64 {
     let mut rng = Pcg32::new(0x10e8, 54);
-    let (mut health, mut sums) = (Health::<LAGS>::new(), Sums::default());
+    let (mut health, mut sums) = (Autocorrelation::<LAGS>::new(), Sums::default());
     let (mut x, mut worst) = (0.0_f64, 0.0_f64);
     for i in 0..count {
         x = 0.7 * x + f64::from(rng.next_u32()) * 2f64.powi(-32) - 0.5;
@@ -63,7 +63,7 @@ fn worst(mean: f64, count: u64) -> f64 {
         sums.push(f64::from(number) - mean);
         if (i + 1) % (count / 50) == 0 || (i + 1).is_power_of_two() && i > 1000 {
             for lag in 0..=LAGS {
-                let got = f64::from(health.autocorrelation(lag).unwrap());
+                let got = f64::from(health.at_lag(lag).unwrap());
                 let error = (got - sums.covariance(lag) / sums.covariance(0)).abs();
                 assert!(!error.is_nan());
                 worst = worst.max(error);
@@ -81,7 +81,7 @@ fn a_hundred_million_numbers_keep_the_stated_error() {
     for mean in [0.0, 100.0, 1e6] {
         largest = largest.max(worst(mean, some));
     }
-    let stated = after(HEALTH, "Error in long runs: ");
+    let stated = after(AUTOCORRELATION, "Error in long runs: ");
     assert_stated("autocorrelation of long runs", largest, stated);
 }
 
@@ -106,5 +106,5 @@ fn plain_sums_do_not_keep_the_stated_error() {
     let rho = (products - mean * sum) / (squares - mean * sum);
     let error = (f64::from(rho) - sums.covariance(1) / sums.covariance(0)).abs();
     println!("plain sums of {n} numbers: {error:.2e}");
-    assert!(error > 10.0 * stated_error(HEALTH), "{error:e}");
+    assert!(error > 10.0 * stated_error(AUTOCORRELATION), "{error:e}");
 }
