@@ -1,11 +1,15 @@
-//! The one error type: why a constructor refused its parameters.
+//! The error type: why a constructor refused its parameters.
 //!
-//! Samplers do not fail; a failing generator's own error passes through them untouched.
+//! Sampling does not fail. The error of a failing generator passes through unchanged.
 
 use core::fmt;
 
-/// Why a constructor refused its parameters. Nothing is built when one of these is returned.
+/// Why a constructor refused its parameters.
 ///
+/// Where the parameters are constants, [`constant!`](crate::constant) checks them at compile time. A log or another
+/// language can use the number that [`Error::code`] gives each reason.
+///
+/// # Examples
 /// ```
 /// use microwarp::{Error, poly as mw};
 /// assert_eq!(mw::Interval::new(2.0, 1.0), Err(Error::Reversed));
@@ -21,8 +25,8 @@ pub enum Error {
     Reversed,
     /// The domain has no extent, or so little that its density overflows `f32`.
     Empty,
-    /// The domain is so large that its density is below the smallest positive `f32`, or its own
-    /// measure overflows; in the integer tier, that points of it overflow their format.
+    /// The domain is so large that its density is below the smallest positive `f32`, or that its size overflows. In the
+    /// integer tier: so large that its points overflow their format.
     TooLarge,
     /// A parameter that must be positive is zero or negative.
     NotPositive,
@@ -34,9 +38,9 @@ pub enum Error {
     NotNormalizable,
     /// A direction has no length.
     ZeroLength,
-    /// There is nothing to choose from: no weight was given.
+    /// No weights were given.
     NoWeights,
-    /// More weights than a table may hold, or than its storage has room for.
+    /// There are more weights than a table may hold, or than its storage has room for.
     TooManyWeights,
     /// The weight at this index is NaN or infinite.
     NotFiniteWeight(usize),
@@ -44,10 +48,9 @@ pub enum Error {
     NegativeWeight(usize),
     /// Every weight is zero.
     AllZero,
-    /// The weight at this index is positive but so small beside the others that the words of the table
-    /// would not reach it.
+    /// The weight at this index is positive, but so small beside the others that no word of the table selects it.
     Unreachable(usize),
-    /// Entries handed over as a finished table are not one.
+    /// The entries given as a finished table do not form one.
     NotATable,
 }
 

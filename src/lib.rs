@@ -196,21 +196,25 @@ pub use warp::contract::{Invert, Warp};
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// Names the warps of one tier: aliases of what is generic over it, and what both tiers share.
+/// Names the warps of one tier: aliases of the types that are generic over it, and the types that both tiers share.
 macro_rules! of_tier {
     ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
         $(of_tier!(@ $name $(<$tier>)? $what);)*
     };
     (@ $name:ident $what:literal) => {
+        #[doc(inline)]
         pub use crate::warp::$name;
     };
     (@ $name:ident <T> $what:literal) => {
-        #[doc = concat!($what, ": [`warp::", stringify!($name), "`](crate::warp::", stringify!($name), ") in this tier.")]
+        #[doc = concat!(
+            $what, ".\n\nSee [`warp::", stringify!($name), "`](crate::warp::", stringify!($name),
+            ") for the density, the domain, the errors and examples."
+        )]
         pub type $name = crate::warp::$name<Tier>;
     };
 }
 
-/// A tier as a module, so that a program says its tier once.
+/// A tier as a module, so that a program names its tier once.
 macro_rules! tier_module {
     ($(#[$doc:meta])* $module:ident, $tier:ident) => {
         $(#[$doc])*

@@ -46,8 +46,7 @@ use rand_core::TryRng;
 /// is an `f32`, so it returns only nearly to cells of probability below some 2⁻²⁴.
 ///
 /// # Cost
-/// <!-- generated: cost PiecewiseConstant1d -->
-/// <!-- end -->
+/// That of a selection from a [`Cdf`](super::Cdf), and of a product.
 ///
 /// # Examples
 /// ```

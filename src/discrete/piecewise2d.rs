@@ -52,8 +52,7 @@ use rand_core::TryRng;
 /// | round trip | 1.2e-7 + 3*r | 1.2e-7 + 3*r |
 ///
 /// # Cost
-/// <!-- generated: cost PiecewiseConstant2d -->
-/// <!-- end -->
+/// That of two selections from a [`Cdf`](super::Cdf), and of two products.
 ///
 /// # Examples
 /// Two rows of three columns, on [0, 3) × [0, 1):

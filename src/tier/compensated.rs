@@ -1,4 +1,4 @@
-//! Functions of a product whose rounding would be amplified: the product's own error is carried along.
+//! Compensated functions of products: they carry the rounding error of the product, which they would amplify.
 
 use super::Tier;
 use crate::num::{
@@ -11,7 +11,7 @@ use core::f32::consts::{FRAC_1_PI, TAU};
 pub(crate) fn exp_of_product<T: Tier>(a: f32, b: f32) -> f32 {
     let (product, dropped) = two_product(a, b);
     let power = T::exp(product);
-    // Far out the power is 0 or subnormal and the product may have overflowed: nothing to correct.
+    // Beyond this the power is 0 or subnormal, and the product may have overflowed.
     if product > -87.0 {
         power + power * dropped
     } else {
@@ -19,11 +19,11 @@ pub(crate) fn exp_of_product<T: Tier>(a: f32, b: f32) -> f32 {
     }
 }
 
-/// `scale · e^(ab)` for `ab <= 0`, likewise, even where the exponential alone would be subnormal.
+/// `scale · e^(ab)` for `ab <= 0`, without that error, even where the exponential alone would be subnormal.
 #[inline]
 pub(crate) fn scaled_exp_of_product<T: Tier>(scale: f32, a: f32, b: f32) -> f32 {
     let (product, dropped) = two_product(a, b);
-    // Beyond this even the largest scale leaves nothing, and the product may have overflowed.
+    // Beyond this the result underflows for the largest scale, and the product may have overflowed.
     if product > -250.0 {
         scaled_exp::<T>(scale, product, dropped)
     } else {
@@ -43,14 +43,14 @@ pub(crate) fn exp_m1_of_product<T: Tier>(a: f32, b: f32) -> f32 {
     }
 }
 
-/// 1/(2π) and what its `f32` lacks; worked out by the compiler, no double reaches the target.
+/// 1/(2π) and the rounding error of its `f32`. The compiler computes them: no double reaches the target.
 const TURN: f32 = 0.5 * FRAC_1_PI;
 const REST: f32 = (0.5 * core::f64::consts::FRAC_1_PI - TURN as f64) as f32;
 
 /// `1 - cos(x)` of an angle in `[0, π]` radians, to a few ulp however small the angle.
 pub(crate) fn one_minus_cos_radians<T: Tier>(x: f32) -> f32 {
     if x < 1.0 {
-        // Taylor's series, whose first term is nearly all; its first omitted one is below 2e-9.
+        // Taylor's series. The first omitted term is below 2e-9.
         let (y, dropped) = two_product(x, x);
         let tail = 1.0 - y / 90.0 * (1.0 - y / 132.0);
         let bend = y / 12.0 * (1.0 - y / 30.0 * (1.0 - y / 56.0 * tail));
@@ -76,8 +76,8 @@ pub(crate) fn scaled_exp<T: Tier>(scale: f32, exponent: f32, rest: f32) -> f32 {
     x + x * rest
 }
 
-/// What a rounded logarithm `log` of `x` lacks, to the accuracy of the tier's exponential: one step of
-/// Newton's method on `e^log = x`.
+/// The rounding error of a logarithm `log` of `x`, to the accuracy of the tier's exponential: one step of Newton's method
+/// on `e^log = x`.
 fn log_residual<T: Tier>(x: f32, log: f32) -> f32 {
     // In two halves, since e^(-log) alone may overflow.
     let half = T::exp(-0.5 * log);
@@ -85,7 +85,7 @@ fn log_residual<T: Tier>(x: f32, log: f32) -> f32 {
     (product - 1.0) + dropped
 }
 
-/// ln(b/a) for 0 ≤ a < b, accurate however close or far apart the two are, and what it lacks.
+/// ln(b/a) for 0 ≤ a < b, accurate however close or far apart the two are, and its rounding error.
 pub(crate) fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
     if a == 0.0 {
         return (f32::INFINITY, 0.0);
@@ -98,7 +98,7 @@ pub(crate) fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
     }
     let quotient = b / a;
     if (f32::MIN_POSITIVE..=f32::MAX).contains(&quotient) && a >= f32::MIN_POSITIVE {
-        // Halved where the product of the quotient and a, which rounding may take above b, could overflow.
+        // Halved where the product of the quotient and a could overflow, which rounding may take above b.
         let half = if b > 1.0 { 0.5 } else { 1.0 };
         let short = remainder(half * b, quotient, half * a) / (half * b);
         let log = T::ln(quotient);

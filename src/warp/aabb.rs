@@ -5,12 +5,23 @@ use crate::error::Error;
 use crate::num::{Scaled, remainder, two_product, two_sum};
 use crate::uniform::Canonical;
 
-/// Uniform on an axis-aligned box of any dimension: the bounding box of a region.
+/// Uniform in an axis-aligned box of any dimension, such as the bounding box of a region.
 ///
-/// - Uniforms: one a dimension. Words: as many.
-/// - Range: aᵢ ≤ xᵢ < bᵢ.
-/// - Density: the product of 1/(bᵢ − aᵢ), on the closed box.
-/// - Each coordinate is an [`Interval`]; the size is the largest bound.
+#[doc = include_str!("../pictures/aabb.html")]
+///
+/// # Density
+/// The product of 1/(bᵢ − aᵢ), on the closed box.
+///
+/// # Domain
+/// - Point: aᵢ ≤ xᵢ < bᵢ.
+/// - Uniforms: one a dimension.
+/// - Parameters: finite corners with aᵢ < bᵢ whose volume has a density that `f32` can hold.
+/// - Both tiers share this code.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows
+/// are relative errors of densities and absolute errors of uniforms. [What each row
+/// means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -20,11 +31,13 @@ use crate::uniform::Canonical;
 /// | inverse | 1.8e-7 | 1.8e-7 |
 /// | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r | 1.8e-7 + max(3.3, 3.9e-38/m)*r |
 ///
-/// n is the number of dimensions and m the size; the second term counts where it is subnormal, which it can be in one
-/// dimension. r is what 2⁻²⁴ of the size makes of the inverse.
+/// n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it
+/// can be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
 ///
-/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
+/// # Cost
+/// That of an [`Interval`](super::Interval) for each coordinate.
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, warp::Aabb};
 /// let room = Aabb::new([0.0, -1.0, 0.0], [4.0, 1.0, 2.0])?;
@@ -32,6 +45,17 @@ use crate::uniform::Canonical;
 /// assert_eq!(room.pdf([1.0, 0.0, 1.5]), 1.0 / 16.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Interval`](super::Interval): one dimension, in either orientation.
+/// - [`rejection::Rejection`](crate::rejection::Rejection): a region inside a box.
+///
+/// # Source
+/// L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
+#[doc(alias = "box")]
+#[doc(alias = "cuboid")]
+#[doc(alias = "rectangle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aabb<const N: usize> {
@@ -43,8 +67,8 @@ impl<const N: usize> Aabb<N> {
     /// The box between two opposite corners, `low` and `high`.
     ///
     /// # Errors
-    /// Those of [`Interval::new`] for each side; [`Error::Empty`] or [`Error::TooLarge`] where the density
-    /// overflows `f32` or is below its smallest normal number.
+    /// Those of [`Interval::new`] for each side. [`Error::Empty`] where the density overflows `f32`, [`Error::TooLarge`]
+    /// where it is below the smallest normal number.
     pub const fn new(low: [f32; N], high: [f32; N]) -> Result<Self, Error> {
         let mut sides = match Interval::new(0.0, 1.0) {
             Ok(unit) => [unit; N],

@@ -8,7 +8,7 @@ use crate::uniform::{Canonical, deep, open_full};
 use core::marker::PhantomData;
 use rand_core::TryRng;
 
-/// The smallest accepted rate: −ln 2⁻¹⁴⁹ divided by it is still finite.
+/// The smallest accepted rate: −ln 2⁻¹⁴⁹ divided by it is finite.
 const MIN_RATE: f32 = 104.0 / f32::MAX;
 
 const fn checked_rate(rate: f32) -> Result<f32, Error> {
@@ -26,13 +26,23 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
     }
 }
 
-/// Exponential with rate a, increasing with the uniform: −ln(1 − u)/a.
+/// Exponential with rate a, increasing with the uniform: free paths, waiting times.
 ///
-/// - Uniforms: one. The largest sample is set by the largest uniform: 16.64/a.
-/// - Range: [0, 16.64/a].
-/// - Density: a e^(−ax) for x ≥ 0.
+/// x = −ln(1 − u)/a.
 ///
-/// Where the tail matters beyond 16.64/a, take [`ExponentialTail`].
+#[doc = include_str!("../pictures/exponential.html")]
+///
+/// # Density
+/// a e^(−ax) for x ≥ 0, else 0.
+///
+/// # Domain
+/// - Point: [0, 16.64/a]. The largest uniform sets the largest sample.
+/// - Uniforms: one.
+/// - Parameters: a rate, or a mean, above 0.
+///
+/// # Accuracy
+/// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
+/// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -42,8 +52,13 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 /// | inverse | 7e-8 | 7e-8 |
 /// | round trip | 4e-8 + 2*r | 4e-8 + 2*r |
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
 ///
+/// # Cost
+/// <!-- generated: cost Exponential -->
+/// <!-- end -->
+///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let free_path = mw::Exponential::from_rate(2.0)?;
@@ -52,6 +67,19 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 /// assert_eq!(free_path.pdf(0.0), 2.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`ExponentialTail`](super::ExponentialTail) reaches far beyond 16.64/a.
+/// - [`TruncatedExponential`](super::TruncatedExponential): on [0, X].
+/// - [`rejection::ZigguratExponential`](crate::rejection::ZigguratExponential) is quicker where words come from a
+///   generator and no inverse is needed.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+#[doc(alias = "exp")]
+#[doc(alias = "poisson_process")]
+#[doc(alias = "free_path")]
+#[doc(alias = "waiting_time")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Exponential<T> {
@@ -134,15 +162,25 @@ impl<T: Tier> Invert for Exponential<T> {
     }
 }
 
-/// Exponential with rate a, decreasing with the uniform: −ln(u)/a, tail first.
+/// Exponential with rate a, decreasing with the uniform, so that samples reach far into the tail.
 ///
-/// Small uniforms keep their precision in `f32`, so this orientation reaches the far tail: 44.36/a
-/// from full-resolution uniforms, which is what [`Warp::draw`] takes here (and 45.06/a where all 64 bits are 0), and
-/// 103.28/a at an explicit u = 0, which counts as 2⁻¹⁴⁹.
+/// x = −ln(u)/a. Small uniforms keep their precision in `f32`, so this orientation reaches 44.36/a from
+/// full-resolution uniforms, which is what [`Warp::draw`] takes here (45.06/a where all 64 bits are 0). An explicit
+/// u = 0 counts as 2⁻¹⁴⁹ and gives 103.28/a.
 ///
-/// - Uniforms: one; drawing takes **two** words of the generator for it.
-/// - Range: [5.9e-8/a, 103.28/a].
-/// - Density: a e^(−ax) for x ≥ 0.
+#[doc = include_str!("../pictures/exponential_tail.html")]
+///
+/// # Density
+/// a e^(−ax) for x ≥ 0, else 0.
+///
+/// # Domain
+/// - Point: [5.9e-8/a, 103.28/a].
+/// - Uniforms: one. Drawing takes **two** words of the generator for it.
+/// - Parameters: a rate, or a mean, above 0.
+///
+/// # Accuracy
+/// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
+/// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -152,14 +190,29 @@ impl<T: Tier> Invert for Exponential<T> {
 /// | inverse | 6.8e-8 | 6.8e-8 |
 /// | round trip | 4e-8 + 2*r | 4e-8 + 2*r |
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
 ///
+/// # Cost
+/// <!-- generated: cost ExponentialTail -->
+/// <!-- end -->
+///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let decay = mw::ExponentialTail::from_rate(1.0)?;
 /// assert!(decay.sample(2.0_f32.powi(-60)) > 41.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Exponential`](super::Exponential) takes one word, and is enough where the tail beyond 16.64/a (a part of
+///   6e-8) does not matter.
+/// - [`rejection::ZigguratExponential`](crate::rejection::ZigguratExponential): quicker, without an inverse.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+#[doc(alias = "exp")]
+#[doc(alias = "tail")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ExponentialTail<T> {
@@ -171,7 +224,7 @@ impl<T: Tier> ExponentialTail<T> {
     /// Exponential with the given rate (the reciprocal of the mean).
     ///
     /// # Errors
-    /// As [`Exponential::from_rate`].
+    /// The errors of [`Exponential::from_rate`].
     pub const fn from_rate(rate: f32) -> Result<Self, Error> {
         match checked_rate(rate) {
             Ok(rate) => Ok(Self {
@@ -223,7 +276,7 @@ impl<T: Tier> Warp for ExponentialTail<T> {
         density::<T>(self.rate, x)
     }
 
-    /// The point of one word, for those who have no second one: the tail ends at 22.87/a then.
+    /// The point of a single word. The tail ends at 22.87/a then.
     #[inline]
     fn sample_words(&self, word: u32) -> f32 {
         self.sample_canonical(deep(word))

@@ -1,4 +1,4 @@
-//! The normal distribution: one at a time by its quantile, two at a time by Box and Muller's map.
+//! The normal distribution: one number by its quantile, two by Box and Muller's map.
 
 use super::direction::azimuth;
 use super::planar::{PlanarMap, planar};
@@ -14,18 +14,30 @@ use core::marker::PhantomData;
 const FRAC_1_SQRT_TAU: f32 =
     (core::f64::consts::FRAC_2_SQRT_PI * core::f64::consts::FRAC_1_SQRT_2 * 0.5) as f32;
 
-/// The farthest a sample lies from the mean in standard deviations: the quantile of 2⁻¹⁴⁹ is −14.2.
+/// An upper bound on how far a sample lies from the mean, in standard deviations: the quantile of 2⁻¹⁴⁹ is −14.2.
 const REACH: f32 = 14.5;
 
-/// Normal with a mean and a standard deviation, one at a time.
+/// Normal (Gaussian) with a mean and a standard deviation, one number at a time.
 ///
 /// x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata.
 ///
-/// - Uniforms: one. On the 24-bit grid the lower tail ends at −5.30σ (and −14.2σ at u = 0, which counts
-///   as 2⁻¹⁴⁹) and the upper one at 5.30σ. Drawing takes all 32 bits of a word, as the middle of their cell: both
-///   tails end at 6.34σ, and the moments of what can be drawn are those of the law (the eighth to 1e-6).
-/// - Density: e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
-/// - A standard deviation near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the samples.
+#[doc = include_str!("../pictures/normal.html")]
+///
+/// # Density
+/// e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
+///
+/// # Domain
+/// - Point: drawn samples end at 6.34σ on both sides. On the 24-bit grid the lower tail ends at −5.30σ (at −14.2σ
+///   for u = 0, which counts as 2⁻¹⁴⁹) and the upper one at 5.30σ.
+/// - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell, so that the moments of what
+///   can be drawn are those of the normal distribution (the eighth to 1e-6).
+/// - Parameters: a finite mean and a standard deviation above 0 for which no sample overflows. A standard deviation
+///   near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the samples.
+///
+/// # Accuracy
+/// *Sample* counts units in the last place (ulp) of μ or of x − μ, whichever is larger. *Pdf* and *realised
+/// density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
+/// means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -35,12 +47,15 @@ const REACH: f32 = 14.5;
 /// | inverse | 1.8e-7 | 1.8e-7 |
 /// | round trip | 1.5e-7 + 3*r | 1.5e-7 + 3*r |
 ///
-/// The unit of a sample is an ulp of μ or of x − μ, whichever is larger; w is |μ|/σ. Of a standard deviation below 1e-6 of the
-/// mean, whose neighbouring `f32` differ in density by a factor, no realised density is stated.
+/// w is |μ|/σ. s and r are the relative change of the density and the change of the inverse when x moves by one
+/// ulp. No realised density is stated for a standard deviation below 1e-6 of the mean, where the densities of
+/// neighbouring `f32` differ by a factor.
 ///
-/// Source: M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988,
-/// for the division into regions; the coefficients are this crate's own.
+/// # Cost
+/// <!-- generated: cost Normal -->
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let noise = mw::Normal::new(10.0, 2.0)?;
@@ -48,6 +63,20 @@ const REACH: f32 = 14.5;
 /// assert!((noise.invert(12.0) - 0.841_344_8).abs() < 1e-6);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`NormalPair`](super::NormalPair) gives two numbers at a lower cost each, far lower where a slice is filled. Take it
+///   where strata do not matter.
+/// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal) is quicker still: take it where words come
+///   from a generator and neither an inverse nor a fixed number of uniforms is needed.
+///
+/// # Source
+/// M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988,
+/// <https://doi.org/10.2307/2347330>, for the division into regions. The coefficients are this crate's own.
+#[doc(alias = "gaussian")]
+#[doc(alias = "bell_curve")]
+#[doc(alias = "probit")]
+#[doc(alias = "noise")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normal<T> {
@@ -101,7 +130,7 @@ const fn checked(mean: f32, std_dev: f32) -> Result<(), Error> {
 }
 
 impl<T: Tier> Normal<T> {
-    /// The point beyond which there is this probability in the tail on its own side.
+    /// The point with this probability beyond it, on the upper side or on the lower.
     #[inline]
     fn beyond(&self, tail: f32, upper: bool) -> f32 {
         let quantile = T::normal_quantile_lower(tail);
@@ -109,10 +138,10 @@ impl<T: Tier> Normal<T> {
     }
 }
 
-/// How many deviations x lies from the mean, and what rounding that has dropped.
+/// The distance of x from the mean in standard deviations, and its rounding error.
 #[inline]
 fn standardised(x: f32, mean: f32, std_dev: f32) -> (f32, f32) {
-    // Of a small one the dropped part would be subnormal.
+    // For a small one the rounding error would be subnormal.
     let scale = if std_dev < 1.0e-18 {
         18_446_744_073_709_551_616.0
     } else {
@@ -125,17 +154,17 @@ fn standardised(x: f32, mean: f32, std_dev: f32) -> (f32, f32) {
     (t, rest / std_dev)
 }
 
-/// −t²/2 and what it lacks, of a t that lacks `rest`.
+/// −t²/2 and its rounding error, for a t whose rounding error is `rest`.
 #[inline]
 fn exponent((t, rest): (f32, f32)) -> (f32, f32) {
     let (square, dropped) = two_product(-0.5 * t, t);
     (square, dropped - t * rest)
 }
 
-/// The bell of this height where its exponential has the exponent and what that lacks.
+/// The density of this peak where its exponential has this exponent, given with its rounding error.
 #[inline]
 fn bell<T: Tier>(peak: f32, (exponent, rest): (f32, f32)) -> f32 {
-    // Beyond this not even the largest height leaves anything, and t may have overflowed.
+    // Beyond this even the largest peak underflows, and t may have overflowed.
     representable(if exponent > -250.0 {
         scaled_exp::<T>(peak, exponent, rest)
     } else {
@@ -187,13 +216,25 @@ impl<T: Tier> Invert for Normal<T> {
     }
 }
 
-/// Two independent normals with a common standard deviation, by Box and Muller's map.
+/// Two independent normals (Gaussians) with a common standard deviation, by Box and Muller's map.
 ///
-/// Radius σ√(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the mean point, cheaper than two
-/// quantiles.
+/// Radius σ√(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the mean point, cheaper than two quantiles.
 ///
-/// - Uniforms: two. (0, ·) gives the mean itself; the farthest point lies at 5.77σ.
-/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻¹⁴⁹ for every finite point.
+#[doc = include_str!("../pictures/normal_pair.html")]
+///
+/// # Density
+/// e^(−r²/2σ²)/(2πσ²) per unit area, at least 2⁻¹⁴⁹ for every finite point.
+///
+/// # Domain
+/// - Point: within 5.77σ of the mean point.
+/// - Uniforms: two, radius and angle. u₁ = 0 gives the mean point itself.
+/// - Parameters: a finite mean point and a standard deviation above 0 for which neither samples nor the density
+///   overflow.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact point, relative to the size: the farthest coordinate, which is the
+/// larger |μ| plus 5.77σ. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
+/// of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -203,20 +244,33 @@ impl<T: Tier> Invert for Normal<T> {
 /// | inverse | 1.6e-7 | 1.6e-7 |
 /// | round trip | 1.5e-7 + 1.8*r | 1.5e-7 + 1.8*r |
 ///
-/// The size is the farthest coordinate, the larger of the means' magnitudes plus 5.77σ; w is that of the means over σ, and
-/// no realised density is stated from 1e6 on.
+/// w is the larger |μ| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the
+/// density and the change of the inverse when the point moves by 2⁻²⁴ of the size. The error of a sample of the
+/// standard pair, of mean 0 and standard deviation 1, is proven for every pair of uniforms: see `docs/proofs.md`.
 ///
-/// The sample error of the standard pair, of mean 0 and standard deviation 1, is proven for every pair of uniforms: see
-/// `docs/proofs.md`.
+/// # Cost
+/// <!-- generated: cost NormalPair -->
+/// <!-- end -->
 ///
-/// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
-///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let noise = mw::NormalPair::new([0.0, 0.0], 1.0)?;
 /// assert_eq!(noise.sample([0.0, 0.7]), [0.0, 0.0]);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Normal`](super::Normal): one number from one uniform, increasing with it, for stratified uniforms.
+/// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal): quicker, without an inverse.
+///
+/// # Source
+/// G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958,
+/// <https://doi.org/10.1214/aoms/1177706645>.
+#[doc(alias = "gaussian")]
+#[doc(alias = "box_muller")]
+#[doc(alias = "bivariate_normal")]
+#[doc(alias = "noise")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NormalPair<T> {
@@ -301,7 +355,7 @@ impl<T: Tier> Invert for NormalPair<T> {
         let ([x, y], [mx, my]) = (point, self.mean);
         let [x, y] = [x - mx, y - my];
         let [across, along] = [x / self.std_dev, y / self.std_dev];
-        // In deviations the smallest distances would have no direction.
+        // Divided by the standard deviation, the smallest distances would lose their direction.
         [
             into_unit(-T::exp_m1(-0.5 * (across * across + along * along))),
             azimuth::<T>(x, y),

@@ -9,16 +9,27 @@ use crate::tier::{Tier, exp_of_product};
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
-/// Density ∝ cosⁿθ over the hemisphere about +z, for any n ≥ 0.
+/// In proportion to a power of the cosine over the hemisphere about +z: the Phong lobe.
 ///
-/// cos θ = (1 − u₁)^(1/(n+1)), carried as 1 − cos θ = −expm1(log1p(−u₁)/(n + 1)), so that a lobe of
-/// n = 1e8 does not collapse onto its axis; where that leaves the range of `f32`, sin θ = √(2 ln(1/(1 − u₁)))/√(n + 1),
+/// cos θ = (1 − u₁)^(1/(n+1)). The code works with 1 − cos θ = −expm1(log1p(−u₁)/(n + 1)), so that a lobe of n =
+/// 1e8 does not collapse onto its axis. Where that leaves the range of `f32`, sin θ = √(2 ln(1/(1 − u₁)))/√(n + 1),
 /// so that sin θ is 0 at u₁ = 0 alone, up to the largest n. n = 0 is the uniform hemisphere, n = 1 the cosine one.
 ///
-/// - Uniforms: two, polar then azimuth; the axis is at u₁ = 0.
-/// - Range: unit vectors with z > 0.
-/// - Density: (n + 1)/(2π) cosⁿθ per steradian; never 0 at a sample. Where z > ½ cos θ is read from all three
-///   coordinates, of which x and y know more than z.
+#[doc = include_str!("../pictures/phong_lobe.html")]
+///
+/// # Density
+/// (n + 1)/(2π) cosⁿθ per steradian where z > 0, else 0. Never 0 at a sample. Where z > ½, cos θ is read from all
+/// three coordinates, because x and y hold digits that z has lost.
+///
+/// # Domain
+/// - Point: unit vectors with z > 0.
+/// - Uniforms: two, for the polar angle and the azimuth. The axis is at u₁ = 0.
+/// - Parameters: any finite n ≥ 0.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
+/// units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
+/// absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -31,13 +42,14 @@ use core::marker::PhantomData;
 /// | inverse | 1.6e-7 | 1.6e-7 |
 /// | round trip | 2.2e-7 | 2.2e-7 |
 ///
-/// These hold for every n. s is by how much the density changes, relatively, when sin θ and cos θ move by
-/// an ulp. Azimuths of subnormal x and y, which only uniforms below 2⁻⁶⁴ give, keep no more digits in the
-/// inverse than those hold.
+/// These hold for every n. s is the relative change of the density when sin θ and cos θ move by an ulp. Azimuths of
+/// subnormal x and y, which only uniforms below 2⁻⁶⁴ give, have no more digits in the inverse than x and y have.
 ///
-/// Source: E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically
-/// Based Rendering", 1994.
+/// # Cost
+/// <!-- generated: cost PhongLobe -->
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let gloss = mw::PhongLobe::new(1e8)?;
@@ -46,6 +58,20 @@ use core::marker::PhantomData;
 /// assert!(x * x + y * y > 1e-8);  // but not lost
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`CosineHemisphere`](super::CosineHemisphere), [`Hemisphere`](super::Hemisphere): n = 1 and n = 0 at a lower
+///   cost.
+/// - [`Oriented`](super::Oriented) turns it onto the direction of reflection.
+/// - [`Cone`](super::Cone): a lobe with a sharp rim.
+///
+/// # Source
+/// E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
+/// 1994, <http://www.graphics.cornell.edu/~eric/Phong.html>.
+#[doc(alias = "cosine_power")]
+#[doc(alias = "glossy")]
+#[doc(alias = "specular")]
+#[doc(alias = "lobe")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PhongLobe<T> {
