@@ -42,6 +42,9 @@ const RIM: f32 = LARGEST;
 ///
 /// # Cost
 /// <!-- generated: cost Disk -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 78 on a Cortex-M4F (352 bytes), 3,246 on a Cortex-M0, 132 as WASM.
+/// - `libm`: 2,187 on a Cortex-M4F (6,664 bytes), 7,556 on a Cortex-M0, 177 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -140,6 +143,9 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 ///
 /// # Cost
 /// <!-- generated: cost DiskConcentric -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 113 on a Cortex-M4F (532 bytes), 3,640 on a Cortex-M0, 216 as WASM.
+/// - `libm`: 2,217 on a Cortex-M4F (6,832 bytes), 7,950 on a Cortex-M0, 264 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -56,6 +56,9 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 ///
 /// # Cost
 /// <!-- generated: cost Exponential -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 52 on a Cortex-M4F (228 bytes), 2,272 on a Cortex-M0, 78 as WASM.
+/// - `libm`: 83 on a Cortex-M4F (720 bytes), 3,127 on a Cortex-M0, 127 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -194,6 +197,9 @@ impl<T: Tier> Invert for Exponential<T> {
 ///
 /// # Cost
 /// <!-- generated: cost ExponentialTail -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 85 on a Cortex-M4F (592 bytes), 2,150 on a Cortex-M0, 142 as WASM.
+/// - `libm`: 96 on a Cortex-M4F (444 bytes), 2,752 on a Cortex-M0, 166 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -43,6 +43,9 @@ use core::marker::PhantomData;
 ///
 /// # Cost
 /// <!-- generated: cost Hemisphere -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 81 on a Cortex-M4F (372 bytes), 3,734 on a Cortex-M0, 152 as WASM.
+/// - `libm`: 2,191 on a Cortex-M4F (6,720 bytes), 8,045 on a Cortex-M0, 197 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -140,6 +143,9 @@ impl<T: Tier> Invert for Hemisphere<T> {
 ///
 /// # Cost
 /// <!-- generated: cost CosineHemisphere -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 83 on a Cortex-M4F (376 bytes), 3,819 on a Cortex-M0, 145 as WASM.
+/// - `libm`: 2,193 on a Cortex-M4F (6,696 bytes), 8,127 on a Cortex-M0, 188 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -245,6 +251,9 @@ impl<T: Tier> Invert for CosineHemisphere<T> {
 ///
 /// # Cost
 /// <!-- generated: cost MalleyHemisphere -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 161 on a Cortex-M4F (744 bytes), 4,972 on a Cortex-M0, 280 as WASM.
+/// - `libm`: 2,266 on a Cortex-M4F (6,976 bytes), 9,136 on a Cortex-M0, 299 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -41,6 +41,9 @@ use crate::uniform::Canonical;
 ///
 /// # Cost
 /// <!-- generated: cost Interval -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 35 on a Cortex-M4F (148 bytes), 762 on a Cortex-M0, 42 as WASM.
+/// - `libm`: 35 on a Cortex-M4F (164 bytes), 806 on a Cortex-M0, 47 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

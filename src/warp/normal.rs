@@ -53,6 +53,9 @@ const REACH: f32 = 14.5;
 ///
 /// # Cost
 /// <!-- generated: cost Normal -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 78 on a Cortex-M4F (836 bytes), 3,175 on a Cortex-M0, 112 as WASM.
+/// - `libm`: 78 on a Cortex-M4F (988 bytes), 3,441 on a Cortex-M0, 115 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -250,6 +253,9 @@ impl<T: Tier> Invert for Normal<T> {
 ///
 /// # Cost
 /// <!-- generated: cost NormalPair -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 108 on a Cortex-M4F (492 bytes), 5,467 on a Cortex-M0, 200 as WASM.
+/// - `libm`: 2,242 on a Cortex-M4F (7,344 bytes), 10,637 on a Cortex-M0, 291 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

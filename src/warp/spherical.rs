@@ -197,6 +197,9 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 ///
 /// # Cost
 /// <!-- generated: cost SphericalPatch -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 108 on a Cortex-M4F (512 bytes), 5,515 on a Cortex-M0, 209 as WASM.
+/// - `libm`: 2,218 on a Cortex-M4F (6,784 bytes), 8,946 on a Cortex-M0, 229 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -40,6 +40,9 @@ use crate::uniform::Canonical;
 ///
 /// # Cost
 /// <!-- generated: cost Tent -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 50 on a Cortex-M4F (212 bytes), 1,347 on a Cortex-M0, 66 as WASM.
+/// - `libm`: 50 on a Cortex-M4F (292 bytes), 1,546 on a Cortex-M0, 73 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

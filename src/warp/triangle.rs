@@ -34,6 +34,9 @@ use crate::uniform::Canonical;
 ///
 /// # Cost
 /// <!-- generated: cost Triangle -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 50 on a Cortex-M4F (216 bytes), 1,677 on a Cortex-M0, 66 as WASM.
+/// - `libm`: 50 on a Cortex-M4F (216 bytes), 1,677 on a Cortex-M0, 66 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

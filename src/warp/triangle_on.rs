@@ -43,6 +43,9 @@ use crate::uniform::Canonical;
 ///
 /// # Cost
 /// <!-- generated: cost TriangleOn -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 115 on a Cortex-M4F (384 bytes), 3,252 on a Cortex-M0, 180 as WASM.
+/// - `libm`: 115 on a Cortex-M4F (368 bytes), 3,174 on a Cortex-M0, 172 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -48,6 +48,9 @@ const LIFT: f32 = 1_267_650_600_228_229_401_496_703_205_376.0;
 ///
 /// # Cost
 /// <!-- generated: cost TruncatedExponential -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 107 on a Cortex-M4F (1,744 bytes), 2,963 on a Cortex-M0, 149 as WASM.
+/// - `libm`: 118 on a Cortex-M4F (1,264 bytes), 3,570 on a Cortex-M0, 168 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
