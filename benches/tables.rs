@@ -165,3 +165,19 @@ fn building_alias_u32(bencher: Bencher, n: usize) {
         black_box(Alias::<&[AliasEntry<u32>]>::new_in(black_box(&weights), &mut memory).is_ok());
     });
 }
+
+/// Nanoseconds a table: all words are checked.
+#[divan::bench(args = [64, 4_096])]
+fn cdf_from_words(bencher: Bencher, n: usize) {
+    let mut memory = vec![0; n];
+    let table = Cdf::<&[u32]>::new_in(&weights(n), &mut memory).unwrap();
+    bencher.bench_local(|| black_box(Cdf::from_words(black_box(table.as_words())).is_ok()));
+}
+
+/// Nanoseconds a table: the words are not looked at.
+#[divan::bench(args = [64, 4_096])]
+fn cdf_from_trusted_words(bencher: Bencher, n: usize) {
+    let mut memory = vec![0; n];
+    let table = Cdf::<&[u32]>::new_in(&weights(n), &mut memory).unwrap();
+    bencher.bench_local(|| black_box(Cdf::from_trusted_words(black_box(table.as_words())).is_ok()));
+}

@@ -105,8 +105,8 @@
 //!
 //! # Generators
 //! [`Warp::draw`] takes any generator of rand_core 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement
-//! rand_core 0.6 or 0.9: features `rand_core_06` and `rand_core_09` bring the wrappers `uniform::Rng06` and
-//! `uniform::Rng09`. A closure becomes a generator by [`FromFn`](uniform::FromFn). `docs/generators.md` lists HALs, versions and
+//! rand_core 0.6 or 0.9: features `rand_core_06` and `rand_core_09` bring the wrappers `Rng06`,
+//! `TryRng06` and `Rng09` to [`uniform`]. A closure becomes a generator by [`FromFn`](uniform::FromFn). `docs/generators.md` lists HALs, versions and
 //! compiler errors.
 //!
 //! # Features

@@ -34,9 +34,9 @@ fn public(room: &str) -> Vec<&str> {
 const BESIDE: [&str; 40] = [
     "Accepted",
     "AliasEntry",
-    "Bins",
     "Chance",
     "Coordinates",
+    "Error06",
     "ExactSelection",
     "Failure",
     "FromFn",

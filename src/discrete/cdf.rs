@@ -156,8 +156,8 @@ arrays! {
     /// that is too small beside the others.
     ///
     /// # Cost
-    /// The stack holds the table at most twice. For large tables take [`Cdf::new_in`], or with feature `alloc`
-    /// [`Cdf::from_slice`].
+    /// At most 4 times the table and 2 KiB of stack, the table included; up to 8 times without optimisation. For
+    /// large tables take [`Cdf::new_in`], or with feature `alloc` [`Cdf::from_slice`].
     ///
     /// # Examples
     /// ```
@@ -219,7 +219,7 @@ impl<W: Word, const N: usize> Cdf<[W; N]> {
     }
 }
 
-impl<W: Word, S: OwnedStorage<Item = W>> Cdf<S> {
+impl<W: Word, S: Storage<Item = W>> Cdf<S> {
     /// The table of a slice of weights, in storage of its own: a [`heapless::Vec`], with feature `alloc` a
     /// `Vec` or a `Box`, or your own [`OwnedStorage`].
     ///
@@ -244,7 +244,10 @@ impl<W: Word, S: OwnedStorage<Item = W>> Cdf<S> {
     /// let table = Cdf::<[u32; 3]>::from_slice(&[1.0, 2.0, 1.0])?;
     /// # Ok::<(), microwarp::Error>(())
     /// ```
-    pub fn from_slice(weights: &[f32]) -> Result<Self, Error> {
+    pub fn from_slice(weights: &[f32]) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
         Self::owned(Weights::floats(weights)?, weights.len())
     }
 
@@ -252,11 +255,17 @@ impl<W: Word, S: OwnedStorage<Item = W>> Cdf<S> {
     ///
     /// # Errors
     /// Those of [`Cdf::from_integers`]; [`Error::TooManyWeights`] also where the storage has no room for them.
-    pub fn from_integer_slice(weights: &[u32]) -> Result<Self, Error> {
+    pub fn from_integer_slice(weights: &[u32]) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
         Self::owned(Weights::integers(weights)?, weights.len())
     }
 
-    pub(crate) fn owned(weights: Weights<'_>, entries: usize) -> Result<Self, Error> {
+    pub(crate) fn owned(weights: Weights<'_>, entries: usize) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
         let mut ends = room(W::ZERO, entries)?;
         fill(
             Apportionment::new(weights, W::BITS)?,
@@ -282,7 +291,7 @@ impl<'a, W: Word> Cdf<&'a [W]> {
     /// is untouched after any error.
     ///
     /// # Cost
-    /// Less than a kilobyte of stack, whatever the number of weights.
+    /// At most 2 KiB of stack, whatever the number of weights; up to 8 KiB without optimisation.
     pub fn new_in(weights: &[f32], memory: &'a mut [W]) -> Result<Self, Error> {
         Self::borrowed(Weights::floats(weights)?, weights.len(), memory)
     }

@@ -216,8 +216,9 @@ arrays! {
     /// could overflow.
     ///
     /// # Cost
-    /// The stack holds the table at most three times, and 16 bytes a row. For large pictures take
-    /// [`PiecewiseConstant2d::new_in`], or with feature `alloc` [`PiecewiseConstant2d::from_slice`].
+    /// At most 4 times the table, 16 bytes a row and 2 KiB of stack, the table included; up to 8 times without
+    /// optimisation. For large pictures take [`PiecewiseConstant2d::new_in`], or with feature `alloc`
+    /// [`PiecewiseConstant2d::from_slice`].
     ///
     /// # Examples
     /// Built by the compiler, and kept in flash:
@@ -291,8 +292,8 @@ fn fill_rows<W: Word>(weights: &[f32], columns: usize, tables: &mut [W]) -> Resu
 impl<W, M, C> PiecewiseConstant2d<M, C>
 where
     W: Word,
-    M: OwnedStorage<Item = W>,
-    C: OwnedStorage<Item = W> + Grid<Item = W>,
+    M: Storage<Item = W>,
+    C: Storage<Item = W> + Grid<Item = W>,
 {
     /// A slice of weights, row by row, as the masses of equal cells of a rectangle, in storage of its own: see
     /// [`Cdf::from_slice`]. The shape is the numbers of columns and of rows.
@@ -302,7 +303,8 @@ where
     /// in number, [`Error::TooManyWeights`] also where the storage has no room for the tables.
     ///
     /// # Cost
-    /// With storage on the heap less than a kilobyte of stack, whatever the size of the picture.
+    /// With storage on the heap at most 2 KiB of stack, whatever the size of the picture; up to 8 KiB without
+    /// optimisation.
     ///
     /// # Examples
     /// ```
@@ -324,7 +326,11 @@ where
         shape: [usize; 2],
         u: [f32; 2],
         v: [f32; 2],
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, Error>
+    where
+        M: OwnedStorage,
+        C: OwnedStorage,
+    {
         let [columns, rows] = shape;
         let (sums, cells, row_cells) = plan(weights, shape, [u, v])?;
         let mut conditional: C = room(W::ZERO, weights.len())?;
@@ -350,7 +356,7 @@ impl<'a, W: Word> PiecewiseConstant2d<&'a [W], &'a [W]> {
     /// [`Error::Unreachable`] the memory holds parts of tables.
     ///
     /// # Cost
-    /// Less than a kilobyte of stack, whatever the size of the picture.
+    /// At most 2 KiB of stack, whatever the size of the picture; up to 8 KiB without optimisation.
     pub fn new_in(
         weights: &[f32],
         shape: [usize; 2],

@@ -1,9 +1,9 @@
-//! The shadows of a triangle on the planes of two coordinates, which make up its area.
+//! The minors of a triangle: its projections on the planes of two coordinates, whose squares sum up to that of its area.
 
 /// One coordinate of the three vertices.
 pub(super) type Row = [i64; 3];
 
-/// The next coordinate of the vertices, and the coordinates behind it.
+/// The next coordinate of the three vertices, and their remaining coordinates.
 pub(super) const fn next(rest: [&[i32]; 3]) -> Option<(Row, [&[i32]; 3])> {
     match rest {
         [[a, a_rest @ ..], [b, b_rest @ ..], [c, c_rest @ ..]] => {
@@ -13,7 +13,7 @@ pub(super) const fn next(rest: [&[i32]; 3]) -> Option<(Row, [&[i32]; 3])> {
     }
 }
 
-/// In their order.
+/// The three numbers in ascending order.
 pub(super) const fn sorted([a, b, c]: Row) -> Row {
     let (low, high) = if a < b { (a, b) } else { (b, a) };
     match c {
@@ -23,12 +23,12 @@ pub(super) const fn sorted([a, b, c]: Row) -> Row {
     }
 }
 
-/// Twice the triangle's shadow on the plane of two coordinates, with its sign.
+/// Twice the signed area of the triangle's projection on the plane of two coordinates.
 pub(super) const fn minor([a1, b1, c1]: Row, [a2, b2, c2]: Row) -> i64 {
     (b1 - a1) * (c2 - a2) - (b2 - a2) * (c1 - a1)
 }
 
-/// The two coordinates of the largest shadow, and twice its size.
+/// The two coordinates of the largest projection, and twice its area.
 pub(super) const fn largest(vertices: [&[i32]; 3]) -> ([usize; 2], u64) {
     let (mut axes, mut largest, mut i, mut rest) = ([0, 0], 0, 0, vertices);
     while let Some((first, others)) = next(rest) {
@@ -45,7 +45,7 @@ pub(super) const fn largest(vertices: [&[i32]; 3]) -> ([usize; 2], u64) {
     (axes, largest)
 }
 
-/// The sum of the squares of all shadows, shifted.
+/// The sum of the squares of all minors, each shifted left beforehand.
 pub(super) const fn squares(vertices: [&[i32]; 3], left: i32) -> u64 {
     let (mut sum, mut rest) = (0_u64, vertices);
     while let Some((first, others)) = next(rest) {
@@ -60,7 +60,7 @@ pub(super) const fn squares(vertices: [&[i32]; 3], left: i32) -> u64 {
     sum
 }
 
-/// Shifted left, or right where the distance is negative.
+/// A number shifted left, or right where `left` is negative.
 pub(super) const fn shifted(x: u64, left: i32) -> u64 {
     if left > 0 { x << left } else { x >> -left }
 }

@@ -1,4 +1,4 @@
-//! The numbers of 32 bits that points of the integer tier are made of.
+//! The 32-bit numbers that points of the integer tier consist of.
 
 use ::fixed::types::extra::LeEqU32;
 use ::fixed::{FixedI32, FixedU32};
@@ -6,9 +6,9 @@ use ::fixed::{FixedI32, FixedU32};
 mod sealed {
     /// A number as its bits.
     pub trait Bits32: Copy {
-        /// How many of the bits are a fraction.
+        /// The number of fraction bits.
         const FRACTION: u32;
-        /// The bit that carries the sign, if any.
+        /// The sign bit; 0 for unsigned numbers.
         const SIGN: u32;
         fn to_word(self) -> u32;
         fn from_word(word: u32) -> Self;
@@ -16,10 +16,9 @@ mod sealed {
 }
 pub(super) use sealed::Bits32;
 
-/// A number of 32 bits: `i32`, `u32`, or of the `fixed` crate `FixedI32` and `FixedU32` with any number of
-/// fraction bits.
+/// A number of 32 bits: `i32`, `u32`, or `FixedI32` and `FixedU32` of the crate `fixed`, with any number of fraction bits.
 ///
-/// The trait is sealed.
+/// The values of an [`Interval`](super::Interval) are such numbers. The trait is sealed.
 pub trait Number: Bits32 {}
 
 impl<T: Bits32> Number for T {}

@@ -1,4 +1,4 @@
-//! A density below a multiple of another from which one can sample.
+//! Rejection of a density below a multiple of another one, which can be sampled.
 
 use super::{DEFAULT_BUDGET, Failure, Rejection, with_budget};
 use crate::error::{Error, positive};
@@ -7,27 +7,30 @@ use crate::warp::Warp;
 use core::convert::Infallible;
 use rand_core::TryRng;
 
-/// How far f/(c p) may lie above 1 and count as 1: 2⁻²⁰, because f, c and p are rounded.
+/// The largest excess of f/(c p) over 1 that still counts as 1: 2⁻²⁰, because f, c and p are rounded.
 ///
-/// Where the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
+/// If the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
 pub const SLACK: f32 = 8.0 * f32::EPSILON;
 
-/// A density f, known up to a factor, with f ≤ c p: a point proposed with density p is accepted with
-/// probability f/(c p).
+/// Any density f ≤ c p, known up to a factor, by rejection from a warp of density p.
 ///
-/// - Uniforms: those of the proposal and one word, a try. Words a try: what drawing the proposal takes,
-///   then one, which is drawn whether it decides or not.
-/// - Range: that of the proposal, where f > 0. A point where f is 0 is never accepted.
-/// - Density: f/∫f. The probability of acceptance is the `f32` f/(c p), exact to 2 ulp whatever the
-///   magnitudes (nothing overflows or underflows on the way), rounded to a multiple of 2⁻³²; so a ratio
-///   below 2⁻³³ is never accepted and a ratio of 1 always.
-/// - Efficiency: (∫f)/c.
+/// A proposed point is accepted with probability f/(c p).
 ///
-/// The bound is checked at every point that is proposed, and f above it by more than [`SLACK`] is reported
-/// as [`Failure::BoundExceeded`], for clamping would change the distribution in silence.
+/// # Density
+/// f/∫f. The probability of acceptance is f/(c p) as an `f32`, exact to 2 ulp for all magnitudes (nothing overflows or
+/// underflows on the way), then rounded to a multiple of 2⁻³². A ratio below 2⁻³³ is never accepted, a ratio of 1 always.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: that of the proposal, where f > 0.
+/// - Words a try: those of the proposal, then one that decides.
+/// - Parameters: the proposal, f, and the bound c. Each proposed point is checked against the bound. Where f exceeds it
+///   by more than [`SLACK`], the draw fails with [`Failure::BoundExceeded`]; clamping would change the distribution
+///   silently.
 ///
+/// # Cost
+/// Efficiency: (∫f)/c.
+///
+/// # Examples
 /// ```
 /// use microwarp::poly as mw;
 /// use microwarp::rejection::{Bounded, Rejection};
@@ -40,6 +43,17 @@ pub const SLACK: f32 = 8.0 * f32::EPSILON;
 /// assert!(accepted.tries <= bumped.budget());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # See also
+/// - [`Region`](super::Region), where f is p or 0.
+/// - [`metropolis`](crate::metropolis) needs no bound, but its points depend on each other.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "accept_reject")]
+#[doc(alias = "rejection_sampling")]
+#[doc(alias = "envelope")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bounded<W, F> {
@@ -54,7 +68,7 @@ where
     W: Warp<Density = f32>,
     F: Fn(W::Point) -> f32,
 {
-    /// The density f = `density` over points of `proposal`, with c = `bound` and the budget [`DEFAULT_BUDGET`].
+    /// Samples the density f = `density` by points of `proposal`, with c = `bound` and the budget [`DEFAULT_BUDGET`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a bound that is NaN or infinite, [`Error::NotPositive`] for a bound of 0
@@ -81,12 +95,13 @@ where
         self.bound
     }
 
-    /// One try with uniforms of one's own and a word that decides, the smaller the more surely for the
-    /// point. A uniform number v in [0, 1) serves as the word `(v * 4_294_967_296.0) as u32`.
+    /// One try with the given uniforms and a word that decides: a smaller word accepts more points.
+    ///
+    /// For a uniform number v in [0, 1), pass the word `(v * 4_294_967_296.0) as u32`.
     ///
     /// # Errors
     /// [`Failure::BoundExceeded`], [`Failure::NotFinite`], [`Failure::Negative`] and
-    /// [`Failure::ProposalDensity`], whatever the word.
+    /// [`Failure::ProposalDensity`], for any word.
     #[inline]
     pub fn attempt(
         &self,
@@ -143,7 +158,7 @@ where
     }
 }
 
-/// f/(p c) of three positive finite numbers, where only the result can overflow.
+/// f/(p c) of three positive finite numbers. Only the result can overflow.
 #[inline]
 fn quotient(f: f32, p: f32, c: f32) -> f32 {
     Scaled::of(f)
