@@ -15,7 +15,7 @@ fn main() {
 }
 
 /// Steps a chain.
-fn steps<X: Copy, D: Density, M: Mutation<X>>(
+fn steps<X: Copy, D: TargetDensity, M: Mutation<X>>(
     bencher: Bencher,
     start: X,
     target: impl Fn(X) -> D,
@@ -36,9 +36,9 @@ fn slopes<const D: usize>(x: [f32; D]) -> f32 {
     x.iter().fold(1.0, |product, x| product * (0.5 + x))
 }
 
-fn kelemen() -> LargeSmall<Wrapped<mw::ExponentialStep>> {
-    let small = mw::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
-    Mixture::large_small(0.3, Wrapped::new(small)).unwrap()
+fn kelemen() -> LargeSmall<WrappedWalk<mw::LogUniformStep>> {
+    let small = mw::LogUniformStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
+    Mixture::large_small(0.3, WrappedWalk::new(small)).unwrap()
 }
 
 #[divan::bench]
@@ -69,13 +69,13 @@ fn box_wrapped_1(bencher: Bencher) {
         bencher,
         0.1,
         humps,
-        Wrapped::new(BoxStep::new(0.1).unwrap()),
+        WrappedWalk::new(BoxStep::new(0.1).unwrap()),
     );
 }
 
 #[divan::bench]
 fn box_and_uniform_1(bencher: Bencher) {
-    let small = Wrapped::new(BoxStep::new(0.1).unwrap());
+    let small = WrappedWalk::new(BoxStep::new(0.1).unwrap());
     let mutation = Mixture::new((small, UniformStep::new()), &[0.9, 0.1]).unwrap();
     steps(bencher, 0.1, humps, mutation);
 }
@@ -98,12 +98,12 @@ fn large_and_exponential<const D: usize>(bencher: Bencher) {
 
 #[divan::bench(consts = [2, 8, 32])]
 fn one_coordinate<const D: usize>(bencher: Bencher) {
-    let small = mw::ExponentialStep::new(1.0 / 1024.0, 1.0 / 4.0).unwrap();
+    let small = mw::LogUniformStep::new(1.0 / 1024.0, 1.0 / 4.0).unwrap();
     steps(
         bencher,
         [0.5; D],
         slopes,
-        OneCoordinate::new(Wrapped::new(small)),
+        OneCoordinate::new(WrappedWalk::new(small)),
     );
 }
 
@@ -125,7 +125,7 @@ fn independence_of_a_warp(bencher: Bencher) {
 fn independence_of_a_table_of_64(bencher: Bencher) {
     let weights: [f32; 64] = core::array::from_fn(|i| (i % 7) as f32 + 1.0);
     let target = |i: usize| (i % 5) as f32 + 1.0;
-    let table = Cdf::<[u32; 64]>::new(&weights).unwrap();
+    let table = Cdf::new(&weights).unwrap();
     steps(bencher, 0, target, Independence::new(table));
 }
 
@@ -138,6 +138,6 @@ fn any_of_65536_indices(bencher: Bencher) {
 
 #[divan::bench(consts = [16, 64])]
 fn health_push<const LAGS: usize>(bencher: Bencher) {
-    let mut health = Health::<LAGS>::new();
+    let mut health = Autocorrelation::<LAGS>::new();
     repeat(bencher, |rng| health.push(rng.next_u32() as f32));
 }

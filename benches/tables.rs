@@ -7,7 +7,7 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use microwarp::Warp;
 use microwarp::discrete::*;
-use microwarp::estimate::{Integral, Moments, Ratio, balance_heuristic, power_heuristic};
+use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::poly as mw;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Rejection};
 use rand_pcg::Pcg32;
@@ -81,7 +81,7 @@ fn reservoir_offer(bencher: Bencher) {
 fn piecewise_1d_of_1024(bencher: Bencher) {
     let mut memory = vec![0; 1_024];
     let cdf = Cdf::<&[u32]>::new_in(&weights(1_024), &mut memory).unwrap();
-    let table = PiecewiseConstant1d::new(cdf, 0.0, 1.0).unwrap();
+    let table = PiecewiseConstant1d::from_cdf(cdf, 0.0, 1.0).unwrap();
     repeat(bencher, |rng| black_box(&table).draw(rng));
 }
 
@@ -108,7 +108,7 @@ fn rejection_ball(bencher: Bencher) {
 #[divan::bench]
 fn rejection_bump_on_the_disk(bencher: Bencher) {
     let bump = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
-    let bounded = Bounded::new(mw::Disk::new(), bump, std::f32::consts::PI, 100).unwrap();
+    let bounded = Bounded::new(mw::Disk::new(), bump, std::f32::consts::PI).unwrap();
     repeat(bencher, |rng| black_box(&bounded).draw(rng));
 }
 
@@ -128,7 +128,7 @@ fn integral_push(bencher: Bencher) {
 
 #[divan::bench]
 fn ratio_push(bencher: Bencher) {
-    let mut ratio = Ratio::new();
+    let mut ratio = WeightedMean::new();
     repeat(bencher, |rng| {
         ratio.push(rng.next_u32() as f32, black_box(0.5))
     });
@@ -164,4 +164,20 @@ fn building_alias_u32(bencher: Bencher, n: usize) {
     bencher.counter(ItemsCount::new(n)).bench_local(|| {
         black_box(Alias::<&[AliasEntry<u32>]>::new_in(black_box(&weights), &mut memory).is_ok());
     });
+}
+
+/// Nanoseconds a table: all words are checked.
+#[divan::bench(args = [64, 4_096])]
+fn cdf_from_words(bencher: Bencher, n: usize) {
+    let mut memory = vec![0; n];
+    let table = Cdf::<&[u32]>::new_in(&weights(n), &mut memory).unwrap();
+    bencher.bench_local(|| black_box(Cdf::from_words(black_box(table.as_words())).is_ok()));
+}
+
+/// Nanoseconds a table: the words are not looked at.
+#[divan::bench(args = [64, 4_096])]
+fn cdf_from_trusted_words(bencher: Bencher, n: usize) {
+    let mut memory = vec![0; n];
+    let table = Cdf::<&[u32]>::new_in(&weights(n), &mut memory).unwrap();
+    bencher.bench_local(|| black_box(Cdf::from_trusted_words(black_box(table.as_words())).is_ok()));
 }

@@ -1,54 +1,69 @@
-//! Discrete and tabulated distributions: an index by its weight, a cell by its height.
+//! Discrete and tabulated distributions: an index by its weight, a point by the weight of its cell.
 //!
-//! Here live the tables ([`Cdf`], [`Alias`]), the piecewise-constant densities that stand on them
-//! ([`PiecewiseConstant1d`], [`PiecewiseConstant2d`]), and selection without a table ([`select_once`],
-//! [`Reservoir`]). Rejection is in another room.
+//! # Which one to take
+//! | you have | take | memory an entry | a selection costs |
+//! |---|---|---|---|
+//! | up to some hundred weights that stay (on a microcontroller, some eight) | [`Cdf`] | 4 bytes | log₂ n comparisons |
+//! | more weights that stay, and memory | [`Alias`] | 12 bytes, of a power of two | one look-up |
+//! | weights that change with every selection | [`select_once`] | none | one pass over the weights |
+//! | a stream whose length is not known | [`Reservoir`] | one item in all | two `u32` an item |
+//! | weights of cells on a line, and want a point | [`PiecewiseConstant1d`] | 4 bytes | that of a `Cdf` |
+//! | a picture, and want a point | [`PiecewiseConstant2d`] | 4 bytes a cell and a row | those of two `Cdf` |
 //!
-//! Weights are turned into integers once, sums are exact, selection compares integers: the probability a
-//! table reports is the probability with which it selects, to the last bit, and the same 32 bits select
-//! the same index on every target. The tables need no elementary function and serve every tier.
+//! A table of `u32` words, the usual one, has probabilities in steps of 2⁻³² and takes one `u32` of the generator.
+//! Weights of very different size, such as 1 beside 10⁻²⁰, need a table of `u64`: steps of 2⁻⁶⁴, two `u32`, and
+//! twice the memory.
+//!
+//! | the weights are | table in | made by |
+//! |---|---|---|
+//! | an array | an array; a `const` lies in flash | `new`, `from_integers`; `new_u64`, `from_integers_u64` |
+//! | a slice, few enough for a fixed capacity | `heapless::Vec` | `from_slice`, `from_integer_slice` |
+//! | a slice of any length, on a host | `Vec` or `Box` (feature `alloc`) | `from_slice`, `from_integer_slice` |
+//! | a slice, and you have the memory | borrowed memory | `new_in`, `from_integers_in` |
+//! | a finished table, stored or sent | any of these | `from_words`; unchecked and in constant time `from_trusted_words` |
+//!
+//! The constructors of an array build the table on the stack, which takes up to 4 times its size and 2 KiB. `new_in`,
+//! and `from_slice` on the heap, take 2 KiB of stack whatever the size. (Measured on a 64-bit host; unoptimised builds
+//! take up to 8 times and 8 KiB.)
+//!
+//! # What all have in common
+//! Weights become integers once, their sums are exact, and a selection compares integers. The probability that a
+//! table reports is the one with which it selects, to the last bit, and the same 32 bits select the same index on
+//! every target. A weight of zero is never selected. Tables need no elementary function and serve every tier.
 //!
 //! From integer weights (`from_integers`) to an index (`draw_index`) or an [`ExactSelection`] (`draw_exact`) there is
-//! no floating-point operation, nor in a program that does no more: for cores without a unit for it.
-//!
-//! | | entries | memory an entry | random bits a selection | steps of the probabilities |
-//! |---|---|---|---|---|
-//! | [`Cdf`] of `u32` | up to [`MAX_ENTRIES`] | 4 bytes | 32 | 2⁻³² |
-//! | [`Cdf`] of `u64` | up to [`MAX_ENTRIES`] | 8 bytes | 64 | 2⁻⁶⁴ |
-//! | [`Alias`] of `u32` | up to [`MAX_ENTRIES`], room for a power of two | 12 bytes | 32 | 2⁻³² |
-//! | [`Alias`] of `u64` | up to [`MAX_ENTRIES`], room for a power of two | 24 bytes | 64 | 2⁻⁶⁴ |
-//! | [`select_once`] | any number | none | 32 | 2⁻³² |
-//! | [`Reservoir`] | any number | one item | 64 an item | 2⁻⁶⁴ |
+//! no floating-point operation, for cores without an FPU.
 
 mod alias;
+mod apportionment;
 mod bins;
 mod cdf;
 mod cells;
-mod ladder;
-mod once;
+mod layout;
 mod piecewise1d;
 mod piecewise2d;
 mod reservoir;
 mod selection;
-mod source;
+mod single_selection;
 mod storage;
 mod total;
+mod weights;
 mod word;
 
 pub use self::alias::Alias;
 pub use self::bins::AliasEntry;
 pub use self::cdf::Cdf;
-pub use self::once::{select_once, select_once_uniform};
 pub use self::piecewise1d::PiecewiseConstant1d;
 pub use self::piecewise2d::PiecewiseConstant2d;
 pub use self::reservoir::Reservoir;
 pub use self::selection::{ExactSelection, Selection};
-pub use self::storage::{Grid, Storage};
+pub use self::single_selection::{select_once, select_once_uniform};
+pub use self::storage::{Grid, OwnedStorage, Storage};
 pub use self::word::Word;
 
 /// The most entries a table may have, 2²⁴: as many as there are points on the grid of an `f32` uniform.
 pub const MAX_ENTRIES: usize = 1 << 24;
 
-/// The bits of the largest weight of a table, at least; every other is kept to the same unit, and a positive
-/// one never to less than one unit. A weight of 24 bits is thus exact from 2⁻⁴⁷ of the largest up.
+/// The bits of the largest weight of a table, at least. Every other weight is kept to the same unit, and a positive
+/// one to no less than one unit, so a weight of 24 bits is exact from 2⁻⁴⁷ of the largest up.
 pub const WEIGHT_BITS: u32 = 71;

@@ -1,15 +1,19 @@
-//! The one error type: why a constructor refused its parameters.
+//! The error type: why a constructor refused its parameters.
 //!
-//! Samplers do not fail; a failing generator's own error passes through them untouched.
+//! Sampling does not fail. The error of a failing generator passes through unchanged.
 
 use core::fmt;
 
-/// Why a constructor refused its parameters. Nothing is built when one of these is returned.
+/// Why a constructor refused its parameters.
 ///
+/// Where the parameters are constants, [`constant!`](crate::constant) checks them at compile time. A log or another
+/// language can use the number that [`Error::code`] gives each reason.
+///
+/// # Examples
 /// ```
 /// use microwarp::{Error, poly as mw};
 /// assert_eq!(mw::Interval::new(2.0, 1.0), Err(Error::Reversed));
-/// assert_eq!(mw::Exponential::new(f32::NAN), Err(Error::NotFinite));
+/// assert_eq!(mw::Exponential::from_rate(f32::NAN), Err(Error::NotFinite));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -21,8 +25,8 @@ pub enum Error {
     Reversed,
     /// The domain has no extent, or so little that its density overflows `f32`.
     Empty,
-    /// The domain is so large that its density is below the smallest positive `f32`, or its own
-    /// measure overflows; in the integer tier, that points of it overflow their format.
+    /// The domain is so large that its density is below the smallest positive `f32`, or that its size overflows. In the
+    /// integer tier: so large that its points overflow their format.
     TooLarge,
     /// A parameter that must be positive is zero or negative.
     NotPositive,
@@ -34,9 +38,9 @@ pub enum Error {
     NotNormalizable,
     /// A direction has no length.
     ZeroLength,
-    /// There is nothing to choose from: no weight was given.
+    /// No weights were given.
     NoWeights,
-    /// More weights than a table may hold, or than its storage has room for.
+    /// There are more weights than a table may hold, or than its storage has room for.
     TooManyWeights,
     /// The weight at this index is NaN or infinite.
     NotFiniteWeight(usize),
@@ -44,28 +48,46 @@ pub enum Error {
     NegativeWeight(usize),
     /// Every weight is zero.
     AllZero,
-    /// The weight at this index is positive but so small beside the others that the words of the table
-    /// would not reach it.
+    /// The weight at this index is positive, but so small beside the others that no word of the table selects it.
     Unreachable(usize),
-    /// Entries handed over as a finished table are not one.
+    /// The entries given as a finished table do not form one.
     NotATable,
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::NotFiniteWeight(index) => return write!(f, "weight {index} is NaN or infinite"),
-            Self::NegativeWeight(index) => return write!(f, "weight {index} is negative"),
-            Self::Unreachable(index) => {
-                return write!(
-                    f,
-                    "weight {index} is too small beside the others to be reached"
-                );
-            }
-            Self::NoWeights => "there are no weights",
-            Self::TooManyWeights => "there are more weights than the table holds",
-            Self::AllZero => "every weight is zero",
-            Self::NotATable => "the entries do not form a table",
+impl Error {
+    /// The number of this reason, for a log or another language. It never changes, and no reason has the number 0.
+    ///
+    /// ```
+    /// use microwarp::Error;
+    /// assert_eq!(Error::NotPositive.code(), 5);
+    /// assert_eq!(Error::NegativeWeight(7).code(), 13);
+    /// ```
+    #[must_use]
+    pub const fn code(self) -> u16 {
+        match self {
+            Self::NotFinite => 1,
+            Self::Reversed => 2,
+            Self::Empty => 3,
+            Self::TooLarge => 4,
+            Self::NotPositive => 5,
+            Self::Negative => 6,
+            Self::OutOfRange => 7,
+            Self::NotNormalizable => 8,
+            Self::ZeroLength => 9,
+            Self::NoWeights => 10,
+            Self::TooManyWeights => 11,
+            Self::NotFiniteWeight(_) => 12,
+            Self::NegativeWeight(_) => 13,
+            Self::AllZero => 14,
+            Self::Unreachable(_) => 15,
+            Self::NotATable => 16,
+        }
+    }
+
+    /// The reason in words. [`Error::index`] says which weight is meant.
+    #[must_use]
+    pub const fn message(self) -> &'static str {
+        match self {
             Self::NotFinite => "a parameter is NaN or infinite",
             Self::Reversed => "the lower bound is above the upper bound",
             Self::Empty => "the domain has no extent, or too little for a finite density",
@@ -75,11 +97,86 @@ impl fmt::Display for Error {
             Self::OutOfRange => "a parameter is outside its stated range",
             Self::NotNormalizable => "the density has no finite integral over the domain",
             Self::ZeroLength => "a direction has no length",
-        })
+            Self::NoWeights => "there are no weights",
+            Self::TooManyWeights => "there are more weights than the table holds",
+            Self::NotFiniteWeight(_) => "a weight is NaN or infinite",
+            Self::NegativeWeight(_) => "a weight is negative",
+            Self::AllZero => "every weight is zero",
+            Self::Unreachable(_) => "a weight is too small beside the others to be reached",
+            Self::NotATable => "the entries do not form a table",
+        }
+    }
+
+    /// The index of the weight that was refused, if the reason lies in one weight.
+    ///
+    /// ```
+    /// use microwarp::Error;
+    /// assert_eq!(Error::NegativeWeight(7).index(), Some(7));
+    /// assert_eq!(Error::AllZero.index(), None);
+    /// ```
+    #[must_use]
+    pub const fn index(self) -> Option<usize> {
+        match self {
+            Self::NotFiniteWeight(index)
+            | Self::NegativeWeight(index)
+            | Self::Unreachable(index) => Some(index),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NotFiniteWeight(index) => write!(f, "weight {index} is NaN or infinite"),
+            Self::NegativeWeight(index) => write!(f, "weight {index} is negative"),
+            Self::Unreachable(index) => {
+                write!(
+                    f,
+                    "weight {index} is too small beside the others to be reached"
+                )
+            }
+            _ => f.write_str(self.message()),
+        }
     }
 }
 
 impl core::error::Error for Error {}
+
+/// Makes a sampler at compile time: the value of a `Result` whose parameters are constants.
+///
+/// A refused parameter stops the compilation with its [message](Error::message). Nothing is left to fail at run time,
+/// and the sampler is read-only data.
+///
+/// ```
+/// use microwarp::{Warp, constant, poly as mw};
+/// use rand_pcg::Pcg32;
+///
+/// const NOISE: mw::Normal = constant!(mw::Normal::new(20.0, 0.5));
+///
+/// let mut rng = Pcg32::new(42, 54);
+/// let temperature = NOISE.draw(&mut rng);
+/// let delay = constant!(mw::Exponential::from_mean(250.0)).draw(&mut rng); // in place, too
+/// assert!(temperature > 10.0 && delay >= 0.0);
+/// ```
+///
+/// ```compile_fail
+/// use microwarp::{constant, poly as mw};
+/// const NOISE: mw::Normal = constant!(mw::Normal::new(20.0, -0.5)); // "a parameter that must be positive is not"
+/// ```
+#[macro_export]
+macro_rules! constant {
+    ($result:expr $(,)?) => {
+        const {
+            match $result {
+                ::core::result::Result::Ok(value) => value,
+                ::core::result::Result::Err(error) => {
+                    ::core::panic!("{}", $crate::Error::message(error))
+                }
+            }
+        }
+    };
+}
 
 /// Refuses NaN and infinity.
 pub(crate) const fn finite(x: f32) -> Result<f32, Error> {

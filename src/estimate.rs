@@ -13,13 +13,13 @@
 mod heuristic;
 mod integral;
 mod moments;
-mod ratio;
 mod sum;
 mod tally;
+mod weighted_mean;
 
 pub use self::heuristic::{balance_heuristic, power_heuristic};
 pub use self::integral::Integral;
 pub use self::moments::Moments;
-pub use self::ratio::Ratio;
 pub(crate) use self::sum::{Scale, Sum};
 pub(crate) use self::tally::Tally;
+pub use self::weighted_mean::WeightedMean;

@@ -1,65 +1,90 @@
-//! The integer tier: words in, fixed-point numbers out, and no floating-point operation anywhere.
+//! The integer tier: random words in, fixed-point numbers out, and no floating-point operation anywhere.
 //!
-//! Here live the warps for cores without a floating-point unit, the integer kernels they stand on, and what of
-//! the other rooms runs on integers alone. Feature `fixed`. Say the tier once, by `use microwarp::fixed as mw;`.
+//! For cores without a floating-point unit, such as a Cortex-M0, where soft float costs some thirty times as many
+//! instructions. Feature `fixed`.
 //!
 //! ```
-//! use fixed::types::{I16F16, U16F16};
-//! use microwarp::{Warp, fixed as mw};
+//! use fixed::types::{I16F16, U16F16, extra::U16};
+//! use microwarp::{Warp, constant, fixed as mw};
 //! use rand_pcg::Pcg32;
 //!
+//! // Built and checked by the compiler, kept in flash.
+//! const DELAY: mw::Exponential<U16> = constant!(mw::Exponential::from_mean(U16F16::lit("2.5")));
+//!
 //! let mut rng = Pcg32::new(42, 54);
+//! let delay = DELAY.draw(&mut rng);                      // in U16F16, as its mean
 //! let [x, y] = mw::Disk::new().draw(&mut rng);           // in I2F30
 //! let quick = mw::coarse::Disk::new().draw(&mut rng);    // the same to 1e-4, in fewer instructions
-//! let waiting = mw::Exponential::new(U16F16::from_num(2.5))?.draw(&mut rng);
 //! let noise = mw::NormalPair::new([I16F16::ZERO; 2], I16F16::from_num(3))?.draw(&mut rng);
-//! let [a, b] = mw::Float::new(mw::Disk::new()).draw(&mut rng); // in f32, out of integers
-//! # let _ = (x, y, quick, waiting, noise, a, b);
+//! let [a, b] = mw::Float::new(mw::Disk::new()).draw(&mut rng); // in f32, computed on integers
+//! # let _ = (delay, x, y, quick, noise, a, b);
 //! # Ok::<(), microwarp::Error>(())
 //! ```
 //!
-//! # Warps
-//! Every uniform is a word, [`Uniform`]; every density a [`Density`], whose steps are 2⁻³². Q stands for any format of 32
-//! bits of the `fixed` crate, the parameters' own.
+//! # What to import
+//! - `use microwarp::{Warp, fixed as mw};`: the warps, and the trait with `draw`, `sample` and `pdf`.
+//!   [`Invert`](crate::Invert) has `invert`. Name the module `mw`, because its own name is also that of the crate `fixed`.
+//! - `use fixed::types::U16F16;`: the formats, from the crate `fixed`. It has to be a dependency of the program as well,
+//!   `fixed = { version = "1.28", default-features = false }`.
+//! - Any generator of `rand_core` 0.10, such as `Pcg32` of `rand_pcg`.
 //!
+//! # Formats
+//! A format `U16F16` has 16 bits before the point and 16 behind it; its **step** is 2⁻¹⁶. All formats have 32 bits, except
+//! for densities and a few parameters with 64.
+//!
+//! | number | type | format |
+//! |---|---|---|
+//! | uniform, in [0, 1) | [`Uniform`] | `U0F32`: every word is one |
+//! | coordinate of a disk or a direction, barycentric | [`Coordinate`] | `I2F30` |
+//! | standard exponential | [`Length`] | `U5F27` |
+//! | standard normal | [`Deviate`] | `I5F27` |
+//! | density, rate | [`Density`] | `U32F32` |
+//! | a parameter with a unit, and the points it scales | Q, yours to choose | any `FixedI32` or `FixedU32` |
+//!
+//! # Warps
 //! | warp | words | point | parameters | density |
 //! |---|--:|---|---|---|
-//! | [`Interval`] | 1 | `i32`, `u32`, or Q | ends | 1/(b − a), of integers the probability 1/n |
+//! | [`Interval`] | 1 | `i32`, `u32`, or Q | ends | 1/(high − low), for integers the probability 1/n |
 //! | [`Tent`] | 1 | Q, signed | radius, in Q | per unit of length |
 //! | [`StandardExponential`] | 1 | `U5F27` | none: mean 1 | per unit of length |
-//! | [`Exponential`] | 1 | Q, unsigned | mean, in Q | per unit of length |
-//! | [`TruncatedExponential`] | 1 | Q, unsigned | mean and length, in Q | per unit of length |
-//! | [`StandardNormalPair`] | 2 | `[I5F27; 2]` | none: mean 0, deviation 1 | per unit of area |
-//! | [`NormalPair`] | 2 | `[Q; 2]`, signed | means and deviation, in Q | per unit of area |
+//! | [`Exponential`] | 1 | Q, unsigned | mean, in Q, or rate | per unit of length |
+//! | [`TruncatedExponential`] | 1 | Q, unsigned | mean, in Q, or rate; length, in Q | per unit of length |
+//! | [`StandardNormalPair`] | 2 | `[I5F27; 2]` | none: mean 0, standard deviation 1 | per unit of area |
+//! | [`NormalPair`] | 2 | `[Q; 2]`, signed | means and standard deviation, in Q | per unit of area |
 //! | [`Disk`] | 2 | `[I2F30; 2]` | none | 1/π |
 //! | [`Triangle`] | 2 | `[I2F30; 3]` | none | 2 |
 //! | [`TriangleOn`] | 2 | `[Q; D]`, signed | vertices, in Q | 1/area |
 //! | [`Sphere`], [`Hemisphere`], [`CosineHemisphere`] | 2 | `[I2F30; 3]` | none | per steradian |
-//! | [`Cone`] | 2 | `[I2F30; 3]` | 1 − cos θ in `U2F62`, or an angle in turns | per steradian |
+//! | [`Cone`] | 2 | `[I2F30; 3]` | 1 − cos θ in `U2F62`, or a half angle in turns | per steradian |
 //! | [`PhongLobe`] | 2 | `[I2F30; 3]` | exponent in `U32F32` | per steradian |
 //! | [`Float`] | those of a warp | in `f32` | a warp of these | in `f32` |
 //!
+//! [`DiskRejection`] and [`DiskRejection16`] draw the disk by [rejection](crate::rejection), and the tables of
+//! [`discrete`](crate::discrete) select by words without a floating-point operation, too.
+//!
+//! # Which grade
+//! | grade | take it | largest errors | tables that all functions share |
+//! |---|---|--:|--:|
+//! | [`Fine`] | unless another suits better: `mw::Disk` | about 1e-6 | 2 KB |
+//! | [`Coarse`] | for sound, light and dithering, in the fewest instructions: `mw::coarse::Disk` | about 1e-4 | the same |
+//! | [`Compact`] | where flash is short: `mw::compact::Disk` | about 1e-6 | none |
+//!
+//! The names of this module are those of grade [`Fine`]. [`coarse`] and [`compact`] have the same names in their grades,
+//! and [`mod@warp`] has them with the grade as a parameter. [`Grade`] states the errors of the elementary functions.
+//!
+//! # If the rest of the program uses `f32`
+//! [`Float`] wraps a warp: uniforms, points and densities become `f32`, and the computation stays on integers.
+//!
 //! # Densities
-//! Every warp has one, since an estimator divides by it, but a density in fixed point has its limits. Where it is constant it
-//! is as good as its steps of 2⁻³². Where it is an exponential ([`Exponential`], [`TruncatedExponential`], the normal
-//! pairs, [`PhongLobe`]) the error of the grade's `exp_neg` is a part of the peak, not of the value: far out in a tail
-//! few digits or none are left, though it is never 0 at a sample. Where values vary by more than 10⁶, take logarithms
-//! of one's own, or a float tier.
+//! A constant density is right to its step of 2⁻³². Where the density is an exponential ([`Exponential`],
+//! [`TruncatedExponential`], the normal pairs, [`PhongLobe`]), its error is that of the grade's `exp_neg` relative to the
+//! *peak*. Far out in a tail few digits are left, or none, though the density of a sample is never 0. Where densities
+//! vary by more than 10⁶, compute with logarithms, or in a float tier.
 //!
-//! # Errors
+//! # Stated errors
 //! The table of each warp states the largest errors for all parameters, all formats and all words, as a number or as a
-//! formula in what is named above it; rms and mean are those of the sets that the tests list. An adversary in the tests searches
-//! for worse.
-//!
-//! # Grades
-//! The names here are those of grade [`Fine`]; [`coarse`] and [`compact`] have the same names in theirs, and [`mod@warp`]
-//! has them with the grade as a parameter. [`Grade`] states the errors of the functions, each warp its own.
-//!
-//! | grade | largest errors | tables that all share |
-//! |---|--:|--:|
-//! | [`Fine`] | about 1e-6 | 2 KB |
-//! | [`Coarse`] | about 1e-4 | the same |
-//! | [`Compact`] | about 1e-6 | none |
+//! formula. Each page explains its rows and names. Rms and mean are those of the parameter sets that the tests list. An
+//! adversary in the tests searches for worse cases.
 
 #![expect(
     clippy::arithmetic_side_effects,
@@ -78,10 +103,10 @@ mod hemisphere;
 mod interval;
 mod kernel;
 mod lobe;
+mod minors;
 mod normal;
 mod number;
 mod rejection;
-mod shadow;
 mod sphere;
 mod tent;
 mod triangle;
@@ -96,57 +121,59 @@ pub use self::rejection::{DiskRejection, DiskRejection16};
 pub use self::interval::Interval;
 pub use self::number::Number;
 
-/// Every warp with a grade in one line: where it is, its name, and other parameters, as declared and as named.
+/// Every warp with a grade in one line: its file, its name, its other parameters (as declared and as named), and what it
+/// is.
 macro_rules! each_warp {
     ($then:ident $($grade:ident)?) => {
         $then! { $($grade;)?
-            cone::Cone,
-            disk::Disk,
-            exponential::Exponential[Frac][Frac],
-            exponential::StandardExponential,
-            hemisphere::CosineHemisphere,
-            hemisphere::Hemisphere,
-            lobe::PhongLobe,
-            normal::NormalPair[Frac][Frac],
-            normal::StandardNormalPair,
-            sphere::Sphere,
-            tent::Tent[Frac][Frac],
-            triangle::Triangle,
-            triangle_on::TriangleOn[Frac, const D: usize][Frac, D],
-            truncated::TruncatedExponential[Frac][Frac],
+            cone::Cone "Uniform over the directions within an angle of +z (a cone, or spherical cap); two words",
+            disk::Disk "Uniform on the unit disk, by polar coordinates; two words",
+            exponential::Exponential[Frac][Frac] "Exponential with a given mean or rate, increasing with the uniform; one word",
+            exponential::StandardExponential "Exponential with mean 1, increasing with the uniform; one word",
+            hemisphere::CosineHemisphere "In proportion to the cosine over the hemisphere about +z (Lambert's law); two words",
+            hemisphere::Hemisphere "Uniform over the hemisphere about +z; two words",
+            lobe::PhongLobe "In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two words",
+            normal::NormalPair[Frac][Frac] "Two independent normals (Gaussians) with a mean point and a standard deviation; two words",
+            normal::StandardNormalPair "Two independent normals (Gaussians) of mean 0 and standard deviation 1; two words",
+            sphere::Sphere "Uniform over the unit sphere; two words",
+            tent::Tent[Frac][Frac] "The tent (triangle) filter; one word",
+            triangle::Triangle "Uniform barycentric coordinates; two words",
+            triangle_on::TriangleOn[Frac, const D: usize][Frac, D] "Uniform on a triangle given by its vertices; two words",
+            truncated::TruncatedExponential[Frac][Frac] "Exponential on [0, length), given its mean or rate; one word",
         }
     };
 }
 
 macro_rules! graded {
-    ($($file:ident::$name:ident $([$($declared:tt)*] [$($named:tt)*])?,)*) => {
+    ($($file:ident::$name:ident $([$($declared:tt)*] [$($named:tt)*])? $what:literal,)*) => {
         $(pub use super::$file::$name;)*
     };
 }
 
-/// The warps of this tier with their grade as a parameter; the aliases beside this module name it.
+/// The warps of this tier, with their grade as a parameter. The aliases of [`fixed`](crate::fixed),
+/// [`coarse`] and [`compact`] fill it in.
 pub mod warp {
     pub use super::interval::Interval;
     each_warp!(graded);
 }
 
-/// Names the warps in one grade, so that a program says its grade once.
+/// Aliases of the warps in one grade, so that a program names its grade once.
 macro_rules! in_grade {
-    ($grade:ident; $($file:ident::$name:ident $([$($declared:tt)*] [$($named:tt)*])?,)*) => {$(
-        #[doc = concat!("[`warp::", stringify!($name), "`](crate::fixed::warp::", stringify!($name), ") in this grade.")]
+    ($grade:ident; $($file:ident::$name:ident $([$($declared:tt)*] [$($named:tt)*])? $what:literal,)*) => {$(
+        #[doc = concat!($what, ". This is [`", stringify!($name), "`](crate::fixed::warp::", stringify!($name), ") in grade [`", stringify!($grade), "`](crate::fixed::", stringify!($grade), ").")]
         pub type $name $(<$($declared)*>)? = $crate::fixed::warp::$name<$($($named)*,)? $crate::fixed::$grade>;
     )*};
 }
 
 each_warp!(in_grade Fine);
 
-/// The warps in grade [`Coarse`].
+/// The warps in grade [`Coarse`]: errors about 1e-4, in the fewest instructions.
 pub mod coarse {
     pub use super::{Float, Interval};
     each_warp!(in_grade Coarse);
 }
 
-/// The warps in grade [`Compact`].
+/// The warps in grade [`Compact`]: errors about 1e-6 without tables, in the least flash.
 pub mod compact {
     pub use super::{Float, Interval};
     each_warp!(in_grade Compact);

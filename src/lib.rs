@@ -1,54 +1,143 @@
-//! Monte Carlo sampling for firmware, WASM and renderers: every classical warp of uniforms onto an
-//! interval, a disk, directions, a lobe or a triangle, each with its density and its inverse; discrete and
-//! tabulated distributions, rejection, estimators and Metropolis chains; over `f32`, without `std` and
-//! without allocation.
-//!
-//! A sample's way through the crate is one straight corridor, and the modules are its rooms:
-//!
-//! ```text
-//! generator (rand_core) -> canonical uniforms -> warp -> point, density -> estimate, error
-//!                          [uniform]             [warp, on a tier]         [estimate]
-//!                                                table -> index, pmf, leftover uniform
-//!                                                [discrete]
-//!                                                tries -> point accepted, within a budget
-//!                                                [rejection]
-//!                                                chain -> states of any density, each from the one before
-//!                                                [metropolis]
-//! ```
-//!
-//! A warp is a pure function of explicit uniforms, so that one and the same warp serves a pseudo-random
-//! generator, a stratified or low-discrepancy set, a Markov chain in the unit cube
-//! ([`metropolis::primary_density`]) and a replay from a log.
-//!
-//! # Choosing a tier
-//! The tier is chosen once, by type: `use microwarp::poly as mw;` for `f32` arithmetic alone (the
-//! choice for microcontrollers and WASM), `use microwarp::libm as mw;` for the functions of the `libm`
-//! crate. Both families carry the same names, take the same uniforms and state their errors warp by warp.
-//! For cores without a floating-point unit there is a third, feature `fixed`: `use microwarp::fixed as mw;` takes
-//! words and gives fixed-point numbers, in a thirtieth of the instructions that soft float takes on a Cortex-M0.
+//! Monte Carlo sampling for firmware, WASM and renderers: `no_std`, without allocation, with the same bits on every
+//! target and a measured error bound for every function.
 //!
 //! ```
 //! use microwarp::{Warp, poly as mw};
-//! use rand_pcg::Pcg32;
+//! use rand_pcg::Pcg32; // or any other generator of rand_core 0.10
 //!
 //! let mut rng = Pcg32::new(42, 54);
 //! let lobe = mw::PhongLobe::new(50.0)?;
-//! let direction = lobe.draw(&mut rng);
+//! let direction = lobe.draw(&mut rng);        // from a generator
+//! let other = lobe.sample([0.25, 0.75]);      // from uniforms of your own
 //! let density = lobe.pdf(direction);
 //! assert!(density > 0.0);
+//! # let _ = other;
 //! # Ok::<(), microwarp::Error>(())
 //! ```
 //!
+//! # Which one do I take?
+//!
+//! | for | take |
+//! |---|---|
+//! | a core with an FPU, WASM, a PC | [`poly`]: `use microwarp::poly as mw;` |
+//! | a core without an FPU | feature `fixed`: `use microwarp::fixed as mw;` |
+//! | the last bits of logarithms | [`libm`]: `use microwarp::libm as mw;` |
+//! | normal or exponential numbers from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential): the fastest, but the number of words varies |
+//! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one |
+//! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
+//! | an index by weight, many draws | [`Cdf`](discrete::Cdf) up to some 8 entries (100 on a PC), [`Alias`](discrete::Alias) beyond |
+//! | a picture, a sky, a histogram | [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d), [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d) |
+//! | a shape with a simple test | [`Region`](rejection::Region) |
+//! | a density known up to a factor | [`Chain`](metropolis::Chain) |
+//!
+//! The tier is a type, chosen once; all three carry the same names. Both float tiers take the same uniforms.
+//!
+//! # Samplers
+//!
+//! Every warp takes a fixed number of uniforms, encoded in its type, and provides `sample`, `pdf` and
+//! [`invert`](Invert).
+//!
+//! On the line:
+//! - [`Interval`](warp::Interval): uniform between two numbers, in either orientation
+//! - [`Power`](warp::Power): a power law on an interval
+//! - [`PowerMax`](warp::PowerMax): the largest of N uniforms
+//! - [`Linear`](warp::Linear): a linear density on [0, 1)
+//! - [`Tent`](warp::Tent): the tent filter
+//! - [`Exponential`](warp::Exponential), [`ExponentialTail`](warp::ExponentialTail): exponential, from 0 or from the tail
+//! - [`TruncatedExponential`](warp::TruncatedExponential): exponential on an interval, rising or falling
+//! - [`Normal`](warp::Normal): normal, one number at a time
+//! - [`Inversion`](warp::Inversion): your own inverse CDF
+//!
+//! In the plane and in boxes:
+//! - [`Disk`](warp::Disk), [`DiskConcentric`](warp::DiskConcentric): uniform on the unit disk
+//! - [`Triangle`](warp::Triangle), [`TriangleOn`](warp::TriangleOn): uniform barycentric coordinates, or a point on
+//!   a triangle in the plane or in space
+//! - [`NormalPair`](warp::NormalPair): two independent normal numbers
+//! - [`Aabb`](warp::Aabb): uniform in a box of any dimension
+//! - [`MarginalConditional`](warp::MarginalConditional): a marginal and the conditional at its point
+//!
+//! Directions:
+//! - [`Sphere`](warp::Sphere), [`Hemisphere`](warp::Hemisphere): uniform
+//! - [`CosineHemisphere`](warp::CosineHemisphere), [`MalleyHemisphere`](warp::MalleyHemisphere): proportional to the cosine
+//! - [`PhongLobe`](warp::PhongLobe): proportional to a power of the cosine
+//! - [`HenyeyGreenstein`](warp::HenyeyGreenstein): the phase function of fog, clouds and skin
+//! - [`Cone`](warp::Cone): uniform within an angle of +z
+//! - [`SphericalPatch`](warp::SphericalPatch): uniform between two polar angles and two azimuths
+//! - [`Oriented`](warp::Oriented): any of these about a normal, by a [`Frame`](warp::Frame)
+//! - [`Transform`](warp::Transform): any warp followed by your own one-to-one map; [`Spherical`](warp::Spherical)
+//!   coordinates
+//!
+//! Tables ([`discrete`]):
+//! - [`Cdf`](discrete::Cdf), [`Alias`](discrete::Alias): an index by weight, with its exact probability and a leftover uniform
+//! - [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d), [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d): tabulated
+//!   densities
+//! - [`select_once`](discrete::select_once), [`select_once_uniform`](discrete::select_once_uniform): one selection, without a table
+//! - [`Reservoir`](discrete::Reservoir): one item of a stream
+//!
+//! Rejection within a budget of tries ([`rejection`]):
+//! - [`Region`](rejection::Region): uniform where a predicate holds
+//! - [`Bounded`](rejection::Bounded): a density below a multiple of another
+//! - [`DiskRejection`](rejection::DiskRejection), [`BallRejection`](rejection::BallRejection): disk and ball without a root or an angle
+//! - [`ZigguratStandardNormal`](rejection::ZigguratStandardNormal), [`ZigguratNormal`](rejection::ZigguratNormal),
+//!   [`ZigguratStandardExponential`](rejection::ZigguratStandardExponential),
+//!   [`ZigguratExponential`](rejection::ZigguratExponential): the fastest from a generator
+//!
+//! Markov chains ([`metropolis`]):
+//! - [`Chain`](metropolis::Chain): states of any density, or of integer weights, in fixed memory
+//! - [`UniformStep`](metropolis::UniformStep), [`UniformIndex`](metropolis::UniformIndex),
+//!   [`Independence`](metropolis::Independence), [`TransitionTable`](metropolis::TransitionTable): proposals that forget the state, or take it
+//!   from a table
+//! - [`BoxStep`](metropolis::BoxStep), [`NormalStep`](metropolis::NormalStep),
+//!   [`LogUniformStep`](metropolis::LogUniformStep), [`RandomWalk`](metropolis::RandomWalk),
+//!   [`WrappedWalk`](metropolis::WrappedWalk): random walks in ℝᴰ and in the unit cube
+//! - [`Subset`](metropolis::Subset), [`OneCoordinate`](metropolis::OneCoordinate), [`Mixture`](metropolis::Mixture): combinations
+//! - [`Autocorrelation`](metropolis::Autocorrelation), [`split_r_hat`](metropolis::split_r_hat): has the chain converged?
+//!
+//! Estimators ([`estimate`]):
+//! - [`Moments`](estimate::Moments): mean and variance
+//! - [`Integral`](estimate::Integral): f/p with standard error and bounds
+//! - [`WeightedMean`](estimate::WeightedMean): a self-normalised mean
+//! - [`balance_heuristic`](estimate::balance_heuristic), [`power_heuristic`](estimate::power_heuristic): multiple importance
+//!   sampling
+//!
+//! Uniforms ([`uniform`]): the 24-bit grid, open, and full resolution; [`Strata1d`](uniform::Strata1d),
+//! [`Strata2d`](uniform::Strata2d).
+//!
+//! # Generators
+//! [`Warp::draw`] takes any generator of rand_core 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement
+//! rand_core 0.6 or 0.9: features `rand_core_06` and `rand_core_09` bring the wrappers `Rng06`,
+//! `TryRng06` and `Rng09` to [`uniform`]. A closure becomes a generator by [`FromFn`](uniform::FromFn). `docs/generators.md` lists HALs, versions and
+//! compiler errors.
+//!
+//! # Features
+//! None is on by default, and no feature changes a number.
+//! - `fixed`: the integer tier, over the types of the `fixed` crate
+//! - `alloc`: tables in a `Vec` or a `Box`
+//! - `rand_core_06`, `rand_core_09`: generators of HALs that implement older versions of rand_core
+//! - `defmt`: `defmt::Format` on every public type
+//!
+//! # Constants
+//! [`constant!`] makes a sampler or a table at compile time, in flash. The compiler reports a bad parameter.
+//! ```
+//! use microwarp::{constant, discrete::Cdf};
+//! const DIE: Cdf<[u32; 6]> = constant!(Cdf::from_integers(&[1, 1, 1, 1, 1, 3]));
+//! assert_eq!(DIE.pmf(5), 0.375);
+//! ```
+//!
+//! # Stated errors
+//! Each warp's page has a table of error bounds that hold for every accepted parameter. The module [`warp`] explains
+//! its rows and units.
+//!
 //! # Promises
 //! - The same uniforms give the same bits on every target.
-//! - Any `f32` serves as a uniform (see [`uniform::Uniforms::canonical`]) and any parameter a constructor
-//!   accepted gives finite results inside the stated domain; a refused parameter is an [`Error`].
+//! - Any `f32` serves as a uniform (see [`uniform::Uniforms::canonical`]). Any parameter a constructor
+//!   accepted gives finite results inside the stated domain. A refused parameter is an [`Error`].
 //! - Nothing panics, allocates, recurses or loops without a bound.
-//! - A weight of zero is never chosen, and a table selects with the probability it reports, to the last bit.
-//! - A chain never enters a state whose density is 0, NaN, infinite or negative, and a rejected step leaves it
-//!   as it was, to the last bit.
-//! - A sample never has density 0. (One exception, in world coordinates: the sides of a turned patch next to
-//!   its pole; see [`Oriented`].)
+//! - A weight of zero is never chosen, and a table selects with exactly the probability it reports.
+//! - A chain never enters a state whose density is 0, NaN, infinite or negative. A rejected step leaves it
+//!   unchanged, to the last bit.
+//! - A sample never has density 0. (One exception, in world coordinates: the sides of a rotated patch next to
+//!   its pole; see [`Oriented`](warp::Oriented).)
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
 #![warn(
@@ -82,10 +171,12 @@
     clippy::integer_division_remainder_used
 )]
 
-pub mod discrete;
+#[cfg(feature = "alloc")]
+extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
+pub mod discrete;
 mod error;
 pub mod estimate;
 #[cfg(feature = "fixed")]
@@ -100,46 +191,38 @@ pub mod warp;
 pub use error::Error;
 pub use warp::contract::{Invert, Warp};
 
-/// Names at the root what both tiers share.
-macro_rules! shared {
-    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
-        $(shared!(@ $name $(<$tier>)?);)*
-    };
-    (@ $name:ident) => {
-        pub use warp::$name;
-    };
-    (@ $name:ident <T>) => {};
-}
-warp::each_warp!(shared);
-
 /// The examples of the README are tests too.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// Names the warps of one tier: aliases of what is generic over it, and what both tiers share.
+/// Names the warps of one tier: aliases of the types that are generic over it, and the types that both tiers share.
 macro_rules! of_tier {
     ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
         $(of_tier!(@ $name $(<$tier>)? $what);)*
     };
     (@ $name:ident $what:literal) => {
+        #[doc(inline)]
         pub use crate::warp::$name;
     };
     (@ $name:ident <T> $what:literal) => {
-        #[doc = concat!($what, ": [`warp::", stringify!($name), "`](crate::warp::", stringify!($name), ") in this tier.")]
+        #[doc = concat!(
+            $what, ".\n\nSee [`warp::", stringify!($name), "`](crate::warp::", stringify!($name),
+            ") for the density, the domain, the errors and examples."
+        )]
         pub type $name = crate::warp::$name<Tier>;
     };
 }
 
-/// A tier as a module, so that a program says its tier once.
+/// A tier as a module, so that a program names its tier once.
 macro_rules! tier_module {
     ($(#[$doc:meta])* $module:ident, $tier:ident) => {
         $(#[$doc])*
         pub mod $module {
             pub use crate::tier::$tier as Tier;
             crate::warp::each_warp!(of_tier);
-            /// [`metropolis::ExponentialStep`](crate::metropolis::ExponentialStep) in this tier.
-            pub type ExponentialStep = crate::metropolis::ExponentialStep<Tier>;
+            /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
+            pub type LogUniformStep = crate::metropolis::LogUniformStep<Tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.
             pub type LogDensity = crate::metropolis::LogDensity<Tier>;
             /// [`metropolis::NormalStep`](crate::metropolis::NormalStep) in this tier.

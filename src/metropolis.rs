@@ -1,6 +1,6 @@
 //! Metropolis sampling: a Markov chain whose states have a density that is known up to a factor only.
 //!
-//! Here live the [`Chain`], a plain value of fixed size, and one [`Step`] of it; what is proposed
+//! Here live the [`Chain`], a plain value of fixed size, and one [`Transition`] of it; what is proposed
 //! ([`Mutation`] and those that are ready made), how a chain is started, and how its health is read. What
 //! one does with the states is not the chain's business: the tallies of [`estimate`](crate::estimate) are at
 //! hand.
@@ -13,9 +13,9 @@
 //! | [`TransitionTable`] | indices | a draw of the table of x | of two pmfs, as counts | those of the draw |
 //! | [`BoxStep`] | ℝᴰ | x + a step, uniform in a box | 1 | one a coordinate |
 //! | [`NormalStep`] | ℝᴰ | x + a normal step | 1 | one a coordinate |
-//! | [`ExponentialStep`] | ℝᴰ | x + a step of any size within bounds, on a logarithmic scale | 1 | one a coordinate |
-//! | [`Walk`] | ℝᴰ | x + a step of a law of one's own | 1 | one a coordinate |
-//! | [`Wrapped`] | unit cube | the same steps, modulo 1 | 1 | those of the step |
+//! | [`LogUniformStep`] | ℝᴰ | x + a step of any size within bounds, on a logarithmic scale | 1 | one a coordinate |
+//! | [`RandomWalk`] | ℝᴰ | x + a step of a law of one's own | 1 | one a coordinate |
+//! | [`WrappedWalk`] | unit cube | the same steps, modulo 1 | 1 | those of the step |
 //! | [`Subset`] | ℝᴰ, unit cube | changes of some coordinates | that of the change | those of the change |
 //! | [`OneCoordinate`] | ℝᴰ, unit cube | a change of one coordinate, picked at random | that of the change | 1, and those of the change |
 //! | [`Mixture`] | any | what one of several mutations does, picked by weight | that of the one picked | 1, and those of the one picked |
@@ -32,9 +32,9 @@
 //!
 //! # Integer weights
 //! A target may return a `u32` instead of a density. The acceptance is then a [`Chance`], an exact number of the
-//! 2³² words that decide, [`Step::recorded`] gives integers that sum to 2³², and nothing in a step is a
+//! 2³² words that decide, [`Transition::recorded`] gives integers that sum to 2³², and nothing in a step is a
 //! floating-point operation: not with [`UniformIndex`], not with [`Independence`] of a table and
-//! [`TransitionTable`], which state [`Counts`], nor with a [`Mixture`] of them (by [`Mixture::from_table`]). A
+//! [`TransitionTable`], which state [`HastingsCounts`], nor with a [`Mixture`] of them (by [`Mixture::from_table`]). A
 //! chain starts by [`Chain::new`] or [`Chain::search`]; [`Chain::resample`] and
 //! [`Chain::acceptance_rate`] are for floats.
 //!
@@ -47,43 +47,43 @@
 //! ([`Chain::burn_in`]), or let another sampler start it, with a weight that removes the bias from the first
 //! step on ([`Start`]).
 
+mod autocorrelation;
 mod chain;
 mod chance;
 mod coordinates;
-mod density;
-mod displacement;
-mod hastings;
-mod health;
+mod hastings_correction;
+mod hastings_ratio;
 mod independence;
 mod index;
 mod mixture;
 mod mutation;
 mod primary;
 mod r_hat;
-mod ratio;
+mod random_walk;
 mod rule;
 mod start;
-mod step;
+mod step_law;
 mod subset;
-mod walk;
-mod weight;
+mod target_density;
+mod target_value;
+mod transition;
 
+pub use self::autocorrelation::Autocorrelation;
 pub use self::chain::{Chain, Saved};
 pub use self::chance::Chance;
 pub use self::coordinates::Coordinates;
-pub use self::density::{Density, LogDensity};
-pub use self::displacement::{BoxStep, Displacement, ExponentialStep, NormalStep};
-pub use self::hastings::{Correction, Symmetric};
-pub use self::health::Health;
-pub use self::independence::{Independence, Source, UniformStep};
+pub use self::hastings_correction::{HastingsCorrection, Symmetric};
+pub use self::hastings_ratio::{HastingsCounts, HastingsRatio};
+pub use self::independence::{Independence, StateSource, UniformStep};
 pub use self::index::{TransitionTable, UniformIndex};
 pub use self::mixture::{LargeSmall, Mixture, Mutations};
 pub use self::mutation::{Mutation, Proposal};
 pub use self::primary::primary_density;
 pub use self::r_hat::{Halves, r_hat, split_r_hat};
-pub use self::ratio::{Counts, Ratio};
+pub use self::random_walk::{RandomWalk, WrappedWalk, wrapping_add};
 pub use self::start::Start;
-pub use self::step::{Outcome, Step};
+pub use self::step_law::{BoxStep, LogUniformStep, NormalStep, StepLaw};
 pub use self::subset::{OneCoordinate, Subset};
-pub use self::walk::{Walk, Wrapped, wrapping_add};
-pub use self::weight::Weight;
+pub use self::target_density::{LogDensity, TargetDensity};
+pub use self::target_value::TargetValue;
+pub use self::transition::{Outcome, Transition};

@@ -1,4 +1,4 @@
-//! Numbers, below all other rooms: bounds, words, exponents, and what rounding drops.
+//! Numbers: bounds, words, exponents and error-free arithmetic. All other rooms use this one.
 //!
 //! Nothing here knows a tier, a uniform or a warp.
 

@@ -1,36 +1,32 @@
-//! Rejection: points are proposed until one is accepted, for a number of tries given beforehand.
+//! Rejection sampling within a budget: points are proposed until one is accepted, for a limited number of tries.
 //!
-//! Here live the loop, once, and the list of samplers: [`Region`] keeps the points of a warp for which a
-//! predicate holds, [`Bounded`] turns the points of one density into points of another,
-//! [`DiskRejection`] and [`BallRejection`] are the unit disk and ball without any elementary function, and
-//! [`ZigguratNormal`] and [`ZigguratExponential`], each with a standard form, draw from the layers of a curve, in flash.
-//! What a proposal is, is the business of [`warp`](crate::warp); the usual one is the bounding box,
-//! [`Aabb`](crate::Aabb). The disks whose points are fixed-point numbers are with their tier, feature `fixed`.
+//! | sampler | what it draws | efficiency | words (`u32`) a try |
+//! |---|---|--:|--:|
+//! | [`Region`] | the points of a warp for which a predicate holds | ∫ p over the region | those of the warp |
+//! | [`Bounded`] | a density f ≤ c p, from a warp of density p | (∫f)/c | those of the warp, and 1 |
+//! | [`DiskRejection`] | the unit disk | π/4 = 78.5 % | 2 |
+//! | [`BallRejection`] | the unit ball | π/6 = 52.4 % | 3 |
+//! | [`ZigguratStandardNormal`], [`ZigguratNormal`] | normal numbers | 99.3 % | 1, sometimes 2 or 3 |
+//! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | exponential numbers | 98.9 % | 1, sometimes 2 or 3 |
+//! | `fixed::DiskRejection` | the unit disk, in fixed point | π/4 = 78.5 % | 2 |
+//! | `fixed::DiskRejection16` | the unit disk, in fixed point of 16 bits | π/4 = 78.5 % | 1 |
+//!
+//! A rejection sampler takes no fixed number of uniforms and has no inverse. For strata, low-discrepancy points, replays
+//! from a uniform and chains, take a [`warp`](crate::warp). Warps also propose the points here; the usual one is the
+//! bounding box, [`Aabb`](crate::warp::Aabb).
 //!
 //! # Efficiency
-//! The share of proposals that is accepted is the **efficiency** e. For a region it is the probability that
-//! the proposal gives to it; for a density f ≤ c p over proposals of (normalised) density p it is (∫f)/c,
-//! which is 1/c where f is normalised too.
+//! The **efficiency** e is the share of proposals that is accepted. For a region it is the probability that the proposal
+//! gives to it. For a density f ≤ c p, where p is normalised, it is (∫f)/c; that is 1/c if f is normalised, too.
 //!
-//! | sampler | efficiency | words (`u32`) a try |
-//! |---|--:|--:|
-//! | [`DiskRejection`] | π/4 = 78.5 % | 2 |
-//! | [`BallRejection`] | π/6 = 52.4 % | 3 |
-//! | [`ZigguratStandardNormal`], [`ZigguratNormal`] | 99.3 % | 1, sometimes 2 or 3 |
-//! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | 98.9 % | 1, sometimes 2 or 3 |
-//! | `fixed::DiskRejection` | π/4 = 78.5 % | 2 |
-//! | `fixed::DiskRejection16` | π/4 = 78.5 % | 1 |
-//! | [`Region`] | ∫ p over the region | what drawing the proposal takes |
-//! | [`Bounded`] | (∫f)/c | what drawing the proposal takes, and 1 |
-//!
-//! The tries of an accepted point are geometrically distributed, with mean 1/e, and independent of the point.
-//! Every [`Accepted`] carries them: accepted points over tries is the measured efficiency.
+//! The number of tries a point is geometrically distributed with mean 1/e, and independent of the point. Each [`Accepted`]
+//! point carries it, so that accepted points over tries measure the efficiency.
 //!
 //! # Budget
-//! There is no unbounded loop. A sampler tries as often as its budget says, then reports
-//! [`Failure::BudgetSpent`]; so a region that is empty, or a generator
-//! stuck at values that are rejected, ends in an error and not in a hang.
-//! [`budget_for`] gives a budget that a true random generator does not spend in practice.
+//! No loop is unbounded. A sampler tries as often as its budget allows, then returns [`Failure::BudgetSpent`]. A region
+//! that is empty, or a generator stuck at rejected values, thus ends in an error instead of a hang. Each constructor sets
+//! a default budget, and `with_budget` another. [`budget_for`] computes one that a true random generator does not spend in
+//! practice.
 
 mod ball;
 mod bounded;
@@ -50,22 +46,27 @@ use crate::error::{Error, positive};
 use core::convert::Infallible;
 use rand_core::{Rng, TryRng};
 
+/// The budget of [`Region`] and [`Bounded`] where `with_budget` sets no other: 1000 tries.
+///
+/// A true random generator spends it with a probability below 2⁻⁶⁴ where the efficiency is 4.5 % or more. For less,
+/// take [`budget_for`].
+pub const DEFAULT_BUDGET: u32 = 1000;
+
 /// A point that was accepted, and how many tries it took.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Accepted<P> {
     /// The point.
     pub point: P,
-    /// The tries it took, itself included: from 1 to the budget.
+    /// The number of tries, from 1 to the budget: the rejected ones and the accepted one.
     pub tries: u32,
 }
 
 /// A sampler that proposes a point and accepts it or not.
 ///
-/// To write one of one's own, give the budget and a single try; the bounded loop is here.
+/// An implementation provides the budget and a single try. The bounded loop is here.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
-///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{DiskRejection, Rejection};
 /// use rand_pcg::Pcg32;
@@ -78,27 +79,36 @@ pub struct Accepted<P> {
 /// assert!((efficiency - DiskRejection::EFFICIENCY).abs() < 0.05);
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`Warp`](crate::Warp), for a fixed number of uniforms a point.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "accept_reject")]
+#[doc(alias = "rejection_sampling")]
 pub trait Rejection {
-    /// The point: that of the proposal.
+    /// The type of the points.
     type Point: Copy;
 
-    /// How many points are proposed at most; at least one.
+    /// The largest number of tries a point; at least 1.
     #[must_use]
     fn budget(&self) -> u32;
 
-    /// Proposes one point; `None` if it is not accepted.
+    /// Proposes one point; `None` if it is rejected.
     ///
     /// # Errors
-    /// The generator's own error as [`Failure::Generator`], and what the sampler finds wrong.
+    /// [`Failure::Generator`] with the error of a generator that fails, and the failures that the sampler documents.
     fn try_once<R: TryRng + ?Sized>(
         &self,
         rng: &mut R,
     ) -> Result<Option<Self::Point>, Failure<R::Error>>;
 
-    /// Draws one point.
+    /// Draws one point from a generator that may fail.
     ///
     /// # Errors
-    /// [`Failure::BudgetSpent`] if no point of the budget was accepted, and those of [`Self::try_once`].
+    /// [`Failure::BudgetSpent`] if no point within the budget was accepted, and those of [`Self::try_once`].
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(
         &self,
@@ -110,7 +120,7 @@ pub trait Rejection {
     /// Draws one point from a generator that cannot fail.
     ///
     /// # Errors
-    /// As [`Self::try_draw`], except that the generator does not fail.
+    /// [`Failure::BudgetSpent`] if no point within the budget was accepted, and the failures that the sampler documents.
     #[inline]
     fn draw<R: Rng + ?Sized>(
         &self,
@@ -120,7 +130,7 @@ pub trait Rejection {
     }
 }
 
-/// The tries after some that were not accepted.
+/// Draws one point after some tries that were rejected.
 #[inline]
 fn draw_after<S: Rejection + ?Sized, R: TryRng + ?Sized>(
     mut tries: u32,
@@ -137,8 +147,10 @@ fn draw_after<S: Rejection + ?Sized, R: TryRng + ?Sized>(
     Err(Failure::BudgetSpent { tries: budget })
 }
 
-/// [`Rejection::try_draw`] of a sampler whose budget is not 0 and whose try is short: the first, which is mostly the
-/// last, stands ahead of the loop, so that it does without the loop's registers (a fifth of the instructions less).
+/// [`Rejection::try_draw`] for samplers with a short try and a budget above 0.
+///
+/// The first try, mostly the only one, stands ahead of the loop. It then needs none of the loop's registers, which saves
+/// a fifth of the instructions.
 #[inline]
 pub(crate) fn draw_first_ahead<S: Rejection + ?Sized, R: TryRng + ?Sized>(
     sampler: &S,
@@ -152,12 +164,13 @@ pub(crate) fn draw_first_ahead<S: Rejection + ?Sized, R: TryRng + ?Sized>(
 
 /// A budget that independent tries of the given efficiency spend with a probability below 2⁻⁶⁴.
 ///
-/// That is 44.4/e, rounded up: (1 − e)ⁿ ≤ exp(−e n) < 2⁻⁶⁴. An efficiency above 1 counts as 1.
+/// It is 44.4/e, rounded up, since (1 − e)ⁿ ≤ exp(−e n) < 2⁻⁶⁴. An efficiency above 1 counts as 1.
 ///
 /// # Errors
 /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
 /// [`Error::OutOfRange`] for an efficiency below 1.1e-8, whose budget a `u32` does not hold.
 ///
+/// # Examples
 /// ```
 /// use microwarp::rejection::budget_for;
 /// assert_eq!(budget_for(0.5), Ok(89));
@@ -176,39 +189,38 @@ pub const fn budget_for(efficiency: f32) -> Result<u32, Error> {
     }
 }
 
-/// Refuses a budget without a single try.
-pub(crate) const fn checked_budget(budget: u32) -> Result<u32, Error> {
-    if budget > 0 {
-        Ok(budget)
-    } else {
-        Err(Error::NotPositive)
-    }
+/// The method that sets the budget, the same for every sampler. It is `const` where the sampler needs no `Drop`.
+macro_rules! with_budget {
+    ($($const:ident)?) => {
+        /// The same sampler with at most `budget` tries a point.
+        ///
+        /// # Errors
+        /// [`Error::NotPositive`](crate::Error::NotPositive) for a budget of 0.
+        pub $($const)? fn with_budget(mut self, budget: u32) -> Result<Self, crate::Error> {
+            if budget == 0 {
+                return Err(crate::Error::NotPositive);
+            }
+            self.budget = budget;
+            Ok(self)
+        }
+    };
 }
+pub(crate) use with_budget;
 
-/// Constructors of a sampler that is nothing but a budget.
+/// The constructors of a sampler whose only field is its budget.
 macro_rules! budgeted {
     ($name:ident, $budget:literal) => {
         impl $name {
-            /// The budget of [`Self::new`]. A true random generator spends it with a probability below
-            /// 2⁻⁶⁴.
+            /// The default budget. A true random generator spends it with a probability below 2⁻⁶⁴.
             pub const BUDGET: u32 = $budget;
 
-            /// With the default budget.
+            $crate::rejection::with_budget!(const);
+
+            /// The sampler with the budget [`Self::BUDGET`].
             #[must_use]
             pub const fn new() -> Self {
                 Self {
                     budget: Self::BUDGET,
-                }
-            }
-
-            /// With at most `budget` tries a point.
-            ///
-            /// # Errors
-            /// [`Error::NotPositive`](crate::Error::NotPositive) for a budget of 0.
-            pub const fn with_budget(budget: u32) -> Result<Self, crate::Error> {
-                match $crate::rejection::checked_budget(budget) {
-                    Ok(budget) => Ok(Self { budget }),
-                    Err(e) => Err(e),
                 }
             }
         }
@@ -222,7 +234,7 @@ macro_rules! budgeted {
 }
 pub(crate) use budgeted;
 
-/// [`Rejection`] of a sampler that is nothing but a budget and a short try.
+/// Implements [`Rejection`] for a sampler whose only field is its budget, from its short try.
 macro_rules! short_tries {
     ($name:ident: $point:ty, |$sampler:ident, $rng:ident| $try:expr) => {
         impl $crate::rejection::Rejection for $name {

@@ -1,8 +1,7 @@
-//! Canonical uniforms: numbers in [0, 1), how they are drawn, and the rule that brings any `f32`
-//! into range.
+//! Uniforms in [0, 1): how they are drawn, the rule that brings any `f32` into range, and jittered strata.
 //!
-//! Here live the grids and the strata. What becomes of a uniform is the business of
-//! [`warp`](crate::warp).
+//! A [`Warp`](crate::Warp) draws its own uniforms. Take these functions for uniforms that go elsewhere, or that
+//! you change first.
 //!
 //! | function | values | smallest | largest | words (`u32`) a number |
 //! |---|---|---|---|---|
@@ -11,7 +10,7 @@
 //! | [`deep_from_word`] | (k + ½)·2⁻²³; (k + ½)·2⁻³² below 2⁻⁹ | 2⁻³³ | 1 − 2⁻²⁴ | 1 |
 //! | [`full`] | every `f32` a 64-bit fraction truncates to | 0, then 2⁻⁶⁴ | 1 − 2⁻²⁴ | 2 |
 //!
-//! The integer tier takes the word itself, as a number of 32 fractional bits, with nothing on the way.
+//! A uniform of the integer tier is the word itself, as a number of 32 fractional bits.
 
 mod generators;
 mod strata;
@@ -33,8 +32,14 @@ const STEP: f32 = f32::EPSILON / 2.0;
 
 /// Uniforms that are known to lie in [0, 1).
 ///
-/// Made from any `f32` by [`Uniforms::canonical`], or straight from a generator by
-/// [`Uniforms::try_draw`], which cannot leave the range and so pays for no check.
+/// [`Uniforms::canonical`] makes them from any `f32`. [`Uniforms::try_draw`] draws them from a generator, without a check.
+/// A warp of your own gets them in [`Warp::sample_canonical`](crate::Warp::sample_canonical).
+///
+/// ```
+/// use microwarp::uniform::Uniforms;
+/// assert_eq!(0.25.canonical().get(), 0.25);
+/// assert_eq!((-7.0).canonical().get(), 0.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Canonical<U>(U);
@@ -67,20 +72,21 @@ mod sealed {
     impl<const N: usize> Sealed for [fixed::types::U0F32; N] {}
 }
 
-/// The uniforms that one sample of a warp takes: an `f32`, or an array of them; in the integer tier a
-/// `U0F32`, or an array of those.
+/// The uniforms of one sample: an `f32` or an array of them; in the integer tier a `U0F32` or an array of those.
 ///
-/// The trait is sealed. How many uniforms a warp takes is its type
-/// [`Warp::Uniforms`](crate::Warp::Uniforms).
+/// The trait is sealed. The type [`Warp::Uniforms`](crate::Warp::Uniforms) says how many uniforms a warp takes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be the uniforms of a warp",
+    note = "uniforms are an `f32` or an array `[f32; N]`; with feature `fixed` also a `U0F32` or an array of them"
+)]
 pub trait Uniforms: sealed::Sealed + Copy {
-    /// How many numbers these are.
+    /// The number of uniforms.
     const COUNT: usize;
 
-    /// The words they are drawn from: a `u32` a number.
+    /// The words they are drawn from, one `u32` for each number.
     type Words: Copy;
 
-    /// Brings every number into [0, 1): NaN and everything below 0 become 0, everything from 1
-    /// upwards becomes [`LARGEST`].
+    /// Brings every number into [0, 1): NaN and numbers below 0 become 0, numbers from 1 up become [`LARGEST`].
     ///
     /// ```
     /// use microwarp::uniform::{LARGEST, Uniforms};
@@ -89,19 +95,19 @@ pub trait Uniforms: sealed::Sealed + Copy {
     #[must_use]
     fn canonical(self) -> Canonical<Self>;
 
-    /// Draws the words of as many numbers, in order.
+    /// Draws the words of these uniforms, in order.
     ///
     /// # Errors
-    /// The generator's own error; words drawn before it failed are dropped.
+    /// The generator's own error. Words drawn before it failed are lost.
     fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::Words, R::Error>;
 
-    /// The numbers of these words, by [`grid_from_word`]; in the integer tier the words themselves.
+    /// The uniforms of these words: by [`grid_from_word`], or in the integer tier the words themselves.
     fn from_words(words: Self::Words) -> Canonical<Self>;
 
-    /// Draws them from the 24-bit [`grid`], one `u32` a number, in order.
+    /// Draws these uniforms from the 24-bit [`grid`], one `u32` for each, in order.
     ///
     /// # Errors
-    /// The generator's own error; numbers drawn before it failed are dropped.
+    /// The generator's own error. Numbers drawn before it failed are lost.
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(rng: &mut R) -> Result<Canonical<Self>, R::Error> {
         Self::try_words(rng).map(Self::from_words)
@@ -148,8 +154,7 @@ impl<const N: usize> Uniforms for [f32; N] {
     }
 }
 
-/// All 2³² words are uniforms k·2⁻³² in [0, 1): nothing need be brought into range, and one `u32` of the generator
-/// is one number.
+/// Each of the 2³² words is a uniform k·2⁻³² in [0, 1), so that none is out of range.
 #[cfg(feature = "fixed")]
 impl Uniforms for fixed::types::U0F32 {
     const COUNT: usize = 1;
@@ -192,7 +197,7 @@ impl<const N: usize> Uniforms for [fixed::types::U0F32; N] {
     }
 }
 
-/// Draws as many words, in order.
+/// Draws N words, in order.
 #[inline]
 fn try_words<R: TryRng + ?Sized, const N: usize>(rng: &mut R) -> Result<[u32; N], R::Error> {
     let mut words = [0; N];
@@ -213,7 +218,7 @@ pub(crate) fn infallible<T>(result: Result<T, Infallible>) -> T {
 
 /// The upper 24 bits of a word as a multiple of 2⁻²⁴ in [0, 1).
 ///
-/// Each of the 2²⁴ values comes from exactly 256 words. Exact: no rounding takes place.
+/// Exactly 256 words give each of the 2²⁴ values. Nothing is rounded.
 ///
 /// ```
 /// use microwarp::uniform;
@@ -228,7 +233,7 @@ pub const fn grid_from_word(word: u32) -> f32 {
 
 /// The upper 23 bits of a word as the middle of one of 2²³ equal cells: in [2⁻²⁴, 1 − 2⁻²⁴].
 ///
-/// Each of the 2²³ values comes from exactly 512 words. Exact: no rounding takes place.
+/// Exactly 512 words give each of the 2²³ values. Nothing is rounded.
 ///
 /// ```
 /// use microwarp::uniform;
@@ -242,11 +247,10 @@ pub const fn open_from_word(word: u32) -> f32 {
     (((word >> 9) << 1) | 1) as f32 * STEP
 }
 
-/// The middle of the words that give this number: the cells of [`open_from_word`], and from 2⁻⁹ down those of single
-/// words.
+/// The word as the middle of its cell: of the cells of [`open_from_word`], and below 2⁻⁹ of the cell of the single word.
 ///
-/// So the end at 0 is open and as fine as 32 bits can make it, at the cost of the ordinary grid: with this uniform a tail
-/// that starts at 0 has its moments.
+/// The end at 0 is open and as fine as 32 bits allow, at the cost of the ordinary grid. With this uniform a tail that
+/// starts at 0 has the right moments.
 ///
 /// ```
 /// use microwarp::uniform;
@@ -265,22 +269,22 @@ pub const fn deep_from_word(word: u32) -> f32 {
     }
 }
 
-/// [`deep_from_word`], already known to be canonical.
+/// [`deep_from_word`], as a canonical uniform.
 #[inline]
 pub(crate) const fn deep(word: u32) -> Canonical<f32> {
     Canonical(deep_from_word(word))
 }
 
-/// [`open_from_word`] of each word, already known to be canonical.
+/// [`open_from_word`] of each word, as canonical uniforms.
 #[inline]
 pub(crate) fn open_cells<const N: usize>(words: [u32; N]) -> Canonical<[f32; N]> {
     Canonical(words.map(open_from_word))
 }
 
-/// A 64-bit fraction truncated to the nearest `f32` below: small values keep their precision.
+/// A 64-bit fraction, truncated to the nearest `f32` below: small values keep their precision.
 ///
-/// `high` holds the leading 32 bits. Every value of at least 2⁻⁴⁰ has all its 24 bits, whatever its
-/// exponent; the smallest value above 0 is 2⁻⁶⁴, and 0 itself comes from one word pair in 2⁶⁴.
+/// `high` holds the leading 32 bits. Every value from 2⁻⁴⁰ up has 24 significant bits. The smallest value above 0 is 2⁻⁶⁴,
+/// and one pair of words in 2⁶⁴ gives 0.
 ///
 /// ```
 /// use microwarp::uniform;
@@ -290,7 +294,7 @@ pub(crate) fn open_cells<const N: usize>(words: [u32; N]) -> Canonical<[f32; N]>
 #[must_use]
 #[inline]
 pub const fn full_from_words(high: u32, low: u32) -> f32 {
-    // Built from bits: a rounding conversion could give 1.0, and costs a call on soft float.
+    // Built from bits: a conversion could round up to 1.0, and is a call on soft float.
     let zeros = high.leading_zeros();
     let (window, zeros) = if zeros < 32 {
         // `low >> 1 >> (31 - zeros)` is `low >> (32 - zeros)` without the shift by 32.
@@ -308,7 +312,7 @@ pub const fn full_from_words(high: u32, low: u32) -> f32 {
     f32::from_bits((exponent << 23) | ((window >> 8) & 0x007f_ffff))
 }
 
-/// Draws one number of the 24-bit grid in [0, 1). One word.
+/// Draws one number of the 24-bit grid in [0, 1) from a generator that can fail. One word.
 ///
 /// # Errors
 /// The generator's own error.
@@ -330,7 +334,7 @@ pub fn grid<R: Rng + ?Sized>(rng: &mut R) -> f32 {
     infallible(try_grid(rng))
 }
 
-/// Draws one number of the open interval (0, 1). One word.
+/// Draws one number of the open interval (0, 1) from a generator that can fail. One word.
 ///
 /// # Errors
 /// The generator's own error.
@@ -352,7 +356,7 @@ pub fn open<R: Rng + ?Sized>(rng: &mut R) -> f32 {
     infallible(try_open(rng))
 }
 
-/// Draws one full-resolution number in [0, 1). Two words, the leading one first.
+/// Draws one full-resolution number in [0, 1) from a generator that can fail. Two words, the leading one first.
 ///
 /// # Errors
 /// The generator's own error.
@@ -378,7 +382,7 @@ pub fn full<R: Rng + ?Sized>(rng: &mut R) -> f32 {
     infallible(try_full(rng))
 }
 
-/// [`full_from_words`], where 0 counts as the middle of its cell, 2⁻⁶⁵; already known to be canonical.
+/// [`full_from_words`] as a canonical uniform, where 0 counts as the middle of its cell, 2⁻⁶⁵.
 #[inline]
 pub(crate) const fn open_full(high: u32, low: u32) -> Canonical<f32> {
     let u = full_from_words(high, low);

@@ -2,7 +2,10 @@
 
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{Cone, Spherical};
-use microwarp::{Frame, Oriented, Warp, uniform};
+use microwarp::{
+    Warp, uniform,
+    warp::{Frame, Oriented},
+};
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
 use support::errors::raise;
@@ -195,7 +198,9 @@ fn equatorial_error(point: impl Fn(f32) -> [f32; 2]) -> f64 {
 
 fn any_azimuth<T: Tier>() {
     let found = equatorial_error(|phi| {
-        let [x, y, z] = Spherical::<T>::new(1.0, 0.25, phi).unwrap().to_cartesian();
+        let [x, y, z] = Spherical::<T>::from_turns(1.0, 0.25, phi)
+            .unwrap()
+            .to_cartesian();
         assert_eq!(z, 0.0);
         [x, y]
     });
@@ -210,7 +215,7 @@ fn any_number_of_turns_is_reduced_exactly() {
     any_azimuth::<Libm>();
     any_azimuth::<Poly>();
     let of = |phi| {
-        Spherical::<Poly>::new(1.0, 0.25, phi)
+        Spherical::<Poly>::from_turns(1.0, 0.25, phi)
             .unwrap()
             .to_cartesian()
     };
@@ -222,7 +227,10 @@ fn any_number_of_turns_is_reduced_exactly() {
 #[test]
 fn the_azimuth_beside_a_far_larger_z_is_kept() {
     let s = Spherical::<Poly>::from_cartesian([0.0, 1.0e-30, 1.0e30]);
-    assert_eq!((s.radius(), s.theta(), s.phi()), (1.0e30, 0.0, 0.25));
+    assert_eq!(
+        (s.radius(), s.theta_turns(), s.phi_turns()),
+        (1.0e30, 0.0, 0.25)
+    );
 }
 
 /// The bounds that the documentation of `Spherical` states: the radius relative, coordinates relative to
@@ -249,8 +257,11 @@ fn spherical_coordinates<T: Tier>() {
             assert!(relative <= RADIUS_ERROR, "{point:?}: {s:?}");
             worst_radius = worst_radius.max(relative);
         }
-        let off = (f64::from(s.phi()) - phi).rem_euclid(1.0);
-        let angles = [(f64::from(s.theta()) - theta).abs(), off.min(1.0 - off)];
+        let off = (f64::from(s.phi_turns()) - phi).rem_euclid(1.0);
+        let angles = [
+            (f64::from(s.theta_turns()) - theta).abs(),
+            off.min(1.0 - off),
+        ];
         for error in angles {
             assert!(error <= ANGLE_ERROR, "{point:?}: {s:?} {angles:?}");
             worst_angle = worst_angle.max(error);
@@ -263,7 +274,10 @@ fn spherical_coordinates<T: Tier>() {
             }
         }
         let exact = {
-            let (theta, phi) = (TAU * f64::from(s.theta()), TAU * f64::from(s.phi()));
+            let (theta, phi) = (
+                TAU * f64::from(s.theta_turns()),
+                TAU * f64::from(s.phi_turns()),
+            );
             [
                 theta.sin() * phi.cos(),
                 theta.sin() * phi.sin(),
@@ -278,7 +292,7 @@ fn spherical_coordinates<T: Tier>() {
                 worst_point = worst_point.max(error);
             }
         }
-        let sine = (TAU * f64::from(s.theta())).sin();
+        let sine = (TAU * f64::from(s.theta_turns())).sin();
         assert!((f64::from(s.solid_angle_jacobian()) - sine).abs() <= 1.0e-7);
     }
     for (worst, stated) in [(worst_radius, RADIUS_ERROR), (worst_point, CARTESIAN_ERROR)] {
@@ -302,7 +316,7 @@ fn spherical_coordinates_keep_their_stated_errors() {
 #[test]
 fn poles_and_origin_have_coordinates() {
     let of = Spherical::<Poly>::from_cartesian;
-    let parts = |s: Spherical<Poly>| (s.radius(), s.theta(), s.phi());
+    let parts = |s: Spherical<Poly>| (s.radius(), s.theta_turns(), s.phi_turns());
     assert_eq!(parts(of([0.0, 0.0, 2.0])), (2.0, 0.0, 0.0));
     assert_eq!(parts(of([0.0, 0.0, -2.0])), (2.0, 0.5, 0.0));
     assert_eq!(parts(of([0.0, 0.0, 0.0])), (0.0, 0.0, 0.0));

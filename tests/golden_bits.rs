@@ -206,12 +206,12 @@ const SPARED: [(&str, &str); 9] = [
     ("Chance", "the acceptance in a step of integer weights"),
     ("Error06", "the error of `TryRng06`"),
     ("FromFn", "words as a closure returns them"),
+    ("RandomWalk", "how `BoxStep` and the other steps propose"),
     ("Rng06", "words of another generator as they are"),
     ("Rng09", "words of another generator as they are"),
     ("Start", "what `Chain::resample` returns"),
-    ("Step", "what `Chain::step` returns"),
+    ("Transition", "what `Chain::step` returns"),
     ("TryRng06", "words of another generator as they are"),
-    ("Walk", "how `BoxStep` and the other steps propose"),
 ];
 
 /// Tables, selections, rejection samplers, mutations, chains, estimates, strata and tiers are in a golden subject.

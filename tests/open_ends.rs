@@ -7,7 +7,7 @@
 use ::fixed::types::extra::U30;
 use ::fixed::types::{I2F30, U0F32};
 use microwarp::uniform::{Strata1d, Uniforms, deep_from_word, grid_from_word};
-use microwarp::{Inversion, Warp, fixed, libm, poly};
+use microwarp::{Warp, fixed, libm, poly, warp::Inversion};
 use support::generators::Cycle;
 
 /// Words and the share of all words that each stands for.
@@ -161,7 +161,7 @@ fn a_slope_that_starts_at_nothing_weighs_its_whole_width() {
 #[test]
 fn the_start_of_a_steep_rise_has_its_own_share() {
     both_tiers!(|mw| {
-        let rise = mw::TruncatedExponential::new(-1e4, 1.0).unwrap();
+        let rise = mw::TruncatedExponential::from_rate(-1e4, 1.0).unwrap();
         let fourth = |x: f32| (1e4 * (1.0 - f64::from(x))).powi(4);
         holds("TruncatedExponential", &rise, ("y^4", &fourth, 24.0, 1e-3));
     });
@@ -243,7 +243,7 @@ fn compositions_draw_as_what_they_are_made_of() {
 /// One word reaches as deep as it can into a tail that a draw takes two for.
 #[test]
 fn a_tail_of_one_word_ends_at_the_deepest_uniform() {
-    let tail = poly::ExponentialTail::new(2.0).unwrap();
+    let tail = poly::ExponentialTail::from_rate(2.0).unwrap();
     for word in [0, 1, 255, 0x7fff_ffff, 0x8000_0000, 0x1234_5678, !0] {
         assert_eq!(tail.sample_words(word), tail.sample(deep_from_word(word)));
     }

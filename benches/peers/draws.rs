@@ -157,7 +157,7 @@ pub fn lobe() -> Contest<[f32; 3]> {
 
 pub fn exponential() -> Contest<f32> {
     let floor = Contest::new(0.0).draw(FLOOR, word);
-    let contest = tiers!(floor, mw::Exponential::new(1.0).unwrap());
+    let contest = tiers!(floor, mw::Exponential::from_rate(1.0).unwrap());
     // Ours divides by its rate, so the formula does.
     let rate = black_box(1.0);
     let formula = move |u| textbook::exponential_of_rate(rate, u);

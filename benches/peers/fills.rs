@@ -72,7 +72,10 @@ pub fn lobe() -> Contest<[f32; 3]> {
 }
 
 pub fn exponential() -> Contest<f32> {
-    let (libm, poly) = (libm::Exponential::new(1.0), poly::Exponential::new(1.0));
+    let (libm, poly) = (
+        libm::Exponential::from_rate(1.0),
+        poly::Exponential::from_rate(1.0),
+    );
     let floor = Contest::of_blocks(0.0, FILLED, REPEATS).draw(FLOOR, word);
     filled(floor, libm.unwrap(), poly.unwrap(), rejecting::exponential)
 }

@@ -30,7 +30,7 @@ pub struct Importance {
 
 impl Importance {
     pub fn new() -> Self {
-        let axis = mw::TruncatedExponential::new(4.0_f32.ln(), 1.0);
+        let axis = mw::TruncatedExponential::from_rate(4.0_f32.ln(), 1.0);
         Self {
             axis: axis.expect("a rate and a length"),
         }

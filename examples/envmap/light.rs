@@ -72,13 +72,14 @@ pub fn quantities(
     let look = |direction: [f32; 3]| {
         let place = mw::Spherical::from_cartesian(direction);
         // The nadir is a row's end that belongs to no row.
-        texel([place.phi(), place.theta().min(0.499_999)])
+        texel([place.phi_turns(), place.theta_turns().min(0.499_999)])
     };
     // A direction from the table, with the reciprocal of its density per steradian.
     let mut rng = Pcg32::new(seed, 20);
     let mut from_table = || {
         let [phi, theta] = table.draw(&mut rng);
-        let place = mw::Spherical::new(1.0, theta, phi).expect("a sample lies in the rectangle");
+        let place =
+            mw::Spherical::from_turns(1.0, theta, phi).expect("a sample lies in the rectangle");
         let jacobian = TAU * TAU * f64::from(place.solid_angle_jacobian());
         let density = f64::from(table.pdf([phi, theta]));
         (

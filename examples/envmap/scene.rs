@@ -57,7 +57,7 @@ fn middle(column: usize, row: usize) -> [f32; 2] {
 }
 
 fn direction(phi: f32, theta: f32) -> [f32; 3] {
-    mw::Spherical::new(1.0, theta, phi)
+    mw::Spherical::from_turns(1.0, theta, phi)
         .expect("the middle of a texel is on the sphere")
         .to_cartesian()
 }

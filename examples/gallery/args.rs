@@ -13,6 +13,7 @@ Draws every warp of microwarp in both tiers, checks the samples against the dens
     --seed N       seed of the generator [42]; the same seed gives the same pictures
     --out DIR      where the pictures go [target/gallery]
     --sheet FILE   where the contact sheet goes [DIR/gallery.png]
+    --rustdoc DIR  where small pictures for the documentation go, as HTML [none]
     --samples N    samples of each warp and tier for the table, 100000 to 100000000 [1000000]
     --points N     points drawn in a picture, 10 to 100000 [800]
     --only TEXT    only warps whose name contains TEXT; makes no contact sheet
@@ -22,10 +23,12 @@ Draws every warp of microwarp in both tiers, checks the samples against the dens
 The exit code is 1 if a p-value is below 1e-9, if a sample lies where the density is 0, or if a warp of
 the registry has no picture; it is 2 for arguments that make no sense.";
 
+#[derive(Clone)]
 pub struct Args {
     pub seed: u64,
     pub out: PathBuf,
     pub sheet: Option<PathBuf>,
+    pub rustdoc: Option<PathBuf>,
     pub samples: usize,
     pub points: usize,
     pub only: Option<String>,
@@ -47,6 +50,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
         seed: 42,
         out: PathBuf::from("target/gallery"),
         sheet: None,
+        rustdoc: None,
         samples: 1_000_000,
         points: 800,
         only: None,
@@ -58,6 +62,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
             Long("seed") => args.seed = number(&mut parser, "--seed")?,
             Long("out") => args.out = parser.value()?.into(),
             Long("sheet") => args.sheet = Some(parser.value()?.into()),
+            Long("rustdoc") => args.rustdoc = Some(parser.value()?.into()),
             Long("samples") => {
                 args.samples = within(&mut parser, "--samples", 100_000, 100_000_000)?
             }

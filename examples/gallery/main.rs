@@ -14,8 +14,9 @@ mod table;
 
 use args::Args;
 use check::Figures;
+use std::collections::BTreeSet;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use support::registry::Entry;
@@ -91,6 +92,14 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         sheet::contact(&subjects, SHEET_TIER, args).save(&path)?;
         places.push(format!("the contact sheet in {}", path.display()));
     }
+    if let Some(folder) = &args.rustdoc {
+        support::progress::folder(folder)?;
+        for_rustdoc(&subjects, folder, args)?;
+        places.push(format!(
+            "those for the documentation in {}",
+            folder.display()
+        ));
+    }
     progress.finish_and_clear();
 
     let measured: Vec<(&Entry, &Figures)> = rows.iter().copied().zip(&figures).collect();
@@ -109,6 +118,35 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         start.elapsed().as_secs_f64()
     );
     Ok(complaints)
+}
+
+/// A small picture of each warp, as a line of HTML that its documentation includes: rustdoc takes no files along.
+fn for_rustdoc(subjects: &[Subject], folder: &Path, args: &Args) -> Result<(), String> {
+    let mut done = BTreeSet::new();
+    // "Interval, decreasing" is an interval too, and the first of each is shown.
+    let kind = |s: &Subject| snake(s.name.split(' ').next().unwrap_or_default());
+    for subject in subjects.iter().filter(|s| done.insert(kind(s))) {
+        let picture = sheet::thumbnail(subject, SHEET_TIER, args).data_address()?;
+        let html = format!(
+            "<img alt=\"Samples of {} over its density: {}\" src=\"{picture}\">\n",
+            subject.name, subject.picture.caption
+        );
+        let path = folder.join(kind(subject)).with_extension("html");
+        std::fs::write(&path, html).map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// "PhongLobe" becomes "phong_lobe".
+fn snake(name: &str) -> String {
+    let mut snake = String::new();
+    for c in name.chars() {
+        if c.is_uppercase() && !snake.is_empty() {
+            snake.push('_');
+        }
+        snake.extend(c.to_lowercase());
+    }
+    snake
 }
 
 /// Warps none of whose cases has a picture.

@@ -108,6 +108,20 @@ pub fn single(subject: &Subject, figures: &[Option<&Figures>], args: &Args) -> C
     canvas
 }
 
+/// The picture of one subject alone, small, for its documentation.
+pub fn thumbnail(subject: &Subject, tier: usize, args: &Args) -> Canvas {
+    let flat = matches!(subject.picture.view, View::Line(_) | View::Strata1d);
+    let (width, height) = if flat { (320, 180) } else { (240, 240) };
+    let mut canvas = Canvas::new(width, height);
+    let place = Area::new(0.0, 0.0, width as f32, height as f32).inside(4.0, 4.0, 4.0, 4.0);
+    let args = Args {
+        points: args.points.min(300),
+        ..args.clone()
+    };
+    panel(&mut canvas, place, subject, tier, &args, 0.8);
+    canvas
+}
+
 /// The contact sheet, in the tier whose place is `tier`.
 pub fn contact(subjects: &[Subject], tier: usize, args: &Args) -> Canvas {
     let width = 1600.0;

@@ -1,6 +1,6 @@
 //! A chain over the pixels, and the copies of the picture that different recordings of it make.
 
-use microwarp::metropolis::{Chain, Start, Step, UniformIndex};
+use microwarp::metropolis::{Chain, Start, Transition, UniformIndex};
 use microwarp::rejection::Failure;
 use rand_pcg::Pcg32;
 
@@ -97,7 +97,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn record(&mut self, step: &Step<usize>) {
+    fn record(&mut self, step: &Transition<usize>) {
         self.visits[step.state()] += 1;
         for (pixel, weight) in step.recorded() {
             self.weights[pixel] += f64::from(weight);

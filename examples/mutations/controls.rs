@@ -4,7 +4,7 @@ use crate::run::walk;
 use crate::study::{AGREED, LENGTHS, STARTS, Study};
 use crate::thinned::Thinned;
 use microwarp::Error;
-use microwarp::metropolis::Step;
+use microwarp::metropolis::Transition;
 use rand_pcg::Pcg32;
 use support::verdict::{Outcome, passes};
 
@@ -15,13 +15,13 @@ pub struct Control {
 }
 
 /// What a chain gone wrong would record of a step.
-type Record = fn(&Step<f32>) -> Option<f32>;
+type Record = fn(&Transition<f32>) -> Option<f32>;
 
-fn accepted_only(step: &Step<f32>) -> Option<f32> {
+fn accepted_only(step: &Transition<f32>) -> Option<f32> {
     step.is_accepted().then(|| step.state())
 }
 
-fn every_proposal(step: &Step<f32>) -> Option<f32> {
+fn every_proposal(step: &Transition<f32>) -> Option<f32> {
     (step.proposed_density > 0.0).then_some(step.proposed)
 }
 

@@ -1,14 +1,14 @@
 //! Autocorrelation times of any length: the same numbers, more and more thinned.
 
-use microwarp::metropolis::Health;
+use microwarp::metropolis::Autocorrelation;
 
 /// With fewer numbers than this, what looks like the end of correlation is chance.
 const LEAST: u64 = 128;
 
-/// [`Health`] of the numbers of a run, of every fourth of them, of every sixteenth, and so on.
+/// [`Autocorrelation`] of the numbers of a run, of every fourth of them, of every sixteenth, and so on.
 pub struct Ladder<const LAGS: usize> {
     /// How many numbers are passed over for one that is taken, and what is known of those.
-    rungs: Vec<(u64, Health<LAGS>)>,
+    rungs: Vec<(u64, Autocorrelation<LAGS>)>,
     seen: u64,
 }
 
@@ -26,7 +26,9 @@ impl<const LAGS: usize> Ladder<LAGS> {
         let strides = std::iter::successors(Some(first), |stride| Some(4 * stride));
         let rungs = strides.take_while(|&stride| stride == first || steps / stride >= LEAST);
         Self {
-            rungs: rungs.map(|stride| (stride, Health::new())).collect(),
+            rungs: rungs
+                .map(|stride| (stride, Autocorrelation::new()))
+                .collect(),
             seen: 0,
         }
     }
@@ -44,7 +46,7 @@ impl<const LAGS: usize> Ladder<LAGS> {
     /// The time by the finest rung whose lags reach as far as correlation does; `None` where none does, or
     /// where all numbers are the same.
     pub fn time(&self) -> Option<Time> {
-        let known = |(stride, health): &(u64, Health<LAGS>)| {
+        let known = |(stride, health): &(u64, Autocorrelation<LAGS>)| {
             Some(Time {
                 steps: *stride as f64 * f64::from(health.integrated_time()?),
                 stride: *stride,

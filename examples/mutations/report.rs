@@ -90,7 +90,7 @@ pub fn runs(studies: &[Study]) {
          states of each step, by 1 − a and a.\n\
          theory: what it should be on average, where the run is at least 100 relaxation times long. τ: integrated \
          autocorrelation time\n\
-         in steps, of x and of whether x < 1/2, by `Health` of every state, every 4th, every 16th ...: the first \
+         in steps, of x and of whether x < 1/2, by `Autocorrelation` of every state, every 4th, every 16th ...: the first \
          that knows it.\n\
          ESS: steps over τ. split R̂: of this run, which starts at 0.1, and another, from 0.9; above {AGREED} they \
          do not agree.\n\

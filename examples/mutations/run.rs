@@ -5,7 +5,7 @@ use crate::ladder::Ladder;
 use crate::target::{BINS, Rule, bin, probabilities, target};
 use crate::thinned::Thinned;
 use microwarp::Error;
-use microwarp::metropolis::{Chain, Halves, Step};
+use microwarp::metropolis::{Chain, Halves, Transition};
 use rand_pcg::Pcg32;
 
 /// States of a run that are kept for the picture.
@@ -37,7 +37,7 @@ pub fn walk(
     start: f32,
     steps: u64,
     rng: &mut Pcg32,
-    mut see: impl FnMut(&Step<f32>),
+    mut see: impl FnMut(&Transition<f32>),
 ) -> Result<f64, Error> {
     let mut chain = Chain::new(start, target)?;
     for _ in 0..steps {
@@ -77,7 +77,7 @@ impl Run {
         Ok(this)
     }
 
-    fn tally(&mut self, step: &Step<f32>, share: f64) {
+    fn tally(&mut self, step: &Transition<f32>, share: f64) {
         let x = step.state();
         self.plain[bin(x)] += share;
         for (x, weight) in step.recorded() {

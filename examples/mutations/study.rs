@@ -8,7 +8,7 @@ use crate::target::BINS;
 use crate::target::Rule;
 use crate::thinned::Thinned;
 use microwarp::Error;
-use microwarp::metropolis::{Halves, Step, split_r_hat};
+use microwarp::metropolis::{Halves, Transition, split_r_hat};
 use rand_pcg::Pcg32;
 use support::mean::Mean;
 use support::verdict::{ALARM, Outcome, passes};
@@ -92,7 +92,7 @@ impl Long {
         let mut start = STARTS[0];
         for _ in 0..BATCHES {
             let mut last = start;
-            walk(rule, start, batch, rng, |step: &Step<f32>| {
+            walk(rule, start, batch, rng, |step: &Transition<f32>| {
                 last = step.state();
                 let (before, now) = (is_left(step.from), is_left(last));
                 let events = [step.is_accepted(), before != now, now];

@@ -1,10 +1,10 @@
 //! What is drawn: four samplers, each with its exact efficiency and the exact law of its points' radius.
 
-use microwarp::Aabb;
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, budget_for,
 };
 use microwarp::uniform::grid;
+use microwarp::warp::Aabb;
 use microwarp::{Warp, poly as mw};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -105,7 +105,7 @@ fn inverse_square() -> Result<Scene, microwarp::Error> {
     let disk = mw::Disk::new();
     // The efficiency is the integral of f, π ln 2, over c = π, the largest f/p.
     let budget = budget_for(LN_2 as f32)?;
-    let sampler = Bounded::new(disk, bump, PI, budget)?;
+    let sampler = Bounded::new(disk, bump, PI)?.with_budget(budget)?;
     Ok(Scene {
         file: "inverse-square",
         name: "1/(1 + r²) on the disk",
@@ -130,7 +130,7 @@ fn inverse_square() -> Result<Scene, microwarp::Error> {
 fn rose_in_a_box() -> Result<Scene, microwarp::Error> {
     let square = Aabb::new([-1.0; 2], [1.0; 2])?;
     let budget = budget_for(FRAC_PI_8 as f32)?;
-    let sampler = Region::new(square, in_rose, budget)?;
+    let sampler = Region::new(square, in_rose).with_budget(budget)?;
     Ok(Scene {
         file: "rose",
         name: "uniform rose",

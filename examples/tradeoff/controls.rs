@@ -179,7 +179,7 @@ pub fn all(args: &Args) -> Vec<Control> {
 }
 
 fn poly() -> microwarp::poly::Exponential {
-    microwarp::poly::Exponential::new(1.0).expect("a rate")
+    microwarp::poly::Exponential::from_rate(1.0).expect("a rate")
 }
 
 /// The noncentrality a sample of a map of one uniform, by all its uniforms.

@@ -66,7 +66,7 @@ fn integers<G: Grade>(rows: &mut Vec<Row>) -> Result<(), Error> {
     let cone = integer::Cone::<G>::from_one_minus_cos(U2F62::from_num(0.25))?;
     let flat = [[-90, 10], [300, -200], [40, 250]];
     let on = integer::TriangleOn::<_, 2, G>::new(flat.map(|v| v.map(I16F16::from_num)))?;
-    let truncated = integer::TruncatedExponential::<_, G>::new(U4F28::from_num(0.5), U4F28::from_num(3))?;
+    let truncated = integer::TruncatedExponential::<_, G>::from_mean(U4F28::from_num(0.5), U4F28::from_num(3))?;
     list! {
         DISK, "Disk", "disk" => integer::Disk::<G>::new(), Box::new(truth::Disk);
         SPHERE, "Sphere", "sphere" => integer::Sphere::<G>::new(), truth::sphere();

@@ -1,8 +1,18 @@
-//! How an alias table is laid out: the bins of light entries filled up with words of the heavy ones.
+//! How an alias table is laid out: the bins of light entries are filled up with words of heavy ones.
 
-use super::ladder::Ends;
+use super::apportionment::Apportionment;
 
-/// An entry of an [`Alias`](super::Alias) table: 12 bytes for `u32`, 24 for `u64`.
+/// A bin of an [`Alias`](super::Alias) table, and the entry of the same index: 12 bytes for `u32`, 24 for `u64`.
+///
+/// A table's bins can be stored or sent as their three numbers:
+/// ```
+/// use microwarp::discrete::{Alias, AliasEntry};
+/// let table = Alias::<[_; 4]>::new(&[1.0, 0.0, 2.0])?;
+/// let sent: Vec<_> = table.as_bins().iter().map(|b| (b.threshold(), b.numerator(), b.alias())).collect();
+/// let received: Vec<AliasEntry<u32>> = sent.iter().map(|b| AliasEntry::new(b.0, b.1, b.2)).collect();
+/// assert_eq!(Alias::from_bins(received.as_slice(), 3)?, table.view());
+/// # Ok::<(), microwarp::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AliasEntry<W> {
@@ -114,7 +124,7 @@ impl Bins<'_> {
 
     /// Lays the table out in a power of two of bins, at least as many as there are entries.
     #[inline(always)]
-    pub(crate) const fn lay(mut self, mut ends: Ends<'_>) {
+    pub(crate) const fn lay(mut self, mut ends: Apportionment<'_>) {
         let (bins, bits) = self.shape();
         let part = 1_u128.wrapping_shl(bits.wrapping_sub(bins.trailing_zeros()));
         let (mut index, mut before) = (0, 0);

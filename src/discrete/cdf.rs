@@ -1,70 +1,106 @@
 //! A discrete distribution as a table of cumulated words, searched by halving.
 
-use super::ladder::Ends;
+use super::apportionment::Apportionment;
 use super::selection::{ExactSelection, Selection, Share, amount, selections};
-use super::source::Source;
-use super::storage::Storage;
+use super::storage::{OwnedStorage, Storage};
+use super::weights::Weights;
 use super::word::{Word, Words};
 use crate::error::Error;
 use crate::uniform::{Uniforms, infallible};
 use core::ops::RangeInclusive;
 use rand_core::{Rng, TryRng};
 
-/// A bounded table that selects an index with probability proportional to its weight.
+/// A discrete distribution, searched by its cumulative sums: selects an index with probability proportional
+/// to its weight.
 ///
-/// The weights are turned once into whole numbers of words: of the 2³² words of a `u32` (2⁶⁴ of a
-/// `u64`), entry i is given the consecutive words [`Cdf::words_of`], and a selection is nothing but a search
-/// for the entry that a word belongs to. So the probability that the table reports, [`Cdf::numerator`]
-/// out of [`Word::TOTAL`], is exactly the one with which it selects.
+/// The table divides the 2³² words of a `u32` (the 2⁶⁴ of a `u64`) among the entries, once. Entry i gets the
+/// consecutive words [`words_of(i)`](Cdf::words_of), and a selection is a search for the entry that a word
+/// belongs to. The probability that the table reports, [`numerator`](Cdf::numerator) out of [`Word::TOTAL`],
+/// is therefore exactly the one with which it selects.
 ///
-/// - Storage: an array (a `const` in flash), a [`heapless::Vec`], or a borrowed slice; `u32` or `u64`.
-///   As many words as entries.
-/// - Uniforms: one, as 32 bits, as an `f32`, or as a word; drawing takes one `u32` from a table of `u32`,
-///   two from a table of `u64`. The same bits give the same index in every form.
-/// - Weights: up to [`MAX_ENTRIES`](super::MAX_ENTRIES) finite `f32` or `u32`, zero or positive, not all
-///   zero. A weight is kept exactly unless it is below 2⁻⁴⁷ of the largest.
+/// # Domain
+/// - Weights: up to [`MAX_ENTRIES`](super::MAX_ENTRIES) finite `f32` or `u32`, zero or positive, not all zero.
+/// - Uniforms: one, as 32 bits, as an `f32`, or as a word of the table. The same bits select the same index in
+///   every form. A draw takes one `u32` of the generator for a table of `u32`, two for a table of `u64`.
+/// - Storage: anything that is a [`Storage`], with one word an entry.
+///
+/// | weights | constructor | table |
+/// |---|---|---|
+/// | an array | [`new`](Cdf::new), [`new_u64`](Cdf::new_u64), both `const` | `Cdf<[u32; N]>`, `Cdf<[u64; N]>` |
+/// | a slice | [`from_slice`](Cdf::from_slice) | `Cdf<heapless::Vec<u32, CAPACITY>>`; with feature `alloc` `Cdf<Vec<u32>>` |
+/// | a slice, and memory to use | [`new_in`](Cdf::new_in) | `Cdf<&[u32]>` |
+/// | none: a finished table | [`from_words`](Cdf::from_words), [`from_trusted_words`](Cdf::from_trusted_words) | of any storage |
+///
+/// Each of the first three has a twin for integer weights: [`from_integers`](Cdf::from_integers),
+/// [`from_integer_slice`](Cdf::from_integer_slice), [`from_integers_in`](Cdf::from_integers_in).
+///
+/// # Accuracy
 /// - A weight of zero is never selected. A positive weight is given at least one word.
-/// - How far the probability may differ from weight/total: in a table of `u32` by less than 2⁻³² (by one step
-///   at most where some weight is below a step), in a table of `u64` by less than n 2⁻⁶⁴ + 2⁻⁵⁵. Where no
-///   division of the 2³² words has every entry within a step of its share and every positive weight at least
-///   one, the constructor says [`Error::Unreachable`]; a table of `u64` takes any weights, from 2⁻¹⁴⁹ to
-///   `f32::MAX` in one table, and the steps that weights below a step are given are taken from the others.
-/// - The full words of the table, which drawing uses, reach every positive weight, each with its pmf. Fewer
-///   bits divide their own steps: 32 bits in a table of `u64`, and the 24-bit grid of an `f32` in either,
-///   give an entry its share to within one step of 2⁻³² or 2⁻²⁴ (and what the table's own words are off).
-///   An entry about such a step or below it is then either not reached or, by the one bit string that its
-///   words happen to hold, more often than its pmf says.
-/// - Time: log₂ n comparisons. Building takes a 128-bit division an entry, digit by digit, and two more
-///   where some weight is below a step; a `const` is built by the compiler. Beyond some thousand entries it
-///   asks for `#![allow(long_running_const_eval)]`.
+/// - In a table of `u32` a probability differs from weight/total by less than 2⁻³², or by at most 2⁻³² where
+///   some weight is below such a step. Where the words cannot be divided so, the constructor returns
+///   [`Error::Unreachable`].
+/// - In a table of `u64` it differs by less than n 2⁻⁶⁴ + 2⁻⁵⁵, and any weights go together, from 2⁻¹⁴⁹ to
+///   `f32::MAX`. Weights below a step take their word from the others.
+/// - A weight is kept exactly unless it is below 2⁻⁴⁷ of the largest.
+/// - Selecting with fewer bits than a word has (32 for a table of `u64`, the 24 of an `f32` for either) gives
+///   an entry its share to within one step of 2⁻³² or 2⁻²⁴. An entry below such a step is then either never
+///   selected, or more often than its pmf says. Draws use whole words, so they are not affected.
 ///
-/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
+/// # Cost
+/// A selection takes log₂ n comparisons. Building takes one 128-bit division an entry, digit by digit, and two
+/// more where some weight is below a step. A `const` table is built by the compiler; from some thousand
+/// entries on it asks for `#![allow(long_running_const_eval)]`.
 ///
+/// # Examples
 /// ```
 /// use microwarp::discrete::Cdf;
 /// use rand_pcg::Pcg32;
 ///
-/// // Checked by the compiler, kept in flash.
-/// const LOADED: Cdf<[u32; 4]> = match Cdf::<[u32; 4]>::new(&[1.0, 0.0, 2.0, 1.0]) {
+/// let table = Cdf::new(&[1.0, 0.0, 2.0, 1.0])?;
+/// assert_eq!(table.pmf(2), 0.5);
+/// let chosen = table.select_uniform(0.375);
+/// assert_eq!((chosen.index, chosen.leftover), (2, 0.25));
+/// let index = table.draw_index(&mut Pcg32::new(1, 1));
+/// assert_ne!(index, 1);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+///
+/// Checked by the compiler, and kept in flash:
+/// ```
+/// use microwarp::discrete::Cdf;
+/// const LOADED: Cdf<[u32; 6]> = match Cdf::from_integers(&[1, 1, 1, 1, 1, 3]) {
 ///     Ok(table) => table,
 ///     Err(_) => panic!("bad weights"),
 /// };
-/// assert_eq!(LOADED.pmf(2), 0.5);
-/// let chosen = LOADED.select_uniform(0.375);
-/// assert_eq!((chosen.index, chosen.leftover), (2, 0.25));
-/// let index = LOADED.draw(&mut Pcg32::new(1, 1)).index;
-/// assert_ne!(index, 1);
+/// assert_eq!(LOADED.pmf(5), 0.375);
 /// ```
+///
+/// # See also
+/// - [`Alias`](super::Alias): the same probabilities from one look-up, in three times the memory or more.
+/// - [`select_once`](super::select_once): without a table, for weights that change with every selection.
+/// - [`PiecewiseConstant1d`](super::PiecewiseConstant1d): a point in a cell instead of an index.
+///
+/// # Source
+/// L. Devroye, *Non-Uniform Random Variate Generation*, Springer, 1986, chapter III.2:
+/// <http://luc.devroye.org/rnbookindex.html>.
+#[doc(alias = "categorical")]
+#[doc(alias = "cumulative")]
+#[doc(alias = "discrete_distribution")]
+#[doc(alias = "inversion")]
+#[doc(alias = "multinomial")]
+#[doc(alias = "weighted_choice")]
+#[doc(alias = "weighted_index")]
+#[doc(alias = "WeightedIndex")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cdf<S> {
-    /// For every entry but the last the number of words below its end, saturating; in place of the last
-    /// the index of the last entry of positive weight, whose end is beyond all words.
+    /// For every entry but the last, the number of words below its end, saturating. In place of the last, the
+    /// index of the last entry of positive weight, whose end is beyond all words.
     ends: S,
 }
 
 /// Fills memory with as many words as there are weights.
-pub(crate) const fn fill(mut ends: Ends<'_>, mut words: Words<'_>) {
+pub(crate) const fn fill(mut ends: Apportionment<'_>, mut words: Words<'_>) {
     let last = ends.last();
     while words.left() > 0 {
         let end = match ends.next() {
@@ -76,31 +112,29 @@ pub(crate) const fn fill(mut ends: Ends<'_>, mut words: Words<'_>) {
     }
 }
 
-/// What `const` code cannot have of both words at once.
+/// The constructors that `const` code can call: there, code cannot be generic over the word.
 macro_rules! arrays {
-    ($($word:ident, $either:ident;)*) => {$(
+    ($(
+        $word:ident, $either:ident;
+        $(#[$new_doc:meta])*
+        $new:ident;
+        $(#[$integers_doc:meta])*
+        $from_integers:ident;
+    )*) => {$(
         impl<const N: usize> Cdf<[$word; N]> {
-            /// The table of these weights, as an array.
-            ///
-            /// # Errors
-            /// [`Error::NoWeights`], [`Error::TooManyWeights`], [`Error::NegativeWeight`] and
-            /// [`Error::NotFiniteWeight`] with the index, [`Error::AllZero`], and from a table of `u32`
-            /// [`Error::Unreachable`] with the index of a positive weight below a step.
-            pub const fn new(weights: &[f32; N]) -> Result<Self, Error> {
-                Self::of(Source::floats(weights))
+            $(#[$new_doc])*
+            pub const fn $new(weights: &[f32; N]) -> Result<Self, Error> {
+                Self::array(Weights::floats(weights))
             }
 
-            /// The table of these integer weights, as an array.
-            ///
-            /// # Errors
-            /// As [`Cdf::new`], as far as integers can be at fault.
-            pub const fn from_integers(weights: &[u32; N]) -> Result<Self, Error> {
-                Self::of(Source::integers(weights))
+            $(#[$integers_doc])*
+            pub const fn $from_integers(weights: &[u32; N]) -> Result<Self, Error> {
+                Self::array(Weights::integers(weights))
             }
 
-            const fn of(source: Result<Source<'_>, Error>) -> Result<Self, Error> {
+            const fn array(weights: Result<Weights<'_>, Error>) -> Result<Self, Error> {
                 let mut ends = [0; N];
-                match Ends::of(source, $word::BITS) {
+                match Apportionment::of(weights, $word::BITS) {
                     Ok(steps) => {
                         fill(steps, Words::$either(&mut ends));
                         Ok(Self { ends })
@@ -114,7 +148,67 @@ macro_rules! arrays {
 
 arrays! {
     u32, U32;
+    /// The table of an array of weights, with words of 32 bits: the usual one. `const`.
+    ///
+    /// # Errors
+    /// [`Error::NoWeights`], [`Error::TooManyWeights`], [`Error::AllZero`]; with the index of the weight
+    /// [`Error::NegativeWeight`], [`Error::NotFiniteWeight`], and [`Error::Unreachable`] for a positive weight
+    /// that is too small beside the others.
+    ///
+    /// # Cost
+    /// At most 4 times the table and 2 KiB of stack, the table included; up to 8 times without optimisation. For
+    /// large tables take [`Cdf::new_in`], or with feature `alloc` [`Cdf::from_slice`].
+    ///
+    /// # Examples
+    /// ```
+    /// use microwarp::discrete::Cdf;
+    /// let coin = Cdf::new(&[1.0, 3.0])?;
+    /// assert_eq!(coin.pmf(1), 0.75);
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    /// The length must be known to the compiler. From a slice it is not:
+    /// ```compile_fail
+    /// use microwarp::discrete::Cdf;
+    /// let weights: &[f32] = &[1.0, 3.0];
+    /// let coin = Cdf::new(weights)?; // expected `&[f32; _]`, found `&[f32]`
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    /// [`Cdf::from_slice`] and [`Cdf::new_in`] take slices:
+    /// ```
+    /// use microwarp::discrete::Cdf;
+    /// let weights: &[f32] = &[1.0, 3.0];
+    /// let coin = Cdf::<heapless::Vec<u32, 8>>::from_slice(weights)?;
+    /// let mut memory = [0_u32; 8];
+    /// assert_eq!(Cdf::new_in(weights, &mut memory)?.as_words(), coin.as_words());
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    new;
+    /// The table of an array of integer weights, with words of 32 bits. `const`, and without a floating-point
+    /// operation.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::new`], except for weights that are negative or not finite.
+    from_integers;
     u64, U64;
+    /// The table of an array of weights, with words of 64 bits: for weights of very different size. `const`.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::new`], except [`Error::Unreachable`].
+    ///
+    /// # Examples
+    /// ```
+    /// use microwarp::discrete::Cdf;
+    /// let table = Cdf::new_u64(&[1e-20, 1.0, 1e-30])?;
+    /// assert!(table.pmf(2) > 0.0);
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    new_u64;
+    /// The table of an array of integer weights, which are `u32` here too, with words of 64 bits. `const`, and
+    /// without a floating-point operation.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::from_integers`], except [`Error::Unreachable`].
+    from_integers_u64;
 }
 
 impl<W: Word, const N: usize> Cdf<[W; N]> {
@@ -125,57 +219,99 @@ impl<W: Word, const N: usize> Cdf<[W; N]> {
     }
 }
 
-impl<W: Word, const N: usize> Cdf<heapless::Vec<W, N>> {
-    /// The table of these weights, as a vector of bounded capacity.
+impl<W: Word, S: Storage<Item = W>> Cdf<S> {
+    /// The table of a slice of weights, in storage of its own: a [`heapless::Vec`], with feature `alloc` a
+    /// `Vec` or a `Box`, or your own [`OwnedStorage`].
     ///
     /// # Errors
-    /// As for an array; [`Error::TooManyWeights`] also for more than the vector holds.
-    pub fn new(weights: &[f32]) -> Result<Self, Error> {
-        Self::of(Source::floats(weights)?, weights.len())
+    /// Those of [`Cdf::new`]; [`Error::TooManyWeights`] also where the storage has no room for them.
+    ///
+    /// # Examples
+    /// ```
+    /// use microwarp::discrete::Cdf;
+    /// let weights = vec![1.0, 2.0, 1.0];
+    /// let table = Cdf::<heapless::Vec<u32, 16>>::from_slice(&weights)?;
+    /// assert_eq!(table.entries(), 3);
+    /// # #[cfg(feature = "alloc")] {
+    /// let table: Cdf<Vec<u32>> = Cdf::from_slice(&weights)?;
+    /// assert_eq!(table.entries(), 3);
+    /// # }
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    /// An array is no such storage, and the compiler says what is:
+    /// ```compile_fail
+    /// use microwarp::discrete::Cdf;
+    /// let table = Cdf::<[u32; 3]>::from_slice(&[1.0, 2.0, 1.0])?;
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    pub fn from_slice(weights: &[f32]) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
+        Self::owned(Weights::floats(weights)?, weights.len())
     }
 
-    /// The table of these integer weights, as a vector of bounded capacity.
+    /// The table of a slice of integer weights, in storage of its own, without a floating-point operation.
     ///
     /// # Errors
-    /// As [`Cdf::new`], as far as integers can be at fault.
-    pub fn from_integers(weights: &[u32]) -> Result<Self, Error> {
-        Self::of(Source::integers(weights)?, weights.len())
+    /// Those of [`Cdf::from_integers`]; [`Error::TooManyWeights`] also where the storage has no room for them.
+    pub fn from_integer_slice(weights: &[u32]) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
+        Self::owned(Weights::integers(weights)?, weights.len())
     }
 
-    fn of(source: Source<'_>, entries: usize) -> Result<Self, Error> {
-        let mut ends = heapless::Vec::new();
-        if ends.resize(entries, W::ZERO).is_err() {
-            return Err(Error::TooManyWeights);
-        }
-        fill(Ends::new(source, W::BITS)?, W::words(&mut ends));
+    pub(crate) fn owned(weights: Weights<'_>, entries: usize) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
+        let mut ends = room(W::ZERO, entries)?;
+        fill(
+            Apportionment::new(weights, W::BITS)?,
+            W::words(S::items_mut(&mut ends)),
+        );
         Ok(Self { ends })
     }
 }
 
+/// Storage of so many items.
+pub(crate) fn room<S: OwnedStorage>(item: S::Item, length: usize) -> Result<S, Error> {
+    match S::filled(item, length) {
+        Some(storage) if storage.items().len() == length => Ok(storage),
+        _ => Err(Error::TooManyWeights),
+    }
+}
+
 impl<'a, W: Word> Cdf<&'a [W]> {
-    /// The table of these weights, laid out at the beginning of memory of the caller's.
+    /// The table of a slice of weights, laid out at the beginning of borrowed memory.
     ///
     /// # Errors
-    /// As for an array; [`Error::TooManyWeights`] also for more than the memory holds. What the
-    /// memory held is then untouched.
+    /// Those of [`Cdf::new`]; [`Error::TooManyWeights`] also where the memory has no room for them. The memory
+    /// is untouched after any error.
+    ///
+    /// # Cost
+    /// At most 2 KiB of stack, whatever the number of weights; up to 8 KiB without optimisation.
     pub fn new_in(weights: &[f32], memory: &'a mut [W]) -> Result<Self, Error> {
-        Self::of(Source::floats(weights)?, weights.len(), memory)
+        Self::borrowed(Weights::floats(weights)?, weights.len(), memory)
     }
 
-    /// The table of these integer weights, laid out at the beginning of memory of the caller's.
+    /// The table of a slice of integer weights, laid out at the beginning of borrowed memory, without a
+    /// floating-point operation.
     ///
     /// # Errors
-    /// As `new_in`, as far as integers can be at fault.
+    /// Those of [`Cdf::from_integers`]; [`Error::TooManyWeights`] also where the memory has no room for them.
+    /// The memory is untouched after any error.
     pub fn from_integers_in(weights: &[u32], memory: &'a mut [W]) -> Result<Self, Error> {
-        Self::of(Source::integers(weights)?, weights.len(), memory)
+        Self::borrowed(Weights::integers(weights)?, weights.len(), memory)
     }
 
-    pub(crate) fn of(
-        source: Source<'_>,
+    pub(crate) fn borrowed(
+        weights: Weights<'_>,
         entries: usize,
         memory: &'a mut [W],
     ) -> Result<Self, Error> {
-        let ends = Ends::new(source, W::BITS)?;
+        let ends = Apportionment::new(weights, W::BITS)?;
         let out = memory.get_mut(..entries).ok_or(Error::TooManyWeights)?;
         fill(ends, W::words(out));
         Ok(Self { ends: out })
@@ -191,19 +327,18 @@ impl<S> Cdf<S> {
 }
 
 impl<W: Word, S: Storage<Item = W>> Cdf<S> {
-    /// A table out of the words of a finished one, such as [`Cdf::as_words`] gave: kept in flash by
-    /// another program, sent over a wire.
+    /// A table from the words of a finished one, as [`Cdf::as_words`] gave them: kept in flash by another
+    /// program, or sent over a wire. All words are checked.
     ///
     /// # Errors
-    /// [`Error::NoWeights`] without words, [`Error::TooManyWeights`], [`Error::NotATable`] for words
-    /// that are not one.
+    /// [`Error::NoWeights`] without words, [`Error::TooManyWeights`], [`Error::NotATable`] for words that no
+    /// table has.
+    ///
+    /// # See also
+    /// [`Cdf::from_trusted_words`] checks nothing but the number of words.
     pub fn from_words(words: S) -> Result<Self, Error> {
-        let items = words.items();
-        let (&last, interior) = items.split_last().ok_or(Error::NoWeights)?;
-        if items.len() > super::MAX_ENTRIES {
-            return Err(Error::TooManyWeights);
-        }
-        let last = last.as_index();
+        let table = Self::from_trusted_words(words)?;
+        let (interior, last) = table.parts();
         if last > interior.len() {
             return Err(Error::NotATable);
         }
@@ -214,7 +349,34 @@ impl<W: Word, S: Storage<Item = W>> Cdf<S> {
             }
             before = end;
         }
-        Ok(Self { ends: words })
+        Ok(table)
+    }
+
+    /// A table from the words of a finished one, in constant time: the words are not looked at.
+    ///
+    /// The words must be those that [`Cdf::as_words`] gave, for the same type of word. With any other words
+    /// the distribution is meaningless, and zero weights may be selected. Still nothing panics or loops, every
+    /// selected index is below [`Cdf::entries`], a pmf is in [0, 1] and a leftover in [0, 1).
+    ///
+    /// # Errors
+    /// [`Error::NoWeights`] without words, [`Error::TooManyWeights`] for more than
+    /// [`MAX_ENTRIES`](super::MAX_ENTRIES).
+    ///
+    /// # Examples
+    /// ```
+    /// use microwarp::discrete::Cdf;
+    /// let sent = Cdf::new(&[1.0, 2.0, 1.0])?;
+    /// let received = Cdf::from_trusted_words(sent.as_words())?;
+    /// assert_eq!(received.pmf(1), 0.5);
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    #[inline]
+    pub fn from_trusted_words(words: S) -> Result<Self, Error> {
+        match words.items().len() {
+            0 => Err(Error::NoWeights),
+            1..=super::MAX_ENTRIES => Ok(Self::trusted(words)),
+            _ => Err(Error::TooManyWeights),
+        }
     }
 
     /// The words of the table.

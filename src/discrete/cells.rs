@@ -52,6 +52,12 @@ impl Cells {
         })
     }
 
+    /// The lower and the upper bound.
+    #[inline]
+    pub(crate) const fn range(&self) -> [f32; 2] {
+        [self.low, self.high]
+    }
+
     /// Refuses a rectangle on which a uniform density is not a normal number, or on one cell of which it
     /// could overflow.
     pub(crate) const fn check_area(&self, other: &Self) -> Result<(), Error> {

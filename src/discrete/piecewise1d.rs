@@ -3,7 +3,7 @@
 use super::cdf::Cdf;
 use super::cells::Cells;
 use super::selection::amount;
-use super::storage::Storage;
+use super::storage::{OwnedStorage, Storage};
 use super::word::Word;
 use crate::error::Error;
 use crate::num::{into_unit, representable};
@@ -11,23 +11,28 @@ use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
 use rand_core::TryRng;
 
-/// Piecewise constant on an interval [low, high): a table's entries as the masses of equal cells.
+/// A histogram as a density: constant on each of equal cells of an interval [low, high).
 ///
-/// The uniform selects the cell and what is left of it the place in the cell: the inverse of a cdf made of
-/// straight pieces, increasing with the uniform.
+/// One uniform selects the cell, and what is left of it places the point within the cell. This is the inverse
+/// of the cumulative distribution, so points increase with the uniform.
 ///
-/// - Storage: that of the [`Cdf`]; a `const` table has all of it in flash.
-/// - Uniforms: one. Drawing takes one `u32` from a table of `u32` and two from a table of `u64`, and uses
-///   all their bits: it reaches cells that the 24-bit grid of an `f32` passes over.
-/// - Density: the cell's probability over its width, both as realised; 0 in a cell of weight zero. A cell
-///   contains its lower edge, and `high` counts as part of the last.
-/// - Cells: their edges are (1 − t) low + t high with t = j/n, each operation rounded to `f32`. A cell must
-///   be at least 2⁻²⁰ of the larger bound wide.
-/// - Errors are against the probabilities of the table, which are whole numbers of words; how far those may be from the
-///   weights is said at [`Cdf`]. The figures hold in both tiers, which share this code; of `sample` they are in
-///   ulp of the larger bound.
-/// - Where a cell has few words it has as few places: one of a single word yields its lower edge. And since
-///   the inverse is an `f32`, it returns to cells of probability below some 2⁻²⁴ only nearly.
+/// # Density
+/// The probability of the cell over its width, both as realised; 0 in a cell of weight zero and outside. A cell
+/// contains its lower edge, and `high` counts as part of the last cell.
+///
+/// # Domain
+/// - Weights: those of [`Cdf`], one a cell. The edges of cells are (1 − t) low + t high with t = j/n, each
+///   operation rounded to `f32`. A cell must be at least 2⁻²⁰ of the larger bound wide.
+/// - Uniforms: one. A draw takes one `u32` of the generator for a table of `u32` and two for a table of `u64`,
+///   and uses all their bits, so it reaches cells that the 24-bit grid of an `f32` passes over.
+/// - Storage: that of the [`Cdf`], with the same constructors: [`new`](PiecewiseConstant1d::new) takes an array,
+///   [`from_slice`](PiecewiseConstant1d::from_slice) and [`new_in`](PiecewiseConstant1d::new_in) take slices,
+///   and [`from_cdf`](PiecewiseConstant1d::from_cdf) takes any finished table.
+///
+/// # Accuracy
+/// Errors are against the probabilities of the table; [`Cdf`] says how far those are from the weights. Both
+/// tiers share this code. The error of a sample is in ulp of the larger bound; r is what one ulp of the larger
+/// bound makes of the inverse.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -37,21 +42,35 @@ use rand_core::TryRng;
 /// | inverse | 2.7e-7 | 2.7e-7 |
 /// | round trip | 1.2e-7 + 2.5*r | 1.2e-7 + 2.5*r |
 ///
-/// r is what one ulp of the larger bound makes of the inverse.
+/// A cell of few words has as few distinct points, and one of a single word yields its lower edge. The inverse
+/// is an `f32`, so it returns only nearly to cells of probability below some 2⁻²⁴.
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
+/// # Cost
+/// That of a selection from a [`Cdf`](super::Cdf), and of a product.
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp};
-/// use microwarp::discrete::{Cdf, PiecewiseConstant1d};
-/// let cdf = Cdf::<[u32; 4]>::new(&[1.0, 0.0, 2.0, 1.0])?;
-/// let histogram = PiecewiseConstant1d::new(cdf, 0.0, 8.0)?;
+/// use microwarp::discrete::PiecewiseConstant1d;
+/// let histogram = PiecewiseConstant1d::new(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0)?;
 /// assert_eq!(histogram.sample(0.375), 4.5);
 /// assert_eq!(histogram.pdf(4.5), 0.25);
 /// assert_eq!(histogram.pdf(3.0), 0.0);
 /// assert_eq!(histogram.invert(4.5), 0.375);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Cdf`]: the index alone.
+/// - [`PiecewiseConstant2d`](super::PiecewiseConstant2d): cells of a rectangle.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, *Physically Based Rendering*, 4th edition, 2023, appendix A.4:
+/// <https://pbr-book.org/4ed/Sampling_Algorithms/Sampling_1D_Functions>.
+#[doc(alias = "histogram")]
+#[doc(alias = "Distribution1D")]
+#[doc(alias = "piecewise_constant_distribution")]
+#[doc(alias = "tabulated")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PiecewiseConstant1d<S> {
@@ -67,19 +86,36 @@ impl<S> PiecewiseConstant1d<S> {
     }
 }
 
-macro_rules! from_weights {
-    ($word:ident) => {
+/// The constructors that `const` code can call: there, code cannot be generic over the word.
+macro_rules! arrays {
+    ($(
+        $word:ident;
+        $(#[$new_doc:meta])*
+        $new:ident;
+        $(#[$integers_doc:meta])*
+        $from_integers:ident;
+    )*) => {$(
         impl<const N: usize> PiecewiseConstant1d<[$word; N]> {
-            /// These weights as the masses of equal cells of [low, high), as an array: for a `const`.
-            ///
-            /// # Errors
-            /// Those of [`Cdf::new`] and of [`PiecewiseConstant1d::new`].
-            pub const fn from_weights(
-                weights: &[f32; N],
+            $(#[$new_doc])*
+            pub const fn $new(weights: &[f32; N], low: f32, high: f32) -> Result<Self, Error> {
+                Self::array(Cdf::<[$word; N]>::$new(weights), low, high)
+            }
+
+            $(#[$integers_doc])*
+            pub const fn $from_integers(
+                weights: &[u32; N],
                 low: f32,
                 high: f32,
             ) -> Result<Self, Error> {
-                let cdf = match Cdf::<[$word; N]>::new(weights) {
+                Self::array(Cdf::<[$word; N]>::$from_integers(weights), low, high)
+            }
+
+            const fn array(
+                cdf: Result<Cdf<[$word; N]>, Error>,
+                low: f32,
+                high: f32,
+            ) -> Result<Self, Error> {
+                let cdf = match cdf {
                     Ok(cdf) => cdf,
                     Err(error) => return Err(error),
                 };
@@ -89,25 +125,138 @@ macro_rules! from_weights {
                 }
             }
         }
-    };
+    )*};
 }
 
-from_weights!(u32);
-from_weights!(u64);
+arrays! {
+    u32;
+    /// An array of weights as the masses of equal cells of [low, high), with words of 32 bits. `const`.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::new`] and of [`PiecewiseConstant1d::from_cdf`].
+    ///
+    /// # Cost
+    /// At most 4 times the table and 2 KiB of stack, the table included; up to 8 times without optimisation. For
+    /// large tables take [`PiecewiseConstant1d::new_in`], or with feature `alloc`
+    /// [`PiecewiseConstant1d::from_slice`].
+    new;
+    /// An array of integer weights as the masses of equal cells of [low, high), with words of 32 bits. `const`.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::from_integers`] and of [`PiecewiseConstant1d::from_cdf`].
+    from_integers;
+    u64;
+    /// An array of weights as the masses of equal cells of [low, high), with words of 64 bits: for weights of
+    /// very different size. `const`.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::new_u64`] and of [`PiecewiseConstant1d::from_cdf`].
+    new_u64;
+    /// An array of integer weights, which are `u32` here too, as the masses of equal cells of [low, high), with
+    /// words of 64 bits. `const`.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::from_integers_u64`] and of [`PiecewiseConstant1d::from_cdf`].
+    from_integers_u64;
+}
 
 impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
-    /// The entries of a table as cells of [low, high).
+    /// A slice of weights as the masses of equal cells of [low, high), in storage of its own: see
+    /// [`Cdf::from_slice`].
+    ///
+    /// # Errors
+    /// Those of [`Cdf::from_slice`] and of [`PiecewiseConstant1d::from_cdf`].
+    ///
+    /// # Examples
+    /// ```
+    /// use microwarp::{Warp, discrete::PiecewiseConstant1d};
+    /// let weights = vec![1.0, 0.0, 2.0, 1.0];
+    /// let histogram = PiecewiseConstant1d::<heapless::Vec<u32, 16>>::from_slice(&weights, 0.0, 8.0)?;
+    /// assert_eq!(histogram.sample(0.375), 4.5);
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    pub fn from_slice(weights: &[f32], low: f32, high: f32) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
+        Self::from_cdf(Cdf::from_slice(weights)?, low, high)
+    }
+
+    /// A slice of integer weights as the masses of equal cells of [low, high), in storage of its own.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::from_integer_slice`] and of [`PiecewiseConstant1d::from_cdf`].
+    pub fn from_integer_slice(weights: &[u32], low: f32, high: f32) -> Result<Self, Error>
+    where
+        S: OwnedStorage,
+    {
+        Self::from_cdf(Cdf::from_integer_slice(weights)?, low, high)
+    }
+}
+
+impl<'a, W: Word> PiecewiseConstant1d<&'a [W]> {
+    /// A slice of weights as the masses of equal cells of [low, high), with the table at the beginning of
+    /// borrowed memory: see [`Cdf::new_in`].
+    ///
+    /// # Errors
+    /// Those of [`Cdf::new_in`] and of [`PiecewiseConstant1d::from_cdf`].
+    ///
+    /// # Cost
+    /// At most 2 KiB of stack, whatever the number of weights; up to 8 KiB without optimisation.
+    pub fn new_in(
+        weights: &[f32],
+        low: f32,
+        high: f32,
+        memory: &'a mut [W],
+    ) -> Result<Self, Error> {
+        Self::from_cdf(Cdf::new_in(weights, memory)?, low, high)
+    }
+
+    /// A slice of integer weights as the masses of equal cells of [low, high), with the table at the beginning
+    /// of borrowed memory.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::from_integers_in`] and of [`PiecewiseConstant1d::from_cdf`].
+    pub fn from_integers_in(
+        weights: &[u32],
+        low: f32,
+        high: f32,
+        memory: &'a mut [W],
+    ) -> Result<Self, Error> {
+        Self::from_cdf(Cdf::from_integers_in(weights, memory)?, low, high)
+    }
+}
+
+impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
+    /// The entries of a finished table as cells of [low, high), in constant time.
+    ///
+    /// A table of [`Cdf::from_trusted_words`] may have wrong words: then points are still in [low, high), and
+    /// densities finite.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinite bounds, [`Error::Reversed`] for low > high,
     /// [`Error::Empty`] for bounds that are equal or so close that cells are narrower than 2⁻²⁰ of the
     /// larger bound or a density could overflow.
-    pub fn new(cdf: Cdf<S>, low: f32, high: f32) -> Result<Self, Error> {
+    pub fn from_cdf(cdf: Cdf<S>, low: f32, high: f32) -> Result<Self, Error> {
         let cells = Cells::new([low, high], cdf.entries())?;
         Ok(Self::within(cdf, cells))
     }
 
-    /// The table of the cells.
+    /// The lower bound.
+    #[must_use]
+    #[inline]
+    pub const fn low(&self) -> f32 {
+        self.cells.range()[0]
+    }
+
+    /// The upper bound.
+    #[must_use]
+    #[inline]
+    pub const fn high(&self) -> f32 {
+        self.cells.range()[1]
+    }
+
+    /// The table that selects cells.
     #[must_use]
     #[inline]
     pub const fn cdf(&self) -> &Cdf<S> {

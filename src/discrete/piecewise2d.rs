@@ -1,11 +1,11 @@
 //! A density that is constant on each of equal cells of a rectangle: a picture as a distribution.
 
-use super::cdf::{Cdf, fill};
+use super::apportionment::Apportionment;
+use super::cdf::{Cdf, fill, room};
 use super::cells::Cells;
-use super::ladder::Ends;
 use super::piecewise1d::PiecewiseConstant1d;
-use super::source::{Scan, Source, Unit};
-use super::storage::{Grid, Storage};
+use super::storage::{Grid, OwnedStorage, Storage};
+use super::weights::{Scan, Unit, Weights};
 use super::word::{Word, Words};
 use crate::error::Error;
 use crate::num::representable;
@@ -13,29 +13,35 @@ use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
 use rand_core::TryRng;
 
-/// Piecewise constant on a rectangle, for environment lights and texture maps: a row v by the marginal
-/// p(v), then a column u by the conditional p(u given v) of that row.
+/// A picture as a density: constant on each of equal cells of a rectangle, for environment lights and texture
+/// maps.
 ///
-/// Weights are given row by row: columns run along u, rows along v.
+/// It selects a row v by the marginal p(v), then a column u by the conditional p(u given v) of that row.
 ///
-/// - Storage: a table of one entry a row and one of one entry a cell. Arrays in a `const` are all in
-///   flash, 4 (rows + cells) bytes of it with `u32`, and cost no RAM; borrowed slices serve pictures whose
-///   size is known at run time. At most [`MAX_ENTRIES`](super::MAX_ENTRIES) cells.
-/// - Uniforms: two, along u and along v. Drawing takes two words, in this order, of one `u32` each from
-///   tables of `u32` and two each from tables of `u64`, and uses all their bits.
-/// - Density: the product of the two cells' probabilities over the cell's area, both as realised; 0 in a
-///   cell of weight zero. A cell contains its lower edges; the upper ends count as part of the last.
-/// - A positive cell is given at least one word of its row, and its row at least one word. With `u32` the
-///   probability of a cell differs from weight/total by less than 2⁻³¹; see [`Cdf`] for what else its
-///   words mean.
-/// - A cell whose density is below 2⁻¹⁴⁹ reports that.
-/// - Edges, errors and what an inverse can return to are as for [`PiecewiseConstant1d`]; the size is the
-///   largest bound.
+/// # Density
+/// The product of the two cells' probabilities over the cell's area, both as realised; 0 in a cell of weight
+/// zero and outside. A density below 2⁻¹⁴⁹ is reported as 2⁻¹⁴⁹. A cell contains its lower edges, and the upper
+/// bounds count as part of the last cells.
 ///
-/// For a picture of all directions, with u the azimuth in turns over [0, 1) and v the polar angle in half
-/// turns over [0, 1), give each weight the factor sin πv of its row's middle; the density per steradian is
-/// `pdf` / (2π² sin πv). Take `pdf` at the (u, v) that was sampled: a detour over a direction and back may
-/// round into the cell beside.
+/// For a picture of all directions, let u be the azimuth in turns over [0, 1) and v the polar angle in half
+/// turns over [0, 1), and multiply each weight by sin πv at the middle of its row. The density per steradian is
+/// then `pdf` / (2π² sin πv). Take `pdf` at the (u, v) that was sampled: on the way to a direction and back, a
+/// point may be rounded into the next cell.
+///
+/// # Domain
+/// - Weights: row by row, columns along u, rows along v. Each is as for [`Cdf`]; at most
+///   [`MAX_ENTRIES`](super::MAX_ENTRIES) cells. Edges of cells are those of [`PiecewiseConstant1d`].
+/// - Uniforms: two, along u and along v. A draw takes two words in this order, each one `u32` of the generator
+///   for a table of `u32`, two for a table of `u64`, and uses all their bits.
+/// - Storage: one word a row and one word a cell. [`new`](PiecewiseConstant2d::new) takes an array of arrays,
+///   and a `const` lies in flash; [`from_slice`](PiecewiseConstant2d::from_slice) and
+///   [`new_in`](PiecewiseConstant2d::new_in) take slices.
+///
+/// # Accuracy
+/// Errors are against the probabilities of the table. Those differ from weight/total by less than 2⁻³¹ with
+/// `u32`, and each positive cell has at least one word of its row, and its row at least one word. The size, by
+/// which the error of a sample is divided, is the largest bound; r is what 2⁻²⁴ of the size makes of the
+/// inverse.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -45,27 +51,38 @@ use rand_core::TryRng;
 /// | inverse | 2.7e-7 | 2.7e-7 |
 /// | round trip | 1.2e-7 + 3*r | 1.2e-7 + 3*r |
 ///
-/// r is what 2⁻²⁴ of the size makes of the inverse.
+/// # Cost
+/// That of two selections from a [`Cdf`](super::Cdf), and of two products.
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
-///
+/// # Examples
+/// Two rows of three columns, on [0, 3) × [0, 1):
 /// ```
 /// use microwarp::{Invert, Warp};
 /// use microwarp::discrete::PiecewiseConstant2d;
-/// // Two rows of three columns, on [0, 3) × [0, 1): the compiler builds it, flash holds it.
-/// const SKY: PiecewiseConstant2d<[u32; 2], [[u32; 3]; 2]> =
-///     match PiecewiseConstant2d::<[u32; 2], [[u32; 3]; 2]>::new(
-///         &[[1.0, 0.0, 1.0], [0.0, 6.0, 0.0]],
-///         [0.0, 3.0],
-///         [0.0, 1.0],
-///     ) {
-///         Ok(table) => table,
-///         Err(_) => panic!("bad weights"),
-///     };
-/// assert_eq!(SKY.sample([0.5, 0.625]), [1.5, 0.75]);
-/// assert_eq!(SKY.pdf([1.5, 0.75]), 1.5);
-/// assert_eq!(SKY.cell([1.5, 0.75]), [1, 1]);
+/// let sky = PiecewiseConstant2d::new(
+///     &[[1.0, 0.0, 1.0], [0.0, 6.0, 0.0]],
+///     [0.0, 3.0],
+///     [0.0, 1.0],
+/// )?;
+/// assert_eq!(sky.sample([0.5, 0.625]), [1.5, 0.75]);
+/// assert_eq!(sky.pdf([1.5, 0.75]), 1.5);
+/// assert_eq!(sky.cell([1.5, 0.75]), [1, 1]);
+/// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`PiecewiseConstant1d`]: cells of an interval; also the type of the marginal and of each conditional.
+/// - [`Cdf`]: the index of a cell alone.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, *Physically Based Rendering*, 4th edition, 2023, appendix A.5:
+/// <https://pbr-book.org/4ed/Sampling_Algorithms/Sampling_Multidimensional_Functions>.
+#[doc(alias = "Distribution2D")]
+#[doc(alias = "environment_map")]
+#[doc(alias = "hdri")]
+#[doc(alias = "importance_map")]
+#[doc(alias = "infinite_light")]
+#[doc(alias = "skybox")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PiecewiseConstant2d<M, C> {
@@ -115,7 +132,7 @@ const fn unit<const U: usize>(weights: &[[f32; U]]) -> Result<Unit, Error> {
 /// The conditional of one row, whose first cell has the index `first`. A row of zeros, which the
 /// marginal never selects, becomes the table of one certain entry.
 const fn fill_row(weights: &[f32], mut words: Words<'_>, first: usize) -> Result<(), Error> {
-    match Ends::of(Source::floats(weights), words.bits()) {
+    match Apportionment::of(Weights::floats(weights), words.bits()) {
         Ok(ends) => fill(ends, words),
         Err(Error::AllZero) => {
             while words.left() > 0 {
@@ -131,19 +148,12 @@ const fn fill_row(weights: &[f32], mut words: Words<'_>, first: usize) -> Result
     Ok(())
 }
 
-/// What `const` code cannot have of both words at once.
+/// The constructors that `const` code can call: there, code cannot be generic over the word.
 macro_rules! arrays {
-    ($($word:ident, $either:ident;)*) => {$(
+    ($($word:ident, $either:ident; $(#[$new_doc:meta])* $new:ident;)*) => {$(
         impl<const U: usize, const V: usize> PiecewiseConstant2d<[$word; V], [[$word; U]; V]> {
-            /// These weights as the masses of equal cells of a rectangle, as arrays: for a `const`.
-            ///
-            /// # Errors
-            /// Those of [`Cdf::new`], an index counting cells row by row; where a row as a whole is
-            /// [`Error::Unreachable`], that of its first positive weight. Those of
-            /// [`PiecewiseConstant1d::new`] for the two ranges; [`Error::TooLarge`] and [`Error::Empty`]
-            /// also for a rectangle on which a uniform density is below the smallest normal `f32`, or on
-            /// one cell of which it could overflow.
-            pub const fn new(
+            $(#[$new_doc])*
+            pub const fn $new(
                 weights: &[[f32; U]; V],
                 u: [f32; 2],
                 v: [f32; 2],
@@ -172,7 +182,7 @@ macro_rules! arrays {
                     first = first.wrapping_add(U);
                     (cells, tables, left) = (rest, others, more);
                 }
-                match Ends::new(Source::Sums(&sums), $word::BITS) {
+                match Apportionment::new(Weights::Sums(&sums), $word::BITS) {
                     Ok(ends) => fill(ends, Words::$either(&mut marginal)),
                     Err(Error::Unreachable(row)) => {
                         let row_weights: &[f32] = match weights.split_at_checked(row) {
@@ -196,51 +206,176 @@ macro_rules! arrays {
 
 arrays! {
     u32, U32;
+    /// An array of rows of weights as the masses of equal cells of a rectangle, with words of 32 bits. `const`.
+    ///
+    /// # Errors
+    /// Those of [`Cdf::new`], where an index counts cells row by row. Where a row as a whole is
+    /// [`Error::Unreachable`], the index is that of its first positive weight. Those of
+    /// [`PiecewiseConstant1d::from_cdf`] for the two ranges. [`Error::TooLarge`] also for a rectangle on which a
+    /// uniform density is below the smallest normal `f32`, and [`Error::Empty`] for one on a cell of which it
+    /// could overflow.
+    ///
+    /// # Cost
+    /// At most 4 times the table, 16 bytes a row and 2 KiB of stack, the table included; up to 8 times without
+    /// optimisation. For large pictures take [`PiecewiseConstant2d::new_in`], or with feature `alloc`
+    /// [`PiecewiseConstant2d::from_slice`].
+    ///
+    /// # Examples
+    /// Built by the compiler, and kept in flash:
+    /// ```
+    /// use microwarp::{Warp, discrete::PiecewiseConstant2d};
+    /// const SKY: PiecewiseConstant2d<[u32; 2], [[u32; 3]; 2]> =
+    ///     match PiecewiseConstant2d::new(
+    ///         &[[1.0, 0.0, 1.0], [0.0, 6.0, 0.0]],
+    ///         [0.0, 3.0],
+    ///         [0.0, 1.0],
+    ///     ) {
+    ///         Ok(table) => table,
+    ///         Err(_) => panic!("bad weights"),
+    ///     };
+    /// assert_eq!(SKY.sample([0.5, 0.625]), [1.5, 0.75]);
+    /// ```
+    new;
     u64, U64;
+    /// An array of rows of weights as the masses of equal cells of a rectangle, with words of 64 bits: for
+    /// weights of very different size. `const`.
+    ///
+    /// # Errors
+    /// Those of [`PiecewiseConstant2d::new`], except [`Error::Unreachable`].
+    new_u64;
+}
+
+/// The weights of all rows as a source of their sums, and the cells along both axes.
+fn plan(
+    weights: &[f32],
+    [columns, rows]: [usize; 2],
+    ranges: [[f32; 2]; 2],
+) -> Result<(Weights<'_>, Cells, Cells), Error> {
+    if columns.checked_mul(rows) != Some(weights.len()) {
+        return Err(Error::OutOfRange);
+    }
+    let sums = Weights::rows(weights, columns)?;
+    let (column_cells, row_cells) = grid(ranges, [columns, rows])?;
+    Ok((sums, column_cells, row_cells))
+}
+
+/// The marginal, or its error as one of the first positive weight of a row.
+fn blamed<S>(
+    marginal: Result<Cdf<S>, Error>,
+    weights: &[f32],
+    columns: usize,
+) -> Result<Cdf<S>, Error> {
+    match marginal {
+        Err(Error::Unreachable(row)) => {
+            let rest = weights.get(row.wrapping_mul(columns)..).unwrap_or(&[]);
+            Err(unreachable(rest, row, columns))
+        }
+        other => other,
+    }
+}
+
+/// The conditionals of all rows.
+fn fill_rows<W: Word>(weights: &[f32], columns: usize, tables: &mut [W]) -> Result<(), Error> {
+    // Row by row without a division, which `chunks_exact` would bring and a panic with it.
+    let (mut cells_left, mut words_left, mut first) = (weights, tables, 0_usize);
+    while let (Some((row, more)), Some((table, others))) = (
+        cells_left.split_at_checked(columns),
+        words_left.split_at_mut_checked(columns),
+    ) {
+        fill_row(row, W::words(table), first)?;
+        first = first.wrapping_add(columns);
+        (cells_left, words_left) = (more, others);
+    }
+    Ok(())
+}
+
+impl<W, M, C> PiecewiseConstant2d<M, C>
+where
+    W: Word,
+    M: Storage<Item = W>,
+    C: Storage<Item = W> + Grid<Item = W>,
+{
+    /// A slice of weights, row by row, as the masses of equal cells of a rectangle, in storage of its own: see
+    /// [`Cdf::from_slice`]. The shape is the numbers of columns and of rows.
+    ///
+    /// # Errors
+    /// Those of [`PiecewiseConstant2d::new`]; [`Error::OutOfRange`] where the weights are not columns times rows
+    /// in number, [`Error::TooManyWeights`] also where the storage has no room for the tables.
+    ///
+    /// # Cost
+    /// With storage on the heap at most 2 KiB of stack, whatever the size of the picture; up to 8 KiB without
+    /// optimisation.
+    ///
+    /// # Examples
+    /// ```
+    /// # #[cfg(feature = "alloc")] {
+    /// use microwarp::{Warp, discrete::PiecewiseConstant2d};
+    /// let picture = vec![1.0; 64 * 32];
+    /// let light = PiecewiseConstant2d::<Vec<u32>, Vec<u32>>::from_slice(
+    ///     &picture,
+    ///     [64, 32],
+    ///     [0.0, 1.0],
+    ///     [0.0, 1.0],
+    /// )?;
+    /// assert_eq!(light.pdf([0.3, 0.6]), 1.0);
+    /// # }
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    pub fn from_slice(
+        weights: &[f32],
+        shape: [usize; 2],
+        u: [f32; 2],
+        v: [f32; 2],
+    ) -> Result<Self, Error>
+    where
+        M: OwnedStorage,
+        C: OwnedStorage,
+    {
+        let [columns, rows] = shape;
+        let (sums, cells, row_cells) = plan(weights, shape, [u, v])?;
+        let mut conditional: C = room(W::ZERO, weights.len())?;
+        let cdf = blamed(Cdf::owned(sums, rows), weights, columns)?;
+        fill_rows(weights, columns, conditional.items_mut())?;
+        Ok(Self {
+            marginal: PiecewiseConstant1d::within(cdf, row_cells),
+            conditional,
+            columns: cells,
+            width: columns as u32,
+        })
+    }
 }
 
 impl<'a, W: Word> PiecewiseConstant2d<&'a [W], &'a [W]> {
-    /// These weights, row by row, as the masses of equal cells of a rectangle; the tables are
-    /// laid out at the beginning of memory of the caller's, which takes one word a row and one
-    /// word a cell.
+    /// A slice of weights, row by row, as the masses of equal cells of a rectangle, with the tables at the
+    /// beginning of borrowed memory: one word a row, and one word a cell. The shape is the numbers of columns
+    /// and of rows.
     ///
     /// # Errors
-    /// As for arrays; [`Error::OutOfRange`] where the weights are not rows times columns in
-    /// number, [`Error::TooManyWeights`] also where the memory does not hold the tables. After
+    /// Those of [`PiecewiseConstant2d::new`]; [`Error::OutOfRange`] where the weights are not columns times rows
+    /// in number, [`Error::TooManyWeights`] also where the memory has no room for the tables. After
     /// [`Error::Unreachable`] the memory holds parts of tables.
+    ///
+    /// # Cost
+    /// At most 2 KiB of stack, whatever the size of the picture; up to 8 KiB without optimisation.
     pub fn new_in(
         weights: &[f32],
-        [columns, rows]: [usize; 2],
+        shape: [usize; 2],
         u: [f32; 2],
         v: [f32; 2],
         marginal: &'a mut [W],
         conditional: &'a mut [W],
     ) -> Result<Self, Error> {
-        if columns.checked_mul(rows) != Some(weights.len()) {
-            return Err(Error::OutOfRange);
-        }
-        let source = Source::rows(weights, columns)?;
-        let (cells, row_cells) = grid([u, v], [columns, rows])?;
+        let [columns, rows] = shape;
+        let (sums, cells, row_cells) = plan(weights, shape, [u, v])?;
         let tables = conditional
             .get_mut(..weights.len())
             .ok_or(Error::TooManyWeights)?;
-        let cdf = match Cdf::<&[W]>::of(source, rows, marginal) {
-            Err(Error::Unreachable(row)) => {
-                let rest = weights.get(row.wrapping_mul(columns)..).unwrap_or(&[]);
-                return Err(unreachable(rest, row, columns));
-            }
-            other => other?,
-        };
-        // Row by row without a division, which `chunks_exact` would bring and a panic with it.
-        let (mut cells_left, mut words_left, mut first) = (weights, &mut *tables, 0_usize);
-        while let (Some((row, more)), Some((table, others))) = (
-            cells_left.split_at_checked(columns),
-            words_left.split_at_mut_checked(columns),
-        ) {
-            fill_row(row, W::words(table), first)?;
-            first = first.wrapping_add(columns);
-            (cells_left, words_left) = (more, others);
-        }
+        let cdf = blamed(
+            Cdf::<&[W]>::borrowed(sums, rows, marginal),
+            weights,
+            columns,
+        )?;
+        fill_rows(weights, columns, tables)?;
         Ok(Self {
             marginal: PiecewiseConstant1d::within(cdf, row_cells),
             conditional: tables,
@@ -256,19 +391,45 @@ where
     M: Storage<Item = W>,
     C: Grid<Item = W>,
 {
-    /// A distribution out of the words of finished tables, such as [`PiecewiseConstant2d::as_words`] gave:
-    /// the marginal's, and row by row those of the conditionals.
+    /// A distribution from the words of finished tables, as [`PiecewiseConstant2d::as_words`] gave them: the
+    /// marginal's, and row by row those of the conditionals. All words are checked.
     ///
     /// # Errors
-    /// Those of [`Cdf::from_words`], and of `new` for the ranges; [`Error::NotATable`] also where the rows
-    /// are not of equal length.
+    /// Those of [`PiecewiseConstant2d::from_trusted_words`]; [`Error::NotATable`] also for words that no table
+    /// has.
     pub fn from_words(
         marginal: M,
         conditional: C,
         u: [f32; 2],
         v: [f32; 2],
     ) -> Result<Self, Error> {
-        let cdf = Cdf::from_words(marginal)?;
+        Cdf::from_words(marginal.items())?;
+        let table = Self::from_trusted_words(marginal, conditional, u, v)?;
+        let mut left = table.conditional.flat();
+        while let Some((row, more)) = left.split_at_checked(table.width as usize) {
+            Cdf::from_words(row)?;
+            left = more;
+        }
+        Ok(table)
+    }
+
+    /// A distribution from the words of finished tables, in constant time: the words are not looked at.
+    ///
+    /// The words must be those that [`PiecewiseConstant2d::as_words`] gave, for the same type of word. With any
+    /// other words the distribution is meaningless. Still nothing panics or loops, every cell is within the
+    /// shape, points are in the rectangle, and densities are finite.
+    ///
+    /// # Errors
+    /// [`Error::NoWeights`] without words, [`Error::TooManyWeights`] for more than
+    /// [`MAX_ENTRIES`](super::MAX_ENTRIES) cells, [`Error::NotATable`] where the rows are not of equal length;
+    /// those of [`PiecewiseConstant2d::new`] for the ranges.
+    pub fn from_trusted_words(
+        marginal: M,
+        conditional: C,
+        u: [f32; 2],
+        v: [f32; 2],
+    ) -> Result<Self, Error> {
+        let cdf = Cdf::from_trusted_words(marginal)?;
         let rows = cdf.entries();
         let cells = conditional.flat().len();
         let width = cells.checked_div(rows).unwrap_or(0);
@@ -282,17 +443,26 @@ where
             return Err(Error::NotATable);
         }
         let (columns, rows) = grid([u, v], [width, rows])?;
-        let mut left = conditional.flat();
-        while let Some((row, more)) = left.split_at_checked(width) {
-            Cdf::from_words(row)?;
-            left = more;
-        }
         Ok(Self {
             marginal: PiecewiseConstant1d::within(cdf, rows),
             conditional,
             columns,
             width: width as u32,
         })
+    }
+
+    /// The bounds along u.
+    #[must_use]
+    #[inline]
+    pub const fn u(&self) -> [f32; 2] {
+        self.columns.range()
+    }
+
+    /// The bounds along v.
+    #[must_use]
+    #[inline]
+    pub const fn v(&self) -> [f32; 2] {
+        self.marginal.cells().range()
     }
 
     /// The words of the tables: the marginal's, and row by row those of the conditionals.

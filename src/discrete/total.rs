@@ -1,6 +1,6 @@
 //! A running sum of weights of any size, in fixed memory: what selection without a table divides by.
 
-use super::source::decode;
+use super::weights::decode;
 use crate::error::Error;
 use crate::num::division::quotient;
 

@@ -171,7 +171,7 @@ impl Moments {
     /// The standard deviation, the root of [`Moments::variance`].
     #[must_use]
     #[inline]
-    pub fn standard_deviation(&self) -> Option<f32> {
+    pub fn std_dev(&self) -> Option<f32> {
         Some(self.scale.undo(sqrt(self.scaled_variance()?)))
     }
 

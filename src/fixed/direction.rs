@@ -1,33 +1,33 @@
-//! What the disk and the directions share: a radius turned about the centre, the angle of a point, and 1 − cos θ
-//! with its own exponent.
+//! What the disk and the directions share: a radius turned about the centre, the angle of a point, and 1 − cos θ as a
+//! number with an exponent.
 
 use super::grade::Kernels;
 use super::kernel::product::near;
 use super::kernel::quotient::quotient;
 use super::{Coordinate, Density, Uniform};
 
-/// 1, which has its first bit set below the point.
+/// 1.
 pub(super) const UNIT: Scaled = Scaled::normal(1 << 31, -1);
 /// 1/(2π).
 pub(super) const PER_ANGLE: Scaled = Scaled::normal(683_565_276, 0);
 /// 1 in Q30.
 pub(super) const ONE: i32 = 1 << 30;
 
-/// The point of this distance from the centre (Q32) in the direction of a phase (Q32 turns), in Q30.
+/// The point at this distance from the centre (Q32), in the direction of a phase (Q32 turns); in Q30.
 #[inline]
 pub(super) fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
     let (sin, cos) = G::sincos(phase);
     [G::scaled(radius, cos), G::scaled(radius, sin)]
 }
 
-/// The direction of this sine (Q32) and cosine (Q30) of the polar angle, at a phase (Q32 turns).
+/// The direction with this sine (Q32) and cosine (Q30) of the polar angle, at a phase (Q32 turns).
 #[inline]
 pub(super) fn direction<G: Kernels>(sin: u32, cos: i32, phase: u32) -> [Coordinate; 3] {
     let [x, y] = around::<G>(sin, phase);
     [x, y, cos].map(Coordinate::from_bits)
 }
 
-/// x² + y² of magnitudes up to 2³¹, in twice their fraction bits.
+/// x² + y² of magnitudes up to 2³¹, with twice their fraction bits.
 #[inline]
 pub(super) fn square_of(point: [u32; 2]) -> u64 {
     let [x, y] = point.map(u64::from);
@@ -49,7 +49,7 @@ pub(super) struct Scaled {
 }
 
 impl Scaled {
-    /// Of a mantissa whose first bit is set, if any.
+    /// The mantissa is shifted until its first bit is set, unless it is 0.
     #[inline]
     pub(super) const fn normal(mantissa: u32, exponent: i32) -> Self {
         let zeros = (mantissa | 1).leading_zeros();
@@ -59,7 +59,7 @@ impl Scaled {
         }
     }
 
-    /// Of a number in so many fraction bits.
+    /// A number with so many fraction bits.
     #[inline]
     pub(super) const fn of(bits: u64, fraction: i32) -> Self {
         let zeros = (bits | 1).leading_zeros() as i32;
@@ -69,7 +69,7 @@ impl Scaled {
         }
     }
 
-    /// In so many fraction bits, cut; what does not fit counts as the largest word.
+    /// The number with so many fraction bits, cut; the largest word if it does not fit.
     #[inline]
     pub(super) const fn to_bits(self, fraction: i32) -> u32 {
         let left = fraction - 32 - self.exponent;
@@ -80,7 +80,18 @@ impl Scaled {
         }
     }
 
-    /// a/b, from above by no more than 2⁻³⁰ of it; of mantissas whose first bits are set.
+    /// The number with so many fraction bits in 64 bits, cut. It has to fit.
+    #[inline]
+    pub(super) const fn to_long_bits(self, fraction: i32) -> u64 {
+        let left = fraction - 32 - self.exponent;
+        if left >= 0 {
+            (self.mantissa as u64) << left
+        } else {
+            (self.mantissa as u64) >> -left
+        }
+    }
+
+    /// a/b, at most 2⁻³⁰ of it too large, of mantissas whose first bit is set.
     #[inline]
     pub(super) const fn over(self, b: Self) -> Self {
         let exponent = self.exponent - b.exponent;
@@ -100,7 +111,7 @@ impl Scaled {
         }
     }
 
-    /// a·b, from below.
+    /// a·b, cut.
     #[inline]
     pub(super) const fn times(self, b: Self) -> Self {
         Self {
@@ -109,8 +120,7 @@ impl Scaled {
         }
     }
 
-    /// As the height of a density, times its shape (Q32); at least the smallest density there is, and at most the
-    /// largest.
+    /// The density of this height times a shape in Q32, between the smallest and the largest positive density.
     #[inline]
     pub(super) const fn density(self, shape: u32) -> Density {
         let density = self.mantissa as u64 * shape as u64;
@@ -132,14 +142,14 @@ impl Scaled {
         let square = self.mantissa - near(self.mantissa, half);
         let exponent = self.exponent - 2;
         let (sin, halvings) = if exponent <= 0 {
-            // At the equator the rounding of the product may carry it past 1.
+            // At the equator, rounding may carry the product past 1.
             let most = u32::MAX >> (-exponent & 31);
             (G::root(square.min(most) << (-exponent & 31)), 0)
         } else {
-            // An odd exponent is made even by halving once; what is left is halved in the root.
+            // Halving once makes an odd exponent even; the root halves the rest.
             (G::root(square >> (exponent & 1)), (exponent >> 1).min(31))
         };
-        // Halved once it is turned, so that what the product cuts is small beside the step of the point.
+        // Halved after it is turned, so that the cut of the product is small beside the step of the point.
         let rounding = ((1_u32 << halvings) >> 1) as i32;
         let [x, y] = around::<G>(sin, phase).map(|c| (c + rounding) >> halvings);
         [x, y, ONE - (half >> 1) as i32].map(Coordinate::from_bits)
@@ -158,7 +168,7 @@ const fn shifted(x: u32, right: i32) -> u32 {
     }
 }
 
-/// 1 − cos θ of a direction, from x and y where z has lost what they still hold.
+/// 1 − cos θ of a direction: from x and y near the pole, where z has lost its digits.
 #[inline]
 pub(super) fn one_minus_cos([x, y, z]: [Coordinate; 3]) -> Scaled {
     let (x, y, z) = (x.to_bits(), y.to_bits(), z.to_bits());

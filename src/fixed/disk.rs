@@ -9,13 +9,18 @@ use core::marker::PhantomData;
 
 /// Uniform on the unit disk, by polar coordinates.
 ///
-/// r = √u₁, θ = u₂ turns.
+/// r = √u₁, and the angle is u₂ turns.
 ///
-/// - Uniforms: two words, radius then angle. Both 0 give the centre.
-/// - Range: x² + y² ≤ 1, always.
-/// - Density: 1/π per unit area, to 2⁻³³.
+/// # Density
+/// 1/π per unit area where x² + y² ≤ 1, to 2⁻³³; 0 elsewhere.
 ///
-/// In *sample* the error of a coordinate; in *round trip* of u₁, and of u₂ times the radius:
+/// # Domain
+/// - Point: x² + y² ≤ 1, always.
+/// - Uniforms: two words, radius then angle. Two zeros give the centre.
+///
+/// # Accuracy
+/// *Sample* is the absolute error of a coordinate. *Round trip* is the error of the uniforms after `sample` and
+/// `invert`: of u₁, and of u₂ times the radius.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -24,10 +29,17 @@ use core::marker::PhantomData;
 /// | sample, mean | -1.2e-9 | -5.7e-6 | 0 |
 /// | round trip | 1.7e-6 | 3.1e-4 | 2.0e-6 |
 ///
-/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
+/// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
-/// Source: P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
+/// # Cost
+/// <!-- generated: cost fixed Disk -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 204 on a Cortex-M0 (384 bytes), 98 on a Cortex-M3.
+/// - `coarse`: 168 on a Cortex-M0 (300 bytes), 70 on a Cortex-M3.
+/// - `compact`: 309 on a Cortex-M0 (652 bytes), 164 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::U0F32;
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -35,6 +47,18 @@ use core::marker::PhantomData;
 /// let [x, y] = disk.sample([0.25_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!((x.to_num::<f32>(), y.to_num::<f32>()), (-0.5, 0.0));
 /// ```
+///
+/// # See also
+/// - [`DiskRejection`](super::DiskRejection) and [`DiskRejection16`](super::DiskRejection16) need no sine and no root,
+///   but no fixed number of words either.
+/// - [`Float`](super::Float) gives the points of this disk in `f32`.
+/// - [`warp::Disk`](crate::warp::Disk) is the disk of the float tiers.
+///
+/// # Source
+/// P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
+#[doc(alias = "circle")]
+#[doc(alias = "polar")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Disk<G = Fine>(PhantomData<G>);
@@ -72,7 +96,7 @@ impl<G: Grade> Invert for Disk<G> {
     #[inline]
     fn invert(&self, point: [Coordinate; 2]) -> [Uniform; 2] {
         let [x, y] = point;
-        // Q60 to Q32, halves upwards; the rim counts as the last word.
+        // Q60 to Q32, to the nearest; the rim counts as the last word.
         let u1 = (radius_squared(point) + (1 << 27)) >> 28;
         let u1 = u32::try_from(u1).unwrap_or(u32::MAX);
         [Uniform::from_bits(u1), azimuth::<G>(x, y)]

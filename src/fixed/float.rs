@@ -1,4 +1,4 @@
-//! Warps of this tier for users of `f32`.
+//! The warps of this tier for users of `f32`, and the conversions.
 
 use super::direction::Scaled;
 use super::kernel::float;
@@ -15,27 +15,27 @@ mod sealed {
 }
 use sealed::Sealed;
 
-/// Uniforms of this tier that have a counterpart in `f32`: a [`Uniform`] or an array of them.
+/// Uniforms of the integer tier with a counterpart in `f32`: a [`Uniform`] or an array of them.
 ///
-/// The trait is sealed.
+/// [`Float`] uses it. The trait is sealed.
 pub trait FloatUniforms: Uniforms + Sealed {
     /// The same number of `f32`.
     type Float: Uniforms<Words = Self::Words>;
-    /// The words of any `f32` whatever.
+    /// The words of any `f32`, brought into [0, 1).
     fn words(u: Self::Float) -> Self;
     /// The `f32` below or at each word.
     fn floats(self) -> Self::Float;
 }
 
-/// Points that have a counterpart in `f32`: a [`Number`] or an array of them.
+/// Points of the integer tier with a counterpart in `f32`: a [`Number`] or an array of them.
 ///
-/// The trait is sealed.
+/// [`Float`] uses it. The trait is sealed.
 pub trait FloatPoint: Copy + Sealed {
     /// The same number of `f32`.
     type Float: Copy;
-    /// The numbers of the format nearest towards 0; the ends of the format for what does not fit, 0 for NaN.
+    /// The numbers cut towards 0 to the format: its ends for those that do not fit, 0 for NaN.
     fn from_float(x: Self::Float) -> Self;
-    /// The `f32` nearest towards 0.
+    /// The numbers cut towards 0 to 24 digits.
     fn to_float(self) -> Self::Float;
 }
 
@@ -115,35 +115,53 @@ impl<T: Number + FloatPoint<Float = f32>, const N: usize> FloatPoint for [T; N] 
     }
 }
 
-/// A warp of this tier with uniforms, points and densities in `f32`, for cores without a floating-point unit.
+/// A warp of the integer tier with uniforms, points and densities in `f32`, for cores without a floating-point unit.
 ///
-/// Everything between is done on integers, and the conversions take bits apart and put them together: a program that
-/// uses nothing else of `f32` links no floating-point routine.
+/// The warp computes on integers, and the conversions only take the bits of floats apart and put them together. A program
+/// that does nothing else with `f32` links no floating-point routine.
 ///
-/// - Uniforms: those of the warp, cut to multiples of 2⁻³²; any `f32` serves, by the rule of
-///   [`Uniforms::canonical`]. Drawing takes the words straight from the generator, all 32 bits of them.
-/// - Range: that of the warp; its coordinates are cut towards 0 to the 24 digits of an `f32`, so that no magnitude
-///   grows. Where the ends of an interval or the vertices of a triangle have more digits, a point can so leave it, and
-///   has density 0 then.
-/// - Density: that of the warp at the point converted back, in its format; what does not fit that counts as the
-///   end of the format, NaN as 0.
-/// - Error: that of the warp, and 1.2e-7 of the coordinate for its cut.
+/// # Density
+/// That of the warp at the point converted back to its format. A coordinate that does not fit counts as the end of the
+/// format, NaN as 0.
 ///
+/// # Domain
+/// - Point: that of the warp. Coordinates are cut towards 0 to the 24 digits of an `f32`, so that no magnitude grows.
+///   Where the ends of an interval or the vertices of a triangle have more digits, a cut point can leave it, and then has
+///   density 0.
+/// - Uniforms: as many as the warp takes, cut to multiples of 2⁻³². Any `f32` serves, by the rule of
+///   [`Uniforms::canonical`]. Drawing takes words straight from the generator, all 32 bits of them.
+/// - Parameter: any warp of [`fixed::warp`](super::warp).
+///
+/// # Accuracy
+/// The errors of the warp, and 1.2e-7 of each coordinate because it is cut.
+///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, fixed as mw};
 /// let disk = mw::Float::new(mw::Disk::new());
 /// assert_eq!(disk.sample([0.25, 0.5]), [-0.5, 0.0]);
 /// assert!((disk.pdf([-0.5, 0.0]) - 1.0 / core::f32::consts::PI).abs() < 1e-7);
 /// ```
+///
+/// # See also
+/// - The tiers [`poly`](crate::poly) and [`libm`](crate::libm), where the core has a floating-point unit.
+#[doc(alias = "f32")]
+#[doc(alias = "soft_float")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Float<W>(W);
 
 impl<W> Float<W> {
-    /// The given warp in `f32`.
+    /// The given warp, with `f32` for its uniforms, points and densities.
     #[must_use]
     pub const fn new(warp: W) -> Self {
         Self(warp)
+    }
+
+    /// The wrapped warp, on fixed-point numbers.
+    #[must_use]
+    pub const fn warp(&self) -> &W {
+        &self.0
     }
 }
 
@@ -162,7 +180,7 @@ where
         self.sample(u.get())
     }
 
-    /// The point of any uniforms whatever, which the conversion brings into range by itself.
+    /// The point of any uniforms. The conversion brings them into range.
     #[inline]
     fn sample(&self, u: Self::Uniforms) -> Self::Point {
         self.0.sample(W::Uniforms::words(u)).to_float()

@@ -1,4 +1,4 @@
-//! The grades: how accurately, and in how much flash, the integer kernels compute.
+//! The grades: three trades of accuracy, speed and flash for the integer kernels.
 
 use super::kernel::{angle, exp, log, product, root, sine};
 use ::fixed::types::{I2F30, U0F32, U5F27, U16F16};
@@ -6,21 +6,20 @@ use ::fixed::types::{I2F30, U0F32, U5F27, U16F16};
 mod sealed {
     /// The kernels of a grade on raw words.
     pub trait Kernels {
-        /// What no radius of a disk may exceed, in Q32, so that r² (sin² + cos²) stays at most 1: the largest such
-        /// word, over all phases.
+        /// The largest radius of a disk, in Q32, for which r² (sin² + cos²) is at most 1 at every phase.
         const RIM: u32;
-        /// Below this z, in Q32, four terms of the series of the truncated exponential are at least as accurate as the
-        /// logarithm, whose error is divided by z.
+        /// Below this z, in Q32, the truncated exponential uses four terms of its series. They are at least as accurate
+        /// there as the logarithm, whose error is divided by z.
         const SERIES: u64;
-        /// By how much r² (sin² + cos²) of a root and a phase may exceed the exact r², in Q31 of it: twice the errors
-        /// of the root and of the sine and cosine, and what products round.
+        /// The largest relative excess, in Q31, of r² (sin² + cos²) over the exact r²: twice the errors of root, sine and
+        /// cosine, and the rounding of the products.
         const BEYOND: u32;
         fn sincos(phase: u32) -> (i32, i32);
         fn root(x: u32) -> u32;
         fn log(u: u32) -> u32;
         fn exp(x: u32) -> u32;
         fn angle(y: i32, x: i32) -> u32;
-        /// A length (Q32) times a sine or cosine, in its Q.
+        /// A length in Q32 times a sine or cosine, in the format of the latter.
         fn scaled(length: u32, by: i32) -> i32;
     }
 }
@@ -28,12 +27,13 @@ pub(super) use sealed::Kernels;
 
 /// Elementary functions on fixed-point numbers, in one of three trades of speed, accuracy and flash.
 ///
-/// The trait is sealed: [`Fine`], [`Coarse`] and [`Compact`] implement it and nothing else can. Each function
-/// is total: it takes every word there is.
+/// [`Fine`] is the usual one, [`Coarse`] the fastest, [`Compact`] the smallest. Every warp of this tier takes a grade as a
+/// parameter. The trait is sealed: no other grades exist. Each function accepts every word.
 ///
-/// Errors, largest, rms and mean, of what the grade returns against the exact value: over all 2³² arguments, so that the
-/// largest is proven; of `pow` over one of every 8, and of `atan2_turns`, where they are in turns, over 2²⁸ points of all
-/// magnitudes, so that it is the largest found.
+/// # Accuracy
+/// The table holds the largest, the rms and the mean absolute error of the result. They cover all 2³² arguments, so that
+/// the largest is proven, with two exceptions: `pow` covers one argument of every 8, and `atan2_turns`, whose errors are
+/// in turns, 2²⁸ points of all magnitudes, so that its largest error is the largest found.
 ///
 /// | function | [`Fine`] | [`Coarse`] | [`Compact`] |
 /// |---|--:|--:|--:|
@@ -49,8 +49,8 @@ pub(super) use sealed::Kernels;
 /// | `pow`, y = 50 | 1.6e-5, 9.2e-7, -1.6e-7 | 4.2e-4, 3.4e-5, -6.3e-6 | 4.6e-6, 5.3e-7, -7.7e-8 |
 /// | `atan2_turns` | 4.2e-8, 1.2e-8, 0 | 1.1e-5, 5.7e-6, 0 | 4.2e-8, 1.2e-8, 0 |
 ///
-/// Functions that rise or fall do so but for single steps: by up to so many last places of the result they go back
-/// from an argument to the next.
+/// Rising and falling functions are monotone up to a few last places. The table holds the most by which the result steps
+/// back from one argument to the next, in last places.
 ///
 /// | function | [`Fine`] | [`Coarse`] | [`Compact`] |
 /// |---|--:|--:|--:|
@@ -61,7 +61,7 @@ pub(super) use sealed::Kernels;
 pub trait Grade:
     Kernels + Copy + Default + core::fmt::Debug + PartialEq + Eq + Send + Sync + 'static
 {
-    /// The name of the grade, as it is written in tables.
+    /// The name of the grade, as in tables.
     const NAME: &'static str;
 
     /// `(sin(2πt), cos(2πt))` of a phase `t` in turns. Quarter turns give exactly 0 and ±1.
@@ -79,7 +79,7 @@ pub trait Grade:
         U0F32::from_bits(Self::angle(y.to_bits(), x.to_bits()))
     }
 
-    /// The square root, below 1 for every argument.
+    /// The square root. It is below 1 for every argument.
     #[must_use]
     #[inline]
     fn sqrt(x: U0F32) -> U0F32 {
@@ -93,14 +93,14 @@ pub trait Grade:
         U5F27::from_bits(Self::log(u.to_bits()))
     }
 
-    /// e^−x; 1 counts as one of the two largest words, 1 − 2⁻³¹ or 1 − 2⁻³².
+    /// e⁻ˣ. The result at 0 is one of the two largest words, 1 − 2⁻³¹ or 1 − 2⁻³².
     #[must_use]
     #[inline]
     fn exp_neg(x: U5F27) -> U0F32 {
         U0F32::from_bits(Self::exp(x.to_bits()))
     }
 
-    /// 1 − e^−x, accurate also where x is small.
+    /// 1 − e⁻ˣ, accurate for small x too.
     #[must_use]
     #[inline]
     fn exp_m1_neg(x: U5F27) -> U0F32 {
@@ -112,9 +112,9 @@ pub trait Grade:
         })
     }
 
-    /// `x^y` of `y` ≥ 0, where 1 counts as the largest word; `0^0` is 1.
+    /// `x^y`, where 1 counts as the largest word; `0^0` is 1.
     ///
-    /// The error of the logarithm is multiplied by y.
+    /// The exponent y multiplies the error of the logarithm.
     #[must_use]
     #[inline]
     fn pow(x: U0F32, y: U16F16) -> U0F32 {
@@ -128,7 +128,7 @@ pub trait Grade:
         let log = Self::log(x.wrapping_neg());
         let whole = y >> 16;
         let fraction = product::by_half(log, y & 0xffff);
-        // Beyond 32 the power is below a word's step.
+        // With an exponent of 32 or more the power is below a step.
         let exponent = match log.wrapping_mul(whole).checked_add(fraction) {
             Some(exponent) if product::high(log, whole) == 0 => exponent,
             _ => u32::MAX,
@@ -190,7 +190,7 @@ macro_rules! grade {
 }
 
 grade! {
-    /// Largest errors about 1e-6, with tables of 2 KB that all functions share.
+    /// The usual grade: largest errors about 1e-6, with tables of 2 KB that all functions share.
     Fine {
         kernels: fine, product: near_signed, rotations: 23,
         rim: 0xffff_f99c, series: 0x35c2_8f5c, beyond: 1 << 12,
@@ -198,10 +198,10 @@ grade! {
 }
 
 grade! {
-    /// Largest errors about 1e-4, in the fewest instructions: for sound, light and dithering.
+    /// The fastest grade: largest errors about 1e-4, in the fewest instructions, for sound, light and dithering.
     ///
-    /// Coordinates of disks and directions are products of 15 bits: they are right to 1.4e-4 of the size, of narrow cones and
-    /// lobes too.
+    /// It shares the tables of [`Fine`]. Coordinates of disks and directions are products of 15 bits, right to 1.4e-4 of
+    /// the size, also in narrow cones and lobes.
     Coarse {
         kernels: coarse, product: rough_signed, rotations: 14,
         rim: 0xffff_ffff, series: 0x7d70_a3d7, beyond: 1 << 17,
@@ -209,7 +209,7 @@ grade! {
 }
 
 grade! {
-    /// Largest errors about 1e-6 without tables, in the least flash.
+    /// The smallest grade: largest errors about 1e-6 without tables, in the least flash.
     Compact {
         kernels: compact, product: near_signed, rotations: 23,
         rim: 0xffff_f9a8, series: 0x35c2_8f5c, beyond: 1 << 12,

@@ -10,13 +10,18 @@ use core::marker::PhantomData;
 
 /// Uniform over the hemisphere about +z.
 ///
-/// z = u₁, sin θ = √(1 − u₁²), φ = u₂ turns: the horizon is at u₁ = 0.
+/// z = u₁, sin θ = √(1 − u₁²), and the azimuth is u₂ turns. The horizon is at u₁ = 0.
 ///
-/// - Uniforms: two words, polar then azimuth.
-/// - Range: unit vectors with z ≥ 0.
-/// - Density: 1/(2π) per steradian where z ≥ 0, to 2⁻³³.
+/// # Density
+/// 1/(2π) per steradian where z ≥ 0, to 2⁻³³; 0 elsewhere.
 ///
-/// In *sample* the error of a coordinate; in *round trip* of u₁, and of u₂ times sin θ:
+/// # Domain
+/// - Point: unit vectors with z ≥ 0.
+/// - Uniforms: two words, polar angle then azimuth.
+///
+/// # Accuracy
+/// *Sample* is the absolute error of a coordinate, *unit length* the largest error of the length. *Round trip* is the
+/// error of the uniforms after `sample` and `invert`: of u₁, and of u₂ times sin θ.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -26,16 +31,34 @@ use core::marker::PhantomData;
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
 /// | round trip | 5.3e-7 | 1.6e-4 | 6.2e-7 |
 ///
-/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
+/// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+/// # Cost
+/// <!-- generated: cost fixed Hemisphere -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 214 on a Cortex-M0 (432 bytes), 103 on a Cortex-M3.
+/// - `coarse`: 177 on a Cortex-M0 (356 bytes), 80 on a Cortex-M3.
+/// - `compact`: 313 on a Cortex-M0 (684 bytes), 169 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::U0F32;
 /// use microwarp::{Invert, Warp, fixed as mw};
 /// let [_, _, z] = mw::Hemisphere::new().sample([0.75_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(z, 0.75);
 /// ```
+///
+/// # See also
+/// - [`CosineHemisphere`](super::CosineHemisphere) suits light on a matt surface better.
+/// - [`Sphere`](super::Sphere), [`Cone`](super::Cone): all directions, and those near +z.
+/// - [`warp::Hemisphere`](crate::warp::Hemisphere) is the hemisphere of the float tiers.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
+/// <https://www.pbr-book.org/3ed-2018/Monte_Carlo_Integration>.
+#[doc(alias = "direction")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hemisphere<G = Fine>(PhantomData<G>);
@@ -59,7 +82,7 @@ impl<G: Grade> Warp for Hemisphere<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // sin² θ: near the pole by 1 − u, which is exact there. Below 1 again once 2(1 − u) has wrapped.
+        // sin² θ. Near the pole from 1 − u, which is exact there; the subtraction undoes the overflow of the shift.
         let square = if u1 >> 31 == 0 {
             !square(u1)
         } else {
@@ -85,7 +108,7 @@ impl<G: Grade> Invert for Hemisphere<G> {
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, z] = point;
         let u1 = if z > Coordinate::ZERO {
-            // 1 − (1 − cos θ): what x and y say of the pole is kept.
+            // 1 − (1 − cos θ), which keeps what x and y tell near the pole.
             match one_minus_cos(point).to_bits(32) {
                 0 => u32::MAX,
                 rest => rest.wrapping_neg(),
@@ -97,15 +120,20 @@ impl<G: Grade> Invert for Hemisphere<G> {
     }
 }
 
-/// In proportion to the cosine over the hemisphere about +z, by inversion.
+/// In proportion to the cosine over the hemisphere about +z (Lambert's law), by inversion.
 ///
-/// sin θ = √u₁, cos θ = √(1 − u₁), φ = u₂ turns: the pole is at u₁ = 0.
+/// sin θ = √u₁, cos θ = √(1 − u₁), and the azimuth is u₂ turns. The pole is at u₁ = 0.
 ///
-/// - Uniforms: two words, polar then azimuth.
-/// - Range: unit vectors with z ≥ 2⁻¹⁷.
-/// - Density: cos θ/π per steradian, to 2⁻²⁸; never 0 at a sample.
+/// # Density
+/// cos θ/π per steradian where z > 0, to 2⁻²⁸; 0 elsewhere, never at a sample.
 ///
-/// In *sample* the error of a coordinate; in *round trip* of u₁, and of u₂ times sin θ:
+/// # Domain
+/// - Point: unit vectors with z ≥ 2⁻¹⁷.
+/// - Uniforms: two words, polar angle then azimuth.
+///
+/// # Accuracy
+/// *Sample* is the absolute error of a coordinate, *unit length* the largest error of the length. *Round trip* is the
+/// error of the uniforms after `sample` and `invert`: of u₁, and of u₂ times sin θ.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -115,16 +143,35 @@ impl<G: Grade> Invert for Hemisphere<G> {
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
 /// | round trip | 5.9e-7 | 1.7e-4 | 6.2e-7 |
 ///
-/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
+/// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+/// # Cost
+/// <!-- generated: cost fixed CosineHemisphere -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 240 on a Cortex-M0 (476 bytes), 116 on a Cortex-M3.
+/// - `coarse`: 197 on a Cortex-M0 (396 bytes), 89 on a Cortex-M3.
+/// - `compact`: 370 on a Cortex-M0 (808 bytes), 203 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::U0F32;
 /// use microwarp::{Invert, Warp, fixed as mw};
 /// let [_, _, z] = mw::CosineHemisphere::new().sample([0.75_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(z, 0.5);
 /// ```
+///
+/// # See also
+/// - [`Hemisphere`](super::Hemisphere) is uniform.
+/// - [`PhongLobe`](super::PhongLobe) takes any power of the cosine; its exponent 1 is this law.
+/// - [`warp::CosineHemisphere`](crate::warp::CosineHemisphere) is the one of the float tiers.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
+/// <https://www.pbr-book.org/3ed-2018/Monte_Carlo_Integration>.
+#[doc(alias = "lambertian")]
+#[doc(alias = "lambert")]
+#[doc(alias = "diffuse")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CosineHemisphere<G = Fine>(PhantomData<G>);
@@ -157,7 +204,7 @@ impl<G: Grade> Warp for CosineHemisphere<G> {
     fn pdf(&self, point: [Coordinate; 3]) -> Density {
         let [_, _, z] = point;
         if z > Coordinate::ZERO {
-            // Q30 times Q32, from below: up to 2³², of a z up to 2.
+            // Q30 times Q32, cut: up to 2³² for a z up to 2.
             Density::from_bits(u64::from(near(z.to_bits() as u32, PER_COSINE)) << 2 | 2)
         } else {
             Density::ZERO
@@ -170,7 +217,7 @@ impl<G: Grade> Invert for CosineHemisphere<G> {
     fn invert(&self, point: [Coordinate; 3]) -> [Uniform; 2] {
         let [x, y, z] = point;
         let u1 = if z > Coordinate::ZERO {
-            // 1 − cos² = a (2 − a), from the half of a.
+            // 1 − cos² = a (2 − a), from half of a.
             let half = one_minus_cos(point).to_bits(31).min(1 << 31);
             let quarter = half - square(half).min(half);
             if quarter >> 30 == 0 {

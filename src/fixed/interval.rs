@@ -12,20 +12,27 @@ use ::fixed::types::extra::LeEqU32;
 use ::fixed::{FixedI32, FixedU32};
 use core::marker::PhantomData;
 
-/// Uniform on an interval [a, b) of `i32`, `u32`, or `FixedI32` and `FixedU32` of any format.
+/// Uniform on an interval of integers (`i32`, `u32`) or of fixed-point numbers.
 ///
-/// a + ⌊n·u⌋ steps, where n is the number of values. Exact: every value has ⌊2³²/n⌋ words or one more, in order, and
-/// b has none. No grade: it takes one product.
+/// A sample is ⌊n·u⌋ steps above the lowest value, where n is the number of values.
 ///
+/// # Density
+/// 1/(high − low), to 2⁻³³; for integers that is the probability 1/n of a value. 0 outside, never inside.
+///
+/// A density has steps of 2⁻³². On an interval as long as 10⁶ it therefore has four digits, and on one longer than 2³²
+/// steps of 1 none. The exact probability of a value is one out of [`Interval::count`], to a word.
+///
+/// # Domain
+/// - Point: [low, high) of [`Interval::new`], or [low, last] of `Interval::inclusive`, which may be all 2³² values.
 /// - Uniforms: one word.
-/// - Range: [a, b), or [a, b] of [`Interval::inclusive`], which may be all 2³² values.
-/// - Density: 1/(b − a), of integers the probability 1/n, to 2⁻³³. A density has steps of 2⁻³², so that of an interval
-///   as long as 10⁶ it has four digits and of one longer than 2³² steps of 1 none; it is never 0 inside. The exact
-///   probability of a value is 1 out of [`Interval::count`], to a word.
-/// - `invert` gives the smallest word whose sample is x.
+/// - Parameters: two `i32`, two `u32`, or two numbers of one `FixedI32` or `FixedU32` format.
+/// - `invert` returns the smallest word whose sample is the point.
 ///
-/// Source: D. Lemire, "Fast Random Integer Generation in an Interval", 2019, without its rejection.
+/// # Accuracy
+/// Exact. Each value has ⌊2³²/n⌋ words or one more, in order, and no value has none. The warp has no grade, as it takes
+/// a single product.
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{I16F16, U0F32};
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -37,18 +44,31 @@ use core::marker::PhantomData;
 /// assert_eq!(angle.pdf(I16F16::ZERO), 0.125);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Tent`](super::Tent) favours the middle.
+/// - [`discrete`](crate::discrete) chooses integers by weights.
+/// - [`warp::Interval`](crate::warp::Interval) is the interval of the float tiers.
+///
+/// # Source
+/// D. Lemire, "Fast Random Integer Generation in an Interval", 2019, <https://doi.org/10.1145/3230636>. There a
+/// rejection makes the values equally likely; here no word is rejected.
+#[doc(alias = "uniform")]
+#[doc(alias = "range")]
+#[doc(alias = "dice")]
+#[doc(alias = "gen_range")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interval<T> {
-    /// The bits of a.
+    /// The bits of the lowest value.
     start: u32,
-    /// How many values there are; 0 stands for 2³².
+    /// The number of values; 0 stands for 2³².
     count: u32,
     density: u64,
     number: PhantomData<T>,
 }
 
 impl<T> Interval<T> {
-    /// Of this many values from these bits on; 0 stands for 2³².
+    /// The interval of so many values from these bits on; 0 stands for 2³².
     const fn of(start: u32, count: u32, fraction: u32) -> Self {
         let values = if count == 0 { 1 << 32 } else { count as u64 };
         let density = reciprocal(32 + fraction, values);
@@ -60,7 +80,7 @@ impl<T> Interval<T> {
         }
     }
 
-    /// How many values there are, from 1 to 2³².
+    /// The number of values, from 1 to 2³².
     #[must_use]
     pub const fn count(&self) -> u64 {
         if self.count == 0 {
@@ -72,15 +92,15 @@ impl<T> Interval<T> {
 }
 
 macro_rules! constructors {
-    ([$($parameter:tt)*] $number:ty, |$x:ident| $bits:expr, $fraction:expr) => {
+    ([$($parameter:tt)*] $number:ty, |$x:ident| $bits:expr, |$word:ident| $from_word:expr, $fraction:expr) => {
         impl<$($parameter)*> Interval<$number> {
-            /// Uniform on [a, b), increasing with the uniform.
+            /// Uniform on [low, high), increasing with the uniform.
             ///
             /// # Errors
-            /// [`Error::Reversed`] for a > b, [`Error::Empty`] for a = b.
-            pub const fn new(a: $number, b: $number) -> Result<Self, Error> {
-                let start = { let $x = a; $bits };
-                let end = { let $x = b; $bits };
+            /// [`Error::Reversed`] for low > high, [`Error::Empty`] for low = high.
+            pub const fn new(low: $number, high: $number) -> Result<Self, Error> {
+                let start = { let $x = low; $bits };
+                let end = { let $x = high; $bits };
                 if start > end {
                     Err(Error::Reversed)
                 } else if start == end {
@@ -90,13 +110,13 @@ macro_rules! constructors {
                 }
             }
 
-            /// Uniform on [a, b], increasing with the uniform.
+            /// Uniform on [low, last], increasing with the uniform.
             ///
             /// # Errors
-            /// [`Error::Reversed`] for a > b.
-            pub const fn inclusive(a: $number, b: $number) -> Result<Self, Error> {
-                let start = { let $x = a; $bits };
-                let last = { let $x = b; $bits };
+            /// [`Error::Reversed`] for low > last.
+            pub const fn inclusive(low: $number, last: $number) -> Result<Self, Error> {
+                let start = { let $x = low; $bits };
+                let last = { let $x = last; $bits };
                 if start > last {
                     Err(Error::Reversed)
                 } else {
@@ -104,14 +124,28 @@ macro_rules! constructors {
                     Ok(Self::of(start as u32, count, $fraction))
                 }
             }
+
+            /// The lowest value.
+            #[must_use]
+            pub const fn low(&self) -> $number {
+                let $word = self.start;
+                $from_word
+            }
+
+            /// The largest value, which samples reach: one step below the `high` of [`Self::new`].
+            #[must_use]
+            pub const fn last(&self) -> $number {
+                let $word = self.start.wrapping_add(self.count.wrapping_sub(1));
+                $from_word
+            }
         }
     };
 }
 
-constructors!([] i32, |x| x, 0);
-constructors!([] u32, |x| x, 0);
-constructors!([Frac: LeEqU32] FixedI32<Frac>, |x| x.to_bits(), Frac::U32);
-constructors!([Frac: LeEqU32] FixedU32<Frac>, |x| x.to_bits(), Frac::U32);
+constructors!([] i32, |x| x, |word| word as i32, 0);
+constructors!([] u32, |x| x, |word| word, 0);
+constructors!([Frac: LeEqU32] FixedI32<Frac>, |x| x.to_bits(), |word| FixedI32::from_bits(word as i32), Frac::U32);
+constructors!([Frac: LeEqU32] FixedU32<Frac>, |x| x.to_bits(), |word| FixedU32::from_bits(word), Frac::U32);
 
 impl<T: Number> Warp for Interval<T> {
     type Uniforms = Uniform;
@@ -157,7 +191,7 @@ impl<T: Number> Invert for Interval<T> {
     }
 }
 
-/// ⌈2³²·steps/count⌉ of steps < count.
+/// ⌈2³²·steps/count⌉, for steps < count.
 #[inline]
 fn first_word(steps: u32, count: u32) -> u32 {
     let (below, inexact) = fraction_u32(steps, count);

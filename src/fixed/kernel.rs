@@ -1,15 +1,15 @@
 //! The integer kernels: raw words in, raw words out.
 //!
-//! Here live the products and the elementary functions behind [`Grade`](super::Grade). What a word means is said at
-//! each function, as Q formats: of a number in Qn, the n lowest bits are its fraction. Plain operators never
-//! overflow here, which builds with overflow checks prove over all inputs; where wrapping is meant, it says so.
+//! Here live the products and the elementary functions behind [`Grade`](super::Grade). Each function states the Q formats
+//! of its words: a number in Qn has n fraction bits. Plain operators never overflow here, as builds with overflow checks
+//! prove over all inputs; wrapping is explicit.
 #![expect(
     clippy::arithmetic_side_effects,
     clippy::cast_possible_wrap,
     reason = "debug builds check every operation over all inputs"
 )]
 
-/// Calls a function in the way of this core. Tests call it in both ways, for the same bits.
+/// Calls the variant of a function that suits this core. Tests call both and compare the bits.
 macro_rules! on_this_core {
     ($function:ident($($argument:expr),*)) => {{
         #[cfg(test)]
@@ -30,6 +30,5 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-/// Whether the core multiplies 32 bits by 32 to 32 bits only. Of the Arm cores, those without
-/// compare-and-swap are the ones.
+/// Whether the core lacks a product of 32 bits by 32 to 64. Among Arm cores these are the ones without compare-and-swap.
 pub(super) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));

@@ -12,17 +12,24 @@ use crate::warp::{Invert, Warp};
 use ::fixed::types::U32F32;
 use core::marker::PhantomData;
 
-/// Density ∝ cosⁿθ over the hemisphere about +z, for any n ≥ 0.
+/// In proportion to cosⁿθ over the hemisphere about +z (the Phong lobe), for any n ≥ 0.
 ///
-/// cos θ = (1 − u₁)^(1/(n+1)), carried as 1 − cos θ with an exponent of its own, so that a lobe of n = 1e8 does not
-/// collapse onto its axis. n = 0 is the uniform hemisphere, n = 1 the cosine one.
+/// cos θ = (1 − u₁)^(1/(n+1)). The warp computes 1 − cos θ with an exponent of its own, so that a lobe of n = 1e8 does
+/// not collapse onto its axis. n = 0 is the uniform hemisphere, n = 1 the cosine one.
 ///
-/// - Uniforms: two words, polar then azimuth; the axis is at u₁ = 0.
-/// - Range: unit vectors with z ≥ 2⁻³⁰. Of narrow lobes all the information is in x and y, in steps of 2⁻³⁰.
-/// - Density: (n + 1)/(2π) cosⁿθ per steradian; never 0 at a sample. What is below 2⁻³² counts as that.
+/// # Density
+/// (n + 1)/(2π) cosⁿθ per steradian where z > 0, at least 2⁻³² there; 0 elsewhere.
 ///
-/// Rms and mean at n = 50; in *sample* the error of a coordinate; in *round trip* of u₁, and of u₂ times sin θ. The size of the
-/// lobe is w, the smaller of √(2/(n + 1)) and 1; the farthest sample lies at 4.7 w:
+/// # Domain
+/// - Point: unit vectors with z ≥ 2⁻³⁰. In narrow lobes x and y hold all the information, in steps of 2⁻³⁰.
+/// - Uniforms: two words, polar angle then azimuth. The axis is at u₁ = 0.
+/// - Parameter: the exponent n from 0 to 2³² − 2. The warp keeps its first 32 binary digits.
+///
+/// # Accuracy
+/// *Sample* is the absolute error of a coordinate, *unit length* the largest error of the length. *Round trip* is the
+/// error of the uniforms after `sample` and `invert`: of u₁, and of u₂ times sin θ.
+/// *Pdf* is relative to the density on the axis. Rms and mean hold for n = 50. w is the size of the lobe, the smaller of
+/// √(2/(n + 1)) and 1; the farthest sample lies at 4.7 w.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -33,9 +40,15 @@ use core::marker::PhantomData;
 /// | round trip | 2.4e-6 + 2e-9/w | 4e-4 + 2e-9/w | 1.9e-6 + 2e-9/w |
 /// | pdf, of that on the axis | 1.4e-6 | 2.0e-4 | 9.6e-7 |
 ///
-/// Source: E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically
-/// Based Rendering", 1994.
+/// # Cost
+/// <!-- generated: cost fixed PhongLobe -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 330 on a Cortex-M0 (960 bytes), 171 on a Cortex-M3.
+/// - `coarse`: 277 on a Cortex-M0 (872 bytes), 141 on a Cortex-M3.
+/// - `compact`: 486 on a Cortex-M0 (1,596 bytes), 287 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{U0F32, U32F32};
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -45,6 +58,19 @@ use core::marker::PhantomData;
 /// assert!(x * x + y * y > 1.3e-8); // but not on it
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`CosineHemisphere`](super::CosineHemisphere) is the lobe of n = 1, at lower cost.
+/// - [`Cone`](super::Cone) is uniform and has a rim.
+/// - [`warp::PhongLobe`](crate::warp::PhongLobe) is the lobe of the float tiers.
+///
+/// # Source
+/// E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
+/// Report CW 197, K. U. Leuven, 1994, <http://graphics.cs.kuleuven.be/publications/Phong/>.
+#[doc(alias = "cosine_power")]
+#[doc(alias = "specular")]
+#[doc(alias = "glossy")]
+#[doc(alias = "phong")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PhongLobe<G = Fine> {
@@ -57,17 +83,17 @@ pub struct PhongLobe<G = Fine> {
 }
 
 impl<G: Grade> PhongLobe<G> {
-    /// The lobe of exponent `n`, up to 2³² − 2.
+    /// The lobe of this exponent n, up to 2³² − 2.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] above.
-    pub const fn new(n: U32F32) -> Result<Self, Error> {
-        let exponent = n.to_bits();
+    /// [`Error::OutOfRange`] above that.
+    pub const fn new(exponent: U32F32) -> Result<Self, Error> {
+        let exponent = exponent.to_bits();
         if exponent > (u32::MAX as u64 - 1) << 32 {
             return Err(Error::OutOfRange);
         }
         let power = Scaled::of(exponent + (1 << 32), 32);
-        // 1 itself as the largest number below it, and what rounds to it.
+        // 1, and whatever rounds to it, counts as the largest number below it.
         let inverse = if power.mantissa == UNIT.mantissa && power.exponent == UNIT.exponent {
             Scaled {
                 mantissa: u32::MAX,
@@ -84,18 +110,24 @@ impl<G: Grade> PhongLobe<G> {
         })
     }
 
+    /// The exponent n. The lobe keeps its first 32 binary digits.
+    #[must_use]
+    pub const fn exponent(&self) -> U32F32 {
+        U32F32::from_bits(self.exponent.to_long_bits(32))
+    }
+
     /// −ln cos θ of a direction with z > 0.
     #[inline]
     fn neg_ln_cos(point: [Coordinate; 3]) -> Scaled {
         let a = one_minus_cos(point);
         if a.exponent >= 3 {
-            // Below 1/8 by the series, as what the logarithm is off is multiplied by n.
+            // Below 1/8 by the series, since n multiplies the error of the logarithm.
             let more = log::excess_of_eighth(a.to_bits(32));
             let mantissa = a.mantissa >> 1;
             Scaled::normal(mantissa + near(mantissa, more), a.exponent - 1)
         } else {
             let cos = point[2].to_bits() as u32;
-            // −ln of the cosine itself, which here has all the digits.
+            // By the cosine itself, which has all its digits here.
             let log = G::log(if cos >> 30 == 0 {
                 (cos << 2).wrapping_neg()
             } else {
@@ -109,7 +141,7 @@ impl<G: Grade> PhongLobe<G> {
 /// 1 − e^−x.
 #[inline]
 fn exp_m1_neg<G: Kernels>(x: Scaled) -> u32 {
-    // Below 1/8 by its own digits.
+    // The series keeps the digits below 1/8.
     if x.exponent >= 3 {
         let bits = x.to_bits(34);
         one_minus_small(bits, 34) >> 2
@@ -126,7 +158,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // −ln(1 − u₁), with more digits the nearer the axis.
+        // −ln(1 − u₁), with more digits nearer the axis.
         let (log, bits) = if u1 < log::SMALL {
             (log::small(u1), 39)
         } else if u1 >> 29 == 0 {
@@ -134,7 +166,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
         } else {
             (G::log(u1), 27)
         };
-        // −ln cos θ, in so many fraction bits.
+        // −ln cos θ, with so many fraction bits.
         let neg_ln_cos = near(log, self.inverse.mantissa);
         let bits = bits + self.inverse.exponent;
         if bits > 34 || neg_ln_cos >> (bits - 3) == 0 {
@@ -146,7 +178,7 @@ impl<G: Grade> Warp for PhongLobe<G> {
             half.direction::<G>(u2)
         } else {
             let cos = G::exp(neg_ln_cos >> (bits - 27));
-            // At the horizon the last words would give 0, where the density is 0.
+            // The last words would reach the horizon, where the density is 0.
             let z = (cos >> 2).max(1) as i32;
             direction::<G>(G::root(!square(cos)), z, u2)
         }

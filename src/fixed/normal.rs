@@ -14,16 +14,20 @@ use ::fixed::FixedI32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
 
-/// Two independent normals of mean 0 and deviation 1.
+/// Two independent normals (Gaussians) of mean 0 and standard deviation 1, by Box and Muller's map.
 ///
-/// Radius √(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the origin.
+/// A point of the plane: its radius is √(−2 ln(1 − u₁)), its angle u₂ turns.
 ///
-/// - Uniforms: two words. (0, ·) gives the origin; the farthest point lies at 6.661.
-/// - Range: each coordinate in [−6.661, 6.661].
-/// - Density: e^(−r²/2)/(2π), per unit area, at least 2⁻³².
+/// # Density
+/// e^(−r²/2)/(2π) per unit area, at least 2⁻³².
 ///
-/// In *sample* the distance of the points; in *round trip* of the two uniforms, the second as a distance along the
-/// circle of the radius:
+/// # Domain
+/// - Point: each coordinate in [−6.661, 6.661].
+/// - Uniforms: two words, radius then angle. (0, ·) gives the origin; the farthest point lies at 6.661.
+///
+/// # Accuracy
+/// *Sample* is the distance of the points, *pdf* the absolute error of the density. *Round trip* is the error of the
+/// uniforms after `sample` and `invert`, of the second as a distance along the circle of the radius.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -33,10 +37,17 @@ use core::marker::PhantomData;
 /// | pdf | 1.3e-7 | 1.2e-5 | 1.7e-8 |
 /// | round trip | 1.2e-6 | 7.7e-5 | 9.0e-7 |
 ///
-/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
+/// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
-/// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
+/// # Cost
+/// <!-- generated: cost fixed StandardNormalPair -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 251 on a Cortex-M0 (508 bytes), 124 on a Cortex-M3.
+/// - `coarse`: 219 on a Cortex-M0 (452 bytes), 104 on a Cortex-M3.
+/// - `compact`: 402 on a Cortex-M0 (908 bytes), 227 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::U0F32;
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -44,12 +55,25 @@ use core::marker::PhantomData;
 /// let [x, y] = noise.sample([0.864_664_7_f64, 0.5].map(U0F32::from_num));
 /// assert!((x.to_num::<f64>() + 2.0).abs() < 1e-6 && y == 0);
 /// ```
+///
+/// # See also
+/// - [`NormalPair`] has any mean and standard deviation.
+/// - [`warp::NormalPair`](crate::warp::NormalPair) is the pair of the float tiers, and
+///   [`rejection::ZigguratStandardNormal`](crate::rejection::ZigguratStandardNormal) draws single normals in `f32`.
+///
+/// # Source
+/// G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958,
+/// <https://doi.org/10.1214/aoms/1177706645>.
+#[doc(alias = "gaussian")]
+#[doc(alias = "normal")]
+#[doc(alias = "box_muller")]
+#[doc(alias = "randn")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct StandardNormalPair<G = Fine>(PhantomData<G>);
 
 impl<G: Grade> StandardNormalPair<G> {
-    /// The normal distribution of mean 0 and deviation 1 in each coordinate.
+    /// Two normals of mean 0 and standard deviation 1.
     #[must_use]
     pub const fn new() -> Self {
         Self(PhantomData)
@@ -59,8 +83,8 @@ impl<G: Grade> StandardNormalPair<G> {
 /// √(−2 ln(1 − u)) in Q29, which is an eighth of it in Q32.
 #[inline]
 fn radius<G: Kernels>(u: u32) -> u32 {
-    // The logarithm in Q27 is, as a number in Q32, the square of an eighth of the radius. Near the centre, where the
-    // root is steep, it has 12 bits more.
+    // Read in Q32, the logarithm in Q27 is the square of an eighth of the radius. Near the centre, where the root is
+    // steep, it has 12 more bits.
     let (square, half_of_them) = if u < log::SMALL {
         (log::small(u), 6)
     } else {
@@ -69,8 +93,8 @@ fn radius<G: Kernels>(u: u32) -> u32 {
     G::root(square) >> half_of_them
 }
 
-/// The point of this distance in the direction of a phase. In no grade by a product of fewer digits: most radii are
-/// far below the largest, and would keep few.
+/// The point at this distance in the direction of a phase. No grade uses a shorter product here: most radii are far
+/// below the largest, and would keep few digits.
 #[inline]
 fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
     let (sin, cos) = G::sincos(phase);
@@ -121,15 +145,21 @@ impl<G: Grade> Invert for StandardNormalPair<G> {
     }
 }
 
-/// Two independent normals about a mean point with a common standard deviation.
+/// Two independent normals (Gaussians) with a mean point and a common standard deviation, by Box and Muller's map.
 ///
-/// As [`StandardNormalPair`], its points times the deviation, rounded to the format's step.
+/// The point of a [`StandardNormalPair`] times the standard deviation σ, rounded to the format's step.
 ///
-/// - Uniforms: two words. (0, ·) gives the mean itself; the farthest point lies at 6.661 deviations.
-/// - Density: e^(−r²/2σ²)/(2πσ²), per unit area, at least 2⁻³². For a deviation above 2.2·10⁴ that is all of it.
+/// # Density
+/// e^(−r²/2σ²)/(2πσ²) per unit area, at least 2⁻³². For σ above 2.2·10⁴ it is 2⁻³² everywhere.
 ///
-/// In *sample* of the deviation, beyond half a step of the format in each coordinate; in *pdf* of the largest density, beyond
-/// a step; in *round trip* as of [`StandardNormalPair`]. The deviation has n steps of the format:
+/// # Domain
+/// - Point: up to 6.661σ from the mean point.
+/// - Uniforms: two words, radius then angle. (0, ·) gives the mean point itself.
+/// - Parameters: mean point and σ > 0 in one signed format of 32 bits, in which the mean and 6.67σ fit.
+///
+/// # Accuracy
+/// *Sample* is relative to σ, beyond half a step of the format in each coordinate. *Pdf* is relative to the largest
+/// density, beyond a step of 2⁻³². *Round trip* is that of [`StandardNormalPair`]. σ is n steps of the format.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -137,8 +167,15 @@ impl<G: Grade> Invert for StandardNormalPair<G> {
 /// | pdf | 8.1e-7 | 7.0e-5 | 1.1e-7 |
 /// | round trip | 1.2e-6 + 2.3/n | 7.7e-5 + 2.3/n | 9.2e-7 + 2.3/n |
 ///
-/// Source: G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958.
+/// # Cost
+/// <!-- generated: cost fixed NormalPair -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 272 on a Cortex-M0 (556 bytes), 131 on a Cortex-M3.
+/// - `coarse`: 239 on a Cortex-M0 (484 bytes), 111 on a Cortex-M3.
+/// - `compact`: 418 on a Cortex-M0 (940 bytes), 235 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{I16F16, U0F32};
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -147,11 +184,23 @@ impl<G: Grade> Invert for StandardNormalPair<G> {
 /// assert!((x.to_num::<f64>() - 90.0).abs() < 3e-5 && y == -20);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`StandardNormalPair`] has mean 0 and standard deviation 1, at lower cost.
+/// - [`warp::NormalPair`](crate::warp::NormalPair) is the pair of the float tiers.
+///
+/// # Source
+/// G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958,
+/// <https://doi.org/10.1214/aoms/1177706645>.
+#[doc(alias = "gaussian")]
+#[doc(alias = "normal")]
+#[doc(alias = "box_muller")]
+#[doc(alias = "noise")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NormalPair<Frac, G = Fine> {
     mean: [i32; 2],
-    /// The deviation, its first bit set by a shift that leaves products 2⁵ too small.
-    deviation: u32,
+    /// The standard deviation, shifted until its first bit is set. Products with it are 2⁵ too small.
+    std_dev: u32,
     shift: u32,
     /// The density at the mean point.
     peak: Scaled,
@@ -162,24 +211,23 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
     /// Normals about the given mean point with the given standard deviation in each coordinate.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a deviation of 0 or less; [`Error::TooLarge`] for one of 1/16 of the format's range
+    /// [`Error::NotPositive`] for a standard deviation of 0 or less; [`Error::TooLarge`] for 1/16 of the format's range
     /// or more, or if the mean and 6.67 deviations overflow the format; [`Error::Empty`] if the density overflows,
-    /// for a deviation below 6.1e-6.
-    pub const fn new(mean: [FixedI32<Frac>; 2], deviation: FixedI32<Frac>) -> Result<Self, Error> {
+    /// for a standard deviation below 6.1e-6.
+    pub const fn new(mean: [FixedI32<Frac>; 2], std_dev: FixedI32<Frac>) -> Result<Self, Error> {
         let [x, y] = mean;
-        let (x, y, deviation) = (x.to_bits(), y.to_bits(), deviation.to_bits());
-        if deviation <= 0 {
+        let (x, y, std_dev) = (x.to_bits(), y.to_bits(), std_dev.to_bits());
+        if std_dev <= 0 {
             return Err(Error::NotPositive);
         }
-        // 6.67 deviations, and what rounding adds.
-        let reach = ((deviation as i64 * 427) >> 6) + 1;
+        // 6.67 standard deviations, and a step for rounding.
+        let reach = ((std_dev as i64 * 427) >> 6) + 1;
         let room = i32::MAX as i64 - reach;
-        if deviation >= 1 << 27 || x.unsigned_abs() as i64 > room || y.unsigned_abs() as i64 > room
-        {
+        if std_dev >= 1 << 27 || x.unsigned_abs() as i64 > room || y.unsigned_abs() as i64 > room {
             return Err(Error::TooLarge);
         }
-        let shift = deviation.leading_zeros();
-        let inverse = UNIT.over(Scaled::of(deviation as u64, Frac::I32));
+        let shift = std_dev.leading_zeros();
+        let inverse = UNIT.over(Scaled::of(std_dev as u64, Frac::I32));
         let peak = inverse.times(inverse).times(PER_ANGLE);
         let peak = Scaled::normal(peak.mantissa, peak.exponent);
         if peak.exponent < -32 {
@@ -187,20 +235,33 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         }
         Ok(Self {
             mean: [x, y],
-            deviation: (deviation as u32) << shift,
+            std_dev: (std_dev as u32) << shift,
             shift: shift - 5,
             peak,
             format: PhantomData,
         })
     }
 
-    /// The magnitudes of a point's coordinates from the mean, in deviations (Q27), 16 or more as 16.
+    /// The mean point.
+    #[must_use]
+    pub const fn mean(&self) -> [FixedI32<Frac>; 2] {
+        let [x, y] = self.mean;
+        [FixedI32::from_bits(x), FixedI32::from_bits(y)]
+    }
+
+    /// The standard deviation of each coordinate.
+    #[must_use]
+    pub const fn std_dev(&self) -> FixedI32<Frac> {
+        FixedI32::from_bits((self.std_dev >> (self.shift + 5)) as i32)
+    }
+
+    /// The distances of a point from the mean in each coordinate, in standard deviations (Q27) and at most 16.
     #[inline]
     fn standardised(&self, point: [FixedI32<Frac>; 2]) -> [u32; 2] {
         let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
-        let deviation = self.deviation >> (self.shift + 5);
+        let std_dev = self.std_dev >> (self.shift + 5);
         [x.abs_diff(mx), y.abs_diff(my)]
-            .map(|c| u32::try_from(ratio(c, deviation) >> 5).map_or(1 << 31, |c| c.min(1 << 31)))
+            .map(|c| u32::try_from(ratio(c, std_dev) >> 5).map_or(1 << 31, |c| c.min(1 << 31)))
     }
 }
 
@@ -212,7 +273,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for NormalPair<Frac, G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [FixedI32<Frac>; 2] {
         let ([u1, u2], [mx, my]) = (u.get().map(Uniform::to_bits), self.mean);
-        let [x, y] = around::<G>(near(radius::<G>(u1), self.deviation), u2);
+        let [x, y] = around::<G>(near(radius::<G>(u1), self.std_dev), u2);
         let half = (1 << self.shift) >> 1;
         [
             mx + ((x + half) >> self.shift),
@@ -233,7 +294,7 @@ impl<Frac: LeEqU32, G: Grade> Invert for NormalPair<Frac, G> {
     fn invert(&self, point: [FixedI32<Frac>; 2]) -> [Uniform; 2] {
         let square = square_of(self.standardised(point));
         let ([x, y], [mx, my]) = (point.map(FixedI32::to_bits), self.mean);
-        // No difference that saturates is that of a sample.
+        // No sample has a difference that saturates.
         let angle = G::angle(y.saturating_sub(my), x.saturating_sub(mx));
         [outside::<G>(square), angle].map(Uniform::from_bits)
     }
@@ -243,13 +304,13 @@ impl<Frac: LeEqU32, G: Grade> Invert for NormalPair<Frac, G> {
 impl<Frac, G> defmt::Format for NormalPair<Frac, G> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let [x, y] = self.mean;
-        let deviation = self.deviation >> (self.shift + 5);
+        let std_dev = self.std_dev >> (self.shift + 5);
         defmt::write!(
             f,
-            "NormalPair {{ mean: [{=i32}, {=i32}], deviation: {=u32} }}",
+            "NormalPair {{ mean: [{=i32}, {=i32}], std_dev: {=u32} }}",
             x,
             y,
-            deviation
+            std_dev
         );
     }
 }

@@ -1,30 +1,29 @@
-//! The numbers of 32 bits that points of the integer tier are made of.
+//! The 32-bit numbers that points of the integer tier consist of.
 
 use ::fixed::types::extra::LeEqU32;
 use ::fixed::{FixedI32, FixedU32};
 
 mod sealed {
     /// A number as its bits.
-    pub trait Word: Copy {
-        /// How many of the bits are a fraction.
+    pub trait Bits32: Copy {
+        /// The number of fraction bits.
         const FRACTION: u32;
-        /// The bit that carries the sign, if any.
+        /// The sign bit; 0 for unsigned numbers.
         const SIGN: u32;
         fn to_word(self) -> u32;
         fn from_word(word: u32) -> Self;
     }
 }
-pub(super) use sealed::Word;
+pub(super) use sealed::Bits32;
 
-/// A number of 32 bits: `i32`, `u32`, or of the `fixed` crate `FixedI32` and `FixedU32` with any number of
-/// fraction bits.
+/// A number of 32 bits: `i32`, `u32`, or `FixedI32` and `FixedU32` of the crate `fixed`, with any number of fraction bits.
 ///
-/// The trait is sealed.
-pub trait Number: Word {}
+/// The values of an [`Interval`](super::Interval) are such numbers. The trait is sealed.
+pub trait Number: Bits32 {}
 
-impl<T: Word> Number for T {}
+impl<T: Bits32> Number for T {}
 
-impl Word for u32 {
+impl Bits32 for u32 {
     const FRACTION: u32 = 0;
     const SIGN: u32 = 0;
 
@@ -39,7 +38,7 @@ impl Word for u32 {
     }
 }
 
-impl Word for i32 {
+impl Bits32 for i32 {
     const FRACTION: u32 = 0;
     const SIGN: u32 = 1 << 31;
 
@@ -54,7 +53,7 @@ impl Word for i32 {
     }
 }
 
-impl<Frac: LeEqU32> Word for FixedU32<Frac> {
+impl<Frac: LeEqU32> Bits32 for FixedU32<Frac> {
     const FRACTION: u32 = Frac::U32;
     const SIGN: u32 = 0;
 
@@ -69,7 +68,7 @@ impl<Frac: LeEqU32> Word for FixedU32<Frac> {
     }
 }
 
-impl<Frac: LeEqU32> Word for FixedI32<Frac> {
+impl<Frac: LeEqU32> Bits32 for FixedI32<Frac> {
     const FRACTION: u32 = Frac::U32;
     const SIGN: u32 = 1 << 31;
 

@@ -2,7 +2,7 @@
 
 #![expect(
     clippy::arithmetic_side_effects,
-    reason = "nothing overflows, which builds with overflow checks show"
+    reason = "builds with overflow checks show that nothing overflows"
 )]
 #![expect(
     clippy::cast_possible_wrap,
@@ -14,24 +14,24 @@ use super::disk::uniform_density;
 use crate::rejection::{Failure, budgeted, short_tries};
 use ::fixed::types::{I2F30, U0F32};
 
-/// The squared radius, in units of the sum of h² and k².
+/// The squared radius, in the units of h² + k².
 const RIM: u32 = 1 << 30;
 
-/// h² + k², of which 2³⁰(x² + y²) is less than 2¹⁸ off where 2¹⁵x and 2¹⁵y are off h and k by 1 at most.
+/// h² + k². It differs by less than 2¹⁸ from 2³⁰(x² + y²) if 2¹⁵x and 2¹⁵y differ by at most 1 from h and k.
 #[inline]
 const fn squares(h: i32, k: i32) -> u32 {
     (h * h) as u32 + (k * k) as u32
 }
 
-/// Whether a point lies inside, by its sum of squares where that is off the rim by more than 2²³, which it is in 98.8
-/// tries of 100 and which firmware compares in one instruction; by `exact` elsewhere.
+/// Whether a point lies inside. Its sum of squares tells where it differs from the rim by more than 2²³, as in 98.8 tries of
+/// 100, and one instruction compares it; elsewhere `exact` tells.
 #[inline]
 fn inside(sum: u32, exact: impl FnOnce() -> bool) -> bool {
     const NEAR: u32 = 1 << 23;
     sum < RIM - NEAR || (sum < RIM + NEAR && exact())
 }
 
-/// Whether the squares of two odd numbers are below 2⁶⁰ in sum: exactly, by products of 64 bits.
+/// Whether the sum of the squares of two odd numbers is below 2⁶⁰, exactly, by products of 64 bits.
 #[cold]
 #[inline(never)]
 const fn long_inside(x: i32, y: i32) -> bool {
@@ -41,17 +41,22 @@ const fn long_inside(x: i32, y: i32) -> bool {
 
 /// Uniform on the unit disk, by rejection from the square around it, from two words a try.
 ///
-/// - Uniforms: two, a try. Words a try: two. Only the first 30 bits of each count: as a signed number, so that a
-///   coordinate is 2u for u below ½, and 2u − 2 from there on.
-/// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻³⁰, symmetric about 0; each such point of
-///   the disk is equally likely.
-/// - Density: 1/π per unit area, off by 2⁻³³ at most.
-/// - Efficiency: π/4.
-/// - No product of 64 bits but in 1 try of 85, no division, no table. Where the number of tries must be
-///   constant, take a warp.
+/// # Density
+/// 1/π per unit area where x² + y² ≤ 1, to 2⁻³³; 0 elsewhere.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻³⁰, symmetric about 0. Each such point of the disk
+///   is equally likely.
+/// - Words a try: two, of which only the first 30 bits count. They are read as signed numbers: a coordinate is 2u for u
+///   below ½, and 2u − 2 from there on.
 ///
+/// # Accuracy
+/// Samples are exact.
+///
+/// # Cost
+/// Efficiency: π/4. Only 1 try in 85 needs a product of 64 bits. There is no division and no table.
+///
+/// # Examples
 /// ```
 /// use microwarp::{fixed as mw, rejection::Rejection};
 /// use rand_pcg::Pcg32;
@@ -61,6 +66,17 @@ const fn long_inside(x: i32, y: i32) -> bool {
 /// assert_eq!(disk.attempt([mw::Uniform::from_num(0.49); 2]), None); // in a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`DiskRejection16`] takes one word a try, for coordinates of 16 bits.
+/// - [`Disk`](super::Disk) takes a fixed number of words.
+/// - [`rejection::DiskRejection`](crate::rejection::DiskRejection) gives points in `f32`.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "circle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskRejection {
@@ -69,15 +85,21 @@ pub struct DiskRejection {
 
 /// Uniform on the unit disk, by rejection from the square around it, from one word a try: 16 bits a coordinate.
 ///
+/// # Density
+/// 1/π per unit area where x² + y² ≤ 1, spread over the cells of the grid, to 2⁻³³; 0 elsewhere.
+///
+/// # Domain
+/// - Point: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻¹⁶, symmetric about 0. Each of the 3,373,259,248 such
+///   points of the disk belongs to one word.
 /// - Words a try: one. Its halves are x, then y, as signed numbers.
-/// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻¹⁶, symmetric about 0; each of the
-///   3,373,259,248 such points of the disk is one word.
-/// - Density: 1/π per unit area, of the cells of the grid; off by 2⁻³³ at most.
-/// - Efficiency: π/4, less 4.1e-8.
-/// - No product of 64 bits, no division, no table.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Accuracy
+/// Samples are exact.
 ///
+/// # Cost
+/// Efficiency: π/4, less 4.1e-8. There is no product of 64 bits, no division and no table.
+///
+/// # Examples
 /// ```
 /// use microwarp::{fixed as mw, rejection::Rejection};
 /// use rand_pcg::Pcg32;
@@ -87,6 +109,16 @@ pub struct DiskRejection {
 /// assert_eq!(disk.attempt(0x7fff_7fff), None); // a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`DiskRejection`] has coordinates of 30 bits, from two words a try.
+/// - [`Disk`](super::Disk) takes a fixed number of words.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "circle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskRejection16 {
@@ -97,7 +129,7 @@ impl DiskRejection {
     /// The share of proposals that is accepted, π/4.
     pub const EFFICIENCY: U0F32 = U0F32::FRAC_PI_4;
 
-    /// One try with uniforms of one's own; `None` if the point lies outside.
+    /// One try with the given uniforms; `None` if the point lies outside.
     #[must_use]
     #[inline]
     pub fn attempt(&self, u: [U0F32; 2]) -> Option<[I2F30; 2]> {
@@ -113,21 +145,21 @@ impl DiskRejection16 {
     /// The share of proposals that is accepted, exactly.
     pub const EFFICIENCY: U0F32 = U0F32::from_bits(3_373_259_248);
 
-    /// One try with a word of one's own; `None` if the point lies outside.
+    /// One try with the given word; `None` if the point lies outside.
     #[must_use]
     #[inline]
     pub fn attempt(&self, word: u32) -> Option<[I2F30; 2]> {
         let word = word as i32;
         let (h, k) = (word >> 16, word << 16 >> 16);
         let sum = squares(h, k);
-        // (2h + 1)² + (2k + 1)² < 2³² in units of 4, of which the sum is an integer and 1/2.
+        // (2h + 1)² + (2k + 1)² < 2³², divided by 4. The sum is then an integer and 1/2.
         let accepted = inside(sum, || (sum as i32) + h + k < RIM as i32);
         let [x, y] = [h, k].map(|h| (2 * h + 1) << 14);
         accepted.then(|| [x, y].map(I2F30::from_bits))
     }
 }
 
-/// What both have in common.
+/// What both disks have in common.
 macro_rules! disks {
     ($($name:ident, $rng:ident => $words:expr;)*) => {$(
         budgeted!($name, 32);

@@ -10,13 +10,18 @@ use core::marker::PhantomData;
 
 /// Uniform over the unit sphere.
 ///
-/// z = 1 − 2u₁, sin θ = 2√(u₁(1 − u₁)), φ = u₂ turns: the pole +z is at u₁ = 0.
+/// z = 1 − 2u₁, sin θ = 2√(u₁(1 − u₁)), and the azimuth is u₂ turns. The pole +z is at u₁ = 0.
 ///
-/// - Uniforms: two words, polar then azimuth.
-/// - Range: unit vectors.
-/// - Density: 1/(4π) per steradian, to 2⁻³³.
+/// # Density
+/// 1/(4π) per steradian, to 2⁻³³.
 ///
-/// In *sample* the error of a coordinate; in *round trip* of u₁, and of u₂ times sin θ:
+/// # Domain
+/// - Point: unit vectors.
+/// - Uniforms: two words, polar angle then azimuth.
+///
+/// # Accuracy
+/// *Sample* is the absolute error of a coordinate, *unit length* the largest error of the length. *Round trip* is the
+/// error of the uniforms after `sample` and `invert`: of u₁, and of u₂ times sin θ.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -26,16 +31,33 @@ use core::marker::PhantomData;
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.0e-7 |
 /// | round trip | 2.7e-7 | 8.1e-5 | 3.1e-7 |
 ///
-/// The largest error of a sample is a bound for all pairs of words: see `docs/proofs.md`.
+/// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+/// # Cost
+/// <!-- generated: cost fixed Sphere -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 222 on a Cortex-M0 (416 bytes), 107 on a Cortex-M3.
+/// - `coarse`: 190 on a Cortex-M0 (348 bytes), 84 on a Cortex-M3.
+/// - `compact`: 324 on a Cortex-M0 (684 bytes), 173 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::U0F32;
 /// use microwarp::{Invert, Warp, fixed as mw};
 /// let [_, _, z] = mw::Sphere::new().sample([0.125_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(z, 0.75);
 /// ```
+///
+/// # See also
+/// - [`Hemisphere`](super::Hemisphere) and [`Cone`](super::Cone) are parts of the sphere.
+/// - [`warp::Sphere`](crate::warp::Sphere) is the sphere of the float tiers.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
+/// <https://www.pbr-book.org/3ed-2018/Monte_Carlo_Integration>.
+#[doc(alias = "direction")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sphere<G = Fine>(PhantomData<G>);
@@ -59,9 +81,9 @@ impl<G: Grade> Warp for Sphere<G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[Uniform; 2]>) -> [Coordinate; 3] {
         let [u1, u2] = u.get().map(Uniform::to_bits);
-        // From the nearer pole, at most 1/2.
+        // The distance from the nearer pole, at most 1/2.
         let from_pole = if u1 >> 31 == 0 { u1 } else { u1.wrapping_neg() };
-        // A quarter of sin² θ; cut by up to 2⁻³⁰ at the equator, where it would reach 1/4 and the shift overflow.
+        // A quarter of sin² θ. It is cut by up to 2⁻³⁰ at the equator, where 1/4 would overflow the shift.
         let quarter = from_pole - square(from_pole) - (from_pole >> 29);
         direction::<G>(G::root(quarter << 2), ONE - (u1 >> 1) as i32, u2)
     }

@@ -12,17 +12,22 @@ use ::fixed::FixedI32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
 
-/// The tent on (−r, r): density falling linearly from the centre to 0 at ±r.
+/// The tent (triangle) filter on (−r, r).
 ///
 /// With t = 2u below the middle and 2(1 − u) above, x = ∓r(1 − √t).
 ///
-/// - Uniforms: one word. Drawn, it counts as the middle of its step, so that no draw is nearer to an end than its share.
-/// - Range: (−r, r), in the format of r, cut towards 0 to its step; the ends, where the density is 0, are never
-///   returned.
-/// - Density: (1 − |x|/r)/r, at least 2⁻³² inside.
+/// # Density
+/// (1 − |x|/r)/r inside, at least 2⁻³²; 0 elsewhere. It falls linearly from the centre to 0 at ±r.
 ///
-/// In *sample* of the radius, beyond a step of the format; in *pdf* of the largest density, beyond a step; in *round trip*
-/// of the uniform. The radius has n steps of the format:
+/// # Domain
+/// - Point: (−r, r) in the format of r, cut towards 0. Samples never reach the ends, where the density is 0.
+/// - Uniforms: one word. A drawn word counts as the middle of its step, so that draws do not come too near the ends.
+/// - Parameter: the radius r > 0, in any signed format of 32 bits.
+///
+/// # Accuracy
+/// *Sample* is relative to the radius, beyond a step of the format. *Pdf* is relative to the largest density, beyond a
+/// step of 2⁻³². *Round trip* is the error of the uniform after `sample` and `invert`. The radius is n steps of the
+/// format.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -32,8 +37,15 @@ use core::marker::PhantomData;
 /// | pdf | 8e-10 | 8e-10 | 8e-10 |
 /// | round trip | 2.0e-7 + 1/n | 1.7e-5 + 1/n | 6.1e-8 + 1/n |
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+/// # Cost
+/// <!-- generated: cost fixed Tent -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 104 on a Cortex-M0 (376 bytes), 49 on a Cortex-M3.
+/// - `coarse`: 98 on a Cortex-M0 (352 bytes), 45 on a Cortex-M3.
+/// - `compact`: 140 on a Cortex-M0 (544 bytes), 69 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{I16F16, U0F32};
 /// use microwarp::{Invert, Warp, fixed as mw};
@@ -42,6 +54,18 @@ use core::marker::PhantomData;
 /// assert_eq!(filter.pdf(I16F16::from_num(-1)), 0.25);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Interval`](super::Interval) is uniform.
+/// - [`NormalPair`](super::NormalPair) is the smoother filter, in the plane.
+/// - [`warp::Tent`](crate::warp::Tent) is the tent of the float tiers.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
+/// <https://www.pbr-book.org/3ed-2018/Monte_Carlo_Integration>.
+#[doc(alias = "triangular")]
+#[doc(alias = "triangle_filter")]
+#[doc(alias = "dither")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tent<Frac, G = Fine> {
     radius: u32,
@@ -67,6 +91,12 @@ impl<Frac: LeEqU32, G: Grade> Tent<Frac, G> {
             format: PhantomData,
         })
     }
+
+    /// The radius.
+    #[must_use]
+    pub const fn radius(&self) -> FixedI32<Frac> {
+        FixedI32::from_bits(self.radius as i32)
+    }
 }
 
 impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
@@ -77,7 +107,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<Uniform>) -> FixedI32<Frac> {
         let u = u.get().to_bits();
-        // In the middle itself t is 1, which counts as the word below.
+        // In the middle t is 1, which counts as the word below.
         let double = u << 1;
         let upper = u >> 31 == 1;
         self.beyond(
@@ -100,7 +130,7 @@ impl<Frac: LeEqU32, G: Grade> Warp for Tent<Frac, G> {
 
     #[inline]
     fn sample_words(&self, word: u32) -> FixedI32<Frac> {
-        // The middle of the word, as the ends have no density.
+        // The middle of the word, because the ends have density 0.
         let double = word << 1 | 1;
         let upper = word >> 31 == 1;
         self.beyond(if upper { double.wrapping_neg() } else { double }, upper)
@@ -114,14 +144,14 @@ impl<Frac: LeEqU32, G: Grade> Invert for Tent<Frac, G> {
         Uniform::from_bits(if x.is_negative() {
             half
         } else {
-            // The upper end is the last word, not the first one.
+            // The upper end is the last word, not 0.
             half.max(1).wrapping_neg()
         })
     }
 }
 
 impl<Frac: LeEqU32, G> Tent<Frac, G> {
-    /// The point of twice the probability beyond it on its side.
+    /// The point beyond which its half of the tent has the share t.
     #[inline]
     fn beyond(&self, t: u32, upper: bool) -> FixedI32<Frac>
     where
@@ -131,7 +161,7 @@ impl<Frac: LeEqU32, G> Tent<Frac, G> {
         FixedI32::from_bits(if upper { x } else { -x })
     }
 
-    /// 1 − |x|/r in Q32, where 1 counts as the word below; 0 outside only.
+    /// 1 − |x|/r in Q32, where 1 counts as the word below. It is 0 only outside.
     #[inline]
     fn rest(&self, x: FixedI32<Frac>) -> u32 {
         let rest = self.radius.saturating_sub(x.to_bits().unsigned_abs());

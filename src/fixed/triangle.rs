@@ -9,15 +9,21 @@ use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
 use core::marker::PhantomData;
 
-/// Uniform barycentric coordinates.
+/// Uniform barycentric coordinates of a triangle.
 ///
 /// [1 − √u₁, √u₁ u₂, √u₁ (1 − u₂)].
 ///
-/// - Uniforms: two words.
-/// - Range: three coordinates, none negative, whose sum is exactly 1.
-/// - Density: 2 with respect to the last two, where none is negative and their sum is 1 to within 2⁻²³.
+/// # Density
+/// 2 with respect to the last two coordinates, where no coordinate is negative and their sum is 1 to within 2⁻²³; 0
+/// elsewhere.
 ///
-/// In *sample* the largest of a coordinate; in *round trip* of the two uniforms, the second times √u₁:
+/// # Domain
+/// - Point: three coordinates, none negative, whose sum is exactly 1.
+/// - Uniforms: two words.
+///
+/// # Accuracy
+/// *Sample* is the largest error of a coordinate. *Round trip* is the error of the uniforms after `sample` and `invert`:
+/// of u₁, and of u₂ times √u₁.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -26,14 +32,31 @@ use core::marker::PhantomData;
 /// | sample, mean | 0 | 2.0e-6 | 4.0e-9 |
 /// | round trip | 3.9e-7 | 3.4e-5 | 1.3e-7 |
 ///
-/// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
+/// # Cost
+/// <!-- generated: cost fixed Triangle -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 162 on a Cortex-M0 (284 bytes), 64 on a Cortex-M3.
+/// - `coarse`: 156 on a Cortex-M0 (272 bytes), 60 on a Cortex-M3.
+/// - `compact`: 193 on a Cortex-M0 (376 bytes), 84 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::U0F32;
 /// use microwarp::{Invert, Warp, fixed as mw};
 /// let point = mw::Triangle::new().sample([0.25_f32, 0.5].map(U0F32::from_num));
 /// assert_eq!(point, [0.5, 0.25, 0.25]);
 /// ```
+///
+/// # See also
+/// - [`TriangleOn`](super::TriangleOn) places the points between three vertices.
+/// - [`warp::Triangle`](crate::warp::Triangle) is the one of the float tiers.
+///
+/// # Source
+/// G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
+#[doc(alias = "barycentric")]
+#[doc(alias = "simplex")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle<G = Fine>(PhantomData<G>);
@@ -46,8 +69,7 @@ impl<G: Grade> Triangle<G> {
     }
 }
 
-/// By how many steps the sum of a point's coordinates may be off: 2⁻²³, which three numbers cut to the digits of an
-/// `f32` are.
+/// The allowed error of the sum of the coordinates, in steps: 2⁻²³, as for three numbers cut to the digits of an `f32`.
 const SLACK: u32 = 1 << 7;
 
 impl<G: Grade> Warp for Triangle<G> {
@@ -66,7 +88,7 @@ impl<G: Grade> Warp for Triangle<G> {
     #[inline]
     fn pdf(&self, point: [Coordinate; 3]) -> Density {
         let [a, b, c] = point.map(Coordinate::to_bits);
-        // Three numbers below 2³¹ have a sum below 2³³.
+        // Three numbers below 2³¹ sum up to less than 2³³.
         let sum = i64::from(a) + i64::from(b) + i64::from(c);
         let whole = sum.abs_diff(i64::from(ONE)) <= u64::from(SLACK);
         if a >= 0 && b >= 0 && c >= 0 && whole {

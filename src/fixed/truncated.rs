@@ -1,7 +1,7 @@
 //! The exponential distribution truncated to an interval from 0.
 
 use super::direction::{ONE, Scaled, UNIT};
-use super::exponential::{in_means, of_means};
+use super::exponential::{in_means, mean_of, of_means, rate_of};
 use super::grade::{Fine, Grade};
 use super::kernel::product::{high, near, near_signed, square};
 use super::kernel::quotient::{quotient, ratio};
@@ -13,18 +13,26 @@ use ::fixed::FixedU32;
 use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
 
-/// Density ∝ e^(−x/mean) on [0, X).
+/// Exponential, truncated to an interval from 0: in proportion to e^(−x/mean) on [0, length).
 ///
-/// With z = X/mean: x = −ln(1 − u(1 − e^(−z))) means, and where z is small (below 0.21, coarse 0.49) four terms of its series,
-/// X u (1 − (1 − u)z/2 (1 − z/3 ((1 − 2u) − z/4 (1 − 6u(1 − u))))), so that a long mean costs no digits: the limit
-/// is the uniform distribution. The float tiers take the rate, 1/mean, of either sign.
+/// With z = length/mean, x = −ln(1 − u(1 − e⁻ᶻ)) means. Where z is small (below 0.21, in grade
+/// [`Coarse`](super::Coarse) below 0.49), four terms of the series of that keep the digits that the logarithm would lose:
+/// length·u(1 − (1 − u)z/2 (1 − z/3 ((1 − 2u) − z/4 (1 − 6u(1 − u))))). For a long mean the limit is the uniform
+/// distribution.
 ///
+/// # Density
+/// e^(−x/mean)/(mean (1 − e⁻ᶻ)) on [0, length), at least 2⁻³²; 0 elsewhere.
+///
+/// # Domain
+/// - Point: [0, length), in steps of the format, cut to the step below.
 /// - Uniforms: one word.
-/// - Range: [0, X), in steps of the format, cut to the step below.
-/// - Density: e^(−x/mean)/(mean (1 − e^(−z))), at least 2⁻³² on [0, X).
+/// - Parameters: mean and length in one unsigned format of 32 bits; or the rate in `U32F32`, and the length. Here the
+///   density always falls; the float tiers take rates of either sign.
 ///
-/// In *sample* of the smaller of mean and length, beyond a word of the uniform and a step of the format; in *pdf* of
-/// the largest density, beyond a step; in *round trip* of the uniform. The mean times 1 − e^(−z) has n steps of the format:
+/// # Accuracy
+/// *Sample* is relative to the smaller of mean and length, beyond a word of the uniform and a step of the format. *Pdf* is
+/// relative to the largest density, beyond a step of 2⁻³². *Round trip* is the error of the uniform after `sample` and
+/// `invert`. The mean times 1 − e⁻ᶻ is n steps of the format.
 ///
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
@@ -34,17 +42,34 @@ use core::marker::PhantomData;
 /// | pdf | 8.1e-7 | 7.0e-5 | 1.1e-7 |
 /// | round trip | 4.4e-6 + 1/n | 1.8e-4 + 1/n | 2.4e-6 + 1/n |
 ///
-/// Source: C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating
-/// Media", 2012.
+/// # Cost
+/// <!-- generated: cost fixed TruncatedExponential -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `fine`: 148 on a Cortex-M0 (364 bytes), 59 on a Cortex-M3.
+/// - `coarse`: 136 on a Cortex-M0 (340 bytes), 50 on a Cortex-M3.
+/// - `compact`: 194 on a Cortex-M0 (492 bytes), 95 on a Cortex-M3.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use fixed::types::{U0F32, U16F16};
 /// use microwarp::{Invert, Warp, fixed as mw};
-/// let segment = mw::TruncatedExponential::new(U16F16::from_num(10), U16F16::from_num(4))?;
+/// let segment = mw::TruncatedExponential::from_mean(U16F16::from_num(10), U16F16::from_num(4))?;
 /// let middle = segment.sample(U0F32::from_num(0.5)).to_num::<f64>();
 /// assert!((middle - 1.801_32).abs() < 2e-5);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Exponential`](super::Exponential) has no end.
+/// - [`warp::TruncatedExponential`](crate::warp::TruncatedExponential) is the one of the float tiers.
+///
+/// # Source
+/// C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating Media", 2012,
+/// <https://doi.org/10.1111/j.1467-8659.2012.03148.x>.
+#[doc(alias = "bounded_exponential")]
+#[doc(alias = "free_path")]
+#[doc(alias = "fog")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TruncatedExponential<Frac, G = Fine> {
     mean: u32,
@@ -55,28 +80,28 @@ pub struct TruncatedExponential<Frac, G = Fine> {
     format: PhantomData<(Frac, G)>,
 }
 
-/// The form that the map takes.
+/// How samples are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Map {
-    /// Where z is small: z and z/3, and (1 − e^(−z))/z, all in Q32.
+    /// For small z: z, z/3 and (1 − e⁻ᶻ)/z, all in Q32.
     Series { z: u32, third: u32, mass: u64 },
-    /// Elsewhere the word above e^(−z), as the product with u < 1 is cut, so that both are off by less than a word; and the largest multiple of the mean below
-    /// the length, in Q27.
+    /// For other z: the word above e⁻ᶻ, so that the product with u < 1, which is cut, is off by less than a word; and in
+    /// Q27 the largest multiple of the mean below the length.
     Logarithm { end: u32, most: u32 },
 }
 
 impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
-    /// Density ∝ e^(−x/mean) on [0, length).
+    /// In proportion to e^(−x/mean) on [0, length).
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a mean or a length of 0.
-    pub const fn new(mean: FixedU32<Frac>, length: FixedU32<Frac>) -> Result<Self, Error> {
+    pub const fn from_mean(mean: FixedU32<Frac>, length: FixedU32<Frac>) -> Result<Self, Error> {
         let (mean, length) = (mean.to_bits(), length.to_bits());
         if mean == 0 || length == 0 {
             return Err(Error::NotPositive);
         }
         let z = ratio(length, mean);
-        // The mass is 1 over the height: what truncation leaves of the length, or of the mean.
+        // The mass is the reciprocal of the height: the part of the length, or of the mean, that truncation leaves.
         let (map, mass) = if z < G::SERIES {
             let mass = mean_density(z);
             let z = z as u32;
@@ -96,19 +121,51 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
             format: PhantomData,
         })
     }
+
+    /// In proportion to e^(−rate·x) on [0, length).
+    ///
+    /// The mean is 1/`rate`, rounded to the nearest step of the format of the points.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a rate or a length of 0, [`Error::Empty`] for a mean that rounds to 0 and for any
+    /// rate above 2³¹, [`Error::TooLarge`] for a mean that the format does not hold.
+    pub const fn from_rate(rate: Density, length: FixedU32<Frac>) -> Result<Self, Error> {
+        match mean_of(rate) {
+            Ok(mean) => Self::from_mean(mean, length),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The mean of the exponential distribution before it was truncated.
+    #[must_use]
+    pub const fn mean(&self) -> FixedU32<Frac> {
+        FixedU32::from_bits(self.mean)
+    }
+
+    /// The rate: 1/mean, rounded to the nearest step of 2⁻³², or the largest [`Density`] if it does not fit.
+    #[must_use]
+    pub const fn rate(&self) -> Density {
+        rate_of(self.mean())
+    }
+
+    /// The length of the interval.
+    #[must_use]
+    pub const fn length(&self) -> FixedU32<Frac> {
+        FixedU32::from_bits(self.length)
+    }
 }
 
-/// The largest number in Q27, of words, whose product with the mean is below the length.
+/// The largest word in Q27 whose product with the mean is below the length.
 const fn most(z: u64, length: u32, mean: u32) -> u32 {
     let most = z >> 5;
     if most > u32::MAX as u64 {
         return u32::MAX;
     }
-    // What has been cut from z has made it smaller, unless nothing was.
+    // The cut made z smaller, unless it was exact.
     (most - (most * mean as u64 == (length as u64) << 27) as u64) as u32
 }
 
-/// A power series at z < 2³², in Q32, whose signs alternate, and which is positive throughout.
+/// 1 minus a power series with alternating signs at z < 1, in Q32. All partial results are positive.
 pub(super) const fn alternating(z: u64, terms: &[u32]) -> u64 {
     let (mut sum, mut rest) = (0, terms);
     while let Some((&term, others)) = rest.split_last() {
@@ -134,12 +191,12 @@ const FACTORIALS: [u32; 12] = [
     1,
 ];
 
-/// (1 − e^−z)/z of z below 1, both in Q32: what the density is on average, of what it is at 0.
+/// (1 − e⁻ᶻ)/z of z below 1, both in Q32: the mean of the density relative to its value at 0.
 const fn mean_density(z: u64) -> u64 {
     alternating(z, &FACTORIALS)
 }
 
-/// e^−z of z of at least 0.2, both in Q32, cut.
+/// e⁻ᶻ of z ≥ 0.2, both in Q32, cut.
 const fn exponential(z: u64) -> u32 {
     /// ln 2 in Q32.
     const LN_2: u64 = 2_977_044_472;
@@ -191,10 +248,10 @@ impl<Frac: LeEqU32, G: Grade> Invert for TruncatedExponential<Frac, G> {
         let x = x.to_bits().min(self.length - 1);
         Uniform::from_bits(match self.map {
             Map::Series { mass, .. } => {
-                // x/X, and by how much more of its mean density lies below x than of all of it.
+                // The share of the length, and by how much the mean density up to x exceeds that of the whole.
                 let share = quotient(x, self.length);
                 let more = mean_density(ratio(x, self.mean)).saturating_sub(mass);
-                // Of a mass of 1, which has no more, the divisor does not matter.
+                // For a mass of 1 the excess is 0, and the divisor does not matter.
                 share.saturating_add(high(share, quotient(more as u32, mass as u32)))
             }
             Map::Logarithm { end, .. } => {
@@ -210,11 +267,11 @@ impl<Frac: LeEqU32, G: Grade> Invert for TruncatedExponential<Frac, G> {
     }
 }
 
-/// The series of the map, in Q32: at most u, and so below 1.
+/// The series of the map, in Q32: at most u, hence below 1.
 #[inline]
 fn series(u: u32, z: u32, third: u32) -> u32 {
     let spread = u - square(u);
-    // Half of z u (1 − u) in Q34, and what it is multiplied by in Q30.
+    // z u (1 − u)/2 in Q34, and its factor in Q30.
     let bend = near(spread, z) << 1;
     let fourth = near_signed(z, ONE - (6 * (spread >> 2)) as i32) >> 2;
     let factor = ONE - near_signed(third, ONE - (u >> 1) as i32 - fourth);

@@ -1,19 +1,19 @@
 //! The chain: where it is, what it counts, and how it is kept.
 
-use super::weight::Weight;
+use super::target_value::TargetValue;
 use crate::error::Error;
 
 /// A Markov chain with a given stationary density, by the rule of Metropolis and Hastings.
 ///
 /// At x, a mutation proposes x′, and with probability a = min(1, f(x′)T(x′→x)/(f(x)T(x→x′))) the chain goes
 /// there; otherwise it stays, to the last bit. The target f and the mutation are handed to each step: the
-/// chain itself is a plain value: one state, one density, three counts of 64 bits and one of 32. A [`Step`](super::Step)
+/// chain itself is a plain value: one state, one density, three counts of 64 bits and one of 32. A [`Transition`](super::Transition)
 /// has two states and two densities.
 ///
 /// | bytes, of states that are | `f32` | `[f32; 2]` | `[f32; 32]` | `usize` of 64 bits |
 /// |---|--:|--:|--:|--:|
 /// | [`Chain`], [`Saved`] | 40 | 40 | 160 | 40 |
-/// | [`Step`](super::Step) | 28 | 36 | 276 | 40 |
+/// | [`Transition`](super::Transition) | 28 | 36 | 276 | 40 |
 /// | of integer weights | 40 | 48 | 288 | 48 |
 ///
 /// - States: any `Copy` type: an index, a point of ℝᴰ, the uniforms of a warp.
@@ -22,8 +22,8 @@ use crate::error::Error;
 ///   then the acceptance is exact, a [`Chance`](super::Chance), and no floating-point operation takes place.
 /// - Words (`u32`) a step: those of the mutation and one more, which is drawn whether it decides or not.
 /// - Error of the acceptance: half an ulp at a symmetric mutation, 2 ulp at one with a
-///   [`Ratio`](super::Ratio); of logarithms, see [`LogDensity`](super::LogDensity). It is realised in steps
-///   of 2⁻³², to the nearest: a proposal of an acceptance below 2⁻³³ is never taken. (In [`Step::recorded`](super::Step::recorded) it
+///   [`HastingsRatio`](super::HastingsRatio); of logarithms, see [`LogDensity`](super::LogDensity). It is realised in steps
+///   of 2⁻³², to the nearest: a proposal of an acceptance below 2⁻³³ is never taken. (In [`Transition::recorded`](super::Transition::recorded) it
 ///   counts all the same.)
 /// - A proposal whose density is NaN, infinite or negative is never accepted; it counts in
 ///   [`Chain::refused`].
@@ -33,12 +33,12 @@ use crate::error::Error;
 /// Chains and Their Applications", 1970.
 ///
 /// ```
-/// use microwarp::metropolis::{BoxStep, Chain, Mixture, UniformStep, Wrapped};
+/// use microwarp::metropolis::{BoxStep, Chain, Mixture, UniformStep, WrappedWalk};
 /// use rand_pcg::Pcg32;
 ///
 /// // Two humps at the ends of [0, 1). Small steps alone would hardly cross the valley.
 /// let f = |x: f32| (x - 0.5) * (x - 0.5);
-/// let small = Wrapped::new(BoxStep::new(0.1)?);
+/// let small = WrappedWalk::new(BoxStep::new(0.1)?);
 /// let mutation = Mixture::new((small, UniformStep::new()), &[0.9, 0.1])?;
 ///
 /// let mut rng = Pcg32::new(42, 54);
@@ -59,7 +59,7 @@ pub struct Chain<X, D = f32> {
     at: Saved<X, D>,
 }
 
-impl<X: Copy, D: Weight> Chain<X, D> {
+impl<X: Copy, D: TargetValue> Chain<X, D> {
     /// A chain that starts at a state of one's own.
     ///
     /// # Errors

@@ -5,10 +5,10 @@
     reason = "nothing overflows, which builds with overflow checks show"
 )]
 
-use super::hastings::{Correction, Hastings, Stated as _};
+use super::hastings_correction::{Hastings, HastingsCorrection, Stated as _};
 use super::rule::steps;
-use super::weight::{Standing, Weighing as _};
-use super::{Chain, Counts, Mutation, Outcome, Step};
+use super::target_value::{Standing, Weighing as _};
+use super::{Chain, HastingsCounts, Mutation, Outcome, Transition};
 use crate::num::Scaled;
 use crate::num::division::{fraction, fraction_u32, scaled};
 use crate::uniform::infallible;
@@ -65,11 +65,11 @@ impl Chance {
 
     /// The rule: min(1, f′T′/(fT)), of a proposal of weight f′ by a chain at a state of weight f, both positive.
     #[inline]
-    fn acceptance(f: u32, f_new: u32, ratio: impl Correction) -> Self {
+    fn acceptance(f: u32, f_new: u32, ratio: impl HastingsCorrection) -> Self {
         match ratio.hastings() {
             Hastings::One => Self::of(f_new.into(), f.into()),
-            Hastings::Counts(counts) => Self::of_counts(f, f_new, counts),
-            Hastings::Ratio(ratio) => Self::of_apart(f, f_new, ratio.value),
+            Hastings::HastingsCounts(counts) => Self::of_counts(f, f_new, counts),
+            Hastings::HastingsRatio(ratio) => Self::of_ratio(f, f_new, ratio.value),
         }
     }
 
@@ -100,10 +100,10 @@ impl Chance {
 
     /// Of two weights, and two counts of 1 to 2⁶⁴.
     #[inline]
-    const fn of_counts(from: u32, to: u32, counts: Counts) -> Self {
+    const fn of_counts(from: u32, to: u32, counts: HastingsCounts) -> Self {
         /// Up to here the products with a weight have 64 bits.
         const NARROW: u128 = 1 << 32;
-        let Counts { forward, backward } = counts;
+        let HastingsCounts { forward, backward } = counts;
         if forward <= NARROW && backward <= NARROW {
             Self::of(to as u64 * backward as u64, from as u64 * forward as u64)
         } else {
@@ -113,7 +113,7 @@ impl Chance {
 
     /// Of two weights and a ratio, which is an integer of 24 bits times a power of two.
     #[inline]
-    const fn of_apart(from: u32, to: u32, ratio: Scaled) -> Self {
+    const fn of_ratio(from: u32, to: u32, ratio: Scaled) -> Self {
         let (significand, exponent) = ratio.parts();
         let digits = significand.to_bits() & 0x007f_ffff | 0x0080_0000;
         let (part, whole) = (to as u128 * digits as u128, from as u128);
@@ -154,7 +154,7 @@ impl<X: Copy> Chain<X, u32> {
         mutation: &(impl Mutation<X> + ?Sized),
         limit: u32,
         rng: &mut R,
-    ) -> Result<Step<X, u32, Chance>, R::Error> {
+    ) -> Result<Transition<X, u32, Chance>, R::Error> {
         let proposal = mutation.try_propose(self.state(), rng)?;
         let word = rng.try_next_u32()?;
         let weight = target(proposal.state);
@@ -174,7 +174,7 @@ impl<X: Copy> Chain<X, u32> {
 
 steps!(u32, Chance);
 
-impl<X: Copy, D> Step<X, D, Chance> {
+impl<X: Copy, D> Transition<X, D, Chance> {
     /// Both states with the number of words, of 2³², to record them with: those that reject and those that
     /// accept, which sum to 2³² exactly.
     ///

@@ -1,7 +1,7 @@
 //! Proposals that do not depend on where the chain is.
 
 use super::coordinates::Coordinates;
-use super::{Correction, Counts, Mutation, Proposal, Ratio, Symmetric};
+use super::{HastingsCorrection, HastingsCounts, HastingsRatio, Mutation, Proposal, Symmetric};
 use crate::discrete::{Alias, AliasEntry, Cdf, Storage, Word};
 use crate::uniform::Uniforms;
 use crate::warp::Warp;
@@ -12,9 +12,9 @@ use rand_core::TryRng;
 ///
 /// It can propose ([`Independence`]) and it can start a chain ([`Chain::search`](super::Chain::search),
 /// [`Chain::resample`](super::Chain::resample)).
-pub trait Source<X> {
-    /// What its proposals state: a [`Ratio`], or [`Counts`] of a table.
-    type Correction: Correction;
+pub trait StateSource<X> {
+    /// What its proposals state: a [`HastingsRatio`], or [`HastingsCounts`] of a table.
+    type Correction: HastingsCorrection;
 
     /// Draws a state.
     ///
@@ -27,14 +27,14 @@ pub trait Source<X> {
     #[must_use]
     fn pdf_of_state(&self, state: X) -> f32;
 
-    /// p(`from`)/p(`to`), the ratio of a proposal: of two densities, `Ratio::new(self.pdf_of_state(to),
+    /// p(`from`)/p(`to`), the ratio of a proposal: of two densities, `HastingsRatio::new(self.pdf_of_state(to),
     /// self.pdf_of_state(from))`.
     #[must_use]
     fn ratio_of_states(&self, from: X, to: X) -> Self::Correction;
 }
 
-impl<W: Warp<Density = f32>> Source<W::Point> for W {
-    type Correction = Ratio;
+impl<W: Warp<Density = f32>> StateSource<W::Point> for W {
+    type Correction = HastingsRatio;
 
     #[inline]
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<W::Point, R::Error> {
@@ -47,15 +47,15 @@ impl<W: Warp<Density = f32>> Source<W::Point> for W {
     }
 
     #[inline]
-    fn ratio_of_states(&self, from: W::Point, to: W::Point) -> Ratio {
-        Ratio::new(self.pdf(to), self.pdf(from))
+    fn ratio_of_states(&self, from: W::Point, to: W::Point) -> HastingsRatio {
+        HastingsRatio::new(self.pdf(to), self.pdf(from))
     }
 }
 
 macro_rules! tables {
     ($($table:ident of $item:ty;)*) => {$(
-        impl<W: Word, S: Storage<Item = $item>> Source<usize> for $table<S> {
-            type Correction = Counts;
+        impl<W: Word, S: Storage<Item = $item>> StateSource<usize> for $table<S> {
+            type Correction = HastingsCounts;
 
             #[inline]
             fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
@@ -68,8 +68,8 @@ macro_rules! tables {
             }
 
             #[inline]
-            fn ratio_of_states(&self, from: usize, to: usize) -> Counts {
-                Counts::new(self.numerator(to).into(), self.numerator(from).into())
+            fn ratio_of_states(&self, from: usize, to: usize) -> HastingsCounts {
+                HastingsCounts::new(self.numerator(to).into(), self.numerator(from).into())
             }
         }
     )*};
@@ -84,7 +84,7 @@ tables! {
 ///
 /// - States: the points of a warp, the indices of a table.
 /// - Words: those of the draw.
-/// - T(x→x′) = p(x′); the ratio is p(x)/p(x′). Of a table it is that of the numerators, as [`Counts`].
+/// - T(x→x′) = p(x′); the ratio is p(x)/p(x′). Of a table it is that of the numerators, as [`HastingsCounts`].
 ///
 /// The nearer p comes to a multiple of f, the more is accepted; where it is one, all. States that p never
 /// proposes, the chain never visits; started at one, it never leaves it. Tails of f heavier than those of p
@@ -98,7 +98,7 @@ tables! {
 /// use rand_pcg::Pcg32;
 /// // Proposals that already have the density asked for are all accepted.
 /// let weights = [9.0, 1.0];
-/// let mutation = Independence::new(Cdf::<[u32; 2]>::new(&weights)?);
+/// let mutation = Independence::new(Cdf::new(&weights)?);
 /// let mut chain = Chain::new(0, |i: usize| weights[i])?;
 /// for _ in 0..100 {
 ///     chain.step(|i| weights[i], &mutation, &mut Pcg32::new(1, 1));
@@ -119,9 +119,16 @@ impl<S> Independence<S> {
     pub const fn new(source: S) -> Self {
         Self { source }
     }
+
+    /// The warp or table that proposes.
+    #[must_use]
+    #[inline]
+    pub const fn source(&self) -> &S {
+        &self.source
+    }
 }
 
-impl<X: Copy, S: Source<X>> Mutation<X> for Independence<S> {
+impl<X: Copy, S: StateSource<X>> Mutation<X> for Independence<S> {
     type Correction = S::Correction;
 
     #[inline]
@@ -163,8 +170,8 @@ impl UniformStep {
     }
 }
 
-impl<X: Coordinates> Source<X> for UniformStep {
-    type Correction = Ratio;
+impl<X: Coordinates> StateSource<X> for UniformStep {
+    type Correction = HastingsRatio;
 
     #[inline]
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<X, R::Error> {
@@ -178,8 +185,8 @@ impl<X: Coordinates> Source<X> for UniformStep {
     }
 
     #[inline]
-    fn ratio_of_states(&self, from: X, to: X) -> Ratio {
-        Ratio::new(self.pdf_of_state(to), self.pdf_of_state(from))
+    fn ratio_of_states(&self, from: X, to: X) -> HastingsRatio {
+        HastingsRatio::new(self.pdf_of_state(to), self.pdf_of_state(from))
     }
 }
 

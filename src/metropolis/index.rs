@@ -1,6 +1,6 @@
 //! Mutations of indices.
 
-use super::{Counts, Mutation, Proposal, Source, Symmetric};
+use super::{HastingsCounts, Mutation, Proposal, StateSource, Symmetric};
 use crate::discrete::{Cdf, Storage, Word};
 use crate::error::Error;
 use rand_core::TryRng;
@@ -36,17 +36,22 @@ impl UniformIndex {
             Err(Error::NotPositive)
         }
     }
-}
 
-impl UniformIndex {
+    /// How many indices there are.
+    #[must_use]
+    #[inline]
+    pub const fn count(self) -> u32 {
+        self.count
+    }
+
     #[inline]
     fn has(self, state: usize) -> bool {
         (state as u64) < u64::from(self.count)
     }
 }
 
-impl Source<usize> for UniformIndex {
-    type Correction = Counts;
+impl StateSource<usize> for UniformIndex {
+    type Correction = HastingsCounts;
 
     #[inline]
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
@@ -68,8 +73,8 @@ impl Source<usize> for UniformIndex {
     }
 
     #[inline]
-    fn ratio_of_states(&self, from: usize, to: usize) -> Counts {
-        Counts::new(self.has(to).into(), self.has(from).into())
+    fn ratio_of_states(&self, from: usize, to: usize) -> HastingsCounts {
+        HastingsCounts::new(self.has(to).into(), self.has(from).into())
     }
 }
 
@@ -90,7 +95,7 @@ impl Mutation<usize> for UniformIndex {
 ///
 /// - States: 0 to n − 1.
 /// - Words: those of a draw of the table.
-/// - T(x→x′) is the pmf of x′ in table x; the ratio is that of the numerators, as [`Counts`].
+/// - T(x→x′) is the pmf of x′ in table x; the ratio is that of the numerators, as [`HastingsCounts`].
 /// - A state out of range stays where it is.
 ///
 /// A transition that has no way back is never accepted.
@@ -102,7 +107,7 @@ impl Mutation<usize> for UniformIndex {
 /// use microwarp::metropolis::{Chain, TransitionTable};
 /// use rand_pcg::Pcg32;
 /// let rows = [[0.0, 0.5, 0.5], [0.9, 0.0, 0.1], [0.5, 0.5, 0.0]];
-/// let row = |i: usize| Cdf::<[u32; 3]>::new(&rows[i]);
+/// let row = |i: usize| Cdf::new(&rows[i]);
 /// let mutation = TransitionTable::new([row(0)?, row(1)?, row(2)?])?;
 /// let weight = |i: usize| [1.0, 2.0, 4.0][i];
 /// let step = Chain::new(0, weight)?.step(weight, &mutation, &mut Pcg32::new(1, 1));
@@ -131,23 +136,34 @@ impl<W: Word, S: Storage<Item = W>, const N: usize> TransitionTable<S, N> {
     }
 }
 
+impl<S, const N: usize> TransitionTable<S, N> {
+    /// The table of each state.
+    #[must_use]
+    #[inline]
+    pub const fn rows(&self) -> &[Cdf<S>; N] {
+        &self.rows
+    }
+}
+
 impl<W: Word, S: Storage<Item = W>, const N: usize> Mutation<usize> for TransitionTable<S, N> {
-    type Correction = Counts;
+    type Correction = HastingsCounts;
 
     #[inline]
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         from: usize,
         rng: &mut R,
-    ) -> Result<Proposal<usize, Counts>, R::Error> {
+    ) -> Result<Proposal<usize, HastingsCounts>, R::Error> {
         let word = W::try_draw(rng)?;
         let Some(there) = self.rows.get(from) else {
-            return Ok(Proposal::new(from, Counts::EQUAL));
+            return Ok(Proposal::new(from, HastingsCounts::EQUAL));
         };
         let to = there.index(word);
         let counts = match self.rows.get(to) {
-            Some(back) => Counts::new(there.numerator(to).into(), back.numerator(from).into()),
-            None => Counts::EQUAL,
+            Some(back) => {
+                HastingsCounts::new(there.numerator(to).into(), back.numerator(from).into())
+            }
+            None => HastingsCounts::EQUAL,
         };
         Ok(Proposal::new(to, counts))
     }

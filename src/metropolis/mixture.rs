@@ -1,6 +1,6 @@
 //! Several mutations, of which each step picks one.
 
-use super::hastings::{Correction, Hastings, Stated as _};
+use super::hastings_correction::{Hastings, HastingsCorrection, Stated as _};
 use super::{Mutation, Proposal, UniformStep};
 use crate::discrete::Cdf;
 use crate::error::Error;
@@ -12,7 +12,7 @@ use rand_core::TryRng;
 /// A type of one's own, such as an `enum` of mutations, implements [`Mutation`] and goes into an array.
 pub trait Mutations<X, const N: usize> {
     /// What any of them states.
-    type Correction: Correction;
+    type Correction: HastingsCorrection;
 
     /// Proposes by the mutation of this index.
     ///
@@ -47,7 +47,7 @@ impl<X: Copy, M: Mutation<X>, const N: usize> Mutations<X, N> for [M; N] {
 /// The correction of all of several types.
 macro_rules! joined {
     ($only:ty) => { $only };
-    ($first:ty, $($rest:ty),+) => { <$first as Correction>::With<joined!($($rest),+)> };
+    ($first:ty, $($rest:ty),+) => { <$first as HastingsCorrection>::With<joined!($($rest),+)> };
 }
 
 macro_rules! tuples {
@@ -98,8 +98,8 @@ tuples! {
 ///
 /// - States: those of the mutations.
 /// - Words: one, which picks, and those of the mutation picked.
-/// - Ratio: that of the mutation picked. Where all are symmetric, so is the mixture.
-/// - [`Step::kind`](super::Step::kind) says which was picked. (Within a mixture of mixtures, the outer one's.)
+/// - HastingsRatio: that of the mutation picked. Where all are symmetric, so is the mixture.
+/// - [`Transition::kind`](super::Transition::kind) says which was picked. (Within a mixture of mixtures, the outer one's.)
 ///
 /// Source: L. Tierney, "Markov Chains for Exploring Posterior Distributions", 1994.
 ///
@@ -107,7 +107,7 @@ tuples! {
 /// use microwarp::metropolis::{BoxStep, Chain, Mixture};
 /// use microwarp::poly as mw;
 /// use rand_pcg::Pcg32;
-/// let steps = (BoxStep::new([10.0; 2])?, mw::NormalStep::new([0.1; 2])?, mw::ExponentialStep::new(0.01, 1.0)?);
+/// let steps = (BoxStep::new([10.0; 2])?, mw::NormalStep::new([0.1; 2])?, mw::LogUniformStep::new(0.01, 1.0)?);
 /// let mutation = Mixture::new(steps, &[1.0, 4.0, 4.0])?;
 /// let f = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y).powi(2);
 /// let mut chain = Chain::new([0.0; 2], f)?;
@@ -127,8 +127,14 @@ impl<M, const N: usize> Mixture<M, N> {
     ///
     /// # Errors
     /// Those of [`Cdf`] for the weights.
-    pub fn new(mutations: M, weights: &[f32; N]) -> Result<Self, Error> {
-        Ok(Self::from_table(mutations, Cdf::<[u32; N]>::new(weights)?))
+    pub const fn new(mutations: M, weights: &[f32; N]) -> Result<Self, Error>
+    where
+        M: Copy,
+    {
+        match Cdf::new(weights) {
+            Ok(table) => Ok(Self::from_table(mutations, table)),
+            Err(error) => Err(error),
+        }
     }
 
     /// Picks the mutations by a table of one's own: built by the compiler, it leaves what builds tables out
@@ -138,6 +144,13 @@ impl<M, const N: usize> Mixture<M, N> {
         Self { mutations, table }
     }
 
+    /// The mutations, in the order of their [kinds](super::Transition::kind).
+    #[must_use]
+    #[inline]
+    pub const fn mutations(&self) -> &M {
+        &self.mutations
+    }
+
     /// How often each mutation is picked, in units of 2⁻³².
     #[must_use]
     pub const fn table(&self) -> &Cdf<[u32; N]> {
@@ -145,7 +158,7 @@ impl<M, const N: usize> Mixture<M, N> {
     }
 }
 
-/// A [`Mixture`] of large steps anywhere in the unit cube, of [kind](super::Step::kind) 0, with small ones of
+/// A [`Mixture`] of large steps anywhere in the unit cube, of [kind](super::Transition::kind) 0, with small ones of
 /// kind 1.
 ///
 /// The states proposed by large steps are uniform in the cube, whatever becomes of them: the mean of their
@@ -158,8 +171,11 @@ impl<S> LargeSmall<S> {
     /// # Errors
     /// [`Error::OutOfRange`] for a probability outside [0, 1]; [`Error::Unreachable`] for a positive one
     /// below 2⁻³³, which no word would reach.
-    pub fn large_small(probability: f32, small: S) -> Result<Self, Error> {
-        if !(0.0..=1.0).contains(&probability) {
+    pub const fn large_small(probability: f32, small: S) -> Result<Self, Error>
+    where
+        S: Copy,
+    {
+        if !(probability >= 0.0 && probability <= 1.0) {
             return Err(Error::OutOfRange);
         }
         // By hand, which leaves what builds tables out of the program.
@@ -168,7 +184,7 @@ impl<S> LargeSmall<S> {
         } else {
             [u32::MAX, 0]
         };
-        if words == [0, 1] && probability > 0.0 {
+        if matches!(words, [0, 1]) && probability > 0.0 {
             return Err(Error::Unreachable(0));
         }
         let table = Cdf::trusted(words);

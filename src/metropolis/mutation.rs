@@ -1,6 +1,6 @@
 //! The trait of what proposes.
 
-use super::hastings::Correction;
+use super::hastings_correction::HastingsCorrection;
 use rand_core::TryRng;
 
 /// A state that is proposed, and what its mutation says of the way there and back.
@@ -42,8 +42,8 @@ impl<X, C> Proposal<X, C> {
 /// A rule by which a chain at x proposes a state x′, with probability (density) T(x→x′).
 ///
 /// To write one of one's own, draw x′ and state the ratio T(x′→x)/T(x→x′): [`Symmetric`](super::Symmetric)
-/// where it is always 1, [`Counts`](super::Counts) where it is one of two integers, or a
-/// [`Ratio`](super::Ratio). Nothing else need be known of T.
+/// where it is always 1, [`HastingsCounts`](super::HastingsCounts) where it is one of two integers, or a
+/// [`HastingsRatio`](super::HastingsRatio). Nothing else need be known of T.
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, Mutation, Proposal, Symmetric};
@@ -74,7 +74,7 @@ impl<X, C> Proposal<X, C> {
 /// ```
 pub trait Mutation<X> {
     /// What is said of the ratio T(x′→x)/T(x→x′).
-    type Correction: Correction;
+    type Correction: HastingsCorrection;
 
     /// Proposes a state.
     ///

@@ -14,7 +14,7 @@ use crate::warp::Warp;
 /// Metropolis Light Transport Algorithm", 2002.
 ///
 /// ```
-/// use microwarp::metropolis::{Chain, ExponentialStep, Mixture, Wrapped, primary_density};
+/// use microwarp::metropolis::{Chain, LogUniformStep, Mixture, WrappedWalk, primary_density};
 /// use microwarp::{Warp, poly as mw};
 /// use rand_pcg::Pcg32;
 ///
@@ -23,7 +23,7 @@ use crate::warp::Warp;
 /// let seen = move |w: [f32; 3]| if w[0].abs() < 0.02 { 0.0 } else { lobe.pdf(w) };
 /// let target = primary_density(lobe, seen);
 ///
-/// let small = Wrapped::new(mw::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0)?);
+/// let small = WrappedWalk::new(mw::LogUniformStep::new(1.0 / 1024.0, 1.0 / 64.0)?);
 /// let mutation = Mixture::large_small(0.1, small)?;
 /// let mut rng = Pcg32::new(1, 1);
 /// let mut chain = Chain::new([0.5, 0.3], target)?;

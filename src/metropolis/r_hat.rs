@@ -51,6 +51,13 @@ impl Halves {
         }
     }
 
+    /// How many numbers make the first half.
+    #[must_use]
+    #[inline]
+    pub const fn half(&self) -> u64 {
+        self.half
+    }
+
     /// The moments of the first half, and of what came after.
     #[must_use]
     #[inline]
@@ -92,7 +99,7 @@ pub fn r_hat<'a>(sequences: impl Iterator<Item = &'a Moments> + Clone) -> Option
             largest
         };
     }
-    let between = means.standard_deviation()?;
+    let between = means.std_dev()?;
     if largest == 0.0 {
         return (between > 0.0).then_some(f32::MAX);
     }

@@ -1,9 +1,9 @@
 //! The rule of Metropolis and Hastings, for a chain of densities, and the ways to take a step.
 
-use super::density::Density;
-use super::hastings::{Correction, Stated as _};
-use super::weight::{Standing, Weight};
-use super::{Chain, Mutation, Outcome, Proposal, Step};
+use super::hastings_correction::{HastingsCorrection, Stated as _};
+use super::target_density::TargetDensity;
+use super::target_value::{Standing, TargetValue};
+use super::{Chain, Mutation, Outcome, Proposal, Transition};
 use crate::num::happens;
 use crate::uniform::infallible;
 use core::num::NonZeroU32;
@@ -11,17 +11,17 @@ use rand_core::{Rng, TryRng};
 
 /// The rule: min(1, f′T′/(fT)), of a proposal of density f′ by a chain at a state of density f, both positive.
 #[inline]
-fn acceptance<D: Density>(f: D, f_new: D, ratio: impl Correction) -> f32 {
+fn acceptance<D: TargetDensity>(f: D, f_new: D, ratio: impl HastingsCorrection) -> f32 {
     let product = match ratio.value() {
         // T′ = T. The quotient of a smaller number by a larger one cannot overflow.
         None if f.exceeds(f_new) => return f_new.over(f),
         None => return 1.0,
-        Some(ratio) => f_new.apart_over(f).times(ratio).value(),
+        Some(ratio) => f_new.quotient(f).times(ratio).value(),
     };
     if product < 1.0 { product } else { 1.0 }
 }
 
-impl<X: Copy, D: Density> Chain<X, D> {
+impl<X: Copy, D: TargetDensity> Chain<X, D> {
     /// The one step; a limit of `u32::MAX` is none.
     #[inline]
     fn advance<R: TryRng + ?Sized>(
@@ -30,7 +30,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         mutation: &(impl Mutation<X> + ?Sized),
         limit: u32,
         rng: &mut R,
-    ) -> Result<Step<X, D>, R::Error> {
+    ) -> Result<Transition<X, D>, R::Error> {
         let proposal = mutation.try_propose(self.state(), rng)?;
         let word = rng.try_next_u32()?;
         let density = target(proposal.state);
@@ -48,9 +48,9 @@ impl<X: Copy, D: Density> Chain<X, D> {
     }
 }
 
-steps!(D, f32, D: Density);
+steps!(D, f32, D: TargetDensity);
 
-impl<X: Copy, D: Weight> Chain<X, D> {
+impl<X: Copy, D: TargetValue> Chain<X, D> {
     /// Whether the next proposal there is a way to has to be accepted; never if the limit is `u32::MAX`.
     #[inline]
     pub(super) const fn must_move(&self, limit: u32) -> bool {
@@ -65,8 +65,8 @@ impl<X: Copy, D: Weight> Chain<X, D> {
         density: D,
         acceptance: A,
         outcome: Outcome,
-    ) -> Step<X, D, A> {
-        let step = Step {
+    ) -> Transition<X, D, A> {
+        let step = Transition {
             from: self.state(),
             from_density: self.density(),
             proposed: proposal.state,
@@ -101,7 +101,7 @@ macro_rules! steps {
                 target: impl FnOnce(X) -> $weight,
                 mutation: &(impl Mutation<X> + ?Sized),
                 rng: &mut R,
-            ) -> Result<Step<X, $weight, $acceptance>, R::Error> {
+            ) -> Result<Transition<X, $weight, $acceptance>, R::Error> {
                 self.advance(target, mutation, u32::MAX, rng)
             }
 
@@ -112,7 +112,7 @@ macro_rules! steps {
                 target: impl FnOnce(X) -> $weight,
                 mutation: &(impl Mutation<X> + ?Sized),
                 rng: &mut (impl Rng + ?Sized),
-            ) -> Step<X, $weight, $acceptance> {
+            ) -> Transition<X, $weight, $acceptance> {
                 infallible(self.try_step(target, mutation, rng))
             }
 
@@ -135,7 +135,7 @@ macro_rules! steps {
                 mutation: &(impl Mutation<X> + ?Sized),
                 limit: NonZeroU32,
                 rng: &mut R,
-            ) -> Result<Step<X, $weight, $acceptance>, R::Error> {
+            ) -> Result<Transition<X, $weight, $acceptance>, R::Error> {
                 // A count that saturates never reaches no limit at all.
             let limit = limit.get().min(u32::MAX.saturating_sub(1));
             self.advance(target, mutation, limit, rng)
@@ -149,7 +149,7 @@ macro_rules! steps {
                 mutation: &(impl Mutation<X> + ?Sized),
                 limit: NonZeroU32,
                 rng: &mut (impl Rng + ?Sized),
-            ) -> Step<X, $weight, $acceptance> {
+            ) -> Transition<X, $weight, $acceptance> {
                 infallible(self.try_step_limited(target, mutation, limit, rng))
             }
 
@@ -157,7 +157,7 @@ macro_rules! steps {
             /// and less with each. The counts begin anew.
             ///
             /// How many are enough, no rule says; a few times the integrated autocorrelation time of
-            /// [`Health`](crate::metropolis::Health) leaves little, if the chain has been everywhere.
+            /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little, if the chain has been everywhere.
             ///
             /// # Errors
             /// The generator's own error; the steps before it are taken, and counted.

@@ -1,8 +1,8 @@
 //! How a chain finds its first state among those of another sampler.
 
-use super::density::Density;
-use super::weight::{Standing, Weighing as _, Weight};
-use super::{Chain, Source};
+use super::target_density::TargetDensity;
+use super::target_value::{Standing, TargetValue, Weighing as _};
+use super::{Chain, StateSource};
 use crate::estimate::Sum;
 use crate::num::{Scaled, happens};
 use crate::rejection::Failure;
@@ -46,7 +46,7 @@ struct Candidates<X, D> {
     positive: u32,
 }
 
-impl<X: Copy, D: Density> Candidates<X, D> {
+impl<X: Copy, D: TargetDensity> Candidates<X, D> {
     const NONE: Self = Self {
         held: None,
         base: None,
@@ -59,7 +59,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
     /// Takes in a candidate of positive density, and holds it if the word says so.
     fn offer(&mut self, state: X, density: D, pdf: f32, word: u32) {
         let base = self.base_with(density);
-        let weight = density.apart_over(base).over(Scaled::of(pdf));
+        let weight = density.quotient(base).over(Scaled::of(pdf));
         let (_, exponent) = weight.parts();
         if exponent > self.exponent {
             let shrunk = Scaled::ONE
@@ -83,7 +83,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
         match self.base {
             Some(base) if !density.exceeds(base) => return base,
             Some(base) => {
-                let (factor, exponent) = base.apart_over(density).parts();
+                let (factor, exponent) = base.quotient(density).parts();
                 let times = |sum, factor| Sum::ZERO.plus_multiple(sum, factor);
                 self.sum = times(self.sum, factor);
                 self.squares = times(times(self.squares, factor), factor);
@@ -119,7 +119,7 @@ impl<X: Copy, D: Density> Candidates<X, D> {
     }
 }
 
-impl<X: Copy, D: Weight> Chain<X, D> {
+impl<X: Copy, D: TargetValue> Chain<X, D> {
     /// A chain at the first of at most `budget` states drawn whose density is positive.
     ///
     /// The start is then one that the density may hardly have chosen: let it burn in.
@@ -136,7 +136,7 @@ impl<X: Copy, D: Weight> Chain<X, D> {
         rng: &mut R,
     ) -> Result<Self, Failure<R::Error>>
     where
-        S: Source<X>,
+        S: StateSource<X>,
         R: TryRng + ?Sized,
     {
         for _ in 0..budget {
@@ -171,14 +171,14 @@ impl<X: Copy, D: Weight> Chain<X, D> {
         rng: &mut R,
     ) -> Result<Self, Failure<Infallible>>
     where
-        S: Source<X>,
+        S: StateSource<X>,
         R: Rng + ?Sized,
     {
         Self::try_search(target, source, budget, rng)
     }
 }
 
-impl<X: Copy, D: Density> Chain<X, D> {
+impl<X: Copy, D: TargetDensity> Chain<X, D> {
     /// A chain whose start is chosen among `candidates` states of another sampler, with the weight that
     /// removes the start-up bias. See [`Start`].
     ///
@@ -202,7 +202,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         rng: &mut R,
     ) -> Result<Start<X, D>, Failure<R::Error>>
     where
-        S: Source<X>,
+        S: StateSource<X>,
         R: TryRng + ?Sized,
     {
         let mut seen = Candidates::NONE;
@@ -244,7 +244,7 @@ impl<X: Copy, D: Density> Chain<X, D> {
         rng: &mut R,
     ) -> Result<Start<X, D>, Failure<Infallible>>
     where
-        S: Source<X>,
+        S: StateSource<X>,
         R: Rng + ?Sized,
     {
         Self::try_resample(target, source, candidates, rng)

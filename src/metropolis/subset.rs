@@ -54,6 +54,20 @@ impl<M, const K: usize, const D: usize> Subset<M, K, D> {
         }
         Ok(Self { mutation, axes })
     }
+
+    /// The mutation of the chosen coordinates.
+    #[must_use]
+    #[inline]
+    pub const fn mutation(&self) -> &M {
+        &self.mutation
+    }
+
+    /// The coordinates that change, in the order in which the mutation sees them.
+    #[must_use]
+    #[inline]
+    pub const fn axes(&self) -> &[usize; K] {
+        &self.axes
+    }
 }
 
 impl<M, const K: usize, const D: usize> Mutation<[f32; D]> for Subset<M, K, D>
@@ -110,6 +124,13 @@ impl<M> OneCoordinate<M> {
     #[inline]
     pub const fn new(mutation: M) -> Self {
         Self { mutation }
+    }
+
+    /// The mutation of the coordinate that is picked.
+    #[must_use]
+    #[inline]
+    pub const fn mutation(&self) -> &M {
+        &self.mutation
     }
 }
 

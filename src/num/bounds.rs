@@ -1,17 +1,16 @@
-//! Bounds: what brings a number into a range, each by a rule for NaN too.
+//! Functions that bring a number into a range, each with a rule for NaN.
 
 /// The largest `f32` below 1, which is also the last point of the 24-bit grid: 1 − 2⁻²⁴.
 pub const LARGEST: f32 = 1.0 - f32::EPSILON / 2.0;
 
-/// The smallest positive `f32`, 2⁻¹⁴⁹: what a uniform of 0 counts as where a map is infinite or a
-/// density zero at 0.
+/// The smallest positive `f32`, 2⁻¹⁴⁹. A uniform of 0 counts as this where a map is infinite, or its density 0, at 0.
 pub const SMALLEST: f32 = f32::from_bits(1);
 
-/// Brings a number into [0, 1) by the rule for uniforms: NaN and what is below 0 become 0, what is not below 1
-/// becomes [`LARGEST`].
+/// Brings a number into [0, 1) by the rule for uniforms: NaN and numbers below 0 become 0, numbers from 1 up become
+/// [`LARGEST`].
 #[inline]
 pub(crate) fn into_unit(u: f32) -> f32 {
-    // Written so that NaN, which fails both comparisons, becomes 0.
+    // NaN fails both comparisons and becomes 0.
     if u >= 1.0 {
         LARGEST
     } else if u > 0.0 {
@@ -21,9 +20,8 @@ pub(crate) fn into_unit(u: f32) -> f32 {
     }
 }
 
-/// Brings the density of a point inside the domain into the positive finite range: what underflows
-/// becomes 2⁻¹⁴⁹ and what overflows the largest `f32`, so that a sample never has density 0 and a
-/// quotient by a density is never 0/0 or a division by 0.
+/// Brings the density of a point inside the domain into the positive finite range: underflow becomes 2⁻¹⁴⁹ and overflow
+/// the largest `f32`. So a sample never has density 0, and nothing is divided by 0.
 #[inline]
 pub(crate) fn representable(density: f32) -> f32 {
     if density > f32::MAX {
@@ -35,7 +33,7 @@ pub(crate) fn representable(density: f32) -> f32 {
     }
 }
 
-/// The uniform itself, or 2⁻¹⁴⁹ in place of 0, for maps that are infinite or of density 0 there.
+/// The uniform, or 2⁻¹⁴⁹ in place of 0, for maps that are infinite or of density 0 there.
 #[inline]
 pub(crate) fn above_zero(u: f32) -> f32 {
     if u > 0.0 { u } else { SMALLEST }
@@ -43,7 +41,7 @@ pub(crate) fn above_zero(u: f32) -> f32 {
 
 /// `x`, or the nearer bound where it lies outside; `low` for NaN.
 #[inline]
-pub(crate) fn clamp(x: f32, low: f32, high: f32) -> f32 {
+pub(crate) const fn clamp(x: f32, low: f32, high: f32) -> f32 {
     if x >= high {
         high
     } else if x > low {
@@ -53,7 +51,7 @@ pub(crate) fn clamp(x: f32, low: f32, high: f32) -> f32 {
     }
 }
 
-/// The nearest finite number; an unknown one counts as out of range above.
+/// The nearest finite number; NaN becomes the largest.
 #[inline]
 pub(crate) fn saturated(x: f32) -> f32 {
     if x.is_nan() {

@@ -1,13 +1,13 @@
 //! Long division, digit by digit.
 //!
-//! For 128 bits the compiler's own routine is two to four times as fast on a host, and three kilobytes of flash on a
-//! Cortex-M0.
+//! The compiler's own routine for 128 bits is two to four times as fast on a host, but takes three kilobytes of flash on
+//! a Cortex-M0.
 
-/// `floor(x · 2^bits / total)` and whether something was left, for `x <= total < 2^127`.
+/// `floor(x · 2^bits / total)` and whether there is a remainder, for `x <= total < 2^127`.
 pub(crate) const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
     let mut quotient = 0_u128;
     let mut rest = x;
-    // A whole is found at the start, and leaves less than the total from then on.
+    // The integer part is 0 or 1. The rest is below the total from here on.
     if rest >= total {
         rest = rest.wrapping_sub(total);
         quotient = 1;
@@ -16,7 +16,7 @@ pub(crate) const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
     while left > 0 {
         rest <<= 1;
         quotient <<= 1;
-        // Without a branch, which no processor could predict.
+        // No branch: no processor could predict it.
         let digit = (rest >= total) as u128;
         rest = rest.wrapping_sub(total & 0_u128.wrapping_sub(digit));
         quotient |= digit;
@@ -25,7 +25,7 @@ pub(crate) const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
     (quotient, rest > 0)
 }
 
-/// `floor(x · 2^31 / d)` and whether something was left, for `d <= x + x` and `x < d + d`.
+/// `floor(x · 2^31 / d)` and whether there is a remainder, for `d <= x + x` and `x < d + d`.
 pub(crate) const fn quotient(x: u64, d: u64) -> (u32, bool) {
     let (mut rest, mut digits) = if x >= d {
         (x.wrapping_sub(d), 1_u32)
@@ -34,7 +34,7 @@ pub(crate) const fn quotient(x: u64, d: u64) -> (u32, bool) {
     };
     let mut left = 31_u32;
     while left > 0 {
-        // The rest is below d, so that twice the rest less d fits even where twice the rest does not.
+        // The rest is below d, so twice the rest less d fits even where twice the rest does not.
         let carried = rest >> 63 > 0;
         rest <<= 1;
         digits <<= 1;
@@ -49,11 +49,11 @@ pub(crate) const fn quotient(x: u64, d: u64) -> (u32, bool) {
 
 macro_rules! fractions {
     ($($name:ident of $word:ident;)*) => {$(
-        /// `floor(x · 2^32 / d)` and whether something was left, for `x < d`.
+        /// `floor(x · 2^32 / d)` and whether there is a remainder, for `x < d`.
         pub(crate) const fn $name(x: $word, d: $word) -> (u32, bool) {
             let (mut rest, mut digits) = (x, 1_u32);
             loop {
-                // Twice the rest is compared with d without being formed, for it may not fit.
+                // Compares twice the rest with d without forming it, since it may not fit.
                 let gap = d.wrapping_sub(rest);
                 let digit = rest >= gap;
                 rest = if digit {
@@ -63,7 +63,7 @@ macro_rules! fractions {
                 };
                 let (shifted, last) = digits.overflowing_add(digits);
                 digits = shifted | digit as u32;
-                // The 1 of the beginning leaves at the 32nd digit. (A count is what compilers unroll, badly.)
+                // The initial 1 leaves at the 32nd digit. (Compilers unroll a counted loop, badly.)
                 if last {
                     return (digits, rest > 0);
                 }

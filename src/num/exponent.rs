@@ -1,4 +1,4 @@
-//! Powers of two by the bits of a number: its exponent read, moved and cut off.
+//! Exponents: reading, changing and splitting off the exponent of a number by its bits.
 
 /// 2^e, for an exponent from -126 to 127.
 #[inline]
@@ -6,14 +6,14 @@ pub(crate) const fn power_of_two(e: i32) -> f32 {
     f32::from_bits((e.wrapping_add(127) as u32) << 23)
 }
 
-/// `(k, m - 1)` where the positive normal `x` is `m·2^k` and m is at least the number of the bits `from` and
-/// below twice that; exact.
+/// `(k, m - 1)` where the positive normal `x` is `m·2^k`, and m is at least the number with the bits `from` and below
+/// twice that. Exact.
 #[inline]
 #[allow(
     clippy::cast_possible_wrap,
     reason = "the exponent is signed and its bits are shifted as such"
 )]
-pub(crate) fn normalised(x: f32, from: u32) -> (i32, f32) {
+pub(crate) const fn normalised(x: f32, from: u32) -> (i32, f32) {
     let bits = x.to_bits();
     let k = (bits.wrapping_sub(from) as i32) >> 23;
     (k, power_of_two_times(x, k.wrapping_neg()) - 1.0)
@@ -25,7 +25,7 @@ pub(crate) fn normalised(x: f32, from: u32) -> (i32, f32) {
     clippy::cast_sign_loss,
     reason = "adding a negative exponent wraps to a subtraction"
 )]
-pub(crate) fn power_of_two_times(x: f32, k: i32) -> f32 {
+pub(crate) const fn power_of_two_times(x: f32, k: i32) -> f32 {
     f32::from_bits(x.to_bits().wrapping_add((k as u32) << 23))
 }
 
@@ -50,8 +50,8 @@ pub(crate) fn ldexp(x: f32, k: i32) -> f32 {
     clippy::cast_possible_wrap,
     reason = "the low bits are a signed integer"
 )]
-pub(crate) fn nearest_integer(x: f32) -> (f32, i32) {
-    // Adding 1.5·2^23 leaves no bits below the unit, and the integer stands in the last bits.
+pub(crate) const fn nearest_integer(x: f32) -> (f32, i32) {
+    // Adding 1.5·2^23 rounds to an integer and leaves it in the last bits.
     const ROUND: f32 = 12_582_912.0;
     let shifted = x + ROUND;
     let integer = shifted.to_bits().wrapping_sub(ROUND.to_bits()) as i32;

@@ -1,12 +1,12 @@
-//! Numbers with exponents of their own, for products that leave the range of `f32` on the way only.
-//! Their logarithms and powers are in `tier/power.rs`.
+//! Numbers with a separate exponent, for products whose intermediate results leave the range of `f32`. Their logarithms
+//! and powers are in `tier/power.rs`.
 
 use super::error_free::{remainder, two_product};
 use super::exponent::power_of_two;
 
 /// A positive number as significand · 2^exponent.
 ///
-/// Each product and quotient is rounded once, and nothing over- or underflows before [`Scaled::value`].
+/// Each product and quotient is rounded once, and nothing overflows or underflows before [`Scaled::value`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scaled {
@@ -40,8 +40,8 @@ impl Scaled {
         }
     }
 
-    /// The magnitude of a/(b·c), rounded once, where a and b are numbers and what they lack.
-    pub(crate) fn of_quotient(a: (f32, f32), b: (f32, f32), c: Self) -> Self {
+    /// The magnitude of a/(b·c), rounded once, where a and b are numbers with their rounding errors.
+    pub(crate) const fn of_quotient(a: (f32, f32), b: (f32, f32), c: Self) -> Self {
         let (top, bottom) = (Self::of(a.0.abs()), Self::of(b.0.abs()));
         let (divisor, dropped) = two_product(bottom.significand, c.significand);
         let first = top.significand / divisor;
@@ -82,7 +82,7 @@ impl Scaled {
     /// The number; infinite where it overflows, subnormal or 0 where it is too small.
     #[inline]
     pub(crate) const fn value(self) -> f32 {
-        // In four factors, of which only the last can leave the range; beyond these ends all of them do.
+        // In four factors, of which only the last can leave the range. Beyond these bounds the value is 0 or infinite.
         let exponent = if self.exponent > 480 {
             480
         } else if self.exponent < -480 {

@@ -1,13 +1,13 @@
-//! The way between two numbers, in steps that never turn back.
+//! Interpolation between two numbers that never steps back.
 
 use crate::error::{Error, finite};
 
-/// The way from one number to another, in rounded steps that never turn back.
+/// Monotone interpolation from one number to another.
 ///
-/// Between numbers of one sign the difference is formed once, start + t(end − start): shares of the points are then
-/// right to the rounding of their own cells, however few points there are. Otherwise both ends are weighted,
-/// (1 − t)start + t end, since a difference would cost digits, or overflow. Every operation increases with t, or
-/// decreases, so their chain does. For t < 1 it does not pass the end, but may round to it.
+/// Between numbers of one sign it is start + t(end − start), with the difference formed once: each point has its share of
+/// the uniforms to the rounding of its own cell, however few points there are. Otherwise it is (1 − t)start + t end,
+/// because a difference would lose digits, or overflow. Every operation is monotone in t, and so is the whole. For t < 1
+/// the result does not pass the end, but may round to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Segment {
@@ -26,7 +26,7 @@ impl Segment {
         Self { anchor, near, far }
     }
 
-    /// The number that `at` begins with; exact, since one of the two is 0.
+    /// The start; exact, since one of the two is 0.
     #[inline]
     pub(crate) const fn start(&self) -> f32 {
         self.anchor + self.near
@@ -38,8 +38,8 @@ impl Segment {
     }
 }
 
-/// Refuses bounds that are not finite or not in order. Gives the length of the interval on a scale of 1, or
-/// of 1/2 where the length itself would overflow, and that scale before it.
+/// Refuses bounds that are not finite or not in order. Returns a scale, which is 1, or 1/2 where the length would
+/// overflow; and the length times that scale.
 pub(crate) const fn extent(a: f32, b: f32) -> Result<(f32, f32), Error> {
     match (finite(a), finite(b)) {
         (Ok(_), Ok(_)) => {}
@@ -52,7 +52,7 @@ pub(crate) const fn extent(a: f32, b: f32) -> Result<(f32, f32), Error> {
     Ok((scale, b * scale - a * scale))
 }
 
-/// The representable neighbour of `from` on the way to `to`; the two differ.
+/// The representable neighbour of `from` towards a different `to`.
 pub(crate) const fn neighbour(from: f32, to: f32) -> f32 {
     let bits = from.to_bits();
     let up = to > from;

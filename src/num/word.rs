@@ -1,7 +1,7 @@
-//! What a word decides: whether an event happens, and on which side of a symmetric law a point lies.
+//! Decisions by a word: whether an event happens, and on which side of a symmetric distribution a point lies.
 
-/// Whether an event of this probability happens, by a word: true for 2³² times the probability of all
-/// words, to within one of the nearest integer, so never for 0 and always for 1.
+/// Whether an event of this probability happens, by a word. True for 2³² times the probability of all words, rounded to
+/// an integer: never for 0, always for 1.
 #[inline]
 pub(crate) fn happens(probability: f32, word: u32) -> bool {
     if probability >= 1.0 {
@@ -13,21 +13,21 @@ pub(crate) fn happens(probability: f32, word: u32) -> bool {
 
 /// The integer nearest to a number from 0 to 2³², halves upwards.
 #[inline]
-pub(crate) fn nearest(x: f32) -> u32 {
-    /// The number below 1/2: added to a number whose fraction is at least 1/2, it gives the next integer all
-    /// the same, by rounding. A half added to this number itself would round to 1.
+pub(crate) const fn nearest(x: f32) -> u32 {
+    /// The number below 1/2. Added to a number whose fraction is at least 1/2, it still rounds to the next integer. A
+    /// half added to this number itself would round to 1.
     const HALF: f32 = 0.5 - f32::EPSILON / 4.0;
     // From 2²³ up x is an integer, and the sum could round to the next.
     let shifted = if x < 8_388_608.0 { x + HALF } else { x };
     shifted as u32
 }
 
-/// A word of a law that is symmetric: the probability beyond its point on the point's side, the middle of the words
-/// that fall together there, in (0, 1/2]; and whether that side is the upper one.
+/// The tail of a word of a symmetric distribution: the probability beyond its point, in (0, 1/2], as the middle of the
+/// words that round to it; and whether the tail is the upper one.
 #[inline]
 pub(crate) fn folded(word: u32) -> (f32, bool) {
     let upper = word >> 31 == 1;
     let rank = if upper { !word } else { word };
-    // Rounded once, and half a step above the rank.
+    // The middle of the cell, rounded once.
     ((rank << 1 | 1) as f32 * (f32::EPSILON / 1024.0), upper)
 }

@@ -19,13 +19,13 @@ const fn odd(index: u32) -> i32 {
     ((index << 1) | 1).wrapping_sub(RADIUS) as i32
 }
 
-/// The grid point of any uniforms whatever: the first 24 bits of each count.
+/// The grid point of any uniforms, of which the first 24 bits count.
 #[inline]
 fn of_uniforms<const N: usize>(u: [f32; N]) -> [i32; N] {
     u.canonical().get().map(|u| odd((u * 16_777_216.0) as u32))
 }
 
-/// Draws a grid point, a word a coordinate: the one that [`of_uniforms`] gives for the same words' uniforms.
+/// Draws a grid point, one word a coordinate. It is the one that [`of_uniforms`] returns for the uniforms of these words.
 #[inline]
 fn draw<const N: usize, R: TryRng + ?Sized>(rng: &mut R) -> Result<[i32; N], Failure<R::Error>> {
     let mut grid = [0; N];
@@ -35,12 +35,11 @@ fn draw<const N: usize, R: TryRng + ?Sized>(rng: &mut R) -> Result<[i32; N], Fai
     Ok(grid)
 }
 
-/// The point itself where it lies inside. On integers this is exact, and on cores without a floating-point
-/// unit cheaper.
+/// The point if it lies inside. Integers make this exact, and cheaper on cores without a floating-point unit.
 #[inline]
 fn accepted<const N: usize>(grid: [i32; N]) -> Option<[f32; N]> {
-    // N squares of 24 bits: far from the 63 that would overflow. Squares of odd numbers are 1 modulo 8, so
-    // that their sum is never the squared radius and no point lies on the rim.
+    // N squares of 48 bits fit easily in 63. Squares of odd numbers are 1 modulo 8, so their sum is never the squared
+    // radius, and no point lies on the rim.
     let square = grid.iter().fold(0_i64, |sum, &m| {
         sum.wrapping_add(i64::from(m).wrapping_mul(i64::from(m)))
     });
@@ -50,18 +49,23 @@ fn accepted<const N: usize>(grid: [i32; N]) -> Option<[f32; N]> {
 
 /// Uniform on the unit disk, by rejection from the square around it.
 ///
-/// - Uniforms: two, a try. Words a try: two. Only the first 24 bits of each count.
-/// - Range: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0; each such point
-///   of the disk is equally likely.
-/// - Density: 1/π per unit area.
-/// - Efficiency: π/4.
-/// - No elementary function, hence no tier; where the number of tries must be constant, take
-///   [`Disk`](crate::warp::Disk).
+/// It uses no elementary function, and hence has no tier.
 ///
-/// The sample is exact and the density is off by 4.5e-8, relative.
+/// # Density
+/// 1/π per unit area inside; 0 outside.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: x² + y² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0. Each such point of the disk is
+///   equally likely.
+/// - Words a try: two, of which only the first 24 bits count.
 ///
+/// # Accuracy
+/// Samples are exact. The density has a relative error of 4.5e-8.
+///
+/// # Cost
+/// Efficiency: π/4, so 1.27 tries a point on average.
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{DiskRejection, Rejection};
 /// use rand_pcg::Pcg32;
@@ -71,25 +75,43 @@ fn accepted<const N: usize>(grid: [i32; N]) -> Option<[f32; N]> {
 /// assert_eq!(disk.attempt([0.0, 0.0]), None); // a corner of the square
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`warp::Disk`](crate::warp::Disk) and [`warp::DiskConcentric`](crate::warp::DiskConcentric) take a fixed number of
+///   uniforms.
+/// - [`BallRejection`] is the ball.
+/// - `fixed::DiskRejection` and `fixed::DiskRejection16` give fixed-point numbers.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "circle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskRejection {
     budget: u32,
 }
 
-/// Uniform on the unit ball, by rejection from the cube around it.
+/// Uniform in the unit ball, by rejection from the cube around it.
 ///
-/// - Uniforms: three, a try. Words a try: three. Only the first 24 bits of each count.
-/// - Range: x² + y² + z² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0; each such
-///   point of the ball is equally likely.
-/// - Density: 3/(4π) per unit volume.
-/// - Efficiency: π/6.
-/// - No elementary function, hence no tier.
+/// It uses no elementary function, and hence has no tier.
 ///
-/// The sample is exact and the density is off by 3e-8, relative.
+/// # Density
+/// 3/(4π) per unit volume inside; 0 outside.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: x² + y² + z² < 1, exactly. Coordinates are odd multiples of 2⁻²⁴, symmetric about 0. Each such point of the
+///   ball is equally likely.
+/// - Words a try: three, of which only the first 24 bits count.
 ///
+/// # Accuracy
+/// Samples are exact. The density has a relative error of 3e-8.
+///
+/// # Cost
+/// Efficiency: π/6, so 1.91 tries a point on average.
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{BallRejection, Rejection};
 /// use rand_pcg::Pcg32;
@@ -98,31 +120,43 @@ pub struct DiskRejection {
 /// assert!((ball.pdf(point) - 0.238_732_4).abs() < 1e-7);
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`DiskRejection`] is the disk.
+/// - [`warp::Sphere`](crate::warp::Sphere) is the surface of the ball.
+/// - [`Region`](super::Region) keeps any part of a box.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "sphere")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BallRejection {
     budget: u32,
 }
 
-/// What disk and ball have in common; only words differ.
+/// What disk and ball have in common.
 macro_rules! unit_ball {
     ($name:ident, $dimensions:literal, $efficiency:expr, $budget:literal, $density:expr, $rim:expr) => {
         budgeted!($name, $budget);
 
         impl $name {
-            /// The share of proposals that is accepted, in theory.
+            /// The share of proposals that is accepted, by theory.
             pub const EFFICIENCY: f32 = $efficiency;
 
-            /// One try with uniforms of one's own, brought into [0, 1) by the rule of
-            /// [`Uniforms::canonical`]; `None` if the point lies outside.
+            /// One try with the given uniforms; `None` if the point lies outside.
+            ///
+            /// Any `f32` serves: the rule of [`Uniforms::canonical`] brings it into [0, 1).
             #[must_use]
             #[inline]
             pub fn attempt(&self, u: [f32; $dimensions]) -> Option<[f32; $dimensions]> {
                 accepted(of_uniforms(u))
             }
 
-            /// The density at a point; 0 outside, but for rounding at the rim, and for NaN. Never 0 at a point
-            /// that was drawn.
+            /// The density at a point. It is 0 outside and for NaN, and never 0 at a drawn point; rounding blurs
+            /// the rim.
             #[must_use]
             #[inline]
             pub fn pdf(&self, point: [f32; $dimensions]) -> f32 {
@@ -135,7 +169,7 @@ macro_rules! unit_ball {
     };
 }
 
-// Two squares whose exact sum is below 1 are rounded to at most 1; three, to at most the next f32.
+// Two squares whose exact sum is below 1 round to at most 1, three to at most the next `f32`.
 unit_ball!(DiskRejection, 2, FRAC_PI_4, 32, FRAC_1_PI, 1.0);
 unit_ball!(
     BallRejection,

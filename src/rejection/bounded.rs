@@ -1,45 +1,59 @@
-//! A density below a multiple of another from which one can sample.
+//! Rejection of a density below a multiple of another one, which can be sampled.
 
-use super::{Failure, Rejection, checked_budget};
+use super::{DEFAULT_BUDGET, Failure, Rejection, with_budget};
 use crate::error::{Error, positive};
 use crate::num::{Scaled, happens};
 use crate::warp::Warp;
 use core::convert::Infallible;
 use rand_core::TryRng;
 
-/// How far f/(c p) may lie above 1 and count as 1: 2⁻²⁰, because f, c and p are rounded.
+/// The largest excess of f/(c p) over 1 that still counts as 1: 2⁻²⁰, because f, c and p are rounded.
 ///
-/// Where the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
+/// If the stated error of the proposal's `pdf` is larger than this, the bound c has to cover it.
 pub const SLACK: f32 = 8.0 * f32::EPSILON;
 
-/// A density f, known up to a factor, with f ≤ c p: a point proposed with density p is accepted with
-/// probability f/(c p).
+/// Any density f ≤ c p, known up to a factor, by rejection from a warp of density p.
 ///
-/// - Uniforms: those of the proposal and one word, a try. Words a try: what drawing the proposal takes,
-///   then one, which is drawn whether it decides or not.
-/// - Range: that of the proposal, where f > 0. A point where f is 0 is never accepted.
-/// - Density: f/∫f. The probability of acceptance is the `f32` f/(c p), exact to 2 ulp whatever the
-///   magnitudes (nothing overflows or underflows on the way), rounded to a multiple of 2⁻³²; so a ratio
-///   below 2⁻³³ is never accepted and a ratio of 1 always.
-/// - Efficiency: (∫f)/c.
+/// A proposed point is accepted with probability f/(c p).
 ///
-/// The bound is checked at every point that is proposed, and f above it by more than [`SLACK`] is reported
-/// as [`Failure::BoundExceeded`], for clamping would change the distribution in silence.
+/// # Density
+/// f/∫f. The probability of acceptance is f/(c p) as an `f32`, exact to 2 ulp for all magnitudes (nothing overflows or
+/// underflows on the way), then rounded to a multiple of 2⁻³². A ratio below 2⁻³³ is never accepted, a ratio of 1 always.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: that of the proposal, where f > 0.
+/// - Words a try: those of the proposal, then one that decides.
+/// - Parameters: the proposal, f, and the bound c. Each proposed point is checked against the bound. Where f exceeds it
+///   by more than [`SLACK`], the draw fails with [`Failure::BoundExceeded`]; clamping would change the distribution
+///   silently.
 ///
+/// # Cost
+/// Efficiency: (∫f)/c.
+///
+/// # Examples
 /// ```
 /// use microwarp::poly as mw;
 /// use microwarp::rejection::{Bounded, Rejection};
 /// use rand_pcg::Pcg32;
 /// // f = 1/(1 + |x|²) on the disk, where p = 1/π: f/p is at most π, at the centre.
 /// let f = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
-/// let bumped = Bounded::new(mw::Disk::new(), f, core::f32::consts::PI, 100)?;
+/// let bumped = Bounded::new(mw::Disk::new(), f, core::f32::consts::PI)?;
 /// let accepted = bumped.draw(&mut Pcg32::new(1, 1))?;
 /// // The efficiency is π ln 2 / π = 69 %.
-/// assert!(accepted.tries <= 100);
+/// assert!(accepted.tries <= bumped.budget());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # See also
+/// - [`Region`](super::Region), where f is p or 0.
+/// - [`metropolis`](crate::metropolis) needs no bound, but its points depend on each other.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "accept_reject")]
+#[doc(alias = "rejection_sampling")]
+#[doc(alias = "envelope")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bounded<W, F> {
@@ -54,27 +68,40 @@ where
     W: Warp<Density = f32>,
     F: Fn(W::Point) -> f32,
 {
-    /// The density f = `density` over points of `proposal`, with c = `bound` and at most `budget` tries a
-    /// point.
+    /// Samples the density f = `density` by points of `proposal`, with c = `bound` and the budget [`DEFAULT_BUDGET`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a bound that is NaN or infinite, [`Error::NotPositive`] for a bound of 0
-    /// or less and for a budget of 0.
-    pub fn new(proposal: W, density: F, bound: f32, budget: u32) -> Result<Self, Error> {
+    /// or less.
+    pub fn new(proposal: W, density: F, bound: f32) -> Result<Self, Error> {
         Ok(Self {
             proposal,
             density,
             bound: positive(bound)?,
-            budget: checked_budget(budget)?,
+            budget: DEFAULT_BUDGET,
         })
     }
 
-    /// One try with uniforms of one's own and a word that decides, the smaller the more surely for the
-    /// point. A uniform number v in [0, 1) serves as the word `(v * 4_294_967_296.0) as u32`.
+    with_budget!();
+
+    /// The warp that proposes points.
+    pub const fn proposal(&self) -> &W {
+        &self.proposal
+    }
+
+    /// The bound c.
+    #[must_use]
+    pub const fn bound(&self) -> f32 {
+        self.bound
+    }
+
+    /// One try with the given uniforms and a word that decides: a smaller word accepts more points.
+    ///
+    /// For a uniform number v in [0, 1), pass the word `(v * 4_294_967_296.0) as u32`.
     ///
     /// # Errors
     /// [`Failure::BoundExceeded`], [`Failure::NotFinite`], [`Failure::Negative`] and
-    /// [`Failure::ProposalDensity`], whatever the word.
+    /// [`Failure::ProposalDensity`], for any word.
     #[inline]
     pub fn attempt(
         &self,
@@ -131,7 +158,7 @@ where
     }
 }
 
-/// f/(p c) of three positive finite numbers, where only the result can overflow.
+/// f/(p c) of three positive finite numbers. Only the result can overflow.
 #[inline]
 fn quotient(f: f32, p: f32, c: f32) -> f32 {
     Scaled::of(f)

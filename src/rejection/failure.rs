@@ -4,13 +4,14 @@ use core::convert::Infallible;
 use core::error::Error;
 use core::fmt;
 
-/// Why a rejection sampler returned no point; `E` is the generator's own error.
+/// Why a rejection sampler returned no point; `E` is the error of the generator.
 ///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{Failure, Region, Rejection};
-/// use microwarp::Interval;
+/// use microwarp::warp::Interval;
 /// use rand_pcg::Pcg32;
-/// let nowhere = Region::new(Interval::new(0.0, 1.0)?, |_| false, 10)?;
+/// let nowhere = Region::new(Interval::new(0.0, 1.0)?, |_| false).with_budget(10)?;
 /// assert_eq!(nowhere.draw(&mut Pcg32::new(1, 1)), Err(Failure::BudgetSpent { tries: 10 }));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
@@ -20,23 +21,23 @@ use core::fmt;
 pub enum Failure<E = Infallible> {
     /// The generator failed.
     Generator(E),
-    /// No point was accepted within the budget.
+    /// The budget is spent, and no point was accepted.
     BudgetSpent {
-        /// The points proposed, which is the budget.
+        /// The number of proposed points, which is the budget.
         tries: u32,
     },
-    /// A point was proposed at which the density lies above the bound.
+    /// The density at a proposed point lies above the bound.
     BoundExceeded {
-        /// f/(c p) at that point, above 1; infinite where it overflows `f32`. A bound of c times this
-        /// would have been needed, at least.
+        /// f/(c p) at that point, which is above 1, and infinite where it overflows `f32`. The bound has to be at least
+        /// c times this.
         ratio: f32,
     },
     /// The density at a proposed point is NaN or infinite.
     NotFinite,
     /// The density at a proposed point is negative.
     Negative,
-    /// The proposal's own density at the point it proposed is not a positive finite number. No warp of
-    /// this crate does this; a warp made of a user's own functions can.
+    /// The density that the proposal reports for its point is not a positive finite number. This happens only with
+    /// warps from outside this crate, or made of closures.
     ProposalDensity,
 }
 

@@ -1,35 +1,51 @@
-//! A warp restricted to a region, given by a predicate.
+//! Rejection of the points outside a region, which a predicate describes.
 
-use super::{Failure, Rejection, checked_budget};
-use crate::error::Error;
+use super::{DEFAULT_BUDGET, Failure, Rejection, with_budget};
 use crate::warp::Warp;
 use rand_core::TryRng;
 
-/// The points of a warp for which a predicate holds: uniform on the region where the warp is uniform.
+/// The points of a warp for which a predicate holds: uniform on a region where the warp is uniform.
 ///
-/// - Uniforms: those of the warp, a try. Words a try: what drawing the warp takes.
-/// - Range: that of the warp, where the predicate holds. The predicate sees the point as it is returned.
-/// - Density: that of the warp over the efficiency.
-/// - Efficiency: the integral of the warp's density over the region; for a uniform warp the measure of the
-///   region over that of the domain.
-/// - Errors: those of the warp; rejection adds none.
+/// # Density
+/// That of the warp over the efficiency.
 ///
-/// Source: J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
+/// # Domain
+/// - Point: that of the warp, where the predicate holds. The predicate sees the point exactly as it is returned.
+/// - Words a try: those of the warp.
 ///
+/// # Accuracy
+/// That of the warp. Rejection adds no error.
+///
+/// # Cost
+/// Efficiency: the probability that the warp gives to the region. For a uniform warp it is the measure of the region over
+/// that of the domain.
+///
+/// # Examples
 /// ```
-/// use microwarp::Aabb;
+/// use microwarp::warp::Aabb;
 /// use microwarp::rejection::{Region, Rejection};
 /// use rand_pcg::Pcg32;
 /// // Uniform on a ring inside its box; the ring covers 59 % of it.
 /// let ring = Region::new(
 ///     Aabb::new([-1.0, -1.0], [1.0, 1.0])?,
 ///     |[x, y]: [f32; 2]| (0.25..=1.0).contains(&(x * x + y * y)),
-///     100,
-/// )?;
+/// );
 /// let [x, y] = ring.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(x * x + y * y >= 0.25);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # See also
+/// - [`Bounded`](super::Bounded) accepts with a probability instead of a predicate.
+/// - [`warp::Aabb`](crate::warp::Aabb), the usual proposal.
+/// - [`DiskRejection`](super::DiskRejection) and [`BallRejection`](super::BallRejection) are ready-made.
+///
+/// # Source
+/// J. von Neumann, "Various Techniques Used in Connection with Random Digits", National Bureau of Standards Applied
+/// Mathematics Series 12, 1951.
+#[doc(alias = "rejection_sampling")]
+#[doc(alias = "predicate")]
+#[doc(alias = "filter")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Region<W, P> {
@@ -43,19 +59,23 @@ where
     W: Warp,
     P: Fn(W::Point) -> bool,
 {
-    /// The part of `domain` in which `predicate` holds, with at most `budget` tries a point.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`] for a budget of 0.
-    pub fn new(domain: W, predicate: P, budget: u32) -> Result<Self, Error> {
-        Ok(Self {
+    /// Samples the part of `domain` in which `predicate` holds, with the budget [`DEFAULT_BUDGET`].
+    pub const fn new(domain: W, predicate: P) -> Self {
+        Self {
             domain,
             predicate,
-            budget: checked_budget(budget)?,
-        })
+            budget: DEFAULT_BUDGET,
+        }
     }
 
-    /// One try with uniforms of one's own; `None` if the point lies outside the region.
+    with_budget!();
+
+    /// The warp that proposes points.
+    pub const fn domain(&self) -> &W {
+        &self.domain
+    }
+
+    /// One try with the given uniforms; `None` if the point lies outside the region.
     #[must_use]
     #[inline]
     pub fn attempt(&self, u: W::Uniforms) -> Option<W::Point> {

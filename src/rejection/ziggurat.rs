@@ -1,13 +1,12 @@
 //! Ziggurats: normal and exponential numbers, mostly from one word, one table entry and one product.
 //!
-//! Here lives the try. The layers are in `ziggurat/layers.rs`, the two laws and what is public in files of their
-//! own.
+//! Here lives the try. `ziggurat/layers.rs` has the layers; each law and its public samplers have a file.
 //!
-//! The area under a curve that falls from 0 on is covered by 256 layers of equal area: rectangles from 0 to where
-//! the curve is at their lower side, and below them all a last one with the curve's tail. A try chooses a layer and a
-//! place in it from disjoint bits of one word. Nearly always the place is under the curve whatever the height, and
-//! is the number. Otherwise it is beyond the upper side's end: in the lowest layer that is the tail, which another
-//! two words sample by inversion, so that no try of it fails; elsewhere a second word is the height, which decides.
+//! The curve falls from 0 on. 256 layers of equal area cover the area under it: rectangles that reach from 0 to where the
+//! curve meets their lower side, and a lowest layer that includes the tail. A try takes a layer and a place in it from
+//! disjoint bits of one word. Nearly always the place is under the curve at every height of the layer, and is the number.
+//! Otherwise it lies beyond the end of the upper side. In the lowest layer that is the tail: two more words sample it by
+//! inversion, so that no such try fails. In other layers a second word is the height, which decides.
 
 mod exponential;
 mod layers;
@@ -23,36 +22,36 @@ use crate::uniform::open_full;
 use core::convert::Infallible;
 use rand_core::TryRng;
 
-/// A law whose curve has been cut into layers.
+/// A law whose curve is cut into layers.
 trait Law {
-    /// Its layers, in flash.
+    /// The layers, in flash.
     fn layers() -> &'static Layers;
     /// The place in a layer as an odd number of 2⁻²⁴ of its width, from the bits of a word above the first 8.
     fn place(word: u32) -> i32;
-    /// How far the curve at x is above that at a width, relative to the latter; 0 ≤ x < width.
+    /// The height of the curve at x above that at `width`, relative to the latter; 0 ≤ x < width.
     fn excess(width: f32, x: f32) -> f32;
-    /// The number at a full-resolution uniform, the smaller the farther out, on the side of `x`.
+    /// The number in the tail on the side of `x`, from a uniform of full resolution: a smaller one lies farther out.
     fn tail(u: f32, x: f32) -> f32;
 }
 
-/// What one word decides: the layer, the number, and whether the number stands.
+/// What the first word decides: the layer, the number, and whether that is accepted.
 #[inline]
 fn glance<L: Law>(word: u32) -> (usize, f32, bool) {
     let index = (word & 0xff) as usize;
     let place = L::place(word);
-    // There are as many layers as bytes, so that the compiler leaves out what else there could be.
+    // There are as many layers as values of a byte, so the compiler drops this case.
     let outside = Layer {
         inner: 0,
         scale: 0.0,
     };
     let Layer { inner, scale } = *L::layers().layers.get(index).unwrap_or(&outside);
-    // At most one less than the magnitude, which is odd and the bound even.
+    // At most one less than the magnitude; that is odd and the bound even, so the comparison is exact.
     let magnitude = (place ^ (place >> 31)) as u32;
     // The integer is exact, having 24 bits.
     (index, place as f32 * scale, magnitude < inner)
 }
 
-/// A try whose first word is known; the others are drawn if they are needed.
+/// A try whose first word is known. The others are drawn only if needed.
 #[inline]
 fn attempt<L: Law, E>(word: u32, next: impl FnMut() -> Result<u32, E>) -> Result<Option<f32>, E> {
     match glance::<L>(word) {
@@ -61,7 +60,7 @@ fn attempt<L: Law, E>(word: u32, next: impl FnMut() -> Result<u32, E>) -> Result
     }
 }
 
-/// A number in the tail, or one that its height decides on.
+/// A number in the tail, or one accepted by its height.
 fn beyond<L: Law, E>(
     index: usize,
     x: f32,
@@ -72,18 +71,18 @@ fn beyond<L: Law, E>(
         return Ok(Some(L::tail(open_full(word, next()?).get(), x)));
     }
     let width = |index: usize| {
-        // Past the last layer is the peak.
+        // The width at the peak, past the last layer, is 0.
         let layer = L::layers().layers.get(index);
-        // Exact: the quotient by a power of 2 was.
+        // Exact, as a product with a power of 2.
         layer.map_or(0.0, |layer| layer.scale * 16_777_216.0)
     };
-    // Heights above the layer's lower side, relative to that: the curve's here, and the layer's.
+    // Heights of the curve here, and of the layer, both above the layer's lower side and relative to it.
     let outer = width(index);
     let [curve, whole] = [x.abs(), width(index.wrapping_add(1))].map(|x| L::excess(outer, x));
     Ok(happens(curve / whole, word).then_some(x))
 }
 
-/// A try with three words of one's own.
+/// A try with three given words.
 fn attempt_at<L: Law>([word, second, third]: [u32; 3]) -> Option<f32> {
     let mut rest = [second, third].into_iter();
     let next = || Ok::<_, Infallible>(rest.next().unwrap_or(third));
@@ -100,7 +99,7 @@ fn try_once<L: Law, R: TryRng + ?Sized>(rng: &mut R) -> Result<Option<f32>, Fail
     attempt::<L, _>(word, || rng.try_next_u32()).map_err(Failure::Generator)
 }
 
-/// Tries within a budget, which is not 0. What 98 calls of 100 need is inlined, and all else is not.
+/// Tries within a budget above 0. Only the part that 98 calls of 100 need is inlined.
 #[inline]
 fn try_draw<L: Law, R: TryRng + ?Sized>(
     budget: u32,
@@ -113,7 +112,7 @@ fn try_draw<L: Law, R: TryRng + ?Sized>(
     }
 }
 
-/// The rest of a try that one word has not decided, and further tries.
+/// The rest of a try that its first word did not decide, and further tries.
 #[cold]
 #[inline(never)]
 fn try_on<L: Law, R: TryRng + ?Sized>(
@@ -141,14 +140,14 @@ fn try_on<L: Law, R: TryRng + ?Sized>(
     }
 }
 
-/// What the public samplers have in common: `$placed` is their number, made of the standard one `$x`.
+/// What the public samplers have in common. `$placed` makes their number of the standard number `$x`.
 macro_rules! ziggurat {
     ($name:ident: $law:ty, |$sampler:ident, $x:ident| $placed:expr) => {
         impl $name {
-            /// One try with three words of one's own; `None` if the number is rejected.
+            /// One try with three given words; `None` if the number is rejected.
             ///
-            /// The first word is nearly always all that counts. The second decides on a place beyond the inner part of
-            /// its layer; second and third are the uniform of a tail.
+            /// Nearly always only the first word counts. The second decides about a place beyond the inner part of its
+            /// layer. The second and the third are the uniform of a tail.
             #[must_use]
             pub fn attempt(&self, words: [u32; 3]) -> Option<f32> {
                 let $sampler = self;

@@ -1,15 +1,15 @@
 //! The reference tier: `f32` in, `f32` out, the `libm` crate inside.
 //!
-//! Only what `libm` would lose before or after its own work is added here; the functions are its own.
+//! This file adds what `libm` would lose before or after its own work; the functions are those of `libm`.
 
 use super::{Tier, normal, power, turns};
 
 /// The reference tier: the elementary functions of the `libm` crate.
 ///
-/// Phases in turns are reduced exactly before `libm` sees them. Its sine, cosine and power run on
-/// `f64` inside, which is slow where doubles are software; [`Poly`](super::Poly) is the tier for
-/// microcontrollers.
+/// Phases in turns are reduced exactly before `libm` sees them. Its sine, cosine and power compute in `f64`, which is slow
+/// where doubles are emulated.
 ///
+/// # Accuracy
 /// | function | domain | max ulp | max absolute | max relative |
 /// |---|---|--:|--:|--:|
 /// | `sqrt` | x ≥ 0 | 0.5 | - | - |
@@ -36,9 +36,12 @@ use super::{Tier, normal, power, turns};
 /// | `normal_quantile_lower` | 2⁻²⁴ ≤ p ≤ 1/2 | 2.4 | 5.3e-7 | 2.4e-7 |
 /// | `normal_quantile_lower` | 0 < p ≤ 1/2 | 2.5 | 1.8e-6 | 2.4e-7 |
 ///
-/// The errors are the largest that `tests/tier` meets: over every input of the 2⁻²⁴ grid where the
-/// domain is within the unit interval, elsewhere over a dense sample of every binade. Where a result is
-/// subnormal an ulp is the spacing of the subnormals; a dash stands for a figure that says nothing there.
+/// These are the largest errors that `tests/tier` finds: over every input of the 2⁻²⁴ grid where the domain lies in the
+/// unit interval, over a dense sample of every binade elsewhere. An ulp is a unit in the last place of the exact result,
+/// or the spacing of the subnormals where the result is subnormal. A dash stands where a figure would say nothing.
+///
+/// # See also
+/// - [`Poly`](super::Poly): about as accurate, and the tier for microcontrollers and WASM.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Libm;
@@ -47,7 +50,7 @@ pub struct Libm;
 #[inline]
 fn sincos_quarter(r: f32) -> (f32, f32) {
     // Rounding this product turns the angle by up to 4e-8 but leaves the point on the circle;
-    // correcting sine and cosine for it would round both again and move it off.
+    // correcting sine and cosine for it would round both again and move the point off the circle.
     ::libm::sincosf(r * core::f32::consts::TAU)
 }
 
@@ -74,7 +77,7 @@ impl Tier for Libm {
 
     #[inline]
     fn atan2_turns(y: f32, x: f32) -> f32 {
-        // `libm` tells zeros apart by their signs and has angles of its own for infinity.
+        // `libm` distinguishes the signs of zeros, and gives infinity angles of its own.
         if x == 0.0 && y == 0.0 || x.is_nan() || y.is_nan() {
             return 0.0;
         }
@@ -101,7 +104,7 @@ impl Tier for Libm {
     #[inline]
     #[allow(
         clippy::float_cmp,
-        reason = "whether nothing was rounded is asked exactly"
+        reason = "tests exactly whether anything was rounded"
     )]
     fn neg_ln_1m(u: f32) -> f32 {
         // On the grid 1 - u is exact, and the plain logarithm is quicker.
@@ -135,8 +138,7 @@ impl Tier for Libm {
 
     #[inline]
     fn pow(x: f32, y: f32) -> f32 {
-        // From 2^27 on `libm` 0.2.16 takes the power of an x below 1 - 2^-21 for 0 or infinity, which it
-        // need not be yet.
+        // For |y| from 2^27 on, `libm` 0.2.16 returns 0 or infinity for any x below 1 - 2^-21, which is wrong for some.
         if y.abs() >= 134_217_728.0 {
             return power::pow(x, y);
         }

@@ -1,5 +1,5 @@
-//! The standard normal distribution's lower tail and its quantile, over the exponential, logarithm and
-//! square root of a tier; both tiers share them. The upper half is the caller's, by symmetry.
+//! The lower tail of the standard normal distribution and its quantile, from the exponential, logarithm and square root
+//! of a tier. Callers get the upper half by symmetry. Both tiers share this file.
 
 use super::{Tier, exp_of_product};
 
@@ -33,7 +33,7 @@ const TAIL: [f32; 5] = [
 /// Its denominator, less the 1.
 const TAIL_OVER: [f32; 3] = [4.943_938_7, 3.917_732, 0.465_646_77];
 
-/// Φ(x) for `x <= 0`; what is above 0 or not a number counts as 0.
+/// Φ(x) for `x <= 0`. Arguments above 0, and NaN, count as 0.
 pub(crate) fn cdf_lower<T: Tier>(x: f32) -> f32 {
     // Below -15 the probability rounds to 0, and so does the exponential.
     let t = if x < 0.0 { -x } else { 0.0 };
@@ -44,14 +44,13 @@ pub(crate) fn cdf_lower<T: Tier>(x: f32) -> f32 {
     // All coefficients are positive, so neither sum cancels.
     let numerator = n0 + t * (n1 + t * (n2 + t * (n3 + t * n4)));
     let denominator = 1.0 + t * (d1 + t * (d2 + t * (d3 + t * d4)));
-    // The exponential over slope·t + numerator/denominator. Where the first term is the larger one the
-    // rounding errors of the denominator cancel, as it stands above and below the line.
+    // The exponential over slope·t + numerator/denominator. Where the first term is the larger one, the rounding errors
+    // of the denominator cancel, because it occurs above and below the line.
     let power = exp_of_product::<T>(-0.5 * t, t);
     (power * denominator) / ((slope * t) * denominator + numerator)
 }
 
-/// The quantile of `p` in `(0, 1/2]`; what is below counts as the smallest subnormal, what is above or
-/// not a number as 1/2.
+/// The quantile of `p` in `(0, 1/2]`. Lower ones count as the smallest subnormal; higher ones, and NaN, as 1/2.
 pub(crate) fn quantile_lower<T: Tier>(p: f32) -> f32 {
     let q = if p < 0.5 { p - 0.5 } else { 0.0 };
     if q >= -0.375 {
@@ -70,7 +69,7 @@ pub(crate) fn quantile_lower<T: Tier>(p: f32) -> f32 {
         let [d1, d2, d3] = TAIL_OVER;
         let numerator = n0 + r * (n1 + r * (n2 + r * (n3 + r * n4)));
         let denominator = 1.0 + r * (d1 + r * (d2 + r * d3));
-        // What is rounded most is smallest, and r itself is added last.
+        // The most rounded term is the smallest, and r is added last.
         (numerator / denominator - (0.5 * r - 1.0)) - r
     }
 }

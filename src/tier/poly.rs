@@ -1,7 +1,7 @@
-//! The polynomial tier: `f32` arithmetic only, in a fixed order of exactly rounded operations.
+//! The polynomial tier: `f32` arithmetic only, in a fixed order of correctly rounded operations.
 //!
-//! Here stand the tier and what it states; the functions are in the modules below and in those that
-//! both tiers share, and every coefficient in them is derived by `tests/derivation`.
+//! The functions are in the modules below and in those that both tiers share. `tests/derivation` derives every
+//! coefficient.
 
 mod exp;
 mod log;
@@ -12,6 +12,7 @@ use super::{Tier, normal, power};
 
 /// The polynomial tier: `f32` arithmetic only, no `f64`, no tables.
 ///
+/// # Accuracy
 /// | function | domain | max ulp | max absolute | max relative |
 /// |---|---|--:|--:|--:|
 /// | `sqrt` | x ≥ 0 | 0.5 | - | - |
@@ -38,12 +39,15 @@ use super::{Tier, normal, power};
 /// | `normal_quantile_lower` | 2⁻²⁴ ≤ p ≤ 1/2 | 2.4 | 5.5e-7 | 2.4e-7 |
 /// | `normal_quantile_lower` | 0 < p ≤ 1/2 | 2.5 | 1.8e-6 | 2.4e-7 |
 ///
-/// The errors are the largest that `tests/tier` meets: over every input of the 2⁻²⁴ grid where the
-/// domain is within the unit interval, elsewhere over a dense sample of every binade. Where a result is
-/// subnormal an ulp is the spacing of the subnormals; a dash stands for a figure that says nothing there.
+/// These are the largest errors that `tests/tier` finds: over every input of the 2⁻²⁴ grid where the domain lies in the
+/// unit interval, over a dense sample of every binade elsewhere. An ulp is a unit in the last place of the exact result,
+/// or the spacing of the subnormals where the result is subnormal. A dash stands where a figure would say nothing.
 ///
-/// Logarithms, exponentials and both functions of the normal distribution never step back from one
-/// input of the grid to the next.
+/// Logarithms, exponentials and both functions of the normal distribution never step back from one input of the grid to
+/// the next.
+///
+/// # See also
+/// - [`Libm`](super::Libm): the reference, over the `libm` crate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Poly;

@@ -1,5 +1,5 @@
-//! Powers: an exponential of a product that must be known to more than one `f32`. Every quantity is
-//! carried as a head of 12 bits, whose products are exact, and a rest. Both tiers stand on this file.
+//! Powers: the exponential of a product that one `f32` is too short for. Every quantity is a head of 12 bits, whose
+//! products are exact, and a rest. Both tiers share this file.
 
 use crate::num::{
     Scaled, head, is_plain, ldexp, nearest_integer, normalised, power_of_two_times, remainder,
@@ -19,7 +19,7 @@ pub(super) const LN_2: [f32; 2] = [0.693_115_23, 3.194_618_3e-5];
 
 /// `e^r - 1 - r` for `|r| <= ln(2)/2`.
 #[inline]
-pub(super) fn beyond_linear(r: f32) -> f32 {
+pub(super) const fn beyond_linear(r: f32) -> f32 {
     let [e0, e1, e2, e3, e4] = EXPONENTIAL;
     r * r * (e0 + r * (e1 + r * (e2 + r * (e3 + r * e4))))
 }
@@ -27,7 +27,7 @@ pub(super) fn beyond_linear(r: f32) -> f32 {
 /// `(3/2s ln((1+s)/(1-s)) - 3 - s²)/s⁴` in powers of s²; see `LONG_LOGARITHM` in `tests/derivation`.
 const LONG_LOGARITHM: [f32; 3] = [0.600_002_3, 0.428_206_3, 0.351_297_05];
 
-/// √½, from which on the significands run.
+/// √½, where the significands begin.
 const SQRT_HALF: u32 = 0x3f35_04f3;
 
 /// 2/(3 ln 2) in two parts, the first of 12 bits; see `TO_LOG2` in `tests/derivation`.
@@ -41,10 +41,10 @@ fn log2(x: f32, offset: f32) -> (f32, f32) {
     log2_1p(k as f32 + offset, f, 0.0)
 }
 
-/// The binary logarithm of a positive normal `x` and what it lacks, less `offset`, likewise.
+/// The binary logarithm of `x + lack` for a positive normal `x`, less `offset`: see [`log2_1p`].
 #[inline]
 #[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
-pub(crate) fn log2_of_sum(x: f32, lack: f32, offset: f32) -> (f32, f32) {
+pub(crate) const fn log2_of_sum(x: f32, lack: f32, offset: f32) -> (f32, f32) {
     let (k, f) = normalised(x, SQRT_HALF);
     let scale = power_of_two_times(1.0, k.wrapping_neg());
     log2_1p(k as f32 - offset, f, lack * scale)
@@ -53,7 +53,7 @@ pub(crate) fn log2_of_sum(x: f32, lack: f32, offset: f32) -> (f32, f32) {
 /// `k + log2(1 + f + lack)` for whole k and f from √½ - 1 to √2 - 1: a head and the rest, together good to
 /// about 2^-33 of the logarithm.
 #[inline]
-pub(crate) fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
+pub(crate) const fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
     // s = f/(2+f). The rest of s comes from what its head leaves of the numerator.
     let divisor = 2.0 + f;
     let divisor_head = head(divisor);
@@ -61,7 +61,7 @@ pub(crate) fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
     let reciprocal = 1.0 / divisor;
     let s_head = head(f * reciprocal);
     let s_rest = reciprocal * ((f - s_head * divisor_head) - s_head * divisor_rest);
-    // ds/df = 2/(2+f)². A number that lacks nothing, as a constant, leaves no operation behind.
+    // ds/df = 2/(2+f)². With a constant 0 the compiler removes this.
     let s_rest = if lack == 0.0 {
         s_rest
     } else {
@@ -91,14 +91,14 @@ pub(crate) fn log2_1p(k: f32, f: f32, lack: f32) -> (f32, f32) {
 
 /// The product of a logarithm, given as a head and a rest, and `y`: an exact part and a small one.
 #[inline]
-pub(crate) fn times((log_head, log_rest): (f32, f32), y: f32) -> (f32, f32) {
+pub(crate) const fn times((log_head, log_rest): (f32, f32), y: f32) -> (f32, f32) {
     let y_head = head(y);
     (y_head * log_head, (y - y_head) * log_head + y * log_rest)
 }
 
 /// `(k, a, b)` with `2^(exact + small) = 2^k (1 + a + b)`, where a is exact and b small; for sums up to 2^22.
 #[inline]
-pub(crate) fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
+pub(crate) const fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
     let (n, k) = nearest_integer(exact + small);
     let r = exact - n;
     let r_head = head(r + small);
@@ -115,11 +115,11 @@ impl Scaled {
     /// The binary logarithm of the quotient by `other`: a head of 12 bits and the rest, together good to about
     /// 2^-33 of it however close the two are.
     #[inline]
-    pub(crate) fn log2_over(self, other: Self) -> (f32, f32) {
+    pub(crate) const fn log2_over(self, other: Self) -> (f32, f32) {
         use core::f32::consts::SQRT_2;
         let ((s, exponent), (divisor, other_exponent)) = (self.parts(), other.parts());
         let k = exponent.wrapping_sub(other_exponent);
-        // Brought within a factor of root 2 of the divisor, which the difference is exact for.
+        // Within a factor of root 2 of the divisor, so that the difference is exact.
         let (dividend, k) = if s > SQRT_2 * divisor {
             (0.5 * s, k.wrapping_add(1))
         } else if SQRT_2 * s < divisor {
@@ -133,18 +133,18 @@ impl Scaled {
         log2_1p(k as f32, f, remainder(difference, f, divisor) / divisor)
     }
 
-    /// The number times (2^log)^(y + `y_rest`), where log is a head of 12 bits and a rest; 2^-1000 or 2^1000
-    /// for what is farther out.
+    /// The number times (2^log)^(y + `y_rest`), where log is a head of 12 bits and a rest. Results beyond 2^-1000 and
+    /// 2^1000 are these.
     #[inline]
-    pub(crate) fn times_power(self, log: (f32, f32), (y, y_rest): (f32, f32)) -> Self {
+    pub(crate) const fn times_power(self, log: (f32, f32), (y, y_rest): (f32, f32)) -> Self {
         if (y * (log.0 + log.1)).abs() >= 1000.0 {
             let up = (y > 0.0) == (log.0 > 0.0);
             return Self::ONE.raised(if up { 1000 } else { -1000 });
         }
         let (exact, small) = times(log, y);
         let (k, a, b) = exp2(exact, small + y_rest * log.0);
-        // s(1 + a + b), its largest product exact and all the rest in one sum, so that two powers
-        // that are nearly the same do not change places where k does.
+        // s(1 + a + b), with its largest product exact and all the rest in one sum, so that the result is monotone where k
+        // changes.
         let (s, exponent) = self.parts();
         let (s_head, a_head) = (head(s), head(a + b));
         let exact = s_head * a_head;
@@ -167,7 +167,7 @@ pub(super) fn pow(x: f32, y: f32) -> f32 {
     } else {
         return pow_edge(x, y);
     };
-    // The exponent of 2, beyond which only 0 and infinity are left; infinite y ends here too.
+    // The exponent of 2. Beyond these bounds the power is 0 or infinite, also for an infinite y.
     let whole = y * (log_head + log_rest);
     if whole > 129.0 {
         return f32::INFINITY;
@@ -187,7 +187,7 @@ pub(super) fn pow(x: f32, y: f32) -> f32 {
     }
 }
 
-/// Powers of 0 and infinity; not a number for the rest, which is below 0 or was not a number before.
+/// Powers of 0 and infinity; NaN for an x below 0, and for NaN.
 #[cold]
 fn pow_edge(x: f32, y: f32) -> f32 {
     if x < 0.0 || x.is_nan() || y.is_nan() {

@@ -1,8 +1,8 @@
 //! The square root, correctly rounded, by the hardware instruction where stable Rust can reach it.
 //!
-//! `libm` reaches the instruction on AArch64; not on 32-bit Arm, on WASM only with an unstable compiler, and on
-//! x86-64 in a way that keeps a loop from being vectorised. `unsafe` stands here alone, for that one
-//! instruction. All ways round correctly, so the bits are the same.
+//! `libm` reaches the instruction on AArch64, but not on 32-bit Arm, on WASM only with an unstable compiler, and on x86-64
+//! in a way that keeps loops from being vectorised. This is the only file with `unsafe`, for that one instruction. All
+//! ways round correctly, so the bits are the same.
 
 #[cfg(not(any(
     all(target_arch = "arm", target_abi = "eabihf"),
@@ -36,7 +36,7 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     f32::from_bits(bits)
 }
 
-/// Every x86-64 processor has SSE. The compiler reads the intrinsic as a square root like any other.
+/// Every x86-64 processor has SSE. The compiler treats the intrinsic as any other square root.
 #[cfg(target_arch = "x86_64")]
 #[allow(unsafe_code)]
 #[inline]
@@ -50,8 +50,8 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     }
 }
 
-/// The compiler knows the function of that name and puts the instruction in its place; where it did not, the function
-/// is the compiler's own, which every WASM program is linked with.
+/// The compiler replaces the function of this name by the instruction. If it did not, the program would call the
+/// function of compiler-builtins, which every WASM program links.
 #[cfg(target_arch = "wasm32")]
 #[allow(unsafe_code)]
 #[inline]

@@ -1,9 +1,9 @@
-//! Angles in turns: the exact reduction of a phase and the way back into its quadrant. Both tiers stand on this file.
+//! Angles in turns: the exact reduction of a phase to a quadrant, and the way back. Both tiers share this file.
 
 const SIGN: u32 = 0x8000_0000;
 
-/// Splits a phase in turns into quarter turns: their count, of which the last two bits hold, and the
-/// remainder `r` in turns with `|r| <= 1/8`. Nothing is rounded.
+/// Splits a phase in turns into quarter turns: their count, of which the last two bits are valid, and the remainder `r` in
+/// turns with `|r| <= 1/8`. Exact.
 #[inline]
 pub(crate) fn reduce_turns(t: f32) -> (u32, f32) {
     reduce_few_turns(if t.abs() < 1_048_576.0 {
@@ -16,14 +16,14 @@ pub(crate) fn reduce_turns(t: f32) -> (u32, f32) {
 /// The same for fewer than 2^20 turns either way.
 #[inline]
 pub(crate) fn reduce_few_turns(t: f32) -> (u32, f32) {
-    // Adding 1.5·2^21 leaves no bits below a quarter, and the count stands in the last bits.
+    // Adding 1.5·2^21 rounds to quarters, and leaves their count in the last bits.
     const ROUND: f32 = 3_145_728.0;
     let shifted = t + ROUND;
-    // One constant, not its negative too: ROUND - shifted is exact, and so is the sum.
+    // ROUND - shifted needs no second constant. It is exact, and so is the sum.
     (shifted.to_bits(), t + (ROUND - shifted))
 }
 
-/// A large phase less its whole turns; from 2^23 on all are whole, and so is what is not finite.
+/// A large phase less its whole turns. From 2^23 on all phases are whole; infinity and NaN count as whole.
 fn fraction(t: f32) -> f32 {
     const WHOLE: f32 = 8_388_608.0;
     let size = t.abs();
@@ -47,8 +47,7 @@ pub(crate) fn swap_quadrant(quadrant: u32, s: f32, c: f32) -> (f32, f32) {
     )
 }
 
-/// `(b, a)` where `when` holds, else `(a, b)`; by bits, since what depends on a random number is not to be
-/// predicted by a branch.
+/// `(b, a)` where `when` holds, else `(a, b)`; by bits, because no processor predicts a branch on a random number.
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
 #[inline]
 pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
@@ -60,8 +59,7 @@ pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
     )
 }
 
-/// The same on cores that do not predict, where moving both to the core registers and back costs more than a
-/// branch.
+/// The same on cores without branch prediction, where a branch costs less than a way through the core registers.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 #[inline]
 pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
@@ -71,15 +69,15 @@ pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
 /// `radius · (cos, sin)` of a reduced phase whose sine and cosine within its quadrant are given.
 #[inline]
 pub(crate) fn polar(radius: f32, quadrant: u32, s: f32, c: f32) -> (f32, f32) {
-    // The signs go to the radius, which a hardware root leaves in a core register anyway. Sine and cosine
-    // differ in sign where the quadrant is odd.
+    // The signs go to the radius, which a hardware root leaves in a core register anyway. The signs of sine and cosine
+    // differ where the quadrant is odd.
     let (s, c) = exchanged(quadrant & 1 == 1, s, c);
     let of_sine = quadrant.wrapping_shl(30) & SIGN;
     let of_cosine = of_sine ^ quadrant.wrapping_shl(31);
     let signed = |x: f32, sign: u32| f32::from_bits(x.to_bits() ^ sign);
     let y = signed(radius, of_sine) * s;
-    // On x86-64 the other goes to the product: two products alike would be paired into one of two-part vectors,
-    // whose shuffling takes longer than the rest.
+    // On x86-64 the other sign goes to the product. The compiler would pair two like products in a vector of two, whose
+    // shuffling takes longer than the rest.
     let x = if cfg!(target_arch = "x86_64") {
         signed(radius * c, of_cosine)
     } else {

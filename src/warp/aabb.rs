@@ -5,12 +5,23 @@ use crate::error::Error;
 use crate::num::{Scaled, remainder, two_product, two_sum};
 use crate::uniform::Canonical;
 
-/// Uniform on an axis-aligned box of any dimension: the bounding box of a region.
+/// Uniform in an axis-aligned box of any dimension, such as the bounding box of a region.
 ///
-/// - Uniforms: one a dimension. Words: as many.
-/// - Range: aᵢ ≤ xᵢ < bᵢ.
-/// - Density: the product of 1/(bᵢ − aᵢ), on the closed box.
-/// - Each coordinate is an [`Interval`]; the size is the largest bound.
+#[doc = include_str!("../pictures/aabb.html")]
+///
+/// # Density
+/// The product of 1/(bᵢ − aᵢ), on the closed box.
+///
+/// # Domain
+/// - Point: aᵢ ≤ xᵢ < bᵢ.
+/// - Uniforms: one a dimension.
+/// - Parameters: finite corners with aᵢ < bᵢ whose volume has a density that `f32` can hold.
+/// - Both tiers share this code.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows
+/// are relative errors of densities and absolute errors of uniforms. [What each row
+/// means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -20,18 +31,31 @@ use crate::uniform::Canonical;
 /// | inverse | 1.8e-7 | 1.8e-7 |
 /// | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r | 1.8e-7 + max(3.3, 3.9e-38/m)*r |
 ///
-/// n is the number of dimensions and m the size; the second term counts where it is subnormal, which it can be in one
-/// dimension. r is what 2⁻²⁴ of the size makes of the inverse.
+/// n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it
+/// can be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
 ///
-/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
+/// # Cost
+/// That of an [`Interval`](super::Interval) for each coordinate.
 ///
+/// # Examples
 /// ```
-/// use microwarp::{Aabb, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::Aabb};
 /// let room = Aabb::new([0.0, -1.0, 0.0], [4.0, 1.0, 2.0])?;
 /// assert_eq!(room.sample([0.25, 0.5, 0.75]), [1.0, 0.0, 1.5]);
 /// assert_eq!(room.pdf([1.0, 0.0, 1.5]), 1.0 / 16.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Interval`](super::Interval): one dimension, in either orientation.
+/// - [`rejection::Rejection`](crate::rejection::Rejection): a region inside a box.
+///
+/// # Source
+/// L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
+#[doc(alias = "box")]
+#[doc(alias = "cuboid")]
+#[doc(alias = "rectangle")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Aabb<const N: usize> {
@@ -43,14 +67,22 @@ impl<const N: usize> Aabb<N> {
     /// The box between two opposite corners, `low` and `high`.
     ///
     /// # Errors
-    /// Those of [`Interval::new`] for each side; [`Error::Empty`] or [`Error::TooLarge`] where the density
-    /// overflows `f32` or is below its smallest normal number.
-    pub fn new(low: [f32; N], high: [f32; N]) -> Result<Self, Error> {
-        let mut sides = [Interval::new(0.0, 1.0)?; N];
+    /// Those of [`Interval::new`] for each side. [`Error::Empty`] where the density overflows `f32`, [`Error::TooLarge`]
+    /// where it is below the smallest normal number.
+    pub const fn new(low: [f32; N], high: [f32; N]) -> Result<Self, Error> {
+        let mut sides = match Interval::new(0.0, 1.0) {
+            Ok(unit) => [unit; N],
+            Err(e) => return Err(e),
+        };
         // The product of the lengths is significand · 2^exponent · (1 + rest).
         let (mut significand, mut exponent, mut rest) = (1.0, 0_i32, 0.0);
-        for ((side, a), b) in sides.iter_mut().zip(low).zip(high) {
-            *side = Interval::new(a, b)?;
+        let mut left: (&mut [Interval], &[f32], &[f32]) = (&mut sides, &low, &high);
+        while let ([side, sides @ ..], [a, lows @ ..], [b, highs @ ..]) = left {
+            let (a, b) = (*a, *b);
+            *side = match Interval::new(a, b) {
+                Ok(side) => side,
+                Err(e) => return Err(e),
+            };
             let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
             let (length, rounded_off) = two_sum(b * scale, -a * scale);
             let (digits, power) = Scaled::of(length).over(Scaled::of(scale)).parts();
@@ -59,6 +91,7 @@ impl<const N: usize> Aabb<N> {
             let more;
             (significand, more) = Scaled::of(product).parts();
             exponent = exponent.wrapping_add(power).wrapping_add(more);
+            left = (sides, lows, highs);
         }
         let quotient = 1.0 / significand;
         let correction = remainder(1.0, quotient, significand) - rest;
@@ -72,6 +105,18 @@ impl<const N: usize> Aabb<N> {
         } else {
             Err(Error::TooLarge)
         }
+    }
+
+    /// The lower corner.
+    #[must_use]
+    pub fn low(&self) -> [f32; N] {
+        self.sides.map(|side| side.low())
+    }
+
+    /// The upper corner.
+    #[must_use]
+    pub fn high(&self) -> [f32; N] {
+        self.sides.map(|side| side.high())
     }
 }
 

@@ -1,71 +1,113 @@
-//! What a warp is: sample, density, drawing; and the inverse beside it.
+//! The traits of warps: sampling, density and drawing; and the inverse.
 
 use crate::uniform::{Canonical, Uniforms, infallible};
 use rand_core::{Rng, TryRng};
 
-/// A map from uniforms to a point, with the density of that point and the inverse map.
+/// A map from uniforms to a point, with the density of that point.
 ///
-/// The three belong together: `pdf(sample(u))` is the density with which `sample` realises the point,
-/// and `invert(sample(u))` is `u` again, both within the bounds stated at each warp.
+/// The two belong together: `pdf(sample(u))` is the density with which `sample` produces the point, within the bounds
+/// that each warp states. Every warp of this crate has an inverse too, by the trait [`Invert`].
 ///
-/// To write a warp of one's own, give the three types and the three required functions;
-/// [`Inversion`] does it from closures.
+/// # Drawing from a generator
+/// [`sample`](Warp::sample) takes uniforms. [`draw`](Warp::draw) takes a generator, and [`fill`](Warp::fill) fills a
+/// slice from one. Both accept every generator with the traits of `rand_core` 0.10; the page on generators,
+/// `docs/generators.md`, tells how to adapt others. [`try_draw`](Warp::try_draw) and [`try_fill`](Warp::try_fill) pass
+/// on the error of a generator that can fail.
 ///
 /// ```
 /// use microwarp::{Warp, poly as mw};
 /// use rand_pcg::Pcg32;
 ///
 /// let disk = mw::Disk::new();
-/// let point = disk.sample([0.25, 0.5]);        // from uniforms of one's own
-/// let again = disk.draw(&mut Pcg32::new(1, 1)); // from a generator
+/// let point = disk.sample([0.25, 0.5]); // from explicit uniforms
 /// assert!((disk.pdf(point) - 1.0 / core::f32::consts::PI).abs() < 1e-7);
-/// # let _ = again;
+///
+/// let mut rng = Pcg32::new(1, 1);
+/// let [x, y] = disk.draw(&mut rng); // from a generator
+/// assert!(x * x + y * y <= 1.0);
 /// ```
+///
+/// The crate does not depend on `rand`, so `rng.sample(warp)` does not compile. Where other code asks for rand's
+/// `Distribution`, wrap the warp:
+///
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// use rand_distr::Distribution; // the same as `rand::distr::Distribution`
+///
+/// struct Draw<W>(W);
+/// impl<W: Warp> Distribution<W::Point> for Draw<W> {
+///     fn sample<R: rand_core::Rng + ?Sized>(&self, rng: &mut R) -> W::Point { self.0.draw(rng) }
+/// }
+///
+/// let noise = Draw(mw::Normal::new(0.0, 1.0)?);
+/// let number: f32 = noise.sample(&mut rand_pcg::Pcg32::new(1, 1));
+/// assert!(number.abs() < 6.5);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+///
+/// # Your own warp
+/// Give the three types, [`sample_canonical`](Warp::sample_canonical) and [`pdf`](Warp::pdf); the rest follows. The
+/// inverse is a trait of its own, needed only where something asks for it. For a density on the line,
+/// [`Inversion`](crate::warp::Inversion) makes a warp from closures, and [`Transform`](crate::warp::Transform) puts a
+/// map after another warp.
+#[doc(alias = "distribution")]
+#[doc(alias = "sampler")]
+#[doc(alias = "rng")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a warp",
+    label = "a warp is expected here",
+    note = "a constructor returns a `Result`: take the warp out of it with `?`, or with `microwarp::constant!`"
+)]
 pub trait Warp {
-    /// The uniforms one sample takes; how many is part of the type.
+    /// The uniforms of one sample: an `f32`, or an array with one for each.
     type Uniforms: Uniforms;
     /// The point: `f32` on the line, `[f32; 2]` in the plane, `[f32; 3]` for directions.
     type Point: Copy;
     /// The type of a density, `f32` in the float tiers.
     type Density: Copy;
 
-    /// The point of uniforms that are known to lie in [0, 1).
+    /// The point of uniforms that are known to lie in [0, 1). This is what a warp defines; call
+    /// [`sample`](Warp::sample).
     #[must_use]
     fn sample_canonical(&self, u: Canonical<Self::Uniforms>) -> Self::Point;
 
-    /// The density at `x` with respect to length, area or solid angle; 0 outside the domain and for
-    /// NaN. Never 0 at a point that `sample` returned.
+    /// The density at `x`, per unit of length, of area or of solid angle (steradian).
+    ///
+    /// It is 0 outside the domain and for NaN, and never 0 at a point that `sample` returned.
     #[must_use]
     fn pdf(&self, x: Self::Point) -> Self::Density;
 
-    /// The point of any uniforms whatever: they are brought into [0, 1) by the rule of
-    /// [`Uniforms::canonical`] first.
+    /// The point of explicit uniforms. To draw from a generator, call [`draw`](Warp::draw).
+    ///
+    /// Uniforms outside [0, 1), and NaN, are brought into range first, by the rule of [`Uniforms::canonical`].
     #[must_use]
     #[inline]
     fn sample(&self, u: Self::Uniforms) -> Self::Point {
         self.sample_canonical(u.canonical())
     }
 
-    /// The point of the words that its uniforms are drawn from: what drawing gives, and filling.
+    /// The point of random words: what [`draw`](Warp::draw) and [`fill`](Warp::fill) make of a generator's words.
     ///
-    /// That is the sample of the grid's uniforms, unless the domain is open at an end or the density vanishes there.
-    /// Such a warp counts a word as the middle of the uniforms that it stands for, so that no draw lies beyond its share
-    /// of the tail.
+    /// That is the sample of the uniforms k·2⁻²⁴ that the words stand for, unless the domain is open at an end or the
+    /// density vanishes there. Such a warp takes a word as the middle of its cell of uniforms, so that no draw lies
+    /// beyond its share of the tail.
     #[must_use]
     #[inline]
     fn sample_words(&self, words: <Self::Uniforms as Uniforms>::Words) -> Self::Point {
         self.sample_canonical(Self::Uniforms::from_words(words))
     }
 
-    /// Draws one point: one `u32` of the generator for each uniform, unless the warp says otherwise.
+    /// Draws one point from a generator that can fail.
+    ///
+    /// A uniform takes one `u32` of the generator, unless the warp says otherwise.
     ///
     /// # Errors
-    /// The generator's own error; nothing is drawn then.
-    // x86-64 converts an integer into a part of a register and waits for what was there before, unless the
-    // compiler clears it, which it does in a loop and not in a function that it calls from one.
+    /// The generator's own error. Words drawn before it failed are lost.
+    // On x86-64 the conversion of an integer has a false dependency on the register's old value. The compiler breaks it
+    // in a loop, but not in a function that a loop calls.
     #[allow(
         clippy::inline_always,
-        reason = "as said above, on this processor alone"
+        reason = "breaks the false dependency, on x86-64 only"
     )]
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline)]
@@ -76,7 +118,18 @@ pub trait Warp {
         Ok(self.sample_words(Self::Uniforms::try_words(rng)?))
     }
 
-    /// Draws one point from a generator that cannot fail.
+    /// Draws one point from a generator, `warp.draw(&mut rng)`.
+    ///
+    /// A uniform takes one `u32` of the generator, unless the warp says otherwise.
+    ///
+    /// ```
+    /// use microwarp::{Warp, poly as mw};
+    /// let mut rng = rand_pcg::Pcg32::new(42, 54);
+    /// let noise = mw::Normal::new(20.0, 0.5)?;
+    /// let reading: f32 = noise.draw(&mut rng);
+    /// assert!((reading - 20.0).abs() < 3.2);
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
     #[inline]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Self::Point
     where
@@ -85,11 +138,10 @@ pub trait Warp {
         infallible(self.try_draw(rng))
     }
 
-    /// Fills a slice with points, in order.
+    /// Fills a slice with points from a generator that can fail, in order.
     ///
     /// # Errors
-    /// The generator's own error; the points before the failing one are in place, the rest of the
-    /// slice is untouched.
+    /// The generator's own error. The points before the failing one are in place, the rest of the slice is untouched.
     #[inline]
     fn try_fill<R: TryRng + ?Sized>(
         &self,
@@ -102,7 +154,8 @@ pub trait Warp {
         one_by_one(self, rng, points)
     }
 
-    /// Fills a slice with points from a generator that cannot fail.
+    /// Fills a slice with points from a generator, in order: the points that as many calls of [`draw`](Warp::draw)
+    /// would give, several at a time where the processor has vectors.
     #[inline]
     fn fill<R: Rng + ?Sized>(&self, rng: &mut R, points: &mut [Self::Point])
     where
@@ -114,16 +167,27 @@ pub trait Warp {
 
 /// The inverse of a warp: the uniforms of a point.
 ///
-/// Every warp of this crate has one. A warp of yours needs it only where something asks for it, such as the `invert`
-/// of a [`Transform`](crate::warp::Transform) around it.
+/// `invert(sample(u))` is `u` again, within the bounds that each warp states. A Markov chain in the unit cube or a table
+/// of strata finds the uniforms of a given point by it. Every warp of this crate has one. Your own warp needs one only
+/// where something asks for it, such as the `invert` of a [`Transform`](crate::warp::Transform) around it.
+///
+/// ```
+/// use microwarp::{Invert, Warp, poly as mw};
+/// let disk = mw::Disk::new();
+/// assert_eq!(disk.invert(disk.sample([0.25, 0.5])), [0.25, 0.5]);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no inverse",
+    label = "a warp that can be inverted is expected here",
+    note = "`invert` is a trait of its own: implement `microwarp::Invert` beside `microwarp::Warp`"
+)]
 pub trait Invert: Warp {
-    /// The uniforms in [0, 1) whose sample is `x`. For a point outside the domain, the uniforms of some
-    /// point inside it.
+    /// The uniforms in [0, 1) whose sample is `x`. Outside the domain, the uniforms of some point inside it.
     #[must_use]
     fn invert(&self, x: Self::Point) -> Self::Uniforms;
 }
 
-/// [`Warp::try_fill`] as it is provided.
+/// The default of [`Warp::try_fill`].
 #[inline]
 pub(crate) fn one_by_one<W: Warp, R: TryRng + ?Sized>(
     warp: &W,
@@ -136,7 +200,7 @@ pub(crate) fn one_by_one<W: Warp, R: TryRng + ?Sized>(
     Ok(())
 }
 
-/// A reference to a warp is a warp, so that compositions can borrow.
+/// A reference to a warp is a warp, so that compositions can borrow one.
 impl<W: Warp> Warp for &W {
     type Uniforms = W::Uniforms;
     type Point = W::Point;

@@ -1,9 +1,9 @@
-//! What the warps over directions share: building a direction and reading one without cancellation.
+//! Directions from angles and angles from directions, without cancellation: shared by the warps over directions.
 
 use crate::num::into_unit;
 use crate::tier::Tier;
 
-/// 2⁻¹⁰⁰: a 1 − cos θ below it may have lost digits where it is a product, and is half of sin²θ.
+/// 2⁻¹⁰⁰. Below it 1 − cos θ equals sin²θ/2, and may have lost digits if it is a product.
 pub(crate) const DEEP: f32 = 7.888_609e-31;
 
 /// The direction with the given sine and cosine of its polar angle, `turn` turns about the axis.
@@ -15,8 +15,8 @@ pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32, to: &mut [f32; 3]) 
 
 /// The direction with the given 1 − cos θ and 1 + cos θ, `turn` turns about the axis.
 ///
-/// Of the two the smaller holds the digits; the larger is taken as 2 minus it, so that sine and cosine are
-/// those of one angle.
+/// The smaller of the two holds the digits. The larger is taken as 2 minus the smaller, so that sine and cosine belong
+/// to one angle.
 #[inline]
 pub(crate) fn between_poles<T: Tier>(down: f32, up: f32, turn: f32, to: &mut [f32; 3]) {
     let (small, cos) = if down < 1.0 {
@@ -27,7 +27,7 @@ pub(crate) fn between_poles<T: Tier>(down: f32, up: f32, turn: f32, to: &mut [f3
     around::<T>(T::sqrt(small * (2.0 - small)), cos, turn, to);
 }
 
-/// 1 − cos θ of a direction, from x and y where z has rounded away what they still hold.
+/// 1 − cos θ of a direction: from x and y near +z, where z has lost the digits.
 #[inline]
 pub(crate) fn one_minus_cos(direction: [f32; 3]) -> f32 {
     let [x, y, z] = direction;
@@ -45,7 +45,7 @@ pub(crate) fn azimuth<T: Tier>(x: f32, y: f32) -> f32 {
     into_unit(if turns < 0.0 { turns + 1.0 } else { turns })
 }
 
-/// Whether all three numbers are numbers.
+/// Whether all three coordinates are finite.
 #[inline]
 pub(crate) fn is_direction(direction: [f32; 3]) -> bool {
     let [x, y, z] = direction;

@@ -8,17 +8,27 @@ use crate::uniform::{Canonical, LARGEST};
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
-/// The largest radius either map uses, one step below 1: far enough inside that the rounding of sine,
-/// cosine and the products carries no point over the rim (`tests/laws` walks all of it).
+/// The largest radius of either map, one step below 1. Rounding of sine, cosine and the products carries no point over
+/// the rim (`tests/laws` tries all of it).
 const RIM: f32 = LARGEST;
 
 /// Uniform on the unit disk, by polar coordinates.
 ///
 /// r = √u₁, θ = u₂ turns.
 ///
-/// - Uniforms: two, radius then angle. Both 0 give the centre.
-/// - Range: x² + y² ≤ 1, always.
-/// - Density: 1/π per unit area.
+#[doc = include_str!("../pictures/disk.html")]
+///
+/// # Density
+/// 1/π per unit area where x² + y² ≤ 1, else 0.
+///
+/// # Domain
+/// - Point: x² + y² ≤ 1, always.
+/// - Uniforms: two, radius and angle. Two zeros give the centre.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
+/// relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+/// means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -28,16 +38,35 @@ const RIM: f32 = LARGEST;
 /// | inverse | 8.4e-8 | 8.2e-8 |
 /// | round trip | 2.7e-7 | 3.3e-7 |
 ///
-/// The sample error is proven for every pair of uniforms: see `docs/proofs.md`.
+/// The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
 ///
-/// Source: P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
+/// # Cost
+/// <!-- generated: cost Disk -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 78 on a Cortex-M4F (352 bytes), 3,246 on a Cortex-M0, 132 as WASM.
+/// - `libm`: 2,187 on a Cortex-M4F (6,664 bytes), 7,556 on a Cortex-M0, 177 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let disk = mw::Disk::new();
 /// assert_eq!(disk.sample([0.25, 0.5]), [-0.5, 0.0]);
 /// assert_eq!(disk.invert([-0.5, 0.0]), [0.25, 0.5]);
 /// ```
+///
+/// # See also
+/// - [`DiskConcentric`](super::DiskConcentric) keeps strata compact: take it with stratified or low-discrepancy
+///   uniforms.
+/// - [`rejection::DiskRejection`](crate::rejection::DiskRejection) needs no sine and no root, but no fixed number
+///   of uniforms either.
+///
+/// # Source
+/// P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
+#[doc(alias = "circle")]
+#[doc(alias = "lens")]
+#[doc(alias = "polar")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Disk<T>(PhantomData<T>);
@@ -82,15 +111,25 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
     if x * x + y * y <= 1.0 { FRAC_1_PI } else { 0.0 }
 }
 
-/// Uniform on the unit disk, by Shirley's concentric map.
+/// Uniform on the unit disk, by Shirley and Chiu's concentric map.
 ///
-/// Squares about the centre of the unit square become circles about the centre of the disk: neighbours
-/// stay neighbours and strata stay compact, which the polar map does not give. With a = 2u₁ − 1,
-/// b = 2u₂ − 1, the larger in magnitude is the radius and the quotient of the two the angle in its wedge.
+/// Squares about the centre of the unit square become circles about the centre of the disk. Neighbours stay
+/// neighbours and strata stay compact, unlike with the polar map. With a = 2u₁ − 1 and b = 2u₂ − 1, the larger in
+/// magnitude is the radius, and their quotient is the angle within its wedge.
 ///
+#[doc = include_str!("../pictures/disk_concentric.html")]
+///
+/// # Density
+/// 1/π per unit area where x² + y² ≤ 1, else 0.
+///
+/// # Domain
+/// - Point: x² + y² ≤ 1, always.
 /// - Uniforms: two. (½, ½) gives the centre.
-/// - Range: x² + y² ≤ 1, always.
-/// - Density: 1/π per unit area.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
+/// relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+/// means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -100,17 +139,35 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// | inverse | 1.3e-7 | 9.7e-8 |
 /// | round trip | 1.6e-7 | 1.6e-7 |
 ///
-/// The sample error is proven for every pair of uniforms: see `docs/proofs.md`.
+/// The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
 ///
-/// Source: P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics
-/// Tools, 1997.
+/// # Cost
+/// <!-- generated: cost DiskConcentric -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 113 on a Cortex-M4F (532 bytes), 3,640 on a Cortex-M0, 216 as WASM.
+/// - `libm`: 2,217 on a Cortex-M4F (6,832 bytes), 7,950 on a Cortex-M0, 264 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let disk = mw::DiskConcentric::new();
 /// assert_eq!(disk.sample([0.5, 0.5]), [0.0, 0.0]);
 /// assert_eq!(disk.sample([0.75, 0.5]), [0.5, 0.0]);
 /// ```
+///
+/// # See also
+/// - [`Disk`](super::Disk) costs less: take it with independent random uniforms.
+/// - [`MalleyHemisphere`](super::MalleyHemisphere) lifts this disk onto the hemisphere.
+///
+/// # Source
+/// P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools, 1997,
+/// <https://doi.org/10.1080/10867651.1997.10487479>.
+#[doc(alias = "concentric")]
+#[doc(alias = "shirley")]
+#[doc(alias = "circle")]
+#[doc(alias = "lens")]
+#[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskConcentric<T>(PhantomData<T>);
@@ -123,7 +180,7 @@ impl<T: Tier> DiskConcentric<T> {
     }
 }
 
-/// The concentric map. The hemisphere of Malley's method stands on it.
+/// The concentric map, which Malley's hemisphere uses too.
 #[inline]
 pub(crate) fn concentric<T: Tier>(u: [f32; 2]) -> [f32; 2] {
     let [a, b] = u.map(|u| 2.0 * u - 1.0);
@@ -132,8 +189,8 @@ pub(crate) fn concentric<T: Tier>(u: [f32; 2]) -> [f32; 2] {
     if radius == 0.0 {
         return [0.0, 0.0];
     }
-    // At most an eighth of a turn from the axis of its wedge, so that the angle keeps its digits; the
-    // other axis is reached by exchanging sine and cosine.
+    // The angle is at most an eighth of a turn from the axis of its wedge, so that it keeps its digits. Exchanging sine
+    // and cosine reaches the other axis.
     let (x, y) = T::polar(clamp(radius, -RIM, RIM), 0.125 * (across / radius));
     let (x, y) = exchanged(!wide, x, y);
     [x, y]

@@ -1,11 +1,11 @@
-//! Filling a slice with several points at a time, where processors have vectors.
+//! Filling a slice several points at a time, for processors with vectors.
 
 use super::Warp;
 use crate::uniform::Uniforms;
 use rand_core::TryRng;
 
-/// [`Warp::try_fill`] of a warp whose `try_draw` is the one provided. Where the condition fails, points are drawn one
-/// by one: a tier whose functions no compiler turns into vectors gains nothing. `by` names another way to fill blocks.
+/// [`Warp::try_fill`] in blocks, for a warp with the default `try_draw`. Where the condition fails, points are drawn one
+/// by one: a tier whose functions no compiler vectorises gains nothing. `by` names another way to fill blocks.
 macro_rules! filled_in_blocks {
     ($(where $vectors:expr)?) => {
         $crate::warp::filled_in_blocks!(by $crate::warp::fill::in_blocks $(, where $vectors)?);
@@ -26,8 +26,8 @@ macro_rules! filled_in_blocks {
 }
 pub(crate) use filled_in_blocks;
 
-/// How many points are worked out together: few, so that the words of the next are drawn meanwhile. One where
-/// processors have no vectors, and a loop over several would only cost memory.
+/// How many points are computed together: few, so that the processor draws the next words meanwhile. One for processors
+/// without vectors, where a block would only cost memory.
 pub(super) const BLOCK: usize = if cfg!(any(
     target_arch = "x86_64",
     target_arch = "aarch64",
@@ -38,7 +38,7 @@ pub(super) const BLOCK: usize = if cfg!(any(
     1
 };
 
-/// Draws the words of a block before it makes its points, so that no point waits for a generator and the compiler
+/// Draws the words of a block before it computes the points, so that no point waits for the generator and the compiler
 /// sees that they are independent.
 #[inline]
 pub(super) fn in_blocks<W: Warp, R: TryRng + ?Sized>(

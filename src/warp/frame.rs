@@ -7,24 +7,35 @@ use crate::tier::sqrt;
 use crate::uniform::{Canonical, Uniforms};
 use rand_core::TryRng;
 
-/// A right-handed orthonormal frame whose third axis is a given normal, without a singular normal.
+/// A right-handed orthonormal frame whose third axis is a given normal.
 ///
-/// - Domain: any normal of finite, non-zero length, −z included.
+/// # Domain
+/// - Parameters: a normal of any finite length but 0. No direction is singular, −z included.
 /// - Both tiers share this code.
-/// - Errors, whatever the normal: each axis has length 1 to 1.0e-7, two of them are orthogonal to 2.4e-7
-///   rad, and the third is the direction of the normal to 1.2e-7 rad. Turned into the world, a direction is
-///   off by 3.0e-7, its length by 2.4e-7; turned there and back, by 4.5e-7.
 ///
-/// Source: T. Duff and others, "Building an Orthonormal Basis, Revisited", Journal of Computer Graphics
-/// Techniques, 2017.
+/// # Accuracy
+/// Whatever the normal, each axis has length 1 to 1.0e-7, two axes are orthogonal to 2.4e-7 rad, and the third is
+/// the direction of the normal to 1.2e-7 rad. A direction turned into the world is off by 3.0e-7, and its length by
+/// 2.4e-7. Turned there and back, a direction is off by 4.5e-7.
 ///
+/// # Examples
 /// ```
-/// use microwarp::Frame;
+/// use microwarp::warp::Frame;
 /// let frame = Frame::new([0.0, 2.0, 0.0])?;
 /// assert_eq!(frame.to_world([0.0, 0.0, 1.0]), [0.0, 1.0, 0.0]);
 /// assert_eq!(frame.to_local([0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Oriented`](super::Oriented) turns a whole warp.
+///
+/// # Source
+/// T. Duff and others, "Building an Orthonormal Basis, Revisited", Journal of Computer Graphics Techniques, 2017,
+/// <https://jcgt.org/published/0006/01/01/>.
+#[doc(alias = "onb")]
+#[doc(alias = "orthonormal_basis")]
+#[doc(alias = "tangent_space")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame {
@@ -40,9 +51,9 @@ impl Frame {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::ZeroLength`] for a normal of length 0.
     pub fn new(normal: [f32; 3]) -> Result<Self, Error> {
         let [x, y, z] = normalised(normal)?;
-        // The axes are orthogonal as far as the normal has unit length: one step of Newton's method mends it.
+        // The axes are as orthogonal as the length of the normal is 1: one step of Newton's method corrects it.
         let excess = (z * z - 1.0) + (x * x + y * y);
-        // Before that, since the step leaves no sign of a zero.
+        // Before the step, which loses the sign of a zero.
         let sign = 1.0_f32.copysign(z);
         let normal = [x, y, z].map(|c| c - c * (0.5 * excess));
         let [x, y, z] = normal;
@@ -91,17 +102,27 @@ impl Frame {
     }
 }
 
-/// A warp over directions turned onto a normal: sampled about it, read back in its frame.
+/// A warp over directions, turned from +z onto a given normal.
 ///
-/// - Uniforms and density: those of the inner warp; a rotation changes no solid angle.
-/// - Range: the inner warp's directions, turned.
-/// - A world direction holds a lobe narrower than about 3e-4 rad only to the rounding of its coordinates
-///   (6e-8 rad); sample such lobes in their own frame where more is needed. For the same reason a direction
-///   up to 3e-7 rad beyond the rim of the domain has the density of the rim. At the sides of a turned
-///   [`SphericalPatch`](super::SphericalPatch) next to its pole even that may be too little, and a sample
-///   may read as density 0 there.
+#[doc = include_str!("../pictures/oriented.html")]
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+/// # Density
+/// That of the warp inside: a rotation changes no solid angle.
+///
+/// # Domain
+/// - Point: the directions of the warp inside, turned.
+/// - Uniforms: those of the warp inside.
+///
+/// A world direction holds a lobe narrower than about 3e-4 rad only to the rounding of its coordinates (6e-8 rad).
+/// Sample such lobes in their own frame where you need more. For the same reason a direction up to 3e-7 rad beyond
+/// the rim of the domain has the density of the rim. At the sides of a turned
+/// [`SphericalPatch`](super::SphericalPatch) next to its pole even that may be too little, and a sample may have
+/// density 0 there.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
+/// units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
+/// absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -112,18 +133,32 @@ impl Frame {
 /// | inverse | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
 /// | round trip | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
 ///
-/// These hold for every normal, over the hemispheres, cones of any width and lobes of n from 1 to 1e8; not over
-/// lobes above that, whose density in world coordinates may be wrong altogether, nor below, next to the horizon.
-/// s is by how much the density changes, relatively, and r by how much the uniforms do, when each coordinate of the
-/// direction moves by 2⁻²⁴.
+/// These hold for every normal, over the hemispheres, over cones of any width and over lobes of n from 1 to 1e8.
+/// They do not hold for lobes above that, whose density in world coordinates may be wrong altogether, nor for lobes
+/// of n < 1 next to the horizon. s and r are the relative change of the density and the change of the uniforms when
+/// each coordinate of the direction moves by 2⁻²⁴.
 ///
+/// # Cost
+/// That of the warp inside, and of a product of a matrix and a vector.
+///
+/// # Examples
 /// ```
-/// use microwarp::{Frame, Oriented, Invert, Warp, poly as mw};
+/// use microwarp::{Invert, Warp, poly as mw, warp::{Frame, Oriented}};
 /// let wall = Oriented::new(mw::CosineHemisphere::new(), Frame::new([-1.0, 0.0, 0.0])?);
 /// let [x, _, _] = wall.sample([0.3, 0.8]);
 /// assert!(x < 0.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Frame`](super::Frame): the rotation alone.
+/// - [`Transform`](super::Transform): any one-to-one map.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
+/// <https://pbr-book.org/3ed-2018/contents>.
+#[doc(alias = "to_world")]
+#[doc(alias = "local_to_world")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Oriented<W> {
@@ -136,6 +171,18 @@ impl<W> Oriented<W> {
     #[must_use]
     pub const fn new(warp: W, frame: Frame) -> Self {
         Self { warp, frame }
+    }
+
+    /// The warp inside.
+    #[must_use]
+    pub const fn warp(&self) -> &W {
+        &self.warp
+    }
+
+    /// The frame.
+    #[must_use]
+    pub const fn frame(&self) -> Frame {
+        self.frame
     }
 }
 

@@ -9,19 +9,30 @@ use crate::tier::Tier;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
-/// The phase function of Henyey and Greenstein: where light goes that fog, clouds, skin or dust scatter.
+/// The phase function of Henyey and Greenstein: where fog, clouds, skin or dust scatter light.
 ///
 /// Directions are local, about +z, the direction in which the light travels. The asymmetry g is the mean of cos θ:
-/// g > 0 favours +z, g < 0 sends the light back, and g = 0 is the uniform sphere. With h = |g|, w = 1 − u₁ for g ≥ 0 and
-/// w = u₁ below, c = (1 − h) + 2hw, 1 − cos θ is 2u₁((1 − g)/c)²(1 + hw) and 1 + cos θ is
-/// 2(1 − u₁)((1 + g)/c)²((1 − h) + hw); for g < 0 the two sums change places. Nothing is divided by g and both poles
-/// keep their digits, so that neither g = 1e-30 nor g = 1 − 2⁻²⁴ needs a case of its own.
+/// g > 0 favours +z, g < 0 sends the light back, and g = 0 is the uniform sphere. With h = |g|, w = 1 − u₁ for g ≥
+/// 0 and w = u₁ below, c = (1 − h) + 2hw, 1 − cos θ is 2u₁((1 − g)/c)²(1 + hw) and 1 + cos θ is 2(1 − u₁)((1 +
+/// g)/c)²((1 − h) + hw); for g < 0 the two sums change places. Nothing is divided by g and both poles keep their
+/// digits, so that neither g = 1e-30 nor g = 1 − 2⁻²⁴ is a special case.
 ///
-/// - Uniforms: two, polar then azimuth; +z is at u₁ = 0.
-/// - Range: unit vectors. For |g| near 1 most of them have z = ±1, and all the information is in x and y, which `pdf`
-///   and `invert` read there.
-/// - Density: (1 − g²)/(4πS³) per steradian, for any finite direction, where S = √(1 + g² − 2g cos θ) is the distance
-///   between the direction and the point g of the axis. It is carried as S² = (1 − h)² + 2h(1 ∓ cos θ).
+#[doc = include_str!("../pictures/henyey_greenstein.html")]
+///
+/// # Density
+/// (1 − g²)/(4πS³) per steradian for any finite direction, where S = √(1 + g² − 2g cos θ) is the distance from the
+/// direction to the point g of the axis. The code works with S² = (1 − h)² + 2h(1 ∓ cos θ).
+///
+/// # Domain
+/// - Point: unit vectors. For |g| near 1 most of them have z = ±1, and x and y hold all the information, which
+///   `pdf` and `invert` use.
+/// - Uniforms: two, for the polar angle and the azimuth. +z is at u₁ = 0.
+/// - Parameters: g in (−1, 1).
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
+/// units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
+/// absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -33,13 +44,17 @@ use core::marker::PhantomData;
 /// | inverse | 3.6e-7 | 3.6e-7 |
 /// | round trip | 3.6e-7 | 3.6e-7 |
 ///
-/// These hold for every g. They count from the `f32` that g is: near 1 the rounding of g itself, up to 3e-8, changes
-/// the width of the peak, 1 − |g|.
+/// These hold for every g. They count from the `f32` that g is: near 1 the rounding of g itself, up to 3e-8,
+/// changes the width of the peak, 1 − |g|.
 ///
-/// Source: L. G. Henyey and J. L. Greenstein, "Diffuse Radiation in the Galaxy", 1941,
-/// <https://doi.org/10.1086/144246>; its inverse cdf as in M. Pharr, W. Jakob and G. Humphreys, "Physically Based
-/// Rendering", 2023, rearranged here.
+/// # Cost
+/// <!-- generated: cost HenyeyGreenstein -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 109 on a Cortex-M4F (600 bytes), 5,267 on a Cortex-M0, 193 as WASM.
+/// - `libm`: 2,215 on a Cortex-M4F (6,936 bytes), 9,581 on a Cortex-M0, 238 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let fog = mw::HenyeyGreenstein::new(0.9)?;
@@ -48,6 +63,21 @@ use core::marker::PhantomData;
 /// assert!(fog.pdf([0.0, 0.0, 1.0]) > 6000.0 * fog.pdf([0.0, 0.0, -1.0]));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Sphere`](super::Sphere): isotropic scattering, g = 0, at a lower cost.
+/// - [`Oriented`](super::Oriented) turns it onto the direction of travel.
+/// - [`TruncatedExponential`](super::TruncatedExponential), [`Exponential`](super::Exponential): how far the light
+///   goes.
+///
+/// # Source
+/// L. G. Henyey and J. L. Greenstein, "Diffuse Radiation in the Galaxy", 1941, <https://doi.org/10.1086/144246>.
+/// The inverse CDF is that of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", fourth edition,
+/// 2023, <https://pbr-book.org/4ed/Volume_Scattering/Phase_Functions>, rearranged here.
+#[doc(alias = "phase_function")]
+#[doc(alias = "scattering")]
+#[doc(alias = "anisotropy")]
+#[doc(alias = "hg")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HenyeyGreenstein<T> {
@@ -63,31 +93,31 @@ pub struct HenyeyGreenstein<T> {
     tier: PhantomData<T>,
 }
 
-/// 1/(4π) and what its `f32` lacks; worked out by the compiler, no double reaches the target.
+/// 1/(4π) and the rounding error of its `f32`. The compiler computes them: no double reaches the target.
 const QUARTER: f32 = 0.25 * FRAC_1_PI;
 const QUARTER_REST: f32 = (0.25 * core::f64::consts::FRAC_1_PI - QUARTER as f64) as f32;
 
-/// A sum of two over a divisor, and what the quotient lacks.
+/// A sum of two over a divisor, and the rounding error of the quotient.
 const fn quotient((a, rest): (f32, f32), divisor: f32) -> (f32, f32) {
     let quotient = a / divisor;
     let lost = (remainder(a, quotient, divisor) + rest) / divisor;
     (quotient, lost)
 }
 
-/// The same, rounded once and a little more.
+/// The same, with the error added.
 const fn over(sum: (f32, f32), divisor: f32) -> f32 {
     let (quotient, lost) = quotient(sum, divisor);
     quotient + lost
 }
 
-/// 2h, or 2⁻²⁹ where h is smaller and changes no digit of a density.
+/// 2h, or 2⁻²⁹ where h is so small that it changes no digit of a density.
 const fn twice(g: f32) -> f32 {
     const FLAT: f32 = 9.313_226e-10;
     let h = g.abs();
     2.0 * if h > FLAT { h } else { FLAT }
 }
 
-/// (1 + x)² and what it lacks.
+/// (1 + x)² and its rounding error.
 const fn square_of_one_plus(x: f32) -> (f32, f32) {
     let (sum, rest) = two_sum(1.0, x);
     let (square, dropped) = two_product(sum, sum);
@@ -105,7 +135,7 @@ const fn norm_squared(g: f32, scale: f32) -> f32 {
     over((square, dropped + 2.0 * n * short), scale) * (UNIT * UNIT * UNIT)
 }
 
-/// 2¹²: what keeps a cube in the range of `f32`.
+/// 2¹², which keeps a cube in the range of `f32`.
 const UNIT: f32 = 4096.0;
 
 impl<T: Tier> HenyeyGreenstein<T> {
@@ -140,7 +170,7 @@ impl<T: Tier> HenyeyGreenstein<T> {
         self.g
     }
 
-    /// 1 − the cosine of the angle to the peak, at most 2 whatever the direction.
+    /// 1 − cos of the angle to the peak, at most 2 for any direction.
     #[inline]
     fn off_peak(self, [x, y, z]: [f32; 3]) -> f32 {
         let off = one_minus_cos([x, y, if self.g < 0.0 { -z } else { z }]);
@@ -161,7 +191,7 @@ impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
         let rise = h * w;
         let c = least + 2.0 * rise;
         let square = 0.5 * (c * c);
-        // 1 - cos θ and 1 + cos θ are these over c²/2; only the smaller is worked out.
+        // 1 - cos θ and 1 + cos θ are these over c²/2. Only the smaller is computed.
         let slope = self.ahead * (from_down + rise);
         let (down, up) = (u1 * slope, v * (self.behind * (from_up + rise)));
         let (sin, cos) = if down >= DEEP {
@@ -170,7 +200,7 @@ impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
             let sin = T::sqrt(small * (2.0 - small));
             (sin, if down <= up { cos } else { -cos })
         } else {
-            // sin²θ may be below the range of `f32`, its factors' roots are not.
+            // sin²θ may underflow `f32`; the roots of its factors do not.
             (T::sqrt(u1) * T::sqrt(2.0 * slope / square), 1.0)
         };
         around::<T>(sin, cos, u2, to);
@@ -183,7 +213,7 @@ impl<T: Tier> Warp for HenyeyGreenstein<T> {
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         if is_direction(direction) {
-            // The root halves the errors of what is under it.
+            // The root halves relative errors.
             let part = UNIT * (self.width + self.off_peak(direction));
             T::sqrt(self.norm / (part * part * part))
         } else {

@@ -8,15 +8,25 @@ use crate::uniform::Canonical;
 
 /// Uniform on an interval [a, b).
 ///
-/// [`Interval::new`] runs from `a` at u = 0 up to, never reaching, `b`; [`Interval::decreasing`] runs
-/// from `b` at u = 0 down to, never reaching, `a`. Neither ever turns back, whatever the bounds. A width that
-/// overflows `f32` is no obstacle.
+/// [`Interval::new`] runs from `a` at u = 0 up to, never reaching, `b`. [`Interval::decreasing`] runs from `b` at u
+/// = 0 down to, never reaching, `a`. Neither ever turns back, whatever the bounds. Where `f32` has fewer points
+/// than there are uniforms, each point has its share of them, to within three.
 ///
+#[doc = include_str!("../pictures/interval.html")]
+///
+/// # Density
+/// 1/(b − a) on [a, b], else 0.
+///
+/// # Domain
+/// - Point: [a, b), or (a, b] where it decreases.
 /// - Uniforms: one.
-/// - Density: 1/(b − a) on [a, b].
-/// - Where `f32` has fewer points than there are uniforms, each point has its share of them, to within three.
-/// - Errors of `sample` are in ulp of the larger bound; the figures hold in both tiers, which
-///   share this code. On the 24-bit grid they are below 1.5, and up to 1.13 where the bounds differ in sign.
+/// - Parameters: finite a < b. The width may overflow `f32`.
+/// - Both tiers share this code.
+///
+/// # Accuracy
+/// *Sample* counts units in the last place (ulp) of the larger bound, the scale. *Pdf* and *realised density* are
+/// relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
+/// means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -26,10 +36,17 @@ use crate::uniform::Canonical;
 /// | inverse | 1.8e-7 | 1.8e-7 |
 /// | round trip | 1.8e-7 + 1.63*r | 1.8e-7 + 1.63*r |
 ///
-/// r is what one ulp of the larger bound makes of the inverse.
+/// r is the change of the inverse when x moves by one ulp of the larger bound. On the 24-bit grid, samples are
+/// within 1.5 ulp, or 1.13 where the bounds differ in sign.
 ///
-/// Source: F. Goualard, "Drawing Random Floating-Point Numbers from an Interval", 2022.
+/// # Cost
+/// <!-- generated: cost Interval -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 35 on a Cortex-M4F (148 bytes), 762 on a Cortex-M0, 42 as WASM.
+/// - `libm`: 35 on a Cortex-M4F (164 bytes), 806 on a Cortex-M0, 47 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let angle = mw::Interval::new(-3.0, 5.0)?;
@@ -38,12 +55,23 @@ use crate::uniform::Canonical;
 /// assert_eq!(angle.invert(-1.0), 0.25);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Aabb`](super::Aabb): any dimension.
+/// - [`PiecewiseConstant1d`](crate::discrete::PiecewiseConstant1d): a histogram.
+///
+/// # Source
+/// F. Goualard, "Drawing Random Floating-Point Numbers from an Interval", ACM Transactions on Modeling and Computer
+/// Simulation, 2022, <https://doi.org/10.1145/3503512>.
+#[doc(alias = "uniform")]
+#[doc(alias = "range")]
+#[doc(alias = "gen_range")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Interval {
     segment: Segment,
     end: f32,
-    /// The value next to `end` inside the interval, for samples that round to `end`.
+    /// The neighbour of `end` inside the interval, in place of samples that round to `end`.
     last: f32,
     density: f32,
 }
@@ -69,7 +97,7 @@ impl Interval {
     /// Uniform on (a, b], decreasing with the uniform: b at u = 0.
     ///
     /// # Errors
-    /// As [`Interval::new`].
+    /// The errors of [`Interval::new`].
     pub const fn decreasing(a: f32, b: f32) -> Result<Self, Error> {
         match Self::density_on(a, b) {
             Ok(density) => Ok(Self {
@@ -80,6 +108,20 @@ impl Interval {
             }),
             Err(e) => Err(e),
         }
+    }
+
+    /// The lower bound.
+    #[must_use]
+    pub const fn low(&self) -> f32 {
+        let (start, end) = (self.segment.start(), self.end);
+        if start < end { start } else { end }
+    }
+
+    /// The upper bound.
+    #[must_use]
+    pub const fn high(&self) -> f32 {
+        let (start, end) = (self.segment.start(), self.end);
+        if start < end { end } else { start }
     }
 
     const fn density_on(a: f32, b: f32) -> Result<f32, Error> {
@@ -104,7 +146,7 @@ impl Warp for Interval {
     #[inline]
     #[expect(
         clippy::float_cmp,
-        reason = "samples that are the end itself, no others"
+        reason = "only samples equal to the end are replaced"
     )]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let x = self.segment.at(u.get());
@@ -124,7 +166,7 @@ impl Warp for Interval {
 impl Invert for Interval {
     #[inline]
     fn invert(&self, x: f32) -> f32 {
-        // Halves where the density is subnormal: the width itself could overflow.
+        // Halved where the density is subnormal, since the width could overflow.
         let s = if self.density < f32::MIN_POSITIVE {
             0.5
         } else {

@@ -10,13 +10,23 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 
 /// Linear on [0, 1): density ∝ (1 − x)a + xb.
 ///
-/// x = u(a + b)/(a + √((1 − u)a² + ub²)), which stays accurate where a and b are nearly equal, and one step of
-/// Newton's method in higher precision. Increasing with the uniform, whatever the densities.
+/// x = u(a + b)/(a + √((1 − u)a² + ub²)), which stays accurate where a and b are nearly equal, followed by one step
+/// of Newton's method in higher precision. Samples increase with the uniform, whatever the densities.
 ///
+#[doc = include_str!("../pictures/linear.html")]
+///
+/// # Density
+/// 2((1 − x)a + xb)/(a + b) on [0, 1], else 0.
+///
+/// # Domain
+/// - Point: [0, 1); (0, 1) where a is 0.
 /// - Uniforms: one.
-/// - Range: [0, 1); where a is 0, (0, 1).
-/// - Density: 2((1 − x)a + xb)/(a + b) on [0, 1].
-/// - Both tiers share this code: it needs nothing but a square root.
+/// - Parameters: finite a and b, neither negative nor both 0.
+/// - Both tiers share this code. It needs nothing but a square root.
+///
+/// # Accuracy
+/// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
+/// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -26,11 +36,17 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 /// | inverse | 3e-7 | 3e-7 |
 /// | round trip | 3e-7 + 0.76*r | 3e-7 + 0.76*r |
 ///
-/// s and r are what one ulp of x makes of the density and of the inverse. Only samples below 3e-38 are off by more than
-/// 0.51 ulp.
+/// s and r are the relative change of the density and the change of the inverse when x moves by one ulp. Only
+/// samples below 3e-38 are off by more than 0.51 ulp.
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2023.
+/// # Cost
+/// <!-- generated: cost Linear -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 91 on a Cortex-M4F (392 bytes), 5,285 on a Cortex-M0, 163 as WASM.
+/// - `libm`: 91 on a Cortex-M4F (192 bytes), 1,436 on a Cortex-M0, 53 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let ramp = mw::Linear::new(0.0, 3.0)?;
@@ -38,15 +54,27 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 /// assert_eq!(ramp.pdf(0.5), 1.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Tent`](super::Tent): falls to both sides.
+/// - [`Power`](super::Power): any power of x.
+/// - [`Transform`](super::Transform) moves it to another interval.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", fourth edition, 2023,
+/// <https://pbr-book.org/4ed/contents>.
+#[doc(alias = "ramp")]
+#[doc(alias = "trapezoid")]
+#[doc(alias = "lerp")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Linear {
-    /// The densities at both ends times 2⁶⁰, so that not even the product of two tiny numbers is rounded to a
-    /// subnormal one. What the first lacks follows it.
+    /// The densities at both ends times 2⁶⁰, so that no product of two tiny numbers is subnormal; and the rounding error
+    /// of the first.
     a: f32,
     a_rest: f32,
     b: f32,
-    /// Half of b − a, and what that lacks.
+    /// Half of b − a, and its rounding error.
     slope: f32,
     slope_rest: f32,
 }
@@ -87,9 +115,15 @@ impl Linear {
             slope_rest: slope_rest - a_rest,
         })
     }
+
+    /// The densities at 0 and at 1: 2a/(a + b) and 2b/(a + b).
+    #[must_use]
+    pub const fn ends(&self) -> [f32; 2] {
+        [self.a / ONE, self.b / ONE]
+    }
 }
 
-/// x times 2^by, and not 0 unless x is.
+/// x times 2^by; 0 only where x is 0.
 const fn lifted(x: f32, by: i32) -> f32 {
     if x == 0.0 {
         return 0.0;
@@ -114,7 +148,7 @@ impl Warp for Linear {
         let root = sqrt((1.0 - u) * (a * a) + u * (b * b));
         let aim = u * ONE;
         let x = 2.0 * aim / (a + root);
-        // One step of Newton's method on x(a + slope x) = aim, whose left side carries what is rounded off.
+        // One step of Newton's method on x(a + slope x) = aim, with the rounding errors of the left side.
         let (bend, bend_rest) = two_product(self.slope, x);
         let (mean, mean_rest) = two_sum(a, bend);
         let rest = mean_rest + (bend_rest + (self.a_rest + self.slope_rest * x));

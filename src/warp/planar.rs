@@ -1,11 +1,11 @@
-//! The shell of a warp of two uniforms: from its map come sampling, drawing and filling.
+//! Warps of two uniforms: sampling, drawing and filling from one map.
 
 use super::fill::BLOCK;
 use crate::uniform::{Canonical, Uniforms, grid_from_word};
 use rand_core::TryRng;
 
-/// What [`Warp`](super::Warp) asks for of a [`PlanarMap`] into so many dimensions, but for `pdf` and `invert`. Where the
-/// condition fails, points are drawn one by one.
+/// The items of [`Warp`](super::Warp) for a [`PlanarMap`] into so many dimensions, except `pdf`. Where the condition
+/// fails, points are drawn one by one.
 macro_rules! planar {
     ($dimensions:literal, where $vectors:expr) => {
         type Uniforms = [f32; 2];
@@ -22,11 +22,10 @@ macro_rules! planar {
 }
 pub(super) use planar;
 
-/// A map of two uniforms, which is all that a warp of them is but for its density and its inverse. It puts its point
-/// where it is wanted.
+/// A map of two uniforms, which writes its point in place.
 ///
-/// Two `f32` in an array are passed and returned as one integer, and a loop that takes them out of it and puts them
-/// together again works with vectors half as long.
+/// Rust passes and returns an array of two `f32` as one integer. A loop that takes them apart and joins them again works
+/// with vectors half as long.
 pub(crate) trait PlanarMap<const D: usize> {
     /// The point of two uniforms in [0, 1).
     fn map(&self, u1: f32, u2: f32, to: &mut [f32; D]);

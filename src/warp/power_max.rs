@@ -4,16 +4,25 @@ use super::{Invert, Warp};
 use crate::num::{Scaled, into_unit, representable};
 use crate::uniform::{Canonical, SMALLEST};
 
-/// Density N x^(N−1) on [0, 1): the largest of N uniforms.
+/// The largest of N uniforms: density N x^(N−1) on [0, 1).
 ///
-/// The power law of exponent n = N − 1 without a logarithm or a root in the sample; the loop is bounded by N.
+/// The power law of exponent n = N − 1, without a logarithm or a root in the sample. The loop is bounded by N.
 ///
-/// - Uniforms: N, all alike; N = 0 does not compile.
-/// - Range: (0, 1).
-/// - Density: N x^(N−1) on [0, 1].
-/// - Inverse: many sets of uniforms share their largest; `invert` gives N times the point itself, whose
-///   sample is the point exactly.
+#[doc = include_str!("../pictures/power_max.html")]
+///
+/// # Density
+/// N x^(N−1) on [0, 1], else 0.
+///
+/// # Domain
+/// - Point: (0, 1).
+/// - Uniforms: N, all alike. N = 0 does not compile.
+/// - Inverse: many sets of uniforms share their largest. `invert` gives N times the point itself, whose sample is
+///   the point exactly.
 /// - Both tiers share this code.
+///
+/// # Accuracy
+/// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
+/// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -23,20 +32,35 @@ use crate::uniform::{Canonical, SMALLEST};
 /// | inverse | 0 | 0 |
 /// | round trip | 1.6e-45 | 1.6e-45 |
 ///
-/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
+/// # Cost
+/// <!-- generated: cost PowerMax -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 69 on a Cortex-M4F (188 bytes), 423 on a Cortex-M0, 114 as WASM.
+/// - `libm`: 69 on a Cortex-M4F (208 bytes), 1,054 on a Cortex-M0, 121 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
-/// use microwarp::{PowerMax, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::PowerMax};
 /// let quadratic = PowerMax::<3>::new();
 /// assert_eq!(quadratic.sample([0.5, 0.75, 0.25]), 0.75);
 /// assert_eq!(quadratic.pdf(0.5), 0.75);
 /// ```
+///
+/// # See also
+/// - [`Power`](super::Power): any exponent and interval, from one uniform.
+///
+/// # Source
+/// L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
+#[doc(alias = "order_statistic")]
+#[doc(alias = "maximum")]
+#[doc(alias = "beta")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PowerMax<const N: usize>(());
 
 impl<const N: usize> PowerMax<N> {
-    /// N − 1, and what it lacks.
+    /// N − 1, and its rounding error.
     const EXPONENT: (f32, f32) = {
         let n = N.wrapping_sub(1);
         (n as f32, (n as f64 - n as f32 as f64) as f32)
@@ -78,7 +102,7 @@ impl<const N: usize> Warp for PowerMax<N> {
             return 0.0;
         }
         if N <= 4 {
-            // N first: the power alone may be subnormal where the density is not.
+            // N comes first: the power alone may be subnormal where the density is not.
             let mut density = N as f32;
             for _ in 1..N {
                 density *= x;

@@ -8,13 +8,23 @@ use crate::tier::Tier;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
-/// Uniform over the unit sphere.
+/// Uniform over the unit sphere: all directions alike.
 ///
-/// z = 1 − 2u₁, sin θ = 2√(u₁(1 − u₁)), φ = u₂ turns: the pole +z is at u₁ = 0.
+/// z = 1 − 2u₁, sin θ = 2√(u₁(1 − u₁)), φ = u₂ turns.
 ///
-/// - Uniforms: two, polar then azimuth.
-/// - Range: unit vectors.
-/// - Density: 1/(4π) per steradian, for any finite direction.
+#[doc = include_str!("../pictures/sphere.html")]
+///
+/// # Density
+/// 1/(4π) per steradian, for any finite direction.
+///
+/// # Domain
+/// - Point: unit vectors.
+/// - Uniforms: two, for height and azimuth. The pole +z is at u₁ = 0.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
+/// units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
+/// absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -29,14 +39,34 @@ use core::marker::PhantomData;
 /// The errors of the sample, of sin θ and of the length are proven for every pair of uniforms: see
 /// `docs/proofs.md`.
 ///
-/// Source: M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 2016.
+/// # Cost
+/// <!-- generated: cost Sphere -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 86 on a Cortex-M4F (396 bytes), 3,841 on a Cortex-M0, 153 as WASM.
+/// - `libm`: 2,196 on a Cortex-M4F (6,736 bytes), 8,151 on a Cortex-M0, 198 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
 /// let sphere = mw::Sphere::new();
 /// assert_eq!(sphere.sample([0.5, 0.25]), [0.0, 1.0, 0.0]);
 /// assert_eq!(sphere.invert([0.0, 1.0, 0.0]), [0.5, 0.25]);
 /// ```
+///
+/// # See also
+/// - [`Hemisphere`](super::Hemisphere), [`Cone`](super::Cone), [`SphericalPatch`](super::SphericalPatch): parts of
+///   it.
+/// - [`HenyeyGreenstein`](super::HenyeyGreenstein): scattering that favours a direction.
+/// - [`rejection::BallRejection`](crate::rejection::BallRejection): the ball inside.
+///
+/// # Source
+/// M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
+/// <https://pbr-book.org/3ed-2018/Monte_Carlo_Integration/2D_Sampling_with_Multidimensional_Transformations>.
+#[doc(alias = "direction")]
+#[doc(alias = "isotropic")]
+#[doc(alias = "uniform")]
+#[doc(alias = "unit_vector")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sphere<T>(PhantomData<T>);

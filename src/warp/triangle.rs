@@ -5,15 +5,24 @@ use crate::num::{clamp, into_unit};
 use crate::tier::sqrt;
 use crate::uniform::Canonical;
 
-/// Uniform barycentric coordinates.
+/// Uniform barycentric coordinates: the shares of the three vertices of a triangle.
 ///
-/// u = 1 − √U₁, v = √U₁ U₂, w = √U₁ (1 − U₂); u in the form (1 − U₁)/(1 + √U₁), which keeps its digits
-/// near 0.
+/// u = 1 − √U₁, v = √U₁ U₂, w = √U₁ (1 − U₂), with u in the form (1 − U₁)/(1 + √U₁), which keeps its digits near 0.
 ///
+#[doc = include_str!("../pictures/triangle.html")]
+///
+/// # Density
+/// 2 with respect to (u, v), where none of the three is negative and their sum is 1 to rounding; else 0.
+///
+/// # Domain
+/// - Point: [u, v, w], none negative, with sum 1 to rounding.
 /// - Uniforms: two.
-/// - Range: [u, v, w], none negative, with sum 1 to rounding.
-/// - Density: 2 with respect to (u, v), where none is negative and their sum is 1 to rounding.
-/// - Both tiers share this code: it needs nothing but a square root.
+/// - Both tiers share this code. It needs nothing but a square root.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
+/// relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+/// means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -23,13 +32,29 @@ use crate::uniform::Canonical;
 /// | inverse | 2.0e-7 | 2.0e-7 |
 /// | round trip | 6.6e-8 | 6.6e-8 |
 ///
-/// Source: G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
+/// # Cost
+/// <!-- generated: cost Triangle -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 50 on a Cortex-M4F (216 bytes), 1,677 on a Cortex-M0, 66 as WASM.
+/// - `libm`: 50 on a Cortex-M4F (216 bytes), 1,677 on a Cortex-M0, 66 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
-/// use microwarp::{Triangle, Invert, Warp};
+/// use microwarp::{Invert, Warp, warp::Triangle};
 /// assert_eq!(Triangle::new().sample([0.25, 0.5]), [0.5, 0.25, 0.25]);
 /// assert_eq!(Triangle::new().invert([0.5, 0.25, 0.25]), [0.25, 0.5]);
 /// ```
+///
+/// # See also
+/// - [`TriangleOn`](super::TriangleOn): the points of a triangle given by its vertices, and their density per unit
+///   area.
+///
+/// # Source
+/// G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
+#[doc(alias = "barycentric")]
+#[doc(alias = "simplex")]
+#[doc(alias = "dirichlet")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle(());
@@ -73,7 +98,7 @@ impl Invert for Triangle {
     fn invert(&self, point: [f32; 3]) -> [f32; 2] {
         let [u, v, w] = point.map(|c| clamp(c, 0.0, 1.0));
         let s = v + w;
-        // Of √U₁ and 1 − √U₁ the smaller holds the digits.
+        // The smaller of √U₁ and 1 − √U₁ holds the digits.
         let u1 = if s < 0.5 { s * s } else { 1.0 - u * (2.0 - u) };
         [into_unit(u1), into_unit(if s > 0.0 { v / s } else { 0.0 })]
     }

@@ -7,23 +7,34 @@ use crate::tier::{LOG2_E, Tier, coin_series, exp_m1_of_product, exp_of_product, 
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
 
-/// Below this product of rate and length the map is a series, which knows no cancellation.
+/// Below this product of rate and length the map is a series, which does not cancel.
 const SERIES: f32 = 0.5;
 
 /// Above this product of a negative rate and length, e^|z| would overflow.
 const STEEP: f32 = 80.0;
 
-/// 2¹⁰⁰, which keeps the product of a small uniform and a small or a large power within range.
+/// 2¹⁰⁰, which keeps the product of a small uniform and a small or large power in range.
 const LIFT: f32 = 1_267_650_600_228_229_401_496_703_205_376.0;
 
-/// Density ∝ e^(−cx) on [0, X], for any rate c: positive, 0 (then it is uniform) or negative.
+/// Exponential on [0, X], with a rate of either sign: density ∝ e^(−cx).
 ///
-/// With z = cX: x = −ln(1 + u(e^(−z) − 1))/c, in a form chosen by z so that neither a small nor a large
-/// product cancels or overflows.
+/// With z = cX: x = −ln(1 + u(e^(−z) − 1))/c, in a form chosen by z so that neither a small nor a large product
+/// cancels or overflows. A rate of 0 is the uniform distribution, a negative rate a rising density.
 ///
+#[doc = include_str!("../pictures/truncated_exponential.html")]
+///
+/// # Density
+/// c e^(−cx)/(1 − e^(−z)) on [0, X], else 0.
+///
+/// # Domain
+/// - Point: [0, X].
 /// - Uniforms: one.
-/// - Range: [0, X].
-/// - Density: c e^(−cx)/(1 − e^(−z)) on [0, X].
+/// - Parameters: any finite rate c, or a mean 1/c above 0 (that of the distribution before it is truncated), and a
+///   length X above 0.
+///
+/// # Accuracy
+/// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
+/// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -33,28 +44,44 @@ const LIFT: f32 = 1_267_650_600_228_229_401_496_703_205_376.0;
 /// | inverse | 3e-7 | 3e-7 |
 /// | round trip | 3e-7 + 2*r | 3e-7 + 2*r |
 ///
-/// s and r: by how much the exact density, relatively, and the exact inverse change over one ulp of x.
+/// s and r are the relative change of the exact density and the change of the exact inverse over one ulp of x.
 ///
-/// Source: C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating
-/// Media", 2012.
+/// # Cost
+/// <!-- generated: cost TruncatedExponential -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 107 on a Cortex-M4F (1,744 bytes), 2,963 on a Cortex-M0, 149 as WASM.
+/// - `libm`: 118 on a Cortex-M4F (1,264 bytes), 3,570 on a Cortex-M0, 168 as WASM.
+/// <!-- end -->
 ///
+/// # Examples
 /// ```
 /// use microwarp::{Invert, Warp, poly as mw};
-/// let segment = mw::TruncatedExponential::new(0.0, 4.0)?;
+/// let segment = mw::TruncatedExponential::from_rate(0.0, 4.0)?;
 /// assert_eq!(segment.sample(0.25), 1.0);
 /// assert_eq!(segment.pdf(1.0), 0.25);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Exponential`](super::Exponential): without an end.
+/// - [`Interval`](super::Interval): rate 0 at a lower cost.
+///
+/// # Source
+/// C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating Media", 2012,
+/// <https://doi.org/10.1111/j.1467-8659.2012.03148.x>.
+#[doc(alias = "free_path")]
+#[doc(alias = "distance_sampling")]
+#[doc(alias = "transmittance")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TruncatedExponential<T> {
     rate: f32,
     length: f32,
-    /// z = rate · length; infinite where the product overflows, which the forms allow.
+    /// z = rate · length, which may be infinite.
     z: f32,
     /// e^(−z) − 1; unused when steep.
     decay: f32,
-    /// e^(−z); 2⁻¹⁰⁰ of it when steep, which may be infinite.
+    /// e^(−z); when steep 2⁻¹⁰⁰e^(−z), which may be infinite.
     power: f32,
     /// The density at its higher end.
     peak: f32,
@@ -67,8 +94,11 @@ impl<T: Tier> TruncatedExponential<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a length of 0 or less,
     /// [`Error::Empty`] for a length whose reciprocal overflows.
-    pub fn new(rate: f32, length: f32) -> Result<Self, Error> {
-        let (rate, length) = (finite(rate)?, positive(length)?);
+    pub const fn from_rate(rate: f32, length: f32) -> Result<Self, Error> {
+        let (rate, length) = match (finite(rate), positive(length)) {
+            (Ok(rate), Ok(length)) => (rate, length),
+            (Err(e), _) | (_, Err(e)) => return Err(e),
+        };
         let (z, z_rest) = two_product(rate, length);
         let (decay, decay_rest, power) = if z > 190.0 {
             (-1.0, 0.0, 0.0)
@@ -111,6 +141,35 @@ impl<T: Tier> TruncatedExponential<T> {
             tier: PhantomData,
         })
     }
+
+    /// Density ∝ e^(−x/mean) on [0, length]: the exponential law of this mean, truncated. Its rate is 1/mean, rounded to
+    /// `f32`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a mean or a length of 0 or less,
+    /// [`Error::Empty`] for a mean or a length whose reciprocal overflows.
+    pub const fn from_mean(mean: f32, length: f32) -> Result<Self, Error> {
+        match positive(mean) {
+            Ok(mean) if (1.0 / mean).is_finite() => Self::from_rate(1.0 / mean, length),
+            Ok(_) => match positive(length) {
+                Ok(_) => Err(Error::Empty),
+                Err(e) => Err(e),
+            },
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The rate, of either sign.
+    #[must_use]
+    pub const fn rate(&self) -> f32 {
+        self.rate
+    }
+
+    /// The length of the interval.
+    #[must_use]
+    pub const fn length(&self) -> f32 {
+        self.length
+    }
 }
 
 impl<T: Tier> Warp for TruncatedExponential<T> {
@@ -132,12 +191,12 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
         } else if z > -STEEP {
             let drop = u * self.decay;
             let log = if drop < -0.5 {
-                // 1 - u is exact on the grid; 1 + drop would lose what is left of it.
+                // 1 - u is exact on the grid, and 1 + drop would lose its digits.
                 T::ln((1.0 - u) + u * self.power)
             } else if drop.abs() >= f32::MIN_POSITIVE {
                 T::ln_1p(drop)
             } else {
-                // ln(1 + drop) is drop, and the product is subnormal where x may not be.
+                // ln(1 + drop) is drop, which may be subnormal where x is not.
                 let lifted = u * LIFT * self.decay / -self.rate;
                 return clamp(lifted / LIFT, 0.0, self.length);
             };
@@ -147,8 +206,8 @@ impl<T: Tier> Warp for TruncatedExponential<T> {
             if rise <= LIFT {
                 T::ln_1p(rise) / -self.rate
             } else {
-                // Measured from the far end, where the mass is; from here on no digits of x are lost, and so
-                // far out neighbours of the grid are many steps apart.
+                // Measured from the far end, where the mass is. No digits of x are lost from here on, where neighbours of
+                // the grid are many steps apart.
                 self.length + T::ln(u) / -self.rate
             }
         };

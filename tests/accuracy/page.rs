@@ -117,21 +117,31 @@ fn compare(
     }
 }
 
+/// What the page says before the rows of its table.
+const HEAD: &str = "\
+# Measured errors
+
+Largest errors found against formulas in `f64`, for listed parameter sets. Each cell is `libm` / `poly`. The bounds that hold for
+every parameter are on each warp's page.
+
+- Warps of one uniform, and sin θ and cos θ of directions: all 2^24 inputs of the grid for the first parameter set of a warp, every
+  13th for the others.
+- Warps of several uniforms: 2^24 points of the grid for the first set, 2^21 for the others.
+- All edges of the unit cube are always included.
+- *pdf*: the density at the returned point. *Realised*: against the density with which the map arrives there.
+- *Inverse*: at the returned point. *Round trip*: the uniforms after `sample` and `invert`.
+- A dash: the figure does not apply, or `f32` cannot hold the distribution well enough to recover the uniforms.
+
+`MICROWARP_WRITE=1 cargo test --test accuracy` writes this page, and `MICROWARP_FULL=1 cargo test` compares it with what it
+measures.
+
+| warp | parameters | sample | unit | sin θ, ulp | cos θ, ulp | unit length | pdf, rel. | realised, rel. | inverse | round trip |
+|---|---|--:|---|--:|--:|--:|--:|--:|--:|--:|
+";
+
 /// The table of every parameter set.
 fn full_table(measured: &[Measured]) -> String {
-    let mut text = String::from(
-        "# Measured errors\n\n\
-         Written by `MICROWARP_WRITE=1 cargo test --test accuracy` and compared with what is measured by every\n\
-         `MICROWARP_FULL=1 cargo test`. Largest errors against `f64` formulas: of a sample over all 2^24 grid inputs (warps of\n\
-         one uniform, and sin θ and cos θ of directions; every 13th input for further parameter sets of the same\n\
-         warp) or over 2^24 points of the grid (several uniforms; 2^21 for further sets), always with all edges;\n\
-         of the density at the returned point, and against the density with which the map arrives\n\
-         there (realised); of the inverse at the returned point, and of u after sample and inverse. Each cell\n\
-         is `libm` / `poly`. A dash: not applicable, or `f32` cannot hold the distribution well enough\n\
-         to bring u back.\n\n\
-         | warp | parameters | sample | unit | sin θ, ulp | cos θ, ulp | unit length | pdf, rel. | realised, rel. | inverse | round trip |\n\
-         |---|---|--:|---|--:|--:|--:|--:|--:|--:|--:|\n",
-    );
+    let mut text = String::from(HEAD);
     for m in measured {
         let mut cells = Vec::new();
         for (title, row) in ROWS {

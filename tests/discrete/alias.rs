@@ -122,7 +122,7 @@ fn a_const_table_lies_in_flash_and_the_storages_agree() {
         };
     assert_eq!(size_of::<AliasEntry<u32>>(), 12);
     assert_eq!(size_of::<AliasEntry<u64>>(), 24);
-    let vector = Alias::<heapless::Vec<AliasEntry<u32>, 8>>::from_integers(&[1; 6]).unwrap();
+    let vector = Alias::<heapless::Vec<AliasEntry<u32>, 8>>::from_integer_slice(&[1; 6]).unwrap();
     let mut memory = [AliasEntry::<u32>::EMPTY; 8];
     let slice = Alias::<&[AliasEntry<u32>]>::from_integers_in(&[1; 6], &mut memory).unwrap();
     for word in (0..u32::MAX).step_by(65_537) {
@@ -136,7 +136,7 @@ fn a_const_table_lies_in_flash_and_the_storages_agree() {
 #[test]
 fn shared_bits_are_rejected() {
     let weights = [1.0, 2.0, 3.0, 4.0];
-    let cdf = Cdf::<[u32; 4]>::new(&weights).unwrap();
+    let cdf = Cdf::new(&weights).unwrap();
     // Thresholds of the four bins with aliases 3, 3, 2, 3, and the whole word as the coin.
     let thresholds = [0.4, 0.8, 1.0, 1.0].map(|t| (t * 4_294_967_295.0) as u32);
     let aliases = [2, 3, 2, 3];

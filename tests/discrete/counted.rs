@@ -198,7 +198,7 @@ fn wild_tables_are_as_good_as_can_be() {
 #[test]
 fn all_the_words_of_a_table_counted_one_by_one() {
     let weights = [0.0, 1.0, 1e-9, 0.0, 2.5, 3e-10, 0.0];
-    let table = Cdf::<[u32; 7]>::new(&weights).unwrap();
+    let table = Cdf::new(&weights).unwrap();
     // Galloping finds as many words as there are.
     let galloped = counts(7, u32::MAX.into(), |word| table.index(word as u32));
     for (i, count) in galloped.iter().enumerate() {
@@ -259,17 +259,17 @@ fn the_same_bits_select_the_same_entry() {
 #[test]
 fn the_three_storages_hold_the_same_words() {
     const WEIGHTS: [f32; 5] = [1.0, 0.0, 4.0, 0.5, 0.0];
-    const FLASH: Cdf<[u32; 5]> = match Cdf::<[u32; 5]>::new(&WEIGHTS) {
+    const FLASH: Cdf<[u32; 5]> = match Cdf::new(&WEIGHTS) {
         Ok(table) => table,
         Err(_) => panic!("refused"),
     };
-    static WIDE: Cdf<[u64; 5]> = match Cdf::<[u64; 5]>::from_integers(&[2, 0, 8, 1, 0]) {
+    static WIDE: Cdf<[u64; 5]> = match Cdf::from_integers_u64(&[2, 0, 8, 1, 0]) {
         Ok(table) => table,
         Err(_) => panic!("refused"),
     };
     assert_eq!(size_of_val(&FLASH), 20);
     assert_eq!(size_of_val(&WIDE), 40);
-    let vector = Cdf::<heapless::Vec<u32, 8>>::new(&WEIGHTS).unwrap();
+    let vector = Cdf::<heapless::Vec<u32, 8>>::from_slice(&WEIGHTS).unwrap();
     let mut memory = [7; 9];
     let slice = Cdf::<&[u32]>::new_in(&WEIGHTS, &mut memory).unwrap();
     assert_eq!(FLASH.as_words(), vector.as_words());
@@ -278,7 +278,7 @@ fn the_three_storages_hold_the_same_words() {
     assert_eq!(memory[5..], [7; 4]);
     let again = Cdf::from_words(*FLASH.view().as_words().first_chunk::<5>().unwrap());
     assert_eq!(again, Ok(FLASH));
-    let integers = Cdf::<heapless::Vec<u64, 8>>::from_integers(&[2, 0, 8, 1, 0]).unwrap();
+    let integers = Cdf::<heapless::Vec<u64, 8>>::from_integer_slice(&[2, 0, 8, 1, 0]).unwrap();
     assert_eq!(integers.as_words(), WIDE.as_words());
     for i in 0..5 {
         assert_eq!(WIDE.pmf(i), FLASH.pmf(i));
@@ -288,7 +288,7 @@ fn the_three_storages_hold_the_same_words() {
 #[test]
 fn integer_weights_are_exact() {
     let weights = [0, 1, u32::MAX, 3, 0, u32::MAX - 1, 0];
-    let table = Cdf::<[u64; 7]>::from_integers(&weights).unwrap();
+    let table = Cdf::from_integers_u64(&weights).unwrap();
     let total: u128 = weights.iter().map(|&w| u128::from(w)).sum();
     let mut below = 0;
     for (i, &weight) in weights.iter().enumerate() {
@@ -301,7 +301,7 @@ fn integer_weights_are_exact() {
 
 #[test]
 fn a_die_is_fair() {
-    let die = Cdf::<[u32; 6]>::from_integers(&[1; 6]).unwrap();
+    let die = Cdf::from_integers(&[1; 6]).unwrap();
     let p = |i: usize| die.numerator(i) as f64 / 4_294_967_296.0;
     let mean: f64 = (0..6).map(|i| (i + 1) as f64 * p(i)).sum();
     let square: f64 = (0..6).map(|i| ((i + 1) * (i + 1)) as f64 * p(i)).sum();
@@ -356,7 +356,7 @@ fn wrong_tables_are_rejected() {
     assert_eq!(found, ["entry 0 of weight 0 has 1 of 2^24"]);
 
     // Off by two steps of 2^32, at one border.
-    let table = Cdf::<[u32; 4]>::new(&[1.0, 2.0, 3.0, 4.0]).unwrap();
+    let table = Cdf::new(&[1.0, 2.0, 3.0, 4.0]).unwrap();
     let mut words: [u32; 4] = *table.as_words().first_chunk().unwrap();
     words[1] += 2;
     let wrong = Cdf::from_words(words).unwrap();

@@ -65,18 +65,18 @@ fn integers_select_the_entry_that_floats_select_by_the_same_bits() {
     for (what, weights) in cases() {
         let floats: Vec<f32> = weights.iter().map(|&w| w as f32).collect();
         let exact = weights.iter().all(|&w| u64::from(w) == w as f32 as u64);
-        let Ok(cdf) = Cdf::<Vec32>::from_integers(&weights) else {
+        let Ok(cdf) = Cdf::<Vec32>::from_integer_slice(&weights) else {
             panic!("{what}")
         };
-        let alias = Alias::<Bins32>::from_integers(&weights).unwrap();
-        let wide = Cdf::<Vec64>::from_integers(&weights).unwrap();
-        let float_cdf = Cdf::<Vec32>::new(&floats).unwrap();
-        let float_alias = Alias::<Bins32>::new(&floats).unwrap();
+        let alias = Alias::<Bins32>::from_integer_slice(&weights).unwrap();
+        let wide = Cdf::<Vec64>::from_integer_slice(&weights).unwrap();
+        let float_cdf = Cdf::<Vec32>::from_slice(&floats).unwrap();
+        let float_alias = Alias::<Bins32>::from_slice(&floats).unwrap();
         if exact {
             // The same table, word by word.
             assert_eq!(cdf, float_cdf, "{what}");
             assert_eq!(alias, float_alias, "{what}");
-            assert_eq!(wide, Cdf::<Vec64>::new(&floats).unwrap(), "{what}");
+            assert_eq!(wide, Cdf::<Vec64>::from_slice(&floats).unwrap(), "{what}");
             compared += 1;
         }
         for bits in words(&cdf, &mut rng) {
@@ -150,10 +150,10 @@ fn part<I: Fn(u64) -> usize>(word: u64, bin: (u64, u64), index: I) -> (u128, u12
 fn exact_selections_are_exact() {
     let mut rng = Pcg32::new(2, 2);
     for (what, weights) in cases() {
-        let cdf = Cdf::<Vec32>::from_integers(&weights).unwrap();
-        let wide = Cdf::<Vec64>::from_integers(&weights).unwrap();
-        let alias = Alias::<Bins32>::from_integers(&weights).unwrap();
-        let wide_alias = Alias::<Bins64>::from_integers(&weights).unwrap();
+        let cdf = Cdf::<Vec32>::from_integer_slice(&weights).unwrap();
+        let wide = Cdf::<Vec64>::from_integer_slice(&weights).unwrap();
+        let alias = Alias::<Bins32>::from_integer_slice(&weights).unwrap();
+        let wide_alias = Alias::<Bins64>::from_integer_slice(&weights).unwrap();
         let bin_bits = alias.bins().trailing_zeros();
         for bits in words(&cdf, &mut rng) {
             let chosen = cdf.select_exact(bits);
@@ -200,8 +200,8 @@ fn exact_selections_are_exact() {
 #[test]
 fn exact_draws_take_the_words_of_any_draw() {
     let weights = [3, 0, 5, 1];
-    let cdf = Cdf::<[u32; 4]>::from_integers(&weights).unwrap();
-    let wide = Alias::<[AliasEntry<u64>; 4]>::from_integers(&weights).unwrap();
+    let cdf = Cdf::from_integers(&weights).unwrap();
+    let wide = Alias::<[AliasEntry<u64>; 4]>::from_integers_u64(&weights).unwrap();
     let mut rng = Counting::new(Pcg32::new(3, 3));
     for _ in 0..100 {
         let mut again = Pcg32::clone(&rng.inner);
@@ -236,8 +236,8 @@ fn p_value(mut draw: impl FnMut(&mut Pcg32) -> (usize, u32), pmf: &[f64], seed: 
 fn exact_leftovers_are_uniform_and_tell_nothing_of_the_index() {
     const WEIGHTS: [u32; 5] = [10, 0, 41, 3, 22];
     let pmf = WEIGHTS.map(|w| f64::from(w) / 76.0);
-    let narrow = Cdf::<[u32; 5]>::from_integers(&WEIGHTS).unwrap();
-    let wide = Cdf::<[u64; 5]>::from_integers(&WEIGHTS).unwrap();
+    let narrow = Cdf::from_integers(&WEIGHTS).unwrap();
+    let wide = Cdf::from_integers_u64(&WEIGHTS).unwrap();
     let alias = Alias::<[AliasEntry<u32>; 8]>::from_integers(&WEIGHTS).unwrap();
     let pair = |s: ExactSelection| (s.index, s.leftover);
     let all = [

@@ -42,7 +42,7 @@ fn the_leftover_is_the_place_among_the_words_of_the_entry() {
         );
     }
     // What an f32 has below a word counts too.
-    let single = Cdf::<[u32; 2]>::new(&[1.0, 0.0]).unwrap();
+    let single = Cdf::new(&[1.0, 0.0]).unwrap();
     for u in [1e-12_f32, 3.3e-20, 1e-45, 0.25, 0.999_999_94] {
         assert_eq!(single.select_uniform(u).leftover, u);
     }
@@ -85,10 +85,10 @@ fn leftovers_are_uniform_and_tell_nothing_of_the_index() {
     const WEIGHTS: [f32; 7] = [1.0, 0.0, 4.0, 0.3, 2.2, 0.0, 0.9];
     let total: f64 = WEIGHTS.iter().map(|&w| f64::from(w)).sum();
     let pmf = WEIGHTS.map(|w| f64::from(w) / total);
-    let narrow = Cdf::<[u32; 7]>::new(&WEIGHTS).unwrap();
-    let wide = Cdf::<[u64; 7]>::new(&WEIGHTS).unwrap();
+    let narrow = Cdf::new(&WEIGHTS).unwrap();
+    let wide = Cdf::new_u64(&WEIGHTS).unwrap();
     let alias = Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).unwrap();
-    let wide_alias = Alias::<[AliasEntry<u64>; 16]>::new(&WEIGHTS).unwrap();
+    let wide_alias = Alias::<[AliasEntry<u64>; 16]>::new_u64(&WEIGHTS).unwrap();
     let pair = |s: Selection| (s.index, s.leftover);
     let all = [
         p_value(|rng| pair(narrow.draw(rng)), &pmf, 1),

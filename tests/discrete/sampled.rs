@@ -92,7 +92,7 @@ fn drawn_entries_follow_their_weights() {
 fn wrong_weights_are_rejected() {
     let mut weights = vec![1.0; 6];
     weights[2] = speed::of("weight of the control", 1.04, 1.01);
-    let table = Cdf::<[u32; 6]>::from_integers(&[1; 6]).unwrap();
+    let table = Cdf::from_integers(&[1; 6]).unwrap();
     let p = p_value(&weights, 1, |rng| table.draw(rng).index).unwrap();
     assert!(p < threshold(18), "{p}");
     weights[2] = 0.0;
@@ -116,10 +116,10 @@ fn a_draw_takes_the_stated_words_and_passes_a_failure_on() {
         }
     }
     const WEIGHTS: [f32; 4] = [1.0, 2.0, 0.0, 4.0];
-    let narrow = Cdf::<[u32; 4]>::new(&WEIGHTS).unwrap();
-    let wide = Cdf::<[u64; 4]>::new(&WEIGHTS).unwrap();
+    let narrow = Cdf::new(&WEIGHTS).unwrap();
+    let wide = Cdf::new_u64(&WEIGHTS).unwrap();
     let alias = Alias::<[AliasEntry<u32>; 4]>::new(&WEIGHTS).unwrap();
-    let wide_alias = Alias::<[AliasEntry<u64>; 4]>::new(&WEIGHTS).unwrap();
+    let wide_alias = Alias::<[AliasEntry<u64>; 4]>::new_u64(&WEIGHTS).unwrap();
     takes(1, |rng| narrow.try_draw(rng));
     takes(2, |rng| wide.try_draw(rng));
     takes(1, |rng| alias.try_draw(rng));

@@ -1,7 +1,7 @@
 //! How a long run is measured: against exact sums, at checkpoints.
 
 use crate::relative;
-use microwarp::estimate::{Moments, Ratio};
+use microwarp::estimate::{Moments, WeightedMean};
 use support::docs::{Doc, assert_stated};
 
 /// Exact sums in integers: between 512 and 2048 every f32 is a multiple of 2⁻¹⁴.
@@ -59,10 +59,10 @@ impl Largest {
         self.take(errors(moments.mean(), moments.variance(), exact));
     }
 
-    pub fn ratio(&mut self, ratio: &Ratio, exact: [f64; 2]) {
+    pub fn ratio(&mut self, ratio: &WeightedMean, exact: [f64; 2]) {
         let [estimate, error] = exact;
         self.take([
-            relative(ratio.estimate(), estimate),
+            relative(ratio.mean(), estimate),
             relative(ratio.standard_error(), error),
         ]);
     }

@@ -36,7 +36,7 @@ fn deviation(p: f64) -> f64 {
 
 #[test]
 fn chebyshevs_bound_is_missed_no_more_often_than_it_says() {
-    let exponential = mw::Exponential::new(1.0).unwrap();
+    let exponential = mw::Exponential::from_rate(1.0).unwrap();
     let interval = mw::Interval::new(-1.0, 1.0).unwrap();
     let mut rng = Pcg32::new(41, 54);
     let deltas = [0.25_f32, 0.1, 0.01];

@@ -1,7 +1,7 @@
 //! The ends: no samples, one, numbers at both ends of f32, and what is no number.
 
 use microwarp::Error;
-use microwarp::estimate::{Integral, Moments, Ratio};
+use microwarp::estimate::{Integral, Moments, WeightedMean};
 use microwarp::tier::{Libm, Poly};
 
 fn moments(samples: &[f32]) -> Moments {
@@ -16,10 +16,7 @@ fn nothing_and_one_sample_are_told_apart() {
     assert_eq!(none, Moments::default());
     assert_eq!((none.count(), none.refused(), none.mean()), (0, 0, None));
     assert_eq!((none.variance(), none.population_variance()), (None, None));
-    assert_eq!(
-        (none.standard_deviation(), none.standard_error()),
-        (None, None)
-    );
+    assert_eq!((none.std_dev(), none.standard_error()), (None, None));
     for x in [0.0, -2.5, f32::MAX, -f32::MAX, 1e-45, f32::MIN_POSITIVE] {
         let one = moments(&[x]);
         assert_eq!(
@@ -46,15 +43,12 @@ fn nothing_and_one_sample_are_told_apart() {
         assert_eq!(integral.normal_bound::<Poly>(0.5), Ok(f32::MAX));
     }
     assert_eq!(one_sample(integral).estimate(), Some(2.0));
-    let ratio = Ratio::new();
-    assert_eq!(ratio, Ratio::default());
-    assert_eq!((ratio.estimate(), ratio.standard_error()), (None, None));
-    let mut ratio = Ratio::new();
+    let ratio = WeightedMean::new();
+    assert_eq!(ratio, WeightedMean::default());
+    assert_eq!((ratio.mean(), ratio.standard_error()), (None, None));
+    let mut ratio = WeightedMean::new();
     ratio.push(7.0, 0.1);
-    assert_eq!(
-        (ratio.estimate(), ratio.standard_error()),
-        (Some(7.0), None)
-    );
+    assert_eq!((ratio.mean(), ratio.standard_error()), (Some(7.0), None));
 }
 
 #[test]
@@ -63,15 +57,15 @@ fn both_ends_of_f32_are_right_or_saturate() {
     assert_eq!(ends.mean(), Some(0.0));
     assert_eq!(ends.variance(), Some(f32::MAX));
     assert_eq!(ends.population_variance(), Some(f32::MAX));
-    assert_eq!(ends.standard_deviation(), Some(f32::MAX));
+    assert_eq!(ends.std_dev(), Some(f32::MAX));
     assert_eq!(ends.standard_error(), Some(f32::MAX));
     assert_eq!(moments(&[f32::MAX; 5]).mean(), Some(f32::MAX));
     let large = moments(&[1e38, 2e38, 3e38]);
-    assert_eq!(large.standard_deviation(), Some(1e38));
+    assert_eq!(large.std_dev(), Some(1e38));
     let tiny = f32::from_bits(1);
     let small = moments(&[2.0 * tiny, 4.0 * tiny, 6.0 * tiny]);
     assert_eq!(small.mean(), Some(4.0 * tiny));
-    assert_eq!(small.standard_deviation(), Some(2.0 * tiny));
+    assert_eq!(small.std_dev(), Some(2.0 * tiny));
     assert_eq!(small.variance(), Some(0.0));
     // A variance that is itself subnormal.
     let low = moments(&[1e-20, 3e-20]).variance().unwrap();
@@ -125,21 +119,18 @@ fn what_is_no_number_leaves_no_trace() {
     integral.push(1e-45, 3e38);
     assert_eq!((integral.count(), integral.estimate()), (4, Some(0.5)));
 
-    let mut ratio = Ratio::new();
+    let mut ratio = WeightedMean::new();
     for x in no_numbers {
         ratio.push(x, 1.0);
         ratio.push(1.0, x);
         ratio.push(x, 0.0);
     }
-    assert_eq!(
-        (ratio.count(), ratio.refused(), ratio.estimate()),
-        (0, 9, None)
-    );
-    let mut other = Ratio::new();
+    assert_eq!((ratio.count(), ratio.refused(), ratio.mean()), (0, 9, None));
+    let mut other = WeightedMean::new();
     other.push(3.0, 2.0);
     ratio.merge(&other);
     assert_eq!(
-        (ratio.count(), ratio.refused(), ratio.estimate()),
+        (ratio.count(), ratio.refused(), ratio.mean()),
         (1, 9, Some(3.0))
     );
 }
@@ -171,44 +162,44 @@ fn probabilities_outside_their_range_are_refused() {
 
 #[test]
 fn weights_without_a_sum_give_no_ratio() {
-    let mut ratio = Ratio::new();
+    let mut ratio = WeightedMean::new();
     ratio.push(1.0, 0.0);
     assert_eq!(
-        (ratio.count(), ratio.estimate(), ratio.standard_error()),
+        (ratio.count(), ratio.mean(), ratio.standard_error()),
         (1, None, None)
     );
     ratio.push(2.0, 3.0);
     ratio.push(1e30, 0.0);
-    assert_eq!((ratio.count(), ratio.estimate()), (3, Some(2.0)));
+    assert_eq!((ratio.count(), ratio.mean()), (3, Some(2.0)));
     assert_eq!(ratio.standard_error(), Some(0.0));
     // They cancel, and what comes after counts again.
     ratio.push(5.0, -3.0);
     assert_eq!(
-        (ratio.count(), ratio.estimate(), ratio.standard_error()),
+        (ratio.count(), ratio.mean(), ratio.standard_error()),
         (4, None, None)
     );
     ratio.push(1.0, 0.5);
-    assert_eq!(ratio.estimate(), Some(-17.0));
+    assert_eq!(ratio.mean(), Some(-17.0));
     // They nearly cancel, which carries the ratio out of f32.
-    let mut ratio = Ratio::new();
+    let mut ratio = WeightedMean::new();
     ratio.push(1e38, 1.0);
     ratio.push(-1e38, -0.999_999_94);
-    assert_eq!(ratio.estimate(), Some(f32::MAX));
+    assert_eq!(ratio.mean(), Some(f32::MAX));
     assert!(ratio.standard_error().unwrap().is_finite());
     // Values and weights at both ends.
-    let mut ends = Ratio::new();
+    let mut ends = WeightedMean::new();
     for w in [f32::MAX, 1e-45, 1.0] {
         ends.push(f32::MAX, w);
         ends.push(-f32::MAX, w);
     }
-    let centre = ends.estimate().unwrap();
+    let centre = ends.mean().unwrap();
     assert!(centre.abs() <= 1e-14 * f32::MAX, "{centre:e}");
-    let mut blank = Ratio::new();
+    let mut blank = WeightedMean::new();
     blank.push(9e9, 0.0);
     blank.merge(&ends);
-    assert_eq!((blank.count(), blank.estimate()), (7, Some(centre)));
-    ends.merge(&Ratio::new());
-    assert_eq!((ends.count(), ends.estimate()), (6, Some(centre)));
+    assert_eq!((blank.count(), blank.mean()), (7, Some(centre)));
+    ends.merge(&WeightedMean::new());
+    assert_eq!((ends.count(), ends.mean()), (6, Some(centre)));
 }
 
 /// The standard error of a ratio is lost where every product is too small beside the largest value times the
@@ -217,7 +208,7 @@ fn weights_without_a_sum_give_no_ratio() {
 fn the_standard_error_of_a_ratio_reaches_as_far_down_as_stated() {
     for (far, reached) in [(1e10, true), (1e17, true), (1e25, false)] {
         for first in [true, false] {
-            let mut ratio = Ratio::new();
+            let mut ratio = WeightedMean::new();
             if first {
                 ratio.push(far, 1e-38);
             }
@@ -227,7 +218,7 @@ fn the_standard_error_of_a_ratio_reaches_as_far_down_as_stated() {
             if !first {
                 ratio.push(far, 1e-38);
             }
-            let estimate = ratio.estimate().unwrap();
+            let estimate = ratio.mean().unwrap();
             assert!((estimate - 0.5).abs() <= 1e-7, "{far:e}: {estimate}");
             // √(101/100 · 100/4)/100
             let off = ratio.standard_error().unwrap() / 0.050_249_38 - 1.0;
@@ -239,13 +230,13 @@ fn the_standard_error_of_a_ratio_reaches_as_far_down_as_stated() {
 /// Far from 0, where what is measured from any other centre would lose the scatter.
 #[test]
 fn merging_with_nothing_changes_no_bit() {
-    let (mut moments, mut ratio) = (Moments::new(), Ratio::new());
+    let (mut moments, mut ratio) = (Moments::new(), WeightedMean::new());
     for k in 0..1000 {
         let x = 16_777_000.0 + (k % 7) as f32;
         moments.push(x);
         ratio.push(x, 1.0 + (k % 3) as f32);
     }
-    let mut weightless = Ratio::new();
+    let mut weightless = WeightedMean::new();
     weightless.push(5.0, 0.0);
     let (mut left, mut right) = (moments, Moments::new());
     left.merge(&Moments::new());
@@ -254,7 +245,7 @@ fn merging_with_nothing_changes_no_bit() {
     let (mut left, mut right) = (ratio, weightless);
     left.merge(&weightless);
     right.merge(&ratio);
-    let figures = |r: Ratio| (r.estimate(), r.standard_error().map(|e| (e * 1e5).round()));
+    let figures = |r: WeightedMean| (r.mean(), r.standard_error().map(|e| (e * 1e5).round()));
     assert_eq!(
         (figures(left), figures(right)),
         (figures(ratio), figures(ratio))

@@ -2,7 +2,7 @@
 
 use crate::{Z, truth};
 use core::f32::consts::PI;
-use microwarp::estimate::{Integral, Moments, Ratio};
+use microwarp::estimate::{Integral, Moments, WeightedMean};
 use microwarp::{Warp, poly as mw, uniform};
 use rand_pcg::Pcg32;
 
@@ -120,9 +120,9 @@ fn five_samples_are_as_right_on_average_as_a_million() {
     assert!(!population.is("n under the line", variance));
     let mut rng = Pcg32::new(24, 54);
     let normalised = Repeated::new(REPEATS, || {
-        let mut ratio = Ratio::new();
+        let mut ratio = WeightedMean::new();
         five(&mut rng, |f, pdf| ratio.push(f, 1.0 / pdf));
-        ratio.estimate()
+        ratio.mean()
     });
     assert!(!normalised.is("normalised weights", exact));
 }

@@ -1,6 +1,6 @@
 //! The ends of what can be pushed: counts at their limit, and any bits at all.
 
-use microwarp::estimate::{Integral, Moments, Ratio};
+use microwarp::estimate::{Integral, Moments, WeightedMean};
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
@@ -17,7 +17,7 @@ fn assert_finite(moments: &Moments) {
         moments.mean(),
         moments.variance(),
         moments.population_variance(),
-        moments.standard_deviation(),
+        moments.std_dev(),
         moments.standard_error(),
     ] {
         assert!(figure.is_none_or(f32::is_finite), "{moments:?}: {figure:?}");
@@ -34,7 +34,7 @@ fn assert_finite(moments: &Moments) {
 fn the_count_stops_at_its_limit() {
     // Doubling 63 times gives half of what fits; then one less than the limit, and the limit.
     let weighted = |samples: &[f32]| {
-        let mut ratio = Ratio::new();
+        let mut ratio = WeightedMean::new();
         samples.iter().for_each(|&x| ratio.push(x, 1.0));
         ratio
     };
@@ -56,7 +56,7 @@ fn the_count_stops_at_its_limit() {
     full_ratio.merge(&ratios);
     assert_eq!((full.count(), full_ratio.count()), (u64::MAX, u64::MAX));
     assert_eq!((full.mean(), full.variance()), (Some(2.0), Some(1.0)));
-    assert_eq!(full_ratio.estimate(), Some(2.0));
+    assert_eq!(full_ratio.mean(), Some(2.0));
     let error = full_ratio.standard_error().unwrap();
     assert!((error * 2f32.powi(32) - 1.0).abs() <= 1e-6, "{error}");
 
@@ -88,7 +88,7 @@ fn any_bits_at_all_give_finite_figures() {
     for _ in 0..200_000 {
         let n = (6.0 * uniform::grid(&mut rng)) as usize;
         let (mut a, mut b) = (Moments::new(), Moments::new());
-        let (mut c, mut d) = (Ratio::new(), Ratio::new());
+        let (mut c, mut d) = (WeightedMean::new(), WeightedMean::new());
         let mut integral = Integral::new();
         for _ in 0..n {
             let [x, y, z, w] = [(); 4].map(|()| any(&mut rng));
@@ -105,7 +105,7 @@ fn any_bits_at_all_give_finite_figures() {
         assert_eq!(integral.count() + integral.refused(), n as u64);
         assert_finite(&a);
         assert_finite(integral.moments());
-        for figure in [c.estimate(), c.standard_error()].into_iter().flatten() {
+        for figure in [c.mean(), c.standard_error()].into_iter().flatten() {
             assert!(figure.is_finite(), "{c:?}: {figure}");
         }
         assert!(integral.chebyshev_bound(0.01).unwrap() >= 0.0);

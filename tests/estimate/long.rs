@@ -3,7 +3,7 @@
 
 use crate::checkpoints::{Exact, Largest, errors};
 use crate::{at_most, relative};
-use microwarp::estimate::{Moments, Ratio};
+use microwarp::estimate::{Moments, WeightedMean};
 use microwarp::{Warp, poly as mw, uniform};
 use rand_pcg::Pcg32;
 use std::sync::LazyLock;
@@ -40,7 +40,7 @@ const OF_RATIO: [&str; 2] = ["ratio", "standard error"];
 
 #[test]
 fn the_owed_accuracy_is_stated() {
-    for (estimator, rows) in [("Moments", OF_MOMENTS), ("Ratio", OF_RATIO)] {
+    for (estimator, rows) in [("Moments", OF_MOMENTS), ("WeightedMean", OF_RATIO)] {
         let doc = Doc::of("estimate", estimator);
         for row in rows {
             for column in 0..3 {
@@ -219,7 +219,7 @@ fn the_order_of_samples_does_not_matter() {
 #[test]
 fn many_weighted_samples() {
     let mut rng = Pcg32::new(0x10e9, 54);
-    let (mut ratio, mut parts) = (Ratio::new(), [Ratio::new(); 16]);
+    let (mut ratio, mut parts) = (WeightedMean::new(), [WeightedMean::new(); 16]);
     let mut largest = [Largest::default(); 2];
     // Σw, Σwd, Σw², Σw²d, Σw²d², with d from 1000, in f64.
     let mut sums = [0.0_f64; 5];
@@ -243,7 +243,7 @@ fn many_weighted_samples() {
             let error = (i as f64 / (i - 1) as f64 * squares).sqrt() / w;
             exact = 1000.0 + distance;
             largest[0].ratio(&ratio, [exact, error]);
-            let merged = parts.iter().fold(Ratio::new(), |mut all, part| {
+            let merged = parts.iter().fold(WeightedMean::new(), |mut all, part| {
                 all.merge(part);
                 all
             });
@@ -251,8 +251,8 @@ fn many_weighted_samples() {
             largest[1].ratio(&merged, [exact, error]);
         }
     }
-    largest[0].assert_stated("Ratio", OF_RATIO, 0);
-    largest[1].assert_stated("Ratio", OF_RATIO, 1);
+    largest[0].assert_stated("WeightedMean", OF_RATIO, 0);
+    largest[1].assert_stated("WeightedMean", OF_RATIO, 1);
     let control = relative(Some(plain / plain_weights), exact);
     println!("plain sums: ratio off by {control:.2e}");
     assert!(control > OWED, "plain sums pass");

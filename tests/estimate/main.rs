@@ -13,8 +13,8 @@ mod importance;
 mod integrals;
 mod limits;
 mod long;
-mod ratio;
 mod short;
+mod weighted_mean;
 
 /// Standard errors that a correct estimator may be off.
 const Z: f64 = 7.0;

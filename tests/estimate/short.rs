@@ -1,7 +1,7 @@
 //! Many short runs of all magnitudes and shapes against two passes in f64, pushed and merged at random.
 
 use crate::{at_most, truth};
-use microwarp::estimate::{Moments, Ratio};
+use microwarp::estimate::{Moments, WeightedMean};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::sync::LazyLock;
@@ -153,7 +153,7 @@ fn short_runs_keep_the_stated_errors() {
             (moments.variance(), variance, 1.0),
             (moments.population_variance(), variance * (n - 1.0) / n, 1.0),
             // Twice the relative error of a root is that of the square.
-            (moments.standard_deviation(), deviation, 2.0),
+            (moments.std_dev(), deviation, 2.0),
             (moments.standard_error(), deviation / n.sqrt(), 2.0),
         ];
         for (got, exact, times) in pairs {
@@ -191,7 +191,7 @@ fn short_runs_keep_the_stated_errors() {
 
 #[test]
 fn short_weighted_runs_keep_the_stated_errors() {
-    let doc = Doc::of("estimate", "Ratio");
+    let doc = Doc::of("estimate", "WeightedMean");
     let mut rng = Pcg32::new(0x5048, 54);
     let (mut of_ratio, mut of_error) = (Worst::default(), Worst::default());
     for k in 0..*RUNS as usize {
@@ -206,15 +206,15 @@ fn short_weighted_runs_keep_the_stated_errors() {
             .iter()
             .map(|&x| (x, (scale * 10f64.powf(spread * unit(&mut rng))) as f32))
             .collect();
-        let push = |ratio: &mut Ratio, (x, w)| ratio.push(x, w);
+        let push = |ratio: &mut WeightedMean, (x, w)| ratio.push(x, w);
         let (samples, ratio) = match SEARCHED_WEIGHTED.get(k) {
             Some(&searched) => {
-                let mut ratio = Ratio::new();
+                let mut ratio = WeightedMean::new();
                 searched.iter().for_each(|&sample| push(&mut ratio, sample));
                 (searched.to_vec(), ratio)
             }
             None => {
-                let ratio = gather(&mut rng, &samples, push, Ratio::merge);
+                let ratio = gather(&mut rng, &samples, push, WeightedMean::merge);
                 (samples, ratio)
             }
         };
@@ -231,7 +231,7 @@ fn short_weighted_runs_keep_the_stated_errors() {
         let error = (n / (n - 1.0) * squares).sqrt() / weights;
         let spread = exact().map(|(x, w)| w * off_ratio(x).powi(2)).sum::<f64>() / weights;
         if normal(r) {
-            let off = (f64::from(ratio.estimate().unwrap()) - r).abs();
+            let off = (f64::from(ratio.mean().unwrap()) - r).abs();
             of_ratio.take(off / r.abs().max(spread.sqrt()), &values);
         }
         if normal(error) {

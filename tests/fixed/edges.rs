@@ -77,7 +77,7 @@ fn cones_of_an_angle_are_accepted_as_those_of_a_cosine_are() {
     /// A turn in words.
     const TURN: f64 = 4_294_967_296.0;
     let least = (2.0_f64.powi(-17).asin() / std::f64::consts::PI * TURN).ceil() as u32;
-    let cone = |words| warp::Cone::<Fine>::from_angle(U0F32::from_bits(words));
+    let cone = |words| warp::Cone::<Fine>::from_turns(U0F32::from_bits(words));
     assert!(cone(least + 2).is_ok());
     assert_eq!(cone(least - 2), Err(Error::Empty));
     assert!(f64::from(least) / TURN < 2.43e-6 && f64::from(least) / TURN > 2.42e-6);

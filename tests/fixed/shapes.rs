@@ -144,7 +144,7 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
     let lobe = |n| PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
     let normals = NormalPair::<_, G>::new([100, -20].map(I16F16::from_num), I16F16::from_num(5));
     let truncated =
-        |mean, length| TruncatedExponential::<_, G>::new(q16(mean), q16(length)).unwrap();
+        |mean, length| TruncatedExponential::<_, G>::from_mean(q16(mean), q16(length)).unwrap();
     let short = I16F16::from_num::<f64>;
     let flat = [[-90.0, 10.0], [300.0, -200.0], [40.0, 250.0]];
     let solid = [
@@ -175,7 +175,7 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
         "TriangleOn space" => TriangleOn::<_, 3, G>::new(SPACE.map(|v| v.map(I16F16::from_num))).unwrap(),
             Box::new(truth::OnTriangle(SPACE.map(|v| v.map(f64::from))));
         "StandardExponential" => StandardExponential::<G>::new(), truth::exponential(1.0);
-        "Exponential 16" => Exponential::<_, G>::new(q16(16.0)).unwrap(), truth::exponential(0.0625);
+        "Exponential 16" => Exponential::<_, G>::from_mean(q16(16.0)).unwrap(), truth::exponential(0.0625);
         "TruncatedExponential 8, 16" => truncated(8.0, 16.0), truth::truncated_exponential(0.125, 16.0);
         "TruncatedExponential 128, 16" => truncated(128.0, 16.0), truth::truncated_exponential(0.007_812_5, 16.0);
         "StandardNormalPair" => StandardNormalPair::<G>::new(), normal_pair([0.0; 2], 1.0);
@@ -190,7 +190,7 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
     if G::NAME != Coarse::NAME {
         let half = (std::f64::consts::PI * f64::from(narrow)).sin().powi(2);
         shapes.extend(shapes! {
-            "Cone of a thousandth turn" => Cone::<G>::from_angle(narrow).unwrap(),
+            "Cone of a thousandth turn" => Cone::<G>::from_turns(narrow).unwrap(),
                 truth::cone(2.0 * half, 2.0 - 2.0 * half);
             "PhongLobe 1e6" => lobe(1_000_000), truth::phong(1e6);
         });

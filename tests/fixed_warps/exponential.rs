@@ -80,7 +80,7 @@ fn the_standard_exponential_is_0_at_0_and_22_18_at_the_last_word() {
 
 /// Each sample is the standard one times the mean, cut, by long integers.
 fn product_is_exact<Frac: LeEqU32 + Sync, G: Grade>(mean: u32) {
-    let warp = Exponential::<Frac, G>::new(FixedU32::from_bits(mean)).unwrap();
+    let warp = Exponential::<Frac, G>::from_mean(FixedU32::from_bits(mean)).unwrap();
     let standard = StandardExponential::<G>::new();
     for k in 0..1_u32 << 16 {
         for w in [k, !k, k << 16, !(k << 16), k.wrapping_mul(0x9e37_79b9)] {
@@ -109,7 +109,7 @@ fn a_sample_is_the_standard_one_times_the_mean_cut_to_its_step() {
 
 fn density_is_true<Frac: LeEqU32, G: Grade>(mean: u32, of_peak: f64) {
     let m = FixedU32::<Frac>::from_bits(mean);
-    let warp = Exponential::<Frac, G>::new(m).unwrap();
+    let warp = Exponential::<Frac, G>::from_mean(m).unwrap();
     let step = 2_f64.powi(-(Frac::U32 as i32));
     let (mean, peak) = (f64::from(mean) * step, 1.0 / (f64::from(mean) * step));
     for k in 0..4096_u32 {
@@ -146,7 +146,7 @@ fn a_density_is_right_to_the_grade_and_a_step() {
 #[test]
 fn the_inverse_gives_the_uniform_back_to_the_step_of_the_format() {
     for mean in [16_u32, 1000, 65_536, 0x0123_4567, LARGEST] {
-        let warp = Exponential::<U16, Fine>::new(U16F16::from_bits(mean)).unwrap();
+        let warp = Exponential::<U16, Fine>::from_mean(U16F16::from_bits(mean)).unwrap();
         for k in 0..65_536_u32 {
             let w = k << 16 | k;
             let back = f64::from(warp.invert(warp.sample(word(w))).to_bits());
@@ -163,13 +163,19 @@ fn the_inverse_gives_the_uniform_back_to_the_step_of_the_format() {
 #[test]
 fn a_mean_of_0_or_beyond_the_format_is_refused() {
     type Wide = Exponential<U0, Fine>;
-    assert_eq!(Wide::new(U32F0::from_bits(0)), Err(Error::NotPositive));
-    assert!(Wide::new(U32F0::from_bits(1)).is_ok());
-    assert!(Wide::new(U32F0::from_bits(LARGEST)).is_ok());
+    assert_eq!(
+        Wide::from_mean(U32F0::from_bits(0)),
+        Err(Error::NotPositive)
+    );
+    assert!(Wide::from_mean(U32F0::from_bits(1)).is_ok());
+    assert!(Wide::from_mean(U32F0::from_bits(LARGEST)).is_ok());
     for mean in [LARGEST + 1, 1 << 28, u32::MAX] {
-        assert_eq!(Wide::new(U32F0::from_bits(mean)), Err(Error::TooLarge));
+        assert_eq!(
+            Wide::from_mean(U32F0::from_bits(mean)),
+            Err(Error::TooLarge)
+        );
     }
     const CHECKED: Result<Exponential<U16, Fine>, Error> =
-        Exponential::new(U16F16::from_bits(1 << 16));
+        Exponential::from_mean(U16F16::from_bits(1 << 16));
     assert!(CHECKED.is_ok());
 }

@@ -145,8 +145,8 @@ fn points_are_those_of_the_warp_itself() {
     agrees(mw::Sphere::new());
     agrees(mw::Hemisphere::new());
     agrees(mw::CosineHemisphere::new());
-    agrees(mw::Cone::from_angle(U0F32::from_num(0.01)).unwrap());
-    agrees(mw::Cone::from_angle(U0F32::from_num(0.4)).unwrap());
+    agrees(mw::Cone::from_turns(U0F32::from_num(0.01)).unwrap());
+    agrees(mw::Cone::from_turns(U0F32::from_num(0.4)).unwrap());
     agrees(mw::PhongLobe::new(U32F32::from_num(50)).unwrap());
     agrees(mw::Triangle::new());
     agrees(mw::StandardExponential::new());
@@ -156,8 +156,8 @@ fn points_are_those_of_the_warp_itself() {
     agrees(mw::Interval::<I16F16>::new(number(-3.25), number(5.0)).unwrap());
     agrees(mw::Interval::<i32>::inclusive(-7, 7).unwrap());
     let mean = FixedU32::<U16>::from_num(10);
-    agrees(mw::Exponential::new(mean).unwrap());
-    agrees(mw::TruncatedExponential::new(mean, FixedU32::from_num(3)).unwrap());
+    agrees(mw::Exponential::from_mean(mean).unwrap());
+    agrees(mw::TruncatedExponential::from_mean(mean, FixedU32::from_num(3)).unwrap());
 }
 
 #[test]

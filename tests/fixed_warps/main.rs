@@ -9,6 +9,7 @@ mod figures;
 mod float;
 mod interval;
 mod normal;
+mod parameters;
 mod tent;
 mod triangle;
 mod triangle_on;

@@ -44,7 +44,7 @@ const SETS: [[u32; 2]; 14] = [
 
 fn parameters<Frac: LeEqU32, G: Grade>([mean, length]: [u32; 2]) -> TruncatedExponential<Frac, G> {
     let bits = FixedU32::from_bits;
-    TruncatedExponential::new(bits(mean), bits(length)).unwrap()
+    TruncatedExponential::from_mean(bits(mean), bits(length)).unwrap()
 }
 
 /// The largest error beyond a word and a step, and the root mean square and the mean of the plain one.
@@ -193,12 +193,15 @@ fn a_long_mean_gives_the_uniform_distribution() {
 #[test]
 fn a_mean_or_a_length_of_0_is_refused() {
     let new = |mean, length| {
-        TruncatedExponential::<U16, Fine>::new(U16F16::from_bits(mean), U16F16::from_bits(length))
+        TruncatedExponential::<U16, Fine>::from_mean(
+            U16F16::from_bits(mean),
+            U16F16::from_bits(length),
+        )
     };
     for (mean, length) in [(0, 0), (0, 1), (1, 0), (u32::MAX, 0), (0, u32::MAX)] {
         assert_eq!(new(mean, length), Err(Error::NotPositive));
     }
     const CHECKED: Result<TruncatedExponential<U16, Fine>, Error> =
-        TruncatedExponential::new(U16F16::from_bits(1 << 16), U16F16::from_bits(1));
+        TruncatedExponential::from_mean(U16F16::from_bits(1 << 16), U16F16::from_bits(1));
     assert_eq!(CHECKED.unwrap().sample(U0F32::MAX), 0);
 }

@@ -1,6 +1,6 @@
 //! The box is a warp: sample, density and inverse, and what it refuses.
 
-use microwarp::Aabb;
+use microwarp::warp::Aabb;
 use microwarp::{Error, Invert, Warp};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;

@@ -48,9 +48,9 @@ fn a_draw_consumes_the_documented_number_of_words() {
     consumes(&poly::Interval::new(0.0, 1.0).unwrap(), 1);
     consumes(&poly::Power::new(2.0, 0.0, 1.0).unwrap(), 1);
     consumes(&poly::PowerMax::<5>::new(), 5);
-    consumes(&poly::Exponential::new(1.0).unwrap(), 1);
-    consumes(&poly::ExponentialTail::new(1.0).unwrap(), 2);
-    consumes(&poly::TruncatedExponential::new(1.0, 1.0).unwrap(), 1);
+    consumes(&poly::Exponential::from_rate(1.0).unwrap(), 1);
+    consumes(&poly::ExponentialTail::from_rate(1.0).unwrap(), 2);
+    consumes(&poly::TruncatedExponential::from_rate(1.0, 1.0).unwrap(), 1);
     consumes(&poly::Normal::new(0.0, 1.0).unwrap(), 1);
     consumes(&poly::NormalPair::new([0.0; 2], 1.0).unwrap(), 2);
     consumes(&poly::Disk::new(), 2);
@@ -60,7 +60,7 @@ fn a_draw_consumes_the_documented_number_of_words() {
     // A composition consumes what its parts do.
     let frame = poly::Frame::new([0.0, 1.0, 0.0]).unwrap();
     consumes(&poly::Oriented::new(poly::Hemisphere::new(), frame), 2);
-    let tail = poly::ExponentialTail::new(1.0).unwrap();
+    let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
     consumes(
         &poly::Transform::new(tail, |x| 2.0 * x, |y: f32| 0.5 * y, |_| 2.0),
         2,
@@ -181,8 +181,8 @@ fn the_points_before_a_failure_are_in_place() {
     fills_until_the_failure(&poly::Disk::new(), 2, [9.0; 2]);
     fills_until_the_failure(&poly::Sphere::new(), 2, [9.0; 3]);
     fills_until_the_failure(&poly::Triangle::new(), 2, [9.0; 3]);
-    fills_until_the_failure(&poly::Exponential::new(1.0).unwrap(), 1, -1.0);
-    fills_until_the_failure(&poly::ExponentialTail::new(1.0).unwrap(), 2, -1.0);
+    fills_until_the_failure(&poly::Exponential::from_rate(1.0).unwrap(), 1, -1.0);
+    fills_until_the_failure(&poly::ExponentialTail::from_rate(1.0).unwrap(), 2, -1.0);
     fills_until_the_failure(&&libm::Hemisphere::new(), 2, [9.0; 3]);
 }
 
@@ -197,7 +197,7 @@ fn drawing_is_sampling_at_the_drawn_uniforms() {
         let u = [uniform::grid(&mut explicit), uniform::grid(&mut explicit)];
         assert_eq!(point, disk.sample(u));
     }
-    let tail = libm::ExponentialTail::new(1.0).unwrap();
+    let tail = libm::ExponentialTail::from_rate(1.0).unwrap();
     let (mut drawn, mut explicit) = (Pcg32::new(9, 9), Pcg32::new(9, 9));
     for _ in 0..100 {
         assert_eq!(
@@ -211,13 +211,9 @@ fn drawing_is_sampling_at_the_drawn_uniforms() {
 /// the same as the grid's where the grid has it.
 #[test]
 fn drawing_from_a_table_is_the_exact_place_of_the_word() {
-    let narrow = PiecewiseConstant1d::<[u32; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
-    let wide = PiecewiseConstant1d::<[u64; 4]>::from_weights(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
-    let plane = PiecewiseConstant2d::<[u32; 2], [[u32; 2]; 2]>::new(
-        &[[1.0, 3.0], [0.0, 4.0]],
-        [0.0, 4.0],
-        [0.0, 2.0],
-    );
+    let narrow = PiecewiseConstant1d::new(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let wide = PiecewiseConstant1d::new_u64(&[1.0, 0.0, 2.0, 1.0], 0.0, 8.0);
+    let plane = PiecewiseConstant2d::new(&[[1.0, 3.0], [0.0, 4.0]], [0.0, 4.0], [0.0, 2.0]);
     let (narrow, wide, plane) = (narrow.unwrap(), wide.unwrap(), plane.unwrap());
     // Cells of [0, 8) with a quarter, nothing, a half and a quarter of the words.
     let place = |u: f64| match u {
@@ -278,13 +274,13 @@ fn a_failing_generator_passes_its_error_on() {
     assert_eq!(disk.try_fill(&mut failing(5), &mut points), Err(Broken(17)));
     assert!(points[1] != [9.0; 2] && points[2] == [9.0; 2]);
     assert_eq!(
-        poly::ExponentialTail::new(1.0)
+        poly::ExponentialTail::from_rate(1.0)
             .unwrap()
             .try_draw(&mut failing(1)),
         Err(Broken(17))
     );
     let plane = |words| {
-        PiecewiseConstant2d::<[u64; 1], [[u64; 1]; 1]>::new(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
+        PiecewiseConstant2d::new_u64(&[[1.0]], [0.0, 1.0], [0.0, 1.0])
             .unwrap()
             .try_draw(&mut failing(words))
     };
@@ -309,7 +305,7 @@ fn a_stuck_generator_draws_finite_points() {
                 .is_finite()
         );
         assert!(
-            poly::ExponentialTail::new(1.0)
+            poly::ExponentialTail::from_rate(1.0)
                 .unwrap()
                 .draw(&mut rng)
                 .is_finite()

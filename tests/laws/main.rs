@@ -3,6 +3,7 @@
 
 mod any_parameters;
 mod boxes;
+mod constructors;
 mod generators;
 mod house;
 mod monotone;

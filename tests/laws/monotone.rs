@@ -6,7 +6,10 @@
 
 use crate::any_parameters::any;
 use microwarp::discrete::PiecewiseConstant1d;
-use microwarp::{Error, Interval, Linear, Tent, Warp};
+use microwarp::{
+    Error, Warp,
+    warp::{Interval, Linear, Tent},
+};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::speed;
@@ -90,9 +93,7 @@ fn families() -> Vec<(&'static str, Build)> {
         ("Tent", |p| rising(Tent::new(p[0]))),
         ("PiecewiseConstant1d", |p| {
             let ((a, b), [_, _, weights @ ..]) = (ordered(p), p.map(f32::abs));
-            rising(PiecewiseConstant1d::<[u32; 4]>::from_weights(
-                &weights, a, b,
-            ))
+            rising(PiecewiseConstant1d::new(&weights, a, b))
         }),
     ]
 }

@@ -40,9 +40,9 @@ fn impossible_parts_are_refused_by_name() {
         )*};
     }
     refused! {
-        Spherical::new(-1.0, 0.1, 0.0) => Negative;
-        Spherical::new(1.0, 0.6, 0.0) => OutOfRange;
-        Spherical::new(1.0, 0.1, f32::INFINITY) => NotFinite;
+        Spherical::from_turns(-1.0, 0.1, 0.0) => Negative;
+        Spherical::from_turns(1.0, 0.6, 0.0) => OutOfRange;
+        Spherical::from_turns(1.0, 0.1, f32::INFINITY) => NotFinite;
         Frame::new([0.0, 0.0, 0.0]) => ZeroLength;
         Frame::new([0.0, f32::NAN, 0.0]) => NotFinite;
     }

@@ -117,7 +117,7 @@ fn patches<T: Tier>() {
         theta.sort_by(f32::total_cmp);
         let (phi, width) = (centred(&mut rng), spread(&mut rng, -20.0, 0.0).abs());
         let [low, high] = theta;
-        let Ok(patch) = SphericalPatch::<T>::new(low, high, phi, phi + width) else {
+        let Ok(patch) = SphericalPatch::<T>::from_turns(low, high, phi, phi + width) else {
             continue;
         };
         accepted += 1;
@@ -143,7 +143,7 @@ fn patches_at_both_poles_have_the_same_solid_angle() {
     for steps in [1, 2, 5, 1000] {
         let width = steps as f32 / 33_554_432.0;
         let patch = |from, to| {
-            SphericalPatch::<Poly>::new(from, to, 0.0, 1.0)
+            SphericalPatch::<Poly>::from_turns(from, to, 0.0, 1.0)
                 .unwrap()
                 .solid_angle()
         };
@@ -200,7 +200,7 @@ fn a_small_triangle_far_off_is_flat() {
 fn an_angle_has_its_density<T: Tier>() {
     for k in 1..=10_000_u16 {
         let angle = 1.2 * f32::from(k) / 1e4;
-        let density = Cone::<T>::from_angle(angle).unwrap().pdf([0.0, 0.0, 1.0]);
+        let density = Cone::<T>::from_radians(angle).unwrap().pdf([0.0, 0.0, 1.0]);
         let solid_angle = 4.0 * PI * (f64::from(angle) / 2.0).sin().powi(2);
         let error = (f64::from(density) * solid_angle - 1.0).abs();
         // What the warp states of every cone.

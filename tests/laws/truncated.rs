@@ -35,7 +35,7 @@ fn gentle_slopes_are_right<T: Tier>() {
             unit() * 0.5
         };
         let rate = if k % 3 == 0 { z } else { -z };
-        let warp = TruncatedExponential::<T>::new(rate, 1.0).unwrap();
+        let warp = TruncatedExponential::<T>::from_rate(rate, 1.0).unwrap();
         let u = unit();
         let error = error_of(&warp, rate, 1.0, u);
         assert!(error <= STATED, "{rate} at {u}: {error} ulp");
@@ -55,7 +55,7 @@ fn steep_rises_are_right<T: Tier>() {
     for _ in 0..200_000 {
         let length = 10_f64.powf(-30.0 + 60.0 * unit()) as f32;
         let rate = -((75.0 + 115.0 * unit()) / f64::from(length)) as f32;
-        let warp = TruncatedExponential::<T>::new(rate, length).unwrap();
+        let warp = TruncatedExponential::<T>::from_rate(rate, length).unwrap();
         let start = warp.sample(0.0);
         assert!(start == 0.0, "{rate} {length}: {start} at 0");
         let z = f64::from(rate) * f64::from(length);
@@ -91,7 +91,7 @@ fn the_least_uniforms_keep_their_digits() {
         (1e-39, 3.4e38),
         (0.3, 1.0),
     ] {
-        let warp = TruncatedExponential::<Poly>::new(rate, length).unwrap();
+        let warp = TruncatedExponential::<Poly>::from_rate(rate, length).unwrap();
         let truth = truth::truncated_exponential(rate, length);
         for k in 1..1_000 {
             let u = f32::from_bits(k * 15_000);

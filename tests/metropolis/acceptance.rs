@@ -2,7 +2,8 @@
 
 use super::exact::Fraction;
 use microwarp::metropolis::{
-    Chain, Correction, Density, Mutation, Outcome, Proposal, Ratio, Step, Symmetric,
+    Chain, HastingsCorrection, HastingsRatio, Mutation, Outcome, Proposal, Symmetric,
+    TargetDensity, Transition,
 };
 use rand_core::{Rng as _, TryRng};
 use rand_pcg::Pcg32;
@@ -10,9 +11,10 @@ use support::generators::Cycle;
 use support::speed;
 
 /// Proposes state 1, with a correction of the test's own.
+#[derive(Clone, Copy)]
 pub struct Given<C>(pub C);
 
-impl<C: Correction> Mutation<usize> for Given<C> {
+impl<C: HastingsCorrection> Mutation<usize> for Given<C> {
     type Correction = C;
 
     fn try_propose<R: TryRng + ?Sized>(
@@ -25,7 +27,12 @@ impl<C: Correction> Mutation<usize> for Given<C> {
 }
 
 /// The step of a chain at a state of density `from` to which one of density `to` is proposed.
-pub fn step<D: Density, C: Correction>(from: D, to: D, correction: C, word: u32) -> Step<usize, D> {
+pub fn step<D: TargetDensity, C: HastingsCorrection>(
+    from: D,
+    to: D,
+    correction: C,
+    word: u32,
+) -> Transition<usize, D> {
     let target = |state: usize| if state == 0 { from } else { to };
     let mut chain = Chain::new(0, target).expect("a density to start from");
     let step = chain.step(target, &Given(correction), &mut Cycle::new(&[word]));
@@ -40,7 +47,7 @@ pub fn step<D: Density, C: Correction>(from: D, to: D, correction: C, word: u32)
     step
 }
 
-pub fn acceptance<D: Density, C: Correction>(from: D, to: D, correction: C) -> f32 {
+pub fn acceptance<D: TargetDensity, C: HastingsCorrection>(from: D, to: D, correction: C) -> f32 {
     step(from, to, correction, 0).acceptance
 }
 
@@ -105,7 +112,7 @@ fn four(rng: &mut Pcg32) -> Option<[f32; 4]> {
 fn with_a_ratio([from, to, forward, backward]: [f32; 4]) -> f64 {
     let [f, t, there, back] = [from, to, forward, backward].map(Fraction::of);
     let exact = t.times(&back).over(&f.times(&there)).capped();
-    exact.ulps(acceptance(from, to, Ratio::new(forward, backward)))
+    exact.ulps(acceptance(from, to, HastingsRatio::new(forward, backward)))
 }
 
 #[test]
@@ -160,7 +167,7 @@ fn an_acceptance_with_a_ratio_is_within_2_ulp() {
 /// The value of a ratio, through the acceptance of two densities whose quotient is a power of two, which
 /// brings it below 1 and not below 2^-66.
 fn value(forward: u128, backward: u128) -> (f32, Fraction) {
-    let ratio = Ratio::from_counts(forward, backward);
+    let ratio = HastingsRatio::from_counts(forward, backward);
     let exact = Fraction::of_count(backward).over(&Fraction::of_count(forward));
     let from = if backward < forward {
         1.0
@@ -230,8 +237,14 @@ fn a_ratio_of_counts_is_correctly_rounded_but_next_to_the_middle() {
 fn counts_beyond_2_to_the_64_count_as_that() {
     let all = 1_u128 << 64;
     for count in [all + 1, all * 2, u128::MAX] {
-        assert_eq!(Ratio::from_counts(3, count), Ratio::from_counts(3, all));
-        assert_eq!(Ratio::from_counts(count, 3), Ratio::from_counts(all, 3));
-        assert_eq!(Ratio::from_counts(count, all), Ratio::ONE);
+        assert_eq!(
+            HastingsRatio::from_counts(3, count),
+            HastingsRatio::from_counts(3, all)
+        );
+        assert_eq!(
+            HastingsRatio::from_counts(count, 3),
+            HastingsRatio::from_counts(all, 3)
+        );
+        assert_eq!(HastingsRatio::from_counts(count, all), HastingsRatio::ONE);
     }
 }

@@ -3,7 +3,8 @@
 use crate::series::autoregression;
 use microwarp::estimate::Moments;
 use microwarp::metropolis::{
-    BoxStep, Chain, Halves, Health, Mixture, Mutation, UniformStep, Wrapped, r_hat, split_r_hat,
+    Autocorrelation, BoxStep, Chain, Halves, Mixture, Mutation, UniformStep, WrappedWalk, r_hat,
+    split_r_hat,
 };
 use rand_pcg::Pcg32;
 use support::speed;
@@ -78,7 +79,7 @@ fn humps(x: f32) -> f32 {
 /// Split R̂, R̂, the share of the right hump and the time of chains that start in both humps in turn.
 fn chains<M: Mutation<f32>>(mutation: &M) -> (f32, f32, f64, Option<f32>) {
     let (mut runs, mut right) = (Vec::new(), 0);
-    let mut health = Health::<200>::new();
+    let mut health = Autocorrelation::<200>::new();
     for k in 0..4 {
         let start = if k % 2 == 0 { 0.25 } else { 0.75 };
         let mut chain = Chain::new(start, humps).unwrap();
@@ -100,7 +101,7 @@ fn chains<M: Mutation<f32>>(mutation: &M) -> (f32, f32, f64, Option<f32>) {
 
 #[test]
 fn chains_stuck_in_two_humps_are_told_from_chains_that_cross() {
-    let small = Wrapped::new(BoxStep::new(0.1).unwrap());
+    let small = WrappedWalk::new(BoxStep::new(0.1).unwrap());
     let (split, whole, share, time) = chains(&small);
     println!("small steps: split {split:.3}, whole {whole:.3}, {share:.3} right, time {time:?}");
     assert!(split > 1.5 && whole > 1.5, "{split} {whole}");
@@ -119,11 +120,11 @@ fn chains_stuck_in_two_humps_are_told_from_chains_that_cross() {
 /// A function of which hump a chain is in has a longer time than the place within it.
 #[test]
 fn the_time_of_a_rare_crossing_is_seen() {
-    let small = Wrapped::new(BoxStep::new(0.1).unwrap());
+    let small = WrappedWalk::new(BoxStep::new(0.1).unwrap());
     let rare = Mixture::new((small, UniformStep::new()), &[0.9, 0.1]).unwrap();
     let mut chain = Chain::new(0.25, humps).unwrap();
     let mut rng = Pcg32::new(5, 77);
-    let (mut which, mut within) = (Health::<600>::new(), Health::<600>::new());
+    let (mut which, mut within) = (Autocorrelation::<600>::new(), Autocorrelation::<600>::new());
     for _ in 0..speed::of("steps", 50_000, 200_000) {
         let x = chain.step(humps, &rare, &mut rng).state();
         which.push(if x > 0.5 { 1.0 } else { 0.0 });

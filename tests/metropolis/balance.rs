@@ -4,12 +4,12 @@
 use super::enumeration::{Driven, Path, TOTAL_BITS, Words, exact, proposals, rounded};
 use super::spectrum::{Matrix, second_by_powers, second_by_rotations};
 use super::weighed::Weighed;
-use microwarp::metropolis::{Density, LogDensity, Mutation};
+use microwarp::metropolis::{LogDensity, Mutation, TargetDensity};
 use microwarp::tier::Tier;
 use num_bigint::BigUint;
 
 /// A density in f64, of which nothing but quotients are known.
-pub trait Truth: Density + Weighed<Acceptance = f32> {
+pub trait Truth: TargetDensity + Weighed<Acceptance = f32> {
     /// `to` over `from`.
     fn ratio(from: Self, to: Self) -> f64;
     /// What the acceptance of a symmetric mutation may be off, in proportion to it.

@@ -1,7 +1,7 @@
 //! The targets, each with the coordinates that make it uniform, exactly and in f64, and the cells that its states are
 //! counted in; and mutations such as a user may write.
 
-use microwarp::metropolis::{Mutation, Proposal, Ratio};
+use microwarp::metropolis::{HastingsRatio, Mutation, Proposal};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -83,15 +83,15 @@ pub struct Multiply {
 }
 
 impl Mutation<f32> for Multiply {
-    type Correction = Ratio;
+    type Correction = HastingsRatio;
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         from: f32,
         rng: &mut R,
-    ) -> Result<Proposal<f32, Ratio>, R::Error> {
+    ) -> Result<Proposal<f32, HastingsRatio>, R::Error> {
         let turn = f64::from(rng.try_next_u32()?) / 2_147_483_648.0 - 1.0;
         let to = (f64::from(from) * (turn * f64::from(self.reach)).exp()) as f32;
-        Ok(Proposal::new(to, Ratio::new(1.0 / to, 1.0 / from)))
+        Ok(Proposal::new(to, HastingsRatio::new(1.0 / to, 1.0 / from)))
     }
 }
 

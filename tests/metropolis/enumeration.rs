@@ -5,7 +5,7 @@
 //! accept. What galloping takes for granted is then asked of random words.
 
 use super::weighed::Weighed;
-use microwarp::metropolis::{Chain, Mutation, Outcome, Step};
+use microwarp::metropolis::{Chain, Mutation, Outcome, Transition};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -125,7 +125,11 @@ pub struct Driven<'a, F, M> {
 
 impl<F, M> Driven<'_, F, M> {
     /// One real step. It takes the words given, all of them, and no other.
-    pub fn step<D: Weighed>(&self, from: usize, words: &[u32]) -> Step<usize, D, D::Acceptance>
+    pub fn step<D: Weighed>(
+        &self,
+        from: usize,
+        words: &[u32],
+    ) -> Transition<usize, D, D::Acceptance>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,

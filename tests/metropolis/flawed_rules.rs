@@ -5,8 +5,8 @@ use crate::evidence::assert_passes;
 use crate::flaws::{p_values, rejected};
 use crate::subjects::{Subject, chain, walking};
 use microwarp::metropolis::{
-    Correction, Independence, Mutation, Outcome, Proposal, Ratio, Source, Step, Symmetric,
-    UniformStep,
+    HastingsCorrection, HastingsRatio, Independence, Mutation, Outcome, Proposal, StateSource,
+    Symmetric, Transition, UniformStep,
 };
 use microwarp::poly;
 use rand_core::TryRng;
@@ -20,7 +20,7 @@ struct Restated<M, C> {
     ratio: fn(f32, f32) -> C,
 }
 
-impl<M: Mutation<f32>, C: Correction> Mutation<f32> for Restated<M, C> {
+impl<M: Mutation<f32>, C: HastingsCorrection> Mutation<f32> for Restated<M, C> {
     type Correction = C;
     fn try_propose<R: TryRng + ?Sized>(
         &self,
@@ -35,7 +35,7 @@ impl<M: Mutation<f32>, C: Correction> Mutation<f32> for Restated<M, C> {
 #[test]
 fn a_chain_that_forgets_the_ratio_is_rejected() {
     let factors = Multiply { reach: 1.5 };
-    let source = Independence::new(poly::Exponential::new(0.4).unwrap());
+    let source = Independence::new(poly::Exponential::from_rate(0.4).unwrap());
     let cells = gamma_cells;
     let forgets = |_, _| Symmetric;
     let wrong = Restated {
@@ -54,17 +54,17 @@ fn a_chain_that_forgets_the_ratio_is_rejected() {
         gamma,
         wrong,
     ));
-    let inverted = |from, to| Ratio::new(1.0 / from, 1.0 / to);
+    let inverted = |from, to| HastingsRatio::new(1.0 / from, 1.0 / to);
     let wrong = Restated {
         mutation: factors,
         ratio: inverted,
     };
     rejected(&chain("the inverse ratio", cells(), 40.0, gamma, wrong));
     // x′/x to the power 1.03: how little is seen; of fewer steps, less.
-    let nearly: fn(f32, f32) -> Ratio = if speed::full() {
-        |from, to| Ratio::new(from.powf(1.03), to.powf(1.03))
+    let nearly: fn(f32, f32) -> HastingsRatio = if speed::full() {
+        |from, to| HastingsRatio::new(from.powf(1.03), to.powf(1.03))
     } else {
-        |from, to| Ratio::new(from.powf(1.15), to.powf(1.15))
+        |from, to| HastingsRatio::new(from.powf(1.15), to.powf(1.15))
     };
     let wrong = Restated {
         mutation: factors,
@@ -78,7 +78,7 @@ fn a_chain_that_forgets_the_ratio_is_rejected() {
         wrong,
     ));
     // Restated rightly, nothing is wrong.
-    let rightly = |from, to| Ratio::new(from, to);
+    let rightly = |from, to| HastingsRatio::new(from, to);
     let right = Restated {
         mutation: factors,
         ratio: rightly,
@@ -88,8 +88,8 @@ fn a_chain_that_forgets_the_ratio_is_rejected() {
         &p_values(&chain("", cells(), 40.0, gamma, right)),
     );
     let rightly = |from, to| {
-        let source = poly::Exponential::new(0.4).unwrap();
-        Source::<f32>::ratio_of_states(&source, from, to)
+        let source = poly::Exponential::from_rate(0.4).unwrap();
+        StateSource::<f32>::ratio_of_states(&source, from, to)
     };
     let right = Restated {
         mutation: source,
@@ -116,7 +116,7 @@ fn naive(
             let [from_density, proposed_density] = [at, proposal.state].map(target);
             let acceptance = proposed_density / from_density;
             let rejected = rejects((f64::from(word) / 4_294_967_296.0) as f32, acceptance);
-            let step = Step {
+            let step = Transition {
                 from: at,
                 from_density,
                 proposed: proposal.state,

@@ -4,7 +4,7 @@ use crate::densities::*;
 use crate::evidence::{assert_passes, assert_rejected};
 use crate::runs::FULL;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
-use microwarp::metropolis::{BoxStep, Chain, Mutation, Outcome, Proposal, Step, Symmetric};
+use microwarp::metropolis::{BoxStep, Chain, Mutation, Outcome, Proposal, Symmetric, Transition};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
 use support::speed;
@@ -24,7 +24,7 @@ pub fn rejected(subject: &Subject) {
 /// Steps on the parabola, nine to one, after which `then` has its say.
 fn altered(
     name: &'static str,
-    then: impl Fn(Step<f32>) -> Option<Step<f32>> + Copy + 'static,
+    then: impl Fn(Transition<f32>) -> Option<Transition<f32>> + Copy + 'static,
 ) -> Subject {
     walking(name, parabola_cells(), move |_| {
         let mut chain = Chain::new(0.45, parabola).unwrap();
@@ -46,17 +46,17 @@ fn wrong_recordings_are_rejected() {
     });
     // Few steps are not enough to see it.
     rejected(&moves.planned(FULL));
-    let swapped = |step: Step<f32>| {
+    let swapped = |step: Transition<f32>| {
         let acceptance = 1.0 - step.acceptance;
-        Some(Step { acceptance, ..step })
+        Some(Transition { acceptance, ..step })
     };
     let swapped = altered("swapped weights", swapped);
     let [plain, weighted, apart] = p_values(&swapped);
     assert_rejected("swapped weights", &[weighted]);
     // It is the recording alone that is wrong there.
     assert_passes("and its plain states", &[plain, apart]);
-    let proposals = |step: Step<f32>| {
-        Some(Step {
+    let proposals = |step: Transition<f32>| {
+        Some(Transition {
             acceptance: 1.0,
             outcome: Outcome::Forced,
             ..step

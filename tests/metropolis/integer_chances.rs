@@ -1,7 +1,10 @@
 //! How many words accept, of integer weights: the exact number, for weights and ratios of any magnitude.
 
 use super::acceptance::Given;
-use microwarp::metropolis::{Chain, Chance, Correction, Counts, Outcome, Ratio, Step, Symmetric};
+use microwarp::metropolis::{
+    Chain, Chance, HastingsCorrection, HastingsCounts, HastingsRatio, Outcome, Symmetric,
+    Transition,
+};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -55,12 +58,12 @@ pub fn due(from: u32, to: u32, counts: [u128; 2]) -> u64 {
 }
 
 /// The step of a chain at a state of weight `from` to which one of weight `to` is proposed.
-fn step<C: Correction>(
+fn step<C: HastingsCorrection>(
     from: u32,
     to: u32,
     correction: C,
     word: u32,
-) -> (Step<usize, u32, Chance>, Chain<usize, u32>) {
+) -> (Transition<usize, u32, Chance>, Chain<usize, u32>) {
     let weight = |state: usize| if state == 0 { from } else { to };
     let mut chain = Chain::new(0, weight).unwrap();
     let step = chain.step(weight, &Given(correction), &mut Cycle::new(&[word]));
@@ -71,7 +74,7 @@ fn step<C: Correction>(
 }
 
 /// The words that the step reports, after asking the words on both sides of the border, and the ends.
-pub fn words<C: Correction>(from: u32, to: u32, correction: C) -> u64 {
+pub fn words<C: HastingsCorrection>(from: u32, to: u32, correction: C) -> u64 {
     let words = step(from, to, correction, 0).0.acceptance.words();
     assert!(words <= ALL);
     let border = [words.checked_sub(2), words.checked_sub(1), Some(words)];
@@ -130,7 +133,7 @@ fn proposals_with_counts_are_accepted_by_the_exact_number_of_words() {
     let mut rng = Pcg32::new(2, 2);
     let mut seen = [0_u32; 3];
     let mut check = |from, to, counts: [u128; 2]| {
-        let got = words(from, to, Counts::new(counts[0], counts[1]));
+        let got = words(from, to, HastingsCounts::new(counts[0], counts[1]));
         assert_eq!(
             got,
             due(from, to, counts),
@@ -202,7 +205,7 @@ fn proposals_with_a_ratio_are_accepted_by_the_exact_number_of_words() {
             0.. => ceiling(part << exponent as u32, &whole),
             _ => ceiling(part, &(whole << exponent.unsigned_abs())),
         };
-        let got = words(from, to, Ratio::new(1.0, ratio));
+        let got = words(from, to, HastingsRatio::new(1.0, ratio));
         assert_eq!(got, exact, "{from} -> {to}, ratio {ratio:e}");
         seen[usize::from(got > 1 && got < ALL)] += 1;
     }
@@ -216,11 +219,11 @@ fn a_proposal_without_a_way_is_never_accepted() {
         for word in [0, 1, u32::MAX] {
             let never = [
                 step(from, 0, Symmetric, word),
-                step(from, 0, Counts::new(1, 1), word),
-                step(from, 0, Counts::new(1, MOST), word),
-                step(from, 0, Ratio::new(1e-38, 1e38), word),
-                step(from, 5, Counts::new(1, 0), word),
-                step(from, 5, Ratio::from_counts(1, 0), word),
+                step(from, 0, HastingsCounts::new(1, 1), word),
+                step(from, 0, HastingsCounts::new(1, MOST), word),
+                step(from, 0, HastingsRatio::new(1e-38, 1e38), word),
+                step(from, 5, HastingsCounts::new(1, 0), word),
+                step(from, 5, HastingsRatio::from_counts(1, 0), word),
             ];
             for (step, chain) in never {
                 assert_eq!((step.acceptance.words(), step.state()), (0, 0));
@@ -228,9 +231,9 @@ fn a_proposal_without_a_way_is_never_accepted() {
                 assert_eq!(step.recorded(), [(0, ALL), (1, 0)]);
             }
             let refused = [
-                step(from, 5, Counts::new(0, 1), word),
-                step(from, 0, Counts::new(0, 0), word),
-                step(from, 5, Ratio::new(f32::NAN, 1.0), word),
+                step(from, 5, HastingsCounts::new(0, 1), word),
+                step(from, 0, HastingsCounts::new(0, 0), word),
+                step(from, 5, HastingsRatio::new(f32::NAN, 1.0), word),
             ];
             for (step, chain) in refused {
                 assert_eq!((step.acceptance.words(), step.state()), (0, 0));
@@ -243,7 +246,7 @@ fn a_proposal_without_a_way_is_never_accepted() {
 #[test]
 fn chances_are_equal_if_the_same_words_accept() {
     let chance = |from, to, counts: [u128; 2]| {
-        let counts = Counts::new(counts[0], counts[1]);
+        let counts = HastingsCounts::new(counts[0], counts[1]);
         step(from, to, counts, 0).0.acceptance
     };
     assert_eq!(

@@ -7,8 +7,8 @@ use super::enumeration::Words;
 use super::stated::stated;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
-    Chain, Chance, Counts, Independence, LogDensity, Mixture, Mutation, Outcome, Ratio, Saved,
-    Step, Symmetric, TransitionTable, UniformIndex, UniformStep,
+    Chain, Chance, HastingsCounts, HastingsRatio, Independence, LogDensity, Mixture, Mutation,
+    Outcome, Saved, Symmetric, Transition, TransitionTable, UniformIndex, UniformStep,
 };
 use microwarp::rejection::Failure;
 use microwarp::tier::Poly;
@@ -144,11 +144,11 @@ fn counts_in_a_chain_of_densities_are_their_ratio() {
     for _ in 0..200_000 {
         let any = |rng: &mut Pcg32| u128::from(rng.next_u64() >> (rng.next_u32() % 64));
         let (forward, backward) = (any(&mut rng), any(&mut rng));
-        let counts = Counts::new(forward, backward);
-        let ratio = Ratio::from_counts(forward, backward);
+        let counts = HastingsCounts::new(forward, backward);
+        let ratio = HastingsRatio::from_counts(forward, backward);
         assert_eq!(counts.ratio(), ratio);
         let (from, to, word) = (positive(&mut rng), positive(&mut rng), rng.next_u32());
-        let bits = |s: Step<usize>| (s.acceptance.to_bits(), s.outcome);
+        let bits = |s: Transition<usize>| (s.acceptance.to_bits(), s.outcome);
         assert_eq!(
             bits(float_step(from, to, counts, word)),
             bits(float_step(from, to, ratio, word))
@@ -168,10 +168,14 @@ fn counts_in_a_chain_of_densities_are_their_ratio() {
 /// A mixture states as little as its parts do.
 #[test]
 fn mixtures_of_counts_stay_counts() {
-    fn is<M: Mutation<X, Correction = C>, X, C: microwarp::metropolis::Correction>(_: &M, _: C) {}
-    let counts = Counts::new(1, 1);
+    fn is<M: Mutation<X, Correction = C>, X, C: microwarp::metropolis::HastingsCorrection>(
+        _: &M,
+        _: C,
+    ) {
+    }
+    let counts = HastingsCounts::new(1, 1);
     let row = Cdf::<[u32; 2]>::from_integers(&[1, 2]).unwrap();
-    let bins = Alias::<[AliasEntry<u64>; 2]>::from_integers(&[1, 2]).unwrap();
+    let bins = Alias::<[AliasEntry<u64>; 2]>::from_integers_u64(&[1, 2]).unwrap();
     let (cdf, alias) = (Independence::new(row), Independence::new(bins));
     let rows = TransitionTable::new([row; 2]).unwrap();
     let index = UniformIndex::new(2).unwrap();
@@ -183,13 +187,16 @@ fn mixtures_of_counts_stay_counts() {
     is(&Mixture::from_table((index, cdf), row), counts);
     is(&Mixture::from_table((alias, index), row), counts);
     is(&Mixture::from_table((rows, alias), row), counts);
-    let given = Given(Ratio::ONE);
-    is(&Mixture::from_table((&given, cdf), row), Ratio::ONE);
-    is(&Mixture::from_table((cdf, &given), row), Ratio::ONE);
-    is(&Mixture::from_table((index, &given), row), Ratio::ONE);
+    let given = Given(HastingsRatio::ONE);
+    is(&Mixture::from_table((&given, cdf), row), HastingsRatio::ONE);
+    is(&Mixture::from_table((cdf, &given), row), HastingsRatio::ONE);
+    is(
+        &Mixture::from_table((index, &given), row),
+        HastingsRatio::ONE,
+    );
     let warp = Independence::new(poly::Disk::new());
-    is::<_, [f32; 2], _>(&warp, Ratio::ONE);
-    is::<_, f32, _>(&Independence::new(UniformStep::new()), Ratio::ONE);
+    is::<_, [f32; 2], _>(&warp, HastingsRatio::ONE);
+    is::<_, f32, _>(&Independence::new(UniformStep::new()), HastingsRatio::ONE);
 }
 
 #[test]
@@ -200,7 +207,10 @@ fn chains_of_integers_are_as_large_as_stated() {
         for (row, size) in [
             ("[`Chain`], [`Saved`]", size_of::<Chain<X, u32>>()),
             ("[`Chain`], [`Saved`]", size_of::<Saved<X, u32>>()),
-            ("of integer weights", size_of::<Step<X, u32, Chance>>()),
+            (
+                "of integer weights",
+                size_of::<Transition<X, u32, Chance>>(),
+            ),
         ] {
             assert_eq!(stated(SOURCE, row, column), size as f64, "{row} {column}");
         }

@@ -1,7 +1,7 @@
 //! The laws of steps, over every word: as likely as their negatives to the last bit, and distributed as
 //! stated, by exact counts.
 
-use microwarp::metropolis::{BoxStep, Displacement, ExponentialStep, NormalStep};
+use microwarp::metropolis::{BoxStep, LogUniformStep, NormalStep, StepLaw};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::FRAC_1_SQRT_2;
 use support::speed::{self, sampled};
@@ -17,7 +17,7 @@ pub struct Law {
     pub step: Box<dyn Fn(u32) -> f32>,
 }
 
-fn law(name: String, step: impl Displacement<f32> + 'static) -> Law {
+fn law(name: String, step: impl StepLaw<f32> + 'static) -> Law {
     let step = Box::new(move |word| step.displacement(0, word));
     Law { name, step }
 }
@@ -32,8 +32,8 @@ pub fn normal<T: Tier>(deviation: f32) -> Law {
 }
 
 pub fn exponential<T: Tier>(smallest: f32, largest: f32) -> Law {
-    let step = ExponentialStep::<T>::new(smallest, largest).unwrap();
-    let name = format!("{} ExponentialStep {smallest:e} {largest:e}", T::NAME);
+    let step = LogUniformStep::<T>::new(smallest, largest).unwrap();
+    let name = format!("{} LogUniformStep {smallest:e} {largest:e}", T::NAME);
     law(name, step)
 }
 

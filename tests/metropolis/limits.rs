@@ -1,7 +1,7 @@
 //! Steps with a limit: never more rejections in a row than it says, and nothing forced that may not be.
 
 use super::acceptance::Given;
-use microwarp::metropolis::{Chain, Outcome, Ratio, Saved, UniformStep};
+use microwarp::metropolis::{Chain, HastingsRatio, Outcome, Saved, UniformStep};
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
 use support::generators::{Broken, Cycle, Failing};
@@ -106,12 +106,12 @@ fn a_way_without_return_is_never_forced_and_an_acceptance_of_0_is() {
     let most = limit(5);
     for times in [4, 5, 6, u32::MAX] {
         for (ratio, density, outcome) in [
-            (Ratio::new(1.0, 0.0), 1.0, Outcome::Rejected),
-            (Ratio::new(0.0, 1.0), 1.0, Outcome::Refused),
+            (HastingsRatio::new(1.0, 0.0), 1.0, Outcome::Rejected),
+            (HastingsRatio::new(0.0, 1.0), 1.0, Outcome::Refused),
             // One that underflows is a way all the same.
-            (Ratio::new(f32::MAX, 1e-45), 1.0, Outcome::Forced),
-            (Ratio::ONE, 1e-45, Outcome::Forced),
-            (Ratio::ONE, 1.0, Outcome::Accepted),
+            (HastingsRatio::new(f32::MAX, 1e-45), 1.0, Outcome::Forced),
+            (HastingsRatio::ONE, 1e-45, Outcome::Forced),
+            (HastingsRatio::ONE, 1.0, Outcome::Accepted),
         ] {
             let mut chain = rejected(times);
             let target = |_| density;
@@ -137,14 +137,23 @@ fn a_way_without_return_is_never_forced_and_an_acceptance_of_0_is() {
 fn a_count_that_saturates_forces_nothing() {
     let mut chain = rejected(u32::MAX);
     for _ in 0..3 {
-        let step = chain.step(|_| 1e-45, &Given(Ratio::ONE), &mut Cycle::new(&[u32::MAX]));
+        let step = chain.step(
+            |_| 1e-45,
+            &Given(HastingsRatio::ONE),
+            &mut Cycle::new(&[u32::MAX]),
+        );
         assert_eq!(step.outcome, Outcome::Rejected);
         assert_eq!(chain.rejected_in_a_row(), u32::MAX);
     }
     let mut chain = rejected(u32::MAX - 2);
     let mut step = || {
         let mut rng = Cycle::new(&[u32::MAX]);
-        chain.step_limited(|_| 1e-45, &Given(Ratio::ONE), NonZeroU32::MAX, &mut rng)
+        chain.step_limited(
+            |_| 1e-45,
+            &Given(HastingsRatio::ONE),
+            NonZeroU32::MAX,
+            &mut rng,
+        )
     };
     assert_eq!(step().outcome, Outcome::Rejected);
     assert_eq!(step().outcome, Outcome::Forced);

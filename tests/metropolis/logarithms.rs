@@ -2,15 +2,15 @@
 
 use super::acceptance::{acceptance, positive, step};
 use super::stated::stated;
-use microwarp::metropolis::{LogDensity, Outcome, Ratio, Symmetric};
+use microwarp::metropolis::{HastingsRatio, LogDensity, Outcome, Symmetric};
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
 use support::speed::{self, sampled};
 
-const SOURCE: &str = include_str!("../../src/metropolis/density.rs");
+const SOURCE: &str = include_str!("../../src/metropolis/target_density.rs");
 const SYMMETRIC: &str = "acceptance at a symmetric mutation, ulp";
-const WITH_RATIO: &str = "acceptance at one with a [`Ratio`](super::Ratio), ulp";
+const WITH_RATIO: &str = "acceptance at one with a [`HastingsRatio`](super::HastingsRatio), ulp";
 
 /// The figure that the documentation states for a tier.
 fn figure<T: Tier>(row: &str) -> f64 {
@@ -106,7 +106,7 @@ fn rounded_difference<T: Tier>() {
 /// The error in ulp where two logarithms are `by` apart, exactly.
 fn with_ratio<T: Tier>([from, to]: [f32; 2], forward: f32, backward: f32) -> f64 {
     let log = LogDensity::<T>::new;
-    let a = acceptance(log(from), log(to), Ratio::new(forward, backward));
+    let a = acceptance(log(from), log(to), HastingsRatio::new(forward, backward));
     let ratio = (f64::from(backward) / f64::from(forward)).ln();
     off(a, f64::from(to) - f64::from(from) + ratio)
 }
@@ -171,9 +171,9 @@ fn huge<T: Tier>() {
     let log = LogDensity::<T>::new;
     let huge = [105.0, 1e3, 1e6, 1e9, 2e9, 1e20, f32::MAX];
     let ratios = [
-        Ratio::ONE,
-        Ratio::new(f32::MAX, 1e-45),
-        Ratio::new(1e-45, f32::MAX),
+        HastingsRatio::ONE,
+        HastingsRatio::new(f32::MAX, 1e-45),
+        HastingsRatio::new(1e-45, f32::MAX),
     ];
     for l in huge {
         for (from, to) in [(0.0, l), (-l, 0.0), (-l, l), (1.0, l)] {
@@ -181,14 +181,14 @@ fn huge<T: Tier>() {
             assert_eq!(acceptance(log(to), log(from), Symmetric), 0.0);
             for ratio in ratios {
                 // The ratio of most makes up for 277 binary orders.
-                if l > 1e3 || ratio == Ratio::ONE {
+                if l > 1e3 || ratio == HastingsRatio::ONE {
                     assert_eq!(acceptance(log(from), log(to), ratio), 1.0);
                     assert_eq!(acceptance(log(to), log(from), ratio), 0.0);
                 }
             }
         }
         assert_eq!(acceptance(log(l), log(l), Symmetric), 1.0);
-        assert_eq!(acceptance(log(-l), log(-l), Ratio::ONE), 1.0);
+        assert_eq!(acceptance(log(-l), log(-l), HastingsRatio::ONE), 1.0);
     }
 }
 
@@ -209,7 +209,7 @@ fn unsound<T: Tier>() {
         ] {
             for from in [-1e9, 0.0, 1e9, f32::MAX, f32::MIN] {
                 let symmetric = step(log(from), log(to), Symmetric, word);
-                let with = step(log(from), log(to), Ratio::new(1.0, f32::MAX), word);
+                let with = step(log(from), log(to), HastingsRatio::new(1.0, f32::MAX), word);
                 for step in [symmetric, with] {
                     assert_eq!((step.outcome, step.acceptance), (outcome, 0.0));
                 }

@@ -3,7 +3,7 @@
 use crate::evidence::{assert_passes, assert_rejected, hotelling};
 use crate::long_record::{Setting, assert_sound};
 use microwarp::metropolis::{
-    BoxStep, Chain, LargeSmall, Mixture, Mutation, Proposal, Ratio, Saved, Wrapped,
+    BoxStep, Chain, HastingsRatio, LargeSmall, Mixture, Mutation, Proposal, Saved, WrappedWalk,
 };
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
@@ -40,8 +40,8 @@ fn probabilities(c: f64) -> Vec<f64> {
         .collect()
 }
 
-fn mutation() -> LargeSmall<Wrapped<BoxStep<f32>>> {
-    Mixture::large_small(0.1, Wrapped::new(BoxStep::new(0.1).unwrap())).unwrap()
+fn mutation() -> LargeSmall<WrappedWalk<BoxStep<f32>>> {
+    Mixture::large_small(0.1, WrappedWalk::new(BoxStep::new(0.1).unwrap())).unwrap()
 }
 
 fn setting(steps: u64) -> Setting<impl Fn(f32) -> f32, impl Fn(f32) -> usize, impl Fn(f32) -> f32> {
@@ -160,20 +160,20 @@ fn octave(x: f32) -> i32 {
 }
 
 impl Mutation<f32> for Octaves {
-    type Correction = Ratio;
+    type Correction = HastingsRatio;
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         from: f32,
         rng: &mut R,
-    ) -> Result<Proposal<f32, Ratio>, R::Error> {
+    ) -> Result<Proposal<f32, HastingsRatio>, R::Error> {
         let word = rng.try_next_u32()?;
         let by = 1 + (word >> 26) as i32;
         let to = octave(from) + if word & 0x0200_0000 == 0 { by } else { -by };
         if to.abs() > 126 {
-            return Ok(Proposal::new(from, Ratio::ONE));
+            return Ok(Proposal::new(from, HastingsRatio::ONE));
         }
         let to = f32::from_bits(((to + 127) as u32) << 23);
-        Ok(Proposal::new(to, Ratio::new(1.0 / to, 1.0 / from)))
+        Ok(Proposal::new(to, HastingsRatio::new(1.0 / to, 1.0 / from)))
     }
 }
 

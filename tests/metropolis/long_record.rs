@@ -1,6 +1,6 @@
 //! What is kept of a long run, and what must hold of every one.
 
-use microwarp::metropolis::{Chain, Halves, Step, split_r_hat};
+use microwarp::metropolis::{Chain, Halves, Transition, split_r_hat};
 
 const BATCHES: u64 = 400;
 
@@ -41,7 +41,7 @@ where
     P: Fn(f32) -> f32,
 {
     /// Takes the steps; `walk` gives each together with the chain after it.
-    pub fn record(&self, mut walk: impl FnMut(&F) -> (Step<f32>, Chain<f32>)) -> Record {
+    pub fn record(&self, mut walk: impl FnMut(&F) -> (Transition<f32>, Chain<f32>)) -> Record {
         let mut record = Record {
             stale: 0,
             unsound: 0,

@@ -3,6 +3,7 @@
 
 mod acceptance;
 mod agreement;
+mod autocorrelation;
 mod balance;
 mod binary;
 mod chains;
@@ -13,7 +14,6 @@ mod evidence;
 mod exact;
 mod flawed_rules;
 mod flaws;
-mod health;
 mod integer_balance;
 mod integer_chances;
 mod integers;
@@ -22,7 +22,7 @@ mod limited;
 mod limits;
 mod logarithms;
 mod long;
-mod long_health;
+mod long_autocorrelation;
 mod long_record;
 mod matrices;
 mod mixtures;

@@ -137,7 +137,7 @@ fn independence_over_tables() {
     fn of<const N: usize>() {
         let (narrow, wide) = (
             Cdf::<[u32; N]>::new(&first()).unwrap(),
-            Cdf::<[u64; N]>::new(&first()).unwrap(),
+            Cdf::<[u64; N]>::new_u64(&first()).unwrap(),
         );
         let named = |of: &str| format!("Independence({of}; {N})");
         all_targets::<_, N>(
@@ -151,7 +151,7 @@ fn independence_over_tables() {
         let words = Words::Fraction { bits: 32, parts: 8 };
         let mutation = Independence::new(narrow_alias);
         all_targets::<_, N>(&named("Alias u32"), &mutation, &words, 0);
-        let wide_alias = Alias::<[AliasEntry<u64>; 8]>::new::<N>(&first()).unwrap();
+        let wide_alias = Alias::<[AliasEntry<u64>; 8]>::new_u64::<N>(&first()).unwrap();
         let words = Words::Fraction { bits: 64, parts: 8 };
         let mutation = Independence::new(wide_alias);
         all_targets::<_, N>(&named("Alias u64"), &mutation, &words, 0);
@@ -185,7 +185,7 @@ fn table<const N: usize>() -> TransitionTable<[u32; N], N> {
 }
 
 fn wide_table<const N: usize>() -> TransitionTable<[u64; N], N> {
-    TransitionTable::new(rows().map(|row| Cdf::<[u64; N]>::new(&row).unwrap())).unwrap()
+    TransitionTable::new(rows().map(|row| Cdf::<[u64; N]>::new_u64(&row).unwrap())).unwrap()
 }
 
 #[test]
@@ -251,7 +251,7 @@ fn a_mutation_of_ones_own() {
 #[test]
 fn mixtures_of_all_of_them() {
     let uniform = UniformIndex::new(5).unwrap();
-    let independence = Independence::new(Cdf::<[u64; 5]>::new(&first()).unwrap());
+    let independence = Independence::new(Cdf::<[u64; 5]>::new_u64(&first()).unwrap());
 
     let both_symmetric = Mixture::new((uniform, Neighbour(5)), &[0.3, 0.7]).unwrap();
     let words = Words::Picked(vec![Words::TWO, Words::ONE]);

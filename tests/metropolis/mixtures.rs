@@ -4,8 +4,8 @@ use crate::stated::{above, below};
 use microwarp::Error;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
-    BoxStep, Correction, Independence, LargeSmall, Mixture, Mutation, Proposal, Ratio, Symmetric,
-    UniformStep, Wrapped,
+    BoxStep, HastingsCorrection, HastingsRatio, Independence, LargeSmall, Mixture, Mutation,
+    Proposal, Symmetric, UniformStep, WrappedWalk,
 };
 use microwarp::poly as mw;
 use rand_core::{Rng, TryRng};
@@ -31,13 +31,13 @@ impl Mutation<f32> for To {
 struct Uneven(f32);
 
 impl Mutation<f32> for Uneven {
-    type Correction = Ratio;
+    type Correction = HastingsRatio;
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         _: f32,
         _: &mut R,
-    ) -> Result<Proposal<f32, Ratio>, R::Error> {
-        Ok(Proposal::new(self.0, Ratio::new(1.0, self.0)))
+    ) -> Result<Proposal<f32, HastingsRatio>, R::Error> {
+        Ok(Proposal::new(self.0, HastingsRatio::new(1.0, self.0)))
     }
 }
 
@@ -131,7 +131,7 @@ fn the_weights_of_a_mixture_are_those_of_a_table() {
 }
 
 /// Compiles only for a mutation whose correction is this one.
-fn states<C: Correction, X, M: Mutation<X, Correction = C>>(_: &M) {}
+fn states<C: HastingsCorrection, X, M: Mutation<X, Correction = C>>(_: &M) {}
 
 #[test]
 fn a_mixture_is_symmetric_where_all_its_parts_are() {
@@ -140,20 +140,20 @@ fn a_mixture_is_symmetric_where_all_its_parts_are() {
     states::<Symmetric, f32, _>(&Mixture::new((even, even), &[1.0; 2]).unwrap());
     states::<Symmetric, f32, _>(&Mixture::new((even, even, even), &[1.0; 3]).unwrap());
     states::<Symmetric, f32, _>(&Mixture::new([even; 5], &[1.0; 5]).unwrap());
-    states::<Ratio, f32, _>(&Mixture::new((odd,), &[1.0]).unwrap());
-    states::<Ratio, f32, _>(&Mixture::new((odd, even), &[1.0; 2]).unwrap());
-    states::<Ratio, f32, _>(&Mixture::new((even, odd), &[1.0; 2]).unwrap());
-    states::<Ratio, f32, _>(&Mixture::new((even, odd, even), &[1.0; 3]).unwrap());
-    states::<Ratio, f32, _>(&Mixture::new([odd; 5], &[1.0; 5]).unwrap());
+    states::<HastingsRatio, f32, _>(&Mixture::new((odd,), &[1.0]).unwrap());
+    states::<HastingsRatio, f32, _>(&Mixture::new((odd, even), &[1.0; 2]).unwrap());
+    states::<HastingsRatio, f32, _>(&Mixture::new((even, odd), &[1.0; 2]).unwrap());
+    states::<HastingsRatio, f32, _>(&Mixture::new((even, odd, even), &[1.0; 3]).unwrap());
+    states::<HastingsRatio, f32, _>(&Mixture::new([odd; 5], &[1.0; 5]).unwrap());
     let eight = (even, even, even, even, even, even, even, even);
     states::<Symmetric, f32, _>(&Mixture::new(eight, &[1.0; 8]).unwrap());
     let last_odd = (even, even, even, even, even, even, even, odd);
-    states::<Ratio, f32, _>(&Mixture::new(last_odd, &[1.0; 8]).unwrap());
-    let wrapped = Wrapped::new(BoxStep::new([0.1; 2]).unwrap());
+    states::<HastingsRatio, f32, _>(&Mixture::new(last_odd, &[1.0; 8]).unwrap());
+    let wrapped = WrappedWalk::new(BoxStep::new([0.1; 2]).unwrap());
     let large_small = Mixture::large_small(0.5, wrapped).unwrap();
     states::<Symmetric, [f32; 2], _>(&large_small);
     let with_source = (wrapped, Independence::new(UniformStep::new()));
-    states::<Ratio, [f32; 2], _>(&Mixture::new(with_source, &[1.0; 2]).unwrap());
+    states::<HastingsRatio, [f32; 2], _>(&Mixture::new(with_source, &[1.0; 2]).unwrap());
 }
 
 #[test]
@@ -163,20 +163,20 @@ fn the_ratio_is_that_of_the_part_picked() {
         let Ok(proposal) = mixture.try_propose(0.0, &mut Cycle::new(&[word]));
         proposal.correction
     };
-    assert_eq!(ratio_of(0), Ratio::ONE);
-    assert_eq!(ratio_of(1 << 30), Ratio::new(1.0, 2.0));
-    assert_eq!(ratio_of(1 << 31), Ratio::new(1.0, 3.0));
+    assert_eq!(ratio_of(0), HastingsRatio::ONE);
+    assert_eq!(ratio_of(1 << 30), HastingsRatio::new(1.0, 2.0));
+    assert_eq!(ratio_of(1 << 31), HastingsRatio::new(1.0, 3.0));
     // Within a mixture of mixtures the kind is the outer one's, the ratio the innermost one's.
     let outer = Mixture::new((To(9.0), mixture), &[1.0, 1.0]).unwrap();
     let Ok(proposal) = outer.try_propose(0.0, &mut Cycle::new(&[1 << 31, 1 << 30]));
     assert_eq!((proposal.state, proposal.kind), (2.0, 1));
-    assert_eq!(proposal.correction, Ratio::new(1.0, 2.0));
+    assert_eq!(proposal.correction, HastingsRatio::new(1.0, 2.0));
 }
 
 #[test]
 fn large_steps_have_the_probability_asked_for() {
-    type Steps = LargeSmall<Wrapped<mw::ExponentialStep>>;
-    let small = Wrapped::new(mw::ExponentialStep::new(0.001, 0.1).unwrap());
+    type Steps = LargeSmall<WrappedWalk<mw::LogUniformStep>>;
+    let small = WrappedWalk::new(mw::LogUniformStep::new(0.001, 0.1).unwrap());
     let new = |probability| Steps::large_small(probability, small);
     for bad in [f32::NAN, -1e-45, -1.0, above(1.0), 2.0, f32::INFINITY] {
         assert_eq!(new(bad).err(), Some(Error::OutOfRange), "{bad}");

@@ -2,8 +2,8 @@
 
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
-    BoxStep, ExponentialStep, Independence, Mixture, Mutation, NormalStep, OneCoordinate, Proposal,
-    Subset, Symmetric, TransitionTable, UniformIndex, UniformStep, Wrapped,
+    BoxStep, Independence, LogUniformStep, Mixture, Mutation, NormalStep, OneCoordinate, Proposal,
+    Subset, Symmetric, TransitionTable, UniformIndex, UniformStep, WrappedWalk,
 };
 use microwarp::poly as mw;
 use microwarp::tier::{Libm, Poly};
@@ -52,10 +52,10 @@ fn every_mutation_takes_the_words_stated() {
         point,
         3,
     );
-    let exponential = ExponentialStep::<Poly>::new(0.01, 1.0).unwrap();
-    takes("ExponentialStep", &exponential, point, 3);
-    takes("ExponentialStep", &exponential, 0.5_f32, 1);
-    takes("Wrapped", &Wrapped::new(boxed), point, 3);
+    let exponential = LogUniformStep::<Poly>::new(0.01, 1.0).unwrap();
+    takes("LogUniformStep", &exponential, point, 3);
+    takes("LogUniformStep", &exponential, 0.5_f32, 1);
+    takes("WrappedWalk", &WrappedWalk::new(boxed), point, 3);
     // Where a step would leave the range of f32, they are taken all the same.
     takes(
         "BoxStep",
@@ -69,7 +69,7 @@ fn every_mutation_takes_the_words_stated() {
     takes("Independence", &pair, [0.0; 2], 2);
     let table = Cdf::<[u32; 2]>::new(&[1.0, 3.0]).unwrap();
     takes("Independence", &Independence::new(table), 0, 1);
-    let long = Alias::<[AliasEntry<u64>; 2]>::new(&[1.0, 3.0]).unwrap();
+    let long = Alias::<[AliasEntry<u64>; 2]>::new_u64(&[1.0, 3.0]).unwrap();
     takes("Independence", &Independence::new(long), 0, 2);
     takes(
         "TransitionTable",
@@ -95,7 +95,7 @@ fn every_mutation_takes_the_words_stated() {
     let outer = Mixture::new([mixture; 3], &[1.0; 3]).unwrap();
     takes("Mixture of mixtures", &outer, point, 5);
     takes("Mixture by reference", &&outer, point, 5);
-    let large_small = Mixture::large_small(0.5, Wrapped::new(boxed)).unwrap();
+    let large_small = Mixture::large_small(0.5, WrappedWalk::new(boxed)).unwrap();
     takes("LargeSmall", &large_small, point, 4);
     takes(
         "OneCoordinate of a mixture",
@@ -106,7 +106,7 @@ fn every_mutation_takes_the_words_stated() {
 }
 
 fn large_small_line() -> impl Mutation<f32, Correction = Symmetric> {
-    Mixture::large_small(0.5, Wrapped::new(BoxStep::new(0.1).unwrap())).unwrap()
+    Mixture::large_small(0.5, WrappedWalk::new(BoxStep::new(0.1).unwrap())).unwrap()
 }
 
 /// A mutation that takes no word at all.

@@ -4,8 +4,8 @@
 use crate::stated::below;
 use microwarp::Error;
 use microwarp::metropolis::{
-    BoxStep, Displacement, ExponentialStep, Mixture, Mutation, NormalStep, OneCoordinate, Subset,
-    Symmetric, UniformIndex, UniformStep, Wrapped,
+    BoxStep, LogUniformStep, Mixture, Mutation, NormalStep, OneCoordinate, StepLaw, Subset,
+    Symmetric, UniformIndex, UniformStep, WrappedWalk,
 };
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng;
@@ -41,7 +41,7 @@ fn refusals<T: Tier>() {
         assert_eq!(NormalStep::<_, T>::new(deviation).err(), error);
         assert_eq!(NormalStep::<_, T>::new([1.0, deviation]).err(), error);
     }
-    let exponential = |a, b| ExponentialStep::<T>::new(a, b).err();
+    let exponential = |a, b| LogUniformStep::<T>::new(a, b).err();
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         assert_eq!(exponential(bad, 1.0), Some(Error::NotFinite));
         assert_eq!(exponential(1.0, bad), Some(Error::NotFinite));
@@ -69,8 +69,8 @@ fn sizes_up_to_the_largest_number_are_sizes() {
     for _ in 0..100_000 {
         let smallest = f32::from_bits(rng.next_u32() % f32::MAX.to_bits() + 1);
         for word in [0, u32::MAX / 3, u32::MAX / 2] {
-            let step = ExponentialStep::<Poly>::new(smallest, f32::MAX).unwrap();
-            let size = Displacement::<f32>::displacement(&step, 0, word);
+            let step = LogUniformStep::<Poly>::new(smallest, f32::MAX).unwrap();
+            let size = StepLaw::<f32>::displacement(&step, 0, word);
             // Rounded, a size may lie a few units beyond the bounds.
             assert!(
                 size >= 0.999_999 * smallest && size <= f32::MAX,
@@ -103,7 +103,7 @@ fn any(rng: &mut Pcg32) -> f32 {
 /// Proposes from a finite state, and from states that are none.
 fn stays_in_range<L>(law: L, rng: &mut Pcg32) -> [u32; 2]
 where
-    L: Displacement<[f32; 2]> + Mutation<[f32; 2], Correction = Symmetric> + Copy,
+    L: StepLaw<[f32; 2]> + Mutation<[f32; 2], Correction = Symmetric> + Copy,
 {
     let (mut moved, mut stayed) = (0, 0);
     for _ in 0..8 {
@@ -121,7 +121,7 @@ where
             assert_eq!(proposal.state.map(f32::to_bits), from.map(f32::to_bits));
             stayed += 1;
         }
-        let Ok(proposal) = Wrapped::new(law).try_propose(from, &mut Cycle::new(&words));
+        let Ok(proposal) = WrappedWalk::new(law).try_propose(from, &mut Cycle::new(&words));
         assert!(proposal.state.iter().all(|x| (0.0..1.0).contains(x)));
     }
     [moved, stayed]
@@ -143,7 +143,7 @@ fn random_parameters<T: Tier>() {
             accepted[1] += 1;
             counts[1] = stays_in_range(law, &mut rng);
         }
-        if let Ok(law) = ExponentialStep::<T>::new(a, b) {
+        if let Ok(law) = LogUniformStep::<T>::new(a, b) {
             accepted[2] += 1;
             counts[2] = stays_in_range(law, &mut rng);
         }
@@ -183,7 +183,7 @@ fn a_stuck_generator_proposes_in_range() {
     for word in [0, 0xff, 0x7fff_ffff, 0x8000_0000, u32::MAX] {
         let words = [word];
         let mut rng = Cycle::new(&words);
-        let small = Wrapped::new(ExponentialStep::<Poly>::new(1e-3, 1e-1).unwrap());
+        let small = WrappedWalk::new(LogUniformStep::<Poly>::new(1e-3, 1e-1).unwrap());
         let mixture = Mixture::large_small(0.3, small).unwrap();
         let subset = Subset::<_, 2, 3>::new(mixture, [2, 0]).unwrap();
         let one = OneCoordinate::new(mixture);

@@ -3,7 +3,7 @@
 
 use microwarp::Error;
 use microwarp::metropolis::{
-    BoxStep, Independence, Mutation, NormalStep, OneCoordinate, Ratio, Subset, Symmetric,
+    BoxStep, HastingsRatio, Independence, Mutation, NormalStep, OneCoordinate, Subset, Symmetric,
     UniformIndex, UniformStep,
 };
 use microwarp::poly as mw;
@@ -109,7 +109,7 @@ fn a_subset_changes_its_coordinates_as_the_mutation_does() {
     let Ok(whole) = subset.try_propose([9.0, 2.0, 1.0], &mut Pcg32::new(3, 1));
     let Ok(part) = far.try_propose([1.0, 2.0], &mut Pcg32::new(3, 1));
     assert_eq!(whole.correction, part.correction);
-    assert_ne!(whole.correction, Ratio::ONE);
+    assert_ne!(whole.correction, HastingsRatio::ONE);
 }
 
 #[test]

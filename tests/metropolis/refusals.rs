@@ -3,7 +3,8 @@
 use super::acceptance::{Given, positive, step};
 use microwarp::Error;
 use microwarp::metropolis::{
-    Chain, Correction, Counts, LogDensity, Mixture, Outcome, Ratio, Source, Symmetric, UniformIndex,
+    Chain, HastingsCorrection, HastingsCounts, HastingsRatio, LogDensity, Mixture, Outcome,
+    StateSource, Symmetric, UniformIndex,
 };
 use microwarp::tier::{Libm, Poly};
 use rand_core::Rng as _;
@@ -29,7 +30,7 @@ fn refused() -> Vec<f32> {
 
 #[test]
 fn a_density_that_is_none_is_refused_and_one_of_0_rejected() {
-    fn check<C: Correction>(correction: C) {
+    fn check<C: HastingsCorrection>(correction: C) {
         for from in FROM {
             for word in WORDS {
                 for to in refused() {
@@ -45,23 +46,32 @@ fn a_density_that_is_none_is_refused_and_one_of_0_rejected() {
         }
     }
     check(Symmetric);
-    check(Ratio::ONE);
-    check(Ratio::new(1e-45, f32::MAX));
-    check(Ratio::from_counts(1, 1 << 64));
+    check(HastingsRatio::ONE);
+    check(HastingsRatio::new(1e-45, f32::MAX));
+    check(HastingsRatio::from_counts(1, 1 << 64));
 }
 
 #[test]
 fn a_ratio_that_is_none_is_refused_and_no_way_back_rejected() {
-    let mut unsound = vec![Ratio::from_counts(0, 1), Ratio::from_counts(0, 0)];
-    let mut no_way_back = vec![Ratio::from_counts(1, 0), Ratio::from_counts(u128::MAX, 0)];
+    let mut unsound = vec![
+        HastingsRatio::from_counts(0, 1),
+        HastingsRatio::from_counts(0, 0),
+    ];
+    let mut no_way_back = vec![
+        HastingsRatio::from_counts(1, 0),
+        HastingsRatio::from_counts(u128::MAX, 0),
+    ];
     for good in FROM {
         for bad in refused() {
-            unsound.extend([Ratio::new(bad, good), Ratio::new(good, bad)]);
-            unsound.extend([Ratio::new(bad, 0.0), Ratio::new(0.0, bad)]);
+            unsound.extend([HastingsRatio::new(bad, good), HastingsRatio::new(good, bad)]);
+            unsound.extend([HastingsRatio::new(bad, 0.0), HastingsRatio::new(0.0, bad)]);
         }
         for zero in [0.0, -0.0] {
-            unsound.extend([Ratio::new(zero, good), Ratio::new(zero, zero)]);
-            no_way_back.push(Ratio::new(good, zero));
+            unsound.extend([
+                HastingsRatio::new(zero, good),
+                HastingsRatio::new(zero, zero),
+            ]);
+            no_way_back.push(HastingsRatio::new(good, zero));
         }
     }
     for word in WORDS {
@@ -101,7 +111,7 @@ fn any_bits_have_the_outcome_that_they_must_have() {
         let from = positive(&mut rng);
         let [to, forward, backward] = [(); 3].map(|()| f32::from_bits(rng.next_u32()));
         let word = rng.next_u32();
-        let ratio = Ratio::new(forward, backward);
+        let ratio = HastingsRatio::new(forward, backward);
         let one = match round % 2 {
             0 => step(from, to, Symmetric, word),
             _ => step(from, to, ratio, word),
@@ -176,10 +186,10 @@ fn a_chain_starts_where_it_can_be_and_nowhere_else() {
 #[test]
 fn a_mixture_refuses_what_its_parts_refuse() {
     for (ratio, outcome, acceptance) in [
-        (Ratio::new(0.0, 1.0), Outcome::Refused, 0.0),
-        (Ratio::new(1.0, 0.0), Outcome::Rejected, 0.0),
-        (Ratio::new(4.0, 1.0), Outcome::Rejected, 0.25),
-        (Ratio::ONE, Outcome::Accepted, 1.0),
+        (HastingsRatio::new(0.0, 1.0), Outcome::Refused, 0.0),
+        (HastingsRatio::new(1.0, 0.0), Outcome::Rejected, 0.0),
+        (HastingsRatio::new(4.0, 1.0), Outcome::Rejected, 0.25),
+        (HastingsRatio::ONE, Outcome::Accepted, 1.0),
     ] {
         let mixture = Mixture::new((Given(Symmetric), Given(ratio)), &[0.0, 1.0]).unwrap();
         let mut chain = Chain::new(0, |_| 1.0_f32).unwrap();
@@ -198,7 +208,7 @@ fn an_index_out_of_range_has_no_probability() {
         let inside = state < 5;
         assert_eq!(any.pdf_of_state(state), if inside { 0.2 } else { 0.0 });
         let count = inside.into();
-        assert_eq!(any.ratio_of_states(4, state), Counts::new(count, 1));
-        assert_eq!(any.ratio_of_states(state, 0), Counts::new(1, count));
+        assert_eq!(any.ratio_of_states(4, state), HastingsCounts::new(count, 1));
+        assert_eq!(any.ratio_of_states(state, 0), HastingsCounts::new(1, count));
     }
 }

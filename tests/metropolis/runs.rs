@@ -3,7 +3,7 @@
 use crate::densities::Cells;
 use crate::evidence;
 use crate::series::Truth;
-use microwarp::metropolis::{Health, Step};
+use microwarp::metropolis::{Autocorrelation, Transition};
 use rand_pcg::Pcg32;
 use support::speed;
 use support::stats;
@@ -49,7 +49,7 @@ pub fn plan() -> Plan {
 pub struct Outcome {
     /// The p-values of plain states, of weighted ones, and of states far apart.
     pub p_values: [f64; 3],
-    /// The integrated autocorrelation times of the two watched functions, in steps, by `Health`.
+    /// The integrated autocorrelation times of the two watched functions, in steps, by `Autocorrelation`.
     pub times: [f64; 2],
     /// The same, computed in f64.
     pub exact_times: [f64; 2],
@@ -63,7 +63,7 @@ pub struct Outcome {
     pub accepted: f64,
 }
 
-/// Lags of `Health`.
+/// Lags of `Autocorrelation`.
 const LAGS: usize = 128;
 
 /// Runs batches of what `start` makes: a chain about to be stepped.
@@ -76,7 +76,7 @@ pub fn run<X, D, W>(
 where
     X: Copy,
     D: Copy,
-    W: FnMut(&mut Pcg32) -> Step<X, D>,
+    W: FnMut(&mut Pcg32) -> Transition<X, D>,
 {
     let [times, exact_times] = pilot(plan, cells, &start, seed);
     let far = (plan.apart * times[0].max(times[1])).ceil() as usize;
@@ -161,7 +161,7 @@ fn variance(numbers: &[f64]) -> f64 {
     numbers.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0)
 }
 
-/// The integrated times of the two watched functions, by `Health` and in f64.
+/// The integrated times of the two watched functions, by `Autocorrelation` and in f64.
 fn pilot<X, D, W>(
     plan: &Plan,
     cells: &Cells<X>,
@@ -171,7 +171,7 @@ fn pilot<X, D, W>(
 where
     X: Copy,
     D: Copy,
-    W: FnMut(&mut Pcg32) -> Step<X, D>,
+    W: FnMut(&mut Pcg32) -> Transition<X, D>,
 {
     if plan.apart == 0.0 {
         return [[0.0; 2]; 2];
@@ -181,7 +181,7 @@ where
     for _ in 0..plan.burn_in {
         walk(&mut rng);
     }
-    let mut health = [Health::<LAGS>::new(); 2];
+    let mut health = [Autocorrelation::<LAGS>::new(); 2];
     let mut numbers = [Vec::new(), Vec::new()];
     for _ in 0..plan.pilot / plan.stride {
         let mut state = walk(&mut rng).state();

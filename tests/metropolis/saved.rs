@@ -4,7 +4,8 @@ use super::stated::stated;
 use super::weighed::{Bits, Weighed};
 use microwarp::Error;
 use microwarp::metropolis::{
-    Chain, LogDensity, Mixture, Mutation, Saved, Start, Step, UniformIndex, UniformStep, Wrapped,
+    Chain, LogDensity, Mixture, Mutation, Saved, Start, Transition, UniformIndex, UniformStep,
+    WrappedWalk,
 };
 use microwarp::tier::{Libm, Poly};
 use microwarp::{metropolis::BoxStep, poly as mw};
@@ -75,7 +76,7 @@ fn number(bits: &u64) -> f32 {
 fn a_run_that_is_cut_anywhere_goes_on_as_if_it_were_not() {
     let steps = (
         UniformStep::new(),
-        Wrapped::new(BoxStep::new([0.1; 2]).unwrap()),
+        WrappedWalk::new(BoxStep::new([0.1; 2]).unwrap()),
     );
     let mutation = Mixture::new(steps, &[0.3, 0.7]).unwrap();
     let holes = |[x, y]: [f32; 2]| if x < 0.2 { f32::NAN } else { (x * y).powi(4) };
@@ -203,8 +204,11 @@ fn sizes_are_those_stated() {
                 "[`Chain`], [`Saved`]",
                 size_of::<Chain<X, LogDensity<Poly>>>(),
             ),
-            ("[`Step`]", size_of::<Step<X>>()),
-            ("[`Step`]", size_of::<Step<X, LogDensity<Poly>>>()),
+            ("[`Transition`]", size_of::<Transition<X>>()),
+            (
+                "[`Transition`]",
+                size_of::<Transition<X, LogDensity<Poly>>>(),
+            ),
         ];
         for (row, size) in sizes {
             assert_eq!(stated(SOURCE, row, column), size as f64, "{row} {column}");
@@ -217,7 +221,10 @@ fn sizes_are_those_stated() {
     check::<usize>(4);
     // One number is as large as an array of one.
     assert_eq!(size_of::<Chain<[f32; 1]>>(), size_of::<Chain<f32>>());
-    assert_eq!(size_of::<Step<[f32; 1]>>(), size_of::<Step<f32>>());
+    assert_eq!(
+        size_of::<Transition<[f32; 1]>>(),
+        size_of::<Transition<f32>>()
+    );
 }
 
 #[test]
@@ -225,8 +232,8 @@ fn chains_can_be_copied_sent_and_shared() {
     const fn plain<T: Copy + Send + Sync + 'static>() {}
     plain::<Chain<[f32; 32]>>();
     plain::<Chain<usize, LogDensity<Libm>>>();
-    plain::<Step<[f32; 2]>>();
-    plain::<Step<usize, LogDensity<Poly>>>();
+    plain::<Transition<[f32; 2]>>();
+    plain::<Transition<usize, LogDensity<Poly>>>();
     plain::<Saved<f32>>();
     plain::<Saved<f32, LogDensity<Libm>>>();
     plain::<Start<f32>>();

@@ -2,7 +2,9 @@
 
 use crate::evidence::{assert_passes, assert_rejected};
 use crate::start::{INTEGRAL, Sums, humps};
-use microwarp::metropolis::{Chain, Density, LogDensity, Ratio, Source, Start, UniformStep};
+use microwarp::metropolis::{
+    Chain, HastingsRatio, LogDensity, Start, StateSource, TargetDensity, UniformStep,
+};
 use microwarp::rejection::Failure;
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::TryRng;
@@ -16,16 +18,16 @@ pub struct Listed<'a> {
     pub pdf: &'a [f32],
 }
 
-impl Source<usize> for Listed<'_> {
-    type Correction = Ratio;
+impl StateSource<usize> for Listed<'_> {
+    type Correction = HastingsRatio;
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
         Ok(rng.try_next_u32()? as usize % self.pdf.len())
     }
     fn pdf_of_state(&self, state: usize) -> f32 {
         self.pdf[state]
     }
-    fn ratio_of_states(&self, from: usize, to: usize) -> Ratio {
-        Ratio::new(self.pdf[to], self.pdf[from])
+    fn ratio_of_states(&self, from: usize, to: usize) -> HastingsRatio {
+        HastingsRatio::new(self.pdf[to], self.pdf[from])
     }
 }
 
@@ -116,7 +118,7 @@ fn logarithms(densities: &[f32]) -> Vec<f64> {
     densities.iter().map(log).collect()
 }
 
-fn start<D: Density>(
+fn start<D: TargetDensity>(
     target: impl Fn(usize) -> D,
     pdf: &[f32],
     candidates: u32,

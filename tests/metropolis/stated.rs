@@ -1,7 +1,7 @@
 //! Figures read from the documentation, and how a measured one is held to them; the neighbours of a number.
 
 /// The sources whose documentation states figures.
-pub const DISPLACEMENT: &str = include_str!("../../src/metropolis/displacement.rs");
+pub const STEP_LAW: &str = include_str!("../../src/metropolis/step_law.rs");
 
 /// A figure from the table of a source's documentation, by the head of its row and its column.
 pub fn stated(source: &str, row: &str, column: usize) -> f64 {

@@ -1,7 +1,7 @@
 //! The errors of steps, over every word, against f64.
 
 use crate::laws::{HALF, Law, exponential, normal};
-use crate::stated::{DISPLACEMENT, assert_stated, stated};
+use crate::stated::{STEP_LAW, assert_stated, stated};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use support::speed::{self, sampled};
@@ -73,7 +73,7 @@ fn normal_errors<T: Tier>(column: usize, quantiles: &[(u32, f64)]) {
         println!("{} NormalStep {deviation:e}: {error:.2} ulp", T::NAME);
         worst = worst.max(error);
     }
-    let stated = stated(DISPLACEMENT, "step, ulp", column);
+    let stated = stated(STEP_LAW, "step, ulp", column);
     assert_stated(&format!("{} NormalStep, ulp", T::NAME), worst, stated);
     // Subnormal deviations, whose steps have their own spacing.
     for deviation in [1.0e-39, f32::from_bits(77), f32::from_bits(1)] {
@@ -126,7 +126,7 @@ fn sizes_off(words: &[u32], law: &Law, [smallest, largest]: [f64; 2], granted: f
 fn exponential_errors<T: Tier>(column: usize) {
     let words = halves();
     let tiny = f32::from_bits(1);
-    let stated = stated(DISPLACEMENT, "step, relative", column);
+    let stated = stated(STEP_LAW, "step, relative", column);
     let mut worst = 0.0_f64;
     for (smallest, largest) in [
         (1.0 / 1024.0, 1.0 / 64.0),
@@ -157,14 +157,14 @@ fn exponential_errors<T: Tier>(column: usize) {
         // Among subnormal numbers each rounding is half a spacing: one of the size, the others on the way.
         assert!(spacings <= 1.5, "{}: {spacings}", law.name);
     }
-    assert_stated(&format!("{} ExponentialStep", T::NAME), worst, stated);
+    assert_stated(&format!("{} LogUniformStep", T::NAME), worst, stated);
     let wrong = exponential::<T>(1.000_01e-6, 1.0);
     let (off, _) = sizes_off(&words, &wrong, [1e-6, 1.0], stated);
     assert!(off > stated, "a size off by 1e-5 passes: {off:e}");
 }
 
 #[test]
-fn exponential_steps_have_the_stated_error() {
+fn log_uniform_steps_have_the_stated_error() {
     exponential_errors::<Libm>(1);
     exponential_errors::<Poly>(2);
 }

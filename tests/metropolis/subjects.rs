@@ -4,8 +4,8 @@ use crate::densities::*;
 use crate::matrices::Neighbour;
 use crate::runs::{FULL, Outcome, Plan, plan, run};
 use microwarp::metropolis::{
-    BoxStep, Chain, Density, Independence, Mixture, Mutation, OneCoordinate, Step, Subset,
-    UniformIndex, UniformStep, Wrapped, primary_density,
+    BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TargetDensity,
+    Transition, UniformIndex, UniformStep, WrappedWalk, primary_density,
 };
 use microwarp::{Warp, discrete::Cdf, libm, poly};
 use rand_pcg::Pcg32;
@@ -44,7 +44,7 @@ pub fn walking<X, D, W>(
 where
     X: Copy + 'static,
     D: Copy + 'static,
-    W: FnMut(&mut Pcg32) -> Step<X, D> + 'static,
+    W: FnMut(&mut Pcg32) -> Transition<X, D> + 'static,
 {
     Subject {
         name,
@@ -63,7 +63,7 @@ pub fn chain<X, D, M>(
 ) -> Subject
 where
     X: Copy + 'static,
-    D: Density + 'static,
+    D: TargetDensity + 'static,
     M: Mutation<X> + 'static,
 {
     let shared = Rc::new((target, mutation));
@@ -76,13 +76,13 @@ where
 
 /// Small steps nine times out of ten, large ones otherwise.
 pub fn nine_to_one() -> impl Mutation<f32> + Copy {
-    let small = Wrapped::new(BoxStep::new(0.1_f32).unwrap());
+    let small = WrappedWalk::new(BoxStep::new(0.1_f32).unwrap());
     Mixture::new((small, UniformStep::new()), &[0.9, 0.1]).unwrap()
 }
 
 /// Half of the steps by factors, half by sums.
 fn over_decades() -> impl Mutation<f32> {
-    let sum = poly::ExponentialStep::new(1e-15, 1e15).unwrap();
+    let sum = poly::LogUniformStep::new(1e-15, 1e15).unwrap();
     Mixture::new((Multiply { reach: 35.0 }, sum), &[1.0, 1.0]).unwrap()
 }
 
@@ -110,13 +110,13 @@ fn on_the_line() -> Vec<Subject> {
     let narrow = BoxStep::new(0.1_f32).unwrap();
     let parabolic = |name, mutation| chain(name, parabola_cells(), 0.45, parabola, mutation);
     let kelemen = |largest| {
-        let step = Wrapped::new(poly::ExponentialStep::new(1e-4, largest).unwrap());
+        let step = WrappedWalk::new(poly::LogUniformStep::new(1e-4, largest).unwrap());
         Mixture::large_small(0.2, step).unwrap()
     };
     let log_law = |x| poly::LogDensity::new(log_power(x) as f32);
     let log_drop = |x| libm::LogDensity::new(log_cliff(x) as f32);
-    let wide = poly::ExponentialStep::new(0.01, 1e6).unwrap();
-    let source = poly::Exponential::new(0.4).unwrap();
+    let wide = poly::LogUniformStep::new(0.01, 1e6).unwrap();
+    let source = poly::Exponential::from_rate(0.4).unwrap();
     let long = Plan {
         steps: if speed::full() { 50_000 } else { 10_000 },
         pilot: if speed::full() { 400_000 } else { 80_000 },
@@ -143,7 +143,7 @@ fn on_the_line() -> Vec<Subject> {
             parabola_cells(),
             0.45,
             parabola,
-            Wrapped::new(narrow),
+            WrappedWalk::new(narrow),
         )
         .planned(long),
         parabolic("parabola, nine to one", nine_to_one()),
@@ -206,8 +206,8 @@ where
 {
     let shine = libm::PhongLobe::new(SHINE).unwrap();
     let target = primary_density(warp, move |w: [f32; 3]| shine.pdf(w));
-    let step = poly::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
-    let mutation = Mixture::large_small(0.2, Wrapped::new(step)).unwrap();
+    let step = poly::LogUniformStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
+    let mutation = Mixture::large_small(0.2, WrappedWalk::new(step)).unwrap();
     let lobe = chain(name, lobe_cells(z), [0.9, 0.1], target, mutation);
     // As many states far apart as the fine cells ask for.
     lobe.planned(Plan {

@@ -42,7 +42,7 @@ fn chains_have_the_distribution_of_their_target() {
     }
 }
 
-/// The times that thinning relies on: by `Health`, by its definition in f64, and by the spread of batches.
+/// The times that thinning relies on: by `Autocorrelation`, by its definition in f64, and by the spread of batches.
 #[test]
 fn autocorrelation_times_agree_with_two_other_ways_to_them() {
     let mut ratios = Vec::new();

@@ -1,6 +1,6 @@
 //! The integrated autocorrelation time: Geyer's initial monotone sequence in f64 on the same runs, and theory.
 
-use crate::health::{HEALTH, pushed};
+use crate::autocorrelation::{AUTOCORRELATION, pushed};
 use crate::series::{SHAPES, Truth, autoregression, normal, shaped};
 use crate::stated::stated_error;
 use rand_pcg::Pcg32;
@@ -63,7 +63,10 @@ fn the_time_is_that_of_the_initial_monotone_sequence() {
     let (most, fourth) = against_truth::<65>(&mut rng);
     for worst in [first, second, third, fourth] {
         // Each of the 33 pairs may be off by twice the stated error of an autocorrelation, and counts twice.
-        assert!(worst <= 33.0 * 4.0 * stated_error(HEALTH), "{worst:e}");
+        assert!(
+            worst <= 33.0 * 4.0 * stated_error(AUTOCORRELATION),
+            "{worst:e}"
+        );
     }
     for known in [some, few, more, most] {
         assert!(known[1] > 10, "{known:?}");

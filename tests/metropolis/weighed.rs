@@ -1,13 +1,13 @@
 //! What a harness asks of densities and integer weights alike, so that one harness serves both kinds of chain.
 
-use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Saved, Step, Weight};
+use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Saved, TargetValue, Transition};
 use microwarp::tier::Tier;
 use rand_core::{Rng, TryRng};
 use std::fmt::Debug;
 use std::num::NonZeroU32;
 
 /// A weight, and the steps of its chain.
-pub trait Weighed: Weight + Bits + PartialEq + Debug {
+pub trait Weighed: TargetValue + Bits + PartialEq + Debug {
     /// The acceptance; of integer weights, the words that accept.
     type Acceptance: Copy + PartialEq + Debug + Bits;
 
@@ -20,7 +20,7 @@ pub trait Weighed: Weight + Bits + PartialEq + Debug {
         mutation: &M,
         limit: Option<NonZeroU32>,
         rng: &mut R,
-    ) -> Result<Step<X, Self, Self::Acceptance>, R::Error>;
+    ) -> Result<Transition<X, Self, Self::Acceptance>, R::Error>;
 
     fn step<X: Copy, M: Mutation<X>, R: Rng>(
         chain: &mut Chain<X, Self>,
@@ -28,7 +28,7 @@ pub trait Weighed: Weight + Bits + PartialEq + Debug {
         mutation: &M,
         limit: Option<NonZeroU32>,
         rng: &mut R,
-    ) -> Step<X, Self, Self::Acceptance> {
+    ) -> Transition<X, Self, Self::Acceptance> {
         let Ok(step) = Self::try_step(chain, target, mutation, limit, rng);
         step
     }
@@ -49,12 +49,12 @@ macro_rules! weighed {
                 mutation: &M,
                 limit: Option<NonZeroU32>,
                 rng: &mut R,
-            ) -> Result<Step<X, Self, $acceptance>, R::Error> {
+            ) -> Result<Transition<X, Self, $acceptance>, R::Error> {
                 let step = match limit {
                     Some(limit) => chain.try_step_limited(target, mutation, limit, rng),
                     None => chain.try_step(target, mutation, rng),
                 }?;
-                Ok(Step {
+                Ok(Transition {
                     from: step.from,
                     from_density: step.from_density,
                     proposed: step.proposed,
@@ -127,7 +127,7 @@ impl<X: Bits, D: Bits> Bits for Saved<X, D> {
     }
 }
 
-impl<X: Bits, D: Bits, A: Bits> Bits for Step<X, D, A> {
+impl<X: Bits, D: Bits, A: Bits> Bits for Transition<X, D, A> {
     fn bits(&self) -> Vec<u64> {
         let rest = [self.outcome as u64, self.kind.into()];
         let from = [self.from.bits(), self.from_density.bits()].concat();

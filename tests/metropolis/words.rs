@@ -4,7 +4,7 @@ use super::weighed::{Bits, Weighed};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TransitionTable,
-    UniformIndex, UniformStep, Wrapped,
+    UniformIndex, UniformStep, WrappedWalk,
 };
 use microwarp::poly as mw;
 use rand_pcg::Pcg32;
@@ -81,9 +81,9 @@ fn words_of<W, X, M, const N: usize>(
 fn steps_take_the_words_stated_and_failed_ones_leave_no_trace() {
     let weights = [1.0, 2.0, 3.0, 4.0];
     let cdf = Cdf::<[u32; 4]>::new(&weights).unwrap();
-    let wide = Cdf::<[u64; 4]>::new(&weights).unwrap();
+    let wide = Cdf::<[u64; 4]>::new_u64(&weights).unwrap();
     let alias = Alias::<[AliasEntry<u32>; 4]>::new(&weights).unwrap();
-    let wide_alias = Alias::<[AliasEntry<u64>; 4]>::new(&weights).unwrap();
+    let wide_alias = Alias::<[AliasEntry<u64>; 4]>::new_u64(&weights).unwrap();
     words("UniformIndex", 0, &UniformIndex::new(4).unwrap(), |_| 2);
     words("Independence(Cdf)", 0, &Independence::new(cdf), |_| 1);
     words("Independence(Cdf u64)", 0, &Independence::new(wide), |_| 2);
@@ -124,15 +124,15 @@ fn steps_take_the_words_stated_and_failed_ones_leave_no_trace() {
     let of_box = BoxStep::new([0.1, 0.0, 0.3]).unwrap();
     words("BoxStep", [-0.0_f32, 1e-40, 5.0], &of_box, |_| 3);
     words(
-        "Wrapped(BoxStep)",
+        "WrappedWalk(BoxStep)",
         [-0.0_f32, 1e-40, 0.5],
-        &Wrapped::new(of_box),
+        &WrappedWalk::new(of_box),
         |_| 3,
     );
     let normal = mw::NormalStep::new([0.1; 2]).unwrap();
     words("NormalStep", [0.5_f32, -0.0], &normal, |_| 2);
-    let exponential = mw::ExponentialStep::new(0.001, 0.1).unwrap();
-    words("ExponentialStep", [0.5_f32; 7], &exponential, |_| 7);
+    let exponential = mw::LogUniformStep::new(0.001, 0.1).unwrap();
+    words("LogUniformStep", [0.5_f32; 7], &exponential, |_| 7);
     let subset = Subset::<_, 2, 4>::new(normal, [3, 1]).unwrap();
     words("Subset", [f32::NAN, 0.5, -0.0, 1.0], &subset, |_| 2);
     let one = OneCoordinate::new(BoxStep::new(0.1).unwrap());

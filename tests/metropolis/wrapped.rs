@@ -2,7 +2,7 @@
 
 use crate::laws::{HALF, Law, WORDS, boxed, exponential, normal};
 use microwarp::metropolis::{
-    BoxStep, Displacement, ExponentialStep, Mutation, NormalStep, Wrapped, wrapping_add,
+    BoxStep, LogUniformStep, Mutation, NormalStep, StepLaw, WrappedWalk, wrapping_add,
 };
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::{LARGEST, grid_from_word};
@@ -118,15 +118,15 @@ fn every_distance_has_the_words_of_its_negative() {
 /// A law that is asked by the mutation and by the test.
 struct Borrowed<'a, L>(&'a L);
 
-impl<L: Displacement<[f32; 3]>> Displacement<[f32; 3]> for Borrowed<'_, L> {
+impl<L: StepLaw<[f32; 3]>> StepLaw<[f32; 3]> for Borrowed<'_, L> {
     fn displacement(&self, axis: usize, word: u32) -> f32 {
         self.0.displacement(axis, word)
     }
 }
 
 /// By the mutation: from anywhere, even from what is no point of the cube, to the sum modulo 1.
-fn walks<L: Displacement<[f32; 3]>>(law: L) {
-    let mutation = Wrapped::new(Borrowed(&law));
+fn walks<L: StepLaw<[f32; 3]>>(law: L) {
+    let mutation = WrappedWalk::new(Borrowed(&law));
     let any = [
         f32::NAN,
         7.0,
@@ -156,6 +156,6 @@ fn a_state_out_of_range_is_brought_in() {
     walks(BoxStep::new([0.1, 0.0, 1000.0]).unwrap());
     walks(NormalStep::<_, Libm>::new([0.1, 0.0, 6e37]).unwrap());
     walks(NormalStep::<_, Poly>::new([1e-30, 1e-7, 1.0]).unwrap());
-    walks(ExponentialStep::<Libm>::new(1e-45, f32::MAX).unwrap());
-    walks(ExponentialStep::<Poly>::new(1.0 / 1024.0, 1.0 / 64.0).unwrap());
+    walks(LogUniformStep::<Libm>::new(1e-45, f32::MAX).unwrap());
+    walks(LogUniformStep::<Poly>::new(1.0 / 1024.0, 1.0 / 64.0).unwrap());
 }

@@ -42,7 +42,7 @@ fn walk(range: [f32; 2], count: usize, seen: &mut Walk) -> bool {
     let width = (f64::from(high) - f64::from(low)) / count as f64;
     let mut memory = vec![0; count];
     let cdf = equal(count, &mut memory);
-    let table = match PiecewiseConstant1d::new(cdf, low, high) {
+    let table = match PiecewiseConstant1d::from_cdf(cdf, low, high) {
         Ok(table) => table,
         Err(error) => {
             assert_eq!(error, Error::Empty);
@@ -206,7 +206,7 @@ fn no_sample_lies_in_a_zero_cell() {
                     assert!(weights.iter().all(|w| *w == 0.0));
                     continue;
                 };
-                let table = PiecewiseConstant1d::new(cdf, range[0], range[1]).unwrap();
+                let table = PiecewiseConstant1d::from_cdf(cdf, range[0], range[1]).unwrap();
                 for (j, weight) in weights.iter().enumerate() {
                     let (lower, upper) = (edge(range, count, j), edge(range, count, j + 1));
                     for x in [lower, above(lower), below(upper)] {

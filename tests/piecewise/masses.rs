@@ -28,12 +28,12 @@ impl Case {
 
     pub fn narrow<'a>(&self, memory: &'a mut [u32]) -> PiecewiseConstant1d<&'a [u32]> {
         let cdf = Cdf::<&[u32]>::from_integers_in(&self.weights, memory).unwrap();
-        PiecewiseConstant1d::new(cdf, self.range[0], self.range[1]).unwrap()
+        PiecewiseConstant1d::from_cdf(cdf, self.range[0], self.range[1]).unwrap()
     }
 
     pub fn wide<'a>(&self, memory: &'a mut [u64]) -> PiecewiseConstant1d<&'a [u64]> {
         let cdf = Cdf::<&[u64]>::from_integers_in(&self.weights, memory).unwrap();
-        PiecewiseConstant1d::new(cdf, self.range[0], self.range[1]).unwrap()
+        PiecewiseConstant1d::from_cdf(cdf, self.range[0], self.range[1]).unwrap()
     }
 }
 

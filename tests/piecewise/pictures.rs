@@ -196,7 +196,7 @@ const SKY: [[f32; 32]; 16] = {
 
 /// The compiler builds the table and flash holds it.
 static TABLE: PiecewiseConstant2d<[u32; 16], [[u32; 32]; 16]> =
-    match PiecewiseConstant2d::<[u32; 16], [[u32; 32]; 16]>::new(&SKY, [0.0, 2.0], [0.0, 1.0]) {
+    match PiecewiseConstant2d::new(&SKY, [0.0, 2.0], [0.0, 1.0]) {
         Ok(table) => table,
         Err(_) => panic!("bad weights"),
     };

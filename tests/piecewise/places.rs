@@ -70,8 +70,8 @@ fn drawing_uses_every_bit_of_its_words() {
 #[test]
 fn drawing_reaches_cells_between_points_of_the_grid() {
     let weights = [1 << 29, 1, (1 << 29) - 1];
-    let cdf = Cdf::<[u32; 3]>::from_integers(&weights).unwrap();
-    let table = PiecewiseConstant1d::new(cdf, 0.0, 3.0).unwrap();
+    let cdf = Cdf::from_integers(&weights).unwrap();
+    let table = PiecewiseConstant1d::from_cdf(cdf, 0.0, 3.0).unwrap();
     assert_eq!(cdf.words_of(1), Some((1 << 31)..=(1 << 31) + 3));
     let drawn = [0, 1, 2, 3].map(|k| draw(&table, &[(1 << 31) + k]));
     assert_eq!(drawn, [1.0, 1.25, 1.5, 1.75]);
@@ -80,7 +80,7 @@ fn drawing_reaches_cells_between_points_of_the_grid() {
     assert_eq!(table.sample(0.5), 1.0);
     assert_eq!(table.cell(table.sample(0.5 + 2f32.powi(-24))), 2);
     assert_eq!(
-        PiecewiseConstant1d::new(Cdf::<[u32; 1]>::new(&[1.0]).unwrap(), 0.0, 1.0)
+        PiecewiseConstant1d::from_cdf(Cdf::new(&[1.0]).unwrap(), 0.0, 1.0)
             .unwrap()
             .sample(1e-20),
         1e-20

@@ -12,8 +12,8 @@ const INF: f32 = f32::INFINITY;
 const UNIT: [f32; 2] = [0.0, 1.0];
 
 fn line<const N: usize>(weights: [f32; N], low: f32, high: f32) -> Option<Error> {
-    let narrow = PiecewiseConstant1d::<[u32; N]>::from_weights(&weights, low, high).err();
-    let wide = PiecewiseConstant1d::<[u64; N]>::from_weights(&weights, low, high).err();
+    let narrow = PiecewiseConstant1d::new(&weights, low, high).err();
+    let wide = PiecewiseConstant1d::new_u64(&weights, low, high).err();
     assert!(narrow == wide || matches!(narrow, Some(Unreachable(_))));
     narrow
 }
@@ -25,9 +25,8 @@ fn plane<const C: usize, const R: usize>(
     v: [f32; 2],
 ) -> Option<Error> {
     macro_rules! both {
-        ($word:ty) => {{
-            let array =
-                PiecewiseConstant2d::<[$word; R], [[$word; C]; R]>::new(&weights, u, v).err();
+        ($word:ty, $new:ident) => {{
+            let array = PiecewiseConstant2d::$new(&weights, u, v).err();
             let flat = weights.as_flattened();
             let (mut rows, mut cells) = ([0; R], vec![0; C * R]);
             let borrowed = PiecewiseConstant2d::<&[$word], &[$word]>::new_in(
@@ -42,7 +41,7 @@ fn plane<const C: usize, const R: usize>(
             array
         }};
     }
-    let (narrow, wide) = (both!(u32), both!(u64));
+    let (narrow, wide) = (both!(u32, new), both!(u64, new_u64));
     assert!(narrow == wide || matches!(narrow, Some(Unreachable(_))));
     narrow
 }
@@ -167,9 +166,9 @@ fn words_that_are_no_table_are_refused() {
     assert_eq!(reversed, Some(Reversed));
 
     let line = Cdf::from_words([half, 1]).unwrap();
-    let table = PiecewiseConstant1d::new(line, 0.0, 8.0).unwrap();
+    let table = PiecewiseConstant1d::from_cdf(line, 0.0, 8.0).unwrap();
     assert_eq!(table.sample(0.25), 2.0);
-    let bounded = Cdf::<heapless::Vec<u32, 4>>::new(&[1.0, 1.0]).unwrap();
-    let table = PiecewiseConstant1d::new(bounded, 0.0, 8.0).unwrap();
+    let bounded = Cdf::<heapless::Vec<u32, 4>>::from_slice(&[1.0, 1.0]).unwrap();
+    let table = PiecewiseConstant1d::from_cdf(bounded, 0.0, 8.0).unwrap();
     assert_eq!((table.sample(0.25), table.sample(0.75)), (2.0, 6.0));
 }

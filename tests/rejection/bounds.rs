@@ -2,7 +2,10 @@
 
 use microwarp::rejection::{Bounded, Failure, Rejection, SLACK};
 use microwarp::uniform::LARGEST;
-use microwarp::{Error, Interval, Inversion, Warp};
+use microwarp::{
+    Error, Warp,
+    warp::{Interval, Inversion},
+};
 use rand_pcg::Pcg32;
 
 /// The smallest positive `f32`.
@@ -14,7 +17,10 @@ fn anywhere(pdf: f32) -> impl Warp<Uniforms = f32, Point = f32, Density = f32> {
 }
 
 fn attempt(f: f32, p: f32, c: f32, word: u32) -> Result<Option<f32>, Failure> {
-    let bounded = Bounded::new(anywhere(p), |_| f, c, 1).unwrap();
+    let bounded = Bounded::new(anywhere(p), |_| f, c)
+        .unwrap()
+        .with_budget(1)
+        .unwrap();
     bounded.attempt(0.0, word)
 }
 
@@ -41,7 +47,11 @@ fn words_that_accept(f: f32, p: f32, c: f32) -> u64 {
 #[test]
 fn an_impossible_bound_is_refused() {
     let line = Interval::new(0.0, 1.0).unwrap();
-    let new = |c| Bounded::new(line, |_| 1.0, c, 1).err();
+    let new = |c| {
+        Bounded::new(line, |_| 1.0, c)
+            .and_then(|sampler| sampler.with_budget(1))
+            .err()
+    };
     for c in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         assert_eq!(new(c), Some(Error::NotFinite), "{c}");
     }
@@ -76,7 +86,7 @@ fn an_impossible_density_is_reported() {
     // Through a generator too, and at once.
     let line = Interval::new(0.0, 1.0).unwrap();
     let later = |x: f32| if x > 0.9 { f32::NAN } else { 0.0 };
-    let bounded = Bounded::new(line, later, 1.0, 1000).unwrap();
+    let bounded = Bounded::new(line, later, 1.0).unwrap();
     assert_eq!(bounded.draw(&mut Pcg32::new(1, 1)), Err(Failure::NotFinite));
 }
 
@@ -113,7 +123,10 @@ fn a_density_above_its_bound_is_reported_with_the_ratio() {
     // Whatever the word, and through a generator: it is seen as soon as such a point is proposed.
     assert!(attempt(2.0, 1.0, 1.0, u32::MAX).is_err());
     let line = Interval::new(0.0, 1.0).unwrap();
-    let rare = Bounded::new(line, |x: f32| if x > 0.99 { 1.5 } else { 0.0 }, 1.0, 5000).unwrap();
+    let rare = Bounded::new(line, |x: f32| if x > 0.99 { 1.5 } else { 0.0 }, 1.0)
+        .unwrap()
+        .with_budget(5000)
+        .unwrap();
     let failure = rare.draw(&mut Pcg32::new(1, 1)).unwrap_err();
     assert_eq!(failure, Failure::BoundExceeded { ratio: 1.5 });
     assert_eq!(failure.to_string(), "the density is 1.5 times its bound");

@@ -1,11 +1,12 @@
 //! Budgets are kept to the word, and no generator makes a sampler hang.
 
-use microwarp::Aabb;
 use microwarp::rejection::{
-    Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection,
+    Accepted, BallRejection, Bounded, DEFAULT_BUDGET, DiskRejection, Failure, Region, Rejection,
+    budget_for,
 };
 use microwarp::uniform::grid_from_word;
-use microwarp::{Error, Interval, poly};
+use microwarp::warp::Aabb;
+use microwarp::{Error, poly, warp::Interval};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use support::generators::{Broken, Counting, Cycle, Failing};
@@ -41,38 +42,47 @@ where
 #[test]
 fn a_budget_is_spent_to_the_word() {
     let line = Interval::new(0.0, 1.0).unwrap();
-    let tail = poly::ExponentialTail::new(1.0).unwrap();
+    let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
     let cube = Aabb::new([0.0; 3], [1.0; 3]).unwrap();
     for budget in [1, 2, 7, 1000] {
         let tries = u64::from(budget);
         spends(
-            &Region::new(line, |_| false, budget).unwrap(),
+            &Region::new(line, |_| false).with_budget(budget).unwrap(),
             budget,
             tries,
         );
         spends(
-            &Region::new(tail, |_| false, budget).unwrap(),
+            &Region::new(tail, |_| false).with_budget(budget).unwrap(),
             budget,
             2 * tries,
         );
         spends(
-            &Region::new(cube, |_| false, budget).unwrap(),
+            &Region::new(cube, |_| false).with_budget(budget).unwrap(),
             budget,
             3 * tries,
         );
         // One word more for the decision.
         spends(
-            &Bounded::new(line, |_| 0.0, 1.0, budget).unwrap(),
+            &Bounded::new(line, |_| 0.0, 1.0)
+                .unwrap()
+                .with_budget(budget)
+                .unwrap(),
             budget,
             2 * tries,
         );
         spends(
-            &Bounded::new(tail, |_| 0.0, 1.0, budget).unwrap(),
+            &Bounded::new(tail, |_| 0.0, 1.0)
+                .unwrap()
+                .with_budget(budget)
+                .unwrap(),
             budget,
             3 * tries,
         );
         spends(
-            &Bounded::new(cube, |_| -0.0, 1.0, budget).unwrap(),
+            &Bounded::new(cube, |_| -0.0, 1.0)
+                .unwrap()
+                .with_budget(budget)
+                .unwrap(),
             budget,
             4 * tries,
         );
@@ -93,28 +103,44 @@ fn tries_and_words_agree() {
     agree(&BallRejection::new(), 3);
     let f = |[x, y]: [f32; 2]| x * y;
     agree(
-        &Bounded::new(Aabb::new([0.0; 2], [1.0; 2]).unwrap(), f, 1.0, 500).unwrap(),
+        &Bounded::new(Aabb::new([0.0; 2], [1.0; 2]).unwrap(), f, 1.0).unwrap(),
         3,
     );
-    let tail = poly::ExponentialTail::new(1.0).unwrap();
-    agree(&Region::new(tail, |x| x > 1.0, 500).unwrap(), 2);
+    let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
+    agree(&Region::new(tail, |x| x > 1.0), 2);
 }
 
 #[test]
 fn a_budget_of_nothing_is_refused() {
     let line = Interval::new(0.0, 1.0).unwrap();
     assert_eq!(
-        Region::new(line, |_| true, 0).err(),
+        Region::new(line, |_| true).with_budget(0).err(),
         Some(Error::NotPositive)
     );
     assert_eq!(
-        Bounded::new(line, |_| 1.0, 1.0, 0).err(),
+        Bounded::new(line, |_| 1.0, 1.0)
+            .and_then(|sampler| sampler.with_budget(0))
+            .err(),
         Some(Error::NotPositive)
     );
-    assert_eq!(DiskRejection::with_budget(0), Err(Error::NotPositive));
-    assert_eq!(BallRejection::with_budget(0), Err(Error::NotPositive));
-    const DISK: Result<DiskRejection, Error> = DiskRejection::with_budget(5);
+    assert_eq!(DiskRejection::new().with_budget(0), Err(Error::NotPositive));
+    assert_eq!(BallRejection::new().with_budget(0), Err(Error::NotPositive));
+    const DISK: Result<DiskRejection, Error> = DiskRejection::new().with_budget(5);
     assert_eq!(DISK.unwrap().budget(), 5);
+}
+
+#[test]
+fn samplers_say_what_they_were_built_with() {
+    let square = Aabb::new([-1.0; 2], [1.0; 2]).unwrap();
+    let half = Region::new(square, |[x, _]: [f32; 2]| x > 0.0);
+    assert_eq!((*half.domain(), half.budget()), (square, DEFAULT_BUDGET));
+    let bumped = Bounded::new(square, |_| 1.0, 4.5).unwrap();
+    assert_eq!((*bumped.proposal(), bumped.bound()), (square, 4.5));
+    assert_eq!(bumped.budget(), DEFAULT_BUDGET);
+    assert_eq!(bumped.with_budget(3).unwrap().budget(), 3);
+    // The default budget does for the efficiencies it is said to.
+    assert!(budget_for(0.045).unwrap() <= DEFAULT_BUDGET);
+    assert!(budget_for(0.044).unwrap() > DEFAULT_BUDGET);
 }
 
 /// Stuck at one value: a point at the first try, or an error when the budget is spent.
@@ -141,10 +167,22 @@ fn a_stuck_generator_ends_at_once_or_with_the_budget() {
         let ended = [
             ends(&DiskRejection::new(), word),
             ends(&BallRejection::new(), word),
-            ends(&Region::new(line, |x| x > 0.5, 50).unwrap(), word),
-            ends(&Bounded::new(line, |x| x, 1.0, 50).unwrap(), word),
             ends(
-                &Bounded::new(poly::Disk::new(), |[x, _]: [f32; 2]| x.abs(), 4.0, 50).unwrap(),
+                &Region::new(line, |x| x > 0.5).with_budget(50).unwrap(),
+                word,
+            ),
+            ends(
+                &Bounded::new(line, |x| x, 1.0)
+                    .unwrap()
+                    .with_budget(50)
+                    .unwrap(),
+                word,
+            ),
+            ends(
+                &Bounded::new(poly::Disk::new(), |[x, _]: [f32; 2]| x.abs(), 4.0)
+                    .unwrap()
+                    .with_budget(50)
+                    .unwrap(),
                 word,
             ),
         ];
@@ -185,8 +223,11 @@ fn a_failing_generator_passes_its_error_on() {
         left,
     };
     let line = Interval::new(0.0, 1.0).unwrap();
-    let zero = Bounded::new(line, |_| 0.0, 1.0, 10).unwrap();
-    let nowhere = Region::new(line, |_| false, 10).unwrap();
+    let zero = Bounded::new(line, |_| 0.0, 1.0)
+        .unwrap()
+        .with_budget(10)
+        .unwrap();
+    let nowhere = Region::new(line, |_| false).with_budget(10).unwrap();
     let generator = Failure::Generator(Broken(17));
     // The corner of the box is proposed again and again until the generator fails or the budget is spent.
     for left in 0..64 {
@@ -195,7 +236,7 @@ fn a_failing_generator_passes_its_error_on() {
             .unwrap_err();
         assert_eq!(disk, generator);
         let spent = |tries| Failure::BudgetSpent { tries };
-        let ball = BallRejection::with_budget(10).unwrap();
+        let ball = BallRejection::new().with_budget(10).unwrap();
         let ball = ball.try_draw(&mut broken(left)).unwrap_err();
         assert_eq!(ball, if left < 30 { generator } else { spent(10) });
         let zero = zero.try_draw(&mut broken(left)).unwrap_err();
@@ -214,8 +255,8 @@ fn drawing_is_attempting_at_the_drawn_uniforms() {
     let disk = DiskRejection::new();
     let f = |[x, y]: [f32; 2]| x * x + y * y;
     let square = Aabb::new([0.0; 2], [1.0; 2]).unwrap();
-    let bounded = Bounded::new(square, f, 2.0, 1000).unwrap();
-    let region = Region::new(square, |p| f(p) < 0.5, 1000).unwrap();
+    let bounded = Bounded::new(square, f, 2.0).unwrap();
+    let region = Region::new(square, |p| f(p) < 0.5);
     let (mut drawn, mut replayed) = (Pcg32::new(3, 3), Pcg32::new(3, 3));
     for _ in 0..1000 {
         let mut u = || grid_from_word(replayed.next_u32());

@@ -2,10 +2,13 @@
 
 use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
 use crate::subjects::{self, MORE, POINTS, run};
-use microwarp::Aabb;
 use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
-use microwarp::{Interval, Invert, Triangle, Warp, libm, poly};
+use microwarp::warp::Aabb;
+use microwarp::{
+    Invert, Warp, libm, poly,
+    warp::{Interval, Triangle},
+};
 use rand_core::TryRng;
 use std::f32::consts::{FRAC_1_PI, PI};
 use support::{speed, stats};
@@ -21,7 +24,7 @@ fn accepted_points_have_the_stated_law() {
 /// A point that took three tries has the law of one that took one.
 #[test]
 fn points_do_not_depend_on_their_tries() {
-    let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI, 600).unwrap();
+    let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI).unwrap();
     let run = run(&bump, subjects::bump, 7);
     let patient = |least: u32| -> Vec<[f64; 2]> {
         let pairs = run.uniforms.iter().zip(&run.tries);
@@ -38,7 +41,6 @@ fn points_do_not_depend_on_their_tries() {
         poly::Disk::new(),
         |x| 1.0 - subjects::bump_density(x),
         0.5 * PI,
-        600,
     );
     let mut wrong = late;
     let other = run_of(&turned_down.unwrap());
@@ -109,24 +111,21 @@ fn regions_that_are_slightly_off_are_rejected() {
     let square = Aabb::new([-1.0; 2], [1.0; 2]).unwrap();
     let more = *MORE as f32;
     let narrow = |[x, y]: [f32; 2]| x * x + y * y <= 1.0 - 0.005 * more;
-    let narrow = Region::new(square, narrow, 100).unwrap();
+    let narrow = Region::new(square, narrow);
     assert_rejected("narrow disk", &p_values(&narrow, subjects::disk));
     let oval = |[x, y]: [f32; 2]| x * x + (1.0 + 0.01 * more) * y * y <= 1.0;
-    let oval = Region::new(square, oval, 100).unwrap();
+    let oval = Region::new(square, oval);
     assert_rejected("oval", &p_values(&oval, subjects::disk));
-    let cap = Region::new(
-        libm::Hemisphere::new(),
-        |n: [f32; 3]| n[2] > 0.5 + 0.005 * more,
-        100,
-    )
-    .unwrap();
+    let cap = Region::new(libm::Hemisphere::new(), |n: [f32; 3]| {
+        n[2] > 0.5 + 0.005 * more
+    });
     assert_rejected("small cap", &p_values(&cap, subjects::cap));
     let triangle = |b: [f32; 3]| b[0] < (1.0 - 0.01 * more) * b[1];
-    let triangle = Region::new(Triangle::new(), triangle, 100).unwrap();
+    let triangle = Region::new(Triangle::new(), triangle);
     assert_rejected("triangle", &p_values(&triangle, subjects::half_triangle));
     // A disk at the centre of which a little hole has been left.
     let ring = |[x, y]: [f32; 2]| (4e-3 * more..=1.0).contains(&(x * x + y * y));
-    let ring = Region::new(square, ring, 100).unwrap();
+    let ring = Region::new(square, ring);
     assert_rejected("punctured disk", &p_values(&ring, subjects::disk));
 }
 
@@ -136,25 +135,25 @@ fn densities_that_are_slightly_off_are_rejected() {
     let more = *MORE as f32;
     let peak = 1.0 - 0.1 * more;
     let clamped = |x| subjects::bump_density(x).min(peak);
-    let clamped = Bounded::new(disk, clamped, peak * PI, 600).unwrap();
+    let clamped = Bounded::new(disk, clamped, peak * PI).unwrap();
     assert_rejected("a clamped peak", &p_values(&clamped, subjects::bump));
-    let wrong = Bounded::new(WrongDisk, subjects::bump_density, PI, 600).unwrap();
+    let wrong = Bounded::new(WrongDisk, subjects::bump_density, PI).unwrap();
     assert_rejected("proposals r = u", &p_values(&wrong, subjects::bump));
     let line = Interval::new(0.0, PI).unwrap();
     let by = 0.03 * more;
-    let raised = Bounded::new(line, |x: f32| by + x.sin(), (1.0 + by) * PI, 600).unwrap();
+    let raised = Bounded::new(line, |x: f32| by + x.sin(), (1.0 + by) * PI).unwrap();
     assert_rejected(
         "sin + 0.03 or more",
         &p_values(&raised, subjects::half_sine),
     );
-    let coarse = Bounded::new(line, f32::sin, PI, 600).unwrap();
+    let coarse = Bounded::new(line, f32::sin, PI).unwrap();
     let bits = u32::MAX << speed::of("bits that the coarse coin lacks", 27, 26);
     let coarse = p_values(&CoarseCoin(coarse, bits), subjects::half_sine);
     assert_rejected("a coin of few bits", &coarse);
     // Dividing by c alone where c p is meant: as if f were f p.
     let lobe = poly::CosineHemisphere::new();
     let forgetful = move |n: [f32; 3]| n[2] * n[2] * lobe.pdf(n);
-    let forgetful = Bounded::new(lobe, forgetful, 1.0, 600).unwrap();
+    let forgetful = Bounded::new(lobe, forgetful, 1.0).unwrap();
     let forgetful = p_values(&forgetful, subjects::squared_cosine);
     assert_rejected("the proposal's density forgotten", &forgetful);
 }
@@ -164,7 +163,7 @@ fn densities_that_are_slightly_off_are_rejected() {
 fn laws_are_told_apart() {
     let disk = DiskRejection::new();
     assert_rejected("disk for bump", &p_values(&disk, subjects::bump));
-    let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI, 600).unwrap();
+    let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI).unwrap();
     assert_rejected("bump for disk", &p_values(&bump, subjects::disk));
     assert!(stats::threshold(1) > crate::examination::threshold());
 }

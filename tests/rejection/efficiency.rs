@@ -50,8 +50,8 @@ fn truncated_tries_are_rejected() {
 
 #[test]
 fn a_budget_is_spent_as_often_as_it_must_be() {
-    let disk = DiskRejection::with_budget(2).unwrap();
-    let ball = BallRejection::with_budget(5).unwrap();
+    let disk = DiskRejection::new().with_budget(2).unwrap();
+    let ball = BallRejection::new().with_budget(5).unwrap();
     let mut rng = Pcg32::new(500, 500);
     let (mut disks, mut balls) = (0, 0);
     for _ in 0..*POINTS {

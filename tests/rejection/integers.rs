@@ -233,8 +233,11 @@ fn densities_are_one_over_pi_inside_and_nothing_outside() {
 
 #[test]
 fn budgets_and_words_of_the_integer_disks() {
-    assert_eq!(DiskRejection::with_budget(0), Err(Error::NotPositive));
-    assert_eq!(DiskRejection16::with_budget(0), Err(Error::NotPositive));
+    assert_eq!(DiskRejection::new().with_budget(0), Err(Error::NotPositive));
+    assert_eq!(
+        DiskRejection16::new().with_budget(0),
+        Err(Error::NotPositive)
+    );
     assert_eq!(DiskRejection::default().budget(), DiskRejection::BUDGET);
     assert_eq!(DiskRejection16::new().budget(), DiskRejection16::BUDGET);
     fn of<S: Rejection<Point = [I2F30; 2]>>(disk: &S, words: u64) {
@@ -265,6 +268,6 @@ fn budgets_and_words_of_the_integer_disks() {
         let due = short.attempt(words[0]);
         assert_eq!(short.try_once(&mut Cycle::new(&words)), Ok(due));
     }
-    of(&DiskRejection::with_budget(7).unwrap(), 2);
-    of(&DiskRejection16::with_budget(7).unwrap(), 1);
+    of(&DiskRejection::new().with_budget(7).unwrap(), 2);
+    of(&DiskRejection16::new().with_budget(7).unwrap(), 1);
 }

@@ -4,9 +4,12 @@
 
 use crate::examination::{Run, histogram, p_values_of_points};
 use ::fixed::types::I2F30;
-use microwarp::Aabb;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for};
-use microwarp::{Interval, Triangle, fixed, libm, poly};
+use microwarp::warp::Aabb;
+use microwarp::{
+    fixed, libm, poly,
+    warp::{Interval, Triangle},
+};
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, LN_2, PI, TAU};
 use std::sync::{LazyLock, OnceLock};
@@ -163,19 +166,21 @@ pub fn all() -> Vec<Subject> {
     let square = Aabb::new([-1.0; 2], [1.0; 2]).unwrap();
     let cube = Aabb::new([0.0; 3], [1.0; 3]).unwrap();
     let line = Interval::new(0.0, pi).unwrap();
-    let decay = poly::Exponential::new(2.0).unwrap();
-    let tail = libm::ExponentialTail::new(2.0).unwrap();
+    let decay = poly::Exponential::from_rate(2.0).unwrap();
+    let tail = libm::ExponentialTail::from_rate(2.0).unwrap();
     // Of x below 1, both: (1 - e^(-2x))/(1 - e^-2).
     let below_one = |x: f32| [(-2.0 * f64::from(x)).exp_m1() / (-2.0_f64).exp_m1()];
     let mass = -(-2.0_f64).exp_m1();
     macro_rules! region {
         ($domain:expr, $predicate:expr, $e:expr) => {
-            Region::new($domain, $predicate, budget($e)).unwrap()
+            Region::new($domain, $predicate)
+                .with_budget(budget($e))
+                .unwrap()
         };
     }
     macro_rules! bounded {
         ($proposal:expr, $f:expr, $c:expr) => {
-            Bounded::new($proposal, $f, $c, 600).unwrap()
+            Bounded::new($proposal, $f, $c).unwrap()
         };
     }
     vec![

@@ -75,10 +75,18 @@ fn keeps_its_budget(sampler: &impl Rejection<Point = f32>, curve: Curve, budget:
 #[test]
 fn budgets_are_kept_to_the_word() {
     for budget in [1, 2, 7] {
-        let normal = ZigguratStandardNormal::with_budget(budget).unwrap();
-        let scaled = ZigguratNormal::with_budget(3.0, 2.0, budget).unwrap();
-        let wait = ZigguratStandardExponential::with_budget(budget).unwrap();
-        let path = ZigguratExponential::with_budget(3.0, budget).unwrap();
+        let normal = ZigguratStandardNormal::new().with_budget(budget).unwrap();
+        let scaled = ZigguratNormal::new(3.0, 2.0)
+            .unwrap()
+            .with_budget(budget)
+            .unwrap();
+        let wait = ZigguratStandardExponential::new()
+            .with_budget(budget)
+            .unwrap();
+        let path = ZigguratExponential::from_rate(3.0)
+            .unwrap()
+            .with_budget(budget)
+            .unwrap();
         if budget > 2 {
             keeps_its_budget(&normal, Curve::Normal, budget);
             keeps_its_budget(&scaled, Curve::Normal, budget);
@@ -118,7 +126,7 @@ fn default_budgets_are_spent_once_in_2_to_the_64() {
     );
     let scaled = ZigguratNormal::new(0.0, 1.0).unwrap();
     assert_eq!(scaled.budget(), ZigguratStandardNormal::BUDGET);
-    let scaled = ZigguratExponential::new(1.0).unwrap();
+    let scaled = ZigguratExponential::from_rate(1.0).unwrap();
     assert_eq!(scaled.budget(), ZigguratStandardExponential::BUDGET);
 }
 
@@ -159,7 +167,7 @@ fn a_stuck_generator_ends() {
 #[test]
 fn drawing_is_attempting_at_the_drawn_words() {
     let normal = ZigguratNormal::new(-2.0, 3.0).unwrap();
-    let path = ZigguratExponential::new(0.7).unwrap();
+    let path = ZigguratExponential::from_rate(0.7).unwrap();
     let mut rng = Pcg32::new(3, 3);
     for k in 0..1_000_000 {
         let mut words = [rng.next_u32(), rng.next_u32(), rng.next_u32()];
@@ -217,33 +225,77 @@ fn parameters_are_refused_as_by_the_warps() {
             let due = poly::Normal::new(a, b).err();
             assert_eq!(ZigguratNormal::new(a, b).err(), due, "{a} {b}");
         }
-        let due = poly::Exponential::new(a).err();
+        let due = poly::Exponential::from_rate(a).err();
         // A little less far down, since its tail reaches a little farther.
         let due = if a == 3.1e-37 {
             Some(Error::TooLarge)
         } else {
             due
         };
-        assert_eq!(ZigguratExponential::new(a).err(), due, "{a}");
+        assert_eq!(ZigguratExponential::from_rate(a).err(), due, "{a}");
     }
-    assert_eq!(ZigguratExponential::new(3.0e-37), Err(Error::TooLarge));
-    assert!(ZigguratExponential::new(3.1e-37).is_ok());
     assert_eq!(
-        ZigguratNormal::with_budget(0.0, 1.0, 0),
+        ZigguratExponential::from_rate(3.0e-37),
+        Err(Error::TooLarge)
+    );
+    assert!(ZigguratExponential::from_rate(3.1e-37).is_ok());
+    assert_eq!(
+        ZigguratNormal::new(0.0, 1.0).and_then(|sampler| sampler.with_budget(0)),
         Err(Error::NotPositive)
     );
     assert_eq!(
-        ZigguratExponential::with_budget(1.0, 0),
+        ZigguratExponential::from_rate(1.0).and_then(|sampler| sampler.with_budget(0)),
         Err(Error::NotPositive)
     );
     assert_eq!(
-        ZigguratStandardNormal::with_budget(0),
+        ZigguratStandardNormal::new().with_budget(0),
         Err(Error::NotPositive)
     );
     assert_eq!(
-        ZigguratStandardExponential::with_budget(0),
+        ZigguratStandardExponential::new().with_budget(0),
         Err(Error::NotPositive)
     );
+}
+
+#[test]
+fn a_mean_is_the_rate_of_its_reciprocal() {
+    for mean in [1e-38_f32, 0.3, 1.0, 7.0, 3.2e36] {
+        let of_mean = ZigguratExponential::from_mean(mean).unwrap();
+        assert_eq!(of_mean, ZigguratExponential::from_rate(1.0 / mean).unwrap());
+        assert_eq!(of_mean.rate(), 1.0 / mean);
+        assert!(
+            (of_mean.mean() / mean - 1.0).abs() <= f32::EPSILON,
+            "{mean}"
+        );
+    }
+    let refused = |mean| ZigguratExponential::from_mean(mean).err();
+    for mean in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        assert_eq!(refused(mean), Some(Error::NotFinite), "{mean}");
+    }
+    for mean in [0.0, -0.0, -1.0, f32::MIN] {
+        assert_eq!(refused(mean), Some(Error::NotPositive), "{mean}");
+    }
+    for mean in [f32::from_bits(1), 2.9e-39] {
+        assert_eq!(refused(mean), Some(Error::Empty), "{mean}");
+    }
+    assert_eq!(refused(2.95e-39), None);
+    for mean in [3.3e36, f32::MAX] {
+        assert_eq!(refused(mean), Some(Error::TooLarge), "{mean}");
+    }
+}
+
+#[test]
+fn parameters_come_back_as_they_were_given() {
+    let normal = ZigguratNormal::new(-2.5, 0.1).unwrap();
+    assert_eq!((normal.mean(), normal.std_dev()), (-2.5, 0.1));
+    assert_eq!(ZigguratExponential::from_rate(0.1).unwrap().rate(), 0.1);
+    // Compilers build them too, budgets included.
+    const PATIENT: Result<ZigguratNormal, Error> = match ZigguratNormal::new(1.0, 2.0) {
+        Ok(normal) => normal.with_budget(77),
+        Err(e) => Err(e),
+    };
+    assert_eq!(PATIENT.unwrap().budget(), 77);
+    assert_eq!(normal.budget(), ZigguratNormal::BUDGET);
 }
 
 /// Numbers are finite at the ends of what is accepted, their densities positive and those of the warps.
@@ -280,8 +332,8 @@ fn extremes_of_scale_stay_finite_and_dense() {
         }
     }
     for rate in [3.1e-37, 1e-30, 1.0, 1e30, f32::MAX] {
-        let path = ZigguratExponential::new(rate).unwrap();
-        let law = poly::Exponential::new(rate).unwrap();
+        let path = ZigguratExponential::from_rate(rate).unwrap();
+        let law = poly::Exponential::from_rate(rate).unwrap();
         for k in 0..20_000 {
             let mut words = [rng.next_u32(), rng.next_u32(), rng.next_u32()];
             match k {

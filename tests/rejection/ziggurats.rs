@@ -261,7 +261,7 @@ fn scaled_numbers_have_their_law() {
             &p_values_of_numbers(Curve::Normal, &wrong),
         );
     }
-    let wait = ZigguratExponential::new(40.0).unwrap();
+    let wait = ZigguratExponential::from_rate(40.0).unwrap();
     let (numbers, _) = draw(&wait, 4);
     let standard: Vec<f64> = numbers.iter().map(|x| x * 40.0).collect();
     let p_values = p_values_of_numbers(Curve::Exponential, &standard);

@@ -3,7 +3,7 @@
 use crate::world::{Place, distance};
 use microwarp::metropolis::{Chain, Independence, Mixture, Mutation};
 use microwarp::rejection::Failure;
-use microwarp::{Aabb, Error, poly as mw};
+use microwarp::{Error, poly as mw, warp::Aabb};
 use rand_pcg::Pcg32;
 
 /// An answer of the dock: where the rover thought it was, and how far away the dock seemed.

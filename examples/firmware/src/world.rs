@@ -24,11 +24,11 @@ pub const DOCK: Place = [9.0, -4.0];
 pub const RANGE_DEVIATION: f32 = 0.3;
 
 /// What the rover does in a tick: it goes on, turns left, turns right or brakes. Built by the compiler, kept in flash.
-const MODES: Cdf<[u32; 4]> = table(Cdf::<[u32; 4]>::from_integers(&[12, 3, 3, 1]));
+const MODES: Cdf<[u32; 4]> = table(Cdf::from_integers(&[12, 3, 3, 1]));
 /// Cosine and sine of each mode's turn, times what it leaves of the speed.
 const TURNS: [[f32; 2]; 4] = [[1.0, 0.0], [0.92, 0.38], [0.92, -0.38], [0.5, 0.0]];
 /// One range in ten is that of an echo, which comes by a detour.
-const STRAIGHT_OR_ECHO: Cdf<[u32; 2]> = table(Cdf::<[u32; 2]>::from_integers(&[9, 1]));
+const STRAIGHT_OR_ECHO: Cdf<[u32; 2]> = table(Cdf::from_integers(&[9, 1]));
 
 const fn table<const N: usize>(checked: Result<Cdf<[u32; N]>, Error>) -> Cdf<[u32; N]> {
     match checked {
@@ -59,7 +59,7 @@ impl World {
             start: mw::Disk::new(),
             ground: mw::NormalPair::new([0.0; 2], 0.08)?,
             noise: mw::Normal::new(0.0, RANGE_DEVIATION)?,
-            detour: mw::Exponential::new(1.0 / 6.0)?,
+            detour: mw::Exponential::from_rate(1.0 / 6.0)?,
         })
     }
 

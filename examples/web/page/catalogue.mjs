@@ -53,7 +53,7 @@ const KNOWN = {
   },
   Linear: { truth: ([a, b]) => line.linear(a, b), uniforms: count.deep },
   Normal: {
-    truth: ([mean, deviation]) => line.normal(mean, deviation),
+    truth: ([mean, std_dev]) => line.normal(mean, std_dev),
     counting: count.warp("Normal", { scale: ([mean], [x]) => Math.max(Math.abs(mean), Math.abs(x - mean)) }),
     uniforms: count.folded,
   },
@@ -68,8 +68,8 @@ const KNOWN = {
     counting: count.warp("TriangleOn", { scale: largest, integer: count.of_extent }),
   },
   NormalPair: {
-    truth: ([x, y, deviation]) => plane.normal_pair(x, y, deviation),
-    counting: count.warp("NormalPair", { scale: ([x, y, deviation]) => largest([x, y, 5.77 * deviation]), integer: count.of_deviation }),
+    truth: ([x, y, std_dev]) => plane.normal_pair(x, y, std_dev),
+    counting: count.warp("NormalPair", { scale: ([x, y, std_dev]) => largest([x, y, 5.77 * std_dev]), integer: count.of_deviation }),
   },
   StandardNormalPair: {
     truth: () => plane.normal_pair(0, 0, 1),

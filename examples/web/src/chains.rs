@@ -5,7 +5,7 @@ use crate::shared::Refusal;
 use crate::subject::subjects;
 use microwarp::Error;
 use microwarp::metropolis::{
-    Chain, Health, LargeSmall, Mixture, NormalStep, UniformIndex, Wrapped,
+    Chain, Autocorrelation, LargeSmall, Mixture, NormalStep, UniformIndex, WrappedWalk,
 };
 use microwarp::tier::Tier;
 use rand_core::Rng;
@@ -15,7 +15,7 @@ const LAGS: usize = 256;
 
 /// What a chain reports: its acceptance rate, the integrated autocorrelation time of the first coordinate or of the
 /// state's number (0 where the lags do not reach that far).
-fn tell(rate: Option<f32>, health: &Health<LAGS>, report: &mut [f64; 16]) {
+fn tell(rate: Option<f32>, health: &Autocorrelation<LAGS>, report: &mut [f64; 16]) {
     let [acceptance, time, ..] = report;
     *acceptance = rate.unwrap_or(0.0).into();
     *time = health.integrated_time().unwrap_or(0.0).into();
@@ -44,18 +44,18 @@ fn hills<T: Tier>([x, y]: [f32; 2]) -> f32 {
 
 struct Hills<T: Tier> {
     chain: Chain<[f32; 2]>,
-    mutation: LargeSmall<Wrapped<NormalStep<[f32; 2], T>>>,
-    health: Health<LAGS>,
+    mutation: LargeSmall<WrappedWalk<NormalStep<[f32; 2], T>>>,
+    health: Autocorrelation<LAGS>,
 }
 
 impl<T: Tier> Hills<T> {
     /// Three hills on the unit square without borders: small normal steps, now and then a large one.
     fn new(deviation: f32, large: f32) -> Result<Self, Error> {
-        let small = Wrapped::new(NormalStep::<_, T>::new([deviation; 2])?);
+        let small = WrappedWalk::new(NormalStep::<_, T>::new([deviation; 2])?);
         Ok(Self {
             chain: Chain::new([0.0; 2], hills::<T>)?,
             mutation: Mixture::large_small(large, small)?,
-            health: Health::new(),
+            health: Autocorrelation::new(),
         })
     }
 }
@@ -89,7 +89,7 @@ struct States {
     chain: Chain<usize, u32>,
     mutation: UniformIndex,
     weights: [u32; 6],
-    health: Health<LAGS>,
+    health: Autocorrelation<LAGS>,
 }
 
 impl States {
@@ -102,7 +102,7 @@ impl States {
             chain: Chain::new(heaviest.unwrap_or(0), |state| weight(&weights, state))?,
             mutation: UniformIndex::new(6)?,
             weights,
-            health: Health::new(),
+            health: Autocorrelation::new(),
         })
     }
 }

@@ -8,22 +8,22 @@ use microwarp::fixed as integers;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection};
 use microwarp::tier::Tier;
 use microwarp::warp::Disk;
-use microwarp::{Aabb, Error};
+use microwarp::{Error, warp::Aabb};
 use rand_core::Rng;
 
 subjects! {
     PLAIN plain[] "rejection" "exact":
     DiskRejection: plane 2: DiskRejection(budget_in_tries: 32 in 0..128 by 1)
-        => DiskRejection::with_budget(budget_in_tries as u32)
+        => DiskRejection::new().with_budget(budget_in_tries as u32)
             .map(|disk| Tried::new(disk, move |point| disk.pdf(point).into())),
     BallRejection: sphere 3: BallRejection(budget_in_tries: 64 in 0..128 by 1)
-        => BallRejection::with_budget(budget_in_tries as u32)
+        => BallRejection::new().with_budget(budget_in_tries as u32)
             .map(|ball| Tried::new(ball, move |point| ball.pdf(point).into())),
     DiskRejection: plane 2: IntegerDiskRejection(budget_in_tries: 32 in 0..128 by 1)
-        => integers::DiskRejection::with_budget(budget_in_tries as u32)
+        => integers::DiskRejection::new().with_budget(budget_in_tries as u32)
             .map(|disk| Tried::new(disk, move |point| only(disk.pdf(point)))),
     DiskRejection16: plane 1: IntegerDiskRejection16(budget_in_tries: 32 in 0..128 by 1)
-        => integers::DiskRejection16::with_budget(budget_in_tries as u32)
+        => integers::DiskRejection16::new().with_budget(budget_in_tries as u32)
             .map(|disk| Tried::new(disk, move |point| only(disk.pdf(point)))),
     // What a region's density is without its normalisation: that of the box.
     Region: plane 2: Region(inner_radius: 0.5 in 0..1, outer_radius: 1 in 0..1.4, budget_in_tries: 100 in 0..128 by 1)
@@ -36,7 +36,7 @@ subjects! {
         => {
             // f = 1/(1 + s(x² + y²)) over points of the disk, with a bound on f/p and a budget.
             let density = move |[x, y]: [f32; 2]| 1.0 / (1.0 + sharpness * (x * x + y * y));
-            Bounded::new(Disk::<T>::new(), density, bound, budget_in_tries as u32)
+            Bounded::new(Disk::<T>::new(), density, bound).and_then(|sampler| sampler.with_budget(budget_in_tries as u32))
                 .map(|bump| Tried::new(bump, move |point| density(point).into()))
         },
 }
@@ -51,7 +51,7 @@ fn ring(
         let square = x * x + y * y;
         inner * inner <= square && square <= outer * outer
     };
-    Region::new(Aabb::new([-1.0; 2], [1.0; 2])?, ring, budget)
+    Region::new(Aabb::new([-1.0; 2], [1.0; 2])?, ring).with_budget(budget)
 }
 
 fn only(number: impl Numbers) -> f64 {

@@ -30,16 +30,16 @@ macro_rules! tables {
 
 tables! {
     of weights {
-        Cdf: bars 1: Cdf => |weights: [f32; 6]| Cdf::<[u32; ENTRIES]>::new(&weights).map(Cumulated),
+        Cdf: bars 1: Cdf => |weights: [f32; 6]| Cdf::new(&weights).map(Cumulated),
         Alias: bars 1: Alias => |weights: [f32; 6]| Alias::<[AliasEntry<u32>; 8]>::new(&weights).map(Aliased),
         select_once: bars 1: SelectOnce => |weights| Ok::<_, Refusal>(Once(weights)),
         Reservoir: bars 0: Reservoir => |weights| Ok::<_, Refusal>(Stream(weights)),
         PiecewiseConstant1d: line 1: PiecewiseConstant1d => |weights: [f32; 6]| {
-            of(PiecewiseConstant1d::<[u32; ENTRIES]>::from_weights(&weights, 0.0, 1.0))
+            of(PiecewiseConstant1d::new(&weights, 0.0, 1.0))
         },
     }
     PiecewiseConstant2d: plane 2: PiecewiseConstant2d(clouds: 3 in 0..10 by 0.1, sun: 30 in 0..100 by 0.5)
-        => of(PiecewiseConstant2d::<[u32; 4], [[u32; 6]; 4]>::new(&sky(clouds, sun), [0.0, 1.5], [0.0, 1.0])),
+        => of(PiecewiseConstant2d::new(&sky(clouds, sun), [0.0, 1.5], [0.0, 1.0])),
 }
 
 /// Clouds of a given brightness with a sun among them, and a dark column.

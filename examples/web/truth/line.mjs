@@ -123,10 +123,10 @@ function normal_quantile(u) {
   return x;
 }
 
-export const normal = (mean, deviation) => ({
-  sample: ([u]) => [mean + deviation * normal_quantile(open(u))],
-  pdf: (x) => Math.exp(-(((x - mean) / deviation) ** 2) / 2) / (deviation * Math.sqrt(2 * Math.PI)),
-  range: [mean - 4 * deviation, mean + 4 * deviation],
+export const normal = (mean, std_dev) => ({
+  sample: ([u]) => [mean + std_dev * normal_quantile(open(u))],
+  pdf: (x) => Math.exp(-(((x - mean) / std_dev) ** 2) / 2) / (std_dev * Math.sqrt(2 * Math.PI)),
+  range: [mean - 4 * std_dev, mean + 4 * std_dev],
 });
 
 // p(x) = 1/2 + x.

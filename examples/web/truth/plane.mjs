@@ -39,16 +39,16 @@ export function triangle_on([ax, ay, bx, by, cx, cy]) {
   };
 }
 
-export function normal_pair(mx, my, deviation) {
-  const square = ([x, y]) => ((x - mx) ** 2 + (y - my) ** 2) / (deviation * deviation);
+export function normal_pair(mx, my, std_dev) {
+  const square = ([x, y]) => ((x - mx) ** 2 + (y - my) ** 2) / (std_dev * std_dev);
   return {
     sample: ([u, v]) => {
-      const [x, y] = turned(deviation * Math.sqrt(-2 * Math.log1p(-u)), v);
+      const [x, y] = turned(std_dev * Math.sqrt(-2 * Math.log1p(-u)), v);
       return [mx + x, my + y];
     },
-    pdf: (point) => Math.exp(-square(point) / 2) / (2 * Math.PI * deviation * deviation),
-    outline: circle.map(([x, y]) => [mx + deviation * x, my + deviation * y]),
-    box: [mx - 3.5 * deviation, mx + 3.5 * deviation, my - 3.5 * deviation, my + 3.5 * deviation],
+    pdf: (point) => Math.exp(-square(point) / 2) / (2 * Math.PI * std_dev * std_dev),
+    outline: circle.map(([x, y]) => [mx + std_dev * x, my + std_dev * y]),
+    box: [mx - 3.5 * std_dev, mx + 3.5 * std_dev, my - 3.5 * std_dev, my + 3.5 * std_dev],
   };
 }
 

@@ -2,8 +2,8 @@
 
 use super::tables::ROTATION;
 
-/// The angle of the point (x, y) in Q32 turns, by so many rotations that each halve what is left of it; 0 at the
-/// origin, and exact on the axes.
+/// The angle of the point (x, y) in Q32 turns, by so many CORDIC rotations, each of which halves the remaining angle. 0 at
+/// the origin, exact on the axes.
 #[inline]
 pub(in crate::fixed) fn vectoring(y: i32, x: i32, rotations: usize) -> u32 {
     let (along, across) = (x.unsigned_abs(), y.unsigned_abs());
@@ -14,7 +14,7 @@ pub(in crate::fixed) fn vectoring(y: i32, x: i32, rotations: usize) -> u32 {
     };
     let (wide, narrow) = scaled(wide, narrow);
     let first = rotated(wide, narrow, rotations);
-    // Out of the first eighth of the turn, by mirrors.
+    // From the first eighth of the turn to the others, by mirrors.
     let quarter = if across > along {
         (1_u32 << 30).wrapping_sub(first)
     } else {
@@ -28,7 +28,7 @@ pub(in crate::fixed) fn vectoring(y: i32, x: i32, rotations: usize) -> u32 {
     if y < 0 { half.wrapping_neg() } else { half }
 }
 
-/// Both numbers times a power of two that brings the larger one to 2²⁶ or above and below 2³⁰; 0 stays.
+/// Both numbers times a power of two that brings the larger one into [2²⁶, 2³⁰); 0 stays.
 #[inline]
 fn scaled(wide: u32, narrow: u32) -> (i32, i32) {
     let (mut wide, mut narrow) = (wide, narrow);

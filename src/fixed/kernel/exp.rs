@@ -3,17 +3,17 @@
 use super::product::{by_half, near};
 use super::tables::{LN_2_32ND, POWER, entry};
 
-/// The cell of x (Q27) and what is left of it, in Q21: x = (32 k + j) ln 2/32 + rest, as (k, j, rest).
+/// The cell of x (Q27), and the rest in Q21: x = (32 k + j) ln 2/32 + rest, as (k, j, rest).
 #[inline]
 fn cell(x: u32) -> (u32, u32, i32) {
-    /// 32/ln 2 in Q10, which need not be exact: it only picks the cell.
+    /// 32/ln 2 in Q10. It only picks the cell and need not be exact.
     const CELLS: u32 = 47_274;
     let cell = ((x >> 16) * CELLS + (1 << 20)) >> 21;
     let rest = x.wrapping_sub(cell * LN_2_32ND) as i32;
     (cell >> 5, cell & 31, (rest + 32) >> 6)
 }
 
-/// A power of 2 in Q31, shifted; without shift it is at most 1, which becomes the word below.
+/// A power of 2 in Q31, at most 1, shifted right and in Q32. 1 becomes the word below.
 #[inline]
 fn of_q31(power: u32, shift: u32) -> u32 {
     (power - (power >> 31)) >> shift << 1
@@ -42,14 +42,14 @@ pub(in crate::fixed) fn fine(x: u32) -> u32 {
     }
     let power = entry(&POWER, part);
     let top = (power >> 16) as i32;
-    // Half the way at the old power, then all of it at the new one: the quadratic term too.
+    // Half a step by the old slope, then the whole step by the new one: this includes the quadratic term.
     let halfway = top - ((top * rest) >> 22);
     of_q31(power.wrapping_add_signed(-((halfway * rest) >> 5)), shift)
 }
 
 /// log₂ e − 1, in Q32.
 const LOG2_E: u32 = 1_901_360_723;
-/// (1 − 2^−f)/f of 0 ≤ f < 1, in Q32; its signs alternate.
+/// The polynomial of (1 − 2^−f)/f for 0 ≤ f < 1, in Q32, with alternating signs.
 const POWER_OF_2: [u32; 5] = [
     2_977_032_627,
     1_031_594_070,
@@ -69,7 +69,7 @@ pub(in crate::fixed) fn compact(x: u32) -> u32 {
     if shift > 31 {
         return 0;
     }
-    // The leading half of the part exactly, the rest by the derivative.
+    // The upper half of the part by the polynomial, the lower one by the derivative.
     let (head, tail) = (part >> 16, part & 0xffff);
     let [c0, c1, c2, c3, c4] = POWER_OF_2;
     let next = |sum, c| c - by_half(sum, head);
@@ -78,14 +78,14 @@ pub(in crate::fixed) fn compact(x: u32) -> u32 {
     (power - (((power >> 16) * ((tail * LN_2) >> 16)) >> 16)) >> shift
 }
 
-/// Below this, 1/8 in Q27, [`one_minus_small`] is the one to take.
+/// 1/8 in Q27. Below, take [`one_minus_small`].
 pub(in crate::fixed) const SMALL: u32 = 1 << 24;
 
-/// 1 − e^−x of x below 1/8, in whatever Q of 22 fraction bits or more, with its relative precision.
+/// 1 − e^−x of x below 1/8 with any number of fraction bits from 22 on, to the relative precision of x.
 #[inline]
 pub(in crate::fixed) fn one_minus_small(x: u32, bits: u32) -> u32 {
-    // x in Q19, 16 bits, which is x/2 in Q20; then x/3 (1 − x/4) in Q18, and x/2 (1 − x/3 (1 − x/4)) in Q20, which
-    // is what (1 − e^−x)/x falls short of 1.
+    // x in Q19, with 16 bits, is x/2 in Q20. Then follow x/3 (1 − x/4) in Q18, and in Q20 x/2 (1 − x/3 (1 − x/4)), by
+    // which (1 − e^−x)/x falls short of 1.
     let head = if bits > 50 { 0 } else { x >> (bits - 19) };
     let third = (head * 10_923) >> 16;
     let short = head - ((head * (third - ((third * head) >> 21))) >> 18);

@@ -3,7 +3,7 @@
 use super::product::{by_half, near};
 use super::tables::{LN_2, LOG, entry};
 
-/// A positive number in Q32 shifted left by the second result, to at least 1/2; of 0, 0 and at most 32.
+/// A number in Q32, shifted left to at least 1/2, and the shift. 0 stays, with a shift of at most 32.
 #[inline]
 fn normal(x: u32) -> (u32, u32) {
     on_this_core!(normal_on(x))
@@ -24,11 +24,12 @@ fn normal_on<const NARROW: bool>(x: u32) -> (u32, u32) {
     }
 }
 
-/// −ln(1 − u), Q32 to Q27; `None` of 0.
+/// −ln(1 − u), Q32 to Q27, on a straight line between the points of the table; the fall of its cell; and the part of the
+/// cell passed. Not for 0.
 #[inline]
 fn line(u: u32) -> (u32, u32, u32) {
     let (m, shift) = normal(u.wrapping_neg());
-    // The leading bit is there always: the table begins at 1/2.
+    // The leading bit is always set, since the table begins at 1/2.
     let cell = m << 1 >> 26;
     let (from, to) = (entry(&LOG, cell), entry(&LOG, cell + 1));
     let fall = (from - to) >> 5;
@@ -49,15 +50,14 @@ pub(in crate::fixed) fn fine(u: u32) -> u32 {
         return 0;
     }
     let (straight, fall, part) = line(u);
-    // The curve hangs below its chord by half the square of the fall between the points, times what is left of
-    // the cell on either side.
+    // The curve hangs below its chord by half the squared fall of the cell, times the parts of the cell on either side.
     let sides = (part * (0xffff - part)) >> 16;
     straight - ((((fall * fall) >> 16) * sides) >> 18)
 }
 
 /// √2 − 1, in Q32.
 const ROOT_2: u32 = 1_779_033_704;
-/// −ln(1 − v)/v of 0 < v ≤ 1 − 1/√2, in Q31.
+/// The polynomial of −ln(1 − v)/v for 0 < v ≤ 1 − 1/√2, in Q31.
 const LOG_QUOTIENT: [u32; 5] = [
     2_147_532_449,
     1_071_494_029,
@@ -75,13 +75,13 @@ pub(in crate::fixed) fn compact(u: u32) -> u32 {
     let (mut m, shift) = normal(u.wrapping_neg());
     let mut whole = shift * LN_2;
     let widened = m.wrapping_add(near(m, ROOT_2));
-    // Without a carry it is still below 1.
+    // Without a carry it stays below 1.
     if widened > m {
         m = widened;
         whole += LN_2 >> 1;
     }
     let rest = m.wrapping_neg();
-    // The leading half exactly, the rest by the derivative, which is 1/(1 − v).
+    // The upper half by the polynomial, the lower one by the derivative, 1/(1 − v).
     let (head, tail) = (rest >> 16, rest & 0xffff);
     let [c0, c1, c2, c3, c4] = LOG_QUOTIENT;
     let next = |sum, c| c + by_half(sum, head);
@@ -91,22 +91,22 @@ pub(in crate::fixed) fn compact(u: u32) -> u32 {
     whole + (by_half(sum, head) >> 4) + ((tail + steeper) >> 5)
 }
 
-/// Below this, 2⁻⁸ in Q32, [`small`] is the one to take for relative precision.
+/// 2⁻⁸ in Q32. Below, take [`small`] for relative precision.
 pub(in crate::fixed) const SMALL: u32 = 1 << 24;
 
-/// −ln(1 − u) of u below 2⁻⁸, Q32 to Q39, with the relative precision of u.
+/// −ln(1 − u) of u below 2⁻⁸, Q32 to Q39, to the relative precision of u.
 #[inline]
 pub(in crate::fixed) fn small(u: u32) -> u32 {
     (u << 7) + (by_half(u << 7, excess(u >> 8)) >> 8)
 }
 
-/// By what part of u below 2⁻⁸ the logarithm exceeds it, u/2 + u²/3; in Q24, as the result.
+/// The relative excess of −ln(1 − u) over u below 2⁻⁸, u/2 + u²/3. Argument and result are in Q24.
 #[inline]
 pub(in crate::fixed) fn excess(head: u32) -> u32 {
     (head >> 1) + ((((head * head) >> 16) * 85) >> 16)
 }
 
-/// By what part of a number below 1/8 its −ln(1 − a) exceeds it, a/2 + a²/3 + …, in Q32 as the number.
+/// The relative excess of −ln(1 − a) over a below 1/8, a/2 + a²/3 + …. Argument and result are in Q32.
 #[inline]
 pub(in crate::fixed) fn excess_of_eighth(a: u32) -> u32 {
     /// 1/3, 1/4, …, in Q16.
@@ -119,7 +119,7 @@ pub(in crate::fixed) fn excess_of_eighth(a: u32) -> u32 {
     near(a, (1 << 31) + ((head * sum) >> 3))
 }
 
-/// −ln(1 − u) of u from [`SMALL`] to 1/8, Q32 to Q34, with the relative precision of u.
+/// −ln(1 − u) of u from [`SMALL`] to 1/8, Q32 to Q34, to the relative precision of u.
 #[inline]
 pub(in crate::fixed) fn eighth(u: u32) -> u32 {
     (u << 2) + near(u << 2, excess_of_eighth(u))

@@ -12,7 +12,7 @@ pub(in crate::fixed) fn high(a: u32, b: u32) -> u32 {
 pub(super) fn high_on<const NARROW: bool>(a: u32, b: u32) -> u32 {
     if NARROW {
         let (ah, al, bh, bl) = (a >> 16, a & 0xffff, b >> 16, b & 0xffff);
-        // Otherwise the compiler sees a long product in the four, and calls a routine for it that is twice as slow.
+        // Without it the compiler recognises a long product and calls a routine that is twice as slow.
         let bl = black_box(bl);
         let middle = ah * bl + ((al * bl) >> 16);
         let other = al * bh + (middle & 0xffff);
@@ -22,14 +22,14 @@ pub(super) fn high_on<const NARROW: bool>(a: u32, b: u32) -> u32 {
     }
 }
 
-/// a·b/2³² to within 3, from below: three narrow products, as they are or out of wide ones.
+/// a·b/2³², less by up to 3: three narrow products, or fewer wide ones.
 #[inline]
 pub(in crate::fixed) const fn near(a: u32, b: u32) -> u32 {
     let (ah, bh, bl) = (a >> 16, b >> 16, b & 0xffff);
     by_half(a, bh) + ((ah * bl) >> 16)
 }
 
-/// a·b/2³² to within 3, from below, of a signed b.
+/// a·b/2³² of a signed b, less by up to 3.
 #[inline]
 pub(in crate::fixed) const fn near_signed(a: u32, b: i32) -> i32 {
     let (ah, bh, bl) = (a >> 16, b >> 16, (b & 0xffff) as u32);
@@ -72,7 +72,7 @@ pub(in crate::fixed) const fn rough_signed(a: u32, b: i32) -> i32 {
     ((a >> 17) as i32 * (b >> 14)) >> 1
 }
 
-/// a² / 2³² to within 2, from below.
+/// a²/2³², less by up to 2.
 #[inline]
 pub(in crate::fixed) const fn square(a: u32) -> u32 {
     let (h, l) = (a >> 16, a & 0xffff);

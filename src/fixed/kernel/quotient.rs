@@ -1,6 +1,6 @@
-//! Quotients, digit by digit: for constructors, densities and inverses, and the same on every core.
+//! Quotients, digit by digit, for constructors, densities and inverses. Every core computes the same.
 
-/// ⌊a·2³²/b⌋ of a < b.
+/// ⌊a·2³²/b⌋, for a < b.
 #[inline]
 pub(in crate::fixed) const fn quotient(a: u32, b: u32) -> u32 {
     let (mut rest, mut digits, mut step) = (a, 0, 0);
@@ -17,7 +17,7 @@ pub(in crate::fixed) const fn quotient(a: u32, b: u32) -> u32 {
     digits
 }
 
-/// ⌊a·2³²/b⌋ of any a, and of b > 0.
+/// ⌊a·2³²/b⌋, for any a and for b > 0.
 pub(in crate::fixed) const fn ratio(a: u32, b: u32) -> u64 {
     let (mut rest, mut digits, mut left) = (0_u64, 0_u64, 64);
     while left > 0 {
@@ -32,7 +32,7 @@ pub(in crate::fixed) const fn ratio(a: u32, b: u32) -> u64 {
     digits
 }
 
-/// 2ᵖ/b to the nearest whole number, of 0 < b ≤ 2³²; what does not fit counts as the largest.
+/// 2ᵖ/b rounded to the nearest integer, for 0 < b ≤ 2⁶³; the largest word if it does not fit.
 pub(in crate::fixed) const fn reciprocal(power: u32, b: u64) -> u64 {
     let (mut rest, mut digits, mut left) = (1, 0_u64, power);
     loop {

@@ -3,7 +3,7 @@
 use super::product::by_half;
 use super::tables::{ROOT, entry};
 
-/// A positive number in Q32 shifted left by twice the second result, to at least 1/4; nothing of 0.
+/// A positive number in Q32, shifted left to at least 1/4, and half the shift; `None` for 0.
 #[inline]
 fn normal(x: u32) -> Option<(u32, u32)> {
     on_this_core!(normal_on(x))
@@ -14,7 +14,7 @@ fn normal_on<const NARROW: bool>(x: u32) -> Option<(u32, u32)> {
     if NARROW {
         let (mut m, mut shift) = (x, 0);
         loop {
-            // Said of the result itself, so that the compiler sees that it is inside the table.
+            // The test of the result itself shows the compiler that it is inside the table.
             if m >> 30 != 0 {
                 return Some((m, shift));
             }
@@ -31,8 +31,8 @@ fn normal_on<const NARROW: bool>(x: u32) -> Option<(u32, u32)> {
     }
 }
 
-/// The point of the table below 1/4 ≤ m < 1 (Q16), how far off the next one is, and how much of the way to there m
-/// has gone (Q16).
+/// For 1/4 ≤ m < 1: the entry of the table below (Q16), the rise to the next entry, and the part of the way from one to
+/// the other (Q16).
 #[inline]
 fn cell(m: u32) -> (u32, u32, u32) {
     let cell = m >> 24;
@@ -61,12 +61,12 @@ pub(in crate::fixed) fn fine(x: u32) -> u32 {
     };
     let (from, rise, part) = cell(m);
     let root = from + ((rise * part) >> 16);
-    // A step of Newton's: the table rises by 1/(2√m) a cell, to 8 bits.
+    // A Newton step: the table rises by 1/(2√m) a cell, to 8 bits.
     let rest = m - root * root;
     ((root << 16) + ((rest * rise) >> 8)) >> shift
 }
 
-/// 1/√m of 1/4 ≤ m < 1, in Q14; its signs alternate.
+/// The polynomial of 1/√m for 1/4 ≤ m < 1, in Q14, with alternating signs.
 const INVERSE_ROOT: [u32; 3] = [43_759, 53_827, 26_846];
 
 /// The square root, Q32 to Q32, without a table.
@@ -77,11 +77,11 @@ pub(in crate::fixed) fn compact(x: u32) -> u32 {
     };
     let head = m >> 16;
     let [r0, r1, r2] = INVERSE_ROOT;
-    // 1/√m in Q14, to 2.4 %; a step of Newton's makes it Q15, to 0.09 %.
+    // 1/√m in Q14, to 2.4 %. A Newton step makes it Q15, to 0.09 %.
     let inverse = r0 - ((head * (r1 - ((head * r2) >> 16))) >> 16);
     let excess = 3 * (1 << 15) - ((((inverse * inverse) >> 14) * head) >> 15);
     let inverse = (inverse * excess) >> 15;
-    // √m in Q31, and by how much its square falls short of m, in Q30; two terms of the series for what remains.
+    // √m in Q31, the shortfall of its square in Q30, and two terms of the series for the correction.
     let root = by_half(m, inverse);
     let rest = (1 << 30) - by_half(root, inverse) as i32;
     let short = rest >> 10;

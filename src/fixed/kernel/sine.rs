@@ -3,7 +3,7 @@
 use super::product::{by_half, near, near_signed, square};
 use super::tables::{SINE, entry};
 
-/// The points of the table in a quarter of a turn: the cosine is the sine so many further on.
+/// The entries of the table in a quarter of a turn. The cosine is the sine so many entries later.
 const QUARTER: u32 = 64;
 
 /// (sin, cos) of a phase in Q32 turns, in Q30; on straight lines between the points of the table, so that
@@ -19,18 +19,18 @@ pub(in crate::fixed) fn coarse(phase: u32) -> (i32, i32) {
     (between(cell), between(cell + QUARTER))
 }
 
-/// (sin, cos) of a phase in Q32 turns, in Q30: the nearest point of the table, turned by what is left.
+/// (sin, cos) of a phase in Q32 turns, in Q30: the nearest point of the table, turned by the remaining angle.
 #[inline]
 pub(in crate::fixed) fn fine(phase: u32) -> (i32, i32) {
     /// Half a cell.
     const HALF: u32 = 1 << 23;
-    /// From 2¹⁷ parts of a cell to radians in Q37, shortened by h²/8 of half a cell h, which makes the cubic
-    /// term that is left out least.
+    /// From 2¹⁷ parts of a cell to radians in Q37. It is shortened by h²/8, where h is half a cell, which minimises the
+    /// omitted cubic term.
     const RADIANS: i32 = 25_735;
     let cell = phase.wrapping_add(HALF) >> 24;
     let (sine, cosine) = (entry(&SINE, cell), entry(&SINE, cell + QUARTER));
     let angle = (((phase << 8) as i32 >> 15) * RADIANS + (1 << 15)) >> 16;
-    // Half the way along the old direction, then the whole way along the new one: the quadratic term too.
+    // Half a step along the old direction, then the whole step along the new one: this includes the quadratic term.
     let (s, c) = (sine >> 14, cosine >> 14);
     let halfway_sine = s + ((c * angle) >> 22);
     let halfway_cosine = c - ((s * angle) >> 22);
@@ -40,18 +40,18 @@ pub(in crate::fixed) fn fine(phase: u32) -> (i32, i32) {
     )
 }
 
-/// sin(πx/4)/x over x², in Q32; its signs alternate.
+/// The polynomial of sin(πx/4)/x in x², in Q32, with alternating signs.
 const SINE_QUOTIENT: [u32; 3] = [3_373_242_552, 346_663_986, 10_424_342];
-/// (1 − cos(πx/4))/x² over x², in Q32; its signs alternate.
+/// The polynomial of (1 − cos(πx/4))/x² in x², in Q32, with alternating signs.
 const COSINE_QUOTIENT: [u32; 3] = [1_324_673_091, 68_076_938, 1_370_781];
 
 /// (sin, cos) of a phase in Q32 turns, in Q30, without a table.
 #[inline]
 pub(in crate::fixed) fn compact(phase: u32) -> (i32, i32) {
-    // To the nearest quarter, and from there at most an eighth of a turn either way, in Q31 of one.
+    // The nearest quarter, and the rest, at most an eighth of a turn either way, in Q31 of an eighth.
     let quarter = phase.wrapping_add(1 << 29) >> 30;
     let part = (phase << 2) as i32;
-    // In Q30, and its leading half, which suffices for all but the largest terms.
+    // In Q30, and its upper half, which is enough for all but the largest terms.
     let z = square(part.unsigned_abs());
     let head = z >> 14;
     let [s0, s1, s2] = SINE_QUOTIENT;

@@ -3,14 +3,14 @@
 #![allow(
     clippy::indexing_slicing,
     clippy::integer_division_remainder_used,
-    reason = "the compiler evaluates all of this, and refuses to build what would panic"
+    reason = "the compiler evaluates all of this, and a panic would stop the build"
 )]
 
-/// The fraction bits of what the series are summed in.
+/// The fraction bits of the series.
 const BITS: u32 = 96;
 const ONE: i128 = 1 << BITS;
 
-/// The product of two numbers below 4 in magnitude, in Q96; off by less than 2⁻⁴⁵, which is plenty.
+/// The product of two numbers below 4 in magnitude, in Q96, with an error below 2⁻⁴⁵.
 const fn product(a: i128, b: i128) -> i128 {
     (a >> 48) * (b >> 48)
 }
@@ -30,7 +30,7 @@ const fn atan_of_inverse(n: i128) -> i128 {
 /// π, by Machin's formula.
 const PI: i128 = 16 * atan_of_inverse(5) - 4 * atan_of_inverse(239);
 
-/// sin of an angle of 0 to π/4 (even terms of the series left out), or cos of it (odd ones).
+/// sin or cos of an angle from 0 to π/4, by its series.
 const fn circular(angle: i128, cosine: bool) -> i128 {
     let (mut term, mut sum, mut j) = (if cosine { ONE } else { angle }, 0, 0);
     let first = if cosine { 0 } else { 1 };
@@ -43,7 +43,7 @@ const fn circular(angle: i128, cosine: bool) -> i128 {
     sum
 }
 
-/// A number in Q96 as one of fewer fraction bits, rounded to the nearest.
+/// A number in Q96 rounded to the nearest with fewer fraction bits.
 const fn rounded(x: i128, bits: u32) -> i128 {
     (x + (1 << (BITS - bits - 1))) >> (BITS - bits)
 }
@@ -51,8 +51,7 @@ const fn rounded(x: i128, bits: u32) -> i128 {
 /// The cells of a turn.
 pub(super) const SINE_CELLS: usize = 256;
 
-/// sin of a turn and a quarter in Q30, cut towards zero so that no point of the table lies outside the unit
-/// circle.
+/// sin over a turn and a quarter in Q30, cut towards 0 so that no point of the table lies outside the unit circle.
 pub(super) static SINE: [i32; SINE_CELLS / 4 * 5 + 1] = {
     let mut table = [0; SINE_CELLS / 4 * 5 + 1];
     let mut i = 0;
@@ -60,7 +59,7 @@ pub(super) static SINE: [i32; SINE_CELLS / 4 * 5 + 1] = {
         let within = (i % 64) as i128;
         let near = if within <= 32 { within } else { 64 - within };
         let angle = PI * near / 128;
-        // The second half of a quarter is the cosine of what is left of it; every other quarter falls.
+        // The second half of a quarter is the cosine of the rest of it. Every other quarter falls.
         let falls = (i / 64) % 2 == 1;
         let sine = circular(angle, (within > 32) != falls);
         let sine = if sine > ONE { ONE } else { sine } >> (BITS - 30);
@@ -73,8 +72,8 @@ pub(super) static SINE: [i32; SINE_CELLS / 4 * 5 + 1] = {
 /// The cells of [0, 1) that [`ROOT`] has.
 pub(super) const ROOT_CELLS: usize = 256;
 
-/// √(i/256) in Q16, cut, of 1/4 and above; the last is just below 1. The first quarter is not used, but without it
-/// each look-up would cost three instructions more on a Cortex-M0.
+/// √(i/256) in Q16, cut, from 1/4 on; the last entry is just below 1. The first quarter is unused, but without it each
+/// look-up would cost three more instructions on a Cortex-M0.
 pub(super) static ROOT: [u16; ROOT_CELLS + 1] = {
     let mut table = [0; ROOT_CELLS + 1];
     let mut i = 64;
@@ -86,7 +85,7 @@ pub(super) static ROOT: [u16; ROOT_CELLS + 1] = {
     table
 };
 
-/// ln(a/b) of 0 < b ≤ a ≤ 2b, as twice the area tangent of (a − b)/(a + b).
+/// ln(a/b) for 0 < b ≤ a ≤ 2b, as twice artanh of (a − b)/(a + b).
 const fn ln_of_quotient(a: i128, b: i128) -> i128 {
     let z = (a - b) * ONE / (a + b);
     let (mut power, mut sum, mut j) = (z, 0, 0);
@@ -141,8 +140,9 @@ const fn exp_neg(x: i128) -> i128 {
     sum
 }
 
-/// How many turns a rotation by atan(2⁻ⁱ) is, in Q32, for i from 1: all of them add up to more than an eighth.
+/// The number of rotations in [`ROTATION`].
 pub(super) const ROTATIONS: usize = 23;
+/// atan(2⁻ⁱ) in Q32 turns, for i from 1. Their sum is more than an eighth of a turn.
 pub(super) static ROTATION: [u32; ROTATIONS] = {
     let mut table = [0; ROTATIONS];
     let mut i = 0;
@@ -154,7 +154,7 @@ pub(super) static ROTATION: [u32; ROTATIONS] = {
     table
 };
 
-/// An entry of a table; beyond its end, which no kernel goes, the default.
+/// An entry of a table; the default beyond its end, where no kernel goes.
 #[inline]
 pub(super) fn entry<T: Copy + Default, const N: usize>(table: &[T; N], index: u32) -> T {
     table.get(index as usize).copied().unwrap_or_default()

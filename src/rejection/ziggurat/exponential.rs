@@ -3,12 +3,12 @@
 use super::layers::{Layers, Shape};
 use super::{Law, attempt_at, try_draw, try_once, ziggurat};
 use crate::error::Error;
-use crate::rejection::{Accepted, Failure, Rejection, budgeted, checked_budget};
+use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
 use crate::warp::{Exponential, Warp};
 use rand_core::TryRng;
 
-/// Where the tail starts. See `tests/rejection/layers.rs` for this and the next.
+/// Where the tail starts. `tests/rejection/layers.rs` checks this and the next.
 const START: f64 = 7.697_117_470_131_05;
 
 /// The area of a layer.
@@ -43,26 +43,29 @@ impl Law for Standard {
     }
 }
 
-/// Exponential with rate 1, by a ziggurat: one word, one table entry of 8 bytes and one product in 97.8 draws of 100.
+/// Exponential with rate 1, by a ziggurat: the cheapest way to draw it.
 ///
-/// - Words a try: one. A second in 2.2 % of the tries; a second and a third in 0.045 %, for the tail.
-/// - Range: 3.8e-9 to 52.76. Up to 7.697 the numbers lie on 256 grids laid
-///   over each other, one a layer: the odd multiples of 2⁻²⁴ of its width, which is 0.0639 to 8.70. The tail beyond,
-///   of probability 4.54e-4, is inverted at a uniform of full resolution.
-/// - Density: e^(−x) for x ≥ 0; off as that of [`Exponential`] is.
-/// - Efficiency: 98.9 %.
-/// - Of one word, the first 23 bits are the place and the last 8 choose the layer, so that neither tells anything of
-///   the other. Wedges and the tail are those of the polynomial tier.
-/// - The numbers are not monotone in the words, and how many words a number takes is not fixed: for strata, replays
-///   by the uniform and chains take [`Exponential`].
+/// 97.8 draws of 100 take one word, one table entry of 8 bytes and one product. The numbers are not monotone in the words, and the number of words is not fixed. For strata, for replays from the uniform and for chains, take [`Exponential`].
 ///
-/// The density that is realised is off by 7e-7 of itself at most, and the grids' steps add 6e-8 to the probability of
-/// an interval at each of its ends; `tests/rejection/layers.rs` compares them with f64.
+/// # Density
+/// e⁻ˣ for x ≥ 0, with the errors of [`Exponential`]; 0 below.
 ///
-/// Sources: G. Marsaglia, W. W. Tsang, "The Ziggurat Method for Generating Random Variables", 2000; J. A. Doornik,
-/// "An Improved Ziggurat Method to Generate Normal Random Samples", 2005, which found that the former's layer and
-/// place share bits.
+/// # Domain
+/// - Point: 3.8e-9 to 52.76. Up to 7.697 the numbers lie on 256 grids, one a layer: the odd multiples of 2⁻²⁴ of the
+///   layer's width, which is 0.0639 to 8.70. Beyond lies the tail, of probability 4.54e-4, which is inverted at a uniform
+///   of full resolution.
+/// - Words a try: one. A second in 2.2 % of the tries; a second and a third in 0.045 %, for the tail. The first 23 bits
+///   of a word are the place and its last 8 choose the layer, so that neither depends on the other. Wedges and the tail
+///   use the functions of the polynomial tier.
 ///
+/// # Accuracy
+/// The density that is realised has a relative error of at most 7e-7. The steps of the grids add 6e-8 to the probability
+/// of an interval at each of its ends. `tests/rejection/layers.rs` compares both with `f64`.
+///
+/// # Cost
+/// Efficiency: 98.9 %. The table of 2 KB lies in flash.
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{Rejection, ZigguratStandardExponential};
 /// use rand_pcg::Pcg32;
@@ -72,6 +75,20 @@ impl Law for Standard {
 /// assert_eq!(wait.pdf(0.0), 1.0);
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`ZigguratExponential`] has any rate or mean.
+/// - [`warp::Exponential`](crate::warp::Exponential) and [`warp::ExponentialTail`](crate::warp::ExponentialTail) take a
+///   fixed number of words and have an inverse.
+///
+/// # Source
+/// G. Marsaglia and W. W. Tsang, "The Ziggurat Method for Generating Random Variables", 2000,
+/// <https://doi.org/10.18637/jss.v005.i08>.
+///
+/// J. A. Doornik, "An Improved Ziggurat Method to Generate Normal Random Samples", 2005,
+/// <https://www.doornik.com/research/ziggurat.pdf>. It found that layer and place shared bits in the original.
+#[doc(alias = "poisson_process")]
+#[doc(alias = "waiting_time")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ZigguratStandardExponential {
@@ -80,22 +97,42 @@ pub struct ZigguratStandardExponential {
 
 budgeted!(ZigguratStandardExponential, 10);
 
-/// Exponential with a rate, by a ziggurat: a standard exponential number over the rate, rounded once more.
+/// Exponential with a rate or a mean, by a ziggurat: a standard exponential number over the rate, rounded once more.
 ///
-/// - Words a try, efficiency: those of [`ZigguratStandardExponential`].
-/// - Range: that of the standard numbers over the rate, 3.8e-9 to 52.76.
-/// - Density: a e^(−ax) for x ≥ 0; off as that of [`Exponential`] is.
+/// # Density
+/// a e⁻ᵃˣ for x ≥ 0 and rate a, with the errors of [`Exponential`]; 0 below.
 ///
-/// Sources: those of [`ZigguratStandardExponential`].
+/// # Domain
+/// - Point: 3.8e-9/a to 52.76/a.
+/// - Words a try: those of [`ZigguratStandardExponential`].
+/// - Parameter: the rate a > 0, or the mean 1/a.
 ///
+/// # Accuracy
+/// The standard number has the errors of [`ZigguratStandardExponential`].
+///
+/// # Cost
+/// Efficiency: that of [`ZigguratStandardExponential`].
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{Rejection, ZigguratExponential};
 /// use rand_pcg::Pcg32;
-/// let free_path = ZigguratExponential::new(2.0)?;
+/// let free_path = ZigguratExponential::from_rate(2.0)?;
 /// let x = free_path.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(free_path.pdf(x) > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # See also
+/// - [`ZigguratStandardExponential`] has rate 1.
+/// - [`warp::Exponential`](crate::warp::Exponential) and [`warp::ExponentialTail`](crate::warp::ExponentialTail) take a
+///   fixed number of words and have an inverse.
+///
+/// # Source
+/// That of [`ZigguratStandardExponential`].
+#[doc(alias = "poisson_process")]
+#[doc(alias = "waiting_time")]
+#[doc(alias = "free_path")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ZigguratExponential {
@@ -105,44 +142,70 @@ pub struct ZigguratExponential {
 }
 
 impl ZigguratStandardExponential {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = 0.989_009_2;
 
-    /// The density at a number; 0 for those below 0, NaN and infinity. Never 0 at a number that was drawn.
+    /// The density at a number. It is 0 below 0, for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
-        const LAW: Result<Exponential<Poly>, Error> = Exponential::new(1.0);
+        const LAW: Result<Exponential<Poly>, Error> = Exponential::from_rate(1.0);
         LAW.map_or(0.0, |law| law.pdf(x))
     }
 }
 
 impl ZigguratExponential {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = ZigguratStandardExponential::EFFICIENCY;
 
-    /// Exponential with the given rate (the reciprocal of the mean), and the budget of
-    /// [`ZigguratStandardExponential::new`].
+    /// The default budget, that of [`ZigguratStandardExponential`].
+    pub const BUDGET: u32 = ZigguratStandardExponential::BUDGET;
+
+    with_budget!(const);
+
+    /// Exponential with the given rate (the reciprocal of the mean), and the budget [`Self::BUDGET`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] for a rate
     /// so small that the tail overflows (below 3.1e-37).
-    pub const fn new(rate: f32) -> Result<Self, Error> {
-        Self::with_budget(rate, ZigguratStandardExponential::BUDGET)
+    pub const fn from_rate(rate: f32) -> Result<Self, Error> {
+        Self::of(Exponential::from_rate(rate))
     }
 
-    /// The same with at most `budget` tries a number.
+    /// Exponential with the given mean, and the budget [`Self::BUDGET`]. Its rate is 1/mean, rounded to `f32`.
     ///
     /// # Errors
-    /// Those of [`Self::new`], and [`Error::NotPositive`] for a budget of 0.
-    pub const fn with_budget(rate: f32, budget: u32) -> Result<Self, Error> {
-        match (Exponential::new(rate), checked_budget(budget)) {
-            (Ok(law), Ok(budget)) => Ok(Self { law, rate, budget }),
-            (Err(e), _) | (_, Err(e)) => Err(e),
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
+    /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does
+    /// (above 3.2e36).
+    pub const fn from_mean(mean: f32) -> Result<Self, Error> {
+        Self::of(Exponential::from_mean(mean))
+    }
+
+    const fn of(law: Result<Exponential<Poly>, Error>) -> Result<Self, Error> {
+        match law {
+            Ok(law) => Ok(Self {
+                law,
+                rate: law.rate(),
+                budget: Self::BUDGET,
+            }),
+            Err(e) => Err(e),
         }
     }
 
-    /// The density at a number; 0 for those below 0, NaN and infinity. Never 0 at a number that was drawn.
+    /// The rate.
+    #[must_use]
+    pub const fn rate(&self) -> f32 {
+        self.rate
+    }
+
+    /// The mean, 1/rate rounded to `f32`.
+    #[must_use]
+    pub const fn mean(&self) -> f32 {
+        1.0 / self.rate
+    }
+
+    /// The density at a number. It is 0 below 0, for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {

@@ -3,13 +3,13 @@
     clippy::indexing_slicing,
     clippy::arithmetic_side_effects,
     clippy::integer_division_remainder_used,
-    reason = "the compiler evaluates all of this, and refuses to build what would panic"
+    reason = "the compiler evaluates all of this, and a panic would stop the build"
 )]
 
-/// How many layers there are, by the 8 bits that choose one.
+/// The number of layers; 8 bits choose one.
 pub(super) const COUNT: usize = 256;
 
-/// What the layers are cut from, over x ≥ 0.
+/// The curve over x ≥ 0 that is cut into layers.
 #[derive(Clone, Copy)]
 pub(super) enum Shape {
     /// e^(−x²/2).
@@ -18,10 +18,10 @@ pub(super) enum Shape {
     Exponential,
 }
 
-/// What a try mostly needs of a layer.
+/// The part of a layer that every try needs.
 #[derive(Clone, Copy)]
 pub(super) struct Layer {
-    /// The even number of 2⁻²⁴ of the width below which a point lies under the curve whatever its height.
+    /// In units of 2⁻²⁴ of the width: below this even number a point lies under the curve at any height.
     pub(super) inner: u32,
     /// The width over 2²⁴.
     pub(super) scale: f32,
@@ -29,13 +29,13 @@ pub(super) struct Layer {
 
 /// Layers of equal area that cover a curve from below, the lowest with the tail.
 pub(super) struct Layers {
-    /// From the lowest, whose width is that of a rectangle of the same height and area.
+    /// From the lowest up. The width of the lowest is that of a rectangle of the same height and area.
     pub(super) layers: [Layer; COUNT],
 }
 
 impl Layers {
-    /// Of a curve, from where the tail starts and the area of a layer: that with which the last one ends at the
-    /// curve's peak.
+    /// The layers of a curve, from where its tail starts and the area of a layer. With the right area the last layer
+    /// ends at the peak of the curve.
     pub(super) const fn new(shape: Shape, tail: f64, area: f64) -> Self {
         let mut table = Self {
             layers: [Layer {
@@ -58,7 +58,7 @@ impl Layers {
             }
             width = inner;
             index += 1;
-            // The height at the next inner end is 1 at the peak, where its logarithm would be rounding errors.
+            // At the peak the height is 1, and its logarithm would be nothing but rounding errors.
             inner = if index + 1 < COUNT {
                 shape.at_height(height + area / width)
             } else {
@@ -96,7 +96,7 @@ const fn exp(x: f64) -> f64 {
     sum
 }
 
-/// ln x for 0 < x ≤ 1: of the powers of 2, and of what is near 1 by the series of artanh.
+/// ln x for 0 < x ≤ 1: the powers of 2 apart, then the series of artanh near 1.
 const fn ln(x: f64) -> f64 {
     let (mut near, mut twos) = (x, 0.0);
     while near < core::f64::consts::FRAC_1_SQRT_2 {

@@ -3,12 +3,12 @@
 use super::layers::{Layers, Shape};
 use super::{Law, attempt_at, try_draw, try_once, ziggurat};
 use crate::error::Error;
-use crate::rejection::{Accepted, Failure, Rejection, budgeted, checked_budget};
+use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
 use crate::warp::{Normal, Warp};
 use rand_core::TryRng;
 
-/// Where the tail starts. See `tests/rejection/layers.rs` for this and the next two.
+/// Where the tail starts. `tests/rejection/layers.rs` checks this and the next two.
 const START: f64 = 3.654_152_885_361_009;
 
 /// The area of a layer.
@@ -34,7 +34,7 @@ impl Law for Standard {
         reason = "two's complement is what is meant"
     )]
     fn place(word: u32) -> i32 {
-        // From −(2²⁴ − 1) to 2²⁴ − 1. The bit that is set is the layer's.
+        // From −(2²⁴ − 1) to 2²⁴ − 1. The lowest bit, which belongs to the layer, is set.
         (word as i32 >> 7) | 1
     }
 
@@ -49,26 +49,29 @@ impl Law for Standard {
     }
 }
 
-/// Standard normal, by a ziggurat: one word, one table entry of 8 bytes and one product in 98.5 draws of 100.
+/// Standard normal (Gaussian), by a ziggurat: the cheapest way to draw one number at a time.
 ///
-/// - Words a try: one. A second in 1.5 % of the tries; a second and a third in 0.026 %, for the tail.
-/// - Range: the finite numbers up to ±10.08, never 0. Up to 3.654 they lie on 256 grids laid over each other, one a
-///   layer: the odd multiples of 2⁻²⁴ of its width, which is 0.215 to 3.91; so the smallest is 1.3e-8. The tails
-///   beyond, each of probability 1.29e-4, are inverted at a uniform of full resolution.
-/// - Density: e^(−x²/2)/√(2π), at least 2⁻¹⁴⁹ for every finite x; off as that of [`Normal`] is.
-/// - Efficiency: 99.33 %.
-/// - Of one word, the first 24 bits are the place and the last 8 choose the layer, so that neither tells anything of
-///   the other. Wedges and tails are those of the polynomial tier.
-/// - The numbers are not monotone in the words, and how many words a number takes is not fixed: for strata, replays
-///   by the uniform and chains take [`Normal`].
+/// 98.5 draws of 100 take one word, one table entry of 8 bytes and one product. The numbers are not monotone in the words, and the number of words is not fixed. For strata, for replays from the uniform and for chains, take [`Normal`].
 ///
-/// The density that is realised is off by 7e-7 of itself at most, and the grids' steps add 6e-8 to the probability of
-/// an interval at each of its ends; `tests/rejection/layers.rs` compares them with f64.
+/// # Density
+/// e^(−x²/2)/√(2π), at least 2⁻¹⁴⁹ for every finite x, with the errors of [`Normal`].
 ///
-/// Sources: G. Marsaglia, W. W. Tsang, "The Ziggurat Method for Generating Random Variables", 2000; J. A. Doornik,
-/// "An Improved Ziggurat Method to Generate Normal Random Samples", 2005, which found that the former's layer and
-/// place share bits.
+/// # Domain
+/// - Point: finite numbers up to ±10.08, never 0. Up to 3.654 they lie on 256 grids, one a layer: the odd multiples of
+///   2⁻²⁴ of the layer's width, which is 0.215 to 3.91. The smallest number is 1.3e-8. Beyond lie the tails, each of
+///   probability 1.29e-4, which are inverted at a uniform of full resolution.
+/// - Words a try: one. A second in 1.5 % of the tries; a second and a third in 0.026 %, for the tails. The first 24 bits
+///   of a word are the place and its last 8 choose the layer, so that neither depends on the other. Wedges and tails use
+///   the functions of the polynomial tier.
 ///
+/// # Accuracy
+/// The density that is realised has a relative error of at most 7e-7. The steps of the grids add 6e-8 to the probability
+/// of an interval at each of its ends. `tests/rejection/layers.rs` compares both with `f64`.
+///
+/// # Cost
+/// Efficiency: 99.33 %. The table of 2 KB lies in flash.
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{Rejection, ZigguratStandardNormal};
 /// use rand_pcg::Pcg32;
@@ -78,6 +81,21 @@ impl Law for Standard {
 /// assert!((noise.pdf(0.0) - 0.398_942_3).abs() < 1e-7);
 /// # Ok::<(), microwarp::rejection::Failure>(())
 /// ```
+///
+/// # See also
+/// - [`ZigguratNormal`] has any mean and standard deviation.
+/// - [`warp::Normal`](crate::warp::Normal) and [`warp::NormalPair`](crate::warp::NormalPair) take a fixed number of
+///   uniforms and have an inverse.
+///
+/// # Source
+/// G. Marsaglia and W. W. Tsang, "The Ziggurat Method for Generating Random Variables", 2000,
+/// <https://doi.org/10.18637/jss.v005.i08>.
+///
+/// J. A. Doornik, "An Improved Ziggurat Method to Generate Normal Random Samples", 2005,
+/// <https://www.doornik.com/research/ziggurat.pdf>. It found that layer and place shared bits in the original.
+#[doc(alias = "gaussian")]
+#[doc(alias = "normal")]
+#[doc(alias = "randn")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ZigguratStandardNormal {
@@ -86,15 +104,26 @@ pub struct ZigguratStandardNormal {
 
 budgeted!(ZigguratStandardNormal, 9);
 
-/// Normal with a mean and a standard deviation, by a ziggurat: μ + σz of a standard normal z, rounded twice.
+/// Normal (Gaussian) with a mean and a standard deviation, by a ziggurat.
 ///
-/// - Words a try, efficiency, z: those of [`ZigguratStandardNormal`].
-/// - Range: μ ± 10.08σ.
-/// - Density: e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x; off as that of [`Normal`] is.
-/// - A deviation near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the numbers.
+/// μ + σz of a standard normal z, rounded twice. A standard deviation near the spacing of `f32` at the mean (6e-8 of it)
+/// is lost in that rounding.
 ///
-/// Sources: those of [`ZigguratStandardNormal`].
+/// # Density
+/// e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x, with the errors of [`Normal`].
 ///
+/// # Domain
+/// - Point: μ ± 10.08σ.
+/// - Words a try: those of [`ZigguratStandardNormal`].
+/// - Parameters: a finite mean μ and a standard deviation σ > 0.
+///
+/// # Accuracy
+/// z has the errors of [`ZigguratStandardNormal`].
+///
+/// # Cost
+/// Efficiency: that of [`ZigguratStandardNormal`].
+///
+/// # Examples
 /// ```
 /// use microwarp::rejection::{Rejection, ZigguratNormal};
 /// use rand_pcg::Pcg32;
@@ -103,20 +132,31 @@ budgeted!(ZigguratStandardNormal, 9);
 /// assert!(height.pdf(x) > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # See also
+/// - [`ZigguratStandardNormal`] has mean 0 and standard deviation 1.
+/// - [`warp::Normal`](crate::warp::Normal) and [`warp::NormalPair`](crate::warp::NormalPair) take a fixed number of
+///   uniforms and have an inverse.
+///
+/// # Source
+/// That of [`ZigguratStandardNormal`].
+#[doc(alias = "gaussian")]
+#[doc(alias = "normal")]
+#[doc(alias = "noise")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ZigguratNormal {
     law: Normal<Poly>,
     mean: f32,
-    deviation: f32,
+    std_dev: f32,
     budget: u32,
 }
 
 impl ZigguratStandardNormal {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = 0.993_321_8;
 
-    /// The density at a number; 0 for NaN and infinity. Never 0 at a number that was drawn.
+    /// The density at a number. It is 0 for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
@@ -126,35 +166,44 @@ impl ZigguratStandardNormal {
 }
 
 impl ZigguratNormal {
-    /// The share of tries that is accepted, in theory.
+    /// The share of tries that is accepted, by theory.
     pub const EFFICIENCY: f32 = ZigguratStandardNormal::EFFICIENCY;
 
-    /// Normal with the given mean and standard deviation, and the budget of [`ZigguratStandardNormal::new`].
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a deviation of 0 or less,
-    /// [`Error::TooLarge`] if a number could overflow, [`Error::Empty`] if the density could.
-    pub const fn new(mean: f32, deviation: f32) -> Result<Self, Error> {
-        Self::with_budget(mean, deviation, ZigguratStandardNormal::BUDGET)
-    }
+    /// The default budget, that of [`ZigguratStandardNormal`].
+    pub const BUDGET: u32 = ZigguratStandardNormal::BUDGET;
 
-    /// The same with at most `budget` tries a number.
+    with_budget!(const);
+
+    /// Normal with the given mean and standard deviation, and the budget [`Self::BUDGET`].
     ///
     /// # Errors
-    /// Those of [`Self::new`], and [`Error::NotPositive`] for a budget of 0.
-    pub const fn with_budget(mean: f32, deviation: f32, budget: u32) -> Result<Self, Error> {
-        match (Normal::new(mean, deviation), checked_budget(budget)) {
-            (Ok(law), Ok(budget)) => Ok(Self {
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a standard deviation of 0 or less,
+    /// [`Error::TooLarge`] if a number could overflow, [`Error::Empty`] if the density could.
+    pub const fn new(mean: f32, std_dev: f32) -> Result<Self, Error> {
+        match Normal::new(mean, std_dev) {
+            Ok(law) => Ok(Self {
                 law,
                 mean,
-                deviation,
-                budget,
+                std_dev,
+                budget: Self::BUDGET,
             }),
-            (Err(e), _) | (_, Err(e)) => Err(e),
+            Err(e) => Err(e),
         }
     }
 
-    /// The density at a number; 0 for NaN and infinity. Never 0 at a number that was drawn.
+    /// The mean.
+    #[must_use]
+    pub const fn mean(&self) -> f32 {
+        self.mean
+    }
+
+    /// The standard deviation.
+    #[must_use]
+    pub const fn std_dev(&self) -> f32 {
+        self.std_dev
+    }
+
+    /// The density at a number. It is 0 for NaN and infinity, and never 0 at a drawn number.
     #[must_use]
     #[inline]
     pub fn pdf(&self, x: f32) -> f32 {
@@ -163,4 +212,4 @@ impl ZigguratNormal {
 }
 
 ziggurat!(ZigguratStandardNormal: Standard, |_sampler, x| x);
-ziggurat!(ZigguratNormal: Standard, |normal, x| normal.mean + normal.deviation * x);
+ziggurat!(ZigguratNormal: Standard, |normal, x| normal.mean + normal.std_dev * x);

@@ -45,7 +45,7 @@ pub(super) fn exp_m1(x: f32) -> f32 {
     if x > -18.0 && x < 88.0 {
         let (k, a, b) = reduced(x);
         let power = power_of_two_times(1.0, k);
-        // The power's product is exact, so that nothing steps back where a + b does not.
+        // The product with the power is exact, so that the result increases where a + b does.
         power * (a + b) + (power - 1.0)
     } else if x < 0.0 {
         // e^-18 is less than half of the spacing below 1.
@@ -55,7 +55,7 @@ pub(super) fn exp_m1(x: f32) -> f32 {
     }
 }
 
-/// `(e^-x, 1 - e^-x)` for `0 <= x <= 87`, from one series and without a branch.
+/// `(e^-x, 1 - e^-x)` for `0 <= x <= 87`, from one series, without a branch.
 #[inline]
 pub(super) fn exp_neg_pair(x: f32) -> (f32, f32) {
     let (k, a, b) = reduced(-x);

@@ -1,4 +1,4 @@
-//! Logarithms of the polynomial tier, to one `f32`. The longer one that a power needs is in `tier/power.rs`.
+//! Logarithms of the polynomial tier, to one `f32`. The longer one for powers is in `tier/power.rs`.
 
 use crate::num::{is_plain, normalised, power_of_two_times};
 use crate::tier::power::LN_2;
@@ -8,7 +8,7 @@ const LOGARITHM: [f32; 3] = [0.666_669_5, 0.399_576_57, 0.303_644_98];
 
 const ONE: u32 = 0x3f80_0000;
 
-/// 3/4, from which on the significands of these logarithms run: its bits fit an instruction.
+/// 3/4, where the significands of these logarithms begin: its bits fit an immediate operand.
 const THREE_QUARTERS: u32 = 0x3f40_0000;
 
 /// `f/(2+f)`, and by how much `ln(1+f)` stays below `f`, for f between -0.29 and 1/2.
@@ -74,7 +74,7 @@ pub(super) fn ln_1p(x: f32) -> f32 {
     };
     let (k, f) = normalised(sum, THREE_QUARTERS);
     let (s, drop) = shortfall(f);
-    // What the sum dropped, scaled like f, moves the logarithm by 1/(1+f) ≈ 1 - 2s of itself.
+    // The rounding error of the sum, scaled like f, moves the logarithm by 1/(1+f) ≈ 1 - 2s of itself.
     let dropped = dropped * power_of_two_times(f32::from_bits(ONE), k.wrapping_neg());
     let k = k as f32;
     let [high, low] = LN_2;
@@ -93,7 +93,7 @@ pub(super) fn neg_ln_1m(u: f32) -> f32 {
     // 1 - u = m·2^k with m from 3/4 to 3/2.
     let k = ((1.0 - u).to_bits().wrapping_sub(THREE_QUARTERS) as i32) >> 23;
     let scale = f32::from_bits(ONE.wrapping_sub((k as u32) << 23));
-    // m - 1, from u itself and so exact, whatever 1 - u was rounded to.
+    // m - 1, from u itself and therefore exact, even where 1 - u is rounded.
     let f = (scale - 1.0) - scale * u;
     let (_, drop) = shortfall(f);
     (drop - f) - k as f32 * core::f32::consts::LN_2

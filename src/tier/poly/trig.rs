@@ -5,7 +5,7 @@ use crate::tier::turns::{reduce_turns, swap_quadrant};
 /// `sin(2πr)/r` in powers of r²; see `SINE` in `tests/derivation`.
 #[allow(
     clippy::approx_constant,
-    reason = "fitted: the first is near 2π and need not be it"
+    reason = "fitted: the first is near 2π, not equal to it"
 )]
 const SINE: [f32; 4] = [6.283_185, -41.341_51, 81.572_04, -74.629_94];
 
@@ -21,7 +21,7 @@ const ANGLE: [f32; 5] = [
     0.012_717_884,
 ];
 
-/// tan(π/8), half way between the axis and the diagonal; see the name in `tests/derivation`.
+/// tan(π/8), half way between the axis and the diagonal; see `TAN_SIXTEENTH_TURN` in `tests/derivation`.
 const TAN_SIXTEENTH_TURN: [f32; 1] = [0.414_213_57];
 
 /// `(sin(2πt), cos(2πt))`.
@@ -38,9 +38,9 @@ pub(super) fn sincos_quarter(r: f32) -> (f32, f32) {
     let z = r * r;
     let [s0, s1, s2, s3] = SINE;
     let [c0, c1, c2, c3] = COSINE;
-    // The leading 1 of the cosine is exact, so only the smaller part carries rounding errors. The sine has none
-    // like it: this saves two instructions, and keeps the compiler from pairing both sums into one of
-    // two-part vectors, whose shuffling took longer than the sums.
+    // The leading 1 of the cosine is exact, so only the smaller part carries rounding errors. The sine has no such term:
+    // this saves two instructions, and keeps the compiler from pairing both sums in vectors of two, whose shuffling took
+    // longer than the sums.
     let s = r * (s0 + z * (s1 + z * (s2 + z * s3)));
     let c = 1.0 + z * (c0 + z * (c1 + z * (c2 + z * c3)));
     (s, c)
@@ -80,8 +80,8 @@ pub(super) fn atan2_turns(y: f32, x: f32) -> f32 {
     angle.copysign(y)
 }
 
-/// Coordinates brought to where their sum is finite and their quotients are not coarse; `None` at the
-/// origin and where one is not a number. Infinity counts as the largest finite value.
+/// Coordinates scaled so that their sum is finite and their quotient keeps its digits; `None` at the origin and for NaN.
+/// Infinity counts as the largest finite value.
 #[cold]
 fn rescaled(ax: f32, ay: f32) -> Option<(f32, f32)> {
     const UP: f32 = 1.267_650_6e30;

@@ -70,7 +70,7 @@ fn cone<G: Grade>(p: &[u32]) -> Option<Subject> {
     let (warp, k) = if p[0] % 4 == 0 {
         let angle = PI * uniform(p[1]);
         (
-            Cone::<G>::from_angle(U0F32::from_bits(p[1])),
+            Cone::<G>::from_turns(U0F32::from_bits(p[1])),
             2.0 * angle.sin().powi(2),
         )
     } else {

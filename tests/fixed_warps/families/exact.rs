@@ -205,7 +205,7 @@ fn any_route<G: Grade>(p: &[u32]) -> Option<Subject> {
         }
         _ => {
             let [mean, length] = [a, b].map(FixedU32::<U16>::from_bits);
-            let warp = TruncatedExponential::<U16, G>::new(mean, length).ok()?;
+            let warp = TruncatedExponential::<U16, G>::from_mean(mean, length).ok()?;
             route(warp, |[u, _]| u, |x| vec![x.to_num()])
         }
     }

@@ -72,7 +72,7 @@ fn standard<G: Grade>() -> Option<Subject> {
 
 fn exponential<Frac: LeEqU32 + 'static, G: Grade>(mean: u32) -> Option<Subject> {
     let bits = FixedU32::<Frac>::from_bits;
-    let warp = Exponential::<Frac, G>::new(bits(mean)).ok()?;
+    let warp = Exponential::<Frac, G>::from_mean(bits(mean)).ok()?;
     let m = f64::from(mean);
     let peak = one::<Frac>() / m;
     Subject::new(vec![("n", m)], move |[w, other], errors| {
@@ -93,7 +93,7 @@ fn exponential<Frac: LeEqU32 + 'static, G: Grade>(mean: u32) -> Option<Subject> 
 
 fn truncated<Frac: LeEqU32 + 'static, G: Grade>(mean: u32, length: u32) -> Option<Subject> {
     let bits = FixedU32::<Frac>::from_bits;
-    let warp = TruncatedExponential::<Frac, G>::new(bits(mean), bits(length)).ok()?;
+    let warp = TruncatedExponential::<Frac, G>::from_mean(bits(mean), bits(length)).ok()?;
     let (m, l) = (f64::from(mean), f64::from(length));
     let z = l / m;
     // What the density is in means, at 0: one over this, which is in steps.

@@ -15,7 +15,7 @@ use microwarp::warp::{Hemisphere, NormalPair, PhongLobe};
 const STEPS: usize = 20;
 
 /// Where a chain is and what it has counted.
-fn counts<X: Copy, D: Density>(chain: &Chain<X, D>, out: &mut Out) {
+fn counts<X: Copy, D: TargetDensity>(chain: &Chain<X, D>, out: &mut Out) {
     out.word(chain.steps() as u32);
     out.word(chain.accepted() as u32);
     out.word(chain.refused() as u32);
@@ -32,7 +32,7 @@ fn walk<X, D, M>(
 ) -> Option<Chain<X, D>>
 where
     X: Copy,
-    D: Density,
+    D: TargetDensity,
     M: Mutation<X>,
 {
     let mut chain = match Chain::new(start, &target) {
@@ -55,7 +55,7 @@ where
     Some(chain)
 }
 
-fn place<const N: usize, D: Density>(chain: Option<Chain<[f32; N], D>>, out: &mut Out) {
+fn place<const N: usize, D: TargetDensity>(chain: Option<Chain<[f32; N], D>>, out: &mut Out) {
     if let Some(chain) = chain {
         chain.state().put(out);
     }
@@ -72,10 +72,10 @@ pub fn displacements<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
         out.float(law.displacement(0, !word));
     });
     with(
-        ExponentialStep::<T>::new(1e-30 * d, v(3e5)),
+        LogUniformStep::<T>::new(1e-30 * d, v(3e5)),
         out,
         |law, out| {
-            out.float(Displacement::<f32>::displacement(&law, 0, word));
+            out.float(StepLaw::<f32>::displacement(&law, 0, word));
         },
     );
     for step in [b - 0.5, 1e-7 * c, -1e6 * d, f32::from_bits(word)] {
@@ -85,23 +85,23 @@ pub fn displacements<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
 
 pub fn acceptances<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
     /// A mutation that says what it is told.
-    struct Told(Ratio);
+    struct Told(HastingsRatio);
     impl Mutation<f32> for Told {
-        type Correction = Ratio;
+        type Correction = HastingsRatio;
         fn try_propose<R: rand_core::TryRng + ?Sized>(
             &self,
             from: f32,
             _: &mut R,
-        ) -> Result<Proposal<f32, Ratio>, R::Error> {
+        ) -> Result<Proposal<f32, HastingsRatio>, R::Error> {
             Ok(Proposal::new(1.0 - from, self.0))
         }
     }
     let counts = (u128::from(a.to_bits()) << 32, u128::from(b.to_bits()));
     let ratios = [
-        Ratio::new(1e-38 * a, 3e38 * b),
-        Ratio::new(c - 0.5, d),
-        Ratio::from_counts(counts.0, counts.1),
-        Ratio::from_counts(1 << 64, counts.0),
+        HastingsRatio::new(1e-38 * a, 3e38 * b),
+        HastingsRatio::new(c - 0.5, d),
+        HastingsRatio::from_counts(counts.0, counts.1),
+        HastingsRatio::from_counts(1 << 64, counts.0),
     ];
     let mut rng = generator(0);
     for ratio in ratios {
@@ -118,7 +118,7 @@ pub fn acceptances<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
 
 pub fn cube<T: Tier>([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     let f = |[x, y, z]: [f32; 3]| (x - 0.5) * (x - 0.5) * (0.1 + y) * z;
-    let small = |sizes: (f32, f32)| ExponentialStep::<T>::new(sizes.0, sizes.1).map(Wrapped::new);
+    let small = |sizes: (f32, f32)| LogUniformStep::<T>::new(sizes.0, sizes.1).map(WrappedWalk::new);
     with(
         small((v(1.0 / 1024.0), v(1.0 / 64.0))),
         out,
@@ -134,7 +134,7 @@ pub fn cube<T: Tier>([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
         },
     );
     with(BoxStep::new([a, b, c]), out, |law, out| {
-        let chain = walk([0.9, 0.5, 0.1], f, &Wrapped::new(law), input, out);
+        let chain = walk([0.9, 0.5, 0.1], f, &WrappedWalk::new(law), input, out);
         place(chain, out);
     });
 }
@@ -143,7 +143,7 @@ pub fn plane<T: Tier>([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     let log = |[x, y]: [f32; 2]| LogDensity::<T>::new(-x * x - 10.0 * (y - x * x) * (y - x * x));
     let steps = || {
         let normal = NormalStep::<_, T>::new([v(0.5), v(0.1)])?;
-        let one = OneCoordinate::new(ExponentialStep::<T>::new(v(0.001), v(1.0))?);
+        let one = OneCoordinate::new(LogUniformStep::<T>::new(v(0.001), v(1.0))?);
         let part = Subset::<_, 1, 2>::new(BoxStep::new([v(0.7)])?, [1])?;
         let far = Independence::new(NormalPair::<T>::new([v(0.0); 2], v(1.5))?);
         Mixture::new((normal, one, part, far), &[1.0, a, b, 0.5 + c])
@@ -166,9 +166,9 @@ pub fn indices([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     let any = [a, 0.5, 1e-6 * b, c, 0.25 + d, 2.0];
     let target = |i: usize| any.get(5_usize.wrapping_sub(i)).copied().unwrap_or(0.0);
     let mutation = || {
-        let row = |i: usize| Cdf::<[u32; 6]>::new(&any.map(|x| x + 0.1 * i as f32));
+        let row = |i: usize| Cdf::new(&any.map(|x| x + 0.1 * i as f32));
         let table = TransitionTable::new([row(0)?, row(1)?, row(2)?, row(3)?, row(4)?, row(5)?])?;
-        let cdf = Independence::new(Cdf::<[u64; 6]>::new(&any)?);
+        let cdf = Independence::new(Cdf::new_u64(&any)?);
         let alias = Independence::new(Alias::<[AliasEntry<u32>; 8]>::new(&any)?);
         Mixture::new(
             (UniformIndex::new(6)?, table, cdf, alias),
@@ -273,7 +273,7 @@ pub fn primary<T: Tier>([a, b, c, _]: [f32; 4], input: usize, out: &mut Out) {
 pub fn health([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     let f = |x: f32| 1.0 / (1.0 + x * x * x * x);
     let mut rng = generator(input);
-    let mut health = Health::<8>::new();
+    let mut health = Autocorrelation::<8>::new();
     let mut runs = [Halves::new(15), Halves::new(14)];
     with(BoxStep::new(1.0 + 3.0 * a), out, |step, out| {
         with(Chain::new(b, f), out, |mut chain, _| {
@@ -288,7 +288,7 @@ pub fn health([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
         out.word(health.count() as u32);
         out.word(health.refused() as u32);
         for lag in [0, 1, 2, 8, 9] {
-            figure(health.autocorrelation(lag), out);
+            figure(health.at_lag(lag), out);
         }
         figure(health.integrated_time(), out);
         figure(health.effective_sample_size(), out);
@@ -300,7 +300,7 @@ pub fn health([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
 pub fn verdicts<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
     verdict(BoxStep::new([a - 0.5, b]), out);
     verdict(NormalStep::<f32, T>::new(b - 0.1), out);
-    verdict(ExponentialStep::<T>::new(a, b), out);
+    verdict(LogUniformStep::<T>::new(a, b), out);
     verdict(UniformIndex::new((3.0 * c) as u32), out);
     verdict(Mixture::large_small(1.5 * d, UniformStep::new()), out);
     verdict(Mixture::new([UniformStep::new(); 2], &[a - 0.3, b]), out);
@@ -309,7 +309,7 @@ pub fn verdicts<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
         out,
     );
     verdict(
-        Cdf::<[u32; 1]>::new(&[c]).and_then(|row| TransitionTable::new([row; 2])),
+        Cdf::new(&[c]).and_then(|row| TransitionTable::new([row; 2])),
         out,
     );
     verdict(Chain::new(a, |x| x - 0.5), out);

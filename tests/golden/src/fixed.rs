@@ -172,14 +172,14 @@ fn verdicts<G: Grade>(input: usize, out: &mut Out) {
     let [a, b] = words(input);
     let wide = u64::from(a) << 32 | u64::from(b);
     verdict(Cone::<G>::from_one_minus_cos(U2F62::from_bits(wide)), out);
-    verdict(Cone::<G>::from_angle(U0F32::from_bits(b)), out);
+    verdict(Cone::<G>::from_turns(U0F32::from_bits(b)), out);
     verdict(PhongLobe::<G>::new(U32F32::from_bits(wide)), out);
-    verdict(Exponential::<_, G>::new(U16F16::from_bits(b)), out);
+    verdict(Exponential::<_, G>::from_mean(U16F16::from_bits(b)), out);
     verdict(Tent::<_, G>::new(I16F16::from_bits(a as i32)), out);
     let [mean, deviation] = [a, b >> 3].map(|word| I16F16::from_bits(word as i32));
     verdict(NormalPair::<_, G>::new([mean; 2], deviation), out);
     let [a, b] = [a, b].map(U16F16::from_bits);
-    verdict(TruncatedExponential::<_, G>::new(a, b), out);
+    verdict(TruncatedExponential::<_, G>::from_mean(a, b), out);
     verdict(Interval::<U16F16>::new(a, b), out);
     verdict(Interval::<U16F16>::inclusive(a, b), out);
 }

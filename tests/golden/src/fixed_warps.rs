@@ -38,14 +38,14 @@ macro_rules! integer_warps {
                 Cone {
                     golden {
                         "Cone 0.1" => Cone::<G>::from_one_minus_cos(v(107_374_182)),
-                        "Cone of a thousandth turn" => Cone::<G>::from_angle(v(4_294_967)),
+                        "Cone of a thousandth turn" => Cone::<G>::from_turns(v(4_294_967)),
                     }
                     cost {
                         "cone" [u, v]: U0F32 -> [I2F30; 3] = const { ok(Cone::from_one_minus_cos(U2F62::lit("0.25"))) },
                     }
                     page {
                         sphere 2: Cone(half_angle_in_turns: 0.1 in 0..0.5 by 0.001)
-                            => Cone::<G>::from_angle(turns(half_angle_in_turns)?),
+                            => Cone::<G>::from_turns(turns(half_angle_in_turns)?),
                     }
                 }
                 PhongLobe {
@@ -104,24 +104,24 @@ macro_rules! integer_warps {
                     page { line 1: StandardExponential() => Ok(StandardExponential::<G>::new()), }
                 }
                 Exponential {
-                    golden { "Exponential 20" => Exponential::<_, G>::new(whole::<U16F16>(20)), }
-                    cost { "exponential_20" u: U0F32 -> U16F16 = const { ok(Exponential::new(U16F16::lit("20"))) }, }
-                    page { line 1: Exponential(mean: 1 in 0..10) => Exponential::<_, G>::new(unsigned(mean)?), }
+                    golden { "Exponential 20" => Exponential::<_, G>::from_mean(whole::<U16F16>(20)), }
+                    cost { "exponential_20" u: U0F32 -> U16F16 = const { ok(Exponential::from_mean(U16F16::lit("20"))) }, }
+                    page { line 1: Exponential(mean: 1 in 0..10) => Exponential::<_, G>::from_mean(unsigned(mean)?), }
                 }
                 TruncatedExponential {
                     golden {
-                        "TruncatedExponential 10 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(10), whole(4)),
-                        "TruncatedExponential 100 4" => TruncatedExponential::<_, G>::new(whole::<U16F16>(100), whole(4)),
+                        "TruncatedExponential 10 4" => TruncatedExponential::<_, G>::from_mean(whole::<U16F16>(10), whole(4)),
+                        "TruncatedExponential 100 4" => TruncatedExponential::<_, G>::from_mean(whole::<U16F16>(100), whole(4)),
                     }
                     cost {
                         "truncated_exponential_10_20" u: U0F32 -> U16F16
-                            = const { ok(TruncatedExponential::new(U16F16::lit("10"), U16F16::lit("20"))) },
+                            = const { ok(TruncatedExponential::from_mean(U16F16::lit("10"), U16F16::lit("20"))) },
                         "truncated_exponential_10_1" u: U0F32 -> U16F16
-                            = const { ok(TruncatedExponential::new(U16F16::lit("10"), U16F16::lit("1"))) },
+                            = const { ok(TruncatedExponential::from_mean(U16F16::lit("10"), U16F16::lit("1"))) },
                     }
                     page {
                         line 1: TruncatedExponential(mean: 0.5 in 0..10, length: 3 in 0..10)
-                            => TruncatedExponential::<_, G>::new(unsigned(mean)?, unsigned(length)?),
+                            => TruncatedExponential::<_, G>::from_mean(unsigned(mean)?, unsigned(length)?),
                     }
                 }
                 StandardNormalPair {
@@ -138,8 +138,8 @@ macro_rules! integer_warps {
                             = const { ok(NormalPair::new([I16F16::lit("100"); 2], I16F16::lit("5"))) },
                     }
                     page {
-                        plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, deviation: 1 in 0..5)
-                            => NormalPair::<_, G>::new([signed(mean_x)?, signed(mean_y)?], signed(deviation)?),
+                        plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, std_dev: 1 in 0..5)
+                            => NormalPair::<_, G>::new([signed(mean_x)?, signed(mean_y)?], signed(std_dev)?),
                     }
                 }
                 Tent {

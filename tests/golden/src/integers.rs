@@ -61,15 +61,15 @@ pub fn chains(u: [f32; 4], input: usize, out: &mut Out) {
         let row = |k: usize| {
             let mut row = [d >> 8, 1000, b >> 12, 3, c, 77];
             row.rotate_left(k);
-            Cdf::<[u64; 6]>::from_integers(&row)
+            Cdf::from_integers_u64(&row)
         };
         TransitionTable::new([row(0)?, row(1)?, row(2)?, row(3)?, row(4)?, row(5)?])
     };
     with(UniformIndex::new(black_box(6)), out, |any, out| {
         walk(&weights, &any, input, out);
         let table = || {
-            let cdf = Independence::new(Cdf::<[u32; 6]>::from_integers(&[1, 9, 2, 8, 3, 7])?);
-            let pick = Cdf::<[u32; 3]>::from_integers(&[1, 2, 1])?;
+            let cdf = Independence::new(Cdf::from_integers(&[1, 9, 2, 8, 3, 7])?);
+            let pick = Cdf::from_integers(&[1, 2, 1])?;
             Ok(Mixture::from_table((any, cdf, rows()?), pick))
         };
         with(table(), out, |mixture, out| {
@@ -82,7 +82,7 @@ pub fn chains(u: [f32; 4], input: usize, out: &mut Out) {
 pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
     /// A mutation that says what it is told.
     struct Told<C>(C);
-    impl<C: Correction> Mutation<u32> for Told<C> {
+    impl<C: HastingsCorrection> Mutation<u32> for Told<C> {
         type Correction = C;
         fn try_propose<R: rand_core::TryRng + ?Sized>(
             &self,
@@ -92,7 +92,7 @@ pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
             Ok(Proposal::new(!from, self.0))
         }
     }
-    fn step<C: Correction>(from: u32, to: u32, told: C, input: usize, out: &mut Out) {
+    fn step<C: HastingsCorrection>(from: u32, to: u32, told: C, input: usize, out: &mut Out) {
         let weight = |x: u32| if x == 0 { from } else { to };
         match Chain::new(0, weight) {
             Ok(mut chain) => {
@@ -106,14 +106,14 @@ pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
     let all = 1_u128 << 64;
     step(a, b, Symmetric, input, out);
     step(u32::MAX, c >> (d & 31), Symmetric, input, out);
-    step(a, b, Counts::new((c | 1).into(), d.into()), input, out);
-    let large = Counts::new(all, u128::from(c) << 31);
+    step(a, b, HastingsCounts::new((c | 1).into(), d.into()), input, out);
+    let large = HastingsCounts::new(all, u128::from(c) << 31);
     step(a >> 16, b, large, input, out);
-    step(a, b, Ratio::from_counts(d.into(), c.into()), input, out);
+    step(a, b, HastingsRatio::from_counts(d.into(), c.into()), input, out);
     step(
         u32::MAX,
         b,
-        Ratio::new(black_box(3.0), u[3] + 1e-3),
+        HastingsRatio::new(black_box(3.0), u[3] + 1e-3),
         input,
         out,
     );
@@ -129,7 +129,7 @@ fn selected<C: Into<u128>>(chosen: ExactSelection<C>, out: &mut Out) {
 }
 
 /// Known to the compiler, in flash.
-static FLASH: Cdf<[u32; 6]> = match Cdf::<[u32; 6]>::from_integers(&[0, 5, 1, 37, 9, 0]) {
+static FLASH: Cdf<[u32; 6]> = match Cdf::from_integers(&[0, 5, 1, 37, 9, 0]) {
     Ok(table) => table,
     Err(_) => panic!("refused"),
 };
@@ -150,7 +150,7 @@ pub fn wide_selections(u: [f32; 4], input: usize, out: &mut Out) {
     let [a, b, c, d] = stirred(u);
     let weights = [d, 0, c >> 20, 1, u32::MAX];
     with(
-        Cdf::<heapless::Vec<u64, 5>>::from_integers(&weights),
+        Cdf::<heapless::Vec<u64, 5>>::from_integer_slice(&weights),
         out,
         |table, out| {
             selected(table.select_exact(b), out);
@@ -159,7 +159,7 @@ pub fn wide_selections(u: [f32; 4], input: usize, out: &mut Out) {
         },
     );
     with(
-        Alias::<heapless::Vec<AliasEntry<u64>, 8>>::from_integers(&weights),
+        Alias::<heapless::Vec<AliasEntry<u64>, 8>>::from_integer_slice(&weights),
         out,
         |table, out| selected(table.draw_exact(&mut generator(input)), out),
     );
@@ -193,5 +193,5 @@ pub fn disks(u: [f32; 4], input: usize, out: &mut Out) {
     drawn(short.draw(&mut generator(input)), out);
     let point = [a, d].map(|x| I2F30::from_bits(x as i32));
     wide(fine.pdf(point).to_bits(), out);
-    verdict(DiskRejection::with_budget(d & 1), out);
+    verdict(DiskRejection::new().with_budget(d & 1), out);
 }

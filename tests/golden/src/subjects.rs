@@ -6,7 +6,7 @@ use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Reservoir, Selection,
     select_once, select_once_uniform,
 };
-use microwarp::estimate::{Integral, Moments, Ratio, balance_heuristic, power_heuristic};
+use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, SLACK,
     ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
@@ -15,7 +15,7 @@ use microwarp::rejection::{
 use microwarp::tier::Tier;
 use microwarp::uniform::{self, Strata1d, Strata2d, Uniforms};
 use microwarp::warp::*;
-use microwarp::{Error, Frame, Invert, Warp};
+use microwarp::{Error, Invert, Warp, warp::Frame};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -238,7 +238,7 @@ fn weights() -> [f32; 6] {
 }
 
 /// Known to the compiler, in flash.
-static FLASH: Cdf<[u32; 6]> = match Cdf::<[u32; 6]>::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) {
+static FLASH: Cdf<[u32; 6]> = match Cdf::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) {
     Ok(table) => table,
     Err(_) => panic!("refused"),
 };
@@ -287,9 +287,9 @@ float_warps!(subjects {
         verdict(Interval::decreasing(b, c), out);
         verdict(Power::<T>::new(c - 2.0, a, b), out);
         verdict(Power::<T>::decreasing(a, b, c), out);
-        verdict(Exponential::<T>::new(a), out);
-        verdict(ExponentialTail::<T>::new(b - 0.5), out);
-        verdict(TruncatedExponential::<T>::new(a, b - 0.5), out);
+        verdict(Exponential::<T>::from_rate(a), out);
+        verdict(ExponentialTail::<T>::from_rate(b - 0.5), out);
+        verdict(TruncatedExponential::<T>::from_rate(a, b - 0.5), out);
         verdict(Tent::new(a), out);
         verdict(Linear::new(a - 0.5, b), out);
         verdict(Normal::<T>::new(a, b), out);
@@ -299,11 +299,11 @@ float_warps!(subjects {
         verdict(TriangleOn::new([[a, b], [c, d], [a, a]]), out);
         verdict(TriangleOn::new([[a, b, c], [c, d, b], [a, a, a]]), out);
         verdict(PhongLobe::<T>::new(a - 0.5), out);
-        verdict(Cone::<T>::from_angle(4.0 * b), out);
-        verdict(Cone::<T>::from_sphere(2.0 * b), out);
+        verdict(Cone::<T>::from_radians(4.0 * b), out);
+        verdict(Cone::<T>::from_sine(2.0 * b), out);
         verdict(Cone::<T>::from_one_minus_cos(3.0 * c), out);
-        verdict(SphericalPatch::<T>::new(a, b, c, d), out);
-        verdict(Spherical::<T>::new(a - 0.1, b, c), out);
+        verdict(SphericalPatch::<T>::from_turns(a, b, c, d), out);
+        verdict(Spherical::<T>::from_turns(a - 0.1, b, c), out);
         verdict(Frame::new([a, b, c]), out);
         verdict(Strata1d::new(a.to_bits()), out);
         verdict(Strata2d::new(a.to_bits(), b.to_bits()), out);
@@ -311,7 +311,7 @@ float_warps!(subjects {
     "slices" => |_, input, out| {
         let mut rng = generator(input);
         let mut points = [0.0; 4];
-        if let Ok(tail) = ExponentialTail::<T>::new(v(2.0)) {
+        if let Ok(tail) = ExponentialTail::<T>::from_rate(v(2.0)) {
             tail.fill(&mut rng, &mut points);
         }
         points.put(out);
@@ -365,9 +365,9 @@ float_warps!(subjects {
     },
     "spherical" => |[a, b, c, _], _, out| {
         let s = Spherical::<T>::from_cartesian([a - 0.5, b - 0.5, c - 0.5]);
-        [s.radius(), s.theta(), s.phi(), s.solid_angle_jacobian(), s.volume_jacobian()].put(out);
+        [s.radius(), s.theta_turns(), s.phi_turns(), s.solid_angle_jacobian(), s.volume_jacobian()].put(out);
         s.to_cartesian().put(out);
-        match Spherical::<T>::new(a, 0.5 * b, c) {
+        match Spherical::<T>::from_turns(a, 0.5 * b, c) {
             Ok(s) => s.to_cartesian().put(out),
             Err(e) => out.word(refusal(e)),
         }
@@ -377,7 +377,7 @@ float_warps!(subjects {
             Ok(cone) => [cone.one_minus_cos(), cone.solid_angle()].put(out),
             Err(e) => out.word(refusal(e)),
         }
-        match SphericalPatch::<T>::new(0.25 * a, 0.25 + 0.25 * b, -a, b - a) {
+        match SphericalPatch::<T>::from_turns(0.25 * a, 0.25 + 0.25 * b, -a, b - a) {
             Ok(patch) => out.float(patch.solid_angle()),
             Err(e) => out.word(refusal(e)),
         }
@@ -387,7 +387,7 @@ float_warps!(subjects {
     },
     "cdf" => |[a, b, ..], input, out| {
         let bits = (b * 4_294_967_296.0) as u32;
-        with(Cdf::<[u32; 6]>::new(&weights()), out, |table, out| {
+        with(Cdf::new(&weights()), out, |table, out| {
             selected(table.select_uniform(a), out);
             selected(table.select(bits), out);
             selected(FLASH.draw(&mut generator(input)), out);
@@ -398,7 +398,7 @@ float_warps!(subjects {
     },
     "cdf wide" => |[a, b, ..], input, out| {
         let bits = (b * 4_294_967_296.0) as u32;
-        with(Cdf::<[u64; 6]>::new(&weights()), out, |table, out| {
+        with(Cdf::new_u64(&weights()), out, |table, out| {
             selected(table.select_uniform(a), out);
             selected(table.select(bits), out);
             selected(table.draw(&mut generator(input)), out);
@@ -414,7 +414,7 @@ float_warps!(subjects {
             table.as_words().iter().for_each(|&word| out.word(word));
             out.float(table.pmf(0));
         });
-        with(Cdf::<heapless::Vec<u64, 6>>::new(&any), out, |table, out| {
+        with(Cdf::<heapless::Vec<u64, 6>>::from_slice(&any), out, |table, out| {
             for index in 0..table.entries() {
                 out.word((table.numerator(index) >> 32) as u32);
             }
@@ -425,10 +425,10 @@ float_warps!(subjects {
     },
     "cdf of integers" => |[a, b, c, d], input, out| {
         let any = [a.to_bits(), b.to_bits() >> 9, c.to_bits() >> 20, d.to_bits()];
-        with(Cdf::<[u32; 4]>::from_integers(&any), out, |table, out| {
+        with(Cdf::from_integers(&any), out, |table, out| {
             table.as_words().iter().for_each(|&word| out.word(word));
         });
-        with(Cdf::<heapless::Vec<u32, 3>>::from_integers(any.get(..input & 3).unwrap_or(&[])), out, |table, out| {
+        with(Cdf::<heapless::Vec<u32, 3>>::from_integer_slice(any.get(..input & 3).unwrap_or(&[])), out, |table, out| {
             out.float(table.pmf(0));
         });
         let mut memory = [0_u64; 4];
@@ -457,7 +457,7 @@ float_warps!(subjects {
             out.word((table.numerator(0) >> 32) as u32);
         });
         let integers = [a.to_bits(), b.to_bits() >> 9, 0];
-        with(Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integers(&integers), out, |table, out| {
+        with(Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integer_slice(&integers), out, |table, out| {
             out.float(table.pmf(1));
         });
     },
@@ -496,7 +496,7 @@ float_warps!(subjects {
             let (marginal, conditional) = table.as_words();
             out.word(u32::from(PiecewiseConstant2d::from_words(marginal, conditional, [0.0, 1.0], [a, 9.0]).is_ok()));
         });
-        with(Cdf::<[u64; 3]>::new(&[a, b, c]).and_then(|cdf| PiecewiseConstant1d::new(cdf, -1.0, d)), out, |line, out| {
+        with(Cdf::new_u64(&[a, b, c]).and_then(|cdf| PiecewiseConstant1d::from_cdf(cdf, -1.0, d)), out, |line, out| {
             line.sample(a).put(out);
             line.draw(&mut generator(input)).put(out);
             out.word(line.cell(b) as u32);
@@ -515,12 +515,12 @@ float_warps!(subjects {
         out.float(DiskRejection::new().pdf([2.0 * a - 1.0, b]));
         out.float(BallRejection::new().pdf([a, 2.0 * b - 1.0, c]));
         for budget in [0, 1, 3] {
-            match DiskRejection::with_budget(black_box(budget)) {
+            match DiskRejection::new().with_budget(black_box(budget)) {
                 Ok(disk) => drawn(disk.draw(&mut rng), out),
                 Err(e) => out.word(refusal(e)),
             }
         }
-        match BallRejection::with_budget(black_box(2)) {
+        match BallRejection::new().with_budget(black_box(2)) {
             Ok(ball) => out.word(ball.budget()),
             Err(e) => out.word(refusal(e)),
         }
@@ -556,15 +556,15 @@ float_warps!(subjects {
             figure(normal.draw(&mut rng).ok().map(|drawn| drawn.point), out);
             out.float(normal.pdf(c - d));
         });
-        with(ZigguratExponential::new(1e3 * b), out, |wait, out| {
+        with(ZigguratExponential::from_rate(1e3 * b), out, |wait, out| {
             figure(wait.attempt([(c * 4_294_967_296.0) as u32, 7, 8]), out);
             figure(wait.draw(&mut rng).ok().map(|drawn| drawn.point), out);
             out.float(wait.pdf(d));
         });
-        verdict(ZigguratNormal::with_budget(1e38 * a, 1e37 * (b + 0.25), (3.0 * c) as u32), out);
-        verdict(ZigguratExponential::with_budget(d - 0.25, (3.0 * c) as u32), out);
-        verdict(ZigguratStandardNormal::with_budget((3.0 * c) as u32), out);
-        match ZigguratStandardExponential::with_budget(black_box(1)) {
+        verdict(ZigguratNormal::new(1e38 * a, 1e37 * (b + 0.25)).and_then(|sampler| sampler.with_budget((3.0 * c) as u32)), out);
+        verdict(ZigguratExponential::from_rate(d - 0.25).and_then(|sampler| sampler.with_budget((3.0 * c) as u32)), out);
+        verdict(ZigguratStandardNormal::new().with_budget((3.0 * c) as u32), out);
+        match ZigguratStandardExponential::new().with_budget(black_box(1)) {
             Ok(wait) => out.word(wait.draw(&mut rng).map_or(0xf1, |drawn| drawn.tries)),
             Err(e) => out.word(refusal(e)),
         }
@@ -573,7 +573,7 @@ float_warps!(subjects {
         let region = Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]).and_then(|room| {
             out.float(room.pdf([a, b, 2.0 + c]));
             room.invert([a, 0.5 * b, 2.0 + c]).put(out);
-            Region::new(room, move |[x, y, z]: [f32; 3]| x * y * z > d - 0.5, 20)
+            Region::new(room, move |[x, y, z]: [f32; 3]| x * y * z > d - 0.5).with_budget(20)
         });
         match region {
             Ok(region) => {
@@ -586,7 +586,7 @@ float_warps!(subjects {
     "rejection bounded" => |[a, b, c, d], input, out| {
         // f/p is at most π; the bound is one from 2 to 4, so that it is exceeded sometimes.
         let bump = |[x, y]: [f32; 2]| 1.0 / (1.0 + x * x + y * y);
-        match Bounded::new(Disk::<T>::new(), bump, 2.0 + 2.0 * c, 30) {
+        match Bounded::new(Disk::<T>::new(), bump, 2.0 + 2.0 * c).and_then(|sampler| sampler.with_budget(30)) {
             Ok(bounded) => {
                 match bounded.attempt([a, b], (d * 4_294_967_296.0) as u32) {
                     Ok(point) => attempted(point, out),
@@ -599,7 +599,7 @@ float_warps!(subjects {
         // Far magnitudes: f, p and c near both ends of f32, and the slack.
         let far = Inversion::new(|u: f32| u, |_| 1e-39, |x: f32| x);
         for (f, bound) in [(a * 1e-39, 1.0), (0.5 * b, 3e38), (1e-39 * (1.0 + SLACK * c), 1.0), (1e-39 * (d - 0.5), 1.0)] {
-            match Bounded::new(far, move |_| f, bound, 1).map(|far| far.attempt(a, (d * 4_294_967_296.0) as u32)) {
+            match Bounded::new(far, move |_| f, bound).and_then(|sampler| sampler.with_budget(1)).map(|far| far.attempt(a, (d * 4_294_967_296.0) as u32)) {
                 Ok(Ok(point)) => out.word(u32::from(point.is_some())),
                 Ok(Err(failure)) => failed(failure, out),
                 Err(e) => out.word(refusal(e)),
@@ -608,11 +608,11 @@ float_warps!(subjects {
     },
     "rejection verdicts" => |[a, b, c, d], _, out| {
         let disk = Disk::<T>::new();
-        verdict(Region::new(disk, |_| true, (8.0 * a) as u32), out);
-        verdict(Bounded::new(disk, |_| 1.0, b - 0.5, 1), out);
-        verdict(Bounded::new(disk, |_| 1.0, 1.0, (4.0 * c) as u32), out);
-        verdict(DiskRejection::with_budget((2.0 * d) as u32), out);
-        verdict(BallRejection::with_budget((2.0 * a) as u32), out);
+        verdict(Region::new(disk, |_| true).with_budget((8.0 * a) as u32), out);
+        verdict(Bounded::new(disk, |_| 1.0, b - 0.5).and_then(|sampler| sampler.with_budget(1)), out);
+        verdict(Bounded::new(disk, |_| 1.0, 1.0).and_then(|sampler| sampler.with_budget((4.0 * c) as u32)), out);
+        verdict(DiskRejection::new().with_budget((2.0 * d) as u32), out);
+        verdict(BallRejection::new().with_budget((2.0 * a) as u32), out);
         verdict(Aabb::new([a, b], [c, d]), out);
         verdict(Aabb::new([0.0; 3], [1e13, 1e13 * a, 1e13 * b]), out);
     },
@@ -629,9 +629,9 @@ float_warps!(subjects {
         figure(moments.mean(), out);
         figure(moments.variance(), out);
         figure(moments.population_variance(), out);
-        figure(moments.standard_deviation(), out);
+        figure(moments.std_dev(), out);
         figure(moments.standard_error(), out);
-        figure(other.standard_deviation(), out);
+        figure(other.std_dev(), out);
         other.merge(&moments);
         figure(other.mean(), out);
         figure(other.variance(), out);
@@ -663,18 +663,18 @@ float_warps!(subjects {
         bound(integral.normal_bound::<T>(v(0.95)), out);
     },
     "ratio" => |[a, b, c, d], _, out| {
-        let (mut ratio, mut other) = (Ratio::new(), Ratio::default());
+        let (mut ratio, mut other) = (WeightedMean::new(), WeightedMean::default());
         for (value, weight) in [(a, b), (b, c), (c, d), (d, a), (a + b, -0.1 * c)] {
             ratio.push(100.0 + value, weight);
             other.push(value, v(1e10) * weight);
         }
         out.word(ratio.count() as u32);
         out.word(ratio.refused() as u32);
-        figure(ratio.estimate(), out);
+        figure(ratio.mean(), out);
         figure(ratio.standard_error(), out);
         ratio.merge(&other);
         out.word(ratio.count() as u32);
-        figure(ratio.estimate(), out);
+        figure(ratio.mean(), out);
         figure(ratio.standard_error(), out);
     },
     "heuristics" => |[a, b, c, d], _, out| {

@@ -7,8 +7,8 @@
 //! - `golden`: the warps whose bits every target must reproduce, `"name" => constructor`. `v` hides a parameter from
 //!   the compiler. The table is in the order of the blocks.
 //! - `cost`: the warps whose instructions are counted, `"name" uniforms -> point = warp`, with the aliases of a tier
-//!   module in scope. `poly_name`, `libm_name` and the two with `_pcg32`, which draw, come of it. A warp whose
-//!   constructor is not `const` is `stored(|| constructor)`: made before, and loaded by the kernel. A warp without a
+//!   module in scope. `poly_name`, `libm_name` and the two with `_pcg32`, which draw, come of it. A warp that the kernel
+//!   loads, because its constructor is not `const` or its fields are many, is `stored(|| constructor)`. A warp without a
 //!   kernel says why: `none "reason"`.
 //! - `page`: the subjects of `examples/web`, `view uniforms: Name(parameter: start in least..most by step) => warp`.
 //!   The view is `line`, `plane` or `sphere`; `by step` may be left out.
@@ -54,26 +54,26 @@ macro_rules! float_warps {
                 page { line 4: PowerMax() => Ok(PowerMax::<4>::new()), }
             }
             Exponential {
-                golden { "Exponential" => Exponential::<T>::new(v(1.5)), }
-                cost { "exponential_1" u -> f32 = const { ok(Exponential::new(1.0)) }, }
-                page { line 1: Exponential(rate: 1 in 0..10) => Exponential::<T>::new(rate), }
+                golden { "Exponential" => Exponential::<T>::from_rate(v(1.5)), }
+                cost { "exponential_1" u -> f32 = const { ok(Exponential::from_rate(1.0)) }, }
+                page { line 1: Exponential(rate: 1 in 0..10) => Exponential::<T>::from_rate(rate), }
             }
             ExponentialTail {
-                golden { "ExponentialTail" => ExponentialTail::<T>::new(v(1.5)), }
-                cost { "exponential_tail_1" u -> f32 = const { ok(ExponentialTail::new(1.0)) }, }
+                golden { "ExponentialTail" => ExponentialTail::<T>::from_rate(v(1.5)), }
+                cost { "exponential_tail_1" u -> f32 = const { ok(ExponentialTail::from_rate(1.0)) }, }
                 // Its uniform is made of two words.
-                page { line 2: ExponentialTail(rate: 1 in 0..10) => ExponentialTail::<T>::new(rate), }
+                page { line 2: ExponentialTail(rate: 1 in 0..10) => ExponentialTail::<T>::from_rate(rate), }
             }
             TruncatedExponential {
                 golden {
-                    "TruncatedExponential 2" => TruncatedExponential::<T>::new(v(2.0), v(3.0)),
-                    "TruncatedExponential small" => TruncatedExponential::<T>::new(v(1e-3), v(1.0)),
-                    "TruncatedExponential -200" => TruncatedExponential::<T>::new(v(-200.0), v(1.0)),
+                    "TruncatedExponential 2" => TruncatedExponential::<T>::from_rate(v(2.0), v(3.0)),
+                    "TruncatedExponential small" => TruncatedExponential::<T>::from_rate(v(1e-3), v(1.0)),
+                    "TruncatedExponential -200" => TruncatedExponential::<T>::from_rate(v(-200.0), v(1.0)),
                 }
-                cost { "truncated_exponential_2_3" u -> f32 = stored(|| TruncatedExponential::new(2.0, 3.0)), }
+                cost { "truncated_exponential_2_3" u -> f32 = stored(|| TruncatedExponential::from_rate(2.0, 3.0)), }
                 page {
                     line 1: TruncatedExponential(rate: 2 in -20..20, length: 3 in 0..10)
-                        => TruncatedExponential::<T>::new(rate, length),
+                        => TruncatedExponential::<T>::from_rate(rate, length),
                 }
             }
             Tent {
@@ -95,14 +95,14 @@ macro_rules! float_warps {
             Normal {
                 golden { "Normal" => Normal::<T>::new(v(10.0), v(2.0)), }
                 cost { "normal" u -> f32 = const { ok(Normal::new(0.0, 1.0)) }, }
-                page { line 1: Normal(mean: 0 in -10..10, deviation: 1 in 0..5) => Normal::<T>::new(mean, deviation), }
+                page { line 1: Normal(mean: 0 in -10..10, std_dev: 1 in 0..5) => Normal::<T>::new(mean, std_dev), }
             }
             NormalPair {
                 golden { "NormalPair" => NormalPair::<T>::new([v(1.0), v(-1.0)], v(0.5)), }
                 cost { "normal_pair" [u, v] -> [f32; 2] = const { ok(NormalPair::new([0.0; 2], 1.0)) }, }
                 page {
-                    plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, deviation: 1 in 0..5)
-                        => NormalPair::<T>::new([mean_x, mean_y], deviation),
+                    plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, std_dev: 1 in 0..5)
+                        => NormalPair::<T>::new([mean_x, mean_y], std_dev),
                 }
             }
 
@@ -229,24 +229,24 @@ macro_rules! float_warps {
             }
             Cone {
                 golden {
-                    "Cone 0.1" => Cone::<T>::from_angle(v(0.1)),
-                    "Cone 1e-7" => Cone::<T>::from_angle(v(1e-7)),
-                    "Cone 3" => Cone::<T>::from_angle(v(3.0)),
-                    "Cone sphere" => Cone::<T>::from_sphere(v(0.5)),
+                    "Cone 0.1" => Cone::<T>::from_radians(v(0.1)),
+                    "Cone 1e-7" => Cone::<T>::from_radians(v(1e-7)),
+                    "Cone 3" => Cone::<T>::from_radians(v(3.0)),
+                    "Cone sphere" => Cone::<T>::from_sine(v(0.5)),
                 }
                 cost { "cone" [u, v] -> [f32; 3] = const { ok(Cone::from_one_minus_cos(0.25)) }, }
-                page { sphere 2: Cone(half_angle_in_rad: 0.6 in 0..3.14) => Cone::<T>::from_angle(half_angle_in_rad), }
+                page { sphere 2: Cone(half_angle_in_rad: 0.6 in 0..3.14) => Cone::<T>::from_radians(half_angle_in_rad), }
             }
             SphericalPatch {
-                golden { "SphericalPatch" => SphericalPatch::<T>::new(v(0.1), v(0.4), v(-0.25), v(0.5)), }
+                golden { "SphericalPatch" => SphericalPatch::<T>::from_turns(v(0.1), v(0.4), v(-0.25), v(0.5)), }
                 cost {
-                    "spherical_patch" [u, v] -> [f32; 3] = stored(|| SphericalPatch::new(0.2, 0.3, -0.1, 0.4)),
+                    "spherical_patch" [u, v] -> [f32; 3] = stored(|| SphericalPatch::from_turns(0.2, 0.3, -0.1, 0.4)),
                 }
                 page {
                     sphere 2: SphericalPatch(
                         theta_from_in_turns: 0 in 0..0.5 by 0.001, theta_to_in_turns: 0.25 in 0..0.5 by 0.001,
                         phi_from_in_turns: 0 in -1..1 by 0.001, phi_to_in_turns: 0.25 in -1..1 by 0.001
-                    ) => SphericalPatch::<T>::new(
+                    ) => SphericalPatch::<T>::from_turns(
                         theta_from_in_turns, theta_to_in_turns, phi_from_in_turns, phi_to_in_turns,
                     ),
                 }
@@ -277,21 +277,21 @@ macro_rules! float_warps {
             // Tables that are warps. The page shows them among the tables, which have no tier.
             PiecewiseConstant1d {
                 golden {
-                    "PiecewiseConstant1d" => PiecewiseConstant1d::<[u32; 6]>::from_weights(&weights(), v(-3.0), v(5.0)),
+                    "PiecewiseConstant1d" => PiecewiseConstant1d::new(&weights(), v(-3.0), v(5.0)),
                     "PiecewiseConstant1d wide"
-                        => PiecewiseConstant1d::<[u64; 6]>::from_weights(&weights(), v(-3e38), v(3e38)),
+                        => PiecewiseConstant1d::new_u64(&weights(), v(-3e38), v(3e38)),
                 }
                 cost { none "its kernels are those of the tables" }
                 page {}
             }
             PiecewiseConstant2d {
                 golden {
-                    "PiecewiseConstant2d" => PiecewiseConstant2d::<[u32; 3], [[u32; 6]; 3]>::new(
+                    "PiecewiseConstant2d" => PiecewiseConstant2d::new(
                         &[weights(), [v(0.0); 6], [v(0.5); 6]],
                         [v(0.0), v(6.0)],
                         [v(-1.0), v(1.0)],
                     ),
-                    "PiecewiseConstant2d wide" => PiecewiseConstant2d::<[u64; 2], [[u64; 6]; 2]>::new(
+                    "PiecewiseConstant2d wide" => PiecewiseConstant2d::new_u64(
                         &[weights(), [v(1e-30); 6]],
                         [v(0.0), v(1.0)],
                         [v(0.0), v(1.0)],

@@ -194,8 +194,10 @@ impl House {
             let handed_on = matches!(before, [.., last] if last == "pub" || last == ")");
             let text: Vec<_> = before.iter().chain(after).collect();
             for (path, name) in imports {
+                // A module may be called as the function that it defines.
+                let used = |pair: &[&String]| pair[0] != "mod" && *pair[1] == name;
                 if let Some(path) = self.absolute(module, &path) {
-                    if !handed_on || text.iter().any(|word| **word == name) {
+                    if !handed_on || text.windows(2).any(used) {
                         self.mentions.insert((file.clone(), path.clone()));
                     }
                     self.names.insert((module.clone(), name), path);

@@ -106,7 +106,7 @@ pub fn missing(sources: &[(String, String)]) -> Vec<String> {
                 missing.insert(format!("{name} in the list of warps"));
             }
             if over.contains("Grade")
-                && !has("fixed.rs", &format!("{entry},"))
+                && !has("fixed.rs", &format!("{entry} \""))
                 && !has("fixed.rs", &format!("{entry}["))
             {
                 missing.insert(format!("{name} in the grades"));

@@ -18,7 +18,7 @@ use crate::contest::{POINTS, generator};
 use crate::truth::Truth;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::Uniforms as _;
-use microwarp::{Error, Invert, Transform, Warp};
+use microwarp::{Error, Invert, Warp, warp::Transform};
 use picture::{Picture, View};
 use rand_pcg::Pcg32;
 use std::hint::black_box;

@@ -2,22 +2,22 @@
 
 use crate::registry::{kernels, loaded, made};
 use microwarp::Error;
-use microwarp::metropolis::{Chain, ExponentialStep, LargeSmall, Mixture, UniformStep, Wrapped};
+use microwarp::metropolis::{Chain, LogUniformStep, LargeSmall, Mixture, UniformStep, WrappedWalk};
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_pcg::Pcg32;
 
 type Point = [f32; 2];
-type LargeAndSmall<T> = (Chain<Point>, LargeSmall<Wrapped<ExponentialStep<T>>>);
+type LargeAndSmall<T> = (Chain<Point>, LargeSmall<WrappedWalk<LogUniformStep<T>>>);
 
 fn slopes([x, y]: Point) -> f32 {
     (0.5 + x) * (0.5 + y)
 }
 
 fn large_and_small<T: Tier>() -> Result<LargeAndSmall<T>, Error> {
-    let small = ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0)?;
+    let small = LogUniformStep::new(1.0 / 1024.0, 1.0 / 64.0)?;
     Ok((
         Chain::new([0.5; 2], slopes)?,
-        Mixture::large_small(0.3, Wrapped::new(small))?,
+        Mixture::large_small(0.3, WrappedWalk::new(small))?,
     ))
 }
 

@@ -70,7 +70,7 @@ tables! {
     "cdf_1024" "cdf_1024_pcg32" CDF_1024: CdfOf<1024> = CdfOf::<1024>::new(&weights()),
         (word: u32) -> usize = CDF_1024.index(word), rng => CDF_1024.index(rng.next_u32());
     "piecewise_constant_1d_64" "piecewise_constant_1d_64_pcg32"
-        PIECES_64: Pieces<64> = Pieces::<64>::from_weights(&weights(), 0.0, 1.0),
+        PIECES_64: Pieces<64> = Pieces::<64>::new(&weights(), 0.0, 1.0),
         (u: f32) -> f32 = PIECES_64.sample(u), rng => PIECES_64.draw(rng);
     "piecewise_constant_2d_16_8" "piecewise_constant_2d_16_8_pcg32"
         PICTURE_16_8: Picture<16, 8> = Picture::<16, 8>::new(&picture(), UNIT, UNIT),

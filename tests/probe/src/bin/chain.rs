@@ -2,12 +2,12 @@
 #![no_std]
 #![no_main]
 
-use microwarp::metropolis::{Chain, ExponentialStep, LargeSmall, Mixture, Wrapped};
+use microwarp::metropolis::{Chain, LogUniformStep, LargeSmall, Mixture, WrappedWalk};
 use microwarp::poly as mw;
 use microwarp_probe::{input, output};
 use rand_pcg::Pcg32;
 
-type Steps = LargeSmall<Wrapped<ExponentialStep<mw::Tier>>>;
+type Steps = LargeSmall<WrappedWalk<LogUniformStep<mw::Tier>>>;
 
 fn target([x, y]: [f32; 2]) -> f32 {
     (x - 0.5) * (x - 0.5) + y
@@ -23,7 +23,7 @@ fn microwarp_chain(chain: &mut Chain<[f32; 2]>, steps: &Steps, rng: &mut Pcg32) 
 #[inline(never)]
 extern "C" fn probe_main() {
     let mut rng = Pcg32::new(input(1).into(), input(2).into());
-    let small = mw::ExponentialStep::new(1.0 / 1024.0, 1.0 / 64.0).map(Wrapped::new);
+    let small = mw::LogUniformStep::new(1.0 / 1024.0, 1.0 / 64.0).map(WrappedWalk::new);
     let steps = small.and_then(|small| Mixture::large_small(0.3, small));
     if let (Ok(steps), Ok(mut chain)) = (steps, Chain::new([0.1, 0.5], target)) {
         for _ in 0..input(100) {

@@ -6,7 +6,7 @@
 use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection};
 use microwarp::fixed as mw;
 use microwarp::metropolis::{
-    Chain, Counts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
+    Chain, HastingsCounts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
 };
 use microwarp::rejection::Rejection;
 use microwarp_probe::{input, output};
@@ -15,7 +15,7 @@ use rand_pcg::Pcg32;
 
 const WEIGHTS: [u32; 4] = [9, 1, 0, 30];
 
-static FLASH: Cdf<[u32; 4]> = match Cdf::<[u32; 4]>::from_integers(&WEIGHTS) {
+static FLASH: Cdf<[u32; 4]> = match Cdf::from_integers(&WEIGHTS) {
     Ok(table) => table,
     Err(_) => panic!("refused"),
 };
@@ -24,7 +24,7 @@ static BINS: Alias<[AliasEntry<u32>; 4]> =
         Ok(table) => table,
         Err(_) => panic!("refused"),
     };
-const PICK: Cdf<[u32; 3]> = match Cdf::<[u32; 3]>::from_integers(&[2, 1, 1]) {
+const PICK: Cdf<[u32; 3]> = match Cdf::from_integers(&[2, 1, 1]) {
     Ok(table) => table,
     Err(_) => panic!("refused"),
 };
@@ -33,17 +33,17 @@ const PICK: Cdf<[u32; 3]> = match Cdf::<[u32; 3]>::from_integers(&[2, 1, 1]) {
 struct Upwards;
 
 impl Mutation<usize> for Upwards {
-    type Correction = Counts;
+    type Correction = HastingsCounts;
 
     fn try_propose<R: TryRng + ?Sized>(
         &self,
         from: usize,
         rng: &mut R,
-    ) -> Result<Proposal<usize, Counts>, R::Error> {
+    ) -> Result<Proposal<usize, HastingsCounts>, R::Error> {
         Ok(if rng.try_next_u32()? >> 30 > 0 {
-            Proposal::new(from.wrapping_add(1) & 3, Counts::new(3, 1))
+            Proposal::new(from.wrapping_add(1) & 3, HastingsCounts::new(3, 1))
         } else {
-            Proposal::new(from.wrapping_add(3) & 3, Counts::new(1, 3))
+            Proposal::new(from.wrapping_add(3) & 3, HastingsCounts::new(1, 3))
         })
     }
 }
@@ -73,8 +73,8 @@ fn walked<M: Mutation<usize>>(chain: &mut Chain<usize, u32>, mutation: &M, rng: 
 fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
     // Weights the compiler cannot see.
     let run_time = [input(5), input(1), input(7), input(3)];
-    let table = Cdf::<heapless::Vec<u32, 4>>::from_integers(&run_time)?;
-    let alias = Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integers(&run_time)?;
+    let table = Cdf::<heapless::Vec<u32, 4>>::from_integer_slice(&run_time)?;
+    let alias = Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_integer_slice(&run_time)?;
     selected(FLASH.select_exact(input(6)));
     selected(BINS.draw_exact(rng));
     selected(table.draw_exact(rng));
@@ -83,7 +83,7 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
 
     let mut chain = Chain::new(0, |_| input(9))?;
     let any = UniformIndex::new(input(4))?;
-    let row = |weights| Cdf::<[u32; 4]>::from_integers(weights);
+    let row = |weights| Cdf::from_integers(weights);
     let rows = [
         row(&run_time)?,
         row(&[1; 4])?,

@@ -4,6 +4,7 @@
 
 use super::colour::{ACCENT, Colour, HAIR, INK, WHITE};
 use super::text::{Align, Fonts, Type};
+use base64::Engine;
 use color_quant::NeuQuant;
 use std::path::Path;
 use tiny_skia::{
@@ -155,11 +156,19 @@ impl Canvas {
 
     /// Saves as PNG in the 256 colours that fit best: a third of the size of one in full colour.
     pub fn save(&self, path: &Path) -> Result<(), String> {
-        self.encode(path)
-            .map_err(|e| format!("{}: {e}", path.display()))
+        let bytes = self.png(256).map_err(|e| e.to_string());
+        let written = bytes.and_then(|b| std::fs::write(path, b).map_err(|e| e.to_string()));
+        written.map_err(|e| format!("{}: {e}", path.display()))
     }
 
-    fn encode(&self, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    /// The picture as an address that holds it, in few colours, for a page that can have no files beside it.
+    pub fn data_address(&self) -> Result<String, String> {
+        let bytes = self.png(64).map_err(|e| e.to_string())?;
+        let text = base64::engine::general_purpose::STANDARD.encode(bytes);
+        Ok(format!("data:image/png;base64,{text}"))
+    }
+
+    fn png(&self, colours: usize) -> Result<Vec<u8>, png::EncodingError> {
         let rgba = self.pixels.data();
         let others: Vec<u8> = rgba
             .chunks_exact(4)
@@ -167,12 +176,12 @@ impl Canvas {
             .flatten()
             .copied()
             .collect();
-        let colours = NeuQuant::new(3, 256 - FIXED.len(), &others);
+        let fitted = NeuQuant::new(3, colours - FIXED.len(), &others);
         let mut palette: Vec<u8> = FIXED.iter().flat_map(|c| &c[..3]).copied().collect();
-        palette.extend(colours.color_map_rgb());
+        palette.extend(fitted.color_map_rgb());
         let find = |pixel: &[u8]| {
             let fixed = FIXED.iter().position(|colour| colour == pixel);
-            fixed.unwrap_or_else(|| FIXED.len() + colours.index_of(pixel)) as u8
+            fixed.unwrap_or_else(|| FIXED.len() + fitted.index_of(pixel)) as u8
         };
         // Neighbouring pixels are mostly equal, and finding a colour takes time.
         let (mut last, mut index) = (WHITE, find(&WHITE));
@@ -186,14 +195,14 @@ impl Canvas {
                 index
             })
             .collect();
-        let file = std::io::BufWriter::new(std::fs::File::create(path)?);
-        let mut encoder = png::Encoder::new(file, self.pixels.width(), self.pixels.height());
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.pixels.width(), self.pixels.height());
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(palette);
         encoder.set_compression(png::Compression::High);
         encoder.set_filter(png::Filter::NoFilter);
         encoder.write_header()?.write_image_data(&indices)?;
-        Ok(())
+        Ok(bytes)
     }
 
     fn fill(&mut self, path: &tiny_skia::Path, colour: Colour) {

@@ -7,7 +7,7 @@ use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
-use microwarp::{Frame, Invert};
+use microwarp::{Invert, warp::Frame};
 use std::f32::consts::PI as PI_32;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -37,7 +37,7 @@ fn cone<T: Tier>(warp: Result<Cone<T>, Error>, k: f64, rest: f64) -> Result<Entr
 }
 
 fn patch<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
-    let warp = SphericalPatch::<T>::new(p[0], p[1], p[2], p[3])?;
+    let warp = SphericalPatch::<T>::from_turns(p[0], p[1], p[2], p[3])?;
     let [theta, phi] = [[p[0], p[1]], [p[2], p[3]]].map(|a| a.map(f64::from));
     let truth = truth::Patch { theta, phi };
     let variables = [
@@ -142,8 +142,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             })
             .seed(&[0.8]).seed(&[-0.5]).seed(&[0.3]).seed(&[1e-3]).seed(&[-1e-8]).seed(&[0.999_999_94]).seed(&[-0.999_999_94])
             .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange),
-        Registered::new("Cone", "from_angle", &[Within(0.0, PI_32)], |p| {
-            cone(Cone::<T>::from_angle(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
+        Registered::new("Cone", "from_radians", &[Within(0.0, PI_32)], |p| {
+            cone(Cone::<T>::from_radians(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
         })
             .case_with("1e-7 rad", &[1e-7], |e| e.picture("half angle 10⁻⁷ rad", Sky(1.02e-7)))
             .case("1e-4 rad", &[1e-4])
@@ -160,10 +160,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             cone(Cone::<T>::from_one_minus_cos(p[0]), k, 2.0 - k)
         })
             .refuse(&[2.1], OutOfRange).refuse(&[TINY], Empty),
-        Registered::new("Cone", "from_sphere", &[Within(0.0, 1.0)], |p| {
+        Registered::new("Cone", "from_sine", &[Within(0.0, 1.0)], |p| {
             let s = f64::from(p[0]);
             let k = s * s / (1.0 + ((1.0 - s) * (1.0 + s)).sqrt());
-            cone(Cone::<T>::from_sphere(p[0]), k, 2.0 - k)
+            cone(Cone::<T>::from_sine(p[0]), k, 2.0 - k)
         })
             .case("sphere at 1e-3", &[1e-3])
             .refuse(&[1.5], OutOfRange).refuse(&[-0.1], NotPositive),

@@ -53,7 +53,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[-1.7374, -1.5582]", &[-1.737_384_2, -1.558_242_2])
             .refuse(&[-INF, 1.0], NotFinite).refuse(&[1.0, 0.0], Reversed).refuse(&[2.0, 2.0], Empty),
         Registered::new("Exponential", "", &[Positive], |p| {
-            Ok(exponential(in_ulp::<T, _>("Exponential", Exponential::<T>::new(p[0])?, truth::exponential(p[0]))))
+            Ok(exponential(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, truth::exponential(p[0]))))
         })
             .case_with("a=1", &[1.0], |e| {
                 e.picture("p = exp(−x)", View::Line(between(-0.4, 6.0))).trade(family::EXPONENTIAL, "exponential_1")
@@ -63,7 +63,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[3.06e-37])
             .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive).refuse(&[1.0e-40], TooLarge),
         Registered::new("ExponentialTail", "", &[Positive], |p| {
-            let warp = ExponentialTail::<T>::new(p[0])?;
+            let warp = ExponentialTail::<T>::from_rate(p[0])?;
             Ok(exponential(in_ulp::<T, _>("ExponentialTail", warp, truth::exponential_tail(p[0])).words(2)))
         })
             .case_with("a=1", &[1.0], |e| {
@@ -75,7 +75,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[1.0]).seed(&[3.06e-37]).seed(&[f32::MAX])
             .refuse(&[INF], NotFinite).refuse(&[-0.0], NotPositive).refuse(&[TINY], TooLarge),
         Registered::new("TruncatedExponential", "", &[Any, Positive], |p| {
-            let warp = TruncatedExponential::<T>::new(p[0], p[1])?;
+            let warp = TruncatedExponential::<T>::from_rate(p[0], p[1])?;
             let mut entry = in_ulp::<T, _>("TruncatedExponential", warp, truth::truncated_exponential(p[0], p[1]));
             entry.open = false;
             Ok(entry.outside(&[[-1e-45, 0.0, 0.0]]))

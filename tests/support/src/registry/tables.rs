@@ -74,13 +74,13 @@ fn wide_weights(weights: &[f32]) -> Vec<f64> {
 
 fn narrow<T: Tier>(weights: &[f32], range: [f32; 2]) -> Result<Entry, Error> {
     let cdf = Cdf::<&[u32]>::new_in(weights, leaked(weights.len()))?;
-    let warp = PiecewiseConstant1d::new(cdf, range[0], range[1])?;
+    let warp = PiecewiseConstant1d::from_cdf(cdf, range[0], range[1])?;
     Ok(on_line::<T, _>(&wide_weights(weights), range, warp))
 }
 
 fn wide<T: Tier>(weights: &[f32], range: [f32; 2]) -> Result<Entry, Error> {
     let cdf = Cdf::<&[u64]>::new_in(weights, leaked(weights.len()))?;
-    let warp = PiecewiseConstant1d::new(cdf, range[0], range[1])?;
+    let warp = PiecewiseConstant1d::from_cdf(cdf, range[0], range[1])?;
     Ok(on_line::<T, _>(&wide_weights(weights), range, warp).words(2))
 }
 
@@ -126,7 +126,7 @@ where
 fn cells<T: Tier, const N: usize>(p: &[f32]) -> Result<Entry, Error> {
     let range = [p[0], p[1]];
     let weights: &[f32; N] = p[2..].try_into().expect("a weight a cell");
-    let warp = PiecewiseConstant1d::<[u32; N]>::from_weights(weights, range[0], range[1])?;
+    let warp = PiecewiseConstant1d::new(weights, range[0], range[1])?;
     Ok(on_line::<T, _>(&numerators(warp.cdf()), range, warp))
 }
 
@@ -134,7 +134,7 @@ fn cells<T: Tier, const N: usize>(p: &[f32]) -> Result<Entry, Error> {
 fn four_cells<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let (u, v) = ([p[0], p[1]], [p[2], p[3]]);
     let weights = [[p[4], p[5]], [p[6], p[7]]];
-    let warp = PiecewiseConstant2d::<[u32; 2], [[u32; 2]; 2]>::new(&weights, u, v)?;
+    let warp = PiecewiseConstant2d::new(&weights, u, v)?;
     let rows = (0..2).map(|row| truth::Histogram::new(&numerators(warp.conditional(row).cdf()), u));
     let marginal = truth::Histogram::new(&numerators(warp.marginal().cdf()), v);
     let truth = truth::Picture::of(marginal.expect("a positive weight"), rows.collect());
@@ -182,7 +182,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     const PLANE: &str = "PiecewiseConstant2d";
     vec![
         listed(LINE, "2:0:4:1 on [0, 8]", |_| {
-            let warp = PiecewiseConstant1d::<[u32; 4]>::from_weights(&FOUR, 0.0, 8.0)?;
+            let warp = PiecewiseConstant1d::new(&FOUR, 0.0, 8.0)?;
             Ok(on_line::<T, _>(&wide_weights(&FOUR), [0.0, 8.0], warp))
         }, |e| {
             e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4))).trade(family::LINE, "piecewise_1d")

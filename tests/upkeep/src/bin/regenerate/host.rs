@@ -38,16 +38,21 @@ pub fn measure() -> Outcome {
         machine_and_day()?
     );
     write("docs/measured/peers.md", &(head + &table))?;
-    example("tradeoff")
+    example("tradeoff", &[])
 }
 
 /// Runs an example, and takes its picture over into docs.
-pub fn example(name: &str) -> Outcome {
-    command(
-        &["cargo", "run", "--locked", "--release", "--example", name],
-        &[],
-        false,
-    )?;
+pub fn example(name: &str, arguments: &[&str]) -> Outcome {
+    let line = [
+        "cargo",
+        "run",
+        "--locked",
+        "--release",
+        "--example",
+        name,
+        "--",
+    ];
+    command(&[&line, arguments].concat(), &[], false)?;
     let (from, to) = (
         format!("target/{name}/{name}.png"),
         format!("docs/{name}.png"),

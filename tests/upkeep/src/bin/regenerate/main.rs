@@ -223,14 +223,9 @@ fn pictures(args: &Args) -> Outcome {
     if args.check {
         return Ok(());
     }
-    for example in [
-        "gallery",
-        "convergence",
-        "envmap",
-        "mutations",
-        "image_copy",
-    ] {
-        host::example(example)?;
+    host::example("gallery", &["--rustdoc", "src/pictures"])?;
+    for example in ["convergence", "envmap", "mutations", "image_copy"] {
+        host::example(example, &[])?;
     }
     Ok(())
 }

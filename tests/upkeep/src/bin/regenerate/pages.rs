@@ -5,14 +5,24 @@
 //! <!-- end -->
 //! <!-- figure: WORDS -->1,234<!-- --> a figure in a sentence
 //! ```
+//!
+//! In the documentation of `src` the marks of a table, and its lines, stand behind `///`.
 
 use crate::sources::Sources;
 use crate::tables::{block, figure};
 use microwarp_upkeep::{Outcome, read, write};
 
-const PAGES: [&str; 2] = ["README.md", "examples/firmware/README.md"];
+const PAGES: [&str; 5] = [
+    "README.md",
+    "docs/costs.md",
+    "docs/peers.md",
+    "docs/promises.md",
+    "examples/firmware/README.md",
+];
 /// How a mark begins, how it ends, and the mark behind what is generated.
 const BLOCK: [&str; 3] = ["<!-- generated: ", " -->\n", "<!-- end -->"];
+/// The same in the documentation of `src`.
+const COMMENT: [&str; 3] = ["/// <!-- generated: ", " -->\n", "/// <!-- end -->"];
 const FIGURE: [&str; 3] = ["<!-- figure: ", " -->", "<!-- -->"];
 
 /// A page with what stands between marks of a kind replaced, and how many there were.
@@ -40,7 +50,16 @@ fn generated(page: &str, sources: &Sources) -> Outcome<(String, usize)> {
             "a line begins with the mark of a figure: {line:.30}"
         ));
     }
-    let (page, blocks) = replace(page, BLOCK, &|name| block(name, sources))?;
+    let comment = |name: &str| {
+        let lines = block(name, sources)?;
+        Ok(lines.lines().map(|line| format!("/// {line}\n")).collect())
+    };
+    let (page, comments) = replace(page, COMMENT, &comment)?;
+    let (page, blocks) = if comments > 0 {
+        (page, comments)
+    } else {
+        replace(&page, BLOCK, &|name| block(name, sources))?
+    };
     let (page, figures) = replace(&page, FIGURE, &|words| figure(words, sources))?;
     Ok((page, blocks + figures))
 }
@@ -58,7 +77,12 @@ fn difference(old: &str, new: &str) -> String {
 /// A digit that is changed in any table and any sentence would be seen.
 fn control(page: &str, sources: &Sources) -> Outcome {
     let mut seen = 0;
-    for [open, close, end] in [BLOCK, FIGURE] {
+    let blocks = if page.contains(COMMENT[0]) {
+        COMMENT
+    } else {
+        BLOCK
+    };
+    for [open, close, end] in [blocks, FIGURE] {
         for (at, _) in page.match_indices(open) {
             let start = at + page[at..].find(close).unwrap_or(0) + close.len();
             let stop = start + page[start..].find(end).unwrap_or(0);
@@ -89,7 +113,13 @@ fn control(page: &str, sources: &Sources) -> Outcome {
 pub fn step(check: bool) -> Outcome {
     let sources = Sources::read()?;
     let mut stale = String::new();
-    for path in PAGES {
+    let commented = sources
+        .code
+        .iter()
+        .filter(|(_, text)| text.contains(COMMENT[0]));
+    let pages = PAGES.map(String::from).into_iter();
+    for path in pages.chain(commented.map(|(path, _)| path.clone())) {
+        let path = path.as_str();
         let old = read(path)?;
         let (new, count) = generated(&old, &sources)?;
         control(&new, &sources)?;

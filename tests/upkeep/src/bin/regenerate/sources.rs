@@ -20,8 +20,8 @@ pub struct Sources {
     host: HashMap<String, Vec<String>>,
     /// The rows of the table of peers, by the family's first words.
     pub peers: Vec<Vec<String>>,
-    /// All files of src.
-    code: Vec<String>,
+    /// All files of src: their paths from the root, and what stands in them.
+    pub code: Vec<(String, String)>,
     golden: String,
 }
 
@@ -38,7 +38,7 @@ fn by_keys(path: &str, keys: usize) -> Outcome<HashMap<String, Vec<String>>> {
         .collect())
 }
 
-fn all_code(folder: &Path, into: &mut Vec<String>) {
+fn all_code(folder: &Path, into: &mut Vec<(String, String)>) {
     let mut paths: Vec<_> = fs::read_dir(folder)
         .unwrap()
         .map(|e| e.unwrap().path())
@@ -47,8 +47,9 @@ fn all_code(folder: &Path, into: &mut Vec<String>) {
     for path in paths {
         if path.is_dir() {
             all_code(&path, into);
-        } else {
-            into.push(fs::read_to_string(&path).unwrap());
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let name = path.strip_prefix(root()).unwrap().display().to_string();
+            into.push((name, fs::read_to_string(&path).unwrap()));
         }
     }
 }
@@ -160,7 +161,7 @@ impl Sources {
     /// A cell of a table in the doc comment that ends at a line which begins with `item`: that of the row whose title begins
     /// so, under a header. The code is that of the room whose comment has such a column.
     pub fn stated(&self, item: &str, title: &str, header: &str) -> Outcome<String> {
-        for text in &self.code {
+        for (_, text) in &self.code {
             let lines: Vec<&str> = text.lines().collect();
             for (end, _) in lines.iter().enumerate().filter(|(_, line)| is(line, item)) {
                 let comment = lines[..end].iter().rev();
@@ -222,7 +223,7 @@ fn kernels() -> BTreeSet<String> {
             names.extend([format!("{tier}{kernel}"), format!("{tier}{kernel}_pcg32")]);
         }
     }
-    for line in code.iter().flat_map(|text| text.lines()) {
+    for line in code.iter().flat_map(|(_, text)| text.lines()) {
         let mut rest = line.trim_start();
         while let Some((name, after)) = rest.strip_prefix('"').and_then(|r| r.split_once('"')) {
             if !name.chars().all(plain) {

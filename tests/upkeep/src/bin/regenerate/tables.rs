@@ -1,6 +1,7 @@
 //! The tables of the pages: which rows each has, and which figures stand in a row.
 
 use crate::sources::{Sources, grouped};
+use microwarp_golden::{FLOAT_WARPS, GRADED_WARPS, Listed};
 use microwarp_upkeep::{Outcome, read};
 
 /// The generated blocks, by the names in their marks.
@@ -16,6 +17,8 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "integers" => integers(sources),
         "peers" => Ok(rows(&sources.peers)),
         "firmware" => firmware(),
+        "six" => six(sources),
+        _ if name.starts_with("cost ") => cost(&name[5..], sources),
         _ => Err(format!("no table is called {name}")),
     }
 }
@@ -95,6 +98,82 @@ const WARPS: [Warp; 12] = [
     warp("`NormalPair`, of its reach 5.77σ", "NormalPair", "sample", "normal_pair", "normal_pair"),
 ];
 
+/// The rows of the README's table.
+const SIX: [&str; 6] = [
+    "Disk",
+    "CosineHemisphere",
+    "PhongLobe",
+    "Exponential",
+    "NormalPair",
+    "Triangle",
+];
+
+fn six(sources: &Sources) -> Outcome<String> {
+    let mut text = String::from(
+        "| in `poly` | largest error | ns, PC | Cortex-M4F | Cortex-M0 | M0, `fixed` | flash, M4F |\n\
+         |---|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for name in SIX {
+        let warp = WARPS.iter().find(|warp| warp.name == name);
+        let warp = warp.ok_or_else(|| format!("no warp {name}"))?;
+        let integer = INTEGERS.iter().find(|row| row.4 == Some(warp.kernel));
+        let integer = integer.ok_or_else(|| format!("no integer warp beside {name}"))?;
+        let kernel = format!("poly_{}_pcg32", warp.kernel);
+        let unit = if warp.error.contains("ulp") {
+            " ulp"
+        } else {
+            ""
+        };
+        text += &rows(&[vec![
+            format!("`{name}`"),
+            sources.stated(name, warp.error, "`poly`")? + unit,
+            sources.nanoseconds("warps", &format!("poly::{}::draw", warp.bench))?,
+            grouped(sources.instructions("m4f", &kernel)?),
+            grouped(sources.instructions("m0", &kernel)?),
+            grouped(sources.instructions("m0", &format!("fine_{}_pcg32", integer.3))?),
+            grouped(sources.code_at_s("m4f", &kernel)?),
+        ]]);
+    }
+    Ok(text)
+}
+
+/// What a warp costs, for its documentation: one item a tier.
+fn cost(name: &str, sources: &Sources) -> Outcome<String> {
+    let (list, tiers, name): (&[Listed], &[&str], _) = match name.strip_prefix("fixed ") {
+        Some(name) => (GRADED_WARPS, &["fine", "coarse", "compact"], name),
+        None => (FLOAT_WARPS, &["poly", "libm"], name),
+    };
+    let kernels = list
+        .iter()
+        .find(|warp| warp.name == name)
+        .map(|w| w.kernels);
+    let kernel = kernels.and_then(|kernels| kernels.first());
+    let kernel = kernel.ok_or_else(|| format!("{name} has no cost kernel"))?;
+    let mut text = String::from("Instructions of a draw, PCG32 included, and bytes of flash:\n");
+    for tier in tiers {
+        let kernel = format!("{tier}_{kernel}_pcg32");
+        let on = |core| sources.instructions(core, &kernel).map(grouped);
+        let line = if tiers.contains(&"poly") {
+            let flash = grouped(sources.code_at_s("m4f", &kernel)?);
+            format!(
+                "{} on a Cortex-M4F ({flash} bytes), {} on a Cortex-M0, {} as WASM",
+                on("m4f")?,
+                on("m0")?,
+                on("wasm")?
+            )
+        } else {
+            let flash = grouped(sources.code_at_s("m0", &kernel)?);
+            format!(
+                "{} on a Cortex-M0 ({flash} bytes), {} on a Cortex-M3",
+                on("m0")?,
+                on("m3")?
+            )
+        };
+        text += &format!("- `{tier}`: {line}.\n");
+    }
+    Ok(text)
+}
+
 fn warps(sources: &Sources) -> Outcome<String> {
     let mut text = String::from(
         "| warp | error, `libm` | error, `poly` | ns, `libm` | ns, `poly` | ns filled, `poly` | Cortex-M4F, `poly` | Cortex-M0, `poly` | WASM, `poly` | flash on M4F |\n\
@@ -157,12 +236,12 @@ const CHAINS: &[Row] = &[
     ("`BoxStep`, in ℝ; wrapped", &["chains box_1", "chains box_wrapped_1"], &["chain_box_1", "chain_box_wrapped_1"]),
     ("`Mixture` of both, 9 : 1", &["chains box_and_uniform_1"], &["chain_box_and_uniform_1"]),
     ("`NormalStep`, 2 coordinates, `LogDensity`", &["chains normal_2"], &["chain_normal_2"]),
-    ("`LargeSmall` with `ExponentialStep`, 2 and 32 coordinates", &["chains large_and_exponential::2", "chains large_and_exponential::32"], &["chain_large_exponential_2", "chain_large_exponential_32"]),
+    ("`LargeSmall` with `LogUniformStep`, 2 and 32 coordinates", &["chains large_and_exponential::2", "chains large_and_exponential::32"], &["chain_large_exponential_2", "chain_large_exponential_32"]),
     ("`OneCoordinate` of 32", &["chains one_coordinate::32"], &["chain_one_coordinate_32"]),
     ("a Phong lobe driven through the unit square", &["chains lobe_driven"], &["chain_lobe"]),
     ("`Independence` of a `Cdf` of 64", &["chains independence_of_a_table_of_64"], &["chain_independence_cdf_64"]),
     ("`UniformIndex`", &["chains any_of_65536_indices"], &["chain_uniform_index"]),
-    ("`Health::push`, 16 and 64 lags, without a generator on the microcontrollers", &["chains health_push::16", "chains health_push::64"], &["health_push_16", "health_push_64"]),
+    ("`Autocorrelation::push`, 16 and 64 lags, without a generator on the microcontrollers", &["chains health_push::16", "chains health_push::64"], &["health_push_16", "health_push_64"]),
 ];
 
 /// Nanoseconds, and instructions on an M4F and an M0.

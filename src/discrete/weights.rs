@@ -1,0 +1,233 @@
+//! Weights as integers in one common unit, so that their sums are exact. All of it is `const`.
+//!
+//! `apportionment` divides the words of a table by these sums.
+
+use super::{MAX_ENTRIES, WEIGHT_BITS};
+use crate::error::Error;
+
+/// Bits of the sum of all weights: 128 bits then have room for a shift by 32.
+const SUM_BITS: u32 = 95;
+
+const _: () = assert!(
+    WEIGHT_BITS + MAX_ENTRIES.trailing_zeros() <= SUM_BITS,
+    "as many weights of so many bits overflow the sum"
+);
+
+/// Weights, one after the other, as integers in one unit.
+#[derive(Clone, Copy)]
+pub(crate) enum Weights<'a> {
+    Floats {
+        weights: &'a [f32],
+        unit: Unit,
+    },
+    Integers(&'a [u32]),
+    /// The sums of rows of so many columns.
+    Rows {
+        weights: &'a [f32],
+        columns: usize,
+        unit: Unit,
+    },
+    /// Sums of one unit.
+    Sums(&'a [u128]),
+}
+
+/// The unit in which weights are integers: how far the significand of the largest is shifted up.
+#[derive(Clone, Copy)]
+pub(crate) struct Unit {
+    /// The exponent field of the largest weight.
+    largest: u32,
+    shift: u32,
+}
+
+/// The exponent field and the significand of a weight, whose value is significand · 2^(field - 150).
+pub(crate) const fn decode(weight: f32) -> (u32, u32) {
+    let bits = weight.to_bits() & 0x7fff_ffff;
+    let (field, fraction) = (bits >> 23, bits & 0x007f_ffff);
+    if field == 0 {
+        (1, fraction)
+    } else {
+        (field, fraction | 0x0080_0000)
+    }
+}
+
+/// What a first pass over weights finds: whether all of them are valid, and the largest.
+pub(crate) struct Scan {
+    largest: u32,
+    positive: bool,
+    entries: usize,
+}
+
+impl Scan {
+    pub(crate) const fn new() -> Self {
+        Self {
+            largest: 0,
+            positive: false,
+            entries: 0,
+        }
+    }
+
+    /// Goes over more weights.
+    pub(crate) const fn over(mut self, weights: &[f32]) -> Result<Self, Error> {
+        let mut rest = weights;
+        while let Some((&weight, others)) = rest.split_first() {
+            if !weight.is_finite() {
+                return Err(Error::NotFiniteWeight(self.entries));
+            }
+            if weight < 0.0 {
+                return Err(Error::NegativeWeight(self.entries));
+            }
+            let (field, significand) = decode(weight);
+            if field > self.largest {
+                self.largest = field;
+            }
+            self.positive = self.positive || significand > 0;
+            rest = others;
+            self.entries = self.entries.wrapping_add(1);
+        }
+        Ok(self)
+    }
+
+    /// The unit of the weights: as fine as their number allows.
+    ///
+    /// The largest keeps all its bits, and so does every other unless it is smaller by more than 2^47 (among
+    /// 2²⁴ weights) to 2^71 (a single one). Smaller weights lose bits, but never their last.
+    pub(crate) const fn unit(&self) -> Result<Unit, Error> {
+        if let Err(error) = check_number(self.entries) {
+            return Err(error);
+        }
+        if !self.positive {
+            return Err(Error::AllZero);
+        }
+        let crowd = usize::BITS.wrapping_sub(self.entries.wrapping_sub(1).leading_zeros());
+        Ok(Unit {
+            largest: self.largest,
+            shift: SUM_BITS.wrapping_sub(24).wrapping_sub(crowd),
+        })
+    }
+}
+
+impl Unit {
+    const fn of(weights: &[f32]) -> Result<Self, Error> {
+        // First, so that no pass is longer than the largest table.
+        if let Err(error) = check_number(weights.len()) {
+            return Err(error);
+        }
+        match Scan::new().over(weights) {
+            Ok(scan) => scan.unit(),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The sum of some weights in this unit.
+    pub(crate) const fn sum(self, weights: &[f32]) -> u128 {
+        let mut sum = 0_u128;
+        let mut rest = weights;
+        while let Some((&weight, others)) = rest.split_first() {
+            sum = sum.wrapping_add(self.units(weight));
+            rest = others;
+        }
+        sum
+    }
+
+    /// A weight in this unit; a positive one is at least 1.
+    const fn units(self, weight: f32) -> u128 {
+        let (field, significand) = decode(weight);
+        if significand == 0 {
+            return 0;
+        }
+        let below = self.largest.wrapping_sub(field);
+        if below <= self.shift {
+            return (significand as u128).wrapping_shl(self.shift.wrapping_sub(below));
+        }
+        let kept = match significand.checked_shr(below.wrapping_sub(self.shift)) {
+            Some(kept) => kept,
+            None => 0,
+        };
+        if kept > 0 { kept as u128 } else { 1 }
+    }
+}
+
+/// Refuses a table without entries and one with too many.
+const fn check_number(entries: usize) -> Result<(), Error> {
+    if entries == 0 {
+        Err(Error::NoWeights)
+    } else if entries > MAX_ENTRIES {
+        Err(Error::TooManyWeights)
+    } else {
+        Ok(())
+    }
+}
+
+impl<'a> Weights<'a> {
+    pub(crate) const fn floats(weights: &'a [f32]) -> Result<Self, Error> {
+        match Unit::of(weights) {
+            Ok(unit) => Ok(Self::Floats { weights, unit }),
+            Err(error) => Err(error),
+        }
+    }
+
+    pub(crate) const fn integers(weights: &'a [u32]) -> Result<Self, Error> {
+        match check_number(weights.len()) {
+            Ok(()) => Ok(Self::Integers(weights)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The sums of the rows of a table of so many columns.
+    pub(crate) const fn rows(weights: &'a [f32], columns: usize) -> Result<Self, Error> {
+        if columns == 0 {
+            return Err(Error::NoWeights);
+        }
+        match Unit::of(weights) {
+            Ok(unit) => Ok(Self::Rows {
+                weights,
+                columns,
+                unit,
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The next weight; nothing after the last.
+    pub(crate) const fn next(&mut self) -> Option<u128> {
+        match self {
+            Self::Floats { weights, unit } => match weights.split_first() {
+                Some((&weight, rest)) => {
+                    *weights = rest;
+                    Some(unit.units(weight))
+                }
+                None => None,
+            },
+            Self::Integers(weights) => match weights.split_first() {
+                Some((&weight, rest)) => {
+                    *weights = rest;
+                    Some(weight as u128)
+                }
+                None => None,
+            },
+            Self::Rows {
+                weights,
+                columns,
+                unit,
+            } => {
+                if weights.is_empty() {
+                    return None;
+                }
+                // A last row that is too short ends with the weights.
+                let (row, rest) = match weights.split_at_checked(*columns) {
+                    Some(halves) => halves,
+                    None => (*weights, [].as_slice()),
+                };
+                *weights = rest;
+                Some(unit.sum(row))
+            }
+            Self::Sums(sums) => match sums.split_first() {
+                Some((&sum, rest)) => {
+                    *sums = rest;
+                    Some(sum)
+                }
+                None => None,
+            },
+        }
+    }
+}

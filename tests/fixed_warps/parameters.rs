@@ -1,0 +1,192 @@
+//! Warps give back the parameters they were built with, and a rate builds the warp of the mean nearest to its reciprocal.
+
+use fixed::types::extra::{LeEqU32, U0, U16, U31, U32};
+use fixed::types::{I16F16, U0F32, U2F62, U16F16, U32F32};
+use fixed::{FixedI32, FixedU32};
+use microwarp::fixed::Fine;
+use microwarp::fixed::warp::{
+    Cone, Exponential, Interval, NormalPair, PhongLobe, Tent, TriangleOn, TruncatedExponential,
+};
+use microwarp::{Error, fixed as mw};
+use rand_core::{Rng, SeedableRng};
+use rand_pcg::Pcg32;
+
+/// Rates of all magnitudes.
+fn rates() -> impl Iterator<Item = u64> {
+    let mut rng = Pcg32::seed_from_u64(15);
+    let random = (0..100_000).map(move |_| rng.next_u64() >> (rng.next_u32() & 63));
+    let edges = (0..64).flat_map(|bit| [(1_u64 << bit) - 1, 1 << bit, (1 << bit) + 1]);
+    random.chain(edges).chain([u64::MAX])
+}
+
+/// The steps of the mean nearest to 1/rate, halves upwards, or why there is no such mean.
+fn nearest_mean(rate: u64, fraction: u32) -> Result<u32, Error> {
+    if rate == 0 {
+        return Err(Error::NotPositive);
+    }
+    let wide = u128::from(rate);
+    let steps = ((1_u128 << (32 + fraction)) + wide / 2) / wide;
+    // Half a rate that is odd is cut, but then no quotient lies half way.
+    match u32::try_from(steps) {
+        _ if rate > 1 << 63 => Err(Error::Empty),
+        Ok(0) => Err(Error::Empty),
+        Ok(steps) => Ok(steps),
+        Err(_) => Err(Error::TooLarge),
+    }
+}
+
+fn is_the_law_of_its_mean<Frac: LeEqU32 + core::fmt::Debug + PartialEq>() {
+    let [mut built, mut refused] = [0; 2];
+    for rate in rates() {
+        let due = nearest_mean(rate, Frac::U32).map(FixedU32::<Frac>::from_bits);
+        let rate = U32F32::from_bits(rate);
+        let warp = Exponential::<Frac, Fine>::from_rate(rate);
+        assert_eq!(warp, due.and_then(Exponential::from_mean), "{rate}");
+        let length = FixedU32::from_bits(1000);
+        let truncated = TruncatedExponential::<Frac, Fine>::from_rate(rate, length);
+        let of_mean = due.and_then(|mean| TruncatedExponential::from_mean(mean, length));
+        assert_eq!(truncated, of_mean, "{rate}");
+        match truncated {
+            Ok(truncated) => {
+                assert_eq!(truncated.mean(), due.unwrap());
+                assert_eq!(truncated.length(), length);
+                built += 1;
+            }
+            Err(_) => refused += 1,
+        }
+    }
+    println!(
+        "{} fraction bits: {built} rates, {refused} refused",
+        Frac::U32
+    );
+    assert!(built > 10_000 && refused > 10_000);
+}
+
+#[test]
+fn a_rate_is_the_mean_nearest_to_its_reciprocal() {
+    is_the_law_of_its_mean::<U0>();
+    is_the_law_of_its_mean::<U16>();
+    is_the_law_of_its_mean::<U31>();
+    is_the_law_of_its_mean::<U32>();
+    // A mean that is cut and not rounded is seen.
+    let cut = U16F16::from_bits(((1_u64 << 48) / 0x1_8000_0000) as u32);
+    let rounded = Exponential::<U16, Fine>::from_rate(U32F32::from_num(1.5)).unwrap();
+    assert_ne!(rounded.mean(), cut);
+}
+
+#[test]
+fn a_rate_without_a_mean_in_the_format_is_refused_by_name() {
+    type Delay = Exponential<U16, Fine>;
+    let of = |rate: f64| Delay::from_rate(U32F32::from_num(rate)).err();
+    assert_eq!(of(0.0), Some(Error::NotPositive));
+    assert_eq!(of(131_072.0), None);
+    assert_eq!(of(131_073.0), Some(Error::Empty));
+    assert_eq!(of(4e9), Some(Error::Empty));
+    // A mean of 2953.4 is the longest of which 22.19 fit.
+    assert_eq!(of(1.0 / 2953.0), None);
+    assert_eq!(of(1.0 / 2954.0), Some(Error::TooLarge));
+    type Path = TruncatedExponential<U16, Fine>;
+    let length = U16F16::ONE;
+    let of = |rate: f64, length| Path::from_rate(U32F32::from_num(rate), length).err();
+    assert_eq!(of(0.0, length), Some(Error::NotPositive));
+    assert_eq!(of(1.0, U16F16::ZERO), Some(Error::NotPositive));
+    assert_eq!(of(1.0 / 65_535.0, length), None);
+    assert_eq!(of(1.0 / 65_537.0, length), Some(Error::TooLarge));
+    assert_eq!(of(131_073.0, length), Some(Error::Empty));
+    const CHECKED: Result<Delay, Error> = Delay::from_rate(U32F32::lit("0.05"));
+    assert_eq!(CHECKED.unwrap().mean(), 20);
+}
+
+#[test]
+fn the_rate_is_the_nearest_to_the_reciprocal_of_the_mean() {
+    for bits in [
+        1_u32,
+        2,
+        3,
+        5,
+        1000,
+        0xffff,
+        0x1_0000,
+        0x1_0001,
+        193_554_181,
+    ] {
+        let mean = U16F16::from_bits(bits);
+        let rate = Exponential::<U16, Fine>::from_mean(mean).unwrap().rate();
+        let off = rate.to_num::<f64>() - 65_536.0 / f64::from(bits);
+        assert!(
+            off.abs() <= 0.5 / 4_294_967_296.0 * (1.0 + 1e-6),
+            "{bits}: {off:e}"
+        );
+        let truncated = TruncatedExponential::<U16, Fine>::from_mean(mean, U16F16::ONE);
+        assert_eq!(truncated.unwrap().rate(), rate);
+    }
+    // 2³², which no density is.
+    let shortest = Exponential::<U32, Fine>::from_mean(U0F32::DELTA).unwrap();
+    assert_eq!(shortest.rate(), U32F32::MAX);
+}
+
+#[test]
+fn parameters_come_back_as_they_were_given() {
+    let mut rng = Pcg32::seed_from_u64(16);
+    for _ in 0..10_000 {
+        let word = rng.next_u32();
+        let [a, b, c] = [(); 3].map(|()| I16F16::from_bits(rng.next_u32() as i32 >> 8));
+        if let Ok(noise) = NormalPair::<_, Fine>::new([a, b], c.abs()) {
+            assert_eq!((noise.mean(), noise.std_dev()), ([a, b], c.abs()));
+        }
+        if let Ok(tent) = Tent::<_, Fine>::new(c.abs()) {
+            assert_eq!(tent.radius(), c.abs());
+        }
+        let vertices = [[a, b, c], [c, c, a], [b, a, a]];
+        if let Ok(facet) = TriangleOn::<_, 3, Fine>::new(vertices) {
+            assert_eq!(facet.vertices(), vertices);
+        }
+        let mean = U16F16::from_bits(word >> 5 | 1);
+        let waiting = Exponential::<_, Fine>::from_mean(mean).unwrap();
+        assert_eq!(waiting.mean(), mean);
+        // Exponents and cones keep as many digits as they say.
+        let n = U32F32::from_bits(u64::from(word) << (word & 15));
+        assert_eq!(PhongLobe::<Fine>::new(n).unwrap().exponent(), n);
+        let k = U2F62::from_bits(u64::from(word >> 1 | 1 << 30) << (word & 31));
+        assert_eq!(
+            Cone::<Fine>::from_one_minus_cos(k).unwrap().one_minus_cos(),
+            k
+        );
+    }
+    for k in [1 << 29, (1 << 63) - (1 << 33), 1 << 63] {
+        let k = U2F62::from_bits(k);
+        assert_eq!(
+            Cone::<Fine>::from_one_minus_cos(k).unwrap().one_minus_cos(),
+            k
+        );
+    }
+    assert_eq!(PhongLobe::<Fine>::new(U32F32::ZERO).unwrap().exponent(), 0);
+    assert_eq!(*mw::Float::new(mw::Disk::new()).warp(), mw::Disk::new());
+}
+
+#[test]
+fn an_interval_says_its_lowest_and_its_last_value() {
+    fn holds<T: mw::Number + PartialEq + core::fmt::Debug>(of: [T; 2], due: [T; 2]) {
+        assert_eq!(of, due);
+    }
+    let of = |low: i32, high: i32| Interval::<i32>::new(low, high).unwrap();
+    for (low, high) in [
+        (-3, 5),
+        (i32::MIN, i32::MAX),
+        (0, 1),
+        (i32::MIN, 0),
+        (-1, 0),
+    ] {
+        let interval = of(low, high);
+        holds([interval.low(), interval.last()], [low, high - 1]);
+    }
+    let all = Interval::<u32>::inclusive(0, u32::MAX).unwrap();
+    holds([all.low(), all.last()], [0, u32::MAX]);
+    let [low, last] = [-3, 5].map(FixedI32::<U16>::from_num);
+    let numbers = Interval::<I16F16>::inclusive(low, last).unwrap();
+    holds([numbers.low(), numbers.last()], [low, last]);
+    let [low, high] = [3, 5].map(U16F16::from_num);
+    let below = high - U16F16::DELTA;
+    let numbers = Interval::<U16F16>::new(low, high).unwrap();
+    holds([numbers.low(), numbers.last()], [low, below]);
+}
