@@ -12,7 +12,7 @@ pub const MAX_STRATA: u32 = 1 << 23;
 ///
 /// Uniforms for a warp: the points of all strata cover [0, 1) more evenly than independent ones.
 ///
-#[doc = include_str!("../pictures/strata1d.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/strata1d.html"))]
 ///
 /// # Domain
 /// - Stratum `i` covers [i/n, (i+1)/n).
@@ -105,7 +105,7 @@ fn remainder(i: u32, count: u32) -> u32 {
 
 /// Jittered sampling of [0, 1)²: `columns` × `rows` strata of equal area, each with one point at random.
 ///
-#[doc = include_str!("../pictures/strata2d.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/strata2d.html"))]
 ///
 /// # Domain
 /// - Stratum (i, j) covers [i/n, (i+1)/n) × [j/m, (j+1)/m).

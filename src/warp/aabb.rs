@@ -7,7 +7,7 @@ use crate::uniform::Canonical;
 
 /// Uniform in an axis-aligned box of any dimension, such as the bounding box of a region.
 ///
-#[doc = include_str!("../pictures/aabb.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/aabb.html"))]
 ///
 /// # Density
 /// The product of 1/(bᵢ − aᵢ), on the closed box.

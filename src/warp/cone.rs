@@ -20,7 +20,7 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// one. Where q leaves the range of `f32`, the roots of its factors are multiplied instead, so that sin θ is 0 at
 /// u₁ = 0 alone.
 ///
-#[doc = include_str!("../pictures/cone.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/cone.html"))]
 ///
 /// # Density
 /// 1/(2πk) per steradian inside the cone, and a few ulp beyond its rim; 0 elsewhere.

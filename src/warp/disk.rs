@@ -16,7 +16,7 @@ const RIM: f32 = LARGEST;
 ///
 /// r = √u₁, θ = u₂ turns.
 ///
-#[doc = include_str!("../pictures/disk.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/disk.html"))]
 ///
 /// # Density
 /// 1/π per unit area where x² + y² ≤ 1, else 0.
@@ -117,7 +117,7 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// neighbours and strata stay compact, unlike with the polar map. With a = 2u₁ − 1 and b = 2u₂ − 1, the larger in
 /// magnitude is the radius, and their quotient is the angle within its wedge.
 ///
-#[doc = include_str!("../pictures/disk_concentric.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/disk_concentric.html"))]
 ///
 /// # Density
 /// 1/π per unit area where x² + y² ≤ 1, else 0.

@@ -30,7 +30,7 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 ///
 /// x = −ln(1 − u)/a.
 ///
-#[doc = include_str!("../pictures/exponential.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/exponential.html"))]
 ///
 /// # Density
 /// a e^(−ax) for x ≥ 0, else 0.
@@ -171,7 +171,7 @@ impl<T: Tier> Invert for Exponential<T> {
 /// full-resolution uniforms, which is what [`Warp::draw`] takes here (45.06/a where all 64 bits are 0). An explicit
 /// u = 0 counts as 2⁻¹⁴⁹ and gives 103.28/a.
 ///
-#[doc = include_str!("../pictures/exponential_tail.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/exponential_tail.html"))]
 ///
 /// # Density
 /// a e^(−ax) for x ≥ 0, else 0.

@@ -104,7 +104,7 @@ impl Frame {
 
 /// A warp over directions, turned from +z onto a given normal.
 ///
-#[doc = include_str!("../pictures/oriented.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/oriented.html"))]
 ///
 /// # Density
 /// That of the warp inside: a rotation changes no solid angle.

@@ -14,7 +14,7 @@ use core::marker::PhantomData;
 ///
 /// z = u₁, sin θ = √(2d − d²) with d = 1 − u₁, φ = u₂ turns.
 ///
-#[doc = include_str!("../pictures/hemisphere.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/hemisphere.html"))]
 ///
 /// # Density
 /// 1/(2π) per steradian where z ≥ 0, else 0.
@@ -113,7 +113,7 @@ impl<T: Tier> Invert for Hemisphere<T> {
 ///
 /// sin θ = √u₁, cos θ = √(1 − u₁), φ = u₂ turns.
 ///
-#[doc = include_str!("../pictures/cosine_hemisphere.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/cosine_hemisphere.html"))]
 ///
 /// # Density
 /// cos θ/π per steradian where z > 0, else 0. Never 0 at a sample, whose z is at least 2⁻¹².
@@ -223,7 +223,7 @@ impl<T: Tier> Invert for CosineHemisphere<T> {
 /// A point of the concentric disk, lifted onto the hemisphere. Strata stay compact, as with
 /// [`DiskConcentric`](super::DiskConcentric). 1 − r² is formed from the uniforms, where it does not cancel.
 ///
-#[doc = include_str!("../pictures/malley_hemisphere.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/malley_hemisphere.html"))]
 ///
 /// # Density
 /// cos θ/π per steradian where z > 0, else 0. Never 0 at a sample.

@@ -17,7 +17,7 @@ use core::marker::PhantomData;
 /// g)/c)²((1 − h) + hw); for g < 0 the two sums change places. Nothing is divided by g and both poles keep their
 /// digits, so that neither g = 1e-30 nor g = 1 − 2⁻²⁴ is a special case.
 ///
-#[doc = include_str!("../pictures/henyey_greenstein.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/henyey_greenstein.html"))]
 ///
 /// # Density
 /// (1 − g²)/(4πS³) per steradian for any finite direction, where S = √(1 + g² − 2g cos θ) is the distance from the

@@ -12,7 +12,7 @@ use crate::uniform::Canonical;
 /// = 0 down to, never reaching, `a`. Neither ever turns back, whatever the bounds. Where `f32` has fewer points
 /// than there are uniforms, each point has its share of them, to within three.
 ///
-#[doc = include_str!("../pictures/interval.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/interval.html"))]
 ///
 /// # Density
 /// 1/(b − a) on [a, b], else 0.

@@ -6,7 +6,7 @@ use crate::uniform::Canonical;
 
 /// Any density on the line, from its inverse CDF, the density itself and its CDF.
 ///
-#[doc = include_str!("../pictures/inversion.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/inversion.html"))]
 ///
 /// # Density
 /// That of the function given. The three functions must belong together. What they return is passed on as it is,

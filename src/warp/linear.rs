@@ -13,7 +13,7 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 /// x = u(a + b)/(a + √((1 − u)a² + ub²)), which stays accurate where a and b are nearly equal, followed by one step
 /// of Newton's method in higher precision. Samples increase with the uniform, whatever the densities.
 ///
-#[doc = include_str!("../pictures/linear.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/linear.html"))]
 ///
 /// # Density
 /// 2((1 − x)a + xb)/(a + b) on [0, 1], else 0.

@@ -7,7 +7,7 @@ use rand_core::TryRng;
 
 /// A density in the plane: x from its marginal, then y from the conditional of that x.
 ///
-#[doc = include_str!("../pictures/marginal_conditional.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/marginal_conditional.html"))]
 ///
 /// # Density
 /// p(x) p(y | x). Where the marginal is 0, as in an empty row, the density is 0 and the conditional is not called.

@@ -21,7 +21,7 @@ const REACH: f32 = 14.5;
 ///
 /// x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata.
 ///
-#[doc = include_str!("../pictures/normal.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/normal.html"))]
 ///
 /// # Density
 /// e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
@@ -223,7 +223,7 @@ impl<T: Tier> Invert for Normal<T> {
 ///
 /// Radius σ√(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the mean point, cheaper than two quantiles.
 ///
-#[doc = include_str!("../pictures/normal_pair.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/normal_pair.html"))]
 ///
 /// # Density
 /// e^(−r²/2σ²)/(2πσ²) per unit area, at least 2⁻¹⁴⁹ for every finite point.

@@ -15,7 +15,7 @@ use core::marker::PhantomData;
 /// 1e8 does not collapse onto its axis. Where that leaves the range of `f32`, sin θ = √(2 ln(1/(1 − u₁)))/√(n + 1),
 /// so that sin θ is 0 at u₁ = 0 alone, up to the largest n. n = 0 is the uniform hemisphere, n = 1 the cosine one.
 ///
-#[doc = include_str!("../pictures/phong_lobe.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/phong_lobe.html"))]
 ///
 /// # Density
 /// (n + 1)/(2π) cosⁿθ per steradian where z > 0, else 0. Never 0 at a sample. Where z > ½, cos θ is read from all

@@ -16,7 +16,7 @@ use core::marker::PhantomData;
 /// cancel. [`Power::new`] runs from a at u = 0 to b, [`Power::decreasing`] from b to a. A sample never steps back
 /// from one uniform of the grid to the next.
 ///
-#[doc = include_str!("../pictures/power.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/power.html"))]
 ///
 /// # Density
 /// m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b]; else 0.

@@ -8,7 +8,7 @@ use crate::uniform::{Canonical, SMALLEST};
 ///
 /// The power law of exponent n = N − 1, without a logarithm or a root in the sample. The loop is bounded by N.
 ///
-#[doc = include_str!("../pictures/power_max.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/power_max.html"))]
 ///
 /// # Density
 /// N x^(N−1) on [0, 1], else 0.

@@ -12,7 +12,7 @@ use core::marker::PhantomData;
 ///
 /// z = 1 − 2u₁, sin θ = 2√(u₁(1 − u₁)), φ = u₂ turns.
 ///
-#[doc = include_str!("../pictures/sphere.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 ///
 /// # Density
 /// 1/(4π) per steradian, for any finite direction.

@@ -166,7 +166,7 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 /// cos θ is uniform between its two ends, and φ is uniform. The code works with 1 − cos θ and 1 + cos θ, so that
 /// neither pole cancels.
 ///
-#[doc = include_str!("../pictures/spherical_patch.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/spherical_patch.html"))]
 ///
 /// # Density
 /// 1/Ω per steradian inside, with Ω = (cos θ₀ − cos θ₁)(φ₁ − φ₀)·2π; else 0. A direction counts as inside up to the

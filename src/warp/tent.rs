@@ -11,7 +11,7 @@ use crate::uniform::Canonical;
 /// With t = 2u below the middle and t = 2(1 − u) above, x = ∓r(1 − t)/(1 + √t), which is ∓r(1 − √t) without its
 /// cancellation at the centre. Samples increase with the uniform, whatever the radius.
 ///
-#[doc = include_str!("../pictures/tent.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/tent.html"))]
 ///
 /// # Density
 /// (1 − |x|/r)/r where |x| < r, else 0.

@@ -7,7 +7,7 @@ use rand_core::TryRng;
 
 /// A change of variables: a warp followed by a one-to-one map y = f(x), with the density p(x)/|J(x)|.
 ///
-#[doc = include_str!("../pictures/transform.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/transform.html"))]
 ///
 /// # Density
 /// That of the warp inside at x = f⁻¹(y), over |J(x)|, the factor by which the map stretches length, area or solid

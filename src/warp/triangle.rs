@@ -9,7 +9,7 @@ use crate::uniform::Canonical;
 ///
 /// u = 1 − √U₁, v = √U₁ U₂, w = √U₁ (1 − U₂), with u in the form (1 − U₁)/(1 + √U₁), which keeps its digits near 0.
 ///
-#[doc = include_str!("../pictures/triangle.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/triangle.html"))]
 ///
 /// # Density
 /// 2 with respect to (u, v), where none of the three is negative and their sum is 1 to rounding; else 0.

@@ -12,7 +12,7 @@ use crate::uniform::Canonical;
 /// beside their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each
 /// point of a small triangle far off has its share, to the rounding of its own cell.
 ///
-#[doc = include_str!("../pictures/triangle_on.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/triangle_on.html"))]
 ///
 /// # Density
 /// 1/area per unit area on the triangle, and 0 farther outside it than the rounding of its points.

@@ -21,7 +21,7 @@ const LIFT: f32 = 1_267_650_600_228_229_401_496_703_205_376.0;
 /// With z = cX: x = −ln(1 + u(e^(−z) − 1))/c, in a form chosen by z so that neither a small nor a large product
 /// cancels or overflows. A rate of 0 is the uniform distribution, a negative rate a rising density.
 ///
-#[doc = include_str!("../pictures/truncated_exponential.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/truncated_exponential.html"))]
 ///
 /// # Density
 /// c e^(−cx)/(1 − e^(−z)) on [0, X], else 0.
