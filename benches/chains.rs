@@ -1,7 +1,7 @@
-//! Nanoseconds on the host: a step of a chain, by mutation and by the number of coordinates.
+//! Host time in nanoseconds per step of a chain, by mutation and number of coordinates.
 //!
-//! `cargo bench --bench chains`. Each figure is for 1,024 steps with PCG32, target included, which is a few
-//! multiplications unless said otherwise; compare figures of one run only.
+//! `cargo bench --bench chains`. Each figure is for 1,024 steps with PCG32 and the target, which takes a few
+//! multiplications unless stated otherwise. Compare figures of one run only.
 
 use divan::{Bencher, black_box};
 use microwarp::discrete::Cdf;
@@ -14,7 +14,7 @@ fn main() {
     divan::main();
 }
 
-/// Steps a chain.
+/// Times the steps of a chain.
 fn steps<X: Copy, D: TargetDensity, M: Mutation<X>>(
     bencher: Bencher,
     start: X,

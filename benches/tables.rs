@@ -1,7 +1,7 @@
-//! Nanoseconds on the host: selections, tries and estimators beside the generator alone.
+//! Host time in nanoseconds of selections, tries and estimators, next to the generator alone.
 //!
 //! `cargo bench --bench tables`. Each figure is for 1,024 of them with PCG32; compare figures of one run
-//! only. How long tables take to build is at the end, an entry being the item.
+//! only. The times to build tables, per entry, come last.
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
@@ -148,7 +148,7 @@ fn power(bencher: Bencher) {
     });
 }
 
-/// Nanoseconds an entry.
+/// Nanoseconds per entry.
 #[divan::bench(args = [64, 65_536])]
 fn building_cdf_u32(bencher: Bencher, n: usize) {
     let (weights, mut memory) = (weights(n), vec![0; n]);
@@ -157,7 +157,7 @@ fn building_cdf_u32(bencher: Bencher, n: usize) {
     });
 }
 
-/// Nanoseconds an entry.
+/// Nanoseconds per entry.
 #[divan::bench(args = [64, 65_536])]
 fn building_alias_u32(bencher: Bencher, n: usize) {
     let (weights, mut memory) = (weights(n), vec![AliasEntry::<u32>::EMPTY; n]);

@@ -1,4 +1,4 @@
-//! Nanoseconds a point on the host: every warp in both tiers beside the generator alone.
+//! Host time in nanoseconds per point of every warp in both tiers, next to the generator alone.
 //!
 //! `cargo bench --bench warps`. Each figure is for 1,024 points with PCG32, drawn one by one or filled, so that calls
 //! and clocks do not show; compare figures of one run only.
@@ -35,7 +35,7 @@ fn fill<W: Warp>(bencher: Bencher, warp: &W) {
     repeat(bencher, warp, |warp, rng, points| warp.fill(rng, points));
 }
 
-/// The floor: two words of the generator as uniforms, and nothing made of them.
+/// The floor: two words of the generator as uniforms, not used any further.
 #[divan::bench]
 fn a_floor_of_two_uniforms(bencher: Bencher) {
     let mut rng = Pcg32::new(1, 1);
@@ -62,7 +62,7 @@ impl Display for Timed {
     }
 }
 
-/// A parameter that was accepted.
+/// Unwraps an accepted parameter.
 const fn ok<W: Copy>(warp: Result<W, Error>) -> W {
     match warp {
         Ok(warp) => warp,
@@ -70,7 +70,7 @@ const fn ok<W: Copy>(warp: Result<W, Error>) -> W {
     }
 }
 
-/// A warp whose constructor is no `const fn`.
+/// A warp whose constructor is not a `const fn`.
 fn stored<W>(make: impl FnOnce() -> Result<W, Error>) -> W {
     make().unwrap()
 }

@@ -1,14 +1,23 @@
-//! Estimators: what a run of samples says about a mean, a variance or an integral, and how surely.
+//! Estimators: means, variances and integrals from samples, with their errors.
 //!
-//! Here live the running estimators, in fixed memory and mergeable, and the weights that combine sampling
-//! techniques. Nothing here draws a sample or knows a warp: values and densities are handed in.
+//! The estimators run in fixed memory and can be merged. They draw no samples themselves: you pass in values and
+//! densities.
+//!
+//! | you have | take |
+//! |---|---|
+//! | plain samples | [`Moments`]: mean, variance, standard error |
+//! | samples of a known density, and an integrand | [`Integral`]: estimate, standard error, bounds |
+//! | weighted samples, or a density known up to a factor | [`WeightedMean`]: mean, standard error |
+//! | two densities that sample one integrand | [`balance_heuristic`] or [`power_heuristic`] |
+//! | the states of a chain | [`Autocorrelation`](crate::metropolis::Autocorrelation), since they depend on each other |
 //!
 //! # Promises
-//! - After 10⁸ samples the figures are as good as after ten: sums are carried in two floats, about a centre
-//!   that follows the mean, on a scale that follows the largest sample.
-//! - A sample that is no number is refused and counted, and leaves no trace otherwise.
-//! - What is not known is [`None`] (a mean of nothing, a variance of one sample); what does not fit `f32`
-//!   is its largest finite value. No result is infinite or NaN.
+//!
+//! - Results are as accurate after 10⁸ samples as after ten: sums are held in two floats, about a centre that follows
+//!   the mean, on a scale that follows the largest sample.
+//! - A sample that is NaN or infinite is refused and counted, and changes nothing else.
+//! - An unknown result, such as the variance of one sample, is [`None`]. A result beyond `f32` is its largest finite
+//!   value. No result is infinite or NaN.
 
 mod heuristic;
 mod integral;

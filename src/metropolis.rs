@@ -1,51 +1,73 @@
-//! Metropolis sampling: a Markov chain whose states have a density that is known up to a factor only.
+//! Metropolis sampling (MCMC): Markov chains whose states have a density that is known only up to a factor.
 //!
-//! Here live the [`Chain`], a plain value of fixed size, and one [`Transition`] of it; what is proposed
-//! ([`Mutation`] and those that are ready made), how a chain is started, and how its health is read. What
-//! one does with the states is not the chain's business: the tallies of [`estimate`](crate::estimate) are at
-//! hand.
+//! Write the target as a function of the state, choose a mutation, and call [`Chain::step`] in a loop. Every step
+//! returns a [`Transition`]; the estimators of [`estimate`](crate::estimate) take what you record of it.
+//!
+//! # Which mutation?
+//!
+//! | the states are | take |
+//! |---|---|
+//! | points of ℝᴰ | [`NormalStep`] or [`BoxStep`], about as wide as the target |
+//! | points of ℝᴰ, on an unknown scale | [`LogUniformStep`] |
+//! | points of ℝᴰ, many coordinates | [`OneCoordinate`] of such a step |
+//! | uniforms of a warp, or another unit cube | [`Mixture::large_small`] with a [`WrappedWalk`] of such a step |
+//! | indices | [`UniformIndex`], or [`Independence`] of a table close to the target |
+//! | anything for which a good sampler exists | [`Independence`] of that warp or table |
+//! | anything else | your own [`Mutation`] |
+//!
+//! Where one mutation gets stuck, such as a small step between distant peaks, a [`Mixture`] adds another.
+//!
+//! # All mutations
+//!
+//! T(x→x′) is the density with which a chain at x proposes x′. A step takes the words of its mutation, and then one
+//! word that decides.
 //!
 //! | mutation | states | proposes | T(x′→x)/T(x→x′) | words (`u32`) |
 //! |---|---|---|---|---|
-//! | [`UniformStep`] | unit cube | a new point of the cube | 1 | one a coordinate |
+//! | [`BoxStep`] | ℝᴰ | x plus a uniform step in a box | 1 | one per coordinate |
+//! | [`NormalStep`] | ℝᴰ | x plus a normal step | 1 | one per coordinate |
+//! | [`LogUniformStep`] | ℝᴰ | x plus a step of log-uniform size | 1 | one per coordinate |
+//! | [`RandomWalk`] | ℝᴰ | x plus a step of your own [`StepLaw`] | 1 | one per coordinate |
+//! | [`WrappedWalk`] | unit cube | the same steps, modulo 1 | 1 | one per coordinate |
+//! | [`UniformStep`] | unit cube | a uniform point of the cube | 1 | one per coordinate |
 //! | [`UniformIndex`] | indices | any index | 1 | 2 |
-//! | [`Independence`] | any | a draw of a warp or a table | p(x)/p(x′), of a table as two counts | those of the draw |
-//! | [`TransitionTable`] | indices | a draw of the table of x | of two pmfs, as counts | those of the draw |
-//! | [`BoxStep`] | ℝᴰ | x + a step, uniform in a box | 1 | one a coordinate |
-//! | [`NormalStep`] | ℝᴰ | x + a normal step | 1 | one a coordinate |
-//! | [`LogUniformStep`] | ℝᴰ | x + a step of any size within bounds, on a logarithmic scale | 1 | one a coordinate |
-//! | [`RandomWalk`] | ℝᴰ | x + a step of a law of one's own | 1 | one a coordinate |
-//! | [`WrappedWalk`] | unit cube | the same steps, modulo 1 | 1 | those of the step |
-//! | [`Subset`] | ℝᴰ, unit cube | changes of some coordinates | that of the change | those of the change |
-//! | [`OneCoordinate`] | ℝᴰ, unit cube | a change of one coordinate, picked at random | that of the change | 1, and those of the change |
-//! | [`Mixture`] | any | what one of several mutations does, picked by weight | that of the one picked | 1, and those of the one picked |
+//! | [`TransitionTable`] | indices | a draw from the table of x | of two pmfs, as counts | those of the draw |
+//! | [`Independence`] | any | a draw from a warp or a table | p(x)/p(x′), for a table as counts | those of the draw |
+//! | [`Subset`] | ℝᴰ, unit cube | a change of some coordinates | that of the change | those of the change |
+//! | [`OneCoordinate`] | ℝᴰ, unit cube | a change of one random coordinate | that of the change | 1, and those of the change |
+//! | [`Mixture`] | any | what one of several mutations proposes | that of the one picked | 1, and those of the one picked |
 //!
-//! A step takes the words of its mutation and then one, which decides, whatever comes of it.
+//! # What a correct chain needs
 //!
-//! # What a right chain needs
 //! - *Detailed balance*, f(x) T(x→x′) a(x→x′) = f(x′) T(x′→x) a(x′→x), makes f stationary. The acceptance
-//!   a = min(1, f(x′)T(x′→x)/(f(x)T(x→x′))) has it, for every mutation that states its ratio truly.
-//! - *Irreducibility*: every state of positive density can be reached from every other. A small step alone
-//!   crosses a gap of density 0 wider than itself never, and a deep valley rarely. A [`Mixture`] with some
-//!   [`UniformStep`] or [`Independence`] proposals does.
-//! - *Aperiodicity*: a rejection now and then, or a step that may stay, is enough.
+//!   a = min(1, f(x′)T(x′→x)/(f(x)T(x→x′))) has it, as long as the mutation states its ratio correctly.
+//! - *Irreducibility*: the chain can get from every state of positive density to every other. A small step alone never
+//!   crosses a gap of density 0 wider than itself, and rarely a deep valley. A [`Mixture`] with some [`UniformStep`]
+//!   or [`Independence`] proposals crosses both.
+//! - *Aperiodicity*: an occasional rejection, or a step that may stay, is enough.
 //!
 //! # Integer weights
+//!
 //! A target may return a `u32` instead of a density. The acceptance is then a [`Chance`], an exact number of the
-//! 2³² words that decide, [`Transition::recorded`] gives integers that sum to 2³², and nothing in a step is a
-//! floating-point operation: not with [`UniformIndex`], not with [`Independence`] of a table and
-//! [`TransitionTable`], which state [`HastingsCounts`], nor with a [`Mixture`] of them (by [`Mixture::from_table`]). A
-//! chain starts by [`Chain::new`] or [`Chain::search`]; [`Chain::resample`] and
-//! [`Chain::acceptance_rate`] are for floats.
+//! 2³² words that decide, and [`Transition::recorded`] gives integers that sum to 2³². No floating-point operation
+//! takes place in a step of [`UniformIndex`], of [`Independence`] of a table, of [`TransitionTable`], or of a
+//! [`Mixture`] of them (by [`Mixture::from_table`]). Start such a chain with [`Chain::new`] or [`Chain::search`];
+//! [`Chain::resample`] and [`Chain::acceptance_rate`] compute with floats.
 //!
 //! # Primary sample space
-//! A chain in the unit cube drives any warp: its state is the warp's uniforms, its density f/p at the point.
-//! See [`primary_density`].
+//!
+//! A chain in the unit cube can drive any warp: its state is the warp's uniforms, and its density is f/p at the
+//! point. See [`primary_density`].
 //!
 //! # Start-up bias
-//! A chain that does not start with the density f needs time to forget its start. Either wait
-//! ([`Chain::burn_in`]), or let another sampler start it, with a weight that removes the bias from the first
-//! step on ([`Start`]).
+//!
+//! A chain that does not start with the density f needs time to forget its start. Either wait ([`Chain::burn_in`]), or
+//! let another sampler start it, with a weight that removes the bias from the first step on ([`Chain::resample`]).
+//!
+//! # Has it converged?
+//!
+//! [`Autocorrelation`] tells how many steps are worth one independent sample. [`split_r_hat()`] compares several runs.
+//! Neither notices a peak that no run has visited.
 
 mod autocorrelation;
 mod chain;

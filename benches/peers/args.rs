@@ -1,4 +1,4 @@
-//! The command line: what may be asked for, and what is said to those who ask wrongly.
+//! The command line: its options and its error messages.
 
 use lexopt::Error;
 use lexopt::prelude::*;
@@ -37,7 +37,7 @@ impl Args {
     }
 }
 
-/// What the command line asks for; `None` for help.
+/// The parsed command line; `None` for help.
 pub fn parse() -> Result<Option<Args>, Error> {
     let mut args = Args {
         only: Vec::new(),

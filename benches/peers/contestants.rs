@@ -1,4 +1,4 @@
-//! What contestants are called in all contests.
+//! The names of contestants, the same in all contests.
 
 /// The words that the map of the family takes, and nothing made of them.
 pub const FLOOR: &str = "generator alone";

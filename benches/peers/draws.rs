@@ -38,7 +38,7 @@ macro_rules! tiers {
     };
 }
 
-/// Admits a warp of the integer tier, likewise, in its three grades.
+/// Admits a warp of the integer tier, in its three grades.
 macro_rules! grades {
     ($contest:expr, $warp:expr) => {
         $contest
@@ -57,7 +57,7 @@ macro_rules! grades {
     };
 }
 
-/// A word of the generator, stored where a number would be, and nothing made of it.
+/// A word of the generator, stored where a number would be.
 pub fn word(rng: &mut Pcg32) -> f32 {
     f32::from_bits(rng.next_u32())
 }
@@ -89,7 +89,7 @@ pub fn disk() -> Contest<[f32; 2]> {
         .draw(TEXTBOOK, drawn(textbook::disk))
 }
 
-/// A point where the budget suffices, as it does for all generators but stuck ones.
+/// A point. The budget suffices unless the generator is stuck.
 fn accepted<S: Rejection<Point: Default>>(sampler: S) -> impl Fn(&mut Pcg32) -> S::Point {
     move |rng| match sampler.draw(rng) {
         Ok(accepted) => accepted.point,

@@ -1,4 +1,4 @@
-//! Who meets whom: the list of contests.
+//! The list of contests.
 
 use crate::{draws, fills, tables};
 use support::contest::Standings;
@@ -14,9 +14,9 @@ pub enum Kind {
 pub struct Family {
     pub name: &'static str,
     pub kind: Kind,
-    /// What the contestant called rand_distr is.
+    /// What `rand_distr` stands for in this contest.
     pub peer: &'static str,
-    /// Runs so many rounds, with a call after each.
+    /// Runs this many rounds, with a callback after each.
     pub run: fn(usize, &mut dyn FnMut()) -> Standings,
 }
 

@@ -1,4 +1,4 @@
-//! Contests of slices: our `fill` beside single draws, ours and the peers'.
+//! Contests of slices: our `fill` against single draws, ours and the peers'.
 
 use crate::contestants::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
 use crate::draws::{EXPONENT, lobe_power, with_pairs, word};
@@ -7,9 +7,9 @@ use rand_pcg::Pcg32;
 use support::contest::Contest;
 use support::peers::rejecting;
 
-/// Points that are filled at once.
+/// Points per fill.
 const FILLED: usize = 4_096;
-/// How often, timed together.
+/// Fills timed together.
 const REPEATS: usize = 2;
 
 fn filled<P, L, W>(

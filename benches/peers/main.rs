@@ -1,8 +1,9 @@
-//! Every sampler beside its peers in one process: rand_distr, micromath, the formulas in books over libm, and the
+//! Every sampler next to its peers in one process: rand_distr, micromath, textbook formulas over libm, and the
 //! generator alone. `cargo bench --bench peers -- --help`
 //!
 //! How times are taken and compared is in `support::contest`, what the peers are in `support::peers`, who meets
-//! whom in `families.rs`. Here lives the order of the work.
+//! whom in `families.rs`. This file runs the
+//! steps.
 
 mod args;
 mod contestants;
@@ -22,7 +23,7 @@ fn main() -> ExitCode {
     support::cli::run("peers", args::HELP, args::parse(), run)
 }
 
-/// Does everything. What is slow is reported and is no failure: times depend on who else uses the machine.
+/// Runs everything. A slow sampler is reported but is not a failure, since times depend on the machine's load.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let wanted = |family: &Family| args.wants(family.name);
     let families: Vec<Family> = families::all().into_iter().filter(wanted).collect();

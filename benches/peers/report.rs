@@ -1,4 +1,4 @@
-//! What is printed and written of the standings.
+//! Prints and writes the standings.
 
 use crate::contestants::*;
 use crate::families::*;
@@ -8,7 +8,7 @@ use support::table;
 
 pub type Results = [(Family, Standings)];
 
-/// Where a quarter of all ratios spread more than this, the machine was not quiet.
+/// If a quarter of all ratios spread more than this, the machine was busy.
 const NOISY: f64 = 0.05;
 
 /// The median, and the quartiles in brackets.
@@ -61,7 +61,7 @@ pub fn tables(results: &Results, kind: Kind) {
     }
 }
 
-/// Something that was asked for: that one contestant takes at most so many times another's time.
+/// A goal: one contestant takes at most this multiple of another's time.
 struct Target<'a> {
     family: &'a Family,
     name: &'static str,
@@ -98,8 +98,8 @@ impl<'a> Target<'a> {
     }
 }
 
-/// What was asked for, and whether it is reached; the quartiles say how surely. What the generator alone takes of the
-/// other's time is what no sampler falls below.
+/// The goals and whether they are reached, with quartiles. No sampler can fall below the generator's own share of the
+/// other's time.
 pub fn targets(results: &Results) {
     let rows = Target::all(results).into_iter().map(|target| {
         let ratio = target.ratio;
@@ -122,7 +122,7 @@ pub fn targets(results: &Results) {
     table::print(&header, rows.collect(), 2);
 }
 
-/// One row a family, for the README.
+/// One row per family, for the README.
 pub fn summary(results: &Results) {
     let contests = of_kind(results, Kind::Draw).map(|(family, standings)| {
         let ns = |name: &str| median(standings.nanoseconds(name));
@@ -163,7 +163,7 @@ pub fn summary(results: &Results) {
     table::print(&header, contests.collect(), 1);
 }
 
-/// Says so where the machine was not quiet: a ratio of two samplers is one number, whatever the machine does.
+/// Warns if the machine was busy: on a quiet one, the ratio of two samplers hardly varies.
 pub fn noise(results: &Results) {
     let spreads = results.iter().flat_map(|(_, standings)| {
         standings

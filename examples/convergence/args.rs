@@ -28,7 +28,7 @@ pub struct Args {
     pub repetitions: u32,
 }
 
-/// What the command line asks for; `None` for help.
+/// The parsed command line; `None` for help.
 pub fn parse() -> Result<Option<Args>, Error> {
     let mut args = Args {
         out: PathBuf::from("target/convergence"),

@@ -1,7 +1,8 @@
 //! How fast the error of an integral falls: three classical rules and three random methods in 1, 2 and 6
 //! dimensions. `cargo run --release --example convergence -- --help`
 //!
-//! Here lives the order of the work. The program fails when a slope is not the one theory gives.
+//! This file runs the
+//! steps. The program fails when a slope is not the one theory gives.
 
 mod args;
 mod figure;

@@ -29,7 +29,7 @@ pub struct Args {
     pub make_picture: Option<PathBuf>,
 }
 
-/// What the command line asks for; `None` for help.
+/// The parsed command line; `None` for help.
 pub fn parse() -> Result<Option<Args>, Error> {
     let mut args = Args {
         seed: 42,

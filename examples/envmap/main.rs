@@ -1,8 +1,8 @@
 //! A picture of the sky as a distribution of directions: built, sampled, checked, used and drawn.
 //! `cargo run --release --example envmap -- --help`
 //!
-//! The picture is `sky.png`, made by `scene.rs` and read by `picture.rs`. Here lives the order of the
-//! work.
+//! The picture is `sky.png`, made by `scene.rs` and read by `picture.rs`. This file runs the
+//! steps.
 
 mod args;
 mod controls;
@@ -53,7 +53,7 @@ fn make_picture(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Does everything; returns what is wrong.
+/// Runs everything and returns the complaints.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     support::progress::folder(&args.out)?;

@@ -1,5 +1,4 @@
-//! The numbers of the table: each warp is compared with its density, with its exact counterpart and
-//! with the clock.
+//! The numbers of the table: each warp is tested against its density, compared with its exact map, and timed.
 
 use microwarp::uniform;
 use rand_pcg::Pcg32;
@@ -9,7 +8,7 @@ use support::registry::{Domain, Entry, Point, Uniforms};
 use support::stats::{self, Axis};
 use support::table;
 
-/// A p-value below this is no accident in any number of runs.
+/// A p-value below this is not chance, in any number of runs.
 pub const ALARM: f64 = 1e-9;
 
 /// Cells along the axes of a chart of two dimensions; odd, so that no symmetry of a warp falls onto
@@ -30,7 +29,7 @@ pub fn generator(seed: u64, entry: &Entry, purpose: u64) -> Pcg32 {
     Pcg32::new(seed, stream ^ purpose)
 }
 
-/// What was measured for one warp in one tier.
+/// The measurements of one warp in one tier.
 pub struct Figures {
     pub shape: Shape,
     /// The largest error of a sample, in the measure of the entry.
@@ -38,16 +37,16 @@ pub struct Figures {
     pub nanoseconds: f64,
 }
 
-/// What came of the test of shape.
+/// The outcome of the chi-square test.
 pub struct Shape {
     pub samples: usize,
-    /// Samples at which the density is 0, or that are not numbers.
+    /// Samples that are NaN or have density 0.
     pub astray: usize,
-    /// The p-value, or why there can be none.
+    /// The p-value, or why there is none.
     pub outcome: Result<f64, String>,
 }
 
-/// The p-value as it is written.
+/// The p-value in print.
 pub fn p_text(shape: &Shape) -> String {
     match shape.outcome {
         Err(_) => "none".into(),
@@ -56,7 +55,7 @@ pub fn p_text(shape: &Shape) -> String {
 }
 
 impl Shape {
-    /// What is wrong, if anything is.
+    /// The complaints, if any.
     pub fn complaint(&self) -> Option<String> {
         match &self.outcome {
             _ if self.astray > 0 => Some(format!("{} samples where the density is 0", self.astray)),
@@ -78,7 +77,7 @@ pub fn measure(entry: &Entry, seed: u64, samples: usize) -> Figures {
     }
 }
 
-/// Nanoseconds a sample through `fill`: the quickest of many blocks, as other work only slows one down.
+/// Nanoseconds per sample by `fill`: the fastest of many blocks, since other work only slows one down.
 fn time(entry: &Entry, rng: &mut Pcg32) -> f64 {
     let block = |rng: &mut Pcg32| {
         let start = Instant::now();

@@ -9,7 +9,7 @@ use support::draw::text::{Align, Type};
 use support::registry::Entry;
 use support::registry::picture::Axes;
 
-/// Samples in a histogram: few enough to see that it was sampled.
+/// Samples in a histogram: few enough that the noise shows.
 pub const SAMPLES: usize = 100_000;
 /// Ticks for single samples.
 const TICKS: usize = 70;

@@ -1,8 +1,8 @@
 //! The gallery: draws every warp in both tiers, checks the samples against the density and against
 //! exact values, and prints a table. `cargo run --release --example gallery -- --help`
 //!
-//! What is drawn and what it should be is the registry in `tests/support`. Here lives the order of
-//! the work.
+//! The registry in `tests/support` lists what is drawn, with its exact maps. This file runs the
+//! steps.
 
 mod area;
 mod args;
@@ -37,7 +37,7 @@ fn main() -> ExitCode {
     support::cli::run("gallery", args::HELP, args::parse(), run)
 }
 
-/// Does everything; returns what is wrong with the warps.
+/// Runs everything and returns the complaints about the warps.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let entries = support::registry::entries();

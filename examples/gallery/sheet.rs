@@ -1,4 +1,4 @@
-//! Pages: one picture a warp with both tiers side by side, and the contact sheet of all.
+//! Pages: one picture per warp with both tiers side by side, and the contact sheet of all warps.
 
 use crate::Subject;
 use crate::args::Args;
@@ -194,7 +194,7 @@ pub fn contact(subjects: &[Subject], tier: usize, args: &Args) -> Canvas {
     canvas
 }
 
-/// Says what the marks mean: a row for pictures over the line, one for pictures over an area.
+/// The legend: one row for pictures over the line, one for pictures over an area.
 fn legend(canvas: &mut Canvas, [left, y]: [f32; 2]) {
     type Mark = fn(&mut Canvas, f32, f32);
     let histogram = format!("histogram of {} samples", thousands(line::SAMPLES));

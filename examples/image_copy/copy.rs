@@ -1,10 +1,10 @@
-//! A chain over the pixels, and the copies of the picture that different recordings of it make.
+//! A chain over the pixels, and the copies of the picture that its different recordings make.
 
 use microwarp::metropolis::{Chain, Start, Transition, UniformIndex};
 use microwarp::rejection::Failure;
 use rand_pcg::Pcg32;
 
-/// What is written down of a step.
+/// What is recorded of a step.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Recording {
     /// The state after the step.
@@ -35,10 +35,10 @@ impl Recording {
     }
 }
 
-/// How wrong a copy is.
+/// The error of a copy.
 #[derive(Clone, Copy)]
 pub struct Errors {
-    /// Root mean square over the pixels, over the mean of the picture.
+    /// Root mean square over the pixels, relative to the picture's mean.
     pub rmse: f64,
     /// Total variation between the two as distributions.
     pub variation: f64,
@@ -46,10 +46,10 @@ pub struct Errors {
 
 /// The state of a run after some of its steps.
 pub struct Snapshot {
-    /// By recording: each pixel's share of what was recorded.
+    /// For each recording, each pixel's share of it.
     pub shares: [Vec<f64>; 4],
     pub acceptance: f64,
-    /// The mean brightness that the proposals tell of.
+    /// The mean brightness estimated from the proposals.
     pub mean: f64,
 }
 
@@ -66,7 +66,7 @@ pub struct Run<'a> {
     proposed: f64,
 }
 
-/// Pixels among which the first state is chosen.
+/// How many pixels the first state is chosen from.
 pub const CANDIDATES: u32 = 1000;
 
 impl<'a> Run<'a> {
@@ -88,7 +88,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// Goes on until the chain has taken so many steps.
+    /// Continues until the chain has taken this many steps.
     pub fn advance_to(&mut self, steps: u64) {
         while self.chain.steps() < steps {
             let target = |i: usize| self.luminance[i];
@@ -124,7 +124,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The errors of shares against the picture's own.
+/// The errors of these shares.
 pub fn errors(shares: &[f64], exact: &[f64]) -> Errors {
     let off = || shares.iter().zip(exact).map(|(s, p)| s - p);
     let squares: f64 = off().map(|d| d * d).sum();

@@ -11,7 +11,7 @@ use support::draw::scale::Scale;
 use support::draw::text::{Align, Type, signed, thousands};
 use support::draw::tone::tone;
 
-/// Pixels along a texel, a whole number so that texels stay sharp.
+/// Pixels per texel: a whole number, so that texels stay sharp.
 const SCALE: usize = 2;
 const MARGIN: f32 = 40.0;
 const GAP: f32 = 28.0;
@@ -81,7 +81,7 @@ fn foot(canvas: &mut Canvas, area: Area, text: &str) {
     canvas.text(text, at, Align::Left, Type::plain(TEXT, INK), area.w);
 }
 
-/// A copy: each pixel has the colour of the picture's, as bright as it was recorded often.
+/// A copy: each pixel keeps its colour, and its brightness is how often it was recorded.
 fn copy(
     canvas: &mut Canvas,
     area: Area,
@@ -128,7 +128,7 @@ fn plot(canvas: &mut Canvas, area: Area, study: &Study) {
             canvas.disc(plot.place([*count as f64, error]), 6.5, colour);
         }
     }
-    // Errors fall from the upper left to the lower right: names go where none are.
+    // Errors fall from the upper left to the lower right; names go into the free corners.
     let inside = plot.inside();
     let mut base = inside.y + inside.h - 88.0;
     for (recording, colour) in ROWS {

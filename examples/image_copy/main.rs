@@ -1,8 +1,8 @@
 //! A picture as the density of a chain: what comes back, and how fast.
 //! `cargo run --release --example image_copy -- --help`
 //!
-//! The picture is made by `scene.rs`, what is true of its copies is in `theory.rs`. Here lives the order of the
-//! work.
+//! The picture is made by `scene.rs`, what is true of its copies is in `theory.rs`. This file runs the
+//! steps.
 
 mod args;
 mod copy;
@@ -22,7 +22,7 @@ fn main() -> ExitCode {
     support::cli::run("image_copy", args::HELP, args::parse(), run)
 }
 
-/// Does everything; returns what is wrong.
+/// Runs everything and returns the complaints.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     support::progress::folder(&args.out)?;

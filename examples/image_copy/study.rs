@@ -1,4 +1,4 @@
-//! Repeated copies: their errors, slopes and what theory says of both.
+//! Repeated copies: their errors and slopes, and what theory says about both.
 
 use crate::copy::{Errors, RECORDINGS, Recording, Run, Snapshot, errors};
 use crate::theory::Theory;
@@ -8,12 +8,12 @@ use support::mean::Mean;
 use support::slope::Fit;
 use support::verdict::ALARM;
 
-/// Where slopes begin: before, pixels have been visited a few times at most.
+/// Slopes are fitted from here on; earlier, most pixels have been visited only a few times.
 pub const FITTED_FROM: u64 = 8;
 /// The counts whose copies are drawn.
 pub const DRAWN: [u64; 3] = [1, 8, 256];
 
-/// What one repetition shows after one count of mutations a pixel, by recording.
+/// What one repetition measures after this many mutations per pixel, for each recording.
 pub struct Seen {
     errors: [Errors; 4],
     acceptance: f64,
@@ -31,9 +31,9 @@ pub struct Study {
     seen: Vec<Vec<Seen>>,
     /// Of the first repetition: the counts that are drawn.
     pub drawn: Vec<Snapshot>,
-    /// The start of each repetition: the mean brightness it tells of, and the standard error it claims.
+    /// For the start of each repetition: the mean brightness it estimates, and the standard error it states.
     pub starts: Vec<[f64; 2]>,
-    /// Pixels that are black, and how many of their copies are not, in all right recordings together.
+    /// How many pixels are black, and how many of their copies are not, in all correct recordings together.
     pub black: [usize; 2],
     pub nanoseconds: f64,
 }
@@ -169,8 +169,7 @@ impl Study {
         }))
     }
 
-    /// Whether a recording's errors are those of theory: as large after most mutations, and falling as they
-    /// should.
+    /// Whether a recording's errors agree with theory, both in size after the most mutations and in slope.
     pub fn is_right(&self, recording: Recording) -> bool {
         let last = self.counts.len() - 1;
         let drawn = self.counts.iter().position(|&count| count == DRAWN[2]);

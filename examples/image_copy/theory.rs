@@ -1,5 +1,5 @@
-//! How large the error of a copy should be, exactly: for proposals that are uniform over the pixels the
-//! transition matrix has its eigenvectors in closed form.
+//! The exact error that a copy should have. For uniform proposals over the pixels, the eigenvectors of the
+//! transition matrix are known in closed form.
 //!
 //! With the pixels in order of falling brightness, π the picture divided by its sum and S_k the sum of π from
 //! the k-th on, λ_k = Σ_{j ≥ k} (1 − π_j/π_k)/N, to the right eigenvector (0, …, 0, S_{k+1}, −π_k, …, −π_k)
@@ -8,13 +8,13 @@
 //! Source: J. S. Liu, "Metropolized Independent Sampling with Comparisons to Rejection Sampling and Importance
 //! Sampling", 1996.
 
-/// What a chain over the pixels of a picture should show.
+/// What a chain over the pixels of a picture should measure.
 pub struct Theory {
     /// RMSE over the mean, times the root of the mutations a pixel: recorded plainly, with both states
     /// weighted, and of as many independent draws. But for a part in (mutations a pixel) · 10³ of it.
     pub error: [f64; 3],
     pub acceptance: f64,
-    /// Steps in which what is left of the start shrinks to 1/e.
+    /// In how many steps the influence of the start shrinks to 1/e.
     pub relaxation: f64,
 }
 
@@ -33,7 +33,7 @@ impl Theory {
             s[k] = s[k + 1] + pi[k];
             q[k] = q[k + 1] + pi[k] * pi[k];
         }
-        // The k brighter ones all accept less than surely; 1 − λ_k is what is left.
+        // The k brighter ones all accept with probability below 1; the rest is 1 − λ_k.
         let gap = |k: usize| (k as f64 + s[k] / pi[k]) / pixels;
 
         let (mut plain, mut decisions, mut independent, mut acceptance) = (0.0, 0.0, 0.0, 0.0);

@@ -1,4 +1,4 @@
-//! What is wrong on purpose, or too short: each must be told from what is right.
+//! Controls: chains that are wrong on purpose, or too short. The tests must reject each.
 
 use crate::run::walk;
 use crate::study::{AGREED, LENGTHS, STARTS, Study};
@@ -14,7 +14,7 @@ pub struct Control {
     pub outcome: Outcome,
 }
 
-/// What a chain gone wrong would record of a step.
+/// What a faulty chain would record for a step.
 type Record = fn(&Transition<f32>) -> Option<f32>;
 
 fn accepted_only(step: &Transition<f32>) -> Option<f32> {
@@ -25,8 +25,8 @@ fn every_proposal(step: &Transition<f32>) -> Option<f32> {
     (step.proposed_density > 0.0).then_some(step.proposed)
 }
 
-/// Recordings, as long as the long runs, that must not pass for the target. (Those of the box alone would
-/// take as long again as all else.)
+/// Faulty recordings, as long as the long runs, that must not pass for the target. (With the box step alone they
+/// would take as long as everything else.)
 pub fn all(studies: &[Study], seed: u64) -> Result<Vec<Control>, Error> {
     const WRONG: [(&str, Record); 2] = [
         ("accepted moves only", accepted_only),
@@ -50,18 +50,18 @@ pub fn all(studies: &[Study], seed: u64) -> Result<Vec<Control>, Error> {
     Ok(controls)
 }
 
-/// What lets something wrong pass.
+/// The controls that pass although they are wrong.
 pub fn complaints(controls: &[Control], studies: &[Study]) -> Vec<String> {
     let passed = controls.iter().filter(|control| passes(&control.outcome));
     let mut complaints: Vec<String> = passed
         .map(|control| format!("{}: the test lets this pass", control.name))
         .collect();
-    // Runs that cannot have been everywhere must be told from their numbers alone.
+    // Runs too short to have been everywhere must show it in their numbers alone.
     for study in studies {
         let short = |steps: u64| (steps as f64) < study.truth.relaxation();
         for pair in study.pairs.iter().filter(|pair| short(pair.steps)) {
             let (name, r_hat) = (study.rule.name(), pair.r_hat);
-            // Written so that NaN, of chains that never moved, is told too.
+            // Written so that NaN, from chains that never moved, counts too.
             if r_hat <= AGREED {
                 let steps = pair.steps;
                 complaints.push(format!("{name}, {steps} steps: split R̂ is only {r_hat:.3}"));

@@ -1,15 +1,15 @@
-//! What is true of the three chains, by linear algebra in `f64`: the transition matrix of cells of [0, 1],
-//! written from the rule of Metropolis and from nothing of the crate's.
+//! Exact properties of the three chains, by linear algebra in `f64`: the transition matrix of cells of [0, 1],
+//! written from the Metropolis rule, without the crate's code.
 //!
-//! Sums of autocorrelations need no powers of that matrix P: where (1 − P)h = g, the sum of all covariances of
-//! g along the chain is 2⟨g, h⟩ − ⟨g, g⟩, in the scalar product that the density weighs.
+//! Sums of autocorrelations need no powers of that matrix P. If (1 − P)h = g, the sum of all covariances of g along
+//! the chain is 2⟨g, h⟩ − ⟨g, g⟩, in the scalar product weighted by the density.
 
 use crate::target::{Rule, WIDTH, density};
 
-/// Cells of the coarser matrix; the finer one has twice as many, and what is told is extrapolated from both.
+/// Cells of the coarser matrix. The finer one has twice as many, and results are extrapolated from both.
 const COARSE: usize = 400;
 
-/// What a chain should show.
+/// What a chain should measure.
 #[derive(Clone, Copy)]
 pub struct Truth {
     pub acceptance: f64,
@@ -17,7 +17,7 @@ pub struct Truth {
     pub gap: f64,
     /// The integrated autocorrelation times of x and of whether x is on the left.
     pub times: [f64; 2],
-    /// How often a step leads from one hump to the other.
+    /// The share of steps from one hump to the other.
     pub crossing: f64,
     /// The expected total variation of a long run's histogram times the root of the steps: recorded plainly,
     /// and by expected values.
@@ -25,7 +25,7 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// The truth, and by how much the finer matrix is off it at most, in proportion.
+    /// The exact values, and the largest relative error of the finer matrix.
     pub fn of(rule: &Rule, bins: usize) -> (Self, f64) {
         let [coarse, fine] = [COARSE, 2 * COARSE]
             .map(|cells| Kernel::new(rule.small(), cells).truth(bins).numbers());
@@ -40,13 +40,13 @@ impl Truth {
         (Self::from_numbers(numbers), worst)
     }
 
-    /// How many steps it takes for what is left of the start to shrink to 1/e.
+    /// In how many steps the influence of the start shrinks to 1/e.
     pub fn relaxation(&self) -> f64 {
         -1.0 / (-self.gap).ln_1p()
     }
 
     /// Acceptance, gap and crossings of the uniform rule in closed form. Of two proposals' distances from the
-    /// middle the smaller decides; 1 − λ₂ is the mean of f over its largest value; half of the moves cross.
+    /// middle the smaller one decides; 1 − λ₂ is the mean of f over its largest value; half of the moves cross.
     pub const UNIFORM: [f64; 3] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0];
 
     fn numbers(self) -> [f64; 7] {
@@ -78,8 +78,8 @@ struct Kernel {
     small: f64,
     /// The probabilities of the cells.
     pi: Vec<f64>,
-    /// The lower triangle L of LLᵀ = diag(π)(1 − P) + ππᵀ, row by row: without the second summand there is no
-    /// inverse, and with it solutions are the same for all g of mean 0.
+    /// The lower triangle L of LLᵀ = diag(π)(1 − P) + ππᵀ, row by row. The second summand makes the matrix invertible
+    /// and does not change the solution for a g of mean 0.
     factor: Vec<f64>,
 }
 
@@ -169,7 +169,7 @@ impl Kernel {
             .sum()
     }
 
-    /// A function of the place, less its mean.
+    /// A function of x, minus its mean.
     fn centred(&self, of: impl Fn(f64) -> f64) -> Vec<f64> {
         let place = |i| (i as f64 + 0.5) / self.cells as f64;
         let g: Vec<f64> = (0..self.cells).map(|i| of(place(i))).collect();
@@ -177,9 +177,9 @@ impl Kernel {
         g.iter().map(|g| g - mean).collect()
     }
 
-    /// The smallest eigenvalue of 1 − P but for the 0 of the constants, by inverse iteration.
+    /// The smallest eigenvalue of 1 − P except the 0 of constants, by inverse iteration.
     fn gap(&self) -> f64 {
-        // Neither even nor odd about the middle, so that it lacks no eigenvector.
+        // Neither even nor odd about the middle, so that it has a part along every eigenvector.
         let mut v = self.centred(|x| (7.0 * x).sin() + x);
         let mut gap = f64::INFINITY;
         for _ in 0..500 {
@@ -247,7 +247,7 @@ impl Kernel {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    // Four sums at a time, or each addition waits for the one before.
+    // Four independent sums, since each addition would wait for the one before.
     let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
     let rest: f64 = a4
         .remainder()

@@ -1,18 +1,18 @@
-//! Autocorrelation times of any length: the same numbers, more and more thinned.
+//! Autocorrelation times of any length, from the same numbers thinned more and more.
 
 use microwarp::metropolis::Autocorrelation;
 
-/// With fewer numbers than this, what looks like the end of correlation is chance.
+/// With fewer numbers than this, an apparent end of correlation is chance.
 const LEAST: u64 = 128;
 
 /// [`Autocorrelation`] of the numbers of a run, of every fourth of them, of every sixteenth, and so on.
 pub struct Ladder<const LAGS: usize> {
-    /// How many numbers are passed over for one that is taken, and what is known of those.
+    /// How many numbers are skipped for each one taken, and the autocorrelation of those taken.
     rungs: Vec<(u64, Autocorrelation<LAGS>)>,
     seen: u64,
 }
 
-/// An integrated autocorrelation time, and from how many numbers how far apart it was found.
+/// An integrated autocorrelation time, with the count and spacing of the numbers it was measured from.
 #[derive(Clone, Copy)]
 pub struct Time {
     pub steps: f64,
@@ -21,7 +21,7 @@ pub struct Time {
 }
 
 impl<const LAGS: usize> Ladder<LAGS> {
-    /// For a run of so many steps: takes one number in `first`, and fewer.
+    /// For a run of this many steps. The finest rung takes one number in `first`.
     pub fn new(first: u64, steps: u64) -> Self {
         let strides = std::iter::successors(Some(first), |stride| Some(4 * stride));
         let rungs = strides.take_while(|&stride| stride == first || steps / stride >= LEAST);
@@ -43,8 +43,8 @@ impl<const LAGS: usize> Ladder<LAGS> {
         }
     }
 
-    /// The time by the finest rung whose lags reach as far as correlation does; `None` where none does, or
-    /// where all numbers are the same.
+    /// The time by the finest rung whose lags outlast the correlation; `None` if no rung does, or if all numbers are
+    /// equal.
     pub fn time(&self) -> Option<Time> {
         let known = |(stride, health): &(u64, Autocorrelation<LAGS>)| {
             Some(Time {

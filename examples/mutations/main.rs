@@ -1,8 +1,8 @@
-//! Three mutations, one target: what a chain needs to be everywhere.
+//! Three mutations, one target: what a chain needs to reach every state.
 //! `cargo run --release --example mutations -- --help`
 //!
-//! The target and the mutations are in `target.rs`, what is true of them in `kernel.rs`. Here lives the order
-//! of the work.
+//! The target and the mutations are in `target.rs`, what is true of them in `kernel.rs`. This file runs the
+//! steps.
 
 mod args;
 mod controls;
@@ -25,7 +25,7 @@ fn main() -> ExitCode {
     support::cli::run("mutations", args::HELP, args::parse(), run)
 }
 
-/// Does everything; returns what is wrong.
+/// Runs everything and returns the complaints.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     support::progress::folder(&args.out)?;

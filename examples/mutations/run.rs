@@ -1,4 +1,4 @@
-//! One chain, and all that is tallied along it.
+//! One chain, and everything tallied along it.
 
 use crate::kernel::Truth;
 use crate::ladder::Ladder;
@@ -8,7 +8,7 @@ use microwarp::Error;
 use microwarp::metropolis::{Chain, Halves, Transition};
 use rand_pcg::Pcg32;
 
-/// States of a run that are kept for the picture.
+/// How many states of a run are kept for the picture.
 const KEPT: u64 = 2500;
 
 pub struct Run {
@@ -31,7 +31,7 @@ pub fn is_left(x: f32) -> bool {
     x < 0.5
 }
 
-/// Takes steps and shows each of them; returns the share that was accepted.
+/// Takes steps, passes each to `see`, and returns the acceptance rate.
 pub fn walk(
     rule: &Rule,
     start: f32,
@@ -81,7 +81,7 @@ impl Run {
         let x = step.state();
         self.plain[bin(x)] += share;
         for (x, weight) in step.recorded() {
-            // Proposals outside [0, 1] weigh nothing and have no bin.
+            // Proposals outside [0, 1] have weight 0 and no bin.
             if weight > 0.0 {
                 self.expected[bin(x)] += share * f64::from(weight);
             }

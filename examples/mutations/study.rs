@@ -1,5 +1,4 @@
-//! What is measured of one mutation: short runs as one would take them, and a long one that is held to the
-//! truth.
+//! What is measured for one mutation: short runs, as in practice, and a long one that is compared with the exact values.
 
 use crate::kernel::Truth;
 use crate::ladder::{Ladder, Time};
@@ -13,13 +12,13 @@ use rand_pcg::Pcg32;
 use support::mean::Mean;
 use support::verdict::{ALARM, Outcome, passes};
 
-/// Split R̂ above which chains do not agree.
+/// Above this split R̂, chains disagree.
 pub const AGREED: f64 = 1.01;
-/// Where the two chains of a pair start: one in each hump.
+/// The starts of the two chains of a pair, one in each hump.
 pub const STARTS: [f32; 2] = [0.1, 0.9];
 /// The lengths of the runs.
 pub const LENGTHS: [u64; 2] = [10_000, 300_000];
-/// Independent states without which there is no test.
+/// The test needs at least this many independent states.
 const FEWEST: u64 = 500;
 /// The shortest long run.
 const LEAST: u64 = 2_000_000;
@@ -36,7 +35,7 @@ pub struct Pair {
     pub outcome: Option<Outcome>,
 }
 
-/// A run that is long even for this mutation.
+/// A run that is long for this mutation.
 pub struct Long {
     pub steps: u64,
     pub acceptance: Mean,
@@ -45,7 +44,7 @@ pub struct Long {
     pub left: Mean,
     /// The autocorrelation times of x and of whether it is on the left.
     pub times: [Option<Time>; 2],
-    /// Relative standard error of these.
+    /// Their relative standard error.
     pub spread: f64,
     pub samples: u64,
     pub outcome: Outcome,
@@ -54,7 +53,7 @@ pub struct Long {
 pub struct Study<'a> {
     pub rule: &'a Rule,
     pub truth: Truth,
-    /// How far the finer matrix is from the truth extrapolated.
+    /// How far the finer matrix is from the extrapolated values.
     pub doubt: f64,
     pub pairs: Vec<Pair>,
     pub long: Long,
@@ -144,12 +143,12 @@ impl<'a> Study<'a> {
         })
     }
 
-    /// Whether a run is long enough for its states to be compared with the target at all.
+    /// Whether a run is long enough to compare its states with the target.
     pub fn is_long(&self, steps: u64) -> bool {
         steps as f64 >= 100.0 * self.truth.relaxation()
     }
 
-    /// What does not agree with the truth.
+    /// What disagrees with the exact values.
     pub fn complaints(&self) -> Vec<String> {
         let (name, truth, long) = (self.rule.name(), &self.truth, &self.long);
         let mut complaints = Vec::new();

@@ -70,7 +70,7 @@ impl Rule {
         }
     }
 
-    /// How often a step is one of the box.
+    /// The share of box steps.
     pub fn small(&self) -> f64 {
         match self {
             Self::Uniform(_) => 0.0,

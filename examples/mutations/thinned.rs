@@ -1,15 +1,14 @@
-//! The test of a chain's states: so few of them that they are independent, against the target's bins.
+//! The test of a chain's states: thinned until they are independent, and compared with the target's bins.
 
 use crate::kernel::Truth;
 use crate::target::{BINS, bin, probabilities};
 use support::stats;
 use support::verdict::Outcome;
 
-/// Relaxation times after which a state is taken as independent of the one before: what is left of the
-/// dependence then is e⁻⁸.
+/// After this many relaxation times a state counts as independent of the one before: the dependence left is e⁻⁸.
 const APART: f64 = 8.0;
 
-/// A histogram of every so many of the states shown to it.
+/// A histogram of every n-th state.
 pub struct Thinned {
     stride: u64,
     seen: u64,

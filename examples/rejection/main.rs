@@ -1,7 +1,8 @@
 //! Rejection in pictures: what is proposed, what is accepted, and the measured efficiency beside the exact
 //! one. `cargo run --release --example rejection -- --help`
 //!
-//! What is drawn is one list, `scenes.rs`. Here lives the order of the work.
+//! What is drawn is one list, `scenes.rs`. This file runs the
+//! steps.
 
 mod args;
 mod measure;

@@ -1,4 +1,4 @@
-//! What follows from the figures: which tier to take when, and which of the peers' points ours do not cover.
+//! Conclusions from the figures: which tier to take when, and where a peer beats every one of our points.
 
 use crate::front::{Trade, cheapest, is_outside};
 use crate::report::cost_text;
@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 use support::registry::family::PICTURED;
 use support::table;
 
-/// Errors that a user may want to keep to.
+/// Errors that a user may want to stay below.
 const CLASSES: [f64; 4] = [1e-3, 1e-5, 1e-6, 5e-7];
 
-/// Those of a family whose error and cost are known on a target.
+/// The samplers of a family whose error and cost on a target are known.
 pub fn traded<'a>(
     studies: &'a [Study],
     family: &str,
@@ -77,7 +77,7 @@ pub fn which(studies: &[Study]) {
     println!();
 }
 
-/// A peer's point that no point of ours covers.
+/// A peer's point that none of our points covers.
 pub struct Outside {
     row: Vec<String>,
 }
@@ -90,7 +90,7 @@ pub fn outside(studies: &[Study]) -> (Vec<Outside>, [usize; TARGETS.len()]) {
             let ours = traded(studies, family, target, true);
             let trades: Vec<Trade> = ours.iter().map(|(_, trade)| *trade).collect();
             if trades.is_empty() {
-                // Nothing of ours has been measured there, which says nothing of the peers.
+                // None of our samplers has been measured there, so nothing can be said about the peers.
                 continue;
             }
             for (peer, trade) in traded(studies, family, target, false) {

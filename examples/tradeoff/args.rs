@@ -1,4 +1,4 @@
-//! The command line: what may be asked for, and what is said to those who ask wrongly.
+//! The command line: its options and its error messages.
 
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
@@ -35,7 +35,7 @@ pub struct Args {
 }
 
 impl Args {
-    /// Whether a sampler of this family and name is asked for.
+    /// Whether the options select a sampler of this family and name.
     pub fn wants(&self, family: &str, name: &str) -> bool {
         let has =
             |text: &str| family.to_lowercase().contains(text) || name.to_lowercase().contains(text);
@@ -48,7 +48,7 @@ impl Args {
     }
 }
 
-/// What the command line asks for; `None` for help.
+/// The parsed command line; `None` for help.
 pub fn parse() -> Result<Option<Args>, Error> {
     let mut args = Args {
         seed: 42,

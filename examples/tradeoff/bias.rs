@@ -1,4 +1,4 @@
-//! How far the probabilities of the cells are off, and after how many samples a chi-square test would show it.
+//! The bias of the cells' probabilities, and after how many samples a chi-square test would detect it.
 //!
 //! A map is held against the exact one over the grid of explicit uniforms, of 24 or 32 bits. Warps that draw from finer
 //! ones (`Warp::sample_words`) are so judged by their map; of their draws the chi-square tests tell.
@@ -8,9 +8,9 @@
 //! of the map, its uniforms included, and without bias. What the grid alone puts into a cell too much or too little
 //! is added exactly.
 //!
-//! That gives p − p₀ of every cell, with noise. The sum of (p − p₀)²/p₀ would count the noise; so the work is done
-//! several times over, and only products of different runs are summed, whose mean is free of it. How far that is
-//! from the truth is said by the jackknife. What is not three standard errors from 0 is none; then there is a bound.
+//! That gives p − p₀ of every cell, with noise. The sum of (p − p₀)²/p₀ would count the noise. So there are several
+//! independent runs, and only products of different runs are summed: their mean is free of noise. The jackknife gives
+//! the standard error. A result within three standard errors of 0 counts as no bias, and a bound is stated instead.
 
 use crate::cells;
 use crate::power::Power;
@@ -20,7 +20,7 @@ use rand_pcg::Pcg32;
 
 /// Runs whose noise is independent.
 const RUNS: usize = 16;
-/// Standard errors within which a noncentrality is none, and which a bound has on top.
+/// A noncentrality within this many standard errors of 0 counts as none. A bound lies as many above the estimate.
 const DOUBT: f64 = 3.0;
 
 /// A noncentrality a sample: the sum of (p − p₀)²/p₀ over the cells.
@@ -32,7 +32,7 @@ pub struct Bias {
     pub cells: usize,
 }
 
-/// How many samples show a bias.
+/// How many samples reveal a bias.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shows {
     After(f64),
@@ -251,7 +251,7 @@ fn unit(rng: &mut Pcg32) -> f64 {
     f64::from(rng.next_u32()) / 4_294_967_296.0
 }
 
-/// How many halves of cells next to a border there are in all runs.
+/// The number of half cells next to a border, in all runs.
 pub fn borders(axes: usize) -> usize {
     RUNS * 2 * axes * cells::count(axes)
 }

@@ -1,11 +1,11 @@
-//! Whether errors keep to the bounds that the documentation states; both are read at run time.
+//! Whether errors stay within the bounds that the documentation states. The bounds are read at run time.
 
 use crate::error::{Errors, Lattice};
 use crate::sampler::{FromWords, Sampler};
 use support::docs::{self, Doc};
 use support::figures::{Exact, Figures, ROWS, density_and_inverse_error, sample_error};
 
-/// What is wrong with a sampler by its documentation, if anything is.
+/// Where a sampler exceeds its documented errors.
 pub fn complaints(sampler: &Sampler, errors: &Errors, points: u64) -> Vec<String> {
     let complaints = if sampler.entry.is_some() {
         of_floats(sampler, points)
@@ -21,7 +21,7 @@ pub fn complaints(sampler: &Sampler, errors: &Errors, points: u64) -> Vec<String
         .collect()
 }
 
-/// Holds what is done here to cases whose outcome is known; says what goes wrong.
+/// Tries this module on cases with a known outcome, and returns the complaints.
 pub fn check() -> Vec<String> {
     let exceeding = [2.0, f64::NAN, f64::INFINITY]
         .iter()

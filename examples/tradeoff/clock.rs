@@ -1,10 +1,10 @@
-//! Nanoseconds a sample, all samplers in one contest.
+//! Nanoseconds per sample, with all samplers in one contest.
 
 use crate::sampler::Block;
 use std::collections::BTreeMap;
 use support::contest::{BLOCKS, Contest, POINTS, Quartiles};
 
-/// What every other time is a multiple of: two words as uniforms, and nothing made of them.
+/// The unit of all other times: drawing two words as uniforms and doing nothing with them.
 pub const FLOOR: &str = "two uniforms";
 
 /// The times of a sampler.
@@ -16,8 +16,8 @@ pub struct Times {
     pub fill: Option<f64>,
 }
 
-/// Lets all blocks run in turn, in so many rounds. A time is the median of its quotients by that of the floor in the
-/// same round, times the median of the floor, so that it is not of another moment than the others'.
+/// Runs all blocks in turn, for this many rounds. Each time is divided by the floor's time in the same round, so that
+/// all are taken under the same load; the median quotient times the median floor is the result.
 ///
 /// Also returns how far apart the quartiles of those quotients lie for most, relative to the median.
 pub fn run(

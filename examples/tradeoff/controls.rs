@@ -1,5 +1,5 @@
-//! What is wrong on purpose and known in closed form: each must be found, and found to be as wrong as it is. And one
-//! that is right, whose bias is known as all its uniforms can be tried.
+//! Controls: maps that are wrong by an amount known in closed form, which the estimate must find. And one correct
+//! map, whose bias is known because all its uniforms can be tried.
 
 use crate::args::Args;
 use crate::bias::{self, Bias, Shows};
@@ -17,7 +17,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use std::f64::consts::TAU;
 use support::truth;
 
-/// Standard errors by which an estimate may be off.
+/// How many standard errors an estimate may be off.
 const DOUBT: f64 = 5.0;
 /// Uniforms that are tried for a bias.
 const TRIED: usize = 4_000_000;

@@ -1,12 +1,12 @@
-//! What the functions cost on other targets, as `benches/cores` has measured it.
+//! The costs of functions on other targets, as measured by `benches/cores`.
 
 use std::collections::BTreeMap;
 use support::COSTS;
 
-/// The cores, as the measurements name them, and as they are written.
+/// The cores, by their names in the measurements and in print.
 pub const CORES: [(&str, &str); 3] = [("m0", "Cortex-M0"), ("m4f", "Cortex-M4F"), ("wasm", "WASM")];
 
-/// What is known of a function on a core; what has not been measured is not there.
+/// The measurements of a function on a core.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
     /// Executed instructions of a sample at level 3, its uniforms being given.

@@ -1,10 +1,10 @@
-//! How far points and densities are from the exact ones of the same uniforms.
+//! The errors of points and densities against the exact ones of the same uniforms.
 
 use crate::sampler::{Law, Point, Sampler, Way, Words};
 use support::contest::generator;
 use support::errors::raise;
 
-/// Errors over a sweep. What is not a number counts as infinitely wrong.
+/// Errors over a sweep. NaN counts as infinite.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Figures {
     pub max: f64,
@@ -56,7 +56,7 @@ fn length(x: Point) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// What was found of a sampler.
+/// The errors of a sampler.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Errors {
     /// The distance of the point from the exact one; of a table, of the probability of an entry.

@@ -1,6 +1,6 @@
-//! Fronts: of points that cost something and err by something, those that no other beats.
+//! Pareto fronts: the points that no other beats in both cost and error.
 
-/// What something costs, and how far it is off.
+/// A cost and an error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trade {
     pub cost: f64,
@@ -14,7 +14,7 @@ impl Trade {
     }
 }
 
-/// The places of those that no other covers, the cheapest first; of equals the first.
+/// The indices of the trades on the front, the cheapest first; of equal ones the first.
 pub fn front(trades: &[Trade]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..trades.len()).collect();
     let key = |i: &usize| (trades[*i].cost, trades[*i].error);
@@ -33,7 +33,7 @@ pub fn front(trades: &[Trade]) -> Vec<usize> {
     front
 }
 
-/// Whether a trade lies on or outside the front of some: none of them covers it.
+/// Whether none of these trades covers this one.
 pub fn is_outside(trade: &Trade, ours: &[Trade]) -> bool {
     !ours.iter().any(|our| our.covers(trade))
 }
@@ -44,7 +44,7 @@ pub fn cheapest(trades: &[Trade], error: f64) -> Option<usize> {
     good.min_by(|a, b| trades[*a].cost.total_cmp(&trades[*b].cost))
 }
 
-/// Holds these functions to a set made up for it; says what they get wrong.
+/// Tries these functions on a made-up set, and returns the complaints.
 pub fn check() -> Vec<String> {
     let trade = |(cost, error)| Trade { cost, error };
     let made_up = [

@@ -1,4 +1,4 @@
-//! Where the names of points go, so that they cover neither each other nor points.
+//! Places the names of points so that they cover neither points nor each other.
 
 use support::draw::canvas::{Area, Canvas};
 use support::draw::colour::Colour;
@@ -71,7 +71,7 @@ pub fn write(canvas: &mut Canvas, inside: Area, points: &[Named], line: &[[f32; 
             )
         })
         .collect();
-    // Those with the most neighbours have the least choice.
+    // Points with the most neighbours have the least choice, so they go first.
     let crowd = |p: &Named| {
         let near = |q: &&Named| (p.at[0] - q.at[0]).hypot((p.at[1] - q.at[1]) * 2.0) < 90.0;
         points.iter().filter(near).count()

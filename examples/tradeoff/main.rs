@@ -1,8 +1,8 @@
-//! What each tier gives and what it costs, on every target, beside the peers.
+//! The error and cost of each tier on every target, next to its peers.
 //! `cargo run --release --example tradeoff -- --help`
 //!
-//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in the registry of `tests/support`. Here
-//! lives the order of the work.
+//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in the registry of `tests/support`. This file runs the
+//! steps.
 
 mod advice;
 mod args;
@@ -41,7 +41,7 @@ fn main() -> ExitCode {
     support::cli::run("tradeoff", args::HELP, args::parse(), run)
 }
 
-/// Does everything; returns what is wrong.
+/// Runs everything and returns the complaints.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     support::progress::folder(&args.out)?;
@@ -104,7 +104,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     Ok(complaints)
 }
 
-/// Errors and distributions by several threads, then times by one; and how far those spread.
+/// Errors and distributions on several threads, then times on one, and the spread of those.
 fn study(
     rows: Vec<Row>,
     costs: &costs::Costs,

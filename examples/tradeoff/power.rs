@@ -1,4 +1,4 @@
-//! The power of a chi-square test: what noncentrality it needs to reject, and what it rules out where it does not.
+//! The power of a chi-square test: the noncentrality at which it rejects, and the one it rules out if it does not.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 use std::collections::BTreeMap;

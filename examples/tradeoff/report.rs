@@ -10,7 +10,7 @@ use std::path::Path;
 use support::draw::text::thousands;
 use support::table::{self, p_text};
 
-/// What is not known, or does not apply.
+/// Stands for a value that is unknown or does not apply.
 pub const DASH: &str = "–";
 
 /// An error, to two digits.
@@ -38,7 +38,7 @@ pub fn shows_text(shows: Shows) -> String {
     }
 }
 
-/// What names a row: its family only where it differs from the one before.
+/// The name of a row, with its family if that differs from the row before.
 fn heads(studies: &[Study]) -> impl Iterator<Item = Vec<String>> {
     let before = std::iter::once("").chain(studies.iter().map(|s| s.sampler.family));
     studies.iter().zip(before).map(|(study, before)| {
@@ -57,7 +57,7 @@ fn heads(studies: &[Study]) -> impl Iterator<Item = Vec<String>> {
     })
 }
 
-/// What samplers give.
+/// The table of errors.
 pub fn quality(studies: &[Study], samples: usize, threshold: f64) {
     let rows = heads(studies).zip(studies).map(|(mut row, study)| {
         let (point, density) = (&study.errors.point, &study.errors.density);
@@ -112,7 +112,7 @@ pub fn quality(studies: &[Study], samples: usize, threshold: f64) {
     );
 }
 
-/// What samplers cost.
+/// The table of costs.
 pub fn costs(studies: &[Study], spread: f64) {
     let rows = heads(studies).zip(studies).map(|(mut row, study)| {
         row.push(cost_text(study.times.draw));
@@ -171,7 +171,7 @@ pub fn controls(controls: &[Control]) {
     table::print(&header, rows.collect(), 1);
 }
 
-/// Everything, a line a sampler.
+/// The whole table, one line per sampler.
 pub fn write(studies: &[Study], path: &Path) -> Result<(), String> {
     let mut text = String::from(
         "family,sampler,tier,ours,point_max,point_rms,point_mean,coordinate_max,density_max,density_rms,density_mean,\

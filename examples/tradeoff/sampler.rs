@@ -1,4 +1,4 @@
-//! A sampler whose types have been erased, with what is exact about it.
+//! A sampler with its types erased, and what is known exactly about it.
 //!
 //! Which samplers there are is said in `list`.
 
@@ -11,7 +11,7 @@ use std::sync::Arc;
 use support::registry::Entry;
 use support::truth::Truth;
 
-/// Up to three coordinates; those a point does not have are 0.
+/// Up to three coordinates; missing ones are 0.
 pub type Point = [f64; 3];
 
 /// Points that `f64` holds as they are.
@@ -87,7 +87,7 @@ impl<const N: usize> FromWords for [U0F32; N] {
     }
 }
 
-/// Densities that `f64` holds, as far as anyone needs to know.
+/// Densities as `f64`, precise enough for any comparison.
 pub trait Wide: Copy {
     fn wide(self) -> f64;
 }
@@ -179,7 +179,7 @@ pub enum Way {
     Repaired(fn(Point) -> Point),
     /// By a table, which selects an entry with a probability that is known beside the one it should have.
     Table(Vec<Chance>),
-    /// In a way that tells nothing but its points.
+    /// In a way that reveals only the points.
     Opaque,
 }
 

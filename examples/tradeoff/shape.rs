@@ -12,7 +12,7 @@ use support::stats;
 const PLACES: usize = 1 << 15;
 const CHUNK: usize = 1 << 12;
 
-/// What the points of a sampler gave.
+/// The test results of a sampler's points.
 #[derive(Clone, Debug)]
 pub struct Shape {
     pub samples: usize,
@@ -55,7 +55,7 @@ struct Tally<'a> {
     samples: usize,
     observed: Vec<u64>,
     places: Vec<Vec<u64>>,
-    /// Whether a point had no place at all.
+    /// Whether some point had no cell.
     astray: bool,
 }
 

@@ -1,4 +1,4 @@
-//! All that is found of one sampler, and the order in which it is found.
+//! Everything measured for one sampler, in order.
 
 use crate::args::Args;
 use crate::bias::{self, Bias, Shows};
@@ -11,14 +11,14 @@ use crate::sampler::{Sampler, Way};
 use crate::shape::{self, Shape};
 use rand_pcg::Pcg32;
 
-/// Points whose errors are measured.
+/// How many points have their errors measured.
 const POINTS: usize = 800_000;
 /// Of these, points that are held to the documented bounds once more, in its units.
 const HELD: usize = 100_000;
 /// Uniforms that are tried for a bias, about.
 const TRIED: usize = 1_000_000;
 
-/// Where something costs something: the host, then the cores.
+/// Where costs are measured: the host, then the cores.
 pub const TARGETS: [&str; 4] = ["host, ns", "Cortex-M0", "Cortex-M4F", "WASM"];
 
 pub struct Study {
@@ -31,7 +31,7 @@ pub struct Study {
     pub shows: Shows,
     pub times: Times,
     pub costs: [Cost; CORES.len()],
-    /// Where it does not keep to its documentation.
+    /// Where it exceeds its documented errors.
     pub complaints: Vec<String>,
 }
 
@@ -73,7 +73,7 @@ impl Study {
         }
     }
 
-    /// What there is to trade on a target, if both sides of it are known.
+    /// Cost and error on a target, if both are known.
     pub fn trade(&self, target: usize) -> Option<Trade> {
         let error = self
             .errors
@@ -87,8 +87,7 @@ impl Study {
     }
 }
 
-/// The bias of maps of one or two uniforms, and of tables. That of others would need more uniforms than there is
-/// time for.
+/// The bias of maps of one or two uniforms, and of tables. Other maps would need too many uniforms.
 fn bias(sampler: &Sampler, tried: usize, rng: &mut Pcg32) -> Option<Bias> {
     match &sampler.way {
         Way::Table(entries) => Some(Bias::exact(entries)),

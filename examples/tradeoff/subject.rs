@@ -1,4 +1,4 @@
-//! How samplers of each kind become rows.
+//! Makes rows of samplers of each kind.
 
 use crate::sampler::{Block, Exact, FromWords, Law, Map, Numbers, Row, Sampler, Way, Wide};
 use microwarp::Warp;
@@ -203,7 +203,7 @@ where
     row
 }
 
-/// Somebody else's map of uniforms.
+/// A peer's map of uniforms.
 pub fn map<P: Exact, const N: usize>(
     name: Name,
     map: impl Fn([f32; N]) -> P + Copy + Send + Sync + 'static,

@@ -1,4 +1,4 @@
-//! The list of tables, and of what selects by weights elsewhere.
+//! The list of tables, ours and the peers'.
 
 use crate::sampler::{Chance, Row, Way};
 use crate::subject::{Name, indices};
@@ -20,7 +20,7 @@ fn leaked<W: Copy + Default>(entries: usize) -> &'static mut [W] {
     Box::leak(vec![W::default(); entries].into_boxed_slice())
 }
 
-/// What an entry should be selected with.
+/// The probability that an entry should have.
 fn due(weights: &[f32]) -> Vec<f64> {
     let total: f64 = weights.iter().map(|w| f64::from(*w)).sum();
     weights.iter().map(|w| f64::from(*w) / total).collect()

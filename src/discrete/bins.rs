@@ -23,7 +23,7 @@ pub struct AliasEntry<W> {
     pub(crate) alias: u32,
 }
 
-/// Memory for the bins of a table, of either word: what `const` code takes in place of a type parameter.
+/// Memory for the bins of a table. `const` code takes it in place of a type parameter.
 #[derive(Debug)]
 pub enum Bins<'a> {
     U32(&'a mut [AliasEntry<u32>]),

@@ -5,7 +5,7 @@ use crate::num::{Scaled, Segment, clamp, extent, neighbour};
 
 /// An interval in equal cells.
 ///
-/// The edge of a cell is one and the same `f32` whoever asks for it, so that sampling and look-up agree.
+/// Everything takes the edges of a cell from here, so sampling and look-up agree to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Cells {

@@ -6,19 +6,24 @@ use crate::error::Error;
 use crate::uniform::infallible;
 use rand_core::{Rng, TryRng};
 
-/// Holds one item of a stream, each with probability proportional to its weight among those seen so far.
+/// Weighted reservoir sampling: holds one item of a stream, each with probability proportional to its weight
+/// among those seen so far.
 ///
-/// An item of weight w takes the reservoir with probability w/(sum with w), so that nothing need be known
-/// of what is to come. Reservoirs of parts of a stream can be merged.
+/// An item of weight w takes the place with probability w/(sum with w), so the length of the stream need not be
+/// known. Reservoirs of parts of a stream can be merged.
 ///
-/// - Memory: one item, two sums.
-/// - Uniforms: one of 64 bits an offer or merger, which is two `u32` of a generator, taken whatever the
-///   weight.
-/// - A weight of zero is never held. A positive weight is taken for one bit string in 2⁶⁴ at least when it is
-///   offered; the probabilities are off by less than 2⁻⁶³ for each item that follows.
+/// # Domain
+/// - Weights: finite `f32`, zero or positive. A weight of zero is never held.
+/// - Uniforms: one of 64 bits for each offer or merger, which is two `u32` of the generator, whatever the weight.
 ///
-/// Source: M. T. Chao, "A General Purpose Unequal Probability Sampling Plan", 1982.
+/// # Accuracy
+/// A positive weight is taken by at least one of the 2⁶⁴ bit strings when it is offered. The probabilities are
+/// off by less than 2⁻⁶³ for each item that follows.
 ///
+/// # Cost
+/// The memory of one item and two sums; a 128-bit product an offer.
+///
+/// # Examples
 /// ```
 /// use microwarp::discrete::Reservoir;
 /// use rand_pcg::Pcg32;
@@ -30,6 +35,17 @@ use rand_core::{Rng, TryRng};
 /// assert!(loudest.item().is_some_and(|&time| time != 1));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`select_once`](super::select_once): one uniform in all, for weights in a slice.
+///
+/// # Source
+/// M. T. Chao, "A General Purpose Unequal Probability Sampling Plan", Biometrika 69(3), 1982:
+/// <https://doi.org/10.1093/biomet/69.3.653>.
+#[doc(alias = "reservoir_sampling")]
+#[doc(alias = "ris")]
+#[doc(alias = "streaming")]
+#[doc(alias = "weighted_reservoir")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Reservoir<T> {
@@ -53,19 +69,19 @@ impl<T> Reservoir<T> {
         }
     }
 
-    /// Offers an item with a uniform of 64 bits; says whether the reservoir took it.
+    /// Offers an item with a uniform of 64 bits. Returns whether the reservoir took it.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] and [`Error::Negative`] for the weight; the reservoir is then unchanged.
+    /// [`Error::NotFinite`] and [`Error::Negative`] for the weight. The reservoir is unchanged after an error.
     pub fn offer_with(&mut self, item: T, weight: f32, bits: u64) -> Result<bool, Error> {
         let weight = Total::of(weight)?;
         Ok(self.take(item, weight, weight, bits))
     }
 
-    /// Offers an item of a given weight; says whether the reservoir took it. Two words.
+    /// Offers an item of a given weight. Returns whether the reservoir took it. Draws two `u32`.
     ///
     /// # Errors
-    /// As [`Reservoir::offer_with`]; the generator has then been drawn from.
+    /// Those of [`Reservoir::offer_with`]; the two `u32` have been drawn all the same.
     #[inline]
     pub fn offer<R: Rng + ?Sized>(
         &mut self,
@@ -76,11 +92,11 @@ impl<T> Reservoir<T> {
         infallible(self.try_offer(item, weight, rng))
     }
 
-    /// Offers an item, with a generator that can fail. Two words.
+    /// Offers an item of a given weight, with a generator that can fail. Draws two `u32`.
     ///
     /// # Errors
-    /// Outside the generator's own error; inside as [`Reservoir::offer_with`]. The reservoir is unchanged
-    /// after either.
+    /// The outer error is the generator's, the inner one that of [`Reservoir::offer_with`]. The reservoir is
+    /// unchanged after either.
     #[inline]
     pub fn try_offer<R: TryRng + ?Sized>(
         &mut self,
@@ -92,7 +108,7 @@ impl<T> Reservoir<T> {
         Ok(self.offer_with(item, weight, bits))
     }
 
-    /// Merges the reservoir of another part of the stream into this one, with a uniform of 64 bits; says
+    /// Merges the reservoir of another part of the stream into this one, with a uniform of 64 bits. Returns
     /// whether the other's item was taken.
     pub fn merge_with(&mut self, other: Self, bits: u64) -> bool {
         match other.held {
@@ -101,16 +117,18 @@ impl<T> Reservoir<T> {
         }
     }
 
-    /// Merges the reservoir of another part of the stream into this one. Two words.
+    /// Merges the reservoir of another part of the stream into this one. Returns whether the other's item was
+    /// taken. Draws two `u32`.
     #[inline]
     pub fn merge<R: Rng + ?Sized>(&mut self, other: Self, rng: &mut R) -> bool {
         infallible(self.try_merge(other, rng))
     }
 
-    /// Merges, with a generator that can fail. Two words.
+    /// Merges the reservoir of another part of the stream into this one, with a generator that can fail. Draws
+    /// two `u32`.
     ///
     /// # Errors
-    /// The generator's own error; the reservoir is then unchanged.
+    /// The generator's own error. The reservoir is then unchanged.
     #[inline]
     pub fn try_merge<R: TryRng + ?Sized>(
         &mut self,
@@ -121,7 +139,7 @@ impl<T> Reservoir<T> {
         Ok(self.merge_with(other, bits))
     }
 
-    /// Takes an item of weight `own` with which the sum grows by `mass`.
+    /// Offers an item of weight `own` that adds `mass` to the sum.
     fn take(&mut self, item: T, own: Total, mass: Total, bits: u64) -> bool {
         if mass.is_zero() {
             return false;
@@ -134,7 +152,7 @@ impl<T> Reservoir<T> {
         taken
     }
 
-    /// The item held; nothing before the first of positive weight.
+    /// The item held; `None` before the first of positive weight.
     #[must_use]
     pub const fn item(&self) -> Option<&T> {
         match &self.held {
@@ -143,8 +161,8 @@ impl<T> Reservoir<T> {
         }
     }
 
-    /// The probability with which the item held is the one: its weight over the sum, correctly rounded
-    /// unless subnormal; 0 while nothing is held, and never 0 afterwards.
+    /// The probability of holding the item that is held: its weight over the sum, correctly rounded unless
+    /// subnormal. 0 while nothing is held, and never 0 afterwards.
     #[must_use]
     pub fn pmf(&self) -> f32 {
         match &self.held {

@@ -1,9 +1,21 @@
-//! What a selection yields: the index, its probability, and what is left of the uniform.
+//! The result of a selection: the index, its probability, and what is left of the uniform.
 
 use super::word::Word;
 use crate::uniform::LARGEST;
 
-/// An entry that was selected.
+/// A selected entry: its index, its probability, and what is left of the uniform.
+///
+/// # Examples
+/// ```
+/// use microwarp::discrete::Cdf;
+/// let chosen = Cdf::new(&[1.0, 3.0])?.select(0x7000_0000);
+/// assert_eq!((chosen.index, chosen.pmf), (1, 0.75));
+/// assert_eq!((chosen.leftover, chosen.leftover_bits), (0.25, 31)); // a fresh uniform, for the next decision
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+///
+/// # See also
+/// [`ExactSelection`]: the same in integers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Selection {
@@ -11,23 +23,24 @@ pub struct Selection {
     pub index: usize,
     /// The probability with which this entry is selected, correctly rounded.
     pub pmf: f32,
-    /// Where within the entry's share the uniform fell, in [0, 1): again a uniform, independent of the
+    /// Where the uniform fell within the entry's share, in [0, 1). This is again a uniform, independent of the
     /// index.
     pub leftover: f32,
     /// How many random bits the leftover holds, at most; an `f32` can show the leading 24 of them. From
-    /// 32 bits, an entry of probability p leaves 32 + log₂ p, rounded down, in all but an
-    /// [`Alias`](super::Alias), where it is a bin's part that counts. With fewer than are wanted, draw a
-    /// fresh uniform.
+    /// 32 bits, an entry of probability p leaves 32 + log₂ p, rounded down. In an [`Alias`](super::Alias) p is
+    /// the probability of the entry's part of one bin. If you need more bits, draw a fresh uniform.
     pub leftover_bits: u32,
 }
 
-/// An entry that was selected, in integers alone: what a [`Selection`] says, without rounding.
+/// A selected entry in integers alone: what a [`Selection`] says, without rounding.
 ///
-/// From a table of `u32` the numerator is a `u64`, from one of `u64` a `u128`: it may be that of all words.
+/// The numerator is a `u64` for a table of `u32` and a `u128` for one of `u64`, because it may be the number of all
+/// words.
 ///
+/// # Examples
 /// ```
 /// use microwarp::discrete::Cdf;
-/// const LOADED: Cdf<[u32; 3]> = match Cdf::<[u32; 3]>::from_integers(&[1, 0, 3]) {
+/// const LOADED: Cdf<[u32; 3]> = match Cdf::from_integers(&[1, 0, 3]) {
 ///     Ok(table) => table,
 ///     Err(_) => panic!("bad weights"),
 /// };
@@ -44,14 +57,14 @@ pub struct ExactSelection<C = u64> {
     /// How many of the words select this entry: its probability is this out of
     /// [`Word::TOTAL`](super::Word::TOTAL).
     pub numerator: C,
-    /// Where within the entry's share the word fell, in steps of 2⁻³², truncated: again 32 bits to select by,
-    /// independent of the index.
+    /// Where the word fell within the entry's share, in steps of 2⁻³², truncated. These are again 32 bits to
+    /// select by, independent of the index.
     pub leftover: u32,
     /// How many random bits the leftover holds, at most, as in [`Selection`]; a leftover can show 32 of them.
     pub leftover_bits: u32,
 }
 
-/// A place within the share of an entry: `offset` of `count` words, where a count of 0 means all words.
+/// A place within the share of an entry: word `offset` of `count` words. A count of 0 means all words.
 #[derive(Clone, Copy)]
 pub(crate) struct Share<W> {
     pub(crate) index: usize,
@@ -60,7 +73,7 @@ pub(crate) struct Share<W> {
 }
 
 impl<W: Word> Share<W> {
-    /// The place within the share, `fraction` being what lies below a word.
+    /// The place within the share; `fraction` is the part of a word below the word.
     #[inline]
     pub(crate) fn leftover(&self, fraction: f32) -> f32 {
         let quotient = (self.offset.as_f32() + fraction) / amount(self.count);
@@ -109,9 +122,9 @@ pub(crate) fn amount<W: Word>(count: W) -> f32 {
     }
 }
 
-/// What both kinds of table have: selection by bits, by a word, by a uniform, from a generator, and the
-/// probabilities. The table gives `selection(word, fraction, bits)`, and `count(index)`, the words of an
-/// entry, where 0 means all.
+/// The methods that both kinds of table have: selection by bits, by a word, by a uniform, from a generator, and
+/// the probabilities. The table provides `selection(word, fraction, bits)`, and `count(index)`, the number of words
+/// of an entry, where 0 means all.
 macro_rules! selections {
     ($word:ident) => {
         /// Selects by 32 bits.
@@ -131,8 +144,8 @@ macro_rules! selections {
         /// Selects by any `f32`, brought into [0, 1) by the rule of
         /// [`Uniforms::canonical`](crate::uniform::Uniforms::canonical) first.
         ///
-        /// [`uniform::grid_from_word`](crate::uniform::grid_from_word) of some bits selects the entry that
-        /// the leading 24 of them do. The leftover is counted as that of a 24-bit uniform.
+        /// [`uniform::grid_from_word`](crate::uniform::grid_from_word) of a word selects the entry that the
+        /// leading 24 bits of the word select. The bits of the leftover are counted for a 24-bit uniform.
         #[must_use]
         #[inline]
         pub fn select_uniform(&self, u: f32) -> Selection {
@@ -140,7 +153,8 @@ macro_rules! selections {
             self.selection(word, fraction, 24)
         }
 
-        /// Draws an entry: one `u32` of the generator from a table of `u32`, two from a table of `u64`.
+        /// Draws an entry from a generator that can fail: one `u32` for a table of `u32`, two for a table of
+        /// `u64`.
         ///
         /// # Errors
         /// The generator's own error.
@@ -149,21 +163,21 @@ macro_rules! selections {
             Ok(self.select_word($word::try_draw(rng)?))
         }
 
-        /// Draws an entry from a generator that cannot fail.
+        /// Draws an entry: one `u32` of the generator for a table of `u32`, two for a table of `u64`.
         #[inline]
         pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Selection {
             infallible(self.try_draw(rng))
         }
 
-        /// Selects by 32 bits, and says everything in integers: no floating-point operation takes place. The
-        /// leftover takes a division of 32 digits, unless it is not used.
+        /// Selects by 32 bits, without a floating-point operation. The leftover takes a division of 32 digits,
+        /// which the compiler drops where the leftover is not used.
         #[must_use]
         #[inline]
         pub fn select_exact(&self, bits: u32) -> ExactSelection<$word::Count> {
             self.exact($word::from_bits(bits), 32)
         }
 
-        /// Selects by a whole word of the table, and says everything in integers.
+        /// Selects by a whole word of the table, without a floating-point operation.
         #[must_use]
         #[inline]
         pub fn select_exact_word(&self, word: $word) -> ExactSelection<$word::Count> {
@@ -181,7 +195,8 @@ macro_rules! selections {
             }
         }
 
-        /// Draws an entry, and says everything in integers. Words as for `try_draw`.
+        /// Draws an entry without a floating-point operation, from a generator that can fail: one `u32` for a
+        /// table of `u32`, two for a table of `u64`.
         ///
         /// # Errors
         /// The generator's own error.
@@ -193,14 +208,15 @@ macro_rules! selections {
             Ok(self.select_exact_word($word::try_draw(rng)?))
         }
 
-        /// Draws an entry from a generator that cannot fail, and says everything in integers.
+        /// Draws an entry without a floating-point operation: one `u32` of the generator for a table of `u32`,
+        /// two for a table of `u64`.
         #[inline]
         pub fn draw_exact<R: Rng + ?Sized>(&self, rng: &mut R) -> ExactSelection<$word::Count> {
             infallible(self.try_draw_exact(rng))
         }
 
-        /// Draws the index of an entry and nothing else: without a floating-point unit, where pmf and
-        /// leftover are most of the cost, the one to take. Words as for `try_draw`.
+        /// Draws the index of an entry and nothing else, from a generator that can fail: one `u32` for a table
+        /// of `u32`, two for a table of `u64`.
         ///
         /// # Errors
         /// The generator's own error.
@@ -209,13 +225,14 @@ macro_rules! selections {
             Ok(self.index($word::try_draw(rng)?))
         }
 
-        /// Draws the index of an entry and nothing else, from a generator that cannot fail.
+        /// Draws the index of an entry and nothing else: one `u32` of the generator for a table of `u32`, two
+        /// for a table of `u64`. Take it on cores without an FPU, where pmf and leftover are most of the cost.
         #[inline]
         pub fn draw_index<R: Rng + ?Sized>(&self, rng: &mut R) -> usize {
             infallible(self.try_draw_index(rng))
         }
 
-        /// How many of the words select an entry: its probability is this out of [`Word::TOTAL`], exactly.
+        /// How many words select an entry: its probability is exactly this out of [`Word::TOTAL`].
         #[must_use]
         #[inline]
         pub fn numerator(&self, index: usize) -> $word::Count {
@@ -226,8 +243,8 @@ macro_rules! selections {
             }
         }
 
-        /// The probability of an entry: the numerator over the total, correctly rounded; 0 beyond the
-        /// last.
+        /// The probability of an entry: the numerator over the total, correctly rounded; 0 beyond the last
+        /// entry.
         #[must_use]
         #[inline]
         pub fn pmf(&self, index: usize) -> f32 {

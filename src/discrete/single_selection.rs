@@ -1,4 +1,4 @@
-//! One selection straight over a slice of weights, in one pass and without a table.
+//! One selection straight from a slice of weights, in one pass and without a table.
 
 use super::selection::Selection;
 use super::total::Total;
@@ -6,44 +6,60 @@ use super::word::Word as _;
 use crate::error::Error;
 use crate::uniform::{LARGEST, Uniforms};
 
-/// Selects an index with probability proportional to its weight, in one pass over the weights: for weights
+/// Selects an index with probability proportional to its weight, in one pass and without a table: for weights
 /// that change with every selection.
 ///
-/// The sum grows with each weight, and with it the point that the uniform marks on it; a second place in
-/// the slice follows that point, and is at the selected entry when the last weight has been read.
+/// # Domain
+/// - Weights: any number of finite `f32`, zero or positive, not all zero. A weight of zero is never selected.
+/// - Uniforms: one, as 32 bits; [`select_once_uniform`] takes an `f32`.
 ///
-/// - Uniforms: one, 32 bits; [`select_once_uniform`] takes an `f32`.
-/// - Weights: any number of finite `f32`, zero or positive, not all zero. Zero is never selected.
-/// - The same bits select the same entry as in a [`Cdf`](super::Cdf) of the same weights, as long as no
-///   weight is below a step. The probability differs from weight/total by less than 2⁻³² (from the 24-bit
-///   grid by less than 2⁻²⁴), and by what sums of 64 bits drop: 2⁻⁶³ a weight, 2⁻⁴³ for a million. A weight
-///   far below a step is either not reached or, by the one bit string that falls on it, more often than
-///   its pmf says: where that matters, take a `Cdf` of `u64`.
-/// - pmf: the weight over the sum, correctly rounded unless subnormal; never 0.
-/// - Time: two additions and a product of 64 bits a weight, one division in all.
+/// # Accuracy
+/// - The same bits select the same index as in a [`Cdf`](super::Cdf) of `u32`, as long as no positive weight is
+///   below 2⁻³² of the sum.
+/// - The probability differs from weight/total by less than 2⁻³² (from the 24-bit grid of an `f32` by less than
+///   2⁻²⁴) plus the rounding of the 64-bit sum: 2⁻⁶³ a weight, 2⁻⁴³ for a million.
+/// - A weight far below such a step is either never selected, or more often than its pmf says. Where that
+///   matters, take a `Cdf` of `u64`.
+/// - The pmf is weight/sum, correctly rounded unless subnormal, and never 0.
 ///
-/// Source: L. Devroye, "Non-Uniform Random Variate Generation", 1986.
+/// # Cost
+/// Two 64-bit additions and one product a weight, and one division in all. No memory.
 ///
 /// # Errors
-/// [`Error::NoWeights`], [`Error::NegativeWeight`] and [`Error::NotFiniteWeight`] with the index,
-/// [`Error::AllZero`].
+/// [`Error::NoWeights`], [`Error::AllZero`]; with the index of the weight [`Error::NegativeWeight`] and
+/// [`Error::NotFiniteWeight`].
 ///
+/// # Examples
 /// ```
 /// use microwarp::discrete::select_once;
 /// let chosen = select_once(&[1.0, 0.0, 3.0], 0x8000_0000)?;
 /// assert_eq!((chosen.index, chosen.pmf), (2, 0.75));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+/// - [`Cdf`](super::Cdf), [`Alias`](super::Alias): for many selections from the same weights.
+/// - [`Reservoir`](super::Reservoir): for a stream, whose weights need not be in a slice.
+///
+/// # Source
+/// L. Devroye, *Non-Uniform Random Variate Generation*, Springer, 1986, chapter III.2 (inversion by sequential
+/// search): <http://luc.devroye.org/rnbookindex.html>.
+#[doc(alias = "categorical")]
+#[doc(alias = "roulette_wheel")]
+#[doc(alias = "sample_discrete")]
+#[doc(alias = "weighted_choice")]
 #[inline]
 pub fn select_once(weights: &[f32], bits: u32) -> Result<Selection, Error> {
     pass(weights, (bits, 0.0), 32)
 }
 
-/// [`select_once`] by any `f32`, brought into [0, 1) by the rule of [`Uniforms::canonical`] first.
+/// Selects an index as [`select_once`] does, by any `f32`, which is first brought into [0, 1) by the rule of
+/// [`Uniforms::canonical`].
 ///
 /// # Errors
-/// As [`select_once`].
+/// Those of [`select_once`].
 ///
+/// # Examples
 /// ```
 /// use microwarp::discrete::{select_once, select_once_uniform};
 /// assert_eq!(select_once_uniform(&[1.0, 2.0], 0.5)?.index, select_once(&[1.0, 2.0], 1 << 31)?.index);
@@ -54,7 +70,10 @@ pub fn select_once_uniform(weights: &[f32], u: f32) -> Result<Selection, Error> 
     pass(weights, u32::from_uniform(u.canonical()), 24)
 }
 
-/// By a word, and what lies below it, of so many random bits.
+/// Selects by a word of so many random bits, and the fraction below it.
+///
+/// The sum grows with each weight, and so does the point that the uniform marks on it. A second place in the slice
+/// follows that point, and stands at the selected entry when the last weight has been read.
 fn pass(weights: &[f32], (word, fraction): (u32, f32), bits: u32) -> Result<Selection, Error> {
     let mut behind = weights.iter().enumerate();
     let (mut index, mut own) = match behind.next() {
@@ -66,7 +85,7 @@ fn pass(weights: &[f32], (word, fraction): (u32, f32), bits: u32) -> Result<Sele
     let mut total = Total::ZERO;
     for (ahead, &weight) in weights.iter().enumerate() {
         total = total.plus(weigh(ahead, weight)?);
-        // The sums behind are those ahead were, so the place behind cannot overtake.
+        // Both places add the same sums, so the one behind cannot overtake.
         while total.reaches(word, end) {
             let Some((next, &weight)) = behind.next() else {
                 break;

@@ -1,4 +1,4 @@
-//! A running sum of weights of any size, in fixed memory: what selection without a table divides by.
+//! A running sum of weights of any size, in fixed memory, for selection without a table.
 
 use super::weights::decode;
 use crate::error::Error;
@@ -109,20 +109,20 @@ impl Total {
         (self.mantissa as u128).wrapping_mul(word as u128)
     }
 
-    /// Where between `below` and `below + width` the point at `word` and a fraction of 2³² parts of `self`
-    /// lies.
+    /// Where the point at `word` and a fraction, of 2³² parts of `self`, lies between `below` and
+    /// `below + width`.
     pub(crate) fn place(self, word: u32, fraction: f32, below: Self, width: Self) -> f32 {
         let offset = self.point(word).saturating_sub(below.aligned(self).0);
         let width = width.aligned(self).0;
-        // Too narrow for any of the parts: then nothing is left of the uniform either.
+        // Narrower than one part: then no bits of the uniform are left either.
         if width == 0 {
             return 0.0;
         }
         (offset as f32 + fraction * self.mantissa as f32) / width as f32
     }
 
-    /// Whether a word of 2⁶⁴ falls on this part of `whole`, which is not below it: it does for the first
-    /// floor(2⁶⁴ · self/whole) of them, and for 0 if this is positive at all.
+    /// Whether a word of 2⁶⁴ falls on this part of `whole`, which is not below it. The first
+    /// floor(2⁶⁴ · self/whole) words do, and word 0 does if this is positive.
     pub(crate) const fn contains(self, word: u64, whole: Self) -> bool {
         if self.is_zero() {
             return false;
@@ -138,11 +138,11 @@ impl Total {
 
     /// The quotient of this and `whole`, which is not below it, as an `f32`; never 0.
     pub(crate) fn ratio(self, whole: Self) -> f32 {
-        // The mantissas' quotient lies between 1/2 and 2. Of it 31 or 32 bits, the last of which stands for
-        // all that follow: their conversion rounds as that of the exact quotient would.
+        // The mantissas' quotient lies between 1/2 and 2. We take 31 or 32 bits of it, and let the last stand
+        // for all that follow, so the conversion rounds as that of the exact quotient would.
         let (digits, inexact) = quotient(self.mantissa, whole.mantissa);
         let digits = (digits | u32::from(inexact)) as f32;
-        // The exponents differ by 277 and a stream's growth at most; two powers of two reach there.
+        // The exponents differ by at most 277 and the growth of a stream, which two powers of two can express.
         let down = self.below(whole).wrapping_add(31);
         let half = down >> 1;
         crate::num::representable(digits * power(half) * power(down.wrapping_sub(half)))

@@ -7,12 +7,11 @@ use core::fmt::Debug;
 use core::hash::Hash;
 use rand_core::TryRng;
 
-/// What tables need of a word and nobody else does.
+/// What only tables need of a word.
 pub(crate) mod sealed {
     use crate::discrete::bins::{AliasEntry, Bins};
 
-    /// Memory for the words of a table, of either type, filled from the front: what `const` code takes in place of a
-    /// type parameter.
+    /// Memory for the words of a table, filled from the front. `const` code takes it in place of a type parameter.
     #[derive(Debug)]
     pub enum Words<'a> {
         U32(&'a mut [u32]),
@@ -24,7 +23,7 @@ pub(crate) mod sealed {
         const ONE: Self;
         const MAX: Self;
         fn minus(self, other: Self) -> Self;
-        /// The leading `bits` bits as a number; 0 where there are to be none.
+        /// The leading `bits` bits as a number; 0 for no bits.
         fn leading(self, bits: u32) -> usize;
         /// All but the leading `bits` bits; at least one must be left.
         fn trailing(self, bits: u32) -> Self;
@@ -36,7 +35,7 @@ pub(crate) mod sealed {
         fn truncated(x: f32) -> Self;
         /// The exponent of the leading bit; the number must not be 0.
         fn log2(self) -> u32;
-        /// This over a larger number, in whole steps of 2^-32.
+        /// The quotient of this and a larger number, in whole steps of 2^-32.
         fn fraction(self, of: Self) -> u32;
         /// The leading 32 bits.
         fn to_bits(self) -> u32;
@@ -64,7 +63,7 @@ impl Words<'_> {
         }
     }
 
-    /// What is left once the next word is this number; the largest word where it is larger.
+    /// Sets the next word to this number, or to the largest word where the number is larger, and returns the rest.
     #[inline]
     pub(crate) const fn then(self, number: u128) -> Self {
         match self {
@@ -91,14 +90,14 @@ impl Words<'_> {
 
 /// The words of a table: [`u32`] or [`u64`]. The trait is sealed.
 ///
-/// A table of `u32` realises its probabilities in steps of 2⁻³² from one 32-bit word and keeps 4 bytes an
-/// entry; a table of `u64` in steps of 2⁻⁶⁴ from two, and 8 bytes.
+/// A table of `u32` has probabilities in steps of 2⁻³², takes one `u32` of the generator, and 4 bytes an entry. A
+/// table of `u64` has steps of 2⁻⁶⁴, takes two `u32`, and 8 bytes an entry.
 pub trait Word: Arithmetic + Debug + Hash {
     /// Bits in a word.
     const BITS: u32;
     /// 2^−BITS, the step of the probabilities.
     const STEP: f32;
-    /// A number of words, which may be all of them: `u64` for `u32`, `u128` for `u64`.
+    /// The type of a number of words, which may be all of them: `u64` for `u32`, `u128` for `u64`.
     type Count: Copy + Ord + Debug + From<Self> + Into<u128>;
     /// How many words there are, 2^BITS.
     const TOTAL: Self::Count;
@@ -107,7 +106,7 @@ pub trait Word: Arithmetic + Debug + Hash {
     #[must_use]
     fn from_bits(bits: u32) -> Self;
 
-    /// The word that a uniform truncates to, and what truncation left, in steps of a word.
+    /// The word that a uniform truncates to, and the fraction of a word that truncation dropped.
     #[must_use]
     #[inline]
     fn from_uniform(u: Canonical<f32>) -> (Self, f32) {
@@ -136,7 +135,7 @@ macro_rules! arithmetic {
             }
             #[inline]
             fn leading(self, bits: u32) -> usize {
-                // In two steps, because a shift by all the bits is none.
+                // In two steps, because a shift by all the bits would wrap to no shift.
                 (self >> 1).wrapping_shr(($word::BITS - 1).wrapping_sub(bits)) as usize
             }
             #[inline]
@@ -150,7 +149,7 @@ macro_rules! arithmetic {
             }
             #[inline]
             fn as_index(self) -> usize {
-                // Saturating, so that an index that is none is none on every target.
+                // Saturating, so that an index out of range is out of range on every target.
                 self.try_into().unwrap_or(usize::MAX)
             }
             #[inline]

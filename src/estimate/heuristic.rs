@@ -1,22 +1,22 @@
 //! Weights that combine two sampling techniques into one estimate.
 
-/// 2⁹⁴; past it, a density times a count could overflow.
+/// 2⁹⁴; above it, a density times a count could overflow.
 const LARGE: f32 = f32::from_bits((127 + 94) << 23);
 /// 2⁻³³, which makes room for a count.
 const ROOM: f32 = f32::from_bits((127 - 33) << 23);
 
-/// What is no density counts as 0, and so does that of a technique not used.
+/// A density, or 0 for an invalid one and for a technique that takes no samples.
 #[inline]
 fn density(n: u32, p: f32) -> f32 {
     if n > 0 && p > 0.0 { p } else { 0.0 }
 }
 
-/// The expected numbers of samples at the point, from both techniques, but for a common factor; finite.
+/// The expected numbers of samples at the point from both techniques, up to a common factor; finite.
 #[inline]
 fn expected(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> (f32, f32) {
     let (f, g) = (density(n_f, p_f), density(n_g, p_g));
     let (f, g) = if f > f32::MAX || g > f32::MAX {
-        // An infinite density outweighs every finite one, and two are alike.
+        // An infinite density outweighs every finite one; two are equal.
         let infinite = |p| if p > f32::MAX { 1.0 } else { 0.0 };
         (infinite(f), infinite(g))
     } else if f > LARGE || g > LARGE {
@@ -41,46 +41,71 @@ fn weight((f, g): (f32, f32), shape: impl Fn(f32) -> f32) -> f32 {
     }
 }
 
-/// The balance heuristic: the weight of a sample of technique f at a point which techniques f and g sample
-/// with densities `p_f` and `p_g`, taking `n_f` and `n_g` samples in all.
+/// The balance heuristic of multiple importance sampling: the weight of a sample of technique f.
 ///
-/// w = `n_f p_f`/(`n_f p_f` + `n_g p_g`), without overflow or underflow on the way.
+/// At the sample's point the techniques f and g have the densities `p_f` and `p_g`, and take `n_f` and `n_g` samples in
+/// all. The weight is w = `n_f p_f`/(`n_f p_f` + `n_g p_g`), computed without overflow or underflow.
 ///
-/// - Domain: any. A negative or NaN density counts as 0. An infinite one outweighs every finite one; two
-///   count as equal.
-/// - Range: [0, 1]. The weights of f and of g at a point sum to 1, but for rounding, wherever one of
-///   the densities is positive (and its count); where neither is, both are 0.
-/// - Error: 2.7 ulp for counts of 1, 4.3 ulp for any counts; below 2⁻¹²⁶, in subnormal spacings.
+/// # Domain
 ///
-/// Source: E. Veach, L. J. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
-/// 1995.
+/// Any numbers. A negative or NaN density counts as 0. An infinite density outweighs every finite one; two infinite ones
+/// count as equal. The weight is in [0, 1]. The weights of f and g at a point sum to 1, up to rounding, if one of the
+/// techniques has a positive density and count; otherwise both are 0.
+///
+/// # Accuracy
+///
+/// Error: 2.7 ulp for counts of 1, 4.3 ulp for any counts. An ulp is a unit in the last place; below 2⁻¹²⁶, it is the
+/// subnormal spacing.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::estimate::balance_heuristic;
 /// assert_eq!(balance_heuristic(1, 3.0, 1, 1.0), 0.75);
 /// assert_eq!(balance_heuristic(1, 3e38, 3, 3e38), 0.25);
 /// ```
+///
+/// # See also
+///
+/// - [`power_heuristic`], which often has less variance.
+///
+/// # Source
+///
+/// E. Veach, L. J. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995,
+/// [doi:10.1145/218380.218498](https://doi.org/10.1145/218380.218498).
+#[doc(alias = "multiple_importance_sampling")]
 #[must_use]
 #[inline]
 pub fn balance_heuristic(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
     weight(expected(n_f, p_f, n_g, p_g), |quotient| quotient)
 }
 
-/// The power heuristic with exponent 2: as [`balance_heuristic`], but with the squares of `n_f p_f` and
-/// `n_g p_g`, which favours the technique that samples the point better.
+/// The power heuristic with exponent 2: [`balance_heuristic`] with the squares of `n_f p_f` and `n_g p_g`.
 ///
-/// Domain and range are those of [`balance_heuristic`].
+/// It favours the technique that samples the point better. Its domain is that of [`balance_heuristic`].
 ///
-/// - Error: 4.6 ulp for counts of 1, 7.2 ulp for any counts; below 2⁻¹²⁶, in subnormal spacings.
+/// # Accuracy
 ///
-/// Source: E. Veach, L. J. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
-/// 1995.
+/// Error: 4.6 ulp for counts of 1, 7.2 ulp for any counts. An ulp is a unit in the last place; below 2⁻¹²⁶, it is the
+/// subnormal spacing.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::estimate::power_heuristic;
 /// assert_eq!(power_heuristic(1, 3.0, 1, 1.0), 0.9);
 /// assert_eq!(power_heuristic(1, 1e20, 1, 1e-25), 1.0);
 /// ```
+///
+/// # See also
+///
+/// - [`balance_heuristic`], which is cheaper.
+///
+/// # Source
+///
+/// E. Veach, L. J. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995,
+/// [doi:10.1145/218380.218498](https://doi.org/10.1145/218380.218498).
+#[doc(alias = "multiple_importance_sampling")]
 #[must_use]
 #[inline]
 pub fn power_heuristic(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {

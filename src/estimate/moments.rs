@@ -6,32 +6,31 @@ use crate::tier::sqrt;
 
 /// The running mean and variance of samples, in fixed memory, and mergeable.
 ///
-/// - Domain: any finite samples, from subnormal ones to ±3.4e38. NaN and infinite ones are refused, and
-///   counted in [`Moments::refused`].
-/// - Range: the mean of nothing and the spread of fewer than two samples are [`None`]. The spread is
-///   never negative, and exactly 0 where all samples are the same. A variance beyond `f32` is its largest
-///   value, and one below its smallest is 0; mean and standard deviations are right even then, because
-///   samples are summed on a scale of their own.
-/// - Limit: 2⁶⁴ − 1 samples. What is pushed or merged beyond is refused, and counted as such.
+/// Samples are summed about a centre that moves to the mean whenever the count passes a power of two. So subtracting the
+/// mean cancels at most about half of the sum of squares, whatever the samples' mean and order, and a push takes no
+/// division.
 ///
-/// Samples are summed about a centre that moves to the mean whenever the count passes a power of two. So no
-/// more than about half of the sum of squares is ever taken off again, whatever the samples' mean and order,
-/// and adding a sample takes no division.
+/// # Domain
 ///
-/// Largest relative errors found (a tenth is added), in runs of 10⁸ samples whose mean is 1000 standard deviations, and in many short
-/// runs of all magnitudes (there, the mean's against the larger of mean and deviation, and of standard
-/// deviations and errors half the variance's):
+/// - Any finite samples, from subnormal ones to ±3.4e38. NaN and infinite ones are refused and counted in
+///   [`Moments::refused`].
+/// - Up to 2⁶⁴ − 1 samples. Any more are refused and counted as such.
+/// - The mean of no samples and the spread of fewer than two are [`None`]. The spread is never negative, and exactly 0 if
+///   all samples are equal. A variance beyond `f32` is the largest `f32`, and one below the smallest is 0; the mean and
+///   the standard deviation are right even then.
+///
+/// # Accuracy
+///
+/// The largest relative errors found, plus a tenth: in runs of 10⁸ samples whose mean is 1000 standard deviations, and in
+/// many short runs of all magnitudes. In short runs the mean's error is relative to the larger of mean and standard
+/// deviation. Standard deviations and standard errors have half the variance's error.
 ///
 /// | error | 10⁸ samples, one by one | 10⁸ samples, merged | short runs |
 /// |---|--:|--:|--:|
 /// | mean | 3.4e-8 | 3.4e-8 | 1.5e-7 |
 /// | variance | 1.4e-7 | 1.7e-7 | 4e-7 |
 ///
-/// Sources: T. F. Chan, G. H. Golub, R. J. `LeVeque`, "Algorithms for Computing the Sample Variance:
-/// Analysis and Recommendations", 1983, for shifted sums and for merging; T. J. Dekker, "A Floating-Point
-/// Technique for Extending the Available Precision", 1971, for sums in two floats. It stands in for
-/// B. P. Welford, "Note on a Method for Calculating Corrected Sums of Squares and Products", 1962, whose
-/// recurrence stalls in `f32`.
+/// # Examples
 ///
 /// ```
 /// use microwarp::estimate::Moments;
@@ -43,6 +42,21 @@ use crate::tier::sqrt;
 /// assert_eq!(die.population_variance(), Some(35.0 / 12.0));
 /// assert_eq!(die.variance(), Some(3.5));
 /// ```
+///
+/// # See also
+///
+/// - [`Integral`](super::Integral), for samples of a known density.
+/// - [`WeightedMean`](super::WeightedMean), for weighted samples.
+///
+/// # Source
+///
+/// T. F. Chan, G. H. Golub, R. J. `LeVeque`, "Algorithms for Computing the Sample Variance: Analysis and Recommendations",
+/// 1983, [doi:10.1080/00031305.1983.10483115](https://doi.org/10.1080/00031305.1983.10483115), for shifted sums and for
+/// merging; T. J. Dekker, "A Floating-Point Technique for Extending the Available Precision", 1971,
+/// [doi:10.1007/BF01397083](https://doi.org/10.1007/BF01397083), for sums in two floats. It replaces the recurrence of
+/// B. P. Welford, "Note on a Method for Calculating Corrected Sums of Squares and Products", 1962,
+/// [doi:10.1080/00401706.1962.10490022](https://doi.org/10.1080/00401706.1962.10490022), which stalls in `f32`.
+#[doc(alias = "running_statistics")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Moments {
@@ -98,8 +112,7 @@ impl Moments {
         }
     }
 
-    /// Takes in all that another has: the result is that of all samples together, as accurate as if they
-    /// had been pushed one by one.
+    /// Takes in all samples of another run. The result is as accurate as if they had been pushed one by one.
     pub fn merge(&mut self, other: &Self) {
         let tally = match self.tally.joined(other.tally) {
             Ok(tally) => tally,
@@ -136,28 +149,28 @@ impl Moments {
         self.tally.count()
     }
 
-    /// How many samples were refused, because they were NaN or infinite.
+    /// How many samples were refused because they were NaN or infinite.
     #[must_use]
     #[inline]
     pub const fn refused(&self) -> u64 {
         self.tally.refused()
     }
 
-    /// The mean; [`None`] without samples.
+    /// The mean, or [`None`] without samples.
     #[must_use]
     #[inline]
     pub fn mean(&self) -> Option<f32> {
         (self.count() > 0).then(|| self.scale.undo(self.centre + self.distance()))
     }
 
-    /// The unbiased variance, with n − 1 under the line; [`None`] below two samples.
+    /// The unbiased variance, with denominator n − 1, or [`None`] for fewer than two samples.
     #[must_use]
     #[inline]
     pub fn variance(&self) -> Option<f32> {
         Some(self.scale.undo_square(self.scaled_variance()?))
     }
 
-    /// The variance of these very samples, with n under the line; [`None`] without samples.
+    /// The variance of the samples themselves, with denominator n, or [`None`] without samples.
     #[must_use]
     #[inline]
     pub fn population_variance(&self) -> Option<f32> {
@@ -169,6 +182,7 @@ impl Moments {
     }
 
     /// The standard deviation, the root of [`Moments::variance`].
+    #[doc(alias = "standard_deviation")]
     #[must_use]
     #[inline]
     pub fn std_dev(&self) -> Option<f32> {
@@ -195,14 +209,14 @@ impl Moments {
         self.centre * self.scale.shrinking_to(scale)
     }
 
-    /// The way from a centre to the mean, and the standard deviation, both on a scale no finer than the
-    /// samples'; [`None`] below two samples. The way is exact to a rounding of its own where the mean is not.
+    /// The difference of the mean from a centre, and the standard deviation, both on a scale no finer than the samples';
+    /// [`None`] for fewer than two samples. The difference is accurate even where the mean itself is rounded.
     pub(crate) fn seen_from(&self, scale: Scale, centre: f32) -> Option<(f32, f32)> {
-        let deviation = sqrt(self.scaled_variance()?) * self.scale.shrinking_to(scale);
+        let std_dev = sqrt(self.scaled_variance()?) * self.scale.shrinking_to(scale);
         let mut moved = *self;
         moved.rescale(scale);
         moved.move_centre(centre);
-        Some((moved.distance(), deviation))
+        Some((moved.distance(), std_dev))
     }
 
     #[inline]
@@ -230,7 +244,7 @@ impl Moments {
         self.move_centre(self.centre + self.distance());
     }
 
-    /// Takes all differences from another centre, as if they had been from the start.
+    /// Changes the centre as if all differences had been taken from it.
     fn move_centre(&mut self, centre: f32) {
         let step = centre - self.centre;
         let count = Sum::of_count(self.count());

@@ -1,10 +1,10 @@
-//! What keeps long sums true: two floats for a sum, and one power of two for its range.
+//! What keeps long sums accurate: two floats for each sum, and a power of two for its range.
 
 use crate::num::{saturated, two_product, two_sum};
 
-/// A sum in two floats: some 48 bits, so that each of 10⁸ terms still counts.
+/// A sum in two floats: about 48 bits, so that each of 10⁸ terms still counts.
 ///
-/// `high` is the sum rounded, `low` what the rounding dropped.
+/// `high` is the rounded sum, `low` its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Sum {
@@ -31,10 +31,10 @@ impl Sum {
         self.high
     }
 
-    /// Adds one term. What is left out is below 2⁻⁴⁷ of the sum.
+    /// Adds one term. What is lost is below 2⁻⁴⁷ of the sum.
     ///
-    /// The low part is brought back under the high one at once: left to itself it would stop growing
-    /// where the terms fall below its own last place, as a plain sum does.
+    /// The low part is renormalised at once. Otherwise it would stop growing once the terms fall below its own last place, as
+    /// a plain sum does.
     #[inline]
     pub(crate) fn plus(self, term: f32) -> Self {
         let (sum, dropped) = two_sum(self.high, term);
@@ -46,7 +46,7 @@ impl Sum {
         }
     }
 
-    /// Whether two sums have sign and exponent in common.
+    /// Whether two sums have the same sign and exponent.
     #[inline]
     pub(crate) fn in_binade_of(self, other: Self) -> bool {
         (self.high.to_bits() ^ other.high.to_bits()) >> 23 == 0
@@ -75,10 +75,10 @@ impl Sum {
     }
 }
 
-/// A power of two that brings the largest number met to between 1 and 4.
+/// A power of two that brings the largest number so far to between 1 and 4.
 ///
-/// Numbers so scaled have squares, and 2⁶⁴ of these have a sum, well inside the range of `f32`. Scaling
-/// rounds only what is 2⁻¹²⁶ of the largest number.
+/// Squares of scaled numbers, and sums of 2⁶⁴ of them, are well inside the range of `f32`. Scaling rounds only numbers below
+/// 2⁻¹²⁶ of the largest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Scale {
@@ -86,12 +86,12 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
-    /// The scale before anything is met. Subnormal numbers stay on it: they come out below 1.
+    /// The scale before the first number. Subnormal numbers stay on it, below 1.
     pub(crate) const FINEST: Self = Self {
         factor: f32::from_bits(253 << 23),
     };
 
-    /// The scale on which x lies between 1 and 4, or below if the finest does not lift it there.
+    /// The scale on which x lies between 1 and 4, or the finest one if x lies below 1 even there.
     #[inline]
     pub(crate) fn of(x: f32) -> Self {
         let exponent = (x.to_bits() >> 23) & 0xff;
@@ -113,13 +113,13 @@ impl Scale {
         x * self.factor
     }
 
-    /// The number that was scaled, or the nearest finite one.
+    /// The number before scaling, or the nearest finite one.
     #[inline]
     pub(crate) fn undo(self, x: f32) -> f32 {
         saturated(x / self.factor)
     }
 
-    /// Likewise of the product of two numbers so scaled.
+    /// The product of two numbers before scaling, or the nearest finite one.
     #[inline]
     pub(crate) fn undo_square(self, x: f32) -> f32 {
         saturated(x / self.factor / self.factor)
@@ -135,7 +135,7 @@ impl Scale {
         }
     }
 
-    /// By what a number on this scale is to be multiplied for a coarser one; 0 if nothing is left there.
+    /// The factor that takes a number from this scale to a coarser one; 0 if nothing would be left.
     #[inline]
     pub(crate) fn shrinking_to(self, coarser: Self) -> f32 {
         coarser.factor / self.factor

@@ -1,6 +1,6 @@
-//! How many samples were taken in, and how many were not.
+//! How many samples were taken in, and how many were refused.
 
-/// Two counts, neither of which wraps: what does not fit the first goes to the second.
+/// Two counts that never wrap: a sample for which the first has no room goes to the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Tally {
@@ -24,7 +24,7 @@ impl Tally {
         self.refused
     }
 
-    /// Counts a sample, and says whether it is taken in: if it is sound, and there is room for it.
+    /// Counts a sample, and says whether to take it in: if it is sound and there is room.
     #[inline]
     pub(crate) const fn admits(&mut self, sound: bool) -> bool {
         let admitted = sound && self.count < u64::MAX;
@@ -36,7 +36,7 @@ impl Tally {
         admitted
     }
 
-    /// Both together; or, where there is no room, all of the other refused.
+    /// The sum of two tallies; or, if there is no room, this one with all samples of the other refused.
     pub(crate) const fn joined(self, other: Self) -> Result<Self, Self> {
         let refused = self.refused.saturating_add(other.refused);
         match self.count.checked_add(other.count) {

@@ -1,35 +1,40 @@
-//! A weighted mean whose weights need not have a known sum.
+//! A weighted mean, for weights of unknown sum.
 
 use super::sum::{Scale, Sum};
 use super::tally::Tally;
 use crate::num::saturated;
 use crate::tier::sqrt;
 
-/// The ratio estimator Σwf/Σw: biased but consistent, with its standard error.
+/// The weighted mean Σwf/Σw with its standard error: the ratio estimator, for weights of unknown sum.
 ///
-/// It estimates E\[wf\]/E\[w\], where [`Integral`](super::Integral) of w·f would need E\[w\] to be known. Its
-/// bias is (R V\[w\] − Cov\[w, wf\])/(N E\[w\]²) to first order in 1/N, where R is the ratio: it vanishes as
-/// 1/N, faster than the standard error's 1/√N. Constant f gives exactly that constant, whatever the weights;
-/// this is why pixel filters are applied so. For samples of density p, give weights w/p.
+/// It estimates E\[wf\]/E\[w\]; [`Integral`](super::Integral) of w·f would need E\[w\]. It is biased but consistent: to
+/// first order its bias is (R V\[w\] − Cov\[w, wf\])/(N E\[w\]²), where R is the ratio. The bias falls as 1/N, faster than
+/// the standard error's 1/√N. A constant f gives exactly that constant, whatever the weights, so it suits pixel filters.
+/// For samples of density p, give weights w/p.
 ///
-/// - Domain: finite values and weights; both may be negative. A sample of another kind is refused, and
-///   counted in [`WeightedMean::refused`]. A weight of 0 counts as a sample and adds nothing else.
-/// - Range: [`None`] while the weights sum to 0 (as a sum of 47 bits does), and for the error below two samples; no result is infinite.
-///   With positive weights the estimate is between the smallest and the largest value, but for rounding.
-/// - Limit: 2⁶⁴ − 1 samples, as for [`Moments`](super::Moments).
-/// - The standard error is that of the delta method: √(N/(N−1) Σw²(f−R)²)/|Σw|. Should every w(f−R) be
-///   below 10⁻¹⁸ of the largest value times the largest weight, it may come out as 0.
+/// # Domain
 ///
-/// Largest relative errors found (a tenth is added), in runs of 10⁸ samples whose values have a mean of 1000 deviations, and in many
-/// short runs of all magnitudes, the weights of each positive and within six powers of ten (there, the
-/// ratio's against the larger of ratio and weighted deviation):
+/// - Finite values and weights; both may be negative. Other samples are refused and counted in [`WeightedMean::refused`].
+///   A sample of weight 0 only adds to the count.
+/// - Up to 2⁶⁴ − 1 samples, as for [`Moments`](super::Moments).
+/// - [`None`] while the weights sum to 0 (in a sum of 47 bits); for the error, also for fewer than two samples. No result is
+///   infinite. With positive weights the mean lies between the smallest and the largest value, up to rounding.
+///
+/// # Accuracy
+///
+/// The largest relative errors found, plus a tenth: in runs of 10⁸ samples whose values have a mean of 1000 standard
+/// deviations, and in many short runs of all magnitudes with positive weights within six powers of ten. In short runs the
+/// ratio's error is relative to the larger of ratio and weighted standard deviation.
 ///
 /// | error | 10⁸ samples, one by one | 10⁸ samples, merged | short runs |
 /// |---|--:|--:|--:|
 /// | ratio | 3.4e-8 | 3.4e-8 | 2.2e-7 |
 /// | standard error | 1.6e-7 | 1.6e-7 | 2.8e-7 |
 ///
-/// Source: W. G. Cochran, "Sampling Techniques", 3rd edition, 1977, chapter 6.
+/// The standard error is that of the delta method: √(N/(N−1) Σw²(f−R)²)/|Σw|. If every w(f−R) is below 10⁻¹⁸ of the
+/// largest value times the largest weight, it may come out as 0.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::estimate::WeightedMean;
@@ -38,13 +43,23 @@ use crate::tier::sqrt;
 /// pixel.push(4.0, 0.75);
 /// assert_eq!(pixel.mean(), Some(3.5));
 /// ```
+///
+/// # See also
+///
+/// - [`Moments`](super::Moments), without weights.
+/// - [`Integral`](super::Integral), where the density is normalised.
+///
+/// # Source
+///
+/// W. G. Cochran, "Sampling Techniques", 3rd edition, 1977, chapter 6.
+#[doc(alias = "pixel_filter")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct WeightedMean {
     tally: Tally,
     value_scale: Scale,
     weight_scale: Scale,
-    /// A value near the ratio, K. All that follows is on the scales.
+    /// A value near the ratio, K. Everything below is on the scales.
     centre: f32,
     /// Σw.
     weights: Sum,
@@ -119,7 +134,7 @@ impl WeightedMean {
         self.product_squares = self.product_squares.plus(product * product);
     }
 
-    /// Takes in all that another has: the result is that of all samples together.
+    /// Takes in all samples of another run.
     pub fn merge(&mut self, other: &Self) {
         let tally = match self.tally.joined(other.tally) {
             Ok(tally) => tally,
@@ -158,26 +173,26 @@ impl WeightedMean {
         self.tally.count()
     }
 
-    /// How many samples were refused, because the value or the weight was NaN or infinite.
+    /// How many samples were refused because the value or the weight was NaN or infinite.
     #[must_use]
     #[inline]
     pub const fn refused(&self) -> u64 {
         self.tally.refused()
     }
 
-    /// The ratio Σwf/Σw; [`None`] while the weights sum to 0, as they do without samples.
+    /// The weighted mean Σwf/Σw, or [`None`] while the weights sum to 0, as they do without samples.
     #[must_use]
     #[inline]
     pub fn mean(&self) -> Option<f32> {
         Some(self.value_scale.undo(self.centre + self.distance()?))
     }
 
-    /// The standard error of the estimate by the delta method; [`None`] below two samples and while the
-    /// weights sum to 0.
+    /// The standard error of the mean by the delta method, or [`None`] for fewer than two samples and while the weights sum
+    /// to 0.
     #[must_use]
     #[inline]
     pub fn standard_error(&self) -> Option<f32> {
-        // First with all digits of the sums to the f32 next to the ratio, then what is left of the way:
+        // First move to the f32 nearest the ratio with all digits of the sums, then apply the rest as a correction:
         // where one weight outweighs the others, what they add is far below what is taken off.
         let mut about = *self;
         about.move_centre(self.centre + self.distance()?);
@@ -195,21 +210,21 @@ impl WeightedMean {
         (self.count() > 1).then(|| self.value_scale.undo(error))
     }
 
-    /// Whether no sample had any weight.
+    /// Whether every weight so far was 0.
     #[inline]
     fn is_blank(&self) -> bool {
         // The square of the largest weight is above 2⁻⁴⁷ on its scale.
         self.weight_squares.value() == 0.0
     }
 
-    /// From the centre to the ratio, unless the weights sum to 0.
+    /// The difference of the ratio from the centre, unless the weights sum to 0.
     #[inline]
     fn distance(&self) -> Option<f32> {
         let weights = self.weights.value();
         (weights != 0.0).then(|| saturated(self.products.value() / weights))
     }
 
-    /// Moves the centre to the ratio that these two sums make.
+    /// Moves the centre to the ratio of these two sums.
     #[cold]
     fn recentre(&mut self, products: Sum, weights: Sum) {
         let centre = self.centre + products.value() / weights.value();
@@ -219,7 +234,7 @@ impl WeightedMean {
         }
     }
 
-    /// Takes all differences from another centre, as if they had been from the start.
+    /// Changes the centre as if all differences had been taken from it.
     fn move_centre(&mut self, centre: f32) {
         let step = centre - self.centre;
         // Σ(w(d − s))² = Σ(wd)² − s(Σw·wd + Σw·w(d − s))

@@ -1,25 +1,31 @@
-//! How much the states of a chain depend on the ones before.
+//! Autocorrelation along a chain, its integrated time, and the effective sample size.
 
 use crate::estimate::{Scale, Sum, Tally};
 
-/// The autocorrelation of a number along a chain, and what follows from it: the integrated autocorrelation
-/// time and the effective sample size.
+/// The autocorrelation of a number along a chain, with the integrated autocorrelation time and the effective sample size.
 ///
-/// Push, after each step, a number that is a function of the state: a coordinate, an indicator, the logarithm
-/// of the density. Different functions of one chain may tell different times.
+/// After each step, push a number that depends on the state: a coordinate, an indicator, the logarithm of the density.
+/// Different functions of one chain can have different times.
 ///
-/// - Memory: 16 bytes a lag and 40 more. Time: a push takes a few operations a lag, and some
-///   seven times as many where the count reaches a power of two.
-/// - Domain: any finite numbers. NaN and infinite ones are refused, and counted.
-/// - Range: autocorrelations lie in [−1, 1]. What is not known is [`None`].
-/// - Error of an autocorrelation: 3e-7, the largest found and a tenth, in short runs, where a rounding weighs
-///   most. Error in long runs: 9.7e-8, likewise, in one of 10⁸ numbers whose mean is 1000 deviations and in
-///   ones of 3·10⁶ at up to 10⁶.
+/// # Domain
 ///
-/// Where correlation outlasts the lags, the time is [`None`]: push every 10th state, say, and multiply by 10.
-/// It is a plain value, but its sums are its own affair: after a reset it begins anew.
+/// Any finite numbers. NaN and infinite ones are refused and counted. Autocorrelations lie in [−1, 1]; unknown results are
+/// [`None`]. If correlation outlasts the lags, the time is [`None`]: push, say, every 10th state, and multiply by 10.
 ///
-/// Source: C. J. Geyer, "Practical Markov Chain Monte Carlo", 1992.
+/// # Accuracy
+///
+/// The stated errors are the largest found, plus a tenth.
+///
+/// - Error of an autocorrelation: 3e-7, in short runs, where a rounding weighs most.
+/// - Error in long runs: 9.7e-8, in one of 10⁸ numbers whose mean is 1000 standard deviations, and in runs of 3·10⁶ at up
+///   to 10⁶.
+///
+/// # Cost
+///
+/// Memory: 16 bytes per lag and 40 more. A push takes a few operations per lag, and about seven times as many when the
+/// count reaches a power of two.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{BoxStep, Chain, Autocorrelation};
@@ -34,6 +40,16 @@ use crate::estimate::{Scale, Sum, Tally};
 /// assert!(time > 2.0 && time < 20.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`split_r_hat`](super::split_r_hat()), which compares several runs.
+///
+/// # Source
+///
+/// C. J. Geyer, "Practical Markov Chain Monte Carlo", 1992,
+/// [doi:10.1214/ss/1177011137](https://doi.org/10.1214/ss/1177011137).
+#[doc(alias = "acf")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Autocorrelation<const LAGS: usize> {
@@ -49,7 +65,7 @@ pub struct Autocorrelation<const LAGS: usize> {
     sum: Sum,
     /// The sum of their squares.
     squares: Sum,
-    /// The sums of their products with the difference one place before, two places, and so on.
+    /// The sums of their products with the difference one step before, two steps, and so on.
     products: [Sum; LAGS],
 }
 
@@ -101,7 +117,7 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
             *product = product.plus(difference * (*slot - centre));
             core::mem::swap(slot, &mut moved);
         }
-        // The places not yet taken: the earliest number so far goes to the next.
+        // While `last` is not full, the earliest number moves to the next free place.
         if let Some(slot) = self.last.get_mut(as_lags(before)) {
             *slot = moved;
         }
@@ -120,18 +136,17 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
         self.tally.count()
     }
 
-    /// How many were refused, because they were NaN or infinite.
+    /// How many numbers were refused because they were NaN or infinite.
     #[must_use]
     #[inline]
     pub const fn refused(&self) -> u64 {
         self.tally.refused()
     }
 
-    /// The autocorrelation at a lag from 0, where it is 1, to LAGS: the mean product of differences from the
-    /// mean, `lag` steps apart, over the variance, both sums divided by the same count.
+    /// The autocorrelation at a lag from 0, where it is 1, to LAGS.
     ///
-    /// [`None`] beyond the lags and where fewer numbers than `lag` + 1 were taken in; also where all are the
-    /// same.
+    /// It is the mean product of differences from the mean, `lag` steps apart, over the variance; both sums are divided by
+    /// the same count. [`None`] beyond the lags, with fewer than `lag` + 1 numbers, and if all numbers are equal.
     #[must_use]
     pub fn at_lag(&self, lag: usize) -> Option<f32> {
         self.autocorrelations()?.nth(lag)
@@ -139,13 +154,13 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
 
     /// The integrated autocorrelation time, 1 + 2Σρₖ: how many steps are worth one independent sample.
     ///
-    /// The sum ends where that of two neighbours, ρ₂ₘ + ρ₂ₘ₊₁, is no longer positive, each such pair counting
-    /// at most as much as the one before: of a reversible chain, which one mutation or a
-    /// mixture makes, the true ones are positive and decrease. It takes 3 lags or more; an odd number of them
-    /// is used to the last. It is at least 1/⌊log₂ n⌋.
+    /// This is the initial monotone sequence estimator. The sum ends at the first pair ρ₂ₘ + ρ₂ₘ₊₁ that is not positive, and
+    /// each pair counts at most as much as the one before. (The true pairs of a reversible chain, which one mutation or a
+    /// mixture makes, are positive and decrease.) It takes at least 3 lags, and an odd number uses them all. The result is at
+    /// least 1/⌊log₂ n⌋.
     ///
-    /// [`None`] if the lags do not reach that far (the autocorrelation at the largest lag is then still
-    /// positive), and where no autocorrelation is known.
+    /// [`None`] if the lags are too few (the autocorrelation at the largest lag is then still positive), and if no
+    /// autocorrelation is known.
     #[must_use]
     pub fn integrated_time(&self) -> Option<f32> {
         let mut time = -1.0;
@@ -164,9 +179,9 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
         Some(if time > least { time } else { least })
     }
 
-    /// The effective sample size: as many independent samples would give the mean the same error.
+    /// The effective sample size: how many independent samples would estimate the mean with the same error.
     ///
-    /// [`None`] where the [`Autocorrelation::integrated_time`] is not known.
+    /// [`None`] if [`Autocorrelation::integrated_time`] is.
     #[must_use]
     pub fn effective_sample_size(&self) -> Option<f32> {
         Some(self.count() as f32 / self.integrated_time()?)
@@ -180,8 +195,7 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
         (variance > 0.0).then(|| self.about(to_mean).map(of_variance))
     }
 
-    /// The sums of products from lag 0 on, had the centre been farther up by `step`; as far as there are
-    /// numbers so many steps apart.
+    /// The sums of products from lag 0 on, about a centre farther up by `step`; as far as numbers are that many steps apart.
     fn about(&self, step: f32) -> impl Iterator<Item = Sum> {
         let mut moving = self.moving(step);
         let sums = [&self.squares].into_iter().chain(&self.products);
@@ -203,13 +217,13 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
     /// Moves the centre to the mean.
     #[cold]
     fn recentre(&mut self) {
-        // The step that is taken, not the one wished for: far from 0 the centre is rounded.
+        // Far from 0 the centre is rounded, so this step may differ from the one to the mean.
         let centre = self.centre + self.sum.value() / self.count() as f32;
         let step = centre - self.centre;
         let mut moving = self.moving(step);
         let sums = [&mut self.squares].into_iter().chain(&mut self.products);
         for (sum, ends) in sums.zip(farther(&self.first, &self.last)) {
-            // A lag that no two numbers are apart has no products, whatever the centre.
+            // A lag beyond the count has no products, whatever the centre.
             *sum = if moving.pairs > 0 {
                 moving.next(*sum, ends)
             } else {
@@ -235,20 +249,20 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
     }
 }
 
-/// Takes sums of products to another centre, lag by lag from 0 on.
+/// Moves sums of products to another centre, lag by lag from 0 on.
 struct Moving {
     centre: f32,
     step: f32,
     /// The sum of all differences from the centre.
     sum: Sum,
-    /// The sum of those of the first numbers, as many as the lag, and of the last.
+    /// The sum of the differences of the first numbers, as many as the lag, and of the last.
     ends: Sum,
-    /// How many numbers are the lag apart.
+    /// How many pairs of numbers are the lag apart.
     pairs: u64,
 }
 
 impl Moving {
-    /// The sum at this lag; `ends` is what one lag more leaves out at either end.
+    /// The sum at this lag; `ends` is what one more lag leaves out at either end.
     #[inline]
     fn next(&mut self, products: Sum, ends: Option<(&f32, &f32)>) -> Sum {
         // Σ(d − s)(d′ − s) = Σdd′ − s(Σd + Σd′) + (n − k)s². Both sums are over all but the first or the last k.
@@ -264,7 +278,7 @@ impl Moving {
     }
 }
 
-/// The numbers at both ends, in the order in which greater lags leave them out; none beyond the last lag.
+/// The numbers at both ends, in the order in which greater lags leave them out; [`None`] beyond the last lag.
 #[inline]
 fn farther<'a>(
     first: &'a [f32],
@@ -273,7 +287,7 @@ fn farther<'a>(
     first.iter().zip(last).map(Some).chain([None])
 }
 
-/// A count of numbers where only those up to the lags matter.
+/// A count of numbers, where only those up to the lags matter.
 #[inline]
 fn as_lags(count: u64) -> usize {
     count.try_into().unwrap_or(usize::MAX)

@@ -1,14 +1,31 @@
-//! The chain: where it is, what it counts, and how it is kept.
+//! The chain: its state, its counts, and how to save it.
 
 use super::target_value::TargetValue;
 use crate::error::Error;
 
-/// A Markov chain with a given stationary density, by the rule of Metropolis and Hastings.
+/// A Markov chain with a given stationary density: the Metropolis–Hastings algorithm (MCMC).
 ///
-/// At x, a mutation proposes x′, and with probability a = min(1, f(x′)T(x′→x)/(f(x)T(x→x′))) the chain goes
-/// there; otherwise it stays, to the last bit. The target f and the mutation are handed to each step: the
-/// chain itself is a plain value: one state, one density, three counts of 64 bits and one of 32. A [`Transition`](super::Transition)
-/// has two states and two densities.
+/// At x, a mutation proposes x′. With probability a = min(1, f(x′)T(x′→x)/(f(x)T(x→x′))) the chain moves there;
+/// otherwise its state stays as it is, to the last bit. Each step is handed the target f and the mutation. The chain
+/// itself is a plain value: one state, one density, three counts of 64 bits and one of 32.
+///
+/// # Domain
+///
+/// - States: any `Copy` type, such as an index, a point of ℝᴰ, or the uniforms of a warp.
+/// - Targets return an `f32` or a [`LogDensity`](super::LogDensity), known up to a factor. The ratio of any two
+///   positive finite densities is formed without overflow or underflow. Or they return integer weights, `u32`: then the
+///   acceptance is exact, a [`Chance`](super::Chance), and no floating-point operation takes place.
+/// - A proposal whose density is NaN, infinite or negative is never accepted. [`Chain::refused`] counts it.
+/// - Words (`u32`) a step: those of the mutation, and one more, which is drawn even where it does not decide.
+///
+/// # Accuracy
+///
+/// The acceptance is within half an ulp (a unit in the last place) for a symmetric mutation, and within 2 ulp for one
+/// with a [`HastingsRatio`](super::HastingsRatio). For logarithms, see [`LogDensity`](super::LogDensity). It is realised
+/// in steps of 2⁻³², to the nearest: a proposal with an acceptance below 2⁻³³ is never taken, although
+/// [`Transition::recorded`](super::Transition::recorded) still counts it.
+///
+/// # Cost
 ///
 /// | bytes, of states that are | `f32` | `[f32; 2]` | `[f32; 32]` | `usize` of 64 bits |
 /// |---|--:|--:|--:|--:|
@@ -16,21 +33,7 @@ use crate::error::Error;
 /// | [`Transition`](super::Transition) | 28 | 36 | 276 | 40 |
 /// | of integer weights | 40 | 48 | 288 | 48 |
 ///
-/// - States: any `Copy` type: an index, a point of ℝᴰ, the uniforms of a warp.
-/// - Densities: `f32`, or [`LogDensity`](super::LogDensity), known up to a factor. Any positive finite ones
-///   may meet in one chain: nothing over- or underflows on the way to the acceptance. Or integer weights, `u32`:
-///   then the acceptance is exact, a [`Chance`](super::Chance), and no floating-point operation takes place.
-/// - Words (`u32`) a step: those of the mutation and one more, which is drawn whether it decides or not.
-/// - Error of the acceptance: half an ulp at a symmetric mutation, 2 ulp at one with a
-///   [`HastingsRatio`](super::HastingsRatio); of logarithms, see [`LogDensity`](super::LogDensity). It is realised in steps
-///   of 2⁻³², to the nearest: a proposal of an acceptance below 2⁻³³ is never taken. (In [`Transition::recorded`](super::Transition::recorded) it
-///   counts all the same.)
-/// - A proposal whose density is NaN, infinite or negative is never accepted; it counts in
-///   [`Chain::refused`].
-///
-/// Sources: N. Metropolis, A. W. Rosenbluth, M. N. Rosenbluth, A. H. Teller, E. Teller, "Equation of State
-/// Calculations by Fast Computing Machines", 1953; W. K. Hastings, "Monte Carlo Sampling Methods Using Markov
-/// Chains and Their Applications", 1970.
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{BoxStep, Chain, Mixture, UniformStep, WrappedWalk};
@@ -53,6 +56,20 @@ use crate::error::Error;
 /// assert!((right / 10_000.0 - 0.5).abs() < 0.1);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [The list of mutations](crate::metropolis#which-mutation), to choose what the chain proposes.
+/// - [`primary_density`](super::primary_density), to drive a warp with a chain.
+/// - [`Autocorrelation`](super::Autocorrelation) and [`split_r_hat`](super::split_r_hat()), to judge a run.
+///
+/// # Source
+///
+/// N. Metropolis, A. W. Rosenbluth, M. N. Rosenbluth, A. H. Teller, E. Teller, "Equation of State Calculations by Fast
+/// Computing Machines", 1953, [doi:10.1063/1.1699114](https://doi.org/10.1063/1.1699114); W. K. Hastings, "Monte Carlo
+/// Sampling Methods Using Markov Chains and Their Applications", 1970,
+/// [doi:10.1093/biomet/57.1.97](https://doi.org/10.1093/biomet/57.1.97).
+#[doc(alias = "metropolis_hastings")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Chain<X, D = f32> {
@@ -60,11 +77,12 @@ pub struct Chain<X, D = f32> {
 }
 
 impl<X: Copy, D: TargetValue> Chain<X, D> {
-    /// A chain that starts at a state of one's own.
+    /// A chain that starts at this state.
+    ///
+    /// Where you know no state of positive density, let [`Chain::search`] look for one.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] if the density is 0 there, [`Error::Negative`] and [`Error::NotFinite`] if it
-    /// is no density. Where no state of positive density is known, [`Chain::search`] looks for one.
+    /// [`Error::NotPositive`] if the density there is 0, [`Error::Negative`] and [`Error::NotFinite`] if it is not a density.
     #[inline]
     pub fn new(start: X, target: impl FnOnce(X) -> D) -> Result<Self, Error> {
         let density = target(start);
@@ -104,7 +122,7 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
         self.at.rejected_in_a_row = self.at.rejected_in_a_row.saturating_add(1);
     }
 
-    /// Sets all counts to 0, the rejections in a row included.
+    /// Sets all counts to 0, including the rejections in a row.
     #[inline]
     pub const fn reset_counts(&mut self) {
         self.at.steps = 0;
@@ -113,69 +131,67 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
         self.at.rejected_in_a_row = 0;
     }
 
-    /// Where the chain is.
+    /// The current state.
     #[must_use]
     #[inline]
     pub const fn state(&self) -> X {
         self.at.state
     }
 
-    /// The density there, as the target gave it.
+    /// The density of the current state, as the target returned it.
     #[must_use]
     #[inline]
     pub const fn density(&self) -> D {
         self.at.density
     }
 
-    /// The steps taken since the start or the end of the burn-in.
+    /// How many steps the chain has taken since its start or the end of its burn-in.
     #[must_use]
     #[inline]
     pub const fn steps(&self) -> u64 {
         self.at.steps
     }
 
-    /// How many of them went to the proposed state, forced ones included.
+    /// How many steps moved to the proposed state, including forced ones.
     #[must_use]
     #[inline]
     pub const fn accepted(&self) -> u64 {
         self.at.accepted
     }
 
-    /// How many proposals were refused because their density was NaN, infinite or negative, or their ratio
-    /// none.
+    /// How many proposals were refused: their density was NaN, infinite or negative, or their Hastings ratio was not valid.
     #[must_use]
     #[inline]
     pub const fn refused(&self) -> u64 {
         self.at.refused
     }
 
-    /// How many steps in a row, the last one included, have stayed where they were.
+    /// How many of the latest steps in a row stayed where they were.
     #[must_use]
     #[inline]
     pub const fn rejected_in_a_row(&self) -> u32 {
         self.at.rejected_in_a_row
     }
 
-    /// The share of steps that went to the proposed state; [`None`] before the first.
+    /// The share of steps that moved to the proposed state, or [`None`] before the first step.
     #[must_use]
     #[inline]
     pub fn acceptance_rate(&self) -> Option<f32> {
         (self.at.steps > 0).then(|| self.at.accepted as f32 / self.at.steps as f32)
     }
 
-    /// The chain as plain numbers.
+    /// The chain as plain numbers. [`Chain::resume`] takes them back.
     #[must_use]
     #[inline]
     pub const fn save(&self) -> Saved<X, D> {
         self.at
     }
 
-    /// A chain out of the numbers of a saved one. The density is taken as it was saved, without asking the
-    /// target.
+    /// The chain that was saved as these numbers. The saved density is trusted; the target is not called.
     ///
     /// # Errors
-    /// Those of [`Chain::new`] for the density; [`Error::OutOfRange`] for more accepted steps than steps, and
-    /// for more that are refused, or that stayed in a row, than the others.
+    /// For the density, those of [`Chain::new`]. [`Error::OutOfRange`] if the counts contradict each other: more steps
+    /// accepted than taken, or more refused, or rejected in a row, than were not accepted.
     #[inline]
     pub fn resume(saved: Saved<X, D>) -> Result<Self, Error> {
         let Some(stayed) = saved.steps.checked_sub(saved.accepted) else {
@@ -189,9 +205,11 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
     }
 }
 
-/// All that a chain is, as plain numbers: to be kept in flash or sent over a wire, and made a chain again.
+/// The state of a [`Chain`] as plain numbers, to keep in flash or send over a wire.
 ///
-/// A chain that is saved and resumed continues bit for bit, if the generator is kept too.
+/// A chain that is saved and resumed continues bit for bit, as long as you keep the generator's state too.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, Saved, UniformStep};
@@ -201,7 +219,7 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
 /// let mut chain = Chain::new([0.5, 0.25], f)?;
 /// chain.step(f, &UniformStep::new(), &mut rng);
 ///
-/// // Into storage of one's own, number by number, and back.
+/// // Save the chain number by number, and restore it.
 /// let saved = chain.save();
 /// let words = [saved.state[0], saved.state[1], saved.density].map(f32::to_bits);
 /// let [x, y, density] = words.map(f32::from_bits);
@@ -209,19 +227,20 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
 /// assert_eq!(again, chain);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+#[doc(alias = "serialize")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Saved<X, D = f32> {
-    /// Where the chain is.
+    /// The current state.
     pub state: X,
-    /// The density there, positive.
+    /// The density of the current state, positive.
     pub density: D,
-    /// The steps taken since the start or the end of the burn-in.
+    /// How many steps the chain has taken since its start or the end of its burn-in.
     pub steps: u64,
-    /// How many of them went to the proposed state, forced ones included.
+    /// How many steps moved to the proposed state, including forced ones.
     pub accepted: u64,
     /// How many proposals were refused.
     pub refused: u64,
-    /// How many steps in a row, the last one included, have stayed; it saturates.
+    /// How many of the latest steps in a row stayed where they were; it saturates.
     pub rejected_in_a_row: u32,
 }

@@ -1,4 +1,4 @@
-//! One step of a chain of integer weights: its exact acceptance, without a floating-point operation.
+//! A step of a chain of integer weights: its exact acceptance, without floating-point operations.
 
 #![expect(
     clippy::arithmetic_side_effects,
@@ -15,13 +15,15 @@ use crate::uniform::infallible;
 use core::num::NonZeroU32;
 use rand_core::{Rng, TryRng};
 
-/// The acceptance of a step between integer weights: how many of the 2³² words that decide accept it.
+/// The exact acceptance of a step between integer weights: how many of the 2³² possible words accept it.
 ///
 /// For weights f of x and f′ of x′, and counts T of the way there and T′ of the way back, the word U accepts if
-/// U·f·T < 2³²·f′·T′. So the accepting words are the first ⌈2³² f′T′/(fT)⌉, or all: the acceptance a, to less
-/// than a step of 2⁻³² above, and never 0 where there is a way.
+/// U·f·T < 2³²·f′·T′. So the first ⌈2³² f′T′/(fT)⌉ words accept, or all of them. This is the acceptance a, rounded up by
+/// less than 2⁻³², and it is never 0 for a proposal that the rule allows.
 ///
-/// Two of them are equal if the same words accept.
+/// Two values are equal if the same words accept.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, UniformIndex};
@@ -43,16 +45,21 @@ use rand_core::{Rng, TryRng};
 /// assert!(histogram[0] > 850 << 32 && histogram[0] < 950 << 32);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`Transition`](super::Transition), whose `acceptance` this is.
+/// - [`HastingsCounts`](super::HastingsCounts), the Hastings ratio of such a chain.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Chance {
-    /// The acceptance is `part`/`whole`, or 1 where `part` is the larger one; `whole` is positive.
+    /// The acceptance is min(1, `part`/`whole`); `whole` is positive.
     part: u64,
     whole: u64,
 }
 
 impl Chance {
-    /// How many words there are, 2³².
+    /// How many words there are: 2³².
     pub const TOTAL: u64 = 1 << 32;
 
     const NEVER: Self = Self::of(0, 1);
@@ -73,7 +80,7 @@ impl Chance {
         }
     }
 
-    /// How many words accept: from 0 to [`Chance::TOTAL`].
+    /// How many words accept, from 0 to [`Chance::TOTAL`].
     #[must_use]
     #[inline]
     pub const fn words(self) -> u64 {
@@ -88,7 +95,7 @@ impl Chance {
         words as u64 + inexact as u64
     }
 
-    /// Whether a word accepts: whether it is below the number of words that do. No division takes place.
+    /// Whether this word accepts, that is, whether it is below [`Chance::words`]. It takes no division.
     #[must_use]
     #[inline]
     pub const fn accepts(self, word: u32) -> bool {
@@ -98,7 +105,7 @@ impl Chance {
         word * upper + ((word * lower) >> 32) < self.part
     }
 
-    /// Of two weights, and two counts of 1 to 2⁶⁴.
+    /// Of two weights and two counts from 1 to 2⁶⁴.
     #[inline]
     const fn of_counts(from: u32, to: u32, counts: HastingsCounts) -> Self {
         /// Up to here the products with a weight have 64 bits.
@@ -111,7 +118,7 @@ impl Chance {
         }
     }
 
-    /// Of two weights and a ratio, which is an integer of 24 bits times a power of two.
+    /// Of two weights and a ratio: an integer of 24 bits times a power of two.
     #[inline]
     const fn of_ratio(from: u32, to: u32, ratio: Scaled) -> Self {
         let (significand, exponent) = ratio.parts();
@@ -127,7 +134,7 @@ impl Chance {
         }
     }
 
-    /// Of numbers of up to 122 bits: the words are counted at once.
+    /// Of numbers of up to 122 bits; it counts the words right away.
     const fn wide(part: u128, whole: u128) -> Self {
         if part >= whole {
             return Self::ALWAYS;
@@ -146,7 +153,7 @@ impl PartialEq for Chance {
 impl Eq for Chance {}
 
 impl<X: Copy> Chain<X, u32> {
-    /// The one step; a limit of `u32::MAX` is none.
+    /// Takes one step; `u32::MAX` means no limit.
     #[inline]
     fn advance<R: TryRng + ?Sized>(
         &mut self,
@@ -175,11 +182,10 @@ impl<X: Copy> Chain<X, u32> {
 steps!(u32, Chance);
 
 impl<X: Copy, D> Transition<X, D, Chance> {
-    /// Both states with the number of words, of 2³², to record them with: those that reject and those that
-    /// accept, which sum to 2³² exactly.
+    /// Both states, each with its share of the 2³² words: those that reject and those that accept. They sum to 2³² exactly.
     ///
-    /// This is exactly the expectation of recording the state after the step. Pass over a state without words: if
-    /// refused, it may be outside the domain.
+    /// This is exactly the expectation of recording the state after the step. Skip a state without words: if the proposal
+    /// was refused, it may be outside the domain.
     #[must_use]
     #[inline]
     pub const fn recorded(&self) -> [(X, u64); 2] {

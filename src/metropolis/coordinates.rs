@@ -1,16 +1,18 @@
-//! Points whose coordinates can be counted off: one number, or an array of them.
+//! Points of one or more coordinates.
 
 use crate::uniform::Uniforms;
 
-/// A point of ℝᴰ or of the unit cube: an `f32`, or an array of them, just as the uniforms of a warp are.
-///
-/// The trait is sealed.
+/// A point of ℝᴰ or of the unit cube: an `f32` or an array `[f32; D]`. The trait is sealed.
+#[diagnostic::on_unimplemented(
+    message = "a point is an `f32` or an array `[f32; D]`, not `{Self}`",
+    label = "not a point"
+)]
 pub trait Coordinates: Uniforms {
     /// The coordinates in order.
     #[must_use]
     fn as_slice(&self) -> &[f32];
 
-    /// The coordinates in order, to be changed.
+    /// The coordinates in order, mutable.
     #[must_use]
     fn as_mut_slice(&mut self) -> &mut [f32];
 }

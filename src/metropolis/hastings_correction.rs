@@ -1,10 +1,10 @@
-//! The Hastings ratio T(x′→x)/T(x→x′), in the forms in which a mutation states it.
+//! The Hastings ratio T(x′→x)/T(x→x′), in the three forms a mutation may state.
 
 use super::target_value::Standing;
 use super::{HastingsCounts, HastingsRatio};
 use crate::num::Scaled;
 
-/// The ratio of a proposal in any of its forms.
+/// A Hastings ratio in any of its forms.
 #[derive(Clone, Copy, Debug)]
 pub enum Hastings {
     One,
@@ -18,26 +18,30 @@ mod sealed {
     pub trait Stated: Copy {
         /// Whether there is a way there and back.
         fn standing(self) -> Standing;
-        /// A positive ratio in floating point; nothing where it is 1 for every proposal, which the type says, so that a
-        /// chain of such mutations links no ratio.
+        /// A positive ratio in floating point. [`None`] where the type says that it is always 1, so that a chain of such mutations
+        /// links no code for ratios.
         fn value(self) -> Option<Scaled>;
         fn hastings(self) -> Hastings;
-        /// Only mixtures call this, and their parts never state more than this type can hold.
+        /// Only mixtures call this, and their parts never carry more than this type can hold.
         fn of(ratio: Hastings) -> Self;
     }
 }
 pub(super) use sealed::Stated;
 
-/// The ratio T(x′→x)/T(x→x′) of a proposal: [`Symmetric`], which is 1 and costs nothing, [`HastingsCounts`], which are
-/// two integers, or a [`HastingsRatio`]. The trait is sealed.
+/// The Hastings ratio T(x′→x)/T(x→x′) of a proposal, in one of three forms: [`Symmetric`], which is 1 and costs nothing,
+/// [`HastingsCounts`], a ratio of two integers, or a [`HastingsRatio`]. The trait is sealed.
+#[diagnostic::on_unimplemented(
+    message = "a mutation states its Hastings ratio as `Symmetric`, `HastingsCounts` or `HastingsRatio`, not `{Self}`",
+    label = "not a form of the Hastings ratio"
+)]
 pub trait HastingsCorrection: Stated {
-    /// What a mixture of mutations of this kind and of another one states.
+    /// The form that a mixture of this one and of `C` takes.
     type With<C: HastingsCorrection>: HastingsCorrection;
-    /// What a mixture of mutations of this kind and of some with [`HastingsCounts`] states.
+    /// The form that a mixture of this one and of [`HastingsCounts`] takes.
     type WithCounts: HastingsCorrection;
 }
 
-/// The way back is as likely as the way there: T(x′→x) = T(x→x′).
+/// The Hastings ratio of a symmetric mutation: 1, since T(x′→x) = T(x→x′).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Symmetric;

@@ -1,13 +1,18 @@
-//! The ratio T(x′→x)/T(x→x′) of a proposal, as a number and as two integers.
+//! The Hastings ratio T(x′→x)/T(x→x′) of a proposal, as a number and as two integers.
 
 use super::target_value::Standing;
 use crate::num::{Scaled, remainder};
 
-/// The ratio T(x′→x)/T(x→x′) of a proposal x′.
+/// The Hastings ratio T(x′→x)/T(x→x′) of a proposal x′, as a number.
 ///
-/// Its exponent is set aside, so that neither it nor its product with the densities over- or underflows.
-/// Error of the acceptance: 2 ulp, for densities and ratios of any magnitude; of logarithms, see
-/// [`LogDensity`](super::LogDensity).
+/// Its exponent is kept apart, so neither the ratio nor its product with the densities overflows or underflows.
+///
+/// # Accuracy
+///
+/// The acceptance is within 2 ulp (units in the last place) for densities and ratios of any magnitude. For logarithms,
+/// see [`LogDensity`](super::LogDensity).
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Mutation, Proposal, HastingsRatio};
@@ -33,17 +38,23 @@ use crate::num::{Scaled, remainder};
 ///     }
 /// }
 /// ```
+///
+/// # See also
+///
+/// - [`Symmetric`](super::Symmetric), where the ratio is always 1.
+/// - [`HastingsCounts`], where T consists of integers.
+#[doc(alias = "proposal_ratio")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HastingsRatio {
-    /// Zero where there is no way back, and unsound where this is not a ratio.
+    /// Zero if there is no way back, unsound if this is not a valid ratio.
     pub(super) standing: Standing,
     /// The ratio where it is positive.
     pub(super) value: Scaled,
 }
 
 impl HastingsRatio {
-    /// The ratio of 1, of a symmetric proposal.
+    /// The ratio of a symmetric proposal: 1.
     pub const ONE: Self = Self::positive(Scaled::ONE);
 
     const fn positive(value: Scaled) -> Self {
@@ -60,11 +71,11 @@ impl HastingsRatio {
         }
     }
 
-    /// The ratio of two densities: `forward` = T(x→x′), `backward` = T(x′→x), both with respect to the same
-    /// measure and up to the same factor.
+    /// The ratio of two densities, `forward` = T(x→x′) and `backward` = T(x′→x), with respect to the same measure and up to
+    /// the same factor.
     ///
-    /// Where `backward` is 0 the proposal is never accepted. Densities that are NaN, infinite or negative,
-    /// and a `forward` of 0 (then x′ could not have been proposed), have the proposal refused and counted.
+    /// If `backward` is 0, the proposal is never accepted. If a density is NaN, infinite or negative, or `forward` is 0 (so
+    /// that x′ could not have been proposed), the proposal is refused and counted.
     #[must_use]
     #[inline]
     pub const fn new(forward: f32, backward: f32) -> Self {
@@ -80,10 +91,10 @@ impl HastingsRatio {
         }
     }
 
-    /// The ratio of two counts up to 2⁶⁴, such as the numerators of a table, correctly rounded but for
-    /// quotients within 1e-6 ulp of the middle between two `f32`.
+    /// The ratio of two counts up to 2⁶⁴, such as the numerators of a table.
     ///
-    /// HastingsCounts of 0 are treated as densities of 0 are by [`HastingsRatio::new`], larger ones than 2⁶⁴ as 2⁶⁴.
+    /// It is correctly rounded, except for quotients within 1e-6 ulp of the midpoint between two `f32`. A count of 0 acts
+    /// like a density of 0 in [`HastingsRatio::new`]; a count above 2⁶⁴ counts as 2⁶⁴.
     #[must_use]
     #[inline]
     pub const fn from_counts(forward: u128, backward: u128) -> Self {
@@ -95,10 +106,12 @@ impl HastingsRatio {
     }
 }
 
-/// The ratio T(x′→x)/T(x→x′) of a proposal x′ as two integers, such as the numerators of a table.
+/// The Hastings ratio T(x′→x)/T(x→x′) of a proposal x′ as two integers, such as the numerators of a table.
 ///
-/// A chain of integer weights takes them as they are: its acceptance is exact, and no floating-point operation
-/// takes place. A chain of a [`TargetDensity`](super::TargetDensity) divides them, as [`HastingsRatio::from_counts`] does.
+/// A chain of integer weights takes them as they are: its acceptance is exact, and no floating-point operation takes
+/// place. A chain of a [`TargetDensity`](super::TargetDensity) divides them like [`HastingsRatio::from_counts`].
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, HastingsCounts, Mutation, Proposal};
@@ -131,6 +144,11 @@ impl HastingsRatio {
 /// assert_eq!(step.acceptance.words(), words);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`HastingsRatio`], where T is not an integer.
+/// - [`Chance`](super::Chance), the exact acceptance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HastingsCounts {
@@ -139,13 +157,13 @@ pub struct HastingsCounts {
 }
 
 impl HastingsCounts {
-    /// Those of a symmetric proposal.
+    /// The counts of a symmetric proposal.
     pub const EQUAL: Self = Self::new(1, 1);
 
     /// T(x→x′) and T(x′→x), both up to the same factor.
     ///
-    /// Where `backward` is 0 the proposal is never accepted; one of `forward` 0, which could not have been made,
-    /// is refused. A count above 2⁶⁴ counts as 2⁶⁴.
+    /// If `backward` is 0, the proposal is never accepted. If `forward` is 0, it could not have been made and is refused. A
+    /// count above 2⁶⁴ counts as 2⁶⁴.
     #[must_use]
     #[inline]
     pub const fn new(forward: u128, backward: u128) -> Self {
@@ -176,7 +194,7 @@ impl HastingsCounts {
         HastingsRatio::from_counts(self.forward, self.backward)
     }
 
-    /// Zero where there is no way back, and unsound where there was no way to the proposal.
+    /// Zero if there is no way back, unsound if there was no way to the proposal.
     #[inline]
     pub(super) const fn way(self) -> Standing {
         match (self.forward, self.backward) {
@@ -186,7 +204,7 @@ impl HastingsCounts {
         }
     }
 
-    /// backward/forward, both positive, correctly rounded but next to the middle of two `f32`.
+    /// backward/forward, both positive. Correctly rounded, except next to the midpoint between two `f32`.
     #[inline]
     pub(super) const fn quotient(self) -> Scaled {
         if self.forward == self.backward {

@@ -1,4 +1,4 @@
-//! Proposals that do not depend on where the chain is.
+//! Proposals that do not depend on the state.
 
 use super::coordinates::Coordinates;
 use super::{HastingsCorrection, HastingsCounts, HastingsRatio, Mutation, Proposal, Symmetric};
@@ -7,13 +7,18 @@ use crate::uniform::Uniforms;
 use crate::warp::Warp;
 use rand_core::TryRng;
 
-/// Another sampler of the chain's states, whose density is known: any [`Warp`], a [`Cdf`] or [`Alias`] table
-/// of indices, the [`UniformStep`] of the unit cube, the [`UniformIndex`](super::UniformIndex).
+/// A sampler of states whose density is known: any [`Warp`], a [`Cdf`] or [`Alias`] table of indices, the
+/// [`UniformStep`] of the unit cube, or [`UniformIndex`](super::UniformIndex).
 ///
 /// It can propose ([`Independence`]) and it can start a chain ([`Chain::search`](super::Chain::search),
 /// [`Chain::resample`](super::Chain::resample)).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a source of states of type `{X}`",
+    label = "does not draw a `{X}`",
+    note = "sources are warps (of points), `Cdf` and `Alias` tables and `UniformIndex` (of `usize`), and `UniformStep` (of `f32` and `[f32; D]`)"
+)]
 pub trait StateSource<X> {
-    /// What its proposals state: a [`HastingsRatio`], or [`HastingsCounts`] of a table.
+    /// The form of the Hastings ratio of its proposals: [`HastingsCounts`] for tables, [`HastingsRatio`] otherwise.
     type Correction: HastingsCorrection;
 
     /// Draws a state.
@@ -22,13 +27,13 @@ pub trait StateSource<X> {
     /// The generator's own error.
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<X, R::Error>;
 
-    /// The density at a state, with respect to the measure that the target's density is meant for; not
-    /// necessarily normalised if no weight is to be read off a start.
+    /// The density at a state, with respect to the same measure as the target's. It needs to be normalised only if you use
+    /// the weight of a [`Start`](super::Start).
     #[must_use]
     fn pdf_of_state(&self, state: X) -> f32;
 
-    /// p(`from`)/p(`to`), the ratio of a proposal: of two densities, `HastingsRatio::new(self.pdf_of_state(to),
-    /// self.pdf_of_state(from))`.
+    /// The Hastings ratio p(`from`)/p(`to`) of a proposal. For two densities it is
+    /// `HastingsRatio::new(self.pdf_of_state(to), self.pdf_of_state(from))`.
     #[must_use]
     fn ratio_of_states(&self, from: X, to: X) -> Self::Correction;
 }
@@ -80,23 +85,25 @@ tables! {
     Alias of AliasEntry<W>;
 }
 
-/// Proposes draws of another sampler, wherever the chain is.
+/// Proposes draws from a warp or a table, wherever the chain is: the independence sampler.
 ///
-/// - States: the points of a warp, the indices of a table.
-/// - Words: those of the draw.
-/// - T(x→x′) = p(x′); the ratio is p(x)/p(x′). Of a table it is that of the numerators, as [`HastingsCounts`].
+/// The closer p is to a multiple of f, the more proposals are accepted; all of them if p is proportional to f. The chain
+/// never visits states that p never proposes, and never leaves one if started there. Where the tails of f are heavier
+/// than those of p, the chain gets stuck for long.
 ///
-/// The nearer p comes to a multiple of f, the more is accepted; where it is one, all. States that p never
-/// proposes, the chain never visits; started at one, it never leaves it. Tails of f heavier than those of p
-/// hold the chain for long.
+/// # Domain
 ///
-/// Source: L. Tierney, "Markov Chains for Exploring Posterior Distributions", 1994.
+/// - States: the points of a warp, or the indices of a table.
+/// - Words: those of one draw.
+/// - T(x→x′) = p(x′). The Hastings ratio is p(x)/p(x′); for a table it is that of the numerators, as [`HastingsCounts`].
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::discrete::Cdf;
 /// use microwarp::metropolis::{Chain, Independence};
 /// use rand_pcg::Pcg32;
-/// // Proposals that already have the density asked for are all accepted.
+/// // Proposals that already have the target density are all accepted.
 /// let weights = [9.0, 1.0];
 /// let mutation = Independence::new(Cdf::new(&weights)?);
 /// let mut chain = Chain::new(0, |i: usize| weights[i])?;
@@ -106,6 +113,17 @@ tables! {
 /// assert_eq!(chain.acceptance_rate(), Some(1.0));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`UniformStep`] and [`UniformIndex`](super::UniformIndex), where p is uniform.
+/// - [`Mixture`](super::Mixture), to combine it with small steps.
+///
+/// # Source
+///
+/// L. Tierney, "Markov Chains for Exploring Posterior Distributions", 1994,
+/// [doi:10.1214/aos/1176325750](https://doi.org/10.1214/aos/1176325750).
+#[doc(alias = "independence_sampler")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Independence<S> {
@@ -113,7 +131,7 @@ pub struct Independence<S> {
 }
 
 impl<S> Independence<S> {
-    /// Proposes the draws of this warp or table.
+    /// Proposes draws from this warp or table.
     #[must_use]
     #[inline]
     pub const fn new(source: S) -> Self {
@@ -142,14 +160,15 @@ impl<X: Copy, S: StateSource<X>> Mutation<X> for Independence<S> {
     }
 }
 
-/// Proposes any point of the unit cube: the large step of a chain in primary sample space.
+/// Proposes a uniform point of the unit cube: the large step of a chain in primary sample space.
+///
+/// # Domain
 ///
 /// - States: [0, 1)ᴰ, as `f32` or `[f32; D]`.
-/// - Words: one a coordinate. Each coordinate is on the 24-bit grid of canonical uniforms.
+/// - Words: one per coordinate. Each coordinate is on the 24-bit grid of canonical uniforms.
 /// - T(x→x′) = 1.
 ///
-/// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
-/// Metropolis Light Transport Algorithm", 2002.
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Mutation, UniformStep};
@@ -157,12 +176,23 @@ impl<X: Copy, S: StateSource<X>> Mutation<X> for Independence<S> {
 /// let Ok(proposal) = UniformStep::new().try_propose([0.5; 3], &mut Pcg32::new(1, 1));
 /// assert!(proposal.state.iter().all(|x| (0.0..1.0).contains(x)));
 /// ```
+///
+/// # See also
+///
+/// - [`LargeSmall`](super::LargeSmall), which combines it with small steps.
+/// - [`UniformIndex`](super::UniformIndex), the same for indices.
+///
+/// # Source
+///
+/// C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the Metropolis Light
+/// Transport Algorithm", 2002, [doi:10.1111/1467-8659.t01-1-00703](https://doi.org/10.1111/1467-8659.t01-1-00703).
+#[doc(alias = "large_step")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UniformStep;
 
 impl UniformStep {
-    /// The one there is.
+    /// The step. It has no parameters.
     #[must_use]
     #[inline]
     pub const fn new() -> Self {

@@ -5,11 +5,15 @@ use crate::discrete::{Cdf, Storage, Word};
 use crate::error::Error;
 use rand_core::TryRng;
 
-/// Proposes any of n indices, wherever the chain is.
+/// Proposes any of n indices with equal probability, wherever the chain is.
+///
+/// # Domain
 ///
 /// - States: 0 to n − 1.
 /// - Words: 2, as one fraction of 64 bits.
 /// - T(x→x′) = 1/n, to 2⁻⁶⁴.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Mutation, UniformIndex};
@@ -18,6 +22,11 @@ use rand_core::TryRng;
 /// assert!(proposal.state < 6);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`Independence`](super::Independence) of a table, to propose indices by weight.
+/// - [`TransitionTable`], where the proposal depends on the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UniformIndex {
@@ -91,16 +100,17 @@ impl Mutation<usize> for UniformIndex {
     }
 }
 
-/// Proposes a draw of the table that belongs to the state: any transition matrix T of n states.
+/// Proposes indices by a transition matrix T of n states: a draw from the table that belongs to the current state.
 ///
-/// - States: 0 to n − 1.
-/// - Words: those of a draw of the table.
-/// - T(x→x′) is the pmf of x′ in table x; the ratio is that of the numerators, as [`HastingsCounts`].
-/// - A state out of range stays where it is.
+/// The acceptance turns it into a chain with the target density. A transition without a way back is never accepted.
 ///
-/// A transition that has no way back is never accepted.
+/// # Domain
 ///
-/// Source: W. K. Hastings, "Monte Carlo Sampling Methods Using Markov Chains and Their Applications", 1970.
+/// - States: 0 to n − 1. A chain at a state out of range stays there.
+/// - Words: those of one draw from the table.
+/// - T(x→x′) is the pmf of x′ in table x. The Hastings ratio is that of the numerators, as [`HastingsCounts`].
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::discrete::Cdf;
@@ -114,6 +124,16 @@ impl Mutation<usize> for UniformIndex {
 /// assert_ne!(step.proposed, 0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`Independence`](super::Independence), with one table for all states.
+///
+/// # Source
+///
+/// W. K. Hastings, "Monte Carlo Sampling Methods Using Markov Chains and Their Applications", 1970,
+/// [doi:10.1093/biomet/57.1.97](https://doi.org/10.1093/biomet/57.1.97).
+#[doc(alias = "markov_matrix")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TransitionTable<S, const N: usize> {
@@ -121,10 +141,10 @@ pub struct TransitionTable<S, const N: usize> {
 }
 
 impl<W: Word, S: Storage<Item = W>, const N: usize> TransitionTable<S, N> {
-    /// The table of each state in order, each with an entry for every state.
+    /// Takes the table of each state in order, each with an entry for every state.
     ///
     /// # Errors
-    /// [`Error::NoWeights`] without states, [`Error::NotATable`] if a table has another number of entries.
+    /// [`Error::NoWeights`] without states, [`Error::NotATable`] if a table does not have N entries.
     pub fn new(rows: [Cdf<S>; N]) -> Result<Self, Error> {
         if N == 0 {
             Err(Error::NoWeights)

@@ -1,4 +1,4 @@
-//! Several mutations, of which each step picks one.
+//! Mixtures: each step picks one of several mutations.
 
 use super::hastings_correction::{Hastings, HastingsCorrection, Stated as _};
 use super::{Mutation, Proposal, UniformStep};
@@ -9,9 +9,14 @@ use rand_core::TryRng;
 
 /// N mutations of the same states: an array of one type, or a tuple of up to eight.
 ///
-/// A type of one's own, such as an `enum` of mutations, implements [`Mutation`] and goes into an array.
+/// To mix more, implement [`Mutation`] for an `enum` of mutations and put its values into an array.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a set of {N} mutations of states of type `{X}`",
+    label = "not {N} mutations of `{X}`",
+    note = "a mixture takes an array of one type, or a tuple of up to eight mutations, and as many weights"
+)]
 pub trait Mutations<X, const N: usize> {
-    /// What any of them states.
+    /// A form that holds the Hastings ratio of each of them.
     type Correction: HastingsCorrection;
 
     /// Proposes by the mutation of this index.
@@ -38,13 +43,13 @@ impl<X: Copy, M: Mutation<X>, const N: usize> Mutations<X, N> for [M; N] {
     ) -> Result<Proposal<X, M::Correction>, R::Error> {
         match self.get(index) {
             Some(mutation) => mutation.try_propose(from, rng),
-            // No table has an index beyond its last entry.
+            // Unreachable: no table gives an index beyond its last entry.
             None => Ok(Proposal::new(from, M::Correction::of(Hastings::One))),
         }
     }
 }
 
-/// The correction of all of several types.
+/// A form of the Hastings ratio that holds those of several types.
 macro_rules! joined {
     ($only:ty) => { $only };
     ($first:ty, $($rest:ty),+) => { <$first as HastingsCorrection>::With<joined!($($rest),+)> };
@@ -71,7 +76,7 @@ macro_rules! tuples {
                             kind: proposal.kind,
                         }
                     })+
-                    // No table has an index beyond its last entry.
+                    // Unreachable: no table gives an index beyond its last entry.
                     _ => Proposal::new(from, Self::Correction::of(Hastings::One)),
                 })
             }
@@ -90,18 +95,19 @@ tuples! {
     8: A 0, B 1, C 2, E 3, F 4, G 5, H 6, I 7;
 }
 
-/// Proposes by one of N mutations, picked at each step with a fixed probability.
+/// Proposes by one of N mutations, picked at each step with fixed probabilities.
 ///
-/// Each of them keeps the target stationary by itself, with its own ratio, and so does the mixture; where one
-/// alone would not reach every state, or be slow to, another one can. Their frequencies change
-/// how soon, not what the chain converges to.
+/// Each of the mutations keeps the target stationary by itself, and so does the mixture. Combine them where one alone
+/// reaches some states never or slowly. The probabilities change how fast the chain converges, not what it converges to.
+///
+/// # Domain
 ///
 /// - States: those of the mutations.
-/// - Words: one, which picks, and those of the mutation picked.
-/// - HastingsRatio: that of the mutation picked. Where all are symmetric, so is the mixture.
-/// - [`Transition::kind`](super::Transition::kind) says which was picked. (Within a mixture of mixtures, the outer one's.)
+/// - Words: one to pick the mutation, then those of the mutation picked.
+/// - Hastings ratio: that of the mutation picked. A mixture of symmetric mutations is symmetric.
+/// - [`Transition::kind`](super::Transition::kind) tells which was picked; for nested mixtures, that of the outer one.
 ///
-/// Source: L. Tierney, "Markov Chains for Exploring Posterior Distributions", 1994.
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{BoxStep, Chain, Mixture};
@@ -115,6 +121,16 @@ tuples! {
 /// assert!(step.kind < 3);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`LargeSmall`], the usual mixture in the unit cube.
+/// - [`OneCoordinate`](super::OneCoordinate), which picks a coordinate instead of a mutation.
+///
+/// # Source
+///
+/// L. Tierney, "Markov Chains for Exploring Posterior Distributions", 1994,
+/// [doi:10.1214/aos/1176325750](https://doi.org/10.1214/aos/1176325750).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Mixture<M, const N: usize> {
@@ -123,7 +139,9 @@ pub struct Mixture<M, const N: usize> {
 }
 
 impl<M, const N: usize> Mixture<M, N> {
-    /// Picks the mutations with probabilities in the ratio of the weights. One of weight 0 is never picked.
+    /// Picks the mutations with probabilities in proportion to the weights. A mutation of weight 0 is never picked.
+    ///
+    /// Mutations that are not `Copy` go in by reference, or by [`Mixture::from_table`].
     ///
     /// # Errors
     /// Those of [`Cdf`] for the weights.
@@ -137,8 +155,7 @@ impl<M, const N: usize> Mixture<M, N> {
         }
     }
 
-    /// Picks the mutations by a table of one's own: built by the compiler, it leaves what builds tables out
-    /// of the program.
+    /// Picks the mutations by this table. If the compiler builds the table, the program needs no code that builds tables.
     #[must_use]
     pub const fn from_table(mutations: M, table: Cdf<[u32; N]>) -> Self {
         Self { mutations, table }
@@ -151,26 +168,26 @@ impl<M, const N: usize> Mixture<M, N> {
         &self.mutations
     }
 
-    /// How often each mutation is picked, in units of 2⁻³².
+    /// The table that picks, with probabilities in units of 2⁻³².
     #[must_use]
     pub const fn table(&self) -> &Cdf<[u32; N]> {
         &self.table
     }
 }
 
-/// A [`Mixture`] of large steps anywhere in the unit cube, of [kind](super::Transition::kind) 0, with small ones of
-/// kind 1.
+/// A [`Mixture`] of large steps anywhere in the unit cube ([kind](super::Transition::kind) 0) and small steps (kind 1).
 ///
-/// The states proposed by large steps are uniform in the cube, whatever becomes of them: the mean of their
-/// densities estimates the normalisation. (A refused one counts in it as 0.)
+/// The states that large steps propose are uniform in the cube, whether accepted or not, so the mean of their densities
+/// estimates the normalisation. (A refused one counts as 0 in it.)
+#[doc(alias = "pssmlt")]
 pub type LargeSmall<S> = Mixture<(UniformStep, S), 2>;
 
 impl<S> LargeSmall<S> {
-    /// Large steps with this probability, to the nearest multiple of 2⁻³², small ones otherwise.
+    /// Takes a large step with this probability, to the nearest multiple of 2⁻³², and a small step otherwise.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a probability outside [0, 1]; [`Error::Unreachable`] for a positive one
-    /// below 2⁻³³, which no word would reach.
+    /// [`Error::OutOfRange`] for a probability outside [0, 1]; [`Error::Unreachable`] for a positive one below 2⁻³³, which
+    /// no word would reach.
     pub const fn large_small(probability: f32, small: S) -> Result<Self, Error>
     where
         S: Copy,
@@ -178,7 +195,7 @@ impl<S> LargeSmall<S> {
         if !(probability >= 0.0 && probability <= 1.0) {
             return Err(Error::OutOfRange);
         }
-        // By hand, which leaves what builds tables out of the program.
+        // Built by hand, so that the program needs no code that builds tables.
         let words = if probability < 1.0 {
             [nearest(probability * 4_294_967_296.0), 1]
         } else {

@@ -1,22 +1,22 @@
-//! The trait of what proposes.
+//! The trait of mutations, which propose states.
 
 use super::hastings_correction::HastingsCorrection;
 use rand_core::TryRng;
 
-/// A state that is proposed, and what its mutation says of the way there and back.
+/// A proposed state, and the Hastings ratio of the move to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Proposal<X, C> {
     /// The state x′.
     pub state: X,
-    /// T(x′→x)/T(x→x′).
+    /// The Hastings ratio T(x′→x)/T(x→x′).
     pub correction: C,
-    /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 without one.
+    /// The index of the mutation of a [`Mixture`](super::Mixture) that proposed it; 0 without a mixture.
     pub kind: u32,
 }
 
 impl<X, C> Proposal<X, C> {
-    /// A proposal of a mutation that is no mixture.
+    /// The proposal of a mutation that is not a mixture.
     #[must_use]
     #[inline]
     pub const fn new(state: X, correction: C) -> Self {
@@ -27,7 +27,7 @@ impl<X, C> Proposal<X, C> {
         }
     }
 
-    /// The same proposal of another state, for a mutation that is made of another one.
+    /// The same proposal with another state, for a mutation that wraps another one.
     #[must_use]
     #[inline]
     pub fn map<Y>(self, state: impl FnOnce(X) -> Y) -> Proposal<Y, C> {
@@ -41,9 +41,11 @@ impl<X, C> Proposal<X, C> {
 
 /// A rule by which a chain at x proposes a state x′, with probability (density) T(x→x′).
 ///
-/// To write one of one's own, draw x′ and state the ratio T(x′→x)/T(x→x′): [`Symmetric`](super::Symmetric)
-/// where it is always 1, [`HastingsCounts`](super::HastingsCounts) where it is one of two integers, or a
-/// [`HastingsRatio`](super::HastingsRatio). Nothing else need be known of T.
+/// To write your own, draw x′ and state the Hastings ratio T(x′→x)/T(x→x′): [`Symmetric`](super::Symmetric) if it is
+/// always 1, [`HastingsCounts`](super::HastingsCounts) if it is a ratio of integers, and a
+/// [`HastingsRatio`](super::HastingsRatio) otherwise. Nothing else about T is needed.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, Mutation, Proposal, Symmetric};
@@ -72,8 +74,20 @@ impl<X, C> Proposal<X, C> {
 /// assert!(step.proposed == 4 || step.proposed == 6);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [The mutations of this crate](crate::metropolis#which-mutation).
+/// - [`StepLaw`](super::StepLaw), a shorter way to write a symmetric step along each coordinate.
+#[doc(alias = "transition_kernel")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a mutation of states of type `{X}`",
+    label = "does not propose a `{X}`",
+    note = "a warp or a table proposes as `Independence::new(..)`, and a `StepLaw` as `RandomWalk::new(..)`",
+    note = "steps take points as they are, `f32` or `[f32; D]`, of as many coordinates as their parameters"
+)]
 pub trait Mutation<X> {
-    /// What is said of the ratio T(x′→x)/T(x→x′).
+    /// The form in which the mutation states its Hastings ratio.
     type Correction: HastingsCorrection;
 
     /// Proposes a state.
@@ -87,7 +101,7 @@ pub trait Mutation<X> {
     ) -> Result<Proposal<X, Self::Correction>, R::Error>;
 }
 
-/// A reference to a mutation is a mutation, so that mixtures can borrow.
+/// A reference to a mutation is a mutation, so mixtures can borrow.
 impl<X, M: Mutation<X> + ?Sized> Mutation<X> for &M {
     type Correction = M::Correction;
 

@@ -2,16 +2,15 @@
 
 use crate::warp::Warp;
 
-/// The density of a warp's uniforms under which its points have the density `f`: f/p, at the point.
+/// The density that a warp's uniforms need for its points to have the density `f`: f/p at the point.
 ///
-/// This is how a chain in the unit cube drives a warp: the chain's state is the warp's uniforms, and the better
-/// the warp, the flatter what is left for the chain. Where f/p overflows `f32`, the state is refused.
+/// With it, a chain in the unit cube drives a warp: its states are the warp's uniforms. The closer p is to f, the flatter
+/// the chain's target. If f/p overflows `f32`, the state is refused.
 ///
-/// Of several warps, one after the other, each takes its uniforms, and their densities multiply: a closure does
-/// it, as the second example shows.
+/// To drive several warps, one after the other, write a closure that splits the uniforms and multiplies the densities, as
+/// in the second half of the example.
 ///
-/// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
-/// Metropolis Light Transport Algorithm", 2002.
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, LogUniformStep, Mixture, WrappedWalk, primary_density};
@@ -43,6 +42,16 @@ use crate::warp::Warp;
 /// chain.step(path, &mutation, &mut rng);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`LargeSmall`](super::LargeSmall), the usual mutation for it.
+///
+/// # Source
+///
+/// C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the Metropolis Light
+/// Transport Algorithm", 2002, [doi:10.1111/1467-8659.t01-1-00703](https://doi.org/10.1111/1467-8659.t01-1-00703).
+#[doc(alias = "primary_sample_space")]
 #[inline]
 pub fn primary_density<W, F>(warp: W, f: F) -> impl Fn(W::Uniforms) -> f32 + Copy
 where

@@ -1,11 +1,13 @@
-//! Whether chains agree: the potential scale reduction.
+//! R̂, the potential scale reduction: whether chains agree.
 
 use crate::estimate::Moments;
 use crate::tier::sqrt;
 
-/// A run in two halves, so that it can be compared with itself too.
+/// A run in two halves, for [`split_r_hat`].
 ///
-/// How long a half is has to be said beforehand, since memory is fixed.
+/// Memory is fixed, so you state beforehand how long a half is.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, Halves, UniformStep, split_r_hat};
@@ -21,6 +23,7 @@ use crate::tier::sqrt;
 /// assert!(split_r_hat(&runs).is_some_and(|r| r < 1.01));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+#[doc(alias = "split_chain")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Halves {
@@ -58,7 +61,7 @@ impl Halves {
         self.half
     }
 
-    /// The moments of the first half, and of what came after.
+    /// The moments of the first half, and of the numbers after it.
     #[must_use]
     #[inline]
     pub const fn parts(&self) -> &[Moments; 2] {
@@ -66,53 +69,63 @@ impl Halves {
     }
 }
 
-/// R̂ of sequences that should have the same distribution: the root of (n−1)/n + V/W, where V is the variance
-/// of their means and W the mean of their variances.
+/// R̂, the potential scale reduction factor of Gelman and Rubin: whether sequences have the same distribution.
 ///
-/// It is about 1 where the means differ by no more than they should, and above where each sequence has seen
-/// a part only. n is the count of the shortest.
+/// It is the root of (n−1)/n + V/W, where V is the variance of the sequences' means, W the mean of their variances, and n
+/// the count of the shortest. It is about 1 if the means differ no more than they should, and larger if each sequence has
+/// seen only a part of the distribution.
 ///
-/// - Range: at least 0, and beyond `f32` the largest one. [`None`] below two sequences, below two numbers in
-///   one of them, and where no number differs from another.
-/// - Errors, the largest found and a tenth: of runs of any magnitude, subnormal ones included.
+/// # Domain
+///
+/// R̂ is at least 0; beyond the range of `f32` it is the largest `f32`. [`None`] for fewer than two sequences, for a
+/// sequence of fewer than two numbers, and if all numbers are equal.
+///
+/// # Accuracy
+///
+/// The largest error found, plus a tenth, in runs of any magnitude, subnormal numbers included.
 ///
 /// | error | `f32` |
 /// |---|--:|
 /// | mean up to 10⁶ deviations, relative | 3.5e-7 |
 ///
-/// Source: A. Gelman, D. B. Rubin, "Inference from Iterative Simulation Using Multiple Sequences", 1992.
+/// # See also
+///
+/// - [`split_r_hat`], which also detects a run that drifts.
+/// - [`Autocorrelation`](super::Autocorrelation), which judges a single run.
+///
+/// # Source
+///
+/// A. Gelman, D. B. Rubin, "Inference from Iterative Simulation Using Multiple Sequences", 1992,
+/// [doi:10.1214/ss/1177011136](https://doi.org/10.1214/ss/1177011136).
+#[doc(alias = "convergence")]
 #[must_use]
 pub fn r_hat<'a>(sequences: impl Iterator<Item = &'a Moments> + Clone) -> Option<f32> {
-    // Means are told apart from a common centre: far from 0 they would differ by less than their rounding.
+    // Take means from a common centre: far from 0 they could differ by less than their rounding.
     let first = sequences.clone().next()?;
     let scale = (sequences.clone()).fold(first.scale(), |scale, s| scale.joined(s.scale()));
     let centre = first.centre_on(scale);
     let mut means = Moments::new();
     let (mut shortest, mut largest) = (u64::MAX, 0.0);
     for sequence in sequences.clone() {
-        let (mean, deviation) = sequence.seen_from(scale, centre)?;
+        let (mean, std_dev) = sequence.seen_from(scale, centre)?;
         means.push(mean);
         shortest = shortest.min(sequence.count());
-        largest = if deviation > largest {
-            deviation
-        } else {
-            largest
-        };
+        largest = if std_dev > largest { std_dev } else { largest };
     }
     let between = means.std_dev()?;
     if largest == 0.0 {
         return (between > 0.0).then_some(f32::MAX);
     }
-    // Deviations of at most 1, so that the largest has a square.
+    // Scaled to at most 1, so that no square overflows.
     let mut within = Moments::new();
     for sequence in sequences {
-        let (_, deviation) = sequence.seen_from(scale, centre)?;
-        let deviation = deviation / largest;
-        within.push(deviation * deviation);
+        let (_, std_dev) = sequence.seen_from(scale, centre)?;
+        let std_dev = std_dev / largest;
+        within.push(std_dev * std_dev);
     }
     let ratio = between / largest / sqrt(within.mean()?);
     let count = shortest as f32;
-    // Where the square would overflow the other term is none.
+    // Where the square would overflow, the other term does not count.
     let r = if ratio < 1e9 {
         sqrt((count - 1.0) / count + ratio * ratio)
     } else {
@@ -121,16 +134,17 @@ pub fn r_hat<'a>(sequences: impl Iterator<Item = &'a Moments> + Clone) -> Option
     Some(if r <= f32::MAX { r } else { f32::MAX })
 }
 
-/// Split R̂ of any number of runs, from one: [`r_hat`] of all their halves. A run that drifts is told from
-/// one that does not, even alone.
+/// Split R̂ of one or more runs: the [`r_hat`] of all their halves. It detects a run that drifts, even a single one.
 ///
-/// Values above 1.01 say that the runs are too short, or that they have not all been everywhere.
+/// A value above 1.01 says that the runs are too short, or that some have not been everywhere. It compares means only:
+/// runs with equal means and unequal spreads pass. Its domain is that of [`r_hat`].
 ///
-/// - Range: as of [`r_hat`].
+/// # Source
 ///
-/// Sources: A. Gelman et al., "Bayesian Data Analysis", 3rd edition, 2013, for the halves; A. Vehtari et al.,
-/// "Rank-Normalization, Folding, and Localization: An Improved R̂ for Assessing Convergence of MCMC", 2021,
-/// for 1.01.
+/// A. Gelman et al., "Bayesian Data Analysis", 3rd edition, 2013, for the halves; A. Vehtari, A. Gelman, D. Simpson,
+/// B. Carpenter, P.-C. Bürkner, "Rank-Normalization, Folding, and Localization: An Improved R̂ for Assessing Convergence of
+/// MCMC", 2021, [doi:10.1214/20-BA1221](https://doi.org/10.1214/20-BA1221), for the limit of 1.01.
+#[doc(alias = "convergence")]
 #[must_use]
 pub fn split_r_hat(runs: &[Halves]) -> Option<f32> {
     r_hat(runs.iter().flat_map(Halves::parts))

@@ -1,4 +1,4 @@
-//! Random walks in ℝᴰ, and in the unit cube, whose sides are glued together.
+//! Random walks in ℝᴰ, and in the unit cube with periodic boundaries.
 
 use super::coordinates::Coordinates;
 use super::step_law::{BoxStep, LogUniformStep, NormalStep, StepLaw};
@@ -8,7 +8,7 @@ use crate::tier::Tier;
 use crate::uniform::{Uniforms as _, grid_from_word};
 use rand_core::TryRng;
 
-/// Each coordinate with the step along it, of one word, put together by `sum`.
+/// Combines each coordinate, by `sum`, with a step along it that takes one word.
 #[inline]
 fn displaced<X, L, R>(
     law: &L,
@@ -28,7 +28,7 @@ where
     Ok(to)
 }
 
-/// x plus a step along each coordinate, or x itself where that leaves the range of `f32`.
+/// x plus a step along each coordinate, or x itself if the sum leaves the range of `f32`.
 #[inline]
 fn walked<X, L, R>(law: &L, from: X, rng: &mut R) -> Result<Proposal<X, Symmetric>, R::Error>
 where
@@ -64,12 +64,15 @@ walks! {
     [T] LogUniformStep<T>;
 }
 
-/// Proposes x plus a step of a law of one's own, along each coordinate.
+/// Proposes x plus a step of your own law along each coordinate: a random walk in ℝᴰ.
 ///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`.
-/// - Words: one a coordinate.
-/// - T(x→x′) = T(x′→x), but for the rounding of x + step.
-/// - A proposal beyond the range of `f32` stays at x instead.
+/// # Domain
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`. A step that would leave the range of `f32` proposes x itself.
+/// - Words: one per coordinate.
+/// - T(x→x′) = T(x′→x), up to the rounding of x + step.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{StepLaw, Mutation, RandomWalk};
@@ -87,6 +90,12 @@ walks! {
 /// let Ok(proposal) = RandomWalk::new(Quarter).try_propose(1.0, &mut Pcg32::new(1, 1));
 /// assert!(proposal.state == 0.75 || proposal.state == 1.25);
 /// ```
+///
+/// # See also
+///
+/// - [`BoxStep`], [`NormalStep`], [`LogUniformStep`]: these laws are random walks as they are.
+/// - [`WrappedWalk`], the same in the unit cube.
+#[doc(alias = "gaussian_proposal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RandomWalk<L> {
@@ -94,7 +103,7 @@ pub struct RandomWalk<L> {
 }
 
 impl<L> RandomWalk<L> {
-    /// The steps of this law.
+    /// Walks by steps of this law.
     #[must_use]
     #[inline]
     pub const fn new(law: L) -> Self {
@@ -122,15 +131,17 @@ impl<X: Coordinates, L: StepLaw<X>> Mutation<X> for RandomWalk<L> {
     }
 }
 
-/// 2²⁴, the points of the grid.
+/// 2²⁴, the number of grid points.
 const POINTS: f32 = 16_777_216.0;
 
-/// The sum of a uniform and a step, modulo 1: on the 24-bit grid of canonical uniforms, in [0, 1) and never
-/// 1, whatever the two are.
+/// The sum of a uniform and a step, modulo 1: a point of the 24-bit grid of canonical uniforms in [0, 1), for any input.
 ///
-/// The uniform counts by the leading 24 bits of its fraction (out of range, by the rule of
-/// [`Uniforms::canonical`](crate::uniform::Uniforms::canonical)), the step to the nearest multiple of 2⁻²⁴, halves away from 0; NaN and infinite
-/// ones count as 0. So the sum is exact, and a step and its negative undo each other.
+/// The uniform is cut to its leading 24 bits, after
+/// [`Uniforms::canonical`](crate::uniform::Uniforms::canonical) has brought it into range. The step is rounded to the
+/// nearest multiple of 2⁻²⁴, halves away from 0; NaN and infinite steps count as 0. So the sum is exact, and a step and its
+/// negative undo each other.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::wrapping_add;
@@ -138,12 +149,13 @@ const POINTS: f32 = 16_777_216.0;
 /// assert_eq!(wrapping_add(0.0, -1e-10), 0.0);
 /// assert_eq!(wrapping_add(0.25, -1000.5), 0.75);
 /// ```
+#[doc(alias = "modulo")]
 #[must_use]
 #[inline]
 pub fn wrapping_add(uniform: f32, step: f32) -> f32 {
     let place = (uniform.canonical().get() * POINTS) as u32;
     let size = step.abs();
-    // From 2²³ up there is no fraction; infinity and NaN go the same way.
+    // From 2²³ up there is no fraction; infinity and NaN take this way too.
     let fraction = if size < 8_388_608.0 {
         size - (size as u32) as f32
     } else {
@@ -159,17 +171,18 @@ pub fn wrapping_add(uniform: f32, step: f32) -> f32 {
     grid_from_word(sum.wrapping_shl(8))
 }
 
-/// Makes a walk in ℝᴰ one in the unit cube: what leaves it on one side comes in on the other.
+/// Proposes a random walk in the unit cube: a point that leaves it on one side comes back in on the other.
 ///
-/// Each coordinate moves by [`wrapping_add`]: it is a point of the 24-bit grid of canonical uniforms, never
-/// 1, and T(x→x′) = T(x′→x) exactly. Steps below 2⁻²⁵ stay where they are.
+/// Each coordinate moves by [`wrapping_add`].
 ///
-/// - States: the unit cube [0, 1)ᴰ, as `f32` or `[f32; D]`. (A start off the grid is left for it at the first
-///   move.)
-/// - Words: one a coordinate.
+/// # Domain
 ///
-/// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
-/// Metropolis Light Transport Algorithm", 2002.
+/// - States: the unit cube [0, 1)ᴰ, as `f32` or `[f32; D]`, on the 24-bit grid of canonical uniforms. A start off the
+///   grid moves onto it with the first accepted step.
+/// - Words: one per coordinate.
+/// - T(x→x′) = T(x′→x) exactly. A step below 2⁻²⁵ does not move the point.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{BoxStep, Mutation, WrappedWalk};
@@ -179,6 +192,17 @@ pub fn wrapping_add(uniform: f32, step: f32) -> f32 {
 /// assert!(proposal.state.iter().all(|x| (0.0..1.0).contains(x)));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`RandomWalk`], for ℝᴰ.
+/// - [`LargeSmall`](super::LargeSmall), to combine it with large steps.
+///
+/// # Source
+///
+/// C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the Metropolis Light
+/// Transport Algorithm", 2002, [doi:10.1111/1467-8659.t01-1-00703](https://doi.org/10.1111/1467-8659.t01-1-00703).
+#[doc(alias = "small_step")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct WrappedWalk<L> {
@@ -186,7 +210,7 @@ pub struct WrappedWalk<L> {
 }
 
 impl<L> WrappedWalk<L> {
-    /// The steps of this law, modulo 1.
+    /// Walks by steps of this law, modulo 1.
     #[must_use]
     #[inline]
     pub const fn new(law: L) -> Self {

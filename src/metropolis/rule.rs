@@ -1,4 +1,4 @@
-//! The rule of Metropolis and Hastings, for a chain of densities, and the ways to take a step.
+//! The Metropolis–Hastings rule for a chain of densities, and the ways to take a step.
 
 use super::hastings_correction::{HastingsCorrection, Stated as _};
 use super::target_density::TargetDensity;
@@ -22,7 +22,7 @@ fn acceptance<D: TargetDensity>(f: D, f_new: D, ratio: impl HastingsCorrection) 
 }
 
 impl<X: Copy, D: TargetDensity> Chain<X, D> {
-    /// The one step; a limit of `u32::MAX` is none.
+    /// Takes one step; `u32::MAX` means no limit.
     #[inline]
     fn advance<R: TryRng + ?Sized>(
         &mut self,
@@ -51,13 +51,13 @@ impl<X: Copy, D: TargetDensity> Chain<X, D> {
 steps!(D, f32, D: TargetDensity);
 
 impl<X: Copy, D: TargetValue> Chain<X, D> {
-    /// Whether the next proposal there is a way to has to be accepted; never if the limit is `u32::MAX`.
+    /// Whether the next proposal that the rule allows must be accepted; never with a limit of `u32::MAX`.
     #[inline]
     pub(super) const fn must_move(&self, limit: u32) -> bool {
         limit < u32::MAX && self.rejected_in_a_row() >= limit
     }
 
-    /// Goes to a proposal or stays, and counts it.
+    /// Moves to the proposal or stays, and counts the step.
     #[inline]
     pub(super) fn take<C, A>(
         &mut self,
@@ -84,17 +84,16 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
     }
 }
 
-/// The ways to take a step, by the `advance` of a kind of chain.
+/// The ways to take a step, in terms of the `advance` of one kind of chain.
 macro_rules! steps {
     ($weight:ty, $acceptance:ty $(, $generic:ident: $bound:ident)?) => {
         impl<X: Copy $(, $generic: $bound)?> Chain<X, $weight> {
             /// Takes a step: one proposal, accepted or not.
             ///
-            /// The target must be the one that the chain was started with, and its density at a state always the
-            /// same.
+            /// Pass the target that the chain was started with. It must return the same density for the same state each time.
             ///
             /// # Errors
-            /// The generator's own error; the chain is then as it was.
+            /// The generator's own error; the chain is then unchanged.
             #[inline]
             pub fn try_step<R: TryRng + ?Sized>(
                 &mut self,
@@ -105,7 +104,9 @@ macro_rules! steps {
                 self.advance(target, mutation, u32::MAX, rng)
             }
 
-            /// Takes a step with a generator that cannot fail.
+            /// Takes a step: one proposal, accepted or not.
+            ///
+            /// Pass the target that the chain was started with. It must return the same density for the same state each time.
             #[inline]
             pub fn step(
                 &mut self,
@@ -116,18 +117,17 @@ macro_rules! steps {
                 infallible(self.try_step(target, mutation, rng))
             }
 
-            /// Takes a step, but rejects no more than `limit` times in a row: the next proposal that has a positive
-            /// density and a way back is accepted then, whatever the probability ([`Outcome::Forced`](crate::metropolis::Outcome::Forced)).
+            /// Takes a step, and rejects at most `limit` times in a row: the next proposal that has a positive density and a way
+            /// back is then accepted whatever its probability ([`Outcome::Forced`](crate::metropolis::Outcome::Forced)).
             ///
-            /// This **biases** the chain: it is no longer stationary in f. States that are left seldom, which are
-            /// those of high density, lose: one left with probability A a step keeps 1 − (1 − A)^(limit + 1) of the
-            /// time it would have had in a stay, and what it loses goes to where it is forced. (That is if each
-            /// proposal could be forced. It keeps more where some cannot, and where the state itself is proposed,
-            /// which counts as accepted.) With A well above 1/limit the loss is next to nothing; below, a peak of
-            /// density f is cut to about (limit + 1)·A·f. The share of forced steps says which it is.
+            /// This **biases** the chain: f is no longer its stationary density. The states of high density, which the chain rarely
+            /// leaves, lose time. A state left with probability A per step keeps 1 − (1 − A)^(limit + 1) of its time per visit, and
+            /// the states it is forced to gain the rest. (It keeps more if some of its proposals cannot be forced, or propose the
+            /// state itself.) If A is well above 1/limit, the loss is negligible. If A is below, a peak of density f is cut to about
+            /// (limit + 1)·A·f. The share of forced steps tells which case you have.
             ///
             /// # Errors
-            /// The generator's own error; the chain is then as it was.
+            /// The generator's own error; the chain is then unchanged.
             #[inline]
             pub fn try_step_limited<R: TryRng + ?Sized>(
                 &mut self,
@@ -136,12 +136,13 @@ macro_rules! steps {
                 limit: NonZeroU32,
                 rng: &mut R,
             ) -> Result<Transition<X, $weight, $acceptance>, R::Error> {
-                // A count that saturates never reaches no limit at all.
+                // `u32::MAX` would mean no limit.
             let limit = limit.get().min(u32::MAX.saturating_sub(1));
             self.advance(target, mutation, limit, rng)
             }
 
-            /// Takes a step of limited rejections with a generator that cannot fail.
+            /// Takes a step, and rejects at most `limit` times in a row. This **biases** the chain: see
+            /// [`try_step_limited`](Self::try_step_limited).
             #[inline]
             pub fn step_limited(
                 &mut self,
@@ -153,14 +154,14 @@ macro_rules! steps {
                 infallible(self.try_step_limited(target, mutation, limit, rng))
             }
 
-            /// Takes `steps` steps and forgets them: a start that the density would hardly have chosen weighs less
-            /// and less with each. The counts begin anew.
+            /// Takes `steps` steps and resets the counts, so that an unlikely start loses its influence.
             ///
-            /// How many are enough, no rule says; a few times the integrated autocorrelation time of
-            /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little, if the chain has been everywhere.
+            /// No rule says how many steps are enough. A few times the integrated autocorrelation time of
+            /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little bias, provided the chain has been everywhere.
             ///
             /// # Errors
-            /// The generator's own error; the steps before it are taken, and counted.
+            /// The generator's own error; the chain keeps, and counts, the steps before it.
+            #[doc(alias = "warm_up")]
             #[inline]
             pub fn try_burn_in<R: TryRng + ?Sized>(
                 &mut self,
@@ -176,7 +177,11 @@ macro_rules! steps {
                 Ok(())
             }
 
-            /// Takes `steps` steps with a generator that cannot fail, and forgets them.
+            /// Takes `steps` steps and resets the counts, so that an unlikely start loses its influence.
+            ///
+            /// No rule says how many steps are enough. A few times the integrated autocorrelation time of
+            /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little bias, provided the chain has been everywhere.
+            #[doc(alias = "warm_up")]
             #[inline]
             pub fn burn_in(
                 &mut self,

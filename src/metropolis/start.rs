@@ -1,4 +1,4 @@
-//! How a chain finds its first state among those of another sampler.
+//! How a chain finds its first state among draws from another sampler.
 
 use super::target_density::TargetDensity;
 use super::target_value::{Standing, TargetValue, Weighing as _};
@@ -10,36 +10,37 @@ use crate::tier::sqrt;
 use core::convert::Infallible;
 use rand_core::{Rng, TryRng};
 
-/// A chain without start-up bias, with the weight that removes it.
+/// A chain without start-up bias, with the weight that removes it. [`Chain::resample`] returns it.
 ///
-/// Of M candidates y with density p, one is chosen to be the first state, with probability in proportion to
-/// w = f(y)/p(y), and the mean of all w is the run's weight W. For every k and g, the expectation of W g(X) at
-/// the state X after k steps is ∫fg: over many short runs, the mean of W times the mean of g along the run is
-/// unbiased from the first step on, and that of W alone is ∫f.
+/// Of M candidates y with density p, one becomes the first state, with probability in proportion to w = f(y)/p(y). The
+/// mean of all w is the run's weight W. For every k and g, the expectation of W g(X) at the state X after k steps is ∫fg.
+/// So over many short runs, the mean of W times the mean of g along the run is unbiased from the first step on, and the
+/// mean of W alone is ∫f.
 ///
-/// A run without any candidate of positive weight ([`Failure::BudgetSpent`]) counts in those means, as 0.
+/// A run without any candidate of positive weight ([`Failure::BudgetSpent`]) counts as 0 in those means.
+#[doc(alias = "sampling_importance_resampling")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Start<X, D = f32> {
-    /// The chain, at the state chosen.
+    /// The chain, at the chosen state.
     pub chain: Chain<X, D>,
-    /// The run's weight W: an unbiased estimate of the normalisation ∫f, if p is normalised. On the scale of
-    /// the density, so of a [`LogDensity`](super::LogDensity) the logarithm.
+    /// The run's weight W: an unbiased estimate of the normalisation ∫f, if p is normalised. It is on the scale of the
+    /// density, so a [`LogDensity`](super::LogDensity) gives its logarithm.
     pub weight: D,
-    /// Its standard error in proportion to it, estimated from the candidates; [`None`] from a single one. Where
-    /// runs without a start are likely, it is too large for the mean of all runs; where all weights are alike it
-    /// comes out as up to 4e-4/√(M − 1) instead of 0.
+    /// The relative standard error of the weight, estimated from the candidates; [`None`] for a single one. If runs without a
+    /// start are likely, it is too large for the mean of all runs. If all weights are equal, it may be up to 4e-4/√(M − 1)
+    /// instead of 0.
     pub relative_error: Option<f32>,
     /// How many candidates had a positive density.
     pub positive: u32,
 }
 
-/// Candidates seen so far, of which one is held, each with probability in proportion to its weight.
+/// The candidates so far. It holds one of them, each with probability in proportion to its weight.
 struct Candidates<X, D> {
     held: Option<(X, D)>,
-    /// The largest density so far: weights are relative to it, since a logarithm may be beyond exponents.
+    /// The largest density so far. Weights are relative to it, since a logarithm may exceed the range of exponents.
     base: Option<D>,
-    /// The sum of the weights and that of their squares, in units of 2^exponent and of its square.
+    /// The sum of the weights and the sum of their squares, in units of 2^exponent and of its square.
     sum: Sum,
     squares: Sum,
     exponent: i32,
@@ -78,7 +79,7 @@ impl<X: Copy, D: TargetDensity> Candidates<X, D> {
         }
     }
 
-    /// The base, once this density has been met.
+    /// The base, after this density has been met.
     fn base_with(&mut self, density: D) -> D {
         match self.base {
             Some(base) if !density.exceeds(base) => return base,
@@ -120,14 +121,12 @@ impl<X: Copy, D: TargetDensity> Candidates<X, D> {
 }
 
 impl<X: Copy, D: TargetValue> Chain<X, D> {
-    /// A chain at the first of at most `budget` states drawn whose density is positive.
+    /// Starts a chain at the first state drawn from `source` whose density is positive, within `budget` draws.
     ///
-    /// The start is then one that the density may hardly have chosen: let it burn in.
-    ///
-    /// - Words: those of the draws.
+    /// The density may rarely visit such a start, so let the chain burn in. It takes the words of the draws.
     ///
     /// # Errors
-    /// [`Failure::BudgetSpent`] if there was none, [`Failure::Generator`].
+    /// [`Failure::BudgetSpent`] if no state had a positive density, [`Failure::Generator`] if the generator failed.
     #[inline]
     pub fn try_search<S, R>(
         mut target: impl FnMut(X) -> D,
@@ -149,10 +148,14 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
         Err(Failure::BudgetSpent { tries: budget })
     }
 
-    /// Likewise with a generator that cannot fail.
+    /// Starts a chain at the first state drawn from `source` whose density is positive, within `budget` draws.
+    ///
+    /// The density may rarely visit such a start, so let the chain burn in. It takes the words of the draws.
     ///
     /// # Errors
-    /// [`Failure::BudgetSpent`].
+    /// [`Failure::BudgetSpent`] if no state had a positive density.
+    ///
+    /// # Examples
     ///
     /// ```
     /// use microwarp::metropolis::{Chain, UniformStep};
@@ -179,21 +182,26 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
 }
 
 impl<X: Copy, D: TargetDensity> Chain<X, D> {
-    /// A chain whose start is chosen among `candidates` states of another sampler, with the weight that
-    /// removes the start-up bias. See [`Start`].
+    /// Starts a chain at one of `candidates` states drawn from `source`, with the weight that removes the start-up bias: see
+    /// [`Start`].
     ///
-    /// - Memory: one candidate, two sums.
-    /// - Words: those of each draw, and one more a candidate.
-    /// - A candidate whose density is NaN, infinite or negative counts as one of density 0.
-    /// - Error of the weight: that of the quotients f/p, and 3e-7; of a logarithm that absolute, and its own
-    ///   rounding. Beyond the range of `f32`, it is the nearest positive one. The probabilities are realised
-    ///   in steps of 2⁻³² a candidate.
+    /// It keeps one candidate and two sums in memory, and takes the words of each draw and one more per candidate. A candidate
+    /// whose density is NaN, infinite or negative counts as one of density 0.
     ///
-    /// Source: E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997.
+    /// # Accuracy
+    ///
+    /// The relative error of the weight is that of the quotients f/p, plus 3e-7. For a logarithm that is the absolute error,
+    /// plus its own rounding. Beyond the range of `f32` the weight is the nearest positive one. The probabilities are realised
+    /// in steps of 2⁻³² per candidate.
     ///
     /// # Errors
-    /// [`Failure::BudgetSpent`] if no candidate has a positive density, [`Failure::ProposalDensity`] if the
-    /// source's own density at a state it drew is not positive and finite, [`Failure::Generator`].
+    /// [`Failure::BudgetSpent`] if no candidate has a positive density, [`Failure::ProposalDensity`] if the source's own density
+    /// at a state it drew is not positive and finite, [`Failure::Generator`] if the generator failed.
+    ///
+    /// # Source
+    ///
+    /// E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997,
+    /// [doi:10.1145/258734.258775](https://doi.org/10.1145/258734.258775).
     #[inline]
     pub fn try_resample<S, R>(
         mut target: impl FnMut(X) -> D,
@@ -222,10 +230,14 @@ impl<X: Copy, D: TargetDensity> Chain<X, D> {
             .ok_or(Failure::BudgetSpent { tries: candidates })
     }
 
-    /// Likewise with a generator that cannot fail.
+    /// Starts a chain at one of `candidates` states drawn from `source`, with the weight that removes the start-up bias: see
+    /// [`Start`], and [`try_resample`](Self::try_resample) for its accuracy.
     ///
     /// # Errors
-    /// [`Failure::BudgetSpent`], [`Failure::ProposalDensity`].
+    /// [`Failure::BudgetSpent`] if no candidate has a positive density, [`Failure::ProposalDensity`] if the source's own density
+    /// at a state it drew is not positive and finite.
+    ///
+    /// # Examples
     ///
     /// ```
     /// use microwarp::metropolis::{Chain, UniformStep};

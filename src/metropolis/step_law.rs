@@ -1,4 +1,4 @@
-//! Steps as likely as their negatives. The walks that they make are in two files of their own.
+//! Laws of steps that are symmetric about 0. `random_walk.rs` makes mutations of them.
 
 use super::coordinates::Coordinates;
 use crate::error::{Error, finite, positive};
@@ -6,19 +6,24 @@ use crate::num::two_product;
 use crate::tier::{Tier, ln_ratio, scaled_exp};
 use core::marker::PhantomData;
 
-/// The law of a step along each coordinate, as likely as its negative to the last bit.
+/// The law of a random walk's step along each coordinate: symmetric about 0, to the last bit.
 ///
-/// A pure function of one word: the word with all bits inverted gives the negative step. The three of this crate
-/// are mutations of points of ℝᴰ; one of your own becomes one by [`RandomWalk`](super::RandomWalk), and each becomes one of the unit cube
-/// by [`WrappedWalk`](super::WrappedWalk).
+/// It is a pure function of one word. Inverting all bits of the word must negate the step. The three laws of this crate
+/// are mutations of points of ℝᴰ as they are. [`RandomWalk`](super::RandomWalk) makes a mutation of your own law, and
+/// [`WrappedWalk`](super::WrappedWalk) turns any law into a mutation of the unit cube.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law of steps between points of type `{X}`",
+    label = "not a law of steps of `{X}`",
+    note = "`BoxStep` and `NormalStep` take as many parameters as the points have coordinates"
+)]
 pub trait StepLaw<X> {
-    /// The step along coordinate `axis`, counted from 0, of one word.
+    /// The step along coordinate `axis`, counted from 0, that this word gives.
     #[must_use]
     fn displacement(&self, axis: usize, word: u32) -> f32;
 }
 
-/// A sign and one of 2²³ numbers of (0, 1): odd multiples of 2⁻²⁴, equally likely, whose product with the
-/// sign is the negative one of the inverted word.
+/// A sign and one of 2²³ equally likely numbers of (0, 1), odd multiples of 2⁻²⁴. The inverted word gives the same
+/// number with the other sign.
 #[inline]
 fn signed(word: u32) -> (f32, f32) {
     let (sign, word) = if word >> 31 == 0 {
@@ -30,7 +35,7 @@ fn signed(word: u32) -> (f32, f32) {
     (sign, odd as f32 * (f32::EPSILON / 2.0))
 }
 
-/// Refuses widths that are no lengths, and those that are all 0.
+/// Accepts widths that are finite and not negative, at least one of them positive.
 fn checked<X: Coordinates>(widths: X) -> Result<X, Error> {
     let mut some = false;
     for &width in widths.as_slice() {
@@ -51,14 +56,19 @@ fn along<X: Coordinates>(widths: &X, axis: usize) -> f32 {
     widths.as_slice().get(axis).copied().unwrap_or(0.0)
 }
 
-/// Proposes x plus a step, uniform in a box about 0.
+/// Proposes x plus a uniform step in a box centred at 0.
 ///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`WrappedWalk`](super::WrappedWalk), the unit cube.
-/// - Words: one a coordinate. 2²⁴ steps a coordinate, odd multiples of the width times 2⁻²⁵, rounded.
-/// - T(x→x′) = T(x′→x), but for the rounding of x + step: 1/width for |x′ − x| < width/2.
-/// - A proposal beyond the range of `f32` stays at x instead.
+/// # Density
 ///
-/// Source: N. Metropolis et al., "Equation of State Calculations by Fast Computing Machines", 1953.
+/// T(x→x′) = 1/width where |x′ − x| < width/2, for each coordinate. It is symmetric, up to the rounding of x + step.
+///
+/// # Domain
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; within [`WrappedWalk`](super::WrappedWalk), the unit cube. A step that would leave
+///   the range of `f32` proposes x itself.
+/// - Words: one per coordinate. There are 2²⁴ steps per coordinate, odd multiples of the width times 2⁻²⁵, rounded.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{BoxStep, StepLaw};
@@ -69,6 +79,17 @@ fn along<X: Coordinates>(widths: &X, axis: usize) -> f32 {
 /// assert_eq!(step.displacement(1, word), 0.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`NormalStep`], whose steps have no sharp bound.
+/// - [`LogUniformStep`], which needs no tuned width.
+///
+/// # Source
+///
+/// N. Metropolis, A. W. Rosenbluth, M. N. Rosenbluth, A. H. Teller, E. Teller, "Equation of State Calculations by Fast
+/// Computing Machines", 1953, [doi:10.1063/1.1699114](https://doi.org/10.1063/1.1699114).
+#[doc(alias = "uniform_proposal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoxStep<X> {
@@ -76,10 +97,10 @@ pub struct BoxStep<X> {
 }
 
 impl<X: Coordinates> BoxStep<X> {
-    /// Steps from −width/2 to width/2 along each coordinate. A width of 0 leaves a coordinate where it is.
+    /// Steps from −width/2 to width/2 along each coordinate. A width of 0 keeps its coordinate fixed.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0.
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all widths are 0.
     pub fn new(widths: X) -> Result<Self, Error> {
         Ok(Self {
             widths: checked(widths)?,
@@ -105,16 +126,26 @@ impl<X: Coordinates> StepLaw<X> for BoxStep<X> {
 
 /// Proposes x plus a normal step, independent along each coordinate.
 ///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`WrappedWalk`](super::WrappedWalk), the unit cube.
-/// - Words: one a coordinate. 2²⁴ steps a coordinate, up to 5.42 standard deviations.
-/// - T(x→x′) = T(x′→x), but for the rounding of x + step: normal, truncated at 5.42 standard deviations.
-/// - A proposal beyond the range of `f32` stays at x instead.
+/// # Density
+///
+/// T(x→x′) is normal along each coordinate, truncated at 5.42 standard deviations. It is symmetric, up to the rounding of
+/// x + step.
+///
+/// # Domain
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; within [`WrappedWalk`](super::WrappedWalk), the unit cube. A step that would leave
+///   the range of `f32` proposes x itself.
+/// - Words: one per coordinate. There are 2²⁴ steps per coordinate.
+///
+/// # Accuracy
+///
+/// The largest error of a step, in ulp: units in its last place.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | step, ulp | 4.7 | 4.7 |
 ///
-/// Source: M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988.
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::StepLaw;
@@ -123,6 +154,17 @@ impl<X: Coordinates> StepLaw<X> for BoxStep<X> {
 /// assert!((step.displacement(0, u32::MAX / 4) + 2.0 * 0.674_489_7).abs() < 1e-6);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`BoxStep`], which is cheaper.
+/// - [`LogUniformStep`], which needs no tuned standard deviation.
+///
+/// # Source
+///
+/// M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988,
+/// [doi:10.2307/2347330](https://doi.org/10.2307/2347330).
+#[doc(alias = "gaussian_proposal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NormalStep<X, T> {
@@ -131,11 +173,11 @@ pub struct NormalStep<X, T> {
 }
 
 impl<X: Coordinates, T: Tier> NormalStep<X, T> {
-    /// Steps with these standard std_devs along the coordinates. One of 0 leaves a coordinate where it is.
+    /// Steps with these standard deviations along the coordinates. A standard deviation of 0 keeps its coordinate fixed.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0; [`Error::TooLarge`]
-    /// above 6e37, where steps would overflow.
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::NotPositive`] if all are 0; [`Error::TooLarge`] above 6e37, where
+    /// steps would overflow.
     pub fn new(std_devs: X) -> Result<Self, Error> {
         let std_devs = checked(std_devs)?;
         if std_devs.as_slice().iter().any(|&x| x > 6e37) {
@@ -163,23 +205,30 @@ impl<X: Coordinates, T: Tier> StepLaw<X> for NormalStep<X, T> {
     }
 }
 
-/// Proposes x plus a step whose size is any within bounds, each order of magnitude as likely as the next.
+/// Proposes x plus a step of log-uniform size: every order of magnitude within bounds is equally likely.
 ///
-/// Along each coordinate the step is ±b·(a/b)^ξ for sizes from a to b: density 1/(2|s| ln(b/a)) for
-/// a < |s| < b. Small steps refine, larger ones explore, and no width need be tuned.
+/// Small steps refine, larger ones explore, and you tune no width.
 ///
-/// - States: ℝᴰ, as `f32` or `[f32; D]`; [`WrappedWalk`](super::WrappedWalk), the unit cube, where 1/1024 and 1/64 are
-///   the sizes of the source.
-/// - Words: one a coordinate. 2²⁴ steps a coordinate.
-/// - T(x→x′) = T(x′→x), but for the rounding of x + step.
-/// - A proposal beyond the range of `f32` stays at x instead.
+/// # Density
+///
+/// Along each coordinate the step is ±b·(a/b)^ξ for sizes from a to b and uniform ξ. Its density is 1/(2|s| ln(b/a)) for
+/// a < |s| < b. It is symmetric, up to the rounding of x + step.
+///
+/// # Domain
+///
+/// - States: ℝᴰ, as `f32` or `[f32; D]`; within [`WrappedWalk`](super::WrappedWalk), the unit cube, for which the source
+///   takes sizes from 1/1024 to 1/64. A step that would leave the range of `f32` proposes x itself.
+/// - Words: one per coordinate. There are 2²⁴ steps per coordinate.
+///
+/// # Accuracy
+///
+/// The largest relative error of a step.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | step, relative | 6.3e-7 | 6.3e-7 |
 ///
-/// Source: C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the
-/// Metropolis Light Transport Algorithm", 2002.
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::StepLaw;
@@ -189,22 +238,32 @@ impl<X: Coordinates, T: Tier> StepLaw<X> for NormalStep<X, T> {
 /// assert!((size - 0.01).abs() < 1e-7);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`BoxStep`] and [`NormalStep`], whose steps have one scale.
+///
+/// # Source
+///
+/// C. Kelemen, L. Szirmay-Kalos, G. Antal, F. Csonka, "A Simple and Robust Mutation Strategy for the Metropolis Light
+/// Transport Algorithm", 2002, [doi:10.1111/1467-8659.t01-1-00703](https://doi.org/10.1111/1467-8659.t01-1-00703).
+#[doc(alias = "kelemen")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LogUniformStep<T> {
     smallest: f32,
     largest: f32,
-    /// ln(largest/smallest), and what it lacks: a long way down multiplies the rounding of a logarithm.
+    /// ln(largest/smallest), and its rounding error, which a long span would multiply.
     span: f32,
     span_rest: f32,
     tier: PhantomData<T>,
 }
 
 impl<T: Tier> LogUniformStep<T> {
-    /// Steps of the sizes from `smallest` to `largest`, along every coordinate.
+    /// Steps with sizes from `smallest` to `largest`, along every coordinate.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Reversed`] if the smallest is above the largest.
+    /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Reversed`] if `smallest` is above `largest`.
     pub fn new(smallest: f32, largest: f32) -> Result<Self, Error> {
         if positive(smallest)? > positive(largest)? {
             return Err(Error::Reversed);

@@ -1,14 +1,18 @@
-//! Mutations of some coordinates, the others staying as they are.
+//! Mutations that change some coordinates and keep the others.
 
 use super::{Mutation, Proposal};
 use crate::error::Error;
 use rand_core::TryRng;
 
-/// Changes K of D coordinates by a mutation of points of K.
+/// Changes K of D coordinates by a mutation of points of K coordinates.
 ///
-/// - States: `[f32; D]`, of ℝᴰ or the unit cube, as the mutation's are.
+/// # Domain
+///
+/// - States: `[f32; D]`, in ℝᴰ or the unit cube, as for the mutation.
 /// - Words: those of the mutation.
-/// - The ratio is the mutation's own: it may depend on the coordinates that it changes, and on no other.
+/// - The Hastings ratio is the mutation's. It may depend only on the coordinates that change.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Mutation, Subset, UniformStep};
@@ -18,6 +22,11 @@ use rand_core::TryRng;
 /// assert_eq!(proposal.state[..3], [0.5; 3]);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # See also
+///
+/// - [`OneCoordinate`], which picks a coordinate at random.
+#[doc(alias = "block")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Subset<M, const K: usize, const D: usize> {
@@ -26,11 +35,11 @@ pub struct Subset<M, const K: usize, const D: usize> {
 }
 
 impl<M, const K: usize, const D: usize> Subset<M, K, D> {
-    /// Changes the coordinates `axes`, counted from 0, which are handed to the mutation in this order. (Of a
-    /// mutation that is not `Copy`, a reference will do.)
+    /// Changes the coordinates `axes`, counted from 0. The mutation sees them in this order. Pass a mutation that is not
+    /// `Copy` by reference.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a coordinate that does not exist or is named twice, and without any.
+    /// [`Error::OutOfRange`] for a coordinate that does not exist or is named twice, and for an empty list.
     pub const fn new(mutation: M, axes: [usize; K]) -> Result<Self, Error>
     where
         M: Copy,
@@ -98,12 +107,15 @@ where
 
 /// Changes one coordinate, picked at random, by a mutation of a single number.
 ///
-/// In many dimensions a step in all of them at once is seldom accepted unless it is small.
+/// Take it in many dimensions, where a step along all coordinates at once is rarely accepted unless it is small.
 ///
-/// - States: `[f32; D]`, of ℝᴰ or the unit cube, as the mutation's are.
-/// - Words: one, which picks, and those of the mutation. A coordinate is picked with probability 1/D, to
-///   2⁻³².
-/// - The ratio is the mutation's own.
+/// # Domain
+///
+/// - States: `[f32; D]`, in ℝᴰ or the unit cube, as for the mutation.
+/// - Words: one to pick the coordinate, then those of the mutation. Each coordinate has probability 1/D, to 2⁻³².
+/// - The Hastings ratio is the mutation's.
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Mutation, OneCoordinate, UniformStep};
@@ -112,6 +124,11 @@ where
 /// let Ok(proposal) = one.try_propose([0.5; 32], &mut Pcg32::new(1, 1));
 /// assert_eq!(proposal.state.iter().filter(|x| **x != 0.5).count(), 1);
 /// ```
+///
+/// # See also
+///
+/// - [`Subset`], which always changes the same coordinates.
+#[doc(alias = "gibbs")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OneCoordinate<M> {
@@ -145,7 +162,7 @@ impl<M: Mutation<f32>, const D: usize> Mutation<[f32; D]> for OneCoordinate<M> {
     ) -> Result<Proposal<[f32; D], M::Correction>, R::Error> {
         let word = u64::from(rng.try_next_u32()?);
         let axis = (word.wrapping_mul(D as u64) >> 32) as usize;
-        // Without coordinates there is nothing to change, but words are taken all the same.
+        // With no coordinates nothing changes, but the words are taken all the same.
         let before = from.get(axis).copied().unwrap_or_default();
         Ok(self.mutation.try_propose(before, rng)?.map(|x| {
             if let Some(place) = from.get_mut(axis) {

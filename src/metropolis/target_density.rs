@@ -1,4 +1,4 @@
-//! Weights in floating point: a density, or the logarithm of it.
+//! Target densities in floating point, and their logarithms.
 
 use super::target_value::{Standing, TargetValue, Weighing};
 use crate::error::Error;
@@ -14,9 +14,9 @@ mod sealed {
     pub trait Arithmetic: Copy {
         /// Whether this density is the larger one.
         fn exceeds(self, other: Self) -> bool;
-        /// The quotient by a larger density.
+        /// The quotient of this density and a larger one.
         fn over(self, larger: Self) -> f32;
-        /// The quotient by any density.
+        /// The quotient of this density and any other.
         fn quotient(self, other: Self) -> Scaled;
         /// The product with a number.
         fn scaled(self, by: Scaled) -> Self;
@@ -24,11 +24,14 @@ mod sealed {
 }
 pub(super) use sealed::Arithmetic;
 
-/// A density in floating point: an `f32`, which is the density itself up to a constant factor, or a
-/// [`LogDensity`]. The trait is sealed.
+/// A density in floating point: an `f32`, known up to a constant factor, or a [`LogDensity`]. The trait is sealed.
 ///
-/// A density of 0 (a logarithm of −∞) is a state the chain never enters. One that is NaN, infinite or
-/// negative (a logarithm of NaN or +∞) is refused, and counted.
+/// A chain never enters a state of density 0 (of logarithm −∞). A density that is NaN, infinite or negative (a logarithm
+/// that is NaN or +∞) is refused and counted.
+#[diagnostic::on_unimplemented(
+    message = "the density of a target is `f32` or `LogDensity`, not `{Self}`",
+    label = "not a density of a target"
+)]
 pub trait TargetDensity: TargetValue + Arithmetic {}
 
 impl Weighing for f32 {
@@ -73,16 +76,22 @@ impl Arithmetic for f32 {
 
 impl TargetDensity for f32 {}
 
-/// The natural logarithm of a density, up to a constant summand; −∞ for a density of 0.
+/// The natural logarithm of a density, known up to a constant summand; −∞ stands for a density of 0.
 ///
-/// For targets that are products of many factors, or whose density over- or underflows `f32`. The acceptance
-/// is the exponential of a difference d: where d is no `f32`, rounding it adds a part of 6e-8 |d| to the errors
-/// below. Logarithms l that are rounded themselves make it uncertain by some 6e-8 |l|.
+/// Take it for targets that are products of many factors, or whose density overflows or underflows `f32`.
+///
+/// # Accuracy
+///
+/// The acceptance is the exponential of a difference d. Where d is not an `f32`, rounding it adds a relative error of
+/// 6e-8 |d| to those below. If the logarithms l are rounded themselves, the acceptance is uncertain by some 6e-8 |l|.
+/// An ulp is a unit in the last place.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | acceptance at a symmetric mutation, ulp | 1 | 1 |
 /// | acceptance at one with a [`HastingsRatio`](super::HastingsRatio), ulp | 2.6 | 2.6 |
+///
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::Chain;
@@ -96,6 +105,7 @@ impl TargetDensity for f32 {}
 /// assert!(chain.state().abs() < 6.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+#[doc(alias = "log_prob")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LogDensity<T> {
@@ -122,19 +132,19 @@ impl<T: Tier> LogDensity<T> {
     }
 }
 
-/// Beyond this a logarithm has no digits left that could matter, and its binary exponent fits an `i32`.
+/// Beyond this, a logarithm has no fractional digits; up to this, its binary exponent fits an `i32`.
 const MOST: f32 = 1e9;
 
-/// What `LN_2` leaves of ln 2.
+/// The rounding error of `LN_2`.
 const LN_2_LOW: f32 = (core::f64::consts::LN_2 - LN_2 as f64) as f32;
 
-/// e^x, its exponent set aside.
+/// e^x, with the exponent kept apart.
 #[inline]
 fn exp_scaled<T: Tier>(x: f32) -> Scaled {
     let x = x.clamp(-MOST, MOST);
     let scaled = x * LOG2_E;
     let exponent = (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i32;
-    // Exact up to 2²⁴; beyond, x itself is an integer only, and what is left of it is no digit.
+    // Exact up to 2²⁴; beyond, x is an integer and the rest has no correct digits.
     let turns = exponent as f32;
     let (product, dropped) = two_product(turns, LN_2);
     let rest = ((x - product) - dropped) - turns * LN_2_LOW;

@@ -1,21 +1,21 @@
-//! What a target says of a state, in general, and integer weights.
+//! What a target returns for a state, and integer weights.
 
 use crate::error::Error;
 
-/// Whether a chain can be at a state, or can take a way.
+/// Whether a chain can be at a state, or can take a proposal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Standing {
     /// It can.
     Positive,
-    /// It never does.
+    /// It cannot.
     Zero,
-    /// The number is not a weight or a ratio at all.
+    /// The number is not a valid density, weight or ratio.
     Unsound,
 }
 
 impl Standing {
-    /// That of a density in `f32`.
+    /// Judges a density in `f32`.
     #[inline]
     pub(super) const fn of_density(x: f32) -> Self {
         if x > 0.0 && x <= f32::MAX {
@@ -27,7 +27,7 @@ impl Standing {
         }
     }
 
-    /// That of a product.
+    /// Judges a product.
     #[inline]
     pub(super) const fn and(self, other: Self) -> Self {
         match (self, other) {
@@ -43,7 +43,7 @@ mod sealed {
 
     pub trait Weighing: Copy {
         fn standing(self) -> Standing;
-        /// Refuses every weight where a chain cannot be, and says why.
+        /// Accepts only a weight at which a chain can be, and says what is wrong with any other.
         #[inline]
         fn positive(self) -> Result<(), Error> {
             match self.standing() {
@@ -52,16 +52,20 @@ mod sealed {
                 Standing::Unsound => Err(self.fault()),
             }
         }
-        /// Why it is unsound.
+        /// The error for an unsound weight.
         fn fault(self) -> Error;
     }
 }
 pub(super) use sealed::Weighing;
 
-/// What a target says of a state: a [`TargetDensity`](super::TargetDensity), which is an `f32` or the logarithm of one, or
-/// an integer, `u32`. The trait is sealed.
+/// What the target of a chain returns for a state: a [`TargetDensity`](super::TargetDensity), which is an `f32` or a
+/// [`LogDensity`](super::LogDensity), or an integer weight, `u32`. The trait is sealed.
 ///
-/// A weight of 0 is a state the chain never enters.
+/// A chain never enters a state of value 0.
+#[diagnostic::on_unimplemented(
+    message = "a target of a chain returns `f32`, `LogDensity` or `u32`, not `{Self}`",
+    label = "not a value of a target"
+)]
 pub trait TargetValue: Weighing {}
 
 impl Weighing for u32 {

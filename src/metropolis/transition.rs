@@ -1,17 +1,18 @@
-//! What one step of a chain did.
+//! The record of one step of a chain.
 
 /// What became of a proposal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outcome {
-    /// The chain is at the proposed state.
+    /// The chain moved to the proposed state.
     Accepted,
-    /// The chain stays where it was.
+    /// The chain stayed where it was.
     Rejected,
-    /// The chain stays where it was, because the proposed density is NaN, infinite or negative, or the
-    /// ratio of the mutation is none.
+    /// The chain stayed where it was, because the proposed density is NaN, infinite or negative, or the Hastings ratio is not
+    /// valid.
     Refused,
-    /// The chain is at the proposed state, because it had rejected as often in a row as it was allowed to.
+    /// The chain moved to the proposed state because it had reached the limit of rejections in a row
+    /// ([`Chain::step_limited`](super::Chain::step_limited)).
     ///
     /// ```
     /// use core::num::NonZeroU32;
@@ -32,12 +33,12 @@ pub enum Outcome {
     Forced,
 }
 
-/// One step of a chain: both states it dealt with, and how much each counts.
+/// The record of one step of a chain: the old state, the proposal, and what became of it.
 ///
-/// Of a run, either record [`Transition::state`] for each step, or [`Transition::recorded`], which has the same
-/// expectation, and usually less variance: what was proposed counts even if it was not accepted.
+/// To record a run, take either [`Transition::state`] of each step, or [`Transition::recorded`]. The second has the same
+/// expectation and usually less variance, since a proposal counts even if it is not accepted.
 ///
-/// Source: E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997.
+/// # Examples
 ///
 /// ```
 /// use microwarp::metropolis::{Chain, UniformIndex};
@@ -55,28 +56,33 @@ pub enum Outcome {
 /// assert!((histogram[0] / 1000.0 - 0.9_f32).abs() < 0.05);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// # Source
+///
+/// E. Veach, L. J. Guibas, "Metropolis Light Transport", 1997,
+/// [doi:10.1145/258734.258775](https://doi.org/10.1145/258734.258775).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Transition<X, D = f32, A = f32> {
     /// The state before the step, x.
     pub from: X,
-    /// Its density, as the target gave it.
+    /// The density of x, as the target returned it.
     pub from_density: D,
-    /// The state proposed, x′. Of a refused proposal, and of one of acceptance 0, it may be anything.
+    /// The proposed state, x′. If the proposal was refused or its acceptance is 0, it may be anything.
     pub proposed: X,
-    /// Its density, as the target gave it; of a refused proposal it may be anything.
+    /// The density of x′, as the target returned it. If the proposal was refused, it may be anything.
     pub proposed_density: D,
-    /// The probability with which the proposal is accepted, a, in [0, 1]: 0 of a refused one, 1 of a forced
-    /// one. An `f32`, or of integer weights a [`Chance`](super::Chance).
+    /// The probability that the proposal is accepted, a, in [0, 1]: 0 if it was refused, 1 if it was forced. An `f32`, or a
+    /// [`Chance`](super::Chance) for integer weights.
     pub acceptance: A,
-    /// What became of it.
+    /// What became of the proposal.
     pub outcome: Outcome,
-    /// Which of the mutations of a [`Mixture`](super::Mixture) proposed it; 0 without one.
+    /// The index of the mutation of a [`Mixture`](super::Mixture) that proposed it; 0 without a mixture.
     pub kind: u32,
 }
 
 impl<X: Copy, D: Copy, A> Transition<X, D, A> {
-    /// Whether the chain has moved to the proposed state.
+    /// Whether the chain moved to the proposed state.
     #[must_use]
     #[inline]
     pub const fn is_accepted(&self) -> bool {
@@ -107,11 +113,11 @@ impl<X: Copy, D: Copy, A> Transition<X, D, A> {
 }
 
 impl<X: Copy, D> Transition<X, D> {
-    /// Both states with the weights to record them with: 1 − a and a, which sum to 1; as 1 − a is rounded, to
-    /// 2⁻²⁵, and exactly in `f32`.
+    /// Both states, each with the weight to record it with: 1 − a and a. They sum to exactly 1 in `f32`; 1 − a is rounded to
+    /// 2⁻²⁵.
     ///
-    /// This is the expectation of recording the state after the step. Pass over a state of weight 0: if
-    /// refused, it may be outside the domain.
+    /// This is the expectation of recording the state after the step. Skip a state of weight 0: if the proposal was refused,
+    /// it may be outside the domain.
     #[must_use]
     #[inline]
     pub const fn recorded(&self) -> [(X, f32); 2] {

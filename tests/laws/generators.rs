@@ -1,7 +1,7 @@
 //! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
 
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
-use microwarp::uniform::{self, FromFn, Uniforms as _};
+use microwarp::uniform::{self, FromFn, Rng06, Rng09, TryRng06, Uniforms as _};
 use microwarp::{Warp, libm, poly};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
@@ -389,4 +389,71 @@ fn the_error_of_a_closure_is_passed_on() {
     assert_eq!(poly::Disk::new().try_draw(&mut rng), Err(Broken(1)));
     assert_eq!(rng.try_next_u64(), Err(Broken(1)));
     assert_eq!(rng.try_fill_bytes(&mut [0; 3]), Err(Broken(1)));
+}
+
+/// A PCG of other versions of `rand_core`; in version 0.6 it also fails, after some requests of bytes.
+struct Older(Pcg32, u32);
+
+impl rand_core_06::RngCore for Older {
+    fn next_u32(&mut self) -> u32 {
+        self.0.next_u32()
+    }
+    fn next_u64(&mut self) -> u64 {
+        self.0.next_u64()
+    }
+    fn fill_bytes(&mut self, bytes: &mut [u8]) {
+        self.0.fill_bytes(bytes);
+    }
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), rand_core_06::Error> {
+        let broken = std::num::NonZeroU32::new(rand_core_06::Error::CUSTOM_START + 7).unwrap();
+        self.1 = self.1.checked_sub(1).ok_or(broken)?;
+        self.0.fill_bytes(bytes);
+        Ok(())
+    }
+}
+
+impl rand_core_09::TryRngCore for Older {
+    type Error = Broken;
+    fn try_next_u32(&mut self) -> Result<u32, Broken> {
+        self.1 = self.1.checked_sub(1).ok_or(Broken(1))?;
+        Ok(self.0.next_u32())
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Broken> {
+        Ok(self.0.next_u64())
+    }
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Broken> {
+        self.0.fill_bytes(bytes);
+        Ok(())
+    }
+}
+
+#[test]
+fn generators_of_older_versions_give_the_same_points_and_their_errors() {
+    let older = || Older(Pcg32::new(1, 1), 3);
+    let disk = poly::Disk::new();
+    let expected = disk.draw(&mut Pcg32::new(1, 1));
+    assert_eq!(disk.draw(&mut Rng06(&mut older())), expected);
+
+    let mut rng = TryRng06(older());
+    assert_eq!(disk.try_draw(&mut rng).unwrap(), expected);
+    let error = disk.try_draw(&mut rng).unwrap_err();
+    assert_eq!(error.0.code().unwrap().get() & 0xff, 7);
+    assert!(!error.to_string().is_empty());
+
+    let mut rng = Rng09(older());
+    assert_eq!(disk.try_draw(&mut rng), Ok(expected));
+    assert_eq!(disk.try_draw(&mut rng), Err(Broken(1)));
+    // In whole, each asks for what it is asked for.
+    let mut plain = Pcg32::new(1, 1);
+    let (mut six, mut nine) = (Rng06(older()), Rng09(older()));
+    assert_eq!(plain.next_u64(), six.next_u64());
+    let mut bytes = [[0; 5]; 2];
+    plain.fill_bytes(&mut bytes[0]);
+    six.fill_bytes(&mut bytes[1]);
+    assert_eq!(bytes[0], bytes[1]);
+    let mut plain = Pcg32::new(1, 1);
+    assert_eq!(nine.try_next_u64(), Ok(plain.next_u64()));
+    assert_eq!(nine.try_fill_bytes(&mut bytes[1]), Ok(()));
+    plain.fill_bytes(&mut bytes[0]);
+    assert_eq!(bytes[0], bytes[1]);
 }

@@ -5,7 +5,7 @@ use crate::shared::Refusal;
 use crate::subject::subjects;
 use microwarp::Error;
 use microwarp::metropolis::{
-    Chain, Autocorrelation, LargeSmall, Mixture, NormalStep, UniformIndex, WrappedWalk,
+    Autocorrelation, Chain, LargeSmall, Mixture, NormalStep, UniformIndex, WrappedWalk,
 };
 use microwarp::tier::Tier;
 use rand_core::Rng;

@@ -118,7 +118,8 @@ pub fn acceptances<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
 
 pub fn cube<T: Tier>([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     let f = |[x, y, z]: [f32; 3]| (x - 0.5) * (x - 0.5) * (0.1 + y) * z;
-    let small = |sizes: (f32, f32)| LogUniformStep::<T>::new(sizes.0, sizes.1).map(WrappedWalk::new);
+    let small =
+        |sizes: (f32, f32)| LogUniformStep::<T>::new(sizes.0, sizes.1).map(WrappedWalk::new);
     with(
         small((v(1.0 / 1024.0), v(1.0 / 64.0))),
         out,

@@ -106,10 +106,22 @@ pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
     let all = 1_u128 << 64;
     step(a, b, Symmetric, input, out);
     step(u32::MAX, c >> (d & 31), Symmetric, input, out);
-    step(a, b, HastingsCounts::new((c | 1).into(), d.into()), input, out);
+    step(
+        a,
+        b,
+        HastingsCounts::new((c | 1).into(), d.into()),
+        input,
+        out,
+    );
     let large = HastingsCounts::new(all, u128::from(c) << 31);
     step(a >> 16, b, large, input, out);
-    step(a, b, HastingsRatio::from_counts(d.into(), c.into()), input, out);
+    step(
+        a,
+        b,
+        HastingsRatio::from_counts(d.into(), c.into()),
+        input,
+        out,
+    );
     step(
         u32::MAX,
         b,

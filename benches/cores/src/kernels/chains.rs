@@ -2,7 +2,7 @@
 
 use crate::registry::{kernels, loaded, made};
 use microwarp::Error;
-use microwarp::metropolis::{Chain, LogUniformStep, LargeSmall, Mixture, UniformStep, WrappedWalk};
+use microwarp::metropolis::{Chain, LargeSmall, LogUniformStep, Mixture, UniformStep, WrappedWalk};
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_pcg::Pcg32;
 
