@@ -104,8 +104,8 @@
 //! [`Strata2d`](uniform::Strata2d).
 //!
 //! # Generators
-//! [`Warp::draw`] takes any generator of rand_core 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement
-//! rand_core 0.6 or 0.9: features `rand_core_06` and `rand_core_09` bring the wrappers `Rng06`,
+//! [`Warp::draw`] takes any generator of `rand_core` 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement
+//! `rand_core` 0.6 or 0.9: features `rand_core_06` and `rand_core_09` bring the wrappers `Rng06`,
 //! `TryRng06` and `Rng09` to [`uniform`]. A closure becomes a generator by [`FromFn`](uniform::FromFn). `docs/generators.md` lists HALs, versions and
 //! compiler errors.
 //!
@@ -113,7 +113,7 @@
 //! None is on by default, and no feature changes a number.
 //! - `fixed`: the integer tier, over the types of the `fixed` crate
 //! - `alloc`: tables in a `Vec` or a `Box`
-//! - `rand_core_06`, `rand_core_09`: generators of HALs that implement older versions of rand_core
+//! - `rand_core_06`, `rand_core_09`: generators of HALs that implement older versions of `rand_core`
 //! - `defmt`: `defmt::Format` on every public type
 //!
 //! # Constants
