@@ -19,9 +19,9 @@
 //!
 //! | for | take |
 //! |---|---|
-//! | a core with an FPU, WASM, a PC | [`poly`](crate::poly): `use microwarp::poly as mw;` |
+//! | a core with an FPU, WASM, a PC | [`poly`]: `use microwarp::poly as mw;` |
 //! | a core without an FPU | feature `fixed`: `use microwarp::fixed as mw;` |
-//! | the last bits of logarithms | [`libm`](crate::libm): `use microwarp::libm as mw;` |
+//! | the last bits of logarithms | [`libm`]: `use microwarp::libm as mw;` |
 //! | normal or exponential numbers from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential): the fastest, but the number of words varies |
 //! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one |
 //! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
