@@ -69,7 +69,7 @@ const KNOWN = {
   },
   NormalPair: {
     truth: ([x, y, std_dev]) => plane.normal_pair(x, y, std_dev),
-    counting: count.warp("NormalPair", { scale: ([x, y, std_dev]) => largest([x, y, 5.77 * std_dev]), integer: count.of_deviation }),
+    counting: count.warp("NormalPair", { scale: ([x, y, std_dev]) => largest([x, y, 5.77 * std_dev]), integer: count.of_std_dev }),
   },
   StandardNormalPair: {
     truth: () => plane.normal_pair(0, 0, 1),

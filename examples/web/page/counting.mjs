@@ -58,8 +58,8 @@ export const of_extent = {
   of: (got, exact, { truth: { box: [left, right, bottom, top] } }) => Math.max(
     ...[right - left, top - bottom].map((extent, k) => Math.max(0, Math.abs(got[k] - exact[k]) - STEP / 2) / extent)),
 };
-export const of_deviation = {
-  unit: "of the deviation",
+export const of_std_dev = {
+  unit: "of the standard deviation",
   of: (got, exact, { p }) => Math.hypot(...exact.map((x, k) => Math.max(0, Math.abs(got[k] - x) - STEP / 2))) / p[2],
 };
 
