@@ -16,6 +16,8 @@ use rand_core::TryRng;
 /// One uniform selects the cell, and what is left of it places the point within the cell. This is the inverse
 /// of the cumulative distribution, so points increase with the uniform.
 ///
+#[doc = include_str!("../pictures/piecewise_constant1d.html")]
+///
 /// # Density
 /// The probability of the cell over its width, both as realised; 0 in a cell of weight zero and outside. A cell
 /// contains its lower edge, and `high` counts as part of the last cell.

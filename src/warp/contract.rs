@@ -10,9 +10,9 @@ use rand_core::{Rng, TryRng};
 ///
 /// # Drawing from a generator
 /// [`sample`](Warp::sample) takes uniforms. [`draw`](Warp::draw) takes a generator, and [`fill`](Warp::fill) fills a
-/// slice from one. Both accept every generator with the traits of `rand_core` 0.10; the page on generators,
-/// `docs/generators.md`, tells how to adapt others. [`try_draw`](Warp::try_draw) and [`try_fill`](Warp::try_fill) pass
-/// on the error of a generator that can fail.
+/// slice from one. Both take every generator of `rand_core` 0.10, and a closure by
+/// [`FromFn`](crate::uniform::FromFn). The page on generators, `docs/generators.md`, adapts those of older versions.
+/// [`try_draw`](Warp::try_draw) and [`try_fill`](Warp::try_fill) pass on the error of a generator that can fail.
 ///
 /// ```
 /// use microwarp::{Warp, poly as mw};
