@@ -2,8 +2,7 @@
 //! generator alone. `cargo bench --bench peers -- --help`
 //!
 //! How times are taken and compared is in `support::contest`, what the peers are in `support::peers`, who meets
-//! whom in `families.rs`. This file runs the
-//! steps.
+//! whom in `families.rs`. This file runs the steps.
 
 mod args;
 mod contestants;

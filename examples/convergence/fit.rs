@@ -78,7 +78,7 @@ impl Line {
     }
 }
 
-/// What is wrong with the slopes, and how many wrong rates were refused.
+/// The complaints about the slopes, and how many wrong rates were rejected.
 pub fn check(lines: &[Line]) -> (Vec<String>, usize) {
     let mut rates: Vec<Rate> = Vec::new();
     for s in DIMENSIONS {
@@ -96,7 +96,7 @@ pub fn check(lines: &[Line]) -> (Vec<String>, usize) {
             let theory = line.theory();
             complaints.push(format!("{name}: slope {slope}, theory {theory}"));
         }
-        // The control: a check that lets another rate pass as well would prove nothing.
+        // The control: a check that accepts other rates too would prove nothing.
         for &wrong in rates.iter().filter(|&&rate| rate != line.theory()) {
             if line.agrees(wrong) {
                 complaints.push(format!("{name}: slope {slope} passes for {wrong} too"));

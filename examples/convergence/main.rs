@@ -1,8 +1,7 @@
 //! How fast the error of an integral falls: three classical rules and three random methods in 1, 2 and 6
 //! dimensions. `cargo run --release --example convergence -- --help`
 //!
-//! This file runs the
-//! steps. The program fails when a slope is not the one theory gives.
+//! This file runs the steps. The program fails when a slope is not the one theory gives.
 
 mod args;
 mod figure;
@@ -26,7 +25,7 @@ fn main() -> ExitCode {
     support::cli::run("convergence", args::HELP, args::parse(), run)
 }
 
-/// Does everything; returns what is wrong with the slopes.
+/// Runs everything and returns the complaints about the slopes.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let path = args.out.join("convergence.png");
@@ -45,7 +44,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let mut lines = Vec::new();
     for (stream, &(s, method)) in kinds.iter().enumerate() {
         progress.set_message(format!("{} in {s}-D", method.name()));
-        // A stream of its own, so that no two lines share their errors.
+        // Each line has its own stream, so that no two share their errors.
         let mut rng = Pcg32::new(args.seed, stream as u64);
         let points = method.sizes(s).into_iter().map(|size| {
             let error = if method.is_random() {
@@ -72,7 +71,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     Ok(complaints)
 }
 
-/// What a point costs, roughly in nanoseconds.
+/// The rough cost of a point in nanoseconds.
 fn work(method: Method, size: u32, s: u32, repetitions: u32) -> u64 {
     let axis = match method {
         Method::Importance => 25,

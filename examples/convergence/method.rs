@@ -1,4 +1,4 @@
-//! The six methods: their names, what theory says of them, and the sizes at which they run.
+//! The six methods: their names, their theory, and the sizes at which they run.
 
 use std::fmt;
 use support::draw::colour::{Colour, INK};

@@ -20,7 +20,7 @@ struct Axes {
     step: i32,
 }
 
-/// Each number of dimensions has a scale of its own: on a common one the lines of six would be one.
+/// Each number of dimensions has its own scale. On a common one the lines of six dimensions would merge.
 fn axes(dimension: u32) -> Axes {
     let (x, y, step) = match dimension {
         1 => ([0.0, 6.4], [-16.6, 0.6], 2),
@@ -141,7 +141,7 @@ impl Scale {
         self.name_floor(canvas, line);
     }
 
-    /// Says why a line stops falling, over the last of its points, where at least three lie there.
+    /// Writes why a line stops falling above its last points, if there are at least three of them.
     fn name_floor(&self, canvas: &mut Canvas, line: &Line) {
         let Some(last) = line.points.last() else {
             return;

@@ -1,4 +1,4 @@
-//! The command line: what may be asked of the example, and what is said to those who ask wrongly.
+//! The command line: its options and its error messages.
 
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};

@@ -1,5 +1,4 @@
-//! Tables that are wrong on purpose, in ways that are easy to get wrong: the test that the right table
-//! passes must reject each of them.
+//! Controls: tables with common mistakes, made on purpose. The test that the correct table passes must reject each.
 
 use crate::study::{Memory, Truth};
 use microwarp::{Error, Warp, poly as mw};
@@ -40,7 +39,7 @@ pub fn all(
     let plain: Vec<f32> = luminance.iter().map(|&l| l as f32).collect();
     add("sin θ forgotten", of_weights(&plain, 10)?);
 
-    // What a picture of 8 bits a channel would know of the sun.
+    // The sun as a picture with 8 bits per channel would hold it.
     let clipped = plain.iter().zip(weights).map(|(&l, &w)| w / l.max(1.0));
     let clipped: Vec<f32> = clipped.collect();
     add("radiance clipped at 1", of_weights(&clipped, 11)?);

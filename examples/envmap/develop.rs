@@ -1,4 +1,4 @@
-//! What is shown of a histogram: the picture that it is of, and colours of differences.
+//! Shows a histogram: the picture it samples, and colours for differences.
 
 use crate::picture::{Picture, sin_of_row};
 
@@ -17,8 +17,8 @@ pub fn diverging(deviations: f64) -> [f64; 3] {
     end.map(|c| 250.0 + t * (c - 250.0))
 }
 
-/// The picture that a histogram is of. A sample bears the colour of its texel; how bright the texel is,
-/// it takes many samples to say: their number over sin θ.
+/// The picture that a histogram samples. Each sample has the colour of its texel; the texel's brightness is the number
+/// of its samples over sin θ.
 pub fn developed(picture: &Picture, histogram: &[u64]) -> Vec<[f64; 3]> {
     let [columns, rows] = picture.shape;
     let samples: u64 = histogram.iter().sum();

@@ -1,4 +1,4 @@
-//! The figure: the picture, its samples, and how far these are from it.
+//! The figure: the picture, its samples, and the difference.
 
 use crate::controls::Control;
 use crate::develop::{BLACK, FAR, developed, diverging};
@@ -100,7 +100,7 @@ impl Figure<'_> {
         });
     }
 
-    /// The median of what is not black above the horizon.
+    /// The median of the pixels above the horizon that are not black.
     fn median(&self, luminance: &[f64]) -> f64 {
         let half = &luminance[..luminance.len() / 2];
         let mut sky: Vec<f64> = half.iter().copied().filter(|&l| l > 0.0).collect();
@@ -151,7 +151,7 @@ impl Figure<'_> {
         cells(canvas, place, self.small.shape, |i| tone(seen[i]));
     }
 
-    /// What part of the cells is more than two deviations off.
+    /// The share of cells that are more than two standard deviations off.
     fn spread(&self) -> String {
         let expected = self.truth.expected(self.samples);
         let pairs = self.study.histogram.iter().zip(&expected);

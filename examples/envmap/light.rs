@@ -1,5 +1,5 @@
-//! What the table is for: the light that the sky sends, by Monte Carlo with directions from the table,
-//! from all directions alike, and from the law of cosines, against the exact values.
+//! What the table is for: the light of the sky by Monte Carlo, with directions from the table, uniform directions and
+//! cosine-weighted ones, against the exact values.
 
 use crate::study::Truth;
 use microwarp::discrete::PiecewiseConstant2d;
@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 pub const DIRECTIONS: usize = 1000;
 pub const REPETITIONS: usize = 1000;
 
-/// What comes from a way of choosing directions.
+/// The result of one way to choose directions.
 pub struct Way {
     pub name: &'static str,
     pub mean: f64,

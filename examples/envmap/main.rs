@@ -1,8 +1,7 @@
 //! A picture of the sky as a distribution of directions: built, sampled, checked, used and drawn.
 //! `cargo run --release --example envmap -- --help`
 //!
-//! The picture is `sky.png`, made by `scene.rs` and read by `picture.rs`. This file runs the
-//! steps.
+//! The picture is `sky.png`, made by `scene.rs` and read by `picture.rs`. This file runs the steps.
 
 mod args;
 mod controls;
@@ -157,7 +156,7 @@ fn generated(picture: &Picture) -> Vec<String> {
     complaints
 }
 
-/// A picture that 32 bits do not bear, a lamp in the darkest night: what a program does then.
+/// A picture that needs more than 32 bits, a lamp in the darkest night, and how a program handles it.
 fn night(weights: &[f32], truth: &Truth) -> Result<String, String> {
     let lamp = 1e-3 * weights[truth.brightest()];
     let darken = |&w: &f32| if w < lamp { NIGHT * w } else { w };

@@ -1,4 +1,4 @@
-//! The tables on the terminal: what the tables are, what rejects wrong ones, and what they are good for.
+//! The tables on the terminal: the sampling tables, the controls, and the light estimates.
 
 use crate::controls::Control;
 use crate::light::{DIRECTIONS, Quantity, REPETITIONS};

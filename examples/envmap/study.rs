@@ -1,4 +1,4 @@
-//! What is measured of one table, and whether it samples what the picture says.
+//! What is measured for one table, and whether it samples the picture's distribution.
 
 use microwarp::discrete::{Grid, PiecewiseConstant2d, Storage, Word};
 use microwarp::{Error, Warp};
@@ -10,7 +10,7 @@ use support::verdict::{Outcome, passes};
 /// Azimuth and polar angle in turns, as `Spherical` has them.
 pub const RANGE: [[f32; 2]; 2] = [[0.0, 1.0], [0.0, 0.5]];
 
-/// The picture's own probabilities, which no table has a part in.
+/// The picture's own probabilities, computed without any table.
 #[derive(Clone)]
 pub struct Truth {
     /// Columns, rows.
@@ -76,7 +76,7 @@ pub struct Study {
     pub shape: [usize; 2],
     /// Bytes of words, and of the value that refers to them or holds them.
     pub bytes: [usize; 2],
-    /// Seconds; `None` for what the compiler has built.
+    /// Seconds; `None` if the compiler built it.
     pub build: Option<f64>,
     pub samples_a_second: f64,
     pub outcome: Outcome,

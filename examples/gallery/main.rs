@@ -1,8 +1,7 @@
 //! The gallery: draws every warp in both tiers, checks the samples against the density and against
 //! exact values, and prints a table. `cargo run --release --example gallery -- --help`
 //!
-//! The registry in `tests/support` lists what is drawn, with its exact maps. This file runs the
-//! steps.
+//! The registry in `tests/support` lists what is drawn, with its exact maps. This file runs the steps.
 
 mod area;
 mod args;

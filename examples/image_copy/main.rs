@@ -1,8 +1,7 @@
 //! A picture as the density of a chain: what comes back, and how fast.
 //! `cargo run --release --example image_copy -- --help`
 //!
-//! The picture is made by `scene.rs`, what is true of its copies is in `theory.rs`. This file runs the
-//! steps.
+//! The picture is made by `scene.rs`, what is true of its copies is in `theory.rs`. This file runs the steps.
 
 mod args;
 mod copy;

@@ -1,8 +1,7 @@
 //! Three mutations, one target: what a chain needs to reach every state.
 //! `cargo run --release --example mutations -- --help`
 //!
-//! The target and the mutations are in `target.rs`, what is true of them in `kernel.rs`. This file runs the
-//! steps.
+//! The target and the mutations are in `target.rs`, what is true of them in `kernel.rs`. This file runs the steps.
 
 mod args;
 mod controls;

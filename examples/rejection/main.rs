@@ -1,8 +1,6 @@
-//! Rejection in pictures: what is proposed, what is accepted, and the measured efficiency beside the exact
-//! one. `cargo run --release --example rejection -- --help`
+//! Rejection in pictures: the proposals, the accepted points, and the measured efficiency next to the exact one. `cargo run --release --example rejection -- --help`
 //!
-//! What is drawn is one list, `scenes.rs`. This file runs the
-//! steps.
+//! What is drawn is one list, `scenes.rs`. This file runs the steps.
 
 mod args;
 mod measure;
@@ -18,14 +16,14 @@ use std::process::ExitCode;
 use std::time::Instant;
 use support::draw::text::thousands;
 
-/// Standard errors beyond which a measured efficiency is not the exact one.
+/// A measured efficiency may be this many standard errors off the exact one.
 const ALARM: f64 = 6.0;
 
 fn main() -> ExitCode {
     support::cli::run("rejection", args::HELP, args::parse(), run)
 }
 
-/// Does everything; returns which efficiencies are not what they must be.
+/// Runs everything and returns the complaints about the efficiencies.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let scenes = scenes::all()?;

@@ -1,4 +1,4 @@
-//! What is measured: tries of each point, the radii, and the efficiency as the tries go on.
+//! What is measured: the tries of each point, the radii, and the running efficiency.
 
 use crate::args::Args;
 use crate::scenes::{Proposal, Scene};
@@ -75,7 +75,7 @@ pub fn measure(scene: &Scene, args: &Args) -> Result<Measured, Failure> {
     })
 }
 
-/// The efficiency after the first tries, some more, and so on up to all.
+/// The running efficiency, after more and more tries up to all.
 fn running(scene: &Scene, args: &Args, tries: usize) -> Vec<(f64, f64)> {
     let mut rng = Pcg32::new(args.seed, 2);
     let (mut marks, mut next, mut accepted) = (Vec::new(), FIRST, 0_usize);

@@ -1,8 +1,7 @@
 //! The error and cost of each tier on every target, next to its peers.
 //! `cargo run --release --example tradeoff -- --help`
 //!
-//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in the registry of `tests/support`. This file runs the
-//! steps.
+//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in the registry of `tests/support`. This file runs the steps.
 
 mod advice;
 mod args;

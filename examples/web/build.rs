@@ -1,5 +1,5 @@
-//! Reads what the crate says of its types out of their documentation into one JSON text for the page: a sentence, and
-//! the bounds of their errors. So the page holds a sample against what is promised of it, and no figure is written twice.
+//! Reads a sentence and the stated bounds of each type from the crate's documentation into a JSON text for the page. So
+//! the page compares samples with the promised bounds, and no figure is written twice.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ fn read(directories: &[&str]) -> BTreeMap<String, Documented> {
         println!("cargo:rerun-if-changed={}", directory.display());
         for file in sources(&directory) {
             let text = fs::read_to_string(&file).expect("a source file is text");
-            // Of two types of one name that of the first directory is meant.
+            // If two types have one name, the first directory's counts.
             for (name, of) in documented(&text) {
                 types.entry(name).or_insert(of);
             }

@@ -1,4 +1,4 @@
-// The page: what is chosen, what is drawn and measured of it, and how often. The module samples, `truth` knows better.
+// The page: the selection, the drawing, the measuring and the timing. The module samples; `truth` has the exact maps.
 
 import { MOST, SOURCES, load } from "./page/module.mjs";
 import { verify } from "./page/golden.mjs";
@@ -72,7 +72,7 @@ function show_choices() {
 
 // --- what is measured --------------------------------------------------------------------------------
 
-// What is chosen has changed: what was kept of it is forgotten.
+// The selection has changed: drop everything kept for the old one.
 function renew() {
   Object.assign(state, { kept: null, tallied: null, speed: null });
   refresh(false);
@@ -101,7 +101,7 @@ function refresh(keep) {
   show_readings();
 }
 
-// The clock is read when nothing has been changed for a moment, so that dragging a slider is not held up.
+// Measures speed only after a moment without changes, so that dragging a slider stays smooth.
 function measure_speed_soon() {
   clearTimeout(state.clock);
   state.clock = setTimeout(measure_speed, 200);

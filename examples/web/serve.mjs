@@ -1,5 +1,5 @@
 // Serves a directory to this machine's browsers, since a page may not load WASM from file://.
-//   node serve.mjs [PORT] [DIRECTORY]     8000 and the directory of this file where none is named
+//   node serve.mjs [PORT] [DIRECTORY]     default: 8000 and the directory of this file
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
 import { dirname, extname, join, normalize, sep } from "node:path";
@@ -22,7 +22,7 @@ async function content(root, path, instead) {
   return { name, body: await readFile(join(root, name)) };
 }
 
-// Starts a server; port 0 is any that is free.
+// Starts a server; port 0 means any free port.
 export async function serve(root, { port = 0, instead = {} } = {}) {
   const server = createServer(async (request, response) => {
     try {

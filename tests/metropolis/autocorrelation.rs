@@ -269,5 +269,5 @@ fn the_memory_is_as_stated() {
     assert_eq!(size_of::<Autocorrelation<0>>(), 40);
     assert_eq!(size_of::<Autocorrelation<1>>(), 16 + 40);
     assert_eq!(size_of::<Autocorrelation<64>>(), 16 * 64 + 40);
-    assert!(AUTOCORRELATION.contains("/// - Memory: 16 bytes a lag and 40 more."));
+    assert!(AUTOCORRELATION.contains("/// Memory: 16 bytes per lag and 40 more."));
 }

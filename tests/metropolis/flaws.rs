@@ -1,4 +1,4 @@
-//! Chains that are wrong, which the evidence must not let pass.
+//! Wrong chains, which the tests must reject.
 
 use crate::densities::*;
 use crate::evidence::{assert_passes, assert_rejected};

@@ -219,7 +219,7 @@ fn unsound<T: Tier>() {
 }
 
 #[test]
-fn logarithms_that_are_none_are_refused() {
+fn invalid_logarithms_are_refused() {
     unsound::<Libm>();
     unsound::<Poly>();
 }

@@ -4,7 +4,7 @@ use microwarp::metropolis::{Chain, Halves, Transition, split_r_hat};
 
 const BATCHES: u64 = 400;
 
-/// Of a run, all that is to be held against the truth.
+/// Everything about a run that is compared with the truth.
 pub struct Record {
     /// Steps after which the chain's density was not that of its state, to the bit.
     pub stale: u64,
@@ -91,7 +91,7 @@ where
     }
 }
 
-/// What must hold of every record, whatever the target.
+/// What must hold for every record, whatever the target.
 pub fn assert_sound(record: &Record, chain: &Chain<f32>, steps: u64) {
     assert_eq!((record.stale, record.unsound, record.uneven), (0, 0, 0));
     assert_eq!((chain.steps(), chain.accepted()), (steps, record.moved));

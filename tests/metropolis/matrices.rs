@@ -217,7 +217,7 @@ fn transition_tables() {
 }
 
 #[test]
-fn a_mutation_of_ones_own() {
+fn a_mutation_written_by_a_user() {
     // Not with valleys that the decision word does not resolve: see the counter-examples.
     for (n, f) in [
         (3, &MODERATE),

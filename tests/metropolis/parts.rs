@@ -1,5 +1,5 @@
-//! Mutations of the whole cube, of indices and of some coordinates: what they pick, by exact counts, and
-//! what they leave alone.
+//! Mutations of the whole cube, of indices and of some coordinates: what they pick, by exact counts, and what they
+//! keep.
 
 use microwarp::Error;
 use microwarp::metropolis::{
@@ -137,7 +137,7 @@ fn impossible_axes_are_refused() {
     assert_eq!(many.err(), Some(Error::OutOfRange));
     let all = Subset::<_, 3, 3>::new(whole, [2, 1, 0]);
     assert_eq!(all.err(), None);
-    // Checked by the compiler as well.
+    // At compile time too.
     const LENS: Result<Subset<UniformStep, 2, 5>, Error> = Subset::new(UniformStep::new(), [3, 4]);
     assert!(LENS.is_ok());
 }

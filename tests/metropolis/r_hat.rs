@@ -1,4 +1,4 @@
-//! R̂ against its definition in f64, over stored runs of any magnitude, and whether it tells chains that agree
+//! R̂ against its definition in f64, over stored runs of any magnitude, and whether it distinguishes chains that agree
 //! from chains that do not.
 
 use crate::series::{SHAPES, normal, shaped};
@@ -180,7 +180,7 @@ fn r_hat_of_far_magnitudes_is_right_too() {
 }
 
 #[test]
-fn what_says_nothing_is_none() {
+fn too_few_numbers_give_none() {
     let (some, one, none) = (moments(&[1.0, 2.0, 4.0]), moments(&[1.0]), Moments::new());
     assert_eq!(r_hat([].iter()), None);
     assert_eq!(r_hat([some].iter()), None);

@@ -13,7 +13,7 @@ use rand_pcg::Pcg32;
 /// The p-values that are computed in this file.
 pub const P_VALUES: usize = 3;
 
-/// Indices, each a word modulo their number, with densities of one's own.
+/// Indices, each a word modulo their number, with given densities.
 pub struct Listed<'a> {
     pub pdf: &'a [f32],
 }

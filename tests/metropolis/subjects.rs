@@ -1,4 +1,4 @@
-//! The chains under test: every mutation there is, over targets of all kinds.
+//! The chains under test: every mutation, over targets of all kinds.
 
 use crate::densities::*;
 use crate::matrices::Neighbour;
@@ -14,7 +14,7 @@ use support::speed;
 
 type Runner = Box<dyn Fn(&Plan, u64) -> Outcome>;
 
-/// A chain whose types have been erased.
+/// A chain with its types erased.
 pub struct Subject {
     pub name: &'static str,
     pub plan: Plan,
@@ -53,7 +53,7 @@ where
     }
 }
 
-/// A subject that is a chain, from a start that the target would hardly have chosen.
+/// A subject that is a chain, started where the target is small.
 pub fn chain<X, D, M>(
     name: &'static str,
     cells: Cells<X>,

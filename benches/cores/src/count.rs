@@ -22,7 +22,7 @@ pub struct Entry {
     pub inputs: usize,
     /// How many words of output.
     pub outputs: usize,
-    /// Done once before everything.
+    /// Runs once before all calls.
     pub prepare: fn(),
     /// Makes the inputs of many calls.
     pub fill: fn(Pcg32, &mut [u32]),
@@ -36,7 +36,7 @@ pub extern "C" fn empty<const IN: usize, O: Output>(input: *mut u32, output: *mu
     const {
         assert!(IN <= MOST_INPUTS && O::WORDS <= MOST_OUTPUTS);
     }
-    // Not a loop, which small code might keep.
+    // Not a loop, which the compiler might keep at level s.
     macro_rules! each {
         ($bound:expr, $step:expr, $($index:literal)*) => {
             $(if $index < $bound { $step($index); })*
@@ -79,7 +79,7 @@ const SYST_CSR: *mut u32 = 0xE000_E010 as *mut u32;
 const SYST_RVR: *mut u32 = 0xE000_E014 as *mut u32;
 const SYST_CVR: *mut u32 = 0xE000_E018 as *mut u32;
 
-/// Counts the processor's clock down from 2^24 - 1, again and again.
+/// Makes `SysTick` count down from 2^24 - 1 repeatedly.
 fn start_clock() {
     // SAFETY: registers of every Cortex-M.
     unsafe {
@@ -157,7 +157,7 @@ fn stack_pointer() -> usize {
 fn stack(entry: &Entry, kernel: Kernel) -> u32 {
     let painted = stack_pointer();
     let bottom = painted - DEPTH;
-    // Nothing is called while the paint goes on, which would be painted over.
+    // Call nothing while painting: its frame would be painted over.
     let mut at = bottom;
     while at < painted {
         // SAFETY: free stack, of which the linker leaves more than this.

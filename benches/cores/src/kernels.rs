@@ -1,4 +1,4 @@
-//! The registry of what is measured. The names stand in these files, and those of warps in the lists of
+//! The registry of measured functions. The names stand in these files, and those of warps in the lists of
 //! `tests/golden/src`, as string literals, each once; the runner reads them from there.
 #![allow(
     dead_code,

@@ -1,8 +1,8 @@
-//! What one function of microwarp costs on an emulated Cortex-M, and as WASM.
+//! The cost of one function of microwarp on an emulated Cortex-M, and as WASM.
 //!
-//! Here is the little runtime: vectors, reset, the words for the host. What is measured stands in
-//! `kernels`, how in `count.rs`, and what goes in and out of a kernel in `words.rs`. There is no outside
-//! runtime crate, so that all that is linked is the compiler's, microwarp's or ours.
+//! This file is the small runtime: vectors, reset, output to the host. `kernels` lists what is measured, `count.rs`
+//! measures, and `words.rs` defines the inputs and outputs of a kernel. There is no external runtime crate, so only the
+//! compiler's, microwarp's and our own code is linked.
 #![no_std]
 
 mod count;
@@ -105,6 +105,6 @@ fn semihosting(operation: usize, argument: usize) {
     }
 }
 
-/// The host has no one to talk to: there this package is only checked as code.
+/// On the host there is nothing to write to; there the package is only type-checked.
 #[cfg(not(target_arch = "arm"))]
 fn semihosting(_: usize, _: usize) {}

@@ -1,4 +1,4 @@
-//! The measurement as WASM: the host counts, paints and says when; here are its handles.
+//! The measurement as WASM: the host counts, paints and drives the calls through these exports.
 //!
 //! The order of calls is that of `count::measure`.
 
@@ -22,7 +22,7 @@ pub extern "C" fn cores_calls() -> u32 {
     CALLS as u32
 }
 
-/// What is done once before.
+/// Runs once before all calls.
 #[unsafe(no_mangle)]
 pub extern "C" fn cores_prepare() {
     if let Some(entry) = entry() {

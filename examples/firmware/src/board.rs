@@ -1,5 +1,5 @@
-//! What is the board's: the log, the reset, and how a run ends. On a host there is none of it; there this package
-//! is checked as code.
+//! The board: the log, the reset, and the end of a run. On a host there is no board, and the package is only
+//! type-checked.
 
 use core::panic::PanicInfo;
 use cortex_m_rt::{ExceptionFrame, STACK_PAINT_VALUE, exception};
@@ -10,8 +10,8 @@ use defmt_rtt as _;
 #[cfg(all(target_os = "none", not(feature = "rtt")))]
 use defmt_semihosting as _;
 
-/// Ends the run: the emulator, or the tool behind the probe, exits with success or failure. A product would have
-/// nowhere to exit to.
+/// Ends the run: the emulator, or the tool behind the probe, exits with success or failure. A product never
+/// exits.
 pub fn exit(well: bool) -> ! {
     #[cfg(target_os = "none")]
     semihosting::process::exit(i32::from(!well));
@@ -21,7 +21,7 @@ pub fn exit(well: bool) -> ! {
     }
 }
 
-/// Begins anew, as after a watchdog or a deep sleep. RAM stays as it is, but for what the start-up code fills.
+/// Resets, as after a watchdog or a deep sleep. RAM keeps its contents, except where the start-up code writes.
 pub fn reset() -> ! {
     defmt::flush();
     cortex_m::peripheral::SCB::sys_reset()

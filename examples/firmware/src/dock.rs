@@ -1,4 +1,4 @@
-//! Where the dock is: a Metropolis chain over all places where it may be.
+//! Finds the dock: a Metropolis chain over its possible positions.
 
 use crate::world::{Place, distance};
 use microwarp::metropolis::{Chain, Independence, Mixture, Mutation};
@@ -12,7 +12,7 @@ pub type Answer = (Place, f32);
 /// A chain whose density at a place is how likely the answers are if the dock is there.
 pub type Search = Chain<Place, mw::LogDensity>;
 
-/// The deviation of a range whose other end is itself an estimate.
+/// The standard deviation of a range measured from an estimated position.
 const DEVIATION: f32 = 0.5;
 
 /// How likely the answers are if the dock is there. A range that is off by more than some deviations does not matter
@@ -32,7 +32,7 @@ fn lawn() -> Result<Aabb<2>, Error> {
     Aabb::new([-25.0; 2], [25.0; 2])
 }
 
-/// Small steps, and now and then a leap to anywhere.
+/// Small steps, and sometimes a leap to anywhere on the lawn.
 ///
 /// # Errors
 /// None: the parameters are constants.
@@ -51,7 +51,7 @@ pub fn start(answers: &[Answer], rng: &mut Pcg32) -> Result<Search, Failure> {
     Ok(Chain::resample(target(answers), &lawn, 300, rng)?.chain)
 }
 
-/// Takes steps, and gives the mean of the places on the way.
+/// Takes steps, and returns the mean of the positions on the way.
 ///
 /// # Errors
 /// As [`mutation`].

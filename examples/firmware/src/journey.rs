@@ -17,7 +17,7 @@ const NONSENSE: usize = 40;
 /// How many times the dock answers.
 pub const ANSWERS: usize = TICKS / 2;
 
-/// What a journey comes to.
+/// The outcome of a journey.
 pub struct Journey {
     /// What the dock answered.
     pub answers: [Answer; ANSWERS],

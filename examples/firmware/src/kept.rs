@@ -1,4 +1,4 @@
-//! What outlives a reset: plain bytes in RAM that the start-up code leaves alone.
+//! State that survives a reset: plain bytes in RAM that the start-up code does not touch.
 
 use crate::dock::{Answer, Search};
 use crate::journey::ANSWERS;
@@ -115,25 +115,25 @@ impl Kept {
         Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC).checksum(bytes.as_bytes())
     }
 
-    /// Whether it is something that was kept, and not what RAM holds by chance.
+    /// Whether this was kept, and is not the random content of RAM.
     pub fn is_sound(&self) -> bool {
         self.sum == self.check_sum()
     }
 
-    /// What was kept before a reset, if anything was.
+    /// The state kept before a reset, if any.
     pub fn load() -> Option<Self> {
         // SAFETY: RAM of its size and alignment, in which every pattern of bits is a value.
         let kept = unsafe { read_volatile((&raw const MEMORY).cast::<Self>()) };
         kept.is_sound().then_some(kept)
     }
 
-    /// Keeps it over a reset.
+    /// Keeps it across a reset.
     pub fn store(&self) {
         // SAFETY: RAM of its size and alignment; there is one thread, and nobody holds a reference.
         unsafe { write_volatile((&raw mut MEMORY).cast(), *self) }
     }
 
-    /// Forgets what was kept: the next start is one from the beginning.
+    /// Forgets the kept state, so that the next start begins anew.
     pub fn forget() {
         // Zeros have another check sum than 0.
         Self::new_zeroed().store();

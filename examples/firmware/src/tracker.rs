@@ -1,4 +1,4 @@
-//! Where the rover is: a particle filter.
+//! Tracks the rover: a particle filter.
 
 use crate::world::{Place, Pose, RANGE_DEVIATION, World, distance};
 use microwarp::Error;
@@ -37,7 +37,7 @@ impl Tracker {
         }
     }
 
-    /// Guesses that agree with a range are multiplied, and others die out.
+    /// Resamples: guesses that agree with a range multiply, and others die out.
     ///
     /// # Errors
     /// [`Error::AllZero`] if the range agrees with no guess at all; nothing has changed then.

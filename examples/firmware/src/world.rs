@@ -9,7 +9,7 @@ use rand_pcg::Pcg32;
 /// Metres.
 pub type Place = [f32; 2];
 
-/// Where the rover is, and how far it gets in a tick.
+/// The rover's position, and its velocity per tick.
 #[derive(Clone, Copy)]
 pub struct Pose {
     pub place: Place,
@@ -20,7 +20,7 @@ pub struct Pose {
 pub const BEACONS: [Place; 3] = [[-20.0, -15.0], [20.0, -15.0], [0.0, 20.0]];
 pub const DOCK: Place = [9.0, -4.0];
 
-/// The deviation of a range that comes straight, in metres.
+/// The standard deviation of a direct range, in metres.
 pub const RANGE_DEVIATION: f32 = 0.3;
 
 /// What the rover does in a tick: it goes on, turns left, turns right or brakes. Built by the compiler, kept in flash.
@@ -38,7 +38,7 @@ const fn table<const N: usize>(checked: Result<Cdf<[u32; N]>, Error>) -> Cdf<[u3
     }
 }
 
-/// The laws of chance in it.
+/// Its distributions.
 #[derive(Clone, Copy, defmt::Format)]
 pub struct World {
     /// Where and how fast the rover is at first, in units of 3 m and of 1 m a tick.
@@ -89,7 +89,7 @@ impl World {
         }
     }
 
-    /// How far away the answer to a ping says that something is.
+    /// The range measured by a ping.
     pub fn range(&self, from: Place, to: Place, rng: &mut Pcg32) -> f32 {
         let straight = distance(from, to) + self.noise.draw(rng);
         match STRAIGHT_OR_ECHO.draw_index(rng) {

@@ -1,6 +1,6 @@
-// What the page shows. Names, views, tiers and parameters of the subjects come from the module, what is stated of them
-// from their documentation. Here stands what neither knows: the truth in f64, and how an error is counted against it.
-// A subject without a truth is shown all the same, with what is stated and without what is found.
+// What the page shows. Names, views, tiers and parameters come from the module, and stated bounds from the
+// documentation. This file adds what neither knows: the truth in f64, and how an error is counted against it. A subject
+// without a truth is still shown, with its stated bounds and without measured errors.
 
 import * as line from "../truth/line.mjs";
 import * as plane from "../truth/plane.mjs";

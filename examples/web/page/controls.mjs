@@ -23,7 +23,7 @@ export function choices(fieldset, name, options, chosen, changed) {
   fieldset.replaceChildren(fieldset.querySelector("legend"), ...labels);
 }
 
-// What is typed: NaN and infinities are numbers too here, for the constructors to refuse.
+// Parses typed text. NaN and infinities are numbers here, for the constructors to refuse.
 function typed(text) {
   const plain = text.trim().toLowerCase().replace("−", "-").replace("∞", "inf");
   if (plain === "nan") return NaN;

@@ -1,7 +1,7 @@
-// How errors are counted, in the unit in which each is stated. Each counting takes what was drawn and the truth, and
-// gives the readings of the page:
-//   error     { max, rms, unit, stated, at }: the largest, and where; `stated` is the bound, null where there is none
-//   density   likewise, of the density reported
+// How errors are counted, each in its stated unit. Each function takes the drawn points and the truth, and returns the
+// readings of the page:
+//   error     { max, rms, unit, stated, at }: the largest, and where; `stated` is the bound, or null
+//   density   the same for the reported density
 //   residuals [place, error], one a point
 //   further   [{ label, value, note, fault }]
 
@@ -43,7 +43,7 @@ export function full([high, low]) {
 const far = (got, exact) => Math.hypot(...exact.map((x, k) => got[k] - x));
 const widest = (got, exact) => Math.max(...exact.map((x, k) => Math.abs(got[k] - x)));
 
-// The integer tier: what a parameter's format of 16 fraction bits cannot hold is no error of the warp.
+// The integer tier: errors below one step of a parameter's format, 2⁻¹⁶, do not count.
 const STEP = 2 ** -16;
 export const steps = { unit: "steps of 2⁻¹⁶", bound: 1, of: (got, exact) => widest(got, exact) / STEP };
 export const distance = { unit: "of distance", of: far };
@@ -98,7 +98,7 @@ class Largest {
     this.at = null;
   }
 
-  // Written so that NaN is the largest of all and stays it.
+  // Written so that NaN counts as the largest error and remains.
   take(error, at) {
     this.count += 1;
     this.squares += error * error;
@@ -121,7 +121,7 @@ const points = function* ({ count, points: places, words, densities }, taken) {
 
 const argument = (entry, point) => (entry.view === "line" ? point[0] : point);
 
-// Without a truth: what is stated, and the densities that are reported.
+// Without a truth: the stated bounds and the reported densities.
 export const nothing = (drawn, { entry: { documented }, tier, stated }) => {
   const densities = drawn.densities.subarray(0, drawn.count);
   const family = tier in COLUMN && !FLOAT.includes(tier) && tier !== "exact" ? "integer" : "float";
@@ -255,7 +255,7 @@ export const chain = (drawn, { truth }) => {
   const [acceptance, time] = drawn.report;
   const deviation = Math.sqrt((truth.variance * time) / drawn.count);
   const off = Math.abs(sum / drawn.count - truth.mean);
-  // Of a single state of positive weight nothing can be off; of a chain whose time is not known nothing can be said.
+  // With a single state of positive weight nothing can be off; without a known time nothing can be tested.
   const max = off === 0 ? 0 : time > 0 ? off / deviation : NaN;
   const error = { label: "Error of the mean", max, rms: null, unit: "σ of the mean", stated: Number.isNaN(max) ? null : 5, at: null };
   return {

@@ -3,7 +3,7 @@
 const FUNCTIONS = { max: Math.max, min: Math.min, sqrt: Math.sqrt };
 const is_name = (token) => /^[a-z]/.test(token);
 
-// Its value; null where it holds a name that has none here. Of what is no formula it throws.
+// Its value, or null if a name in it has no value. Throws if the text is not a formula.
 export function evaluate(formula, names = {}) {
   const tokens = formula.match(/\d+(\.\d+)?(e[+-]?\d+)?|[a-z]+|\S/g) ?? [];
   const take = (...those) => (those.includes(tokens[0]) ? tokens.shift() : null);

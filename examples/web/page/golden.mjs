@@ -1,4 +1,4 @@
-// The golden bits: what the module yields in this browser against the table that every target reproduces.
+// The golden bits: compares the module's results in this browser with the table that every target reproduces.
 
 const hex = (word) => word.toString(16).padStart(8, "0");
 
@@ -11,7 +11,7 @@ export function parse(text) {
   });
 }
 
-// How many words agree, and what does not.
+// How many words agree, and which cases do not.
 export function compare(table, results) {
   const problems = [];
   let agreed = 0;

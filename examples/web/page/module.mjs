@@ -39,7 +39,7 @@ class Microwarp {
     this.imports = WebAssembly.Module.imports(module).length;
     this.subjects = Array.from(lists_of(exports)).flat();
     this.documented = JSON.parse(text_of(exports, "documented"));
-    // The module never grows its memory, so that these views stay good.
+    // The module never grows its memory, so these views stay valid.
     let address = exports.shared_memory();
     for (const [name, View, length] of LAYOUT) {
       this[name] = new View(exports.memory.buffer, address, length);
@@ -47,7 +47,7 @@ class Microwarp {
     }
   }
 
-  // Draws points; gives views of the shared memory, good until the next call, or the typed error.
+  // Draws points. Returns views of the shared memory, valid until the next call, or the typed error.
   sample({ place: [list, number], tier, source, dimensions, count, seed, parameters }) {
     this.parameters.fill(0);
     this.parameters.set(parameters);

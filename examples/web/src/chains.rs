@@ -10,7 +10,7 @@ use microwarp::metropolis::{
 use microwarp::tier::Tier;
 use rand_core::Rng;
 
-/// How many lags the autocorrelation is followed.
+/// The number of lags of the autocorrelation.
 const LAGS: usize = 256;
 
 /// What a chain reports: its acceptance rate, the integrated autocorrelation time of the first coordinate or of the
@@ -96,7 +96,7 @@ impl States {
     /// Six states of integer weights; a proposal is any of them.
     fn new(weights: [f32; 6]) -> Result<Self, Error> {
         let weights = weights.map(|weight| weight as u32);
-        // A chain begins where it may be: at the heaviest state.
+        // The chain starts at the heaviest state, where it may be.
         let heaviest = (0..6).max_by_key(|&state| weight(&weights, state));
         Ok(Self {
             chain: Chain::new(heaviest.unwrap_or(0), |state| weight(&weights, state))?,

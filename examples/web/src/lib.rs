@@ -1,9 +1,8 @@
-//! Every sampler of microwarp behind plain exports, for a page that knows nothing of Rust but numbers.
+//! Every sampler of microwarp behind plain exports that take and return numbers.
 //!
-//! Here live the exports and the memory that the page and the module share. What is sampled is in `float`,
-//! `integer`, `tables`, `rejected` and `chains`, a list of subjects each; `run` samples and times what they name,
-//! `source` is where the words come from. The panic handler calls an import: a module whose panics
-//! cannot be reached needs none, and the page and its test make sure of that.
+//! This file has the exports and the memory that the page and the module share. `float`, `integer`, `tables`, `rejected`
+//! and `chains` have a list of subjects each; `run` samples and times them, and `source` supplies the words. The panic
+//! handler calls an import. A module without reachable panics needs no import, and the page and its test check that.
 #![no_std]
 #![allow(unsafe_code)]
 
@@ -24,7 +23,7 @@ use run::{Samples, Timing};
 use shared::{Shared, shared};
 use visit::{LISTS, visit};
 
-/// What the crate's documentation says of its types, a sentence and the bounds of each, as JSON.
+/// A sentence and the bounds of each type from the crate's documentation, as JSON.
 static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));
 
 /// Where the memory is that both sides use; its layout is that of [`Shared`].
@@ -51,7 +50,7 @@ pub extern "C" fn subjects_length(list: usize) -> usize {
     told(list).len()
 }
 
-/// What the documentation says, as JSON.
+/// The documentation, as JSON.
 #[unsafe(no_mangle)]
 pub extern "C" fn documented() -> *const u8 {
     DOCUMENTED.as_ptr()

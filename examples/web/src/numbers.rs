@@ -1,4 +1,4 @@
-//! What the page sees of a point: `f64`, which hold every number of every tier exactly; and its bits, for timing.
+//! A point as the page sees it: as `f64`, which holds every number of every tier exactly, and as bits, for timing.
 
 use fixed::types::U32F32;
 use fixed::types::extra::LeEqU32;
@@ -6,7 +6,7 @@ use fixed::{FixedI32, FixedU32};
 
 /// Points and densities of any tier.
 pub trait Numbers: Copy {
-    /// Up to three numbers; those there are not are 0.
+    /// Up to three numbers; missing ones are 0.
     fn wide(self) -> [f64; 3];
     /// Some function of all bits.
     fn bits(self) -> u32;

@@ -1,4 +1,4 @@
-//! What is done with a subject: draw its points for a picture, or draw many and keep none.
+//! Draws a subject's points for a picture, or draws many and keeps none, for timing.
 
 use crate::numbers::Numbers;
 use crate::shared::{Refusal, Shared};
@@ -20,14 +20,14 @@ pub trait Draw {
     /// Takes note of a point that was drawn for a picture; when only time counts, nobody does.
     fn watch(&mut self, _: Self::Point) {}
 
-    /// What it has to say when all points are drawn.
+    /// What it reports after all points are drawn.
     fn report(&self, _: &mut [f64; 16]) {}
 }
 
 /// A warp draws its points.
 pub struct Of<W>(W);
 
-/// A warp that was accepted.
+/// An accepted warp.
 pub fn of<W>(warp: Result<W, Error>) -> Result<Of<W>, Error> {
     warp.map(Of)
 }
@@ -122,7 +122,7 @@ impl Timing {
 impl Visit for Timing {
     #[inline(never)]
     fn take<D: Draw>(&mut self, mut subject: D) -> Result<(), Refusal> {
-        // In locals, so that the loop works on registers as a program's own would.
+        // In locals, so that the loop works in registers.
         let (mut rng, mut bits) = (self.rng.clone(), 0);
         for _ in 0..self.count {
             bits ^= subject.draw(&mut rng)?.bits();

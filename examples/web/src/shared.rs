@@ -9,11 +9,11 @@ pub const MOST: usize = 1 << 16;
 /// Both sides know this layout: it is of 8-byte numbers first, then of 4, then of bytes.
 #[repr(C)]
 pub struct Shared {
-    /// Three coordinates a point; those that it does not have are 0.
+    /// Three coordinates per point; missing ones are 0.
     pub points: [[f64; 3]; MOST],
     /// The density that the module itself reports at each point.
     pub densities: [f64; MOST],
-    /// What a subject has to say besides: see `subject`.
+    /// Further reports of a subject: see `subject`.
     pub report: [f64; 16],
     /// The last four words that each point was drawn with, the latest last.
     pub words: [[u32; 4]; MOST],
@@ -47,7 +47,7 @@ pub enum Refusal {
     Parameters(microwarp::Error),
     /// A sampler found nothing.
     Sampling(Failure),
-    /// A parameter is no number of the format named.
+    /// A parameter is not a number of this format.
     Format(&'static str),
     /// There is no such subject in this tier.
     Unknown,
@@ -69,7 +69,7 @@ impl Refusal {
     /// Writes the typed error and its meaning; returns how many bytes that took.
     pub fn write(&self, text: &mut [u8]) -> usize {
         let mut text = Text { text, length: 0 };
-        // A text that is full is no error.
+        // Running out of text space is not an error.
         let _ = match self {
             Self::Parameters(error) => write!(text, "Error::{error:?}\n{error}"),
             Self::Sampling(failure) => write_failure(*failure, &mut text),
@@ -104,7 +104,7 @@ fn write_failure(failure: Failure, text: &mut Text) -> core::fmt::Result {
     }
 }
 
-/// Text in memory of fixed size; what does not fit is left out.
+/// Text in memory of fixed size; the rest is cut off.
 struct Text<'a> {
     text: &'a mut [u8],
     length: usize,

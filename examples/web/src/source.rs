@@ -5,8 +5,7 @@ use microwarp::uniform::{Strata1d, Strata2d};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 
-/// Words for one point after another. Along the first dimensions of a point they are laid out by a plan; all further
-/// words are random.
+/// Words for one point after another. A plan lays out the first dimensions of a point; all further words are random.
 pub struct Words {
     rng: Pcg32,
     plan: Plan,
@@ -49,7 +48,7 @@ impl Words {
         }
     }
 
-    /// Goes on to the next point.
+    /// Moves on to the next point.
     pub fn advance(&mut self) {
         self.index = self.index.wrapping_add(1);
         self.drawn = 0;

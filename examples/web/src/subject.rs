@@ -1,4 +1,4 @@
-//! The parameters of a subject, and a list of subjects: what the page is told of each, and how each is built.
+//! The parameters of a subject, and lists of subjects: the page's description of each, and how to build it.
 
 /// The parameters of a subject, in the order in which the page lists them.
 pub type Parameters = [f32; 16];
@@ -14,7 +14,7 @@ macro_rules! subjects {
             $p:ident: $start:literal in $least:literal..$most:literal $(by $step:literal)?
         ),*) => $sampler:expr,
     )*) => {
-        /// What the page is told.
+        /// The description for the page.
         pub static $told: &str = concat!(
             r#"{"family":""#, $family, r#"","tiers":""#, $tiers, r#"","subjects":["#,
             $(

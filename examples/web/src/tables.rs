@@ -1,4 +1,4 @@
-//! Tables of weights. What is selected by is a word, so no tier has a part in it.
+//! Tables of weights. A word selects, so they belong to no tier.
 
 use crate::run::{Draw, of};
 use crate::shared::Refusal;

@@ -1,4 +1,4 @@
-//! All lists of subjects, and the way from a number and a tier to a sampler.
+//! All lists of subjects, and the sampler for a number and a tier.
 
 use crate::run::Visit;
 use crate::shared::Refusal;
@@ -7,7 +7,7 @@ use crate::{chains, float, integer, rejected, tables};
 use microwarp::fixed::{Coarse, Compact, Fine};
 use microwarp::tier::{Libm, Poly};
 
-/// What the page is told of the subjects, list by list; the numbers of subjects count from 0 in each.
+/// The descriptions for the page, list by list. Subjects are numbered from 0 in each list.
 pub static LISTS: [&str; 7] = [
     float::WARPS,
     integer::WARPS,

@@ -1,7 +1,7 @@
-// Holds the page to what it promises, in headless Chromium.
+// Tests the page's promises in headless Chromium.
 //   node test/run.mjs SITE PANICS.wasm PICTURES
 // SITE has microwarp.wasm and golden.csv as `build` left them; PANICS.wasm is a module that can panic; PICTURES is
-// where the screenshots go. Every check that could pass by seeing nothing has a control that it must object to.
+// where the screenshots go. Every check that could pass by seeing nothing has a control that it must reject.
 
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";

@@ -1,4 +1,4 @@
-// What the test does on the page as a visitor would: choosing, typing, turning. Its functions run in the page.
+// What the test does as a visitor would: choosing, typing, turning. These functions run in the page.
 
 import { lists_of } from "../page/module.mjs";
 

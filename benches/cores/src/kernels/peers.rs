@@ -1,5 +1,5 @@
-//! What others offer for the same distributions, with the generator: `rand_distr`, and the textbook forms over the
-//! functions of `micromath` and over those of `libm`.
+//! Peers for the same distributions, with the generator: `rand_distr`, and the textbook forms over the functions of
+//! `micromath` and of `libm`.
 
 use crate::registry::kernels;
 use crate::textbook::{Micromath, PlainLibm, Textbook};

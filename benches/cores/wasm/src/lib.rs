@@ -1,4 +1,4 @@
-//! What a function costs as WASM: counts the operators that it executes, and reads the sizes of its module.
+//! The cost of a function as WASM: counts the operators that it executes, and reads the sizes of its module.
 
 mod count;
 mod instrument;
@@ -7,5 +7,5 @@ mod sizes;
 pub use count::measure;
 pub use sizes::sizes;
 
-/// Whatever went wrong, for people.
+/// Any error, for display.
 pub type Failure = Box<dyn std::error::Error>;
