@@ -16,6 +16,8 @@
 //! - *pdf*: the density at the returned point, relative to the exact density there.
 //! - *realised density*: the density at the returned point, relative to the exact density at the exact point. Here
 //!   the rounding of the point counts.
+//! - *pdf with the sample*: the density that [`Warp::sample_with_pdf`] hands over, relative to the exact density at the
+//!   exact point. A warp without this row hands over `pdf` of the point.
 //! - *inverse*: the uniforms of the returned point, absolute.
 //! - *round trip*: the uniforms after `sample` and `invert`, absolute.
 //!
@@ -105,5 +107,5 @@ macro_rules! names {
 }
 each_warp!(names);
 
-pub(crate) use self::contract::{Invert, Warp, one_by_one};
+pub(crate) use self::contract::{Invert, Warp, drawn_with_pdf, one_by_one};
 pub(crate) use self::fill::filled_in_blocks;

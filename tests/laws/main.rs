@@ -3,6 +3,7 @@
 
 mod any_parameters;
 mod boxes;
+mod density;
 mod generators;
 mod house;
 mod monotone;

@@ -63,7 +63,7 @@ where
     let truth: Box<dyn Truth> = Box::new(truth::Turned { inner, axes });
     let mut entry = entry::<T, _>("Oriented", Domain::World, Measure::Length(1.0), warp, truth);
     entry.composed = true;
-    Ok(entry.outside(&[[0.0, 0.0, 1.0]]))
+    Ok(entry.own_density().outside(&[[0.0, 0.0, 1.0]]))
 }
 
 fn turned(
@@ -123,7 +123,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = HenyeyGreenstein::<T>::new(p[0])?;
             let mut entry = about_z::<T, _>("HenyeyGreenstein", warp, truth::henyey_greenstein(p[0]));
             entry.cosine = false;
-            Ok(entry.outside(&[]))
+            Ok(entry.own_density().outside(&[]))
         })
             .case_with("g=0.8", &[0.8], |e| {
                 e.picture("p ∝ (1 + g² − 2g cos θ)^(−3/2), g = 0.8", Sky(PI)).trade("phase g = 0.8", "henyey_greenstein_08")
