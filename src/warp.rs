@@ -58,6 +58,7 @@ mod transform;
 mod triangle;
 mod triangle_on;
 mod truncated;
+mod von_mises_fisher;
 
 /// Every warp in one line: where it is, its name and what it is; `<T>` marks what is generic over the tier.
 ///
@@ -95,6 +96,7 @@ macro_rules! each_warp {
             triangle::Triangle "Uniform barycentric coordinates",
             triangle_on::TriangleOn "Uniform on a triangle given by its vertices",
             truncated::TruncatedExponential<T> "Exponential on [0, X], rising or falling",
+            von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions",
         }
     };
 }

@@ -227,6 +227,16 @@ macro_rules! float_warps {
                 cost { "henyey_greenstein_08" [u, v] -> [f32; 3] = const { ok(HenyeyGreenstein::new(0.8)) }, }
                 page { sphere 2: HenyeyGreenstein(asymmetry: 0.8 in -0.99..0.99) => HenyeyGreenstein::<T>::new(asymmetry), }
             }
+            VonMisesFisher {
+                golden {
+                    "VonMisesFisher 10" => VonMisesFisher::<T>::new(v(10.0)),
+                    "VonMisesFisher 0" => VonMisesFisher::<T>::new(v(0.0)),
+                    "VonMisesFisher 0.5" => VonMisesFisher::<T>::new(v(0.5)),
+                    "VonMisesFisher 1e30" => VonMisesFisher::<T>::new(v(1e30)),
+                }
+                cost { "von_mises_fisher_10" [u, v] -> [f32; 3] = stored(|| VonMisesFisher::new(10.0)), }
+                page { sphere 2: VonMisesFisher(concentration: 10 in 0..200 by 0.5) => VonMisesFisher::<T>::new(concentration), }
+            }
             Cone {
                 golden {
                     "Cone 0.1" => Cone::<T>::from_angle(v(0.1)),
