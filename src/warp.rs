@@ -37,6 +37,7 @@ mod cone;
 pub(crate) mod contract;
 mod direction;
 mod disk;
+mod equi_angular;
 mod exponential;
 mod fill;
 mod frame;
@@ -71,6 +72,7 @@ macro_rules! each_warp {
             cone::Cone<T> "Uniform over the directions within an angle of +z",
             disk::Disk<T> "Uniform on the unit disk, by polar coordinates",
             disk::DiskConcentric<T> "Uniform on the unit disk, by Shirley's concentric map",
+            equi_angular::EquiAngular<T> "Uniform in the angle in which a light sees a segment of a ray",
             exponential::Exponential<T> "Exponential, increasing with the uniform",
             exponential::ExponentialTail<T> "Exponential, decreasing with the uniform: the tail first",
             frame::Frame "An orthonormal frame about a normal",

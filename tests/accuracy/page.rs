@@ -22,6 +22,7 @@ fn unit(measure: Measure) -> &'static str {
         Measure::Ulp => "ulp",
         Measure::UlpOf(_) => "ulp of the scale",
         Measure::UlpFrom(_) => "ulp of mean or deviate",
+        Measure::UlpAbove(_) => "ulp of itself or of a length",
         Measure::Length(_) => "of the size",
     }
 }

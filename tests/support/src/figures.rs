@@ -97,6 +97,7 @@ pub fn sample_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figure
         Measure::Ulp => ulp(exact.point[0]),
         Measure::UlpOf(scale) => ulp(scale),
         Measure::UlpFrom(mean) => ulp((exact.point[0] - mean).abs().max(mean.abs())),
+        Measure::UlpAbove(least) => ulp(exact.point[0].abs().max(least)),
         Measure::Length(length) => length,
     };
     raise(&mut figures.sample, distance / unit);

@@ -58,6 +58,7 @@ fn units(entry: &Entry, point: [f64; 3]) -> [f64; 3] {
         (Domain::Line, Measure::UlpFrom(mean)) => {
             [ulp((point[0] - mean).abs().max(mean.abs())), 0.0, 0.0]
         }
+        (Domain::Line, Measure::UlpAbove(least)) => [ulp(point[0].abs().max(least)), 0.0, 0.0],
         (Domain::Line, _) => [ulp(point[0]), 0.0, 0.0],
         (Domain::Plane, Measure::Length(size)) => [size * HALF_STEP, size * HALF_STEP, 0.0],
         (Domain::Directions, _) => {

@@ -55,6 +55,8 @@ pub enum Measure {
     UlpOf(f64),
     /// Units in the last place of a mean or of the distance from it, whichever is larger.
     UlpFrom(f64),
+    /// Units in the last place of the exact value, or of a magnitude where it is smaller than that.
+    UlpAbove(f64),
     /// Euclidean distance in units of a length.
     Length(f64),
 }
