@@ -16,6 +16,8 @@
 //! - *pdf*: the density at the returned point, relative to the exact density there.
 //! - *realised density*: the density at the returned point, relative to the exact density at the exact point. Here
 //!   the rounding of the point counts.
+//! - *pdf with the sample*: the density that [`Warp::sample_with_pdf`] hands over, relative to the exact density at the
+//!   exact point. A warp without this row hands over `pdf` of the point.
 //! - *inverse*: the uniforms of the returned point, absolute.
 //! - *round trip*: the uniforms after `sample` and `invert`, absolute.
 //!
@@ -35,6 +37,7 @@ mod cone;
 pub(crate) mod contract;
 mod direction;
 mod disk;
+mod equi_angular;
 mod exponential;
 mod fill;
 mod frame;
@@ -56,6 +59,7 @@ mod transform;
 mod triangle;
 mod triangle_on;
 mod truncated;
+mod von_mises_fisher;
 
 /// Every warp in one line: its file, its name, and a sentence for the lists of the tiers. `<T>` marks types that are
 /// generic over the tier.
@@ -68,6 +72,7 @@ macro_rules! each_warp {
             cone::Cone<T> "Uniform over the directions within an angle of +z (a cone, or spherical cap); two uniforms",
             disk::Disk<T> "Uniform on the unit disk, by polar coordinates; two uniforms",
             disk::DiskConcentric<T> "Uniform on the unit disk, by Shirley and Chiu's concentric map, which keeps strata compact; two uniforms",
+            equi_angular::EquiAngular<T> "Uniform in the angle in which a light sees a segment of a ray (equi-angular sampling); one uniform",
             exponential::Exponential<T> "Exponential, increasing with the uniform; one uniform",
             exponential::ExponentialTail<T> "Exponential, decreasing with the uniform, to far into the tail; one uniform, drawn from two words",
             frame::Frame "An orthonormal frame about a normal",
@@ -93,6 +98,7 @@ macro_rules! each_warp {
             triangle::Triangle "Uniform barycentric coordinates; two uniforms",
             triangle_on::TriangleOn "Uniform on a triangle given by its vertices; two uniforms",
             truncated::TruncatedExponential<T> "Exponential on [0, X], falling or rising; one uniform",
+            von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms",
         }
     };
 }
@@ -105,5 +111,5 @@ macro_rules! names {
 }
 each_warp!(names);
 
-pub(crate) use self::contract::{Invert, Warp, one_by_one};
+pub(crate) use self::contract::{Invert, Warp, drawn_with_pdf, one_by_one};
 pub(crate) use self::fill::filled_in_blocks;

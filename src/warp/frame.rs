@@ -130,6 +130,7 @@ impl Frame {
 /// | unit length | 3.9e-7 | 3.9e-7 |
 /// | pdf, relative | 5e-7 + 8*s | 5e-7 + 8*s |
 /// | realised density, relative | 5e-7 + 8*s | 5e-7 + 8*s |
+/// | pdf with the sample, relative | 5e-7 + 2*s | 5e-7 + 2*s |
 /// | inverse | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
 /// | round trip | min(1, 5e-7 + 12*r) | min(1, 5e-7 + 12*r) |
 ///
@@ -234,6 +235,21 @@ impl<W: Warp<Point = [f32; 3], Density = f32>> Warp for Oriented<W> {
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 3], R::Error> {
         let local = self.warp.try_draw(rng)?;
         Ok(self.frame.to_world(local))
+    }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<W::Uniforms>) -> ([f32; 3], f32) {
+        let (local, density) = self.warp.sample_canonical_with_pdf(u);
+        (self.frame.to_world(local), density)
+    }
+
+    #[inline]
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+    ) -> Result<([f32; 3], f32), R::Error> {
+        let (local, density) = self.warp.try_draw_with_pdf(rng)?;
+        Ok((self.frame.to_world(local), density))
     }
 }
 

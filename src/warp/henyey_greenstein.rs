@@ -2,10 +2,11 @@
 
 use super::direction::{DEEP, around, azimuth, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
-use super::{Invert, Warp};
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, finite};
 use crate::num::{into_unit, remainder, two_product, two_sum};
 use crate::tier::Tier;
+use crate::uniform::Canonical;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -41,6 +42,7 @@ use core::marker::PhantomData;
 /// | unit length | 1.7e-7 | 2.1e-7 |
 /// | pdf, relative | 5.2e-7 | 5.2e-7 |
 /// | realised density, relative | 1.3e-6 | 1.3e-6 |
+/// | pdf with the sample, relative | 6.7e-7 | 6.7e-7 |
 /// | inverse | 3.6e-7 | 3.6e-7 |
 /// | round trip | 3.6e-7 | 3.6e-7 |
 ///
@@ -90,6 +92,8 @@ pub struct HenyeyGreenstein<T> {
     width: f32,
     /// ((1 − g²)/4π)²/(2h)³, in units of 2⁻³⁶.
     norm: f32,
+    /// 1/(4π(1 − g²)²).
+    scale: f32,
     tier: PhantomData<T>,
 }
 
@@ -135,6 +139,16 @@ const fn norm_squared(g: f32, scale: f32) -> f32 {
     over((square, dropped + 2.0 * n * short), scale) * (UNIT * UNIT * UNIT)
 }
 
+/// 1/(4π(1 − g²)²).
+const fn inverse_square(g: f32) -> f32 {
+    let (square, dropped) = two_product(g, g);
+    let (left, rest) = two_sum(1.0, -square);
+    let (square, lost) = two_product(left, left);
+    let lack = (lost + 2.0 * left * (rest - dropped)) / square;
+    let (scale, short) = quotient((QUARTER, QUARTER_REST), square);
+    scale + (short - scale * lack)
+}
+
 /// 2¹², which keeps a cube in the range of `f32`.
 const UNIT: f32 = 4096.0;
 
@@ -157,6 +171,7 @@ impl<T: Tier> HenyeyGreenstein<T> {
                     behind: behind.0 + behind.1,
                     width: over(width, scale),
                     norm: norm_squared(g, scale),
+                    scale: inverse_square(g),
                     tier: PhantomData,
                 })
             }
@@ -170,6 +185,14 @@ impl<T: Tier> HenyeyGreenstein<T> {
         self.g
     }
 
+    /// hw and c of the first uniform.
+    #[inline]
+    fn rise(&self, u1: f32) -> (f32, f32) {
+        let h = self.g.abs();
+        let rise = h * if self.g < 0.0 { u1 } else { 1.0 - u1 };
+        (rise, (1.0 - h) + 2.0 * rise)
+    }
+
     /// 1 − cos of the angle to the peak, at most 2 for any direction.
     #[inline]
     fn off_peak(self, [x, y, z]: [f32; 3]) -> f32 {
@@ -181,15 +204,13 @@ impl<T: Tier> HenyeyGreenstein<T> {
 impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
     #[inline]
     fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        let (h, v) = (self.g.abs(), 1.0 - u1);
-        let least = 1.0 - h;
-        let (w, from_down, from_up) = if self.g < 0.0 {
-            (u1, least, 1.0)
+        let (v, least) = (1.0 - u1, 1.0 - self.g.abs());
+        let (from_down, from_up) = if self.g < 0.0 {
+            (least, 1.0)
         } else {
-            (v, 1.0, least)
+            (1.0, least)
         };
-        let rise = h * w;
-        let c = least + 2.0 * rise;
+        let (rise, c) = self.rise(u1);
         let square = 0.5 * (c * c);
         // 1 - cos θ and 1 + cos θ are these over c²/2. Only the smaller is computed.
         let slope = self.ahead * (from_down + rise);
@@ -220,6 +241,19 @@ impl<T: Tier> Warp for HenyeyGreenstein<T> {
             0.0
         }
     }
+
+    /// The density is c³/4π over (1 − g²)²: without the root and the quotient of `pdf`, and free of what rounding the
+    /// direction does.
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
+        let [u1, u2] = u.get();
+        let mut direction = [0.0; 3];
+        self.map(u1, u2, &mut direction);
+        let (_, c) = self.rise(u1);
+        (direction, c * c * c * self.scale)
+    }
+
+    drawn_with_pdf!();
 }
 
 impl<T: Tier> Invert for HenyeyGreenstein<T> {

@@ -92,6 +92,16 @@ where
     }
 }
 
+/// The product of two densities; 0 where one of them is.
+#[inline]
+fn joint(marginal: f32, conditional: f32) -> f32 {
+    if marginal > 0.0 && conditional > 0.0 {
+        representable(marginal * conditional)
+    } else {
+        0.0
+    }
+}
+
 impl<M, F, C> Warp for MarginalConditional<M, F>
 where
     M: Warp<Uniforms = f32, Point = f32, Density = f32>,
@@ -114,12 +124,10 @@ where
         let [x, y] = point;
         let marginal = self.marginal.pdf(x);
         if marginal > 0.0 {
-            let conditional = (self.conditional)(x).pdf(y);
-            if conditional > 0.0 {
-                return representable(marginal * conditional);
-            }
+            joint(marginal, (self.conditional)(x).pdf(y))
+        } else {
+            0.0
         }
-        0.0
     }
 
     #[inline]
@@ -133,6 +141,24 @@ where
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 2], R::Error> {
         let x = self.marginal.try_draw(rng)?;
         Ok([x, (self.conditional)(x).try_draw(rng)?])
+    }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 2], f32) {
+        let [u1, u2] = u.each();
+        let (x, marginal) = self.marginal.sample_canonical_with_pdf(u1);
+        let (y, conditional) = (self.conditional)(x).sample_canonical_with_pdf(u2);
+        ([x, y], joint(marginal, conditional))
+    }
+
+    #[inline]
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+    ) -> Result<([f32; 2], f32), R::Error> {
+        let (x, marginal) = self.marginal.try_draw_with_pdf(rng)?;
+        let (y, conditional) = (self.conditional)(x).try_draw_with_pdf(rng)?;
+        Ok(([x, y], joint(marginal, conditional)))
     }
 }
 

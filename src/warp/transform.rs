@@ -28,6 +28,7 @@ use rand_core::TryRng;
 /// | sample, ulp | 4.7 | 4.7 |
 /// | pdf, relative | 5.2e-7 | 4.1e-7 |
 /// | realised density, relative | 9.5e-7 | 7.5e-7 |
+/// | pdf with the sample, relative | 6e-7 | 4.5e-7 |
 /// | inverse | 3.4e-7 | 3.5e-7 |
 /// | round trip | 6e-7 | 6e-7 |
 ///
@@ -87,6 +88,22 @@ where
     pub const fn warp(&self) -> &W {
         &self.warp
     }
+
+    /// The density of f(x) for an x of the given density.
+    #[inline]
+    fn stretched(&self, x: W::Point, density: f32) -> f32 {
+        if density > 0.0 {
+            representable(density / (self.jacobian)(x).abs())
+        } else {
+            0.0
+        }
+    }
+
+    /// f(x) and its density.
+    #[inline]
+    fn mapped(&self, (x, density): (W::Point, f32)) -> (Y, f32) {
+        ((self.forward)(x), self.stretched(x, density))
+    }
 }
 
 impl<W, F, G, J, Y> Warp for Transform<W, F, G, J>
@@ -109,12 +126,7 @@ where
     #[inline]
     fn pdf(&self, y: Y) -> f32 {
         let x = (self.backward)(y);
-        let density = self.warp.pdf(x);
-        if density > 0.0 {
-            representable(density / (self.jacobian)(x).abs())
-        } else {
-            0.0
-        }
+        self.stretched(x, self.warp.pdf(x))
     }
 
     #[inline]
@@ -125,6 +137,17 @@ where
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Y, R::Error> {
         self.warp.try_draw(rng).map(&self.forward)
+    }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<W::Uniforms>) -> (Y, f32) {
+        self.mapped(self.warp.sample_canonical_with_pdf(u))
+    }
+
+    #[inline]
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(Y, f32), R::Error> {
+        let inner = self.warp.try_draw_with_pdf(rng)?;
+        Ok(self.mapped(inner))
     }
 }
 

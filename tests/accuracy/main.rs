@@ -12,7 +12,9 @@ mod page;
 
 use page::Measured;
 use support::adversary::search::{Budget, USUAL};
-use support::figures::{Exact, Figures, density_and_inverse_error, polar_error, sample_error};
+use support::figures::{
+    Exact, Figures, density_and_inverse_error, density_with_sample_error, polar_error, sample_error,
+};
 use support::parallel::{in_parallel, threads};
 use support::registry::{Entry, Uniforms, entries};
 use support::speed;
@@ -78,6 +80,7 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
             sample_error(entry, &exact, x, figures);
             if deep {
                 density_and_inverse_error(entry, &exact, x, figures);
+                density_with_sample_error(entry, &exact, u, figures);
             }
         }
     };

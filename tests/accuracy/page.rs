@@ -22,6 +22,7 @@ fn unit(measure: Measure) -> &'static str {
         Measure::Ulp => "ulp",
         Measure::UlpOf(_) => "ulp of the scale",
         Measure::UlpFrom(_) => "ulp of mean or deviate",
+        Measure::UlpAbove(_) => "ulp of itself or of a length",
         Measure::Length(_) => "of the size",
     }
 }
@@ -39,6 +40,11 @@ fn printed(x: f64) -> String {
     }
 }
 
+/// Whether a row is one that some warps have and others do not.
+fn some(title: &str) -> bool {
+    title.contains('θ') || ["unit length", "pdf with the sample, relative"].contains(&title)
+}
+
 /// The rows of one warp's table: title, bound in `libm`, bound in `poly`.
 fn summary(group: &[&Measured]) -> Vec<(String, [f64; 2])> {
     let mut worst = [Figures::default(); 2];
@@ -50,8 +56,7 @@ fn summary(group: &[&Measured]) -> Vec<(String, [f64; 2])> {
     let mut rows = Vec::new();
     for (title, row) in ROWS {
         let values = worst.map(|mut f| *row(&mut f));
-        let polar = title.contains('θ') || title == "unit length";
-        let shown = !polar || values != [0.0; 2];
+        let shown = !some(title) || values != [0.0; 2];
         if shown {
             let title = match title {
                 "sample" => format!("sample, {}", unit(group[0].measure)),
@@ -129,14 +134,15 @@ every parameter are on each warp's page.
 - Warps of several uniforms: 2^24 points of the grid for the first set, 2^21 for the others.
 - All edges of the unit cube are always included.
 - *pdf*: the density at the returned point. *Realised*: against the density with which the map arrives there.
+- *With the sample*: the density that `sample_with_pdf` hands over, against the same; a dash where that is `pdf` of the point.
 - *Inverse*: at the returned point. *Round trip*: the uniforms after `sample` and `invert`.
 - A dash: the figure does not apply, or `f32` cannot hold the distribution well enough to recover the uniforms.
 
 `MICROWARP_WRITE=1 cargo test --test accuracy` writes this page, and `MICROWARP_FULL=1 cargo test` compares it with what it
 measures.
 
-| warp | parameters | sample | unit | sin θ, ulp | cos θ, ulp | unit length | pdf, rel. | realised, rel. | inverse | round trip |
-|---|---|--:|---|--:|--:|--:|--:|--:|--:|--:|
+| warp | parameters | sample | unit | sin θ, ulp | cos θ, ulp | unit length | pdf, rel. | realised, rel. | with the sample, rel. | inverse | round trip |
+|---|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|
 ";
 
 /// The table of every parameter set.
@@ -146,8 +152,7 @@ fn full_table(measured: &[Measured]) -> String {
         let mut cells = Vec::new();
         for (title, row) in ROWS {
             let [a, b] = m.figures.map(|mut f| *row(&mut f));
-            let dash = (a, b) == (0.0, 0.0)
-                && (title.contains('θ') || title.contains("length") || title == "round trip");
+            let dash = (a, b) == (0.0, 0.0) && (some(title) || title == "round trip");
             let cell = if dash {
                 "–".to_string()
             } else {

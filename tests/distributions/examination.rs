@@ -95,6 +95,7 @@ impl<'a> Examination<'a> {
         let extent = |k: usize| nodes.iter().map(|n| n.0[k].abs()).fold(0.0, f64::max);
         let size = match self.entry.measure {
             Measure::UlpOf(size) => [size, 0.0, 0.0],
+            Measure::UlpAbove(size) => [size, 0.0, 0.0],
             Measure::UlpFrom(mean) => [mean.abs(), 0.0, 0.0],
             // Relative to each sample; see `strays`.
             Measure::Ulp => [0.0; 3],

@@ -4,6 +4,7 @@
 mod any_parameters;
 mod boxes;
 mod constructors;
+mod density;
 mod generators;
 mod house;
 mod monotone;

@@ -6,12 +6,12 @@ use microwarp::tier::{Libm, Poly, Tier as _};
 use support::adversary::words::{Kind, first_accepted};
 use support::adversary::{Case, Family, Observe};
 use support::docs::{Statement, of_floats};
-use support::errors::{apart, ulp};
 use support::figures::{
-    Exact, Figures, ROWS, density_and_inverse_error, is_azimuth, polar_error, sample_error, wide,
+    Exact, Figures, ROWS, density_and_inverse_error, density_with_sample_error, polar_error,
+    sample_error,
 };
-use support::registry::{Domain, Entry, Measure, Registered, Uniforms, of_tier};
-use support::truth::Truth;
+use support::moved::Moved;
+use support::registry::{Domain, Entry, Registered, Uniforms, of_tier};
 
 /// All families of both tiers.
 pub fn families() -> Vec<Family> {
@@ -108,6 +108,7 @@ impl Case for Subject {
         let mut figures = Figures::default();
         sample_error(entry, &exact, x, &mut figures);
         density_and_inverse_error(entry, &exact, x, &mut figures);
+        density_with_sample_error(entry, &exact, u, &mut figures);
         if entry.domain == Domain::Directions && u[1] == 0.0 {
             polar_error(entry, &exact, x, &mut figures);
         }
@@ -156,68 +157,4 @@ fn in_order(entry: &Entry, x: [f32; 3]) -> bool {
         && density > 0.0
         && density <= f32::MAX
         && entry.warp.invert(x).iter().all(|u| (0.0..1.0).contains(u))
-}
-
-/// What rounding the point by one unit does to the exact density, relatively, and to the exact inverse: `s` and `r` of the
-/// formulas. The larger of what it does at the exact point and at the returned one.
-struct Moved {
-    density: f64,
-    inverse: f64,
-}
-
-impl Moved {
-    fn of(entry: &Entry, exact: &Exact, x: [f32; 3]) -> Self {
-        let (a, b) = (Self::at(entry, exact.point), Self::at(entry, wide(x)));
-        Self {
-            density: a.density.max(b.density),
-            inverse: a.inverse.max(b.inverse),
-        }
-    }
-
-    fn at(entry: &Entry, point: [f64; 3]) -> Self {
-        let truth: &dyn Truth = entry.truth.as_ref();
-        let (density, inverse) = (truth.pdf(point), truth.invert(point));
-        let mut moved = Self {
-            density: 0.0,
-            inverse: 0.0,
-        };
-        for (k, unit) in units(entry, point).into_iter().enumerate() {
-            if unit == 0.0 {
-                continue;
-            }
-            let (mut relative, mut turned): (f64, f64) = (0.0, 0.0);
-            for by in [unit, -unit] {
-                let mut there = point;
-                there[k] += by;
-                // What is not a number lies outside the domain and says nothing; `max` passes it over.
-                relative = relative.max((truth.pdf(there) - density).abs() / density);
-                let back = truth.invert(there);
-                for i in 0..entry.uniforms {
-                    turned = turned.max(apart(back[i], inverse[i], is_azimuth(entry, i)));
-                }
-            }
-            moved.density += relative;
-            moved.inverse += turned;
-        }
-        moved
-    }
-}
-
-/// The unit of rounding of each coordinate; 0 for those that a point of the domain does not have.
-fn units(entry: &Entry, point: [f64; 3]) -> [f64; 3] {
-    const HALF_STEP: f64 = 1.0 / 16_777_216.0;
-    match (entry.domain, entry.measure) {
-        (Domain::Line, Measure::UlpOf(scale)) => [ulp(scale), 0.0, 0.0],
-        (Domain::Line, Measure::UlpFrom(mean)) => {
-            [ulp((point[0] - mean).abs().max(mean.abs())), 0.0, 0.0]
-        }
-        (Domain::Line, _) => [ulp(point[0]), 0.0, 0.0],
-        (Domain::Plane, Measure::Length(size)) => [size * HALF_STEP, size * HALF_STEP, 0.0],
-        (Domain::Directions, _) => {
-            let sine = point[0].hypot(point[1]);
-            [ulp(sine), ulp(sine), ulp(point[2])]
-        }
-        (_, Measure::Length(size)) => [size * HALF_STEP; 3],
-        _ => point.map(ulp),
-    }
 }

@@ -76,6 +76,18 @@ macro_rules! float_warps {
                         => TruncatedExponential::<T>::from_rate(rate, length),
                 }
             }
+            EquiAngular {
+                golden {
+                    "EquiAngular 2" => EquiAngular::<T>::new(v(2.0), v(-5.0), v(15.0)),
+                    "EquiAngular before" => EquiAngular::<T>::new(v(0.5), v(-9.0), v(-0.25)),
+                    "EquiAngular 0" => EquiAngular::<T>::new(v(0.0), v(1.0), v(1e6)),
+                }
+                cost { "equi_angular_2" u -> f32 = stored(|| EquiAngular::new(2.0, -5.0, 15.0)), }
+                page {
+                    line 1: EquiAngular(distance: 2 in 0..10 by 0.1, low: -5 in -20..20, high: 15 in -20..20)
+                        => EquiAngular::<T>::new(distance, low, high),
+                }
+            }
             Tent {
                 golden { "Tent" => Tent::new(v(2.0)), }
                 cost { "tent_2" u -> f32 = const { ok(Tent::new(2.0)) }, }
@@ -226,6 +238,16 @@ macro_rules! float_warps {
                 }
                 cost { "henyey_greenstein_08" [u, v] -> [f32; 3] = const { ok(HenyeyGreenstein::new(0.8)) }, }
                 page { sphere 2: HenyeyGreenstein(asymmetry: 0.8 in -0.99..0.99) => HenyeyGreenstein::<T>::new(asymmetry), }
+            }
+            VonMisesFisher {
+                golden {
+                    "VonMisesFisher 10" => VonMisesFisher::<T>::new(v(10.0)),
+                    "VonMisesFisher 0" => VonMisesFisher::<T>::new(v(0.0)),
+                    "VonMisesFisher 0.5" => VonMisesFisher::<T>::new(v(0.5)),
+                    "VonMisesFisher 1e30" => VonMisesFisher::<T>::new(v(1e30)),
+                }
+                cost { "von_mises_fisher_10" [u, v] -> [f32; 3] = stored(|| VonMisesFisher::new(10.0)), }
+                page { sphere 2: VonMisesFisher(concentration: 10 in 0..200 by 0.5) => VonMisesFisher::<T>::new(concentration), }
             }
             Cone {
                 golden {

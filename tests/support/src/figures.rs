@@ -19,6 +19,9 @@ pub struct Figures {
     pub pdf: f64,
     /// The density at the returned point against the one with which u is mapped there, relative.
     pub realised: f64,
+    /// The density handed over with the sample, against the one with which u is mapped there, relative; only of warps
+    /// that do not hand over that of the returned point.
+    pub with_sample: f64,
     /// The inverse at the returned point, absolute.
     pub inverse: f64,
     /// u after sample and inverse, absolute.
@@ -29,13 +32,14 @@ pub struct Figures {
 type Row = fn(&mut Figures) -> &mut f64;
 
 /// The rows of an accuracy table: their titles and how to reach them.
-pub const ROWS: [(&str, Row); 8] = [
+pub const ROWS: [(&str, Row); 9] = [
     ("sample", |f| &mut f.sample),
     ("sin θ, ulp", |f| &mut f.sine),
     ("cos θ, ulp", |f| &mut f.cosine),
     ("unit length", |f| &mut f.length),
     ("pdf, relative", |f| &mut f.pdf),
     ("realised density, relative", |f| &mut f.realised),
+    ("pdf with the sample, relative", |f| &mut f.with_sample),
     ("inverse", |f| &mut f.inverse),
     ("round trip", |f| &mut f.round_trip),
 ];
@@ -93,6 +97,7 @@ pub fn sample_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figure
         Measure::Ulp => ulp(exact.point[0]),
         Measure::UlpOf(scale) => ulp(scale),
         Measure::UlpFrom(mean) => ulp((exact.point[0] - mean).abs().max(mean.abs())),
+        Measure::UlpAbove(least) => ulp(exact.point[0].abs().max(least)),
         Measure::Length(length) => length,
     };
     raise(&mut figures.sample, distance / unit);
@@ -117,6 +122,24 @@ pub fn polar_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figures
             (f64::from(x[2]) - cosine).abs() / ulp(cosine),
         );
     }
+}
+
+/// The error of the density handed over with the sample, where that is not the density of the returned point.
+pub fn density_with_sample_error(entry: &Entry, exact: &Exact, u: Uniforms, figures: &mut Figures) {
+    let normal = f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX);
+    if entry.own_density && normal.contains(&exact.density) && !at_open_end(entry, u) {
+        let (_, density) = entry.warp.sample_with_pdf(u);
+        let error = (f64::from(density) - exact.density).abs() / exact.density;
+        raise(&mut figures.with_sample, error);
+    }
+}
+
+/// Whether a uniform lies between 0 and the grid's first, where a point next to an end of density 0 may round onto
+/// a neighbour whose density is a multiple of its own.
+pub fn at_open_end(entry: &Entry, u: Uniforms) -> bool {
+    u[..entry.uniforms]
+        .iter()
+        .any(|u| f64::from(*u) < GRID_STEP)
 }
 
 /// The errors of density and inverse at a returned point.

@@ -2,7 +2,7 @@
 //!
 //! - What there is and what it should do: `registry`, `truth`, and `peers`, the formulas of others.
 //! - What is stated: `docs` reads, holds and writes the figures of the documentation.
-//! - What is measured: `errors` of numbers, `figures` of a warp, the `adversary` that searches for the worst; `stats`,
+//! - What is measured: `errors` of numbers, `figures` of a warp, `moved` points, the `adversary` that searches for the worst; `stats`,
 //!   `mean`, `slope` and `verdict` of samples; `contest` and `bench` of times.
 //! - What it is fed with: `generators`, and `words` of the integer tier.
 //! - How it runs and shows: `parallel`, `progress`, `cli`, `table`, `draw`.
@@ -19,6 +19,7 @@ pub mod errors;
 pub mod figures;
 pub mod generators;
 pub mod mean;
+pub mod moved;
 pub mod parallel;
 pub mod peers;
 pub mod progress;

@@ -55,6 +55,8 @@ pub enum Measure {
     UlpOf(f64),
     /// Units in the last place of a mean or of the distance from it, whichever is larger.
     UlpFrom(f64),
+    /// Units in the last place of the exact value, or of a magnitude where it is smaller than that.
+    UlpAbove(f64),
     /// Euclidean distance in units of a length.
     Length(f64),
 }
@@ -63,6 +65,10 @@ pub enum Measure {
 pub trait Erased: Send + Sync {
     fn sample(&self, u: Uniforms) -> Point;
     fn pdf(&self, x: Point) -> f32;
+    fn sample_with_pdf(&self, u: Uniforms) -> (Point, f32) {
+        let x = self.sample(u);
+        (x, self.pdf(x))
+    }
     fn invert(&self, x: Point) -> Uniforms;
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
@@ -70,6 +76,10 @@ pub trait Erased: Send + Sync {
     fn block(&self, filled: bool) -> Box<dyn FnMut()>;
     /// One point of the generator by each way to draw it: what the way is, and the point.
     fn ways(&self, _rng: &Pcg32) -> Vec<(&'static str, Point)> {
+        Vec::new()
+    }
+    /// One point of the generator and its density by each way to draw both: what the way is, the point and the density.
+    fn ways_with_pdf(&self, _rng: &Pcg32) -> Vec<(&'static str, Point, f32)> {
         Vec::new()
     }
 }
@@ -95,6 +105,8 @@ pub struct Entry {
     pub folds: bool,
     /// Whether the map is made of other warps, or of functions that are a user's.
     pub composed: bool,
+    /// Whether the density that comes with a sample is another number than that of its point, with an error of its own.
+    pub own_density: bool,
     /// Whether density and inverse are functions of a user's, which need not be total.
     pub closures: bool,
     /// Whether the second uniform is an azimuth, of which 0 and 1 are the same.
@@ -176,6 +188,10 @@ impl Entry {
 
     fn words(self, words: usize) -> Self {
         self.with(|e| e.words = words)
+    }
+
+    fn own_density(self) -> Self {
+        self.with(|e| e.own_density = true)
     }
 
     fn no_round_trip(self) -> Self {
@@ -341,6 +357,10 @@ where
     fn pdf(&self, x: Point) -> f32 {
         self.0.pdf(W::Point::unflat(x))
     }
+    fn sample_with_pdf(&self, u: Uniforms) -> (Point, f32) {
+        let (x, density) = self.0.sample_with_pdf(W::Uniforms::unflat(u));
+        (x.flat(), density)
+    }
     fn invert(&self, x: Point) -> Uniforms {
         self.0.invert(W::Point::unflat(x)).flat()
     }
@@ -364,6 +384,28 @@ where
             kept = rng;
             black_box(&points);
         })
+    }
+    fn ways_with_pdf(&self, rng: &Pcg32) -> Vec<(&'static str, Point, f32)> {
+        let same = Transform::new(&*self.0, |x| x, |x| x, |_| 1.0);
+        let one = self.0.draw_with_pdf(&mut rng.clone());
+        let mut filled = [one; 3];
+        self.0.fill_with_pdf(&mut rng.clone(), &mut filled);
+        let words = W::Uniforms::try_words(&mut rng.clone()).unwrap();
+        let u = W::Uniforms::from_words(words);
+        let all = [
+            ("drawn", one),
+            ("filled", filled[0]),
+            ("by reference", (&&*self.0).draw_with_pdf(&mut rng.clone())),
+            ("transformed", same.draw_with_pdf(&mut rng.clone())),
+            ("sampled", self.0.sample_canonical_with_pdf(u)),
+            (
+                "sampled, by reference",
+                (&&*self.0).sample_canonical_with_pdf(u),
+            ),
+            ("sampled, transformed", same.sample_canonical_with_pdf(u)),
+        ];
+        all.map(|(way, (x, density))| (way, x.flat(), density))
+            .into()
     }
     fn ways(&self, rng: &Pcg32) -> Vec<(&'static str, Point)> {
         let words = || W::Uniforms::try_words(&mut rng.clone()).unwrap();
@@ -421,6 +463,7 @@ where
         open: !usable && (first[0] <= 0.0 || domain != Domain::Line),
         folds: false,
         composed: false,
+        own_density: false,
         closures: false,
         azimuth: turned,
         polar: domain == Domain::Directions,

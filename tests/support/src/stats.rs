@@ -190,7 +190,7 @@ pub fn resolve(entry: &Entry, n: usize) -> (usize, usize) {
     let spacing = |u: f64| {
         let x = entry.chart.sample([u, 0.0, 0.0, 0.0]);
         let size = match entry.measure {
-            Measure::UlpOf(size) => size.max(x[0].abs()),
+            Measure::UlpOf(size) | Measure::UlpAbove(size) => size.max(x[0].abs()),
             Measure::UlpFrom(mean) => mean.abs().max((x[0] - mean).abs()),
             _ => x[0].abs(),
         } as f32;

@@ -23,6 +23,7 @@ fn own(mut entry: Entry) -> Entry {
     entry.composed = true;
     entry.closures = true;
     if entry.name == "Transform" {
+        entry.own_density = true;
         entry.ends = Ends::Samples;
     }
     entry

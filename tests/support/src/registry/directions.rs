@@ -63,7 +63,7 @@ where
     let truth: Box<dyn Truth> = Box::new(truth::Turned { inner, axes });
     let mut entry = entry::<T, _>("Oriented", Domain::World, Measure::Length(1.0), warp, truth);
     entry.composed = true;
-    Ok(entry.outside(&[[0.0, 0.0, 1.0]]))
+    Ok(entry.own_density().outside(&[[0.0, 0.0, 1.0]]))
 }
 
 fn turned(
@@ -123,7 +123,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = HenyeyGreenstein::<T>::new(p[0])?;
             let mut entry = about_z::<T, _>("HenyeyGreenstein", warp, truth::henyey_greenstein(p[0]));
             entry.cosine = false;
-            Ok(entry.outside(&[]))
+            Ok(entry.own_density().outside(&[]))
         })
             .case_with("g=0.8", &[0.8], |e| {
                 e.picture("p ∝ (1 + g² − 2g cos θ)^(−3/2), g = 0.8", Sky(PI)).trade("phase g = 0.8", "henyey_greenstein_08")
@@ -142,6 +142,26 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             })
             .seed(&[0.8]).seed(&[-0.5]).seed(&[0.3]).seed(&[1e-3]).seed(&[-1e-8]).seed(&[0.999_999_94]).seed(&[-0.999_999_94])
             .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange),
+        Registered::new("VonMisesFisher", "", &[Positive], |p| {
+            let warp = VonMisesFisher::<T>::new(p[0])?;
+            let mut entry = about_z::<T, _>("VonMisesFisher", warp, truth::von_mises_fisher(p[0]));
+            entry.cosine = false;
+            Ok(entry.own_density().outside(&[]))
+        })
+            .case_with("k=10", &[10.0], |e| {
+                e.picture("p ∝ exp(κ cos θ), κ = 10", Sky(FRAC_PI_2)).trade("von Mises-Fisher", "von_mises_fisher_10")
+            })
+            .case("k=0", &[0.0])
+            .case("k=1e-6", &[1e-6])
+            .case("k=0.5", &[0.5])
+            .case("k=3", &[3.0])
+            .case("k=19", &[19.0])
+            .case("k=1e3", &[1e3])
+            .case("k=1e8", &[1e8])
+            .case("k=1e30", &[1e30])
+            .seed(&[0.0]).seed(&[1e-20]).seed(&[1e-8]).seed(&[1e-3]).seed(&[0.3]).seed(&[1.0]).seed(&[4.0]).seed(&[16.0])
+            .seed(&[20.0]).seed(&[39.0]).seed(&[100.0]).seed(&[1e8]).seed(&[1e15]).seed(&[1e30])
+            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[-0.1], Negative).refuse(&[1.1e30], OutOfRange),
         Registered::new("Cone", "from_radians", &[Within(0.0, PI_32)], |p| {
             cone(Cone::<T>::from_radians(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
         })

@@ -103,6 +103,32 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[-f32::MAX, f32::MAX]).seed(&[0.0, f32::MAX]).seed(&[TINY, 1.0])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, NAN], NotFinite).refuse(&[1.0, 0.0], NotPositive)
             .refuse(&[1.0, -1.0], NotPositive).refuse(&[1.0, TINY], Empty),
+        Registered::new("EquiAngular", "", &[Positive, Any, Any], |p| {
+            let warp = EquiAngular::<T>::new(p[0], p[1], p[2])?;
+            let [d, a, b] = [p[0], p[1], p[2]].map(f64::from);
+            let least = if a < 0.0 && b > 0.0 { d.min(b.max(-a)) } else { 0.0 };
+            let truth = truth::equi_angular(p[0], p[1], p[2]);
+            let entry = entry::<T, _>("EquiAngular", Domain::Line, Measure::UlpAbove(least), warp, truth);
+            Ok(entry.outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
+        })
+            .ordered(&[[1, 2]])
+            .case_with("D=2 [-5, 15]", &[2.0, -5.0, 15.0], |e| {
+                e.picture("p ∝ 1/(D² + t²), D = 2", View::Line(between(-7.0, 17.0))).trade("equi-angular", "equi_angular_2")
+            })
+            .case("D=0 [1, 1e6]", &[0.0, 1.0, 1e6])
+            .case("D=0.5 [-9, -0.25]", &[0.5, -9.0, -0.25])
+            .case("D=1 [0, 3]", &[1.0, 0.0, 3.0])
+            .case("D=1e-12 [-1, 1e4]", &[1e-12, -1.0, 1e4])
+            .case("D=1e-12 [1e-6, 1]", &[1e-12, 1e-6, 1.0])
+            .case("D=1e12 [-1, 2]", &[1e12, -1.0, 2.0])
+            .case_with("D=1 [1000, 1000.01]", &[1.0, 1000.0, 1000.01], Entry::unresolved)
+            .seed(&[2.0, -5.0, 15.0]).seed(&[1e-12, -1.0, 1e4]).seed(&[0.0, 1e-12, 1e12]).seed(&[1.0, 0.0, 1e12])
+            .seed(&[1.0, -1e-12, 1e12]).seed(&[1.0, -1.0, 1.0]).seed(&[1e12, -1e12, 1e12]).seed(&[1e4, 10.0, 20.0])
+            .seed(&[1.0, 0.5, 4.0]).seed(&[3.0, -4.0, -1.0]).seed(&[1e-3, -1e-2, 1e-2]).seed(&[1.0, 1e-4, 1e4])
+            .refuse(&[NAN, 0.0, 1.0], NotFinite).refuse(&[1.0, -INF, 1.0], NotFinite).refuse(&[-1.0, 0.0, 1.0], Negative)
+            .refuse(&[1.0, 1.0, 0.0], Reversed).refuse(&[1.0, 1.0, 1.0], Empty).refuse(&[TINY, 0.0, 1.0], OutOfRange)
+            .refuse(&[0.0, -1.0, 1.0], NotNormalizable).refuse(&[0.0, 0.0, 1.0], NotNormalizable)
+            .refuse(&[1.0, 0.0, 1e13], TooLarge).refuse(&[1e13, 0.0, 1.0], TooLarge),
         Registered::new("Tent", "", &[Positive], |p| {
             let entry = in_ulp::<T, _>("Tent", Tent::new(p[0])?, truth::tent(p[0]));
             Ok(entry.outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))

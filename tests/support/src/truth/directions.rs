@@ -261,3 +261,43 @@ pub fn henyey_greenstein(g: f32) -> Box<dyn Truth> {
         },
     })
 }
+
+/// The von Mises-Fisher distribution: the density of 1 − cos θ is that of an exponential truncated at 2.
+///
+/// The textbook takes ln(u + (1 − u)e^(−2κ)) for cos θ − 1. Here each of 1 ∓ cos θ comes of a logarithm of 1 + x whose x
+/// holds its digits.
+pub fn von_mises_fisher(kappa: f32) -> Box<dyn Truth> {
+    let k = f64::from(kappa);
+    // (1 − e^(−2κ))/κ and (e^(2κ) − 1)/κ.
+    let [mass, back] = if k == 0.0 {
+        [2.0, 2.0]
+    } else {
+        [-(-2.0 * k).exp_m1() / k, (2.0 * k).exp_m1() / k]
+    };
+    // ln(1 + κx)/κ.
+    let log = move |x: f64| if k == 0.0 { x } else { (k * x).ln_1p() / k };
+    Box::new(Polar {
+        q: move |u: f64| {
+            let v = 1.0 - u;
+            let down = if u * k * mass < 0.5 {
+                -log(-u * mass)
+            } else {
+                -(v + u * (-2.0 * k).exp()).ln() / k
+            };
+            let up = if back.is_finite() {
+                log(v * back)
+            } else {
+                2.0 - down
+            };
+            (down, up)
+        },
+        pdf: move |down: f64, _| (-k * down).exp() / (TAU * mass),
+        cdf: move |down: f64, _| {
+            if k == 0.0 {
+                0.5 * down
+            } else {
+                -(-k * down).exp_m1() / (k * mass)
+            }
+        },
+    })
+}

@@ -195,6 +195,80 @@ pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
     })
 }
 
+/// Equi-angular sampling: the angle in which a point at a distance sees the way is uniform.
+///
+/// The textbook takes D tan φ of an angle between those of the ends, whose difference is lost for short ways and near
+/// right angles. Here a triangle is divided: its apex is the light, and its base runs from the foot or from the nearer
+/// end to the farther one. Angles from both sides and the law of sines divide the base without a difference.
+pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
+    let [d, a, b] = [distance, low, high].map(f64::from);
+    let passed = a < 0.0 && b > 0.0;
+    let [to_a, to_b] = [a, b].map(|t| t.abs().atan2(d));
+    let angle = if passed {
+        to_a + to_b
+    } else {
+        (d * (b - a)).atan2(d * d + a * b)
+    };
+    // Where the light is in line with the way, all angles are 0 and sines are as their angles.
+    let sine = move |part: f64| {
+        if angle < 1e-12 {
+            part
+        } else {
+            (part * angle).sin()
+        }
+    };
+    // sin(Δ)/Δ, which is 1 at 0.
+    let sinc = if angle < 1e-12 {
+        1.0
+    } else {
+        angle.sin() / angle
+    };
+    let scale = if passed {
+        d / angle
+    } else {
+        sinc * d.hypot(a) * d.hypot(b) / (b - a)
+    };
+    Box::new(Line {
+        quantile: move |u: f64| {
+            let v = 1.0 - u;
+            // (the nearer end, the share of the angle from there), and the same of the farther end.
+            let ((near, from_near), (far, from_far)) = if !passed && a >= 0.0 {
+                ((a, u), (b, v))
+            } else if !passed {
+                ((b, v), (a, u))
+            } else if u * angle < to_a {
+                ((0.0, to_a / angle - u), (a, u))
+            } else {
+                ((0.0, to_b / angle - v), (b, v))
+            };
+            let (x, y) = (
+                d.hypot(far) * sine(from_far),
+                d.hypot(near) * sine(from_near),
+            );
+            if y < x {
+                near + (far - near) * (y / (x + y))
+            } else {
+                far - (far - near) * (x / (x + y))
+            }
+        },
+        pdf: move |t: f64| scale / (d * d + t * t),
+        cdf: move |t: f64| {
+            if passed {
+                let from_foot = t.abs().atan2(d);
+                if t < 0.0 {
+                    (to_a - from_foot) / angle
+                } else {
+                    1.0 - (to_b - from_foot) / angle
+                }
+            } else if angle < 1e-12 {
+                (t - a) / (b - a) * (d.hypot(b) / d.hypot(t))
+            } else {
+                (d * (t - a)).atan2(d * d + a * t) / angle
+            }
+        },
+    })
+}
+
 pub fn tent(radius: f32) -> Box<dyn Truth> {
     let r = f64::from(radius);
     Box::new(Line {

@@ -1,0 +1,152 @@
+//! The density that comes with a sample: that of its point, or one as near to it as both statements allow.
+
+use support::docs::{Statement, of_floats};
+use support::figures::{Exact, at_open_end};
+use support::moved::Moved;
+use support::registry::{Entry, Uniforms, entries};
+
+/// The bound of a row for these uniforms, for a warp that states it.
+struct Bounds {
+    rows: [Statement; 2],
+}
+
+impl Bounds {
+    fn of(entry: &Entry) -> Self {
+        let name = entry.name.split(' ').next().unwrap();
+        let stated = of_floats(name);
+        let tier = usize::from(entry.tier == "poly");
+        let row = |title: &str| {
+            let row = stated.iter().find(|(row, _)| row == title);
+            let (_, cells) = row.unwrap_or_else(|| panic!("{name} states no {title}"));
+            cells[tier].clone()
+        };
+        let titles = [
+            "pdf with the sample, relative",
+            "realised density, relative",
+        ];
+        Self {
+            rows: titles.map(row),
+        }
+    }
+
+    /// The sum of both bounds.
+    fn sum(&self, entry: &Entry, moved: &Moved) -> f64 {
+        let value = |name: &String| match name.as_str() {
+            "s" => moved.density,
+            "r" => moved.inverse,
+            _ => entry.variable(name).expect("a parameter of the entry"),
+        };
+        let bound = |row: &Statement| row.eval(&row.names().iter().map(value).collect::<Vec<_>>());
+        self.rows.iter().map(bound).sum()
+    }
+}
+
+/// By how many times the sum of the bounds the two densities differ at most, and over how many samples.
+fn disagreement(entry: &Entry, with: impl Fn(Uniforms) -> f32) -> (f64, u32) {
+    let bounds = Bounds::of(entry);
+    let normal = f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX);
+    let (mut worst, mut judged) = (0.0_f64, 0);
+    super::for_any_uniforms(entry, |u| {
+        let u = u.map(|u| {
+            if u > 0.0 {
+                u.min(microwarp::uniform::LARGEST)
+            } else {
+                0.0
+            }
+        });
+        let exact = Exact::of(entry, u, true);
+        let x = entry.warp.sample(u);
+        let read = entry.truth.pdf(x.map(f64::from));
+        if at_open_end(entry, u) || !normal.contains(&exact.density) || !normal.contains(&read) {
+            return;
+        }
+        judged += 1;
+        let apart = (f64::from(with(u)) - f64::from(entry.warp.pdf(x))).abs() / exact.density;
+        let part = apart / bounds.sum(entry, &Moved::of(entry, &exact, x));
+        worst = if part <= worst { worst } else { part };
+    });
+    (worst, judged)
+}
+
+#[test]
+fn the_density_of_a_sample_is_that_of_its_point_unless_an_error_is_stated() {
+    for entry in entries() {
+        super::for_any_uniforms(&entry, |u| {
+            let (x, density) = entry.warp.sample_with_pdf(u);
+            let (label, point) = (entry.label(), entry.warp.sample(u));
+            assert_eq!(
+                x.map(f32::to_bits),
+                point.map(f32::to_bits),
+                "{label} at {u:?}"
+            );
+            assert!(
+                density > 0.0 && density <= f32::MAX,
+                "{label} at {u:?} has {density}"
+            );
+            if !entry.own_density {
+                assert_eq!(
+                    density.to_bits(),
+                    entry.warp.pdf(x).to_bits(),
+                    "{label} at {u:?}"
+                );
+            }
+        });
+    }
+}
+
+#[test]
+fn both_densities_of_a_sample_agree_to_the_sum_of_their_errors() {
+    let mut compared = 0;
+    for entry in entries().iter().filter(|e| e.own_density && e.resolved) {
+        let (worst, judged) = disagreement(entry, |u| entry.warp.sample_with_pdf(u).1);
+        println!(
+            "{}: {worst:.3} of the sum of both bounds, over {judged}",
+            entry.label()
+        );
+        assert!(judged > 1_000, "{}: {judged} compared", entry.label());
+        assert!(worst <= 1.0, "{}: {worst} times the bounds", entry.label());
+        compared += 1;
+    }
+    assert!(compared >= 10, "{compared} compared");
+}
+
+/// The textbook's density of fog at the returned cosine is told from it.
+#[test]
+fn a_density_that_belongs_to_another_point_is_noticed() {
+    let entries = entries();
+    let fog = |e: &&Entry| e.name == "HenyeyGreenstein" && e.parameters == "g=0.999";
+    let entry = entries.iter().find(fog).expect("fog");
+    let (worst, _) = disagreement(entry, |u| {
+        let [_, _, z] = entry.warp.sample(u);
+        let (g, four_pi) = (0.999_f32, 4.0 * std::f32::consts::PI);
+        (1.0 - g * g) / (four_pi * (1.0 + g * g - 2.0 * g * z).powf(1.5))
+    });
+    assert!(worst > 100.0, "the textbook passes: {worst}");
+    let (worst, _) = disagreement(entry, |u| entry.warp.sample_with_pdf(u).1 * 1.000_01);
+    assert!(worst > 1.0, "a density off by 1e-5 passes: {worst}");
+    let (worst, _) = disagreement(entry, |_| f32::NAN);
+    assert!(worst.is_nan(), "NaN passes: {worst}");
+}
+
+#[test]
+fn every_way_to_draw_with_a_density_gives_the_same() {
+    for entry in entries() {
+        let drawn = |rng: &rand_pcg::Pcg32| entry.warp.ways(rng)[0].1.map(f32::to_bits);
+        for seed in 0..20 {
+            let rng = rand_pcg::Pcg32::new(seed, 8);
+            let ways = entry.warp.ways_with_pdf(&rng);
+            assert_eq!(ways.len(), 7);
+            let due = ways[0].2.to_bits();
+            for (way, x, density) in ways {
+                let (x, label) = (x.map(f32::to_bits), entry.label());
+                // Some draw more words than there are uniforms, or read them more deeply than the grid.
+                let own = entry.own_density && !entry.composed;
+                if way.starts_with("sampled") && !own {
+                    continue;
+                }
+                assert_eq!(x, drawn(&rng), "{label}: {way}");
+                assert_eq!(density.to_bits(), due, "{label}: {way}");
+            }
+        }
+    }
+}
