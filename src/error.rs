@@ -91,7 +91,7 @@ impl Error {
             Self::NotFinite => "a parameter is NaN or infinite",
             Self::Reversed => "the lower bound is above the upper bound",
             Self::Empty => "the domain has no extent, or too little for a finite density",
-            Self::TooLarge => "the domain is too large for its density or its numbers",
+            Self::TooLarge => "the domain is too large, or samples overflow their number format",
             Self::NotPositive => "a parameter that must be positive is not",
             Self::Negative => "a parameter that must not be negative is",
             Self::OutOfRange => "a parameter is outside its stated range",
@@ -159,6 +159,14 @@ impl core::error::Error for Error {}
 /// let delay = constant!(mw::Exponential::from_mean(250.0)).draw(&mut rng); // in place, too
 /// assert!(temperature > 10.0 && delay >= 0.0);
 /// ```
+///
+/// In the integer tier the type parameter counts the bits behind the point, and constants are written by `lit`:
+/// `const DELAY: mw::Exponential<U16> = constant!(mw::Exponential::from_mean(U16F16::lit("20")));`, with `U16` from
+/// `fixed::types::extra`.
+///
+/// Without this macro the compiler refuses `unwrap` (E0015, "cannot call non-const method") and `?` (E0572, "return
+/// statement outside of function body") in a constant. Its message does not name the index of a weight;
+/// [`Error::index`] does, at run time.
 ///
 /// ```compile_fail
 /// use microwarp::{constant, poly as mw};

@@ -22,15 +22,19 @@
 //! | a core with an FPU, WASM, a PC | [`poly`]: `use microwarp::poly as mw;` |
 //! | a core without an FPU | feature `fixed`: `use microwarp::fixed as mw;` |
 //! | the last bits of logarithms | [`libm`]: `use microwarp::libm as mw;` |
-//! | normal or exponential numbers from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential): the fastest, but the number of words varies |
-//! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one |
+//! | a slice of normal or exponential numbers | `fill` of [`NormalPair`](warp::NormalPair), of [`Exponential`](warp::Exponential) |
+//! | one normal or exponential number from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential); the number of words varies |
+//! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one, which keeps the order of strata |
+//! | normal numbers without an FPU | `fixed::NormalPair` |
+//! | a spherical lamp | [`Cone`](warp::Cone) in [`Oriented`](warp::Oriented) |
 //! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
 //! | an index by weight, many draws | [`Cdf`](discrete::Cdf) up to some 8 entries (100 on a PC), [`Alias`](discrete::Alias) beyond |
 //! | a picture, a sky, a histogram | [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d), [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d) |
 //! | a shape with a simple test | [`Region`](rejection::Region) |
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |
 //!
-//! The tier is a type, chosen once; all three carry the same names. Both float tiers take the same uniforms.
+//! The tier is a type, chosen once. `poly` and `libm` have every warp and take the same uniforms. `fixed` has those that
+//! integers serve well, under the same names.
 //!
 //! # Samplers
 //!
@@ -46,6 +50,7 @@
 //! - [`Exponential`](warp::Exponential), [`ExponentialTail`](warp::ExponentialTail): exponential, from 0 or from the tail
 //! - [`TruncatedExponential`](warp::TruncatedExponential): exponential on an interval, rising or falling
 //! - [`Normal`](warp::Normal): normal, one number at a time
+//! - [`EquiAngular`](warp::EquiAngular): along a ray, uniform in the angle in which a light sees it
 //! - [`Inversion`](warp::Inversion): your own inverse CDF
 //!
 //! In the plane and in boxes:
@@ -61,6 +66,7 @@
 //! - [`CosineHemisphere`](warp::CosineHemisphere), [`MalleyHemisphere`](warp::MalleyHemisphere): proportional to the cosine
 //! - [`PhongLobe`](warp::PhongLobe): proportional to a power of the cosine
 //! - [`HenyeyGreenstein`](warp::HenyeyGreenstein): the phase function of fog, clouds and skin
+//! - [`VonMisesFisher`](warp::VonMisesFisher): the normal distribution of directions
 //! - [`Cone`](warp::Cone): uniform within an angle of +z
 //! - [`SphericalPatch`](warp::SphericalPatch): uniform between two polar angles and two azimuths
 //! - [`Oriented`](warp::Oriented): any of these about a normal, by a [`Frame`](warp::Frame)

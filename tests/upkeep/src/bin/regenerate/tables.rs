@@ -116,7 +116,8 @@ fn six(sources: &Sources) -> Outcome<String> {
     for name in SIX {
         let warp = WARPS.iter().find(|warp| warp.name == name);
         let warp = warp.ok_or_else(|| format!("no warp {name}"))?;
-        let integer = INTEGERS.iter().find(|row| row.4 == Some(warp.kernel));
+        let integer = GRADED_WARPS.iter().find(|warp| warp.name == name);
+        let integer = integer.and_then(|warp| warp.kernels.first());
         let integer = integer.ok_or_else(|| format!("no integer warp beside {name}"))?;
         let kernel = format!("poly_{}_pcg32", warp.kernel);
         let unit = if warp.error.contains("ulp") {
@@ -130,7 +131,7 @@ fn six(sources: &Sources) -> Outcome<String> {
             sources.nanoseconds("warps", &format!("poly::{}::draw", warp.bench))?,
             grouped(sources.instructions("m4f", &kernel)?),
             grouped(sources.instructions("m0", &kernel)?),
-            grouped(sources.instructions("m0", &format!("fine_{}_pcg32", integer.3))?),
+            grouped(sources.instructions("m0", &format!("fine_{integer}_pcg32"))?),
             grouped(sources.code_at_s("m4f", &kernel)?),
         ]]);
     }
