@@ -38,6 +38,7 @@ mod disk;
 mod exponential;
 mod fill;
 mod frame;
+mod ggx;
 mod hemisphere;
 mod henyey_greenstein;
 mod interval;
@@ -72,6 +73,8 @@ macro_rules! each_warp {
             exponential::ExponentialTail<T> "Exponential, decreasing with the uniform: the tail first",
             frame::Frame "An orthonormal frame about a normal",
             frame::Oriented "A warp over directions, turned onto a normal",
+            ggx::Ggx<T> "Normals of the microfacets of a rough surface",
+            ggx::GgxVisible<T> "Normals of the microfacets that a viewer sees",
             hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere, by inversion",
             hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z",
             hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere, by Malley's method",
@@ -104,6 +107,7 @@ macro_rules! names {
     };
 }
 each_warp!(names);
+pub use self::ggx::Reflection;
 
 pub(crate) use self::contract::{Invert, Warp, one_by_one};
 pub(crate) use self::fill::filled_in_blocks;

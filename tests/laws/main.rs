@@ -9,6 +9,7 @@ mod house;
 mod monotone;
 mod parameters;
 mod power;
+mod reflection;
 mod shapes;
 mod truncated;
 
