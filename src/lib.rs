@@ -67,6 +67,7 @@
 //! - [`PhongLobe`](warp::PhongLobe): proportional to a power of the cosine
 //! - [`HenyeyGreenstein`](warp::HenyeyGreenstein): the phase function of fog, clouds and skin
 //! - [`VonMisesFisher`](warp::VonMisesFisher): the normal distribution of directions
+//! - [`Ggx`](warp::Ggx), [`GgxVisible`](warp::GgxVisible): normals of rough microfacets, all or those that a viewer sees
 //! - [`Cone`](warp::Cone): uniform within an angle of +z
 //! - [`SphericalPatch`](warp::SphericalPatch): uniform between two polar angles and two azimuths
 //! - [`Oriented`](warp::Oriented): any of these about a normal, by a [`Frame`](warp::Frame)

@@ -41,6 +41,7 @@ mod equi_angular;
 mod exponential;
 mod fill;
 mod frame;
+mod ggx;
 mod hemisphere;
 mod henyey_greenstein;
 mod interval;
@@ -77,6 +78,8 @@ macro_rules! each_warp {
             exponential::ExponentialTail<T> "Exponential, decreasing with the uniform, to far into the tail; one uniform, drawn from two words",
             frame::Frame "An orthonormal frame about a normal",
             frame::Oriented "A warp over directions, turned onto a normal",
+            ggx::Ggx<T> "Normals of the microfacets of a rough surface (GGX, Trowbridge-Reitz); two uniforms",
+            ggx::GgxVisible<T> "Normals of the GGX microfacets that a viewer sees; two uniforms",
             hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by inversion; two uniforms",
             hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z; two uniforms",
             hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by Malley's method, which keeps strata compact; two uniforms",
@@ -110,6 +113,7 @@ macro_rules! names {
     };
 }
 each_warp!(names);
+pub use self::ggx::Reflection;
 
 pub(crate) use self::contract::{Invert, Warp, drawn_with_pdf, one_by_one};
 pub(crate) use self::fill::filled_in_blocks;

@@ -11,6 +11,8 @@ use core::marker::PhantomData;
 /// Equi-angular sampling along a ray: density in proportion to 1/(D² + t²), the light that a point sends to each place
 /// of a ray through fog.
 ///
+#[cfg_attr(doc, doc = include_str!("../pictures/equi_angular.html"))]
+///
 /// D is the distance at which the ray passes the light, and t the way along the ray from the foot, the place nearest
 /// to the light. Seen from the light, the samples are uniform in angle. With Δ the angle between its ends, r their
 /// distances to the light, X = r_far sin((1 − w)Δ) and Y = r_near sin(wΔ), t is near + (far − near)Y/(X + Y), a

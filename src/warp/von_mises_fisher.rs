@@ -15,6 +15,8 @@ use core::marker::PhantomData;
 /// The von Mises-Fisher distribution: the normal distribution of directions, for glossy lobes, light guiding and
 /// noise on an orientation.
 ///
+#[cfg_attr(doc, doc = include_str!("../pictures/von_mises_fisher.html"))]
+///
 /// Directions are local, about +z. The concentration κ is 0 for the uniform sphere; a large one gives a normal
 /// distribution about +z of standard deviation 1/√κ radians in each of x and y. With v = 1 − u₁, 1 − cos θ is
 /// −ln(1 − u₁(1 − e^(−2κ)))/κ and 1 + cos θ is ln(1 + v(e^(2κ) − 1))/κ. The nearer pole is measured from, and the

@@ -10,6 +10,7 @@ mod house;
 mod monotone;
 mod parameters;
 mod power;
+mod reflection;
 mod shapes;
 mod truncated;
 

@@ -249,6 +249,30 @@ macro_rules! float_warps {
                 cost { "von_mises_fisher_10" [u, v] -> [f32; 3] = stored(|| VonMisesFisher::new(10.0)), }
                 page { sphere 2: VonMisesFisher(concentration: 10 in 0..200 by 0.5) => VonMisesFisher::<T>::new(concentration), }
             }
+            Ggx {
+                golden {
+                    "Ggx 0.3" => Ggx::<T>::new([v(0.3), v(0.3)]),
+                    "Ggx 1e-4 1" => Ggx::<T>::new([v(1e-4), v(1.0)]),
+                }
+                cost { "ggx_03" [u, v] -> [f32; 3] = const { ok(Ggx::new([0.3, 0.3])) }, }
+                page {
+                    sphere 2: Ggx(roughness_along_x: 0.1 in 0.001..1, roughness_along_y: 0.5 in 0.001..1)
+                        => Ggx::<T>::new([roughness_along_x, roughness_along_y]),
+                }
+            }
+            GgxVisible {
+                golden {
+                    "GgxVisible 0.3" => GgxVisible::<T>::new([v(0.6), v(0.0), v(0.8)], [v(0.3), v(0.3)]),
+                    "GgxVisible 1e-4 1" => GgxVisible::<T>::new([v(0.5), v(-0.7), v(0.1)], [v(1e-4), v(1.0)]),
+                    "GgxVisible bounded" => GgxVisible::<T>::bounded([v(0.6), v(0.0), v(0.8)], [v(0.5), v(0.5)]),
+                }
+                cost { "ggx_visible_03" [u, v] -> [f32; 3] = stored(|| GgxVisible::new([0.6, 0.0, 0.8], [0.3, 0.3])), }
+                page {
+                    sphere 2: GgxVisible(view_in_turns: 0.15 in 0..0.25, roughness: 0.3 in 0.001..1)
+                        => Spherical::<T>::from_turns(1.0, view_in_turns, 0.0)
+                            .and_then(|view| GgxVisible::<T>::new(view.to_cartesian(), [roughness, roughness])),
+                }
+            }
             Cone {
                 golden {
                     "Cone 0.1" => Cone::<T>::from_radians(v(0.1)),

@@ -36,6 +36,29 @@ fn cone<T: Tier>(warp: Result<Cone<T>, Error>, k: f64, rest: f64) -> Result<Entr
     Ok(entry.outside(&[[0.0, 0.0, -1.0], [0.0, 0.999, -0.044_7]]))
 }
 
+/// Normals, of a density that is 0 below the horizon.
+fn visible<T: Tier>(
+    p: &[f32],
+    warp: Result<GgxVisible<T>, Error>,
+    bounded: bool,
+) -> Result<Entry, Error> {
+    let truth = truth::GgxVisible::new([p[0], p[1], p[2]], [p[3], p[4]], bounded);
+    let mut entry = upper(about_z::<T, _>("GgxVisible", warp?, Box::new(truth)));
+    (entry.polar, entry.cosine) = (false, false);
+    let alpha = [p[3], p[4]].map(f64::from);
+    let ratio = (alpha[0] / alpha[1]).max(alpha[1] / alpha[0]);
+    Ok(entry.variables(&[("q", ratio)]))
+}
+
+/// A view and two roughnesses.
+const VIEW: [Kind; 5] = [
+    Within(-1.0, 1.0),
+    Within(-1.0, 1.0),
+    Within(0.0, 1.0),
+    Within(1e-4, 1.0),
+    Within(1e-4, 1.0),
+];
+
 fn patch<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let warp = SphericalPatch::<T>::from_turns(p[0], p[1], p[2], p[3])?;
     let [theta, phi] = [[p[0], p[1]], [p[2], p[3]]].map(|a| a.map(f64::from));
@@ -162,6 +185,38 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0]).seed(&[1e-20]).seed(&[1e-8]).seed(&[1e-3]).seed(&[0.3]).seed(&[1.0]).seed(&[4.0]).seed(&[16.0])
             .seed(&[20.0]).seed(&[39.0]).seed(&[100.0]).seed(&[1e8]).seed(&[1e15]).seed(&[1e30])
             .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[-0.1], Negative).refuse(&[1.1e30], OutOfRange),
+        Registered::new("Ggx", "", &[Within(1e-4, 1.0), Within(1e-4, 1.0)], |p| {
+            let truth = truth::Ggx { alpha: [p[0], p[1]].map(f64::from) };
+            Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, Box::new(truth))))
+        })
+            .case_with("α=0.3", &[0.3, 0.3], |e| e.trade("GGX α = 0.3", "ggx_03"))
+            .case_with("α=0.1, 0.5", &[0.1, 0.5], |e| e.picture("roughness 0.1 along x, 0.5 along y", Sky(FRAC_PI_2)))
+            .case("α=1", &[1.0, 1.0])
+            .case("α=0.01", &[0.01, 0.01])
+            .case("α=1, 1e-4", &[1.0, 1e-4])
+            .seed(&[1e-4, 1.0]).seed(&[0.3, 0.3]).seed(&[1e-4, 1e-4])
+            .refuse(&[NAN, 0.5], NotFinite).refuse(&[0.5, 0.0], NotPositive).refuse(&[0.5, 1.1], OutOfRange).refuse(&[9e-5, 0.5], OutOfRange),
+        Registered::new("GgxVisible", "", &VIEW, |p| {
+            visible(p, GgxVisible::<T>::new([p[0], p[1], p[2]], [p[3], p[4]]), false)
+        })
+            .case_with("α=0.3 at 60°", &[0.866, 0.0, 0.5, 0.3, 0.3], |e| e.picture("seen at 60°, roughness 0.3", Sky(FRAC_PI_2)).trade("GGX α = 0.3", "ggx_visible_03"))
+            .case("α=0.1, 0.5 at 60°", &[0.5, -0.7, 0.5, 0.1, 0.5])
+            .case("α=1 from above", &[0.0, 0.0, 1.0, 1.0, 1.0])
+            .case("α=1 at the horizon", &[1.0, 0.0, 0.0, 1.0, 1.0])
+            .case("α=0.01 at 40°", &[0.64, 0.0, 0.77, 0.01, 0.01])
+            .case("α=0.01 at 89.9°", &[0.0, 1.0, 1.7e-3, 0.01, 0.01])
+            .seed(&[0.6, 0.5, 0.5, 1e-3, 1.0]).seed(&[-0.5, -0.25, 0.5, 1.0, 1e-4])
+            .seed(&[1e-36, 0.0, 6e-31, 0.8, 0.01])
+            .seed(&[0.0, 0.0, 1.0, 0.5, 0.5]).seed(&[1.0, 0.0, 0.0, 1e-4, 1.0]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0])
+            .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength).refuse(&[NAN, 0.0, 1.0, 0.5, 0.5], NotFinite)
+            .refuse(&[0.0, 0.6, -0.8, 0.5, 0.5], OutOfRange).refuse(&[0.0, 0.0, 1.0, 0.0, 0.5], NotPositive),
+        Registered::new("GgxVisible", "bounded", &VIEW, |p| {
+            visible(p, GgxVisible::<T>::bounded([p[0], p[1], p[2]], [p[3], p[4]]), true)
+        })
+            .case("α=0.5 at 30°, bounded", &[0.5, 0.0, 0.866, 0.5, 0.5])
+            .case("α=1, 0.3 at 85°, bounded", &[0.7, 0.7, 0.09, 1.0, 0.3])
+            .seed(&[0.0, 0.0, 1.0, 1.0, 1.0]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0])
+            .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength),
         Registered::new("Cone", "from_radians", &[Within(0.0, PI_32)], |p| {
             cone(Cone::<T>::from_radians(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
         })

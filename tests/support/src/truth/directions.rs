@@ -301,3 +301,114 @@ pub fn von_mises_fisher(kappa: f32) -> Box<dyn Truth> {
         },
     })
 }
+
+/// Normals of GGX: by the slopes of the surface, whose squared distance in units of the roughness is u/(1 − u).
+pub struct Ggx {
+    pub alpha: [f64; 2],
+}
+
+impl Ggx {
+    /// D(m), by the angles as in the papers: of a unit vector.
+    fn distribution(&self, m: Point) -> f64 {
+        let [ax, ay] = self.alpha;
+        let sum = (m[0] / ax).powi(2) + (m[1] / ay).powi(2) + m[2] * m[2];
+        1.0 / (PI * ax * ay * sum * sum)
+    }
+}
+
+impl Truth for Ggx {
+    fn sample(&self, u: Uniforms) -> Point {
+        let slope = (u[0] / (1.0 - u[0])).sqrt();
+        let (s, c) = (TAU * u[1]).sin_cos();
+        let [x, y] = [self.alpha[0] * slope * c, self.alpha[1] * slope * s];
+        let length = (x * x + y * y + 1.0).sqrt();
+        [x / length, y / length, 1.0 / length]
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        self.distribution(x) * x[2]
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let [a, b] = [x[0] / self.alpha[0], x[1] / self.alpha[1]];
+        let flat = a * a + b * b;
+        [flat / (flat + x[2] * x[2]), turn(a, b), 0.0, 0.0]
+    }
+}
+
+/// Visible normals of GGX, by a spherical cap.
+pub struct GgxVisible {
+    all: Ggx,
+    view: Point,
+    stretched: Point,
+    length: f64,
+    /// The lowest z of the cap, negated.
+    rim: f64,
+}
+
+impl GgxVisible {
+    pub fn new(view: [f32; 3], alpha: [f32; 2], bounded: bool) -> Self {
+        let (view, alpha) = (view.map(f64::from), alpha.map(f64::from));
+        let norm = dot(view, view).sqrt();
+        let view = view.map(|c| c / norm);
+        let squeezed = [alpha[0] * view[0], alpha[1] * view[1], view[2]];
+        let length = dot(squeezed, squeezed).sqrt();
+        let stretched = squeezed.map(|c| c / length);
+        let k = if bounded {
+            let a2 = alpha[0].min(alpha[1]).powi(2);
+            let s2 = (1.0 + view[0].hypot(view[1])).powi(2);
+            (1.0 - a2) * s2 / (s2 + a2 * view[2] * view[2])
+        } else {
+            1.0
+        };
+        Self {
+            all: Ggx { alpha },
+            view,
+            stretched,
+            length,
+            rim: k * stretched[2],
+        }
+    }
+    /// The azimuth from which the second uniform counts.
+    fn azimuth(&self) -> f64 {
+        let [x, y, _] = self.stretched;
+        y.atan2(x)
+    }
+}
+
+impl Truth for GgxVisible {
+    fn sample(&self, u: Uniforms) -> Point {
+        let [sx, sy, sz] = self.stretched;
+        let (off, rise) = (u[0] * (1.0 + self.rim), (1.0 - u[0]) * (1.0 + self.rim));
+        let sine = sx.hypot(sy);
+        let down = sine * sine / (1.0 + sz);
+        // z of the cap's point plus that of the view, and its sine.
+        let height = rise + (sz - self.rim);
+        let sin = (off * (height + down)).sqrt();
+        // The sum along the view's azimuth: of sine - sin, by the difference of their squares, and of the rest of the cosine.
+        let apart = (down - off) * height / (sine + sin).max(f64::MIN_POSITIVE);
+        let (s, c) = (0.5 * TAU * u[1]).sin_cos();
+        let (along, side) = (apart + 2.0 * sin * c * c, 2.0 * sin * s * c);
+        let (s, c) = self.azimuth().sin_cos();
+        let [ax, ay] = self.all.alpha;
+        let sum = [
+            ax * (along * c - side * s),
+            ay * (along * s + side * c),
+            height,
+        ];
+        let length = dot(sum, sum).sqrt();
+        sum.map(|x| x / length)
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        let seen = dot(self.view, x).max(0.0);
+        2.0 * seen * self.all.distribution(x) / (self.length * (1.0 + self.rim))
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let [ax, ay] = self.all.alpha;
+        let h = [x[0] / ax, x[1] / ay, x[2]];
+        let scale = 2.0 * dot(self.stretched, h) / dot(h, h);
+        let [sx, sy, sz] = self.stretched;
+        let cap = [scale * h[0] - sx, scale * h[1] - sy, scale * h[2] - sz];
+        let turns = (cap[1].atan2(cap[0]) - self.azimuth()) / TAU;
+        let u = (1.0 - cap[2]) / (1.0 + self.rim);
+        [u, turns - turns.floor(), 0.0, 0.0]
+    }
+}

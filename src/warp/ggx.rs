@@ -1,0 +1,470 @@
+//! Microfacet normals of Trowbridge and Reitz (GGX): all of them, and those that a viewer sees.
+
+use super::direction::{azimuth, is_direction};
+use super::planar::{PlanarMap, planar};
+use super::spherical::normalised;
+use super::{Invert, Warp};
+use crate::error::{Error, positive};
+use crate::num::{above_zero, into_unit, representable};
+use crate::tier::{Tier, sqrt};
+use core::f32::consts::FRAC_1_PI;
+use core::marker::PhantomData;
+
+/// The roughnesses that are accepted.
+const SMOOTHEST: f32 = 1e-4;
+const ROUGHEST: f32 = 1.0;
+
+const fn checked_alpha(alpha: f32) -> Result<f32, Error> {
+    match positive(alpha) {
+        Ok(alpha) if alpha < SMOOTHEST || alpha > ROUGHEST => Err(Error::OutOfRange),
+        other => other,
+    }
+}
+
+const fn checked_alphas([x, y]: [f32; 2]) -> Result<[f32; 2], Error> {
+    match (checked_alpha(x), checked_alpha(y)) {
+        (Ok(x), Ok(y)) => Ok([x, y]),
+        (Err(e), _) | (_, Err(e)) => Err(e),
+    }
+}
+
+/// (x/αx)² + (y/αy)² and z², whose sum is 1/√(π αx αy D).
+#[inline]
+fn slopes([ax, ay]: [f32; 2], [x, y, z]: [f32; 3]) -> (f32, f32) {
+    let (x, y) = (x / ax, y / ay);
+    (x * x + y * y, z * z)
+}
+
+/// D(m) π αx αy.
+#[inline]
+fn shape(alpha: [f32; 2], normal: [f32; 3]) -> f32 {
+    let (flat, up) = slopes(alpha, normal);
+    let sum = flat + up;
+    // Vectors far from unit length overflow or underflow here.
+    1.0 / above_zero(sum * sum)
+}
+
+/// The unit vector along (αx x, αy y, z), and the length that it had.
+#[inline]
+fn squeezed<T: Tier>([ax, ay]: [f32; 2], [x, y, z]: [f32; 3]) -> ([f32; 3], f32) {
+    let (x, y) = (ax * x, ay * y);
+    let length = T::sqrt(x * x + y * y + z * z);
+    ([x / length, y / length, z / length], length)
+}
+
+/// The azimuth of a squeezed view as a unit vector: along x for a view along the normal.
+fn bearing<T: Tier>([ax, ay]: [f32; 2], [x, y, _]: [f32; 3]) -> [f32; 2] {
+    // The view may be as short as `f32` has numbers; over the larger coordinate no square that counts underflows.
+    let most = if x.abs() > y.abs() { x.abs() } else { y.abs() };
+    if most > 0.0 {
+        let (x, y) = (ax * (x / most), ay * (y / most));
+        let length = T::sqrt(x * x + y * y);
+        [x / length, y / length]
+    } else {
+        [1.0, 0.0]
+    }
+}
+
+/// Normals of the microfacets of a rough surface, after Trowbridge and Reitz (GGX).
+///
+#[cfg_attr(doc, doc = include_str!("../pictures/ggx.html"))]
+///
+/// The normal is the unit vector along (αx √u₁ cos φ, αy √u₁ sin φ, √(1 − u₁)), φ = u₂ turns. For reflection towards a
+/// known viewer take [`GgxVisible`], which wastes no normals that face away.
+///
+/// # Density
+/// D(m) cos θ per steradian for z > 0, with D = 1/(π αx αy ((x/αx)² + (y/αy)² + z²)²). All terms are positive, so that
+/// nothing cancels at small roughness.
+///
+/// # Domain
+/// - Point: unit vectors with z > 0, about the surface normal +z.
+/// - Uniforms: two, polar then azimuth; the pole is at u₁ = 0.
+/// - Parameters: roughness αx and αy from 1e-4 to 1.
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact normal, *unit length* the error of the length. sin θ and cos θ count units
+/// in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
+/// of the uniforms; s and r are what one ulp of the normal changes in density and inverse. [What each row
+/// means](crate::warp#stated-errors).
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 2.1e-7 | 2.1e-7 |
+/// | sin θ, ulp | 4 | 4 |
+/// | cos θ, ulp | 3.5 | 3.5 |
+/// | unit length | 1.6e-7 | 1.6e-7 |
+/// | pdf, relative | 9e-7 | 9e-7 |
+/// | realised density, relative | 1e-6 + 1.5*s | 1e-6 + 1.5*s |
+/// | inverse | 1.3e-7 | 1.3e-7 |
+/// | round trip | 1.6e-7 + 0.5*r | 1.6e-7 + 0.5*r |
+///
+/// # Cost
+/// <!-- generated: cost Ggx -->
+/// <!-- end -->
+///
+/// # Examples
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let brushed = mw::Ggx::new([0.05, 0.3])?;
+/// let normal = brushed.sample([0.5, 0.25]);
+/// assert!(normal[1] > 0.2 && brushed.pdf(normal) > 0.0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+///
+/// # See also
+/// [`GgxVisible`]; [`PhongLobe`](super::PhongLobe), a lobe of directions instead of normals;
+/// [`Oriented`](super::Oriented) turns either onto a surface.
+///
+/// # Source
+/// T. S. Trowbridge and K. P. Reitz, "Average Irregularity Representation of a Rough Surface for Ray Reflection", 1975,
+/// <https://doi.org/10.1364/JOSA.65.000531>; B. Walter and others, "Microfacet Models for Refraction through Rough
+/// Surfaces", 2007, <https://doi.org/10.2312/EGWR/EGSR07/195-206>.
+#[doc(alias = "trowbridge_reitz")]
+#[doc(alias = "microfacet")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ggx<T> {
+    alpha: [f32; 2],
+    tier: PhantomData<T>,
+}
+
+impl<T: Tier> Ggx<T> {
+    /// Normals of roughness `alpha` along x and along y; equal ones are isotropic.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] below 1e-4
+    /// and above 1.
+    pub const fn new(alpha: [f32; 2]) -> Result<Self, Error> {
+        match checked_alphas(alpha) {
+            Ok(alpha) => Ok(Self {
+                alpha,
+                tier: PhantomData,
+            }),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// The roughness along x and along y.
+    #[must_use]
+    pub const fn alpha(&self) -> [f32; 2] {
+        self.alpha
+    }
+}
+
+impl<T: Tier> PlanarMap<3> for Ggx<T> {
+    #[inline]
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        let (x, y) = T::polar(T::sqrt(u1), u2);
+        (*to, _) = squeezed::<T>(self.alpha, [x, y, T::sqrt(1.0 - u1)]);
+    }
+}
+
+impl<T: Tier> Warp for Ggx<T> {
+    planar!(3, where T::VECTORS);
+
+    #[inline]
+    fn pdf(&self, normal: [f32; 3]) -> f32 {
+        let ([ax, ay], [_, _, z]) = (self.alpha, normal);
+        if z > 0.0 && is_direction(normal) {
+            representable(shape(self.alpha, normal) * z * (FRAC_1_PI / (ax * ay)))
+        } else {
+            0.0
+        }
+    }
+}
+
+impl<T: Tier> Invert for Ggx<T> {
+    #[inline]
+    fn invert(&self, normal: [f32; 3]) -> [f32; 2] {
+        let ([ax, ay], [x, y, _]) = (self.alpha, normal);
+        let (flat, up) = slopes(self.alpha, normal);
+        [into_unit(flat / (flat + up)), azimuth::<T>(x / ax, y / ay)]
+    }
+}
+
+/// A reflection off a microfacet: its normal, where the light goes, and the density of that direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Reflection {
+    /// The normal of the microfacet, which is the half vector of view and direction.
+    pub normal: [f32; 3],
+    /// The reflected direction, a unit vector; below the surface where z < 0.
+    pub direction: [f32; 3],
+    /// The density of the direction, per steradian.
+    pub pdf: f32,
+}
+
+/// Normals of GGX microfacets that a viewer sees, in proportion to their visible area.
+///
+#[cfg_attr(doc, doc = include_str!("../pictures/ggx_visible.html"))]
+///
+/// A direction uniform on a spherical cap and the viewer's, both in the space where the surface is a hemisphere, add up to the normal
+/// (Dupuy and Benyoub). The azimuth u₂ is counted from the viewer's, so that the sum has no cancellation.
+///
+/// # Density
+/// 2 (w·m) D(m)/(w_z + ℓ) per steradian where w·m > 0, with the view w, ℓ = √(αx²w_x² + αy²w_y² + w_z²) and D as for [`Ggx`].
+/// The reflected direction has density D(m)/(2(w_z + ℓ)): [`GgxVisible::reflected_pdf`]. [`GgxVisible::bounded`] divides by
+/// k w_z + ℓ instead, with k ≤ 1.
+///
+/// # Domain
+/// - Point: unit vectors with z > 0, about the surface normal +z.
+/// - Uniforms: two, polar then azimuth about the axis of the cap.
+/// - Parameters: views up to the horizon, of any length; roughness αx and αy from 1e-4 to 1.
+///
+/// Carry the normal of a reflection, or its density: computed again from the two rounded directions, the half vector
+/// loses all its digits at small roughness (1e-4: errors of 0.3 % at 40°, of 100 % near the horizon).
+///
+/// # Accuracy
+/// *Sample* is the distance from the exact normal, *unit length* the error of the length. *Pdf* and *realised density*
+/// are relative, *inverse* and *round trip* are absolute errors of the uniforms; s and r are what one ulp of the normal
+/// changes in density and inverse. [What each row means](crate::warp#stated-errors).
+///
+/// | error | `libm` | `poly` |
+/// |---|--:|--:|
+/// | sample, of the size | 3e-7 + 5.2e-7*q | 3e-7 + 5.2e-7*q |
+/// | unit length | 1.7e-7 | 1.7e-7 |
+/// | pdf, relative | 8e-7 + 2*s | 8e-7 + 2*s |
+/// | realised density, relative | 1e-6 + 5*s + 6e-7*q | 1e-6 + 5*s + 6e-7*q |
+/// | inverse | 4.4e-7 + 16*r | 4.4e-7 + 16*r |
+/// | round trip | 4.8e-7 + 16*r | 4.8e-7 + 16*r |
+///
+/// Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
+/// sensitive than the azimuth of the sum.
+///
+/// # Cost
+/// <!-- generated: cost GgxVisible -->
+/// <!-- end -->
+///
+/// # Examples
+/// ```
+/// use microwarp::{Warp, poly as mw};
+/// let gloss = mw::GgxVisible::new([0.6, 0.0, 0.8], [0.1, 0.1])?;
+/// let bounce = gloss.reflect([0.25, 0.5]);
+/// assert!(bounce.direction[2] > 0.0 && bounce.pdf > 0.0);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+///
+/// # See also
+/// [`Ggx`], all normals; [`PhongLobe`](super::PhongLobe), an older lobe of directions.
+///
+/// # Source
+/// E. Heitz, "Sampling the GGX Distribution of Visible Normals", 2018, <https://jcgt.org/published/0007/04/01/>;
+/// J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023,
+/// <https://doi.org/10.1111/cgf.14867>; Y. Tokuyoshi and K. Eto, "Bounded VNDF Sampling for Smith-GGX Reflections", 2023,
+/// <https://doi.org/10.1145/3610543.3626163>.
+#[doc(alias = "vndf")]
+#[doc(alias = "microfacet")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GgxVisible<T> {
+    alpha: [f32; 2],
+    view: [f32; 3],
+    /// The view where the surface is a hemisphere: its azimuth, as a unit vector, its sine and its cosine.
+    axis: [f32; 2],
+    sin: f32,
+    cos: f32,
+    /// 1 − cos, which keeps its digits.
+    down: f32,
+    /// The tangent of half its angle.
+    tan_half: f32,
+    /// ℓ, the length that the view had there.
+    length: f32,
+    /// The height of the cap, 1 + k cos.
+    height: f32,
+    /// What the cap lacks of the whole one, (1 − k) cos.
+    short: f32,
+    tier: PhantomData<T>,
+}
+
+impl<T: Tier> GgxVisible<T> {
+    /// The normals seen from `view`, a direction of any length, of roughness `alpha` along x and along y.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::ZeroLength`] for a view without a length,
+    /// [`Error::OutOfRange`] for a view below the surface and for a roughness below 1e-4 or above 1,
+    /// [`Error::NotPositive`] for a roughness of 0 or less.
+    pub fn new(view: [f32; 3], alpha: [f32; 2]) -> Result<Self, Error> {
+        Self::of(view, alpha, false)
+    }
+
+    /// The same without the normals whose reflections all lie below the surface.
+    ///
+    /// # Errors
+    /// Those of [`GgxVisible::new`].
+    pub fn bounded(view: [f32; 3], alpha: [f32; 2]) -> Result<Self, Error> {
+        Self::of(view, alpha, true)
+    }
+
+    fn of(view: [f32; 3], alpha: [f32; 2], bounded: bool) -> Result<Self, Error> {
+        let [ax, ay] = checked_alphas(alpha)?;
+        let [x, y, z] = normalised(view)?;
+        if z < 0.0 {
+            return Err(Error::OutOfRange);
+        }
+        let ([sx, sy, cos], length) = squeezed::<T>([ax, ay], [x, y, z]);
+        let square = sx * sx + sy * sy;
+        let sin = sqrt(square);
+        let axis = bearing::<T>([ax, ay], view);
+        // 1 - k; k is 1 where the cap is whole.
+        let lost = if bounded {
+            let a = if ax < ay { ax } else { ay };
+            let s = 1.0 + sqrt(x * x + y * y);
+            let a2 = a * a;
+            a2 * (s * s + z * z) / (s * s + a2 * z * z)
+        } else {
+            0.0
+        };
+        let short = lost * cos;
+        Ok(Self {
+            alpha,
+            view: [x, y, z],
+            axis,
+            sin,
+            tan_half: sin / (1.0 + cos),
+            cos,
+            down: square / (1.0 + cos),
+            length,
+            height: (1.0 + cos) - short,
+            short,
+            tier: PhantomData,
+        })
+    }
+
+    /// The roughness along x and along y.
+    #[must_use]
+    pub const fn alpha(&self) -> [f32; 2] {
+        self.alpha
+    }
+
+    /// The view, a unit vector.
+    #[must_use]
+    pub const fn view(&self) -> [f32; 3] {
+        self.view
+    }
+
+    /// The sum of the view and of a point of the cap, where the surface is a hemisphere.
+    #[inline]
+    fn half(&self, u1: f32, u2: f32) -> [f32; 3] {
+        let (v, off) = (1.0 - u1, u1 * self.height);
+        let k = v * self.height + self.short;
+        // Of the point of the cap, 1 - cos is `off` and 1 + cos is the sum of these two.
+        let sin = T::sqrt(off * (k + self.down));
+        let (s, c) = T::sincos_turns(0.5 * u2);
+        // The difference of both sines, whose squares differ by k times the
+        // difference of the cosines, and what the azimuth adds to it.
+        let lower = if self.cos < 0.5 {
+            k - 2.0 * self.cos
+        } else {
+            self.down - off
+        };
+        let apart = k * lower / above_zero(self.sin + sin);
+        let along = apart + 2.0 * sin * (c * c);
+        let side = 2.0 * sin * (s * c);
+        let [ax, ay] = self.axis;
+        [along * ax - side * ay, along * ay + side * ax, k]
+    }
+
+    /// A normal where the surface is a hemisphere: along the azimuth of the view, beside it, and up.
+    #[inline]
+    fn stretched(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
+        let ([ax, ay], [cos, sin]) = (self.alpha, self.axis);
+        let (x, y) = (x / ax, y / ay);
+        [x * cos + y * sin, y * cos - x * sin, z]
+    }
+
+    /// The height of the sum of the view and a point of the cap, where that sum is along a stretched normal.
+    #[inline]
+    fn rise(&self, [along, side, z]: [f32; 3]) -> f32 {
+        let square = along * along + side * side + z * z;
+        2.0 * (self.sin * along + self.cos * z) * z / square
+    }
+
+    /// The reflection of the view off the normal of two uniforms.
+    ///
+    /// Its density needs no cosine between view and normal, so that nothing cancels in it.
+    #[must_use]
+    pub fn reflect(&self, u: [f32; 2]) -> Reflection {
+        let normal = self.sample(u);
+        let twice = 2.0 * self.towards(normal);
+        let ([mx, my, mz], [wx, wy, wz]) = (normal, self.view);
+        Reflection {
+            normal,
+            direction: [twice * mx - wx, twice * my - wy, twice * mz - wz],
+            pdf: self.reflected_pdf(normal),
+        }
+    }
+
+    /// The density of the direction into which a microfacet of this normal reflects the view, per steradian.
+    ///
+    /// The direction itself does not serve: see the domain above.
+    #[must_use]
+    pub fn reflected_pdf(&self, normal: [f32; 3]) -> f32 {
+        let [ax, ay] = self.alpha;
+        if self.sees(normal) {
+            let scale = 0.5 * FRAC_1_PI / (ax * ay * self.length * self.height);
+            representable(shape(self.alpha, normal) * scale)
+        } else {
+            0.0
+        }
+    }
+
+    /// Whether a normal is one that the sampler may give, but for rounding.
+    #[inline]
+    fn sees(&self, normal: [f32; 3]) -> bool {
+        let [_, _, z] = normal;
+        if !(z > 0.0 && is_direction(normal) && self.towards(normal) > -RIM_SLACK) {
+            return false;
+        }
+        if self.short > 0.0 {
+            return self.rise(self.stretched(normal)) >= self.short - RIM_SLACK;
+        }
+        true
+    }
+
+    /// w·m.
+    #[inline]
+    fn towards(&self, [x, y, z]: [f32; 3]) -> f32 {
+        let [wx, wy, wz] = self.view;
+        wx * x + wy * y + wz * z
+    }
+}
+
+/// How far beyond the rim a normal still counts as seen: the rounding of a sample on it.
+const RIM_SLACK: f32 = 4.0 * f32::EPSILON;
+
+impl<T: Tier> PlanarMap<3> for GgxVisible<T> {
+    #[inline]
+    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        (*to, _) = squeezed::<T>(self.alpha, self.half(u1, u2));
+    }
+}
+
+impl<T: Tier> Warp for GgxVisible<T> {
+    planar!(3, where T::VECTORS);
+
+    #[inline]
+    fn pdf(&self, normal: [f32; 3]) -> f32 {
+        let [ax, ay] = self.alpha;
+        if self.sees(normal) {
+            let scale = 2.0 * FRAC_1_PI / (ax * ay * self.length * self.height);
+            representable(shape(self.alpha, normal) * scale * self.towards(normal))
+        } else {
+            0.0
+        }
+    }
+}
+
+impl<T: Tier> Invert for GgxVisible<T> {
+    #[inline]
+    fn invert(&self, normal: [f32; 3]) -> [f32; 2] {
+        let stretched = self.stretched(normal);
+        let u1 = 1.0 - (self.rise(stretched) - self.short) / self.height;
+        // The point of the cap, by the factors of its coordinate along the view: the one that is 0 for a point above all
+        // cancels alone.
+        let [along, side, z] = stretched;
+        let x = (along - self.tan_half * z) * (self.sin * along + (1.0 + self.cos) * z)
+            - self.sin * (side * side);
+        let y = 2.0 * (self.sin * along + self.cos * z) * side;
+        [into_unit(u1), azimuth::<T>(x, y)]
+    }
+}
