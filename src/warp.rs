@@ -9,13 +9,15 @@
 //! constructor accepts and for every uniform, on the 24-bit grid or off it. It is a number, or a formula in the
 //! parameters that the text below the table explains. The rows are:
 //!
-//! - *sample*: the distance from the exact map of the same uniforms. Its unit is one of three: a unit in the last
-//!   place (ulp) of the exact value, an ulp of the larger bound (the scale), or the size of the domain.
+//! - *sample*: the distance from the exact map of the same uniforms. The row names its unit. *ulp* is a unit in the last
+//!   place of the exact value. *ulp of the scale* is one of the end of the interval that is farther from 0. *of the
+//!   size* is relative to the size of the domain, which the page gives (1 for directions).
 //! - *sin θ*, *cos θ*: of directions, in ulp.
 //! - *unit length*: of directions, the distance of their length from 1.
-//! - *pdf*: the density at the returned point, relative to the exact density there.
-//! - *realised density*: the density at the returned point, relative to the exact density at the exact point. Here
-//!   the rounding of the point counts.
+//! - *pdf*: the density at the returned point, relative to the exact density there. This is the error of p in an
+//!   estimate f/p.
+//! - *realised density*: the same density, relative to the exact density at the exact point. It adds what rounding the
+//!   point changes, and is the error of 1/p as the Jacobian of the map at those uniforms.
 //! - *pdf with the sample*: the density that [`Warp::sample_with_pdf`] hands over, relative to the exact density at the
 //!   exact point. A warp without this row hands over `pdf` of the point.
 //! - *inverse*: the uniforms of the returned point, absolute.

@@ -36,13 +36,10 @@ use rand_core::{Rng, TryRng};
 ///
 /// # Examples
 /// ```
-/// use microwarp::discrete::{Alias, AliasEntry};
+/// use microwarp::{constant, discrete::{Alias, AliasEntry}};
 /// use rand_pcg::Pcg32;
 ///
-/// const LOADED: Alias<[AliasEntry<u32>; 4]> = match Alias::new(&[1.0, 0.0, 2.0]) {
-///     Ok(table) => table,
-///     Err(_) => panic!("bad weights"),
-/// };
+/// const LOADED: Alias<[AliasEntry<u32>; 4]> = constant!(Alias::new(&[1.0, 0.0, 2.0]));
 /// assert_eq!(LOADED.entries(), 3);
 /// let index = LOADED.draw_index(&mut Pcg32::new(1, 1));
 /// assert!(index == 0 || index == 2);
@@ -202,7 +199,7 @@ impl<W: Word, S: Storage<Item = AliasEntry<W>>> Alias<S> {
     /// let table = Alias::<heapless::Vec<AliasEntry<u32>, 16>>::from_slice(&weights)?;
     /// assert_eq!((table.entries(), table.bins()), (3, 4));
     /// # #[cfg(feature = "alloc")] {
-    /// let table = Alias::<Vec<AliasEntry<u32>>>::from_slice(&weights)?;
+    /// let table = Alias::<Vec<AliasEntry<u32>>>::from_slice(&weights)?; // needs feature `alloc`
     /// assert_eq!((table.entries(), table.bins()), (3, 4));
     /// # }
     /// # Ok::<(), microwarp::Error>(())

@@ -67,11 +67,8 @@ use rand_core::{Rng, TryRng};
 ///
 /// Checked by the compiler, and kept in flash:
 /// ```
-/// use microwarp::discrete::Cdf;
-/// const LOADED: Cdf<[u32; 6]> = match Cdf::from_integers(&[1, 1, 1, 1, 1, 3]) {
-///     Ok(table) => table,
-///     Err(_) => panic!("bad weights"),
-/// };
+/// use microwarp::{constant, discrete::Cdf};
+/// const LOADED: Cdf<[u32; 6]> = constant!(Cdf::from_integers(&[1, 1, 1, 1, 1, 3]));
 /// assert_eq!(LOADED.pmf(5), 0.375);
 /// ```
 ///
@@ -233,7 +230,7 @@ impl<W: Word, S: Storage<Item = W>> Cdf<S> {
     /// let table = Cdf::<heapless::Vec<u32, 16>>::from_slice(&weights)?;
     /// assert_eq!(table.entries(), 3);
     /// # #[cfg(feature = "alloc")] {
-    /// let table: Cdf<Vec<u32>> = Cdf::from_slice(&weights)?;
+    /// let table: Cdf<Vec<u32>> = Cdf::from_slice(&weights)?; // needs feature `alloc`
     /// assert_eq!(table.entries(), 3);
     /// # }
     /// # Ok::<(), microwarp::Error>(())

@@ -22,13 +22,13 @@ use rand_core::TryRng;
 ///
 /// # Density
 /// The product of the two cells' probabilities over the cell's area, both as realised; 0 in a cell of weight
-/// zero and outside. A density below 2⁻¹⁴⁹ is reported as 2⁻¹⁴⁹. A cell contains its lower edges, and the upper
-/// bounds count as part of the last cells.
+/// zero and outside. A density below 2⁻¹⁴⁹ is reported as 2⁻¹⁴⁹. A cell contains its lower edges, and the
+/// upper edges of the rectangle count as part of the last cells.
 ///
-/// For a picture of all directions, let u be the azimuth in turns over [0, 1) and v the polar angle in half
-/// turns over [0, 1), and multiply each weight by sin πv at the middle of its row. The density per steradian is
-/// then `pdf` / (2π² sin πv). Take `pdf` at the (u, v) that was sampled: on the way to a direction and back, a
-/// point may be rounded into the next cell.
+/// For a picture of all directions, let u be the azimuth in turns and v the polar angle in half turns, both over
+/// [0, 1), and multiply each weight by sin πv at the middle of its row. The density per steradian is then
+/// `pdf` / (2π² sin πv), except at the poles, v = 0 and v = 1, where it needs a guard: see the
+/// [sky](#a-sky-by-latitude-and-longitude) below.
 ///
 /// # Domain
 /// - Weights: row by row, columns along u, rows along v. Each is as for [`Cdf`]; at most
@@ -42,8 +42,8 @@ use rand_core::TryRng;
 /// # Accuracy
 /// Errors are against the probabilities of the table. Those differ from weight/total by less than 2⁻³¹ with
 /// `u32`, and each positive cell has at least one word of its row, and its row at least one word. The size, by
-/// which the error of a sample is divided, is the largest bound; r is what 2⁻²⁴ of the size makes of the
-/// inverse.
+/// which the error of a sample is divided, is the largest coordinate of the rectangle's edges; r is what 2⁻²⁴ of
+/// the size makes of the inverse.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -72,8 +72,71 @@ use rand_core::TryRng;
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///
+/// ## A sky by latitude and longitude
+/// The rows run from the zenith, +z, to the nadir. `Vec` needs feature `alloc`;
+/// [`new`](PiecewiseConstant2d::new) does the same in arrays.
+/// ```
+/// # #[cfg(feature = "alloc")] {
+/// use core::f32::consts::PI;
+/// use microwarp::{Error, Warp, discrete::PiecewiseConstant2d, poly::Spherical};
+/// use rand_pcg::Pcg32;
+///
+/// type Sky = PiecewiseConstant2d<Vec<u32>, Vec<u32>>;
+///
+/// /// The sky of a picture of `columns` × `rows` luminances, row by row.
+/// fn sky(luminances: &[f32], [columns, rows]: [usize; 2]) -> Result<Sky, Error> {
+///     let mut weights = luminances.to_vec();
+///     for (row, cells) in weights.chunks_mut(columns).enumerate() {
+///         let sine = (PI * (row as f32 + 0.5) / rows as f32).sin();
+///         cells.iter_mut().for_each(|weight| *weight *= sine);
+///     }
+///     Sky::from_slice(&weights, [columns, rows], [0.0, 1.0], [0.0, 1.0])
+/// }
+///
+/// /// A direction and its density per steradian. Skip the sample if the density is 0.
+/// fn draw(sky: &Sky, rng: &mut Pcg32) -> Result<([f32; 3], f32), Error> {
+///     let [u, v] = sky.draw(rng);
+///     let at = Spherical::from_turns(1.0, 0.5 * v, u)?;
+///     Ok((at.to_cartesian(), per_steradian(sky.pdf([u, v]), &at)))
+/// }
+///
+/// /// The density per steradian of a given direction, for multiple importance sampling.
+/// fn pdf(sky: &Sky, direction: [f32; 3]) -> f32 {
+///     let at = Spherical::from_cartesian(direction);
+///     per_steradian(sky.pdf([at.phi_turns(), 2.0 * at.theta_turns()]), &at)
+/// }
+///
+/// /// A density in (u, v) as one per steradian: 0 at the poles, and finite beside them.
+/// fn per_steradian(density: f32, at: &Spherical) -> f32 {
+///     let sine = at.solid_angle_jacobian();
+///     if sine > 0.0 {
+///         (density / (2.0 * PI * PI * sine)).min(f32::MAX)
+///     } else {
+///         0.0
+///     }
+/// }
+///
+/// let sky = sky(&[1.0, 1.0, 1.0, 9.0, 1.0, 2.0, 1.0, 1.0], [4, 2])?;
+/// let (mut rng, mut whole) = (Pcg32::new(42, 54), 0.0);
+/// for _ in 0..1000 {
+///     let (direction, density) = draw(&sky, &mut rng)?;
+///     whole += 1e-3 / density;
+///     assert!((pdf(&sky, direction) / density - 1.0).abs() < 1e-3);
+/// }
+/// assert!((whole / (4.0 * PI) - 1.0).abs() < 0.1); // the solid angle of all directions
+/// assert_eq!(pdf(&sky, [0.0, 0.0, 1.0]), 0.0);
+/// assert_eq!(pdf(&sky, [0.0, 0.0, -1.0]), 0.0);
+/// # }
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+///
+/// On the way to a direction and back a point next to the edge of a cell may be rounded into the next cell: in
+/// about 2 of 400,000 samples `pdf` then gives the density of that cell. So take the density of a sample from
+/// `draw`, at the (u, v) that was sampled, and `pdf` only for directions from elsewhere.
+///
 /// # See also
 /// - [`PiecewiseConstant1d`]: cells of an interval; also the type of the marginal and of each conditional.
+/// - [`Spherical`](crate::warp::Spherical): the coordinates of a sky, and their Jacobians.
 /// - [`Cdf`]: the index of a cell alone.
 ///
 /// # Source
@@ -225,16 +288,13 @@ arrays! {
     /// # Examples
     /// Built by the compiler, and kept in flash:
     /// ```
-    /// use microwarp::{Warp, discrete::PiecewiseConstant2d};
+    /// use microwarp::{Warp, constant, discrete::PiecewiseConstant2d};
     /// const SKY: PiecewiseConstant2d<[u32; 2], [[u32; 3]; 2]> =
-    ///     match PiecewiseConstant2d::new(
+    ///     constant!(PiecewiseConstant2d::new(
     ///         &[[1.0, 0.0, 1.0], [0.0, 6.0, 0.0]],
     ///         [0.0, 3.0],
     ///         [0.0, 1.0],
-    ///     ) {
-    ///         Ok(table) => table,
-    ///         Err(_) => panic!("bad weights"),
-    ///     };
+    ///     ));
     /// assert_eq!(SKY.sample([0.5, 0.625]), [1.5, 0.75]);
     /// ```
     new;
@@ -309,6 +369,7 @@ where
     /// optimisation.
     ///
     /// # Examples
+    /// In a `Vec`, which needs feature `alloc`:
     /// ```
     /// # #[cfg(feature = "alloc")] {
     /// use microwarp::{Warp, discrete::PiecewiseConstant2d};
@@ -453,14 +514,14 @@ where
         })
     }
 
-    /// The bounds along u.
+    /// The coordinates of the rectangle's edges along u, the lower one first.
     #[must_use]
     #[inline]
     pub const fn u(&self) -> [f32; 2] {
         self.columns.range()
     }
 
-    /// The bounds along v.
+    /// The coordinates of the rectangle's edges along v, the lower one first.
     #[must_use]
     #[inline]
     pub const fn v(&self) -> [f32; 2] {

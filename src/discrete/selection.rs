@@ -26,9 +26,11 @@ pub struct Selection {
     /// Where the uniform fell within the entry's share, in [0, 1). This is again a uniform, independent of the
     /// index.
     pub leftover: f32,
-    /// How many random bits the leftover holds, at most; an `f32` can show the leading 24 of them. From
-    /// 32 bits, an entry of probability p leaves 32 + log₂ p, rounded down. In an [`Alias`](super::Alias) p is
-    /// the probability of the entry's part of one bin. If you need more bits, draw a fresh uniform.
+    /// How many random bits the leftover holds, at most: those of the uniform less those spent on the index. An
+    /// entry of probability p leaves 32 + log₂ p, rounded down, of 32 bits, and 24 + log₂ p of the 24 bits of an
+    /// `f32` ([`select_uniform`](super::Cdf::select_uniform)): p = 1/4 leaves 30 or 22. Below 0 it is 0. An `f32`
+    /// shows the leading 24 of them. In an [`Alias`](super::Alias) p is the probability of the entry's part of one
+    /// bin. If you need more bits, draw a fresh uniform.
     pub leftover_bits: u32,
 }
 
@@ -39,11 +41,8 @@ pub struct Selection {
 ///
 /// # Examples
 /// ```
-/// use microwarp::discrete::Cdf;
-/// const LOADED: Cdf<[u32; 3]> = match Cdf::from_integers(&[1, 0, 3]) {
-///     Ok(table) => table,
-///     Err(_) => panic!("bad weights"),
-/// };
+/// use microwarp::{constant, discrete::Cdf};
+/// const LOADED: Cdf<[u32; 3]> = constant!(Cdf::from_integers(&[1, 0, 3]));
 /// let chosen = LOADED.select_exact(0x7000_0000);
 /// assert_eq!((chosen.index, chosen.numerator), (2, 3 << 30));
 /// assert_eq!(chosen.leftover, 0x4000_0000); // a quarter of its share, which begins at 0x4000_0000

@@ -85,6 +85,14 @@ impl<T: Copy> Storage for &[T] {
 
 /// Memory that holds the rows of a two-dimensional table: an array of arrays, or any other [`Storage`], row
 /// after row.
+///
+/// `[[T; U]; V]`, `&[T]` and `heapless::Vec` are grids, and with feature `alloc` `Vec` and `Box<[T]>`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot hold the rows of a two-dimensional table",
+    label = "not a grid of rows",
+    note = "an array of arrays, a borrowed slice and a `heapless::Vec` are grids",
+    note = "`Vec<_>` and `Box<[_]>` are grids too, with feature `alloc` of `microwarp`"
+)]
 pub trait Grid {
     /// The type of an entry.
     type Item: Copy;

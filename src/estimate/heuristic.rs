@@ -65,6 +65,27 @@ fn weight((f, g): (f32, f32), shape: impl Fn(f32) -> f32) -> f32 {
 /// assert_eq!(balance_heuristic(1, 3e38, 3, 3e38), 0.25);
 /// ```
 ///
+/// Multiple importance sampling of ∫eˣ over [0, 1), with one sample of each technique. The two weighted contributions
+/// estimate the integral together, so their sum is pushed, once, with density 1:
+/// ```
+/// use microwarp::{Warp, estimate::{Integral, balance_heuristic}, poly as mw};
+/// use rand_pcg::Pcg32;
+/// let (f, g) = (mw::Linear::new(1.0, 2.0)?, mw::Interval::new(0.0, 1.0)?);
+/// let (mut rng, mut integral) = (Pcg32::new(42, 54), Integral::new());
+/// for _ in 0..10_000 {
+///     let (x, y) = (f.draw(&mut rng), g.draw(&mut rng));
+///     let by_f = balance_heuristic(1, f.pdf(x), 1, g.pdf(x)) * x.exp() / f.pdf(x);
+///     let by_g = balance_heuristic(1, g.pdf(y), 1, f.pdf(y)) * y.exp() / g.pdf(y);
+///     integral.push(by_f + by_g, 1.0);
+/// }
+/// assert_eq!(integral.count(), 10_000);
+/// assert!((integral.estimate().unwrap_or(0.0) - 1.718_281_8).abs() < 0.01);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+/// The counts are those of one such sum: 1 and 1 here, although 10,000 sums follow. Only their ratio enters the weight.
+/// With `n_f` samples of f and `n_g` of g a sum, divide each contribution of f by `n_f` and each of g by `n_g`. A
+/// sample of density 0 contributes 0.
+///
 /// # See also
 ///
 /// - [`power_heuristic`], which often has less variance.

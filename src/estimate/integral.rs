@@ -12,11 +12,12 @@ use crate::tier::{Tier, sqrt};
 ///
 /// # Domain
 ///
-/// - Finite f, and densities p > 0 with a finite quotient f/p. Other samples are refused and counted in
-///   [`Integral::refused`], and the estimate covers the accepted ones only. f = 0 is a valid sample that adds 0.
-/// - The integral without samples, and the error from fewer than two, are [`None`]. No result is infinite.
-/// - Both bounds rest on the *estimated* variance. If f/p has a heavy tail that few samples have met, the variance and
-///   the bounds are too small.
+/// - A sample is accepted if f is finite, p is positive and finite, and f/p is finite. f = 0 is accepted and adds 0.
+/// - Any other sample is refused, and the estimate is the mean of the accepted ones. It is biased if the refused ones
+///   matter, so look at [`Integral::refused`]. Where p = 0 means "adds nothing", push f = 0 with density 1.
+/// - The estimate is [`None`] without samples, and the standard error with fewer than two. No result is infinite.
+/// - Both bounds use the variance of the samples so far. If f/p has a heavy tail that few samples have met, that
+///   variance and the bounds are too small.
 ///
 /// # Accuracy
 ///

@@ -15,6 +15,30 @@ use core::fmt;
 /// assert_eq!(nowhere.draw(&mut Pcg32::new(1, 1)), Err(Failure::BudgetSpent { tries: 10 }));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// A `Failure` is not a [`microwarp::Error`](crate::Error), which constructors return, and `?` does not convert one into
+/// the other. Both implement [`core::error::Error`], so a function that constructs and draws returns a box of that, or
+/// without a heap maps them to an error type of its own:
+/// ```
+/// use microwarp::rejection::{Failure, Rejection, ZigguratNormal};
+/// use rand_pcg::Pcg32;
+///
+/// fn boxed(rng: &mut Pcg32) -> Result<f32, Box<dyn core::error::Error>> {
+///     Ok(ZigguratNormal::new(10.0, 2.0)?.draw(rng)?.point)
+/// }
+///
+/// enum Fault {
+///     Parameter(microwarp::Error),
+///     Draw(Failure),
+/// }
+/// fn mapped(rng: &mut Pcg32) -> Result<f32, Fault> {
+///     let height = ZigguratNormal::new(10.0, 2.0).map_err(Fault::Parameter)?;
+///     Ok(height.draw(rng).map_err(Fault::Draw)?.point)
+/// }
+///
+/// let (one, other) = (boxed(&mut Pcg32::new(1, 1)), mapped(&mut Pcg32::new(1, 1)));
+/// assert!(matches!((one, other), (Ok(x), Ok(y)) if x == y));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -23,7 +23,8 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 #[cfg_attr(doc, doc = include_str!("../pictures/cone.html"))]
 ///
 /// # Density
-/// 1/(2πk) per steradian inside the cone, and a few ulp beyond its rim; 0 elsewhere.
+/// 1/(2πk) per steradian inside the cone, and a few ulp beyond its rim; 0 elsewhere. `pdf(w) > 0` is no hit test:
+/// whether a ray meets the lamp is a question to the geometry.
 ///
 /// # Domain
 /// - Point: unit vectors with 1 − cos θ ≤ k. For cones under 3e-4 rad z is 1 and x and y hold all the information,
@@ -65,6 +66,22 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// assert_eq!(sun.pdf([1.0, 0.0, 0.0]), 0.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// A spherical lamp seen from a point:
+/// ```
+/// use microwarp::{Error, Warp, poly as mw, warp::{Frame, Oriented}};
+/// let (to_centre, distance, radius) = ([0.0, 3.0, 4.0], 5.0, 0.5);
+/// let lamp = Oriented::new(mw::Cone::from_sine(radius / distance)?, Frame::new(to_centre)?);
+/// let direction = lamp.sample([0.9, 0.3]);
+/// let density = lamp.pdf(direction); // per steradian
+/// assert!((density * lamp.warp().solid_angle() - 1.0).abs() < 1e-6);
+///
+/// // From a point on the surface the lamp fills a hemisphere. Inside, no cone contains it.
+/// assert_eq!(mw::Cone::from_sine(1.0)?.one_minus_cos(), 1.0);
+/// assert_eq!(mw::Cone::from_sine(1.01), Err(Error::OutOfRange));
+/// # Ok::<(), Error>(())
+/// ```
+/// Take a lamp of half angle below about 1e-5 rad as a point: [`Oriented`](super::Oriented#density) says why.
 ///
 /// # See also
 /// - [`Oriented`](super::Oriented) turns the cone onto a direction, such as that of a lamp.
@@ -128,7 +145,7 @@ impl<T: Tier> Cone<T> {
     }
 
     /// The cone of the given sine of the half angle, in (0, 1]: the cone in which a sphere is seen, where the sine is the
-    /// sphere's radius over the distance to its centre.
+    /// sphere's radius over the distance to its centre. On the surface the sine is 1, and the cone a hemisphere.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,

@@ -118,14 +118,15 @@ impl<T: Tier> Spherical<T> {
         [sin * cos_phi, sin * sin_phi, cos].map(|c| c * self.radius)
     }
 
-    /// sin θ: multiplies a density per steradian into one per radian of θ and radian of φ.
+    /// sin θ: multiplies a density per steradian into one per radian of θ and radian of φ. At both poles it is 0:
+    /// +0 at θ = 0, −0 at θ = ½. Divide by it only where it is `> 0.0`; a density over −0 is −∞.
     #[must_use]
     pub fn solid_angle_jacobian(&self) -> f32 {
         T::sincos_turns(self.theta).0
     }
 
     /// r² sin θ: multiplies a density per unit volume into one per unit of r, radian of θ and radian
-    /// of φ. The largest `f32` where it overflows.
+    /// of φ. The largest `f32` where it overflows; a zero of either sign at the poles.
     #[must_use]
     pub fn volume_jacobian(&self) -> f32 {
         clamp(

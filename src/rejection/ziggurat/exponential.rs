@@ -79,7 +79,8 @@ impl Law for Standard {
 /// # See also
 /// - [`ZigguratExponential`] has any rate or mean.
 /// - [`warp::Exponential`](crate::warp::Exponential) and [`warp::ExponentialTail`](crate::warp::ExponentialTail) take a
-///   fixed number of words and have an inverse.
+///   fixed number of words and have an inverse. [`Exponential::fill`](crate::Warp::fill) is the fastest way to fill a
+///   slice: 1.7 ns a number on a desktop, against 2.2 ns here.
 ///
 /// # Source
 /// G. Marsaglia and W. W. Tsang, "The Ziggurat Method for Generating Random Variables", 2000,
@@ -114,19 +115,21 @@ budgeted!(ZigguratStandardExponential, 10);
 /// Efficiency: that of [`ZigguratStandardExponential`].
 ///
 /// # Examples
+/// The constructor returns an [`Error`], a draw a [`Failure`]; a function that uses both returns
+/// `Box<dyn core::error::Error>`, or maps them: see [`Failure`].
 /// ```
 /// use microwarp::rejection::{Rejection, ZigguratExponential};
 /// use rand_pcg::Pcg32;
 /// let free_path = ZigguratExponential::from_rate(2.0)?;
 /// let x = free_path.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(free_path.pdf(x) > 0.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
 /// # See also
 /// - [`ZigguratStandardExponential`] has rate 1.
 /// - [`warp::Exponential`](crate::warp::Exponential) and [`warp::ExponentialTail`](crate::warp::ExponentialTail) take a
-///   fixed number of words and have an inverse.
+///   fixed number of words and have an inverse. `Exponential` fills a slice faster.
 ///
 /// # Source
 /// That of [`ZigguratStandardExponential`].

@@ -49,7 +49,7 @@ impl Law for Standard {
     }
 }
 
-/// Standard normal (Gaussian), by a ziggurat: the cheapest way to draw one number at a time.
+/// Standard normal (Gaussian), by a ziggurat: the fastest way to draw one number at a time.
 ///
 /// 98.5 draws of 100 take one word, one table entry of 8 bytes and one product. The numbers are not monotone in the words, and the number of words is not fixed. For strata, for replays from the uniform and for chains, take [`Normal`].
 ///
@@ -85,7 +85,8 @@ impl Law for Standard {
 /// # See also
 /// - [`ZigguratNormal`] has any mean and standard deviation.
 /// - [`warp::Normal`](crate::warp::Normal) and [`warp::NormalPair`](crate::warp::NormalPair) take a fixed number of
-///   uniforms and have an inverse.
+///   uniforms and have an inverse. [`NormalPair::fill`](crate::Warp::fill) is the fastest way to fill a slice: 1.9 ns
+///   a number on a desktop, against 2.2 ns here.
 ///
 /// # Source
 /// G. Marsaglia and W. W. Tsang, "The Ziggurat Method for Generating Random Variables", 2000,
@@ -124,19 +125,21 @@ budgeted!(ZigguratStandardNormal, 9);
 /// Efficiency: that of [`ZigguratStandardNormal`].
 ///
 /// # Examples
+/// The constructor returns an [`Error`], a draw a [`Failure`]; a function that uses both returns
+/// `Box<dyn core::error::Error>`, or maps them: see [`Failure`].
 /// ```
 /// use microwarp::rejection::{Rejection, ZigguratNormal};
 /// use rand_pcg::Pcg32;
 /// let height = ZigguratNormal::new(10.0, 2.0)?;
 /// let x = height.draw(&mut Pcg32::new(1, 1))?.point;
 /// assert!(height.pdf(x) > 0.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
 /// # See also
 /// - [`ZigguratStandardNormal`] has mean 0 and standard deviation 1.
 /// - [`warp::Normal`](crate::warp::Normal) and [`warp::NormalPair`](crate::warp::NormalPair) take a fixed number of
-///   uniforms and have an inverse.
+///   uniforms and have an inverse. `NormalPair` fills a slice faster.
 ///
 /// # Source
 /// That of [`ZigguratStandardNormal`].

@@ -14,7 +14,7 @@ const OWN: [(&str, &[&str]); 5] = [
     ("poly_exponential_1_pcg32", &["exponential"]),
     ("poly_cone_pcg32", &["cone", "direction"]),
     ("poly_sphere_pcg32", &["sphere", "direction"]),
-    ("poly_phong_lobe_50_pcg32", &["lobe", "direction"]),
+    ("poly_phong_lobe_50_pcg32", &["phong", "direction"]),
 ];
 
 /// Fails for symbols of functions other than this one, and of modules of `microwarp::warp` other than its own.
