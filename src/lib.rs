@@ -87,7 +87,7 @@
 //! - [`DiskRejection`](rejection::DiskRejection), [`BallRejection`](rejection::BallRejection): disk and ball without a root or an angle
 //! - [`ZigguratStandardNormal`](rejection::ZigguratStandardNormal), [`ZigguratNormal`](rejection::ZigguratNormal),
 //!   [`ZigguratStandardExponential`](rejection::ZigguratStandardExponential),
-//!   [`ZigguratExponential`](rejection::ZigguratExponential): the fastest from a generator
+//!   [`ZigguratExponential`](rejection::ZigguratExponential): the fastest for one number from a generator
 //!
 //! Markov chains ([`metropolis`]):
 //! - [`Chain`](metropolis::Chain): states of any density, or of integer weights, in fixed memory

@@ -6,6 +6,7 @@ use super::cells::Cells;
 use super::piecewise1d::PiecewiseConstant1d;
 use super::storage::{Grid, OwnedStorage, Storage};
 use super::weights::{Scan, Unit, Weights};
+use super::word::sealed::Arithmetic as _;
 use super::word::{Word, Words};
 use crate::error::Error;
 use crate::num::representable;
@@ -351,12 +352,8 @@ fn fill_rows<W: Word>(weights: &[f32], columns: usize, tables: &mut [W]) -> Resu
     Ok(())
 }
 
-impl<W, M, C> PiecewiseConstant2d<M, C>
-where
-    W: Word,
-    M: Storage<Item = W>,
-    C: Storage<Item = W> + Grid<Item = W>,
-{
+// The bounds stand at the method, because the compiler shows no notes for bounds of an `impl`.
+impl<M, C> PiecewiseConstant2d<M, C> {
     /// A slice of weights, row by row, as the masses of equal cells of a rectangle, in storage of its own: see
     /// [`Cdf::from_slice`]. The shape is the numbers of columns and of rows.
     ///
@@ -391,12 +388,12 @@ where
         v: [f32; 2],
     ) -> Result<Self, Error>
     where
-        M: OwnedStorage,
-        C: OwnedStorage,
+        M: OwnedStorage<Item: Word>,
+        C: OwnedStorage<Item = M::Item> + Grid<Item = M::Item>,
     {
         let [columns, rows] = shape;
         let (sums, cells, row_cells) = plan(weights, shape, [u, v])?;
-        let mut conditional: C = room(W::ZERO, weights.len())?;
+        let mut conditional: C = room(M::Item::ZERO, weights.len())?;
         let cdf = blamed(Cdf::owned(sums, rows), weights, columns)?;
         fill_rows(weights, columns, conditional.items_mut())?;
         Ok(Self {

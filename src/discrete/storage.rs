@@ -11,6 +11,12 @@
 ///
 /// A type of your own becomes a storage with the one method here, and then holds finished tables:
 /// [`Cdf::from_words`](super::Cdf::from_words). With [`OwnedStorage`] it can hold new ones too.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot hold the entries of a table",
+    label = "not a storage",
+    note = "an array, a borrowed slice and a `heapless::Vec` are storages",
+    note = "`Vec<_>` and `Box<[_]>` are storages too, with feature `alloc` of `microwarp`"
+)]
 pub trait Storage {
     /// The type of an entry.
     type Item: Copy;

@@ -76,7 +76,7 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 /// - [`TruncatedExponential`](super::TruncatedExponential): on [0, X].
 /// - [`rejection::ZigguratExponential`](crate::rejection::ZigguratExponential) is the fastest one number at a time, from
 ///   a generator and without an inverse. Into a slice, [`fill`](crate::Warp::fill) of this type is the fastest: 1.7 ns a
-///   number on a desktop, against 2.2 ns.
+///   number on a PC, against 2.2 ns.
 ///
 /// # Source
 /// J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.

@@ -144,6 +144,9 @@ impl Frame {
 /// of n < 1 next to the horizon. s and r are the relative change of the density and the change of the uniforms when
 /// each coordinate of the direction moves by 2⁻²⁴.
 ///
+/// For a [`PhongLobe`](super::PhongLobe) of n = 50, 1e3 and 1e6, whatever the normal, 5e-7 + 8 s is at most 7.4e-6,
+/// 3.1e-5 and 9.7e-4 at u₁ = ½, and 4.7e-5, 1.5e-4 and 4.8e-3 at the last u₁ of the 24-bit grid.
+///
 /// # Cost
 /// That of the warp inside, and of a product of a matrix and a vector.
 ///

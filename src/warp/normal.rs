@@ -71,7 +71,7 @@ const REACH: f32 = 14.5;
 ///
 /// # See also
 /// - [`NormalPair`](super::NormalPair) gives two numbers at a lower cost each. Its [`fill`](crate::Warp::fill) is the
-///   fastest way to fill a slice: 1.9 ns a number on a desktop. Take it where strata do not matter.
+///   fastest way to fill a slice: 1.9 ns a number on a PC. Take it where strata do not matter.
 /// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal) is the fastest one number at a time (2.2 ns): take it
 ///   where words come from a generator and neither an inverse nor a fixed number of uniforms is needed.
 ///
@@ -271,7 +271,7 @@ impl<T: Tier> Invert for Normal<T> {
 /// # See also
 /// - [`Normal`](super::Normal): one number from one uniform, increasing with it, for stratified uniforms.
 /// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal): the fastest one number at a time, without an
-///   inverse. Into a slice, [`fill`](crate::Warp::fill) of this type is the fastest: 1.9 ns a number on a desktop,
+///   inverse. Into a slice, [`fill`](crate::Warp::fill) of this type is the fastest: 1.9 ns a number on a PC,
 ///   against 2.2 ns.
 ///
 /// # Source

@@ -86,7 +86,7 @@ impl Law for Standard {
 /// - [`ZigguratNormal`] has any mean and standard deviation.
 /// - [`warp::Normal`](crate::warp::Normal) and [`warp::NormalPair`](crate::warp::NormalPair) take a fixed number of
 ///   uniforms and have an inverse. [`NormalPair::fill`](crate::Warp::fill) is the fastest way to fill a slice: 1.9 ns
-///   a number on a desktop, against 2.2 ns here.
+///   a number on a PC, against 2.2 ns here.
 ///
 /// # Source
 /// G. Marsaglia and W. W. Tsang, "The Ziggurat Method for Generating Random Variables", 2000,
