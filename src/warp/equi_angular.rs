@@ -15,13 +15,13 @@ use core::marker::PhantomData;
 ///
 /// D is the distance at which the ray passes the light, and t the way along the ray from the foot, the place nearest
 /// to the light. Seen from the light, the samples are uniform in angle. With Δ the angle between its ends, r their
-/// distances to the light, X = r_far sin((1 − w)Δ) and Y = r_near sin(wΔ), t is near + (far − near)Y/(X + Y), a
+/// distances to the light, `X = r_far sin((1 − w)Δ)` and `Y = r_near sin(wΔ)`, t is near + (far − near)Y/(X + Y), a
 /// quotient of sums without cancellation. `near` is the end nearer to the foot, or the foot itself where the segment
 /// passes it.
 ///
 /// # Density
 /// D/(Δ(D² + t²)) on [low, high]. Where Δ is below 2.5e-4 radians, D = 0 included, it is the limit of that:
-/// r_low r_high/((high − low)(D² + t²)), for D = 0 in proportion to 1/t².
+/// `r_low r_high/((high − low)(D² + t²))`, for D = 0 in proportion to 1/t².
 ///
 /// # Domain
 /// [low, high], in the unit of length of the parameters. One uniform; t increases with it. `low` and `high` are within

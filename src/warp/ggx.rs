@@ -202,9 +202,10 @@ pub struct Reflection {
 /// (Dupuy and Benyoub). The azimuth u₂ is counted from the viewer's, so that the sum has no cancellation.
 ///
 /// # Density
-/// 2 (w·m) D(m)/(w_z + ℓ) per steradian where w·m > 0, with the view w, ℓ = √(αx²w_x² + αy²w_y² + w_z²) and D as for [`Ggx`].
-/// The reflected direction has density D(m)/(2(w_z + ℓ)): [`GgxVisible::reflected_pdf`]. [`GgxVisible::bounded`] divides by
-/// k w_z + ℓ instead, with k ≤ 1.
+/// `2 (w·m) D(m)/(w_z + ℓ)` per steradian where w·m > 0, with the view w, `ℓ = √(αx² w_x² + αy² w_y² + w_z²)` and D as for
+/// [`Ggx`].
+/// The reflected direction has density `D(m)/(2(w_z + ℓ))`: [`GgxVisible::reflected_pdf`]. [`GgxVisible::bounded`] divides by
+/// `k w_z + ℓ` instead, with k ≤ 1.
 ///
 /// # Domain
 /// - Point: unit vectors with z > 0, about the surface normal +z.

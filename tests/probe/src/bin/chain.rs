@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use microwarp::metropolis::{Chain, LogUniformStep, LargeSmall, Mixture, WrappedWalk};
+use microwarp::metropolis::{Chain, LargeSmall, LogUniformStep, Mixture, WrappedWalk};
 use microwarp::poly as mw;
 use microwarp_probe::{input, output};
 use rand_pcg::Pcg32;

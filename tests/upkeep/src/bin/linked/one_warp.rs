@@ -29,9 +29,9 @@ fn foreign(file: &Path, function: &str, own: &[&str], functions: &BTreeSet<Strin
     // The modules stand readable in both of Rust's manglings, and demangled.
     let module = Regex::new(r"microwarp(?:4warp[0-9]+|(?:::|\.\.)warp(?:::|\.\.))([a-z0-9]+)")
         .map_err(|e| e.to_string())?;
-    // Behind a module's name may stand digits and letters of the mangling.
-    let of_own =
-        Regex::new(&format!("^(?:{})[0-9]*[a-z]*$", own.join("|"))).map_err(|e| e.to_string())?;
+    // Behind a module's name may stand digits and letters of the mangling. The methods of the trait are every warp's.
+    let of_own = Regex::new(&format!("^(?:contract|{})[0-9]*[a-z]*$", own.join("|")))
+        .map_err(|e| e.to_string())?;
     let mut found = BTreeSet::new();
     for name in &names {
         if name != function && functions.contains(name) {
