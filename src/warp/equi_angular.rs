@@ -43,6 +43,9 @@ use core::marker::PhantomData;
 ///
 /// # Cost
 /// <!-- generated: cost EquiAngular -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 144 on a Cortex-M4F (1,424 bytes), 5,794 on a Cortex-M0, 263 as WASM.
+/// - `libm`: 4,361 on a Cortex-M4F (7,496 bytes), 14,410 on a Cortex-M0, 382 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -100,6 +100,9 @@ fn bearing<T: Tier>([ax, ay]: [f32; 2], [x, y, _]: [f32; 3]) -> [f32; 2] {
 ///
 /// # Cost
 /// <!-- generated: cost Ggx -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 99 on a Cortex-M4F (448 bytes), 5,536 on a Cortex-M0, 170 as WASM.
+/// - `libm`: 2,209 on a Cortex-M4F (6,760 bytes), 9,846 on a Cortex-M0, 215 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -234,6 +237,9 @@ pub struct Reflection {
 ///
 /// # Cost
 /// <!-- generated: cost GgxVisible -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 143 on a Cortex-M4F (688 bytes), 7,433 on a Cortex-M0, 253 as WASM.
+/// - `libm`: 2,251 on a Cortex-M4F (7,112 bytes), 11,741 on a Cortex-M0, 298 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

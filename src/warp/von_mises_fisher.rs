@@ -49,6 +49,9 @@ use core::marker::PhantomData;
 ///
 /// # Cost
 /// <!-- generated: cost VonMisesFisher -->
+/// Instructions of a draw, PCG32 included, and bytes of flash:
+/// - `poly`: 150 on a Cortex-M4F (1,708 bytes), 6,416 on a Cortex-M0, 246 as WASM.
+/// - `libm`: 2,264 on a Cortex-M4F (7,720 bytes), 11,338 on a Cortex-M0, 322 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
