@@ -229,8 +229,8 @@ pub struct Reflection {
 /// | unit length | 1.7e-7 | 1.7e-7 |
 /// | pdf, relative | 8e-7 + 2*s | 8e-7 + 2*s |
 /// | realised density, relative | 1e-6 + 5*s + 6e-7*q | 1e-6 + 5*s + 6e-7*q |
-/// | inverse | 4.4e-7 + 16*r | 4.4e-7 + 16*r |
-/// | round trip | 4.8e-7 + 16*r | 4.8e-7 + 16*r |
+/// | inverse | 5.1e-7 + 16*r | 5.1e-7 + 16*r |
+/// | round trip | 5.5e-7 + 16*r | 5.5e-7 + 16*r |
 ///
 /// Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
 /// sensitive than the azimuth of the sum.
