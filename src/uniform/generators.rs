@@ -116,7 +116,7 @@ impl<W: Word, E: Error> Returned for Result<W, E> {
 /// assert!(point[0].hypot(point[1]) <= 1.0);
 ///
 /// // Words of a log, which ends.
-/// let mut log = [0x4000_0000, 0x8000_0000].into_iter();
+/// let mut log = [0x4000_0000_u32, 0x8000_0000].into_iter();
 /// let mut rng = FromFn(|| log.next().ok_or(core::fmt::Error));
 /// assert!(mw::Disk::new().try_draw(&mut rng).is_ok());
 /// assert!(mw::Disk::new().try_draw(&mut rng).is_err());
