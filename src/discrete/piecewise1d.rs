@@ -16,7 +16,7 @@ use rand_core::TryRng;
 /// One uniform selects the cell, and what is left of it places the point within the cell. This is the inverse
 /// of the cumulative distribution, so points increase with the uniform.
 ///
-#[doc = include_str!("../pictures/piecewise_constant1d.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/piecewise_constant1d.html"))]
 ///
 /// # Density
 /// The probability of the cell over its width, both as realised; 0 in a cell of weight zero and outside. A cell

@@ -19,7 +19,7 @@ use rand_core::TryRng;
 ///
 /// It selects a row v by the marginal p(v), then a column u by the conditional p(u given v) of that row.
 ///
-#[doc = include_str!("../pictures/piecewise_constant2d.html")]
+#[cfg_attr(doc, doc = include_str!("../pictures/piecewise_constant2d.html"))]
 ///
 /// # Density
 /// The product of the two cells' probabilities over the cell's area, both as realised; 0 in a cell of weight
