@@ -91,47 +91,53 @@ pub struct Exponential<T> {
     tier: PhantomData<T>,
 }
 
-impl<T: Tier> Exponential<T> {
-    /// Exponential with the given rate (the reciprocal of the mean).
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
-    /// [`Error::TooLarge`] for a rate so small that the tail overflows (below 3.1e-37).
-    pub const fn from_rate(rate: f32) -> Result<Self, Error> {
-        match checked_rate(rate) {
-            Ok(rate) => Ok(Self {
-                rate,
-                tier: PhantomData,
-            }),
-            Err(e) => Err(e),
+/// What both orientations are made by, and what they tell.
+macro_rules! of_a_rate {
+    ($($name:ident)*) => {$(
+        impl<T: Tier> $name<T> {
+            /// Exponential with the given rate (the reciprocal of the mean).
+            ///
+            /// # Errors
+            /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
+            /// [`Error::TooLarge`] for a rate so small that the tail overflows (below 3.1e-37).
+            pub const fn from_rate(rate: f32) -> Result<Self, Error> {
+                match checked_rate(rate) {
+                    Ok(rate) => Ok(Self {
+                        rate,
+                        tier: PhantomData,
+                    }),
+                    Err(e) => Err(e),
+                }
+            }
+
+            /// Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
+            ///
+            /// # Errors
+            /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
+            /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does (above
+            /// 3.2e36).
+            pub const fn from_mean(mean: f32) -> Result<Self, Error> {
+                match rate_of_mean(mean) {
+                    Ok(rate) => Self::from_rate(rate),
+                    Err(e) => Err(e),
+                }
+            }
+
+            /// The rate.
+            #[must_use]
+            pub const fn rate(&self) -> f32 {
+                self.rate
+            }
+
+            /// The mean, 1/rate rounded to `f32`.
+            #[must_use]
+            pub const fn mean(&self) -> f32 {
+                1.0 / self.rate
+            }
         }
-    }
-
-    /// Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
-    /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does (above
-    /// 3.2e36).
-    pub const fn from_mean(mean: f32) -> Result<Self, Error> {
-        match rate_of_mean(mean) {
-            Ok(rate) => Self::from_rate(rate),
-            Err(e) => Err(e),
-        }
-    }
-
-    /// The rate.
-    #[must_use]
-    pub const fn rate(&self) -> f32 {
-        self.rate
-    }
-
-    /// The mean, 1/rate rounded to `f32`.
-    #[must_use]
-    pub const fn mean(&self) -> f32 {
-        1.0 / self.rate
-    }
+    )*};
 }
+of_a_rate!(Exponential ExponentialTail);
 
 fn density<T: Tier>(rate: f32, x: f32) -> f32 {
     if (0.0..=f32::MAX).contains(&x) {
@@ -226,47 +232,6 @@ impl<T: Tier> Invert for Exponential<T> {
 pub struct ExponentialTail<T> {
     rate: f32,
     tier: PhantomData<T>,
-}
-
-impl<T: Tier> ExponentialTail<T> {
-    /// Exponential with the given rate (the reciprocal of the mean).
-    ///
-    /// # Errors
-    /// The errors of [`Exponential::from_rate`].
-    pub const fn from_rate(rate: f32) -> Result<Self, Error> {
-        match checked_rate(rate) {
-            Ok(rate) => Ok(Self {
-                rate,
-                tier: PhantomData,
-            }),
-            Err(e) => Err(e),
-        }
-    }
-
-    /// Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::Empty`] for a mean so
-    /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does (above
-    /// 3.2e36).
-    pub const fn from_mean(mean: f32) -> Result<Self, Error> {
-        match rate_of_mean(mean) {
-            Ok(rate) => Self::from_rate(rate),
-            Err(e) => Err(e),
-        }
-    }
-
-    /// The rate.
-    #[must_use]
-    pub const fn rate(&self) -> f32 {
-        self.rate
-    }
-
-    /// The mean, 1/rate rounded to `f32`.
-    #[must_use]
-    pub const fn mean(&self) -> f32 {
-        1.0 / self.rate
-    }
 }
 
 impl<T: Tier> Warp for ExponentialTail<T> {

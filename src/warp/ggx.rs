@@ -406,13 +406,18 @@ impl<T: Tier> GgxVisible<T> {
     /// The direction itself does not serve: see the domain above.
     #[must_use]
     pub fn reflected_pdf(&self, normal: [f32; 3]) -> f32 {
-        let [ax, ay] = self.alpha;
         if self.sees(normal) {
-            let scale = 0.5 * FRAC_1_PI / (ax * ay * self.length * self.height);
-            representable(shape(self.alpha, normal) * scale)
+            representable(self.share(0.5 * FRAC_1_PI, normal))
         } else {
             0.0
         }
+    }
+
+    /// `D(m) π/(ℓ + k w_z)`, times a factor.
+    #[inline]
+    fn share(&self, factor: f32, normal: [f32; 3]) -> f32 {
+        let [ax, ay] = self.alpha;
+        shape(self.alpha, normal) * (factor / (ax * ay * self.length * self.height))
     }
 
     /// Whether a normal is one that the sampler may give, but for rounding.
@@ -451,10 +456,8 @@ impl<T: Tier> Warp for GgxVisible<T> {
 
     #[inline]
     fn pdf(&self, normal: [f32; 3]) -> f32 {
-        let [ax, ay] = self.alpha;
         if self.sees(normal) {
-            let scale = 2.0 * FRAC_1_PI / (ax * ay * self.length * self.height);
-            representable(shape(self.alpha, normal) * scale * self.towards(normal))
+            representable(self.share(2.0 * FRAC_1_PI, normal) * self.towards(normal))
         } else {
             0.0
         }
