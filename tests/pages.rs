@@ -4,6 +4,7 @@ use microwarp_golden::FLOAT_WARPS;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use support::docs::Doc;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -100,25 +101,12 @@ fn the_crate_page_lists_every_sampler() {
     assert_eq!(unlisted(&["Disk", "Ring"], &page), ["Ring"]);
 }
 
-/// The comment and the attributes in front of a public type.
-fn page_of(code: &str, name: &str) -> Option<String> {
-    let lines: Vec<_> = code.lines().collect();
-    let declared = |line: &&str| {
-        let rest = line
-            .strip_prefix("pub struct ")
-            .and_then(|rest| rest.strip_prefix(name));
-        rest.is_some_and(|rest| rest.starts_with(['<', '(', ' ', ';']))
-    };
-    let end = lines.iter().position(declared)?;
-    let before = lines[..end].iter().rev();
-    let mut page: Vec<_> = before
-        .take_while(|line| {
-            line.starts_with("///") || line.starts_with("#[") || line.starts_with(['}', ')', ' '])
-        })
-        .copied()
-        .collect();
-    page.reverse();
-    Some(page.join("\n"))
+/// The page of a warp, in whichever room it is.
+fn page_of(name: &str) -> Option<String> {
+    let found = ["warp", "discrete"]
+        .iter()
+        .find_map(|room| Doc::find(room, name));
+    found.map(|doc| doc.text())
 }
 
 /// What the page of a warp lacks.
@@ -137,51 +125,31 @@ fn lacks(page: &str) -> Vec<&'static str> {
         .collect()
 }
 
-/// Warps without a table of their own: what they are made of says their errors, or they are no distribution.
-const WITHOUT: [(&str, &str); 3] = [
+/// Without such a page, since they are no distributions.
+const WITHOUT: [(&str, &str); 2] = [
     ("Frame", "no warp, but what `Oriented` is made of"),
     ("Spherical", "coordinates"),
-    ("PiecewiseConstant1d", ""),
 ];
-
-fn code(under: &Path, into: &mut String) {
-    let mut paths: Vec<_> = fs::read_dir(under)
-        .unwrap()
-        .map(|e| e.unwrap().path())
-        .collect();
-    paths.sort();
-    for path in paths {
-        if path.is_dir() {
-            code(&path, into);
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            *into += &fs::read_to_string(path).unwrap();
-        }
-    }
-}
 
 #[test]
 fn every_warp_has_a_page_with_its_density_domain_errors_example_siblings_and_picture() {
-    let mut all = String::new();
-    for room in ["src/warp", "src/discrete"] {
-        code(&root().join(room), &mut all);
-    }
     let spared = |name: &str| WITHOUT.iter().any(|(without, _)| *without == name);
     let pages = FLOAT_WARPS.iter().filter(|warp| !spared(warp.name));
     let mut wanting = Vec::new();
     for warp in pages {
-        let page = page_of(&all, warp.name).unwrap_or_default();
+        let page = page_of(warp.name).unwrap_or_default();
         let lacks = lacks(&page);
         if !lacks.is_empty() {
             wanting.push((warp.name, lacks));
         }
     }
     assert!(wanting.is_empty(), "{wanting:#?}");
-    let disk = page_of(&all, "Disk").unwrap();
+    let disk = page_of("Disk").unwrap();
     assert_eq!(
         lacks(&disk.replace("# Domain", "# Range")),
         ["/// # Domain"]
     );
-    assert!(page_of(&all, "Dis").is_none());
+    assert!(page_of("Dis").is_none());
 }
 
 /// The targets of a page's links and pictures that are files, relative to the page.

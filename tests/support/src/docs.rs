@@ -103,6 +103,11 @@ impl Doc {
         Self::find(room, item).unwrap_or_else(|| panic!("{room} has no {item}"))
     }
 
+    /// The comment as it stands, its attributes among it.
+    pub fn text(&self) -> String {
+        self.lines[self.range.clone()].join("\n")
+    }
+
     fn line(&self, i: usize) -> &str {
         self.lines[i].trim_start_matches("///").trim()
     }
