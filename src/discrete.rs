@@ -8,7 +8,13 @@
 //! | weights that change with every selection | [`select_once`] | none | one pass over the weights |
 //! | a stream whose length is not known | [`Reservoir`] | one item in all | two `u32` an item |
 //! | weights of cells on a line, and want a point | [`PiecewiseConstant1d`] | 4 bytes | that of a `Cdf` |
+//! | a density at equally spaced points of a line | [`PiecewiseLinear1d`] | 8 bytes | that of a `Cdf`, and a root or two |
+//! | particles, and want as many of equal weight | [`resampling`] | none | one pass over the particles |
+//! | a probability, and count trials before a success | [`Geometric`] | none | a product a digit |
+//! | a mean, and count events | [`Poisson`] | none | some steps from the mean |
 //! | a picture, and want a point | [`PiecewiseConstant2d`] | 4 bytes a cell and a row | those of two `Cdf` |
+//! | a triangle mesh, and want a point on it | [`Mesh`] | 8 bytes a face | that of a `Cdf`, and a root |
+//! | a picture of all directions, and want a direction | [`LatLongMap`] | 4 bytes a pixel and a row | those of two `Cdf`, and two angles |
 //!
 //! A table of `u32` words, the usual one, has probabilities in steps of 2⁻³² and takes one `u32` of the generator.
 //! Weights of very different size, such as 1 beside 10⁻²⁰, need a table of `u64`: steps of 2⁻⁶⁴, two `u32`, and
@@ -39,9 +45,15 @@ mod apportionment;
 mod bins;
 mod cdf;
 mod cells;
+mod geometric;
+mod lat_long_map;
 mod layout;
+mod mesh;
 mod piecewise1d;
 mod piecewise2d;
+mod piecewise_linear1d;
+mod poisson;
+pub mod resampling;
 mod reservoir;
 mod selection;
 mod single_selection;
@@ -49,12 +61,18 @@ mod storage;
 mod total;
 mod weights;
 mod word;
+mod zones;
 
 pub use self::alias::Alias;
 pub use self::bins::AliasEntry;
 pub use self::cdf::Cdf;
+pub use self::geometric::Geometric;
+pub use self::lat_long_map::{LatLongMap, PixelSample};
+pub use self::mesh::{Mesh, MeshPoint};
+pub use self::piecewise_linear1d::PiecewiseLinear1d;
 pub use self::piecewise1d::PiecewiseConstant1d;
 pub use self::piecewise2d::PiecewiseConstant2d;
+pub use self::poisson::Poisson;
 pub use self::reservoir::Reservoir;
 pub use self::selection::{ExactSelection, Selection};
 pub use self::single_selection::{select_once, select_once_uniform};

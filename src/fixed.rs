@@ -35,7 +35,7 @@
 //! | number | type | format |
 //! |---|---|---|
 //! | uniform, in [0, 1) | [`Uniform`] | `U0F32`: every word is one |
-//! | coordinate of a disk or a direction, barycentric | [`Coordinate`] | `I2F30` |
+//! | coordinate of a disk, a direction or a quaternion, barycentric | [`Coordinate`] | `I2F30` |
 //! | standard exponential | [`Length`] | `U5F27` |
 //! | standard normal | [`Deviate`] | `I5F27` |
 //! | density, rate | [`Density`] | `U32F32` |
@@ -52,11 +52,17 @@
 //! | [`StandardNormalPair`] | 2 | `[I5F27; 2]` | none: mean 0, standard deviation 1 | per unit of area |
 //! | [`NormalPair`] | 2 | `[Q; 2]`, signed | means and standard deviation, in Q | per unit of area |
 //! | [`Disk`] | 2 | `[I2F30; 2]` | none | 1/π |
+//! | [`Annulus`] | 2 | `[Q; 2]`, signed | radii, in Q; sides in turns | 1/area |
+//! | [`Bilinear`] | 2 | `[U0F32; 2]` | weights at the corners, in any `FixedU32` | per unit of area |
 //! | [`Triangle`] | 2 | `[I2F30; 3]` | none | 2 |
 //! | [`TriangleOn`] | 2 | `[Q; D]`, signed | vertices, in Q | 1/area |
+//! | [`RegularPolygon`] | 2 | `[I2F30; 2]` | corners, in `u16` | 1/area |
+//! | [`Simplex`] | N | `([I2F30; N], I2F30)` | N, in its type, up to 12 | N! |
 //! | [`Sphere`], [`Hemisphere`], [`CosineHemisphere`] | 2 | `[I2F30; 3]` | none | per steradian |
 //! | [`Cone`] | 2 | `[I2F30; 3]` | 1 − cos θ in `U2F62`, or a half angle in turns | per steradian |
+//! | [`HenyeyGreenstein`] | 2 | `[I2F30; 3]` | g in `I2F30`, or 1 − g in `U2F62` | per steradian |
 //! | [`PhongLobe`] | 2 | `[I2F30; 3]` | exponent in `U32F32` | per steradian |
+//! | [`Rotation`] | 3 | `[I2F30; 4]` | none | 1/π² |
 //! | [`Float`] | those of a warp | in `f32` | a warp of these | in `f32` |
 //!
 //! [`DiskRejection`] and [`DiskRejection16`] draw the disk by [rejection](crate::rejection), and the tables of
@@ -92,6 +98,8 @@
     reason = "plain operators never overflow here: builds with overflow checks try them at the extremes"
 )]
 
+mod annulus;
+mod bilinear;
 mod cone;
 mod direction;
 mod disk;
@@ -100,14 +108,20 @@ mod float;
 mod formats;
 mod grade;
 mod hemisphere;
+mod henyey_greenstein;
 mod interval;
 mod kernel;
 mod lobe;
 mod minors;
 mod normal;
 mod number;
+mod rayleigh;
+mod regular_polygon;
 mod rejection;
+mod rotation;
+mod simplex;
 mod sphere;
+mod symmetric;
 mod tent;
 mod triangle;
 mod triangle_on;
@@ -126,16 +140,25 @@ pub use self::number::Number;
 macro_rules! each_warp {
     ($then:ident $($grade:ident)?) => {
         $then! { $($grade;)?
+            annulus::Annulus[Frac][Frac] "Uniform on a ring between two circles (an annulus), or on a sector of it; two words",
+            bilinear::Bilinear "Bilinear between four weights at the corners of the unit square; two words",
             cone::Cone "Uniform over the directions within an angle of +z (a cone, or spherical cap); two words",
             disk::Disk "Uniform on the unit disk, by polar coordinates; two words",
             exponential::Exponential[Frac][Frac] "Exponential with a given mean or rate, increasing with the uniform; one word",
             exponential::StandardExponential "Exponential with mean 1, increasing with the uniform; one word",
             hemisphere::CosineHemisphere "In proportion to the cosine over the hemisphere about +z (Lambert's law); two words",
             hemisphere::Hemisphere "Uniform over the hemisphere about +z; two words",
+            henyey_greenstein::HenyeyGreenstein "The phase function of Henyey and Greenstein, of fog, clouds and skin; two words",
             lobe::PhongLobe "In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two words",
             normal::NormalPair[Frac][Frac] "Two independent normals (Gaussians) with a mean point and a standard deviation; two words",
             normal::StandardNormalPair "Two independent normals (Gaussians) of mean 0 and standard deviation 1; two words",
+            rayleigh::Rayleigh[Frac][Frac] "The Rayleigh distribution, the distance of two normals from their mean; one word",
+            regular_polygon::RegularPolygon "Uniform on a regular polygon with its corners on the unit circle; two words",
+            rotation::Rotation "Uniform over all rotations of space, as unit quaternions; three words",
+            simplex::Simplex[const N: usize][N] "Uniform on the simplex: N shares of 1 and the rest; N words",
             sphere::Sphere "Uniform over the unit sphere; two words",
+            symmetric::Laplace[Frac][Frac] "Laplace's distribution, exponential on either side; one word",
+            symmetric::Logistic[Frac][Frac] "The logistic distribution, a bell with heavier tails than the normal one's; one word",
             tent::Tent[Frac][Frac] "The tent (triangle) filter; one word",
             triangle::Triangle "Uniform barycentric coordinates; two words",
             triangle_on::TriangleOn[Frac, const D: usize][Frac, D] "Uniform on a triangle given by its vertices; two words",

@@ -26,12 +26,15 @@
 //! | one normal or exponential number from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential); the number of words varies |
 //! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one, which keeps the order of strata |
 //! | normal numbers without an FPU | `fixed::NormalPair` |
-//! | a spherical lamp | [`Cone`](warp::Cone) in [`Oriented`](warp::Oriented) |
+//! | a spherical lamp | [`VisibleSphere`](warp::VisibleSphere) |
 //! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
 //! | an index by weight, many draws | [`Cdf`](discrete::Cdf) up to some 8 entries (100 on a PC), [`Alias`](discrete::Alias) beyond |
-//! | a picture, a sky, a histogram | [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d), [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d) |
+//! | a picture, a histogram, a curve | [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d), [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d), [`PiecewiseLinear1d`](discrete::PiecewiseLinear1d) |
+//! | a sky, an environment light | [`LatLongMap`](discrete::LatLongMap) |
+//! | particles by weight, as many as before | [`resampling`](discrete::resampling) |
 //! | a shape with a simple test | [`Region`](rejection::Region) |
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |
+//! | fewer samples for the same error | [`Sobol`](uniform::Sobol) points instead of a generator |
 //!
 //! The tier is a type, chosen once. `poly` and `libm` have every warp and take the same uniforms. `fixed` has those that
 //! integers serve well, under the same names.
@@ -50,6 +53,12 @@
 //! - [`Exponential`](warp::Exponential), [`ExponentialTail`](warp::ExponentialTail): exponential, from 0 or from the tail
 //! - [`TruncatedExponential`](warp::TruncatedExponential): exponential on an interval, rising or falling
 //! - [`Normal`](warp::Normal): normal, one number at a time
+//! - [`TruncatedNormal`](warp::TruncatedNormal): normal on an interval or beyond a bound
+//! - [`LogNormal`](warp::LogNormal): the exponential of a normal number
+//! - [`Laplace`](warp::Laplace), [`Logistic`](warp::Logistic), [`Cauchy`](warp::Cauchy): symmetric, with heavier tails
+//! - [`Gumbel`](warp::Gumbel), [`Weibull`](warp::Weibull): extremes and life times
+//! - [`Rayleigh`](warp::Rayleigh): lengths of normal vectors
+//! - [`Pareto`](warp::Pareto): a tail that falls as a power
 //! - [`EquiAngular`](warp::EquiAngular): along a ray, uniform in the angle in which a light sees it
 //! - [`Inversion`](warp::Inversion): your own inverse CDF
 //!
@@ -57,9 +66,15 @@
 //! - [`Disk`](warp::Disk), [`DiskConcentric`](warp::DiskConcentric): uniform on the unit disk
 //! - [`Triangle`](warp::Triangle), [`TriangleOn`](warp::TriangleOn): uniform barycentric coordinates, or a point on
 //!   a triangle in the plane or in space
+//! - [`Annulus`](warp::Annulus), [`RegularPolygon`](warp::RegularPolygon): uniform on a ring or its sector, on a regular polygon
 //! - [`NormalPair`](warp::NormalPair): two independent normal numbers
 //! - [`Aabb`](warp::Aabb): uniform in a box of any dimension
+//! - [`Ball`](warp::Ball), [`Simplex`](warp::Simplex): uniform in the unit ball, on the simplex of any dimension
+//! - [`Bilinear`](warp::Bilinear): bilinear on the unit square, by weights at its corners
 //! - [`MarginalConditional`](warp::MarginalConditional): a marginal and the conditional at its point
+//! - [`Composed`](warp::Composed): any warp of two uniforms, weighted by another on the unit square
+//! - [`BoxSurface`](warp::BoxSurface), [`FrustumSurface`](warp::FrustumSurface), [`CapsuleSurface`](warp::CapsuleSurface):
+//!   uniform on a box, a cylinder or cone, a capsule, with the normal
 //!
 //! Directions:
 //! - [`Sphere`](warp::Sphere), [`Hemisphere`](warp::Hemisphere): uniform
@@ -69,7 +84,11 @@
 //! - [`VonMisesFisher`](warp::VonMisesFisher): the normal distribution of directions
 //! - [`Ggx`](warp::Ggx), [`GgxVisible`](warp::GgxVisible): normals of rough microfacets, all or those that a viewer sees
 //! - [`Cone`](warp::Cone): uniform within an angle of +z
+//! - [`VisibleSphere`](warp::VisibleSphere): uniform over the directions in which a sphere is seen (a sphere light)
 //! - [`SphericalPatch`](warp::SphericalPatch): uniform between two polar angles and two azimuths
+//! - [`SphericalTriangle`](warp::SphericalTriangle), [`SphericalRectangle`](warp::SphericalRectangle): uniform over the
+//!   directions to an area light
+//! - [`Rotation`](warp::Rotation): uniform over all rotations, as unit quaternions
 //! - [`Oriented`](warp::Oriented): any of these about a normal, by a [`Frame`](warp::Frame)
 //! - [`Transform`](warp::Transform): any warp followed by your own one-to-one map; [`Spherical`](warp::Spherical)
 //!   coordinates
@@ -78,8 +97,13 @@
 //! - [`Cdf`](discrete::Cdf), [`Alias`](discrete::Alias): an index by weight, with its exact probability and a leftover uniform
 //! - [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d), [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d): tabulated
 //!   densities
+//! - [`PiecewiseLinear1d`](discrete::PiecewiseLinear1d): a tabulated density, interpolated
+//! - [`Mesh`](discrete::Mesh): a point on a triangle mesh, by area or by weights of its faces
+//! - [`LatLongMap`](discrete::LatLongMap): directions in proportion to a picture by latitude and longitude
 //! - [`select_once`](discrete::select_once), [`select_once_uniform`](discrete::select_once_uniform): one selection, without a table
 //! - [`Reservoir`](discrete::Reservoir): one item of a stream
+//! - [`Geometric`](discrete::Geometric), [`Poisson`](discrete::Poisson): failures before a success, events in an interval
+//! - [`resampling`](discrete::resampling): systematic, stratified and residual resampling of particles, in place
 //!
 //! Rejection within a budget of tries ([`rejection`]):
 //! - [`Region`](rejection::Region): uniform where a predicate holds
@@ -88,6 +112,7 @@
 //! - [`ZigguratStandardNormal`](rejection::ZigguratStandardNormal), [`ZigguratNormal`](rejection::ZigguratNormal),
 //!   [`ZigguratStandardExponential`](rejection::ZigguratStandardExponential),
 //!   [`ZigguratExponential`](rejection::ZigguratExponential): the fastest for one number from a generator
+//! - [`PoissonRejection`](rejection::PoissonRejection): events of a mean number from 10 up
 //!
 //! Markov chains ([`metropolis`]):
 //! - [`Chain`](metropolis::Chain): states of any density, or of integer weights, in fixed memory
@@ -109,6 +134,11 @@
 //!
 //! Uniforms ([`uniform`]): the 24-bit grid, open, and full resolution; [`Strata1d`](uniform::Strata1d),
 //! [`Strata2d`](uniform::Strata2d).
+//!
+//! Points, whose words are a function of an index and a dimension ([`uniform::Points`]):
+//! - [`Sobol`](uniform::Sobol): Sobol' points with Owen's scrambling, up to 8 dimensions and any number by groups
+//! - [`Recurrence`](uniform::Recurrence): the additive recurrence R₂ and its kin, the cheapest
+//! - [`ByPosition`](uniform::ByPosition): random words by seed, pixel, sample and dimension
 //!
 //! # Generators
 //! [`Warp::draw`] takes any generator of `rand_core` 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement
@@ -205,8 +235,8 @@ struct Readme;
 
 /// Names the warps of one tier: aliases of the types that are generic over it, and the types that both tiers share.
 macro_rules! of_tier {
-    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
-        $(of_tier!(@ $name $(<$tier>)? $what);)*
+    ($($file:ident::$name:ident $(<$tier:ident $(, $n:ident)?>)? $what:literal,)*) => {
+        $(of_tier!(@ $name $(<$tier $(, $n)?>)? $what);)*
     };
     (@ $name:ident $what:literal) => {
         #[doc(inline)]
@@ -219,6 +249,13 @@ macro_rules! of_tier {
         )]
         pub type $name = crate::warp::$name<Tier>;
     };
+    (@ $name:ident <T, N> $what:literal) => {
+        #[doc = concat!(
+            $what, ".\n\nSee [`warp::", stringify!($name), "`](crate::warp::", stringify!($name),
+            ") for the density, the domain, the errors and examples."
+        )]
+        pub type $name<const N: usize> = crate::warp::$name<Tier, N>;
+    };
 }
 
 /// A tier as a module, so that a program names its tier once.
@@ -228,6 +265,10 @@ macro_rules! tier_module {
         pub mod $module {
             pub use crate::tier::$tier as Tier;
             crate::warp::each_warp!(of_tier);
+            /// [`discrete::LatLongMap`](crate::discrete::LatLongMap) in this tier.
+            pub type LatLongMap<M, C> = crate::discrete::LatLongMap<Tier, M, C>;
+            /// [`rejection::PoissonRejection`](crate::rejection::PoissonRejection) in this tier.
+            pub type PoissonRejection = crate::rejection::PoissonRejection<Tier>;
             /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
             pub type LogUniformStep = crate::metropolis::LogUniformStep<Tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.

@@ -3,19 +3,27 @@
 //! Nothing here knows a tier, a uniform or a warp.
 
 mod bounds;
+mod cube_root;
 pub(crate) mod division;
 mod error_free;
+mod exact_sum;
 mod exponent;
+mod long;
 mod scaled;
 mod segment;
 mod word;
 
 pub use self::bounds::{LARGEST, SMALLEST};
 pub(crate) use self::bounds::{above_zero, clamp, into_unit, representable, saturated};
+pub(crate) use self::cube_root::cube_root;
 pub(crate) use self::error_free::{
     head, pair, product, quick_two_sum, remainder, two_product, two_sum,
 };
-pub(crate) use self::exponent::{is_plain, ldexp, nearest_integer, normalised, power_of_two_times};
+pub(crate) use self::exact_sum::ExactSum;
+pub(crate) use self::exponent::{
+    is_plain, ldexp, nearest_integer, normalised, power_of_two, power_of_two_times,
+};
+pub(crate) use self::long::{Long, high};
 pub(crate) use self::scaled::Scaled;
 pub(crate) use self::segment::{Segment, extent, neighbour};
 pub(crate) use self::word::{folded, happens, nearest};

@@ -8,6 +8,7 @@
 //! | [`BallRejection`] | the unit ball | π/6 = 52.4 % | 3 |
 //! | [`ZigguratStandardNormal`], [`ZigguratNormal`] | normal numbers | 99.3 % | 1, sometimes 2 or 3 |
 //! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | exponential numbers | 98.9 % | 1, sometimes 2 or 3 |
+//! | [`PoissonRejection`] | counts of events | 75 % to 89 % | 2 |
 //! | `fixed::DiskRejection` | the unit disk, in fixed point | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | the unit disk, in fixed point of 16 bits | π/4 = 78.5 % | 1 |
 //!
@@ -31,12 +32,14 @@
 mod ball;
 mod bounded;
 mod failure;
+mod poisson;
 mod region;
 mod ziggurat;
 
 pub use self::ball::{BallRejection, DiskRejection};
 pub use self::bounded::{Bounded, SLACK};
 pub use self::failure::Failure;
+pub use self::poisson::PoissonRejection;
 pub use self::region::Region;
 pub use self::ziggurat::{
     ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,

@@ -16,8 +16,9 @@ pub(crate) use self::compensated::{
     one_minus_cos_radians, scaled_exp, scaled_exp_of_product,
 };
 pub use self::libm::Libm;
+pub(crate) use self::normal::hazard_above;
 pub use self::poly::Poly;
-pub(crate) use self::power::{exp2, log2_1p, log2_of_sum, times};
+pub(crate) use self::power::{exp2, exp2_pair, log2_1p, log2_of_sum, times};
 pub(crate) use self::sqrt::sqrt;
 pub(crate) use self::turns::exchanged;
 

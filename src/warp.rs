@@ -14,6 +14,7 @@
 //!   size* is relative to the size of the domain, which the page gives (1 for directions).
 //! - *sin θ*, *cos θ*: of directions, in ulp.
 //! - *unit length*: of directions, the distance of their length from 1.
+//! - *place on it*: of lights, the coordinates of the place that a direction leads to, absolute.
 //! - *pdf*: the density at the returned point, relative to the exact density there. This is the error of p in an
 //!   estimate f/p.
 //! - *realised density*: the same density, relative to the exact density at the exact point. It adds what rounding the
@@ -35,43 +36,75 @@
 //! the errors of single parameter sets.
 
 mod aabb;
+mod annulus;
+mod ball;
+mod bilinear;
+mod box_surface;
+mod capsule_surface;
+mod cauchy;
+mod composed;
 mod cone;
 pub(crate) mod contract;
-mod direction;
+pub(crate) mod direction;
 mod disk;
 mod equi_angular;
 mod exponential;
 mod fill;
 mod frame;
+mod frustum_surface;
 mod ggx;
+mod gumbel;
 mod hemisphere;
 mod henyey_greenstein;
 mod interval;
 mod inversion;
+mod laplace;
 mod linear;
+mod located;
+mod log_normal;
+mod logistic;
 mod marginal;
 mod normal;
+mod pareto;
 mod phong_lobe;
 mod planar;
 mod power;
 mod power_max;
+mod rayleigh;
+mod regular_polygon;
+mod rotation;
+mod seen;
+mod simplex;
 mod sphere;
 mod spherical;
+mod spherical_rectangle;
+mod spherical_triangle;
+mod surface_point;
 mod tent;
 mod transform;
 mod triangle;
-mod triangle_on;
+pub(crate) mod triangle_on;
 mod truncated;
+mod truncated_normal;
+mod visible_sphere;
 mod von_mises_fisher;
+mod weibull;
 
 /// Every warp in one line: its file, its name, and a sentence for the lists of the tiers. `<T>` marks types that are
-/// generic over the tier.
+/// generic over the tier, `<T, N>` those that are generic over a number, too.
 ///
 /// From this list come the names of this module, and the names of both tiers with their documentation.
 macro_rules! each_warp {
     ($then:ident) => {
         $then! {
             aabb::Aabb "Uniform in an axis-aligned box of any dimension; one uniform a dimension",
+            annulus::Annulus<T> "Uniform on a ring between two circles, or on a sector of one; two uniforms",
+            ball::Ball<T> "Uniform in the unit ball; three uniforms",
+            bilinear::Bilinear "Bilinear between four weights at the corners of the unit square; two uniforms",
+            box_surface::BoxSurface "Uniform on the surface of an axis-aligned box; two uniforms",
+            capsule_surface::CapsuleSurface<T> "Uniform on the surface of a capsule, a cylinder between two hemispheres; two uniforms",
+            cauchy::Cauchy<T> "Cauchy (Lorentz), heavy tails on both sides; one uniform",
+            composed::Composed "A warp whose uniforms are the points of another, which weighs its samples",
             cone::Cone<T> "Uniform over the directions within an angle of +z (a cone, or spherical cap); two uniforms",
             disk::Disk<T> "Uniform on the unit disk, by polar coordinates; two uniforms",
             disk::DiskConcentric<T> "Uniform on the unit disk, by Shirley and Chiu's concentric map, which keeps strata compact; two uniforms",
@@ -80,42 +113,61 @@ macro_rules! each_warp {
             exponential::ExponentialTail<T> "Exponential, decreasing with the uniform, to far into the tail; one uniform, drawn from two words",
             frame::Frame "An orthonormal frame about a normal",
             frame::Oriented "A warp over directions, turned onto a normal",
+            frustum_surface::FrustumSurface<T> "Uniform on a cylinder, a cone or a frustum, with or without its disks; two uniforms",
             ggx::Ggx<T> "Normals of the microfacets of a rough surface (GGX, Trowbridge-Reitz); two uniforms",
             ggx::GgxVisible<T> "Normals of the GGX microfacets that a viewer sees; two uniforms",
+            gumbel::Gumbel<T> "Gumbel, the law of maxima; one uniform",
             hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by inversion; two uniforms",
             hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z; two uniforms",
             hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by Malley's method, which keeps strata compact; two uniforms",
             henyey_greenstein::HenyeyGreenstein<T> "The Henyey-Greenstein phase function of fog, clouds and skin; two uniforms",
             interval::Interval "Uniform on an interval; one uniform",
             inversion::Inversion "Any density on the line, from its inverse CDF; one uniform",
+            laplace::Laplace<T> "Laplace, an exponential on both sides; one uniform",
             linear::Linear "Linear on [0, 1); one uniform",
+            log_normal::LogNormal<T> "Log-normal, the exponential of a normal number; one uniform",
+            logistic::Logistic<T> "Logistic, whose CDF is the sigmoid; one uniform",
             phong_lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two uniforms",
             marginal::MarginalConditional "A density in the plane, from a marginal and its conditional; two uniforms",
             normal::Normal<T> "Normal (Gaussian), one number at a time by its quantile; one uniform",
             normal::NormalPair<T> "Two independent normals (Gaussians), by Box and Muller's map; two uniforms",
+            pareto::Pareto<T> "Pareto, a tail that falls as a power; one uniform",
             power::Power<T> "A power law on an interval, for any exponent; one uniform",
             power_max::PowerMax "The largest of N uniforms, a power law of whole exponent; N uniforms",
+            rayleigh::Rayleigh<T> "Rayleigh, the length of a vector of two normal numbers; one uniform",
+            regular_polygon::RegularPolygon<T> "Uniform on a regular polygon; two uniforms",
+            rotation::Rotation<T> "Uniform over the rotations of space, as unit quaternions; three uniforms",
+            simplex::Simplex<T, N> "Uniform on the simplex of N dimensions: shares with sum 1; N uniforms",
             sphere::Sphere<T> "Uniform over the unit sphere; two uniforms",
             spherical::Spherical<T> "A point in spherical coordinates, angles in turns",
             spherical::SphericalPatch<T> "Uniform over the directions between two polar angles and two azimuths; two uniforms",
+            spherical_rectangle::SphericalRectangle<T> "Uniform over the directions from a point to a rectangle; two uniforms",
+            spherical_triangle::SphericalTriangle<T> "Uniform over the directions from a point to a triangle (Arvo's map); two uniforms",
             tent::Tent "The tent (triangle) filter; one uniform",
             transform::Transform "A warp followed by a one-to-one map, with its Jacobian",
             triangle::Triangle "Uniform barycentric coordinates; two uniforms",
             triangle_on::TriangleOn "Uniform on a triangle given by its vertices; two uniforms",
             truncated::TruncatedExponential<T> "Exponential on [0, X], falling or rising; one uniform",
+            truncated_normal::TruncatedNormal<T> "Normal on an interval or beyond a bound, right in the far tails; one uniform",
+            visible_sphere::VisibleSphere<T> "Uniform over the directions in which a sphere is seen from a point (a sphere light); two uniforms",
             von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms",
+            weibull::Weibull<T> "Weibull, life times by a shape; one uniform",
         }
     };
 }
 pub(crate) use each_warp;
 
 macro_rules! names {
-    ($($file:ident::$name:ident $(<$tier:ident>)? $what:literal,)*) => {
+    ($($file:ident::$name:ident $(<$tier:ident $(, $n:ident)?>)? $what:literal,)*) => {
         $(pub use self::$file::$name;)*
     };
 }
 each_warp!(names);
 pub use self::ggx::Reflection;
+pub use self::spherical_rectangle::OnRectangle;
+pub use self::spherical_triangle::OnTriangle;
+pub use self::surface_point::SurfacePoint;
+pub use self::visible_sphere::SurfaceSample;
 
 pub(crate) use self::contract::{Invert, Warp, drawn_with_pdf, one_by_one};
 pub(crate) use self::fill::filled_in_blocks;

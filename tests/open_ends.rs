@@ -105,6 +105,53 @@ fn a_normal_deviate_has_the_moments_of_the_law() {
     });
 }
 
+/// High moments live in both tails, of which a draw must reach as deep as a word can. Each is of a function of the point
+/// that a power of the tail's probability bounds.
+#[test]
+fn the_laws_with_tails_have_their_moments() {
+    use std::f64::consts::PI;
+    both_tiers!(|mw| {
+        let laplace = mw::Laplace::new(0.0, 1.0).unwrap();
+        let logistic = mw::Logistic::new(0.0, 1.0).unwrap();
+        for (k, of_laplace, of_logistic) in [
+            (4, 24.0, 7.0 * PI.powi(4) / 15.0),
+            (8, 40_320.0, 127.0 * PI.powi(8) / 15.0),
+        ] {
+            let (name, power) = (format!("x^{k}"), |x: f32| f64::from(x).powi(k));
+            holds("Laplace", &laplace, (&name, &power, of_laplace, 4e-4));
+            holds("Logistic", &logistic, (&name, &power, of_logistic, 4e-4));
+        }
+        // The moments of √|x|, of a law that has no mean: 1/cos(π/4).
+        let cauchy = mw::Cauchy::new(0.0, 1.0).unwrap();
+        let root = |x: f32| f64::from(x.abs()).sqrt();
+        holds("Cauchy", &cauchy, ("√|x|", &root, 2f64.sqrt(), 4e-5));
+        // Γ(1 − k) of e^(kx), and of an exponential number each.
+        let gumbel = mw::Gumbel::new(0.0, 1.0).unwrap();
+        let up = |x: f32| (0.5 * f64::from(x)).exp();
+        holds("Gumbel", &gumbel, ("e^(x/2)", &up, PI.sqrt(), 4e-5));
+        let down = |x: f32| (-4.0 * f64::from(x)).exp();
+        holds("Gumbel", &gumbel, ("e^(-4x)", &down, 24.0, 1e-5));
+        let rayleigh = mw::Rayleigh::new(1.0).unwrap();
+        let eighth = |x: f32| f64::from(x).powi(8);
+        holds("Rayleigh", &rayleigh, ("x^8", &eighth, 384.0, 5e-6));
+        let inverse = |x: f32| 1.0 / f64::from(x);
+        holds(
+            "Rayleigh",
+            &rayleigh,
+            ("1/x", &inverse, (0.5 * PI).sqrt(), 2e-5),
+        );
+        let weibull = mw::Weibull::new(2.0, 0.5).unwrap();
+        let square = |x: f32| (0.5 * f64::from(x)).powi(2);
+        holds("Weibull", &weibull, ("x^2", &square, 24.0, 5e-6));
+        let pareto = mw::Pareto::new(1.0, 2.0).unwrap();
+        holds("Pareto", &pareto, ("x", &|x| f64::from(x), 2.0, 2e-5));
+        let log_normal = mw::LogNormal::new(0.0, 1.0).unwrap();
+        let square = |x: f32| f64::from(x).powi(2);
+        let due = 2f64.exp();
+        holds("LogNormal", &log_normal, ("x^2", &square, due, 1e-5));
+    });
+}
+
 /// 1/p where p vanishes at an end: its mean is the width of the domain, if nothing stands next to the end that has more
 /// than its share.
 fn reciprocal<W: Warp<Point = f32, Density = f32>>(warp: &W) -> impl Fn(f32) -> f64 + '_ {

@@ -32,11 +32,12 @@ fn public(room: &str) -> Vec<&str> {
 }
 
 /// What a room makes public beside its samplers: traits, results, and parts of others.
-const BESIDE: [&str; 40] = [
+const BESIDE: [&str; 45] = [
     "Accepted",
     "AliasEntry",
     "Chance",
     "Coordinates",
+    "Cursor",
     "Error06",
     "ExactSelection",
     "Failure",
@@ -49,11 +50,15 @@ const BESIDE: [&str; 40] = [
     "LARGEST",
     "LargeSmall",
     "LogDensity",
+    "MAX_DIMENSIONS",
     "MAX_STRATA",
+    "MeshPoint",
     "Mutation",
     "Mutations",
     "Outcome",
     "OwnedStorage",
+    "PixelSample",
+    "Points",
     "Proposal",
     "Rejection",
     "SMALLEST",

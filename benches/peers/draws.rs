@@ -38,6 +38,8 @@ macro_rules! tiers {
     };
 }
 
+pub(crate) use tiers;
+
 /// Admits a warp of the integer tier, in its three grades.
 macro_rules! grades {
     ($contest:expr, $warp:expr) => {
@@ -90,7 +92,7 @@ pub fn disk() -> Contest<[f32; 2]> {
 }
 
 /// A point. The budget suffices unless the generator is stuck.
-fn accepted<S: Rejection<Point: Default>>(sampler: S) -> impl Fn(&mut Pcg32) -> S::Point {
+pub fn accepted<S: Rejection<Point: Default>>(sampler: S) -> impl Fn(&mut Pcg32) -> S::Point {
     move |rng| match sampler.draw(rng) {
         Ok(accepted) => accepted.point,
         Err(_) => Default::default(),

@@ -1,6 +1,6 @@
 //! The list of contests.
 
-use crate::{draws, fills, tables};
+use crate::{draws, fills, laws, tables};
 use support::contest::Standings;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -53,6 +53,14 @@ families! {
     Draw "exponential" "Exp1" draws::exponential();
     Draw "normal" "StandardNormal" draws::normal();
     Draw "ball" "UnitBall" draws::ball();
+    Draw "Cauchy" "Cauchy" laws::cauchy();
+    Draw "Gumbel" "Gumbel" laws::gumbel();
+    Draw "Weibull" "Weibull" laws::weibull();
+    Draw "Pareto" "Pareto" laws::pareto();
+    Draw "log-normal" "LogNormal" laws::log_normal();
+    Draw "geometric, p = 0.01" "Geometric" laws::geometric(0.01);
+    Draw "Poisson, mean 10" "Poisson" laws::poisson(10.0);
+    Draw "Poisson, mean 1000" "Poisson" laws::poisson_rejection(1000.0);
     Draw "cdf of 8" "WeightedIndex" tables::cdf(8);
     Draw "cdf of 64" "WeightedIndex" tables::cdf(64);
     Draw "cdf of 1024" "WeightedIndex" tables::cdf(1024);

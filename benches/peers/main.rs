@@ -9,6 +9,7 @@ mod contestants;
 mod draws;
 mod families;
 mod fills;
+mod laws;
 mod report;
 mod tables;
 

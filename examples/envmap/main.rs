@@ -17,7 +17,7 @@ mod study;
 
 use args::Args;
 use figure::Figure;
-use microwarp::Warp;
+use microwarp::{Warp, poly as mw};
 use picture::Picture;
 use rand_pcg::Pcg32;
 use std::error::Error;
@@ -98,7 +98,10 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     step("tables that are wrong on purpose");
     let controls = controls::all(&truth, &weights, &luminance, args.samples, args.seed)?;
     step("light");
-    let light = light::quantities(&table, &truth, &luminance, args.seed);
+    let radiance: Vec<f32> = luminance.iter().map(|&l| l as f32).collect();
+    let (mut rows, mut texels) = (vec![0; shape[1]], vec![0; radiance.len()]);
+    let sky = mw::LatLongMap::<&[u32], &[u32]>::new_in(&radiance, shape, &mut rows, &mut texels)?;
+    let light = light::quantities(&sky, &luminance, args.seed);
     let night = night(&weights, &truth);
 
     step("drawing");

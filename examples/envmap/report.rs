@@ -96,7 +96,10 @@ pub fn light(quantities: &[Quantity]) {
                 format!("{:.5}", way.mean),
                 format!("{:.5}", way.rms),
                 format!("{:.3} %", 100.0 * way.rms / quantity.exact),
-                format!("{:.0}", (way.rms / best).powi(2)),
+                match (way.rms / best).powi(2) {
+                    ratio if ratio < 1e9 => format!("{ratio:.0}"),
+                    ratio => format!("{ratio:.0e}"),
+                },
             ]);
         }
     }
@@ -113,6 +116,6 @@ pub fn light(quantities: &[Quantity]) {
     println!(
         "RMS error: of an estimate from {DIRECTIONS} directions, over {REPETITIONS} of them; the mean \
          is that of all.\n\
-         Of the mean radiance the table is the very integrand: what is left is sin θ within a texel."
+         Of the mean radiance the table is the very integrand: what is left is the rounding of its densities."
     );
 }

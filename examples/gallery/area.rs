@@ -29,10 +29,20 @@ enum Paper {
         centre: [f64; 2],
         half: f64,
     },
+    Faces(&'static [[[f64; 2]; 3]]),
 }
 
 fn apply(matrix: &[[f64; 3]; 2], p: [f64; 3]) -> [f64; 2] {
     matrix.map(|row| (0..3).map(|k| row[k] * p[k]).sum())
+}
+
+/// The barycentric coordinates of a point of a triangle; nothing for a point outside.
+fn shares(p: [f64; 2], [a, b, c]: [[f64; 2]; 3]) -> Option<[f64; 3]> {
+    let cross = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
+        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    };
+    let of = [cross(p, b, c), cross(a, p, c), cross(a, b, p)].map(|part| part / cross(a, b, c));
+    of.iter().all(|share| *share >= 0.0).then_some(of)
 }
 
 impl Paper {
@@ -43,9 +53,11 @@ impl Paper {
                 rim: 2.0 * (0.5 * angle).sin(),
             },
             View::Triangle(matrix) => {
-                // The corners of the unit square that are corners of the triangle.
+                // The corners of the unit square that are corners of the triangle: two of the four are the same one.
                 let corner = |u, v| entry.truth.sample([u, v, 0.0, 0.0]);
-                let corners = [corner(0.0, 0.0), corner(1.0, 1.0), corner(1.0, 0.0)];
+                let [a, b] = [corner(0.0, 0.0), corner(1.0, 1.0)];
+                let c = corner(1.0, 0.0);
+                let corners = [a, b, if c == b { corner(0.0, 1.0) } else { c }];
                 let flat = corners.map(|c| apply(&matrix, c));
                 let span = [0, 1].map(|k| {
                     let low = flat.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min);
@@ -60,7 +72,8 @@ impl Paper {
                     half,
                 }
             }
-            View::Line(_) | View::Strata1d | View::Strata2d => unreachable!("drawn elsewhere"),
+            View::Faces(faces) => Self::Faces(faces),
+            _ => unreachable!("drawn elsewhere"),
         }
     }
 
@@ -85,6 +98,12 @@ impl Paper {
             } => {
                 let p = apply(matrix, point);
                 [0, 1].map(|k| (p[k] - centre[k]) / half)
+            }
+            Self::Faces(faces) => {
+                let Some([a, b, c]) = faces.get(point[0] as usize) else {
+                    return [f64::NAN; 2]; // not to be seen
+                };
+                [0, 1].map(|k| a[k] + point[1] * (b[k] - a[k]) + point[2] * (c[k] - a[k]))
             }
         }
     }
@@ -112,20 +131,13 @@ impl Paper {
                 half,
             } => {
                 let p = [0, 1].map(|k| centre[k] + half * paper[k]);
-                let [a, b, c] = corners.map(|c| apply(matrix, c));
-                let cross = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
-                    (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-                };
-                let whole = cross(a, b, c);
-                let weights = [
-                    cross(p, b, c) / whole,
-                    cross(a, p, c) / whole,
-                    cross(a, b, p) / whole,
-                ];
-                if weights.iter().any(|w| *w < 0.0) {
-                    return None;
-                }
+                let weights = shares(p, corners.map(|c| apply(matrix, c)))?;
                 std::array::from_fn(|k| (0..3).map(|i| weights[i] * corners[i][k]).sum())
+            }
+            Self::Faces(faces) => {
+                let found = |(k, face): (usize, &_)| Some((k, shares(paper, *face)?));
+                let (k, [_, v, w]) = faces.iter().enumerate().find_map(found)?;
+                [k as f64, v, w]
             }
         };
         Some(exact.map(|c| c as f32))

@@ -24,7 +24,7 @@ use support::registry::picture::{Picture, View};
 /// The tier of the contact sheet, by its place in the registry's order.
 const SHEET_TIER: usize = 1;
 
-/// A picture and what the registry knows of it in each tier; nothing for strata.
+/// A picture and what the registry knows of it in each tier; nothing for strata and points.
 pub struct Subject<'a> {
     pub name: &'static str,
     pub parameters: &'static str,
@@ -163,8 +163,8 @@ fn without_picture(entries: &[Entry]) -> Vec<String> {
     names.iter().map(complaint).collect()
 }
 
-/// What has no density: strata, beside plain uniforms.
-const STRATA: [(&str, &str, Picture); 2] = [
+/// What has no density: strata and points, beside plain uniforms.
+const STRATA: [(&str, &str, Picture); 5] = [
     (
         "Strata1d",
         "24",
@@ -179,6 +179,30 @@ const STRATA: [(&str, &str, Picture); 2] = [
         Picture {
             caption: "10 × 16 strata, one point in each",
             view: View::Strata2d,
+        },
+    ),
+    (
+        "Sobol",
+        "256",
+        Picture {
+            caption: "256 points, one in each box",
+            view: View::Sobol,
+        },
+    ),
+    (
+        "Recurrence",
+        "256",
+        Picture {
+            caption: "256 points of R₂",
+            view: View::Recurrence,
+        },
+    ),
+    (
+        "ByPosition",
+        "256",
+        Picture {
+            caption: "256 samples of a pixel",
+            view: View::ByPosition,
         },
     ),
 ];

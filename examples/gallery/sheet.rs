@@ -28,7 +28,9 @@ fn panel(canvas: &mut Canvas, place: Area, subject: &Subject, tier: usize, args:
     );
     match (subject.picture.view, subject.entries.get(tier)) {
         (View::Strata1d, _) => strata::line(canvas, place, &mut rng, unit),
-        (View::Strata2d, _) => strata::plane(canvas, place, &mut rng, unit),
+        (view @ (View::Strata2d | View::Sobol | View::Recurrence | View::ByPosition), _) => {
+            strata::plane(canvas, place, &mut rng, unit, view);
+        }
         (View::Line(axes), Some(entry)) => line::draw(canvas, place, axes, entry, &mut rng, unit),
         (view, Some(entry)) => area::draw(canvas, place, view, entry, &mut rng, args.points, unit),
         (_, None) => {}

@@ -1,14 +1,17 @@
-//! The pictures of jittered strata beside plain uniforms, in one and two dimensions.
+//! The pictures of jittered strata and of points beside plain uniforms, in one and two dimensions.
 
-use microwarp::uniform::{self, Strata1d, Strata2d};
+use microwarp::uniform::{self, ByPosition, Points, Recurrence, Sobol, Strata1d, Strata2d};
 use rand_pcg::Pcg32;
 use support::draw::canvas::{Area, Canvas};
 use support::draw::colour::{MUTED, POINT, WHITE, faded, ramp};
 use support::draw::text::{Align, Type};
+use support::registry::picture::View;
 
 /// Strata along an axis.
 const LINE: u32 = 24;
 const PLANE: [u32; 2] = [10, 16];
+/// Boxes along the axes of a picture of points.
+const SQUARE: [u32; 2] = [16, 16];
 /// Sets of points on the line, one above the other.
 const ROWS: u32 = 7;
 
@@ -69,17 +72,30 @@ pub fn line(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32) {
     }
 }
 
-/// Draws plain uniforms on the left and jittered ones on the right.
-pub fn plane(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32) {
-    let [columns, rows] = PLANE;
+/// Draws plain uniforms on the left and jittered ones, or points, on the right, in boxes where each has one of those.
+pub fn plane(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32, view: View) {
+    let [columns, rows] = if view == View::Strata2d {
+        PLANE
+    } else {
+        SQUARE
+    };
     let strata = Strata2d::new(columns, rows).expect("a number of strata");
+    let sobol = Sobol::<2>::new(7).expect("two dimensions");
+    let recurrence = Recurrence::<2>::new(7).expect("two dimensions");
+    let boxes = matches!(view, View::Strata2d | View::Sobol);
     let (title, gap) = (20.0 * unit, 14.0 * unit);
     // Square strata.
     let side = ((area.h - title) / rows as f32).min(0.5 * (area.w - gap) / columns as f32);
     let (w, h) = (side * columns as f32, side * rows as f32);
     let left = area.x + 0.5 * (area.w - gap) - w;
-    for (x, jittered) in [(left, false), (left + w + gap, true)] {
-        let name = if jittered { "jittered" } else { "plain" };
+    for (x, chosen) in [(left, false), (left + w + gap, true)] {
+        let name = match view {
+            _ if !chosen => "plain",
+            View::Sobol => "scrambled Sobol'",
+            View::Recurrence => "additive recurrence",
+            View::ByPosition => "by position",
+            _ => "jittered",
+        };
         canvas.text(
             name,
             [x, area.y + 0.75 * title],
@@ -90,19 +106,21 @@ pub fn plane(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32) {
         let place = Area::new(x, area.y + title, w, h);
         background(canvas, place);
         let white = faded(WHITE, 0.9);
-        for i in 1..columns {
+        for i in (1..columns).filter(|_| boxes) {
             let x = x + side * i as f32;
             canvas.segment([x, place.y], [x, place.y + h], 0.8 * unit, white);
         }
-        for j in 1..rows {
+        for j in (1..rows).filter(|_| boxes) {
             let y = place.y + side * j as f32;
             canvas.segment([x, y], [x + w, y], 0.8 * unit, white);
         }
         for k in 0..strata.count() {
-            let [u, v] = if jittered {
-                strata.draw(k, rng)
-            } else {
-                [uniform::grid(rng), uniform::grid(rng)]
+            let [u, v] = match view {
+                _ if !chosen => [uniform::grid(rng), uniform::grid(rng)],
+                View::Sobol => sobol.point(k),
+                View::Recurrence => recurrence.point(k),
+                View::ByPosition => ByPosition::new(7, 1).point(k),
+                _ => strata.draw(k, rng),
             };
             canvas.disc(
                 [x + w * u, place.y + h * (1.0 - v)],

@@ -10,7 +10,7 @@ pub fn error_text(entry: &Entry, error: f64) -> String {
     match entry.measure {
         Measure::Ulp => format!("{error:.2} ulp"),
         Measure::UlpAbove(_) => format!("{error:.2} ulp of itself or of a length"),
-        Measure::UlpFrom(_) => format!("{error:.2} ulp of mean or deviate"),
+        Measure::UlpFrom(..) => format!("{error:.2} ulp of mean or deviate"),
         Measure::UlpOf(scale) => format!("{error:.2} ulp of {}", short(scale)),
         Measure::Length(1.0) => format!("{error:.2e}"),
         Measure::Length(length) => format!("{error:.2e} of {}", short(length)),

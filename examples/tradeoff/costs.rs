@@ -66,8 +66,10 @@ impl Costs {
         Ok(Self(costs))
     }
 
+    /// What belongs to no tier, as a table does, is counted without the name of one.
     fn line(&self, function: &str, core: &str, opt: &str) -> Option<&Line> {
-        self.0.get(&(function.into(), core.into(), opt.into()))
+        let counted = |name: &str| self.0.get(&(name.into(), core.into(), opt.into()));
+        counted(function).or_else(|| counted(function.split_once('_')?.1))
     }
 
     /// The cost of a sample, which takes so many calls of a function.

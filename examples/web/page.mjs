@@ -91,7 +91,7 @@ function refresh(keep) {
   at("summary").textContent = summary(entry, tier);
   document.body.dataset.shown = `${entry.name} ${tier}`;
   if (drawn.refused) return show_refusal(drawn.refused, request);
-  const truth = entry.truth?.(p, tier) ?? (keep ? state.scene?.truth : null) ?? seen(drawn);
+  const truth = entry.truth?.(p, tier) ?? (keep ? state.scene?.truth : null) ?? seen(drawn, entry.flat);
   const judged = entry.counting(drawn, { entry, tier, p, truth, stated: module.documented.bounds });
   const error = keep && state.kept && judged.error && !(judged.error.max > state.kept.max) ? { ...judged.error, max: state.kept.max } : judged.error;
   state.kept = { max: error?.max, count: count + (keep && state.kept ? state.kept.count : 0) };

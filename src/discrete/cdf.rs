@@ -129,7 +129,7 @@ macro_rules! arrays {
                 Self::array(Weights::integers(weights))
             }
 
-            const fn array(weights: Result<Weights<'_>, Error>) -> Result<Self, Error> {
+            pub(crate) const fn array(weights: Result<Weights<'_>, Error>) -> Result<Self, Error> {
                 let mut ends = [0; N];
                 match Apportionment::of(weights, $word::BITS) {
                     Ok(steps) => {

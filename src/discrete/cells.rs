@@ -72,6 +72,15 @@ impl Cells {
         Ok(())
     }
 
+    /// Refuses cells on one of which twice the density of a certain cell could overflow.
+    pub(crate) const fn check_steep(&self) -> Result<(), Error> {
+        if (4.0 * self.per_length).is_finite() {
+            Ok(())
+        } else {
+            Err(Error::Empty)
+        }
+    }
+
     const fn length(&self) -> Scaled {
         let scaled = self.high * self.scale - self.low * self.scale;
         Scaled::of(scaled).over(Scaled::of(self.scale))
@@ -104,6 +113,39 @@ impl Cells {
         if x == high { neighbour(high, low) } else { x }
     }
 
+    /// The point at a part of a cell, at most half of it, from the lower edge or from the upper one. It does not pass the
+    /// middle, so that it increases with the place from one half to the other; within the cell, whose upper edge belongs
+    /// to the next, and whose lower one may be left out.
+    #[inline]
+    #[expect(
+        clippy::float_cmp,
+        reason = "points that are an edge itself, no others"
+    )]
+    pub(crate) fn place_from(&self, index: usize, (part, upper): (f32, bool), open: bool) -> f32 {
+        let (low, high) = self.edges(index);
+        let middle = 0.5 * low + 0.5 * high;
+        if upper {
+            let x = Segment::new(high, low).at(part);
+            let x = if x > middle { x } else { middle };
+            if x == high { neighbour(high, low) } else { x }
+        } else {
+            let x = Segment::new(low, high).at(part);
+            let x = if x < middle { x } else { middle };
+            if open && x == low {
+                neighbour(low, high)
+            } else {
+                x
+            }
+        }
+    }
+
+    /// The number, or one inside its cell that is a margin away from both edges.
+    #[inline]
+    pub(crate) fn inside(&self, index: usize, x: f32, margin: f32) -> f32 {
+        let (low, high) = self.edges(index);
+        clamp(x, low + margin, high - margin)
+    }
+
     /// Whether a number is in the interval, both ends included.
     #[inline]
     pub(crate) fn contains(&self, x: f32) -> bool {
@@ -131,6 +173,27 @@ impl Cells {
         let (low, high) = self.edges(index);
         let s = self.scale;
         clamp((x * s - low * s) / (high * s - low * s), 0.0, 1.0)
+    }
+
+    /// Whether a number is an end of a cell, of those that count: the lower one, the upper one.
+    #[inline]
+    #[expect(
+        clippy::float_cmp,
+        reason = "points that are an edge itself, no others"
+    )]
+    pub(crate) fn is_end(&self, index: usize, x: f32, [lower, upper]: [bool; 2]) -> bool {
+        let (low, high) = self.edges(index);
+        (lower && x == low) || (upper && x == high)
+    }
+
+    /// The parts of a cell below and above a number, from 0 to 1. Each has its own digits.
+    #[inline]
+    pub(crate) fn parts(&self, index: usize, x: f32) -> (f32, f32) {
+        let (low, high) = self.edges(index);
+        let s = self.scale;
+        let width = high * s - low * s;
+        let part = |length: f32| clamp(length / width, 0.0, 1.0);
+        (part(x * s - low * s), part(high * s - x * s))
     }
 
     /// Whether these cells are narrower than those.

@@ -8,14 +8,14 @@ use super::storage::{Grid, OwnedStorage, Storage};
 use super::weights::{Scan, Unit, Weights};
 use super::word::sealed::Arithmetic as _;
 use super::word::{Word, Words};
+use super::zones::Zones;
 use crate::error::Error;
 use crate::num::representable;
 use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
 use rand_core::TryRng;
 
-/// A picture as a density: constant on each of equal cells of a rectangle, for environment lights and texture
-/// maps.
+/// A picture as a density: constant on each of equal cells of a rectangle, for area lights and texture maps.
 ///
 /// It selects a row v by the marginal p(v), then a column u by the conditional p(u given v) of that row.
 ///
@@ -26,10 +26,8 @@ use rand_core::TryRng;
 /// zero and outside. A density below 2⁻¹⁴⁹ is reported as 2⁻¹⁴⁹. A cell contains its lower edges, and the
 /// upper edges of the rectangle count as part of the last cells.
 ///
-/// For a picture of all directions, let u be the azimuth in turns and v the polar angle in half turns, both over
-/// [0, 1), and multiply each weight by sin πv at the middle of its row. The density per steradian is then
-/// `pdf` / (2π² sin πv), except at the poles, v = 0 and v = 1, where it needs a guard: see the
-/// [sky](#a-sky-by-latitude-and-longitude) below.
+/// For a picture of all directions take [`LatLongMap`](super::LatLongMap): it weighs rows by their solid angles, and its
+/// density is per steradian.
 ///
 /// # Domain
 /// - Weights: row by row, columns along u, rows along v. Each is as for [`Cdf`]; at most
@@ -73,82 +71,16 @@ use rand_core::TryRng;
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///
-/// ## A sky by latitude and longitude
-/// The rows run from the zenith, +z, to the nadir. `Vec` needs feature `alloc`;
-/// [`new`](PiecewiseConstant2d::new) does the same in arrays.
-/// ```
-/// # #[cfg(feature = "alloc")] {
-/// use core::f32::consts::PI;
-/// use microwarp::{Error, Warp, discrete::PiecewiseConstant2d, poly::Spherical};
-/// use rand_pcg::Pcg32;
-///
-/// type Sky = PiecewiseConstant2d<Vec<u32>, Vec<u32>>;
-///
-/// /// The sky of a picture of `columns` × `rows` luminances, row by row.
-/// fn sky(luminances: &[f32], [columns, rows]: [usize; 2]) -> Result<Sky, Error> {
-///     let mut weights = luminances.to_vec();
-///     for (row, cells) in weights.chunks_mut(columns).enumerate() {
-///         let sine = (PI * (row as f32 + 0.5) / rows as f32).sin();
-///         cells.iter_mut().for_each(|weight| *weight *= sine);
-///     }
-///     Sky::from_slice(&weights, [columns, rows], [0.0, 1.0], [0.0, 1.0])
-/// }
-///
-/// /// A direction and its density per steradian. Skip the sample if the density is 0.
-/// fn draw(sky: &Sky, rng: &mut Pcg32) -> Result<([f32; 3], f32), Error> {
-///     let [u, v] = sky.draw(rng);
-///     let at = Spherical::from_turns(1.0, 0.5 * v, u)?;
-///     Ok((at.to_cartesian(), per_steradian(sky.pdf([u, v]), &at)))
-/// }
-///
-/// /// The density per steradian of a given direction, for multiple importance sampling.
-/// fn pdf(sky: &Sky, direction: [f32; 3]) -> f32 {
-///     let at = Spherical::from_cartesian(direction);
-///     per_steradian(sky.pdf([at.phi_turns(), 2.0 * at.theta_turns()]), &at)
-/// }
-///
-/// /// A density in (u, v) as one per steradian: 0 at the poles, and finite beside them.
-/// fn per_steradian(density: f32, at: &Spherical) -> f32 {
-///     let sine = at.solid_angle_jacobian();
-///     if sine > 0.0 {
-///         (density / (2.0 * PI * PI * sine)).min(f32::MAX)
-///     } else {
-///         0.0
-///     }
-/// }
-///
-/// let sky = sky(&[1.0, 1.0, 1.0, 9.0, 1.0, 2.0, 1.0, 1.0], [4, 2])?;
-/// let (mut rng, mut whole) = (Pcg32::new(42, 54), 0.0);
-/// for _ in 0..1000 {
-///     let (direction, density) = draw(&sky, &mut rng)?;
-///     whole += 1e-3 / density;
-///     assert!((pdf(&sky, direction) / density - 1.0).abs() < 1e-3);
-/// }
-/// assert!((whole / (4.0 * PI) - 1.0).abs() < 0.1); // the solid angle of all directions
-/// assert_eq!(pdf(&sky, [0.0, 0.0, 1.0]), 0.0);
-/// assert_eq!(pdf(&sky, [0.0, 0.0, -1.0]), 0.0);
-/// # }
-/// # Ok::<(), microwarp::Error>(())
-/// ```
-///
-/// On the way to a direction and back a point next to the edge of a cell may be rounded into the next cell: in
-/// about 2 of 400,000 samples `pdf` then gives the density of that cell. So take the density of a sample from
-/// `draw`, at the (u, v) that was sampled, and `pdf` only for directions from elsewhere.
-///
 /// # See also
 /// - [`PiecewiseConstant1d`]: cells of an interval; also the type of the marginal and of each conditional.
-/// - [`Spherical`](crate::warp::Spherical): the coordinates of a sky, and their Jacobians.
+/// - [`LatLongMap`](super::LatLongMap): a picture of all directions.
 /// - [`Cdf`]: the index of a cell alone.
 ///
 /// # Source
 /// M. Pharr, W. Jakob and G. Humphreys, *Physically Based Rendering*, 4th edition, 2023, appendix A.5:
 /// <https://pbr-book.org/4ed/Sampling_Algorithms/Sampling_Multidimensional_Functions>.
 #[doc(alias = "Distribution2D")]
-#[doc(alias = "environment_map")]
-#[doc(alias = "hdri")]
 #[doc(alias = "importance_map")]
-#[doc(alias = "infinite_light")]
-#[doc(alias = "skybox")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PiecewiseConstant2d<M, C> {
@@ -216,7 +148,7 @@ const fn fill_row(weights: &[f32], mut words: Words<'_>, first: usize) -> Result
 
 /// The constructors that `const` code can call: there, code cannot be generic over the word.
 macro_rules! arrays {
-    ($($word:ident, $either:ident; $(#[$new_doc:meta])* $new:ident;)*) => {$(
+    ($($word:ident, $either:ident, $array:ident; $(#[$new_doc:meta])* $new:ident;)*) => {$(
         impl<const U: usize, const V: usize> PiecewiseConstant2d<[$word; V], [[$word; U]; V]> {
             $(#[$new_doc])*
             pub const fn $new(
@@ -224,7 +156,15 @@ macro_rules! arrays {
                 u: [f32; 2],
                 v: [f32; 2],
             ) -> Result<Self, Error> {
-                let (columns, rows) = match grid([u, v], [U, V]) {
+                Self::$array(weights, [u, v], Zones::Flat)
+            }
+
+            pub(crate) const fn $array(
+                weights: &[[f32; U]; V],
+                ranges: [[f32; 2]; 2],
+                zones: Zones,
+            ) -> Result<Self, Error> {
+                let (columns, rows) = match grid(ranges, [U, V]) {
                     Ok(cells) => cells,
                     Err(error) => return Err(error),
                 };
@@ -234,18 +174,19 @@ macro_rules! arrays {
                 };
                 let (mut marginal, mut conditional) = ([0; V], [[0; U]; V]);
                 let mut sums = [0; V];
-                let mut first = 0_usize;
+                let (mut first, mut index) = (0_usize, 0_usize);
                 let mut cells: &[[f32; U]] = weights;
                 let mut tables: &mut [[$word; U]] = &mut conditional;
                 let mut left: &mut [u128] = &mut sums;
                 while let ([row, rest @ ..], [table, others @ ..], [sum, more @ ..]) =
                     (cells, tables, left)
                 {
-                    *sum = unit.sum(row);
+                    *sum = zones.weigh(unit.sum(row), index);
                     if let Err(error) = fill_row(row, Words::$either(table), first) {
                         return Err(error);
                     }
                     first = first.wrapping_add(U);
+                    index = index.wrapping_add(1);
                     (cells, tables, left) = (rest, others, more);
                 }
                 match Apportionment::new(Weights::Sums(&sums), $word::BITS) {
@@ -271,7 +212,7 @@ macro_rules! arrays {
 }
 
 arrays! {
-    u32, U32;
+    u32, U32, array_u32;
     /// An array of rows of weights as the masses of equal cells of a rectangle, with words of 32 bits. `const`.
     ///
     /// # Errors
@@ -299,7 +240,7 @@ arrays! {
     /// assert_eq!(SKY.sample([0.5, 0.625]), [1.5, 0.75]);
     /// ```
     new;
-    u64, U64;
+    u64, U64, array_u64;
     /// An array of rows of weights as the masses of equal cells of a rectangle, with words of 64 bits: for
     /// weights of very different size. `const`.
     ///
@@ -313,11 +254,12 @@ fn plan(
     weights: &[f32],
     [columns, rows]: [usize; 2],
     ranges: [[f32; 2]; 2],
+    zones: Zones,
 ) -> Result<(Weights<'_>, Cells, Cells), Error> {
     if columns.checked_mul(rows) != Some(weights.len()) {
         return Err(Error::OutOfRange);
     }
-    let sums = Weights::rows(weights, columns)?;
+    let sums = Weights::rows(weights, columns, zones)?;
     let (column_cells, row_cells) = grid(ranges, [columns, rows])?;
     Ok((sums, column_cells, row_cells))
 }
@@ -391,8 +333,21 @@ impl<M, C> PiecewiseConstant2d<M, C> {
         M: OwnedStorage<Item: Word>,
         C: OwnedStorage<Item = M::Item> + Grid<Item = M::Item>,
     {
+        Self::owned(weights, shape, [u, v], Zones::Flat)
+    }
+
+    pub(crate) fn owned(
+        weights: &[f32],
+        shape: [usize; 2],
+        ranges: [[f32; 2]; 2],
+        zones: Zones,
+    ) -> Result<Self, Error>
+    where
+        M: OwnedStorage<Item: Word>,
+        C: OwnedStorage<Item = M::Item> + Grid<Item = M::Item>,
+    {
         let [columns, rows] = shape;
-        let (sums, cells, row_cells) = plan(weights, shape, [u, v])?;
+        let (sums, cells, row_cells) = plan(weights, shape, ranges, zones)?;
         let mut conditional: C = room(M::Item::ZERO, weights.len())?;
         let cdf = blamed(Cdf::owned(sums, rows), weights, columns)?;
         fill_rows(weights, columns, conditional.items_mut())?;
@@ -425,8 +380,19 @@ impl<'a, W: Word> PiecewiseConstant2d<&'a [W], &'a [W]> {
         marginal: &'a mut [W],
         conditional: &'a mut [W],
     ) -> Result<Self, Error> {
+        Self::borrowed(weights, shape, [u, v], Zones::Flat, marginal, conditional)
+    }
+
+    pub(crate) fn borrowed(
+        weights: &[f32],
+        shape: [usize; 2],
+        ranges: [[f32; 2]; 2],
+        zones: Zones,
+        marginal: &'a mut [W],
+        conditional: &'a mut [W],
+    ) -> Result<Self, Error> {
         let [columns, rows] = shape;
-        let (sums, cells, row_cells) = plan(weights, shape, [u, v])?;
+        let (sums, cells, row_cells) = plan(weights, shape, ranges, zones)?;
         let tables = conditional
             .get_mut(..weights.len())
             .ok_or(Error::TooManyWeights)?;
@@ -552,6 +518,11 @@ where
     #[inline]
     pub fn cell(&self, [u, v]: [f32; 2]) -> [usize; 2] {
         [self.columns.find(u), self.marginal.cell(v)]
+    }
+
+    #[inline]
+    pub(crate) fn column(&self, u: f32) -> usize {
+        self.columns.find(u)
     }
 
     /// p(u given v): the distribution of the columns in a row; that of the last row beyond it. A row of

@@ -79,6 +79,13 @@ impl<W: Word> Share<W> {
         if quotient < 1.0 { quotient } else { LARGEST }
     }
 
+    /// The way from the place to the end of the share, at most 1: 1 less the leftover, with digits of its own.
+    #[inline]
+    pub(crate) fn rest(&self, fraction: f32) -> f32 {
+        let quotient = (amount(self.count.minus(self.offset)) - fraction) / amount(self.count);
+        if quotient < 1.0 { quotient } else { 1.0 }
+    }
+
     /// The place within the share in whole steps of 2^-32.
     #[inline]
     pub(crate) fn exact_leftover(&self) -> u32 {

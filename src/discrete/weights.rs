@@ -2,6 +2,7 @@
 //!
 //! `apportionment` divides the words of a table by these sums.
 
+use super::zones::Zones;
 use super::{MAX_ENTRIES, WEIGHT_BITS};
 use crate::error::Error;
 
@@ -21,11 +22,18 @@ pub(crate) enum Weights<'a> {
         unit: Unit,
     },
     Integers(&'a [u32]),
-    /// The sums of rows of so many columns.
+    /// The sums of neighbours, one less in number than the weights, and then 0.
+    Neighbours {
+        weights: &'a [f32],
+        unit: Unit,
+    },
+    /// The sums of rows of so many columns, times what a row weighs; and the row that is next.
     Rows {
         weights: &'a [f32],
         columns: usize,
         unit: Unit,
+        zones: Zones,
+        row: usize,
     },
     /// Sums of one unit.
     Sums(&'a [u128]),
@@ -118,6 +126,14 @@ impl Unit {
         }
     }
 
+    /// Twice the unit.
+    const fn coarser(self) -> Self {
+        Self {
+            largest: self.largest,
+            shift: self.shift.wrapping_sub(1),
+        }
+    }
+
     /// The sum of some weights in this unit.
     pub(crate) const fn sum(self, weights: &[f32]) -> u128 {
         let mut sum = 0_u128;
@@ -127,6 +143,13 @@ impl Unit {
             rest = others;
         }
         sum
+    }
+
+    /// A weight in a unit of which the largest has from 2³¹ to 2³²; a positive one is at least 1.
+    pub(crate) const fn word(self, weight: f32) -> u32 {
+        let units = self.units(weight);
+        let word = units.wrapping_shr(self.shift.wrapping_sub(8)) as u32;
+        if word == 0 && units > 0 { 1 } else { word }
     }
 
     /// A weight in this unit; a positive one is at least 1.
@@ -148,7 +171,7 @@ impl Unit {
 }
 
 /// Refuses a table without entries and one with too many.
-const fn check_number(entries: usize) -> Result<(), Error> {
+pub(crate) const fn check_number(entries: usize) -> Result<(), Error> {
     if entries == 0 {
         Err(Error::NoWeights)
     } else if entries > MAX_ENTRIES {
@@ -173,8 +196,27 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// The sums of the rows of a table of so many columns.
-    pub(crate) const fn rows(weights: &'a [f32], columns: usize) -> Result<Self, Error> {
+    /// The sums of neighbours: as many numbers as there are weights, of which the last is 0.
+    pub(crate) const fn neighbours(weights: &'a [f32]) -> Result<Self, Error> {
+        if weights.len() < 2 {
+            return Err(Error::NoWeights);
+        }
+        match Unit::of(weights) {
+            Ok(unit) => Ok(Self::Neighbours {
+                weights,
+                // A bit of room, because nearly every weight is in two sums.
+                unit: unit.coarser(),
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The sums of the rows of a table of so many columns, times what a row weighs.
+    pub(crate) const fn rows(
+        weights: &'a [f32],
+        columns: usize,
+        zones: Zones,
+    ) -> Result<Self, Error> {
         if columns == 0 {
             return Err(Error::NoWeights);
         }
@@ -183,6 +225,8 @@ impl<'a> Weights<'a> {
                 weights,
                 columns,
                 unit,
+                zones,
+                row: 0,
             }),
             Err(error) => Err(error),
         }
@@ -205,10 +249,22 @@ impl<'a> Weights<'a> {
                 }
                 None => None,
             },
+            Self::Neighbours { weights, unit } => match weights.split_first() {
+                Some((&weight, rest)) => {
+                    *weights = rest;
+                    Some(match rest.first() {
+                        Some(&next) => unit.units(weight).wrapping_add(unit.units(next)),
+                        None => 0,
+                    })
+                }
+                None => None,
+            },
             Self::Rows {
                 weights,
                 columns,
                 unit,
+                zones,
+                row: index,
             } => {
                 if weights.is_empty() {
                     return None;
@@ -219,7 +275,9 @@ impl<'a> Weights<'a> {
                     None => (*weights, [].as_slice()),
                 };
                 *weights = rest;
-                Some(unit.sum(row))
+                let sum = zones.weigh(unit.sum(row), *index);
+                *index = index.wrapping_add(1);
+                Some(sum)
             }
             Self::Sums(sums) => match sums.split_first() {
                 Some((&sum, rest)) => {

@@ -222,3 +222,36 @@ impl Word for u64 {
         Ok(Self::from(high) << 32 | Self::from(low))
     }
 }
+
+/// The samples of a law on integers that has the count of a word.
+macro_rules! drawn_by_word {
+    () => {
+        /// The count of any `f32`, brought into [0, 1) by the rule of
+        /// [`Uniforms::canonical`](crate::uniform::Uniforms::canonical) first: that of its first 32 bits.
+        #[must_use]
+        #[inline]
+        pub fn sample(&self, u: f32) -> u32 {
+            let u = $crate::uniform::Uniforms::canonical(u);
+            self.count(<u32 as $crate::discrete::Word>::from_uniform(u).0)
+        }
+
+        /// Draws a count from a generator that can fail: one `u32`.
+        ///
+        /// # Errors
+        /// The generator's own error.
+        #[inline]
+        pub fn try_draw<R: rand_core::TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+        ) -> Result<u32, R::Error> {
+            rng.try_next_u32().map(|word| self.count(word))
+        }
+
+        /// Draws a count: one `u32` of the generator.
+        #[inline]
+        pub fn draw<R: rand_core::Rng + ?Sized>(&self, rng: &mut R) -> u32 {
+            $crate::uniform::infallible(self.try_draw(rng))
+        }
+    };
+}
+pub(super) use drawn_by_word;

@@ -6,9 +6,12 @@ use super::kernel::product::{by_half, near, wide};
 use super::truncated::alternating;
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
+use crate::num::division::{fraction, quotient};
 use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
+use ::fixed::FixedU32;
 use ::fixed::types::U2F62;
+use ::fixed::types::extra::LeEqU32;
 use core::marker::PhantomData;
 
 /// Uniform over the directions within an angle of +z: a cone, also called a spherical cap.
@@ -24,7 +27,7 @@ use core::marker::PhantomData;
 /// - Point: unit vectors with 1 − cos θ ≤ k, up to rounding. In a narrow cone z is 1, and x and y hold all the
 ///   information, which `pdf` and `invert` use. Their steps are 2⁻³⁰; the narrowest cone is 16,000 steps wide.
 /// - Uniforms: two words, polar angle then azimuth. The axis is at u₁ = 0.
-/// - Parameter: k, or the half angle in turns. The warp keeps at least 31 binary digits of k.
+/// - Parameter: k, the half angle in turns, or a sphere by its radius and distance. The warp keeps at least 31 binary digits of k.
 ///
 /// # Accuracy
 /// *Sample* is the absolute error of a coordinate, *unit length* the largest error of the length. *Round trip* is the
@@ -64,13 +67,15 @@ use core::marker::PhantomData;
 /// - [`Hemisphere`](super::Hemisphere) and [`Sphere`](super::Sphere) are the cones of a quarter and half a turn, at lower
 ///   cost.
 /// - [`PhongLobe`](super::PhongLobe) falls off smoothly instead of ending at a rim.
-/// - [`warp::Cone`](crate::warp::Cone) is the cone of the float tiers.
+/// - [`warp::Cone`](crate::warp::Cone) is the cone of the float tiers, and [`VisibleSphere`](crate::warp::VisibleSphere) a sphere
+///   seen from a point, turned and with distances, in their coordinates.
 ///
 /// # Source
 /// P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM Transactions on
 /// Graphics, 1996, <https://doi.org/10.1145/226150.226151>.
 #[doc(alias = "spherical_cap")]
 #[doc(alias = "solid_angle")]
+#[doc(alias = "sphere_light")]
 #[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -120,6 +125,45 @@ impl<G: Grade> Cone<G> {
             let (square, fraction) = sine_squared(HALF - bits);
             Scaled::of((1 << 63) - (square >> (fraction - 63)), 63)
         };
+        if half.exponent > 33 {
+            return Err(Error::Empty);
+        }
+        Ok(Self::of(half))
+    }
+
+    /// The cone in which a sphere of this radius is seen from this distance to its centre, both in one unit. Inside the
+    /// sphere it is all directions, on its surface the hemisphere. k is right to a unit of its 31st binary digit.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a radius of 0, [`Error::Empty`] below 1.53e-5 of the distance, where the density
+    /// overflows.
+    pub const fn towards_sphere<Frac: LeEqU32>(
+        distance: FixedU32<Frac>,
+        radius: FixedU32<Frac>,
+    ) -> Result<Self, Error> {
+        let (d, r) = (distance.to_bits() as u64, radius.to_bits() as u64);
+        if r == 0 {
+            return Err(Error::NotPositive);
+        }
+        if d < r {
+            return Ok(Self::of(Scaled::of(1 << 63, 63)));
+        }
+        // Only the ratio counts. d fills its word, and so do the square of r and what it is divided by.
+        let zeros = (d as u32).leading_zeros();
+        let (d, r) = (d << zeros, r << zeros);
+        let square = r * r;
+        // d + √(d² − r²) in Q31, with the first term of the root beyond its whole part.
+        let rest = d * d - square;
+        let half = (rest | 1).leading_zeros() >> 1;
+        let rest = rest << (2 * half);
+        let root = rest.isqrt();
+        let (more, _) = fraction(rest - root * root, 2 * root + 1);
+        let sum = (d << 31) + ((root << 31 | more as u64 >> 1) >> half);
+        // k is r²/(d(d + √(d² − r²))).
+        let divisor = d * (sum >> 32) + ((d * (sum & 0xffff_ffff)) >> 32);
+        let (up, down) = (square.leading_zeros(), divisor.leading_zeros());
+        let (digits, _) = quotient(square << up, divisor << down);
+        let half = Scaled::of(digits as u64, 33 + up as i32 - down as i32);
         if half.exponent > 33 {
             return Err(Error::Empty);
         }

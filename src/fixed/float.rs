@@ -27,7 +27,7 @@ pub trait FloatUniforms: Uniforms + Sealed {
     fn floats(self) -> Self::Float;
 }
 
-/// Points of the integer tier with a counterpart in `f32`: a [`Number`] or an array of them.
+/// Points of the integer tier with a counterpart in `f32`: a [`Number`], an array of them, or two such points.
 ///
 /// [`Float`] uses it. The trait is sealed.
 pub trait FloatPoint: Copy + Sealed {
@@ -44,6 +44,7 @@ impl Sealed for u32 {}
 impl<Frac: LeEqU32> Sealed for FixedI32<Frac> {}
 impl<Frac: LeEqU32> Sealed for FixedU32<Frac> {}
 impl<T: Sealed, const N: usize> Sealed for [T; N] {}
+impl<A: Sealed, B: Sealed> Sealed for (A, B) {}
 
 impl FloatUniforms for Uniform {
     type Float = f32;
@@ -112,6 +113,21 @@ impl<T: Number + FloatPoint<Float = f32>, const N: usize> FloatPoint for [T; N] 
     #[inline]
     fn to_float(self) -> [f32; N] {
         self.map(T::to_float)
+    }
+}
+
+impl<A: FloatPoint, B: FloatPoint> FloatPoint for (A, B) {
+    type Float = (A::Float, B::Float);
+
+    #[inline]
+    fn from_float((a, b): Self::Float) -> Self {
+        (A::from_float(a), B::from_float(b))
+    }
+
+    #[inline]
+    fn to_float(self) -> Self::Float {
+        let (a, b) = self;
+        (a.to_float(), b.to_float())
     }
 }
 

@@ -14,6 +14,9 @@ mod sealed {
         /// The largest relative excess, in Q31, of r² (sin² + cos²) over the exact r²: twice the errors of root, sine and
         /// cosine, and the rounding of the products.
         const BEYOND: u32;
+        /// More than the error of a point of the unit disk that is turned about the centre and found again by its angle,
+        /// in Q32.
+        const ASTRAY: u32;
         fn sincos(phase: u32) -> (i32, i32);
         fn root(x: u32) -> u32;
         fn log(u: u32) -> u32;
@@ -140,7 +143,7 @@ pub trait Grade:
 macro_rules! grade {
     ($(#[$doc:meta])* $grade:ident {
         kernels: $kernel:ident, product: $scaled:ident, rotations: $rotations:literal,
-        rim: $rim:literal, series: $series:literal, beyond: $beyond:expr,
+        rim: $rim:literal, series: $series:literal, beyond: $beyond:expr, astray: $astray:expr,
     }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -155,6 +158,7 @@ macro_rules! grade {
             const RIM: u32 = $rim;
             const SERIES: u64 = $series;
             const BEYOND: u32 = $beyond;
+            const ASTRAY: u32 = $astray;
 
             #[inline]
             fn sincos(phase: u32) -> (i32, i32) {
@@ -193,7 +197,7 @@ grade! {
     /// The usual grade: largest errors about 1e-6, with tables of 2 KB that all functions share.
     Fine {
         kernels: fine, product: near_signed, rotations: 23,
-        rim: 0xffff_f99c, series: 0x35c2_8f5c, beyond: 1 << 12,
+        rim: 0xffff_f99c, series: 0x35c2_8f5c, beyond: 1 << 12, astray: 1 << 14,
     }
 }
 
@@ -204,7 +208,7 @@ grade! {
     /// the size, also in narrow cones and lobes.
     Coarse {
         kernels: coarse, product: rough_signed, rotations: 14,
-        rim: 0xffff_ffff, series: 0x7d70_a3d7, beyond: 1 << 17,
+        rim: 0xffff_ffff, series: 0x7d70_a3d7, beyond: 1 << 17, astray: 1 << 21,
     }
 }
 
@@ -212,6 +216,6 @@ grade! {
     /// The smallest grade: largest errors about 1e-6 without tables, in the least flash.
     Compact {
         kernels: compact, product: near_signed, rotations: 23,
-        rim: 0xffff_f9a8, series: 0x35c2_8f5c, beyond: 1 << 12,
+        rim: 0xffff_f9a8, series: 0x35c2_8f5c, beyond: 1 << 12, astray: 1 << 14,
     }
 }

@@ -37,7 +37,7 @@ use core::marker::PhantomData;
 /// | sample, rms | 5.0e-8 | 1.8e-5 | 6.1e-8 |
 /// | sample, mean | -8.1e-10 | -1.1e-6 | 0 |
 /// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
-/// | round trip | 2.4e-6 + 2e-9/w | 4e-4 + 2e-9/w | 1.9e-6 + 2e-9/w |
+/// | round trip | 2.8e-6 + 2e-9/w | 4e-4 + 2e-9/w | 1.9e-6 + 2e-9/w |
 /// | pdf, of that on the axis | 1.4e-6 | 2.0e-4 | 9.6e-7 |
 ///
 /// # Cost

@@ -82,7 +82,7 @@ impl<G: Grade> StandardNormalPair<G> {
 
 /// √(−2 ln(1 − u)) in Q29, which is an eighth of it in Q32.
 #[inline]
-fn radius<G: Kernels>(u: u32) -> u32 {
+pub(super) fn radius<G: Kernels>(u: u32) -> u32 {
     // Read in Q32, the logarithm in Q27 is the square of an eighth of the radius. Near the centre, where the root is
     // steep, it has 12 more bits.
     let (square, half_of_them) = if u < log::SMALL {
@@ -103,13 +103,13 @@ fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
 
 /// e^(−r²/2) of r² in Q54.
 #[inline]
-fn bell<G: Kernels>(square: u64) -> u32 {
+pub(super) fn bell<G: Kernels>(square: u64) -> u32 {
     G::exp(u32::try_from(square >> 28).unwrap_or(u32::MAX))
 }
 
 /// 1 − e^(−r²/2) of r² in Q54.
 #[inline]
-fn outside<G: Kernels>(square: u64) -> u32 {
+pub(super) fn outside<G: Kernels>(square: u64) -> u32 {
     let half = u32::try_from(square >> 28).unwrap_or(u32::MAX);
     if half < exp::SMALL {
         one_minus_small((square >> 21) as u32, 34) >> 2

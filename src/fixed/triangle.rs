@@ -70,7 +70,7 @@ impl<G: Grade> Triangle<G> {
 }
 
 /// The allowed error of the sum of the coordinates, in steps: 2⁻²³, as for three numbers cut to the digits of an `f32`.
-const SLACK: u32 = 1 << 7;
+pub(super) const SLACK: u32 = 1 << 7;
 
 impl<G: Grade> Warp for Triangle<G> {
     type Uniforms = [Uniform; 2];

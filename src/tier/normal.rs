@@ -2,6 +2,7 @@
 //! of a tier. Callers get the upper half by symmetry. Both tiers share this file.
 
 use super::{Tier, exp_of_product};
+use crate::num::pair;
 
 /// √(2π), the slope of `e^(-t²/2)/Φ(-t)` far out; see `SQRT_TAU` in `tests/derivation`.
 const SQRT_TAU: [f32; 1] = [2.506_628_3];
@@ -48,6 +49,22 @@ pub(crate) fn cdf_lower<T: Tier>(x: f32) -> f32 {
     // of the denominator cancel, because it occurs above and below the line.
     let power = exp_of_product::<T>(-0.5 * t, t);
     (power * denominator) / ((slope * t) * denominator + numerator)
+}
+
+/// What the hazard of the standard normal, φ(t)/Φ(-t), has above t, for `t >= 0`; so the hazard is the sum of both.
+pub(crate) fn hazard_above(t: f32) -> f32 {
+    const PER_SLOPE: f32 =
+        pair(0.5 * core::f64::consts::FRAC_2_SQRT_PI * core::f64::consts::FRAC_1_SQRT_2).0;
+    if t < 15.0 {
+        let [n0, n1, n2, n3, n4] = MILLS;
+        let [d1, d2, d3, d4] = MILLS_OVER;
+        let numerator = n0 + t * (n1 + t * (n2 + t * (n3 + t * n4)));
+        let denominator = 1.0 + t * (d1 + t * (d2 + t * (d3 + t * d4)));
+        PER_SLOPE * (numerator / denominator)
+    } else {
+        // Laplace's continued fraction. What is left out is below 1e-8 of the hazard.
+        1.0 / (t + 2.0 / (t + 3.0 / t))
+    }
 }
 
 /// The quantile of `p` in `(0, 1/2]`. Lower ones count as the smallest subnormal; higher ones, and NaN, as 1/2.

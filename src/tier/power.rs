@@ -2,7 +2,8 @@
 //! products are exact, and a rest. Both tiers share this file.
 
 use crate::num::{
-    Scaled, head, is_plain, ldexp, nearest_integer, normalised, power_of_two_times, remainder,
+    Scaled, head, is_plain, ldexp, nearest_integer, normalised, power_of_two_times, quick_two_sum,
+    remainder,
 };
 
 /// `(e^r - 1 - r)/r²` in powers of r; see `EXPONENTIAL` in `tests/derivation`.
@@ -109,6 +110,16 @@ pub(crate) const fn exp2(exact: f32, small: f32) -> (i32, f32, f32) {
     let natural = (r_head + r_rest) * (ln2_head + ln2_rest);
     let beyond = r_head * ln2_rest + r_rest * (ln2_head + ln2_rest) + beyond_linear(natural);
     (k, r_head * ln2_head, beyond)
+}
+
+/// `2^(exact + small)` and its rounding error, together good to 2^-28 of it; for sums from -100 to 100.
+#[inline]
+pub(crate) const fn exp2_pair(exact: f32, small: f32) -> (f32, f32) {
+    let (k, a, b) = exp2(exact, small);
+    let scale = power_of_two_times(1.0, k);
+    let (sum, dropped) = quick_two_sum(1.0, a);
+    let (power, rest) = quick_two_sum(sum, dropped + b);
+    (scale * power, scale * rest)
 }
 
 impl Scaled {

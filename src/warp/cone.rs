@@ -67,24 +67,9 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///
-/// A spherical lamp seen from a point:
-/// ```
-/// use microwarp::{Error, Warp, poly as mw, warp::{Frame, Oriented}};
-/// let (to_centre, distance, radius) = ([0.0, 3.0, 4.0], 5.0, 0.5);
-/// let lamp = Oriented::new(mw::Cone::from_sine(radius / distance)?, Frame::new(to_centre)?);
-/// let direction = lamp.sample([0.9, 0.3]);
-/// let density = lamp.pdf(direction); // per steradian
-/// assert!((density * lamp.warp().solid_angle() - 1.0).abs() < 1e-6);
-///
-/// // From a point on the surface the lamp fills a hemisphere. Inside, no cone contains it.
-/// assert_eq!(mw::Cone::from_sine(1.0)?.one_minus_cos(), 1.0);
-/// assert_eq!(mw::Cone::from_sine(1.01), Err(Error::OutOfRange));
-/// # Ok::<(), Error>(())
-/// ```
-/// Take a lamp of half angle below about 1e-5 rad as a point: [`Oriented`](super::Oriented#density) says why.
-///
 /// # See also
-/// - [`Oriented`](super::Oriented) turns the cone onto a direction, such as that of a lamp.
+/// - [`VisibleSphere`](super::VisibleSphere): a spherical lamp seen from a point, outside or inside.
+/// - [`Oriented`](super::Oriented) turns the cone onto a direction.
 /// - [`Hemisphere`](super::Hemisphere), [`Sphere`](super::Sphere): wider domains at lower cost.
 /// - [`SphericalPatch`](super::SphericalPatch): bounded in azimuth, too.
 ///
@@ -93,7 +78,6 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// Transactions on Graphics, 1996, <https://doi.org/10.1145/226150.226151>.
 #[doc(alias = "spherical_cap")]
 #[doc(alias = "solid_angle")]
-#[doc(alias = "sphere_light")]
 #[doc(alias = "uniform")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -144,12 +128,12 @@ impl<T: Tier> Cone<T> {
         Ok(cone)
     }
 
-    /// The cone of the given sine of the half angle, in (0, 1]: the cone in which a sphere is seen, where the sine is the
-    /// sphere's radius over the distance to its centre. On the surface the sine is 1, and the cone a hemisphere.
+    /// The cone of the given sine of the half angle, in (0, 1]. Next to 1 it hangs on the last digits of the sine: for the
+    /// cone in which a sphere is seen, take [`VisibleSphere`](super::VisibleSphere).
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
-    /// [`Error::OutOfRange`] above 1 (the viewer is inside the sphere), [`Error::Empty`] below 1.6e-19.
+    /// [`Error::OutOfRange`] above 1, [`Error::Empty`] below 1.6e-19.
     pub fn from_sine(sine: f32) -> Result<Self, Error> {
         let sine = positive(sine)?;
         if sine > 1.0 {
@@ -169,6 +153,12 @@ impl<T: Tier> Cone<T> {
     #[must_use]
     pub const fn solid_angle(&self) -> f32 {
         2.0 * PI * self.k
+    }
+
+    /// The density inside.
+    #[inline]
+    pub(crate) const fn density(self) -> f32 {
+        0.5 * FRAC_1_PI / self.k
     }
 }
 
@@ -191,7 +181,7 @@ impl<T: Tier> Warp for Cone<T> {
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         if is_direction(direction) && one_minus_cos(direction) <= self.k * RIM_SLACK {
-            0.5 * FRAC_1_PI / self.k
+            self.density()
         } else {
             0.0
         }

@@ -276,12 +276,14 @@ pub(crate) fn one_by_one<W: Warp, R: TryRng + ?Sized>(
 
 /// [`Warp::try_draw_with_pdf`] of a warp that overrides [`Warp::sample_canonical_with_pdf`] and draws from the grid.
 macro_rules! drawn_with_pdf {
-    () => {
+    ($(where $($bounds:tt)+)?) => {
         #[inline]
         fn try_draw_with_pdf<R: rand_core::TryRng + ?Sized>(
             &self,
             rng: &mut R,
-        ) -> Result<(Self::Point, Self::Density), R::Error> {
+        ) -> Result<(Self::Point, Self::Density), R::Error>
+        $(where $($bounds)+)?
+        {
             let words = <Self::Uniforms as $crate::uniform::Uniforms>::try_words(rng)?;
             Ok(self.sample_canonical_with_pdf(
                 <Self::Uniforms as $crate::uniform::Uniforms>::from_words(words),

@@ -3,7 +3,7 @@
 use super::direction::{DEEP, around, azimuth, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, finite};
+use crate::error::{Error, finite, positive};
 use crate::num::{into_unit, remainder, two_product, two_sum};
 use crate::tier::Tier;
 use crate::uniform::Canonical;
@@ -28,7 +28,7 @@ use core::marker::PhantomData;
 /// - Point: unit vectors. For |g| near 1 most of them have z = ±1, and x and y hold all the information, which
 ///   `pdf` and `invert` use.
 /// - Uniforms: two, for the polar angle and the azimuth. +z is at u₁ = 0.
-/// - Parameters: g in (−1, 1).
+/// - Parameters: g in (−1, 1), or 1 − |g| from 2⁻³² to 1 and a side.
 ///
 /// # Accuracy
 /// *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
@@ -41,13 +41,15 @@ use core::marker::PhantomData;
 /// | sin θ, ulp | 4.6 | 4.6 |
 /// | unit length | 1.7e-7 | 2.1e-7 |
 /// | pdf, relative | 5.2e-7 | 5.2e-7 |
-/// | realised density, relative | 1.3e-6 | 1.3e-6 |
-/// | pdf with the sample, relative | 6.7e-7 | 6.7e-7 |
+/// | realised density, relative | 1.45e-6 | 1.45e-6 |
+/// | pdf with the sample, relative | 8.2e-7 | 8.2e-7 |
 /// | inverse | 3.6e-7 | 3.6e-7 |
 /// | round trip | 3.6e-7 | 3.6e-7 |
 ///
-/// These hold for every g. They count from the `f32` that g is: near 1 the rounding of g itself, up to 3e-8,
-/// changes the width of the peak, 1 − |g|.
+/// These hold for every g and every constructor. They count from the number that it is given: near 1 the rounding of g
+/// to an `f32`, up to 3e-8, changes the width of the peak, 1 − |g|, which
+/// [`from_one_minus_g`](HenyeyGreenstein::from_one_minus_g) and
+/// [`from_one_plus_g`](HenyeyGreenstein::from_one_plus_g) take as it is.
 ///
 /// # Cost
 /// <!-- generated: cost HenyeyGreenstein -->
@@ -84,13 +86,17 @@ use core::marker::PhantomData;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HenyeyGreenstein<T> {
     g: f32,
+    /// 1 − h.
+    least: f32,
     /// (1 − g)².
     ahead: f32,
     /// (1 + g)².
     behind: f32,
     /// (1 − h)²/2h.
     width: f32,
-    /// ((1 − g²)/4π)²/(2h)³, in units of 2⁻³⁶.
+    /// What keeps cubes in the range of `f32`.
+    unit: f32,
+    /// ((1 − g²)/4π)²/(2h)³, times the cube of the unit.
     norm: f32,
     /// 1/(4π(1 − g²)²).
     scale: f32,
@@ -121,36 +127,35 @@ const fn twice(g: f32) -> f32 {
     2.0 * if h > FLAT { h } else { FLAT }
 }
 
-/// (1 + x)² and its rounding error.
-const fn square_of_one_plus(x: f32) -> (f32, f32) {
-    let (sum, rest) = two_sum(1.0, x);
+/// The square of a sum of two, and its rounding error.
+const fn square((sum, rest): (f32, f32)) -> (f32, f32) {
     let (square, dropped) = two_product(sum, sum);
     (square, dropped + 2.0 * sum * rest)
 }
 
-/// ((1 − g²)/4π)²/scale³, in units of 2⁻³⁶.
-const fn norm_squared(g: f32, scale: f32) -> f32 {
-    let (square, dropped) = two_product(g, g);
-    let (left, rest) = two_sum(1.0, -square);
+/// (left/4π)²/scale³ times unit³, of left = 1 − g².
+const fn norm_squared((left, rest): (f32, f32), scale: f32, unit: f32) -> f32 {
     let (norm, lost) = two_product(left, QUARTER);
-    let lost = lost + (left * QUARTER_REST + (rest - dropped) * QUARTER);
+    let lost = lost + (left * QUARTER_REST + rest * QUARTER);
     let (n, short) = quotient((norm, lost), scale);
     let (square, dropped) = two_product(n, n);
-    over((square, dropped + 2.0 * n * short), scale) * (UNIT * UNIT * UNIT)
+    over((square, dropped + 2.0 * n * short), scale) * (unit * unit * unit)
 }
 
-/// 1/(4π(1 − g²)²).
-const fn inverse_square(g: f32) -> f32 {
-    let (square, dropped) = two_product(g, g);
-    let (left, rest) = two_sum(1.0, -square);
+/// 1/(4π left²).
+const fn inverse_square((left, rest): (f32, f32)) -> f32 {
     let (square, lost) = two_product(left, left);
-    let lack = (lost + 2.0 * left * (rest - dropped)) / square;
+    let lack = (lost + 2.0 * left * rest) / square;
     let (scale, short) = quotient((QUARTER, QUARTER_REST), square);
     scale + (short - scale * lack)
 }
 
-/// 2¹², which keeps a cube in the range of `f32`.
+/// The unit, 2¹², and that of the peaks that `f32` cannot tell by g, 2²⁴.
 const UNIT: f32 = 4096.0;
+const FINE_UNIT: f32 = 16_777_216.0;
+
+/// The narrowest peak, 2⁻³² in 1 − h: the square of its density is just below the largest `f32`.
+const NARROWEST: f32 = 1.0 / 4_294_967_296.0;
 
 impl<T: Tier> HenyeyGreenstein<T> {
     /// The phase function of asymmetry `g`, in (−1, 1).
@@ -162,20 +167,65 @@ impl<T: Tier> HenyeyGreenstein<T> {
         match finite(g) {
             Ok(g) if g.abs() >= 1.0 => Err(Error::OutOfRange),
             Ok(g) => {
-                let scale = twice(g);
-                let (ahead, behind) = (square_of_one_plus(-g), square_of_one_plus(g));
-                let width = if g < 0.0 { behind } else { ahead };
-                Ok(Self {
-                    g,
-                    ahead: ahead.0 + ahead.1,
-                    behind: behind.0 + behind.1,
-                    width: over(width, scale),
-                    norm: norm_squared(g, scale),
-                    scale: inverse_square(g),
-                    tier: PhantomData,
-                })
+                let (product, dropped) = two_product(g, g);
+                let (left, rest) = two_sum(1.0, -product);
+                let h = g.abs();
+                let (near, far) = (square(two_sum(1.0, -h)), square(two_sum(1.0, h)));
+                let least = 1.0 - h;
+                Ok(Self::of(g, least, [near, far], (left, rest - dropped)))
             }
             Err(e) => Err(e),
+        }
+    }
+
+    /// Of asymmetry 0 or more, by 1 − g from 2⁻³² (2.3e-10) to 1, the width of a narrow peak, which a rounded g does not
+    /// tell.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] below 2⁻³²
+    /// and above 1.
+    pub const fn from_one_minus_g(one_minus_g: f32) -> Result<Self, Error> {
+        Self::peaked(one_minus_g, 1.0)
+    }
+
+    /// Of asymmetry 0 or less, by 1 + g: the mirror image of [`from_one_minus_g`](Self::from_one_minus_g), whose light
+    /// turns back.
+    ///
+    /// # Errors
+    /// Those of [`from_one_minus_g`](Self::from_one_minus_g).
+    pub const fn from_one_plus_g(one_plus_g: f32) -> Result<Self, Error> {
+        Self::peaked(one_plus_g, -1.0)
+    }
+
+    const fn peaked(least: f32, side: f32) -> Result<Self, Error> {
+        match positive(least) {
+            Ok(least) if least < NARROWEST || least > 1.0 => Err(Error::OutOfRange),
+            Ok(least) => {
+                let (sum, rest) = two_sum(2.0, -least);
+                let (near, far) = (square((least, 0.0)), square((sum, rest)));
+                let (left, dropped) = two_product(least, sum);
+                let left = (left, dropped + least * rest);
+                Ok(Self::of(side * (1.0 - least), least, [near, far], left))
+            }
+            Err(e) => Err(e),
+        }
+    }
+
+    /// Of g, 1 − h, the squares of 1 − h and 1 + h, and 1 − g².
+    const fn of(g: f32, least: f32, [near, far]: [(f32, f32); 2], left: (f32, f32)) -> Self {
+        let (scale, sum) = (twice(g), (near.0 + near.1, far.0 + far.1));
+        let (ahead, behind) = if g < 0.0 { (sum.1, sum.0) } else { sum };
+        let unit = if g.abs() < 1.0 { UNIT } else { FINE_UNIT };
+        Self {
+            g,
+            least,
+            ahead,
+            behind,
+            width: over(near, scale),
+            unit,
+            norm: norm_squared(left, scale, unit),
+            scale: inverse_square(left),
+            tier: PhantomData,
         }
     }
 
@@ -185,12 +235,18 @@ impl<T: Tier> HenyeyGreenstein<T> {
         self.g
     }
 
+    /// 1 − |g|, which keeps its digits where g has rounded.
+    #[must_use]
+    pub const fn one_minus_abs_g(&self) -> f32 {
+        self.least
+    }
+
     /// hw and c of the first uniform.
     #[inline]
     fn rise(&self, u1: f32) -> (f32, f32) {
         let h = self.g.abs();
         let rise = h * if self.g < 0.0 { u1 } else { 1.0 - u1 };
-        (rise, (1.0 - h) + 2.0 * rise)
+        (rise, self.least + 2.0 * rise)
     }
 
     /// 1 − cos of the angle to the peak, at most 2 for any direction.
@@ -204,7 +260,7 @@ impl<T: Tier> HenyeyGreenstein<T> {
 impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
     #[inline]
     fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        let (v, least) = (1.0 - u1, 1.0 - self.g.abs());
+        let (v, least) = (1.0 - u1, self.least);
         let (from_down, from_up) = if self.g < 0.0 {
             (least, 1.0)
         } else {
@@ -235,7 +291,7 @@ impl<T: Tier> Warp for HenyeyGreenstein<T> {
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         if is_direction(direction) {
             // The root halves relative errors.
-            let part = UNIT * (self.width + self.off_peak(direction));
+            let part = self.unit * (self.width + self.off_peak(direction));
             T::sqrt(self.norm / (part * part * part))
         } else {
             0.0
@@ -268,7 +324,7 @@ impl<T: Tier> Invert for HenyeyGreenstein<T> {
         };
         let square = least + 2.0 * h * off;
         // The probability of directions nearer to the peak.
-        let part = (1.0 + h) * off / (square + (1.0 - h) * T::sqrt(square));
+        let part = (1.0 + h) * off / (square + self.least * T::sqrt(square));
         let u1 = if self.g < 0.0 { 1.0 - part } else { part };
         [into_unit(u1), azimuth::<T>(x, y)]
     }

@@ -51,7 +51,8 @@ use crate::uniform::Canonical;
 /// # See also
 /// - [`Transform`](super::Transform): a map after another warp.
 /// - [`rejection::Rejection`](crate::rejection::Rejection): where no inverse CDF is known.
-/// - [`PiecewiseConstant1d`](crate::discrete::PiecewiseConstant1d): a table of the density.
+/// - [`PiecewiseConstant1d`](crate::discrete::PiecewiseConstant1d), [`PiecewiseLinear1d`](crate::discrete::PiecewiseLinear1d):
+///   a table of the density.
 ///
 /// # Source
 /// J. von Neumann's letter to S. Ulam of 1947, in R. Eckhardt, "Stan Ulam, John von Neumann, and the Monte Carlo

@@ -58,6 +58,7 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 /// # See also
 /// - [`Tent`](super::Tent): falls to both sides.
 /// - [`Power`](super::Power): any power of x.
+/// - [`PiecewiseLinear1d`](crate::discrete::PiecewiseLinear1d): a curve of many such pieces.
 /// - [`Transform`](super::Transform) moves it to another interval.
 ///
 /// # Source
@@ -123,8 +124,31 @@ impl Linear {
     }
 }
 
+/// Where a linear density has its share u below, before the step of Newton's method.
+pub(super) struct Place {
+    pub(super) at: f32,
+    /// 1 − at, with digits of its own.
+    pub(super) rest: f32,
+    /// The density there, in the unit of those at the ends.
+    pub(super) density: f32,
+}
+
+impl Place {
+    /// Of the densities at 0 and at 1, and of their sum. The larger square must not overflow.
+    #[inline]
+    pub(super) fn of([a, b]: [f32; 2], sum: f32, u: f32) -> Self {
+        let v = 1.0 - u;
+        let density = sqrt(v * (a * a) + u * (b * b));
+        Self {
+            at: u * sum / (a + density),
+            rest: v * sum / (b + density),
+            density,
+        }
+    }
+}
+
 /// x times 2^by; 0 only where x is 0.
-const fn lifted(x: f32, by: i32) -> f32 {
+pub(super) const fn lifted(x: f32, by: i32) -> f32 {
     if x == 0.0 {
         return 0.0;
     }
@@ -145,9 +169,8 @@ impl Warp for Linear {
         } else {
             above_zero(u.get())
         };
-        let root = sqrt((1.0 - u) * (a * a) + u * (b * b));
         let aim = u * ONE;
-        let x = 2.0 * aim / (a + root);
+        let x = Place::of([a, b], 2.0 * ONE, u).at;
         // One step of Newton's method on x(a + slope x) = aim, with the rounding errors of the left side.
         let (bend, bend_rest) = two_product(self.slope, x);
         let (mean, mean_rest) = two_sum(a, bend);

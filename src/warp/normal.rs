@@ -1,17 +1,17 @@
 //! The normal distribution: one number by its quantile, two by Box and Muller's map.
 
 use super::direction::azimuth;
+use super::located::{by_tails, checked, decayed, standardised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
-use crate::error::{Error, finite, positive};
-use crate::num::{above_zero, folded, into_unit, remainder, representable, two_product, two_sum};
-use crate::tier::{Tier, scaled_exp};
-use crate::uniform::Canonical;
+use crate::error::Error;
+use crate::num::{into_unit, representable, two_product, two_sum};
+use crate::tier::Tier;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
 
 /// 1/√(2π) = (2/√π)/√8.
-const FRAC_1_SQRT_TAU: f32 =
+pub(super) const FRAC_1_SQRT_TAU: f32 =
     (core::f64::consts::FRAC_2_SQRT_PI * core::f64::consts::FRAC_1_SQRT_2 * 0.5) as f32;
 
 /// An upper bound on how far a sample lies from the mean, in standard deviations: the quantile of 2⁻¹⁴⁹ is −14.2.
@@ -47,7 +47,7 @@ const REACH: f32 = 14.5;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp of mean or deviate | 5.3 | 5.3 |
+/// | sample, ulp of location or distance | 5.3 | 5.3 |
 /// | pdf, relative | 6e-7 | 6e-7 |
 /// | realised density, relative | 6e-7 + 4*s/max(0, 1 - w/1e6) | 6e-7 + 4*s/max(0, 1 - w/1e6) |
 /// | inverse | 1.8e-7 | 1.8e-7 |
@@ -70,6 +70,7 @@ const REACH: f32 = 14.5;
 /// ```
 ///
 /// # See also
+/// - [`TruncatedNormal`](super::TruncatedNormal): on an interval, or beyond a bound.
 /// - [`NormalPair`](super::NormalPair) gives two numbers at a lower cost each. Its [`fill`](crate::Warp::fill) is the
 ///   fastest way to fill a slice: 1.9 ns a number on a PC. Take it where strata do not matter.
 /// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal) is the fastest one number at a time (2.2 ns): take it
@@ -100,7 +101,7 @@ impl<T: Tier> Normal<T> {
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
     pub const fn new(mean: f32, std_dev: f32) -> Result<Self, Error> {
         let peak = FRAC_1_SQRT_TAU / std_dev;
-        match checked(mean, std_dev) {
+        match checked(mean, std_dev, REACH) {
             Ok(()) if !peak.is_finite() => Err(Error::Empty),
             Ok(()) => Ok(Self {
                 mean,
@@ -125,15 +126,6 @@ impl<T: Tier> Normal<T> {
     }
 }
 
-const fn checked(mean: f32, std_dev: f32) -> Result<(), Error> {
-    match (finite(mean), positive(std_dev)) {
-        (Err(e), _) | (_, Err(e)) => Err(e),
-        // The distance of x from the mean must not overflow either, hence twice the reach.
-        (Ok(m), Ok(d)) if !(m.abs() + 2.0 * REACH * d).is_finite() => Err(Error::TooLarge),
-        _ => Ok(()),
-    }
-}
-
 impl<T: Tier> Normal<T> {
     /// The point with this probability beyond it, on the upper side or on the lower.
     #[inline]
@@ -143,69 +135,24 @@ impl<T: Tier> Normal<T> {
     }
 }
 
-/// The distance of x from the mean in standard deviations, and its rounding error.
-#[inline]
-fn standardised(x: f32, mean: f32, std_dev: f32) -> (f32, f32) {
-    // For a small one the rounding error would be subnormal.
-    let scale = if std_dev < 1.0e-18 {
-        18_446_744_073_709_551_616.0
-    } else {
-        1.0
-    };
-    let (distance, dropped) = two_sum(x, -mean);
-    let (distance, std_dev) = (scale * distance, scale * std_dev);
-    let t = distance / std_dev;
-    let rest = remainder(distance, t, std_dev) + scale * dropped;
-    (t, rest / std_dev)
-}
-
 /// −t²/2 and its rounding error, for a t whose rounding error is `rest`.
 #[inline]
-fn exponent((t, rest): (f32, f32)) -> (f32, f32) {
+pub(super) fn exponent((t, rest): (f32, f32)) -> (f32, f32) {
     let (square, dropped) = two_product(-0.5 * t, t);
     (square, dropped - t * rest)
 }
 
-/// The density of this peak where its exponential has this exponent, given with its rounding error.
-#[inline]
-fn bell<T: Tier>(peak: f32, (exponent, rest): (f32, f32)) -> f32 {
-    // Beyond this even the largest peak underflows, and t may have overflowed.
-    representable(if exponent > -250.0 {
-        scaled_exp::<T>(peak, exponent, rest)
-    } else {
-        0.0
-    })
-}
-
 impl<T: Tier> Warp for Normal<T> {
-    type Uniforms = f32;
-    type Point = f32;
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
-        let u = u.get();
-        if u < 0.5 {
-            self.beyond(above_zero(u), false)
-        } else {
-            self.beyond(1.0 - u, true)
-        }
-    }
+    by_tails!();
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
         if x.is_finite() {
             let t = standardised(x, self.mean, self.std_dev);
-            bell::<T>(self.peak, exponent(t))
+            representable(decayed::<T>(self.peak, exponent(t)))
         } else {
             0.0
         }
-    }
-
-    #[inline]
-    fn sample_words(&self, word: u32) -> f32 {
-        let (tail, upper) = folded(word);
-        self.beyond(tail, upper)
     }
 }
 
@@ -300,7 +247,7 @@ impl<T: Tier> NormalPair<T> {
     /// density could overflow.
     pub const fn new(mean: [f32; 2], std_dev: f32) -> Result<Self, Error> {
         let [x, y] = mean;
-        match (checked(x, std_dev), checked(y, std_dev)) {
+        match (checked(x, std_dev, REACH), checked(y, std_dev, REACH)) {
             (Err(e), _) | (_, Err(e)) => return Err(e),
             _ => {}
         }
@@ -352,7 +299,7 @@ impl<T: Tier> Warp for NormalPair<T> {
             let (x, x_rest) = exponent(standardised(x, mx, self.std_dev));
             let (y, y_rest) = exponent(standardised(y, my, self.std_dev));
             let (sum, dropped) = two_sum(x, y);
-            bell::<T>(self.peak, (sum, dropped + (x_rest + y_rest)))
+            representable(decayed::<T>(self.peak, (sum, dropped + (x_rest + y_rest))))
         } else {
             0.0
         }

@@ -1,10 +1,10 @@
 //! Spherical coordinates with their Jacobians, and the uniform distribution on a latitude-longitude patch.
 
-use super::direction::{azimuth, between_poles, is_direction, one_minus_cos};
+use super::direction::{Azimuths, azimuth, between_poles, is_direction, nudged, one_minus_cos};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, finite};
-use crate::num::{clamp, into_unit, two_sum};
+use crate::num::{clamp, into_unit};
 use crate::tier::{Tier, sqrt};
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
@@ -37,7 +37,7 @@ use core::marker::PhantomData;
 ///
 /// # See also
 /// - [`SphericalPatch`](super::SphericalPatch) samples between two polar angles and two azimuths.
-/// - [`PiecewiseConstant2d`](crate::discrete::PiecewiseConstant2d): a sky by latitude and longitude.
+/// - [`LatLongMap`](crate::discrete::LatLongMap): a sky by latitude and longitude.
 #[doc(alias = "polar")]
 #[doc(alias = "cartesian")]
 #[doc(alias = "latitude")]
@@ -137,14 +137,19 @@ impl<T: Tier> Spherical<T> {
     }
 }
 
+/// A power of two near the largest of these numbers.
+pub(crate) fn magnitude<const N: usize>(numbers: [f32; N]) -> f32 {
+    let mut largest = f32::MIN_POSITIVE;
+    for x in numbers {
+        largest = clamp(x.abs(), largest, f32::MAX);
+    }
+    f32::from_bits(largest.to_bits() & 0x7f80_0000)
+}
+
 /// A power of two near the largest coordinate, and the point divided by it, whose squares neither overflow nor
 /// underflow.
-fn scaled(point: [f32; 3]) -> (f32, [f32; 3]) {
-    let mut largest = f32::MIN_POSITIVE;
-    for c in point {
-        largest = clamp(c.abs(), largest, f32::MAX);
-    }
-    let scale = f32::from_bits(largest.to_bits() & 0x7f80_0000);
+pub(crate) fn scaled(point: [f32; 3]) -> (f32, [f32; 3]) {
+    let scale = magnitude(point);
     (scale, point.map(|c| c / scale))
 }
 
@@ -153,13 +158,18 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
     for c in direction {
         finite(c)?;
     }
-    let (_, [x, y, z]) = scaled(direction);
-    let length = sqrt(x * x + y * y + z * z);
+    let (_, point) = scaled(direction);
+    let length = length(point);
     if length > 0.0 {
-        Ok([x / length, y / length, z / length])
+        Ok(point.map(|c| c / length))
     } else {
         Err(Error::ZeroLength)
     }
+}
+
+/// The length of a scaled point.
+pub(crate) fn length([x, y, z]: [f32; 3]) -> f32 {
+    sqrt(x * x + y * y + z * z)
 }
 
 /// Uniform over the directions between two polar angles and two azimuths, a rectangle of latitude and longitude.
@@ -227,21 +237,22 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphericalPatch<T> {
+    // Single numbers: other types would stand in the bounds of `defmt::Format`.
+    theta0: f32,
+    theta1: f32,
     /// 1 − cos θ at the first polar angle, 1 + cos θ at the second, and the gain of each towards the other.
     down: f32,
     up: f32,
     drop: f32,
-    phi: f32,
-    /// The width in azimuth and its rounding error.
+    start: f32,
     width: f32,
     rest: f32,
     density: f32,
     tier: PhantomData<T>,
 }
 
-/// How far outside the patch rounding can carry a sample, relative in 1 − cos θ and 1 + cos θ, and in turns of azimuth.
+/// How far outside the patch rounding can carry a sample, relative in 1 − cos θ and 1 + cos θ.
 const POLAR_SLACK: f32 = 4.0 * f32::EPSILON;
-const AZIMUTH_SLACK: f32 = 2.5 * f32::EPSILON;
 /// The part of 1 ∓ cos θ that underflows next to a pole.
 const UNDERFLOW: f32 = 4.0 * f32::MIN_POSITIVE;
 
@@ -260,10 +271,10 @@ impl<T: Tier> SphericalPatch<T> {
         if theta0 > theta1 || phi0 > phi1 {
             return Err(Error::Reversed);
         }
-        let (width, rest) = two_sum(phi1, -phi0);
-        if theta0 < 0.0 || theta1 > 0.5 || phi0.abs() > 1.0 || width > 1.0 {
+        if theta0 < 0.0 || theta1 > 0.5 {
             return Err(Error::OutOfRange);
         }
+        let Azimuths { start, width, rest } = Azimuths::new(phi0, phi1)?;
         // 1 - cos θ = 2 sin²(θ/2); cos θ₀ - cos θ₁ = 2 sin((θ₀+θ₁)/2) sin((θ₁-θ₀)/2).
         let (sin_half, _) = T::sincos_turns(0.5 * theta0);
         let (_, cos_half) = T::sincos_turns(0.5 * theta1);
@@ -283,12 +294,14 @@ impl<T: Tier> SphericalPatch<T> {
             return Err(Error::Empty);
         }
         Ok(Self {
+            theta0,
+            theta1,
             down: 2.0 * sin_half * sin_half,
             up: 2.0 * cos_half * cos_half,
             drop,
-            phi: phi0,
+            start,
             width,
-            rest: if width < 1.0 { rest } else { 0.0 },
+            rest,
             density,
             tier: PhantomData,
         })
@@ -300,31 +313,23 @@ impl<T: Tier> SphericalPatch<T> {
         1.0 / self.density
     }
 
-    /// The azimuths of the two sides in turns. The second is rounded to `f32`.
+    /// The polar angles of the upper and the lower side in turns.
     #[must_use]
-    pub const fn phi_turns(&self) -> [f32; 2] {
-        [self.phi, self.phi + self.width]
+    pub const fn theta_turns(&self) -> [f32; 2] {
+        [self.theta0, self.theta1]
     }
 
-    /// The azimuth of a direction from that of the first side, in turns, reduced to the value nearest to the middle of
-    /// the patch.
-    #[inline]
-    fn turn(&self, direction: [f32; 3]) -> f32 {
-        let [x, y, _] = direction;
-        let turn = T::atan2_turns(y, x) - self.phi;
-        let off = turn - 0.5 * self.width;
-        let whole = if off > 1.5 {
-            2.0
-        } else if off > 0.5 {
-            1.0
-        } else if off < -1.5 {
-            -2.0
-        } else if off < -0.5 {
-            -1.0
-        } else {
-            0.0
-        };
-        turn - whole
+    /// The azimuths of the two sides in turns. The second of a whole turn is the first plus 1, rounded to `f32`.
+    #[must_use]
+    pub const fn phi_turns(&self) -> [f32; 2] {
+        self.azimuths().sides()
+    }
+
+    const fn azimuths(&self) -> Azimuths {
+        let Self {
+            start, width, rest, ..
+        } = *self;
+        Azimuths { start, width, rest }
     }
 }
 
@@ -339,12 +344,11 @@ impl<T: Tier> PlanarMap<3> for SphericalPatch<T> {
     fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let down = self.down + u1 * self.drop;
         let up = self.up + (1.0 - u1) * self.drop;
-        // A sum of turns rounds up to four times as coarsely as the coordinates, so the point is turned by the rounding
-        // error.
-        let (turn, dropped) = two_sum(self.phi, u2 * self.width);
+        let (turn, angle) = self.azimuths().at(u2);
         between_poles::<T>(down, up, turn, to);
-        let (angle, [x, y, z]) = ((dropped + u2 * self.rest) * TAU, *to);
-        *to = [x - angle * y, y + angle * x, z];
+        let [x, y, z] = *to;
+        let [x, y] = nudged(x, y, angle);
+        *to = [x, y, z];
     }
 }
 
@@ -356,10 +360,8 @@ impl<T: Tier> Warp for SphericalPatch<T> {
         let [x, y, _] = direction;
         let first = self.down - self.down * POLAR_SLACK - UNDERFLOW;
         let last = self.up - self.up * POLAR_SLACK - UNDERFLOW;
-        let turn = self.turn(direction);
         // A pole lies in every patch that touches it, whatever its azimuth.
-        let beside = (x == 0.0 && y == 0.0)
-            || (turn >= -AZIMUTH_SLACK && turn <= self.width + AZIMUTH_SLACK);
+        let beside = (x == 0.0 && y == 0.0) || self.azimuths().contain::<T>(x, y);
         let between = one_minus_cos(direction) >= first && one_plus_cos(direction) >= last;
         if is_direction(direction) && between && beside {
             self.density
@@ -372,15 +374,12 @@ impl<T: Tier> Warp for SphericalPatch<T> {
 impl<T: Tier> Invert for SphericalPatch<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
-        let [_, _, z] = direction;
+        let [x, y, z] = direction;
         let polar = if z < 0.0 {
             1.0 - (one_plus_cos(direction) - self.up) / self.drop
         } else {
             (one_minus_cos(direction) - self.down) / self.drop
         };
-        [
-            into_unit(polar),
-            into_unit(self.turn(direction) / self.width),
-        ]
+        [into_unit(polar), self.azimuths().invert::<T>(x, y)]
     }
 }

@@ -289,8 +289,70 @@ fn quotient((x, rest): Two, by: f32) -> f32 {
     quotient + (remainder(x, quotient, by) + rest) / by
 }
 
+/// What the area of a triangle in space comes from: the cross product of two sides, its length, and the power of two
+/// whose square is the unit of both.
+pub(crate) struct Spanned {
+    pub(crate) cross: [f32; 3],
+    pub(crate) length: f32,
+    pub(crate) unit: f32,
+}
+
+impl Spanned {
+    /// That of finite vertices; nothing for a triangle without area, or lower than 2⁻⁴⁰ of its longest side.
+    pub(crate) fn of(vertices: [[f32; 3]; 3]) -> Option<Self> {
+        // A quarter of them, of which no difference overflows: exact, but for vertices around which there is no area.
+        let [a, b, c] = vertices.map(|v| v.map(|x| 0.25 * x));
+        let [p, q, r] = [difference(b, a), difference(c, a), difference(c, b)];
+        let mut longest = 0.0_f32;
+        for (x, _) in [p, q, r].as_flattened() {
+            longest = clamp(x.abs(), longest, f32::MAX);
+        }
+        if longest < f32::MIN_POSITIVE {
+            return None;
+        }
+        let scale = binade(longest);
+        let [p, q, r] = [p, q, r].map(|side| side.map(|(x, rest)| (x / scale, rest / scale)));
+        let squares = [p, q, r].map(|side| dot(side, side));
+        let [x, y, z] = p;
+        let [f, g, h] = q;
+        let cross = [(y, h, z, g), (z, f, x, h), (x, g, y, f)].map(|(a, b, c, d)| {
+            let minus = product(c, d).map(|term| -term);
+            sum(product(a, b).into_iter().chain(minus)).0
+        });
+        let [i, j, k] = cross;
+        let length = sqrt(i * i + j * j + k * k);
+        let (_, base2) = {
+            let [p2, q2, r2] = squares;
+            ends(p2, q2, r2)
+        };
+        (length >= LOWEST * base2).then_some(Self {
+            cross,
+            length,
+            unit: 4.0 * scale,
+        })
+    }
+}
+
+/// The barycentric combination of offsets from an anchor, within their range.
+#[inline]
+pub(crate) fn combined<const D: usize>(
+    anchor: [f32; D],
+    [mut point, b, c]: [[f32; D]; 3],
+    [u, v, w]: [f32; 3],
+) -> [f32; D] {
+    for (((x, b), c), anchor) in point.iter_mut().zip(b).zip(c).zip(anchor) {
+        let a = *x;
+        let (low, high) = ends(a, b, c);
+        *x = anchor + clamp(u * a + v * b + w * c, low, high);
+    }
+    point
+}
+
 /// The anchor, the offsets from it, and the largest magnitude of each coordinate.
-fn anchored<const D: usize>(vertices: [[f32; D]; 3]) -> ([f32; D], [[f32; D]; 3], [f32; D]) {
+#[inline]
+pub(crate) fn anchored<const D: usize>(
+    vertices: [[f32; D]; 3],
+) -> ([f32; D], [[f32; D]; 3], [f32; D]) {
     let ([mut anchor, mut reach], [mut a, mut b, mut c]) = ([[0.0; D]; 2], vertices);
     let rows = anchor.iter_mut().zip(&mut reach);
     for ((anchor, reach), ((a, b), c)) in rows.zip(a.iter_mut().zip(&mut b).zip(&mut c)) {
@@ -329,14 +391,11 @@ impl<const D: usize> Warp for TriangleOn<D> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; D] {
-        let [u, v, w] = Triangle::new().sample_canonical(u);
-        let ([mut point, b, c], anchor) = (self.offsets, self.anchor);
-        for (((x, b), c), anchor) in point.iter_mut().zip(b).zip(c).zip(anchor) {
-            let a = *x;
-            let (low, high) = ends(a, b, c);
-            *x = anchor + clamp(u * a + v * b + w * c, low, high);
-        }
-        point
+        combined(
+            self.anchor,
+            self.offsets,
+            Triangle::new().sample_canonical(u),
+        )
     }
 
     #[inline]

@@ -21,7 +21,7 @@ fn unit(measure: Measure) -> &'static str {
     match measure {
         Measure::Ulp => "ulp",
         Measure::UlpOf(_) => "ulp of the scale",
-        Measure::UlpFrom(_) => "ulp of mean or deviate",
+        Measure::UlpFrom(..) => "ulp of location or distance",
         Measure::UlpAbove(_) => "ulp of itself or of a length",
         Measure::Length(_) => "of the size",
     }
@@ -42,7 +42,13 @@ fn printed(x: f64) -> String {
 
 /// Whether a row is one that some warps have and others do not.
 fn some(title: &str) -> bool {
-    title.contains('θ') || ["unit length", "pdf with the sample, relative"].contains(&title)
+    title.contains('θ')
+        || [
+            "unit length",
+            "place on it",
+            "pdf with the sample, relative",
+        ]
+        .contains(&title)
 }
 
 /// The rows of one warp's table: title, bound in `libm`, bound in `poly`.
@@ -134,6 +140,7 @@ every parameter are on each warp's page.
 - Warps of several uniforms: 2^24 points of the grid for the first set, 2^21 for the others.
 - All edges of the unit cube are always included.
 - *pdf*: the density at the returned point. *Realised*: against the density with which the map arrives there.
+- *Place*: on a light, in barycentric coordinates or along its edges.
 - *With the sample*: the density that `sample_with_pdf` hands over, against the same; a dash where that is `pdf` of the point.
 - *Inverse*: at the returned point. *Round trip*: the uniforms after `sample` and `invert`.
 - A dash: the figure does not apply, or `f32` cannot hold the distribution well enough to recover the uniforms.
@@ -141,8 +148,8 @@ every parameter are on each warp's page.
 `MICROWARP_WRITE=1 cargo test --test accuracy` writes this page, and `MICROWARP_FULL=1 cargo test` compares it with what it
 measures.
 
-| warp | parameters | sample | unit | sin θ, ulp | cos θ, ulp | unit length | pdf, rel. | realised, rel. | with the sample, rel. | inverse | round trip |
-|---|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|
+| warp | parameters | sample | unit | sin θ, ulp | cos θ, ulp | unit length | place | pdf, rel. | realised, rel. | with the sample, rel. | inverse | round trip |
+|---|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|
 ";
 
 /// The table of every parameter set.

@@ -166,9 +166,10 @@ pub fn numbers() -> Vec<Number> {
     // The cubic term of the sine, a³/6, is best met over half a cell by what is left of a (1 − h²/8).
     let half_cell = PI / 256.0;
     let cell = 2.0 * half_cell * (1.0 - half_cell * half_cell / 8.0);
-    // The largest number of words of which 22.19 times as many are words still.
+    // The largest number of words of which 22.19, or 6.67, times as many are words still.
     let words = 2_f64.powi(32);
     let largest = (words / 22.19).floor() / words;
+    let widest = (words / 6.67).floor() / words;
     vec![
         one(SINE, "const RADIANS: i32 = ", cell, 20),
         one(LOG, "const ROOT_2: u32 = ", SQRT_2 - 1.0, 32),
@@ -191,6 +192,7 @@ pub fn numbers() -> Vec<Number> {
         one("hemisphere.rs", "const PER_COSINE: u32 = ", FRAC_1_PI, 32),
         one("direction.rs", per_angle, FRAC_1_PI / 2.0, 32),
         one("exponential.rs", "const LARGEST: u32 = ", largest, 32),
+        one("rayleigh.rs", "const LARGEST: u32 = ", widest, 32),
         one("truncated.rs", "const LN_2: u64 = ", LN_2, 32),
         list(
             "truncated.rs",

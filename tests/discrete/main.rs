@@ -2,14 +2,16 @@
 //! to count; then sampled as well.
 //!
 //! Here live the exact weights and the counting. Which tables are counted is in `cases`; what is asked of
-//! them in `counted`, `alias`, `select_once` and `reservoir`; refusals in `refused`, samples in `sampled`.
+//! them in `counted`, `alias`, `select_once`, `resampling` and `reservoir`; refusals in `refused`, samples in `sampled`.
 
 mod alias;
 mod cases;
 mod counted;
+mod counts;
 mod exact;
 mod leftover;
 mod refused;
+mod resampling;
 mod reservoir;
 mod sampled;
 mod select_once;

@@ -1,9 +1,9 @@
 //! One entry under examination: what is expected of its samples, and what a run of them gave.
 //!
-//! Cells are a grid in the unit square of the entry's chart; what they should hold comes from the warp's
+//! Cells are a grid in the unit square (or cube) of the entry's chart; what they should hold comes from the warp's
 //! own density by quadrature. Which entries are examined, and how often, is not said here.
 
-use crate::moments::{Coordinates, moments};
+use crate::moments::{self, Coordinates, moments};
 use crate::report::Report;
 use rand_pcg::Pcg32;
 use support::registry::{Domain, Entry, Measure};
@@ -22,7 +22,7 @@ pub struct Examination<'a> {
     entry: &'a Entry,
     /// Samples of a run.
     pub samples: usize,
-    axes: [Axis; 2],
+    axes: [Axis; 3],
     /// The probability of each cell, row by row.
     cells: Vec<f64>,
     /// The integral of the density.
@@ -47,16 +47,19 @@ impl<'a> Examination<'a> {
         let (samples, axes) = if line {
             let (cells, samples) = stats::resolve(entry, samples);
             let axis = Axis::new(cells, |u| stats::between_floats(entry, u));
-            (samples, [axis, Axis::none()])
+            (samples, [axis, Axis::none(), Axis::none()])
+        } else if moments::axes(entry.domain) == 3 {
+            (samples, [15, 13, 11].map(|cells| Axis::new(cells, |u| u)))
         } else {
             // In the plane and over directions the cells are so wide beside the rounding of a point
             // (at most 1e-5 of the unit square, in the tile of 1e-3) that it needs no care.
-            (samples, [63, 31].map(|cells| Axis::new(cells, |u| u)))
+            let [first, second] = [63, 31].map(|cells| Axis::new(cells, |u| u));
+            (samples, [first, second, Axis::none()])
         };
         let mut this = Self {
             entry,
             samples,
-            cells: vec![0.0; axes[0].cells() * axes[1].cells()],
+            cells: vec![0.0; axes.iter().map(Axis::cells).product()],
             axes,
             integral: 0.0,
             coordinates: Coordinates::Point,
@@ -65,38 +68,54 @@ impl<'a> Examination<'a> {
             means: Vec::new(),
             rounding: [0.0; 3],
         };
-        let nodes = this.integrate(if line { 20 } else { 12 });
+        let nodes = this.integrate(match moments::axes(entry.domain) {
+            1 => 20,
+            2 => 12,
+            _ => 6,
+        });
         this.choose_rounding(&nodes);
         this.choose_coordinates(&nodes);
         this
     }
 
     /// Integrates the density over each cell: the integral over the cell of the warp's density divided
-    /// by the chart's. Returns the nodes as (point, first coordinate of the chart, probability).
-    fn integrate(&mut self, grades: i32) -> Vec<(Point, f64, f64)> {
+    /// by the chart's. Returns the nodes as (point, place in the chart, probability).
+    fn integrate(&mut self, grades: i32) -> Vec<(Point, Point, f64)> {
         let [first, second] = [self.axes[0].nodes(grades), self.axes[1].nodes(0)];
-        let mut nodes = Vec::with_capacity(first.len() * second.len());
+        let third = match self.axes[2].count() {
+            // No such axis.
+            1 => vec![(0, 0.0, 1.0)],
+            _ => self.axes[2].nodes(0),
+        };
+        let mut nodes = Vec::with_capacity(first.len() * second.len() * third.len());
         for &(i, u, across) in &first {
             for &(j, v, along) in &second {
-                let rounded = self.entry.chart.sample([u, v, 0.0, 0.0]).map(|c| c as f32);
-                let x = wide(rounded);
-                // Both at the rounded point, so that its rounding cancels.
-                let ratio = f64::from(self.entry.warp.pdf(rounded)) / self.entry.chart.pdf(x);
-                let probability = across * along * ratio;
-                self.cells[i * self.axes[1].cells() + j] += probability;
-                self.integral += probability;
-                nodes.push((x, u, probability));
+                for &(k, w, up) in &third {
+                    let rounded = self.entry.chart.sample([u, v, w, 0.0]).map(|c| c as f32);
+                    let x = wide(rounded);
+                    // Both at the rounded point, so that its rounding cancels.
+                    let ratio = f64::from(self.entry.warp.pdf(rounded)) / self.entry.chart.pdf(x);
+                    let probability = across * along * up * ratio;
+                    let cell = self.cell([i, j, k]);
+                    self.cells[cell] += probability;
+                    self.integral += probability;
+                    nodes.push((x, [u, v, w], probability));
+                }
             }
         }
         nodes
     }
 
-    fn choose_rounding(&mut self, nodes: &[(Point, f64, f64)]) {
+    fn cell(&self, [i, j, k]: [usize; 3]) -> usize {
+        (i * self.axes[1].cells() + j) * self.axes[2].cells() + k
+    }
+
+    fn choose_rounding(&mut self, nodes: &[(Point, Point, f64)]) {
         let extent = |k: usize| nodes.iter().map(|n| n.0[k].abs()).fold(0.0, f64::max);
         let size = match self.entry.measure {
             Measure::UlpOf(size) => [size, 0.0, 0.0],
             Measure::UlpAbove(size) => [size, 0.0, 0.0],
-            Measure::UlpFrom(mean) => [mean.abs(), 0.0, 0.0],
+            Measure::UlpFrom(mean, least) => [mean.abs().max(least), 0.0, 0.0],
             // Relative to each sample; see `strays`.
             Measure::Ulp => [0.0; 3],
             Measure::Length(_) => [extent(0), extent(1), extent(2)],
@@ -104,7 +123,7 @@ impl<'a> Examination<'a> {
         self.rounding = size.map(|s| 4.0 * f64::from(f32::EPSILON) * s);
     }
 
-    fn choose_coordinates(&mut self, nodes: &[(Point, f64, f64)]) {
+    fn choose_coordinates(&mut self, nodes: &[(Point, Point, f64)]) {
         if self.entry.domain == Domain::Directions {
             let (low, high) = nodes.iter().fold((1.0, -1.0), |(low, high), n| {
                 (n.0[2].min(low), n.0[2].max(high))
@@ -118,16 +137,18 @@ impl<'a> Examination<'a> {
         // The first term of Edgeworth's series at the threshold of some 6.5 standard deviations: where
         // it is not small, the mean of that many samples is not yet normal there.
         let correction = skewness * 6.5f64.powi(3) / (6.0 * (self.samples as f64).sqrt());
-        if self.entry.domain == Domain::Line && correction > 0.25 {
+        // Nor do the nodes resolve a jump.
+        if correction > 0.25 || self.entry.jumps {
             self.coordinates = Coordinates::Quantile;
             self.standardise(nodes);
         }
     }
 
     /// Computes centre, spread and exact moments; returns the largest skewness of what is averaged.
-    fn standardise(&mut self, nodes: &[(Point, f64, f64)]) -> f64 {
-        let average =
-            |f: &dyn Fn(Point, f64) -> f64| nodes.iter().map(|&(x, u, p)| p * f(x, u)).sum::<f64>();
+    fn standardise(&mut self, nodes: &[(Point, Point, f64)]) -> f64 {
+        let average = |f: &dyn Fn(Point, Point) -> f64| {
+            nodes.iter().map(|&(x, u, p)| p * f(x, u)).sum::<f64>()
+        };
         let coordinates = self.coordinates;
         let centre: Point = std::array::from_fn(|k| average(&|x, u| coordinates.of(x, u)[k]));
         let spread: Point = std::array::from_fn(|k| {
@@ -147,16 +168,16 @@ impl<'a> Examination<'a> {
         skewness
     }
 
-    fn standard(&self, x: Point, u: f64) -> Point {
+    fn standard(&self, x: Point, u: Point) -> Point {
         let y = self.coordinates.of(x, u);
         std::array::from_fn(|k| (y[k] - self.centre[k]) / self.spread[k])
     }
 
     /// Whether chart coordinates outside the unit square, or NaN, are more than the point's rounding.
-    fn strays(&self, x: Point, u: [f64; 2]) -> bool {
+    fn strays(&self, x: Point, u: [f64; 3]) -> bool {
         let invert = |x| self.entry.chart.invert(x);
         let at = invert(x);
-        let mut slack = [1e-12; 2];
+        let mut slack = [1e-12; 3];
         for k in 0..3 {
             let mut near = x;
             near[k] += self.rounding[k].max(f64::from(f32::EPSILON) * x[k].abs());
@@ -164,7 +185,7 @@ impl<'a> Examination<'a> {
                 *slack += (moved - at).abs();
             }
         }
-        let inside = (0..2).all(|i| u[i] >= -slack[i] && u[i] <= 1.0 + slack[i]);
+        let inside = (0..3).all(|i| u[i] >= -slack[i] && u[i] <= 1.0 + slack[i]);
         !inside
     }
 
@@ -172,7 +193,7 @@ impl<'a> Examination<'a> {
     pub fn run(&self, seed: u64) -> Report {
         let mut rng = Pcg32::new(seed, seed);
         let moments = moments(self.entry.domain);
-        let mut tally = [0, 1].map(|i: usize| vec![0_u64; self.axes[i].count()]);
+        let mut tally = [0, 1, 2].map(|i: usize| vec![0_u64; self.axes[i].count()]);
         let mut observed = vec![0_u64; self.cells.len()];
         let mut sums = vec![(0.0, 0.0); moments.len()];
         let mut faults = Vec::new();
@@ -182,10 +203,12 @@ impl<'a> Examination<'a> {
             left -= points.len();
             for (i, &point) in points.iter().enumerate() {
                 let x = wide(point);
-                let [u, v, ..] = self.entry.chart.invert(x);
-                let inside = (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v);
-                if !inside && self.strays(x, [u, v]) {
-                    faults.push(format!("{point:?} lies outside the domain, at ({u}, {v})"));
+                let [u, v, w, _] = self.entry.chart.invert(x);
+                let inside = [u, v, w].iter().all(|u| (0.0..=1.0).contains(u));
+                if !inside && self.strays(x, [u, v, w]) {
+                    faults.push(format!(
+                        "{point:?} lies outside the domain, at ({u}, {v}, {w})"
+                    ));
                 }
                 let seen = i % 64 > 0 || self.entry.warp.pdf(point) > 0.0;
                 if !seen {
@@ -194,11 +217,12 @@ impl<'a> Examination<'a> {
                         self.entry.warp.pdf(point)
                     ));
                 }
-                let (i, j) = (self.axes[0].find(u), self.axes[1].find(v));
-                tally[0][i] += 1;
-                tally[1][j] += 1;
-                observed[i / self.axes[0].fine * self.axes[1].cells() + j / self.axes[1].fine] += 1;
-                let t = self.standard(x, u);
+                let found: [usize; 3] = std::array::from_fn(|k| self.axes[k].find([u, v, w][k]));
+                for (tally, found) in tally.iter_mut().zip(found) {
+                    tally[found] += 1;
+                }
+                observed[self.cell(std::array::from_fn(|k| found[k] / self.axes[k].fine))] += 1;
+                let t = self.standard(x, [u, v, w]);
                 for ((sum, moment), mean) in sums.iter_mut().zip(&moments).zip(&self.means) {
                     let off = moment.of(&t) - mean;
                     *sum = (sum.0 + off, sum.1 + off * off);
@@ -216,7 +240,7 @@ impl<'a> Examination<'a> {
     fn judge(
         &self,
         observed: &[u64],
-        tally: &[Vec<u64>; 2],
+        tally: &[Vec<u64>; 3],
         sums: &[(f64, f64)],
         mut faults: Vec<String>,
     ) -> Report {

@@ -40,10 +40,18 @@ pub fn moments(domain: Domain) -> Vec<Moment> {
     }
 }
 
+/// How many uniforms the charts of a domain have.
+pub fn axes(domain: Domain) -> usize {
+    match domain {
+        Domain::Line => 1,
+        Domain::Solid | Domain::Rotations => 3,
+        _ => 2,
+    }
+}
+
 /// How many tests one run over a domain makes.
 pub fn tests(domain: Domain) -> usize {
-    let axes = if domain == Domain::Line { 1 } else { 2 };
-    1 + axes + moments(domain).len()
+    1 + axes(domain) + moments(domain).len()
 }
 
 /// In which coordinates moments are taken.
@@ -52,16 +60,17 @@ pub enum Coordinates {
     Point,
     /// 1 − cos θ in the place of z, where the lobe is so narrow that z itself is rounded away.
     Complement,
-    /// F(x), where the tail of x is too heavy for its moments to be normal.
+    /// The place in the chart's unit square, and the product of its coordinates, where the tail of x is too heavy for its
+    /// moments to be normal, or x jumps; in a cube with its third coordinate. On the line that is F(x).
     Quantile,
 }
 
 impl Coordinates {
-    pub fn of(self, x: Point, u: f64) -> Point {
+    pub fn of(self, x: Point, [u, v, w]: Point) -> Point {
         match self {
             Self::Point => x,
             Self::Complement => [x[0], x[1], truth::complements(x).0],
-            Self::Quantile => [u, 0.0, 0.0],
+            Self::Quantile => [u, v, u * v + w],
         }
     }
 }

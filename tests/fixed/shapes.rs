@@ -4,7 +4,7 @@
 //! tier without rounding.
 
 use fixed::types::extra::LeEqU32;
-use fixed::types::{I16F16, U0F32, U2F62, U16F16, U32F32};
+use fixed::types::{I2F30, I16F16, U0F32, U2F62, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32};
 use microwarp::Warp;
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade, Interval, warp::*};
@@ -42,6 +42,15 @@ impl<T: Exact, const N: usize> Exact for [T; N] {
     }
     fn nowhere() -> Self {
         [T::nowhere(); N]
+    }
+}
+
+impl<A: Exact, B: Exact> Exact for (A, B) {
+    fn exact(self) -> [f64; 3] {
+        self.0.exact()
+    }
+    fn nowhere() -> Self {
+        (A::nowhere(), B::nowhere())
     }
 }
 
@@ -115,7 +124,25 @@ where
     W: Warp<Density = Density> + Send + Sync + 'static,
     W::Point: Exact,
 {
-    let axes = <W::Uniforms as microwarp::uniform::Uniforms>::COUNT;
+    let back = move |point: W::Point| {
+        let [u, v, ..] = truth.invert(point.exact());
+        [u, v]
+    };
+    mapped(name, power, warp, back)
+}
+
+/// Two of the uniforms of a point, or the only one, by the exact map back.
+fn mapped<W>(
+    name: String,
+    power: &Power,
+    warp: W,
+    back: impl Fn(W::Point) -> [f64; 2] + Send + Sync + 'static,
+) -> Shape
+where
+    W: Warp<Density = Density> + Send + Sync + 'static,
+    W::Point: Exact,
+{
+    let axes = <W::Uniforms as microwarp::uniform::Uniforms>::COUNT.min(2);
     Shape {
         name,
         axes,
@@ -126,13 +153,27 @@ where
             let mut points = vec![W::Point::nowhere(); uniforms.len()];
             warp.fill(rng, &mut points);
             for (uniforms, point) in uniforms.iter_mut().zip(&points) {
-                let [u, v, ..] = truth.invert(point.exact());
-                *uniforms = [u, v];
+                *uniforms = back(*point);
             }
             let mut seen = points.iter().step_by(16);
             let without = seen.find(|point| warp.pdf(**point) == Density::ZERO);
             without.map(|point| point.exact())
         }),
+    }
+}
+
+/// A distribution on the line by its CDF, of which shapes ask no more.
+struct OnLine(fn(f64) -> f64);
+
+impl Truth for OnLine {
+    fn sample(&self, _: truth::Uniforms) -> truth::Point {
+        unreachable!("shapes only go back")
+    }
+    fn pdf(&self, _: truth::Point) -> f64 {
+        unreachable!("shapes only go back")
+    }
+    fn invert(&self, [x, ..]: truth::Point) -> truth::Uniforms {
+        [self.0(x), 0.0, 0.0, 0.0]
     }
 }
 
@@ -162,6 +203,12 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
     }
     let mut shapes = shapes! {
         "Disk" => Disk::<G>::new(), Box::new(truth::Disk);
+        "Annulus 30 50" => Annulus::<_, G>::new(short(30.0), short(50.0)).unwrap(),
+            Box::new(truth::Annulus { radii: [30.0, 50.0], turns: [0.0, 1.0] });
+        "Annulus sector" => Annulus::<_, G>::sector(short(0.0), short(50.0), [0.875, 0.25].map(U0F32::from_num::<f64>)).unwrap(),
+            Box::new(truth::Annulus { radii: [0.0, 50.0], turns: [-0.125, 0.25] });
+        "RegularPolygon 3" => RegularPolygon::<G>::new(3).unwrap(), Box::new(truth::RegularPolygon(3));
+        "RegularPolygon 6" => RegularPolygon::<G>::new(6).unwrap(), Box::new(truth::RegularPolygon(6));
         "Sphere" => Sphere::<G>::new(), truth::sphere();
         "Hemisphere" => Hemisphere::<G>::new(), truth::hemisphere();
         "CosineHemisphere" => CosineHemisphere::<G>::new(), truth::cosine_hemisphere();
@@ -169,7 +216,15 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
         "Cone 1.75" => cone(1.75), truth::cone(1.75, 0.25);
         "PhongLobe 0" => lobe(0), truth::phong(0.0);
         "PhongLobe 50" => lobe(50), truth::phong(50.0);
+        "HenyeyGreenstein 0.75" => HenyeyGreenstein::<G>::new(I2F30::from_num(0.75)).unwrap(),
+            truth::henyey_greenstein(0.75);
+        "HenyeyGreenstein -0.5" => HenyeyGreenstein::<G>::new(I2F30::from_num(-0.5)).unwrap(),
+            truth::henyey_greenstein(-0.5);
         "Triangle" => Triangle::<G>::new(), Box::new(truth::Barycentric);
+        "Bilinear" => Bilinear::<G>::new([[1.0, 3.0], [2.0, 0.0]].map(|row| row.map(q16))).unwrap(),
+            Box::new(truth::Bilinear([[1.0, 3.0], [2.0, 0.0]]));
+        "Bilinear in a corner" => Bilinear::<G>::new([[0.0, 0.0], [0.0, 1.0]].map(|row| row.map(q16))).unwrap(),
+            Box::new(truth::Bilinear([[0.0, 0.0], [0.0, 1.0]]));
         "TriangleOn plane" => TriangleOn::<_, 2, G>::new(PLANE.map(|v| v.map(I16F16::from_num))).unwrap(),
             Box::new(truth::OnTriangle(PLANE.map(|[x, y]| [x, y, 0]).map(|v| v.map(f64::from))));
         "TriangleOn space" => TriangleOn::<_, 3, G>::new(SPACE.map(|v| v.map(I16F16::from_num))).unwrap(),
@@ -178,6 +233,12 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
         "Exponential 16" => Exponential::<_, G>::from_mean(q16(16.0)).unwrap(), truth::exponential(0.0625);
         "TruncatedExponential 8, 16" => truncated(8.0, 16.0), truth::truncated_exponential(0.125, 16.0);
         "TruncatedExponential 128, 16" => truncated(128.0, 16.0), truth::truncated_exponential(0.007_812_5, 16.0);
+        "Rayleigh 5" => Rayleigh::<_, G>::new(q16(5.0)).unwrap(),
+            Box::new(OnLine(|x| -(-x * x / 50.0).exp_m1()));
+        "Laplace 10, 5" => Laplace::<_, G>::new(short(10.0), short(5.0)).unwrap(),
+            Box::new(OnLine(|x| { let half = 0.5 * (-(x - 10.0).abs() / 5.0).exp(); if x < 10.0 { half } else { 1.0 - half } }));
+        "Logistic 10, 5" => Logistic::<_, G>::new(short(10.0), short(5.0)).unwrap(),
+            Box::new(OnLine(|x| 1.0 / (1.0 + (-(x - 10.0) / 5.0).exp())));
         "StandardNormalPair" => StandardNormalPair::<G>::new(), normal_pair([0.0; 2], 1.0);
         "NormalPair (100, -20), 5" => normals.unwrap(), normal_pair([100.0, -20.0], 5.0);
         "TriangleOn" => TriangleOn::<_, 2, G>::new(flat.map(|v| v.map(short))).unwrap(),
@@ -186,6 +247,31 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
             Box::new(truth::OnTriangle(solid));
         "Tent 2" => Tent::<_, G>::new(I16F16::from_num(2)).unwrap(), truth::tent(2.0);
     };
+    // Of more uniforms, every two.
+    for [i, j] in [[0, 1], [0, 2], [1, 2]] {
+        let name = |of: &str| format!("{of} {i}{j} {}", G::NAME);
+        let back = move |quaternion: [I2F30; 4]| {
+            let uniforms = truth::Rotations::uniforms(quaternion.map(|c| c.to_num()));
+            [uniforms[i], uniforms[j]]
+        };
+        shapes.push(mapped(name("Rotation"), power, Rotation::<G>::new(), back));
+        let back = move |(shares, rest): ([I2F30; 5], I2F30)| {
+            let shares: Vec<f64> = shares
+                .into_iter()
+                .chain([rest])
+                .map(|x| x.to_num())
+                .collect();
+            let uniforms = truth::Simplex::uniforms(&shares);
+            // Of the powers 1/5, 1/2 and 1.
+            [[0, 3, 4][i], [0, 3, 4][j]].map(|axis: usize| uniforms[axis])
+        };
+        shapes.push(mapped(
+            name("Simplex 5"),
+            power,
+            Simplex::<5, G>::new(),
+            back,
+        ));
+    }
     // Coordinates in steps of 2⁻¹⁵ do not resolve what is that narrow.
     if G::NAME != Coarse::NAME {
         let half = (std::f64::consts::PI * f64::from(narrow)).sin().powi(2);

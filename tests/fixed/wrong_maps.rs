@@ -68,6 +68,42 @@ fn wrong() -> Vec<Shape> {
             disk(),
         ),
         shape(
+            "ring with r linear",
+            2,
+            |[u, v]| turned(30.0 + 20.0 * u, v, 0.0),
+            Box::new(truth::Annulus {
+                radii: [30.0, 50.0],
+                turns: [0.0, 1.0],
+            }),
+        ),
+        shape(
+            "polygon with equal angles along a side",
+            2,
+            |[u, v]| {
+                // As far out as the side is at that angle.
+                let off = (6.0 * v).fract() - 0.5;
+                let rim = (TAU / 12.0).cos() / (TAU * off / 6.0).cos();
+                turned(u.sqrt() * rim, v, 0.0)
+            },
+            Box::new(truth::RegularPolygon(6)),
+        ),
+        shape(
+            "rotations with an angle uniform in its half",
+            2,
+            |[u, v]| {
+                let angle = TAU / 4.0 * u;
+                let z = angle.cos() * (TAU / 2.0 * (v - 0.5)).sin();
+                turned(angle.sin(), 0.3, z)
+            },
+            Box::new(truth::Rotations),
+        ),
+        shape(
+            "simplex of shares in proportion to uniforms",
+            2,
+            |[u, v]| [u / (u + v + 0.5), v / (u + v + 0.5), 0.5 / (u + v + 0.5)],
+            Box::new(truth::Simplex(2)),
+        ),
+        shape(
             "sphere with theta linear",
             2,
             |[u, v]| turned((TAU * u / 2.0).sin(), v, (TAU * u / 2.0).cos()),

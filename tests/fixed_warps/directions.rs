@@ -2,9 +2,11 @@
 
 use crate::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
-use microwarp::fixed::warp::{Cone, CosineHemisphere, Disk, Hemisphere, PhongLobe, Sphere};
+use microwarp::fixed::warp::{
+    Cone, CosineHemisphere, Disk, Hemisphere, HenyeyGreenstein, PhongLobe, Sphere,
+};
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade};
-use microwarp::{Invert, Warp};
+use microwarp::{Error, Invert, Warp};
 use std::f64::consts::{FRAC_1_PI, TAU};
 use support::truth::{self, Truth};
 
@@ -166,6 +168,66 @@ fn the_cone_keeps_its_stated_errors() {
         "Cone",
         &rows([all::<Fine>(), all::<Coarse>(), all::<Compact>()]),
     );
+}
+
+#[test]
+fn the_phase_function_keeps_its_stated_errors() {
+    fn of<G: Grade>(g: f32) -> Measured {
+        let warp = HenyeyGreenstein::<G>::new(I2F30::from_num(g)).unwrap();
+        measured(&warp, truth::henyey_greenstein(g).as_ref())
+    }
+    fn all<G: Grade>() -> Measured {
+        let mut all = of::<G>(0.8);
+        for g in [0.0, -0.5, 0.25, -0.875, 0.96875] {
+            all.join_extremes(&of::<G>(g));
+        }
+        all
+    }
+    hold(
+        "HenyeyGreenstein",
+        &rows([all::<Fine>(), all::<Coarse>(), all::<Compact>()]),
+    );
+}
+
+#[test]
+fn an_asymmetry_near_1_is_given_by_its_complement() {
+    type Fog = HenyeyGreenstein<Fine>;
+    let of = |bits: u64| Fog::from_one_minus(U2F62::from_bits(bits));
+    let one = 1_u64 << 62;
+    assert_eq!(of(0), Err(Error::OutOfRange));
+    assert_eq!(of(2 * one), Err(Error::OutOfRange));
+    assert_eq!(of(u64::MAX), Err(Error::OutOfRange));
+    for least in [1, (one >> 17) - 1] {
+        assert_eq!(of(least), Err(Error::Empty));
+        assert_eq!(of(2 * one - least), Err(Error::Empty));
+    }
+    for bits in [
+        one >> 17,
+        2 * one - (one >> 17),
+        one,
+        one / 3,
+        one + one / 3,
+    ] {
+        let fog = of(bits).unwrap();
+        assert_eq!(fog.one_minus_asymmetry(), U2F62::from_bits(bits));
+        // The peak, the largest density there is.
+        let z = if bits > one { -1 } else { 1 };
+        assert!(fog.pdf([0, 0, z].map(I2F30::from_num)) > 0);
+    }
+    for g in [0, 1, -1, 12_345, -(3 << 28), (1 << 30) - (1 << 13)] {
+        let g = I2F30::from_bits(g);
+        let complement = U2F62::from_num(1) - U2F62::from_num(g.abs());
+        let complement = if g < 0 {
+            U2F62::from_bits(2 * one - complement.to_bits())
+        } else {
+            complement
+        };
+        assert_eq!(Fog::new(g), of(complement.to_bits()));
+    }
+    for g in [I2F30::ONE, -I2F30::ONE, I2F30::MIN, I2F30::MAX] {
+        assert_eq!(Fog::new(g), Err(Error::OutOfRange));
+    }
+    assert_eq!(Fog::new(I2F30::ONE - I2F30::DELTA), Err(Error::Empty));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //!
 //! Overflow checks are on, so that a sweep that comes to its end is also the proof that nothing overflows.
 
+mod bilinear;
 mod directions;
 mod exponential;
 mod families;

@@ -164,6 +164,62 @@ fn parameters_come_back_as_they_were_given() {
     assert_eq!(*mw::Float::new(mw::Disk::new()).warp(), mw::Disk::new());
 }
 
+/// The cone towards a sphere is that of its radius and distance, whatever the unit.
+#[test]
+fn a_sphere_is_seen_in_its_cone() {
+    type Wide = FixedU32<U32>;
+    let towards = |d, r| Cone::<Fine>::towards_sphere(Wide::from_bits(d), Wide::from_bits(r));
+    let mut rng = Pcg32::seed_from_u64(17);
+    let (mut worst, mut seen) = (0.0_f64, [0; 3]);
+    for i in 0..300_000 {
+        let d = rng.next_u32() >> (rng.next_u32() & 31);
+        let r = match i % 3 {
+            0 => d.saturating_sub(rng.next_u32() >> (rng.next_u32() & 31)),
+            1 => d.wrapping_sub(rng.next_u32() & 3).wrapping_add(1),
+            _ => d >> (rng.next_u32() & 31),
+        };
+        let cone = towards(d, r);
+        let [wide, narrow] = [d, r].map(f64::from);
+        let ratio = narrow / wide;
+        let exact = ratio * ratio / (1.0 + ((wide - narrow) * (wide + narrow)).sqrt() / wide);
+        match cone {
+            Err(Error::NotPositive) => assert_eq!(r, 0),
+            Err(error) => {
+                assert!(
+                    error == Error::Empty && exact < 1.2e-10,
+                    "{d} {r}: {error:?}"
+                );
+                seen[0] += 1;
+            }
+            Ok(cone) if r > d => {
+                assert_eq!(cone.one_minus_cos(), 2, "{d} {r}");
+                seen[1] += 1;
+            }
+            Ok(cone) => {
+                let k = cone.one_minus_cos().to_num::<f64>();
+                // The getter cuts to 62 binary places.
+                let error = ((k - exact).abs() - 0.5_f64.powi(62)) / exact;
+                worst = worst.max(error);
+                assert!(error <= 0.5_f64.powi(30), "{d} {r}: {k}");
+                assert!(r < d || k == 1.0, "{d} {r}: {k}");
+                seen[2] += 1;
+                if r > d / 4 * 3 && i % 2 == 0 {
+                    let [d, r] = [d, r].map(|x| FixedU32::<U0>::from_bits(x >> 2 << 2));
+                    let [half, quarter] =
+                        [d, r].map(|x| FixedU32::<U16>::from_bits(x.to_bits() >> 2));
+                    let whole = Cone::<Fine>::towards_sphere(d, r);
+                    assert_eq!(whole, Cone::towards_sphere(half, quarter));
+                }
+            }
+        }
+    }
+    println!(
+        "a sphere's k is off by {:.2} of a 31st digit; {seen:?}",
+        worst * 2_f64.powi(31)
+    );
+    assert!(seen.iter().all(|n| *n > 3_000), "{seen:?}");
+}
+
 #[test]
 fn an_interval_says_its_lowest_and_its_last_value() {
     fn holds<T: mw::Number + PartialEq + core::fmt::Debug>(of: [T; 2], due: [T; 2]) {
@@ -189,4 +245,110 @@ fn an_interval_says_its_lowest_and_its_last_value() {
     let below = high - U16F16::DELTA;
     let numbers = Interval::<U16F16>::new(low, high).unwrap();
     holds([numbers.low(), numbers.last()], [low, below]);
+}
+
+/// Location, scale and sigma come back; a scale that is not positive, and points beyond the format, are refused.
+#[test]
+fn laplace_logistic_and_rayleigh_refuse_what_does_not_fit() {
+    use microwarp::fixed::warp::{Laplace, Logistic, Rayleigh};
+    use microwarp::{Invert, Warp};
+    let (i, u) = (FixedI32::<U16>::from_bits, FixedU32::<U16>::from_bits);
+    macro_rules! refuse {
+        ($name:ident, $reach:literal) => {
+            type Of = $name<U16, Fine>;
+            for scale in [0, -1, i32::MIN] {
+                assert_eq!(Of::new(i(0), i(scale)), Err(Error::NotPositive));
+            }
+            // The largest scale about 0, and about a location that leaves room for one step.
+            let most = (f64::from(i32::MAX) / $reach) as i32;
+            assert!(Of::new(i(0), i(most - 2)).is_ok());
+            assert_eq!(Of::new(i(0), i(most + 2)), Err(Error::TooLarge));
+            assert_eq!(Of::new(i(i32::MIN), i(1)), Err(Error::TooLarge));
+            assert_eq!(Of::new(i(i32::MAX - 22), i(1)), Err(Error::TooLarge));
+            for location in [i32::MAX - 23, 23 - i32::MAX] {
+                let law = Of::new(i(location), i(1)).unwrap();
+                assert_eq!((law.location(), law.scale()), (i(location), i(1)));
+                let ends = [0, u32::MAX].map(|w| law.sample(U0F32::from_bits(w)));
+                assert_eq!(ends, [i(location - 22), i(location + 22)]);
+            }
+            // The largest points fit, and the median is the location.
+            let law = Of::new(i(0), i(most - 2)).unwrap();
+            for (w, sign) in [(0, -1), (u32::MAX, 1)] {
+                assert_eq!(law.sample(U0F32::from_bits(w)).to_bits().signum(), sign);
+            }
+            for w in [(1 << 31) - 1, 1 << 31] {
+                assert_eq!(law.sample(U0F32::from_bits(w)).to_bits() / most, 0);
+            }
+            assert_eq!(law.invert(i(i32::MIN)), 0);
+            assert_eq!(law.invert(i(i32::MAX)), U0F32::MAX);
+        };
+    }
+    {
+        refuse!(Laplace, 22.195_312_5);
+    }
+    {
+        refuse!(Logistic, 22.882_812_5);
+    }
+    type Of = Rayleigh<U16, Fine>;
+    assert_eq!(Of::new(u(0)), Err(Error::NotPositive));
+    let most = (f64::from(u32::MAX) / 6.67) as u32;
+    assert_eq!(Of::new(u(most + 1)), Err(Error::TooLarge));
+    let law = Of::new(u(most)).unwrap();
+    assert_eq!(law.sigma(), u(most));
+    assert_eq!(law.sample(U0F32::ZERO), 0);
+    assert!(law.sample(U0F32::MAX).to_bits() > most / 2 * 13);
+    assert_eq!(law.invert(u(0)), 0);
+}
+
+/// Radii, sides and corners come back; what has no area, is too large or too dense is refused.
+#[test]
+fn rings_and_polygons_refuse_what_does_not_fit() {
+    use fixed::types::I0F32;
+    use microwarp::Warp;
+    use microwarp::fixed::warp::{Annulus, RegularPolygon};
+    type Of = Annulus<U16, Fine>;
+    let q = FixedI32::<U16>::from_bits;
+    let new = |inner, outer| Of::new(q(inner), q(outer));
+    assert_eq!(new(-1, 5), Err(Error::Negative));
+    assert_eq!(new(i32::MIN, -1), Err(Error::Negative));
+    assert_eq!(new(6, 5), Err(Error::Reversed));
+    assert_eq!(new(1000, 1000), Err(Error::Empty));
+    assert_eq!(new(0, 0), Err(Error::Empty));
+    assert_eq!(new(0, (1 << 30) + 1), Err(Error::TooLarge));
+    // A disk of one step, of density 2^32/pi, and of one in a format with more digits, whose density overflows.
+    assert!(new(0, 1).is_ok());
+    assert_eq!(
+        Annulus::<U32, Fine>::new(I0F32::ZERO, I0F32::DELTA),
+        Err(Error::Empty)
+    );
+    let sector = |sides: [u32; 2]| Of::sector(q(0), q(1 << 30), sides.map(U0F32::from_bits));
+    assert_eq!(sector([7, 7]), Err(Error::Empty));
+    for (inner, outer) in [(0, 2), (1, 2), ((1 << 30) - 1, 1 << 30), (77, 1 << 20)] {
+        let ring = new(inner, outer).unwrap();
+        assert_eq!(
+            (ring.radii(), ring.sides()),
+            ([q(inner), q(outer)], [U0F32::ZERO; 2])
+        );
+        let sides = [0xf000_0000, 1 << 28].map(U0F32::from_bits);
+        let fan = Of::sector(q(inner), q(outer), sides).unwrap();
+        assert_eq!((fan.radii(), fan.sides()), (ring.radii(), sides));
+        // An eighth of a turn, with eight times the density.
+        let point = ring.sample([U0F32::ZERO; 2]);
+        let [ring, fan] = [ring.pdf(point), fan.pdf(point)].map(|p| p.to_num::<f64>());
+        assert!(
+            (fan / ring - 8.0).abs() < 1e-6 || ring < 1e-3,
+            "{fan} {ring}"
+        );
+    }
+    const RING: Result<Of, Error> = Of::new(I16F16::ZERO, I16F16::ONE);
+    assert!(RING.is_ok());
+    for corners in [0, 1, 2] {
+        assert_eq!(RegularPolygon::<Fine>::new(corners), Err(Error::OutOfRange));
+    }
+    for corners in [3, 4, 1000, u16::MAX] {
+        assert_eq!(
+            RegularPolygon::<Fine>::new(corners).unwrap().corners(),
+            corners
+        );
+    }
 }

@@ -2,9 +2,10 @@
 
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{
-    Aabb, Cone, Exponential, ExponentialTail, HenyeyGreenstein, Interval, Linear, Normal,
-    NormalPair, PhongLobe, Power, Spherical, SphericalPatch, Tent, TriangleOn,
-    TruncatedExponential,
+    Aabb, Annulus, Cauchy, Cone, Exponential, ExponentialTail, FrustumSurface, Gumbel,
+    HenyeyGreenstein, Interval, Laplace, Linear, LogNormal, Logistic, Normal, NormalPair, Pareto,
+    PhongLobe, Power, Rayleigh, Spherical, SphericalPatch, Tent, TriangleOn, TruncatedExponential,
+    TruncatedNormal, Weibull,
 };
 use microwarp::{Error, constant};
 use std::collections::BTreeSet;
@@ -64,17 +65,25 @@ fn in_both_worlds<T: Tier>() {
     }
     same! {
         Aabb::new([-1.0, 0.1, 1e-3], [2.0, 0.3, 1e20]);
+        Cauchy<T>::new(0.3, 1.7);
         Cone<T>::from_one_minus_cos(0.3);
         Exponential<T>::from_rate(0.7);
         Exponential<T>::from_mean(0.7);
         ExponentialTail<T>::from_rate(3.0);
         ExponentialTail<T>::from_mean(3.0);
+        Gumbel<T>::new(0.3, 1.7);
         HenyeyGreenstein<T>::new(-0.6);
+        HenyeyGreenstein<T>::from_one_minus_g(1e-7);
+        HenyeyGreenstein<T>::from_one_plus_g(0.7);
         Interval::new(0.1, 0.7);
         Interval::decreasing(-0.1, 0.7);
+        Laplace<T>::new(0.3, 1.7);
         Linear::new(0.1, 0.3);
+        LogNormal<T>::new(0.3, 1.7);
+        Logistic<T>::new(0.3, 1.7);
         Normal<T>::new(0.3, 1.7);
         NormalPair<T>::new([0.3, 3.0], 1.7);
+        Pareto<T>::new(0.3, 1.7);
         PhongLobe<T>::new(13.7);
         Power<T>::new(2.5, 0.0, 0.7);
         Power<T>::new(-1.0, 0.1, 0.7);
@@ -82,6 +91,7 @@ fn in_both_worlds<T: Tier>() {
         Power<T>::new(-0.3, 0.0, 7.0);
         Power<T>::decreasing(-2.7, 0.1, 1e20);
         Power<T>::decreasing(1e8, 1.0, 1.000_001);
+        Rayleigh<T>::new(0.3);
         Spherical<T>::from_turns(1.0, 0.1, 0.3);
         Tent::new(0.3);
         TruncatedExponential<T>::from_rate(1e-7, 3.0);
@@ -89,6 +99,7 @@ fn in_both_worlds<T: Tier>() {
         TruncatedExponential<T>::from_rate(-0.7, 3.0);
         TruncatedExponential<T>::from_rate(-700.0, 0.3);
         TruncatedExponential<T>::from_mean(0.7, 3.0);
+        Weibull<T>::new(0.3, 1.7);
     }
 }
 
@@ -121,14 +132,50 @@ fn getters_give_the_parameters_back() {
             HenyeyGreenstein::<T>::new(-0.25).unwrap().asymmetry(),
             -0.25
         );
+        let needle = HenyeyGreenstein::<T>::from_one_plus_g(1e-9).unwrap();
+        assert_eq!((needle.asymmetry(), needle.one_minus_abs_g()), (-1.0, 1e-9));
         let normal = Normal::<T>::new(-3.0, 0.3).unwrap();
         assert_eq!((normal.mean(), normal.std_dev()), (-3.0, 0.3));
         let pair = NormalPair::<T>::new([1.0, -2.0], 0.3).unwrap();
         assert_eq!((pair.mean(), pair.std_dev()), ([1.0, -2.0], 0.3));
+        macro_rules! located {
+            ($($name:ident)*) => {$(
+                let law = $name::<T>::new(-3.0, 0.3).unwrap();
+                assert_eq!((law.location(), law.scale()), (-3.0, 0.3));
+            )*};
+        }
+        located!(Cauchy Gumbel Laplace Logistic);
+        assert_eq!(Rayleigh::<T>::new(0.3).unwrap().scale(), 0.3);
+        let weibull = Weibull::<T>::new(0.3, 0.7).unwrap();
+        assert_eq!((weibull.scale(), weibull.shape()), (0.3, 0.7));
+        let pareto = Pareto::<T>::new(0.3, 0.7).unwrap();
+        assert_eq!((pareto.minimum(), pareto.shape()), (0.3, 0.7));
+        let size = LogNormal::<T>::new(-3.0, 0.3).unwrap();
+        assert_eq!((size.mean_of_log(), size.std_dev_of_log()), (-3.0, 0.3));
         let segment = TruncatedExponential::<T>::from_rate(-2.5, 3.0).unwrap();
         assert_eq!((segment.rate(), segment.length()), (-2.5, 3.0));
+        let narrowed = TruncatedNormal::<T>::new(0.3, 0.7, -1.0, 2.0).unwrap();
+        assert_eq!((narrowed.mean(), narrowed.std_dev()), (0.3, 0.7));
+        assert_eq!((narrowed.low(), narrowed.high()), (-1.0, 2.0));
+        let above = TruncatedNormal::<T>::above(0.3, 0.7, 0.1).unwrap();
+        assert_eq!((above.low(), above.high()), (0.1, f32::INFINITY));
+        let below = TruncatedNormal::<T>::below(0.3, 0.7, 0.1).unwrap();
+        assert_eq!((below.low(), below.high()), (f32::NEG_INFINITY, 0.1));
         let patch = SphericalPatch::<T>::from_turns(0.125, 0.25, -0.25, 0.5).unwrap();
+        assert_eq!(patch.theta_turns(), [0.125, 0.25]);
         assert_eq!(patch.phi_turns(), [-0.25, 0.5]);
+        // Their sum and difference are not of f32.
+        for phi in [[0.1, 0.7], [-0.3, 0.1], [0.9, 1.3], [-1e-9, 0.7]] {
+            let patch = SphericalPatch::<T>::from_turns(0.0, 0.25, phi[0], phi[1]);
+            assert_eq!(patch.unwrap().phi_turns(), phi);
+        }
+        for radii in [[0.3, 0.7], [0.0, 3.3], [1e-45, 1e-18], [1e-35, 1e18]] {
+            let sector = Annulus::<T>::sector(radii[0], radii[1], -0.3, 0.1).unwrap();
+            assert_eq!([sector.inner(), sector.outer()], radii);
+            assert_eq!(sector.phi_turns(), [-0.3, 0.1]);
+            let tube = FrustumSurface::<T>::tube(radii, 0.3).unwrap();
+            assert_eq!((tube.radii(), tube.height()), (radii, 0.3));
+        }
         assert_eq!(
             Cone::<T>::from_one_minus_cos(0.3).unwrap().one_minus_cos(),
             0.3

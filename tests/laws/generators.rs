@@ -56,6 +56,7 @@ fn a_draw_consumes_the_documented_number_of_words() {
     consumes(&poly::Disk::new(), 2);
     consumes(&poly::Triangle::new(), 2);
     consumes(&libm::Sphere::new(), 2);
+    consumes(&libm::CapsuleSurface::new(1.0, 1.0).unwrap(), 2);
     consumes(&libm::PhongLobe::new(5.0).unwrap(), 2);
     // A composition consumes what its parts do.
     let frame = poly::Frame::new([0.0, 1.0, 0.0]).unwrap();
@@ -68,6 +69,8 @@ fn a_draw_consumes_the_documented_number_of_words() {
     consumes(&&tail, 2);
     let either = poly::MarginalConditional::new(tail, |_| poly::Interval::new(0.0, 1.0).unwrap());
     consumes(&either, 3);
+    let sky = PiecewiseConstant2d::new_u64(&[[1.0, 2.0]], [0.0, 1.0], [0.0, 1.0]).unwrap();
+    consumes(&poly::Composed::new(sky, poly::Sphere::new()), 4);
 }
 
 /// Over the whole registry, which knows the number: as many words as uniforms, but twice as many for the

@@ -3,16 +3,21 @@
 
 mod any_parameters;
 mod boxes;
+mod composed;
 mod constructors;
 mod density;
 mod generators;
 mod house;
+mod lights;
 mod monotone;
 mod parameters;
 mod power;
 mod reflection;
 mod shapes;
+mod surfaces;
 mod truncated;
+mod uniform_shapes;
+mod visible_sphere;
 
 use support::registry::{Domain, Ends, Entry, Point, Uniforms, entries};
 use support::speed;
@@ -179,8 +184,9 @@ fn same_place(entry: &Entry, a: Point, b: Point) -> bool {
     };
     (0..entry.uniforms).all(|i| {
         let d = (a[i] - b[i]).abs();
-        // The second uniform turns round, and is lost where the first is at an end.
-        let seam = i > 0 && (d >= 1.0 - tolerance || a[0] <= 1e-5 || a[0] >= 1.0 - 1e-5);
+        // The last uniform turns round, and is lost where one before is at an end.
+        let lost = a[..i].iter().any(|u| *u <= 1e-5 || *u >= 1.0 - 1e-5);
+        let seam = i > 0 && (d >= 1.0 - tolerance || lost);
         d <= tolerance || seam || d.is_nan()
     })
 }
@@ -260,7 +266,7 @@ fn every_truth_agrees_with_itself() {
             let u = [
                 0.013 + 0.004_86 * f64::from(k),
                 0.37 + 0.003 * f64::from(k % 7),
-                0.0,
+                0.21 + 0.07 * f64::from(k % 9),
                 0.0,
             ];
             let x = entry.truth.sample(u);
@@ -273,7 +279,14 @@ fn every_truth_agrees_with_itself() {
                 );
             }
             let volume = volume_element(&entry, u);
-            let product = entry.truth.pdf(x) * volume;
+            let density = entry.truth.pdf(x);
+            let of_uniforms = entry.truth.density(u) / density;
+            assert!(
+                (of_uniforms - 1.0).abs() <= 1e-7,
+                "{} at {u:?}: {of_uniforms} of the density",
+                entry.label()
+            );
+            let product = density * volume;
             assert!(
                 (product - 1.0).abs() <= 1e-4,
                 "{} at {u:?}: {product}",
@@ -297,6 +310,15 @@ fn volume_element(entry: &Entry, u: [f64; 4]) -> f64 {
         return slope(0)[0].abs();
     }
     let (p, q) = (slope(0), slope(1));
+    if matches!(entry.domain, Domain::Solid | Domain::Rotations) {
+        let volume = support::truth::dot(support::truth::cross(p, q), slope(2)).abs();
+        // A piece of the half sphere of quaternions is larger than its shadow on w = 0.
+        let [x, y, z] = entry.truth.sample(u);
+        return match entry.domain {
+            Domain::Rotations => volume / (1.0 - (x * x + y * y + z * z)).sqrt(),
+            _ => volume,
+        };
+    }
     if entry.domain == Domain::Barycentric {
         return (p[0] * q[1] - p[1] * q[0]).abs();
     }

@@ -5,7 +5,7 @@
 //! neighbours. The map that rounds twice, (1 − u)a + ub, must be found out by all of it.
 
 use crate::any_parameters::any;
-use microwarp::discrete::PiecewiseConstant1d;
+use microwarp::discrete::{PiecewiseConstant1d, PiecewiseLinear1d};
 use microwarp::{
     Error, Warp,
     warp::{Interval, Linear, Tent},
@@ -65,6 +65,18 @@ fn listed() -> Vec<(&'static str, Option<Map>)> {
         ("1 to 1.000001", rising(Linear::new(1.0, 1.000_001))),
         ("1 to 0.3", rising(Linear::new(1.0, 0.3))),
         ("1e20 to 1e-20", rising(Linear::new(1e20, 1e-20))),
+        (
+            "0:1 in cells",
+            rising(PiecewiseLinear1d::new(&[0.0, 1.0], 0.0, 1.0)),
+        ),
+        (
+            "1:0.3:0.9 in cells",
+            rising(PiecewiseLinear1d::new(&[1.0, 0.3, 0.9], 0.0, 1.0)),
+        ),
+        (
+            "1:1.000001:0 in cells",
+            rising(PiecewiseLinear1d::new(&[1.0, 1.000_001, 0.0], -1.0, 1e-3)),
+        ),
         ("tent 1", rising(Tent::new(1.0))),
         ("tent 3e38", rising(Tent::new(3e38))),
         ("tent 1.2e-38", rising(Tent::new(1.2e-38))),
@@ -94,6 +106,14 @@ fn families() -> Vec<(&'static str, Build)> {
         ("PiecewiseConstant1d", |p| {
             let ((a, b), [_, _, weights @ ..]) = (ordered(p), p.map(f32::abs));
             rising(PiecewiseConstant1d::new(&weights, a, b))
+        }),
+        ("PiecewiseLinear1d", |p| {
+            let ((a, b), [_, _, weights @ ..]) = (ordered(p), p.map(f32::abs));
+            rising(PiecewiseLinear1d::new(&weights, a, b))
+        }),
+        ("PiecewiseLinear1d of a cell", |p| {
+            let ((a, b), [_, _, c, d, ..]) = (ordered(p), p.map(f32::abs));
+            rising(PiecewiseLinear1d::new(&[c, d], a, b))
         }),
     ]
 }

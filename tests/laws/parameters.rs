@@ -1,8 +1,11 @@
 //! Bad parameters get a typed error from the constructor, and nothing is built; the extremes that are accepted are total.
 
+use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::{MAX_STRATA, Strata1d, Strata2d};
 use microwarp::{Error, Warp as _, libm, poly};
-use support::registry::registered;
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+use support::registry::{Registered, of_tier, registered};
 
 #[test]
 fn impossible_parameters_are_refused_by_name() {
@@ -28,6 +31,64 @@ fn impossible_parameters_are_refused_by_name() {
         .map(|of| format!("{} {}", of.name, of.constructor))
         .collect();
     assert!(silent.is_empty(), "{silent:?} refuse nothing");
+}
+
+/// Numbers that are bad or special at many places; drawn for all places, they coincide often.
+const DRAWN: [f32; 12] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    3.0,
+    1.0e-45,
+    1.0e-30,
+    1.0e30,
+    f32::MAX,
+    f32::NAN,
+    f32::NEG_INFINITY,
+];
+
+/// NaN and infinity are refused at every place of every constructor, and both tiers refuse the same for the same reason.
+/// What they accept is total.
+#[test]
+fn both_tiers_refuse_the_same_numbers() {
+    let tables = |of: &Registered| {
+        of.name.starts_with("Piecewise") || ["LatLongMap", "Mesh"].contains(&of.name)
+    };
+    let (mut places, mut drawn) = (0, 0);
+    let mut rng = Pcg32::new(7, 3);
+    for (libm, poly) in of_tier::<Libm>().iter().zip(&of_tier::<Poly>()) {
+        let verdicts = |numbers: &[f32]| {
+            let verdict = |of: &Registered| (of.build)(numbers).map(|e| e.warp.sample([0.5; 4]));
+            let (one, other) = (verdict(libm), verdict(poly));
+            let label = format!("{} {} {numbers:?}", libm.name, libm.constructor);
+            assert_eq!(one.as_ref().err(), other.as_ref().err(), "{label}");
+            for point in [one, other].into_iter().flatten() {
+                assert!(point.iter().all(|x| x.is_finite()), "{label}: {point:?}");
+            }
+            (label, other.err())
+        };
+        let accepted = libm.cases.iter().map(|(_, numbers, _)| numbers);
+        for numbers in accepted.chain(&libm.seeds).filter(|_| !tables(libm)) {
+            for place in 0..numbers.len() {
+                for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+                    let mut numbers = numbers.clone();
+                    numbers[place] = bad;
+                    let (label, error) = verdicts(&numbers);
+                    assert_eq!(error, Some(Error::NotFinite), "{label}");
+                    places += 1;
+                }
+            }
+        }
+        for _ in 0..if libm.takes.is_empty() { 0 } else { 2_000 } {
+            let any = |_| DRAWN[(rng.next_u32() % 12) as usize];
+            verdicts(&(0..libm.takes.len()).map(any).collect::<Vec<_>>());
+            drawn += 1;
+        }
+    }
+    println!("{places} bad numbers at their places, {drawn} drawn");
+    assert!(places > 500 && drawn > 50_000);
 }
 
 /// What is no warp.

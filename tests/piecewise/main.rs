@@ -2,11 +2,14 @@
 //! Truth is integers and `f64`. How samples are distributed is in `distributions.rs`, errors of samples
 //! and densities are in `accuracy.rs`.
 
+mod curves;
 mod edges;
 mod masses;
+mod meshes;
 mod pictures;
 mod places;
 mod refusals;
+mod skies;
 
 use microwarp::Warp;
 use microwarp::discrete::Cdf;

@@ -10,6 +10,7 @@ mod exact;
 mod examination;
 mod integers;
 mod layers;
+mod poisson;
 mod subjects;
 mod ziggurat_budgets;
 mod ziggurats;

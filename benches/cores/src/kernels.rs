@@ -13,6 +13,7 @@ mod float;
 mod generator;
 mod integer;
 mod peers;
+mod points;
 mod primitives;
 mod rejection;
 mod tables;
@@ -20,7 +21,7 @@ mod tables;
 use crate::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 12] = [
+pub static REGISTRY: [&[Entry]; 14] = [
     chains::ENTRIES,
     float::POLY,
     float::LIBM,
@@ -30,7 +31,9 @@ pub static REGISTRY: [&[Entry]; 12] = [
     integer::COMPACT,
     integer::PLAIN,
     peers::ENTRIES,
+    points::ENTRIES,
     primitives::ENTRIES,
     rejection::ENTRIES,
     tables::ENTRIES,
+    tables::RESAMPLING,
 ];

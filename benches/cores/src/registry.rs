@@ -134,7 +134,7 @@ pub const fn ok<T: Copy>(result: Result<T, Error>) -> T {
 }
 
 /// Memory for what a kernel finds ready: a warp whose constructor is no `const fn`, or the state of a chain.
-static mut STORED: [u64; 32] = [0; 32];
+static mut STORED: [u64; 48] = [0; 48];
 
 /// What `made` has put into memory; the kernel's side of `stored`.
 #[inline(always)]
@@ -147,7 +147,7 @@ pub fn loaded<T: Copy>(_: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
 /// Puts it there, in a way that the compiler cannot see through, so that the kernel really loads it.
 pub fn made<T: Copy>(make: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
     const {
-        assert!(size_of::<T>() <= size_of::<[u64; 32]>() && align_of::<T>() <= align_of::<u64>());
+        assert!(size_of::<T>() <= size_of::<[u64; 48]>() && align_of::<T>() <= align_of::<u64>());
     }
     let at = (&raw mut STORED).cast::<T>();
     // SAFETY: there is room, by the assertion, and one thread.

@@ -1,6 +1,7 @@
 //! What goes into a kernel and comes out of it: numbers of one word each.
 
 use fixed::types::{I2F30, I5F27, I16F16, U0F32, U5F27, U16F16, U32F32};
+use microwarp::warp::SurfacePoint;
 
 /// An input of a kernel, a word of memory.
 pub trait Input: Copy {
@@ -65,6 +66,15 @@ impl Output for usize {
     unsafe fn store(self, to: *mut u32) {
         // SAFETY: the caller's.
         unsafe { to.write_volatile(self as u32) }
+    }
+}
+
+impl Output for SurfacePoint {
+    const WORDS: usize = 6;
+    #[inline(always)]
+    unsafe fn store(self, to: *mut u32) {
+        // SAFETY: the caller's.
+        unsafe { (self.position, self.normal).store(to) }
     }
 }
 

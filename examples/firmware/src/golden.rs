@@ -1,13 +1,16 @@
 //! Prints golden bits, row by row as they stand in `tests/golden/golden.csv`.
 //!
-//! All of them together, every function of the crate in every tier, are more than the 256 KB of the smaller board;
-//! so there is a program for each tier.
+//! All of them together, every function of the crate in every tier, are more than the 256 KB of the smaller board; so
+//! there are two programs for each float tier, and one for the integers.
 
 use crate::board::{exit, print};
 use core::fmt::{Error, Write};
-use microwarp_golden::describe;
+use microwarp::tier::Tier;
+use microwarp_golden::{
+    cases_of_half, cases_of_tier, describe, evaluate_first_half, evaluate_second_half,
+};
 
-/// A tier: its first case, how many it has, and what evaluates them, counted from 0.
+/// Some of a tier: its first case, how many it has, and what evaluates them, counted from 0.
 pub struct Part {
     pub first: usize,
     pub count: usize,
@@ -15,6 +18,24 @@ pub struct Part {
 }
 
 impl Part {
+    /// The first half of a float tier, whose cases begin at `first`.
+    pub fn first_half<T: Tier>(first: usize) -> Self {
+        Self {
+            first,
+            count: cases_of_half(),
+            evaluate: evaluate_first_half::<T>,
+        }
+    }
+
+    /// The second half of a float tier, whose cases begin at `first`.
+    pub fn second_half<T: Tier>(first: usize) -> Self {
+        Self {
+            first: first + cases_of_half(),
+            count: cases_of_tier() - cases_of_half(),
+            evaluate: evaluate_second_half::<T>,
+        }
+    }
+
     /// Prints all its rows, and ends.
     pub fn run(&self) -> ! {
         exit(

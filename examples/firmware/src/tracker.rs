@@ -2,20 +2,12 @@
 
 use crate::world::{Place, Pose, RANGE_DEVIATION, World, distance};
 use microwarp::Error;
-use microwarp::discrete::Cdf;
-use microwarp::uniform::Strata1d;
+use microwarp::discrete::resampling::{rearrange, systematic, to_integers};
 use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
 
 /// How many guesses there are.
 pub const PARTICLES: usize = 128;
-
-/// One uniform from every hundred-and-twenty-eighth of [0, 1): guesses survive in proportion to their weights, to
-/// within one.
-const STRATA: Strata1d = match Strata1d::new(PARTICLES as u32) {
-    Ok(strata) => strata,
-    // In a constant this is an error of the compiler's.
-    Err(_) => panic!("bad strata"),
-};
 
 /// Guesses of the rover's pose, each as good as any other.
 pub struct Tracker {
@@ -41,21 +33,15 @@ impl Tracker {
     ///
     /// # Errors
     /// [`Error::AllZero`] if the range agrees with no guess at all; nothing has changed then.
-    #[inline(never)] // Its copy of the guesses is on the stack for as long as it runs.
     pub fn correct(&mut self, beacon: Place, range: f32, rng: &mut Pcg32) -> Result<(), Error> {
         let weights = self
             .particles
             .each_ref()
             .map(|pose| agreement(range - distance(pose.place, beacon)));
-        // Words of 64 bits take weights of any size; words of 32 refuse one that is below 2⁻³² of the sum.
-        let mut words = [0_u64; PARTICLES];
-        let table = Cdf::<&[u64]>::new_in(&weights, &mut words)?;
-        let before = self.particles;
-        for (particle, stratum) in self.particles.iter_mut().zip(0..) {
-            let u = STRATA.draw(stratum, rng);
-            *particle = before[table.select_uniform(u).index];
-        }
-        Ok(())
+        let mut counts = [0; PARTICLES];
+        to_integers(&weights, &mut counts)?;
+        systematic(&mut counts, PARTICLES as u32, rng.next_u32())?;
+        rearrange(&mut counts, &mut self.particles)
     }
 
     /// The mean of the guesses.

@@ -16,9 +16,13 @@ const largest = (p) => Math.max(...p.map(Math.abs));
 // A power law is drawn finest at the end where its density may be 0 or infinite: the lower one from n = −1 up.
 const power_draws = (increasing) => (words, [n]) => (increasing === n >= -1 ? count.deep : count.deep_down)(words);
 
+// Space seen from a corner, z upwards.
+const corner = ([x, y, z]) => [(y - x) / Math.sqrt(2), (2 * z - x - y) / Math.sqrt(6)];
+
 // By name, in the order of the page: `truth` of parameters and tier; `counting`, where it is not that of a warp without
 // a scale; `uniforms` of words, where they are not those of 24 bits; `fraction`, the bits behind the point of an integer
-// warp's parameters, where they are not 16; and a `label`, or where it is `documented`, where that is not the name.
+// warp's parameters, where they are not 16; without a truth `flat`, which places a point of space on paper; and a
+// `label`, or where it is `documented`, where that is not the name.
 const KNOWN = {
   Interval: {
     truth: ([a, b]) => line.interval(a, b),
@@ -83,6 +87,12 @@ const KNOWN = {
     truth: plane.below_diagonal,
     uniforms: ([first, second]) => [...count.deep([first]), ...count.grid([second])],
   },
+  Simplex: { label: "Simplex<2>" },
+  SimplexOf3: { label: "Simplex<3>", flat: corner },
+  BoxSurface: { flat: corner },
+  FrustumSurface: { flat: corner },
+  FrustumSurfaceTube: { flat: corner, label: "FrustumSurface::tube" },
+  CapsuleSurface: { flat: corner },
   Sphere: { truth: directions.sphere },
   Hemisphere: { truth: directions.hemisphere },
   CosineHemisphere: { truth: directions.cosine_hemisphere },

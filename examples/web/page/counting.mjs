@@ -76,7 +76,7 @@ function float_error(type, scale, names, { tier, p, stated }) {
   const of = {
     "ulp": (got, exact) => widest(got, exact) / ulp(exact[0]),
     "ulp of the scale": of_scale,
-    "ulp of mean or deviate": of_scale,
+    "ulp of location or distance": of_scale,
     "of the size": (got, exact) => far(got, exact) / (scale ? scale(p, exact) : 1),
   }[unit];
   if (!of) throw new Error(`${type}: a unit that is not known here: ${unit}`);

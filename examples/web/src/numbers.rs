@@ -3,10 +3,11 @@
 use fixed::types::U32F32;
 use fixed::types::extra::LeEqU32;
 use fixed::{FixedI32, FixedU32};
+use microwarp::warp::SurfacePoint;
 
 /// Points and densities of any tier.
 pub trait Numbers: Copy {
-    /// Up to three numbers; missing ones are 0.
+    /// The first three numbers; missing ones are 0.
     fn wide(self) -> [f64; 3];
     /// Some function of all bits.
     fn bits(self) -> u32;
@@ -83,5 +84,35 @@ impl<N: Numbers> Numbers for [N; 3] {
     fn bits(self) -> u32 {
         let [x, y, z] = self.map(N::bits);
         x ^ y.rotate_left(9) ^ z.rotate_left(19)
+    }
+}
+
+impl Numbers for [f32; 4] {
+    fn wide(self) -> [f64; 3] {
+        let [x, y, z, _] = self;
+        [x, y, z].wide()
+    }
+    fn bits(self) -> u32 {
+        let [x, y, z, w] = self;
+        ([x, y, z], w).bits()
+    }
+}
+
+/// A point of a simplex and what is left.
+impl<N: Numbers> Numbers for (N, f32) {
+    fn wide(self) -> [f64; 3] {
+        self.0.wide()
+    }
+    fn bits(self) -> u32 {
+        self.0.bits() ^ self.1.to_bits().rotate_left(5)
+    }
+}
+
+impl Numbers for SurfacePoint {
+    fn wide(self) -> [f64; 3] {
+        self.position.wide()
+    }
+    fn bits(self) -> u32 {
+        self.position.bits() ^ self.normal.bits().rotate_left(5)
     }
 }

@@ -8,14 +8,17 @@ const range = (numbers) => {
   return low < high ? [low, high] : [low - 0.5, high + 0.5];
 };
 
-export function seen({ count, points, densities }) {
-  const coordinate = (axis) => Array.from({ length: count }, (_, k) => points[3 * k + axis]);
+// `flat` places a point of space on paper.
+export function seen({ count, points, densities }, flat) {
+  const places = Array.from({ length: count }, (_, k) => (flat ?? Array.from)(points.subarray(3 * k, 3 * k + 3)));
+  const coordinate = (axis) => places.map((place) => place[axis]);
   const [x, y] = [coordinate(0), coordinate(1)];
   const order = Array.from(x.keys()).sort((a, b) => x[a] - x[b]);
   return {
     range: range(x),
     box: [...range(x), ...range(y)],
     outline: [],
+    flat,
     // The density reported at the nearest point drawn that is not below.
     pdf: (at) => densities[order[bisected(order.length, (k) => x[order[k]] >= at)]],
     get shares() {

@@ -1,7 +1,8 @@
 //! Logarithms.
 
 use super::product::{by_half, near};
-use super::tables::{LN_2, LOG, entry};
+pub(in crate::fixed) use super::tables::LN_2;
+use super::tables::{LOG, entry};
 
 /// A number in Q32, shifted left to at least 1/2, and the shift. 0 stays, with a shift of at most 32.
 #[inline]

@@ -112,7 +112,7 @@ pub(super) static LOG: [u32; LOG_CELLS + 1] = {
 };
 
 /// ln 2 in Q27.
-pub(super) const LN_2: u32 = rounded(ln_of_quotient(2, 1), 27) as u32;
+pub(in crate::fixed) const LN_2: u32 = rounded(ln_of_quotient(2, 1), 27) as u32;
 
 /// ln 2/32 in Q27.
 pub(super) const LN_2_32ND: u32 = rounded(ln_of_quotient(2, 1) >> 5, 27) as u32;

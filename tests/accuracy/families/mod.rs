@@ -3,12 +3,13 @@
 mod flawed;
 
 use microwarp::tier::{Libm, Poly, Tier as _};
+use std::sync::Arc;
 use support::adversary::words::{Kind, first_accepted};
 use support::adversary::{Case, Family, Observe};
 use support::docs::{Statement, of_floats};
 use support::figures::{
-    Exact, Figures, ROWS, density_and_inverse_error, density_with_sample_error, polar_error,
-    sample_error,
+    Exact, Figures, ROWS, density_and_inverse_error, density_with_sample_error, place_error,
+    place_moved, polar_error, sample_error,
 };
 use support::moved::Moved;
 use support::registry::{Domain, Entry, Registered, Uniforms, of_tier};
@@ -32,7 +33,7 @@ pub fn flawed() -> Vec<Family> {
 
 fn family(of: Registered, tier: &'static str) -> Family {
     let column = usize::from(tier != "libm");
-    let rows: Vec<Row> = of_floats(of.name)
+    let rows: Arc<[Row]> = of_floats(of.name)
         .into_iter()
         .map(|(title, cells)| {
             let index = ROWS.iter().position(|(row, _)| title.starts_with(row));
@@ -72,7 +73,7 @@ fn family(of: Registered, tier: &'static str) -> Family {
             let entry = of.of_drawn(&floats(words)).ok()?;
             Some(Box::new(Subject {
                 entry,
-                rows: rows.clone(),
+                rows: Arc::clone(&rows),
             }))
         }),
     }
@@ -82,7 +83,6 @@ fn floats(words: &[u32]) -> Vec<f32> {
     words.iter().map(|w| f32::from_bits(*w)).collect()
 }
 
-#[derive(Clone)]
 struct Row {
     title: String,
     /// Among [`ROWS`].
@@ -93,7 +93,7 @@ struct Row {
 /// A warp beside its truth and its statements.
 struct Subject {
     entry: Entry,
-    rows: Vec<Row>,
+    rows: Arc<[Row]>,
 }
 
 impl Case for Subject {
@@ -109,6 +109,7 @@ impl Case for Subject {
         sample_error(entry, &exact, x, &mut figures);
         density_and_inverse_error(entry, &exact, x, &mut figures);
         density_with_sample_error(entry, &exact, u, &mut figures);
+        place_error(entry, u, &mut figures);
         if entry.domain == Domain::Directions && u[1] == 0.0 {
             polar_error(entry, &exact, x, &mut figures);
         }
@@ -130,6 +131,7 @@ impl Case for Subject {
                             .get_or_insert_with(|| Moved::of(entry, &exact, x))
                             .inverse
                     }
+                    "p" => place_moved(entry, u),
                     _ => self.variable(name),
                 })
                 .collect();

@@ -4,7 +4,9 @@ use super::family::{Family, STEP, Subject, WORD, beyond, check, family, uniform}
 use super::plane::{around, turns};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
 use microwarp::Invert;
-use microwarp::fixed::warp::{Cone, CosineHemisphere, Hemisphere, PhongLobe, Sphere};
+use microwarp::fixed::warp::{
+    Cone, CosineHemisphere, Hemisphere, HenyeyGreenstein, PhongLobe, Sphere,
+};
 use microwarp::fixed::{Density, Grade};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
@@ -18,7 +20,7 @@ fn directions<W>(
     variables: Vec<(&'static str, f64)>,
     [polar, other]: [Polar; 2],
     height: Height,
-    // What an error of the density is a part of, and how much of it is none.
+    // What an error of the density is a part of (0: of the density itself), and how much of it is none.
     (peak, free): (f64, f64),
 ) -> Option<Subject>
 where
@@ -48,7 +50,9 @@ where
         errors[0] = largest(&off);
         let square: f64 = point.iter().map(|c| c * c).sum();
         errors[1] = square.sqrt() - 1.0;
-        let density = beyond(got.to_num::<f64>() - height(point).max(WORD), free) / peak;
+        let due = height(point).max(WORD);
+        let whole = if peak > 0.0 { peak } else { due };
+        let density = beyond(got.to_num::<f64>() - due, free) / whole;
         let back = warp.invert(sample);
         let first = back[0].to_num::<f64>() - uniform(words[0]);
         errors[2] = largest(&[first, turns(back[1], words[1]) * sin]);
@@ -124,6 +128,37 @@ fn lobe<G: Grade>(p: &[u32]) -> Option<Subject> {
     )
 }
 
+fn henyey_greenstein<G: Grade>(p: &[u32]) -> Option<Subject> {
+    // 1 - |g| of all magnitudes, to either side.
+    let least = (u64::from(p[1]) << 32 | u64::from(p[2])) >> (2 + (p[0] >> 1) % 18);
+    let back = p[0] % 2 == 1;
+    let complement = if back { (1 << 63) - least } else { least };
+    let warp = HenyeyGreenstein::<G>::from_one_minus(U2F62::from_bits(complement)).ok()?;
+    let a = least as f64 * 0.5_f64.powi(62);
+    let h = 1.0 - a;
+    let polar = || -> Polar {
+        Box::new(move |u| {
+            let (u, v) = if back { (1.0 - u, u) } else { (u, 1.0 - u) };
+            let d = a + 2.0 * h * v;
+            let down = 2.0 * u * (a / d).powi(2) * (1.0 + h * v);
+            let up = 2.0 * v * ((1.0 + h) / d).powi(2) * (a + h * v);
+            let cos = if down < up { 1.0 - down } else { up - 1.0 };
+            ((down * up).sqrt(), if back { -cos } else { cos })
+        })
+    };
+    let height: Height = Box::new(move |[x, y, z]| {
+        let z = if back { -z } else { z };
+        let down = if z > 0.5 {
+            (x * x + y * y) / (1.0 + z)
+        } else {
+            1.0 - z
+        };
+        a * (1.0 + h) / (2.0 * TAU * (a * a + 2.0 * h * down).powf(1.5))
+    });
+    let polars = [polar(), polar()];
+    directions(warp, vec![("a", a)], polars, height, (0.0, WORD))
+}
+
 const ROWS: &[&str] = &["sample, max", "unit length", "round trip"];
 
 pub(super) const CONE: &[&str] = &["sample, max", "unit length", "round trip", "pdf"];
@@ -166,5 +201,8 @@ pub(super) fn families(all: &mut Vec<Family>) {
         )
     });
     family!(all, "Cone", CONE, 3, |p, G| cone::<G>(p));
+    family!(all, "HenyeyGreenstein", CONE, 3, |p, G| {
+        henyey_greenstein::<G>(p)
+    });
     family!(all, "PhongLobe", LOBE, 3, |p, G| lobe::<G>(p));
 }

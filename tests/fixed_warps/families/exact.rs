@@ -217,6 +217,7 @@ pub(super) fn families(all: &mut Vec<Family>) {
         grade: 0,
         rows: &["pdf, to 1.1642e-10"],
         parameters: 3,
+        words: 2,
         build: any_interval,
     });
     family!(

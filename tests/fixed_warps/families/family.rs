@@ -18,7 +18,7 @@ pub const STEP: f64 = 4.0 * WORD;
 pub type Fault = &'static str;
 
 /// Measures the errors of one sample, in the order of the rows.
-pub type Judge = dyn Fn([u32; 2], &mut [f64]) -> Result<(), Fault>;
+pub type Judge = dyn Fn([u32; 4], &mut [f64]) -> Result<(), Fault>;
 
 /// A warp of certain parameters.
 pub struct Subject {
@@ -34,8 +34,9 @@ pub struct Family {
     pub grade: usize,
     /// The rows of its table.
     pub rows: &'static [&'static str],
-    /// How many words its parameters take.
+    /// How many words its parameters take, and a point.
     pub parameters: usize,
+    pub words: usize,
     /// Nothing where the constructor refuses.
     pub build: fn(&[u32]) -> Option<Subject>,
 }
@@ -44,6 +45,14 @@ impl Subject {
     pub fn new(
         variables: Vec<(&'static str, f64)>,
         judge: impl Fn([u32; 2], &mut [f64]) -> Result<(), Fault> + 'static,
+    ) -> Option<Self> {
+        Self::of_four(variables, move |[u, v, ..], errors| judge([u, v], errors))
+    }
+
+    /// Of up to four words.
+    pub fn of_four(
+        variables: Vec<(&'static str, f64)>,
+        judge: impl Fn([u32; 4], &mut [f64]) -> Result<(), Fault> + 'static,
     ) -> Option<Self> {
         let judge = Box::new(judge);
         Some(Self { variables, judge })
@@ -68,11 +77,11 @@ struct Stated {
 }
 
 impl Case for Stated {
-    fn judge(&self, [u, v, ..]: Uniforms, observe: &mut Observe) {
+    fn judge(&self, words: Uniforms, observe: &mut Observe) {
         let mut errors = vec![0.0; self.bounds.len()];
-        if let Err(fault) = (self.subject.judge)([u, v], &mut errors) {
+        if let Err(fault) = (self.subject.judge)(words, &mut errors) {
             // Only the words are reported, so the fault itself is said here.
-            println!("{fault}: {u:#x}, {v:#x}");
+            println!("{fault}: {words:#x?}");
             return observe(0, f64::INFINITY, 1.0);
         }
         for (row, (error, bound)) in errors.into_iter().zip(&self.bounds).enumerate() {
@@ -96,7 +105,7 @@ impl Family {
             statement: label.clone(),
             label,
             parameters: vec![Kind::Word; self.parameters],
-            uniforms: vec![Kind::Word; 2],
+            uniforms: vec![Kind::Word; self.words],
             rows: self.rows.iter().map(|title| (*title).to_owned()).collect(),
             build: Box::new(move |parameters| {
                 let subject = build(parameters)?;
@@ -162,7 +171,13 @@ pub(super) use in_format;
 
 /// A family in each of the grades.
 macro_rules! family {
-    ($all:ident, $name:literal, $rows:expr, $parameters:literal, |$p:ident, $grade:ident| $build:expr) => {{
+    ($all:ident, $name:literal, $rows:expr, $parameters:literal, |$p:ident, $grade:ident| $build:expr) => {
+        family!($all, $name, $rows, $parameters, words 2, |$p, $grade| $build)
+    };
+    (
+        $all:ident, $name:literal, $rows:expr, $parameters:literal, words $words:literal,
+        |$p:ident, $grade:ident| $build:expr
+    ) => {{
         use microwarp::fixed::{Coarse, Compact, Fine, Grade};
         fn build<$grade: Grade>($p: &[u32]) -> Option<Subject> {
             $build
@@ -174,6 +189,7 @@ macro_rules! family {
                 grade,
                 rows: $rows,
                 parameters: $parameters,
+                words: $words,
                 build,
             });
         }

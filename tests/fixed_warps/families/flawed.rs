@@ -84,6 +84,7 @@ fn the_old_narrow_cone_is_found() {
         grade: 0,
         rows: directions::CONE,
         parameters: 3,
+        words: 2,
         build: halved,
     }
     .stated();

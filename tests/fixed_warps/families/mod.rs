@@ -5,11 +5,12 @@ mod exact;
 mod family;
 mod flawed;
 mod line;
-mod plane;
+pub mod plane;
+mod shapes;
 mod triangle;
 
 use family::Family;
-use support::adversary;
+use support::{adversary, speed};
 
 fn families() -> Vec<adversary::Family> {
     let mut all = Vec::new();
@@ -17,7 +18,10 @@ fn families() -> Vec<adversary::Family> {
     plane::families(&mut all);
     triangle::families(&mut all);
     directions::families(&mut all);
+    shapes::families(&mut all);
     exact::families(&mut all);
+    // Narrowed by name where that is asked for.
+    all.retain(|family| speed::wants(family.name));
     all.into_iter().map(Family::stated).collect()
 }
 

@@ -1,11 +1,11 @@
 //! The disk and the normals.
 
 use super::family::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
-use fixed::types::U0F32;
 use fixed::types::extra::LeEqU32;
+use fixed::types::{U0F32, U32F0};
 use fixed::{FixedI32, types::I5F27};
 use microwarp::fixed::Grade;
-use microwarp::fixed::warp::{Disk, NormalPair, StandardNormalPair};
+use microwarp::fixed::warp::{Bilinear, Disk, NormalPair, StandardNormalPair};
 use microwarp::{Invert, Warp};
 use std::f64::consts::TAU;
 
@@ -110,6 +110,45 @@ fn normal<Frac: LeEqU32 + 'static, G: Grade>(means: [u32; 2], deviation: u32) ->
     })
 }
 
+/// The place of u under a density from a to b on the line.
+pub fn linear([a, b]: [f64; 2], u: f64) -> f64 {
+    let root = ((1.0 - u) * a * a + u * b * b).sqrt();
+    if u > 0.0 {
+        u * (a + b) / (a + root)
+    } else {
+        0.0
+    }
+}
+
+fn bilinear<G: Grade>(weights: [[u32; 2]; 2]) -> Option<Subject> {
+    let words = weights.map(|row| row.map(U32F0::from_bits));
+    let warp = Bilinear::<G>::new(words).ok()?;
+    let exact = weights.map(|row| row.map(f64::from));
+    let [low, high] = exact.map(|[a, b]| a + b);
+    let scale = 4.0 / (low + high);
+    let peak = scale * exact.into_iter().flatten().fold(0.0, f64::max);
+    let ends = move |y: f64| [0, 1].map(|x| (1.0 - y) * exact[0][x] + y * exact[1][x]);
+    Subject::new(vec![], move |words, errors| {
+        let words = words.map(U0F32::from_bits);
+        let sample = warp.sample(words);
+        let [u, v] = words.map(|u| u.to_num::<f64>());
+        let [x, y] = sample.map(|c| c.to_num::<f64>());
+        check(warp.pdf(sample) > 0, "no density at a sample")?;
+        // x for the y that is returned.
+        let off = [x - linear(ends(y), u), y - linear([low, high], v)];
+        errors[0] = off[0].abs().max(off[1].abs());
+        for point in [sample, words] {
+            let [x, y] = point.map(|c| c.to_num::<f64>());
+            let [a, b] = ends(y);
+            let due = scale * ((1.0 - x) * a + x * b);
+            errors[1] = errors[1].max(density_error(warp.pdf(point), due, peak));
+        }
+        let back = warp.invert(sample).map(|u| u.to_num::<f64>());
+        errors[2] = (back[0] - u).abs().max((back[1] - v).abs());
+        Ok(())
+    })
+}
+
 const ROWS: &[&str] = &["sample, max", "pdf", "round trip"];
 
 pub(super) fn families(all: &mut Vec<Family>) {
@@ -120,6 +159,17 @@ pub(super) fn families(all: &mut Vec<Family>) {
         0,
         |_p, G| disk::<G>()
     );
+    family!(all, "Bilinear", ROWS, 4, |p, G| {
+        // Words of all magnitudes, and zeros.
+        let some = |i: usize| {
+            if p[i] % 5 == 0 {
+                0
+            } else {
+                p[i] >> (p[i] % 32)
+            }
+        };
+        bilinear::<G>([[some(0), some(1)], [some(2), some(3)]])
+    });
     family!(all, "StandardNormalPair", ROWS, 0, |_p, G| {
         standard::<G>()
     });

@@ -4,6 +4,9 @@ use crate::fixed;
 use crate::subjects::{self, INPUTS, Out, SUBJECTS};
 use microwarp::tier::{Libm, Poly, Tier};
 
+/// The subjects of the first half of a tier.
+const HALF: usize = SUBJECTS.len() / 2;
+
 /// How many cases one tier has.
 pub fn cases_of_tier() -> usize {
     SUBJECTS.len().saturating_mul(INPUTS)
@@ -31,12 +34,27 @@ pub fn evaluate(index: usize, out: &mut [u32; 16]) -> usize {
 
 /// The cases of the `poly` tier alone.
 pub fn evaluate_poly(index: usize, out: &mut [u32; 16]) -> usize {
-    case::<Poly>(index, out)
+    case::<Poly, 0, { usize::MAX }>(index, out)
 }
 
 /// The cases of the `libm` tier alone.
 pub fn evaluate_libm(index: usize, out: &mut [u32; 16]) -> usize {
-    case::<Libm>(index, out)
+    case::<Libm, 0, { usize::MAX }>(index, out)
+}
+
+/// How many of the cases of a tier are its first half.
+pub fn cases_of_half() -> usize {
+    HALF.saturating_mul(INPUTS)
+}
+
+/// The first half of the cases of a tier alone.
+pub fn evaluate_first_half<T: Tier>(index: usize, out: &mut [u32; 16]) -> usize {
+    case::<T, 0, HALF>(index, out)
+}
+
+/// The second half of the cases of a tier alone, counted from its first one.
+pub fn evaluate_second_half<T: Tier>(index: usize, out: &mut [u32; 16]) -> usize {
+    case::<T, HALF, { usize::MAX }>(index.saturating_add(cases_of_half()), out)
 }
 
 /// The cases of the integer tier alone.
@@ -59,8 +77,8 @@ pub fn describe(index: usize) -> (&'static str, usize, &'static str) {
     (name, rest % INPUTS, tier)
 }
 
-fn case<T: Tier>(index: usize, out: &mut [u32; 16]) -> usize {
+fn case<T: Tier, const FROM: usize, const TO: usize>(index: usize, out: &mut [u32; 16]) -> usize {
     let mut out = Out::new(out);
-    subjects::evaluate::<T>(index / INPUTS, index % INPUTS, &mut out);
+    subjects::evaluate::<T, FROM, TO>(index / INPUTS, index % INPUTS, &mut out);
     out.len()
 }

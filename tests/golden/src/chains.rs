@@ -1,7 +1,7 @@
 //! The subjects of the room of chains: a few steps of each kind, and what is read off them.
 
 use crate::Out;
-use crate::subjects::{Numbers, figure, generator, refusal, v, verdict, with};
+use crate::subjects::{Put as _, figure, generator, refusal, v, verdict, with};
 use core::hint::black_box;
 use core::num::NonZeroU32;
 use microwarp::Warp;

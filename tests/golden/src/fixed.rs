@@ -95,6 +95,17 @@ impl<T: Words, const N: usize> Words for [T; N] {
     }
 }
 
+impl<A: Words, B: Words> Words for (A, B) {
+    fn from_words(words: [u32; 2]) -> Self {
+        (A::from_words(words), B::from_words(words))
+    }
+    fn put(self, out: &mut Out) {
+        let (a, b) = self;
+        a.put(out);
+        b.put(out);
+    }
+}
+
 /// Sample, density and inverse at fixed words or at a drawn point; then density and inverse at a point of words,
 /// which may lie anywhere.
 fn triple<W>(warp: Result<W, Error>, input: usize, out: &mut Out)

@@ -20,6 +20,47 @@ macro_rules! integer_warps {
                     cost { "disk" [u, v]: U0F32 -> [I2F30; 2] = Disk::new(), }
                     page { plane 2: Disk() => Ok(Disk::<G>::new()), }
                 }
+                Annulus {
+                    golden {
+                        "Annulus 30 50" => Annulus::<_, G>::new(whole::<I16F16>(30), whole(50)),
+                        "Annulus thin" => Annulus::<_, G>::new(v::<I2F30>((1 << 30) - 999), v(1 << 30)),
+                        "Annulus sector" => Annulus::<_, G>::sector(v::<I16F16>(0), v(77), [v(0xf000_0000), v(1 << 27)]),
+                    }
+                    cost {
+                        "annulus_30_50" [u, v]: U0F32 -> [I16F16; 2]
+                            = const { ok(Annulus::new(I16F16::lit("30"), I16F16::lit("50"))) },
+                    }
+                    page {
+                        plane 2: Annulus(inner: 1 in 0..10, outer: 2 in 0..10)
+                            => Annulus::<_, G>::new(signed(inner)?, signed(outer)?),
+                    }
+                }
+                RegularPolygon {
+                    golden {
+                        "RegularPolygon 3" => RegularPolygon::<G>::new(black_box(3)),
+                        "RegularPolygon 1001" => RegularPolygon::<G>::new(black_box(1001)),
+                    }
+                    cost { "regular_polygon_6" [u, v]: U0F32 -> [I2F30; 2] = const { ok(RegularPolygon::new(6)) }, }
+                    page {
+                        plane 2: RegularPolygon(corners: 6 in 3..20 by 1) => RegularPolygon::<G>::new(corners as u16),
+                    }
+                }
+                Rotation {
+                    golden { "Rotation" => Ok(Rotation::<G>::new()), }
+                    cost { "rotation" [u, v, w]: U0F32 -> [I2F30; 4] = Rotation::new(), }
+                    page {}
+                }
+                Simplex {
+                    golden {
+                        "Simplex 1" => Ok(Simplex::<1, G>::new()),
+                        "Simplex 3" => Ok(Simplex::<3, G>::new()),
+                    }
+                    cost {
+                        "simplex_2" [u, v]: U0F32 -> ([I2F30; 2], I2F30) = Simplex::<2>::new(),
+                        "simplex_3" [u, v, w]: U0F32 -> ([I2F30; 3], I2F30) = Simplex::<3>::new(),
+                    }
+                    page {}
+                }
                 Sphere {
                     golden { "Sphere" => Ok(Sphere::<G>::new()), }
                     cost { "sphere" [u, v]: U0F32 -> [I2F30; 3] = Sphere::new(), }
@@ -38,6 +79,7 @@ macro_rules! integer_warps {
                 Cone {
                     golden {
                         "Cone 0.1" => Cone::<G>::from_one_minus_cos(v(107_374_182)),
+                        "Cone towards a sphere" => Cone::<G>::towards_sphere(v::<U16F16>(111_411), v::<U16F16>(98_304)),
                         "Cone of a thousandth turn" => Cone::<G>::from_turns(v(4_294_967)),
                     }
                     cost {
@@ -58,6 +100,37 @@ macro_rules! integer_warps {
                     page {
                         sphere 2: PhongLobe(exponent: 50 in 0..200 by 0.5)
                             => PhongLobe::<G>::new(self::exponent(exponent)?),
+                    }
+                }
+                HenyeyGreenstein {
+                    golden {
+                        "HenyeyGreenstein 0.75" => HenyeyGreenstein::<G>::new(v(3 << 28)),
+                        "HenyeyGreenstein -0.5" => HenyeyGreenstein::<G>::new(v(7 << 29)),
+                        "HenyeyGreenstein 1-2^-12" => HenyeyGreenstein::<G>::from_one_minus(v(1 << 18)),
+                    }
+                    cost {
+                        "henyey_greenstein_08" [u, v]: U0F32 -> [I2F30; 3]
+                            = const { ok(HenyeyGreenstein::new(I2F30::lit("0.8"))) },
+                    }
+                    page {}
+                }
+                Bilinear {
+                    golden {
+                        "Bilinear" => Bilinear::<G>::new([[whole::<U16F16>(1), whole(3)], [whole(2), whole(0)]]),
+                        "Bilinear far" => Bilinear::<G>::new([[v::<U0F32>(0), v(1)], [v(7), v(u32::MAX)]]),
+                    }
+                    cost {
+                        "bilinear" [u, v]: U0F32 -> [U0F32; 2] = const {
+                            let weights = [[U16F16::lit("1"), U16F16::lit("3")], [U16F16::lit("2"), U16F16::lit("0.5")]];
+                            ok(Bilinear::new(weights))
+                        },
+                    }
+                    page {
+                        plane 2: Bilinear(at_00: 1 in 0..4, at_10: 3 in 0..4, at_01: 2 in 0..4, at_11: 0 in 0..4)
+                            => Bilinear::<G>::new([
+                                [unsigned(at_00)?, unsigned(at_10)?],
+                                [unsigned(at_01)?, unsigned(at_11)?],
+                            ]),
                     }
                 }
                 Triangle {
@@ -140,6 +213,33 @@ macro_rules! integer_warps {
                     page {
                         plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, std_dev: 1 in 0..5)
                             => NormalPair::<_, G>::new([signed(mean_x)?, signed(mean_y)?], signed(std_dev)?),
+                    }
+                }
+                Rayleigh {
+                    golden { "Rayleigh 5" => Rayleigh::<_, G>::new(whole::<U16F16>(5)), }
+                    cost { "rayleigh_5" u: U0F32 -> U16F16 = const { ok(Rayleigh::new(U16F16::lit("5"))) }, }
+                    page { line 1: Rayleigh(sigma: 1 in 0..5) => Rayleigh::<_, G>::new(unsigned(sigma)?), }
+                }
+                Laplace {
+                    golden { "Laplace 100 5" => Laplace::<_, G>::new(whole::<I16F16>(100), whole(5)), }
+                    cost {
+                        "laplace_100_5" u: U0F32 -> I16F16
+                            = const { ok(Laplace::new(I16F16::lit("100"), I16F16::lit("5"))) },
+                    }
+                    page {
+                        line 1: Laplace(location: 0 in -10..10, scale: 1 in 0..5)
+                            => Laplace::<_, G>::new(signed(location)?, signed(scale)?),
+                    }
+                }
+                Logistic {
+                    golden { "Logistic 100 5" => Logistic::<_, G>::new(whole::<I16F16>(100), whole(5)), }
+                    cost {
+                        "logistic_100_5" u: U0F32 -> I16F16
+                            = const { ok(Logistic::new(I16F16::lit("100"), I16F16::lit("5"))) },
+                    }
+                    page {
+                        line 1: Logistic(location: 0 in -10..10, scale: 1 in 0..5)
+                            => Logistic::<_, G>::new(signed(location)?, signed(scale)?),
                     }
                 }
                 Tent {

@@ -5,7 +5,8 @@ use crate::subjects::{failed, generator, refusal, verdict, with};
 use core::hint::black_box;
 use core::num::NonZeroU32;
 use fixed::types::{I2F30, U0F32};
-use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection};
+use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic, to_integers};
+use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poisson};
 use microwarp::fixed::{DiskRejection, DiskRejection16};
 use microwarp::metropolis::*;
 use microwarp::rejection::{Accepted, Failure, Rejection};
@@ -206,4 +207,71 @@ pub fn disks(u: [f32; 4], input: usize, out: &mut Out) {
     let point = [a, d].map(|x| I2F30::from_bits(x as i32));
     wide(fine.pdf(point).to_bits(), out);
     verdict(DiskRejection::new().with_budget(d & 1), out);
+}
+
+pub fn resampled(u: [f32; 4], input: usize, out: &mut Out) {
+    let [a, b, c, d] = stirred(u);
+    let weights = [a, 0, b >> (a & 31), c, 1, d >> 8];
+    let counted = |result, counts: &mut [u32; 6], out: &mut Out| {
+        verdict(result, out);
+        let digits = |sum: u32, number: &u32| sum << 4 | number;
+        let mut particles = [0_u32, 1, 2, 3, 4, 5];
+        out.word(counts.iter().fold(0, digits));
+        verdict(rearrange(counts, &mut particles), out);
+        out.word(particles.iter().fold(0, digits));
+    };
+    let mut counts = weights;
+    counted(systematic(&mut counts, 6, d), &mut counts, out);
+    counts = weights;
+    counted(residual(&mut counts, 6, d), &mut counts, out);
+    counts = weights;
+    let drawn = stratified(&mut counts, 6, &mut generator(input));
+    counted(drawn, &mut counts, out);
+    counts = [9; 6];
+    verdict(
+        to_integers(&[u[0], u[1], 0.5, 1e-20, u[2], u[3]], &mut counts),
+        out,
+    );
+    out.word(
+        counts
+            .iter()
+            .fold(0, |sum: u32, number| sum.rotate_left(7) ^ number),
+    );
+}
+
+/// Counts by ratios of integers, and by numbers.
+pub fn counts(u: [f32; 4], input: usize, out: &mut Out) {
+    let [a, b, c, d] = stirred(u);
+    let mut rng = generator(input);
+    with(
+        Geometric::from_ratio(a >> (b & 31), b | 1),
+        out,
+        |law, out| {
+            let count = law.count(c);
+            out.word(count);
+            out.word(law.draw(&mut rng));
+            out.float(law.pmf(count));
+            out.word(law.words_of(count).map_or(0, |words| *words.end()));
+        },
+    );
+    with(Geometric::new(u[1]), out, |law, out| {
+        out.word(law.sample(u[0]));
+        out.float(law.pmf(d >> 20));
+    });
+    let events = (a >> 8).wrapping_mul(81);
+    with(
+        Poisson::from_ratio(events >> 8, 1 << 16),
+        out,
+        |law, out| {
+            let count = law.count(d);
+            out.word(count);
+            out.word(law.draw(&mut rng));
+            out.float(law.pmf(count));
+            out.word(law.words_of(count).map_or(0, |words| *words.end()));
+        },
+    );
+    with(Poisson::new(90.0 * u[2]), out, |law, out| {
+        out.word(law.sample(u[3]));
+        out.float(law.pmf(c >> 24));
+    });
 }

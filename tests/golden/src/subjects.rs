@@ -3,17 +3,19 @@
 use crate::{chains, integers};
 use core::hint::black_box;
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Reservoir, Selection,
-    select_once, select_once_uniform,
+    Alias, AliasEntry, Cdf, LatLongMap, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,
+    PiecewiseLinear1d, PixelSample, Reservoir, Selection, select_once, select_once_uniform,
 };
 use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
-    Accepted, BallRejection, Bounded, DiskRejection, Failure, Region, Rejection, SLACK,
-    ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
-    budget_for,
+    Accepted, BallRejection, Bounded, DiskRejection, Failure, PoissonRejection, Region, Rejection,
+    SLACK, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
+    ZigguratStandardNormal, budget_for,
 };
 use microwarp::tier::Tier;
-use microwarp::uniform::{self, Strata1d, Strata2d, Uniforms};
+use microwarp::uniform::{
+    self, ByPosition, Points, Recurrence, Sobol, Strata1d, Strata2d, Uniforms,
+};
 use microwarp::warp::*;
 use microwarp::{Error, Invert, Warp, warp::Frame};
 use rand_core::Rng;
@@ -72,18 +74,19 @@ impl<'a> Out<'a> {
     }
 }
 
-/// One or several numbers: made from four, and put out.
-pub(crate) trait Numbers: Copy {
-    fn from_four(four: [f32; 4]) -> Self;
+/// What is put out as words.
+pub(crate) trait Put: Copy {
     fn put(self, out: &mut Out);
+}
+
+/// One or several numbers, made from four.
+pub(crate) trait Numbers: Put {
+    fn from_four(four: [f32; 4]) -> Self;
 }
 
 impl Numbers for f32 {
     fn from_four([first, ..]: [f32; 4]) -> Self {
         first
-    }
-    fn put(self, out: &mut Out) {
-        out.float(self);
     }
 }
 
@@ -91,10 +94,42 @@ impl<const N: usize> Numbers for [f32; N] {
     fn from_four(four: [f32; 4]) -> Self {
         core::array::from_fn(|i| four.get(i).copied().unwrap_or(0.5))
     }
+}
+
+impl Put for f32 {
+    fn put(self, out: &mut Out) {
+        out.float(self);
+    }
+}
+
+impl Put for MeshPoint {
+    fn put(self, out: &mut Out) {
+        self.position.put(out);
+        self.barycentrics.put(out);
+        out.word(self.triangle as u32);
+    }
+}
+
+impl Put for SurfacePoint {
+    fn put(self, out: &mut Out) {
+        self.position.put(out);
+        self.normal.put(out);
+    }
+}
+
+impl<const N: usize> Put for [f32; N] {
     fn put(self, out: &mut Out) {
         for x in self {
             out.float(x);
         }
+    }
+}
+
+/// Shares and the rest.
+impl<const N: usize> Put for ([f32; N], f32) {
+    fn put(self, out: &mut Out) {
+        self.0.put(out);
+        self.1.put(out);
     }
 }
 
@@ -107,7 +142,7 @@ fn triple<W>(warp: W, input: usize, out: &mut Out)
 where
     W: Invert<Density = f32>,
     W::Uniforms: Numbers,
-    W::Point: Numbers,
+    W::Point: Put,
 {
     let point = match UNIFORMS.get(input) {
         Some(&u) => warp.sample(W::Uniforms::from_four(u)),
@@ -237,6 +272,25 @@ fn weights() -> [f32; 6] {
     [v(0.0), v(1.0), v(1e-6), v(37.0), v(0.3), v(0.0)]
 }
 
+/// The vertices, the faces and the areas of a mesh, in flash.
+static VERTICES: [[f32; 3]; 6] = [
+    [0.0, 0.0, 2.0],
+    [3.0, 0.0, 0.0],
+    [0.0, 4.0, 0.0],
+    [-1.0, 0.0, 0.1],
+    [0.0, -1.0, 0.0],
+    [0.0, 0.0, 1.0],
+];
+static FACES: [[u16; 3]; 6] = [
+    [0, 5, 0],
+    [0, 1, 2],
+    [0, 2, 3],
+    [0, 3, 4],
+    [0, 4, 1],
+    [5, 5, 5],
+];
+static AREAS: [f32; 6] = [0.0, 7.810_25, 4.294_182_5, 1.16, 3.5, 0.0];
+
 /// Known to the compiler, in flash.
 static FLASH: Cdf<[u32; 6]> = match Cdf::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) {
     Ok(table) => table,
@@ -252,11 +306,13 @@ macro_rules! subjects {
         /// The names of all subjects, in the order of their cases: first the warps.
         pub const SUBJECTS: &[&str] = &[$($($warp_name,)*)* $($name,)*];
 
-        /// Evaluates one subject at one input; nothing for an index past the last.
-        pub fn evaluate<T: Tier>(subject: usize, input: usize, out: &mut Out) {
+        /// Evaluates one subject at one input; nothing for an index past the last. No other subject than those of a range is
+        /// linked.
+        pub fn evaluate<T: Tier, const FROM: usize, const TO: usize>(subject: usize, input: usize, out: &mut Out) {
+            let linked = |index| FROM <= index && index < TO;
             let mut index = 0;
             $($(
-                if subject == index {
+                if linked(index) && subject == index {
                     let warp: Result<_, Error> = $warp;
                     if let Ok(warp) = warp {
                         triple(warp, input, out);
@@ -269,7 +325,7 @@ macro_rules! subjects {
                 Uniforms::canonical(core::array::from_fn(|_| uniform::grid(&mut generator(input)))).get()
             });
             $(
-                if subject == index {
+                if linked(index) && subject == index {
                     let function: fn([f32; 4], usize, &mut Out) = $function;
                     function(uniforms, input, out);
                     return;
@@ -348,6 +404,18 @@ float_warps!(subjects {
             square.point(input as u32, [a, b]).put(out);
             square.draw(input as u32, &mut generator(input)).put(out);
             out.word(square.count());
+        }
+    },
+    "points" => |[a, b, ..], input, out| {
+        let (index, pixel) = (a.to_bits(), b.to_bits());
+        let sets = (Sobol::<2>::new(pixel), Sobol::<8>::new(pixel), Recurrence::<3>::new(pixel));
+        if let (Ok(pairs), Ok(eight), Ok(recurrence)) = sets {
+            pairs.point::<2>(index).put(out);
+            let random = ByPosition::new(input as u32, pixel);
+            let words = pairs.words::<3>(index).into_iter().chain(eight.words::<8>(index));
+            words.for_each(|word| out.word(word));
+            let others = [recurrence.word(index, 2), random.at(index).next_u32()];
+            out.word(others.into_iter().fold(0, |all, word| all.rotate_left(1) ^ word));
         }
     },
     "frame" => |[a, b, c, d], _, out| {
@@ -502,6 +570,41 @@ float_warps!(subjects {
             out.word(line.cell(b) as u32);
             out.float(line.cdf().pmf(1));
         });
+    },
+    "sky and curve of any weights" => |[a, b, c, d], input, out| {
+        let (mut rows, mut cells) = ([0_u32; 2], [0_u32; 6]);
+        let radiances = [a, b, c, d, 0.0, 1e-3];
+        let sky = LatLongMap::<T, &[u32], &[u32]>::new_in(&radiances, [3, 2], &mut rows, &mut cells);
+        with(sky, out, |sky, out| {
+            let PixelSample { pixel: [column, row], direction, pdf } = sky.draw_pixel(&mut generator(input));
+            direction.put(out);
+            out.float(pdf);
+            out.word((3 * row + column) as u32);
+            let [column, row] = sky.pixel([b - 0.5, c - 0.5, d - 0.5]);
+            out.word((3 * row + column) as u32);
+        });
+        let curve = [c, 1e30 * d, a];
+        let mut words = [0_u64; 3];
+        with(PiecewiseLinear1d::<&[u64], &[f32]>::new_in(&curve, -1.0, 1.0 + b, &mut words), out, |curve, out| {
+            curve.sample(a).put(out);
+            curve.draw(&mut generator(input)).put(out);
+            out.float(curve.pdf(b));
+            out.word(curve.cell(c) as u32);
+        });
+    },
+    "mesh of any vertices" => |[a, b, c, d], input, out| {
+        let vertices = [[a, b, 0.0], [c, d, 1.0], [1.0, a, c], [d, 0.25, 1e-3]];
+        let (mut areas, mut words) = ([0.0; 3], [0_u64; 3]);
+        let mesh = Mesh::new_in(&vertices, &[[0_u8, 1, 2], [1, 2, 3], [2, 2, 0]], &mut areas, &mut words);
+        with(mesh, out, |mesh, out| {
+            mesh.draw(&mut generator(input)).position.put(out);
+            mesh.sample_words([a.to_bits() << 7, b.to_bits() << 7]).barycentrics.put(out);
+            mesh.normal(1).unwrap_or([0.0; 3]).put(out);
+            [mesh.area(), mesh.density(0), mesh.probability(1), mesh.density(2)].put(out);
+        });
+        let mut areas = [0.0; 1];
+        let table = Cdf::<[u32; 1]>::new(&[1.0]);
+        verdict(table.and_then(|t| Mesh::from_table(&vertices, &[[3_u8, 2, 7]], &mut areas, t).map(|m| m.area())), out);
     },
     "rejection disk and ball" => |[a, b, c, _], input, out| {
         let mut rng = generator(input);
@@ -701,4 +804,24 @@ float_warps!(subjects {
     "integer selections" => integers::selections,
     "integer selections wide" => integers::wide_selections,
     "integer disks" => integers::disks,
+    "integer resampling" => integers::resampled,
+    "counts" => integers::counts,
+    "rejection poisson" => |[a, b, c, d], input, out| {
+        for mean in [10.0 + 100.0 * a, 65536.0 * b, v(1_048_576.0) * c] {
+            match PoissonRejection::<T>::new(mean) {
+                Ok(law) => {
+                    let count = law.attempt([(d * 4_294_967_296.0) as u32, (a * 4_294_967_296.0) as u32]);
+                    out.word(count.unwrap_or(0xf0));
+                    match law.draw(&mut generator(input)) {
+                        Ok(drawn) => {
+                            out.word(drawn.point);
+                            out.float(law.pmf(drawn.point));
+                        }
+                        Err(failure) => failed(failure, out),
+                    }
+                }
+                Err(e) => out.word(refusal(e)),
+            }
+        }
+    },
 });

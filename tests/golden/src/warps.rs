@@ -117,6 +117,75 @@ macro_rules! float_warps {
                         => NormalPair::<T>::new([mean_x, mean_y], std_dev),
                 }
             }
+            TruncatedNormal {
+                golden {
+                    "TruncatedNormal -1 2" => TruncatedNormal::<T>::new(v(0.0), v(1.0), v(-1.0), v(2.0)),
+                    "TruncatedNormal narrow" => TruncatedNormal::<T>::new(v(0.5), v(1.0), v(0.1), v(0.100_1)),
+                    "TruncatedNormal above 30" => TruncatedNormal::<T>::above(v(0.0), v(1.0), v(30.0)),
+                    "TruncatedNormal below -0.5" => TruncatedNormal::<T>::below(v(0.0), v(2.0), v(-0.5)),
+                }
+                cost { "truncated_normal" u -> f32 = stored(|| TruncatedNormal::new(0.0, 1.0, -1.0, 2.0)), }
+                page {
+                    line 1: TruncatedNormal(mean: 0 in -10..10, std_dev: 1 in 0..5, low: -1 in -20..20, high: 2 in -20..20)
+                        => TruncatedNormal::<T>::new(mean, std_dev, low, high),
+                }
+            }
+            Cauchy {
+                golden {
+                    "Cauchy" => Cauchy::<T>::new(v(10.0), v(2.0)),
+                    "Cauchy 1e19" => Cauchy::<T>::new(v(-1e30), v(1e19)),
+                }
+                cost { "cauchy" u -> f32 = const { ok(Cauchy::new(0.0, 1.0)) }, }
+                page { line 1: Cauchy(location: 0 in -10..10, scale: 1 in 0..5) => Cauchy::<T>::new(location, scale), }
+            }
+            Laplace {
+                golden { "Laplace" => Laplace::<T>::new(v(10.0), v(2.0)), }
+                cost { "laplace" u -> f32 = const { ok(Laplace::new(0.0, 1.0)) }, }
+                page { line 1: Laplace(location: 0 in -10..10, scale: 1 in 0..5) => Laplace::<T>::new(location, scale), }
+            }
+            Logistic {
+                golden { "Logistic" => Logistic::<T>::new(v(10.0), v(2.0)), }
+                cost { "logistic" u -> f32 = const { ok(Logistic::new(0.0, 1.0)) }, }
+                page { line 1: Logistic(location: 0 in -10..10, scale: 1 in 0..5) => Logistic::<T>::new(location, scale), }
+            }
+            Gumbel {
+                golden { "Gumbel" => Gumbel::<T>::new(v(0.0), v(2.0)), }
+                cost { "gumbel" u -> f32 = const { ok(Gumbel::new(0.0, 1.0)) }, }
+                page { line 1: Gumbel(location: 0 in -10..10, scale: 1 in 0..5) => Gumbel::<T>::new(location, scale), }
+            }
+            Rayleigh {
+                golden { "Rayleigh" => Rayleigh::<T>::new(v(1.5)), }
+                cost { "rayleigh" u -> f32 = const { ok(Rayleigh::new(1.0)) }, }
+                page { line 1: Rayleigh(scale: 1 in 0..5) => Rayleigh::<T>::new(scale), }
+            }
+            Weibull {
+                golden {
+                    "Weibull 1.5" => Weibull::<T>::new(v(3.0), v(1.5)),
+                    "Weibull 0.1" => Weibull::<T>::new(v(1e-20), v(0.1)),
+                    "Weibull 1e6" => Weibull::<T>::new(v(1.0), v(1e6)),
+                }
+                cost { "weibull" u -> f32 = stored(|| Weibull::new(1.0, 1.5)), }
+                page { line 1: Weibull(scale: 1 in 0..5, shape: 1.5 in 0..10) => Weibull::<T>::new(scale, shape), }
+            }
+            Pareto {
+                golden {
+                    "Pareto 2" => Pareto::<T>::new(v(3.0), v(2.0)),
+                    "Pareto 0.2" => Pareto::<T>::new(v(1e-30), v(0.2)),
+                }
+                cost { "pareto" u -> f32 = stored(|| Pareto::new(1.0, 2.0)), }
+                page { line 1: Pareto(minimum: 1 in 0..5, shape: 2 in 0..10) => Pareto::<T>::new(minimum, shape), }
+            }
+            LogNormal {
+                golden {
+                    "LogNormal 0.5" => LogNormal::<T>::new(v(0.25), v(0.5)),
+                    "LogNormal 20" => LogNormal::<T>::new(v(-60.0), v(20.0)),
+                }
+                cost { "log_normal" u -> f32 = const { ok(LogNormal::new(0.0, 0.5)) }, }
+                page {
+                    line 1: LogNormal(mean_of_log: 0 in -5..5, std_dev_of_log: 0.5 in 0..5)
+                        => LogNormal::<T>::new(mean_of_log, std_dev_of_log),
+                }
+            }
 
             // Made of closures, or of other warps.
             Inversion {
@@ -162,6 +231,16 @@ macro_rules! float_warps {
                     }),
                 }
             }
+            Composed {
+                golden {
+                    "Composed" => Bilinear::new([[v(4.0), v(4.0)], [v(1.0), v(0.0)]])
+                        .map(|weights| Composed::new(weights, Triangle::new())),
+                    "Composed sphere" => Bilinear::new([[v(1.0), v(0.5)], [v(0.0), v(2.0)]])
+                        .map(|weights| Composed::new(weights, Sphere::<T>::new())),
+                }
+                cost { none "it costs what the two warps given to it cost" }
+                page {}
+            }
 
             // In the plane.
             Disk {
@@ -196,6 +275,18 @@ macro_rules! float_warps {
                     plane 2: TriangleOn(
                         a_x: 0 in -4..4, a_y: 0 in -4..4, b_x: 4 in -4..4, b_y: 0 in -4..4, c_x: 1 in -4..4, c_y: 3 in -4..4
                     ) => TriangleOn::new([[a_x, a_y], [b_x, b_y], [c_x, c_y]]),
+                }
+            }
+
+            Bilinear {
+                golden {
+                    "Bilinear" => Bilinear::new([[v(1.0), v(3.0)], [v(2.0), v(0.0)]]),
+                    "Bilinear far" => Bilinear::new([[v(0.0), v(1e-45)], [v(1e-20), v(3e38)]]),
+                }
+                cost { "bilinear" [u, v] -> [f32; 2] = stored(|| Bilinear::new([[1.0, 3.0], [2.0, 0.5]])), }
+                page {
+                    plane 2: Bilinear(at_00: 1 in 0..4, at_10: 3 in 0..4, at_01: 2 in 0..4, at_11: 0 in 0..4)
+                        => Bilinear::new([[at_00, at_10], [at_01, at_11]]),
                 }
             }
 
@@ -235,6 +326,8 @@ macro_rules! float_warps {
                     "HenyeyGreenstein -0.5" => HenyeyGreenstein::<T>::new(v(-0.5)),
                     "HenyeyGreenstein 0" => HenyeyGreenstein::<T>::new(v(0.0)),
                     "HenyeyGreenstein 1-2^-24" => HenyeyGreenstein::<T>::new(v(0.999_999_94)),
+                    "HenyeyGreenstein 1-g=1e-9" => HenyeyGreenstein::<T>::from_one_minus_g(v(1e-9)),
+                    "HenyeyGreenstein 1+g=1e-9" => HenyeyGreenstein::<T>::from_one_plus_g(v(1e-9)),
                 }
                 cost { "henyey_greenstein_08" [u, v] -> [f32; 3] = const { ok(HenyeyGreenstein::new(0.8)) }, }
                 page { sphere 2: HenyeyGreenstein(asymmetry: 0.8 in -0.99..0.99) => HenyeyGreenstein::<T>::new(asymmetry), }
@@ -283,6 +376,21 @@ macro_rules! float_warps {
                 cost { "cone" [u, v] -> [f32; 3] = const { ok(Cone::from_one_minus_cos(0.25)) }, }
                 page { sphere 2: Cone(half_angle_in_rad: 0.6 in 0..3.14) => Cone::<T>::from_radians(half_angle_in_rad), }
             }
+            VisibleSphere {
+                golden {
+                    "VisibleSphere 0.5" => VisibleSphere::<T>::new([v(0.0), v(0.0), v(0.0)], [v(0.0), v(3.0), v(4.0)], v(0.5)),
+                    "VisibleSphere near" => VisibleSphere::<T>::new([v(1.0), v(2.0), v(2.0)], [v(1e-8), v(0.0), v(0.0)], v(3.0)),
+                    "VisibleSphere inside" => VisibleSphere::<T>::new([v(1.0), v(2.0), v(-2.0)], [v(0.1), v(0.0), v(0.0)], v(3.0)),
+                }
+                cost {
+                    "visible_sphere" [u, v] -> [f32; 3]
+                        = stored(|| VisibleSphere::new([0.0; 3], [0.0, 3.0, 4.0], 0.5)),
+                }
+                page {
+                    sphere 2: VisibleSphere(distance: 2 in 0..10 by 0.01, radius: 1 in 0..10 by 0.01)
+                        => VisibleSphere::<T>::new([0.0; 3], [0.0, 0.6 * distance, 0.8 * distance], radius),
+                }
+            }
             SphericalPatch {
                 golden { "SphericalPatch" => SphericalPatch::<T>::from_turns(v(0.1), v(0.4), v(-0.25), v(0.5)), }
                 cost {
@@ -295,6 +403,70 @@ macro_rules! float_warps {
                     ) => SphericalPatch::<T>::from_turns(
                         theta_from_in_turns, theta_to_in_turns, phi_from_in_turns, phi_to_in_turns,
                     ),
+                }
+            }
+            SphericalTriangle {
+                golden {
+                    "SphericalTriangle" => SphericalTriangle::<T>::new(
+                        [v(0.0); 3],
+                        [[v(-0.6), v(-0.5), v(0.8)], [v(0.7), v(-0.4), v(0.9)], [v(0.1), v(0.8), v(0.6)]],
+                    ),
+                    "SphericalTriangle 1e-13 sr" => SphericalTriangle::<T>::new(
+                        [v(0.6), v(0.0), v(-0.8)],
+                        [[v(1e-7), v(1e-7), v(3e-8)], [v(0.0), v(-1e-7), v(2e-8)], [v(-1e-7), v(1e-7), v(-6e-8)]],
+                    ),
+                    "SphericalTriangle close" => SphericalTriangle::<T>::new(
+                        [v(0.0), v(0.1), v(0.0)],
+                        [[v(1.0), v(0.0), v(0.003)], [v(-0.5), v(0.9), v(0.003)], [v(-0.5), v(-0.9), v(0.003)]],
+                    ),
+                }
+                cost {
+                    "spherical_triangle" [u, v] -> [f32; 3] = stored(|| SphericalTriangle::new(
+                        [0.0; 3],
+                        [[-0.6, -0.5, 0.8], [0.7, -0.4, 0.9], [0.1, 0.8, 0.6]],
+                    )),
+                    // With its setup, for every sample.
+                    "spherical_triangle_anew" [u, v] -> [f32; 3] = ok(SphericalTriangle::new(
+                        core::hint::black_box([0.0; 3]),
+                        core::hint::black_box([[-0.6, -0.5, 0.8], [0.7, -0.4, 0.9], [0.1, 0.8, 0.6]]),
+                    )),
+                }
+                page {
+                    sphere 2: SphericalTriangle(x: 0 in -2..2, y: 0 in -2..2, height: 1 in 0.01..5)
+                        => SphericalTriangle::<T>::new(
+                            [x, y, 0.0],
+                            [[1.0, 0.0, height], [-0.5, 0.9, height], [-0.5, -0.9, height]],
+                        ),
+                }
+            }
+            SphericalRectangle {
+                golden {
+                    "SphericalRectangle" => SphericalRectangle::<T>::new(
+                        [v(0.0); 3],
+                        [v(-0.6), v(-0.5), v(0.8)],
+                        [[v(1.2), v(0.1), v(0.1)], [v(-0.1), v(1.0), v(0.2)]],
+                    ),
+                    "SphericalRectangle close" => SphericalRectangle::<T>::new(
+                        [v(0.1), v(0.2), v(0.0)],
+                        [v(0.5), v(-0.7), v(0.004)],
+                        [[v(0.0), v(1.4), v(0.0)], [v(-1.0), v(0.0), v(0.0)]],
+                    ),
+                }
+                cost {
+                    "spherical_rectangle" [u, v] -> [f32; 3] = stored(|| SphericalRectangle::new(
+                        [0.0; 3],
+                        [-0.6, -0.5, 0.8],
+                        [[1.2, 0.1, 0.1], [-0.1, 1.0, 0.2]],
+                    )),
+                    "spherical_rectangle_anew" [u, v] -> [f32; 3] = ok(SphericalRectangle::new(
+                        core::hint::black_box([0.0; 3]),
+                        core::hint::black_box([-0.6, -0.5, 0.8]),
+                        core::hint::black_box([[1.2, 0.1, 0.1], [-0.1, 1.0, 0.2]]),
+                    )),
+                }
+                page {
+                    sphere 2: SphericalRectangle(x: 0 in -2..2, y: 0 in -2..2, height: 1 in 0.01..5)
+                        => SphericalRectangle::<T>::new([x, y, 0.0], [-0.5, -0.7, height], [[1.0, 0.0, 0.0], [0.0, 1.4, 0.0]]),
                 }
             }
             Oriented {
@@ -320,6 +492,97 @@ macro_rules! float_warps {
                 }
             }
 
+            Annulus {
+                golden {
+                    "Annulus 1 2" => Annulus::<T>::new(v(1.0), v(2.0)),
+                    "Annulus thin" => Annulus::<T>::new(v(3e-15), v(3.000_001e-15)),
+                    "Annulus sector" => Annulus::<T>::sector(v(0.0), v(1e15), v(-0.7), v(0.1)),
+                }
+                cost { "annulus" [u, v] -> [f32; 2] = const { ok(Annulus::new(1.0, 2.0)) }, }
+                page {
+                    plane 2: Annulus(
+                        inner: 1 in 0..10, outer: 2 in 0..10, from_in_turns: 0 in -1..1 by 0.001, to_in_turns: 1 in -1..2 by 0.001
+                    ) => Annulus::<T>::sector(inner, outer, from_in_turns, to_in_turns),
+                }
+            }
+            Ball {
+                golden { "Ball" => Ok(Ball::<T>::new()), }
+                cost { "ball" [u, v, w] -> [f32; 3] = Ball::new(), }
+                page { plane 3: Ball() => Ok(Ball::<T>::new()), }
+            }
+            Rotation {
+                golden { "Rotation" => Ok(Rotation::<T>::new()), }
+                cost { "rotation" [u, v, w] -> [f32; 4] = Rotation::new(), }
+                page { plane 3: Rotation() => Ok(Rotation::<T>::new()), }
+            }
+            RegularPolygon {
+                golden {
+                    "RegularPolygon 3" => RegularPolygon::<T>::new(black_box(3)),
+                    "RegularPolygon 1001" => RegularPolygon::<T>::new(black_box(1001)),
+                }
+                cost { "regular_polygon_6" [u, v] -> [f32; 2] = stored(|| RegularPolygon::new(6)), }
+                page { plane 2: RegularPolygon(corners: 6 in 3..20 by 1) => RegularPolygon::<T>::new(corners as u16), }
+            }
+            Simplex {
+                golden {
+                    "Simplex 2" => Ok(Simplex::<T, 2>::new()),
+                    "Simplex 4" => Ok(Simplex::<T, 4>::new()),
+                }
+                cost {
+                    "simplex_2" [u, v] -> ([f32; 2], f32) = Simplex::<2>::new(),
+                    "simplex_3" [u, v, w] -> ([f32; 3], f32) = Simplex::<3>::new(),
+                }
+                page {
+                    plane 2: Simplex() => Ok(Simplex::<T, 2>::new()),
+                    plane 3: SimplexOf3() => Ok(Simplex::<T, 3>::new()),
+                }
+            }
+            BoxSurface {
+                golden {
+                    "BoxSurface" => BoxSurface::new([v(-1.0), v(0.0), v(0.25)], [v(1.0), v(1.0), v(0.75)]),
+                    "BoxSurface flat" => BoxSurface::new([v(-1.0), v(1e6), v(0.0)], [v(1.0), v(1_000_000.5), v(0.0)]),
+                }
+                cost {
+                    "box_surface" [u, v] -> microwarp::warp::SurfacePoint
+                        = stored(|| BoxSurface::new([-1.0, 0.0, 0.25], [1.0, 1.0, 0.75])),
+                }
+                page {
+                    plane 2: BoxSurface(width: 2 in 0..10, depth: 1 in 0..10, height: 1 in 0..10)
+                        => BoxSurface::new([0.0; 3], [width, depth, height]),
+                }
+            }
+            FrustumSurface {
+                golden {
+                    "FrustumSurface" => FrustumSurface::<T>::new([v(1.0), v(0.5)], v(2.0)),
+                    "FrustumSurface cone" => FrustumSurface::<T>::new([v(3.0), v(0.0)], v(4.0)),
+                    "FrustumSurface ring" => FrustumSurface::<T>::tube([v(1e-3), v(2.0)], v(0.0)),
+                }
+                cost {
+                    "frustum_surface" [u, v] -> microwarp::warp::SurfacePoint
+                        = stored(|| FrustumSurface::new([1.0, 0.5], 2.0)),
+                }
+                page {
+                    plane 2: FrustumSurface(lower: 1 in 0..5, upper: 0.5 in 0..5, height: 2 in 0..10)
+                        => FrustumSurface::<T>::new([lower, upper], height),
+                    plane 2: FrustumSurfaceTube(lower: 1 in 0..5, upper: 0.5 in 0..5, height: 2 in 0..10)
+                        => FrustumSurface::<T>::tube([lower, upper], height),
+                }
+            }
+            CapsuleSurface {
+                golden {
+                    "CapsuleSurface" => CapsuleSurface::<T>::new(v(1.0), v(0.5)),
+                    "CapsuleSurface needle" => CapsuleSurface::<T>::new(v(1e10), v(1e-10)),
+                }
+                cost {
+                    "capsule_surface" [u, v] -> microwarp::warp::SurfacePoint
+                        = stored(|| CapsuleSurface::new(1.0, 0.5)),
+                }
+                page {
+                    plane 2: CapsuleSurface(height: 1 in 0..10, radius: 0.5 in 0..5)
+                        => CapsuleSurface::<T>::new(height, radius),
+                }
+            }
+
             // Tables that are warps. The page shows them among the tables, which have no tier.
             PiecewiseConstant1d {
                 golden {
@@ -342,6 +605,34 @@ macro_rules! float_warps {
                         [v(0.0), v(1.0)],
                         [v(0.0), v(1.0)],
                     ),
+                }
+                cost { none "its kernels are those of the tables" }
+                page {}
+            }
+            PiecewiseLinear1d {
+                golden {
+                    "PiecewiseLinear1d" => PiecewiseLinear1d::new(&weights(), v(-3.0), v(5.0)),
+                    "PiecewiseLinear1d wide"
+                        => PiecewiseLinear1d::new_u64(&weights(), v(0.0), v(1e-3)),
+                }
+                cost { none "its kernels are those of the tables" }
+                page {}
+            }
+            Mesh {
+                golden {
+                    "Mesh" => Cdf::new(&weights())
+                        .and_then(|table| Mesh::from_trusted_parts(&VERTICES, &FACES, &AREAS, table)),
+                    "Mesh wide" => Cdf::new_u64(&weights())
+                        .and_then(|table| Mesh::from_trusted_parts(&VERTICES, &FACES, &AREAS, table)),
+                }
+                cost { none "it costs a selection from a table and a triangle" }
+                page {}
+            }
+            LatLongMap {
+                golden {
+                    "LatLongMap" => LatLongMap::<T, _, _>::new(&[weights(), [v(0.0); 6], [v(0.5); 6]]),
+                    "LatLongMap wide"
+                        => LatLongMap::<T, _, _>::new_u64(&[weights(), [v(1e-30); 6]]),
                 }
                 cost { none "its kernels are those of the tables" }
                 page {}

@@ -93,6 +93,7 @@ pub fn missing(sources: &[(String, String)]) -> Vec<String> {
             let entry = format!("{stem}::{name}");
             if over.contains("Tier")
                 && !has("warp.rs", &format!("{entry}<T> \""))
+                && !has("warp.rs", &format!("{entry}<T, N> \""))
                 && !has("lib.rs", &format!("pub type {name}<"))
                 && !has("lib.rs", &format!("pub type {name} "))
             {

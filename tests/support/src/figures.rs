@@ -3,6 +3,7 @@
 use crate::errors::{apart, raise, ulp};
 use crate::registry::{Domain, Entry, Measure, Point, Uniforms};
 use crate::truth::{Truth, complements};
+use microwarp::uniform::LARGEST;
 
 /// The largest errors met in a sweep. Not-a-number counts as infinite.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,6 +16,8 @@ pub struct Figures {
     pub cosine: f64,
     /// The length of a direction, from 1.
     pub length: f64,
+    /// The place on a light that a direction leads to, in its coordinates there.
+    pub place: f64,
     /// The density at the returned point, relative.
     pub pdf: f64,
     /// The density at the returned point against the one with which u is mapped there, relative.
@@ -32,11 +35,12 @@ pub struct Figures {
 type Row = fn(&mut Figures) -> &mut f64;
 
 /// The rows of an accuracy table: their titles and how to reach them.
-pub const ROWS: [(&str, Row); 9] = [
+pub const ROWS: [(&str, Row); 10] = [
     ("sample", |f| &mut f.sample),
     ("sin θ, ulp", |f| &mut f.sine),
     ("cos θ, ulp", |f| &mut f.cosine),
     ("unit length", |f| &mut f.length),
+    ("place on it", |f| &mut f.place),
     ("pdf, relative", |f| &mut f.pdf),
     ("realised density, relative", |f| &mut f.realised),
     ("pdf with the sample, relative", |f| &mut f.with_sample),
@@ -68,6 +72,7 @@ const GRID_STEP: f64 = 1.0 / 16_777_216.0;
 pub struct Exact {
     pub u: [f64; 4],
     pub point: [f64; 3],
+    pub fourth: Option<f64>,
     pub density: f64,
 }
 
@@ -77,8 +82,13 @@ impl Exact {
         let zero = if entry.open { SMALLEST } else { 0.0 };
         let u = u.map(|u| if u == 0.0 { zero } else { f64::from(u) });
         let point = truth.sample(u);
-        let density = if with_density { truth.pdf(point) } else { 0.0 };
-        Self { u, point, density }
+        let density = if with_density { truth.density(u) } else { 0.0 };
+        Self {
+            u,
+            point,
+            fourth: truth.fourth(u),
+            density,
+        }
     }
 }
 
@@ -87,16 +97,20 @@ pub fn sample_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figure
     let x = wide(x);
     let distance = {
         let [a, b, c] = [0, 1, 2].map(|k| x[k] - exact.point[k]);
+        let found = || f64::from(entry.warp.fourth(exact.u.map(|u| u as f32)));
+        let d = exact.fourth.map_or(0.0, |due| found() - due);
         if entry.domain == Domain::Line {
             a.abs()
         } else {
-            (a * a + b * b + c * c).sqrt()
+            (a * a + b * b + c * c + d * d).sqrt()
         }
     };
     let unit = match entry.measure {
         Measure::Ulp => ulp(exact.point[0]),
         Measure::UlpOf(scale) => ulp(scale),
-        Measure::UlpFrom(mean) => ulp((exact.point[0] - mean).abs().max(mean.abs())),
+        Measure::UlpFrom(mean, least) => {
+            ulp((exact.point[0] - mean).abs().max(mean.abs()).max(least))
+        }
         Measure::UlpAbove(least) => ulp(exact.point[0].abs().max(least)),
         Measure::Length(length) => length,
     };
@@ -122,6 +136,34 @@ pub fn polar_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figures
             (f64::from(x[2]) - cosine).abs() / ulp(cosine),
         );
     }
+}
+
+/// The error of the place on a light, of a warp that tells it.
+pub fn place_error(entry: &Entry, u: Uniforms, figures: &mut Figures) {
+    if let Some(place) = &entry.place {
+        let (found, exact) = place(u);
+        for (found, exact) in found.into_iter().zip(exact) {
+            raise(&mut figures.place, (f64::from(found) - exact).abs());
+        }
+    }
+}
+
+/// How far the exact place on a light moves when the second uniform does by 2⁻²⁴; 0 for a warp that tells no place.
+pub fn place_moved(entry: &Entry, u: Uniforms) -> f64 {
+    let Some(place) = &entry.place else {
+        return 0.0;
+    };
+    // By more than that, for a step of `f32` anywhere.
+    let step = 0.5_f32.powi(22);
+    let at = |turn: f32| place([u[0], turn.clamp(0.0, LARGEST), u[2], u[3]]).1;
+    let here = at(u[1]);
+    let mut most = 0.0;
+    for there in [at(u[1] - step), at(u[1] + step)] {
+        for (a, b) in here.iter().zip(there) {
+            raise(&mut most, (a - b).abs() / 4.0);
+        }
+    }
+    most
 }
 
 /// The error of the density handed over with the sample, where that is not the density of the returned point.
@@ -159,7 +201,7 @@ pub fn density_and_inverse_error(entry: &Entry, exact: &Exact, x: Point, figures
     let inverse = entry.warp.invert(x).map(f64::from);
     let at_point = entry.truth.invert(point);
     for k in 0..entry.uniforms {
-        if k > 0 && azimuth_is_lost(entry, point) {
+        if k > 0 && is_lost(entry, k, point) {
             continue;
         }
         let turns = is_azimuth(entry, k);
@@ -174,8 +216,8 @@ pub fn density_and_inverse_error(entry: &Entry, exact: &Exact, x: Point, figures
     }
 }
 
-/// Whether all second uniforms give this point, as at the centre of a disk or a pole.
-fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
+/// Whether this point is the same for all values of a later uniform, as at the centre of a disk or a pole.
+fn is_lost(entry: &Entry, k: usize, x: [f64; 3]) -> bool {
     if let Some(height) = entry.variable("h") {
         return entry.truth.invert(x)[0].sqrt() * height < 9.6e-7;
     }
@@ -190,13 +232,18 @@ fn azimuth_is_lost(entry: &Entry, x: [f64; 3]) -> bool {
             let local = entry.truth.invert(x)[0];
             local < 1e-6
         }
+        Domain::Solid | Domain::Rotations => {
+            entry.azimuth && k == 2 && x[0] == 0.0 && x[1] == 0.0 || x == [0.0; 3]
+        }
+        // Coordinates below the normal numbers have lost their digits.
+        Domain::Space if entry.azimuth && x[0].hypot(x[1]) < 2f64.powi(-125) => true,
         Domain::Space | Domain::Barycentric => {
             x[1] == 0.0 && x[2] == 0.0 || entry.truth.invert(x)[0] == 0.0
         }
     }
 }
 
-/// Whether the k-th uniform is an azimuth, of which 0 and 1 are the same.
+/// Whether the k-th uniform is an azimuth, of which 0 and 1 are the same: the last one.
 pub fn is_azimuth(entry: &Entry, k: usize) -> bool {
-    k == 1 && entry.azimuth
+    k + 1 == entry.uniforms && entry.azimuth
 }

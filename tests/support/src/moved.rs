@@ -55,8 +55,9 @@ fn units(entry: &Entry, point: [f64; 3]) -> [f64; 3] {
     const HALF_STEP: f64 = 1.0 / 16_777_216.0;
     match (entry.domain, entry.measure) {
         (Domain::Line, Measure::UlpOf(scale)) => [ulp(scale), 0.0, 0.0],
-        (Domain::Line, Measure::UlpFrom(mean)) => {
-            [ulp((point[0] - mean).abs().max(mean.abs())), 0.0, 0.0]
+        (Domain::Line, Measure::UlpFrom(mean, least)) => {
+            let size = (point[0] - mean).abs().max(mean.abs()).max(least);
+            [ulp(size), 0.0, 0.0]
         }
         (Domain::Line, Measure::UlpAbove(least)) => [ulp(point[0].abs().max(least)), 0.0, 0.0],
         (Domain::Line, _) => [ulp(point[0]), 0.0, 0.0],

@@ -7,10 +7,13 @@
 mod composed;
 mod directions;
 pub mod family;
+mod lights;
 mod line;
 pub mod picture;
 mod plane;
 mod power;
+mod shapes;
+mod surfaces;
 pub mod tables;
 
 use crate::adversary::words::Kind;
@@ -42,6 +45,10 @@ pub enum Domain {
     World,
     /// Points of space.
     Space,
+    /// Points of space that three uniforms lead to.
+    Solid,
+    /// Unit quaternions of rotations: their x, y and z. w, which is not negative, is what they leave of the length.
+    Rotations,
     /// Barycentric coordinates.
     Barycentric,
 }
@@ -53,8 +60,8 @@ pub enum Measure {
     Ulp,
     /// Units in the last place of a fixed magnitude, for maps through 0.
     UlpOf(f64),
-    /// Units in the last place of a mean or of the distance from it, whichever is larger.
-    UlpFrom(f64),
+    /// Units in the last place of a mean, of the distance from it, or of a length, whichever is largest.
+    UlpFrom(f64, f64),
     /// Units in the last place of the exact value, or of a magnitude where it is smaller than that.
     UlpAbove(f64),
     /// Euclidean distance in units of a length.
@@ -70,6 +77,10 @@ pub trait Erased: Send + Sync {
         (x, self.pdf(x))
     }
     fn invert(&self, x: Point) -> Uniforms;
+    /// The fourth coordinate of a sample, for which a point has no room; 0 where there is none.
+    fn fourth(&self, _: Uniforms) -> f32 {
+        0.0
+    }
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
     /// A block of points in memory of its own, drawn one by one or filled: what takes time is this alone.
@@ -83,6 +94,9 @@ pub trait Erased: Send + Sync {
         Vec::new()
     }
 }
+
+/// What says a place and the exact one.
+pub type Place = dyn Fn(Uniforms) -> ([f32; 3], [f64; 3]) + Send + Sync;
 
 /// One warp with its parameters in one tier.
 pub struct Entry {
@@ -107,9 +121,11 @@ pub struct Entry {
     pub composed: bool,
     /// Whether the density that comes with a sample is another number than that of its point, with an error of its own.
     pub own_density: bool,
+    /// Whether a draw reads its words more deeply than the grid.
+    pub deep: bool,
     /// Whether density and inverse are functions of a user's, which need not be total.
     pub closures: bool,
-    /// Whether the second uniform is an azimuth, of which 0 and 1 are the same.
+    /// Whether the last of several uniforms is an azimuth, of which 0 and 1 are the same.
     pub azimuth: bool,
     /// Whether a second uniform of 0 gives the direction of azimuth 0, so that sin θ and cos θ can be judged alone.
     pub polar: bool,
@@ -118,6 +134,8 @@ pub struct Entry {
     pub ends: Ends,
     /// How far outside the unit square the exact inverse may place a point that was rounded.
     pub slack: f64,
+    /// Whether neighbouring uniforms may give points that are far apart.
+    pub jumps: bool,
     /// What holds for every point beside its place in the domain, exactly.
     pub inside: fn([f64; 3]) -> bool,
     /// Points outside the domain, where the density is 0; `None` where nobody has said which those are.
@@ -126,6 +144,8 @@ pub struct Entry {
     pub rims: &'static [fn(f32, f32) -> Uniforms],
     pub picture: Option<Picture>,
     pub trade: Option<Trade>,
+    /// The place on a light that uniforms lead to, and the exact one.
+    pub place: Option<Arc<Place>>,
     pub warp: Arc<dyn Erased>,
     pub truth: Arc<dyn Truth>,
     /// Coordinates in the unit square in which cells for a test of shape are laid out: the inverse of
@@ -339,7 +359,25 @@ impl<const M: usize, const N: usize> Flat<N> for [f32; M] {
         std::array::from_fn(|i| if i < M { self[i] } else { 0.0 })
     }
     fn unflat(flat: [f32; N]) -> Self {
-        std::array::from_fn(|i| flat[i])
+        // A coordinate that has no room is what the others leave of a quaternion's length.
+        let left = 1.0 - flat.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>();
+        std::array::from_fn(|i| flat.get(i).copied().unwrap_or(left.max(0.0).sqrt() as f32))
+    }
+}
+
+/// Shares and the rest, which follows from them where it has no room.
+impl<const M: usize, const N: usize> Flat<N> for ([f32; M], f32) {
+    fn flat(self) -> [f32; N] {
+        std::array::from_fn(|i| match i {
+            i if i < M => self.0[i],
+            i if i == M => self.1,
+            _ => 0.0,
+        })
+    }
+    fn unflat(flat: [f32; N]) -> Self {
+        let shares = std::array::from_fn(|i| flat[i]);
+        let left = 1.0 - shares.iter().map(|x: &f32| f64::from(*x)).sum::<f64>();
+        (shares, flat.get(M).copied().unwrap_or(left.max(0.0) as f32))
     }
 }
 
@@ -349,7 +387,7 @@ impl<W> Erased for Wrapped<W>
 where
     W: Invert<Density = f32> + Send + Sync + 'static,
     W::Uniforms: Flat<4>,
-    W::Point: Flat<3> + 'static,
+    W::Point: Flat<3> + Flat<4> + 'static,
 {
     fn sample(&self, u: Uniforms) -> Point {
         self.0.sample(W::Uniforms::unflat(u)).flat()
@@ -363,6 +401,10 @@ where
     }
     fn invert(&self, x: Point) -> Uniforms {
         self.0.invert(W::Point::unflat(x)).flat()
+    }
+    fn fourth(&self, u: Uniforms) -> f32 {
+        let all: [f32; 4] = self.0.sample(W::Uniforms::unflat(u)).flat();
+        all[3]
     }
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point> {
         let mut points = vec![W::Point::unflat([0.0; 3]); n];
@@ -442,7 +484,7 @@ pub fn entry<T: Tier, W>(
 where
     W: Invert<Density = f32> + Send + Sync + 'static,
     W::Uniforms: Flat<4>,
-    W::Point: Flat<3>,
+    W::Point: Flat<3> + Flat<4>,
 {
     let truth = truth.into();
     let first = truth.sample([0.0; 4]);
@@ -464,6 +506,7 @@ where
         folds: false,
         composed: false,
         own_density: false,
+        deep: false,
         closures: false,
         azimuth: turned,
         polar: domain == Domain::Directions,
@@ -474,11 +517,13 @@ where
         } else {
             2e-6
         },
+        jumps: false,
         inside: |_| true,
         outside: None,
         rims: &[],
         picture: None,
         trade: None,
+        place: None,
         warp: Arc::new(Wrapped(Arc::new(warp))),
         chart: Arc::clone(&truth),
         truth,
@@ -499,8 +544,11 @@ pub fn of_tier<T: Tier>() -> Vec<Registered> {
     all.extend(power::registered::<T>());
     all.extend(composed::registered::<T>());
     all.extend(plane::registered::<T>());
+    all.extend(shapes::registered::<T>());
     all.extend(directions::registered::<T>());
+    all.extend(lights::registered::<T>());
     all.extend(tables::registered::<T>());
+    all.extend(surfaces::registered::<T>());
     all
 }
 

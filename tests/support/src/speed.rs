@@ -51,6 +51,12 @@ pub fn all() -> bool {
     speed() == Speed::All
 }
 
+/// Whether tests that try one family after another are to try this one: `MICROWARP_FAMILY=name` asks for those alone that
+/// begin with that name.
+pub fn wants(family: &str) -> bool {
+    std::env::var("MICROWARP_FAMILY").map_or(true, |name| family.starts_with(&name))
+}
+
 /// One of two numbers of samples, strides or the like, by the speed. Says which.
 pub fn of<T: Debug>(what: &str, quick: T, full: T) -> T {
     of_three(what, [quick, full], None)

@@ -191,7 +191,7 @@ pub fn resolve(entry: &Entry, n: usize) -> (usize, usize) {
         let x = entry.chart.sample([u, 0.0, 0.0, 0.0]);
         let size = match entry.measure {
             Measure::UlpOf(size) | Measure::UlpAbove(size) => size.max(x[0].abs()),
-            Measure::UlpFrom(mean) => mean.abs().max((x[0] - mean).abs()),
+            Measure::UlpFrom(mean, least) => mean.abs().max((x[0] - mean).abs()).max(least),
             _ => x[0].abs(),
         } as f32;
         let ulp = f64::from(f32::from_bits(size.to_bits() + 1)) - f64::from(size);

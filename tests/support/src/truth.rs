@@ -8,11 +8,19 @@ mod directions;
 mod discrete;
 mod line;
 mod plane;
+mod polygon;
+mod shapes;
+mod surfaces;
+mod visible_sphere;
 
 pub use directions::*;
 pub use discrete::*;
 pub use line::*;
 pub use plane::*;
+pub use polygon::*;
+pub use shapes::*;
+pub use surfaces::*;
+pub use visible_sphere::*;
 
 use std::f64::consts::TAU;
 
@@ -25,8 +33,16 @@ pub trait Truth: Send + Sync {
     fn sample(&self, u: Uniforms) -> Point;
     /// The exact density at a point of the domain.
     fn pdf(&self, x: Point) -> f64;
+    /// The exact density at the point of the uniforms, where even the `f64` of the point would have lost digits of it.
+    fn density(&self, u: Uniforms) -> f64 {
+        self.pdf(self.sample(u))
+    }
     /// The exact uniforms of a point of the domain.
     fn invert(&self, x: Point) -> Uniforms;
+    /// The exact fourth coordinate, of points that have one.
+    fn fourth(&self, _: Uniforms) -> Option<f64> {
+        None
+    }
 }
 
 /// The azimuth of (x, y) in turns, in [0, 1).

@@ -1,11 +1,15 @@
 //! Rejection, with its generator.
 
-use crate::registry::kernels;
+use crate::registry::{kernels, loaded, made};
 use fixed::types::I2F30;
-use microwarp::fixed as integer;
 use microwarp::rejection::{
     BallRejection, DiskRejection, Rejection, ZigguratStandardExponential, ZigguratStandardNormal,
 };
+use microwarp::{Error, fixed as integer, poly};
+
+fn poisson<const MEAN: u32>() -> Result<poly::PoissonRejection, Error> {
+    poly::PoissonRejection::new(MEAN as f32)
+}
 
 kernels! {
     "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
@@ -18,4 +22,8 @@ kernels! {
         ZigguratStandardNormal::new().draw(rng).map_or(0.0, |accepted| accepted.point);
     "rejection_ziggurat_standard_exponential_pcg32" (rng) -> f32 =
         ZigguratStandardExponential::new().draw(rng).map_or(0.0, |accepted| accepted.point);
+    "poly_poisson_rejection_100_pcg32" (rng) -> u32 =
+        loaded(poisson::<100>).draw(rng).map_or(0, |accepted| accepted.point), made(poisson::<100>);
+    "poly_poisson_rejection_65536_pcg32" (rng) -> u32 =
+        loaded(poisson::<65536>).draw(rng).map_or(0, |accepted| accepted.point), made(poisson::<65536>);
 }

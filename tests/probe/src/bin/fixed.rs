@@ -3,7 +3,8 @@
 #![no_std]
 #![no_main]
 
-use fixed::types::{I16F16, U0F32, U16F16, U32F32};
+use core::hint::black_box;
+use fixed::types::{I2F30, I16F16, U0F32, U16F16, U32F32};
 use microwarp::fixed::warp::*;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, FloatUniforms, Grade};
 use microwarp::{Error, Invert};
@@ -14,7 +15,7 @@ use rand_pcg::Pcg32;
 
 /// Anything whose bits can be handed out: the check wants them used, whatever they are.
 fn used<T: Copy>(value: T) {
-    core::hint::black_box(value);
+    black_box(value);
     output(core::mem::size_of::<T>() as u32);
 }
 

@@ -1,14 +1,15 @@
 //! What runs on integers alone: a chain of integer weights, tables that the compiler and the program built,
-//! exact selections, the rejection disks. No floating-point routine may be linked, of either width.
+//! exact selections, the rejection disks, points. No floating-point routine may be linked, of either width.
 #![no_std]
 #![no_main]
 
-use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection};
+use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poisson};
 use microwarp::fixed as mw;
 use microwarp::metropolis::{
     Chain, HastingsCounts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
 };
 use microwarp::rejection::Rejection;
+use microwarp::uniform::{ByPosition, Points, Recurrence, Sobol};
 use microwarp_probe::{input, output};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
@@ -105,12 +106,44 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
     }
     output(chain.accepted() as u32);
 
+    let failures = Geometric::from_ratio(input(1), input(9))?;
+    output(failures.draw(rng));
+    let events = Poisson::from_ratio(input(9), input(4))?;
+    output(events.draw(rng));
+    for words in [failures.words_of(input(2)), events.words_of(input(3))]
+        .into_iter()
+        .flatten()
+    {
+        output(*words.start());
+    }
+
     let (fine, short) = (mw::DiskRejection::new(), mw::DiskRejection16::new());
     for point in [fine.draw(rng), short.draw(rng)].into_iter().flatten() {
         for coordinate in point.point {
             output(coordinate.to_bits() as u32);
         }
         output(fine.pdf(point.point).to_bits() as u32);
+    }
+
+    let pixel = ByPosition::new(input(1), input(2));
+    let (pairs, eight) = (
+        Sobol::<2>::new(input(3))?,
+        Sobol::<8>::new(pixel.word(0, 0))?,
+    );
+    let recurrence = Recurrence::<2>::new(input(3))?;
+    for index in 0..input(9) {
+        for word in pairs.words::<4>(index) {
+            output(word);
+        }
+        for word in eight.words::<8>(index) {
+            output(word);
+        }
+        for word in recurrence.words::<3>(index) {
+            output(word);
+        }
+        for point in fine.draw(&mut pairs.at(index)).into_iter() {
+            output(point.tries);
+        }
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use super::words::below;
 use crate::errors::or_infinite;
 use crate::speed;
 use rand_pcg::Pcg32;
+use std::rc::Rc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// How long a family is attacked, and from where.
@@ -107,6 +108,8 @@ struct Search<'a> {
     /// A row's worst cases, of different parameters.
     elites: Vec<Vec<Worst>>,
     points: u32,
+    /// The case of a family without parameters.
+    only: Option<Option<Rc<dyn Case>>>,
 }
 
 impl Search<'_> {
@@ -183,11 +186,22 @@ impl Search<'_> {
         }
     }
 
+    /// What has no parameters is built once: that of a table takes longer than all else.
+    fn build(&mut self, parameters: &[u32]) -> Option<Rc<dyn Case>> {
+        let family = self.family;
+        let new = || (family.build)(parameters).map(Rc::from);
+        if parameters.is_empty() {
+            self.only.get_or_insert_with(new).clone()
+        } else {
+            new()
+        }
+    }
+
     /// Several points of new parameters, or one of changed ones.
     fn round(&mut self) {
         if below(&mut self.rng, 3) > 0 {
             if let Some((parameters, uniforms)) = self.changed() {
-                if let Some(case) = (self.family.build)(&parameters) {
+                if let Some(case) = self.build(&parameters) {
                     self.judge(case.as_ref(), &parameters, uniforms);
                 }
                 self.points += 1;
@@ -195,7 +209,7 @@ impl Search<'_> {
             }
         }
         let parameters = self.fresh();
-        if let Some(case) = (self.family.build)(&parameters) {
+        if let Some(case) = self.build(&parameters) {
             for _ in 0..8 {
                 let uniforms = self.fresh_uniforms();
                 self.judge(case.as_ref(), &parameters, uniforms);
@@ -222,6 +236,7 @@ pub fn worst(family: &Family, budget: Budget) -> Vec<Worst> {
         rng: Pcg32::new(name ^ seed, name),
         elites: vec![Vec::new(); family.rows.len()],
         points: 0,
+        only: None,
     };
     let began = Instant::now();
     while match budget {

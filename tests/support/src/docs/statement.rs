@@ -8,12 +8,16 @@ literal_matcher_from_pattern!(Scientific, r"^[0-9]+(\.[0-9]+)?(e[+-]?[0-9]+)?");
 #[derive(Clone, Debug)]
 pub struct Statement {
     formula: FlatEx<f64, FloatOpsFactory<f64>, Scientific>,
+    number: Option<f64>,
 }
 
 impl Statement {
     /// Reads `2e-7` or `3e-7 + 2*s`; nothing where the text is neither.
     pub fn parse(cell: &str) -> Option<Self> {
-        FlatEx::parse(cell).ok().map(|formula| Self { formula })
+        let formula: FlatEx<_, _, _> = FlatEx::parse(cell).ok()?;
+        let number = formula.var_names().is_empty().then(|| formula.eval(&[]));
+        let number = number.transpose().ok()?;
+        Some(Self { formula, number })
     }
 
     /// The names that the formula holds.
@@ -23,12 +27,13 @@ impl Statement {
 
     /// The number, where the cell holds no names.
     pub fn number(&self) -> Option<f64> {
-        self.names().is_empty().then(|| self.eval(&[]))
+        self.number
     }
 
     /// The bound for these values of [`Statement::names`], in their order.
     pub fn eval(&self, values: &[f64]) -> f64 {
-        self.formula.eval(values).expect("a value for each name")
+        let eval = || self.formula.eval(values).expect("a value for each name");
+        self.number.unwrap_or_else(eval)
     }
 }
 

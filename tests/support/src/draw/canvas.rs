@@ -156,19 +156,34 @@ impl Canvas {
 
     /// Saves as PNG in the 256 colours that fit best: a third of the size of one in full colour.
     pub fn save(&self, path: &Path) -> Result<(), String> {
-        let bytes = self.png(256).map_err(|e| e.to_string());
+        let bytes = self.png(png::BitDepth::Eight).map_err(|e| e.to_string());
         let written = bytes.and_then(|b| std::fs::write(path, b).map_err(|e| e.to_string()));
         written.map_err(|e| format!("{}: {e}", path.display()))
     }
 
-    /// The picture as an address that holds it, in few colours, for a page that can have no files beside it.
+    /// Saves as PNG in all colours: for photographs, whose shades are more than a palette holds.
+    pub fn save_in_full_colour(&self, path: &Path) -> Result<(), String> {
+        let rgb: Vec<u8> = self
+            .pixels
+            .data()
+            .chunks_exact(4)
+            .flat_map(|pixel| &pixel[..3])
+            .copied()
+            .collect();
+        save_rgb(path, [self.pixels.width(), self.pixels.height()], &rgb)
+    }
+
+    /// The picture as an address that holds it, in 16 colours, for a page that can have no files beside it.
     pub fn data_address(&self) -> Result<String, String> {
-        let bytes = self.png(64).map_err(|e| e.to_string())?;
+        let bytes = self.png(png::BitDepth::Four).map_err(|e| e.to_string())?;
         let text = base64::engine::general_purpose::STANDARD.encode(bytes);
         Ok(format!("data:image/png;base64,{text}"))
     }
 
-    fn png(&self, colours: usize) -> Result<Vec<u8>, png::EncodingError> {
+    /// In as many colours as have a number of these bits, 4 or 8.
+    fn png(&self, depth: png::BitDepth) -> Result<Vec<u8>, png::EncodingError> {
+        let bits = depth as usize;
+        let colours = 1 << bits;
         let rgba = self.pixels.data();
         let others: Vec<u8> = rgba
             .chunks_exact(4)
@@ -195,13 +210,26 @@ impl Canvas {
                 index
             })
             .collect();
+        // As many as fit into a byte, the first on top; a row begins with a byte.
+        let join = |together: &[u8]| {
+            let places = (0..8 / bits).rev().map(|place| place * bits);
+            places
+                .zip(together)
+                .map(|(place, index)| index << place)
+                .sum()
+        };
+        let rows = indices.chunks_exact(self.pixels.width() as usize);
+        let packed: Vec<u8> = rows
+            .flat_map(|row| row.chunks(8 / bits).map(join))
+            .collect();
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, self.pixels.width(), self.pixels.height());
         encoder.set_color(png::ColorType::Indexed);
+        encoder.set_depth(depth);
         encoder.set_palette(palette);
         encoder.set_compression(png::Compression::High);
         encoder.set_filter(png::Filter::NoFilter);
-        encoder.write_header()?.write_image_data(&indices)?;
+        encoder.write_header()?.write_image_data(&packed)?;
         Ok(bytes)
     }
 
@@ -225,6 +253,19 @@ impl Canvas {
         self.pixels
             .stroke_path(path, &paint(colour), &stroke, Transform::identity(), None);
     }
+}
+
+/// Saves bytes of red, green and blue, row by row, as PNG.
+pub fn save_rgb(path: &Path, [width, height]: [u32; 2], rgb: &[u8]) -> Result<(), String> {
+    let write = || -> Result<(), Box<dyn std::error::Error>> {
+        let file = std::io::BufWriter::new(std::fs::File::create(path)?);
+        let mut encoder = png::Encoder::new(file, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_compression(png::Compression::High);
+        encoder.write_header()?.write_image_data(rgb)?;
+        Ok(())
+    };
+    write().map_err(|e| format!("{}: {e}", path.display()))
 }
 
 fn paint([r, g, b, a]: Colour) -> Paint<'static> {

@@ -1,7 +1,9 @@
 //! What users compose, by examples: inversions, transforms, and a marginal with its conditional.
 
-use super::picture::{View, between, window};
+use super::picture::{EQUILATERAL, View, between, window};
+use super::plane::square;
 use super::{Domain, Ends, Entry, Measure, Registered, entry, family};
+use crate::adversary::words::Kind::Positive;
 use crate::truth::{self, Truth};
 use microwarp::Error;
 use microwarp::tier::Tier;
@@ -31,6 +33,27 @@ fn own(mut entry: Entry) -> Entry {
 
 pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     vec![
+        Registered::new("Composed", "", &[Positive; 4], |p| {
+            let then = Triangle::new();
+            let exact = truth::Bilinear(square(p).map(|row| row.map(f64::from)));
+            let truth: Box<dyn Truth> = Box::new(truth::Composed(exact, truth::Barycentric));
+            let warp = Composed::new(Bilinear::new(square(p))?, then);
+            let unit = Measure::Length(1.0);
+            let mut entry = entry::<T, _>("Composed", Domain::Barycentric, unit, warp, truth);
+            entry.composed = true;
+            Ok(entry
+                .own_density()
+                .outside(&[[0.5, 0.6, 0.1], [-0.1, 0.6, 0.5]]))
+        })
+        .case_with("4 4 / 1 0", &[4.0, 4.0, 1.0, 0.0], |e| {
+            e.picture("a bilinear weight on a triangle", EQUILATERAL)
+                .trade(family::COMPOSED, "composed")
+        })
+        .case("1 2 / 3 4", &[1.0, 2.0, 3.0, 4.0])
+        .seed(&[1.0; 4])
+        .seed(&[4.0, 4.0, 1.0, 0.0])
+        .seed(&[0.0, 1.0, 1.0, 2.0])
+        .refuse(&[0.0; 4], Error::NotPositive),
         example(
             "Inversion",
             "",

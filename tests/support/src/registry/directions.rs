@@ -44,10 +44,11 @@ fn visible<T: Tier>(
 ) -> Result<Entry, Error> {
     let truth = truth::GgxVisible::new([p[0], p[1], p[2]], [p[3], p[4]], bounded);
     let mut entry = upper(about_z::<T, _>("GgxVisible", warp?, Box::new(truth)));
-    (entry.polar, entry.cosine) = (false, false);
+    (entry.polar, entry.cosine, entry.own_density) = (false, false, true);
     let alpha = [p[3], p[4]].map(f64::from);
     let ratio = (alpha[0] / alpha[1]).max(alpha[1] / alpha[0]);
-    Ok(entry.variables(&[("q", ratio)]))
+    // Next to the pole of the cap, whither no uniform of the grid but 0 leads, the azimuth is the rounding of the normal.
+    Ok(entry.variables(&[("q", ratio), ("h", 1.0)]))
 }
 
 /// A view and two roughnesses.
@@ -58,6 +59,21 @@ const VIEW: [Kind; 5] = [
     Within(1e-4, 1.0),
     Within(1e-4, 1.0),
 ];
+
+/// The phase function by the width of its peak, 1 − |g|.
+fn peaked<T: Tier>(
+    warp: Result<HenyeyGreenstein<T>, Error>,
+    least: f32,
+    backward: bool,
+) -> Result<Entry, Error> {
+    let truth = truth::henyey_greenstein_peak(least, backward);
+    let mut entry = about_z::<T, _>("HenyeyGreenstein", warp?, truth);
+    entry.cosine = false;
+    Ok(entry.own_density().outside(&[]))
+}
+
+/// 2⁻³².
+const NARROWEST: f32 = 1.0 / 4_294_967_296.0;
 
 fn patch<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let warp = SphericalPatch::<T>::from_turns(p[0], p[1], p[2], p[3])?;
@@ -82,11 +98,31 @@ where
 {
     let normal = [p[0], p[1], p[2]];
     let warp = Oriented::new(warp, Frame::new(normal)?);
-    let axes = exact_frame(normal);
+    let axes = exact_frame(normal.map(f64::from));
     let truth: Box<dyn Truth> = Box::new(truth::Turned { inner, axes });
     let mut entry = entry::<T, _>("Oriented", Domain::World, Measure::Length(1.0), warp, truth);
     entry.composed = true;
     Ok(entry.own_density().outside(&[[0.0, 0.0, 1.0]]))
+}
+
+/// Where the parameters say a point, a centre and a radius.
+fn seen<T: Tier>(point: [f32; 3], centre: [f32; 3], radius: f32) -> Result<Entry, Error> {
+    let warp = VisibleSphere::<T>::new(point, centre, radius)?;
+    let truth = truth::SeenSphere::new(point, centre, radius);
+    let k = truth.k();
+    let axis = if truth.distance > 0.0 {
+        truth.axis
+    } else {
+        [0.0, 0.0, 1.0]
+    };
+    let (inner, axes) = (truth::cone(k, 2.0 - k), exact_frame(axis));
+    let truth = Box::new(truth::Turned { inner, axes }) as Box<dyn Truth>;
+    let measure = Measure::Length(1.0);
+    let mut entry = entry::<T, _>("VisibleSphere", Domain::World, measure, warp, truth);
+    // What one rounding of the direction changes in the first uniform.
+    entry.slack = f64::max(2e-6, 6e-7 / k.sqrt());
+    (entry.resolved, entry.round_trip) = (k > 1e-8, k > 1e-8);
+    Ok(entry)
 }
 
 fn turned(
@@ -165,6 +201,26 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             })
             .seed(&[0.8]).seed(&[-0.5]).seed(&[0.3]).seed(&[1e-3]).seed(&[-1e-8]).seed(&[0.999_999_94]).seed(&[-0.999_999_94])
             .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange),
+        Registered::new("HenyeyGreenstein", "from_one_minus_g", &[Within(NARROWEST, 1.0)], |p| {
+            peaked(HenyeyGreenstein::<T>::from_one_minus_g(p[0]), p[0], false)
+        })
+            .case("1-g=1e-3", &[1e-3])
+            .case_with("1-g=1e-9", &[1e-9], |mut e| {
+                e.resolved = false;
+                e
+            })
+            .seed(&[1.0]).seed(&[0.2]).seed(&[1e-7]).seed(&[NARROWEST])
+            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[1.1], OutOfRange).refuse(&[1e-10], OutOfRange),
+        Registered::new("HenyeyGreenstein", "from_one_plus_g", &[Within(NARROWEST, 1.0)], |p| {
+            peaked(HenyeyGreenstein::<T>::from_one_plus_g(p[0]), p[0], true)
+        })
+            .case("1+g=0.3", &[0.3])
+            .case_with("1+g=1e-9", &[1e-9], |mut e| {
+                e.resolved = false;
+                e
+            })
+            .seed(&[1.0]).seed(&[0.2]).seed(&[1e-7]).seed(&[NARROWEST])
+            .refuse(&[INF], NotFinite).refuse(&[-0.1], NotPositive).refuse(&[1.1], OutOfRange).refuse(&[1e-10], OutOfRange),
         Registered::new("VonMisesFisher", "", &[Positive], |p| {
             let warp = VonMisesFisher::<T>::new(p[0])?;
             let mut entry = about_z::<T, _>("VonMisesFisher", warp, truth::von_mises_fisher(p[0]));
@@ -187,7 +243,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[-0.1], Negative).refuse(&[1.1e30], OutOfRange),
         Registered::new("Ggx", "", &[Within(1e-4, 1.0), Within(1e-4, 1.0)], |p| {
             let truth = truth::Ggx { alpha: [p[0], p[1]].map(f64::from) };
-            Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, Box::new(truth))))
+            Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, Box::new(truth))).own_density())
         })
             .case_with("α=0.3", &[0.3, 0.3], |e| e.trade("GGX α = 0.3", "ggx_03"))
             .case_with("α=0.1, 0.5", &[0.1, 0.5], |e| e.picture("roughness 0.1 along x, 0.5 along y", Sky(FRAC_PI_2)))
@@ -256,6 +312,30 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 0.25, NAN, 0.5], NotFinite).refuse(&[0.3, 0.2, 0.0, 0.5], Reversed)
             .refuse(&[0.0, 0.6, 0.0, 0.5], OutOfRange).refuse(&[0.0, 0.5, 0.0, 1.5], OutOfRange)
             .refuse(&[0.1, 0.1, 0.0, 0.5], Empty).refuse(&[0.1, 0.2, 0.5, 0.5], Empty).refuse(&[0.0, 0.2, 0.0, INF], NotFinite),
+        Registered::new("VisibleSphere", "", &[Any, Any, Any, Any, Any, Any, Positive], |p| {
+            seen::<T>([p[0], p[1], p[2]], [p[3], p[4], p[5]], p[6])
+        })
+            .case_with("half angle 30°", &[1.0, -2.0, 0.5, 1.8, -2.4, 2.3, 1.0], |e| {
+                e.outside(&[[0.0, -1.0, 0.0], [-0.6, 0.8, 0.0]]).picture("a sphere seen from twice its radius", Sky(FRAC_PI_2)).trade(family::CAP, "visible_sphere")
+            })
+            .case_with("5 m off", &[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.5], |e| e.outside(&[[0.0, 0.8, 0.6], [0.0, -0.6, -0.8]]))
+            .case_with("1e-6 above", &[1.000_001, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], |e| e.outside(&[[0.1, 0.0, 0.995]]))
+            .case_with("on the surface", &[1.0, 2.0, 2.0, 0.0, 0.0, 0.0, 3.0], |e| e.outside(&[[0.1, 0.7, 0.7]]))
+            .case_with("inside", &[1.0, 2.0, 2.0, 0.0, 0.1, 0.0, 3.0], |e| e.outside(&[]))
+            .case_with("at the centre", &[1.0, 2.0, 2.0, 1.0, 2.0, 2.0, 3.0], |e| e.outside(&[]))
+            .seed(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.5]).seed(&[1.0, 2.0, 2.0, 0.0, 0.0, 0.0, 3.0]).seed(&[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.7e-19])
+            .seed(&[1e-45, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-45]).seed(&[0.0, 1e-45, 0.0, 0.0, 0.0, 0.0, 1.7e38]).seed(&[1e38, 0.0, 0.0, -1e38, 0.0, 0.0, 1e38])
+            .refuse(&[0.0, NAN, 0.0, 0.0, 3.0, 4.0, 0.5], NotFinite).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.0], NotPositive)
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, -1.0], NotPositive).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 1e-20], Empty)
+            .refuse(&[3e38, 0.0, 0.0, -3e38, 0.0, 0.0, 1.0], TooLarge).refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, TINY], Empty),
+        // At a height above the surface in radii, or below it, in any direction from the centre.
+        Registered::new("VisibleSphere", "near", &[Within(-1.0, 1.0), Within(-1.0, 1.0), Within(-1.0, 1.0), Within(-0.5, 1.0), Any, Within(0.0, 1e3)], |p| {
+            let normal = [p[0], p[1], p[2]].map(f64::from);
+            let length = truth::dot(normal, normal).sqrt();
+            let centre = p[4] % 1e4;
+            let reach = f64::from(p[5]) * (1.0 + f64::from(p[3]));
+            seen::<T>(normal.map(|c| (f64::from(centre) - reach * c / length) as f32), [centre; 3], p[5])
+        }),
         turned("CosineHemisphere", &[Any; 3], |p| {
             oriented::<T, _>(p, CosineHemisphere::<T>::new(), truth::cosine_hemisphere())
         })
@@ -280,8 +360,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
 }
 
 /// The frame of Duff and others in f64.
-fn exact_frame(normal: [f32; 3]) -> [truth::Point; 3] {
-    let n = normal.map(f64::from);
+fn exact_frame(n: truth::Point) -> [truth::Point; 3] {
     let length = truth::dot(n, n).sqrt();
     let [x, y, z] = n.map(|c| c / length);
     let sign = 1f64.copysign(z);

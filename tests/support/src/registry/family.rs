@@ -11,6 +11,7 @@ pub const INTERVAL: &str = "interval";
 pub const POWER: &str = "power law";
 pub const TRUNCATED: &str = "truncated exponential";
 pub const LINE: &str = "tent, line, inversion";
+pub const LAW: &str = "law of the line";
 pub const TRIANGLE: &str = "triangle";
 pub const CAP: &str = "cone, patch";
 pub const COMPOSED: &str = "composed";

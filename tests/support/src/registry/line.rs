@@ -53,7 +53,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[-1.7374, -1.5582]", &[-1.737_384_2, -1.558_242_2])
             .refuse(&[-INF, 1.0], NotFinite).refuse(&[1.0, 0.0], Reversed).refuse(&[2.0, 2.0], Empty),
         Registered::new("Exponential", "", &[Positive], |p| {
-            Ok(exponential(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, truth::exponential(p[0]))))
+            Ok(half_line(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, truth::exponential(p[0]))))
         })
             .case_with("a=1", &[1.0], |e| {
                 e.picture("p = exp(−x)", View::Line(between(-0.4, 6.0))).trade(family::EXPONENTIAL, "exponential_1")
@@ -64,7 +64,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive).refuse(&[1.0e-40], TooLarge),
         Registered::new("ExponentialTail", "", &[Positive], |p| {
             let warp = ExponentialTail::<T>::from_rate(p[0])?;
-            Ok(exponential(in_ulp::<T, _>("ExponentialTail", warp, truth::exponential_tail(p[0])).words(2)))
+            Ok(half_line(in_ulp::<T, _>("ExponentialTail", warp, truth::exponential_tail(p[0])).words(2)))
         })
             .case_with("a=1", &[1.0], |e| {
                 let axes = between(-0.4, 9.3).log_y(1e-4);
@@ -160,7 +160,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("Normal", "", &[Any, Positive], |p| {
             let (mean, std_dev) = (f64::from(p[0]), f64::from(p[1]));
             let (warp, truth) = (Normal::<T>::new(p[0], p[1])?, truth::normal(p[0], p[1]));
-            let mut entry = entry::<T, _>("Normal", Domain::Line, Measure::UlpFrom(mean), warp, truth);
+            let mut entry = entry::<T, _>("Normal", Domain::Line, Measure::UlpFrom(mean, 0.0), warp, truth);
             entry.ends = Ends::None;
             Ok(entry.variables(&[("w", mean.abs() / std_dev)]).outside(&[]))
         })
@@ -177,13 +177,223 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e37]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
             .refuse(&[0.0, 1.0e38], TooLarge).refuse(&[0.0, TINY], Empty),
+        Registered::new("TruncatedNormal", "new", &[Any, Positive, Any, Any], |p| {
+            truncated_normal::<T>("TruncatedNormal", p, [p[2], p[3]], TruncatedNormal::new(p[0], p[1], p[2], p[3]))
+        })
+            .ordered(&[[2, 3]])
+            .case_with("0, 1 [-1, 2]", &[0.0, 1.0, -1.0, 2.0], |e| {
+                e.picture("mean 0, deviation 1, on [−1, 2]", View::Line(between(-1.5, 2.5))).trade(family::LAW, "truncated_normal")
+            })
+            .case("0, 1 [30, 31]", &[0.0, 1.0, 30.0, 31.0])
+            .case("0, 1 [-11, -10]", &[0.0, 1.0, -11.0, -10.0])
+            .case("0, 1 [-1e-6, 2e-6]", &[0.0, 1.0, -1e-6, 2e-6])
+            .case("5, 2 [-1000, 4]", &[5.0, 2.0, -1000.0, 4.0])
+            .case("-1e4, 1 [0, 1]", &[-1e4, 1.0, 0.0, 1.0])
+            .case_with("0, 1 [1e4, 1e4+1]", &[0.0, 1.0, 1e4, 1e4 + 1.0], Entry::unresolved)
+            .case_with("1, 1 [1, 1.0000001]", &[1.0, 1.0, 1.0, 1.000_000_1], Entry::unresolved)
+            .case("0, 1e36 [-3e36, 1e38]", &[0.0, 1e36, -3e36, 1e38])
+            .seed(&[0.0, 1.0, -1.0, 2.0]).seed(&[0.0, 1.0, 30.0, 31.0]).seed(&[0.0, 1.0, -11.0, -10.0])
+            .seed(&[0.0, 1.0, -1e-6, 2e-6]).seed(&[0.0, 1.0, 0.0, 0.1]).seed(&[-1e4, 1.0, 0.0, 1.0])
+            .seed(&[0.0, 1.0, -13.5, 13.5]).seed(&[0.0, 1.0, -14.1, 14.5]).seed(&[0.0, 1.0, -0.75, 0.7])
+            .seed(&[-15.0, 1.0, 0.0, 10.0]).seed(&[15.0, 1.0, -10.0, 0.0]).seed(&[0.0, f32::MAX, -1e38, 1e38])
+            .seed(&[-1e18, 1.0, 0.0, 1e-17]).seed(&[0.0, 1e30, 0.0, 1e-30]).seed(&[-1.0, 1.0, 0.0, 1.0])
+            .refuse(&[NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, INF], NotFinite)
+            .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive)
+            .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed).refuse(&[0.0, 1.0, 1.0, 1.0], Empty)
+            .refuse(&[0.0, 1.0, 0.0, TINY], Empty).refuse(&[0.0, TINY, 0.0, 1.0], Empty)
+            .refuse(&[0.0, 1.0, 1e19, 2e19], OutOfRange).refuse(&[0.0, 1e38, -f32::MAX, f32::MAX], TooLarge),
+        Registered::new("TruncatedNormal", "above", &[Any, Positive, Any], |p| {
+            truncated_normal::<T>("TruncatedNormal above", p, [p[2], INF], TruncatedNormal::above(p[0], p[1], p[2]))
+        })
+            .case_with("0, 1 [0, ∞)", &[0.0, 1.0, 0.0], |e| e.picture("the same on [0, ∞)", View::Line(between(-0.5, 4.0))).trade(family::LAW, "truncated_normal_above"))
+            .case("0, 1 [10, ∞)", &[0.0, 1.0, 10.0])
+            .case("-100, 1 [0, ∞)", &[-100.0, 1.0, 0.0])
+            .case("0, 1 [-1.5, ∞)", &[0.0, 1.0, -1.5])
+            .case("0, 1e36 [-1e38, ∞)", &[0.0, 1e36, -1e38])
+            .seed(&[0.0, 1.0, 0.0]).seed(&[0.0, 1.0, 10.0]).seed(&[-100.0, 1.0, 0.0]).seed(&[0.0, 1.0, -1.5])
+            .seed(&[-14.9, 1.0, 0.0]).seed(&[-1.0, 1.0, 0.0]).seed(&[0.0, 1e37, 0.0]).seed(&[-1e18, 1.0, 0.0])
+            .seed(&[0.0, 1.0, -14.1])
+            .refuse(&[NAN, 1.0, 0.0], NotFinite).refuse(&[0.0, 1.0, -INF], NotFinite).refuse(&[0.0, 0.0, 0.0], NotPositive)
+            .refuse(&[0.0, 1e38, 0.0], TooLarge).refuse(&[0.0, 1.0, 1e19], OutOfRange).refuse(&[0.0, TINY, 0.0], Empty),
+        Registered::new("TruncatedNormal", "below", &[Any, Positive, Any], |p| {
+            truncated_normal::<T>("TruncatedNormal below", p, [-INF, p[2]], TruncatedNormal::below(p[0], p[1], p[2]))
+        })
+            .case_with("0, 1 (-∞, 1]", &[0.0, 1.0, 1.0], |e| e.picture("the same on (−∞, 1]", View::Line(between(-4.0, 1.5))).trade(family::LAW, "truncated_normal_below"))
+            .case("0, 1 (-∞, -10]", &[0.0, 1.0, -10.0])
+            .case("1e4, 1 (-∞, 0]", &[1e4, 1.0, 0.0])
+            .seed(&[0.0, 1.0, 1.0]).seed(&[0.0, 1.0, -10.0]).seed(&[1e4, 1.0, 0.0]).seed(&[1.0, 1.0, 0.0])
+            .seed(&[14.9, 1.0, 0.0]).seed(&[0.0, 1e37, 0.0]).seed(&[1e18, 1.0, 0.0]).seed(&[0.0, 1.0, 14.1])
+            .refuse(&[NAN, 1.0, 0.0], NotFinite).refuse(&[0.0, 1.0, INF], NotFinite).refuse(&[0.0, -0.0, 0.0], NotPositive)
+            .refuse(&[0.0, 1e38, 0.0], TooLarge).refuse(&[0.0, 1.0, -1e19], OutOfRange).refuse(&[0.0, TINY, 0.0], Empty),
+        Registered::new("Cauchy", "", &[Any, Positive], |p| {
+            Ok(located::<T, _>("Cauchy", p, Cauchy::<T>::new(p[0], p[1])?, truth::cauchy(p[0], p[1])))
+        })
+            .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p ∝ 1/(1 + x²)", View::Line(between(-6.0, 6.0))).trade(family::LAW, "cauchy"))
+            .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
+            .case("0, 1e-30", &[0.0, 1e-30])
+            .case("0, 2e19", &[0.0, 2e19])
+            .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e19]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
+            .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
+            .refuse(&[0.0, 1.0e20], TooLarge).refuse(&[0.0, TINY], Empty),
+        Registered::new("Laplace", "", &[Any, Positive], |p| {
+            Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, truth::laplace(p[0], p[1])))
+        })
+            .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−|x|)/2", View::Line(between(-5.0, 5.0))).trade(family::LAW, "laplace"))
+            .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
+            .case("0, 1e-30", &[0.0, 1e-30])
+            .case("0, 1e36", &[0.0, 1e36])
+            .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
+            .refuse(&[INF, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
+            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
+        Registered::new("Logistic", "", &[Any, Positive], |p| {
+            Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])))
+        })
+            .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = 1/(4 cosh²(x/2))", View::Line(between(-7.0, 7.0))).trade(family::LAW, "logistic"))
+            .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
+            .case("0, 1e-30", &[0.0, 1e-30])
+            .case("0, 1e36", &[0.0, 1e36])
+            .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
+            .refuse(&[0.0, NAN], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
+            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
+        Registered::new("Gumbel", "", &[Any, Positive], |p| {
+            Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])))
+        })
+            .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−x − exp(−x))", View::Line(between(-3.0, 7.0))).trade(family::LAW, "gumbel"))
+            .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
+            .case("0, 1e-30", &[0.0, 1e-30])
+            .case("0, 1e36", &[0.0, 1e36])
+            .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
+            .refuse(&[0.0, INF], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
+            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
+        Registered::new("Rayleigh", "", &[Positive], |p| {
+            Ok(from_zero(in_ulp::<T, _>("Rayleigh", Rayleigh::<T>::new(p[0])?, truth::rayleigh(p[0]))))
+        })
+            .case_with("1", &[1.0], |e| e.picture("p = x exp(−x²/2)", View::Line(between(-0.3, 5.0))).trade(family::LAW, "rayleigh"))
+            .case("1e-30", &[1e-30])
+            .case("4e37", &[4e37])
+            .seed(&[1.0]).seed(&[3.0e-39]).seed(&[4.8e37])
+            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive)
+            .refuse(&[1.0e38], TooLarge).refuse(&[TINY], Empty),
+        Registered::new("Weibull", "", &[Positive, Positive], |p| {
+            let entry = in_ulp::<T, _>("Weibull", Weibull::<T>::new(p[0], p[1])?, truth::weibull(p[0], p[1]));
+            Ok(from_zero(entry).variables(&[("k", p[1].into())]))
+        })
+            .case_with("1, 1.5", &[1.0, 1.5], |e| e.picture("p ∝ √x exp(−x^1.5)", View::Line(between(-0.2, 3.5))).trade(family::LAW, "weibull"))
+            .case("1, 1", &[1.0, 1.0])
+            .case("1000, 0.5", &[1000.0, 0.5])
+            .case("1, 0.2", &[1.0, 0.2])
+            // Of every 300 samples one is too small for `f32`.
+            .case_with("1e-20, 0.1", &[1e-20, 0.1], Entry::unresolved)
+            .case("1e20, 10", &[1e20, 10.0])
+            .case("3, 100", &[3.0, 100.0])
+            .case_with("1, 1e6", &[1.0, 1e6], Entry::unresolved)
+            .seed(&[1.0, 1.0]).seed(&[1.0, 0.036]).seed(&[1.0e-38, 0.02]).seed(&[1.0, 1.0e30]).seed(&[3.0e38, 200.0])
+            .seed(&[2.0, 1.0e7]).seed(&[1.0e-30, 1.0e5]).seed(&[1.0, 1.0e-1])
+            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[0.0, 1.0], NotPositive)
+            .refuse(&[1.0, 0.0], NotPositive).refuse(&[1.0, 0.03], TooLarge).refuse(&[1.0, TINY], TooLarge)
+            .refuse(&[1e-30, 1e30], Empty),
+        Registered::new("Pareto", "", &[Positive, Positive], |p| {
+            let entry = in_ulp::<T, _>("Pareto", Pareto::<T>::new(p[0], p[1])?, truth::pareto(p[0], p[1]));
+            let mut entry = half_line(entry);
+            entry.open = false;
+            Ok(entry.variables(&[("k", p[1].into())]))
+        })
+            .case_with("1, 2", &[1.0, 2.0], |e| e.picture("p = 2/x³ from 1", View::Line(between(0.5, 6.0))).trade(family::LAW, "pareto"))
+            .case("1, 0.3", &[1.0, 0.3])
+            .case("1e-30, 0.2", &[1e-30, 0.2])
+            .case("1e20, 10", &[1e20, 10.0])
+            .case("3, 100", &[3.0, 100.0])
+            .case_with("1, 1e6", &[1.0, 1e6], Entry::unresolved)
+            .seed(&[1.0, 1.0]).seed(&[1.0, 0.26]).seed(&[1.0e-38, 0.14]).seed(&[1.0, 1.0e30]).seed(&[3.0e38, 200.0])
+            .seed(&[2.0, 1.0e7]).seed(&[1.0e-30, 1.0e5])
+            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[0.0, 1.0], NotPositive)
+            .refuse(&[1.0, -1.0], NotPositive).refuse(&[1.0, 0.25], TooLarge).refuse(&[1.0, TINY], TooLarge)
+            .refuse(&[1e-30, 1e30], Empty),
+        Registered::new("LogNormal", "", &[Any, Positive], |p| {
+            let warp = LogNormal::<T>::new(p[0], p[1])?;
+            let deviation = f64::from(p[1]);
+            let entry = in_ulp::<T, _>("LogNormal", warp, truth::log_normal(p[0], p[1])).with(|e| {
+                e.ends = Ends::None;
+                e.inside = |x| x[0] > 0.0;
+            });
+            Ok(entry.variables(&[("d", deviation), ("w", 1.0 / deviation)]).outside(&[[0.0; 3], [-1.0, 0.0, 0.0]]))
+        })
+            .case_with("0, 0.5", &[0.0, 0.5], |e| e.picture("p ∝ exp(−2 ln²x)/x", View::Line(between(-0.1, 4.0))).trade(family::LAW, "log_normal"))
+            .case("0, 1", &[0.0, 1.0])
+            .case("-40, 10", &[-40.0, 10.0])
+            .case("80, 1", &[80.0, 1.0])
+            .case_with("5, 1e-4", &[5.0, 1e-4], Entry::unresolved)
+            .seed(&[0.0, 1.0]).seed(&[-87.0, 25.0]).seed(&[88.0, 0.05]).seed(&[0.0, 1.0e-5]).seed(&[-80.0, 1.0e-3])
+            .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, INF], NotFinite).refuse(&[0.0, 0.0], NotPositive)
+            .refuse(&[0.0, -1.0], NotPositive).refuse(&[0.0, 14.0], TooLarge).refuse(&[-100.0, 1.0], Empty)
+            .refuse(&[0.0, TINY], Empty),
     ]
 }
 
-/// What both exponentials have in common. The ends are not bounds of a domain but the last sample.
-fn exponential(mut entry: Entry) -> Entry {
+/// What laws of a location and a scale have in common: no end, and digits of the location or of the distance from it.
+fn located<T: Tier, W>(name: &'static str, p: &[f32], warp: W, truth: Box<dyn Truth>) -> Entry
+where
+    W: Invert<Uniforms = f32, Point = f32, Density = f32> + Send + Sync + 'static,
+{
+    let (location, scale) = (f64::from(p[0]), f64::from(p[1]));
+    let mut entry = entry::<T, _>(
+        name,
+        Domain::Line,
+        Measure::UlpFrom(location, 0.0),
+        warp,
+        truth,
+    );
+    entry.ends = Ends::None;
+    entry.open = false;
+    entry
+        .variables(&[("w", location.abs() / scale)])
+        .outside(&[])
+}
+
+/// An interval of a normal law, of which one end may be infinite; the errors count from the point nearest to the mean.
+fn truncated_normal<T: Tier>(
+    name: &'static str,
+    p: &[f32],
+    [low, high]: [f32; 2],
+    warp: Result<TruncatedNormal<T>, Error>,
+) -> Result<Entry, Error> {
+    let warp = warp?;
+    let [mean, deviation, a, b] = [p[0], p[1], low, high].map(f64::from);
+    let nearest = mean.clamp(a, b);
+    let least = if nearest > a && nearest < b {
+        deviation.min((b - mean).max(mean - a))
+    } else {
+        0.0
+    };
+    let away = (nearest - mean).abs() / deviation;
+    let truth = truth::TruncatedNormal::new(p[0], p[1], low, high);
+    let open = truth.beyond_low() < f64::from(TINY);
+    let measure = Measure::UlpFrom(nearest, least);
+    let mut entry = entry::<T, _>(
+        name,
+        Domain::Line,
+        measure,
+        warp,
+        Box::new(truth) as Box<dyn Truth>,
+    );
+    entry.open = open;
+    if a.is_infinite() || b.is_infinite() {
+        entry.ends = Ends::None;
+    }
+    let steep = nearest.abs() * (1.0 + away) / deviation;
+    Ok(entry.variables(&[("w", steep)]).outside(&[]))
+}
+
+/// What laws from some number up have in common. The ends are not bounds of a domain but the last sample.
+fn half_line(mut entry: Entry) -> Entry {
     entry.ends = Ends::Samples;
     entry.outside(&[[-1e-45, 0.0, 0.0]])
+}
+
+/// The same from 0 up, where u = 0 counts as 2^-149.
+fn from_zero(mut entry: Entry) -> Entry {
+    entry.open = true;
+    half_line(entry)
 }
 
 fn interval<T: Tier>(

@@ -24,9 +24,16 @@ pub enum View {
     Sky(f64),
     /// A triangle, through a linear map of its points onto the paper.
     Triangle([[f64; 3]; 2]),
+    /// Faces of a mesh, each by its corners on the paper. A point is the number of its face and the shares of the second and
+    /// the third corner.
+    Faces(&'static [[[f64; 2]; 3]]),
     /// Plain and jittered uniforms, side by side.
     Strata1d,
     Strata2d,
+    /// Plain uniforms beside points.
+    Sobol,
+    Recurrence,
+    ByPosition,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

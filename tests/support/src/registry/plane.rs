@@ -11,6 +11,13 @@ use microwarp::warp::*;
 
 const NAN: f32 = f32::NAN;
 
+const TINY: f32 = 1.0e-45;
+
+/// Four numbers as two rows.
+pub(super) fn square(p: &[f32]) -> [[f32; 2]; 2] {
+    [[p[0], p[1]], [p[2], p[3]]]
+}
+
 fn on_disk<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
 where
     W: Invert<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
@@ -40,7 +47,7 @@ fn normal_pair<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
 
 fn triangle_on<T: Tier, const D: usize>(p: &[f32], domain: Domain) -> Result<Entry, Error>
 where
-    [f32; D]: Flat<3>,
+    [f32; D]: Flat<3> + Flat<4>,
 {
     let vertices: [[f32; D]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| p[i * D + k]));
     let warp = TriangleOn::new(vertices)?;
@@ -139,6 +146,29 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.1, 0.2, 0.3, 0.7, 0.9, -0.4, 0.4, 0.55, -0.05])
             .seed(&[1e6, 0.1, -7e3, 1_000_001.0, -0.3, -7001.0, 1e6, 0.7, -7002.0])
             .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], Empty),
+        Registered::new("Bilinear", "", &[Positive; 4], |p| {
+            let warp = Bilinear::new(square(p))?;
+            let truth: Box<dyn Truth> = Box::new(truth::Bilinear(square(p).map(|row| row.map(f64::from))));
+            let mut entry = entry::<T, _>("Bilinear", Domain::Plane, Measure::Length(1.0), warp, truth);
+            entry.deep = true;
+            entry.inside = |[x, y, _]| (0.0..1.0).contains(&x) && (0.0..1.0).contains(&y);
+            Ok(entry.own_density().outside(&[[-1e-7, 0.5, 0.0], [1.000_000_1, 0.5, 0.0], [0.5, 2.0, 0.0]]))
+        })
+            .case_with("1 3 / 2 0", &[1.0, 3.0, 2.0, 0.0], |e| {
+                e.picture("corners of 1, 3, 2 and 0", window(0.5, 0.5, 0.51)).trade(family::COMPOSED, "bilinear")
+            })
+            .case("0 1 / 1 2", &[0.0, 1.0, 1.0, 2.0])
+            .case("1 0 / 0 1", &[1.0, 0.0, 0.0, 1.0])
+            .case("0 0 / 0 1", &[0.0, 0.0, 0.0, 1.0])
+            .case("1 0 / 0 0", &[1.0, 0.0, 0.0, 0.0])
+            .case("0 1 / 0 1", &[0.0, 1.0, 0.0, 1.0])
+            .case("equal", &[3e38; 4])
+            .case_with("1e-45 3e38 / 0 1e-20", &[TINY, 3e38, 0.0, 1e-20], Entry::unresolved)
+            .seed(&[TINY, 0.0, 0.0, 0.0]).seed(&[f32::MAX; 4]).seed(&[TINY, 3e-45, f32::MAX, 1e38]).seed(&[TINY; 4])
+            .seed(&[1.0, 0.0, 0.0, 1.0]).seed(&[1766.677, 0.0, 0.014_073_868, 0.022_967_072]).seed(&[0.0, 1.0, 1e-4, 0.0])
+            .seed(&[0.0, 1.0, 1.0, 2.0]).seed(&[1.0; 4])
+            .refuse(&[1.0, NAN, 1.0, 1.0], NotFinite).refuse(&[1.0, 1.0, f32::INFINITY, 1.0], NotFinite)
+            .refuse(&[1.0, 1.0, 1.0, -1.0], Negative).refuse(&[0.0; 4], NotPositive),
         Registered::new("Aabb", "of 1 side", &[Any; 2], |p| sides::<T, 1>(p, Domain::Plane))
             .ordered(&[[0, 1]])
             .refuse(&[1.0, 0.0], Reversed),

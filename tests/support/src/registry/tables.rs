@@ -1,4 +1,4 @@
-//! The piecewise-constant densities.
+//! The tabulated densities.
 //!
 //! Weights are whole numbers of 511ths on the line, and of 63rds of a row and 31sts of a column in the
 //! plane: these are the numbers of cells with which shapes are tested, so that no jump of a density lies
@@ -8,7 +8,10 @@ use super::picture::{View, between, window};
 use super::{Domain, Entry, Measure, Registered, entry, family};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
-use microwarp::discrete::{Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Storage};
+use microwarp::discrete::{
+    Cdf, Grid, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Storage,
+    Word,
+};
 use microwarp::tier::Tier;
 use microwarp::{Error, Invert};
 
@@ -32,7 +35,8 @@ pub fn sky() -> Vec<f32> {
             (0.4 * x + 0.7 * y).sin() + (0.23 * x - 0.9 * y + 1.0).sin()
         };
         let mut brightest: Vec<usize> = (0..columns).filter(|c| *c != dark[0]).collect();
-        brightest.sort_by(|a, b| cloud(*b).total_cmp(&cloud(*a)));
+        let clouds: Vec<f64> = (0..columns).map(cloud).collect();
+        brightest.sort_by(|a, b| clouds[*b].total_cmp(&clouds[*a]));
         // 63 in a row: 31 cells of 1, the rest in clouds and in the sun.
         let mut cells = vec![1; columns];
         cells[dark[0]] = 0;
@@ -143,10 +147,104 @@ fn four_cells<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
 }
 
 /// The exact probabilities of a table.
-fn numerators<S: Storage<Item = u32>>(cdf: &Cdf<S>) -> Vec<f64> {
-    (0..cdf.entries())
-        .map(|j| cdf.numerator(j) as f64)
-        .collect()
+fn numerators<W: Word, S: Storage<Item = W>>(cdf: &Cdf<S>) -> Vec<f64> {
+    let count = |j| -> u128 { cdf.numerator(j).into() };
+    (0..cdf.entries()).map(|j| count(j) as f64).collect()
+}
+
+/// A density that is linear between weights. The truth has the words of the table.
+fn linear<T: Tier, W, S, V>(warp: PiecewiseLinear1d<S, V>, words: usize) -> Entry
+where
+    W: Word,
+    S: Storage<Item = W> + Send + Sync + 'static,
+    V: Storage<Item = f32> + Send + Sync + 'static,
+{
+    let range = [warp.low(), warp.high()];
+    let mut cells = numerators(warp.cdf());
+    assert_eq!(cells.pop(), Some(0.0), "the entry beyond the last cell");
+    let cells = truth::Histogram::new(&cells, range).expect("a positive area");
+    let scale = Measure::UlpOf(f64::from(range[0].abs().max(range[1].abs())));
+    let truth: Box<dyn Truth> = Box::new(truth::Polyline::new(cells, warp.weights()));
+    let entry = entry::<T, _>("PiecewiseLinear1d", Domain::Line, scale, warp, truth);
+    entry
+        .outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]])
+        .words(words)
+}
+
+/// A range and as many weights as there are vertices.
+fn vertices<T: Tier, const N: usize>(p: &[f32]) -> Result<Entry, Error> {
+    let weights: &[f32; N] = p[2..].try_into().expect("a weight a vertex");
+    Ok(linear::<T, _, _, _>(
+        PiecewiseLinear1d::new(weights, p[0], p[1])?,
+        1,
+    ))
+}
+
+/// Weights that are listed, in borrowed memory.
+fn interpolated<T: Tier>(weights: &[f32], range: [f32; 2]) -> Result<Entry, Error> {
+    let kept: &'static [f32] = Box::leak(weights.to_vec().into_boxed_slice());
+    let memory = leaked::<u32>(kept.len());
+    let warp = PiecewiseLinear1d::<&[u32], &[f32]>::new_in(kept, range[0], range[1], memory)?;
+    Ok(linear::<T, _, _, _>(warp, 1))
+}
+
+/// A sky by latitude and longitude. The truth has the words of the table.
+fn lat_long<T: Tier, W, M, C>(warp: LatLongMap<T, M, C>, words: usize) -> Entry
+where
+    W: Word,
+    M: Storage<Item = W> + Send + Sync + 'static,
+    C: Grid<Item = W> + Send + Sync + 'static,
+{
+    const UNIT: [f32; 2] = [0.0, 1.0];
+    let table = warp.table();
+    let marginal = truth::Histogram::new(&numerators(table.marginal().cdf()), UNIT);
+    let rows = (0..warp.shape()[1])
+        .map(|row| truth::Histogram::new(&numerators(table.conditional(row).cdf()), UNIT));
+    let truth = truth::Sky::of(marginal.expect("a positive weight"), rows.collect());
+    let beside = truth.beside(1.0 / 8_388_608.0, 1.6e-6);
+    let truth: Box<dyn Truth> = Box::new(truth);
+    let size = Measure::Length(1.0);
+    let mut entry = entry::<T, _>("LatLongMap", Domain::Directions, size, warp, truth);
+    // The first uniform is the azimuth.
+    (entry.azimuth, entry.polar, entry.cosine) = (false, false, false);
+    entry.slack = 1e-4;
+    entry
+        .outside(&[])
+        .words(2 * words)
+        .variables(&[("m", beside)])
+}
+
+/// Radiances that are listed.
+fn radiances<T: Tier, W: Word + Default + Send + Sync + 'static>(
+    weights: &[f32],
+    shape: [usize; 2],
+    words: usize,
+) -> Result<Entry, Error> {
+    // Searches build it again and again.
+    let warp = LatLongMap::<T, Vec<W>, Vec<W>>::from_slice(weights, shape)?;
+    Ok(lat_long::<T, W, _, _>(warp, words))
+}
+
+/// Radiances that give the pixels these masses, so that rows and columns end where the cells of the statistics do.
+fn of_masses(masses: &[f32], [columns, rows]: [usize; 2]) -> Vec<f32> {
+    let cos = |row: usize| (std::f64::consts::PI * row as f64 / rows as f64).cos();
+    let radiance = |(pixel, mass): (usize, &f32)| {
+        let row = pixel / columns;
+        (f64::from(*mass) / (cos(row) - cos(row + 1))) as f32
+    };
+    masses.iter().enumerate().map(radiance).collect()
+}
+
+/// As many radiances as pixels.
+fn pixels<T: Tier, const U: usize, const V: usize>(p: &[f32]) -> Result<Entry, Error> {
+    let mut rows = [[0.0; U]; V];
+    for (row, weights) in rows.iter_mut().zip(p.chunks_exact(U)) {
+        row.copy_from_slice(weights);
+    }
+    Ok(lat_long::<T, u32, _, _>(
+        LatLongMap::<T, [u32; V], [[u32; U]; V]>::new(&rows)?,
+        1,
+    ))
 }
 
 /// A density of weights that are listed: no numbers are searched.
@@ -180,6 +278,8 @@ fn frame() -> Vec<f32> {
 pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     const LINE: &str = "PiecewiseConstant1d";
     const PLANE: &str = "PiecewiseConstant2d";
+    const LINEAR: &str = "PiecewiseLinear1d";
+    const SKY_OF: &str = "LatLongMap";
     vec![
         listed(LINE, "2:0:4:1 on [0, 8]", |_| {
             let warp = PiecewiseConstant1d::new(&FOUR, 0.0, 8.0)?;
@@ -227,5 +327,52 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new(PLANE, "of 2 by 2 cells", &[Any, Any, Any, Any, Positive, Positive, Positive, Positive], four_cells::<T>)
             .ordered(&[[0, 1], [2, 3]])
             .seed(&[-1.136_488_4, 1.123_338_6, -1.131_686_4, 1.149_362_9, 0.069_521_83, 0.290_617_5, 0.890_342_7, 0.496_947_02]),
+        listed(LINEAR, "0:3:1:1:0:0:2 on [0, 6]", |_| interpolated::<T>(&[0.0, 3.0, 1.0, 1.0, 0.0, 0.0, 2.0], [0.0, 6.0]), |e| {
+            e.picture("linear between 0, 3, 1, 1, 0, 0 and 2", View::Line(between(-0.3, 6.3))).trade(family::LINE, "piecewise_linear_1d")
+        }),
+        listed(LINEAR, "1:3 on [0, 1]", |_| interpolated::<T>(&[1.0, 3.0], UNIT), |e| e),
+        listed(LINEAR, "5:0:1e-6:4 on [-3, 5]", |_| interpolated::<T>(&[5.0, 0.0, 1e-6, 4.0], [-3.0, 5.0]), |e| e),
+        listed(LINEAR, "9 on [-3e38, 3e38]", |_| interpolated::<T>(&[1.0, 2.0, 0.5, 0.0, 3.0, 3.0, 1.0, 1e-3, 2.0], [-3e38, 3e38]), |e| e),
+        listed(LINEAR, "74 on [0, 1]", |_| {
+            let many: Vec<f32> = (0..74).map(|k| (5 * k % 13 + 13) as f32).collect();
+            interpolated::<T>(&many, UNIT)
+        }, |e| e),
+        listed(LINEAR, "8 decades on [1e30, 3e30], u64", |_| {
+            let decades: [f32; 8] = std::array::from_fn(|k| 10f32.powi(k as i32 - 7));
+            Ok(linear::<T, _, _, _>(PiecewiseLinear1d::new_u64(&decades, 1e30, 3e30)?, 2))
+        }, |e| e),
+        Registered::new(LINEAR, "of 2 vertices", &[Any, Any, Positive, Positive], vertices::<T, 2>)
+            .ordered(&[[0, 1]])
+            .seed(&[0.0, 1.0, 0.0, 1.0]).seed(&[1.0, 2.0, 1.0, 0.0]).seed(&[-1.0, 1.0, 0.3, 1.0])
+            .seed(&[-0.059_033_4, 0.059_913_926, 0.263_348_88, 30.369_606])
+            .seed(&[-2.017_598_9, 0.059_918_76, 0.263_349_1, 30.369_635]),
+        Registered::new(LINEAR, "of 4 vertices", &[Any, Any, Positive, Positive, Positive, Positive], vertices::<T, 4>)
+            .ordered(&[[0, 1]])
+            .seed(&[0.0, 1.0, 0.0, 1.0, 0.0, 1.0]),
+        listed(SKY_OF, "32 x 16 sky", |_| radiances::<T, u32>(&of_masses(&sky(), SKY), SKY, 1), |e| e),
+        listed(SKY_OF, "32 x 16 radiances", |_| radiances::<T, u32>(&sky(), SKY, 1), |mut e| {
+            // Edges of pixels lie within the cells of the quadrature.
+            e.resolved = false;
+            e.picture("clouds, a sun, a dark row and column", View::Sky(std::f64::consts::PI)).trade(family::COMPOSED, "lat_long_map_16_8")
+        }),
+        // The same as a uniform sphere.
+        listed(SKY_OF, "6 x 7 grey", |_| radiances::<T, u32>(&[0.25; 42], [6, 7], 1), |e| e),
+        listed(SKY_OF, "dark frame, 6 x 6", |_| radiances::<T, u32>(&frame(), [6, 6], 1), |e| e),
+        listed(SKY_OF, "1 x 1", |_| radiances::<T, u32>(&[1e30], [1, 1], 1), |e| e),
+        listed(SKY_OF, "1 x 5", |_| radiances::<T, u32>(&of_masses(&[3.0, 0.0, 7.0, 1.0, 20.0], [1, 5]), [1, 5], 1), |e| e),
+        listed(SKY_OF, "6 x 1", |_| radiances::<T, u32>(&[9.0, 0.0, 27.0, 6.0, 21.0, 0.0], [6, 1], 1), |e| e),
+        listed(SKY_OF, "50 x 25 checked", |_| {
+            let checked: Vec<f32> = (0..50 * 25).map(|k| ((k % 50 + k / 50) % 2) as f32).collect();
+            radiances::<T, u32>(&checked, [50, 25], 1)
+        }, |mut e| {
+            // Nodes of the quadrature lie on edges, and round to the dark side of them.
+            e.resolved = false;
+            e
+        }),
+        listed(SKY_OF, "32 x 16 sky, u64", |_| radiances::<T, u64>(&of_masses(&sky(), SKY), SKY, 2), |e| e),
+        Registered::new(SKY_OF, "of 3 by 2 pixels", &[Positive; 6], pixels::<T, 3, 2>)
+            .seed(&[1.0; 6]).seed(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0]),
+        Registered::new(SKY_OF, "of 2 by 5 pixels", &[Positive; 10], pixels::<T, 2, 5>)
+            .seed(&[1.0; 10]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0]),
     ]
 }

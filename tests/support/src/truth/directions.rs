@@ -234,7 +234,21 @@ impl Truth for Turned {
 /// Against the textbook formulas in 300 digits these are right to 8e-16, relatively, for |g| from 1e-45 to 1 − 2⁻²⁴.
 pub fn henyey_greenstein(g: f32) -> Box<dyn Truth> {
     let g = f64::from(g);
-    let (near, far) = (1.0 - g, 1.0 + g);
+    henyey_greenstein_between(g, 1.0 - g, 1.0 + g)
+}
+
+/// The same by 1 − |g|, which tells g beyond the digits of `f32`; backward where the light turns back.
+pub fn henyey_greenstein_peak(least: f32, backward: bool) -> Box<dyn Truth> {
+    let least = f64::from(least);
+    if backward {
+        henyey_greenstein_between(least - 1.0, 2.0 - least, least)
+    } else {
+        henyey_greenstein_between(1.0 - least, least, 2.0 - least)
+    }
+}
+
+/// Of g, 1 − g and 1 + g.
+fn henyey_greenstein_between(g: f64, near: f64, far: f64) -> Box<dyn Truth> {
     // S, from the pole whose distance is the smaller: no difference of large numbers.
     let distance = move |down: f64, up: f64| {
         if g < 0.0 {
@@ -367,15 +381,8 @@ impl GgxVisible {
             rim: k * stretched[2],
         }
     }
-    /// The azimuth from which the second uniform counts.
-    fn azimuth(&self) -> f64 {
-        let [x, y, _] = self.stretched;
-        y.atan2(x)
-    }
-}
-
-impl Truth for GgxVisible {
-    fn sample(&self, u: Uniforms) -> Point {
+    /// The sum of the view and a point of the cap.
+    fn sum(&self, u: Uniforms) -> Point {
         let [sx, sy, sz] = self.stretched;
         let (off, rise) = (u[0] * (1.0 + self.rim), (1.0 - u[0]) * (1.0 + self.rim));
         let sine = sx.hypot(sy);
@@ -388,14 +395,32 @@ impl Truth for GgxVisible {
         let (s, c) = (0.5 * TAU * u[1]).sin_cos();
         let (along, side) = (apart + 2.0 * sin * c * c, 2.0 * sin * s * c);
         let (s, c) = self.azimuth().sin_cos();
-        let [ax, ay] = self.all.alpha;
-        let sum = [
-            ax * (along * c - side * s),
-            ay * (along * s + side * c),
-            height,
-        ];
+        [along * c - side * s, along * s + side * c, height]
+    }
+    /// The azimuth from which the second uniform counts.
+    fn azimuth(&self) -> f64 {
+        let [x, y, _] = self.stretched;
+        y.atan2(x)
+    }
+}
+
+impl Truth for GgxVisible {
+    fn sample(&self, u: Uniforms) -> Point {
+        let (sum, [ax, ay]) = (self.sum(u), self.all.alpha);
+        let squeezed = [ax * sum[0], ay * sum[1], sum[2]];
+        let length = dot(squeezed, squeezed).sqrt();
+        squeezed.map(|x| x / length)
+    }
+    /// By the Jacobians of the map instead of w·m, which cancels at grazing views: of a point of the cap, of its reflection
+    /// into the direction half way to the view, and of the scaling of that.
+    fn density(&self, u: Uniforms) -> f64 {
+        let (sum, [ax, ay]) = (self.sum(u), self.all.alpha);
         let length = dot(sum, sum).sqrt();
-        sum.map(|x| x / length)
+        let half = sum.map(|x| x / length);
+        let squeezed = [ax * half[0], ay * half[1], half[2]];
+        let cap = 1.0 / (TAU * (1.0 + self.rim));
+        let reflected = 4.0 * (0.5 * length);
+        cap * reflected * dot(squeezed, squeezed).powf(1.5) / (ax * ay)
     }
     fn pdf(&self, x: Point) -> f64 {
         let seen = dot(self.view, x).max(0.0);

@@ -1,6 +1,7 @@
-//! Exact counterparts of the piecewise-constant densities, from the weights and not from a table.
+//! Exact counterparts of the tabulated densities, from the weights or from the exact probabilities of a table.
 
-use super::{Point, Truth, Uniforms};
+use super::{Point, Truth, Uniforms, complements, turn};
+use std::f64::consts::{PI, TAU};
 
 /// The edges of equal cells, which are `f32` by definition: as the documentation of
 /// `PiecewiseConstant1d` gives them, operation by operation.
@@ -82,6 +83,74 @@ impl Histogram {
     }
 }
 
+/// A density that is linear between edges: a cell by its probability, then a place by the weights at its ends.
+pub struct Polyline {
+    cells: Histogram,
+    weights: Vec<f64>,
+}
+
+impl Polyline {
+    /// Of the probabilities of the cells, or numbers in proportion, and the weights of the edges.
+    pub fn new(cells: Histogram, weights: &[f32]) -> Self {
+        let weights = weights.iter().map(|w| f64::from(*w)).collect();
+        Self { cells, weights }
+    }
+
+    fn ends(&self, cell: usize) -> [f64; 2] {
+        [self.weights[cell], self.weights[cell + 1]]
+    }
+
+    /// The cell of a point, and the parts of it below and above.
+    fn place(&self, x: f64) -> (usize, f64, f64) {
+        let i = self.cells.cell(x);
+        let [low, high] = [self.cells.edges[i], self.cells.edges[i + 1]];
+        (i, (x - low) / (high - low), (high - x) / (high - low))
+    }
+}
+
+impl Truth for Polyline {
+    fn sample(&self, u: Uniforms) -> Point {
+        let cells = &self.cells;
+        let i = cells.select(u[0]);
+        let mass = cells.ends[i] - cells.start(i);
+        let (below, above) = (
+            (u[0] - cells.start(i)) / mass,
+            (cells.ends[i] - u[0]) / mass,
+        );
+        let [a, b] = self.ends(i);
+        // The root of the quadratic that does not cancel, with the larger weight 1.
+        let (a, b) = (a / a.max(b), b / a.max(b));
+        let t = below * (a + b) / (a + (above * a * a + below * b * b).sqrt());
+        // Nothing at the vertex itself where its weight is 0.
+        let t = if t.is_nan() { 0.0 } else { t };
+        let [low, high] = [cells.edges[i], cells.edges[i + 1]];
+        [low + t * (high - low), 0.0, 0.0]
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        let cells = &self.cells;
+        if !(cells.edges[0]..=cells.edges[cells.densities.len()]).contains(&x[0]) {
+            return 0.0;
+        }
+        let (i, below, above) = self.place(x[0]);
+        if cells.densities[i] == 0.0 {
+            return 0.0;
+        }
+        let [a, b] = self.ends(i);
+        cells.densities[i] * 2.0 * (above * a + below * b) / (a + b)
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let (i, below, above) = self.place(x[0]);
+        let [a, b] = self.ends(i);
+        let share = if a + b > 0.0 {
+            below * (a * (1.0 + above) + b * below) / (a + b)
+        } else {
+            0.0
+        };
+        let (start, end) = (self.cells.start(i), self.cells.ends[i]);
+        [start + share * (end - start), 0.0, 0.0, 0.0]
+    }
+}
+
 impl Truth for Histogram {
     fn sample(&self, u: Uniforms) -> Point {
         [self.quantile(u[0]), 0.0, 0.0]
@@ -130,5 +199,117 @@ impl Truth for Picture {
         let row = self.rows[self.marginal.cell(x[1])].as_ref();
         let u = row.map_or(0.0, |row| row.cdf(x[0]));
         [u, self.marginal.cdf(x[1]), 0.0, 0.0]
+    }
+}
+
+/// A picture of all directions by latitude and longitude: a row, a column of the row, and a direction that is uniform in
+/// solid angle within the pixel.
+pub struct Sky {
+    /// The rows over [0, 1], of which only the probabilities count.
+    marginal: Histogram,
+    rows: Vec<Option<Histogram>>,
+}
+
+/// How far a direction keeps from the edges of its pixel, so that `f64` finds the pixel again.
+const INSIDE: f64 = 1e-10;
+
+impl Sky {
+    /// Of the probabilities of rows, and of columns in each of them.
+    pub fn of(marginal: Histogram, rows: Vec<Option<Histogram>>) -> Self {
+        Self { marginal, rows }
+    }
+
+    /// The largest probability, of a row or of a column within a row, of what is nearer to an edge than so many turns and,
+    /// at the edge with q = 1 - |cos θ|, than a part of q that falls linearly from one value at the pole to half of it.
+    pub fn beside(&self, turns: f64, part: f64) -> f64 {
+        let densities = self.rows.iter().flatten().flat_map(|row| &row.densities);
+        let along = densities.map(|density| density * turns);
+        let down = (0..self.rows.len()).map(|row| {
+            let mass = self.marginal.ends[row] - self.marginal.start(row);
+            let q = self.edges(row).map(|theta| {
+                let [down, up] = Self::complements(theta);
+                down.min(up)
+            });
+            let margin = q.map(|q| q * part * (1.0 - 0.5 * q));
+            mass * (margin[0].max(margin[1]) / self.drop(row)).min(1.0)
+        });
+        along.chain(down).fold(0.0, f64::max)
+    }
+
+    /// The polar angles of a row's edges.
+    fn edges(&self, row: usize) -> [f64; 2] {
+        [row, row + 1].map(|j| PI * j as f64 / self.rows.len() as f64)
+    }
+
+    /// 1 - cos θ and 1 + cos θ of an angle.
+    fn complements(theta: f64) -> [f64; 2] {
+        [
+            2.0 * (0.5 * theta).sin().powi(2),
+            2.0 * (0.5 * theta).cos().powi(2),
+        ]
+    }
+
+    /// By how much the cosine falls in a row.
+    fn drop(&self, row: usize) -> f64 {
+        let [a, b] = self.edges(row);
+        2.0 * (0.5 * (a + b)).sin() * (0.5 * (b - a)).sin()
+    }
+
+    /// The row of a direction, and the part of its solid angle that lies above.
+    fn row(&self, x: Point) -> (usize, f64) {
+        let (down, up) = complements(x);
+        let theta = 2.0 * down.sqrt().atan2(up.sqrt());
+        let row = (theta / PI * self.rows.len() as f64) as usize;
+        let row = row.min(self.rows.len() - 1);
+        let [[from_down, from_up], _] = self.edges(row).map(Self::complements);
+        let part = if down < up {
+            down - from_down
+        } else {
+            from_up - up
+        };
+        (row, part / self.drop(row))
+    }
+}
+
+impl Truth for Sky {
+    fn sample(&self, u: Uniforms) -> Point {
+        let inside = |share: f64| share.clamp(INSIDE, 1.0 - INSIDE);
+        let share = |cells: &Histogram, i: usize, u: f64| {
+            inside((u - cells.start(i)) / (cells.ends[i] - cells.start(i)))
+        };
+        let row = self.marginal.select(u[1]);
+        let exact = (u[1] - self.marginal.start(row))
+            / (self.marginal.ends[row] - self.marginal.start(row));
+        // A pole is no edge.
+        let part = match (row == 0, row + 1 == self.rows.len()) {
+            (true, true) => exact,
+            (true, _) => exact.min(1.0 - INSIDE),
+            (_, true) => exact.max(INSIDE),
+            _ => inside(exact),
+        };
+        let columns = self.rows[row].as_ref().expect("a row of positive weight");
+        let column = columns.select(u[0]);
+        let along = share(columns, column, u[0]);
+        let [low, high] = [columns.edges[column], columns.edges[column + 1]];
+        let phi = TAU * (low + along * (high - low));
+        let [above, below] = self.edges(row).map(Self::complements);
+        let [down, up] = [0, 1].map(|k| above[k] + part * (below[k] - above[k]));
+        let sine = (down * up).sqrt();
+        let z = if down < up { 1.0 - down } else { up - 1.0 };
+        [sine * phi.cos(), sine * phi.sin(), z]
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        let (row, _) = self.row(x);
+        let mass = self.marginal.ends[row] - self.marginal.start(row);
+        let columns = self.rows[row].as_ref();
+        let along = columns.map_or(0.0, |columns| columns.pdf(turn(x[0], x[1])));
+        mass * along / (TAU * self.drop(row))
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let (row, part) = self.row(x);
+        let (start, end) = (self.marginal.start(row), self.marginal.ends[row]);
+        let columns = self.rows[row].as_ref();
+        let along = columns.map_or(0.0, |columns| columns.cdf(turn(x[0], x[1])));
+        [along, start + part * (end - start), 0.0, 0.0]
     }
 }

@@ -348,3 +348,302 @@ pub fn normal(mean: f32, deviation: f32) -> Box<dyn Truth> {
         cdf: move |x: f64| normal_cdf((x - m) / d),
     })
 }
+
+/// What a uniform of 0 counts as.
+const SMALLEST: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 75) as f64;
+
+/// A law of a location and a scale, from that of location 0 and scale 1.
+fn located<Q, P, C>(location: f32, scale: f32, standard: Line<Q, P, C>) -> Box<dyn Truth>
+where
+    Q: Fn(f64) -> f64 + Send + Sync + 'static,
+    P: Fn(f64) -> f64 + Send + Sync + 'static,
+    C: Fn(f64) -> f64 + Send + Sync + 'static,
+{
+    let (at, s) = (f64::from(location), f64::from(scale));
+    let Line { quantile, pdf, cdf } = standard;
+    Box::new(Line {
+        quantile: move |u: f64| at + s * quantile(u.max(SMALLEST)),
+        pdf: move |x: f64| pdf((x - at) / s) / s,
+        cdf: move |x: f64| cdf((x - at) / s),
+    })
+}
+
+pub fn cauchy(location: f32, scale: f32) -> Box<dyn Truth> {
+    use std::f64::consts::{FRAC_1_PI, PI};
+    let standard = Line {
+        // About the median by its own distance, and by that of the nearer end beyond; never nearer than 2^-64.
+        quantile: |u: f64| {
+            if (u - 0.5).abs() < 0.25 {
+                (PI * (u - 0.5)).tan()
+            } else if u < 0.5 {
+                -1.0 / (PI * u.max(2f64.powi(-64))).tan()
+            } else {
+                1.0 / (PI * (1.0 - u)).tan()
+            }
+        },
+        pdf: |t: f64| FRAC_1_PI / (1.0 + t * t),
+        cdf: |t: f64| {
+            if t < 0.0 {
+                FRAC_1_PI * (-1.0 / t).atan()
+            } else {
+                0.5 + FRAC_1_PI * t.atan()
+            }
+        },
+    };
+    located(location, scale, standard)
+}
+
+pub fn laplace(location: f32, scale: f32) -> Box<dyn Truth> {
+    let standard = Line {
+        quantile: |u: f64| {
+            if u < 0.5 {
+                (2.0 * u).ln()
+            } else {
+                -(2.0 * (1.0 - u)).ln()
+            }
+        },
+        pdf: |t: f64| 0.5 * (-t.abs()).exp(),
+        cdf: |t: f64| {
+            let tail = 0.5 * (-t.abs()).exp();
+            if t < 0.0 { tail } else { 1.0 - tail }
+        },
+    };
+    located(location, scale, standard)
+}
+
+pub fn logistic(location: f32, scale: f32) -> Box<dyn Truth> {
+    let standard = Line {
+        quantile: |u: f64| {
+            if (u - 0.5).abs() < 0.25 {
+                2.0 * (2.0 * u - 1.0).atanh()
+            } else {
+                (u / (1.0 - u)).ln()
+            }
+        },
+        pdf: |t: f64| 0.25 / (0.5 * t).cosh().powi(2),
+        cdf: |t: f64| 1.0 / (1.0 + (-t).exp()),
+    };
+    located(location, scale, standard)
+}
+
+pub fn gumbel(location: f32, scale: f32) -> Box<dyn Truth> {
+    let standard = Line {
+        // Doubles have the digits to spare that cancel about 1/e, where the result is 0.
+        quantile: |u: f64| -(-u.ln()).ln(),
+        pdf: |t: f64| (-t - (-t).exp()).exp(),
+        cdf: |t: f64| (-(-t).exp()).exp(),
+    };
+    located(location, scale, standard)
+}
+
+pub fn rayleigh(scale: f32) -> Box<dyn Truth> {
+    let s = f64::from(scale);
+    Box::new(Line {
+        quantile: move |u: f64| s * (-2.0 * (-u).ln_1p()).sqrt(),
+        pdf: move |x: f64| x / s / s * (-0.5 * (x / s).powi(2)).exp(),
+        cdf: move |x: f64| -(-0.5 * (x / s).powi(2)).exp_m1(),
+    })
+}
+
+/// (x/s)^power, to a few units of f64 times the power however near to 1 the quotient is.
+fn powered(x: f64, s: f64, power: f64) -> f64 {
+    (power * log_ratio(x, s)).exp()
+}
+
+pub fn weibull(scale: f32, shape: f32) -> Box<dyn Truth> {
+    let (s, k) = (f64::from(scale), f64::from(shape));
+    Box::new(Line {
+        quantile: move |u: f64| s * ((-(-u).ln_1p()).ln() / k).exp(),
+        pdf: move |x: f64| {
+            if x == 0.0 {
+                return [0.0, 1.0 / s, f64::INFINITY][usize::from(k <= 1.0) + usize::from(k < 1.0)];
+            }
+            // In the exponent at once: the power may underflow where the density does not.
+            let log = log_ratio(x, s);
+            k / s * ((k - 1.0) * log - (k * log).exp()).exp()
+        },
+        cdf: move |x: f64| -(-powered(x, s, k)).exp_m1(),
+    })
+}
+
+pub fn pareto(minimum: f32, shape: f32) -> Box<dyn Truth> {
+    let (m, a) = (f64::from(minimum), f64::from(shape));
+    Box::new(Line {
+        quantile: move |u: f64| m * (-(-u).ln_1p() / a).exp(),
+        pdf: move |x: f64| {
+            if x < m { 0.0 } else { a / x * powered(m, x, a) }
+        },
+        cdf: move |x: f64| {
+            if x <= m {
+                0.0
+            } else {
+                -(a * log_ratio(m, x)).exp_m1()
+            }
+        },
+    })
+}
+
+pub fn log_normal(mean_of_log: f32, std_dev_of_log: f32) -> Box<dyn Truth> {
+    let (m, d) = (f64::from(mean_of_log), f64::from(std_dev_of_log));
+    let deviate = move |x: f64| (x.ln() - m) / d;
+    Box::new(Line {
+        quantile: move |u: f64| {
+            let z = if u < 0.5 {
+                normal_quantile_lower(u.max(SMALLEST))
+            } else {
+                -normal_quantile_lower(1.0 - u)
+            };
+            (m + d * z).exp().max(SMALLEST)
+        },
+        pdf: move |x: f64| (-0.5 * deviate(x).powi(2)).exp() / (x * d * TAU.sqrt()),
+        cdf: move |x: f64| normal_cdf(deviate(x)),
+    })
+}
+
+/// (1 − Φ(t))/φ(t) for t ≥ 0: of the complementary error function, or farther out by Laplace's continued fraction.
+fn mills(t: f64) -> f64 {
+    if t < 5.0 {
+        (0.5 * t * t).exp() * libm::erfc(t * std::f64::consts::FRAC_1_SQRT_2) * (0.25 * TAU).sqrt()
+    } else {
+        let fraction = (1..=60).rev().fold(t, |f, k| t + f64::from(k) / f);
+        1.0 / fraction
+    }
+}
+
+/// A normal law on an interval, in units of the mass of the density e^(−y)/σ with y = 0 at the point nearest to the mean: as
+/// differences of Mills' ratio, or where these would cancel by the series of the density.
+pub struct TruncatedNormal {
+    mean: f64,
+    deviation: f64,
+    low: f64,
+    high: f64,
+    nearest: f64,
+    /// The distance of the nearest point from the mean, in standard deviations.
+    away: f64,
+    below: f64,
+    above: f64,
+}
+
+impl TruncatedNormal {
+    pub fn new(mean: f32, deviation: f32, low: f32, high: f32) -> Self {
+        let [mean, deviation, low, high] = [mean, deviation, low, high].map(f64::from);
+        let nearest = mean.clamp(low, high);
+        let mut law = Self {
+            mean,
+            deviation,
+            low,
+            high,
+            nearest,
+            away: (nearest - mean).abs() / deviation,
+            below: 0.0,
+            above: 0.0,
+        };
+        law.below = law.mass((nearest - low) / deviation);
+        law.above = law.mass((high - nearest) / deviation);
+        law
+    }
+
+    /// The exponent at a distance from the nearest point.
+    fn exponent(&self, s: f64) -> f64 {
+        s * (self.away + 0.5 * s)
+    }
+
+    /// The mass over a distance from the nearest point.
+    fn mass(&self, s: f64) -> f64 {
+        let c = self.away;
+        if s.is_infinite() {
+            return mills(c);
+        }
+        if (1.0 + c) * s < 1e-4 {
+            // The derivatives of the density are Hermite's polynomials.
+            let (p, q) = (c * s, s * s);
+            let third = p * p - q;
+            let fourth = p * (p * p - 3.0 * q);
+            let fifth = p.powi(4) - 6.0 * p * p * q + 3.0 * q * q;
+            return s * (1.0 - p / 2.0 + third / 6.0 - fourth / 24.0 + fifth / 120.0);
+        }
+        mills(c) - (-self.exponent(s)).exp() * mills(c + s)
+    }
+
+    /// The logarithm of what the mass beyond a distance is of that beyond the nearest point, without its sign.
+    fn log_of_rest(&self, s: f64) -> f64 {
+        if s.is_infinite() {
+            return s;
+        }
+        self.exponent(s) + (mills(self.away) / mills(self.away + s)).ln()
+    }
+
+    /// What share of the tail below the nearest point is beyond the lower end.
+    pub fn beyond_low(&self) -> f64 {
+        (-self.log_of_rest((self.nearest - self.low) / self.deviation)).exp()
+    }
+
+    /// The distance that has this mass, or beyond which there is this rest of the tail.
+    fn distance(&self, mass: f64, rest: f64) -> f64 {
+        let c = self.away;
+        if mass == 0.0 {
+            return 0.0;
+        }
+        // Newton's method from the side where it does not pass the solution.
+        let near = mass < 0.5 * mills(c);
+        let deviate = -rest.ln();
+        if !near && deviate.is_infinite() {
+            return deviate;
+        }
+        let mut s = if near {
+            mass
+        } else {
+            2.0 * deviate / (c + (c * c + 2.0 * deviate).sqrt())
+        };
+        for _ in 0..60 {
+            let step = if near {
+                (mass - self.mass(s)) * self.exponent(s).exp()
+            } else {
+                (deviate - self.log_of_rest(s)) * mills(c + s)
+            };
+            s += step;
+            if step.abs() <= 1e-9 * s {
+                break;
+            }
+        }
+        s
+    }
+}
+
+impl Truth for TruncatedNormal {
+    fn sample(&self, u: Uniforms) -> Point {
+        let (u, v) = (u[0], 1.0 - u[0]);
+        let mass = u * self.above - v * self.below;
+        let ends = [self.nearest - self.low, self.high - self.nearest];
+        let [below, above] = ends.map(|end| (-self.log_of_rest(end / self.deviation)).exp());
+        let tail = mills(self.away);
+        let x = if mass > 0.0 {
+            let rest = v * (1.0 + self.below / tail) + u * above;
+            self.nearest + self.deviation * self.distance(mass, rest)
+        } else {
+            let rest = u * (1.0 + self.above / tail) + v * below;
+            self.nearest - self.deviation * self.distance(-mass, rest)
+        };
+        [x.clamp(self.low, self.high), 0.0, 0.0]
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        // Before the nearest point, where only a change of x by its rounding leads, the exponent is negative.
+        let along = (x[0] - self.nearest) / self.deviation;
+        let along = if self.nearest < self.mean {
+            -along
+        } else {
+            along
+        };
+        let along = if self.away == 0.0 { along.abs() } else { along };
+        (-self.exponent(along)).exp() / (self.deviation * (self.below + self.above))
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let mass = self.mass((x[0] - self.nearest).abs() / self.deviation);
+        let below = if x[0] > self.nearest {
+            self.below + mass
+        } else {
+            self.below - mass
+        };
+        [below / (self.below + self.above), 0.0, 0.0, 0.0]
+    }
+}

@@ -19,6 +19,7 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "firmware" => firmware(),
         "six" => six(sources),
         _ if name.starts_with("cost ") => cost(&name[5..], sources),
+        _ if name.starts_with("points ") => points(&name[7..], sources),
         _ => Err(format!("no table is called {name}")),
     }
 }
@@ -171,6 +172,26 @@ fn cost(name: &str, sources: &Sources) -> Outcome<String> {
             )
         };
         text += &format!("- `{tier}`: {line}.\n");
+    }
+    Ok(text)
+}
+
+/// What the words of a point cost, for the documentation of its set: one item a kernel.
+fn points(kernels: &str, sources: &Sources) -> Outcome<String> {
+    let mut text = String::from("Instructions of the words of a point, and bytes of flash:\n");
+    for kernel in kernels.split(' ') {
+        let what = match kernel {
+            "sobol_8d" => "eight, of the first 1,024 points",
+            _ => "two words",
+        };
+        let on = |core| sources.instructions(core, kernel).map(grouped);
+        text += &format!(
+            "- {what}: {} on a Cortex-M4F ({} bytes), {} on a Cortex-M0, {} as WASM.\n",
+            on("m4f")?,
+            grouped(sources.code_at_s("m4f", kernel)?),
+            on("m0")?,
+            on("wasm")?
+        );
     }
     Ok(text)
 }

@@ -1,0 +1,59 @@
+//! The command line: its options and its error messages.
+
+use lexopt::Error;
+use lexopt::prelude::*;
+use std::path::PathBuf;
+use support::cli::{number, within};
+
+pub const HELP: &str = "\
+Renders five scenes by path tracing, and measures the error of small pictures of them by tier and by point set.
+
+    cargo run --release --example scene [-- OPTIONS]
+
+    --seed N         seed of the points [42]; the same seed gives the same pictures
+    --out DIR        where the pictures go [target/scene]
+    --width N        columns of the pictures, 48 to 1920 [144]; rows are two thirds of them
+    --samples N      samples a pixel of the pictures, 1 to 65536 [64]
+    --reference N    samples a pixel that errors are measured against, 256 to 1048576 [1024]
+    --help           this text
+
+The exit code is 1 if a pixel is not a number, if a picture is brighter or darker than its reference, if Sobol'
+points are not better than random ones, if the tiers do not agree, or if a renderer that is wrong on purpose
+passes; it is 2 for arguments that make no sense.";
+
+pub struct Args {
+    pub seed: u32,
+    pub out: PathBuf,
+    pub size: [u32; 2],
+    pub samples: u32,
+    pub reference: u32,
+}
+
+/// The parsed command line; `None` for help.
+pub fn parse() -> Result<Option<Args>, Error> {
+    let mut args = Args {
+        seed: 42,
+        out: PathBuf::from("target/scene"),
+        size: [144, 96],
+        samples: 64,
+        reference: 1024,
+    };
+    let mut parser = lexopt::Parser::from_env();
+    while let Some(arg) = parser.next()? {
+        match arg {
+            Long("seed") => args.seed = number(&mut parser, "--seed")?,
+            Long("out") => args.out = parser.value()?.into(),
+            Long("width") => {
+                let width = within(&mut parser, "--width", 48, 1920)? as u32;
+                args.size = [width, width * 2 / 3];
+            }
+            Long("samples") => args.samples = within(&mut parser, "--samples", 1, 65_536)? as u32,
+            Long("reference") => {
+                args.reference = within(&mut parser, "--reference", 256, 1_048_576)? as u32;
+            }
+            Short('h') | Long("help") => return Ok(None),
+            _ => return Err(arg.unexpected()),
+        }
+    }
+    Ok(Some(args))
+}

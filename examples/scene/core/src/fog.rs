@@ -1,0 +1,148 @@
+//! Fog that fills the scene evenly.
+
+use crate::kit::Kit;
+use crate::light::{Choice, Light};
+use crate::shape::Ray;
+use crate::vector::{dot, length, minus, scaled};
+use microwarp::Warp;
+use microwarp::tier::Tier;
+use microwarp::uniform::grid;
+use microwarp::warp::EquiAngular;
+use rand_core::Rng;
+
+/// What is between the surfaces.
+pub trait Fog: Copy {
+    /// The part of light that is neither scattered nor absorbed along a way.
+    fn passed<K: Kit>(&self, way: f32) -> f32;
+
+    /// Where a ray is scattered before it has gone `way`; none for a ray that goes all the way, whose light is unchanged.
+    fn scattered<K: Kit, L: Light>(
+        &self,
+        ray: Ray,
+        way: f32,
+        lights: (&[L], &Choice<'_>),
+        words: &mut impl Rng,
+    ) -> Option<Scattered>;
+
+    /// The law of directions about the way that light goes.
+    fn phase<K: Kit>(&self) -> Option<K::Phase>;
+}
+
+/// A place where a ray is scattered.
+#[derive(Clone, Copy, Debug)]
+pub struct Scattered {
+    pub way: f32,
+    /// By what the light from there is multiplied.
+    pub weight: f32,
+    /// The light that the place was chosen for, with its probability: it is to be the light that shines on it. Another one
+    /// may be so close to it that its light has no bound.
+    pub light: Option<(usize, f32)>,
+}
+
+/// None.
+#[derive(Clone, Copy, Debug)]
+pub struct Clear;
+
+impl Fog for Clear {
+    #[inline]
+    fn passed<K: Kit>(&self, _: f32) -> f32 {
+        1.0
+    }
+
+    #[inline]
+    fn scattered<K: Kit, L: Light>(
+        &self,
+        _: Ray,
+        _: f32,
+        _: (&[L], &Choice<'_>),
+        _: &mut impl Rng,
+    ) -> Option<Scattered> {
+        None
+    }
+
+    #[inline]
+    fn phase<K: Kit>(&self) -> Option<K::Phase> {
+        None
+    }
+}
+
+/// The same fog everywhere.
+#[derive(Clone, Copy, Debug)]
+pub struct Haze {
+    /// Events in a metre.
+    pub density: f32,
+    /// The part of events that scatter; the others absorb.
+    pub albedo: f32,
+    /// The mean cosine of the angle by which light turns.
+    pub asymmetry: f32,
+}
+
+impl Haze {
+    /// Light that passes, and the rest.
+    #[inline]
+    fn parts<K: Kit>(self, way: f32) -> (f32, f32) {
+        let depth = self.density * way;
+        // Beyond that the pair is not stated; what passes is below the smallest normal number.
+        K::Tier::exp_neg_pair(if depth < 87.0 { depth } else { 87.0 })
+    }
+
+    /// Distances by the angle in which a light sees them, from the place on the ray that is nearest to it.
+    /// None for the sky.
+    fn towards<K: Kit, L: Light>(
+        ray: Ray,
+        way: f32,
+        lights: &[L],
+        index: usize,
+    ) -> Option<(f32, EquiAngular<K::Tier>)> {
+        let to = minus(lights.get(index)?.middle(), ray.origin);
+        let foot = dot(to, ray.direction);
+        let beside = length(minus(to, scaled(ray.direction, foot)));
+        let law = EquiAngular::new(beside, -foot, way - foot).ok()?;
+        Some((foot, law))
+    }
+}
+
+impl Fog for Haze {
+    #[inline]
+    fn passed<K: Kit>(&self, way: f32) -> f32 {
+        self.parts::<K>(way).0
+    }
+
+    /// Whether a ray is scattered is decided by the chance of that. Where, is drawn from an even mixture of both laws, and
+    /// weighed by the density of the mixture (the balance heuristic for one sample). The four words are the event, the law,
+    /// the light and the distance.
+    fn scattered<K: Kit, L: Light>(
+        &self,
+        ray: Ray,
+        way: f32,
+        (lights, choice): (&[L], &Choice<'_>),
+        words: &mut impl Rng,
+    ) -> Option<Scattered> {
+        let (_, chance) = self.parts::<K>(way);
+        if grid(words) >= chance {
+            return None;
+        }
+        let free = K::free(self.density, way).ok()?;
+        let by_light = grid(words) < 0.5;
+        let light = choice.draw(words);
+        let seen = light.and_then(|(index, _)| Self::towards::<K, L>(ray, way, lights, index));
+        let Some((foot, seen)) = seen else {
+            let (way, weight) = (free.draw(words), self.albedo);
+            return Some(Scattered { way, weight, light });
+        };
+        let drawn = if by_light {
+            seen.draw(words) + foot
+        } else {
+            free.draw(words)
+        };
+        let way = drawn.max(0.0).min(way);
+        let (own, other) = (free.pdf(way), seen.pdf(way - foot));
+        // In proportion to the density of `free` is what is to be found; the mean of both is what was drawn from.
+        let weight = self.albedo * (2.0 * own / (own + other));
+        Some(Scattered { way, weight, light })
+    }
+
+    fn phase<K: Kit>(&self) -> Option<K::Phase> {
+        K::phase(self.asymmetry).ok()
+    }
+}

@@ -1,0 +1,261 @@
+//! What surfaces do with light: matte, glossy (Phong's lobe over a matte ground), and rough metal (GGX).
+
+use crate::kit::Kit;
+use crate::vector::{Vector, dot, plus, scaled, sqrt, unit};
+use core::f32::consts::FRAC_1_PI;
+use microwarp::uniform::grid;
+use microwarp::warp::{Frame, GgxVisible, Oriented};
+use microwarp::{Error, Warp};
+use rand_core::Rng;
+
+/// A direction that a lobe has drawn, what the surface sends there of the light that comes from there, cosine included, and
+/// the density of the direction per steradian.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounce {
+    pub direction: Vector,
+    pub value: Vector,
+    pub pdf: f32,
+}
+
+/// How a place scatters light that is seen from one direction. Directions are those of the caller's frame.
+pub trait Lobe {
+    /// A direction by the lobe's own density; none where it takes the light.
+    fn draw(&self, words: &mut impl Rng) -> Option<Bounce>;
+    /// Value and density of a direction.
+    fn weigh(&self, direction: Vector) -> (Vector, f32);
+}
+
+/// What a surface is made of.
+pub trait Material: Copy {
+    type Lobe<K: Kit>: Lobe;
+    /// The lobe seen from a local direction, whose z is along the normal and at least 0.
+    ///
+    /// # Errors
+    /// Those of the samplers, for parameters of the material or a view that they do not take.
+    fn seen<K: Kit>(&self, view: Vector) -> Result<Self::Lobe<K>, Error>;
+}
+
+/// Lambert's law.
+#[derive(Clone, Copy, Debug)]
+pub struct Matte(pub Vector);
+
+/// The lobe of [`Matte`].
+pub struct MatteLobe<K: Kit> {
+    albedo: Vector,
+    cosine: K::Cosine,
+}
+
+impl Material for Matte {
+    type Lobe<K: Kit> = MatteLobe<K>;
+
+    #[inline]
+    fn seen<K: Kit>(&self, _: Vector) -> Result<MatteLobe<K>, Error> {
+        let (albedo, cosine) = (self.0, K::cosine());
+        Ok(MatteLobe { albedo, cosine })
+    }
+}
+
+/// Albedo times the cosine over π. The sampler's own density serves as the density alone: the value is the surface's.
+#[inline]
+fn lambert(albedo: Vector, [_, _, z]: Vector) -> Vector {
+    scaled(albedo, FRAC_1_PI * if z > 0.0 { z } else { 0.0 })
+}
+
+impl<K: Kit> Lobe for MatteLobe<K> {
+    #[inline]
+    fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
+        let (direction, pdf) = self.cosine.draw_with_pdf(words);
+        let value = lambert(self.albedo, direction);
+        Some(Bounce {
+            direction,
+            value,
+            pdf,
+        })
+    }
+
+    #[inline]
+    fn weigh(&self, direction: Vector) -> (Vector, f32) {
+        (lambert(self.albedo, direction), self.cosine.pdf(direction))
+    }
+}
+
+/// A matte ground under a glossy coat: the modified reflection of Phong, whose lobe is about the direction of a mirror. The
+/// sum of both albedos is at most 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Glossy {
+    pub ground: Vector,
+    pub coat: f32,
+    pub exponent: f32,
+}
+
+/// The lobe of [`Glossy`].
+pub struct GlossyLobe<K: Kit> {
+    ground: MatteLobe<K>,
+    coat: f32,
+    exponent: f32,
+    gloss: Oriented<K::Gloss>,
+    /// Of choosing the coat.
+    chance: f32,
+}
+
+impl Material for Glossy {
+    type Lobe<K: Kit> = GlossyLobe<K>;
+
+    fn seen<K: Kit>(&self, [x, y, z]: Vector) -> Result<GlossyLobe<K>, Error> {
+        let about = Frame::new([-x, -y, z])?;
+        let brightness = crate::vector::largest(self.ground);
+        Ok(GlossyLobe {
+            ground: Matte(self.ground).seen::<K>([x, y, z])?,
+            coat: self.coat,
+            exponent: self.exponent,
+            gloss: Oriented::new(K::gloss(self.exponent)?, about),
+            chance: self.coat / (self.coat + brightness),
+        })
+    }
+}
+
+impl<K: Kit> Lobe for GlossyLobe<K> {
+    fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
+        // One word decides, and two are of the lobe that it chose.
+        let coat = grid(words) < self.chance;
+        let direction = if coat {
+            self.gloss.draw(words)
+        } else {
+            self.ground.cosine.draw(words)
+        };
+        let (value, pdf) = self.weigh(direction);
+        (pdf > 0.0).then_some(Bounce {
+            direction,
+            value,
+            pdf,
+        })
+    }
+
+    /// The lobe's value is its density but for the norm, (n + 2)/(n + 1), and the cosine. Below the horizon it is 0, though
+    /// the density is not.
+    fn weigh(&self, direction: Vector) -> (Vector, f32) {
+        let (ground, diffuse) = self.ground.weigh(direction);
+        let gloss = self.gloss.pdf(direction);
+        let [_, _, z] = direction;
+        let z = if z > 0.0 { z } else { 0.0 };
+        let coat = self.coat * gloss * z * ((self.exponent + 2.0) / (self.exponent + 1.0));
+        let pdf = self.chance * gloss + (1.0 - self.chance) * diffuse;
+        (plus(ground, [coat; 3]), pdf)
+    }
+}
+
+/// A rough metal of GGX microfacets: the colour that it has head on, and its roughness.
+#[derive(Clone, Copy, Debug)]
+pub struct Metal {
+    pub colour: Vector,
+    pub roughness: f32,
+}
+
+/// The lobe of [`Metal`].
+pub struct MetalLobe<K: Kit> {
+    colour: Vector,
+    normals: GgxVisible<K::Tier>,
+    /// What Smith's masking needs of the view.
+    length: f32,
+}
+
+impl Metal {
+    /// √(α²x² + α²y² + z²).
+    fn length(roughness: f32, [x, y, z]: Vector) -> f32 {
+        sqrt(roughness * roughness * (x * x + y * y) + z * z)
+    }
+}
+
+impl Material for Metal {
+    type Lobe<K: Kit> = MetalLobe<K>;
+
+    fn seen<K: Kit>(&self, view: Vector) -> Result<MetalLobe<K>, Error> {
+        Ok(MetalLobe {
+            colour: self.colour,
+            normals: GgxVisible::new(view, [self.roughness; 2])?,
+            length: Metal::length(self.roughness, view),
+        })
+    }
+}
+
+impl<K: Kit> MetalLobe<K> {
+    /// Value and density of a direction that a microfacet of this normal reflects to. Of the density D/(2(v + ℓ)) the value
+    /// is Fresnel's part, after Schlick, times the light that leaves without being masked, given that the normal is seen.
+    fn of(&self, direction: Vector, normal: Vector) -> (Vector, f32) {
+        let pdf = self.normals.reflected_pdf(normal);
+        let ([_, _, z], [_, _, v]) = (direction, self.normals.view());
+        if z <= 0.0 {
+            return ([0.0; 3], pdf);
+        }
+        let [roughness, _] = self.normals.alpha();
+        let (seen, leaving) = (self.length, Metal::length(roughness, direction));
+        let unmasked = z * (seen + v) / (z * seen + v * leaving);
+        let cosine = dot(normal, direction);
+        let past = if cosine < 1.0 { 1.0 - cosine } else { 0.0 };
+        let square = past * past;
+        let fresnel = self.colour.map(|c| c + (1.0 - c) * square * square * past);
+        (scaled(fresnel, unmasked * pdf), pdf)
+    }
+}
+
+impl<K: Kit> Lobe for MetalLobe<K> {
+    fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
+        let bounce = self.normals.reflect([grid(words), grid(words)]);
+        let (value, pdf) = self.of(bounce.direction, bounce.normal);
+        let direction = bounce.direction;
+        (pdf > 0.0).then_some(Bounce {
+            direction,
+            value,
+            pdf,
+        })
+    }
+
+    fn weigh(&self, direction: Vector) -> (Vector, f32) {
+        self.of(direction, unit(plus(direction, self.normals.view())))
+    }
+}
+
+/// Any of the three.
+#[derive(Clone, Copy, Debug)]
+pub enum Any {
+    Matte(Matte),
+    Glossy(Glossy),
+    Metal(Metal),
+}
+
+/// The lobe of [`Any`].
+pub enum AnyLobe<K: Kit> {
+    Matte(MatteLobe<K>),
+    Glossy(GlossyLobe<K>),
+    Metal(MetalLobe<K>),
+}
+
+impl Material for Any {
+    type Lobe<K: Kit> = AnyLobe<K>;
+
+    fn seen<K: Kit>(&self, view: Vector) -> Result<AnyLobe<K>, Error> {
+        Ok(match self {
+            Self::Matte(matte) => AnyLobe::Matte(matte.seen(view)?),
+            Self::Glossy(glossy) => AnyLobe::Glossy(glossy.seen(view)?),
+            Self::Metal(metal) => AnyLobe::Metal(metal.seen(view)?),
+        })
+    }
+}
+
+impl<K: Kit> Lobe for AnyLobe<K> {
+    fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
+        match self {
+            Self::Matte(lobe) => lobe.draw(words),
+            Self::Glossy(lobe) => lobe.draw(words),
+            Self::Metal(lobe) => lobe.draw(words),
+        }
+    }
+
+    fn weigh(&self, direction: Vector) -> (Vector, f32) {
+        match self {
+            Self::Matte(lobe) => lobe.weigh(direction),
+            Self::Glossy(lobe) => lobe.weigh(direction),
+            Self::Metal(lobe) => lobe.weigh(direction),
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Where the random words of a path come from.
+
+use core::convert::Infallible;
+use microwarp::uniform::{ByPosition, Cursor, Points, Sobol, Strata2d};
+use rand_core::{Rng, TryRng};
+use rand_pcg::Pcg32;
+
+/// The words of the paths of one pixel. Each decision of a path has a dimension of its own, so that sets of points can be
+/// even in it.
+pub trait Source: Rng {
+    /// The words of a pixel that takes so many samples.
+    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self;
+    /// Goes on to a sample.
+    fn begin(&mut self, sample: u32);
+    /// The next word is that of this dimension.
+    fn skip_to(&mut self, dimension: u32);
+}
+
+/// The two fallible methods and `bytes` of a source, handed to what it is made of.
+macro_rules! words_of {
+    ($field:tt) => {
+        type Error = Infallible;
+
+        #[inline]
+        fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+            self.$field.try_next_u32()
+        }
+
+        #[inline]
+        fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+            self.$field.try_next_u64()
+        }
+
+        #[inline]
+        fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+            self.$field.try_fill_bytes(bytes)
+        }
+    };
+}
+
+/// A generator for each pixel, which knows no dimensions.
+#[derive(Clone, Debug)]
+pub struct Random(Pcg32);
+
+impl TryRng for Random {
+    words_of!(0);
+}
+
+impl Source for Random {
+    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
+        // Neighbouring pixels get states and streams that are not neighbours.
+        let word = |d| u64::from(ByPosition::new(seed, pixel).word(0, d));
+        Self(Pcg32::new(word(0) << 32 | word(1), word(2) << 32 | word(3)))
+    }
+
+    #[inline]
+    fn begin(&mut self, _: u32) {}
+
+    #[inline]
+    fn skip_to(&mut self, _: u32) {}
+}
+
+/// A set of points for each pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Set<P> {
+    points: P,
+    cursor: Cursor<P>,
+}
+
+/// Sets of points that a pixel can have.
+pub trait OfPixel: Points {
+    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self;
+}
+
+impl<P: Points> TryRng for Set<P> {
+    words_of!(cursor);
+}
+
+impl<P: OfPixel> Source for Set<P> {
+    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self {
+        let points = P::of_pixel(seed, pixel, samples);
+        Self {
+            points,
+            cursor: points.at(0),
+        }
+    }
+
+    #[inline]
+    fn begin(&mut self, sample: u32) {
+        self.cursor = self.points.at(sample);
+    }
+
+    #[inline]
+    fn skip_to(&mut self, dimension: u32) {
+        self.cursor = self.cursor.skip_to(dimension);
+    }
+}
+
+impl OfPixel for ByPosition {
+    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
+        Self::new(seed, pixel)
+    }
+}
+
+/// Owen-scrambled Sobol' points in groups of eight dimensions.
+#[derive(Clone, Copy, Debug)]
+pub struct Owen(Sobol<8>);
+
+impl Points for Owen {
+    #[inline]
+    fn word(self, index: u32, dimension: u32) -> u32 {
+        self.0.word(index, dimension)
+    }
+}
+
+impl OfPixel for Owen {
+    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
+        Self(Sobol::<8>::new(ByPosition::new(seed, pixel).word(0, 0)).unwrap_or(FIRST))
+    }
+}
+
+/// The points of one seed, checked by the compiler.
+const FIRST: Sobol<8> = microwarp::constant!(Sobol::new(0));
+
+/// Jittered strata in each pair of dimensions, as square as the number of samples allows. Each pair goes through its strata
+/// in an order of its own, that of scrambled points of one dimension, so that pairs are independent. Where the number of
+/// samples is a power of two every stratum is met once; otherwise some are met twice and some never, without bias.
+#[derive(Clone, Copy, Debug)]
+pub struct Strata {
+    strata: Strata2d,
+    jitter: ByPosition,
+}
+
+const ONE: Strata2d = microwarp::constant!(Strata2d::new(1, 1));
+const IN_ORDER: Sobol<1> = microwarp::constant!(Sobol::new(0));
+
+impl OfPixel for Strata {
+    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self {
+        // The divisor of the number next below its root.
+        let divides = |d: &u32| samples.checked_rem(*d) == Some(0);
+        let columns = (1..=samples.isqrt()).rev().find(divides).unwrap_or(1);
+        let rows = samples.checked_div(columns).unwrap_or(1);
+        Self {
+            strata: Strata2d::new(columns, rows).unwrap_or(ONE),
+            jitter: ByPosition::new(seed, pixel),
+        }
+    }
+}
+
+impl Points for Strata {
+    #[inline]
+    fn word(self, index: u32, dimension: u32) -> u32 {
+        let pair = dimension >> 1;
+        let order = Sobol::<1>::new(self.jitter.word(u32::MAX, pair)).unwrap_or(IN_ORDER);
+        let place = u64::from(order.word(index, 0)).wrapping_mul(u64::from(self.strata.count()));
+        let stratum = (place >> 32) as u32;
+        let words = [0, 1].map(|k| self.jitter.word(index, pair << 1 | k));
+        let jitter = words.map(microwarp::uniform::deep_from_word);
+        let [x, y] = self.strata.point(stratum, jitter);
+        let u = if dimension & 1 == 0 { x } else { y };
+        // The middle of a step of the grid, as 32 bits.
+        ((u * 16_777_216.0) as u32) << 8 | 0x80
+    }
+}

@@ -1,0 +1,50 @@
+//! A small path tracer, whose every random number is microwarp's: five scenes, and what tiers and point sets do for them.
+//! `cargo run --release --example scene -- --help`
+//!
+//! The tracer itself is the package in `core`, which needs no `std`. This file runs the steps.
+
+mod args;
+mod render;
+mod report;
+mod sheet;
+mod shots;
+mod study;
+
+use args::Args;
+use std::error::Error;
+use std::process::ExitCode;
+use std::time::Instant;
+
+fn main() -> ExitCode {
+    support::cli::run("scene", args::HELP, args::parse(), run)
+}
+
+/// Runs everything and returns the complaints.
+fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
+    let start = Instant::now();
+    support::progress::folder(&args.out)?;
+    let shots = shots::all();
+    let steps = shots.len() as u64 * study::steps(args);
+    let progress = support::progress::progress(steps, "{percent:>3} %")?;
+    let mut studies = Vec::new();
+    for shot in &shots {
+        progress.set_message(shot.name);
+        studies.push(study::of(shot, args, &progress));
+    }
+    progress.finish_and_clear();
+
+    for (shot, study) in shots.iter().zip(&studies) {
+        let path = args.out.join(format!("{}.png", shot.name));
+        sheet::save(&path, shot, &study.picture, args.size)?;
+    }
+    let path = args.out.join("sheet.png");
+    let rough = study::rough(&shots[sheet::NOISY], args);
+    sheet::draw(&shots, &studies, &rough, args).save_in_full_colour(&path)?;
+    report::errors(&shots, &studies);
+    println!(
+        "The sheet is {}, each picture beside it; {:.1} s.",
+        path.display(),
+        start.elapsed().as_secs_f64()
+    );
+    Ok(report::complaints(&shots, &studies))
+}

@@ -1,0 +1,165 @@
+//! A picture by several threads, row by row, whatever its scene, tier and points are.
+
+use microwarp::tier::{Libm, Poly};
+use microwarp::uniform::ByPosition;
+use microwarp_scene::fog::Fog;
+use microwarp_scene::light::Light;
+use microwarp_scene::material::Material;
+use microwarp_scene::path::Heuristic;
+use microwarp_scene::sky::Sky;
+use microwarp_scene::source::{Owen, Strata};
+use microwarp_scene::{Camera, Film, Kit, Power, Random, Scene, Set, Source, View};
+use std::marker::PhantomData;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tier {
+    Poly,
+    Libm,
+    /// The tier `poly` without the weights of multiple importance sampling: light that two techniques find counts twice.
+    Forgotten,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointSet {
+    Random,
+    ByPosition,
+    Strata,
+    Sobol,
+}
+
+impl Tier {
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Poly => "poly",
+            Self::Libm => "libm",
+            Self::Forgotten => "poly, weights forgotten",
+        }
+    }
+}
+
+impl PointSet {
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Random => "PCG32",
+            Self::ByPosition => "by position",
+            Self::Strata => "strata",
+            Self::Sobol => "Sobol'",
+        }
+    }
+}
+
+/// What a picture is rendered by.
+#[derive(Clone, Copy)]
+pub struct Plan {
+    pub tier: Tier,
+    pub points: PointSet,
+    pub size: [u32; 2],
+    pub samples: u32,
+    pub seed: u32,
+}
+
+/// Pixels, row by row.
+pub type Pixels = Vec<[f64; 3]>;
+
+/// A scene that has forgotten its type.
+pub trait Render: Sync {
+    fn row(&self, plan: &Plan, row: u32) -> Pixels;
+}
+
+/// A scene with its camera and the film that is in it.
+pub struct Take<S, P> {
+    scene: S,
+    camera: Camera,
+    film: PhantomData<fn() -> P>,
+}
+
+impl<S, P> Take<S, P> {
+    pub fn new(scene: S, camera: Camera) -> Self {
+        let film = PhantomData;
+        Self {
+            scene,
+            camera,
+            film,
+        }
+    }
+}
+
+/// No weights: an error on purpose.
+struct Forgotten;
+
+impl Heuristic for Forgotten {
+    fn light(_: f32, _: f32) -> f32 {
+        1.0
+    }
+
+    fn lobe(_: f32, _: f32) -> f32 {
+        1.0
+    }
+}
+
+impl<M, L, E, F, P> Take<Scene<'_, M, L, E, F>, P>
+where
+    M: Material,
+    L: Light,
+    E: Sky,
+    F: Fog,
+    P: Film,
+{
+    fn row_by<K: Kit, H: Heuristic, S: Source>(&self, plan: &Plan, row: u32) -> Pixels {
+        let view = View::<K>::new(self.camera, plan.size).expect("the camera sees something");
+        let [width, _] = plan.size;
+        let pixel = |column: u32| {
+            let mut source = S::of_pixel(plan.seed, row * width + column, plan.samples);
+            let mut sum = [0.0; 3];
+            for sample in 0..plan.samples {
+                source.begin(sample);
+                let light = self
+                    .scene
+                    .sample::<K, H, P>(&view, [column, row], &mut source);
+                for (sum, light) in sum.iter_mut().zip(light) {
+                    *sum += f64::from(light);
+                }
+            }
+            sum.map(|sum| sum / f64::from(plan.samples))
+        };
+        (0..width).map(pixel).collect()
+    }
+
+    fn row_in<K: Kit, H: Heuristic>(&self, plan: &Plan, row: u32) -> Pixels {
+        match plan.points {
+            PointSet::Random => self.row_by::<K, H, Random>(plan, row),
+            PointSet::ByPosition => self.row_by::<K, H, Set<ByPosition>>(plan, row),
+            PointSet::Strata => self.row_by::<K, H, Set<Strata>>(plan, row),
+            PointSet::Sobol => self.row_by::<K, H, Set<Owen>>(plan, row),
+        }
+    }
+}
+
+impl<M, L, E, F, P> Render for Take<Scene<'_, M, L, E, F>, P>
+where
+    M: Material + Sync,
+    L: Light + Sync,
+    E: Sky + Sync,
+    F: Fog + Sync,
+    P: Film,
+{
+    fn row(&self, plan: &Plan, row: u32) -> Pixels {
+        match plan.tier {
+            Tier::Poly => self.row_in::<Poly, Power>(plan, row),
+            Tier::Libm => self.row_in::<Libm, Power>(plan, row),
+            Tier::Forgotten => self.row_by::<Poly, Forgotten, Random>(plan, row),
+        }
+    }
+}
+
+/// Renders; `done` hears of every row.
+pub fn picture(scene: &dyn Render, plan: &Plan, done: impl Fn() + Sync) -> Pixels {
+    let [_, height] = plan.size;
+    let rows: Vec<u32> = (0..height).collect();
+    let job = |row: &u32| {
+        let pixels = scene.row(plan, *row);
+        done();
+        pixels
+    };
+    support::parallel::in_parallel(support::parallel::threads(), &rows, job).concat()
+}

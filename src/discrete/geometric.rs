@@ -1,0 +1,217 @@
+//! The geometric distribution: how many failures come before the first success.
+
+use super::word::drawn_by_word;
+use crate::error::{Error, positive};
+use crate::num::{Long, high};
+use core::ops::RangeInclusive;
+
+/// The number of failures before the first success, where each trial succeeds with the same probability.
+///
+/// Counts increase with the word. A draw takes no logarithm and no division, but for each binary digit of the largest
+/// count one product of integers. It is exact however small the probability is, where ⌊ln u/ln(1 − p)⌋ in `f32` is not.
+///
+/// # Density
+/// p(1 − p)ᵏ for the count k.
+///
+/// # Domain
+/// - Point: a `u32` up to 22.9/p, where the tail of a single word ends; (1 − p)ᵏ is at least 2⁻³³ there.
+/// - Uniforms: one word.
+/// - Parameters: p from 5.4e-9 to 1 as an `f32`, or as a ratio of integers.
+///
+/// # Accuracy
+/// - Of the 2³² words, 2³²(1 − p)ᵏ give k or more, rounded to the nearest integer. [`words_of`](Self::words_of) says
+///   which give k. Before it is rounded, the number is off by less than 2⁻²⁰.
+/// - The pmf is that of the formula for every count, to a relative error of 6.2e-8, or to the spacing of subnormals.
+/// - A ratio of integers is cut by less than 2⁻⁶² of it.
+///
+/// # Cost
+/// 288 bytes of memory, or flash where [`constant!`](crate::constant) makes it. A draw takes ⌈log₂(22.9/p)⌉ products of
+/// 64 bits: 12 for p = 0.01. From a ratio of integers to the count there is no floating-point operation.
+///
+/// # Examples
+/// ```
+/// use microwarp::{constant, discrete::Geometric};
+/// use rand_pcg::Pcg32;
+/// const UNTIL_SIX: Geometric = constant!(Geometric::from_ratio(1, 6)); // rolls of a die before a 6
+/// let rolls = UNTIL_SIX.draw(&mut Pcg32::new(1, 1));
+/// assert!(UNTIL_SIX.words_of(rolls).is_some());
+/// assert_eq!(UNTIL_SIX.count(0), 0);
+/// assert_eq!(UNTIL_SIX.count(u32::MAX), 125);
+/// assert!((UNTIL_SIX.pmf(1) - 5.0 / 36.0).abs() < 1e-8);
+/// # Ok::<(), microwarp::Error>(())
+/// ```
+///
+/// # See also
+/// - [`Poisson`](super::Poisson): how many events an interval holds.
+/// - [`warp::Exponential`](crate::warp::Exponential): waiting in continuous time.
+///
+/// # Source
+/// L. Devroye, *Non-Uniform Random Variate Generation*, Springer, 1986, chapter X.2:
+/// <http://luc.devroye.org/rnbookindex.html>.
+#[doc(alias = "bernoulli")]
+#[doc(alias = "trials")]
+#[doc(alias = "waiting_time")]
+#[doc(alias = "run_length")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Geometric {
+    success: Long,
+    /// 1 − (1 − p)^(2ⁱ), with 64 bits, and `shift − i` more while i is below the shift: all are below 2^(i − shift).
+    steps: [u64; 32],
+    shift: u32,
+    /// How many of them a word can reach.
+    levels: usize,
+}
+
+/// 1 in units of 2⁻⁶³.
+const ONE: u64 = 1 << 63;
+/// Half a word in units of 2⁻⁶³.
+const HALF: u64 = 1 << 30;
+/// The smallest probability, for which the last word still counts below 2³².
+const LEAST: Long = Long::of_f32(5.4e-9);
+
+impl Geometric {
+    /// Trials that succeed with a probability from 5.4e-9 to 1.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] above 1,
+    /// [`Error::TooLarge`] below 5.4e-9, where counts do not fit `u32`.
+    pub const fn new(p: f32) -> Result<Self, Error> {
+        match positive(p) {
+            Ok(p) => Self::of(Long::of_f32(p)),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// Trials of which so many in so many succeed, by integers alone.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] if one of the two is 0, [`Error::OutOfRange`] for more successes than trials,
+    /// [`Error::TooLarge`] for a ratio below 5.4e-9.
+    pub const fn from_ratio(successes: u32, trials: u32) -> Result<Self, Error> {
+        if successes == 0 || trials == 0 {
+            return Err(Error::NotPositive);
+        }
+        Self::of(Long::of(successes as u64, 64).over(Long::of(trials as u64, 64)))
+    }
+
+    const fn of(success: Long) -> Result<Self, Error> {
+        if success.exponent > 1 || (success.exponent == 1 && success.mantissa > ONE) {
+            return Err(Error::OutOfRange);
+        }
+        if success.exponent < LEAST.exponent
+            || (success.exponent == LEAST.exponent && success.mantissa < LEAST.mantissa)
+        {
+            return Err(Error::TooLarge);
+        }
+        let shift = success.exponent.unsigned_abs();
+        let mut made = Self {
+            success,
+            steps: [0; 32],
+            shift,
+            levels: 0,
+        };
+        if success.exponent == 1 {
+            return Ok(made);
+        }
+        // Rounded up, so that no step reaches further than two of half its length: powers never increase with the count.
+        let (mut step, mut more) = (success.mantissa, shift);
+        let mut rest: &mut [u64] = &mut made.steps;
+        while let [slot, others @ ..] = rest {
+            // The power is below 2^-33, which no word reaches.
+            if more == 0 && step.wrapping_neg() < 1 << 31 {
+                break;
+            }
+            *slot = step;
+            made.levels = made.levels.wrapping_add(1);
+            // Of the step d, twice the length has 2d − d².
+            let square = high(step, step);
+            step = if more > 0 {
+                step.wrapping_sub(square >> 1 >> more)
+            } else {
+                step.wrapping_shl(1).wrapping_sub(square)
+            };
+            more = more.saturating_sub(1);
+            rest = others;
+        }
+        Ok(made)
+    }
+
+    /// The probability that a trial succeeds.
+    #[must_use]
+    pub fn success(&self) -> f32 {
+        self.success.value()
+    }
+
+    /// The steps by falling length, each with the bit of its count, and by how much it is shifted.
+    #[inline]
+    fn falling(&self) -> impl Iterator<Item = (u32, u64, u32)> {
+        let steps = self.steps.iter().zip(0_u32..32).take(self.levels).rev();
+        steps.map(|(&step, level)| {
+            let shift = self.shift.saturating_sub(level);
+            (1_u32.wrapping_shl(level), step, shift)
+        })
+    }
+
+    /// The count of a word.
+    #[must_use]
+    #[inline]
+    pub fn count(&self, word: u32) -> u32 {
+        // The way from the middle of the word to 1, in units of 2^-63.
+        let bound = ONE.wrapping_sub(u64::from(word) << 31 | HALF);
+        let (mut count, mut power) = (0, ONE);
+        for (bit, step, shift) in self.falling() {
+            let next = power.wrapping_sub(high(power, step) >> shift);
+            if next >= bound {
+                (count, power) = (count | bit, next);
+            }
+        }
+        count
+    }
+
+    drawn_by_word!();
+
+    /// How many words give this count or more.
+    fn reaching(&self, count: u32) -> u64 {
+        let mut left = count;
+        let mut power = ONE;
+        for (bit, step, shift) in self.falling() {
+            if left & bit != 0 {
+                power = power.wrapping_sub(high(power, step) >> shift);
+                left ^= bit;
+            }
+        }
+        if left > 0 {
+            return 0;
+        }
+        power.wrapping_add(HALF) >> 31
+    }
+
+    /// The words that give a count; none beyond the end of the tail, and where the count has less than a word.
+    #[must_use]
+    pub fn words_of(&self, count: u32) -> Option<RangeInclusive<u32>> {
+        let end = count.checked_add(1).map_or(0, |next| self.reaching(next));
+        let words = self.reaching(count);
+        // Words count from the other end.
+        (words > end).then(|| (words as u32).wrapping_neg()..=!(end as u32))
+    }
+
+    /// The probability of a count, p(1 − p)ᵏ; 0 only below the smallest `f32`.
+    #[must_use]
+    pub fn pmf(&self, count: u32) -> f32 {
+        let failure = self.success.fraction().wrapping_neg();
+        if self.success.exponent == 1 {
+            return if count == 0 { 1.0 } else { 0.0 };
+        }
+        let (mut power, mut product) = (Long::of(failure, 0), self.success);
+        let mut left = count;
+        while left > 0 {
+            if left & 1 == 1 {
+                product = product.times(power);
+            }
+            power = power.times(power);
+            left >>= 1;
+        }
+        product.value()
+    }
+}

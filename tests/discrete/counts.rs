@@ -1,0 +1,473 @@
+//! `Geometric` and `Poisson`: the words of every count against sums of high precision, which leaves no word out; the
+//! densities, the refusals, and samples.
+
+use microwarp::Error;
+use microwarp::discrete::{Geometric, Poisson};
+use num_bigint::BigUint;
+use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
+use support::generators::{Broken, Counting, Failing};
+use support::speed;
+use support::stats::{chi_square, threshold};
+
+/// What both samplers do.
+trait Counts {
+    fn count(&self, word: u32) -> u32;
+    fn words_of(&self, count: u32) -> Option<std::ops::RangeInclusive<u32>>;
+}
+
+macro_rules! counts {
+    ($($name:ident)*) => {$(
+        impl Counts for $name {
+            fn count(&self, word: u32) -> u32 {
+                $name::count(self, word)
+            }
+            fn words_of(&self, count: u32) -> Option<std::ops::RangeInclusive<u32>> {
+                $name::words_of(self, count)
+            }
+        }
+    )*};
+}
+counts!(Geometric Poisson);
+
+/// How far the ends of the counts are from where they should be.
+#[derive(Debug, Default)]
+struct Ends {
+    counts: u32,
+    /// Ends that are not the nearest integer to the exact one.
+    moved: u32,
+    /// How far the exact end of such a one lies from the middle between two words, in words.
+    doubt: f64,
+}
+
+/// Goes through all counts that words reach. `end` says how many words give up to a count, exactly: the integer that is
+/// nearest, and how far the number is from the middle between two integers. A word in front of an end and one behind it
+/// tell of all words, since counts increase with them.
+fn ends(sampler: &impl Counts, mut end: impl FnMut(u32) -> (u64, f64)) -> Ends {
+    let mut found = Ends::default();
+    let mut start = 0_u64;
+    let mut k = sampler.count(0);
+    for before in 0..k {
+        assert_eq!(sampler.words_of(before), None);
+        end(before);
+    }
+    while start < 1 << 32 {
+        let (nearest, doubt) = end(k);
+        let next = match sampler.words_of(k) {
+            None => start,
+            Some(words) => {
+                assert_eq!(u64::from(*words.start()), start, "count {k}");
+                for word in [*words.start(), *words.end()] {
+                    assert_eq!(sampler.count(word), k, "word {word}");
+                }
+                u64::from(*words.end()) + 1
+            }
+        };
+        assert!(
+            next.abs_diff(nearest) <= 1,
+            "{next} words up to {k}, not {nearest}"
+        );
+        found.counts += 1;
+        if next != nearest {
+            found.moved += 1;
+            found.doubt = found.doubt.max(doubt);
+        }
+        start = next;
+        k += 1;
+    }
+    assert_eq!(sampler.words_of(k), None);
+    assert_eq!(sampler.words_of(u32::MAX), None);
+    found
+}
+
+/// The probability of failure in units of 2⁻¹²⁸, from the ratio of success.
+fn failure(successes: u128, trials: u128) -> BigUint {
+    let one = BigUint::from(1_u32) << 128_u32;
+    &one - (BigUint::from(successes) << 128_u32) / BigUint::from(trials)
+}
+
+/// The ends of the counts of a geometric distribution, by multiplying step by step with 128 bits.
+fn of_failure(failure: BigUint) -> impl FnMut(u32) -> (u64, f64) {
+    let one = BigUint::from(1_u32) << 128_u32;
+    let mut power = one.clone();
+    move |_| {
+        power = (&power * &failure) >> 128_u32;
+        let part = u64::try_from((&one - &power) >> 65_u32).unwrap();
+        // In units of 2^-63; words of 2^31.
+        let fraction = part % (1 << 31);
+        let doubt = (fraction as f64 / 2_f64.powi(31) - 0.5).abs();
+        // A tie goes to the larger count: what is exactly half lies on the other side.
+        let tie = fraction == 1 << 30
+            && (&one - &power) % (BigUint::from(1_u32) << 65_u32) == BigUint::ZERO;
+        ((part >> 31) + u64::from(fraction >= 1 << 30 && !tie), doubt)
+    }
+}
+
+/// The significand and the exponent of an `f32` as a ratio.
+fn ratio(p: f32) -> [u128; 2] {
+    let exact = f64::from(p) * 2_f64.powi(60);
+    assert_eq!(exact.fract(), 0.0);
+    [exact as u128, 1 << 60]
+}
+
+/// Every word of all 2³² gives the count of its middle.
+#[test]
+fn geometric_counts_have_their_words() {
+    let least = speed::of(
+        "smallest probability of success with all its counts",
+        1e-4,
+        1e-6,
+    );
+    let mut all = 0;
+    for p in [
+        1.0,
+        0.999_999_94,
+        0.75,
+        0.7,
+        0.5,
+        0.3,
+        0.25,
+        0.1,
+        0.01,
+        1e-3,
+        1e-4,
+        1e-5,
+        1e-6,
+    ] {
+        if p < least {
+            continue;
+        }
+        let [n, d] = ratio(p);
+        let found = ends(&Geometric::new(p).unwrap(), of_failure(failure(n, d)));
+        println!("p = {p}: {found:?}");
+        all += found.counts;
+        assert!(found.doubt < 2_f64.powi(-20));
+    }
+    for (n, d) in [
+        (1, 6),
+        (1, 2),
+        (5, 5),
+        (999, 1000),
+        (1, 3001),
+        (u32::MAX - 1, u32::MAX),
+    ] {
+        let sampler = Geometric::from_ratio(n, d).unwrap();
+        let found = ends(&sampler, of_failure(failure(n.into(), d.into())));
+        println!("p = {n}/{d}: {found:?}");
+        all += found.counts;
+        assert!(found.doubt < 2_f64.powi(-20));
+    }
+    assert!(all > 200_000);
+}
+
+/// (1 − p)ᵏ in units of 2⁻¹²⁸, by squaring: good to 2⁻⁹⁰.
+fn power(failure: &BigUint, mut k: u32) -> BigUint {
+    let mut square = failure.clone();
+    let mut product = BigUint::from(1_u32) << 128_u32;
+    while k > 0 {
+        if k & 1 == 1 {
+            product = (&product * &square) >> 128_u32;
+        }
+        square = (&square * &square) >> 128_u32;
+        k >>= 1;
+    }
+    product
+}
+
+/// Words all over, for probabilities that have too many counts to see them all.
+#[test]
+fn the_smallest_probabilities_keep_their_words() {
+    let words = speed::of("words of a small probability", 20_000, 200_000);
+    let one = BigUint::from(1_u32) << 128_u32;
+    for p in [5.4e-9, 6e-9, 1e-8, 5.960_464_5e-8, 1e-7, 3.3e-6] {
+        let (sampler, [n, d]) = (Geometric::new(p).unwrap(), ratio(p));
+        let failure = failure(n, d);
+        let mut doubt = 0.0_f64;
+        let mut last = 0;
+        for i in 0..words {
+            let word = (u64::from(u32::MAX) * i / (words - 1)) as u32;
+            let count = sampler.count(word);
+            assert!(count >= last);
+            last = count;
+            // Of k and of k + 1 failures, from 1 down, in words.
+            let reached = [count, count + 1].map(|k| {
+                let part = u64::try_from((&one - power(&failure, k)) >> 65_u32).unwrap();
+                part as f64 / 2_f64.powi(31)
+            });
+            let middle = f64::from(word) + 0.5;
+            doubt = doubt.max(reached[0] - middle).max(middle - reached[1]);
+        }
+        println!("p = {p:e}: beyond an end by {doubt:e} words, last count {last}");
+        assert!(doubt < 2_f64.powi(-20));
+        let end = 33.0 * std::f64::consts::LN_2 / -(-f64::from(p)).ln_1p();
+        // The end is that of the last word, to one count of such a probability.
+        assert!((f64::from(last) - end).abs() <= 1.0 + end * 1e-15);
+    }
+}
+
+/// Probabilities of a Poisson distribution, and their sums in words, in `f64`: right to 1e-4 words.
+fn poisson(mean: f64) -> impl FnMut(u32) -> (u64, f64) {
+    let mut p = (-mean).exp();
+    let mut sum = 0.0;
+    move |k| {
+        if k > 0 {
+            p *= mean / f64::from(k);
+        }
+        sum += p;
+        let words = sum * 2_f64.powi(32);
+        (words.round() as u64, ((words - words.floor()) - 0.5).abs())
+    }
+}
+
+#[test]
+fn poisson_counts_have_their_words() {
+    let means = speed::of("means of the Poisson distribution", 400_u32, 20_000);
+    let special = [
+        1e-45, 1e-20, 1e-9, 2e-10, 1e-3, 0.5, 1.0, 1.5, 2.0, 63.999_996, 64.0, 79.999_99, 80.0,
+    ];
+    let mut moved = 0;
+    for mean in (1..=means)
+        .map(|i| 80.0 * i as f32 / means as f32)
+        .chain(special)
+    {
+        let sampler = Poisson::new(mean).unwrap();
+        let found = ends(&sampler, poisson(f64::from(mean)));
+        moved += found.moved;
+        // The truth itself is right to 1e-4 words.
+        assert!(found.doubt < 2_f64.powi(-12), "{mean}: {found:?}");
+        let (first, last) = (sampler.count(0), sampler.count(u32::MAX));
+        let mode = mean as u32;
+        assert!(
+            last <= 143 && mode - first <= 80 && last - mode <= 80,
+            "{mean}: {first}..={last}"
+        );
+    }
+    println!("{moved} ends of {means} means in doubt");
+    for (n, d) in [(7, 2), (80, 1), (1, 3), (1, u32::MAX)] {
+        let found = ends(
+            &Poisson::from_ratio(n, d).unwrap(),
+            poisson(f64::from(n) / f64::from(d)),
+        );
+        assert!(found.doubt < 2_f64.powi(-12), "{n}/{d}: {found:?}");
+    }
+}
+
+/// The error of an `f32`, in units of what the page grants.
+fn excess(found: f32, exact: f64) -> f64 {
+    (f64::from(found) - exact).abs() / (6.2e-8 * exact).max(2_f64.powi(-149))
+}
+
+#[test]
+fn probabilities_are_those_of_the_formulas() {
+    let mut worst = [0.0_f64; 2];
+    for p in [1.0, 0.999_999_94, 0.5, 0.3, 0.1, 1e-3, 1e-5, 5.4e-9_f32] {
+        let sampler = Geometric::new(p).unwrap();
+        let rate = (-f64::from(p)).ln_1p();
+        for k in (0..40)
+            .chain((0..400).map(|i| (1.07_f64.powi(i) as u32).max(1)))
+            .chain([u32::MAX])
+        {
+            let exact = if k == 0 {
+                f64::from(p)
+            } else {
+                f64::from(p) * (rate * f64::from(k)).exp()
+            };
+            // The exponential of the truth is right to 1e-16 of its argument, beyond 1000 it is 0.
+            worst[0] = worst[0].max(excess(sampler.pmf(k), exact));
+        }
+    }
+    for mean in [1e-45_f32, 1e-10, 0.01, 0.9, 1.0, 7.7, 30.2, 80.0] {
+        let sampler = Poisson::new(mean).unwrap();
+        let (mut p, m) = ((-f64::from(mean)).exp(), f64::from(mean));
+        for k in 0..300 {
+            worst[1] = worst[1].max(excess(sampler.pmf(k), p));
+            p *= m / f64::from(k + 1);
+        }
+        assert_eq!(sampler.pmf(u32::MAX), 0.0);
+    }
+    println!("{worst:.3?} of the bounds");
+    assert!(worst.iter().all(|w| *w <= 1.0), "{worst:?}");
+}
+
+/// A word of any count has a positive probability.
+#[test]
+fn no_count_has_probability_0() {
+    let mut words = (0..1000).map(|i| 4_294_967 * i).collect::<Vec<_>>();
+    words.extend([1, 2, u32::MAX - 1, u32::MAX]);
+    for word in words {
+        for p in [1.0, 0.9, 1e-4, 5.4e-9] {
+            let sampler = Geometric::new(p).unwrap();
+            assert!(sampler.pmf(sampler.count(word)) > 0.0);
+        }
+        for mean in [1e-45, 1e-9, 3.0, 80.0] {
+            let sampler = Poisson::new(mean).unwrap();
+            assert!(sampler.pmf(sampler.count(word)) > 0.0);
+        }
+    }
+}
+
+#[test]
+fn parameters_out_of_range_are_refused() {
+    for (p, error) in [
+        (f32::NAN, Error::NotFinite),
+        (f32::INFINITY, Error::NotFinite),
+        (0.0, Error::NotPositive),
+        (-0.5, Error::NotPositive),
+        (1.000_000_1, Error::OutOfRange),
+        (5.3e-9, Error::TooLarge),
+        (1e-45, Error::TooLarge),
+    ] {
+        assert_eq!(Geometric::new(p), Err(error), "{p}");
+    }
+    for (mean, error) in [
+        (f32::NAN, Error::NotFinite),
+        (f32::NEG_INFINITY, Error::NotFinite),
+        (0.0, Error::NotPositive),
+        (-1.0, Error::NotPositive),
+        (80.000_01, Error::TooLarge),
+        (f32::MAX, Error::TooLarge),
+    ] {
+        assert_eq!(Poisson::new(mean), Err(error), "{mean}");
+    }
+    for (n, d) in [(0, 1), (1, 0), (0, 0)] {
+        assert_eq!(Geometric::from_ratio(n, d), Err(Error::NotPositive));
+        assert_eq!(Poisson::from_ratio(n, d), Err(Error::NotPositive));
+    }
+    assert_eq!(Geometric::from_ratio(4, 3), Err(Error::OutOfRange));
+    assert_eq!(Geometric::from_ratio(1, 200_000_000), Err(Error::TooLarge));
+    assert_eq!(Poisson::from_ratio(81, 1), Err(Error::TooLarge));
+    // Parameters are kept.
+    for p in [1.0, 0.3, 5.4e-9] {
+        assert_eq!(Geometric::new(p).unwrap().success(), p);
+    }
+    for mean in [1e-45, 0.1, 80.0] {
+        assert_eq!(Poisson::new(mean).unwrap().mean(), mean);
+    }
+    assert_eq!(Geometric::from_ratio(3, 8), Geometric::new(0.375));
+    assert_eq!(Poisson::from_ratio(15, 4), Poisson::new(3.75));
+}
+
+/// The p-value of drawn counts under probabilities, of which the last stands for all that follow.
+fn p_value(expected: &[f64], seed: u64, mut draw: impl FnMut(&mut Pcg32) -> u32) -> f64 {
+    let samples = speed::of("draws of each law of counts", 300_000, 5_000_000);
+    let mut rng = Pcg32::new(seed, 77);
+    let mut observed = vec![0; expected.len()];
+    for _ in 0..samples {
+        observed[(draw(&mut rng) as usize).min(expected.len() - 1)] += 1;
+    }
+    let expected: Vec<f64> = expected.iter().map(|p| p * f64::from(samples)).collect();
+    chi_square(&observed, &expected).unwrap().2
+}
+
+fn with_rest(mut probabilities: Vec<f64>) -> Vec<f64> {
+    probabilities.push(1.0 - probabilities.iter().sum::<f64>().min(1.0));
+    probabilities
+}
+
+fn geometric_law(p: f64, n: i32) -> Vec<f64> {
+    with_rest((0..n).map(|k| p * (1.0 - p).powi(k)).collect())
+}
+
+fn poisson_law(mean: f64) -> Vec<f64> {
+    let mut p = (-mean).exp();
+    let law = (0..150).map(|k| {
+        let now = p;
+        p *= mean / f64::from(k + 1);
+        now
+    });
+    with_rest(law.collect())
+}
+
+const TESTS: usize = 6;
+
+#[test]
+fn drawn_counts_follow_their_laws_and_wrong_ones_are_rejected() {
+    let least = threshold(TESTS);
+    for (k, p) in [0.7, 0.2, 0.003_f32].into_iter().enumerate() {
+        let sampler = Geometric::new(p).unwrap();
+        let law = |p: f32| geometric_law(f64::from(p), (9.0 / p) as i32);
+        let found = p_value(&law(p), k as u64, |rng| sampler.draw(rng));
+        assert!(found > least, "p = {p}: {found}");
+        // Success more likely by 2 in 100, or 10 where cells are many; and one failure more in 16, which is lost there.
+        let wrong = Geometric::new(if p < 0.1 { 1.1 * p } else { 1.02 * p }).unwrap();
+        let off = p_value(&law(p), k as u64, |rng| wrong.draw(rng));
+        assert!(off < least, "{off}");
+        let more = p_value(&law(p), k as u64, |rng| {
+            sampler.draw(rng) + u32::from(rng.next_u32() >> 28 == 0)
+        });
+        assert!(more < least || p < 0.1, "{more}");
+    }
+    for (k, mean) in [0.3, 12.5, 80.0_f32].into_iter().enumerate() {
+        let sampler = Poisson::new(mean).unwrap();
+        let law = poisson_law(f64::from(mean));
+        let found = p_value(&law, 10 + k as u64, |rng| sampler.draw(rng));
+        assert!(found > least, "mean {mean}: {found}");
+        // A mean that is a little too small; and counts rounded from a normal of the same mean and variance.
+        let wrong = Poisson::new(mean - 0.03 * mean.sqrt()).unwrap();
+        assert!(p_value(&law, 10 + k as u64, |rng| wrong.draw(rng)) < least);
+        let normal = microwarp::poly::Normal::new(mean, mean.sqrt()).unwrap();
+        let rounded = p_value(&law, 10 + k as u64, |rng| {
+            microwarp::Warp::draw(&normal, rng).round() as u32
+        });
+        assert!(rounded < least, "{rounded}");
+    }
+}
+
+#[test]
+fn a_draw_takes_one_word_and_passes_a_failure_on() {
+    fn takes_one(
+        draw: impl Fn(&mut Counting<Failing>) -> Result<u32, Broken>,
+        count: impl Fn(u32) -> u32,
+    ) {
+        let word = 0x9234_5678;
+        let mut rng = Counting::new(Failing { word, left: 1 });
+        assert_eq!(draw(&mut rng).ok(), Some(count(word)));
+        assert_eq!(rng.words, 1);
+        assert!(draw(&mut rng).is_err());
+    }
+    let (geometric, poisson) = (Geometric::new(0.1).unwrap(), Poisson::new(20.0).unwrap());
+    takes_one(|rng| geometric.try_draw(rng), |word| geometric.count(word));
+    takes_one(|rng| poisson.try_draw(rng), |word| poisson.count(word));
+    // Any f32 has the count of its first bits.
+    for (u, word) in [
+        (f32::NAN, 0),
+        (-1.0, 0),
+        (0.25, 1 << 30),
+        (7.0, 0xffff_ff00),
+        (1e-9, 4),
+    ] {
+        assert_eq!(geometric.sample(u), geometric.count(word));
+        assert_eq!(poisson.sample(u), poisson.count(word));
+    }
+}
+
+/// ⌊L/λ⌋ in `f32` fails where all counts are looked at.
+#[test]
+fn counts_by_logarithms_are_noticed() {
+    struct Naive(f32);
+    impl Counts for Naive {
+        fn count(&self, word: u32) -> u32 {
+            let tail = (0x1_0000_0000_u64 - u64::from(word)) as f32 / 4_294_967_296.0;
+            (tail.ln() / (-self.0).ln_1p()) as u32
+        }
+        fn words_of(&self, count: u32) -> Option<std::ops::RangeInclusive<u32>> {
+            let reaching = |count: u32| {
+                let (mut low, mut high) = (0_u64, 1 << 32);
+                while low < high {
+                    let middle = (low + high) / 2;
+                    if self.count(middle as u32) >= count {
+                        high = middle;
+                    } else {
+                        low = middle + 1;
+                    }
+                }
+                low
+            };
+            let (start, end) = (reaching(count), reaching(count + 1));
+            (start < end).then(|| start as u32..=(end - 1) as u32)
+        }
+    }
+    let [n, d] = ratio(1e-3);
+    let naive = std::panic::catch_unwind(|| ends(&Naive(1e-3), of_failure(failure(n, d))));
+    assert!(naive.is_err());
+}

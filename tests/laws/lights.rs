@@ -1,0 +1,277 @@
+//! Lights seen from a point: what both densities integrate, the irradiance that they estimate, and the weights of a cosine.
+
+use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::warp::{SphericalRectangle, SphericalTriangle};
+use microwarp::{Error, Warp, uniform};
+use rand_pcg::Pcg32;
+use std::f64::consts::TAU;
+use support::speed;
+use support::truth::{self, Point, lambert};
+
+/// A light: its warp, its corners in order, and whether area is sampled.
+struct Light {
+    warp: Box<dyn Warp<Uniforms = [f32; 2], Point = [f32; 3], Density = f32>>,
+    solid_angle: f64,
+    corners: Vec<Point>,
+    by_area: bool,
+}
+
+fn triangle<T: Tier>(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Light {
+    let warp = SphericalTriangle::<T>::new(point, vertices).unwrap();
+    Light {
+        solid_angle: warp.solid_angle().into(),
+        by_area: warp.samples_area(),
+        warp: Box::new(warp),
+        corners: vertices.map(|v| from(point, v)).into(),
+    }
+}
+
+fn rectangle<T: Tier>(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]) -> Light {
+    let warp = SphericalRectangle::<T>::new(point, corner, edges).unwrap();
+    let sum = |p: Point, q: [f32; 3]| [0, 1, 2].map(|k| p[k] + f64::from(q[k]));
+    let apex = from(point, corner);
+    let [x, y] = edges.map(|edge| sum(apex, edge));
+    Light {
+        solid_angle: warp.solid_angle().into(),
+        by_area: warp.samples_area(),
+        warp: Box::new(warp),
+        corners: vec![apex, x, sum(x, edges[1]), y],
+    }
+}
+
+fn from(point: [f32; 3], vertex: [f32; 3]) -> Point {
+    [0, 1, 2].map(|k| f64::from(vertex[k]) - f64::from(point[k]))
+}
+
+/// A triangle and a rectangle above the point, at a height.
+fn above<T: Tier>(height: f32) -> [Light; 2] {
+    let h = height;
+    [
+        triangle::<T>(
+            [0.1, 0.2, 0.0],
+            [[1.0, 0.0, h], [-0.5, 0.9, h], [-0.5, -0.9, h]],
+        ),
+        rectangle::<T>(
+            [0.1, 0.2, 0.0],
+            [0.5, -0.7, h],
+            [[0.0, 1.4, 0.0], [-1.0, 0.0, 0.0]],
+        ),
+    ]
+}
+
+/// The heights at which solid angle, and at which area is sampled.
+const HEIGHTS: [(f32, bool); 4] = [(1.0, false), (0.05, false), (0.004, true), (0.002, true)];
+
+/// The irradiance that a grid of uniforms estimates with a density.
+fn irradiance(light: &Light, density: impl Fn([f32; 3], f32) -> f64) -> f64 {
+    let n = speed::of("uniforms a side of a light", 1_500, 6_000);
+    let middle = |k: i32| (k as f32 + 0.5) / n as f32;
+    let mut sum = 0.0;
+    for i in 0..n {
+        for j in 0..n {
+            let (direction, pdf) = light.warp.sample_with_pdf([middle(i), middle(j)]);
+            sum += f64::from(direction[2]) / density(direction, pdf);
+        }
+    }
+    sum / f64::from(n * n)
+}
+
+fn unbiased<T: Tier>() {
+    for (height, by_area) in HEIGHTS {
+        for light in above::<T>(height) {
+            assert_eq!(light.by_area, by_area, "{height}");
+            let exact = lambert(&light.corners, [0.0, 0.0, 1.0]);
+            let relative = |found: f64| (found / exact - 1.0).abs();
+            let with = relative(irradiance(&light, |_, pdf| f64::from(pdf)));
+            let of = relative(irradiance(&light, |x, _| f64::from(light.warp.pdf(x))));
+            // Area is sampled elsewhere, but the density of solid angle is reported.
+            let mixed = relative(irradiance(&light, |_, _| 1.0 / light.solid_angle));
+            println!(
+                "{} at {height}: {with:.1e}, {of:.1e}, mixed {mixed:.1e}",
+                T::NAME
+            );
+            assert!(with <= 1e-3 && of <= 1e-3, "{height}: {with} {of}");
+            assert!(
+                !by_area || mixed > 0.1,
+                "{height}: the mixture passes, {mixed}"
+            );
+        }
+    }
+}
+
+#[test]
+fn irradiance_is_that_of_lambert_on_both_sides_of_the_limit() {
+    unbiased::<Poly>();
+    unbiased::<Libm>();
+}
+
+/// The integral of the density over all directions, in logarithmic rings about the horizon, where that of area rises.
+fn integral(light: &Light) -> f64 {
+    let (rings, turns) = speed::of("rings and turns", (1_500, 1_000), (6_000, 3_000));
+    let deepest = 14.0;
+    let mut sum = 0.0;
+    for i in 0..rings {
+        let z = (-deepest * (f64::from(i) + 0.5) / f64::from(rings)).exp();
+        let sine = (1.0 - z * z).sqrt();
+        for j in 0..turns {
+            let (s, c) = (TAU * (f64::from(j) + 0.5) / f64::from(turns)).sin_cos();
+            for up in [z, -z] {
+                let direction = [sine * c, sine * s, up].map(|x| x as f32);
+                sum += z * f64::from(light.warp.pdf(direction));
+            }
+        }
+    }
+    sum * deepest / f64::from(rings) * TAU / f64::from(turns)
+}
+
+#[test]
+fn both_densities_integrate_to_one() {
+    for (height, _) in HEIGHTS {
+        for light in above::<Poly>(height) {
+            let whole = integral(&light);
+            println!("at {height}: {whole}");
+            assert!((whole - 1.0).abs() <= 4e-3, "{height}: {whole}");
+        }
+    }
+}
+
+/// Small lights about a direction: from 1e-13 sr, a size of 3e-7, to 1e-3 of the distance.
+#[test]
+fn small_lights_hold_their_samples_and_nothing_that_is_clearly_outside() {
+    let mut rng = Pcg32::new(3, 5);
+    let mut unit = || 2.0 * uniform::grid(&mut rng) - 1.0;
+    for _ in 0..speed::of("small lights", 20_000, 400_000) {
+        let size = 10f32.powf(-4.7 + 1.8 * unit());
+        let point = [unit(), unit(), unit() - 2.0];
+        let mut vertex = || [0, 1, 2].map(|_| size * unit());
+        let vertices = [vertex(), vertex(), vertex()];
+        let Ok(light) = SphericalTriangle::<Poly>::new(point, vertices) else {
+            continue;
+        };
+        for u in [[0.0, 0.0], [0.3, 0.7], [1.0, 0.0], [1.0, 1.0], [0.9, 0.5]] {
+            let there = light.locate(u);
+            assert!(
+                light.pdf(there.direction) > 0.0,
+                "{point:?} {vertices:?} {u:?}"
+            );
+            // Where the barycentric coordinates place it, within the triangle.
+            assert!(there.barycentric.iter().all(|b| (0.0..=1.0).contains(b)));
+        }
+        let [x, y, z] = light.sample([0.5, 0.5]);
+        assert_eq!(light.pdf([-x, -y, -z]), 0.0, "{point:?} {vertices:?}");
+        // Beyond a sharp corner the rounding of two sides reaches far.
+        let exact = truth::Light::triangle(point, vertices, false).variables();
+        if exact
+            .iter()
+            .any(|(name, h)| *name == "h" && *h < 0.05 * f64::from(size))
+        {
+            continue;
+        }
+        let off = 4.0 * size + 1e-4;
+        // At right angles to the direction, whichever coordinate is the smallest.
+        let side = truth::cross([x, y, z].map(f64::from), [0.577, 0.577, -0.577]);
+        let norm = truth::dot(side, side).sqrt().max(1e-3);
+        let aside =
+            [0, 1, 2].map(|k| (f64::from([x, y, z][k]) + side[k] / norm * f64::from(off)) as f32);
+        assert_eq!(light.pdf(aside), 0.0, "{point:?} {vertices:?}");
+    }
+}
+
+#[test]
+fn weights_of_a_cosine_are_those_of_the_corners() {
+    let triangle = SphericalTriangle::<Poly>::new(
+        [0.0; 3],
+        [[0.0, 0.0, 2.0], [3.0, 0.0, 4.0], [0.0, 4.0, -3.0]],
+    )
+    .unwrap();
+    let near = |a: [[f32; 2]; 2], b: [[f32; 2]; 2]| {
+        let pairs = a.as_flattened().iter().zip(b.as_flattened());
+        pairs.into_iter().all(|(a, b)| (a - b).abs() <= 2e-7)
+    };
+    let up = triangle.cosine_weights([0.0, 0.0, 7.0]).unwrap();
+    assert!(near(up, [[1.0, 0.8], [1.0, 0.0]]), "{up:?}");
+    assert_eq!(
+        triangle.cosine_weights([-1.0, -1.0, 0.0]),
+        Err(Error::AllZero)
+    );
+    assert_eq!(triangle.cosine_weights([0.0; 3]), Err(Error::ZeroLength));
+    assert_eq!(
+        triangle.cosine_weights([f32::NAN, 0.0, 0.0]),
+        Err(Error::NotFinite)
+    );
+    let corner = [-1.0, -1.0, 1.0];
+    let edges = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
+    let rectangle = SphericalRectangle::<Poly>::new([0.0; 3], corner, edges).unwrap();
+    let third = 1.0 / 3f32.sqrt();
+    let up = rectangle.cosine_weights([0.0, 0.0, 1.0]).unwrap();
+    assert!(near(up, [[third; 2]; 2]), "{up:?}");
+    // Only the fourth corner is above this horizon, and then none is.
+    let last = rectangle.cosine_weights([1.0, 1.0, -1.5]).unwrap();
+    let (low, high) = (0.0, 0.5 * third / (4.25_f32 / 4.0).sqrt() / 2.0);
+    assert!(near(last, [[low, high], [low, high]]), "{last:?} {high}");
+    assert_eq!(
+        rectangle.cosine_weights([0.0, 0.0, -1.0]),
+        Err(Error::AllZero)
+    );
+}
+
+/// The lights of the floors that the form is held to: tiny ones, slivers, from the edge, and close to the inside.
+#[test]
+fn places_keep_their_digits_in_every_setting() {
+    let mut worst = [[0.0_f64; 2]; 5];
+    let mut rng = Pcg32::new(11, 4);
+    for k in 0..speed::of("settings", 20_000, 1_000_000) {
+        let mut unit = || 2.0 * uniform::grid(&mut rng) - 1.0;
+        let mut vector = |size: f32| [0, 1, 2].map(|_| size * unit());
+        let flat = |p: [f32; 3]| [p[0], p[1], 0.0];
+        let (point, vertices) = match k % 5 {
+            0 => (vector(1.0), [vector(1.0), vector(1.0), vector(1.0)]),
+            1 => {
+                let size = (7.0 * vector(1.0)[0] - 8.0).exp();
+                (vector(1.0), [vector(size), vector(size), vector(size)])
+            }
+            2 => {
+                let ([a, b], off, part) = (
+                    [vector(1.0), vector(1.0)],
+                    vector(1e-4),
+                    vector(1.0)[0].abs(),
+                );
+                let between = [0, 1, 2].map(|k| a[k] + part * (b[k] - a[k]) + off[k]);
+                ([0.0; 3], [a, b, between])
+            }
+            3 => {
+                let height = (2.3 * vector(1.0)[0] - 13.8).exp();
+                let vertices = [vector(1.0), vector(1.0), vector(1.0)].map(flat);
+                ([3.0 + vector(1.0)[0], vector(1.0)[1], height], vertices)
+            }
+            _ => {
+                let height = (3.0 * vector(1.0)[0] - 4.0).exp();
+                let at = vector(0.1);
+                let vertices = [[1.0, 0.0, 0.0], [-0.5, 0.866, 0.0], [-0.5, -0.866, 0.0]];
+                ([at[0], at[1], height], vertices)
+            }
+        };
+        let Ok(warp) = SphericalTriangle::<Poly>::new(point, vertices) else {
+            continue;
+        };
+        let exact = truth::Light::triangle(point, vertices, warp.samples_area());
+        let mut uniform = || uniform::grid(&mut rng);
+        let u = [uniform(), uniform()];
+        let place = exact.place([u[0].into(), u[1].into(), 0.0, 0.0]);
+        let found = warp.locate(u).barycentric;
+        let [area, at] = &mut worst[k % 5];
+        if !warp.samples_area() {
+            *area = area.max((f64::from(warp.solid_angle()) / exact.solid_angle() - 1.0).abs());
+        }
+        for (found, place) in found.into_iter().zip(place) {
+            let error = (f64::from(found) - place).abs();
+            assert!(error <= 4e-7, "{error:e}: {point:?} {vertices:?} {u:?}");
+            *at = at.max(error);
+        }
+    }
+    let names = ["any", "small", "slivers", "from the edge", "close"];
+    for (name, [area, at]) in names.iter().zip(worst) {
+        println!("{name}: solid angle {area:.1e}, place {at:.1e}");
+        assert!(area <= 1e-6, "{name}: {area}");
+    }
+}

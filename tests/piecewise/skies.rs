@@ -1,0 +1,246 @@
+//! Pictures of all directions: every pixel is found again from its own samples, its density is its probability over its
+//! solid angle, rows weigh what their zones do, and what is no sky is refused.
+
+use crate::halves;
+use microwarp::Error::{
+    AllZero, Empty, NegativeWeight, NoWeights, NotFiniteWeight, OutOfRange, TooManyWeights,
+    Unreachable,
+};
+use microwarp::discrete::{LatLongMap, Word};
+use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::uniform::{LARGEST, grid_from_word};
+use microwarp::{Error, Invert, Warp};
+use std::f64::consts::{PI, TAU};
+use support::speed;
+
+type Narrow<'a, T> = LatLongMap<T, &'a [u32], &'a [u32]>;
+
+/// The solid angle of a row of one column, over 2π.
+fn drop(row: usize, rows: usize) -> f64 {
+    let angle = |j: f64| PI * j / rows as f64;
+    2.0 * angle(row as f64 + 0.5).sin() * angle(0.5).sin()
+}
+
+/// Weights of which every second is zero, so that a neighbour across an edge or a corner is another one.
+fn checked([columns, rows]: [usize; 2]) -> Vec<f32> {
+    let pixels = (0..rows).flat_map(|v| (0..columns).map(move |u| (u + v) % 2));
+    pixels.map(|odd| 1.0 - odd as f32).collect()
+}
+
+/// Walks over the first and the last words of pixels; the largest relative error of a density.
+fn walk<T: Tier>(weights: &[f32], shape: [usize; 2], skip: usize) -> f64 {
+    let [columns, rows] = shape;
+    let (mut marginal, mut conditional) = (vec![0; rows], vec![0; weights.len()]);
+    let map = Narrow::<T>::new_in(weights, shape, &mut marginal, &mut conditional).unwrap();
+    let table = map.table();
+    let mut worst = 0.0_f64;
+    for row in (0..rows).filter(|row| row % skip == 0 || *row < 40 || row + 40 > rows) {
+        let Some(down) = table.marginal().cdf().words_of(row) else {
+            continue;
+        };
+        let line = table.conditional(row);
+        let lit = (0..columns).filter(|c| c % skip == 0 || *c < 5 || c + 5 > columns);
+        for column in lit {
+            let Some(along) = line.cdf().words_of(column) else {
+                assert_eq!(map.pdf(middle([column, row], shape)), 0.0);
+                continue;
+            };
+            let mass = line.cdf().pmf(column) as f64 * table.marginal().cdf().pmf(row) as f64;
+            let width = f64::from((column + 1) as f32 / columns as f32)
+                - f64::from(column as f32 / columns as f32);
+            let exact = mass / (TAU * width * drop(row, rows));
+            for words in [
+                [*along.start(), *down.start()],
+                [*along.end(), *down.end()],
+                [*along.start(), *down.end()],
+                [*along.end(), *down.start()],
+                [
+                    along.start() + (along.end() - along.start()) / 2,
+                    down.start() + (down.end() - down.start()) / 2,
+                ],
+            ] {
+                let sample = map.draw_pixel(&mut crate::Given(&words));
+                let seen = format!("{} {shape:?} {column} {row} {words:?}", T::NAME);
+                assert_eq!(sample.pixel, [column, row], "{seen}");
+                assert_eq!(map.pixel(sample.direction), [column, row], "{seen}");
+                let pdf = map.pdf(sample.direction);
+                assert_eq!(pdf.to_bits(), sample.pdf.to_bits(), "{seen}");
+                worst = worst.max((f64::from(pdf) / exact - 1.0).abs());
+                assert_eq!(map.sample_words(words), sample.direction, "{seen}");
+                let u = map.invert(sample.direction);
+                assert!(u.iter().all(|u| (0.0..=LARGEST).contains(u)), "{seen}");
+            }
+        }
+    }
+    worst
+}
+
+/// The direction in the middle of a pixel.
+fn middle([column, row]: [usize; 2], [columns, rows]: [usize; 2]) -> [f32; 3] {
+    let phi = TAU * (column as f64 + 0.5) / columns as f64;
+    let theta = PI * (row as f64 + 0.5) / rows as f64;
+    [
+        theta.sin() * phi.cos(),
+        theta.sin() * phi.sin(),
+        theta.cos(),
+    ]
+    .map(|c| c as f32)
+}
+
+#[test]
+fn the_pixel_of_a_sample_is_the_one_that_was_selected() {
+    let most = speed::of("rows and columns of small skies", 12, 40);
+    let mut worst = 0.0_f64;
+    for rows in 1..=most {
+        for columns in 1..=most {
+            let weights = checked([columns, rows]);
+            worst = worst.max(walk::<Poly>(&weights, [columns, rows], 1));
+            worst = worst.max(walk::<Libm>(&weights, [columns, rows], 1));
+        }
+    }
+    let large = [
+        [360, 181],
+        [1000, 500],
+        [2048, 1024],
+        [3, 8192],
+        [16_384, 3],
+        [4096, 2048],
+        [5000, 2501],
+        [1, 1 << 20],
+        [1 << 20, 1],
+    ];
+    for shape in large {
+        let weights = checked(shape);
+        let skip = speed::of("pixels passed over in large skies", 97, 7);
+        worst = worst.max(walk::<Poly>(&weights, shape, skip));
+        worst = worst.max(walk::<Libm>(&weights, shape, skip));
+    }
+    println!("densities off by {worst:.2e} at most");
+    assert!(worst <= 5e-7, "{worst:e}");
+}
+
+/// Points of the pixel's own edge, which a direction would reach without the distance that it keeps, are often taken for
+/// the neighbour's.
+#[test]
+fn a_direction_on_the_edge_may_be_the_neighbours() {
+    let shape = [48, 24];
+    let weights = checked(shape);
+    let (mut marginal, mut conditional) = (vec![0; 24], vec![0; 48 * 24]);
+    let map = Narrow::<Poly>::new_in(&weights, shape, &mut marginal, &mut conditional).unwrap();
+    let mut strayed = 0;
+    for row in 0..24 {
+        for column in (0..48).filter(|c| weights[row * 48 + c] > 0.0) {
+            let phi = TAU * column as f64 / 48.0;
+            let theta = PI * (row as f64 + 0.5) / 24.0;
+            let direction = [
+                theta.sin() * phi.cos(),
+                theta.sin() * phi.sin(),
+                theta.cos(),
+            ];
+            strayed += u32::from(map.pdf(direction.map(|c| c as f32)) == 0.0);
+        }
+    }
+    println!("{strayed} of 576 on an edge");
+    assert!(strayed > 50, "{strayed}");
+}
+
+/// Radiances in, and solid angles are not forgotten: the exact share of every pixel of a small sky.
+#[test]
+fn a_pixel_has_its_radiance_times_its_solid_angle() {
+    let shape = [5, 9];
+    let weights: Vec<f32> = (0..45).map(|k| (k * 7 % 11) as f32).collect();
+    let total: f64 = (0..45)
+        .map(|k| f64::from(weights[k]) * drop(k / 5, 9))
+        .sum();
+    let (mut marginal, mut conditional) = (vec![0_u64; 9], vec![0_u64; 45]);
+    let map = LatLongMap::<Poly, &[u64], &[u64]>::new_in(
+        &weights,
+        shape,
+        &mut marginal,
+        &mut conditional,
+    );
+    let map = map.unwrap();
+    let (mut worst, mut forgotten) = (0.0_f64, 0.0_f64);
+    let flat: f32 = weights.iter().sum();
+    for (k, weight) in weights.iter().enumerate() {
+        let rows = map.table().marginal().cdf().numerator(k / 5) as f64;
+        let columns = map.table().conditional(k / 5);
+        let share = rows * columns.cdf().numerator(k % 5) as f64 / 2f64.powi(128);
+        let exact = f64::from(*weight) * drop(k / 5, 9) / total;
+        let without = f64::from(*weight) / f64::from(flat);
+        worst = worst.max((share - exact).abs() / exact.max(1e-9));
+        forgotten = forgotten.max((without - exact).abs() / exact.max(1e-9));
+    }
+    println!("off by {worst:.1e} of itself; without sines by {forgotten:.1e}");
+    assert!(worst <= 5e-9, "{worst:e}");
+    assert!(forgotten > 0.1);
+}
+
+/// What one constructor makes, all make; and tables that the compiler made.
+#[test]
+fn a_sky_is_the_same_wherever_it_is_kept() {
+    const ROWS: [[f32; 4]; 3] = [[1.0, 0.0, 2.0, 5.0], [0.0; 4], [7.0, 1.0, 1.0, 0.5]];
+    static SKY: microwarp::poly::LatLongMap<[u32; 3], [[u32; 4]; 3]> = match LatLongMap::new(&ROWS)
+    {
+        Ok(sky) => sky,
+        Err(_) => panic!("a sky"),
+    };
+    let (rows, cells) = SKY.table().as_words();
+    let flat = ROWS.as_flattened();
+    type Bounded = microwarp::poly::LatLongMap<heapless::Vec<u32, 4>, heapless::Vec<u32, 12>>;
+    let bounded = Bounded::from_slice(flat, [4, 3]).unwrap();
+    assert_eq!(bounded.table().as_words(), (rows, cells));
+    let (mut marginal, mut conditional) = ([0; 9], [0; 20]);
+    let lent = Narrow::<Libm>::new_in(flat, [4, 3], &mut marginal, &mut conditional).unwrap();
+    assert_eq!(lent.table().as_words(), (rows, cells));
+    let again = Narrow::<Poly>::from_words(rows, cells).unwrap();
+    let trusted = Narrow::<Poly>::from_trusted_words(rows, cells).unwrap();
+    assert_eq!(again, trusted);
+    assert_eq!(size_of_val(&SKY), 4 * (3 + 12) + 56);
+    for k in 0..1000_u32 {
+        let words = [k.wrapping_mul(0x9e37_79b9), k.wrapping_mul(0x85eb_ca6b)];
+        let x = SKY.sample_words(words);
+        assert_eq!(x, bounded.sample_words(words));
+        assert_eq!(x, again.sample_words(words));
+        let u = words.map(grid_from_word);
+        let sample = SKY.sample_pixel(u);
+        assert_eq!((sample.direction, sample.pdf), SKY.sample_with_pdf(u));
+        assert_eq!(sample.direction, SKY.sample(u));
+    }
+    let wide = microwarp::libm::LatLongMap::new_u64(&ROWS).unwrap();
+    let words = halves(1 << 63);
+    let drawn = wide.draw(&mut crate::Given(&[words, words].concat()));
+    assert!(wide.pdf(drawn) > 0.0);
+    assert_eq!(<u64 as Word>::BITS, 64);
+}
+
+#[test]
+fn what_is_no_sky_is_refused() {
+    let refused = |weights: &[f32], shape: [usize; 2]| {
+        let (mut rows, mut cells) = (vec![0; 40], vec![0; 40]);
+        Narrow::<Poly>::new_in(weights, shape, &mut rows, &mut cells).err()
+    };
+    let with = |index: usize, weight: f32| {
+        let mut weights = [1.0; 6];
+        weights[index] = weight;
+        refused(&weights, [3, 2])
+    };
+    assert_eq!(refused(&[1.0; 6], [3, 2]), None);
+    assert_eq!(refused(&[0.0; 6], [3, 2]), Some(AllZero));
+    assert_eq!(with(4, f32::NAN), Some(NotFiniteWeight(4)));
+    assert_eq!(with(2, f32::INFINITY), Some(NotFiniteWeight(2)));
+    assert_eq!(with(5, -1e-30), Some(NegativeWeight(5)));
+    assert_eq!(with(0, f32::MAX), Some(Unreachable(1)));
+    assert_eq!(refused(&[1.0; 6], [2, 2]), Some(OutOfRange));
+    assert_eq!(refused(&[], [0, 0]), Some(NoWeights));
+    assert_eq!(refused(&[1.0; 80], [10, 8]), Some(TooManyWeights));
+    let mut rows = vec![0; (1 << 20) + 1];
+    let mut cells = rows.clone();
+    let many = vec![1.0; (1 << 20) + 1];
+    for shape in [[1, many.len()], [many.len(), 1]] {
+        let sky = Narrow::<Poly>::new_in(&many, shape, &mut rows, &mut cells);
+        assert_eq!(sky.err(), Some(Empty));
+    }
+    let black: Result<_, Error> = microwarp::poly::LatLongMap::new(&[[0.0; 4]; 2]);
+    assert_eq!(black.err(), Some(AllZero));
+}

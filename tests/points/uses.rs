@@ -1,0 +1,145 @@
+//! A point serves whatever takes a generator: warps of every tier, strata, chains, rejection samplers.
+
+use crate::sobol;
+use fixed::types::U0F32;
+use microwarp::fixed as integers;
+use microwarp::metropolis::{Chain, UniformStep};
+use microwarp::rejection::{DiskRejection, Rejection};
+use microwarp::uniform::{
+    ByPosition, MAX_DIMENSIONS, Points, Recurrence, Sobol, Strata2d, deep_from_word, grid_from_word,
+};
+use microwarp::{Warp, poly};
+use rand_pcg::rand_core::Rng;
+
+#[test]
+fn a_cursor_yields_the_dimensions_in_order() {
+    fn check<P: Points + std::fmt::Debug + PartialEq>(points: P) {
+        let words: [u32; 12] = points.words(77);
+        let mut cursor = points.at(77);
+        assert!((0..12).all(|d| cursor.dimension() == d && cursor.next_u32() == words[d as usize]));
+        let mut later = points.at(77).skip_to(5);
+        assert_eq!(later.next_u32(), words[5]);
+        let long = points.at(77).next_u64();
+        assert_eq!(long, u64::from(words[1]) << 32 | u64::from(words[0]));
+        let mut bytes = [0; 7];
+        points.at(77).fill_bytes(&mut bytes);
+        assert_eq!(bytes[..4], words[0].to_le_bytes());
+        assert_eq!(bytes[4..], words[1].to_le_bytes()[..3]);
+        // Whatever the numbers are, there is a word, and the dimensions begin again.
+        let mut last = points.at(u32::MAX).skip_to(u32::MAX);
+        assert_eq!(last.next_u32(), points.word(u32::MAX, u32::MAX));
+        assert_eq!(last, points.at(u32::MAX));
+    }
+    check(Sobol::<1>::new(3).unwrap());
+    check(Sobol::<3>::new(3).unwrap());
+    check(Sobol::<8>::new(3).unwrap());
+    check(Recurrence::<2>::new(3).unwrap());
+    check(ByPosition::new(3, 4));
+}
+
+#[test]
+fn warps_of_all_tiers_and_strata_take_a_point() {
+    let points = Sobol::<2>::new(11).unwrap();
+    let strata = Strata2d::new(4, 4).unwrap();
+    for index in 0..1000 {
+        let words = sobol(11, index);
+        let drawn = poly::Disk::new().draw(&mut points.at(index));
+        assert_eq!(drawn, poly::Disk::new().sample(words.map(grid_from_word)));
+        assert_eq!(points.point(index), words.map(deep_from_word));
+        let drawn = integers::Disk::new().draw(&mut points.at(index));
+        assert_eq!(
+            drawn,
+            integers::Disk::new().sample(words.map(U0F32::from_bits))
+        );
+        let [u, v] = strata.draw(index, &mut points.at(index));
+        assert_eq!(
+            [(4.0 * u) as u32, (4.0 * v) as u32],
+            [index % 4, index / 4 % 4]
+        );
+    }
+}
+
+/// A chain goes along the dimensions of one point, and its states have the mean of the density 1/2 + x, 7/12.
+#[test]
+fn chains_take_a_point() {
+    let density = |x: f32| 0.5 + x;
+    let mean = |rng: &mut dyn FnMut() -> f64| (0..64).map(|_| rng()).sum::<f64>() / 64.0;
+    let of = |mut rng: microwarp::uniform::Cursor<Sobol<8>>| {
+        let mut chain = Chain::new(0.5, density).unwrap();
+        let step = |_| f64::from(chain.step(density, &UniformStep::new(), &mut rng).state());
+        (0..1000).map(step).sum::<f64>() / 1000.0
+    };
+    let points = Sobol::<8>::new(5).unwrap();
+    let mut index = 0;
+    let found = mean(&mut || {
+        index += 1;
+        of(points.at(index))
+    });
+    println!("mean of 64 chains: {found:.4}");
+    assert!((found - 7.0 / 12.0).abs() < 0.01);
+}
+
+#[test]
+fn rejection_samplers_take_a_point() {
+    let points = Sobol::<2>::new(5).unwrap();
+    let disk = DiskRejection::new();
+    let tries = |index| disk.draw(&mut points.at(index)).unwrap().tries;
+    let mean = f64::from((0..4096).map(tries).sum::<u32>()) / 4096.0;
+    assert!((mean - 4.0 / std::f64::consts::PI).abs() < 0.01, "{mean}");
+}
+
+/// Two dimensions stay below what was asked for, and only more of them have a table.
+#[test]
+fn two_words_are_cheap_and_link_no_table() {
+    let rows = include_str!("../../benches/cores/costs.csv").lines();
+    let of = |kernel: &str, core: &str| {
+        let name = format!("{kernel},{core},3,");
+        let row = rows.clone().find_map(|row| row.strip_prefix(&name));
+        let row = row.unwrap_or_else(|| panic!("{name} is not counted"));
+        let figures = row.split(',').map(|figure| figure.parse::<f64>().unwrap());
+        let figures: Vec<f64> = figures.collect();
+        [figures[0], figures[3]]
+    };
+    for (core, most) in [("m0", 100.0), ("m4f", 50.0)] {
+        let ([sobol, tables], [recurrence, none]) =
+            (of("sobol_2d", core), of("recurrence_2d", core));
+        println!("{core}: {sobol} instructions, {recurrence} of a recurrence");
+        assert!(sobol <= most && recurrence <= 10.0);
+        assert_eq!([tables, none, of("sobol_8d", core)[1]], [0.0, 0.0, 768.0]);
+    }
+}
+
+/// The step of a dimension is a power of the root that Newton finds, to half an odd word.
+#[test]
+fn steps_of_a_recurrence_are_powers_of_the_generalised_golden_ratio() {
+    fn check<const D: usize>() {
+        let power = D as i32 + 1;
+        let newton = |x: f64, _| {
+            x - (x.powi(power) - x - 1.0) / (f64::from(power) * x.powi(power - 1) - 1.0)
+        };
+        let root = (0..50).fold(2.0, newton);
+        for seed in [0, 1, 0xffff_ffff] {
+            let points = Recurrence::<D>::new(seed).unwrap();
+            let [first, next]: [[u32; D]; 2] = [points.words(0), points.words(1)];
+            for d in 0..D {
+                let step = next[d].wrapping_sub(first[d]);
+                let exact = root.powi(-(d as i32) - 1) * 2f64.powi(32);
+                assert!(
+                    (f64::from(step) - exact).abs() <= 1.0,
+                    "{D}: {step}, {exact}"
+                );
+                assert_eq!(step % 2, 1);
+                let far = points.word(u32::MAX, d as u32);
+                assert_eq!(far, first[d].wrapping_sub(step));
+            }
+        }
+    }
+    check::<1>();
+    check::<2>();
+    check::<3>();
+    check::<4>();
+    check::<5>();
+    check::<6>();
+    check::<7>();
+    check::<MAX_DIMENSIONS>();
+}

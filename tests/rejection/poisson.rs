@@ -1,0 +1,311 @@
+//! `PoissonRejection`: the law that all pairs of words have together, counted and not sampled; its efficiency, its pmf,
+//! its refusals and its draws.
+
+use microwarp::rejection::{Failure, PoissonRejection, Rejection};
+use microwarp::tier::{Libm, Poly, Tier};
+use microwarp::{Error, poly};
+use rand_pcg::Pcg32;
+use statrs::function::gamma::ln_gamma;
+use support::docs::Doc;
+use support::generators::{Broken, Counting, Cycle, Failing};
+use support::speed;
+use support::stats::{chi_square, threshold};
+
+fn ln_pmf(mean: f64, k: u32) -> f64 {
+    let k = f64::from(k);
+    k * mean.ln() - mean - ln_gamma(k + 1.0)
+}
+
+/// The first word that proposes this count or more. Counts increase with the word; no decision accepts those at the ends.
+fn first(count: i64, proposed: &impl Fn(u32) -> Option<u32>) -> u64 {
+    let (mut low, mut high) = (0_u64, 1 << 32);
+    while low < high {
+        let middle = (low + high) / 2;
+        let below = match proposed(middle as u32) {
+            Some(k) => i64::from(k) < count,
+            None => middle < 1 << 31,
+        };
+        if below {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// How many decisions accept what a word proposes.
+fn accepted(attempt: &impl Fn([u32; 2]) -> Option<u32>, word: u32) -> f64 {
+    let (mut low, mut high) = (0_u64, 1 << 32);
+    while low < high {
+        let middle = (low + high) / 2;
+        if attempt([word, middle as u32]).is_some() {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    low as f64
+}
+
+/// Gauss and Legendre's rule of five points on [0, 1].
+const RULE: [(f64, f64); 5] = [
+    (0.046_910_077_030_668, 0.118_463_442_528_094_5),
+    (0.230_765_344_947_158_5, 0.239_314_335_249_683_2),
+    (0.5, 0.284_444_444_444_444_4),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_2),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_5),
+];
+
+/// How many pairs of words from one word up to another are accepted.
+fn part(attempt: &impl Fn([u32; 2]) -> Option<u32>, from: u64, to: u64) -> f64 {
+    if to < from + 64 {
+        return (from..to).map(|word| accepted(attempt, word as u32)).sum();
+    }
+    let words = (to - from) as f64;
+    let place = |x: f64| (from + (x * words) as u64) as u32;
+    let at = |(x, w): &(f64, f64)| w * words * accepted(attempt, place(*x));
+    RULE.iter().map(at).sum()
+}
+
+/// The efficiency, and the largest error of a probability in units of a bound. Words of a count are accepted by a share
+/// that changes smoothly, which five of them tell.
+fn law(
+    mean: f32,
+    attempt: &impl Fn([u32; 2]) -> Option<u32>,
+    bound: impl Fn(f64) -> f64,
+) -> [f64; 2] {
+    let m = f64::from(mean);
+    let reach = 7.0 * m.sqrt();
+    let last = (m + reach) as i64;
+    let proposed = |word| attempt([word, 0]);
+    let mut all = Vec::new();
+    let mut k = ((m - reach).max(0.0)) as i64;
+    let mut start = first(k, &proposed);
+    // Few pairs of words lie beyond; what they have is counted as well.
+    let mut sum = 0.0;
+    while k <= last {
+        let end = first(k + 1, &proposed);
+        // The share has a kink at the middle of the words.
+        let halves = [(start, end.min(1 << 31)), (start.max(1 << 31), end)];
+        let share: f64 = halves
+            .into_iter()
+            .map(|(from, to)| part(attempt, from, to))
+            .sum();
+        sum += share;
+        all.push((k as u32, share));
+        (start, k) = (end, k + 1);
+    }
+    let mut worst = 0.0_f64;
+    for (k, share) in all {
+        if (f64::from(k) - m).abs() > 4.5 * m.sqrt() {
+            continue;
+        }
+        let exact = ln_pmf(m, k).exp();
+        let error = (share / sum / exact - 1.0).abs() / bound(f64::from(k) - m);
+        // NaN counts.
+        worst = if error <= worst { worst } else { error };
+    }
+    [sum / 2.0_f64.powi(64), worst]
+}
+
+/// The bound of the page at a distance from the mean.
+fn granted() -> impl Fn(f64) -> f64 {
+    let page = Doc::find("rejection", "PoissonRejection").unwrap().text();
+    assert!(page.contains("relative error of 2e-6 + 2.7e-7 |k − m|, for |k − m| up to 4.5√m"));
+    |away| 2e-6 + 2.7e-7 * away.abs()
+}
+
+#[test]
+fn all_pairs_of_words_have_the_stated_law() {
+    fn in_tier<T: Tier>(means: &[f32]) {
+        for &mean in means {
+            let sampler = PoissonRejection::<T>::new(mean).unwrap();
+            let attempt = |words| sampler.attempt(words);
+            let [efficiency, worst] = law(mean, &attempt, granted());
+            println!(
+                "mean {mean}, {}: efficiency {efficiency:.4}, {worst:.3} of the bound",
+                T::NAME
+            );
+            assert!(efficiency > 0.74 && efficiency < 0.9);
+            // The default budget.
+            assert!((1.0 - efficiency).powi(32) < 2_f64.powi(-64));
+            assert!(worst <= 1.0);
+        }
+    }
+    let more = speed::of("means of the law of all pairs", 9, 12);
+    let means = [
+        10.0,
+        10.7,
+        14.999_999,
+        33.3,
+        80.5,
+        100.0,
+        512.25,
+        1234.5,
+        4096.0,
+        65_536.0,
+        300_000.3,
+        1_048_576.0,
+    ];
+    in_tier::<Poly>(&means[..more]);
+    in_tier::<Libm>(&means[..more]);
+}
+
+/// Another mean, another count, and a squeeze that accepts too much are noticed.
+#[test]
+fn wrong_laws_are_noticed() {
+    let mean = 100.0;
+    let sampler = poly::PoissonRejection::new(mean).unwrap();
+    let other = poly::PoissonRejection::new(100.05).unwrap();
+    for wrong in [
+        &(|[a, b]: [u32; 2]| other.attempt([a, b])) as &dyn Fn([u32; 2]) -> Option<u32>,
+        &|[a, b]| sampler.attempt([a, b]).map(|k| k + 1),
+        &|[a, b]| {
+            sampler.attempt([
+                a,
+                if b < 0xf000_0000 && a.abs_diff(1 << 31) < 0x6e00_0000 {
+                    0
+                } else {
+                    b
+                },
+            ])
+        },
+    ] {
+        let [_, worst] = law(mean, &wrong, granted());
+        println!("wrong: {worst:.1} of the bound");
+        assert!(worst > 1.5, "{worst}");
+    }
+}
+
+#[test]
+fn the_pmf_is_that_of_the_formula() {
+    let page = Doc::find("rejection", "PoissonRejection").unwrap().text();
+    assert!(page.contains("a relative error of 6.5e-7 (1 + L)"));
+    fn worst<T: Tier>(mean: f32, counts: impl Iterator<Item = u32>) -> f64 {
+        let sampler = PoissonRejection::<T>::new(mean).unwrap();
+        let errors = counts.map(|k| {
+            let ln = ln_pmf(f64::from(mean), k);
+            let (found, exact) = (f64::from(sampler.pmf(k)), ln.exp());
+            let bound = 6.5e-7 * (1.0 - ln) * exact;
+            (found - exact).abs() / bound.max(2_f64.powi(-148))
+        });
+        errors.fold(0.0, |worst, e| if e <= worst { worst } else { e })
+    }
+    let stride = speed::of("stride of the means of the pmf", 40, 1);
+    let mut both = [0.0_f64; 2];
+    for i in (0..1000).step_by(stride) {
+        let mean = 10.0 * 104_857.6_f32.powf(i as f32 / 999.0);
+        let mean = mean.clamp(10.0, 1_048_576.0);
+        let reach = 16.0 * mean.sqrt();
+        let low = (mean - reach).max(0.0) as u32;
+        let counts = || {
+            (0..2000)
+                .map(move |j| low + (2.0 * reach * j as f32 / 1999.0) as u32)
+                .chain([0, 1, 2, 3])
+        };
+        both[0] = both[0].max(worst::<Poly>(mean, counts()));
+        both[1] = both[1].max(worst::<Libm>(mean, counts()));
+    }
+    println!("{both:.3?} of the bound");
+    assert!(both.iter().all(|w| *w <= 1.0), "{both:?}");
+    let sampler = poly::PoissonRejection::new(10.0).unwrap();
+    assert_eq!((sampler.pmf(1 << 31), sampler.pmf(u32::MAX)), (0.0, 0.0));
+}
+
+#[test]
+fn drawn_counts_follow_the_law_and_a_wrong_mean_is_rejected() {
+    let samples = speed::of("draws of PoissonRejection", 300_000, 5_000_000);
+    let p_value = |mean: f64, sampler: &poly::PoissonRejection, seed| {
+        let mut rng = Pcg32::new(seed, 3);
+        let low = (mean - 8.0 * mean.sqrt()).max(0.0) as u32;
+        let cells = (16.0 * mean.sqrt()) as u32 + 20;
+        let mut observed = vec![0; cells as usize];
+        for _ in 0..samples {
+            let k = sampler.draw(&mut rng).unwrap().point;
+            observed[(k - low) as usize] += 1;
+        }
+        let expected: Vec<f64> = (low..low + cells)
+            .map(|k| f64::from(samples) * ln_pmf(mean, k).exp())
+            .collect();
+        chi_square(&observed, &expected).unwrap().2
+    };
+    for (seed, mean) in [(1, 10.0_f32), (2, 77.7), (3, 5000.25)] {
+        let sampler = poly::PoissonRejection::new(mean).unwrap();
+        let p = p_value(f64::from(mean), &sampler, seed);
+        println!("mean {mean}: {p}");
+        assert!(p > threshold(3));
+        let off = poly::PoissonRejection::new(mean + 0.04 * mean.sqrt()).unwrap();
+        let p = p_value(f64::from(mean), &off, seed);
+        assert!(p < threshold(3), "{p}");
+    }
+}
+
+#[test]
+fn means_out_of_range_are_refused() {
+    for (mean, error) in [
+        (f32::NAN, Error::NotFinite),
+        (f32::INFINITY, Error::NotFinite),
+        (-12.0, Error::OutOfRange),
+        (0.0, Error::OutOfRange),
+        (9.999_999, Error::OutOfRange),
+        (1_048_576.1, Error::OutOfRange),
+    ] {
+        assert_eq!(poly::PoissonRejection::new(mean), Err(error), "{mean}");
+    }
+    let sampler = poly::PoissonRejection::new(12.5).unwrap();
+    assert_eq!(sampler.mean(), 12.5);
+    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive));
+    assert_eq!(sampler.with_budget(3).unwrap().budget(), 3);
+}
+
+const EDGES: [u32; 8] = [
+    0,
+    1,
+    255,
+    (1 << 31) - 1,
+    1 << 31,
+    (1 << 31) + 1,
+    u32::MAX - 1,
+    u32::MAX,
+];
+
+#[test]
+fn two_words_a_try_and_budgets_are_kept() {
+    let sampler = poly::PoissonRejection::new(30.0).unwrap();
+    assert_eq!(sampler.budget(), poly::PoissonRejection::BUDGET);
+    let mut rng = Counting::new(Pcg32::new(5, 5));
+    let mut tries = 0;
+    for _ in 0..1000 {
+        tries += u64::from(sampler.draw(&mut rng).unwrap().tries);
+        assert_eq!(rng.words, 2 * tries);
+    }
+    // Stuck at a proposal beyond all counts.
+    let mut stuck = Counting::new(Cycle::new(&[0]));
+    assert_eq!(
+        sampler.draw(&mut stuck),
+        Err(Failure::BudgetSpent { tries: 32 })
+    );
+    assert_eq!(stuck.words, 64);
+    for left in 0..2 {
+        let mut rng = Failing {
+            word: 1 << 31,
+            left,
+        };
+        assert!(matches!(
+            sampler.try_draw(&mut rng),
+            Err(Failure::Generator(Broken(_)))
+        ));
+    }
+    // No pair of words goes wrong.
+    for a in EDGES {
+        for b in EDGES {
+            for mean in [10.0, 65.4, 1_048_576.0] {
+                let sampler = poly::PoissonRejection::new(mean).unwrap();
+                if let Some(k) = sampler.attempt([a, b]) {
+                    assert!(sampler.pmf(k) > 0.0);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! The uniform shapes: rings, balls, rotations, polygons and simplices.
+
+use super::picture::{EQUILATERAL, window};
+use super::{Domain, Entry, Measure, Registered, entry, family};
+use crate::adversary::words::Kind::{Positive, Within};
+use crate::truth::{self, Truth};
+use microwarp::Error::{self, *};
+use microwarp::tier::Tier;
+use microwarp::warp::*;
+
+const NAN: f32 = f32::NAN;
+
+fn annulus<T: Tier>(radii: [f32; 2], turns: [f32; 2]) -> Result<Entry, Error> {
+    let warp = Annulus::<T>::sector(radii[0], radii[1], turns[0], turns[1])?;
+    let truth = truth::Annulus {
+        radii: radii.map(f64::from),
+        turns: turns.map(f64::from),
+    };
+    let width = truth.width();
+    let truth: Box<dyn Truth> = Box::new(truth);
+    let size = Measure::Length(f64::from(radii[1]));
+    let mut entry = entry::<T, _>("Annulus", Domain::Plane, size, warp, truth);
+    // A side that is rounded onto the other one, which lies next to it.
+    entry.azimuth = width > 1.0 - 1e-6;
+    Ok(entry.variables(&[("w", width)]))
+}
+
+fn polygon<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    if !p[0].is_finite() {
+        return Err(NotFinite);
+    }
+    let corners = p[0] as u16;
+    let warp = RegularPolygon::<T>::new(corners)?;
+    let truth: Box<dyn Truth> = Box::new(truth::RegularPolygon(corners));
+    let size = Measure::Length(1.0);
+    let mut entry = entry::<T, _>("RegularPolygon", Domain::Plane, size, warp, truth);
+    entry.azimuth = true;
+    entry.inside = |[x, y, _]| x * x + y * y <= 1.0 + 6e-7;
+    Ok(entry.outside(&[[1.0, 0.1, 0.0], [-0.8, 0.7, 0.0], [-1.1, 0.0, 0.0]]))
+}
+
+#[rustfmt::skip] // one line a case
+pub(super) fn registered<T: Tier>() -> Vec<Registered> {
+    vec![
+        Registered::new("Annulus", "", &[Positive, Positive], |p| annulus::<T>([p[0], p[1]], [0.0, 1.0]))
+            .ordered(&[[0, 1]])
+            .case_with("1 to 2", &[1.0, 2.0], |e| {
+                e.picture("radii 1 and 2", window(0.0, 0.0, 2.04)).trade("ring", "annulus")
+                    .outside(&[[0.9, 0.3, 0.0], [0.0, -2.1, 0.0], [0.0, 0.0, 0.0]])
+            })
+            .case_with("disk of 3", &[0.0, 3.0], |e| e.outside(&[[2.0, -2.4, 0.0]]))
+            .case_with("1 to 1.001", &[1.0, 1.001], |mut e| {
+                e.slack = 1e-3;
+                e.no_round_trip().outside(&[[0.0, 0.998, 0.0], [1.003, 0.0, 0.0]])
+            })
+            .case_with("1e-19 to 1e-18", &[1e-19, 1e-18], |e| e.outside(&[[0.0, 9e-20, 0.0], [1.1e-18, 0.0, 0.0]]))
+            .case_with("1e17 to 1e18", &[1e17, 1e18], |e| e.outside(&[[0.0, 9e16, 0.0], [1.1e18, 0.0, 0.0]]))
+            .seed(&[1.0, 2.0]).seed(&[0.0, 1.0]).seed(&[1.0, 1.000_000_1]).seed(&[1.0, 1.000_01]).seed(&[0.999, 1.0]).seed(&[1e-45, 1e-18])
+            .seed(&[1e21, 1.000_000_1e21]).seed(&[0.5, 0.7])
+            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, f32::INFINITY], NotFinite).refuse(&[-1.0, 1.0], Negative)
+            .refuse(&[2.0, 1.0], Reversed).refuse(&[1.0, 1.0], Empty).refuse(&[0.0, 0.0], Empty).refuse(&[0.0, 1e-20], Empty)
+            .refuse(&[0.0, 1e19], TooLarge),
+        Registered::new("Annulus", "sector", &[Positive, Positive, Within(-1.0, 1.0), Within(-1.0, 2.0)], |p| {
+            annulus::<T>([p[0], p[1]], [p[2], p[3]])
+        })
+            .ordered(&[[0, 1], [2, 3]])
+            .case_with("sector", &[1.0, 2.0, -0.125, 0.25], |e| {
+                e.outside(&[[-1.5, 0.1, 0.0], [0.1, -1.5, 0.0], [0.5, 0.0, 0.0]]).picture("radii 1 and 2, from −45° to 90°", window(0.0, 0.0, 2.04))
+            })
+            .case_with("fan", &[0.0, 1.0, 0.9, 1.3], |e| e.outside(&[[-0.5, 0.1, 0.0], [0.8, 0.7, 0.0]]))
+            .case_with("sector of a turn", &[0.5, 1.0, -0.3, 0.7], |e| e.outside(&[[0.1, 0.1, 0.0]]))
+            .seed(&[0.0, 1.0, 0.0, 1e-7]).seed(&[1.0, 1.000_001, 1.0, 1.001]).seed(&[0.0, 1e30, 0.0, 1e-30])
+            .refuse(&[1.0, 2.0, NAN, 0.5], NotFinite).refuse(&[1.0, 2.0, 0.0, f32::INFINITY], NotFinite)
+            .refuse(&[1.0, 2.0, 0.5, 0.25], Reversed).refuse(&[1.0, 2.0, -1.5, -1.0], OutOfRange)
+            .refuse(&[1.0, 2.0, -0.5, 1.0], OutOfRange).refuse(&[1.0, 2.0, 0.5, 0.5], Empty),
+        Registered::new("Ball", "", &[], |_| {
+            let truth: Box<dyn Truth> = Box::new(truth::Ball);
+            let mut entry = entry::<T, _>("Ball", Domain::Solid, Measure::Length(1.0), Ball::<T>::new(), truth);
+            entry.azimuth = true;
+            entry.inside = |x| x.iter().map(|c| c * c).sum::<f64>() <= 1.0 + 4.8e-7;
+            Ok(entry.outside(&[[1.0, 0.1, 0.0], [0.6, 0.6, 0.6], [0.0, 0.0, -1.000_001]]))
+        })
+            .case_with("", &[], |e| e.picture("seen from above", window(0.0, 0.0, 1.02)).trade(family::BALL, "ball")),
+        Registered::new("Rotation", "", &[], |_| {
+            let truth: Box<dyn Truth> = Box::new(truth::Rotations);
+            let mut entry = entry::<T, _>("Rotation", Domain::Rotations, Measure::Length(1.0), Rotation::<T>::new(), truth);
+            entry.azimuth = true;
+            entry.inside = |x| x.iter().map(|c| c * c).sum::<f64>() <= 1.0 + 4.8e-7;
+            // What is left for w has lost digits that the quaternion has: tests/laws/uniform_shapes.rs takes all four.
+            entry.slack = 0.02;
+            Ok(entry.no_round_trip().outside(&[]))
+        })
+            .case_with("", &[], |e| e.picture("x and y of quaternions", window(0.0, 0.0, 1.02)).trade("rotations", "rotation")),
+        Registered::new("RegularPolygon", "", &[Within(3.0, 65_535.0)], polygon::<T>)
+            .case_with("6 corners", &[6.0], |e| e.picture("six corners", window(0.0, 0.0, 1.02)).trade("polygon", "regular_polygon_6"))
+            .case("3 corners", &[3.0])
+            .case("5 corners", &[5.0])
+            .case("1001 corners", &[1001.0])
+            .seed(&[3.0]).seed(&[4.0]).seed(&[5.0]).seed(&[7.0]).seed(&[12.0]).seed(&[65_535.0])
+            .refuse(&[2.0], OutOfRange).refuse(&[0.0], OutOfRange),
+        Registered::new("Simplex", "of 2 dimensions", &[], |_| {
+            let truth: Box<dyn Truth> = Box::new(truth::Simplex(2));
+            let mut entry = entry::<T, _>("Simplex", Domain::Barycentric, Measure::Length(1.0), Simplex::<T, 2>::new(), truth);
+            entry.inside = |x| x.iter().all(|c| *c >= 0.0) && (x.iter().sum::<f64>() - 1.0).abs() <= 2e-7;
+            Ok(entry.variables(&[("n", 2.0)]).outside(&[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0], [0.3, 0.3, 0.3]]))
+        })
+            .case_with("triangle", &[], |e| e.picture("two shares and the rest", EQUILATERAL).trade(family::TRIANGLE, "simplex_2")),
+        Registered::new("Simplex", "of 3 dimensions", &[], |_| {
+            let truth: Box<dyn Truth> = Box::new(truth::Simplex(3));
+            let mut entry = entry::<T, _>("Simplex", Domain::Solid, Measure::Length(1.0), Simplex::<T, 3>::new(), truth);
+            entry.inside = |x| x.iter().all(|c| *c >= 0.0) && x.iter().sum::<f64>() <= 1.0 + 2e-7;
+            // The rest of three shares has lost digits that the point has, here too.
+            entry.slack = 0.02;
+            Ok(entry.variables(&[("n", 3.0)]).no_round_trip().outside(&[[-0.1, 0.5, 0.6], [0.5, 0.5, 0.5]]))
+        })
+            .case("tetrahedron", &[]),
+    ]
+}
