@@ -108,19 +108,14 @@ where
     fn row_by<K: Kit, H: Heuristic, S: Source>(&self, plan: &Plan, row: u32) -> Pixels {
         let view = View::<K>::new(self.camera, plan.size).expect("the camera sees something");
         let [width, _] = plan.size;
-        let pixel = |column: u32| {
-            let mut source = S::of_pixel(plan.seed, row * width + column, plan.samples);
-            let mut sum = [0.0; 3];
-            for sample in 0..plan.samples {
-                source.begin(sample);
-                let light = self
-                    .scene
-                    .sample::<K, H, P>(&view, [column, row], &mut source);
-                for (sum, light) in sum.iter_mut().zip(light) {
-                    *sum += f64::from(light);
-                }
-            }
-            sum.map(|sum| sum / f64::from(plan.samples))
+        let core = microwarp_scene::Plan {
+            size: plan.size,
+            samples: plan.samples,
+            seed: plan.seed,
+        };
+        let pixel = |column| {
+            let light = self.scene.pixel::<K, H, P, S>(&view, [column, row], &core);
+            light.map(f64::from)
         };
         (0..width).map(pixel).collect()
     }

@@ -38,7 +38,11 @@ const FOG: u32 = 7;
 pub trait Heuristic {
     /// The weight of a sample of density `own`, where the other technique has density `other`.
     fn light(own: f32, other: f32) -> f32;
-    fn lobe(own: f32, other: f32) -> f32;
+
+    #[inline]
+    fn lobe(own: f32, other: f32) -> f32 {
+        Self::light(own, other)
+    }
 }
 
 /// Multiple importance sampling by the balance heuristic.
@@ -49,11 +53,6 @@ impl Heuristic for Balance {
     fn light(own: f32, other: f32) -> f32 {
         balance_heuristic(1, own, 1, other)
     }
-
-    #[inline]
-    fn lobe(own: f32, other: f32) -> f32 {
-        balance_heuristic(1, own, 1, other)
-    }
 }
 
 /// Multiple importance sampling by the power heuristic.
@@ -62,11 +61,6 @@ pub struct Power;
 impl Heuristic for Power {
     #[inline]
     fn light(own: f32, other: f32) -> f32 {
-        power_heuristic(1, own, 1, other)
-    }
-
-    #[inline]
-    fn lobe(own: f32, other: f32) -> f32 {
         power_heuristic(1, own, 1, other)
     }
 }
