@@ -122,6 +122,13 @@ fn assert_agrees(what: &str, mean: Mean, truth: f64) {
     );
 }
 
+/// Each kit and heuristic finds the truth.
+macro_rules! assert_agree {
+    ($truth:ident == along $of:tt; $($what:literal: $kit:ty, $heuristic:ty;)+) => {$(
+        assert_agrees($what, along::<$kit, $heuristic, _, _, _, _>$of, $truth);
+    )+};
+}
+
 fn lit_by<L: Light>(lights: &[L]) -> Scene<'_, Matte, L, NoSky, Clear> {
     Scene {
         quads: &[(&[FLOOR], Matte([0.5; 3]))],
@@ -380,26 +387,13 @@ fn a_panel_shines_as_lambert_says() {
             radiance: [1.0; 3],
         }];
         let scene = lit_by(&lights);
-        assert_agrees(
-            "power",
-            along::<Poly, Power, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
-        assert_agrees(
-            "libm",
-            along::<Libm, Power, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
-        assert_agrees(
-            "balance",
-            along::<Poly, Balance, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
-        assert_agrees(
-            "light",
-            along::<Poly, LightOnly, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
+        assert_agree! {
+            truth == along(&scene, ray, paths);
+            "power": Poly, Power;
+            "libm": Libm, Power;
+            "balance": Poly, Balance;
+            "light": Poly, LightOnly;
+        }
         let mean = along::<Poly, LobeOnly, _, _, _, _>(&scene, ray, 10 * paths);
         assert_agrees("lobe", mean, truth);
         // By area, which is right with its Jacobian.
@@ -441,16 +435,11 @@ fn a_ball_of_light_shines_as_its_closed_form_says() {
         let square = x * x + y * y + z * z;
         let truth = 0.5 * f64::from(radius).powi(2) / square * z / square.sqrt();
         let (scene, ray) = (lit_by(&lights), down_to([0.0, 0.0]));
-        assert_agrees(
-            "power",
-            along::<Poly, Power, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
-        assert_agrees(
-            "light",
-            along::<Libm, LightOnly, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
+        assert_agree! {
+            truth == along(&scene, ray, paths);
+            "power": Poly, Power;
+            "light": Libm, LightOnly;
+        }
         let mean = along::<Poly, Forgotten, _, _, _, _>(&scene, ray, paths);
         assert!(!agrees(mean, truth), "{} passes without weights", mean.mean);
         let mean = along::<Poly, Power, _, _, _, _>(&scene, ray, paths);
@@ -562,16 +551,11 @@ fn fog_scatters_as_a_quadrature_says() {
             sky: NoSky,
             fog: haze,
         };
-        assert_agrees(
-            "fog",
-            along::<Poly, Power, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
-        assert_agrees(
-            "fog, libm",
-            along::<Libm, LightOnly, _, _, _, _>(&scene, ray, paths),
-            truth,
-        );
+        assert_agree! {
+            truth == along(&scene, ray, paths);
+            "fog": Poly, Power;
+            "fog, libm": Libm, LightOnly;
+        }
         let wrong = Scene {
             quads,
             spheres: &[],

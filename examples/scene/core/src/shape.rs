@@ -31,23 +31,11 @@ pub trait Shape: Copy {
     /// The outer normal at a place on it, of any length.
     fn normal(&self, place: Vector) -> Vector;
 
-    /// The directions from a point to the shape.
-    type Seen<K: Kit>: Warp<Point = Vector, Density = f32>;
-
-    /// The directions from a point to the shape; none for a shape that is not seen.
-    fn seen<K: Kit>(&self, from: Vector) -> Option<Self::Seen<K>>;
-
     /// A direction from a point to the shape, with its density per steradian; none for a shape that is not seen.
-    #[inline]
-    fn draw<K: Kit>(&self, from: Vector, words: &mut impl Rng) -> Option<(Vector, f32)> {
-        Some(self.seen::<K>(from)?.draw_with_pdf(words))
-    }
+    fn draw<K: Kit>(&self, from: Vector, words: &mut impl Rng) -> Option<(Vector, f32)>;
 
     /// The density of a direction that meets the shape.
-    #[inline]
-    fn pdf<K: Kit>(&self, from: Vector, direction: Vector) -> f32 {
-        self.seen::<K>(from).map_or(0.0, |seen| seen.pdf(direction))
-    }
+    fn pdf<K: Kit>(&self, from: Vector, direction: Vector) -> f32;
 }
 
 /// A parallelogram: a corner and two edges, whose cross product is the outer normal.
@@ -104,6 +92,10 @@ impl Quad {
     pub const fn edges(&self) -> [Vector; 2] {
         self.edges
     }
+
+    fn seen<K: Kit>(&self, from: Vector) -> Option<SphericalRectangle<K::Tier>> {
+        SphericalRectangle::new(from, self.corner, self.edges).ok()
+    }
 }
 
 impl Shape for Quad {
@@ -126,10 +118,12 @@ impl Shape for Quad {
         self.normal
     }
 
-    type Seen<K: Kit> = SphericalRectangle<K::Tier>;
+    fn draw<K: Kit>(&self, from: Vector, words: &mut impl Rng) -> Option<(Vector, f32)> {
+        Some(self.seen::<K>(from)?.draw_with_pdf(words))
+    }
 
-    fn seen<K: Kit>(&self, from: Vector) -> Option<SphericalRectangle<K::Tier>> {
-        SphericalRectangle::new(from, self.corner, self.edges).ok()
+    fn pdf<K: Kit>(&self, from: Vector, direction: Vector) -> f32 {
+        self.seen::<K>(from).map_or(0.0, |seen| seen.pdf(direction))
     }
 }
 
@@ -138,6 +132,12 @@ impl Shape for Quad {
 pub struct Sphere {
     pub centre: Vector,
     pub radius: f32,
+}
+
+impl Sphere {
+    fn seen<K: Kit>(&self, from: Vector) -> Option<VisibleSphere<K::Tier>> {
+        VisibleSphere::new(from, self.centre, self.radius).ok()
+    }
 }
 
 impl Shape for Sphere {
@@ -161,9 +161,11 @@ impl Shape for Sphere {
         minus(place, self.centre)
     }
 
-    type Seen<K: Kit> = VisibleSphere<K::Tier>;
+    fn draw<K: Kit>(&self, from: Vector, words: &mut impl Rng) -> Option<(Vector, f32)> {
+        Some(self.seen::<K>(from)?.draw_with_pdf(words))
+    }
 
-    fn seen<K: Kit>(&self, from: Vector) -> Option<VisibleSphere<K::Tier>> {
-        VisibleSphere::new(from, self.centre, self.radius).ok()
+    fn pdf<K: Kit>(&self, from: Vector, direction: Vector) -> f32 {
+        self.seen::<K>(from).map_or(0.0, |seen| seen.pdf(direction))
     }
 }
