@@ -33,6 +33,7 @@ pub struct Args {
 impl Args {
     /// Whether a family of this name is asked for.
     pub fn wants(&self, name: &str) -> bool {
+        let name = name.to_lowercase();
         self.only.is_empty() || self.only.iter().any(|text| name.contains(text.as_str()))
     }
 }

@@ -143,6 +143,16 @@ fn squared_sine() -> Vec<f64> {
     terms.collect()
 }
 
+/// The coefficients of 1 − sin y/y in powers of y²/5, without their signs: 5^k/(2k + 1)! from k = 1 on.
+fn sine_of_fifths() -> Vec<f64> {
+    let terms = (1..9).scan(1.0, |term, k| {
+        let k = f64::from(k);
+        *term *= 5.0 / (2.0 * k * (2.0 * k + 1.0));
+        Some(*term)
+    });
+    terms.collect()
+}
+
 /// The share of the points of a grid of 2¹⁶ × 2¹⁶, none of them on an axis, that lie in the disk.
 fn share_of_grid() -> f64 {
     let inside = |x: u64| {
@@ -190,6 +200,19 @@ pub fn numbers() -> Vec<Number> {
         one("sphere.rs", density, FRAC_1_PI / 4.0, 32),
         one("hemisphere.rs", density, FRAC_1_PI / 2.0, 32),
         one("hemisphere.rs", "const PER_COSINE: u32 = ", FRAC_1_PI, 32),
+        one("rotation.rs", density, FRAC_1_PI * FRAC_1_PI, 32),
+        one(
+            "regular_polygon.rs",
+            "const SQUARE: u32 = ",
+            0.8 * PI * PI,
+            29,
+        ),
+        list(
+            "regular_polygon.rs",
+            "const TERMS: [u32; 8] = [",
+            sine_of_fifths(),
+            32,
+        ),
         one("direction.rs", per_angle, FRAC_1_PI / 2.0, 32),
         one("exponential.rs", "const LARGEST: u32 = ", largest, 32),
         one("rayleigh.rs", "const LARGEST: u32 = ", widest, 32),

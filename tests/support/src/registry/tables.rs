@@ -285,7 +285,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = PiecewiseConstant1d::new(&FOUR, 0.0, 8.0)?;
             Ok(on_line::<T, _>(&wide_weights(&FOUR), [0.0, 8.0], warp))
         }, |e| {
-            e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4))).trade(family::LINE, "piecewise_1d")
+            e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4))).trade(family::LINE, "piecewise_constant_1d_64")
         }),
         listed(LINE, "0:0:3:4:0 on [-3, 5]", |_| narrow::<T>(&[0.0, 0.0, 219.0, 292.0, 0.0], [-3.0, 5.0]), |e| e),
         listed(LINE, "10 equal on [-3e38, 3e38]", |_| narrow::<T>(&[0.1; 10], [-3e38, 3e38]), |e| e),
@@ -312,7 +312,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new(LINE, "of 4 cells", &[Any, Any, Positive, Positive, Positive, Positive], cells::<T, 4>)
             .ordered(&[[0, 1]]),
         listed(PLANE, "32 x 16 sky", |_| in_plane::<T>(&sky(), SKY, [UNIT; 2], 1), |e| {
-            e.picture("clouds, a sun, a dark row", window(0.5, 0.5, 0.51)).trade(family::COMPOSED, "piecewise_2d")
+            e.picture("clouds, a sun, a dark row", window(0.5, 0.5, 0.51)).trade(family::COMPOSED, "piecewise_constant_2d_16_8")
         }),
         listed(PLANE, "sun 1595:1, 9 x 3", |_| {
             let sun = product(&[1.0, 1.0, 1.0, 55.0, 1.0, 1.0, 1.0, 1.0, 1.0], &[1.0, 29.0, 1.0]);
@@ -328,7 +328,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .ordered(&[[0, 1], [2, 3]])
             .seed(&[-1.136_488_4, 1.123_338_6, -1.131_686_4, 1.149_362_9, 0.069_521_83, 0.290_617_5, 0.890_342_7, 0.496_947_02]),
         listed(LINEAR, "0:3:1:1:0:0:2 on [0, 6]", |_| interpolated::<T>(&[0.0, 3.0, 1.0, 1.0, 0.0, 0.0, 2.0], [0.0, 6.0]), |e| {
-            e.picture("linear between 0, 3, 1, 1, 0, 0 and 2", View::Line(between(-0.3, 6.3))).trade(family::LINE, "piecewise_linear_1d")
+            e.picture("linear between 0, 3, 1, 1, 0, 0 and 2", View::Line(between(-0.3, 6.3))).trade(family::LINE, "piecewise_linear_1d_64")
         }),
         listed(LINEAR, "1:3 on [0, 1]", |_| interpolated::<T>(&[1.0, 3.0], UNIT), |e| e),
         listed(LINEAR, "5:0:1e-6:4 on [-3, 5]", |_| interpolated::<T>(&[5.0, 0.0, 1e-6, 4.0], [-3.0, 5.0]), |e| e),
