@@ -4,12 +4,12 @@
 use microwarp::constant;
 use microwarp::discrete::{Cdf, LatLongMap};
 use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::uniform::{ByPosition, grid};
+use microwarp::uniform::{ByPosition, Points, Sobol, grid};
 use microwarp_scene::fog::Scattered;
 use microwarp_scene::material::{Any, Glossy, Matte, Metal};
 use microwarp_scene::scenes::{fog, room, sensor, slit, slivers};
 use microwarp_scene::sky::{COLUMNS, ROWS, Table};
-use microwarp_scene::source::{Owen, Strata};
+use microwarp_scene::source::{OfPixel, Owen, Strata};
 use microwarp_scene::vector::{Vector, cross, dot, length, minus, plus, scaled, unit};
 use microwarp_scene::{
     Balance, Camera, Choice, Clear, Colour, Echo, Film, Fog, Haze, Heuristic, Kit, Lamp, Light,
@@ -794,4 +794,77 @@ fn strata_are_met_once_in_each_pair_of_dimensions() {
         assert!(met::<Set<ByPosition>>(pair, 8) < 60);
     }
     assert_eq!(met::<Set<Owen>>(0, 8), 64);
+}
+
+/// The most that the halves of two dimensions are tied together, of all pairs among the first twelve: the mean square of
+/// the correlation of their highest bits over 64 samples of a pixel, for many pixels. Independent ones have 1/64.
+fn tied<S: Source>() -> f64 {
+    const DIMENSIONS: usize = 12;
+    const PIXELS: u32 = 1000;
+    let mut squares = [[0.0; DIMENSIONS]; DIMENSIONS];
+    for pixel in 0..PIXELS {
+        let mut words = S::of_pixel(3, pixel, 64);
+        let mut sums = [[0.0_f64; DIMENSIONS]; DIMENSIONS];
+        for sample in 0..64 {
+            words.begin(sample);
+            let signs: [f64; DIMENSIONS] = std::array::from_fn(|_| {
+                if words.next_u32() >> 31 == 0 {
+                    1.0
+                } else {
+                    -1.0
+                }
+            });
+            for (i, row) in sums.iter_mut().enumerate() {
+                (0..i).for_each(|k| row[k] += signs[i] * signs[k] / 64.0);
+            }
+        }
+        for (squares, sums) in squares
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(sums.as_flattened())
+        {
+            *squares += sums * sums / f64::from(PIXELS);
+        }
+    }
+    squares.as_flattened().iter().copied().fold(0.0, f64::max)
+}
+
+/// Strata whose orders are not shuffled first.
+#[derive(Clone, Copy)]
+struct Unshuffled(u32);
+
+impl Points for Unshuffled {
+    fn word(self, index: u32, dimension: u32) -> u32 {
+        let seed = ByPosition::new(self.0, 0).word(0, dimension);
+        Sobol::<1>::new(seed).unwrap().word(index, 0)
+    }
+}
+
+impl OfPixel for Unshuffled {
+    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
+        Self(ByPosition::new(seed, pixel).word(0, 0))
+    }
+}
+
+/// Independent points have 1/64. Sobol' points have 2/64 between two groups, since their order is shuffled so that samples
+/// `2i` and `2i + 1` stay together. A mean of 1,000 squares of a nearly normal number has a standard error of 4.5 %; eight of
+/// these are allowed, over 66 pairs of dimensions.
+#[test]
+fn dimensions_of_a_source_are_independent() {
+    const MOST: f64 = 1.36;
+    for (name, tied, expected) in [
+        ("random", tied::<Random>(), 1.0),
+        ("by position", tied::<Set<ByPosition>>(), 1.0),
+        ("strata", tied::<Set<Strata>>(), 1.0),
+        ("Sobol'", tied::<Set<Owen>>(), 2.0),
+    ] {
+        let tied = 64.0 * tied;
+        println!("{name}: {tied:.3} of 1/64");
+        assert!(tied <= MOST * expected, "{name}: {tied}");
+    }
+    let control = 64.0 * tied::<Set<Unshuffled>>();
+    assert!(
+        control > 2.0 * MOST,
+        "orders that are not shuffled: {control}"
+    );
 }

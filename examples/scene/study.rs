@@ -21,18 +21,22 @@ pub const KINDS: [(Tier, PointSet); 5] = [
     (Tier::Libm, PointSet::Sobol),
 ];
 
-/// A small picture, beside the reference.
+/// Small pictures of a kind, each from a seed of its own: a single path that finds much light spoils one of them.
+const SEEDS: u32 = 5;
+
+/// Small pictures of one kind, beside the reference.
 pub struct Measured {
     pub tier: Tier,
     pub points: PointSet,
     pub samples: u32,
-    /// The root of the mean square of relative errors.
+    /// The root of the mean square of relative errors: the median of the pictures.
     pub error: f64,
-    /// How much brighter it is than the reference, over the whole picture, and in standard errors of that.
+    /// How much brighter their mean is than the reference, over the whole picture, and in standard errors of that.
     pub excess: f64,
     pub deviation: f64,
     /// Microseconds of one thread for a path.
     pub cost: f64,
+    /// The mean of the pictures.
     pixels: Pixels,
 }
 
@@ -40,7 +44,7 @@ pub struct Study {
     /// The picture that is shown.
     pub picture: Pixels,
     pub measured: Vec<Measured>,
-    /// How far both tiers are apart where they get the same points, as a part of the error that both have.
+    /// How far the mean pictures of both tiers are apart, which get the same points, as a part of the error that both have.
     pub apart: f64,
     /// A renderer that is wrong on purpose.
     pub control: Measured,
@@ -57,8 +61,7 @@ pub fn steps(args: &Args) -> u64 {
     let small: u64 = SAMPLES.iter().map(|&n| work(SMALL, n)).sum();
     work(args.size, args.samples)
         + work(SMALL, args.reference)
-        + KINDS.len() as u64 * small
-        + work(SMALL, SAMPLES[1])
+        + u64::from(SEEDS) * (KINDS.len() as u64 * small + work(SMALL, SAMPLES[1]))
 }
 
 /// The root of the mean square of errors, each relative to the light of its pixel and a little of that of the picture, so
@@ -72,6 +75,14 @@ fn error(pixels: &Pixels, reference: &Pixels) -> f64 {
     }
     let relative = |(k, (x, r)): (usize, (&f64, &f64))| ((x - r) / (r + 0.1 * mean[k % 3])).powi(2);
     (all().enumerate().map(relative).sum::<f64>() / count).sqrt()
+}
+
+fn mean(pictures: &[Pixels]) -> Pixels {
+    let pixel = |i: usize| {
+        let sum = |k: usize| pictures.iter().map(|picture| picture[i][k]).sum::<f64>();
+        [0, 1, 2].map(|k| sum(k) / pictures.len() as f64)
+    };
+    (0..pictures[0].len()).map(pixel).collect()
 }
 
 fn total(pixels: &Pixels) -> f64 {
@@ -130,22 +141,28 @@ pub fn of(shot: &Shot, args: &Args, progress: &ProgressBar) -> Study {
     });
     let measure = |tier, points, samples| {
         let start = Instant::now();
-        let pixels = render(Plan {
+        let plan = |k| Plan {
             tier,
             points,
             size: SMALL,
             samples,
-            seed: args.seed,
-        });
+            seed: args.seed.wrapping_add(k),
+        };
+        let pictures: Vec<Pixels> = (0..SEEDS).map(|k| render(plan(k))).collect();
+        let paths = u64::from(SEEDS) * work(SMALL, samples);
         let threads = support::parallel::threads() as f64;
+        let cost = 1e6 * threads * start.elapsed().as_secs_f64() / paths as f64;
+        let mut errors: Vec<f64> = pictures.iter().map(|p| error(p, &reference)).collect();
+        errors.sort_by(f64::total_cmp);
+        let pixels = mean(&pictures);
         Measured {
             tier,
             points,
             samples,
-            error: error(&pixels, &reference),
+            error: errors[errors.len() / 2],
             excess: total(&pixels) / total(&reference) - 1.0,
             deviation: deviation(&pixels, &reference),
-            cost: 1e6 * threads * start.elapsed().as_secs_f64() / work(SMALL, samples) as f64,
+            cost,
             pixels,
         }
     };
@@ -156,7 +173,7 @@ pub fn of(shot: &Shot, args: &Args, progress: &ProgressBar) -> Study {
     let control = measure(Tier::Forgotten, PointSet::Random, SAMPLES[1]);
     let find = |tier| find(&measured, tier, PointSet::Sobol, SAMPLES[1]);
     let (poly, libm) = (find(Tier::Poly), find(Tier::Libm));
-    let apart = error(&poly.pixels, &libm.pixels) / libm.error;
+    let apart = error(&poly.pixels, &libm.pixels) / error(&libm.pixels, &reference);
     let pictures = [&picture, &reference].into_iter();
     let pictures = pictures.chain(measured.iter().map(|m| &m.pixels));
     let invalid = pictures.map(invalid).sum();

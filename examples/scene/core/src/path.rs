@@ -25,14 +25,15 @@ const ROULETTE: u32 = 2;
 /// How far rays go that hit nothing.
 pub const FAR: f32 = 100.0;
 
-/// The dimensions of a bounce: three for the light (which one, and where), one for roulette, three for the lobe, four for the
-/// fog. With those of the camera the first eight end with roulette, so that what a picture sees first is in one group.
+/// The dimensions of a bounce: two for the place on the light, one for which light, one for roulette, three for the lobe, four
+/// for the fog. What is two-dimensional begins at an even one, since points come in pairs. With those of the camera the first
+/// eight end with roulette, so that what a picture sees first is in one group.
 const PER_BOUNCE: u32 = 12;
-const LIGHT: u32 = 0;
-const PLACE: u32 = 1;
+const PLACE: u32 = 0;
+const LIGHT: u32 = 2;
 const ROULETTE_WORD: u32 = 3;
 const LOBE: u32 = 4;
-const FOG: u32 = 7;
+const FOG: u32 = 8;
 
 /// How samples of lights and of lobes are weighed together.
 pub trait Heuristic {

@@ -123,8 +123,8 @@ impl OfPixel for Owen {
 const FIRST: Sobol<8> = microwarp::constant!(Sobol::new(0));
 
 /// Jittered strata in each pair of dimensions, as square as the number of samples allows. Each pair goes through its strata
-/// in an order of its own, that of scrambled points of one dimension, so that pairs are independent. Where the number of
-/// samples is a power of two every stratum is met once; otherwise some are met twice and some never, without bias.
+/// in a shuffled order of its own, so that pairs are independent. Where the number of samples is a power of two every
+/// stratum is met once; otherwise some are met twice and some never, without bias.
 #[derive(Clone, Copy, Debug)]
 pub struct Strata {
     strata: Strata2d,
@@ -132,7 +132,6 @@ pub struct Strata {
 }
 
 const ONE: Strata2d = microwarp::constant!(Strata2d::new(1, 1));
-const IN_ORDER: Sobol<1> = microwarp::constant!(Sobol::new(0));
 
 impl OfPixel for Strata {
     fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self {
@@ -147,13 +146,30 @@ impl OfPixel for Strata {
     }
 }
 
+impl Strata {
+    /// The stratum of a sample in a pair of dimensions. Each round is a bijection of the words of so many bits: a product
+    /// with an odd number, a sum, and bits that are turned over by higher ones.
+    #[inline]
+    fn stratum(&self, sample: u32, pair: u32) -> u32 {
+        let count = self.strata.count();
+        let bits = count.next_power_of_two().trailing_zeros();
+        let mask = (1_u32.wrapping_shl(bits)).wrapping_sub(1);
+        // A word of the jitter that no sample takes, for each of the eight numbers.
+        let word = |k: u32| self.jitter.word(u32::MAX.wrapping_sub(k), pair);
+        let place = (0..4).fold(sample & mask, |place, round: u32| {
+            let [odd, term] = [word(round << 1) | 1, word(round << 1 | 1)];
+            let moved = place.wrapping_mul(odd).wrapping_add(term) & mask;
+            moved ^ moved >> (bits >> 1).wrapping_add(1)
+        });
+        (u64::from(place).wrapping_mul(u64::from(count)) >> bits) as u32
+    }
+}
+
 impl Points for Strata {
     #[inline]
     fn word(self, index: u32, dimension: u32) -> u32 {
         let pair = dimension >> 1;
-        let order = Sobol::<1>::new(self.jitter.word(u32::MAX, pair)).unwrap_or(IN_ORDER);
-        let place = u64::from(order.word(index, 0)).wrapping_mul(u64::from(self.strata.count()));
-        let stratum = (place >> 32) as u32;
+        let stratum = self.stratum(index, pair);
         let words = [0, 1].map(|k| self.jitter.word(index, pair << 1 | k));
         let jitter = words.map(microwarp::uniform::deep_from_word);
         let [x, y] = self.strata.point(stratum, jitter);
