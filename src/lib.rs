@@ -122,7 +122,9 @@
 //! - [`BoxStep`](metropolis::BoxStep), [`NormalStep`](metropolis::NormalStep),
 //!   [`LogUniformStep`](metropolis::LogUniformStep), [`RandomWalk`](metropolis::RandomWalk),
 //!   [`WrappedWalk`](metropolis::WrappedWalk): random walks in ℝᴰ and in the unit cube
-//! - [`Subset`](metropolis::Subset), [`OneCoordinate`](metropolis::OneCoordinate), [`Mixture`](metropolis::Mixture): combinations
+//! - [`Subset`](metropolis::Subset), [`OneCoordinate`](metropolis::OneCoordinate), [`Product`](metropolis::Product),
+//!   [`Mixture`](metropolis::Mixture): combinations
+//! - [`WithPayload`](metropolis::WithPayload): what else the target finds, kept with the state
 //! - [`Autocorrelation`](metropolis::Autocorrelation), [`split_r_hat`](metropolis::split_r_hat): has the chain converged?
 //!
 //! Estimators ([`estimate`]):

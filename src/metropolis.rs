@@ -13,6 +13,7 @@
 //! | uniforms of a warp, or another unit cube | [`Mixture::large_small`] with a [`WrappedWalk`] of such a step |
 //! | indices | [`UniformIndex`], or [`Independence`] of a table close to the target |
 //! | anything for which a good sampler exists | [`Independence`] of that warp or table |
+//! | tuples of such parts | a [`Product`] of their mutations |
 //! | anything else | your own [`Mutation`] |
 //!
 //! Where one mutation gets stuck, such as a small step between distant peaks, a [`Mixture`] adds another.
@@ -35,6 +36,7 @@
 //! | [`Independence`] | any | a draw from a warp or a table | p(x)/p(x′), for a table as counts | those of the draw |
 //! | [`Subset`] | ℝᴰ, unit cube | a change of some coordinates | that of the change | those of the change |
 //! | [`OneCoordinate`] | ℝᴰ, unit cube | a change of one random coordinate | that of the change | 1, and those of the change |
+//! | [`Product`] | tuples | a change of each part | the product of those of the parts | those of the parts |
 //! | [`Mixture`] | any | what one of several mutations proposes | that of the one picked | 1, and those of the one picked |
 //!
 //! # What a correct chain needs
@@ -45,6 +47,11 @@
 //!   crosses a gap of density 0 wider than itself, and rarely a deep valley. A [`Mixture`] with some [`UniformStep`]
 //!   or [`Independence`] proposals crosses both.
 //! - *Aperiodicity*: an occasional rejection, or a step that may stay, is enough.
+//!
+//! # What a target finds beside the density
+//!
+//! A path has a colour and falls on a pixel. A target may return these [`WithPayload`]; the chain keeps them with the state,
+//! and [`Transition::recorded_values`] hands them out.
 //!
 //! # Integer weights
 //!
@@ -79,7 +86,9 @@ mod independence;
 mod index;
 mod mixture;
 mod mutation;
+mod payload;
 mod primary;
+mod product;
 mod r_hat;
 mod random_walk;
 mod rule;
@@ -100,7 +109,9 @@ pub use self::independence::{Independence, StateSource, UniformStep};
 pub use self::index::{TransitionTable, UniformIndex};
 pub use self::mixture::{LargeSmall, Mixture, Mutations};
 pub use self::mutation::{Mutation, Proposal};
+pub use self::payload::WithPayload;
 pub use self::primary::primary_density;
+pub use self::product::Product;
 pub use self::r_hat::{Halves, r_hat, split_r_hat};
 pub use self::random_walk::{RandomWalk, WrappedWalk, wrapping_add};
 pub use self::start::Start;

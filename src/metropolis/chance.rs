@@ -8,7 +8,7 @@
 use super::hastings_correction::{Hastings, HastingsCorrection, Stated as _};
 use super::rule::steps;
 use super::target_value::{Standing, Weighing as _};
-use super::{Chain, HastingsCounts, Mutation, Outcome, Transition};
+use super::{Chain, HastingsCounts, Mutation, Outcome, Transition, WithPayload};
 use crate::num::Scaled;
 use crate::num::division::{fraction, fraction_u32, scaled};
 use crate::uniform::infallible;
@@ -152,34 +152,41 @@ impl PartialEq for Chance {
 
 impl Eq for Chance {}
 
-impl<X: Copy> Chain<X, u32> {
-    /// Takes one step; `u32::MAX` means no limit.
-    #[inline]
-    fn advance<R: TryRng + ?Sized>(
-        &mut self,
-        target: impl FnOnce(X) -> u32,
-        mutation: &(impl Mutation<X> + ?Sized),
-        limit: u32,
-        rng: &mut R,
-    ) -> Result<Transition<X, u32, Chance>, R::Error> {
-        let proposal = mutation.try_propose(self.state(), rng)?;
-        let word = rng.try_next_u32()?;
-        let weight = target(proposal.state);
-        let ratio = proposal.correction;
-        let (a, outcome) = match weight.standing().and(ratio.standing()) {
-            Standing::Positive => match Chance::acceptance(self.density(), weight, ratio) {
-                a if a.accepts(word) => (a, Outcome::Accepted),
-                _ if self.must_move(limit) => (Chance::ALWAYS, Outcome::Forced),
-                a => (a, Outcome::Rejected),
-            },
-            Standing::Zero => (Chance::NEVER, Outcome::Rejected),
-            Standing::Unsound => (Chance::NEVER, Outcome::Refused),
-        };
-        Ok(self.take(&proposal, weight, a, outcome))
-    }
+macro_rules! advance {
+    ($weight:ty $(, $density:ident, $payload:ident)?) => {
+        impl<X: Copy $(, $payload: Copy)?> Chain<X, $weight> {
+            /// Takes one step; `u32::MAX` means no limit.
+            #[inline]
+            fn advance<R: TryRng + ?Sized>(
+                &mut self,
+                target: impl FnOnce(X) -> $weight,
+                mutation: &(impl Mutation<X> + ?Sized),
+                limit: u32,
+                rng: &mut R,
+            ) -> Result<Transition<X, $weight, Chance>, R::Error> {
+                let proposal = mutation.try_propose(self.state(), rng)?;
+                let word = rng.try_next_u32()?;
+                let weight = target(proposal.state);
+                let ratio = proposal.correction;
+                let (a, outcome) = match weight.standing().and(ratio.standing()) {
+                    Standing::Positive => match Chance::acceptance(self.density()$(.$density)?, weight$(.$density)?, ratio) {
+                        a if a.accepts(word) => (a, Outcome::Accepted),
+                        _ if self.must_move(limit) => (Chance::ALWAYS, Outcome::Forced),
+                        a => (a, Outcome::Rejected),
+                    },
+                    Standing::Zero => (Chance::NEVER, Outcome::Rejected),
+                    Standing::Unsound => (Chance::NEVER, Outcome::Refused),
+                };
+                Ok(self.take(&proposal, weight, a, outcome))
+            }
+        }
+
+        steps!($weight, Chance $(, $payload: Copy)?);
+    };
 }
 
-steps!(u32, Chance);
+advance!(u32);
+advance!(WithPayload<u32, P>, density, P);
 
 impl<X: Copy, D> Transition<X, D, Chance> {
     /// Both states, each with its share of the 2³² words: those that reject and those that accept. They sum to 2³² exactly.
@@ -193,6 +200,22 @@ impl<X: Copy, D> Transition<X, D, Chance> {
         [
             (self.from, Chance::TOTAL.wrapping_sub(words)),
             (self.proposed, words),
+        ]
+    }
+}
+
+impl<X, D: Copy> Transition<X, D, Chance> {
+    /// What the target returned for both states, each with its share of the 2³² words: [`Transition::recorded`] for those who
+    /// record a weight, or what it goes [with](super::WithPayload).
+    ///
+    /// Skip a value without words: if the proposal was refused, it may be anything.
+    #[must_use]
+    #[inline]
+    pub const fn recorded_values(&self) -> [(D, u64); 2] {
+        let words = self.acceptance.words();
+        [
+            (self.from_density, Chance::TOTAL.wrapping_sub(words)),
+            (self.proposed_density, words),
         ]
     }
 }

@@ -12,6 +12,22 @@ pub enum Hastings {
     HastingsRatio(HastingsRatio),
 }
 
+impl Hastings {
+    /// Of two moves that are independent.
+    #[inline]
+    pub(super) const fn times(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::One, ratio) | (ratio, Self::One) => ratio,
+            (Self::HastingsCounts(a), Self::HastingsCounts(b)) => Self::HastingsCounts(a.times(b)),
+            (Self::HastingsRatio(a), Self::HastingsRatio(b)) => Self::HastingsRatio(a.times(b)),
+            (Self::HastingsRatio(ratio), Self::HastingsCounts(counts))
+            | (Self::HastingsCounts(counts), Self::HastingsRatio(ratio)) => {
+                Self::HastingsRatio(ratio.times(counts.ratio()))
+            }
+        }
+    }
+}
+
 mod sealed {
     use super::{Hastings, Scaled, Standing};
 
@@ -22,7 +38,7 @@ mod sealed {
         /// links no code for ratios.
         fn value(self) -> Option<Scaled>;
         fn hastings(self) -> Hastings;
-        /// Only mixtures call this, and their parts never carry more than this type can hold.
+        /// Only mixtures and products call this, and their parts never carry more than this type can hold.
         fn of(ratio: Hastings) -> Self;
     }
 }
@@ -35,9 +51,9 @@ pub(super) use sealed::Stated;
     label = "not a form of the Hastings ratio"
 )]
 pub trait HastingsCorrection: Stated {
-    /// The form that a mixture of this one and of `C` takes.
+    /// The form that a mixture or a product of this one and of `C` takes.
     type With<C: HastingsCorrection>: HastingsCorrection;
-    /// The form that a mixture of this one and of [`HastingsCounts`] takes.
+    /// The form that a mixture or a product of this one and of [`HastingsCounts`] takes.
     type WithCounts: HastingsCorrection;
 }
 

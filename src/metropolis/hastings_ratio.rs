@@ -104,6 +104,15 @@ impl HastingsRatio {
             standing => Self::without_value(standing),
         }
     }
+
+    /// Of two moves that are independent.
+    #[inline]
+    pub(super) const fn times(self, other: Self) -> Self {
+        Self {
+            standing: self.standing.and(other.standing),
+            value: self.value.times(other.value),
+        }
+    }
 }
 
 /// The Hastings ratio T(x′→x)/T(x→x′) of a proposal x′ as two integers, such as the numerators of a table.
@@ -204,6 +213,22 @@ impl HastingsCounts {
         }
     }
 
+    /// Of two moves that are independent: exact while the products are at most 2⁶⁴. Beyond that both lose the same low bits.
+    #[inline]
+    pub(super) const fn times(self, other: Self) -> Self {
+        let forward = self.forward.saturating_mul(other.forward);
+        let backward = self.backward.saturating_mul(other.backward);
+        if forward <= MOST && backward <= MOST {
+            return Self { forward, backward };
+        }
+        // The larger one has more than 64 bits, so it loses all but 64.
+        let by = 64_u32.saturating_sub((forward | backward).leading_zeros());
+        Self {
+            forward: shortened(forward, by),
+            backward: shortened(backward, by),
+        }
+    }
+
     /// backward/forward, both positive. Correctly rounded, except next to the midpoint between two `f32`.
     #[inline]
     pub(super) const fn quotient(self) -> Scaled {
@@ -225,6 +250,13 @@ const MOST: u128 = 1 << 64;
 #[inline]
 const fn at_most(count: u128) -> u128 {
     if count < MOST { count } else { MOST }
+}
+
+/// A count without some of its low bits; 0 only if it was.
+#[inline]
+const fn shortened(count: u128, by: u32) -> u128 {
+    let rest = count.wrapping_shr(by);
+    if rest == 0 && count > 0 { 1 } else { rest }
 }
 
 /// The leading 48 bits of a number: (high + low) 2^exponent.

@@ -54,6 +54,7 @@ macro_rules! joined {
     ($only:ty) => { $only };
     ($first:ty, $($rest:ty),+) => { <$first as HastingsCorrection>::With<joined!($($rest),+)> };
 }
+pub(super) use joined;
 
 macro_rules! tuples {
     ($($count:literal: $($mutation:ident $index:tt),+;)*) => {$(

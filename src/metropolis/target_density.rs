@@ -24,7 +24,8 @@ mod sealed {
 }
 pub(super) use sealed::Arithmetic;
 
-/// A density in floating point: an `f32`, known up to a constant factor, or a [`LogDensity`]. The trait is sealed.
+/// A density in floating point: an `f32`, known up to a constant factor, or a [`LogDensity`], also
+/// [`WithPayload`](super::WithPayload). The trait is sealed.
 ///
 /// A chain never enters a state of density 0 (of logarithm −∞). A density that is NaN, infinite or negative (a logarithm
 /// that is NaN or +∞) is refused and counted.

@@ -59,12 +59,14 @@ mod sealed {
 pub(super) use sealed::Weighing;
 
 /// What the target of a chain returns for a state: a [`TargetDensity`](super::TargetDensity), which is an `f32` or a
-/// [`LogDensity`](super::LogDensity), or an integer weight, `u32`. The trait is sealed.
+/// [`LogDensity`](super::LogDensity), or an integer weight, `u32`; or one of them [`WithPayload`](super::WithPayload). The
+/// trait is sealed.
 ///
 /// A chain never enters a state of value 0.
 #[diagnostic::on_unimplemented(
     message = "a target of a chain returns `f32`, `LogDensity` or `u32`, not `{Self}`",
-    label = "not a value of a target"
+    label = "not a value of a target",
+    note = "what else the target finds goes along as `WithPayload::new(density, payload)`"
 )]
 pub trait TargetValue: Weighing {}
 

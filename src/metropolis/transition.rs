@@ -127,3 +127,18 @@ impl<X: Copy, D> Transition<X, D> {
         ]
     }
 }
+
+impl<X, D: Copy> Transition<X, D> {
+    /// What the target returned for both states, each with the weight to record it with: [`Transition::recorded`] for those who
+    /// record a density, or what it goes [with](super::WithPayload).
+    ///
+    /// Skip a value of weight 0: if the proposal was refused, it may be anything.
+    #[must_use]
+    #[inline]
+    pub const fn recorded_values(&self) -> [(D, f32); 2] {
+        [
+            (self.from_density, 1.0 - self.acceptance),
+            (self.proposed_density, self.acceptance),
+        ]
+    }
+}

@@ -29,6 +29,8 @@ mod mixtures;
 mod mutation_words;
 mod mutations;
 mod parts;
+mod payload;
+mod product;
 mod r_hat;
 mod refusals;
 mod runs;

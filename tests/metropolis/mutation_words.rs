@@ -2,8 +2,8 @@
 
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
-    BoxStep, Independence, LogUniformStep, Mixture, Mutation, NormalStep, OneCoordinate, Proposal,
-    Subset, Symmetric, TransitionTable, UniformIndex, UniformStep, WrappedWalk,
+    BoxStep, Independence, LogUniformStep, Mixture, Mutation, NormalStep, OneCoordinate, Product,
+    Proposal, Subset, Symmetric, TransitionTable, UniformIndex, UniformStep, WrappedWalk,
 };
 use microwarp::poly as mw;
 use microwarp::tier::{Libm, Poly};
@@ -90,6 +90,8 @@ fn every_mutation_takes_the_words_stated() {
     takes("OneCoordinate", &one, point, 2);
     takes("OneCoordinate", &one, [0.5; 0], 2);
     takes("OneCoordinate", &OneCoordinate::new(Mirror), point, 1);
+    let product = Product::new((two, UniformIndex::new(6).unwrap()));
+    takes("Product", &product, (point, 0), 4);
     let mixture = Mixture::new((boxed, UniformStep::new()), &[1.0, 1.0]).unwrap();
     takes("Mixture", &mixture, point, 4);
     let outer = Mixture::new([mixture; 3], &[1.0; 3]).unwrap();

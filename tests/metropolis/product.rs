@@ -1,0 +1,259 @@
+//! Products: each part as its own mutation proposes it, and the acceptance of all parts together, by exact numbers of words.
+
+use microwarp::discrete::Cdf;
+use microwarp::metropolis::{
+    Chain, HastingsCounts, HastingsRatio, Independence, Mutation, Product, Proposal, StateSource,
+    Symmetric, TransitionTable, UniformIndex, UniformStep, WrappedWalk,
+};
+use microwarp::{Warp, metropolis::BoxStep, poly as mw};
+use num_bigint::BigUint;
+use rand_core::TryRng;
+use rand_pcg::Pcg32;
+use support::generators::Cycle;
+use support::mean::Mean;
+
+#[test]
+fn parts_are_proposed_in_order_by_their_own_mutations() {
+    let step = mw::NormalStep::new([0.1, 1.0]).unwrap();
+    let walk = WrappedWalk::new(BoxStep::new(0.2).unwrap());
+    let far = Independence::new(mw::Exponential::from_rate(2.0).unwrap());
+    let index = UniformIndex::new(5).unwrap();
+    let (two, three) = (
+        Product::new((step, walk)),
+        Product::new((index, step, walk)),
+    );
+    let four = Product::new((walk, far, index, step));
+    for seed in 0..1000 {
+        let rng = Pcg32::new(seed, 3);
+        let (mut a, mut b) = (rng.clone(), rng.clone());
+        let Ok(both) = two.try_propose(([0.0, 1.0], 0.5), &mut a);
+        let (Ok(x), Ok(y)) = (
+            step.try_propose([0.0, 1.0], &mut b),
+            walk.try_propose(0.5, &mut b),
+        );
+        assert_eq!((both.state, &a), ((x.state, y.state), &b));
+        let Ok(all) = three.try_propose((4, [0.0, 1.0], 0.5), &mut a);
+        let Ok(i) = index.try_propose(4, &mut b);
+        let (Ok(x), Ok(y)) = (
+            step.try_propose([0.0, 1.0], &mut b),
+            walk.try_propose(0.5, &mut b),
+        );
+        assert_eq!((all.state, &a), ((i.state, x.state, y.state), &b));
+        let Ok(all) = four.try_propose((0.5, 1.0, 4, [0.0, 1.0]), &mut a);
+        let (Ok(y), Ok(z)) = (walk.try_propose(0.5, &mut b), far.try_propose(1.0, &mut b));
+        let (Ok(i), Ok(x)) = (
+            index.try_propose(4, &mut b),
+            step.try_propose([0.0, 1.0], &mut b),
+        );
+        assert_eq!((all.state, &a), ((y.state, z.state, i.state, x.state), &b));
+        assert_eq!((all.correction, all.kind), (z.correction, 0));
+    }
+    // Of parts that are symmetric nothing is multiplied.
+    fn symmetric<X>(_: &impl Mutation<X, Correction = Symmetric>) {}
+    symmetric::<([f32; 2], f32)>(&two);
+    symmetric::<(usize, [f32; 2], f32)>(&three);
+}
+
+const ROWS: [[f32; 3]; 3] = [[4.0, 2.0, 2.0], [3.0, 2.0, 1.0], [1.0, 4.0, 3.0]];
+const OTHER: [[f32; 2]; 2] = [[7.0, 2.0], [1.0, 5.0]];
+const WEIGHTS: [[u32; 2]; 3] = [[1, 900_000_000], [77, 3], [u32::MAX, 12]];
+
+/// Of all moves between states of two parts, those whose number of accepting words is not ⌈2³² f′T′/(fT)⌉, both parts counted;
+/// or only those of the first.
+fn wrong_moves(both: bool) -> usize {
+    let first = ROWS.map(|row| Cdf::<[u32; 3]>::new(&row).unwrap());
+    let second = OTHER.map(|row| Cdf::<[u32; 2]>::new(&row).unwrap());
+    let tables = (
+        TransitionTable::new(first).unwrap(),
+        TransitionTable::new(second).unwrap(),
+    );
+    let mutation = Product::new(tables);
+    let weight = |(i, j): (usize, usize)| WEIGHTS[i][j];
+    let states = || (0..3).flat_map(|i| (0..2).map(move |j| (i, j)));
+    let ways = |(i, j): (usize, usize), (k, l): (usize, usize)| {
+        let [first, second] = [
+            u64::from(first[i].numerator(k)),
+            u64::from(second[j].numerator(l)),
+        ];
+        BigUint::from(first) * BigUint::from(if both { second } else { 1 })
+    };
+    let mut wrong = 0;
+    for from in states() {
+        for to in states() {
+            let words = [
+                *first[from.0].words_of(to.0).unwrap().start(),
+                *second[from.1].words_of(to.1).unwrap().end(),
+                0,
+            ];
+            let mut chain = Chain::new(from, weight).unwrap();
+            let step = chain.step(weight, &mutation, &mut Cycle::new(&words));
+            assert_eq!(step.proposed, to);
+            let part: BigUint = (ways(to, from) * weight(to)) << 32_u32;
+            let whole = ways(from, to) * weight(from);
+            let due: BigUint = (part + &whole - 1_u32) / whole;
+            let due = due.min(BigUint::from(1_u64 << 32));
+            wrong += usize::from(due != BigUint::from(step.acceptance.words()));
+        }
+    }
+    wrong
+}
+
+#[test]
+fn tables_of_both_parts_are_accepted_by_the_exact_number_of_words() {
+    assert_eq!(wrong_moves(true), 0);
+    // A product that forgets a part is seen.
+    assert!(wrong_moves(false) > 5);
+}
+
+/// Stays, and states a ratio.
+#[derive(Clone, Copy)]
+struct Says<C>(C);
+
+impl<C: microwarp::metropolis::HastingsCorrection> Mutation<u8> for Says<C> {
+    type Correction = C;
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: u8,
+        _: &mut R,
+    ) -> Result<Proposal<u8, C>, R::Error> {
+        Ok(Proposal::new(from, self.0))
+    }
+}
+
+fn said(a: HastingsCounts, b: HastingsCounts) -> [u128; 2] {
+    let product = Product::new((Says(a), Says(b)));
+    let Ok(proposal) = product.try_propose((0, 0), &mut Pcg32::new(1, 1));
+    [
+        proposal.correction.forward(),
+        proposal.correction.backward(),
+    ]
+}
+
+#[test]
+fn counts_are_multiplied_exactly_as_long_as_they_fit() {
+    let counts = HastingsCounts::new;
+    assert_eq!(said(counts(3, 5), counts(7, 11)), [21, 55]);
+    let all = 1 << 32;
+    assert_eq!(
+        said(counts(all, all - 1), counts(all, all - 5)),
+        [1 << 64, (all - 1) * (all - 5)]
+    );
+    // No way there, and no way back, stay so.
+    assert_eq!(said(counts(0, 5), counts(1 << 64, 1 << 64))[0], 0);
+    assert_eq!(said(counts(5, 1 << 64), counts(1 << 64, 0))[1], 0);
+    assert!(said(counts(1 << 64, 1), counts(1 << 64, 1))[1] > 0);
+    // Beyond that the larger keeps 63 bits, and the smaller what lies above the same place.
+    let mut largest = 0.0_f64;
+    for (a, b) in [
+        (1 << 64, 1 << 64),
+        ((1 << 63) + 1, (1 << 40) + 7),
+        (u64::MAX.into(), u64::MAX.into()),
+    ] {
+        for (c, d) in [
+            (1 << 64, 3 << 60),
+            (12_345_678_901_234_567_891, 1 << 63),
+            (1 << 50, 1 << 57),
+        ] {
+            let [forward, backward] = said(counts(a, c), counts(b, d)).map(BigUint::from);
+            let exact = [BigUint::from(a) * b, BigUint::from(c) * d];
+            // |f/b − F/B| over F/B, with F and B exact.
+            let (one, other) = (&forward * &exact[1], &exact[0] * &backward);
+            let off = if one > other {
+                &one - &other
+            } else {
+                &other - &one
+            };
+            let shift = other.bits().saturating_sub(100);
+            let number = |n: BigUint| u128::try_from(n >> shift).unwrap() as f64;
+            let (off, whole) = (number(off), number(other));
+            largest = largest.max(off / whole);
+        }
+    }
+    println!("off by {largest:.2e}");
+    assert!(largest <= 2f64.powi(-40), "{largest}");
+}
+
+#[test]
+fn ratios_are_multiplied_whatever_their_form() {
+    let (ratio, counts) = (HastingsRatio::new(1e30, 3e-20), HastingsCounts::new(7, 3));
+    let of = |a: HastingsRatio, b: HastingsCounts| {
+        let Ok(one) = Product::new((Says(a), Says(b))).try_propose((0, 0), &mut Pcg32::new(1, 1));
+        let Ok(two) = Product::new((Says(b), Says(a))).try_propose((0, 0), &mut Pcg32::new(1, 1));
+        assert_eq!(one.correction, two.correction);
+        one.correction
+    };
+    // 3e-50 · 3/7, which no f32 holds, beside a density that makes up for it.
+    let product = Product::new((Says(ratio), Says(ratio), Says(counts)));
+    let back = Says(HastingsRatio::new(3e-20, 1e30));
+    let whole = Product::new((product, back, back));
+    let Ok(proposal) = whole.try_propose(((0, 0, 0), 0, 0), &mut Pcg32::new(1, 1));
+    let weight = |_: ((u8, u8, u8), u8, u8)| 1.0;
+    let mut chain = Chain::new(((0, 0, 0), 0, 0), weight).unwrap();
+    let step = chain.step(weight, &whole, &mut Pcg32::new(1, 1));
+    println!("{proposal:?}, {}", step.acceptance);
+    assert!((step.acceptance - 3.0 / 7.0).abs() <= 4.0 * f32::EPSILON);
+    // What is not a ratio stays none.
+    assert_ne!(of(ratio, counts), ratio);
+    assert_eq!(
+        of(HastingsRatio::new(0.0, 1.0), counts),
+        of(HastingsRatio::new(f32::NAN, 1.0), counts)
+    );
+    assert_ne!(
+        of(HastingsRatio::new(1.0, 0.0), counts),
+        of(HastingsRatio::new(0.0, 1.0), counts)
+    );
+}
+
+#[test]
+fn a_product_of_sources_draws_its_parts_apart_and_starts_chains() {
+    let (line, table) = (
+        mw::Exponential::from_rate(2.0).unwrap(),
+        Cdf::<[u32; 3]>::new(&[1.0, 2.0, 5.0]).unwrap(),
+    );
+    let source = Product::new((line, table));
+    let mut rng = Pcg32::new(9, 1);
+    for _ in 0..1000 {
+        let mut twin = rng.clone();
+        let Ok((x, i)) = source.try_draw_state(&mut rng);
+        assert_eq!((x, i), (line.draw(&mut twin), table.draw_index(&mut twin)));
+        assert_eq!(source.pdf_of_state((x, i)), line.pdf(x) * table.pmf(i));
+    }
+    // ∫ x·i over x, of e^-x: 3 in all.
+    let f = |(x, i): (f32, usize)| (-x).exp() * x * i as f32;
+    let runs = |source: &dyn Fn(&mut Pcg32) -> f64| {
+        Mean::of((0..20_000).map(|run| source(&mut Pcg32::new(run, 5))))
+    };
+    let right = runs(&|rng| {
+        let start = Chain::resample(f, &source, 8, rng);
+        start.map_or(0.0, |start| start.weight.into())
+    });
+    let off = right.deviation(3.0).abs();
+    println!("{} ± {}", right.mean, right.error);
+    assert!(off <= 5.0, "{off} σ");
+    // The same with a density that forgets the table.
+    struct Half<S>(S);
+    impl<S: StateSource<(f32, usize)>> StateSource<(f32, usize)> for Half<S> {
+        type Correction = S::Correction;
+        fn try_draw_state<R: TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+        ) -> Result<(f32, usize), R::Error> {
+            self.0.try_draw_state(rng)
+        }
+        fn pdf_of_state(&self, (x, i): (f32, usize)) -> f32 {
+            self.0.pdf_of_state((x, i)) / [0.125, 0.25, 0.625][i]
+        }
+        fn ratio_of_states(&self, from: (f32, usize), to: (f32, usize)) -> S::Correction {
+            self.0.ratio_of_states(from, to)
+        }
+    }
+    let wrong = runs(&|rng| {
+        let start = Chain::resample(f, &Half(source), 8, rng);
+        start.map_or(0.0, |start| start.weight.into())
+    });
+    assert!(wrong.deviation(3.0).abs() > 10.0, "{}", wrong.mean);
+    // Of the unit cube it is a mutation and a source.
+    let cube = Product::new((UniformStep::new(), UniformStep::new()));
+    assert_eq!(cube.pdf_of_state(([0.5_f32; 2], 0.25_f32)), 1.0);
+    assert_eq!(cube.pdf_of_state(([0.5_f32, 1.5], 0.25_f32)), 0.0);
+}
