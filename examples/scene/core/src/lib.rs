@@ -14,6 +14,7 @@
 //! | reflection: matte, glossy, rough metal | `CosineHemisphere`, `PhongLobe`, `GgxVisible` |
 //! | distance in fog | `TruncatedExponential` and `EquiAngular`, weighted together |
 //! | scattering in fog | `HenyeyGreenstein` |
+//! | paths from paths, in Metropolis light transport | `Chain` of a `Mixture` of `Product`s |
 //!
 //! Lengths are in metres and z is up. Radiance has three channels, red, green and blue.
 #![no_std]
@@ -33,6 +34,7 @@ pub mod fog;
 pub mod kit;
 pub mod light;
 pub mod material;
+pub mod metropolis;
 pub mod path;
 pub mod picture;
 pub mod scenes;
@@ -47,8 +49,9 @@ pub use fog::{Clear, Fog, Haze};
 pub use kit::Kit;
 pub use light::{Choice, Lamp, Light};
 pub use material::Material;
+pub use metropolis::{Run, Walk};
 pub use path::{Balance, Heuristic, LightOnly, LobeOnly, Power, Scene};
 pub use picture::{Hash, Plan};
 pub use shape::{Quad, Ray, Shape, Sphere};
 pub use sky::{NoSky, Sky};
-pub use source::{Random, Set, Source};
+pub use source::{Numbers, Random, Set, Source};

@@ -35,6 +35,9 @@ const ROULETTE_WORD: u32 = 3;
 const LOBE: u32 = 4;
 const FOG: u32 = 8;
 
+/// All numbers that a path takes.
+pub const NUMBERS: usize = DIMENSIONS.wrapping_add(BOUNCES.wrapping_mul(PER_BOUNCE)) as usize;
+
 /// How samples of lights and of lobes are weighed together.
 pub trait Heuristic {
     /// The weight of a sample of density `own`, where the other technique has density `other`.

@@ -1,7 +1,8 @@
 //! Where the random words of a path come from.
 
+use crate::path::NUMBERS;
 use core::convert::Infallible;
-use microwarp::uniform::{ByPosition, Cursor, Points, Sobol, Strata2d};
+use microwarp::uniform::{ByPosition, Cursor, FromFn, Points, Sobol, Strata2d, grid_from_word};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 
@@ -176,5 +177,74 @@ impl Points for Strata {
         let u = if dimension & 1 == 0 { x } else { y };
         // The middle of a step of the grid, as 32 bits.
         ((u * 16_777_216.0) as u32) << 8 | 0x80
+    }
+}
+
+/// The numbers of one path, from 0 to 1: what a chain in primary sample space moves. A pixel's own are those of
+/// [`ByPosition`], cut to 24 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers {
+    path: [f32; NUMBERS],
+    next: u32,
+    points: ByPosition,
+}
+
+impl Numbers {
+    pub const fn new(path: [f32; NUMBERS]) -> Self {
+        Self {
+            path,
+            next: 0,
+            points: ByPosition::new(0, 0),
+        }
+    }
+
+    /// The middle of a step of the grid; of the whole interval beyond the last number.
+    fn next_word(&mut self) -> u32 {
+        let number = self.path.get(self.next as usize).copied().unwrap_or(0.5);
+        self.next = self.next.wrapping_add(1);
+        ((number * 16_777_216.0) as u32) << 8 | 0x80
+    }
+}
+
+impl TryRng for Numbers {
+    type Error = Infallible;
+
+    #[inline]
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        Ok(self.next_word())
+    }
+
+    #[inline]
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        FromFn(|| self.next_word()).try_next_u64()
+    }
+
+    #[inline]
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        FromFn(|| self.next_word()).try_fill_bytes(bytes)
+    }
+}
+
+impl Source for Numbers {
+    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
+        let points = ByPosition::new(seed, pixel);
+        let path = [0.0; NUMBERS];
+        Self {
+            path,
+            next: 0,
+            points,
+        }
+    }
+
+    fn begin(&mut self, sample: u32) {
+        for (number, dimension) in self.path.iter_mut().zip(0..) {
+            *number = grid_from_word(self.points.word(sample, dimension));
+        }
+        self.next = 0;
+    }
+
+    #[inline]
+    fn skip_to(&mut self, dimension: u32) {
+        self.next = dimension;
     }
 }
