@@ -1,9 +1,11 @@
-// The page: the selection, the drawing, the measuring and the timing. The module samples; `truth` has the exact maps.
+// The page: the selection, the drawing, the measuring and the timing. The module samples; `truth` has the exact maps. The tab
+// with scenes is a part of its own, in `page/scene.mjs`.
 
 import { MOST, SOURCES, load } from "./page/module.mjs";
 import { verify } from "./page/golden.mjs";
 import { TIER_LABELS, families_of, realised } from "./page/catalogue.mjs";
 import { choices, parameters, readings } from "./page/controls.mjs";
+import * as scenes from "./page/scene.mjs";
 import { seen } from "./truth/drawn.mjs";
 import * as line from "./view/line.mjs";
 import * as plane from "./view/plane.mjs";
@@ -24,8 +26,18 @@ let families;
 // --- what is chosen ----------------------------------------------------------------------------------
 
 function choose_family(name) {
+  const tab = name === "scene";
+  for (const id of ["scenes", "scene", "scene-controls"]) at(id).hidden = !tab;
+  for (const id of ["subjects", "bench", "controls"]) at(id).hidden = tab;
+  choices(at("families"), "family", [...families, { name: "scene", label: "A scene" }].map(({ name, label }) => ({ value: name, label })), name, choose_family);
+  if (tab) {
+    stop();
+    clearTimeout(state.clock);
+    return scenes.open();
+  }
+  scenes.close();
   state.family = families.find((family) => family.name === name);
-  choose_subject(state.family.subjects[0].name);
+  return choose_subject(state.family.subjects[0].name);
 }
 
 function choose_subject(name) {
@@ -60,7 +72,6 @@ function summary({ documented }, tier) {
 
 function show_choices() {
   const { family, entry, tier, source } = state;
-  choices(at("families"), "family", families.map(({ name, label }) => ({ value: name, label })), family.name, choose_family);
   choices(at("subjects"), "subject", family.subjects.map(({ name, label }) => ({ value: name, label })), entry.name, choose_subject);
   choices(at("tiers"), "tier", entry.tiers.map((value) => ({ value, label: TIER_LABELS[value] })), tier, choose_tier);
   choices(at("sources"), "source", SOURCES.map((value) => ({ value, label: value, disabled: !entry.plans && value !== "random" })),
@@ -117,7 +128,7 @@ function measure_speed() {
 
 function draw(keep) {
   const { scene } = state;
-  if (!scene) return;
+  if (!scene || at("bench").hidden) return;
   const { entry } = scene;
   const pictures = { line: line.draw, bars: line.draw_bars, plane: plane.draw, sphere: sphere.draw };
   const turnable = entry.view === "sphere";
@@ -241,7 +252,7 @@ try {
   families = families_of(module.subjects);
   at("module").textContent = `The module is ${whole(module.size)} bytes, imports ${module.imports === 0 ? "nothing and cannot panic" : `${module.imports} functions`}.`;
   wire();
-  choose_family("plane");
+  choose_family(scenes.asked() ? "scene" : "plane");
   await show_golden();
 } catch (problem) {
   at("golden").dataset.state = "mismatch";

@@ -1,6 +1,6 @@
 // Tests the page's promises in headless Chromium.
 //   node test/run.mjs SITE PANICS.wasm PICTURES
-// SITE has microwarp.wasm and golden.csv as `build` left them; PANICS.wasm is a module that can panic; PICTURES is
+// SITE has the modules and what they are held against as `build` left them; PANICS.wasm is a module that can panic; PICTURES is
 // where the screenshots go. Every check that could pass by seeing nothing has a control that it must reject.
 
 import { mkdir, readFile, writeFile } from "node:fs/promises";
@@ -8,6 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { serve } from "../serve.mjs";
 import { launch } from "./browser.mjs";
+import { NO_SCENE, one_bit_wider, refused_scenes, rendered, verdict } from "./scene.mjs";
 import { LOST, every_subject, lost_truths, most_points, refusals, turns } from "./walk.mjs";
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)));
@@ -47,13 +48,15 @@ function edited(text, from, to) {
 
 const module = await readFile(join(site, "microwarp.wasm"));
 const table = await readFile(join(site, "golden.csv"), "utf8");
-const built = { "microwarp.wasm": module, "golden.csv": table };
+const scenes = await readFile(join(site, "scene.wasm"));
+const hashes = await readFile(join(site, "scene.csv"), "utf8");
+const built = { "microwarp.wasm": module, "golden.csv": table, "scene.wasm": scenes, "scene.csv": hashes };
 const browser = await launch();
 
 // Opens the page with some of its files replaced, waits for what it says of the golden bits, and closes it again.
-async function with_page(what, screen, instead, work) {
+async function with_page(what, screen, instead, work, address = "") {
   const server = await serve(web, { instead: { ...built, ...instead } });
-  const page = await browser.open(server.url, screen);
+  const page = await browser.open(server.url + address, screen);
   try {
     await page.until(`document.getElementById("golden").dataset.state !== "waiting"`);
     const golden = await page.evaluate(`({ ...document.getElementById("golden").dataset, text: document.getElementById("golden").textContent })`);
@@ -82,11 +85,13 @@ async function picture(page, name) {
 
 // --- the module --------------------------------------------------------------------------------------
 
-function modules(panicking) {
+function modules(panicking, readme) {
   const imports = (binary) => WebAssembly.Module.imports(new WebAssembly.Module(binary)).map(({ name }) => name);
-  check(imports(module).length === 0, `the module imports ${imports(module).join(", ")}: it can panic`);
+  for (const one of [module, scenes]) check(imports(one).length === 0, `a module imports ${imports(one).join(", ")}: it can panic`);
   check(imports(panicking).includes("panicked"), "control: a module that can panic does not show it");
-  say(`module: ${module.length} bytes, no import, so no panic; in a module that panics the import was seen`);
+  const stated = Number(/(\d+) kB/.exec(readme)?.[1]);
+  check(Math.abs(scenes.length / 1000 / stated - 1) < 0.05, `the module of the scenes has ${scenes.length} bytes, README.md says ${stated} kB`);
+  say(`modules: ${module.length} bytes, that of the scenes ${scenes.length}; no import, so no panic; in a module that panics the import was seen`);
 }
 
 // --- the page ----------------------------------------------------------------------------------------
@@ -131,6 +136,42 @@ async function on_small_screens() {
   });
 }
 
+// --- the tab with scenes -----------------------------------------------------------------------------
+
+async function with_scenes() {
+  const began = performance.now();
+  await with_page("scenes", DESK, {}, async (page) => {
+    const { count, pictures: compared, errors } = await rendered(page, scenes, hashes, check);
+    say(`scenes: ${compared} pictures, each of the host's bits in both halves; the table has ${count}`);
+    say(`scenes: error from ${errors.first} to ${errors.last}; once estimated ${errors.estimated}, against a finer picture ${errors.real}`);
+    await sound("scenes", page);
+  });
+  await with_page("scenes, refused", { ...NARROW, features: DARK_AND_STILL }, {}, async (page) => {
+    say(`scenes: ${await refused_scenes(page, check)} addresses refused, each with its reason`);
+    await sound("scenes, refused", page);
+    await picture(page, "scene-narrow.png");
+  }, NO_SCENE);
+  const row = "room poly sobol 144x96 4 43,";
+  const line = hashes.split("\n").find((text) => text.startsWith(row));
+  const changed = edited(hashes, line, one_bit_changed(line));
+  for (const [what, instead, due] of [
+    ["a changed bit of a hash", { "scene.csv": changed }, /^MISMATCH/],
+    ["another module", { "scene.wasm": one_bit_wider(scenes) }, /^MISMATCH/],
+    ["no table of hashes", { "scene.csv": null }, /^NOT compared/],
+  ]) {
+    const { state, text } = await with_page(`control: ${what}`, DESK, instead, verdict, "?scene=room");
+    check(state === "mismatch" && due.test(text), `control: ${what}, and the page says: ${text}`);
+    say(`control, ${what}: ${text}`);
+  }
+  await with_page("scenes on a desk", DESK, {}, async (page) => {
+    await page.until(`Number(document.getElementById("scene").dataset.samples) >= 16`, 60);
+    await picture(page, "scene.png");
+    check((await verdict(page)).state === "verified", "the host's verdict is gone after further passes");
+    await sound("scenes on a desk", page);
+  }, "?scene=fog");
+  say(`the tab with scenes took ${((performance.now() - began) / 1000).toFixed(1)} s`);
+}
+
 // --- controls ----------------------------------------------------------------------------------------
 
 async function controls() {
@@ -168,9 +209,10 @@ async function controls() {
 
 await mkdir(pictures, { recursive: true });
 try {
-  modules(await readFile(panics));
+  modules(await readFile(panics), await readFile(join(web, "README.md"), "utf8"));
   await on_a_desk();
   await on_small_screens();
+  await with_scenes();
   await controls();
 } catch (problem) {
   faults.push(problem.message);
