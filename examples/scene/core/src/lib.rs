@@ -31,6 +31,7 @@
 pub mod camera;
 pub mod film;
 pub mod fog;
+pub mod golden;
 pub mod kit;
 pub mod light;
 pub mod material;

@@ -1,12 +1,27 @@
-//! The golden table: lines of new cases are added, lines that exist change only where that is asked for by name.
+//! The golden tables, of functions and of pictures: lines of new cases are added, lines that exist change only where that is
+//! asked for by name.
 
 use microwarp_golden::{cases, describe, evaluate};
+use microwarp_scene::golden::Case;
 use microwarp_upkeep::{Outcome, read, write};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-const PATH: &str = "tests/golden/golden.csv";
-const HEAD: &str = "# The bits that every target yields; compared, never edited. Columns: case, then words in hex.";
+/// A table: where it is, its first line, and the lines that it should have.
+type Table = (&'static str, &'static str, fn() -> Outcome<Vec<String>>);
+
+const TABLES: [Table; 2] = [
+    (
+        "tests/golden/golden.csv",
+        "# The bits that every target yields; compared, never edited. Columns: case, then words in hex.",
+        || Ok(computed()),
+    ),
+    (
+        "tests/golden/scene.csv",
+        "# The hashes that pictures of the example `scene` have on every target; compared, never edited. Columns: scene, tier, points, size, samples a pixel and seed; then the hash.",
+        pictures,
+    ),
+];
 
 /// The line of every case: its name, then the words it yields.
 fn computed() -> Vec<String> {
@@ -23,13 +38,21 @@ fn computed() -> Vec<String> {
     (0..cases()).map(line).collect()
 }
 
+fn pictures() -> Outcome<Vec<String>> {
+    let line = |case: Case| match (case.hash)(&case.plan) {
+        Ok(hash) => Ok(format!("{case},{:08x}", hash.word())),
+        Err(error) => Err(format!("{case}: {error}")),
+    };
+    microwarp_scene::golden::cases().map(line).collect()
+}
+
 fn case(line: &str) -> &str {
     line.split(',').next().unwrap_or(line)
 }
 
 /// The table anew, and what has been asked for of it, line by line. Complains of lines that differ or are gone and have
 /// not been named.
-fn merge(old: &str, now: &[String], named: &[String]) -> Outcome<(String, String)> {
+fn merge(head: &str, old: &str, now: &[String], named: &[String]) -> Outcome<(String, String)> {
     let mut kept: BTreeMap<&str, &str> = old
         .lines()
         .filter(|line| !line.starts_with('#'))
@@ -37,7 +60,7 @@ fn merge(old: &str, now: &[String], named: &[String]) -> Outcome<(String, String
         .collect();
     let asked = |line: &str| named.iter().any(|text| case(line).contains(text.as_str()));
     let (mut table, mut report, mut complaints) =
-        (format!("{HEAD}\n"), String::new(), String::new());
+        (format!("{head}\n"), String::new(), String::new());
     for line in now {
         let before = kept.remove(case(line));
         match before {
@@ -82,11 +105,12 @@ fn control(table: &str, now: &[String]) -> Outcome {
     let mut flipped = now.to_vec();
     flipped[0] = format!("{}0", first);
     let named = [case(first).to_string()];
-    let refused = merge(table, &flipped, &[]).is_err() && merge(table, rest, &[]).is_err();
+    let merged = |old: &str, now: &[String], named: &[String]| merge("", old, now, named);
+    let refused = merged(table, &flipped, &[]).is_err() && merged(table, rest, &[]).is_err();
     let let_through =
-        merge(table, &flipped, &named).is_ok_and(|(_, report)| report.lines().count() == 2);
+        merged(table, &flipped, &named).is_ok_and(|(_, report)| report.lines().count() == 2);
     let added =
-        merge(&rest.join("\n"), now, &[]).is_ok_and(|(_, report)| report.lines().count() == 1);
+        merged(&rest.join("\n"), now, &[]).is_ok_and(|(_, report)| report.lines().count() == 1);
     if refused && let_through && added {
         Ok(())
     } else {
@@ -94,20 +118,27 @@ fn control(table: &str, now: &[String]) -> Outcome {
     }
 }
 
-pub fn step(check: bool, named: &[String]) -> Outcome {
-    let (old, now) = (read(PATH).unwrap_or_default(), computed());
-    let (table, report) = merge(&old, &now, named)?;
+fn one(check: bool, named: &[String], (path, head, computed): Table) -> Outcome {
+    let (old, now) = (read(path).unwrap_or_default(), computed()?);
+    let (table, report) =
+        merge(head, &old, &now, named).map_err(|error| format!("{path}: {error}"))?;
     control(&table, &now)?;
     print!("{report}");
     if !check {
-        return write(PATH, &table);
+        return write(path, &table);
     }
     if table == old {
-        println!("golden: {} cases, as checked in", now.len());
+        println!("{path}: {} cases, as checked in", now.len());
         Ok(())
     } else {
         Err(format!(
-            "{PATH} lacks the lines above, or its order is another"
+            "{path} lacks the lines above, or its order is another"
         ))
     }
+}
+
+pub fn step(check: bool, named: &[String]) -> Outcome {
+    TABLES
+        .into_iter()
+        .try_for_each(|table| one(check, named, table))
 }

@@ -14,7 +14,7 @@ use std::process::{Command, ExitCode};
 const HELP: &str = "\
 Regenerates what is derived from the sources, in this order:
 
-    golden     tests/golden/golden.csv: lines of new cases; existing lines only with --golden
+    golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
     accuracy   docs/accuracy.md, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
     sizes      .ci/sizes.csv, examples/firmware/sizes.csv
@@ -27,7 +27,7 @@ Regenerates what is derived from the sources, in this order:
     --check         writes nothing; fails, and prints the difference, where golden, pages or tidy are not up to
                     date. The full tests and .ci/run sizes compare the others
     --only NAME     this step alone; may be given more than once
-    --golden TEXT   lines of the golden table whose case contains TEXT may change; prints the old and the new.
+    --golden TEXT   lines of a golden table whose case contains TEXT may change; prints the old and the new.
                     This breaks values: say so in the changelog and in the commit
     --worst         keeps the worst cases of an adversary's search as well: tests/*/worst.csv
     --costs         counts instructions as well: benches/cores/costs.csv; needs an emulator, and hours for all
