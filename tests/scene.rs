@@ -5,7 +5,7 @@ use microwarp::constant;
 use microwarp::discrete::{Cdf, LatLongMap};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::{ByPosition, Points, Sobol, grid};
-use microwarp_scene::fog::Scattered;
+use microwarp_scene::fog::{HazeLobe, Scattered};
 use microwarp_scene::material::{Any, Glossy, Matte, Metal};
 use microwarp_scene::scenes::{fog, room, sensor, slit, slivers};
 use microwarp_scene::sky::{COLUMNS, ROWS, Table};
@@ -512,8 +512,10 @@ impl Fog for Unweighed {
         Some(Scattered { weight, ..there })
     }
 
-    fn phase<K: Kit>(&self) -> Option<K::Phase> {
-        self.0.phase::<K>()
+    type Lobe<K: Kit> = HazeLobe<K>;
+
+    fn phase<K: Kit>(&self, direction: Vector) -> Option<HazeLobe<K>> {
+        self.0.phase::<K>(direction)
     }
 }
 

@@ -2,12 +2,14 @@
 
 use crate::kit::Kit;
 use crate::light::{Choice, Light};
+use crate::material::{Bounce, Lobe};
 use crate::shape::Ray;
-use crate::vector::{dot, length, minus, scaled};
+use crate::vector::{Vector, dot, length, minus, scaled};
+use core::convert::Infallible;
 use microwarp::Warp;
 use microwarp::tier::Tier;
 use microwarp::uniform::grid;
-use microwarp::warp::EquiAngular;
+use microwarp::warp::{EquiAngular, Frame, Oriented};
 use rand_core::Rng;
 
 /// What is between the surfaces.
@@ -24,8 +26,12 @@ pub trait Fog: Copy {
         words: &mut impl Rng,
     ) -> Option<Scattered>;
 
-    /// The law of directions about the way that light goes.
-    fn phase<K: Kit>(&self) -> Option<K::Phase>;
+    /// The law of directions at a place where light is scattered. Clear air has no value of this type, by which the compiler
+    /// knows that light is never scattered there.
+    type Lobe<K: Kit>: Lobe;
+
+    /// The law about the way that light goes, a unit vector.
+    fn phase<K: Kit>(&self, direction: Vector) -> Option<Self::Lobe<K>>;
 }
 
 /// A place where a ray is scattered.
@@ -60,9 +66,23 @@ impl Fog for Clear {
         None
     }
 
+    type Lobe<K: Kit> = Infallible;
+
     #[inline]
-    fn phase<K: Kit>(&self) -> Option<K::Phase> {
+    fn phase<K: Kit>(&self, _: Vector) -> Option<Infallible> {
         None
+    }
+}
+
+impl Lobe for Infallible {
+    #[inline]
+    fn draw(&self, _: &mut impl Rng) -> Option<Bounce> {
+        match *self {}
+    }
+
+    #[inline]
+    fn weigh(&self, _: Vector) -> (Vector, f32) {
+        match *self {}
     }
 }
 
@@ -142,7 +162,33 @@ impl Fog for Haze {
         Some(Scattered { way, weight, light })
     }
 
-    fn phase<K: Kit>(&self) -> Option<K::Phase> {
-        K::phase(self.asymmetry).ok()
+    type Lobe<K: Kit> = HazeLobe<K>;
+
+    fn phase<K: Kit>(&self, direction: Vector) -> Option<HazeLobe<K>> {
+        let frame = Frame::new(direction).ok()?;
+        let phase = K::phase(self.asymmetry).ok()?;
+        Some(HazeLobe(Oriented::new(phase, frame)))
+    }
+}
+
+/// The law of [`Haze`], which is its own density.
+pub struct HazeLobe<K: Kit>(Oriented<K::Phase>);
+
+impl<K: Kit> Lobe for HazeLobe<K> {
+    #[inline]
+    fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
+        let (direction, pdf) = self.0.draw_with_pdf(words);
+        let value = [pdf; 3];
+        Some(Bounce {
+            direction,
+            value,
+            pdf,
+        })
+    }
+
+    #[inline]
+    fn weigh(&self, direction: Vector) -> (Vector, f32) {
+        let pdf = self.0.pdf(direction);
+        ([pdf; 3], pdf)
     }
 }

@@ -13,7 +13,7 @@ use crate::vector::{Vector, dot, largest, plus, scaled, times};
 use microwarp::Warp;
 use microwarp::estimate::{balance_heuristic, power_heuristic};
 use microwarp::uniform::grid;
-use microwarp::warp::{Frame, Oriented};
+use microwarp::warp::Frame;
 use rand_core::Rng;
 
 /// The most bounces of a path, by surfaces and by fog. Light that takes more is lost.
@@ -119,21 +119,18 @@ enum Met<M> {
 }
 
 /// A place where light is scattered, with the directions that are drawn there.
-enum Vertex<K: Kit, M: Material> {
+enum Vertex<K: Kit, M: Material, F: Fog> {
     Surface(Frame, M::Lobe<K>),
-    Fog(Oriented<K::Phase>),
+    Fog(F::Lobe<K>),
 }
 
-impl<K: Kit, M: Material> Vertex<K, M> {
+impl<K: Kit, M: Material, F: Fog> Vertex<K, M, F> {
     /// Value and density of a direction of the world.
     #[inline]
     fn weigh(&self, direction: Vector) -> (Vector, f32) {
         match self {
             Self::Surface(frame, lobe) => lobe.weigh(frame.to_local(direction)),
-            Self::Fog(phase) => {
-                let pdf = phase.pdf(direction);
-                ([pdf; 3], pdf)
-            }
+            Self::Fog(phase) => phase.weigh(direction),
         }
     }
 
@@ -145,15 +142,7 @@ impl<K: Kit, M: Material> Vertex<K, M> {
                 let direction = frame.to_world(local.direction);
                 Some(Bounce { direction, ..local })
             }
-            Self::Fog(phase) => {
-                let (direction, pdf) = phase.draw_with_pdf(words);
-                let value = [pdf; 3];
-                Some(Bounce {
-                    direction,
-                    value,
-                    pdf,
-                })
-            }
+            Self::Fog(phase) => phase.draw(words),
         }
     }
 }
@@ -255,17 +244,12 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
                 self.fog
                     .scattered::<K, L>(ray, way, (self.lights, &self.choice), source);
             let (place, vertex, chosen) = if let Some(at) = scattered {
-                let (Some(phase), Ok(frame)) = (self.fog.phase::<K>(), Frame::new(ray.direction))
-                else {
+                let Some(phase) = self.fog.phase::<K>(ray.direction) else {
                     break;
                 };
                 light = scaled(light, at.weight);
                 gone += at.way;
-                (
-                    ray.at(at.way),
-                    Vertex::<K, M>::Fog(Oriented::new(phase, frame)),
-                    at.light,
-                )
+                (ray.at(at.way), Vertex::<K, M, F>::Fog(phase), at.light)
             } else {
                 gone += way;
                 if let Some((radiance, index)) = self.shine(&met, ray.direction) {
@@ -324,7 +308,7 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
     fn lit<K: Kit, H: Heuristic>(
         &self,
         place: Vector,
-        vertex: &Vertex<K, M>,
+        vertex: &Vertex<K, M, F>,
         chosen: Option<(usize, f32)>,
         words: &mut impl Rng,
     ) -> Option<(Vector, f32)> {
