@@ -1,6 +1,6 @@
 //! What the tests, the examples and the benches of microwarp share, on the host. Each exists once, here.
 //!
-//! - What there is and what it should do: `registry`, `truth`, and `peers`, the formulas of others.
+//! - What there is and what it should do: `registry`, `truth`, `twin` of the path tracer, and `peers`, the formulas of others.
 //! - What is stated: `docs` reads, holds and writes the figures of the documentation.
 //! - What is measured: `errors` of numbers, `figures` of a warp, `moved` points, the `adversary` that searches for the worst; `stats`,
 //!   `mean`, `slope` and `verdict` of samples; `contest` and `bench` of times.
@@ -29,6 +29,7 @@ pub mod speed;
 pub mod stats;
 pub mod table;
 pub mod truth;
+pub mod twin;
 pub mod verdict;
 pub mod words;
 

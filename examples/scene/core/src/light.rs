@@ -66,6 +66,11 @@ impl<'a> Choice<'a> {
         Self(Some(table))
     }
 
+    /// The table, if there is one.
+    pub const fn table(&self) -> Option<&Cdf<&'a [u32]>> {
+        self.0.as_ref()
+    }
+
     /// An index and its probability.
     #[inline]
     pub fn draw(&self, words: &mut impl Rng) -> Option<(usize, f32)> {

@@ -20,7 +20,7 @@ use rand_core::Rng;
 pub const BOUNCES: u32 = 8;
 
 /// From this bounce on a path ends by Russian roulette.
-const ROULETTE: u32 = 2;
+pub const ROULETTE: u32 = 2;
 
 /// How far rays go that hit nothing.
 pub const FAR: f32 = 100.0;
@@ -28,12 +28,12 @@ pub const FAR: f32 = 100.0;
 /// The dimensions of a bounce: two for the place on the light, one for which light, one for roulette, three for the lobe, four
 /// for the fog. What is two-dimensional begins at an even one, since points come in pairs. With those of the camera the first
 /// eight end with roulette, so that what a picture sees first is in one group.
-const PER_BOUNCE: u32 = 12;
-const PLACE: u32 = 0;
-const LIGHT: u32 = 2;
-const ROULETTE_WORD: u32 = 3;
-const LOBE: u32 = 4;
-const FOG: u32 = 8;
+pub const PER_BOUNCE: u32 = 12;
+pub const PLACE: u32 = 0;
+pub const LIGHT: u32 = 2;
+pub const ROULETTE_WORD: u32 = 3;
+pub const LOBE: u32 = 4;
+pub const FOG: u32 = 8;
 
 /// All numbers that a path takes.
 pub const NUMBERS: usize = DIMENSIONS.wrapping_add(BOUNCES.wrapping_mul(PER_BOUNCE)) as usize;

@@ -191,7 +191,16 @@ pub mod slivers {
     };
 
     /// A low sun behind the slivers, on the left; a unit vector.
-    const SUN: Vector = [-0.60, 0.72, 0.348_711_9];
+    pub const SUN: Vector = [-0.60, 0.72, 0.348_711_9];
+    /// Colours of the sky, above and at the horizon, of the glow about the sun and of its disc.
+    pub const ZENITH: Vector = [0.16, 0.30, 0.62];
+    pub const HORIZON: Vector = [1.05, 0.62, 0.34];
+    pub const GLOW: Vector = [1.0, 0.62, 0.30];
+    pub const DISC: Vector = [1.0, 0.74, 0.45];
+    /// How bright the glow is and the middle of the disc, and 1 less the cosine of its radius, 4.5 degrees.
+    pub const HALO: f32 = 0.9;
+    pub const PEAK: f32 = 150.0;
+    pub const WIDTH: f32 = 0.003;
 
     /// The evening: orange at the horizon, blue above, and a sun with a halo.
     #[derive(Clone, Copy, Debug)]
@@ -204,17 +213,17 @@ pub mod slivers {
         let low = (1.0 - height) * (1.0 - height);
         let low = low * low;
         let sky = plus(
-            scaled([0.16, 0.30, 0.62], 1.0 - low),
-            scaled([1.05, 0.62, 0.34], low),
+            scaled(ZENITH, 1.0 - low),
+            scaled(HORIZON, low),
         );
         let cosine = dot(direction, SUN);
         let halo = if cosine > 0.0 { cosine * cosine } else { 0.0 };
         let halo = halo * halo * halo * halo;
-        // Brightest in the middle, and dark from 4.5 degrees on.
-        let within = 1.0 - (1.0 - cosine) / 0.003;
-        let sun = if within > 0.0 { 150.0 * within } else { 0.0 };
-        let glow = scaled([1.0, 0.62, 0.30], 0.9 * halo);
-        plus(plus(sky, glow), scaled([1.0, 0.74, 0.45], sun))
+        // Brightest in the middle, and dark beyond its width.
+        let within = 1.0 - (1.0 - cosine) / WIDTH;
+        let sun = if within > 0.0 { PEAK * within } else { 0.0 };
+        let glow = scaled(GLOW, HALO * halo);
+        plus(plus(sky, glow), scaled(DISC, sun))
     }
 
     /// sin(πx) for x from 0 to 1, by its series about the nearer end, to 4e-6: what the table needs of it.
