@@ -71,10 +71,7 @@ fn wrong_moves(both: bool) -> usize {
     let weight = |(i, j): (usize, usize)| WEIGHTS[i][j];
     let states = || (0..3).flat_map(|i| (0..2).map(move |j| (i, j)));
     let ways = |(i, j): (usize, usize), (k, l): (usize, usize)| {
-        let [first, second] = [
-            u64::from(first[i].numerator(k)),
-            u64::from(second[j].numerator(l)),
-        ];
+        let [first, second] = [first[i].numerator(k), second[j].numerator(l)];
         BigUint::from(first) * BigUint::from(if both { second } else { 1 })
     };
     let mut wrong = 0;

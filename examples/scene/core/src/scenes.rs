@@ -212,10 +212,7 @@ pub mod slivers {
         let height = if z > 0.0 { z } else { 0.0 };
         let low = (1.0 - height) * (1.0 - height);
         let low = low * low;
-        let sky = plus(
-            scaled(ZENITH, 1.0 - low),
-            scaled(HORIZON, low),
-        );
+        let sky = plus(scaled(ZENITH, 1.0 - low), scaled(HORIZON, low));
         let cosine = dot(direction, SUN);
         let halo = if cosine > 0.0 { cosine * cosine } else { 0.0 };
         let halo = halo * halo * halo * halo;
