@@ -2,6 +2,8 @@
 //! type-checked.
 
 use core::panic::PanicInfo;
+use core::sync::atomic::{AtomicU32, Ordering};
+use cortex_m::peripheral::{SCB, SYST, syst::SystClkSource};
 use cortex_m_rt::{ExceptionFrame, STACK_PAINT_VALUE, exception};
 
 // A logger is linked by being named.
@@ -53,6 +55,76 @@ pub fn stack() -> (usize, usize) {
         start as usize - lowest as usize,
         start as usize - end as usize,
     )
+}
+
+/// Counts instructions, in an emulator that gives each the same time (QEMU's `-icount`).
+pub struct Stopwatch {
+    /// Cycles of the core that the known instructions took.
+    cycles: u64,
+    then: u64,
+}
+
+/// Instructions that are timed to begin with.
+const KNOWN: u32 = 1_000_000;
+
+impl Stopwatch {
+    pub fn calibrated() -> Self {
+        // SAFETY: nobody else has the system timer.
+        let mut timer = unsafe { cortex_m::Peripherals::steal() }.SYST;
+        timer.set_clock_source(SystClkSource::Core);
+        timer.set_reload(0xFF_FFFF);
+        timer.clear_current();
+        timer.enable_counter();
+        timer.enable_interrupt();
+        let mut watch = Self { cycles: 1, then: 0 };
+        let [short, long] = [KNOWN, 2 * KNOWN].map(|instructions| {
+            watch.start();
+            execute(instructions);
+            cycles_now() - watch.then
+        });
+        watch.cycles = long - short;
+        watch
+    }
+
+    pub fn start(&mut self) {
+        self.then = cycles_now();
+    }
+
+    /// Instructions since the start.
+    pub fn instructions(&self) -> u64 {
+        (cycles_now() - self.then) * u64::from(KNOWN) / self.cycles
+    }
+}
+
+/// Executes so many instructions, and a few more; an even number.
+#[inline(never)]
+fn execute(instructions: u32) {
+    #[cfg(target_arch = "arm")]
+    // SAFETY: it counts a register down.
+    unsafe {
+        core::arch::asm!("2:", "subs {0}, {0}, #2", "bne 2b", inout(reg) instructions => _);
+    }
+    #[cfg(not(target_arch = "arm"))]
+    core::hint::black_box(instructions);
+}
+
+/// How often the timer has gone round.
+static ROUNDS: AtomicU32 = AtomicU32::new(0);
+
+#[exception]
+fn SysTick() {
+    // A Cortex-M0 cannot do both at once, and need not: there is nobody else.
+    ROUNDS.store(ROUNDS.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
+}
+
+fn cycles_now() -> u64 {
+    loop {
+        let rounds = ROUNDS.load(Ordering::Relaxed);
+        let left = SYST::get_current();
+        if !SCB::is_pendst_pending() && ROUNDS.load(Ordering::Relaxed) == rounds {
+            return (u64::from(rounds) << 24) + u64::from(0xFF_FFFF - left);
+        }
+    }
 }
 
 /// Says where, and fails. The message itself would take the formatting of `core::fmt` into flash.

@@ -13,6 +13,8 @@ pub mod dock;
 pub mod golden;
 pub mod journey;
 pub mod kept;
+#[cfg(not(test))]
+pub mod scene;
 pub mod tracker;
 pub mod world;
 #[cfg(test)]

@@ -1,6 +1,6 @@
-//! The application of examples/firmware: what it may not link, and what it occupies, compared with its sizes.csv.
+//! The application of examples/firmware, and its pictures: what it may not link, and what it occupies, compared with its sizes.csv.
 //!
-//! examples/firmware/check has copied it to target/firmware/TARGET, once with each way to log.
+//! examples/firmware/check has copied them to target/firmware/TARGET, the application once with each way to log.
 
 use crate::forbidden::{self, Kind};
 use crate::image::Image;
@@ -9,6 +9,14 @@ use crate::target;
 use microwarp_upkeep::{Outcome, read, write};
 
 const RECORD: &str = "examples/firmware/sizes.csv";
+const PROGRAMS: [&str; 6] = [
+    "app_rtt",
+    "app",
+    "room_poly",
+    "room_libm",
+    "sensor_poly",
+    "sensor_libm",
+];
 const TITLES: [&str; 2] = ["flash", "RAM"];
 
 pub fn check(compiler: &str, writes: bool) -> Outcome {
@@ -16,10 +24,14 @@ pub fn check(compiler: &str, writes: bool) -> Outcome {
     record::control(TITLES)?;
     let mut rows = Vec::new();
     for target_name in ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"] {
-        for program in ["app_rtt", "app"] {
+        for program in PROGRAMS {
             let file = target("firmware").join(target_name).join(program);
-            // Its panics are those of the logger and of checked indices.
-            forbidden::clean(&file, "main", &[Kind::Alloc, Kind::F64])?;
+            // Its panics are those of the logger and of checked indices. The functions of `libm` take double precision.
+            let kinds: &[Kind] = match program.ends_with("_libm") {
+                true => &[Kind::Alloc],
+                false => &[Kind::Alloc, Kind::F64],
+            };
+            forbidden::clean(&file, "main", kinds)?;
             let image = Image::read(&file)?;
             // `.defmt`, the strings of the log, stays on the host.
             rows.push((

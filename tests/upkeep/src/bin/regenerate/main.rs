@@ -5,6 +5,7 @@
 mod golden;
 mod host;
 mod pages;
+mod scene;
 mod sources;
 mod tables;
 

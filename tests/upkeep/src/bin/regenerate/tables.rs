@@ -1,5 +1,6 @@
 //! The tables of the pages: which rows each has, and which figures stand in a row.
 
+use crate::scene;
 use crate::sources::{Sources, grouped};
 use microwarp_golden::{FLOAT_WARPS, GRADED_WARPS, Listed};
 use microwarp_upkeep::{Outcome, read};
@@ -17,6 +18,9 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "integers" => integers(sources),
         "peers" => Ok(rows(&sources.peers)),
         "firmware" => firmware(),
+        "pictures" => scene::pictures(),
+        "paths" => scene::paths(sources),
+        "ingredients" => scene::ingredients(sources),
         "six" => six(sources),
         _ if name.starts_with("cost ") => cost(&name[5..], sources),
         _ if name.starts_with("points ") => points(&name[7..], sources),
@@ -45,7 +49,7 @@ fn hundreds(number: u64) -> u64 {
 }
 
 /// Rows of a Markdown table; a cell of dashes and colons says how its column is aligned.
-fn rows(rows: &[Vec<String>]) -> String {
+pub fn rows(rows: &[Vec<String>]) -> String {
     let cell = |cell: &String| match cell.trim_matches([':', '-']) {
         _ if cell.is_empty() => " ".into(),
         "" => cell.clone(),
@@ -380,33 +384,32 @@ fn integers(sources: &Sources) -> Outcome<String> {
     Ok(text)
 }
 
-/// What the application of examples/firmware occupies, and by which compiler.
+/// The rows of a table of examples/firmware, and by which compiler.
+pub fn of_firmware(file: &str) -> Outcome<(String, Vec<[String; 4]>)> {
+    let path = format!("examples/firmware/{file}");
+    let text = read(&path)?;
+    let compiler = text.lines().next().unwrap_or_default();
+    let row = |row: &str| {
+        let cells: Vec<String> = row.split(',').map(String::from).collect();
+        cells.try_into().map_err(|_| format!("{path}: {row}"))
+    };
+    let rows = text.lines().skip(2).map(row).collect::<Outcome<_>>()?;
+    Ok((compiler.trim_start_matches("# ").into(), rows))
+}
+
+/// What the application of examples/firmware occupies.
 fn firmware() -> Outcome<String> {
-    let record = read("examples/firmware/sizes.csv")?;
-    let compiler = record
-        .lines()
-        .next()
-        .unwrap_or_default()
-        .trim_start_matches("# ");
+    let (compiler, sizes) = of_firmware("sizes.csv")?;
     let mut text = format!(
         "Bytes of the linked image, {compiler}:\n\n| program | target | flash | RAM |\n|---|---|--:|--:|\n"
     );
-    for row in record.lines().skip(2) {
-        let cells: Vec<String> = row.split(',').map(String::from).collect();
-        let [program, target, flash, ram] = &cells[..] else {
-            return Err(format!("examples/firmware/sizes.csv: {row}"));
+    for [program, target, flash, ram] in sizes {
+        let name = match &*program {
+            "app" => "`app`",
+            "app_rtt" => "`app`, log by RTT",
+            _ => continue,
         };
-        let name = if program == "app_rtt" {
-            "`app`, log by RTT".into()
-        } else {
-            format!("`{program}`")
-        };
-        text += &rows(&[vec![
-            name,
-            format!("`{target}`"),
-            flash.clone(),
-            ram.clone(),
-        ]]);
+        text += &rows(&[vec![name.into(), format!("`{target}`"), flash, ram]]);
     }
     Ok(text)
 }
