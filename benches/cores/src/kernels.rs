@@ -12,6 +12,7 @@ mod chains;
 mod float;
 mod generator;
 mod integer;
+mod paths;
 mod peers;
 mod points;
 mod primitives;
@@ -21,7 +22,7 @@ mod tables;
 use crate::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 14] = [
+pub static REGISTRY: [&[Entry]; 15] = [
     chains::ENTRIES,
     float::POLY,
     float::LIBM,
@@ -30,6 +31,7 @@ pub static REGISTRY: [&[Entry]; 14] = [
     integer::COARSE,
     integer::COMPACT,
     integer::PLAIN,
+    paths::ENTRIES,
     peers::ENTRIES,
     points::ENTRIES,
     primitives::ENTRIES,

@@ -138,21 +138,22 @@ static mut STORED: [u64; 48] = [0; 48];
 
 /// What `made` has put into memory; the kernel's side of `stored`.
 #[inline(always)]
-pub fn loaded<T: Copy>(_: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
+pub fn loaded<T>(_: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
     // SAFETY: the preparation of the same entry, which is the only one, has written the same type there; there is
     // one thread, and a kernel calls this once.
     unsafe { &mut *(&raw mut STORED).cast() }
 }
 
 /// Puts it there, in a way that the compiler cannot see through, so that the kernel really loads it.
-pub fn made<T: Copy>(make: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
+pub fn made<T>(make: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
     const {
         assert!(size_of::<T>() <= size_of::<[u64; 48]>() && align_of::<T>() <= align_of::<u64>());
     }
+    let Ok(made) = make() else { panic!("refused") };
     let at = (&raw mut STORED).cast::<T>();
     // SAFETY: there is room, by the assertion, and one thread.
     unsafe {
-        at.write(black_box(ok(make())));
+        at.write(black_box(made));
         &mut *at
     }
 }

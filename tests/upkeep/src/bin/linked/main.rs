@@ -12,6 +12,7 @@
 mod firmware;
 mod forbidden;
 mod image;
+mod ingredients;
 mod one_warp;
 mod probe;
 mod record;

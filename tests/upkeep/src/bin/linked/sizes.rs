@@ -5,7 +5,7 @@
 
 use crate::image::Image;
 use crate::record::{self, Row, compare};
-use crate::{must_fail, one_warp, target};
+use crate::{ingredients, must_fail, one_warp, target};
 use microwarp_upkeep::{Outcome, read, write};
 use std::fs;
 use std::path::Path;
@@ -77,6 +77,7 @@ pub fn check(targets: &[&str], writes: bool) -> Outcome {
         let rows = measure(target, &place.join(target))?;
         control_of_growth(target, &rows, &place.join(format!("{target}.grown")))?;
         one_warp::check(target, &place)?;
+        failed.extend(ingredients::check(target, &place).err());
         heads.push((target, format!("# {target}: {compiler}")));
         measured.push(rows);
     }
