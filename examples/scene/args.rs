@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use support::cli::{number, within};
 
 pub const HELP: &str = "\
-Renders five scenes by path tracing, and measures the error of small pictures of them by tier and by point set.
+Renders six scenes by path tracing, and measures the error of small pictures of them by tier and by point set, and of
+Metropolis light transport on the two that are hard.
 
     cargo run --release --example scene [-- OPTIONS]
 
@@ -18,7 +19,7 @@ Renders five scenes by path tracing, and measures the error of small pictures of
     --help           this text
 
 The exit code is 1 if a pixel is not a number, if a picture is brighter or darker than its reference, if Sobol'
-points are not better than random ones, if the tiers do not agree, or if a renderer that is wrong on purpose
+points or chains are not better than random ones, if the tiers do not agree, or if a renderer that is wrong on purpose
 passes; it is 2 for arguments that make no sense.";
 
 pub struct Args {

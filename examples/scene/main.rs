@@ -1,9 +1,10 @@
-//! A small path tracer, whose every random number is microwarp's: five scenes, and what tiers and point sets do for them.
+//! A small path tracer, whose every random number is microwarp's: six scenes, and what tiers, point sets and chains do for them.
 //! `cargo run --release --example scene -- --help`
 //!
 //! The tracer itself is the package in `core`, which needs no `std`. This file runs the steps.
 
 mod args;
+mod chains;
 mod render;
 mod report;
 mod sheet;
@@ -24,13 +25,15 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     support::progress::folder(&args.out)?;
     let shots = shots::all();
-    let steps = shots.len() as u64 * study::steps(args);
+    let steps = shots.len() as u64 * study::steps(args) + chains::steps();
     let progress = support::progress::progress(steps, "{percent:>3} %")?;
     let mut studies = Vec::new();
     for shot in &shots {
         progress.set_message(shot.name);
         studies.push(study::of(shot, args, &progress));
     }
+    progress.set_message("Metropolis");
+    let comparisons = chains::all(&shots, args, &progress);
     progress.finish_and_clear();
 
     for (shot, study) in shots.iter().zip(&studies) {
@@ -41,10 +44,13 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let rough = study::rough(&shots[sheet::NOISY], args);
     sheet::draw(&shots, &studies, &rough, args).save_in_full_colour(&path)?;
     report::errors(&shots, &studies);
+    chains::print(&comparisons);
     println!(
         "The sheet is {}, each picture beside it; {:.1} s.",
         path.display(),
         start.elapsed().as_secs_f64()
     );
-    Ok(report::complaints(&shots, &studies))
+    let mut complaints = report::complaints(&shots, &studies);
+    complaints.extend(chains::complaints(&comparisons));
+    Ok(complaints)
 }

@@ -8,7 +8,7 @@ use microwarp_scene::material::Material;
 use microwarp_scene::path::Heuristic;
 use microwarp_scene::sky::Sky;
 use microwarp_scene::source::{Owen, Strata};
-use microwarp_scene::{Camera, Film, Kit, Power, Random, Scene, Set, Source, View};
+use microwarp_scene::{Camera, Film, Kit, Power, Random, Scene, Set, Source, View, Walk};
 use std::marker::PhantomData;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +64,8 @@ pub type Pixels = Vec<[f64; 3]>;
 /// A scene that has forgotten its type.
 pub trait Render: Sync {
     fn row(&self, plan: &Plan, row: u32) -> Pixels;
+    /// The picture of a chain of paths, in the tier `poly`.
+    fn chain(&self, walk: &Walk) -> Pixels;
 }
 
 /// A scene with its camera and the film that is in it.
@@ -144,6 +146,20 @@ where
             Tier::Libm => self.row_in::<Libm, Power>(plan, row),
             Tier::Forgotten => self.row_by::<Poly, Forgotten, Random>(plan, row),
         }
+    }
+
+    fn chain(&self, walk: &Walk) -> Pixels {
+        let view = View::<Poly>::new(self.camera, walk.size).expect("the camera sees something");
+        let [width, height] = walk.size.map(|n| n as usize);
+        let mut pixels = vec![[0.0; 3]; width * height];
+        let run = self
+            .scene
+            .metropolis::<Poly, Power, P>(&view, walk, |[x, y], light| {
+                let pixel = &mut pixels[y as usize * width + x as usize];
+                (0..3).for_each(|k| pixel[k] += f64::from(light[k]));
+            });
+        run.expect("the picture has pixels");
+        pixels
     }
 }
 

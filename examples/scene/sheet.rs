@@ -38,7 +38,7 @@ pub fn draw(shots: &[Shot], studies: &[Study], rough: &[Pixels; 2], args: &Args)
     let height = TOP + rows * (HEAD + h) + MARGIN;
     let mut canvas = Canvas::new(width as u32, height as u32);
     let fit = width - 2.0 * MARGIN;
-    let title = "One path tracer, five scenes, every random number from microwarp";
+    let title = "One path tracer, six scenes, every random number from microwarp";
     canvas.text(title, [MARGIN, 62.0], Align::Left, Type::bold(40.0), fit);
     let text = format!(
         "{} × {} pixels, {} samples each of Owen-scrambled Sobol' points, tier poly",

@@ -1,7 +1,7 @@
-//! The five scenes, with what is said of them and how they are developed.
+//! The six scenes, with what is said of them and how they are developed.
 
 use crate::render::{Render, Take};
-use microwarp_scene::scenes::{fog, room, sensor, slit, slivers};
+use microwarp_scene::scenes::{caustic, fog, room, sensor, slit, slivers};
 use microwarp_scene::{Colour, Echo};
 use support::draw::tone::tone;
 
@@ -43,6 +43,13 @@ pub fn all() -> Vec<Shot> {
             title: "Light through a slit",
             text: "what paths find hard",
             scene: Box::new(Take::<_, Colour>::new(slit::SCENE, slit::CAMERA)),
+            develop: |light| exposed(light, 1.0),
+        },
+        Shot {
+            name: "caustic",
+            title: "A caustic",
+            text: "a lamp in a pit, seen in a plate",
+            scene: Box::new(Take::<_, Colour>::new(caustic::SCENE, caustic::CAMERA)),
             develop: |light| exposed(light, 1.0),
         },
         Shot {

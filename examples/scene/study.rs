@@ -66,7 +66,7 @@ pub fn steps(args: &Args) -> u64 {
 
 /// The root of the mean square of errors, each relative to the light of its pixel and a little of that of the picture, so
 /// that dark pixels do not outweigh all others.
-fn error(pixels: &Pixels, reference: &Pixels) -> f64 {
+pub fn error(pixels: &Pixels, reference: &Pixels) -> f64 {
     let all = || pixels.iter().flatten().zip(reference.iter().flatten());
     let count = all().count() as f64;
     let mut mean = [0.0; 3];
@@ -100,7 +100,7 @@ fn deviation(pixels: &Pixels, reference: &Pixels) -> f64 {
     sum / squares.sqrt()
 }
 
-fn invalid(pixels: &Pixels) -> usize {
+pub fn invalid(pixels: &Pixels) -> usize {
     let valid = |light: &&f64| **light >= 0.0 && light.is_finite();
     3 * pixels.len() - pixels.iter().flatten().filter(valid).count()
 }

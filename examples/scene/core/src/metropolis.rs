@@ -14,8 +14,7 @@ use microwarp::Error;
 use microwarp::constant;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
-    BoxStep, Chain, LogUniformStep, Mixture, Product, StateSource as _, UniformStep, WithPayload,
-    WrappedWalk,
+    BoxStep, Chain, Mixture, Product, StateSource as _, UniformStep, WithPayload, WrappedWalk,
 };
 
 /// How a chain of paths runs. Every path costs the same: there are [`Walk::paths`] of them.
@@ -67,9 +66,10 @@ const LUMINANCE: Vector = [0.2126, 0.7152, 0.0722];
 static LARGE: Cdf<[u32; 2]> = constant!(Cdf::new(&[1.0, 3.0]));
 const LARGE_SHARE: f32 = 0.25;
 
-/// How far small steps go: in numbers of the path from the least to the most, and in pixels at most.
-const NEAR: [f32; 2] = [1.0 / 1024.0, 1.0 / 16.0];
-const PIXELS: f32 = 3.0;
+/// How far small steps go at most: in numbers of the path, and in pixels. Steps of a box are the cheapest, and there are many
+/// numbers.
+const NEAR: f32 = 1.0 / 64.0;
+const PIXELS: f32 = 1.5;
 
 impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
     /// Takes a picture by a chain of paths. `splat` adds light to a pixel, given by column and row: what it has got in the end
@@ -98,10 +98,9 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
             WithPayload::new(dot(light, LUMINANCE), Found { pixel, light })
         };
         let anew = Product::new((UniformStep::new(), UniformStep::new()));
-        let [least, most] = NEAR;
         let near = Product::new((
             WrappedWalk::new(BoxStep::new([2.0 * PIXELS / width, 2.0 * PIXELS / height])?),
-            WrappedWalk::new(LogUniformStep::<K::Tier>::new(least, most)?),
+            WrappedWalk::new(BoxStep::new([2.0 * NEAR; NUMBERS])?),
         ));
         let mutation = Mixture::from_table((anew, near), LARGE);
 

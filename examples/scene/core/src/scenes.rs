@@ -1,4 +1,4 @@
-//! Five scenes. Each is a constant, so that a core keeps it in flash.
+//! Six scenes. Each is a constant, so that a core keeps it in flash.
 
 use crate::camera::Camera;
 use crate::fog::{Clear, Haze};
@@ -478,5 +478,74 @@ pub mod sensor {
             albedo: 0.9,
             asymmetry: 0.7,
         },
+    };
+}
+
+/// A lamp in a pit, whose light comes from a polished plate: a caustic. No ray to the lamp finds it.
+pub mod caustic {
+    use super::*;
+
+    pub const CAMERA: Camera = Camera {
+        eye: [0.5, -2.4, 1.5],
+        target: [0.3, 1.3, 0.3],
+        spread: 0.42,
+        lens: 0.01,
+        blades: 6,
+        focus: 3.9,
+    };
+
+    const POLISHED: Any = Any::Metal(Metal {
+        colour: [0.95, 0.94, 0.92],
+        roughness: 0.08,
+    });
+
+    pub const SCENE: Scene<'static, Any, Lamp<Sphere>, NoSky, Clear> = Scene {
+        quads: &[
+            (
+                &[
+                    Quad::new([-3.0, -3.0, 0.0], [[6.0, 0.0, 0.0], [0.0, 5.6, 0.0]]),
+                    Quad::new([-3.0, 2.6, 0.0], [[6.0, 0.0, 0.0], [0.0, 0.0, 3.0]]),
+                ],
+                Any::Matte(Matte([0.74, 0.72, 0.68])),
+            ),
+            (
+                // The pit of the lamp.
+                &[
+                    Quad::new([-1.4, 1.0, 0.0], [[0.4, 0.0, 0.0], [0.0, 0.0, 0.6]]),
+                    Quad::new([-1.4, 1.4, 0.0], [[0.4, 0.0, 0.0], [0.0, 0.0, 0.6]]),
+                    Quad::new([-1.4, 1.0, 0.0], [[0.0, 0.4, 0.0], [0.0, 0.0, 0.6]]),
+                    Quad::new([-1.0, 1.0, 0.0], [[0.0, 0.4, 0.0], [0.0, 0.0, 0.6]]),
+                ],
+                Any::Matte(Matte([0.10, 0.16, 0.20])),
+            ),
+            (
+                // The plate that hangs above.
+                &[Quad::new(
+                    [-0.80, 0.75, 2.0],
+                    [[0.8, 0.0, 0.0], [0.0, 0.8, 0.0]],
+                )],
+                POLISHED,
+            ),
+        ],
+        spheres: &[
+            (
+                ball([0.15, 1.55, 0.22], 0.22),
+                Any::Matte(Matte([0.30, 0.46, 0.66])),
+            ),
+            (
+                ball([0.85, 1.10, 0.28], 0.28),
+                Any::Metal(Metal {
+                    colour: [1.0, 0.78, 0.34],
+                    roughness: 0.15,
+                }),
+            ),
+        ],
+        lights: &[Lamp {
+            shape: ball([-1.2, 1.2, 0.3], 0.08),
+            radiance: [1500.0, 1300.0, 1000.0],
+        }],
+        choice: Choice::of(ONE.view()),
+        sky: NoSky,
+        fog: Clear,
     };
 }

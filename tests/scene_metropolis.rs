@@ -1,0 +1,273 @@
+//! Metropolis light transport in the example `scene`: pictures of many short chains have the mean of plain ones, region by
+//! region. Chains that are wrong on purpose do not.
+
+use microwarp::metropolis::{
+    BoxStep, Chain, Mixture, Product, UniformStep, WithPayload, WrappedWalk,
+};
+use microwarp::tier::{Libm, Poly};
+use microwarp::uniform::ByPosition;
+use microwarp_scene::metropolis::State;
+use microwarp_scene::path::NUMBERS;
+use microwarp_scene::scenes::{caustic, fog, room, sensor, slit};
+use microwarp_scene::vector::Vector;
+use microwarp_scene::{
+    Camera, Clear, Colour, Echo, Film, Fog, Kit, Lamp, Light, Material, NoSky, Numbers, Plan,
+    Power, Quad, Random, Run, Scene, Set, Sky, Source, View, Walk,
+};
+use rand_pcg::Pcg32;
+use support::mean::Mean;
+use support::speed;
+
+const SIZE: [u32; 2] = [6, 4];
+
+/// Light by quarter of the picture, all channels together.
+type Quarters = [f64; 4];
+
+fn add(quarters: &mut Quarters, [column, row]: [u32; 2], light: Vector) {
+    let quarter = usize::from(column >= SIZE[0] / 2) + 2 * usize::from(row >= SIZE[1] / 2);
+    quarters[quarter] += light.iter().map(|c| f64::from(*c)).sum::<f64>();
+}
+
+/// The mean of each quarter over pictures.
+fn means(pictures: u32, picture: impl Fn(u32) -> Quarters) -> [Mean; 4] {
+    let all: Vec<Quarters> = (0..pictures).map(picture).collect();
+    std::array::from_fn(|k| Mean::of(all.iter().map(|quarters| quarters[k])))
+}
+
+/// Plain pictures of a path a pixel.
+fn plain<K: Kit, P: Film, M: Material, L: Light, E: Sky, F: Fog>(
+    scene: &Scene<'_, M, L, E, F>,
+    camera: Camera,
+    pictures: u32,
+) -> [Mean; 4] {
+    let view = View::<K>::new(camera, SIZE).unwrap();
+    means(pictures, |seed| {
+        let mut quarters = [0.0; 4];
+        let plan = Plan {
+            size: SIZE,
+            samples: 1,
+            seed,
+        };
+        for pixel in (0..SIZE[1]).flat_map(|row| (0..SIZE[0]).map(move |column| [column, row])) {
+            let light = scene.pixel::<K, Power, P, Random>(&view, pixel, &plan);
+            add(&mut quarters, pixel, light);
+        }
+        quarters
+    })
+}
+
+/// The largest difference of two quarters, in standard errors.
+fn apart(found: &[Mean; 4], truth: &[Mean; 4]) -> f64 {
+    let off = |(a, b): (&Mean, &Mean)| ((a.mean - b.mean) / a.error.hypot(b.error)).abs();
+    // NaN is as far apart as can be.
+    let all = found.iter().zip(truth).map(off);
+    all.fold(0.0, |most, off| if off <= most { most } else { off })
+}
+
+/// The chance of one such difference is 4e-8, and there are four a picture.
+const FAR_OFF: f64 = 5.5;
+
+/// Short chains of the core.
+fn short(seed: u32) -> Walk {
+    Walk {
+        size: SIZE,
+        guesses: 16,
+        candidates: 16,
+        steps: 64,
+        seed,
+    }
+}
+
+fn agrees<K: Kit, P: Film, M: Material, L: Light, E: Sky, F: Fog>(
+    what: &str,
+    scene: &Scene<'_, M, L, E, F>,
+    camera: Camera,
+    times: u32,
+) {
+    let pictures = times * speed::of("pictures", 1000, 20_000);
+    let truth = plain::<K, P, _, _, _, _>(scene, camera, 4 * pictures);
+    let view = View::<K>::new(camera, SIZE).unwrap();
+    let found = means(pictures, |seed| {
+        let mut quarters = [0.0; 4];
+        let run = scene.metropolis::<K, Power, P>(&view, &short(seed), |pixel, light| {
+            assert!(light.iter().all(|c| c.is_finite() && *c >= 0.0));
+            add(&mut quarters, pixel, light);
+        });
+        assert_eq!(run.unwrap().refused, 0);
+        quarters
+    });
+    let off = apart(&found, &truth);
+    println!("{what}: {off:.2} standard errors");
+    for (a, b) in found.iter().zip(&truth) {
+        println!(
+            "  {:.5} ± {:.5}, plain {:.5} ± {:.5}",
+            a.mean, a.error, b.mean, b.error
+        );
+    }
+    assert!(off <= FAR_OFF, "{what}: {off}");
+    // Otherwise nothing could be found out.
+    let error = found.iter().map(|m| m.error / m.mean).fold(0.0, f64::max);
+    assert!(error < 0.25, "{what}: an error of {error}");
+}
+
+#[test]
+fn short_chains_have_the_mean_of_plain_pictures() {
+    agrees::<Poly, Colour, _, _, _, _>("room", &room::SCENE, room::CAMERA, 1);
+    agrees::<Libm, Colour, _, _, _, _>("fog", &fog::SCENE, fog::CAMERA, 1);
+    agrees::<Poly, Colour, _, _, _, _>("slit", &slit::SCENE, slit::CAMERA, 1);
+    agrees::<Poly, Colour, _, _, _, _>("caustic", &caustic::SCENE, caustic::CAMERA, 8);
+    agrees::<Poly, Echo, _, _, _, _>("sensor", &sensor::SCENE, sensor::CAMERA, 1);
+}
+
+/// How a chain of one's own records.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    Right,
+    /// Every run counts as if it were as bright as all together.
+    NoWeight,
+    /// The state has the payload of the latest proposal, accepted or not.
+    OtherPayload,
+    /// Every proposal counts as if it were accepted.
+    NoAcceptance,
+}
+
+/// Chains without random paths beside them, written as a user would.
+fn by_hand(way: Way, brightness: f32, pictures: u32) -> [Mean; 4] {
+    const STEPS: u32 = 24;
+    let view = View::<Poly>::new(room::CAMERA, SIZE).unwrap();
+    let target = |(place, path): State| {
+        let pixel = [0, 1].map(|k| (place[k] * SIZE[k] as f32) as u32);
+        let mut numbers = Numbers::new(path);
+        let light = room::SCENE.sample::<Poly, Power, Colour>(&view, pixel, &mut numbers);
+        WithPayload::new(light.iter().sum::<f32>(), (pixel, light))
+    };
+    let anew = Product::new((UniformStep::new(), UniformStep::new()));
+    let near = Product::new((
+        WrappedWalk::new(BoxStep::new([0.3; 2]).unwrap()),
+        WrappedWalk::new(BoxStep::new([0.05; NUMBERS]).unwrap()),
+    ));
+    let mutation = Mixture::new((anew, near), &[0.2, 0.8]).unwrap();
+    means(pictures, |run| {
+        let mut quarters = [0.0; 4];
+        let mut rng = Pcg32::new(run.into(), 9);
+        let Ok(start) = Chain::resample(target, &anew, 2, &mut rng) else {
+            return quarters;
+        };
+        let weight = match way {
+            Way::NoWeight => brightness,
+            _ => start.weight.density,
+        };
+        let scale = weight * (SIZE[0] * SIZE[1]) as f32 / STEPS as f32;
+        let mut chain = start.chain;
+        let mut latest = chain.density().payload;
+        for _ in 0..STEPS {
+            let step = chain.step(target, &mutation, &mut rng);
+            let mut values = step.recorded_values();
+            match way {
+                Way::OtherPayload => values[0].0.payload = latest,
+                Way::NoAcceptance => values = [(values[0].0, 0.0), (values[1].0, 1.0)],
+                _ => {}
+            }
+            latest = step.proposed_density.payload;
+            for (found, share) in values {
+                let (pixel, light) = found.payload;
+                if share > 0.0 && found.density > 0.0 {
+                    let part = share * scale / found.density;
+                    add(&mut quarters, pixel, light.map(|c| c * part));
+                }
+            }
+        }
+        quarters
+    })
+}
+
+#[test]
+fn chains_that_are_wrong_on_purpose_are_found_out() {
+    let pictures = speed::of("pictures", 8000, 60_000);
+    let truth = plain::<Poly, Colour, _, _, _, _>(&room::SCENE, room::CAMERA, pictures);
+    let brightness = truth.iter().map(|m| m.mean).sum::<f64>() / f64::from(SIZE[0] * SIZE[1]);
+    let off = |way| {
+        let off = apart(&by_hand(way, brightness as f32, pictures), &truth);
+        println!("{way:?}: {off:.1} standard errors");
+        off
+    };
+    let right = off(Way::Right);
+    assert!(right <= FAR_OFF, "{right}");
+    for way in [Way::NoWeight, Way::OtherPayload, Way::NoAcceptance] {
+        let wrong = off(way);
+        assert!(wrong > 1.5 * FAR_OFF, "{way:?} passes: {wrong}");
+    }
+}
+
+#[test]
+fn numbers_of_a_pixel_are_those_of_its_position() {
+    let view = View::<Poly>::new(room::CAMERA, SIZE).unwrap();
+    let plan = |seed| Plan {
+        size: SIZE,
+        samples: 256,
+        seed,
+    };
+    let by_numbers =
+        |seed| room::SCENE.pixel::<Poly, Power, Colour, Numbers>(&view, [3, 2], &plan(seed));
+    let by_position = |seed| {
+        room::SCENE.pixel::<Poly, Power, Colour, Set<ByPosition>>(&view, [3, 2], &plan(seed))
+    };
+    for seed in 0..8 {
+        let (a, b) = (by_numbers(seed), by_position(seed));
+        for (x, y) in a.iter().zip(b) {
+            assert!((x / y - 1.0).abs() <= 1e-3, "{a:?}, {b:?}");
+        }
+    }
+    // Other words give another light.
+    assert!((by_numbers(1)[0] / by_position(2)[0] - 1.0).abs() > 1e-2);
+    // Beyond the last number there is no panic.
+    let mut numbers = Numbers::new([0.25; NUMBERS]);
+    numbers.skip_to(u32::MAX);
+    assert_eq!(rand_core::Rng::next_u64(&mut numbers) >> 63, 0);
+}
+
+#[test]
+fn degenerate_pictures_are_black_and_short_chains_do_not_fail() {
+    let dark: Scene<'_, _, Lamp<Quad>, NoSky, Clear> = Scene {
+        lights: &[],
+        ..room::SCENE
+    };
+    let view = View::<Poly>::new(room::CAMERA, SIZE).unwrap();
+    let mut splats = 0;
+    let run = dark.metropolis::<Poly, Power, Colour>(&view, &short(1), |_, light| {
+        splats += usize::from(light != [0.0; 3]);
+    });
+    assert_eq!((run, splats), (Ok(Run::default()), 0));
+    for (guesses, candidates, steps) in [(0, 0, 0), (0, 4, 0), (0, 4, 4), (4, 0, 4), (1, 1, 1)] {
+        let walk = Walk {
+            guesses,
+            candidates,
+            steps,
+            ..short(1)
+        };
+        assert_eq!(walk.paths(), guesses + candidates + steps);
+        let run = room::SCENE.metropolis::<Poly, Power, Colour>(&view, &walk, |[x, y], light| {
+            assert!(x < SIZE[0] && y < SIZE[1]);
+            assert!(light.iter().all(|c| c.is_finite()));
+        });
+        assert!(run.unwrap().brightness >= 0.0);
+    }
+    let none = Walk {
+        size: [0, 4],
+        ..short(1)
+    };
+    assert!(
+        room::SCENE
+            .metropolis::<Poly, Power, Colour>(&view, &none, |_, _| ())
+            .is_err()
+    );
+}
+
+/// What a core keeps of a chain: it fits the smallest.
+#[test]
+fn a_chain_of_paths_is_small() {
+    type Found = WithPayload<f32, ([u32; 2], Vector)>;
+    let size = size_of::<Chain<State, Found>>();
+    println!("{size} bytes");
+    assert!(size <= 480, "{size} bytes");
+}
