@@ -65,12 +65,12 @@ where
 fn beside(pairs: &[[f64; 2]]) -> Beside {
     let count = pairs.len() as f64;
     let mean = pairs.iter().map(|[_, due]| due).sum::<f64>() / count;
-    let apart = |[found, due]: &[f64; 2]| !((found - due).abs() <= 1e-4 * (due + mean));
-    let together = pairs.iter().filter(|pair| !apart(pair));
+    let agrees = |[found, due]: &&[f64; 2]| (found - due).abs() <= 1e-4 * (due + mean);
+    let together: Vec<_> = pairs.iter().filter(agrees).collect();
     Beside {
         off: Mean::of(pairs.iter().map(|[found, due]| (found - due) / mean)),
-        together: together.map(|[found, due]| found - due).sum::<f64>() / mean / count,
-        apart: pairs.iter().filter(|pair| apart(pair)).count() as f64 / count,
+        apart: 1.0 - together.len() as f64 / count,
+        together: together.iter().map(|[found, due]| found - due).sum::<f64>() / mean / count,
     }
 }
 

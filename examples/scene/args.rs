@@ -16,11 +16,12 @@ Metropolis light transport on the two that are hard.
     --width N        columns of the pictures, 48 to 1920 [144]; rows are two thirds of them
     --samples N      samples a pixel of the pictures, 1 to 65536 [64]
     --reference N    samples a pixel that errors are measured against, 256 to 1048576 [1024]
+    --accuracy       instead: how much accuracy each scene needs, against a twin in f64; --paths N of each pixel [256]
     --help           this text
 
 The exit code is 1 if a pixel is not a number, if a picture is brighter or darker than its reference, if Sobol'
-points or chains are not better than random ones, if the tiers do not agree, or if a renderer that is wrong on purpose
-passes; it is 2 for arguments that make no sense.";
+points or chains are not better than random ones, if the tiers do not agree, if a renderer that is wrong on purpose
+passes, or if an error of 4 % does not show; it is 2 for arguments that make no sense.";
 
 pub struct Args {
     pub seed: u32,
@@ -28,6 +29,8 @@ pub struct Args {
     pub size: [u32; 2],
     pub samples: u32,
     pub reference: u32,
+    pub accuracy: bool,
+    pub paths: u32,
 }
 
 /// The parsed command line; `None` for help.
@@ -38,6 +41,8 @@ pub fn parse() -> Result<Option<Args>, Error> {
         size: [144, 96],
         samples: 64,
         reference: 1024,
+        accuracy: false,
+        paths: 256,
     };
     let mut parser = lexopt::Parser::from_env();
     while let Some(arg) = parser.next()? {
@@ -52,6 +57,8 @@ pub fn parse() -> Result<Option<Args>, Error> {
             Long("reference") => {
                 args.reference = within(&mut parser, "--reference", 256, 1_048_576)? as u32;
             }
+            Long("accuracy") => args.accuracy = true,
+            Long("paths") => args.paths = within(&mut parser, "--paths", 16, 65_536)? as u32,
             Short('h') | Long("help") => return Ok(None),
             _ => return Err(arg.unexpected()),
         }

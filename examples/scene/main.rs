@@ -3,8 +3,11 @@
 //!
 //! The tracer itself is the package in `core`, which needs no `std`. This file runs the steps.
 
+mod accuracy;
 mod args;
 mod chains;
+mod chart;
+mod kits;
 mod render;
 mod report;
 mod sheet;
@@ -25,6 +28,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     support::progress::folder(&args.out)?;
     let shots = shots::all();
+    if args.accuracy {
+        return accuracy::run(&shots, args);
+    }
     let steps = shots.len() as u64 * study::steps(args) + chains::steps();
     let progress = support::progress::progress(steps, "{percent:>3} %")?;
     let mut studies = Vec::new();

@@ -1,5 +1,7 @@
 //! A picture by several threads, row by row, whatever its scene, tier and points are.
 
+use crate::kits::{FourPercent, Textbook};
+use microwarp::fixed::{Coarse, Fine};
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::ByPosition;
 use microwarp_scene::fog::Fog;
@@ -8,8 +10,9 @@ use microwarp_scene::material::Material;
 use microwarp_scene::path::Heuristic;
 use microwarp_scene::sky::Sky;
 use microwarp_scene::source::{Owen, Strata};
-use microwarp_scene::{Camera, Film, Kit, Power, Random, Scene, Set, Source, View, Walk};
+use microwarp_scene::{Camera, Integers, Kit, Power, Random, Scene, Set, Source, View, Walk};
 use std::marker::PhantomData;
+use support::twin::{Air, Heaven, Record, Source64, Stuff, Twin};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tier {
@@ -17,6 +20,36 @@ pub enum Tier {
     Libm,
     /// The tier `poly` without the weights of multiple importance sampling: light that two techniques find counts twice.
     Forgotten,
+}
+
+/// What single paths are followed by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    Libm,
+    Poly,
+    /// The integer tier, where it has the sampler.
+    Fine,
+    Coarse,
+    /// Formulas of textbooks with functions of three digits.
+    Textbook,
+    /// Densities that are 4 % off.
+    FourPercent,
+    /// The twin in `f64`.
+    Twin,
+}
+
+impl By {
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Libm => "libm",
+            Self::Poly => "poly",
+            Self::Fine => "fixed",
+            Self::Coarse => "fixed::coarse",
+            Self::Textbook => "control: three digits",
+            Self::FourPercent => "control: 4 % off",
+            Self::Twin => "twin",
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,6 +99,9 @@ pub trait Render: Sync {
     fn row(&self, plan: &Plan, row: u32) -> Pixels;
     /// The picture of a chain of paths, in the tier `poly`.
     fn chain(&self, walk: &Walk) -> Pixels;
+
+    /// The light of each path of a pixel from points by position.
+    fn paths(&self, by: By, plan: &Plan, pixel: [u32; 2]) -> Pixels;
 }
 
 /// A scene with its camera and the film that is in it.
@@ -105,7 +141,7 @@ where
     L: Light,
     E: Sky,
     F: Fog,
-    P: Film,
+    P: Record,
 {
     fn row_by<K: Kit, H: Heuristic, S: Source>(&self, plan: &Plan, row: u32) -> Pixels {
         let view = View::<K>::new(self.camera, plan.size).expect("the camera sees something");
@@ -120,6 +156,29 @@ where
             light.map(f64::from)
         };
         (0..width).map(pixel).collect()
+    }
+
+    /// The light of each path of a pixel by whatever follows one.
+    fn each(
+        plan: &Plan,
+        [column, row]: [u32; 2],
+        mut follow: impl FnMut(&mut Set<ByPosition>) -> [f64; 3],
+    ) -> Pixels {
+        let pixel = row * plan.size[0] + column;
+        let mut source = Set::<ByPosition>::of_pixel(plan.seed, pixel, plan.samples);
+        let path = |sample| {
+            source.begin(sample);
+            follow(&mut source)
+        };
+        (0..plan.samples).map(path).collect()
+    }
+
+    fn each_by<K: Kit>(&self, plan: &Plan, pixel: [u32; 2]) -> Pixels {
+        let view = View::<K>::new(self.camera, plan.size).expect("the camera sees something");
+        Self::each(plan, pixel, |source| {
+            let light = self.scene.sample::<K, Power, P>(&view, pixel, source);
+            light.map(f64::from)
+        })
     }
 
     fn row_in<K: Kit, H: Heuristic>(&self, plan: &Plan, row: u32) -> Pixels {
@@ -138,7 +197,11 @@ where
     L: Light + Sync,
     E: Sky + Sync,
     F: Fog + Sync,
-    P: Film,
+    P: Record,
+    Stuff: From<M>,
+    Source64: From<L>,
+    Heaven: From<E>,
+    Air: From<F>,
 {
     fn row(&self, plan: &Plan, row: u32) -> Pixels {
         match plan.tier {
@@ -160,6 +223,21 @@ where
             });
         run.expect("the picture has pixels");
         pixels
+    }
+
+    fn paths(&self, by: By, plan: &Plan, pixel: [u32; 2]) -> Pixels {
+        match by {
+            By::Libm => self.each_by::<Libm>(plan, pixel),
+            By::Poly => self.each_by::<Poly>(plan, pixel),
+            By::Fine => self.each_by::<Integers<Fine>>(plan, pixel),
+            By::Coarse => self.each_by::<Integers<Coarse>>(plan, pixel),
+            By::Textbook => self.each_by::<Textbook>(plan, pixel),
+            By::FourPercent => self.each_by::<FourPercent>(plan, pixel),
+            By::Twin => {
+                let twin = Twin::new(&self.scene, self.camera, plan.size);
+                Self::each(plan, pixel, |source| twin.sample::<P>(pixel, source))
+            }
+        }
     }
 }
 

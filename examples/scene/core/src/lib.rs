@@ -32,6 +32,8 @@ pub mod camera;
 pub mod film;
 pub mod fog;
 pub mod golden;
+#[cfg(feature = "fixed")]
+pub mod integers;
 pub mod kit;
 pub mod light;
 pub mod material;
@@ -47,6 +49,8 @@ pub mod vector;
 pub use camera::{Camera, View};
 pub use film::{Colour, Echo, Film};
 pub use fog::{Clear, Fog, Haze};
+#[cfg(feature = "fixed")]
+pub use integers::Integers;
 pub use kit::Kit;
 pub use light::{Choice, Lamp, Light};
 pub use material::Material;

@@ -12,11 +12,12 @@ use crate::sources::Sources;
 use crate::tables::{block, figure};
 use microwarp_upkeep::{Outcome, read, write};
 
-const PAGES: [&str; 5] = [
+const PAGES: [&str; 6] = [
     "README.md",
     "docs/costs.md",
     "docs/peers.md",
     "docs/promises.md",
+    "examples/README.md",
     "examples/firmware/README.md",
 ];
 /// How a mark begins, how it ends, and the mark behind what is generated.

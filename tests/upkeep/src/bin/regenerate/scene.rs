@@ -2,7 +2,7 @@
 
 use crate::sources::{Sources, grouped};
 use crate::tables::{of_firmware, rows};
-use microwarp_upkeep::Outcome;
+use microwarp_upkeep::{Outcome, read};
 
 /// What the pictures of examples/firmware occupy, and what the emulator counted.
 pub fn pictures() -> Outcome<String> {
@@ -32,6 +32,15 @@ pub fn pictures() -> Outcome<String> {
         ]]);
     }
     Ok(text)
+}
+
+/// What the example `scene` has measured of accuracy, as it printed it.
+pub fn accuracy() -> Outcome<String> {
+    let text = read("docs/measured/scene.md")?;
+    let (_, tables) = text
+        .split_once("\n\n")
+        .ok_or("docs/measured/scene.md has no tables")?;
+    Ok(tables.to_owned())
 }
 
 /// The scenes, and their kernels.

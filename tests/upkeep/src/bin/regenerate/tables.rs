@@ -21,6 +21,7 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "pictures" => scene::pictures(),
         "paths" => scene::paths(sources),
         "ingredients" => scene::ingredients(sources),
+        "scene" => scene::accuracy(),
         "six" => six(sources),
         _ if name.starts_with("cost ") => cost(&name[5..], sources),
         _ if name.starts_with("points ") => points(&name[7..], sources),
