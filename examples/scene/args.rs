@@ -16,7 +16,8 @@ Metropolis light transport on the two that are hard.
     --width N        columns of the pictures, 48 to 1920 [144]; rows are two thirds of them
     --samples N      samples a pixel of the pictures, 1 to 65536 [64]
     --reference N    samples a pixel that errors are measured against, 256 to 1048576 [1024]
-    --accuracy       instead: how much accuracy each scene needs, against a twin in f64; --paths N of each pixel [256]
+    --accuracy       instead: how much accuracy each scene needs, against a twin in f64
+    --paths N        paths of a pixel for that, 256 to 65536 [256]
     --help           this text
 
 The exit code is 1 if a pixel is not a number, if a picture is brighter or darker than its reference, if Sobol'
@@ -58,7 +59,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
                 args.reference = within(&mut parser, "--reference", 256, 1_048_576)? as u32;
             }
             Long("accuracy") => args.accuracy = true,
-            Long("paths") => args.paths = within(&mut parser, "--paths", 16, 65_536)? as u32,
+            Long("paths") => args.paths = within(&mut parser, "--paths", 256, 65_536)? as u32,
             Short('h') | Long("help") => return Ok(None),
             _ => return Err(arg.unexpected()),
         }
