@@ -2,7 +2,7 @@
 
 use crate::board::{Stopwatch, exit, print, stack};
 use core::fmt::{Error, Write};
-use microwarp_scene::golden::{Shot, case};
+use microwarp_scene::golden::{Case, Grey, Shot, Slit, case, chain, slit, walk};
 use microwarp_scene::vector::Vector;
 use microwarp_scene::{Hash, Kit, Random};
 
@@ -28,10 +28,18 @@ fn ink(shade: f32) -> char {
 
 /// Renders a scene from random numbers, prints it, and ends.
 pub fn run<C: Shot, K: Kit>(tier: &'static str, shade: fn(Vector) -> f32) -> ! {
-    let drawn = render::<C, K>(tier, shade).is_ok();
+    end(render::<C, K>(tier, shade))
+}
+
+/// Renders the slit by Metropolis light transport, prints it, and ends.
+pub fn run_chain<K: Kit>(tier: &'static str) -> ! {
+    end(render_chain::<K>(tier))
+}
+
+fn end(drawn: Result<(), Error>) -> ! {
     // Where the stack has run over, who knows what has been printed.
     let (used, of) = stack();
-    exit(drawn && used < of)
+    exit(drawn.is_ok() && used < of)
 }
 
 fn render<C: Shot, K: Kit>(tier: &'static str, shade: fn(Vector) -> f32) -> Result<(), Error> {
@@ -41,20 +49,46 @@ fn render<C: Shot, K: Kit>(tier: &'static str, shade: fn(Vector) -> f32) -> Resu
     let mut watch = Stopwatch::calibrated();
     let (mut hash, mut instructions) = (Hash::EMPTY, 0);
     for row in 0..height {
-        let mut line = heapless::String::<64>::new();
-        for column in 0..width {
+        let shades = (0..width).map(|column| {
             watch.start();
             let light = C::pixel::<K, Random>(&view, [column, row], &case.plan);
             instructions += watch.instructions();
             hash = hash.with(light);
-            line.push(ink(shade(light))).map_err(|_| Error)?;
-        }
-        writeln!(line)?;
-        print(&line);
+            shade(light)
+        });
+        print_row(shades)?;
     }
-    let mut line = heapless::String::<128>::new();
     let paths = u64::from(width * height * case.plan.samples);
-    writeln!(line, "instructions,{}", instructions / paths)?;
+    report(&case, instructions / paths, hash)
+}
+
+fn render_chain<K: Kit>(tier: &'static str) -> Result<(), Error> {
+    let case = slit::<K>(tier);
+    let [width, _] = case.plan.size;
+    let mut grey: Grey = [0.0; 48 * 32];
+    let mut watch = Stopwatch::calibrated();
+    watch.start();
+    let hash = chain::<Slit, K>(&case.plan, &mut grey).map_err(|_| Error)?;
+    let instructions = watch.instructions() / u64::from(walk(&case.plan).paths());
+    for row in grey.chunks(width as usize) {
+        print_row(row.iter().map(|light| brightness([*light; 3])))?;
+    }
+    report(&case, instructions, hash)
+}
+
+fn print_row(shades: impl Iterator<Item = f32>) -> Result<(), Error> {
+    let mut line = heapless::String::<64>::new();
+    for shade in shades {
+        line.push(ink(shade)).map_err(|_| Error)?;
+    }
+    writeln!(line)?;
+    print(&line);
+    Ok(())
+}
+
+fn report(case: &Case, instructions: u64, hash: Hash) -> Result<(), Error> {
+    let mut line = heapless::String::<128>::new();
+    writeln!(line, "instructions,{instructions}")?;
     writeln!(line, "stack,{}", stack().0)?;
     writeln!(line, "{case},{:08x}", hash.word())?;
     print(&line);

@@ -3,6 +3,7 @@
 use crate::camera::View;
 use crate::film::{Colour, Echo};
 use crate::kit::Kit;
+use crate::metropolis::{Run, Walk};
 use crate::path::Power;
 use crate::picture::{Hash, Plan};
 use crate::scenes;
@@ -30,6 +31,16 @@ pub trait Shot {
 
     /// A pixel, as [`Scene::pixel`](crate::Scene::pixel) says.
     fn pixel<K: Kit, S: Source>(view: &View<K>, pixel: [u32; 2], plan: &Plan) -> Vector;
+
+    /// A chain of paths, as [`Scene::metropolis`](crate::Scene::metropolis) says.
+    ///
+    /// # Errors
+    /// Its own.
+    fn metropolis<K: Kit>(
+        view: &View<K>,
+        walk: &Walk,
+        splat: impl FnMut([u32; 2], Vector),
+    ) -> Result<Run, Error>;
 }
 
 macro_rules! shots {
@@ -48,6 +59,15 @@ macro_rules! shots {
             #[inline]
             fn pixel<K: Kit, S: Source>(view: &View<K>, pixel: [u32; 2], plan: &Plan) -> Vector {
                 scenes::$scene::SCENE.pixel::<K, Power, $film, S>(view, pixel, plan)
+            }
+
+            #[inline]
+            fn metropolis<K: Kit>(
+                view: &View<K>,
+                walk: &Walk,
+                splat: impl FnMut([u32; 2], Vector),
+            ) -> Result<Run, Error> {
+                scenes::$scene::SCENE.metropolis::<K, Power, $film>(view, walk, splat)
             }
         }
     )*};
@@ -71,6 +91,44 @@ pub fn hash<C: Shot, K: Kit, S: Source>(plan: &Plan) -> Result<Hash, Error> {
     let pixels = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
     let taken = |hash: Hash, pixel| hash.with(C::pixel::<K, S>(&view, pixel, plan));
     Ok(pixels.fold(Hash::EMPTY, taken))
+}
+
+/// How a picture is taken by Metropolis light transport: there are as many steps of the chain as samples are asked for.
+pub const CHAIN: Plan = Plan {
+    samples: 4096,
+    ..PLAN
+};
+
+/// The pixels of a picture in shades of grey, which take 6 KB.
+pub type Grey = [f32; 48 * 32];
+
+/// The chain of a picture that is taken so.
+#[must_use]
+pub const fn walk(plan: &Plan) -> Walk {
+    Walk {
+        size: plan.size,
+        guesses: 256,
+        candidates: 256,
+        steps: plan.samples,
+        seed: plan.seed,
+    }
+}
+
+/// A picture by Metropolis light transport, row by row, in grey: the mean of the three channels, three times.
+///
+/// # Errors
+/// Those of [`View::new`].
+pub fn chain<C: Shot, K: Kit>(plan: &Plan, grey: &mut Grey) -> Result<Hash, Error> {
+    let ([width, _], view) = (plan.size, C::view::<K>(plan.size)?);
+    C::metropolis::<K>(&view, &walk(plan), |[column, row], [r, g, b]| {
+        let index = row.wrapping_mul(width).wrapping_add(column) as usize;
+        if let Some(pixel) = grey.get_mut(index) {
+            *pixel += (r + g + b) * (1.0 / 3.0);
+        }
+    })?;
+    Ok(grey
+        .iter()
+        .fold(Hash::EMPTY, |hash, light| hash.with([*light; 3])))
 }
 
 /// A picture that has a hash.
@@ -114,6 +172,18 @@ pub fn case<C: Shot, K: Kit, S: Source>(tier: &'static str, points: &'static str
     }
 }
 
+/// The slit by Metropolis light transport.
+#[inline]
+pub fn slit<K: Kit>(tier: &'static str) -> Case {
+    Case {
+        scene: Slit::NAME,
+        tier,
+        points: "metropolis",
+        plan: CHAIN,
+        hash: |plan| chain::<Slit, K>(plan, &mut [0.0; 48 * 32]),
+    }
+}
+
 #[inline]
 fn in_tier<C: Shot, K: Kit>(tier: &'static str) -> [Case; 4] {
     [
@@ -129,7 +199,7 @@ fn of<C: Shot>() -> [[Case; 4]; 2] {
     [in_tier::<C, Poly>("poly"), in_tier::<C, Libm>("libm")]
 }
 
-/// Every scene in both tiers of `f32`, from every source of points. Compiled where it is used.
+/// Every scene in both tiers of `f32`, from every source of points; and one by Metropolis light transport. Compiled where it is used.
 #[inline]
 pub fn cases() -> impl Iterator<Item = Case> {
     let scenes = [
@@ -139,5 +209,6 @@ pub fn cases() -> impl Iterator<Item = Case> {
         of::<Slit>(),
         of::<Sensor>(),
     ];
-    scenes.into_iter().flatten().flatten()
+    let chains = [slit::<Poly>("poly"), slit::<Libm>("libm")];
+    scenes.into_iter().flatten().flatten().chain(chains)
 }

@@ -9,13 +9,15 @@ use crate::target;
 use microwarp_upkeep::{Outcome, read, write};
 
 const RECORD: &str = "examples/firmware/sizes.csv";
-const PROGRAMS: [&str; 6] = [
+const PROGRAMS: [&str; 8] = [
     "app_rtt",
     "app",
     "room_poly",
     "room_libm",
     "sensor_poly",
     "sensor_libm",
+    "slit_poly",
+    "slit_libm",
 ];
 const TITLES: [&str; 2] = ["flash", "RAM"];
 
