@@ -187,6 +187,40 @@ pub fn indices([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     }
 }
 
+pub fn parts<T: Tier>([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
+    let lamps = [0.25 + a, b, 2.0 * c];
+    let target = |(lamp, [x, y]): (usize, [f32; 2])| {
+        let density = lamps.get(lamp).copied().unwrap_or(0.0) * x * (0.1 + y);
+        WithPayload::new(density, x - d)
+    };
+    let mutation = || {
+        let near = WrappedWalk::new(LogUniformStep::<T>::new(v(0.01), v(0.25))?);
+        let (which, far) = (Independence::new(Cdf::new(&lamps)?), UniformStep::new());
+        let steps = (
+            Product::new((UniformIndex::new(3)?, near)),
+            Product::new((which, far)),
+        );
+        Mixture::new(steps, &[3.0, 1.0])
+    };
+    with(mutation(), out, |mutation, out| {
+        let mut rng = generator(input);
+        with(Chain::new((0, [a, b]), target), out, |mut chain, out| {
+            let mut sum = 0.0;
+            for _ in 0..STEPS {
+                let step = chain.step(target, &mutation, &mut rng);
+                for (found, share) in step.recorded_values() {
+                    sum += share * found.payload;
+                }
+            }
+            let (lamp, place) = chain.state();
+            out.word(lamp as u32);
+            place.put(out);
+            let WithPayload { density, payload } = chain.density();
+            [density, payload, sum].put(out);
+        });
+    });
+}
+
 pub fn limits([a, b, ..]: [f32; 4], input: usize, out: &mut Out) {
     let peak = |x: f32| if x < 0.02 { 1e6 } else { 1.0 + a };
     let mut rng = generator(input);

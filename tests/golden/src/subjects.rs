@@ -794,6 +794,7 @@ float_warps!(subjects {
     "chain in the cube" => chains::cube::<T>,
     "chain in the plane" => chains::plane::<T>,
     "chain of indices" => chains::indices,
+    "chain of parts" => chains::parts::<T>,
     "chain with limits" => chains::limits,
     "chain starts" => chains::starts::<T>,
     "chain of uniforms" => chains::primary::<T>,
