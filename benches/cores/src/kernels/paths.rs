@@ -12,10 +12,10 @@ use microwarp_scene::material::{Glossy, Material, Matte, Metal};
 use microwarp_scene::scenes::slivers::Evening;
 use microwarp_scene::sky::Sky;
 use microwarp_scene::source::Owen;
-use microwarp_scene::vector::unit;
+use microwarp_scene::vector::{plus, unit};
 use microwarp_scene::{
     Camera, Choice, Clear, Colour, Haze, Kit, Lamp, NoSky, Plan, Power, Quad, Random, Ray, Scene,
-    Set, Source, Sphere, View,
+    Set, Source, Sphere, View, Walk,
 };
 
 /// A pixel, and the seed of its words.
@@ -136,6 +136,23 @@ fn through_lens(word: u32) -> [f32; 3] {
     scene.sample::<Poly, Power, Colour>(loaded(lens), pixel(word), &mut source)
 }
 
+/// The light that the shortest chain finds: one step, from one of two random paths.
+#[inline(always)]
+fn by_chain(word: u32) -> [f32; 3] {
+    let scene = scene(&const { of(MATTE) }, &[LAMP], NoSky, Clear);
+    let walk = Walk {
+        size: PLAN.size,
+        guesses: 1,
+        candidates: 2,
+        steps: 1,
+        seed: word,
+    };
+    let mut sum = [0.0; 3];
+    let splat = |_, light| sum = plus(sum, light);
+    let run = scene.metropolis::<Poly, Power, Colour>(loaded(lens), &walk, splat);
+    run.map_or([0.0; 3], |_| sum)
+}
+
 kernels! {
     "poly_path_room" (word: u32) -> [f32; 3] = shot::<Room>(word), _ = made(view::<Room>);
     "poly_path_fog" (word: u32) -> [f32; 3] = shot::<golden::Fog>(word), _ = made(view::<golden::Fog>);
@@ -145,6 +162,7 @@ kernels! {
     "poly_path_plain" (word: u32) -> [f32; 3] =
         ray::<Random>(scene(&const { of(MATTE) }, &[LAMP], NoSky, Clear), word);
     "poly_path_with_lens" (word: u32) -> [f32; 3] = through_lens(word), _ = made(lens);
+    "poly_path_with_metropolis" (word: u32) -> [f32; 3] = by_chain(word), _ = made(lens);
     "poly_path_with_sphere" (word: u32) -> [f32; 3] =
         ray::<Random>(scene(&const { of(MATTE) }, &[ROUND], NoSky, Clear), word);
     "poly_path_with_glossy" (word: u32) -> [f32; 3] =

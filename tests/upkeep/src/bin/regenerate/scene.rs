@@ -47,7 +47,7 @@ pub fn accuracy() -> Outcome<String> {
 const SCENES: [&str; 5] = ["room", "fog", "slivers", "slit", "sensor"];
 
 /// What an ingredient is, and the kernel that has it.
-const INGREDIENTS: [(&str, &str); 7] = [
+const INGREDIENTS: [(&str, &str); 8] = [
     ("a camera with a polygon lens", "with_lens"),
     ("a round lamp in place of a rectangle", "with_sphere"),
     ("glossy in place of matte", "with_glossy"),
@@ -55,6 +55,10 @@ const INGREDIENTS: [(&str, &str); 7] = [
     ("fog", "with_fog"),
     ("a sky, with its table of 32 × 16", "with_sky"),
     ("Sobol' points in place of PCG32", "with_sobol"),
+    (
+        "Metropolis light transport, and such a camera",
+        "with_metropolis",
+    ),
 ];
 
 const CORES: [&str; 3] = ["m0", "m4f", "wasm"];
