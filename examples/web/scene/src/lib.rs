@@ -5,19 +5,19 @@
 
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::ByPosition;
-use microwarp_scene::fog::Fog;
-use microwarp_scene::light::Light;
-use microwarp_scene::material::Material;
-use microwarp_scene::scenes;
-use microwarp_scene::sky::Sky;
+use microwarp_scene::golden::{Fog, Room, Sensor, Shot, Slit, Slivers};
 use microwarp_scene::source::{Owen, Strata};
 use microwarp_scene::vector::Vector;
-use microwarp_scene::{
-    Camera, Colour, Echo, Film, Kit, Plan, Power, Random, Scene, Set, Source, View,
-};
+use microwarp_scene::{Kit, Plan, Random, Set, Source, View};
 
 /// Scenes, tiers and point sets by name, in the order of their numbers.
-pub const SCENES: [&str; 5] = ["room", "fog", "slivers", "slit", "sensor"];
+pub const SCENES: [&str; 5] = [
+    Room::NAME,
+    Fog::NAME,
+    Slivers::NAME,
+    Slit::NAME,
+    Sensor::NAME,
+];
 pub const TIERS: [&str; 2] = ["libm", "poly"];
 pub const POINTS: [&str; 4] = ["random", "position", "strata", "sobol"];
 
@@ -91,11 +91,11 @@ pub fn row(choice: &Choice, row: u32, colours: &mut [Vector]) -> Result<(), Refu
         colours,
     };
     match choice.scene {
-        0 => job.tiers::<Colour, _, _, _, _>(&scenes::room::SCENE, scenes::room::CAMERA),
-        1 => job.tiers::<Colour, _, _, _, _>(&scenes::fog::SCENE, scenes::fog::CAMERA),
-        2 => job.tiers::<Colour, _, _, _, _>(&scenes::slivers::SCENE, scenes::slivers::CAMERA),
-        3 => job.tiers::<Colour, _, _, _, _>(&scenes::slit::SCENE, scenes::slit::CAMERA),
-        4 => job.tiers::<Echo, _, _, _, _>(&scenes::sensor::SCENE, scenes::sensor::CAMERA),
+        0 => job.tiers::<Room>(),
+        1 => job.tiers::<Fog>(),
+        2 => job.tiers::<Slivers>(),
+        3 => job.tiers::<Slit>(),
+        4 => job.tiers::<Sensor>(),
         _ => Err(Refusal::Scene),
     }
 }
@@ -108,41 +108,29 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    fn tiers<P: Film, M: Material, L: Light, E: Sky, F: Fog>(
-        &mut self,
-        scene: &Scene<'_, M, L, E, F>,
-        camera: Camera,
-    ) -> Result<(), Refusal> {
+    fn tiers<C: Shot>(&mut self) -> Result<(), Refusal> {
         match self.choice.tier {
-            0 => self.points::<Libm, P, _, _, _, _>(scene, camera),
-            1 => self.points::<Poly, P, _, _, _, _>(scene, camera),
+            0 => self.points::<C, Libm>(),
+            1 => self.points::<C, Poly>(),
             _ => Err(Refusal::Tier),
         }
     }
 
-    fn points<K: Kit, P: Film, M: Material, L: Light, E: Sky, F: Fog>(
-        &mut self,
-        scene: &Scene<'_, M, L, E, F>,
-        camera: Camera,
-    ) -> Result<(), Refusal> {
-        let view = View::<K>::new(camera, self.choice.plan.size).map_err(Refusal::Camera)?;
+    fn points<C: Shot, K: Kit>(&mut self) -> Result<(), Refusal> {
+        let view = C::view::<K>(self.choice.plan.size).map_err(Refusal::Camera)?;
         match self.choice.points {
-            0 => self.pixels::<K, P, Random, _, _, _, _>(scene, &view),
-            1 => self.pixels::<K, P, Set<ByPosition>, _, _, _, _>(scene, &view),
-            2 => self.pixels::<K, P, Set<Strata>, _, _, _, _>(scene, &view),
-            3 => self.pixels::<K, P, Set<Owen>, _, _, _, _>(scene, &view),
+            0 => self.pixels::<C, K, Random>(&view),
+            1 => self.pixels::<C, K, Set<ByPosition>>(&view),
+            2 => self.pixels::<C, K, Set<Strata>>(&view),
+            3 => self.pixels::<C, K, Set<Owen>>(&view),
             _ => return Err(Refusal::Points),
         }
         Ok(())
     }
 
-    fn pixels<K: Kit, P: Film, S: Source, M: Material, L: Light, E: Sky, F: Fog>(
-        &mut self,
-        scene: &Scene<'_, M, L, E, F>,
-        view: &View<K>,
-    ) {
+    fn pixels<C: Shot, K: Kit, S: Source>(&mut self, view: &View<K>) {
         for (colour, column) in self.colours.iter_mut().zip(0..) {
-            *colour = scene.pixel::<K, Power, P, S>(view, [column, self.row], &self.choice.plan);
+            *colour = C::pixel::<K, S>(view, [column, self.row], &self.choice.plan);
         }
     }
 }
