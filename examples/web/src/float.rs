@@ -11,6 +11,7 @@ macro_rules! warps {
         golden $golden:tt
         cost $cost:tt
         page { $($view:ident $words:literal: $name:ident $parameters:tt => $warp:expr,)* }
+        bind $bind:tt
     })*) => {
         subjects! {
             WARPS visit[T: Tier,] "" "libm poly":

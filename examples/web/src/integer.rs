@@ -19,6 +19,7 @@ macro_rules! warps {
         golden $golden:tt
         cost $cost:tt
         page { $($view:ident $words:literal: $name:ident $parameters:tt => $warp:expr,)* }
+        bind $bind:tt
     })*) => {
         subjects! {
             WARPS visit[G: Grade,] "" "fine coarse compact":

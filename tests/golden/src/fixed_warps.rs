@@ -1,11 +1,12 @@
 //! The warps of the integer tier, as far as they run on cores. A new warp is one block here.
 //!
 //! From these blocks come the golden subjects, the cost kernels of `benches/cores`, the probe without floating point
-//! and the subjects of the page. A block reads like those of `warps.rs`, with these differences:
+//! the subjects of the page and the C functions. A block reads like those of `warps.rs`, with these differences:
 //! - `G` is the grade.
 //! - `golden`: `v` makes a number of the bits of a word and `whole` one of 16 fraction bits.
 //! - `cost`: the names become `fine_name`, `coarse_name`, `compact_name`, and the three with `_pcg32`. Behind the
 //!   uniforms stands their type.
+//! - `bind`: a parameter with a unit is in Q16.16, signed or unsigned.
 //! - `page`: `signed`, `unsigned`, `exponent` and `turns` bring a parameter into its format.
 
 /// Hands all blocks to the macro that is named: the warps that have grades, floats over them, and the others.
@@ -19,6 +20,7 @@ macro_rules! integer_warps {
                     golden { "Disk" => Ok(Disk::<G>::new()), }
                     cost { "disk" [u, v]: U0F32 -> [I2F30; 2] = Disk::new(), }
                     page { plane 2: Disk() => Ok(Disk::<G>::new()), }
+                    bind { "disk" = Disk { new(), } }
                 }
                 Annulus {
                     golden {
@@ -34,6 +36,12 @@ macro_rules! integer_warps {
                         plane 2: Annulus(inner: 1 in 0..10, outer: 2 in 0..10)
                             => Annulus::<_, G>::new(signed(inner)?, signed(outer)?),
                     }
+                    bind {
+                        "annulus" = Annulus<U16> {
+                            new(inner: I16F16, outer: I16F16),
+                            sector(inner: I16F16, outer: I16F16, sides: [U0F32; 2]),
+                        }
+                    }
                 }
                 RegularPolygon {
                     golden {
@@ -44,11 +52,13 @@ macro_rules! integer_warps {
                     page {
                         plane 2: RegularPolygon(corners: 6 in 3..20 by 1) => RegularPolygon::<G>::new(corners as u16),
                     }
+                    bind { "regular_polygon" = RegularPolygon { new(corners: u16), } }
                 }
                 Rotation {
                     golden { "Rotation" => Ok(Rotation::<G>::new()), }
                     cost { "rotation" [u, v, w]: U0F32 -> [I2F30; 4] = Rotation::new(), }
                     page {}
+                    bind { "rotation" = Rotation { new(), } }
                 }
                 Simplex {
                     golden {
@@ -60,21 +70,29 @@ macro_rules! integer_warps {
                         "simplex_3" [u, v, w]: U0F32 -> ([I2F30; 3], I2F30) = Simplex::<3>::new(),
                     }
                     page {}
+                    bind {
+                        "simplex_2" = Simplex<2> { new(), }
+                        "simplex_3" = Simplex<3> { new(), }
+                        "simplex_4" = Simplex<4> { new(), }
+                    }
                 }
                 Sphere {
                     golden { "Sphere" => Ok(Sphere::<G>::new()), }
                     cost { "sphere" [u, v]: U0F32 -> [I2F30; 3] = Sphere::new(), }
                     page { sphere 2: Sphere() => Ok(Sphere::<G>::new()), }
+                    bind { "sphere" = Sphere { new(), } }
                 }
                 Hemisphere {
                     golden { "Hemisphere" => Ok(Hemisphere::<G>::new()), }
                     cost { "hemisphere" [u, v]: U0F32 -> [I2F30; 3] = Hemisphere::new(), }
                     page { sphere 2: Hemisphere() => Ok(Hemisphere::<G>::new()), }
+                    bind { "hemisphere" = Hemisphere { new(), } }
                 }
                 CosineHemisphere {
                     golden { "CosineHemisphere" => Ok(CosineHemisphere::<G>::new()), }
                     cost { "cosine_hemisphere" [u, v]: U0F32 -> [I2F30; 3] = CosineHemisphere::new(), }
                     page { sphere 2: CosineHemisphere() => Ok(CosineHemisphere::<G>::new()), }
+                    bind { "cosine_hemisphere" = CosineHemisphere { new(), } }
                 }
                 Cone {
                     golden {
@@ -89,6 +107,13 @@ macro_rules! integer_warps {
                         sphere 2: Cone(half_angle_in_turns: 0.1 in 0..0.5 by 0.001)
                             => Cone::<G>::from_turns(turns(half_angle_in_turns)?),
                     }
+                    bind {
+                        "cone" = Cone {
+                            from_one_minus_cos(one_minus_cos: U2F62),
+                            from_turns(half_angle: U0F32),
+                            towards_sphere(distance: U16F16, radius: U16F16),
+                        }
+                    }
                 }
                 PhongLobe {
                     golden {
@@ -101,6 +126,7 @@ macro_rules! integer_warps {
                         sphere 2: PhongLobe(exponent: 50 in 0..200 by 0.5)
                             => PhongLobe::<G>::new(self::exponent(exponent)?),
                     }
+                    bind { "phong_lobe" = PhongLobe { new(exponent: U32F32), } }
                 }
                 HenyeyGreenstein {
                     golden {
@@ -113,6 +139,12 @@ macro_rules! integer_warps {
                             = const { ok(HenyeyGreenstein::new(I2F30::lit("0.8"))) },
                     }
                     page {}
+                    bind {
+                        "henyey_greenstein" = HenyeyGreenstein {
+                            new(asymmetry: I2F30),
+                            from_one_minus(one_minus_g: U2F62),
+                        }
+                    }
                 }
                 Bilinear {
                     golden {
@@ -132,11 +164,13 @@ macro_rules! integer_warps {
                                 [unsigned(at_01)?, unsigned(at_11)?],
                             ]),
                     }
+                    bind { "bilinear" = Bilinear { new(weights: [[U16F16; 2]; 2]), } }
                 }
                 Triangle {
                     golden { "Triangle" => Ok(Triangle::<G>::new()), }
                     cost { "triangle" [u, v]: U0F32 -> [I2F30; 3] = Triangle::new(), }
                     page { plane 2: Triangle() => Ok(Triangle::<G>::new()), }
+                    bind { "triangle" = Triangle { new(), } }
                 }
                 TriangleOn {
                     golden {
@@ -170,16 +204,24 @@ macro_rules! integer_warps {
                             [signed(c_x)?, signed(c_y)?],
                         ]),
                     }
+                    bind {
+                        "triangle_on_2d" = TriangleOn<U16, 2> { new(vertices: [[I16F16; 2]; 3]), }
+                        "triangle_on_3d" = TriangleOn<U16, 3> { new(vertices: [[I16F16; 3]; 3]), }
+                    }
                 }
                 StandardExponential {
                     golden { "StandardExponential" => Ok(StandardExponential::<G>::new()), }
                     cost { "standard_exponential" u: U0F32 -> U5F27 = StandardExponential::new(), }
                     page { line 1: StandardExponential() => Ok(StandardExponential::<G>::new()), }
+                    bind { "standard_exponential" = StandardExponential { new(), } }
                 }
                 Exponential {
                     golden { "Exponential 20" => Exponential::<_, G>::from_mean(whole::<U16F16>(20)), }
                     cost { "exponential_20" u: U0F32 -> U16F16 = const { ok(Exponential::from_mean(U16F16::lit("20"))) }, }
                     page { line 1: Exponential(mean: 1 in 0..10) => Exponential::<_, G>::from_mean(unsigned(mean)?), }
+                    bind {
+                        "exponential" = Exponential<U16> { from_mean(mean: U16F16), from_rate(rate: U32F32), }
+                    }
                 }
                 TruncatedExponential {
                     golden {
@@ -196,11 +238,18 @@ macro_rules! integer_warps {
                         line 1: TruncatedExponential(mean: 0.5 in 0..10, length: 3 in 0..10)
                             => TruncatedExponential::<_, G>::from_mean(unsigned(mean)?, unsigned(length)?),
                     }
+                    bind {
+                        "truncated_exponential" = TruncatedExponential<U16> {
+                            from_mean(mean: U16F16, length: U16F16),
+                            from_rate(rate: U32F32, length: U16F16),
+                        }
+                    }
                 }
                 StandardNormalPair {
                     golden { "StandardNormalPair" => Ok(StandardNormalPair::<G>::new()), }
                     cost { "standard_normal_pair" [u, v]: U0F32 -> [I5F27; 2] = StandardNormalPair::new(), }
                     page { plane 2: StandardNormalPair() => Ok(StandardNormalPair::<G>::new()), }
+                    bind { "standard_normal_pair" = StandardNormalPair { new(), } }
                 }
                 NormalPair {
                     golden {
@@ -214,11 +263,13 @@ macro_rules! integer_warps {
                         plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, std_dev: 1 in 0..5)
                             => NormalPair::<_, G>::new([signed(mean_x)?, signed(mean_y)?], signed(std_dev)?),
                     }
+                    bind { "normal_pair" = NormalPair<U16> { new(mean: [I16F16; 2], std_dev: I16F16), } }
                 }
                 Rayleigh {
                     golden { "Rayleigh 5" => Rayleigh::<_, G>::new(whole::<U16F16>(5)), }
                     cost { "rayleigh_5" u: U0F32 -> U16F16 = const { ok(Rayleigh::new(U16F16::lit("5"))) }, }
                     page { line 1: Rayleigh(sigma: 1 in 0..5) => Rayleigh::<_, G>::new(unsigned(sigma)?), }
+                    bind { "rayleigh" = Rayleigh<U16> { new(scale: U16F16), } }
                 }
                 Laplace {
                     golden { "Laplace 100 5" => Laplace::<_, G>::new(whole::<I16F16>(100), whole(5)), }
@@ -230,6 +281,7 @@ macro_rules! integer_warps {
                         line 1: Laplace(location: 0 in -10..10, scale: 1 in 0..5)
                             => Laplace::<_, G>::new(signed(location)?, signed(scale)?),
                     }
+                    bind { "laplace" = Laplace<U16> { new(location: I16F16, scale: I16F16), } }
                 }
                 Logistic {
                     golden { "Logistic 100 5" => Logistic::<_, G>::new(whole::<I16F16>(100), whole(5)), }
@@ -241,11 +293,13 @@ macro_rules! integer_warps {
                         line 1: Logistic(location: 0 in -10..10, scale: 1 in 0..5)
                             => Logistic::<_, G>::new(signed(location)?, signed(scale)?),
                     }
+                    bind { "logistic" = Logistic<U16> { new(location: I16F16, scale: I16F16), } }
                 }
                 Tent {
                     golden { "Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)), }
                     cost { "tent_2" u: U0F32 -> I16F16 = const { ok(Tent::new(I16F16::lit("2"))) }, }
                     page { line 1: Tent(radius: 1 in 0..5) => Tent::<_, G>::new(signed(radius)?), }
+                    bind { "tent" = Tent<U16> { new(radius: I16F16), } }
                 }
             }
             with floats {
@@ -264,6 +318,7 @@ macro_rules! integer_warps {
                         "float_standard_normal_pair" [u, v]: f32 -> [f32; 2] = Float::new(StandardNormalPair::new()),
                     }
                     page { plane 2: FloatDisk() => Ok(Float::new(Disk::<G>::new())), }
+                    bind { none "the caller calls the float tier, or divides" }
                 }
             }
             without grade {
@@ -277,6 +332,18 @@ macro_rules! integer_warps {
                     page {
                         line 1: Interval(from: -3 in -10..10, to: 5 in -10..10)
                             => Interval::<I16F16>::new(signed(from)?, signed(to)?),
+                    }
+                    bind {
+                        "interval_i32" = Interval<i32> { new(low: i32, high: i32), inclusive(low: i32, last: i32), }
+                        "interval_u32" = Interval<u32> { new(low: u32, high: u32), inclusive(low: u32, last: u32), }
+                        "interval_q16" = Interval<I16F16> {
+                            new(low: I16F16, high: I16F16),
+                            inclusive(low: I16F16, last: I16F16),
+                        }
+                        "interval_uq16" = Interval<U16F16> {
+                            new(low: U16F16, high: U16F16),
+                            inclusive(low: U16F16, last: U16F16),
+                        }
                     }
                 }
             }

@@ -43,7 +43,7 @@ macro_rules! listed {
             $($kernel:literal $u:tt $(: $number:ident)? -> $out:ty = $cost:expr,)*
             $(none $reason:literal)?
         }
-        page $page:tt
+        page $page:tt bind $bind:tt
     })*) => {
         pub const $list: &[Listed] = &[$(Listed {
             name: stringify!($type),

@@ -301,7 +301,7 @@ static FLASH: Cdf<[u32; 6]> = match Cdf::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) 
 macro_rules! subjects {
     (
         { $($name:literal => $function:expr,)* }
-        $($type:ident { golden { $($warp_name:literal => $warp:expr,)* } cost $cost:tt page $page:tt })*
+        $($type:ident { golden { $($warp_name:literal => $warp:expr,)* } cost $cost:tt page $page:tt bind $bind:tt })*
     ) => {
         /// The names of all subjects, in the order of their cases: first the warps.
         pub const SUBJECTS: &[&str] = &[$($($warp_name,)*)* $($name,)*];

@@ -1,9 +1,9 @@
 //! The warps of the float tiers, as far as they run on cores. A new warp is one block here.
 //!
-//! From these blocks come the golden subjects, the cost kernels of `benches/cores`, the host benches and the subjects
-//! of the page. What only a host knows, the truths and the cases of the laws, stands in `tests/support`.
+//! From these blocks come the golden subjects, the cost kernels of `benches/cores`, the host benches, the subjects of the
+//! page and the bindings for C and JavaScript. What only a host knows, the truths and the cases of the laws, stands in `tests/support`.
 //!
-//! A block has the name of the type and three parts. `T` is the tier.
+//! A block has the name of the type and four parts. `T` is the tier.
 //! - `golden`: the warps whose bits every target must reproduce, `"name" => constructor`. `v` hides a parameter from
 //!   the compiler. The table is in the order of the blocks.
 //! - `cost`: the warps whose instructions are counted, `"name" uniforms -> point = warp`, with the aliases of a tier
@@ -12,6 +12,9 @@
 //!   kernel says why: `none "reason"`.
 //! - `page`: the subjects of `examples/web`, `view uniforms: Name(parameter: start in least..most by step) => warp`.
 //!   The view is `line`, `plane` or `sphere`; `by step` may be left out.
+//! - `bind`: what other languages get, `"name" = Type { constructor(parameter: type), }`, with the aliases of a tier module
+//!   in scope. The functions of the C header and the classes for JavaScript come of it. A warp that is not bound says
+//!   why: `none "reason"`.
 
 /// Hands all blocks to the macro that is named.
 #[macro_export]
@@ -31,6 +34,9 @@ macro_rules! float_warps {
                     line 1: Interval(from: -3 in -10..10, to: 5 in -10..10) => Interval::new(from, to),
                     line 1: IntervalDecreasing(from: -3 in -10..10, to: 5 in -10..10) => Interval::decreasing(from, to),
                 }
+                bind {
+                    "interval" = Interval { new(low: f32, high: f32), decreasing(low: f32, high: f32), }
+                }
             }
             Power {
                 golden {
@@ -47,22 +53,39 @@ macro_rules! float_warps {
                     line 1: PowerDecreasing(exponent: -1 in -6..10, from: 1 in 0..10, to: 10 in 0..10)
                         => Power::<T>::decreasing(exponent, from, to),
                 }
+                bind {
+                    "power" = Power {
+                        new(exponent: f32, low: f32, high: f32),
+                        decreasing(exponent: f32, low: f32, high: f32),
+                    }
+                }
             }
             PowerMax {
                 golden { "PowerMax 3" => Ok(PowerMax::<3>::new()), }
                 cost { "power_max_4" [a, b, c, d] -> f32 = PowerMax::<4>::new(), }
                 page { line 4: PowerMax() => Ok(PowerMax::<4>::new()), }
+                bind {
+                    "power_max_2" = PowerMax<2> { new(), }
+                    "power_max_3" = PowerMax<3> { new(), }
+                    "power_max_4" = PowerMax<4> { new(), }
+                }
             }
             Exponential {
                 golden { "Exponential" => Exponential::<T>::from_rate(v(1.5)), }
                 cost { "exponential_1" u -> f32 = const { ok(Exponential::from_rate(1.0)) }, }
                 page { line 1: Exponential(rate: 1 in 0..10) => Exponential::<T>::from_rate(rate), }
+                bind {
+                    "exponential" = Exponential { from_rate(rate: f32), from_mean(mean: f32), }
+                }
             }
             ExponentialTail {
                 golden { "ExponentialTail" => ExponentialTail::<T>::from_rate(v(1.5)), }
                 cost { "exponential_tail_1" u -> f32 = const { ok(ExponentialTail::from_rate(1.0)) }, }
                 // Its uniform is made of two words.
                 page { line 2: ExponentialTail(rate: 1 in 0..10) => ExponentialTail::<T>::from_rate(rate), }
+                bind {
+                    "exponential_tail" = ExponentialTail { from_rate(rate: f32), from_mean(mean: f32), }
+                }
             }
             TruncatedExponential {
                 golden {
@@ -74,6 +97,12 @@ macro_rules! float_warps {
                 page {
                     line 1: TruncatedExponential(rate: 2 in -20..20, length: 3 in 0..10)
                         => TruncatedExponential::<T>::from_rate(rate, length),
+                }
+                bind {
+                    "truncated_exponential" = TruncatedExponential {
+                        from_rate(rate: f32, length: f32),
+                        from_mean(mean: f32, length: f32),
+                    }
                 }
             }
             EquiAngular {
@@ -87,11 +116,13 @@ macro_rules! float_warps {
                     line 1: EquiAngular(distance: 2 in 0..10 by 0.1, low: -5 in -20..20, high: 15 in -20..20)
                         => EquiAngular::<T>::new(distance, low, high),
                 }
+                bind { "equi_angular" = EquiAngular { new(distance: f32, low: f32, high: f32), } }
             }
             Tent {
                 golden { "Tent" => Tent::new(v(2.0)), }
                 cost { "tent_2" u -> f32 = const { ok(Tent::new(2.0)) }, }
                 page { line 1: Tent(radius: 1 in 0..5) => Tent::new(radius), }
+                bind { "tent" = Tent { new(radius: f32), } }
             }
             Linear {
                 golden {
@@ -103,11 +134,13 @@ macro_rules! float_warps {
                     line 1: Linear(density_at_0: 1 in 0..10, density_at_1: 3 in 0..10)
                         => Linear::new(density_at_0, density_at_1),
                 }
+                bind { "linear" = Linear { new(density_at_0: f32, density_at_1: f32), } }
             }
             Normal {
                 golden { "Normal" => Normal::<T>::new(v(10.0), v(2.0)), }
                 cost { "normal" u -> f32 = const { ok(Normal::new(0.0, 1.0)) }, }
                 page { line 1: Normal(mean: 0 in -10..10, std_dev: 1 in 0..5) => Normal::<T>::new(mean, std_dev), }
+                bind { "normal" = Normal { new(mean: f32, std_dev: f32), } }
             }
             NormalPair {
                 golden { "NormalPair" => NormalPair::<T>::new([v(1.0), v(-1.0)], v(0.5)), }
@@ -116,6 +149,7 @@ macro_rules! float_warps {
                     plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, std_dev: 1 in 0..5)
                         => NormalPair::<T>::new([mean_x, mean_y], std_dev),
                 }
+                bind { "normal_pair" = NormalPair { new(mean: [f32; 2], std_dev: f32), } }
             }
             TruncatedNormal {
                 golden {
@@ -129,6 +163,13 @@ macro_rules! float_warps {
                     line 1: TruncatedNormal(mean: 0 in -10..10, std_dev: 1 in 0..5, low: -1 in -20..20, high: 2 in -20..20)
                         => TruncatedNormal::<T>::new(mean, std_dev, low, high),
                 }
+                bind {
+                    "truncated_normal" = TruncatedNormal {
+                        new(mean: f32, std_dev: f32, low: f32, high: f32),
+                        above(mean: f32, std_dev: f32, low: f32),
+                        below(mean: f32, std_dev: f32, high: f32),
+                    }
+                }
             }
             Cauchy {
                 golden {
@@ -137,26 +178,31 @@ macro_rules! float_warps {
                 }
                 cost { "cauchy" u -> f32 = const { ok(Cauchy::new(0.0, 1.0)) }, }
                 page { line 1: Cauchy(location: 0 in -10..10, scale: 1 in 0..5) => Cauchy::<T>::new(location, scale), }
+                bind { "cauchy" = Cauchy { new(location: f32, scale: f32), } }
             }
             Laplace {
                 golden { "Laplace" => Laplace::<T>::new(v(10.0), v(2.0)), }
                 cost { "laplace" u -> f32 = const { ok(Laplace::new(0.0, 1.0)) }, }
                 page { line 1: Laplace(location: 0 in -10..10, scale: 1 in 0..5) => Laplace::<T>::new(location, scale), }
+                bind { "laplace" = Laplace { new(location: f32, scale: f32), } }
             }
             Logistic {
                 golden { "Logistic" => Logistic::<T>::new(v(10.0), v(2.0)), }
                 cost { "logistic" u -> f32 = const { ok(Logistic::new(0.0, 1.0)) }, }
                 page { line 1: Logistic(location: 0 in -10..10, scale: 1 in 0..5) => Logistic::<T>::new(location, scale), }
+                bind { "logistic" = Logistic { new(location: f32, scale: f32), } }
             }
             Gumbel {
                 golden { "Gumbel" => Gumbel::<T>::new(v(0.0), v(2.0)), }
                 cost { "gumbel" u -> f32 = const { ok(Gumbel::new(0.0, 1.0)) }, }
                 page { line 1: Gumbel(location: 0 in -10..10, scale: 1 in 0..5) => Gumbel::<T>::new(location, scale), }
+                bind { "gumbel" = Gumbel { new(location: f32, scale: f32), } }
             }
             Rayleigh {
                 golden { "Rayleigh" => Rayleigh::<T>::new(v(1.5)), }
                 cost { "rayleigh" u -> f32 = const { ok(Rayleigh::new(1.0)) }, }
                 page { line 1: Rayleigh(scale: 1 in 0..5) => Rayleigh::<T>::new(scale), }
+                bind { "rayleigh" = Rayleigh { new(scale: f32), } }
             }
             Weibull {
                 golden {
@@ -166,6 +212,7 @@ macro_rules! float_warps {
                 }
                 cost { "weibull" u -> f32 = stored(|| Weibull::new(1.0, 1.5)), }
                 page { line 1: Weibull(scale: 1 in 0..5, shape: 1.5 in 0..10) => Weibull::<T>::new(scale, shape), }
+                bind { "weibull" = Weibull { new(scale: f32, shape: f32), } }
             }
             Pareto {
                 golden {
@@ -174,6 +221,7 @@ macro_rules! float_warps {
                 }
                 cost { "pareto" u -> f32 = stored(|| Pareto::new(1.0, 2.0)), }
                 page { line 1: Pareto(minimum: 1 in 0..5, shape: 2 in 0..10) => Pareto::<T>::new(minimum, shape), }
+                bind { "pareto" = Pareto { new(minimum: f32, shape: f32), } }
             }
             LogNormal {
                 golden {
@@ -185,6 +233,7 @@ macro_rules! float_warps {
                     line 1: LogNormal(mean_of_log: 0 in -5..5, std_dev_of_log: 0.5 in 0..5)
                         => LogNormal::<T>::new(mean_of_log, std_dev_of_log),
                 }
+                bind { "log_normal" = LogNormal { new(mean_of_log: f32, std_dev_of_log: f32), } }
             }
 
             // Made of closures, or of other warps.
@@ -199,6 +248,7 @@ macro_rules! float_warps {
                         |x: f32| 0.5 * x * (1.0 + x),
                     )),
                 }
+                bind { none "its functions are the caller's already" }
             }
             Transform {
                 golden {
@@ -214,6 +264,7 @@ macro_rules! float_warps {
                         |x: f32| T::sincos_turns(x * (1.0 / TAU)).1,
                     )),
                 }
+                bind { none "its functions are the caller's already" }
             }
             MarginalConditional {
                 golden {
@@ -230,6 +281,7 @@ macro_rules! float_warps {
                         Ok(MarginalConditional::new(marginal, move |x: f32| Interval::new(0.0, x).unwrap_or(whole)))
                     }),
                 }
+                bind { none "the caller samples one warp and builds the other from its point" }
             }
             Composed {
                 golden {
@@ -240,6 +292,9 @@ macro_rules! float_warps {
                 }
                 cost { none "it costs what the two warps given to it cost" }
                 page {}
+                bind {
+                    none "the caller hands the point of a bilinear patch to another warp and multiplies the densities"
+                }
             }
 
             // In the plane.
@@ -247,16 +302,19 @@ macro_rules! float_warps {
                 golden { "Disk" => Ok(Disk::<T>::new()), }
                 cost { "disk" [u, v] -> [f32; 2] = Disk::new(), }
                 page { plane 2: Disk() => Ok(Disk::<T>::new()), }
+                bind { "disk" = Disk { new(), } }
             }
             DiskConcentric {
                 golden { "DiskConcentric" => Ok(DiskConcentric::<T>::new()), }
                 cost { "disk_concentric" [u, v] -> [f32; 2] = DiskConcentric::new(), }
                 page { plane 2: DiskConcentric() => Ok(DiskConcentric::<T>::new()), }
+                bind { "disk_concentric" = DiskConcentric { new(), } }
             }
             Triangle {
                 golden { "Triangle" => Ok(Triangle::new()), }
                 cost { "triangle" [u, v] -> [f32; 3] = Triangle::new(), }
                 page { plane 2: Triangle() => Ok(Triangle::new()), }
+                bind { "triangle" = Triangle { new(), } }
             }
             TriangleOn {
                 golden {
@@ -276,6 +334,10 @@ macro_rules! float_warps {
                         a_x: 0 in -4..4, a_y: 0 in -4..4, b_x: 4 in -4..4, b_y: 0 in -4..4, c_x: 1 in -4..4, c_y: 3 in -4..4
                     ) => TriangleOn::new([[a_x, a_y], [b_x, b_y], [c_x, c_y]]),
                 }
+                bind {
+                    "triangle_on_2d" = TriangleOn<2> { new(vertices: [[f32; 2]; 3]), }
+                    "triangle_on_3d" = TriangleOn<3> { new(vertices: [[f32; 3]; 3]), }
+                }
             }
 
             Bilinear {
@@ -288,6 +350,7 @@ macro_rules! float_warps {
                     plane 2: Bilinear(at_00: 1 in 0..4, at_10: 3 in 0..4, at_01: 2 in 0..4, at_11: 0 in 0..4)
                         => Bilinear::new([[at_00, at_10], [at_01, at_11]]),
                 }
+                bind { "bilinear" = Bilinear { new(weights: [[f32; 2]; 2]), } }
             }
 
             // Directions.
@@ -295,21 +358,25 @@ macro_rules! float_warps {
                 golden { "Sphere" => Ok(Sphere::<T>::new()), }
                 cost { "sphere" [u, v] -> [f32; 3] = Sphere::new(), }
                 page { sphere 2: Sphere() => Ok(Sphere::<T>::new()), }
+                bind { "sphere" = Sphere { new(), } }
             }
             Hemisphere {
                 golden { "Hemisphere" => Ok(Hemisphere::<T>::new()), }
                 cost { "hemisphere" [u, v] -> [f32; 3] = Hemisphere::new(), }
                 page { sphere 2: Hemisphere() => Ok(Hemisphere::<T>::new()), }
+                bind { "hemisphere" = Hemisphere { new(), } }
             }
             CosineHemisphere {
                 golden { "CosineHemisphere" => Ok(CosineHemisphere::<T>::new()), }
                 cost { "cosine_hemisphere" [u, v] -> [f32; 3] = CosineHemisphere::new(), }
                 page { sphere 2: CosineHemisphere() => Ok(CosineHemisphere::<T>::new()), }
+                bind { "cosine_hemisphere" = CosineHemisphere { new(), } }
             }
             MalleyHemisphere {
                 golden { "MalleyHemisphere" => Ok(MalleyHemisphere::<T>::new()), }
                 cost { "malley_hemisphere" [u, v] -> [f32; 3] = MalleyHemisphere::new(), }
                 page { sphere 2: MalleyHemisphere() => Ok(MalleyHemisphere::<T>::new()), }
+                bind { "malley_hemisphere" = MalleyHemisphere { new(), } }
             }
             PhongLobe {
                 golden {
@@ -319,6 +386,7 @@ macro_rules! float_warps {
                 }
                 cost { "phong_lobe_50" [u, v] -> [f32; 3] = const { ok(PhongLobe::new(50.0)) }, }
                 page { sphere 2: PhongLobe(exponent: 50 in 0..200 by 0.5) => PhongLobe::<T>::new(exponent), }
+                bind { "phong_lobe" = PhongLobe { new(exponent: f32), } }
             }
             HenyeyGreenstein {
                 golden {
@@ -331,6 +399,13 @@ macro_rules! float_warps {
                 }
                 cost { "henyey_greenstein_08" [u, v] -> [f32; 3] = const { ok(HenyeyGreenstein::new(0.8)) }, }
                 page { sphere 2: HenyeyGreenstein(asymmetry: 0.8 in -0.99..0.99) => HenyeyGreenstein::<T>::new(asymmetry), }
+                bind {
+                    "henyey_greenstein" = HenyeyGreenstein {
+                        new(asymmetry: f32),
+                        from_one_minus_g(one_minus_g: f32),
+                        from_one_plus_g(one_plus_g: f32),
+                    }
+                }
             }
             VonMisesFisher {
                 golden {
@@ -341,6 +416,7 @@ macro_rules! float_warps {
                 }
                 cost { "von_mises_fisher_10" [u, v] -> [f32; 3] = stored(|| VonMisesFisher::new(10.0)), }
                 page { sphere 2: VonMisesFisher(concentration: 10 in 0..200 by 0.5) => VonMisesFisher::<T>::new(concentration), }
+                bind { "von_mises_fisher" = VonMisesFisher { new(concentration: f32), } }
             }
             Ggx {
                 golden {
@@ -352,6 +428,7 @@ macro_rules! float_warps {
                     sphere 2: Ggx(roughness_along_x: 0.1 in 0.001..1, roughness_along_y: 0.5 in 0.001..1)
                         => Ggx::<T>::new([roughness_along_x, roughness_along_y]),
                 }
+                bind { "ggx" = Ggx { new(roughness: [f32; 2]), } }
             }
             GgxVisible {
                 golden {
@@ -365,6 +442,12 @@ macro_rules! float_warps {
                         => Spherical::<T>::from_turns(1.0, view_in_turns, 0.0)
                             .and_then(|view| GgxVisible::<T>::new(view.to_cartesian(), [roughness, roughness])),
                 }
+                bind {
+                    "ggx_visible" = GgxVisible {
+                        new(view: [f32; 3], roughness: [f32; 2]),
+                        bounded(view: [f32; 3], roughness: [f32; 2]),
+                    }
+                }
             }
             Cone {
                 golden {
@@ -375,6 +458,13 @@ macro_rules! float_warps {
                 }
                 cost { "cone" [u, v] -> [f32; 3] = const { ok(Cone::from_one_minus_cos(0.25)) }, }
                 page { sphere 2: Cone(half_angle_in_rad: 0.6 in 0..3.14) => Cone::<T>::from_radians(half_angle_in_rad), }
+                bind {
+                    "cone" = Cone {
+                        from_one_minus_cos(one_minus_cos: f32),
+                        from_radians(half_angle: f32),
+                        from_sine(sine: f32),
+                    }
+                }
             }
             VisibleSphere {
                 golden {
@@ -390,6 +480,7 @@ macro_rules! float_warps {
                     sphere 2: VisibleSphere(distance: 2 in 0..10 by 0.01, radius: 1 in 0..10 by 0.01)
                         => VisibleSphere::<T>::new([0.0; 3], [0.0, 0.6 * distance, 0.8 * distance], radius),
                 }
+                bind { "visible_sphere" = VisibleSphere { new(point: [f32; 3], centre: [f32; 3], radius: f32), } }
             }
             SphericalPatch {
                 golden { "SphericalPatch" => SphericalPatch::<T>::from_turns(v(0.1), v(0.4), v(-0.25), v(0.5)), }
@@ -403,6 +494,11 @@ macro_rules! float_warps {
                     ) => SphericalPatch::<T>::from_turns(
                         theta_from_in_turns, theta_to_in_turns, phi_from_in_turns, phi_to_in_turns,
                     ),
+                }
+                bind {
+                    "spherical_patch" = SphericalPatch {
+                        from_turns(theta_from: f32, theta_to: f32, phi_from: f32, phi_to: f32),
+                    }
                 }
             }
             SphericalTriangle {
@@ -438,6 +534,7 @@ macro_rules! float_warps {
                             [[1.0, 0.0, height], [-0.5, 0.9, height], [-0.5, -0.9, height]],
                         ),
                 }
+                bind { "spherical_triangle" = SphericalTriangle { new(point: [f32; 3], vertices: [[f32; 3]; 3]), } }
             }
             SphericalRectangle {
                 golden {
@@ -468,6 +565,11 @@ macro_rules! float_warps {
                     sphere 2: SphericalRectangle(x: 0 in -2..2, y: 0 in -2..2, height: 1 in 0.01..5)
                         => SphericalRectangle::<T>::new([x, y, 0.0], [-0.5, -0.7, height], [[1.0, 0.0, 0.0], [0.0, 1.4, 0.0]]),
                 }
+                bind {
+                    "spherical_rectangle" = SphericalRectangle {
+                        new(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]),
+                    }
+                }
             }
             Oriented {
                 golden {
@@ -480,6 +582,7 @@ macro_rules! float_warps {
                         => Frame::new([normal_x, normal_y, normal_z])
                             .map(|frame| Oriented::new(CosineHemisphere::<T>::new(), frame)),
                 }
+                bind { none "the caller turns the point of a warp with a frame" }
             }
 
             // Shapes.
@@ -489,6 +592,10 @@ macro_rules! float_warps {
                 page {
                     plane 2: Aabb(left: -1 in -10..10, right: 1 in -10..10, bottom: 2 in -10..10, top: 2.5 in -10..10)
                         => Aabb::new([left, bottom], [right, top]),
+                }
+                bind {
+                    "aabb_2d" = Aabb<2> { new(low: [f32; 2], high: [f32; 2]), }
+                    "aabb_3d" = Aabb<3> { new(low: [f32; 3], high: [f32; 3]), }
                 }
             }
 
@@ -504,16 +611,24 @@ macro_rules! float_warps {
                         inner: 1 in 0..10, outer: 2 in 0..10, from_in_turns: 0 in -1..1 by 0.001, to_in_turns: 1 in -1..2 by 0.001
                     ) => Annulus::<T>::sector(inner, outer, from_in_turns, to_in_turns),
                 }
+                bind {
+                    "annulus" = Annulus {
+                        new(inner: f32, outer: f32),
+                        sector(inner: f32, outer: f32, from_turns: f32, to_turns: f32),
+                    }
+                }
             }
             Ball {
                 golden { "Ball" => Ok(Ball::<T>::new()), }
                 cost { "ball" [u, v, w] -> [f32; 3] = Ball::new(), }
                 page { plane 3: Ball() => Ok(Ball::<T>::new()), }
+                bind { "ball" = Ball { new(), } }
             }
             Rotation {
                 golden { "Rotation" => Ok(Rotation::<T>::new()), }
                 cost { "rotation" [u, v, w] -> [f32; 4] = Rotation::new(), }
                 page { plane 3: Rotation() => Ok(Rotation::<T>::new()), }
+                bind { "rotation" = Rotation { new(), } }
             }
             RegularPolygon {
                 golden {
@@ -522,6 +637,7 @@ macro_rules! float_warps {
                 }
                 cost { "regular_polygon_6" [u, v] -> [f32; 2] = stored(|| RegularPolygon::new(6)), }
                 page { plane 2: RegularPolygon(corners: 6 in 3..20 by 1) => RegularPolygon::<T>::new(corners as u16), }
+                bind { "regular_polygon" = RegularPolygon { new(corners: u16), } }
             }
             Simplex {
                 golden {
@@ -535,6 +651,11 @@ macro_rules! float_warps {
                 page {
                     plane 2: Simplex() => Ok(Simplex::<T, 2>::new()),
                     plane 3: SimplexOf3() => Ok(Simplex::<T, 3>::new()),
+                }
+                bind {
+                    "simplex_2" = Simplex<2> { new(), }
+                    "simplex_3" = Simplex<3> { new(), }
+                    "simplex_4" = Simplex<4> { new(), }
                 }
             }
             BoxSurface {
@@ -550,6 +671,7 @@ macro_rules! float_warps {
                     plane 2: BoxSurface(width: 2 in 0..10, depth: 1 in 0..10, height: 1 in 0..10)
                         => BoxSurface::new([0.0; 3], [width, depth, height]),
                 }
+                bind { "box_surface" = BoxSurface { new(low: [f32; 3], high: [f32; 3]), } }
             }
             FrustumSurface {
                 golden {
@@ -567,6 +689,12 @@ macro_rules! float_warps {
                     plane 2: FrustumSurfaceTube(lower: 1 in 0..5, upper: 0.5 in 0..5, height: 2 in 0..10)
                         => FrustumSurface::<T>::tube([lower, upper], height),
                 }
+                bind {
+                    "frustum_surface" = FrustumSurface {
+                        new(radii: [f32; 2], height: f32),
+                        tube(radii: [f32; 2], height: f32),
+                    }
+                }
             }
             CapsuleSurface {
                 golden {
@@ -581,6 +709,7 @@ macro_rules! float_warps {
                     plane 2: CapsuleSurface(height: 1 in 0..10, radius: 0.5 in 0..5)
                         => CapsuleSurface::<T>::new(height, radius),
                 }
+                bind { "capsule_surface" = CapsuleSurface { new(height: f32, radius: f32), } }
             }
 
             // Tables that are warps. The page shows them among the tables, which have no tier.
@@ -592,6 +721,7 @@ macro_rules! float_warps {
                 }
                 cost { none "its kernels are those of the tables" }
                 page {}
+                bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             PiecewiseConstant2d {
                 golden {
@@ -608,6 +738,7 @@ macro_rules! float_warps {
                 }
                 cost { none "its kernels are those of the tables" }
                 page {}
+                bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             PiecewiseLinear1d {
                 golden {
@@ -617,6 +748,7 @@ macro_rules! float_warps {
                 }
                 cost { none "its kernels are those of the tables" }
                 page {}
+                bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             Mesh {
                 golden {
@@ -627,6 +759,7 @@ macro_rules! float_warps {
                 }
                 cost { none "it costs a selection from a table and a triangle" }
                 page {}
+                bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             LatLongMap {
                 golden {
@@ -636,6 +769,7 @@ macro_rules! float_warps {
                 }
                 cost { none "its kernels are those of the tables" }
                 page {}
+                bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
         }
     };

@@ -7,7 +7,7 @@ macro_rules! entries {
     ($tier:tt $($type:ident {
         golden $golden:tt
         cost { $($name:literal $u:tt -> $out:ty = $warp:expr,)* $(none $reason:literal)? }
-        page $page:tt
+        page $page:tt bind $bind:tt
     })*) => {
         entries! { @ $tier $($($name $u f32 -> $out = $warp,)*)* }
     };

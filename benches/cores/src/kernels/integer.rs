@@ -20,7 +20,7 @@ macro_rules! entries {
     (@ $list:ident ($($tier:tt)*) [$($type:ident {
         golden $golden:tt
         cost { $($name:literal $u:tt: $number:ident -> $out:ty = $warp:expr,)* $(none $reason:literal)? }
-        page $page:tt
+        page $page:tt bind $bind:tt
     })*]) => {
         warp_entries! { $list $($tier)*, $($($name $u $number -> $out = $warp,)*)* }
     };
