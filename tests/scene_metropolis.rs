@@ -1,19 +1,24 @@
 //! Metropolis light transport in the example `scene`: pictures of many short chains have the mean of plain ones, region by
 //! region. Chains that are wrong on purpose do not.
 
+use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
-    BoxStep, Chain, Mixture, Product, UniformStep, WithPayload, WrappedWalk,
+    BoxStep, Chain, HastingsRatio, Mixture, Mutation, Product, Proposal, StateSource, Symmetric,
+    UniformStep, WithPayload, WrappedWalk,
 };
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::ByPosition;
+use microwarp_scene::camera::DIMENSIONS;
 use microwarp_scene::metropolis::State;
-use microwarp_scene::path::NUMBERS;
+use microwarp_scene::path::{LOBE, NUMBERS};
 use microwarp_scene::scenes::{caustic, fog, room, sensor, slit};
+use microwarp_scene::shift::NOWHERE;
 use microwarp_scene::vector::Vector;
 use microwarp_scene::{
     Camera, Clear, Colour, Echo, Film, Fog, Kit, Lamp, Light, Material, NoSky, Numbers, Plan,
-    Power, Quad, Random, Run, Scene, Set, Sky, Source, View, Walk,
+    Power, Quad, Random, Run, Scene, Set, Shift, Sky, Source, View, Walk,
 };
+use rand_core::TryRng;
 use rand_pcg::Pcg32;
 use support::mean::Mean;
 use support::speed;
@@ -129,6 +134,29 @@ enum Way {
     OtherPayload,
     /// Every proposal counts as if it were accepted.
     NoAcceptance,
+    /// Nothing but shifts.
+    Shifts,
+    /// The same, as if they were symmetric.
+    NoRatio,
+}
+
+/// A shift with its ratio, or with that of a symmetric mutation.
+struct Weighed<M>(M, Way);
+
+impl<M: Mutation<State, Correction = HastingsRatio>> Mutation<State> for Weighed<M> {
+    type Correction = HastingsRatio;
+
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        from: State,
+        rng: &mut R,
+    ) -> Result<Proposal<State, HastingsRatio>, R::Error> {
+        let proposal = self.0.try_propose(from, rng)?;
+        Ok(match self.1 {
+            Way::NoRatio => Proposal::new(proposal.state, HastingsRatio::ONE),
+            _ => proposal,
+        })
+    }
 }
 
 /// Chains without random paths beside them, written as a user would.
@@ -136,6 +164,9 @@ fn by_hand(way: Way, brightness: f32, pictures: u32) -> [Mean; 4] {
     const STEPS: u32 = 24;
     let view = View::<Poly>::new(room::CAMERA, SIZE).unwrap();
     let target = |(place, path): State| {
+        if place == NOWHERE {
+            return WithPayload::new(0.0, ([0; 2], [0.0; 3]));
+        }
         let pixel = [0, 1].map(|k| (place[k] * SIZE[k] as f32) as u32);
         let mut numbers = Numbers::new(path);
         let light = room::SCENE.sample::<Poly, Power, Colour>(&view, pixel, &mut numbers);
@@ -146,11 +177,22 @@ fn by_hand(way: Way, brightness: f32, pictures: u32) -> [Mean; 4] {
         WrappedWalk::new(BoxStep::new([0.3; 2]).unwrap()),
         WrappedWalk::new(BoxStep::new([0.05; NUMBERS]).unwrap()),
     ));
-    let mutation = Mixture::new((anew, near), &[0.2, 0.8]).unwrap();
+    let shift = Shift {
+        scene: &room::SCENE,
+        view: &view,
+        size: SIZE,
+        place: WrappedWalk::new(BoxStep::new([2.0; 2]).unwrap()),
+    };
+    let (candidates, shares) = match way {
+        Way::Shifts | Way::NoRatio => (16, [0.0, 0.0, 1.0]),
+        _ => (2, [1.0, 2.0, 2.0]),
+    };
+    let shares = Cdf::new(&shares).unwrap();
+    let mutation = Mixture::from_table((anew, near, Weighed(shift, way)), shares);
     means(pictures, |run| {
         let mut quarters = [0.0; 4];
         let mut rng = Pcg32::new(run.into(), 9);
-        let Ok(start) = Chain::resample(target, &anew, 2, &mut rng) else {
+        let Ok(start) = Chain::resample(target, &anew, candidates, &mut rng) else {
             return quarters;
         };
         let weight = match way {
@@ -184,18 +226,104 @@ fn by_hand(way: Way, brightness: f32, pictures: u32) -> [Mean; 4] {
 #[test]
 fn chains_that_are_wrong_on_purpose_are_found_out() {
     let pictures = speed::of("pictures", 8000, 60_000);
-    let truth = plain::<Poly, Colour, _, _, _, _>(&room::SCENE, room::CAMERA, pictures);
+    let truth = plain::<Poly, Colour, _, _, _, _>(&room::SCENE, room::CAMERA, 8 * pictures);
     let brightness = truth.iter().map(|m| m.mean).sum::<f64>() / f64::from(SIZE[0] * SIZE[1]);
     let off = |way| {
-        let off = apart(&by_hand(way, brightness as f32, pictures), &truth);
+        // What shifts do wrong is little.
+        let times = if matches!(way, Way::NoRatio) { 8 } else { 1 };
+        let found = by_hand(way, brightness as f32, times * pictures);
+        let off = apart(&found, &truth);
         println!("{way:?}: {off:.1} standard errors");
         off
     };
-    let right = off(Way::Right);
-    assert!(right <= FAR_OFF, "{right}");
-    for way in [Way::NoWeight, Way::OtherPayload, Way::NoAcceptance] {
+    for way in [Way::Right, Way::Shifts] {
+        let right = off(way);
+        assert!(right <= FAR_OFF, "{way:?}: {right}");
+    }
+    for way in [
+        Way::NoWeight,
+        Way::OtherPayload,
+        Way::NoAcceptance,
+        Way::NoRatio,
+    ] {
         let wrong = off(way);
         assert!(wrong > 1.5 * FAR_OFF, "{way:?} passes: {wrong}");
+    }
+}
+
+/// Goes to a place that is given.
+struct To([f32; 2]);
+
+impl Mutation<[f32; 2]> for To {
+    type Correction = Symmetric;
+
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        _: [f32; 2],
+        _: &mut R,
+    ) -> Result<Proposal<[f32; 2], Symmetric>, R::Error> {
+        Ok(Proposal::new(self.0, Symmetric))
+    }
+}
+
+/// The two numbers of the first bounce of a matte surface.
+const POLAR: usize = (DIMENSIONS + LOBE) as usize;
+const AZIMUTH: usize = POLAR + 1;
+
+/// How many paths of a scene are shifted, and how many of them do not come back to the same numbers.
+fn returns<M: Material, L: Light, E: Sky, F: Fog>(
+    scene: &Scene<'_, M, L, E, F>,
+    camera: Camera,
+) -> (u32, u32) {
+    let view = View::<Poly>::new(camera, SIZE).unwrap();
+    let mut rng = Pcg32::new(3, 3);
+    let (mut moved, mut lost) = (0, 0);
+    let anew = Product::new((UniformStep::new(), UniformStep::new()));
+    let go = |from: State, to| {
+        let (view, size, place) = (&view, SIZE, To(to));
+        let shift = Shift {
+            scene,
+            view,
+            size,
+            place,
+        };
+        let Ok(proposal) = shift.try_propose(from, &mut Pcg32::new(1, 1));
+        proposal.state
+    };
+    for _ in 0..20_000 {
+        let [from, to]: [State; 2] = [0, 1].map(|_| {
+            let Ok(state) = anew.try_draw_state(&mut rng);
+            state
+        });
+        let there = go(from, to.0);
+        if there.0 == NOWHERE {
+            continue;
+        }
+        moved += 1;
+        let back = go(there, from.0);
+        let apart = from.1.iter().zip(back.1).map(|(x, y)| (x - y).abs());
+        // An azimuth of 0 may come back as one of nearly 1, and at the pole it does not matter.
+        let sine = from.1[POLAR].sqrt();
+        let apart = apart.enumerate().map(|(k, d)| match k {
+            AZIMUTH => d.min(1.0 - d) * sine,
+            _ => d,
+        });
+        let apart = apart.fold(0.0, f32::max);
+        lost += u32::from(back.0 == NOWHERE || apart > 1e-4);
+    }
+    (moved, lost)
+}
+
+#[test]
+fn shifted_paths_come_back() {
+    for (what, (moved, lost)) in [
+        ("room", returns(&room::SCENE, room::CAMERA)),
+        ("fog", returns(&fog::SCENE, fog::CAMERA)),
+        ("slit", returns(&slit::SCENE, slit::CAMERA)),
+        ("sensor", returns(&sensor::SCENE, sensor::CAMERA)),
+    ] {
+        println!("{what}: {moved} moved, {lost} of them lost");
+        assert!(moved > 20 && 100 * lost <= moved, "{what}");
     }
 }
 

@@ -14,7 +14,7 @@
 //! | reflection: matte, glossy, rough metal | `CosineHemisphere`, `PhongLobe`, `GgxVisible` |
 //! | distance in fog | `TruncatedExponential` and `EquiAngular`, weighted together |
 //! | scattering in fog | `HenyeyGreenstein` |
-//! | paths from paths, in Metropolis light transport | `Chain` of a `Mixture` of `Product`s |
+//! | paths from paths, in Metropolis light transport | `Chain` of a `Mixture` of `Product`s and a mutation of its own |
 //!
 //! Lengths are in metres and z is up. Radiance has three channels, red, green and blue.
 #![no_std]
@@ -42,6 +42,7 @@ pub mod path;
 pub mod picture;
 pub mod scenes;
 pub mod shape;
+pub mod shift;
 pub mod sky;
 pub mod source;
 pub mod vector;
@@ -58,5 +59,6 @@ pub use metropolis::{Run, Walk};
 pub use path::{Balance, Heuristic, LightOnly, LobeOnly, Power, Scene};
 pub use picture::{Hash, Plan};
 pub use shape::{Quad, Ray, Shape, Sphere};
+pub use shift::Shift;
 pub use sky::{NoSky, Sky};
 pub use source::{Numbers, Random, Set, Source};

@@ -4,8 +4,8 @@ use crate::kit::Kit;
 use crate::vector::{Vector, dot, plus, scaled, sqrt, unit};
 use core::f32::consts::FRAC_1_PI;
 use microwarp::uniform::grid;
-use microwarp::warp::{Frame, GgxVisible, Oriented};
-use microwarp::{Error, Warp};
+use microwarp::warp::{CosineHemisphere, Frame, GgxVisible, Oriented};
+use microwarp::{Error, Invert as _, Warp};
 use rand_core::Rng;
 
 /// A direction that a lobe has drawn, what the surface sends there of the light that comes from there, cosine included, and
@@ -23,6 +23,11 @@ pub trait Lobe {
     fn draw(&self, words: &mut impl Rng) -> Option<Bounce>;
     /// Value and density of a direction.
     fn weigh(&self, direction: Vector) -> (Vector, f32);
+    /// The two numbers that [`draw`](Lobe::draw) makes this direction of, where it takes two and has an inverse.
+    #[inline]
+    fn invert(&self, _: Vector) -> Option<[f32; 2]> {
+        None
+    }
 }
 
 /// What a surface is made of.
@@ -76,6 +81,11 @@ impl<K: Kit> Lobe for MatteLobe<K> {
     #[inline]
     fn weigh(&self, direction: Vector) -> (Vector, f32) {
         (lambert(self.albedo, direction), self.cosine.pdf(direction))
+    }
+
+    #[inline]
+    fn invert(&self, direction: Vector) -> Option<[f32; 2]> {
+        Some(CosineHemisphere::<K::Tier>::new().invert(direction))
     }
 }
 
@@ -256,6 +266,14 @@ impl<K: Kit> Lobe for AnyLobe<K> {
             Self::Matte(lobe) => lobe.weigh(direction),
             Self::Glossy(lobe) => lobe.weigh(direction),
             Self::Metal(lobe) => lobe.weigh(direction),
+        }
+    }
+
+    #[inline]
+    fn invert(&self, direction: Vector) -> Option<[f32; 2]> {
+        match self {
+            Self::Matte(lobe) => lobe.invert(direction),
+            _ => None,
         }
     }
 }

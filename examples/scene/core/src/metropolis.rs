@@ -7,6 +7,7 @@ use crate::kit::Kit;
 use crate::light::Light;
 use crate::material::Material;
 use crate::path::{Heuristic, NUMBERS, Scene};
+use crate::shift::{NOWHERE, Shift};
 use crate::sky::Sky;
 use crate::source::{Numbers, Random, Source as _};
 use crate::vector::{Vector, dot, scaled};
@@ -17,7 +18,7 @@ use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Product, StateSource as _, UniformStep, WithPayload, WrappedWalk,
 };
 
-/// How a chain of paths runs. Every path costs the same: there are [`Walk::paths`] of them.
+/// How a chain of paths runs, which takes at most [`Walk::paths`] of them: a step that finds its way blocked takes none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Walk {
     /// Columns and rows.
@@ -52,6 +53,15 @@ pub struct Run {
 /// Where a path ends up in the picture, as parts of its width and height, and its numbers.
 pub type State = ([f32; 2], [f32; NUMBERS]);
 
+/// The pixel of a place of a picture.
+pub(crate) fn pixel_of([x, y]: [f32; 2], [columns, rows]: [u32; 2]) -> [u32; 2] {
+    let (column, row) = ((x * columns as f32) as u32, (y * rows as f32) as u32);
+    [
+        column.min(columns.saturating_sub(1)),
+        row.min(rows.saturating_sub(1)),
+    ]
+}
+
 /// What a path finds.
 #[derive(Clone, Copy, Debug)]
 struct Found {
@@ -62,14 +72,17 @@ struct Found {
 /// Luminance, which says how often a path is taken. It is positive where any channel is, so that nothing is lost.
 const LUMINANCE: Vector = [0.2126, 0.7152, 0.0722];
 
-/// Large steps are one in four.
-static LARGE: Cdf<[u32; 2]> = constant!(Cdf::new(&[1.0, 3.0]));
+/// One step in four is large, one is small, and two move the eye's end.
+static SHARES: Cdf<[u32; 3]> = constant!(Cdf::new(&[1.0, 1.0, 2.0]));
 const LARGE_SHARE: f32 = 0.25;
 
 /// How far small steps go at most: in numbers of the path, and in pixels. Steps of a box are the cheapest, and there are many
 /// numbers.
 const NEAR: f32 = 1.0 / 64.0;
 const PIXELS: f32 = 1.5;
+
+/// How far the eye's end moves at most, as a part of the width and of the height.
+const REACH: f32 = 0.1;
 
 impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
     /// Takes a picture by a chain of paths. `splat` adds light to a pixel, given by column and row: what it has got in the end
@@ -86,15 +99,13 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
         mut splat: impl FnMut([u32; 2], Vector),
     ) -> Result<Run, Error> {
         let [width, height] = walk.size.map(|n| n as f32);
-        let last = walk.size.map(|n| n.saturating_sub(1));
         let target = |(place, path): State| {
-            let [x, y] = place;
-            let [right, bottom] = last;
-            let pixel = [
-                right.min((x * width) as u32),
-                bottom.min((y * height) as u32),
-            ];
-            let light = self.sample::<K, H, P>(view, pixel, &mut Numbers::new(path));
+            let pixel = pixel_of(place, walk.size);
+            let light = if place == NOWHERE {
+                [0.0; 3]
+            } else {
+                self.sample::<K, H, P>(view, pixel, &mut Numbers::new(path))
+            };
             WithPayload::new(dot(light, LUMINANCE), Found { pixel, light })
         };
         let anew = Product::new((UniformStep::new(), UniformStep::new()));
@@ -102,7 +113,13 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
             WrappedWalk::new(BoxStep::new([2.0 * PIXELS / width, 2.0 * PIXELS / height])?),
             WrappedWalk::new(BoxStep::new([2.0 * NEAR; NUMBERS])?),
         ));
-        let mutation = Mixture::from_table((anew, near), LARGE);
+        let shift = Shift {
+            scene: self,
+            view,
+            size: walk.size,
+            place: WrappedWalk::new(BoxStep::new([2.0 * REACH; 2])?),
+        };
+        let mutation = Mixture::from_table((anew, near, shift), SHARES);
 
         // Words of two pixels that no picture has.
         let mut words = Random::of_pixel(walk.seed, u32::MAX, 0);

@@ -111,7 +111,7 @@ pub struct Scene<'a, M, L, E, F> {
 }
 
 /// What a ray meets first.
-enum Met<M> {
+pub(crate) enum Met<M> {
     Nothing,
     /// A light, by its index, and whether on its outer side.
     Light(usize, bool),
@@ -147,9 +147,29 @@ impl<K: Kit, M: Material, F: Fog> Vertex<K, M, F> {
     }
 }
 
+/// Where light leaves a surface that a ray has met, the frame there, and the law of directions.
+#[inline]
+pub(crate) fn leave<K: Kit, M: Material>(
+    ray: Ray,
+    way: f32,
+    normal: Vector,
+    material: &M,
+) -> Option<(Vector, Frame, M::Lobe<K>)> {
+    let front = dot(normal, ray.direction) < 0.0;
+    let frame = Frame::new(if front { normal } else { scaled(normal, -1.0) }).ok()?;
+    // Next to the horizon, rounding may take the view below it.
+    let [x, y, z] = frame.to_local(scaled(ray.direction, -1.0));
+    let lobe = material
+        .seen::<K>([x, y, if z > 0.0 { z } else { 0.0 }])
+        .ok()?;
+    // What leaves, leaves on the side that was met.
+    let off = scaled(frame.normal(), STEP);
+    Some((plus(ray.at(way), off), frame, lobe))
+}
+
 impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
     /// The first thing that a ray meets, and how far away.
-    fn meet(&self, ray: Ray) -> (f32, Met<M>) {
+    pub(crate) fn meet(&self, ray: Ray) -> (f32, Met<M>) {
         let (mut way, mut met) = (FAR, Met::Nothing);
         for (quads, material) in self.quads {
             for quad in *quads {
@@ -261,19 +281,10 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
                 let Met::Surface(normal, material) = met else {
                     break;
                 };
-                let front = dot(normal, ray.direction) < 0.0;
-                let Ok(frame) = Frame::new(if front { normal } else { scaled(normal, -1.0) })
-                else {
+                let Some((from, frame, lobe)) = leave::<K, M>(ray, way, normal, &material) else {
                     break;
                 };
-                // Next to the horizon, rounding may take the view below it.
-                let [x, y, z] = frame.to_local(scaled(ray.direction, -1.0));
-                let Ok(lobe) = material.seen::<K>([x, y, if z > 0.0 { z } else { 0.0 }]) else {
-                    break;
-                };
-                // What leaves, leaves on the side that was met.
-                let off = scaled(frame.normal(), STEP);
-                (plus(ray.at(way), off), Vertex::Surface(frame, lobe), None)
+                (from, Vertex::Surface(frame, lobe), None)
             };
             source.skip_to(dimension.wrapping_add(LIGHT));
             let chosen = chosen.or_else(|| self.choice.draw(source));
