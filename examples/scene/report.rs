@@ -1,6 +1,6 @@
 //! The table on the terminal, and what there is to complain of.
 
-use crate::chains::HARD;
+use crate::chains::reference_of;
 use crate::render::{PointSet, Tier};
 use crate::shots::Shot;
 use crate::study::{KINDS, SAMPLES, Study};
@@ -81,7 +81,7 @@ pub fn complaints(shots: &[Shot], studies: &[Study]) -> Vec<String> {
         let [random, sobol] = [PointSet::Random, PointSet::Sobol]
             .map(|points| study.find(Tier::Poly, points, SAMPLES[1]).error);
         // The errors of the hard scenes are those of a few rare paths, whatever the points.
-        if !HARD.contains(&shot.name) {
+        if reference_of(shot.name).is_none() {
             gain += (sobol / random).ln();
         }
         noticed += study.control.deviation;
