@@ -4,7 +4,8 @@
 //! and clocks do not show; compare figures of one run only.
 
 use divan::{Bencher, black_box};
-use microwarp::{Error, Warp, uniform};
+use microwarp::uniform::{self, Uniforms};
+use microwarp::{Error, Warp};
 use microwarp_golden::float_warps;
 use rand_pcg::Pcg32;
 use std::fmt::{self, Display, Formatter};
@@ -35,6 +36,28 @@ fn fill<W: Warp>(bencher: Bencher, warp: &W) {
     repeat(bencher, warp, |warp, rng, points| warp.fill(rng, points));
 }
 
+/// From uniforms in memory.
+fn map<W: Warp<Uniforms: Random>>(bencher: Bencher, warp: &W) {
+    let mut rng = Pcg32::new(1, 1);
+    let uniforms: Vec<_> = (0..POINTS).map(|_| Random::random(&mut rng)).collect();
+    let mut points = vec![warp.draw(&mut rng); POINTS];
+    bencher
+        .counter(divan::counter::ItemsCount::new(POINTS))
+        .bench_local(|| black_box(warp).map(black_box(&uniforms), black_box(&mut points)));
+}
+
+/// Uniforms of the grid.
+trait Random: Uniforms {
+    fn random(rng: &mut Pcg32) -> Self;
+}
+
+impl<U: Uniforms> Random for U {
+    fn random(rng: &mut Pcg32) -> Self {
+        let Ok(u) = Self::try_draw(rng);
+        u.get()
+    }
+}
+
 /// The floor: two words of the generator as uniforms, not used any further.
 #[divan::bench]
 fn a_floor_of_two_uniforms(bencher: Bencher) {
@@ -54,6 +77,7 @@ struct Timed {
     name: &'static str,
     draw: fn(Bencher),
     fill: fn(Bencher),
+    map: fn(Bencher),
 }
 
 impl Display for Timed {
@@ -90,6 +114,7 @@ macro_rules! benches {
                 name: $name,
                 draw: |bencher| super::draw(bencher, &$warp),
                 fill: |bencher| super::fill(bencher, &$warp),
+                map: |bencher| super::map(bencher, &$warp),
             },)*)*];
 
             #[divan::bench(args = WARPS)]
@@ -100,6 +125,11 @@ macro_rules! benches {
             #[divan::bench(args = WARPS)]
             fn fill(bencher: Bencher, warp: &Timed) {
                 (warp.fill)(bencher);
+            }
+
+            #[divan::bench(args = WARPS)]
+            fn map(bencher: Bencher, warp: &Timed) {
+                (warp.map)(bencher);
             }
         }
     };

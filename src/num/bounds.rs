@@ -10,14 +10,10 @@ pub const SMALLEST: f32 = f32::from_bits(1);
 /// [`LARGEST`].
 #[inline]
 pub(crate) fn into_unit(u: f32) -> f32 {
-    // NaN fails both comparisons and becomes 0.
-    if u >= 1.0 {
-        LARGEST
-    } else if u > 0.0 {
-        u
-    } else {
-        0.0
-    }
+    // NaN fails the comparison and becomes 0. No f32 lies between the largest uniform and 1. Both lines are the vector
+    // instructions `max` and `min`.
+    let u = if u > 0.0 { u } else { 0.0 };
+    if u < LARGEST { u } else { LARGEST }
 }
 
 /// Brings the density of a point inside the domain into the positive finite range: underflow becomes 2⁻¹⁴⁹ and overflow

@@ -197,7 +197,7 @@ impl<T: Tier> Annulus<T> {
 
 impl<T: Tier> PlanarMap<2> for Annulus<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
         let gain = u1 * self.area;
         let square = self.low * self.low;
         let root = T::sqrt(square + gain);

@@ -164,7 +164,7 @@ impl<T: Tier> Cone<T> {
 
 impl<T: Tier> PlanarMap<3> for Cone<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let down = u1 * self.k;
         if down >= DEEP {
             between_poles::<T>(down, self.rest + (1.0 - u1) * self.k, u2, to);

@@ -224,6 +224,46 @@ pub trait Warp {
         infallible(self.try_fill(rng, points));
     }
 
+    /// The points of a slice of uniforms, in order: for uniforms of your own, such as a point set, another generator or a
+    /// replay.
+    ///
+    /// They are the points that as many calls of [`sample`](Warp::sample) would give, several at a time where the processor
+    /// has vectors. If the slices differ in length, the shorter one counts; points beyond it are untouched.
+    ///
+    /// ```
+    /// use microwarp::{Warp, poly as mw};
+    /// let uniforms = [[0.25, 0.5], [0.75, 0.125]];
+    /// let mut points = [[0.0; 2]; 2];
+    /// let disk = mw::Disk::new();
+    /// disk.map(&uniforms, &mut points);
+    /// assert_eq!(points, uniforms.map(|u| disk.sample(u)));
+    /// ```
+    #[inline]
+    fn map(&self, uniforms: &[Self::Uniforms], points: &mut [Self::Point])
+    where
+        Self: Sized,
+    {
+        for (point, &u) in points.iter_mut().zip(uniforms) {
+            *point = self.sample(u);
+        }
+    }
+
+    /// The points of a slice of uniforms, as [`map`](Warp::map) gives them, and their densities, as
+    /// [`sample_with_pdf`](Warp::sample_with_pdf) gives them. The shortest slice counts.
+    #[inline]
+    fn map_with_pdf(
+        &self,
+        uniforms: &[Self::Uniforms],
+        points: &mut [Self::Point],
+        densities: &mut [Self::Density],
+    ) where
+        Self: Sized,
+    {
+        for ((point, density), &u) in points.iter_mut().zip(densities).zip(uniforms) {
+            (*point, *density) = self.sample_with_pdf(u);
+        }
+    }
+
     /// Fills a slice with points and their densities, in order, from a generator that cannot fail.
     #[inline]
     fn fill_with_pdf<R: Rng + ?Sized>(
@@ -342,6 +382,21 @@ impl<W: Warp> Warp for &W {
         points: &mut [Self::Point],
     ) -> Result<(), R::Error> {
         (**self).try_fill(rng, points)
+    }
+
+    #[inline]
+    fn map(&self, uniforms: &[Self::Uniforms], points: &mut [Self::Point]) {
+        (**self).map(uniforms, points);
+    }
+
+    #[inline]
+    fn map_with_pdf(
+        &self,
+        uniforms: &[Self::Uniforms],
+        points: &mut [Self::Point],
+        densities: &mut [Self::Density],
+    ) {
+        (**self).map_with_pdf(uniforms, points, densities);
     }
 }
 

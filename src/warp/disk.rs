@@ -81,7 +81,7 @@ impl<T: Tier> Disk<T> {
 
 impl<T: Tier> PlanarMap<2> for Disk<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
         // The root of the largest uniform is again the largest f32 below 1.
         let r = T::sqrt(u1);
         let (x, y) = T::polar(r, u2);

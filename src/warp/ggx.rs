@@ -164,7 +164,7 @@ impl<T: Tier> Ggx<T> {
 
 impl<T: Tier> PlanarMap<3> for Ggx<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         (*to, _) = squeezed::<T>(self.alpha, Self::stretched(u1, u2));
     }
 }
@@ -500,7 +500,7 @@ const RIM_SLACK: f32 = 4.0 * f32::EPSILON;
 
 impl<T: Tier> PlanarMap<3> for GgxVisible<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         (*to, _) = squeezed::<T>(self.alpha, self.half(u1, u2));
     }
 }

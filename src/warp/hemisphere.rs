@@ -80,7 +80,7 @@ impl<T: Tier> Hemisphere<T> {
 
 impl<T: Tier> PlanarMap<3> for Hemisphere<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         // sin² = 1 - u² in terms of 1 - u, which is exact where it is small.
         let rest = 1.0 - u1;
         around::<T>(T::sqrt((rest + rest) - rest * rest), u1, u2, to);
@@ -193,7 +193,7 @@ fn cosine_density(direction: [f32; 3]) -> f32 {
 
 impl<T: Tier> PlanarMap<3> for CosineHemisphere<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2, to);
     }
 }

@@ -259,7 +259,7 @@ impl<T: Tier> HenyeyGreenstein<T> {
 
 impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let (v, least) = (1.0 - u1, self.least);
         let (from_down, from_up) = if self.g < 0.0 {
             (least, 1.0)
@@ -304,7 +304,7 @@ impl<T: Tier> Warp for HenyeyGreenstein<T> {
     fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
         let [u1, u2] = u.get();
         let mut direction = [0.0; 3];
-        self.map(u1, u2, &mut direction);
+        self.map_to(u1, u2, &mut direction);
         let (_, c) = self.rise(u1);
         (direction, c * c * c * self.scale)
     }

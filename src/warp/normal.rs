@@ -281,7 +281,7 @@ impl<T: Tier> NormalPair<T> {
 
 impl<T: Tier> PlanarMap<2> for NormalPair<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
         let [mx, my] = self.mean;
         let r = self.std_dev * T::sqrt(2.0 * T::neg_ln_1m(u1));
         let (x, y) = T::polar(r, u2);

@@ -154,7 +154,7 @@ const NEEDLE: f32 = 1_099_511_627_776.0;
 
 impl<T: Tier> PlanarMap<3> for PhongLobe<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let log = T::neg_ln_1m(u1);
         let (cos, q) = T::exp_neg_pair(log / self.m);
         let sin = if q >= DEEP {

@@ -1,6 +1,7 @@
 //! Warps of two uniforms: sampling, drawing and filling from one map.
 
 use super::fill::BLOCK;
+use crate::num::into_unit;
 use crate::uniform::{Canonical, Uniforms, grid_from_word};
 use rand_core::TryRng;
 
@@ -18,6 +19,11 @@ macro_rules! planar {
         }
 
         $crate::warp::filled_in_blocks!(by $crate::warp::planar::in_blocks, where $vectors);
+
+        #[inline]
+        fn map(&self, uniforms: &[[f32; 2]], points: &mut [Self::Point]) {
+            $crate::warp::planar::map(self, uniforms, points);
+        }
     };
 }
 pub(super) use planar;
@@ -28,7 +34,7 @@ pub(super) use planar;
 /// with vectors half as long.
 pub(crate) trait PlanarMap<const D: usize> {
     /// The point of two uniforms in [0, 1).
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; D]);
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; D]);
 }
 
 /// [`Warp::sample_canonical`](super::Warp::sample_canonical) of such a map.
@@ -39,8 +45,20 @@ pub(crate) fn sample<const D: usize, W: PlanarMap<D>>(
 ) -> [f32; D] {
     let [u1, u2] = u.get();
     let mut point = [0.0; D];
-    warp.map(u1, u2, &mut point);
+    warp.map_to(u1, u2, &mut point);
     point
+}
+
+/// [`Warp::map`](super::Warp::map) of such a map.
+#[inline]
+pub(super) fn map<const D: usize, W: PlanarMap<D>>(
+    warp: &W,
+    uniforms: &[[f32; 2]],
+    points: &mut [[f32; D]],
+) {
+    for (point, &[u1, u2]) in points.iter_mut().zip(uniforms) {
+        warp.map_to(into_unit(u1), into_unit(u2), point);
+    }
 }
 
 /// [`Warp::try_fill`](super::Warp::try_fill) of such a map, several points at a time.
@@ -67,13 +85,13 @@ where
         let words = block.iter_mut().zip(first.into_iter().zip(second));
         let count = drawn.as_ref().map_or(good.start, |()| BLOCK);
         for (point, (a, b)) in words.take(count) {
-            warp.map(grid_from_word(a), grid_from_word(b), point);
+            warp.map_to(grid_from_word(a), grid_from_word(b), point);
         }
         drawn?;
     }
     for point in blocks.into_remainder() {
         let [a, b] = <[f32; 2]>::try_words(rng)?;
-        warp.map(grid_from_word(a), grid_from_word(b), point);
+        warp.map_to(grid_from_word(a), grid_from_word(b), point);
     }
     Ok(())
 }

@@ -154,7 +154,7 @@ impl<T: Tier> RegularPolygon<T> {
 
 impl<T: Tier> PlanarMap<2> for RegularPolygon<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
         // Exact: a product, and its rounding error.
         let (place, dropped) = two_product(u2, self.corners);
         let side = place as u32 as f32;

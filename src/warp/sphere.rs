@@ -81,7 +81,7 @@ impl<T: Tier> Sphere<T> {
 
 impl<T: Tier> PlanarMap<3> for Sphere<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let sin = 2.0 * T::sqrt(u1 * (1.0 - u1));
         around::<T>(sin, 1.0 - 2.0 * u1, u2, to);
     }

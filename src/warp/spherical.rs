@@ -341,7 +341,7 @@ fn one_plus_cos([x, y, z]: [f32; 3]) -> f32 {
 
 impl<T: Tier> PlanarMap<3> for SphericalPatch<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let down = self.down + u1 * self.drop;
         let up = self.up + (1.0 - u1) * self.drop;
         let (turn, angle) = self.azimuths().at(u2);

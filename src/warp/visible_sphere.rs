@@ -274,8 +274,8 @@ fn exact_gap(sides: [(f32, f32); 3], radius: f32, scale: f32) -> (bool, f32) {
 
 impl<T: Tier> PlanarMap<3> for VisibleSphere<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        self.cone.warp().map(u1, u2, to);
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        self.cone.warp().map_to(u1, u2, to);
         *to = self.cone.frame().to_world(*to);
     }
 }

@@ -200,7 +200,7 @@ fn off_peak([x, y, z]: [f32; 3]) -> (f32, f32) {
 
 impl<T: Tier> PlanarMap<3> for VonMisesFisher<T> {
     #[inline]
-    fn map(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let (small, side) = if u1 <= self.equator {
             (self.depth(u1) / self.kappa, 1.0)
         } else {
@@ -237,7 +237,7 @@ impl<T: Tier> Warp for VonMisesFisher<T> {
     fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
         let [u1, u2] = u.get();
         let mut direction = [0.0; 3];
-        self.map(u1, u2, &mut direction);
+        self.map_to(u1, u2, &mut direction);
         (direction, self.peak * self.share(u1))
     }
 

@@ -1,8 +1,8 @@
 //! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
 
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
-use microwarp::uniform::{self, FromFn, Rng06, Rng09, TryRng06, Uniforms as _};
-use microwarp::{Warp, libm, poly};
+use microwarp::uniform::{self, Canonical, FromFn, Rng06, Rng09, TryRng06, Uniforms as _};
+use microwarp::{Invert, Warp, libm, poly};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 use std::convert::Infallible;
@@ -106,6 +106,103 @@ fn filling_is_drawing_one_by_one() {
             assert_eq!(filled, drawn, "{}", entry.label());
         }
     }
+}
+
+/// Uniforms of any kind, more than fit into blocks: on the grid and between, tiny, out of range and not numbers.
+fn hostile() -> Vec<[f32; 4]> {
+    let edges = [
+        0.0,
+        -0.0,
+        1e-45,
+        1e-30,
+        0.5,
+        1.0 - 2.0_f32.powi(-24),
+        1.0,
+        7.0,
+        -1.0,
+    ];
+    let edges = edges
+        .into_iter()
+        .chain([f32::NAN, f32::INFINITY, f32::NEG_INFINITY]);
+    let mut rng = Pcg32::new(8, 8);
+    let numbers = edges.chain((0..39).map(|_| rng.next_u32() as f32 / 4_294_967_296.0));
+    let numbers: Vec<f32> = numbers.collect();
+    let at = |i: usize| numbers[i % numbers.len()];
+    (0..numbers.len())
+        .map(|i| [at(i), at(5 * i + 1), at(7 * i + 2), at(11 * i + 3)])
+        .collect()
+}
+
+/// Whether `Warp::map` and `Warp::map_with_pdf` give what single calls give, bit for bit.
+fn maps(warp: &dyn support::registry::Erased) -> bool {
+    let u = hostile();
+    let (points, with_densities) = warp.map(&u);
+    u.iter()
+        .zip(points)
+        .zip(with_densities)
+        .all(|((&u, point), (same, density))| {
+            let bits = |point: [f32; 3]| point.map(f32::to_bits);
+            let (due, of_due) = warp.sample_with_pdf(u);
+            bits(point) == bits(warp.sample(u))
+                && bits(same) == bits(due)
+                && density.to_bits() == of_due.to_bits()
+        })
+}
+
+/// Over the whole registry, and a warp whose slices are wrong in one place.
+#[test]
+fn mapping_a_slice_is_sampling_one_by_one() {
+    for entry in support::registry::entries() {
+        assert!(maps(&*entry.warp), "{}", entry.label());
+    }
+    assert!(maps(&*support::registry::erased(Off::<false>)));
+    assert!(!maps(&*support::registry::erased(Off::<true>)));
+}
+
+/// The uniform itself; the tenth of a slice comes out wrong.
+struct Off<const WRONG: bool>;
+
+impl<const WRONG: bool> Warp for Off<WRONG> {
+    type Uniforms = f32;
+    type Point = f32;
+    type Density = f32;
+
+    fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
+        u.get()
+    }
+    fn pdf(&self, _: f32) -> f32 {
+        1.0
+    }
+    fn map(&self, uniforms: &[f32], points: &mut [f32]) {
+        for (i, (point, &u)) in points.iter_mut().zip(uniforms).enumerate() {
+            *point = self.sample(if WRONG && i == 20 { 1.0 - u } else { u });
+        }
+    }
+}
+
+impl<const WRONG: bool> Invert for Off<WRONG> {
+    fn invert(&self, x: f32) -> f32 {
+        x
+    }
+}
+
+/// The shortest slice counts, and the rest is untouched.
+#[test]
+fn a_mapped_slice_ends_with_the_shortest() {
+    let disk = poly::Disk::new();
+    let uniforms = [[0.25, 0.5]; 20];
+    let due = disk.sample(uniforms[0]);
+    let mut points = [[9.0; 2]; 20];
+    disk.map(&uniforms[..10], &mut points);
+    assert!(points[..10].iter().all(|&point| point == due));
+    assert_eq!(points[10..], [[9.0; 2]; 10]);
+    disk.map(&uniforms, &mut points[..12]);
+    assert_eq!(points[11..13], [due, [9.0; 2]]);
+    let mut densities = [7.0; 3];
+    disk.map_with_pdf(&uniforms, &mut points, &mut densities);
+    assert_eq!(densities, [disk.pdf(due); 3]);
+    assert_eq!(points[12], [9.0; 2]);
+    disk.map(&[], &mut []);
 }
 
 /// Over the whole registry: by whichever way a point is drawn, it is the same. Where a draw takes more words than there

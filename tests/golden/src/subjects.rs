@@ -378,6 +378,19 @@ float_warps!(subjects {
             point.put(out);
         }
     },
+    "mapped slices" => |[a, b, c, d], _, out| {
+        let mut points = [[0.0; 2]; 2];
+        Disk::<T>::new().map(&[[a, b], [c, d]], &mut points);
+        for point in points {
+            point.put(out);
+        }
+        let (mut points, mut densities) = ([0.0; 3], [0.0; 3]);
+        if let Ok(tail) = Exponential::<T>::from_rate(v(2.0)) {
+            tail.map_with_pdf(&[a, b, c, d], &mut points, &mut densities);
+        }
+        points.put(out);
+        densities.put(out);
+    },
     "tier turns" => |[a, b, ..], _, out| {
         let (s, c) = T::sincos_turns(a);
         [s, c, T::atan2_turns(b - 0.5, a - 0.5), T::sqrt(b)].put(out);

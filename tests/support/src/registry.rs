@@ -83,6 +83,8 @@ pub trait Erased: Send + Sync {
     }
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
+    /// Maps a slice: the points by `Warp::map`, then points and densities by `Warp::map_with_pdf`.
+    fn map(&self, u: &[Uniforms]) -> (Vec<Point>, Vec<(Point, f32)>);
     /// A block of points in memory of its own, drawn one by one or filled: what takes time is this alone.
     fn block(&self, filled: bool) -> Box<dyn FnMut()>;
     /// One point of the generator by each way to draw it: what the way is, and the point.
@@ -381,6 +383,16 @@ impl<const M: usize, const N: usize> Flat<N> for ([f32; M], f32) {
     }
 }
 
+/// Erases the types of a warp.
+pub fn erased<W>(warp: W) -> Arc<dyn Erased>
+where
+    W: Invert<Density = f32> + Send + Sync + 'static,
+    W::Uniforms: Flat<4>,
+    W::Point: Flat<3> + Flat<4> + 'static,
+{
+    Arc::new(Wrapped(Arc::new(warp)))
+}
+
 struct Wrapped<W>(Arc<W>);
 
 impl<W> Erased for Wrapped<W>
@@ -410,6 +422,15 @@ where
         let mut points = vec![W::Point::unflat([0.0; 3]); n];
         self.0.fill(rng, &mut points);
         points.into_iter().map(Flat::flat).collect()
+    }
+    fn map(&self, u: &[Uniforms]) -> (Vec<Point>, Vec<(Point, f32)>) {
+        let u: Vec<_> = u.iter().map(|&u| W::Uniforms::unflat(u)).collect();
+        let mut points = vec![W::Point::unflat([0.0; 3]); u.len()];
+        self.0.map(&u, &mut points);
+        let (mut same, mut densities) = (points.clone(), vec![-1.0; u.len()]);
+        self.0.map_with_pdf(&u, &mut same, &mut densities);
+        let same = same.into_iter().map(Flat::flat).zip(densities);
+        (points.into_iter().map(Flat::flat).collect(), same.collect())
     }
     fn block(&self, filled: bool) -> Box<dyn FnMut()> {
         let (warp, mut kept) = (Arc::clone(&self.0), generator());
@@ -524,7 +545,7 @@ where
         picture: None,
         trade: None,
         place: None,
-        warp: Arc::new(Wrapped(Arc::new(warp))),
+        warp: erased(warp),
         chart: Arc::clone(&truth),
         truth,
         variables: Vec::new(),
