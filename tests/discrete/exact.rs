@@ -217,6 +217,24 @@ fn exact_draws_take_the_words_of_any_draw() {
     assert_eq!(cdf.try_draw_exact(&mut failing), Err(Broken(17)));
 }
 
+/// The leftover of an exact selection is the quotient of the place in the share by the share, for shares of every size.
+#[test]
+fn exact_leftovers_are_quotients() {
+    let rounds = speed::of("shares", 200_000, 10_000_000);
+    let mut rng = Pcg32::new(21, 54);
+    for round in 0..rounds {
+        let count = (rng.next_u32() >> (round % 32)).max(1);
+        let table = Cdf::from_integers(&[count, count.wrapping_neg()]).unwrap();
+        let places = [0, count / 3, count / 2, count - 1, rng.next_u32() % count];
+        for place in places {
+            let chosen = table.select_exact(place);
+            assert_eq!((chosen.index, chosen.numerator), (0, count.into()));
+            let due = (u64::from(place) << 32) / u64::from(count);
+            assert_eq!(u64::from(chosen.leftover), due, "{place} of {count}");
+        }
+    }
+}
+
 /// The p-value of leftovers, entry by entry, against the uniform law.
 fn p_value(mut draw: impl FnMut(&mut Pcg32) -> (usize, u32), pmf: &[f64], seed: u64) -> f64 {
     const CELLS: usize = 63;

@@ -5,8 +5,8 @@ use crate::registry::{entry, ok};
 use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, Geometric, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,
-    PiecewiseLinear1d, Poisson,
+    Alias, AliasEntry, Cdf, ExactSelection, Geometric, Mesh, MeshPoint, PiecewiseConstant1d,
+    PiecewiseConstant2d, PiecewiseLinear1d, Poisson,
 };
 use microwarp::poly::LatLongMap;
 use rand_core::Rng;
@@ -105,6 +105,9 @@ tables! {
         (word: u32) -> usize = CDF_8.index(word), rng => CDF_8.index(rng.next_u32());
     "cdf_64" "cdf_64_pcg32" CDF_64: CdfOf<64> = CdfOf::<64>::new(&weights()),
         (word: u32) -> usize = CDF_64.index(word), rng => CDF_64.index(rng.next_u32());
+    "cdf_64_exact" "cdf_64_exact_pcg32" CDF_64_EXACT: CdfOf<64> = CdfOf::<64>::new(&weights()),
+        (word: u32) -> [u32; 4] = parts(CDF_64_EXACT.select_exact(word)),
+        rng => parts(CDF_64_EXACT.draw_exact(rng));
     "cdf_1024" "cdf_1024_pcg32" CDF_1024: CdfOf<1024> = CdfOf::<1024>::new(&weights()),
         (word: u32) -> usize = CDF_1024.index(word), rng => CDF_1024.index(rng.next_u32());
     "geometric_100" "geometric_100_pcg32" GEOMETRIC_100: Geometric = Geometric::from_ratio(1, 100),
@@ -128,6 +131,16 @@ tables! {
     "poly_lat_long_map_16_8" "poly_lat_long_map_16_8_pcg32"
         SKY_16_8: Sky<16, 8> = Sky::<16, 8>::new(&picture()),
         (u: f32, v: f32) -> [f32; 3] = SKY_16_8.sample([u, v]), rng => SKY_16_8.draw(rng);
+}
+
+/// What an exact selection says. No table here has an entry of all words.
+fn parts(chosen: ExactSelection) -> [u32; 4] {
+    [
+        chosen.index as u32,
+        chosen.numerator as u32,
+        chosen.leftover,
+        chosen.leftover_bits,
+    ]
 }
 
 fn found(point: MeshPoint) -> ([f32; 3], usize) {
