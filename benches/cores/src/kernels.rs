@@ -22,11 +22,12 @@ mod tables;
 use crate::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 15] = [
+pub static REGISTRY: [&[Entry]; 16] = [
     chains::ENTRIES,
     float::POLY,
     float::LIBM,
     generator::ENTRIES,
+    generator::OTHERS,
     integer::FINE,
     integer::COARSE,
     integer::COMPACT,

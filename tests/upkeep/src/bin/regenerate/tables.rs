@@ -15,6 +15,7 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
             "| | ns, PCG32 included | Cortex-M4F, PCG32 included | Cortex-M0, PCG32 included |",
         ),
         "chains" => beside(sources, CHAINS, "| | ns | Cortex-M4F | Cortex-M0 |"),
+        "generators" => beside(sources, GENERATORS, "| a word; `fixed::Disk::draw` | ns | Cortex-M4F | Cortex-M0 |"),
         "integers" => integers(sources),
         "peers" => Ok(rows(&sources.peers)),
         "firmware" => firmware(),
@@ -239,11 +240,22 @@ type Row = (
     &'static [&'static str],
 );
 
+/// Rows of the table of generators.
+#[rustfmt::skip]
+const GENERATORS: &[Row] = &[
+    ("`Pcg32` of `rand_pcg`, which the other tables count", &["tables a_floor_of_one_word"], &["pcg32_word", "fine_disk_pcg32"]),
+    ("`Sfc32` of `rand_sfc`", &[], &["sfc32_word", "sfc32_disk"]),
+    ("`XorShiftRng` of `rand_xorshift`", &[], &["xorshift_word", "xorshift_disk"]),
+    ("`Xoroshiro64Star` of `rand_xoshiro`", &[], &["xoroshiro64_word", "xoroshiro64_disk"]),
+    ("`Xoshiro128PlusPlus` of `rand_xoshiro`, the `SmallRng` of 32-bit targets", &[], &["xoshiro128_word", "xoshiro128_disk"]),
+];
+
 #[rustfmt::skip]
 const SELECTIONS: &[Row] = &[
     ("one word of PCG32", &["tables a_floor_of_one_word"], &["pcg32_word"]),
     ("`draw_index` from a `Cdf` of 6, of 1,024 `u32`", &["tables cdf_u32_index_only::6", "tables cdf_u32_index_only::1024"], &["cdf_6_index", "cdf_1024_pcg32"]),
     ("`draw`, with pmf and leftover", &["tables cdf_u32::6", "tables cdf_u32::1024"], &["cdf_6", "cdf_1024"]),
+    ("`draw_exact` from a `Cdf` of 64 `u32`, with numerator and leftover", &[], &["cdf_64_exact_pcg32"]),
     ("`draw_index` from an `Alias` of 1,024 `u32`", &[], &["alias_1024_pcg32"]),
     ("`draw`, with pmf and leftover, of 6, of 2²⁰", &["tables alias_u32::6", "tables alias_u32::1048576"], &["alias_1024"]),
     ("`PiecewiseConstant1d` of 1,024; of 64 on the microcontrollers", &["tables piecewise_1d_of_1024"], &["piecewise_constant_1d_64_pcg32"]),
