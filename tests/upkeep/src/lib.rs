@@ -1,4 +1,6 @@
-//! What `regenerate` and `linked` share: the root of the repository, and a common end.
+//! What `regenerate` and `linked` share: the root of the repository, and a common end. And the C interface as text.
+
+pub mod capi;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

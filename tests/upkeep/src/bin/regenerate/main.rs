@@ -9,7 +9,7 @@ mod scene;
 mod sources;
 mod tables;
 
-use microwarp_upkeep::{Outcome, end, root};
+use microwarp_upkeep::{Outcome, capi, end, read, root, write};
 use std::process::{Command, ExitCode};
 
 const HELP: &str = "\
@@ -21,12 +21,13 @@ Regenerates what is derived from the sources, in this order:
     sizes      .ci/sizes.csv, examples/firmware/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
     pages      the tables and figures between marks in README.md and other pages
+    capi       bindings/c/include/microwarp.h, bindings/c/src/layout.rs
     tidy       nothing is written: costs.csv has every kernel, and none that is gone
 
     cargo regenerate [OPTIONS]
 
-    --check         writes nothing; fails, and prints the difference, where golden, pages or tidy are not up to
-                    date. The full tests and .ci/run sizes compare the others
+    --check         writes nothing; fails, and prints the difference, where golden, pages, capi or tidy are not
+                    up to date. The full tests and .ci/run sizes compare the others
     --only NAME     this step alone; may be given more than once
     --golden TEXT   lines of a golden table whose case contains TEXT may change; prints the old and the new.
                     This breaks values: say so in the changelog and in the commit
@@ -52,7 +53,7 @@ pub struct Args {
 type Step = (&'static str, fn(&Args) -> Outcome);
 
 /// Each may read what those before it have written.
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     ("golden", |args| golden::step(args.check, &args.golden)),
     ("accuracy", accuracy),
     ("proofs", |args| {
@@ -66,6 +67,7 @@ const STEPS: [Step; 9] = [
     ("sizes", sizes),
     ("pictures", pictures),
     ("pages", |args| pages::step(args.check)),
+    ("capi", |args| capi(args.check)),
     ("tidy", |_| sources::tidy()),
 ];
 
@@ -217,6 +219,30 @@ fn sizes(args: &Args) -> Outcome {
     }
     command(&[".ci/sizes", "--write"], &[], false)?;
     command(&["examples/firmware/check", "--write"], &[], false).map(drop)
+}
+
+/// The header of the C interface, and the sizes that every target is held to.
+fn capi(check: bool) -> Outcome {
+    for (path, text) in [
+        (capi::HEADER, capi::header()?),
+        (capi::LAYOUT, capi::layout()),
+    ] {
+        if !check {
+            write(path, &text)?;
+            continue;
+        }
+        let old = read(path)?;
+        let mut lines = old.lines().zip(text.lines()).enumerate();
+        if let Some((i, (is, should))) = lines.find(|(_, (is, should))| is != should) {
+            return Err(format!("{path}:{}:\n- {is}\n+ {should}", i + 1));
+        }
+        if old != text {
+            return Err(format!(
+                "{path} is longer or shorter than what is made of the sources"
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// The same seed gives the same picture.

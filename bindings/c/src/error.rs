@@ -1,0 +1,93 @@
+//! Errors as numbers: those of `Error::code`, 0 for none, and what only C can meet.
+
+use crate::generators::SourceFailed;
+use core::ffi::{CStr, c_char};
+use core_crate::Error;
+
+/// `mw_error`. In C it is an enumeration, whose size is the compiler's choice, so it is never part of a struct.
+#[repr(transparent)]
+#[derive(Clone, Copy)]
+pub struct Code(u32);
+
+pub const OK: Code = Code(0);
+/// Outside the range of `Error::code`, which only grows from 1 up.
+const SOURCE_FAILED: Code = Code(1000);
+
+impl From<Error> for Code {
+    #[inline]
+    fn from(error: Error) -> Self {
+        Self(u32::from(error.code()))
+    }
+}
+
+impl From<SourceFailed> for Code {
+    #[inline]
+    fn from(_: SourceFailed) -> Self {
+        SOURCE_FAILED
+    }
+}
+
+/// What a C function returns of what Rust returned, the value put in its place.
+#[inline]
+pub fn code<T, E: Into<Code>>(result: Result<T, E>, then: impl FnOnce(T)) -> Code {
+    match result {
+        Ok(value) => {
+            then(value);
+            OK
+        }
+        Err(error) => error.into(),
+    }
+}
+
+/// A text with a NUL behind it.
+const fn ended<const N: usize>(text: &str) -> [u8; N] {
+    let (mut bytes, mut i) = ([0; N], 0);
+    while i < text.len() {
+        bytes[i] = text.as_bytes()[i];
+        i += 1;
+    }
+    bytes
+}
+
+macro_rules! texts {
+    ($($error:expr,)*) => {
+        /// What went wrong, in words.
+        #[unsafe(export_name = "mw_error_text")]
+        extern "C" fn text(code: Code) -> *const c_char {
+            let text = match code.0 {
+                0 => c"no error",
+                1000 => c"the source of random words failed",
+                $(code if code == const { $error.code() as u32 } => const {
+                    const TEXT: &str = $error.message();
+                    const BYTES: [u8; TEXT.len() + 1] = ended(TEXT);
+                    match CStr::from_bytes_with_nul(&BYTES) {
+                        Ok(text) => text,
+                        Err(_) => panic!("a message holds a NUL"),
+                    }
+                },)*
+                _ => c"not an error of microwarp",
+            };
+            text.as_ptr()
+        }
+    };
+}
+
+// `Error` may grow. The tests in C ask for the text of every code in the header, whose list is read from the crate.
+texts! {
+    Error::NotFinite,
+    Error::Reversed,
+    Error::Empty,
+    Error::TooLarge,
+    Error::NotPositive,
+    Error::Negative,
+    Error::OutOfRange,
+    Error::NotNormalizable,
+    Error::ZeroLength,
+    Error::NoWeights,
+    Error::TooManyWeights,
+    Error::NotFiniteWeight(0),
+    Error::NegativeWeight(0),
+    Error::AllZero,
+    Error::Unreachable(0),
+    Error::NotATable,
+}

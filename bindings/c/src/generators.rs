@@ -1,0 +1,100 @@
+//! Generators: PCG32 in the memory of the caller, and any other by a callback that may fail.
+
+use core::convert::Infallible;
+use core::ffi::c_void;
+use core::fmt;
+use rand_core::TryRng;
+use rand_core::utils::{fill_bytes_via_next_word, next_u64_via_u32};
+
+/// `mw_pcg32`: the generator PCG-XSH-RR 64/32.
+#[repr(C)]
+pub struct Pcg32 {
+    state: u64,
+    increment: u64,
+}
+
+impl Pcg32 {
+    #[inline]
+    fn next(&mut self) -> u32 {
+        let old = self.state;
+        self.state = old
+            .wrapping_mul(0x5851_F42D_4C95_7F2D)
+            .wrapping_add(self.increment);
+        let folded = ((old >> 18) ^ old) >> 27;
+        (folded as u32).rotate_right((old >> 59) as u32)
+    }
+}
+
+/// `mw_source`: a callback with its context.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Source {
+    next: unsafe extern "C" fn(*mut c_void, *mut u32) -> bool,
+    context: *mut c_void,
+}
+
+/// The callback returned false.
+#[derive(Debug)]
+pub struct SourceFailed;
+
+impl fmt::Display for SourceFailed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the source failed")
+    }
+}
+
+impl core::error::Error for SourceFailed {}
+
+macro_rules! by_words {
+    ($error:ty) => {
+        type Error = $error;
+
+        #[inline]
+        fn try_next_u64(&mut self) -> Result<u64, $error> {
+            next_u64_via_u32(self)
+        }
+
+        #[inline]
+        fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), $error> {
+            fill_bytes_via_next_word(bytes, || self.try_next_u32())
+        }
+    };
+}
+
+impl TryRng for Pcg32 {
+    by_words!(Infallible);
+
+    #[inline]
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        Ok(self.next())
+    }
+}
+
+impl TryRng for Source {
+    by_words!(SourceFailed);
+
+    #[inline]
+    fn try_next_u32(&mut self) -> Result<u32, SourceFailed> {
+        let mut word = 0;
+        // SAFETY: the caller of the library promises a callback that takes this context and writes one word.
+        if unsafe { (self.next)(self.context, &raw mut word) } {
+            Ok(word)
+        } else {
+            Err(SourceFailed)
+        }
+    }
+}
+
+/// Any seed and any stream will do.
+#[unsafe(export_name = "mw_pcg32_init")]
+extern "C" fn init(rng: &mut Pcg32, seed: u64, stream: u64) {
+    let increment = (stream << 1) | 1;
+    rng.state = seed.wrapping_add(increment);
+    rng.increment = increment;
+    rng.next();
+}
+
+#[unsafe(export_name = "mw_pcg32_next")]
+extern "C" fn next(rng: &mut Pcg32) -> u32 {
+    rng.next()
+}

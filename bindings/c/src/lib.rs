@@ -1,0 +1,28 @@
+//! The samplers of microwarp as C functions; `include/microwarp.h` declares and describes them.
+//!
+//! The warps come from the lists of `tests/golden`, one macro for all. The other samplers have a file each.
+//!
+//! # Safety
+//! The callers are C programs, and what they promise stands at the top of the header: a pointer is valid for what the
+//! function does with it, and a struct has been made by its `_init`. Each `unsafe` below rests on that. Every input is
+//! read before an output is written, so these may overlap.
+#![no_std]
+#![allow(
+    improper_ctypes_definitions,
+    reason = "an out-parameter of a number is an empty struct, which no calling convention passes"
+)]
+
+mod error;
+mod generators;
+mod layout;
+mod value;
+mod warps;
+
+/// Nothing here panics, so no program links this; `bindings/c/test` looks.
+#[cfg(not(test))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
+}

@@ -1,0 +1,191 @@
+//! What crosses the boundary: how each type of uniforms, points, densities and parameters looks in C.
+//!
+//! A number is handed over by value. Several are read or written through a pointer.
+
+use core_crate::Warp;
+use core_crate::warp::SurfacePoint;
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedU32, FixedU64};
+use rand_core::TryRng;
+
+/// The place of an out-parameter that C does not have, because the value is returned.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Returned;
+
+/// A type of the crate with a form in C.
+pub trait Value: Copy {
+    /// In memory.
+    type C: Copy;
+    /// As an argument.
+    type Given: Copy;
+    /// As the last parameter of a function that yields it.
+    type Place: Copy;
+    /// As what such a function returns.
+    type Result;
+
+    fn to_c(self) -> Self::C;
+
+    fn from_c(c: Self::C) -> Self;
+
+    /// # Safety
+    /// A pointer must be valid for reads.
+    unsafe fn read(given: Self::Given) -> Self;
+
+    /// # Safety
+    /// A pointer must be valid for writes.
+    unsafe fn yielded(self, place: Self::Place) -> Self::Result;
+
+    /// Fills memory of C, in order, up to where the generator fails.
+    #[inline]
+    fn fill<W: Warp<Point = Self>, R: TryRng>(
+        warp: &W,
+        rng: &mut R,
+        points: &mut [Self::C],
+    ) -> Result<(), R::Error> {
+        for point in points {
+            *point = warp.try_draw(rng)?.to_c();
+        }
+        Ok(())
+    }
+}
+
+/// What has the same form on both sides, so that slices are filled in place.
+macro_rules! same_in_c {
+    () => {
+        type C = Self;
+
+        #[inline]
+        fn to_c(self) -> Self {
+            self
+        }
+
+        #[inline]
+        fn from_c(c: Self) -> Self {
+            c
+        }
+
+        #[inline]
+        fn fill<W: Warp<Point = Self>, R: TryRng>(
+            warp: &W,
+            rng: &mut R,
+            points: &mut [Self],
+        ) -> Result<(), R::Error> {
+            warp.try_fill(rng, points)
+        }
+    };
+}
+
+macro_rules! by_pointer {
+    () => {
+        type Given = *const Self::C;
+        type Place = *mut Self::C;
+        type Result = ();
+
+        #[inline]
+        unsafe fn read(given: *const Self::C) -> Self {
+            // SAFETY: the caller's promise.
+            Self::from_c(unsafe { given.read() })
+        }
+
+        #[inline]
+        unsafe fn yielded(self, place: *mut Self::C) {
+            // SAFETY: the caller's promise.
+            unsafe { place.write(self.to_c()) }
+        }
+    };
+}
+
+/// One number.
+pub trait Number: Copy {}
+
+macro_rules! numbers {
+    ($([$($of:tt)*] $number:ty,)*) => {$(
+        impl<$($of)*> Number for $number {}
+
+        impl<$($of)*> Value for $number {
+            same_in_c!();
+            type Given = Self;
+            type Place = Returned;
+            type Result = Self;
+
+            #[inline]
+            unsafe fn read(given: Self) -> Self {
+                given
+            }
+
+            #[inline]
+            unsafe fn yielded(self, _: Returned) -> Self {
+                self
+            }
+        }
+    )*};
+}
+
+numbers! {
+    [] f32,
+    [] u16,
+    [] u32,
+    [] i32,
+    [F: LeEqU32] FixedU32<F>,
+    [F: LeEqU32] FixedI32<F>,
+    [F: LeEqU64] FixedU64<F>,
+}
+
+impl<T: Number, const N: usize> Value for [T; N] {
+    same_in_c!();
+    by_pointer!();
+}
+
+impl<T: Number, const N: usize, const M: usize> Value for [[T; N]; M] {
+    same_in_c!();
+    by_pointer!();
+}
+
+/// A point of the simplex: the shares, and what remains of 1.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Shares<T, const N: usize> {
+    shares: [T; N],
+    rest: T,
+}
+
+impl<T: Number, const N: usize> Value for ([T; N], T) {
+    type C = Shares<T, N>;
+    by_pointer!();
+
+    #[inline]
+    fn to_c(self) -> Self::C {
+        let (shares, rest) = self;
+        Shares { shares, rest }
+    }
+
+    #[inline]
+    fn from_c(c: Self::C) -> Self {
+        (c.shares, c.rest)
+    }
+}
+
+/// A point of a surface, with the normal there.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Surface {
+    position: [f32; 3],
+    normal: [f32; 3],
+}
+
+impl Value for SurfacePoint {
+    type C = Surface;
+    by_pointer!();
+
+    #[inline]
+    fn to_c(self) -> Surface {
+        let Self { position, normal } = self;
+        Surface { position, normal }
+    }
+
+    #[inline]
+    fn from_c(Surface { position, normal }: Surface) -> Self {
+        Self { position, normal }
+    }
+}

@@ -1,0 +1,11 @@
+//! The C interface of `bindings/c` as text: the header, the sizes of its structs, and the table of its golden test. All
+//! come from the lists of `tests/golden`, the crate's documentation, and what is not a warp from a template.
+
+mod bound;
+mod comments;
+mod form;
+mod golden;
+mod header;
+
+pub use golden::golden;
+pub use header::{HEADER, LAYOUT, header, layout};

@@ -1,0 +1,139 @@
+//! How the types of the crate are declared in C.
+
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedU32, FixedU64};
+use microwarp::warp::SurfacePoint;
+
+/// A type in C: a number, an array of numbers, or a struct.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Form {
+    /// `float`, `int32_t` or the name of a struct.
+    pub base: String,
+    /// The lengths of the dimensions, as they stand behind a name.
+    pub lengths: Vec<usize>,
+    pub is_struct: bool,
+    /// What its words stand for, where the type does not say.
+    pub format: Option<String>,
+}
+
+impl Form {
+    fn number(base: &str, format: Option<String>) -> Self {
+        Self {
+            base: base.into(),
+            lengths: Vec::new(),
+            is_struct: false,
+            format,
+        }
+    }
+
+    /// Whether it is handed over by value.
+    pub fn is_number(&self) -> bool {
+        self.lengths.is_empty() && !self.is_struct
+    }
+
+    fn behind(&self, name: &str) -> String {
+        let lengths: String = self.lengths.iter().map(|n| format!("[{n}]")).collect();
+        format!("{name}{lengths}")
+    }
+
+    /// As a variable.
+    pub fn declared(&self, name: &str) -> String {
+        format!("{} {}", self.base, self.behind(name))
+    }
+
+    /// As an argument that is read.
+    pub fn given(&self, name: &str) -> String {
+        if self.is_number() {
+            self.declared(name)
+        } else if self.is_struct {
+            format!("const {} *{name}", self.base)
+        } else {
+            format!("const {}", self.declared(name))
+        }
+    }
+
+    /// As an argument that is written.
+    pub fn place(&self, name: &str) -> String {
+        if self.lengths.is_empty() {
+            format!("{} *{name}", self.base)
+        } else {
+            self.declared(name)
+        }
+    }
+
+    /// As an argument of which many are written.
+    pub fn many(&self, name: &str) -> String {
+        if self.lengths.is_empty() {
+            format!("{} *{name}", self.base)
+        } else {
+            format!("{} {}", self.base, self.behind(&format!("(*{name})")))
+        }
+    }
+}
+
+/// A type that crosses the boundary.
+pub trait InC {
+    /// `shares` is the name of the struct of a point of a simplex.
+    fn form(shares: &str) -> Form;
+}
+
+macro_rules! whole {
+    ($($number:ty, $base:literal;)*) => {$(
+        impl InC for $number {
+            fn form(_: &str) -> Form {
+                Form::number($base, None)
+            }
+        }
+    )*};
+}
+
+whole! {
+    f32, "float";
+    u16, "uint16_t";
+    i32, "int32_t";
+    u32, "uint32_t";
+}
+
+macro_rules! fixed_point {
+    ($($type:ident $least:ident $base:literal $sign:literal $bits:literal;)*) => {$(
+        impl<F: $least> InC for $type<F> {
+            fn form(_: &str) -> Form {
+                let fraction = Self::FRAC_NBITS;
+                Form::number($base, Some(format!("{}Q{}.{fraction}", $sign, $bits - fraction)))
+            }
+        }
+    )*};
+}
+
+fixed_point! {
+    FixedI32 LeEqU32 "int32_t" "" 32;
+    FixedU32 LeEqU32 "uint32_t" "U" 32;
+    FixedU64 LeEqU64 "uint64_t" "U" 64;
+}
+
+impl<T: InC, const N: usize> InC for [T; N] {
+    fn form(shares: &str) -> Form {
+        let mut form = T::form(shares);
+        form.lengths.insert(0, N);
+        form
+    }
+}
+
+impl<T: InC, const N: usize> InC for ([T; N], T) {
+    fn form(shares: &str) -> Form {
+        Form {
+            base: shares.into(),
+            is_struct: true,
+            ..T::form(shares)
+        }
+    }
+}
+
+impl InC for SurfacePoint {
+    fn form(_: &str) -> Form {
+        Form {
+            is_struct: true,
+            ..Form::number("mw_surface_point", None)
+        }
+    }
+}
