@@ -12,7 +12,7 @@ use microwarp::fixed::{Coarse, Compact, Fine, Float, Grade};
 use microwarp::{Error, Invert};
 
 /// Words where integer maps break: the ends, the borders of quarters and of table cells, and some in between.
-const WORDS: [[u32; 2]; 12] = [
+pub const WORDS: [[u32; 2]; 12] = [
     [0, 0],
     [u32::MAX, u32::MAX],
     [0, u32::MAX],

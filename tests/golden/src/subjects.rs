@@ -22,7 +22,7 @@ use rand_core::Rng;
 use rand_pcg::Pcg32;
 
 /// Uniforms in and out of range; warps take as many of the four as they need.
-const UNIFORMS: [[f32; 4]; 12] = [
+pub const UNIFORMS: [[f32; 4]; 12] = [
     [0.0, 0.0, 0.0, 0.0],
     [0.125, 0.625, 0.375, 0.875],
     [0.25, 0.75, 0.5, 0.1],

@@ -2,6 +2,7 @@
 //! come from the lists of `tests/golden`, the crate's documentation, and what is not a warp from a template.
 
 mod bound;
+mod call;
 mod comments;
 mod form;
 mod golden;

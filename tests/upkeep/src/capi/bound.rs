@@ -99,7 +99,7 @@ macro_rules! blocks {
 
 macro_rules! of_grade {
     ($tier:literal in every grade { $($graded:tt)* } with floats { $($floats:tt)* } without grade $plain:tt) => {
-        blocks! { $tier $($graded)* }
+        blocks! { $tier $($graded)* $($floats)* }
     };
 }
 

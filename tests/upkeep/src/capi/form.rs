@@ -11,7 +11,8 @@ pub struct Form {
     pub base: String,
     /// The lengths of the dimensions, as they stand behind a name.
     pub lengths: Vec<usize>,
-    pub is_struct: bool,
+    /// The fields of a struct, each a number or an array of them.
+    pub fields: Vec<(&'static str, Form)>,
     /// What its words stand for, where the type does not say.
     pub format: Option<String>,
 }
@@ -21,14 +22,18 @@ impl Form {
         Self {
             base: base.into(),
             lengths: Vec::new(),
-            is_struct: false,
+            fields: Vec::new(),
             format,
         }
     }
 
+    pub fn is_struct(&self) -> bool {
+        !self.fields.is_empty()
+    }
+
     /// Whether it is handed over by value.
     pub fn is_number(&self) -> bool {
-        self.lengths.is_empty() && !self.is_struct
+        self.lengths.is_empty() && !self.is_struct()
     }
 
     fn behind(&self, name: &str) -> String {
@@ -41,11 +46,30 @@ impl Form {
         format!("{} {}", self.base, self.behind(name))
     }
 
+    /// So many in an array.
+    pub fn array(&self, name: &str, count: usize) -> String {
+        self.declared(&format!("{name}[{count}]"))
+    }
+
+    /// Its numbers by their places, `name[0]` or `name.rest`, with their types and their indices in their arrays.
+    pub fn places(&self, name: &str) -> Vec<(String, &str, usize)> {
+        let fields = self.fields.iter();
+        let fields = fields.flat_map(|(field, form)| form.places(&format!("{name}.{field}")));
+        match self.lengths[..] {
+            [] if self.is_struct() => fields.map(|(place, base, i)| (place, base, i)).collect(),
+            [] => vec![(name.into(), &self.base, 0)],
+            [length] => (0..length)
+                .map(|i| (format!("{name}[{i}]"), &*self.base, i))
+                .collect(),
+            _ => unreachable!("no point is an array of arrays"),
+        }
+    }
+
     /// As an argument that is read.
     pub fn given(&self, name: &str) -> String {
         if self.is_number() {
             self.declared(name)
-        } else if self.is_struct {
+        } else if self.is_struct() {
             format!("const {} *{name}", self.base)
         } else {
             format!("const {}", self.declared(name))
@@ -122,17 +146,17 @@ impl<T: InC, const N: usize> InC for [T; N] {
 impl<T: InC, const N: usize> InC for ([T; N], T) {
     fn form(shares: &str) -> Form {
         Form {
-            base: shares.into(),
-            is_struct: true,
-            ..T::form(shares)
+            fields: vec![("shares", <[T; N]>::form("")), ("rest", T::form(""))],
+            ..Form::number(shares, T::form("").format)
         }
     }
 }
 
 impl InC for SurfacePoint {
     fn form(_: &str) -> Form {
+        let of_three = <[f32; 3]>::form("");
         Form {
-            is_struct: true,
+            fields: vec![("position", of_three.clone()), ("normal", of_three)],
             ..Form::number("mw_surface_point", None)
         }
     }

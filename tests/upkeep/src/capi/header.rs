@@ -27,7 +27,8 @@ const FIXED: [Section; 4] = [
 /// The whole header.
 pub fn header() -> Outcome<String> {
     let mut text = read(TEMPLATE)?;
-    let mut structs = BTreeSet::new();
+    // The template has this one, in front of all warps.
+    let mut structs = BTreeSet::from(["mw_surface_point".to_owned()]);
     let poly = section(&POLY, &mut structs)?;
     let fixed: Outcome<String> = FIXED
         .iter()
@@ -197,17 +198,12 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
 fn declare(text: &mut String, warp: &Bound, structs: &mut BTreeSet<String>) {
     let (symbol, point, uniforms) = (warp.symbol(), &warp.point, &warp.uniforms);
     let density = &warp.density.base;
-    if point.is_struct && point.base != "mw_surface_point" && structs.insert(point.base.clone()) {
-        let (number, count) = (
-            warp.uniforms.base.replace("uint", "int"),
-            warp.uniforms.lengths[0],
-        );
-        writeln!(
-            text,
-            "typedef struct {0} {{\n    {number} shares[{count}];\n    {number} rest;\n}} {0};",
-            point.base
-        )
-        .unwrap();
+    if point.is_struct() && structs.insert(point.base.clone()) {
+        let fields = point.fields.iter();
+        let fields: String = fields
+            .map(|(name, form)| format!("    {};\n", form.declared(name)))
+            .collect();
+        writeln!(text, "typedef struct {0} {{\n{fields}}} {0};", point.base).unwrap();
     }
     if warp.is_stored() {
         let word = match warp.align {
