@@ -26,8 +26,8 @@
  * A point on the line is a number and is returned. Any other goes to the last argument.
  *
  * What the caller promises: pointers are not null and are valid for what the function does with
- * them, except that an array of count 0 may be any pointer; a struct has been made by its
- * mw_NAME_init. Arrays that are read and arrays that are written may overlap.
+ * them, except that an array of count 0 may be any pointer, and where null is said to be allowed; a
+ * struct has been made by its mw_NAME_init. Arrays that are read and arrays that are written may overlap.
  *
  * Angles are in turns unless the name says otherwise; directions are unit vectors about +z.
  */
@@ -48,7 +48,10 @@ extern "C" {
 typedef enum mw_error {
     MW_OK = 0,
 @errors@
-    MW_SOURCE_FAILED = 1000 /* the source of random words failed */
+    MW_SOURCE_FAILED = 1000, /* the source of random words failed */
+    MW_BUDGET_SPENT = 1001, /* no point was accepted within the budget of tries */
+    MW_BOUND_EXCEEDED = 1002, /* a density of the caller is above its bound */
+    MW_BAD_DENSITY = 1003 /* a density of the caller is negative, NaN or infinite */
 } mw_error;
 
 /** What went wrong, in words; never null. */
@@ -86,6 +89,389 @@ typedef struct mw_surface_point {
 } mw_surface_point;
 
 @poly@
+
+/* ---- Tables of weights ----------------------------------------------------------------------- */
+
+/** A selected entry. The leftover is again a uniform, independent of the index. */
+typedef struct mw_selection {
+    size_t index;
+    float pmf;              /* the probability of this entry, correctly rounded */
+    float leftover;         /* where the uniform fell in the entry's share, in [0, 1) */
+    uint32_t leftover_bits; /* how many random bits the leftover holds, at most */
+} mw_selection;
+
+/** The same in integers, without a floating-point operation. */
+typedef struct mw_exact_selection {
+    uint64_t numerator; /* how many of the 2^32 words select this entry */
+    size_t index;
+    uint32_t leftover; /* in UQ0.32 */
+    uint32_t leftover_bits;
+} mw_exact_selection;
+
+/**
+ * A table that is searched: one word an entry, log2(entries) steps a draw. The handle is a pointer
+ * and a count, so a table may be read-only data: `static const mw_cdf table = MW_CDF(words);`. The
+ * tool `table` of the crate writes such words from a file of weights.
+ */
+typedef struct mw_cdf {
+    const uint32_t *words;
+    size_t entries;
+} mw_cdf;
+
+/** The handle of an array of finished words, in constant time: nothing is checked. */
+#define MW_CDF(array) {(array), sizeof(array) / sizeof((array)[0])}
+
+/**
+ * An alias table: a power of two of bins, at least as many as entries, and one step a draw. Made
+ * of finished bins by `static const mw_alias table = {bins, entries};` without a check.
+ */
+typedef struct mw_alias_bin {
+    uint32_t threshold; /* how many words of this bin select its own entry */
+    uint32_t numerator; /* how many words in all do, modulo 2^32 */
+    uint32_t alias;     /* what its other words select */
+} mw_alias_bin;
+
+typedef struct mw_alias {
+    const mw_alias_bin *bins;
+    size_t entries;
+} mw_alias;
+
+/** Lays out a table of weights; memory for as many words as entries, untouched after an error. */
+mw_error mw_cdf_build(const float *weights, size_t entries, uint32_t *words);
+mw_error mw_cdf_build_integers(const uint32_t *weights, size_t entries, uint32_t *words);
+/** The handle of words from elsewhere; all of them are checked. */
+mw_error mw_cdf_init(mw_cdf *table, const uint32_t *words, size_t entries);
+
+/** Likewise, with memory for the number of entries rounded up to a power of two. */
+mw_error mw_alias_build(const float *weights, size_t entries, mw_alias_bin *bins);
+mw_error mw_alias_build_integers(const uint32_t *weights, size_t entries, mw_alias_bin *bins);
+mw_error mw_alias_init(mw_alias *table, const mw_alias_bin *bins, size_t entries);
+
+/**
+ * Selections by 32 random bits, by a uniform, and from a generator; and the probability of an
+ * entry. With a handle whose words no table has, the distribution is meaningless; still nothing is
+ * read outside the words, and of mw_cdf every index is below the number of entries.
+ */
+@each cdf alias@
+mw_selection mw_{}_select(const mw_{} *table, uint32_t word);
+mw_selection mw_{}_select_uniform(const mw_{} *table, float u);
+mw_exact_selection mw_{}_select_exact(const mw_{} *table, uint32_t word);
+mw_selection mw_{}_draw(const mw_{} *table, mw_pcg32 *rng);
+mw_error mw_{}_draw_from(const mw_{} *table, const mw_source *source, mw_selection *chosen);
+size_t mw_{}_draw_index(const mw_{} *table, mw_pcg32 *rng);
+float mw_{}_pmf(const mw_{} *table, size_t index);
+@end@
+
+/** One selection from weights that are seen once, without a table. */
+mw_error mw_select_once(const float *weights, size_t entries, uint32_t word, mw_selection *chosen);
+mw_error mw_select_once_uniform(const float *weights, size_t entries, float u,
+        mw_selection *chosen);
+
+/**
+ * Piecewise constant on equal cells of [low, high), with the weights as the masses of the cells.
+ * `build` lays out the words, and `init` makes the handle of finished ones, which it checks;
+ * `init_trusted` checks nothing but the bounds, in constant time. The words must stay where they
+ * are; so too below.
+ */
+@warp mw_piecewise_constant_1d@
+mw_error mw_piecewise_constant_1d_build(mw_piecewise_constant_1d *warp, const float *weights,
+        size_t entries, float low, float high, uint32_t *words);
+mw_error mw_piecewise_constant_1d_init(mw_piecewise_constant_1d *warp, const uint32_t *words,
+        size_t entries, float low, float high);
+mw_error mw_piecewise_constant_1d_init_trusted(mw_piecewise_constant_1d *warp,
+        const uint32_t *words, size_t entries, float low, float high);
+
+/**
+ * Continuous and piecewise linear between weights at equally spaced points from low to high. The
+ * weights must stay, too, and are checked by `init`.
+ */
+@warp mw_piecewise_linear_1d@
+mw_error mw_piecewise_linear_1d_build(mw_piecewise_linear_1d *warp, const float *weights,
+        size_t entries, float low, float high, uint32_t *words);
+mw_error mw_piecewise_linear_1d_init(mw_piecewise_linear_1d *warp, const uint32_t *words,
+        const float *weights, size_t entries, float low, float high);
+
+/**
+ * Piecewise constant on a rectangle from (u[0], v[0]) to (u[1], v[1]), with the weights row by row.
+ * `marginal` is one word a row, `conditional` one word a cell.
+ */
+@warp mw_piecewise_constant_2d@
+mw_error mw_piecewise_constant_2d_build(mw_piecewise_constant_2d *warp, const float *weights,
+        size_t columns, size_t rows, const float u[2], const float v[2], uint32_t *marginal,
+        uint32_t *conditional);
+mw_error mw_piecewise_constant_2d_init(mw_piecewise_constant_2d *warp, const uint32_t *marginal,
+        const uint32_t *conditional, size_t columns, size_t rows, const float u[2],
+        const float v[2]);
+mw_error mw_piecewise_constant_2d_init_trusted(mw_piecewise_constant_2d *warp,
+        const uint32_t *marginal, const uint32_t *conditional, size_t columns, size_t rows,
+        const float u[2], const float v[2]);
+
+/** Directions in proportion to a picture of the whole sphere, whose rows go from +z to -z. */
+@warp mw_lat_long_map@
+mw_error mw_lat_long_map_build(mw_lat_long_map *warp, const float *radiances, size_t columns,
+        size_t rows, uint32_t *marginal, uint32_t *conditional);
+mw_error mw_lat_long_map_init(mw_lat_long_map *warp, const uint32_t *marginal,
+        const uint32_t *conditional, size_t columns, size_t rows);
+mw_error mw_lat_long_map_init_trusted(mw_lat_long_map *warp, const uint32_t *marginal,
+        const uint32_t *conditional, size_t columns, size_t rows);
+
+/** A direction with the pixel it lies in: its column and its row. */
+typedef struct mw_pixel_sample {
+    size_t pixel[2];
+    float direction[3];
+    float pdf;
+} mw_pixel_sample;
+
+mw_pixel_sample mw_lat_long_map_sample_pixel(const mw_lat_long_map *warp, const float u[2]);
+mw_pixel_sample mw_lat_long_map_draw_pixel(const mw_lat_long_map *warp, mw_pcg32 *rng);
+
+/** A point of a mesh, with its weights of the vertices of the triangle it lies on. */
+typedef struct mw_mesh_point {
+    float position[3];
+    float barycentrics[3];
+    size_t triangle;
+} mw_mesh_point;
+
+/**
+ * Uniform on the triangles of a mesh. `areas` and `words` have an entry a triangle; `build` writes
+ * both, `init` the areas, and `init_trusted` reads both.
+ */
+@warp mw_mesh@
+@warp mw_mesh_u16@
+@each mesh,uint32_t mesh_u16,uint16_t@
+mw_error mw_{}_build(mw_{} *warp, const float (*vertices)[3], size_t vertex_count,
+        const {1} (*faces)[3], size_t face_count, float *areas, uint32_t *words);
+mw_error mw_{}_init(mw_{} *warp, const float (*vertices)[3], size_t vertex_count,
+        const {1} (*faces)[3], size_t face_count, float *areas, const uint32_t *words);
+mw_error mw_{}_init_trusted(mw_{} *warp, const float (*vertices)[3], size_t vertex_count,
+        const {1} (*faces)[3], size_t face_count, const float *areas, const uint32_t *words);
+@end@
+
+/* ---- Counts ---------------------------------------------------------------------------------- */
+
+/** How many trials fail before the first success, of probability p each. */
+@struct mw_geometric@
+mw_error mw_geometric_init(mw_geometric *law, float p);
+mw_error mw_geometric_init_from_ratio(mw_geometric *law, uint32_t successes, uint32_t trials);
+
+/** How many events happen in an interval, by inversion; see mw_poisson_rejection for large means. */
+@struct mw_poisson@
+mw_error mw_poisson_init(mw_poisson *law, float mean);
+mw_error mw_poisson_init_from_ratio(mw_poisson *law, uint32_t events, uint32_t intervals);
+
+@each geometric poisson@
+uint32_t mw_{}_sample(const mw_{} *law, float u);
+uint32_t mw_{}_count(const mw_{} *law, uint32_t word);
+uint32_t mw_{}_draw(const mw_{} *law, mw_pcg32 *rng);
+mw_error mw_{}_draw_from(const mw_{} *law, const mw_source *source, uint32_t *count);
+float mw_{}_pmf(const mw_{} *law, uint32_t count);
+@end@
+
+/* ---- Resampling ------------------------------------------------------------------------------ */
+
+/** Weights that come one by one, of which one is kept, with the probability of its share. */
+@struct mw_reservoir@
+void mw_reservoir_init(mw_reservoir *reservoir);
+/** `*taken` says whether this item is now the one that is kept. */
+mw_error mw_reservoir_offer(mw_reservoir *reservoir, uint32_t item, float weight, mw_pcg32 *rng,
+        bool *taken);
+/** False where no item of a positive weight has come. */
+bool mw_reservoir_item(const mw_reservoir *reservoir, uint32_t *item);
+float mw_reservoir_pmf(const mw_reservoir *reservoir);
+
+/** Weights as integers of one scale, for the functions below. */
+mw_error mw_resample_to_integers(const float *weights, size_t entries, uint32_t *integers);
+/** Writes over each weight how many of so many copies it gets, by 32 random bits. */
+mw_error mw_resample_systematic(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
+mw_error mw_resample_residual(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
+
+/* ---- Rejection within a budget of tries -------------------------------------------------------- */
+
+/*
+ * A draw proposes points until one is accepted, and returns MW_BUDGET_SPENT where none is. `tries`
+ * says how many it took, and may be null. `init` sets a default budget.
+ */
+
+/** Normal and exponential numbers by a ziggurat. */
+@struct mw_ziggurat_standard_normal@
+mw_error mw_ziggurat_standard_normal_init(mw_ziggurat_standard_normal *sampler);
+@struct mw_ziggurat_normal@
+mw_error mw_ziggurat_normal_init(mw_ziggurat_normal *sampler, float mean, float std_dev);
+@struct mw_ziggurat_standard_exponential@
+mw_error mw_ziggurat_standard_exponential_init(mw_ziggurat_standard_exponential *sampler);
+@struct mw_ziggurat_exponential@
+mw_error mw_ziggurat_exponential_init(mw_ziggurat_exponential *sampler, float rate);
+mw_error mw_ziggurat_exponential_init_from_mean(mw_ziggurat_exponential *sampler, float mean);
+/** Poisson counts for means from 10 to 2^20. */
+@struct mw_poisson_rejection@
+mw_error mw_poisson_rejection_init(mw_poisson_rejection *sampler, float mean);
+/** The unit disk and the unit ball; in Q2.30 from two words, and from the halves of one. */
+@struct mw_disk_rejection@
+mw_error mw_disk_rejection_init(mw_disk_rejection *sampler);
+@struct mw_ball_rejection@
+mw_error mw_ball_rejection_init(mw_ball_rejection *sampler);
+@struct mw_fixed_disk_rejection@
+mw_error mw_fixed_disk_rejection_init(mw_fixed_disk_rejection *sampler);
+@struct mw_fixed_disk_rejection_16@
+mw_error mw_fixed_disk_rejection_16_init(mw_fixed_disk_rejection_16 *sampler);
+
+@each ziggurat_standard_normal,float,*point ziggurat_normal,float,*point ziggurat_standard_exponential,float,*point ziggurat_exponential,float,*point poisson_rejection,uint32_t,*point disk_rejection,float,point[2] ball_rejection,float,point[3] fixed_disk_rejection,int32_t,point[2] fixed_disk_rejection_16,int32_t,point[2]@
+mw_error mw_{}_set_budget(mw_{} *sampler, uint32_t budget);
+mw_error mw_{}_draw(const mw_{} *sampler, mw_pcg32 *rng,
+        {1} {2}, uint32_t *tries);
+mw_error mw_{}_draw_from(const mw_{} *sampler, const mw_source *source,
+        {1} {2}, uint32_t *tries);
+@end@
+
+/** A budget that draws of this share of accepted proposals do not spend in practice. */
+mw_error mw_budget_for(float efficiency, uint32_t *budget);
+
+/** A region of a domain, and a density up to a factor: functions of the caller with their context. */
+@each 1d,float~x 2d,const~float~x[2] 3d,const~float~x[3]@
+typedef struct mw_region_{} {
+    bool (*contains)(void *context, {1});
+    void *context;
+} mw_region_{};
+
+@end@
+@each 1d,float~x 2d,const~float~x[2] 3d,const~float~x[3] 4d,const~float~x[4] 6d,const~float~x[6] 8d,const~float~x[8]@
+typedef struct mw_density_{} {
+    float (*at)(void *context, {1});
+    void *context;
+} mw_density_{};
+
+@end@
+/**
+ * A uniform point of a region of the domain; and a point of a density f, which is at most `bound`
+ * times the density of the domain.
+ */
+@each 1d,interval,*point 2d,aabb_2d,point[2] 3d,aabb_3d,point[3]@
+mw_error mw_region_{}_draw(const mw_{1} *domain, const mw_region_{} *region, uint32_t budget,
+        mw_pcg32 *rng, float {2}, uint32_t *tries);
+mw_error mw_bounded_{}_draw(const mw_{1} *domain, const mw_density_{} *density, float bound,
+        uint32_t budget, mw_pcg32 *rng, float {2}, uint32_t *tries);
+@end@
+
+/* ---- Estimators ------------------------------------------------------------------------------ */
+
+/*
+ * `push` takes a value; what is NaN or infinite is refused and counted. A figure that is not known
+ * yet leaves its place as it was and returns false. Sums are compensated, and `merge` adds what
+ * another estimator has seen.
+ */
+
+/** Mean and variance. */
+@struct mw_moments@
+void mw_moments_push(mw_moments *of, float x);
+bool mw_moments_mean(const mw_moments *of, float *mean);
+bool mw_moments_variance(const mw_moments *of, float *variance);
+bool mw_moments_population_variance(const mw_moments *of, float *variance);
+bool mw_moments_std_dev(const mw_moments *of, float *std_dev);
+bool mw_moments_standard_error(const mw_moments *of, float *error);
+
+/** The mean of values with weights, as those of a chain's states. */
+@struct mw_weighted_mean@
+void mw_weighted_mean_push(mw_weighted_mean *of, float value, float weight);
+bool mw_weighted_mean_mean(const mw_weighted_mean *of, float *mean);
+bool mw_weighted_mean_standard_error(const mw_weighted_mean *of, float *error);
+
+/** The integral of f, from its values at points and the densities of the points. */
+@struct mw_integral@
+void mw_integral_push(mw_integral *of, float f, float pdf);
+bool mw_integral_estimate(const mw_integral *of, float *estimate);
+bool mw_integral_standard_error(const mw_integral *of, float *error);
+
+@each moments weighted_mean integral@
+void mw_{}_init(mw_{} *of);
+void mw_{}_merge(mw_{} *of, const mw_{} *other);
+uint64_t mw_{}_count(const mw_{} *of);
+uint64_t mw_{}_refused(const mw_{} *of);
+@end@
+
+/** Weights of multiple importance sampling, for n_f samples of density p_f and n_g of p_g. */
+float mw_balance_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
+float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
+
+/* ---- Metropolis chains ----------------------------------------------------------------------- */
+
+/*
+ * The state lies open, so it can be read, stored, and taken up again; write to `state` only before
+ * `init`. Every step returns MW_OK, and then `*transition`, which may be null, says what became of
+ * the proposal. A refused proposal had a density that is negative, NaN or infinite. After an error
+ * the chain is as it was.
+ *
+ *   step_normal   adds a normal step with these standard deviations
+ *   step_box      adds a uniform step within these widths
+ *   step_wrapped  adds a normal step modulo 1, in the unit cube
+ *   step_uniform  proposes a uniform point of the unit cube
+ *   step_to       proposes a point of the caller, with the densities of the way there and of the
+ *                 way back, which are equal where the proposal is symmetric
+ */
+enum { MW_ACCEPTED = 0, MW_REJECTED = 1, MW_REFUSED = 2 };
+
+@each 1d,state,from,float~std_dev,float~width,float~start,float~proposed,proposed 2d,state[2],from[2],const~float~std_devs[2],const~float~widths[2],const~float~start[2],const~float~proposed[2],proposed[2] 3d,state[3],from[3],const~float~std_devs[3],const~float~widths[3],const~float~start[3],const~float~proposed[3],proposed[3] 4d,state[4],from[4],const~float~std_devs[4],const~float~widths[4],const~float~start[4],const~float~proposed[4],proposed[4] 6d,state[6],from[6],const~float~std_devs[6],const~float~widths[6],const~float~start[6],const~float~proposed[6],proposed[6] 8d,state[8],from[8],const~float~std_devs[8],const~float~widths[8],const~float~start[8],const~float~proposed[8],proposed[8]@
+typedef struct mw_chain_{} {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float {1};
+} mw_chain_{};
+typedef struct mw_transition_{} {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float {2};
+    float {7};
+} mw_transition_{};
+mw_error mw_chain_{}_init(mw_chain_{} *chain, {5}, const mw_density_{} *target);
+mw_error mw_chain_{}_step_normal(mw_chain_{} *chain, {3},
+        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_box(mw_chain_{} *chain, {4},
+        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_wrapped(mw_chain_{} *chain, {3},
+        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_uniform(mw_chain_{} *chain,
+        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_to(mw_chain_{} *chain, {6}, float forward,
+        float backward, const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_normal_from(mw_chain_{} *chain, {3},
+        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_box_from(mw_chain_{} *chain, {4},
+        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_wrapped_from(mw_chain_{} *chain, {3},
+        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_uniform_from(mw_chain_{} *chain,
+        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
+mw_error mw_chain_{}_step_to_from(mw_chain_{} *chain, {6}, float forward,
+        float backward, const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
+
+@end@
+/* ---- Points and strata ----------------------------------------------------------------------- */
+
+/**
+ * Points as a function of their index: Sobol' points, scrambled by the seed, and a recurrence that
+ * is cheapest. As uniforms or as words.
+ */
+@each sobol_1d,1 sobol_2d,2 sobol_3d,3 sobol_4d,4 sobol_8d,8 recurrence_1d,1 recurrence_2d,2 recurrence_3d,3@
+@struct mw_{}@
+mw_error mw_{}_init(mw_{} *set, uint32_t seed);
+void mw_{}_point(const mw_{} *set, uint32_t index, float u[{1}]);
+void mw_{}_words(const mw_{} *set, uint32_t index, uint32_t words[{1}]);
+@end@
+
+/** Random bits as a function of a place, without a state. */
+uint32_t mw_word_by_position(uint32_t seed, uint32_t pixel, uint32_t index, uint32_t dimension);
+
+/** Jittered strata of [0, 1) and of the unit square; `u` moves the point within stratum i. */
+@struct mw_strata_1d@
+mw_error mw_strata_1d_init(mw_strata_1d *strata, uint32_t count);
+float mw_strata_1d_point(const mw_strata_1d *strata, uint32_t i, float u);
+@struct mw_strata_2d@
+mw_error mw_strata_2d_init(mw_strata_2d *strata, uint32_t columns, uint32_t rows);
+void mw_strata_2d_point(const mw_strata_2d *strata, uint32_t i, const float u[2], float point[2]);
 
 /* ---- Samplers without a floating-point operation --------------------------------------------- */
 

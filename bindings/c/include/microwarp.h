@@ -26,8 +26,8 @@
  * A point on the line is a number and is returned. Any other goes to the last argument.
  *
  * What the caller promises: pointers are not null and are valid for what the function does with
- * them, except that an array of count 0 may be any pointer; a struct has been made by its
- * mw_NAME_init. Arrays that are read and arrays that are written may overlap.
+ * them, except that an array of count 0 may be any pointer, and where null is said to be allowed; a
+ * struct has been made by its mw_NAME_init. Arrays that are read and arrays that are written may overlap.
  *
  * Angles are in turns unless the name says otherwise; directions are unit vectors about +z.
  */
@@ -63,7 +63,10 @@ typedef enum mw_error {
     MW_ALL_ZERO = 14, /* every weight is zero */
     MW_UNREACHABLE = 15, /* a weight is too small beside the others to be reached */
     MW_NOT_A_TABLE = 16, /* the entries do not form a table */
-    MW_SOURCE_FAILED = 1000 /* the source of random words failed */
+    MW_SOURCE_FAILED = 1000, /* the source of random words failed */
+    MW_BUDGET_SPENT = 1001, /* no point was accepted within the budget of tries */
+    MW_BOUND_EXCEEDED = 1002, /* a density of the caller is above its bound */
+    MW_BAD_DENSITY = 1003 /* a density of the caller is negative, NaN or infinite */
 } mw_error;
 
 /** What went wrong, in words; never null. */
@@ -1020,6 +1023,782 @@ mw_error mw_capsule_surface_fill_from(const mw_capsule_surface *warp, const mw_s
 float mw_capsule_surface_pdf(const mw_capsule_surface *warp, const mw_surface_point *point);
 void mw_capsule_surface_invert(const mw_capsule_surface *warp, const mw_surface_point *point,
         float u[2]);
+
+/* ---- Tables of weights ----------------------------------------------------------------------- */
+
+/** A selected entry. The leftover is again a uniform, independent of the index. */
+typedef struct mw_selection {
+    size_t index;
+    float pmf;              /* the probability of this entry, correctly rounded */
+    float leftover;         /* where the uniform fell in the entry's share, in [0, 1) */
+    uint32_t leftover_bits; /* how many random bits the leftover holds, at most */
+} mw_selection;
+
+/** The same in integers, without a floating-point operation. */
+typedef struct mw_exact_selection {
+    uint64_t numerator; /* how many of the 2^32 words select this entry */
+    size_t index;
+    uint32_t leftover; /* in UQ0.32 */
+    uint32_t leftover_bits;
+} mw_exact_selection;
+
+/**
+ * A table that is searched: one word an entry, log2(entries) steps a draw. The handle is a pointer
+ * and a count, so a table may be read-only data: `static const mw_cdf table = MW_CDF(words);`. The
+ * tool `table` of the crate writes such words from a file of weights.
+ */
+typedef struct mw_cdf {
+    const uint32_t *words;
+    size_t entries;
+} mw_cdf;
+
+/** The handle of an array of finished words, in constant time: nothing is checked. */
+#define MW_CDF(array) {(array), sizeof(array) / sizeof((array)[0])}
+
+/**
+ * An alias table: a power of two of bins, at least as many as entries, and one step a draw. Made
+ * of finished bins by `static const mw_alias table = {bins, entries};` without a check.
+ */
+typedef struct mw_alias_bin {
+    uint32_t threshold; /* how many words of this bin select its own entry */
+    uint32_t numerator; /* how many words in all do, modulo 2^32 */
+    uint32_t alias;     /* what its other words select */
+} mw_alias_bin;
+
+typedef struct mw_alias {
+    const mw_alias_bin *bins;
+    size_t entries;
+} mw_alias;
+
+/** Lays out a table of weights; memory for as many words as entries, untouched after an error. */
+mw_error mw_cdf_build(const float *weights, size_t entries, uint32_t *words);
+mw_error mw_cdf_build_integers(const uint32_t *weights, size_t entries, uint32_t *words);
+/** The handle of words from elsewhere; all of them are checked. */
+mw_error mw_cdf_init(mw_cdf *table, const uint32_t *words, size_t entries);
+
+/** Likewise, with memory for the number of entries rounded up to a power of two. */
+mw_error mw_alias_build(const float *weights, size_t entries, mw_alias_bin *bins);
+mw_error mw_alias_build_integers(const uint32_t *weights, size_t entries, mw_alias_bin *bins);
+mw_error mw_alias_init(mw_alias *table, const mw_alias_bin *bins, size_t entries);
+
+/**
+ * Selections by 32 random bits, by a uniform, and from a generator; and the probability of an
+ * entry. With a handle whose words no table has, the distribution is meaningless; still nothing is
+ * read outside the words, and of mw_cdf every index is below the number of entries.
+ */
+mw_selection mw_cdf_select(const mw_cdf *table, uint32_t word);
+mw_selection mw_cdf_select_uniform(const mw_cdf *table, float u);
+mw_exact_selection mw_cdf_select_exact(const mw_cdf *table, uint32_t word);
+mw_selection mw_cdf_draw(const mw_cdf *table, mw_pcg32 *rng);
+mw_error mw_cdf_draw_from(const mw_cdf *table, const mw_source *source, mw_selection *chosen);
+size_t mw_cdf_draw_index(const mw_cdf *table, mw_pcg32 *rng);
+float mw_cdf_pmf(const mw_cdf *table, size_t index);
+mw_selection mw_alias_select(const mw_alias *table, uint32_t word);
+mw_selection mw_alias_select_uniform(const mw_alias *table, float u);
+mw_exact_selection mw_alias_select_exact(const mw_alias *table, uint32_t word);
+mw_selection mw_alias_draw(const mw_alias *table, mw_pcg32 *rng);
+mw_error mw_alias_draw_from(const mw_alias *table, const mw_source *source, mw_selection *chosen);
+size_t mw_alias_draw_index(const mw_alias *table, mw_pcg32 *rng);
+float mw_alias_pmf(const mw_alias *table, size_t index);
+
+/** One selection from weights that are seen once, without a table. */
+mw_error mw_select_once(const float *weights, size_t entries, uint32_t word, mw_selection *chosen);
+mw_error mw_select_once_uniform(const float *weights, size_t entries, float u,
+        mw_selection *chosen);
+
+/**
+ * Piecewise constant on equal cells of [low, high), with the weights as the masses of the cells.
+ * `build` lays out the words, and `init` makes the handle of finished ones, which it checks;
+ * `init_trusted` checks nothing but the bounds, in constant time. The words must stay where they
+ * are; so too below.
+ */
+typedef struct mw_piecewise_constant_1d {
+    const void *pointers[2];
+    uint32_t words[6];
+} mw_piecewise_constant_1d;
+float mw_piecewise_constant_1d_sample(const mw_piecewise_constant_1d *warp, float u);
+float mw_piecewise_constant_1d_sample_with_pdf(const mw_piecewise_constant_1d *warp, float u,
+        float *point);
+float mw_piecewise_constant_1d_draw(const mw_piecewise_constant_1d *warp, mw_pcg32 *rng);
+mw_error mw_piecewise_constant_1d_draw_from(const mw_piecewise_constant_1d *warp,
+        const mw_source *source, float *point);
+void mw_piecewise_constant_1d_fill(const mw_piecewise_constant_1d *warp, mw_pcg32 *rng,
+        float *points, size_t count);
+mw_error mw_piecewise_constant_1d_fill_from(const mw_piecewise_constant_1d *warp,
+        const mw_source *source, float *points, size_t count);
+float mw_piecewise_constant_1d_pdf(const mw_piecewise_constant_1d *warp, float point);
+float mw_piecewise_constant_1d_invert(const mw_piecewise_constant_1d *warp, float point);
+mw_error mw_piecewise_constant_1d_build(mw_piecewise_constant_1d *warp, const float *weights,
+        size_t entries, float low, float high, uint32_t *words);
+mw_error mw_piecewise_constant_1d_init(mw_piecewise_constant_1d *warp, const uint32_t *words,
+        size_t entries, float low, float high);
+mw_error mw_piecewise_constant_1d_init_trusted(mw_piecewise_constant_1d *warp,
+        const uint32_t *words, size_t entries, float low, float high);
+
+/**
+ * Continuous and piecewise linear between weights at equally spaced points from low to high. The
+ * weights must stay, too, and are checked by `init`.
+ */
+typedef struct mw_piecewise_linear_1d {
+    const void *pointers[4];
+    uint32_t words[6];
+} mw_piecewise_linear_1d;
+float mw_piecewise_linear_1d_sample(const mw_piecewise_linear_1d *warp, float u);
+float mw_piecewise_linear_1d_sample_with_pdf(const mw_piecewise_linear_1d *warp, float u,
+        float *point);
+float mw_piecewise_linear_1d_draw(const mw_piecewise_linear_1d *warp, mw_pcg32 *rng);
+mw_error mw_piecewise_linear_1d_draw_from(const mw_piecewise_linear_1d *warp,
+        const mw_source *source, float *point);
+void mw_piecewise_linear_1d_fill(const mw_piecewise_linear_1d *warp, mw_pcg32 *rng, float *points,
+        size_t count);
+mw_error mw_piecewise_linear_1d_fill_from(const mw_piecewise_linear_1d *warp,
+        const mw_source *source, float *points, size_t count);
+float mw_piecewise_linear_1d_pdf(const mw_piecewise_linear_1d *warp, float point);
+float mw_piecewise_linear_1d_invert(const mw_piecewise_linear_1d *warp, float point);
+mw_error mw_piecewise_linear_1d_build(mw_piecewise_linear_1d *warp, const float *weights,
+        size_t entries, float low, float high, uint32_t *words);
+mw_error mw_piecewise_linear_1d_init(mw_piecewise_linear_1d *warp, const uint32_t *words,
+        const float *weights, size_t entries, float low, float high);
+
+/**
+ * Piecewise constant on a rectangle from (u[0], v[0]) to (u[1], v[1]), with the weights row by row.
+ * `marginal` is one word a row, `conditional` one word a cell.
+ */
+typedef struct mw_piecewise_constant_2d {
+    const void *pointers[4];
+    uint32_t words[12];
+} mw_piecewise_constant_2d;
+void mw_piecewise_constant_2d_sample(const mw_piecewise_constant_2d *warp, const float u[2],
+        float point[2]);
+float mw_piecewise_constant_2d_sample_with_pdf(const mw_piecewise_constant_2d *warp,
+        const float u[2], float point[2]);
+void mw_piecewise_constant_2d_draw(const mw_piecewise_constant_2d *warp, mw_pcg32 *rng,
+        float point[2]);
+mw_error mw_piecewise_constant_2d_draw_from(const mw_piecewise_constant_2d *warp,
+        const mw_source *source, float point[2]);
+void mw_piecewise_constant_2d_fill(const mw_piecewise_constant_2d *warp, mw_pcg32 *rng,
+        float (*points)[2], size_t count);
+mw_error mw_piecewise_constant_2d_fill_from(const mw_piecewise_constant_2d *warp,
+        const mw_source *source, float (*points)[2], size_t count);
+float mw_piecewise_constant_2d_pdf(const mw_piecewise_constant_2d *warp, const float point[2]);
+void mw_piecewise_constant_2d_invert(const mw_piecewise_constant_2d *warp, const float point[2],
+        float u[2]);
+mw_error mw_piecewise_constant_2d_build(mw_piecewise_constant_2d *warp, const float *weights,
+        size_t columns, size_t rows, const float u[2], const float v[2], uint32_t *marginal,
+        uint32_t *conditional);
+mw_error mw_piecewise_constant_2d_init(mw_piecewise_constant_2d *warp, const uint32_t *marginal,
+        const uint32_t *conditional, size_t columns, size_t rows, const float u[2],
+        const float v[2]);
+mw_error mw_piecewise_constant_2d_init_trusted(mw_piecewise_constant_2d *warp,
+        const uint32_t *marginal, const uint32_t *conditional, size_t columns, size_t rows,
+        const float u[2], const float v[2]);
+
+/** Directions in proportion to a picture of the whole sphere, whose rows go from +z to -z. */
+typedef struct mw_lat_long_map {
+    const void *pointers[4];
+    uint32_t words[16];
+} mw_lat_long_map;
+void mw_lat_long_map_sample(const mw_lat_long_map *warp, const float u[2], float point[3]);
+float mw_lat_long_map_sample_with_pdf(const mw_lat_long_map *warp, const float u[2],
+        float point[3]);
+void mw_lat_long_map_draw(const mw_lat_long_map *warp, mw_pcg32 *rng, float point[3]);
+mw_error mw_lat_long_map_draw_from(const mw_lat_long_map *warp, const mw_source *source,
+        float point[3]);
+void mw_lat_long_map_fill(const mw_lat_long_map *warp, mw_pcg32 *rng, float (*points)[3],
+        size_t count);
+mw_error mw_lat_long_map_fill_from(const mw_lat_long_map *warp, const mw_source *source,
+        float (*points)[3], size_t count);
+float mw_lat_long_map_pdf(const mw_lat_long_map *warp, const float point[3]);
+void mw_lat_long_map_invert(const mw_lat_long_map *warp, const float point[3], float u[2]);
+mw_error mw_lat_long_map_build(mw_lat_long_map *warp, const float *radiances, size_t columns,
+        size_t rows, uint32_t *marginal, uint32_t *conditional);
+mw_error mw_lat_long_map_init(mw_lat_long_map *warp, const uint32_t *marginal,
+        const uint32_t *conditional, size_t columns, size_t rows);
+mw_error mw_lat_long_map_init_trusted(mw_lat_long_map *warp, const uint32_t *marginal,
+        const uint32_t *conditional, size_t columns, size_t rows);
+
+/** A direction with the pixel it lies in: its column and its row. */
+typedef struct mw_pixel_sample {
+    size_t pixel[2];
+    float direction[3];
+    float pdf;
+} mw_pixel_sample;
+
+mw_pixel_sample mw_lat_long_map_sample_pixel(const mw_lat_long_map *warp, const float u[2]);
+mw_pixel_sample mw_lat_long_map_draw_pixel(const mw_lat_long_map *warp, mw_pcg32 *rng);
+
+/** A point of a mesh, with its weights of the vertices of the triangle it lies on. */
+typedef struct mw_mesh_point {
+    float position[3];
+    float barycentrics[3];
+    size_t triangle;
+} mw_mesh_point;
+
+/**
+ * Uniform on the triangles of a mesh. `areas` and `words` have an entry a triangle; `build` writes
+ * both, `init` the areas, and `init_trusted` reads both.
+ */
+typedef struct mw_mesh {
+    const void *pointers[8];
+} mw_mesh;
+void mw_mesh_sample(const mw_mesh *warp, const float u[2], mw_mesh_point *point);
+float mw_mesh_sample_with_pdf(const mw_mesh *warp, const float u[2], mw_mesh_point *point);
+void mw_mesh_draw(const mw_mesh *warp, mw_pcg32 *rng, mw_mesh_point *point);
+mw_error mw_mesh_draw_from(const mw_mesh *warp, const mw_source *source, mw_mesh_point *point);
+void mw_mesh_fill(const mw_mesh *warp, mw_pcg32 *rng, mw_mesh_point *points, size_t count);
+mw_error mw_mesh_fill_from(const mw_mesh *warp, const mw_source *source, mw_mesh_point *points,
+        size_t count);
+float mw_mesh_pdf(const mw_mesh *warp, const mw_mesh_point *point);
+void mw_mesh_invert(const mw_mesh *warp, const mw_mesh_point *point, float u[2]);
+typedef struct mw_mesh_u16 {
+    const void *pointers[8];
+} mw_mesh_u16;
+void mw_mesh_u16_sample(const mw_mesh_u16 *warp, const float u[2], mw_mesh_point *point);
+float mw_mesh_u16_sample_with_pdf(const mw_mesh_u16 *warp, const float u[2], mw_mesh_point *point);
+void mw_mesh_u16_draw(const mw_mesh_u16 *warp, mw_pcg32 *rng, mw_mesh_point *point);
+mw_error mw_mesh_u16_draw_from(const mw_mesh_u16 *warp, const mw_source *source,
+        mw_mesh_point *point);
+void mw_mesh_u16_fill(const mw_mesh_u16 *warp, mw_pcg32 *rng, mw_mesh_point *points, size_t count);
+mw_error mw_mesh_u16_fill_from(const mw_mesh_u16 *warp, const mw_source *source,
+        mw_mesh_point *points, size_t count);
+float mw_mesh_u16_pdf(const mw_mesh_u16 *warp, const mw_mesh_point *point);
+void mw_mesh_u16_invert(const mw_mesh_u16 *warp, const mw_mesh_point *point, float u[2]);
+mw_error mw_mesh_build(mw_mesh *warp, const float (*vertices)[3], size_t vertex_count,
+        const uint32_t (*faces)[3], size_t face_count, float *areas, uint32_t *words);
+mw_error mw_mesh_init(mw_mesh *warp, const float (*vertices)[3], size_t vertex_count,
+        const uint32_t (*faces)[3], size_t face_count, float *areas, const uint32_t *words);
+mw_error mw_mesh_init_trusted(mw_mesh *warp, const float (*vertices)[3], size_t vertex_count,
+        const uint32_t (*faces)[3], size_t face_count, const float *areas, const uint32_t *words);
+mw_error mw_mesh_u16_build(mw_mesh_u16 *warp, const float (*vertices)[3], size_t vertex_count,
+        const uint16_t (*faces)[3], size_t face_count, float *areas, uint32_t *words);
+mw_error mw_mesh_u16_init(mw_mesh_u16 *warp, const float (*vertices)[3], size_t vertex_count,
+        const uint16_t (*faces)[3], size_t face_count, float *areas, const uint32_t *words);
+mw_error mw_mesh_u16_init_trusted(mw_mesh_u16 *warp, const float (*vertices)[3], size_t vertex_count,
+        const uint16_t (*faces)[3], size_t face_count, const float *areas, const uint32_t *words);
+
+/* ---- Counts ---------------------------------------------------------------------------------- */
+
+/** How many trials fail before the first success, of probability p each. */
+typedef struct mw_geometric { uint64_t words[36]; } mw_geometric;
+mw_error mw_geometric_init(mw_geometric *law, float p);
+mw_error mw_geometric_init_from_ratio(mw_geometric *law, uint32_t successes, uint32_t trials);
+
+/** How many events happen in an interval, by inversion; see mw_poisson_rejection for large means. */
+typedef struct mw_poisson { uint64_t words[7]; } mw_poisson;
+mw_error mw_poisson_init(mw_poisson *law, float mean);
+mw_error mw_poisson_init_from_ratio(mw_poisson *law, uint32_t events, uint32_t intervals);
+
+uint32_t mw_geometric_sample(const mw_geometric *law, float u);
+uint32_t mw_geometric_count(const mw_geometric *law, uint32_t word);
+uint32_t mw_geometric_draw(const mw_geometric *law, mw_pcg32 *rng);
+mw_error mw_geometric_draw_from(const mw_geometric *law, const mw_source *source, uint32_t *count);
+float mw_geometric_pmf(const mw_geometric *law, uint32_t count);
+uint32_t mw_poisson_sample(const mw_poisson *law, float u);
+uint32_t mw_poisson_count(const mw_poisson *law, uint32_t word);
+uint32_t mw_poisson_draw(const mw_poisson *law, mw_pcg32 *rng);
+mw_error mw_poisson_draw_from(const mw_poisson *law, const mw_source *source, uint32_t *count);
+float mw_poisson_pmf(const mw_poisson *law, uint32_t count);
+
+/* ---- Resampling ------------------------------------------------------------------------------ */
+
+/** Weights that come one by one, of which one is kept, with the probability of its share. */
+typedef struct mw_reservoir { uint64_t words[6]; } mw_reservoir;
+void mw_reservoir_init(mw_reservoir *reservoir);
+/** `*taken` says whether this item is now the one that is kept. */
+mw_error mw_reservoir_offer(mw_reservoir *reservoir, uint32_t item, float weight, mw_pcg32 *rng,
+        bool *taken);
+/** False where no item of a positive weight has come. */
+bool mw_reservoir_item(const mw_reservoir *reservoir, uint32_t *item);
+float mw_reservoir_pmf(const mw_reservoir *reservoir);
+
+/** Weights as integers of one scale, for the functions below. */
+mw_error mw_resample_to_integers(const float *weights, size_t entries, uint32_t *integers);
+/** Writes over each weight how many of so many copies it gets, by 32 random bits. */
+mw_error mw_resample_systematic(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
+mw_error mw_resample_residual(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
+
+/* ---- Rejection within a budget of tries -------------------------------------------------------- */
+
+/*
+ * A draw proposes points until one is accepted, and returns MW_BUDGET_SPENT where none is. `tries`
+ * says how many it took, and may be null. `init` sets a default budget.
+ */
+
+/** Normal and exponential numbers by a ziggurat. */
+typedef struct mw_ziggurat_standard_normal { uint32_t words[1]; } mw_ziggurat_standard_normal;
+mw_error mw_ziggurat_standard_normal_init(mw_ziggurat_standard_normal *sampler);
+typedef struct mw_ziggurat_normal { uint32_t words[6]; } mw_ziggurat_normal;
+mw_error mw_ziggurat_normal_init(mw_ziggurat_normal *sampler, float mean, float std_dev);
+typedef struct mw_ziggurat_standard_exponential { uint32_t words[1]; } mw_ziggurat_standard_exponential;
+mw_error mw_ziggurat_standard_exponential_init(mw_ziggurat_standard_exponential *sampler);
+typedef struct mw_ziggurat_exponential { uint32_t words[3]; } mw_ziggurat_exponential;
+mw_error mw_ziggurat_exponential_init(mw_ziggurat_exponential *sampler, float rate);
+mw_error mw_ziggurat_exponential_init_from_mean(mw_ziggurat_exponential *sampler, float mean);
+/** Poisson counts for means from 10 to 2^20. */
+typedef struct mw_poisson_rejection { uint32_t words[8]; } mw_poisson_rejection;
+mw_error mw_poisson_rejection_init(mw_poisson_rejection *sampler, float mean);
+/** The unit disk and the unit ball; in Q2.30 from two words, and from the halves of one. */
+typedef struct mw_disk_rejection { uint32_t words[1]; } mw_disk_rejection;
+mw_error mw_disk_rejection_init(mw_disk_rejection *sampler);
+typedef struct mw_ball_rejection { uint32_t words[1]; } mw_ball_rejection;
+mw_error mw_ball_rejection_init(mw_ball_rejection *sampler);
+typedef struct mw_fixed_disk_rejection { uint32_t words[1]; } mw_fixed_disk_rejection;
+mw_error mw_fixed_disk_rejection_init(mw_fixed_disk_rejection *sampler);
+typedef struct mw_fixed_disk_rejection_16 { uint32_t words[1]; } mw_fixed_disk_rejection_16;
+mw_error mw_fixed_disk_rejection_16_init(mw_fixed_disk_rejection_16 *sampler);
+
+mw_error mw_ziggurat_standard_normal_set_budget(mw_ziggurat_standard_normal *sampler, uint32_t budget);
+mw_error mw_ziggurat_standard_normal_draw(const mw_ziggurat_standard_normal *sampler, mw_pcg32 *rng,
+        float *point, uint32_t *tries);
+mw_error mw_ziggurat_standard_normal_draw_from(const mw_ziggurat_standard_normal *sampler, const mw_source *source,
+        float *point, uint32_t *tries);
+mw_error mw_ziggurat_normal_set_budget(mw_ziggurat_normal *sampler, uint32_t budget);
+mw_error mw_ziggurat_normal_draw(const mw_ziggurat_normal *sampler, mw_pcg32 *rng,
+        float *point, uint32_t *tries);
+mw_error mw_ziggurat_normal_draw_from(const mw_ziggurat_normal *sampler, const mw_source *source,
+        float *point, uint32_t *tries);
+mw_error mw_ziggurat_standard_exponential_set_budget(mw_ziggurat_standard_exponential *sampler, uint32_t budget);
+mw_error mw_ziggurat_standard_exponential_draw(const mw_ziggurat_standard_exponential *sampler, mw_pcg32 *rng,
+        float *point, uint32_t *tries);
+mw_error mw_ziggurat_standard_exponential_draw_from(const mw_ziggurat_standard_exponential *sampler, const mw_source *source,
+        float *point, uint32_t *tries);
+mw_error mw_ziggurat_exponential_set_budget(mw_ziggurat_exponential *sampler, uint32_t budget);
+mw_error mw_ziggurat_exponential_draw(const mw_ziggurat_exponential *sampler, mw_pcg32 *rng,
+        float *point, uint32_t *tries);
+mw_error mw_ziggurat_exponential_draw_from(const mw_ziggurat_exponential *sampler, const mw_source *source,
+        float *point, uint32_t *tries);
+mw_error mw_poisson_rejection_set_budget(mw_poisson_rejection *sampler, uint32_t budget);
+mw_error mw_poisson_rejection_draw(const mw_poisson_rejection *sampler, mw_pcg32 *rng,
+        uint32_t *point, uint32_t *tries);
+mw_error mw_poisson_rejection_draw_from(const mw_poisson_rejection *sampler, const mw_source *source,
+        uint32_t *point, uint32_t *tries);
+mw_error mw_disk_rejection_set_budget(mw_disk_rejection *sampler, uint32_t budget);
+mw_error mw_disk_rejection_draw(const mw_disk_rejection *sampler, mw_pcg32 *rng,
+        float point[2], uint32_t *tries);
+mw_error mw_disk_rejection_draw_from(const mw_disk_rejection *sampler, const mw_source *source,
+        float point[2], uint32_t *tries);
+mw_error mw_ball_rejection_set_budget(mw_ball_rejection *sampler, uint32_t budget);
+mw_error mw_ball_rejection_draw(const mw_ball_rejection *sampler, mw_pcg32 *rng,
+        float point[3], uint32_t *tries);
+mw_error mw_ball_rejection_draw_from(const mw_ball_rejection *sampler, const mw_source *source,
+        float point[3], uint32_t *tries);
+mw_error mw_fixed_disk_rejection_set_budget(mw_fixed_disk_rejection *sampler, uint32_t budget);
+mw_error mw_fixed_disk_rejection_draw(const mw_fixed_disk_rejection *sampler, mw_pcg32 *rng,
+        int32_t point[2], uint32_t *tries);
+mw_error mw_fixed_disk_rejection_draw_from(const mw_fixed_disk_rejection *sampler, const mw_source *source,
+        int32_t point[2], uint32_t *tries);
+mw_error mw_fixed_disk_rejection_16_set_budget(mw_fixed_disk_rejection_16 *sampler, uint32_t budget);
+mw_error mw_fixed_disk_rejection_16_draw(const mw_fixed_disk_rejection_16 *sampler, mw_pcg32 *rng,
+        int32_t point[2], uint32_t *tries);
+mw_error mw_fixed_disk_rejection_16_draw_from(const mw_fixed_disk_rejection_16 *sampler, const mw_source *source,
+        int32_t point[2], uint32_t *tries);
+
+/** A budget that draws of this share of accepted proposals do not spend in practice. */
+mw_error mw_budget_for(float efficiency, uint32_t *budget);
+
+/** A region of a domain, and a density up to a factor: functions of the caller with their context. */
+typedef struct mw_region_1d {
+    bool (*contains)(void *context, float x);
+    void *context;
+} mw_region_1d;
+
+typedef struct mw_region_2d {
+    bool (*contains)(void *context, const float x[2]);
+    void *context;
+} mw_region_2d;
+
+typedef struct mw_region_3d {
+    bool (*contains)(void *context, const float x[3]);
+    void *context;
+} mw_region_3d;
+
+typedef struct mw_density_1d {
+    float (*at)(void *context, float x);
+    void *context;
+} mw_density_1d;
+
+typedef struct mw_density_2d {
+    float (*at)(void *context, const float x[2]);
+    void *context;
+} mw_density_2d;
+
+typedef struct mw_density_3d {
+    float (*at)(void *context, const float x[3]);
+    void *context;
+} mw_density_3d;
+
+typedef struct mw_density_4d {
+    float (*at)(void *context, const float x[4]);
+    void *context;
+} mw_density_4d;
+
+typedef struct mw_density_6d {
+    float (*at)(void *context, const float x[6]);
+    void *context;
+} mw_density_6d;
+
+typedef struct mw_density_8d {
+    float (*at)(void *context, const float x[8]);
+    void *context;
+} mw_density_8d;
+
+/**
+ * A uniform point of a region of the domain; and a point of a density f, which is at most `bound`
+ * times the density of the domain.
+ */
+mw_error mw_region_1d_draw(const mw_interval *domain, const mw_region_1d *region, uint32_t budget,
+        mw_pcg32 *rng, float *point, uint32_t *tries);
+mw_error mw_bounded_1d_draw(const mw_interval *domain, const mw_density_1d *density, float bound,
+        uint32_t budget, mw_pcg32 *rng, float *point, uint32_t *tries);
+mw_error mw_region_2d_draw(const mw_aabb_2d *domain, const mw_region_2d *region, uint32_t budget,
+        mw_pcg32 *rng, float point[2], uint32_t *tries);
+mw_error mw_bounded_2d_draw(const mw_aabb_2d *domain, const mw_density_2d *density, float bound,
+        uint32_t budget, mw_pcg32 *rng, float point[2], uint32_t *tries);
+mw_error mw_region_3d_draw(const mw_aabb_3d *domain, const mw_region_3d *region, uint32_t budget,
+        mw_pcg32 *rng, float point[3], uint32_t *tries);
+mw_error mw_bounded_3d_draw(const mw_aabb_3d *domain, const mw_density_3d *density, float bound,
+        uint32_t budget, mw_pcg32 *rng, float point[3], uint32_t *tries);
+
+/* ---- Estimators ------------------------------------------------------------------------------ */
+
+/*
+ * `push` takes a value; what is NaN or infinite is refused and counted. A figure that is not known
+ * yet leaves its place as it was and returns false. Sums are compensated, and `merge` adds what
+ * another estimator has seen.
+ */
+
+/** Mean and variance. */
+typedef struct mw_moments { uint64_t words[5]; } mw_moments;
+void mw_moments_push(mw_moments *of, float x);
+bool mw_moments_mean(const mw_moments *of, float *mean);
+bool mw_moments_variance(const mw_moments *of, float *variance);
+bool mw_moments_population_variance(const mw_moments *of, float *variance);
+bool mw_moments_std_dev(const mw_moments *of, float *std_dev);
+bool mw_moments_standard_error(const mw_moments *of, float *error);
+
+/** The mean of values with weights, as those of a chain's states. */
+typedef struct mw_weighted_mean { uint64_t words[9]; } mw_weighted_mean;
+void mw_weighted_mean_push(mw_weighted_mean *of, float value, float weight);
+bool mw_weighted_mean_mean(const mw_weighted_mean *of, float *mean);
+bool mw_weighted_mean_standard_error(const mw_weighted_mean *of, float *error);
+
+/** The integral of f, from its values at points and the densities of the points. */
+typedef struct mw_integral { uint64_t words[5]; } mw_integral;
+void mw_integral_push(mw_integral *of, float f, float pdf);
+bool mw_integral_estimate(const mw_integral *of, float *estimate);
+bool mw_integral_standard_error(const mw_integral *of, float *error);
+
+void mw_moments_init(mw_moments *of);
+void mw_moments_merge(mw_moments *of, const mw_moments *other);
+uint64_t mw_moments_count(const mw_moments *of);
+uint64_t mw_moments_refused(const mw_moments *of);
+void mw_weighted_mean_init(mw_weighted_mean *of);
+void mw_weighted_mean_merge(mw_weighted_mean *of, const mw_weighted_mean *other);
+uint64_t mw_weighted_mean_count(const mw_weighted_mean *of);
+uint64_t mw_weighted_mean_refused(const mw_weighted_mean *of);
+void mw_integral_init(mw_integral *of);
+void mw_integral_merge(mw_integral *of, const mw_integral *other);
+uint64_t mw_integral_count(const mw_integral *of);
+uint64_t mw_integral_refused(const mw_integral *of);
+
+/** Weights of multiple importance sampling, for n_f samples of density p_f and n_g of p_g. */
+float mw_balance_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
+float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
+
+/* ---- Metropolis chains ----------------------------------------------------------------------- */
+
+/*
+ * The state lies open, so it can be read, stored, and taken up again; write to `state` only before
+ * `init`. Every step returns MW_OK, and then `*transition`, which may be null, says what became of
+ * the proposal. A refused proposal had a density that is negative, NaN or infinite. After an error
+ * the chain is as it was.
+ *
+ *   step_normal   adds a normal step with these standard deviations
+ *   step_box      adds a uniform step within these widths
+ *   step_wrapped  adds a normal step modulo 1, in the unit cube
+ *   step_uniform  proposes a uniform point of the unit cube
+ *   step_to       proposes a point of the caller, with the densities of the way there and of the
+ *                 way back, which are equal where the proposal is symmetric
+ */
+enum { MW_ACCEPTED = 0, MW_REJECTED = 1, MW_REFUSED = 2 };
+
+typedef struct mw_chain_1d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float state;
+} mw_chain_1d;
+typedef struct mw_transition_1d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from;
+    float proposed;
+} mw_transition_1d;
+mw_error mw_chain_1d_init(mw_chain_1d *chain, float start, const mw_density_1d *target);
+mw_error mw_chain_1d_step_normal(mw_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_box(mw_chain_1d *chain, float width,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_wrapped(mw_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_uniform(mw_chain_1d *chain,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_to(mw_chain_1d *chain, float proposed, float forward,
+        float backward, const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_normal_from(mw_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_box_from(mw_chain_1d *chain, float width,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_wrapped_from(mw_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_uniform_from(mw_chain_1d *chain,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_to_from(mw_chain_1d *chain, float proposed, float forward,
+        float backward, const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+
+typedef struct mw_chain_2d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float state[2];
+} mw_chain_2d;
+typedef struct mw_transition_2d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[2];
+    float proposed[2];
+} mw_transition_2d;
+mw_error mw_chain_2d_init(mw_chain_2d *chain, const float start[2], const mw_density_2d *target);
+mw_error mw_chain_2d_step_normal(mw_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_box(mw_chain_2d *chain, const float widths[2],
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_wrapped(mw_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_uniform(mw_chain_2d *chain,
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_to(mw_chain_2d *chain, const float proposed[2], float forward,
+        float backward, const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_normal_from(mw_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_box_from(mw_chain_2d *chain, const float widths[2],
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_wrapped_from(mw_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_uniform_from(mw_chain_2d *chain,
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_to_from(mw_chain_2d *chain, const float proposed[2], float forward,
+        float backward, const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+
+typedef struct mw_chain_3d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float state[3];
+} mw_chain_3d;
+typedef struct mw_transition_3d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[3];
+    float proposed[3];
+} mw_transition_3d;
+mw_error mw_chain_3d_init(mw_chain_3d *chain, const float start[3], const mw_density_3d *target);
+mw_error mw_chain_3d_step_normal(mw_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_box(mw_chain_3d *chain, const float widths[3],
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_wrapped(mw_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_uniform(mw_chain_3d *chain,
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_to(mw_chain_3d *chain, const float proposed[3], float forward,
+        float backward, const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_normal_from(mw_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_box_from(mw_chain_3d *chain, const float widths[3],
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_wrapped_from(mw_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_uniform_from(mw_chain_3d *chain,
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_to_from(mw_chain_3d *chain, const float proposed[3], float forward,
+        float backward, const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+
+typedef struct mw_chain_4d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float state[4];
+} mw_chain_4d;
+typedef struct mw_transition_4d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[4];
+    float proposed[4];
+} mw_transition_4d;
+mw_error mw_chain_4d_init(mw_chain_4d *chain, const float start[4], const mw_density_4d *target);
+mw_error mw_chain_4d_step_normal(mw_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_box(mw_chain_4d *chain, const float widths[4],
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_wrapped(mw_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_uniform(mw_chain_4d *chain,
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_to(mw_chain_4d *chain, const float proposed[4], float forward,
+        float backward, const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_normal_from(mw_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_box_from(mw_chain_4d *chain, const float widths[4],
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_wrapped_from(mw_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_uniform_from(mw_chain_4d *chain,
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_to_from(mw_chain_4d *chain, const float proposed[4], float forward,
+        float backward, const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+
+typedef struct mw_chain_6d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float state[6];
+} mw_chain_6d;
+typedef struct mw_transition_6d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[6];
+    float proposed[6];
+} mw_transition_6d;
+mw_error mw_chain_6d_init(mw_chain_6d *chain, const float start[6], const mw_density_6d *target);
+mw_error mw_chain_6d_step_normal(mw_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_box(mw_chain_6d *chain, const float widths[6],
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_wrapped(mw_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_uniform(mw_chain_6d *chain,
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_to(mw_chain_6d *chain, const float proposed[6], float forward,
+        float backward, const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_normal_from(mw_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_box_from(mw_chain_6d *chain, const float widths[6],
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_wrapped_from(mw_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_uniform_from(mw_chain_6d *chain,
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_to_from(mw_chain_6d *chain, const float proposed[6], float forward,
+        float backward, const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+
+typedef struct mw_chain_8d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float state[8];
+} mw_chain_8d;
+typedef struct mw_transition_8d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[8];
+    float proposed[8];
+} mw_transition_8d;
+mw_error mw_chain_8d_init(mw_chain_8d *chain, const float start[8], const mw_density_8d *target);
+mw_error mw_chain_8d_step_normal(mw_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_box(mw_chain_8d *chain, const float widths[8],
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_wrapped(mw_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_uniform(mw_chain_8d *chain,
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_to(mw_chain_8d *chain, const float proposed[8], float forward,
+        float backward, const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_normal_from(mw_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_box_from(mw_chain_8d *chain, const float widths[8],
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_wrapped_from(mw_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_uniform_from(mw_chain_8d *chain,
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_to_from(mw_chain_8d *chain, const float proposed[8], float forward,
+        float backward, const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+
+/* ---- Points and strata ----------------------------------------------------------------------- */
+
+/**
+ * Points as a function of their index: Sobol' points, scrambled by the seed, and a recurrence that
+ * is cheapest. As uniforms or as words.
+ */
+typedef struct mw_sobol_1d { uint32_t words[1]; } mw_sobol_1d;
+mw_error mw_sobol_1d_init(mw_sobol_1d *set, uint32_t seed);
+void mw_sobol_1d_point(const mw_sobol_1d *set, uint32_t index, float u[1]);
+void mw_sobol_1d_words(const mw_sobol_1d *set, uint32_t index, uint32_t words[1]);
+typedef struct mw_sobol_2d { uint32_t words[2]; } mw_sobol_2d;
+mw_error mw_sobol_2d_init(mw_sobol_2d *set, uint32_t seed);
+void mw_sobol_2d_point(const mw_sobol_2d *set, uint32_t index, float u[2]);
+void mw_sobol_2d_words(const mw_sobol_2d *set, uint32_t index, uint32_t words[2]);
+typedef struct mw_sobol_3d { uint32_t words[3]; } mw_sobol_3d;
+mw_error mw_sobol_3d_init(mw_sobol_3d *set, uint32_t seed);
+void mw_sobol_3d_point(const mw_sobol_3d *set, uint32_t index, float u[3]);
+void mw_sobol_3d_words(const mw_sobol_3d *set, uint32_t index, uint32_t words[3]);
+typedef struct mw_sobol_4d { uint32_t words[4]; } mw_sobol_4d;
+mw_error mw_sobol_4d_init(mw_sobol_4d *set, uint32_t seed);
+void mw_sobol_4d_point(const mw_sobol_4d *set, uint32_t index, float u[4]);
+void mw_sobol_4d_words(const mw_sobol_4d *set, uint32_t index, uint32_t words[4]);
+typedef struct mw_sobol_8d { uint32_t words[8]; } mw_sobol_8d;
+mw_error mw_sobol_8d_init(mw_sobol_8d *set, uint32_t seed);
+void mw_sobol_8d_point(const mw_sobol_8d *set, uint32_t index, float u[8]);
+void mw_sobol_8d_words(const mw_sobol_8d *set, uint32_t index, uint32_t words[8]);
+typedef struct mw_recurrence_1d { uint32_t words[1]; } mw_recurrence_1d;
+mw_error mw_recurrence_1d_init(mw_recurrence_1d *set, uint32_t seed);
+void mw_recurrence_1d_point(const mw_recurrence_1d *set, uint32_t index, float u[1]);
+void mw_recurrence_1d_words(const mw_recurrence_1d *set, uint32_t index, uint32_t words[1]);
+typedef struct mw_recurrence_2d { uint32_t words[2]; } mw_recurrence_2d;
+mw_error mw_recurrence_2d_init(mw_recurrence_2d *set, uint32_t seed);
+void mw_recurrence_2d_point(const mw_recurrence_2d *set, uint32_t index, float u[2]);
+void mw_recurrence_2d_words(const mw_recurrence_2d *set, uint32_t index, uint32_t words[2]);
+typedef struct mw_recurrence_3d { uint32_t words[3]; } mw_recurrence_3d;
+mw_error mw_recurrence_3d_init(mw_recurrence_3d *set, uint32_t seed);
+void mw_recurrence_3d_point(const mw_recurrence_3d *set, uint32_t index, float u[3]);
+void mw_recurrence_3d_words(const mw_recurrence_3d *set, uint32_t index, uint32_t words[3]);
+
+/** Random bits as a function of a place, without a state. */
+uint32_t mw_word_by_position(uint32_t seed, uint32_t pixel, uint32_t index, uint32_t dimension);
+
+/** Jittered strata of [0, 1) and of the unit square; `u` moves the point within stratum i. */
+typedef struct mw_strata_1d { uint32_t words[1]; } mw_strata_1d;
+mw_error mw_strata_1d_init(mw_strata_1d *strata, uint32_t count);
+float mw_strata_1d_point(const mw_strata_1d *strata, uint32_t i, float u);
+typedef struct mw_strata_2d { uint32_t words[2]; } mw_strata_2d;
+mw_error mw_strata_2d_init(mw_strata_2d *strata, uint32_t columns, uint32_t rows);
+void mw_strata_2d_point(const mw_strata_2d *strata, uint32_t i, const float u[2], float point[2]);
 
 /* ---- Samplers without a floating-point operation --------------------------------------------- */
 

@@ -12,9 +12,16 @@
     reason = "an out-parameter of a number is an empty struct, which no calling convention passes"
 )]
 
+mod chain;
+mod discrete;
 mod error;
+mod estimate;
 mod generators;
 mod layout;
+mod maps;
+mod points;
+mod rejection;
+mod tables;
 mod value;
 mod warps;
 

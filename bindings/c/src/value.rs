@@ -3,6 +3,7 @@
 //! A number is handed over by value. Several are read or written through a pointer.
 
 use core_crate::Warp;
+use core_crate::discrete::MeshPoint;
 use core_crate::warp::SurfacePoint;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedU32, FixedU64};
@@ -27,6 +28,9 @@ pub trait Value: Copy {
     fn to_c(self) -> Self::C;
 
     fn from_c(c: Self::C) -> Self;
+
+    /// As the argument of a callback.
+    fn given(c: &Self::C) -> Self::Given;
 
     /// # Safety
     /// A pointer must be valid for reads.
@@ -83,6 +87,11 @@ macro_rules! by_pointer {
         type Result = ();
 
         #[inline]
+        fn given(c: &Self::C) -> *const Self::C {
+            c
+        }
+
+        #[inline]
         unsafe fn read(given: *const Self::C) -> Self {
             // SAFETY: the caller's promise.
             Self::from_c(unsafe { given.read() })
@@ -108,6 +117,11 @@ macro_rules! numbers {
             type Given = Self;
             type Place = Returned;
             type Result = Self;
+
+            #[inline]
+            fn given(c: &Self) -> Self {
+                *c
+            }
 
             #[inline]
             unsafe fn read(given: Self) -> Self {
@@ -187,5 +201,48 @@ impl Value for SurfacePoint {
     #[inline]
     fn from_c(Surface { position, normal }: Surface) -> Self {
         Self { position, normal }
+    }
+}
+
+/// A point of a mesh, with the triangle it is on.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct OnMesh {
+    position: [f32; 3],
+    barycentrics: [f32; 3],
+    triangle: usize,
+}
+
+impl Value for MeshPoint {
+    type C = OnMesh;
+    by_pointer!();
+
+    #[inline]
+    fn to_c(self) -> OnMesh {
+        let Self {
+            position,
+            barycentrics,
+            triangle,
+        } = self;
+        OnMesh {
+            position,
+            barycentrics,
+            triangle,
+        }
+    }
+
+    #[inline]
+    fn from_c(
+        OnMesh {
+            position,
+            barycentrics,
+            triangle,
+        }: OnMesh,
+    ) -> Self {
+        Self {
+            position,
+            barycentrics,
+            triangle,
+        }
     }
 }

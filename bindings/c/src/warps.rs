@@ -8,20 +8,20 @@ use core::slice;
 use core_crate::{Invert, Warp};
 use microwarp_golden::{float_warps, integer_warps};
 
-type Given<T> = <T as Value>::Given;
-type Place<T> = <T as Value>::Place;
-type Yielded<T> = <T as Value>::Result;
-type InMemory<T> = <T as Value>::C;
-type Uniforms<W> = <W as Warp>::Uniforms;
-type Point<W> = <W as Warp>::Point;
-type DensityOf<W> = <W as Warp>::Density;
+pub type Given<T> = <T as Value>::Given;
+pub type Place<T> = <T as Value>::Place;
+pub type Yielded<T> = <T as Value>::Result;
+pub type InMemory<T> = <T as Value>::C;
+pub type Uniforms<W> = <W as Warp>::Uniforms;
+pub type Point<W> = <W as Warp>::Point;
+pub type DensityOf<W> = <W as Warp>::Density;
 
 /// The memory of C that is to be filled.
 ///
 /// # Safety
 /// It is valid for writes of so many elements, or there are none.
 #[inline]
-unsafe fn memory<'a, T>(start: *mut T, count: usize) -> &'a mut [T] {
+pub unsafe fn memory<'a, T>(start: *mut T, count: usize) -> &'a mut [T] {
     if count == 0 {
         return &mut [];
     }
@@ -29,15 +29,35 @@ unsafe fn memory<'a, T>(start: *mut T, count: usize) -> &'a mut [T] {
     unsafe { slice::from_raw_parts_mut(start, count) }
 }
 
-/// Stops the build for a target on which a warp does not fit into its struct of the header. Where a `usize` is short, it
-/// takes less.
-const fn as_declared<W>(symbol: &[&str]) {
+/// Memory of C that is read.
+///
+/// # Safety
+/// It is valid for reads of so many elements as long as it is used, or there are none.
+#[inline]
+pub unsafe fn given<'a, T>(start: *const T, count: usize) -> &'a [T] {
+    if count == 0 {
+        return &[];
+    }
+    // SAFETY: the caller's promise.
+    unsafe { slice::from_raw_parts(start, count) }
+}
+
+/// Stops the build for a target on which a type does not fit into its struct of the header: so many pointers, and then
+/// words. Where a `usize` is short, it may take less.
+pub const fn as_declared<W>(symbol: &[&str]) {
     let mut i = 0;
     while i < LAYOUT.len() {
-        let (name, size, align) = LAYOUT[i];
+        let (name, pointers, bytes, align) = LAYOUT[i];
         if is(name.as_bytes(), symbol) {
+            let (room, align) = match pointers {
+                0 => (bytes, align),
+                _ => (
+                    (pointers * size_of::<usize>() + bytes).next_multiple_of(align_of::<usize>()),
+                    align_of::<usize>(),
+                ),
+            };
             assert!(
-                size_of::<W>() <= size && align_of::<W>() <= align,
+                size_of::<W>() <= room && align_of::<W>() <= align,
                 "cargo regenerate"
             );
             return;
@@ -138,6 +158,8 @@ macro_rules! functions {
         }
     };
 }
+
+pub(crate) use functions;
 
 macro_rules! init {
     ($tier:literal $name:literal $warp:ty, new $parameters:tt) => {

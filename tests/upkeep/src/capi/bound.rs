@@ -11,12 +11,28 @@ pub struct Bound {
     pub name: &'static str,
     /// The type in Rust, with its arguments.
     pub of: &'static str,
-    pub size: usize,
-    pub align: usize,
+    pub stored: Stored,
     pub uniforms: Form,
     pub point: Form,
     pub density: Form,
     pub constructors: Vec<Constructor>,
+}
+
+/// What a struct holds: so many pointers or lengths, and then words.
+#[derive(Clone, Copy)]
+pub struct Stored {
+    pub pointers: usize,
+    /// Of the words, without padding behind pointers.
+    pub bytes: usize,
+    pub align: usize,
+}
+
+fn stored<T>(pointers: usize) -> Stored {
+    Stored {
+        pointers,
+        bytes: size_of::<T>() - pointers * size_of::<usize>(),
+        align: align_of::<T>(),
+    }
 }
 
 pub struct Constructor {
@@ -36,7 +52,7 @@ impl Bound {
 
     /// Whether it has a struct.
     pub fn is_stored(&self) -> bool {
-        self.size > 0
+        self.stored.bytes + self.stored.pointers > 0
     }
 }
 
@@ -64,8 +80,7 @@ where
         tier,
         name,
         of,
-        size: size_of::<W>(),
-        align: align_of::<W>(),
+        stored: stored::<W>(0),
         uniforms: W::Uniforms::form(&shares),
         point: W::Point::form(&shares),
         density: W::Density::form(&shares),
@@ -135,4 +150,70 @@ pub fn plain() -> Vec<Block> {
     use fixed::types::{I16F16, U16F16};
     use microwarp::fixed::Interval;
     integer_warps!(without_grade)
+}
+
+macro_rules! tables {
+    ($($name:literal $table:ty, $pointers:literal;)*) => {
+        vec![$(Bound {
+            stored: stored::<$table>($pointers),
+            ..bound::<$table>("", $name, stringify!($table), Vec::new())
+        }),*]
+    };
+}
+
+/// The warps whose words lie in memory of the caller. Their handles hold slices, of two pointers or lengths each.
+pub fn tables() -> Vec<Bound> {
+    use microwarp::discrete::{Mesh, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d};
+    use microwarp::poly::LatLongMap;
+    tables! {
+        "piecewise_constant_1d" PiecewiseConstant1d<&[u32]>, 2;
+        "piecewise_linear_1d" PiecewiseLinear1d<&[u32], &[f32]>, 4;
+        "piecewise_constant_2d" PiecewiseConstant2d<&[u32], &[u32]>, 4;
+        "lat_long_map" LatLongMap<&[u32], &[u32]>, 4;
+        "mesh" Mesh<'_, u32, &[u32]>, 8;
+        "mesh_u16" Mesh<'_, u16, &[u32]>, 8;
+    }
+}
+
+macro_rules! structs {
+    ($($name:literal $type:ty;)*) => {
+        vec![$((concat!("mw_", $name), stored::<$type>(0))),*]
+    };
+}
+
+/// The structs of what is no warp.
+pub fn structs() -> Vec<(&'static str, Stored)> {
+    use microwarp::discrete::{Geometric, Poisson, Reservoir};
+    use microwarp::estimate::{Integral, Moments, WeightedMean};
+    use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
+    use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
+    use microwarp::uniform::{Recurrence, Sobol, Strata1d, Strata2d};
+    use microwarp::{fixed, poly};
+    structs! {
+        "geometric" Geometric;
+        "poisson" Poisson;
+        "reservoir" Reservoir<u32>;
+        "ziggurat_standard_normal" ZigguratStandardNormal;
+        "ziggurat_normal" ZigguratNormal;
+        "ziggurat_standard_exponential" ZigguratStandardExponential;
+        "ziggurat_exponential" ZigguratExponential;
+        "disk_rejection" rejection::DiskRejection;
+        "ball_rejection" rejection::BallRejection;
+        "poisson_rejection" poly::PoissonRejection;
+        "fixed_disk_rejection" fixed::DiskRejection;
+        "fixed_disk_rejection_16" fixed::DiskRejection16;
+        "moments" Moments;
+        "weighted_mean" WeightedMean;
+        "integral" Integral;
+        "sobol_1d" Sobol<1>;
+        "sobol_2d" Sobol<2>;
+        "sobol_3d" Sobol<3>;
+        "sobol_4d" Sobol<4>;
+        "sobol_8d" Sobol<8>;
+        "recurrence_1d" Recurrence<1>;
+        "recurrence_2d" Recurrence<2>;
+        "recurrence_3d" Recurrence<3>;
+        "strata_1d" Strata1d;
+        "strata_2d" Strata2d;
+    }
 }

@@ -2,6 +2,7 @@
 
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedU32, FixedU64};
+use microwarp::discrete::MeshPoint;
 use microwarp::warp::SurfacePoint;
 
 /// A type in C: a number, an array of numbers, or a struct.
@@ -116,6 +117,7 @@ whole! {
     u16, "uint16_t";
     i32, "int32_t";
     u32, "uint32_t";
+    usize, "size_t";
 }
 
 macro_rules! fixed_point {
@@ -158,6 +160,20 @@ impl InC for SurfacePoint {
         Form {
             fields: vec![("position", of_three.clone()), ("normal", of_three)],
             ..Form::number("mw_surface_point", None)
+        }
+    }
+}
+
+impl InC for MeshPoint {
+    fn form(_: &str) -> Form {
+        let of_three = <[f32; 3]>::form("");
+        Form {
+            fields: vec![
+                ("position", of_three.clone()),
+                ("barycentrics", of_three),
+                ("triangle", usize::form("")),
+            ],
+            ..Form::number("mw_mesh_point", None)
         }
     }
 }

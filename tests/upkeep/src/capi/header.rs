@@ -1,6 +1,6 @@
 //! The text of the header, and of the sizes that `bindings/c` holds every target to.
 
-use super::bound::{self, Block, Bound};
+use super::bound::{self, Block, Bound, Stored};
 use super::comments::Comments;
 use crate::{Outcome, read};
 use std::collections::BTreeSet;
@@ -26,41 +26,87 @@ const FIXED: [Section; 4] = [
 
 /// The whole header.
 pub fn header() -> Outcome<String> {
-    let mut text = read(TEMPLATE)?;
-    // The template has this one, in front of all warps.
-    let mut structs = BTreeSet::from(["mw_surface_point".to_owned()]);
+    let mut text = expanded(&read(TEMPLATE)?)?;
+    // The template has these.
+    let mut structs = BTreeSet::from(["mw_surface_point", "mw_mesh_point"].map(String::from));
     let poly = section(&POLY, &mut structs)?;
     let fixed: Outcome<String> = FIXED
         .iter()
         .map(|tier| section(tier, &mut structs))
         .collect();
-    for (place, generated) in [
-        ("@errors@", errors()?),
-        ("@poly@", poly),
-        ("@fixed@", fixed?),
-    ] {
-        if text.matches(place).count() != 1 {
+    let mut generated = vec![
+        ("errors".to_owned(), errors()?),
+        ("poly".to_owned(), poly),
+        ("fixed".to_owned(), fixed?),
+    ];
+    for table in bound::tables() {
+        let mut functions = String::new();
+        declare(&mut functions, &table, &mut structs);
+        generated.push((format!("warp {}", table.symbol()), functions));
+    }
+    for (symbol, stored) in bound::structs() {
+        generated.push((format!("struct {symbol}"), structure(symbol, stored)));
+    }
+    for (place, generated) in generated {
+        let place = format!("@{place}@");
+        if text.matches(&place).count() != 1 {
             return Err(format!("{TEMPLATE} has not one {place}"));
         }
-        text = text.replace(place, generated.trim_end());
+        text = text.replace(&place, generated.trim_end());
+    }
+    if let Some(place) = text.lines().find(|line| line.starts_with('@')) {
+        return Err(format!("{TEMPLATE}: nothing is made for {place}"));
     }
     Ok(text)
 }
 
+/// The template with what stands between `@each a,b c,d@` and `@end@` repeated: once with `a` for `{}` and `b` for `{1}`,
+/// and once with the others; `~` is a space.
+fn expanded(template: &str) -> Outcome<String> {
+    let mut text = String::new();
+    let mut rest = template;
+    while let Some((before, each)) = rest.split_once("@each ") {
+        let parts = each.split_once("@\n").and_then(|(values, block)| {
+            let (block, after) = block.split_once("@end@\n")?;
+            Some((values, block, after))
+        });
+        let (values, block, after) =
+            parts.ok_or_else(|| format!("{TEMPLATE}: an @each@ without an @end@"))?;
+        text.push_str(before);
+        for value in values.split(' ') {
+            let mut once = block.to_owned();
+            for (i, part) in value.split(',').enumerate() {
+                let place = if i == 0 {
+                    "{}".into()
+                } else {
+                    format!("{{{i}}}")
+                };
+                once = once.replace(&place, &part.replace('~', " "));
+            }
+            text.push_str(&once);
+        }
+        rest = after;
+    }
+    Ok(text + rest)
+}
+
 /// The sizes and alignments of all structs of warps.
 pub fn layout() -> String {
-    let rows = every().into_iter().filter(Bound::is_stored);
-    let rows = rows.map(|warp| {
+    let warps = every().into_iter().filter(Bound::is_stored);
+    let warps = warps.map(|warp| (warp.symbol(), warp.stored));
+    let structs = bound::structs()
+        .into_iter()
+        .map(|(symbol, stored)| (symbol.into(), stored));
+    let rows = warps.chain(structs).map(|(symbol, stored)| {
         format!(
-            "    (\"{}\", {}, {}),\n",
-            warp.symbol(),
-            warp.size,
-            warp.align
+            "    (\"{symbol}\", {}, {}, {}),\n",
+            stored.pointers, stored.bytes, stored.align
         )
     });
     format!(
-        "//! The size and the alignment of every struct of the header. Written by `cargo regenerate`.\n\n\
-         pub const LAYOUT: &[(&str, usize, usize)] = &[\n{}];\n",
+        "//! What every struct of the header has room for: pointers, bytes and their alignment. Written by `cargo\n\
+         //! regenerate`.\n\n\
+         pub const LAYOUT: &[(&str, usize, usize, usize)] = &[\n{}];\n",
         rows.collect::<String>()
     )
 }
@@ -70,6 +116,7 @@ fn every() -> Vec<Bound> {
     sections
         .flat_map(|section| section.0())
         .flat_map(|block| block.bound)
+        .chain(bound::tables())
         .collect()
 }
 
@@ -206,18 +253,7 @@ fn declare(text: &mut String, warp: &Bound, structs: &mut BTreeSet<String>) {
         writeln!(text, "typedef struct {0} {{\n{fields}}} {0};", point.base).unwrap();
     }
     if warp.is_stored() {
-        let word = match warp.align {
-            4 => "uint32_t",
-            8 => "uint64_t",
-            2 => "uint16_t",
-            _ => unreachable!("{symbol} is aligned to {} bytes", warp.align),
-        };
-        let words = warp.size / warp.align;
-        writeln!(
-            text,
-            "typedef struct {symbol} {{ {word} words[{words}]; }} {symbol};"
-        )
-        .unwrap();
+        text.push_str(&structure(&symbol, warp.stored));
     }
     if warp.is_stored() {
         for constructor in &warp.constructors {
@@ -273,6 +309,27 @@ fn declare(text: &mut String, warp: &Bound, structs: &mut BTreeSet<String>) {
     function(density, "pdf", vec![point.given("point")]);
     let (returned, arguments) = yielding(uniforms, "u", vec![point.given("point")]);
     function(&returned, "invert", arguments);
+}
+
+fn structure(symbol: &str, stored: Stored) -> String {
+    let (word, align) = match (stored.pointers, stored.align) {
+        (0, 8) => ("uint64_t", 8),
+        _ => ("uint32_t", 4),
+    };
+    let words = format!("{word} words[{}];", stored.bytes.div_ceil(align));
+    match stored.pointers {
+        0 => format!("typedef struct {symbol} {{ {words} }} {symbol};\n"),
+        n => {
+            let words = if stored.bytes > 0 {
+                format!("    {words}\n")
+            } else {
+                String::new()
+            };
+            format!(
+                "typedef struct {symbol} {{\n    const void *pointers[{n}];\n{words}}} {symbol};\n"
+            )
+        }
+    }
 }
 
 /// A declaration, in lines that are not too long.

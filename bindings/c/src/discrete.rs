@@ -1,0 +1,150 @@
+//! Counts, one selection from weights that are seen once, and resampling.
+
+use crate::error::{Code, code};
+use crate::generators::{Pcg32, Source};
+use crate::tables::Selection;
+use crate::warps::{as_declared, given, memory};
+use core_crate::discrete::{
+    Geometric, Poisson, Reservoir, resampling, select_once, select_once_uniform,
+};
+use rand_core::TryRng;
+
+macro_rules! counts {
+    ($($name:literal $law:ty { $($init:literal $constructor:ident($($parameter:ident: $type:ty),*);)* })*) => {$(
+        const _: () = {
+            const _: () = as_declared::<$law>(&["mw_", $name]);
+
+            #[unsafe(export_name = concat!("mw_", $name, "_sample"))]
+            extern "C" fn sample(law: &$law, u: f32) -> u32 {
+                law.sample(u)
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_count"))]
+            extern "C" fn count(law: &$law, word: u32) -> u32 {
+                law.count(word)
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_draw"))]
+            extern "C" fn draw(law: &$law, rng: &mut Pcg32) -> u32 {
+                law.draw(rng)
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_draw_from"))]
+            extern "C" fn draw_from(law: &$law, source: &Source, count: &mut u32) -> Code {
+                code(law.try_draw(&mut { *source }), |drawn| *count = drawn)
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_pmf"))]
+            extern "C" fn pmf(law: &$law, count: u32) -> f32 {
+                law.pmf(count)
+            }
+        };
+        $(const _: () = {
+            #[unsafe(export_name = concat!("mw_", $name, $init))]
+            unsafe extern "C" fn init(law: *mut $law, $($parameter: $type),*) -> Code {
+                // SAFETY: the promise of the header.
+                code(<$law>::$constructor($($parameter),*), |made| unsafe { law.write(made) })
+            }
+        };)*
+    )*};
+}
+
+counts! {
+    "geometric" Geometric {
+        "_init" new(p: f32);
+        "_init_from_ratio" from_ratio(successes: u32, trials: u32);
+    }
+    "poisson" Poisson {
+        "_init" new(mean: f32);
+        "_init_from_ratio" from_ratio(events: u32, intervals: u32);
+    }
+}
+
+const _: () = as_declared::<Reservoir<u32>>(&["mw_reservoir"]);
+
+#[unsafe(export_name = "mw_reservoir_init")]
+unsafe extern "C" fn reservoir(reservoir: *mut Reservoir<u32>) {
+    // SAFETY: the promise of the header.
+    unsafe { reservoir.write(Reservoir::new()) }
+}
+
+#[unsafe(export_name = "mw_reservoir_offer")]
+extern "C" fn offer(
+    reservoir: &mut Reservoir<u32>,
+    item: u32,
+    weight: f32,
+    rng: &mut Pcg32,
+    taken: &mut bool,
+) -> Code {
+    let Ok(high) = rng.try_next_u32();
+    let Ok(low) = rng.try_next_u32();
+    let bits = u64::from(high) << 32 | u64::from(low);
+    code(reservoir.offer_with(item, weight, bits), |was| *taken = was)
+}
+
+#[unsafe(export_name = "mw_reservoir_item")]
+extern "C" fn item(reservoir: &Reservoir<u32>, item: &mut u32) -> bool {
+    match reservoir.item() {
+        Some(held) => {
+            *item = *held;
+            true
+        }
+        None => false,
+    }
+}
+
+#[unsafe(export_name = "mw_reservoir_pmf")]
+extern "C" fn pmf(reservoir: &Reservoir<u32>) -> f32 {
+    reservoir.pmf()
+}
+
+#[unsafe(export_name = "mw_select_once")]
+unsafe extern "C" fn once(
+    weights: *const f32,
+    entries: usize,
+    word: u32,
+    chosen: *mut Selection,
+) -> Code {
+    // SAFETY: the promise of the header.
+    unsafe {
+        code(select_once(given(weights, entries), word), |made| {
+            chosen.write(made.into());
+        })
+    }
+}
+
+#[unsafe(export_name = "mw_select_once_uniform")]
+unsafe extern "C" fn once_uniform(
+    weights: *const f32,
+    entries: usize,
+    u: f32,
+    chosen: *mut Selection,
+) -> Code {
+    // SAFETY: the promise of the header.
+    unsafe {
+        code(select_once_uniform(given(weights, entries), u), |made| {
+            chosen.write(made.into());
+        })
+    }
+}
+
+#[unsafe(export_name = "mw_resample_to_integers")]
+unsafe extern "C" fn to_integers(weights: *const f32, entries: usize, integers: *mut u32) -> Code {
+    // SAFETY: the promise of the header.
+    let (weights, integers) = unsafe { (given(weights, entries), memory(integers, entries)) };
+    code(resampling::to_integers(weights, integers), drop)
+}
+
+#[unsafe(export_name = "mw_resample_systematic")]
+unsafe extern "C" fn systematic(weights: *mut u32, entries: usize, copies: u32, word: u32) -> Code {
+    // SAFETY: the promise of the header.
+    let weights = unsafe { memory(weights, entries) };
+    code(resampling::systematic(weights, copies, word), drop)
+}
+
+#[unsafe(export_name = "mw_resample_residual")]
+unsafe extern "C" fn residual(weights: *mut u32, entries: usize, copies: u32, word: u32) -> Code {
+    // SAFETY: the promise of the header.
+    let weights = unsafe { memory(weights, entries) };
+    code(resampling::residual(weights, copies, word), drop)
+}

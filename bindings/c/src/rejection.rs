@@ -1,0 +1,180 @@
+//! Rejection sampling within a budget of tries: ziggurats, disk and ball, counts, and callbacks of the caller.
+
+use crate::error::{Code, OK, code};
+use crate::generators::{Pcg32, Source};
+use crate::value::Value;
+use crate::warps::{Given, InMemory, as_declared};
+use core::ffi::c_void;
+use core_crate::rejection::{
+    self, Accepted, Bounded, Failure, Region, Rejection, ZigguratExponential, ZigguratNormal,
+    ZigguratStandardExponential, ZigguratStandardNormal, budget_for,
+};
+use core_crate::warp::{Aabb, Interval};
+use core_crate::{Error, fixed, poly};
+
+/// A drawn point, and the tries where the caller wants them.
+///
+/// # Safety
+/// The point is valid for writes, and the tries are or are null.
+#[inline]
+unsafe fn drawn<P: Value, E: Into<Code>>(
+    result: Result<Accepted<P>, Failure<E>>,
+    point: *mut P::C,
+    tries: *mut u32,
+) -> Code {
+    // SAFETY: the caller's promise.
+    let count = |of: u32| unsafe {
+        if !tries.is_null() {
+            tries.write(of);
+        }
+    };
+    match result {
+        Ok(accepted) => {
+            count(accepted.tries);
+            // SAFETY: the caller's promise.
+            unsafe { point.write(accepted.point.to_c()) };
+            OK
+        }
+        Err(failure) => {
+            if let Failure::BudgetSpent { tries } = failure {
+                count(tries);
+            }
+            failure.into()
+        }
+    }
+}
+
+macro_rules! samplers {
+    ($($name:literal $sampler:ty, $point:ty;)*) => {$(
+        const _: () = {
+            const _: () = as_declared::<$sampler>(&["mw_", $name]);
+
+            #[unsafe(export_name = concat!("mw_", $name, "_set_budget"))]
+            extern "C" fn set_budget(sampler: &mut $sampler, budget: u32) -> Code {
+                code(sampler.with_budget(budget), |made| *sampler = made)
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_draw"))]
+            unsafe extern "C" fn draw(
+                sampler: &$sampler, rng: &mut Pcg32, point: *mut InMemory<$point>, tries: *mut u32,
+            ) -> Code {
+                // SAFETY: the promise of the header.
+                unsafe { drawn(sampler.try_draw(rng), point, tries) }
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_draw_from"))]
+            unsafe extern "C" fn draw_from(
+                sampler: &$sampler, source: &Source, point: *mut InMemory<$point>, tries: *mut u32,
+            ) -> Code {
+                // SAFETY: the promise of the header.
+                unsafe { drawn(sampler.try_draw(&mut { *source }), point, tries) }
+            }
+        };
+    )*};
+}
+
+samplers! {
+    "ziggurat_standard_normal" ZigguratStandardNormal, f32;
+    "ziggurat_normal" ZigguratNormal, f32;
+    "ziggurat_standard_exponential" ZigguratStandardExponential, f32;
+    "ziggurat_exponential" ZigguratExponential, f32;
+    "disk_rejection" rejection::DiskRejection, [f32; 2];
+    "ball_rejection" rejection::BallRejection, [f32; 3];
+    "poisson_rejection" poly::PoissonRejection, u32;
+    "fixed_disk_rejection" fixed::DiskRejection, [fixed::Coordinate; 2];
+    "fixed_disk_rejection_16" fixed::DiskRejection16, [fixed::Coordinate; 2];
+}
+
+macro_rules! inits {
+    ($($name:literal $sampler:ty, ($($parameter:ident),*) $made:expr;)*) => {$(
+        const _: () = {
+            #[unsafe(export_name = concat!("mw_", $name))]
+            unsafe extern "C" fn init(sampler: *mut $sampler, $($parameter: f32),*) -> Code {
+                let made: Result<$sampler, Error> = $made;
+                // SAFETY: the promise of the header.
+                code(made, |made| unsafe { sampler.write(made) })
+            }
+        };
+    )*};
+}
+
+inits! {
+    "ziggurat_standard_normal_init" ZigguratStandardNormal, () Ok(Default::default());
+    "ziggurat_standard_exponential_init" ZigguratStandardExponential, () Ok(Default::default());
+    "disk_rejection_init" rejection::DiskRejection, () Ok(Default::default());
+    "ball_rejection_init" rejection::BallRejection, () Ok(Default::default());
+    "fixed_disk_rejection_init" fixed::DiskRejection, () Ok(Default::default());
+    "fixed_disk_rejection_16_init" fixed::DiskRejection16, () Ok(Default::default());
+    "ziggurat_normal_init" ZigguratNormal, (mean, std_dev) ZigguratNormal::new(mean, std_dev);
+    "ziggurat_exponential_init" ZigguratExponential, (rate) ZigguratExponential::from_rate(rate);
+    "ziggurat_exponential_init_from_mean" ZigguratExponential, (mean) ZigguratExponential::from_mean(mean);
+    "poisson_rejection_init" poly::PoissonRejection, (mean) poly::PoissonRejection::new(mean);
+}
+
+#[unsafe(export_name = "mw_budget_for")]
+extern "C" fn budget(efficiency: f32, budget: &mut u32) -> Code {
+    code(budget_for(efficiency), |tries| *budget = tries)
+}
+
+/// `mw_region_*` and `mw_density_*`: callbacks with their context.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct Callback<P: Value, T> {
+    call: unsafe extern "C" fn(*mut c_void, Given<P>) -> T,
+    context: *mut c_void,
+}
+
+impl<P: Value, T> Callback<P, T> {
+    /// # Safety
+    /// The caller of the library promises a function that takes this context.
+    #[inline]
+    pub unsafe fn of(&self, point: P) -> T {
+        // SAFETY: the promise above.
+        unsafe { (self.call)(self.context, P::given(&point.to_c())) }
+    }
+}
+
+/// The domains from which callbacks choose: an interval and boxes.
+macro_rules! callbacks {
+    ($($region:literal $bounded:literal $domain:ty, $point:ty;)*) => {$(
+        const _: () = {
+            type Inside = Callback<$point, bool>;
+            type Density = Callback<$point, f32>;
+
+            #[unsafe(export_name = concat!("mw_", $region, "_draw"))]
+            unsafe extern "C" fn region(
+                domain: &$domain, inside: &Inside, budget: u32, rng: &mut Pcg32,
+                point: *mut $point, tries: *mut u32,
+            ) -> Code {
+                // SAFETY: the promise of the header.
+                let inside = |x: $point| unsafe { inside.of(x) };
+                match Region::new(domain, inside).with_budget(budget) {
+                    // SAFETY: the promise of the header.
+                    Ok(sampler) => unsafe { drawn(sampler.try_draw(rng), point, tries) },
+                    Err(error) => error.into(),
+                }
+            }
+
+            #[unsafe(export_name = concat!("mw_", $bounded, "_draw"))]
+            unsafe extern "C" fn bounded(
+                domain: &$domain, density: &Density, bound: f32, budget: u32, rng: &mut Pcg32,
+                point: *mut $point, tries: *mut u32,
+            ) -> Code {
+                // SAFETY: the promise of the header.
+                let density = |x: $point| unsafe { density.of(x) };
+                let sampler = Bounded::new(domain, density, bound);
+                match sampler.and_then(|sampler| sampler.with_budget(budget)) {
+                    // SAFETY: the promise of the header.
+                    Ok(sampler) => unsafe { drawn(sampler.try_draw(rng), point, tries) },
+                    Err(error) => error.into(),
+                }
+            }
+        };
+    )*};
+}
+
+callbacks! {
+    "region_1d" "bounded_1d" Interval, f32;
+    "region_2d" "bounded_2d" Aabb<2>, [f32; 2];
+    "region_3d" "bounded_3d" Aabb<3>, [f32; 3];
+}
