@@ -213,7 +213,7 @@ static mw_error fixed_disk(int input)
 static mw_error compact_phong_lobe(int input)
 {
     mw_compact_phong_lobe lobe;
-    mw_error error = mw_compact_phong_lobe_init(&lobe, 50);
+    mw_error error = mw_compact_phong_lobe_init(&lobe, UINT64_C(50) << 32);
     if (error != MW_OK) {
         return error;
     }

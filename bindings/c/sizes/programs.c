@@ -67,6 +67,18 @@ static int phong_lobe(void)
     return 0;
 }
 
+/* 1, 2, 3 and 4 of 10. */
+static const uint32_t entries[4] = {0x1999999a, 0x4ccccccd, 0x9999999a, 0xffffffff};
+
+static int cdf(void)
+{
+    mw_pcg32 rng;
+    mw_pcg32_init(&rng, seed, 54);
+    const mw_cdf table = MW_CDF(entries);
+    words[0] = (uint32_t)mw_cdf_draw_index(&table, &rng);
+    return 0;
+}
+
 static int fixed_disk(void)
 {
     mw_pcg32 rng;

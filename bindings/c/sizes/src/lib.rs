@@ -1,7 +1,8 @@
-//! Programs of one sampler each, the same as in `programs.c`. A feature picks one.
+//! Programs of one sampler each, the same as in `programs.c`; a feature picks one.
 #![no_std]
 
 use core::ptr::{read_volatile, write_volatile};
+use microwarp::discrete::Cdf;
 use microwarp::{Error, Warp, fixed as integers, poly};
 use rand_pcg::Pcg32;
 
@@ -58,6 +59,17 @@ fn phong_lobe() -> Result<(), Error> {
     Ok(())
 }
 
+/// A table that the compiler builds.
+static TABLE: Cdf<[u32; 4]> = match Cdf::new(&[1.0, 2.0, 3.0, 4.0]) {
+    Ok(table) => table,
+    Err(_) => panic!("weights"),
+};
+
+fn cdf() -> Result<(), Error> {
+    volatile!(WORDS[0] = TABLE.draw_index(&mut generator()) as u32);
+    Ok(())
+}
+
 fn fixed_disk() -> Result<(), Error> {
     let [x, y] = integers::Disk::new().draw(&mut generator());
     volatile!(WORDS[0] = x.to_bits() as u32);
@@ -90,6 +102,7 @@ main_of! {
     "exponential" exponential,
     "normal_pair" normal_pair,
     "phong_lobe" phong_lobe,
+    "cdf" cdf,
     "fixed_disk" fixed_disk,
     "fixed_exponential" fixed_exponential,
 }

@@ -4,11 +4,13 @@
 //! linked probe DIRECTORY...             the programs of tests/probe, in the directory of each target
 //! linked sizes [--write] TARGET=COMPILER...    in target/sizes: see .ci/sizes
 //! linked firmware [--write] COMPILER    in target/firmware: see examples/firmware/check
+//! linked c [--write] TARGET=COMPILER...    in target/c: see bindings/c/check
 //! linked bytes FILE SECTION...          their bytes together
 //! ```
 //!
 //! The scripts that link call this; each check is tried on something that it must refuse.
 
+mod c;
 mod firmware;
 mod forbidden;
 mod image;
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
         ["probe", directories @ ..] if !directories.is_empty() => probe::check(directories),
         ["sizes", targets @ ..] if !targets.is_empty() => sizes::check(targets, write),
         ["firmware", compiler] => firmware::check(compiler, write),
+        ["c", targets @ ..] if !targets.is_empty() => c::check(targets, write),
         ["bytes", file, sections @ ..] => bytes(Path::new(file), sections),
         _ => Err(format!(
             "what to read: {args:?}? The head of linked/main.rs says"
