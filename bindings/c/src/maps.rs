@@ -40,13 +40,15 @@ maps! {
 macro_rules! makers {
     ($($name:literal $warp:ty, ($($parameter:ident: $type:ty),*) $made:block)*) => {$(
         const _: () = {
+            unsafe fn made($($parameter: $type),*) -> Result<$warp, Error> {
+                // SAFETY: the promise of the header.
+                unsafe { $made }
+            }
+
             #[unsafe(export_name = concat!("mw_", $name))]
             unsafe extern "C" fn make(warp: *mut $warp, $($parameter: $type),*) -> Code {
                 // SAFETY: the promise of the header.
-                unsafe {
-                    let made = (|| -> Result<$warp, Error> { $made })();
-                    code(made, |made| warp.write(made))
-                }
+                unsafe { code(made($($parameter),*), |made| warp.write(made)) }
             }
         };
     )*};

@@ -7,6 +7,8 @@ mod comments;
 mod form;
 mod golden;
 mod header;
+mod hostile;
 
 pub use golden::golden;
 pub use header::{HEADER, LAYOUT, header, layout};
+pub use hostile::hostile;

@@ -1,4 +1,5 @@
-//! Prints a part of the C interface: `capi header`, `capi layout`, `capi golden`.
+//! Prints a part of the C interface: `capi header`, `capi layout`, `capi golden`,
+//! `capi hostile`.
 
 use microwarp_upkeep::{Outcome, capi, end};
 use std::process::ExitCode;
@@ -13,7 +14,8 @@ fn run() -> Outcome {
         "header" => capi::header()?,
         "layout" => capi::layout(),
         "golden" => capi::golden(),
-        _ => return Err("name a part: header, layout or golden".into()),
+        "hostile" => capi::hostile(),
+        _ => return Err("name a part: header, layout, golden or hostile".into()),
     };
     print!("{text}");
     Ok(())

@@ -175,6 +175,13 @@ pub fn tables() -> Vec<Bound> {
     }
 }
 
+/// All that have functions.
+pub fn every() -> Vec<Bound> {
+    let blocks = [poly(), fine(), plain(), coarse(), compact()];
+    let bound = blocks.into_iter().flatten().flat_map(|block| block.bound);
+    bound.chain(tables()).collect()
+}
+
 macro_rules! structs {
     ($($name:literal $type:ty;)*) => {
         vec![$((concat!("mw_", $name), stored::<$type>(0))),*]

@@ -54,16 +54,20 @@ impl Form {
 
     /// Its numbers by their places, `name[0]` or `name.rest`, with their types and their indices in their arrays.
     pub fn places(&self, name: &str) -> Vec<(String, &str, usize)> {
-        let fields = self.fields.iter();
-        let fields = fields.flat_map(|(field, form)| form.places(&format!("{name}.{field}")));
-        match self.lengths[..] {
-            [] if self.is_struct() => fields.map(|(place, base, i)| (place, base, i)).collect(),
-            [] => vec![(name.into(), &self.base, 0)],
-            [length] => (0..length)
-                .map(|i| (format!("{name}[{i}]"), &*self.base, i))
-                .collect(),
-            _ => unreachable!("no point is an array of arrays"),
+        if self.is_struct() {
+            let fields = self.fields.iter();
+            let fields = fields.map(|(field, form)| form.places(&format!("{name}.{field}")));
+            return fields.flatten().collect();
         }
+        let mut places = vec![(name.to_owned(), &*self.base, 0)];
+        for &length in &self.lengths {
+            let inner = |(place, base, _): &(String, _, _)| {
+                let (place, base) = (place.clone(), *base);
+                (0..length).map(move |i| (format!("{place}[{i}]"), base, i))
+            };
+            places = places.iter().flat_map(inner).collect();
+        }
+        places
     }
 
     /// As an argument that is read.

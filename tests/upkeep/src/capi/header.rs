@@ -92,7 +92,7 @@ fn expanded(template: &str) -> Outcome<String> {
 
 /// The sizes and alignments of all structs of warps.
 pub fn layout() -> String {
-    let warps = every().into_iter().filter(Bound::is_stored);
+    let warps = bound::every().into_iter().filter(Bound::is_stored);
     let warps = warps.map(|warp| (warp.symbol(), warp.stored));
     let structs = bound::structs()
         .into_iter()
@@ -109,15 +109,6 @@ pub fn layout() -> String {
          pub const LAYOUT: &[(&str, usize, usize, usize)] = &[\n{}];\n",
         rows.collect::<String>()
     )
-}
-
-fn every() -> Vec<Bound> {
-    let sections = [&POLY].into_iter().chain(&FIXED);
-    sections
-        .flat_map(|section| section.0())
-        .flat_map(|block| block.bound)
-        .chain(bound::tables())
-        .collect()
 }
 
 /// The variants of `Error` with their numbers, from its source.

@@ -227,22 +227,30 @@ fn capi(check: bool) -> Outcome {
         (capi::HEADER, capi::header()?),
         (capi::LAYOUT, capi::layout()),
     ] {
-        if !check {
+        let changed = text.replacen("mw_disk", "mw_disc", 1);
+        if changed == text || same(path, &changed, &text).is_ok() {
+            return Err(format!("control: a changed line of {path} passes"));
+        }
+        if check {
+            same(path, &read(path)?, &text)?;
+        } else {
             write(path, &text)?;
-            continue;
-        }
-        let old = read(path)?;
-        let mut lines = old.lines().zip(text.lines()).enumerate();
-        if let Some((i, (is, should))) = lines.find(|(_, (is, should))| is != should) {
-            return Err(format!("{path}:{}:\n- {is}\n+ {should}", i + 1));
-        }
-        if old != text {
-            return Err(format!(
-                "{path} is longer or shorter than what is made of the sources"
-            ));
         }
     }
     Ok(())
+}
+
+/// Fails at the first line that is another.
+fn same(path: &str, is: &str, should: &str) -> Outcome {
+    let mut lines = is.lines().zip(should.lines()).enumerate();
+    if let Some((i, (is, should))) = lines.find(|(_, (is, should))| is != should) {
+        return Err(format!("{path}:{}:\n- {is}\n+ {should}", i + 1));
+    }
+    if is == should {
+        Ok(())
+    } else {
+        Err(format!("{path} is longer or shorter than what is made"))
+    }
 }
 
 /// The same seed gives the same picture.

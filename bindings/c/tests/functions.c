@@ -1,0 +1,617 @@
+/*
+ * What is no warp: errors, tables, counts, rejection, estimators, chains and points. Each is tried
+ * on something that works, with results that are known without the library, and on bad input.
+ */
+#include "check.h"
+
+static mw_pcg32 seeded(uint64_t seed)
+{
+    mw_pcg32 rng;
+    mw_pcg32_init(&rng, seed, 54);
+    return rng;
+}
+
+static bool near(double x, double expected, double within)
+{
+    return fabs(x - expected) <= within;
+}
+
+static void errors_have_texts(void)
+{
+    static const mw_error known[] = {
+        MW_OK, MW_NOT_FINITE, MW_REVERSED, MW_EMPTY, MW_TOO_LARGE, MW_NOT_POSITIVE, MW_NEGATIVE,
+        MW_OUT_OF_RANGE, MW_NOT_NORMALIZABLE, MW_ZERO_LENGTH, MW_NO_WEIGHTS, MW_TOO_MANY_WEIGHTS,
+        MW_NOT_FINITE_WEIGHT, MW_NEGATIVE_WEIGHT, MW_ALL_ZERO, MW_UNREACHABLE, MW_NOT_A_TABLE,
+        MW_SOURCE_FAILED, MW_BUDGET_SPENT, MW_BOUND_EXCEEDED, MW_BAD_DENSITY,
+    };
+    const char *unknown = mw_error_text((mw_error)999);
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        CHECK(strcmp(mw_error_text(known[i]), unknown) != 0);
+    /* None is missing above: no other number below the library's own has a text. */
+    for (int code = 0; code < 999; code++)
+        CHECK((strcmp(mw_error_text((mw_error)code), unknown) == 0) == (code > 16));
+    CHECK(MW_NOT_POSITIVE == 5 && MW_NEGATIVE_WEIGHT == 13);
+}
+
+/* The reference output of PCG32 with seed 42 and stream 54, by its author. */
+static void pcg32_is_the_published_one(void)
+{
+    static const uint32_t published[] = {0xa15c02b7, 0x7b47f409, 0xba1d3330,
+                                         0x83d2f293, 0xbfa4784b, 0xcbed606e};
+    mw_pcg32 rng = seeded(42);
+    for (size_t i = 0; i < 6; i++)
+        CHECK(mw_pcg32_next(&rng) == published[i]);
+}
+
+enum { ENTRIES = 5 };
+static const float weights[ENTRIES] = {0.0f, 1.0f, 2.0f, 0.0f, 5.0f};
+
+/* In flash: the words of the weights 1, 0, 3. */
+static const uint32_t words_in_flash[] = {0x40000000, 0x40000000, 0xffffffff};
+static const mw_cdf table_in_flash = MW_CDF(words_in_flash);
+
+static void tables_select(void)
+{
+    uint32_t words[ENTRIES];
+    mw_alias_bin bins[8];
+    mw_cdf cdf;
+    mw_alias alias;
+    CHECK(mw_cdf_build(weights, ENTRIES, words) == MW_OK);
+    CHECK(mw_cdf_init(&cdf, words, ENTRIES) == MW_OK);
+    CHECK(mw_alias_build(weights, ENTRIES, bins) == MW_OK);
+    CHECK(mw_alias_init(&alias, bins, ENTRIES) == MW_OK);
+    int counts[2][ENTRIES] = {{0}, {0}};
+    mw_pcg32 rng = seeded(1);
+    mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
+    for (int i = 0; i < 80000; i++) {
+        counts[0][mw_cdf_draw(&cdf, &rng).index]++;
+        counts[1][mw_alias_draw_index(&alias, &rng)]++;
+    }
+    for (int i = 0; i < ENTRIES; i++) {
+        float p = weights[i] / 8.0f;
+        CHECK(mw_cdf_pmf(&cdf, (size_t)i) == p && mw_alias_pmf(&alias, (size_t)i) == p);
+        for (int table = 0; table < 2; table++)
+            CHECK(near(counts[table][i], 80000.0 * (double)p, p > 0.0f ? 700.0 : 0.0));
+    }
+    mw_selection chosen = mw_cdf_select(&cdf, 0x20000000);
+    CHECK(chosen.index == 2 && chosen.pmf == 0.25f && chosen.leftover == 0.0f);
+    chosen = mw_cdf_select_uniform(&cdf, 0.0f);
+    CHECK(chosen.index == 1 && chosen.pmf == 0.125f);
+    mw_exact_selection exact = mw_cdf_select_exact(&cdf, 0xffffffff);
+    CHECK(exact.index == 4 && exact.numerator == (uint64_t)5 << 29);
+    exact = mw_alias_select_exact(&alias, 0);
+    CHECK(exact.numerator > 0 && mw_alias_select(&alias, 0).index == exact.index);
+    chosen.index = 77;
+    CHECK(mw_cdf_draw_from(&cdf, &dry, &chosen) == MW_SOURCE_FAILED && chosen.index == 77);
+    CHECK(mw_alias_draw_from(&alias, &source, &chosen) == MW_OK && chosen.index < ENTRIES);
+    CHECK(mw_alias_select_uniform(&alias, NAN).index < ENTRIES);
+
+    CHECK(mw_cdf_pmf(&table_in_flash, 0) == 0.25f && mw_cdf_pmf(&table_in_flash, 2) == 0.75f);
+    CHECK(mw_cdf_select(&table_in_flash, 0x40000000).index == 2);
+    CHECK(mw_cdf_draw_index(&table_in_flash, &rng) != 1);
+}
+
+static void tables_refuse(void)
+{
+    uint32_t words[ENTRIES] = {7, 7, 7, 7, 7};
+    mw_alias_bin bins[8] = {{7, 7, 7}};
+    mw_cdf cdf = {words, 1};
+    mw_alias alias = {bins, 1};
+    static const struct {
+        float weights[3];
+        size_t entries;
+        mw_error error;
+    } bad[] = {
+        {{1.0f, -1.0f, 1.0f}, 3, MW_NEGATIVE_WEIGHT}, {{1.0f, 1.0f, NAN}, 3, MW_NOT_FINITE_WEIGHT},
+        {{INFINITY, 1.0f, 1.0f}, 3, MW_NOT_FINITE_WEIGHT}, {{0.0f, 0.0f, 0.0f}, 3, MW_ALL_ZERO},
+        {{1.0f, 1.0f, 1.0f}, 0, MW_NO_WEIGHTS},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        CHECK(mw_cdf_build(bad[i].weights, bad[i].entries, words) == bad[i].error && words[0] == 7);
+        CHECK(mw_alias_build(bad[i].weights, bad[i].entries, bins) == bad[i].error);
+        CHECK(bins[0].threshold == 7);
+    }
+    static const uint32_t none[3] = {0, 0, 0};
+    CHECK(mw_cdf_build_integers(none, 3, words) == MW_ALL_ZERO);
+    CHECK(mw_alias_build_integers(none, 3, bins) == MW_ALL_ZERO);
+    CHECK(mw_cdf_build_integers(NULL, 0, NULL) == MW_NO_WEIGHTS);
+    CHECK(mw_alias_build_integers(NULL, 0, NULL) == MW_NO_WEIGHTS);
+    static const uint32_t falling[3] = {9, 8, UINT32_MAX};
+    CHECK(mw_cdf_init(&cdf, falling, 3) == MW_NOT_A_TABLE && cdf.words == words);
+    CHECK(mw_cdf_init(&cdf, falling, 0) == MW_NO_WEIGHTS);
+    static const mw_alias_bin wild[2] = {{5, 6, 99}, {0, 0, 0}};
+    CHECK(mw_alias_init(&alias, wild, 2) == MW_NOT_A_TABLE && alias.bins == bins);
+    CHECK(mw_alias_init(&alias, wild, 0) == MW_NO_WEIGHTS);
+    CHECK(mw_alias_init(&alias, wild, SIZE_MAX) == MW_TOO_MANY_WEIGHTS);
+    mw_selection chosen;
+    CHECK(mw_select_once(weights, ENTRIES, 0, &chosen) == MW_OK && chosen.index == 1);
+    CHECK(mw_select_once_uniform(weights, ENTRIES, 0.99f, &chosen) == MW_OK && chosen.index == 4);
+    CHECK(mw_select_once(weights, 0, 0, &chosen) == MW_NO_WEIGHTS && chosen.index == 4);
+    CHECK(mw_select_once_uniform(weights, 0, 0.5f, &chosen) == MW_NO_WEIGHTS);
+}
+
+static void maps_are_warps(void)
+{
+    uint32_t words[ENTRIES], marginal[2], conditional[6];
+    mw_piecewise_constant_1d cells, again;
+    CHECK(mw_piecewise_constant_1d_build(&cells, weights, ENTRIES, 0.0f, 5.0f, words) == MW_OK);
+    CHECK(mw_piecewise_constant_1d_pdf(&cells, 4.5f) == 0.625f);
+    CHECK(mw_piecewise_constant_1d_pdf(&cells, 3.5f) == 0.0f);
+    CHECK(mw_piecewise_constant_1d_init(&again, words, ENTRIES, 0.0f, 5.0f) == MW_OK);
+    float x = mw_piecewise_constant_1d_sample(&again, 0.5f);
+    CHECK(x >= 4.0f && x < 5.0f && x == mw_piecewise_constant_1d_sample(&cells, 0.5f));
+    CHECK(near((double)mw_piecewise_constant_1d_invert(&cells, x), 0.5, 1e-6));
+    CHECK(mw_piecewise_constant_1d_init_trusted(&again, words, ENTRIES, 1.0f, 0.0f) == MW_REVERSED);
+    CHECK(mw_piecewise_constant_1d_init_trusted(&again, words, ENTRIES, 0.0f, 5.0f) == MW_OK);
+    CHECK(mw_piecewise_constant_1d_build(&cells, weights, ENTRIES, 0, NAN, words) == MW_NOT_FINITE);
+    words[1] = 0xffffff;
+    words[2] = 1;
+    CHECK(mw_piecewise_constant_1d_init(&again, words, ENTRIES, 0.0f, 5.0f) == MW_NOT_A_TABLE);
+
+    mw_piecewise_linear_1d curve;
+    static const float ramp[3] = {0.0f, 1.0f, 0.0f};
+    CHECK(mw_piecewise_linear_1d_build(&curve, ramp, 3, -1.0f, 1.0f, words) == MW_OK);
+    CHECK(near((double)mw_piecewise_linear_1d_pdf(&curve, 0.0f), 1.0, 1e-6));
+    CHECK(mw_piecewise_linear_1d_init(&curve, words, ramp, 3, -1.0f, 1.0f) == MW_OK);
+    CHECK(near((double)mw_piecewise_linear_1d_sample(&curve, 0.5f), 0.0, 1e-6));
+    static const float negative[3] = {0.0f, -1.0f, 0.0f};
+    CHECK(mw_piecewise_linear_1d_init(&curve, words, negative, 3, 0, 1) == MW_NEGATIVE_WEIGHT);
+    CHECK(mw_piecewise_linear_1d_build(&curve, negative, 3, 0, 1, words) == MW_NEGATIVE_WEIGHT);
+
+    mw_piecewise_constant_2d picture;
+    static const float pixels[6] = {0, 1, 0, 1, 2, 0}, u[2] = {0, 3}, v[2] = {0, 2};
+    float point[2], uniforms[2] = {0.9f, 0.9f};
+    CHECK(mw_piecewise_constant_2d_build(&picture, pixels, 3, 2, u, v, marginal, conditional) == MW_OK);
+    static const float corner[2] = {1.5f, 1.5f};
+    CHECK(mw_piecewise_constant_2d_pdf(&picture, corner) == 0.5f);
+    mw_piecewise_constant_2d_sample(&picture, uniforms, point);
+    CHECK(mw_piecewise_constant_2d_pdf(&picture, point) > 0.0f);
+    mw_piecewise_constant_2d_invert(&picture, point, point);
+    CHECK(near((double)point[0], 0.9, 1e-5) && near((double)point[1], 0.9, 1e-5));
+    CHECK(mw_piecewise_constant_2d_init(&picture, marginal, conditional, 3, 2, u, v) == MW_OK);
+    CHECK(mw_piecewise_constant_2d_init_trusted(&picture, marginal, conditional, 3, 2, v, u) == MW_OK);
+    CHECK(mw_piecewise_constant_2d_init(&picture, marginal, conditional, SIZE_MAX, 2, u, v) ==
+          MW_TOO_MANY_WEIGHTS);
+    CHECK(mw_piecewise_constant_2d_build(&picture, pixels, 0, 2, u, v, marginal, conditional) != MW_OK);
+
+    mw_lat_long_map sky;
+    CHECK(mw_lat_long_map_build(&sky, pixels, 3, 2, marginal, conditional) == MW_OK);
+    mw_pcg32 rng = seeded(3);
+    for (int i = 0; i < 100; i++) {
+        mw_pixel_sample seen = mw_lat_long_map_draw_pixel(&sky, &rng);
+        CHECK(seen.pixel[0] < 2 && seen.pixel[1] < 2 && seen.pdf > 0.0f);
+        CHECK(near((double)mw_lat_long_map_pdf(&sky, seen.direction), (double)seen.pdf,
+                   1e-5 * (double)seen.pdf));
+    }
+    CHECK(mw_lat_long_map_sample_pixel(&sky, uniforms).pdf > 0.0f);
+    CHECK(mw_lat_long_map_init(&sky, marginal, conditional, 3, 2) == MW_OK);
+    CHECK(mw_lat_long_map_init_trusted(&sky, marginal, conditional, 0, 2) == MW_NO_WEIGHTS);
+
+    static const float vertices[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    static const uint32_t faces[2][3] = {{0, 1, 2}, {1, 3, 2}};
+    static const uint16_t short_faces[2][3] = {{0, 1, 2}, {1, 3, 2}}, beyond[1][3] = {{0, 1, 4}};
+    mw_mesh mesh;
+    mw_mesh_u16 short_mesh;
+    mw_mesh_point on, on_short;
+    float areas[2];
+    CHECK(mw_mesh_build(&mesh, vertices, 4, faces, 2, areas, words) == MW_OK && areas[1] == 0.5f);
+    mw_mesh_sample(&mesh, uniforms, &on);
+    CHECK(on.triangle == 1 && mw_mesh_pdf(&mesh, &on) == 1.0f && on.position[2] == 0.0f);
+    CHECK(mw_mesh_init(&mesh, vertices, 4, faces, 2, areas, words) == MW_OK);
+    CHECK(mw_mesh_init_trusted(&mesh, vertices, 4, faces, 2, areas, words) == MW_OK);
+    CHECK(mw_mesh_u16_build(&short_mesh, vertices, 4, short_faces, 2, areas, words) == MW_OK);
+    mw_mesh_u16_sample(&short_mesh, uniforms, &on_short);
+    CHECK(memcmp(&on, &on_short, sizeof on) == 0);
+    CHECK(mw_mesh_u16_build(&short_mesh, vertices, 4, beyond, 1, areas, words) == MW_OUT_OF_RANGE);
+    CHECK(mw_mesh_u16_init(&short_mesh, vertices, 4, beyond, 1, areas, words) != MW_OK);
+    CHECK(mw_mesh_u16_init_trusted(&short_mesh, vertices, 4, short_faces, 0, areas, words) != MW_OK);
+}
+
+static void counts_are_drawn(void)
+{
+    mw_geometric coin;
+    mw_poisson events;
+    mw_poisson_rejection many;
+    mw_moments sums[3];
+    mw_pcg32 rng = seeded(4);
+    mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
+    CHECK(mw_geometric_init(&coin, 0.25f) == MW_OK);
+    CHECK(mw_poisson_init_from_ratio(&events, 7, 2) == MW_OK);
+    CHECK(mw_poisson_rejection_init(&many, 100.0f) == MW_OK);
+    for (int i = 0; i < 3; i++)
+        mw_moments_init(&sums[i]);
+    for (int i = 0; i < 40000; i++) {
+        uint32_t count, tries;
+        mw_moments_push(&sums[0], (float)mw_geometric_draw(&coin, &rng));
+        CHECK(mw_poisson_draw_from(&events, &source, &count) == MW_OK);
+        mw_moments_push(&sums[1], (float)count);
+        CHECK(mw_poisson_rejection_draw(&many, &rng, &count, &tries) == MW_OK && tries >= 1);
+        mw_moments_push(&sums[2], (float)count);
+    }
+    static const double means[3] = {3.0, 3.5, 100.0}, variances[3] = {12.0, 3.5, 100.0};
+    for (int i = 0; i < 3; i++) {
+        float mean, variance, error;
+        CHECK(mw_moments_mean(&sums[i], &mean) && mw_moments_variance(&sums[i], &variance));
+        CHECK(mw_moments_standard_error(&sums[i], &error));
+        CHECK(near((double)mean, means[i], 5.0 * (double)error));
+        CHECK(near((double)variance, variances[i], 0.1 * variances[i]));
+    }
+    CHECK(mw_geometric_pmf(&coin, 1) == 0.1875f && mw_geometric_count(&coin, 0) == 0);
+    CHECK(near((double)mw_poisson_pmf(&events, 3), exp(-3.5) * 3.5 * 3.5 * 3.5 / 6.0, 1e-7));
+    CHECK(mw_poisson_sample(&events, NAN) == 0 && mw_poisson_count(&events, 0) == 0);
+    uint32_t count = 77;
+    CHECK(mw_geometric_draw_from(&coin, &dry, &count) == MW_SOURCE_FAILED && count == 77);
+    CHECK(mw_geometric_init(&coin, 0.0f) != MW_OK && mw_geometric_init(&coin, NAN) == MW_NOT_FINITE);
+    CHECK(mw_geometric_init_from_ratio(&coin, 3, 2) != MW_OK);
+    CHECK(mw_geometric_init_from_ratio(&coin, 0, 0) != MW_OK);
+    CHECK(mw_poisson_init(&events, -1.0f) != MW_OK && mw_poisson_init(&events, INFINITY) != MW_OK);
+    CHECK(mw_poisson_init_from_ratio(&events, 1, 0) != MW_OK);
+    CHECK(mw_poisson_rejection_init(&many, 1.0f) == MW_OUT_OF_RANGE);
+    CHECK(mw_poisson_rejection_set_budget(&many, 0) == MW_NOT_POSITIVE);
+    CHECK(mw_poisson_rejection_draw_from(&many, &dry, &count, NULL) == MW_SOURCE_FAILED);
+    CHECK(mw_geometric_sample(&coin, 0.0f) == 0);
+}
+
+static void resampling_keeps_its_shares(void)
+{
+    uint32_t integers[ENTRIES], copies[ENTRIES];
+    CHECK(mw_resample_to_integers(weights, ENTRIES, integers) == MW_OK);
+    for (int residual = 0; residual < 2; residual++) {
+        memcpy(copies, integers, sizeof copies);
+        mw_error error = residual ? mw_resample_residual(copies, ENTRIES, 80, 12345)
+                                  : mw_resample_systematic(copies, ENTRIES, 80, 12345);
+        CHECK(error == MW_OK);
+        uint32_t sum = 0;
+        for (int i = 0; i < ENTRIES; i++) {
+            CHECK(near(copies[i], 10.0 * (double)weights[i], weights[i] > 0.0f ? 1.0 : 0.0));
+            sum += copies[i];
+        }
+        CHECK(sum == 80);
+    }
+    static const float bad[2] = {1.0f, -1.0f};
+    uint32_t zeros[2] = {0, 0};
+    CHECK(mw_resample_to_integers(bad, 2, zeros) == MW_NEGATIVE_WEIGHT);
+    CHECK(mw_resample_systematic(zeros, 2, 8, 0) == MW_ALL_ZERO);
+    CHECK(mw_resample_residual(zeros, 0, 8, 0) == MW_NO_WEIGHTS);
+
+    mw_reservoir reservoir;
+    mw_pcg32 rng = seeded(5);
+    int kept[3] = {0, 0, 0};
+    for (int run = 0; run < 8000; run++) {
+        bool taken;
+        uint32_t item = 9;
+        mw_reservoir_init(&reservoir);
+        CHECK(!mw_reservoir_item(&reservoir, &item) && item == 9);
+        for (uint32_t i = 0; i < 3; i++)
+            CHECK(mw_reservoir_offer(&reservoir, i, weights[i], &rng, &taken) == MW_OK);
+        CHECK(mw_reservoir_item(&reservoir, &item) && item < 3);
+        kept[item]++;
+    }
+    CHECK(kept[0] == 0 && near(kept[1], 8000.0 / 3.0, 250.0));
+    CHECK(near((double)mw_reservoir_pmf(&reservoir), 0.5, 0.17));
+    bool taken = true;
+    CHECK(mw_reservoir_offer(&reservoir, 1, NAN, &rng, &taken) != MW_OK && taken);
+}
+
+static bool in_disk(void *context, const float x[2])
+{
+    ++*(int *)context;
+    return x[0] * x[0] + x[1] * x[1] < 1.0f;
+}
+
+static bool nowhere(void *context, float x)
+{
+    (void)context;
+    return x > 2.0f;
+}
+
+static bool in_ball(void *context, const float x[3])
+{
+    (void)context;
+    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < 1.0f;
+}
+
+static float twice(void *context, float x)
+{
+    (void)context;
+    return 2.0f * x;
+}
+
+static float constant(void *context, const float *x)
+{
+    (void)x;
+    return *(float *)context;
+}
+
+static void rejection_ends(void)
+{
+    mw_pcg32 rng = seeded(6);
+    mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
+    mw_moments sums[4];
+    for (int i = 0; i < 4; i++)
+        mw_moments_init(&sums[i]);
+    mw_ziggurat_standard_normal a;
+    mw_ziggurat_normal b;
+    mw_ziggurat_standard_exponential c;
+    mw_ziggurat_exponential d;
+    CHECK(mw_ziggurat_standard_normal_init(&a) == MW_OK && mw_ziggurat_normal_init(&b, 5, 2) == MW_OK);
+    CHECK(mw_ziggurat_standard_exponential_init(&c) == MW_OK);
+    CHECK(mw_ziggurat_exponential_init(&d, 0.25f) == MW_OK);
+    CHECK(mw_ziggurat_exponential_init_from_mean(&d, 4.0f) == MW_OK);
+    for (int i = 0; i < 40000; i++) {
+        float x;
+        CHECK(mw_ziggurat_standard_normal_draw(&a, &rng, &x, NULL) == MW_OK);
+        mw_moments_push(&sums[0], x);
+        CHECK(mw_ziggurat_normal_draw_from(&b, &source, &x, NULL) == MW_OK);
+        mw_moments_push(&sums[1], x);
+        CHECK(mw_ziggurat_standard_exponential_draw(&c, &rng, &x, NULL) == MW_OK);
+        mw_moments_push(&sums[2], x);
+        CHECK(mw_ziggurat_exponential_draw(&d, &rng, &x, NULL) == MW_OK);
+        mw_moments_push(&sums[3], x);
+    }
+    static const double means[4] = {0, 5, 1, 4};
+    for (int i = 0; i < 4; i++) {
+        float mean, error;
+        CHECK(mw_moments_mean(&sums[i], &mean) && mw_moments_standard_error(&sums[i], &error));
+        CHECK(near((double)mean, means[i], 5.0 * (double)error));
+    }
+    float x = 77.0f;
+    CHECK(mw_ziggurat_normal_init(&b, 0.0f, -1.0f) == MW_NOT_POSITIVE);
+    CHECK(mw_ziggurat_exponential_init(&d, NAN) == MW_NOT_FINITE);
+    CHECK(mw_ziggurat_exponential_init_from_mean(&d, 0.0f) == MW_NOT_POSITIVE);
+    CHECK(mw_ziggurat_normal_set_budget(&b, 0) == MW_NOT_POSITIVE);
+    CHECK(mw_ziggurat_exponential_set_budget(&d, 9) == MW_OK);
+    CHECK(mw_ziggurat_standard_normal_draw_from(&a, &dry, &x, NULL) == MW_SOURCE_FAILED && x == 77.0f);
+
+    mw_disk_rejection disk;
+    mw_ball_rejection ball;
+    mw_fixed_disk_rejection fixed;
+    mw_fixed_disk_rejection_16 fixed_16;
+    float point[3];
+    int32_t words[2];
+    CHECK(mw_disk_rejection_init(&disk) == MW_OK && mw_ball_rejection_init(&ball) == MW_OK);
+    CHECK(mw_fixed_disk_rejection_init(&fixed) == MW_OK);
+    CHECK(mw_fixed_disk_rejection_16_init(&fixed_16) == MW_OK);
+    for (int i = 0; i < 1000; i++) {
+        CHECK(mw_disk_rejection_draw(&disk, &rng, point, NULL) == MW_OK);
+        CHECK(point[0] * point[0] + point[1] * point[1] <= 1.0f);
+        CHECK(mw_ball_rejection_draw(&ball, &rng, point, NULL) == MW_OK && in_ball(NULL, point));
+        CHECK(mw_fixed_disk_rejection_draw(&fixed, &rng, words, NULL) == MW_OK);
+        CHECK((double)words[0] * words[0] + (double)words[1] * words[1] <= ldexp(1.0, 60));
+        CHECK(mw_fixed_disk_rejection_16_draw_from(&fixed_16, &source, words, NULL) == MW_OK);
+        CHECK((double)words[0] * words[0] + (double)words[1] * words[1] <= ldexp(1.0, 60));
+    }
+
+    int calls = 0;
+    uint32_t tries = 0, budget;
+    mw_aabb_2d square;
+    mw_aabb_3d cube;
+    mw_interval line;
+    static const float low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
+    CHECK(mw_aabb_2d_init(&square, low, high) == MW_OK && mw_aabb_3d_init(&cube, low, high) == MW_OK);
+    CHECK(mw_interval_init(&line, 0.0f, 1.0f) == MW_OK);
+    mw_region_2d region = {in_disk, &calls};
+    CHECK(mw_region_2d_draw(&square, &region, 100, &rng, point, &tries) == MW_OK);
+    CHECK(calls == (int)tries && in_disk(&calls, point));
+    mw_region_3d round = {in_ball, NULL};
+    CHECK(mw_region_3d_draw(&cube, &round, 100, &rng, point, NULL) == MW_OK && in_ball(NULL, point));
+    mw_region_1d none = {nowhere, NULL};
+    CHECK(mw_region_1d_draw(&line, &none, 10, &rng, &x, &tries) == MW_BUDGET_SPENT && tries == 10);
+    CHECK(mw_region_1d_draw(&line, &none, 0, &rng, &x, &tries) == MW_NOT_POSITIVE && x == 77.0f);
+    mw_density_1d ramp = {twice, NULL};
+    mw_moments_init(&sums[0]);
+    for (int i = 0; i < 20000; i++) {
+        CHECK(mw_bounded_1d_draw(&line, &ramp, 2.0f, 200, &rng, &x, NULL) == MW_OK);
+        mw_moments_push(&sums[0], x);
+    }
+    CHECK(mw_moments_mean(&sums[0], &x) && near((double)x, 2.0 / 3.0, 0.01));
+    static const struct {
+        float density;
+        mw_error error;
+    } bad[] = {{NAN, MW_BAD_DENSITY}, {-1.0f, MW_BAD_DENSITY}, {1.0f, MW_BOUND_EXCEEDED}};
+    for (size_t i = 0; i < 3; i++) {
+        float density = bad[i].density;
+        mw_density_2d of_2 = {constant, &density};
+        mw_density_3d of_3 = {constant, &density};
+        CHECK(mw_bounded_2d_draw(&square, &of_2, 1.0f, 9, &rng, point, NULL) == bad[i].error);
+        CHECK(mw_bounded_3d_draw(&cube, &of_3, 1.0f, 9, &rng, point, NULL) == bad[i].error);
+        CHECK(mw_bounded_2d_draw(&square, &of_2, NAN, 9, &rng, point, NULL) == MW_NOT_FINITE);
+    }
+    CHECK(mw_budget_for(0.5f, &budget) == MW_OK && budget > 10 && budget < 100);
+    CHECK(mw_budget_for(NAN, &budget) == MW_NOT_FINITE);
+}
+
+static void estimators_estimate(void)
+{
+    mw_moments all, half;
+    mw_weighted_mean weighted;
+    mw_integral integral;
+    float x = 77.0f;
+    mw_moments_init(&all);
+    mw_moments_init(&half);
+    CHECK(!mw_moments_mean(&all, &x) && !mw_moments_variance(&all, &x) && x == 77.0f);
+    for (int i = 0; i < 4; i++)
+        mw_moments_push(i < 2 ? &all : &half, (float)i);
+    mw_moments_push(&half, NAN);
+    mw_moments_merge(&all, &half);
+    CHECK(mw_moments_count(&all) == 4 && mw_moments_refused(&all) == 1);
+    CHECK(mw_moments_mean(&all, &x) && x == 1.5f);
+    CHECK(mw_moments_population_variance(&all, &x) && x == 1.25f);
+    CHECK(mw_moments_std_dev(&all, &x) && near((double)x, sqrt(5.0 / 3.0), 1e-6));
+    mw_moments_merge(&all, &all);
+    CHECK(mw_moments_count(&all) == 8);
+    mw_weighted_mean_init(&weighted);
+    CHECK(!mw_weighted_mean_mean(&weighted, &x));
+    mw_weighted_mean_push(&weighted, 1.0f, 3.0f);
+    mw_weighted_mean_push(&weighted, 5.0f, 1.0f);
+    mw_weighted_mean_push(&weighted, INFINITY, 1.0f);
+    CHECK(mw_weighted_mean_mean(&weighted, &x) && x == 2.0f);
+    CHECK(mw_weighted_mean_standard_error(&weighted, &x) && x > 0.0f);
+    mw_weighted_mean_merge(&weighted, &weighted);
+    CHECK(mw_weighted_mean_count(&weighted) == 4 && mw_weighted_mean_refused(&weighted) == 2);
+    mw_integral_init(&integral);
+    CHECK(!mw_integral_estimate(&integral, &x));
+    mw_integral_push(&integral, 1.0f, 0.5f);
+    mw_integral_push(&integral, 1.0f, 0.25f);
+    mw_integral_push(&integral, 1.0f, 0.0f);
+    CHECK(mw_integral_estimate(&integral, &x) && x == 3.0f && mw_integral_refused(&integral) == 1);
+    CHECK(mw_integral_standard_error(&integral, &x) && near((double)x, 1.0, 1e-6));
+    mw_integral_merge(&integral, &integral);
+    CHECK(mw_integral_count(&integral) == 4);
+    CHECK(mw_balance_heuristic(1, 1.0f, 1, 3.0f) == 0.25f);
+    CHECK(mw_power_heuristic(1, 1.0f, 1, 3.0f) == 0.1f);
+    CHECK(mw_balance_heuristic(1, 0.0f, 1, 0.0f) == 0.0f);
+}
+
+/* A normal density around 1, up to a factor, of as many coordinates as the context says. */
+static float bell(void *context, const float *x)
+{
+    float sum = 0.0f;
+    for (int i = 0; i < *(int *)context; i++)
+        sum += (x[i] - 1.0f) * (x[i] - 1.0f);
+    return expf(-0.5f * sum);
+}
+
+static float bell_1d(void *context, float x)
+{
+    (void)context;
+    return expf(-0.5f * (x - 1.0f) * (x - 1.0f));
+}
+
+static float not_a_density(void *context, const float *x)
+{
+    (void)context;
+    return x[0] == 0.5f ? 1.0f : NAN;
+}
+
+#define A_CHAIN(D)                                                                              \
+    static void chain_##D##d(void)                                                              \
+    {                                                                                           \
+        int coordinates = D;                                                                    \
+        mw_density_##D##d target = {bell, &coordinates}, worse = {not_a_density, NULL};          \
+        float start[D], widths[D], bad[D];                                                      \
+        for (int i = 0; i < D; i++) {                                                           \
+            start[i] = 0.5f;                                                                    \
+            widths[i] = 1.0f;                                                                   \
+            bad[i] = -1.0f;                                                                     \
+        }                                                                                       \
+        mw_chain_##D##d chain, before;                                                          \
+        mw_transition_##D##d step;                                                              \
+        mw_pcg32 rng = seeded(D);                                                               \
+        mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};                             \
+        CHECK(mw_chain_##D##d_init(&chain, start, &target) == MW_OK);                           \
+        mw_moments sums;                                                                        \
+        mw_moments_init(&sums);                                                                 \
+        for (int i = 0; i < 40000; i++) {                                                       \
+            CHECK(mw_chain_##D##d_step_normal(&chain, widths, &target, &rng, &step) == MW_OK);  \
+            CHECK(step.outcome != MW_ACCEPTED || chain.density == step.proposed_density);       \
+            CHECK(mw_chain_##D##d_step_box_from(&chain, widths, &target, &source, NULL) == MW_OK); \
+            mw_moments_push(&sums, chain.state[D - 1]);                                         \
+        }                                                                                       \
+        float mean;                                                                             \
+        CHECK(mw_moments_mean(&sums, &mean) && near((double)mean, 1.0, 0.1));                   \
+        CHECK(chain.steps == 80000 && chain.accepted > 4000);                                   \
+        before = chain;                                                                         \
+        CHECK(mw_chain_##D##d_step_normal(&chain, bad, &target, &rng, NULL) != MW_OK);          \
+        CHECK(mw_chain_##D##d_step_box(&chain, bad, &target, &rng, NULL) != MW_OK);             \
+        CHECK(mw_chain_##D##d_step_normal_from(&chain, widths, &target, &dry, NULL) ==          \
+              MW_SOURCE_FAILED);                                                                \
+        CHECK(memcmp(&chain, &before, sizeof chain) == 0);                                      \
+        CHECK(mw_chain_##D##d_init(&chain, bad, &worse) == MW_NOT_FINITE);                      \
+        CHECK(memcmp(&chain, &before, sizeof chain) == 0);                                      \
+        CHECK(mw_chain_##D##d_init(&chain, start, &worse) == MW_OK);                            \
+        CHECK(mw_chain_##D##d_step_uniform(&chain, &worse, &rng, &step) == MW_OK);              \
+        CHECK(step.outcome == MW_REFUSED && chain.refused == 1 && chain.state[0] == 0.5f);      \
+        CHECK(mw_chain_##D##d_step_to(&chain, bad, 1, 1, &target, &rng, &step) == MW_OK);       \
+        CHECK(step.proposed[0] == -1.0f);                                                       \
+        CHECK(mw_chain_##D##d_step_to_from(&chain, bad, 0, 1, &target, &source, &step) == MW_OK); \
+        CHECK(step.outcome == MW_REFUSED);                                                      \
+        CHECK(mw_chain_##D##d_step_uniform_from(&chain, &target, &source, &step) == MW_OK);     \
+        CHECK(mw_chain_##D##d_init(&chain, start, &target) == MW_OK);                           \
+        for (int i = 0; i < 100; i++) {                                                         \
+            CHECK(mw_chain_##D##d_step_wrapped(&chain, widths, &target, &rng, NULL) == MW_OK);  \
+            CHECK(mw_chain_##D##d_step_wrapped_from(&chain, widths, &target, &source, NULL) == MW_OK); \
+            CHECK(chain.state[0] >= 0.0f && chain.state[0] < 1.0f);                             \
+        }                                                                                       \
+        chain.accepted = chain.steps + 1;                                                       \
+        CHECK(mw_chain_##D##d_step_uniform(&chain, &target, &rng, NULL) == MW_OUT_OF_RANGE);    \
+    }
+
+A_CHAIN(2)
+A_CHAIN(3)
+A_CHAIN(4)
+A_CHAIN(6)
+A_CHAIN(8)
+
+static void chain_1d(void)
+{
+    mw_chain_1d chain;
+    mw_density_1d target = {bell_1d, NULL};
+    mw_pcg32 rng = seeded(7);
+    mw_moments sums;
+    mw_moments_init(&sums);
+    CHECK(mw_chain_1d_init(&chain, 0.0f, &target) == MW_OK);
+    for (int i = 0; i < 40000; i++) {
+        CHECK(mw_chain_1d_step_normal(&chain, 2.0f, &target, &rng, NULL) == MW_OK);
+        mw_moments_push(&sums, chain.state);
+    }
+    float x;
+    CHECK(mw_moments_mean(&sums, &x) && near((double)x, 1.0, 0.1));
+    CHECK(mw_moments_variance(&sums, &x) && near((double)x, 1.0, 0.1));
+    CHECK(mw_chain_1d_init(&chain, NAN, &target) == MW_NOT_FINITE);
+}
+
+static void points_cover(void)
+{
+    mw_sobol_2d sobol;
+    mw_recurrence_3d recurrence;
+    mw_strata_1d line;
+    mw_strata_2d square;
+    int quarter[4] = {0, 0, 0, 0};
+    CHECK(mw_sobol_2d_init(&sobol, 7) == MW_OK && mw_recurrence_3d_init(&recurrence, 7) == MW_OK);
+    for (uint32_t i = 0; i < 64; i++) {
+        float u[3];
+        uint32_t words[3];
+        mw_sobol_2d_point(&sobol, i, u);
+        CHECK(u[0] >= 0.0f && u[0] < 1.0f && u[1] >= 0.0f && u[1] < 1.0f);
+        quarter[(u[0] >= 0.5f) + 2 * (u[1] >= 0.5f)]++;
+        mw_sobol_2d_words(&sobol, i, words);
+        CHECK(near((double)u[0], words[0] / 4294967296.0, 1e-6));
+        mw_recurrence_3d_point(&recurrence, i, u);
+        mw_recurrence_3d_words(&recurrence, i, words);
+        CHECK(near((double)u[2], words[2] / 4294967296.0, 1e-6));
+    }
+    for (int i = 0; i < 4; i++)
+        CHECK(quarter[i] == 16);
+    CHECK(mw_word_by_position(1, 2, 3, 4) == mw_word_by_position(1, 2, 3, 4));
+    CHECK(mw_word_by_position(1, 2, 3, 4) != mw_word_by_position(1, 2, 3, 5));
+    CHECK(mw_strata_1d_init(&line, 4) == MW_OK && mw_strata_1d_point(&line, 2, 0.5f) == 0.625f);
+    CHECK(mw_strata_1d_init(&line, 0) != MW_OK);
+    static const float u[2] = {0.5f, 0.5f};
+    float point[2];
+    CHECK(mw_strata_2d_init(&square, 2, 2) == MW_OK);
+    mw_strata_2d_point(&square, 3, u, point);
+    CHECK(point[0] == 0.75f && point[1] == 0.75f);
+    CHECK(mw_strata_2d_init(&square, 0, 2) != MW_OK && mw_strata_2d_init(&square, 1, 0) != MW_OK);
+}
+
+int main(void)
+{
+    errors_have_texts();
+    pcg32_is_the_published_one();
+    tables_select();
+    tables_refuse();
+    maps_are_warps();
+    counts_are_drawn();
+    resampling_keeps_its_shares();
+    rejection_ends();
+    estimators_estimate();
+    chain_1d();
+    chain_2d();
+    chain_3d();
+    chain_4d();
+    chain_6d();
+    chain_8d();
+    points_cover();
+    return done("functions");
+}
