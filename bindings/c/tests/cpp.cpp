@@ -13,7 +13,7 @@ bool from_standard(void *context, std::uint32_t *word)
     return true;
 }
 
-const std::uint32_t words[] = {0x40000000, 0x40000000, 0xffffffff};
+const std::uint32_t words[] = {0x40000000, 0x40000000, 2};
 const mw_cdf table = MW_CDF(words);
 
 } // namespace
