@@ -87,6 +87,11 @@ static void put_uint64_t(struct out *out, uint64_t word)
     put_uint32_t(out, (uint32_t)word);
 }
 
+static void put_size_t(struct out *out, size_t index)
+{
+    put_uint32_t(out, (uint32_t)index);
+}
+
 static void put_float(struct out *out, float x)
 {
     put_uint32_t(out, isnan(x) ? 0x7fc00000u : bits_of(x));

@@ -75,4 +75,4 @@ integer_warps!(listed_integers);
 #[cfg(feature = "cases")]
 pub use cases::*;
 #[cfg(feature = "cases")]
-pub use subjects::{INPUTS, Out, UNIFORMS};
+pub use subjects::{AREAS, FACES, INPUTS, Out, UNIFORMS, VERTICES, weights};

@@ -268,12 +268,12 @@ pub(crate) fn with<S>(table: Result<S, Error>, out: &mut Out, then: impl FnOnce(
 }
 
 /// Weights with zeros and decades, which the compiler cannot see.
-fn weights() -> [f32; 6] {
+pub fn weights() -> [f32; 6] {
     [v(0.0), v(1.0), v(1e-6), v(37.0), v(0.3), v(0.0)]
 }
 
 /// The vertices, the faces and the areas of a mesh, in flash.
-static VERTICES: [[f32; 3]; 6] = [
+pub static VERTICES: [[f32; 3]; 6] = [
     [0.0, 0.0, 2.0],
     [3.0, 0.0, 0.0],
     [0.0, 4.0, 0.0],
@@ -281,7 +281,7 @@ static VERTICES: [[f32; 3]; 6] = [
     [0.0, -1.0, 0.0],
     [0.0, 0.0, 1.0],
 ];
-static FACES: [[u16; 3]; 6] = [
+pub static FACES: [[u16; 3]; 6] = [
     [0, 5, 0],
     [0, 1, 2],
     [0, 2, 3],
@@ -289,7 +289,7 @@ static FACES: [[u16; 3]; 6] = [
     [0, 4, 1],
     [5, 5, 5],
 ];
-static AREAS: [f32; 6] = [0.0, 7.810_25, 4.294_182_5, 1.16, 3.5, 0.0];
+pub static AREAS: [f32; 6] = [0.0, 7.810_25, 4.294_182_5, 1.16, 3.5, 0.0];
 
 /// Known to the compiler, in flash.
 static FLASH: Cdf<[u32; 6]> = match Cdf::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) {

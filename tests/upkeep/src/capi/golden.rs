@@ -1,10 +1,10 @@
 //! The golden subjects as C functions, for `bindings/c/tests/golden.c`.
 
-use super::bound::{self, Block};
+use super::bound::{self, Block, Bound};
 use super::call::{Call, call};
 use super::form::Form;
-use microwarp_golden::UNIFORMS;
 use microwarp_golden::fixed::WORDS;
+use microwarp_golden::{AREAS, FACES, UNIFORMS, VERTICES, weights};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -28,16 +28,23 @@ pub fn golden() -> String {
         &UNIFORMS.map(|four| four.map(f32::to_bits)),
     );
     table(&mut text, "words", &WORDS);
+    table(&mut text, "areas", &AREAS.map(|area| [area.to_bits()]));
+    let handles = bound::tables();
+    let tables = tables(&handles);
     let (mut subjects, mut others) = (String::new(), String::new());
     let mut warps = BTreeSet::new();
     for (tier, blocks) in TIERS {
         for block in blocks() {
             for (i, (subject, rust)) in block.golden.iter().enumerate() {
                 warps.insert((tier, *subject));
-                match call(&block, rust) {
-                    Ok(call) => {
+                let made = match tables.iter().find(|(name, _)| name == subject) {
+                    Some((_, made)) => Ok(made.clone()),
+                    None => call(&block, rust).map(|call| made(&call)),
+                };
+                match made {
+                    Ok(made) => {
                         let function = format!("{tier}_{}_{i}", block.type_name);
-                        writeln!(text, "{}", subject_in_c(&function, tier == "poly", &call))
+                        writeln!(text, "{}", subject_in_c(&function, tier == "poly", &made))
                             .unwrap();
                         writeln!(subjects, "    {{\"{tier} {subject}\", {function}}},").unwrap();
                     }
@@ -72,6 +79,127 @@ fn table<const N: usize>(text: &mut String, name: &str, rows: &[[u32; N]]) {
         "static const uint32_t {name}[{count}][{N}] = {{\n{rows}}};\n"
     )
     .unwrap();
+}
+
+/// How a warp is made in C.
+#[derive(Clone)]
+struct Made<'a> {
+    warp: &'a Bound,
+    /// What stands before the call.
+    lines: Vec<String>,
+    init: String,
+    arguments: String,
+}
+
+fn made<'a>(call: &Call<'a>) -> Made<'a> {
+    let (mut lines, mut arguments) = (Vec::new(), Vec::new());
+    for ((parameter, form), value) in call.constructor.parameters.iter().zip(&call.arguments) {
+        if form.is_number() {
+            arguments.push(value.clone());
+        } else {
+            let name = format!("given_{parameter}");
+            lines.push(format!("static const {} = {value};", form.declared(&name)));
+            arguments.push(name);
+        }
+    }
+    let init = match call.constructor.name {
+        "new" => "init".to_owned(),
+        name => format!("init_{name}"),
+    };
+    Made {
+        warp: call.warp,
+        lines,
+        init,
+        arguments: arguments.join(", "),
+    }
+}
+
+/// The subjects over tables of 32 bits, whose constructors are not calls with numbers: by hand, as `warps.rs` has them.
+fn tables(handles: &[Bound]) -> Vec<(&'static str, Made<'_>)> {
+    let row = weights().map(|weight| format!("{weight:e}f"));
+    let row = row.join(", ").replace("0e0f", "0.0f");
+    let one = vec![
+        format!("static const float weights[6] = {{{row}}};"),
+        "uint32_t entries[6];".into(),
+    ];
+    let picture = ["0.0f", "0.5f"].map(|same| [same; 6].join(", "));
+    let picture = format!(
+        "static const float weights[18] = {{{row}, {}}};",
+        picture.join(", ")
+    );
+    let two = vec![picture, "uint32_t marginal[3], conditional[18];".into()];
+    let rectangle =
+        "static const float u_range[2] = {0.0f, 6.0f}, v_range[2] = {-1.0f, 1.0f};".to_owned();
+    let [vertices, faces] = [
+        VERTICES.map(|vertex| format!("{{{}}}", vertex.map(|x| format!("{x:?}f")).join(", "))),
+        FACES.map(|face| format!("{{{}}}", face.map(|i| i.to_string()).join(", "))),
+    ];
+    let mesh = vec![
+        one[0].clone(),
+        "uint32_t entries[6];".into(),
+        format!(
+            "static const float vertices[6][3] = {{{}}};",
+            vertices.join(", ")
+        ),
+        format!(
+            "static const uint16_t faces[6][3] = {{{}}};",
+            faces.join(", ")
+        ),
+        "float of_faces[6];".into(),
+        "memcpy(of_faces, areas, sizeof of_faces);".into(),
+        "expect_error(out, MW_OK, mw_cdf_build(weights, 6, entries));".into(),
+    ];
+    let all = [
+        (
+            "PiecewiseConstant1d",
+            "piecewise_constant_1d",
+            "build",
+            one.clone(),
+            "weights, 6, -3.0f, 5.0f, entries",
+        ),
+        (
+            "PiecewiseLinear1d",
+            "piecewise_linear_1d",
+            "build",
+            one,
+            "weights, 6, -3.0f, 5.0f, entries",
+        ),
+        (
+            "PiecewiseConstant2d",
+            "piecewise_constant_2d",
+            "build",
+            [two.clone(), vec![rectangle]].concat(),
+            "weights, 6, 3, u_range, v_range, marginal, conditional",
+        ),
+        (
+            "LatLongMap",
+            "lat_long_map",
+            "build",
+            two,
+            "weights, 6, 3, marginal, conditional",
+        ),
+        (
+            "Mesh",
+            "mesh_u16",
+            "init_trusted",
+            mesh,
+            "vertices, 6, faces, 6, of_faces, entries",
+        ),
+    ];
+    let all = all
+        .into_iter()
+        .map(|(subject, name, init, lines, arguments)| {
+            let warp = handles.iter().find(|warp| warp.name == name);
+            let warp = warp.expect("a table of this name is bound");
+            let made = Made {
+                warp,
+                lines,
+                init: init.into(),
+                arguments: arguments.into(),
+            };
+            (subject, made)
+        });
+    all.collect()
 }
 
 /// The calls of one warp, written down.
@@ -112,8 +240,8 @@ impl Function<'_> {
 }
 
 /// Sample, density and inverse, as the golden cases of Rust put them out; and every other way to the same point.
-fn subject_in_c(name: &str, is_float: bool, call: &Call) -> String {
-    let warp = call.warp;
+fn subject_in_c(name: &str, is_float: bool, made: &Made) -> String {
+    let warp = made.warp;
     let (uniforms, point) = (&warp.uniforms, &warp.point);
     let mut f = Function {
         text: format!("static void {name}(int input, struct out *out)\n{{\n"),
@@ -122,23 +250,10 @@ fn subject_in_c(name: &str, is_float: bool, call: &Call) -> String {
     };
     if warp.is_stored() {
         f.line(&format!("{} warp;", warp.symbol()));
-        let mut arguments = Vec::new();
-        for ((parameter, form), value) in call.constructor.parameters.iter().zip(&call.arguments) {
-            if form.is_number() {
-                arguments.push(value.clone());
-            } else {
-                f.line(&format!(
-                    "static const {} = {value};",
-                    form.declared(&format!("given_{parameter}"))
-                ));
-                arguments.push(format!("given_{parameter}"));
-            }
+        for line in &made.lines {
+            f.line(line);
         }
-        let init = match call.constructor.name {
-            "new" => "init".to_owned(),
-            name => format!("init_{name}"),
-        };
-        let init = f.call(&init, &arguments.join(", "));
+        let init = f.call(&made.init, &made.arguments);
         // The table has no words of a float warp that is refused, and the refusal of one of integers.
         let refused = if is_float {
             "refused"
