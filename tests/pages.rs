@@ -179,7 +179,14 @@ fn broken(page: &Path) -> Vec<PathBuf> {
 #[test]
 fn links_between_pages_lead_somewhere() {
     let mut pages: Vec<PathBuf> = Vec::new();
-    for folder in ["", "docs", "examples", "examples/firmware", "examples/web"] {
+    for folder in [
+        "",
+        "docs",
+        "examples",
+        "examples/firmware",
+        "examples/firmware-c",
+        "examples/web",
+    ] {
         let inside = fs::read_dir(root().join(folder))
             .unwrap()
             .map(|e| e.unwrap().path());
