@@ -4,10 +4,12 @@
 mod bound;
 mod call;
 mod comments;
+mod declare;
 mod form;
 mod golden;
 mod header;
 mod hostile;
+mod made;
 
 pub use golden::golden;
 pub use header::{HEADER, LAYOUT, header, layout};
