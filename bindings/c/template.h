@@ -284,8 +284,10 @@ mw_error mw_resample_to_integers(const float *weights, size_t entries, uint32_t 
 /** Writes over each weight how many of so many copies it gets, by 32 random bits. */
 mw_error mw_resample_systematic(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
 mw_error mw_resample_residual(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
+mw_error mw_resample_stratified(uint32_t *weights, size_t entries, uint32_t copies,
+        mw_pcg32 *rng);
 
-/* ---- Rejection within a budget of tries -------------------------------------------------------- */
+/* ---- Rejection within a budget of tries ------------------------------------------------------ */
 
 /*
  * A draw proposes points until one is accepted, and returns MW_BUDGET_SPENT where none is. `tries`
@@ -477,9 +479,9 @@ void mw_strata_2d_point(const mw_strata_2d *strata, uint32_t i, const float u[2]
 
 /*
  * Qm.n is a signed and UQm.n an unsigned number with n bits behind the point: the words are
- * multiples of 2^-n. Uniforms are UQ0.32, any 32-bit words, and densities UQ32.32. The samplers
- * mw_fixed_* have errors about 1e-9, mw_coarse_* about 1e-4 in the fewest instructions, and
- * mw_compact_* about 1e-6 in the least flash.
+ * multiples of 2^-n. Uniforms are UQ0.32, any 32-bit words, and densities UQ32.32. The grades:
+ * mw_fixed_* has errors about 1e-6, with tables of 2 KB that all functions share; mw_coarse_* about
+ * 1e-4, in the fewest instructions; mw_compact_* about 1e-6 without tables, in the least flash.
  */
 
 @fixed@

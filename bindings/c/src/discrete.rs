@@ -7,7 +7,6 @@ use crate::warps::{as_declared, given, memory};
 use core_crate::discrete::{
     Geometric, Poisson, Reservoir, resampling, select_once, select_once_uniform,
 };
-use rand_core::TryRng;
 
 macro_rules! counts {
     ($($name:literal $law:ty { $($init:literal $constructor:ident($($parameter:ident: $type:ty),*);)* })*) => {$(
@@ -76,10 +75,7 @@ extern "C" fn offer(
     rng: &mut Pcg32,
     taken: &mut bool,
 ) -> Code {
-    let Ok(high) = rng.try_next_u32();
-    let Ok(low) = rng.try_next_u32();
-    let bits = u64::from(high) << 32 | u64::from(low);
-    code(reservoir.offer_with(item, weight, bits), |was| *taken = was)
+    code(reservoir.offer(item, weight, rng), |was| *taken = was)
 }
 
 #[unsafe(export_name = "mw_reservoir_item")]
@@ -147,4 +143,16 @@ unsafe extern "C" fn residual(weights: *mut u32, entries: usize, copies: u32, wo
     // SAFETY: the promise of the header.
     let weights = unsafe { memory(weights, entries) };
     code(resampling::residual(weights, copies, word), drop)
+}
+
+#[unsafe(export_name = "mw_resample_stratified")]
+unsafe extern "C" fn stratified(
+    weights: *mut u32,
+    entries: usize,
+    copies: u32,
+    rng: &mut Pcg32,
+) -> Code {
+    // SAFETY: the promise of the header.
+    let weights = unsafe { memory(weights, entries) };
+    code(resampling::stratified(weights, copies, rng), drop)
 }

@@ -263,14 +263,16 @@ static void resampling_keeps_its_shares(void)
 {
     uint32_t integers[ENTRIES], copies[ENTRIES];
     CHECK(mw_resample_to_integers(weights, ENTRIES, integers) == MW_OK);
-    for (int residual = 0; residual < 2; residual++) {
+    mw_pcg32 of_strata = seeded(9);
+    for (int way = 0; way < 3; way++) {
         memcpy(copies, integers, sizeof copies);
-        mw_error error = residual ? mw_resample_residual(copies, ENTRIES, 80, 12345)
-                                  : mw_resample_systematic(copies, ENTRIES, 80, 12345);
+        mw_error error = way == 0   ? mw_resample_residual(copies, ENTRIES, 80, 12345)
+                         : way == 1 ? mw_resample_systematic(copies, ENTRIES, 80, 12345)
+                                    : mw_resample_stratified(copies, ENTRIES, 80, &of_strata);
         CHECK(error == MW_OK);
         uint32_t sum = 0;
         for (int i = 0; i < ENTRIES; i++) {
-            CHECK(near(copies[i], 10.0 * (double)weights[i], weights[i] > 0.0f ? 1.0 : 0.0));
+            CHECK(near(copies[i], 10.0 * (double)weights[i], weights[i] > 0.0f ? 2.0 : 0.0));
             sum += copies[i];
         }
         CHECK(sum == 80);
@@ -280,6 +282,7 @@ static void resampling_keeps_its_shares(void)
     CHECK(mw_resample_to_integers(bad, 2, zeros) == MW_NEGATIVE_WEIGHT);
     CHECK(mw_resample_systematic(zeros, 2, 8, 0) == MW_ALL_ZERO);
     CHECK(mw_resample_residual(zeros, 0, 8, 0) == MW_NO_WEIGHTS);
+    CHECK(mw_resample_stratified(zeros, 2, 8, &of_strata) == MW_ALL_ZERO);
 
     mw_reservoir reservoir;
     mw_pcg32 rng = seeded(5);

@@ -71,9 +71,9 @@ impl Comments {
             return Vec::new();
         };
         let stated = rows[head + 2..].iter().filter(|row| {
-            let is_one = ["sample", "pdf, relative"]
-                .iter()
-                .any(|start| row[0].starts_with(start));
+            let is_one = ["sample", "pdf, relative"].iter().any(|start| {
+                row[0].starts_with(start) && !row[0].ends_with("mean") && !row[0].ends_with("rms")
+            });
             is_one
                 && row
                     .get(place)
