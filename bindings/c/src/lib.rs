@@ -7,6 +7,7 @@
 //! function does with it, and a struct has been made by its `_init`. Each `unsafe` below rests on that. Every input is
 //! read before an output is written, so these may overlap.
 #![no_std]
+#![deny(clippy::undocumented_unsafe_blocks)]
 #![allow(
     improper_ctypes_definitions,
     reason = "an out-parameter of a number is an empty struct, which no calling convention passes"
