@@ -18,7 +18,7 @@ Regenerates what is derived from the sources, in this order:
     golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
     accuracy   docs/accuracy.md, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
-    sizes      .ci/sizes.csv, examples/firmware/sizes.csv
+    sizes      .ci/sizes.csv, examples/firmware/sizes.csv, bindings/c/sizes/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
     pages      the tables and figures between marks in README.md and other pages
     capi       bindings/c/include/microwarp.h, bindings/c/src/layout.rs
@@ -218,7 +218,8 @@ fn sizes(args: &Args) -> Outcome {
         return Ok(());
     }
     command(&[".ci/sizes", "--write"], &[], false)?;
-    command(&["examples/firmware/check", "--write"], &[], false).map(drop)
+    command(&["examples/firmware/check", "--write"], &[], false)?;
+    command(&["bindings/c/check", "--write"], &[], false).map(drop)
 }
 
 /// The header of the C interface, and the sizes that every target is held to.

@@ -12,8 +12,9 @@ use crate::sources::Sources;
 use crate::tables::{block, figure};
 use microwarp_upkeep::{Outcome, read, write};
 
-const PAGES: [&str; 6] = [
+const PAGES: [&str; 7] = [
     "README.md",
+    "docs/c.md",
     "docs/costs.md",
     "docs/peers.md",
     "docs/promises.md",

@@ -19,6 +19,7 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "integers" => integers(sources),
         "peers" => Ok(rows(&sources.peers)),
         "firmware" => firmware(),
+        "c" => c(),
         "pictures" => scene::pictures(),
         "paths" => scene::paths(sources),
         "ingredients" => scene::ingredients(sources),
@@ -423,6 +424,29 @@ fn firmware() -> Outcome<String> {
             _ => continue,
         };
         text += &rows(&[vec![name.into(), format!("`{target}`"), flash, ram]]);
+    }
+    Ok(text)
+}
+
+/// Programs of one sampler in C beside the same in Rust, on both cores.
+fn c() -> Outcome<String> {
+    const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
+    let text = read("bindings/c/sizes/sizes.csv")?;
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let figures = |program: &str, target: &str| {
+        let is = |line: &&Vec<&str>| line[0] == program && line.get(1) == Some(&target);
+        let line = lines.iter().find(is);
+        line.map(|line| [line[2].to_owned(), line[3].to_owned()])
+            .ok_or(format!("no {program} on {target} in sizes.csv"))
+    };
+    let mut text =
+        "| bytes of flash | M0: C | Rust | M4F: C | Rust |\n|---|--:|--:|--:|--:|\n".to_owned();
+    for line in lines.iter().filter(|line| line.get(1) == Some(&TARGETS[0])) {
+        let mut row = vec![format!("`mw_{}`", line[0])];
+        for target in TARGETS {
+            row.extend(figures(line[0], target)?);
+        }
+        text += &rows(&[row]);
     }
     Ok(text)
 }
