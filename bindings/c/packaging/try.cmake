@@ -1,0 +1,55 @@
+# What build systems read of the package, without them: each archive and folder that its files name is there, and all say
+# the same version. cmake -DPACKAGE=... -DVERSION=... -P try.cmake
+function(there path)
+  if(NOT EXISTS "${PACKAGE}/${path}")
+    message(FATAL_ERROR "not in the package: ${path}")
+  endif()
+endfunction()
+
+# ESP-IDF's functions.
+function(idf_component_register)
+  cmake_parse_arguments(given "" "" "INCLUDE_DIRS" ${ARGN})
+  there("${given_INCLUDE_DIRS}/microwarp.h")
+endfunction()
+function(add_prebuilt_library name path)
+  there("${path}")
+endfunction()
+function(target_link_libraries)
+endfunction()
+
+# Zephyr's.
+function(zephyr_include_directories path)
+  file(RELATIVE_PATH path "${PACKAGE}" "${path}/microwarp.h")
+  there("${path}")
+endfunction()
+function(zephyr_library_import name path)
+  file(RELATIVE_PATH path "${PACKAGE}" "${path}")
+  there("${path}")
+endfunction()
+
+file(READ "${PACKAGE}/idf_component.yml" component)
+string(REGEX MATCHALL "- (esp32[a-z0-9]+)" targets "${component}")
+if(NOT targets)
+  message(FATAL_ERROR "idf_component.yml names no target")
+endif()
+foreach(target IN LISTS targets)
+  string(SUBSTRING "${target}" 2 -1 IDF_TARGET)
+  include("${PACKAGE}/CMakeLists.txt")
+endforeach()
+
+there(zephyr/Kconfig)
+set(CONFIG_MICROWARP y)
+include("${PACKAGE}/zephyr/CMakeLists.txt") # RISC-V
+set(CONFIG_CPU_CORTEX_M y)
+include("${PACKAGE}/zephyr/CMakeLists.txt")
+set(CONFIG_CPU_CORTEX_M4 y)
+include("${PACKAGE}/zephyr/CMakeLists.txt")
+
+file(READ "${PACKAGE}/library.json" json)
+string(JSON in_json GET "${json}" version)
+string(JSON script GET "${json}" build extraScript)
+there("${script}")
+file(STRINGS "${PACKAGE}/library.properties" in_properties REGEX "^version=")
+if(NOT "${in_json};${in_properties}" STREQUAL "${VERSION};version=${VERSION}" OR NOT component MATCHES "version: \"${VERSION}\"")
+  message(FATAL_ERROR "another version than ${VERSION}")
+endif()
