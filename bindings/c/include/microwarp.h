@@ -81,7 +81,12 @@ typedef struct mw_pcg32 {
 } mw_pcg32;
 
 /** Any seed will do. Generators of different streams give unrelated words from one seed. */
-void mw_pcg32_init(mw_pcg32 *rng, uint64_t seed, uint64_t stream);
+inline void mw_pcg32_init(mw_pcg32 *rng, uint64_t seed, uint64_t stream)
+{
+    /* Here, so that a compiler folds what is constant; the library has it, too. */
+    rng->increment = (stream << 1) | 1u;
+    rng->state = (seed + rng->increment) * UINT64_C(0x5851f42d4c957f2d) + rng->increment;
+}
 
 /** The next 32 random bits. */
 uint32_t mw_pcg32_next(mw_pcg32 *rng);
