@@ -6,7 +6,7 @@
 
 use crate::words::Output;
 use core::hint::black_box;
-use core::slice::from_raw_parts_mut;
+use rand_core::Rng;
 use rand_pcg::Pcg32;
 
 /// Reads its inputs at the first address, writes its outputs at the second.
@@ -18,14 +18,12 @@ pub struct Entry {
     pub kernel: Kernel,
     /// One that takes the same words in and out and does nothing between.
     pub empty: Kernel,
-    /// How many words of input a call takes; none where the input is a generator.
-    pub inputs: usize,
+    /// How each word of input is made of a random one; none where the input is a generator.
+    pub inputs: &'static [fn(u32) -> u32],
     /// How many words of output.
     pub outputs: usize,
     /// Runs once before all calls.
     pub prepare: fn(),
-    /// Makes the inputs of many calls.
-    pub fill: fn(Pcg32, &mut [u32]),
 }
 
 const MOST_INPUTS: usize = 4;
@@ -127,7 +125,7 @@ pub fn run(entry: &Entry, kernel: Kernel) -> (u32, usize) {
     let (mut cycles, mut then) = (0, now());
     for _ in 0..CALLS {
         kernel(input, output);
-        input = input.wrapping_add(entry.inputs);
+        input = input.wrapping_add(entry.inputs.len());
         output = output.wrapping_add(entry.outputs);
         // Paths of light take so long that the clock goes round between two of them, but not within one.
         let read = now();
@@ -177,13 +175,46 @@ fn stack(entry: &Entry, kernel: Kernel) -> u32 {
     (top - at) as u32
 }
 
+/// The generator of a chunk.
+fn generator(chunk: u32) -> Pcg32 {
+    Pcg32::new(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(chunk.into()), 54)
+}
+
+/// Makes the inputs of a chunk of calls, of random words or of what is made of them by the number of the input.
+fn fill(entry: &Entry, chunk: u32, mut word: impl FnMut(&mut Pcg32, usize) -> u32) {
+    let mut random = generator(chunk);
+    if entry.inputs.is_empty() {
+        // SAFETY: the buffer is aligned for a generator, and nothing else uses it while it is filled.
+        unsafe { inputs().cast::<Pcg32>().write(random) }
+        return;
+    }
+    for index in 0..CALLS * entry.inputs.len() {
+        let bits = entry.inputs[index % entry.inputs.len()];
+        // SAFETY: within the buffer.
+        unsafe { inputs().add(index).write_volatile(bits(word(&mut random, index))) }
+    }
+}
+
 /// Makes the inputs of a chunk of calls.
 pub fn refill(entry: &Entry, chunk: u32) {
-    let random = Pcg32::new(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(chunk.into()), 54);
-    // SAFETY: nothing else uses the buffer while it is filled.
-    (entry.fill)(random, unsafe {
-        from_raw_parts_mut(inputs(), CALLS * MOST_INPUTS)
-    });
+    fill(entry, chunk, |random, _| random.next_u32());
+}
+
+/// Calls the kernel with inputs from the whole range and its edges, for the plugin that counts each call by itself:
+/// 2^16 times, or until 2^30 cycles have gone.
+#[cfg(sweep)]
+fn sweep(entry: &Entry) {
+    let (axes, mut spent) = (entry.inputs.len(), 0_u64);
+    for chunk in 0..65536 / CALLS as u32 {
+        fill(entry, CHUNKS + chunk, |random, index| {
+            let call = chunk * CALLS as u32 + (index / axes) as u32;
+            crate::edges::word(random, call, index % axes, axes)
+        });
+        spent += u64::from(run(entry, entry.kernel).0);
+        if spent >> 30 > 0 {
+            break;
+        }
+    }
 }
 
 /// A hash of nothing.
@@ -217,6 +248,8 @@ pub fn measure(entry: &Entry) -> [u32; 8] {
         }
         hash = hashed(entry, hash);
     }
+    #[cfg(sweep)]
+    sweep(entry);
     [
         CALLS as u32 * CHUNKS,
         long,

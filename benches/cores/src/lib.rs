@@ -6,6 +6,8 @@
 #![no_std]
 
 mod count;
+#[cfg(sweep)]
+mod edges;
 mod kernels;
 #[cfg(target_arch = "wasm32")]
 mod module;

@@ -88,19 +88,9 @@ macro_rules! entry {
         $crate::count::Entry {
             kernel,
             empty: $crate::count::empty::<INPUTS, $out>,
-            inputs: INPUTS,
+            inputs: &[$(<$type as $crate::words::Input>::bits),+],
             outputs: <$out as $crate::words::Output>::WORDS,
             prepare: || $prepare,
-            fill: |mut random, words| {
-                for call in words.chunks_exact_mut(INPUTS) {
-                    let mut word = call.iter_mut();
-                    $(
-                        if let Some(word) = word.next() {
-                            *word = <$type as $crate::words::Input>::bits(rand_core::Rng::next_u32(&mut random));
-                        }
-                    )+
-                }
-            },
         }
     }};
     (($name:expr) ($rng:ident) -> $out:ty = $body:expr, $prepare:expr) => {{
@@ -115,10 +105,9 @@ macro_rules! entry {
         $crate::count::Entry {
             kernel,
             empty: $crate::count::empty::<0, $out>,
-            inputs: 0,
+            inputs: &[],
             outputs: <$out as $crate::words::Output>::WORDS,
             prepare: || $prepare,
-            fill: |random, words| unsafe { words.as_mut_ptr().cast::<rand_pcg::Pcg32>().write(random) },
         }
     }};
 }
