@@ -191,7 +191,11 @@ fn fill(entry: &Entry, chunk: u32, mut word: impl FnMut(&mut Pcg32, usize) -> u3
     for index in 0..CALLS * entry.inputs.len() {
         let bits = entry.inputs[index % entry.inputs.len()];
         // SAFETY: within the buffer.
-        unsafe { inputs().add(index).write_volatile(bits(word(&mut random, index))) }
+        unsafe {
+            inputs()
+                .add(index)
+                .write_volatile(bits(word(&mut random, index)))
+        }
     }
 }
 

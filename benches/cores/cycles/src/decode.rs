@@ -13,18 +13,32 @@ pub enum Class {
     LongMultiplyAdd,
     Divide,
     /// Of a word or less. A literal lies beside the code; a base update leaves the address in its register.
-    Load { literal: bool, update: bool },
-    Store { immediate: bool },
+    Load {
+        literal: bool,
+        update: bool,
+    },
+    Store {
+        immediate: bool,
+    },
     /// So many words by one instruction: `ldm`, `pop`, `ldrd`; the program counter among them or not.
-    LoadWords { words: u32, counter: bool },
-    StoreWords { words: u32 },
+    LoadWords {
+        words: u32,
+        counter: bool,
+    },
+    StoreWords {
+        words: u32,
+    },
     /// `ldr` into the program counter.
     LoadCounter,
-    Branch { conditional: bool },
+    Branch {
+        conditional: bool,
+    },
     /// `bl`.
     Call,
     /// By a register: `bx`, `blx`, `mov pc`. A return goes to the caller.
-    Jump { back: bool },
+    Jump {
+        back: bool,
+    },
     /// `tbb`, `tbh`.
     TableBranch,
     /// `it`, which makes what follows conditional.
@@ -40,9 +54,13 @@ pub enum Class {
     /// Quotients and square roots.
     FloatDivide,
     /// Between a register of the core, or two, and those of the unit.
-    FloatMove { two: bool },
+    FloatMove {
+        two: bool,
+    },
     /// Words to or from memory.
-    FloatWords { words: u32 },
+    FloatWords {
+        words: u32,
+    },
 }
 
 /// Registers as bits: r0 to r15, then s0 to s31.
@@ -86,7 +104,11 @@ impl Instruction {
     pub fn branches(&self) -> bool {
         matches!(
             self.class,
-            Class::Branch { .. } | Class::Call | Class::Jump { .. } | Class::TableBranch | Class::LoadCounter
+            Class::Branch { .. }
+                | Class::Call
+                | Class::Jump { .. }
+                | Class::TableBranch
+                | Class::LoadCounter
         ) || matches!(self.class, Class::LoadWords { counter: true, .. })
     }
 
@@ -98,10 +120,19 @@ impl Instruction {
 /// How an instruction would be written: its mnemonic and its operands.
 pub fn text(at: u32, bytes: &[u8]) -> Option<(String, String)> {
     let builder = Capstone::new().arm().mode(arch::arm::ArchMode::Thumb);
-    let capstone = builder.extra_mode([arch::arm::ArchExtraMode::MClass].into_iter()).build().ok()?;
+    let capstone = builder
+        .extra_mode([arch::arm::ArchExtraMode::MClass].into_iter())
+        .build()
+        .ok()?;
     let decoded = capstone.disasm_count(bytes, at.into(), 1).ok()?;
-    let one = decoded.iter().next().filter(|one| one.len() == bytes.len())?;
-    Some((one.mnemonic()?.into(), one.op_str().unwrap_or_default().into()))
+    let one = decoded
+        .iter()
+        .next()
+        .filter(|one| one.len() == bytes.len())?;
+    Some((
+        one.mnemonic()?.into(),
+        one.op_str().unwrap_or_default().into(),
+    ))
 }
 
 #[derive(Default)]
@@ -116,7 +147,8 @@ impl Decoder {
         // Near the end of a page QEMU looks ahead, and hands out what it saw.
         let length = if bytes[1] >> 3 >= 0b11101 { 4 } else { 2 };
         let bytes = &bytes[..length.min(bytes.len())];
-        let (mnemonic, operands) = text(at, bytes).ok_or_else(|| format!("{at:#x}: {bytes:02x?} is unknown"))?;
+        let (mnemonic, operands) =
+            text(at, bytes).ok_or_else(|| format!("{at:#x}: {bytes:02x?} is unknown"))?;
         let end = at + bytes.len() as u32;
         let predicated = self.governed.0 == at && self.governed.1 > 0;
         if predicated {
@@ -124,19 +156,33 @@ impl Decoder {
         }
         let name = mnemonic.split('.').next().unwrap_or_default();
         let operands = Operands::read(&operands);
-        let class = class(name, &operands).ok_or_else(|| format!("{at:#x}: no row for {mnemonic}"))?;
+        let class =
+            class(name, &operands).ok_or_else(|| format!("{at:#x}: no row for {mnemonic}"))?;
         if class == Class::IfThen {
             self.governed = (end, name.len() - 1);
         }
         let (writes, reads) = operands.flow(class, name);
         let address = match name {
             "push" | "pop" | "vpush" | "vpop" => STACK,
-            _ if operands.memory || !matches!(class, Class::LoadWords { .. } | Class::StoreWords { .. } | Class::FloatWords { .. }) => {
+            _ if operands.memory
+                || !matches!(
+                    class,
+                    Class::LoadWords { .. } | Class::StoreWords { .. } | Class::FloatWords { .. }
+                ) =>
+            {
                 operands.address
             }
             _ => operands.first(),
         };
-        Ok(Instruction { at, end, class, predicated, writes, address, reads: reads & FLOATS })
+        Ok(Instruction {
+            at,
+            end,
+            class,
+            predicated,
+            writes,
+            address,
+            reads: reads & FLOATS,
+        })
     }
 }
 
@@ -183,7 +229,10 @@ impl Operands {
         let rest = self.plain.iter().skip(1).fold(0, |all, one| all | one);
         match class {
             Class::Simple | Class::FloatSimple
-                if matches!(name, "cmp" | "cmn" | "tst" | "teq" | "vcmp" | "vcmpe" | "vmsr") =>
+                if matches!(
+                    name,
+                    "cmp" | "cmn" | "tst" | "teq" | "vcmp" | "vcmpe" | "vmsr"
+                ) =>
             {
                 (0, all)
             }
@@ -191,7 +240,10 @@ impl Operands {
             Class::FloatMove { two: true } => (all & FLOATS, all & CORE),
             Class::FloatWords { .. } if name.starts_with("vs") || name == "vpush" => (0, all),
             Class::Store { .. } | Class::StoreWords { .. } => (0, all),
-            Class::LongMultiply | Class::LongMultiplyAdd | Class::FloatWords { .. } | Class::LoadWords { .. } => (all, rest),
+            Class::LongMultiply
+            | Class::LongMultiplyAdd
+            | Class::FloatWords { .. }
+            | Class::LoadWords { .. } => (all, rest),
             _ => (first, rest),
         }
     }
@@ -199,7 +251,9 @@ impl Operands {
 
 /// The registers of a text, one by one.
 fn registers(text: &str) -> Vec<Registers> {
-    text.split(|c: char| !c.is_ascii_alphanumeric()).filter_map(register).collect()
+    text.split(|c: char| !c.is_ascii_alphanumeric())
+        .filter_map(register)
+        .collect()
 }
 
 fn register(name: &str) -> Option<Registers> {
@@ -236,38 +290,66 @@ fn class(name: &str, operands: &Operands) -> Option<Class> {
         "umlal" | "smlal" => Class::LongMultiplyAdd,
         "udiv" | "sdiv" => Class::Divide,
         "ldr" | "ldrb" | "ldrh" | "ldrsb" | "ldrsh" if counter => Class::LoadCounter,
-        "ldr" | "ldrb" | "ldrh" | "ldrsb" | "ldrsh" => {
-            Class::Load { literal: operands.address == COUNTER, update: operands.update }
-        }
-        "str" | "strb" | "strh" => Class::Store { immediate: operands.immediate },
-        "pop" | "ldrd" => Class::LoadWords { words: operands.words(&operands.plain), counter },
-        "push" | "strd" => Class::StoreWords { words: operands.words(&operands.plain) },
+        "ldr" | "ldrb" | "ldrh" | "ldrsb" | "ldrsh" => Class::Load {
+            literal: operands.address == COUNTER,
+            update: operands.update,
+        },
+        "str" | "strb" | "strh" => Class::Store {
+            immediate: operands.immediate,
+        },
+        "pop" | "ldrd" => Class::LoadWords {
+            words: operands.words(&operands.plain),
+            counter,
+        },
+        "push" | "strd" => Class::StoreWords {
+            words: operands.words(&operands.plain),
+        },
         // The first is the base.
-        "ldm" | "ldmdb" => Class::LoadWords { words: operands.words(&operands.plain[1..]), counter },
-        "stm" | "stmdb" => Class::StoreWords { words: operands.words(&operands.plain[1..]) },
+        "ldm" | "ldmdb" => Class::LoadWords {
+            words: operands.words(&operands.plain[1..]),
+            counter,
+        },
+        "stm" | "stmdb" => Class::StoreWords {
+            words: operands.words(&operands.plain[1..]),
+        },
         "b" => Class::Branch { conditional: false },
         "cbz" | "cbnz" => Class::Branch { conditional: true },
         "bl" => Class::Call,
-        "bx" => Class::Jump { back: operands.all() == LINK },
+        "bx" => Class::Jump {
+            back: operands.all() == LINK,
+        },
         "blx" => Class::Jump { back: false },
-        "mov" | "add" if operands.first() == COUNTER => Class::Jump { back: operands.all() == COUNTER | LINK },
+        "mov" | "add" if operands.first() == COUNTER => Class::Jump {
+            back: operands.all() == COUNTER | LINK,
+        },
         "tbb" | "tbh" => Class::TableBranch,
         "mrs" | "msr" => Class::Special,
         "dmb" | "dsb" | "isb" => Class::Barrier,
         "vdiv" | "vsqrt" => Class::FloatDivide,
         "vadd" | "vsub" | "vmul" | "vnmul" | "vcvt" | "vcvtr" | "vcvtb" | "vcvtt" => Class::Float,
-        "vmla" | "vmls" | "vnmla" | "vnmls" | "vfma" | "vfms" | "vfnma" | "vfnms" => Class::FloatMultiplyAdd,
+        "vmla" | "vmls" | "vnmla" | "vnmls" | "vfma" | "vfms" | "vfnma" | "vfnms" => {
+            Class::FloatMultiplyAdd
+        }
         "vabs" | "vneg" | "vcmp" | "vcmpe" | "vmrs" | "vmsr" => Class::FloatSimple,
         "vmov" => match (operands.all() & CORE).count_ones() {
             0 => Class::FloatSimple,
             of => Class::FloatMove { two: of == 2 },
         },
-        "vldr" | "vstr" | "vpush" | "vpop" => Class::FloatWords { words: operands.words(&operands.plain) },
-        "vldmia" | "vstmia" | "vldmdb" | "vstmdb" => Class::FloatWords { words: operands.words(&operands.plain[1..]) },
-        _ if name.strip_prefix('b').is_some_and(|rest| CONDITIONS.split(' ').any(|one| one == rest)) => {
+        "vldr" | "vstr" | "vpush" | "vpop" => Class::FloatWords {
+            words: operands.words(&operands.plain),
+        },
+        "vldmia" | "vstmia" | "vldmdb" | "vstmdb" => Class::FloatWords {
+            words: operands.words(&operands.plain[1..]),
+        },
+        _ if name
+            .strip_prefix('b')
+            .is_some_and(|rest| CONDITIONS.split(' ').any(|one| one == rest)) =>
+        {
             Class::Branch { conditional: true }
         }
-        _ if name.starts_with("it") && name[1..].bytes().all(|c| c == b't' || c == b'e') => Class::IfThen,
+        _ if name.starts_with("it") && name[1..].bytes().all(|c| c == b't' || c == b'e') => {
+            Class::IfThen
+        }
         _ if listed(SIMPLE) && !(operands.memory && name != "adr") => Class::Simple,
         _ => return None,
     })

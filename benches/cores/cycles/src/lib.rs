@@ -31,7 +31,11 @@ unsafe extern "C" {
         flags: c_int,
         data: *mut c_void,
     );
-    fn qemu_plugin_register_atexit_cb(id: Id, ended: extern "C" fn(Id, *mut c_void), data: *mut c_void);
+    fn qemu_plugin_register_atexit_cb(
+        id: Id,
+        ended: extern "C" fn(Id, *mut c_void),
+        data: *mut c_void,
+    );
     fn qemu_plugin_tb_n_insns(row: *const QemuRow) -> usize;
     fn qemu_plugin_tb_get_insn(row: *const QemuRow, index: usize) -> *mut QemuInstruction;
     fn qemu_plugin_insn_data(one: *const QemuInstruction) -> *const u8;
@@ -47,7 +51,9 @@ pub static qemu_plugin_version: c_int = 1;
 static COUNTED: Mutex<Option<(Tally, String)>> = Mutex::new(None);
 
 fn with(action: impl FnOnce(&mut Tally) -> Result<(), String>) {
-    let mut counted = COUNTED.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let mut counted = COUNTED
+        .lock()
+        .unwrap_or_else(|poisoned| poisoned.into_inner());
     let outcome = counted.as_mut().map_or(Ok(()), |(tally, _)| action(tally));
     drop(counted);
     if let Err(error) = outcome {
@@ -61,17 +67,37 @@ fn with(action: impl FnOnce(&mut Tally) -> Result<(), String>) {
 /// # Safety
 /// `arguments` has `count` strings.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn qemu_plugin_install(id: Id, _: *const c_void, count: c_int, arguments: *const *const c_char) -> c_int {
+pub unsafe extern "C" fn qemu_plugin_install(
+    id: Id,
+    _: *const c_void,
+    count: c_int,
+    arguments: *const *const c_char,
+) -> c_int {
     // SAFETY: QEMU's arguments, which end in a zero.
-    let texts = (0..count as usize).map(|i| unsafe { CStr::from_ptr(*arguments.add(i)) }.to_string_lossy().into_owned());
+    let texts = (0..count as usize).map(|i| {
+        unsafe { CStr::from_ptr(*arguments.add(i)) }
+            .to_string_lossy()
+            .into_owned()
+    });
     let texts: Vec<String> = texts.collect();
     let value = |key: &str| {
-        let found = texts.iter().find_map(|text| text.strip_prefix(key)?.strip_prefix('=').map(String::from));
+        let found = texts
+            .iter()
+            .find_map(|text| text.strip_prefix(key)?.strip_prefix('=').map(String::from));
         found.ok_or_else(|| format!("which {key}?"))
     };
-    let tally = || Ok::<_, String>((Tally::new(&value("core")?, &value("image")?)?, value("out")?));
+    let tally = || {
+        Ok::<_, String>((
+            Tally::new(&value("core")?, &value("image")?)?,
+            value("out")?,
+        ))
+    };
     match tally() {
-        Ok(tally) => *COUNTED.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(tally),
+        Ok(tally) => {
+            *COUNTED
+                .lock()
+                .unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(tally)
+        }
         Err(error) => {
             eprintln!("{error}");
             return 1;
@@ -91,7 +117,10 @@ extern "C" fn translated(_: Id, row: *mut QemuRow) {
         (0..qemu_plugin_tb_n_insns(row))
             .map(|i| qemu_plugin_tb_get_insn(row, i))
             .map(|one| {
-                let bytes = std::slice::from_raw_parts(qemu_plugin_insn_data(one), qemu_plugin_insn_size(one));
+                let bytes = std::slice::from_raw_parts(
+                    qemu_plugin_insn_data(one),
+                    qemu_plugin_insn_size(one),
+                );
                 (qemu_plugin_insn_vaddr(one) as u32, bytes)
             })
             .collect()
@@ -99,7 +128,9 @@ extern "C" fn translated(_: Id, row: *mut QemuRow) {
     with(|tally| {
         let known = Box::leak(Box::new(tally.read(&code)));
         // SAFETY: the row that was lent; what is leaked is there for ever.
-        unsafe { qemu_plugin_register_vcpu_tb_exec_cb(row, executed, 0, std::ptr::from_mut(known).cast()) };
+        unsafe {
+            qemu_plugin_register_vcpu_tb_exec_cb(row, executed, 0, std::ptr::from_mut(known).cast())
+        };
         Ok(())
     });
 }
@@ -111,9 +142,15 @@ extern "C" fn executed(_: c_uint, row: *mut c_void) {
 }
 
 extern "C" fn ended(_: Id, _: *mut c_void) {
-    let counted = COUNTED.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
+    let counted = COUNTED
+        .lock()
+        .unwrap_or_else(|poisoned| poisoned.into_inner())
+        .take();
     if let Some((tally, file)) = counted {
-        if let Err(error) = tally.report().and_then(|text| std::fs::write(&file, text).map_err(|e| e.to_string())) {
+        if let Err(error) = tally
+            .report()
+            .and_then(|text| std::fs::write(&file, text).map_err(|e| e.to_string()))
+        {
             eprintln!("{error}");
         }
     }

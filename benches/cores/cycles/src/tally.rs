@@ -71,7 +71,11 @@ impl Tally {
         let bytes = std::fs::read(image).map_err(|e| format!("{image}: {e}"))?;
         let file = object::File::parse(&*bytes).map_err(|e| format!("{image}: {e}"))?;
         let mut symbols = file.symbols();
-        let run = symbols.find(|symbol| symbol.name().is_ok_and(|name| name.contains("microwarp_cores5count3run")));
+        let run = symbols.find(|symbol| {
+            symbol
+                .name()
+                .is_ok_and(|name| name.contains("microwarp_cores5count3run"))
+        });
         let run = run.ok_or_else(|| format!("{image}: no count::run"))?;
         // The lowest bit says that it is Thumb code.
         let start = run.address() as u32 & !1;
@@ -105,13 +109,22 @@ impl Tally {
     /// What a row consists of.
     pub fn read(&mut self, code: &[(u32, &[u8])]) -> Row {
         let at = code.first().map_or(0, |one| one.0);
-        let read: Result<Vec<_>, _> = code.iter().map(|&(at, bytes)| self.decoder.instruction(at, bytes)).collect();
-        let of = |test: &dyn Fn(&Instruction) -> bool| read.as_ref().is_ok_and(|code| code.iter().any(test));
+        let read: Result<Vec<_>, _> = code
+            .iter()
+            .map(|&(at, bytes)| self.decoder.instruction(at, bytes))
+            .collect();
+        let of = |test: &dyn Fn(&Instruction) -> bool| {
+            read.as_ref().is_ok_and(|code| code.iter().any(test))
+        };
         Row {
             at,
             length: code.len() as u64,
             decides: of(&Instruction::decides),
-            by_operands: self.timings.iter().map(|(_, timing)| of(&|one| timing.by_operands(one))).collect(),
+            by_operands: self
+                .timings
+                .iter()
+                .map(|(_, timing)| of(&|one| timing.by_operands(one)))
+                .collect(),
             code: read,
             known: Vec::new(),
         }
@@ -126,16 +139,26 @@ impl Tally {
                 self.batches += 1;
             }
             let last = row.code.as_ref().ok().and_then(|code| code.last());
-            self.leaves = last.is_some_and(|last| matches!(last.class, crate::decode::Class::Jump { back: false }));
+            self.leaves = last.is_some_and(|last| {
+                matches!(last.class, crate::decode::Class::Jump { back: false })
+            });
             return Ok(());
         }
         if std::mem::take(&mut self.leaves) {
             self.past = 0;
             let none = vec![[0; 2]; self.timings.len()];
             let by_operands = vec![false; self.timings.len()];
-            self.call = Some(Call { instructions: 0, cycles: none, path: 0, decides: false, by_operands });
+            self.call = Some(Call {
+                instructions: 0,
+                cycles: none,
+                path: 0,
+                decides: false,
+                by_operands,
+            });
         }
-        let Some(mut call) = self.call.take() else { return Ok(()) };
+        let Some(mut call) = self.call.take() else {
+            return Ok(());
+        };
         let place = match row.known.iter().position(|known| known.0 == self.past) {
             Some(place) => place,
             None => self.learn(row)?,
@@ -146,7 +169,9 @@ impl Tally {
         for (sum, part) in call.cycles.iter_mut().zip(cycles) {
             *sum = [sum[0] + u64::from(part[0]), sum[1] + u64::from(part[1])];
         }
-        call.path = (call.path ^ u64::from(row.at)).wrapping_mul(0x0000_0100_0000_01b3).rotate_left(17);
+        call.path = (call.path ^ u64::from(row.at))
+            .wrapping_mul(0x0000_0100_0000_01b3)
+            .rotate_left(17);
         call.decides |= row.decides;
         for (any, one) in call.by_operands.iter_mut().zip(&row.by_operands) {
             *any |= one;
@@ -159,7 +184,9 @@ impl Tally {
         let code = known.code.as_ref().map_err(String::clone)?;
         let mut pasts = self.pasts[self.past].clone();
         let timed = self.timings.iter().zip(&mut pasts);
-        let cycles = timed.map(|((_, timing), past)| row(*timing, past, code)).collect();
+        let cycles = timed
+            .map(|((_, timing), past)| row(*timing, past, code))
+            .collect();
         let after = self.number(pasts);
         known.known.push((self.past, cycles, after));
         Ok(known.known.len() - 1)
@@ -168,7 +195,10 @@ impl Tally {
     fn end(&mut self, mut call: Call, at: u32) {
         for (i, (_, timing)) in self.timings.iter().enumerate() {
             let part = timing.arrive(&self.pasts[self.past][i], at);
-            call.cycles[i] = [call.cycles[i][0] + u64::from(part[0]), call.cycles[i][1] + u64::from(part[1])];
+            call.cycles[i] = [
+                call.cycles[i][0] + u64::from(part[0]),
+                call.cycles[i][1] + u64::from(part[1]),
+            ];
         }
         let batch = self.batches - 1;
         match (batch < 4 * CHUNKS, batch % 4) {
@@ -187,11 +217,19 @@ impl Tally {
     /// decides about them; cycles (mean, lowest and highest; least; longest). Less those of the empty kernel.
     pub fn report(&self) -> Result<String, String> {
         let (empty, counted, all) = (&self.empty, &self.counted, &self.all);
-        if self.batches < 4 * CHUNKS || empty.count != counted.count || empty.many_paths || empty.count == 0 {
-            return Err(format!("{} batches, {} and {} calls", self.batches, empty.count, counted.count));
+        if self.batches < 4 * CHUNKS
+            || empty.count != counted.count
+            || empty.many_paths
+            || empty.count == 0
+        {
+            return Err(format!(
+                "{} batches, {} and {} calls",
+                self.batches, empty.count, counted.count
+            ));
         }
         let less = |figure: u64, empty: u64| figure as i64 - empty as i64;
-        let mean = |sum: u64, empty: u64| format!("{:.1}", less(sum, empty) as f64 / counted.count as f64);
+        let mean =
+            |sum: u64, empty: u64| format!("{:.1}", less(sum, empty) as f64 / counted.count as f64);
         let mut text = String::new();
         for (i, (name, _)) in self.timings.iter().enumerate() {
             let path = match (all.many_paths, all.decides, all.by_operands[i]) {
@@ -229,7 +267,10 @@ fn counted_and(all: &Calls, timing: usize, counted: &Calls) -> ([u64; 2], u64, u
 impl Calls {
     fn add(&mut self, call: &Call) {
         if self.count == 0 {
-            let first = call.cycles.iter().map(|cycles| ([0; 2], cycles[0], cycles[1]));
+            let first = call
+                .cycles
+                .iter()
+                .map(|cycles| ([0; 2], cycles[0], cycles[1]));
             self.cycles = first.collect();
             (self.fewest, self.most, self.path) = (call.instructions, call.instructions, call.path);
             self.by_operands = vec![false; call.cycles.len()];

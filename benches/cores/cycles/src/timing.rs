@@ -48,7 +48,9 @@ impl Timing {
 
     /// What refilling the pipeline adds to an instruction that branches, now that the next address is known.
     pub fn arrive(self, past: &Past, at: u32) -> Cycles {
-        let Some(last) = past.last.filter(Instruction::branches) else { return exactly(0) };
+        let Some(last) = past.last.filter(Instruction::branches) else {
+            return exactly(0);
+        };
         let may_fall_through = last.predicated || last.class == Class::Branch { conditional: true };
         if may_fall_through && last.end == at {
             return exactly(0);
@@ -85,7 +87,13 @@ impl Timing {
     /// Whether the operands of an instruction decide on its time.
     pub fn by_operands(self, one: &Instruction) -> bool {
         let long = matches!(one.class, Class::LongMultiply | Class::LongMultiplyAdd);
-        let cost = self.step(&mut Past::default(), &Instruction { predicated: false, ..*one });
+        let cost = self.step(
+            &mut Past::default(),
+            &Instruction {
+                predicated: false,
+                ..*one
+            },
+        );
         one.class == Class::Divide || (long && self == Self::M3) || (one.predicated && cost[1] > 1)
     }
 
@@ -102,9 +110,13 @@ impl Timing {
 
     fn large(self, last: Option<&Instruction>, one: &Instruction) -> Cycles {
         let m3 = self == Self::M3;
-        let written = |test: fn(Class) -> bool| last.filter(|last| test(last.class)).map_or(0, |last| last.writes);
+        let written = |test: fn(Class) -> bool| {
+            last.filter(|last| test(last.class))
+                .map_or(0, |last| last.writes)
+        };
         // Behind a load whose result is not its address, the next access is a cycle shorter.
-        let loading = last.is_some_and(|last| matches!(last.class, Class::Load { update: false, .. }));
+        let loading =
+            last.is_some_and(|last| matches!(last.class, Class::Load { update: false, .. }));
         let paired = loading && last.is_some_and(|last| last.writes & one.address == 0);
         // An address that has just been computed is waited for.
         let waits = u32::from(written(computes) & one.address != 0);
@@ -115,11 +127,16 @@ impl Timing {
             Class::Divide => [2, 12],
             Class::Load { update: true, .. } => [1, 2],
             // A literal may contend with the fetch of instructions.
-            Class::Load { literal, .. } => [2 - u32::from(paired), 2 - u32::from(paired) + u32::from(literal)],
+            Class::Load { literal, .. } => [
+                2 - u32::from(paired),
+                2 - u32::from(paired) + u32::from(literal),
+            ],
             // The section on loads and stores gives 1 cycle, the table 2.
             Class::Store { immediate: true } => [1, 2 - u32::from(paired)],
             Class::Store { .. } => exactly(2 - u32::from(paired)),
-            Class::LoadWords { words, .. } | Class::StoreWords { words } | Class::FloatWords { words } => exactly(1 + words),
+            Class::LoadWords { words, .. }
+            | Class::StoreWords { words }
+            | Class::FloatWords { words } => exactly(1 + words),
             Class::LoadCounter | Class::TableBranch => exactly(2),
             // Folded into an instruction of 16 bits before it.
             Class::IfThen if last.is_some_and(Instruction::half) => [0, 1],
@@ -168,17 +185,29 @@ fn is_float(class: Class) -> bool {
 fn computes(class: Class) -> bool {
     matches!(
         class,
-        Class::Simple | Class::Multiply | Class::MultiplyAdd | Class::LongMultiply | Class::LongMultiplyAdd | Class::Divide
+        Class::Simple
+            | Class::Multiply
+            | Class::MultiplyAdd
+            | Class::LongMultiply
+            | Class::LongMultiplyAdd
+            | Class::Divide
     )
 }
 
 /// What the unit rounds.
 fn rounds(class: Class) -> bool {
-    matches!(class, Class::Float | Class::FloatMultiplyAdd | Class::FloatDivide)
+    matches!(
+        class,
+        Class::Float | Class::FloatMultiplyAdd | Class::FloatDivide
+    )
 }
 
 /// Cycles of a row of instructions; before the first one nothing is known.
-pub fn row<'a>(timing: Timing, past: &mut Past, row: impl IntoIterator<Item = &'a Instruction>) -> Cycles {
+pub fn row<'a>(
+    timing: Timing,
+    past: &mut Past,
+    row: impl IntoIterator<Item = &'a Instruction>,
+) -> Cycles {
     let mut sum = [0; 2];
     for one in row {
         for part in [timing.arrive(past, one.at), timing.step(past, one)] {
@@ -187,4 +216,3 @@ pub fn row<'a>(timing: Timing, past: &mut Past, row: impl IntoIterator<Item = &'
     }
     sum
 }
-

@@ -8,6 +8,8 @@ pub struct Image {
     sections: Vec<(String, u64)>,
     /// Functions and data. Of WASM, the functions in its section of names.
     pub names: Vec<String>,
+    /// Of ELF: the halfwords of Thumb code, without the constants between.
+    pub code: Vec<u16>,
     /// Of WASM: everything but what is there for people, and how many functions there are.
     wasm: Option<(u64, usize)>,
 }
@@ -80,6 +82,8 @@ fn elf(bytes: &[u8]) -> Option<Image> {
     };
     let titles = content(half(bytes, 50)?)?;
     let mut image = Image::default();
+    // Where code and data begin, by section.
+    let mut marks: Vec<(usize, usize, bool)> = Vec::new();
     for i in 0..count {
         let name = string(titles, header(i, 0)?)?;
         image.sections.push((name, header(i, 5)? as u64));
@@ -90,10 +94,30 @@ fn elf(bytes: &[u8]) -> Option<Image> {
         for symbol in content(i)?.chunks_exact(16) {
             let name = string(strings, word(symbol, 0)?)?;
             let kind = usize::from(symbol[12] & 15);
+            if matches!(name.get(..2), Some("$t" | "$d")) {
+                marks.push((half(symbol, 14)?, word(symbol, 4)?, name.starts_with("$t")));
+            }
             if kind <= FUNCTION_OR_DATA && !name.is_empty() && !name.starts_with('$') {
                 image.names.push(name);
             }
         }
+    }
+    marks.sort_unstable();
+    for (mark, next) in marks
+        .iter()
+        .zip(marks.iter().skip(1).map(Some).chain([None]))
+    {
+        let &(section, start, true) = mark else {
+            continue;
+        };
+        let (bytes, origin) = (content(section)?, header(section, 3)?);
+        let end = next
+            .filter(|next| next.0 == section)
+            .map_or(origin + bytes.len(), |next| next.1);
+        let code = bytes.get(start - origin..end - origin)?.chunks_exact(2);
+        image
+            .code
+            .extend(code.map(|half| u16::from_le_bytes([half[0], half[1]])));
     }
     Some(image)
 }

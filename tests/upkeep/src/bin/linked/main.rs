@@ -11,6 +11,7 @@
 //! The scripts that link call this; each check is tried on something that it must refuse.
 
 mod c;
+mod constant;
 mod firmware;
 mod forbidden;
 mod image;
