@@ -2,6 +2,7 @@
 //!
 //! Here lives the list of steps. Each is a file of its own, or a command that the repository has for it.
 
+mod cycles;
 mod golden;
 mod host;
 mod pages;
@@ -18,11 +19,11 @@ Regenerates what is derived from the sources, in this order:
     golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
     accuracy   docs/accuracy.md, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
-    sizes      .ci/sizes.csv, examples/firmware/sizes.csv, bindings/c/sizes/sizes.csv
+    sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/sizes/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
     pages      the tables and figures between marks in README.md and other pages
     capi       bindings/c/include/microwarp.h, bindings/c/src/layout.rs
-    tidy       nothing is written: costs.csv has every kernel, and none that is gone
+    tidy       nothing is written: costs.csv has every kernel, and none that is gone; cycles.csv agrees with it
 
     cargo regenerate [OPTIONS]
 
@@ -32,7 +33,8 @@ Regenerates what is derived from the sources, in this order:
     --golden TEXT   lines of a golden table whose case contains TEXT may change; prints the old and the new.
                     This breaks values: say so in the changelog and in the commit
     --worst         keeps the worst cases of an adversary's search as well: tests/*/worst.csv
-    --costs         counts instructions as well: benches/cores/costs.csv; needs an emulator, and hours for all
+    --costs         counts instructions and cycles as well: benches/cores/costs.csv, cycles.csv; needs an emulator,
+                    and hours for all
     --kernel NAME   with --costs: only the kernels whose names match this regular expression
     --host          runs the benches as well: docs/measured/host.csv, peers.md, docs/tradeoff.png; wants a quiet
                     machine
@@ -210,6 +212,8 @@ fn costs(args: &Args) -> Outcome {
         line.push("--update");
         line.extend(args.kernels.iter().map(String::as_str));
     }
+    command(&line, &[], false)?;
+    line.insert(1, "--cycles");
     command(&line, &[], false).map(drop)
 }
 

@@ -18,6 +18,7 @@ const PAGES: [&str; 7] = [
     "docs/costs.md",
     "docs/peers.md",
     "docs/promises.md",
+    "docs/worst_case.md",
     "examples/README.md",
     "examples/firmware/README.md",
 ];

@@ -100,7 +100,7 @@ impl Sources {
     }
 
     /// A column of costs.csv: 0 instructions, 1 stack, 2 code, 3 tables.
-    fn cost(&self, kernel: &str, core: &str, opt: &str, column: usize) -> Outcome<f64> {
+    pub fn cost(&self, kernel: &str, core: &str, opt: &str, column: usize) -> Outcome<f64> {
         let row = self.costs.get(&format!("{kernel} {core} {opt}"));
         let row =
             row.ok_or_else(|| format!("costs.csv has no {kernel} on {core} at level {opt}"))?;
@@ -270,6 +270,9 @@ pub fn tidy() -> Outcome {
             wrong.push(format!("costs.csv has {row}, and there is no such kernel"));
         }
     }
+    wrong.extend(crate::cycles::tidy(&sources, &|name| {
+        kernels.contains(name)
+    })?);
     if kernels.is_empty() {
         wrong.push("no kernel is found in benches/cores/src/kernels".into());
     }

@@ -1,7 +1,7 @@
 //! The tables of the pages: which rows each has, and which figures stand in a row.
 
-use crate::scene;
 use crate::sources::{Sources, grouped};
+use crate::{cycles, scene};
 use microwarp_golden::{FLOAT_WARPS, GRADED_WARPS, Listed};
 use microwarp_upkeep::{Outcome, read};
 
@@ -25,6 +25,9 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "ingredients" => scene::ingredients(sources),
         "scene" => scene::accuracy(),
         "six" => six(sources),
+        "constant" => cycles::constant(),
+        "rejection cycles" => cycles::rejection(),
+        _ if name.starts_with("cycles ") => cycles::table(&name[7..]),
         _ if name.starts_with("cost ") => cost(&name[5..], sources),
         _ if name.starts_with("points ") => points(&name[7..], sources),
         _ => Err(format!("no table is called {name}")),

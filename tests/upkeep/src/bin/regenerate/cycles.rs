@@ -1,0 +1,294 @@
+//! The tables of docs/worst_case.md, from benches/cores/cycles.csv.
+
+use crate::sources::{Sources, grouped};
+use crate::tables::rows;
+use microwarp::rejection::{
+    BallRejection, DiskRejection, ZigguratStandardExponential, ZigguratStandardNormal,
+};
+use microwarp_upkeep::{Outcome, read};
+
+/// The processors as cycles.csv names their timings.
+const TIMINGS: [(&str, &str); 5] = [
+    ("m0", "Cortex-M0"),
+    ("m0_slow", "M0, multiplying in 32"),
+    ("m0plus", "Cortex-M0+"),
+    ("m3", "Cortex-M3"),
+    ("m4f", "Cortex-M4F"),
+];
+
+fn title(timing: &str) -> Outcome<&'static str> {
+    let found = TIMINGS.iter().find(|(name, _)| *name == timing);
+    found
+        .map(|(_, title)| *title)
+        .ok_or_else(|| format!("no timing {timing}"))
+}
+
+/// A row of cycles.csv.
+pub struct Row {
+    pub kernel: String,
+    pub timing: String,
+    pub path: String,
+    /// Of instructions: the mean, the fewest, the most.
+    pub instructions: [f64; 3],
+    /// Of the mean, the lower and the upper end.
+    pub mean: [f64; 2],
+    pub least: f64,
+    pub longest: f64,
+}
+
+/// In the order of the file.
+pub fn all() -> Outcome<Vec<Row>> {
+    const FILE: &str = "benches/cores/cycles.csv";
+    let text = read(FILE)?;
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number = |i: usize| cells.get(i)?.parse::<f64>().ok();
+        Some(Row {
+            kernel: cells[0].into(),
+            timing: (*cells.get(1)?).into(),
+            path: (*cells.get(3)?).into(),
+            instructions: [number(4)?, number(5)?, number(6)?],
+            mean: [number(7)?, number(8)?],
+            least: number(9)?,
+            longest: number(10)?,
+        })
+    };
+    text.lines()
+        .skip(1)
+        .map(|line| row(line).ok_or_else(|| format!("{FILE}: {line}")))
+        .collect()
+}
+
+fn whole(number: f64) -> String {
+    grouped(number.round_ties_even() as u64)
+}
+
+/// One figure where the manual leaves nothing open.
+fn range([low, high]: [f64; 2]) -> String {
+    let (low, high) = (whole(low), whole(high));
+    if low == high {
+        low
+    } else {
+        format!("{low} to {high}")
+    }
+}
+
+/// What the inputs decide.
+fn decided(path: &str) -> Outcome<&'static str> {
+    match path {
+        "constant" => Ok("nothing"),
+        "operands" => Ok("how long operands take"),
+        "same" => Ok("nothing seen"),
+        "varies" => Ok("the path"),
+        _ => Err(format!("cycles.csv: {path}?")),
+    }
+}
+
+/// `PATTERN TIMING...`: the kernels of a tier, or those named with `|` between, by some timings of one core.
+pub fn table(words: &str) -> Outcome<String> {
+    let mut words = words.split(' ');
+    let (pattern, timings) = (words.next().unwrap_or_default(), words.collect::<Vec<_>>());
+    let (first, others) = timings.split_first().ok_or("which timings?")?;
+    let all = all()?;
+    let chosen = |kernel: &str| {
+        pattern
+            .split('|')
+            .any(|part| kernel == part || (part.ends_with('_') && kernel.starts_with(part)))
+    };
+    let mut head = vec!["".into(), "instructions: mean".into(), "most".into()];
+    head.push(format!("{}: least", title(first)?));
+    head.extend(["mean".into(), "longest".into()]);
+    for timing in others {
+        head.extend([format!("{}: mean", title(timing)?), "longest".into()]);
+    }
+    head.push("inputs decide".into());
+    let line = |i: usize| {
+        if i == 0 || i + 1 == head.len() {
+            "---"
+        } else {
+            "--:"
+        }
+    };
+    let mut table = vec![
+        head.clone(),
+        (0..head.len()).map(|i| line(i).into()).collect(),
+    ];
+    for row in all
+        .iter()
+        .filter(|row| row.timing == *first && chosen(&row.kernel))
+    {
+        let mut cells = vec![
+            format!("`{}`", row.kernel),
+            whole(row.instructions[0]),
+            whole(row.instructions[2]),
+        ];
+        cells.extend([whole(row.least), range(row.mean), whole(row.longest)]);
+        for timing in others {
+            let other = all
+                .iter()
+                .find(|other| other.kernel == row.kernel && other.timing == *timing);
+            let other =
+                other.ok_or_else(|| format!("cycles.csv has no {} on {timing}", row.kernel))?;
+            cells.extend([range(other.mean), whole(other.longest)]);
+        }
+        cells.push(decided(&row.path)?.into());
+        table.push(cells);
+    }
+    if table.len() == 2 {
+        return Err(format!("cycles.csv has no {pattern} on {first}"));
+    }
+    Ok(rows(&table))
+}
+
+/// Which functions take the same time for every input, by timing.
+pub fn constant() -> Outcome<String> {
+    let all = all()?;
+    let mut table = vec![
+        vec![
+            "".into(),
+            "functions".into(),
+            "constant, proven".into(),
+            "the same for all inputs tried".into(),
+            "constant".into(),
+        ],
+        vec![
+            "---".into(),
+            "--:".into(),
+            "--:".into(),
+            "--:".into(),
+            "---".into(),
+        ],
+    ];
+    for (timing, title) in TIMINGS {
+        let of = |path: &str| {
+            all.iter()
+                .filter(|row| row.timing == timing && row.path == path)
+                .collect::<Vec<_>>()
+        };
+        let constant = of("constant");
+        let names: Vec<String> = constant
+            .iter()
+            .map(|row| format!("`{}`", row.kernel))
+            .collect();
+        let count = all.iter().filter(|row| row.timing == timing).count();
+        let cells = [count, constant.len(), of("same").len()].map(|count| count.to_string());
+        table.push([&[title.to_string()], &cells[..], &[names.join(", ")]].concat());
+    }
+    Ok(rows(&table))
+}
+
+/// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
+fn rejections() -> [(&'static str, f64, u32, bool); 6] {
+    use microwarp::fixed as integer;
+    let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
+    [
+        (
+            "rejection_disk_pcg32",
+            DiskRejection::EFFICIENCY.into(),
+            DiskRejection::BUDGET,
+            true,
+        ),
+        (
+            "rejection_ball_pcg32",
+            BallRejection::EFFICIENCY.into(),
+            BallRejection::BUDGET,
+            true,
+        ),
+        (
+            "fixed_rejection_disk_pcg32",
+            share(integer::DiskRejection::EFFICIENCY.to_bits()),
+            integer::DiskRejection::BUDGET,
+            true,
+        ),
+        (
+            "fixed_rejection_disk_16_pcg32",
+            share(integer::DiskRejection16::EFFICIENCY.to_bits()),
+            integer::DiskRejection16::BUDGET,
+            true,
+        ),
+        (
+            "rejection_ziggurat_standard_normal_pcg32",
+            ZigguratStandardNormal::EFFICIENCY.into(),
+            ZigguratStandardNormal::BUDGET,
+            false,
+        ),
+        (
+            "rejection_ziggurat_standard_exponential_pcg32",
+            ZigguratStandardExponential::EFFICIENCY.into(),
+            ZigguratStandardExponential::BUDGET,
+            false,
+        ),
+    ]
+}
+
+/// Upper ends throughout. A further try of a region takes what the mean exceeds the least by, over the tries beyond the first.
+pub fn rejection() -> Outcome<String> {
+    let all = all()?;
+    let mut head: Vec<String> = vec![
+        "".into(),
+        "efficiency".into(),
+        "budget".into(),
+        "spent with probability".into(),
+    ];
+    for timing in ["m0plus", "m4f"] {
+        let title = title(timing)?;
+        head.extend([
+            format!("{title}: mean"),
+            "longest seen".into(),
+            "a further try".into(),
+            "all tries".into(),
+        ]);
+    }
+    let line = |i: usize| if i == 0 { "---" } else { "--:" };
+    let mut table = vec![
+        head.clone(),
+        (0..head.len()).map(|i| line(i).into()).collect(),
+    ];
+    for (kernel, efficiency, budget, alike) in rejections() {
+        let tries = f64::from(budget);
+        let power = tries * (1.0 - efficiency).log2();
+        let mut cells = vec![
+            format!("`{kernel}`"),
+            format!("{efficiency:.3}"),
+            budget.to_string(),
+            format!("2^{power:.0}"),
+        ];
+        for timing in ["m0plus", "m4f"] {
+            let row = all
+                .iter()
+                .find(|row| row.kernel == kernel && row.timing == timing);
+            let row = row.ok_or_else(|| format!("cycles.csv has no {kernel} on {timing}"))?;
+            let further = (row.mean[1] - row.least) / (1.0 / efficiency - 1.0);
+            let (each, most) = if alike {
+                (whole(further), row.least + (tries - 1.0) * further)
+            } else {
+                (String::new(), tries * row.longest)
+            };
+            cells.extend([whole(row.mean[1]), whole(row.longest), each, whole(most)]);
+        }
+        table.push(cells);
+    }
+    Ok(rows(&table))
+}
+
+/// cycles.csv counts the instructions of costs.csv, of functions that there are, and has the warps on the cores that the
+/// page shows.
+pub fn tidy(sources: &Sources, is_kernel: &dyn Fn(&str) -> bool) -> Outcome<Vec<String>> {
+    let mut wrong = Vec::new();
+    for row in all()? {
+        let (kernel, timing) = (&row.kernel, &row.timing);
+        let core = if timing.starts_with("m0") {
+            "m0"
+        } else {
+            timing
+        };
+        if !is_kernel(kernel) {
+            wrong.push(format!(
+                "cycles.csv has {kernel}, and there is no such kernel"
+            ));
+        } else if (sources.cost(kernel, core, "3", 0)? - row.instructions[0]).abs() > 0.101 {
+            wrong.push(format!("{kernel} on {timing}: cycles.csv and costs.csv differ: benches/cores/run --cycles --update '^{kernel}$'"));
+        }
+    }
+    Ok(wrong)
+}
