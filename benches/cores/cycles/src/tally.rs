@@ -238,8 +238,9 @@ impl Tally {
                 (false, false, true) => "operands",
                 (false, false, false) => "constant",
             };
-            let (sums, least, longest) = &counted_and(all, i, counted);
-            let (none, fewest, most) = &empty.cycles[i];
+            let (_, least, longest) = all.cycles[i];
+            let (none, empty_least, empty_longest) = empty.cycles[i];
+            let sums = counted.cycles[i].0;
             let columns = [
                 (*name).to_string(),
                 all.count.to_string(),
@@ -249,19 +250,13 @@ impl Tally {
                 less(all.most, empty.most).to_string(),
                 mean(sums[0], none[0]),
                 mean(sums[1], none[1]),
-                less(*least, *fewest).to_string(),
-                less(*longest, *most).to_string(),
+                less(least, empty_least).to_string(),
+                less(longest, empty_longest).to_string(),
             ];
             text += &(columns.join(",") + "\n");
         }
         Ok(text)
     }
-}
-
-/// The means of the calls that are counted, the ends of all.
-fn counted_and(all: &Calls, timing: usize, counted: &Calls) -> ([u64; 2], u64, u64) {
-    let (_, least, longest) = all.cycles[timing];
-    (counted.cycles[timing].0, least, longest)
 }
 
 impl Calls {

@@ -131,11 +131,11 @@ fn control() -> Outcome {
 }
 
 /// In the directories of .ci/sizes.
-pub fn check(targets: &[&str], place: &Path, writes: bool) -> Outcome {
+pub fn check(targets: &[&str], writes: bool) -> Outcome {
     control()?;
     let mut all = Vec::new();
-    for target in targets.iter().filter(|target| target.starts_with("thumb")) {
-        all.extend(found(target, &place.join(target))?);
+    for target in targets {
+        all.extend(found(target, &crate::target("sizes").join(target))?);
     }
     if writes {
         write(RECORD, &format!("function,target\n{}\n", all.join("\n")))?;

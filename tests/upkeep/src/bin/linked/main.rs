@@ -3,6 +3,7 @@
 //! ```text
 //! linked probe DIRECTORY...             the programs of tests/probe, in the directory of each target
 //! linked sizes [--write] TARGET=COMPILER...    in target/sizes: see .ci/sizes
+//! linked constant [--write] TARGET...   in target/sizes: which functions execute the same for every input
 //! linked firmware [--write] COMPILER    in target/firmware: see examples/firmware/check
 //! linked c [--write] TARGET=COMPILER...    in target/c: see bindings/c/check
 //! linked bytes FILE SECTION...          their bytes together
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
     end(match &args[..] {
         ["probe", directories @ ..] if !directories.is_empty() => probe::check(directories),
         ["sizes", targets @ ..] if !targets.is_empty() => sizes::check(targets, write),
+        ["constant", targets @ ..] if !targets.is_empty() => constant::check(targets, write),
         ["firmware", compiler] => firmware::check(compiler, write),
         ["c", targets @ ..] if !targets.is_empty() => c::check(targets, write),
         ["bytes", file, sections @ ..] => bytes(Path::new(file), sections),

@@ -5,7 +5,7 @@
 
 use crate::image::Image;
 use crate::record::{self, Row, compare};
-use crate::{constant, ingredients, must_fail, one_warp, target};
+use crate::{ingredients, must_fail, one_warp, target};
 use microwarp_upkeep::{Outcome, read, write};
 use std::fs;
 use std::path::Path;
@@ -103,8 +103,6 @@ pub fn check(targets: &[&str], writes: bool) -> Outcome {
         let percent = if same { TOLERANCE } else { OF_ANOTHER };
         failed.extend(compare(&recorded, rows, TITLES, percent, false).err());
     }
-    let names: Vec<&str> = heads.iter().map(|(target, _)| *target).collect();
-    failed.extend(constant::check(&names, &place, writes).err());
     must_fail(
         "a module of everything",
         "not below",
