@@ -6,6 +6,7 @@ use microwarp::rejection::{
     BallRejection, DiskRejection, ZigguratStandardExponential, ZigguratStandardNormal,
 };
 use microwarp_upkeep::{Outcome, read};
+use std::collections::BTreeSet;
 
 /// The processors as cycles.csv names their timings.
 const TIMINGS: [(&str, &str); 5] = [
@@ -271,10 +272,11 @@ pub fn rejection() -> Outcome<String> {
     Ok(rows(&table))
 }
 
-/// cycles.csv counts the instructions of costs.csv, of functions that there are, and has the warps on the cores that the
-/// page shows.
-pub fn tidy(sources: &Sources, is_kernel: &dyn Fn(&str) -> bool) -> Outcome<Vec<String>> {
+/// cycles.csv counts the instructions of costs.csv, and has every function by every timing but for peers, paths, and what
+/// only draws for another.
+pub fn tidy(sources: &Sources, kernels: &BTreeSet<String>) -> Outcome<Vec<String>> {
     let mut wrong = Vec::new();
+    let mut found = BTreeSet::new();
     for row in all()? {
         let (kernel, timing) = (&row.kernel, &row.timing);
         let core = if timing.starts_with("m0") {
@@ -282,12 +284,33 @@ pub fn tidy(sources: &Sources, is_kernel: &dyn Fn(&str) -> bool) -> Outcome<Vec<
         } else {
             timing
         };
-        if !is_kernel(kernel) {
+        if !kernels.contains(kernel) {
             wrong.push(format!(
                 "cycles.csv has {kernel}, and there is no such kernel"
             ));
         } else if (sources.cost(kernel, core, "3", 0)? - row.instructions[0]).abs() > 0.101 {
-            wrong.push(format!("{kernel} on {timing}: cycles.csv and costs.csv differ: benches/cores/run --cycles --update '^{kernel}$'"));
+            wrong.push(format!(
+                "{kernel} on {timing}: cycles.csv and costs.csv differ: --costs --kernel '^{kernel}$'"
+            ));
+        }
+        found.insert((row.kernel, row.timing));
+    }
+    let draws = |kernel: &String| {
+        kernel
+            .strip_suffix("_pcg32")
+            .is_some_and(|alone| kernels.contains(alone))
+    };
+    let timed = |kernel: &&String| {
+        !kernel.starts_with("peer_") && !kernel.contains("_path_") && !draws(kernel)
+    };
+    for kernel in kernels.iter().filter(timed) {
+        let all = TIMINGS
+            .iter()
+            .all(|(timing, _)| found.contains(&(kernel.clone(), timing.to_string())));
+        if !all {
+            wrong.push(format!(
+                "{kernel} is not in cycles.csv: --costs --kernel '^{kernel}$'"
+            ));
         }
     }
     Ok(wrong)

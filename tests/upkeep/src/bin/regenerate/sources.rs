@@ -270,9 +270,7 @@ pub fn tidy() -> Outcome {
             wrong.push(format!("costs.csv has {row}, and there is no such kernel"));
         }
     }
-    wrong.extend(crate::cycles::tidy(&sources, &|name| {
-        kernels.contains(name)
-    })?);
+    wrong.extend(crate::cycles::tidy(&sources, &kernels)?);
     if kernels.is_empty() {
         wrong.push("no kernel is found in benches/cores/src/kernels".into());
     }
