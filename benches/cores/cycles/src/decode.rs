@@ -276,7 +276,7 @@ fn register(name: &str) -> Option<Registers> {
 const CONDITIONS: &str = "eq ne hs lo cs cc mi pl vs vc hi ls ge lt gt le";
 const SIMPLE: &str = "mov movs movw movt mvn mvns add adds addw adc adcs sub subs subw sbc sbcs rsb rsbs neg and ands orr \
     orrs orn orns eor eors bic bics tst teq cmp cmn lsl lsls lsr lsrs asr asrs ror rors rrx rrxs adr nop \
-    sxth sxtb uxth uxtb sxtah sxtab uxtah uxtab ubfx sbfx bfi bfc clz rbit rev rev16 revsh ssat usat \
+    sxth sxtb uxth uxtb sxtb16 uxtb16 sxtab16 uxtab16 sxtah sxtab uxtah uxtab ubfx sbfx bfi bfc clz rbit rev rev16 revsh ssat usat \
     smulbb smulbt smultb smultt smulwb smulwt smlabb smlabt smlatb smlatt smlawb smlawt smmul smmulr smmla smmlar \
     smmls smmlsr smuad smusd umaal uadd8 uadd16 usub8 usub16 sadd16 ssub16 sel pkhbt pkhtb qadd qsub";
 
