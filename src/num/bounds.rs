@@ -6,14 +6,30 @@ pub const LARGEST: f32 = 1.0 - f32::EPSILON / 2.0;
 /// The smallest positive `f32`, 2⁻¹⁴⁹. A uniform of 0 counts as this where a map is infinite, or its density 0, at 0.
 pub const SMALLEST: f32 = f32::from_bits(1);
 
+/// Whether the processor has vectors, for which some loops and choices are written.
+pub(crate) const VECTORS: bool = cfg!(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    target_feature = "simd128"
+));
+
 /// Brings a number into [0, 1) by the rule for uniforms: NaN and numbers below 0 become 0, numbers from 1 up become
 /// [`LARGEST`].
 #[inline]
 pub(crate) fn into_unit(u: f32) -> f32 {
-    // NaN fails the comparison and becomes 0. No f32 lies between the largest uniform and 1. Both lines are the vector
-    // instructions `max` and `min`.
-    let u = if u > 0.0 { u } else { 0.0 };
-    if u < LARGEST { u } else { LARGEST }
+    if VECTORS {
+        // The vector instructions `max` and `min`: NaN fails the first comparison, and no f32 lies between the largest
+        // uniform and 1.
+        let u = if u > 0.0 { u } else { 0.0 };
+        if u < LARGEST { u } else { LARGEST }
+    } else if u >= 1.0 {
+        LARGEST
+    } else if u > 0.0 {
+        u
+    } else {
+        // NaN fails both comparisons.
+        0.0
+    }
 }
 
 /// Brings the density of a point inside the domain into the positive finite range: underflow becomes 2⁻¹⁴⁹ and overflow

@@ -1,6 +1,7 @@
 //! Filling a slice several points at a time, for processors with vectors.
 
 use super::Warp;
+use crate::num::VECTORS;
 use crate::uniform::Uniforms;
 use rand_core::TryRng;
 
@@ -28,15 +29,7 @@ pub(crate) use filled_in_blocks;
 
 /// How many points are computed together: few, so that the processor draws the next words meanwhile. One for processors
 /// without vectors, where a block would only cost memory.
-pub(super) const BLOCK: usize = if cfg!(any(
-    target_arch = "x86_64",
-    target_arch = "aarch64",
-    target_feature = "simd128"
-)) {
-    8
-} else {
-    1
-};
+pub(super) const BLOCK: usize = if VECTORS { 8 } else { 1 };
 
 /// Draws the words of a block before it computes the points, so that no point waits for the generator and the compiler
 /// sees that they are independent.

@@ -12,7 +12,7 @@ use crate::sources::Sources;
 use crate::tables::{block, figure};
 use microwarp_upkeep::{Outcome, read, write};
 
-const PAGES: [&str; 7] = [
+const PAGES: [&str; 8] = [
     "README.md",
     "docs/c.md",
     "docs/costs.md",

@@ -15,7 +15,11 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
             "| | ns, PCG32 included | Cortex-M4F, PCG32 included | Cortex-M0, PCG32 included |",
         ),
         "chains" => beside(sources, CHAINS, "| | ns | Cortex-M4F | Cortex-M0 |"),
-        "generators" => beside(sources, GENERATORS, "| a word; `fixed::Disk::draw` | ns | Cortex-M4F | Cortex-M0 |"),
+        "generators" => beside(
+            sources,
+            GENERATORS,
+            "| a word; `fixed::Disk::draw` | ns | Cortex-M4F | Cortex-M0 |",
+        ),
         "integers" => integers(sources),
         "peers" => Ok(rows(&sources.peers)),
         "firmware" => firmware(),
