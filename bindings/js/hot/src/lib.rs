@@ -1,0 +1,129 @@
+//! The loops that are compiled for speed: words of the generator, and the few warps and tables that fill arrays most often.
+//! What other loops compute is the same, by smaller code.
+#![no_std]
+
+use core::any::TypeId;
+use core::convert::Infallible;
+use microwarp::discrete::{Alias, AliasEntry, Cdf};
+use microwarp::poly::{Exponential, Normal, NormalPair, Sphere};
+use microwarp::{Warp, uniform};
+use rand_core::TryRng;
+
+/// Words drawn before, one after the other; behind the last there are zeros.
+pub struct Words<'a>(pub &'a [u32]);
+
+impl TryRng for Words<'_> {
+    type Error = Infallible;
+
+    #[inline]
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        let Some((&word, rest)) = self.0.split_first() else {
+            return Ok(0);
+        };
+        self.0 = rest;
+        Ok(word)
+    }
+
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        uniform::FromFn(|| self.try_next_u32()).try_next_u64()
+    }
+
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        uniform::FromFn(|| self.try_next_u32()).try_fill_bytes(bytes)
+    }
+}
+
+/// The generator PCG32 (PCG XSH RR 64/32) by its two words of state, so that a caller can keep them.
+pub struct Pcg32 {
+    pub state: u64,
+    pub increment: u64,
+}
+
+impl Pcg32 {
+    /// Of a seed and one of 2⁶³ streams, as the authors seed it.
+    #[must_use]
+    pub const fn new(seed: u64, stream: u64) -> Self {
+        let increment = stream << 1 | 1;
+        let state = seed.wrapping_add(increment);
+        let mut this = Self { state, increment };
+        this.step();
+        this
+    }
+
+    const fn step(&mut self) {
+        let product = self.state.wrapping_mul(6_364_136_223_846_793_005);
+        self.state = product.wrapping_add(self.increment);
+    }
+
+    /// Draws words.
+    #[inline(never)]
+    pub fn fill(&mut self, words: &mut [u32]) {
+        // In locals, so that the loop works in registers.
+        let Self { state, increment } = *self;
+        let mut local = Self { state, increment };
+        for word in words {
+            let state = local.state;
+            local.step();
+            let mixed = (((state >> 18) ^ state) >> 27) as u32;
+            *word = mixed.rotate_right((state >> 59) as u32);
+        }
+        *self = local;
+    }
+}
+
+/// A type that has a loop of its own, as that type.
+fn same<A: 'static, B: 'static>(a: &A) -> Option<&B> {
+    let same = TypeId::of::<A>() == TypeId::of::<B>();
+    // SAFETY: the two types are one.
+    same.then(|| unsafe { &*(&raw const *a).cast::<B>() })
+}
+
+macro_rules! loops {
+    ($($fill:ident: $warp:ident $per_point:literal $point:ty,)*) => {
+        $(
+            #[inline(never)]
+            fn $fill(warp: &$warp, words: &[u32], points: &mut [$point]) {
+                warp.fill(&mut Words(words), points);
+            }
+        )*
+
+        /// Fills a slice by the loop of this type of warp; `false` where it has none.
+        #[inline]
+        pub fn fill<W: Warp + 'static>(warp: &W, words: &[u32], numbers: &mut [f32]) -> bool {
+            $(
+                if let Some(warp) = same::<W, $warp>(warp) {
+                    // SAFETY: the point is an array of so many numbers, without padding.
+                    let points = unsafe {
+                        core::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast(), numbers.len() / $per_point)
+                    };
+                    $fill(warp, words, points);
+                    return true;
+                }
+            )*
+            false
+        }
+    };
+}
+
+loops! {
+    normal: Normal 1 f32,
+    normal_pair: NormalPair 2 [f32; 2],
+    exponential: Exponential 1 f32,
+    sphere: Sphere 3 [f32; 3],
+}
+
+/// Draws indices by cumulated weights.
+#[inline(never)]
+pub fn by_cdf(table: Cdf<&[u32]>, words: &[u32], indices: &mut [u32]) {
+    for (index, &word) in indices.iter_mut().zip(words) {
+        *index = table.index(word) as u32;
+    }
+}
+
+/// Draws indices by bins.
+#[inline(never)]
+pub fn by_alias(table: Alias<&[AliasEntry<u32>]>, words: &[u32], indices: &mut [u32]) {
+    for (index, &word) in indices.iter_mut().zip(words) {
+        *index = table.index(word) as u32;
+    }
+}

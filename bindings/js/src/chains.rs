@@ -1,0 +1,104 @@
+//! Metropolis chains whose target is a function of the caller's: a step is a proposal, the caller's density of it, and
+//! the decision. The caller keeps the state and the counts.
+
+use crate::flat::put;
+use core::slice::{from_raw_parts, from_raw_parts_mut};
+use microwarp::Error;
+use microwarp::metropolis::{
+    BoxStep, Chain, Mixture, Mutation, NormalStep, Proposal, RandomWalk, Saved, Symmetric,
+    UniformStep, WrappedWalk,
+};
+use microwarp::tier::Poly;
+use microwarp_js_hot::Words;
+use rand_core::TryRng;
+
+/// How a chain moves.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct Step {
+    /// Whether the step is normal, and not uniform in a box.
+    normal: u32,
+    /// Whether the states are points of the unit cube, whose opposite faces meet.
+    wrapped: u32,
+    /// The probability of a uniform point of the cube; below 0 for states that lie in none.
+    large: f32,
+}
+
+/// The state that a step from `state` proposes, by the words of one step; so many coordinates, widths and words, with a
+/// word before them that picks the kind in the cube. 0, or the code of the refusal.
+///
+/// # Safety
+/// All that lies there.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn propose(
+    step: &Step,
+    widths: *const f32,
+    words: *const u32,
+    state: *mut f32,
+    coordinates: usize,
+) -> u32 {
+    // SAFETY: as the caller says.
+    let (widths, words, state) = unsafe {
+        (from_raw_parts(widths, coordinates), from_raw_parts(words, coordinates.wrapping_add(1)), from_raw_parts_mut(state, coordinates))
+    };
+    proposed(step, widths, Words(words), state).map_or_else(|refusal| refusal.code().into(), |()| 0)
+}
+
+fn proposed(step: &Step, widths: &[f32], mut words: Words, state: &mut [f32]) -> Result<(), Error> {
+    let large = if step.wrapped > 0 {
+        let Ok(word) = words.try_next_u32();
+        Mixture::large_small(step.large, ())?.table().index(word) == 0
+    } else {
+        false
+    };
+    if widths.iter().all(|width| *width == 0.0) {
+        return Err(Error::NotPositive);
+    }
+    for (x, &width) in state.iter_mut().zip(widths) {
+        let words = &mut words;
+        // One coordinate alone may not stand still.
+        if width == 0.0 && !large {
+            let Ok(_) = words.try_next_u32();
+            continue;
+        }
+        *x = match (large, step.normal > 0, step.wrapped > 0) {
+            (true, ..) => moved(*x, UniformStep::new(), words),
+            (_, false, false) => moved(*x, RandomWalk::new(BoxStep::new(width)?), words),
+            (_, false, true) => moved(*x, WrappedWalk::new(BoxStep::new(width)?), words),
+            (_, true, false) => moved(*x, RandomWalk::new(NormalStep::<f32, Poly>::new(width)?), words),
+            (_, true, true) => moved(*x, WrappedWalk::new(NormalStep::<f32, Poly>::new(width)?), words),
+        };
+    }
+    Ok(())
+}
+
+fn moved(x: f32, by: impl Mutation<f32>, words: &mut Words) -> f32 {
+    let Ok(Proposal { state, .. }) = by.try_propose(x, words);
+    state
+}
+
+/// A proposal that has been made.
+struct Made;
+
+impl Mutation<()> for Made {
+    type Correction = Symmetric;
+    fn try_propose<R: TryRng + ?Sized>(&self, (): (), _: &mut R) -> Result<Proposal<(), Symmetric>, R::Error> {
+        Ok(Proposal::new((), Symmetric))
+    }
+}
+
+/// Decides whether a proposal of density `proposed` is taken at a state of density `density`, by a word. Writes the
+/// acceptance, and returns 0 for no, 1 for yes, 2 where the density is none and the proposal refused; 3 where the chain has
+/// no density to start from.
+///
+/// # Safety
+/// There is room for the acceptance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn settle(density: f32, proposed: f32, word: u32, acceptance: *mut f32) -> u32 {
+    let saved = Saved { state: (), density, steps: 0, accepted: 0, refused: 0, rejected_in_a_row: 0 };
+    let Ok(mut chain) = Chain::resume(saved) else { return 3 };
+    let step = chain.step(|()| proposed, &Made, &mut Words(&[word]));
+    // SAFETY: as the caller says.
+    unsafe { put(acceptance, step.acceptance) };
+    if chain.refused() > 0 { 2 } else { step.is_accepted().into() }
+}

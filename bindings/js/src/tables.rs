@@ -1,0 +1,163 @@
+//! Tables of weights, in memory of the caller: a head of six numbers and the entries behind it.
+
+use crate::flat::{get, put};
+use crate::warps::{Arrays, DRAW, SAMPLE, all};
+use core::slice::{from_raw_parts, from_raw_parts_mut};
+use microwarp::Error;
+use microwarp::discrete::{
+    Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Selection,
+};
+use microwarp::poly::LatLongMap;
+use microwarp_js_hot::{by_alias, by_cdf};
+
+/// What lies in front of the entries.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct Head {
+    /// How many entries there are a row, and how many rows.
+    shape: [usize; 2],
+    /// The bounds of the domain, along each coordinate.
+    bounds: [[f32; 2]; 2],
+}
+
+/// The entries behind the head, so many words.
+unsafe fn behind<'a>(table: *mut Head, words: usize) -> &'a mut [u32] {
+    // SAFETY: the caller has room for them.
+    unsafe { from_raw_parts_mut(table.add(1).cast(), words) }
+}
+
+/// Makes a table of a kind of the weights at `weights`, by the head at `table`: 0 `Cdf`, 1 `Alias`, 2 constant on
+/// pieces, 3 linear on pieces, 4 constant on cells, 5 a sky. 0, or the code of the refusal and the index of a weight
+/// times 32.
+///
+/// # Safety
+/// The weights lie there; there is room for a word each, and for each row; with `Alias` for three words a bin.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f32) -> u32 {
+    // SAFETY: as the caller says.
+    let made = unsafe {
+        let Head { shape, bounds: [[low, high], [from, to]] } = *table;
+        let [width, height] = shape;
+        let count = width.wrapping_mul(height);
+        let weights = from_raw_parts(weights, count);
+        let words = behind(table, count.wrapping_add(height));
+        match kind {
+            0 => Cdf::new_in(weights, words).map(drop),
+            1 => {
+                let bins = from_raw_parts_mut(table.add(1).cast::<AliasEntry<u32>>(), count.next_power_of_two());
+                Alias::new_in(weights, bins).map(drop)
+            }
+            2 => PiecewiseConstant1d::new_in(weights, low, high, words).map(drop),
+            3 => {
+                behind(table, count.wrapping_mul(2)).split_at_mut_checked(count).map_or(Err(Error::NoWeights), |(words, kept)| {
+                    PiecewiseLinear1d::new_in(weights, low, high, words)?;
+                    for (kept, weight) in kept.iter_mut().zip(weights) {
+                        *kept = weight.to_bits();
+                    }
+                    Ok(())
+                })
+            }
+            _ => {
+                let Some((rows, cells)) = words.split_at_mut_checked(height) else { return 0 };
+                if kind == 4 {
+                    PiecewiseConstant2d::new_in(weights, shape, [low, high], [from, to], rows, cells).map(drop)
+                } else {
+                    LatLongMap::new_in(weights, shape, rows, cells).map(drop)
+                }
+            }
+        }
+    };
+    made.map_or_else(|refusal| u32::from(refusal.code()) | (refusal.index().unwrap_or(0) as u32) << 5, |()| 0)
+}
+
+/// Does to each element what `evaluate` does, for a table by its kind. Of `Cdf` and `Alias` the drawn points are indices,
+/// samples are an index, its probability and the leftover uniform, and densities are probabilities.
+///
+/// # Safety
+/// `tabulate` has written the table by this kind. The arrays have `count` elements of so many numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn look_up(
+    kind: u32,
+    what: u32,
+    table: *mut Head,
+    input: *const f32,
+    inputs: usize,
+    output: *mut f32,
+    outputs: usize,
+    count: usize,
+) {
+    let arrays = Arrays { input, output, inputs, outputs, count };
+    // SAFETY: as the caller says. Finished tables are taken as they are, in constant time; none is refused.
+    unsafe {
+        let Head { shape: [width, height], bounds: [[low, high], [from, to]] } = *table;
+        let cells = width.wrapping_mul(height);
+        let words: &[u32] = behind(table, cells);
+        match kind {
+            0 => {
+                if let Ok(cdf) = Cdf::from_trusted_words(words) {
+                    if what == DRAW {
+                        by_cdf(cdf, from_raw_parts(input.cast(), count), from_raw_parts_mut(output.cast(), count));
+                    } else {
+                        chosen_by_cdf(cdf, what, arrays);
+                    }
+                }
+            }
+            1 => {
+                let bins = from_raw_parts(words.as_ptr().cast::<AliasEntry<u32>>(), cells.next_power_of_two());
+                if let Ok(alias) = Alias::from_trusted_bins(bins, cells) {
+                    if what == DRAW {
+                        by_alias(alias, from_raw_parts(input.cast(), count), from_raw_parts_mut(output.cast(), count));
+                    } else {
+                        chosen_by_alias(alias, what, arrays);
+                    }
+                }
+            }
+            2 => {
+                if let Ok(warp) = Cdf::from_trusted_words(words).and_then(|cdf| PiecewiseConstant1d::from_cdf(cdf, low, high)) {
+                    all(&warp, what, arrays);
+                }
+            }
+            3 => {
+                let weights = from_raw_parts(words.as_ptr_range().end.cast(), cells);
+                if let Ok(warp) = Cdf::from_trusted_words(words).and_then(|cdf| PiecewiseLinear1d::from_cdf(cdf, weights, low, high)) {
+                    all(&warp, what, arrays);
+                }
+            }
+            _ => {
+                let Some((rows, cells)) = behind(table, cells.wrapping_add(height)).split_at_checked(height) else { return };
+                if kind == 4 {
+                    if let Ok(warp) = PiecewiseConstant2d::from_trusted_words(rows, cells, [low, high], [from, to]) {
+                        all(&warp, what, arrays);
+                    }
+                } else if let Ok(warp) = LatLongMap::from_trusted_words(rows, cells) {
+                    all(&warp, what, arrays);
+                }
+            }
+        }
+    }
+}
+
+/// A table of indices, whichever it is.
+macro_rules! indices {
+    ($($chosen:ident: $table:ty,)*) => {$(
+        unsafe fn $chosen(table: $table, what: u32, mut arrays: Arrays) {
+            while arrays.count > 0 {
+                // SAFETY: as the caller of `look_up` says.
+                unsafe {
+                    if what == SAMPLE {
+                        let Selection { index, pmf, leftover, .. } = table.select_uniform(get(arrays.input));
+                        put(arrays.output, [f32::from_bits(index as u32), pmf, leftover]);
+                    } else {
+                        put(arrays.output, table.pmf(get::<u32>(arrays.input) as usize));
+                    }
+                }
+                arrays.next();
+            }
+        }
+    )*};
+}
+
+indices! {
+    chosen_by_cdf: Cdf<&[u32]>,
+    chosen_by_alias: Alias<&[AliasEntry<u32>]>,
+}

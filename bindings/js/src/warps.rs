@@ -1,0 +1,173 @@
+//! Every bound warp by its number: constructed, and evaluated over arrays. The numbers are those of the list in
+//! `tests/golden/src/warps.rs`; the JavaScript side has them by `cargo regenerate`.
+
+use crate::flat::{Flat, get, put};
+use core::slice::{from_raw_parts, from_raw_parts_mut};
+use microwarp::{Error, Invert};
+use microwarp_js_hot::{Words, fill};
+
+/// What is done to each element of an array.
+pub const DRAW: u32 = 0;
+pub const SAMPLE: u32 = 1;
+pub const PDF: u32 = 2;
+
+/// Where something comes from and goes to, and how far apart two elements lie.
+pub struct Arrays {
+    pub input: *const f32,
+    pub output: *mut f32,
+    pub inputs: usize,
+    pub outputs: usize,
+    pub count: usize,
+}
+
+impl Arrays {
+    /// The arrays behind their first element.
+    pub fn next(&mut self) {
+        self.input = self.input.wrapping_add(self.inputs);
+        self.output = self.output.wrapping_add(self.outputs);
+        self.count = self.count.wrapping_sub(1);
+    }
+}
+
+/// Does one thing to every element, of a warp of any type.
+///
+/// # Safety
+/// As for [`element`].
+pub unsafe fn all<W>(warp: &W, what: u32, mut arrays: Arrays)
+where
+    W: Invert<Density = f32, Point: Flat, Uniforms: Flat>,
+{
+    while arrays.count > 0 {
+        // SAFETY: as the caller says.
+        unsafe { element(warp, what, &arrays) };
+        arrays.next();
+    }
+}
+
+/// Does one thing to one element; to all where the warp has a loop for it, and says so.
+type Run = unsafe fn(u32, *const f32, &Arrays) -> bool;
+/// Reads parameters and writes a warp; 0, or the code of the refusal.
+type New = unsafe fn(*const f32, *mut f32) -> u32;
+
+/// Does one thing to the first element, of a warp of any type.
+///
+/// # Safety
+/// The warp is of this type, and the arrays have its numbers.
+unsafe fn element<W>(warp: &W, what: u32, arrays: &Arrays)
+where
+    W: Invert<Density = f32, Point: Flat, Uniforms: Flat>,
+{
+    let Arrays { input, output, inputs, .. } = *arrays;
+    // SAFETY: as the caller says.
+    unsafe {
+        match what {
+            DRAW => put(output, warp.draw(&mut Words(from_raw_parts(input.cast(), inputs)))),
+            SAMPLE => put(output, warp.sample(get(input))),
+            PDF => put(output, warp.pdf(get(input))),
+            _ => put(output, warp.invert(get(input))),
+        }
+    }
+}
+
+unsafe fn run<W>(what: u32, warp: *const f32, arrays: &Arrays) -> bool
+where
+    W: Invert<Density = f32, Point: Flat, Uniforms: Flat> + 'static,
+{
+    let Arrays { input, output, inputs, outputs, count } = *arrays;
+    // SAFETY: the caller passes what `construct` wrote by the same number, and arrays of its numbers.
+    unsafe {
+        let warp = &*warp.cast::<W>();
+        if what == DRAW {
+            let words = from_raw_parts(input.cast(), inputs * count);
+            if fill(warp, words, from_raw_parts_mut(output, outputs * count)) {
+                return true;
+            }
+        }
+        element(warp, what, arrays);
+        false
+    }
+}
+
+fn write<W>(made: Result<W, Error>, warp: *mut f32) -> u32 {
+    match made {
+        // SAFETY: the caller has room for the largest warp.
+        Ok(made) => unsafe { warp.cast::<W>().write(made) },
+        Err(refusal) => return refusal.code().into(),
+    }
+    0
+}
+
+/// A warp from parameters that lie one behind the other. What takes none cannot refuse.
+macro_rules! made {
+    ($warp:ty, $new:ident(), $from:ident) => {{
+        let _ = $from;
+        Ok(<$warp>::$new())
+    }};
+    ($warp:ty, $new:ident($($parameter:ident: $type:ty),+), $from:ident) => {{
+        let at = $from;
+        $(
+            // SAFETY: the caller has written all parameters.
+            let ($parameter, at) = unsafe {
+                (get::<$type>(at), at.byte_add(size_of::<<$type as Flat>::Raw>()))
+            };
+        )+
+        let _ = at;
+        <$warp>::$new($($parameter),+)
+    }};
+}
+
+macro_rules! numbered {
+    ($([$warp:ty] { $($new:ident $parameters:tt,)* })*) => {
+        static RUN: &[Run] = &[$(run::<$warp>),*];
+        static NEW: &[New] = &[$($(|from, to| write(made!($warp, $new $parameters, from), to)),*),*];
+    };
+}
+
+macro_rules! bound {
+    ($($type:ident {
+        golden $golden:tt cost $cost:tt page $page:tt
+        bind {
+            $($name:literal = $warp:ident $(<$n:literal>)? { $($constructors:tt)* })*
+            $(none $why:literal)?
+        }
+    })*) => {
+        numbered! { $($([microwarp::poly::$warp $(<$n>)?] { $($constructors)* })*)* }
+    };
+}
+microwarp_golden::float_warps!(bound);
+
+/// Makes a warp by the number of its constructor; 0, or the code of the refusal.
+///
+/// # Safety
+/// The parameters lie there, and there is room for the largest warp.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn construct(constructor: usize, parameters: *const f32, warp: *mut f32) -> u32 {
+    // SAFETY: as the caller says.
+    NEW.get(constructor).map_or(0, |new| unsafe { new(parameters, warp) })
+}
+
+/// Draws (0), samples (1), evaluates the density (2) or inverts (3) every element of an array, by the number of a warp.
+///
+/// # Safety
+/// `construct` has written the warp by this number. The arrays have `count` elements of so many numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn evaluate(
+    number: usize,
+    what: u32,
+    warp: *const f32,
+    input: *const f32,
+    inputs: usize,
+    output: *mut f32,
+    outputs: usize,
+    count: usize,
+) {
+    let mut arrays = Arrays { input, output, inputs, outputs, count };
+    let Some(run) = RUN.get(number) else { return };
+    while arrays.count > 0 {
+        // SAFETY: as the caller says.
+        if unsafe { run(what, warp, &arrays) } {
+            return;
+        }
+        arrays.next();
+    }
+}
