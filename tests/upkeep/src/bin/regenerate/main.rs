@@ -5,6 +5,7 @@
 mod cycles;
 mod golden;
 mod host;
+mod javascript;
 mod pages;
 mod scene;
 mod sources;
@@ -17,6 +18,7 @@ const HELP: &str = "\
 Regenerates what is derived from the sources, in this order:
 
     golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
+    javascript bindings/js: warps.js, warps.d.ts, test/expected.json
     accuracy   docs/accuracy.md, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
     sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/sizes/sizes.csv
@@ -27,8 +29,8 @@ Regenerates what is derived from the sources, in this order:
 
     cargo regenerate [OPTIONS]
 
-    --check         writes nothing; fails, and prints the difference, where golden, pages, capi or tidy are not
-                    up to date. The full tests and .ci/run sizes compare the others
+    --check         writes nothing; fails, and prints the difference, where golden, javascript, pages, capi or
+                    tidy are not up to date. The full tests and .ci/run sizes compare the others
     --only NAME     this step alone; may be given more than once
     --golden TEXT   lines of a golden table whose case contains TEXT may change; prints the old and the new.
                     This breaks values: say so in the changelog and in the commit
@@ -57,6 +59,7 @@ type Step = (&'static str, fn(&Args) -> Outcome);
 /// Each may read what those before it have written.
 const STEPS: [Step; 10] = [
     ("golden", |args| golden::step(args.check, &args.golden)),
+    ("javascript", |args| javascript::step(args.check)),
     ("accuracy", accuracy),
     ("proofs", |args| {
         written_by_tests(args, "proofs", &["stated_errors_are_proven"], &[])

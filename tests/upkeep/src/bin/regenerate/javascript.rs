@@ -1,0 +1,290 @@
+//! The generated part of the npm package: the table of its classes, their typings, and what its tests compare with.
+
+mod docs;
+mod expected;
+
+use docs::Docs;
+use microwarp::uniform::Uniforms;
+use microwarp::warp::*;
+use microwarp::{Error, Warp, poly, tier::Poly};
+use microwarp_upkeep::{Outcome, read, write};
+use rand_core::TryRng;
+use std::convert::Infallible;
+use std::hint::black_box;
+
+/// A class of JavaScript: a bound warp.
+pub struct Class {
+    /// The block of the list that it stands in, whose type is the Rust type.
+    block: &'static str,
+    name: String,
+    /// The Rust type's `const` parameter.
+    size: Option<usize>,
+    uniforms: usize,
+    /// The numbers of a point.
+    numbers: usize,
+    /// The words of a draw.
+    words: usize,
+    constructors: Vec<Constructor>,
+}
+
+pub struct Constructor {
+    rust: &'static str,
+    parameters: Vec<(&'static str, &'static str)>,
+}
+
+/// A block's golden subjects: name, and the constructor as it is written.
+pub type Golden = Vec<(&'static str, &'static str)>;
+
+/// Counts the words that are drawn.
+struct Counted(usize);
+
+impl TryRng for Counted {
+    type Error = Infallible;
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        self.0 += 1;
+        Ok(1 << 31)
+    }
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        self.0 += 2;
+        Ok(1 << 63)
+    }
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
+        unreachable!("warps draw words")
+    }
+}
+
+/// How many words a draw takes beyond one for each uniform.
+fn more_words<W: Warp>(warp: Result<W, Error>) -> usize {
+    let mut words = Counted(0);
+    let warp = warp.unwrap_or_else(|e| panic!("a golden subject is refused: {e}"));
+    black_box(warp.draw(&mut words));
+    words.0 - W::Uniforms::COUNT
+}
+
+fn shape<W: Warp>() -> (usize, usize) {
+    (W::Uniforms::COUNT, size_of::<W::Point>() / size_of::<f32>())
+}
+
+/// A parameter whose bits are fixed; here they may be known.
+fn v(x: f32) -> f32 {
+    x
+}
+
+macro_rules! classes {
+    ($($type:ident {
+        golden { $($golden:literal => $warp:expr,)* }
+        cost $cost:tt page $page:tt
+        bind {
+            $($name:literal = $bound:ident $(<$n:literal>)? { $($new:ident($($p:ident: $ty:ty),*),)* })*
+            $(none $why:literal)?
+        }
+    })*) => {
+        /// The classes in the order of their numbers.
+        fn classes() -> Vec<Class> {
+            type T = Poly;
+            let mut classes = Vec::new();
+            $(
+                bound!(classes $type [$($warp),*] $({ $name $bound [$($n)?] $(<$n>)? $($new($($p: $ty),*))* })*);
+            )*
+            classes
+        }
+
+        /// The golden subjects of the blocks that are bound.
+        fn goldens() -> Vec<(&'static str, Golden)> {
+            let mut goldens: Vec<(&'static str, Golden)> = Vec::new();
+            $(
+                let bound: &[&str] = &[$($name),*];
+                if !bound.is_empty() {
+                    goldens.push((stringify!($type), vec![$(($golden, stringify!($warp))),*]));
+                }
+            )*
+            goldens
+        }
+    };
+}
+
+/// Nothing of a block without bound warps: its warps need not be evaluated.
+macro_rules! bound {
+    ($classes:ident $type:ident $golden:tt) => {};
+    ($classes:ident $type:ident [$first:expr $(, $rest:expr)*] $({
+        $name:literal $bound:ident $size:tt $(<$n:literal>)? $($new:ident($($p:ident: $ty:ty),*))*
+    })*) => {
+        let more = { let made: Result<_, Error> = $first; more_words(made) };
+        $({
+            let (uniforms, numbers) = shape::<poly::$bound $(<$n>)?>();
+            $classes.push(Class {
+                block: stringify!($type),
+                name: camel($name, true),
+                size: { let size: &[usize] = &$size; size.first().copied() },
+                uniforms,
+                numbers,
+                words: uniforms + more,
+                constructors: vec![$(Constructor {
+                    rust: stringify!($new),
+                    parameters: vec![$((stringify!($p), stringify!($ty))),*],
+                }),*],
+            });
+        })*
+    };
+}
+microwarp_golden::float_warps!(classes);
+
+/// `from_rate` as `fromRate`, and `aabb_2d` as `Aabb2d`.
+fn camel(name: &str, class: bool) -> String {
+    let words = name.split('_').enumerate();
+    let words = words.map(|(i, word)| match word.chars().next() {
+        Some(first) if i > 0 || class => first.to_ascii_uppercase().to_string() + &word[1..],
+        _ => word.into(),
+    });
+    words.collect()
+}
+
+impl Constructor {
+    fn name(&self) -> String {
+        camel(self.rust, false)
+    }
+
+    /// How many numbers each parameter has.
+    fn lengths(&self) -> Vec<usize> {
+        let length = |of: &str| -> usize {
+            let numbers = of.split(|c: char| !c.is_ascii_digit() && c != 'f' && c != 'u');
+            numbers.filter_map(|n| n.parse::<usize>().ok()).product()
+        };
+        let lengths = self.parameters.iter().map(|(_, of)| length(of));
+        lengths.collect()
+    }
+}
+
+/// Every reason for a refusal.
+const REASONS: [Error; 16] = [
+    Error::NotFinite,
+    Error::Reversed,
+    Error::Empty,
+    Error::TooLarge,
+    Error::NotPositive,
+    Error::Negative,
+    Error::OutOfRange,
+    Error::NotNormalizable,
+    Error::ZeroLength,
+    Error::NoWeights,
+    Error::TooManyWeights,
+    Error::NotFiniteWeight(0),
+    Error::NegativeWeight(0),
+    Error::AllZero,
+    Error::Unreachable(0),
+    Error::NotATable,
+];
+
+/// The reasons in words, by their codes from 1 on; `#` is the index of a weight.
+fn reasons() -> Outcome<String> {
+    let stated = read("src/error.rs")?.matches(" => \"").count();
+    if stated != REASONS.len() {
+        return Err(format!("there are {stated} errors, not {}", REASONS.len()));
+    }
+    let mut lines = String::new();
+    for (error, code) in REASONS.iter().zip(1..) {
+        if error.code() != code {
+            return Err(format!("{error:?} has not the code {code}"));
+        }
+        lines += &format!("  {:?},\n", error.to_string().replace("weight 0", "weight #"));
+    }
+    Ok(lines)
+}
+
+const HEAD: &str = "by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.";
+
+/// The table of the classes: number of the class and of its first constructor; uniforms, numbers of a point, words of a
+/// draw; and the constructors with the numbers of their parameters.
+fn table(classes: &[Class]) -> Outcome<String> {
+    let mut text = format!(
+        "// The warps and the reasons for refusals, {HEAD}\nimport {{ warp }} from \"./warp.js\";\n\n\
+         export const reasons = [\n{}];\n\n",
+        reasons()?
+    );
+    let mut first = 0;
+    for (class, number) in classes.iter().zip(0..) {
+        let constructors = class.constructors.iter().map(|constructor| {
+            let lengths = constructor.lengths();
+            let lengths: Vec<String> = lengths.iter().map(ToString::to_string).collect();
+            constructor.name() + &lengths.concat()
+        });
+        let constructors: Vec<String> = constructors.collect();
+        text += &format!(
+            "export const {0} = /*#__PURE__*/ warp(\"{0} {1}\", {number}, {first}, {2}, {3}, {4});\n",
+            class.name, constructors.join(" "), class.uniforms, class.numbers, class.words,
+        );
+        first += class.constructors.len();
+    }
+    Ok(text)
+}
+
+fn type_of(rust: &str) -> &'static str {
+    match rust {
+        "f32" | "u16" => "number",
+        "[f32; 2]" => "Vector2",
+        "[f32; 3]" => "Vector3",
+        "[[f32; 2]; 2]" => "readonly [Vector2, Vector2]",
+        "[[f32; 3]; 2]" => "readonly [Vector3, Vector3]",
+        "[[f32; 2]; 3]" => "readonly [Vector2, Vector2, Vector2]",
+        "[[f32; 3]; 3]" => "readonly [Vector3, Vector3, Vector3]",
+        _ => panic!("no type of TypeScript for {rust}"),
+    }
+}
+
+fn numbers(count: usize) -> String {
+    match count {
+        1 => "number".into(),
+        _ => format!("[{}]", vec!["number"; count].join(", ")),
+    }
+}
+
+fn signature(constructor: &Constructor) -> String {
+    let parameters = constructor.parameters.iter();
+    let parameters = parameters.map(|(name, of)| format!("{}: {}", camel(name, false), type_of(of)));
+    parameters.collect::<Vec<_>>().join(", ")
+}
+
+fn typings(classes: &[Class]) -> Outcome<String> {
+    let mut text = format!(
+        "// The warps, {HEAD}\nimport {{ Vector2, Vector3, Warp }} from \"./warp.js\";\n"
+    );
+    for class in classes {
+        let docs = Docs::of(class.block)?;
+        let (point, uniforms) = (numbers(class.numbers), numbers(class.uniforms));
+        text += &format!(
+            "\n{}export declare class {} extends Warp<{point}, {uniforms}> {{\n",
+            docs.class()?, class.name
+        );
+        if class.constructors.iter().all(|constructor| constructor.rust != "new") {
+            text += "  private constructor();\n";
+        }
+        for constructor in &class.constructors {
+            text += &docs.constructor(constructor.rust)?;
+            text += &match constructor.rust {
+                "new" => format!("  constructor({});\n", signature(constructor)),
+                _ => format!("  static {}({}): {};\n", constructor.name(), signature(constructor), class.name),
+            };
+        }
+        text += "}\n";
+    }
+    Ok(text)
+}
+
+/// Writes the files, or compares them.
+pub fn step(check: bool) -> Outcome {
+    let classes = classes();
+    let files = [
+        ("bindings/js/warps.js", table(&classes)?),
+        ("bindings/js/warps.d.ts", typings(&classes)?),
+        ("bindings/js/test/expected.json", expected::json(&classes, &goldens())?),
+    ];
+    for (path, text) in files {
+        if !check {
+            write(path, &text)?;
+        } else if read(path)? != text {
+            return Err(format!("{path} is not what the sources say"));
+        }
+    }
+    println!("javascript: {} classes", classes.len());
+    Ok(())
+}
