@@ -22,8 +22,8 @@ import { Vector2, Vector3, Warp } from "./warp.js";
  * **Accuracy**
  *
  * *Sample* counts units in the last place (ulp) of the larger bound, the scale. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -529,7 +529,7 @@ export declare class Tent extends Warp<number, number> {
  *
  * **Domain**
  *
- * - Point: [0, 1); (0, 1) where a is 0.
+ * - Point: 0, 1); (0, 1) where a is 0.
  * - Uniforms: one.
  * - Parameters: finite a and b, neither negative nor both 0.
  * - Both tiers share this code. It needs nothing but a square root.
@@ -537,7 +537,7 @@ export declare class Tent extends Warp<number, number> {
  * **Accuracy**
  *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -589,8 +589,8 @@ export declare class Linear extends Warp<number, number> {
  * **Accuracy**
  *
  * *Sample* counts units in the last place (ulp) of μ or of x − μ, whichever is larger. *Pdf* and *realised
- * density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
- * means](crate::warp#stated-errors).
+ * density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
+ * means.
  *
  * |μ|μ|
  * there: it is nearly 1 for common parameters, and beyond 1e6 the densities of neighbouring `f32` differ by a factor. s
@@ -696,8 +696,8 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  *
  * *Sample* counts units in the last place (ulp) of x₀, of x − x₀ or of l, whichever is largest. Where the mean is
  * between the ends, l is σ or the distance of the farther end, whichever is smaller; otherwise it is 0. *Pdf* and
- * *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
- * means](crate::warp#stated-errors).
+ * *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -764,8 +764,8 @@ export declare class TruncatedNormal extends Warp<number, number> {
  * **Accuracy**
  *
  * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
- * means](crate::warp#stated-errors).
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -816,8 +816,8 @@ export declare class Cauchy extends Warp<number, number> {
  * **Accuracy**
  *
  * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
- * means](crate::warp#stated-errors).
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -869,8 +869,8 @@ export declare class Laplace extends Warp<number, number> {
  * **Accuracy**
  *
  * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
- * means](crate::warp#stated-errors).
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -921,8 +921,8 @@ export declare class Logistic extends Warp<number, number> {
  * **Accuracy**
  *
  * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
- * means](crate::warp#stated-errors).
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -1164,8 +1164,8 @@ export declare class LogNormal extends Warp<number, number> {
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -1207,8 +1207,8 @@ export declare class Disk extends Warp<[number, number], [number, number]> {
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -1250,8 +1250,8 @@ export declare class DiskConcentric extends Warp<[number, number], [number, numb
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -1392,7 +1392,7 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
  *
  * **Domain**
  *
- * - Point: [x, y] in [0, 1)². A coordinate is above 0 where the density at 0 is 0.
+ * - Point: [x, y] in 0, 1)². A coordinate is above 0 where the density at 0 is 0.
  * - Uniforms: two, the first for x and the second for y. Each coordinate increases with its own.
  * - Parameters: four finite weights, none negative and not all 0, of any magnitudes. The first row holds those at
  *   y = 0, the first column those at x = 0.
@@ -1401,7 +1401,7 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size 1. Densities are relative, *inverse* and *round
- * trip* are absolute errors of the uniforms. What each row means.
+ * trip* are absolute errors of the uniforms. [What each row means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -1815,8 +1815,8 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
  *
  * *Sample* is the distance from the exact normal, *unit length* the error of the length. sin θ and cos θ count units
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
- * of the uniforms; s and r are what one ulp of the normal changes in density and inverse. [What each row
- * means](crate::warp#stated-errors).
+ * of the uniforms; s and r are what one ulp of the normal changes in density and inverse. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2265,8 +2265,8 @@ export declare class SphericalRectangle extends Warp<[number, number, number], [
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows
- * are relative errors of densities and absolute errors of uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * are relative errors of densities and absolute errors of uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2311,8 +2311,8 @@ export declare class Aabb2d extends Warp<[number, number], [number, number]> {
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows
- * are relative errors of densities and absolute errors of uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * are relative errors of densities and absolute errors of uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2362,8 +2362,8 @@ export declare class Aabb3d extends Warp<[number, number, number], [number, numb
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the outer radius. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2419,8 +2419,8 @@ export declare class Annulus extends Warp<[number, number], [number, number]> {
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2462,8 +2462,8 @@ export declare class Ball extends Warp<[number, number, number], [number, number
  * **Accuracy**
  *
  * *Sample* is the distance from the exact quaternion, in four dimensions; its length is right to the same bound. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2507,8 +2507,8 @@ export declare class Rotation extends Warp<[number, number, number, number], [nu
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2557,8 +2557,8 @@ export declare class RegularPolygon extends Warp<[number, number], [number, numb
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2605,8 +2605,8 @@ export declare class Simplex2 extends Warp<[number, number, number], [number, nu
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2653,8 +2653,8 @@ export declare class Simplex3 extends Warp<[number, number, number, number], [nu
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2702,8 +2702,8 @@ export declare class Simplex4 extends Warp<[number, number, number, number, numb
  *
  * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. *Pdf* and *realised
  * density* are relative to the density with which points of the face are drawn, whose share of the uniforms is rounded
- * to `f32`. *Inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * to `f32`. *Inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|
@@ -2755,8 +2755,8 @@ export declare class BoxSurface extends Warp<[number, number, number, number, nu
  * **Accuracy**
  *
  * *Sample* is the distance from the exact point, relative to the size, which is the largest of both radii and the height.
- * *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
- * means](crate::warp#stated-errors).
+ * *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
+ * means.
  *
  * | error | `poly` |
  * |---|--:|

@@ -1,24 +1,5 @@
-// The warps and the reasons for refusals, by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.
+// The warps, by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.
 import { warp } from "./warp.js";
-
-export const reasons = [
-  "a parameter is NaN or infinite",
-  "the lower bound is above the upper bound",
-  "the domain has no extent, or too little for a finite density",
-  "the domain is too large, or samples overflow their number format",
-  "a parameter that must be positive is not",
-  "a parameter that must not be negative is",
-  "a parameter is outside its stated range",
-  "the density has no finite integral over the domain",
-  "a direction has no length",
-  "there are no weights",
-  "there are more weights than the table holds",
-  "weight # is NaN or infinite",
-  "weight # is negative",
-  "every weight is zero",
-  "weight # is too small beside the others to be reached",
-  "the entries do not form a table",
-];
 
 export const Interval = /*#__PURE__*/ warp("Interval new11 decreasing11", 0, 0, 1, 1, 1);
 export const Power = /*#__PURE__*/ warp("Power new111 decreasing111", 1, 2, 1, 1, 1);

@@ -118,6 +118,8 @@ macro_rules! made {
 
 macro_rules! numbered {
     ($([$warp:ty] { $($new:ident $parameters:tt,)* })*) => {
+        // The JavaScript side has so much room for one.
+        const _: () = assert!(true $(&& size_of::<$warp>() <= 512 && align_of::<$warp>() <= 16)*);
         static RUN: &[Run] = &[$(run::<$warp>),*];
         static NEW: &[New] = &[$($(|from, to| write(made!($warp, $new $parameters, from), to)),*),*];
     };

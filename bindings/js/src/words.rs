@@ -1,7 +1,9 @@
 //! Where the words of draws come from: the generator, or points of a set; and strata, which are uniforms.
 
 use core::slice::from_raw_parts_mut;
-use microwarp::uniform::{ByPosition, Points, Sobol, Strata1d, Strata2d};
+use microwarp::uniform::{
+    ByPosition, Points, Sobol, Strata1d, Strata2d, deep_from_word, grid_from_word,
+};
 use microwarp_js_hot::Pcg32;
 
 /// Seeds the generator at `state`.
@@ -88,14 +90,15 @@ pub unsafe extern "C" fn strata(columns: u32, rows: u32, from: u32, uniforms: *m
     refused.map_or_else(|refusal| refusal.code().into(), |()| 0)
 }
 
-/// The uniforms of words, in place.
+/// The uniforms of words, in place: on the 24-bit grid, or with `deep` the middles of their cells.
 ///
 /// # Safety
 /// The words lie there.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn uniforms(words: *mut u32, count: usize) {
+pub unsafe extern "C" fn uniforms(words: *mut u32, count: usize, deep: u32) {
+    let of = if deep > 0 { deep_from_word } else { grid_from_word };
     // SAFETY: as the caller says.
     for word in unsafe { from_raw_parts_mut(words, count) } {
-        *word = microwarp::uniform::grid_from_word(*word).to_bits();
+        *word = of(*word).to_bits();
     }
 }

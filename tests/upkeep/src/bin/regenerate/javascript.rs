@@ -175,31 +175,32 @@ const REASONS: [Error; 16] = [
     Error::NotATable,
 ];
 
-/// The reasons in words, by their codes from 1 on; `#` is the index of a weight.
+/// The reasons in words, by their codes from 1 on.
 fn reasons() -> Outcome<String> {
     let stated = read("src/error.rs")?.matches(" => \"").count();
     if stated != REASONS.len() {
         return Err(format!("there are {stated} errors, not {}", REASONS.len()));
     }
-    let mut lines = String::new();
+    let mut lines = String::from(
+        "// Why a constructor refuses its parameters, by `cargo regenerate` from src/error.rs: the codes from 1 on. `#` is the\n\
+         // index of a weight.\nexport const reasons = [\n",
+    );
     for (error, code) in REASONS.iter().zip(1..) {
         if error.code() != code {
             return Err(format!("{error:?} has not the code {code}"));
         }
         lines += &format!("  {:?},\n", error.to_string().replace("weight 0", "weight #"));
     }
-    Ok(lines)
+    Ok(lines + "];\n")
 }
 
 const HEAD: &str = "by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.";
 
 /// The table of the classes: number of the class and of its first constructor; uniforms, numbers of a point, words of a
 /// draw; and the constructors with the numbers of their parameters.
-fn table(classes: &[Class]) -> Outcome<String> {
+fn table(classes: &[Class]) -> String {
     let mut text = format!(
-        "// The warps and the reasons for refusals, {HEAD}\nimport {{ warp }} from \"./warp.js\";\n\n\
-         export const reasons = [\n{}];\n\n",
-        reasons()?
+        "// The warps, {HEAD}\nimport {{ warp }} from \"./warp.js\";\n\n"
     );
     let mut first = 0;
     for (class, number) in classes.iter().zip(0..) {
@@ -215,7 +216,7 @@ fn table(classes: &[Class]) -> Outcome<String> {
         );
         first += class.constructors.len();
     }
-    Ok(text)
+    text
 }
 
 fn type_of(rust: &str) -> &'static str {
@@ -274,7 +275,8 @@ fn typings(classes: &[Class]) -> Outcome<String> {
 pub fn step(check: bool) -> Outcome {
     let classes = classes();
     let files = [
-        ("bindings/js/warps.js", table(&classes)?),
+        ("bindings/js/warps.js", table(&classes)),
+        ("bindings/js/reasons.js", reasons()?),
         ("bindings/js/warps.d.ts", typings(&classes)?),
         ("bindings/js/test/expected.json", expected::json(&classes, &goldens())?),
     ];

@@ -18,7 +18,7 @@ const HELP: &str = "\
 Regenerates what is derived from the sources, in this order:
 
     golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
-    javascript bindings/js: warps.js, warps.d.ts, test/expected.json
+    javascript bindings/js: warps.js, warps.d.ts, reasons.js, test/expected.json
     accuracy   docs/accuracy.md, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
     sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/sizes/sizes.csv

@@ -47,9 +47,10 @@ impl Docs {
         let above = self.lines[..line].iter().rev().map(|line| line.trim());
         let comment = above.take_while(|line| line.starts_with("///") || line.starts_with("#["));
         let comment = comment.filter_map(|line| line.strip_prefix("///"));
-        let mut lines: Vec<String> = comment.map(|line| plain(line.strip_prefix(' ').unwrap_or(line))).collect();
+        let mut lines: Vec<&str> = comment.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
         lines.reverse();
-        lines
+        // A link may go over the end of a line.
+        plain(&lines.join("\n")).lines().map(String::from).collect()
     }
 
     /// The comment of the class.
@@ -114,8 +115,8 @@ fn of_poly(line: &str) -> String {
 }
 
 /// Text without the targets of its links.
-fn plain(line: &str) -> String {
-    let (mut text, mut rest) = (String::new(), line);
+fn plain(text: &str) -> String {
+    let (mut text, mut rest) = (String::new(), text);
     while let Some((before, after)) = rest.split_once('[') {
         let link = after.split_once(']').filter(|(name, behind)| name.starts_with('`') || behind.starts_with('('));
         let Some((name, behind)) = link else {

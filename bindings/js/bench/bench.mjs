@@ -1,0 +1,140 @@
+// The package beside d3-random, @stdlib/random, pure-rand and Math.random, in one run: nanoseconds a number, a point or an
+// index, of filled arrays. Fails where a filled array is not so many times faster than the fastest of the others.
+//   bench/check [--check]
+
+import * as microwarp from "microwarp";
+import * as d3 from "d3-random";
+import { createRequire } from "node:module";
+import { xoroshiro128plus } from "pure-rand/generator/xoroshiro128plus";
+
+const require = createRequire(import.meta.url);
+const stdlib = (name) => require(`@stdlib/random/base/${name}`);
+const LEAST = 3;
+const COUNT = 1 << 16;
+const ROUNDS = 15;
+
+const pure = xoroshiro128plus(42);
+const pure_uniform = () => (pure.next() >>> 0) * 2 ** -32;
+const random = Math.random;
+
+// Fills an array by calls.
+const called = (draw) => (array) => {
+  for (let i = 0; i < array.length; i += 1) array[i] = draw();
+};
+const box_muller = (uniform) => (array) => {
+  for (let i = 0; i < array.length; i += 2) {
+    const [r, phi] = [Math.sqrt(-2 * Math.log(1 - uniform())), 2 * Math.PI * uniform()];
+    array[i] = r * Math.cos(phi);
+    array[i + 1] = r * Math.sin(phi);
+  }
+};
+const sphere = (uniform) => (array) => {
+  for (let i = 0; i < array.length; i += 3) {
+    const [z, phi] = [1 - 2 * uniform(), 2 * Math.PI * uniform()];
+    const r = Math.sqrt(1 - z * z);
+    array[i] = r * Math.cos(phi);
+    array[i + 1] = r * Math.sin(phi);
+    array[i + 2] = z;
+  }
+};
+const by_normals = (normal) => (array) => {
+  for (let i = 0; i < array.length; i += 3) {
+    const [x, y, z] = [normal(), normal(), normal()];
+    const length = Math.hypot(x, y, z);
+    array[i] = x / length;
+    array[i + 1] = y / length;
+    array[i + 2] = z / length;
+  }
+};
+const weights = Array.from({ length: 64 }, (_, i) => 1 + (i * 37) % 64);
+const sums = weights.map((sum => (weight) => (sum += weight))(0));
+const weighted = (uniform) => (array) => {
+  for (let i = 0; i < array.length; i += 1) {
+    const at = uniform() * sums[63];
+    let [low, high] = [0, 63];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (sums[middle] > at) high = middle;
+      else low = middle + 1;
+    }
+    array[i] = low;
+  }
+};
+// Vose's alias method in JavaScript.
+const alias = (uniform) => {
+  const [n, share] = [64, weights.map((weight) => (weight * 64) / sums[63])];
+  const [threshold, other] = [new Float64Array(n).fill(1), new Uint32Array(n)];
+  const [small, large] = [[], []];
+  share.forEach((s, i) => (s < 1 ? small : large).push(i));
+  while (small.length && large.length) {
+    const [s, l] = [small.pop(), large.pop()];
+    threshold[s] = share[s];
+    other[s] = l;
+    share[l] -= 1 - share[s];
+    (share[l] < 1 ? small : large).push(l);
+  }
+  return (array) => {
+    for (let i = 0; i < array.length; i += 1) {
+      const place = uniform() * n;
+      const bin = place | 0;
+      array[i] = place - bin < threshold[bin] ? bin : other[bin];
+    }
+  };
+};
+
+const rng = new microwarp.Pcg32(42, 54);
+const filled = (warp) => (array) => warp.fill(array, rng);
+const drawn = (warp) => called(() => warp.draw(rng));
+const sampled = (warp) => called(() => warp.sample(random()));
+const normal = new microwarp.Normal(0, 1);
+const pair = new microwarp.NormalPair([0, 0], 1);
+const exponential = microwarp.Exponential.fromRate(1);
+const randn = d3.randomNormal(0, 1);
+const improved = stdlib("improved-ziggurat").factory({ seed: 42 });
+
+// Numbers in an element, the array, ours, and the others.
+const contests = [
+  ["normals", 1, new Float32Array(COUNT), { "Normal.fill": filled(normal), "NormalPair.fill": filled(pair), "Normal.draw": drawn(normal), "Normal.sample": sampled(normal) }, {
+    "d3-random": called(randn), "@stdlib (improved ziggurat)": called(improved), "@stdlib (randn)": called(stdlib("randn").factory({ seed: 42 })),
+    "pure-rand, Box-Muller": box_muller(pure_uniform), "Math.random, Box-Muller": box_muller(random),
+  }],
+  ["exponentials", 1, new Float32Array(COUNT), { "Exponential.fill": filled(exponential), "Exponential.draw": drawn(exponential), "Exponential.sample": sampled(exponential) }, {
+    "d3-random": called(d3.randomExponential(1)), "@stdlib": called(stdlib("exponential").factory(1, { seed: 42 })),
+    "pure-rand, logarithm": called(() => -Math.log1p(-pure_uniform())), "Math.random, logarithm": called(() => -Math.log1p(-random())),
+  }],
+  ["sphere points", 3, new Float32Array(3 * COUNT), { "Sphere.fill": filled(new microwarp.Sphere()) }, {
+    "d3-random, three normals": by_normals(randn), "@stdlib, three normals": by_normals(improved),
+    "pure-rand": sphere(pure_uniform), "Math.random": sphere(random),
+  }],
+  ["weighted choice of 64", 1, new Uint32Array(COUNT), { "Alias.fill": filled(new microwarp.Alias(weights)), "Cdf.fill": filled(new microwarp.Cdf(weights)) }, {
+    "pure-rand, alias": alias(pure_uniform), "Math.random, alias": alias(random), "Math.random, bisection": weighted(random),
+  }],
+];
+
+// The fastest of several rounds, in which all take their turns.
+const nanoseconds = (runs, array, each) => {
+  const best = runs.map(() => Infinity);
+  for (let round = 0; round < ROUNDS; round += 1) {
+    runs.forEach((run, i) => {
+      const began = performance.now();
+      run(array);
+      best[i] = Math.min(best[i], performance.now() - began);
+    });
+  }
+  return best.map((milliseconds) => (milliseconds * 1e6) / (array.length / each));
+};
+
+const slow = [];
+for (const [title, each, array, ours, others] of contests) {
+  const names = [...Object.keys(ours), ...Object.keys(others)];
+  const times = nanoseconds([...Object.values(ours), ...Object.values(others)], array, each);
+  const mine = Math.min(...times.slice(0, Object.keys(ours).length));
+  console.log(`\n${title}`);
+  names.forEach((name, i) => console.log(`  ${name.padEnd(30)} ${times[i].toFixed(1).padStart(7)} ns ${(times[i] / mine).toFixed(1).padStart(6)}`));
+  const ratio = Math.min(...times.slice(Object.keys(ours).length)) / mine;
+  if (!(ratio >= LEAST)) slow.push(`${title}: ${ratio.toFixed(1)} times`);
+}
+if (slow.length > 0) {
+  console.log(`\nNot ${LEAST} times faster than the fastest of the others: ${slow.join("; ")}`);
+  if (process.argv.includes("--check")) process.exitCode = 1;
+}

@@ -1,0 +1,105 @@
+// The package against the crate, bit by bit: every golden line of its classes, and runs that the host computed. The tests are
+// run in a project in which the packed package is installed; see `check`.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import test from "node:test";
+import * as microwarp from "microwarp";
+
+const { golden, uniforms, runs } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
+const { Alias, ByPosition, Cdf, Chain, Pcg32, Sobol, Strata } = microwarp;
+
+const bits = (numbers) => Array.from(new Uint32Array(Float32Array.from([numbers].flat(Infinity)).buffer));
+const floats = (bits) => Array.from(new Float32Array(Uint32Array.from(bits).buffer));
+// Every NaN is one in the table.
+const words = (...numbers) => bits(numbers).map((word) => ((word & 0x7fffffff) > 0x7f800000 ? 0x7fc00000 : word));
+const hex = (word) => word.toString(16).padStart(8, "0");
+const one_or_all = (numbers) => (numbers.length === 1 ? numbers[0] : numbers);
+
+const made = (name, maker, given) =>
+  maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given);
+
+// What a case yields, as a line of the table.
+const line = ([subject, name, maker, given], input) => {
+  const warp = made(name, maker, given);
+  const point = input < uniforms.length
+    ? warp.sample(one_or_all(floats(uniforms[input]).slice(0, warp.uniforms)))
+    : warp.draw(new Pcg32(0x5eed + input, 54));
+  return `poly ${subject} #${input},${words(point, warp.pdf(point), warp.invert(point)).map(hex).join(",")}`;
+};
+const cases = golden.flatMap((subject) => Array.from({ length: 16 }, (_, input) => [subject, input]));
+
+// How many lines are not those of the table.
+const differing = (table) => {
+  const lines = new Set(table.split("\n"));
+  return cases.filter(([subject, input]) => !lines.has(line(subject, input))).map(([[name], input]) => `${name} #${input}`);
+};
+const table = readFileSync(new URL("golden.csv", import.meta.url), "utf8");
+
+test("every class gives the bits of the golden table", () => {
+  assert.deepEqual(differing(table), []);
+  const names = new Set(golden.map(([, name]) => name));
+  assert.ok(names.size >= 45, `${names.size} classes`);
+  console.log(`${cases.length} cases of ${names.size} classes`);
+});
+
+test("a table in which one bit is changed is rejected", () => {
+  const at = table.indexOf("poly Disk #5,") + "poly Disk #5,".length;
+  const changed = table.slice(0, at) + hex(parseInt(table.slice(at, at + 8), 16) ^ 1) + table.slice(at + 8);
+  assert.deepEqual(differing(changed), ["Disk #5"]);
+});
+
+const rng = () => new Pcg32(42, 54);
+const weights = [0, 1, 1e-6, 37, 0.3, 0];
+const cells = [1, 0, 4, 2.5, 1e-3, 0.5];
+const filled = (warp) => bits(Array.from(warp.fill(new Float32Array(19 * warp.dimensions), rng())));
+const triples = (warp) => {
+  const words = rng();
+  return Array.from({ length: 8 }, () => {
+    const point = warp.draw(words);
+    return bits([point, warp.pdf(point), warp.invert(point)]);
+  }).flat();
+};
+const selections = (table) => {
+  const selected = [0, 0.3, 0.999].map((u) => table.select(u)).map(({ index, pmf, leftover }) => [index, ...bits([pmf, leftover])]);
+  return [...table.fill(new Uint32Array(8), rng()), ...selected.flat()];
+};
+// Rounded at each step, as the host computes it.
+const target = ([x, y]) => {
+  const f = Math.fround;
+  return f(1 / f(1 + f(f(x * x) + f(y * y))));
+};
+const chain = (step) => {
+  const [states, words, moving] = [[], rng(), new Chain(target, [0.25, 0.5], step)];
+  for (let i = 0; i < 32; i += 1) {
+    const { acceptance } = moving.step(words);
+    states.push(moving.state, acceptance);
+  }
+  return bits(states);
+};
+const points = (set) => [0, 1, 2, 3, 100, 101].flatMap((index) => Array.from(set.at(index).words(new Uint32Array(4), 4)));
+const actual = {
+  Normal: () => filled(new microwarp.Normal(10, 2)),
+  NormalPair: () => filled(new microwarp.NormalPair([1, -1], 0.5)),
+  Exponential: () => filled(microwarp.Exponential.fromRate(1.5)),
+  ExponentialTail: () => filled(microwarp.ExponentialTail.fromRate(1.5)),
+  Sphere: () => filled(new microwarp.Sphere()),
+  Disk: () => filled(new microwarp.Disk()),
+  Cdf: () => selections(new Cdf(weights)),
+  Alias: () => selections(new Alias(weights)),
+  PiecewiseConstant1d: () => triples(new microwarp.PiecewiseConstant1d(weights, -3, 5)),
+  PiecewiseLinear1d: () => triples(new microwarp.PiecewiseLinear1d(weights, -3, 5)),
+  PiecewiseConstant2d: () => triples(new microwarp.PiecewiseConstant2d(cells, [3, 2], [0, 6], [-1, 1])),
+  LatLongMap: () => triples(new microwarp.LatLongMap(cells, [3, 2])),
+  Sobol: () => points(new Sobol(7)),
+  ByPosition: () => points(new ByPosition(7, 9)),
+  Strata: () => Array.from({ length: 6 }, (_, k) => [
+    ...new Strata(3, 2).place(k, [0.25, 0.75]), new Strata(6).place(k, 0.25),
+  ]).flatMap(bits),
+  "normal chain": () => chain({ normal: [0.5, 1] }),
+  "box chain": () => chain({ box: [0.5, 0] }),
+  "cube chain": () => chain({ box: [0.1, 0.2], cube: 0.25 }),
+};
+for (const [name, run] of Object.entries(runs)) {
+  test(`${name} runs as on the host`, () => assert.deepEqual(actual[name](), run));
+}
