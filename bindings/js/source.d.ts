@@ -1,0 +1,55 @@
+/** Where random words come from. */
+export declare abstract class Source {
+  /** Fills an array with words of 32 bits; of points, with the words of so many dimensions each. */
+  words(words: Uint32Array, dimensions?: number): Uint32Array;
+  /** Fills an array with uniforms in [0, 1); of points, with so many dimensions each. */
+  uniforms(uniforms: Float32Array, dimensions?: number): Float32Array;
+}
+
+/**
+ * The generator PCG32 (PCG XSH RR 64/32). The same seed and stream give the same numbers everywhere, and the same as
+ * `rand_pcg::Pcg32` in Rust.
+ */
+export declare class Pcg32 extends Source {
+  /** Without a seed, the generator is seeded from `crypto.getRandomValues`. */
+  constructor(seed?: number | bigint, stream?: number | bigint);
+  /** The state, as two words in hexadecimal: keep it, and go on with `resume`. */
+  readonly state: string;
+  /**
+   * A generator that goes on where another was.
+   *
+   * @throws RangeError if this is no state.
+   */
+  static resume(state: string): Pcg32;
+}
+
+/** A set of points: each point drawn is the next of the set. */
+export declare abstract class Points extends Source {
+  /** The index of the next point. */
+  index: number;
+  /** The dimension from which on words are taken. */
+  dimension: number;
+  /** The same set from another point on, and from another dimension on. */
+  at(index: number, dimension?: number): this;
+}
+
+/** Sobol' points of eight dimensions, scrambled by the seed. Best in numbers that are powers of two. */
+export declare class Sobol extends Points {
+  constructor(seed?: number);
+}
+
+/** Random numbers that are a function of a seed, a pixel, the index of a point and its dimension: there is no state. */
+export declare class ByPosition extends Points {
+  constructor(seed: number, pixel: number);
+}
+
+/** Jittered strata: equal intervals of [0, 1), or with `rows` equal cells of the unit square. */
+export declare class Strata {
+  /** @throws RangeError for no strata, or for more than 2²⁴ along a side. */
+  constructor(columns: number, rows?: number);
+  /** The point of stratum `index`, row by row, at a place in [0, 1) or [0, 1)² within it. */
+  place(index: number, jitter: number): number;
+  place(index: number, jitter: readonly [number, number]): [number, number];
+  /** Fills an array with a random point of each stratum, from stratum `from` on; returns the array. */
+  uniforms(uniforms: Float32Array, source: Source, from?: number): Float32Array;
+}

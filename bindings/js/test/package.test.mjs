@@ -1,0 +1,174 @@
+// What the package promises besides bits: errors, arrays, generators, chains, and what its modules import.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import test from "node:test";
+import * as microwarp from "microwarp";
+
+const { Alias, Cdf, Chain, Disk, Exponential, Normal, Pcg32, Sobol, Strata, Warp } = microwarp;
+const classes = Object.values(microwarp).filter((value) => value.prototype instanceof Warp);
+const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
+const made = (name, maker, given) => (maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given));
+const refused = (code) => (error) => error instanceof RangeError && error.code === code && error.message.length > 10;
+
+test("every constructor refuses NaN, and what are not its numbers", () => {
+  let tried = 0;
+  for (const [, name, maker, given] of golden) {
+    const spoiled = JSON.stringify(given).replace(/-?[\d.e+-]+/, '"NaN"');
+    if (given.length > 0) {
+      const parameters = JSON.parse(spoiled, (_, value) => (value === "NaN" ? NaN : value));
+      assert.throws(() => made(name, maker, parameters), RangeError, `${name}.${maker}(${spoiled})`);
+      assert.throws(() => made(name, maker, JSON.parse(spoiled)), TypeError, `${name}.${maker}(${spoiled})`);
+      assert.throws(() => made(name, maker, given.slice(1)), TypeError);
+      tried += 1;
+    }
+    assert.throws(() => made(name, maker, [...given, 1]), TypeError, name);
+  }
+  console.log(`${tried} sets of parameters spoiled`);
+});
+
+test("a refusal is a RangeError with the words and the code of the crate", () => {
+  assert.throws(() => new Normal(0, -1), { name: "RangeError", message: "a parameter that must be positive is not", code: 5 });
+  assert.throws(() => Exponential.fromRate(Infinity), refused(1));
+  assert.throws(() => new microwarp.Interval(2, 1), { message: "the lower bound is above the upper bound", code: 2 });
+  assert.throws(() => new Cdf([1, 2, -3]), { message: "weight 2 is negative", code: 13 });
+  assert.throws(() => new Alias([0, 0]), refused(14));
+  assert.throws(() => new Cdf([]), refused(10));
+  assert.throws(() => new microwarp.PiecewiseConstant2d([1, 2, 3], [2, 2], [0, 1], [0, 1]), RangeError);
+  assert.throws(() => new microwarp.RegularPolygon(4.5), refused(7));
+  assert.throws(() => new Strata(0), RangeError);
+  assert.throws(() => new Exponential(1), /Exponential.fromRate or Exponential.fromMean/);
+});
+
+test("arrays of a wrong type or length, and detached ones, are refused", () => {
+  const [disk, rng] = [new Disk(), new Pcg32(1)];
+  assert.throws(() => disk.fill(new Float64Array(2), rng), TypeError);
+  assert.throws(() => disk.fill([0, 0], rng), TypeError);
+  assert.throws(() => disk.fill(new Float32Array(3), rng), RangeError);
+  assert.throws(() => disk.map(new Float32Array(4), new Float32Array(6)), RangeError);
+  assert.throws(() => disk.pdfs(new Float32Array(4), new Float32Array(1)), RangeError);
+  assert.throws(() => disk.sample([0.5]), TypeError);
+  assert.throws(() => disk.sample(0.5), TypeError);
+  const gone = new Float32Array(4);
+  structuredClone(gone.buffer, { transfer: [gone.buffer] });
+  assert.throws(() => disk.fill(gone, rng), TypeError);
+  assert.throws(() => new Cdf([1, 1]).fill(new Float32Array(2), rng), TypeError);
+  assert.equal(disk.fill(new Float32Array(0), rng).length, 0);
+});
+
+test("arrays hold what single calls give, over the ends of blocks", () => {
+  for (const Class of classes) {
+    const subject = golden.find(([, name]) => name === Class.name);
+    if (!subject) continue;
+    const [, name, maker, given] = subject;
+    const warp = made(name, maker, given);
+    const count = 9001;
+    assert.equal(Class.dimensions, warp.dimensions);
+    const points = warp.fill(new Float32Array(count * warp.dimensions), new Pcg32(3, 4));
+    const densities = warp.pdfs(points, new Float32Array(count));
+    const inverses = warp.inverts(points, new Float32Array(count * warp.uniforms));
+    const again = warp.map(inverses, new Float32Array(points.length));
+    const rng = new Pcg32(3, 4);
+    const at = (array, each, i) => (each === 1 ? array[i] : Array.from(array.subarray(i * each, (i + 1) * each)));
+    for (let i = 0; i < count; i += 1) {
+      const point = warp.draw(rng);
+      if (i % 750 !== 0 && i + 1 !== count) continue;
+      assert.deepEqual(point, at(points, warp.dimensions, i), `${name} ${i}`);
+      assert.deepEqual(warp.pdf(point), densities[i], `${name} ${i}`);
+      const uniforms = warp.invert(point);
+      assert.deepEqual(uniforms, at(inverses, warp.uniforms, i), `${name} ${i}`);
+      assert.deepEqual(warp.sample(uniforms), at(again, warp.dimensions, i), `${name} ${i}`);
+    }
+  }
+});
+
+test("a generator goes on where it was, and two do not disturb each other", () => {
+  const [normal, first, second] = [new Normal(0, 1), new Pcg32(7, 1), new Pcg32(8n, 1n)];
+  const alone = Array.from(normal.fill(new Float32Array(4), new Pcg32(7, 1)));
+  const mixed = alone.map(() => [normal.draw(first), normal.draw(second)][0]);
+  assert.deepEqual(mixed, alone);
+  const kept = first.state;
+  assert.match(kept, /^[0-9a-f]{16}-[0-9a-f]{16}$/);
+  const next = normal.draw(first);
+  assert.equal(normal.draw(Pcg32.resume(kept)), next);
+  assert.notEqual(first.state, kept);
+  for (const wrong of ["", "12", kept.slice(1), kept.slice(0, -1) + "0", kept + "0"]) assert.throws(() => Pcg32.resume(wrong), RangeError);
+  assert.throws(() => new Pcg32(0.5), RangeError);
+  assert.notEqual(new Pcg32().state, new Pcg32().state);
+});
+
+test("tables larger than the memory was, and many of them, keep their weights", () => {
+  const many = Array.from({ length: 40 }, (_, i) => new Cdf(Float32Array.from({ length: 1 << 14 }, (_, j) => Number(j === i))));
+  const large = new Alias(new Float32Array(1 << 20).fill(1));
+  const rng = new Pcg32(1);
+  many.forEach((table, i) => assert.equal(table.draw(rng), i));
+  assert.equal(large.pmf(77), 2 ** -20);
+  assert.ok(Math.max(...large.fill(new Uint32Array(100), rng)) > 1 << 16);
+  assert.deepEqual(many.map((table) => table.select(0.5).index), many.map((_, i) => i));
+});
+
+test("points of a set go on from index to index, in the dimensions asked for", () => {
+  const [disk, sobol] = [new Disk(), new Sobol(7)];
+  const points = disk.fill(new Float32Array(8), sobol);
+  assert.equal(sobol.index, 4);
+  assert.deepEqual(disk.draw(sobol.at(2)), Array.from(points.subarray(4, 6)));
+  const [uniforms, all] = [sobol.at(5, 3).uniforms(new Float32Array(1)), sobol.at(5).uniforms(new Float32Array(4), 4)];
+  assert.equal(uniforms[0], all[3]);
+  const strata = new Strata(4, 2).uniforms(new Float32Array(16), new Pcg32(1));
+  for (let k = 0; k < 8; k += 1) {
+    assert.deepEqual([Math.floor(strata[2 * k] * 4), Math.floor(strata[2 * k + 1] * 2)], [k % 4, Math.floor(k / 4)]);
+  }
+});
+
+test("a chain has the moments of its target, and goes on where it was", () => {
+  const target = (x) => Math.exp(-0.5 * (x - 3) ** 2);
+  const [chain, rng] = [new Chain(target, 3, { normal: 2.4 }), new Pcg32(5, 5)];
+  for (let i = 0; i < 1000; i += 1) chain.step(rng);
+  chain.reset();
+  let [sum, squares] = [0, 0];
+  const steps = 200000;
+  for (let i = 0; i < steps; i += 1) {
+    const { from, proposed, acceptance } = chain.step(rng);
+    sum += (1 - acceptance) * from + acceptance * proposed;
+    squares += (1 - acceptance) * (from - 3) ** 2 + acceptance * (proposed - 3) ** 2;
+  }
+  // Six standard errors, of a chain whose samples count a fifth.
+  const bound = 6 * Math.sqrt(5 / steps);
+  assert.ok(Math.abs(sum / steps - 3) < bound, `${sum / steps}`);
+  assert.ok(Math.abs(squares / steps - 1) < bound * Math.SQRT2, `${squares / steps}`);
+  assert.equal(chain.steps, steps);
+  assert.ok(chain.acceptanceRate > 0.3 && chain.acceptanceRate < 0.6);
+  const [saved, kept] = [chain.save(), rng.state];
+  const other = new Chain(target, 0, { normal: 2.4 }).resume(saved);
+  assert.deepEqual(other.step(Pcg32.resume(kept)), chain.step(rng));
+  assert.throws(() => new Chain(() => 0, 0, { normal: 1 }), RangeError);
+  assert.throws(() => new Chain(target, 0, { normal: -1 }), RangeError);
+  assert.throws(() => new Chain(target, 0, { box: 0 }), RangeError);
+  assert.throws(() => new Chain(target, 0.5, { box: 0.1, cube: 2 }), RangeError);
+  assert.equal(new Chain((x) => (x === 3 ? 1 : NaN), 3, { normal: 1 }).step(rng).outcome, "refused");
+});
+
+// Prints the bits of all classes in arrays, with or without vectors.
+const digest = `
+import * as microwarp from "microwarp";
+import { createHash } from "node:crypto";
+import { readFileSync } from "node:fs";
+const hash = createHash("sha256");
+for (const [, name, maker, given] of JSON.parse(readFileSync("expected.json")).golden) {
+  const warp = maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given);
+  const points = warp.fill(new Float32Array(5000 * warp.dimensions), new microwarp.Pcg32(9, 9));
+  hash.update(points).update(warp.pdfs(points, new Float32Array(5000))).update(warp.inverts(points, new Float32Array(5000 * warp.uniforms)));
+}
+console.log(hash.digest("hex"));`;
+
+test("both modules give the same bits, and import nothing", () => {
+  const run = (...options) => execFileSync(process.execPath, [...options, "--input-type=module", "--eval", digest], { encoding: "utf8", cwd: import.meta.dirname ?? "." });
+  const without = "data:text/javascript,WebAssembly.validate = () => false;";
+  assert.equal(run("--import", without), run());
+  const module = (name) => new WebAssembly.Module(readFileSync(new URL(import.meta.resolve(`microwarp/${name}`))));
+  for (const name of ["microwarp.wasm", "microwarp-simd.wasm"]) assert.deepEqual(WebAssembly.Module.imports(module(name)), []);
+  // What can panic has an import, or else finding none would mean nothing.
+  const panics = new WebAssembly.Module(readFileSync(process.env.MICROWARP_PANICS));
+  assert.equal(WebAssembly.Module.imports(panics).length, 1);
+});
