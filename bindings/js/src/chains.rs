@@ -39,7 +39,11 @@ pub unsafe extern "C" fn propose(
 ) -> u32 {
     // SAFETY: as the caller says.
     let (widths, words, state) = unsafe {
-        (from_raw_parts(widths, coordinates), from_raw_parts(words, coordinates.wrapping_add(1)), from_raw_parts_mut(state, coordinates))
+        (
+            from_raw_parts(widths, coordinates),
+            from_raw_parts(words, coordinates.wrapping_add(1)),
+            from_raw_parts_mut(state, coordinates),
+        )
     };
     proposed(step, widths, Words(words), state).map_or_else(|refusal| refusal.code().into(), |()| 0)
 }
@@ -65,8 +69,16 @@ fn proposed(step: &Step, widths: &[f32], mut words: Words, state: &mut [f32]) ->
             (true, ..) => moved(*x, UniformStep::new(), words),
             (_, false, false) => moved(*x, RandomWalk::new(BoxStep::new(width)?), words),
             (_, false, true) => moved(*x, WrappedWalk::new(BoxStep::new(width)?), words),
-            (_, true, false) => moved(*x, RandomWalk::new(NormalStep::<f32, Poly>::new(width)?), words),
-            (_, true, true) => moved(*x, WrappedWalk::new(NormalStep::<f32, Poly>::new(width)?), words),
+            (_, true, false) => moved(
+                *x,
+                RandomWalk::new(NormalStep::<f32, Poly>::new(width)?),
+                words,
+            ),
+            (_, true, true) => moved(
+                *x,
+                WrappedWalk::new(NormalStep::<f32, Poly>::new(width)?),
+                words,
+            ),
         };
     }
     Ok(())
@@ -82,7 +94,11 @@ struct Made;
 
 impl Mutation<()> for Made {
     type Correction = Symmetric;
-    fn try_propose<R: TryRng + ?Sized>(&self, (): (), _: &mut R) -> Result<Proposal<(), Symmetric>, R::Error> {
+    fn try_propose<R: TryRng + ?Sized>(
+        &self,
+        (): (),
+        _: &mut R,
+    ) -> Result<Proposal<(), Symmetric>, R::Error> {
         Ok(Proposal::new((), Symmetric))
     }
 }
@@ -94,11 +110,29 @@ impl Mutation<()> for Made {
 /// # Safety
 /// There is room for the acceptance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn settle(density: f32, proposed: f32, word: u32, acceptance: *mut f32) -> u32 {
-    let saved = Saved { state: (), density, steps: 0, accepted: 0, refused: 0, rejected_in_a_row: 0 };
-    let Ok(mut chain) = Chain::resume(saved) else { return 3 };
+pub unsafe extern "C" fn settle(
+    density: f32,
+    proposed: f32,
+    word: u32,
+    acceptance: *mut f32,
+) -> u32 {
+    let saved = Saved {
+        state: (),
+        density,
+        steps: 0,
+        accepted: 0,
+        refused: 0,
+        rejected_in_a_row: 0,
+    };
+    let Ok(mut chain) = Chain::resume(saved) else {
+        return 3;
+    };
     let step = chain.step(|()| proposed, &Made, &mut Words(&[word]));
     // SAFETY: as the caller says.
     unsafe { put(acceptance, step.acceptance) };
-    if chain.refused() > 0 { 2 } else { step.is_accepted().into() }
+    if chain.refused() > 0 {
+        2
+    } else {
+        step.is_accepted().into()
+    }
 }

@@ -36,7 +36,10 @@ unsafe fn behind<'a>(table: *mut Head, words: usize) -> &'a mut [u32] {
 pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f32) -> u32 {
     // SAFETY: as the caller says.
     let made = unsafe {
-        let Head { shape, bounds: [[low, high], [from, to]] } = *table;
+        let Head {
+            shape,
+            bounds: [[low, high], [from, to]],
+        } = *table;
         let [width, height] = shape;
         let count = width.wrapping_mul(height);
         let weights = from_raw_parts(weights, count);
@@ -44,30 +47,46 @@ pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f
         match kind {
             0 => Cdf::new_in(weights, words).map(drop),
             1 => {
-                let bins = from_raw_parts_mut(table.add(1).cast::<AliasEntry<u32>>(), count.next_power_of_two());
+                let bins = from_raw_parts_mut(
+                    table.add(1).cast::<AliasEntry<u32>>(),
+                    count.next_power_of_two(),
+                );
                 Alias::new_in(weights, bins).map(drop)
             }
             2 => PiecewiseConstant1d::new_in(weights, low, high, words).map(drop),
-            3 => {
-                behind(table, count.wrapping_mul(2)).split_at_mut_checked(count).map_or(Err(Error::NoWeights), |(words, kept)| {
+            3 => behind(table, count.wrapping_mul(2))
+                .split_at_mut_checked(count)
+                .map_or(Err(Error::NoWeights), |(words, kept)| {
                     PiecewiseLinear1d::new_in(weights, low, high, words)?;
                     for (kept, weight) in kept.iter_mut().zip(weights) {
                         *kept = weight.to_bits();
                     }
                     Ok(())
-                })
-            }
+                }),
             _ => {
-                let Some((rows, cells)) = words.split_at_mut_checked(height) else { return 0 };
+                let Some((rows, cells)) = words.split_at_mut_checked(height) else {
+                    return 0;
+                };
                 if kind == 4 {
-                    PiecewiseConstant2d::new_in(weights, shape, [low, high], [from, to], rows, cells).map(drop)
+                    PiecewiseConstant2d::new_in(
+                        weights,
+                        shape,
+                        [low, high],
+                        [from, to],
+                        rows,
+                        cells,
+                    )
+                    .map(drop)
                 } else {
                     LatLongMap::new_in(weights, shape, rows, cells).map(drop)
                 }
             }
         }
     };
-    made.map_or_else(|refusal| u32::from(refusal.code()) | (refusal.index().unwrap_or(0) as u32) << 5, |()| 0)
+    made.map_or_else(
+        |refusal| u32::from(refusal.code()) | (refusal.index().unwrap_or(0) as u32) << 5,
+        |()| 0,
+    )
 }
 
 /// Does to each element what `evaluate` does, for a table by its kind. Of `Cdf` and `Alias` the drawn points are indices,
@@ -86,47 +105,80 @@ pub unsafe extern "C" fn look_up(
     outputs: usize,
     count: usize,
 ) {
-    let arrays = Arrays { input, output, inputs, outputs, count };
+    let arrays = Arrays {
+        input,
+        output,
+        inputs,
+        outputs,
+        count,
+    };
     // SAFETY: as the caller says. Finished tables are taken as they are, in constant time; none is refused.
     unsafe {
-        let Head { shape: [width, height], bounds: [[low, high], [from, to]] } = *table;
+        let Head {
+            shape: [width, height],
+            bounds: [[low, high], [from, to]],
+        } = *table;
         let cells = width.wrapping_mul(height);
         let words: &[u32] = behind(table, cells);
         match kind {
             0 => {
                 if let Ok(cdf) = Cdf::from_trusted_words(words) {
                     if what == DRAW {
-                        by_cdf(cdf, from_raw_parts(input.cast(), count), from_raw_parts_mut(output.cast(), count));
+                        by_cdf(
+                            cdf,
+                            from_raw_parts(input.cast(), count),
+                            from_raw_parts_mut(output.cast(), count),
+                        );
                     } else {
                         chosen_by_cdf(cdf, what, arrays);
                     }
                 }
             }
             1 => {
-                let bins = from_raw_parts(words.as_ptr().cast::<AliasEntry<u32>>(), cells.next_power_of_two());
+                let bins = from_raw_parts(
+                    words.as_ptr().cast::<AliasEntry<u32>>(),
+                    cells.next_power_of_two(),
+                );
                 if let Ok(alias) = Alias::from_trusted_bins(bins, cells) {
                     if what == DRAW {
-                        by_alias(alias, from_raw_parts(input.cast(), count), from_raw_parts_mut(output.cast(), count));
+                        by_alias(
+                            alias,
+                            from_raw_parts(input.cast(), count),
+                            from_raw_parts_mut(output.cast(), count),
+                        );
                     } else {
                         chosen_by_alias(alias, what, arrays);
                     }
                 }
             }
             2 => {
-                if let Ok(warp) = Cdf::from_trusted_words(words).and_then(|cdf| PiecewiseConstant1d::from_cdf(cdf, low, high)) {
+                if let Ok(warp) = Cdf::from_trusted_words(words)
+                    .and_then(|cdf| PiecewiseConstant1d::from_cdf(cdf, low, high))
+                {
                     all(&warp, what, arrays);
                 }
             }
             3 => {
                 let weights = from_raw_parts(words.as_ptr_range().end.cast(), cells);
-                if let Ok(warp) = Cdf::from_trusted_words(words).and_then(|cdf| PiecewiseLinear1d::from_cdf(cdf, weights, low, high)) {
+                if let Ok(warp) = Cdf::from_trusted_words(words)
+                    .and_then(|cdf| PiecewiseLinear1d::from_cdf(cdf, weights, low, high))
+                {
                     all(&warp, what, arrays);
                 }
             }
             _ => {
-                let Some((rows, cells)) = behind(table, cells.wrapping_add(height)).split_at_checked(height) else { return };
+                let Some((rows, cells)) =
+                    behind(table, cells.wrapping_add(height)).split_at_checked(height)
+                else {
+                    return;
+                };
                 if kind == 4 {
-                    if let Ok(warp) = PiecewiseConstant2d::from_trusted_words(rows, cells, [low, high], [from, to]) {
+                    if let Ok(warp) = PiecewiseConstant2d::from_trusted_words(
+                        rows,
+                        cells,
+                        [low, high],
+                        [from, to],
+                    ) {
                         all(&warp, what, arrays);
                     }
                 } else if let Ok(warp) = LatLongMap::from_trusted_words(rows, cells) {

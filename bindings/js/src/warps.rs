@@ -57,11 +57,19 @@ unsafe fn element<W>(warp: &W, what: u32, arrays: &Arrays)
 where
     W: Invert<Density = f32, Point: Flat, Uniforms: Flat>,
 {
-    let Arrays { input, output, inputs, .. } = *arrays;
+    let Arrays {
+        input,
+        output,
+        inputs,
+        ..
+    } = *arrays;
     // SAFETY: as the caller says.
     unsafe {
         match what {
-            DRAW => put(output, warp.draw(&mut Words(from_raw_parts(input.cast(), inputs)))),
+            DRAW => put(
+                output,
+                warp.draw(&mut Words(from_raw_parts(input.cast(), inputs))),
+            ),
             SAMPLE => put(output, warp.sample(get(input))),
             PDF => put(output, warp.pdf(get(input))),
             _ => put(output, warp.invert(get(input))),
@@ -73,7 +81,13 @@ unsafe fn run<W>(what: u32, warp: *const f32, arrays: &Arrays) -> bool
 where
     W: Invert<Density = f32, Point: Flat, Uniforms: Flat> + 'static,
 {
-    let Arrays { input, output, inputs, outputs, count } = *arrays;
+    let Arrays {
+        input,
+        output,
+        inputs,
+        outputs,
+        count,
+    } = *arrays;
     // SAFETY: the caller passes what `construct` wrote by the same number, and arrays of its numbers.
     unsafe {
         let warp = &*warp.cast::<W>();
@@ -143,9 +157,14 @@ microwarp_golden::float_warps!(bound);
 /// # Safety
 /// The parameters lie there, and there is room for the largest warp.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn construct(constructor: usize, parameters: *const f32, warp: *mut f32) -> u32 {
+pub unsafe extern "C" fn construct(
+    constructor: usize,
+    parameters: *const f32,
+    warp: *mut f32,
+) -> u32 {
     // SAFETY: as the caller says.
-    NEW.get(constructor).map_or(0, |new| unsafe { new(parameters, warp) })
+    NEW.get(constructor)
+        .map_or(0, |new| unsafe { new(parameters, warp) })
 }
 
 /// Draws (0), samples (1), evaluates the density (2) or inverts (3) every element of an array, by the number of a warp.
@@ -163,7 +182,13 @@ pub unsafe extern "C" fn evaluate(
     outputs: usize,
     count: usize,
 ) {
-    let mut arrays = Arrays { input, output, inputs, outputs, count };
+    let mut arrays = Arrays {
+        input,
+        output,
+        inputs,
+        outputs,
+        count,
+    };
     let Some(run) = RUN.get(number) else { return };
     while arrays.count > 0 {
         // SAFETY: as the caller says.

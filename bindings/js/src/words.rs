@@ -68,7 +68,13 @@ fn write(set: impl Points, mut index: u32, from: u32, words: &mut [u32], each: u
 /// # Safety
 /// The uniforms lie there, one or two for each of `count` strata.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn strata(columns: u32, rows: u32, from: u32, uniforms: *mut f32, count: usize) -> u32 {
+pub unsafe extern "C" fn strata(
+    columns: u32,
+    rows: u32,
+    from: u32,
+    uniforms: *mut f32,
+    count: usize,
+) -> u32 {
     // SAFETY: as the caller says.
     let refused = unsafe {
         if rows == 0 {
@@ -96,7 +102,11 @@ pub unsafe extern "C" fn strata(columns: u32, rows: u32, from: u32, uniforms: *m
 /// The words lie there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn uniforms(words: *mut u32, count: usize, deep: u32) {
-    let of = if deep > 0 { deep_from_word } else { grid_from_word };
+    let of = if deep > 0 {
+        deep_from_word
+    } else {
+        grid_from_word
+    };
     // SAFETY: as the caller says.
     for word in unsafe { from_raw_parts_mut(words, count) } {
         *word = of(*word).to_bits();

@@ -189,19 +189,21 @@ fn reasons() -> Outcome<String> {
         if error.code() != code {
             return Err(format!("{error:?} has not the code {code}"));
         }
-        lines += &format!("  {:?},\n", error.to_string().replace("weight 0", "weight #"));
+        lines += &format!(
+            "  {:?},\n",
+            error.to_string().replace("weight 0", "weight #")
+        );
     }
     Ok(lines + "];\n")
 }
 
-const HEAD: &str = "by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.";
+const HEAD: &str =
+    "by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.";
 
 /// The table of the classes: number of the class and of its first constructor; uniforms, numbers of a point, words of a
 /// draw; and the constructors with the numbers of their parameters.
 fn table(classes: &[Class]) -> String {
-    let mut text = format!(
-        "// The warps, {HEAD}\nimport {{ warp }} from \"./warp.js\";\n\n"
-    );
+    let mut text = format!("// The warps, {HEAD}\nimport {{ warp }} from \"./warp.js\";\n\n");
     let mut first = 0;
     for (class, number) in classes.iter().zip(0..) {
         let constructors = class.constructors.iter().map(|constructor| {
@@ -212,7 +214,11 @@ fn table(classes: &[Class]) -> String {
         let constructors: Vec<String> = constructors.collect();
         text += &format!(
             "export const {0} = /*#__PURE__*/ warp(\"{0} {1}\", {number}, {first}, {2}, {3}, {4});\n",
-            class.name, constructors.join(" "), class.uniforms, class.numbers, class.words,
+            class.name,
+            constructors.join(" "),
+            class.uniforms,
+            class.numbers,
+            class.words,
         );
         first += class.constructors.len();
     }
@@ -241,29 +247,39 @@ fn numbers(count: usize) -> String {
 
 fn signature(constructor: &Constructor) -> String {
     let parameters = constructor.parameters.iter();
-    let parameters = parameters.map(|(name, of)| format!("{}: {}", camel(name, false), type_of(of)));
+    let parameters =
+        parameters.map(|(name, of)| format!("{}: {}", camel(name, false), type_of(of)));
     parameters.collect::<Vec<_>>().join(", ")
 }
 
 fn typings(classes: &[Class]) -> Outcome<String> {
-    let mut text = format!(
-        "// The warps, {HEAD}\nimport {{ Vector2, Vector3, Warp }} from \"./warp.js\";\n"
-    );
+    let mut text =
+        format!("// The warps, {HEAD}\nimport {{ Vector2, Vector3, Warp }} from \"./warp.js\";\n");
     for class in classes {
         let docs = Docs::of(class.block)?;
         let (point, uniforms) = (numbers(class.numbers), numbers(class.uniforms));
         text += &format!(
             "\n{}export declare class {} extends Warp<{point}, {uniforms}> {{\n",
-            docs.class()?, class.name
+            docs.class()?,
+            class.name
         );
-        if class.constructors.iter().all(|constructor| constructor.rust != "new") {
+        if class
+            .constructors
+            .iter()
+            .all(|constructor| constructor.rust != "new")
+        {
             text += "  private constructor();\n";
         }
         for constructor in &class.constructors {
             text += &docs.constructor(constructor.rust)?;
             text += &match constructor.rust {
                 "new" => format!("  constructor({});\n", signature(constructor)),
-                _ => format!("  static {}({}): {};\n", constructor.name(), signature(constructor), class.name),
+                _ => format!(
+                    "  static {}({}): {};\n",
+                    constructor.name(),
+                    signature(constructor),
+                    class.name
+                ),
             };
         }
         text += "}\n";
@@ -278,13 +294,24 @@ pub fn step(check: bool) -> Outcome {
         ("bindings/js/warps.js", table(&classes)),
         ("bindings/js/reasons.js", reasons()?),
         ("bindings/js/warps.d.ts", typings(&classes)?),
-        ("bindings/js/test/expected.json", expected::json(&classes, &goldens())?),
+        (
+            "bindings/js/test/expected.json",
+            expected::json(&classes, &goldens())?,
+        ),
     ];
     for (path, text) in files {
         if !check {
             write(path, &text)?;
-        } else if read(path)? != text {
-            return Err(format!("{path} is not what the sources say"));
+            continue;
+        }
+        let there = read(path)?;
+        if there != text {
+            let lines = crate::pages::difference(&there, &text);
+            return Err(format!("{path} is not what the sources say\n{lines}"));
+        }
+        // A digit that is changed would be seen.
+        if there.replacen('1', "2", 1) == text {
+            return Err(format!("control: a wrong digit passes in {path}"));
         }
     }
     println!("javascript: {} classes", classes.len());

@@ -68,7 +68,7 @@ fn generated(page: &str, sources: &Sources) -> Outcome<(String, usize)> {
 }
 
 /// The lines that differ, old before new.
-fn difference(old: &str, new: &str) -> String {
+pub fn difference(old: &str, new: &str) -> String {
     let (old, new): (Vec<_>, Vec<_>) = (old.lines().collect(), new.lines().collect());
     let lines = |sign, from: &[&str], other: &[&str]| -> String {
         let only = from.iter().filter(|line| !other.contains(line));

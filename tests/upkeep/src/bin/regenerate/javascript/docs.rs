@@ -20,7 +20,10 @@ impl Docs {
                 continue;
             }
             let text = fs::read_to_string(&path).map_err(|e| e.to_string())?;
-            let docs = Self { name: name.into(), lines: text.lines().map(String::from).collect() };
+            let docs = Self {
+                name: name.into(),
+                lines: text.lines().map(String::from).collect(),
+            };
             if docs.declared().is_some() {
                 return Ok(docs);
             }
@@ -31,7 +34,10 @@ impl Docs {
     /// The file of the family of laws with a location and a scale.
     fn family() -> Outcome<Self> {
         let text = read("src/warp/located.rs")?;
-        Ok(Self { name: "$name".into(), lines: text.lines().map(String::from).collect() })
+        Ok(Self {
+            name: "$name".into(),
+            lines: text.lines().map(String::from).collect(),
+        })
     }
 
     fn declared(&self) -> Option<usize> {
@@ -47,7 +53,9 @@ impl Docs {
         let above = self.lines[..line].iter().rev().map(|line| line.trim());
         let comment = above.take_while(|line| line.starts_with("///") || line.starts_with("#["));
         let comment = comment.filter_map(|line| line.strip_prefix("///"));
-        let mut lines: Vec<&str> = comment.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
+        let mut lines: Vec<&str> = comment
+            .map(|line| line.strip_prefix(' ').unwrap_or(line))
+            .collect();
         lines.reverse();
         // A link may go over the end of a line.
         plain(&lines.join("\n")).lines().map(String::from).collect()
@@ -79,7 +87,10 @@ impl Docs {
         let start = format!("fn {name}(");
         let (mut of, mut found) = (false, None);
         for (i, line) in self.lines.iter().enumerate() {
-            if let Some((_, rest)) = line.split_once("impl").filter(|_| line.trim_start().starts_with("impl")) {
+            if let Some((_, rest)) = line
+                .split_once("impl")
+                .filter(|_| line.trim_start().starts_with("impl"))
+            {
                 // A macro may make the same for several types.
                 of = rest.contains(&format!(" {}<", self.name))
                     || rest.contains(&format!(" {} ", self.name))
@@ -118,7 +129,9 @@ fn of_poly(line: &str) -> String {
 fn plain(text: &str) -> String {
     let (mut text, mut rest) = (String::new(), text);
     while let Some((before, after)) = rest.split_once('[') {
-        let link = after.split_once(']').filter(|(name, behind)| name.starts_with('`') || behind.starts_with('('));
+        let link = after
+            .split_once(']')
+            .filter(|(name, behind)| name.starts_with('`') || behind.starts_with('('));
         let Some((name, behind)) = link else {
             text += before;
             text.push('[');
@@ -127,7 +140,10 @@ fn plain(text: &str) -> String {
         };
         text += before;
         text += name;
-        rest = match behind.strip_prefix('(').and_then(|target| target.split_once(')')) {
+        rest = match behind
+            .strip_prefix('(')
+            .and_then(|target| target.split_once(')'))
+        {
             Some((_, behind)) => behind,
             None => behind,
         };

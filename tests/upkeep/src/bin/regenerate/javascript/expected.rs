@@ -1,8 +1,12 @@
 //! What the package's tests compare with, computed by the crate on the host: bits as integers.
 
 use super::{Class, Golden};
-use microwarp::discrete::{Alias, AliasEntry, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d};
-use microwarp::metropolis::{BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk};
+use microwarp::discrete::{
+    Alias, AliasEntry, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d,
+};
+use microwarp::metropolis::{
+    BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
+};
 use microwarp::uniform::{ByPosition, Points, Sobol, Strata1d, Strata2d};
 use microwarp::{Invert, Warp, poly, tier::Poly};
 use microwarp_upkeep::Outcome;
@@ -51,7 +55,12 @@ where
     let mut rng = rng();
     let triples = (0..8).flat_map(|_| {
         let point = warp.draw(&mut rng);
-        [point.bits(), warp.pdf(point).bits(), warp.invert(point).bits()].concat()
+        [
+            point.bits(),
+            warp.pdf(point).bits(),
+            warp.invert(point).bits(),
+        ]
+        .concat()
     });
     list(triples)
 }
@@ -86,7 +95,10 @@ fn chain(mutation: impl Mutation<[f32; 2]>) -> String {
 /// What a constructor is called with: its arguments in JSON, out of `Name::<..>::new(..)`, perhaps within `Ok(..)`.
 fn arguments(text: &str) -> Outcome<(Option<usize>, &str, String)> {
     let wrong = || format!("no constructor in {text}");
-    let (path, rest) = text.trim_start_matches("Ok(").split_once('(').ok_or_else(wrong)?;
+    let (path, rest) = text
+        .trim_start_matches("Ok(")
+        .split_once('(')
+        .ok_or_else(wrong)?;
     let (kind, new) = path.rsplit_once("::").ok_or_else(wrong)?;
     let digits: String = kind.chars().filter(char::is_ascii_digit).collect();
     // Rust's writing of numbers, and the function that hides a parameter.
@@ -104,7 +116,11 @@ fn arguments(text: &str) -> Outcome<(Option<usize>, &str, String)> {
     for (rust, here) in [(",]", "]"), (".,", ".0,"), (".]", ".0]")] {
         json = json.replace(rust, here);
     }
-    Ok((digits.parse().ok(), new.trim(), format!("[{}]", json.trim_end_matches(','))))
+    Ok((
+        digits.parse().ok(),
+        new.trim(),
+        format!("[{}]", json.trim_end_matches(',')),
+    ))
 }
 
 /// The golden subjects with the class, the constructor and the arguments of each.
@@ -113,7 +129,7 @@ fn golden(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
     for (block, subjects) in goldens {
         for (name, text) in subjects {
             let (size, new, arguments) = arguments(text)?;
-            let numbers = arguments.split(|c| c == ',' || c == '[' || c == ']');
+            let numbers = arguments.split([',', '[', ']']);
             let numbers = numbers.filter(|number| !number.is_empty()).count();
             let class = classes.iter().find(|class| {
                 let constructor = class.constructors.iter().find(|c| c.rust == new);
@@ -124,7 +140,8 @@ fn golden(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             let class = class.ok_or_else(|| format!("no class for {name}"))?;
             lines.push(format!(
                 "    [{name:?}, {:?}, {:?}, {arguments}]",
-                class.name, super::camel(new, false)
+                class.name,
+                super::camel(new, false)
             ));
         }
     }
@@ -135,36 +152,89 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
     let ok = "accepted parameters";
     let cells = |u, v| PiecewiseConstant2d::<_, [[u32; 3]; 2]>::new(&CELLS, u, v).expect(ok);
     let points = |words: [[u32; 4]; 6]| list(words.into_iter().flatten());
-    let strata: Vec<u32> = (0..6).flat_map(|k| {
-        let [x, y] = Strata2d::new(3, 2).expect(ok).point(k, [0.25, 0.75]);
-        [x, y, Strata1d::new(6).expect(ok).point(k, 0.25)].bits()
-    }).collect();
+    let strata: Vec<u32> = (0..6)
+        .flat_map(|k| {
+            let [x, y] = Strata2d::new(3, 2).expect(ok).point(k, [0.25, 0.75]);
+            [x, y, Strata1d::new(6).expect(ok).point(k, 0.25)].bits()
+        })
+        .collect();
     let runs = [
         ("Normal", filled(&poly::Normal::new(10.0, 2.0).expect(ok))),
-        ("NormalPair", filled(&poly::NormalPair::new([1.0, -1.0], 0.5).expect(ok))),
-        ("Exponential", filled(&poly::Exponential::from_rate(1.5).expect(ok))),
-        ("ExponentialTail", filled(&poly::ExponentialTail::from_rate(1.5).expect(ok))),
+        (
+            "NormalPair",
+            filled(&poly::NormalPair::new([1.0, -1.0], 0.5).expect(ok)),
+        ),
+        (
+            "Exponential",
+            filled(&poly::Exponential::from_rate(1.5).expect(ok)),
+        ),
+        (
+            "ExponentialTail",
+            filled(&poly::ExponentialTail::from_rate(1.5).expect(ok)),
+        ),
         ("Sphere", filled(&poly::Sphere::new())),
         ("Disk", filled(&poly::Disk::new())),
-        ("Cdf", selections!(Cdf::<[u32; 6]>::new(&WEIGHTS).expect(ok))),
-        ("Alias", selections!(Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).expect(ok))),
-        ("PiecewiseConstant1d", triples(&PiecewiseConstant1d::<[u32; 6]>::new(&WEIGHTS, -3.0, 5.0).expect(ok))),
-        ("PiecewiseLinear1d", triples(&PiecewiseLinear1d::<[u32; 6], _>::new(&WEIGHTS, -3.0, 5.0).expect(ok))),
-        ("PiecewiseConstant2d", triples(&cells([0.0, 6.0], [-1.0, 1.0]))),
-        ("LatLongMap", triples(&LatLongMap::<Poly, [u32; 2], [[u32; 3]; 2]>::new(&CELLS).expect(ok))),
-        ("Sobol", points([0, 1, 2, 3, 100, 101].map(|i| Sobol::<8>::new(7).expect(ok).words(i)))),
-        ("ByPosition", points([0, 1, 2, 3, 100, 101].map(|i| ByPosition::new(7, 9).words(i)))),
+        (
+            "Cdf",
+            selections!(Cdf::<[u32; 6]>::new(&WEIGHTS).expect(ok)),
+        ),
+        (
+            "Alias",
+            selections!(Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).expect(ok)),
+        ),
+        (
+            "PiecewiseConstant1d",
+            triples(&PiecewiseConstant1d::<[u32; 6]>::new(&WEIGHTS, -3.0, 5.0).expect(ok)),
+        ),
+        (
+            "PiecewiseLinear1d",
+            triples(&PiecewiseLinear1d::<[u32; 6], _>::new(&WEIGHTS, -3.0, 5.0).expect(ok)),
+        ),
+        (
+            "PiecewiseConstant2d",
+            triples(&cells([0.0, 6.0], [-1.0, 1.0])),
+        ),
+        (
+            "LatLongMap",
+            triples(&LatLongMap::<Poly, [u32; 2], [[u32; 3]; 2]>::new(&CELLS).expect(ok)),
+        ),
+        (
+            "Sobol",
+            points([0, 1, 2, 3, 100, 101].map(|i| Sobol::<8>::new(7).expect(ok).words(i))),
+        ),
+        (
+            "ByPosition",
+            points([0, 1, 2, 3, 100, 101].map(|i| ByPosition::new(7, 9).words(i))),
+        ),
         ("Strata", list(strata)),
-        ("normal chain", chain(RandomWalk::new(NormalStep::<[f32; 2], Poly>::new([0.5, 1.0]).expect(ok)))),
-        ("box chain", chain(RandomWalk::new(BoxStep::new([0.5, 0.0]).expect(ok)))),
-        ("cube chain", chain(
-            Mixture::large_small(0.25, WrappedWalk::new(BoxStep::new([0.1, 0.2]).expect(ok))).expect(ok),
-        )),
+        (
+            "normal chain",
+            chain(RandomWalk::new(
+                NormalStep::<[f32; 2], Poly>::new([0.5, 1.0]).expect(ok),
+            )),
+        ),
+        (
+            "box chain",
+            chain(RandomWalk::new(BoxStep::new([0.5, 0.0]).expect(ok))),
+        ),
+        (
+            "cube chain",
+            chain(
+                Mixture::large_small(0.25, WrappedWalk::new(BoxStep::new([0.1, 0.2]).expect(ok)))
+                    .expect(ok),
+            ),
+        ),
     ];
-    let runs: Vec<String> = runs.iter().map(|(name, bits)| format!("    {name:?}: {bits}")).collect();
-    let uniforms = microwarp_golden::UNIFORMS.map(|uniforms| format!("    {}", list(uniforms.bits())));
+    let runs: Vec<String> = runs
+        .iter()
+        .map(|(name, bits)| format!("    {name:?}: {bits}"))
+        .collect();
+    let uniforms =
+        microwarp_golden::UNIFORMS.map(|uniforms| format!("    {}", list(uniforms.bits())));
     Ok(format!(
         "{{\n  \"golden\": [\n{}\n  ],\n  \"uniforms\": [\n{}\n  ],\n  \"runs\": {{\n{}\n  }}\n}}\n",
-        golden(classes, goldens)?, uniforms.join(",\n"), runs.join(",\n"),
+        golden(classes, goldens)?,
+        uniforms.join(",\n"),
+        runs.join(",\n"),
     ))
 }
