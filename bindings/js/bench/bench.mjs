@@ -82,6 +82,13 @@ const alias = (uniform) => {
   };
 };
 
+// It returns an array of its own.
+const stdlib_sample = (() => {
+  const draw = require("@stdlib/random/sample").factory(weights.map((_, i) => i), { seed: 42 });
+  const probs = weights.map((weight) => weight / sums[63]);
+  return (array) => draw({ size: array.length, probs, replace: true });
+})();
+
 const rng = new microwarp.Pcg32(42, 54);
 const filled = (warp) => (array) => warp.fill(array, rng);
 const drawn = (warp) => called(() => warp.draw(rng));
@@ -107,7 +114,7 @@ const contests = [
     "pure-rand": sphere(pure_uniform), "Math.random": sphere(random),
   }],
   ["weighted choice of 64", 1, new Uint32Array(COUNT), { "Alias.fill": filled(new microwarp.Alias(weights)), "Cdf.fill": filled(new microwarp.Cdf(weights)) }, {
-    "pure-rand, alias": alias(pure_uniform), "Math.random, alias": alias(random), "Math.random, bisection": weighted(random),
+    "@stdlib (random/sample)": stdlib_sample, "pure-rand, alias": alias(pure_uniform), "Math.random, alias": alias(random), "Math.random, bisection": weighted(random),
   }],
 ];
 

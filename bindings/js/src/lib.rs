@@ -1,15 +1,7 @@
-//! The module of the npm package: plain exports that take addresses and numbers.
-//!
-//! The JavaScript around it owns the memory: it writes what an export reads, and copies out what an export writes. Nothing
-//! here keeps anything, so no object of JavaScript has anything to free. The panic handler calls an import; a module
-//! without reachable panics needs none, and the tests check that.
+//! The module of the npm package. What it exports is in `small`, compiled for size; the loops that fill arrays most often are
+//! in `hot`, compiled for speed. The panic handler calls an import; a module without reachable panics needs none, and
+//! the tests check that.
 #![no_std]
-#![allow(unsafe_code, reason = "the caller's memory is all there is")]
 
-mod chains;
-mod flat;
-mod tables;
-mod warps;
-mod words;
-
+use microwarp_js_small as _;
 use microwarp_page_panic as _;

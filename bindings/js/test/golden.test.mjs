@@ -62,7 +62,7 @@ const triples = (warp) => {
 };
 const selections = (table) => {
   const selected = [0, 0.3, 0.999].map((u) => table.select(u)).map(({ index, pmf, leftover }) => [index, ...bits([pmf, leftover])]);
-  return [...table.fill(new Uint32Array(8), rng()), ...selected.flat()];
+  return [...table.fill(new Uint32Array(64), rng()), ...selected.flat()];
 };
 // Rounded at each step, as the host computes it.
 const target = ([x, y]) => {

@@ -4,23 +4,34 @@
 
 use core::any::TypeId;
 use core::convert::Infallible;
+use core::hint::black_box;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::poly::{Exponential, Normal, NormalPair, Sphere};
 use microwarp::{Warp, uniform};
 use rand_core::TryRng;
 
-/// Words drawn before, one after the other; behind the last there are zeros.
-pub struct Words<'a>(pub &'a [u32]);
+/// Words drawn before, one after the other.
+pub struct Words(*const u32);
 
-impl TryRng for Words<'_> {
+impl Words {
+    /// The words that lie from here on.
+    ///
+    /// # Safety
+    /// No more words are taken than lie there.
+    #[must_use]
+    pub const unsafe fn new(words: *const u32) -> Self {
+        Self(words)
+    }
+}
+
+impl TryRng for Words {
     type Error = Infallible;
 
     #[inline]
     fn try_next_u32(&mut self) -> Result<u32, Infallible> {
-        let Some((&word, rest)) = self.0.split_first() else {
-            return Ok(0);
-        };
-        self.0 = rest;
+        // SAFETY: as the caller of `new` says.
+        let word = unsafe { self.0.read() };
+        self.0 = self.0.wrapping_add(1);
         Ok(word)
     }
 
@@ -83,7 +94,8 @@ macro_rules! loops {
         $(
             #[inline(never)]
             fn $fill(warp: &$warp, words: &[u32], points: &mut [$point]) {
-                warp.fill(&mut Words(words), points);
+                // SAFETY: there is a word for each uniform of each point.
+                warp.fill(&mut unsafe { Words::new(words.as_ptr()) }, points);
             }
         )*
 
@@ -120,10 +132,20 @@ pub fn by_cdf(table: Cdf<&[u32]>, words: &[u32], indices: &mut [u32]) {
     }
 }
 
-/// Draws indices by bins.
+/// Draws indices by bins, as [`Alias::index`] does. Which of the two indices of a bin is taken cannot be foretold, so it is
+/// computed without a branch; the compiler must not know that the factor is 0 or 1, or it makes one.
 #[inline(never)]
 pub fn by_alias(table: Alias<&[AliasEntry<u32>]>, words: &[u32], indices: &mut [u32]) {
+    let bins = table.as_bins();
+    let bits = bins.len().trailing_zeros();
     for (index, &word) in indices.iter_mut().zip(words) {
-        *index = table.index(word) as u32;
+        // In two steps, because a shift by all the bits would be none.
+        let bin = (word >> 1).wrapping_shr(31_u32.wrapping_sub(bits));
+        let Some(entry) = bins.get(bin as usize) else {
+            continue;
+        };
+        let rest = word.wrapping_shl(bits).wrapping_shr(bits);
+        let beyond = black_box(u32::from(rest >= entry.threshold()));
+        *index = bin.wrapping_add(entry.alias().wrapping_sub(bin).wrapping_mul(beyond));
     }
 }

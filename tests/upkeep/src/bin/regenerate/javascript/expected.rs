@@ -69,7 +69,7 @@ where
 macro_rules! selections {
     ($table:expr) => {{
         let (table, mut rng) = ($table, rng());
-        let drawn: Vec<u32> = (0..8).map(|_| table.draw_index(&mut rng) as u32).collect();
+        let drawn: Vec<u32> = (0..64).map(|_| table.draw_index(&mut rng) as u32).collect();
         let selected = [0.0, 0.3, 0.999].map(|u| table.select_uniform(u));
         let selected = selected.map(|s| [s.index as u32, s.pmf.to_bits(), s.leftover.to_bits()]);
         list(drawn.into_iter().chain(selected.concat()))

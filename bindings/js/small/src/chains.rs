@@ -41,11 +41,11 @@ pub unsafe extern "C" fn propose(
     let (widths, words, state) = unsafe {
         (
             from_raw_parts(widths, coordinates),
-            from_raw_parts(words, coordinates.wrapping_add(1)),
+            Words::new(words),
             from_raw_parts_mut(state, coordinates),
         )
     };
-    proposed(step, widths, Words(words), state).map_or_else(|refusal| refusal.code().into(), |()| 0)
+    proposed(step, widths, words, state).map_or_else(|refusal| refusal.code().into(), |()| 0)
 }
 
 fn proposed(step: &Step, widths: &[f32], mut words: Words, state: &mut [f32]) -> Result<(), Error> {
@@ -127,9 +127,12 @@ pub unsafe extern "C" fn settle(
     let Ok(mut chain) = Chain::resume(saved) else {
         return 3;
     };
-    let step = chain.step(|()| proposed, &Made, &mut Words(&[word]));
-    // SAFETY: as the caller says.
-    unsafe { put(acceptance, step.acceptance) };
+    // SAFETY: a step whose proposal is made takes one word; there is room for the acceptance, as the caller says.
+    let step = unsafe {
+        let step = chain.step(|()| proposed, &Made, &mut Words::new(&raw const word));
+        put(acceptance, step.acceptance);
+        step
+    };
     if chain.refused() > 0 {
         2
     } else {

@@ -57,19 +57,11 @@ unsafe fn element<W>(warp: &W, what: u32, arrays: &Arrays)
 where
     W: Invert<Density = f32, Point: Flat, Uniforms: Flat>,
 {
-    let Arrays {
-        input,
-        output,
-        inputs,
-        ..
-    } = *arrays;
+    let Arrays { input, output, .. } = *arrays;
     // SAFETY: as the caller says.
     unsafe {
         match what {
-            DRAW => put(
-                output,
-                warp.draw(&mut Words(from_raw_parts(input.cast(), inputs))),
-            ),
+            DRAW => put(output, warp.draw(&mut Words::new(input.cast()))),
             SAMPLE => put(output, warp.sample(get(input))),
             PDF => put(output, warp.pdf(get(input))),
             _ => put(output, warp.invert(get(input))),
