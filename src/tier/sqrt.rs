@@ -50,9 +50,17 @@ pub(crate) fn sqrt(x: f32) -> f32 {
     }
 }
 
+/// With vectors, the compiler treats the intrinsic as any other square root, and loops get vectors.
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+#[inline]
+pub(crate) fn sqrt(x: f32) -> f32 {
+    use core::arch::wasm32::{f32x4_extract_lane, f32x4_splat, f32x4_sqrt};
+    f32x4_extract_lane::<0>(f32x4_sqrt(f32x4_splat(x)))
+}
+
 /// The compiler replaces the function of this name by the instruction. If it did not, the program would call the
 /// function of compiler-builtins, which every WASM program links.
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", not(target_feature = "simd128")))]
 #[allow(unsafe_code)]
 #[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
