@@ -4,7 +4,7 @@ import { Vector2, Vector3, Warp } from "./warp.js";
 /**
  * Uniform on an interval [a, b).
  *
- * `Interval::new` runs from `a` at u = 0 up to, never reaching, `b`. `Interval::decreasing` runs from `b` at u
+ * `new Interval` runs from `a` at u = 0 up to, never reaching, `b`. `Interval.decreasing` runs from `b` at u
  * = 0 down to, never reaching, `a`. Neither ever turns back, whatever the bounds. Where `f32` has fewer points
  * than there are uniforms, each point has its share of them, to within three.
  *
@@ -46,15 +46,15 @@ export declare class Interval extends Warp<number, number> {
    * Uniform on [a, b), increasing with the uniform.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinite bounds, `Reversed` for a > b,
-   * `Empty` for a = b or a width whose reciprocal overflows.
+   * NotFinite (code 1) for NaN or infinite bounds, Reversed (code 2) for a > b,
+   * Empty (code 3) for a = b or a width whose reciprocal overflows.
    */
   constructor(low: number, high: number);
   /**
    * Uniform on (a, b], decreasing with the uniform: b at u = 0.
    *
    * @throws RangeError:
-   * The errors of `Interval::new`.
+   * The errors of `new Interval`.
    */
   static decreasing(low: number, high: number): Interval;
 }
@@ -64,7 +64,7 @@ export declare class Interval extends Warp<number, number> {
  *
  * With m = n + 1, xᵐ is uniform between aᵐ and bᵐ. The code works relative to the end R where xᵐ is larger, with t
  * = 1 − (x/R)ᵐ, and takes the logarithm of 1 − t to nine digits, so that nothing overflows and m near 0 does not
- * cancel. `Power::new` runs from a at u = 0 to b, `Power::decreasing` from b to a. A sample never steps back
+ * cancel. `new Power` runs from a at u = 0 to b, `Power.decreasing` from b to a. A sample never steps back
  * from one uniform of the grid to the next.
  *
  * **Density**
@@ -106,16 +106,16 @@ export declare class Power extends Warp<number, number> {
    * Density ∝ xⁿ on [a, b], increasing with the uniform.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` for a < 0, `Reversed` for
-   * a > b, `Empty` for a = b or a density that overflows, at b or at an a > 0,
-   * `NotNormalizable` for a = 0 with n ≤ −1.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a < 0, Reversed (code 2) for
+   * a > b, Empty (code 3) for a = b or a density that overflows, at b or at an a > 0,
+   * NotNormalizable (code 8) for a = 0 with n ≤ −1.
    */
   constructor(exponent: number, low: number, high: number);
   /**
    * Density ∝ xⁿ on [a, b], decreasing with the uniform: b at u = 0.
    *
    * @throws RangeError:
-   * The errors of `Power::new`.
+   * The errors of `new Power`.
    */
   static decreasing(exponent: number, low: number, high: number): Power;
 }
@@ -283,16 +283,16 @@ export declare class Exponential extends Warp<number, number> {
    * Exponential with the given rate (the reciprocal of the mean).
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less,
-   * `TooLarge` for a rate so small that the tail overflows (below 3.1e-37).
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
+   * TooLarge (code 4) for a rate so small that the tail overflows (below 3.1e-37).
    */
   static fromRate(rate: number): Exponential;
   /**
    * Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less, `Empty` for a mean so
-   * small that the density overflows (below 2.9e-39), `TooLarge` for one so large that the tail does (above
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, Empty (code 3) for a mean so
+   * small that the density overflows (below 2.9e-39), TooLarge (code 4) for one so large that the tail does (above
    * 3.2e36).
    */
   static fromMean(mean: number): Exponential;
@@ -302,7 +302,7 @@ export declare class Exponential extends Warp<number, number> {
  * Exponential with rate a, decreasing with the uniform, so that samples reach far into the tail.
  *
  * x = −ln(u)/a. Small uniforms keep their precision in `f32`, so this orientation reaches 44.36/a from
- * full-resolution uniforms, which is what `Warp::draw` takes here (45.06/a where all 64 bits are 0). An explicit
+ * full-resolution uniforms, which is what `Warp.draw` takes here (45.06/a where all 64 bits are 0). An explicit
  * u = 0 counts as 2⁻¹⁴⁹ and gives 103.28/a.
  *
  * **Density**
@@ -340,16 +340,16 @@ export declare class ExponentialTail extends Warp<number, number> {
    * Exponential with the given rate (the reciprocal of the mean).
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less,
-   * `TooLarge` for a rate so small that the tail overflows (below 3.1e-37).
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
+   * TooLarge (code 4) for a rate so small that the tail overflows (below 3.1e-37).
    */
   static fromRate(rate: number): ExponentialTail;
   /**
    * Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less, `Empty` for a mean so
-   * small that the density overflows (below 2.9e-39), `TooLarge` for one so large that the tail does (above
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, Empty (code 3) for a mean so
+   * small that the density overflows (below 2.9e-39), TooLarge (code 4) for one so large that the tail does (above
    * 3.2e36).
    */
   static fromMean(mean: number): ExponentialTail;
@@ -398,8 +398,8 @@ export declare class TruncatedExponential extends Warp<number, number> {
    * Density ∝ e^(−rate·x) on [0, length].
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for a length of 0 or less,
-   * `Empty` for a length whose reciprocal overflows.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a length of 0 or less,
+   * Empty (code 3) for a length whose reciprocal overflows.
    */
   static fromRate(rate: number, length: number): TruncatedExponential;
   /**
@@ -407,8 +407,8 @@ export declare class TruncatedExponential extends Warp<number, number> {
    * `f32`.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for a mean or a length of 0 or less,
-   * `Empty` for a mean or a length whose reciprocal overflows.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a mean or a length of 0 or less,
+   * Empty (code 3) for a mean or a length whose reciprocal overflows.
    */
   static fromMean(mean: number, length: number): TruncatedExponential;
 }
@@ -459,9 +459,9 @@ export declare class EquiAngular extends Warp<number, number> {
    * measured from the foot, the place nearest to the light.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Reversed` for ends in the wrong order, `Empty` for
-   * ends less than 2⁻⁴⁰ apart, `TooLarge` for a length above 2⁴⁰, `Negative` for a distance below
-   * 0, `OutOfRange` for one above 0 and below 2⁻⁴⁰, `NotNormalizable` for a light on the segment,
+   * NotFinite (code 1) for NaN or infinity, Reversed (code 2) for ends in the wrong order, Empty (code 3) for
+   * ends less than 2⁻⁴⁰ apart, TooLarge (code 4) for a length above 2⁴⁰, Negative (code 6) for a distance below
+   * 0, OutOfRange (code 7) for one above 0 and below 2⁻⁴⁰, NotNormalizable (code 8) for a light on the segment,
    * or on its line and less than 2⁻⁴⁰ away.
    */
   constructor(distance: number, low: number, high: number);
@@ -511,8 +511,8 @@ export declare class Tent extends Warp<number, number> {
    * The tent of the given radius about 0.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less,
-   * `Empty` for a radius below the smallest normal `f32`.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
+   * Empty (code 3) for a radius below the smallest normal `f32`.
    */
   constructor(radius: number);
 }
@@ -560,8 +560,8 @@ export declare class Linear extends Warp<number, number> {
    * Density ∝ `a` at 0 and ∝ `b` at 1.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` if either is below 0,
-   * `NotPositive` if both are 0.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) if either is below 0,
+   * NotPositive (code 5) if both are 0.
    */
   constructor(densityAt0: number, densityAt1: number);
 }
@@ -579,8 +579,8 @@ export declare class Linear extends Warp<number, number> {
  *
  * - Point: drawn samples end at 6.34σ on both sides. Uniforms on the 24-bit grid give −5.30σ to 5.30σ, except
  *   u = 0: it counts as 2⁻¹⁴⁹ and gives −14.2σ, an outlier that comes once in 2²⁴ uniforms. If you pass uniforms of
- *   your own, take them from `uniform::open`), which is never 0, or from
- *   `Strata1d::draw`, which has more bits near 0.
+ *   your own, take them from `uniform.open`), which is never 0, or from
+ *   `Strata1d.draw`, which has more bits near 0.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell, so that the moments of what
  *   can be drawn are those of the normal distribution (the eighth to 1e-6).
  * - Parameters: a finite mean and a standard deviation above 0 for which no sample overflows. A standard deviation
@@ -614,8 +614,8 @@ export declare class Normal extends Warp<number, number> {
    * Normal with the given mean and standard deviation.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for a standard deviation of 0 or less,
-   * `TooLarge` if a sample could overflow, `Empty` if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
+   * TooLarge (code 4) if a sample could overflow, Empty (code 3) if the density could.
    */
   constructor(mean: number, stdDev: number);
 }
@@ -664,8 +664,8 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
    * Normals about the given mean point with the given standard deviation in each coordinate.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for a standard deviation of 0 or less,
-   * `TooLarge` if a sample could overflow or the density vanish, `Empty` if the
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
+   * TooLarge (code 4) if a sample could overflow or the density vanish, Empty (code 3) if the
    * density could overflow.
    */
   constructor(mean: Vector2, stdDev: number);
@@ -721,9 +721,9 @@ export declare class TruncatedNormal extends Warp<number, number> {
    * Normal with this mean and this standard deviation on [low, high].
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for a standard deviation of 0 or less,
-   * `Reversed` for ends in the wrong order, `OutOfRange` for an interval that is more than 1e18
-   * standard deviations from the mean, `TooLarge` if the length of the interval overflows, `Empty`
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
+   * Reversed (code 2) for ends in the wrong order, OutOfRange (code 7) for an interval that is more than 1e18
+   * standard deviations from the mean, TooLarge (code 4) if the length of the interval overflows, Empty (code 3)
    * for equal ends and if the density overflows.
    */
   constructor(mean: number, stdDev: number, low: number, high: number);
@@ -731,14 +731,14 @@ export declare class TruncatedNormal extends Warp<number, number> {
    * Normal with this mean and this standard deviation from `low` up.
    *
    * @throws RangeError:
-   * Those of `new`, with `TooLarge` if a sample could overflow.
+   * Those of `new`, with TooLarge (code 4) if a sample could overflow.
    */
   static above(mean: number, stdDev: number, low: number): TruncatedNormal;
   /**
    * Normal with this mean and this standard deviation up to `high`.
    *
    * @throws RangeError:
-   * Those of `new`, with `TooLarge` if a sample could overflow.
+   * Those of `new`, with TooLarge (code 4) if a sample could overflow.
    */
   static below(mean: number, stdDev: number, high: number): TruncatedNormal;
 }
@@ -757,7 +757,7 @@ export declare class TruncatedNormal extends Warp<number, number> {
  *
  * - Point: drawn samples end at 2.7e9γ on both sides. Uniforms on the 24-bit grid give −5.3e6γ to 5.3e6γ, except u = 0.
  *   Uniforms below 2⁻⁶⁴, and 0 among them, count as 2⁻⁶⁴ and give −5.9e18γ. If you pass uniforms of your own, take them from
- *   `uniform::open`), which is never 0.
+ *   `uniform.open`), which is never 0.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
@@ -788,10 +788,10 @@ export declare class Cauchy extends Warp<number, number> {
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity,
-   * `NotPositive` for a scale of 0 or less,
-   * `TooLarge` if a sample could overflow,
-   * `Empty` if the density could.
+   * NotFinite (code 1) for NaN or infinity,
+   * NotPositive (code 5) for a scale of 0 or less,
+   * TooLarge (code 4) if a sample could overflow,
+   * Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -809,7 +809,7 @@ export declare class Cauchy extends Warp<number, number> {
  *
  * - Point: drawn samples end at 22.2b on both sides. Uniforms on the 24-bit grid give −15.9b to 15.9b, except u = 0: it
  *   counts as 2⁻¹⁴⁹ and gives −102.6b. If you pass uniforms of your own, take them from
- *   `uniform::open`), which is never 0.
+ *   `uniform.open`), which is never 0.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
@@ -840,10 +840,10 @@ export declare class Laplace extends Warp<number, number> {
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity,
-   * `NotPositive` for a scale of 0 or less,
-   * `TooLarge` if a sample could overflow,
-   * `Empty` if the density could.
+   * NotFinite (code 1) for NaN or infinity,
+   * NotPositive (code 5) for a scale of 0 or less,
+   * TooLarge (code 4) if a sample could overflow,
+   * Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -862,7 +862,7 @@ export declare class Laplace extends Warp<number, number> {
  *
  * - Point: drawn samples end at 22.9s on both sides. Uniforms on the 24-bit grid give −16.6s to 16.6s, except u = 0: it
  *   counts as 2⁻¹⁴⁹ and gives −103.3s. If you pass uniforms of your own, take them from
- *   `uniform::open`), which is never 0.
+ *   `uniform.open`), which is never 0.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
@@ -892,10 +892,10 @@ export declare class Logistic extends Warp<number, number> {
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity,
-   * `NotPositive` for a scale of 0 or less,
-   * `TooLarge` if a sample could overflow,
-   * `Empty` if the density could.
+   * NotFinite (code 1) for NaN or infinity,
+   * NotPositive (code 5) for a scale of 0 or less,
+   * TooLarge (code 4) if a sample could overflow,
+   * Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -914,7 +914,7 @@ export declare class Logistic extends Warp<number, number> {
  *
  * - Point: drawn samples lie from −3.13β to 22.9β about the location. Uniforms on the 24-bit grid give −2.81β to 16.6β,
  *   except u = 0: it counts as 2⁻¹⁴⁹ and gives −4.64β. If you pass uniforms of your own, take them from
- *   `uniform::open`), which is never 0.
+ *   `uniform.open`), which is never 0.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
@@ -944,10 +944,10 @@ export declare class Gumbel extends Warp<number, number> {
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity,
-   * `NotPositive` for a scale of 0 or less,
-   * `TooLarge` if a sample could overflow,
-   * `Empty` if the density could.
+   * NotFinite (code 1) for NaN or infinity,
+   * NotPositive (code 5) for a scale of 0 or less,
+   * TooLarge (code 4) if a sample could overflow,
+   * Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -993,8 +993,8 @@ export declare class Rayleigh extends Warp<number, number> {
    * Rayleigh with this scale, the deviation of each coordinate of the vector.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less, `TooLarge` if a sample
-   * could overflow, `Empty` if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample
+   * could overflow, Empty (code 3) if the density could.
    */
   constructor(scale: number);
 }
@@ -1043,8 +1043,8 @@ export declare class Weibull extends Warp<number, number> {
    * Weibull with this scale and this shape.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less, `TooLarge` if a sample
-   * could overflow, `Empty` if the density at the scale could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample
+   * could overflow, Empty (code 3) if the density at the scale could.
    */
   constructor(scale: number, shape: number);
 }
@@ -1092,8 +1092,8 @@ export declare class Pareto extends Warp<number, number> {
    * Pareto with this minimum and this shape.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less, `TooLarge` if a sample
-   * could overflow, `Empty` if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample
+   * could overflow, Empty (code 3) if the density could.
    */
   constructor(minimum: number, shape: number);
 }
@@ -1141,8 +1141,8 @@ export declare class LogNormal extends Warp<number, number> {
    * Log-normal with this mean and this standard deviation of the logarithm.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for a standard deviation of 0 or less,
-   * `TooLarge` if a sample could overflow, `Empty` if the density at the median could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
+   * TooLarge (code 4) if a sample could overflow, Empty (code 3) if the density at the median could.
    */
   constructor(meanOfLog: number, stdDevOfLog: number);
 }
@@ -1318,8 +1318,8 @@ export declare class TriangleOn2d extends Warp<[number, number], [number, number
    * Uniform on the triangle with these vertices.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Empty` for a triangle that has no area, is lower than 2⁻⁴⁰ of
-   * its longest side, or has a density that overflows, `TooLarge` for one whose area overflows.
+   * NotFinite (code 1) for NaN or infinity, Empty (code 3) for a triangle that has no area, is lower than 2⁻⁴⁰ of
+   * its longest side, or has a density that overflows, TooLarge (code 4) for one whose area overflows.
    */
   constructor(vertices: readonly [Vector2, Vector2, Vector2]);
 }
@@ -1370,8 +1370,8 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
    * Uniform on the triangle with these vertices.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Empty` for a triangle that has no area, is lower than 2⁻⁴⁰ of
-   * its longest side, or has a density that overflows, `TooLarge` for one whose area overflows.
+   * NotFinite (code 1) for NaN or infinity, Empty (code 3) for a triangle that has no area, is lower than 2⁻⁴⁰ of
+   * its longest side, or has a density that overflows, TooLarge (code 4) for one whose area overflows.
    */
   constructor(vertices: readonly [Vector3, Vector3, Vector3]);
 }
@@ -1423,7 +1423,7 @@ export declare class Bilinear extends Warp<[number, number], [number, number]> {
    * (1, 0), the second those at (0, 1) and (1, 1).
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` if any is below 0, `NotPositive` if all
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) if any is below 0, NotPositive (code 5) if all
    * are 0.
    */
   constructor(weights: readonly [Vector2, Vector2]);
@@ -1659,7 +1659,7 @@ export declare class PhongLobe extends Warp<[number, number, number], [number, n
    * The lobe of exponent `n` ≥ 0.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` below 0.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) below 0.
    */
   constructor(exponent: number);
 }
@@ -1704,8 +1704,8 @@ export declare class PhongLobe extends Warp<[number, number, number], [number, n
  *
  * These hold for every g and every constructor. They count from the number that it is given: near 1 the rounding of g
  * to an `f32`, up to 3e-8, changes the width of the peak, 1 − |g|, which
- * `from_one_minus_g` and
- * `from_one_plus_g` take as it is.
+ * `fromOneMinusG` and
+ * `fromOnePlusG` take as it is.
  *
  * **Source**
  *
@@ -1718,7 +1718,7 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
    * The phase function of asymmetry `g`, in (−1, 1).
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `OutOfRange` for 1 or more and for −1 or less, where all the
+   * NotFinite (code 1) for NaN or infinity, OutOfRange (code 7) for 1 or more and for −1 or less, where all the
    * light goes one way and there is no density.
    */
   constructor(asymmetry: number);
@@ -1727,16 +1727,16 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
    * tell.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less, `OutOfRange` below 2⁻³²
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) below 2⁻³²
    * and above 1.
    */
   static fromOneMinusG(oneMinusG: number): HenyeyGreenstein;
   /**
-   * Of asymmetry 0 or less, by 1 + g: the mirror image of `from_one_minus_g`, whose light
+   * Of asymmetry 0 or less, by 1 + g: the mirror image of `fromOneMinusG`, whose light
    * turns back.
    *
    * @throws RangeError:
-   * Those of `from_one_minus_g`.
+   * Those of `fromOneMinusG`.
    */
   static fromOnePlusG(onePlusG: number): HenyeyGreenstein;
 }
@@ -1754,7 +1754,7 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
  * **Density**
  *
  * κ/(2π(1 − e^(−2κ))) e^(−κ(1 − cos θ)) per steradian, for any finite direction.
- * `sample_with_pdf` takes it from the uniforms, without an exponential.
+ * `sampleWithPdf` takes it from the uniforms, without an exponential.
  *
  * **Domain**
  *
@@ -1788,7 +1788,7 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
    * The distribution about +z of concentration `kappa`, from 0 to 1e30.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` below 0, `OutOfRange` above 1e30.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) below 0, OutOfRange (code 7) above 1e30.
    */
   constructor(concentration: number);
 }
@@ -1802,7 +1802,7 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
  * **Density**
  *
  * D(m) cos θ per steradian for z > 0, with D = 1/(π αx αy ((x/αx)² + (y/αy)² + z²)²). All terms are positive, so that
- * nothing cancels at small roughness. `sample_with_pdf` takes it from the uniforms, which is
+ * nothing cancels at small roughness. `sampleWithPdf` takes it from the uniforms, which is
  * cheaper and does not count the rounding of the normal.
  *
  * **Domain**
@@ -1841,7 +1841,7 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
    * Normals of roughness `alpha` along x and along y; equal ones are isotropic.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less, `OutOfRange` below 1e-4
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) below 1e-4
    * and above 1.
    */
   constructor(roughness: Vector2);
@@ -1852,14 +1852,14 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
  *
  * A direction uniform on a spherical cap and the viewer's, both in the space where the surface is a hemisphere, add up to the normal
  * (Dupuy and Benyoub). The azimuth u₂ is counted from the viewer's, so that the sum has no cancellation.
- * `sample_with_pdf` takes the density from the length of that sum, in which w·m does not cancel
+ * `sampleWithPdf` takes the density from the length of that sum, in which w·m does not cancel
  * either.
  *
  * **Density**
  *
  * `2 (w·m) D(m)/(w_z + ℓ)` per steradian where w·m > 0, with the view w, `ℓ = √(αx² w_x² + αy² w_y² + w_z²)` and D as for
  * `Ggx`.
- * The reflected direction has density `D(m)/(2(w_z + ℓ))`: `GgxVisible::reflected_pdf`. `GgxVisible::bounded` divides by
+ * The reflected direction has density `D(m)/(2(w_z + ℓ))`: `GgxVisible.reflectedPdf`. `GgxVisible.bounded` divides by
  * `k w_z + ℓ` instead, with k ≤ 1.
  *
  * **Domain**
@@ -1903,16 +1903,16 @@ export declare class GgxVisible extends Warp<[number, number, number], [number, 
    * The normals seen from `view`, a direction of any length, of roughness `alpha` along x and along y.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `ZeroLength` for a view without a length,
-   * `OutOfRange` for a view below the surface and for a roughness below 1e-4 or above 1,
-   * `NotPositive` for a roughness of 0 or less.
+   * NotFinite (code 1) for NaN or infinity, ZeroLength (code 9) for a view without a length,
+   * OutOfRange (code 7) for a view below the surface and for a roughness below 1e-4 or above 1,
+   * NotPositive (code 5) for a roughness of 0 or less.
    */
   constructor(view: Vector3, roughness: Vector2);
   /**
    * The same without the normals whose reflections all lie below the surface.
    *
    * @throws RangeError:
-   * Those of `GgxVisible::new`.
+   * Those of `new GgxVisible`.
    */
   static bounded(view: Vector3, roughness: Vector2): GgxVisible;
 }
@@ -1967,16 +1967,16 @@ export declare class Cone extends Warp<[number, number, number], [number, number
    * The cone of 1 − cos θmax = `k`, in (0, 2]. A `k` of 2 is the whole sphere.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less,
-   * `OutOfRange` above 2, `Empty` below the smallest normal `f32`.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
+   * OutOfRange (code 7) above 2, Empty (code 3) below the smallest normal `f32`.
    */
   static fromOneMinusCos(oneMinusCos: number): Cone;
   /**
    * The cone of the given half angle in radians, in (0, π].
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less,
-   * `OutOfRange` above π, `Empty` below about 1.6e-19 rad.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
+   * OutOfRange (code 7) above π, Empty (code 3) below about 1.6e-19 rad.
    */
   static fromRadians(halfAngle: number): Cone;
   /**
@@ -1984,8 +1984,8 @@ export declare class Cone extends Warp<[number, number, number], [number, number
    * cone in which a sphere is seen, take `VisibleSphere`.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for 0 or less,
-   * `OutOfRange` above 1, `Empty` below 1.6e-19.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
+   * OutOfRange (code 7) above 1, Empty (code 3) below 1.6e-19.
    */
   static fromSine(sine: number): Cone;
 }
@@ -2010,7 +2010,7 @@ export declare class Cone extends Warp<[number, number, number], [number, number
  *
  * **Domain**
  *
- * - Point: unit vectors in world coordinates. `VisibleSphere::sample_surface` adds the distance to the surface: to
+ * - Point: unit vectors in world coordinates. `VisibleSphere.sampleSurface` adds the distance to the surface: to
  *   the near side from outside, from inside to the far one.
  * - Uniforms: two. The direction of the centre is at u₁ = 0, the rim (from inside, the opposite direction) at u₁ = 1.
  * - Parameters: any finite point and centre, and any radius above 0, if the half angle is at least 1.6e-19 rad and
@@ -2044,8 +2044,8 @@ export declare class VisibleSphere extends Warp<[number, number, number], [numbe
    * The sphere of the given centre and radius, seen from `point`.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `NotPositive` for a radius of 0 or less, `TooLarge` where
-   * the far side of the sphere is beyond the range of `f32`, `Empty` for a sphere seen under less than 1.6e-19 rad.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a radius of 0 or less, TooLarge (code 4) where
+   * the far side of the sphere is beyond the range of `f32`, Empty (code 3) for a sphere seen under less than 1.6e-19 rad.
    */
   constructor(point: Vector3, centre: Vector3, radius: number);
 }
@@ -2097,9 +2097,9 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
    * The directions with θ in `theta0`, `theta1` and φ in `phi0`, `phi1`, all in turns.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Reversed` if an upper end is below its lower,
-   * `OutOfRange` for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1
-   * turn, `Empty` for a patch with no extent, one whose density overflows or
+   * NotFinite (code 1) for NaN or infinity, Reversed (code 2) if an upper end is below its lower,
+   * OutOfRange (code 7) for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1
+   * turn, Empty (code 3) for a patch with no extent, one whose density overflows or
    * one whose cos θ₀ − cos θ₁ is below the smallest normal `f32`. A width that rounds to 1 is a whole turn.
    */
   static fromTurns(thetaFrom: number, thetaTo: number, phiFrom: number, phiTo: number): SphericalPatch;
@@ -2127,7 +2127,7 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
  *   coordinates. Trace a ray to it rather than along the direction where the triangle is narrower than about 1e-4 rad.
  *
  * Where q is above 64 before the inside, the point is so close to the triangle that area is sampled instead, unless a
- * vertex is 64 times as near as another: `samples_area` says so. `pdf`, `sample_with_pdf` and the inverse are then
+ * vertex is 64 times as near as another: `samplesArea` says so. `pdf`, `sampleWithPdf` and the inverse are then
  * those of area, distance²/(cos θ · area) per steradian.
  *
  * **Domain**
@@ -2174,9 +2174,9 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
    * The directions from `point` to the triangle with these vertices, from either side.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `TooLarge` for a coordinate beyond 2⁶⁰, `Empty` for
+   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for a coordinate beyond 2⁶⁰, Empty (code 3) for
    * coincident vertices and for a triangle that is too small, too thin or seen too much from its edge,
-   * `NotNormalizable` for a point on the triangle. The section on the domain says where these begin.
+   * NotNormalizable (code 8) for a point on the triangle. The section on the domain says where these begin.
    */
   constructor(point: Vector3, vertices: readonly [Vector3, Vector3, Vector3]);
 }
@@ -2195,8 +2195,8 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
  * `SphericalTriangle` says of small triangles and of `pdf(w) > 0` holds here, too.
  *
  * Where q is above 64 before the inside, the point is so close to the rectangle that area is sampled instead, unless a
- * corner is 64 times as near as another: `samples_area` says so. `pdf`,
- * `sample_with_pdf` and the inverse are then those of area, distance²/(cos θ · area) per steradian.
+ * corner is 64 times as near as another: `samplesArea` says so. `pdf`,
+ * `sampleWithPdf` and the inverse are then those of area, distance²/(cos θ · area) per steradian.
  *
  * **Domain**
  *
@@ -2241,9 +2241,9 @@ export declare class SphericalRectangle extends Warp<[number, number, number], [
    * at right angles.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `TooLarge` for a coordinate beyond 2⁶⁰, `ZeroLength`
-   * for an edge of length 0, `Empty` for a rectangle that is too small, too thin or seen too much from its
-   * edge, `NotNormalizable` for a point on the rectangle. The section on the domain says where these begin.
+   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for a coordinate beyond 2⁶⁰, ZeroLength (code 9)
+   * for an edge of length 0, Empty (code 3) for a rectangle that is too small, too thin or seen too much from its
+   * edge, NotNormalizable (code 8) for a point on the rectangle. The section on the domain says where these begin.
    */
   constructor(point: Vector3, corner: Vector3, edges: readonly [Vector3, Vector3]);
 }
@@ -2288,7 +2288,7 @@ export declare class Aabb2d extends Warp<[number, number], [number, number]> {
    * The box between two opposite corners, `low` and `high`.
    *
    * @throws RangeError:
-   * Those of `Interval::new` for each side. `Empty` where the density overflows `f32`, `TooLarge`
+   * Those of `new Interval` for each side. Empty (code 3) where the density overflows `f32`, TooLarge (code 4)
    * where it is below the smallest normal number.
    */
   constructor(low: Vector2, high: Vector2);
@@ -2334,7 +2334,7 @@ export declare class Aabb3d extends Warp<[number, number, number], [number, numb
    * The box between two opposite corners, `low` and `high`.
    *
    * @throws RangeError:
-   * Those of `Interval::new` for each side. `Empty` where the density overflows `f32`, `TooLarge`
+   * Those of `new Interval` for each side. Empty (code 3) where the density overflows `f32`, TooLarge (code 4)
    * where it is below the smallest normal number.
    */
   constructor(low: Vector3, high: Vector3);
@@ -2386,16 +2386,16 @@ export declare class Annulus extends Warp<[number, number], [number, number]> {
    * The ring between two radii.
    *
    * @throws RangeError:
-   * Those of `Annulus::sector`.
+   * Those of `Annulus.sector`.
    */
   constructor(inner: number, outer: number);
   /**
    * The part of a ring between two azimuths in turns, counted from +x towards +y.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` for a radius below 0, `Reversed` if an upper
-   * end is below its lower, `OutOfRange` for a first azimuth outside [−1, 1] or a width above 1 turn,
-   * `Empty` for equal radii, equal azimuths or a density that overflows, `TooLarge` for a density
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a radius below 0, Reversed (code 2) if an upper
+   * end is below its lower, OutOfRange (code 7) for a first azimuth outside [−1, 1] or a width above 1 turn,
+   * Empty (code 3) for equal radii, equal azimuths or a density that overflows, TooLarge (code 4) for a density
    * below the smallest normal number. A width that rounds to 1 is a whole turn.
    */
   static sector(inner: number, outer: number, fromTurns: number, toTurns: number): Annulus;
@@ -2529,7 +2529,7 @@ export declare class RegularPolygon extends Warp<[number, number], [number, numb
    * The polygon with so many corners.
    *
    * @throws RangeError:
-   * `OutOfRange` for fewer than three.
+   * OutOfRange (code 7) for fewer than three.
    */
   constructor(corners: number);
 }
@@ -2725,8 +2725,8 @@ export declare class BoxSurface extends Warp<[number, number, number, number, nu
    * The surface of the box between two opposite corners, `low` and `high`.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Reversed` where a coordinate of `low` is above that of `high`.
-   * `Empty` for a box without area, or so small that the density overflows, `TooLarge` for one whose
+   * NotFinite (code 1) for NaN or infinity, Reversed (code 2) where a coordinate of `low` is above that of `high`.
+   * Empty (code 3) for a box without area, or so small that the density overflows, TooLarge (code 4) for one whose
    * density is below the smallest normal number.
    */
   constructor(low: Vector3, high: Vector3);
@@ -2780,8 +2780,8 @@ export declare class FrustumSurface extends Warp<[number, number, number, number
    * 0 a cone.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` for a number below 0. `Empty` for a surface
-   * without area, or so small that the density overflows, `TooLarge` for one whose density is below the smallest
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a number below 0. Empty (code 3) for a surface
+   * without area, or so small that the density overflows, TooLarge (code 4) for one whose density is below the smallest
    * normal number, or whose diameter overflows.
    */
   constructor(radii: Vector2, height: number);
@@ -2789,7 +2789,7 @@ export declare class FrustumSurface extends Warp<[number, number, number, number
    * The side of a frustum alone, without its disks.
    *
    * @throws RangeError:
-   * Those of `FrustumSurface::new`.
+   * Those of `new FrustumSurface`.
    */
   static tube(radii: Vector2, height: number): FrustumSurface;
 }
@@ -2836,8 +2836,8 @@ export declare class CapsuleSurface extends Warp<[number, number, number, number
    * The capsule around a segment of the given height, at the given radius.
    *
    * @throws RangeError:
-   * `NotFinite` for NaN or infinity, `Negative` for a height below 0, `NotPositive` for a radius
-   * of 0 or less. `Empty` where the density overflows, `TooLarge` where it is below the smallest normal
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a height below 0, NotPositive (code 5) for a radius
+   * of 0 or less. Empty (code 3) where the density overflows, TooLarge (code 4) where it is below the smallest normal
    * number, or where h + 2r overflows.
    */
   constructor(height: number, radius: number);

@@ -1,5 +1,7 @@
 //! Doc comments of Rust as those of JavaScript.
 
+use super::camel;
+use super::scripts::REASONS;
 use microwarp_upkeep::{Outcome, read, root};
 use std::fs;
 
@@ -58,7 +60,10 @@ impl Docs {
             .collect();
         lines.reverse();
         // A link may go over the end of a line.
-        plain(&lines.join("\n")).lines().map(String::from).collect()
+        spoken(&plain(&lines.join("\n")))
+            .lines()
+            .map(String::from)
+            .collect()
     }
 
     /// The comment of the class.
@@ -110,7 +115,7 @@ impl Docs {
         let lines = self.above(line);
         let text = lines.iter().map(|line| match line.as_str() {
             "# Errors" => "@throws RangeError:".into(),
-            line => line.replace("Error::", ""),
+            line => coded(line),
         });
         Ok(comment("  ", &text.collect::<Vec<_>>()))
     }
@@ -123,6 +128,36 @@ fn of_poly(line: &str) -> String {
         [_, title, _, poly, _] => format!("|{title}|{poly}|"),
         _ => line.into(),
     }
+}
+
+/// A line of the errors of a constructor with the codes of the errors, which JavaScript knows them by.
+fn coded(line: &str) -> String {
+    let mut line = line.to_owned();
+    for error in REASONS {
+        let name = format!("{error:?}").replace("(0)", "");
+        line = line.replace(
+            &format!("`Error::{name}`"),
+            &format!("{name} (code {})", error.code()),
+        );
+    }
+    line
+}
+
+/// Code within text as JavaScript writes it: `Cone::from_sine` as `Cone.fromSine`, and `Cone::new` as `new Cone`.
+fn spoken(text: &str) -> String {
+    let parts = text.split('`').enumerate();
+    let parts = parts.map(|(i, part)| {
+        let plain = |c: char| c.is_ascii_lowercase() || c == '_';
+        match part.split_once("::") {
+            _ if i % 2 == 0 => part.into(),
+            Some(("Error", _)) => part.into(),
+            Some((class, "new")) => format!("new {class}"),
+            Some((class, method)) => format!("{class}.{}", camel(method, false)),
+            None if part.chars().all(plain) => camel(part, false),
+            None => part.into(),
+        }
+    });
+    parts.collect::<Vec<_>>().join("`")
 }
 
 /// Text without the targets of its links.
