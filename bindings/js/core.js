@@ -65,7 +65,8 @@ export const written = (words, head, numbers, write) => {
 export const refuse = (refusal) => {
   if (refusal === 0) return;
   const code = refusal & 31;
-  throw Object.assign(new RangeError(reasons[code - 1].replace("#", refusal >>> 5)), { code });
+  const reason = reasons[code - 1]?.replace("#", refusal >>> 5) ?? "the module was built without this";
+  throw Object.assign(new RangeError(reason), { code });
 };
 
 export const take = (at, count) => f32.subarray(at, at + count);

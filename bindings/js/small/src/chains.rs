@@ -2,6 +2,7 @@
 //! the decision. The caller keeps the state and the counts.
 
 use crate::flat::put;
+use crate::parts::{NOT_LINKED, linked};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::Error;
 use microwarp::metropolis::{
@@ -37,6 +38,9 @@ pub unsafe extern "C" fn propose(
     state: *mut f32,
     coordinates: usize,
 ) -> u32 {
+    if !const { linked("chains") } {
+        return NOT_LINKED;
+    }
     // SAFETY: as the caller says.
     let (widths, words, state) = unsafe {
         (

@@ -7,6 +7,7 @@
 
 mod chains;
 mod flat;
+mod parts;
 mod tables;
 mod warps;
 mod words;

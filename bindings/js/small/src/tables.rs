@@ -1,6 +1,7 @@
 //! Tables of weights, in memory of the caller: a head of six numbers and the entries behind it.
 
 use crate::flat::{get, put};
+use crate::parts::{NOT_LINKED, linked};
 use crate::warps::{Arrays, DRAW, SAMPLE, all};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::Error;
@@ -34,6 +35,9 @@ unsafe fn behind<'a>(table: *mut Head, words: usize) -> &'a mut [u32] {
 /// The weights lie there; there is room for a word each, and for each row; with `Alias` for three words a bin.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f32) -> u32 {
+    if !const { linked("tables") } {
+        return NOT_LINKED;
+    }
     // SAFETY: as the caller says.
     let made = unsafe {
         let Head {
@@ -105,6 +109,9 @@ pub unsafe extern "C" fn look_up(
     outputs: usize,
     count: usize,
 ) {
+    if !const { linked("tables") } {
+        return;
+    }
     let arrays = Arrays {
         input,
         output,

@@ -2,6 +2,7 @@
 //! `tests/golden/src/warps.rs`; the JavaScript side has them by `cargo regenerate`.
 
 use crate::flat::{Flat, get, put};
+use crate::parts::{NOT_LINKED, linked};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::{Error, Invert};
 use microwarp_js_hot::{Words, fill};
@@ -122,12 +123,23 @@ macro_rules! made {
     }};
 }
 
+/// What stands in place of a warp that the module does not have.
+unsafe fn nothing(_: u32, _: *const f32, _: &Arrays) -> bool {
+    true
+}
+
+unsafe fn none(_: *const f32, _: *mut f32) -> u32 {
+    NOT_LINKED
+}
+
 macro_rules! numbered {
-    ($([$warp:ty] { $($new:ident $parameters:tt,)* })*) => {
+    ($([$name:literal $warp:ty] { $($new:ident $parameters:tt,)* })*) => {
         // The JavaScript side has so much room for one.
         const _: () = assert!(true $(&& size_of::<$warp>() <= 512 && align_of::<$warp>() <= 16)*);
-        static RUN: &[Run] = &[$(run::<$warp>),*];
-        static NEW: &[New] = &[$($(|from, to| write(made!($warp, $new $parameters, from), to)),*),*];
+        static RUN: &[Run] = &[$(if linked($name) { run::<$warp> } else { nothing }),*];
+        static NEW: &[New] = &[$($(
+            if linked($name) { |from, to| write(made!($warp, $new $parameters, from), to) } else { none }
+        ),*),*];
     };
 }
 
@@ -139,7 +151,7 @@ macro_rules! bound {
             $(none $why:literal)?
         }
     })*) => {
-        numbered! { $($([microwarp::poly::$warp $(<$n>)?] { $($constructors)* })*)* }
+        numbered! { $($([$name microwarp::poly::$warp $(<$n>)?] { $($constructors)* })*)* }
     };
 }
 microwarp_golden::float_warps!(bound);
