@@ -57,7 +57,7 @@ pub struct Args {
 type Step = (&'static str, fn(&Args) -> Outcome);
 
 /// Each may read what those before it have written.
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("golden", |args| golden::step(args.check, &args.golden)),
     ("javascript", |args| javascript::step(args.check)),
     ("accuracy", accuracy),
