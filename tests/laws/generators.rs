@@ -137,6 +137,7 @@ fn hostile() -> Vec<[f32; 4]> {
 fn maps(warp: &dyn support::registry::Erased) -> bool {
     let u = hostile();
     let (points, with_densities) = warp.map(&u);
+    assert_eq!((points.len(), with_densities.len()), (u.len(), u.len()));
     u.iter()
         .zip(points)
         .zip(with_densities)

@@ -84,7 +84,9 @@ pub trait Erased: Send + Sync {
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
     /// Maps a slice: the points by `Warp::map`, then points and densities by `Warp::map_with_pdf`.
-    fn map(&self, u: &[Uniforms]) -> (Vec<Point>, Vec<(Point, f32)>);
+    fn map(&self, _: &[Uniforms]) -> (Vec<Point>, Vec<(Point, f32)>) {
+        (Vec::new(), Vec::new())
+    }
     /// A block of points in memory of its own, drawn one by one or filled: what takes time is this alone.
     fn block(&self, filled: bool) -> Box<dyn FnMut()>;
     /// One point of the generator by each way to draw it: what the way is, and the point.
