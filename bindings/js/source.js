@@ -8,7 +8,9 @@ const hex = (number) => number.toString(16).padStart(16, "0");
 class Source {
   words(words, dimensions = 1) {
     const count = elements(words, Uint32Array, dimensions);
-    in_blocks(count, this, dimensions, words, dimensions, (n) => words_at(OUT, n * dimensions).set(words_at(IN, n * dimensions)));
+    in_blocks(count, this, dimensions, words, dimensions, (n) => {
+      words_at(OUT, n * dimensions).set(words_at(IN, n * dimensions));
+    });
     return words;
   }
   uniforms(uniforms, dimensions = 1) {

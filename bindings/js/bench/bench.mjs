@@ -101,20 +101,31 @@ const improved = stdlib("improved-ziggurat").factory({ seed: 42 });
 
 // Numbers in an element, the array, ours, and the others.
 const contests = [
-  ["normals", 1, new Float32Array(COUNT), { "Normal.fill": filled(normal), "NormalPair.fill": filled(pair), "Normal.draw": drawn(normal), "Normal.sample": sampled(normal) }, {
-    "d3-random": called(randn), "@stdlib (improved ziggurat)": called(improved), "@stdlib (randn)": called(stdlib("randn").factory({ seed: 42 })),
+  ["normals", 1, new Float32Array(COUNT), {
+    "Normal.fill": filled(normal), "NormalPair.fill": filled(pair),
+    "Normal.draw": drawn(normal), "Normal.sample": sampled(normal),
+  }, {
+    "d3-random": called(randn), "@stdlib (improved ziggurat)": called(improved),
+    "@stdlib (randn)": called(stdlib("randn").factory({ seed: 42 })),
     "pure-rand, Box-Muller": box_muller(pure_uniform), "Math.random, Box-Muller": box_muller(random),
   }],
-  ["exponentials", 1, new Float32Array(COUNT), { "Exponential.fill": filled(exponential), "Exponential.draw": drawn(exponential), "Exponential.sample": sampled(exponential) }, {
-    "d3-random": called(d3.randomExponential(1)), "@stdlib": called(stdlib("exponential").factory(1, { seed: 42 })),
+  ["exponentials", 1, new Float32Array(COUNT), {
+    "Exponential.fill": filled(exponential), "Exponential.draw": drawn(exponential),
+    "Exponential.sample": sampled(exponential),
+  }, {
+    "d3-random": called(d3.randomExponential(1)),
+    "@stdlib": called(stdlib("exponential").factory(1, { seed: 42 })),
     "pure-rand, logarithm": called(() => -Math.log1p(-pure_uniform())), "Math.random, logarithm": called(() => -Math.log1p(-random())),
   }],
   ["sphere points", 3, new Float32Array(3 * COUNT), { "Sphere.fill": filled(new microwarp.Sphere()) }, {
     "d3-random, three normals": by_normals(randn), "@stdlib, three normals": by_normals(improved),
     "pure-rand": sphere(pure_uniform), "Math.random": sphere(random),
   }],
-  ["weighted choice of 64", 1, new Uint32Array(COUNT), { "Alias.fill": filled(new microwarp.Alias(weights)), "Cdf.fill": filled(new microwarp.Cdf(weights)) }, {
-    "@stdlib (random/sample)": stdlib_sample, "pure-rand, alias": alias(pure_uniform), "Math.random, alias": alias(random), "Math.random, bisection": weighted(random),
+  ["weighted choice of 64", 1, new Uint32Array(COUNT), {
+    "Alias.fill": filled(new microwarp.Alias(weights)), "Cdf.fill": filled(new microwarp.Cdf(weights)),
+  }, {
+    "@stdlib (random/sample)": stdlib_sample, "pure-rand, alias": alias(pure_uniform),
+    "Math.random, alias": alias(random), "Math.random, bisection": weighted(random),
   }],
 ];
 
