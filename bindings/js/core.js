@@ -9,6 +9,8 @@ let f32, u32;
 // behind them whatever is loaded. Places are counted in numbers.
 const BLOCK = 8192;
 const SMALL = 64;
+// Beside the largest thing there is room for so many numbers of small ones.
+const SPARE = 1 << 16;
 export let IN, OUT;
 let rng_at, loaded_from, loaded_to, epoch = 0;
 
@@ -20,17 +22,23 @@ export const start = ({ instance }) => {
   OUT = IN + BLOCK;
   rng_at = OUT + BLOCK;
   loaded_from = rng_at + SMALL;
-  room(BLOCK);
+  room(0);
 };
 
 // Memory for so many numbers at the place where things are loaded, which are forgotten. They know their own bits.
 const room = (numbers) => {
   epoch += 1;
   loaded_to = loaded_from;
-  const missing = Math.ceil((loaded_from + numbers - wasm.memory.buffer.byteLength / 4) / 16384);
+  const missing = Math.ceil((loaded_from + numbers + SPARE - wasm.memory.buffer.byteLength / 4) / 16384);
   if (missing > 0) wasm.memory.grow(missing);
   f32 = new Float32Array(wasm.memory.buffer);
   u32 = new Uint32Array(wasm.memory.buffer);
+};
+
+// The place of so many numbers more.
+const reserved = (numbers) => {
+  if (loaded_to + numbers > u32.length) room(numbers);
+  return loaded_to;
 };
 
 // What lies in the memory while there is room, and is copied there again otherwise.
@@ -38,27 +46,28 @@ export class Loaded {
   constructor(bits) {
     this.bits = bits;
   }
+  at(place) {
+    this.epoch = epoch;
+    this.place = place;
+    loaded_to = place + ((this.bits.length + 3) & ~3);
+    return this;
+  }
   address() {
     if (this.epoch !== epoch) {
-      const length = (this.bits.length + 3) & ~3;
-      if (loaded_to + length > u32.length) room(length);
-      this.epoch = epoch;
-      this.at = loaded_to;
-      u32.set(this.bits, this.at);
-      loaded_to += length;
+      this.at(reserved(this.bits.length));
+      u32.set(this.bits, this.place);
     }
-    return this.at * 4;
+    return this.place * 4;
   }
 }
 
 // Has an export write so many words behind numbers, and keeps them. The export gets both addresses.
 export const written = (words, head, numbers, write) => {
-  room(words + numbers.length);
-  const at = loaded_from;
+  const at = reserved(words + numbers.length);
   u32.set(head, at);
   f32.set(numbers, at + words);
   refuse(write(at * 4, (at + words) * 4));
-  return new Loaded(u32.slice(at, at + words));
+  return new Loaded(u32.slice(at, at + words)).at(at);
 };
 
 // A refusal of the module: a code, and the index of a weight times 32.

@@ -106,6 +106,10 @@ test("tables larger than the memory was, and many of them, keep their weights", 
   assert.equal(large.pmf(77), 2 ** -20);
   assert.ok(Math.max(...large.fill(new Uint32Array(100), rng)) > 1 << 16);
   assert.deepEqual(many.map((table) => table.select(0.5).index), many.map((_, i) => i));
+  // More small things than fit beside them come and go.
+  for (let i = 0; i < 2000; i += 1) assert.equal(new microwarp.Interval(i, i + 1).sample(0), i);
+  assert.deepEqual(many.map((table) => table.draw(rng)), many.map((_, i) => i));
+  assert.equal(large.pmf(77), 2 ** -20);
 });
 
 test("points of a set go on from index to index, in the dimensions asked for", () => {
