@@ -9,6 +9,7 @@
 //! plain integers. What a NaN's bits are differs between machines, so every NaN yields the same word.
 #![no_std]
 
+mod errors;
 #[macro_use]
 mod warps;
 #[macro_use]

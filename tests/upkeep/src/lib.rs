@@ -1,7 +1,8 @@
-//! What `regenerate` and `linked` share: the root of the repository, and a common end. And the C interface as text.
+//! What `regenerate` and `linked` share: the root of the repository, the errors, and a common end. And the C interface as text.
 
 pub mod capi;
 
+use microwarp::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -26,6 +27,29 @@ pub fn write(path: &str, text: &str) -> Outcome {
     std::fs::write(root().join(path), text).map_err(|e| format!("{path}: {e}"))?;
     println!("written: {path}");
     Ok(())
+}
+
+macro_rules! listed {
+    ($($error:expr,)*) => {
+        const ERRORS: &[Error] = &[$($error),*];
+    };
+}
+microwarp_golden::errors!(listed);
+
+/// Every reason for a refusal with its name, by the codes from 1 on; fails where the list lacks one.
+pub fn errors() -> Outcome<Vec<(Error, String)>> {
+    let stated = read("src/error.rs")?.matches(" => \"").count();
+    if stated != ERRORS.len() {
+        return Err(format!("there are {stated} errors, not {}", ERRORS.len()));
+    }
+    let named = ERRORS.iter().zip(1..).map(|(&error, code)| {
+        let name = format!("{error:?}").replace("(0)", "");
+        let numbered = error.code() == code;
+        numbered
+            .then_some((error, name))
+            .ok_or(format!("{error:?} has not the code {code}"))
+    });
+    named.collect()
 }
 
 /// The process's end: what is wrong goes to standard error.

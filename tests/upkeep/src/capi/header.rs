@@ -3,7 +3,7 @@
 use super::bound::{self, Block, Bound};
 use super::comments::Comments;
 use super::declare::{WIDTH, declare, structure};
-use crate::{Outcome, read};
+use crate::{Outcome, errors, read};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -34,7 +34,7 @@ pub fn header() -> Outcome<String> {
         .map(|tier| section(tier, &mut structs))
         .collect();
     let mut generated = vec![
-        ("errors".to_owned(), errors()?),
+        ("errors".to_owned(), reasons()?),
         ("poly".to_owned(), poly),
         ("fixed".to_owned(), fixed?),
     ];
@@ -110,32 +110,12 @@ pub fn layout() -> String {
     )
 }
 
-/// The variants of `Error` with their numbers, from its source.
-fn errors() -> Outcome<String> {
-    let source = read("src/error.rs")?;
+/// The reasons of `Error` with their numbers.
+fn reasons() -> Outcome<String> {
     let mut text = String::new();
-    for line in source.lines() {
-        let arm = line
-            .trim()
-            .strip_prefix("Self::")
-            .and_then(|arm| arm.split_once(" => "));
-        let Some((variant, number)) = arm else {
-            continue;
-        };
-        let Some(number) = number.strip_suffix(',').and_then(|n| n.parse::<u16>().ok()) else {
-            continue;
-        };
-        let variant = variant.trim_end_matches("(_)");
-        let says = format!("Self::{variant}");
-        let mut messages = source.lines().filter_map(|line| {
-            let (arm, message) = line.trim().strip_prefix(&says)?.split_once(" => \"")?;
-            (arm.is_empty() || arm == "(_)").then(|| message.trim_end_matches("\","))
-        });
-        let message = messages
-            .next()
-            .ok_or_else(|| format!("no message of {variant}"))?;
-        let name = upper_case(variant);
-        writeln!(text, "    MW_{name} = {number}, /* {message} */").unwrap();
+    for (error, name) in errors()? {
+        let (name, code, message) = (upper_case(&name), error.code(), error.message());
+        writeln!(text, "    MW_{name} = {code}, /* {message} */").unwrap();
     }
     Ok(text)
 }

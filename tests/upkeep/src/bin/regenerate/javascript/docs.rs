@@ -1,8 +1,8 @@
 //! Doc comments of Rust as those of JavaScript.
 
 use super::camel;
-use super::scripts::REASONS;
-use microwarp_upkeep::{Outcome, read, root};
+use microwarp::Error;
+use microwarp_upkeep::{Outcome, errors, read, root};
 use std::fs;
 
 /// The file that declares a type, and where.
@@ -112,10 +112,10 @@ impl Docs {
                 _ => Self::family()?.constructor(name),
             };
         };
-        let lines = self.above(line);
+        let (lines, errors) = (self.above(line), errors()?);
         let text = lines.iter().map(|line| match line.as_str() {
             "# Errors" => "@throws RangeError:".into(),
-            line => coded(line),
+            line => coded(line, &errors),
         });
         Ok(comment("  ", &text.collect::<Vec<_>>()))
     }
@@ -131,10 +131,9 @@ fn of_poly(line: &str) -> String {
 }
 
 /// A line of the errors of a constructor with the codes of the errors, which JavaScript knows them by.
-fn coded(line: &str) -> String {
+fn coded(line: &str, errors: &[(Error, String)]) -> String {
     let mut line = line.to_owned();
-    for error in REASONS {
-        let name = format!("{error:?}").replace("(0)", "");
+    for (error, name) in errors {
         line = line.replace(
             &format!("`Error::{name}`"),
             &format!("{name} (code {})", error.code()),

@@ -2,43 +2,15 @@
 
 use super::docs::Docs;
 use super::{Class, Constructor, camel};
-use microwarp::Error;
-use microwarp_upkeep::{Outcome, read};
-
-/// Every reason for a refusal.
-pub const REASONS: [Error; 16] = [
-    Error::NotFinite,
-    Error::Reversed,
-    Error::Empty,
-    Error::TooLarge,
-    Error::NotPositive,
-    Error::Negative,
-    Error::OutOfRange,
-    Error::NotNormalizable,
-    Error::ZeroLength,
-    Error::NoWeights,
-    Error::TooManyWeights,
-    Error::NotFiniteWeight(0),
-    Error::NegativeWeight(0),
-    Error::AllZero,
-    Error::Unreachable(0),
-    Error::NotATable,
-];
+use microwarp_upkeep::{Outcome, errors};
 
 /// The reasons in words, by their codes from 1 on.
 pub fn reasons() -> Outcome<String> {
-    let stated = read("src/error.rs")?.matches(" => \"").count();
-    if stated != REASONS.len() {
-        return Err(format!("there are {stated} errors, not {}", REASONS.len()));
-    }
     let mut lines = String::from(
         "// Why a constructor refuses its parameters, by `cargo regenerate` from src/error.rs: the codes from 1 on. `#` is the\n\
          // index of a weight.\nexport const reasons = [\n",
     );
-    for (error, code) in REASONS.iter().zip(1..) {
-        if error.code() != code {
-            return Err(format!("{error:?} has not the code {code}"));
-        }
+    for (error, _) in errors()? {
         lines += &format!(
             "  {:?},\n",
             error.to_string().replace("weight 0", "weight #")
