@@ -18,6 +18,13 @@ macro_rules! planar {
             $crate::warp::planar::sample(self, u)
         }
 
+        #[inline]
+        fn sample_words(&self, words: [u32; 2]) -> Self::Point {
+            let mut point = [0.0; $dimensions];
+            $crate::warp::planar::put(self, words, &mut point);
+            point
+        }
+
         $crate::warp::filled_in_blocks!(by $crate::warp::planar::in_blocks, where $vectors);
 
         #[inline]
@@ -33,8 +40,20 @@ pub(super) use planar;
 /// Rust passes and returns an array of two `f32` as one integer. A loop that takes them apart and joins them again works
 /// with vectors half as long.
 pub(crate) trait PlanarMap<const D: usize> {
-    /// The point of two uniforms in [0, 1).
-    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; D]);
+    /// What the map makes of u₁ alone before anything else, where that takes many steps one after the other.
+    #[inline]
+    fn first(&self, u1: f32) -> f32 {
+        u1
+    }
+
+    /// The same from the word that u₁ is drawn from.
+    #[inline]
+    fn first_of_word(&self, word: u32) -> f32 {
+        self.first(grid_from_word(word))
+    }
+
+    /// The point of two uniforms in [0, 1), of which [`first`](PlanarMap::first) has been applied to u₁.
+    fn map_to(&self, first: f32, u2: f32, to: &mut [f32; D]);
 }
 
 /// [`Warp::sample_canonical`](super::Warp::sample_canonical) of such a map.
@@ -45,8 +64,14 @@ pub(crate) fn sample<const D: usize, W: PlanarMap<D>>(
 ) -> [f32; D] {
     let [u1, u2] = u.get();
     let mut point = [0.0; D];
-    warp.map_to(u1, u2, &mut point);
+    warp.map_to(warp.first(u1), u2, &mut point);
     point
+}
+
+/// [`Warp::sample_words`](super::Warp::sample_words) of such a map, in place.
+#[inline]
+pub(crate) fn put<const D: usize, W: PlanarMap<D>>(warp: &W, [a, b]: [u32; 2], to: &mut [f32; D]) {
+    warp.map_to(warp.first_of_word(a), grid_from_word(b), to);
 }
 
 /// [`Warp::map`](super::Warp::map) of such a map.
@@ -57,7 +82,7 @@ pub(super) fn map<const D: usize, W: PlanarMap<D>>(
     points: &mut [[f32; D]],
 ) {
     for (point, &[u1, u2]) in points.iter_mut().zip(uniforms) {
-        warp.map_to(into_unit(u1), into_unit(u2), point);
+        warp.map_to(warp.first(into_unit(u1)), into_unit(u2), point);
     }
 }
 
@@ -85,13 +110,12 @@ where
         let words = block.iter_mut().zip(first.into_iter().zip(second));
         let count = drawn.as_ref().map_or(good.start, |()| BLOCK);
         for (point, (a, b)) in words.take(count) {
-            warp.map_to(grid_from_word(a), grid_from_word(b), point);
+            warp.map_to(warp.first(grid_from_word(a)), grid_from_word(b), point);
         }
         drawn?;
     }
     for point in blocks.into_remainder() {
-        let [a, b] = <[f32; 2]>::try_words(rng)?;
-        warp.map_to(grid_from_word(a), grid_from_word(b), point);
+        put(warp, <[f32; 2]>::try_words(rng)?, point);
     }
     Ok(())
 }
