@@ -1,13 +1,17 @@
 //! Host time in nanoseconds per point of every warp in both tiers, next to the generator alone.
 //!
-//! `cargo bench --bench warps`. Each figure is for 1,024 points with PCG32, drawn one by one or filled, so that calls
-//! and clocks do not show; compare figures of one run only.
+//! `cargo bench --bench warps`. Each figure is for 1,024 points with PCG32, drawn one by one or filled, or mapped from
+//! uniforms in memory, so that calls and clocks do not show; compare figures of one run only.
+//!
+//! `cargo bench --bench warps -- poly::map copied` shows `map` and what copying slices of the same types takes; with
+//! `RUSTFLAGS="-C target-cpu=x86-64-v3"` on vectors of eight.
 
 use divan::{Bencher, black_box};
 use microwarp::uniform::{self, Uniforms};
 use microwarp::{Error, Warp};
 use microwarp_golden::float_warps;
 use rand_pcg::Pcg32;
+use std::array;
 use std::fmt::{self, Display, Formatter};
 
 const POINTS: usize = 1_024;
@@ -38,9 +42,8 @@ fn fill<W: Warp>(bencher: Bencher, warp: &W) {
 
 /// From uniforms in memory.
 fn map<W: Warp<Uniforms: Random>>(bencher: Bencher, warp: &W) {
-    let mut rng = Pcg32::new(1, 1);
-    let uniforms: Vec<_> = (0..POINTS).map(|_| Random::random(&mut rng)).collect();
-    let mut points = vec![warp.draw(&mut rng); POINTS];
+    let uniforms = random();
+    let mut points = vec![warp.draw(&mut Pcg32::new(1, 1)); POINTS];
     bencher
         .counter(divan::counter::ItemsCount::new(POINTS))
         .bench_local(|| black_box(warp).map(black_box(&uniforms), black_box(&mut points)));
@@ -58,6 +61,11 @@ impl<U: Uniforms> Random for U {
     }
 }
 
+fn random<U: Random>() -> Vec<U> {
+    let mut rng = Pcg32::new(1, 1);
+    (0..POINTS).map(|_| U::random(&mut rng)).collect()
+}
+
 /// The floor: two words of the generator as uniforms, not used any further.
 #[divan::bench]
 fn a_floor_of_two_uniforms(bencher: Bencher) {
@@ -68,6 +76,33 @@ fn a_floor_of_two_uniforms(bencher: Bencher) {
         .bench_local(|| {
             for point in black_box(&mut points) {
                 *point = [uniform::grid(&mut rng), uniform::grid(&mut rng)];
+            }
+        });
+}
+
+/// The floor of `map`: uniforms are read, and points of so many dimensions are written.
+#[divan::bench(consts = [2, 3])]
+fn a_floor_of_copied_pairs<const D: usize>(bencher: Bencher) {
+    copied(bencher, |&[a, b]: &[f32; 2]| {
+        array::from_fn::<f32, D, _>(|i| if i == 1 { b } else { a })
+    });
+}
+
+/// The same on the line.
+#[divan::bench]
+fn a_floor_of_copied_numbers(bencher: Bencher) {
+    copied(bencher, |&u: &f32| u);
+}
+
+fn copied<U: Random, P: Copy>(bencher: Bencher, point: impl Fn(&U) -> P) {
+    let uniforms = random::<U>();
+    let mut points: Vec<P> = uniforms.iter().map(&point).collect();
+    bencher
+        .counter(divan::counter::ItemsCount::new(POINTS))
+        .bench_local(|| {
+            let uniforms = black_box(&uniforms);
+            for (to, u) in black_box(&mut points).iter_mut().zip(uniforms) {
+                *to = point(u);
             }
         });
 }

@@ -26,6 +26,10 @@ mod sealed {
     pub trait Sealed {
         /// Whether a compiler can vectorise its functions.
         const VECTORS: bool;
+
+        /// [`Tier::neg_ln_1m`](super::Tier::neg_ln_1m) of the uniform of the grid that a word stands for: quicker one by one,
+        /// but not vectorised.
+        fn neg_ln_1m_of_word(word: u32) -> f32;
     }
 }
 

@@ -3,6 +3,7 @@
 //! This file adds what `libm` would lose before or after its own work; the functions are those of `libm`.
 
 use super::{Tier, normal, power, turns};
+use crate::uniform::grid_from_word;
 
 /// The reference tier: the elementary functions of the `libm` crate.
 ///
@@ -56,6 +57,12 @@ fn sincos_quarter(r: f32) -> (f32, f32) {
 
 impl super::sealed::Sealed for Libm {
     const VECTORS: bool = false;
+
+    #[inline]
+    fn neg_ln_1m_of_word(word: u32) -> f32 {
+        // On the grid 1 - u is exact.
+        0.0 - ::libm::logf(1.0 - grid_from_word(word))
+    }
 }
 
 impl Tier for Libm {

@@ -54,6 +54,11 @@ pub struct Poly;
 
 impl super::sealed::Sealed for Poly {
     const VECTORS: bool = true;
+
+    #[inline]
+    fn neg_ln_1m_of_word(word: u32) -> f32 {
+        log::neg_ln_1m_of_word(word)
+    }
 }
 
 impl Tier for Poly {

@@ -69,19 +69,18 @@ pub(crate) fn exchanged(when: bool, a: f32, b: f32) -> (f32, f32) {
 /// `radius · (cos, sin)` of a reduced phase whose sine and cosine within its quadrant are given.
 #[inline]
 pub(crate) fn polar(radius: f32, quadrant: u32, s: f32, c: f32) -> (f32, f32) {
-    // The signs go to the radius, which a hardware root leaves in a core register anyway. The signs of sine and cosine
-    // differ where the quadrant is odd.
-    let (s, c) = exchanged(quadrant & 1 == 1, s, c);
+    // The signs of sine and cosine differ where the quadrant is odd.
+    let odd = quadrant & 1 == 1;
     let of_sine = quadrant.wrapping_shl(30) & SIGN;
     let of_cosine = of_sine ^ quadrant.wrapping_shl(31);
     let signed = |x: f32, sign: u32| f32::from_bits(x.to_bits() ^ sign);
-    let y = signed(radius, of_sine) * s;
-    // On x86-64 the other sign goes to the product. The compiler would pair two like products in a vector of two, whose
-    // shuffling takes longer than the rest.
-    let x = if cfg!(target_arch = "x86_64") {
-        signed(radius * c, of_cosine)
+    if cfg!(all(target_arch = "arm", target_abi = "eabihf")) {
+        // A hardware root leaves the radius in a core register anyway, and signs are there.
+        let (s, c) = exchanged(odd, s, c);
+        (signed(radius, of_cosine) * c, signed(radius, of_sine) * s)
     } else {
-        signed(radius, of_cosine) * c
-    };
-    (x, y)
+        // What is done by bits comes last, so that it is done on the way to memory.
+        let (y, x) = exchanged(odd, radius * s, radius * c);
+        (signed(x, of_cosine), signed(y, of_sine))
+    }
 }

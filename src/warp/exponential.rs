@@ -162,6 +162,12 @@ impl<T: Tier> Warp for Exponential<T> {
         density::<T>(self.rate, x)
     }
 
+    /// Blocks do not take this way: they compute with vectors.
+    #[inline]
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
+        Ok(T::neg_ln_1m_of_word(rng.try_next_u32()?) / self.rate)
+    }
+
     super::filled_in_blocks!(where T::VECTORS);
 }
 

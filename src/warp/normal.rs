@@ -281,10 +281,19 @@ impl<T: Tier> NormalPair<T> {
 
 impl<T: Tier> PlanarMap<2> for NormalPair<T> {
     #[inline]
-    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+    fn first(&self, u1: f32) -> f32 {
+        T::neg_ln_1m(u1)
+    }
+
+    #[inline]
+    fn first_of_word(&self, word: u32) -> f32 {
+        T::neg_ln_1m_of_word(word)
+    }
+
+    #[inline]
+    fn map_to(&self, log: f32, u2: f32, to: &mut [f32; 2]) {
         let [mx, my] = self.mean;
-        let r = self.std_dev * T::sqrt(2.0 * T::neg_ln_1m(u1));
-        let (x, y) = T::polar(r, u2);
+        let (x, y) = T::polar(self.std_dev * T::sqrt(2.0 * log), u2);
         *to = [mx + x, my + y];
     }
 }

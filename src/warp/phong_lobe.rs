@@ -154,8 +154,17 @@ const NEEDLE: f32 = 1_099_511_627_776.0;
 
 impl<T: Tier> PlanarMap<3> for PhongLobe<T> {
     #[inline]
-    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        let log = T::neg_ln_1m(u1);
+    fn first(&self, u1: f32) -> f32 {
+        T::neg_ln_1m(u1)
+    }
+
+    #[inline]
+    fn first_of_word(&self, word: u32) -> f32 {
+        T::neg_ln_1m_of_word(word)
+    }
+
+    #[inline]
+    fn map_to(&self, log: f32, u2: f32, to: &mut [f32; 3]) {
         let (cos, q) = T::exp_neg_pair(log / self.m);
         let sin = if q >= DEEP {
             T::sqrt(q * (1.0 + cos))

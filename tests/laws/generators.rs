@@ -125,7 +125,7 @@ fn hostile() -> Vec<[f32; 4]> {
         .into_iter()
         .chain([f32::NAN, f32::INFINITY, f32::NEG_INFINITY]);
     let mut rng = Pcg32::new(8, 8);
-    let numbers = edges.chain((0..39).map(|_| rng.next_u32() as f32 / 4_294_967_296.0));
+    let numbers = edges.chain((0..139).map(|_| rng.next_u32() as f32 / 4_294_967_296.0));
     let numbers: Vec<f32> = numbers.collect();
     let at = |i: usize| numbers[i % numbers.len()];
     (0..numbers.len())

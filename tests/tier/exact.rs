@@ -1,7 +1,9 @@
 //! What holds without an error: the correctly rounded root, quarter turns, and steps that never go back.
 
+use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::uniform::LARGEST;
+use microwarp::uniform::{FromFn, LARGEST, grid_from_word};
+use microwarp::warp::Exponential;
 use support::parallel::{in_parallel, threads};
 use support::speed;
 
@@ -112,6 +114,23 @@ fn logarithms_exponentials_and_quantile_never_step_back() {
     // A sine of half a wave steps back, and so does what is not a number.
     assert!(steps_back(|u| Poly::sincos_turns(0.25 * u + 0.001).0) > 0);
     assert!(steps_back(|u| if u == 0.5 { f32::NAN } else { u }) > 0);
+}
+
+fn the_logarithm_of_a_word_is_that_of_its_uniform<T: Tier>() {
+    let waiting = Exponential::<T>::from_rate(1.0).unwrap();
+    for k in 0..1_u32 << 24 {
+        let word = (k << 8) | (k & 0xff);
+        let drawn = waiting.draw(&mut FromFn(|| word)).to_bits();
+        let due = T::neg_ln_1m(grid_from_word(word)).to_bits();
+        assert_eq!(drawn, due, "{} {word:#x}", T::NAME);
+    }
+}
+
+/// Draws of one number take a way of their own to the logarithm. Over all uniforms of the grid.
+#[test]
+fn the_logarithm_of_a_drawn_word_has_the_same_bits() {
+    the_logarithm_of_a_word_is_that_of_its_uniform::<Poly>();
+    the_logarithm_of_a_word_is_that_of_its_uniform::<Libm>();
 }
 
 fn polar_is_the_radius_times_sine_and_cosine<T: Tier>() {

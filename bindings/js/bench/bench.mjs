@@ -1,8 +1,10 @@
 // The package beside d3-random, @stdlib/random, pure-rand and Math.random, in one run: nanoseconds a number, a point or an
 // index, of filled arrays. Fails where a filled array is not so many times faster than the fastest of the others.
+// At last the package's module with vectors beside the one without.
 //   node bench.mjs, in a project with these packages: see `run`
 
 import * as microwarp from "microwarp";
+import * as scalar from "./scalar/index.js";
 import * as d3 from "d3-random";
 import { createRequire } from "node:module";
 import { xoroshiro128plus } from "pure-rand/generator/xoroshiro128plus";
@@ -154,6 +156,29 @@ for (const [title, each, array, ours, others] of contests) {
   names.forEach((name, i) => (text += `| ${i < count ? `\`${name}\`` : name} | ${times[i].toFixed(1)} | ${(times[i] / mine).toFixed(1)} |\n`));
   const ratio = Math.min(...times.slice(count)) / mine;
   if (!(ratio >= LEAST)) slow.push(`${title}: ${ratio.toFixed(1)} times`);
+}
+
+// The same warps of both modules, which have the same bits; and the two words that a point takes, which vectors do not draw
+// sooner.
+const of_both = (make, dimensions, numbers) => {
+  const runs = [scalar, microwarp].map((module) => {
+    const [warp, source] = [make(module), new module.Pcg32(42, 54)];
+    return (array) => warp.fill(array, source);
+  });
+  return nanoseconds(runs, new numbers(dimensions * COUNT), dimensions);
+};
+text += "\n| filled | ns without vectors | ns with vectors | times |\n|---|--:|--:|--:|\n";
+for (const [name, dimensions, make, numbers = Float32Array] of [
+  ["Pcg32.words", 2, () => ({ fill: (words, source) => source.words(words) }), Uint32Array],
+  ["Disk", 2, (m) => new m.Disk()],
+  ["Sphere", 3, (m) => new m.Sphere()],
+  ["CosineHemisphere", 3, (m) => new m.CosineHemisphere()],
+  ["PhongLobe", 3, (m) => new m.PhongLobe(50)],
+  ["Exponential", 1, (m) => m.Exponential.fromRate(1)],
+  ["NormalPair", 2, (m) => new m.NormalPair([0, 0], 1)],
+]) {
+  const [without, vectors] = of_both(make, dimensions, numbers);
+  text += `| \`${name}\` | ${without.toFixed(1)} | ${vectors.toFixed(1)} | ${(without / vectors).toFixed(1)} |\n`;
 }
 console.log(text);
 if (slow.length > 0) throw new Error(`not ${LEAST} times faster than the fastest of the others: ${slow.join("; ")}`);

@@ -86,7 +86,6 @@ pub(super) fn ln_1p(x: f32) -> f32 {
 #[allow(
     clippy::cast_possible_wrap,
     clippy::cast_sign_loss,
-    clippy::cast_precision_loss,
     reason = "the exponent is signed and its bits are shifted as such"
 )]
 pub(super) fn neg_ln_1m(u: f32) -> f32 {
@@ -94,7 +93,29 @@ pub(super) fn neg_ln_1m(u: f32) -> f32 {
     let k = ((1.0 - u).to_bits().wrapping_sub(THREE_QUARTERS) as i32) >> 23;
     let scale = f32::from_bits(ONE.wrapping_sub((k as u32) << 23));
     // m - 1, from u itself and therefore exact, even where 1 - u is rounded.
-    let f = (scale - 1.0) - scale * u;
+    neg_ln(k, (scale - 1.0) - scale * u)
+}
+
+/// The same of the uniform of the grid that a word stands for.
+///
+/// 1 - u is a whole number of steps there. Its significand gets into place without a conversion and without a way from
+/// the float registers to the others and back.
+#[inline]
+#[allow(clippy::cast_possible_wrap, reason = "zeros have 5 bits")]
+pub(super) fn neg_ln_1m_of_word(word: u32) -> f32 {
+    let rest = (1_u32 << 24).wrapping_sub(word >> 8);
+    let zeros = rest.leading_zeros();
+    // From 1 to 2: the leading bit adds to the exponent.
+    let significand = rest.wrapping_shl(zeros) >> 8;
+    let significand = f32::from_bits(significand.wrapping_add(ONE - (1 << 23)));
+    let (k, f) = normalised(significand, THREE_QUARTERS);
+    neg_ln(k.wrapping_add(7).wrapping_sub(zeros as i32), f)
+}
+
+/// `-ln(2^k (1 + f))`.
+#[inline]
+#[allow(clippy::cast_precision_loss, reason = "an exponent has 8 bits")]
+fn neg_ln(k: i32, f: f32) -> f32 {
     let (_, drop) = shortfall(f);
     (drop - f) - k as f32 * core::f32::consts::LN_2
 }

@@ -6,7 +6,7 @@ use core::any::TypeId;
 use core::convert::Infallible;
 use core::hint::black_box;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
-use microwarp::poly::{Exponential, Normal, NormalPair, Sphere};
+use microwarp::poly::{CosineHemisphere, Disk, Exponential, Normal, NormalPair, PhongLobe, Sphere};
 use microwarp::{Warp, uniform};
 use rand_core::TryRng;
 
@@ -50,6 +50,8 @@ pub struct Pcg32 {
     pub increment: u64,
 }
 
+const FACTOR: u64 = 6_364_136_223_846_793_005;
+
 impl Pcg32 {
     /// Of a seed and one of 2⁶³ streams, as the authors seed it.
     #[must_use]
@@ -62,23 +64,39 @@ impl Pcg32 {
     }
 
     const fn step(&mut self) {
-        let product = self.state.wrapping_mul(6_364_136_223_846_793_005);
-        self.state = product.wrapping_add(self.increment);
+        self.state = self.state.wrapping_mul(FACTOR).wrapping_add(self.increment);
     }
 
-    /// Draws words.
+    const fn word(&self) -> u32 {
+        let state = self.state;
+        let mixed = (((state >> 18) ^ state) >> 27) as u32;
+        mixed.rotate_right((state >> 59) as u32)
+    }
+
+    /// Draws words, in pairs of which neither waits for the other's product.
     #[inline(never)]
     pub fn fill(&mut self, words: &mut [u32]) {
-        // In locals, so that the loop works in registers.
+        // In locals, so that the loop works in registers. Two steps in one are such a step too.
         let Self { state, increment } = *self;
-        let mut local = Self { state, increment };
-        for word in words {
-            let state = local.state;
-            local.step();
-            let mixed = (((state >> 18) ^ state) >> 27) as u32;
-            *word = mixed.rotate_right((state >> 59) as u32);
+        let (mut even, mut odd) = (Self { state, increment }, Self { state, increment });
+        odd.step();
+        let (factor, increment) = (
+            FACTOR.wrapping_mul(FACTOR),
+            FACTOR.wrapping_mul(increment).wrapping_add(increment),
+        );
+        let mut pairs = words.chunks_exact_mut(2);
+        for pair in &mut pairs {
+            if let [first, second] = pair {
+                (*first, *second) = (even.word(), odd.word());
+            }
+            even.state = even.state.wrapping_mul(factor).wrapping_add(increment);
+            odd.state = odd.state.wrapping_mul(factor).wrapping_add(increment);
         }
-        *self = local;
+        if let [last] = pairs.into_remainder() {
+            *last = even.word();
+            even.step();
+        }
+        *self = even;
     }
 }
 
@@ -121,7 +139,10 @@ loops! {
     normal: Normal 1 f32,
     normal_pair: NormalPair 2 [f32; 2],
     exponential: Exponential 1 f32,
+    disk: Disk 2 [f32; 2],
     sphere: Sphere 3 [f32; 3],
+    cosine_hemisphere: CosineHemisphere 3 [f32; 3],
+    phong_lobe: PhongLobe 3 [f32; 3],
 }
 
 /// Draws indices by cumulated weights.
