@@ -1,7 +1,7 @@
 //! Rejection sampling within a budget of tries: ziggurats, disk and ball, counts, and callbacks of the caller.
 
 use crate::error::{Code, OK, code};
-use crate::generators::{Pcg32, Source};
+use crate::generators::{Pcg32, Source, forget_registers};
 use crate::value::Value;
 use crate::warps::{Given, InMemory, as_declared};
 use core::ffi::c_void;
@@ -58,6 +58,7 @@ macro_rules! samplers {
             unsafe extern "C" fn draw(
                 sampler: &$sampler, rng: &mut Pcg32, point: *mut InMemory<$point>, tries: *mut u32,
             ) -> Code {
+                forget_registers();
                 // SAFETY: the promise of the header.
                 unsafe { drawn(sampler.try_draw(rng), point, tries) }
             }
@@ -66,6 +67,7 @@ macro_rules! samplers {
             unsafe extern "C" fn draw_from(
                 sampler: &$sampler, source: &Source, point: *mut InMemory<$point>, tries: *mut u32,
             ) -> Code {
+                forget_registers();
                 // SAFETY: the promise of the header.
                 unsafe { drawn(sampler.try_draw(&mut { *source }), point, tries) }
             }
