@@ -1029,6 +1029,16 @@ float mw_capsule_surface_pdf(const mw_capsule_surface *warp, const mw_surface_po
 void mw_capsule_surface_invert(const mw_capsule_surface *warp, const mw_surface_point *point,
         float u[2]);
 
+/**
+ * A right-handed frame whose third axis is a normal, of any finite length but 0. It turns directions
+ * about +z onto that normal, and back: a density is that of the direction turned back. Next to the
+ * rim of a domain that may already be outside, so take the density of a sample with the sample.
+ */
+typedef struct mw_frame { uint32_t words[9]; } mw_frame;
+mw_error mw_frame_init(mw_frame *frame, const float normal[3]);
+void mw_frame_to_world(const mw_frame *frame, const float local[3], float world[3]);
+void mw_frame_to_local(const mw_frame *frame, const float world[3], float local[3]);
+
 /* ---- Tables of weights ----------------------------------------------------------------------- */
 
 /** A selected entry. The leftover is again a uniform, independent of the index. */

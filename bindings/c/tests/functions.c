@@ -605,6 +605,26 @@ static void points_cover(void)
     CHECK(mw_strata_2d_init(&square, 0, 2) != MW_OK && mw_strata_2d_init(&square, 1, 0) != MW_OK);
 }
 
+/* A lobe about a normal: turned back, a direction has the density that it was sampled with. */
+static void frames_turn(void)
+{
+    static const float up[3] = {0, 0, 1}, zero[3] = {0, 0, 0}, bad[3] = {0, NAN, 0};
+    float normal[3] = {0, -3, 4}, u[2] = {0.25f, 0.75f}, local[3], world[3];
+    mw_frame frame, before;
+    mw_phong_lobe lobe;
+    CHECK(mw_frame_init(&frame, normal) == MW_OK && mw_phong_lobe_init(&lobe, 50.0f) == MW_OK);
+    mw_frame_to_world(&frame, up, world);
+    CHECK(near((double)world[1], -0.6, 1e-6) && near((double)world[2], 0.8, 1e-6));
+    float density = mw_phong_lobe_sample_with_pdf(&lobe, u, local);
+    mw_frame_to_world(&frame, local, world);
+    CHECK(near((double)(world[2] * 0.8f - world[1] * 0.6f), (double)local[2], 1e-6));
+    mw_frame_to_local(&frame, world, world); /* in place */
+    CHECK(near((double)mw_phong_lobe_pdf(&lobe, world), (double)density, 1e-4 * (double)density));
+    before = frame;
+    CHECK(mw_frame_init(&frame, zero) == MW_ZERO_LENGTH && mw_frame_init(&frame, bad) == MW_NOT_FINITE);
+    CHECK(memcmp(&frame, &before, sizeof frame) == 0);
+}
+
 int main(void)
 {
     errors_have_texts();
@@ -623,5 +643,6 @@ int main(void)
     chain_6d();
     chain_8d();
     points_cover();
+    frames_turn();
     return done("functions");
 }
