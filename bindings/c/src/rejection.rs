@@ -140,39 +140,47 @@ impl<P: Value, T> Callback<P, T> {
 macro_rules! callbacks {
     ($($region:literal $bounded:literal $domain:ty, $point:ty;)*) => {$(
         const _: () = {
+            type Domain = $domain;
+            type Point = $point;
             type Inside = Callback<$point, bool>;
             type Density = Callback<$point, f32>;
 
-            #[unsafe(export_name = concat!("mw_", $region, "_draw"))]
+            callbacks! { @ $region $bounded "_draw" (rng: &mut Pcg32) rng }
+            callbacks! { @ $region $bounded "_draw_from" (source: &Source) &mut { *source } }
+        };
+    )*};
+    (@ $region:literal $bounded:literal $draw:literal ($given:ident: $of:ty) $rng:expr) => {
+        const _: () = {
+            #[unsafe(export_name = concat!("mw_", $region, $draw))]
             unsafe extern "C" fn region(
-                domain: &$domain, inside: &Inside, budget: u32, rng: &mut Pcg32,
-                point: *mut $point, tries: *mut u32,
+                domain: &Domain, inside: &Inside, budget: u32, $given: $of, point: *mut Point,
+                tries: *mut u32,
             ) -> Code {
                 // SAFETY: the promise of the header.
-                let inside = |x: $point| unsafe { inside.of(x) };
+                let inside = |x: Point| unsafe { inside.of(x) };
                 match Region::new(domain, inside).with_budget(budget) {
                     // SAFETY: the promise of the header.
-                    Ok(sampler) => unsafe { drawn(sampler.try_draw(rng), point, tries) },
+                    Ok(sampler) => unsafe { drawn(sampler.try_draw($rng), point, tries) },
                     Err(error) => error.into(),
                 }
             }
 
-            #[unsafe(export_name = concat!("mw_", $bounded, "_draw"))]
+            #[unsafe(export_name = concat!("mw_", $bounded, $draw))]
             unsafe extern "C" fn bounded(
-                domain: &$domain, density: &Density, bound: f32, budget: u32, rng: &mut Pcg32,
-                point: *mut $point, tries: *mut u32,
+                domain: &Domain, density: &Density, bound: f32, budget: u32, $given: $of,
+                point: *mut Point, tries: *mut u32,
             ) -> Code {
                 // SAFETY: the promise of the header.
-                let density = |x: $point| unsafe { density.of(x) };
+                let density = |x: Point| unsafe { density.of(x) };
                 let sampler = Bounded::new(domain, density, bound);
                 match sampler.and_then(|sampler| sampler.with_budget(budget)) {
                     // SAFETY: the promise of the header.
-                    Ok(sampler) => unsafe { drawn(sampler.try_draw(rng), point, tries) },
+                    Ok(sampler) => unsafe { drawn(sampler.try_draw($rng), point, tries) },
                     Err(error) => error.into(),
                 }
             }
         };
-    )*};
+    };
 }
 
 callbacks! {
