@@ -95,6 +95,16 @@ typedef struct mw_surface_point {
 
 @poly@
 
+/**
+ * A right-handed frame whose third axis is a normal, of any finite length but 0. It turns directions
+ * about +z onto that normal, and back: a density is that of the direction turned back. Next to the
+ * rim of a domain that may already be outside, so take the density of a sample with the sample.
+ */
+@struct mw_frame@
+mw_error mw_frame_init(mw_frame *frame, const float normal[3]);
+void mw_frame_to_world(const mw_frame *frame, const float local[3], float world[3]);
+void mw_frame_to_local(const mw_frame *frame, const float world[3], float local[3]);
+
 /* ---- Tables of weights ----------------------------------------------------------------------- */
 
 /** A selected entry. The leftover is again a uniform, independent of the index. */
@@ -229,6 +239,8 @@ typedef struct mw_pixel_sample {
 
 mw_pixel_sample mw_lat_long_map_sample_pixel(const mw_lat_long_map *warp, const float u[2]);
 mw_pixel_sample mw_lat_long_map_draw_pixel(const mw_lat_long_map *warp, mw_pcg32 *rng);
+mw_error mw_lat_long_map_draw_pixel_from(const mw_lat_long_map *warp, const mw_source *source,
+        mw_pixel_sample *drawn);
 
 /** A point of a mesh, with its weights of the vertices of the triangle it lies on. */
 typedef struct mw_mesh_point {
@@ -280,6 +292,8 @@ void mw_reservoir_init(mw_reservoir *reservoir);
 /** `*taken` says whether this item is now the one that is kept. */
 mw_error mw_reservoir_offer(mw_reservoir *reservoir, uint32_t item, float weight, mw_pcg32 *rng,
         bool *taken);
+mw_error mw_reservoir_offer_from(mw_reservoir *reservoir, uint32_t item, float weight,
+        const mw_source *source, bool *taken);
 /** False where no item of a positive weight has come. */
 bool mw_reservoir_item(const mw_reservoir *reservoir, uint32_t *item);
 float mw_reservoir_pmf(const mw_reservoir *reservoir);
@@ -291,6 +305,9 @@ mw_error mw_resample_systematic(uint32_t *weights, size_t entries, uint32_t copi
 mw_error mw_resample_residual(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
 mw_error mw_resample_stratified(uint32_t *weights, size_t entries, uint32_t copies,
         mw_pcg32 *rng);
+/** Where the source fails, some weights are counts already. */
+mw_error mw_resample_stratified_from(uint32_t *weights, size_t entries, uint32_t copies,
+        const mw_source *source);
 
 /* ---- Rejection within a budget of tries ------------------------------------------------------ */
 
@@ -357,6 +374,10 @@ mw_error mw_region_{}_draw(const mw_{1} *domain, const mw_region_{} *region, uin
         mw_pcg32 *rng, float {2}, uint32_t *tries);
 mw_error mw_bounded_{}_draw(const mw_{1} *domain, const mw_density_{} *density, float bound,
         uint32_t budget, mw_pcg32 *rng, float {2}, uint32_t *tries);
+mw_error mw_region_{}_draw_from(const mw_{1} *domain, const mw_region_{} *region, uint32_t budget,
+        const mw_source *source, float {2}, uint32_t *tries);
+mw_error mw_bounded_{}_draw_from(const mw_{1} *domain, const mw_density_{} *density, float bound,
+        uint32_t budget, const mw_source *source, float {2}, uint32_t *tries);
 @end@
 
 /* ---- Estimators ------------------------------------------------------------------------------ */

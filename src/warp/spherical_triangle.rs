@@ -204,7 +204,14 @@ impl<T: Tier> Warp for SphericalTriangle<T> {
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        self.locate(u.get()).direction
+        let [u1, u2] = u.get();
+        if self.seen.close() {
+            let [p, q, r] = Triangle::new().sample_canonical(u);
+            self.seen.towards([p, r, q]).0
+        } else {
+            self.seen
+                .direction(self.seen.weights::<T>(u1, u2, 1.0 - u2))
+        }
     }
 
     #[inline]

@@ -1029,6 +1029,16 @@ float mw_capsule_surface_pdf(const mw_capsule_surface *warp, const mw_surface_po
 void mw_capsule_surface_invert(const mw_capsule_surface *warp, const mw_surface_point *point,
         float u[2]);
 
+/**
+ * A right-handed frame whose third axis is a normal, of any finite length but 0. It turns directions
+ * about +z onto that normal, and back: a density is that of the direction turned back. Next to the
+ * rim of a domain that may already be outside, so take the density of a sample with the sample.
+ */
+typedef struct mw_frame { uint32_t words[9]; } mw_frame;
+mw_error mw_frame_init(mw_frame *frame, const float normal[3]);
+void mw_frame_to_world(const mw_frame *frame, const float local[3], float world[3]);
+void mw_frame_to_local(const mw_frame *frame, const float world[3], float local[3]);
+
 /* ---- Tables of weights ----------------------------------------------------------------------- */
 
 /** A selected entry. The leftover is again a uniform, independent of the index. */
@@ -1231,6 +1241,8 @@ typedef struct mw_pixel_sample {
 
 mw_pixel_sample mw_lat_long_map_sample_pixel(const mw_lat_long_map *warp, const float u[2]);
 mw_pixel_sample mw_lat_long_map_draw_pixel(const mw_lat_long_map *warp, mw_pcg32 *rng);
+mw_error mw_lat_long_map_draw_pixel_from(const mw_lat_long_map *warp, const mw_source *source,
+        mw_pixel_sample *drawn);
 
 /** A point of a mesh, with its weights of the vertices of the triangle it lies on. */
 typedef struct mw_mesh_point {
@@ -1312,6 +1324,8 @@ void mw_reservoir_init(mw_reservoir *reservoir);
 /** `*taken` says whether this item is now the one that is kept. */
 mw_error mw_reservoir_offer(mw_reservoir *reservoir, uint32_t item, float weight, mw_pcg32 *rng,
         bool *taken);
+mw_error mw_reservoir_offer_from(mw_reservoir *reservoir, uint32_t item, float weight,
+        const mw_source *source, bool *taken);
 /** False where no item of a positive weight has come. */
 bool mw_reservoir_item(const mw_reservoir *reservoir, uint32_t *item);
 float mw_reservoir_pmf(const mw_reservoir *reservoir);
@@ -1323,6 +1337,9 @@ mw_error mw_resample_systematic(uint32_t *weights, size_t entries, uint32_t copi
 mw_error mw_resample_residual(uint32_t *weights, size_t entries, uint32_t copies, uint32_t word);
 mw_error mw_resample_stratified(uint32_t *weights, size_t entries, uint32_t copies,
         mw_pcg32 *rng);
+/** Where the source fails, some weights are counts already. */
+mw_error mw_resample_stratified_from(uint32_t *weights, size_t entries, uint32_t copies,
+        const mw_source *source);
 
 /* ---- Rejection within a budget of tries ------------------------------------------------------ */
 
@@ -1457,14 +1474,26 @@ mw_error mw_region_1d_draw(const mw_interval *domain, const mw_region_1d *region
         mw_pcg32 *rng, float *point, uint32_t *tries);
 mw_error mw_bounded_1d_draw(const mw_interval *domain, const mw_density_1d *density, float bound,
         uint32_t budget, mw_pcg32 *rng, float *point, uint32_t *tries);
+mw_error mw_region_1d_draw_from(const mw_interval *domain, const mw_region_1d *region, uint32_t budget,
+        const mw_source *source, float *point, uint32_t *tries);
+mw_error mw_bounded_1d_draw_from(const mw_interval *domain, const mw_density_1d *density, float bound,
+        uint32_t budget, const mw_source *source, float *point, uint32_t *tries);
 mw_error mw_region_2d_draw(const mw_aabb_2d *domain, const mw_region_2d *region, uint32_t budget,
         mw_pcg32 *rng, float point[2], uint32_t *tries);
 mw_error mw_bounded_2d_draw(const mw_aabb_2d *domain, const mw_density_2d *density, float bound,
         uint32_t budget, mw_pcg32 *rng, float point[2], uint32_t *tries);
+mw_error mw_region_2d_draw_from(const mw_aabb_2d *domain, const mw_region_2d *region, uint32_t budget,
+        const mw_source *source, float point[2], uint32_t *tries);
+mw_error mw_bounded_2d_draw_from(const mw_aabb_2d *domain, const mw_density_2d *density, float bound,
+        uint32_t budget, const mw_source *source, float point[2], uint32_t *tries);
 mw_error mw_region_3d_draw(const mw_aabb_3d *domain, const mw_region_3d *region, uint32_t budget,
         mw_pcg32 *rng, float point[3], uint32_t *tries);
 mw_error mw_bounded_3d_draw(const mw_aabb_3d *domain, const mw_density_3d *density, float bound,
         uint32_t budget, mw_pcg32 *rng, float point[3], uint32_t *tries);
+mw_error mw_region_3d_draw_from(const mw_aabb_3d *domain, const mw_region_3d *region, uint32_t budget,
+        const mw_source *source, float point[3], uint32_t *tries);
+mw_error mw_bounded_3d_draw_from(const mw_aabb_3d *domain, const mw_density_3d *density, float bound,
+        uint32_t budget, const mw_source *source, float point[3], uint32_t *tries);
 
 /* ---- Estimators ------------------------------------------------------------------------------ */
 

@@ -78,6 +78,20 @@ extern "C" fn offer(
     code(reservoir.offer(item, weight, rng), |was| *taken = was)
 }
 
+#[unsafe(export_name = "mw_reservoir_offer_from")]
+extern "C" fn offer_from(
+    reservoir: &mut Reservoir<u32>,
+    item: u32,
+    weight: f32,
+    source: &Source,
+    taken: &mut bool,
+) -> Code {
+    match reservoir.try_offer(item, weight, &mut { *source }) {
+        Ok(offered) => code(offered, |was| *taken = was),
+        Err(failed) => failed.into(),
+    }
+}
+
 #[unsafe(export_name = "mw_reservoir_item")]
 extern "C" fn item(reservoir: &Reservoir<u32>, item: &mut u32) -> bool {
     match reservoir.item() {
@@ -155,4 +169,19 @@ unsafe extern "C" fn stratified(
     // SAFETY: the promise of the header.
     let weights = unsafe { memory(weights, entries) };
     code(resampling::stratified(weights, copies, rng), drop)
+}
+
+#[unsafe(export_name = "mw_resample_stratified_from")]
+unsafe extern "C" fn stratified_from(
+    weights: *mut u32,
+    entries: usize,
+    copies: u32,
+    source: &Source,
+) -> Code {
+    // SAFETY: the promise of the header.
+    let weights = unsafe { memory(weights, entries) };
+    match resampling::try_stratified(weights, copies, &mut { *source }) {
+        Ok(resampled) => code(resampled, drop),
+        Err(failed) => failed.into(),
+    }
 }

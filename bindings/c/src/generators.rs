@@ -85,6 +85,25 @@ impl TryRng for Source {
     }
 }
 
+/// What a function that draws begins with; it takes no instruction.
+///
+/// On x86-64 the conversion of a word to a float keeps the upper part of its register, so it waits for whatever wrote
+/// that register last: the call before this one. The compiler breaks such a wait only where it sees a register written.
+#[inline(always)]
+pub fn forget_registers() {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: there is no instruction.
+    unsafe {
+        core::arch::asm!(
+            "",
+            out("xmm0") _, out("xmm1") _, out("xmm2") _, out("xmm3") _,
+            out("xmm4") _, out("xmm5") _, out("xmm6") _, out("xmm7") _,
+            out("xmm8") _, out("xmm9") _, out("xmm10") _, out("xmm11") _,
+            options(nomem, nostack, preserves_flags)
+        );
+    }
+}
+
 /// Any seed and any stream will do.
 #[unsafe(export_name = "mw_pcg32_init")]
 extern "C" fn init(rng: &mut Pcg32, seed: u64, stream: u64) {

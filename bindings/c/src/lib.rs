@@ -17,6 +17,7 @@ mod chain;
 mod discrete;
 mod error;
 mod estimate;
+mod frame;
 mod generators;
 mod layout;
 mod maps;

@@ -195,3 +195,11 @@ unsafe extern "C" fn sample_pixel(warp: &Sky, u: *const [f32; 2]) -> Pixel {
 extern "C" fn draw_pixel(warp: &Sky, rng: &mut Pcg32) -> Pixel {
     warp.draw_pixel(rng).into()
 }
+
+#[unsafe(export_name = "mw_lat_long_map_draw_pixel_from")]
+unsafe extern "C" fn draw_pixel_from(warp: &Sky, source: &Source, drawn: *mut Pixel) -> Code {
+    // SAFETY: the promise of the header.
+    code(warp.try_draw_pixel(&mut { *source }), |pixel| unsafe {
+        drawn.write(pixel.into())
+    })
+}

@@ -1,7 +1,7 @@
 //! Rejection sampling within a budget of tries: ziggurats, disk and ball, counts, and callbacks of the caller.
 
 use crate::error::{Code, OK, code};
-use crate::generators::{Pcg32, Source};
+use crate::generators::{Pcg32, Source, forget_registers};
 use crate::value::Value;
 use crate::warps::{Given, InMemory, as_declared};
 use core::ffi::c_void;
@@ -58,6 +58,7 @@ macro_rules! samplers {
             unsafe extern "C" fn draw(
                 sampler: &$sampler, rng: &mut Pcg32, point: *mut InMemory<$point>, tries: *mut u32,
             ) -> Code {
+                forget_registers();
                 // SAFETY: the promise of the header.
                 unsafe { drawn(sampler.try_draw(rng), point, tries) }
             }
@@ -66,6 +67,7 @@ macro_rules! samplers {
             unsafe extern "C" fn draw_from(
                 sampler: &$sampler, source: &Source, point: *mut InMemory<$point>, tries: *mut u32,
             ) -> Code {
+                forget_registers();
                 // SAFETY: the promise of the header.
                 unsafe { drawn(sampler.try_draw(&mut { *source }), point, tries) }
             }
@@ -138,39 +140,47 @@ impl<P: Value, T> Callback<P, T> {
 macro_rules! callbacks {
     ($($region:literal $bounded:literal $domain:ty, $point:ty;)*) => {$(
         const _: () = {
+            type Domain = $domain;
+            type Point = $point;
             type Inside = Callback<$point, bool>;
             type Density = Callback<$point, f32>;
 
-            #[unsafe(export_name = concat!("mw_", $region, "_draw"))]
+            callbacks! { @ $region $bounded "_draw" (rng: &mut Pcg32) rng }
+            callbacks! { @ $region $bounded "_draw_from" (source: &Source) &mut { *source } }
+        };
+    )*};
+    (@ $region:literal $bounded:literal $draw:literal ($given:ident: $of:ty) $rng:expr) => {
+        const _: () = {
+            #[unsafe(export_name = concat!("mw_", $region, $draw))]
             unsafe extern "C" fn region(
-                domain: &$domain, inside: &Inside, budget: u32, rng: &mut Pcg32,
-                point: *mut $point, tries: *mut u32,
+                domain: &Domain, inside: &Inside, budget: u32, $given: $of, point: *mut Point,
+                tries: *mut u32,
             ) -> Code {
                 // SAFETY: the promise of the header.
-                let inside = |x: $point| unsafe { inside.of(x) };
+                let inside = |x: Point| unsafe { inside.of(x) };
                 match Region::new(domain, inside).with_budget(budget) {
                     // SAFETY: the promise of the header.
-                    Ok(sampler) => unsafe { drawn(sampler.try_draw(rng), point, tries) },
+                    Ok(sampler) => unsafe { drawn(sampler.try_draw($rng), point, tries) },
                     Err(error) => error.into(),
                 }
             }
 
-            #[unsafe(export_name = concat!("mw_", $bounded, "_draw"))]
+            #[unsafe(export_name = concat!("mw_", $bounded, $draw))]
             unsafe extern "C" fn bounded(
-                domain: &$domain, density: &Density, bound: f32, budget: u32, rng: &mut Pcg32,
-                point: *mut $point, tries: *mut u32,
+                domain: &Domain, density: &Density, bound: f32, budget: u32, $given: $of,
+                point: *mut Point, tries: *mut u32,
             ) -> Code {
                 // SAFETY: the promise of the header.
-                let density = |x: $point| unsafe { density.of(x) };
+                let density = |x: Point| unsafe { density.of(x) };
                 let sampler = Bounded::new(domain, density, bound);
                 match sampler.and_then(|sampler| sampler.with_budget(budget)) {
                     // SAFETY: the promise of the header.
-                    Ok(sampler) => unsafe { drawn(sampler.try_draw(rng), point, tries) },
+                    Ok(sampler) => unsafe { drawn(sampler.try_draw($rng), point, tries) },
                     Err(error) => error.into(),
                 }
             }
         };
-    )*};
+    };
 }
 
 callbacks! {

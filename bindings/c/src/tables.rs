@@ -1,7 +1,7 @@
 //! Tables of weights in memory of the caller: the CDF and the alias table. A handle is a pointer and a count.
 
 use crate::error::{Code, code};
-use crate::generators::{Pcg32, Source};
+use crate::generators::{Pcg32, Source, forget_registers};
 use crate::warps::{given, memory};
 use core_crate::Error;
 use core_crate::discrete::{self, Alias, AliasEntry, Cdf};
@@ -175,6 +175,7 @@ macro_rules! selections {
         const _: () = {
             #[unsafe(export_name = concat!("mw_", $name, "_select"))]
             unsafe extern "C" fn select(table: &$handle, word: u32) -> Selection {
+                forget_registers();
                 // SAFETY: the promise of the header.
                 let table = unsafe { table.table() };
                 table.map(|table| table.select(word).into()).unwrap_or_default()
@@ -196,6 +197,7 @@ macro_rules! selections {
 
             #[unsafe(export_name = concat!("mw_", $name, "_draw"))]
             unsafe extern "C" fn draw(table: &$handle, rng: &mut Pcg32) -> Selection {
+                forget_registers();
                 // SAFETY: the promise of the header.
                 let table = unsafe { table.table() };
                 table.map(|table| table.draw(rng).into()).unwrap_or_default()
@@ -207,6 +209,7 @@ macro_rules! selections {
                 source: &Source,
                 chosen: *mut Selection,
             ) -> Code {
+                forget_registers();
                 // SAFETY: the promise of the header.
                 match unsafe { table.table() } {
                     Ok(table) => code(table.try_draw(&mut { *source }), |drawn| {

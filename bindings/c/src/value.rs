@@ -2,6 +2,7 @@
 //!
 //! A number is handed over by value. Several are read or written through a pointer.
 
+use core::array::from_fn;
 use core_crate::Warp;
 use core_crate::discrete::MeshPoint;
 use core_crate::warp::SurfacePoint;
@@ -82,6 +83,9 @@ macro_rules! same_in_c {
 
 macro_rules! by_pointer {
     () => {
+        by_pointer!(|given| Self::from_c(given.read()));
+    };
+    (|$given:ident| $read:expr) => {
         type Given = *const Self::C;
         type Place = *mut Self::C;
         type Result = ();
@@ -92,9 +96,9 @@ macro_rules! by_pointer {
         }
 
         #[inline]
-        unsafe fn read(given: *const Self::C) -> Self {
+        unsafe fn read($given: *const Self::C) -> Self {
             // SAFETY: the caller's promise.
-            Self::from_c(unsafe { given.read() })
+            unsafe { $read }
         }
 
         #[inline]
@@ -146,9 +150,11 @@ numbers! {
     [F: LeEqU64] FixedU64<F>,
 }
 
+/// Read number by number. A load of two numbers at once waits until both have left the processor's queue of stores, and
+/// callers have often just stored them.
 impl<T: Number, const N: usize> Value for [T; N] {
     same_in_c!();
-    by_pointer!();
+    by_pointer!(|given| from_fn(|i| given.cast::<T>().add(i).read_volatile()));
 }
 
 impl<T: Number, const N: usize, const M: usize> Value for [[T; N]; M] {

@@ -113,6 +113,7 @@ macro_rules! functions {
         unsafe extern "C" fn draw(
             $($this: &$warp,)? rng: &mut Pcg32, point: Place<Point<$warp>>,
         ) -> Yielded<Point<$warp>> {
+            crate::generators::forget_registers();
             // SAFETY: the promise of the header.
             unsafe { $made.draw(rng).yielded(point) }
         }
@@ -121,6 +122,7 @@ macro_rules! functions {
         unsafe extern "C" fn draw_from(
             $($this: &$warp,)? source: &Source, point: *mut InMemory<Point<$warp>>,
         ) -> Code {
+            crate::generators::forget_registers();
             // SAFETY: the promise of the header.
             code($made.try_draw(&mut { *source }), |drawn| unsafe { point.write(drawn.to_c()) })
         }

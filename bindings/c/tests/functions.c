@@ -605,6 +605,70 @@ static void points_cover(void)
     CHECK(mw_strata_2d_init(&square, 0, 2) != MW_OK && mw_strata_2d_init(&square, 1, 0) != MW_OK);
 }
 
+/* A lobe about a normal: turned back, a direction has the density that it was sampled with. */
+static void frames_turn(void)
+{
+    static const float up[3] = {0, 0, 1}, zero[3] = {0, 0, 0}, bad[3] = {0, NAN, 0};
+    float normal[3] = {0, -3, 4}, u[2] = {0.25f, 0.75f}, local[3], world[3];
+    mw_frame frame, before;
+    mw_phong_lobe lobe;
+    CHECK(mw_frame_init(&frame, normal) == MW_OK && mw_phong_lobe_init(&lobe, 50.0f) == MW_OK);
+    mw_frame_to_world(&frame, up, world);
+    CHECK(near((double)world[1], -0.6, 1e-6) && near((double)world[2], 0.8, 1e-6));
+    float density = mw_phong_lobe_sample_with_pdf(&lobe, u, local);
+    mw_frame_to_world(&frame, local, world);
+    CHECK(near((double)(world[2] * 0.8f - world[1] * 0.6f), (double)local[2], 1e-6));
+    mw_frame_to_local(&frame, world, world); /* in place */
+    CHECK(near((double)mw_phong_lobe_pdf(&lobe, world), (double)density, 1e-4 * (double)density));
+    before = frame;
+    CHECK(mw_frame_init(&frame, zero) == MW_ZERO_LENGTH && mw_frame_init(&frame, bad) == MW_NOT_FINITE);
+    CHECK(memcmp(&frame, &before, sizeof frame) == 0);
+}
+
+/* What takes words takes them from a source, and gives up where that fails. */
+static void sources_serve(void)
+{
+    static const float low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, pixels[6] = {0, 1, 0, 1, 2, 0};
+    mw_pcg32 rng = seeded(8), same = seeded(8);
+    mw_source source = {from_pcg32, &same}, dry = {fails, NULL};
+    mw_interval line;
+    mw_aabb_3d cube;
+    CHECK(mw_interval_init(&line, -1.0f, 1.0f) == MW_OK && mw_aabb_3d_init(&cube, low, high) == MW_OK);
+    mw_region_3d round = {in_ball, NULL};
+    mw_density_1d flat = {twice, NULL};
+    float a[3] = {77, 77, 77}, b[3] = {77, 77, 77};
+    CHECK(mw_region_3d_draw_from(&cube, &round, 100, &dry, a, NULL) == MW_SOURCE_FAILED && a[0] == 77.0f);
+    CHECK(mw_region_3d_draw_from(&cube, &round, 100, &source, a, NULL) == MW_OK);
+    CHECK(mw_region_3d_draw(&cube, &round, 100, &rng, b, NULL) == MW_OK && memcmp(a, b, sizeof a) == 0);
+    CHECK(mw_region_3d_draw_from(&cube, &round, 0, &source, a, NULL) == MW_NOT_POSITIVE);
+    CHECK(mw_bounded_1d_draw_from(&line, &flat, 4.0f, 99, &dry, a, NULL) == MW_SOURCE_FAILED);
+    CHECK(mw_bounded_1d_draw_from(&line, &flat, NAN, 99, &source, a, NULL) == MW_NOT_FINITE);
+    CHECK(mw_interval_init(&line, 0.0f, 1.0f) == MW_OK);
+    CHECK(mw_bounded_1d_draw_from(&line, &flat, 4.0f, 99, &source, a, NULL) == MW_OK);
+    CHECK(mw_bounded_1d_draw(&line, &flat, 4.0f, 99, &rng, b, NULL) == MW_OK && a[0] == b[0]);
+
+    uint32_t marginal[2], conditional[6], copies[2][2] = {{3, 5}, {3, 5}};
+    mw_lat_long_map sky;
+    mw_pixel_sample seen = {{9, 9}, {0, 0, 0}, 0};
+    CHECK(mw_lat_long_map_build(&sky, pixels, 3, 2, marginal, conditional) == MW_OK);
+    CHECK(mw_lat_long_map_draw_pixel_from(&sky, &dry, &seen) == MW_SOURCE_FAILED && seen.pixel[0] == 9);
+    CHECK(mw_lat_long_map_draw_pixel_from(&sky, &source, &seen) == MW_OK);
+    CHECK(mw_lat_long_map_draw_pixel(&sky, &rng).direction[0] == seen.direction[0]);
+
+    CHECK(mw_resample_stratified_from(copies[0], 2, 8, &source) == MW_OK);
+    CHECK(mw_resample_stratified(copies[1], 2, 8, &rng) == MW_OK && copies[0][0] == copies[1][0]);
+    CHECK(mw_resample_stratified_from(copies[0], 2, 8, &dry) == MW_SOURCE_FAILED);
+    CHECK(mw_resample_stratified_from(copies[0], 0, 8, &dry) == MW_NO_WEIGHTS);
+    mw_reservoir reservoir;
+    bool taken = false;
+    uint32_t item;
+    mw_reservoir_init(&reservoir);
+    CHECK(mw_reservoir_offer_from(&reservoir, 4, 1.0f, &dry, &taken) == MW_SOURCE_FAILED && !taken);
+    CHECK(mw_reservoir_offer_from(&reservoir, 4, 1.0f, &source, &taken) == MW_OK && taken);
+    CHECK(mw_reservoir_item(&reservoir, &item) && item == 4);
+    CHECK(mw_reservoir_offer_from(&reservoir, 4, -1.0f, &source, &taken) != MW_OK);
+}
+
 int main(void)
 {
     errors_have_texts();
@@ -623,5 +687,7 @@ int main(void)
     chain_6d();
     chain_8d();
     points_cover();
+    frames_turn();
+    sources_serve();
     return done("functions");
 }

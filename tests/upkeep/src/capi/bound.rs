@@ -195,8 +195,10 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
     use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
     use microwarp::uniform::{Recurrence, Sobol, Strata1d, Strata2d};
+    use microwarp::warp::Frame;
     use microwarp::{fixed, poly};
     structs! {
+        "frame" Frame;
         "geometric" Geometric;
         "poisson" Poisson;
         "reservoir" Reservoir<u32>;

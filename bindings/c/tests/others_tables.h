@@ -1,0 +1,193 @@
+/* More of others.h: tables, counts and resampling. */
+static const float six[6] = {0.0f, 1.0f, 1e-6f, 37.0f, 0.3f, 0.0f};
+
+static void cdf(four u, int input, struct out *out)
+{
+    uint32_t bits[6];
+    mw_pcg32 rng = generator(input);
+    expect_error(out, MW_OK, mw_cdf_build(six, 6, bits));
+    const mw_cdf table = MW_CDF(bits);
+    put_selection(out, mw_cdf_select_uniform(&table, u[0]));
+    put_selection(out, mw_cdf_select(&table, word_of(u[1])));
+    put_selection(out, mw_cdf_draw(&table, &rng));
+    skip(out, 3);
+}
+
+static void cdf_of_any_weights(four u, int input, struct out *out)
+{
+    const float any[5] = {u[0], u[1], 1e-9f * u[2], u[3], 1e6f * u[0]};
+    uint32_t bits[5];
+    (void)input;
+    out->only = FIRST;
+    if (!made(out, mw_cdf_build(any, 5, bits)))
+        return;
+    const mw_cdf table = MW_CDF(bits);
+    for (int i = 0; i < 5; i++)
+        put_uint32_t(out, bits[i]);
+    put_float(out, mw_cdf_pmf(&table, 0));
+}
+
+static void cdf_of_integers(four u, int input, struct out *out)
+{
+    const uint32_t any[4] = {bits_of(u[0]), bits_of(u[1]) >> 9, bits_of(u[2]) >> 20, bits_of(u[3])};
+    uint32_t bits[4];
+    (void)input;
+    out->only = FIRST;
+    if (!made(out, mw_cdf_build_integers(any, 4, bits)))
+        return;
+    for (int i = 0; i < 4; i++)
+        put_uint32_t(out, bits[i]);
+}
+
+static void alias(four u, int input, struct out *out)
+{
+    mw_alias_bin bins[8];
+    mw_pcg32 rng = generator(input);
+    expect_error(out, MW_OK, mw_alias_build(six, 6, bins));
+    const mw_alias table = {bins, 6};
+    put_selection(out, mw_alias_select_uniform(&table, u[0]));
+    put_selection(out, mw_alias_select(&table, word_of(u[1])));
+    put_selection(out, mw_alias_draw(&table, &rng));
+    skip(out, 1);
+    rng = generator(input);
+    put_size_t(out, mw_alias_draw_index(&table, &rng));
+    skip(out, 1);
+}
+
+static void integer_selections(four u, int input, struct out *out)
+{
+    static const uint32_t any[6] = {0, 5, 1, 37, 9, 0};
+    uint32_t bits[6], stirred[4];
+    mw_alias_bin bins[8];
+    mw_pcg32 rng = generator(input);
+    expect_error(out, MW_OK, mw_cdf_build_integers(any, 6, bits));
+    expect_error(out, MW_OK, mw_alias_build_integers(any, 6, bins));
+    const mw_cdf searched = MW_CDF(bits);
+    const mw_alias alias = {bins, 6};
+    stir(u, stirred);
+    put_exact(out, mw_cdf_select_exact(&searched, stirred[3]));
+    put_exact(out, mw_alias_select_exact(&alias, stirred[3]));
+    put_exact(out, mw_cdf_select_exact(&searched, mw_pcg32_next(&rng)));
+}
+
+static void select_once(four u, int input, struct out *out)
+{
+    const float some[4] = {u[1], u[2], 1e-9f * u[3], u[0]}, last[3] = {u[0] - 0.5f, u[1], 0.0f};
+    mw_selection chosen;
+    (void)input;
+    if (made(out, mw_select_once(six, 6, word_of(u[0]), &chosen)))
+        put_selection(out, chosen);
+    if (made(out, mw_select_once_uniform(some, 4, u[2], &chosen)))
+        put_selection(out, chosen);
+    if (made(out, mw_select_once(last, 3, 0, &chosen)))
+        put_selection(out, chosen);
+}
+
+static void reservoir(four u, int input, struct out *out)
+{
+    const float offered[4] = {u[0], u[1], 1e30f * u[2], 1e-30f * u[3]};
+    mw_pcg32 rng = generator(input);
+    mw_reservoir reservoir;
+    mw_reservoir_init(&reservoir);
+    for (uint32_t i = 0; i < 4; i++) {
+        bool taken;
+        if (made(out, mw_reservoir_offer(&reservoir, i, offered[i], &rng, &taken)))
+            put_uint32_t(out, taken);
+    }
+    uint32_t item = 99;
+    mw_reservoir_item(&reservoir, &item);
+    put_uint32_t(out, item);
+    put_float(out, mw_reservoir_pmf(&reservoir));
+    skip(out, 3);
+}
+
+static void pictures(four u, int input, struct out *out)
+{
+    static const float across[2] = {0.0f, 1.0f};
+    const float up[2] = {u[0], 9.0f};
+    uint32_t marginal[2], conditional[4];
+    mw_piecewise_constant_2d table;
+    mw_pcg32 rng = generator(input);
+    float point[2];
+    out->only = FIRST;
+    if (!made(out, mw_piecewise_constant_2d_build(&table, u, 2, 2, across, up, marginal, conditional)))
+        return;
+    mw_piecewise_constant_2d_draw(&table, &rng, point);
+    put_floats(out, point, 2);
+    put_float(out, mw_piecewise_constant_2d_pdf(&table, point));
+}
+
+static void skies(four u, int input, struct out *out)
+{
+    const float radiances[6] = {u[0], u[1], u[2], u[3], 0.0f, 1e-3f};
+    uint32_t marginal[2], conditional[6];
+    mw_lat_long_map sky;
+    mw_pcg32 rng = generator(input);
+    out->only = FIRST;
+    if (!made(out, mw_lat_long_map_build(&sky, radiances, 3, 2, marginal, conditional)))
+        return;
+    const mw_pixel_sample seen = mw_lat_long_map_draw_pixel(&sky, &rng);
+    put_floats(out, seen.direction, 3);
+    put_float(out, seen.pdf);
+    put_size_t(out, 3 * seen.pixel[1] + seen.pixel[0]);
+}
+
+static void counts(four u, int input, struct out *out)
+{
+    uint32_t stirred[4];
+    mw_pcg32 rng = generator(input);
+    mw_geometric trials;
+    mw_poisson events;
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], c = stirred[2], d = stirred[3];
+    if (made(out, mw_geometric_init_from_ratio(&trials, a >> (b & 31), b | 1))) {
+        const uint32_t count = mw_geometric_count(&trials, c);
+        put_uint32_t(out, count);
+        put_uint32_t(out, mw_geometric_draw(&trials, &rng));
+        put_float(out, mw_geometric_pmf(&trials, count));
+        skip(out, 1);
+    }
+    if (made(out, mw_geometric_init(&trials, u[1]))) {
+        put_uint32_t(out, mw_geometric_sample(&trials, u[0]));
+        put_float(out, mw_geometric_pmf(&trials, d >> 20));
+    }
+    if (made(out, mw_poisson_init_from_ratio(&events, ((a >> 8) * 81) >> 8, 1 << 16))) {
+        const uint32_t count = mw_poisson_count(&events, d);
+        put_uint32_t(out, count);
+        put_uint32_t(out, mw_poisson_draw(&events, &rng));
+        put_float(out, mw_poisson_pmf(&events, count));
+        skip(out, 1);
+    }
+    if (made(out, mw_poisson_init(&events, 90.0f * u[2]))) {
+        put_uint32_t(out, mw_poisson_sample(&events, u[3]));
+        put_float(out, mw_poisson_pmf(&events, c >> 24));
+    }
+}
+
+static void resampling(four u, int input, struct out *out)
+{
+    const float numbers[6] = {u[0], u[1], 0.5f, 1e-20f, u[2], u[3]};
+    uint32_t stirred[4], copies[6], sum = 0;
+    mw_pcg32 rng = generator(input);
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], c = stirred[2], d = stirred[3];
+    const uint32_t any[6] = {a, 0, b >> (a & 31), c, 1, d >> 8};
+    for (int way = 0; way < 3; way++) {
+        memcpy(copies, any, sizeof any);
+        verdict(out, way == 0   ? mw_resample_systematic(copies, 6, 6, d)
+                     : way == 1 ? mw_resample_residual(copies, 6, 6, d)
+                                : mw_resample_stratified(copies, 6, 6, &rng));
+        sum = 0;
+        for (int i = 0; i < 6; i++)
+            sum = sum << 4 | copies[i];
+        put_uint32_t(out, sum);
+        skip(out, 2);
+    }
+    for (int i = 0; i < 6; i++)
+        copies[i] = 9;
+    verdict(out, mw_resample_to_integers(numbers, 6, copies));
+    sum = 0;
+    for (int i = 0; i < 6; i++)
+        sum = (sum << 7 | sum >> 25) ^ copies[i];
+    put_uint32_t(out, sum);
+}
