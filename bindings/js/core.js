@@ -12,11 +12,16 @@ const SMALL = 64;
 // Beside the largest thing there is room for so many numbers of small ones.
 const SPARE = 1 << 16;
 export let IN, OUT;
+// The generator whose state lies in the memory; that of the others lies with them.
+let current;
 let rng_at, loaded_from, loaded_to, epoch = 0;
 
-// Takes the first instance that is offered; two would have two memories.
-export const start = ({ instance }) => {
-  if (wasm) return;
+// Takes an instance, of one module or of one that has more than the one before; two at a time would have two memories.
+let had = 0;
+export const start = ({ instance }, has) => {
+  if (has <= had) return;
+  had = has;
+  if (current) current = void stored(current);
   wasm = instance.exports;
   IN = (wasm.__heap_base.value + 15 >> 4) << 2;
   OUT = IN + BLOCK;
@@ -126,8 +131,6 @@ export const in_blocks = (count, input, inputs, output, outputs, run) => {
   }
 };
 
-// The generator whose state lies in the memory; that of the others lies with them.
-let current;
 export const generator = (state) => {
   if (current !== state) {
     current?.set(u32.subarray(rng_at, rng_at + 4));

@@ -2,10 +2,9 @@
 
 import { start } from "./core.js";
 import { simd } from "./simd.js";
+import { unpacked } from "./unpack.js";
 
 const { packed } = await (simd ? import("./inlined-simd.js") : import("./inlined.js"));
-const bytes = new Blob([Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))]);
-const unpacked = new Response(bytes.stream().pipeThrough(new DecompressionStream("gzip")));
-start(await WebAssembly.instantiate(await unpacked.arrayBuffer()));
+start(await unpacked(packed), 2);
 
 export * from "./lib.js";

@@ -2,6 +2,8 @@
 
 export * from "./warps.js";
 export { Warp } from "./warp.js";
-export { Alias, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./table.js";
-export { ByPosition, Pcg32, Sobol, Strata } from "./source.js";
+export { Alias, Cdf } from "./table.js";
+export { LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./pieces.js";
+export { Pcg32 } from "./source.js";
+export { ByPosition, Sobol, Strata } from "./sets.js";
 export { Chain } from "./chain.js";

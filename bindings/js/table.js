@@ -1,13 +1,12 @@
-// Tables of weights: indices, and densities made of pieces.
+// Tables of weights that select indices. Densities made of pieces are in `pieces.js`.
 
-import { IN, OUT, elements, in_blocks, numbers, point, put, wasm, words_at, written } from "./core.js";
-import { Warp, described } from "./warp.js";
+import { IN, OUT, elements, in_blocks, point, put, wasm, words_at, written } from "./core.js";
 
 const [DRAW, SAMPLE, PDF] = [0, 1, 2];
 const HEAD = 6;
 
 // A table by its kind, of so many words behind the head.
-const tabulated = (kind, words, shape, bounds, weights) => {
+export const tabulated = (kind, words, shape, bounds, weights) => {
   const cells = shape[0] * shape[1];
   if (weights.length !== cells) throw new RangeError(`${cells} weights are expected, not ${weights.length}`);
   const head = new Uint32Array(HEAD);
@@ -56,41 +55,3 @@ export class Alias extends Indices {
     super(1, weights, 3 * 2 ** Math.ceil(Math.log2(weights.length || 1)));
   }
 }
-
-// A table that is a warp.
-class Pieces extends Warp {
-  constructor(kind, words, shape, bounds, weights) {
-    super();
-    this._number = kind;
-    this._loaded = tabulated(kind, words, shape, bounds, weights);
-  }
-  _evaluate(what, inputs, outputs, count) {
-    wasm.look_up(this._number, what, this._loaded.address(), IN * 4, inputs, OUT * 4, outputs, count);
-  }
-}
-
-export const PiecewiseConstant1d = /*#__PURE__*/ described(class PiecewiseConstant1d extends Pieces {
-  constructor(weights, low, high) {
-    super(2, weights.length + 1, [weights.length, 1], numbers([low, high], 2), weights);
-  }
-}, 1, 1, 1);
-
-export const PiecewiseLinear1d = /*#__PURE__*/ described(class PiecewiseLinear1d extends Pieces {
-  constructor(weights, low, high) {
-    super(3, 2 * weights.length, [weights.length, 1], numbers([low, high], 2), weights);
-  }
-}, 1, 1, 1);
-
-const grid = ([columns, rows]) => columns * rows + rows;
-
-export const PiecewiseConstant2d = /*#__PURE__*/ described(class PiecewiseConstant2d extends Pieces {
-  constructor(weights, shape, u, v) {
-    super(4, grid(shape), shape, numbers([u, v], 4), weights);
-  }
-}, 2, 2, 2);
-
-export const LatLongMap = /*#__PURE__*/ described(class LatLongMap extends Pieces {
-  constructor(radiances, shape) {
-    super(5, grid(shape), shape, [], radiances);
-  }
-}, 2, 3, 2);

@@ -1,11 +1,12 @@
 // The page: the selection, the drawing, the measuring and the timing. The module samples; `truth` has the exact maps. The tab
-// with scenes is a part of its own, in `page/scene.mjs`.
+// with scenes and the one with code are parts of their own, in `page/scene.mjs` and `page/code.mjs`.
 
 import { MOST, SOURCES, load } from "./page/module.mjs";
 import { verify } from "./page/golden.mjs";
 import { TIER_LABELS, families_of, realised } from "./page/catalogue.mjs";
 import { choices, parameters, readings } from "./page/controls.mjs";
 import * as scenes from "./page/scene.mjs";
+import * as code from "./page/code.mjs";
 import { seen } from "./truth/drawn.mjs";
 import * as line from "./view/line.mjs";
 import * as plane from "./view/plane.mjs";
@@ -15,6 +16,9 @@ import * as residuals from "./view/residuals.mjs";
 const at = (id) => document.getElementById(id);
 const whole = (n) => n.toLocaleString("en");
 const figure = (x) => (Number.isNaN(x) ? "not known" : x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 ? x.toExponential(2) : x.toPrecision(3));
+
+// The tabs beside those of samplers.
+const TABS = { code: { label: "In JavaScript", part: code }, scene: { label: "A scene", part: scenes } };
 
 const state = {
   family: null, entry: null, tier: "poly", source: "random", values: [], seed: 1,
@@ -26,16 +30,17 @@ let families;
 // --- what is chosen ----------------------------------------------------------------------------------
 
 function choose_family(name) {
-  const tab = name === "scene";
-  for (const id of ["scenes", "scene", "scene-controls"]) at(id).hidden = !tab;
-  for (const id of ["subjects", "bench", "controls"]) at(id).hidden = tab;
-  choices(at("families"), "family", [...families, { name: "scene", label: "A scene" }].map(({ name, label }) => ({ value: name, label })), name, choose_family);
-  if (tab) {
+  for (const id of ["scenes", "scene", "scene-controls"]) at(id).hidden = name !== "scene";
+  for (const id of ["snippets", "code"]) at(id).hidden = name !== "code";
+  for (const id of ["subjects", "bench", "controls"]) at(id).hidden = name in TABS;
+  const tabs = Object.entries(TABS).map(([value, { label }]) => ({ value, label }));
+  choices(at("families"), "family", [...families.map(({ name, label }) => ({ value: name, label })), ...tabs], name, choose_family);
+  for (const [other, { part }] of Object.entries(TABS)) if (other !== name) part.close();
+  if (name in TABS) {
     stop();
     clearTimeout(state.clock);
-    return scenes.open();
+    return TABS[name].part.open();
   }
-  scenes.close();
   state.family = families.find((family) => family.name === name);
   return choose_subject(state.family.subjects[0].name);
 }

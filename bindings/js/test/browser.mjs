@@ -1,4 +1,5 @@
-// The package in headless Chromium: the page of docs/javascript.md, both entries in the page, and one in a worker.
+// The package in headless Chromium: the page of docs/javascript.md, both entries in the page, and in workers one, and one of
+// the smaller module.
 //   node browser.mjs WEB     WEB is examples/web, which has the driver and the server
 
 import { symlinkSync, writeFileSync } from "node:fs";
@@ -15,7 +16,12 @@ const normals = (entry) => `(async () => {
   const filled = new Normal(10, 2).fill(new Float32Array(19), new Pcg32(42, 54));
   return Array.from(new Uint32Array(filled.buffer));
 })()`;
-writeFileSync("worker.js", `postMessage(await ${normals("./microwarp/index.js")});`);
+for (const entry of ["index", "common-streaming"]) writeFileSync(`${entry}-worker.js`, `postMessage(await ${normals(`./microwarp/${entry}.js`)});`);
+const worker = (entry) => `new Promise((done, failed) => {
+  const worker = new Worker("./${entry}-worker.js", { type: "module" });
+  worker.onmessage = ({ data }) => done(data);
+  worker.onerror = ({ message }) => failed(new Error(message));
+})`;
 
 // A browser asks for an icon by itself.
 const server = await serve(process.cwd(), { instead: { "favicon.ico": "" } });
@@ -25,11 +31,8 @@ try {
   const runs = {
     streaming: normals("./microwarp/streaming.js"),
     inlined: `${normals("./microwarp/index.js?other")}`,
-    worker: `new Promise((done, failed) => {
-      const worker = new Worker("./worker.js", { type: "module" });
-      worker.onmessage = ({ data }) => done(data);
-      worker.onerror = ({ message }) => failed(new Error(message));
-    })`,
+    worker: worker("index"),
+    common: worker("common-streaming"),
   };
   await page.until('document.title === "in the disk"');
   for (const [name, run] of Object.entries(runs)) {

@@ -11,17 +11,26 @@ const of = (...names) => {
   const sum = (size) => files.reduce((total, file) => total + size(file), 0);
   return [sum((file) => file.length), sum((file) => gzipSync(file, { level: 9 }).length), sum((file) => brotliCompressSync(file).length)];
 };
-// What both entries load, file by file as a server sends them.
-const scripts = ["core.js", "warp.js", "warps.js", "reasons.js", "source.js", "table.js", "chain.js", "lib.js", "simd.js"];
+// The scripts that an entry loads, file by file as a server sends them.
+const scripts = (...names) => {
+  const more = names.flatMap((name) => Array.from(readFileSync(folder + name, "utf8").matchAll(/from ?"\.\/(.*?\.js)"/g), ([, file]) => file));
+  return more.every((name) => names.includes(name)) ? names : scripts(...new Set([...names, ...more]));
+};
 const tarball = readdirSync(".").find((name) => name.endsWith(".tgz"));
 const rows = {
   "module": of("microwarp.wasm"),
   "module with vectors": of("microwarp-simd.wasm"),
-  "scripts": of(...scripts),
-  "streaming, without vectors": of(...scripts, "streaming.js", "microwarp.wasm"),
-  "streaming, with vectors": of(...scripts, "streaming.js", "microwarp-simd.wasm"),
-  "inlined, without vectors": of(...scripts, "index.js", "inlined.js"),
-  "inlined, with vectors": of(...scripts, "index.js", "inlined-simd.js"),
+  "scripts": of(...scripts("streaming.js")),
+  "streaming, without vectors": of(...scripts("streaming.js"), "microwarp.wasm"),
+  "streaming, with vectors": of(...scripts("streaming.js"), "microwarp-simd.wasm"),
+  "inlined, without vectors": of(...scripts("index.js"), "inlined.js"),
+  "inlined, with vectors": of(...scripts("index.js"), "inlined-simd.js"),
+  "common: module": of("microwarp-common.wasm"),
+  "common: module with vectors": of("microwarp-common-simd.wasm"),
+  "common: scripts": of(...scripts("common-streaming.js")),
+  "common: streaming, without vectors": of(...scripts("common-streaming.js"), "microwarp-common.wasm"),
+  "common: streaming, with vectors": of(...scripts("common-streaming.js"), "microwarp-common-simd.wasm"),
+  "common: inlined, without vectors": of(...scripts("common.js"), "inlined-common.js"),
   "typings": of(...readdirSync(folder).filter((name) => name.endsWith(".d.ts"))),
 };
 const text = "what,bytes,gzip,brotli\n" + Object.entries(rows).map(([name, sizes]) => `"${name}",${sizes.join(",")}\n`).join("");

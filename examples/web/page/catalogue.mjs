@@ -17,7 +17,7 @@ const largest = (p) => Math.max(...p.map(Math.abs));
 const power_draws = (increasing) => (words, [n]) => (increasing === n >= -1 ? count.deep : count.deep_down)(words);
 
 // Space seen from a corner, z upwards.
-const corner = ([x, y, z]) => [(y - x) / Math.sqrt(2), (2 * z - x - y) / Math.sqrt(6)];
+export const corner = ([x, y, z]) => [(y - x) / Math.sqrt(2), (2 * z - x - y) / Math.sqrt(6)];
 
 // By name, in the order of the page: `truth` of parameters and tier; `counting`, where it is not that of a warp without
 // a scale; `uniforms` of words, where they are not those of 24 bits; `fraction`, the bits behind the point of an integer

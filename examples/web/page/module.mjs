@@ -33,7 +33,7 @@ export function* lists_of(exports) {
   }
 }
 
-class Microwarp {
+export class Microwarp {
   constructor(module, exports) {
     this.exports = exports;
     this.imports = WebAssembly.Module.imports(module).length;

@@ -3,11 +3,12 @@
 // SITE has the modules and what they are held against as `build` left them; PANICS.wasm is a module that can panic; PICTURES is
 // where the screenshots go. Every check that could pass by seeing nothing has a control that it must reject.
 
-import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { mkdir, readFile, readdir, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { serve } from "../serve.mjs";
 import { launch } from "./browser.mjs";
+import { same_points, snippets } from "./code.mjs";
 import { NO_SCENE, one_bit_wider, refused_scenes, rendered, verdict } from "./scene.mjs";
 import { LOST, every_subject, lost_truths, most_points, refusals, turns } from "./walk.mjs";
 
@@ -51,6 +52,7 @@ const table = await readFile(join(site, "golden.csv"), "utf8");
 const scenes = await readFile(join(site, "scene.wasm"));
 const hashes = await readFile(join(site, "scene.csv"), "utf8");
 const built = { "microwarp.wasm": module, "golden.csv": table, "scene.wasm": scenes, "scene.csv": hashes };
+for (const name of await readdir(join(site, "npm"))) built[`npm/${name}`] = await readFile(join(site, "npm", name));
 const browser = await launch();
 
 // Opens the page with some of its files replaced, waits for what it says of the golden bits, and closes it again.
@@ -136,6 +138,26 @@ async function on_small_screens() {
   });
 }
 
+// --- the tab with code -------------------------------------------------------------------------------
+
+async function with_code() {
+  const compared = await same_points(module, join(site, "npm"), check);
+  say(`the npm package gives the points and densities of the module: ${compared.length} samplers`);
+  for (const [what, screen] of [["code", DESK], ["code, narrow", { ...NARROW, features: DARK_AND_STILL }]]) {
+    await with_page(what, screen, {}, async (page) => {
+      say(`${what}: ${(await snippets(page, check)).join(", ")} run; errors are shown, and code without an end is stopped`);
+      await sound(what, page);
+      await page.call(() => document.querySelector('input[name="snippet"][value="sky"]').click());
+      await page.until(`document.getElementById("code").dataset.state === "ended"`);
+      await picture(page, `${what.replace(", ", "-")}.png`);
+    });
+  }
+  await with_page("control: no package", DESK, { "npm/streaming.js": null }, async (page) => {
+    await page.call(() => document.querySelector('input[name="family"][value="code"]').click());
+    await page.until(`document.getElementById("code").dataset.state === "refused"`);
+  });
+}
+
 // --- the tab with scenes -----------------------------------------------------------------------------
 
 async function with_scenes() {
@@ -212,6 +234,7 @@ try {
   modules(await readFile(panics), await readFile(join(web, "README.md"), "utf8"));
   await on_a_desk();
   await on_small_screens();
+  await with_code();
   await with_scenes();
   await controls();
 } catch (problem) {

@@ -11,6 +11,15 @@ use microwarp::discrete::{
 use microwarp::poly::LatLongMap;
 use microwarp_js_hot::{by_alias, by_cdf};
 
+/// Tables of indices, and densities made of pieces.
+const INDICES: bool = linked("indices");
+const PIECES: bool = linked("pieces");
+
+/// Whether the module has tables of a kind.
+const fn has(kind: u32) -> bool {
+    if kind < 2 { INDICES } else { PIECES }
+}
+
 /// What lies in front of the entries.
 #[derive(Clone, Copy)]
 #[repr(C)]
@@ -35,7 +44,7 @@ unsafe fn behind<'a>(table: *mut Head, words: usize) -> &'a mut [u32] {
 /// The weights lie there; there is room for a word each, and for each row; with `Alias` for three words a bin.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f32) -> u32 {
-    if !const { linked("tables") } {
+    if !has(kind) {
         return NOT_LINKED;
     }
     // SAFETY: as the caller says.
@@ -109,7 +118,7 @@ pub unsafe extern "C" fn look_up(
     outputs: usize,
     count: usize,
 ) {
-    if !const { linked("tables") } {
+    if !has(kind) {
         return;
     }
     let arrays = Arrays {

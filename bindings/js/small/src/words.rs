@@ -1,5 +1,6 @@
 //! Where the words of draws come from: the generator, or points of a set; and strata, which are uniforms.
 
+use crate::parts::{NOT_LINKED, linked};
 use core::slice::from_raw_parts_mut;
 use microwarp::uniform::{
     ByPosition, Points, Sobol, Strata1d, Strata2d, deep_from_word, grid_from_word,
@@ -42,6 +43,9 @@ pub unsafe extern "C" fn points(
     each: usize,
     count: usize,
 ) {
+    if !const { linked("points") } {
+        return;
+    }
     // SAFETY: as the caller says.
     let words = unsafe { from_raw_parts_mut(words, each.wrapping_mul(count)) };
     if by_position > 0 {
@@ -75,6 +79,9 @@ pub unsafe extern "C" fn strata(
     uniforms: *mut f32,
     count: usize,
 ) -> u32 {
+    if !const { linked("points") } {
+        return NOT_LINKED;
+    }
     // SAFETY: as the caller says.
     let refused = unsafe {
         if rows == 0 {

@@ -1,0 +1,90 @@
+// The tab "In JavaScript": code that a visitor may change, run with the npm package in a worker, and what it shows and prints.
+
+import { SNIPPETS } from "./snippets.mjs";
+import { corner } from "./catalogue.mjs";
+import { choices } from "./controls.mjs";
+import { seen } from "../truth/drawn.mjs";
+import * as line from "../view/line.mjs";
+import * as plane from "../view/plane.mjs";
+import * as sphere from "../view/sphere.mjs";
+
+// Code that runs for longer is stopped, in seconds.
+const LONGEST = 10;
+
+const at = (id) => document.getElementById(id);
+let worker, clock, scene;
+
+function choose(name) {
+  choices(at("snippets"), "snippet", Object.entries(SNIPPETS).map(([value, [label]]) => ({ value, label })), name, choose);
+  [, at("text").value] = SNIPPETS[name];
+  run();
+}
+
+function run() {
+  close();
+  scene = null;
+  at("printed").textContent = "";
+  at("code-refusal").hidden = true;
+  at("code").dataset.state = "running";
+  draw();
+  worker = new Worker(new URL("./run.mjs", import.meta.url), { type: "module" });
+  worker.addEventListener("message", ({ data }) => heard(data));
+  worker.addEventListener("error", ({ message }) => refuse(message ?? "The worker did not start."));
+  worker.postMessage(at("text").value);
+  clock = setTimeout(() => refuse(`Stopped after ${LONGEST} seconds.`), 1000 * LONGEST);
+}
+
+function heard({ printed, problem, ended, ...drawn }) {
+  if (drawn.shown) return show(drawn);
+  if (printed !== undefined) at("printed").textContent += `${printed}\n`;
+  if (problem) refuse(problem);
+  if (ended) end("ended");
+}
+
+function end(state) {
+  close();
+  at("code").dataset.state = state;
+}
+
+function refuse(problem) {
+  end("refused");
+  scene = null;
+  draw();
+  at("code-refusal").hidden = false;
+  at("code-refusal").firstElementChild.textContent = problem;
+}
+
+// Numbers as the views take them, three a point.
+function show({ shown, dimensions, count, densities, indices }) {
+  const points = new Float64Array(3 * count);
+  shown.forEach((x, k) => (points[3 * Math.floor(k / dimensions) + (k % dimensions)] = x));
+  const drawn = { count, points, densities, words: [] };
+  const round = dimensions === 3 && shown.every((x) => Math.abs(x) <= 1.0001);
+  const entry = { view: indices ? "bars" : dimensions === 1 ? "line" : round ? "sphere" : "plane", words: 0, plans: false };
+  const truth = seen(drawn, dimensions === 3 && !round ? corner : undefined);
+  scene = { entry, drawn, truth };
+  if (dimensions === 1) scene.tallied = line.tally(null, scene);
+  draw();
+}
+
+function draw() {
+  if (at("code").hidden) return;
+  const pictures = { line: line.draw, bars: line.draw_bars, plane: plane.draw, sphere: sphere.draw };
+  if (scene) pictures[scene.entry.view](at("shown"), scene);
+  else at("shown").getContext("2d").clearRect(0, 0, at("shown").width, at("shown").height);
+}
+
+// Opens the tab, and runs the first code where none has been chosen.
+export function open() {
+  if (at("snippets").dataset.options) return draw();
+  at("go").addEventListener("click", run);
+  sphere.make_turnable(at("shown"), () => scene?.entry.view === "sphere", draw);
+  new ResizeObserver(draw).observe(at("shown"));
+  return choose("normals");
+}
+
+export function close() {
+  clearTimeout(clock);
+  worker?.terminate();
+  worker = null;
+}
