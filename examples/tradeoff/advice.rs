@@ -31,50 +31,68 @@ fn families(studies: &[Study]) -> Vec<&'static str> {
     families
 }
 
-/// The cheapest within each class of error, of the families that there is a picture of.
+/// The cheapest within each class of error, of the families that there is a picture of; on cores also by the longest.
 pub fn which(studies: &[Study]) {
     println!(
-        "Which tier to take: the cheapest whose largest error is within the bound, generator included.\n"
+        "Which tier to take: the cheapest whose largest error is within the bound, generator included. On the cores in \
+         cycles: the\nmean, and the longest seen.\n"
     );
     for (target, title) in TARGETS.iter().enumerate() {
+        let mean = |_: &Study, trade: Trade| Some(trade);
+        let longest = |study: &Study, trade: Trade| {
+            let cost = study.longest(target)?;
+            Some(Trade { cost, ..trade })
+        };
         println!("{title}:");
-        for class in CLASSES {
-            let mut chosen: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-            let mut none = Vec::new();
-            for family in PICTURED {
-                let ours = traded(studies, family, target, true);
-                let trades: Vec<Trade> = ours.iter().map(|(_, trade)| *trade).collect();
-                match cheapest(&trades, class) {
-                    Some(i) => {
-                        let cost = cost_text(Some(trades[i].cost));
-                        let tier = ours[i].0.sampler.tier;
-                        chosen
-                            .entry(tier)
-                            .or_default()
-                            .push(format!("{family} {cost}"));
-                    }
-                    None if !trades.is_empty() => none.push(family),
-                    None => {}
-                }
-            }
-            let mut parts: Vec<(&str, Vec<String>)> = chosen.into_iter().collect();
-            parts.sort_by_key(|(_, families)| std::cmp::Reverse(families.len()));
-            let mut text: Vec<String> = parts
-                .iter()
-                .map(|(tier, families)| format!("{tier} ({})", families.join(", ")))
-                .collect();
-            if !none.is_empty() {
-                text.push(format!("none of ours ({})", none.join(", ")));
-            }
-            let text = if text.is_empty() {
-                "not measured".into()
-            } else {
-                text.join("; ")
-            };
-            println!("  error to {class:.0e}: {text}");
+        of_target(studies, target, &mean);
+        if studies.iter().any(|study| study.longest(target).is_some()) {
+            println!("{title}, by the longest:");
+            of_target(studies, target, &longest);
         }
     }
     println!();
+}
+
+/// By costs that are made of the means.
+fn of_target(studies: &[Study], target: usize, cost: &dyn Fn(&Study, Trade) -> Option<Trade>) {
+    for class in CLASSES {
+        let mut chosen: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+        let mut none = Vec::new();
+        for family in PICTURED {
+            let ours: Vec<(&Study, Trade)> = traded(studies, family, target, true)
+                .into_iter()
+                .filter_map(|(study, trade)| Some((study, cost(study, trade)?)))
+                .collect();
+            let trades: Vec<Trade> = ours.iter().map(|(_, trade)| *trade).collect();
+            match cheapest(&trades, class) {
+                Some(i) => {
+                    let cost = cost_text(Some(trades[i].cost));
+                    let tier = ours[i].0.sampler.tier;
+                    chosen
+                        .entry(tier)
+                        .or_default()
+                        .push(format!("{family} {cost}"));
+                }
+                None if !trades.is_empty() => none.push(family),
+                None => {}
+            }
+        }
+        let mut parts: Vec<(&str, Vec<String>)> = chosen.into_iter().collect();
+        parts.sort_by_key(|(_, families)| std::cmp::Reverse(families.len()));
+        let mut text: Vec<String> = parts
+            .iter()
+            .map(|(tier, families)| format!("{tier} ({})", families.join(", ")))
+            .collect();
+        if !none.is_empty() {
+            text.push(format!("none of ours ({})", none.join(", ")));
+        }
+        let text = if text.is_empty() {
+            "not measured".into()
+        } else {
+            text.join("; ")
+        };
+        println!("  error to {class:.0e}: {text}");
+    }
 }
 
 /// A peer's point that none of our points covers.

@@ -1,7 +1,7 @@
 //! The costs of functions on other targets, as measured by `benches/cores`.
 
 use std::collections::BTreeMap;
-use support::COSTS;
+use support::{COSTS, CYCLES};
 
 /// The cores, by their names in the measurements and in print.
 pub const CORES: [(&str, &str); 3] = [("m0", "Cortex-M0"), ("m4f", "Cortex-M4F"), ("wasm", "WASM")];
@@ -17,6 +17,27 @@ pub struct Cost {
     pub flash: Option<f64>,
     /// Bytes at level 3.
     pub stack: Option<f64>,
+    /// With PCG32, on a core whose cycles are known.
+    pub cycles: Option<Cycles>,
+}
+
+/// Cycles of a sample by the tables of the manuals, at the upper end of what they leave open; at the lower one for the
+/// least.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cycles {
+    pub least: f64,
+    pub mean: f64,
+    pub longest: f64,
+}
+
+impl Cost {
+    /// What a sample with PCG32 costs: cycles where they are known, as of WASM they are not.
+    pub fn whole(&self, core: &str) -> Option<f64> {
+        match core {
+            "wasm" => self.drawn,
+            _ => self.cycles.map(|cycles| cycles.mean),
+        }
+    }
 }
 
 /// One line of measurements: instructions, stack, and code with tables.
@@ -27,24 +48,55 @@ struct Line {
     flash: Option<f64>,
 }
 
-pub struct Costs(BTreeMap<(String, String, String), Line>);
+pub struct Costs {
+    lines: BTreeMap<(String, String, String), Line>,
+    cycles: BTreeMap<(String, String), Cycles>,
+}
+
+/// The columns of a table that has names at its head.
+fn columns<const N: usize>(head: &str, names: [&str; N]) -> Result<[usize; N], String> {
+    let head: Vec<&str> = head.split(',').collect();
+    let mut places = [0; N];
+    for (place, name) in places.iter_mut().zip(names) {
+        let found = head.iter().position(|title| *title == name);
+        *place = found.ok_or_else(|| format!("benches/cores: no column {name}"))?;
+    }
+    Ok(places)
+}
+
+/// Reads `benches/cores/cycles.csv`.
+fn cycles(text: &str) -> Result<BTreeMap<(String, String), Cycles>, String> {
+    let (head, rows) = text.split_once('\n').unwrap_or((text, ""));
+    let names = ["function", "timing", "least", "high", "longest"];
+    let places = columns(head, names)?;
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let cell = |i: usize| cells.get(places[i]).copied();
+        let number = |i| cell(i)?.parse().ok();
+        let cycles = Cycles {
+            least: number(2)?,
+            mean: number(3)?,
+            longest: number(4)?,
+        };
+        Some(((cell(0)?.into(), cell(1)?.into()), cycles))
+    };
+    let rows = rows.lines();
+    rows.map(|line| row(line).ok_or_else(|| format!("benches/cores/cycles.csv: {line}")))
+        .collect()
+}
 
 impl Costs {
     pub fn checked_in() -> Result<Self, String> {
-        Self::read(COSTS)
+        Self::read(COSTS, CYCLES)
     }
 
-    /// Reads lines of `function,core,opt,instructions,stack,code,tables`, by the names at their head.
-    pub fn read(text: &str) -> Result<Self, String> {
+    /// Reads lines of `function,core,opt,instructions,stack,code,tables`, by the names at their head, and those of cycles.
+    pub fn read(text: &str, of_cycles: &str) -> Result<Self, String> {
         let mut lines = text.lines();
-        let head: Vec<&str> = lines.next().unwrap_or("").split(',').collect();
-        let column = |name: &str| {
-            let place = head.iter().position(|title| *title == name);
-            place.ok_or_else(|| format!("benches/cores/costs.csv has no column {name}"))
-        };
-        let names = [column("function")?, column("core")?, column("opt")?];
-        let [instructions, stack] = [column("instructions")?, column("stack")?];
-        let [code, tables] = [column("code")?, column("tables")?];
+        let head = lines.next().unwrap_or("");
+        let names = columns(head, ["function", "core", "opt"])?;
+        let [instructions, stack, code, tables] =
+            columns(head, ["instructions", "stack", "code", "tables"])?;
         let mut costs = BTreeMap::new();
         for line in lines {
             let cells: Vec<&str> = line.split(',').collect();
@@ -63,13 +115,32 @@ impl Costs {
             };
             costs.insert((function, core, opt), line);
         }
-        Ok(Self(costs))
+        Ok(Self {
+            lines: costs,
+            cycles: cycles(of_cycles)?,
+        })
     }
 
     /// What belongs to no tier, as a table does, is counted without the name of one.
     fn line(&self, function: &str, core: &str, opt: &str) -> Option<&Line> {
-        let counted = |name: &str| self.0.get(&(name.into(), core.into(), opt.into()));
+        let counted = |name: &str| self.lines.get(&(name.into(), core.into(), opt.into()));
         counted(function).or_else(|| counted(function.split_once('_')?.1))
+    }
+
+    /// The inputs of a warp are swept where they are given, and the generator takes what a mean is longer with it.
+    fn cycles(&self, function: &str, core: &str, calls: f64) -> Option<Cycles> {
+        let of = |name: &str| self.cycles.get(&(name.into(), core.into()));
+        let plain = |name: &str| {
+            let drawn = of(&format!("{name}_pcg32"))?;
+            let given = of(name).unwrap_or(drawn);
+            let generator = drawn.mean - given.mean;
+            Some(Cycles {
+                least: drawn.least.min(given.least + generator) * calls,
+                mean: drawn.mean * calls,
+                longest: drawn.longest.max(given.longest + generator) * calls,
+            })
+        };
+        plain(function).or_else(|| plain(function.split_once('_')?.1))
     }
 
     /// The cost of a sample, which takes so many calls of a function.
@@ -88,6 +159,7 @@ impl Costs {
             drawn: instructions(&with).map(|n| n * calls),
             flash: either("s", |line| line.flash),
             stack: either("3", |line| line.stack),
+            cycles: self.cycles(function, core, calls),
         }
     }
 }

@@ -21,8 +21,8 @@ const FOOT: f32 = 126.0;
 /// What is measured along the costs of each target.
 const UNITS: [&str; TARGETS.len()] = [
     "nanoseconds a sample, drawn one by one",
-    "instructions a sample",
-    "instructions a sample",
+    "cycles a sample, to the longest",
+    "cycles a sample, to the longest",
     "executed operators a sample",
 ];
 
@@ -110,7 +110,8 @@ fn costs(studies: &[Study], target: usize) -> Scale {
         let all = [true, false]
             .into_iter()
             .flat_map(|ours| traded(studies, family, target, ours));
-        all.map(|(_, trade)| trade.cost).collect::<Vec<_>>()
+        all.flat_map(|(study, trade)| [trade.cost, study.longest(target).unwrap_or(trade.cost)])
+            .collect::<Vec<_>>()
     });
     let (from, to) = costs.fold((f64::INFINITY, 0.0_f64), |(from, to), cost| {
         (from.min(cost), to.max(cost))
@@ -134,9 +135,10 @@ fn legend(canvas: &mut Canvas, base: f32) {
     let marks = [
         "this crate, on its front",
         "covered by it",
-        "second samplers of a tier, covered",
+        "second of a tier",
         "somebody else's",
-        "errors below 1.5e-8 stand on the floor; what gives one normal is drawn twice",
+        "to the longest call",
+        "errors below 1.5e-8 stand there; what gives one normal is drawn twice",
     ];
     for (mark, text) in marks.iter().enumerate() {
         match mark {
@@ -144,6 +146,7 @@ fn legend(canvas: &mut Canvas, base: f32) {
             1 => canvas.disc([x + 10.0, y], 4.5, faded(POINT, 0.55)),
             2 => canvas.disc([x + 10.0, y], 2.5, faded(POINT, 0.4)),
             3 => panel::diamond(canvas, [x + 10.0, y], 7.5),
+            4 => panel::whisker(canvas, [x, y], x + 20.0, POINT),
             _ => canvas.segment([x, y + 6.0], [x + 20.0, y + 6.0], 1.3, INK),
         }
         x += 30.0;

@@ -5,7 +5,7 @@ use crate::front::{Trade, front};
 use crate::labels::{self, Named};
 use crate::study::Study;
 use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{ACCENT, HAIR, INK, MUTED, POINT, faded};
+use support::draw::colour::{ACCENT, Colour, HAIR, INK, MUTED, POINT, faded};
 use support::draw::scale::Scale;
 use support::draw::text::{Align, Type, thousands};
 
@@ -35,10 +35,11 @@ pub fn draw(
     costs: Scale,
     is_last: bool,
 ) {
+    let across = |cost: f64| area.x + area.w * costs.at(cost) as f32;
     let place = |trade: &Trade| {
         let error = trade.error.clamp(FLOOR, CEILING);
         [
-            area.x + area.w * costs.at(trade.cost) as f32,
+            across(trade.cost),
             area.y + area.h * (1.0 - errors().at(error) as f32),
         ]
     };
@@ -99,6 +100,9 @@ pub fn draw(
             _ => (2.5, faded(POINT, 0.4)),
         };
         canvas.disc(at, radius, colour);
+        if let (Some(longest), true) = (study.longest(target), is_named) {
+            whisker(canvas, at, across(longest), colour);
+        }
         if is_named {
             let first_word = sampler.name.split(' ').next().unwrap_or("");
             let name = if is_first { "" } else { first_word };
@@ -113,6 +117,9 @@ pub fn draw(
     for (study, trade) in &peers {
         let at = place(trade);
         diamond(canvas, at, 7.5);
+        if let Some(longest) = study.longest(target) {
+            whisker(canvas, at, across(longest), faded(ACCENT, 0.6));
+        }
         named.push(Named {
             at,
             text: study.sampler.tier.into(),
@@ -149,6 +156,12 @@ fn cover(canvas: &mut Canvas, area: Area, front: &[[f32; 2]]) -> Vec<[f32; 2]> {
     }
     canvas.line(border.iter().copied().map(Some), 1.8, faded(POINT, 0.7));
     border
+}
+
+/// From a mean to the longest.
+pub fn whisker(canvas: &mut Canvas, [x, y]: [f32; 2], to: f32, colour: Colour) {
+    canvas.segment([x, y], [to, y], 1.4, colour);
+    canvas.segment([to, y - 4.0], [to, y + 4.0], 1.4, colour);
 }
 
 pub fn diamond(canvas: &mut Canvas, [x, y]: [f32; 2], r: f32) {

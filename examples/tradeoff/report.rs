@@ -117,8 +117,8 @@ pub fn costs(studies: &[Study], spread: f64) {
     let rows = heads(studies).zip(studies).map(|(mut row, study)| {
         row.push(cost_text(study.times.draw));
         row.push(cost_text(study.times.fill));
-        for cost in study.costs {
-            row.extend(cells(cost).map(cost_text));
+        for ((core, _), cost) in CORES.iter().zip(study.costs) {
+            row.extend(cells(core, cost).into_iter().map(cost_text));
         }
         row
     });
@@ -126,22 +126,39 @@ pub fn costs(studies: &[Study], spread: f64) {
         .map(String::from)
         .into();
     for (core, _) in CORES {
-        let core = core.to_uppercase();
-        header.extend(["insn", "+ PCG32", "flash", "stack"].map(|title| format!("{core} {title}")));
+        let title = |title: &&str| format!("{} {title}", core.to_uppercase());
+        header.extend(titles(core).iter().map(title));
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     table::print(&header, rows.collect(), 3);
     println!(
         "ns: on this host, with PCG32, one by one and into a slice of 1024. Of the cores: executed instructions (of WASM, \
-         operators) at\nopt-level 3, the uniforms given and with PCG32; bytes of code and tables at opt-level s, of \
-         stack at 3; from benches/cores/costs.csv.\n{DASH}: not measured. Two normals: what gives one at a time is drawn twice. Half of all times lay within \
+         operators) at\nopt-level 3, the uniforms given and with PCG32; cycles with PCG32 by the manuals' tables at zero \
+         wait states, the mean and the\nlongest seen; bytes of code and tables at opt-level s, of stack at 3; from \
+         benches/cores.\n{DASH}: not measured. Two normals: what gives one at a time is drawn twice. Half of all times lay within \
          {:.0} % of each other.\n",
         100.0 * spread
     );
 }
 
-fn cells(cost: Cost) -> [Option<f64>; 4] {
-    [cost.given, cost.drawn, cost.flash, cost.stack]
+/// What is known of a core, by the names in the table.
+fn titles(core: &str) -> &'static [&'static str] {
+    match core {
+        "wasm" => &["insn", "+ PCG32", "flash", "stack"],
+        _ => &["insn", "+ PCG32", "cycles", "longest", "flash", "stack"],
+    }
+}
+
+fn cells(core: &str, cost: Cost) -> Vec<Option<f64>> {
+    let cycles = match core {
+        "wasm" => vec![],
+        _ => vec![
+            cost.cycles.map(|cycles| cycles.mean),
+            cost.cycles.map(|cycles| cycles.longest),
+        ],
+    };
+    let (first, last) = ([cost.given, cost.drawn], [cost.flash, cost.stack]);
+    [&first[..], &cycles, &last].concat()
 }
 
 pub fn controls(controls: &[Control]) {
@@ -179,8 +196,12 @@ pub fn write(studies: &[Study], path: &Path) -> Result<(), String> {
          bias_is_bound,ns_drawn,ns_filled",
     );
     for (core, _) in CORES {
-        for title in ["instructions", "instructions_pcg32", "flash", "stack"] {
-            let _ = write!(text, ",{core}_{title}");
+        for title in titles(core) {
+            let _ = write!(
+                text,
+                ",{core}_{}",
+                title.replace("+ ", "insn_").to_lowercase()
+            );
         }
     }
     text.push('\n');
@@ -218,8 +239,8 @@ pub fn write(studies: &[Study], path: &Path) -> Result<(), String> {
             cost.map_or(String::new(), |x| format!("{}", (x * 10.0).round() / 10.0))
         };
         cells.extend([study.times.draw, study.times.fill].map(cost));
-        for core in study.costs {
-            cells.extend(self::cells(core).map(cost));
+        for ((core, _), costs) in CORES.iter().zip(study.costs) {
+            cells.extend(self::cells(core, costs).into_iter().map(cost));
         }
         let _ = writeln!(text, "{}", cells.join(","));
     }

@@ -65,12 +65,18 @@ impl Study {
         }
     }
 
-    /// What a sample costs on a target, generator included.
+    /// What a sample costs on a target, generator included: nanoseconds, cycles, or instructions of WASM.
     pub fn cost(&self, target: usize) -> Option<f64> {
         match target.checked_sub(1) {
             None => self.times.draw,
-            Some(core) => self.costs[core].drawn,
+            Some(core) => self.costs[core].whole(CORES[core].0),
         }
+    }
+
+    /// The longest that a sample has been seen to take, where that is known.
+    pub fn longest(&self, target: usize) -> Option<f64> {
+        let cycles = self.costs[target.checked_sub(1)?].cycles;
+        cycles.map(|cycles| cycles.longest)
     }
 
     /// Cost and error on a target, if both are known.

@@ -43,9 +43,9 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost fixed PhongLobe -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `fine`: 330 on a Cortex-M0 (960 bytes), 171 on a Cortex-M3.
-/// - `coarse`: 277 on a Cortex-M0 (872 bytes), 141 on a Cortex-M3.
-/// - `compact`: 486 on a Cortex-M0 (1,596 bytes), 287 on a Cortex-M3.
+/// - `fine`: 359 on a Cortex-M0 (1,296 bytes), 182 on a Cortex-M3.
+/// - `coarse`: 309 on a Cortex-M0 (1,080 bytes), 149 on a Cortex-M3.
+/// - `compact`: 497 on a Cortex-M0 (1,796 bytes), 279 on a Cortex-M3.
 /// <!-- end -->
 ///
 /// # Examples

@@ -49,7 +49,7 @@ use core::marker::PhantomData;
 /// <!-- generated: cost PhongLobe -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 144 on a Cortex-M4F (740 bytes), 7,834 on a Cortex-M0, 266 as WASM.
-/// - `libm`: 2,291 on a Cortex-M4F (8,352 bytes), 12,921 on a Cortex-M0, 369 as WASM.
+/// - `libm`: 2,291 on a Cortex-M4F (8,352 bytes), 12,966 on a Cortex-M0, 369 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -8,6 +8,7 @@
 //! `MICROWARP_WRITE=1 cargo test --test accuracy` writes the page and the worst cases anew.
 
 mod families;
+mod hard;
 mod page;
 
 use page::Measured;

@@ -24,6 +24,21 @@ pub struct Entry {
     pub outputs: usize,
     /// Runs once before all calls.
     pub prepare: fn(),
+    /// Its warp, as `hard.csv` calls it; nothing where it is no warp.
+    #[cfg_attr(not(sweep), allow(dead_code, reason = "a sweep asks for it"))]
+    pub warp: &'static str,
+    /// How its warp is made of other parameters.
+    #[cfg_attr(not(sweep), allow(dead_code, reason = "a sweep asks for it"))]
+    pub vary: Option<Vary>,
+}
+
+/// How a warp that lies in memory is made of parameters.
+#[cfg_attr(not(sweep), allow(dead_code, reason = "a sweep asks for it"))]
+pub struct Vary {
+    /// The constructors, by their names.
+    pub constructors: &'static [&'static str],
+    /// Calls one of them with parameters of words, of which there must be enough; nothing where it refuses them.
+    pub make: fn(&str, &mut dyn Iterator<Item = u32>) -> Option<()>,
 }
 
 const MOST_INPUTS: usize = 4;
@@ -180,8 +195,8 @@ fn generator(chunk: u32) -> Pcg32 {
     Pcg32::new(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(chunk.into()), 54)
 }
 
-/// Makes the inputs of a chunk of calls, of random words or of what is made of them by the number of the input.
-fn fill(entry: &Entry, chunk: u32, mut word: impl FnMut(&mut Pcg32, usize) -> u32) {
+/// Makes the inputs of a chunk of calls, by the generator of the chunk and the number of the input.
+pub fn fill(entry: &Entry, chunk: u32, mut bits: impl FnMut(&mut Pcg32, usize) -> u32) {
     let mut random = generator(chunk);
     if entry.inputs.is_empty() {
         // SAFETY: the buffer is aligned for a generator, and nothing else uses it while it is filled.
@@ -189,36 +204,16 @@ fn fill(entry: &Entry, chunk: u32, mut word: impl FnMut(&mut Pcg32, usize) -> u3
         return;
     }
     for index in 0..CALLS * entry.inputs.len() {
-        let bits = entry.inputs[index % entry.inputs.len()];
         // SAFETY: within the buffer.
-        unsafe {
-            inputs()
-                .add(index)
-                .write_volatile(bits(word(&mut random, index)))
-        }
+        unsafe { inputs().add(index).write_volatile(bits(&mut random, index)) }
     }
 }
 
-/// Makes the inputs of a chunk of calls.
+/// Makes the inputs of a chunk of calls, of random words.
 pub fn refill(entry: &Entry, chunk: u32) {
-    fill(entry, chunk, |random, _| random.next_u32());
-}
-
-/// Calls the kernel with inputs from the whole range and its edges, for the plugin that counts each call by itself:
-/// 2^16 times, or until 2^30 cycles have gone.
-#[cfg(sweep)]
-fn sweep(entry: &Entry) {
-    let (axes, mut spent) = (entry.inputs.len(), 0_u64);
-    for chunk in 0..65536 / CALLS as u32 {
-        fill(entry, CHUNKS + chunk, |random, index| {
-            let call = chunk * CALLS as u32 + (index / axes) as u32;
-            crate::edges::word(random, call, index % axes, axes)
-        });
-        spent += u64::from(run(entry, entry.kernel).0);
-        if spent >> 30 > 0 {
-            break;
-        }
-    }
+    fill(entry, chunk, |random, index| {
+        entry.inputs[index % entry.inputs.len()](random.next_u32())
+    });
 }
 
 /// A hash of nothing.
@@ -239,6 +234,8 @@ pub fn hashed(entry: &Entry, mut hash: u32) -> u32 {
 pub fn measure(entry: &Entry) -> [u32; 8] {
     let entry = black_box(entry);
     (entry.prepare)();
+    #[cfg(sweep)]
+    crate::sweep::prepare(entry);
     start_clock();
     let long = calibrate(black_box(10_000));
     let short = calibrate(black_box(5_000));
@@ -253,7 +250,7 @@ pub fn measure(entry: &Entry) -> [u32; 8] {
         hash = hashed(entry, hash);
     }
     #[cfg(sweep)]
-    sweep(entry);
+    crate::sweep::sweep(entry);
     [
         CALLS as u32 * CHUNKS,
         long,

@@ -40,3 +40,20 @@ pub static REGISTRY: [&[Entry]; 16] = [
     tables::ENTRIES,
     tables::RESAMPLING,
 ];
+
+/// Warps whose parameters are varied, and nothing for those that have none.
+pub static VARIED: [&[&[Option<Entry>]]; 6] = [
+    float::POLY_VARIED,
+    float::LIBM_VARIED,
+    integer::FINE_VARIED,
+    integer::COARSE_VARIED,
+    integer::COMPACT_VARIED,
+    integer::PLAIN_VARIED,
+];
+
+/// The one that a measurement has left.
+pub fn entry() -> Option<&'static Entry> {
+    let varied = VARIED.iter().copied().flatten();
+    let varied = varied.copied().flatten().flatten();
+    REGISTRY.iter().copied().flatten().chain(varied).next()
+}

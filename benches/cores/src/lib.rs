@@ -8,11 +8,16 @@
 mod count;
 #[cfg(sweep)]
 mod edges;
+#[cfg(sweep)]
+mod hard;
 mod kernels;
 #[cfg(target_arch = "wasm32")]
 mod module;
 mod registry;
+#[cfg(sweep)]
+mod sweep;
 mod textbook;
+mod varied;
 mod words;
 
 use core::ptr::{addr_of, addr_of_mut};
@@ -58,7 +63,7 @@ pub unsafe extern "C" fn reset() -> ! {
         cpacr.write_volatile(cpacr.read_volatile() | 0xF << 20);
         core::arch::asm!("dsb", "isb");
     }
-    if let Some(entry) = kernels::REGISTRY.iter().copied().flatten().next() {
+    if let Some(entry) = kernels::entry() {
         say(&count::measure(entry));
     }
     exit(true)

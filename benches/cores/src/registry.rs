@@ -20,18 +20,27 @@ macro_rules! kernels {
     };
 }
 
-/// `LIST "prefix_" module, "name" uniforms number -> point = warp, ...`
+/// `LIST "prefix_" module "room ", Type "name" uniforms number -> point = warp, ...`
 ///
 /// Warps of one tier, whose names are in `module`, each from uniforms in memory and drawn with a generator. The names
 /// of the kernels are `prefix_name` and `prefix_name_pcg32`. The uniforms are named, one alone or several in brackets.
 macro_rules! warp_entries {
-    ($list:ident $prefix:literal $module:ident, $($name:literal $u:tt $number:ident -> $out:ty = $warp:expr,)*) => {
+    (
+        $list:ident $prefix:literal $module:ident $room:literal,
+        $($type:ident $name:literal $u:tt $number:ident -> $out:ty = $warp:expr,)*
+    ) => {
         /// Every entry; a measurement leaves one.
         pub static $list: &[$crate::count::Entry] = &[$(
-            #[cfg(any(not(one_kernel), all(prefix = $prefix, warp = $name, not(drawn))))]
-            $crate::registry::sampled!((concat!($prefix, $name)) $number $u -> $out = $module $warp),
+            #[cfg(any(not(one_kernel), all(prefix = $prefix, warp = $name, not(drawn), not(varied))))]
+            $crate::count::Entry {
+                warp: concat!($room, stringify!($type)),
+                ..$crate::registry::sampled!((concat!($prefix, $name)) $number $u -> $out = $module $warp)
+            },
             #[cfg(any(not(one_kernel), all(prefix = $prefix, warp = $name, drawn)))]
-            $crate::registry::drawn!((concat!($prefix, $name, "_pcg32")) -> $out = $module $warp),
+            $crate::count::Entry {
+                warp: concat!($room, stringify!($type)),
+                ..$crate::registry::drawn!((concat!($prefix, $name, "_pcg32")) -> $out = $module $warp)
+            },
         )*];
     };
 }
@@ -91,6 +100,8 @@ macro_rules! entry {
             inputs: &[$(<$type as $crate::words::Input>::bits),+],
             outputs: <$out as $crate::words::Output>::WORDS,
             prepare: || $prepare,
+            warp: "",
+            vary: None,
         }
     }};
     (($name:expr) ($rng:ident) -> $out:ty = $body:expr, $prepare:expr) => {{
@@ -108,6 +119,8 @@ macro_rules! entry {
             inputs: &[],
             outputs: <$out as $crate::words::Output>::WORDS,
             prepare: || $prepare,
+            warp: "",
+            vary: None,
         }
     }};
 }
@@ -125,21 +138,32 @@ pub const fn ok<T: Copy>(result: Result<T, Error>) -> T {
 /// Memory for what a kernel finds ready: a warp whose constructor is no `const fn`, or the state of a chain.
 static mut STORED: [u64; 48] = [0; 48];
 
+/// Where it lies.
+#[inline(always)]
+pub fn stored_at<T>() -> *mut T {
+    (&raw mut STORED).cast()
+}
+
 /// What `made` has put into memory; the kernel's side of `stored`.
 #[inline(always)]
 pub fn loaded<T>(_: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
     // SAFETY: the preparation of the same entry, which is the only one, has written the same type there; there is
     // one thread, and a kernel calls this once.
-    unsafe { &mut *(&raw mut STORED).cast() }
+    unsafe { &mut *stored_at() }
+}
+
+/// Puts it there.
+pub fn made<T>(make: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
+    let Ok(made) = make() else { panic!("refused") };
+    store(made)
 }
 
 /// Puts it there, in a way that the compiler cannot see through, so that the kernel really loads it.
-pub fn made<T>(make: impl FnOnce() -> Result<T, Error>) -> &'static mut T {
+pub fn store<T>(made: T) -> &'static mut T {
     const {
         assert!(size_of::<T>() <= size_of::<[u64; 48]>() && align_of::<T>() <= align_of::<u64>());
     }
-    let Ok(made) = make() else { panic!("refused") };
-    let at = (&raw mut STORED).cast::<T>();
+    let at = stored_at::<T>();
     // SAFETY: there is room, by the assertion, and one thread.
     unsafe {
         at.write(black_box(made));

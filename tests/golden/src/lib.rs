@@ -35,6 +35,18 @@ pub struct Listed {
     pub kernels: &'static [&'static str],
     /// Why there are none.
     pub no_kernel: Option<&'static str>,
+    /// The names in other languages, and the constructors.
+    pub bound: &'static [(&'static str, &'static str)],
+}
+
+impl Listed {
+    /// The names of what takes parameters, whose kernels `benches/cores` sweeps with any of them.
+    pub fn varied(&self) -> impl Iterator<Item = &'static str> {
+        let alone = ["new()", "new ()"];
+        let takes = move |made: &str| !alone.iter().any(|new| made.starts_with(new));
+        let varied = self.bound.iter().filter(move |(_, made)| takes(made));
+        varied.map(|(name, _)| *name)
+    }
 }
 
 macro_rules! listed {
@@ -44,13 +56,15 @@ macro_rules! listed {
             $($kernel:literal $u:tt $(: $number:ident)? -> $out:ty = $cost:expr,)*
             $(none $reason:literal)?
         }
-        page $page:tt bind $bind:tt
+        page $page:tt
+        bind { $($bound:literal = $bound_type:ty { $($made:tt)* })* $(none $unbound:literal)? }
     })*) => {
         pub const $list: &[Listed] = &[$(Listed {
             name: stringify!($type),
             golden: &[$($golden),*],
             kernels: &[$($kernel),*],
             no_kernel: [$(Some($reason),)? None][0],
+            bound: &[$(($bound, stringify!($($made)*)),)*],
         }),*];
     };
 }

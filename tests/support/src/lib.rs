@@ -42,3 +42,5 @@ pub fn root() -> PathBuf {
 
 /// What `benches/cores` has measured and recorded.
 pub const COSTS: &str = include_str!("../../../benches/cores/costs.csv");
+/// Cycles by the tables of the manuals, and the longest that a call was seen to take.
+pub const CYCLES: &str = include_str!("../../../benches/cores/cycles.csv");

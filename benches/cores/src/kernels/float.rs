@@ -1,20 +1,22 @@
 //! The warps of both float tiers, which `tests/golden/src/warps.rs` lists. Those of no tier are in both, too.
 
 use crate::registry::{ok, warp_entries};
+use crate::varied::varied_entries;
 use microwarp::{Warp, libm, poly};
 
 macro_rules! entries {
-    ($tier:tt $($type:ident {
+    (($list:ident $varied:ident $($tier:tt)*) $($type:ident {
         golden $golden:tt
         cost { $($name:literal $u:tt -> $out:ty = $warp:expr,)* $(none $reason:literal)? }
         page $page:tt bind $bind:tt
     })*) => {
-        entries! { @ $tier $($($name $u f32 -> $out = $warp,)*)* }
+        entries! { @ $list ($($tier)* "") $($($type $name $u f32 -> $out = $warp,)*)* }
+        varied_entries! { $varied ($($tier)* "") $($type $bind)* }
     };
-    (@ ($($tier:tt)*) $($rest:tt)*) => {
-        warp_entries! { $($tier)*, $($rest)* }
+    (@ $list:ident ($($tier:tt)*) $($rest:tt)*) => {
+        warp_entries! { $list $($tier)*, $($rest)* }
     };
 }
 
-microwarp_golden::float_warps!(entries(POLY "poly_" poly));
-microwarp_golden::float_warps!(entries(LIBM "libm_" libm));
+microwarp_golden::float_warps!(entries(POLY POLY_VARIED "poly_" poly));
+microwarp_golden::float_warps!(entries(LIBM LIBM_VARIED "libm_" libm));

@@ -1,15 +1,13 @@
 //! The tables of docs/worst_case.md, from benches/cores/cycles.csv.
 
-use crate::sources::{Sources, grouped};
+use crate::sources::{Sources, TIERS, grouped};
 use crate::tables::rows;
-use microwarp::rejection::{
-    BallRejection, DiskRejection, ZigguratStandardExponential, ZigguratStandardNormal,
-};
+use microwarp_golden::Listed;
 use microwarp_upkeep::{Outcome, read};
 use std::collections::BTreeSet;
 
 /// The processors as cycles.csv names their timings.
-const TIMINGS: [(&str, &str); 5] = [
+pub const TIMINGS: [(&str, &str); 5] = [
     ("m0", "Cortex-M0"),
     ("m0_slow", "M0, multiplying in 32"),
     ("m0plus", "Cortex-M0+"),
@@ -37,6 +35,22 @@ pub struct Row {
     pub longest: f64,
 }
 
+impl Row {
+    /// Somebody else's, or only another row's function with a generator or with other parameters.
+    fn is_beside(&self, all: &BTreeSet<&str>) -> bool {
+        let alone = self.kernel.strip_suffix("_pcg32");
+        self.kernel.starts_with("peer_")
+            || self.kernel.ends_with("_any")
+            || alone.is_some_and(|alone| all.contains(alone))
+    }
+}
+
+/// The rows of functions alone.
+fn alone(all: &[Row]) -> Vec<&Row> {
+    let names = all.iter().map(|row| row.kernel.as_str()).collect();
+    all.iter().filter(|row| !row.is_beside(&names)).collect()
+}
+
 /// In the order of the file.
 pub fn all() -> Outcome<Vec<Row>> {
     const FILE: &str = "benches/cores/cycles.csv";
@@ -60,7 +74,7 @@ pub fn all() -> Outcome<Vec<Row>> {
         .collect()
 }
 
-fn whole(number: f64) -> String {
+pub fn whole(number: f64) -> String {
     grouped(number.round_ties_even() as u64)
 }
 
@@ -74,6 +88,16 @@ fn range([low, high]: [f64; 2]) -> String {
     }
 }
 
+/// One figure of a row.
+pub fn figure(timing: &str, kernel: &str, of: fn(&Row) -> f64) -> Outcome<u64> {
+    let all = all()?;
+    let row = all
+        .iter()
+        .find(|row| row.kernel == kernel && row.timing == timing);
+    row.map(|row| of(row).round_ties_even() as u64)
+        .ok_or_else(|| format!("cycles.csv has no {kernel} on {timing}"))
+}
+
 /// What the inputs decide.
 fn decided(path: &str) -> Outcome<&'static str> {
     match path {
@@ -85,16 +109,22 @@ fn decided(path: &str) -> Outcome<&'static str> {
     }
 }
 
-/// `PATTERN TIMING...`: the kernels of a tier, or those named with `|` between, by some timings of one core.
+/// `PATTERN TIMING...`: the kernels of a tier, those of any parameters (`poly_any`), or those named with `|` between, by some
+/// timings of one core.
 pub fn table(words: &str) -> Outcome<String> {
     let mut words = words.split(' ');
     let (pattern, timings) = (words.next().unwrap_or_default(), words.collect::<Vec<_>>());
     let (first, others) = timings.split_first().ok_or("which timings?")?;
     let all = all()?;
-    let chosen = |kernel: &str| {
-        pattern
+    let chosen = |kernel: &str| match pattern.strip_suffix("any") {
+        Some(tier) => kernel.starts_with(tier) && kernel.ends_with("_any"),
+        None => pattern
             .split('|')
-            .any(|part| kernel == part || (part.ends_with('_') && kernel.starts_with(part)))
+            .any(|part| kernel == part || (part.ends_with('_') && kernel.starts_with(part))),
+    };
+    let considered = match pattern.ends_with("any") {
+        true => all.iter().collect(),
+        false => alone(&all),
     };
     let mut head = vec!["".into(), "instructions: mean".into(), "most".into()];
     head.push(format!("{}: least", title(first)?));
@@ -114,8 +144,8 @@ pub fn table(words: &str) -> Outcome<String> {
         head.clone(),
         (0..head.len()).map(|i| line(i).into()).collect(),
     ];
-    for row in all
-        .iter()
+    for row in considered
+        .into_iter()
         .filter(|row| row.timing == *first && chosen(&row.kernel))
     {
         let mut cells = vec![
@@ -144,6 +174,7 @@ pub fn table(words: &str) -> Outcome<String> {
 /// Which functions take the same time for every input, by timing.
 pub fn constant() -> Outcome<String> {
     let all = all()?;
+    let all = alone(&all);
     let mut table = vec![
         vec![
             "".into(),
@@ -178,105 +209,12 @@ pub fn constant() -> Outcome<String> {
     Ok(rows(&table))
 }
 
-/// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
-fn rejections() -> [(&'static str, f64, u32, bool); 6] {
-    use microwarp::fixed as integer;
-    let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
-    [
-        (
-            "rejection_disk_pcg32",
-            DiskRejection::EFFICIENCY.into(),
-            DiskRejection::BUDGET,
-            true,
-        ),
-        (
-            "rejection_ball_pcg32",
-            BallRejection::EFFICIENCY.into(),
-            BallRejection::BUDGET,
-            true,
-        ),
-        (
-            "fixed_rejection_disk_pcg32",
-            share(integer::DiskRejection::EFFICIENCY.to_bits()),
-            integer::DiskRejection::BUDGET,
-            true,
-        ),
-        (
-            "fixed_rejection_disk_16_pcg32",
-            share(integer::DiskRejection16::EFFICIENCY.to_bits()),
-            integer::DiskRejection16::BUDGET,
-            true,
-        ),
-        (
-            "rejection_ziggurat_standard_normal_pcg32",
-            ZigguratStandardNormal::EFFICIENCY.into(),
-            ZigguratStandardNormal::BUDGET,
-            false,
-        ),
-        (
-            "rejection_ziggurat_standard_exponential_pcg32",
-            ZigguratStandardExponential::EFFICIENCY.into(),
-            ZigguratStandardExponential::BUDGET,
-            false,
-        ),
-    ]
-}
-
-/// Upper ends throughout. A further try of a region takes what the mean exceeds the least by, over the tries beyond the first.
-pub fn rejection() -> Outcome<String> {
-    let all = all()?;
-    let mut head: Vec<String> = vec![
-        "".into(),
-        "efficiency".into(),
-        "budget".into(),
-        "spent with probability".into(),
-    ];
-    for timing in ["m0plus", "m4f"] {
-        let title = title(timing)?;
-        head.extend([
-            format!("{title}: mean"),
-            "longest seen".into(),
-            "a further try".into(),
-            "all tries".into(),
-        ]);
-    }
-    let line = |i: usize| if i == 0 { "---" } else { "--:" };
-    let mut table = vec![
-        head.clone(),
-        (0..head.len()).map(|i| line(i).into()).collect(),
-    ];
-    for (kernel, efficiency, budget, alike) in rejections() {
-        let tries = f64::from(budget);
-        let power = tries * (1.0 - efficiency).log2();
-        let mut cells = vec![
-            format!("`{kernel}`"),
-            format!("{efficiency:.3}"),
-            budget.to_string(),
-            format!("2^{power:.0}"),
-        ];
-        for timing in ["m0plus", "m4f"] {
-            let row = all
-                .iter()
-                .find(|row| row.kernel == kernel && row.timing == timing);
-            let row = row.ok_or_else(|| format!("cycles.csv has no {kernel} on {timing}"))?;
-            let further = (row.mean[1] - row.least) / (1.0 / efficiency - 1.0);
-            let (each, most) = if alike {
-                (whole(further), row.least + (tries - 1.0) * further)
-            } else {
-                (String::new(), tries * row.longest)
-            };
-            cells.extend([whole(row.mean[1]), whole(row.longest), each, whole(most)]);
-        }
-        table.push(cells);
-    }
-    Ok(rows(&table))
-}
-
-/// cycles.csv counts the instructions of costs.csv, and has every function by every timing but for peers, paths, and what
-/// only draws for another.
+/// cycles.csv counts the instructions of costs.csv, and has every function by every timing but for paths, and what takes any
+/// parameters in a tier's first grade. What only draws for another, and any parameters in the others, may be there.
 pub fn tidy(sources: &Sources, kernels: &BTreeSet<String>) -> Outcome<Vec<String>> {
     let mut wrong = Vec::new();
     let mut found = BTreeSet::new();
+    let varied: BTreeSet<String> = varied().collect();
     for row in all()? {
         let (kernel, timing) = (&row.kernel, &row.timing);
         let core = if timing.starts_with("m0") {
@@ -284,26 +222,31 @@ pub fn tidy(sources: &Sources, kernels: &BTreeSet<String>) -> Outcome<Vec<String
         } else {
             timing
         };
-        if !kernels.contains(kernel) {
+        if !kernels.contains(kernel) && !varied.contains(kernel) {
             wrong.push(format!(
                 "cycles.csv has {kernel}, and there is no such kernel"
             ));
-        } else if (sources.cost(kernel, core, "3", 0)? - row.instructions[0]).abs() > 0.101 {
+        } else if kernels.contains(kernel)
+            && (sources.cost(kernel, core, "3", 0)? - row.instructions[0]).abs() > 0.101
+        {
             wrong.push(format!(
                 "{kernel} on {timing}: cycles.csv and costs.csv differ: --costs --kernel '^{kernel}$'"
             ));
         }
         found.insert((row.kernel, row.timing));
     }
-    let draws = |kernel: &String| {
-        kernel
-            .strip_suffix("_pcg32")
-            .is_some_and(|alone| kernels.contains(alone))
+    let draws = |kernel: &str| {
+        let alone = kernel.strip_suffix("_pcg32");
+        alone.is_some_and(|alone| kernels.contains(alone))
     };
-    let timed = |kernel: &&String| {
-        !kernel.starts_with("peer_") && !kernel.contains("_path_") && !draws(kernel)
+    let timed = |kernel: &&String| !kernel.contains("_path_") && !draws(kernel);
+    let of_grade = |kernel: &str| {
+        ["libm_", "coarse_", "compact_"]
+            .iter()
+            .any(|tier| kernel.starts_with(tier))
     };
-    for kernel in kernels.iter().filter(timed) {
+    let any = varied.iter().filter(|kernel| !of_grade(kernel));
+    for kernel in kernels.iter().filter(timed).chain(any) {
         let all = TIMINGS
             .iter()
             .all(|(timing, _)| found.contains(&(kernel.clone(), timing.to_string())));
@@ -314,4 +257,12 @@ pub fn tidy(sources: &Sources, kernels: &BTreeSet<String>) -> Outcome<Vec<String
         }
     }
     Ok(wrong)
+}
+
+/// The kernels of warps that take any parameters.
+fn varied() -> impl Iterator<Item = String> {
+    TIERS.into_iter().flat_map(|(warps, tiers)| {
+        let names = warps.iter().flat_map(Listed::varied);
+        names.flat_map(move |name| tiers.iter().map(move |tier| format!("{tier}{name}_any")))
+    })
 }

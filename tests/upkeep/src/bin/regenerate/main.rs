@@ -3,10 +3,12 @@
 //! Here lives the list of steps. Each is a file of its own, or a command that the repository has for it.
 
 mod cycles;
+mod every;
 mod golden;
 mod host;
 mod javascript;
 mod pages;
+mod rejection;
 mod scene;
 mod sources;
 mod tables;
@@ -19,7 +21,7 @@ Regenerates what is derived from the sources, in this order:
 
     golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
     javascript bindings/js: warps.js, warps.d.ts, reasons.js, test/expected.json
-    accuracy   docs/accuracy.md, from `cargo test --test accuracy`
+    accuracy   docs/accuracy.md and benches/cores/hard.csv, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
     sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/sizes/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
@@ -203,7 +205,7 @@ fn accuracy(args: &Args) -> Outcome {
         written_by_tests(args, "accuracy", &["statements_hold"], &[])?;
         written_by_tests(args, "fixed_warps", &["statements_hold_for_all"], &[])?;
     }
-    Ok(())
+    written_by_tests(args, "accuracy", &["take_the_hard_inputs"], &[])
 }
 
 fn costs(args: &Args) -> Outcome {

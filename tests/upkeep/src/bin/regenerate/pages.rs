@@ -12,10 +12,11 @@ use crate::sources::Sources;
 use crate::tables::{block, figure};
 use microwarp_upkeep::{Outcome, read, write};
 
-const PAGES: [&str; 8] = [
+const PAGES: [&str; 9] = [
     "README.md",
     "docs/c.md",
     "docs/costs.md",
+    "docs/every_sampler.md",
     "docs/peers.md",
     "docs/promises.md",
     "docs/worst_case.md",

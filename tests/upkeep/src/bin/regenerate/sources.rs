@@ -202,6 +202,13 @@ fn is(line: &str, item: &str) -> bool {
     rest.is_some_and(|rest| rest.split(['<', '(', ' ', ';', ':']).next() == Some(item))
 }
 
+/// The lists of warps, and how the names of their kernels begin.
+pub const TIERS: [(&[Listed], &[&str]); 3] = [
+    (FLOAT_WARPS, &["poly_", "libm_"]),
+    (GRADED_WARPS, &["fine_", "coarse_", "compact_"]),
+    (PLAIN_WARPS, &[""]),
+];
+
 /// The names of the kernels: those of the warps in the lists for cores, each in its tiers and drawn, and the string
 /// literals with which lines of benches/cores begin.
 fn kernels() -> BTreeSet<String> {
@@ -209,12 +216,7 @@ fn kernels() -> BTreeSet<String> {
     all_code(&root().join("benches/cores/src/kernels"), &mut code);
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     let mut names = BTreeSet::new();
-    let lists: [(&[Listed], &[&str]); 3] = [
-        (FLOAT_WARPS, &["poly_", "libm_"]),
-        (GRADED_WARPS, &["fine_", "coarse_", "compact_"]),
-        (PLAIN_WARPS, &[""]),
-    ];
-    for (warps, tiers) in lists {
+    for (warps, tiers) in TIERS {
         for (kernel, tier) in warps
             .iter()
             .flat_map(|w| w.kernels)

@@ -1,7 +1,7 @@
 //! The tables of the pages: which rows each has, and which figures stand in a row.
 
 use crate::sources::{Sources, grouped};
-use crate::{cycles, scene};
+use crate::{cycles, every, rejection, scene};
 use microwarp_golden::{FLOAT_WARPS, GRADED_WARPS, Listed};
 use microwarp_upkeep::{Outcome, read};
 
@@ -30,7 +30,9 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "scene" => scene::accuracy(),
         "six" => six(sources),
         "constant" => cycles::constant(),
-        "rejection cycles" => cycles::rejection(),
+        "peers cycles" => every::beside_peers(sources),
+        _ if name.starts_with("every ") => every::every(&name[6..], sources),
+        "rejection cycles" => rejection::table(),
         _ if name.starts_with("cycles ") => cycles::table(&name[7..]),
         _ if name.starts_with("cost ") => cost(&name[5..], sources),
         _ if name.starts_with("points ") => points(&name[7..], sources),
@@ -47,6 +49,8 @@ pub fn figure(expression: &str, sources: &Sources) -> Outcome<String> {
         ["flash", core, name] => sources.flash(core, name)?,
         ["golden", "words"] => sources.golden().0,
         ["golden", "cases"] => sources.golden().1,
+        ["cycles", timing, kernel] => cycles::figure(timing, kernel, |row| row.mean[1])?,
+        ["longest", timing, kernel] => cycles::figure(timing, kernel, |row| row.longest)?,
         ["ns", bench, name] => return sources.nanoseconds(bench, name),
         _ => return Err(format!("no figure is called {expression:?}")),
     };
@@ -72,12 +76,11 @@ pub fn rows(rows: &[Vec<String>]) -> String {
     rows.iter().map(row).collect()
 }
 
-/// A warp of the float tiers, its kernel and bench, and the row of its errors.
+/// A warp of the float tiers, its kernel, which is the name of its bench, and the row of its errors.
 struct Warp {
     label: &'static str,
     name: &'static str,
     error: &'static str,
-    bench: &'static str,
     kernel: &'static str,
 }
 
@@ -85,32 +88,30 @@ const fn warp(
     label: &'static str,
     name: &'static str,
     error: &'static str,
-    bench: &'static str,
     kernel: &'static str,
 ) -> Warp {
     Warp {
         label,
         name,
         error,
-        bench,
         kernel,
     }
 }
 
 #[rustfmt::skip]
 const WARPS: [Warp; 12] = [
-    warp("`Disk`", "Disk", "sample", "disk", "disk"),
-    warp("`DiskConcentric`", "DiskConcentric", "sample", "disk_concentric", "disk_concentric"),
-    warp("`Sphere`", "Sphere", "sample", "sphere", "sphere"),
-    warp("`Hemisphere`", "Hemisphere", "sample", "hemisphere", "hemisphere"),
-    warp("`CosineHemisphere`", "CosineHemisphere", "sample", "cosine_hemisphere", "cosine_hemisphere"),
-    warp("`PhongLobe`, n = 50: sin θ", "PhongLobe", "sin θ, ulp", "phong_lobe", "phong_lobe_50"),
-    warp("`Cone`: sin θ", "Cone", "sin θ, ulp", "cone", "cone"),
-    warp("`Triangle`", "Triangle", "sample", "triangle", "triangle"),
-    warp("`Exponential`", "Exponential", "sample, ulp", "exponential", "exponential_1"),
-    warp("`TruncatedExponential`", "TruncatedExponential", "sample, ulp", "truncated_exponential", "truncated_exponential_2_3"),
-    warp("`Normal`", "Normal", "sample, ulp", "normal", "normal"),
-    warp("`NormalPair`, of its reach 5.77σ", "NormalPair", "sample", "normal_pair", "normal_pair"),
+    warp("`Disk`", "Disk", "sample", "disk"),
+    warp("`DiskConcentric`", "DiskConcentric", "sample", "disk_concentric"),
+    warp("`Sphere`", "Sphere", "sample", "sphere"),
+    warp("`Hemisphere`", "Hemisphere", "sample", "hemisphere"),
+    warp("`CosineHemisphere`", "CosineHemisphere", "sample", "cosine_hemisphere"),
+    warp("`PhongLobe`, n = 50: sin θ", "PhongLobe", "sin θ, ulp", "phong_lobe_50"),
+    warp("`Cone`: sin θ", "Cone", "sin θ, ulp", "cone"),
+    warp("`Triangle`", "Triangle", "sample", "triangle"),
+    warp("`Exponential`", "Exponential", "sample, ulp", "exponential_1"),
+    warp("`TruncatedExponential`", "TruncatedExponential", "sample, ulp", "truncated_exponential_2_3"),
+    warp("`Normal`", "Normal", "sample, ulp", "normal"),
+    warp("`NormalPair`, of its reach 5.77σ", "NormalPair", "sample", "normal_pair"),
 ];
 
 /// The rows of the README's table.
@@ -143,7 +144,7 @@ fn six(sources: &Sources) -> Outcome<String> {
         text += &rows(&[vec![
             format!("`{name}`"),
             sources.stated(name, warp.error, "`poly`")? + unit,
-            sources.nanoseconds("warps", &format!("poly::{}::draw", warp.bench))?,
+            sources.nanoseconds("warps", &format!("poly::draw::{}", warp.kernel))?,
             grouped(sources.instructions("m4f", &kernel)?),
             grouped(sources.instructions("m0", &kernel)?),
             grouped(sources.instructions("m0", &format!("fine_{integer}_pcg32"))?),
@@ -219,23 +220,22 @@ fn warps(sources: &Sources) -> Outcome<String> {
         label,
         name,
         error,
-        bench,
         kernel,
     } in WARPS
     {
-        let kernel = format!("poly_{kernel}_pcg32");
+        let drawn = format!("poly_{kernel}_pcg32");
         let unit = if error.contains("ulp") { " ulp" } else { "" };
         let mut cells = vec![label.to_string()];
         for tier in ["`libm`", "`poly`"] {
             cells.push(sources.stated(name, error, tier)? + unit);
         }
-        for action in ["libm::_::draw", "poly::_::draw", "poly::_::fill"] {
-            cells.push(sources.nanoseconds("warps", &action.replace('_', bench))?);
+        for action in ["libm::draw::", "poly::draw::", "poly::fill::"] {
+            cells.push(sources.nanoseconds("warps", &format!("{action}{kernel}"))?);
         }
         for core in ["m4f", "m0", "wasm"] {
-            cells.push(grouped(sources.instructions(core, &kernel)?));
+            cells.push(grouped(sources.instructions(core, &drawn)?));
         }
-        cells.push(grouped(sources.code_at_s("m4f", &kernel)?));
+        cells.push(grouped(sources.code_at_s("m4f", &drawn)?));
         text += &rows(&[cells]);
     }
     Ok(text)

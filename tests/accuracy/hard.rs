@@ -1,0 +1,120 @@
+//! What is hard for a warp, as `benches/cores` sweeps it for the longest time: the parameters that the registry lists, and
+//! the worst parameters and uniforms that searches have found, in `benches/cores/hard.csv`.
+
+use std::fmt::Write as _;
+use support::registry::{Registered, of_tier};
+
+const FILE: &str = "benches/cores/hard.csv";
+
+const HEAD: &str = "\
+# Hard parameters and uniforms of a warp: warp; constructor; parameters; uniforms (words in hex).
+# From the registry and from worst.csv of the tests: `MICROWARP_WRITE=1 cargo test --test accuracy hard` writes it.
+";
+
+/// A constructor as programs call it, and its parameters. Those of some places of the registry are made of numbers that
+/// describe something else; their worst cases are left out.
+fn called(of: &Registered, numbers: &[f32]) -> Option<(&'static str, Vec<f32>)> {
+    let mut numbers = numbers.to_vec();
+    for &[low, high] in of.ordered {
+        if numbers[low] > numbers[high] {
+            numbers.swap(low, high);
+        }
+    }
+    let constructor = match (of.name, of.constructor) {
+        (_, "near" | "small") => return None,
+        ("Power", "from 0") => {
+            numbers.insert(1, 0.0);
+            "new"
+        }
+        ("Exponential" | "ExponentialTail" | "TruncatedExponential", "") => "from_rate",
+        ("SphericalPatch", "") => "from_turns",
+        ("Power", "near n=-1") | ("TriangleOn" | "Aabb", _) | (_, "") => "new",
+        (_, named) => named,
+    };
+    Some((constructor, numbers))
+}
+
+fn hex(words: impl Iterator<Item = u32>) -> String {
+    let words: Vec<String> = words.map(|word| format!("{word:x}")).collect();
+    words.join(" ")
+}
+
+/// The kept worst cases of a file: their families and the rows of theirs, as words.
+fn kept(file: &str) -> Vec<(String, [String; 2])> {
+    let text = std::fs::read_to_string(support::root().join("tests").join(file)).unwrap();
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    let cells = lines.map(|line| line.split(';').map(String::from).collect::<Vec<_>>());
+    cells
+        .map(|mut cells| {
+            let [label, _, parameters, uniforms] = cells.split_off(0).try_into().unwrap();
+            (label, [parameters, uniforms])
+        })
+        .collect()
+}
+
+fn words(text: &str) -> Vec<u32> {
+    let words = text.split_whitespace();
+    words
+        .map(|word| u32::from_str_radix(word, 16).unwrap())
+        .collect()
+}
+
+/// Each line once.
+fn table() -> String {
+    let (mut lines, worst) = (Vec::new(), kept("accuracy/worst.csv"));
+    let mut add = |line: String| {
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    };
+    for of in of_tier::<microwarp::tier::Poly>() {
+        let line = |numbers: &[f32], uniforms: &str| {
+            let (constructor, numbers) = called(&of, numbers)?;
+            let parameters = match of.name {
+                // A number of corners.
+                "RegularPolygon" => hex(numbers.iter().map(|x| *x as u32)),
+                _ => hex(numbers.iter().map(|x| x.to_bits())),
+            };
+            Some(format!("{};{constructor};{parameters};{uniforms}", of.name))
+        };
+        let cases = of.cases.iter().map(|(_, numbers, _)| numbers);
+        for numbers in cases.chain(&of.seeds).filter(|numbers| !numbers.is_empty()) {
+            line(numbers, "").map(&mut add);
+        }
+        let space = if of.constructor.is_empty() { "" } else { " " };
+        for tier in ["libm", "poly"] {
+            let label = format!("{}{space}{} {tier}", of.name, of.constructor);
+            for (_, [parameters, uniforms]) in worst.iter().filter(|(of, _)| *of == label) {
+                let numbers: Vec<f32> = words(parameters).into_iter().map(f32::from_bits).collect();
+                line(&numbers, &hex(words(uniforms).into_iter())).map(&mut add);
+            }
+        }
+    }
+    // The parameters of those are no words of constructors.
+    for (label, [_, uniforms]) in kept("fixed_warps/worst.csv") {
+        let name = label.split(' ').next().unwrap_or_default();
+        add(format!(
+            "fixed {name};;;{}",
+            hex(words(&uniforms).into_iter())
+        ));
+    }
+    let mut text = String::from(HEAD);
+    for line in lines {
+        let _ = writeln!(text, "{line}");
+    }
+    text
+}
+
+#[test]
+fn sweeps_for_the_longest_time_take_the_hard_inputs() {
+    let path = support::root().join(FILE);
+    let table = table();
+    if std::env::var_os("MICROWARP_WRITE").is_some() {
+        return std::fs::write(path, table).unwrap();
+    }
+    let is = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        is == table,
+        "{FILE} is not up to date: MICROWARP_WRITE=1 cargo test --test accuracy hard"
+    );
+}
