@@ -262,6 +262,7 @@ fn what_is_forgotten_is_noticed() {
         golden,
         kernels,
         no_kernel,
+        bound: &[],
     };
     let list = [
         listed("Disk", &["Disk"], &["disk"], None),

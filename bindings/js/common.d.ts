@@ -1,4 +1,4 @@
-export { CosineHemisphere, Disk, Exponential, Hemisphere, Interval, Normal, NormalPair, Sphere, Triangle } from "./warps.js";
+export { Disk, Exponential, Interval, Normal, NormalPair, Sphere, Triangle } from "./warps.js";
 export { Warp } from "./warp.js";
 export type { Vector2, Vector3 } from "./warp.js";
 export { Pcg32 } from "./source.js";
