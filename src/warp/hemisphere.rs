@@ -44,7 +44,7 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost Hemisphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 81 on a Cortex-M4F (372 bytes), 3,734 on a Cortex-M0, 152 as WASM.
+/// - `poly`: 81 on a Cortex-M4F (360 bytes), 3,734 on a Cortex-M0, 148 as WASM.
 /// - `libm`: 2,191 on a Cortex-M4F (6,720 bytes), 8,045 on a Cortex-M0, 197 as WASM.
 /// <!-- end -->
 ///
@@ -144,7 +144,7 @@ impl<T: Tier> Invert for Hemisphere<T> {
 /// # Cost
 /// <!-- generated: cost CosineHemisphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 83 on a Cortex-M4F (376 bytes), 3,819 on a Cortex-M0, 145 as WASM.
+/// - `poly`: 83 on a Cortex-M4F (364 bytes), 3,813 on a Cortex-M0, 144 as WASM.
 /// - `libm`: 2,193 on a Cortex-M4F (6,696 bytes), 8,127 on a Cortex-M0, 188 as WASM.
 /// <!-- end -->
 ///
