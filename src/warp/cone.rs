@@ -54,7 +54,7 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// <!-- generated: cost Cone -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 94 on a Cortex-M4F (628 bytes), 3,852 on a Cortex-M0, 157 as WASM.
-/// - `libm`: 2,206 on a Cortex-M4F (6,776 bytes), 8,638 on a Cortex-M0, 217 as WASM.
+/// - `libm`: 2,205 on a Cortex-M4F (6,896 bytes), 8,166 on a Cortex-M0, 202 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -45,7 +45,7 @@ use core::marker::PhantomData;
 /// <!-- generated: cost Hemisphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 81 on a Cortex-M4F (360 bytes), 3,734 on a Cortex-M0, 148 as WASM.
-/// - `libm`: 2,191 on a Cortex-M4F (6,720 bytes), 8,045 on a Cortex-M0, 197 as WASM.
+/// - `libm`: 2,191 on a Cortex-M4F (6,704 bytes), 8,046 on a Cortex-M0, 193 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -145,7 +145,7 @@ impl<T: Tier> Invert for Hemisphere<T> {
 /// <!-- generated: cost CosineHemisphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 83 on a Cortex-M4F (364 bytes), 3,813 on a Cortex-M0, 144 as WASM.
-/// - `libm`: 2,193 on a Cortex-M4F (6,696 bytes), 8,127 on a Cortex-M0, 188 as WASM.
+/// - `libm`: 2,193 on a Cortex-M4F (6,712 bytes), 8,122 on a Cortex-M0, 188 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

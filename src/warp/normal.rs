@@ -204,7 +204,7 @@ impl<T: Tier> Invert for Normal<T> {
 /// <!-- generated: cost NormalPair -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 110 on a Cortex-M4F (484 bytes), 4,975 on a Cortex-M0, 200 as WASM.
-/// - `libm`: 2,242 on a Cortex-M4F (7,344 bytes), 10,637 on a Cortex-M0, 291 as WASM.
+/// - `libm`: 2,238 on a Cortex-M4F (6,992 bytes), 10,460 on a Cortex-M0, 279 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

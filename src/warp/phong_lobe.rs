@@ -49,7 +49,7 @@ use core::marker::PhantomData;
 /// <!-- generated: cost PhongLobe -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 147 on a Cortex-M4F (732 bytes), 7,339 on a Cortex-M0, 266 as WASM.
-/// - `libm`: 2,291 on a Cortex-M4F (8,352 bytes), 12,966 on a Cortex-M0, 369 as WASM.
+/// - `libm`: 2,287 on a Cortex-M4F (8,088 bytes), 12,788 on a Cortex-M0, 360 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -43,7 +43,7 @@ use core::marker::PhantomData;
 /// <!-- generated: cost Sphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 86 on a Cortex-M4F (380 bytes), 3,839 on a Cortex-M0, 150 as WASM.
-/// - `libm`: 2,196 on a Cortex-M4F (6,736 bytes), 8,151 on a Cortex-M0, 198 as WASM.
+/// - `libm`: 2,196 on a Cortex-M4F (6,728 bytes), 8,150 on a Cortex-M0, 195 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

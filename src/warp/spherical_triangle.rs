@@ -69,7 +69,7 @@ use core::marker::PhantomData;
 /// <!-- generated: cost SphericalTriangle -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 200 on a Cortex-M4F (1,204 bytes), 13,230 on a Cortex-M0, 405 as WASM.
-/// - `libm`: 4,432 on a Cortex-M4F (7,648 bytes), 21,979 on a Cortex-M0, 570 as WASM.
+/// - `libm`: 4,411 on a Cortex-M4F (7,488 bytes), 21,835 on a Cortex-M0, 528 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
