@@ -164,7 +164,10 @@ impl<T: Tier> Warp for Exponential<T> {
 
     /// Blocks do not take this way: they compute with vectors.
     #[inline]
-    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Self::Point, R::Error>
+    where
+        Self: Sized,
+    {
         Ok(T::neg_ln_1m_of_word(rng.try_next_u32()?) / self.rate)
     }
 

@@ -19,7 +19,10 @@ macro_rules! planar {
         }
 
         #[inline]
-        fn sample_words(&self, words: [u32; 2]) -> Self::Point {
+        fn sample_words(
+            &self,
+            words: <Self::Uniforms as $crate::uniform::Uniforms>::Words,
+        ) -> Self::Point {
             let mut point = [0.0; $dimensions];
             $crate::warp::planar::put(self, words, &mut point);
             point
