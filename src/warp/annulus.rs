@@ -47,8 +47,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost Annulus -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 106 on a Cortex-M4F (484 bytes), 4,484 on a Cortex-M0, 180 as WASM.
-/// - `libm`: 2,215 on a Cortex-M4F (6,872 bytes), 8,792 on a Cortex-M0, 225 as WASM.
+/// - `poly`: 106 on a Cortex-M4F (464 bytes), 4,478 on a Cortex-M0, 177 as WASM.
+/// - `libm`: 2,215 on a Cortex-M4F (6,840 bytes), 8,788 on a Cortex-M0, 222 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

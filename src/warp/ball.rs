@@ -37,8 +37,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost Ball -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 146 on a Cortex-M4F (720 bytes), 6,740 on a Cortex-M0, 250 as WASM.
-/// - `libm`: 2,246 on a Cortex-M4F (7,072 bytes), 11,049 on a Cortex-M0, 295 as WASM.
+/// - `poly`: 146 on a Cortex-M4F (720 bytes), 6,739 on a Cortex-M0, 247 as WASM.
+/// - `libm`: 2,246 on a Cortex-M4F (7,072 bytes), 11,046 on a Cortex-M0, 292 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

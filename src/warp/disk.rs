@@ -144,8 +144,8 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// # Cost
 /// <!-- generated: cost DiskConcentric -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 113 on a Cortex-M4F (532 bytes), 3,640 on a Cortex-M0, 216 as WASM.
-/// - `libm`: 2,217 on a Cortex-M4F (6,832 bytes), 7,950 on a Cortex-M0, 264 as WASM.
+/// - `poly`: 113 on a Cortex-M4F (532 bytes), 3,637 on a Cortex-M0, 209 as WASM.
+/// - `libm`: 2,217 on a Cortex-M4F (6,832 bytes), 7,948 on a Cortex-M0, 256 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

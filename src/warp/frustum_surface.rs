@@ -48,8 +48,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost FrustumSurface -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 141 on a Cortex-M4F (764 bytes), 5,790 on a Cortex-M0, 249 as WASM.
-/// - `libm`: 2,249 on a Cortex-M4F (7,176 bytes), 10,105 on a Cortex-M0, 294 as WASM.
+/// - `poly`: 141 on a Cortex-M4F (764 bytes), 5,551 on a Cortex-M0, 243 as WASM.
+/// - `libm`: 2,249 on a Cortex-M4F (7,176 bytes), 9,867 on a Cortex-M0, 288 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -97,8 +97,8 @@ const fn sharpness([ax, ay]: [f32; 2]) -> f32 {
 /// # Cost
 /// <!-- generated: cost Ggx -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 99 on a Cortex-M4F (448 bytes), 5,536 on a Cortex-M0, 170 as WASM.
-/// - `libm`: 2,209 on a Cortex-M4F (6,760 bytes), 9,846 on a Cortex-M0, 215 as WASM.
+/// - `poly`: 99 on a Cortex-M4F (432 bytes), 5,536 on a Cortex-M0, 170 as WASM.
+/// - `libm`: 2,209 on a Cortex-M4F (6,792 bytes), 9,842 on a Cortex-M0, 215 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
@@ -265,8 +265,8 @@ pub struct Reflection {
 /// # Cost
 /// <!-- generated: cost GgxVisible -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 134 on a Cortex-M4F (700 bytes), 6,851 on a Cortex-M0, 243 as WASM.
-/// - `libm`: 2,245 on a Cortex-M4F (7,136 bytes), 11,160 on a Cortex-M0, 289 as WASM.
+/// - `poly`: 134 on a Cortex-M4F (656 bytes), 6,851 on a Cortex-M0, 243 as WASM.
+/// - `libm`: 2,245 on a Cortex-M4F (7,128 bytes), 11,160 on a Cortex-M0, 289 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

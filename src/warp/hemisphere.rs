@@ -252,8 +252,8 @@ impl<T: Tier> Invert for CosineHemisphere<T> {
 /// # Cost
 /// <!-- generated: cost MalleyHemisphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 143 on a Cortex-M4F (744 bytes), 4,826 on a Cortex-M0, 280 as WASM.
-/// - `libm`: 2,247 on a Cortex-M4F (6,976 bytes), 9,139 on a Cortex-M0, 299 as WASM.
+/// - `poly`: 143 on a Cortex-M4F (668 bytes), 4,833 on a Cortex-M0, 248 as WASM.
+/// - `libm`: 2,247 on a Cortex-M4F (6,984 bytes), 9,134 on a Cortex-M0, 295 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -54,8 +54,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost HenyeyGreenstein -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 109 on a Cortex-M4F (600 bytes), 5,267 on a Cortex-M0, 193 as WASM.
-/// - `libm`: 2,215 on a Cortex-M4F (6,936 bytes), 9,581 on a Cortex-M0, 238 as WASM.
+/// - `poly`: 109 on a Cortex-M4F (584 bytes), 5,265 on a Cortex-M0, 189 as WASM.
+/// - `libm`: 2,215 on a Cortex-M4F (6,928 bytes), 9,581 on a Cortex-M0, 234 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

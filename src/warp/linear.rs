@@ -42,8 +42,8 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 /// # Cost
 /// <!-- generated: cost Linear -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 91 on a Cortex-M4F (392 bytes), 5,285 on a Cortex-M0, 163 as WASM.
-/// - `libm`: 91 on a Cortex-M4F (192 bytes), 1,436 on a Cortex-M0, 53 as WASM.
+/// - `poly`: 91 on a Cortex-M4F (396 bytes), 5,301 on a Cortex-M0, 164 as WASM.
+/// - `libm`: 91 on a Cortex-M4F (396 bytes), 5,301 on a Cortex-M0, 164 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

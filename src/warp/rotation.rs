@@ -40,8 +40,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost Rotation -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 137 on a Cortex-M4F (540 bytes), 6,642 on a Cortex-M0, 259 as WASM.
-/// - `libm`: 4,365 on a Cortex-M4F (6,824 bytes), 15,259 on a Cortex-M0, 378 as WASM.
+/// - `poly`: 137 on a Cortex-M4F (540 bytes), 6,632 on a Cortex-M0, 249 as WASM.
+/// - `libm`: 4,365 on a Cortex-M4F (6,824 bytes), 15,252 on a Cortex-M0, 374 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

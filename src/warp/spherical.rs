@@ -209,8 +209,8 @@ pub(crate) fn length([x, y, z]: [f32; 3]) -> f32 {
 /// # Cost
 /// <!-- generated: cost SphericalPatch -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 108 on a Cortex-M4F (512 bytes), 5,515 on a Cortex-M0, 209 as WASM.
-/// - `libm`: 2,218 on a Cortex-M4F (6,784 bytes), 8,946 on a Cortex-M0, 229 as WASM.
+/// - `poly`: 108 on a Cortex-M4F (500 bytes), 5,506 on a Cortex-M0, 206 as WASM.
+/// - `libm`: 2,219 on a Cortex-M4F (6,816 bytes), 9,822 on a Cortex-M0, 251 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

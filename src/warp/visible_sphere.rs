@@ -67,8 +67,8 @@ pub struct SurfaceSample {
 /// # Cost
 /// <!-- generated: cost VisibleSphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 113 on a Cortex-M4F (724 bytes), 5,041 on a Cortex-M0, 216 as WASM.
-/// - `libm`: 2,227 on a Cortex-M4F (7,000 bytes), 9,341 on a Cortex-M0, 261 as WASM.
+/// - `poly`: 113 on a Cortex-M4F (704 bytes), 5,030 on a Cortex-M0, 212 as WASM.
+/// - `libm`: 2,226 on a Cortex-M4F (6,984 bytes), 9,339 on a Cortex-M0, 257 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -50,8 +50,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost VonMisesFisher -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 150 on a Cortex-M4F (1,708 bytes), 6,416 on a Cortex-M0, 246 as WASM.
-/// - `libm`: 2,264 on a Cortex-M4F (7,720 bytes), 11,338 on a Cortex-M0, 322 as WASM.
+/// - `poly`: 150 on a Cortex-M4F (1,692 bytes), 6,414 on a Cortex-M0, 242 as WASM.
+/// - `libm`: 2,264 on a Cortex-M4F (7,704 bytes), 11,338 on a Cortex-M0, 318 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
