@@ -128,7 +128,6 @@ fn ladder<W: Word>(ends: &[W], word: W) -> usize {
         }};
     }
     match ends.len() {
-        0..=2 => ends.iter().filter(|&&end| end <= word).count(),
         3..=5 => from!(3),
         6..=11 => from!(6 3),
         12..=23 => from!(12 6 3),
@@ -446,7 +445,7 @@ impl<W: Word, S: Storage<Item = W>> Cdf<S> {
         }
     }
 
-    /// The entry that a word belongs to. The search is here and nowhere else.
+    /// The entry that a word belongs to. Every search starts here.
     #[must_use]
     #[inline]
     pub fn index(&self, word: W) -> usize {
