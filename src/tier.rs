@@ -30,6 +30,10 @@ mod sealed {
         /// [`Tier::neg_ln_1m`](super::Tier::neg_ln_1m) of the uniform of the grid that a word stands for: quicker one by one,
         /// but not vectorised.
         fn neg_ln_1m_of_word(word: u32) -> f32;
+
+        /// [`Tier::normal_quantile_lower`](super::Tier::normal_quantile_lower) of a probability in `(0, 1/2]` for loops
+        /// with vectors: without a branch where the tier has such functions.
+        fn normal_quantile_lower_selected(p: f32) -> f32;
     }
 }
 

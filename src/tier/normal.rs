@@ -2,7 +2,7 @@
 //! of a tier. Callers get the upper half by symmetry. Both tiers share this file.
 
 use super::{Tier, exp_of_product};
-use crate::num::pair;
+use crate::num::{above_zero, pair};
 
 /// √(2π), the slope of `e^(-t²/2)/Φ(-t)` far out; see `SQRT_TAU` in `tests/derivation`.
 const SQRT_TAU: [f32; 1] = [2.506_628_3];
@@ -67,26 +67,47 @@ pub(crate) fn hazard_above(t: f32) -> f32 {
     }
 }
 
+/// From which `q = p - 1/2` on the quantile is that about the median.
+const CENTRE: f32 = -0.375;
+
+/// The quantile about the median.
+#[inline]
+fn central(q: f32) -> f32 {
+    let w = q * q;
+    let [n0, n1, n2, n3, n4] = CENTRAL;
+    let [d1, d2] = CENTRAL_OVER;
+    let numerator = n0 + w * (n1 + w * (n2 + w * (n3 + w * n4)));
+    let denominator = 1.0 + w * (d1 + w * d2);
+    // q is exact, so the relative error stays small up to the median.
+    2.5 * q + q * (numerator / denominator)
+}
+
+/// The quantile in the tail, from the logarithm of p.
+#[inline]
+fn outer<T: Tier>(log: f32) -> f32 {
+    let r = T::sqrt(-log);
+    let [n0, n1, n2, n3, n4] = TAIL;
+    let [d1, d2, d3] = TAIL_OVER;
+    let numerator = n0 + r * (n1 + r * (n2 + r * (n3 + r * n4)));
+    let denominator = 1.0 + r * (d1 + r * (d2 + r * d3));
+    // The most rounded term is the smallest, and r is added last.
+    (numerator / denominator - (0.5 * r - 1.0)) - r
+}
+
 /// The quantile of `p` in `(0, 1/2]`. Lower ones count as the smallest subnormal; higher ones, and NaN, as 1/2.
 pub(crate) fn quantile_lower<T: Tier>(p: f32) -> f32 {
     let q = if p < 0.5 { p - 0.5 } else { 0.0 };
-    if q >= -0.375 {
-        let w = q * q;
-        let [n0, n1, n2, n3, n4] = CENTRAL;
-        let [d1, d2] = CENTRAL_OVER;
-        let numerator = n0 + w * (n1 + w * (n2 + w * (n3 + w * n4)));
-        let denominator = 1.0 + w * (d1 + w * d2);
-        // q is exact, so the relative error stays small up to the median.
-        2.5 * q + q * (numerator / denominator)
+    if q >= CENTRE {
+        central(q)
     } else {
-        let smallest = f32::from_bits(1);
-        let p = if p > smallest { p } else { smallest };
-        let r = T::sqrt(-T::ln(p));
-        let [n0, n1, n2, n3, n4] = TAIL;
-        let [d1, d2, d3] = TAIL_OVER;
-        let numerator = n0 + r * (n1 + r * (n2 + r * (n3 + r * n4)));
-        let denominator = 1.0 + r * (d1 + r * (d2 + r * d3));
-        // The most rounded term is the smallest, and r is added last.
-        (numerator / denominator - (0.5 * r - 1.0)) - r
+        outer::<T>(T::ln(above_zero(p)))
     }
+}
+
+/// The same of a `p` in `(0, 1/2]`, given with its logarithm, for loops with vectors: it computes both ways and selects one.
+#[inline]
+pub(crate) fn quantile_lower_selected<T: Tier>(p: f32, log: f32) -> f32 {
+    let q = p - 0.5;
+    let (middle, end) = (central(q), outer::<T>(log));
+    if q >= CENTRE { middle } else { end }
 }

@@ -59,6 +59,11 @@ impl super::sealed::Sealed for Poly {
     fn neg_ln_1m_of_word(word: u32) -> f32 {
         log::neg_ln_1m_of_word(word)
     }
+
+    #[inline]
+    fn normal_quantile_lower_selected(p: f32) -> f32 {
+        normal::quantile_lower_selected::<Self>(p, log::ln_selected(p))
+    }
 }
 
 impl Tier for Poly {

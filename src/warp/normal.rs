@@ -3,12 +3,13 @@
 use super::direction::azimuth;
 use super::located::{by_tails, checked, decayed, standardised};
 use super::planar::{PlanarMap, planar};
-use super::{Invert, Warp};
+use super::{Invert, Warp, one_by_one};
 use crate::error::Error;
-use crate::num::{into_unit, representable, two_product, two_sum};
+use crate::num::{VECTORS, above_zero, folded, into_unit, representable, two_product, two_sum};
 use crate::tier::Tier;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
+use rand_core::TryRng;
 
 /// 1/√(2π) = (2/√π)/√8.
 pub(super) const FRAC_1_SQRT_TAU: f32 =
@@ -133,6 +134,13 @@ impl<T: Tier> Normal<T> {
         let quantile = T::normal_quantile_lower(tail);
         self.mean + self.std_dev * if upper { -quantile } else { quantile }
     }
+
+    /// The same for loops with vectors, without a branch.
+    #[inline]
+    fn beyond_selected(&self, tail: f32, upper: bool) -> f32 {
+        let quantile = T::normal_quantile_lower_selected(tail).to_bits();
+        self.mean + self.std_dev * f32::from_bits(quantile ^ u32::from(upper) << 31)
+    }
 }
 
 /// −t²/2 and its rounding error, for a t whose rounding error is `rest`.
@@ -144,6 +152,48 @@ pub(super) fn exponent((t, rest): (f32, f32)) -> (f32, f32) {
 
 impl<T: Tier> Warp for Normal<T> {
     by_tails!();
+
+    #[inline]
+    fn try_fill<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+        points: &mut [f32],
+    ) -> Result<(), R::Error> {
+        /// So many that the compiler keeps the loop over them, and works on vectors in it.
+        const BLOCK: usize = 64;
+        if !(VECTORS && T::VECTORS) {
+            return one_by_one(self, rng, points);
+        }
+        for block in points.chunks_mut(BLOCK) {
+            let mut words = [0; BLOCK];
+            let mut good = 0..;
+            let drawn = words.iter_mut().take(block.len()).try_for_each(|word| {
+                *word = rng.try_next_u32()?;
+                good.next();
+                Ok(())
+            });
+            for (point, &word) in block.iter_mut().zip(&words).take(good.start) {
+                let (tail, upper) = folded(word);
+                *point = self.beyond_selected(tail, upper);
+            }
+            drawn?;
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn map(&self, uniforms: &[f32], points: &mut [f32]) {
+        for (point, &u) in points.iter_mut().zip(uniforms) {
+            *point = if VECTORS && T::VECTORS {
+                let u = into_unit(u);
+                let upper = u >= 0.5;
+                let tail = if upper { 1.0 - u } else { above_zero(u) };
+                self.beyond_selected(tail, upper)
+            } else {
+                self.sample(u)
+            };
+        }
+    }
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {

@@ -256,8 +256,10 @@ fn fills_until_the_failure<W: Warp>(warp: &W, words: usize, blank: W::Point)
 where
     W::Point: PartialEq + std::fmt::Debug,
 {
-    for good in 0..20 * words {
-        let mut points = [blank; 20];
+    /// More than the longest block, and no multiple of any.
+    const LENGTH: usize = 71;
+    for good in 0..LENGTH * words {
+        let mut points = [blank; LENGTH];
         let result = warp.try_fill(&mut Ending::after(good), &mut points);
         assert_eq!(result, Err(Broken(17)));
         let mut sound = Ending::after(usize::MAX);
@@ -270,9 +272,9 @@ where
             assert_eq!(point, due, "{i} after {good} words");
         }
     }
-    let mut points = [blank; 20];
+    let mut points = [blank; LENGTH];
     assert!(
-        warp.try_fill(&mut Ending::after(20 * words), &mut points)
+        warp.try_fill(&mut Ending::after(LENGTH * words), &mut points)
             .is_ok()
     );
 }
@@ -283,8 +285,51 @@ fn the_points_before_a_failure_are_in_place() {
     fills_until_the_failure(&poly::Sphere::new(), 2, [9.0; 3]);
     fills_until_the_failure(&poly::Triangle::new(), 2, [9.0; 3]);
     fills_until_the_failure(&poly::Exponential::from_rate(1.0).unwrap(), 1, -1.0);
+    fills_until_the_failure(&poly::Normal::new(1.0, 2.0).unwrap(), 1, -1.0);
     fills_until_the_failure(&poly::ExponentialTail::from_rate(1.0).unwrap(), 2, -1.0);
     fills_until_the_failure(&&libm::Hemisphere::new(), 2, [9.0; 3]);
+}
+
+/// How many points of slices differ from those one by one, over words and over uniforms of the same bits: every so many,
+/// from 0 to the last.
+fn differing(slices: &poly::Normal, single: &poly::Normal, step: usize) -> usize {
+    const BLOCK: usize = 1 << 12;
+    let differ = |[a, b]: [f32; 2]| a.to_bits() != b.to_bits();
+    let mut all = (0..=u32::MAX).step_by(step);
+    let mut found = 0;
+    loop {
+        let words: Vec<u32> = all.by_ref().take(BLOCK).collect();
+        if words.is_empty() {
+            return found;
+        }
+        let mut points = vec![0.0; words.len()];
+        let mut next = words.iter();
+        slices.fill(&mut FromFn(|| next.next().copied().unwrap()), &mut points);
+        let one = words.iter().map(|&word| single.sample_words(word));
+        found += points
+            .iter()
+            .zip(one)
+            .filter(|&(&a, b)| differ([a, b]))
+            .count();
+        let uniforms: Vec<f32> = words.iter().map(|&word| f32::from_bits(word)).collect();
+        slices.map(&uniforms, &mut points);
+        let one = uniforms.iter().map(|&u| single.sample(u));
+        found += points
+            .iter()
+            .zip(one)
+            .filter(|&(&a, b)| differ([a, b]))
+            .count();
+    }
+}
+
+/// Slices of normals are computed without branches, and so in another way than one number.
+#[test]
+fn slices_of_normals_have_the_bits_of_single_ones() {
+    let normal = poly::Normal::new(0.0, 1.0).unwrap();
+    let step = if support::speed::full() { 101 } else { 65_521 };
+    assert_eq!(differing(&normal, &normal, step), 0);
+    let wider = poly::Normal::new(0.0, 1.0_f32.next_up()).unwrap();
+    assert!(differing(&normal, &wider, 65_521) > 1_000);
 }
 
 #[test]
