@@ -107,13 +107,30 @@ fn same<A: 'static, B: 'static>(a: &A) -> Option<&B> {
     same.then(|| unsafe { &*(&raw const *a).cast::<B>() })
 }
 
+/// How a loop computes its points. Not by functions: only in the function whose parameter the slice is does the compiler know
+/// that nothing else lies there, and use vectors.
+macro_rules! points {
+    // One after the other, since all words are there: as fast as in blocks, and much smaller.
+    (one_by_one, $warp:ident, $words:ident, $points:ident) => {
+        // SAFETY: there is a word for each uniform of each point.
+        let words = unsafe { core::slice::from_raw_parts($words.as_ptr().cast(), $points.len()) };
+        for (point, &words) in $points.iter_mut().zip(words) {
+            *point = $warp.sample_words(words);
+        }
+    };
+    // As the warp fills a slice, for one whose blocks are computed in another way than a point.
+    (in_blocks, $warp:ident, $words:ident, $points:ident) => {
+        // SAFETY: there is a word for each uniform of each point.
+        $warp.fill(&mut unsafe { Words::new($words.as_ptr()) }, $points);
+    };
+}
+
 macro_rules! loops {
-    ($($fill:ident: $warp:ident $per_point:literal $point:ty,)*) => {
+    ($($fill:ident: $warp:ident $per_point:literal $point:ty, $how:ident;)*) => {
         $(
             #[inline(never)]
             fn $fill(warp: &$warp, words: &[u32], points: &mut [$point]) {
-                // SAFETY: there is a word for each uniform of each point.
-                warp.fill(&mut unsafe { Words::new(words.as_ptr()) }, points);
+                points!($how, warp, words, points);
             }
         )*
 
@@ -136,13 +153,13 @@ macro_rules! loops {
 }
 
 loops! {
-    normal: Normal 1 f32,
-    normal_pair: NormalPair 2 [f32; 2],
-    exponential: Exponential 1 f32,
-    disk: Disk 2 [f32; 2],
-    sphere: Sphere 3 [f32; 3],
-    cosine_hemisphere: CosineHemisphere 3 [f32; 3],
-    phong_lobe: PhongLobe 3 [f32; 3],
+    normal: Normal 1 f32, in_blocks;
+    normal_pair: NormalPair 2 [f32; 2], one_by_one;
+    exponential: Exponential 1 f32, one_by_one;
+    disk: Disk 2 [f32; 2], one_by_one;
+    sphere: Sphere 3 [f32; 3], one_by_one;
+    cosine_hemisphere: CosineHemisphere 3 [f32; 3], one_by_one;
+    phong_lobe: PhongLobe 3 [f32; 3], one_by_one;
 }
 
 /// Draws indices by cumulated weights.
