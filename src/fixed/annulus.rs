@@ -229,8 +229,9 @@ impl<Frac: LeEqU32, G: Grade> Warp for Annulus<Frac, G> {
         // A word of radius and 30 bits of sine make two bits less than the shift.
         let right = self.shift - 2;
         let half = ((1_u32 << right) >> 1) as i32;
-        around::<G>(radius, self.start.wrapping_add(turn))
-            .map(|c| FixedI32::from_bits((c + half) >> right))
+        let [x, y] = around::<G>(radius, self.start.wrapping_add(turn));
+        // One by one: where code is to be small, `map` is a loop over memory.
+        [(x + half) >> right, (y + half) >> right].map(FixedI32::from_bits)
     }
 
     #[inline]

@@ -151,8 +151,10 @@ impl Scaled {
         };
         // Halved after it is turned, so that the cut of the product is small beside the step of the point.
         let rounding = ((1_u32 << halvings) >> 1) as i32;
-        let [x, y] = around::<G>(sin, phase).map(|c| (c + rounding) >> halvings);
-        [x, y, ONE - (half >> 1) as i32].map(Coordinate::from_bits)
+        let [x, y] = around::<G>(sin, phase);
+        // One by one: where code is to be small, `map` is a loop over memory.
+        let halved = |c: i32| (c + rounding) >> halvings;
+        [halved(x), halved(y), ONE - (half >> 1) as i32].map(Coordinate::from_bits)
     }
 }
 

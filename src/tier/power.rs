@@ -123,6 +123,15 @@ pub(crate) const fn exp2_pair(exact: f32, small: f32) -> (f32, f32) {
 }
 
 impl Scaled {
+    /// The binary logarithm: a head of 12 bits and the rest, together good to about 2^-33 of it.
+    #[inline]
+    pub(crate) const fn log2(self) -> (f32, f32) {
+        let (s, exponent) = self.parts();
+        // √2 itself is not halved, as in a quotient by 1.
+        let (k, f) = normalised(s, SQRT_HALF + 1);
+        log2_1p(exponent.wrapping_add(k) as f32, f, 0.0)
+    }
+
     /// The binary logarithm of the quotient by `other`: a head of 12 bits and the rest, together good to about
     /// 2^-33 of it however close the two are.
     #[inline]

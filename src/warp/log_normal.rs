@@ -137,7 +137,7 @@ impl<T: Tier> LogNormal<T> {
     /// The distance of ln x from its mean in standard deviations, and its rounding error; for an x above 0.
     #[inline]
     fn standardised(&self, x: f32) -> (f32, f32) {
-        let (log, rest) = Scaled::of(x).log2_over(Scaled::ONE);
+        let (log, rest) = Scaled::of(x).log2();
         let (log, rest) = product(quick_two_sum(log, rest), LN_2);
         let (distance, dropped) = two_sum(log, -self.mean_of_log);
         // Again, since the rest may be as large as the distance.

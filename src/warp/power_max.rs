@@ -109,7 +109,7 @@ impl<const N: usize> Warp for PowerMax<N> {
             }
             representable(density)
         } else {
-            let log = Scaled::of(x.abs()).log2_over(Scaled::ONE);
+            let log = Scaled::of(x.abs()).log2();
             let peak = Scaled::of(N as f32);
             representable(peak.times_power(log, Self::EXPONENT).value())
         }

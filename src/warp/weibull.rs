@@ -122,7 +122,7 @@ impl<T: Tier> Weibull<T> {
         // log₂ of -ln(1 - u).
         let log = if !upper && tail < 1.0e-6 {
             // -ln(1 - u) = u(1 + u/2 + ...), without a subnormal number.
-            let (log, rest) = Scaled::of(tail).log2_over(Scaled::ONE);
+            let (log, rest) = Scaled::of(tail).log2();
             (log, rest + 0.5 * core::f32::consts::LOG2_E * tail)
         } else {
             let (log, rest) = log2_above(tail, upper);

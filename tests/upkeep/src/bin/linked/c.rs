@@ -19,9 +19,6 @@ const FLOATS: [&str; 5] = ["disk", "exponential", "normal_pair", "phong_lobe", "
 const INTEGERS: [&str; 2] = ["fixed_disk", "fixed_exponential"];
 /// By how many bytes a function in C may be larger.
 const MORE: u64 = 64;
-/// What is larger. On Cortex-M0 a logarithm of a quotient takes 64 bytes more than one of a number, and a power 40 more in
-/// two functions than in one: other functions of the library call them, too.
-const LARGER: [(&str, u64); 1] = [("mw_weibull_draw", 108)];
 /// Functions in Rust whose parameters are constants, which the compiler has folded into less code than their warp has;
 /// with floats, and in the integer tier.
 const FOLDED: [&[&str]; 2] = [
@@ -87,11 +84,7 @@ fn functions(target_name: &str, directory: &Path, rust: &[Row], more: u64) -> Ou
         };
         compared += 1;
         let (bytes, _) = Image::read(&directory.join(&function))?.size();
-        let stated = LARGER.iter().find(|(name, _)| *name == function);
-        let more = stated.map_or(more, |(_, more)| *more);
-        if stated.is_none() {
-            largest = largest.max(bytes.saturating_sub(in_rust));
-        }
+        largest = largest.max(bytes.saturating_sub(in_rust));
         if bytes > in_rust + more {
             failures += &format!("\nLARGER: {function},{target_name}: {bytes}, in Rust {in_rust}");
         }
