@@ -113,17 +113,14 @@ impl<const D: usize> TriangleOn<D> {
         }
         // Powers of two scale exactly. After `unit` no difference overflows, after `scale` the longest side is near 1.
         let unit = if largest > 0.25 * f32::MAX { 4.0 } else { 1.0 };
-        let [a, b, c] = vertices.map(|v| v.map(|x| x / unit));
-        let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| difference(to, from));
-        let mut longest = 0.0_f32;
-        for (x, _) in sides.as_flattened() {
-            longest = clamp(x.abs(), longest, f32::MAX);
-        }
+        let mut sides = [[(0.0, 0.0); D]; 3];
+        let longest = differences(&vertices, 1.0 / unit, &mut sides);
         if longest < f32::MIN_POSITIVE {
             return Err(Error::Empty);
         }
         let scale = binade(longest);
-        let [ab, bc, ca] = sides.map(|s| s.map(|(x, rest)| (x / scale, rest / scale)));
+        scaled(sides.as_flattened_mut(), scale);
+        let [ab, bc, ca] = &sides;
         let [ab2, bc2, ca2] = [ab, bc, ca].map(|s| dot(s, s));
         let (first, base, next, last, base2) = if ab2 >= bc2 && ab2 >= ca2 {
             (0, ab, bc, ca, ab2)
@@ -132,7 +129,8 @@ impl<const D: usize> TriangleOn<D> {
         } else {
             (2, ca, ab, bc, ca2)
         };
-        let (across, cross) = contraction(base, next);
+        let mut part = [(0.0, 0.0); D];
+        let cross = contraction(base, next, &mut part);
         let length = sqrt(base2);
         let height = cross / length;
         if height < LOWEST * length {
@@ -146,21 +144,20 @@ impl<const D: usize> TriangleOn<D> {
             return Err(Error::TooLarge);
         }
         let along = base.map(|x| quotient(x, length));
-        let across = across.map(|x| quotient(x, cross * length));
+        let across = part.map(|x| quotient(x, cross * length));
         let foot = -dot(base, last) / base2;
         let (anchor, offsets, reach) = anchored(vertices);
-        let reach = reach.map(|m| f32::EPSILON * (m / unit / scale));
         // The change of a barycentric coordinate along the two axes.
         let (run, rise) = (1.0 / length, 1.0 / height);
-        let slack = [(-run, foot * rise - rise), (run, -foot * rise), (0.0, rise)];
+        let changes = [(-run, foot * rise - rise), (run, -foot * rise), (0.0, rise)];
         let error = (1.0 + 0.5 * D as f32) * f32::EPSILON;
-        let slack = slack.map(|(run, rise)| {
-            let mut sum = error * length * (run.abs() + rise.abs());
-            for ((t, g), reach) in along.into_iter().zip(across).zip(reach) {
-                sum += (run * t + rise * g).abs() * reach;
+        let mut slack = [0.0; 3];
+        for (sum, (run, rise)) in slack.iter_mut().zip(changes) {
+            *sum = error * length * (run.abs() + rise.abs());
+            for ((t, g), m) in along.iter().zip(&across).zip(&reach) {
+                *sum += (run * t + rise * g).abs() * (f32::EPSILON * (m / unit / scale));
             }
-            sum
-        });
+        }
         Ok(Self {
             anchor,
             offsets,
@@ -224,63 +221,97 @@ fn binade(x: f32) -> f32 {
     f32::from_bits(x.to_bits() & 0x7f80_0000)
 }
 
-/// p − q, exactly.
-fn difference<const D: usize>(p: [f32; D], q: [f32; D]) -> [Two; D] {
-    let mut d = p.map(|x| (x, 0.0));
-    for (d, q) in d.iter_mut().zip(q) {
-        *d = two_sum(d.0, -q);
+/// The exact sides of a triangle, scaled by a power of two, each from a vertex to the next; and their largest coordinate.
+fn differences<const D: usize>(
+    vertices: &[[f32; D]; 3],
+    scale: f32,
+    sides: &mut [[Two; D]; 3],
+) -> f32 {
+    let [a, b, c] = vertices;
+    let mut longest = 0.0_f32;
+    for (side, (from, to)) in sides.iter_mut().zip([(a, b), (b, c), (c, a)]) {
+        for (side, (from, to)) in side.iter_mut().zip(from.iter().zip(to)) {
+            *side = two_sum(to * scale, -(from * scale));
+            longest = clamp(side.0.abs(), longest, f32::MAX);
+        }
     }
-    d
+    longest
 }
 
-/// The sum of a few numbers, as if computed with three times as many digits and rounded.
-fn sum(terms: impl IntoIterator<Item = f32>) -> Two {
-    let (mut sum, mut rest, mut last) = (0.0, 0.0, 0.0);
-    for x in terms {
-        let (s, dropped) = two_sum(sum, x);
-        let (r, lost) = two_sum(rest, dropped);
-        (sum, rest, last) = (s, r, last + lost);
+fn scaled(numbers: &mut [Two], by: f32) {
+    for (x, rest) in numbers {
+        *x /= by;
+        *rest /= by;
     }
-    let (rest, lost) = two_sum(rest, last);
-    let (sum, rest) = two_sum(sum, rest);
-    // The last counts where the first two cancelled.
-    two_sum(sum, rest + lost)
 }
 
-/// The terms of a product, exact but for the last.
-fn product(p: Two, q: Two) -> [f32; 7] {
-    let (a, b) = two_product(p.0, q.0);
-    let (c, d) = two_product(p.0, q.1);
-    let (e, f) = two_product(p.1, q.0);
-    [a, c, e, b, d, f, p.1 * q.1]
+/// A sum of a few numbers, as if computed with three times as many digits.
+struct Sum(f32, f32, f32);
+
+impl Sum {
+    const ZERO: Self = Self(0.0, 0.0, 0.0);
+
+    fn add(&mut self, x: f32) {
+        let (sum, dropped) = two_sum(self.0, x);
+        let (rest, lost) = two_sum(self.1, dropped);
+        *self = Self(sum, rest, self.2 + lost);
+    }
+
+    /// Adds a product, exact but for the last of its terms.
+    fn add_product(&mut self, p: Two, q: Two) {
+        let (a, b) = two_product(p.0, q.0);
+        let (c, d) = two_product(p.0, q.1);
+        let (e, f) = two_product(p.1, q.0);
+        for x in [a, c, e, b, d, f, p.1 * q.1] {
+            self.add(x);
+        }
+    }
+
+    fn rounded(&self) -> Two {
+        let (rest, lost) = two_sum(self.1, self.2);
+        let (sum, rest) = two_sum(self.0, rest);
+        // The last counts where the first two cancelled.
+        two_sum(sum, rest + lost)
+    }
 }
 
-fn dot<const D: usize>(p: [Two; D], q: [Two; D]) -> f32 {
-    sum(p.into_iter().zip(q).flat_map(|(p, q)| product(p, q))).0
+fn dot(p: &[Two], q: &[Two]) -> f32 {
+    let mut sum = Sum::ZERO;
+    for (p, q) in p.iter().zip(q) {
+        sum.add_product(*p, *q);
+    }
+    sum.rounded().0
+}
+
+/// a·b − c·d.
+fn determinant(a: Two, b: Two, c: Two, d: Two) -> Two {
+    let mut sum = Sum::ZERO;
+    sum.add_product(a, b);
+    sum.add_product((-c.0, -c.1), d);
+    sum.rounded()
 }
 
 /// The component of q at right angles to p, times p², and the area that the two span. Both come from the determinants
 /// in the coordinate planes, which are exact to `f32` however flat the two lie.
-fn contraction<const D: usize>(p: [Two; D], q: [Two; D]) -> ([Two; D], f32) {
-    let mut part = p;
+fn contraction(p: &[Two], q: &[Two], part: &mut [Two]) -> f32 {
     let mut squares = 0.0;
-    for (i, (part, (p1, q1))) in part.iter_mut().zip(p.into_iter().zip(q)).enumerate() {
-        let mut total = (0.0, 0.0);
-        for (j, (p2, q2)) in p.into_iter().zip(q).enumerate() {
+    for (i, (part, (p1, q1))) in part.iter_mut().zip(p.iter().zip(q)).enumerate() {
+        for (j, (p2, q2)) in p.iter().zip(q).enumerate() {
             if i == j {
                 continue;
             }
-            let minus = product(p1, q2).map(|x| -x);
-            let determinant = sum(product(p2, q1).into_iter().chain(minus));
+            let determinant = determinant(*p2, *q1, *p1, *q2);
             if i < j {
                 squares += determinant.0 * determinant.0;
             }
-            let more = product(p2, determinant);
-            total = sum([total.0, total.1].into_iter().chain(more));
+            let mut total = Sum::ZERO;
+            total.add(part.0);
+            total.add(part.1);
+            total.add_product(*p2, determinant);
+            *part = total.rounded();
         }
-        *part = total;
     }
-    (part, sqrt(squares))
+    sqrt(squares)
 }
 
 /// A number divided by a rounded one, rounded once.
@@ -301,24 +332,18 @@ impl Spanned {
     /// That of finite vertices; nothing for a triangle without area, or lower than 2⁻⁴⁰ of its longest side.
     pub(crate) fn of(vertices: [[f32; 3]; 3]) -> Option<Self> {
         // A quarter of them, of which no difference overflows: exact, but for vertices around which there is no area.
-        let [a, b, c] = vertices.map(|v| v.map(|x| 0.25 * x));
-        let [p, q, r] = [difference(b, a), difference(c, a), difference(c, b)];
-        let mut longest = 0.0_f32;
-        for (x, _) in [p, q, r].as_flattened() {
-            longest = clamp(x.abs(), longest, f32::MAX);
-        }
+        let mut sides = [[(0.0, 0.0); 3]; 3];
+        let longest = differences(&vertices, 0.25, &mut sides);
         if longest < f32::MIN_POSITIVE {
             return None;
         }
         let scale = binade(longest);
-        let [p, q, r] = [p, q, r].map(|side| side.map(|(x, rest)| (x / scale, rest / scale)));
-        let squares = [p, q, r].map(|side| dot(side, side));
-        let [x, y, z] = p;
-        let [f, g, h] = q;
-        let cross = [(y, h, z, g), (z, f, x, h), (x, g, y, f)].map(|(a, b, c, d)| {
-            let minus = product(c, d).map(|term| -term);
-            sum(product(a, b).into_iter().chain(minus)).0
-        });
+        scaled(sides.as_flattened_mut(), scale);
+        let squares = sides.each_ref().map(|side| dot(side, side));
+        let [[x, y, z], _, back] = sides;
+        let [f, g, h] = back.map(|(x, rest)| (-x, -rest));
+        let cross = [(y, h, z, g), (z, f, x, h), (x, g, y, f)]
+            .map(|(a, b, c, d)| determinant(a, b, c, d).0);
         let [i, j, k] = cross;
         let length = sqrt(i * i + j * j + k * k);
         let (_, base2) = {
