@@ -7,10 +7,10 @@
 mod exact;
 mod side;
 
-pub(super) use self::exact::{difference, sum, times};
+pub(super) use self::exact::{difference, negative, sum};
 
-use self::exact::{Exact, binade, cross, exact_dot, largest_of, rounded};
-use self::side::{NEAR, Side, combined, dot, unit};
+use self::exact::{Exact, binade, cross, exact_dot, largest, scale};
+use self::side::{NEAR, Side, combined, dot, rounded_unit, unit};
 use super::direction::is_direction;
 use super::spherical::normalised;
 use crate::error::Error;
@@ -92,46 +92,46 @@ pub(super) fn checked(vectors: &[[f32; 3]]) -> Result<(), Error> {
 
 impl Seen {
     /// The triangle of these corners, seen from 0. Edge i leads from corner i + 1 to corner i + 2.
-    pub(super) fn new<T: Tier>(corners: [Exact; 3], edges: [Exact; 3]) -> Result<Self, Error> {
-        let (far, long) = (largest_of(corners), largest_of(edges));
+    pub(super) fn new<T: Tier>(
+        mut corners: [Exact; 3],
+        mut edges: [Exact; 3],
+    ) -> Result<Self, Error> {
+        let (far, long) = (largest(&corners), largest(&edges));
         if long < SHORT || long < LEAST * far {
             return Err(Error::Empty);
         }
-        let (unit_length, edge_length) = (1.0 / binade(far), 1.0 / binade(long));
-        let corners = corners.map(|c| times(c, unit_length));
-        let edges = edges.map(|e| times(e, edge_length));
+        scale(&mut corners, 1.0 / binade(far));
+        scale(&mut edges, 1.0 / binade(long));
         let edge = binade(long) / binade(far);
-        let [(c0, d0), (c1, d1), (c2, d2)] = corners.map(|c| unit(rounded(c)));
-        for distance in [d0, d1, d2] {
-            let away = distance >= LEAST;
-            if !away {
-                return Err(Error::NotNormalizable);
-            }
+        let [p0, p1, p2] = &corners;
+        let [e0, e1, e2] = &edges;
+        let (c0, d0) = rounded_unit(p0, 1.0);
+        let (c1, d1) = rounded_unit(p1, 1.0);
+        let (c2, d2) = rounded_unit(p2, 1.0);
+        let away = d0 >= LEAST && d1 >= LEAST && d2 >= LEAST;
+        if !away {
+            return Err(Error::NotNormalizable);
         }
-        let [p0, p1, p2] = corners;
-        let [e0, e1, e2] = edges;
-        let normals = [cross(p1, e0), cross(p2, e1), cross(p0, e2)];
-        let [n0, ..] = normals;
-        let volume = -exact_dot(e2, n0);
+        let (n0, n1, n2) = (cross(p1, e0), cross(p2, e1), cross(p0, e2));
+        let volume = -exact_dot(e2, &n0);
         let sign = if volume < 0.0 { -1.0 } else { 1.0 };
         let volume = volume.abs();
         let flat = volume < FLATTEST;
-        let [(n0, l0), (n1, l1), (n2, l2)] = normals.map(|n| unit(rounded(times(n, sign))));
-        let sides = [
-            Side::new([c1, c2], [d1, d2], l0, e0, edge),
-            Side::new([c2, c0], [d2, d0], l1, e1, edge),
-            Side::new([c0, c1], [d0, d1], l2, e2, edge),
-        ];
-        let sines = sides.map(|side| side.sine);
-        let [rise0, rise1, rise2] = sides.map(|side| side.rise);
+        let (n0, l0) = rounded_unit(&n0, sign);
+        let (n1, l1) = rounded_unit(&n1, sign);
+        let (n2, l2) = rounded_unit(&n2, sign);
+        let a = Side::new([c1, c2], [d1, d2], l0, e0, edge);
+        let b = Side::new([c2, c0], [d2, d0], l1, e1, edge);
+        let c = Side::new([c0, c1], [d0, d1], l2, e2, edge);
+        let sines = [a.sine, b.sine, c.sine];
+        let (rise0, rise1, rise2) = (a.rise, b.rise, c.rise);
         let volume = volume * edge * edge / d0 / d1 / d2;
-        let [a, b, c] = sides;
         let (longest, normal, apex) = if rise0 <= rise1 && rise0 <= rise2 {
-            (a, n0, c0)
+            (&a, n0, c0)
         } else if rise1 <= rise2 {
-            (b, n1, c1)
+            (&b, n1, c1)
         } else {
-            (c, n2, c2)
+            (&c, n2, c2)
         };
         let (least, middle) = (longest.rise, longest.middle(normal.map(|x| sign * x)));
         // 1 + the three cosines, by the shortest side, or by the longest one if the point is near to that: R cos H.

@@ -131,7 +131,7 @@ impl<T: Tier> SphericalRectangle<T> {
         let apex = seen::difference(corner, point);
         let diagonal = seen::sum(ex, ey);
         let [along_x, along_y, far] = [ex, ey, diagonal].map(|edge| seen::sum(apex, edge));
-        let back = |edge| seen::times(edge, -1.0);
+        let back = seen::negative;
         let first = Seen::new::<T>([apex, along_x, far], [ey, back(diagonal), ex]);
         let second = Seen::new::<T>([apex, far, along_y], [back(ex), back(ey), diagonal]);
         let [first, second] = match (first, second) {

@@ -1,6 +1,6 @@
 //! Vectors in twice the digits of a number, for differences of coordinates and the determinants of those.
 
-use crate::num::{product, two_sum};
+use crate::num::{clamp, product, two_sum};
 
 /// A number as a rounded part and a rest.
 pub(in crate::warp) type Two = (f32, f32);
@@ -19,9 +19,9 @@ pub(in crate::warp) fn sum(p: Exact, q: Exact) -> Exact {
     [plus(a, d), plus(b, e), plus(c, f)]
 }
 
-/// The vector times a power of two, or −1.
-pub(in crate::warp) fn times(p: Exact, by: f32) -> Exact {
-    p.map(|(x, rest)| (x * by, rest * by))
+/// −p.
+pub(in crate::warp) fn negative(p: Exact) -> Exact {
+    p.map(|(x, rest)| (-x, -rest))
 }
 
 fn plus(p: Two, q: Two) -> Two {
@@ -33,8 +33,8 @@ fn minus(p: Two, q: Two) -> Two {
     plus(p, (-q.0, -q.1))
 }
 
-pub(super) fn cross(p: Exact, q: Exact) -> Exact {
-    let ([a, b, c], [d, e, f]) = (p, q);
+pub(super) fn cross(p: &Exact, q: &Exact) -> Exact {
+    let ([a, b, c], [d, e, f]) = (*p, *q);
     [
         minus(product(b, f), product(c, e)),
         minus(product(c, d), product(a, f)),
@@ -42,25 +42,26 @@ pub(super) fn cross(p: Exact, q: Exact) -> Exact {
     ]
 }
 
-pub(super) fn exact_dot(p: Exact, q: Exact) -> f32 {
-    let ([a, b, c], [d, e, f]) = (p, q);
+pub(super) fn exact_dot(p: &Exact, q: &Exact) -> f32 {
+    let ([a, b, c], [d, e, f]) = (*p, *q);
     plus(plus(product(a, d), product(b, e)), product(c, f)).0
 }
 
-pub(super) fn rounded(p: Exact) -> [f32; 3] {
-    p.map(|(x, _)| x)
+/// The largest coordinate.
+pub(super) fn largest(vectors: &[Exact; 3]) -> f32 {
+    let mut largest = 0.0;
+    for (x, _) in vectors.as_flattened() {
+        largest = clamp(x.abs(), largest, f32::MAX);
+    }
+    largest
 }
 
-fn largest(p: Exact) -> f32 {
-    let [a, b, c] = rounded(p).map(f32::abs);
-    let most = if a > b { a } else { b };
-    if most > c { most } else { c }
-}
-
-pub(super) fn largest_of(p: [Exact; 3]) -> f32 {
-    let [a, b, c] = p.map(largest);
-    let most = if a > b { a } else { b };
-    if most > c { most } else { c }
+/// Multiplies vectors by a power of two.
+pub(super) fn scale(vectors: &mut [Exact; 3], by: f32) {
+    for (x, rest) in vectors.as_flattened_mut() {
+        *x *= by;
+        *rest *= by;
+    }
 }
 
 /// The power of two at or below a normal number.

@@ -1,6 +1,6 @@
 //! Sides of spherical triangles, and sums of vectors.
 
-use super::exact::{Exact, rounded};
+use super::exact::Exact;
 use crate::tier::sqrt;
 
 /// 1 + cos of a side, below which the point is near to it.
@@ -23,6 +23,11 @@ pub(super) fn combined(
         p * b + (q * e + r * h),
         p * c + (q * f + r * i),
     ]
+}
+
+/// The unit vector and the length of a vector, rounded, times 1 or −1.
+pub(super) fn rounded_unit(&[(x, _), (y, _), (z, _)]: &Exact, sign: f32) -> ([f32; 3], f32) {
+    unit([x * sign, y * sign, z * sign])
 }
 
 /// The unit vector and the length.
@@ -52,10 +57,10 @@ impl Side {
         [from, to]: [[f32; 3]; 2],
         [d, e]: [f32; 2],
         product: f32,
-        edge: Exact,
+        edge: &Exact,
         scale: f32,
     ) -> Self {
-        let (edge, length) = unit(rounded(edge));
+        let (edge, length) = rounded_unit(edge, 1.0);
         let (sine, cos) = (scale * (product / (d * e)), dot(from, to));
         let square = sine * sine;
         let (rise, drop) = if cos < 0.0 {
