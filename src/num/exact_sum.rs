@@ -26,7 +26,7 @@ impl ExactSum {
     fn and(self, negative: bool, words: Self) -> Self {
         let (mask, mut carry) = (u64::from(negative).wrapping_neg(), negative);
         let mut sum = self;
-        for (word, more) in sum.0.iter_mut().zip(words.0) {
+        for (word, more) in sum.0.iter_mut().zip(&words.0) {
             let (first, over) = word.overflowing_add(more ^ mask);
             let (last, again) = first.overflowing_add(u64::from(carry));
             (*word, carry) = (last, over | again);
@@ -54,7 +54,7 @@ impl ExactSum {
         let [.., last] = self.0;
         let negative = last >> 63 == 1;
         let (mut below, mut weight, mut size) = (0_u64, -298_i32, None);
-        for word in Self::ZERO.and(negative, self).0 {
+        for &word in &Self::ZERO.and(negative, self).0 {
             if word > 0 {
                 let zeros = word.leading_zeros();
                 let bits = word << zeros | (below >> 1) >> (zeros ^ 63);

@@ -128,8 +128,8 @@ impl<const N: usize> Warp for Aabb<N> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; N]>) -> [f32; N] {
         let mut point = [0.0; N];
-        for ((x, side), u) in point.iter_mut().zip(&self.sides).zip(u.each()) {
-            *x = side.sample_canonical(u);
+        for ((x, side), u) in point.iter_mut().zip(&self.sides).zip(&u.each()) {
+            *x = side.sample_canonical(*u);
         }
         point
     }
@@ -148,8 +148,8 @@ impl<const N: usize> Invert for Aabb<N> {
     #[inline]
     fn invert(&self, point: [f32; N]) -> [f32; N] {
         let mut u = [0.0; N];
-        for ((u, side), x) in u.iter_mut().zip(&self.sides).zip(point) {
-            *u = side.invert(x);
+        for ((u, side), x) in u.iter_mut().zip(&self.sides).zip(&point) {
+            *u = side.invert(*x);
         }
         u
     }

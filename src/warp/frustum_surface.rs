@@ -131,7 +131,7 @@ impl<T: Tier> FrustumSurface<T> {
     }
 
     fn with([lower, upper]: [f32; 2], height: f32, closed: bool) -> Result<Self, Error> {
-        for x in [lower, upper, height] {
+        for &x in &[lower, upper, height] {
             if finite(x)? < 0.0 {
                 return Err(Error::Negative);
             }

@@ -88,7 +88,7 @@ impl<const N: usize> Warp for PowerMax<N> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; N]>) -> f32 {
         let mut largest = SMALLEST;
-        for u in u.get() {
+        for &u in &u.get() {
             if u > largest {
                 largest = u;
             }
@@ -117,7 +117,7 @@ impl<const N: usize> Warp for PowerMax<N> {
 
     #[inline]
     fn sample_words(&self, words: [u32; N]) -> f32 {
-        let largest = words.into_iter().fold(0, u32::max);
+        let largest = words.iter().fold(0, |most, word| most.max(*word));
         crate::uniform::deep_from_word(largest)
     }
 }

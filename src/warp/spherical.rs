@@ -140,7 +140,7 @@ impl<T: Tier> Spherical<T> {
 /// A power of two near the largest of these numbers.
 pub(crate) fn magnitude<const N: usize>(numbers: [f32; N]) -> f32 {
     let mut largest = f32::MIN_POSITIVE;
-    for x in numbers {
+    for x in &numbers {
         largest = clamp(x.abs(), largest, f32::MAX);
     }
     f32::from_bits(largest.to_bits() & 0x7f80_0000)
@@ -155,8 +155,8 @@ pub(crate) fn scaled(point: [f32; 3]) -> (f32, [f32; 3]) {
 
 /// The unit vector along a direction of any finite length.
 pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
-    for c in direction {
-        finite(c)?;
+    for c in &direction {
+        finite(*c)?;
     }
     let (_, point) = scaled(direction);
     let length = length(point);

@@ -152,7 +152,7 @@ impl<const D: usize> TriangleOn<D> {
         let changes = [(-run, foot * rise - rise), (run, -foot * rise), (0.0, rise)];
         let error = (1.0 + 0.5 * D as f32) * f32::EPSILON;
         let mut slack = [0.0; 3];
-        for (sum, (run, rise)) in slack.iter_mut().zip(changes) {
+        for (sum, (run, rise)) in slack.iter_mut().zip(&changes) {
             *sum = error * length * (run.abs() + rise.abs());
             for ((t, g), m) in along.iter().zip(&across).zip(&reach) {
                 *sum += (run * t + rise * g).abs() * (f32::EPSILON * (m / unit / scale));
@@ -194,11 +194,11 @@ impl<const D: usize> TriangleOn<D> {
     /// The change of the barycentric coordinates, in cyclic order from the vertex `first`, from a vertex to the projection
     /// of `point` onto the plane; and whether `point` is within rounding of the plane.
     #[inline]
-    fn steps(&self, point: [f32; D], vertex: [f32; D]) -> ([f32; 3], bool) {
+    fn steps(&self, point: [f32; D], vertex: &[f32; D]) -> ([f32; 3], bool) {
         let mut from = point;
         let (mut run, mut rise) = (0.0, 0.0);
-        let axes = self.along.into_iter().zip(self.across);
-        let rows = from.iter_mut().zip(self.anchor.into_iter().zip(vertex));
+        let axes = self.along.iter().zip(&self.across);
+        let rows = from.iter_mut().zip(self.anchor.iter().zip(vertex));
         for ((x, (r, o)), (t, g)) in rows.zip(axes.clone()) {
             *x = (*x - r) - o;
             run += *x * t;
@@ -206,7 +206,7 @@ impl<const D: usize> TriangleOn<D> {
         }
         let mut near = true;
         if D > 2 {
-            for (x, (t, g)) in from.into_iter().zip(axes) {
+            for (x, (t, g)) in from.iter().zip(axes) {
                 near &= ((x - run * t) - rise * g).abs() <= self.lift;
             }
         }
@@ -262,8 +262,8 @@ impl Sum {
         let (a, b) = two_product(p.0, q.0);
         let (c, d) = two_product(p.0, q.1);
         let (e, f) = two_product(p.1, q.0);
-        for x in [a, c, e, b, d, f, p.1 * q.1] {
-            self.add(x);
+        for x in &[a, c, e, b, d, f, p.1 * q.1] {
+            self.add(*x);
         }
     }
 
@@ -365,9 +365,9 @@ pub(crate) fn combined<const D: usize>(
     [mut point, b, c]: [[f32; D]; 3],
     [u, v, w]: [f32; 3],
 ) -> [f32; D] {
-    for (((x, b), c), anchor) in point.iter_mut().zip(b).zip(c).zip(anchor) {
+    for (((x, b), c), anchor) in point.iter_mut().zip(&b).zip(&c).zip(&anchor) {
         let a = *x;
-        let (low, high) = ends(a, b, c);
+        let (low, high) = ends(a, *b, *c);
         *x = anchor + clamp(u * a + v * b + w * c, low, high);
     }
     point
@@ -391,9 +391,9 @@ pub(crate) fn anchored<const D: usize>(
         // Within a factor of two, so that the differences are exact.
         if high - low <= 0.5 * *reach {
             *anchor = near;
-            for x in [a, b, c] {
-                *x -= near;
-            }
+            *a -= near;
+            *b -= near;
+            *c -= near;
         }
     }
     (anchor, [a, b, c], reach)
@@ -425,7 +425,7 @@ impl<const D: usize> Warp for TriangleOn<D> {
 
     #[inline]
     fn pdf(&self, point: [f32; D]) -> f32 {
-        let [a, b, c] = self.offsets;
+        let [a, b, c] = &self.offsets;
         let begin = match self.first {
             0 => a,
             1 => b,
@@ -447,7 +447,7 @@ impl<const D: usize> Invert for TriangleOn<D> {
     #[inline]
     fn invert(&self, point: [f32; D]) -> [f32; 2] {
         // Measured from the first vertex, where the second uniform is a quotient of small numbers.
-        let [a, ..] = self.offsets;
+        let [a, ..] = &self.offsets;
         let ([p, q, r], _) = self.steps(point, a);
         let [u, v, w] = match self.first {
             0 => [p, q, r],

@@ -129,8 +129,8 @@ impl<T: Tier> VisibleSphere<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a radius of 0 or less, [`Error::TooLarge`] where
     /// the far side of the sphere is beyond the range of `f32`, [`Error::Empty`] for a sphere seen under less than 1.6e-19 rad.
     pub fn new(point: [f32; 3], centre: [f32; 3], radius: f32) -> Result<Self, Error> {
-        for c in point.into_iter().chain(centre) {
-            finite(c)?;
+        for c in [point, centre].as_flattened() {
+            finite(*c)?;
         }
         positive(radius)?;
         let ([px, py, pz], [cx, cy, cz]) = (point, centre);
@@ -141,7 +141,8 @@ impl<T: Tier> VisibleSphere<T> {
         let (unit, r) = (1.0 / scale, radius / scale);
         // d² and its rounding error.
         let (mut square, mut rest) = (0.0, 0.0);
-        for (side, lost) in sides.map(|(side, lost)| (side * unit, lost * unit)) {
+        for (side, lost) in &sides {
+            let (side, lost) = (side * unit, lost * unit);
             let (part, dropped) = two_product(side, side);
             let (sum, short) = two_sum(square, part);
             (square, rest) = (sum, rest + (short + (dropped + 2.0 * side * lost)));
@@ -158,7 +159,7 @@ impl<T: Tier> VisibleSphere<T> {
         let (gap, short) = two_sum(square, -r2 * unlift);
         let gap = gap + (short + (rest - r2_rest * unlift));
         let (inside, gap) = if gap.abs() < NEAR * square {
-            exact_gap(sides, radius, scale)
+            exact_gap(&sides, radius, scale)
         } else {
             (gap < 0.0, gap.abs())
         };
@@ -258,9 +259,9 @@ impl<T: Tier> VisibleSphere<T> {
 /// Whether d² − r² is negative, and its size in units of the square of `scale`, from the sides of d as numbers and
 /// their rounding errors.
 #[cold]
-fn exact_gap(sides: [(f32, f32); 3], radius: f32, scale: f32) -> (bool, f32) {
+fn exact_gap(sides: &[(f32, f32); 3], radius: f32, scale: f32) -> (bool, f32) {
     let mut sum = ExactSum::ZERO.plus(radius, -radius);
-    for (side, lost) in sides {
+    for &(side, lost) in sides {
         let twice = sum.plus(side, lost).plus(side, lost);
         sum = twice.plus(side, side).plus(lost, lost);
     }
