@@ -365,9 +365,9 @@ pub(crate) fn combined<const D: usize>(
     [mut point, b, c]: [[f32; D]; 3],
     [u, v, w]: [f32; 3],
 ) -> [f32; D] {
-    for (((x, b), c), anchor) in point.iter_mut().zip(&b).zip(&c).zip(&anchor) {
+    for (((x, b), c), anchor) in point.iter_mut().zip(b).zip(c).zip(anchor) {
         let a = *x;
-        let (low, high) = ends(a, *b, *c);
+        let (low, high) = ends(a, b, c);
         *x = anchor + clamp(u * a + v * b + w * c, low, high);
     }
     point

@@ -1,6 +1,6 @@
 //! Vectors in twice the digits of a number, for differences of coordinates and the determinants of those.
 
-use crate::num::{clamp, product, two_sum};
+use crate::num::{product, two_sum};
 
 /// A number as a rounded part and a rest.
 pub(in crate::warp) type Two = (f32, f32);
@@ -51,7 +51,9 @@ pub(super) fn exact_dot(p: &Exact, q: &Exact) -> f32 {
 pub(super) fn largest(vectors: &[Exact; 3]) -> f32 {
     let mut largest = 0.0;
     for (x, _) in vectors.as_flattened() {
-        largest = clamp(x.abs(), largest, f32::MAX);
+        if x.abs() > largest {
+            largest = x.abs();
+        }
     }
     largest
 }
