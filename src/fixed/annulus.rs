@@ -45,9 +45,9 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost fixed Annulus -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `fine`: 231 on a Cortex-M0 (432 bytes), 100 on a Cortex-M3.
-/// - `coarse`: 195 on a Cortex-M0 (344 bytes), 76 on a Cortex-M3.
-/// - `compact`: 320 on a Cortex-M0 (692 bytes), 166 on a Cortex-M3.
+/// - `fine`: 231 on a Cortex-M0 (400 bytes), 100 on a Cortex-M3.
+/// - `coarse`: 195 on a Cortex-M0 (324 bytes), 76 on a Cortex-M3.
+/// - `compact`: 320 on a Cortex-M0 (660 bytes), 166 on a Cortex-M3.
 /// <!-- end -->
 ///
 /// # Examples

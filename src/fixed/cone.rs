@@ -47,9 +47,9 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost fixed Cone -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `fine`: 240 on a Cortex-M0 (536 bytes), 115 on a Cortex-M3.
-/// - `coarse`: 206 on a Cortex-M0 (452 bytes), 92 on a Cortex-M3.
-/// - `compact`: 335 on a Cortex-M0 (868 bytes), 180 on a Cortex-M3.
+/// - `fine`: 256 on a Cortex-M0 (552 bytes), 126 on a Cortex-M3.
+/// - `coarse`: 221 on a Cortex-M0 (472 bytes), 101 on a Cortex-M3.
+/// - `compact`: 353 on a Cortex-M0 (916 bytes), 189 on a Cortex-M3.
 /// <!-- end -->
 ///
 /// # Examples

@@ -43,9 +43,9 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost fixed HenyeyGreenstein -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `fine`: 1,408 on a Cortex-M0 (1,444 bytes), 740 on a Cortex-M3.
-/// - `coarse`: 1,368 on a Cortex-M0 (1,348 bytes), 715 on a Cortex-M3.
-/// - `compact`: 1,507 on a Cortex-M0 (1,800 bytes), 804 on a Cortex-M3.
+/// - `fine`: 1,408 on a Cortex-M0 (1,432 bytes), 740 on a Cortex-M3.
+/// - `coarse`: 1,368 on a Cortex-M0 (1,324 bytes), 715 on a Cortex-M3.
+/// - `compact`: 1,507 on a Cortex-M0 (1,740 bytes), 804 on a Cortex-M3.
 /// <!-- end -->
 ///
 /// # Examples

@@ -43,9 +43,9 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost fixed PhongLobe -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `fine`: 359 on a Cortex-M0 (1,296 bytes), 182 on a Cortex-M3.
-/// - `coarse`: 309 on a Cortex-M0 (1,080 bytes), 149 on a Cortex-M3.
-/// - `compact`: 497 on a Cortex-M0 (1,796 bytes), 279 on a Cortex-M3.
+/// - `fine`: 359 on a Cortex-M0 (1,260 bytes), 182 on a Cortex-M3.
+/// - `coarse`: 309 on a Cortex-M0 (1,052 bytes), 149 on a Cortex-M3.
+/// - `compact`: 497 on a Cortex-M0 (1,784 bytes), 279 on a Cortex-M3.
 /// <!-- end -->
 ///
 /// # Examples

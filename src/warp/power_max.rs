@@ -35,8 +35,8 @@ use crate::uniform::{Canonical, SMALLEST};
 /// # Cost
 /// <!-- generated: cost PowerMax -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 69 on a Cortex-M4F (188 bytes), 423 on a Cortex-M0, 114 as WASM.
-/// - `libm`: 69 on a Cortex-M4F (208 bytes), 1,054 on a Cortex-M0, 121 as WASM.
+/// - `poly`: 69 on a Cortex-M4F (176 bytes), 423 on a Cortex-M0, 114 as WASM.
+/// - `libm`: 69 on a Cortex-M4F (176 bytes), 423 on a Cortex-M0, 114 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -44,8 +44,8 @@ use crate::uniform::Canonical;
 /// # Cost
 /// <!-- generated: cost TriangleOn -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 115 on a Cortex-M4F (384 bytes), 3,252 on a Cortex-M0, 180 as WASM.
-/// - `libm`: 115 on a Cortex-M4F (368 bytes), 3,174 on a Cortex-M0, 172 as WASM.
+/// - `poly`: 115 on a Cortex-M4F (384 bytes), 3,266 on a Cortex-M0, 184 as WASM.
+/// - `libm`: 115 on a Cortex-M4F (384 bytes), 3,266 on a Cortex-M0, 184 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -43,8 +43,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost Weibull -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 353 on a Cortex-M4F (2,644 bytes), 19,797 on a Cortex-M0, 640 as WASM.
-/// - `libm`: 353 on a Cortex-M4F (2,644 bytes), 19,797 on a Cortex-M0, 640 as WASM.
+/// - `poly`: 353 on a Cortex-M4F (2,540 bytes), 19,796 on a Cortex-M0, 640 as WASM.
+/// - `libm`: 353 on a Cortex-M4F (2,540 bytes), 19,796 on a Cortex-M0, 640 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
