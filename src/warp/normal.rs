@@ -157,8 +157,11 @@ impl<T: Tier> Warp for Normal<T> {
     fn try_fill<R: TryRng + ?Sized>(
         &self,
         rng: &mut R,
-        points: &mut [f32],
-    ) -> Result<(), R::Error> {
+        points: &mut [Self::Point],
+    ) -> Result<(), R::Error>
+    where
+        Self: Sized,
+    {
         /// So many that the compiler keeps the loop over them, and works on vectors in it.
         const BLOCK: usize = 64;
         if !(VECTORS && T::VECTORS) {
