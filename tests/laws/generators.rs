@@ -294,7 +294,11 @@ fn the_points_before_a_failure_are_in_place() {
 /// from 0 to the last.
 fn differing(slices: &poly::Normal, single: &poly::Normal, step: usize) -> usize {
     const BLOCK: usize = 1 << 12;
-    let differ = |[a, b]: [f32; 2]| a.to_bits() != b.to_bits();
+    let differ = |points: &[f32], words: &[u32], one: &dyn Fn(u32) -> f32| {
+        let pairs = points.iter().zip(words);
+        let bits = pairs.map(|(point, &word)| (point.to_bits(), one(word).to_bits()));
+        bits.filter(|(a, b)| a != b).count()
+    };
     let mut all = (0..=u32::MAX).step_by(step);
     let mut found = 0;
     loop {
@@ -305,20 +309,10 @@ fn differing(slices: &poly::Normal, single: &poly::Normal, step: usize) -> usize
         let mut points = vec![0.0; words.len()];
         let mut next = words.iter();
         slices.fill(&mut FromFn(|| next.next().copied().unwrap()), &mut points);
-        let one = words.iter().map(|&word| single.sample_words(word));
-        found += points
-            .iter()
-            .zip(one)
-            .filter(|&(&a, b)| differ([a, b]))
-            .count();
+        found += differ(&points, &words, &|word| single.sample_words(word));
         let uniforms: Vec<f32> = words.iter().map(|&word| f32::from_bits(word)).collect();
         slices.map(&uniforms, &mut points);
-        let one = uniforms.iter().map(|&u| single.sample(u));
-        found += points
-            .iter()
-            .zip(one)
-            .filter(|&(&a, b)| differ([a, b]))
-            .count();
+        found += differ(&points, &words, &|word| single.sample(f32::from_bits(word)));
     }
 }
 
