@@ -2,7 +2,7 @@
 //! the worst parameters and uniforms that searches have found, in `benches/cores/hard.csv`.
 
 use std::fmt::Write as _;
-use support::registry::{Registered, of_tier};
+use support::registry::{Registered, of_poly};
 
 const FILE: &str = "benches/cores/hard.csv";
 
@@ -67,7 +67,7 @@ fn table() -> String {
             lines.push(line);
         }
     };
-    for of in of_tier::<microwarp::tier::Poly>() {
+    for of in of_poly() {
         let line = |numbers: &[f32], uniforms: &str| {
             let (constructor, numbers) = called(&of, numbers)?;
             let parameters = match of.name {

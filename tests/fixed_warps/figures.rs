@@ -40,12 +40,16 @@ fn edges() -> impl Iterator<Item = u32> {
 /// Every so many words, an odd number, from 0 on, on two threads; and all words about the edges. In the quick speed
 /// every 15th of those.
 pub fn over_words(stride: u32, observe: impl Fn(u32, &mut dyn FnMut(f64)) + Sync) -> Figures {
+    over_words_of(stride, &observe)
+}
+
+fn over_words_of(stride: u32, observe: &(dyn Fn(u32, &mut dyn FnMut(f64)) + Sync)) -> Figures {
     let stride = speed::of("one word tried of every", 15 * stride, stride);
     assert_eq!(stride % 2, 1, "so that all low bits occur");
     let total = Mutex::new(Figures::default());
     std::thread::scope(|scope| {
         for half in 0..2 {
-            let (total, observe) = (&total, &observe);
+            let total = &total;
             scope.spawn(move || {
                 let mut figures = Figures::default();
                 for k in (half..(1_u64 << 32) / u64::from(stride)).step_by(2) {
@@ -65,11 +69,17 @@ pub fn over_words(stride: u32, observe: impl Fn(u32, &mut dyn FnMut(f64)) + Sync
 
 /// This many pairs of words, in the quick speed a 16th of them, in no step with each other; and all pairs of words next to powers of two.
 pub fn over_pairs(count: u64, observe: impl Fn([u32; 2], &mut dyn FnMut(f64)) + Sync) -> Figures {
+    over_pairs_of(count, &observe)
+}
+
+type OfPair<'a> = &'a (dyn Fn([u32; 2], &mut dyn FnMut(f64)) + Sync);
+
+fn over_pairs_of(count: u64, observe: OfPair) -> Figures {
     let count = speed::of("pairs of words tried", count / 16, count);
     let total = Mutex::new(Figures::default());
     std::thread::scope(|scope| {
         for half in 0..2 {
-            let (total, observe) = (&total, &observe);
+            let total = &total;
             scope.spawn(move || {
                 let mut figures = Figures::default();
                 for k in (half..count).step_by(2) {

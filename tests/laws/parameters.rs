@@ -1,11 +1,10 @@
 //! Bad parameters get a typed error from the constructor, and nothing is built; the extremes that are accepted are total.
 
-use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::{MAX_STRATA, Strata1d, Strata2d};
 use microwarp::{Error, Warp as _, libm, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::registry::{Registered, of_tier, registered};
+use support::registry::{Registered, of_libm, of_poly, registered};
 
 #[test]
 fn impossible_parameters_are_refused_by_name() {
@@ -58,7 +57,7 @@ fn both_tiers_refuse_the_same_numbers() {
     };
     let (mut places, mut drawn) = (0, 0);
     let mut rng = Pcg32::new(7, 3);
-    for (libm, poly) in of_tier::<Libm>().iter().zip(&of_tier::<Poly>()) {
+    for (libm, poly) in of_libm().iter().zip(&of_poly()) {
         let verdicts = |numbers: &[f32]| {
             let verdict = |of: &Registered| (of.build)(numbers).map(|e| e.warp.sample([0.5; 4]));
             let (one, other) = (verdict(libm), verdict(poly));

@@ -85,6 +85,10 @@ pub fn rounded(x: &BigUint) -> f64 {
 
 /// Words from `first` to `last` in runs of the same key, by galloping and halving.
 pub fn runs<K: PartialEq>(first: u64, last: u64, key: impl Fn(u64) -> K) -> Vec<(K, u64, u64)> {
+    runs_of(first, last, &key)
+}
+
+fn runs_of<K: PartialEq>(first: u64, last: u64, key: &dyn Fn(u64) -> K) -> Vec<(K, u64, u64)> {
     let (mut runs, mut start) = (Vec::new(), first);
     loop {
         let own = key(start);
@@ -271,7 +275,7 @@ impl Words {
 
 /// How many of the 2^32 words accept, which are the lowest ones: it steps on both sides of the border.
 pub fn border(accepts: impl Fn(u64) -> bool) -> u64 {
-    let found = runs(0, u64::from(u32::MAX), accepts);
+    let found = runs_of(0, u64::from(u32::MAX), &accepts);
     match found[..] {
         [(true, _, last), (false, ..)] => last + 1,
         [(true, ..)] => 1 << 32,

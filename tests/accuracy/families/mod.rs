@@ -12,14 +12,14 @@ use support::figures::{
     place_moved, polar_error, sample_error,
 };
 use support::moved::Moved;
-use support::registry::{Domain, Entry, Registered, Uniforms, of_tier};
+use support::registry::{Domain, Entry, Registered, Uniforms, of_libm, of_poly};
 
 /// All families of both tiers.
 pub fn families() -> Vec<Family> {
     let all =
         |registered: Vec<Registered>, tier| registered.into_iter().map(move |of| family(of, tier));
-    all(of_tier::<Libm>(), Libm::NAME)
-        .chain(all(of_tier::<Poly>(), Poly::NAME))
+    all(of_libm(), Libm::NAME)
+        .chain(all(of_poly(), Poly::NAME))
         .collect()
 }
 

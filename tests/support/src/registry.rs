@@ -556,13 +556,23 @@ where
 
 /// Every constructor of every warp, in both tiers.
 pub fn registered() -> Vec<Registered> {
-    let mut all = of_tier::<Libm>();
-    all.extend(of_tier::<Poly>());
+    let mut all = of_libm();
+    all.extend(of_poly());
     all
 }
 
+/// Every constructor of every warp in the tier `libm`, compiled here and nowhere else.
+pub fn of_libm() -> Vec<Registered> {
+    of_tier::<Libm>()
+}
+
+/// The same in `poly`.
+pub fn of_poly() -> Vec<Registered> {
+    of_tier::<Poly>()
+}
+
 /// Every constructor of every warp in one tier.
-pub fn of_tier<T: Tier>() -> Vec<Registered> {
+fn of_tier<T: Tier>() -> Vec<Registered> {
     let mut all = line::registered::<T>();
     all.extend(power::registered::<T>());
     all.extend(composed::registered::<T>());
