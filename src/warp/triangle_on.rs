@@ -15,7 +15,9 @@ use crate::uniform::Canonical;
 #[cfg_attr(doc, doc = include_str!("../pictures/triangle_on.html"))]
 ///
 /// # Density
-/// 1/area per unit area on the triangle, and 0 farther outside it than the rounding of its points.
+/// 1/area per unit area on the triangle and within rounding of it, so that it is 0 at no sample. In two and three
+/// dimensions it is 0 where a point lies more than 2⁻¹⁶ of the longest side and 2⁻¹⁹ of the size beyond the line of a
+/// side, or off the plane.
 ///
 /// # Domain
 /// - Point: the triangle, to the rounding of its coordinates, and its bounding box exactly.
@@ -150,12 +152,17 @@ impl<const D: usize> TriangleOn<D> {
         // The change of a barycentric coordinate along the two axes.
         let (run, rise) = (1.0 / length, 1.0 / height);
         let changes = [(-run, foot * rise - rise), (run, -foot * rise), (0.0, rise)];
-        let error = (1.0 + 0.5 * D as f32) * f32::EPSILON;
+        // A proof, in steps of 2⁻²⁴. No point leaves the box, so its offset from a vertex has 3/2 of the longest side at
+        // most; its dot products with the axes add D roundings, the axes and the reciprocals their own, and the height
+        // half a rounding for each coordinate plane. In the second term: weights whose sum is off by 3, and 3 more of
+        // the products and sums of a point.
+        let d = D as f32;
+        let error = (8.5 + (0.75 + 0.25 * d) * d) * f32::EPSILON;
         let mut slack = [0.0; 3];
         for (sum, (run, rise)) in slack.iter_mut().zip(&changes) {
             *sum = error * length * (run.abs() + rise.abs());
             for ((t, g), m) in along.iter().zip(&across).zip(&reach) {
-                *sum += (run * t + rise * g).abs() * (f32::EPSILON * (m / unit / scale));
+                *sum += (run * t + rise * g).abs() * (3.0 * f32::EPSILON * (m / unit / scale));
             }
         }
         Ok(Self {
@@ -168,7 +175,7 @@ impl<const D: usize> TriangleOn<D> {
             per_height: rise / unit / scale,
             foot,
             slack,
-            lift: 2.0 * f32::EPSILON * (largest + length * unit * scale),
+            lift: (d + 2.0) * f32::EPSILON * largest + 2.0 * error * (length * unit * scale),
             density,
         })
     }
