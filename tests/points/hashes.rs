@@ -196,3 +196,32 @@ fn no_two_positions_share_their_words() {
     assert!((equal - expected).abs() <= 6.0 * expected.sqrt());
     assert_eq!(pairs.len(), count as usize);
 }
+
+/// The hash of two words that were joined by their difference in bits, which swaps the words of two samples.
+fn symmetric([seed, pixel, sample, dimension]: [u32; 4]) -> u32 {
+    let word = |seed, number| by_position([seed, 0, 0, number]);
+    let both = word(seed ^ pixel, sample) ^ word(!seed ^ pixel, dimension);
+    by_position([0, 0, 0, both])
+}
+
+/// How often a sample repeats the words that another has in two dimensions, in whichever order.
+fn repeated_pairs(hash: Hash, dimensions: u32, [seed, pixel]: [u32; 2]) -> usize {
+    let pairs = || (0..dimensions).flat_map(|d| (0..d).map(move |c| [c, d]));
+    let of_sample = |sample| pairs().map(move |p| p.map(|d| hash([seed, pixel, sample, d])));
+    let mut found: Vec<[u32; 2]> = (0..1 << 20).flat_map(of_sample).collect();
+    found.iter_mut().for_each(|pair| pair.sort_unstable());
+    found.sort_unstable();
+    found.windows(2).filter(|two| two[0] == two[1]).count()
+}
+
+/// Two samples of a million share no two words: by chance 3e-8 n pairs do, n being the pairs of dimensions squared.
+#[test]
+fn no_two_samples_swap_their_words() {
+    let dimensions = speed::of("dimensions whose words may be swapped", 2, 6);
+    for place in [[0, 0], [2026, 7]] {
+        assert_eq!(repeated_pairs(by_position, dimensions, place), 0);
+    }
+    let swapped = repeated_pairs(symmetric, 2, [0, 0]);
+    println!("{swapped} pairs of samples with swapped words, where words are joined by bits");
+    assert!(swapped > 60);
+}

@@ -3,11 +3,13 @@
 //! - `intervals`: the structure of Sobol' points, exactly; and their directions against the textbook's
 //! - `integration`: errors of means and how they fall, discrepancy, seeds, truncation
 //! - `hashes`: the scrambling beside Owen's, and the statistics of words by position
+//! - `neighbours`: words of neighbouring samples, pixels and seeded generators are independent
 //! - `uses`: warps, strata, chains and the integer tier take a point as a generator
 
 mod hashes;
 mod integration;
 mod intervals;
+mod neighbours;
 mod uses;
 
 use microwarp::uniform::{Points, Recurrence, Sobol};

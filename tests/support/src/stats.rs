@@ -60,6 +60,30 @@ pub fn chi_square(observed: &[u64], expected: &[f64]) -> Result<(f64, usize, f64
     Ok((chi2, dof, law.sf(chi2)))
 }
 
+/// p-values of equal frequencies in the cells of two and of three of the nine words of neighbours i, i + 1 and i + 2, one
+/// of them being of i. Twelve bits make a cell, as many of each word, from its highest but `shift` on.
+pub fn dependences(neighbours: &[[u32; 3]], shifts: &[u32]) -> Vec<f64> {
+    let expected = vec![neighbours.len().saturating_sub(2) as f64 / 4096.0; 4096];
+    let p = |shift: u32, chosen: &[usize]| {
+        let width = 12 / chosen.len() as u32;
+        let mut cells = vec![0; 4096];
+        for row in neighbours.windows(3) {
+            let bits = |k: usize| row[k / 3][k % 3].rotate_left(shift + width) & ((1 << width) - 1);
+            let cell = |cell: u32, &k: &usize| cell << width | bits(k);
+            cells[chosen.iter().fold(0, cell) as usize] += 1;
+        }
+        chi_square(&cells, &expected).map_or(f64::NAN, |found| found.2)
+    };
+    let mut found = Vec::new();
+    for &shift in shifts {
+        for (a, b) in (0..3).flat_map(|a| (a + 1..9).map(move |b| (a, b))) {
+            found.push(p(shift, &[a, b]));
+            found.extend((b + 1..9).map(|c| p(shift, &[a, b, c])));
+        }
+    }
+    found
+}
+
 /// The chance of a Kolmogorov-Smirnov distance of at least `d` among `n` samples.
 ///
 /// statrs has the test but sorts its samples for it, and 10^7 of them in every entry take too long; it
