@@ -19,6 +19,20 @@
 //! | [`Sobol`] | N^−1.45 where the integrand is smooth, N^−0.75 at edges | 2ᵐ points, up to 8 dimensions | 0 or 768 bytes |
 //! | [`Recurrence`] | N^−0.9, N^−0.75 | any N, 1 to 3 dimensions, the cheapest | 0 |
 //! | [`ByPosition`] | N^−0.5 | random numbers without a state, any dimensions | 0 |
+//!
+//! # Many generators
+//! Generators of neighbouring seeds or streams may yield words that depend on each other, and those of PCG32 do. Seed them from
+//! [`ByPosition`], whose numbers may be neighbours: of threads, pixels, particles, frames.
+//! ```
+//! use microwarp::uniform::{ByPosition, Points};
+//! use rand_pcg::{Pcg32, rand_core::SeedableRng};
+//!
+//! let of = |index| Pcg32::from_rng(&mut ByPosition::new(42, index).at(0));
+//! let mut threads = [0, 1, 2, 3].map(of);
+//! # use rand_pcg::rand_core::Rng;
+//! # assert_eq!(threads[1].next_u32(), 0x998a_9383);
+//! ```
+//! `mw_pcg32_init_at` in C and `Pcg32.at` in JavaScript make the same generators.
 
 mod generators;
 mod points;

@@ -65,13 +65,22 @@ typedef struct mw_pcg32 {
     uint64_t increment;
 } mw_pcg32;
 
-/** Any seed will do. Generators of different streams give unrelated words from one seed. */
+/**
+ * One generator. Generators of neighbouring seeds or streams give words that depend on each other:
+ * mw_pcg32_init_at seeds many.
+ */
 inline void mw_pcg32_init(mw_pcg32 *rng, uint64_t seed, uint64_t stream)
 {
     /* Here, so that a compiler folds what is constant; the library has it, too. */
     rng->increment = (stream << 1) | 1u;
     rng->state = (seed + rng->increment) * UINT64_C(0x5851f42d4c957f2d) + rng->increment;
 }
+
+/**
+ * One of many generators, of independent words: for thread, pixel or device `index`. It is seeded
+ * from the words of dimensions 0 to 3 of mw_word_by_position(seed, index, 0, ...).
+ */
+void mw_pcg32_init_at(mw_pcg32 *rng, uint32_t seed, uint32_t index);
 
 /** The next 32 random bits. */
 uint32_t mw_pcg32_next(mw_pcg32 *rng);

@@ -3,8 +3,9 @@
 use core::convert::Infallible;
 use core::ffi::c_void;
 use core::fmt;
-use rand_core::TryRng;
+use core_crate::uniform::{ByPosition, Points};
 use rand_core::utils::{fill_bytes_via_next_word, next_u64_via_u32};
+use rand_core::{Rng, TryRng};
 
 /// `mw_pcg32`: the generator PCG-XSH-RR 64/32.
 #[repr(C)]
@@ -104,13 +105,20 @@ pub fn forget_registers() {
     }
 }
 
-/// Any seed and any stream will do.
 #[unsafe(export_name = "mw_pcg32_init")]
 extern "C" fn init(rng: &mut Pcg32, seed: u64, stream: u64) {
     let increment = (stream << 1) | 1;
     rng.state = seed.wrapping_add(increment);
     rng.increment = increment;
     rng.next();
+}
+
+/// `SeedableRng::from_rng` of `rand_pcg`.
+#[unsafe(export_name = "mw_pcg32_init_at")]
+extern "C" fn init_at(rng: &mut Pcg32, seed: u32, index: u32) {
+    let mut words = ByPosition::new(seed, index).at(0);
+    let seed = words.next_u64();
+    init(rng, seed, words.next_u64() >> 1);
 }
 
 #[unsafe(export_name = "mw_pcg32_next")]

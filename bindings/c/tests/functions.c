@@ -593,8 +593,17 @@ static void points_cover(void)
     }
     for (int i = 0; i < 4; i++)
         CHECK(quarter[i] == 16);
-    CHECK(mw_word_by_position(1, 2, 3, 4) == mw_word_by_position(1, 2, 3, 4));
-    CHECK(mw_word_by_position(1, 2, 3, 4) != mw_word_by_position(1, 2, 3, 5));
+    /* As in Rust and in JavaScript: tests/points/neighbours.rs. */
+    static const uint32_t indices[3] = {0, 1, UINT32_MAX};
+    static const uint32_t known[3][3] = {{0x93d8a563, 0xb22cb017, 0x9f114892},
+        {0x998a9383, 0xc04268ab, 0x7b4f30ef}, {0xa765a3a5, 0xe9718413, 0xce781d5f}};
+    for (int i = 0; i < 3; i++) {
+        mw_pcg32 rng;
+        mw_pcg32_init_at(&rng, 42, indices[i]);
+        for (int k = 0; k < 3; k++)
+            CHECK(mw_pcg32_next(&rng) == known[i][k]);
+    }
+    CHECK(mw_word_by_position(42, 1, 0, 0) != mw_word_by_position(42, 1, 0, 1));
     CHECK(mw_strata_1d_init(&line, 4) == MW_OK && mw_strata_1d_point(&line, 2, 0.5f) == 0.625f);
     CHECK(mw_strata_1d_init(&line, 0) != MW_OK);
     static const float u[2] = {0.5f, 0.5f};
