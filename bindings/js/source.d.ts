@@ -13,6 +13,11 @@ export declare abstract class Source {
 export declare class Pcg32 extends Source {
   /** Without a seed, the generator is seeded from `crypto.getRandomValues`. */
   constructor(seed?: number | bigint, stream?: number | bigint);
+  /**
+   * One of many generators, of independent words: for worker, thread or pixel `index`. The words of neighbouring seeds or streams
+   * of the constructor depend on each other.
+   */
+  static at(seed: number, index: number): Pcg32;
   /** The state, as two words in hexadecimal: keep it, and go on with `resume`. */
   readonly state: string;
   /**

@@ -32,6 +32,11 @@ export class Pcg32 extends Source {
     [seed, stream] = [bits64(seed), bits64(stream)];
     wasm.seed(generator(this._state), seed, stream);
   }
+  static at(seed, index) {
+    const rng = new Pcg32(0);
+    wasm.seed_at(generator(rng._state), seed, index);
+    return rng;
+  }
   get state() {
     return Array.from(new BigUint64Array(stored(this._state).buffer), hex).join("-");
   }

@@ -24,6 +24,14 @@ test("every class has what it needs in the smaller module", () => {
   assert.deepEqual(runs_of(), due);
 });
 
+test("one of many generators has its words, as in Rust and C", () => {
+  // tests/points/neighbours.rs
+  const known = [
+    [0x93d8a563, 0xb22cb017, 0x9f114892], [0x998a9383, 0xc04268ab, 0x7b4f30ef], [0xa765a3a5, 0xe9718413, 0xce781d5f],
+  ];
+  assert.deepEqual([0, 1, 2 ** 32 - 1].map((index) => [...Pcg32.at(42, index).words(new Uint32Array(3))]), known);
+});
+
 test("what is loaded goes on with the larger module, with the same bits", async () => {
   const sources = () => [new Pcg32(7, 1), new Pcg32(8, 1)];
   const [normal, disk, table, bins] = [new Normal(20, 0.5), new Disk(), new Cdf([1, 2, 3]), new Alias([1, 2, 3])];

@@ -6,6 +6,7 @@ use microwarp::uniform::{
     ByPosition, Points, Sobol, Strata1d, Strata2d, deep_from_word, grid_from_word,
 };
 use microwarp_js_hot::Pcg32;
+use rand_core::Rng;
 
 /// Seeds the generator at `state`.
 ///
@@ -15,6 +16,18 @@ use microwarp_js_hot::Pcg32;
 pub unsafe extern "C" fn seed(state: *mut Pcg32, seed: u64, stream: u64) {
     // SAFETY: as the caller says.
     unsafe { state.write(Pcg32::new(seed, stream)) }
+}
+
+/// Seeds the generator at `state` as one of many, by words by position: `SeedableRng::from_rng` of `rand_pcg`.
+///
+/// # Safety
+/// There is room for it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn seed_at(state: *mut Pcg32, seed: u32, index: u32) {
+    let mut words = ByPosition::new(seed, index).at(0);
+    let seed = words.next_u64();
+    // SAFETY: as the caller says.
+    unsafe { state.write(Pcg32::new(seed, words.next_u64() >> 1)) }
 }
 
 /// Draws words.
