@@ -4,6 +4,11 @@ import { Source } from "./source.js";
 export type Step<State> = ({ normal: Readonly<State> } | { box: Readonly<State> }) & {
   /** For states in the unit cube, whose opposite faces meet: the probability of a step to a uniform point of it. */
   cube?: number;
+  /**
+   * Whether the target returns the natural logarithm of the density, up to a summand; −Infinity stands for a density of 0.
+   * The densities that the chain reports are logarithms then.
+   */
+  logDensity?: boolean;
 };
 
 /** What a step did. */
@@ -14,7 +19,7 @@ export interface Transition<State> {
   proposedDensity: number;
   /** The probability with which the proposal was to be accepted. Record both states, weighted with it and the rest. */
   acceptance: number;
-  /** A proposal is refused where its density is negative, NaN or infinite. */
+  /** A proposal is refused where its density is negative, NaN or infinite, or its logarithm NaN or Infinity. */
   outcome: "accepted" | "rejected" | "refused";
 }
 
@@ -27,9 +32,7 @@ export interface Saved<State> {
 }
 
 /** A Metropolis chain: states in proportion to a target that is known only up to a factor. */
-export declare class Chain<State extends number | number[]> {
-  /** @throws RangeError for widths that are refused, or a target that is not positive and finite at the start. */
-  constructor(target: (state: State) => number, start: State, step: Step<State>);
+export interface Chain<State extends number | number[]> {
   readonly state: State;
   readonly density: number;
   readonly steps: number;
@@ -44,3 +47,19 @@ export declare class Chain<State extends number | number[]> {
   save(): Saved<State>;
   resume(saved: Saved<State>): this;
 }
+
+/** Makes chains, whose states are numbers or arrays; an array written out has its length in its type. */
+export declare const Chain: {
+  /** @throws RangeError for widths that are refused, or a density that is not positive and finite at the start. */
+  new <State extends number = number>(
+    target: (state: number) => number,
+    start: State,
+    step: Step<number>,
+  ): Chain<number>;
+  new <State extends number[] | [number]>(
+    target: (state: State) => number,
+    start: State,
+    step: Step<State>,
+  ): Chain<State>;
+  readonly prototype: Chain<number | number[]>;
+};

@@ -50,7 +50,7 @@ export declare class ByPosition extends Points {
 
 /** Jittered strata: equal intervals of [0, 1), or with `rows` equal cells of the unit square. */
 export declare class Strata {
-  /** @throws RangeError for no strata, or for more than 2²⁴ along a side. */
+  /** @throws RangeError for no strata, or for more than 2²³ along a side. */
   constructor(columns: number, rows?: number);
   /** The point of stratum `index`, row by row, at a place in [0, 1) or [0, 1)² within it. */
   place(index: number, jitter: number): number;

@@ -232,8 +232,8 @@ pub struct Reflection {
 /// # Density
 /// `2 (w·m) D(m)/(w_z + ℓ)` per steradian where w·m > 0, with the view w, `ℓ = √(αx² w_x² + αy² w_y² + w_z²)` and D as for
 /// [`Ggx`].
-/// The reflected direction has density `D(m)/(2(w_z + ℓ))`: [`GgxVisible::reflected_pdf`]. [`GgxVisible::bounded`] divides by
-/// `k w_z + ℓ` instead, with k ≤ 1.
+/// The reflected direction has density `D(m)/(2(w_z + ℓ))`. [`GgxVisible::reflected_pdf`] gives it. [`GgxVisible::bounded`]
+/// divides by `k w_z + ℓ` instead, with k ≤ 1.
 ///
 /// # Domain
 /// - Point: unit vectors with z > 0, about the surface normal +z.

@@ -230,8 +230,8 @@ impl<T: Tier> Invert for CosineHemisphere<T> {
 ///
 /// # Domain
 /// - Point: unit vectors with z > 0.
-/// - Uniforms: two. (½, ½) gives the pole. Drawing takes them from the grid without 0
-///   ([`open`](crate::uniform::open)), so that no draw lies nearer to the horizon than its share.
+/// - Uniforms: two. (½, ½) gives the pole. Drawing takes them from the grid without 0,
+///   so that no draw lies nearer to the horizon than its share. [`uniform::open`](crate::uniform::open) is that grid.
 ///
 /// # Accuracy
 /// *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count

@@ -23,8 +23,8 @@ use core::marker::PhantomData;
 /// [`SphericalTriangle`](super::SphericalTriangle#density) says of small triangles and of `pdf(w) > 0` holds here, too.
 ///
 /// Where q is above 64 before the inside, the point is so close to the rectangle that area is sampled instead, unless a
-/// corner is 64 times as near as another: [`samples_area`](SphericalRectangle::samples_area) says so. `pdf`,
-/// `sample_with_pdf` and the inverse are then those of area, distance²/(cos θ · area) per steradian.
+/// corner is 64 times as near as another. [`samples_area`](SphericalRectangle::samples_area) says so.
+/// Densities and the inverse are then those of area, distance²/(cos θ · area) per steradian.
 ///
 /// # Domain
 /// - Point: unit vectors in world space. The rectangle is seen from both sides.

@@ -22,17 +22,18 @@ use core::marker::PhantomData;
 /// # Density
 /// 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 4e-7·q rad from a side, and farther beyond
 /// a sharp corner. A world direction is rounded to 6e-8 rad, so that it cannot tell inside
-/// from outside in a triangle a few times wider than that. Hence, as for [`Oriented`](super::Oriented):
+/// from outside in a triangle a few times wider than that. [`Oriented`](super::Oriented) says more. Hence:
 ///
 /// - `pdf(w) > 0` is no hit test. Take the density of directions that meet the triangle, or the one that comes with the
 ///   sample. The density of a triangle of 1e-3 rad integrates over all directions to 1.003, that of 1e-6 rad
 ///   (4e-13 sr) to about 9.
-/// - The place on the triangle keeps its digits at any size: [`locate`](SphericalTriangle::locate) gives its barycentric
-///   coordinates. Trace a ray to it rather than along the direction where the triangle is narrower than about 1e-4 rad.
+/// - [`locate`](SphericalTriangle::locate) gives the place on the triangle in barycentric coordinates, which keep their
+///   digits at any size: trace a ray to it rather than along the direction where the triangle is narrower than about
+///   1e-4 rad.
 ///
 /// Where q is above 64 before the inside, the point is so close to the triangle that area is sampled instead, unless a
-/// vertex is 64 times as near as another: [`samples_area`](SphericalTriangle::samples_area) says so. `pdf`, `sample_with_pdf` and the inverse are then
-/// those of area, distance²/(cos θ · area) per steradian.
+/// vertex is 64 times as near as another. [`samples_area`](SphericalTriangle::samples_area) says so. Densities and the
+/// inverse are then those of area, distance²/(cos θ · area) per steradian.
 ///
 /// # Domain
 /// - Point: unit vectors in world space. The triangle is seen from both sides.

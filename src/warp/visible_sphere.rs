@@ -36,7 +36,7 @@ pub struct SurfaceSample {
 /// directions from inside. On the surface itself k is 1, and the directions fill the hemisphere towards the centre: the
 /// limit from outside.
 ///
-/// `pdf(w) > 0` is no hit test, and a lamp of half angle below about 1e-5 rad is best taken as a point:
+/// `pdf(w) > 0` is no hit test, and a lamp of half angle below about 1e-5 rad is best taken as a point.
 /// [`Oriented`](super::Oriented#density) says why. The density that comes with a sample belongs to its uniforms, and is
 /// right however narrow the cone is.
 ///

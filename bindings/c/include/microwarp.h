@@ -678,7 +678,7 @@ void mw_henyey_greenstein_invert(const mw_henyey_greenstein *warp, const float p
  * Largest errors: sample, of the size: 2.8e-7; pdf, relative: 4e-7.
  */
 typedef struct mw_von_mises_fisher { uint32_t words[6]; } mw_von_mises_fisher;
-mw_error mw_von_mises_fisher_init(mw_von_mises_fisher *warp, float concentration);
+mw_error mw_von_mises_fisher_init(mw_von_mises_fisher *warp, float kappa);
 void mw_von_mises_fisher_sample(const mw_von_mises_fisher *warp, const float u[2], float point[3]);
 float mw_von_mises_fisher_sample_with_pdf(const mw_von_mises_fisher *warp, const float u[2],
         float point[3]);
@@ -697,7 +697,7 @@ void mw_von_mises_fisher_invert(const mw_von_mises_fisher *warp, const float poi
  * Largest errors: sample, of the size: 2.1e-7; pdf, relative: 9e-7.
  */
 typedef struct mw_ggx { uint32_t words[3]; } mw_ggx;
-mw_error mw_ggx_init(mw_ggx *warp, const float roughness[2]);
+mw_error mw_ggx_init(mw_ggx *warp, const float alpha[2]);
 void mw_ggx_sample(const mw_ggx *warp, const float u[2], float point[3]);
 float mw_ggx_sample_with_pdf(const mw_ggx *warp, const float u[2], float point[3]);
 void mw_ggx_draw(const mw_ggx *warp, mw_pcg32 *rng, float point[3]);
@@ -712,9 +712,9 @@ void mw_ggx_invert(const mw_ggx *warp, const float point[3], float u[2]);
  * Normals of the GGX microfacets that a viewer sees; two uniforms.
  */
 typedef struct mw_ggx_visible { uint32_t words[16]; } mw_ggx_visible;
-mw_error mw_ggx_visible_init(mw_ggx_visible *warp, const float view[3], const float roughness[2]);
+mw_error mw_ggx_visible_init(mw_ggx_visible *warp, const float view[3], const float alpha[2]);
 mw_error mw_ggx_visible_init_bounded(mw_ggx_visible *warp, const float view[3],
-        const float roughness[2]);
+        const float alpha[2]);
 void mw_ggx_visible_sample(const mw_ggx_visible *warp, const float u[2], float point[3]);
 float mw_ggx_visible_sample_with_pdf(const mw_ggx_visible *warp, const float u[2], float point[3]);
 void mw_ggx_visible_draw(const mw_ggx_visible *warp, mw_pcg32 *rng, float point[3]);
@@ -771,8 +771,8 @@ void mw_visible_sphere_invert(const mw_visible_sphere *warp, const float point[3
  * Largest errors: sample, of the size: 4.4e-7; pdf, relative: 5.5e-7.
  */
 typedef struct mw_spherical_patch { uint32_t words[9]; } mw_spherical_patch;
-mw_error mw_spherical_patch_init_from_turns(mw_spherical_patch *warp, float theta_from,
-        float theta_to, float phi_from, float phi_to);
+mw_error mw_spherical_patch_init_from_turns(mw_spherical_patch *warp, float theta0, float theta1,
+        float phi0, float phi1);
 void mw_spherical_patch_sample(const mw_spherical_patch *warp, const float u[2], float point[3]);
 float mw_spherical_patch_sample_with_pdf(const mw_spherical_patch *warp, const float u[2],
         float point[3]);

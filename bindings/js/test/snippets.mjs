@@ -1,5 +1,5 @@
-// Runs the snippets of a page as they stand: each of `js` as a module, which must print; those of `ts` and `html` are written
-// to files, for tsc and for a browser. A snippet that is spoiled must fail.
+// Runs the snippets of a page as they stand: each of `js` as a module, which must print; one of `js worker` as a worker would.
+// Those of `html` are written to a file for a browser, and all others to `typed`, for tsc. A snippet that is spoiled must fail.
 
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -20,15 +20,31 @@ for (const text of snippets) {
   }
   if (passed) throw new Error("a snippet without its package passes");
 }
-const [[typed], [shown]] = [of("ts"), of("html")];
-writeFileSync("snippet.ts", typed);
-writeFileSync("index.html", shown);
+const [worker] = of("js worker");
+const asked = `globalThis.self = { postMessage: (points) => console.log(points.length) };\n${worker}\nself.onmessage({ data: 3 });`;
+if (run(asked).trim() !== "1000") throw new Error("the worker does not answer");
+mkdirSync("typed");
+const typed = ["js", "js worker", "js page", "js config", "ts"].flatMap(of);
+typed.forEach((text, i) => writeFileSync(`typed/snippet${i}.ts`, text));
+writeFileSync("index.html", of("html")[0]);
 mkdirSync("wrong");
-writeFileSync("wrong/wrong.ts", `import { Disk, Exponential, Normal, Pcg32 } from "microwarp";
+writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Normal, Pcg32 } from "microwarp";
 new Normal("0", 1); // wrong
 new Exponential(1); // wrong
 new Disk().sample(0.5); // wrong
 new Disk().fill([0, 0], new Pcg32()); // wrong
+new Chain((x) => x, 0, { normal: [1, 1] }); // wrong
+new Chain((x) => x[0], [1, 1], { box: [1] }); // wrong
+new Chain((x) => x, 0, {}); // wrong
 export const name: string = new Normal(0, 1).draw(new Pcg32()); // wrong
+`);
+writeFileSync("typed/chains.ts", `import { Chain, Pcg32, type Saved } from "microwarp";
+const [rng, dimensions] = [new Pcg32(7), 20];
+export const one: number = new Chain((x) => Math.exp(-x * x), 0, { normal: 1 }).step(rng).from;
+const two = new Chain(([x, y]) => x * y, [1, 1], { box: [1, 1], cube: 0.25 });
+const kept: Saved<[number, number]> = two.save();
+export const sum: number = two.resume(kept).state[0] + two.step(rng).proposed[1];
+const zeros: number[] = new Array<number>(dimensions).fill(0);
+export const many: Chain<number[]> = new Chain((x) => x.length, zeros, { normal: zeros });
 `);
 console.log(`${snippets.length} snippets run`);

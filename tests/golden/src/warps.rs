@@ -416,7 +416,7 @@ macro_rules! float_warps {
                 }
                 cost { "von_mises_fisher_10" [u, v] -> [f32; 3] = stored(|| VonMisesFisher::new(10.0)), }
                 page { sphere 2: VonMisesFisher(concentration: 10 in 0..200 by 0.5) => VonMisesFisher::<T>::new(concentration), }
-                bind { "von_mises_fisher" = VonMisesFisher { new(concentration: f32), } }
+                bind { "von_mises_fisher" = VonMisesFisher { new(kappa: f32), } }
             }
             Ggx {
                 golden {
@@ -428,7 +428,7 @@ macro_rules! float_warps {
                     sphere 2: Ggx(roughness_along_x: 0.1 in 0.001..1, roughness_along_y: 0.5 in 0.001..1)
                         => Ggx::<T>::new([roughness_along_x, roughness_along_y]),
                 }
-                bind { "ggx" = Ggx { new(roughness: [f32; 2]), } }
+                bind { "ggx" = Ggx { new(alpha: [f32; 2]), } }
             }
             GgxVisible {
                 golden {
@@ -444,8 +444,8 @@ macro_rules! float_warps {
                 }
                 bind {
                     "ggx_visible" = GgxVisible {
-                        new(view: [f32; 3], roughness: [f32; 2]),
-                        bounded(view: [f32; 3], roughness: [f32; 2]),
+                        new(view: [f32; 3], alpha: [f32; 2]),
+                        bounded(view: [f32; 3], alpha: [f32; 2]),
                     }
                 }
             }
@@ -497,7 +497,7 @@ macro_rules! float_warps {
                 }
                 bind {
                     "spherical_patch" = SphericalPatch {
-                        from_turns(theta_from: f32, theta_to: f32, phi_from: f32, phi_to: f32),
+                        from_turns(theta0: f32, theta1: f32, phi0: f32, phi1: f32),
                     }
                 }
             }

@@ -3,7 +3,7 @@
 use super::bound::{self, Block, Bound};
 use super::comments::Comments;
 use super::declare::{WIDTH, declare, structure};
-use crate::{Outcome, errors, read};
+use crate::{Outcome, errors, read, wrapped};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -194,20 +194,4 @@ fn comment(text: &mut String, warp: &Bound, comments: &Comments, column: &str) -
     }
     writeln!(text, "/**\n * {}\n */", lines.join("\n * ")).unwrap();
     Ok(())
-}
-
-fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let last = lines.last_mut().unwrap();
-        if !last.is_empty() && last.chars().count() + 1 + word.chars().count() > width {
-            lines.push(word.into());
-        } else {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(word);
-        }
-    }
-    lines
 }

@@ -1,6 +1,6 @@
 //! The scripts and the typings of the classes.
 
-use super::docs::Docs;
+use super::docs::{Docs, Names};
 use super::{Class, Constructor, camel};
 use microwarp_upkeep::{Outcome, errors};
 
@@ -78,11 +78,12 @@ pub fn typings(classes: &[Class]) -> Outcome<String> {
     let mut text =
         format!("// The warps, {HEAD}\nimport {{ Vector2, Vector3, Warp }} from \"./warp.js\";\n");
     for class in classes {
-        let docs = Docs::of(class.block)?;
+        let (docs, names) = (Docs::of(class.block)?, Names::of(class, classes));
+        names.control()?;
         let (point, uniforms) = (numbers(class.numbers), numbers(class.uniforms));
         text += &format!(
             "\n{}export declare class {} extends Warp<{point}, {uniforms}> {{\n",
-            docs.class()?,
+            docs.class(&names)?,
             class.name
         );
         if class
@@ -93,7 +94,7 @@ pub fn typings(classes: &[Class]) -> Outcome<String> {
             text += "  private constructor();\n";
         }
         for constructor in &class.constructors {
-            text += &docs.constructor(constructor.rust)?;
+            text += &docs.constructor(constructor.rust, &names)?;
             text += &match constructor.rust {
                 "new" => format!("  constructor({});\n", signature(constructor)),
                 _ => format!(
