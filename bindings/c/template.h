@@ -29,6 +29,10 @@
  * them, except that an array of count 0 may be any pointer, and where null is said to be allowed; a
  * struct has been made by its mw_NAME_init. Arrays that are read and arrays that are written may overlap.
  *
+ * A struct of zeros, as `= {0}` and `static` make it, is an estimator or a reservoir that has seen
+ * nothing; a generator without a seed, whose words are always the same; a source that fails; and a
+ * chain that refuses to step. A sampler or a table of zeros is none.
+ *
  * Angles are in turns unless the name says otherwise; directions are unit vectors about +z.
  */
 #ifndef MICROWARP_H
@@ -432,10 +436,19 @@ float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
 /* ---- Metropolis chains ----------------------------------------------------------------------- */
 
 /*
+ * The target is a density of the caller up to a factor, as mw_bounded_2d_draw takes one: a function
+ * `float at(void *context, const float x[2])` with its context, in a mw_density_2d. It returns the
+ * density, or for a mw_log_chain_2d its natural logarithm, up to a summand: a product of many factors
+ * underflows as a float and its logarithm does not. -INFINITY then stands for a density of 0, and the
+ * densities of the chain and of a transition are logarithms, too.
+ *
  * The state lies open, so it can be read, stored, and taken up again; write to `state` only before
  * `init`. Every step returns MW_OK, and then `*transition`, which may be null, says what became of
- * the proposal. A refused proposal had a density that is negative, NaN or infinite. After an error
- * the chain is as it was.
+ * the proposal. A refused proposal had a density that is negative, NaN or infinite (a logarithm that
+ * is NaN or INFINITY). After an error the chain is as it was: MW_SOURCE_FAILED, MW_OUT_OF_RANGE for
+ * counts that contradict each other, MW_NOT_POSITIVE for a chain of zeros that no `init` has made, and
+ * those of the widths: MW_NOT_FINITE, MW_NEGATIVE, MW_TOO_LARGE, and MW_NOT_POSITIVE where all are 0. `init` refuses a start whose
+ * density is 0 (MW_NOT_POSITIVE), negative (MW_NEGATIVE), NaN or infinite (MW_NOT_FINITE).
  *
  *   step_normal   adds a normal step with these standard deviations
  *   step_box      adds a uniform step within these widths
@@ -446,44 +459,47 @@ float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
  */
 enum { MW_ACCEPTED = 0, MW_REJECTED = 1, MW_REFUSED = 2 };
 
-@each 1d,state,from,float~std_dev,float~width,float~start,float~proposed,proposed 2d,state[2],from[2],const~float~std_devs[2],const~float~widths[2],const~float~start[2],const~float~proposed[2],proposed[2] 3d,state[3],from[3],const~float~std_devs[3],const~float~widths[3],const~float~start[3],const~float~proposed[3],proposed[3] 4d,state[4],from[4],const~float~std_devs[4],const~float~widths[4],const~float~start[4],const~float~proposed[4],proposed[4] 6d,state[6],from[6],const~float~std_devs[6],const~float~widths[6],const~float~start[6],const~float~proposed[6],proposed[6] 8d,state[8],from[8],const~float~std_devs[8],const~float~widths[8],const~float~start[8],const~float~proposed[8],proposed[8]@
-typedef struct mw_chain_{} {
-    uint64_t steps;
-    uint64_t accepted;
-    uint64_t refused;
-    uint32_t rejected_in_a_row;
-    float density;
-    float {1};
-} mw_chain_{};
+@each 1d,from,proposed 2d,from[2],proposed[2] 3d,from[3],proposed[3] 4d,from[4],proposed[4] 6d,from[6],proposed[6] 8d,from[8],proposed[8]@
 typedef struct mw_transition_{} {
     float from_density;
     float proposed_density;
     float acceptance; /* the probability with which the proposal is accepted */
     uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float {1};
     float {2};
-    float {7};
 } mw_transition_{};
-mw_error mw_chain_{}_init(mw_chain_{} *chain, {5}, const mw_density_{} *target);
-mw_error mw_chain_{}_step_normal(mw_chain_{} *chain, {3},
-        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_box(mw_chain_{} *chain, {4},
-        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_wrapped(mw_chain_{} *chain, {3},
-        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_uniform(mw_chain_{} *chain,
-        const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_to(mw_chain_{} *chain, {6}, float forward,
-        float backward, const mw_density_{} *target, mw_pcg32 *rng, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_normal_from(mw_chain_{} *chain, {3},
-        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_box_from(mw_chain_{} *chain, {4},
-        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_wrapped_from(mw_chain_{} *chain, {3},
-        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_uniform_from(mw_chain_{} *chain,
-        const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
-mw_error mw_chain_{}_step_to_from(mw_chain_{} *chain, {6}, float forward,
-        float backward, const mw_density_{} *target, const mw_source *source, mw_transition_{} *transition);
+
+@end@
+@each chain_1d,1d,state,float~std_dev,float~width,float~start,float~proposed,float~density chain_2d,2d,state[2],const~float~std_devs[2],const~float~widths[2],const~float~start[2],const~float~proposed[2],float~density chain_3d,3d,state[3],const~float~std_devs[3],const~float~widths[3],const~float~start[3],const~float~proposed[3],float~density chain_4d,4d,state[4],const~float~std_devs[4],const~float~widths[4],const~float~start[4],const~float~proposed[4],float~density chain_6d,6d,state[6],const~float~std_devs[6],const~float~widths[6],const~float~start[6],const~float~proposed[6],float~density chain_8d,8d,state[8],const~float~std_devs[8],const~float~widths[8],const~float~start[8],const~float~proposed[8],float~density log_chain_1d,1d,state,float~std_dev,float~width,float~start,float~proposed,uint32_t~made;~float~density log_chain_2d,2d,state[2],const~float~std_devs[2],const~float~widths[2],const~float~start[2],const~float~proposed[2],uint32_t~made;~float~density log_chain_3d,3d,state[3],const~float~std_devs[3],const~float~widths[3],const~float~start[3],const~float~proposed[3],uint32_t~made;~float~density log_chain_4d,4d,state[4],const~float~std_devs[4],const~float~widths[4],const~float~start[4],const~float~proposed[4],uint32_t~made;~float~density log_chain_6d,6d,state[6],const~float~std_devs[6],const~float~widths[6],const~float~start[6],const~float~proposed[6],uint32_t~made;~float~density log_chain_8d,8d,state[8],const~float~std_devs[8],const~float~widths[8],const~float~start[8],const~float~proposed[8],uint32_t~made;~float~density@
+typedef struct mw_{} {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    {7};
+    float {2};
+} mw_{};
+mw_error mw_{}_init(mw_{} *chain, {5}, const mw_density_{1} *target);
+mw_error mw_{}_step_normal(mw_{} *chain, {3},
+        const mw_density_{1} *target, mw_pcg32 *rng, mw_transition_{1} *transition);
+mw_error mw_{}_step_box(mw_{} *chain, {4},
+        const mw_density_{1} *target, mw_pcg32 *rng, mw_transition_{1} *transition);
+mw_error mw_{}_step_wrapped(mw_{} *chain, {3},
+        const mw_density_{1} *target, mw_pcg32 *rng, mw_transition_{1} *transition);
+mw_error mw_{}_step_uniform(mw_{} *chain,
+        const mw_density_{1} *target, mw_pcg32 *rng, mw_transition_{1} *transition);
+mw_error mw_{}_step_to(mw_{} *chain, {6}, float forward, float backward,
+        const mw_density_{1} *target, mw_pcg32 *rng, mw_transition_{1} *transition);
+mw_error mw_{}_step_normal_from(mw_{} *chain, {3},
+        const mw_density_{1} *target, const mw_source *source, mw_transition_{1} *transition);
+mw_error mw_{}_step_box_from(mw_{} *chain, {4},
+        const mw_density_{1} *target, const mw_source *source, mw_transition_{1} *transition);
+mw_error mw_{}_step_wrapped_from(mw_{} *chain, {3},
+        const mw_density_{1} *target, const mw_source *source, mw_transition_{1} *transition);
+mw_error mw_{}_step_uniform_from(mw_{} *chain,
+        const mw_density_{1} *target, const mw_source *source, mw_transition_{1} *transition);
+mw_error mw_{}_step_to_from(mw_{} *chain, {6}, float forward, float backward,
+        const mw_density_{1} *target, const mw_source *source, mw_transition_{1} *transition);
 
 @end@
 /* ---- Points and strata ----------------------------------------------------------------------- */

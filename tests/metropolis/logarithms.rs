@@ -2,7 +2,8 @@
 
 use super::acceptance::{acceptance, positive, step};
 use super::stated::stated;
-use microwarp::metropolis::{HastingsRatio, LogDensity, Outcome, Symmetric};
+use microwarp::metropolis::{Chain, HastingsRatio, LogDensity, Outcome, Symmetric};
+use microwarp::poly;
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -222,4 +223,40 @@ fn unsound<T: Tier>() {
 fn invalid_logarithms_are_refused() {
     unsound::<Libm>();
     unsound::<Poly>();
+}
+
+/// The regression of 1,000 observations: their densities multiply to less than `f32` holds by e^-30,000. `bindings/c/tests`
+/// asks the chain in C for the same words.
+#[test]
+fn a_chain_of_a_thousand_observations() {
+    let mut noise = Pcg32::new(7, 0);
+    let observed: Vec<(f32, f32)> = (0..1000)
+        .map(|i: u16| {
+            let z = f32::from(i) / 1000.0;
+            let noise = (noise.next_u32() >> 8) as f32 / 16_777_216.0 - 0.5;
+            (z, 1.0 + 2.0 * z + noise)
+        })
+        .collect();
+    let log = |[a, b]: [f32; 2]| {
+        let mut sum = 0.0;
+        for (z, y) in &observed {
+            let rest = y - a - b * z;
+            sum += rest * rest;
+        }
+        poly::LogDensity::new(-8.0 * sum)
+    };
+    let mut rng = Pcg32::new(42, 54);
+    let step = poly::NormalStep::new([0.05, 0.08]).unwrap();
+    let mut chain = Chain::new([0.0; 2], log).unwrap();
+    assert!(chain.density().get() < -30_000.0);
+    let mut hash = 2_166_136_261_u32;
+    for _ in 0..2000 {
+        let step = chain.step(log, &step, &mut rng);
+        for x in [step.acceptance, chain.state()[0], chain.state()[1]] {
+            hash = (hash ^ x.to_bits()).wrapping_mul(16_777_619);
+        }
+    }
+    let [a, b] = chain.state();
+    assert!((a - 1.0).abs() < 0.1 && (b - 2.0).abs() < 0.2, "{a}, {b}");
+    assert_eq!((hash, chain.accepted()), (175_079_190, 210));
 }

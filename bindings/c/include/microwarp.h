@@ -29,6 +29,10 @@
  * them, except that an array of count 0 may be any pointer, and where null is said to be allowed; a
  * struct has been made by its mw_NAME_init. Arrays that are read and arrays that are written may overlap.
  *
+ * A struct of zeros, as `= {0}` and `static` make it, is an estimator or a reservoir that has seen
+ * nothing; a generator without a seed, whose words are always the same; a source that fails; and a
+ * chain that refuses to step. A sampler or a table of zeros is none.
+ *
  * Angles are in turns unless the name says otherwise; directions are unit vectors about +z.
  */
 #ifndef MICROWARP_H
@@ -1553,10 +1557,19 @@ float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
 /* ---- Metropolis chains ----------------------------------------------------------------------- */
 
 /*
+ * The target is a density of the caller up to a factor, as mw_bounded_2d_draw takes one: a function
+ * `float at(void *context, const float x[2])` with its context, in a mw_density_2d. It returns the
+ * density, or for a mw_log_chain_2d its natural logarithm, up to a summand: a product of many factors
+ * underflows as a float and its logarithm does not. -INFINITY then stands for a density of 0, and the
+ * densities of the chain and of a transition are logarithms, too.
+ *
  * The state lies open, so it can be read, stored, and taken up again; write to `state` only before
  * `init`. Every step returns MW_OK, and then `*transition`, which may be null, says what became of
- * the proposal. A refused proposal had a density that is negative, NaN or infinite. After an error
- * the chain is as it was.
+ * the proposal. A refused proposal had a density that is negative, NaN or infinite (a logarithm that
+ * is NaN or INFINITY). After an error the chain is as it was: MW_SOURCE_FAILED, MW_OUT_OF_RANGE for
+ * counts that contradict each other, MW_NOT_POSITIVE for a chain of zeros that no `init` has made, and
+ * those of the widths: MW_NOT_FINITE, MW_NEGATIVE, MW_TOO_LARGE, and MW_NOT_POSITIVE where all are 0. `init` refuses a start whose
+ * density is 0 (MW_NOT_POSITIVE), negative (MW_NEGATIVE), NaN or infinite (MW_NOT_FINITE).
  *
  *   step_normal   adds a normal step with these standard deviations
  *   step_box      adds a uniform step within these widths
@@ -1567,14 +1580,6 @@ float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
  */
 enum { MW_ACCEPTED = 0, MW_REJECTED = 1, MW_REFUSED = 2 };
 
-typedef struct mw_chain_1d {
-    uint64_t steps;
-    uint64_t accepted;
-    uint64_t refused;
-    uint32_t rejected_in_a_row;
-    float density;
-    float state;
-} mw_chain_1d;
 typedef struct mw_transition_1d {
     float from_density;
     float proposed_density;
@@ -1583,6 +1588,60 @@ typedef struct mw_transition_1d {
     float from;
     float proposed;
 } mw_transition_1d;
+
+typedef struct mw_transition_2d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[2];
+    float proposed[2];
+} mw_transition_2d;
+
+typedef struct mw_transition_3d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[3];
+    float proposed[3];
+} mw_transition_3d;
+
+typedef struct mw_transition_4d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[4];
+    float proposed[4];
+} mw_transition_4d;
+
+typedef struct mw_transition_6d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[6];
+    float proposed[6];
+} mw_transition_6d;
+
+typedef struct mw_transition_8d {
+    float from_density;
+    float proposed_density;
+    float acceptance; /* the probability with which the proposal is accepted */
+    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
+    float from[8];
+    float proposed[8];
+} mw_transition_8d;
+
+typedef struct mw_chain_1d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    float density;
+    float state;
+} mw_chain_1d;
 mw_error mw_chain_1d_init(mw_chain_1d *chain, float start, const mw_density_1d *target);
 mw_error mw_chain_1d_step_normal(mw_chain_1d *chain, float std_dev,
         const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
@@ -1592,8 +1651,8 @@ mw_error mw_chain_1d_step_wrapped(mw_chain_1d *chain, float std_dev,
         const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
 mw_error mw_chain_1d_step_uniform(mw_chain_1d *chain,
         const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
-mw_error mw_chain_1d_step_to(mw_chain_1d *chain, float proposed, float forward,
-        float backward, const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_to(mw_chain_1d *chain, float proposed, float forward, float backward,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
 mw_error mw_chain_1d_step_normal_from(mw_chain_1d *chain, float std_dev,
         const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
 mw_error mw_chain_1d_step_box_from(mw_chain_1d *chain, float width,
@@ -1602,8 +1661,8 @@ mw_error mw_chain_1d_step_wrapped_from(mw_chain_1d *chain, float std_dev,
         const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
 mw_error mw_chain_1d_step_uniform_from(mw_chain_1d *chain,
         const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
-mw_error mw_chain_1d_step_to_from(mw_chain_1d *chain, float proposed, float forward,
-        float backward, const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_chain_1d_step_to_from(mw_chain_1d *chain, float proposed, float forward, float backward,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
 
 typedef struct mw_chain_2d {
     uint64_t steps;
@@ -1613,14 +1672,6 @@ typedef struct mw_chain_2d {
     float density;
     float state[2];
 } mw_chain_2d;
-typedef struct mw_transition_2d {
-    float from_density;
-    float proposed_density;
-    float acceptance; /* the probability with which the proposal is accepted */
-    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
-    float from[2];
-    float proposed[2];
-} mw_transition_2d;
 mw_error mw_chain_2d_init(mw_chain_2d *chain, const float start[2], const mw_density_2d *target);
 mw_error mw_chain_2d_step_normal(mw_chain_2d *chain, const float std_devs[2],
         const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
@@ -1630,8 +1681,8 @@ mw_error mw_chain_2d_step_wrapped(mw_chain_2d *chain, const float std_devs[2],
         const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
 mw_error mw_chain_2d_step_uniform(mw_chain_2d *chain,
         const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
-mw_error mw_chain_2d_step_to(mw_chain_2d *chain, const float proposed[2], float forward,
-        float backward, const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_to(mw_chain_2d *chain, const float proposed[2], float forward, float backward,
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
 mw_error mw_chain_2d_step_normal_from(mw_chain_2d *chain, const float std_devs[2],
         const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
 mw_error mw_chain_2d_step_box_from(mw_chain_2d *chain, const float widths[2],
@@ -1640,8 +1691,8 @@ mw_error mw_chain_2d_step_wrapped_from(mw_chain_2d *chain, const float std_devs[
         const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
 mw_error mw_chain_2d_step_uniform_from(mw_chain_2d *chain,
         const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
-mw_error mw_chain_2d_step_to_from(mw_chain_2d *chain, const float proposed[2], float forward,
-        float backward, const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_chain_2d_step_to_from(mw_chain_2d *chain, const float proposed[2], float forward, float backward,
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
 
 typedef struct mw_chain_3d {
     uint64_t steps;
@@ -1651,14 +1702,6 @@ typedef struct mw_chain_3d {
     float density;
     float state[3];
 } mw_chain_3d;
-typedef struct mw_transition_3d {
-    float from_density;
-    float proposed_density;
-    float acceptance; /* the probability with which the proposal is accepted */
-    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
-    float from[3];
-    float proposed[3];
-} mw_transition_3d;
 mw_error mw_chain_3d_init(mw_chain_3d *chain, const float start[3], const mw_density_3d *target);
 mw_error mw_chain_3d_step_normal(mw_chain_3d *chain, const float std_devs[3],
         const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
@@ -1668,8 +1711,8 @@ mw_error mw_chain_3d_step_wrapped(mw_chain_3d *chain, const float std_devs[3],
         const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
 mw_error mw_chain_3d_step_uniform(mw_chain_3d *chain,
         const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
-mw_error mw_chain_3d_step_to(mw_chain_3d *chain, const float proposed[3], float forward,
-        float backward, const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_to(mw_chain_3d *chain, const float proposed[3], float forward, float backward,
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
 mw_error mw_chain_3d_step_normal_from(mw_chain_3d *chain, const float std_devs[3],
         const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
 mw_error mw_chain_3d_step_box_from(mw_chain_3d *chain, const float widths[3],
@@ -1678,8 +1721,8 @@ mw_error mw_chain_3d_step_wrapped_from(mw_chain_3d *chain, const float std_devs[
         const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
 mw_error mw_chain_3d_step_uniform_from(mw_chain_3d *chain,
         const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
-mw_error mw_chain_3d_step_to_from(mw_chain_3d *chain, const float proposed[3], float forward,
-        float backward, const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_chain_3d_step_to_from(mw_chain_3d *chain, const float proposed[3], float forward, float backward,
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
 
 typedef struct mw_chain_4d {
     uint64_t steps;
@@ -1689,14 +1732,6 @@ typedef struct mw_chain_4d {
     float density;
     float state[4];
 } mw_chain_4d;
-typedef struct mw_transition_4d {
-    float from_density;
-    float proposed_density;
-    float acceptance; /* the probability with which the proposal is accepted */
-    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
-    float from[4];
-    float proposed[4];
-} mw_transition_4d;
 mw_error mw_chain_4d_init(mw_chain_4d *chain, const float start[4], const mw_density_4d *target);
 mw_error mw_chain_4d_step_normal(mw_chain_4d *chain, const float std_devs[4],
         const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
@@ -1706,8 +1741,8 @@ mw_error mw_chain_4d_step_wrapped(mw_chain_4d *chain, const float std_devs[4],
         const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
 mw_error mw_chain_4d_step_uniform(mw_chain_4d *chain,
         const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
-mw_error mw_chain_4d_step_to(mw_chain_4d *chain, const float proposed[4], float forward,
-        float backward, const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_to(mw_chain_4d *chain, const float proposed[4], float forward, float backward,
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
 mw_error mw_chain_4d_step_normal_from(mw_chain_4d *chain, const float std_devs[4],
         const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
 mw_error mw_chain_4d_step_box_from(mw_chain_4d *chain, const float widths[4],
@@ -1716,8 +1751,8 @@ mw_error mw_chain_4d_step_wrapped_from(mw_chain_4d *chain, const float std_devs[
         const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
 mw_error mw_chain_4d_step_uniform_from(mw_chain_4d *chain,
         const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
-mw_error mw_chain_4d_step_to_from(mw_chain_4d *chain, const float proposed[4], float forward,
-        float backward, const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_chain_4d_step_to_from(mw_chain_4d *chain, const float proposed[4], float forward, float backward,
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
 
 typedef struct mw_chain_6d {
     uint64_t steps;
@@ -1727,14 +1762,6 @@ typedef struct mw_chain_6d {
     float density;
     float state[6];
 } mw_chain_6d;
-typedef struct mw_transition_6d {
-    float from_density;
-    float proposed_density;
-    float acceptance; /* the probability with which the proposal is accepted */
-    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
-    float from[6];
-    float proposed[6];
-} mw_transition_6d;
 mw_error mw_chain_6d_init(mw_chain_6d *chain, const float start[6], const mw_density_6d *target);
 mw_error mw_chain_6d_step_normal(mw_chain_6d *chain, const float std_devs[6],
         const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
@@ -1744,8 +1771,8 @@ mw_error mw_chain_6d_step_wrapped(mw_chain_6d *chain, const float std_devs[6],
         const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
 mw_error mw_chain_6d_step_uniform(mw_chain_6d *chain,
         const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
-mw_error mw_chain_6d_step_to(mw_chain_6d *chain, const float proposed[6], float forward,
-        float backward, const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_to(mw_chain_6d *chain, const float proposed[6], float forward, float backward,
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
 mw_error mw_chain_6d_step_normal_from(mw_chain_6d *chain, const float std_devs[6],
         const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
 mw_error mw_chain_6d_step_box_from(mw_chain_6d *chain, const float widths[6],
@@ -1754,8 +1781,8 @@ mw_error mw_chain_6d_step_wrapped_from(mw_chain_6d *chain, const float std_devs[
         const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
 mw_error mw_chain_6d_step_uniform_from(mw_chain_6d *chain,
         const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
-mw_error mw_chain_6d_step_to_from(mw_chain_6d *chain, const float proposed[6], float forward,
-        float backward, const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_chain_6d_step_to_from(mw_chain_6d *chain, const float proposed[6], float forward, float backward,
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
 
 typedef struct mw_chain_8d {
     uint64_t steps;
@@ -1765,14 +1792,6 @@ typedef struct mw_chain_8d {
     float density;
     float state[8];
 } mw_chain_8d;
-typedef struct mw_transition_8d {
-    float from_density;
-    float proposed_density;
-    float acceptance; /* the probability with which the proposal is accepted */
-    uint32_t outcome; /* MW_ACCEPTED, MW_REJECTED or MW_REFUSED */
-    float from[8];
-    float proposed[8];
-} mw_transition_8d;
 mw_error mw_chain_8d_init(mw_chain_8d *chain, const float start[8], const mw_density_8d *target);
 mw_error mw_chain_8d_step_normal(mw_chain_8d *chain, const float std_devs[8],
         const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
@@ -1782,8 +1801,8 @@ mw_error mw_chain_8d_step_wrapped(mw_chain_8d *chain, const float std_devs[8],
         const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
 mw_error mw_chain_8d_step_uniform(mw_chain_8d *chain,
         const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
-mw_error mw_chain_8d_step_to(mw_chain_8d *chain, const float proposed[8], float forward,
-        float backward, const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_to(mw_chain_8d *chain, const float proposed[8], float forward, float backward,
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
 mw_error mw_chain_8d_step_normal_from(mw_chain_8d *chain, const float std_devs[8],
         const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
 mw_error mw_chain_8d_step_box_from(mw_chain_8d *chain, const float widths[8],
@@ -1792,8 +1811,188 @@ mw_error mw_chain_8d_step_wrapped_from(mw_chain_8d *chain, const float std_devs[
         const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
 mw_error mw_chain_8d_step_uniform_from(mw_chain_8d *chain,
         const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
-mw_error mw_chain_8d_step_to_from(mw_chain_8d *chain, const float proposed[8], float forward,
-        float backward, const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_chain_8d_step_to_from(mw_chain_8d *chain, const float proposed[8], float forward, float backward,
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+
+typedef struct mw_log_chain_1d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    uint32_t made; float density;
+    float state;
+} mw_log_chain_1d;
+mw_error mw_log_chain_1d_init(mw_log_chain_1d *chain, float start, const mw_density_1d *target);
+mw_error mw_log_chain_1d_step_normal(mw_log_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_box(mw_log_chain_1d *chain, float width,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_wrapped(mw_log_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_uniform(mw_log_chain_1d *chain,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_to(mw_log_chain_1d *chain, float proposed, float forward, float backward,
+        const mw_density_1d *target, mw_pcg32 *rng, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_normal_from(mw_log_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_box_from(mw_log_chain_1d *chain, float width,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_wrapped_from(mw_log_chain_1d *chain, float std_dev,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_uniform_from(mw_log_chain_1d *chain,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+mw_error mw_log_chain_1d_step_to_from(mw_log_chain_1d *chain, float proposed, float forward, float backward,
+        const mw_density_1d *target, const mw_source *source, mw_transition_1d *transition);
+
+typedef struct mw_log_chain_2d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    uint32_t made; float density;
+    float state[2];
+} mw_log_chain_2d;
+mw_error mw_log_chain_2d_init(mw_log_chain_2d *chain, const float start[2], const mw_density_2d *target);
+mw_error mw_log_chain_2d_step_normal(mw_log_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_box(mw_log_chain_2d *chain, const float widths[2],
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_wrapped(mw_log_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_uniform(mw_log_chain_2d *chain,
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_to(mw_log_chain_2d *chain, const float proposed[2], float forward, float backward,
+        const mw_density_2d *target, mw_pcg32 *rng, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_normal_from(mw_log_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_box_from(mw_log_chain_2d *chain, const float widths[2],
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_wrapped_from(mw_log_chain_2d *chain, const float std_devs[2],
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_uniform_from(mw_log_chain_2d *chain,
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+mw_error mw_log_chain_2d_step_to_from(mw_log_chain_2d *chain, const float proposed[2], float forward, float backward,
+        const mw_density_2d *target, const mw_source *source, mw_transition_2d *transition);
+
+typedef struct mw_log_chain_3d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    uint32_t made; float density;
+    float state[3];
+} mw_log_chain_3d;
+mw_error mw_log_chain_3d_init(mw_log_chain_3d *chain, const float start[3], const mw_density_3d *target);
+mw_error mw_log_chain_3d_step_normal(mw_log_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_box(mw_log_chain_3d *chain, const float widths[3],
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_wrapped(mw_log_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_uniform(mw_log_chain_3d *chain,
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_to(mw_log_chain_3d *chain, const float proposed[3], float forward, float backward,
+        const mw_density_3d *target, mw_pcg32 *rng, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_normal_from(mw_log_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_box_from(mw_log_chain_3d *chain, const float widths[3],
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_wrapped_from(mw_log_chain_3d *chain, const float std_devs[3],
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_uniform_from(mw_log_chain_3d *chain,
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+mw_error mw_log_chain_3d_step_to_from(mw_log_chain_3d *chain, const float proposed[3], float forward, float backward,
+        const mw_density_3d *target, const mw_source *source, mw_transition_3d *transition);
+
+typedef struct mw_log_chain_4d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    uint32_t made; float density;
+    float state[4];
+} mw_log_chain_4d;
+mw_error mw_log_chain_4d_init(mw_log_chain_4d *chain, const float start[4], const mw_density_4d *target);
+mw_error mw_log_chain_4d_step_normal(mw_log_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_box(mw_log_chain_4d *chain, const float widths[4],
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_wrapped(mw_log_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_uniform(mw_log_chain_4d *chain,
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_to(mw_log_chain_4d *chain, const float proposed[4], float forward, float backward,
+        const mw_density_4d *target, mw_pcg32 *rng, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_normal_from(mw_log_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_box_from(mw_log_chain_4d *chain, const float widths[4],
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_wrapped_from(mw_log_chain_4d *chain, const float std_devs[4],
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_uniform_from(mw_log_chain_4d *chain,
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+mw_error mw_log_chain_4d_step_to_from(mw_log_chain_4d *chain, const float proposed[4], float forward, float backward,
+        const mw_density_4d *target, const mw_source *source, mw_transition_4d *transition);
+
+typedef struct mw_log_chain_6d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    uint32_t made; float density;
+    float state[6];
+} mw_log_chain_6d;
+mw_error mw_log_chain_6d_init(mw_log_chain_6d *chain, const float start[6], const mw_density_6d *target);
+mw_error mw_log_chain_6d_step_normal(mw_log_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_box(mw_log_chain_6d *chain, const float widths[6],
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_wrapped(mw_log_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_uniform(mw_log_chain_6d *chain,
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_to(mw_log_chain_6d *chain, const float proposed[6], float forward, float backward,
+        const mw_density_6d *target, mw_pcg32 *rng, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_normal_from(mw_log_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_box_from(mw_log_chain_6d *chain, const float widths[6],
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_wrapped_from(mw_log_chain_6d *chain, const float std_devs[6],
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_uniform_from(mw_log_chain_6d *chain,
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+mw_error mw_log_chain_6d_step_to_from(mw_log_chain_6d *chain, const float proposed[6], float forward, float backward,
+        const mw_density_6d *target, const mw_source *source, mw_transition_6d *transition);
+
+typedef struct mw_log_chain_8d {
+    uint64_t steps;
+    uint64_t accepted;
+    uint64_t refused;
+    uint32_t rejected_in_a_row;
+    uint32_t made; float density;
+    float state[8];
+} mw_log_chain_8d;
+mw_error mw_log_chain_8d_init(mw_log_chain_8d *chain, const float start[8], const mw_density_8d *target);
+mw_error mw_log_chain_8d_step_normal(mw_log_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_box(mw_log_chain_8d *chain, const float widths[8],
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_wrapped(mw_log_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_uniform(mw_log_chain_8d *chain,
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_to(mw_log_chain_8d *chain, const float proposed[8], float forward, float backward,
+        const mw_density_8d *target, mw_pcg32 *rng, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_normal_from(mw_log_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_box_from(mw_log_chain_8d *chain, const float widths[8],
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_wrapped_from(mw_log_chain_8d *chain, const float std_devs[8],
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_uniform_from(mw_log_chain_8d *chain,
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
+mw_error mw_log_chain_8d_step_to_from(mw_log_chain_8d *chain, const float proposed[8], float forward, float backward,
+        const mw_density_8d *target, const mw_source *source, mw_transition_8d *transition);
 
 /* ---- Points and strata ----------------------------------------------------------------------- */
 

@@ -5,32 +5,97 @@ use crate::generators::{Pcg32, Source};
 use crate::rejection::Callback;
 use crate::value::Value;
 use core_crate::metropolis::{
-    BoxStep, Chain, HastingsRatio, Mutation, Outcome, Proposal, RandomWalk, Saved, Transition,
-    UniformStep, WrappedWalk,
+    BoxStep, Chain, HastingsRatio, LogDensity, Mutation, Outcome, Proposal, RandomWalk, Saved,
+    TargetDensity, Transition, UniformStep, WrappedWalk,
 };
+use core_crate::tier::Poly;
 use core_crate::{Error, poly};
 use rand_core::TryRng;
 
-/// `mw_chain_*`
+/// What a target of C returns: a density, or the logarithm of one.
+pub trait Kind: Copy {
+    type Density: TargetDensity;
+    fn of(returned: f32) -> Self::Density;
+    fn returned(density: Self::Density) -> f32;
+    /// What a chain holds that was made, and a struct of zeros does not.
+    const MADE: Self;
+    fn is_made(self) -> bool;
+}
+
+/// A density. A struct of zeros has none, which no chain is at.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct InC<X> {
+pub struct Plain;
+
+impl Kind for Plain {
+    type Density = f32;
+    const MADE: Self = Self;
+
+    #[inline]
+    fn of(returned: f32) -> f32 {
+        returned
+    }
+
+    #[inline]
+    fn returned(density: f32) -> f32 {
+        density
+    }
+
+    #[inline]
+    fn is_made(self) -> bool {
+        true
+    }
+}
+
+/// A logarithm, which may be 0.
+#[repr(transparent)]
+#[derive(Clone, Copy)]
+pub struct Logarithm(u32);
+
+impl Kind for Logarithm {
+    type Density = LogDensity<Poly>;
+    const MADE: Self = Self(1);
+
+    #[inline]
+    fn of(returned: f32) -> LogDensity<Poly> {
+        LogDensity::new(returned)
+    }
+
+    #[inline]
+    fn returned(density: LogDensity<Poly>) -> f32 {
+        density.get()
+    }
+
+    #[inline]
+    fn is_made(self) -> bool {
+        self.0 > 0
+    }
+}
+
+/// `mw_chain_*` and `mw_log_chain_*`
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct InC<X, K> {
     steps: u64,
     accepted: u64,
     refused: u64,
     rejected_in_a_row: u32,
+    made: K,
     density: f32,
     state: X,
 }
 
-impl<X: Copy> InC<X> {
+impl<X: Copy, K: Kind> InC<X, K> {
     /// # Errors
-    /// Where counts contradict each other, which no chain writes.
+    /// Where no chain was made, or counts contradict each other, which no chain writes.
     #[inline]
-    fn chain(&self) -> Result<Chain<X>, Error> {
+    fn chain(&self) -> Result<Chain<X, K::Density>, Error> {
+        if !self.made.is_made() {
+            return Err(Error::NotPositive);
+        }
         Chain::resume(Saved {
             state: self.state,
-            density: self.density,
+            density: K::of(self.density),
             steps: self.steps,
             accepted: self.accepted,
             refused: self.refused,
@@ -39,14 +104,15 @@ impl<X: Copy> InC<X> {
     }
 
     #[inline]
-    fn of(chain: &Chain<X>) -> Self {
+    fn of(chain: &Chain<X, K::Density>) -> Self {
         let saved = chain.save();
         Self {
             steps: saved.steps,
             accepted: saved.accepted,
             refused: saved.refused,
             rejected_in_a_row: saved.rejected_in_a_row,
-            density: saved.density,
+            made: K::MADE,
+            density: K::returned(saved.density),
             state: saved.state,
         }
     }
@@ -60,9 +126,10 @@ impl<X: Copy> InC<X> {
         rng: &mut R,
     ) -> Result<Step<X>, Code> {
         let mut chain = self.chain()?;
-        let step = chain.try_step(target, mutation, rng).map_err(Into::into)?;
+        let step = chain.try_step(|x| K::of(target(x)), mutation, rng);
+        let step = step.map_err(Into::into)?;
         *self = Self::of(&chain);
-        Ok(step.into())
+        Ok(Step::of::<K>(step))
     }
 }
 
@@ -77,12 +144,12 @@ pub struct Step<X> {
     proposed: X,
 }
 
-impl<X> From<Transition<X>> for Step<X> {
+impl<X> Step<X> {
     #[inline]
-    fn from(step: Transition<X>) -> Self {
+    fn of<K: Kind>(step: Transition<X, K::Density>) -> Self {
         Self {
-            from_density: step.from_density,
-            proposed_density: step.proposed_density,
+            from_density: K::returned(step.from_density),
+            proposed_density: K::returned(step.proposed_density),
             acceptance: step.acceptance,
             outcome: match step.outcome {
                 Outcome::Accepted => 0,
@@ -127,18 +194,19 @@ impl<X: Copy> Mutation<X> for Proposed<X> {
 
 /// The chains, and their steps: `"name" (parameter: type) mutation`.
 macro_rules! chains {
-    ($($name:literal $state:ty;)*) => {$(
+    ($($name:literal $state:ty, $kind:ty;)*) => {$(
         const _: () = {
             type State = $state;
+            type OfC = InC<$state, $kind>;
             type Target = Callback<$state, f32>;
 
             #[unsafe(export_name = concat!("mw_", $name, "_init"))]
             unsafe extern "C" fn init(
-                chain: *mut InC<State>, start: <State as Value>::Given, target: &Target,
+                chain: *mut OfC, start: <State as Value>::Given, target: &Target,
             ) -> Code {
                 // SAFETY: the promise of the header.
                 unsafe {
-                    let made = Chain::new(State::read(start), |x| target.of(x));
+                    let made = Chain::new(State::read(start), |x| <$kind>::of(target.of(x)));
                     code(made, |made| chain.write(InC::of(&made)))
                 }
             }
@@ -162,7 +230,7 @@ macro_rules! chains {
         const _: () = {
             #[unsafe(export_name = concat!("mw_", $name, $step))]
             unsafe extern "C" fn step(
-                chain: &mut InC<State>, $($parameter: $type,)* target: &Target, rng: &mut Pcg32,
+                chain: &mut OfC, $($parameter: $type,)* target: &Target, rng: &mut Pcg32,
                 transition: *mut Step<State>,
             ) -> Code {
                 // SAFETY: the promise of the header.
@@ -179,7 +247,7 @@ macro_rules! chains {
 
             #[unsafe(export_name = concat!("mw_", $name, $step, "_from"))]
             unsafe extern "C" fn step_from(
-                chain: &mut InC<State>, $($parameter: $type,)* target: &Target, source: &Source,
+                chain: &mut OfC, $($parameter: $type,)* target: &Target, source: &Source,
                 transition: *mut Step<State>,
             ) -> Code {
                 // SAFETY: the promise of the header.
@@ -198,10 +266,16 @@ macro_rules! chains {
 }
 
 chains! {
-    "chain_1d" f32;
-    "chain_2d" [f32; 2];
-    "chain_3d" [f32; 3];
-    "chain_4d" [f32; 4];
-    "chain_6d" [f32; 6];
-    "chain_8d" [f32; 8];
+    "chain_1d" f32, Plain;
+    "chain_2d" [f32; 2], Plain;
+    "chain_3d" [f32; 3], Plain;
+    "chain_4d" [f32; 4], Plain;
+    "chain_6d" [f32; 6], Plain;
+    "chain_8d" [f32; 8], Plain;
+    "log_chain_1d" f32, Logarithm;
+    "log_chain_2d" [f32; 2], Logarithm;
+    "log_chain_3d" [f32; 3], Logarithm;
+    "log_chain_4d" [f32; 4], Logarithm;
+    "log_chain_6d" [f32; 6], Logarithm;
+    "log_chain_8d" [f32; 8], Logarithm;
 }

@@ -61,6 +61,13 @@ counts! {
 
 const _: () = as_declared::<Reservoir<u32>>(&["mw_reservoir"]);
 
+// A struct of zeros is an empty reservoir on every target for which this compiles.
+const _: () = {
+    // SAFETY: the compiler evaluates this, and refuses zeros that are no reservoir.
+    let zeros: Reservoir<u32> = unsafe { core::mem::zeroed() };
+    assert!(zeros.item().is_none());
+};
+
 #[unsafe(export_name = "mw_reservoir_init")]
 unsafe extern "C" fn reservoir(reservoir: *mut Reservoir<u32>) {
     // SAFETY: the promise of the header.

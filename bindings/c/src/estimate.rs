@@ -3,6 +3,15 @@
 use crate::warps::as_declared;
 use core_crate::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 
+/// An estimator as it starts, in the place of one that has seen nothing: that may be a struct of zeros.
+#[inline]
+fn started<T>(of: &mut T, count: u64, refused: u64, new: T) -> &mut T {
+    if count == 0 && refused == 0 {
+        *of = new;
+    }
+    of
+}
+
 /// What every estimator has: a start, values, a sum of two, and counts.
 macro_rules! estimators {
     ($($name:literal $estimator:ty, push($($value:ident),*) { $($figure:literal $get:ident;)* })*) => {$(
@@ -17,7 +26,8 @@ macro_rules! estimators {
 
             #[unsafe(export_name = concat!("mw_", $name, "_push"))]
             extern "C" fn push(of: &mut $estimator, $($value: f32),*) {
-                of.push($($value),*);
+                let (count, refused) = (of.count(), of.refused());
+                started(of, count, refused, <$estimator>::new()).push($($value),*);
             }
 
             #[unsafe(export_name = concat!("mw_", $name, "_merge"))]
@@ -25,7 +35,9 @@ macro_rules! estimators {
                 // SAFETY: the promise of the header; both may be one.
                 let other = unsafe { *other };
                 // SAFETY: the same.
-                unsafe { &mut *of }.merge(&other);
+                let of = unsafe { &mut *of };
+                let (count, refused) = (of.count(), of.refused());
+                started(of, count, refused, <$estimator>::new()).merge(&other);
             }
 
             #[unsafe(export_name = concat!("mw_", $name, "_count"))]

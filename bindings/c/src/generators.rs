@@ -20,7 +20,8 @@ impl Pcg32 {
         let old = self.state;
         self.state = old
             .wrapping_mul(0x5851_F42D_4C95_7F2D)
-            .wrapping_add(self.increment);
+            // Odd already, but in a struct of zeros, which would give nothing but zeros.
+            .wrapping_add(self.increment | 1);
         let folded = ((old >> 18) ^ old) >> 27;
         (folded as u32).rotate_right((old >> 59) as u32)
     }
@@ -30,7 +31,8 @@ impl Pcg32 {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Source {
-    next: unsafe extern "C" fn(*mut c_void, *mut u32) -> bool,
+    /// None in a struct of zeros, which fails.
+    next: Option<unsafe extern "C" fn(*mut c_void, *mut u32) -> bool>,
     context: *mut c_void,
 }
 
@@ -78,7 +80,9 @@ impl TryRng for Source {
     fn try_next_u32(&mut self) -> Result<u32, SourceFailed> {
         let mut word = 0;
         // SAFETY: the caller of the library promises a callback that takes this context and writes one word.
-        if unsafe { (self.next)(self.context, &raw mut word) } {
+        let written =
+            |next: unsafe extern "C" fn(_, _) -> _| unsafe { next(self.context, &raw mut word) };
+        if self.next.is_some_and(written) {
             Ok(word)
         } else {
             Err(SourceFailed)

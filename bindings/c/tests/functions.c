@@ -571,6 +571,222 @@ static void chain_1d(void)
     CHECK(mw_chain_1d_init(&chain, NAN, &target) == MW_NOT_FINITE);
 }
 
+/* Logarithms of what bell says, and of nothing. */
+static float log_bell(void *context, const float *x)
+{
+    float sum = 0.0f;
+    for (int i = 0; i < *(int *)context; i++)
+        sum += (x[i] - 1.0f) * (x[i] - 1.0f);
+    return -0.5f * sum;
+}
+
+static float log_bell_1d(void *context, float x)
+{
+    int one = 1;
+    (void)context;
+    return log_bell(&one, &x);
+}
+
+static float only_here(void *context, const float *x)
+{
+    return x[0] == 0.5f ? 0.0f : *(const float *)context;
+}
+
+#define A_LOG_CHAIN(D)                                                                          \
+    static void log_chain_##D##d(void)                                                          \
+    {                                                                                           \
+        int coordinates = D;                                                                    \
+        float elsewhere = -INFINITY;                                                            \
+        mw_density_##D##d target = {log_bell, &coordinates}, hard = {only_here, &elsewhere};    \
+        float start[D], widths[D];                                                              \
+        for (int i = 0; i < D; i++) {                                                           \
+            start[i] = 0.5f;                                                                    \
+            widths[i] = 1.0f;                                                                   \
+        }                                                                                       \
+        mw_log_chain_##D##d chain = {0}, before = {0};                                          \
+        mw_transition_##D##d step;                                                              \
+        mw_pcg32 rng = seeded(D);                                                               \
+        mw_source source = {from_pcg32, &rng};                                                  \
+        CHECK(mw_log_chain_##D##d_step_uniform(&chain, &target, &rng, NULL) == MW_NOT_POSITIVE); \
+        CHECK(memcmp(&chain, &before, sizeof chain) == 0);                                      \
+        CHECK(mw_log_chain_##D##d_init(&chain, start, &target) == MW_OK);                       \
+        mw_moments sums = {0};                                                                  \
+        for (int i = 0; i < 40000; i++) {                                                       \
+            CHECK(mw_log_chain_##D##d_step_normal(&chain, widths, &target, &rng, &step) == MW_OK); \
+            CHECK(step.outcome != MW_ACCEPTED || chain.density == step.proposed_density);       \
+            CHECK(mw_log_chain_##D##d_step_box_from(&chain, widths, &target, &source, NULL) == MW_OK); \
+            mw_moments_push(&sums, chain.state[D - 1]);                                         \
+        }                                                                                       \
+        float mean;                                                                             \
+        CHECK(mw_moments_mean(&sums, &mean) && near((double)mean, 1.0, 0.1));                   \
+        CHECK(chain.steps == 80000 && chain.accepted > 4000);                                   \
+        CHECK(mw_log_chain_##D##d_init(&chain, start, &hard) == MW_OK);                         \
+        CHECK(mw_log_chain_##D##d_step_uniform(&chain, &hard, &rng, &step) == MW_OK);           \
+        CHECK(step.outcome == MW_REJECTED && step.acceptance == 0.0f && chain.refused == 0);    \
+        elsewhere = INFINITY;                                                                   \
+        CHECK(mw_log_chain_##D##d_step_wrapped(&chain, widths, &hard, &rng, &step) == MW_OK);   \
+        CHECK(step.outcome == MW_REFUSED && chain.refused == 1 && chain.state[0] == 0.5f);      \
+        elsewhere = NAN;                                                                        \
+        CHECK(mw_log_chain_##D##d_step_to(&chain, widths, 1, 1, &hard, &rng, &step) == MW_OK);  \
+        CHECK(step.outcome == MW_REFUSED && chain.refused == 2);                                \
+        before = chain;                                                                         \
+        CHECK(mw_log_chain_##D##d_init(&chain, widths, &hard) == MW_NOT_FINITE);                \
+        elsewhere = -INFINITY;                                                                  \
+        CHECK(mw_log_chain_##D##d_init(&chain, widths, &hard) == MW_NOT_POSITIVE);              \
+        CHECK(memcmp(&chain, &before, sizeof chain) == 0);                                      \
+    }
+
+A_LOG_CHAIN(2)
+A_LOG_CHAIN(3)
+A_LOG_CHAIN(4)
+A_LOG_CHAIN(6)
+A_LOG_CHAIN(8)
+
+static void log_chain_1d(void)
+{
+    mw_log_chain_1d chain = {0};
+    mw_density_1d target = {log_bell_1d, NULL};
+    mw_pcg32 rng = seeded(7);
+    mw_moments sums = {0};
+    CHECK(mw_log_chain_1d_step_normal(&chain, 2.0f, &target, &rng, NULL) == MW_NOT_POSITIVE);
+    CHECK(mw_log_chain_1d_init(&chain, 40.0f, &target) == MW_OK && chain.density < -700.0f);
+    for (int i = 0; i < 40000; i++) {
+        CHECK(mw_log_chain_1d_step_normal(&chain, 2.0f, &target, &rng, NULL) == MW_OK);
+        if (i > 100)
+            mw_moments_push(&sums, chain.state);
+    }
+    float x;
+    CHECK(mw_moments_mean(&sums, &x) && near((double)x, 1.0, 0.1));
+    CHECK(mw_moments_variance(&sums, &x) && near((double)x, 1.0, 0.1));
+}
+
+/* The regression of tests/metropolis/logarithms.rs: its 1,000 observations, and its words. */
+struct observations {
+    float z[1000], y[1000];
+};
+
+static float likelihood(void *context, const float x[2])
+{
+    const struct observations *of = context;
+    float sum = 0.0f;
+    for (int i = 0; i < 1000; i++) {
+        float rest = of->y[i] - x[0] - x[1] * of->z[i];
+        sum += rest * rest;
+    }
+    return -8.0f * sum;
+}
+
+static float plainly(void *context, const float x[2])
+{
+    return expf(likelihood(context, x));
+}
+
+static void observations_do_not_underflow(void)
+{
+    static struct observations observed;
+    mw_pcg32 noise, rng;
+    mw_pcg32_init(&noise, 7, 0);
+    for (int i = 0; i < 1000; i++) {
+        observed.z[i] = (float)i / 1000.0f;
+        float off = (float)(mw_pcg32_next(&noise) >> 8) / 16777216.0f - 0.5f;
+        observed.y[i] = 1.0f + 2.0f * observed.z[i] + off;
+    }
+    mw_density_2d target = {likelihood, &observed}, underflows = {plainly, &observed};
+    static const float start[2] = {0.0f, 0.0f}, std_devs[2] = {0.05f, 0.08f};
+    mw_chain_2d plain;
+    CHECK(mw_chain_2d_init(&plain, start, &underflows) == MW_NOT_POSITIVE);
+    mw_log_chain_2d chain;
+    mw_transition_2d step;
+    uint32_t hash = 2166136261u;
+    mw_pcg32_init(&rng, 42, 54);
+    CHECK(mw_log_chain_2d_init(&chain, start, &target) == MW_OK && chain.density < -30000.0f);
+    for (int i = 0; i < 2000; i++) {
+        CHECK(mw_log_chain_2d_step_normal(&chain, std_devs, &target, &rng, &step) == MW_OK);
+        hash = (hash ^ bits_of(step.acceptance)) * 16777619u;
+        hash = (hash ^ bits_of(chain.state[0])) * 16777619u;
+        hash = (hash ^ bits_of(chain.state[1])) * 16777619u;
+    }
+    CHECK(hash == 175079190u && chain.accepted == 210);
+}
+
+/* A struct of zeros that no init has made: as good as new, or refused. */
+static void zeros_are_sound(void)
+{
+    float x = 77.0f, y = 77.0f, u[8];
+    mw_pcg32 rng = {0}, other = {0};
+    mw_moments sums = {0}, made;
+    mw_moments_init(&made);
+    CHECK(!mw_moments_mean(&sums, &x) && mw_moments_count(&sums) == 0 && x == 77.0f);
+    mw_moments_push(&sums, NAN);
+    mw_moments_push(&made, NAN);
+    for (int i = 0; i < 5; i++) {
+        mw_moments_push(&sums, 1.0f + (float)i);
+        mw_moments_push(&made, 1.0f + (float)i);
+    }
+    CHECK(mw_moments_mean(&sums, &x) && x == 3.0f && mw_moments_refused(&sums) == 1);
+    CHECK(memcmp(&sums, &made, sizeof sums) == 0);
+    mw_moments zeros = {0};
+    mw_moments_merge(&sums, &zeros);
+    CHECK(memcmp(&sums, &made, sizeof sums) == 0);
+    mw_moments_merge(&zeros, &sums);
+    CHECK(mw_moments_mean(&zeros, &x) && x == 3.0f);
+    mw_moments none = {0}, empty = {0};
+    mw_moments_merge(&none, &empty);
+    mw_moments_push(&none, 5.0f);
+    CHECK(mw_moments_mean(&none, &x) && x == 5.0f);
+
+    mw_weighted_mean weighted = {0}, no_weights = {0};
+    CHECK(!mw_weighted_mean_mean(&weighted, &x));
+    mw_weighted_mean_merge(&weighted, &no_weights);
+    mw_weighted_mean_push(&weighted, 1.0f, 3.0f);
+    mw_weighted_mean_push(&weighted, 5.0f, 1.0f);
+    CHECK(mw_weighted_mean_mean(&weighted, &x) && x == 2.0f);
+    mw_integral integral = {0};
+    CHECK(!mw_integral_estimate(&integral, &x));
+    mw_integral_push(&integral, 1.0f, 0.5f);
+    mw_integral_push(&integral, 1.0f, 0.25f);
+    CHECK(mw_integral_estimate(&integral, &x) && x == 3.0f);
+
+    uint32_t item = 77, first = mw_pcg32_next(&rng);
+    mw_moments_init(&sums);
+    for (int i = 0; i < 10000; i++)
+        mw_moments_push(&sums, ldexpf((float)(mw_pcg32_next(&rng) >> 8), -24));
+    CHECK(mw_moments_mean(&sums, &x) && near((double)x, 0.5, 0.02));
+    CHECK(mw_moments_variance(&sums, &x) && near((double)x, 1.0 / 12.0, 0.005));
+    CHECK(mw_pcg32_next(&other) == first);
+
+    mw_source source = {0};
+    mw_normal normal;
+    CHECK(mw_normal_init(&normal, 0.0f, 1.0f) == MW_OK);
+    CHECK(mw_normal_draw_from(&normal, &source, &y) == MW_SOURCE_FAILED && y == 77.0f);
+
+    mw_reservoir reservoir = {0};
+    bool taken = false;
+    CHECK(!mw_reservoir_item(&reservoir, &item) && mw_reservoir_pmf(&reservoir) == 0.0f);
+    CHECK(mw_reservoir_offer(&reservoir, 5, 2.0f, &rng, &taken) == MW_OK && taken);
+    CHECK(mw_reservoir_item(&reservoir, &item) && item == 5 && mw_reservoir_pmf(&reservoir) == 1.0f);
+
+    int coordinates = 2;
+    mw_density_2d target = {bell, &coordinates};
+    mw_chain_2d chain = {0}, before = {0};
+    CHECK(mw_chain_2d_step_uniform(&chain, &target, &rng, NULL) == MW_NOT_POSITIVE);
+    CHECK(memcmp(&chain, &before, sizeof chain) == 0);
+
+    mw_sobol_8d points = {{0}};
+    mw_recurrence_3d recurrence = {{0}};
+    mw_strata_1d line = {{0}};
+    mw_strata_2d square = {{0}};
+    for (uint32_t i = 0; i < 100; i++) {
+        mw_sobol_8d_point(&points, i, u);
+        mw_recurrence_3d_point(&recurrence, i, u + 5);
+        for (int j = 0; j < 8; j++)
+            CHECK(u[j] >= 0.0f && u[j] < 1.0f);
+        x = mw_strata_1d_point(&line, i, 0.5f);
+        mw_strata_2d_point(&square, i, u, u + 2);
+        CHECK(x >= 0.0f && x < 1.0f && u[2] >= 0.0f && u[2] < 1.0f && u[3] >= 0.0f && u[3] < 1.0f);
+    }
+}
+
 static void points_cover(void)
 {
     mw_sobol_2d sobol;
@@ -695,6 +911,14 @@ int main(void)
     chain_4d();
     chain_6d();
     chain_8d();
+    log_chain_1d();
+    log_chain_2d();
+    log_chain_3d();
+    log_chain_4d();
+    log_chain_6d();
+    log_chain_8d();
+    observations_do_not_underflow();
+    zeros_are_sound();
     points_cover();
     frames_turn();
     sources_serve();

@@ -34,7 +34,7 @@ new Exponential(1); // wrong
 new Disk().sample(0.5); // wrong
 new Disk().fill([0, 0], new Pcg32()); // wrong
 new Chain((x) => x, 0, { normal: [1, 1] }); // wrong
-new Chain((x) => x[0], [1, 1], { box: [1] }); // wrong
+new Chain(() => 1, [1, 1], { box: [1] }); // wrong
 new Chain((x) => x, 0, {}); // wrong
 export const name: string = new Normal(0, 1).draw(new Pcg32()); // wrong
 `);
