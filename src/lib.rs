@@ -168,7 +168,7 @@
 //! its rows and units.
 //!
 //! # Promises
-//! - The same uniforms give the same bits on every target.
+//! - The same uniforms give the same bits on every target: x86-64, AArch64, Cortex-M, RISC-V and WASM.
 //! - Any `f32` serves as a uniform (see [`uniform::Uniforms::canonical`]). Any parameter a constructor
 //!   accepted gives finite results inside the stated domain. A refused parameter is an [`Error`].
 //! - Nothing panics, allocates, recurses or loops without a bound.
