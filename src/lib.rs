@@ -25,8 +25,12 @@
 //! | a slice of normal or exponential numbers | `fill` of [`NormalPair`](warp::NormalPair), of [`Exponential`](warp::Exponential) |
 //! | one normal or exponential number from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential); the number of words varies |
 //! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one, which keeps the order of strata |
-//! | normal numbers without an FPU | `fixed::NormalPair` |
-//! | a spherical lamp | [`VisibleSphere`](warp::VisibleSphere) |
+//! | normal numbers without an FPU | `fixed::NormalPair`; for one, either of the two |
+//! | a lamp: a sphere, a triangle, a rectangle, a mesh | [`VisibleSphere`](warp::VisibleSphere), [`SphericalTriangle`](warp::SphericalTriangle), [`SphericalRectangle`](warp::SphericalRectangle), [`Mesh`](discrete::Mesh) |
+//! | a rough surface | [`GgxVisible`](warp::GgxVisible), about a normal by [`Oriented`](warp::Oriented) |
+//! | a place in a pixel | [`Tent`](warp::Tent) for each axis; another filter as a [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d) |
+//! | an even spread over a square | [`Strata2d`](uniform::Strata2d) |
+//! | one of many generators, by its number | [`ByPosition`](uniform::ByPosition) [seeds it](uniform#many-generators) |
 //! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
 //! | an index by weight, many draws | [`Cdf`](discrete::Cdf) up to some 8 entries (100 on a PC), [`Alias`](discrete::Alias) beyond |
 //! | a picture, a histogram, a curve | [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d), [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d), [`PiecewiseLinear1d`](discrete::PiecewiseLinear1d) |
@@ -35,6 +39,9 @@
 //! | a shape with a simple test | [`Region`](rejection::Region) |
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |
 //! | fewer samples for the same error | [`Sobol`](uniform::Sobol) points instead of a generator |
+//!
+//! Gamma, beta, binomial, Student and Dirichlet numbers are not here. Take `rand_distr`, which runs on the same generators; `rand`
+//! without default features has integers of a range, coins and shuffles.
 //!
 //! The tier is a type, chosen once. `poly` and `libm` have every warp and take the same uniforms. `fixed` has those that
 //! integers serve well, under the same names.
@@ -145,7 +152,7 @@
 //! # Generators
 //! [`Warp::draw`] takes any generator of `rand_core` 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement
 //! `rand_core` 0.6 or 0.9: features `rand_core_06` and `rand_core_09` bring the wrappers `Rng06`,
-//! `TryRng06` and `Rng09` to [`uniform`]. A closure becomes a generator by [`FromFn`](uniform::FromFn). `docs/generators.md` lists HALs, versions and
+//! `TryRng06` and `Rng09` to [`uniform`]. A closure becomes a generator by [`FromFn`](uniform::FromFn). The page [`generators`] lists HALs, versions and
 //! compiler errors.
 //!
 //! # Features
@@ -229,6 +236,12 @@ pub mod warp;
 
 pub use error::Error;
 pub use warp::contract::{Invert, Warp};
+
+/// A page: HALs with another `rand_core`, seeds, and what the compiler says.
+///
+#[cfg(all(doc, not(doctest)))]
+#[doc = include_str!("../docs/generators.md")]
+pub mod generators {}
 
 /// The examples of the README are tests too.
 #[cfg(doctest)]

@@ -28,6 +28,9 @@
 //! that is empty, or a generator stuck at rejected values, thus ends in an error instead of a hang. Each constructor sets
 //! a default budget, and `with_budget` another. [`budget_for`] computes one that a true random generator does not spend in
 //! practice.
+//!
+//! A [`Failure`] is not the [`Error`] of a constructor, and `?` does not turn one into the other: a function that has both
+//! returns a `Box<dyn Error>`, or maps them as the [example](Failure#examples) does.
 
 mod ball;
 mod bounded;

@@ -32,8 +32,8 @@
 //! Densities outside the normal range of `f32` (1.2e-38 to 3.4e38) are positive and finite, and no more is promised.
 //!
 //! `docs/proofs.md` says which bounds are proven. The others are measured: a search over parameters and uniforms, part of
-//! the tests, has found no case that exceeds them, and one that reaches at least half of them. `docs/accuracy.md` lists
-//! the errors of single parameter sets.
+//! the tests, has found no case that exceeds them, and one that reaches at least half of them. In the repository
+//! `docs/accuracy.md` lists the errors of single parameter sets.
 
 mod aabb;
 mod annulus;

@@ -44,6 +44,9 @@ pub const SLACK: f32 = 8.0 * f32::EPSILON;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// `?` does not turn the [`Failure`] of a draw into the error of a constructor: a function that has both returns a
+/// `Box<dyn Error>`, or maps them as the [example](Failure#examples) does.
+///
 /// # See also
 /// - [`Region`](super::Region), where f is p or 0.
 /// - [`metropolis`](crate::metropolis) needs no bound, but its points depend on each other.

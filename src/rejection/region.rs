@@ -35,6 +35,9 @@ use rand_core::TryRng;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// `?` does not turn the [`Failure`] of a draw into the error of a constructor: a function that has both returns a
+/// `Box<dyn Error>`, or maps them as the [example](Failure#examples) does.
+///
 /// # See also
 /// - [`Bounded`](super::Bounded) accepts with a probability instead of a predicate.
 /// - [`warp::Aabb`](crate::warp::Aabb), the usual proposal.

@@ -11,7 +11,7 @@ use rand_core::{Rng, TryRng};
 /// # Drawing from a generator
 /// [`sample`](Warp::sample) takes uniforms. [`draw`](Warp::draw) takes a generator, and [`fill`](Warp::fill) fills a
 /// slice from one. Both take every generator of `rand_core` 0.10, and a closure by
-/// [`FromFn`](crate::uniform::FromFn). The page on generators, `docs/generators.md`, adapts those of older versions.
+/// [`FromFn`](crate::uniform::FromFn). The page [`generators`](crate::generators) adapts those of older versions.
 /// [`try_draw`](Warp::try_draw) and [`try_fill`](Warp::try_fill) pass on the error of a generator that can fail.
 ///
 /// ```
@@ -56,7 +56,8 @@ use rand_core::{Rng, TryRng};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a warp",
     label = "a warp is expected here",
-    note = "a constructor returns a `Result`: take the warp out of it with `?`, or with `microwarp::constant!`"
+    note = "if this is the `Result` of a constructor, take the warp out of it with `?`, or with `microwarp::constant!`",
+    note = "a rejection sampler is no warp, since it takes no fixed number of uniforms: draw from it by `microwarp::rejection::Rejection`"
 )]
 pub trait Warp {
     /// The uniforms of one sample: an `f32`, or an array with one for each.
