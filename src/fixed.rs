@@ -102,6 +102,13 @@
     reason = "plain operators never overflow here: builds with overflow checks try them at the extremes"
 )]
 
+// What is drawn can be logged.
+#[cfg(feature = "defmt")]
+const _: fn() = {
+    const fn logs<T: defmt::Format>() {}
+    logs::<::fixed::types::U16F16>
+};
+
 mod annulus;
 mod bilinear;
 mod cone;
