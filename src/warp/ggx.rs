@@ -240,8 +240,6 @@ pub struct Reflection {
 /// - Uniforms: two, polar then azimuth about the axis of the cap.
 /// - Parameters: views up to the horizon, of any length; roughness αx and αy from 1e-4 to 1.
 ///
-/// In a renderer, take `.ok()` instead of `?`: a view below the horizon reflects nothing, and a roughness below 1e-4 is a mirror.
-///
 /// Carry the normal of a reflection, or its density: computed again from the two rounded directions, the half vector
 /// loses all its digits at small roughness (1e-4: errors of 0.3 % at 40°, of 100 % near the horizon).
 ///
@@ -279,6 +277,8 @@ pub struct Reflection {
 /// assert!(bounce.direction[2] > 0.0 && bounce.pdf > 0.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// In a renderer, take `.ok()` instead of `?`: a view below the horizon reflects nothing, and a roughness below 1e-4 is a mirror.
 ///
 /// # See also
 /// [`Ggx`], all normals; [`PhongLobe`](super::PhongLobe), an older lobe of directions.

@@ -34,9 +34,6 @@ use core::marker::PhantomData;
 ///   determinant and q the larger nearness of the two. The edges are taken as they are given, so that a small one
 ///   keeps its digits far from 0.
 ///
-/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
-/// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
-///
 /// # Accuracy
 /// *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
 /// coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
@@ -78,6 +75,9 @@ use core::marker::PhantomData;
 /// assert_eq!(panel.pdf([0.0, 0.0, -1.0]), 0.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
+/// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
 ///
 /// # See also
 /// - [`SphericalTriangle`](super::SphericalTriangle): three corners, and a fan of them for any polygon.

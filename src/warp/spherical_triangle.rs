@@ -45,9 +45,6 @@ use core::marker::PhantomData;
 ///   vertices. It is 1 for small triangles, 2 for an octant, and about half the size over the height close to a
 ///   triangle. Above 1024 the point counts as one on the triangle.
 ///
-/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
-/// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
-///
 /// # Accuracy
 /// *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
 /// barycentric coordinates. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
@@ -88,6 +85,9 @@ use core::marker::PhantomData;
 /// assert_eq!(light.pdf([0.0, 0.0, -1.0]), 0.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
+/// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
 ///
 /// # See also
 /// - [`SphericalRectangle`](super::SphericalRectangle): four corners.

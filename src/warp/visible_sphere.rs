@@ -47,9 +47,6 @@ pub struct SurfaceSample {
 /// - Parameters: any finite point and centre, and any radius above 0, if the half angle is at least 1.6e-19 rad and
 ///   the far side of the sphere not beyond the range of `f32`.
 ///
-/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
-/// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
-///
 /// # Accuracy
 /// *Sample* is the distance from the exact direction, *unit length* the error of the length. *Pdf* and *realised density*
 /// are relative, *inverse* and *round trip* are absolute errors of the uniforms; r is what one rounding of the direction
@@ -90,6 +87,9 @@ pub struct SurfaceSample {
 /// assert_eq!(within.sample_surface([0.0, 0.0]).distance, 0.75);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
+///
+/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
+/// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
 ///
 /// # See also
 /// - [`Cone`]: the same about +z, by its angle.
