@@ -10,6 +10,9 @@ use microwarp::discrete::{LatLongMap, Word};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::{LARGEST, grid_from_word};
 use microwarp::{Error, Invert, Warp};
+use num_bigint::BigUint;
+use rand_core::Rng;
+use rand_pcg::Pcg32;
 use std::f64::consts::{PI, TAU};
 use support::speed;
 
@@ -174,6 +177,148 @@ fn a_pixel_has_its_radiance_times_its_solid_angle() {
     println!("off by {worst:.1e} of itself; without sines by {forgotten:.1e}");
     assert!(worst <= 5e-9, "{worst:e}");
     assert!(forgotten > 0.1);
+}
+
+/// Fraction bits of exact sines.
+const DEEP: u32 = 256;
+
+/// atan(1/n), from its series.
+fn atan_of(n: u32) -> BigUint {
+    let (mut power, mut sum) = ((BigUint::from(1_u32) << DEEP) / n, BigUint::ZERO);
+    for k in 0..60_u32 {
+        sum += &power / (4 * k + 1);
+        power /= n * n;
+        sum -= &power / (4 * k + 3);
+        power /= n * n;
+    }
+    sum
+}
+
+/// The sine of k/n quarters of a turn in steps of 2⁻²⁵⁶, with π by J. Machin's formula.
+fn exact_sine(k: usize, n: usize, pi: &BigUint) -> BigUint {
+    let x = pi * k / (2 * n);
+    let square = (&x * &x) >> DEEP;
+    let (mut term, mut sum) = (x.clone(), x);
+    for j in 1..40_u32 {
+        term = ((&term * &square) >> DEEP) / (2 * j * (2 * j + 1));
+        sum = if j % 2 == 1 { sum - &term } else { sum + &term };
+    }
+    sum
+}
+
+/// By how much the probabilities of rows and pixels are off, in terms of 2⁻³¹ for words of `u32` and 2⁻⁵⁴ for `u64`, at
+/// most. Where `astray` is not 0, the sines of odd rows are too large by this part.
+fn off(radiances: &[f32], [columns, rows]: [usize; 2], astray: f64) -> [f64; 2] {
+    let pi = (atan_of(5) * 16_u32) - (atan_of(239) * 4_u32);
+    let part = BigUint::from((1_u64 << 62) + (astray * 2f64.powi(62)) as u64);
+    // In steps of 2⁻¹⁴⁹, times the sine of the zone's middle.
+    let weights: Vec<BigUint> = (0..rows * columns)
+        .map(|i| {
+            let (row, bits) = (i / columns, radiances[i].to_bits());
+            let middle = 2 * row + 1;
+            let sine = exact_sine(middle.min(2 * rows - middle), rows, &pi);
+            let (field, fraction) = (bits >> 23, bits & 0x7f_ffff);
+            let integer = match field {
+                0 => BigUint::from(fraction),
+                _ => BigUint::from(fraction | 0x80_0000) << (field - 1),
+            };
+            let factor = if row % 2 == 1 {
+                part.clone()
+            } else {
+                BigUint::from(1_u64 << 62)
+            };
+            integer * sine * factor
+        })
+        .collect();
+    let total: BigUint = weights.iter().sum();
+    // With 130 bits.
+    let share = |weight: &BigUint| (weight << 130_u32) / &total;
+    let far = |found: BigUint, due: BigUint| {
+        let far = if found > due {
+            found - due
+        } else {
+            due - found
+        };
+        u128::try_from(far).unwrap_or(u128::MAX) as f64 * 2f64.powi(-130)
+    };
+    fn worst<W: Word>(
+        radiances: &[f32],
+        shape: [usize; 2],
+        zero: W,
+        due: &mut dyn FnMut(usize, BigUint, u32) -> f64,
+    ) -> f64
+    where
+        BigUint: From<W::Count>,
+    {
+        let (mut marginal, mut conditional) = (vec![zero; shape[1]], vec![zero; radiances.len()]);
+        let map = LatLongMap::<Poly, &[W], &[W]>::new_in(
+            radiances,
+            shape,
+            &mut marginal,
+            &mut conditional,
+        );
+        let map = map.unwrap();
+        let bits = 8 * size_of::<W>() as u32;
+        let pixels = (0..radiances.len()).map(|i| {
+            let row = map.table().marginal().cdf().numerator(i / shape[0]);
+            let column = map
+                .table()
+                .conditional(i / shape[0])
+                .cdf()
+                .numerator(i % shape[0]);
+            due(i, BigUint::from(row) * BigUint::from(column), 2 * bits)
+        });
+        pixels.fold(0.0, f64::max)
+    }
+    let mut due =
+        |i: usize, found: BigUint, bits: u32| far((found << 130_u32) >> bits, share(&weights[i]));
+    let shape = [columns, rows];
+    [
+        worst(radiances, shape, 0_u32, &mut due) * 2f64.powi(31),
+        worst(radiances, shape, 0_u64, &mut due) * 2f64.powi(54),
+    ]
+}
+
+/// The exact probabilities of skies of all sizes: those of two rows that share the light, where an error of the sines
+/// counts most, and those of random radiances.
+#[test]
+fn probabilities_are_right_to_the_stated_bits() {
+    let mut rng = Pcg32::new(30, 12);
+    let (mut most, mut least_astray) = ([0.0_f64; 2], [f64::MAX; 2]);
+    for case in 0..speed::of("skies", 60, 3000) {
+        let rows = match case {
+            0 => 244,
+            _ => 2 + rng.next_u32() as usize % (1 << (1 + case % 11)),
+        };
+        let columns = if rows > 500 { 1 } else { 1 + case % 3 };
+        let two = case % 2 == 0;
+        let other = if case == 0 {
+            0
+        } else {
+            rng.next_u32() as usize % rows
+        };
+        let one = if case == 0 { 60 } else { (other + 1) % rows };
+        let radiances: Vec<f32> = (0..rows * columns)
+            .map(|i| match i / columns {
+                row if row == one && two => 1.0,
+                row if row == other && two => (drop(one, rows) / drop(other, rows)) as f32,
+                _ if two => 0.0,
+                _ => rng.next_u32() as f32,
+            })
+            .collect();
+        let found = off(&radiances, [columns, rows], 0.0);
+        most = [0, 1].map(|k| most[k].max(found[k]));
+        if two && columns == 1 && (one + other) % 2 == 1 {
+            let found = off(&radiances, [columns, rows], 4e-9);
+            least_astray = [0, 1].map(|k| least_astray[k].min(found[k]));
+        }
+    }
+    println!("{most:?} of what is stated; with sines as once, {least_astray:?}");
+    assert!(most.iter().all(|most| *most <= 1.0), "{most:?}");
+    assert!(
+        least_astray.iter().all(|least| *least > 1.0),
+        "{least_astray:?}"
+    );
 }
 
 /// What one constructor makes, all make; and tables that the compiler made.
