@@ -46,13 +46,13 @@ pub(super) const fn largest(vertices: [&[i32]; 3]) -> ([usize; 2], u64) {
 }
 
 /// The sum of the squares of all minors, each shifted left beforehand.
-pub(super) const fn squares(vertices: [&[i32]; 3], left: i32) -> u64 {
-    let (mut sum, mut rest) = (0_u64, vertices);
+pub(super) const fn squares(vertices: [&[i32]; 3], left: i32) -> u128 {
+    let (mut sum, mut rest) = (0_u128, vertices);
     while let Some((first, others)) = next(rest) {
         let mut later = others;
         while let Some((second, behind)) = next(later) {
-            let minor = shifted(minor(first, second).unsigned_abs(), left);
-            sum = sum.saturating_add(minor * minor);
+            let minor = shifted(minor(first, second).unsigned_abs(), left) as u128;
+            sum += minor * minor;
             later = behind;
         }
         rest = others;
@@ -61,6 +61,6 @@ pub(super) const fn squares(vertices: [&[i32]; 3], left: i32) -> u64 {
 }
 
 /// A number shifted left, or right where `left` is negative.
-pub(super) const fn shifted(x: u64, left: i32) -> u64 {
+const fn shifted(x: u64, left: i32) -> u64 {
     if left > 0 { x << left } else { x >> -left }
 }

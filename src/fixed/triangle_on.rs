@@ -3,11 +3,11 @@
 use super::direction::{ONE, Scaled, UNIT};
 use super::grade::{Fine, Grade};
 use super::kernel::product::wide;
-use super::kernel::quotient::quotient;
-use super::minors::{largest, minor, next, shifted, sorted, squares};
+use super::minors::{largest, minor, next, sorted, squares};
 use super::triangle::Triangle;
 use super::{Coordinate, Density, Uniform};
 use crate::error::Error;
+use crate::num::division::scaled;
 use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
 use ::fixed::FixedI32;
@@ -25,8 +25,8 @@ use core::marker::PhantomData;
 /// - Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
 /// - Uniforms: two words, those of [`Triangle`].
 /// - Parameters: three vertices in any signed format of 32 bits, no two farther apart than the format's largest number.
-/// - `invert` returns words whose sample is the point, give or take a few steps. In a triangle of few steps many words
-///   have the same sample.
+/// - `invert` returns words whose sample is the point, give or take four steps and twice the error of a sample, of the largest
+///   extent, in any sliver. In a triangle of few steps many words have the same sample.
 ///
 /// # Accuracy
 /// *Sample* is relative to the extent of a coordinate, beyond half a step of the format. *Pdf* is the relative error of
@@ -35,7 +35,7 @@ use core::marker::PhantomData;
 /// | error | fine | coarse | compact |
 /// |---|--:|--:|--:|
 /// | sample, max | 2.0e-7 | 1.9e-5 | 6.2e-8 |
-/// | pdf | 2e-9 | 2e-9 | 2e-9 |
+/// | pdf | 1.2e-9 | 1.2e-9 | 1.2e-9 |
 ///
 /// # Cost
 /// <!-- generated: cost fixed TriangleOn -->
@@ -100,15 +100,17 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
         if largest == 0 {
             return Err(Error::Empty);
         }
-        // Twice the area is the root of the sum of the squares of all minors, cut to so many bits that the sum fits.
-        let bits = if D > 3 { 24 } else { 31 };
-        let left = largest.leading_zeros() as i32 - (64 - bits);
-        let norm = if D > 2 {
-            squares(vertices, left).isqrt()
+        // Twice the area is the root of the sum of the squares of all minors. Of 48 bits each, 2³¹ of them fit.
+        let (root, fraction) = if D > 2 {
+            let left = largest.leading_zeros() as i32 - 16;
+            let sum = squares(vertices, left);
+            let zeros = sum.leading_zeros() & !1;
+            let root = ((sum << zeros >> 64) as u64).isqrt();
+            (root, left - 32 + (zeros >> 1) as i32)
         } else {
-            shifted(largest, left)
+            (largest, 0)
         };
-        let height = UNIT.over(Scaled::of(norm, 2 * Frac::I32 + 1 + left));
+        let height = UNIT.over(Scaled::of(root, 2 * Frac::I32 + 1 + fraction));
         // 2³² or more.
         if height.exponent < -32 {
             return Err(Error::Empty);
@@ -263,54 +265,126 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> Invert for TriangleOn<Frac, D, G> 
             // `clamp` would panic if its bounds were reversed, and the compiler cannot see that they are not.
             *x = (*x).max(low).min(high);
         }
-        let x = self.projection(&nearest);
-        let [a, b, c] = self.vertices.each_ref().map(|v| self.projection(v));
-        // A point that rounding put outside a side goes back to the nearest point of that side. To set its weight to 0
-        // would move it far in a sliver.
-        let weights = match self.parts(&nearest).map(|(part, _)| part) {
-            [(..0), _, _] => {
-                let t = along(b, c, x);
-                [0, ONE - t, t]
-            }
-            [_, (..0), _] => {
-                let t = along(c, a, x);
-                [t, 0, ONE - t]
-            }
-            [_, _, (..0)] => {
-                let t = along(a, b, x);
-                [ONE - t, t, 0]
-            }
-            parts => {
-                // None is negative. A quarter of each, so that their sum fits.
-                let [u, v, w] = parts.map(|part| part as u64 >> 2);
-                let whole = u + v + w;
-                let v = share(v, whole);
-                let w = share(w, whole).min(ONE - v);
-                [ONE - v - w, v, w]
-            }
+        let due = self.level(&nearest);
+        let triangle = Triangle::<G>::new();
+        let [u1, _] = triangle.invert([ONE - due, 0, due].map(Coordinate::from_bits));
+        // Twice Newton's, against the error that the grade's root has.
+        let mut u1 = i64::from(u1.to_bits());
+        for _ in 0..2 {
+            let off = i64::from(due) - reached::<G>(u1);
+            u1 = (u1 + ((i64::from(due) * off + (1 << 26)) >> 27)).clamp(0, u32::MAX.into());
+        }
+        // The two first uniforms on either side. The levels whose segment passes by the point lie side by side, and one
+        // of them is that of the uniform which the point may be a sample of: of these two, one is among them.
+        let other = if reached::<G>(u1) < i64::from(due) {
+            u1 + 1
+        } else {
+            u1 - 1
         };
-        Triangle::<G>::new().invert(weights.map(Coordinate::from_bits))
+        let other = other.clamp(0, u32::MAX.into());
+        let [first, second] = [u1, other].map(|u1| {
+            let u = [u1 as u32, self.second(&nearest, reached::<G>(u1))].map(Uniform::from_bits);
+            let again = self.sample(u).map(FixedI32::to_bits);
+            let pairs = again.iter().zip(&nearest);
+            (
+                pairs.fold(0, |sum, (x, y)| sum + u64::from(x.abs_diff(*y))),
+                u,
+            )
+        });
+        if second.0 < first.0 {
+            second.1
+        } else {
+            first.1
+        }
     }
 }
 
-/// How far along a side the foot of the perpendicular from x lies, in Q30.
+/// How far a first uniform leads from the first vertex towards the opposite side, in Q30.
 #[inline]
-fn along(from: [i64; 2], to: [i64; 2], x: [i64; 2]) -> i32 {
-    let [side, way] = [to, x].map(|[x, y]| [x - from[0], y - from[1]]);
-    let dot = |p: [i64; 2]| side[0] * p[0] + side[1] * p[1];
-    share(dot(way).max(0) as u64, dot(side) as u64)
+fn reached<G: Grade>(u1: i64) -> i64 {
+    let u = [Uniform::from_bits(u1 as u32), Uniform::ZERO];
+    let [_, _, level] = Triangle::<G>::new().sample(u);
+    level.to_bits().into()
 }
 
-/// part/whole in Q30, cut.
-#[inline]
-fn share(part: u64, whole: u64) -> i32 {
-    let right = 32_u32.saturating_sub(whole.leading_zeros());
-    let (part, whole) = ((part >> right) as u32, (whole >> right) as u32);
-    if part < whole {
-        (quotient(part, whole) >> 2) as i32
-    } else {
-        ONE
+impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
+    /// How far the point of the triangle that is nearest to a point of the box lies from the first vertex towards the
+    /// opposite side, in Q30.
+    #[inline]
+    fn level(&self, point: &[i32; D]) -> i32 {
+        let x = self.projection(point);
+        let [a, b, c] = self.vertices.each_ref().map(|v| self.projection(v));
+        let [p, q, r] = self.parts(point).map(|(part, _)| part);
+        if p >= 0 && q >= 0 && r >= 0 {
+            share(q + r, p + q + r)
+        } else if foot(b, c, x, p).is_some() {
+            ONE
+        } else if let Some(part) = foot(c, a, x, q) {
+            ONE - part
+        } else if let Some(part) = foot(a, b, x, r) {
+            part
+        } else {
+            let distance = |vertex| {
+                let way = difference(vertex, x);
+                dot(way, way)
+            };
+            if distance(a) < distance(b).min(distance(c)) {
+                0
+            } else {
+                ONE
+            }
+        }
     }
+
+    /// The second uniform of the point nearest to a point of the box, of the segment at a level, in Q30, from the first
+    /// vertex to the opposite side.
+    #[inline]
+    fn second(&self, point: &[i32; D], level: i64) -> u32 {
+        let [a, b, c] = self.vertices.each_ref().map(|v| self.projection(v));
+        let [x, b, c] = [self.projection(point), b, c].map(|to| difference(a, to));
+        let side = difference(c, b);
+        // Shifted until they fill 31 bits. The segment and the point are in the box, so no difference is longer.
+        let sides = [b, c, side];
+        let sides = sides.as_flattened().iter().fold(0, |all, x| all | x.abs());
+        let left = sides.leading_zeros().saturating_sub(33);
+        let [x, c, side] = [x, c, side].map(|v| v.map(|x| x << left));
+        let end = c.map(|c| (c * level + (1 << 29)) >> 30);
+        let along = (dot(difference(end, x), side).max(0) as u128) << 30;
+        let whole = dot(side, side) as u128 * level as u128;
+        if along < whole {
+            scaled(along, whole, 32).0 as u32
+        } else if along > 0 {
+            u32::MAX
+        } else {
+            0
+        }
+    }
+}
+
+#[inline]
+fn difference(from: [i64; 2], to: [i64; 2]) -> [i64; 2] {
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+#[inline]
+fn dot(p: [i64; 2], q: [i64; 2]) -> i64 {
+    p[0] * q[0] + p[1] * q[1]
+}
+
+/// How far along a side the foot of the perpendicular from x lies, in Q30; nothing where x is not outside that side
+/// (`part` is not negative), or where the foot is not on it.
+#[inline]
+fn foot(from: [i64; 2], to: [i64; 2], x: [i64; 2], part: i64) -> Option<i32> {
+    let side = difference(from, to);
+    let (along, whole) = (dot(side, difference(from, x)), dot(side, side));
+    (part < 0 && 0 <= along && along <= whole).then(|| share(along, whole))
+}
+
+/// part/whole in Q30, rounded, for 0 ≤ part ≤ whole.
+#[inline]
+fn share(part: i64, whole: i64) -> i32 {
+    let (twice, _) = scaled(part as u128, whole as u128, 31);
+    (twice as u32).div_ceil(2) as i32
 }
 
 #[cfg(feature = "defmt")]

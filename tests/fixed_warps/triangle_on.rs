@@ -7,6 +7,10 @@ use fixed::types::{I16F16, I32F0, U0F32};
 use microwarp::fixed::warp::TriangleOn;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use microwarp::{Error, Invert, Warp};
+use num_bigint::BigUint;
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+use support::speed;
 
 const PAIRS: u64 = 1 << 16;
 
@@ -47,13 +51,8 @@ fn sample_error<const D: usize, G: Grade>(vertices: [[i32; D]; 3]) -> Figures {
             "{got} for {density}"
         );
         let again = warp.sample(warp.invert(point));
-        for k in 0..D {
-            // Steps that a grade's error in a root is, and those of a point off the plane by its own rounding.
-            let extent = f64::from(high[k]) - f64::from(low[k]);
-            let off = f64::from(again[k].to_bits()) - f64::from(point[k].to_bits());
-            let bound = 3.0 + 4e-5 * extent;
-            assert!(off.abs() <= bound, "{vertices:?} {pair:x?}: {off}, {bound}");
-        }
+        let (off, bound) = returned::<D, G>(vertices, point, again);
+        assert!(off <= bound, "{vertices:?} {pair:x?}: {off}, {bound}");
     })
 }
 
@@ -68,6 +67,187 @@ fn density<const D: usize>([a, b, c]: [[i32; D]; 3]) -> f64 {
         }
     }
     2.0 / squares.sqrt()
+}
+
+/// How many steps lie between a point and the sample of its inverse, and how many may: four, and twice the error that the
+/// page states of a sample, of the extent.
+fn returned<const D: usize, G: Grade>(
+    [a, b, c]: [[i32; D]; 3],
+    point: [I16F16; D],
+    again: [I16F16; D],
+) -> (f64, f64) {
+    let most = |numbers: [i64; D]| numbers.into_iter().max().unwrap() as f64;
+    let extent = most(std::array::from_fn(|k| {
+        let row = [a[k], b[k], c[k]].map(i64::from);
+        row.into_iter().max().unwrap() - row.into_iter().min().unwrap()
+    }));
+    let off = most(std::array::from_fn(|k| {
+        (i64::from(point[k].to_bits()) - i64::from(again[k].to_bits())).abs()
+    }));
+    let error = match G::NAME {
+        "fine" => 2.0e-7,
+        "coarse" => 1.9e-5,
+        _ => 6.2e-8,
+    };
+    (off, 4.0 + 2.0 * error * extent)
+}
+
+/// Triangles a few steps wide, at any angle and of any length, with any vertex in the middle; every fourth one of any
+/// width.
+fn sliver<const D: usize>(rng: &mut Pcg32) -> [[i32; D]; 3] {
+    let shift = 1 + rng.next_u32() % 2 * (rng.next_u32() % 24);
+    let mut v = [[0; D]; 3].map(|p: [i32; D]| p.map(|_| rng.next_u32() as i32 >> shift));
+    if rng.next_u32() & 3 > 0 {
+        let part = f64::from(rng.next_u32()) * WORD;
+        let part = part * [1.0, 1.0, 1e-6, 1e-3][rng.next_u32() as usize & 3];
+        let width = 1 + rng.next_u32() % 32;
+        let [a, b, c] = &mut v;
+        for ((a, b), c) in a.iter().zip(b.iter()).zip(c) {
+            let from = f64::from(*a);
+            *c = (from + part * (f64::from(*b) - from)) as i32 + (rng.next_u32() % width) as i32;
+        }
+    }
+    v.rotate_left((rng.next_u32() % 3) as usize);
+    if rng.next_u32() & 1 == 0 {
+        v.swap(0, 1);
+    }
+    v
+}
+
+/// Words at both ends, next to them, and anywhere.
+fn word(rng: &mut Pcg32) -> u32 {
+    let (word, by) = (rng.next_u32(), rng.next_u32() % 32);
+    match rng.next_u32() % 4 {
+        0 => word >> by,
+        1 => !(word >> by),
+        _ => word,
+    }
+}
+
+/// The weights of a point's exact parts of the area, none below 0: what the inverse must not be.
+fn by_parts([a, b, c]: [[i32; 2]; 3], x: [I16F16; 2]) -> [U0F32; 2] {
+    let [a, b, c] = [a, b, c].map(|v| v.map(i128::from));
+    let x = x.map(|x| i128::from(x.to_bits()));
+    let part = |p: [i128; 2], q: [i128; 2], r: [i128; 2]| {
+        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    };
+    let sign = part(a, b, c).signum();
+    let [u, v, w] =
+        [part(b, c, x), part(c, a, x), part(a, b, x)].map(|part| (part * sign).max(0) as f64);
+    let both = (v + w) / (u + v + w);
+    let second = if v + w > 0.0 { v / (v + w) } else { 0.0 };
+    [both * both, second].map(U0F32::saturating_from_num)
+}
+
+/// How many inverses of samples do not lead back, of those of a warp and of those by parts.
+fn astray<const D: usize, G: Grade>(
+    by_parts: impl Fn([[i32; D]; 3], [I16F16; D]) -> [U0F32; 2],
+) -> [u32; 2] {
+    let mut rng = Pcg32::new(21, D as u64);
+    let (mut astray, mut wrong) = (0, 0);
+    for _ in 0..speed::of("slivers", 20_000, 3_000_000) {
+        let vertices = sliver::<D>(&mut rng);
+        let Ok(warp) = TriangleOn::<U16, D, G>::new(vertices.map(|v| v.map(FixedI32::from_bits)))
+        else {
+            continue;
+        };
+        let pair = [word(&mut rng), word(&mut rng)];
+        let point = warp.sample(pair.map(U0F32::from_bits));
+        assert!(warp.pdf(point) > 0, "{vertices:?} {pair:x?}");
+        let (off, bound) = returned::<D, G>(vertices, point, warp.sample(warp.invert(point)));
+        if off > bound {
+            println!("{vertices:?} {pair:x?}: {off} for {bound}");
+            astray += 1;
+        }
+        let other = warp.sample(by_parts(vertices, point));
+        let (off, bound) = returned::<D, G>(vertices, point, other);
+        wrong += u32::from(off > bound);
+    }
+    [astray, wrong]
+}
+
+#[test]
+fn the_inverse_leads_back_in_any_sliver() {
+    let [fine, wrong] = astray::<2, Fine>(by_parts);
+    // The old way is found out.
+    assert!(fine == 0 && wrong > 500, "{fine} {wrong}");
+    assert_eq!(astray::<2, Coarse>(by_parts)[0], 0);
+    assert_eq!(astray::<2, Compact>(by_parts)[0], 0);
+    assert_eq!(astray::<3, Fine>(|_, _| [U0F32::ZERO; 2])[0], 0);
+    assert_eq!(astray::<5, Fine>(|_, _| [U0F32::ZERO; 2])[0], 0);
+    // It once led 1.15e9 steps off, and the other one is next to the first vertex, where the first word has few digits.
+    for (vertices, words) in [
+        (
+            [[-120, 251_835_406], [-592, -653_854_751], [10, 501_513_406]],
+            [0xffc4_ac80, 0xffe0_cf41],
+        ),
+        (
+            [
+                [51_206_315, -84_799_524],
+                [384_213_757, 377_681_821],
+                [757_910_260, 896_672_209],
+            ],
+            [1, 0xe3b2_8e6c],
+        ),
+    ] {
+        let warp = new::<U16, 2, Fine>(vertices);
+        let point = warp.sample(words.map(U0F32::from_bits));
+        let (off, _) = returned::<2, Fine>(vertices, point, warp.sample(warp.invert(point)));
+        assert!(off <= 4.0, "{vertices:?}: {off}");
+    }
+}
+
+/// The largest error of the density of random triangles, beyond a step, relative; by the exact sum of all squared minors.
+fn density_error<const D: usize>(count: u32) -> f64 {
+    let mut rng = Pcg32::new(22, D as u64);
+    let mut most = 0.0_f64;
+    for _ in 0..count {
+        // Of density 2³² at most, and not so small that its steps hide the error.
+        let shift = 22 + rng.next_u32() % 6;
+        let flat = rng.next_u32() & 1 == 0;
+        let v = [[0; D]; 3].map(|p: [i32; D]| {
+            let mut k = 0;
+            p.map(|_| {
+                k += 1;
+                rng.next_u32() as i32 >> if flat && k > 2 { 29 } else { shift }
+            })
+        });
+        let Ok(warp) = TriangleOn::<U16, D, Fine>::new(v.map(|v| v.map(FixedI32::from_bits)))
+        else {
+            continue;
+        };
+        let [a, b, c] = v;
+        let side = |v: [i32; D], k: usize| i64::from(v[k]) - i64::from(a[k]);
+        let (p, q): (Vec<_>, Vec<_>) = (0..D).map(|k| (side(b, k), side(c, k))).unzip();
+        let mut squares = BigUint::ZERO;
+        for i in 0..D {
+            for j in 0..i {
+                let minor =
+                    i128::from(p[i]) * i128::from(q[j]) - i128::from(p[j]) * i128::from(q[i]);
+                squares += BigUint::from(minor.unsigned_abs()).pow(2);
+            }
+        }
+        // 2/area in steps, times 2³² for each of a coordinate's 2¹⁶ and for the density's own bits; 40 bits more.
+        let due = (BigUint::from(1_u32) << 145_u32) / (squares << 80_u32).sqrt();
+        let due = u128::try_from(due).unwrap() as f64 / 2_f64.powi(40);
+        let got = warp.pdf(warp.vertices()[0]).to_bits() as f64;
+        most = most.max(((got - due).abs() - 1.0).max(0.0) / due);
+    }
+    most
+}
+
+#[test]
+fn the_density_is_right_in_any_dimension() {
+    let count = speed::of("triangles of each dimension", 2_000, 200_000);
+    let found = [
+        density_error::<2>(count),
+        density_error::<3>(count),
+        density_error::<4>(count),
+        density_error::<9>(count),
+        density_error::<600>(count / 500),
+    ];
+    println!("{found:?}");
+    assert!(found.iter().all(|error| *error <= 1.2e-9), "{found:?}");
 }
 
 const FLAT: [[[i32; 2]; 3]; 5] = [

@@ -78,6 +78,22 @@ fn on<Frac: LeEqU32 + 'static, G: Grade, const D: usize>(
         errors[1] = density_error(got, density, density);
         let again = warp.sample(warp.invert(sample));
         check(warp.pdf(again) > 0, "no density at a sample's inverse")?;
+        // Four steps, and twice what the page states of a sample, of the extent.
+        let error = match G::NAME {
+            "fine" => 2.0e-7,
+            "coarse" => 1.9e-5,
+            _ => 6.2e-8,
+        };
+        let most = |of: [i64; D]| of.into_iter().max().unwrap_or(0) as f64;
+        let extent = most(std::array::from_fn(|k| {
+            i64::from(high[k]) - i64::from(low[k])
+        }));
+        let off =
+            std::array::from_fn(|k| i64::from(again[k].to_bits()) - i64::from(sample[k].to_bits()));
+        check(
+            most(off.map(i64::abs)) <= 4.0 + 2.0 * error * extent,
+            "an inverse that leads elsewhere",
+        )?;
         let any = std::array::from_fn(|k| bits((words[k % 2].rotate_left(k as u32)) as i32));
         let _ = warp.pdf(any);
         check(
