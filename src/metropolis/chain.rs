@@ -20,7 +20,7 @@ use crate::error::Error;
 ///
 /// # Accuracy
 ///
-/// The acceptance is within half an ulp (a unit in the last place) for a symmetric mutation, and within 2 ulp for one
+/// The acceptance is within half an ulp (a unit in the last place) for a symmetric mutation, and within 2.5 ulp for one
 /// with a [`HastingsRatio`](super::HastingsRatio). For logarithms, see [`LogDensity`](super::LogDensity). It is realised
 /// in steps of 2⁻³², to the nearest: a proposal with an acceptance below 2⁻³³ is never taken, although
 /// [`Transition::recorded`](super::Transition::recorded) still counts it.

@@ -110,11 +110,15 @@ impl Chance {
     const fn of_counts(from: u32, to: u32, counts: HastingsCounts) -> Self {
         /// Up to here the products with a weight have 64 bits.
         const NARROW: u128 = 1 << 32;
-        let HastingsCounts { forward, backward } = counts;
-        if forward <= NARROW && backward <= NARROW {
+        let HastingsCounts {
+            forward,
+            backward,
+            raised,
+        } = counts;
+        if forward <= NARROW && backward <= NARROW && raised == 0 {
             Self::of(to as u64 * backward as u64, from as u64 * forward as u64)
         } else {
-            Self::wide(to as u128 * backward, from as u128 * forward)
+            Self::wide(to as u128 * backward, from as u128 * forward, raised)
         }
     }
 
@@ -123,25 +127,31 @@ impl Chance {
     const fn of_ratio(from: u32, to: u32, ratio: Scaled) -> Self {
         let (significand, exponent) = ratio.parts();
         let digits = significand.to_bits() & 0x007f_ffff | 0x0080_0000;
-        let (part, whole) = (to as u128 * digits as u128, from as u128);
-        let exponent = exponent.saturating_sub(23);
-        let by = exponent.unsigned_abs();
-        // The part has 24 to 56 bits, the whole up to 32: shifted further than this, every word accepts, or one.
-        if exponent >= 0 {
-            Self::wide(part << if by < 40 { by } else { 40 }, whole)
-        } else {
-            Self::wide(part, whole << if by < 90 { by } else { 90 })
-        }
+        let part = to as u128 * digits as u128;
+        Self::wide(part, from as u128, exponent.saturating_sub(23))
     }
 
-    /// Of numbers of up to 122 bits; it counts the words right away.
-    const fn wide(part: u128, whole: u128) -> Self {
+    /// Of positive numbers below 2⁹⁷, the first times a power of two; it counts the words right away.
+    const fn wide(part: u128, whole: u128, raised: i32) -> Self {
+        let raise = raised.unsigned_abs();
+        // What is raised is shifted as far as there is room: with 127 bits it is the larger one, by 2²⁹ and more.
+        let (part, whole, rest) = if raised < 0 {
+            let by = least(raise, whole.leading_zeros() - 1);
+            (part, whole << by, raise - by)
+        } else {
+            (part << least(raise, part.leading_zeros() - 1), whole, 0)
+        };
         if part >= whole {
             return Self::ALWAYS;
         }
-        let (words, inexact) = scaled(part, whole, 32);
+        let bits = 32_u32.saturating_sub(rest);
+        let (words, inexact) = scaled(part, whole, bits);
         Self::of(words as u64 + inexact as u64, Self::TOTAL)
     }
+}
+
+const fn least(a: u32, b: u32) -> u32 {
+    if a < b { a } else { b }
 }
 
 impl PartialEq for Chance {

@@ -9,8 +9,8 @@ use crate::num::{Scaled, remainder};
 ///
 /// # Accuracy
 ///
-/// The acceptance is within 2 ulp (units in the last place) for densities and ratios of any magnitude. For logarithms,
-/// see [`LogDensity`](super::LogDensity).
+/// The acceptance is within 2.5 ulp (units in the last place) for densities and ratios of any magnitude: it is rounded three
+/// times, and the first two roundings may make an ulp each. For logarithms, see [`LogDensity`](super::LogDensity).
 ///
 /// # Examples
 ///
@@ -98,11 +98,7 @@ impl HastingsRatio {
     #[must_use]
     #[inline]
     pub const fn from_counts(forward: u128, backward: u128) -> Self {
-        let counts = HastingsCounts::new(forward, backward);
-        match counts.way() {
-            Standing::Positive => Self::positive(counts.quotient()),
-            standing => Self::without_value(standing),
-        }
+        HastingsCounts::new(forward, backward).ratio()
     }
 
     /// Of two moves that are independent.
@@ -161,8 +157,10 @@ impl HastingsRatio {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HastingsCounts {
+    /// The ratio is backward·2^raised/forward; both are at most 2⁶⁴.
     pub(super) forward: u128,
     pub(super) backward: u128,
+    pub(super) raised: i32,
 }
 
 impl HastingsCounts {
@@ -179,28 +177,35 @@ impl HastingsCounts {
         Self {
             forward: at_most(forward),
             backward: at_most(backward),
+            raised: 0,
         }
     }
 
-    /// T(x→x′), at most 2⁶⁴.
+    /// T(x→x′), at most 2⁶⁴. Of a [`Product`](super::Product) beyond that, both counts lose the same low bits here, but not
+    /// in the acceptance.
     #[must_use]
     #[inline]
     pub const fn forward(self) -> u128 {
-        self.forward
+        let above = if self.raised > 0 { self.raised } else { 0 };
+        lowered(self.forward, above.unsigned_abs())
     }
 
-    /// T(x′→x), at most 2⁶⁴.
+    /// T(x′→x), at most 2⁶⁴, likewise.
     #[must_use]
     #[inline]
     pub const fn backward(self) -> u128 {
-        self.backward
+        let above = if self.raised < 0 { self.raised } else { 0 };
+        lowered(self.backward, above.unsigned_abs())
     }
 
     /// The ratio in floating point.
     #[must_use]
     #[inline]
     pub const fn ratio(self) -> HastingsRatio {
-        HastingsRatio::from_counts(self.forward, self.backward)
+        match self.way() {
+            Standing::Positive => HastingsRatio::positive(self.quotient()),
+            standing => HastingsRatio::without_value(standing),
+        }
     }
 
     /// Zero if there is no way back, unsound if there was no way to the proposal.
@@ -213,19 +218,19 @@ impl HastingsCounts {
         }
     }
 
-    /// Of two moves that are independent: exact while the products are at most 2⁶⁴. Beyond that both lose the same low bits.
+    /// Of two moves that are independent: exact while the products are at most 2⁶⁴. Beyond that each of the two keeps its own
+    /// 64 leading bits, so that it loses less than 2⁻⁶³ of itself, however many moves follow.
     #[inline]
     pub(super) const fn times(self, other: Self) -> Self {
-        let forward = self.forward.saturating_mul(other.forward);
-        let backward = self.backward.saturating_mul(other.backward);
-        if forward <= MOST && backward <= MOST {
-            return Self { forward, backward };
-        }
-        // The larger one has more than 64 bits, so it loses all but 64.
-        let by = 64_u32.saturating_sub((forward | backward).leading_zeros());
+        let (forward, down) = leading(self.forward.saturating_mul(other.forward));
+        let (backward, up) = leading(self.backward.saturating_mul(other.backward));
+        let raised = self.raised.saturating_add(other.raised);
         Self {
-            forward: shortened(forward, by),
-            backward: shortened(backward, by),
+            forward,
+            backward,
+            raised: raised
+                .saturating_add_unsigned(up)
+                .saturating_sub_unsigned(down),
         }
     }
 
@@ -233,14 +238,14 @@ impl HastingsCounts {
     #[inline]
     pub(super) const fn quotient(self) -> Scaled {
         if self.forward == self.backward {
-            return Scaled::ONE;
+            return Scaled::ONE.raised(self.raised);
         }
         let (there, back) = (Digits::of(self.forward), Digits::of(self.backward));
         let quotient = back.high / there.high;
         let rest = remainder(back.high, quotient, there.high) + back.low;
         let rounded = quotient + (rest - quotient * there.low) / there.high;
         let exponent = back.exponent.wrapping_sub(there.exponent);
-        Scaled::of(rounded).raised(exponent)
+        Scaled::of(rounded).raised(exponent.saturating_add(self.raised))
     }
 }
 
@@ -254,9 +259,19 @@ const fn at_most(count: u128) -> u128 {
 
 /// A count without some of its low bits; 0 only if it was.
 #[inline]
-const fn shortened(count: u128, by: u32) -> u128 {
-    let rest = count.wrapping_shr(by);
+const fn lowered(count: u128, by: u32) -> u128 {
+    let rest = if by < 128 { count.wrapping_shr(by) } else { 0 };
     if rest == 0 && count > 0 { 1 } else { rest }
+}
+
+/// A number's 64 leading bits, if it is above 2⁶⁴, and how many are gone.
+#[inline]
+const fn leading(number: u128) -> (u128, u32) {
+    if number <= MOST {
+        return (number, 0);
+    }
+    let by = 64_u32.wrapping_sub(number.leading_zeros());
+    (number.wrapping_shr(by), by)
 }
 
 /// The leading 48 bits of a number: (high + low) 2^exponent.

@@ -21,13 +21,15 @@ use rand_core::TryRng;
 ///   starts no chain.
 /// - Hastings ratio: the product of those of the parts. A product of symmetric mutations is symmetric.
 ///   [`HastingsCounts`](super::HastingsCounts) are multiplied exactly up to 2⁶⁴, as of two tables of 32-bit words. Beyond
-///   that both lose the same low bits, at most 2⁻⁶³ of the larger one.
+///   that each product loses less than 2⁻⁶³ of itself, so the acceptance is off by less than 2⁻⁶³ of itself for each part
+///   beyond the first, in any order, before it is rounded up to a word.
 /// - [`Proposal::kind`](super::Proposal::kind) is that of the first part.
 ///
 /// # Accuracy
 ///
-/// Each [`HastingsRatio`](super::HastingsRatio) beyond the first adds half an ulp (a unit in the last place) to the error of
-/// the acceptance, and each factor of a density half an ulp to its own.
+/// Each [`HastingsRatio`](super::HastingsRatio) beyond the first adds at most 2 ulp (units in the last place) to the error of
+/// the acceptance, and each factor of a density beyond the first at most 1 ulp to its own: its own rounding where it has one,
+/// and that of a product.
 ///
 /// # Examples
 ///

@@ -116,12 +116,12 @@ fn with_a_ratio([from, to, forward, backward]: [f32; 4]) -> f64 {
 }
 
 #[test]
-fn an_acceptance_with_a_ratio_is_within_2_ulp() {
+fn an_acceptance_with_a_ratio_is_within_2_and_a_half_ulp() {
     let mut rng = Pcg32::new(2, 2);
     let (mut worst, mut cases) = (0.0_f64, 0);
     let mut try_one = |numbers: [f32; 4]| {
         let off = with_a_ratio(numbers);
-        assert!(off <= 2.0, "{numbers:?}: {off} ulp off");
+        assert!(off <= 2.5, "{numbers:?}: {off} ulp off");
         worst = worst.max(off);
         // Of all bit patterns, most are 0 or 1.
         cases += u32::from(off > 0.0);

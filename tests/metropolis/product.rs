@@ -1,5 +1,6 @@
 //! Products: each part as its own mutation proposes it, and the acceptance of all parts together, by exact numbers of words.
 
+use crate::exact::Fraction;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
     Chain, HastingsCounts, HastingsRatio, Independence, Mutation, Product, Proposal, StateSource,
@@ -7,10 +8,11 @@ use microwarp::metropolis::{
 };
 use microwarp::{Warp, metropolis::BoxStep, poly as mw};
 use num_bigint::BigUint;
-use rand_core::TryRng;
+use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 use support::generators::Cycle;
 use support::mean::Mean;
+use support::speed;
 
 #[test]
 fn parts_are_proposed_in_order_by_their_own_mutations() {
@@ -168,6 +170,178 @@ fn counts_are_multiplied_exactly_as_long_as_they_fit() {
     }
     println!("off by {largest:.2e}");
     assert!(largest <= 2f64.powi(-40), "{largest}");
+}
+
+/// How many words accept a step of a product of such parts, in this order.
+fn words_of([a, b, c, d]: [HastingsCounts; 4], [from, to]: [u32; 2], nested: bool) -> u64 {
+    fn accepted<X: Copy>(mutation: &impl Mutation<X>, state: X, [from, to]: [u32; 2]) -> u64 {
+        let mut chain = Chain::new(state, |_| from).unwrap();
+        let step = chain.step(|_| to, mutation, &mut Pcg32::new(1, 1));
+        step.acceptance.words()
+    }
+    let [a, b, c, d] = [a, b, c, d].map(Says);
+    if nested {
+        let inner = Product::new((c, d));
+        let mutation = Product::new((a, Product::new((b, inner))));
+        accepted(&mutation, (0, (0, (0, 0))), [from, to])
+    } else {
+        accepted(&Product::new((a, b, c, d)), (0, 0, 0, 0), [from, to])
+    }
+}
+
+/// The fewest and the most words that a product of such parts may state: ⌈2³² a⌉ for an acceptance a that is off by 2⁻⁶³
+/// for each part beyond the first.
+fn due(parts: [[u128; 2]; 4], [from, to]: [u32; 2]) -> [u64; 2] {
+    let product = |k: usize| {
+        parts
+            .iter()
+            .map(|p| BigUint::from(p[k]))
+            .product::<BigUint>()
+    };
+    let (part, whole) = (product(1) * to, product(0) * from);
+    let words = |by: u64| {
+        let (part, whole) = (&part * by << 32_u32, &whole << 63_u32);
+        let words: BigUint = (part + &whole - 1_u32) / whole;
+        u64::try_from(words.min(BigUint::from(1_u64 << 32))).unwrap()
+    };
+    [words((1 << 63) - 3), words((1 << 63) + 3)]
+}
+
+/// The counts of two parts multiplied and cut as they once were: both by the low bits that the larger one is too long by.
+fn once([a, b]: [u128; 2], [c, d]: [u128; 2]) -> [u128; 2] {
+    let (forward, backward) = (a.saturating_mul(c), b.saturating_mul(d));
+    let by = 64_u32.saturating_sub((forward | backward).leading_zeros());
+    if forward <= 1 << 64 && backward <= 1 << 64 {
+        [forward, backward]
+    } else {
+        [forward, backward].map(|count| (count >> by).max(1))
+    }
+}
+
+/// A count from 1 to 2⁶⁴, of any magnitude.
+fn count(rng: &mut Pcg32) -> u128 {
+    let word = u128::from(rng.next_u64() >> (rng.next_u32() % 64));
+    match rng.next_u32() % 8 {
+        0 => 1,
+        1 => 1 << 64,
+        2 => 1 << (rng.next_u32() % 65),
+        3 => u64::MAX.into(),
+        _ => word.max(1),
+    }
+}
+
+#[test]
+fn four_parts_in_any_order_have_their_acceptance() {
+    let mut rng = Pcg32::new(11, 30);
+    let (mut between, mut wrong) = (0, 0);
+    let cases = speed::of("products of counts", 20_000, 1_000_000);
+    for case in 0..cases {
+        // Three tables with 2⁻⁶⁰ beside 1, which made .0667 of 9.25e-19; then any.
+        let mut parts = [(); 4].map(|()| [count(&mut rng), count(&mut rng)]);
+        let mut weights = [(); 2].map(|()| rng.next_u32() >> (rng.next_u32() % 32) | 1);
+        if case == 0 {
+            parts = [[1 << 60, 1], [1, 1 << 60], [(1 << 60) - 1, 1], [1, 1]];
+            weights = [1, 1];
+        } else if case % 2 == 0 {
+            // The way back makes up for the way there, up to the last bits.
+            parts[2] = [parts[0][1], parts[0][0]];
+            parts[3] = [
+                parts[1][1],
+                parts[1][0]
+                    .saturating_sub(u128::from(rng.next_u32() % 3))
+                    .max(1),
+            ];
+        }
+        let [low, high] = due(parts, weights);
+        for order in [[0, 1, 2, 3], [2, 0, 3, 1], [3, 2, 1, 0], [1, 3, 0, 2]] {
+            let parts = order.map(|k| parts[k]);
+            let said = parts.map(|[forward, backward]| HastingsCounts::new(forward, backward));
+            for nested in [false, true] {
+                let words = words_of(said, weights, nested);
+                assert!(
+                    (low..=high).contains(&words),
+                    "{parts:?} {weights:?}: {words}, {low} to {high}"
+                );
+            }
+            let [forward, backward] = parts.into_iter().reduce(once).unwrap();
+            let part = BigUint::from(backward * u128::from(weights[1])) << 32_u32;
+            let whole = BigUint::from(forward * u128::from(weights[0]));
+            let words: BigUint = (part + &whole - 1_u32) / whole;
+            let words = u64::try_from(words.min(BigUint::from(1_u64 << 32))).unwrap();
+            wrong += u32::from(!(low..=high).contains(&words));
+        }
+        between += u32::from(low > 1 && high < 1 << 32);
+    }
+    println!("{between} acceptances between 2^-32 and 1; {wrong} as they once were are wrong");
+    assert!(between > cases / 10 && wrong > cases / 10);
+}
+
+/// How many ulp the acceptance of a product of ratios is off: of two densities and of the densities of each part.
+fn ulps<const N: usize>([from, to]: [f32; 2], parts: [[f32; 2]; N]) -> f64 {
+    fn accepted<X: Copy>(mutation: &impl Mutation<X>, state: X, [from, to]: [f32; 2]) -> f32 {
+        let mut chain = Chain::new(state, |_| from).unwrap();
+        chain
+            .step(|_| to, mutation, &mut Pcg32::new(1, 1))
+            .acceptance
+    }
+    let ways = parts.iter().flatten().all(|x| *x > 0.0 && x.is_finite());
+    assert!(ways && from > 0.0 && to > 0.0);
+    let said = parts.map(|[forward, backward]| Says(HastingsRatio::new(forward, backward)));
+    let got = match said.as_slice() {
+        [a, b] => accepted(&Product::new((*a, *b)), (0, 0), [from, to]),
+        [a, b, c] => accepted(&Product::new((*a, *b, *c)), (0, 0, 0), [from, to]),
+        _ => panic!("two or three parts"),
+    };
+    let exact = parts.iter().fold(
+        Fraction::of(to).over(&Fraction::of(from)),
+        |exact, [there, back]| {
+            exact
+                .times(&Fraction::of(*back))
+                .over(&Fraction::of(*there))
+        },
+    );
+    exact.capped().ulps(got)
+}
+
+/// The worst that a climb from random numbers finds.
+fn worst<const N: usize>(climbs: u32) -> f64 {
+    let mut rng = Pcg32::new(12, N as u64);
+    let mut worst = 0.0_f64;
+    let mut near = || 1.0 + f32::EPSILON * (rng.next_u32() >> 9) as f32;
+    let starts: Vec<_> = (0..climbs)
+        .map(|_| ([4.0 * near(), near()], [(); N].map(|()| [near(), near()])))
+        .collect();
+    for (mut weights, mut parts) in starts {
+        let mut most = ulps(weights, parts);
+        for _ in 0..400 {
+            let (mut other, mut moved) = (weights, parts);
+            let k = rng.next_u32() as usize % (2 * N + 2);
+            let place = other.iter_mut().chain(moved.as_flattened_mut()).nth(k);
+            let place = place.unwrap();
+            let by = 1_u32 << (rng.next_u32() % 20);
+            let bits = place.to_bits();
+            *place = f32::from_bits(if rng.next_u32() & 1 == 0 {
+                bits + by
+            } else {
+                bits - by
+            });
+            let off = ulps(other, moved);
+            if off >= most {
+                (most, weights, parts) = (off, other, moved);
+            }
+        }
+        worst = worst.max(most);
+    }
+    worst
+}
+
+#[test]
+fn each_ratio_adds_two_ulp_at_most() {
+    let climbs = speed::of("climbs", 30, 1000);
+    let (two, three) = (worst::<2>(climbs), worst::<3>(climbs));
+    println!("two ratios: {two:.3} ulp; three: {three:.3}");
+    assert!(two <= 4.5 && three <= 6.5, "{two} {three}");
+    assert!(two > 4.5 / 2.5 && three > 6.5 / 2.5, "{two} {three}");
 }
 
 #[test]
