@@ -8,7 +8,7 @@
 //! | [`BallRejection`] | the unit ball | π/6 = 52.4 % | 3 |
 //! | [`ZigguratStandardNormal`], [`ZigguratNormal`] | normal numbers | 99.3 % | 1, sometimes 2 or 3 |
 //! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | exponential numbers | 98.9 % | 1, sometimes 2 or 3 |
-//! | [`PoissonRejection`] | counts of events | 75 % to 89 % | 2 |
+//! | [`PoissonRejection`] | counts of events | 77 % to 89 % | 2 |
 //! | `fixed::DiskRejection` | the unit disk, in fixed point | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | the unit disk, in fixed point of 16 bits | π/4 = 78.5 % | 1 |
 //!
