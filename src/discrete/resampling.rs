@@ -37,8 +37,8 @@ use rand_core::{Rng, TryRng};
 /// Scales weights to integers for [`systematic`], [`stratified`] and [`residual`]: the largest to 2³¹ or more.
 ///
 /// # Accuracy
-/// An integer is the scaled weight rounded down, to 2⁻³¹ of the largest weight or less. A weight of zero becomes 0, and
-/// a positive one at least 1.
+/// An integer is the scaled weight rounded down, to 2⁻³¹ of the largest weight or less. A weight below that becomes 0, as
+/// one of zero does: many of them get no copies that they are not due.
 ///
 /// # Errors
 /// [`Error::NoWeights`], [`Error::TooManyWeights`] above [`MAX_ENTRIES`], [`Error::AllZero`], [`Error::NotATable`] for
@@ -50,7 +50,7 @@ use rand_core::{Rng, TryRng};
 /// use microwarp::discrete::resampling::to_integers;
 /// let mut integers = [0; 3];
 /// to_integers(&[1.0, 0.0, 1e-20], &mut integers)?;
-/// assert_eq!(integers, [1 << 31, 0, 1]);
+/// assert_eq!(integers, [1 << 31, 0, 0]);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 pub fn to_integers(weights: &[f32], integers: &mut [u32]) -> Result<(), Error> {

@@ -98,14 +98,11 @@ fn pass(weights: &[f32], (word, fraction): (u32, f32), bits: u32) -> Result<Sele
         return Err(Error::AllZero);
     }
     let leftover = total.place(word, fraction, below, own);
-    let pmf = own.ratio(total);
-    // The exponent of the pmf is log2 of it, rounded down.
-    let spent = 127_u32.saturating_sub(pmf.to_bits() >> 23);
     Ok(Selection {
         index,
-        pmf,
+        pmf: own.ratio(total),
         leftover: if leftover < 1.0 { leftover } else { LARGEST },
-        leftover_bits: bits.saturating_sub(spent),
+        leftover_bits: bits.saturating_sub(own.halvings(total)),
     })
 }
 

@@ -136,6 +136,13 @@ impl Total {
         word == 0 || next.wrapping_mul(whole.mantissa as u128) <= share
     }
 
+    /// How often `whole`, which is not below this, is halved before it is at most this: −log₂ of the quotient, rounded up,
+    /// also where the quotient as an `f32` rounds to a power of two.
+    pub(crate) const fn halvings(self, whole: Self) -> u32 {
+        self.below(whole)
+            .saturating_add((self.mantissa < whole.mantissa) as u32)
+    }
+
     /// The quotient of this and `whole`, which is not below it, as an `f32`; never 0.
     pub(crate) fn ratio(self, whole: Self) -> f32 {
         // The mantissas' quotient lies between 1/2 and 2. We take 31 or 32 bits of it, and let the last stand

@@ -45,6 +45,8 @@ pub(crate) struct Unit {
     /// The exponent field of the largest weight.
     largest: u32,
     shift: u32,
+    /// How many bits the significand of the largest weight is short of 24: 0 unless it is subnormal.
+    short: u32,
 }
 
 /// The exponent field and the significand of a weight, whose value is significand · 2^(field - 150).
@@ -60,8 +62,8 @@ pub(crate) const fn decode(weight: f32) -> (u32, u32) {
 
 /// What a first pass over weights finds: whether all of them are valid, and the largest.
 pub(crate) struct Scan {
+    /// The bits of the largest weight; those of positive numbers are in their order.
     largest: u32,
-    positive: bool,
     entries: usize,
 }
 
@@ -69,7 +71,6 @@ impl Scan {
     pub(crate) const fn new() -> Self {
         Self {
             largest: 0,
-            positive: false,
             entries: 0,
         }
     }
@@ -84,11 +85,11 @@ impl Scan {
             if weight < 0.0 {
                 return Err(Error::NegativeWeight(self.entries));
             }
-            let (field, significand) = decode(weight);
-            if field > self.largest {
-                self.largest = field;
+            // A zero may have a sign.
+            let bits = weight.to_bits() & 0x7fff_ffff;
+            if bits > self.largest {
+                self.largest = bits;
             }
-            self.positive = self.positive || significand > 0;
             rest = others;
             self.entries = self.entries.wrapping_add(1);
         }
@@ -103,13 +104,15 @@ impl Scan {
         if let Err(error) = check_number(self.entries) {
             return Err(error);
         }
-        if !self.positive {
+        if self.largest == 0 {
             return Err(Error::AllZero);
         }
         let crowd = usize::BITS.wrapping_sub(self.entries.wrapping_sub(1).leading_zeros());
+        let (field, significand) = decode(f32::from_bits(self.largest));
         Ok(Unit {
-            largest: self.largest,
+            largest: field,
             shift: SUM_BITS.wrapping_sub(24).wrapping_sub(crowd),
+            short: significand.leading_zeros().wrapping_sub(8),
         })
     }
 }
@@ -131,6 +134,7 @@ impl Unit {
         Self {
             largest: self.largest,
             shift: self.shift.wrapping_sub(1),
+            short: self.short,
         }
     }
 
@@ -145,11 +149,10 @@ impl Unit {
         sum
     }
 
-    /// A weight in a unit of which the largest has from 2³¹ to 2³²; a positive one is at least 1.
+    /// A weight in a unit of which the largest has from 2³¹ to 2³², rounded down.
     pub(crate) const fn word(self, weight: f32) -> u32 {
-        let units = self.units(weight);
-        let word = units.wrapping_shr(self.shift.wrapping_sub(8)) as u32;
-        if word == 0 && units > 0 { 1 } else { word }
+        let down = self.shift.wrapping_sub(8).wrapping_sub(self.short);
+        self.units(weight).wrapping_shr(down) as u32
     }
 
     /// A weight in this unit; a positive one is at least 1.

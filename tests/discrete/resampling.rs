@@ -275,10 +275,11 @@ fn bad_input_is_refused_and_changes_nothing() {
 fn integers_are_in_the_ratio_of_the_weights() {
     let mut rng = Pcg32::new(8, 1);
     for count in [1, 2, 1000] {
-        for exponent in [-126.0, -30.0, 0.0, 90.0] {
+        for exponent in [-149.0, -140.0, -126.0, -30.0, 0.0, 90.0] {
             let scale = 2_f64.powf(exponent);
             let weights: Vec<f32> = (0..count)
                 .map(|_| (scale * (f64::from(rng.next_u32() % 16_777_216) / 997.0)) as f32)
+                .map(|weight: f32| weight.max(f32::from_bits(1)))
                 .collect();
             let mut integers = vec![0; count];
             assert_eq!(to_integers(&weights, &mut integers), Ok(()));
@@ -289,13 +290,36 @@ fn integers_are_in_the_ratio_of_the_weights() {
             for (integer, weight) in integers.iter().zip(&weights) {
                 let off = (f64::from(*weight) * unit - f64::from(*integer)).abs();
                 assert!(off < 1.0, "{weight:e}: {integer}");
-                assert_eq!(*integer == 0, *weight == 0.0);
             }
         }
     }
     let mut integers = [0; 4];
     let extremes = [f32::MAX, f32::from_bits(1), 0.0, f32::MAX / 2.0];
     assert_eq!(to_integers(&extremes, &mut integers), Ok(()));
-    assert_eq!(integers[1..3], [1, 0]);
+    assert_eq!(integers[1..3], [0, 0]);
     assert_eq!(integers[0] / 2, integers[3]);
+}
+
+/// A largest weight of few bits is scaled as any other, and what is below a step of it gets nothing.
+#[test]
+fn what_deserves_nothing_gets_nothing() {
+    for bits in [1, 2, 3, 0x7f_ffff, 0x80_0000, 0x80_0001] {
+        let largest = f32::from_bits(bits);
+        let mut integers = [9; 3];
+        assert_eq!(to_integers(&[0.0, largest, -0.0], &mut integers), Ok(()));
+        assert_eq!(integers, [0, bits << bits.leading_zeros(), 0]);
+    }
+    for (tiny, due) in [(1e-30, 0), (4.6e-10, 0), (4.7e-10, 1), (1e-9, 2)] {
+        let mut integers = [9; 2];
+        assert_eq!(to_integers(&[1.0, tiny], &mut integers), Ok(()));
+        assert_eq!(integers, [1 << 31, due], "{tiny:e}");
+    }
+    // Of a million particles all but one are dead.
+    let mut weights = vec![1e-30; 1_000_000];
+    weights[765_432] = 1.0;
+    let mut counts = vec![0; weights.len()];
+    to_integers(&weights, &mut counts).unwrap();
+    systematic(&mut counts, 1_000_000, 0x1234_5678).unwrap();
+    let copies_of_dead = 1_000_000 - counts[765_432];
+    assert_eq!(copies_of_dead, 0);
 }
