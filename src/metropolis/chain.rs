@@ -197,7 +197,9 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
         let Some(stayed) = saved.steps.checked_sub(saved.accepted) else {
             return Err(Error::OutOfRange);
         };
-        if saved.refused > stayed || u64::from(saved.rejected_in_a_row) > stayed {
+        // All of them are counts of the same steps until their number saturates.
+        let counted = saved.steps < u64::MAX;
+        if counted && (saved.refused > stayed || u64::from(saved.rejected_in_a_row) > stayed) {
             return Err(Error::OutOfRange);
         }
         saved.density.positive()?;

@@ -85,6 +85,13 @@ impl<X: Copy, D: TargetDensity> Candidates<X, D> {
             Some(base) if !density.exceeds(base) => return base,
             Some(base) => {
                 let (factor, exponent) = base.quotient(density).parts();
+                // The factor is from 1 to 2. A base that rises in many steps must not let the sums overflow, so what they
+                // grow goes to the exponent; at least one unit is left.
+                let (factor, exponent) = if self.sum.value() >= 2.0 {
+                    (0.5 * factor, exponent.saturating_add(1))
+                } else {
+                    (factor, exponent)
+                };
                 let times = |sum, factor| Sum::ZERO.plus_multiple(sum, factor);
                 self.sum = times(self.sum, factor);
                 self.squares = times(times(self.squares, factor), factor);

@@ -2,7 +2,7 @@
 
 use super::coordinates::Coordinates;
 use crate::error::{Error, finite, positive};
-use crate::num::two_product;
+use crate::num::{clamp, two_product};
 use crate::tier::{Tier, ln_ratio, scaled_exp};
 use core::marker::PhantomData;
 
@@ -67,6 +67,8 @@ fn along<X: Coordinates>(widths: &X, axis: usize) -> f32 {
 /// - States: ℝᴰ, as `f32` or `[f32; D]`; within [`WrappedWalk`](super::WrappedWalk), the unit cube. A step that would leave
 ///   the range of `f32` proposes x itself.
 /// - Words: one per coordinate. There are 2²⁴ steps per coordinate, odd multiples of the width times 2⁻²⁵, rounded.
+///   Below 2⁻¹²⁶ numbers are 2⁻¹⁴⁹ apart: of such a width a step may round to half the width, and all steps of a width of
+///   2⁻¹⁴⁹ are 0.
 ///
 /// # Examples
 ///
@@ -222,7 +224,8 @@ impl<X: Coordinates, T: Tier> StepLaw<X> for NormalStep<X, T> {
 ///
 /// # Accuracy
 ///
-/// The largest relative error of a step.
+/// The largest relative error of a step. Below 2⁻¹²⁶ a step also has an absolute one of 2⁻¹⁴⁹, the spacing of numbers there.
+/// No step is outside the sizes.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
@@ -298,6 +301,7 @@ impl<X: Coordinates, T: Tier> StepLaw<X> for LogUniformStep<T> {
     fn displacement(&self, _: usize, word: u32) -> f32 {
         let (sign, u) = signed(word);
         let (way, dropped) = two_product(self.span, u);
-        sign * scaled_exp::<T>(self.largest, -way, -dropped - self.span_rest * u)
+        let size = scaled_exp::<T>(self.largest, -way, -dropped - self.span_rest * u);
+        sign * clamp(size, self.smallest, self.largest)
     }
 }

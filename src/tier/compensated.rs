@@ -87,9 +87,17 @@ fn log_residual<T: Tier>(x: f32, log: f32) -> f32 {
 
 /// ln(b/a) for 0 ≤ a < b, accurate however close or far apart the two are, and its rounding error.
 pub(crate) fn ln_ratio<T: Tier>(a: f32, b: f32) -> (f32, f32) {
+    /// 2⁶⁴.
+    const POWER: f32 = 18_446_744_073_709_551_616.0;
     if a == 0.0 {
         return (f32::INFINITY, 0.0);
     }
+    // The rounding errors of subnormal numbers have no digits of their own.
+    let (a, b) = if a < f32::MIN_POSITIVE && b < 1.0 {
+        (a * POWER, b * POWER)
+    } else {
+        (a, b)
+    };
     if b < 2.0 * a {
         let (difference, base) = (b - a, a);
         let quotient = difference / base;

@@ -102,6 +102,30 @@ fn a_run_that_is_cut_anywhere_goes_on_as_if_it_were_not() {
     });
 }
 
+/// The number of steps saturates while the others go on; what such a chain saves is taken back.
+#[test]
+fn a_chain_at_the_last_step_is_resumed() {
+    let mut chain = Chain::resume(Saved {
+        state: 0.5_f32,
+        density: 1.0_f32,
+        steps: u64::MAX - 3,
+        accepted: u64::MAX - 10,
+        refused: 7,
+        rejected_in_a_row: 7,
+    })
+    .unwrap();
+    let mut rng = Pcg32::new(7, 7);
+    for i in 0..40_u32 {
+        // Moves, stays, and is refused.
+        let target = move |_: f32| [1.0, 0.0, f32::NAN, 2.0][i as usize % 4];
+        chain.step(target, &UniformStep::new(), &mut rng);
+        let saved = chain.save();
+        assert_eq!(Chain::resume(saved).map(|c| c.save()), Ok(saved), "{i}");
+        assert!(saved.accepted <= saved.steps);
+    }
+    assert_eq!(chain.steps(), u64::MAX);
+}
+
 #[test]
 fn what_no_chain_can_be_is_not_resumed() {
     let good = Saved {

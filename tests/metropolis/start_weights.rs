@@ -95,6 +95,37 @@ fn replay(pdf: &[f32], log: &[f64], candidates: u32, mut rng: Pcg32) -> Replay {
     }
 }
 
+/// The base of the weights rises a hundred times, each time by a little, while the weights fall.
+#[test]
+fn a_density_that_rises_in_many_steps_leaves_the_sums_in_range() {
+    for (rise, fall) in [
+        (1.01_f32, 4.0_f32),
+        (1.001, 2.0),
+        (1.3, 3.0),
+        (1.01, 1.0),
+        (1.99, 2.5),
+    ] {
+        let target: Vec<f32> = (0..100).map(|i| 1e-20 * rise.powi(i)).collect();
+        let ratio = f64::from(rise * fall);
+        let pdf: Vec<f32> = (0..100).map(|i| (1e-37 * ratio.powi(i)) as f32).collect();
+        // Each in its turn, and a word that decides.
+        let words: Vec<u32> = (0..100).flat_map(|i| [i, 0xffff_ffff]).collect();
+        let mut rng = support::generators::Cycle::new(&words);
+        let found =
+            Chain::resample(|i: usize| target[i], &Listed { pdf: &pdf }, 100, &mut rng).unwrap();
+        let weights: Vec<f64> = (0..100)
+            .map(|i| f64::from(target[i]) / f64::from(pdf[i]))
+            .collect();
+        let mean = weights.iter().sum::<f64>() / 100.0;
+        let squares = weights.iter().map(|w| w * w).sum::<f64>() / 100.0;
+        let exact = ((squares / (mean * mean) - 1.0).max(0.0) / 99.0).sqrt();
+        let error = f64::from(found.relative_error.unwrap());
+        println!("rise {rise}, fall {fall}: {error} for {exact}");
+        assert!(spread_off(error, exact, 100) <= SPREAD_ERROR * 10.0);
+        assert!((f64::from(found.weight) / mean - 1.0).abs() <= 1e-5);
+    }
+}
+
 /// Densities of 97 indices over 76 decades; some are 0 and some none at all.
 fn densities(decades: f32) -> Vec<f32> {
     let of = |i: usize| match i % 16 {
