@@ -55,9 +55,9 @@ use rand_core::TryRng;
 ///
 /// # Source
 /// W. Hörmann, "The Transformed Rejection Method for Generating Poisson Random Variables", 1993,
-/// <https://doi.org/10.1016/0167-6687(93)90997-4>, with other constants: with those of the source the hat is too low above
-/// small means, and counts there are up to 4e-5 of themselves too rare; the pmf as C. Loader, "Fast and Accurate Computation of Binomial
-/// Probabilities", 2000.
+/// <https://doi.org/10.1016/0167-6687(93)90997-4>, with other constants: those of the source make counts above small means
+/// too rare, by up to 4e-5 of themselves. The pmf as C. Loader, "Fast and Accurate Computation of Binomial Probabilities",
+/// 2000.
 #[doc(alias = "ptrs")]
 #[doc(alias = "shot_noise")]
 #[doc(alias = "photon")]
