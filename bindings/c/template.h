@@ -20,14 +20,16 @@
  *   mw_NAME_fill             an array of points: those that as many draws would give.
  *   mw_NAME_fill_from        the same from a source. On failure the points before it are in place.
  *   mw_NAME_pdf              the density, per unit of length, area or solid angle; 0 outside the
- *                            domain and for NaN.
+ *                            domain and for NaN. Directions have length 1: the density of a vector of
+ *                            another length is some finite number, not below 0.
  *   mw_NAME_invert           the uniforms of a point.
  *
  * A point on the line is a number and is returned. Any other goes to the last argument.
  *
  * What the caller promises: pointers are not null and are valid for what the function does with
  * them, except that an array of count 0 may be any pointer, and where null is said to be allowed; a
- * struct has been made by its mw_NAME_init. Arrays that are read and arrays that are written may overlap.
+ * struct has been made by its mw_NAME_init. Arrays that are read and arrays that are written may
+ * overlap.
  *
  * A struct of zeros, as `= {0}` and `static` make it, is an estimator or a reservoir that has seen
  * nothing; a generator without a seed, whose words are always the same; a source that fails; and a
@@ -37,6 +39,12 @@
  */
 #ifndef MICROWARP_H
 #define MICROWARP_H
+
+/* Older rules of `inline` define a function twice. */
+#if defined(__GNUC_GNU_INLINE__) || (!defined(__cplusplus) && !defined(_MSC_VER) && \
+        (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L))
+#error "microwarp.h asks for C99, as by -std=c99"
+#endif
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -445,10 +453,13 @@ float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
  * The state lies open, so it can be read, stored, and taken up again; write to `state` only before
  * `init`. Every step returns MW_OK, and then `*transition`, which may be null, says what became of
  * the proposal. A refused proposal had a density that is negative, NaN or infinite (a logarithm that
- * is NaN or INFINITY). After an error the chain is as it was: MW_SOURCE_FAILED, MW_OUT_OF_RANGE for
- * counts that contradict each other, MW_NOT_POSITIVE for a chain of zeros that no `init` has made, and
- * those of the widths: MW_NOT_FINITE, MW_NEGATIVE, MW_TOO_LARGE, and MW_NOT_POSITIVE where all are 0. `init` refuses a start whose
- * density is 0 (MW_NOT_POSITIVE), negative (MW_NEGATIVE), NaN or infinite (MW_NOT_FINITE).
+ * is NaN or INFINITY). After an error the chain is as it was.
+ *
+ * Errors of init: MW_NOT_POSITIVE for a density of 0 at the start, MW_NEGATIVE for one below 0,
+ * MW_NOT_FINITE for one that is NaN or infinite.
+ * Errors of steps: MW_NOT_FINITE, MW_NEGATIVE and MW_TOO_LARGE for widths, MW_NOT_POSITIVE where all
+ * are 0 and for a chain of zeros that no init has made, MW_OUT_OF_RANGE for counts that contradict
+ * each other, MW_SOURCE_FAILED.
  *
  *   step_normal   adds a normal step with these standard deviations
  *   step_box      adds a uniform step within these widths

@@ -25,7 +25,10 @@ export declare abstract class Warp<Point = number | number[], Uniforms = number 
   draw(source: Source): Point;
   /** The point of uniforms of your own; those outside [0, 1), and NaN, are brought into range. */
   sample(uniforms: Readonly<Uniforms>): Point;
-  /** The density at a point: per unit of length, area or solid angle. It is 0 outside the domain. */
+  /**
+   * The density at a point: per unit of length, area or solid angle. It is 0 outside the domain and for NaN. Directions are
+   * taken to have length 1: the density of a vector of another length is finite, not below 0, and means nothing.
+   */
   pdf(point: Readonly<Point>): number;
   /** The uniforms whose sample is this point. */
   invert(point: Readonly<Point>): Uniforms;

@@ -74,7 +74,8 @@ pub trait Warp {
 
     /// The density at `x`, per unit of length, of area or of solid angle (steradian).
     ///
-    /// It is 0 outside the domain and for NaN, and never 0 at a point that `sample` returned.
+    /// It is 0 outside the domain and for NaN, and never 0 at a point that `sample` returned. Directions are taken to have
+    /// length 1: the density of a vector of another length is finite, not below 0, and means nothing.
     #[must_use]
     fn pdf(&self, x: Self::Point) -> Self::Density;
 

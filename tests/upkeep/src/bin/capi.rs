@@ -14,7 +14,7 @@ fn run() -> Outcome {
         "header" => capi::header()?,
         "layout" => capi::layout(),
         "golden" => capi::golden(),
-        "hostile" => capi::hostile(),
+        "hostile" => capi::hostile()?,
         _ => return Err("name a part: header, layout, golden or hostile".into()),
     };
     print!("{text}");

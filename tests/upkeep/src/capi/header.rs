@@ -14,9 +14,9 @@ pub const LAYOUT: &str = "bindings/c/src/layout.rs";
 const TEMPLATE: &str = "bindings/c/template.h";
 
 /// The tiers: the warps, the list that describes them, their folder, and the column of their errors.
-type Section = (fn() -> Vec<Block>, &'static str, &'static str, &'static str);
-const POLY: Section = (bound::poly, "src/warp.rs", "src/warp", "poly");
-const FIXED: [Section; 4] = [
+pub type Section = (fn() -> Vec<Block>, &'static str, &'static str, &'static str);
+pub const POLY: Section = (bound::poly, "src/warp.rs", "src/warp", "poly");
+pub const FIXED: [Section; 4] = [
     (bound::fine, "src/fixed.rs", "src/fixed", "fine"),
     (bound::plain, "src/fixed.rs", "src/fixed", "fine"),
     (bound::coarse, "src/fixed.rs", "src/fixed", "coarse"),
@@ -56,7 +56,11 @@ pub fn header() -> Outcome<String> {
     if let Some(place) = text.lines().find(|line| line.starts_with('@')) {
         return Err(format!("{TEMPLATE}: nothing is made for {place}"));
     }
-    Ok(text)
+    // Of the documentation only what the comments know in ASCII.
+    match text.chars().find(|c| !c.is_ascii()) {
+        Some(c) => Err(format!("{HEADER} has a {c}")),
+        None => Ok(text),
+    }
 }
 
 /// The template with what stands between `@each a,b c,d@` and `@end@` repeated: once with `a` for `{}` and `b` for `{1}`,
@@ -120,7 +124,8 @@ fn reasons() -> Outcome<String> {
     Ok(text)
 }
 
-fn upper_case(name: &str) -> String {
+/// `NotFinite` as `NOT_FINITE`.
+pub fn upper_case(name: &str) -> String {
     let mut text = String::new();
     for (i, c) in name.chars().enumerate() {
         if c.is_uppercase() && i > 0 {
@@ -154,10 +159,12 @@ fn comment(text: &mut String, warp: &Bound, comments: &Comments, column: &str) -
         _ => comments.sentence(name)?,
     };
     let arguments = warp.of.split(|c: char| !c.is_ascii_digit());
-    let sentence = match arguments.filter_map(|n| n.parse::<u8>().ok()).next_back() {
-        Some(n) => sentence.replace("N ", &format!("{n} ")),
-        None => sentence.to_owned(),
+    let size = arguments.filter_map(|n| n.parse::<u8>().ok()).next_back();
+    let sized = |text: &str| match size {
+        Some(n) => text.replace("N ", &format!("{n} ")),
+        None => text.to_owned(),
     };
+    let sentence = sized(sentence);
     let mut said = vec![format!("{sentence}.")];
     let errors = comments.errors(name, column);
     if !errors.is_empty() {
@@ -187,6 +194,18 @@ fn comment(text: &mut String, warp: &Bound, comments: &Comments, column: &str) -
     }
     if !formats.is_empty() {
         said.push(format!("Formats: {}.", formats.join(", ")));
+    }
+    let point = comments.point(name, &warp.symbol())?;
+    said.push(format!("Point: {}.", sized(&point)));
+    if warp.is_stored() {
+        for constructor in &warp.constructors {
+            let refusals = comments.refusals(name, constructor.name, &warp.symbol())?;
+            let of = match constructor.name {
+                "new" => "init".to_owned(),
+                of => format!("init_{of}"),
+            };
+            said.push(format!("Errors of {of}: {refusals}"));
+        }
     }
     let mut lines = Vec::new();
     for paragraph in said {

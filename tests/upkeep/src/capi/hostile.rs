@@ -1,21 +1,27 @@
 //! Bad input for every warp, as C functions for `bindings/c/tests/hostile.c`.
 
-use super::bound::{self, Bound};
+use super::bound::Bound;
+use super::comments::Comments;
 use super::form::Form;
+use super::header::{FIXED, POLY};
+use crate::Outcome;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// A function for each warp, and their list.
-pub fn hostile() -> String {
+pub fn hostile() -> Outcome<String> {
     let mut text = "/* Written by `capi hostile`; included by hostile.c. */\n".to_owned();
     let mut list = String::new();
-    for warp in bound::every() {
-        // Tables are refused by what is no number: functions.c.
-        if !warp.is_stored() || !warp.constructors.is_empty() {
-            text.push_str(&of(&warp));
+    for (blocks, sentences, folder, _) in [POLY].into_iter().chain(FIXED) {
+        let comments = Comments::read(sentences, folder)?;
+        for warp in blocks().into_iter().flat_map(|block| block.bound) {
+            text.push_str(&of(&warp, &comments));
             writeln!(list, "    hostile_{}{},", warp.tier, warp.name).unwrap();
         }
     }
-    format!("{text}static void (*const hostile[])(void) = {{\n{list}}};\n")
+    Ok(format!(
+        "{text}static void (*const hostile[])(void) = {{\n{list}}};\n"
+    ))
 }
 
 /// Statements that give every number of a value something hostile.
@@ -27,7 +33,7 @@ fn filled(form: &Form, name: &str) -> String {
     set.collect()
 }
 
-fn of(warp: &Bound) -> String {
+fn of(warp: &Bound, comments: &Comments) -> String {
     let (symbol, uniforms, point) = (warp.symbol(), &warp.uniforms, &warp.point);
     let is_float = warp.tier.is_empty();
     let mut text = format!("static void hostile_{}{}(void)\n{{\n", warp.tier, warp.name);
@@ -49,20 +55,24 @@ fn of(warp: &Bound) -> String {
     let u = "u";
     let by = if point.is_struct() { "&" } else { "" };
     let place = if point.lengths.is_empty() { "&" } else { "" };
-    let trials = [("init".to_owned(), &Vec::new())];
+    let trials = [("init".to_owned(), &Vec::new(), BTreeSet::new())];
     let constructors = warp.constructors.iter().map(|c| {
         let name = match c.name {
             "new" => "init".to_owned(),
             name => format!("init_{name}"),
         };
-        (name, &c.parameters)
+        (
+            name,
+            &c.parameters,
+            comments.codes(warp.type_name(), c.name),
+        )
     });
     let constructors: Vec<_> = if warp.is_stored() {
         constructors.collect()
     } else {
         trials.into()
     };
-    for (init, parameters) in constructors {
+    for (init, parameters, codes) in constructors {
         text.push_str("    for (int round = 0; round < ROUNDS; round++) {\n");
         if warp.is_stored() {
             let mut arguments = vec!["&guarded.warp".to_owned()];
@@ -95,6 +105,15 @@ fn of(warp: &Bound) -> String {
                 text,
                 "        mw_error error = {symbol}_{init}({});",
                 arguments.join(", ")
+            )
+            .unwrap();
+            let stated: String = codes
+                .iter()
+                .map(|code| format!(" || error == {code}"))
+                .collect();
+            writeln!(
+                text,
+                "        if (error != MW_OK)\n            CHECK(false{stated});"
             )
             .unwrap();
             text.push_str(
