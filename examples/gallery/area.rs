@@ -3,18 +3,20 @@
 
 use microwarp::uniform::LARGEST;
 use rand_pcg::Pcg32;
+use std::f64::consts::FRAC_1_SQRT_2;
 use support::draw::canvas::{Area, Canvas};
 use support::draw::colour::{ACCENT, HAIR, MUTED, POINT, WHITE, faded, ramp};
+use support::draw::scale::ten_to;
 use support::draw::text::{Align, Type};
-use support::registry::picture::View;
+use support::registry::picture::{Body, Face, View};
 use support::registry::{Domain, Entry, Point};
-use support::truth::complements;
+use support::truth::{complements, dot};
 
 /// Squares along a side of the grid of the unit square.
 pub const GRID: u32 = 8;
 
 /// A way from points to paper and back; the paper reaches from -1 to 1, y upwards.
-enum Paper {
+pub enum Paper {
     Plane {
         centre: [f64; 2],
         half: f64,
@@ -30,10 +32,40 @@ enum Paper {
         half: f64,
     },
     Faces(&'static [[[f64; 2]; 3]]),
+    Net(&'static [Face], f64),
+    Solid {
+        body: Body,
+        centre: [f64; 2],
+        half: f64,
+    },
 }
 
+/// Where the eye is that sees a solid, and its paper's axes.
+const EYE: [f64; 3] = [0.577_350, 0.577_350, 0.577_350];
+const SEEN: [[f64; 3]; 2] = [
+    [-FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0],
+    [-0.408_248, -0.408_248, 0.816_497],
+];
+
 fn apply(matrix: &[[f64; 3]; 2], p: [f64; 3]) -> [f64; 2] {
-    matrix.map(|row| (0..3).map(|k| row[k] * p[k]).sum())
+    matrix.map(|row| dot(row, p))
+}
+
+fn moved(p: [f64; 3], along: [f64; 3], way: f64) -> [f64; 3] {
+    [0, 1, 2].map(|k| p[k] + way * along[k])
+}
+
+/// The middle of points on paper, and how far they reach from it.
+fn span(points: &[[f64; 2]]) -> ([f64; 2], f64) {
+    let ends = [0, 1].map(|k| {
+        let all = || points.iter().map(|p| p[k]);
+        let (low, high) = (
+            all().fold(f64::INFINITY, f64::min),
+            all().fold(f64::NEG_INFINITY, f64::max),
+        );
+        (0.5 * (low + high), 0.5 * (high - low))
+    });
+    (ends.map(|e| e.0), 1.03 * ends[0].1.max(ends[1].1))
 }
 
 /// The barycentric coordinates of a point of a triangle; nothing for a point outside.
@@ -45,8 +77,13 @@ fn shares(p: [f64; 2], [a, b, c]: [[f64; 2]; 3]) -> Option<[f64; 3]> {
     of.iter().all(|share| *share >= 0.0).then_some(of)
 }
 
+/// The lengths of a face's sides.
+fn lengths(face: &Face) -> [f64; 2] {
+    face.sides.map(|side| dot(side, side).sqrt())
+}
+
 impl Paper {
-    fn new(view: View, entry: &Entry) -> Self {
+    pub fn new(view: View, entry: &Entry) -> Self {
         match view {
             View::Plane { centre, half } => Self::Plane { centre, half },
             View::Sky(angle) => Self::Sky {
@@ -58,26 +95,28 @@ impl Paper {
                 let [a, b] = [corner(0.0, 0.0), corner(1.0, 1.0)];
                 let c = corner(1.0, 0.0);
                 let corners = [a, b, if c == b { corner(0.0, 1.0) } else { c }];
-                let flat = corners.map(|c| apply(&matrix, c));
-                let span = [0, 1].map(|k| {
-                    let low = flat.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min);
-                    let high = flat.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max);
-                    (0.5 * (low + high), 0.5 * (high - low))
-                });
-                let half = 1.03 * span[0].1.max(span[1].1);
+                let (centre, half) = span(&corners.map(|c| apply(&matrix, c)));
                 Self::Triangle {
                     matrix,
                     corners,
-                    centre: span.map(|s| s.0),
+                    centre,
                     half,
                 }
             }
             View::Faces(faces) => Self::Faces(faces),
+            View::Net(faces, half) => Self::Net(faces, half),
+            View::Solid(body) => {
+                let parts = || (0..=32).map(|i| f64::from(i) / 32.0);
+                let all = parts().flat_map(|u| parts().map(move |v| [u, v, 0.0, 0.0]));
+                let all: Vec<_> = all.map(|u| apply(&SEEN, entry.truth.sample(u))).collect();
+                let (centre, half) = span(&all);
+                Self::Solid { body, centre, half }
+            }
             _ => unreachable!("drawn elsewhere"),
         }
     }
 
-    fn place(&self, point: [f64; 3]) -> [f64; 2] {
+    pub fn place(&self, point: [f64; 3]) -> [f64; 2] {
         match *self {
             Self::Plane { centre, half } => [0, 1].map(|k| (point[k] - centre[k]) / half),
             Self::Sky { rim } => {
@@ -99,16 +138,47 @@ impl Paper {
                 let p = apply(matrix, point);
                 [0, 1].map(|k| (p[k] - centre[k]) / half)
             }
+            Self::Solid { centre, half, .. } => {
+                let p = apply(&SEEN, point);
+                [0, 1].map(|k| (p[k] - centre[k]) / half)
+            }
             Self::Faces(faces) => {
                 let Some([a, b, c]) = faces.get(point[0] as usize) else {
                     return [f64::NAN; 2]; // not to be seen
                 };
                 [0, 1].map(|k| a[k] + point[1] * (b[k] - a[k]) + point[2] * (c[k] - a[k]))
             }
+            Self::Net(faces, half) => {
+                let on = |face: &Face| {
+                    let from = moved(point, face.corner, -1.0);
+                    let parts = face.sides.map(|side| dot(from, side) / dot(side, side));
+                    let left = moved(
+                        moved(from, face.sides[0], -parts[0]),
+                        face.sides[1],
+                        -parts[1],
+                    );
+                    let lies = dot(left, left) < 1e-9
+                        && parts.iter().all(|t| (t - 0.5).abs() < 0.5 + 1e-5);
+                    let lengths = lengths(face);
+                    lies.then(|| [0, 1].map(|k| (face.at[k] + parts[k] * lengths[k]) / half))
+                };
+                faces.iter().find_map(on).unwrap_or([f64::NAN; 2])
+            }
         }
     }
 
-    fn back(&self, paper: [f64; 2]) -> Option<Point> {
+    /// The cosine at which the eye sees the surface in a point; negative on the far side of a solid.
+    pub fn facing(&self, point: [f64; 3]) -> f64 {
+        match *self {
+            Self::Solid { body, .. } => {
+                const STEP: f64 = 1e-4;
+                (body.distance(moved(point, EYE, STEP)) - body.distance(point)) / STEP
+            }
+            _ => 1.0,
+        }
+    }
+
+    pub fn back(&self, paper: [f64; 2]) -> Option<Point> {
         let exact = match *self {
             Self::Plane { centre, half } => [
                 centre[0] + half * paper[0],
@@ -139,9 +209,75 @@ impl Paper {
                 let (k, [_, v, w]) = faces.iter().enumerate().find_map(found)?;
                 [k as f64, v, w]
             }
+            Self::Net(faces, half) => {
+                let on = |face: &Face| {
+                    let lengths = lengths(face);
+                    let parts = [0, 1].map(|k| (paper[k] * half - face.at[k]) / lengths[k]);
+                    let point = moved(
+                        moved(face.corner, face.sides[0], parts[0]),
+                        face.sides[1],
+                        parts[1],
+                    );
+                    parts
+                        .iter()
+                        .all(|t| (0.0..=1.0).contains(t))
+                        .then_some(point)
+                };
+                faces.iter().find_map(on)?
+            }
+            Self::Solid { body, centre, half } => {
+                let p = [0, 1].map(|k| centre[k] + half * paper[k]);
+                // From before the solid towards its far side, as far as nothing can be nearer.
+                let start = moved(moved([0.0; 3], SEEN[0], p[0]), SEEN[1], p[1]);
+                let (mut way, mut left) = (8.0, f64::INFINITY);
+                while left > 1e-9 && way > -8.0 {
+                    left = body.distance(moved(start, EYE, way));
+                    way -= left;
+                }
+                if left > 1e-9 {
+                    return None;
+                }
+                // What lies on a disk lies on it exactly.
+                moved(start, EYE, way).map(|c| (c * 1e7).round() / 1e7)
+            }
         };
         Some(exact.map(|c| c as f32))
     }
+
+    /// The density of what is seen at a place on paper; nothing outside the domain.
+    pub fn density(&self, entry: &Entry, paper: [f64; 2]) -> Option<f64> {
+        let point = self.back(paper)?;
+        let density = f64::from(entry.warp.pdf(point));
+        (density > 0.0 && (entry.inside)(point.map(f64::from))).then_some(density)
+    }
+}
+
+/// How dark the faintest density is drawn, so that the domain is seen.
+const FAINT: f64 = 0.07;
+
+/// The square of the picture: points on its rim are inside the area as well.
+fn within(area: Area, unit: f32) -> Area {
+    let rim = 1.5 * unit;
+    area.inside(rim, rim, rim, rim).square()
+}
+
+/// The frame of a picture in an area: the rim of directions, or a square.
+pub fn outline(view: View, area: Area, unit: f32) -> Vec<Option<[f32; 2]>> {
+    let area = within(area, unit);
+    let half = 0.5 * area.w;
+    let centre = [area.x + half, area.y + half];
+    let round = matches!(view, View::Sky(_));
+    let at = |k: usize| {
+        let (s, c) = (k as f32 * std::f32::consts::TAU / 256.0).sin_cos();
+        let stretch = if round {
+            1.0
+        } else {
+            1.0 / s.abs().max(c.abs())
+        };
+        let r = (half - 0.5 * unit) * stretch;
+        Some([centre[0] + r * c, centre[1] + r * s])
+    };
+    (0..=256).map(at).collect()
 }
 
 /// Draws the picture in the middle of `area`; `unit` scales text and line widths.
@@ -154,7 +290,8 @@ pub fn draw(
     points: usize,
     unit: f32,
 ) {
-    let area = area.square();
+    let frame = outline(view, area, unit);
+    let area = within(area, unit);
     let paper = Paper::new(view, entry);
     let half = 0.5 * area.w;
     let centre = [area.x + half, area.y + half];
@@ -167,60 +304,85 @@ pub fn draw(
     // A little more than the paper: rounding must not lose a line along the rim.
     let inside = |p: [f64; 2]| p.iter().all(|c| c.abs() <= 1.003);
     let place = |p: Point| {
-        Some(paper.place(p.map(f64::from)))
-            .filter(|p| inside(*p))
-            .map(to_pixel)
+        let p = p.map(f64::from);
+        let at = Some(paper.place(p)).filter(|at| inside(*at));
+        at.map(|at| (to_pixel(at), paper.facing(p)))
     };
 
-    let density = |x: f64, y: f64| paper.back([x, y]).map(|p| f64::from(entry.warp.pdf(p)));
     let lattice = || (0..=80).map(|i| f64::from(i) / 40.0 - 1.0);
     let peak = lattice()
-        .flat_map(|x| lattice().filter_map(move |y| density(x, y)))
+        .flat_map(|x| {
+            lattice()
+                .filter_map(|y| paper.density(entry, [x, y]))
+                .collect::<Vec<_>>()
+        })
         .fold(0.0, f64::max);
-    canvas.shade(area, |x, y| {
-        let (x, y) = (
-            f64::from((x - centre[0]) / half),
-            f64::from((centre[1] - y) / half),
-        );
-        if x.abs() > 1.0 || y.abs() > 1.0 {
-            return None;
-        }
-        density(x, y).filter(|d| *d > 0.0).map(|d| ramp(d / peak))
-    });
+    let shade = |x: f32, y: f32| {
+        let at = [(x - centre[0]) / half, (centre[1] - y) / half].map(f64::from);
+        let density = Some(at).filter(|at| at.iter().all(|c| c.abs() <= 1.0));
+        let density = density.and_then(|at| paper.density(entry, at))?;
+        let light = 0.75 + 0.25 * paper.facing(paper.back(at)?.map(f64::from));
+        Some(ramp(FAINT + (1.0 - FAINT) * density / peak).map(|c| c * light))
+    };
+    canvas.shade(area, shade);
 
     // The grid of the unit square, through the warp: a warp is a pure function of its uniforms.
     let place_u = |u: f64, v: f64| {
         let uniforms = [u, v, 0.0, 0.0].map(|u| (u as f32).min(LARGEST));
-        place(entry.warp.sample(uniforms))
+        let seen = place(entry.warp.sample(uniforms)).filter(|(_, facing)| *facing > 0.0);
+        seen.map(|(at, _)| at)
     };
     // Where the azimuth closes, its two ends are one line; other borders are those of the domain.
     let closed = match (place_u(0.5, 0.0), place_u(0.5, 1.0)) {
         (Some([x, y]), Some([x1, y1])) => (x - x1).hypot(y - y1) < 0.1,
         _ => false,
     };
-    let steps = || (0..=256).map(|i| f64::from(i) / 256.0);
-    for k in u32::from(!closed)..GRID {
+    // From face to face no line is drawn.
+    let far = |a: Option<[f32; 2]>, b: Option<[f32; 2]>| match (a, b) {
+        (Some([x0, y0]), Some([x, y])) => (x - x0).hypot(y - y0) > 0.1 * area.w,
+        _ => false,
+    };
+    let line = |at: &dyn Fn(f64) -> Option<[f32; 2]>| {
+        let places: Vec<_> = (0..=256).map(|i| at(f64::from(i) / 256.0)).collect();
+        let mut line = places[..1].to_vec();
+        for pair in places.windows(2) {
+            line.extend(far(pair[0], pair[1]).then_some(None));
+            line.push(pair[1]);
+        }
+        line
+    };
+    // Of more than two uniforms it would be a surface in space.
+    for k in u32::from(!closed)..if entry.uniforms == 2 { GRID } else { 0 } {
         let fixed = f64::from(k) / f64::from(GRID);
         let white = faded(WHITE, 0.9);
-        canvas.line(steps().map(|u| place_u(u, fixed)), 0.9 * unit, white);
+        canvas.line(line(&|u| place_u(u, fixed)), 0.9 * unit, white);
         if k > 0 {
-            canvas.line(steps().map(|v| place_u(fixed, v)), 0.9 * unit, white);
+            canvas.line(line(&|v| place_u(fixed, v)), 0.9 * unit, white);
+        }
+    }
+    if let View::Net(faces, half) = view {
+        for face in faces {
+            let [w, h] = lengths(face);
+            let corners = [[0.0, 0.0], [w, 0.0], [w, h], [0.0, h], [0.0, 0.0]];
+            let edge = corners.map(|c| Some(to_pixel([0, 1].map(|k| (face.at[k] + c[k]) / half))));
+            canvas.line(edge, 0.9 * unit, faded(POINT, 0.6));
         }
     }
 
     for point in entry.warp.fill(rng, points) {
-        if let Some(at) = place(point) {
-            canvas.disc(at, 1.35 * unit, faded(POINT, 0.72));
+        if let Some((at, facing)) = place(point) {
+            // What lies behind is paler.
+            let opacity = if facing > 0.0 { 0.72 } else { 0.2 };
+            canvas.disc(at, 1.35 * unit, faded(POINT, opacity));
         }
     }
 
     if let View::Sky(angle) = view {
-        canvas.ring(centre, half - 0.5 * unit, 0.9 * unit, HAIR);
         // The rim's angle, where the square leaves room for it.
         let text = match angle.to_degrees() {
             degrees if degrees >= 10.0 => format!("{degrees:.0}°"),
             degrees if degrees >= 0.1 => format!("{degrees:.1}°"),
-            _ => format!("{angle:.0e} rad").replace('-', "−"),
+            _ => format!("{} rad", ten_to(angle.log10().round() as i32)),
         };
         let at = [area.x + area.w, area.y + area.h - 2.0 * unit];
         canvas.text(
@@ -231,6 +393,7 @@ pub fn draw(
             half,
         );
     }
+    canvas.line(frame, 0.9 * unit, HAIR);
     if entry.domain == Domain::World {
         // The first uniforms give the axis of the lobe.
         if let Some(at) = place_u(0.0, 0.0) {

@@ -14,6 +14,7 @@ Draws every warp of microwarp in both tiers, checks the samples against the dens
     --out DIR      where the pictures go [target/gallery]
     --sheet FILE   where the contact sheet goes [DIR/gallery.png]
     --rustdoc DIR  where small pictures for the documentation go, as HTML [none]
+    --room PNG     a picture of the path tracer's room, beside which a banner of twelve warps goes to DIR/banner.png
     --samples N    samples of each warp and tier for the table, 100000 to 100000000 [1000000]
     --points N     points drawn in a picture, 10 to 100000 [800]
     --only TEXT    only warps whose name contains TEXT; makes no contact sheet
@@ -29,6 +30,7 @@ pub struct Args {
     pub out: PathBuf,
     pub sheet: Option<PathBuf>,
     pub rustdoc: Option<PathBuf>,
+    pub room: Option<PathBuf>,
     pub samples: usize,
     pub points: usize,
     pub only: Option<String>,
@@ -44,18 +46,25 @@ impl Args {
     }
 }
 
+impl Default for Args {
+    fn default() -> Self {
+        Self {
+            seed: 42,
+            out: PathBuf::from("target/gallery"),
+            sheet: None,
+            rustdoc: None,
+            room: None,
+            samples: 1_000_000,
+            points: 800,
+            only: None,
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+        }
+    }
+}
+
 /// The parsed command line; `None` for help.
 pub fn parse() -> Result<Option<Args>, Error> {
-    let mut args = Args {
-        seed: 42,
-        out: PathBuf::from("target/gallery"),
-        sheet: None,
-        rustdoc: None,
-        samples: 1_000_000,
-        points: 800,
-        only: None,
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
-    };
+    let mut args = Args::default();
     let mut parser = Parser::from_env();
     while let Some(arg) = parser.next()? {
         match arg {
@@ -63,6 +72,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
             Long("out") => args.out = parser.value()?.into(),
             Long("sheet") => args.sheet = Some(parser.value()?.into()),
             Long("rustdoc") => args.rustdoc = Some(parser.value()?.into()),
+            Long("room") => args.room = Some(parser.value()?.into()),
             Long("samples") => {
                 args.samples = within(&mut parser, "--samples", 100_000, 100_000_000)?
             }

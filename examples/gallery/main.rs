@@ -5,8 +5,11 @@
 
 mod area;
 mod args;
+mod banner;
 mod check;
 mod line;
+#[cfg(test)]
+mod panels;
 mod sheet;
 mod strata;
 mod table;
@@ -98,6 +101,12 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             "those for the documentation in {}",
             folder.display()
         ));
+    }
+    if let Some(room) = &args.room {
+        let path = args.out.join("banner.png");
+        let room = support::draw::canvas::read_rgb(room)?;
+        banner::draw(&subjects, &room, args).save_in_full_colour(&path)?;
+        places.push(format!("the banner in {}", path.display()));
     }
     progress.finish_and_clear();
 

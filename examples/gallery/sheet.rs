@@ -21,7 +21,14 @@ const GAP: f32 = 26.0;
 const HEAD: f32 = 54.0;
 
 /// Draws the data of a subject in one tier (by its place in the subject's rows).
-fn panel(canvas: &mut Canvas, place: Area, subject: &Subject, tier: usize, args: &Args, unit: f32) {
+pub fn panel(
+    canvas: &mut Canvas,
+    place: Area,
+    subject: &Subject,
+    tier: usize,
+    args: &Args,
+    unit: f32,
+) {
     let mut rng = subject.entries.get(tier).map_or_else(
         || Pcg32::new(args.seed, POINTS),
         |entry| generator(args.seed, entry, POINTS),

@@ -15,15 +15,22 @@ const SQUARE: [u32; 2] = [16, 16];
 /// Sets of points on the line, one above the other.
 const ROWS: u32 = 7;
 
+/// What leaves room for points on the border.
+fn within(area: Area, unit: f32) -> Area {
+    area.inside(2.5 * unit, 0.0, 2.5 * unit, 2.5 * unit)
+}
+
 fn background(canvas: &mut Canvas, area: Area) {
     let [r, g, b] = ramp(0.6).map(|c| c as u8);
-    canvas.rectangle(area, [r, g, b, 255]);
+    canvas.rectangle(area, faded(POINT, 0.35));
+    canvas.rectangle(area.inside(0.7, 0.7, 0.7, 0.7), [r, g, b, 255]);
 }
 
 /// Draws sets of plain uniforms above and of jittered ones below.
 pub fn line(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32) {
     let strata = Strata1d::new(LINE).expect("a number of strata");
     let title = 20.0 * unit;
+    let area = within(area, unit);
     let half = Area {
         h: 0.5 * area.h - 2.0 * unit,
         ..area
@@ -84,6 +91,7 @@ pub fn plane(canvas: &mut Canvas, area: Area, rng: &mut Pcg32, unit: f32, view: 
     let recurrence = Recurrence::<2>::new(7).expect("two dimensions");
     let boxes = matches!(view, View::Strata2d | View::Sobol);
     let (title, gap) = (20.0 * unit, 14.0 * unit);
+    let area = within(area, unit);
     // Square strata.
     let side = ((area.h - title) / rows as f32).min(0.5 * (area.w - gap) / columns as f32);
     let (w, h) = (side * columns as f32, side * rows as f32);

@@ -16,6 +16,7 @@ Metropolis light transport on the two that are hard.
     --width N        columns of the pictures, 48 to 1920 [144]; rows are two thirds of them
     --samples N      samples a pixel of the pictures, 1 to 65536 [64]
     --reference N    samples a pixel that errors are measured against, 256 to 1048576 [1024]
+    --pictures       instead: the pictures alone, hard scenes with more samples, and their sheet
     --accuracy       instead: how much accuracy each scene needs, against a twin in f64
     --paths N        paths of a pixel for that, 256 to 65536 [256]
     --help           this text
@@ -31,6 +32,7 @@ pub struct Args {
     pub size: [u32; 2],
     pub samples: u32,
     pub reference: u32,
+    pub pictures: bool,
     pub accuracy: bool,
     pub paths: u32,
 }
@@ -43,6 +45,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
         size: [144, 96],
         samples: 64,
         reference: 1024,
+        pictures: false,
         accuracy: false,
         paths: 256,
     };
@@ -59,6 +62,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
             Long("reference") => {
                 args.reference = within(&mut parser, "--reference", 256, 1_048_576)? as u32;
             }
+            Long("pictures") => args.pictures = true,
             Long("accuracy") => args.accuracy = true,
             Long("paths") => args.paths = within(&mut parser, "--paths", 256, 65_536)? as u32,
             Short('h') | Long("help") => return Ok(None),

@@ -22,9 +22,66 @@ const COLOURS: [Colour; KITS.len()] = [
     ACCENT,
 ];
 
+/// The columns of plots, and of entries of the legend below them.
+const COLUMNS: usize = 3;
+const LEGEND: f32 = 124.0;
+
+/// What the legend says of a line.
+struct Key {
+    text: String,
+    colour: Colour,
+    width: f32,
+    /// Where the line begins and the text's base is.
+    at: [f32; 2],
+}
+
+const LINE: f32 = 50.0;
+const STYLE: Type = Type {
+    size: 21.0,
+    bold: false,
+    colour: INK,
+};
+
+fn rows(scenes: usize) -> f32 {
+    scenes.div_ceil(COLUMNS) as f32
+}
+
+/// Columns and rows of pixels for so many scenes.
+fn size(scenes: usize) -> [f32; 2] {
+    let width = 2.0 * MARGIN + COLUMNS as f32 * WIDE;
+    [width, TOP + rows(scenes) * HIGH + LEGEND + MARGIN]
+}
+
+/// The legend below so many scenes.
+fn legend(scenes: usize) -> Vec<Key> {
+    let key = |text: &str, colour, width| (text.to_owned(), colour, width);
+    let mut keys = vec![
+        key("noise of a pixel", INK, 3.0),
+        key("a tenth of it", INK, 1.5),
+        key("paler: the bias is below this", faded(INK, 0.45), 2.5),
+    ];
+    let kits = KITS.iter().zip(COLOURS);
+    keys.extend(kits.map(|(kit, colour)| key(&format!("bias, {}", kit.name()), colour, 2.5)));
+    let top = TOP + rows(scenes) * HIGH + 30.0;
+    let placed = keys
+        .into_iter()
+        .enumerate()
+        .map(|(i, (text, colour, width))| {
+            let (column, row) = ((i % COLUMNS) as f32, (i / COLUMNS) as f32);
+            let at = [MARGIN + 62.0 + column * WIDE, top + 36.0 * row];
+            Key {
+                text,
+                colour,
+                width,
+                at,
+            }
+        });
+    placed.collect()
+}
+
 pub fn draw(scenes: &[Scene]) -> Canvas {
-    let width = 2.0 * MARGIN + 3.0 * WIDE;
-    let mut canvas = Canvas::new(width as u32, (TOP + 2.0 * HIGH + MARGIN) as u32);
+    let [width, height] = size(scenes.len());
+    let mut canvas = Canvas::new(width as u32, height as u32);
     let fit = width - 2.0 * MARGIN;
     let title = "How much accuracy a scene needs";
     canvas.text(title, [MARGIN, 62.0], Align::Left, Type::bold(40.0), fit);
@@ -37,7 +94,7 @@ pub fn draw(scenes: &[Scene]) -> Canvas {
         fit,
     );
     let place = |i: usize| {
-        let (column, row) = ((i % 3) as f32, (i / 3) as f32);
+        let (column, row) = ((i % COLUMNS) as f32, (i / COLUMNS) as f32);
         Area::new(
             MARGIN + column * WIDE,
             TOP + row * HIGH,
@@ -70,30 +127,55 @@ pub fn draw(scenes: &[Scene]) -> Canvas {
             );
         }
     }
-    let legend = place(scenes.len());
-    let mut line = legend.y + 50.0;
-    let mut entry = |text: &str, colour, thick| {
-        canvas.segment(
-            [legend.x + 60.0, line],
-            [legend.x + 110.0, line],
-            thick,
-            colour,
-        );
-        let at = [legend.x + 126.0, line + 7.0];
-        canvas.text(
-            text,
-            at,
-            Align::Left,
-            Type::plain(20.0, INK),
-            legend.w - 126.0,
-        );
-        line += 34.0;
-    };
-    entry("noise of a pixel", INK, 3.0);
-    entry("a tenth of it", INK, 1.5);
-    for (kit, colour) in KITS.iter().zip(COLOURS) {
-        entry(&format!("bias, {}", kit.name()), colour, 2.5);
+    for key in legend(scenes.len()) {
+        let [x, y] = key.at;
+        let line = y - 0.3 * STYLE.size;
+        canvas.segment([x, line], [x + LINE, line], key.width, key.colour);
+        let at = [x + LINE + 16.0, y];
+        canvas.text(&key.text, at, Align::Left, STYLE, WIDE - LINE - 100.0);
     }
-    entry("paler: the bias is below this", faded(INK, 0.45), 2.5);
     canvas
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The boxes of the legend's entries, with their lines.
+    fn boxes(canvas: &Canvas, keys: &[Key]) -> Vec<Area> {
+        let of = |key: &Key| {
+            let wide = LINE + 16.0 + canvas.width(&key.text, STYLE);
+            Area::new(key.at[0], key.at[1] - STYLE.size, wide, 1.3 * STYLE.size)
+        };
+        keys.iter().map(of).collect()
+    }
+
+    /// The entries that are not wholly on a canvas, or not clear of plots and of each other.
+    fn lost(scenes: usize, keys: &[Key], [width, height]: [f32; 2]) -> usize {
+        let plots = Area::new(0.0, 0.0, width, TOP + rows(scenes) * HIGH - 10.0);
+        let boxes = boxes(&Canvas::new(1, 1), keys);
+        let mut taken = vec![plots];
+        let mut lost = 0;
+        for area in boxes {
+            let fits = area.x + area.w <= width && area.y + area.h <= height;
+            let free = taken.iter().all(|other| area.overlap(*other) == 0.0);
+            lost += usize::from(!fits || !free);
+            taken.push(area);
+        }
+        lost
+    }
+
+    #[test]
+    fn the_legend_lies_on_the_canvas() {
+        for scenes in 1..=13 {
+            let keys = legend(scenes);
+            assert_eq!(keys.len(), KITS.len() + 3);
+            assert_eq!(lost(scenes, &keys, size(scenes)), 0, "{scenes} scenes");
+        }
+        // As it once was: below six plots, where there was no canvas.
+        let [width, height] = size(6);
+        let short = [width, height - LEGEND];
+        assert_eq!(lost(6, &legend(6), short), KITS.len() + 3);
+        assert!(lost(6, &legend(5), size(6)) == 0 && lost(6, &legend(3), size(6)) > 0);
+    }
 }

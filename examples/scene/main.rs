@@ -31,6 +31,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     if args.accuracy {
         return accuracy::run(&shots, args);
     }
+    if args.pictures {
+        return sheet::run(&shots, args);
+    }
     let steps = shots.len() as u64 * study::steps(args) + chains::steps();
     let progress = support::progress::progress(steps, "{percent:>3} %")?;
     let mut studies = Vec::new();
@@ -46,9 +49,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         let path = args.out.join(format!("{}.png", shot.name));
         sheet::save(&path, shot, &study.picture, args.size)?;
     }
-    let path = args.out.join("sheet.png");
-    let rough = study::rough(&shots[sheet::NOISY], args);
-    sheet::draw(&shots, &studies, &rough, args).save_in_full_colour(&path)?;
+    let path = args.out.join("scene.png");
+    let pictures: Vec<_> = studies.iter().map(|study| &study.picture).collect();
+    sheet::draw(&shots, &pictures, args).save(&path)?;
     report::errors(&shots, &studies);
     chains::print(&comparisons);
     println!(

@@ -11,6 +11,8 @@ pub struct Shot {
     pub title: &'static str,
     pub text: &'static str,
     pub scene: Box<dyn Render>,
+    /// How many times the samples of the others its picture takes, to be as smooth.
+    pub times: f64,
     /// A pixel as a colour from 0 to 255.
     pub develop: fn([f64; 3]) -> [f64; 3],
 }
@@ -22,13 +24,15 @@ pub fn all() -> Vec<Shot> {
             title: "A matte room",
             text: "lamps by their solid angle",
             scene: Box::new(Take::<_, Colour>::new(room::SCENE, room::CAMERA)),
+            times: 1.0,
             develop: |light| exposed(light, 1.0),
         },
         Shot {
             name: "fog",
             title: "Glossy balls in fog",
-            text: "GGX, Phong, equi-angular distances",
+            text: "GGX, equi-angular",
             scene: Box::new(Take::<_, Colour>::new(fog::SCENE, fog::CAMERA)),
+            times: 0.5,
             develop: |light| exposed(light, 1.0),
         },
         Shot {
@@ -36,6 +40,7 @@ pub fn all() -> Vec<Shot> {
             title: "A sky over slivers",
             text: "a table of directions",
             scene: Box::new(Take::<_, Colour>::new(slivers::SCENE, slivers::CAMERA)),
+            times: 0.5,
             develop: |light| exposed(light, 0.8),
         },
         Shot {
@@ -43,6 +48,7 @@ pub fn all() -> Vec<Shot> {
             title: "Light through a slit",
             text: "what paths find hard",
             scene: Box::new(Take::<_, Colour>::new(slit::SCENE, slit::CAMERA)),
+            times: 1.0,
             develop: |light| exposed(light, 1.0),
         },
         Shot {
@@ -50,6 +56,7 @@ pub fn all() -> Vec<Shot> {
             title: "A caustic",
             text: "a lamp in a pit, seen in a plate",
             scene: Box::new(Take::<_, Colour>::new(caustic::SCENE, caustic::CAMERA)),
+            times: 4.0,
             develop: |light| exposed(light, 1.0),
         },
         Shot {
@@ -57,6 +64,7 @@ pub fn all() -> Vec<Shot> {
             title: "A range sensor in fog",
             text: "near is yellow",
             scene: Box::new(Take::<_, Echo>::new(sensor::SCENE, sensor::CAMERA)),
+            times: 0.5,
             develop: ranged,
         },
     ]

@@ -105,20 +105,6 @@ pub fn invalid(pixels: &Pixels) -> usize {
     3 * pixels.len() - pixels.iter().flatten().filter(valid).count()
 }
 
-/// The picture of few samples: random ones, and Sobol' points.
-pub fn rough(shot: &Shot, args: &Args) -> [Pixels; 2] {
-    [PointSet::Random, PointSet::Sobol].map(|points| {
-        let plan = Plan {
-            tier: Tier::Poly,
-            points,
-            size: args.size,
-            samples: SAMPLES[0],
-            seed: args.seed,
-        };
-        picture(&*shot.scene, &plan, || ())
-    })
-}
-
 pub fn of(shot: &Shot, args: &Args, progress: &ProgressBar) -> Study {
     let render = |plan: Plan| {
         let row = work([plan.size[0], 1], plan.samples);

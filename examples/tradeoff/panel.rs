@@ -84,6 +84,7 @@ pub fn draw(
         return;
     }
     let mut named = Vec::new();
+    let mut lines: Vec<_> = border.windows(2).map(|ends| [ends[0], ends[1]]).collect();
     for (i, (study, trade)) in ours.iter().enumerate() {
         let (at, leads) = (place(trade), front.contains(&i));
         let sampler = &study.sampler;
@@ -101,6 +102,7 @@ pub fn draw(
         };
         canvas.disc(at, radius, colour);
         if let (Some(longest), true) = (study.longest(target), is_named) {
+            lines.push([at, [across(longest), at[1]]]);
             whisker(canvas, at, across(longest), colour);
         }
         if is_named {
@@ -118,6 +120,7 @@ pub fn draw(
         let at = place(trade);
         diamond(canvas, at, 7.5);
         if let Some(longest) = study.longest(target) {
+            lines.push([at, [across(longest), at[1]]]);
             whisker(canvas, at, across(longest), faded(ACCENT, 0.6));
         }
         named.push(Named {
@@ -126,7 +129,7 @@ pub fn draw(
             colour: ACCENT,
         });
     }
-    labels::write(canvas, area.inside(2.0, 2.0, 2.0, 2.0), &named, &border);
+    labels::write(canvas, area.inside(2.0, 2.0, 2.0, 2.0), &named, &lines);
 }
 
 /// Round numbers along the costs: 1, 2 and 5 where there is room for them.

@@ -39,6 +39,14 @@ impl Area {
         )
     }
 
+    /// How much of it lies on another one.
+    pub fn overlap(self, other: Self) -> f32 {
+        let side =
+            |from: f32, to: f32, start: f32, end: f32| (to.min(end) - from.max(start)).max(0.0);
+        side(self.x, self.x + self.w, other.x, other.x + other.w)
+            * side(self.y, self.y + self.h, other.y, other.y + other.h)
+    }
+
     /// The largest square in the middle.
     pub fn square(self) -> Self {
         let side = self.w.min(self.h);
@@ -83,6 +91,12 @@ impl Canvas {
         if let Some(path) = PathBuilder::from_circle(centre[0], centre[1], radius) {
             self.stroke(&path, width, colour);
         }
+    }
+
+    /// Red, green and blue of a pixel.
+    pub fn pixel(&self, x: u32, y: u32) -> [u8; 3] {
+        let first = 4 * (y * self.pixels.width() + x) as usize;
+        std::array::from_fn(|k| self.pixels.data()[first + k])
     }
 
     /// A line through points; `None` lifts the pen.
@@ -266,6 +280,21 @@ pub fn save_rgb(path: &Path, [width, height]: [u32; 2], rgb: &[u8]) -> Result<()
         Ok(())
     };
     write().map_err(|e| format!("{}: {e}", path.display()))
+}
+
+/// Reads a PNG as [`save_rgb`] writes it: its size, and bytes of red, green and blue.
+pub fn read_rgb(path: &Path) -> Result<([u32; 2], Vec<u8>), String> {
+    let read = || -> Result<_, Box<dyn std::error::Error>> {
+        let file = std::io::BufReader::new(std::fs::File::open(path)?);
+        let mut reader = png::Decoder::new(file).read_info()?;
+        let mut bytes = vec![0; reader.output_buffer_size().ok_or("too large")?];
+        let info = reader.next_frame(&mut bytes)?;
+        if (info.color_type, info.bit_depth) != (png::ColorType::Rgb, png::BitDepth::Eight) {
+            return Err("no bytes of red, green and blue".into());
+        }
+        Ok(([info.width, info.height], bytes))
+    };
+    read().map_err(|e| format!("{}: {e}", path.display()))
 }
 
 fn paint([r, g, b, a]: Colour) -> Paint<'static> {

@@ -185,7 +185,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.own_density().outside(&[]))
         })
             .case_with("g=0.8", &[0.8], |e| {
-                e.picture("p ∝ (1 + g² − 2g cos θ)^(−3/2), g = 0.8", Sky(PI)).trade("phase g = 0.8", "henyey_greenstein_08")
+                e.picture("g = 0.8: p ∝ (1.64 − 1.6 cos θ)^−1.5", Sky(PI)).trade("phase g = 0.8", "henyey_greenstein_08")
             })
             .case("g=-0.5", &[-0.5])
             .case("g=0", &[0.0])

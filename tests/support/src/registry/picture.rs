@@ -27,6 +27,10 @@ pub enum View {
     /// Faces of a mesh, each by its corners on the paper. A point is the number of its face and the shares of the second and
     /// the third corner.
     Faces(&'static [[[f64; 2]; 3]]),
+    /// Rectangles of a box's faces side by side, within so far of the middle.
+    Net(&'static [Face], f64),
+    /// A solid seen from a corner, z upwards.
+    Solid(Body),
     /// Plain and jittered uniforms, side by side.
     Strata1d,
     Strata2d,
@@ -34,6 +38,37 @@ pub enum View {
     Sobol,
     Recurrence,
     ByPosition,
+}
+
+/// A rectangle of points, and where its corner lies on paper; lengths are the same there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    pub corner: [f64; 3],
+    pub sides: [[f64; 3]; 2],
+    pub at: [f64; 2],
+}
+
+/// Convex bodies that stand on the plane z = 0, but for what lies below a capsule's axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Body {
+    /// Radii below and above, height.
+    Frustum([f64; 2], f64),
+    /// Height and radius.
+    Capsule(f64, f64),
+}
+
+impl Body {
+    /// So far from the surface a point is at least, with a sign: negative inside, 0 on the surface alone.
+    pub fn distance(self, [x, y, z]: [f64; 3]) -> f64 {
+        match self {
+            Self::Frustum([lower, upper], height) => {
+                let wider = upper - lower;
+                let side = ((x.hypot(y) - lower) * height - z * wider) / height.hypot(wider);
+                side.max(-z).max(z - height)
+            }
+            Self::Capsule(height, radius) => x.hypot(y).hypot(z - z.clamp(0.0, height)) - radius,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! The warps over surfaces, whose points say more than a position: here they have three coordinates.
 
-use super::picture::{CORNER, View};
+use super::picture::{Body, Face, View};
 use super::{Domain, Entry, Measure, Registered, Uniforms, entry, family};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth::{self, OnTriangle, Truth, dot};
@@ -190,6 +190,27 @@ const ROOF: View = {
         [back, left, top],
         [left, front, top],
     ])
+};
+
+/// The faces of a box of 2 by 1 by 1/2, each with its coordinate across at 4 or -4: those beside the upper one are folded
+/// down, and the lower one hangs on that in front.
+const NET: View = {
+    const fn face(corner: [f64; 3], sides: [[f64; 3]; 2], at: [f64; 2]) -> Face {
+        Face { corner, sides, at }
+    }
+    let (x, y) = ([2.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let (up, down) = ([0.0, 0.0, 0.5], [0.0, 0.0, -0.5]);
+    View::Net(
+        &[
+            face([-1.0, 0.0, 4.0], [x, y], [-1.0, 0.0]),
+            face([-1.0, -4.0, 0.25], [x, up], [-1.0, -0.5]),
+            face([-1.0, 4.0, 0.75], [x, down], [-1.0, 1.0]),
+            face([-4.0, 0.0, 0.25], [up, y], [-1.5, 0.0]),
+            face([4.0, 0.0, 0.75], [down, y], [1.0, 0.0]),
+            face([-1.0, 1.0, -4.0], [x, [0.0, -1.0, 0.0]], [-1.0, -1.5]),
+        ],
+        1.54,
+    )
 };
 
 /// A surface whose points are positions here, told apart where the normal decides; so that no sample says nothing, what is
@@ -427,7 +448,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("BoxSurface", "", &[Any; 6], faces::<T>)
             .ordered(&[[0, 1], [2, 3], [4, 5]])
             .case_with("2 x 1 x 0.5", &[-1.0, 1.0, 0.0, 1.0, 0.25, 0.75], |e| {
-                e.picture("a box taken apart", CORNER).trade(family::COMPOSED, "box_surface")
+                e.picture("a box of 2 × 1 × ½, unfolded", NET).trade(family::COMPOSED, "box_surface")
             })
             .case("cube", &[-1.0, 1.0, -1.0, 1.0, -1.0, 1.0])
             .case_with("flat", &[0.0, 3.0, 1.0, 1.0, -2.0, 5.0], constant)
@@ -441,7 +462,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 1e-20, 0.0, 1e-20, 0.0, 1e-20], Empty).refuse(&[0.0, 1e20, 0.0, 1e20, 0.0, 0.0], TooLarge),
         Registered::new("FrustumSurface", "", &[Positive; 3], |p| frustum::<T>(p, true))
             .case_with("1 to 0.5, 2 high", &[1.0, 0.5, 2.0], |e| {
-                e.picture("radii 1 and 0.5, height 2", CORNER).trade(family::COMPOSED, "frustum_surface")
+                e.picture("radii 1 and 0.5, height 2", View::Solid(Body::Frustum([1.0, 0.5], 2.0))).trade(family::COMPOSED, "frustum_surface")
             })
             .case("cylinder", &[1.0, 1.0, 2.0]).case("cone", &[3.0, 0.0, 4.0]).case("funnel", &[0.0, 1.0, 0.1])
             .case("needle", &[1e-3, 2e-3, 5.0]).case_with("coin", &[2.0, 2.0, 1e-3], constant).case("lid", &[1.0, 0.75, 1e-8])
@@ -457,7 +478,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.0, 1.0, 0.0], Empty).refuse(&[1.0, f32::INFINITY, 0.0], NotFinite),
         Registered::new("CapsuleSurface", "", &[Positive; 2], capsule::<T>)
             .case_with("1 high, radius 0.5", &[1.0, 0.5], |e| {
-                e.picture("height 1, radius 0.5", CORNER).trade(family::COMPOSED, "capsule_surface")
+                e.picture("height 1, radius 0.5", View::Solid(Body::Capsule(1.0, 0.5))).trade(family::COMPOSED, "capsule_surface")
             })
             .case("sphere", &[0.0, 1.0]).case("needle", &[5.0, 1e-3]).case("nearly a sphere", &[1e-3, 7.0])
             .case("1e30 by 1e-30", &[1e30, 1e-30])

@@ -53,10 +53,12 @@ pub fn example(name: &str, arguments: &[&str]) -> Outcome {
         "--",
     ];
     command(&[&line, arguments].concat(), &[], false)?;
-    let (from, to) = (
-        format!("target/{name}/{name}.png"),
-        format!("docs/{name}.png"),
-    );
+    picture(&format!("{name}/{name}"), name)
+}
+
+/// Takes a picture of an example over into docs.
+pub fn picture(made: &str, name: &str) -> Outcome {
+    let (from, to) = (format!("target/{made}.png"), format!("docs/{name}.png"));
     fs::copy(root().join(&from), root().join(&to)).map_err(|e| format!("{from}: {e}"))?;
     Ok(())
 }
