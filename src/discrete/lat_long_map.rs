@@ -33,7 +33,11 @@ use rand_core::{Rng, TryRng};
 ///   [`PiecewiseConstant1d`](super::PiecewiseConstant1d) on [0, 1). For another axis, as in pictures with y up, take
 ///   [`Oriented`](crate::warp::Oriented).
 /// - Weights: row by row, finite, zero or positive, not all zero; at most [`MAX_ENTRIES`](super::MAX_ENTRIES) pixels and
-///   2²⁰ columns or rows.
+///   2²⁰ columns or rows. Pictures of real skies often have negative pixels, which the filters of cameras leave: bring
+///   them to 0 first, by `x.max(0.0)`.
+/// - What is looked up: one colour in all of a pixel. A picture that is looked up *bilinearly* shines also in a pixel of
+///   weight zero beside a bright one, where no direction is sampled, and more than half of an integral may be lost. Weigh
+///   each pixel by the sum of itself and its eight neighbours then; columns go round, rows end at the poles.
 /// - Uniforms: two, along a row and down the rows. A draw takes two words in this order, each one `u32` of the generator
 ///   for a table of `u32`, two for a table of `u64`.
 /// - Storage: one word a row and one word a pixel, that of [`PiecewiseConstant2d`]. The words are the same in both tiers.

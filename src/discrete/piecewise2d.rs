@@ -32,6 +32,10 @@ use rand_core::TryRng;
 /// # Domain
 /// - Weights: row by row, columns along u, rows along v. Each is as for [`Cdf`]; at most
 ///   [`MAX_ENTRIES`](super::MAX_ENTRIES) cells. Edges of cells are those of [`PiecewiseConstant1d`].
+///   Pictures often have negative pixels, which the filters of cameras leave: bring them to 0 first, by `x.max(0.0)`.
+/// - What is looked up: one colour in all of a cell. A picture that is looked up *bilinearly* shines also in a cell of
+///   weight zero beside a bright one, where no point is sampled, and more than half of an integral may be lost. Weigh each
+///   cell by the sum of itself and its eight neighbours then.
 /// - Uniforms: two, along u and along v. A draw takes two words in this order, each one `u32` of the generator
 ///   for a table of `u32`, two for a table of `u64`, and uses all their bits.
 /// - Storage: one word a row and one word a cell. [`new`](PiecewiseConstant2d::new) takes an array of arrays,

@@ -75,8 +75,7 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 /// - [`ExponentialTail`](super::ExponentialTail) reaches far beyond 16.64/a.
 /// - [`TruncatedExponential`](super::TruncatedExponential): on [0, X].
 /// - [`rejection::ZigguratExponential`](crate::rejection::ZigguratExponential) is the fastest one number at a time, from
-///   a generator and without an inverse. Into a slice, [`fill`](crate::Warp::fill) of this type is the fastest: 1.7 ns a
-///   number on a PC, against 2.2 ns.
+///   a generator and without an inverse. Into a slice on a PC, [`fill`](crate::Warp::fill) of this type is the fastest.
 ///
 /// # Source
 /// J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.

@@ -253,7 +253,7 @@ pub struct Reflection {
 /// | sample, of the size | 2.5e-7 + 4.2e-7*q | 2.5e-7 + 4.2e-7*q |
 /// | unit length | 1.7e-7 | 1.7e-7 |
 /// | pdf, relative | 8e-7 + 2*s | 8e-7 + 2*s |
-/// | realised density, relative | 1e-6 + 5*s + 6e-7*q | 1e-6 + 5*s + 6e-7*q |
+/// | realised density, relative | 1e-6 + 5·s + 6e-7·q | 1e-6 + 5·s + 6e-7·q |
 /// | pdf with the sample, relative | 9e-7 + 5.8e-7*q | 9e-7 + 5.8e-7*q |
 /// | inverse | 5.1e-7 + 6.5*r | 5.1e-7 + 6.5*r |
 /// | round trip | 5.5e-7 + 7*r | 5.5e-7 + 7*r |

@@ -34,9 +34,9 @@ use core::marker::PhantomData;
 /// |---|--:|--:|
 /// | sample, ulp | 2.1 + 33*d | 2.1 + 33*d |
 /// | pdf, relative | 2.3e-7 + 0.05*s/max(0, 1 - w/1e6) | 2.3e-7 + 0.05*s/max(0, 1 - w/1e6) |
-/// | realised density, relative | 3e-7 + (2 + 30*d)*s/max(0, 1 - w/1e6) | 3e-7 + (2 + 30*d)*s/max(0, 1 - w/1e6) |
+/// | realised density, relative | 3e-7 + (2 + 30·d)·s/max(0, 1 - w/1e6) | 3e-7 + (2 + 30·d)·s/max(0, 1 - w/1e6) |
 /// | inverse | 1.8e-7 + 0.1*r/max(0, 1 - w/1e6) | 1.8e-7 + 0.1*r/max(0, 1 - w/1e6) |
-/// | round trip | 2e-7 + (2 + 30*d)*r | 2e-7 + (2 + 30*d)*r |
+/// | round trip | 2e-7 + (2 + 30·d)·r | 2e-7 + (2 + 30·d)·r |
 ///
 /// d is σ, and w is 1/σ. Little is stated of densities from w = 1e6 on, where those of neighbouring `f32` differ by a factor. s
 /// and r are the relative change of the density and the change of the inverse when x moves by one ulp. The 33 ulp of the sample

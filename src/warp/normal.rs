@@ -73,8 +73,8 @@ const REACH: f32 = 14.5;
 /// # See also
 /// - [`TruncatedNormal`](super::TruncatedNormal): on an interval, or beyond a bound.
 /// - [`NormalPair`](super::NormalPair) gives two numbers at a lower cost each. Its [`fill`](crate::Warp::fill) is the
-///   fastest way to fill a slice: 1.9 ns a number on a PC. Take it where strata do not matter.
-/// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal) is the fastest one number at a time (2.2 ns): take it
+///   fastest way to fill a slice on a PC. Take it where strata do not matter.
+/// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal) is the fastest one number at a time: take it
 ///   where words come from a generator and neither an inverse nor a fixed number of uniforms is needed.
 ///
 /// # Source
@@ -271,8 +271,7 @@ impl<T: Tier> Invert for Normal<T> {
 /// # See also
 /// - [`Normal`](super::Normal): one number from one uniform, increasing with it, for stratified uniforms.
 /// - [`rejection::ZigguratNormal`](crate::rejection::ZigguratNormal): the fastest one number at a time, without an
-///   inverse. Into a slice, [`fill`](crate::Warp::fill) of this type is the fastest: 1.9 ns a number on a PC,
-///   against 2.2 ns.
+///   inverse. Into a slice on a PC, [`fill`](crate::Warp::fill) of this type is the fastest.
 ///
 /// # Source
 /// G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958,

@@ -44,11 +44,11 @@ use core::marker::PhantomData;
 /// | sample, of the size | 4.4e-7*q + 2e-14/g | 4.4e-7*q + 2e-14/g |
 /// | unit length | 1.9e-7 | 1.9e-7 |
 /// | place on it | 4.5e-7 + 3*p + 8e-14/g | 4.5e-7 + 3*p + 8e-14/g |
-/// | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + 4*s | 1.4e-6 + 6e-15/g + 4.2e-7*a + 4*s |
-/// | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + (2 + a)*s | 1.4e-6 + 6e-15/g + 4.2e-7*a + (2 + a)*s |
+/// | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
+/// | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
 /// | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a | 1.4e-6 + 6e-15/g + 4.2e-7*a |
-/// | inverse | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) |
-/// | round trip | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) |
+/// | inverse | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
+/// | round trip | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
 ///
 /// These hold for every rectangle accepted. a is q where area is sampled and 0 elsewhere; s and r are the relative change
 /// of the density and the change of the uniforms when each coordinate of the direction moves by 2⁻²⁴, and p is the change

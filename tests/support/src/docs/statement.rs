@@ -12,9 +12,10 @@ pub struct Statement {
 }
 
 impl Statement {
-    /// Reads `2e-7` or `3e-7 + 2*s`; nothing where the text is neither.
+    /// Reads `2e-7`, `3e-7 + 2*s` or, since Markdown takes what stands between two stars for emphasis, `a·s + 6e-7·q`;
+    /// nothing where the text is none of these.
     pub fn parse(cell: &str) -> Option<Self> {
-        let formula: FlatEx<_, _, _> = FlatEx::parse(cell).ok()?;
+        let formula: FlatEx<_, _, _> = FlatEx::parse(&cell.replace('·', "*")).ok()?;
         let number = formula.var_names().is_empty().then(|| formula.eval(&[]));
         let number = number.transpose().ok()?;
         Some(Self { formula, number })
@@ -42,6 +43,7 @@ fn cells_are_read_as_written() {
     let read = |cell, values: &[f64]| Statement::parse(cell).map(|s| s.eval(values));
     assert_eq!(read("1.3e-7", &[]), Some(1.3e-7));
     assert_eq!(read("3e-7 + 2*s", &[1e-3]), Some(3e-7 + 2e-3));
+    assert_eq!(read("2·s + 3·r", &[5.0, 7.0]), Some(29.0));
     assert_eq!(read("max(b, 2*a)/4", &[3.0, 5.0]), Some(1.5));
     assert_eq!(Statement::parse("2*s + r").unwrap().names(), ["r", "s"]);
     assert!(Statement::parse("2*s").unwrap().number().is_none());
