@@ -51,9 +51,14 @@ async function hashes(page, table, check) {
   return rows.size;
 }
 
-// Records what each pass says while passes follow one another.
-function record() {
+// Begins anew with so many passes, and records what each of them says. Both in one task: no pass of the picture before comes
+// between, however busy the machine is.
+function record(passes) {
   const { dataset } = document.getElementById("scene");
+  const slider = document.getElementById("passes");
+  slider.value = passes;
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+  if (dataset.samples !== "0" || dataset.error !== "") throw new Error("the picture before is still shown");
   window.passes = [];
   new MutationObserver(() => {
     const speed = Array.from(document.querySelectorAll("#scene-readings .value"), ({ textContent }) => textContent)[2];
@@ -83,8 +88,7 @@ function against_reference(module) {
 // The figures move: samples double, the error falls as noise does, the speed is measured anew.
 async function figures(page, module, check) {
   for (const [name, value] of [["scenes", "room"], ["scene-points", "random"], ["scene-width", "48"]]) await page.call(choose, name, value);
-  await page.call(record);
-  await slide(page, 6);
+  await page.call(record, 6);
   await page.until(`window.passes.at(-1)?.[0] === 64`, 60);
   const passes = await page.evaluate("window.passes");
   const samples = [...new Set(passes.map(([count]) => count))];
