@@ -36,6 +36,20 @@ fn draw<W: Warp>(bencher: Bencher, warp: &W) {
     });
 }
 
+/// The constructor as well for every point, as for a light that is seen from another point each time.
+fn anew<W: Warp>(bencher: Bencher, make: impl Fn() -> W) {
+    repeat(bencher, &make(), |_, rng, points| {
+        for point in points {
+            *point = make().draw(rng);
+        }
+    });
+}
+
+/// Whether a kernel is of that kind; it is drawn only, since nothing is finished that could fill or map.
+fn is_anew(name: &str) -> bool {
+    name.ends_with("_anew")
+}
+
 fn fill<W: Warp>(bencher: Bencher, warp: &W) {
     repeat(bencher, warp, |warp, rng, points| warp.fill(rng, points));
 }
@@ -121,6 +135,11 @@ impl Display for Timed {
     }
 }
 
+/// Those that are made once.
+fn finished(warps: &'static [Timed]) -> impl Iterator<Item = &'static Timed> {
+    warps.iter().filter(|warp| !is_anew(warp.name))
+}
+
 /// Unwraps an accepted parameter.
 const fn ok<W: Copy>(warp: Result<W, Error>) -> W {
     match warp {
@@ -142,12 +161,15 @@ macro_rules! benches {
         page $page:tt bind $bind:tt
     })*) => {
         mod $tier {
-            use super::{Bencher, Timed, ok, stored};
+            use super::{Bencher, Timed, finished, ok, stored};
             use ::microwarp::$tier::*;
 
             const WARPS: &[Timed] = &[$($(Timed {
                 name: $name,
-                draw: |bencher| super::draw(bencher, &$warp),
+                draw: |bencher| match super::is_anew($name) {
+                    true => super::anew(bencher, || $warp),
+                    false => super::draw(bencher, &$warp),
+                },
                 fill: |bencher| super::fill(bencher, &$warp),
                 map: |bencher| super::map(bencher, &$warp),
             },)*)*];
@@ -157,12 +179,12 @@ macro_rules! benches {
                 (warp.draw)(bencher);
             }
 
-            #[divan::bench(args = WARPS)]
+            #[divan::bench(args = finished(WARPS))]
             fn fill(bencher: Bencher, warp: &Timed) {
                 (warp.fill)(bencher);
             }
 
-            #[divan::bench(args = WARPS)]
+            #[divan::bench(args = finished(WARPS))]
             fn map(bencher: Bencher, warp: &Timed) {
                 (warp.map)(bencher);
             }

@@ -1032,9 +1032,9 @@ export declare class Pareto extends Warp<number, number> {
  * |---|--:|
  * | sample, ulp | 2.1 + 33*d |
  * | pdf, relative | 2.3e-7 + 0.05*s/max(0, 1 - w/1e6) |
- * | realised density, relative | 3e-7 + (2 + 30*d)*s/max(0, 1 - w/1e6) |
+ * | realised density, relative | 3e-7 + (2 + 30·d)·s/max(0, 1 - w/1e6) |
  * | inverse | 1.8e-7 + 0.1*r/max(0, 1 - w/1e6) |
- * | round trip | 2e-7 + (2 + 30*d)*r |
+ * | round trip | 2e-7 + (2 + 30·d)·r |
  *
  * d is σ, and w is 1/σ. Little is stated of densities from w = 1e6 on, where those of neighbouring `f32` differ by a
  * factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp. The 33
@@ -1718,7 +1718,7 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
  * | sample, of the size | 2.5e-7 + 4.2e-7*q |
  * | unit length | 1.7e-7 |
  * | pdf, relative | 8e-7 + 2*s |
- * | realised density, relative | 1e-6 + 5*s + 6e-7*q |
+ * | realised density, relative | 1e-6 + 5·s + 6e-7·q |
  * | pdf with the sample, relative | 9e-7 + 5.8e-7*q |
  * | inverse | 5.1e-7 + 6.5*r |
  * | round trip | 5.5e-7 + 7*r |
@@ -1966,11 +1966,11 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
  * | sample, of the size | 4.7e-7*q |
  * | unit length | 1.9e-7 |
  * | place on it | 1.02e-6 |
- * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + 4*s |
- * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + (2 + a)*s |
+ * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
+ * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
  * | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a |
- * | inverse | min(1, 5e-7 + 5e-7*q + (13 + 0.8*q)*r + 3e-8/h) |
- * | round trip | min(1, 5e-7 + 5e-7*q + (14 + q)*r + 3e-8/h) |
+ * | inverse | min(1, 5e-7 + 5e-7·q + (13 + 0.8·q)·r + 3e-8/h) |
+ * | round trip | min(1, 5e-7 + 5e-7·q + (14 + q)·r + 3e-8/h) |
  *
  * These hold for every triangle accepted. a is q where area is sampled and 0 elsewhere, g the determinant over L E²; s
  * and r are the relative change of the density and the change of the uniforms when each coordinate of the direction
@@ -2026,11 +2026,11 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
  * | sample, of the size | 4.4e-7*q + 2e-14/g |
  * | unit length | 1.9e-7 |
  * | place on it | 4.5e-7 + 3*p + 8e-14/g |
- * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + 4*s |
- * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + (2 + a)*s |
+ * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
+ * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
  * | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a |
- * | inverse | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) |
- * | round trip | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) |
+ * | inverse | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
+ * | round trip | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
  *
  * These hold for every rectangle accepted. a is q where area is sampled and 0 elsewhere; s and r are the relative
  * change of the density and the change of the uniforms when each coordinate of the direction moves by 2⁻²⁴, and p is
