@@ -19,7 +19,6 @@ pub fn errors(shots: &[Shot], studies: &[Study]) {
             ];
             row.extend(found.iter().map(|m| format!("{:.1} %", 100.0 * m.error)));
             row.push(format!("{:+.0} %", 100.0 * (found[1].error / random - 1.0)));
-            row.push(format!("{:.1} µs", found[1].cost));
             rows.push(row);
         }
     }
@@ -30,9 +29,8 @@ pub fn errors(shots: &[Shot], studies: &[Study]) {
         "16 samples",
         "64 samples",
         "against PCG32",
-        "a path",
     ];
-    println!("Relative error of a pixel, and the time of a path on one thread:");
+    println!("Relative error of a pixel:");
     print(&header, rows, 3);
     for (shot, study) in shots.iter().zip(studies) {
         println!(

@@ -4,7 +4,6 @@ use crate::args::Args;
 use crate::render::{Pixels, Plan, PointSet, Tier, picture};
 use crate::shots::Shot;
 use indicatif::ProgressBar;
-use std::time::Instant;
 
 /// The pictures whose errors are measured are small.
 pub const SMALL: [u32; 2] = [36, 24];
@@ -34,8 +33,6 @@ pub struct Measured {
     /// How much brighter their mean is than the reference, over the whole picture, and in standard errors of that.
     pub excess: f64,
     pub deviation: f64,
-    /// Microseconds of one thread for a path.
-    pub cost: f64,
     /// The mean of the pictures.
     pixels: Pixels,
 }
@@ -126,7 +123,6 @@ pub fn of(shot: &Shot, args: &Args, progress: &ProgressBar) -> Study {
         seed: args.seed ^ 0x5ce7e,
     });
     let measure = |tier, points, samples| {
-        let start = Instant::now();
         let plan = |k| Plan {
             tier,
             points,
@@ -135,9 +131,6 @@ pub fn of(shot: &Shot, args: &Args, progress: &ProgressBar) -> Study {
             seed: args.seed.wrapping_add(k),
         };
         let pictures: Vec<Pixels> = (0..SEEDS).map(|k| render(plan(k))).collect();
-        let paths = u64::from(SEEDS) * work(SMALL, samples);
-        let threads = support::parallel::threads() as f64;
-        let cost = 1e6 * threads * start.elapsed().as_secs_f64() / paths as f64;
         let mut errors: Vec<f64> = pictures.iter().map(|p| error(p, &reference)).collect();
         errors.sort_by(f64::total_cmp);
         let pixels = mean(&pictures);
@@ -148,7 +141,6 @@ pub fn of(shot: &Shot, args: &Args, progress: &ProgressBar) -> Study {
             error: errors[errors.len() / 2],
             excess: total(&pixels) / total(&reference) - 1.0,
             deviation: deviation(&pixels, &reference),
-            cost,
             pixels,
         }
     };
