@@ -16,7 +16,7 @@ use crate::estimate::{Scale, Sum, Tally};
 ///
 /// The stated errors are the largest found, plus a tenth.
 ///
-/// - Error of an autocorrelation: 3e-7, in short runs, where a rounding weighs most.
+/// - Error of an autocorrelation: 4.4e-7, in short runs, where a rounding weighs most; with a margin of 1.3.
 /// - Error in long runs: 9.7e-8, in one of 10⁸ numbers whose mean is 1000 standard deviations, and in runs of 3·10⁶ at up
 ///   to 10⁶.
 ///

@@ -15,8 +15,8 @@ pub fn stated(source: &str, row: &str, column: usize) -> f64 {
     figure.trim().parse().unwrap()
 }
 
-/// Holds a measured error to the one stated, and the statement to being no more than half as much again as
-/// what is measured.
+/// Holds a measured error to the one stated, and the statement to being no more than 2.5 times what is measured: one that
+/// a search found has a margin, and this search may be shorter.
 pub fn assert_stated(what: &str, measured: f64, stated: f64) {
     println!("{what}: {measured:.3e} measured, {stated:.2e} stated");
     assert!(
@@ -24,7 +24,7 @@ pub fn assert_stated(what: &str, measured: f64, stated: f64) {
         "{what}: {measured:e} against {stated:e}"
     );
     assert!(
-        stated <= 1.5 * measured,
+        stated <= 2.5 * measured,
         "{what}: {measured:e}, {stated:e} is stale"
     );
 }

@@ -215,6 +215,16 @@ pub fn assert_stated(what: &str, measured: f64, stated: f64) {
     );
 }
 
+/// Holds a measured figure to a stated one that is proven, or has a margin over what a longer search found.
+pub fn assert_within(what: &str, measured: f64, stated: f64) {
+    println!("{what}: {measured:.3e} measured, {stated:.2e} stated");
+    let stale = speed::full() && stated > 2.5 * measured;
+    assert!(
+        measured <= stated && !stale,
+        "{what}: {measured:e} measured, {stated:e} is too small or stale"
+    );
+}
+
 /// To so many significant digits, away from 0, so that a printed bound holds.
 pub fn rounded_up(x: f64, digits: i32) -> f64 {
     if x == 0.0 || !x.is_finite() {
