@@ -102,12 +102,17 @@ impl<T: Tier> Cone<T> {
         match positive(k) {
             Ok(k) if k > 2.0 => Err(Error::OutOfRange),
             Ok(k) if k < f32::MIN_POSITIVE => Err(Error::Empty),
-            Ok(k) => Ok(Self {
-                k,
-                rest: 2.0 - k,
-                tier: PhantomData,
-            }),
+            Ok(k) => Ok(Self::of(k)),
             Err(e) => Err(e),
+        }
+    }
+
+    /// A cone whose k is known to be in the domain.
+    pub(super) const fn of(k: f32) -> Self {
+        Self {
+            k,
+            rest: 2.0 - k,
+            tier: PhantomData,
         }
     }
 

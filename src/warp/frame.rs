@@ -50,7 +50,12 @@ impl Frame {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::ZeroLength`] for a normal of length 0.
     pub fn new(normal: [f32; 3]) -> Result<Self, Error> {
-        let [x, y, z] = normalised(normal)?;
+        Ok(Self::about(normalised(normal)?))
+    }
+
+    /// The frame of a normal whose length is 1 but for rounding.
+    #[inline]
+    pub(super) fn about([x, y, z]: [f32; 3]) -> Self {
         // The axes are as orthogonal as the length of the normal is 1: one step of Newton's method corrects it.
         let excess = (z * z - 1.0) + (x * x + y * y);
         // Before the step, which loses the sign of a zero.
@@ -59,11 +64,11 @@ impl Frame {
         let [x, y, z] = normal;
         let a = -1.0 / (sign + z);
         let b = x * y * a;
-        Ok(Self {
+        Self {
             tangent: [1.0 + sign * x * x * a, sign * b, -sign * x],
             bitangent: [b, sign + y * y * a, -y],
             normal,
-        })
+        }
     }
 
     /// The unit normal, the third axis.
