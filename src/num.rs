@@ -5,6 +5,7 @@
 mod bounds;
 mod cube_root;
 pub(crate) mod division;
+pub(crate) mod doubles;
 mod error_free;
 mod exact_sum;
 mod exponent;

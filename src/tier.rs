@@ -9,6 +9,7 @@ mod normal;
 mod poly;
 mod power;
 mod sqrt;
+mod table;
 mod turns;
 
 pub(crate) use self::compensated::{
@@ -20,6 +21,7 @@ pub(crate) use self::normal::hazard_above;
 pub use self::poly::Poly;
 pub(crate) use self::power::{exp2, exp2_pair, log2_1p, log2_of_sum, times};
 pub(crate) use self::sqrt::sqrt;
+pub(crate) use self::table::{neg_log2_1m, neg_log2_1m_of_word, times_exp2};
 pub(crate) use self::turns::exchanged;
 
 mod sealed {

@@ -12,6 +12,7 @@
 //! - *sample*: the distance from the exact map of the same uniforms. The row names its unit. *ulp* is a unit in the last
 //!   place of the exact value. *ulp of the scale* is one of the end of the interval that is farther from 0. *of the
 //!   size* is relative to the size of the domain, which the page gives (1 for directions).
+//!   Where a page says that a draw keeps it, the bound also counts from the exact point of the middle of a word's cell.
 //! - *sin θ*, *cos θ*: of directions, in ulp.
 //! - *unit length*: of directions, the distance of their length from 1.
 //! - *place on it*: of lights, the coordinates of the place that a direction leads to, absolute.

@@ -8,7 +8,10 @@ use ::fixed::types::extra::U30;
 use ::fixed::types::{I2F30, U0F32};
 use microwarp::uniform::{Strata1d, Uniforms, deep_from_word, grid_from_word};
 use microwarp::{Warp, fixed, libm, poly, warp::Inversion};
+use support::errors::ulp;
 use support::generators::Cycle;
+use support::parallel::{in_parallel, threads};
+use support::speed;
 
 /// Words and the share of all words that each stands for.
 fn words(per_octave: u32) -> Vec<(u32, f64)> {
@@ -103,6 +106,32 @@ fn a_normal_deviate_has_the_moments_of_the_law() {
         }
         assert!(last > 6.33 && last < 6.35);
     });
+}
+
+/// Pareto of minimum and shape 1 is 1/(1 − u): 2³³ over an odd number.
+#[test]
+fn a_logarithm_has_all_digits_of_every_word() {
+    let (stride, chunk) = (speed::of("one word tried of every", 1021, 1), 1_u32 << 26);
+    let law = poly::Pareto::new(1.0, 1.0).unwrap();
+    let error = |word: u32, x: f32| {
+        let due = 2f64.powi(33) / (2.0 * f64::from(!word) + 1.0);
+        (f64::from(x) - due).abs() / ulp(due)
+    };
+    let starts: Vec<u32> = (0..64).map(|k| k * chunk).collect();
+    let ends = words(4096).into_iter().map(|(word, _)| word);
+    in_parallel(threads(), &starts, |&start| {
+        for word in (0..chunk).step_by(stride).map(|k| start + k) {
+            let error = error(word, law.sample_words(word));
+            assert!(error <= 2.0, "{word:#x}: {error} ulp");
+        }
+    });
+    let mut by_grid: f64 = 0.0;
+    for word in ends {
+        let drawn = error(word, law.sample_words(word));
+        assert!(drawn <= 2.0, "{word:#x}: {drawn} ulp");
+        by_grid = by_grid.max(error(word, old(&law, word)));
+    }
+    assert!(by_grid > 2.0, "the old rule passes: {by_grid} ulp");
 }
 
 /// High moments live in both tails, of which a draw must reach as deep as a word can. Each is of a function of the point

@@ -14,8 +14,8 @@ mod page;
 use page::Measured;
 use support::adversary::search::{Budget, USUAL};
 use support::figures::{
-    Exact, Figures, density_and_inverse_error, density_with_sample_error, place_error, polar_error,
-    sample_error,
+    Exact, Figures, density_and_inverse_error, density_with_sample_error, draw_error, place_error,
+    polar_error, sample_error,
 };
 use support::parallel::{in_parallel, threads};
 use support::registry::{Entry, Uniforms, entries};
@@ -80,6 +80,7 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
                 polar_error(entry, &exact, x, figures);
             }
             sample_error(entry, &exact, x, figures);
+            draw_error(entry, u[0], figures);
             if deep {
                 density_and_inverse_error(entry, &exact, x, figures);
                 density_with_sample_error(entry, &exact, u, figures);

@@ -8,8 +8,8 @@ use support::adversary::words::{Kind, first_accepted};
 use support::adversary::{Case, Family, Observe};
 use support::docs::{Statement, of_floats};
 use support::figures::{
-    Exact, Figures, ROWS, density_and_inverse_error, density_with_sample_error, place_error,
-    place_moved, polar_error, sample_error,
+    Exact, Figures, ROWS, density_and_inverse_error, density_with_sample_error, draw_error,
+    place_error, place_moved, polar_error, sample_error,
 };
 use support::moved::Moved;
 use support::registry::{Domain, Entry, Registered, Uniforms, of_libm, of_poly};
@@ -107,6 +107,7 @@ impl Case for Subject {
         }
         let mut figures = Figures::default();
         sample_error(entry, &exact, x, &mut figures);
+        draw_error(entry, u[0], &mut figures);
         density_and_inverse_error(entry, &exact, x, &mut figures);
         density_with_sample_error(entry, &exact, u, &mut figures);
         place_error(entry, u, &mut figures);

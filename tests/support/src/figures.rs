@@ -78,9 +78,13 @@ pub struct Exact {
 
 impl Exact {
     pub fn of(entry: &Entry, u: Uniforms, with_density: bool) -> Self {
-        let truth: &dyn Truth = entry.truth.as_ref();
         let zero = if entry.open { SMALLEST } else { 0.0 };
         let u = u.map(|u| if u == 0.0 { zero } else { f64::from(u) });
+        Self::at(entry, u, with_density)
+    }
+
+    fn at(entry: &Entry, u: [f64; 4], with_density: bool) -> Self {
+        let truth: &dyn Truth = entry.truth.as_ref();
         let point = truth.sample(u);
         let density = if with_density { truth.density(u) } else { 0.0 };
         Self {
@@ -118,6 +122,20 @@ pub fn sample_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figure
     if matches!(entry.domain, Domain::Directions | Domain::World) {
         let norm = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
         raise(&mut figures.length, (norm - 1.0).abs());
+    }
+}
+
+/// The errors of two draws against the exact points at the middle of their words: of a word whose upper digits are a
+/// uniform's, and of the word as far from the other end.
+pub fn draw_error(entry: &Entry, u: f32, figures: &mut Figures) {
+    if entry.middle {
+        let word =
+            (f64::from(u) * 2f64.powi(32)) as u32 ^ (u.to_bits().wrapping_mul(0x9e37_79b9) >> 24);
+        for word in [word, !word] {
+            let middle = (f64::from(word) + 0.5) * 2f64.powi(-32);
+            let exact = Exact::at(entry, [middle, 0.0, 0.0, 0.0], false);
+            sample_error(entry, &exact, entry.warp.drawn(word), figures);
+        }
     }
 }
 

@@ -18,6 +18,7 @@ pub mod tables;
 
 use crate::adversary::words::Kind;
 use crate::contest::{POINTS, generator};
+use crate::generators::Cycle;
 use crate::truth::Truth;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::Uniforms as _;
@@ -81,6 +82,10 @@ pub trait Erased: Send + Sync {
     fn fourth(&self, _: Uniforms) -> f32 {
         0.0
     }
+    /// The point of a generator that yields this word again and again.
+    fn drawn(&self, _: u32) -> Point {
+        [f32::NAN; 3]
+    }
     /// Draws through `Warp::fill`; `n` points.
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point>;
     /// Maps a slice: the points by `Warp::map`, then points and densities by `Warp::map_with_pdf`.
@@ -127,6 +132,8 @@ pub struct Entry {
     pub own_density: bool,
     /// Whether a draw reads its words more deeply than the grid.
     pub deep: bool,
+    /// Whether a draw is held to the error of a sample at the exact middle of its word.
+    pub middle: bool,
     /// Whether density and inverse are functions of a user's, which need not be total.
     pub closures: bool,
     /// Whether the last of several uniforms is an azimuth, of which 0 and 1 are the same.
@@ -212,6 +219,10 @@ impl Entry {
 
     fn words(self, words: usize) -> Self {
         self.with(|e| e.words = words)
+    }
+
+    fn middle(self) -> Self {
+        self.with(|e| e.middle = true)
     }
 
     fn own_density(self) -> Self {
@@ -420,6 +431,9 @@ where
         let all: [f32; 4] = self.0.sample(W::Uniforms::unflat(u)).flat();
         all[3]
     }
+    fn drawn(&self, word: u32) -> Point {
+        self.0.draw(&mut Cycle::new(&[word])).flat()
+    }
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point> {
         let mut points = vec![W::Point::unflat([0.0; 3]); n];
         self.0.fill(rng, &mut points);
@@ -530,6 +544,7 @@ where
         composed: false,
         own_density: false,
         deep: false,
+        middle: false,
         closures: false,
         azimuth: turned,
         polar: domain == Domain::Directions,

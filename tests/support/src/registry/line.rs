@@ -294,7 +294,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1e-30, 1e30], Empty),
         Registered::new("Pareto", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Pareto", Pareto::<T>::new(p[0], p[1])?, truth::pareto(p[0], p[1]));
-            let mut entry = half_line(entry);
+            let mut entry = half_line(entry).middle();
             entry.open = false;
             Ok(entry.variables(&[("k", p[1].into())]))
         })
