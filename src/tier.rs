@@ -21,13 +21,16 @@ pub(crate) use self::normal::hazard_above;
 pub use self::poly::Poly;
 pub(crate) use self::power::{exp2, exp2_pair, log2_1p, log2_of_sum, times};
 pub(crate) use self::sqrt::sqrt;
-pub(crate) use self::table::{neg_log2_1m, neg_log2_1m_of_word, times_exp2};
+pub(crate) use self::table::{log2, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
 pub(crate) use self::turns::exchanged;
 
 mod sealed {
     pub trait Sealed {
         /// Whether a compiler can vectorise its functions.
         const VECTORS: bool;
+
+        /// Whether laws take their quick form by tables where a slower one has more digits.
+        const TABLES: bool;
 
         /// [`Tier::neg_ln_1m`](super::Tier::neg_ln_1m) of the uniform of the grid that a word stands for: quicker one by one,
         /// but not vectorised.

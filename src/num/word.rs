@@ -1,5 +1,7 @@
 //! Decisions by a word: whether an event happens, and on which side of a symmetric distribution a point lies.
 
+use super::exponent::power_of_two;
+
 /// Whether an event of this probability happens, by a word. True for 2³² times the probability of all words, rounded to
 /// an integer: never for 0, always for 1.
 #[inline]
@@ -30,4 +32,18 @@ pub(crate) fn folded(word: u32) -> (f32, bool) {
     let rank = if upper { !word } else { word };
     // The middle of the cell, rounded once.
     ((rank << 1 | 1) as f32 * (f32::EPSILON / 1024.0), upper)
+}
+
+/// The same with all digits of the tail: its first 24 bits and the rest.
+#[inline]
+pub(crate) fn folded_exactly(word: u32) -> ((f32, f32), bool) {
+    let upper = word >> 31 == 1;
+    let rank = if upper { !word } else { word };
+    let middle = rank << 1 | 1;
+    let zeros = middle.leading_zeros();
+    let digits = middle.wrapping_shl(zeros);
+    // 2⁻³³ in units of the last digit.
+    let unit = power_of_two((-33_i32).wrapping_sub_unsigned(zeros));
+    let high = (digits >> 8) as f32 * (256.0 * unit);
+    ((high, (digits & 0xff) as f32 * unit), upper)
 }

@@ -57,6 +57,7 @@ fn sincos_quarter(r: f32) -> (f32, f32) {
 
 impl super::sealed::Sealed for Libm {
     const VECTORS: bool = false;
+    const TABLES: bool = false;
 
     #[inline]
     fn neg_ln_1m_of_word(word: u32) -> f32 {

@@ -55,6 +55,7 @@ pub struct Poly;
 
 impl super::sealed::Sealed for Poly {
     const VECTORS: bool = true;
+    const TABLES: bool = true;
 
     #[inline]
     fn neg_ln_1m_of_word(word: u32) -> f32 {

@@ -106,6 +106,15 @@ pub(crate) fn neg_log2_1m(u: f32) -> (f32, f32) {
     (whole as f32, beside(log, h))
 }
 
+/// log₂ of a positive normal number: a whole number and a rest.
+#[inline]
+#[expect(clippy::cast_possible_wrap, reason = "an exponent has a sign")]
+pub(crate) fn log2(x: f32) -> (f32, f32) {
+    let bits = x.to_bits();
+    let whole = (bits.wrapping_sub(0x3f00_0000 | CARRY >> 9) as i32) >> 23;
+    (whole as f32, -neg_log2_of(bits << 9))
+}
+
 /// 2^((exact + small)/64) times a number, for sums up to 2²²: what overflows is the largest number.
 #[inline]
 pub(crate) fn times_exp2(number: Scaled, exact: f32, small: f32) -> f32 {

@@ -3,7 +3,7 @@
 use super::{Invert, Warp};
 use crate::error::{Error, positive};
 use crate::num::{Scaled, head, into_unit, remainder, representable};
-use crate::tier::{LN_2, Tier, log2_1p, log2_of_sum, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
+use crate::tier::{LN_2, Tier, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
 
@@ -87,20 +87,6 @@ pub(super) const fn reciprocal(x: f32) -> (f32, f32) {
 pub(super) const fn by_64((x, rest): (f32, f32)) -> (f32, f32) {
     let high = head(64.0 * x);
     (high, (64.0 * x - high) + 64.0 * rest)
-}
-
-/// log₂ of the probability above the point with this tail beyond it, which is the tail or the rest of 1: a head of 12 bits
-/// and the rest.
-#[inline]
-pub(super) fn log2_above(tail: f32, upper: bool) -> (f32, f32) {
-    if upper {
-        log2_of_sum(tail, 0.0, 0.0)
-    } else if tail < 0.29 {
-        log2_1p(0.0, -tail, 0.0)
-    } else {
-        let above = 1.0 - tail;
-        log2_of_sum(above, (1.0 - above) - tail, 0.0)
-    }
 }
 
 impl<T: Tier> Pareto<T> {

@@ -18,7 +18,7 @@ pub const LAYOUT: &[(&str, usize, usize, usize)] = &[
     ("mw_logistic", 0, 12, 4),
     ("mw_gumbel", 0, 12, 4),
     ("mw_rayleigh", 0, 4, 4),
-    ("mw_weibull", 0, 16, 4),
+    ("mw_weibull", 0, 24, 4),
     ("mw_pareto", 0, 20, 4),
     ("mw_log_normal", 0, 12, 4),
     ("mw_triangle_on_2d", 0, 84, 4),

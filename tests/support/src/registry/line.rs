@@ -276,7 +276,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.0e38], TooLarge).refuse(&[TINY], Empty),
         Registered::new("Weibull", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Weibull", Weibull::<T>::new(p[0], p[1])?, truth::weibull(p[0], p[1]));
-            Ok(from_zero(entry).variables(&[("k", p[1].into())]))
+            Ok(from_zero(entry).middle().variables(&[("k", p[1].into())]))
         })
             .case_with("1, 1.5", &[1.0, 1.5], |e| e.picture("p ∝ √x exp(−x^1.5)", View::Line(between(-0.2, 3.5))).trade(family::LAW, "weibull"))
             .case("1, 1", &[1.0, 1.0])
