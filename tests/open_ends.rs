@@ -134,6 +134,24 @@ fn a_logarithm_has_all_digits_of_every_word() {
     assert!(by_grid > 2.0, "the old rule passes: {by_grid} ulp");
 }
 
+/// Two logarithms, one of the other, which is near 0 at both ends of the octaves and near 1 in between.
+#[test]
+fn a_logarithm_of_a_logarithm_has_the_digits_of_every_word() {
+    let law = poly::Gumbel::new(0.0, 1.0).unwrap();
+    let error = |word: u32, x: f32| {
+        let left = (f64::from(!word) + 0.5) * 2f64.powi(-32);
+        let due = -(-(-left).ln_1p()).ln();
+        (f64::from(x) - due).abs() / ulp(due.abs().max(1.0))
+    };
+    let mut by_grid: f64 = 0.0;
+    for (word, _) in words(4096) {
+        let drawn = error(word, law.sample_words(word));
+        assert!(drawn <= 3.0, "{word:#x}: {drawn} ulp");
+        by_grid = by_grid.max(error(word, old(&law, word)));
+    }
+    assert!(by_grid > 3.0, "the old rule passes: {by_grid} ulp");
+}
+
 /// High moments live in both tails, of which a draw must reach as deep as a word can. Each is of a function of the point
 /// that a power of the tail's probability bounds.
 #[test]

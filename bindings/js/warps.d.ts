@@ -903,8 +903,7 @@ export declare class Logistic extends Warp<number, number> {
 /**
  * Gumbel with a location and a scale: the largest of many numbers whose tail is exponential.
  *
- * x = μ − β ln(−ln u), increasing with the uniform. Where the inner logarithm is near −1, and the outer one near 0, both are
- * taken of what is left of 1, so that the digits stay.
+ * x = μ − β ln(−ln u), increasing with the uniform, by a table of logarithms that takes all digits of a word.
  *
  * **Density**
  *
@@ -920,24 +919,24 @@ export declare class Logistic extends Warp<number, number> {
  *
  * **Accuracy**
  *
- * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
- * means.
+ * *Sample* counts units in the last place (ulp) of the location, of the distance from it or of the scale, whichever is
+ * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What
+ * each row means.
  *
  * | error | `poly` |
  * |---|--:|
- * | sample, ulp of location or distance | 5 |
+ * | sample, ulp of location or distance | 5.7 |
  * | pdf, relative | 2.2e-6 |
- * | realised density, relative | 5e-7 + 3*s/max(0, 1 - w/1e6) |
+ * | realised density, relative | 5e-7 + 4.8*s/max(0, 1 - w/1e6) |
  * | inverse | 9.5e-8 |
- * | round trip | 1e-7 + 2*r |
+ * | round trip | 1e-7 + 2.2*r |
  *
- * w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
+ * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
  * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
  *
- * E. J. Gumbel, "Statistics of Extremes", 1958, <https://doi.org/10.7312/gumb92958>. The form near 0 is this crate's own.
+ * E. J. Gumbel, "Statistics of Extremes", 1958, <https://doi.org/10.7312/gumb92958>. The form by tables is this crate's own.
  */
 export declare class Gumbel extends Warp<number, number> {
   /**

@@ -2,13 +2,12 @@
 //! given by a location and a scale.
 
 use crate::error::{Error, finite, positive};
-use crate::num::{remainder, representable, two_sum};
+use crate::num::{folded, remainder, representable, two_sum};
 use crate::tier::{Tier, scaled_exp};
 use core::marker::PhantomData;
 
-/// The types and the samples of a law that finds a point by the probability `beyond` it, on either side. Drawn words are
-/// taken as the middle of their cells at both ends.
-macro_rules! by_tails {
+/// The types of a law that finds a point by the probability `beyond` it, on either side, and its samples of uniforms.
+macro_rules! uniforms_by_tails {
     () => {
         type Uniforms = f32;
         type Point = f32;
@@ -23,6 +22,14 @@ macro_rules! by_tails {
                 self.beyond(1.0 - u, true)
             }
         }
+    };
+}
+pub(super) use uniforms_by_tails;
+
+/// The same, and samples of words, which are taken as the middle of their cells at both ends.
+macro_rules! by_tails {
+    () => {
+        super::located::uniforms_by_tails!();
 
         #[inline]
         fn sample_words(&self, word: u32) -> f32 {
@@ -42,6 +49,13 @@ pub(super) trait Standard {
 
     /// The point with this probability, at most 1/2, beyond it.
     fn deviate(tail: f32, upper: bool) -> f32;
+
+    /// The point of the middle of a word's cell.
+    #[inline]
+    fn of_word(word: u32) -> f32 {
+        let (tail, upper) = folded(word);
+        Self::deviate(tail, upper)
+    }
 
     /// The density at t, given with its rounding error, in units of this peak; unspecified where it underflows.
     fn density(peak: f32, t: (f32, f32)) -> f32;
@@ -163,9 +177,13 @@ macro_rules! located {
             }
 
             #[inline]
+            fn at(&self, t: f32) -> f32 {
+                self.0.location + self.0.scale * t
+            }
+
+            #[inline]
             fn beyond(&self, tail: f32, upper: bool) -> f32 {
-                self.0.location
-                    + self.0.scale * <Self as super::located::Standard>::deviate(tail, upper)
+                self.at(<Self as super::located::Standard>::deviate(tail, upper))
             }
         }
     };
@@ -175,7 +193,12 @@ pub(super) use located;
 /// What such a law has as a warp.
 macro_rules! located_warp {
     () => {
-        super::located::by_tails!();
+        super::located::uniforms_by_tails!();
+
+        #[inline]
+        fn sample_words(&self, word: u32) -> f32 {
+            self.at(<Self as super::located::Standard>::of_word(word))
+        }
 
         #[inline]
         fn pdf(&self, x: f32) -> f32 {

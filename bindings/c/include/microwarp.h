@@ -398,7 +398,7 @@ float mw_logistic_invert(const mw_logistic *warp, float point);
 
 /**
  * Gumbel, the law of maxima; one uniform.
- * Largest errors: sample, ulp of location or distance: 5; pdf, relative: 2.2e-6.
+ * Largest errors: sample, ulp of location or distance: 5.7; pdf, relative: 2.2e-6.
  */
 typedef struct mw_gumbel { uint32_t words[3]; } mw_gumbel;
 mw_error mw_gumbel_init(mw_gumbel *warp, float location, float scale);

@@ -221,6 +221,15 @@ impl Entry {
         self.with(|e| e.words = words)
     }
 
+    /// Counts no smaller unit than one in the last place of this scale.
+    fn or_scale(self, scale: f32) -> Self {
+        self.with(|e| {
+            if let Measure::UlpFrom(_, least) = &mut e.measure {
+                *least = scale.into();
+            }
+        })
+    }
+
     fn middle(self) -> Self {
         self.with(|e| e.middle = true)
     }

@@ -256,7 +256,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, NAN], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
             .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
         Registered::new("Gumbel", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])))
+            Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])).or_scale(p[1]).middle())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−x − exp(−x))", View::Line(between(-3.0, 7.0))).trade(family::LAW, "gumbel"))
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
