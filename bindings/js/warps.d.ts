@@ -851,8 +851,8 @@ export declare class Laplace extends Warp<number, number> {
 /**
  * Logistic with a location and a scale, whose CDF is the logistic function (sigmoid).
  *
- * x = μ + s ln(u/(1 − u)), increasing with the uniform, by ln(1 + (1 − 2p)/p) of the probability p of the tail, which does
- * not cancel at the median.
+ * x = μ + s ln(u/(1 − u)), increasing with the uniform, by a power of 2 and a series in (1 − 2p) of the probability p of the
+ * tail, which does not cancel at the median.
  *
  * **Density**
  *
@@ -868,19 +868,19 @@ export declare class Laplace extends Warp<number, number> {
  *
  * **Accuracy**
  *
- * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
- * means.
+ * *Sample* counts units in the last place (ulp) of the location, of the distance from it or of the scale, whichever is
+ * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What
+ * each row means.
  *
  * | error | `poly` |
  * |---|--:|
- * | sample, ulp of location or distance | 4 |
+ * | sample, ulp of location or distance | 5.7 |
  * | pdf, relative | 5.8e-7 |
- * | realised density, relative | 5e-7 + 2.5*s/max(0, 1 - w/1e6) |
+ * | realised density, relative | 5e-7 + 3.3*s/max(0, 1 - w/1e6) |
  * | inverse | 1.1e-7 |
- * | round trip | 1.1e-7 + 1.7*r |
+ * | round trip | 1.1e-7 + 1.9*r |
  *
- * w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
+ * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
  * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**

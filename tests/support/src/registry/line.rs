@@ -246,7 +246,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[INF, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
             .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
         Registered::new("Logistic", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])))
+            Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])).or_scale(p[1]).middle())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = 1/(4 cosh²(x/2))", View::Line(between(-7.0, 7.0))).trade(family::LAW, "logistic"))
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
