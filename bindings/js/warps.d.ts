@@ -4,26 +4,23 @@ import { Vector2, Vector3, Warp } from "./warp.js";
 /**
  * Uniform on an interval [a, b).
  *
- * `new Interval` runs from `a` at u = 0 up to, never reaching, `b`. `Interval.decreasing` runs from `b` at u
- * = 0 down to, never reaching, `a`. Neither ever turns back, whatever the bounds. Where `f32` has fewer points
- * than there are uniforms, each point has its share of them, to within three.
+ * `new Interval` runs from `a` at u = 0 up to, never reaching, `b`. `Interval.decreasing` runs from `b` at u = 0 down
+ * to, never reaching, `a`. Neither ever turns back, whatever the bounds. Where `f32` has fewer points than there are
+ * uniforms, each point has its share of them, to within three.
  *
  * **Density**
- *
  * 1/(b − a) on [a, b], else 0.
  *
  * **Domain**
- *
  * - Point: [a, b), or (a, b] where it decreases.
  * - Uniforms: one.
  * - Parameters: finite a < b. The width may overflow `f32`.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the larger bound, the scale. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
- * means.
+ * relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -33,11 +30,10 @@ import { Vector2, Vector3, Warp } from "./warp.js";
  * | inverse | 1.8e-7 |
  * | round trip | 1.8e-7 + 1.63*r |
  *
- * r is the change of the inverse when x moves by one ulp of the larger bound. On the 24-bit grid, samples are
- * within 1.5 ulp, or 1.13 where the bounds differ in sign.
+ * r is the change of the inverse when x moves by one ulp of the larger bound. On the 24-bit grid, samples are within
+ * 1.5 ulp, or 1.13 where the bounds differ in sign.
  *
  * **Source**
- *
  * F. Goualard, "Drawing Random Floating-Point Numbers from an Interval", ACM Transactions on Modeling and Computer
  * Simulation, 2022, <https://doi.org/10.1145/3503512>.
  */
@@ -46,8 +42,8 @@ export declare class Interval extends Warp<number, number> {
    * Uniform on [a, b), increasing with the uniform.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinite bounds, Reversed (code 2) for a > b,
-   * Empty (code 3) for a = b or a width whose reciprocal overflows.
+   * NotFinite (code 1) for NaN or infinite bounds, Reversed (code 2) for a > b, Empty (code 3) for a = b or a width
+   * whose reciprocal overflows.
    */
   constructor(low: number, high: number);
   /**
@@ -62,29 +58,27 @@ export declare class Interval extends Warp<number, number> {
 /**
  * A power law on an interval: density ∝ xⁿ on [a, b], for any exponent.
  *
- * With m = n + 1, xᵐ is uniform between aᵐ and bᵐ. The code works relative to the end R where xᵐ is larger, with t
- * = 1 − (x/R)ᵐ, and takes the logarithm of 1 − t to nine digits, so that nothing overflows and m near 0 does not
- * cancel. `new Power` runs from a at u = 0 to b, `Power.decreasing` from b to a. A sample never steps back
- * from one uniform of the grid to the next.
+ * With m = n + 1, xᵐ is uniform between aᵐ and bᵐ. The code works relative to the end R where xᵐ is larger, with t = 1
+ * − (x/R)ᵐ, and takes the logarithm of 1 − t to nine digits, so that nothing overflows and m near 0 does not cancel.
+ * `new Power` runs from a at u = 0 to b, `Power.decreasing` from b to a. A sample never steps back from one uniform of
+ * the grid to the next.
  *
  * **Density**
- *
  * m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b]; else 0.
  *
  * **Domain**
- *
  * - Point: [a, b]; above 0 where the density is 0 or infinite at a = 0.
  * - Uniforms: one.
  * - Parameters: 0 ≤ a < b, and any n: −1, near −1, 0, up to ±1e8 and beyond. n > −1 where a = 0.
  * - Both tiers share this code.
  *
- * With a = 0 and n < 0 the density is infinite at 0. The largest `f32` stands for densities above it, and samples
- * that would be smaller than 2⁻¹⁴⁹ are 2⁻¹⁴⁹, as most are for n within 1e-3 of −1.
+ * With a = 0 and n < 0 the density is infinite at 0. The largest `f32` stands for densities above it, and samples that
+ * would be smaller than 2⁻¹⁴⁹ are 2⁻¹⁴⁹, as most are for n within 1e-3 of −1.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -97,7 +91,6 @@ export declare class Interval extends Warp<number, number> {
  * s and r are the relative change of the exact density and the change of the exact inverse over one ulp of x.
  *
  * **Source**
- *
  * M. E. J. Newman, "Power Laws, Pareto Distributions and Zipf's Law", 2005,
  * <https://doi.org/10.1080/00107510500052444>. The stable form is derived here.
  */
@@ -106,9 +99,8 @@ export declare class Power extends Warp<number, number> {
    * Density ∝ xⁿ on [a, b], increasing with the uniform.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a < 0, Reversed (code 2) for
-   * a > b, Empty (code 3) for a = b or a density that overflows, at b or at an a > 0,
-   * NotNormalizable (code 8) for a = 0 with n ≤ −1.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a < 0, Reversed (code 2) for a > b, Empty (code 3)
+   * for a = b or a density that overflows, at b or at an a > 0, NotNormalizable (code 8) for a = 0 with n ≤ −1.
    */
   constructor(exponent: number, low: number, high: number);
   /**
@@ -126,21 +118,19 @@ export declare class Power extends Warp<number, number> {
  * The power law of exponent n = N − 1, without a logarithm or a root in the sample. The loop is bounded by N.
  *
  * **Density**
- *
  * N x^(N−1) on [0, 1], else 0.
  *
  * **Domain**
- *
  * - Point: (0, 1).
  * - Uniforms: N, all alike. N = 0 does not compile.
- * - Inverse: many sets of uniforms share their largest. `invert` gives N times the point itself, whose sample is
- *   the point exactly.
+ * - Inverse: many sets of uniforms share their largest. `invert` gives N times the point itself, whose sample is the
+ *   point exactly.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -151,7 +141,6 @@ export declare class Power extends Warp<number, number> {
  * | round trip | 1.6e-45 |
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class PowerMax2 extends Warp<number, [number, number]> {
@@ -167,21 +156,19 @@ export declare class PowerMax2 extends Warp<number, [number, number]> {
  * The power law of exponent n = N − 1, without a logarithm or a root in the sample. The loop is bounded by N.
  *
  * **Density**
- *
  * N x^(N−1) on [0, 1], else 0.
  *
  * **Domain**
- *
  * - Point: (0, 1).
  * - Uniforms: N, all alike. N = 0 does not compile.
- * - Inverse: many sets of uniforms share their largest. `invert` gives N times the point itself, whose sample is
- *   the point exactly.
+ * - Inverse: many sets of uniforms share their largest. `invert` gives N times the point itself, whose sample is the
+ *   point exactly.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -192,7 +179,6 @@ export declare class PowerMax2 extends Warp<number, [number, number]> {
  * | round trip | 1.6e-45 |
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class PowerMax3 extends Warp<number, [number, number, number]> {
@@ -208,21 +194,19 @@ export declare class PowerMax3 extends Warp<number, [number, number, number]> {
  * The power law of exponent n = N − 1, without a logarithm or a root in the sample. The loop is bounded by N.
  *
  * **Density**
- *
  * N x^(N−1) on [0, 1], else 0.
  *
  * **Domain**
- *
  * - Point: (0, 1).
  * - Uniforms: N, all alike. N = 0 does not compile.
- * - Inverse: many sets of uniforms share their largest. `invert` gives N times the point itself, whose sample is
- *   the point exactly.
+ * - Inverse: many sets of uniforms share their largest. `invert` gives N times the point itself, whose sample is the
+ *   point exactly.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -233,7 +217,6 @@ export declare class PowerMax3 extends Warp<number, [number, number, number]> {
  * | round trip | 1.6e-45 |
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class PowerMax4 extends Warp<number, [number, number, number, number]> {
@@ -249,19 +232,17 @@ export declare class PowerMax4 extends Warp<number, [number, number, number, num
  * x = −ln(1 − u)/a.
  *
  * **Density**
- *
  * a e^(−ax) for x ≥ 0, else 0.
  *
  * **Domain**
- *
  * - Point: [0, 16.64/a]. The largest uniform sets the largest sample.
  * - Uniforms: one.
  * - Parameters: a rate, or a mean, above 0.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -274,7 +255,6 @@ export declare class PowerMax4 extends Warp<number, [number, number, number, num
  * s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
  * J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
  */
 export declare class Exponential extends Warp<number, number> {
@@ -283,17 +263,16 @@ export declare class Exponential extends Warp<number, number> {
    * Exponential with the given rate (the reciprocal of the mean).
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
-   * TooLarge (code 4) for a rate so small that the tail overflows (below 3.1e-37).
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) for a rate so small
+   * that the tail overflows (below 3.1e-37).
    */
   static fromRate(rate: number): Exponential;
   /**
    * Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, Empty (code 3) for a mean so
-   * small that the density overflows (below 2.9e-39), TooLarge (code 4) for one so large that the tail does (above
-   * 3.2e36).
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, Empty (code 3) for a mean so small that
+   * the density overflows (below 2.9e-39), TooLarge (code 4) for one so large that the tail does (above 3.2e36).
    */
   static fromMean(mean: number): Exponential;
 }
@@ -301,24 +280,22 @@ export declare class Exponential extends Warp<number, number> {
 /**
  * Exponential with rate a, decreasing with the uniform, so that samples reach far into the tail.
  *
- * x = −ln(u)/a. Small uniforms keep their precision in `f32`, so this orientation reaches 44.36/a from
- * full-resolution uniforms, which is what `Warp.draw` takes here (45.06/a where all 64 bits are 0). An explicit
- * u = 0 counts as 2⁻¹⁴⁹ and gives 103.28/a.
+ * x = −ln(u)/a. Small uniforms keep their precision in `f32`, so this orientation reaches 44.36/a from full-resolution
+ * uniforms, which is what `Warp.draw` takes here (45.06/a where all 64 bits are 0). An explicit u = 0 counts as 2⁻¹⁴⁹
+ * and gives 103.28/a.
  *
  * **Density**
- *
  * a e^(−ax) for x ≥ 0, else 0.
  *
  * **Domain**
- *
  * - Point: [5.9e-8/a, 103.28/a].
  * - Uniforms: one. Drawing takes **two** words of the generator for it.
  * - Parameters: a rate, or a mean, above 0.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -331,7 +308,6 @@ export declare class Exponential extends Warp<number, number> {
  * s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
  * J. von Neumann, "Various Techniques Used in Connection with Random Digits", 1951.
  */
 export declare class ExponentialTail extends Warp<number, number> {
@@ -340,17 +316,16 @@ export declare class ExponentialTail extends Warp<number, number> {
    * Exponential with the given rate (the reciprocal of the mean).
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
-   * TooLarge (code 4) for a rate so small that the tail overflows (below 3.1e-37).
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) for a rate so small
+   * that the tail overflows (below 3.1e-37).
    */
   static fromRate(rate: number): ExponentialTail;
   /**
    * Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, Empty (code 3) for a mean so
-   * small that the density overflows (below 2.9e-39), TooLarge (code 4) for one so large that the tail does (above
-   * 3.2e36).
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, Empty (code 3) for a mean so small that
+   * the density overflows (below 2.9e-39), TooLarge (code 4) for one so large that the tail does (above 3.2e36).
    */
   static fromMean(mean: number): ExponentialTail;
 }
@@ -358,24 +333,22 @@ export declare class ExponentialTail extends Warp<number, number> {
 /**
  * Exponential on [0, X], with a rate of either sign: density ∝ e^(−cx).
  *
- * With z = cX: x = −ln(1 + u(e^(−z) − 1))/c, in a form chosen by z so that neither a small nor a large product
- * cancels or overflows. A rate of 0 is the uniform distribution, a negative rate a rising density.
+ * With z = cX: x = −ln(1 + u(e^(−z) − 1))/c, in a form chosen by z so that neither a small nor a large product cancels
+ * or overflows. A rate of 0 is the uniform distribution, a negative rate a rising density.
  *
  * **Density**
- *
  * c e^(−cx)/(1 − e^(−z)) on [0, X], else 0.
  *
  * **Domain**
- *
  * - Point: [0, X].
  * - Uniforms: one.
  * - Parameters: any finite rate c, or a mean 1/c above 0 (that of the distribution before it is truncated), and a
  *   length X above 0.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -388,7 +361,6 @@ export declare class ExponentialTail extends Warp<number, number> {
  * s and r are the relative change of the exact density and the change of the exact inverse over one ulp of x.
  *
  * **Source**
- *
  * C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating Media", 2012,
  * <https://doi.org/10.1111/j.1467-8659.2012.03148.x>.
  */
@@ -398,8 +370,8 @@ export declare class TruncatedExponential extends Warp<number, number> {
    * Density ∝ e^(−rate·x) on [0, length].
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a length of 0 or less,
-   * Empty (code 3) for a length whose reciprocal overflows.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a length of 0 or less, Empty (code 3) for a length
+   * whose reciprocal overflows.
    */
   static fromRate(rate: number, length: number): TruncatedExponential;
   /**
@@ -407,8 +379,8 @@ export declare class TruncatedExponential extends Warp<number, number> {
    * `f32`.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a mean or a length of 0 or less,
-   * Empty (code 3) for a mean or a length whose reciprocal overflows.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a mean or a length of 0 or less, Empty (code 3)
+   * for a mean or a length whose reciprocal overflows.
    */
   static fromMean(mean: number, length: number): TruncatedExponential;
 }
@@ -417,25 +389,22 @@ export declare class TruncatedExponential extends Warp<number, number> {
  * Equi-angular sampling along a ray: density in proportion to 1/(D² + t²), the light that a point sends to each place
  * of a ray through fog.
  *
- * D is the distance at which the ray passes the light, and t the way along the ray from the foot, the place nearest
- * to the light. Seen from the light, the samples are uniform in angle. With Δ the angle between its ends, r their
+ * D is the distance at which the ray passes the light, and t the way along the ray from the foot, the place nearest to
+ * the light. Seen from the light, the samples are uniform in angle. With Δ the angle between its ends, r their
  * distances to the light, `X = r_far sin((1 − w)Δ)` and `Y = r_near sin(wΔ)`, t is near + (far − near)Y/(X + Y), a
  * quotient of sums without cancellation. `near` is the end nearer to the foot, or the foot itself where the segment
  * passes it.
  *
  * **Density**
- *
- * D/(Δ(D² + t²)) on [low, high]. Where Δ is below 2.5e-4 radians, D = 0 included, it is the limit of that:
- * `r_low r_high/((high − low)(D² + t²))`, for D = 0 in proportion to 1/t².
+ * D/(Δ(D² + t²)) on [low, high]. Where Δ is below 2.5e-4 radians, D = 0 included, it is the limit of that: `r_low
+ * r_high/((high − low)(D² + t²))`, for D = 0 in proportion to 1/t².
  *
  * **Domain**
- *
  * [low, high], in the unit of length of the parameters. One uniform; t increases with it. `low` and `high` are within
- * ±2⁴⁰ (1.1e12) and at least 2⁻⁴⁰ (9e-13) apart. D is from 2⁻⁴⁰ to 2⁴⁰, or 0 where the light lies on the ray and not
- * on the segment: both ends are at least 2⁻⁴⁰ away from it then, on one side.
+ * ±2⁴⁰ (1.1e12) and at least 2⁻⁴⁰ (9e-13) apart. D is from 2⁻⁴⁰ to 2⁴⁰, or 0 where the light lies on the ray and not on
+ * the segment: both ends are at least 2⁻⁴⁰ away from it then, on one side.
  *
  * **Accuracy**
- *
  * | error | `poly` |
  * |---|--:|
  * | sample, ulp of itself or of a length | 8.3 |
@@ -444,12 +413,11 @@ export declare class TruncatedExponential extends Warp<number, number> {
  * | inverse | 4e-7 |
  * | round trip | 3e-7 + 2*r |
  *
- * An ulp is that of t. Where the segment passes the foot it is that of D, or of the longer part where that is
- * shorter than D, as long as t is below. s and r: by how much the exact density, relatively, and the exact inverse
- * change over one such ulp.
+ * An ulp is that of t. Where the segment passes the foot it is that of D, or of the longer part where that is shorter
+ * than D, as long as t is below. s and r: by how much the exact density, relatively, and the exact inverse change over
+ * one such ulp.
  *
  * **Source**
- *
  * C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating Media", 2012,
  * <https://doi.org/10.1111/j.1467-8659.2012.03148.x>, rearranged here.
  */
@@ -459,10 +427,10 @@ export declare class EquiAngular extends Warp<number, number> {
    * measured from the foot, the place nearest to the light.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Reversed (code 2) for ends in the wrong order, Empty (code 3) for
-   * ends less than 2⁻⁴⁰ apart, TooLarge (code 4) for a length above 2⁴⁰, Negative (code 6) for a distance below
-   * 0, OutOfRange (code 7) for one above 0 and below 2⁻⁴⁰, NotNormalizable (code 8) for a light on the segment,
-   * or on its line and less than 2⁻⁴⁰ away.
+   * NotFinite (code 1) for NaN or infinity, Reversed (code 2) for ends in the wrong order, Empty (code 3) for ends less
+   * than 2⁻⁴⁰ apart, TooLarge (code 4) for a length above 2⁴⁰, Negative (code 6) for a distance below 0, OutOfRange
+   * (code 7) for one above 0 and below 2⁻⁴⁰, NotNormalizable (code 8) for a light on the segment, or on its line and
+   * less than 2⁻⁴⁰ away.
    */
   constructor(distance: number, low: number, high: number);
 }
@@ -474,21 +442,19 @@ export declare class EquiAngular extends Warp<number, number> {
  * cancellation at the centre. Samples increase with the uniform, whatever the radius.
  *
  * **Density**
- *
- * |x|x|
+ * (1 − |x|/r)/r where |x| < r, else 0.
  *
  * **Domain**
- *
  * - Point: (−r, r). The ends, where the density is 0, are never returned.
- * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell, so that no draw lies nearer
- *   to an end than its share.
+ * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell, so that no draw lies nearer to an
+ *   end than its share.
  * - Parameters: a finite radius from the smallest normal `f32` up.
  * - Both tiers share this code. It needs nothing but a square root.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -498,11 +464,10 @@ export declare class EquiAngular extends Warp<number, number> {
  * | inverse | 1.8e-7 |
  * | round trip | 1.8e-7 + 3.3*r |
  *
- * s and r are the relative change of the density, which falls to 0 at the ends, and the change of the inverse when
- * x moves by one ulp. On the 24-bit grid samples are within 2.4 ulp.
+ * s and r are the relative change of the density, which falls to 0 at the ends, and the change of the inverse when x
+ * moves by one ulp. On the 24-bit grid samples are within 2.4 ulp.
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
  * <https://pbr-book.org/3ed-2018/contents>. The form is derived here.
  */
@@ -511,8 +476,8 @@ export declare class Tent extends Warp<number, number> {
    * The tent of the given radius about 0.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
-   * Empty (code 3) for a radius below the smallest normal `f32`.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, Empty (code 3) for a radius below the
+   * smallest normal `f32`.
    */
   constructor(radius: number);
 }
@@ -520,24 +485,22 @@ export declare class Tent extends Warp<number, number> {
 /**
  * Linear on [0, 1): density ∝ (1 − x)a + xb.
  *
- * x = u(a + b)/(a + √((1 − u)a² + ub²)), which stays accurate where a and b are nearly equal, followed by one step
- * of Newton's method in higher precision. Samples increase with the uniform, whatever the densities.
+ * x = u(a + b)/(a + √((1 − u)a² + ub²)), which stays accurate where a and b are nearly equal, followed by one step of
+ * Newton's method in higher precision. Samples increase with the uniform, whatever the densities.
  *
  * **Density**
- *
  * 2((1 − x)a + xb)/(a + b) on [0, 1], else 0.
  *
  * **Domain**
- *
- * - Point: 0, 1); (0, 1) where a is 0.
+ * - Point: [0, 1); (0, 1) where a is 0.
  * - Uniforms: one.
  * - Parameters: finite a and b, neither negative nor both 0.
  * - Both tiers share this code. It needs nothing but a square root.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. [What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -547,11 +510,10 @@ export declare class Tent extends Warp<number, number> {
  * | inverse | 3e-7 |
  * | round trip | 3e-7 + 0.76*r |
  *
- * s and r are the relative change of the density and the change of the inverse when x moves by one ulp. Only
- * samples below 3e-38 are off by more than 0.51 ulp.
+ * s and r are the relative change of the density and the change of the inverse when x moves by one ulp. Only samples
+ * below 3e-38 are off by more than 0.51 ulp.
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", fourth edition, 2023,
  * <https://pbr-book.org/4ed/contents>.
  */
@@ -560,8 +522,7 @@ export declare class Linear extends Warp<number, number> {
    * Density ∝ `a` at 0 and ∝ `b` at 1.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Negative (code 6) if either is below 0,
-   * NotPositive (code 5) if both are 0.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) if either is below 0, NotPositive (code 5) if both are 0.
    */
   constructor(densityAt0: number, densityAt1: number);
 }
@@ -572,27 +533,22 @@ export declare class Linear extends Warp<number, number> {
  * x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata.
  *
  * **Density**
- *
  * e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
  *
  * **Domain**
- *
- * - Point: drawn samples end at 6.34σ on both sides. Uniforms on the 24-bit grid give −5.30σ to 5.30σ, except
- *   u = 0: it counts as 2⁻¹⁴⁹ and gives −14.2σ, an outlier that comes once in 2²⁴ uniforms. If you pass uniforms of
- *   your own, take them from `uniform.open`), which is never 0, or from
- *   `Strata1d.draw`, which has more bits near 0.
- * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell, so that the moments of what
- *   can be drawn are those of the normal distribution (the eighth to 1e-6).
- * - Parameters: a finite mean and a standard deviation above 0 for which no sample overflows. A standard deviation
- *   near the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the samples.
+ * - Point: drawn samples end at 6.34σ on both sides. Uniforms on the 24-bit grid give −5.30σ to 5.30σ, except u = 0: it
+ *   counts as 2⁻¹⁴⁹ and gives −14.2σ, an outlier that comes once in 2²⁴ uniforms.
+ * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell, so that the moments of what can be
+ *   drawn are those of the normal distribution (the eighth to 1e-6).
+ * - Parameters: a finite mean and a standard deviation above 0 for which no sample overflows. A standard deviation near
+ *   the spacing of `f32` at the mean (6e-8 of it) is lost in the rounding of the samples.
  *
  * **Accuracy**
+ * *Sample* counts units in the last place (ulp) of μ or of x − μ, whichever is larger. *Pdf* and *realised density* are
+ * relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * *Sample* counts units in the last place (ulp) of μ or of x − μ, whichever is larger. *Pdf* and *realised
- * density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
- * means.
- *
- * |μ|μ|
+ * The realised density is stated for |μ| < 1e6 σ. In its formula w is |μ|/σ, and the divisor max(0, 1 − w/1e6) ends it
  * there: it is nearly 1 for common parameters, and beyond 1e6 the densities of neighbouring `f32` differ by a factor. s
  * and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
@@ -605,7 +561,6 @@ export declare class Linear extends Warp<number, number> {
  * | round trip | 1.5e-7 + 3*r |
  *
  * **Source**
- *
  * M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988,
  * <https://doi.org/10.2307/2347330>, for the division into regions. The coefficients are this crate's own.
  */
@@ -614,8 +569,8 @@ export declare class Normal extends Warp<number, number> {
    * Normal with the given mean and standard deviation.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
-   * TooLarge (code 4) if a sample could overflow, Empty (code 3) if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less, TooLarge (code
+   * 4) if a sample could overflow, Empty (code 3) if the density could.
    */
   constructor(mean: number, stdDev: number);
 }
@@ -626,21 +581,18 @@ export declare class Normal extends Warp<number, number> {
  * Radius σ√(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the mean point, cheaper than two quantiles.
  *
  * **Density**
- *
  * e^(−r²/2σ²)/(2πσ²) per unit area, at least 2⁻¹⁴⁹ for every finite point.
  *
  * **Domain**
- *
  * - Point: within 5.77σ of the mean point.
  * - Uniforms: two, radius and angle. u₁ = 0 gives the mean point itself.
  * - Parameters: a finite mean point and a standard deviation above 0 for which neither samples nor the density
  *   overflow.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size: the farthest coordinate, which is the
- * larger |μ| plus 5.77σ. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
- * of the uniforms. What each row means.
+ * *Sample* is the distance from the exact point, relative to the size: the farthest coordinate, which is the larger |μ|
+ * plus 5.77σ. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
+ * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -650,12 +602,11 @@ export declare class Normal extends Warp<number, number> {
  * | inverse | 1.6e-7 |
  * | round trip | 1.5e-7 + 1.8*r |
  *
- * w is the larger |μ| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the
- * density and the change of the inverse when the point moves by 2⁻²⁴ of the size. The error of a sample of the
- * standard pair, of mean 0 and standard deviation 1, is proven for every pair of uniforms: see `docs/proofs.md`.
+ * w is the larger |μ| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the density
+ * and the change of the inverse when the point moves by 2⁻²⁴ of the size. The error of a sample of the standard pair,
+ * of mean 0 and standard deviation 1, is proven for every pair of uniforms: see `docs/proofs.md`.
  *
  * **Source**
- *
  * G. E. P. Box and M. E. Muller, "A Note on the Generation of Random Normal Deviates", 1958,
  * <https://doi.org/10.1214/aoms/1177706645>.
  */
@@ -664,9 +615,8 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
    * Normals about the given mean point with the given standard deviation in each coordinate.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
-   * TooLarge (code 4) if a sample could overflow or the density vanish, Empty (code 3) if the
-   * density could overflow.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less, TooLarge (code
+   * 4) if a sample could overflow or the density vanish, Empty (code 3) if the density could overflow.
    */
   constructor(mean: Vector2, stdDev: number);
 }
@@ -681,23 +631,20 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  * distance keeps its digits however far out the interval lies and however narrow it is.
  *
  * **Density**
- *
  * e^(−(x−μ)²/2σ²)/(σ√2π(Φ((b − μ)/σ) − Φ((a − μ)/σ))) on [a, b], at least 2⁻¹⁴⁹; else 0.
  *
  * **Domain**
- *
  * - Point: [a, b]. A point with less than 2⁻¹⁴⁹ of a tail beyond it is not reached.
- * - Uniforms: one. u = 0 counts as 2⁻¹⁴⁹ where there is no lower end, or less than 2⁻¹⁴⁹ of the tail beyond it.
- *   Drawing takes all 32 bits of a word, as the middle of their cell.
+ * - Uniforms: one. u = 0 counts as 2⁻¹⁴⁹ where there is no lower end, or less than 2⁻¹⁴⁹ of the tail beyond it. Drawing
+ *   takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite mean, a standard deviation above 0, and finite ends, of which the nearer one is at most 1e18σ
  *   from the mean. Beyond an infinite end no sample may overflow.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of x₀, of x − x₀ or of l, whichever is largest. Where the mean is
  * between the ends, l is σ or the distance of the farther end, whichever is smaller; otherwise it is 0. *Pdf* and
- * *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
- * means.
+ * *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -707,12 +654,11 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  * | inverse | 5.4e-7 |
  * | round trip | 3e-7 + 3.5*r |
  *
- * |x₀|x₀ − μ|
+ * w is |x₀|(1 + c)/σ with c = |x₀ − μ|/σ. No realised density is stated from w = 1e6 on, where densities of
  * neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the inverse
  * when x moves by one such ulp.
  *
  * **Source**
- *
  * C. P. Robert, "Simulation of truncated normal variables", 1995, <https://doi.org/10.1007/BF00143942>, for the
  * problem. The inversion by the hazard is this crate's own.
  */
@@ -721,24 +667,24 @@ export declare class TruncatedNormal extends Warp<number, number> {
    * Normal with this mean and this standard deviation on [low, high].
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
-   * Reversed (code 2) for ends in the wrong order, OutOfRange (code 7) for an interval that is more than 1e18
-   * standard deviations from the mean, TooLarge (code 4) if the length of the interval overflows, Empty (code 3)
-   * for equal ends and if the density overflows.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less, Reversed (code
+   * 2) for ends in the wrong order, OutOfRange (code 7) for an interval that is more than 1e18 standard deviations from
+   * the mean, TooLarge (code 4) if the length of the interval overflows, Empty (code 3) for equal ends and if the
+   * density overflows.
    */
   constructor(mean: number, stdDev: number, low: number, high: number);
   /**
    * Normal with this mean and this standard deviation from `low` up.
    *
    * @throws RangeError:
-   * Those of `new`, with TooLarge (code 4) if a sample could overflow.
+   * Those of `new TruncatedNormal`, with TooLarge (code 4) if a sample could overflow.
    */
   static above(mean: number, stdDev: number, low: number): TruncatedNormal;
   /**
    * Normal with this mean and this standard deviation up to `high`.
    *
    * @throws RangeError:
-   * Those of `new`, with TooLarge (code 4) if a sample could overflow.
+   * Those of `new TruncatedNormal`, with TooLarge (code 4) if a sample could overflow.
    */
   static below(mean: number, stdDev: number, high: number): TruncatedNormal;
 }
@@ -750,22 +696,18 @@ export declare class TruncatedNormal extends Warp<number, number> {
  * keeps its digits where the tangent of π(u − ½) has none.
  *
  * **Density**
- *
  * γ/(π(γ² + (x − x₀)²)), at least 2⁻¹⁴⁹ for every finite x. It has no mean and no variance.
  *
  * **Domain**
- *
  * - Point: drawn samples end at 2.7e9γ on both sides. Uniforms on the 24-bit grid give −5.3e6γ to 5.3e6γ, except u = 0.
- *   Uniforms below 2⁻⁶⁴, and 0 among them, count as 2⁻⁶⁴ and give −5.9e18γ. If you pass uniforms of your own, take them from
- *   `uniform.open`), which is never 0.
+ *   Uniforms below 2⁻⁶⁴, and 0 among them, count as 2⁻⁶⁴ and give −5.9e18γ.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
- * means.
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -779,19 +721,16 @@ export declare class TruncatedNormal extends Warp<number, number> {
  * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
- * N. L. Johnson, S. Kotz and N. Balakrishnan, "Continuous Univariate Distributions", volume 1, 1994, chapter 16. The form of
- * the cotangent is this crate's own.
+ * N. L. Johnson, S. Kotz and N. Balakrishnan, "Continuous Univariate Distributions", volume 1, 1994, chapter 16. The
+ * form of the cotangent is this crate's own.
  */
 export declare class Cauchy extends Warp<number, number> {
   /**
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity,
-   * NotPositive (code 5) for a scale of 0 or less,
-   * TooLarge (code 4) if a sample could overflow,
-   * Empty (code 3) if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
+   * sample could overflow, Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -802,22 +741,18 @@ export declare class Cauchy extends Warp<number, number> {
  * x = μ + b ln(2u) below the median and μ − b ln(2(1 − u)) above it, increasing with the uniform.
  *
  * **Density**
- *
  * e^(−|x−μ|/b)/(2b), at least 2⁻¹⁴⁹ for every finite x.
  *
  * **Domain**
- *
  * - Point: drawn samples end at 22.2b on both sides. Uniforms on the 24-bit grid give −15.9b to 15.9b, except u = 0: it
- *   counts as 2⁻¹⁴⁹ and gives −102.6b. If you pass uniforms of your own, take them from
- *   `uniform.open`), which is never 0.
+ *   counts as 2⁻¹⁴⁹ and gives −102.6b.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the location or of the distance from it, whichever is larger. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What each row
- * means.
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -831,7 +766,6 @@ export declare class Cauchy extends Warp<number, number> {
  * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
  * S. Kotz, T. J. Kozubowski and K. Podgórski, "The Laplace Distribution and Generalizations", 2001,
  * <https://doi.org/10.1007/978-1-4612-0173-1>.
  */
@@ -840,10 +774,8 @@ export declare class Laplace extends Warp<number, number> {
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity,
-   * NotPositive (code 5) for a scale of 0 or less,
-   * TooLarge (code 4) if a sample could overflow,
-   * Empty (code 3) if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
+   * sample could overflow, Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -851,26 +783,22 @@ export declare class Laplace extends Warp<number, number> {
 /**
  * Logistic with a location and a scale, whose CDF is the logistic function (sigmoid).
  *
- * x = μ + s ln(u/(1 − u)), increasing with the uniform, by a power of 2 and a series in (1 − 2p) of the probability p of the
- * tail, which does not cancel at the median.
+ * x = μ + s ln(u/(1 − u)), increasing with the uniform, by a power of 2 and a series in (1 − 2p) of the probability p
+ * of the tail, which does not cancel at the median.
  *
  * **Density**
- *
  * e^(−t)/(s(1 + e^(−t))²) with t = |x − μ|/s, at least 2⁻¹⁴⁹ for every finite x.
  *
  * **Domain**
- *
  * - Point: drawn samples end at 22.9s on both sides. Uniforms on the 24-bit grid give −16.6s to 16.6s, except u = 0: it
- *   counts as 2⁻¹⁴⁹ and gives −103.3s. If you pass uniforms of your own, take them from
- *   `uniform.open`), which is never 0.
+ *   counts as 2⁻¹⁴⁹ and gives −103.3s.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the location, of the distance from it or of the scale, whichever is
- * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What
- * each row means.
+ * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform.
+ * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -880,11 +808,11 @@ export declare class Laplace extends Warp<number, number> {
  * | inverse | 1.1e-7 |
  * | round trip | 1.1e-7 + 1.9*r |
  *
- * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
- * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
+ * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is
+ * stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of
+ * the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
  * N. Balakrishnan (editor), "Handbook of the Logistic Distribution", 1992.
  */
 export declare class Logistic extends Warp<number, number> {
@@ -892,10 +820,8 @@ export declare class Logistic extends Warp<number, number> {
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity,
-   * NotPositive (code 5) for a scale of 0 or less,
-   * TooLarge (code 4) if a sample could overflow,
-   * Empty (code 3) if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
+   * sample could overflow, Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -906,22 +832,18 @@ export declare class Logistic extends Warp<number, number> {
  * x = μ − β ln(−ln u), increasing with the uniform, by a table of logarithms that takes all digits of a word.
  *
  * **Density**
- *
  * e^(−(t + e^(−t)))/β with t = (x − μ)/β, at least 2⁻¹⁴⁹ for every finite x.
  *
  * **Domain**
- *
  * - Point: drawn samples lie from −3.13β to 22.9β about the location. Uniforms on the 24-bit grid give −2.81β to 16.6β,
- *   except u = 0: it counts as 2⁻¹⁴⁹ and gives −4.64β. If you pass uniforms of your own, take them from
- *   `uniform.open`), which is never 0.
+ *   except u = 0: it counts as 2⁻¹⁴⁹ and gives −4.64β.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite location and a scale above 0 for which neither samples nor the density overflow.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the location, of the distance from it or of the scale, whichever is
- * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. What
- * each row means.
+ * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform.
+ * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -931,22 +853,21 @@ export declare class Logistic extends Warp<number, number> {
  * | inverse | 9.5e-8 |
  * | round trip | 1e-7 + 2.2*r |
  *
- * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
- * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
+ * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is
+ * stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of
+ * the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
- * E. J. Gumbel, "Statistics of Extremes", 1958, <https://doi.org/10.7312/gumb92958>. The form by tables is this crate's own.
+ * E. J. Gumbel, "Statistics of Extremes", 1958, <https://doi.org/10.7312/gumb92958>. The form by tables is this crate's
+ * own.
  */
 export declare class Gumbel extends Warp<number, number> {
   /**
    * The law with this location and this scale.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity,
-   * NotPositive (code 5) for a scale of 0 or less,
-   * TooLarge (code 4) if a sample could overflow,
-   * Empty (code 3) if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
+   * sample could overflow, Empty (code 3) if the density could.
    */
   constructor(location: number, scale: number);
 }
@@ -957,20 +878,18 @@ export declare class Gumbel extends Warp<number, number> {
  * x = σ√(−2 ln(1 − u)), increasing with the uniform.
  *
  * **Density**
- *
  * x e^(−x²/2σ²)/σ² for x ≥ 0, else 0.
  *
  * **Domain**
- *
  * - Point: drawn samples lie from 1.5e-5σ to 6.76σ. Uniforms on the 24-bit grid reach 5.77σ; u = 0 counts as 2⁻¹⁴⁹, and
  *   gives 5.3e-23σ.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a scale above 0 for which neither samples nor the density overflow.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -983,7 +902,6 @@ export declare class Gumbel extends Warp<number, number> {
  * s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
  * Lord Rayleigh, "On the Resultant of a Large Number of Vibrations of the Same Pitch and of Arbitrary Phase", 1880,
  * <https://doi.org/10.1080/14786448008626893>.
  */
@@ -992,8 +910,8 @@ export declare class Rayleigh extends Warp<number, number> {
    * Rayleigh with this scale, the deviation of each coordinate of the vector.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample
-   * could overflow, Empty (code 3) if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample could
+   * overflow, Empty (code 3) if the density could.
    */
   constructor(scale: number);
 }
@@ -1001,26 +919,23 @@ export declare class Rayleigh extends Warp<number, number> {
 /**
  * Weibull with a scale λ and a shape κ: life times, wind speeds, the weakest of many links.
  *
- * x = λ(−ln(1 − u))^(1/κ), increasing with the uniform. In `libm` both logarithms and 1/κ have nine digits, so that a small
- * shape, whose power is large, costs none of a sample's. In `poly` the logarithms come by a table and have seven, in a sixth of
- * the time.
+ * x = λ(−ln(1 − u))^(1/κ), increasing with the uniform. In `poly` the logarithms come by a table and have seven, in a
+ * sixth of the time.
  *
  * **Density**
- *
  * (κ/λ)(x/λ)^(κ−1) e^(−(x/λ)^κ) for x ≥ 0, else 0. With κ < 1 it is infinite at 0, and the largest `f32` stands for it.
  *
  * **Domain**
- *
- * - Point: drawn samples lie from (1.16e-10)^(1/κ)·λ to 22.9^(1/κ)·λ. Uniforms on the 24-bit grid reach 16.6^(1/κ)·λ; u = 0
- *   counts as 2⁻¹⁴⁹. Samples below 2⁻¹⁵⁰ are 0, as many are for κ below 0.1.
+ * - Point: drawn samples lie from (1.16e-10)^(1/κ)·λ to 22.9^(1/κ)·λ. Uniforms on the 24-bit grid reach 16.6^(1/κ)·λ; u
+ *   = 0 counts as 2⁻¹⁴⁹. Samples below 2⁻¹⁵⁰ are 0, as many are for κ below 0.1.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
- * - Parameters: a scale and a shape above 0 for which neither samples nor the density at the scale overflow. A scale of 1
- *   takes shapes from 0.036.
+ * - Parameters: a scale and a shape above 0 for which neither samples nor the density at the scale overflow. A scale of
+ *   1 takes shapes from 0.036.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1030,21 +945,21 @@ export declare class Rayleigh extends Warp<number, number> {
  * | inverse | 7.2e-8 |
  * | round trip | 1e-7 + (4.4 + 3.6/k)*r |
  *
- * A draw keeps the bound of a sample at the exact middle of its word. k is κ. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r
- * are the relative change of the density and the change of the inverse when x moves by one ulp.
+ * A draw keeps the bound of a sample at the exact middle of its word. k is κ. No realised density is stated from 1e6
+ * on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and
+ * the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
- * W. Weibull, "A Statistical Distribution Function of Wide Applicability", 1951, <https://doi.org/10.1115/1.4010337>. Both
- * forms are this crate's own.
+ * W. Weibull, "A Statistical Distribution Function of Wide Applicability", 1951, <https://doi.org/10.1115/1.4010337>.
+ * Both forms are this crate's own.
  */
 export declare class Weibull extends Warp<number, number> {
   /**
    * Weibull with this scale and this shape.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample
-   * could overflow, Empty (code 3) if the density at the scale could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample could
+   * overflow, Empty (code 3) if the density at the scale could.
    */
   constructor(scale: number, shape: number);
 }
@@ -1052,24 +967,22 @@ export declare class Weibull extends Warp<number, number> {
 /**
  * Pareto with a minimum m and a shape α: a heavy tail that falls as a power.
  *
- * x = m(1 − u)^(−1/α), increasing with the uniform. The logarithm, by a table of 65 cells, has seven digits of what it adds to
- * a whole number, and 1/α has nine, so that a small shape, whose power is large, costs few of a sample's.
+ * x = m(1 − u)^(−1/α), increasing with the uniform. The logarithm, by a table of 65 cells, has seven digits of what it
+ * adds to a whole number, and 1/α has nine, so that a small shape, whose power is large, costs few of a sample's.
  *
  * **Density**
- *
  * α m^α/x^(α+1) for x ≥ m, else 0. The mean is finite for α > 1, the variance for α > 2.
  *
  * **Domain**
- *
  * - Point: drawn samples lie from m to m·2^(33/α). Uniforms on the 24-bit grid reach m·2^(24/α).
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a minimum and a shape above 0 for which neither samples nor the density overflow. A minimum of 1 takes
  *   shapes from 0.26.
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1079,21 +992,21 @@ export declare class Weibull extends Warp<number, number> {
  * | inverse | 1.05e-7 |
  * | round trip | 1.1e-7 + (4 + 0.8/k)*r |
  *
- * A draw keeps the bound of a sample at the exact middle of its word. k is α. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r
- * are the relative change of the density and the change of the inverse when x moves by one ulp.
+ * A draw keeps the bound of a sample at the exact middle of its word. k is α. No realised density is stated from 1e6
+ * on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and
+ * the change of the inverse when x moves by one ulp.
  *
  * **Source**
- *
- * M. E. J. Newman, "Power Laws, Pareto Distributions and Zipf's Law", 2005, <https://doi.org/10.1080/00107510500052444>. The
- * form by tables is this crate's own.
+ * M. E. J. Newman, "Power Laws, Pareto Distributions and Zipf's Law", 2005,
+ * <https://doi.org/10.1080/00107510500052444>. The form by tables is this crate's own.
  */
 export declare class Pareto extends Warp<number, number> {
   /**
    * Pareto with this minimum and this shape.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample
-   * could overflow, Empty (code 3) if the density could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, TooLarge (code 4) if a sample could
+   * overflow, Empty (code 3) if the density could.
    */
   constructor(minimum: number, shape: number);
 }
@@ -1104,36 +1017,33 @@ export declare class Pareto extends Warp<number, number> {
  * x = e^(μ + σΦ⁻¹(u)), increasing with the uniform. The rounding errors of the exponent go into the result.
  *
  * **Density**
- *
  * e^(−(ln x − μ)²/2σ²)/(xσ√2π) for x > 0, else 0.
  *
  * **Domain**
- *
- * - Point: drawn samples lie from e^(μ−6.34σ) to e^(μ+6.34σ). Uniforms on the 24-bit grid give e^(μ−5.30σ) to e^(μ+5.30σ),
- *   except u = 0: it counts as 2⁻¹⁴⁹ and gives e^(μ−14.2σ). Samples below 2⁻¹⁴⁹ are 2⁻¹⁴⁹.
+ * - Point: drawn samples lie from e^(μ−6.34σ) to e^(μ+6.34σ). Uniforms on the 24-bit grid give e^(μ−5.30σ) to
+ *   e^(μ+5.30σ), except u = 0: it counts as 2⁻¹⁴⁹ and gives e^(μ−14.2σ). Samples below 2⁻¹⁴⁹ are 2⁻¹⁴⁹.
  * - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
  * - Parameters: a finite μ and a σ above 0 for which no sample overflows (μ + 6.4σ up to 88.5), nor the density at the
  *   median (μ above −88 for common σ).
  *
  * **Accuracy**
- *
  * *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniform. What each row means.
+ * *inverse* and *round trip* are absolute errors of the uniform. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
  * | sample, ulp | 2.1 + 33*d |
  * | pdf, relative | 2.3e-7 + 0.05*s/max(0, 1 - w/1e6) |
- * | realised density, relative | 3e-7 + (2 + 30*d)*s/max(0, 1 - w/1e6) |
+ * | realised density, relative | 3e-7 + (2 + 30·d)·s/max(0, 1 - w/1e6) |
  * | inverse | 1.8e-7 + 0.1*r/max(0, 1 - w/1e6) |
- * | round trip | 2e-7 + (2 + 30*d)*r |
+ * | round trip | 2e-7 + (2 + 30·d)·r |
  *
- * d is σ, and w is 1/σ. Little is stated of densities from w = 1e6 on, where those of neighbouring `f32` differ by a factor. s
- * and r are the relative change of the density and the change of the inverse when x moves by one ulp. The 33 ulp of the sample
- * for each unit of σ come from the last place of Φ⁻¹(u).
+ * d is σ, and w is 1/σ. Little is stated of densities from w = 1e6 on, where those of neighbouring `f32` differ by a
+ * factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp. The 33
+ * ulp of the sample for each unit of σ come from the last place of Φ⁻¹(u).
  *
  * **Source**
- *
  * J. Aitchison and J. A. C. Brown, "The Lognormal Distribution", 1957.
  */
 export declare class LogNormal extends Warp<number, number> {
@@ -1141,8 +1051,8 @@ export declare class LogNormal extends Warp<number, number> {
    * Log-normal with this mean and this standard deviation of the logarithm.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less,
-   * TooLarge (code 4) if a sample could overflow, Empty (code 3) if the density at the median could.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a standard deviation of 0 or less, TooLarge (code
+   * 4) if a sample could overflow, Empty (code 3) if the density at the median could.
    */
   constructor(meanOfLog: number, stdDevOfLog: number);
 }
@@ -1153,19 +1063,16 @@ export declare class LogNormal extends Warp<number, number> {
  * r = √u₁, θ = u₂ turns.
  *
  * **Density**
- *
  * 1/π per unit area where x² + y² ≤ 1, else 0.
  *
  * **Domain**
- *
  * - Point: x² + y² ≤ 1, always.
  * - Uniforms: two, radius and angle. Two zeros give the centre.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1178,7 +1085,6 @@ export declare class LogNormal extends Warp<number, number> {
  * The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
  *
  * **Source**
- *
  * P. Shirley, "Nonuniform Random Point Sets via Warping", Graphics Gems III, 1992.
  */
 export declare class Disk extends Warp<[number, number], [number, number]> {
@@ -1191,24 +1097,21 @@ export declare class Disk extends Warp<[number, number], [number, number]> {
 /**
  * Uniform on the unit disk, by Shirley and Chiu's concentric map.
  *
- * Squares about the centre of the unit square become circles about the centre of the disk. Neighbours stay
- * neighbours and strata stay compact, unlike with the polar map. With a = 2u₁ − 1 and b = 2u₂ − 1, the larger in
- * magnitude is the radius, and their quotient is the angle within its wedge.
+ * Squares about the centre of the unit square become circles about the centre of the disk. Neighbours stay neighbours
+ * and strata stay compact, unlike with the polar map. With a = 2u₁ − 1 and b = 2u₂ − 1, the larger in magnitude is the
+ * radius, and their quotient is the angle within its wedge.
  *
  * **Density**
- *
  * 1/π per unit area where x² + y² ≤ 1, else 0.
  *
  * **Domain**
- *
  * - Point: x² + y² ≤ 1, always.
  * - Uniforms: two. (½, ½) gives the centre.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1221,7 +1124,6 @@ export declare class Disk extends Warp<[number, number], [number, number]> {
  * The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
  *
  * **Source**
- *
  * P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools, 1997,
  * <https://doi.org/10.1080/10867651.1997.10487479>.
  */
@@ -1238,20 +1140,17 @@ export declare class DiskConcentric extends Warp<[number, number], [number, numb
  * u = 1 − √U₁, v = √U₁ U₂, w = √U₁ (1 − U₂), with u in the form (1 − U₁)/(1 + √U₁), which keeps its digits near 0.
  *
  * **Density**
- *
  * 2 with respect to (u, v), where none of the three is negative and their sum is 1 to rounding; else 0.
  *
  * **Domain**
- *
  * - Point: [u, v, w], none negative, with sum 1 to rounding.
  * - Uniforms: two.
  * - Both tiers share this code. It needs nothing but a square root.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1262,7 +1161,6 @@ export declare class DiskConcentric extends Warp<[number, number], [number, numb
  * | round trip | 6.6e-8 |
  *
  * **Source**
- *
  * G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
  */
 export declare class Triangle extends Warp<[number, number, number], [number, number]> {
@@ -1275,27 +1173,26 @@ export declare class Triangle extends Warp<[number, number, number], [number, nu
 /**
  * Uniform on a triangle given by its vertices, in two, three or more dimensions.
  *
- * The barycentric combination of the vertices, coordinate by coordinate. Where the vertices lie close together
- * beside their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each
- * point of a small triangle far off has its share, to the rounding of its own cell.
+ * The barycentric combination of the vertices, coordinate by coordinate. Where the vertices lie close together beside
+ * their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each point of a
+ * small triangle far off has its share, to the rounding of its own cell.
  *
  * **Density**
- *
- * 1/area per unit area on the triangle, and 0 farther outside it than the rounding of its points.
+ * 1/area per unit area on the triangle and within rounding of it, so that it is 0 at no sample. In two and three
+ * dimensions it is 0 where a point lies more than 2⁻¹⁶ of the longest side and 2⁻¹⁹ of the size beyond the line of a
+ * side, or off the plane.
  *
  * **Domain**
- *
  * - Point: the triangle, to the rounding of its coordinates, and its bounding box exactly.
  * - Uniforms: two.
- * - Parameters: finite vertices of a triangle whose height over its longest side is at least 2⁻⁴⁰ of that side,
- *   with a density that `f32` can hold.
+ * - Parameters: finite vertices of a triangle whose height over its longest side is at least 2⁻⁴⁰ of that side, with a
+ *   density that `f32` can hold.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size, which is the largest magnitude of a
- * vertex's coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
- * of the uniforms. What each row means.
+ * *Sample* is the distance from the exact point, relative to the size, which is the largest magnitude of a vertex's
+ * coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
+ * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1305,12 +1202,11 @@ export declare class Triangle extends Warp<[number, number, number], [number, nu
  * | inverse | min(1, 5e-7 + 6e-7/h + r) |
  * | round trip | min(1, 5e-7 + 6e-7/h + 6*r) |
  *
- * These hold for every triangle accepted. h is the height over the longest side in terms of the size, and r the
- * change of a point's uniforms when each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point
- * within rounding of the first vertex, nearer than 2⁻²⁰ of the size over h, is lost.
+ * These hold for every triangle accepted. h is the height over the longest side in terms of the size, and r the change
+ * of a point's uniforms when each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point within rounding
+ * of the first vertex, nearer than 2⁻²⁰ of the size over h, is lost.
  *
  * **Source**
- *
  * G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
  */
 export declare class TriangleOn2d extends Warp<[number, number], [number, number]> {
@@ -1318,8 +1214,8 @@ export declare class TriangleOn2d extends Warp<[number, number], [number, number
    * Uniform on the triangle with these vertices.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Empty (code 3) for a triangle that has no area, is lower than 2⁻⁴⁰ of
-   * its longest side, or has a density that overflows, TooLarge (code 4) for one whose area overflows.
+   * NotFinite (code 1) for NaN or infinity, Empty (code 3) for a triangle that has no area, is lower than 2⁻⁴⁰ of its
+   * longest side, or has a density that overflows, TooLarge (code 4) for one whose area overflows.
    */
   constructor(vertices: readonly [Vector2, Vector2, Vector2]);
 }
@@ -1327,27 +1223,26 @@ export declare class TriangleOn2d extends Warp<[number, number], [number, number
 /**
  * Uniform on a triangle given by its vertices, in two, three or more dimensions.
  *
- * The barycentric combination of the vertices, coordinate by coordinate. Where the vertices lie close together
- * beside their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each
- * point of a small triangle far off has its share, to the rounding of its own cell.
+ * The barycentric combination of the vertices, coordinate by coordinate. Where the vertices lie close together beside
+ * their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each point of a
+ * small triangle far off has its share, to the rounding of its own cell.
  *
  * **Density**
- *
- * 1/area per unit area on the triangle, and 0 farther outside it than the rounding of its points.
+ * 1/area per unit area on the triangle and within rounding of it, so that it is 0 at no sample. In two and three
+ * dimensions it is 0 where a point lies more than 2⁻¹⁶ of the longest side and 2⁻¹⁹ of the size beyond the line of a
+ * side, or off the plane.
  *
  * **Domain**
- *
  * - Point: the triangle, to the rounding of its coordinates, and its bounding box exactly.
  * - Uniforms: two.
- * - Parameters: finite vertices of a triangle whose height over its longest side is at least 2⁻⁴⁰ of that side,
- *   with a density that `f32` can hold.
+ * - Parameters: finite vertices of a triangle whose height over its longest side is at least 2⁻⁴⁰ of that side, with a
+ *   density that `f32` can hold.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size, which is the largest magnitude of a
- * vertex's coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
- * of the uniforms. What each row means.
+ * *Sample* is the distance from the exact point, relative to the size, which is the largest magnitude of a vertex's
+ * coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
+ * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1357,12 +1252,11 @@ export declare class TriangleOn2d extends Warp<[number, number], [number, number
  * | inverse | min(1, 5e-7 + 6e-7/h + r) |
  * | round trip | min(1, 5e-7 + 6e-7/h + 6*r) |
  *
- * These hold for every triangle accepted. h is the height over the longest side in terms of the size, and r the
- * change of a point's uniforms when each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point
- * within rounding of the first vertex, nearer than 2⁻²⁰ of the size over h, is lost.
+ * These hold for every triangle accepted. h is the height over the longest side in terms of the size, and r the change
+ * of a point's uniforms when each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point within rounding
+ * of the first vertex, nearer than 2⁻²⁰ of the size over h, is lost.
  *
  * **Source**
- *
  * G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
  */
 export declare class TriangleOn3d extends Warp<[number, number, number], [number, number]> {
@@ -1370,8 +1264,8 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
    * Uniform on the triangle with these vertices.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Empty (code 3) for a triangle that has no area, is lower than 2⁻⁴⁰ of
-   * its longest side, or has a density that overflows, TooLarge (code 4) for one whose area overflows.
+   * NotFinite (code 1) for NaN or infinity, Empty (code 3) for a triangle that has no area, is lower than 2⁻⁴⁰ of its
+   * longest side, or has a density that overflows, TooLarge (code 4) for one whose area overflows.
    */
   constructor(vertices: readonly [Vector3, Vector3, Vector3]);
 }
@@ -1380,28 +1274,23 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
  * Bilinear on the unit square: density in proportion to the interpolation between four weights, one a corner.
  *
  * y is linear with the sums of the rows, and x is linear with the weights interpolated at y, both by the form of
- * `Linear`. 1 − y and 1 − x come with digits of their own, so that the density has its digits in a
- * corner of weight 0, too.
- *
- * With `Composed` it weighs the samples of any warp of two uniforms, such as the points of a lamp by
- * the cosines or the radiance at its corners.
+ * `Linear`. 1 − y and 1 − x come with digits of their own, so that the density has its digits in a corner of weight 0,
+ * too.
  *
  * **Density**
- *
  * 4 times the weight interpolated at (x, y), over the sum of the four, on [0, 1]²; else 0.
  *
  * **Domain**
- *
- * - Point: [x, y] in 0, 1)². A coordinate is above 0 where the density at 0 is 0.
+ * - Point: [x, y] in [0, 1)². A coordinate is above 0 where the density at 0 is 0.
  * - Uniforms: two, the first for x and the second for y. Each coordinate increases with its own.
- * - Parameters: four finite weights, none negative and not all 0, of any magnitudes. The first row holds those at
- *   y = 0, the first column those at x = 0.
+ * - Parameters: four finite weights, none negative and not all 0, of any magnitudes. The first row holds those at y =
+ *   0, the first column those at x = 0.
  * - Both tiers share this code. It needs nothing but a square root.
  *
  * **Accuracy**
- *
  * *Sample* is the distance from the exact point, relative to the size 1. Densities are relative, *inverse* and *round
- * trip* are absolute errors of the uniforms. [What each row means.
+ * trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1413,18 +1302,16 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
  * | round trip | 3.3e-7 + 3.5*r |
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", fourth edition, 2023,
  * <https://pbr-book.org/4ed/contents>; the complements are of this crate.
  */
 export declare class Bilinear extends Warp<[number, number], [number, number]> {
   /**
-   * Density in proportion to the interpolation of `weights[y][x]`: the first row holds the weights at (0, 0) and
-   * (1, 0), the second those at (0, 1) and (1, 1).
+   * Density in proportion to the interpolation of `weights[y][x]`: the first row holds the weights at (0, 0) and (1,
+   * 0), the second those at (0, 1) and (1, 1).
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Negative (code 6) if any is below 0, NotPositive (code 5) if all
-   * are 0.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) if any is below 0, NotPositive (code 5) if all are 0.
    */
   constructor(weights: readonly [Vector2, Vector2]);
 }
@@ -1435,19 +1322,16 @@ export declare class Bilinear extends Warp<[number, number], [number, number]> {
  * z = 1 − 2u₁, sin θ = 2√(u₁(1 − u₁)), φ = u₂ turns.
  *
  * **Density**
- *
  * 1/(4π) per steradian, for any finite direction.
  *
  * **Domain**
- *
  * - Point: unit vectors.
  * - Uniforms: two, for height and azimuth. The pole +z is at u₁ = 0.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1459,11 +1343,9 @@ export declare class Bilinear extends Warp<[number, number], [number, number]> {
  * | inverse | 9e-8 |
  * | round trip | 1.0e-7 |
  *
- * The errors of the sample, of sin θ and of the length are proven for every pair of uniforms: see
- * `docs/proofs.md`.
+ * The errors of the sample, of sin θ and of the length are proven for every pair of uniforms: see `docs/proofs.md`.
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
  * <https://pbr-book.org/3ed-2018/Monte_Carlo_Integration/2D_Sampling_with_Multidimensional_Transformations>.
  */
@@ -1480,19 +1362,16 @@ export declare class Sphere extends Warp<[number, number, number], [number, numb
  * z = u₁, sin θ = √(2d − d²) with d = 1 − u₁, φ = u₂ turns.
  *
  * **Density**
- *
  * 1/(2π) per steradian where z ≥ 0, else 0.
  *
  * **Domain**
- *
  * - Point: unit vectors with z ≥ 0.
  * - Uniforms: two, for height and azimuth. The horizon is at u₁ = 0.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1504,11 +1383,9 @@ export declare class Sphere extends Warp<[number, number, number], [number, numb
  * | inverse | 1.8e-7 |
  * | round trip | 4.5e-8 |
  *
- * The errors of the sample, of sin θ and of the length are proven for every pair of uniforms: see
- * `docs/proofs.md`.
+ * The errors of the sample, of sin θ and of the length are proven for every pair of uniforms: see `docs/proofs.md`.
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
  * <https://pbr-book.org/3ed-2018/Monte_Carlo_Integration/2D_Sampling_with_Multidimensional_Transformations>.
  */
@@ -1525,19 +1402,16 @@ export declare class Hemisphere extends Warp<[number, number, number], [number, 
  * sin θ = √u₁, cos θ = √(1 − u₁), φ = u₂ turns.
  *
  * **Density**
- *
  * cos θ/π per steradian where z > 0, else 0. Never 0 at a sample, whose z is at least 2⁻¹².
  *
  * **Domain**
- *
  * - Point: unit vectors with z > 0.
  * - Uniforms: two, for the polar angle and the azimuth. The pole is at u₁ = 0.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1554,7 +1428,6 @@ export declare class Hemisphere extends Warp<[number, number, number], [number, 
  * `docs/proofs.md`.
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
  * <https://pbr-book.org/3ed-2018/Monte_Carlo_Integration/2D_Sampling_with_Multidimensional_Transformations>.
  */
@@ -1568,24 +1441,21 @@ export declare class CosineHemisphere extends Warp<[number, number, number], [nu
 /**
  * In proportion to the cosine over the hemisphere about +z (Lambert's law), by Malley's method.
  *
- * A point of the concentric disk, lifted onto the hemisphere. Strata stay compact, as with
- * `DiskConcentric`. 1 − r² is formed from the uniforms, where it does not cancel.
+ * A point of the concentric disk, lifted onto the hemisphere. Strata stay compact, as with `DiskConcentric`. 1 − r² is
+ * formed from the uniforms, where it does not cancel.
  *
  * **Density**
- *
  * cos θ/π per steradian where z > 0, else 0. Never 0 at a sample.
  *
  * **Domain**
- *
  * - Point: unit vectors with z > 0.
- * - Uniforms: two. (½, ½) gives the pole. Drawing takes them from the grid without 0
- *   (`open`), so that no draw lies nearer to the horizon than its share.
+ * - Uniforms: two. (½, ½) gives the pole. Drawing takes them from the grid without 0, so that no draw lies nearer to
+ *   the horizon than its share.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1599,7 +1469,6 @@ export declare class CosineHemisphere extends Warp<[number, number, number], [nu
  * The errors of the sample and of the length are proven for every pair of uniforms: see `docs/proofs.md`.
  *
  * **Source**
- *
  * T. J. V. Malley, "A Shading Method for Computer Generated Images", master's thesis, University of Utah, 1988. P.
  * Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools, 1997,
  * <https://doi.org/10.1080/10867651.1997.10487479>.
@@ -1614,26 +1483,23 @@ export declare class MalleyHemisphere extends Warp<[number, number, number], [nu
 /**
  * In proportion to a power of the cosine over the hemisphere about +z: the Phong lobe.
  *
- * cos θ = (1 − u₁)^(1/(n+1)). The code works with 1 − cos θ = −expm1(log1p(−u₁)/(n + 1)), so that a lobe of n =
- * 1e8 does not collapse onto its axis. Where that leaves the range of `f32`, sin θ = √(2 ln(1/(1 − u₁)))/√(n + 1),
- * so that sin θ is 0 at u₁ = 0 alone, up to the largest n. n = 0 is the uniform hemisphere, n = 1 the cosine one.
+ * cos θ = (1 − u₁)^(1/(n+1)). The code works with 1 − cos θ = −expm1(log1p(−u₁)/(n + 1)), so that a lobe of n = 1e8
+ * does not collapse onto its axis. Where that leaves the range of `f32`, sin θ = √(2 ln(1/(1 − u₁)))/√(n + 1), so that
+ * sin θ is 0 at u₁ = 0 alone, up to the largest n. n = 0 is the uniform hemisphere, n = 1 the cosine one.
  *
  * **Density**
- *
- * (n + 1)/(2π) cosⁿθ per steradian where z > 0, else 0. Never 0 at a sample. Where z > ½, cos θ is read from all
- * three coordinates, because x and y hold digits that z has lost.
+ * (n + 1)/(2π) cosⁿθ per steradian where z > 0, else 0. Never 0 at a sample. Where z > ½, cos θ is read from all three
+ * coordinates, because x and y hold digits that z has lost.
  *
  * **Domain**
- *
  * - Point: unit vectors with z > 0.
  * - Uniforms: two, for the polar angle and the azimuth. The axis is at u₁ = 0.
  * - Parameters: any finite n ≥ 0.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1650,9 +1516,8 @@ export declare class MalleyHemisphere extends Warp<[number, number, number], [nu
  * subnormal x and y, which only uniforms below 2⁻⁶⁴ give, have no more digits in the inverse than x and y have.
  *
  * **Source**
- *
- * E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering",
- * 1994, <http://www.graphics.cornell.edu/~eric/Phong.html>.
+ * E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994,
+ * <http://www.graphics.cornell.edu/~eric/Phong.html>.
  */
 export declare class PhongLobe extends Warp<[number, number, number], [number, number]> {
   /**
@@ -1667,29 +1532,26 @@ export declare class PhongLobe extends Warp<[number, number, number], [number, n
 /**
  * The phase function of Henyey and Greenstein: where fog, clouds, skin or dust scatter light.
  *
- * Directions are local, about +z, the direction in which the light travels. The asymmetry g is the mean of cos θ:
- * g > 0 favours +z, g < 0 sends the light back, and g = 0 is the uniform sphere. With h = |g|, w = 1 − u₁ for g ≥
- * 0 and w = u₁ below, c = (1 − h) + 2hw, 1 − cos θ is 2u₁((1 − g)/c)²(1 + hw) and 1 + cos θ is 2(1 − u₁)((1 +
- * g)/c)²((1 − h) + hw); for g < 0 the two sums change places. Nothing is divided by g and both poles keep their
- * digits, so that neither g = 1e-30 nor g = 1 − 2⁻²⁴ is a special case.
+ * Directions are local, about +z, the direction in which the light travels. The asymmetry g is the mean of cos θ: g > 0
+ * favours +z, g < 0 sends the light back, and g = 0 is the uniform sphere. With h = |g|, w = 1 − u₁ for g ≥ 0 and w =
+ * u₁ below, c = (1 − h) + 2hw, 1 − cos θ is 2u₁((1 − g)/c)²(1 + hw) and 1 + cos θ is 2(1 − u₁)((1 + g)/c)²((1 − h) +
+ * hw); for g < 0 the two sums change places. Nothing is divided by g and both poles keep their digits, so that neither
+ * g = 1e-30 nor g = 1 − 2⁻²⁴ is a special case.
  *
  * **Density**
- *
  * (1 − g²)/(4πS³) per steradian for any finite direction, where S = √(1 + g² − 2g cos θ) is the distance from the
  * direction to the point g of the axis. The code works with S² = (1 − h)² + 2h(1 ∓ cos θ).
  *
  * **Domain**
- *
- * - Point: unit vectors. For |g| near 1 most of them have z = ±1, and x and y hold all the information, which
- *   `pdf` and `invert` use.
+ * - Point: unit vectors. For |g| near 1 most of them have z = ±1, and x and y hold all the information, which `pdf` and
+ *   `invert` use.
  * - Uniforms: two, for the polar angle and the azimuth. +z is at u₁ = 0.
  * - Parameters: g in (−1, 1), or 1 − |g| from 2⁻³² to 1 and a side.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1703,23 +1565,21 @@ export declare class PhongLobe extends Warp<[number, number, number], [number, n
  * | round trip | 3.6e-7 |
  *
  * These hold for every g and every constructor. They count from the number that it is given: near 1 the rounding of g
- * to an `f32`, up to 3e-8, changes the width of the peak, 1 − |g|, which
- * `fromOneMinusG` and
- * `fromOnePlusG` take as it is.
+ * to an `f32`, up to 3e-8, changes the width of the peak, 1 − |g|, which `fromOneMinusG` and `fromOnePlusG` take as it
+ * is.
  *
  * **Source**
- *
- * L. G. Henyey and J. L. Greenstein, "Diffuse Radiation in the Galaxy", 1941, <https://doi.org/10.1086/144246>.
- * The inverse CDF is that of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", fourth edition,
- * 2023, <https://pbr-book.org/4ed/Volume_Scattering/Phase_Functions>, rearranged here.
+ * L. G. Henyey and J. L. Greenstein, "Diffuse Radiation in the Galaxy", 1941, <https://doi.org/10.1086/144246>. The
+ * inverse CDF is that of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", fourth edition, 2023,
+ * <https://pbr-book.org/4ed/Volume_Scattering/Phase_Functions>, rearranged here.
  */
 export declare class HenyeyGreenstein extends Warp<[number, number, number], [number, number]> {
   /**
    * The phase function of asymmetry `g`, in (−1, 1).
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, OutOfRange (code 7) for 1 or more and for −1 or less, where all the
-   * light goes one way and there is no density.
+   * NotFinite (code 1) for NaN or infinity, OutOfRange (code 7) for 1 or more and for −1 or less, where all the light
+   * goes one way and there is no density.
    */
   constructor(asymmetry: number);
   /**
@@ -1727,13 +1587,12 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
    * tell.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) below 2⁻³²
-   * and above 1.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) below 2⁻³² and
+   * above 1.
    */
   static fromOneMinusG(oneMinusG: number): HenyeyGreenstein;
   /**
-   * Of asymmetry 0 or less, by 1 + g: the mirror image of `fromOneMinusG`, whose light
-   * turns back.
+   * Of asymmetry 0 or less, by 1 + g: the mirror image of `fromOneMinusG`, whose light turns back.
    *
    * @throws RangeError:
    * Those of `fromOneMinusG`.
@@ -1742,28 +1601,23 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
 }
 
 /**
- * The von Mises-Fisher distribution: the normal distribution of directions, for glossy lobes, light guiding and
- * noise on an orientation.
+ * The von Mises-Fisher distribution: the normal distribution of directions, for glossy lobes, light guiding and noise
+ * on an orientation.
  *
  * Directions are local, about +z. The concentration κ is 0 for the uniform sphere; a large one gives a normal
- * distribution about +z of standard deviation 1/√κ radians in each of x and y. With v = 1 − u₁, 1 − cos θ is
- * −ln(1 − u₁(1 − e^(−2κ)))/κ and 1 + cos θ is ln(1 + v(e^(2κ) − 1))/κ. The nearer pole is measured from, and the
- * logarithm is taken of 1 + x or of v + u₁e^(−2κ), whichever keeps the digits: no two heights fall together, however
- * large κ is.
+ * distribution about +z of standard deviation 1/√κ radians in each of x and y. With v = 1 − u₁, 1 − cos θ is −ln(1 −
+ * u₁(1 − e^(−2κ)))/κ and 1 + cos θ is ln(1 + v(e^(2κ) − 1))/κ. The nearer pole is measured from, and the logarithm is
+ * taken of 1 + x or of v + u₁e^(−2κ), whichever keeps the digits: no two heights fall together, however large κ is.
  *
  * **Density**
- *
  * κ/(2π(1 − e^(−2κ))) e^(−κ(1 − cos θ)) per steradian, for any finite direction.
- * `sampleWithPdf` takes it from the uniforms, without an exponential.
  *
  * **Domain**
- *
  * Unit vectors. For large κ most of them have z = 1, and all the information is in x and y, which `pdf` and `invert`
  * read there. Two uniforms, polar then azimuth; +z is at u₁ = 0. κ is from 0 to 1e30. One below 2⁻³⁰ counts as that,
  * which changes no digit.
  *
  * **Accuracy**
- *
  * | error | `poly` |
  * |---|--:|
  * | sample, of the size | 2.8e-7 |
@@ -1779,7 +1633,6 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
  * 16.6/κ in 1 − cos θ, lies the last uniform. The density that comes with the sample does not know it.
  *
  * **Source**
- *
  * R. Fisher, "Dispersion on a Sphere", 1953, <https://doi.org/10.1098/rspa.1953.0064>; its inverse as in W. Jakob,
  * "Numerically stable sampling of the von Mises Fisher distribution on S² (and other tricks)", 2012, rearranged here.
  */
@@ -1790,7 +1643,7 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, Negative (code 6) below 0, OutOfRange (code 7) above 1e30.
    */
-  constructor(concentration: number);
+  constructor(kappa: number);
 }
 
 /**
@@ -1800,23 +1653,19 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
  * known viewer take `GgxVisible`, which wastes no normals that face away.
  *
  * **Density**
- *
  * D(m) cos θ per steradian for z > 0, with D = 1/(π αx αy ((x/αx)² + (y/αy)² + z²)²). All terms are positive, so that
- * nothing cancels at small roughness. `sampleWithPdf` takes it from the uniforms, which is
- * cheaper and does not count the rounding of the normal.
+ * nothing cancels at small roughness.
  *
  * **Domain**
- *
  * - Point: unit vectors with z > 0, about the surface normal +z.
  * - Uniforms: two, polar then azimuth; the pole is at u₁ = 0.
  * - Parameters: roughness αx and αy from 1e-4 to 1.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact normal, *unit length* the error of the length. sin θ and cos θ count units
- * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
- * of the uniforms; s and r are what one ulp of the normal changes in density and inverse. What each row
- * means.
+ * *Sample* is the distance from the exact normal, *unit length* the error of the length. sin θ and cos θ count units in
+ * the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms; s and r are what one ulp of the normal changes in density and inverse. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1831,7 +1680,6 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
  * | round trip | 1.6e-7 + 0.5*r |
  *
  * **Source**
- *
  * T. S. Trowbridge and K. P. Reitz, "Average Irregularity Representation of a Rough Surface for Ray Reflection", 1975,
  * <https://doi.org/10.1364/JOSA.65.000531>; B. Walter and others, "Microfacet Models for Refraction through Rough
  * Surfaces", 2007, <https://doi.org/10.2312/EGWR/EGSR07/195-206>.
@@ -1841,29 +1689,24 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
    * Normals of roughness `alpha` along x and along y; equal ones are isotropic.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) below 1e-4
-   * and above 1.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) below 1e-4 and
+   * above 1.
    */
-  constructor(roughness: Vector2);
+  constructor(alpha: Vector2);
 }
 
 /**
  * Normals of GGX microfacets that a viewer sees, in proportion to their visible area.
  *
- * A direction uniform on a spherical cap and the viewer's, both in the space where the surface is a hemisphere, add up to the normal
- * (Dupuy and Benyoub). The azimuth u₂ is counted from the viewer's, so that the sum has no cancellation.
- * `sampleWithPdf` takes the density from the length of that sum, in which w·m does not cancel
- * either.
+ * A direction uniform on a spherical cap and the viewer's, both in the space where the surface is a hemisphere, add up
+ * to the normal (Dupuy and Benyoub). The azimuth u₂ is counted from the viewer's, so that the sum has no cancellation.
  *
  * **Density**
- *
- * `2 (w·m) D(m)/(w_z + ℓ)` per steradian where w·m > 0, with the view w, `ℓ = √(αx² w_x² + αy² w_y² + w_z²)` and D as for
- * `Ggx`.
- * The reflected direction has density `D(m)/(2(w_z + ℓ))`: `GgxVisible.reflectedPdf`. `GgxVisible.bounded` divides by
- * `k w_z + ℓ` instead, with k ≤ 1.
+ * `2 (w·m) D(m)/(w_z + ℓ)` per steradian where w·m > 0, with the view w, `ℓ = √(αx² w_x² + αy² w_y² + w_z²)` and D as
+ * for `Ggx`. The reflected direction has density `D(m)/(2(w_z + ℓ))`. `GgxVisible.bounded` divides by `k w_z + ℓ`
+ * instead, with k ≤ 1.
  *
  * **Domain**
- *
  * - Point: unit vectors with z > 0, about the surface normal +z.
  * - Uniforms: two, polar then azimuth about the axis of the cap.
  * - Parameters: views up to the horizon, of any length; roughness αx and αy from 1e-4 to 1.
@@ -1872,30 +1715,29 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
  * loses all its digits at small roughness (1e-4: errors of 0.3 % at 40°, of 100 % near the horizon).
  *
  * **Accuracy**
- *
  * *Sample* is the distance from the exact normal, *unit length* the error of the length. *Pdf* and *realised density*
  * are relative, *inverse* and *round trip* are absolute errors of the uniforms; s and r are what one ulp of the normal
- * changes in density and inverse. What each row means.
+ * changes in density and inverse. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
  * | sample, of the size | 2.5e-7 + 4.2e-7*q |
  * | unit length | 1.7e-7 |
  * | pdf, relative | 8e-7 + 2*s |
- * | realised density, relative | 1e-6 + 5*s + 6e-7*q |
+ * | realised density, relative | 1e-6 + 5·s + 6e-7·q |
  * | pdf with the sample, relative | 9e-7 + 5.8e-7*q |
  * | inverse | 5.1e-7 + 6.5*r |
  * | round trip | 5.5e-7 + 7*r |
  *
  * Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
- * sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 1e-12, next to the pole
- * of the cap: there it is the rounding of the normal. The grid has no such u₁ but 0.
+ * sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 1e-12, next to the
+ * pole of the cap: there it is the rounding of the normal. The grid has no such u₁ but 0.
  *
  * **Source**
- *
- * E. Heitz, "Sampling the GGX Distribution of Visible Normals", 2018, <https://jcgt.org/published/0007/04/01/>;
- * J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023,
- * <https://doi.org/10.1111/cgf.14867>; Y. Tokuyoshi and K. Eto, "Bounded VNDF Sampling for Smith-GGX Reflections", 2023,
+ * E. Heitz, "Sampling the GGX Distribution of Visible Normals", 2018, <https://jcgt.org/published/0007/04/01/>; J.
+ * Dupuy and A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023, <https://doi.org/10.1111/cgf.14867>;
+ * Y. Tokuyoshi and K. Eto, "Bounded VNDF Sampling for Smith-GGX Reflections", 2023,
  * <https://doi.org/10.1145/3610543.3626163>.
  */
 export declare class GgxVisible extends Warp<[number, number, number], [number, number]> {
@@ -1903,45 +1745,42 @@ export declare class GgxVisible extends Warp<[number, number, number], [number, 
    * The normals seen from `view`, a direction of any length, of roughness `alpha` along x and along y.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, ZeroLength (code 9) for a view without a length,
-   * OutOfRange (code 7) for a view below the surface and for a roughness below 1e-4 or above 1,
-   * NotPositive (code 5) for a roughness of 0 or less.
+   * NotFinite (code 1) for NaN or infinity, ZeroLength (code 9) for a view without a length, OutOfRange (code 7) for a
+   * view below the surface and for a roughness below 1e-4 or above 1, NotPositive (code 5) for a roughness of 0 or
+   * less.
    */
-  constructor(view: Vector3, roughness: Vector2);
+  constructor(view: Vector3, alpha: Vector2);
   /**
    * The same without the normals whose reflections all lie below the surface.
    *
    * @throws RangeError:
    * Those of `new GgxVisible`.
    */
-  static bounded(view: Vector3, roughness: Vector2): GgxVisible;
+  static bounded(view: Vector3, alpha: Vector2): GgxVisible;
 }
 
 /**
  * Uniform over the directions within an angle of +z: a cone, also called a spherical cap.
  *
  * With k = 1 − cos θmax and q = u₁k: sin θ = √(q(2 − q)), cos θ = 1 − q. The warp stores k, and 2 − k beside it,
- * because k keeps its digits where cos θmax has rounded to 1. A cone of 1e-19 rad samples as accurately as a wide
- * one. Where q leaves the range of `f32`, the roots of its factors are multiplied instead, so that sin θ is 0 at
- * u₁ = 0 alone.
+ * because k keeps its digits where cos θmax has rounded to 1. A cone of 1e-19 rad samples as accurately as a wide one.
+ * Where q leaves the range of `f32`, the roots of its factors are multiplied instead, so that sin θ is 0 at u₁ = 0
+ * alone.
  *
  * **Density**
- *
  * 1/(2πk) per steradian inside the cone, and a few ulp beyond its rim; 0 elsewhere. `pdf(w) > 0` is no hit test:
  * whether a ray meets the lamp is a question to the geometry.
  *
  * **Domain**
- *
- * - Point: unit vectors with 1 − cos θ ≤ k. For cones under 3e-4 rad z is 1 and x and y hold all the information,
- *   which `pdf` and `invert` use.
+ * - Point: unit vectors with 1 − cos θ ≤ k. For cones under 3e-4 rad z is 1 and x and y hold all the information, which
+ *   `pdf` and `invert` use.
  * - Uniforms: two, for the polar angle and the azimuth. The axis is at u₁ = 0.
  * - Parameters: a half angle in radians, its sine, or 1 − cos of it.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -1953,13 +1792,12 @@ export declare class GgxVisible extends Warp<[number, number, number], [number, 
  * | inverse | 4.2e-7 |
  * | round trip | 6.5e-7 |
  *
- * These hold for every cone of each constructor. Azimuths of subnormal x and y, which only uniforms below 2⁻⁶⁴
- * give, have no more digits in the inverse than x and y have.
+ * These hold for every cone of each constructor. Azimuths of subnormal x and y, which only uniforms below 2⁻⁶⁴ give,
+ * have no more digits in the inverse than x and y have.
  *
  * **Source**
- *
- * P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM
- * Transactions on Graphics, 1996, <https://doi.org/10.1145/226150.226151>.
+ * P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM Transactions on
+ * Graphics, 1996, <https://doi.org/10.1145/226150.226151>.
  */
 export declare class Cone extends Warp<[number, number, number], [number, number]> {
   private constructor();
@@ -1967,16 +1805,16 @@ export declare class Cone extends Warp<[number, number, number], [number, number
    * The cone of 1 − cos θmax = `k`, in (0, 2]. A `k` of 2 is the whole sphere.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
-   * OutOfRange (code 7) above 2, Empty (code 3) below the smallest normal `f32`.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) above 2, Empty
+   * (code 3) below the smallest normal `f32`.
    */
   static fromOneMinusCos(oneMinusCos: number): Cone;
   /**
    * The cone of the given half angle in radians, in (0, π].
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
-   * OutOfRange (code 7) above π, Empty (code 3) below about 1.6e-19 rad.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) above π, Empty
+   * (code 3) below about 1.6e-19 rad.
    */
   static fromRadians(halfAngle: number): Cone;
   /**
@@ -1984,8 +1822,8 @@ export declare class Cone extends Warp<[number, number, number], [number, number
    * cone in which a sphere is seen, take `VisibleSphere`.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less,
-   * OutOfRange (code 7) above 1, Empty (code 3) below 1.6e-19.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for 0 or less, OutOfRange (code 7) above 1, Empty
+   * (code 3) below 1.6e-19.
    */
   static fromSine(sine: number): Cone;
 }
@@ -1993,59 +1831,53 @@ export declare class Cone extends Warp<[number, number, number], [number, number
 /**
  * Uniform over the directions in which a sphere is seen from a point: a sphere light, sampled by solid angle.
  *
- * From outside, the directions fill a `Cone` about the centre. With d the distance to the centre and r the radius,
- * its cos θmax is `√(d² − r²)/d`, and `k = 1 − cos θmax = r²/(d²(1 + cos θmax))`. d² − r² is worked out from both roundings of
- * centre − point, and next to the surface exactly. So no height above the surface is too small, and whether the point
- * is inside is always decided right.
+ * From outside, the directions fill a `Cone` about the centre. With d the distance to the centre and r the radius, its
+ * cos θmax is `√(d² − r²)/d`, and `k = 1 − cos θmax = r²/(d²(1 + cos θmax))`. Where d² − r² is below d²/4 it is worked
+ * out from both roundings of centre − point, and next to the surface exactly. So no height above the surface is too
+ * small, and whether the point is inside is always decided right.
  *
  * **Density**
- *
  * 1/(2πk) per steradian from outside, on the directions of the cone and up to 3e-7 rad beyond its rim; 1/(4π) in all
  * directions from inside. On the surface itself k is 1, and the directions fill the hemisphere towards the centre: the
  * limit from outside.
  *
- * `pdf(w) > 0` is no hit test, and a lamp of half angle below about 1e-5 rad is best taken as a point:
- * `Oriented` says why. The density that comes with a sample belongs to its uniforms, and is
- * right however narrow the cone is.
+ * `pdf(w) > 0` is no hit test, and a lamp of half angle below about 1e-5 rad is best taken as a point. The density that
+ * comes with a sample belongs to its uniforms, and is right however narrow the cone is.
  *
  * **Domain**
- *
- * - Point: unit vectors in world coordinates. `VisibleSphere.sampleSurface` adds the distance to the surface: to
- *   the near side from outside, from inside to the far one.
+ * - Point: unit vectors in world coordinates.
  * - Uniforms: two. The direction of the centre is at u₁ = 0, the rim (from inside, the opposite direction) at u₁ = 1.
- * - Parameters: any finite point and centre, and any radius above 0, if the half angle is at least 1.6e-19 rad and
- *   the far side of the sphere not beyond the range of `f32`.
+ * - Parameters: any finite point and centre, and any radius above 0, if the half angle is at least 1.6e-19 rad and the
+ *   far side of the sphere not beyond the range of `f32`.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. *Pdf* and *realised density*
- * are relative, *inverse* and *round trip* are absolute errors of the uniforms; r is what one rounding of the direction
- * changes in them. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. *Pdf* and *realised
+ * density* are relative, *inverse* and *round trip* are absolute errors of the uniforms; r is what one rounding of the
+ * direction changes in them. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
- * | sample, of the size | 3.5e-7 |
- * | unit length | 3.4e-7 |
- * | pdf, relative | 2.2e-7 |
- * | realised density, relative | 2.2e-7 |
- * | inverse | min(1, 4e-7 + 10*r) |
- * | round trip | min(1, 4e-7 + 4.9*r) |
+ * | sample, of the size | 5.8e-7 |
+ * | unit length | 4.5e-7 |
+ * | pdf, relative | 7.8e-7 |
+ * | realised density, relative | 7.8e-7 |
+ * | inverse | min(1, 5e-7 + 13*r) |
+ * | round trip | min(1, 5e-7 + 5.1*r) |
  *
- * In both tiers k is right to 1.5e-7 and the distance to 4e-7, relatively. The distance belongs to the uniforms, and
+ * In both tiers k is right to 6e-7 and the distance to 1e-6, relatively. The distance belongs to the uniforms, and
  * loses digits where it is below 1e-37, or the point nearer to the surface than 1e-37 radii.
  *
  * **Source**
- *
- * P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM
- * Transactions on Graphics, 1996, <https://doi.org/10.1145/226150.226151>, rearranged here.
+ * P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM Transactions on
+ * Graphics, 1996, <https://doi.org/10.1145/226150.226151>, rearranged here.
  */
 export declare class VisibleSphere extends Warp<[number, number, number], [number, number]> {
   /**
    * The sphere of the given centre and radius, seen from `point`.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a radius of 0 or less, TooLarge (code 4) where
-   * the far side of the sphere is beyond the range of `f32`, Empty (code 3) for a sphere seen under less than 1.6e-19 rad.
+   * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a radius of 0 or less, TooLarge (code 4) where the
+   * far side of the sphere is beyond the range of `f32`, Empty (code 3) for a sphere seen under less than 1.6e-19 rad.
    */
   constructor(point: Vector3, centre: Vector3, radius: number);
 }
@@ -2053,26 +1885,23 @@ export declare class VisibleSphere extends Warp<[number, number, number], [numbe
 /**
  * Uniform over the directions between two polar angles and two azimuths, a rectangle of latitude and longitude.
  *
- * cos θ is uniform between its two ends, and φ is uniform. The code works with 1 − cos θ and 1 + cos θ, so that
- * neither pole cancels.
+ * cos θ is uniform between its two ends, and φ is uniform. The code works with 1 − cos θ and 1 + cos θ, so that neither
+ * pole cancels.
  *
  * **Density**
- *
  * 1/Ω per steradian inside, with Ω = (cos θ₀ − cos θ₁)(φ₁ − φ₀)·2π; else 0. A direction counts as inside up to the
- * rounding of its coordinates: 5e-7 relative in 1 ∓ cos θ, and 3e-7 turns of azimuth, which matters in patches
- * only a few times wider than that.
+ * rounding of its coordinates: 5e-7 relative in 1 ∓ cos θ, and 3e-7 turns of azimuth, which matters in patches only a
+ * few times wider than that.
  *
  * **Domain**
- *
  * - Point: unit vectors with θ and φ in the given ranges (φ modulo one turn).
  * - Uniforms: two, for the polar angle and the azimuth.
  * - Parameters: angles in turns (one turn is 2π radians): 0 ≤ θ₀ < θ₁ ≤ ½, −1 ≤ φ₀ ≤ 1, φ₀ < φ₁ ≤ φ₀ + 1.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count
- * units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
- * absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact direction, *unit length* the error of the length. sin θ and cos θ count units
+ * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2083,55 +1912,48 @@ export declare class VisibleSphere extends Warp<[number, number, number], [numbe
  * | inverse | min(1, 2e-7 + 5e-7*q/c + 1.1e-7/w) |
  * | round trip | min(1, 2e-7 + 6e-7*q/c + 1.1e-7/w) |
  *
- * These hold for every patch: c is cos θ₀ − cos θ₁, w the width φ₁ − φ₀ in turns, and q the smaller of 1 − cos θ₁
- * and 1 + cos θ₀.
+ * These hold for every patch: c is cos θ₀ − cos θ₁, w the width φ₁ − φ₀ in turns, and q the smaller of 1 − cos θ₁ and 1
+ * + cos θ₀.
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
  * <https://pbr-book.org/3ed-2018/contents>, for dω = sin θ dθ dφ.
  */
 export declare class SphericalPatch extends Warp<[number, number, number], [number, number]> {
   private constructor();
   /**
-   * The directions with θ in `theta0`, `theta1` and φ in `phi0`, `phi1`, all in turns.
-   *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Reversed (code 2) if an upper end is below its lower,
-   * OutOfRange (code 7) for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1
-   * turn, Empty (code 3) for a patch with no extent, one whose density overflows or
-   * one whose cos θ₀ − cos θ₁ is below the smallest normal `f32`. A width that rounds to 1 is a whole turn.
+   * NotFinite (code 1) for NaN or infinity, Reversed (code 2) if an upper end is below its lower, OutOfRange (code 7)
+   * for polar angles outside [0, ½], a `phi0` outside [−1, 1] or a width above 1 turn, Empty (code 3) for a patch with
+   * no extent, one whose density overflows or one whose cos θ₀ − cos θ₁ is below the smallest normal `f32`. A width
+   * that rounds to 1 is a whole turn.
    */
-  static fromTurns(thetaFrom: number, thetaTo: number, phiFrom: number, phiTo: number): SphericalPatch;
+  static fromTurns(theta0: number, theta1: number, phi0: number, phi1: number): SphericalPatch;
 }
 
 /**
  * Uniform over the directions from a point to a triangle: an area light, sampled by its solid angle.
  *
  * The second uniform divides the solid angle by an arc from the first vertex, as in Arvo's map, and the first one goes
- * along the arc. With H half of the solid angle, the side b-c across from the first vertex a is divided in the ratio
- * of sin(u₂H)·√(2(1 + ab)) to sin((1 − u₂)H)·√((1 + bc)(1 + ca)). A direction is the sum of the directions of the
- * vertices times weights, which are products and sums of positive numbers. Nothing cancels, however small, thin or
- * near the triangle, and the barycentric coordinates are the weights over the distances.
+ * along the arc. With H half of the solid angle, the side b-c across from the first vertex a is divided in the ratio of
+ * sin(u₂H)·√(2(1 + ab)) to sin((1 − u₂)H)·√((1 + bc)(1 + ca)). A direction is the sum of the directions of the vertices
+ * times weights, which are products and sums of positive numbers. Nothing cancels, however small, thin or near the
+ * triangle, and the barycentric coordinates are the weights over the distances.
  *
  * **Density**
- *
- * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 4e-7·q rad from a side, and farther beyond
- * a sharp corner. A world direction is rounded to 6e-8 rad, so that it cannot tell inside
- * from outside in a triangle a few times wider than that. Hence, as for `Oriented`:
+ * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 4e-7·q rad from a side, and farther
+ * beyond a sharp corner. A world direction is rounded to 6e-8 rad, so that it cannot tell inside from outside in a
+ * triangle a few times wider than that. Hence:
  *
  * - `pdf(w) > 0` is no hit test. Take the density of directions that meet the triangle, or the one that comes with the
- *   sample. The density of a triangle of 1e-3 rad integrates over all directions to 1.003, that of 1e-6 rad
- *   (4e-13 sr) to about 9.
- * - The place on the triangle keeps its digits at any size: `locate` gives its barycentric
- *   coordinates. Trace a ray to it rather than along the direction where the triangle is narrower than about 1e-4 rad.
+ *   sample. The density of a triangle of 1e-3 rad integrates over all directions to 1.003, that of 1e-6 rad (4e-13 sr)
+ *   to about 9.
  *
  * Where q is above 64 before the inside, the point is so close to the triangle that area is sampled instead, unless a
- * vertex is 64 times as near as another: `samplesArea` says so. `pdf`, `sampleWithPdf` and the inverse are then
- * those of area, distance²/(cos θ · area) per steradian.
+ * vertex is 64 times as near as another. Densities and the inverse are then those of area, distance²/(cos θ · area) per
+ * steradian.
  *
  * **Domain**
- *
  * - Point: unit vectors in world space. The triangle is seen from both sides.
  * - Uniforms: two. The first vertex is at u₁ = 0; from the second to the third, u₂ grows.
  * - Parameters: coordinates up to 2⁶⁰ (1e18), a longest edge of at least 2⁻⁶⁰. With L the distance of the farthest
@@ -2142,21 +1964,20 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
  *   triangle. Above 1024 the point counts as one on the triangle.
  *
  * **Accuracy**
- *
  * *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
  * barycentric coordinates. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
- * the uniforms. What each row means.
+ * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
  * | sample, of the size | 4.7e-7*q |
  * | unit length | 1.9e-7 |
  * | place on it | 1.02e-6 |
- * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + 4*s |
- * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + (2 + a)*s |
+ * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
+ * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
  * | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a |
- * | inverse | min(1, 5e-7 + 5e-7*q + (13 + 0.8*q)*r + 3e-8/h) |
- * | round trip | min(1, 5e-7 + 5e-7*q + (14 + q)*r + 3e-8/h) |
+ * | inverse | min(1, 5e-7 + 5e-7·q + (13 + 0.8·q)·r + 3e-8/h) |
+ * | round trip | min(1, 5e-7 + 5e-7·q + (14 + q)·r + 3e-8/h) |
  *
  * These hold for every triangle accepted. a is q where area is sampled and 0 elsewhere, g the determinant over L E²; s
  * and r are the relative change of the density and the change of the uniforms when each coordinate of the direction
@@ -2164,9 +1985,8 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
  * vertex, where √u₁ h is below 2⁻²⁰, is lost.
  *
  * **Source**
- *
- * J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995, <https://doi.org/10.1145/218380.218500>, and
- * A. Van Oosterom and J. Strackee, "The Solid Angle of a Plane Triangle", 1983,
+ * J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995, <https://doi.org/10.1145/218380.218500>, and A.
+ * Van Oosterom and J. Strackee, "The Solid Angle of a Plane Triangle", 1983,
  * <https://doi.org/10.1109/TBME.1983.325207>, rearranged here.
  */
 export declare class SphericalTriangle extends Warp<[number, number, number], [number, number]> {
@@ -2175,8 +1995,8 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
    *
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for a coordinate beyond 2⁶⁰, Empty (code 3) for
-   * coincident vertices and for a triangle that is too small, too thin or seen too much from its edge,
-   * NotNormalizable (code 8) for a point on the triangle. The section on the domain says where these begin.
+   * coincident vertices and for a triangle that is too small, too thin or seen too much from its edge, NotNormalizable
+   * (code 8) for a point on the triangle. The section on the domain says where these begin.
    */
   constructor(point: Vector3, vertices: readonly [Vector3, Vector3, Vector3]);
 }
@@ -2185,65 +2005,58 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
  * Uniform over the directions from a point to a rectangle, or any parallelogram: an area light, sampled by its solid
  * angle.
  *
- * Two spherical triangles about the corner, on both sides of the diagonal, each with the map of
- * `SphericalTriangle`: u₂ sweeps the solid angle from the first edge to the second, and the
- * map has no seam at the diagonal.
+ * Two spherical triangles about the corner, on both sides of the diagonal, each with the map of `SphericalTriangle`: u₂
+ * sweeps the solid angle from the first edge to the second, and the map has no seam at the diagonal.
  *
  * **Density**
- *
- * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples, 4e-7·q rad. What
- * `SphericalTriangle` says of small triangles and of `pdf(w) > 0` holds here, too.
+ * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples, 4e-7·q rad. What `SphericalTriangle`
+ * says of small triangles and of `pdf(w) > 0` holds here, too.
  *
  * Where q is above 64 before the inside, the point is so close to the rectangle that area is sampled instead, unless a
- * corner is 64 times as near as another: `samplesArea` says so. `pdf`,
- * `sampleWithPdf` and the inverse are then those of area, distance²/(cos θ · area) per steradian.
+ * corner is 64 times as near as another. Densities and the inverse are then those of area, distance²/(cos θ · area) per
+ * steradian.
  *
  * **Domain**
- *
  * - Point: unit vectors in world space. The rectangle is seen from both sides.
- * - Uniforms: two. The corner is at u₁ = 0; from the first edge to the second, u₂ grows. Where area is sampled they
- *   are the coordinates along the edges.
- * - Parameters: those of `SphericalTriangle` for both halves; g is the smaller
- *   determinant and q the larger nearness of the two. The edges are taken as they are given, so that a small one
- *   keeps its digits far from 0.
+ * - Uniforms: two. The corner is at u₁ = 0; from the first edge to the second, u₂ grows. Where area is sampled they are
+ *   the coordinates along the edges.
+ * - Parameters: those of `SphericalTriangle` for both halves; g is the smaller determinant and q the larger nearness of
+ *   the two. The edges are taken as they are given, so that a small one keeps its digits far from 0.
  *
  * **Accuracy**
- *
  * *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
- * coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
- * of the uniforms. What each row means.
+ * coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute
+ * errors of the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
  * | sample, of the size | 4.4e-7*q + 2e-14/g |
  * | unit length | 1.9e-7 |
  * | place on it | 4.5e-7 + 3*p + 8e-14/g |
- * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + 4*s |
- * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a + (2 + a)*s |
+ * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
+ * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
  * | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a |
- * | inverse | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) |
- * | round trip | min(1, 5e-7 + 5e-7*q + (6 + 0.22*q)*r + 3e-8/h) |
+ * | inverse | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
+ * | round trip | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
  *
- * These hold for every rectangle accepted. a is q where area is sampled and 0 elsewhere; s and r are the relative change
- * of the density and the change of the uniforms when each coordinate of the direction moves by 2⁻²⁴, and p is the change
- * of the place when the second uniform does. h is the sine of the smallest height of both halves: the second uniform of
- * a direction within rounding of the corner, where √u₁ h is below 2⁻²⁰, is lost.
+ * These hold for every rectangle accepted. a is q where area is sampled and 0 elsewhere; s and r are the relative
+ * change of the density and the change of the uniforms when each coordinate of the direction moves by 2⁻²⁴, and p is
+ * the change of the place when the second uniform does. h is the sine of the smallest height of both halves: the second
+ * uniform of a direction within rounding of the corner, where √u₁ h is below 2⁻²⁰, is lost.
  *
  * **Source**
- *
  * C. Ureña, M. Fajardo and A. King, "An Area-Preserving Parametrization for Spherical Rectangles", 2013,
- * <https://doi.org/10.1111/cgf.12151>, for the problem; the map is that of
- * `SphericalTriangle`.
+ * <https://doi.org/10.1111/cgf.12151>, for the problem; the map is that of `SphericalTriangle`.
  */
 export declare class SphericalRectangle extends Warp<[number, number, number], [number, number]> {
   /**
-   * The directions from `point` to the rectangle of `corner` and two edges, from either side. The edges need not be
-   * at right angles.
+   * The directions from `point` to the rectangle of `corner` and two edges, from either side. The edges need not be at
+   * right angles.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for a coordinate beyond 2⁶⁰, ZeroLength (code 9)
-   * for an edge of length 0, Empty (code 3) for a rectangle that is too small, too thin or seen too much from its
-   * edge, NotNormalizable (code 8) for a point on the rectangle. The section on the domain says where these begin.
+   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for a coordinate beyond 2⁶⁰, ZeroLength (code 9) for an
+   * edge of length 0, Empty (code 3) for a rectangle that is too small, too thin or seen too much from its edge,
+   * NotNormalizable (code 8) for a point on the rectangle. The section on the domain says where these begin.
    */
   constructor(point: Vector3, corner: Vector3, edges: readonly [Vector3, Vector3]);
 }
@@ -2252,21 +2065,18 @@ export declare class SphericalRectangle extends Warp<[number, number, number], [
  * Uniform in an axis-aligned box of any dimension, such as the bounding box of a region.
  *
  * **Density**
- *
  * The product of 1/(bᵢ − aᵢ), on the closed box.
  *
  * **Domain**
- *
  * - Point: aᵢ ≤ xᵢ < bᵢ.
  * - Uniforms: one a dimension.
  * - Parameters: finite corners with aᵢ < bᵢ whose volume has a density that `f32` can hold.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows
- * are relative errors of densities and absolute errors of uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows are
+ * relative errors of densities and absolute errors of uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2276,11 +2086,10 @@ export declare class SphericalRectangle extends Warp<[number, number, number], [
  * | inverse | 1.8e-7 |
  * | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r |
  *
- * n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it
- * can be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
+ * n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it can
+ * be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class Aabb2d extends Warp<[number, number], [number, number]> {
@@ -2288,8 +2097,8 @@ export declare class Aabb2d extends Warp<[number, number], [number, number]> {
    * The box between two opposite corners, `low` and `high`.
    *
    * @throws RangeError:
-   * Those of `new Interval` for each side. Empty (code 3) where the density overflows `f32`, TooLarge (code 4)
-   * where it is below the smallest normal number.
+   * Those of `new Interval` for each side. Empty (code 3) where the density overflows `f32`, TooLarge (code 4) where it
+   * is below the smallest normal number.
    */
   constructor(low: Vector2, high: Vector2);
 }
@@ -2298,21 +2107,18 @@ export declare class Aabb2d extends Warp<[number, number], [number, number]> {
  * Uniform in an axis-aligned box of any dimension, such as the bounding box of a region.
  *
  * **Density**
- *
  * The product of 1/(bᵢ − aᵢ), on the closed box.
  *
  * **Domain**
- *
  * - Point: aᵢ ≤ xᵢ < bᵢ.
  * - Uniforms: one a dimension.
  * - Parameters: finite corners with aᵢ < bᵢ whose volume has a density that `f32` can hold.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows
- * are relative errors of densities and absolute errors of uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. The other rows are
+ * relative errors of densities and absolute errors of uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2322,11 +2128,10 @@ export declare class Aabb2d extends Warp<[number, number], [number, number]> {
  * | inverse | 1.8e-7 |
  * | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r |
  *
- * n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it
- * can be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
+ * n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it can
+ * be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class Aabb3d extends Warp<[number, number, number], [number, number, number]> {
@@ -2334,8 +2139,8 @@ export declare class Aabb3d extends Warp<[number, number, number], [number, numb
    * The box between two opposite corners, `low` and `high`.
    *
    * @throws RangeError:
-   * Those of `new Interval` for each side. Empty (code 3) where the density overflows `f32`, TooLarge (code 4)
-   * where it is below the smallest normal number.
+   * Those of `new Interval` for each side. Empty (code 3) where the density overflows `f32`, TooLarge (code 4) where it
+   * is below the smallest normal number.
    */
   constructor(low: Vector3, high: Vector3);
 }
@@ -2343,27 +2148,24 @@ export declare class Aabb3d extends Warp<[number, number, number], [number, numb
 /**
  * Uniform on a ring between two circles about the origin (an annulus), or on a sector of one.
  *
- * r = √(r₀² + g) with g = u₁(r₁² − r₀²), and near the inner circle r = r₀ + g/(r₀ + √(r₀² + g)), where the root alone would
- * lose digits of r − r₀. So a ring of any width gets its share of the uniforms up to the rounding of its points.
+ * r = √(r₀² + g) with g = u₁(r₁² − r₀²), and near the inner circle r = r₀ + g/(r₀ + √(r₀² + g)), where the root alone
+ * would lose digits of r − r₀. So a ring of any width gets its share of the uniforms up to the rounding of its points.
  *
  * **Density**
- *
  * 1/(π(r₁² − r₀²)w) per unit area between the circles and the sides, with a width of w turns; else 0. A point counts as
  * inside up to the rounding of its coordinates: 3.6e-7 of the radius, and 3e-7 turns. Within 1e-30 of the origin every
  * azimuth counts as inside.
  *
  * **Domain**
- *
  * - Point: r₀ ≤ √(x² + y²) ≤ r₁ and the azimuth between the sides, up to the rounding of the coordinates.
  * - Uniforms: two, radius and azimuth.
  * - Parameters: radii 0 ≤ r₀ < r₁; azimuths in turns, −1 ≤ φ₀ ≤ 1, φ₀ < φ₁ ≤ φ₀ + 1; an area whose density `f32` can
  *   hold. An inner radius of 0 gives a disk.
  *
  * **Accuracy**
- *
  * *Sample* is the distance from the exact point, relative to the outer radius. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2377,7 +2179,6 @@ export declare class Aabb3d extends Warp<[number, number, number], [number, numb
  * coordinates are rounded, the radius is that of a uniform at most 3.3e-7 away, in a ring of any width.
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>; the form
  * without a difference is of this crate.
  */
@@ -2393,10 +2194,10 @@ export declare class Annulus extends Warp<[number, number], [number, number]> {
    * The part of a ring between two azimuths in turns, counted from +x towards +y.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a radius below 0, Reversed (code 2) if an upper
-   * end is below its lower, OutOfRange (code 7) for a first azimuth outside [−1, 1] or a width above 1 turn,
-   * Empty (code 3) for equal radii, equal azimuths or a density that overflows, TooLarge (code 4) for a density
-   * below the smallest normal number. A width that rounds to 1 is a whole turn.
+   * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a radius below 0, Reversed (code 2) if an upper end
+   * is below its lower, OutOfRange (code 7) for a first azimuth outside [−1, 1] or a width above 1 turn, Empty (code 3)
+   * for equal radii, equal azimuths or a density that overflows, TooLarge (code 4) for a density below the smallest
+   * normal number. A width that rounds to 1 is a whole turn.
    */
   static sector(inner: number, outer: number, fromTurns: number, toTurns: number): Annulus;
 }
@@ -2404,23 +2205,20 @@ export declare class Annulus extends Warp<[number, number], [number, number]> {
 /**
  * Uniform in the unit ball, the solid sphere.
  *
- * r = ∛u₁, and a direction of `Sphere`: z = r(1 − 2u₂), √(x² + y²) = 2r√(u₂(1 − u₂)), φ = u₃ turns.
- * The cube root is right to 0.51 units in the last place.
+ * r = ∛u₁, and a direction of `Sphere`: z = r(1 − 2u₂), √(x² + y²) = 2r√(u₂(1 − u₂)), φ = u₃ turns. The cube root is
+ * right to 0.51 units in the last place.
  *
  * **Density**
- *
  * 3/(4π) per unit volume where x² + y² + z² ≤ 1, up to the rounding of the coordinates (3.6e-7 of the radius); else 0.
  *
  * **Domain**
- *
  * - Point: x² + y² + z² ≤ 1, up to the rounding of the coordinates.
  * - Uniforms: three, for radius, height and azimuth. Strata of the first are shells of equal volume.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2431,7 +2229,6 @@ export declare class Annulus extends Warp<[number, number], [number, number]> {
  * | round trip | 7.4e-7 |
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class Ball extends Warp<[number, number, number], [number, number, number]> {
@@ -2445,25 +2242,22 @@ export declare class Ball extends Warp<[number, number, number], [number, number
  * Uniform over the rotations of space, as unit quaternions [x, y, z, w] with w ≥ 0.
  *
  * √(x² + y²) = √u₁ at the angle of u₃ turns, and √(z² + w²) = √(1 − u₁) at an angle within a quarter turn of +w, which
- * grows with u₂. It is uniform in the sense of Haar: a rotation before or after does not change it. The angle θ of
- * the rotation has density (1 − cos θ)/π; an axis and an angle that are uniform each favour small angles.
+ * grows with u₂. It is uniform in the sense of Haar: a rotation before or after does not change it. The angle θ of the
+ * rotation has density (1 − cos θ)/π; an axis and an angle that are uniform each favour small angles.
  *
  * **Density**
- *
  * 1/π² per unit area of the half sphere in four dimensions, w ≥ 0, for any finite quaternion. A quaternion and its
- * negative are one rotation. For the measure in which the rotations have the volume 8π², as by Euler angles,
- * divide by 8; a density with respect to the uniform distribution itself is 1.
+ * negative are one rotation. For the measure in which the rotations have the volume 8π², as by Euler angles, divide by
+ * 8; a density with respect to the uniform distribution itself is 1.
  *
  * **Domain**
- *
  * - Point: unit quaternions with w ≥ 0, (x, y, z) = sin(θ/2) times the axis and w = cos(θ/2).
  * - Uniforms: three. (0, ½, 0) gives the identity.
  *
  * **Accuracy**
- *
  * *Sample* is the distance from the exact quaternion, in four dimensions; its length is right to the same bound. *Pdf*
- * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2474,7 +2268,6 @@ export declare class Ball extends Warp<[number, number, number], [number, number
  * | round trip | 1.4e-7 |
  *
  * **Source**
- *
  * K. Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992,
  * <https://doi.org/10.1016/B978-0-08-050755-2.50036-1>.
  */
@@ -2489,26 +2282,23 @@ export declare class Rotation extends Warp<[number, number, number, number], [nu
  * Uniform on a regular polygon with its corners on the unit circle, the first at (1, 0).
  *
  * The second uniform goes round the rim: ⌊n u₂⌋ counts the sides, and what is left of it, exactly, is the place along
- * that side. The first takes the point of the rim √u₁ of the way from the centre. The map is continuous, so that
- * strata stay together.
+ * that side. The first takes the point of the rim √u₁ of the way from the centre. The map is continuous, so that strata
+ * stay together.
  *
  * The bladed aperture of a camera is one.
  *
  * **Density**
- *
  * 1/(n/2 · sin(2π/n)) per unit area inside, up to the rounding of the coordinates (5e-7 of the radius); else 0.
  *
  * **Domain**
- *
  * - Point: inside the polygon, up to the rounding of the coordinates.
  * - Uniforms: two, distance from the centre and place along the rim. Two zeros give the centre.
  * - Parameter: n from 3 to 65,535.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the radius 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2519,7 +2309,6 @@ export declare class Rotation extends Warp<[number, number, number, number], [nu
  * | round trip | 7e-7 |
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
  * <https://pbr-book.org/3ed-2018/Monte_Carlo_Integration/2D_Sampling_with_Multidimensional_Transformations>, where
  * sampling regular polygons is an exercise.
@@ -2537,28 +2326,25 @@ export declare class RegularPolygon extends Warp<[number, number], [number, numb
 /**
  * Uniform on the simplex of N dimensions: N shares and the rest, none negative, with sum 1.
  *
- * Each share is taken from what the earlier ones leave: xⱼ = rest · (1 − (1 − uⱼ)^(1/m)) with m = N, N − 1, …, 1, and the
- * rest keeps the other part. Both parts come from one exponential that is accurate at either end, so that every share
- * has a small relative error, however small it is.
+ * Each share is taken from what the earlier ones leave: xⱼ = rest · (1 − (1 − uⱼ)^(1/m)) with m = N, N − 1, …, 1, and
+ * the rest keeps the other part. Both parts come from one exponential that is accurate at either end, so that every
+ * share has a small relative error, however small it is.
  *
  * The shares are barycentric coordinates of a segment, a triangle, a tetrahedron and so on, or the weights of a
  * mixture, or the lengths into which N uniform points divide [0, 1].
  *
  * **Density**
- *
  * N! with respect to the N shares, where neither they nor the rest are negative and their sum is 1 to rounding; else 0.
  *
  * **Domain**
- *
  * - Point: the N shares, and the rest.
  * - Uniforms: N. Each share increases with its own.
  * - N from 1 to 34, the largest whose density `f32` can hold. Others do not compile.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2568,11 +2354,10 @@ export declare class RegularPolygon extends Warp<[number, number], [number, numb
  * | inverse | 1.2e-7 + 3.4e-8*n |
  * | round trip | 1.3e-7 + 3.5e-8*n |
  *
- * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n + 1)·3e-7,
- * unless it is subnormal. Their sum is 1 to 1e-7·√n.
+ * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n +
+ * 1)·3e-7, unless it is subnormal. Their sum is 1 to 1e-7·√n.
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class Simplex2 extends Warp<[number, number, number], [number, number]> {
@@ -2585,28 +2370,25 @@ export declare class Simplex2 extends Warp<[number, number, number], [number, nu
 /**
  * Uniform on the simplex of N dimensions: N shares and the rest, none negative, with sum 1.
  *
- * Each share is taken from what the earlier ones leave: xⱼ = rest · (1 − (1 − uⱼ)^(1/m)) with m = N, N − 1, …, 1, and the
- * rest keeps the other part. Both parts come from one exponential that is accurate at either end, so that every share
- * has a small relative error, however small it is.
+ * Each share is taken from what the earlier ones leave: xⱼ = rest · (1 − (1 − uⱼ)^(1/m)) with m = N, N − 1, …, 1, and
+ * the rest keeps the other part. Both parts come from one exponential that is accurate at either end, so that every
+ * share has a small relative error, however small it is.
  *
  * The shares are barycentric coordinates of a segment, a triangle, a tetrahedron and so on, or the weights of a
  * mixture, or the lengths into which N uniform points divide [0, 1].
  *
  * **Density**
- *
  * N! with respect to the N shares, where neither they nor the rest are negative and their sum is 1 to rounding; else 0.
  *
  * **Domain**
- *
  * - Point: the N shares, and the rest.
  * - Uniforms: N. Each share increases with its own.
  * - N from 1 to 34, the largest whose density `f32` can hold. Others do not compile.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2616,11 +2398,10 @@ export declare class Simplex2 extends Warp<[number, number, number], [number, nu
  * | inverse | 1.2e-7 + 3.4e-8*n |
  * | round trip | 1.3e-7 + 3.5e-8*n |
  *
- * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n + 1)·3e-7,
- * unless it is subnormal. Their sum is 1 to 1e-7·√n.
+ * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n +
+ * 1)·3e-7, unless it is subnormal. Their sum is 1 to 1e-7·√n.
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class Simplex3 extends Warp<[number, number, number, number], [number, number, number]> {
@@ -2633,28 +2414,25 @@ export declare class Simplex3 extends Warp<[number, number, number, number], [nu
 /**
  * Uniform on the simplex of N dimensions: N shares and the rest, none negative, with sum 1.
  *
- * Each share is taken from what the earlier ones leave: xⱼ = rest · (1 − (1 − uⱼ)^(1/m)) with m = N, N − 1, …, 1, and the
- * rest keeps the other part. Both parts come from one exponential that is accurate at either end, so that every share
- * has a small relative error, however small it is.
+ * Each share is taken from what the earlier ones leave: xⱼ = rest · (1 − (1 − uⱼ)^(1/m)) with m = N, N − 1, …, 1, and
+ * the rest keeps the other part. Both parts come from one exponential that is accurate at either end, so that every
+ * share has a small relative error, however small it is.
  *
  * The shares are barycentric coordinates of a segment, a triangle, a tetrahedron and so on, or the weights of a
  * mixture, or the lengths into which N uniform points divide [0, 1].
  *
  * **Density**
- *
  * N! with respect to the N shares, where neither they nor the rest are negative and their sum is 1 to rounding; else 0.
  *
  * **Domain**
- *
  * - Point: the N shares, and the rest.
  * - Uniforms: N. Each share increases with its own.
  * - N from 1 to 34, the largest whose density `f32` can hold. Others do not compile.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are
- * relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the size 1. *Pdf* and *realised density* are relative,
+ * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2664,11 +2442,10 @@ export declare class Simplex3 extends Warp<[number, number, number, number], [nu
  * | inverse | 1.2e-7 + 3.4e-8*n |
  * | round trip | 1.3e-7 + 3.5e-8*n |
  *
- * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n + 1)·3e-7,
- * unless it is subnormal. Their sum is 1 to 1e-7·√n.
+ * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n +
+ * 1)·3e-7, unless it is subnormal. Their sum is 1 to 1e-7·√n.
  *
  * **Source**
- *
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
  */
 export declare class Simplex4 extends Warp<[number, number, number, number, number], [number, number, number, number]> {
@@ -2681,29 +2458,28 @@ export declare class Simplex4 extends Warp<[number, number, number, number, numb
 /**
  * Uniform on the surface of an axis-aligned box, by area.
  *
- * The first uniform selects a pair of opposite faces and what is left of it is a coordinate; the second one selects a face of
- * the pair by its first bit, and the others are the other coordinate. A box that is flat in one axis has two faces.
+ * The first uniform selects a pair of opposite faces and what is left of it is a coordinate; the second one selects a
+ * face of the pair by its first bit, and the others are the other coordinate. A box that is flat in one axis has two
+ * faces.
  *
  * **Density**
- *
  * 1/area per unit area on the surface, and 0 farther from it than 2⁻²⁰ of the size.
  *
  * **Domain**
- *
- * - Point: a `SurfacePoint`, exactly on its face, with a normal along an axis. Density and inverse take the face from the
- *   normal, which decides at edges and on a flat box.
- * - Uniforms: two. On a face across x, a uniform runs along y and the other one along z; across y, along z and x; across z,
- *   along x and y. The pair of the smallest faces comes first, and below ½ the second uniform selects the lower face.
- * - Parameters: finite corners with aᵢ ≤ bᵢ, of which one side at most has no length, and an area whose density `f32` can
- *   hold. A face without area is never selected.
+ * - Point: position and outward normal, six numbers, exactly on its face, with a normal along an axis. Density and
+ *   inverse take the face from the normal, which decides at edges and on a flat box.
+ * - Uniforms: two. On a face across x, a uniform runs along y and the other one along z; across y, along z and x;
+ *   across z, along x and y. The pair of the smallest faces comes first, and below ½ the second uniform selects the
+ *   lower face.
+ * - Parameters: finite corners with aᵢ ≤ bᵢ, of which one side at most has no length, and an area whose density `f32`
+ *   can hold. A face without area is never selected.
  * - Both tiers share this code.
  *
  * **Accuracy**
- *
  * *Sample* is the distance from the exact point, relative to the size, which is the largest bound. *Pdf* and *realised
  * density* are relative to the density with which points of the face are drawn, whose share of the uniforms is rounded
- * to `f32`. *Inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * to `f32`. *Inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2716,9 +2492,8 @@ export declare class Simplex4 extends Warp<[number, number, number, number, numb
  * r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
  *
  * **Source**
- *
- * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>, section II.4 on
- * compositions.
+ * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>, section II.4
+ * on compositions.
  */
 export declare class BoxSurface extends Warp<[number, number, number, number, number, number], [number, number]> {
   /**
@@ -2733,30 +2508,27 @@ export declare class BoxSurface extends Warp<[number, number, number, number, nu
 }
 
 /**
- * Uniform on the surface of a frustum, by area: a cylinder, a cone, or a cone whose top is cut off; with its disks, or as a
- * tube without.
+ * Uniform on the surface of a frustum, by area: a cylinder, a cone, or a cone whose top is cut off; with its disks, or
+ * as a tube without.
  *
- * The first uniform runs along the profile: from the centre of the lower disk to its rim, up the side, and over the upper disk
- * to its centre. The second one is the azimuth. The map is continuous over the rims.
+ * The first uniform runs along the profile: from the centre of the lower disk to its rim, up the side, and over the
+ * upper disk to its centre. The second one is the azimuth. The map is continuous over the rims.
  *
  * **Density**
- *
- * 1/area per unit area on the surface, and 0 farther from it than 2⁻²⁰ of the size. The area is
- * π(r₀² + (r₀ + r₁)ℓ + r₁²) with ℓ² = h² + (r₀ − r₁)², or π(r₀ + r₁)ℓ of a tube.
+ * 1/area per unit area on the surface, and 0 farther from it than 2⁻²⁰ of the size. The area is π(r₀² + (r₀ + r₁)ℓ +
+ * r₁²) with ℓ² = h² + (r₀ − r₁)², or π(r₀ + r₁)ℓ of a tube.
  *
  * **Domain**
- *
- * - Point: a `SurfacePoint`. The axis is +z, the lower disk at z = 0 and the upper one at z = h, exactly. Density and
- *   inverse take from the normal whether a point is on the side.
+ * - Point: position and outward normal, six numbers. The axis is +z, the lower disk at z = 0 and the upper one at z =
+ *   h, exactly. Density and inverse take from the normal whether a point is on the side.
  * - Uniforms: two. Two zeros give the centre of the lower disk, or the rim of a tube.
  * - Parameters: radii and height from 0 up with an area whose density `f32` can hold. A part without area is never met:
  *   a cone has one disk, and of height 0 there are two disks and the ring between them.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size, which is the largest of both radii and the height.
- * *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. What each row
- * means.
+ * *Sample* is the distance from the exact point, relative to the size, which is the largest of both radii and the
+ * height. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms.
+ * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2766,18 +2538,17 @@ export declare class BoxSurface extends Warp<[number, number, number, number, nu
  * | inverse | min(1, 4.5e-7 + 7.5e-7*g) |
  * | round trip | min(1, 4.5e-7 + 7.5e-7*g) |
  *
- * g is the share of the side in the area, times the size over the length ℓ of the side: above 2 for a narrow ring alone.
- * The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.1e-7, absolutely.
+ * g is the share of the side in the area, times the size over the length ℓ of the side: above 2 for a narrow ring
+ * alone. The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.1e-7, absolutely.
  *
  * **Source**
- *
  * M. Pharr, W. Jakob and G. Humphreys, *Physically Based Rendering*, 4th edition, 2023, section 6.3:
  * <https://pbr-book.org/4ed/Shapes/Cylinders>, for the cylinder; the profile of all here.
  */
 export declare class FrustumSurface extends Warp<[number, number, number, number, number, number], [number, number]> {
   /**
-   * A frustum of the given lower and upper radius and height, with its disks. Equal radii make a cylinder, and a radius of
-   * 0 a cone.
+   * A frustum of the given lower and upper radius and height, with its disks. Equal radii make a cylinder, and a radius
+   * of 0 a cone.
    *
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, Negative (code 6) for a number below 0. Empty (code 3) for a surface
@@ -2797,24 +2568,22 @@ export declare class FrustumSurface extends Warp<[number, number, number, number
 /**
  * Uniform on the surface of a capsule, by area: all points at one distance from a segment of the z axis.
  *
- * A zone of a sphere has the area of the cylinder around it, so the height z is uniform over the whole capsule (Archimedes).
- * The second uniform is the azimuth. Of height 0 the capsule is a sphere.
+ * A zone of a sphere has the area of the cylinder around it, so the height z is uniform over the whole capsule
+ * (Archimedes). The second uniform is the azimuth. Of height 0 the capsule is a sphere.
  *
  * **Density**
- *
  * 1/(2πr(h + 2r)) per unit area on the surface, and 0 farther from it than 2⁻²⁰ of the size.
  *
  * **Domain**
- *
- * - Point: a `SurfacePoint`. The segment runs from the origin to (0, 0, h), the surface from z = −r to z = h + r. Density
- *   and inverse do not read the normal.
+ * - Point: position and outward normal, six numbers. The segment runs from the origin to (0, 0, h), the surface from z
+ *   = −r to z = h + r. Density and inverse do not read the normal.
  * - Uniforms: two. The lower pole is at u₁ = 0.
  * - Parameters: a height from 0 up and a radius above 0 with a density that `f32` can hold.
  *
  * **Accuracy**
- *
- * *Sample* is the distance from the exact point, relative to the size, h + r. *Pdf* and *realised density* are relative,
- * *inverse* and *round trip* are absolute errors of the uniforms. What each row means.
+ * *Sample* is the distance from the exact point, relative to the size, h + r. *Pdf* and *realised density* are
+ * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
+ * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
  * | error | `poly` |
  * |---|--:|
@@ -2827,9 +2596,7 @@ export declare class FrustumSurface extends Warp<[number, number, number, number
  * The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 1.7e-7, absolutely.
  *
  * **Source**
- *
- * E. W. Weisstein, "Archimedes' Hat-Box Theorem",
- * <https://mathworld.wolfram.com/ArchimedesHat-BoxTheorem.html>.
+ * E. W. Weisstein, "Archimedes' Hat-Box Theorem", <https://mathworld.wolfram.com/ArchimedesHat-BoxTheorem.html>.
  */
 export declare class CapsuleSurface extends Warp<[number, number, number, number, number, number], [number, number]> {
   /**

@@ -17,7 +17,7 @@ use core::marker::PhantomData;
 
 /// Weibull with a scale λ and a shape κ: life times, wind speeds, the weakest of many links.
 ///
-/// x = λ(−ln(1 − u))^(1/κ), increasing with the uniform. In `libm` both logarithms and 1/κ have nine digits, so that a small
+/// x = λ(−ln(1 − u))^(1/κ), increasing with the uniform. In [`libm`](crate::libm) both logarithms and 1/κ have nine digits, so that a small
 /// shape, whose power is large, costs none of a sample's. In `poly` the logarithms come by a table and have seven, in a sixth of
 /// the time.
 ///
