@@ -1,73 +1,132 @@
-// Metropolis chains with a target in JavaScript: the module proposes and decides, the target is called between.
+// Metropolis chains with a target in JavaScript: the module proposes and decides, the target is called between. The chain's
+// state is its own: the target and whoever reads it get copies.
 
-import { IN, OUT, numbers, point, put, refuse, wasm, words_at } from "./core.js";
+import { BLOCK, BUFFERS, Loaded, OUT, numbers, point, put_state, put_words, integer, ready, refuse, wasm, word_at, wrong } from "./core.js";
 
 const OUTCOMES = ["rejected", "accepted", "refused"];
+// Words take two numbers more than coordinates.
+const MOST = BLOCK - 2;
+
+const is_array = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
+const count = (name, value) => integer(name, value, 0, Number.MAX_SAFE_INTEGER);
 
 export class Chain {
-  // The places in the memory: step, widths, state, words.
-  constructor(target, start, { normal, box, cube }) {
-    const dimensions = typeof start === "number" ? 1 : start.length;
-    this._target = target;
-    this._head = [normal ? 1 : 0, cube === undefined ? 0 : 1];
-    this._large = cube ?? 0;
-    this._widths = numbers(normal ?? box, dimensions);
-    this._words = dimensions + 1 + this._head[1];
-    this.state = point_of(numbers(start, dimensions));
-    this._propose(new Uint32Array(this._words));
-    this.density = Math.fround(target(this.state));
-    this._settle(this.density, 0);
+  #target;
+  #step;
+  #dimensions;
+  #words;
+  #log;
+  #scalar;
+  #state;
+  #density;
+  #steps;
+  #accepted;
+  #refused;
+  constructor(target, start, step) {
+    if (typeof target !== "function") throw wrong("a target: a function", target);
+    if (typeof start !== "number" && !is_array(start)) throw wrong("a start: a number or an array of numbers", start);
+    const { normal, box, cube, logDensity = false } = step ?? {};
+    if ((normal === undefined) === (box === undefined)) throw wrong("a step such as { normal: 1 } or { box: [1, 1] }", step);
+    if (typeof logDensity !== "boolean") throw wrong("logDensity: a boolean", logDensity);
+    this.#scalar = typeof start === "number";
+    const dimensions = this.#scalar ? 1 : integer("coordinates", start.length, 1, MOST);
+    const widths = numbers(normal ?? box, dimensions);
+    const bits = new Uint32Array(3 + dimensions);
+    bits.set([box === undefined ? 1 : 0, cube === undefined ? 0 : 1]);
+    new Float32Array(bits.buffer).set([...numbers(cube ?? 0, 1), ...widths], 2);
+    this.#target = target;
+    this.#step = new Loaded(bits);
+    this.#dimensions = dimensions;
+    this.#words = dimensions + 1 + bits[1];
+    this.#log = logDensity ? 1 : 0;
+    this.#state = numbers(start, dimensions).map(Math.fround);
+    // The widths are refused here, by a step that takes them all.
+    put_words(new Uint32Array(this.#words).fill(-1));
+    this.#propose(0);
+    this.#density = this.#weigh(this.#state);
+    this.#stands();
     this.reset();
   }
-  reset() {
-    return Object.assign(this, { steps: 0, accepted: 0, refused: 0 });
+  get state() {
+    return this.#copy(this.#state);
+  }
+  get density() {
+    return this.#density;
+  }
+  get steps() {
+    return this.#steps;
+  }
+  get accepted() {
+    return this.#accepted;
+  }
+  get refused() {
+    return this.#refused;
   }
   get acceptanceRate() {
-    return this.steps > 0 ? this.accepted / this.steps : undefined;
+    return this.#steps > 0 ? this.#accepted / this.#steps : undefined;
+  }
+  reset() {
+    this.#steps = this.#accepted = this.#refused = 0;
+    return this;
   }
   step(source) {
-    const words = new Uint32Array(this._words);
-    source._words(OUT * 4, this._words, 1);
-    words.set(words_at(OUT, this._words));
-    const { state: from, density: fromDensity } = this;
-    const proposed = this._propose(words);
-    const proposedDensity = Math.fround(this._target(proposed));
-    const outcome = this._settle(proposedDensity, words[this._words - 1]);
+    const [from, fromDensity] = [this.#state, this.#density];
+    const proposed = this.#propose(ready(source, this.#words, 1));
+    const word = word_at(this.#words - 1);
+    const proposedDensity = this.#weigh(proposed);
+    const outcome = wasm.settle(BUFFERS, fromDensity, proposedDensity, word, this.#log);
     const acceptance = point(OUT, 1);
-    this.steps += 1;
+    this.#steps += 1;
     if (outcome === 1) {
-      this.accepted += 1;
-      this.state = proposed;
-      this.density = proposedDensity;
-    } else if (outcome === 2) this.refused += 1;
-    return { from, fromDensity, proposed, proposedDensity, acceptance, outcome: OUTCOMES[outcome] };
+      this.#accepted += 1;
+      this.#state = proposed;
+      this.#density = proposedDensity;
+    } else if (outcome === 2) this.#refused += 1;
+    return {
+      from: this.#copy(from), fromDensity, proposed: this.#copy(proposed), proposedDensity, acceptance, outcome: OUTCOMES[outcome],
+    };
   }
   save() {
     const { state, density, steps, accepted, refused } = this;
     return { state, density, steps, accepted, refused };
   }
-  resume(saved) {
-    return Object.assign(this, saved);
+  resume({ state, density, steps, accepted, refused }) {
+    if (typeof density !== "number") throw wrong("density: a number", density);
+    const [own, before] = [numbers(state, this.#dimensions).map(Math.fround), this.#density];
+    for (const [name, value] of Object.entries({ steps, accepted, refused })) count(name, value);
+    this.#density = Math.fround(density);
+    try {
+      this.#stands();
+    } catch (refusal) {
+      this.#density = before;
+      throw refusal;
+    }
+    [this.#state, this.#steps, this.#accepted, this.#refused] = [own, steps, accepted, refused];
+    return this;
   }
 
-  // What a step proposes: the step lies in front of the widths, the words and the state behind them.
-  _propose(words) {
-    const dimensions = this._widths.length;
-    words_at(IN, 2).set(this._head);
-    put(IN + 2, this._large, 1);
-    put(IN + 3, this._widths, dimensions);
-    const [at, state] = [IN + 3 + dimensions, IN + 3 + dimensions + this._words];
-    words_at(at, this._words).set(words);
-    put(state, this.state, dimensions);
-    refuse(wasm.propose(IN * 4, (IN + 3) * 4, at * 4, state * 4, dimensions));
-    return point(state, dimensions);
+  #copy(state) {
+    if (this.#scalar) return state[0];
+    const copy = [];
+    for (let i = 0; i < state.length; i += 1) copy.push(state[i]);
+    return copy;
   }
-  _settle(proposed, word) {
-    const outcome = wasm.settle(this.density, proposed, word, OUT * 4);
-    // A start without a density is what a table of nothing is.
-    if (outcome === 3) throw new RangeError("the target must be positive and finite at the start");
-    return outcome;
+  // What a step proposes, by words drawn before or in the memory.
+  #propose(random) {
+    const step = this.#step.address();
+    put_state(this.#state);
+    refuse(wasm.propose(step, BUFFERS, this.#dimensions, random));
+    return this.#dimensions === 1 ? [point(OUT, 1)] : point(OUT, this.#dimensions);
+  }
+  #weigh(state) {
+    const density = this.#target(this.#copy(state));
+    if (typeof density !== "number") throw wrong("a number from the target", density);
+    return Math.fround(density);
+  }
+  // A start without a density is what a table of nothing is.
+  #stands() {
+    if (wasm.settle(BUFFERS, this.#density, this.#density, 0, this.#log) === 3) {
+      throw new RangeError(this.#log ? "the target must be finite at the start" : "the target must be positive and finite at the start");
+    }
   }
 }
-
-const point_of = (numbers) => (numbers.length === 1 ? Math.fround(numbers[0]) : numbers.map(Math.fround));

@@ -1,32 +1,39 @@
-// The module's memory, and how arrays of the caller pass through it in blocks. No view of the memory is handed out.
+// The module's memory, and how what a caller gives passes through it. No view of the memory is handed out. What a caller
+// gives is checked here, in one place for each kind of thing, and goes to the buffers by `write` alone.
 
 import { reasons } from "./reasons.js";
 
 export let wasm;
 let f32, u32;
 
-// Two buffers of so many numbers, one for what goes in and one for what comes out; then the generator and parameters, and
-// behind them whatever is loaded. Places are counted in numbers.
-const BLOCK = 8192;
+// As small/src/buffers.rs has them: the generator, and two buffers of so many numbers, one for what goes in and one for what
+// comes out. Behind them parameters and whatever is loaded. Places are counted in numbers, and BUFFERS in bytes.
+export const BLOCK = 8192;
 const SMALL = 64;
 // Beside the largest thing there is room for so many numbers of small ones.
 const SPARE = 1 << 16;
-export let IN, OUT;
+export let BUFFERS, IN, OUT;
 // The generator whose state lies in the memory; that of the others lies with them.
 let current;
 let rng_at, loaded_from, loaded_to, epoch = 0;
 
 // Takes an instance, of one module or of one that has more than the one before; two at a time would have two memories.
 let had = 0;
+// Until there is one, whatever asks for it gets an answer.
+export const wait = (answer) => {
+  wasm ??= f32 = u32 = answer;
+};
 export const start = ({ instance }, has) => {
   if (has <= had) return;
   had = has;
   if (current) current = void stored(current);
-  wasm = instance.exports;
-  IN = (wasm.__heap_base.value + 15 >> 4) << 2;
+  // A copy, whose functions an engine calls at once.
+  wasm = { ...instance.exports };
+  BUFFERS = wasm.__heap_base.value + 15 & ~15;
+  rng_at = BUFFERS >> 2;
+  IN = rng_at + SMALL;
   OUT = IN + BLOCK;
-  rng_at = OUT + BLOCK;
-  loaded_from = rng_at + SMALL;
+  loaded_from = OUT + BLOCK;
   room(0);
 };
 
@@ -66,13 +73,15 @@ export class Loaded {
   }
 }
 
-// Has an export write so many words behind numbers, and keeps them. The export gets both addresses.
+// Has an export write at most so many words behind numbers, and keeps them. The export gets both addresses, and returns a
+// refusal or how many words it wrote, as a negative number.
 export const written = (words, head, numbers, write) => {
   const at = reserved(words + numbers.length);
   u32.set(head, at);
   f32.set(numbers, at + words);
-  refuse(write(at * 4, (at + words) * 4));
-  return new Loaded(u32.slice(at, at + words)).at(at);
+  const result = write(at * 4, (at + words) * 4);
+  if (result > 0) refuse(result);
+  return new Loaded(u32.slice(at, at + (-result || words))).at(at);
 };
 
 // A refusal of the module: a code, and the index of a weight times 32.
@@ -83,64 +92,209 @@ export const refuse = (refusal) => {
   throw Object.assign(new RangeError(reason), { code });
 };
 
-export const take = (at, count) => f32.subarray(at, at + count);
-export const words_at = (at, count) => u32.subarray(at, at + count);
+// --- what a caller gives -------------------------------------------------------------------------------
+
+const shown = (value) => (typeof value === "number" ? `${value}` : value === null ? "null" : `a value of type ${typeof value}`);
+export const wrong = (expected, value) => new TypeError(`${expected} is expected, not ${shown(value)}`);
+
+// Every integer parameter.
+export const integer = (name, value, least, most) => {
+  const expected = `${name}: an integer from ${least} to ${most}`;
+  if (typeof value !== "number") throw wrong(expected, value);
+  if (!(Number.isInteger(value) && value >= least && value <= most)) throw new RangeError(`${expected} is expected, not ${value}`);
+  return value;
+};
+export const u32_of = (name, value) => integer(name, value, 0, 0xffffffff);
+// Of 64 bits: those of a negative number are its complement's.
+export const bits64 = (name, value) => {
+  const expected = `${name}: an integer of 64 bits`;
+  if (typeof value !== "number" && typeof value !== "bigint") throw wrong(expected, value);
+  if (!(Number.isInteger(value) || typeof value === "bigint") || value >= 2 ** 64 || value < -(2 ** 63)) {
+    throw new RangeError(`${expected} is expected, not ${value}`);
+  }
+  return BigInt.asUintN(64, BigInt(value));
+};
+
+// What typed arrays of any realm answer, whatever else they are told to say.
+const typed = Object.getPrototypeOf(Uint8Array.prototype);
+const [tag, buffer, offset, length] = [Symbol.toStringTag, "buffer", "byteOffset", "length"].map((key) => {
+  const { get } = Object.getOwnPropertyDescriptor(typed, key);
+  return (value) => get.call(value);
+});
+// A view of our own of an array, of elements of so many numbers.
+export const view = (array, Type, each) => {
+  if (tag(array) !== Type.name) throw wrong(`a ${Type.name}`, array);
+  // Throws for a detached array.
+  const own = new Type(buffer(array), offset(array), length(array));
+  if (own.length % each !== 0) throw new RangeError(`the length ${own.length} is no multiple of ${each}`);
+  return own;
+};
 
 // One number or several, as an array of so many.
 export const numbers = (value, count) => {
-  const flat = flatten(value);
+  const flat = [];
+  const add = (value) => {
+    if (typeof value === "number") return flat.push(value);
+    if (!Array.isArray(value) && !tag(value)) throw wrong("a number or an array of numbers", value);
+    const all = value.length;
+    if (!(all <= count)) throw new TypeError(`${count} numbers are expected, not ${all}`);
+    for (let i = 0; i < all && flat.length <= count; i += 1) add(value[i]);
+  };
+  add(value);
   if (flat.length !== count) throw new TypeError(`${count} numbers are expected, not ${flat.length}`);
   return flat;
 };
-const flatten = (value) => {
-  if (typeof value === "number") return [value];
-  if (typeof value !== "object" || value === null) throw new TypeError(`a number is expected, not ${typeof value}`);
-  return Array.from(value).flatMap(flatten);
+// A copy of the weights of a table.
+const MOST = 1 << 26;
+export const weights_of = (weights) => {
+  if (!Array.isArray(weights) && !tag(weights)) throw wrong("an array of weights", weights);
+  const own = new Float32Array(integer("the number of weights", weights.length, 0, MOST));
+  for (let i = 0; i < own.length; i += 1) {
+    const weight = weights[i];
+    if (typeof weight !== "number") throw wrong(`weight ${i}: a number`, weight);
+    own[i] = weight;
+  }
+  return own;
 };
+
+// --- the buffers ---------------------------------------------------------------------------------------
+
+// Writes numbers or words to a buffer, which holds as many as BLOCK.
+const write = (at, numbers) => {
+  if (numbers.length > BLOCK) throw new RangeError(`at most ${BLOCK} numbers are expected, not ${numbers.length}`);
+  if (numbers instanceof Uint32Array) u32.set(numbers, at);
+  else if (numbers instanceof Float32Array) f32.set(numbers, at);
+  // Few numbers, for which `set` takes longer.
+  else for (let i = 0; i < numbers.length; i += 1) f32[at + i] = numbers[i];
+};
+export const put = (value, count) => {
+  if (count === 1 && typeof value === "number") f32[IN] = value;
+  else write(IN, numbers(value, count));
+};
+export const put_words = (words) => write(IN, words);
+// A chain changes its state where it comes out.
+export const put_state = (state) => write(OUT, state);
+export const index_at = () => u32[OUT];
 export const point = (at, count) => {
   if (count === 1) return f32[at];
   const numbers = [];
   for (let i = 0; i < count; i += 1) numbers.push(f32[at + i]);
   return numbers;
 };
-// Writes what `numbers` gives.
-export const put = (at, value, count) => {
-  if (count === 1 && typeof value === "number") f32[at] = value;
-  else f32.set(numbers(value, count), at);
-};
+// The last of the words that went in.
+export const word_at = (i) => u32[IN + i];
 
-// How many elements of so many numbers an array has.
-export const elements = (array, type, each) => {
-  if (!(array instanceof type)) throw new TypeError(`a ${type.name} is expected`);
-  // A detached array has no elements either.
-  if (array.length === 0) new Uint8Array(array.buffer);
-  if (array.length % each !== 0) throw new RangeError(`the length ${array.length} is no multiple of ${each}`);
-  return array.length / each;
-};
-
-// Calls a function for blocks of so many elements: of `input`, from an array or a source, to `output`.
-export const in_blocks = (count, input, inputs, output, outputs, run) => {
+// Calls a function for blocks of so many elements: of an input, to `output`, from the buffer for what comes out or `in_place`.
+// It gets the number of elements, and how many words the module draws before.
+export const in_blocks = (feed, inputs, output, outputs, run, in_place) => {
+  const count = output.length / outputs;
   const most = Math.floor(BLOCK / Math.max(inputs, outputs));
+  const memory = output instanceof Float32Array ? () => f32 : () => u32;
   for (let from = 0; from < count; from += most) {
     const n = Math.min(most, count - from);
-    if (input instanceof Float32Array) f32.set(input.subarray(from * inputs, (from + n) * inputs), IN);
-    else input._words(IN * 4, inputs, n);
-    run(n);
-    const memory = output instanceof Float32Array ? f32 : u32;
-    output.set(memory.subarray(OUT, OUT + n * outputs), from * outputs);
+    run(n, feed(from, n));
+    const at = in_place ? IN : OUT;
+    output.set(memory().subarray(at, at + n * outputs), from * outputs);
   }
 };
+// Inputs: a source, and an array, of elements of so many numbers.
+export const from_source = (source, each) => (_, n) => ready(source, each, n);
+export const from_array = (array, each) => (from, n) => {
+  write(IN, array.subarray(from * each, (from + n) * each));
+  return 0;
+};
 
+// --- where words come from -----------------------------------------------------------------------------
+
+// How a source is readied, by nobody but `ready`.
+export const READY = Symbol("ready");
+
+export class Source {
+  words(words, dimensions = 1) {
+    return this.#filled(words, Uint32Array, dimensions, () => {});
+  }
+  uniforms(uniforms, dimensions = 1) {
+    return this.#filled(uniforms, Float32Array, dimensions, (n, random) => {
+      wasm.uniforms(BUFFERS, n * dimensions, random > 0 ? 0 : 1);
+    });
+  }
+  #filled(array, Type, dimensions, then) {
+    const own = view(array, Type, integer("dimensions", dimensions, 1, BLOCK));
+    in_blocks(from_source(this, dimensions), dimensions, own, dimensions, (n, random) => {
+      drawn(random);
+      then(n, random);
+    }, true);
+    return array;
+  }
+}
+
+// Readies a source for so many elements of so many words: returns how many the module has to draw.
+export const ready = (source, each, count) => {
+  if (!(source instanceof Source)) throw wrong("a generator such as new Pcg32(), or points", source);
+  return source[READY](each, count);
+};
+// Draws what the module has to draw.
+export const drawn = (random) => {
+  if (random > 0) wasm.random(BUFFERS, random);
+};
 export const generator = (state) => {
+  if (next < end) take_back();
   if (current !== state) {
     current?.set(u32.subarray(rng_at, rng_at + 4));
     u32.set(state, rng_at);
     current = state;
   }
-  return rng_at * 4;
 };
 // Brings the bits of a generator up to date.
 export const stored = (state) => {
+  if (next < end) take_back();
   if (current === state) state.set(u32.subarray(rng_at, rng_at + 4));
   return state;
+};
+
+// --- points drawn ahead --------------------------------------------------------------------------------
+
+// Whoever draws from one generator again and again gets points of one call, twice as many each time, which are those of single
+// calls. Where the generator is used for anything else, it goes back to where it is after what was handed out. Until then its
+// state is the one in the memory.
+const kept = new Float32Array(1024);
+const kept_words = new Uint32Array(kept.buffer);
+const before = new Uint32Array(4);
+let who, from, many, each, words, next = 0, end = 0;
+
+const take_back = () => {
+  const used = next / each * words;
+  who = undefined;
+  next = end = 0;
+  u32.set(before, rng_at);
+  wasm.random(BUFFERS, used);
+};
+
+// The place of the next point of an owner, or -1.
+export const place_ahead = (owner, source) => {
+  if (who !== owner || from !== source || next >= end) return -1;
+  next += each;
+  return next - each;
+};
+// Readies a source for the next points of an owner: returns how many there shall be, and -1 for one that is not drawn.
+export const plan = (owner, source, words_each, numbers) => {
+  const again = who === owner && from === source;
+  const drawn = ready(source, words_each, 1) > 0;
+  many = again && drawn ? Math.min(2 * many, kept.length / Math.max(numbers, words_each) | 0) : 1;
+  [who, from, each, words] = [owner, source, numbers, words_each];
+  if (many > 1) for (let i = 0; i < 4; i += 1) before[i] = u32[rng_at + i];
+  return drawn ? many : -1;
+};
+// Keeps what has come out but the first point, which is to be handed out.
+export const keep = () => {
+  if (many === 1) return;
+  [next, end] = [each, many * each];
+  kept_words.set(u32.subarray(OUT, OUT + end));
+};
+export const kept_word = (at) => kept_words[at];
+export const kept_point = (at) => {
+  if (each === 1) return kept[at];
+  const numbers = [];
+  for (let i = 0; i < each; i += 1) numbers.push(kept[at + i]);
+  return numbers;
 };

@@ -1,19 +1,38 @@
 // Sets of points, and strata.
 
-import { IN, OUT, elements, in_blocks, point, put, refuse, wasm, take } from "./core.js";
-import { Source } from "./source.js";
+import { BUFFERS, IN, READY, Source, drawn, from_source, in_blocks, integer, point, put, refuse, u32_of, view, wasm } from "./core.js";
 
 class Points extends Source {
+  #by_position;
+  #seed;
+  #pixel;
+  #index = 0;
+  #dimension = 0;
   constructor(by_position, seed, pixel) {
     super();
-    Object.assign(this, { by_position, seed, pixel, index: 0, dimension: 0 });
+    [this.#by_position, this.#seed, this.#pixel] = [by_position, u32_of("seed", seed), u32_of("pixel", pixel)];
+  }
+  get index() {
+    return this.#index;
+  }
+  set index(index) {
+    this.#index = u32_of("index", index);
+  }
+  get dimension() {
+    return this.#dimension;
+  }
+  set dimension(dimension) {
+    this.#dimension = u32_of("dimension", dimension);
   }
   at(index, dimension = 0) {
-    return Object.assign(Object.create(Object.getPrototypeOf(this)), this, { index, dimension });
+    const other = this.#by_position ? new ByPosition(this.#seed, this.#pixel) : new Sobol(this.#seed);
+    return Object.assign(other, { index, dimension });
   }
-  _words(address, each, count) {
-    wasm.points(this.by_position, this.seed, this.pixel, this.index, this.dimension, address, each, count);
-    this.index += count;
+  [READY](each, count) {
+    wasm.points(BUFFERS, this.#by_position, this.#seed, this.#pixel, this.#index, this.#dimension, each, count);
+    // Behind the last of 2³² points comes the first.
+    this.#index = this.#index + count >>> 0;
+    return 0;
   }
 }
 export class Sobol extends Points {
@@ -27,28 +46,36 @@ export class ByPosition extends Points {
   }
 }
 
+const MOST = 2 ** 23;
 export class Strata {
-  constructor(columns, rows = 0) {
-    Object.assign(this, { columns, rows, _each: rows ? 2 : 1 });
-    this._place(0, 0);
+  #columns;
+  #rows;
+  #each;
+  constructor(columns, rows) {
+    this.#columns = integer("columns", columns, 1, MOST);
+    this.#rows = rows === undefined ? 0 : integer("rows", rows, 1, MOST);
+    this.#each = this.#rows ? 2 : 1;
+    this.#place(0, 0);
   }
   // Turns uniforms in the memory into those of strata.
-  _place(from, count) {
-    refuse(wasm.strata(this.columns, this.rows, from, IN * 4, count));
+  #place(from, count) {
+    refuse(wasm.strata(BUFFERS, this.#columns, this.#rows, from, count));
   }
   place(index, jitter) {
-    put(IN, jitter, this._each);
-    this._place(index, 1);
-    return point(IN, this._each);
+    u32_of("index", index);
+    put(jitter, this.#each);
+    this.#place(index, 1);
+    return point(IN, this.#each);
   }
   uniforms(uniforms, source, from = 0) {
-    const each = this._each;
-    in_blocks(elements(uniforms, Float32Array, each), source, each, uniforms, each, (n) => {
-      wasm.uniforms(IN * 4, n * each, 0);
-      this._place(from, n);
-      take(OUT, n * each).set(take(IN, n * each));
-      from += n;
-    });
+    const [own, each] = [view(uniforms, Float32Array, this.#each), this.#each];
+    u32_of("from", from);
+    in_blocks(from_source(source, each), each, own, each, (n, random) => {
+      drawn(random);
+      wasm.uniforms(BUFFERS, n * each, 0);
+      this.#place(from, n);
+      from = from + n >>> 0;
+    }, true);
     return uniforms;
   }
 }

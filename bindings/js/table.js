@@ -1,6 +1,6 @@
 // Tables of weights that select indices. Densities made of pieces are in `pieces.js`.
 
-import { IN, OUT, elements, in_blocks, point, put, wasm, words_at, written } from "./core.js";
+import { BUFFERS, OUT, from_source, in_blocks, index_at, keep, kept_word, place_ahead, plan, point, put, put_words, u32_of, view, wasm, weights_of, written } from "./core.js";
 
 const [DRAW, SAMPLE, PDF] = [0, 1, 2];
 const HEAD = 6;
@@ -16,42 +16,55 @@ export const tabulated = (kind, words, shape, bounds, weights) => {
 };
 
 class Indices {
+  #kind;
+  #loaded;
+  #entries;
   constructor(kind, weights, words) {
-    Object.assign(this, { _kind: kind, entries: weights.length });
-    this._loaded = tabulated(kind, words, [weights.length, 1], [], weights);
+    this.#kind = kind;
+    this.#loaded = tabulated(kind, words, [weights.length, 1], [], weights);
+    this.#entries = weights.length;
+  }
+  get entries() {
+    return this.#entries;
   }
   draw(source) {
-    source._words(IN * 4, 1, 1);
-    this._evaluate(DRAW, 1, 1);
-    return words_at(OUT, 1)[0];
+    const at = place_ahead(this, source);
+    if (at >= 0) return kept_word(at);
+    const many = plan(this, source, 1, 1);
+    this.#evaluate(DRAW, 1, Math.abs(many), Math.max(many, 0));
+    keep();
+    return index_at();
   }
   select(uniform) {
-    put(IN, uniform, 1);
-    this._evaluate(SAMPLE, 3, 1);
+    put(uniform, 1);
+    this.#evaluate(SAMPLE, 3, 1, 0);
     const [, pmf, leftover] = point(OUT, 3);
-    return { index: words_at(OUT, 1)[0], pmf, leftover };
+    return { index: index_at(), pmf, leftover };
   }
   pmf(index) {
-    words_at(IN, 1)[0] = index;
-    this._evaluate(PDF, 1, 1);
+    put_words(Uint32Array.of(u32_of("index", index)));
+    this.#evaluate(PDF, 1, 1, 0);
     return point(OUT, 1);
   }
   fill(indices, source) {
-    in_blocks(elements(indices, Uint32Array, 1), source, 1, indices, 1, (n) => this._evaluate(DRAW, 1, n));
+    const own = view(indices, Uint32Array, 1);
+    in_blocks(from_source(source, 1), 1, own, 1, (n, random) => this.#evaluate(DRAW, 1, n, random));
     return indices;
   }
-  _evaluate(what, outputs, count) {
-    wasm.look_up(this._kind, what, this._loaded.address(), IN * 4, 1, OUT * 4, outputs, count);
+  #evaluate(what, outputs, count, random) {
+    wasm.look_up(this.#kind, what, this.#loaded.address(), BUFFERS, 1, outputs, count, random);
   }
 }
 
 export class Cdf extends Indices {
   constructor(weights) {
+    weights = weights_of(weights);
     super(0, weights, weights.length);
   }
 }
 export class Alias extends Indices {
   constructor(weights) {
+    weights = weights_of(weights);
     super(1, weights, 3 * 2 ** Math.ceil(Math.log2(weights.length || 1)));
   }
 }

@@ -185,5 +185,40 @@ for (const [name, dimensions, make, numbers = Float32Array] of [
   const [without, vectors] = of_both(make, dimensions, numbers);
   text += `| \`${name}\` | ${without.toFixed(1)} | ${vectors.toFixed(1)} | ${(without / vectors).toFixed(1)} |\n`;
 }
+
+// One call at a time, whose results are summed: beside plain JavaScript.
+const summed = (call) => (array) => {
+  let sum = 0;
+  for (let i = 0; i < array.length; i += 1) sum += call();
+  array[0] = sum;
+};
+const round = ([x, y]) => Math.exp(-0.5 * (x * x + y * y));
+const chain = new microwarp.Chain(round, [0, 0], { normal: [2, 2] });
+// A chain by hand: normal steps of width 2.
+const plain = { state: [0, 0], density: 1 };
+const plain_step = () => {
+  const proposed = [plain.state[0] + 2 * randn(), plain.state[1] + 2 * randn()];
+  const density = round(proposed);
+  if (random() * plain.density < density) Object.assign(plain, { state: proposed, density });
+  return plain.state[0];
+};
+const discs = new microwarp.Disk();
+const die = new microwarp.Cdf(weights);
+const singles = [
+  ["`Exponential.draw`", summed(() => exponential.draw(rng)), "-Math.log(1 - Math.random())", summed(() => -Math.log(1 - random()))],
+  ["`Normal.draw`", summed(() => normal.draw(rng)), "d3-random", summed(randn)],
+  ["`Cdf.draw` of 64", summed(() => die.draw(rng)), "bisection, Math.random", ((one) => summed(() => (weighted(random)(one), one[0])))([0])],
+  ["`Disk.draw`", summed(() => discs.draw(rng)[0]), "polar, Math.random", summed(() => {
+    const [r, phi] = [Math.sqrt(random()), 2 * Math.PI * random()];
+    return [r * Math.cos(phi), r * Math.sin(phi)][0];
+  })],
+  ["`Chain.step`, two coordinates", summed(() => chain.step(rng).acceptance), "a chain by hand, d3-random", summed(plain_step)],
+];
+const in_turn = nanoseconds(singles.flatMap(([, ours, , other]) => [ours, other]), new Float64Array(COUNT), 1);
+text += "\n| one at a time | ns | beside it | ns | ratio |\n|---|--:|---|--:|--:|\n";
+singles.forEach(([name, , other], i) => {
+  const [ours, theirs] = in_turn.slice(2 * i, 2 * i + 2);
+  text += `| ${name} | ${ours.toFixed(1)} | ${other} | ${theirs.toFixed(1)} | ${(ours / theirs).toFixed(2)} |\n`;
+});
 console.log(text);
 if (slow.length > 0) throw new Error(`not ${LEAST} times faster than the fastest of the others: ${slow.join("; ")}`);

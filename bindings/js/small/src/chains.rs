@@ -1,13 +1,13 @@
 //! Metropolis chains whose target is a function of the caller's: a step is a proposal, the caller's density of it, and
 //! the decision. The caller keeps the state and the counts.
 
-use crate::flat::put;
+use crate::buffers::{BLOCK, Buffers};
 use crate::parts::{NOT_LINKED, linked};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::Error;
 use microwarp::metropolis::{
-    BoxStep, Chain, Mixture, Mutation, NormalStep, Proposal, RandomWalk, Saved, Symmetric,
-    UniformStep, WrappedWalk,
+    BoxStep, Chain, LogDensity, Mixture, Mutation, NormalStep, Proposal, RandomWalk, Saved,
+    Symmetric, TargetDensity, UniformStep, WrappedWalk,
 };
 use microwarp::tier::Poly;
 use microwarp_js_hot::Words;
@@ -25,31 +25,32 @@ pub struct Step {
     large: f32,
 }
 
-/// The state that a step from `state` proposes, by the words of one step; so many coordinates, widths and words, with a
-/// word before them that picks the kind in the cube. 0, or the code of the refusal.
+/// The state that a step proposes, in place of the state in the output, of so many coordinates; the widths lie behind the
+/// step. The words lie in the input: one for each coordinate, with one before them that picks the kind in the cube. Draws
+/// `random` words first. 0, or the code of the refusal.
 ///
 /// # Safety
-/// All that lies there.
+/// The widths lie there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn propose(
-    step: &Step,
-    widths: *const f32,
-    words: *const u32,
-    state: *mut f32,
+    step: *const Step,
+    buffers: &mut Buffers,
     coordinates: usize,
+    random: usize,
 ) -> u32 {
     if !const { linked("chains") } {
         return NOT_LINKED;
     }
-    // SAFETY: as the caller says.
-    let (widths, words, state) = unsafe {
-        (
-            from_raw_parts(widths, coordinates),
-            Words::new(words),
-            from_raw_parts_mut(state, coordinates),
-        )
-    };
-    proposed(step, widths, words, state).map_or_else(|refusal| refusal.code().into(), |()| 0)
+    buffers.random(random);
+    // SAFETY: as the caller says; coordinates and words beyond the buffers have none.
+    unsafe {
+        let coordinates = coordinates.min(BLOCK - 2);
+        let words = Words::new(buffers.input.as_ptr());
+        let state = from_raw_parts_mut(buffers.output.as_mut_ptr().cast(), coordinates);
+        let widths = from_raw_parts(step.add(1).cast(), coordinates);
+        proposed(&*step, widths, words, state)
+    }
+    .map_or_else(|refusal| refusal.code().into(), |()| 0)
 }
 
 fn proposed(step: &Step, widths: &[f32], mut words: Words, state: &mut [f32]) -> Result<(), Error> {
@@ -107,22 +108,35 @@ impl Mutation<()> for Made {
     }
 }
 
-/// Decides whether a proposal of density `proposed` is taken at a state of density `density`, by a word. Writes the
-/// acceptance, and returns 0 for no, 1 for yes, 2 where the density is none and the proposal refused; 3 where the chain has
-/// no density to start from.
-///
-/// # Safety
-/// There is room for the acceptance.
+/// Decides whether a proposal of density `proposed` is taken at a state of density `density`, by a word; with `log` both are
+/// logarithms. Writes the acceptance to the output, and returns 0 for no, 1 for yes, 2 where the density is none and the
+/// proposal refused; 3 where the chain has no density to start from.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn settle(
+pub extern "C" fn settle(
+    buffers: &mut Buffers,
     density: f32,
     proposed: f32,
     word: u32,
-    acceptance: *mut f32,
+    log: u32,
 ) -> u32 {
     if !const { linked("chains") } {
         return 3;
     }
+    let [acceptance, ..] = &mut buffers.output;
+    if log > 0 {
+        let [density, proposed] = [density, proposed].map(LogDensity::<Poly>::new);
+        settled(density, proposed, word, acceptance)
+    } else {
+        settled(density, proposed, word, acceptance)
+    }
+}
+
+fn settled<D: TargetDensity + Copy>(
+    density: D,
+    proposed: D,
+    word: u32,
+    acceptance: &mut u32,
+) -> u32 {
     let saved = Saved {
         state: (),
         density,
@@ -134,12 +148,10 @@ pub unsafe extern "C" fn settle(
     let Ok(mut chain) = Chain::resume(saved) else {
         return 3;
     };
-    // SAFETY: a step whose proposal is made takes one word; there is room for the acceptance, as the caller says.
-    let step = unsafe {
-        let step = chain.step(|()| proposed, &Made, &mut Words::new(&raw const word));
-        put(acceptance, step.acceptance);
-        step
-    };
+    // SAFETY: a step whose proposal is made takes one word.
+    let mut words = unsafe { Words::new(&raw const word) };
+    let step = chain.step(|()| proposed, &Made, &mut words);
+    *acceptance = step.acceptance.to_bits();
     if chain.refused() > 0 {
         2
     } else {

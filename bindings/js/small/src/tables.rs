@@ -1,8 +1,9 @@
 //! Tables of weights, in memory of the caller: a head of six numbers and the entries behind it.
 
+use crate::buffers::{Arrays, Buffers};
 use crate::flat::{get, put};
 use crate::parts::{NOT_LINKED, linked};
-use crate::warps::{Arrays, DRAW, SAMPLE, all};
+use crate::warps::{DRAW, SAMPLE, all};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::Error;
 use microwarp::discrete::{
@@ -103,31 +104,32 @@ pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f
 }
 
 /// Does to each element what `evaluate` does, for a table by its kind. Of `Cdf` and `Alias` the drawn points are indices,
-/// samples are an index, its probability and the leftover uniform, and densities are probabilities.
+/// samples are an index, its probability and the leftover uniform, and densities are probabilities. Draws `random` words first.
 ///
 /// # Safety
-/// `tabulate` has written the table by this kind. The arrays have `count` elements of so many numbers.
+/// `tabulate` has written the table by this kind, whose elements have so many numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn look_up(
     kind: u32,
     what: u32,
     table: *mut Head,
-    input: *const f32,
+    buffers: &mut Buffers,
     inputs: usize,
-    output: *mut f32,
     outputs: usize,
     count: usize,
+    random: usize,
 ) {
     if !has(kind) {
         return;
     }
-    let arrays = Arrays {
+    buffers.random(random);
+    let arrays = buffers.arrays(inputs, outputs, count);
+    let Arrays {
         input,
         output,
-        inputs,
-        outputs,
         count,
-    };
+        ..
+    } = arrays;
     // SAFETY: as the caller says. Finished tables are taken as they are, in constant time; none is refused.
     unsafe {
         let Head {

@@ -1,6 +1,7 @@
 //! Every bound warp by its number: constructed, and evaluated over arrays. The numbers are those of the list in
 //! `tests/golden/src/warps.rs`; the JavaScript side has them by `cargo regenerate`.
 
+use crate::buffers::{Arrays, Buffers};
 use crate::flat::{Flat, get, put};
 use crate::parts::{NOT_LINKED, linked};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
@@ -11,24 +12,6 @@ use microwarp_js_hot::{Words, fill};
 pub const DRAW: u32 = 0;
 pub const SAMPLE: u32 = 1;
 pub const PDF: u32 = 2;
-
-/// Where something comes from and goes to, and how far apart two elements lie.
-pub struct Arrays {
-    pub input: *const f32,
-    pub output: *mut f32,
-    pub inputs: usize,
-    pub outputs: usize,
-    pub count: usize,
-}
-
-impl Arrays {
-    /// The arrays behind their first element.
-    pub fn next(&mut self) {
-        self.input = self.input.wrapping_add(self.inputs);
-        self.output = self.output.wrapping_add(self.outputs);
-        self.count = self.count.wrapping_sub(1);
-    }
-}
 
 /// Does one thing to every element, of a warp of any type.
 ///
@@ -47,8 +30,8 @@ where
 
 /// Does one thing to one element; to all where the warp has a loop for it, and says so.
 type Run = unsafe fn(u32, *const f32, &Arrays) -> bool;
-/// Reads parameters and writes a warp; 0, or the code of the refusal.
-type New = unsafe fn(*const f32, *mut f32) -> u32;
+/// Reads parameters and writes a warp; how many words it has as a negative number, or the code of the refusal.
+type New = unsafe fn(*const f32, *mut f32) -> i32;
 
 /// Does one thing to the first element, of a warp of any type.
 ///
@@ -95,13 +78,13 @@ where
     }
 }
 
-fn write<W>(made: Result<W, Error>, warp: *mut f32) -> u32 {
+fn write<W>(made: Result<W, Error>, warp: *mut f32) -> i32 {
     match made {
         // SAFETY: the caller has room for the largest warp.
         Ok(made) => unsafe { warp.cast::<W>().write(made) },
         Err(refusal) => return refusal.code().into(),
     }
-    0
+    const { -((size_of::<W>() / 4) as i32) }
 }
 
 /// A warp from parameters that lie one behind the other. What takes none cannot refuse.
@@ -128,8 +111,8 @@ unsafe fn nothing(_: u32, _: *const f32, _: &Arrays) -> bool {
     true
 }
 
-unsafe fn none(_: *const f32, _: *mut f32) -> u32 {
-    NOT_LINKED
+unsafe fn none(_: *const f32, _: *mut f32) -> i32 {
+    NOT_LINKED as i32
 }
 
 macro_rules! numbered {
@@ -156,7 +139,7 @@ macro_rules! bound {
 }
 microwarp_golden::float_warps!(bound);
 
-/// Makes a warp by the number of its constructor; 0, or the code of the refusal.
+/// Makes a warp by the number of its constructor; how many words it has as a negative number, or the code of the refusal.
 ///
 /// # Safety
 /// The parameters lie there, and there is room for the largest warp.
@@ -165,40 +148,37 @@ pub unsafe extern "C" fn construct(
     constructor: usize,
     parameters: *const f32,
     warp: *mut f32,
-) -> u32 {
+) -> i32 {
     // SAFETY: as the caller says.
     NEW.get(constructor)
         .map_or(0, |new| unsafe { new(parameters, warp) })
 }
 
-/// Draws (0), samples (1), evaluates the density (2) or inverts (3) every element of an array, by the number of a warp.
+/// Draws (0), samples (1), evaluates the density (2) or inverts (3) every element, by the number of a warp;
+/// draws `random` words first.
 ///
 /// # Safety
-/// `construct` has written the warp by this number. The arrays have `count` elements of so many numbers.
+/// `construct` has written the warp by this number, whose elements have so many numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn evaluate(
     number: usize,
     what: u32,
     warp: *const f32,
-    input: *const f32,
+    buffers: &mut Buffers,
     inputs: usize,
-    output: *mut f32,
     outputs: usize,
     count: usize,
+    random: usize,
 ) {
-    let mut arrays = Arrays {
-        input,
-        output,
-        inputs,
-        outputs,
-        count,
-    };
-    let Some(run) = RUN.get(number) else { return };
-    while arrays.count > 0 {
-        // SAFETY: as the caller says.
-        if unsafe { run(what, warp, &arrays) } {
-            return;
+    buffers.random(random);
+    let mut arrays = buffers.arrays(inputs, outputs, count);
+    if let Some(run) = RUN.get(number) {
+        while arrays.count > 0 {
+            // SAFETY: as the caller says.
+            if unsafe { run(what, warp, &arrays) } {
+                break;
+            }
+            arrays.next();
         }
-        arrays.next();
     }
 }

@@ -1,0 +1,212 @@
+// What a caller may get wrong, or does in an order of its own: lengths, integers, arrays of other realms, targets that write.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+import vm from "node:vm";
+import { readFileSync } from "node:fs";
+import * as microwarp from "microwarp";
+
+const { Alias, ByPosition, Cdf, Chain, Disk, Exponential, LatLongMap, Normal, NormalPair, Pcg32, PiecewiseConstant2d, Sobol, Strata } = microwarp;
+const round = (x) => Math.exp(-x.reduce((sum, x) => sum + x * x, 0));
+
+test("a chain has as many coordinates as its buffers hold, or is refused", () => {
+  const [rng, table] = [new Pcg32(7, 7), new Cdf([1, 2, 3])];
+  const due = [new Pcg32(7, 7).state, table.select(0.5).index];
+  for (const n of [5461, 8190]) {
+    const chain = new Chain(() => 1, Array(n).fill(0.5), { box: Array(n).fill(0.1) });
+    const { proposed } = chain.step(new Pcg32(1));
+    assert.equal(proposed.length, n);
+    assert.ok(proposed.every((x) => x !== 0.5 && Math.abs(x - 0.5) <= 0.1));
+  }
+  for (const n of [8191, 16384, 100000]) {
+    assert.throws(() => new Chain(() => 1, Array(n).fill(0.5), { box: Array(n).fill(0.1) }), /coordinates: an integer from 1 to 8190 is expected/);
+  }
+  assert.throws(() => new Chain(() => 1, [], { box: [] }), RangeError);
+  assert.deepEqual([rng.state, table.select(0.5).index], due);
+});
+
+test("dimensions beyond a buffer, none, and parts of one are refused", () => {
+  for (const d of [8193, 1e9, 0, -1, 0.5, NaN]) {
+    assert.throws(() => new Pcg32(1).words(new Uint32Array(16), d), { name: "RangeError", message: /^dimensions: an integer from 1 to 8192 is expected, not / });
+    assert.throws(() => new Sobol(1).uniforms(new Float32Array(16), d), RangeError);
+  }
+  assert.equal(new Sobol(1).words(new Uint32Array(2 * 8192), 8192).length, 16384);
+});
+
+// Every integer parameter: how it is given, by its name, and one number that it takes.
+const integers = {
+  "seed of Sobol": [(n) => new Sobol(n), 3], "seed of ByPosition": [(n) => new ByPosition(n, 1), 3], pixel: [(n) => new ByPosition(1, n), 3],
+  "index of at": [(n) => new Sobol(1).at(n), 3], "dimension of at": [(n) => new Sobol(1).at(1, n), 3],
+  "index of a set": [(n) => { new Sobol(1).index = n; }, 3], "dimension of a set": [(n) => { new Sobol(1).dimension = n; }, 3],
+  columns: [(n) => new Strata(n), 3], rows: [(n) => new Strata(3, n), 3], "index of a stratum": [(n) => new Strata(3).place(n, 0.5), 3],
+  from: [(n) => new Strata(3).uniforms(new Float32Array(3), new Pcg32(1), n), 3], "index of pmf": [(n) => new Cdf([1, 2]).pmf(n), 1],
+  "index of pmf of Alias": [(n) => new Alias([1, 2]).pmf(n), 1], "columns of a table": [(n) => new PiecewiseConstant2d([1, 2, 3, 4], [n, 2], [0, 1], [0, 1]), 2],
+  "rows of a sky": [(n) => new LatLongMap([1, 2, 3, 4], [2, n]), 2], "seed of at": [(n) => Pcg32.at(n, 1), 3], "index of Pcg32.at": [(n) => Pcg32.at(1, n), 3],
+  dimensions: [(n) => new Pcg32(1).words(new Uint32Array(4), n), 2],
+  steps: [(n) => new Chain(() => 1, 0, { box: 1 }).resume({ state: 0, density: 1, steps: n, accepted: 0, refused: 0 }), 3],
+};
+
+test("every integer parameter is checked, and refused by name", () => {
+  for (const [name, [give, taken]] of Object.entries(integers)) {
+    give(taken);
+    for (const n of [taken + 0.5, NaN, Infinity, -1, 2 ** 53]) assert.throws(() => give(n), { name: "RangeError", message: /^[a-z]+: an integer from \d+ to \d+ is expected, not / }, `${name}: ${n}`);
+    for (const n of ["3", 7n, null, {}, [3], true]) assert.throws(() => give(n), { name: "TypeError" }, `${name}: ${typeof n}`);
+  }
+  for (const give of [(n) => new Pcg32(n), (n) => new Pcg32(1, n)]) {
+    for (const n of [0.5, NaN, Infinity, 2 ** 64, 2n ** 64n, -(2n ** 63n) - 1n]) assert.throws(() => give(n), { name: "RangeError", message: /an integer of 64 bits is expected/ });
+    for (const n of ["seed", null, {}, Symbol("x")]) assert.throws(() => give(n), { name: "TypeError", message: /an integer of 64 bits is expected/ });
+  }
+  assert.throws(() => new Strata(2 ** 23 + 1), /from 1 to 8388608/);
+  assert.equal(new Cdf([1, 2]).pmf(2), 0);
+  assert.equal(new Cdf([1, 2]).pmf(2 ** 32 - 1), 0);
+});
+
+test("arrays of another realm, shared and resizable ones serve like any other", () => {
+  const other = vm.runInNewContext("({ f: new Float32Array(6), u: new Uint32Array(6), w: new Float32Array([1, 2, 3]), a: [0.25, 0.5] })");
+  const disk = new Disk();
+  const due = Array.from(disk.fill(new Float32Array(6), new Pcg32(3)));
+  const shared = new Float32Array(new SharedArrayBuffer(24));
+  const resizable = new Float32Array(new ArrayBuffer(24, { maxByteLength: 48 }));
+  for (const array of [other.f, shared, resizable, Object.assign(new Float32Array(6), { subarray: null, set: null })]) {
+    assert.equal(disk.fill(array, new Pcg32(3)), array);
+    assert.deepEqual(Array.from(array), due);
+  }
+  assert.deepEqual(new Cdf(other.w).fill(other.u, new Pcg32(1)).length, 6);
+  assert.deepEqual(disk.sample(other.a), disk.sample([0.25, 0.5]));
+  for (const wrong of [new Uint32Array(6), new DataView(new ArrayBuffer(24)), { length: 6 }, Object.create(Float32Array.prototype)]) {
+    assert.throws(() => disk.fill(wrong, new Pcg32(3)), { name: "TypeError", message: /^a Float32Array is expected/ });
+  }
+});
+
+test("arrays that overlap give what arrays apart give", () => {
+  const pair = new NormalPair([0, 0], 1);
+  for (const [count, shift] of [[10, 2], [9001, 2], [9001, 0], [9001, -2], [20000, 8190]]) {
+    const buffer = new Float32Array(2 * count + 2 * 8192);
+    const from = 8192;
+    const uniforms = buffer.subarray(from, from + 2 * count);
+    new Sobol(3).uniforms(uniforms, 2);
+    const due = pair.map(uniforms.slice(), new Float32Array(2 * count));
+    assert.deepEqual(pair.map(uniforms, buffer.subarray(from + shift, from + shift + 2 * count)), due, `${count} ${shift}`);
+  }
+});
+
+test("a chain of one coordinate in an array is one, and a target that writes changes nothing", () => {
+  const gauss = (x) => Math.exp(-x * x);
+  const [plain, array] = [new Chain(gauss, 0.5, { normal: 1 }), new Chain(([x]) => gauss(x), [0.5], { normal: [1] })];
+  const [one, other] = [new Pcg32(4), new Pcg32(4)];
+  for (let i = 0; i < 100; i += 1) assert.deepEqual([plain.step(one).proposed], array.step(other).proposed);
+  assert.deepEqual([plain.state], array.state);
+
+  const writing = (x) => [round(x), x.fill(99), x.splice(0, 1)][0];
+  const [kind, wild] = [round, writing].map((target) => new Chain(target, [0.25, 0.5], { normal: [1, 1] }));
+  const [a, b] = [new Pcg32(5), new Pcg32(5)];
+  for (let i = 0; i < 100; i += 1) {
+    const step = wild.step(b);
+    assert.deepEqual(step, kind.step(a));
+    step.from.fill(7);
+    step.proposed.fill(7);
+    wild.state.fill(7);
+  }
+  assert.deepEqual(wild.save(), kind.save());
+});
+
+test("a target may use the package, and its own generator, while the chain steps", () => {
+  const rng = new Pcg32(6);
+  const busy = (x) => {
+    new Normal(0, 1).fill(new Float32Array(9000), new Pcg32(1));
+    new Chain(() => 1, [0, 0, 0], { box: [1, 1, 1] }).step(new Sobol(1));
+    new Alias([1, 2, 3]).draw(rng);
+    return round(x);
+  };
+  const [busy_chain, chain] = [busy, round].map((target) => new Chain(target, [0.25, 0.5], { normal: [1, 1] }));
+  const [a, b] = [new Pcg32(5), new Pcg32(5)];
+  for (let i = 0; i < 50; i += 1) assert.deepEqual(busy_chain.step(a), chain.step(b));
+});
+
+test("a target that fails or returns no number leaves the chain as it was", () => {
+  let failing = false;
+  const target = (x) => {
+    if (failing) throw new Error("mine");
+    return Math.exp(-x * x);
+  };
+  const [chain, rng] = [new Chain(target, 0.5, { normal: 1 }), new Pcg32(1)];
+  const before = chain.save();
+  failing = true;
+  assert.throws(() => chain.step(rng), /^Error: mine$/);
+  assert.deepEqual(chain.save(), before);
+  failing = false;
+  chain.step(rng);
+  for (const value of ["1", undefined, 1n]) assert.throws(() => new Chain(() => value, 0, { normal: 1 }), /a number from the target is expected/);
+});
+
+test("logarithms of densities do not underflow, and give the chain of the densities", () => {
+  const [log, plain] = [new Chain((x) => -0.5 * x * x, 1, { normal: 2, logDensity: true }), new Chain((x) => Math.exp(-0.5 * x * x), 1, { normal: 2 })];
+  const [a, b] = [new Pcg32(2), new Pcg32(2)];
+  let apart = 0;
+  for (let i = 0; i < 1000; i += 1) apart += log.step(a).proposed === plain.step(b).proposed ? 0 : 1;
+  assert.ok(apart < 5, `${apart}`);
+  // A thousand observations, whose likelihood is about e^-30000.
+  const data = Array.from({ length: 1000 }, (_, i) => 5 + Math.sin(i));
+  const likelihood = (mean) => data.reduce((sum, x) => sum - 0.5 * (x - mean) ** 2, -30000);
+  const chain = new Chain(likelihood, 0, { normal: 0.1, logDensity: true });
+  const rng = new Pcg32(3);
+  for (let i = 0; i < 2000; i += 1) chain.step(rng);
+  assert.ok(Math.abs(chain.state - 5) < 0.3, `${chain.state}`);
+  assert.throws(() => new Chain((mean) => Math.exp(likelihood(mean)), 0, { normal: 0.1 }), /positive and finite at the start/);
+  assert.throws(() => new Chain(() => -Infinity, 0, { normal: 1, logDensity: true }), /finite at the start/);
+  assert.throws(() => new Chain(() => 0, 0, { normal: 1, logDensity: 1 }), /logDensity: a boolean is expected/);
+  assert.equal(new Chain((x) => (x === 0 ? 0 : NaN), 0, { normal: 1, logDensity: true }).step(rng).outcome, "refused");
+});
+
+test("errors name what is expected", () => {
+  const [normal, table] = [new Normal(0, 1), new Cdf([1, 2])];
+  const generator = /^TypeError: a generator such as new Pcg32\(\), or points is expected, not /;
+  for (const wrong of [undefined, null, Math.random, {}, "rng", new Float32Array(4)]) {
+    for (const use of [() => normal.draw(wrong), () => normal.fill(new Float32Array(2), wrong), () => table.draw(wrong), () => table.fill(new Uint32Array(2), wrong)]) {
+      assert.throws(use, (error) => generator.test(`${error}`), `${typeof wrong}`);
+    }
+  }
+  for (const wrong of [1, new Map(), "12", undefined]) assert.throws(() => new Cdf(wrong), /^TypeError: an array of weights is expected, not /);
+  assert.throws(() => new Cdf([1, "2"]), /weight 1: a number is expected/);
+  assert.throws(() => new Chain(5, 0, { normal: 1 }), /a target: a function is expected/);
+  for (const step of [undefined, null, {}, { normal: 1, box: 1 }]) assert.throws(() => new Chain(() => 1, 0, step), /a step such as \{ normal: 1 \}/);
+  assert.throws(() => new Chain(() => 1, [0, 0], { normal: 1 }), /2 numbers are expected, not 1/);
+  assert.throws(() => new microwarp.Warp(), /a class of a warp is expected/);
+});
+
+test("points drawn one by one are those drawn at once, whatever comes between", () => {
+  const makers = [() => new Normal(0, 1), () => Exponential.fromRate(2), () => new Disk(), () => new Cdf([1, 2, 3, 4]), () => new Alias([1, 2, 3])];
+  const words = [1, 1, 2, 1, 1];
+  const [one, same] = [new Pcg32(11), new Pcg32(11)];
+  let word = 0;
+  for (let run = 0; run < 400; run += 1) {
+    // Long and short runs of a few things, with words, states and other generators between.
+    const which = run * 7 % makers.length;
+    const [thing, fresh] = [makers[which](), makers[which]()];
+    const times = [1, 2, 3, 60, 700][run % 5];
+    const drawn = Array.from({ length: times }, () => thing.draw(one)).flat();
+    const filled = fresh.fill(which > 2 ? new Uint32Array(times) : new Float32Array(times * (which === 2 ? 2 : 1)), same);
+    assert.deepEqual(drawn, Array.from(filled), `${run}`);
+    word += times * words[which];
+    if (run % 3 === 0) assert.equal(one.state, same.state);
+    if (run % 4 === 0) thing.draw(new Pcg32(1));
+    if (run % 5 === 1) assert.deepEqual(one.words(new Uint32Array(3)), same.words(new Uint32Array(3)));
+  }
+  assert.equal(one.state, same.state);
+  // A generator of another number of words is not where this one is.
+  const far = new Pcg32(11);
+  far.words(new Uint32Array(word));
+  assert.notEqual(far.state, one.state);
+});
+
+test("an engine that compiles no bytes takes a compiled module", () => {
+  const [bundle, module] = [readFileSync("all/module.js", "utf8"), new WebAssembly.Module(readFileSync("node_modules/microwarp/microwarp.wasm"))];
+  const context = vm.createContext({ module, crypto, console }, { codeGeneration: { strings: false, wasm: false } });
+  assert.throws(() => vm.runInContext("new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0))", context), /CompileError/);
+  vm.runInContext(bundle, context);
+  assert.throws(() => vm.runInContext("new M.Disk()", context), /a module is expected first: call init\(module\)/);
+  const other = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
+  assert.throws(() => vm.runInContext("(module) => M.init(module)", context)(other), /the module of this package is expected/);
+  const drawn = vm.runInContext("M.init(module); Array.from(new M.Normal(0, 1).fill(new Float32Array(5), new M.Pcg32(42, 54)))", context);
+  assert.deepEqual(Array.from(drawn), Array.from(new Normal(0, 1).fill(new Float32Array(5), new Pcg32(42, 54))));
+});
