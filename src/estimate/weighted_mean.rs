@@ -32,8 +32,9 @@ use crate::tier::sqrt;
 /// | ratio | 3.4e-8 | 3.4e-8 | 4.3e-7 |
 /// | standard error | 1.6e-7 | 1.6e-7 | 5.5e-7 |
 ///
-/// The standard error is that of the delta method: √(N/(N−1) Σw²(f−R)²)/|Σw|. If every w(f−R) is below 10⁻¹⁸ of the
-/// largest value times the largest weight, it may come out as 0.
+/// The standard error is that of the delta method: √(N/(N−1) Σw²(f−R)²)/|Σw|. Its error is stated for values whose weighted
+/// standard deviation is at least 10⁻⁶ of the largest; where they differ in their last bits alone, it loses digits, and may
+/// come out as 0.
 ///
 /// # Examples
 ///
