@@ -8,7 +8,6 @@ const OUTCOMES = ["rejected", "accepted", "refused"];
 const MOST = BLOCK - 2;
 
 const is_array = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
-const count = (name, value) => integer(name, value, 0, Number.MAX_SAFE_INTEGER);
 
 export class Chain {
   #target;
@@ -90,10 +89,13 @@ export class Chain {
     const { state, density, steps, accepted, refused } = this;
     return { state, density, steps, accepted, refused };
   }
-  resume({ state, density, steps, accepted, refused }) {
+  resume(saved) {
+    const { state, density, steps, accepted, refused } = saved ?? {};
     if (typeof density !== "number") throw wrong("density: a number", density);
     const [own, before] = [numbers(state, this.#dimensions).map(Math.fround), this.#density];
-    for (const [name, value] of Object.entries({ steps, accepted, refused })) count(name, value);
+    integer("steps", steps, 0, Number.MAX_SAFE_INTEGER);
+    integer("accepted", accepted, 0, steps);
+    integer("refused", refused, 0, steps - accepted);
     this.#density = Math.fround(density);
     try {
       this.#stands();

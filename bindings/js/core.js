@@ -124,7 +124,8 @@ const [tag, buffer, offset, length] = [Symbol.toStringTag, "buffer", "byteOffset
 // A view of our own of an array, of elements of so many numbers.
 export const view = (array, Type, each) => {
   if (tag(array) !== Type.name) throw wrong(`a ${Type.name}`, array);
-  // Throws for a detached array.
+  // Throws for a detached array, and for one whose buffer has shrunk.
+  typed.at.call(array, 0);
   const own = new Type(buffer(array), offset(array), length(array));
   if (own.length % each !== 0) throw new RangeError(`the length ${own.length} is no multiple of ${each}`);
   return own;
@@ -278,6 +279,8 @@ export const place_ahead = (owner, source) => {
 };
 // Readies a source for the next points of an owner: returns how many there shall be, and -1 for one that is not drawn.
 export const plan = (owner, source, words_each, numbers) => {
+  // Points of a set are drawn by no generator, and would leave what was drawn ahead to whoever asks next.
+  if (next < end) take_back();
   const again = who === owner && from === source;
   const drawn = ready(source, words_each, 1) > 0;
   many = again && drawn ? Math.min(2 * many, kept.length / Math.max(numbers, words_each) | 0) : 1;

@@ -19,10 +19,14 @@ class Indices {
   #kind;
   #loaded;
   #entries;
-  constructor(kind, weights, words) {
-    this.#kind = kind;
-    this.#loaded = tabulated(kind, words, [weights.length, 1], [], weights);
-    this.#entries = weights.length;
+  // Alone knows how many words a kind takes, since a caller can get at this class too.
+  constructor(alias, weights) {
+    weights = weights_of(weights);
+    const { length } = weights;
+    this.#kind = alias ? 1 : 0;
+    const words = alias ? 3 * 2 ** Math.ceil(Math.log2(length || 1)) : length;
+    this.#loaded = tabulated(this.#kind, words, [length, 1], [], weights);
+    this.#entries = length;
   }
   get entries() {
     return this.#entries;
@@ -58,13 +62,11 @@ class Indices {
 
 export class Cdf extends Indices {
   constructor(weights) {
-    weights = weights_of(weights);
-    super(0, weights, weights.length);
+    super(0, weights);
   }
 }
 export class Alias extends Indices {
   constructor(weights) {
-    weights = weights_of(weights);
-    super(1, weights, 3 * 2 ** Math.ceil(Math.log2(weights.length || 1)));
+    super(1, weights);
   }
 }

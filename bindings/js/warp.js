@@ -1,6 +1,6 @@
 // What all warps have in common, and how their classes are made from one line each.
 
-import { BUFFERS, OUT, from_array, from_source, in_blocks, keep, kept_point, numbers, place_ahead, plan, point, put, view, wasm, written } from "./core.js";
+import { BUFFERS, Loaded, OUT, from_array, from_source, in_blocks, keep, kept_point, numbers, place_ahead, plan, point, put, view, wasm, written } from "./core.js";
 
 const [DRAW, SAMPLE, PDF, INVERT] = [0, 1, 2, 3];
 // Room for the largest warp, as src/warps.rs asserts.
@@ -16,7 +16,8 @@ export class Warp {
   #dimensions;
   // What is loaded, and its number among the warps or, of a table, its kind.
   constructor(loaded, number, figures, table = false) {
-    if (new.target === Warp) throw new TypeError("a class of a warp is expected, not Warp");
+    // No caller has one, whatever class is made of this one.
+    if (!(loaded instanceof Loaded)) throw new TypeError("a class of a warp is expected, not Warp");
     [this.#loaded, this.#number, this.#table] = [loaded, number, table];
     [this.#uniforms, this.#dimensions, this.#words] = figures;
   }
@@ -77,8 +78,9 @@ export class Warp {
   #arrays(what, input, inputs, output, outputs) {
     const [from, to] = [view(input, Float32Array, inputs), view(output, Float32Array, outputs)];
     if (from.length / inputs !== to.length / outputs) throw new RangeError("the arrays have not as many elements");
-    // What would be overwritten before it is read is kept.
-    this.#all(what, from_array(from.buffer === to.buffer ? from.slice() : from, inputs), inputs, to, outputs);
+    // What would be overwritten before it is read is kept. Two shared buffers may have one memory.
+    const { buffer } = from;
+    this.#all(what, from_array(buffer === to.buffer || "growable" in buffer ? from.slice() : from, inputs), inputs, to, outputs);
     return output;
   }
 }

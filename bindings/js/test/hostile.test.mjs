@@ -210,3 +210,66 @@ test("an engine that compiles no bytes takes a compiled module", () => {
   const drawn = vm.runInContext("M.init(module); Array.from(new M.Normal(0, 1).fill(new Float32Array(5), new M.Pcg32(42, 54)))", context);
   assert.deepEqual(Array.from(drawn), Array.from(new Normal(0, 1).fill(new Float32Array(5), new Pcg32(42, 54))));
 });
+
+test("points of a set are its own, whoever has drawn from a generator before", () => {
+  // Interleaved by a fixed seed: each draw is the next of what its source gives when it is asked alone.
+  let seed = 1;
+  const random = (n) => (seed = Math.imul(seed, 1664525) + 1013904223 >>> 0, Math.floor(seed / 2 ** 32 * n));
+  const owners = [new Normal(0, 1), new Disk(), Exponential.fromRate(2), new Cdf([1, 2, 3, 4]), new Alias([1, 2, 3, 4])];
+  const again = [new Normal(0, 1), new Disk(), Exponential.fromRate(2), new Cdf([1, 2, 3, 4]), new Alias([1, 2, 3, 4])];
+  const sources = [new Pcg32(3, 3), new Pcg32(4, 4), new Sobol(5), new ByPosition(6, 7)];
+  // A table's or warp's single draw as a filled array has it.
+  const alone = [new Pcg32(3, 3), new Pcg32(4, 4), new Sobol(5), new ByPosition(6, 7)];
+  const filled = (owner, source) => {
+    const each = owner.dimensions ?? 1;
+    const array = owner.fill(owner.dimensions ? new Float32Array(each) : new Uint32Array(1), source);
+    return each === 1 ? array[0] : Array.from(array);
+  };
+  const runs = [];
+  for (let run = 0; run < 3000; run += 1) {
+    const [owner, source, draws] = [random(owners.length), random(sources.length), 1 + random(12)];
+    runs.push([owner, source, Array.from({ length: draws }, () => owners[owner].draw(sources[source]))]);
+  }
+  // Afterwards, since to fill an array puts an end to what was drawn ahead.
+  runs.forEach(([owner, source, got], run) => {
+    assert.deepEqual(got, got.map(() => filled(again[owner], alone[source])), `run ${run}`);
+  });
+  assert.deepEqual(sources.map(({ state, index }) => state ?? index), alone.map(({ state, index }) => state ?? index));
+});
+
+test("arrays beyond what their buffer has left are refused, and two shared buffers of one memory are no trouble", () => {
+  const shrunk = new ArrayBuffer(64, { maxByteLength: 128 });
+  const array = new Float32Array(shrunk, 32, 8);
+  shrunk.resize(16);
+  assert.throws(() => new Normal(0, 1).fill(array, new Pcg32(1)), TypeError);
+  const shared = new SharedArrayBuffer(4 * 40000);
+  const from = new Float32Array(shared, 0, 30000);
+  from.forEach((_, i) => { from[i] = i / 30000; });
+  const uniform = new microwarp.Interval(0, 1);
+  const due = uniform.map(from.slice(), new Float32Array(30000));
+  const other = structuredClone(shared);
+  assert.notEqual(other, shared);
+  assert.deepEqual(Array.from(uniform.map(from, new Float32Array(other, 4 * 5000, 30000))), Array.from(due));
+});
+
+test("classes that others are made of take nothing that leads beyond", () => {
+  class Mine extends microwarp.Warp {
+    constructor() {
+      super({ address: () => 1 << 17 }, 53, [1, 1, 1]);
+    }
+  }
+  assert.throws(() => new Mine(), TypeError);
+  const Indices = Object.getPrototypeOf(Cdf);
+  const weights = new Float32Array(1000).fill(1);
+  assert.equal(new Indices(7, weights, 0).select(0.4321).index, new Alias(weights).select(0.4321).index);
+  assert.throws(() => new Indices(0, { length: 2 ** 31 }), TypeError);
+});
+
+test("a chain resumes from counts that do not contradict each other", () => {
+  const chain = new Chain(() => 1, 0, { box: 1 });
+  const saved = { state: 0, density: 1, steps: 3, accepted: 2, refused: 1 };
+  assert.equal(chain.resume(saved).steps, 3);
+  for (const wrong of [{ accepted: 4 }, { refused: 2 }, { steps: 2 }]) assert.throws(() => chain.resume({ ...saved, ...wrong }), { name: "RangeError", message: /^(accepted|refused): an integer from 0 to / });
+  assert.throws(() => chain.resume(), { name: "TypeError", message: /density/ });
+  assert.equal(chain.steps, 3);
+});
