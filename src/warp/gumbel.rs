@@ -40,8 +40,8 @@ use crate::tier::{LOG2_E, Tier, exp2_pair, log2, neg_log2_1m, neg_log2_1m_of_wor
 /// # Cost
 /// <!-- generated: cost Gumbel -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 119 on a Cortex-M4F (1,616 bytes), 5,124 on a Cortex-M0, 186 as WASM.
-/// - `libm`: 153 on a Cortex-M4F (1,088 bytes), 6,527 on a Cortex-M0, 255 as WASM.
+/// - `poly`: 73 on a Cortex-M4F (296 bytes), 2,340 on a Cortex-M0, 119 as WASM.
+/// - `libm`: 73 on a Cortex-M4F (296 bytes), 2,340 on a Cortex-M0, 119 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

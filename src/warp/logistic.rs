@@ -41,8 +41,8 @@ use crate::tier::{LN_2, Tier};
 /// # Cost
 /// <!-- generated: cost Logistic -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 91 on a Cortex-M4F (960 bytes), 3,450 on a Cortex-M0, 142 as WASM.
-/// - `libm`: 101 on a Cortex-M4F (764 bytes), 3,859 on a Cortex-M0, 162 as WASM.
+/// - `poly`: 61 on a Cortex-M4F (272 bytes), 2,303 on a Cortex-M0, 98 as WASM.
+/// - `libm`: 61 on a Cortex-M4F (272 bytes), 2,303 on a Cortex-M0, 98 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -68,8 +68,8 @@ pub struct SurfaceSample {
 /// # Cost
 /// <!-- generated: cost VisibleSphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 113 on a Cortex-M4F (704 bytes), 5,030 on a Cortex-M0, 212 as WASM.
-/// - `libm`: 2,226 on a Cortex-M4F (6,984 bytes), 9,339 on a Cortex-M0, 257 as WASM.
+/// - `poly`: 105 on a Cortex-M4F (456 bytes), 4,958 on a Cortex-M0, 202 as WASM.
+/// - `libm`: 2,217 on a Cortex-M4F (6,848 bytes), 9,268 on a Cortex-M0, 247 as WASM.
 /// <!-- end -->
 ///
 /// # Examples
