@@ -177,9 +177,13 @@ mod tests {
         [on_names, struck]
     }
 
+    /// A point and the width of its name.
+    type Named = ([f32; 2], f32);
+    type Line = [[f32; 2]; 2];
+
     /// A crowd as in the panel of the disk on the host: twelve points with names of four to fifteen letters, most of them in
     /// a heap, with a whisker each.
-    fn crowd(rng: &mut Pcg32) -> (Vec<([f32; 2], f32)>, Vec<[[f32; 2]; 2]>) {
+    fn crowd(rng: &mut Pcg32) -> (Vec<Named>, Vec<Line>) {
         let mut u = || grid(rng);
         let heap = [60.0 + 250.0 * u(), 120.0 + 110.0 * u()];
         let mut points = Vec::new();

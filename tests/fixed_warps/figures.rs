@@ -43,7 +43,9 @@ pub fn over_words(stride: u32, observe: impl Fn(u32, &mut dyn FnMut(f64)) + Sync
     over_words_of(stride, &observe)
 }
 
-fn over_words_of(stride: u32, observe: &(dyn Fn(u32, &mut dyn FnMut(f64)) + Sync)) -> Figures {
+type OfWord<'a> = &'a (dyn Fn(u32, &mut dyn FnMut(f64)) + Sync);
+
+fn over_words_of(stride: u32, observe: OfWord) -> Figures {
     let stride = speed::of("one word tried of every", 15 * stride, stride);
     assert_eq!(stride % 2, 1, "so that all low bits occur");
     let total = Mutex::new(Figures::default());

@@ -200,7 +200,7 @@ fn due(parts: [[u128; 2]; 4], [from, to]: [u32; 2]) -> [u64; 2] {
     };
     let (part, whole) = (product(1) * to, product(0) * from);
     let words = |by: u64| {
-        let (part, whole) = (&part * by << 32_u32, &whole << 63_u32);
+        let (part, whole) = ((&part * by) << 32_u32, &whole << 63_u32);
         let words: BigUint = (part + &whole - 1_u32) / whole;
         u64::try_from(words.min(BigUint::from(1_u64 << 32))).unwrap()
     };
