@@ -49,8 +49,9 @@ use rand_core::{Rng, TryRng};
 /// # Accuracy
 /// Errors are against the probabilities of the table. Those differ from radiance times solid angle over the total by
 /// less than 2⁻³¹ with `u32`, and by less than 2⁻⁵⁴ with `u64`; where pixels or rows are below a word of `u64`, each of
-/// them takes up to one from the others. The sines of the rows are integers, right to 2⁻⁶⁰ of themselves. r is what an ulp of sin θ and cos θ makes of the inverse, and m the largest probability
-/// that lies in the distance which directions keep from an edge, of a column within its row or of a row.
+/// them takes up to one from the others. The sines of the rows are integers, right to 2⁻⁶⁰ of themselves. r is what an ulp
+/// of sin θ and cos θ makes of the inverse, and m the largest probability that lies in the distance which directions keep
+/// from an edge, of a column within its row or of a row.
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
