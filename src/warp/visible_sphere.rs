@@ -136,10 +136,7 @@ impl<T: Tier> VisibleSphere<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a radius of 0 or less, [`Error::TooLarge`] where
     /// the far side of the sphere is beyond the range of `f32`, [`Error::Empty`] for a sphere seen under less than 1.6e-19 rad.
-    #[allow(
-        clippy::inline_always,
-        reason = "what the caller does not use is then not computed"
-    )]
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[inline(always)]
     pub fn new(point: [f32; 3], centre: [f32; 3], radius: f32) -> Result<Self, Error> {
         let ([px, py, pz], [cx, cy, cz]) = (point, centre);
