@@ -11,6 +11,8 @@ pub const REJECTION: &str = "rejection";
 pub const RAND_DISTR: &str = "rand_distr";
 pub const MICROMATH: &str = "micromath";
 pub const TEXTBOOK: &str = "plain libm";
+/// The maps that renderers write by hand, in `f32` over std.
+pub const PUBLISHED: &str = "published form";
 /// Of normals, which the tiers draw in pairs: one at a time.
 pub const LIBM_SINGLE: &str = "libm, one at a time";
 pub const POLY_SINGLE: &str = "poly, one at a time";

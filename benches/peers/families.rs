@@ -1,6 +1,6 @@
 //! The list of contests.
 
-use crate::{draws, fills, laws, tables};
+use crate::{draws, fills, lamps, laws, tables};
 use support::contest::Standings;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -9,12 +9,14 @@ pub enum Kind {
     Draw,
     /// Our `fill` of a slice beside the peers' single draws.
     Fill,
+    /// One sample with its density after the other, beside the published map.
+    Weighed,
 }
 
 pub struct Family {
     pub name: &'static str,
     pub kind: Kind,
-    /// What `rand_distr` stands for in this contest.
+    /// What `rand_distr` stands for in this contest, or whose map the published one is.
     pub peer: &'static str,
     /// Runs this many rounds, with a callback after each.
     pub run: fn(usize, &mut dyn FnMut()) -> Standings,
@@ -25,6 +27,7 @@ impl Family {
         match self.kind {
             Kind::Draw => self.name.into(),
             Kind::Fill => format!("{}, filled", self.name),
+            Kind::Weighed => format!("{}, with density", self.name),
         }
     }
 }
@@ -58,12 +61,18 @@ families! {
     Draw "Weibull" "Weibull" laws::weibull();
     Draw "Pareto" "Pareto" laws::pareto();
     Draw "log-normal" "LogNormal" laws::log_normal();
+    Draw "normal, one at a time" "StandardNormal" laws::normal();
+    Draw "geometric, p = 1/2" "StandardGeometric" laws::geometric_of_a_half();
     Draw "geometric, p = 0.01" "Geometric" laws::geometric(0.01);
     Draw "Poisson, mean 10" "Poisson" laws::poisson(10.0);
+    Draw "Poisson, mean 60" "Poisson" laws::poisson(60.0);
+    Draw "Poisson, mean 30, rejection" "Poisson" laws::poisson_rejection(30.0);
     Draw "Poisson, mean 1000" "Poisson" laws::poisson_rejection(1000.0);
     Draw "cdf of 8" "WeightedIndex" tables::cdf(8);
     Draw "cdf of 64" "WeightedIndex" tables::cdf(64);
     Draw "cdf of 1024" "WeightedIndex" tables::cdf(1024);
+    Draw "cdf of 1048576" "WeightedIndex" tables::cdf(1 << 20);
+    Draw "alias of 3" "WeightedAliasIndex" tables::alias(3);
     Draw "alias of 8" "WeightedAliasIndex" tables::alias(8);
     Draw "alias of 64" "WeightedAliasIndex" tables::alias(64);
     Draw "alias of 1024" "WeightedAliasIndex" tables::alias(1024);
@@ -74,4 +83,18 @@ families! {
     Fill "lobe" "powf and UnitCircle" fills::lobe();
     Fill "exponential" "Exp1" fills::exponential();
     Fill "normal" "StandardNormal" fills::normal();
+    Weighed "sphere lamp, anew" "Shirley, Wang, Zimmerman 1996" lamps::sphere();
+    Weighed "triangle lamp, anew" "Arvo 1995" lamps::triangle();
+    Weighed "rectangle lamp, anew" "Urena, Fajardo, King 2013" lamps::rectangle();
+    Weighed "triangle lamp, density alone" "Arvo 1995, with its sample" lamps::triangle_density();
+    Weighed "rectangle lamp, density alone" "Urena et al. 2013, with its sample" lamps::rectangle_density();
+    Weighed "visible normals, anew" "Heitz 2018" lamps::ggx();
+    Weighed "cone" "by the cosine" lamps::cone();
+    Weighed "Henyey-Greenstein" "by the cosine" lamps::henyey_greenstein();
+    Weighed "bilinear" "by two roots" lamps::bilinear();
+    Weighed "concentric disk" "Shirley, Chiu 1997" lamps::concentric_disk();
+    Weighed "concentric cosine" "Malley" lamps::cosine_hemisphere();
+    Weighed "exponential law" "by the logarithm" lamps::exponential();
+    Weighed "logistic law" "by the logarithm" lamps::logistic();
+    Weighed "normal law" "Giles 2012" lamps::normal();
 }

@@ -40,6 +40,27 @@ fn of_counts() -> Contest<u32> {
     Contest::new(0).draw(FLOOR, |rng| rng.next_u32())
 }
 
+/// Single normals, of parameters of their own.
+pub fn normal() -> Contest<f32> {
+    tiers!(
+        Contest::new(0.0).draw(FLOOR, word),
+        mw::Normal::new(0.5, 1.5).unwrap()
+    )
+    .draw(
+        RAND_DISTR,
+        theirs(rand_distr::Normal::new(0.5_f32, 1.5).unwrap()),
+    )
+}
+
+/// Failures before a head.
+pub fn geometric_of_a_half() -> Contest<u32> {
+    let ours = black_box(discrete::Geometric::new(0.5).unwrap());
+    let peer = theirs(rand_distr::StandardGeometric);
+    of_counts()
+        .draw(INDEX, move |rng| ours.draw(rng))
+        .draw(RAND_DISTR, move |rng| peer(rng) as u32)
+}
+
 pub fn geometric(p: f32) -> Contest<u32> {
     let ours = black_box(discrete::Geometric::new(p).unwrap());
     let peer = theirs(rand_distr::Geometric::new(p.into()).unwrap());

@@ -1,5 +1,5 @@
-//! Every sampler next to its peers in one process: rand_distr, micromath, textbook formulas over libm, and the
-//! generator alone. `cargo bench --bench peers -- --help`
+//! Every sampler next to its peers in one process: rand_distr, micromath, textbook formulas over libm, the
+//! maps that renderers write by hand, and the generator alone. `cargo bench --bench peers -- --help`
 //!
 //! How times are taken and compared is in `support::contest`, what the peers are in `support::peers`, who meets
 //! whom in `families.rs`. This file runs the steps.
@@ -9,6 +9,7 @@ mod contestants;
 mod draws;
 mod families;
 mod fills;
+mod lamps;
 mod laws;
 mod report;
 mod tables;
@@ -45,9 +46,11 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
 
     if args.markdown {
         report::summary(&results);
+        report::weighed(&results);
     } else {
         report::tables(&results, Kind::Draw);
         report::tables(&results, Kind::Fill);
+        report::tables(&results, Kind::Weighed);
         report::targets(&results);
     }
     report::noise(&results);

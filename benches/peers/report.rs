@@ -37,21 +37,21 @@ fn of_kind(results: &Results, kind: Kind) -> impl Iterator<Item = &(Family, Stan
 /// A table of each family.
 pub fn tables(results: &Results, kind: Kind) {
     for (family, standings) in of_kind(results, kind) {
-        println!("{}; rand_distr is {}", family.title(), family.peer);
+        let (peer, beside) = match kind {
+            Kind::Weighed => (PUBLISHED, "the published form's"),
+            _ => (RAND_DISTR, "rand_distr's"),
+        };
+        println!("{}; {peer} is {}", family.title(), family.peer);
         let rows = standings.names().map(|name| {
             vec![
                 name.into(),
                 text(standings.nanoseconds(name)),
-                text(standings.ratio(name, RAND_DISTR)),
+                text(standings.ratio(name, peer)),
                 text(standings.ratio(name, TEXTBOOK)),
             ]
         });
-        let mut header = vec![
-            "",
-            "ns a sample",
-            "of rand_distr's time",
-            "of plain libm's time",
-        ];
+        let beside = format!("of {beside} time");
+        let mut header = vec!["", "ns a sample", &beside, "of plain libm's time"];
         let mut rows: Vec<Vec<String>> = rows.collect();
         if standings.nanoseconds(TEXTBOOK).is_none() {
             header.pop();
@@ -79,6 +79,7 @@ impl<'a> Target<'a> {
             (Kind::Draw, LIBM, TEXTBOOK, 1.0),
             (Kind::Draw, INDEX, RAND_DISTR, 1.0),
             (Kind::Fill, POLY, RAND_DISTR, 1.0 / 3.0),
+            (Kind::Weighed, POLY, PUBLISHED, 1.0),
         ];
         let targets = results.iter().flat_map(|(family, standings)| {
             asked.iter().filter_map(move |&(kind, name, other, most)| {
@@ -122,7 +123,7 @@ pub fn targets(results: &Results) {
     table::print(&header, rows.collect(), 2);
 }
 
-/// One row per family, for the README.
+/// One row per family, for the page.
 pub fn summary(results: &Results) {
     let contests = of_kind(results, Kind::Draw).map(|(family, standings)| {
         let ns = |name: &str| median(standings.nanoseconds(name));
@@ -163,13 +164,39 @@ pub fn summary(results: &Results) {
     table::print(&header, contests.collect(), 1);
 }
 
+/// One row per contest with densities, for the same page.
+pub fn weighed(results: &Results) {
+    let contests = of_kind(results, Kind::Weighed).map(|(family, standings)| {
+        let ns = |name: &str| median(standings.nanoseconds(name));
+        vec![
+            format!("{} ({})", family.name, family.peer),
+            ns(PUBLISHED),
+            ns(FLOOR),
+            ns(POLY),
+            text(standings.ratio(POLY, PUBLISHED)),
+            ns(LIBM),
+            text(standings.ratio(LIBM, PUBLISHED)),
+        ]
+    });
+    let header = [
+        "with density",
+        "published form",
+        "generator",
+        "`poly`",
+        "of its time",
+        "`libm`",
+        "of its time",
+    ];
+    table::print(&header, contests.collect(), 1);
+}
+
 /// Warns if the machine was busy: on a quiet one, the ratio of two samplers hardly varies.
 pub fn noise(results: &Results) {
     let spreads = results.iter().flat_map(|(_, standings)| {
-        standings
-            .names()
-            .filter(|&name| name != RAND_DISTR)
-            .filter_map(|name| Some(standings.ratio(name, RAND_DISTR)?.spread()))
+        [RAND_DISTR, PUBLISHED].into_iter().flat_map(move |peer| {
+            let others = standings.names().filter(move |&name| name != peer);
+            others.filter_map(move |name| Some(standings.ratio(name, peer)?.spread()))
+        })
     });
     let Quartiles { median, upper, .. } = Quartiles::of(spreads);
     let verdict = if upper <= NOISY {
@@ -187,7 +214,7 @@ pub fn noise(results: &Results) {
 /// Every figure: nanoseconds a sample and ratios, each as lower quartile, median and upper quartile.
 pub fn csv(results: &Results) -> String {
     let mut csv = String::from("family,kind,peer,contestant");
-    for figure in ["ns", "of_rand_distr", "of_plain_libm"] {
+    for figure in ["ns", "of_rand_distr", "of_plain_libm", "of_published"] {
         let _ = write!(csv, ",{figure}_lower,{figure}_median,{figure}_upper");
     }
     csv.push('\n');
@@ -195,6 +222,7 @@ pub fn csv(results: &Results) -> String {
         let kind = match family.kind {
             Kind::Draw => "draw",
             Kind::Fill => "fill",
+            Kind::Weighed => "weighed",
         };
         for name in standings.names() {
             let _ = write!(csv, "{},{kind},\"{}\",\"{name}\"", family.name, family.peer);
@@ -202,6 +230,7 @@ pub fn csv(results: &Results) -> String {
                 standings.nanoseconds(name),
                 standings.ratio(name, RAND_DISTR),
                 standings.ratio(name, TEXTBOOK),
+                standings.ratio(name, PUBLISHED),
             ];
             for figure in figures {
                 match figure {

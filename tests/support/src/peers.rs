@@ -23,4 +23,5 @@ pub fn drawn<const N: usize, P>(map: impl Fn([f32; N]) -> P) -> impl Fn(&mut Pcg
 mod formulas;
 pub mod micro;
 pub mod rejecting;
+pub mod renderer;
 pub mod textbook;

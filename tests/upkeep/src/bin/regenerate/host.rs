@@ -28,16 +28,16 @@ pub fn measure() -> Outcome {
         "--markdown",
     ];
     let said = command(&line, &[], true)?;
-    let table: String = said
+    let tables: String = said
         .lines()
-        .filter(|line| line.starts_with('|'))
+        .filter(|line| line.is_empty() || line.starts_with('|'))
         .map(|l| plain(l) + "\n")
         .collect();
     let head = format!(
         "What `cargo bench --bench peers -- --markdown` printed on {}.\n`cargo regenerate --host` measures anew.\n\n",
         machine_and_day()?
     );
-    write("docs/measured/peers.md", &(head + &table))?;
+    write("docs/measured/peers.md", &(head + tables.trim_start()))?;
     example("tradeoff", &[])
 }
 

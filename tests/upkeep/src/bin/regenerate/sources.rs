@@ -20,6 +20,8 @@ pub struct Sources {
     host: HashMap<String, Vec<String>>,
     /// The rows of the table of peers, by the family's first words.
     pub peers: Vec<Vec<String>>,
+    /// Likewise of what renderers sample.
+    pub renderers: Vec<Vec<String>>,
     /// All files of src: their paths from the root, and what stands in them.
     pub code: Vec<(String, String)>,
     golden: String,
@@ -87,13 +89,19 @@ impl Sources {
         let mut code = Vec::new();
         all_code(&root().join("src"), &mut code);
         let peers = read("docs/measured/peers.md")?;
-        let rows = peers.lines().filter(|line| line.starts_with('|'));
+        let mut tables = peers.split("\n\n").filter(|part| part.starts_with('|'));
+        let mut table = || {
+            tables
+                .next()
+                .map(|table| table.lines().map(cells).collect())
+        };
         Ok(Self {
             costs: by_keys("benches/cores/costs.csv", 3)?,
             counted: by_keys("docs/measured/cores.csv", 1)?,
             sizes: by_keys(".ci/sizes.csv", 2)?,
             host: by_keys("docs/measured/host.csv", 2)?,
-            peers: rows.map(cells).collect(),
+            peers: table().ok_or("peers.md is empty")?,
+            renderers: table().unwrap_or_default(),
             code,
             golden: read("tests/golden/golden.csv")?,
         })
@@ -150,7 +158,7 @@ impl Sources {
 
     /// A cell of the table of peers, of the family that begins so.
     pub fn peer(&self, family: &str, column: &str) -> Outcome<&str> {
-        let header = self.peers.first().ok_or("peers.md is empty")?;
+        let header = self.peers.first().ok_or("peers.md has no row")?;
         let column = header.iter().position(|title| title == column);
         let row = self.peers.iter().find(|row| row[0].starts_with(family));
         let cell = column.zip(row).and_then(|(i, row)| row.get(i));

@@ -22,6 +22,7 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         ),
         "integers" => integers(sources),
         "peers" => Ok(rows(&sources.peers)),
+        "renderers" => Ok(rows(&sources.renderers)),
         "firmware" => firmware(),
         "c" => c(),
         "pictures" => scene::pictures(),
