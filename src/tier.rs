@@ -32,6 +32,9 @@ mod sealed {
         /// Whether laws take their quick form by tables where a slower one has more digits.
         const TABLES: bool;
 
+        /// `(sin(2πr), cos(2πr))` for `|r| <= 1/8`.
+        fn sincos_quarter(r: f32) -> (f32, f32);
+
         /// [`Tier::neg_ln_1m`](super::Tier::neg_ln_1m) of the uniform of the grid that a word stands for: quicker one by one,
         /// but not vectorised.
         fn neg_ln_1m_of_word(word: u32) -> f32;

@@ -299,12 +299,6 @@ pub(crate) const fn deep(word: u32) -> Canonical<f32> {
     Canonical(deep_from_word(word))
 }
 
-/// [`open_from_word`] of each word, as canonical uniforms.
-#[inline]
-pub(crate) fn open_cells<const N: usize>(words: [u32; N]) -> Canonical<[f32; N]> {
-    Canonical(words.map(open_from_word))
-}
-
 /// A 64-bit fraction, truncated to the nearest `f32` below: small values keep their precision.
 ///
 /// `high` holds the leading 32 bits. Every value from 2⁻⁴⁰ up has 24 significant bits. The smallest value above 0 is 2⁻⁶⁴,

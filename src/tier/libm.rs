@@ -60,6 +60,11 @@ impl super::sealed::Sealed for Libm {
     const TABLES: bool = false;
 
     #[inline]
+    fn sincos_quarter(r: f32) -> (f32, f32) {
+        sincos_quarter(r)
+    }
+
+    #[inline]
     fn neg_ln_1m_of_word(word: u32) -> f32 {
         // On the grid 1 - u is exact.
         0.0 - ::libm::logf(1.0 - grid_from_word(word))

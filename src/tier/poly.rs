@@ -58,6 +58,11 @@ impl super::sealed::Sealed for Poly {
     const TABLES: bool = true;
 
     #[inline]
+    fn sincos_quarter(r: f32) -> (f32, f32) {
+        trig::sincos_quarter(r)
+    }
+
+    #[inline]
     fn neg_ln_1m_of_word(word: u32) -> f32 {
         log::neg_ln_1m_of_word(word)
     }

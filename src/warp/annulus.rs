@@ -211,10 +211,16 @@ impl<T: Tier> PlanarMap<2> for Annulus<T> {
         let (x, y) = T::polar(r * self.scale, turn);
         *to = nudged(x, y, angle);
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 2]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.density
+    }
 }
 
 impl<T: Tier> Warp for Annulus<T> {
-    planar!(2, where T::VECTORS);
+    planar!(2, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, point: [f32; 2]) -> f32 {

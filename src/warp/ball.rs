@@ -1,7 +1,7 @@
 //! The uniform distribution in the unit ball.
 
 use super::direction::azimuth;
-use super::{Invert, Warp};
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::num::{cube_root, into_unit};
 use crate::tier::Tier;
 use crate::uniform::Canonical;
@@ -101,6 +101,13 @@ impl<T: Tier> Warp for Ball<T> {
         }
     }
 
+    /// Without the test of `pdf`.
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 3]>) -> ([f32; 3], f32) {
+        (self.sample_canonical(u), DENSITY)
+    }
+
+    drawn_with_pdf!();
     super::filled_in_blocks!(where T::VECTORS);
 }
 

@@ -1,6 +1,6 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
-use super::direction::{DEEP, around, azimuth, between_poles, is_direction, one_minus_cos};
+use super::direction::{LIFT, UNLIFT, around, azimuth, is_direction, one_minus_cos, sine};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, positive};
@@ -82,8 +82,8 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<T> {
-    /// 1 − cos of the half angle, in (0, 2].
-    k: f32,
+    /// 1 − cos of the half angle, in (0, 2], lifted, which is exact.
+    lifted: f32,
     /// 1 + cos of the half angle, which 2 − k has lost where the cone is nearly the sphere.
     rest: f32,
     tier: PhantomData<T>,
@@ -110,7 +110,7 @@ impl<T: Tier> Cone<T> {
     /// A cone whose k is known to be in the domain.
     pub(super) const fn of(k: f32) -> Self {
         Self {
-            k,
+            lifted: k * LIFT,
             rest: 2.0 - k,
             tier: PhantomData,
         }
@@ -151,41 +151,50 @@ impl<T: Tier> Cone<T> {
     /// 1 − cos θmax.
     #[must_use]
     pub const fn one_minus_cos(&self) -> f32 {
-        self.k
+        self.lifted * UNLIFT
     }
 
     /// The solid angle in steradians, 2πk.
     #[must_use]
     pub const fn solid_angle(&self) -> f32 {
-        2.0 * PI * self.k
+        2.0 * PI * self.one_minus_cos()
     }
 
     /// The density inside.
     #[inline]
     pub(crate) const fn density(self) -> f32 {
-        0.5 * FRAC_1_PI / self.k
+        0.5 * FRAC_1_PI / self.one_minus_cos()
     }
 }
 
 impl<T: Tier> PlanarMap<3> for Cone<T> {
     #[inline]
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        let down = u1 * self.k;
-        if down >= DEEP {
-            between_poles::<T>(down, self.rest + (1.0 - u1) * self.k, u2, to);
+        let lifted = u1 * self.lifted;
+        let down = lifted * UNLIFT;
+        let up = self.rest + (1.0 - u1) * self.one_minus_cos();
+        // The smaller of the two holds the digits.
+        let (lifted, small, cos) = if down < 1.0 {
+            (lifted, down, 1.0 - down)
         } else {
-            // sin²θ = 2u₁k may underflow `f32`; the roots of its factors do not.
-            around::<T>(T::sqrt(u1) * T::sqrt(2.0 * self.k), 1.0, u2, to);
-        }
+            (up * LIFT, up, up - 1.0)
+        };
+        around::<T>(sine::<T>(lifted, small), cos, u2, to);
+    }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.density()
     }
 }
 
 impl<T: Tier> Warp for Cone<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
-        if is_direction(direction) && one_minus_cos(direction) <= self.k * RIM_SLACK {
+        if is_direction(direction) && one_minus_cos(direction) <= self.one_minus_cos() * RIM_SLACK {
             self.density()
         } else {
             0.0
@@ -198,7 +207,7 @@ impl<T: Tier> Invert for Cone<T> {
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
         let [x, y, _] = direction;
         [
-            into_unit(one_minus_cos(direction) / self.k),
+            into_unit(one_minus_cos(direction) / self.one_minus_cos()),
             azimuth::<T>(x, y),
         ]
     }

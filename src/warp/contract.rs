@@ -251,7 +251,7 @@ pub trait Warp {
     }
 
     /// The points of a slice of uniforms, as [`map`](Warp::map) gives them, and their densities, as
-    /// [`sample_with_pdf`](Warp::sample_with_pdf) gives them. The shortest slice counts.
+    /// [`sample_with_pdf`](Warp::sample_with_pdf) gives them, several at a time likewise. The shortest slice counts.
     #[inline]
     fn map_with_pdf(
         &self,

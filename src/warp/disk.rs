@@ -2,9 +2,9 @@
 
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp, direction::azimuth};
-use crate::num::{clamp, into_unit};
+use crate::num::into_unit;
 use crate::tier::{Tier, exchanged};
-use crate::uniform::{Canonical, LARGEST};
+use crate::uniform::LARGEST;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -87,10 +87,16 @@ impl<T: Tier> PlanarMap<2> for Disk<T> {
         let (x, y) = T::polar(r, u2);
         *to = [x, y];
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 2]) -> f32 {
+        self.map_to(u1, u2, to);
+        FRAC_1_PI
+    }
 }
 
 impl<T: Tier> Warp for Disk<T> {
-    planar!(2, where T::VECTORS);
+    planar!(2, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, point: [f32; 2]) -> f32 {
@@ -186,13 +192,13 @@ pub(crate) fn concentric<T: Tier>(u: [f32; 2]) -> [f32; 2] {
     let [a, b] = u.map(|u| 2.0 * u - 1.0);
     let wide = a.abs() > b.abs();
     let (radius, across) = exchanged(!wide, a, b);
-    if radius == 0.0 {
-        return [0.0, 0.0];
-    }
-    // The angle is at most an eighth of a turn from the axis of its wedge, so that it keeps its digits. Exchanging sine
-    // and cosine reaches the other axis.
-    let (x, y) = T::polar(clamp(radius, -RIM, RIM), 0.125 * (across / radius));
-    let (x, y) = exchanged(!wide, x, y);
+    // The angle is at most an eighth of a turn from the axis of its wedge, so that it keeps its digits and needs no
+    // reduction. Exchanging sine and cosine reaches the other axis. A sum with 0 is never −0, whatever the sign of the radius.
+    let turn = 0.125 * (across / if radius == 0.0 { 1.0 } else { radius }) + 0.0;
+    let (sin, cos) = T::sincos_quarter(turn);
+    // 2u − 1 is −1 at most, and on the other side a step of the grid away from 1.
+    let radius = if radius > -RIM { radius } else { -RIM };
+    let (x, y) = exchanged(!wide, radius * cos, radius * sin);
     [x, y]
 }
 
@@ -213,15 +219,21 @@ pub(crate) fn concentric_inverse<T: Tier>(point: [f32; 2], to_rim: f32) -> [f32;
     }
 }
 
-impl<T: Tier> Warp for DiskConcentric<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 2];
-    type Density = f32;
+impl<T: Tier> PlanarMap<2> for DiskConcentric<T> {
+    #[inline]
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 2]) {
+        *to = concentric::<T>([u1, u2]);
+    }
 
     #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
-        concentric::<T>(u.get())
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 2]) -> f32 {
+        self.map_to(u1, u2, to);
+        FRAC_1_PI
     }
+}
+
+impl<T: Tier> Warp for DiskConcentric<T> {
+    planar!(2, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, point: [f32; 2]) -> f32 {

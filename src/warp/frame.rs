@@ -200,6 +200,16 @@ impl<W> Oriented<W> {
     }
 }
 
+impl<W> Oriented<W> {
+    /// Turns local directions into the world, in place.
+    #[inline]
+    fn turn<'a>(&self, directions: impl Iterator<Item = &'a mut [f32; 3]>) {
+        for direction in directions {
+            *direction = self.frame.to_world(*direction);
+        }
+    }
+}
+
 /// The angle by which turning into the world and back can carry a direction over its rim.
 const RIM: f32 = 3.0e-7;
 
@@ -263,6 +273,24 @@ impl<W: Warp<Point = [f32; 3], Density = f32>> Warp for Oriented<W> {
     ) -> Result<([f32; 3], f32), R::Error> {
         let (local, density) = self.warp.try_draw_with_pdf(rng)?;
         Ok((self.frame.to_world(local), density))
+    }
+
+    #[inline]
+    fn map(&self, uniforms: &[W::Uniforms], points: &mut [[f32; 3]]) {
+        self.warp.map(uniforms, points);
+        self.turn(points.iter_mut().take(uniforms.len()));
+    }
+
+    #[inline]
+    fn map_with_pdf(
+        &self,
+        uniforms: &[W::Uniforms],
+        points: &mut [[f32; 3]],
+        densities: &mut [f32],
+    ) {
+        self.warp.map_with_pdf(uniforms, points, densities);
+        let count = uniforms.len().min(densities.len());
+        self.turn(points.iter_mut().take(count));
     }
 }
 

@@ -3,11 +3,10 @@
 use super::direction::{azimuth, is_direction};
 use super::planar::{PlanarMap, planar};
 use super::spherical::{length, normalised, scaled};
-use super::{Invert, Warp, drawn_with_pdf};
+use super::{Invert, Warp};
 use crate::error::{Error, positive};
 use crate::num::{above_zero, into_unit, remainder, representable};
 use crate::tier::{Tier, sqrt};
-use crate::uniform::Canonical;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -153,24 +152,25 @@ impl<T: Tier> Ggx<T> {
     }
 }
 
-impl<T: Tier> Ggx<T> {
-    /// The normal of two uniforms where the surface is a hemisphere.
-    #[inline]
-    fn stretched(u1: f32, u2: f32) -> [f32; 3] {
-        let (x, y) = T::polar(T::sqrt(u1), u2);
-        [x, y, T::sqrt(1.0 - u1)]
-    }
-}
-
 impl<T: Tier> PlanarMap<3> for Ggx<T> {
     #[inline]
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        (*to, _) = squeezed::<T>(self.alpha, Self::stretched(u1, u2));
+        let _ = self.put(u1, u2, to);
+    }
+
+    /// Of a normal that had length L before it was scaled to a unit vector, D is L⁴/(π αx αy) and cos θ is √(1 − u₁)/L.
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        let (x, y) = T::polar(T::sqrt(u1), u2);
+        let z = T::sqrt(1.0 - u1);
+        let (normal, cube) = squeezed::<T>(self.alpha, [x, y, z]);
+        *to = normal;
+        cube * z * self.sharpness
     }
 }
 
 impl<T: Tier> Warp for Ggx<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, normal: [f32; 3]) -> f32 {
@@ -181,22 +181,6 @@ impl<T: Tier> Warp for Ggx<T> {
             0.0
         }
     }
-
-    /// Of a normal that had length L before it was scaled to a unit vector, D is L⁴/(π αx αy) and cos θ is √(1 − u₁)/L.
-    #[inline]
-    fn sample_canonical_with_pdf(
-        &self,
-        u: Canonical<Self::Uniforms>,
-    ) -> (Self::Point, Self::Density) {
-        let [u1, u2] = u.get();
-        let stretched = Self::stretched(u1, u2);
-        let (normal, cube) = squeezed::<T>(self.alpha, stretched);
-        let [_, _, up] = stretched;
-        (normal, cube * up * self.sharpness)
-    }
-
-    // The bound is that of the trait's own method, which these had before.
-    drawn_with_pdf!(where Self: Sized);
 }
 
 impl<T: Tier> Invert for Ggx<T> {
@@ -403,7 +387,7 @@ impl<T: Tier> GgxVisible<T> {
         let k = v * self.height + self.short;
         // Of the point of the cap, 1 - cos is `off` and 1 + cos is the sum of these two.
         let sin = T::sqrt(off * (k + self.down));
-        let (s, c) = T::sincos_turns(u2);
+        let (c, s) = T::polar(1.0, u2);
         let along = if c < 0.0 {
             // The difference of both sines, whose squares differ by k times the difference of the cosines, and what the
             // azimuth adds to it.
@@ -503,12 +487,23 @@ const RIM_SLACK: f32 = 4.0 * f32::EPSILON;
 impl<T: Tier> PlanarMap<3> for GgxVisible<T> {
     #[inline]
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
-        (*to, _) = squeezed::<T>(self.alpha, self.half(u1, u2));
+        let _ = self.put(u1, u2, to);
+    }
+
+    /// With h the sum of the view and a point of the cap, and L the length of it squeezed, w·m is ℓh²/(2L) and D is
+    /// L⁴/(π αx αy h⁴): nothing cancels, and the rounding of the normal does not count.
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        let half = self.half(u1, u2);
+        let (normal, cube) = squeezed::<T>(self.alpha, half);
+        *to = normal;
+        let [x, y, z] = half;
+        cube / (x * x + y * y + z * z) * self.sharpness
     }
 }
 
 impl<T: Tier> Warp for GgxVisible<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, normal: [f32; 3]) -> f32 {
@@ -518,23 +513,6 @@ impl<T: Tier> Warp for GgxVisible<T> {
             0.0
         }
     }
-
-    /// With h the sum of the view and a point of the cap, and L the length of it squeezed, w·m is ℓh²/(2L) and D is
-    /// L⁴/(π αx αy h⁴): nothing cancels, and the rounding of the normal does not count.
-    #[inline]
-    fn sample_canonical_with_pdf(
-        &self,
-        u: Canonical<Self::Uniforms>,
-    ) -> (Self::Point, Self::Density) {
-        let [u1, u2] = u.get();
-        let half = self.half(u1, u2);
-        let (normal, cube) = squeezed::<T>(self.alpha, half);
-        let [x, y, z] = half;
-        (normal, cube / (x * x + y * y + z * z) * self.sharpness)
-    }
-
-    // The bound is that of the trait's own method, which these had before.
-    drawn_with_pdf!(where Self: Sized);
 }
 
 impl<T: Tier> Invert for GgxVisible<T> {

@@ -6,7 +6,7 @@ use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::num::{above_zero, into_unit, representable};
 use crate::tier::Tier;
-use crate::uniform::{Canonical, open_cells};
+use crate::uniform::open_from_word;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -78,6 +78,9 @@ impl<T: Tier> Hemisphere<T> {
     }
 }
 
+/// 1/(2π).
+const UNIFORM: f32 = 0.5 * FRAC_1_PI;
+
 impl<T: Tier> PlanarMap<3> for Hemisphere<T> {
     #[inline]
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
@@ -85,16 +88,22 @@ impl<T: Tier> PlanarMap<3> for Hemisphere<T> {
         let rest = 1.0 - u1;
         around::<T>(T::sqrt((rest + rest) - rest * rest), u1, u2, to);
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        UNIFORM
+    }
 }
 
 impl<T: Tier> Warp for Hemisphere<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         let [_, _, z] = direction;
         if z >= 0.0 && is_direction(direction) {
-            0.5 * FRAC_1_PI
+            UNIFORM
         } else {
             0.0
         }
@@ -191,15 +200,27 @@ fn cosine_density(direction: [f32; 3]) -> f32 {
     }
 }
 
+/// The same of a sample, whose height is far above the smallest number.
+#[inline]
+fn sample_density([_, _, z]: [f32; 3]) -> f32 {
+    z * FRAC_1_PI
+}
+
 impl<T: Tier> PlanarMap<3> for CosineHemisphere<T> {
     #[inline]
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         around::<T>(T::sqrt(u1), T::sqrt(1.0 - u1), u2, to);
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        sample_density(*to)
+    }
 }
 
 impl<T: Tier> Warp for CosineHemisphere<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -289,28 +310,34 @@ impl<T: Tier> MalleyHemisphere<T> {
     }
 }
 
-impl<T: Tier> Warp for MalleyHemisphere<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
+impl<T: Tier> PlanarMap<3> for MalleyHemisphere<T> {
+    #[inline]
+    fn uniform_of_word(word: u32) -> f32 {
+        open_from_word(word)
+    }
 
     #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        let [x, y] = concentric::<T>(u.get());
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        let [x, y] = concentric::<T>([u1, u2]);
         // The radius is 1 - 2m, so 1 - r² = 4m(1 - m).
-        let [m1, m2] = u.get().map(|u| if u < 0.5 { u } else { 1.0 - u });
-        let m = above_zero(if m1 < m2 { m1 } else { m2 });
-        [x, y, 2.0 * T::sqrt(m * (1.0 - m))]
+        let least = |a: f32, b: f32| if a < b { a } else { b };
+        let m = above_zero(least(least(u1, 1.0 - u1), least(u2, 1.0 - u2)));
+        *to = [x, y, 2.0 * T::sqrt(m * (1.0 - m))];
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        sample_density(*to)
+    }
+}
+
+impl<T: Tier> Warp for MalleyHemisphere<T> {
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         cosine_density(direction)
-    }
-
-    #[inline]
-    fn sample_words(&self, words: [u32; 2]) -> [f32; 3] {
-        self.sample_canonical(open_cells(words))
     }
 }
 

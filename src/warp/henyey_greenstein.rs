@@ -1,12 +1,11 @@
 //! The phase function of Henyey and Greenstein.
 
-use super::direction::{DEEP, around, azimuth, is_direction, one_minus_cos};
+use super::direction::{LIFT, UNLIFT, around, azimuth, is_direction, one_minus_cos, sine};
 use super::planar::{PlanarMap, planar};
-use super::{Invert, Warp, drawn_with_pdf};
+use super::{Invert, Warp};
 use crate::error::{Error, finite, positive};
 use crate::num::{into_unit, remainder, two_product, two_sum};
 use crate::tier::Tier;
-use crate::uniform::Canonical;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 
@@ -88,9 +87,9 @@ pub struct HenyeyGreenstein<T> {
     g: f32,
     /// 1 − h.
     least: f32,
-    /// (1 − g)².
+    /// (1 − g)², lifted.
     ahead: f32,
-    /// (1 + g)².
+    /// (1 + g)², lifted.
     behind: f32,
     /// (1 − h)²/2h.
     width: f32,
@@ -219,8 +218,8 @@ impl<T: Tier> HenyeyGreenstein<T> {
         Self {
             g,
             least,
-            ahead,
-            behind,
+            ahead: ahead * LIFT,
+            behind: behind * LIFT,
             width: over(near, scale),
             unit,
             norm: norm_squared(left, scale, unit),
@@ -260,6 +259,13 @@ impl<T: Tier> HenyeyGreenstein<T> {
 impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
     #[inline]
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        let _ = self.put(u1, u2, to);
+    }
+
+    /// The density is c³/4π over (1 − g²)²: without the root and the quotient of `pdf`, and free of what rounding the
+    /// direction does.
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
         let (v, least) = (1.0 - u1, self.least);
         let (from_down, from_up) = if self.g < 0.0 {
             (least, 1.0)
@@ -268,24 +274,21 @@ impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
         };
         let (rise, c) = self.rise(u1);
         let square = 0.5 * (c * c);
-        // 1 - cos θ and 1 + cos θ are these over c²/2. Only the smaller is computed.
+        // 1 - cos θ and 1 + cos θ, lifted, are these over c²/2. Only the smaller is computed.
         let slope = self.ahead * (from_down + rise);
         let (down, up) = (u1 * slope, v * (self.behind * (from_up + rise)));
-        let (sin, cos) = if down >= DEEP {
-            let small = if down <= up { down } else { up } / square;
-            let cos = 1.0 - small;
-            let sin = T::sqrt(small * (2.0 - small));
-            (sin, if down <= up { cos } else { -cos })
-        } else {
-            // sin²θ may underflow `f32`; the roots of its factors do not.
-            (T::sqrt(u1) * T::sqrt(2.0 * slope / square), 1.0)
-        };
-        around::<T>(sin, cos, u2, to);
+        let ahead = down <= up;
+        let lifted = if ahead { down } else { up } / square;
+        let small = lifted * UNLIFT;
+        let cos = 1.0 - small;
+        let cos = if ahead { cos } else { -cos };
+        around::<T>(sine::<T>(lifted, small), cos, u2, to);
+        c * c * c * self.scale
     }
 }
 
 impl<T: Tier> Warp for HenyeyGreenstein<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -297,19 +300,6 @@ impl<T: Tier> Warp for HenyeyGreenstein<T> {
             0.0
         }
     }
-
-    /// The density is c³/4π over (1 − g²)²: without the root and the quotient of `pdf`, and free of what rounding the
-    /// direction does.
-    #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
-        let [u1, u2] = u.get();
-        let mut direction = [0.0; 3];
-        self.map_to(u1, u2, &mut direction);
-        let (_, c) = self.rise(u1);
-        (direction, c * c * c * self.scale)
-    }
-
-    drawn_with_pdf!();
 }
 
 impl<T: Tier> Invert for HenyeyGreenstein<T> {
@@ -322,7 +312,7 @@ impl<T: Tier> Invert for HenyeyGreenstein<T> {
         } else {
             self.ahead
         };
-        let square = least + 2.0 * h * off;
+        let square = least * UNLIFT + 2.0 * h * off;
         // The probability of directions nearer to the peak.
         let part = (1.0 + h) * off / (square + self.least * T::sqrt(square));
         let u1 = if self.g < 0.0 { 1.0 - part } else { part };

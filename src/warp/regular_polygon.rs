@@ -171,10 +171,16 @@ impl<T: Tier> PlanarMap<2> for RegularPolygon<T> {
         let (sin, cos) = T::sincos_turns(turn);
         *to = nudged(out * cos - across * sin, out * sin + across * cos, angle);
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 2]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.density
+    }
 }
 
 impl<T: Tier> Warp for RegularPolygon<T> {
-    planar!(2, where T::VECTORS);
+    planar!(2, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, [x, y]: [f32; 2]) -> f32 {

@@ -79,21 +79,30 @@ impl<T: Tier> Sphere<T> {
     }
 }
 
+/// 1/(4π).
+const DENSITY: f32 = 0.25 * FRAC_1_PI;
+
 impl<T: Tier> PlanarMap<3> for Sphere<T> {
     #[inline]
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         let sin = 2.0 * T::sqrt(u1 * (1.0 - u1));
         around::<T>(sin, 1.0 - 2.0 * u1, u2, to);
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        DENSITY
+    }
 }
 
 impl<T: Tier> Warp for Sphere<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         if is_direction(direction) {
-            0.25 * FRAC_1_PI
+            DENSITY
         } else {
             0.0
         }

@@ -350,10 +350,16 @@ impl<T: Tier> PlanarMap<3> for SphericalPatch<T> {
         let [x, y] = nudged(x, y, angle);
         *to = [x, y, z];
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.density
+    }
 }
 
 impl<T: Tier> Warp for SphericalPatch<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {

@@ -3,13 +3,13 @@
 use super::direction::around;
 use super::planar::{PlanarMap, planar};
 use super::spherical::{magnitude, normalised};
-use super::{Cone, Frame, Invert, Oriented, Warp, drawn_with_pdf};
+use super::{Cone, Frame, Invert, Oriented, Warp};
 use crate::error::{Error, finite, positive};
 use crate::num::{
     ExactSum, Scaled, clamp, product, quick_two_sum, remainder, two_product, two_sum,
 };
 use crate::tier::{Tier, sqrt};
-use crate::uniform::{Canonical, Uniforms};
+use crate::uniform::Uniforms;
 
 /// A place on a surface that is seen from a point: in which direction, how far away, and with which density.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -349,20 +349,20 @@ impl<T: Tier> PlanarMap<3> for VisibleSphere<T> {
         around::<T>(T::sqrt(down * (2.0 - down)), 1.0 - down, u2, &mut local);
         *to = self.cone.frame().to_world(local);
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.density()
+    }
 }
 
 impl<T: Tier> Warp for VisibleSphere<T> {
-    planar!(3, where T::VECTORS);
-    drawn_with_pdf!();
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         self.cone.pdf(direction)
-    }
-
-    #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
-        (self.sample_canonical(u), self.density())
     }
 }
 

@@ -1,14 +1,13 @@
 //! The von Mises-Fisher distribution on the sphere.
 
-use super::direction::{DEEP, around, azimuth, is_direction};
+use super::direction::{around, azimuth, is_direction};
 use super::planar::{PlanarMap, planar};
-use super::{Invert, Warp, drawn_with_pdf};
+use super::{Invert, Warp};
 use crate::error::{Error, finite};
 use crate::num::{
     Scaled, into_unit, quick_two_sum, remainder, representable, two_product, two_sum,
 };
 use crate::tier::{LOG2_E, Tier, exp_m1_of_product, exp2_m1, scaled_exp_of_product, times};
-use crate::uniform::Canonical;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
 
@@ -101,6 +100,9 @@ const FRONT: f32 = 20.0;
 
 /// 2⁻⁶⁰: a first uniform below it is itself the logarithm, however small it is.
 const LINEAR: f32 = 8.673_617e-19;
+
+/// 2⁻⁹⁰. Where 1 − cos θ is at least this, u₁(1 − e^(−2κ)) is a normal number for every κ; below it equals sin²θ/2.
+const DEEP: f32 = 8.077_936e-28;
 
 /// e^z − 1 with what it lacks, and e^z; for |z| up to 80.
 fn exponential(z: f32) -> ((f32, f32), f32) {
@@ -217,10 +219,17 @@ impl<T: Tier> PlanarMap<3> for VonMisesFisher<T> {
         };
         around::<T>(sin, cos, u2, to);
     }
+
+    /// The density without an exponential, and free of what rounding the direction does.
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.peak * self.share(u1)
+    }
 }
 
 impl<T: Tier> Warp for VonMisesFisher<T> {
-    planar!(3, where T::VECTORS);
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
@@ -232,16 +241,6 @@ impl<T: Tier> Warp for VonMisesFisher<T> {
             0.0
         }
     }
-
-    #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
-        let [u1, u2] = u.get();
-        let mut direction = [0.0; 3];
-        self.map_to(u1, u2, &mut direction);
-        (direction, self.peak * self.share(u1))
-    }
-
-    drawn_with_pdf!();
 }
 
 impl<T: Tier> Invert for VonMisesFisher<T> {
