@@ -35,11 +35,11 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 3.8e-7 | 3.8e-7 |
-/// | pdf, relative | 6.2e-8 | 6.2e-8 |
-/// | realised density, relative | 6.2e-8 | 6.2e-8 |
-/// | inverse | 1.7e-7/w | 1.7e-7/w |
-/// | round trip | 1.7e-7/w + 3.2*r | 1.7e-7/w + 3.2*r |
+/// | sample, of the size | 4.6e-7 | 4.6e-7 |
+/// | pdf, relative | 7.8e-8 | 7.8e-8 |
+/// | realised density, relative | 7.8e-8 | 7.8e-8 |
+/// | inverse | 2e-7/w | 2e-7/w |
+/// | round trip | 1.8e-7/w + 3.3*r | 1.8e-7/w + 3.3*r |
 ///
 /// w is the width in turns. r is the change of the inverse when the point moves by 2⁻²⁴ of the outer radius. Before its
 /// coordinates are rounded, the radius is that of a uniform at most 3.3e-7 away, in a ring of any width.

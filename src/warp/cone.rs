@@ -39,13 +39,13 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 2.6e-7 | 2.6e-7 |
+/// | sample, of the size | 3.3e-7 | 3.3e-7 |
 /// | sin θ, ulp | 3.5 | 3.5 |
-/// | unit length | 1.7e-7 | 2.0e-7 |
-/// | pdf, relative | 3.0e-7 | 3.0e-7 |
-/// | realised density, relative | 3.0e-7 | 3.0e-7 |
-/// | inverse | 4.2e-7 | 4.2e-7 |
-/// | round trip | 6.5e-7 | 6.5e-7 |
+/// | unit length | 2.1e-7 | 2.5e-7 |
+/// | pdf, relative | 3.5e-7 | 3.5e-7 |
+/// | realised density, relative | 3.5e-7 | 3.5e-7 |
+/// | inverse | 4.9e-7 | 4.9e-7 |
+/// | round trip | 7e-7 | 7e-7 |
 ///
 /// These hold for every cone of each constructor. Azimuths of subnormal x and y, which only uniforms below 2⁻⁶⁴
 /// give, have no more digits in the inverse than x and y have.

@@ -35,8 +35,8 @@ const RIM: f32 = LARGEST;
 /// | sample, of the size | 1.4e-7 | 1.7e-7 |
 /// | pdf, relative | 4.5e-8 | 4.5e-8 |
 /// | realised density, relative | 4.5e-8 | 4.5e-8 |
-/// | inverse | 8.4e-8 | 8.2e-8 |
-/// | round trip | 2.7e-7 | 3.3e-7 |
+/// | inverse | 1.1e-7 | 9.7e-8 |
+/// | round trip | 3.1e-7 | 3.9e-7 |
 ///
 /// The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
 ///
@@ -142,8 +142,8 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// | sample, of the size | 2.1e-7 | 2.1e-7 |
 /// | pdf, relative | 4.5e-8 | 4.5e-8 |
 /// | realised density, relative | 4.5e-8 | 4.5e-8 |
-/// | inverse | 1.3e-7 | 9.7e-8 |
-/// | round trip | 1.6e-7 | 1.6e-7 |
+/// | inverse | 1.6e-7 | 1.3e-7 |
+/// | round trip | 1.8e-7 | 1.8e-7 |
 ///
 /// The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
 ///

@@ -83,15 +83,15 @@ const fn sharpness([ax, ay]: [f32; 2]) -> f32 {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 2.1e-7 | 2.1e-7 |
-/// | sin θ, ulp | 4.6 | 4.6 |
-/// | cos θ, ulp | 3.5 | 3.5 |
-/// | unit length | 1.6e-7 | 1.6e-7 |
-/// | pdf, relative | 9e-7 | 9e-7 |
-/// | realised density, relative | 1e-6 + 1.5*s | 1e-6 + 1.5*s |
-/// | pdf with the sample, relative | 1.1e-6 | 1.2e-6 |
-/// | inverse | 1.3e-7 | 1.3e-7 |
-/// | round trip | 1.6e-7 + 0.5*r | 1.6e-7 + 0.5*r |
+/// | sample, of the size | 2.7e-7 | 2.7e-7 |
+/// | sin θ, ulp | 5 | 5 |
+/// | cos θ, ulp | 5.1 | 5.1 |
+/// | unit length | 1.9e-7 | 1.9e-7 |
+/// | pdf, relative | 1.1e-6 | 1.1e-6 |
+/// | realised density, relative | 1.2e-6 + 1.8*s | 1.2e-6 + 1.8*s |
+/// | pdf with the sample, relative | 1.2e-6 | 1.5e-6 |
+/// | inverse | 1.5e-7 | 1.5e-7 |
+/// | round trip | 2.1e-7 + 0.66*r | 2.1e-7 + 0.66*r |
 ///
 /// # Cost
 /// <!-- generated: cost Ggx -->
@@ -235,12 +235,12 @@ pub struct Reflection {
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
 /// | sample, of the size | 2.5e-7 + 4.2e-7*q | 2.5e-7 + 4.2e-7*q |
-/// | unit length | 1.7e-7 | 1.7e-7 |
-/// | pdf, relative | 8e-7 + 2*s | 8e-7 + 2*s |
-/// | realised density, relative | 1e-6 + 5·s + 6e-7·q | 1e-6 + 5·s + 6e-7·q |
-/// | pdf with the sample, relative | 9e-7 + 5.8e-7*q | 9e-7 + 5.8e-7*q |
-/// | inverse | 5.1e-7 + 6.5*r | 5.1e-7 + 6.5*r |
-/// | round trip | 5.5e-7 + 7*r | 5.5e-7 + 7*r |
+/// | unit length | 2.2e-7 | 2.2e-7 |
+/// | pdf, relative | 8.5e-7 + 2.2*s | 8.5e-7 + 2.2*s |
+/// | realised density, relative | 1.4e-6 + 6.6·s + 8e-7·q | 1.4e-6 + 6.6·s + 8e-7·q |
+/// | pdf with the sample, relative | 9.3e-7 + 6e-7*q | 9.3e-7 + 6e-7*q |
+/// | inverse | 7.7e-7 + 9.8*r | 7.7e-7 + 9.8*r |
+/// | round trip | 6.4e-7 + 8.1*r | 6.4e-7 + 8.1*r |
 ///
 /// Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
 /// sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 1e-12, next to the pole

@@ -36,14 +36,14 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.9e-7 | 4.4e-7 |
-/// | sin θ, ulp | 4.6 | 4.6 |
-/// | unit length | 1.7e-7 | 2.1e-7 |
-/// | pdf, relative | 5.2e-7 | 5.2e-7 |
-/// | realised density, relative | 1.45e-6 | 1.45e-6 |
-/// | pdf with the sample, relative | 8.2e-7 | 8.2e-7 |
-/// | inverse | 3.6e-7 | 3.6e-7 |
-/// | round trip | 3.6e-7 | 3.6e-7 |
+/// | sample, of the size | 5.3e-7 | 5e-7 |
+/// | sin θ, ulp | 6.6 | 6.6 |
+/// | unit length | 2.1e-7 | 2.5e-7 |
+/// | pdf, relative | 6.5e-7 | 6.5e-7 |
+/// | realised density, relative | 1.6e-6 | 1.6e-6 |
+/// | pdf with the sample, relative | 9.7e-7 | 9.7e-7 |
+/// | inverse | 4.2e-7 | 4.2e-7 |
+/// | round trip | 4.2e-7 | 4.2e-7 |
 ///
 /// These hold for every g and every constructor. They count from the number that it is given: near 1 the rounding of g
 /// to an `f32`, up to 3e-8, changes the width of the peak, 1 − |g|, which

@@ -196,12 +196,12 @@ pub(crate) fn length([x, y, z]: [f32; 3]) -> f32 {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.4e-7 | 4.4e-7 |
-/// | unit length | 1.9e-7 | 2.3e-7 |
-/// | pdf, relative | 5.5e-7 | 5.5e-7 |
-/// | realised density, relative | 5.5e-7 | 5.5e-7 |
-/// | inverse | min(1, 2e-7 + 5e-7*q/c + 1.4e-7/w) | min(1, 2e-7 + 5e-7*q/c + 1.1e-7/w) |
-/// | round trip | min(1, 2e-7 + 6e-7*q/c + 1.4e-7/w) | min(1, 2e-7 + 6e-7*q/c + 1.1e-7/w) |
+/// | sample, of the size | 6.1e-7 | 6.1e-7 |
+/// | unit length | 2.3e-7 | 2.9e-7 |
+/// | pdf, relative | 6.5e-7 | 6.5e-7 |
+/// | realised density, relative | 6.5e-7 | 6.5e-7 |
+/// | inverse | min(1, 2.1e-7 + 5.2e-7*q/c + 1.5e-7/w) | min(1, 2.4e-7 + 6e-7*q/c + 1.3e-7/w) |
+/// | round trip | min(1, 2.4e-7 + 7e-7*q/c + 1.7e-7/w) | min(1, 2.1e-7 + 6.2e-7*q/c + 1.2e-7/w) |
 ///
 /// These hold for every patch: c is cos θ₀ − cos θ₁, w the width φ₁ − φ₀ in turns, and q the smaller of 1 − cos θ₁
 /// and 1 + cos θ₀.

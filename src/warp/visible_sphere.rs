@@ -55,7 +55,7 @@ pub struct SurfaceSample {
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 5.8e-7 | 5.8e-7 |
+/// | sample, of the size | 9e-7 | 8e-7 |
 /// | unit length | 4.5e-7 | 4.5e-7 |
 /// | pdf, relative | 7.8e-7 | 7.8e-7 |
 /// | realised density, relative | 7.8e-7 | 7.8e-7 |
