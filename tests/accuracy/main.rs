@@ -3,7 +3,7 @@
 //! The bounds are read out of the documentation itself: the table in each warp's doc comment holds numbers and
 //! formulas. Two ways attack them. Listed parameter sets are swept, exhaustively where a sample takes one uniform;
 //! what they show stands in `docs/accuracy.md`, set by set. An adversary searches all parameters that a constructor
-//! accepts, and fails for a bound that is exceeded and for one twice too large. In the quick speed the page's figures
+//! accepts, and fails for a bound that is exceeded and for one that is too large. In the quick speed the page's figures
 //! are upper bounds, and the adversary knows the worst cases by those that earlier searches have found.
 //! `MICROWARP_WRITE=1 cargo test --test accuracy` writes the page and the worst cases anew.
 

@@ -80,7 +80,7 @@ pub fn stated() -> Vec<Row> {
     tables.swap_remove(0).into_iter().map(row).collect()
 }
 
-fn row(docs::Row { title, cells }: docs::Row) -> Row {
+fn row(docs::Row { title, cells, .. }: docs::Row) -> Row {
     let figures: Option<Vec<Figures>> = cells.iter().map(|cell| read(cell)).collect();
     let figures = figures.and_then(|figures| figures.try_into().ok());
     (title, figures.expect("three figures in each grade"))

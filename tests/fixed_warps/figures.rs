@@ -140,7 +140,12 @@ pub fn hold(warp: &str, rows: &[(&str, [f64; 3])]) {
                 .iter()
                 .find(|(title, _)| *title == row.title && !largest(title));
             if let Some((title, measured)) = found {
-                *row = Row::new(title, measured.map(|x| written(rounded_up(x * MARGIN, 2))));
+                let cells = measured.map(|x| written(rounded_up(x * MARGIN, 2)));
+                let kind = row.kind;
+                *row = Row {
+                    kind,
+                    ..Row::new(title, cells)
+                };
             }
         }
         docs::write("fixed", warp, 0, &table);

@@ -120,7 +120,7 @@ pub fn stated(tier: &str) -> Vec<Row> {
     tables.into_iter().flatten().map(row).collect()
 }
 
-fn row(docs::Row { title, cells }: docs::Row) -> Row {
+fn row(docs::Row { title, cells, .. }: docs::Row) -> Row {
     let [domain, ulp, absolute, relative] = cells.try_into().expect("four cells");
     Row {
         function: title.trim_matches('`').to_owned(),

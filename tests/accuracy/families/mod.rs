@@ -6,7 +6,7 @@ use microwarp::tier::{Libm, Poly, Tier as _};
 use std::sync::Arc;
 use support::adversary::words::{Kind, first_accepted};
 use support::adversary::{Case, Family, Observe};
-use support::docs::{Statement, of_floats};
+use support::docs::{self, Statement, rows_of_floats};
 use support::figures::{
     Exact, Figures, ROWS, density_and_inverse_error, density_with_sample_error, draw_error,
     place_error, place_moved, polar_error, sample_error,
@@ -33,18 +33,23 @@ pub fn flawed() -> Vec<Family> {
 
 fn family(of: Registered, tier: &'static str) -> Family {
     let column = usize::from(tier != "libm");
-    let rows: Arc<[Row]> = of_floats(of.name)
+    let rows: Arc<[Row]> = rows_of_floats(of.name)
         .into_iter()
-        .map(|(title, cells)| {
-            let index = ROWS.iter().position(|(row, _)| title.starts_with(row));
+        .map(|row| {
+            let index = ROWS
+                .iter()
+                .position(|(title, _)| row.title.starts_with(title));
+            let cells: [Statement; 2] = row.statements();
             Row {
-                index: index.unwrap_or_else(|| panic!("{}: no row {title:?}", of.name)),
+                index: index.unwrap_or_else(|| panic!("{}: no row {:?}", of.name, row.title)),
                 statement: cells[column].clone(),
-                title,
+                title: row.title,
+                kind: row.kind.unwrap_or(docs::Kind::Found),
             }
         })
         .collect();
     let titles = rows.iter().map(|r| r.title.clone()).collect();
+    let kinds = rows.iter().map(|r| r.kind).collect();
     let spaced = |part: &str| {
         if part.is_empty() {
             String::new()
@@ -63,6 +68,7 @@ fn family(of: Registered, tier: &'static str) -> Family {
         parameters: of.takes.to_vec(),
         uniforms: vec![Kind::Uniform; uniforms],
         rows: titles,
+        kinds,
         seeds: of
             .seeds
             .iter()
@@ -88,6 +94,7 @@ struct Row {
     /// Among [`ROWS`].
     index: usize,
     statement: Statement,
+    kind: docs::Kind,
 }
 
 /// A warp beside its truth and its statements.

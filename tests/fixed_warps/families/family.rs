@@ -7,7 +7,7 @@
 use crate::figures::statements;
 use support::adversary::words::Kind;
 use support::adversary::{self, Case, Observe, Uniforms};
-use support::docs::{Doc, Statement};
+use support::docs::{self, Doc, Statement};
 
 /// 2⁻³².
 pub const WORD: f64 = 1.0 / 4_294_967_296.0;
@@ -100,6 +100,7 @@ impl Family {
             .iter()
             .map(|title| self.statement(title))
             .collect();
+        let kinds = self.rows.iter().map(|title| self.kind(title)).collect();
         let build = self.build;
         adversary::Family {
             statement: label.clone(),
@@ -107,6 +108,7 @@ impl Family {
             parameters: vec![Kind::Word; self.parameters],
             uniforms: vec![Kind::Word; self.words],
             rows: self.rows.iter().map(|title| (*title).to_owned()).collect(),
+            kinds,
             build: Box::new(move |parameters| {
                 let subject = build(parameters)?;
                 let bounds = statements.iter().map(|s| subject.bound(s)).collect();
@@ -114,6 +116,11 @@ impl Family {
             }),
             seeds: Vec::new(),
         }
+    }
+
+    fn kind(&self, title: &str) -> docs::Kind {
+        let row = Doc::of("fixed", self.name).row(title);
+        row.and_then(|row| row.kind).unwrap_or(docs::Kind::Found)
     }
 
     fn statement(&self, title: &str) -> Statement {

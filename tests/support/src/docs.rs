@@ -1,8 +1,10 @@
 //! What the documentation of the crate states: tables of figures, found by the item they document, read, held to what
 //! is measured, and written in place.
 
+mod kind;
 mod statement;
 
+pub use kind::Kind;
 pub use statement::Statement;
 
 use crate::root;
@@ -30,11 +32,12 @@ pub fn sources(room: &str) -> Vec<(PathBuf, String)> {
     found
 }
 
-/// A row of a table: what its first cell says, and the others.
+/// A row of a table: what its first cell says, the others, and the kind of its bounds where the table has such a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     pub title: String,
     pub cells: Vec<String>,
+    pub kind: Option<Kind>,
 }
 
 impl Row {
@@ -42,22 +45,32 @@ impl Row {
         Self {
             title: title.to_owned(),
             cells: cells.into_iter().collect(),
+            kind: None,
         }
     }
 
-    fn read(line: &str) -> Self {
+    /// Reads a line of a table whose last column is the kind, or of one without.
+    fn read(line: &str, has_kind: bool) -> Self {
         let line = line.trim_start_matches('|').trim_end_matches('|');
         let mut cells = line.split('|').map(|cell| cell.trim().to_owned());
         let title = cells.next().unwrap_or_default();
-        Self {
-            title,
-            cells: cells.collect(),
-        }
+        let mut cells: Vec<String> = cells.collect();
+        let kind = has_kind.then(|| cells.pop().unwrap_or_default());
+        let kind = kind.map(|kind| {
+            Kind::parse(&kind).unwrap_or_else(|| panic!("{title:?} is of no kind: {kind:?}"))
+        });
+        Self { title, cells, kind }
     }
 
     /// The row as it stands in a doc comment.
     pub fn line(&self) -> String {
-        format!("/// | {} | {} |", self.title, self.cells.join(" | "))
+        let kind = self.kind.map(|kind| format!(" {} |", kind.name()));
+        let cells = self.cells.join(" | ");
+        format!(
+            "/// | {} | {cells} |{}",
+            self.title,
+            kind.unwrap_or_default()
+        )
     }
 
     /// The numbers and formulas of a row of so many cells besides the title.
@@ -128,7 +141,11 @@ impl Doc {
 
     /// The rows of its tables.
     pub fn tables(&self) -> Vec<Vec<Row>> {
-        let rows = |place: Range<usize>| place.map(|i| Row::read(self.line(i))).collect();
+        let rows = |place: Range<usize>| {
+            // The head, and the rule below it.
+            let has_kind = self.line(place.start - 2).ends_with("| kind |");
+            place.map(|i| Row::read(self.line(i), has_kind)).collect()
+        };
         self.places().into_iter().map(rows).collect()
     }
 
@@ -178,14 +195,42 @@ pub fn write(room: &str, item: &str, table: usize, rows: &[Row]) {
     std::fs::write(&doc.path, doc.lines.join("\n") + "\n").expect("sources can be written");
 }
 
-/// What a float warp or table states of its errors: the title of each row, and the bounds in `libm` and `poly`.
-pub fn of_floats(name: &str) -> Vec<(String, [Statement; 2])> {
+/// Every table of errors of a room, as the item that it documents and its rows.
+pub fn of_errors(room: &str) -> Vec<(String, Vec<Row>)> {
+    let mut found = Vec::new();
+    for (_, text) in sources(room) {
+        let lines: Vec<&str> = text.lines().collect();
+        let heads = lines.iter().enumerate();
+        for (i, head) in heads.filter(|(_, line)| line.starts_with("/// | error |")) {
+            let has_kind = head.ends_with("| kind |");
+            let rows = lines[i + 2..].iter().map_while(|line| {
+                let row = line.strip_prefix("/// ")?;
+                row.starts_with('|').then(|| Row::read(row, has_kind))
+            });
+            let item = lines[i..].iter().find_map(|line| {
+                let item = line.strip_prefix("pub ")?.split_once(' ')?.1;
+                item.split(|c: char| !c.is_alphanumeric()).next()
+            });
+            let item = item.unwrap_or_else(|| panic!("a table of {room} without an item"));
+            found.push((item.to_owned(), rows.collect()));
+        }
+    }
+    found
+}
+
+/// What a float warp or table states of its errors.
+pub fn rows_of_floats(name: &str) -> Vec<Row> {
     let rooms = ["warp", "discrete"].iter();
     let doc = rooms.filter_map(|room| Doc::find(room, name)).next();
     let doc = doc.unwrap_or_else(|| panic!("no {name} in the rooms of warps and tables"));
     let rows = doc.tables().into_iter().next().unwrap_or_default();
     assert!(!rows.is_empty(), "{name} states no errors");
-    let rows = rows.into_iter();
+    rows
+}
+
+/// The same as the title of each row, and the bounds in `libm` and `poly`.
+pub fn of_floats(name: &str) -> Vec<(String, [Statement; 2])> {
+    let rows = rows_of_floats(name).into_iter();
     rows.map(|row| (row.title.clone(), row.statements()))
         .collect()
 }
@@ -307,7 +352,20 @@ mod tests {
         let row = Row::new("`exp_m1`, x < 1/8", ["1e-7, 2e-8".into(), "-".into()]);
         let line = row.line();
         assert_eq!(line, "/// | `exp_m1`, x < 1/8 | 1e-7, 2e-8 | - |");
-        assert_eq!(Row::read(line.trim_start_matches("///").trim()), row);
+        assert_eq!(Row::read(line.trim_start_matches("///").trim(), false), row);
+        let row = Row {
+            kind: Some(Kind::Proven),
+            ..row
+        };
+        let line = row.line();
+        assert!(line.ends_with("| - | proven |"), "{line}");
+        assert_eq!(Row::read(line.trim_start_matches("///").trim(), true), row);
+    }
+
+    #[test]
+    #[should_panic(expected = "of no kind")]
+    fn a_row_of_an_unknown_kind_is_refused() {
+        Row::read("| round trip | 2e-7 | 2e-7 | likely |", true);
     }
 
     #[test]

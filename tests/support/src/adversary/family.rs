@@ -1,6 +1,7 @@
 //! What the adversary attacks: families of samplers as raw words.
 
 use super::words::Kind;
+use crate::docs;
 
 /// Four uniforms as raw words; those a sampler does not take are 0.
 pub type Uniforms = [u32; 4];
@@ -27,6 +28,8 @@ pub struct Family {
     pub uniforms: Vec<Kind>,
     /// The titles of the rows, by the index that [`Case::judge`] gives.
     pub rows: Vec<String>,
+    /// Their kinds; what does not say one is found.
+    pub kinds: Vec<docs::Kind>,
     pub build: Box<Build>,
     /// Parameters that someone has listed, to start from.
     pub seeds: Vec<Vec<u32>>,

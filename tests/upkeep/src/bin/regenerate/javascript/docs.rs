@@ -176,10 +176,11 @@ fn blocks_of(lines: &[&str]) -> Vec<Block> {
 fn spoken(block: Block, names: &Names) -> Option<Block> {
     match block {
         Block::Row(row) => {
-            // Of a table of errors the column of `poly` alone.
+            // Of a table of errors the column of `poly` alone, and the kind.
             let cells: Vec<&str> = row.split('|').collect();
             Some(Block::Row(match cells[..] {
                 [_, title, _, poly, _] => format!("|{title}|{poly}|"),
+                [_, title, _, poly, kind, _] => format!("|{title}|{poly}|{kind}|"),
                 _ => row,
             }))
         }
