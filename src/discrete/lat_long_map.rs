@@ -55,12 +55,12 @@ use rand_core::{Rng, TryRng};
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 1.3e-6 | 1.3e-6 |
-/// | unit length | 1.9e-7 | 1.9e-7 |
-/// | pdf, relative | 4.3e-7 | 4.3e-7 |
-/// | realised density, relative | 4.3e-7 | 4.3e-7 |
-/// | inverse | 2e-7 + 2*r | 2e-7 + 2*r |
-/// | round trip | 2e-7 + m + 2*r | 2e-7 + m + 2*r |
+/// | sample, of the size | 1.6e-6 | 1.6e-6 |
+/// | unit length | 2.4e-7 | 2.4e-7 |
+/// | pdf, relative | 5e-7 | 5e-7 |
+/// | realised density, relative | 5e-7 | 5e-7 |
+/// | inverse | 3.5e-7 + 3.5*r | 3.5e-7 + 3.5*r |
+/// | round trip | 2.4e-7 + 1.1·m + 2.4·r | 2.4e-7 + 1.1·m + 2.4·r |
 ///
 /// # Cost
 /// That of two selections from a [`Cdf`](super::Cdf), of two sines with their cosines, and of a root. The density of a

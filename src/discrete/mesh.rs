@@ -42,12 +42,12 @@ use rand_core::TryRng;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 1.6e-7 | 1.6e-7 |
-/// | place on it | 4.1e-7 | 4.1e-7 |
-/// | pdf, relative | 3.3e-7 | 3.3e-7 |
-/// | realised density, relative | 3.3e-7 | 3.3e-7 |
-/// | inverse | 1.9e-7 | 1.9e-7 |
-/// | round trip | 2.8e-7 | 2.8e-7 |
+/// | sample, of the size | 2e-7 | 2e-7 |
+/// | place on it | 4.9e-7 | 4.9e-7 |
+/// | pdf, relative | 3.9e-7 | 3.9e-7 |
+/// | realised density, relative | 3.9e-7 | 3.9e-7 |
+/// | inverse | 2.3e-7 | 2.3e-7 |
+/// | round trip | 3.3e-7 | 3.3e-7 |
 ///
 /// Areas and densities hold for every triangle accepted, however thin. The second uniform of a point on the first vertex
 /// of its face is lost.

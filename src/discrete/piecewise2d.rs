@@ -50,11 +50,11 @@ use rand_core::TryRng;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4e-7 | 4e-7 |
-/// | pdf, relative | 4.2e-7 | 4.2e-7 |
-/// | realised density, relative | 4.2e-7 | 4.2e-7 |
-/// | inverse | 2.7e-7 | 2.7e-7 |
-/// | round trip | 1.2e-7 + 3*r | 1.2e-7 + 3*r |
+/// | sample, of the size | 4.3e-7 | 4.3e-7 |
+/// | pdf, relative | 4.9e-7 | 4.9e-7 |
+/// | realised density, relative | 4.9e-7 | 4.9e-7 |
+/// | inverse | 3.1e-7 | 3.1e-7 |
+/// | round trip | 1.6e-7 + 3.9*r | 1.6e-7 + 3.9*r |
 ///
 /// # Cost
 /// That of two selections from a [`Cdf`](super::Cdf), and of two products.

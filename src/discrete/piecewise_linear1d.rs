@@ -49,11 +49,11 @@ use rand_core::TryRng;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp of the scale | 5.5 | 5.5 |
-/// | pdf, relative | 5.4e-7 | 5.4e-7 |
-/// | realised density, relative | 5.4e-7 + 4*s | 5.4e-7 + 4*s |
-/// | inverse | 3.1e-7 | 3.1e-7 |
-/// | round trip | 2.2e-7 + 1.5*r | 2.2e-7 + 1.5*r |
+/// | sample, ulp of the scale | 7.3 | 7.3 |
+/// | pdf, relative | 6.7e-7 | 6.7e-7 |
+/// | realised density, relative | 6.7e-7 + 4.4*s | 6.7e-7 + 4.4*s |
+/// | inverse | 4e-7 | 4e-7 |
+/// | round trip | 2.8e-7 + 1.9*r | 2.8e-7 + 1.9*r |
 ///
 /// # Cost
 /// That of a selection from a [`Cdf`](super::Cdf), of one root or two, and of four quotients.

@@ -33,10 +33,10 @@ use crate::uniform::{Canonical, LARGEST};
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.2e-7 | 4.2e-7 |
-/// | pdf, relative | 6e-7 | 6e-7 |
-/// | realised density, relative | 6e-7 | 6e-7 |
-/// | inverse | 2.5e-7 | 2.5e-7 |
+/// | sample, of the size | 5.2e-7 | 5.2e-7 |
+/// | pdf, relative | 8.7e-7 | 8.7e-7 |
+/// | realised density, relative | 8.7e-7 | 8.7e-7 |
+/// | inverse | 3e-7 | 3e-7 |
 /// | round trip | 2.5e-7 + 1.5*r | 2.5e-7 + 1.5*r |
 ///
 /// r is the change of the inverse when the point moves by 2⁻²⁴ of the size.

@@ -36,14 +36,14 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 3.7e-7 | 3.7e-7 |
-/// | pdf, relative | 4e-7 | 4e-7 |
-/// | realised density, relative | 4e-7 | 4e-7 |
-/// | inverse | min(1, 4.5e-7 + 7.5e-7*g) | min(1, 4.5e-7 + 7.5e-7*g) |
-/// | round trip | min(1, 4.5e-7 + 7.5e-7*g) | min(1, 4.5e-7 + 7.5e-7*g) |
+/// | sample, of the size | 4.6e-7 | 4.6e-7 |
+/// | pdf, relative | 5e-7 | 5e-7 |
+/// | realised density, relative | 5e-7 | 5e-7 |
+/// | inverse | min(1, 4.8e-7 + 8e-7*g) | min(1, 4.8e-7 + 8e-7*g) |
+/// | round trip | min(1, 5.8e-7 + 9.6e-7*g) | min(1, 5.8e-7 + 9.6e-7*g) |
 ///
 /// g is the share of the side in the area, times the size over the length ℓ of the side: above 2 for a narrow ring alone.
-/// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.1e-7, absolutely.
+/// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 3.4e-7, absolutely.
 ///
 /// # Cost
 /// <!-- generated: cost FrustumSurface -->

@@ -34,11 +34,11 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 2.6e-7 | 2.7e-7 |
-/// | pdf, relative | 2.4e-7 | 2.3e-7 |
-/// | realised density, relative | 2.4e-7 | 2.3e-7 |
-/// | inverse | 5.2e-7 | 5.1e-7 |
-/// | round trip | 7.4e-7 | 7e-7 |
+/// | sample, of the size | 2.8e-7 | 3.2e-7 |
+/// | pdf, relative | 2.9e-7 | 2.8e-7 |
+/// | realised density, relative | 2.9e-7 | 2.8e-7 |
+/// | inverse | 5.9e-7 | 6.5e-7 |
+/// | round trip | 8.9e-7 | 7.3e-7 |
 ///
 /// # Cost
 /// <!-- generated: cost RegularPolygon -->

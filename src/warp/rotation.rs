@@ -31,11 +31,11 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 1.9e-7 | 1.75e-7 |
+/// | sample, of the size | 2.4e-7 | 2.1e-7 |
 /// | pdf, relative | 5.5e-9 | 5.5e-9 |
 /// | realised density, relative | 5.5e-9 | 5.5e-9 |
-/// | inverse | 1.1e-7 | 9.6e-8 |
-/// | round trip | 1.4e-7 | 1.4e-7 |
+/// | inverse | 1.3e-7 | 1.15e-7 |
+/// | round trip | 2.4e-7 | 2.4e-7 |
 ///
 /// # Cost
 /// <!-- generated: cost Rotation -->

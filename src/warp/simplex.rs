@@ -32,14 +32,14 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 1.05e-7*sqrt(n) | 1.05e-7*sqrt(n) |
-/// | pdf, relative | 0 | 0 |
-/// | realised density, relative | 0 | 0 |
-/// | inverse | 1.2e-7 + 3.4e-8*n | 1.2e-7 + 3.4e-8*n |
-/// | round trip | 1.3e-7 + 3.5e-8*n | 1.3e-7 + 3.5e-8*n |
+/// | sample, of the size | 1e-7 + 5.5e-8*n | 1e-7 + 5.5e-8*n |
+/// | pdf, relative | 6e-8 | 6e-8 |
+/// | realised density, relative | 6e-8 | 6e-8 |
+/// | inverse | 1.6e-7 + 5.5e-8*n | 1.6e-7 + 5.5e-8*n |
+/// | round trip | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) |
 ///
-/// n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n + 1)·3e-7,
-/// unless it is subnormal. Their sum is 1 to 1e-7·√n.
+/// n is the number of dimensions. The relative error of the jth share is at most j·3.5e-7, and that of the rest (n + 1)·3.5e-7,
+/// unless it is subnormal. Their sum is 1 to 1e-7 + 5.5e-8·n.
 ///
 /// # Cost
 /// <!-- generated: cost Simplex -->

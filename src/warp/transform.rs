@@ -25,12 +25,12 @@ use rand_core::TryRng;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 4.7 | 4.7 |
-/// | pdf, relative | 5.2e-7 | 4.1e-7 |
-/// | realised density, relative | 9.5e-7 | 7.5e-7 |
+/// | sample, ulp | 4.2 | 5.2 |
+/// | pdf, relative | 6.5e-7 | 5e-7 |
+/// | realised density, relative | 1.13e-6 | 9.5e-7 |
 /// | pdf with the sample, relative | 6e-7 | 4.5e-7 |
-/// | inverse | 3.4e-7 | 3.5e-7 |
-/// | round trip | 6e-7 | 6e-7 |
+/// | inverse | 4.2e-7 | 4.6e-7 |
+/// | round trip | 7.3e-7 | 7.3e-7 |
 ///
 /// # Cost
 /// That of the warp inside and of the functions given.

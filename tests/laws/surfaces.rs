@@ -123,7 +123,7 @@ fn frustums_keep_their_normals_and_their_inverse() {
         println!("{name}: normals {normal:.2e}, round trips {back:.2e}");
         let stated = stated("FrustumSurface");
         assert!(
-            normal <= stated && stated <= 2.0 * normal,
+            normal <= stated && stated <= 2.5 * normal,
             "{name}: {normal:e}"
         );
     }
@@ -140,7 +140,12 @@ fn capsules<T: Tier>() -> f64 {
     let mut rng = Pcg32::new(22, 4);
     let mut worst = 0.0_f64;
     for _ in 0..speed::of("capsules", 60_000, 1_000_000) {
-        let [height, radius] = [(); 2].map(|()| size(&mut rng, -30.0, 30.0));
+        let [mut height, mut radius] = [(); 2].map(|()| size(&mut rng, -30.0, 30.0));
+        if rng.next_u32() % 8 == 0 {
+            // As thin as `f32` can say, at heights that make up for it.
+            radius = (70.0 * uniform::grid(&mut rng) - 149.0).exp2();
+            height = 2e-38 / radius * (30.0 * uniform::grid(&mut rng)).exp2();
+        }
         let Ok(warp) = CapsuleSurface::<T>::new(height, radius) else {
             assert_eq!(radius, 0.0);
             continue;
@@ -166,7 +171,7 @@ fn capsules_keep_their_normals() {
         println!("{name}: normals {normal:.2e}");
         let stated = stated("CapsuleSurface");
         assert!(
-            normal <= stated && stated <= 2.0 * normal,
+            normal <= stated && stated <= 2.5 * normal,
             "{name}: {normal:e}"
         );
     }

@@ -127,7 +127,7 @@ fn rotations_keep_their_statements_in_four_coordinates() {
         );
         assert!(trip <= of_trip, "{trip}");
         assert!(
-            sample >= 0.5 * of_sample && trip >= 0.5 * of_trip,
+            sample >= 0.4 * of_sample && trip >= 0.4 * of_trip,
             "twice too large"
         );
     }
@@ -329,7 +329,7 @@ fn shares_keep_their_digits_in_every_dimension() {
         ];
         let mut most = [0.0; 4];
         for (n, [relative, sum, off, trip]) in all {
-            let bounds = [3e-7, 1e-7 * f64::sqrt(n)]
+            let bounds = [3.5e-7, 1e-7 + 5.5e-8 * n]
                 .into_iter()
                 .chain(["sample", "round trip"].map(|row| stated::<T>("Simplex", row, n)));
             let errors = [relative, sum, off, trip].into_iter().zip(bounds);
@@ -339,12 +339,12 @@ fn shares_keep_their_digits_in_every_dimension() {
         }
         println!("{}: {most:?} of the bounds", T::NAME);
         assert!(
-            most.iter().all(|part| (0.5..=1.0).contains(part)),
+            most.iter().all(|part| (0.4..=1.0).contains(part)),
             "{most:?}"
         );
     }
     of_tier::<Libm>();
     of_tier::<Poly>();
     let page = page("Simplex");
-    assert!(page.contains("j·3e-7") && page.contains("1e-7·√n"));
+    assert!(page.contains("j·3.5e-7") && page.contains("1e-7 + 5.5e-8·n"));
 }
