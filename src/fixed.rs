@@ -94,7 +94,8 @@
 //! # Stated errors
 //! The table of each warp states the largest errors for all parameters, all formats and all words, as a number or as a
 //! formula. Each page explains its rows and names. Rms and mean are those of the parameter sets that the tests list. An
-//! adversary in the tests searches for worse cases.
+//! adversary in the tests searches for worse cases. The last column says of [which kind](crate::warp#stated-errors) a bound
+//! is: proven, exhaustive or found.
 
 #![expect(
     clippy::arithmetic_side_effects,
