@@ -316,8 +316,19 @@ pub(crate) fn one_by_one<W: Warp, R: TryRng + ?Sized>(
     Ok(())
 }
 
-/// [`Warp::try_draw_with_pdf`] of a warp that overrides [`Warp::sample_canonical_with_pdf`] and draws from the grid.
+/// [`Warp::try_draw_with_pdf`] of a warp that overrides [`Warp::sample_canonical_with_pdf`] and draws from the grid, or `by`
+/// another uniform of a word.
 macro_rules! drawn_with_pdf {
+    (by $uniform:path) => {
+        #[inline]
+        fn try_draw_with_pdf<R: rand_core::TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+        ) -> Result<(f32, f32), R::Error> {
+            let word = rng.try_next_u32()?;
+            Ok(self.sample_canonical_with_pdf($uniform(word)))
+        }
+    };
     ($(where $($bounds:tt)+)?) => {
         #[inline]
         fn try_draw_with_pdf<R: rand_core::TryRng + ?Sized>(

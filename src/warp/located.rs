@@ -40,6 +40,31 @@ macro_rules! by_tails {
 }
 pub(super) use by_tails;
 
+/// The density that comes with a sample of such a law, which is `placed` with it by the tail itself.
+macro_rules! density_by_tails {
+    () => {
+        #[inline]
+        fn sample_canonical_with_pdf(&self, u: $crate::uniform::Canonical<f32>) -> (f32, f32) {
+            let u = u.get();
+            if u < 0.5 {
+                self.placed($crate::num::above_zero(u), false)
+            } else {
+                self.placed(1.0 - u, true)
+            }
+        }
+
+        #[inline]
+        fn try_draw_with_pdf<R: rand_core::TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+        ) -> Result<(f32, f32), R::Error> {
+            let (tail, upper) = $crate::num::folded(rng.try_next_u32()?);
+            Ok(self.placed(tail, upper))
+        }
+    };
+}
+pub(super) use density_by_tails;
+
 /// A law of location 0 and scale 1.
 pub(super) trait Standard {
     /// The factor of its density that the scale divides.

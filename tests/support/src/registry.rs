@@ -234,6 +234,11 @@ impl Entry {
         self.with(|e| e.middle = true)
     }
 
+    /// Marks a warp whose draws read their words more deeply than the grid.
+    fn deep(self) -> Self {
+        self.with(|e| e.deep = true)
+    }
+
     fn own_density(self) -> Self {
         self.with(|e| e.own_density = true)
     }

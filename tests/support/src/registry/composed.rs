@@ -91,7 +91,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             |_| {
                 let mut entry = below_diagonal::<T>().outside(&[[0.5, 0.6, 0.0], [1.5, 0.5, 0.0]]);
                 entry.composed = true;
-                Ok(entry)
+                Ok(entry.own_density())
             },
             |e| {
                 e.picture("p(x) = 2x, p(y | x) = 1/x", window(0.5, 0.5, 0.51))

@@ -53,7 +53,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[-1.7374, -1.5582]", &[-1.737_384_2, -1.558_242_2])
             .refuse(&[-INF, 1.0], NotFinite).refuse(&[1.0, 0.0], Reversed).refuse(&[2.0, 2.0], Empty),
         Registered::new("Exponential", "", &[Positive], |p| {
-            Ok(half_line(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, truth::exponential(p[0]))))
+            Ok(half_line(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, truth::exponential(p[0]))).own_density())
         })
             .case_with("a=1", &[1.0], |e| {
                 e.picture("p = exp(−x)", View::Line(between(-0.4, 6.0))).trade(family::EXPONENTIAL, "exponential_1")
@@ -64,7 +64,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive).refuse(&[1.0e-40], TooLarge),
         Registered::new("ExponentialTail", "", &[Positive], |p| {
             let warp = ExponentialTail::<T>::from_rate(p[0])?;
-            Ok(half_line(in_ulp::<T, _>("ExponentialTail", warp, truth::exponential_tail(p[0])).words(2)))
+            Ok(half_line(in_ulp::<T, _>("ExponentialTail", warp, truth::exponential_tail(p[0])).words(2)).own_density().deep())
         })
             .case_with("a=1", &[1.0], |e| {
                 let axes = between(-0.4, 9.3).log_y(1e-4);
@@ -78,7 +78,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = TruncatedExponential::<T>::from_rate(p[0], p[1])?;
             let mut entry = in_ulp::<T, _>("TruncatedExponential", warp, truth::truncated_exponential(p[0], p[1]));
             entry.open = false;
-            Ok(entry.outside(&[[-1e-45, 0.0, 0.0]]))
+            Ok(entry.own_density().deep().outside(&[[-1e-45, 0.0, 0.0]]))
         })
             .case_with("c=2 X=3", &[2.0, 3.0], |e| {
                 e.picture("p ∝ exp(−2x) on [0, 3]", View::Line(between(-0.3, 3.3)))
@@ -131,7 +131,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.0, 0.0, 1e13], TooLarge).refuse(&[1e13, 0.0, 1.0], TooLarge),
         Registered::new("Tent", "", &[Positive], |p| {
             let entry = in_ulp::<T, _>("Tent", Tent::new(p[0])?, truth::tent(p[0]));
-            Ok(entry.outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
+            Ok(entry.own_density().deep().outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
         })
             .case_with("r=1", &[1.0], |e| {
                 e.picture("p = 1 − |x|", View::Line(between(-1.2, 1.2))).trade(family::LINE, "tent_2")
@@ -142,7 +142,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[TINY], Empty),
         Registered::new("Linear", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Linear", Linear::new(p[0], p[1])?, truth::linear(p[0], p[1]));
-            Ok(entry.outside(&[[-1e-7, 0.0, 0.0], [1.000_000_1, 0.0, 0.0]]))
+            Ok(entry.own_density().deep().outside(&[[-1e-7, 0.0, 0.0], [1.000_000_1, 0.0, 0.0]]))
         })
             .case_with("1 to 3", &[1.0, 3.0], |e| {
                 e.picture("p ∝ 1 + 2x", View::Line(between(-0.1, 1.1))).trade(family::LINE, "linear_1_3")
@@ -226,7 +226,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN, 1.0, 0.0], NotFinite).refuse(&[0.0, 1.0, INF], NotFinite).refuse(&[0.0, -0.0, 0.0], NotPositive)
             .refuse(&[0.0, 1e38, 0.0], TooLarge).refuse(&[0.0, 1.0, -1e19], OutOfRange).refuse(&[0.0, TINY, 0.0], Empty),
         Registered::new("Cauchy", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Cauchy", p, Cauchy::<T>::new(p[0], p[1])?, truth::cauchy(p[0], p[1])))
+            Ok(located::<T, _>("Cauchy", p, Cauchy::<T>::new(p[0], p[1])?, truth::cauchy(p[0], p[1])).own_density().deep())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p ∝ 1/(1 + x²)", View::Line(between(-6.0, 6.0))).trade(family::LAW, "cauchy"))
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
@@ -236,7 +236,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
             .refuse(&[0.0, 1.0e20], TooLarge).refuse(&[0.0, TINY], Empty),
         Registered::new("Laplace", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, truth::laplace(p[0], p[1])))
+            Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, truth::laplace(p[0], p[1])).own_density().deep())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−|x|)/2", View::Line(between(-5.0, 5.0))).trade(family::LAW, "laplace"))
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
@@ -266,7 +266,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, INF], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
             .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
         Registered::new("Rayleigh", "", &[Positive], |p| {
-            Ok(from_zero(in_ulp::<T, _>("Rayleigh", Rayleigh::<T>::new(p[0])?, truth::rayleigh(p[0]))))
+            Ok(from_zero(in_ulp::<T, _>("Rayleigh", Rayleigh::<T>::new(p[0])?, truth::rayleigh(p[0]))).own_density().deep())
         })
             .case_with("1", &[1.0], |e| e.picture("p = x exp(−x²/2)", View::Line(between(-0.3, 5.0))).trade(family::LAW, "rayleigh"))
             .case("1e-30", &[1e-30])

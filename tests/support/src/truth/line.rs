@@ -27,6 +27,27 @@ where
     }
 }
 
+/// A law whose density is known of a uniform, too: the `f64` of a point may have lost all digits of it.
+struct OfUniform<L, D> {
+    law: L,
+    density: D,
+}
+
+impl<L: Truth, D: Fn(f64) -> f64 + Send + Sync> Truth for OfUniform<L, D> {
+    fn sample(&self, u: Uniforms) -> Point {
+        self.law.sample(u)
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        self.law.pdf(x)
+    }
+    fn density(&self, u: Uniforms) -> f64 {
+        (self.density)(u[0])
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        self.law.invert(x)
+    }
+}
+
 pub fn interval(a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
     let (a, b) = (f64::from(a), f64::from(b));
     let (s, e) = if increasing { (a, b) } else { (b, a) };
@@ -160,7 +181,7 @@ pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
     let z = c * len;
     // (1 - e^-t)/t, which is 1 at t = 0.
     let mean = |t: f64| if t == 0.0 { 1.0 } else { -(-t).exp_m1() / t };
-    Box::new(Line {
+    let law = Line {
         quantile: move |u: f64| {
             // -ln(1 - u + u e^-z)/c.
             if z.abs() < 1e-7 {
@@ -192,7 +213,13 @@ pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
                 (-c.abs() * (len - x)).exp() * share(x)
             }
         },
-    })
+    };
+    let density = move |u: f64| {
+        let (peak, fall) = (1.0 / (mean(z.abs()) * len), (-z.abs()).exp());
+        let (near, away) = if c > 0.0 { (1.0 - u, u) } else { (u, 1.0 - u) };
+        peak * (near + away * fall)
+    };
+    Box::new(OfUniform { law, density })
 }
 
 /// Equi-angular sampling: the angle in which a point at a distance sees the way is uniform.
@@ -355,17 +382,19 @@ const SMALLEST: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 75) as f64;
 /// A law of a location and a scale, from that of location 0 and scale 1.
 fn located<Q, P, C>(location: f32, scale: f32, standard: Line<Q, P, C>) -> Box<dyn Truth>
 where
-    Q: Fn(f64) -> f64 + Send + Sync + 'static,
-    P: Fn(f64) -> f64 + Send + Sync + 'static,
+    Q: Fn(f64) -> f64 + Copy + Send + Sync + 'static,
+    P: Fn(f64) -> f64 + Copy + Send + Sync + 'static,
     C: Fn(f64) -> f64 + Send + Sync + 'static,
 {
     let (at, s) = (f64::from(location), f64::from(scale));
     let Line { quantile, pdf, cdf } = standard;
-    Box::new(Line {
+    let law = Line {
         quantile: move |u: f64| at + s * quantile(u.max(SMALLEST)),
         pdf: move |x: f64| pdf((x - at) / s) / s,
         cdf: move |x: f64| cdf((x - at) / s),
-    })
+    };
+    let density = move |u: f64| pdf(quantile(u.max(SMALLEST))) / s;
+    Box::new(OfUniform { law, density })
 }
 
 pub fn cauchy(location: f32, scale: f32) -> Box<dyn Truth> {
