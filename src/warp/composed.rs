@@ -40,12 +40,12 @@ use rand_core::TryRng;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 3.6e-7 | 3.6e-7 |
-/// | pdf, relative | 3.8e-7 + 1.6*s | 3.8e-7 + 1.6*s |
-/// | realised density, relative | 4e-7 + 4.3*s | 4e-7 + 4.3*s |
-/// | pdf with the sample, relative | 5e-7 | 5e-7 |
-/// | inverse | 3e-7 + 2.6*r | 3e-7 + 2.6*r |
-/// | round trip | 3.8e-7 + 4.2*r | 3.8e-7 + 4.2*r |
+/// | sample, of the size | 4.7e-7 | 4.7e-7 |
+/// | pdf, relative | 4.5e-7 + 1.9*s | 4.5e-7 + 1.9*s |
+/// | realised density, relative | 5e-7 + 5.4*s | 5e-7 + 5.4*s |
+/// | pdf with the sample, relative | 7.5e-7 | 7.5e-7 |
+/// | inverse | 3.9e-7 + 3.4*r | 3.9e-7 + 3.4*r |
+/// | round trip | 4.4e-7 + 4.9*r | 4.4e-7 + 4.9*r |
 ///
 /// # Cost
 /// That of the two warps.

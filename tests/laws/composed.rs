@@ -68,3 +68,24 @@ fn a_composition_is_the_second_warp_at_the_points_of_the_first() {
     assert_eq!(triangle.pdf([0.5, 0.5, 0.5]), 0.0);
     assert_eq!(triangle.pdf([f32::NAN; 3]), 0.0);
 }
+
+/// y is 0 there, not the smallest number above it, whose row is the other one.
+#[test]
+fn at_a_second_uniform_of_zero_the_first_row_counts() {
+    let at_zero = |row: [f32; 2]| {
+        mw::Bilinear::new([row, [1.0, 0.0]])
+            .unwrap()
+            .sample([0.5, 0.0])
+    };
+    for tiny in [1e-3, 1e-25, 1e-40] {
+        let [x, y] = at_zero([0.0, tiny]);
+        let off = (x - std::f32::consts::FRAC_1_SQRT_2).abs();
+        assert!(off <= 4e-7 && y == 0.0, "{tiny}: {x}, {y}");
+    }
+    // A row of no weight is no place, and the second one counts.
+    let [x, y] = at_zero([0.0, 0.0]);
+    assert!(
+        (x - (1.0 - std::f32::consts::FRAC_1_SQRT_2)).abs() <= 4e-7 && y > 0.0,
+        "{x}, {y}"
+    );
+}

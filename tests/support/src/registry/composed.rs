@@ -40,7 +40,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = Composed::new(Bilinear::new(square(p))?, then);
             let unit = Measure::Length(1.0);
             let mut entry = entry::<T, _>("Composed", Domain::Barycentric, unit, warp, truth);
-            entry.composed = true;
+            (entry.composed, entry.open) = (true, false);
             Ok(entry
                 .own_density()
                 .outside(&[[0.5, 0.6, 0.1], [-0.1, 0.6, 0.5]]))

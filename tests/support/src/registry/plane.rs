@@ -150,7 +150,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = Bilinear::new(square(p))?;
             let truth: Box<dyn Truth> = Box::new(truth::Bilinear(square(p).map(|row| row.map(f64::from))));
             let mut entry = entry::<T, _>("Bilinear", Domain::Plane, Measure::Length(1.0), warp, truth);
-            entry.deep = true;
+            (entry.open, entry.deep) = (false, true);
             entry.inside = |[x, y, _]| (0.0..1.0).contains(&x) && (0.0..1.0).contains(&y);
             Ok(entry.own_density().outside(&[[-1e-7, 0.5, 0.0], [1.000_000_1, 0.5, 0.0], [0.5, 2.0, 0.0]]))
         })
