@@ -24,18 +24,19 @@ use core::marker::PhantomData;
 /// `r_low r_high/((high − low)(D² + t²))`, for D = 0 in proportion to 1/t².
 ///
 /// # Domain
-/// [low, high], in the unit of length of the parameters. One uniform; t increases with it. `low` and `high` are within
+/// [low, high], in the unit of length of the parameters. One uniform; t increases with it up to rounding: from one uniform of
+/// the grid to the next it steps back by at most 7 ulp, as the table counts them. `low` and `high` are within
 /// ±2⁴⁰ (1.1e12) and at least 2⁻⁴⁰ (9e-13) apart. D is from 2⁻⁴⁰ to 2⁴⁰, or 0 where the light lies on the ray and not
 /// on the segment: both ends are at least 2⁻⁴⁰ away from it then, on one side.
 ///
 /// # Accuracy
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp of itself or of a length | 8 | 8.3 |
-/// | pdf, relative | 4.6e-7 | 4.6e-7 |
-/// | realised density, relative | 4e-7 + 5*s | 4e-7 + 5*s |
-/// | inverse | 3.4e-7 | 4e-7 |
-/// | round trip | 3e-7 + 2*r | 3e-7 + 2*r |
+/// | sample, ulp of itself or of a length | 12 | 12 |
+/// | pdf, relative | 6.1e-7 | 5.2e-7 |
+/// | realised density, relative | 5.6e-7 + 6.8*s | 5.6e-7 + 6.8*s |
+/// | inverse | 4e-7 | 4.8e-7 |
+/// | round trip | 3.2e-7 + 2.1*r | 3.2e-7 + 2.1*r |
 ///
 /// An ulp is that of t. Where the segment passes the foot it is that of D, or of the longer part where that is
 /// shorter than D, as long as t is below. s and r: by how much the exact density, relatively, and the exact inverse

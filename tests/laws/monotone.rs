@@ -6,12 +6,14 @@
 
 use crate::any_parameters::any;
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseLinear1d};
+use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{
     Error, Warp,
-    warp::{Interval, Linear, Tent},
+    warp::{EquiAngular, Interval, Linear, Tent},
 };
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use support::errors::ulp;
 use support::speed;
 
 const GRID: u32 = 1 << 24;
@@ -194,6 +196,52 @@ fn maps_of_any_parameters_never_turn_back() {
     });
     println!("rounded twice: {wrong} steps back");
     assert!(wrong > 1_000 / LESS);
+}
+
+/// By how many units in the last place a map steps back at most between neighbours of the grid, and how often; one of a length
+/// where its points are smaller.
+fn steps_back_by(map: &Map, least: f32) -> (f64, u32) {
+    let (mut worst, mut count, mut before) = (0.0_f64, 0, f64::from(map(0.0)));
+    for k in speed::blocks("the grid", GRID, LESS as usize).flatten() {
+        let x = f64::from(map(k as f32 * STEP));
+        if before > x {
+            worst = worst.max((before - x) / ulp(x.abs().max(least.into())));
+            count += 1;
+        }
+        before = x;
+    }
+    (worst, count)
+}
+
+fn equi_angular_steps_back_a_little<T: Tier>() {
+    for [d, a, b] in [
+        [2.0, -5.0, 15.0],
+        [0.5, -9.0, -0.25],
+        [1.0, 0.0, 3.0],
+        [0.960_701_64, 0.022_278_361, 3.047_427_8e9],
+        [36.727_047, -34.715_28, -0.015_181_692],
+        [6_689_529.5, -0.030_632_349, 0.002_439_673_5],
+        [1.0, 1000.0, 1000.01],
+        [0.0, 1.0, 1e6],
+    ] {
+        let warp = EquiAngular::<T>::new(d, a, b);
+        let passed = a < 0.0 && b > 0.0;
+        let least = if passed { d.min(b.max(-a)) } else { 0.0 };
+        let (worst, count) = steps_back_by(&rising(warp).unwrap(), least);
+        println!("{d} beside [{a}, {b}]: {count} steps back, by up to {worst} ulp");
+        assert!(worst <= 7.0, "{d} beside [{a}, {b}]: {worst} ulp");
+    }
+}
+
+#[test]
+fn equi_angular_steps_back_by_no_more_than_its_page_says() {
+    equi_angular_steps_back_a_little::<Libm>();
+    equi_angular_steps_back_a_little::<Poly>();
+    // The textbook's tangent of an angle.
+    let (low, high) = ((-9.0_f32 / 0.5).atan(), (-0.25_f32 / 0.5).atan());
+    let tangent: Map = Box::new(move |u| 0.5 * ((1.0 - u) * low + u * high).tan());
+    let (worst, _) = steps_back_by(&tangent, 0.0);
+    assert!(worst > 7.0, "the tangent passes: {worst} ulp");
 }
 
 /// How uneven the points of [a, b) are, in uniforms of the grid, a coarser one in the quick speed: the largest error of a single point's share, and
