@@ -24,6 +24,13 @@ pub(crate) const fn nearest(x: f32) -> u32 {
     shifted as u32
 }
 
+/// The middle of a word's cell of uniforms, rounded.
+#[inline]
+pub(crate) fn middle(word: u32) -> f32 {
+    // The half counts where the word has digits to spare.
+    (word as f32 + 0.5) * (f32::EPSILON / 512.0)
+}
+
 /// The tail of a word of a symmetric distribution: the probability beyond its point, in (0, 1/2], as the middle of the
 /// words that round to it; and whether the tail is the upper one.
 #[inline]

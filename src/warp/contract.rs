@@ -316,9 +316,18 @@ pub(crate) fn one_by_one<W: Warp, R: TryRng + ?Sized>(
     Ok(())
 }
 
-/// [`Warp::try_draw_with_pdf`] of a warp that overrides [`Warp::sample_canonical_with_pdf`] and draws from the grid, or `by`
-/// another uniform of a word.
+/// [`Warp::try_draw_with_pdf`] of a warp that overrides [`Warp::sample_canonical_with_pdf`] and draws from the grid, `by`
+/// another uniform of a word, or `from` the word by a method.
 macro_rules! drawn_with_pdf {
+    (from $of_word:ident) => {
+        #[inline]
+        fn try_draw_with_pdf<R: rand_core::TryRng + ?Sized>(
+            &self,
+            rng: &mut R,
+        ) -> Result<(f32, f32), R::Error> {
+            Ok(self.$of_word(rng.try_next_u32()?))
+        }
+    };
     (by $uniform:path) => {
         #[inline]
         fn try_draw_with_pdf<R: rand_core::TryRng + ?Sized>(

@@ -140,7 +140,7 @@ impl Frame {
 /// | unit length | 4.5e-7 | 4.5e-7 |
 /// | pdf, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s |
 /// | realised density, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s |
-/// | pdf with the sample, relative | 6.6e-7 + 2.7*s | 6.6e-7 + 2.7*s |
+/// | pdf with the sample, relative | 5.2e-7 + 2*s | 5.2e-7 + 2*s |
 /// | inverse | min(1, 6.2e-7 + 15*r) | min(1, 6.2e-7 + 15*r) |
 /// | round trip | min(1, 6.2e-7 + 15*r) | min(1, 6.2e-7 + 15*r) |
 ///

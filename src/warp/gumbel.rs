@@ -1,9 +1,10 @@
 //! The Gumbel distribution.
 
 use super::located::{Located, Standard, decayed, located, located_inverse, located_warp};
-use super::{Invert, Warp};
-use crate::num::{doubles, two_sum};
+use super::{Invert, Warp, drawn_with_pdf};
+use crate::num::{above_zero, doubles, middle, representable, two_sum};
 use crate::tier::{LOG2_E, Tier, exp2_pair, log2, neg_log2_1m, neg_log2_1m_of_word, times};
+use crate::uniform::Canonical;
 
 /// Gumbel with a location and a scale: the largest of many numbers whose tail is exponential.
 ///
@@ -12,7 +13,8 @@ use crate::tier::{LOG2_E, Tier, exp2_pair, log2, neg_log2_1m, neg_log2_1m_of_wor
 #[cfg_attr(doc, doc = include_str!("../pictures/gumbel.html"))]
 ///
 /// # Density
-/// e^(−(t + e^(−t)))/β with t = (x − μ)/β, at least 2⁻¹⁴⁹ for every finite x.
+/// e^(−(t + e^(−t)))/β with t = (x − μ)/β, at least 2⁻¹⁴⁹ for every finite x. [`sample_with_pdf`](Warp::sample_with_pdf)
+/// takes it from the uniform, as −u ln(u)/β.
 ///
 /// # Domain
 /// - Point: drawn samples lie from −3.13β to 22.9β about the location. Uniforms on the 24-bit grid give −2.81β to 16.6β,
@@ -31,11 +33,13 @@ use crate::tier::{LOG2_E, Tier, exp2_pair, log2, neg_log2_1m, neg_log2_1m_of_wor
 /// | sample, ulp of location or distance | 5.7 | 5.7 |
 /// | pdf, relative | 2.2e-6 | 2.2e-6 |
 /// | realised density, relative | 5e-7 + 4.8*s/max(0, 1 - w/1e6) | 5e-7 + 4.8*s/max(0, 1 - w/1e6) |
+/// | pdf with the sample, relative | 5e-7 | 5e-7 |
 /// | inverse | 9.5e-8 | 9.5e-8 |
 /// | round trip | 1e-7 + 2.2*r | 1e-7 + 2.2*r |
 ///
-/// A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
-/// a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
+/// A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from
+/// 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the
+/// change of the inverse when x moves by one ulp.
 ///
 /// # Cost
 /// <!-- generated: cost Gumbel -->
@@ -81,8 +85,50 @@ fn from_neg_log2((whole, rest): (f32, f32)) -> f32 {
     AT_ONE - (whole + rest) * core::f32::consts::LN_2
 }
 
+/// −log₂u of the tail on one side, a whole number and a rest.
+#[inline]
+fn neg_log2(tail: f32, upper: bool) -> (f32, f32) {
+    if upper {
+        neg_log2_1m(tail)
+    } else if tail < f32::MIN_POSITIVE {
+        let (whole, rest) = log2(tail * 8_388_608.0);
+        (23.0 - whole, -rest)
+    } else {
+        let (whole, rest) = log2(tail);
+        (-whole, -rest)
+    }
+}
+
+impl<T: Tier> Gumbel<T> {
+    /// The point of −log₂u and its density.
+    #[inline]
+    fn with_pdf(&self, log: (f32, f32), u: f32) -> (f32, f32) {
+        let hazard = (log.0 + log.1) * core::f32::consts::LN_2;
+        let density = self.0.peak * (hazard * u);
+        (self.at(from_neg_log2(log)), representable(density))
+    }
+
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        self.with_pdf(neg_log2_1m_of_word(!word), middle(word))
+    }
+}
+
 impl<T: Tier> Warp for Gumbel<T> {
     located_warp!();
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+        let u = above_zero(u.get());
+        let log = if u < 0.5 {
+            neg_log2(u, false)
+        } else {
+            neg_log2(1.0 - u, true)
+        };
+        self.with_pdf(log, u)
+    }
+
+    drawn_with_pdf!(from of_word_with_pdf);
 }
 
 impl<T: Tier> Invert for Gumbel<T> {
@@ -95,15 +141,7 @@ impl<T: Tier> Standard for Gumbel<T> {
 
     #[inline]
     fn deviate(tail: f32, upper: bool) -> f32 {
-        if upper {
-            from_neg_log2(neg_log2_1m(tail))
-        } else if tail < f32::MIN_POSITIVE {
-            let (whole, rest) = log2(tail * 8_388_608.0);
-            from_neg_log2((23.0 - whole, -rest))
-        } else {
-            let (whole, rest) = log2(tail);
-            from_neg_log2((-whole, -rest))
-        }
+        from_neg_log2(neg_log2(tail, upper))
     }
 
     #[inline]

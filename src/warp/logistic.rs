@@ -1,9 +1,10 @@
 //! The logistic distribution.
 
 use super::located::{Located, Standard, decayed, located, located_inverse, located_warp};
-use super::{Invert, Warp};
-use crate::num::{folded, power_of_two_times};
+use super::{Invert, Warp, drawn_with_pdf};
+use crate::num::{above_zero, folded, power_of_two_times, representable};
 use crate::tier::{LN_2, Tier};
+use crate::uniform::Canonical;
 
 /// Logistic with a location and a scale, whose CDF is the logistic function (sigmoid).
 ///
@@ -14,6 +15,7 @@ use crate::tier::{LN_2, Tier};
 ///
 /// # Density
 /// e^(−t)/(s(1 + e^(−t))²) with t = |x − μ|/s, at least 2⁻¹⁴⁹ for every finite x.
+/// [`sample_with_pdf`](Warp::sample_with_pdf) takes it from the uniform, as u(1 − u)/s.
 ///
 /// # Domain
 /// - Point: drawn samples end at 22.9s on both sides. Uniforms on the 24-bit grid give −16.6s to 16.6s, except u = 0: it
@@ -32,11 +34,13 @@ use crate::tier::{LN_2, Tier};
 /// | sample, ulp of location or distance | 5.7 | 5.7 |
 /// | pdf, relative | 5.8e-7 | 5.8e-7 |
 /// | realised density, relative | 5e-7 + 3.3*s/max(0, 1 - w/1e6) | 5e-7 + 3.3*s/max(0, 1 - w/1e6) |
+/// | pdf with the sample, relative | 3e-7 | 3e-7 |
 /// | inverse | 1.1e-7 | 1.1e-7 |
 /// | round trip | 1.1e-7 + 1.9*r | 1.1e-7 + 1.9*r |
 ///
-/// A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
-/// a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
+/// A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from
+/// 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the
+/// change of the inverse when x moves by one ulp.
 ///
 /// # Cost
 /// <!-- generated: cost Logistic -->
@@ -90,8 +94,30 @@ fn log_of_ratio(a: f32, b: f32) -> f32 {
     twos as f32 * LN_2.0 + (2.0 * s + s * w * series)
 }
 
+impl<T: Tier> Logistic<T> {
+    /// The density at the point with this tail.
+    #[inline]
+    fn density_of_tail(&self, tail: f32) -> f32 {
+        representable(self.0.peak * (tail * (1.0 - tail)))
+    }
+
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        let (tail, _) = folded(word);
+        (self.sample_words(word), self.density_of_tail(tail))
+    }
+}
+
 impl<T: Tier> Warp for Logistic<T> {
     located_warp!();
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+        let density = self.density_of_tail(above_zero(u.get()));
+        (self.sample_canonical(u), density)
+    }
+
+    drawn_with_pdf!(from of_word_with_pdf);
 
     super::filled_in_blocks!();
 }

@@ -1,8 +1,8 @@
 //! The Pareto distribution. Both tiers share its samples and density.
 
-use super::{Invert, Warp};
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, positive};
-use crate::num::{Scaled, head, into_unit, remainder, representable};
+use crate::num::{Scaled, head, into_unit, middle, remainder, representable};
 use crate::tier::{LN_2, Tier, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
@@ -16,6 +16,7 @@ use core::marker::PhantomData;
 ///
 /// # Density
 /// α m^α/x^(α+1) for x ≥ m, else 0. The mean is finite for α > 1, the variance for α > 2.
+/// [`sample_with_pdf`](Warp::sample_with_pdf) takes it from the uniform, as α(1 − u)/x.
 ///
 /// # Domain
 /// - Point: drawn samples lie from m to m·2^(33/α). Uniforms on the 24-bit grid reach m·2^(24/α).
@@ -32,11 +33,13 @@ use core::marker::PhantomData;
 /// | sample, ulp | 4 + 0.8/k | 4 + 0.8/k |
 /// | pdf, relative | 1.4e-7 | 1.4e-7 |
 /// | realised density, relative | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) |
+/// | pdf with the sample, relative | 5.2e-7 + 2.4e-7/k | 5.2e-7 + 2.4e-7/k |
 /// | inverse | 1.05e-7 | 1.05e-7 |
 /// | round trip | 1.1e-7 + (4 + 0.8/k)*r | 1.1e-7 + (4 + 0.8/k)*r |
 ///
-/// A draw keeps the bound of a sample at the exact middle of its word. k is α. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r
-/// are the relative change of the density and the change of the inverse when x moves by one ulp.
+/// A draw keeps the bound of a sample at the exact middle of its word. k is α. No realised density is stated from 1e6 on, where
+/// the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the
+/// inverse when x moves by one ulp.
 ///
 /// # Cost
 /// <!-- generated: cost Pareto -->
@@ -136,6 +139,18 @@ impl<T: Tier> Pareto<T> {
         times_exp2(self.minimum, whole * root, small)
     }
 
+    /// A point and its density, (1 − u)α/x, of this log₂ and 1 − u.
+    #[inline]
+    fn beyond_with_pdf(&self, log: (f32, f32), share: f32) -> (f32, f32) {
+        let x = self.beyond(log);
+        (x, representable(self.shape * share / x))
+    }
+
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        self.beyond_with_pdf(neg_log2_1m_of_word(word), middle(!word))
+    }
+
     /// log₂ of the minimum over x, for an x from there up.
     #[inline]
     fn log2_of_share(&self, x: f32) -> (f32, f32) {
@@ -157,6 +172,13 @@ impl<T: Tier> Warp for Pareto<T> {
     fn sample_words(&self, word: u32) -> f32 {
         self.beyond(neg_log2_1m_of_word(word))
     }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+        self.beyond_with_pdf(neg_log2_1m(u.get()), 1.0 - u.get())
+    }
+
+    drawn_with_pdf!(from of_word_with_pdf);
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {

@@ -2,10 +2,10 @@
 //! `poly`.
 
 use super::pareto::{by_64, reciprocal};
-use super::{Invert, Warp};
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, positive};
 use crate::num::{
-    Scaled, above_zero, doubles, folded_exactly, head, into_unit, product, quick_two_sum,
+    Scaled, above_zero, doubles, folded_exactly, head, into_unit, middle, product, quick_two_sum,
     representable,
 };
 use crate::tier::{
@@ -25,6 +25,7 @@ use core::marker::PhantomData;
 ///
 /// # Density
 /// (κ/λ)(x/λ)^(κ−1) e^(−(x/λ)^κ) for x ≥ 0, else 0. With κ < 1 it is infinite at 0, and the largest `f32` stands for it.
+/// [`sample_with_pdf`](Warp::sample_with_pdf) takes it from the uniform, as κ(1 − u)(−ln(1 − u))/x.
 ///
 /// # Domain
 /// - Point: drawn samples lie from (1.16e-10)^(1/κ)·λ to 22.9^(1/κ)·λ. Uniforms on the 24-bit grid reach 16.6^(1/κ)·λ; u = 0
@@ -42,11 +43,13 @@ use core::marker::PhantomData;
 /// | sample, ulp | 1 | 4.4 + 3.6/k |
 /// | pdf, relative | 2.2e-6 | 2.2e-6 |
 /// | realised density, relative | 4e-7 + s/max(0, 1 - k/1e6) | 4e-7 + (4.4 + 3.6/k)*s/max(0, 1 - k/1e6) |
+/// | pdf with the sample, relative | 4e-7 | 6e-7 + 2.9e-7/k |
 /// | inverse | 7.2e-8 | 7.2e-8 |
 /// | round trip | 1e-7 + 1.1*r | 1e-7 + (4.4 + 3.6/k)*r |
 ///
-/// A draw keeps the bound of a sample at the exact middle of its word. k is κ. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r
-/// are the relative change of the density and the change of the inverse when x moves by one ulp.
+/// A draw keeps the bound of a sample at the exact middle of its word. k is κ. No realised density is stated from 1e6 on, where
+/// the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the
+/// inverse when x moves by one ulp.
 ///
 /// # Cost
 /// <!-- generated: cost Weibull -->
@@ -149,23 +152,29 @@ impl<T: Tier> Weibull<T> {
         self.shape
     }
 
-    /// The point by nine digits of both logarithms, from the tail beyond it and the tail's rounding error.
+    /// -ln(1 - u), and the point by nine digits of both logarithms, from the tail beyond it and the tail's rounding error.
     #[inline]
-    fn beyond(&self, (tail, rest): (f32, f32), upper: bool) -> f32 {
-        // log₂ of -ln(1 - u).
-        let log = if !upper && tail < 1.0e-6 {
+    fn beyond(&self, (tail, rest): (f32, f32), upper: bool) -> (f32, Scaled) {
+        let (hazard, log) = if !upper && tail < 1.0e-6 {
             // -ln(1 - u) = u(1 + u/2 + ...), without a subnormal number.
             let (log, small) = Scaled::of(tail).log2();
-            (
-                log,
-                small + core::f32::consts::LOG2_E * (0.5 * tail + rest / tail),
-            )
+            let more = core::f32::consts::LOG2_E * (0.5 * tail + rest / tail);
+            (tail + 0.5 * tail * tail, (log, small + more))
         } else {
             let (log, rest) = log2_above((tail, rest), upper);
             let (log, rest) = product(quick_two_sum(-log, -rest), LN_2);
-            log2_of_sum(log, rest, 0.0)
+            (log, log2_of_sum(log, rest, 0.0))
         };
-        Scaled::of(self.scale).times_power(log, self.root).value()
+        (hazard, Scaled::of(self.scale).times_power(log, self.root))
+    }
+
+    /// The point by nine digits and its density.
+    #[inline]
+    fn beyond_with_pdf(&self, tail: (f32, f32), upper: bool) -> (f32, f32) {
+        let (hazard, point) = self.beyond(tail, upper);
+        let share = if upper { tail.0 } else { 1.0 - tail.0 };
+        let rate = Scaled::of(self.shape * (share * hazard));
+        (point.value(), representable(rate.over(point).value()))
     }
 
     /// The point by tables, from -log₂(1 - u)·2^lifted.
@@ -176,6 +185,45 @@ impl<T: Tier> Weibull<T> {
         let (root, root_rest) = self.root;
         let small = rest * (root + root_rest) + whole * root_rest;
         times_exp2(self.median, whole * root, small)
+    }
+
+    /// The point by tables and its density, from -log₂(1 - u)·2^lifted, from that without the power, and 1 - u.
+    #[inline]
+    fn above_with_pdf(
+        &self,
+        (whole, rest): (f32, f32),
+        lifted: f32,
+        hazard: f32,
+        share: f32,
+    ) -> (f32, f32) {
+        let x = self.above((whole, rest), lifted);
+        let rate = self.shape * (share * (hazard * core::f32::consts::LN_2));
+        let density = if x >= f32::MIN_POSITIVE {
+            rate / x
+        } else {
+            self.density_at_subnormal(rate, log2(whole + rest), lifted)
+        };
+        (x, representable(density))
+    }
+
+    /// The rate over a point that has lost digits, of log₂(-log₂(1 - u)) and by how much it is lifted.
+    #[cold]
+    fn density_at_subnormal(&self, rate: f32, (whole, rest): (f32, f32), lifted: f32) -> f32 {
+        let (root, more) = quick_two_sum(self.root.0 / 64.0, self.root.1 / 64.0);
+        let log = (whole - lifted, rest);
+        let point = self.median.times_power(log, (root, more));
+        Scaled::of(rate).over(point).value()
+    }
+
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        if T::TABLES {
+            let log = neg_log2_1m_of_word(word);
+            self.above_with_pdf(log, 0.0, log.0 + log.1, middle(!word))
+        } else {
+            let (tail, upper) = folded_exactly(word);
+            self.beyond_with_pdf(tail, upper)
+        }
     }
 
     /// log₂ of x/λ, for an x above 0.
@@ -201,9 +249,9 @@ impl<T: Tier> Warp for Weibull<T> {
                 self.above(neg_log2_1m(u), 0.0)
             }
         } else if u < 0.5 {
-            self.beyond((u, 0.0), false)
+            self.beyond((u, 0.0), false).1.value()
         } else {
-            self.beyond((1.0 - u, 0.0), true)
+            self.beyond((1.0 - u, 0.0), true).1.value()
         }
     }
 
@@ -213,9 +261,27 @@ impl<T: Tier> Warp for Weibull<T> {
             self.above(neg_log2_1m_of_word(word), 0.0)
         } else {
             let (tail, upper) = folded_exactly(word);
-            self.beyond(tail, upper)
+            self.beyond(tail, upper).1.value()
         }
     }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+        let u = above_zero(u.get());
+        if T::TABLES && u < 1.0e-30 {
+            let log = neg_log2_1m(u * 18_446_744_073_709_551_616.0);
+            self.above_with_pdf(log, 64.0, u * core::f32::consts::LOG2_E, 1.0)
+        } else if T::TABLES {
+            let log = neg_log2_1m(u);
+            self.above_with_pdf(log, 0.0, log.0 + log.1, 1.0 - u)
+        } else if u < 0.5 {
+            self.beyond_with_pdf((u, 0.0), false)
+        } else {
+            self.beyond_with_pdf((1.0 - u, 0.0), true)
+        }
+    }
+
+    drawn_with_pdf!(from of_word_with_pdf);
 
     #[inline]
     #[expect(

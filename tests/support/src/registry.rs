@@ -243,6 +243,11 @@ impl Entry {
         self.with(|e| e.own_density = true)
     }
 
+    /// The same of a law whose draws read their word more deeply than the grid.
+    fn own_density_of_word(self) -> Self {
+        self.own_density().with(|e| e.deep = true)
+    }
+
     fn no_round_trip(self) -> Self {
         self.with(|e| e.round_trip = false)
     }

@@ -166,7 +166,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e.picture("p = cos θ / π, Malley's method", Sky(FRAC_PI_2)).trade(family::COSINE, "malley_hemisphere")
             }),
         Registered::new("PhongLobe", "", &[Positive], |p| {
-            Ok(upper(about_z::<T, _>("PhongLobe", PhongLobe::<T>::new(p[0])?, truth::phong(p[0]))))
+            Ok(upper(about_z::<T, _>("PhongLobe", PhongLobe::<T>::new(p[0])?, truth::phong(p[0]))).own_density().variables(&[("k", p[0].into())]))
         })
             .case("n=0", &[0.0])
             .case("n=1", &[1.0])

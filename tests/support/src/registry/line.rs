@@ -246,7 +246,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[INF, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
             .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
         Registered::new("Logistic", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])).or_scale(p[1]).middle())
+            Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = 1/(4 cosh²(x/2))", View::Line(between(-7.0, 7.0))).trade(family::LAW, "logistic"))
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
@@ -256,7 +256,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, NAN], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
             .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
         Registered::new("Gumbel", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])).or_scale(p[1]).middle())
+            Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−x − exp(−x))", View::Line(between(-3.0, 7.0))).trade(family::LAW, "gumbel"))
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
@@ -276,7 +276,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.0e38], TooLarge).refuse(&[TINY], Empty),
         Registered::new("Weibull", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Weibull", Weibull::<T>::new(p[0], p[1])?, truth::weibull(p[0], p[1]));
-            Ok(from_zero(entry).middle().variables(&[("k", p[1].into())]))
+            Ok(from_zero(entry).middle().own_density_of_word().variables(&[("k", p[1].into())]))
         })
             .case_with("1, 1.5", &[1.0, 1.5], |e| e.picture("p ∝ √x exp(−x^1.5)", View::Line(between(-0.2, 3.5))).trade(family::LAW, "weibull"))
             .case("1, 1", &[1.0, 1.0])
@@ -294,7 +294,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1e-30, 1e30], Empty),
         Registered::new("Pareto", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Pareto", Pareto::<T>::new(p[0], p[1])?, truth::pareto(p[0], p[1]));
-            let mut entry = half_line(entry).middle();
+            let mut entry = half_line(entry).middle().own_density_of_word();
             entry.open = false;
             Ok(entry.variables(&[("k", p[1].into())]))
         })

@@ -481,8 +481,9 @@ fn powered(x: f64, s: f64, power: f64) -> f64 {
 
 pub fn weibull(scale: f32, shape: f32) -> Box<dyn Truth> {
     let (s, k) = (f64::from(scale), f64::from(shape));
-    Box::new(Line {
-        quantile: move |u: f64| s * ((-(-u).ln_1p()).ln() / k).exp(),
+    let quantile = move |u: f64| s * ((-(-u).ln_1p()).ln() / k).exp();
+    let law = Line {
+        quantile,
         pdf: move |x: f64| {
             if x == 0.0 {
                 return [0.0, 1.0 / s, f64::INFINITY][usize::from(k <= 1.0) + usize::from(k < 1.0)];
@@ -492,13 +493,16 @@ pub fn weibull(scale: f32, shape: f32) -> Box<dyn Truth> {
             k / s * ((k - 1.0) * log - (k * log).exp()).exp()
         },
         cdf: move |x: f64| -(-powered(x, s, k)).exp_m1(),
-    })
+    };
+    let density = move |u: f64| k * (1.0 - u) * -(-u).ln_1p() / quantile(u);
+    Box::new(OfUniform { law, density })
 }
 
 pub fn pareto(minimum: f32, shape: f32) -> Box<dyn Truth> {
     let (m, a) = (f64::from(minimum), f64::from(shape));
-    Box::new(Line {
-        quantile: move |u: f64| m * (-(-u).ln_1p() / a).exp(),
+    let quantile = move |u: f64| m * (-(-u).ln_1p() / a).exp();
+    let law = Line {
+        quantile,
         pdf: move |x: f64| {
             if x < m { 0.0 } else { a / x * powered(m, x, a) }
         },
@@ -509,7 +513,9 @@ pub fn pareto(minimum: f32, shape: f32) -> Box<dyn Truth> {
                 -(a * log_ratio(m, x)).exp_m1()
             }
         },
-    })
+    };
+    let density = move |u: f64| a * (1.0 - u) / quantile(u);
+    Box::new(OfUniform { law, density })
 }
 
 pub fn log_normal(mean_of_log: f32, std_dev_of_log: f32) -> Box<dyn Truth> {
