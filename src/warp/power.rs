@@ -1,31 +1,36 @@
-//! The power law on an interval, in both orientations. Both tiers share this code.
+//! The power law on an interval, in both orientations. Samples have nine digits inside in `libm`, and come by tables in `poly`.
 
-use super::{Invert, Warp};
+use super::pareto::by_64;
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, finite};
 use crate::num::{
-    Scaled, clamp, head, into_unit, product, quick_two_sum, remainder, representable, two_sum,
+    Scaled, clamp, head, into_unit, middle, product, quick_two_sum, remainder, representable,
+    two_sum,
 };
-use crate::tier::{LN_2, Tier, exp2, exp2_m1, log2_1p, log2_of_sum, times};
+use crate::tier::{
+    LN_2, LOG2_E, Tier, exp2, exp2_m1, log2, log2_1p, log2_of_sum, times, times_exp2,
+};
 use crate::uniform::{Canonical, SMALLEST};
 use core::marker::PhantomData;
 
 /// A power law on an interval: density ∝ xⁿ on [a, b], for any exponent.
 ///
 /// With m = n + 1, xᵐ is uniform between aᵐ and bᵐ. The code works relative to the end R where xᵐ is larger, with t
-/// = 1 − (x/R)ᵐ, and takes the logarithm of 1 − t to nine digits, so that nothing overflows and m near 0 does not
-/// cancel. [`Power::new`] runs from a at u = 0 to b, [`Power::decreasing`] from b to a. A sample never steps back
-/// from one uniform of the grid to the next.
+/// = 1 − (x/R)ᵐ, and takes the logarithm of 1 − t, so that nothing overflows and m near 0 does not cancel. In
+/// [`libm`](crate::libm) it has nine digits. In `poly` it comes by a table or, for m near 0, by a series, in a fraction of
+/// the time. [`Power::new`] runs from a at u = 0 to b, [`Power::decreasing`] from b to a. A sample never steps back from one
+/// uniform of the grid to the next.
 ///
 #[cfg_attr(doc, doc = include_str!("../pictures/power.html"))]
 ///
 /// # Density
-/// m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b]; else 0.
+/// m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b]; else 0. [`sample_with_pdf`](Warp::sample_with_pdf) takes it from the
+/// uniform.
 ///
 /// # Domain
 /// - Point: [a, b]; above 0 where the density is 0 or infinite at a = 0.
 /// - Uniforms: one.
 /// - Parameters: 0 ≤ a < b, and any n: −1, near −1, 0, up to ±1e8 and beyond. n > −1 where a = 0.
-/// - Both tiers share this code.
 ///
 /// With a = 0 and n < 0 the density is infinite at 0. The largest `f32` stands for densities above it, and samples
 /// that would be smaller than 2⁻¹⁴⁹ are 2⁻¹⁴⁹, as most are for n within 1e-3 of −1.
@@ -36,13 +41,16 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, ulp | 1 | 1 |
+/// | sample, ulp | 1 | 3.2 + 4.2*min(1/k, k*d*d) |
 /// | pdf, relative | 1.3e-7 | 1.3e-7 |
-/// | realised density, relative | 1.3e-7 + s | 1.3e-7 + s |
+/// | realised density, relative | 1.3e-7 + s | 1.3e-7 + (3.2 + 4.2*min(1/k, k*d*d))*s/max(0, 1 - k/1e6) |
+/// | pdf with the sample, relative | 4.6e-7 + s | 3.5e-7 + 3e-7*min(1/k, k*d*d) + s |
 /// | inverse | 3e-7 | 3e-7 |
-/// | round trip | 3e-7 + 1.1*r | 3e-7 + 1.1*r |
+/// | round trip | 3e-7 + 1.1*r | 3e-7 + (3.2 + 4.2*min(1/k, k*d*d))*r |
 ///
-/// s and r are the relative change of the exact density and the change of the exact inverse over one ulp of x.
+/// k is |n + 1| and d is log₂(b/a), infinite for a = 0. In `poly` no realised density is stated from k = 1e6 on, where the densities
+/// of neighbouring `f32` differ by a factor. s and r are the relative change of the exact density and the change of the
+/// exact inverse over one ulp of x.
 ///
 /// # Cost
 /// <!-- generated: cost Power -->
@@ -83,14 +91,16 @@ pub struct Power<T> {
     first: f32,
     /// Whether u = 0 is at R, which is a for n < −1 and b otherwise.
     from_anchor: bool,
-    /// D = 1 − e^(−z) with z = |m| ln(b/a); 1 for m = 0.
+    /// D = 1 − e^(−z) with z = |m| ln(b/a); for m = 0 by nine digits 1, by tables 0.
     drop: Pair,
     /// 2⁶⁴e^(−z), or 0 where that is negligible beside any uniform.
     rest: Pair,
-    /// 1/m; −log₂(b/a) for m = 0.
+    /// 1/m; −log₂(b/a) for m = 0. By tables 64 times that, and −64 log₂(e) D/m where D is below ½: a head of 12 bits and the
+    /// rest.
     root: Pair,
-    /// The density at R.
+    /// The density at R, and R times that.
     peak: Scaled,
+    height: f32,
     tier: PhantomData<T>,
 }
 
@@ -171,10 +181,14 @@ impl<T: Tier> Power<T> {
             rest,
             root,
             peak: Scaled::of_quotient(height.0, height.1, anchor),
+            height: Scaled::of_quotient(height.0, height.1, Scaled::ONE).value(),
             tier: PhantomData,
         };
         if power.first < power.low {
-            power.first = power.along(SMALLEST);
+            power.first = power.along(power.weights(SMALLEST));
+        }
+        if T::TABLES {
+            power.tabulate(m.0 == 0.0);
         }
         // An integrable singularity at 0 is accepted.
         if power.density(b) > f32::MAX || (a > 0.0 && power.density(a) > f32::MAX) {
@@ -207,17 +221,21 @@ impl<T: Tier> Power<T> {
         if self.n < -1.0 { self.low } else { self.high }
     }
 
-    /// The sample of a uniform in (0, 1).
+    /// The weights of the anchor and of the other end in the mixture, of a uniform.
     #[inline]
-    const fn along(&self, u: f32) -> f32 {
-        // The weights of the anchor and of the other end in the mixture.
+    const fn weights(&self, u: f32) -> (Pair, Pair) {
         let rise = 1.0 - u;
         let (u, rise) = ((u, 0.0), (rise, (1.0 - rise) - u));
-        let (near, away) = if self.from_anchor {
+        if self.from_anchor {
             (rise, u)
         } else {
             (u, rise)
-        };
+        }
+    }
+
+    /// The sample of a uniform in (0, 1) by nine digits.
+    #[inline]
+    const fn along(&self, (near, away): (Pair, Pair)) -> f32 {
         let (q, q_rest) = product(away, self.drop);
         let log = if self.n + 1.0 == 0.0 {
             let part = head(q);
@@ -233,6 +251,114 @@ impl<T: Tier> Power<T> {
             .times_power(log, self.root)
             .value();
         clamp(x, self.low, self.high)
+    }
+
+    /// What samples by tables multiply by.
+    const fn tabulate(&mut self, logarithmic: bool) {
+        if logarithmic {
+            self.drop = (0.0, 0.0);
+        } else if self.drop.0 < 0.5 {
+            let (slope, rest) = product(product(self.drop, self.root), LOG2_E);
+            self.root = (-slope, -rest);
+        }
+        self.root = by_64(self.root);
+    }
+
+    /// The sample by tables, of both weights; the first part of the second has 12 bits.
+    #[allow(clippy::inline_always, reason = "see `Warp::try_draw`")]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
+    fn mixed(&self, near: f32, (high, low): Pair) -> f32 {
+        let (root, root_rest) = self.root;
+        let (exact, small) = if self.drop.0 < 0.5 {
+            // log₂(1 - q) is -q log₂(e)(1 + tail).
+            let q = (high + low) * self.drop.0;
+            let s = q / (2.0 - q);
+            let w = s * s;
+            let series = 1.0 / 3.0
+                + w * (0.2 + w * (1.0 / 7.0 + w * (1.0 / 9.0 + w * (1.0 / 11.0 + w / 13.0))));
+            let tail = s + (1.0 + s) * (w * series);
+            let (exact, small) = (high * root, high * root_rest + low * (root + root_rest));
+            (exact, small + (exact + small) * tail)
+        } else {
+            let (whole, log) = log2(near * LIFT + (high + low) * self.rest.0);
+            let whole = whole - 64.0;
+            (whole * root, log * (root + root_rest) + whole * root_rest)
+        };
+        // No quotient of two ends is below 2^-277; a law from 0 gets there.
+        if exact + small < -40_000.0 {
+            return self.low;
+        }
+        let x = times_exp2(Scaled::of(self.anchor()), exact, small);
+        clamp(x, self.low, self.high)
+    }
+
+    /// The sample of both weights.
+    #[inline]
+    fn of_weights(&self, (near, away): (Pair, Pair)) -> f32 {
+        if T::TABLES {
+            let high = head(away.0);
+            self.mixed(near.0, (high, (away.0 - high) + away.1))
+        } else {
+            self.along((near, away))
+        }
+    }
+
+    /// The density at the sample x of both weights: (x/R)ᵐ, their mixture, counts for it.
+    #[inline]
+    fn density_of_weights(&self, near: f32, away: f32, x: f32) -> f32 {
+        let mixture = if self.n + 1.0 == 0.0 {
+            1.0
+        } else if self.drop.0 < 0.5 {
+            1.0 - away * self.drop.0
+        } else {
+            near + away * (self.rest.0 / LIFT)
+        };
+        if x < f32::MIN_POSITIVE {
+            self.pdf(x)
+        } else {
+            representable(self.height * mixture / x)
+        }
+    }
+
+    /// Both weights of a word by tables. That of the anchor is deep.
+    #[allow(clippy::inline_always, reason = "see `Warp::try_draw`")]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
+    fn weights_of_word(&self, word: u32) -> (f32, Pair) {
+        let word = if self.from_anchor { !word } else { word };
+        let away = !word;
+        let low = (away & 0x000f_ffff) as f32 + 0.5;
+        let high = (away >> 20) as f32;
+        (middle(word), (high / 4096.0, low / 4_294_967_296.0))
+    }
+
+    /// The same by nine digits.
+    #[inline]
+    fn deep_weights(&self, word: u32) -> (Pair, Pair) {
+        let word = if self.from_anchor { !word } else { word };
+        let near = crate::uniform::deep_from_word(word);
+        let away = 1.0 - near;
+        ((near, 0.0), (away, (1.0 - away) - near))
+    }
+
+    /// The sample by nine digits of a word.
+    #[inline(never)]
+    fn deep(&self, word: u32) -> f32 {
+        self.along(self.deep_weights(word))
+    }
+
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        let x = self.sample_words(word);
+        let (near, away) = if T::TABLES {
+            let (near, (high, low)) = self.weights_of_word(word);
+            (near, high + low)
+        } else {
+            let (near, away) = self.deep_weights(word);
+            (near.0, away.0)
+        };
+        (x, self.density_of_weights(near, away, x))
     }
 
     /// The density inside the domain; infinite where it overflows.
@@ -272,8 +398,27 @@ impl<T: Tier> Warp for Power<T> {
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
         let u = u.get();
-        if u > 0.0 { self.along(u) } else { self.first }
+        if u <= 0.0 {
+            self.first
+        } else {
+            self.of_weights(self.weights(u))
+        }
     }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+        let x = self.sample_canonical(u);
+        let (near, away) = self.weights(u.get());
+        // The end itself may stand for a density of 0.
+        let density = if u.get() > 0.0 {
+            self.density_of_weights(near.0, away.0, x)
+        } else {
+            self.pdf(x)
+        };
+        (x, density)
+    }
+
+    drawn_with_pdf!(by of_word_with_pdf);
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
@@ -285,14 +430,16 @@ impl<T: Tier> Warp for Power<T> {
     }
 
     /// Takes the end where the density may be 0 or infinite as that of u = 0, in both orientations.
-    #[inline]
+    #[allow(clippy::inline_always, reason = "see `Warp::try_draw`")]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn sample_words(&self, word: u32) -> f32 {
-        let from_other_end = Self {
-            from_anchor: false,
-            ..*self
-        };
-        let word = if self.from_anchor { !word } else { word };
-        from_other_end.sample_canonical(crate::uniform::deep(word))
+        if T::TABLES {
+            let (near, away) = self.weights_of_word(word);
+            self.mixed(near, away)
+        } else {
+            self.deep(word)
+        }
     }
 }
 
@@ -303,7 +450,8 @@ impl<T: Tier> Invert for Power<T> {
         let log = Scaled::of(x).log2_over(Scaled::of(self.anchor()));
         let m = two_sum(self.n, 1.0);
         let (power, away) = if m.0 == 0.0 {
-            (0.0, (log.0 + log.1) / self.root.0)
+            let unit = if T::TABLES { 64.0 } else { 1.0 };
+            (0.0, (log.0 + log.1) * unit / (self.root.0 + self.root.1))
         } else if m.0 * (log.0 + log.1) > -190.0 {
             let (exact, small) = times(log, m.0);
             let (k, a, b) = exp2(exact, small + m.1 * log.0);

@@ -3,7 +3,7 @@
 
 pub const LAYOUT: &[(&str, usize, usize, usize)] = &[
     ("mw_interval", 0, 24, 4),
-    ("mw_power", 0, 52, 4),
+    ("mw_power", 0, 56, 4),
     ("mw_exponential", 0, 4, 4),
     ("mw_exponential_tail", 0, 4, 4),
     ("mw_truncated_exponential", 0, 28, 4),

@@ -56,6 +56,13 @@ fn power<T: Tier>(p: &[f32], increasing: bool) -> Result<Entry, Error> {
         )
     };
     let entry = in_ulp::<T, _>(name, warp, truth::power(p[0], p[1], p[2], increasing));
+    let [m, span] = [
+        f64::from(p[0]) + 1.0,
+        (f64::from(p[2]) / f64::from(p[1])).log2(),
+    ];
+    let entry = entry
+        .own_density_of_word()
+        .variables(&[("k", m.abs()), ("d", span)]);
     Ok(entry.outside(&[[-1.0, 0.0, 0.0], [f32::MAX, 0.0, 0.0]]))
 }
 
