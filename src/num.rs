@@ -15,7 +15,9 @@ mod segment;
 mod word;
 
 pub use self::bounds::{LARGEST, SMALLEST};
-pub(crate) use self::bounds::{VECTORS, above_zero, clamp, into_unit, representable, saturated};
+pub(crate) use self::bounds::{
+    VECTORS, above_zero, clamp, into_unit, representable, saturated, tail,
+};
 pub(crate) use self::cube_root::cube_root;
 pub(crate) use self::error_free::{
     head, pair, product, quick_two_sum, remainder, two_product, two_sum,

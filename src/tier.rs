@@ -8,6 +8,7 @@ mod libm;
 mod normal;
 mod poly;
 mod power;
+mod quantile;
 mod sqrt;
 mod table;
 mod turns;
@@ -17,9 +18,10 @@ pub(crate) use self::compensated::{
     one_minus_cos_radians, scaled_exp, scaled_exp_of_product,
 };
 pub use self::libm::Libm;
-pub(crate) use self::normal::hazard_above;
+pub(crate) use self::normal::{density_of_tail, hazard_above};
 pub use self::poly::Poly;
 pub(crate) use self::power::{exp2, exp2_pair, log2_1p, log2_of_sum, times};
+pub(crate) use self::quantile::{normal_quantile, normal_quantile_of_word};
 pub(crate) use self::sqrt::sqrt;
 pub(crate) use self::table::{log2, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
 pub(crate) use self::turns::exchanged;
@@ -38,10 +40,6 @@ mod sealed {
         /// [`Tier::neg_ln_1m`](super::Tier::neg_ln_1m) of the uniform of the grid that a word stands for: quicker one by one,
         /// but not vectorised.
         fn neg_ln_1m_of_word(word: u32) -> f32;
-
-        /// [`Tier::normal_quantile_lower`](super::Tier::normal_quantile_lower) of a probability in `(0, 1/2]` for loops
-        /// with vectors: without a branch where the tier has such functions.
-        fn normal_quantile_lower_selected(p: f32) -> f32;
     }
 }
 

@@ -51,6 +51,12 @@ pub(crate) fn above_zero(u: f32) -> f32 {
     if u > 0.0 { u } else { SMALLEST }
 }
 
+/// The probability beyond the point of a uniform in [0, 1), on the nearer side: at most 1/2, and 2⁻¹⁴⁹ for 0.
+#[inline]
+pub(crate) fn tail(u: f32) -> f32 {
+    if u < 0.5 { above_zero(u) } else { 1.0 - u }
+}
+
 /// `x`, or the nearer bound where it lies outside; `low` for NaN.
 #[inline]
 pub(crate) const fn clamp(x: f32, low: f32, high: f32) -> f32 {

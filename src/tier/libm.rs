@@ -69,11 +69,6 @@ impl super::sealed::Sealed for Libm {
         // On the grid 1 - u is exact.
         0.0 - ::libm::logf(1.0 - grid_from_word(word))
     }
-
-    #[inline]
-    fn normal_quantile_lower_selected(p: f32) -> f32 {
-        Self::normal_quantile_lower(p)
-    }
 }
 
 impl Tier for Libm {

@@ -51,16 +51,37 @@ pub(crate) fn cdf_lower<T: Tier>(x: f32) -> f32 {
     (power * denominator) / ((slope * t) * denominator + numerator)
 }
 
+/// What e^(-t²/2)/Φ(-t) has above √(2π) t, for t from 0 to 15.
+#[inline]
+fn above_slope(t: f32) -> f32 {
+    let [n0, n1, n2, n3, n4] = MILLS;
+    let [d1, d2, d3, d4] = MILLS_OVER;
+    let numerator = n0 + t * (n1 + t * (n2 + t * (n3 + t * n4)));
+    let denominator = 1.0 + t * (d1 + t * (d2 + t * (d3 + t * d4)));
+    numerator / denominator
+}
+
+/// e^(-z²/2), and a factor that it is still to be multiplied by, at the quantile z of a tail in (0, 1/2]: the tail times the
+/// hazard, without an exponential. An error of z changes it relatively by that over z.
+#[inline]
+pub(crate) fn density_of_tail(tail: f32, z: f32) -> (f32, f32) {
+    let z = z.abs();
+    let [slope] = SQRT_TAU;
+    // A subnormal tail would lose more digits.
+    let (lift, factor) = if tail > 1.0e-30 {
+        (1.0, 1.0)
+    } else {
+        (16_777_216.0, 0.5 * f32::EPSILON)
+    };
+    (tail * lift * (slope * z + above_slope(z)), factor)
+}
+
 /// What the hazard of the standard normal, φ(t)/Φ(-t), has above t, for `t >= 0`; so the hazard is the sum of both.
 pub(crate) fn hazard_above(t: f32) -> f32 {
     const PER_SLOPE: f32 =
         pair(0.5 * core::f64::consts::FRAC_2_SQRT_PI * core::f64::consts::FRAC_1_SQRT_2).0;
     if t < 15.0 {
-        let [n0, n1, n2, n3, n4] = MILLS;
-        let [d1, d2, d3, d4] = MILLS_OVER;
-        let numerator = n0 + t * (n1 + t * (n2 + t * (n3 + t * n4)));
-        let denominator = 1.0 + t * (d1 + t * (d2 + t * (d3 + t * d4)));
-        PER_SLOPE * (numerator / denominator)
+        PER_SLOPE * above_slope(t)
     } else {
         // Laplace's continued fraction. What is left out is below 1e-8 of the hazard.
         1.0 / (t + 2.0 / (t + 3.0 / t))
@@ -84,7 +105,7 @@ fn central(q: f32) -> f32 {
 
 /// The quantile in the tail, from the logarithm of p.
 #[inline]
-fn outer<T: Tier>(log: f32) -> f32 {
+pub(super) fn outer<T: Tier>(log: f32) -> f32 {
     let r = T::sqrt(-log);
     let [n0, n1, n2, n3, n4] = TAIL;
     let [d1, d2, d3] = TAIL_OVER;
@@ -102,12 +123,4 @@ pub(crate) fn quantile_lower<T: Tier>(p: f32) -> f32 {
     } else {
         outer::<T>(T::ln(above_zero(p)))
     }
-}
-
-/// The same of a `p` in `(0, 1/2]`, given with its logarithm, for loops with vectors: it computes both ways and selects one.
-#[inline]
-pub(crate) fn quantile_lower_selected<T: Tier>(p: f32, log: f32) -> f32 {
-    let q = p - 0.5;
-    let (middle, end) = (central(q), outer::<T>(log));
-    if q >= CENTRE { middle } else { end }
 }

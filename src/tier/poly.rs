@@ -10,8 +10,8 @@ mod trig;
 use super::turns::{polar, reduce_few_turns};
 use super::{Tier, normal, power};
 
-/// The polynomial tier: `f32` arithmetic only, no `f64`. Its functions have no tables; some laws on the line take two, of 776
-/// bytes.
+/// The polynomial tier: `f32` arithmetic only, no `f64`. Its functions have no tables; some laws on the line take up to three, of
+/// 1,416 bytes.
 ///
 /// # Accuracy
 /// | function | domain | max ulp | max absolute | max relative |
@@ -65,11 +65,6 @@ impl super::sealed::Sealed for Poly {
     #[inline]
     fn neg_ln_1m_of_word(word: u32) -> f32 {
         log::neg_ln_1m_of_word(word)
-    }
-
-    #[inline]
-    fn normal_quantile_lower_selected(p: f32) -> f32 {
-        normal::quantile_lower_selected::<Self>(p, log::ln_selected(p))
     }
 }
 

@@ -418,7 +418,7 @@ impl<T: Tier> Warp for Power<T> {
         (x, density)
     }
 
-    drawn_with_pdf!(by of_word_with_pdf);
+    drawn_with_pdf!(from of_word_with_pdf);
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {

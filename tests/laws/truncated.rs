@@ -1,12 +1,14 @@
 //! The steep rise of a truncated exponential, whose power e^|z| leaves the range of `f32`: right down to
-//! x = 0. The map that was there before, measured from the far end alone, fails here.
+//! x = 0. The map that was there before, measured from the far end alone, fails here. And of a truncated normal the least
+//! uniforms, and how far it turns back between neighbours.
 
 use microwarp::tier::{Libm, Poly, Tier};
-use microwarp::{Warp, warp::TruncatedExponential};
+use microwarp::warp::{TruncatedExponential, TruncatedNormal};
+use microwarp::{Error, Warp, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::errors::ulps;
-use support::truth;
+use support::errors::{ulp, ulps};
+use support::truth::{self, Truth};
 
 /// What the documentation states, in ulp.
 const STATED: f64 = 4.4;
@@ -100,4 +102,61 @@ fn the_least_uniforms_keep_their_digits() {
             assert!(error <= STATED, "{rate} {length} at {u:e}: {error} ulp");
         }
     }
+}
+
+/// From 0 up a sample is nearly u times a length, in `f32` once a subnormal uniform times a number near 1.
+#[test]
+fn a_truncated_normal_keeps_the_digits_of_the_least_uniforms() {
+    fn worst<T: Tier>(law: Result<TruncatedNormal<T>, Error>, truth: &dyn Truth) -> f64 {
+        let law = law.unwrap();
+        let error = |k: u32| {
+            let u = f32::from_bits(k * k);
+            let [exact, ..] = truth.sample([f64::from(u), 0.0, 0.0, 0.0]);
+            ulps(law.sample(u), exact)
+        };
+        (1..3_000).map(error).fold(0.0, f64::max)
+    }
+    for deviation in [1.0, 1e10, 1e30, 1e36] {
+        let truth = truth::TruncatedNormal::new(0.0, deviation, 0.0, f32::INFINITY);
+        let libm = TruncatedNormal::<Libm>::above(0.0, deviation, 0.0);
+        let poly = TruncatedNormal::<Poly>::above(0.0, deviation, 0.0);
+        let off = worst(libm, &truth).max(worst(poly, &truth));
+        assert!(off <= 14.0, "deviation {deviation}: {off} ulp");
+    }
+    let [exact, ..] = truth::TruncatedNormal::new(0.0, 1e30, 0.0, f32::INFINITY).sample([
+        2f64.powi(-149),
+        0.0,
+        0.0,
+        0.0,
+    ]);
+    let rounded_first = (f32::from_bits(1) * 1.253_314_1) * 1e30;
+    assert!(ulps(rounded_first, exact) > 1e6);
+}
+
+/// It turns back, but by no more than its page says.
+#[test]
+fn a_truncated_normal_turns_back_by_two_ulp_at_most() {
+    const STEP: f32 = 1.0 / 16_777_216.0;
+    let (mut back, mut most) = (0, 0.0_f64);
+    for (low, high) in [(-1.0, 2.0), (-0.5, 0.5), (0.25, 3.0), (-6.0, 1.0)] {
+        let law = poly::TruncatedNormal::new(0.0, 1.0, low, high).unwrap();
+        for k in 1..1 << 20 {
+            // Neighbours in 64 runs over the grid.
+            let at = (k % 64) * (1 << 18) + k / 64;
+            let (here, next) = (
+                law.sample(at as f32 * STEP),
+                law.sample((at + 1) as f32 * STEP),
+            );
+            if next < here {
+                back += 1;
+                let unit = ulp(f64::from(here).abs().max(1.0));
+                most = most.max(f64::from(here - next) / unit);
+            }
+        }
+    }
+    println!("{back} steps back, by up to {most} ulp");
+    assert!(
+        back > 0 && most <= 2.0,
+        "{back} steps back, by up to {most} ulp"
+    );
 }

@@ -20,7 +20,7 @@ pub const LAYOUT: &[(&str, usize, usize, usize)] = &[
     ("mw_rayleigh", 0, 8, 4),
     ("mw_weibull", 0, 24, 4),
     ("mw_pareto", 0, 20, 4),
-    ("mw_log_normal", 0, 12, 4),
+    ("mw_log_normal", 0, 24, 4),
     ("mw_triangle_on_2d", 0, 84, 4),
     ("mw_triangle_on_3d", 0, 108, 4),
     ("mw_bilinear", 0, 28, 4),

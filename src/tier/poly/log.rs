@@ -42,17 +42,6 @@ pub(super) fn ln(x: f32) -> f32 {
     }
 }
 
-/// The same for positive finite numbers, without a branch.
-#[inline]
-pub(super) fn ln_selected(x: f32) -> f32 {
-    let (factor, scaled) = if x < f32::MIN_POSITIVE {
-        (8_388_608.0, 23.0)
-    } else {
-        (1.0, 0.0)
-    };
-    ln_plain(x * factor, scaled)
-}
-
 #[cold]
 fn ln_edge(x: f32) -> f32 {
     if x > f32::MAX {

@@ -162,7 +162,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let (warp, truth) = (Normal::<T>::new(p[0], p[1])?, truth::normal(p[0], p[1]));
             let mut entry = entry::<T, _>("Normal", Domain::Line, Measure::UlpFrom(mean, 0.0), warp, truth);
             entry.ends = Ends::None;
-            Ok(entry.variables(&[("w", mean.abs() / std_dev)]).outside(&[]))
+            entry.deep = true;
+            Ok(entry.middle().own_density().variables(&[("w", mean.abs() / std_dev)]).outside(&[]))
         })
             .case_with("0, 1", &[0.0, 1.0], |e| {
                 let mut entry = e.picture("mean 0, deviation 1", View::Line(between(-4.0, 4.0))).trade(family::NORMAL, "normal");
@@ -315,8 +316,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let entry = in_ulp::<T, _>("LogNormal", warp, truth::log_normal(p[0], p[1])).with(|e| {
                 e.ends = Ends::None;
                 e.inside = |x| x[0] > 0.0;
+                e.deep = true;
             });
-            Ok(entry.variables(&[("d", deviation), ("w", 1.0 / deviation)]).outside(&[[0.0; 3], [-1.0, 0.0, 0.0]]))
+            Ok(entry.middle().own_density().variables(&[("d", deviation), ("w", 1.0 / deviation)]).outside(&[[0.0; 3], [-1.0, 0.0, 0.0]]))
         })
             .case_with("0, 0.5", &[0.0, 0.5], |e| e.picture("p ∝ exp(−2 ln²x)/x", View::Line(between(-0.1, 4.0))).trade(family::LAW, "log_normal"))
             .case("0, 1", &[0.0, 1.0])
@@ -377,11 +379,16 @@ fn truncated_normal<T: Tier>(
         Box::new(truth) as Box<dyn Truth>,
     );
     entry.open = open;
+    entry.deep = true;
     if a.is_infinite() || b.is_infinite() {
         entry.ends = Ends::None;
     }
     let steep = nearest.abs() * (1.0 + away) / deviation;
-    Ok(entry.variables(&[("w", steep)]).outside(&[]))
+    Ok(entry
+        .middle()
+        .own_density()
+        .variables(&[("w", steep)])
+        .outside(&[]))
 }
 
 /// What laws from some number up have in common. The ends are not bounds of a domain but the last sample.

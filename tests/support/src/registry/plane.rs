@@ -41,6 +41,7 @@ fn normal_pair<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     // Whatever the plane holds may be a sample; its inverse far out is an end.
     entry.slack = f64::INFINITY;
     Ok(entry
+        .own_density()
         .variables(&[("w", f64::from(far) / f64::from(std_dev))])
         .outside(&[]))
 }

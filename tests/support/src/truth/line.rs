@@ -361,18 +361,25 @@ pub fn normal_quantile_lower(p: f64) -> f64 {
     x
 }
 
+/// The standard normal quantile of a uniform, of which 0 counts as 2^-149.
+fn normal_quantile(u: f64) -> f64 {
+    if u < 0.5 {
+        normal_quantile_lower(u.max(SMALLEST))
+    } else {
+        -normal_quantile_lower(1.0 - u)
+    }
+}
+
 pub fn normal(mean: f32, deviation: f32) -> Box<dyn Truth> {
     let (m, d) = (f64::from(mean), f64::from(deviation));
-    Box::new(Line {
-        quantile: move |u: f64| {
-            m + d * if u < 0.5 {
-                normal_quantile_lower(u.max(2f64.powi(-149)))
-            } else {
-                -normal_quantile_lower(1.0 - u)
-            }
-        },
+    let line = Line {
+        quantile: move |u: f64| m + d * normal_quantile(u),
         pdf: move |x: f64| (-0.5 * ((x - m) / d).powi(2)).exp() / (d * TAU.sqrt()),
         cdf: move |x: f64| normal_cdf((x - m) / d),
+    };
+    Box::new(OfUniform {
+        law: line,
+        density: move |u: f64| (-0.5 * normal_quantile(u).powi(2)).exp() / (d * TAU.sqrt()),
     })
 }
 
@@ -521,17 +528,23 @@ pub fn pareto(minimum: f32, shape: f32) -> Box<dyn Truth> {
 pub fn log_normal(mean_of_log: f32, std_dev_of_log: f32) -> Box<dyn Truth> {
     let (m, d) = (f64::from(mean_of_log), f64::from(std_dev_of_log));
     let deviate = move |x: f64| (x.ln() - m) / d;
-    Box::new(Line {
-        quantile: move |u: f64| {
-            let z = if u < 0.5 {
-                normal_quantile_lower(u.max(SMALLEST))
-            } else {
-                -normal_quantile_lower(1.0 - u)
-            };
-            (m + d * z).exp().max(SMALLEST)
-        },
-        pdf: move |x: f64| (-0.5 * deviate(x).powi(2)).exp() / (x * d * TAU.sqrt()),
+    let pdf = move |x: f64, z: f64| (-0.5 * z.powi(2)).exp() / (x * d * TAU.sqrt());
+    let line = Line {
+        quantile: move |u: f64| (m + d * normal_quantile(u)).exp().max(SMALLEST),
+        pdf: move |x: f64| pdf(x, deviate(x)),
         cdf: move |x: f64| normal_cdf(deviate(x)),
+    };
+    Box::new(OfUniform {
+        law: line,
+        density: move |u: f64| {
+            let z = normal_quantile(u);
+            let x = (m + d * z).exp();
+            if x > SMALLEST {
+                pdf(x, z)
+            } else {
+                pdf(SMALLEST, deviate(SMALLEST))
+            }
+        },
     })
 }
 
@@ -643,23 +656,35 @@ impl TruncatedNormal {
         }
         s
     }
-}
 
-impl Truth for TruncatedNormal {
-    fn sample(&self, u: Uniforms) -> Point {
-        let (u, v) = (u[0], 1.0 - u[0]);
+    /// The distance of the point of a uniform from the nearest point, and whether it is above.
+    fn along(&self, u: f64) -> (f64, bool) {
+        let v = 1.0 - u;
         let mass = u * self.above - v * self.below;
         let ends = [self.nearest - self.low, self.high - self.nearest];
         let [below, above] = ends.map(|end| (-self.log_of_rest(end / self.deviation)).exp());
         let tail = mills(self.away);
-        let x = if mass > 0.0 {
+        let (distance, end) = if mass > 0.0 {
             let rest = v * (1.0 + self.below / tail) + u * above;
-            self.nearest + self.deviation * self.distance(mass, rest)
+            (self.distance(mass, rest), ends[1])
         } else {
             let rest = u * (1.0 + self.above / tail) + v * below;
-            self.nearest - self.deviation * self.distance(-mass, rest)
+            (self.distance(-mass, rest), ends[0])
         };
+        (distance.min(end / self.deviation), mass > 0.0)
+    }
+}
+
+impl Truth for TruncatedNormal {
+    fn sample(&self, u: Uniforms) -> Point {
+        let (distance, upper) = self.along(u[0]);
+        let along = self.deviation * distance;
+        let x = self.nearest + if upper { along } else { -along };
         [x.clamp(self.low, self.high), 0.0, 0.0]
+    }
+    fn density(&self, u: Uniforms) -> f64 {
+        let (distance, _) = self.along(u[0]);
+        (-self.exponent(distance)).exp() / (self.deviation * (self.below + self.above))
     }
     fn pdf(&self, x: Point) -> f64 {
         // Before the nearest point, where only a change of x by its rounding leads, the exponent is negative.
