@@ -130,7 +130,7 @@ pub fn rectangle_density() -> Contest<Weighed<Vector>> {
         _: [f32; 2],
     ) -> Weighed<Vector> {
         let lamp = SphericalRectangle::<T>::new(point, corner, edges);
-        (point, lamp.map_or(0.0, |lamp| lamp.solid_angle().recip()))
+        (point, lamp.map_or(0.0, |lamp| lamp.density()))
     }
     let peer = |point, (corner, edges), u| renderer::rectangle_lamp(point, corner, edges, u);
     anew((CORNER, EDGES), ours::<Libm>, ours::<Poly>, peer)
@@ -140,7 +140,7 @@ pub fn rectangle_density() -> Contest<Weighed<Vector>> {
 pub fn triangle_density() -> Contest<Weighed<Vector>> {
     fn ours<T: Tier>(point: Vector, vertices: [Vector; 3], _: [f32; 2]) -> Weighed<Vector> {
         let lamp = SphericalTriangle::<T>::new(point, vertices);
-        (point, lamp.map_or(0.0, |lamp| lamp.solid_angle().recip()))
+        (point, lamp.map_or(0.0, |lamp| lamp.density()))
     }
     anew(
         TRIANGLE,

@@ -1,359 +1,372 @@
-//! A triangle seen from a point: what the warps over spherical triangles and rectangles share.
+//! Polygons seen from a point: what the warps over spherical triangles and rectangles share.
 //!
-//! A corner is 0 (the apex, at the first uniform 0), 1 (where the second uniform is 0) or 2. Side i and normal i belong to
-//! the edge opposite to corner i. Everything is said in terms of weights: a direction is the sum of the directions of the
-//! corners times their weights, and no weight is ever a difference.
+//! A corner is a direction. Half a light is a triangle of corners a (the apex, at the first uniform 0), b (where the second
+//! one is 0) and c. Everything is said in terms of weights: a direction is the sum of the corners times their weights.
 
-mod exact;
-mod side;
-
-pub(super) use self::exact::{difference, negative, sum};
-
-use self::exact::{Exact, binade, cross, exact_dot, largest, scale};
-use self::side::{NEAR, Side, combined, dot, rounded_unit, unit};
 use super::direction::is_direction;
 use super::spherical::normalised;
 use crate::error::Error;
+use crate::num::{two_product, two_sum};
 use crate::tier::{Tier, sqrt};
 
-/// 2⁶⁰ and its reciprocal: the largest and the smallest length.
+/// 2⁶⁰, 2⁻⁶⁰: the largest and the smallest size of a light and its distance together.
 const LONG: f32 = 1_152_921_504_606_846_976.0;
 const SHORT: f32 = 1.0 / LONG;
 
-/// 2⁻³⁰, the shortest length beside the longest one.
-const LEAST: f32 = 9.313_226e-10;
+/// 2⁵⁶ and 2⁻¹⁶: between these nothing below overflows or loses its digits.
+const LARGE: f32 = 72_057_594_037_927_936.0;
+const SMALL: f32 = 1.525_878_9e-5;
 
-/// 2⁻²⁸, the smallest volume of a point and a triangle beside the product of the lengths.
+/// How many times the volume of a way and two edges may be smaller than their cross product, and that smaller than the product
+/// of the edges, before lost digits show; and how many times as far as another the first corner may be.
+pub(super) const EDGE_ON: f32 = 4.0;
+pub(super) const SHARP: f32 = 4.0;
+pub(super) const UNEVEN: f32 = 8.0;
+
+/// 2⁻²⁸, the smallest volume of a point and a flat light beside the product of the lengths.
 const FLATTEST: f32 = 3.725_290_3e-9;
 
-/// The distance of the point from the plane triangle whose corners are the directions of the vertices, below which it is
-/// close to the triangle, and below which it lies on it: 2⁻⁶ and 2⁻¹⁰.
-const CLOSE: f32 = 0.015_625;
+/// 2⁻⁶², the smallest volume of unit vectors: about 1e-19 sr.
+const LEAST: f32 = 2.168_404_3e-19;
+
+/// 2⁻³⁰, the smallest distance of a corner beside the size of a light and its distance together: nearer to it, the point lies
+/// on the light.
+const ON_CORNER: f32 = 9.313_226e-10;
+
+/// 2⁻²¹, the smallest 1 + cos of a side: nearer to it, the point lies on the light.
+const ON_SIDE: f32 = 4.0 * f32::EPSILON;
+
+/// 2⁻¹⁰, what half the solid angle lacks of half a turn at least, in radians: nearer to it, the point lies on the light.
 const ON: f32 = 9.765_625e-4;
 
-/// 2⁻⁶: the distance of the nearest corner beside that of the farthest, above which area may be sampled.
-const EVEN: f32 = 0.015_625;
+/// 2⁻¹²: a light is thin where the volume of its unit corners is smaller, and its solid angle below that of a quarter of all
+/// directions.
+const THIN: f32 = 2.441_406_2e-4;
 
-/// The angle by which rounding can carry a sample over a side of a small triangle.
-const RIM: f32 = 4.0e-7;
+/// How far rounding can carry a sample over a side, as an angle, beside half of the longest side. A proof, in units of 2⁻²⁴:
+/// the corners of a rectangle are off by 10 where they are four times as near as its first one, and by 1 for their own
+/// rounding; so is the side's other end, from which the plane of the side is taken, 22 together. Three more are of the sum
+/// of the corners times their weights. The weights at a side sum up to 1 over the cosine of half of it. Differences, products
+/// and sums of the test add 14.
+const RIM: f32 = 39.0 * 0.5 * f32::EPSILON;
 
-/// A triangle seen from a point.
+#[inline]
+pub(super) fn dot(p: [f32; 3], q: [f32; 3]) -> f32 {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    a * d + b * e + c * f
+}
+
+#[inline]
+pub(super) fn cross(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+#[inline]
+pub(super) fn plus(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    [a + d, b + e, c + f]
+}
+
+#[inline]
+pub(super) fn minus(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    [a - d, b - e, c - f]
+}
+
+#[inline]
+pub(super) fn times(p: [f32; 3], by: f32) -> [f32; 3] {
+    p.map(|x| x * by)
+}
+
+/// The sum of the magnitudes.
+#[inline]
+pub(super) fn span([x, y, z]: [f32; 3]) -> f32 {
+    x.abs() + y.abs() + z.abs()
+}
+
+/// The smaller number; comparisons joined by `or` would draw all they depend on into vectors of two, which are slower here.
+#[inline]
+pub(super) fn least(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// Whether lengths of this sum need no other unit.
+#[inline]
+pub(super) fn is_plain(size: f32) -> bool {
+    (SMALL..=LARGE).contains(&size)
+}
+
+/// A power of two by which lengths of this sum become plain.
+#[cold]
+#[inline(never)]
+pub(super) fn unit(size: f32, vectors: [[f32; 3]; 4]) -> Result<f32, Error> {
+    if vectors.as_flattened().iter().any(|x| !x.is_finite()) {
+        Err(Error::NotFinite)
+    } else if size < SHORT {
+        Err(Error::Empty)
+    } else if size < SMALL {
+        Ok(17_592_186_044_416.0)
+    } else if size <= 2.0 * LONG {
+        Ok(0.003_906_25)
+    } else {
+        Err(Error::TooLarge)
+    }
+}
+
+/// The same for a rectangle, of which an edge may have no length.
+#[cold]
+#[inline(never)]
+pub(super) fn rectangle_unit(
+    size: f32,
+    point: [f32; 3],
+    corner: [f32; 3],
+    [first, second]: [[f32; 3]; 2],
+) -> Result<f32, Error> {
+    match unit(size, [point, corner, first, second]) {
+        Err(Error::Empty) if span(first) == 0.0 || span(second) == 0.0 => Err(Error::ZeroLength),
+        unit => unit,
+    }
+}
+
+/// A number as a rounded part and a rest.
+type Two = (f32, f32);
+
+fn difference(p: [f32; 3], q: [f32; 3]) -> [Two; 3] {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    [two_sum(a, -d), two_sum(b, -e), two_sum(c, -f)]
+}
+
+fn product(p: Two, q: Two) -> Two {
+    let (product, dropped) = two_product(p.0, q.0);
+    (product, dropped + (p.0 * q.1 + p.1 * q.0))
+}
+
+fn sum(p: Two, q: Two) -> Two {
+    let (sum, dropped) = two_sum(p.0, q.0);
+    (sum, dropped + (p.1 + q.1))
+}
+
+/// a·b − c·d.
+fn determinant(a: Two, b: Two, c: Two, d: Two) -> Two {
+    sum(product(a, b), product((-c.0, -c.1), d))
+}
+
+/// The volume of a way and two edges in twice the digits, and its sign; 0 where even those are lost.
+fn spanned(way: [Two; 3], first: [Two; 3], second: [Two; 3]) -> f32 {
+    let ([a, b, c], [d, e, f]) = (first, second);
+    let [x, y, z] = way;
+    let parts = [
+        product(x, determinant(b, f, c, e)),
+        product(y, determinant(c, d, a, f)),
+        product(z, determinant(a, e, b, d)),
+    ];
+    let [p, q, r] = parts;
+    let (volume, rest) = sum(sum(p, q), r);
+    let volume = volume + rest;
+    let rounded = |v: [Two; 3]| v.map(|(x, _)| x);
+    let [way, first, second] = [way, first, second].map(rounded);
+    let [far, long, wide] = [way, first, second].map(|v| sqrt(dot(v, v)));
+    let long = if long > wide { long } else { wide };
+    if volume.abs() < FLATTEST * far * long * long {
+        0.0
+    } else {
+        volume
+    }
+}
+
+/// The volume of a point and a triangle in twice the digits, in units of a cube.
+#[cold]
+#[inline(never)]
+pub(super) fn triangle_volume(point: [f32; 3], [a, b, c]: [[f32; 3]; 3], unit: f32) -> f32 {
+    let scaled = |v: [Two; 3]| v.map(|(x, rest)| (x * unit, rest * unit));
+    spanned(
+        scaled(difference(a, point)),
+        scaled(difference(b, a)),
+        scaled(difference(c, a)),
+    )
+}
+
+/// The same of a parallelogram.
+#[cold]
+#[inline(never)]
+pub(super) fn rectangle_volume(
+    point: [f32; 3],
+    corner: [f32; 3],
+    [first, second]: [[f32; 3]; 2],
+    unit: f32,
+) -> f32 {
+    let way = difference(corner, point).map(|(x, rest)| (x * unit, rest * unit));
+    spanned(way, first.map(|x| (x, 0.0)), second.map(|x| (x, 0.0)))
+}
+
+/// The ways to the other corners of a parallelogram, for a point far nearer to one of those than to the first one.
+#[cold]
+#[inline(never)]
+pub(super) fn other_corners(
+    point: [f32; 3],
+    corner: [f32; 3],
+    [first, second]: [[f32; 3]; 2],
+    unit: f32,
+) -> [[f32; 3]; 3] {
+    let way = difference(corner, point).map(|(x, rest)| (x * unit, rest * unit));
+    let [first, second] = [first, second].map(|edge| edge.map(|x| (x, 0.0)));
+    let add = |p: [Two; 3], q: [Two; 3]| {
+        let ([a, b, c], [d, e, f]) = (p, q);
+        [sum(a, d), sum(b, e), sum(c, f)]
+    };
+    let (x, y) = (add(way, first), add(way, second));
+    [x, add(x, second), y].map(|way| way.map(|(x, rest)| x + rest))
+}
+
+/// Whether a light of this volume and half solid angle is not thin.
+#[inline]
+pub(super) fn is_wide(volume: f32, half: f32) -> bool {
+    volume > THIN || half > 0.25
+}
+
+/// Why a light is none, the cosine of half the solid angle being of any length: a flat or a small one, or one on which
+/// the point lies.
+#[cold]
+#[inline(never)]
+pub(super) fn refusal(cosine: f32, nearest: f32, size: f32) -> Error {
+    // Beside a side there is no cosine.
+    if cosine > 0.0 && nearest >= ON_CORNER * size {
+        Error::Empty
+    } else {
+        Error::NotNormalizable
+    }
+}
+
+/// Whether a half solid angle, as sine and cosine of any length, can be sampled, and the nearest corner beside the size is no
+/// point of the light. Not a number cannot.
+#[inline]
+pub(super) fn is_seen(sine: f32, cosine: f32, nearest: f32, size: f32) -> bool {
+    sine >= LEAST && sine > -cosine * ON && nearest >= ON_CORNER * size
+}
+
+/// 1 + the cosines of the sides of a triangle of corners a, b and c, whose angle with the volume is half the solid angle;
+/// 1 + cos of the side a-b, and half of that of the side b-c.
+#[inline]
+pub(super) fn sums(a: [f32; 3], b: [f32; 3], c: [f32; 3], [ab, bc, ca]: [f32; 3]) -> [f32; 3] {
+    if least(ab, least(bc, ca)) < -0.5 {
+        careful([a, b, c], [ab, bc, ca])
+    } else {
+        [(1.0 + ca) + (ab + bc), 1.0 + ab, 0.5 + 0.5 * bc]
+    }
+}
+
+/// The same where a side is longer than a third of a turn: by the sines of long sides and the chord of the shortest.
+#[cold]
+#[inline(never)]
+fn careful([a, b, c]: [[f32; 3]; 3], [ab, bc, ca]: [f32; 3]) -> [f32; 3] {
+    let rise = |p: [f32; 3], q: [f32; 3], cos: f32| {
+        if cos < -0.5 {
+            let sine = cross(p, q);
+            dot(sine, sine) / (1.0 - cos)
+        } else {
+            1.0 + cos
+        }
+    };
+    let drop = |p: [f32; 3], q: [f32; 3], cos: f32| {
+        if cos > 0.5 {
+            let chord = minus(p, q);
+            0.5 * dot(chord, chord)
+        } else {
+            1.0 - cos
+        }
+    };
+    let (p, q, r) = (rise(a, b, ab), rise(b, c, bc), rise(c, a, ca));
+    let sum = if ab >= bc && ab >= ca {
+        (q + r) - drop(a, b, ab)
+    } else if bc >= ca {
+        (r + p) - drop(b, c, bc)
+    } else {
+        (p + q) - drop(c, a, ca)
+    };
+    let apart = p >= ON_SIDE && q >= ON_SIDE && r >= ON_SIDE;
+    [if apart { sum } else { f32::NAN }, p, 0.5 * q]
+}
+
+/// A triangle of corners a, b and c, in what its map needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Seen {
-    /// The directions of the corners, and their distances in a unit of length.
-    corners: [[f32; 3]; 3],
-    distances: [f32; 3],
-    /// Of each side the unit normal, inwards, and its sine.
-    normals: [[f32; 3]; 3],
-    sines: [f32; 3],
-    /// How far beyond a side rounding can carry a sample.
-    rim: f32,
-    /// The sum of the ends of the longest side: directions opposite to a thin triangle are beyond its sides by no more
-    /// than rounding.
-    middle: [f32; 3],
-    /// H, half the solid angle as an angle in turns, what it lacks of half a turn, its sine and its cosine.
-    half: f32,
-    lack: f32,
-    sin: f32,
-    cos: f32,
-    /// 1 + cos of side 2, and twice that over R.
-    rise: f32,
-    slope: f32,
-    /// (1 + cos)/2 of side 0.
-    near: f32,
-    /// The volume of the point and the triangle, six times, over the three distances.
-    volume: f32,
-    /// Whether the corners are about as far away as each other.
-    even: bool,
-    /// Whether the point is so near that area is sampled.
-    close: bool,
+pub(super) struct Half {
+    /// The volume of the three corners, and 1 + the cosines of its sides: R sin H and R cos H, H being half its solid angle.
+    pub(super) volume: f32,
+    pub(super) sum: f32,
+    /// 1 + cos of the side a-b, and (1 + cos)/2 of b-c.
+    pub(super) rise: f32,
+    pub(super) near: f32,
 }
 
-fn least_of([a, b, c]: [f32; 3]) -> f32 {
-    let least = if a < b { a } else { b };
-    if least < c { least } else { c }
-}
-
-/// Refuses coordinates that are not finite, or beyond 2⁶⁰.
-pub(super) fn checked(vectors: &[[f32; 3]]) -> Result<(), Error> {
-    for x in vectors.as_flattened() {
-        if !x.is_finite() {
-            return Err(Error::NotFinite);
-        }
-    }
-    for x in vectors.as_flattened() {
-        if x.abs() > LONG {
-            return Err(Error::TooLarge);
-        }
-    }
-    Ok(())
-}
-
-impl Seen {
-    /// The triangle of these corners, seen from 0. Edge i leads from corner i + 1 to corner i + 2.
-    pub(super) fn new<T: Tier>(
-        mut corners: [Exact; 3],
-        mut edges: [Exact; 3],
-    ) -> Result<Self, Error> {
-        let (far, long) = (largest(&corners), largest(&edges));
-        if long < SHORT || long < LEAST * far {
-            return Err(Error::Empty);
-        }
-        scale(&mut corners, 1.0 / binade(far));
-        scale(&mut edges, 1.0 / binade(long));
-        let edge = binade(long) / binade(far);
-        let [p0, p1, p2] = &corners;
-        let [e0, e1, e2] = &edges;
-        let (c0, d0) = rounded_unit(p0, 1.0);
-        let (c1, d1) = rounded_unit(p1, 1.0);
-        let (c2, d2) = rounded_unit(p2, 1.0);
-        let away = d0 >= LEAST && d1 >= LEAST && d2 >= LEAST;
-        if !away {
-            return Err(Error::NotNormalizable);
-        }
-        let (n0, n1, n2) = (cross(p1, e0), cross(p2, e1), cross(p0, e2));
-        let volume = -exact_dot(e2, &n0);
-        let sign = if volume < 0.0 { -1.0 } else { 1.0 };
-        let volume = volume.abs();
-        let flat = volume < FLATTEST;
-        let (n0, l0) = rounded_unit(&n0, sign);
-        let (n1, l1) = rounded_unit(&n1, sign);
-        let (n2, l2) = rounded_unit(&n2, sign);
-        let a = Side::new([c1, c2], [d1, d2], l0, e0, edge);
-        let b = Side::new([c2, c0], [d2, d0], l1, e1, edge);
-        let c = Side::new([c0, c1], [d0, d1], l2, e2, edge);
-        let sines = [a.sine, b.sine, c.sine];
-        let (rise0, rise1, rise2) = (a.rise, b.rise, c.rise);
-        let volume = volume * edge * edge / d0 / d1 / d2;
-        let (longest, normal, apex) = if rise0 <= rise1 && rise0 <= rise2 {
-            (&a, n0, c0)
-        } else if rise1 <= rise2 {
-            (&b, n1, c1)
-        } else {
-            (&c, n2, c2)
-        };
-        let (least, middle) = (longest.rise, longest.middle(normal.map(|x| sign * x)));
-        // 1 + the three cosines, by the shortest side, or by the longest one if the point is near to that: R cos H.
-        let (sum, drop) = if a.drop <= b.drop && a.drop <= c.drop {
-            (rise1 + rise2, a.drop)
-        } else if b.drop <= c.drop {
-            (rise2 + rise0, b.drop)
-        } else {
-            (rise0 + rise1, c.drop)
-        };
-        let cos = if least < NEAR && sum + drop > sqrt(least) {
-            least + dot(apex, middle)
-        } else {
-            sum - drop
-        };
-        let whole = sqrt(2.0 * rise0 * rise1 * rise2);
-        let behind = cos < 0.0;
-        // To a side, or, for a point before the inside, to the plane triangle.
-        let across = combined([n0, n1, n2], sines);
-        let height = volume / sqrt(dot(across, across));
-        let aside = sqrt(0.5 * least);
-        let away = if behind && height < aside {
-            height
-        } else {
-            aside
-        };
-        if away < ON {
-            return Err(Error::NotNormalizable);
-        }
-        if flat {
-            return Err(Error::Empty);
-        }
-        let (half, lack) = if behind {
-            let lack = T::atan2_turns(volume, -cos);
-            (0.5 - lack, lack)
-        } else {
-            let half = T::atan2_turns(volume, cos);
-            (half, 0.5 - half)
-        };
-        // Beside a side, and near to a corner, the density of area is too steep for directions to tell it. That of the
-        // solid angle is constant.
-        let even = least_of([d0, d1, d2]) > EVEN;
-        let close = away < CLOSE && behind && height < aside && even;
-        Ok(Self {
-            corners: [c0, c1, c2],
-            distances: [d0, d1, d2],
-            normals: [n0, n1, n2],
-            sines,
-            rim: if close { 2.0 * RIM } else { RIM } / aside,
-            middle,
-            half,
-            lack,
-            sin: volume / whole,
-            cos: cos / whole,
-            rise: rise2,
-            slope: 2.0 * rise2 / whole,
-            near: 0.5 * rise0,
+impl Half {
+    /// The weights of the corners for uniform directions: `out` from the apex, and the sine and the cosine of half the solid
+    /// angle from the side a-b, both times a number of this square.
+    #[inline]
+    pub(super) fn weights(&self, out: f32, sine: f32, cosine: f32, square: f32) -> [f32; 3] {
+        let Self {
             volume,
-            even,
-            close,
-        })
-    }
-
-    /// Whether the point is so near that the solid angle has lost its digits and area is sampled.
-    pub(super) const fn close(&self) -> bool {
-        self.close
-    }
-
-    /// Whether area can be sampled with a density that directions tell.
-    pub(super) const fn even(&self) -> bool {
-        self.even
-    }
-
-    /// Half the solid angle, as an angle in turns.
-    pub(super) const fn half(&self) -> f32 {
-        self.half
-    }
-
-    /// The directions of the corners.
-    pub(super) const fn corners(&self) -> [[f32; 3]; 3] {
-        self.corners
-    }
-
-    /// The sine of a part of H, `part` and `rest` being 1 together.
-    #[inline]
-    fn sine<T: Tier>(&self, part: f32, rest: f32) -> f32 {
-        let angle = part * self.half;
-        // Beyond a quarter of a turn by what is missing of half a turn.
-        T::sincos_turns(if angle > 0.25 {
-            self.lack + rest * self.half
-        } else {
-            angle
-        })
-        .0
-    }
-
-    /// The weights of the corners for uniform directions: `out` from the apex, and `turn` from side 2 to side 1, with
-    /// 1 less that beside it.
-    #[inline]
-    pub(super) fn weights<T: Tier>(&self, out: f32, turn: f32, rest: f32) -> [f32; 3] {
-        let x = self.sine::<T>(rest, turn);
-        let y = self.slope * self.sine::<T>(turn, rest);
-        let sum = x + y;
-        let (s, t) = (x / sum, y / sum);
-        // Along side 0, the point whose triangle with side 2 has the part `turn` of the area.
-        let square = self.near + (1.0 - self.near) * (s * s);
-        let ratio = self.sin / sum;
-        // 1 + cos of the arc from the apex to it, and of the direction 1 - cos and 1 + cos.
-        let up = self.rise * (ratio * ratio) / square;
+            sum,
+            rise,
+            near,
+        } = *self;
+        let sine = if sine > 0.0 { sine } else { 0.0 } / volume;
+        // Along the side b-c, the point whose triangle with a and b has that angle is at x b + y c over their sum.
+        let x = cosine - sum * sine;
+        let x = if x > 1.0e-18 { x } else { 1.0e-18 };
+        let y = 2.0 * rise * sine;
+        let whole = x + y;
+        let part = near * (whole * whole) + (1.0 - near) * (x * x);
+        // 1 + cos of the arc from the apex to it.
+        let inverse = 1.0 / part;
+        let up = rise * square * inverse;
+        let up = if up < 2.0 { up } else { 2.0 };
         let down = out * (2.0 - up);
-        let back = 2.0 * (1.0 - out) + out * up;
-        let far = sqrt(out * (back / up));
-        let lever = up * (far + out + f32::MIN_POSITIVE);
-        let apex = (1.0 - out) / (1.0 + far) * (1.0 + down * (far + (2.0 - out)) / lever);
-        let far = far / square;
-        [apex, far * s, far * (t * (s + t * self.near))]
+        let far = sqrt(out * (2.0 - down) / up);
+        let apex = (1.0 - down) + far * (1.0 - up);
+        let apex = if apex > 0.0 { apex } else { 0.0 };
+        let far = far * inverse;
+        [apex, far * x * whole, far * y * (x + y * near)]
     }
 
-    /// The sum of the corners times their weights, of length 1 but for rounding.
+    /// The uniforms of the direction of these weights: `out`, and half the solid angle from the side a-b in turns.
     #[inline]
-    pub(super) fn direction(&self, weights: [f32; 3]) -> [f32; 3] {
-        let sum = combined(self.corners, weights);
-        let scale = 1.5 - 0.5 * dot(sum, sum);
-        sum.map(|x| x * scale)
-    }
-
-    /// The barycentric coordinates of the place that a direction of these weights meets.
-    #[inline]
-    pub(super) fn barycentric(&self, [p, q, r]: [f32; 3]) -> [f32; 3] {
-        let [d, e, f] = self.distances;
-        let (p, q, r) = (p / d, q / e, r / f);
-        let sum = p + q + r;
-        [p / sum, q / sum, r / sum]
-    }
-
-    /// The direction of a place on the triangle, and `distance³/volume`, which is its density per steradian for a
-    /// density of 1 per twice the area.
-    #[inline]
-    pub(super) fn towards(&self, [p, q, r]: [f32; 3]) -> ([f32; 3], f32) {
-        let [d, e, f] = self.distances;
-        let (place, distance) = unit(combined(self.corners, [p * d, q * e, r * f]));
-        (place, self.spread(distance))
-    }
-
-    #[inline]
-    fn spread(&self, distance: f32) -> f32 {
-        let [d, e, f] = self.distances;
-        (distance / d) * (distance / e) * (distance / f) / self.volume
-    }
-
-    /// The weights of a direction, up to a common factor; one that is outside has some of 0.
-    #[inline]
-    fn weights_of(&self, direction: [f32; 3]) -> [f32; 3] {
-        let ([a, b, c], [s, t, u]) = (self.normals, self.sines);
-        let off = self.off(direction);
-        let positive = |x: f32| if x > 0.0 { x } else { 0.0 };
-        let (p, q, r) = (
-            positive(dot(direction, a) * s),
-            positive(dot(off, b) * t),
-            positive(dot(off, c) * u),
-        );
-        if p > 0.0 || q > 0.0 || r > 0.0 {
-            [p, q, r]
+    pub(super) fn uniforms<T: Tier>(&self, weights: [f32; 3]) -> [f32; 2] {
+        let Self {
+            volume,
+            sum,
+            rise,
+            near,
+        } = *self;
+        let [p, q, r] = weights.map(|x| if x > 0.0 { x } else { 0.0 });
+        let total = p + q + r;
+        let [p, q, r] = if total > 0.0 {
+            [p / total, q / total, r / total]
         } else {
-            [1.0; 3]
-        }
-    }
-
-    /// A direction from that of the apex: on sides 1 and 2 both, so that the heights over them do not cancel beside it.
-    #[inline]
-    fn off(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
-        let [[a, b, c], ..] = self.corners;
-        [x - a, y - b, z - c]
-    }
-
-    /// The barycentric coordinates of where a direction meets the plane, and `distance³/volume`.
-    #[inline]
-    pub(super) fn place(&self, direction: [f32; 3]) -> ([f32; 3], f32) {
-        let [p, q, r] = self.weights_of(direction);
-        let [d, e, f] = self.distances;
-        let distance = self.volume / (p / d + q / e + r / f);
-        (self.barycentric([p, q, r]), self.spread(distance))
-    }
-
-    /// The height of a direction over side 1, which leads from corner 2 to the apex.
-    #[inline]
-    pub(super) fn over_side_1(&self, direction: [f32; 3]) -> f32 {
-        let [_, normal, _] = self.normals;
-        dot(self.off(direction), normal)
-    }
-
-    /// Whether a direction is inside, but for the rounding of samples.
-    #[inline]
-    pub(super) fn holds(&self, direction: [f32; 3]) -> bool {
-        let [x, y, z] = self.normals.map(|normal| dot(direction, normal));
-        let rim = self.rim;
-        let ahead = x > rim || y > rim || z > rim || dot(direction, self.middle) > -RIM;
-        let ahead = ahead || self.half > 0.25;
-        is_direction(direction) && x >= -rim && y >= -rim && z >= -rim && ahead
-    }
-
-    /// The uniforms of a direction: `out` and `turn`.
-    #[inline]
-    pub(super) fn uniforms<T: Tier>(&self, direction: [f32; 3]) -> [f32; 2] {
-        let [p, q, r] = self.weights_of(direction);
-        let sum = p + q + r;
-        let [p, q, r] = [p / sum, q / sum, r / sum];
+            [1.0 / 3.0; 3]
+        };
         let apart = q - r;
-        let cross = 4.0 * q * r * self.near;
-        let far = sqrt(apart * apart + cross);
+        let product = 4.0 * q * r * near;
+        let far = sqrt(apart * apart + product);
         // The smaller of q - r ± far by the product of both.
         let (s, t) = if apart < 0.0 {
-            (cross / (far - apart), 2.0 * r)
+            (product / (far - apart), 2.0 * r)
         } else {
             (apart + far, 2.0 * r)
         };
         let whole = s + t;
-        let (s, t) = (s / whole, t / whole);
-        let (y, x) = (t * self.sin, self.slope * s + t * self.cos);
-        let turn = T::atan2_turns(y, x) / self.half;
-        let square = self.near + (1.0 - self.near) * (s * s);
-        let up = self.rise * (y * y + x * x) / (self.slope * self.slope * square);
+        // At the apex itself the arc along a-b is as good as any.
+        let (s, t) = if whole > 0.0 {
+            (s / whole, t / whole)
+        } else {
+            (1.0, 0.0)
+        };
+        let (y, x) = (t * volume, 2.0 * rise * s + t * sum);
+        let angle = T::atan2_turns(y, x);
+        let part = near + (1.0 - near) * (s * s);
+        let up = (x * x + y * y) / (4.0 * rise * part);
+        let up = if up < 2.0 { up } else { 2.0 };
         let down = 2.0 - up;
         let length = sqrt((far - p) * (far - p) + 2.0 * (far * p) * up);
         let (far, cos) = (far / length, (p + far * (up - 1.0)) / length);
@@ -362,12 +375,125 @@ impl Seen {
         } else {
             (1.0 - cos) / down
         };
-        [out, turn]
+        [out, angle]
     }
 }
 
-/// The cosines of three directions to a normal of any length, 0 below the horizon.
-pub(super) fn cosines(directions: [[f32; 3]; 3], normal: [f32; 3]) -> Result<[f32; 3], Error> {
+/// The direction of the sum of three corners times their weights.
+#[inline]
+pub(super) fn direction(
+    [[a, b, c], [d, e, f], [g, h, i]]: [[f32; 3]; 3],
+    [p, q, r]: [f32; 3],
+) -> [f32; 3] {
+    let sum = [
+        p * a + (q * d + r * g),
+        p * b + (q * e + r * h),
+        p * c + (q * f + r * i),
+    ];
+    let square = dot(sum, sum);
+    // The weights give the length 1, but for a point close to the light.
+    let scale = if (square - 1.0).abs() < 2.0e-4 {
+        1.5 - 0.5 * square
+    } else {
+        1.0 / sqrt(square)
+    };
+    times(sum, scale)
+}
+
+/// The height of a direction over the side that leads along an edge from a corner, times the length of the edge. Measured
+/// from the corner, it does not cancel in small lights.
+#[inline]
+pub(super) fn height(direction: [f32; 3], corner: [f32; 3], edge: [f32; 3]) -> f32 {
+    dot(minus(direction, corner), cross(corner, edge))
+}
+
+/// The corner of a side from which a direction is measured: where rounding shows least. The edge and the way to a far corner are
+/// of about one direction where the other is near, and leave few digits of their product; beside the far corner they suffice.
+#[inline]
+pub(super) fn end(direction: [f32; 3], [p, q]: [[f32; 3]; 2], [i, j]: [f32; 2]) -> ([f32; 3], f32) {
+    if off(direction, p) * j * j > off(direction, q) * i * i {
+        (q, j)
+    } else {
+        (p, i)
+    }
+}
+
+/// The square of the distance of two directions.
+#[inline]
+pub(super) fn off(direction: [f32; 3], corner: [f32; 3]) -> f32 {
+    let way = minus(direction, corner);
+    dot(way, way)
+}
+
+/// Whether a direction is inside of the light with these corners and the edges from each to the next, but for the rounding
+/// of samples. `sign` is that of the volume; a `wide` light is one that is not thin.
+pub(super) fn holds<const N: usize>(
+    direction: [f32; 3],
+    corners: [[f32; 3]; N],
+    edges: [[f32; 3]; N],
+    [first, second]: [[f32; 3]; 2],
+    sign: f32,
+    wide: bool,
+) -> bool {
+    // The sum of the corners that are farthest apart.
+    let (mut middle, mut least) = ([0.0; 3], 8.0);
+    for (k, p) in corners.iter().enumerate() {
+        for q in corners.iter().take(k) {
+            let sum = plus(*p, *q);
+            let square = dot(sum, sum);
+            if square < least {
+                (middle, least) = (sum, square);
+            }
+        }
+    }
+    let rim = RIM / (0.5 * sqrt(least));
+    let mut inside = is_direction(direction);
+    for (corner, edge) in corners.iter().zip(edges) {
+        let slack = rim * sqrt(dot(edge, edge));
+        inside &= sign * height(direction, *corner, edge) >= -slack;
+    }
+    // Directions opposite to a thin light are beyond its sides by no more than rounding, too. Where they are in its plane, only
+    // its middle tells them.
+    let ahead = sign * dot(direction, cross(first, second));
+    let size = span(first) * span(second);
+    let before = wide || dot(direction, middle) > -RIM;
+    inside && (ahead > 4.0 * f32::EPSILON * size || (ahead >= -rim * size && before))
+}
+
+/// A direction that rounding has carried over a side of the light is moved back at right angles to it. Along a thin light it
+/// keeps its place so.
+pub(super) fn carried_back<const N: usize>(
+    direction: [f32; 3],
+    corners: [[f32; 3]; N],
+    inverses: [f32; N],
+    edges: [[f32; 3]; N],
+    sign: f32,
+) -> [f32; 3] {
+    let (mut back, mut most) = (direction, 0.0);
+    let others = corners
+        .iter()
+        .cycle()
+        .skip(1)
+        .zip(inverses.iter().cycle().skip(1));
+    let firsts = corners.iter().zip(inverses);
+    for (((p, i), (q, j)), edge) in firsts.zip(others).zip(edges) {
+        let (corner, _) = end(direction, [*p, *q], [i, *j]);
+        let normal = cross(corner, edge);
+        let height = dot(minus(direction, corner), normal);
+        let part = height / dot(normal, normal);
+        if sign * height < 0.0 && part * height > most {
+            most = part * height;
+            back = minus(direction, times(normal, part));
+        }
+    }
+    back
+}
+
+/// The cosines of directions to a normal of any length, 0 below the horizon.
+pub(super) fn cosines<const N: usize>(
+    directions: [[f32; 3]; N],
+    normal: [f32; 3],
+) -> Result<[f32; N], Error> {
     let normal = normalised(normal)?;
     Ok(directions.map(|direction| {
         let cos = dot(direction, normal);

@@ -1,10 +1,11 @@
 //! The uniform distribution over the directions of a rectangle, seen from a point.
 
-use super::seen::{self, Seen};
+use super::planar::{PlanarMap, planar};
+use super::seen::{self, Half};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::Error;
-use crate::num::{into_unit, representable};
-use crate::tier::Tier;
+use crate::num::into_unit;
+use crate::tier::{Tier, sqrt};
 use crate::uniform::{Canonical, Uniforms};
 use core::f32::consts::PI;
 use core::marker::PhantomData;
@@ -19,19 +20,15 @@ use core::marker::PhantomData;
 /// map has no seam at the diagonal.
 ///
 /// # Density
-/// 1/Ω per steradian inside and 0 outside, farther than the rounding of samples, 4e-7·q rad. What
-/// [`SphericalTriangle`](super::SphericalTriangle#density) says of small triangles and of `pdf(w) > 0` holds here, too.
-///
-/// Where q is above 64 before the inside, the point is so close to the rectangle that area is sampled instead, unless a
-/// corner is 64 times as near as another. [`samples_area`](SphericalRectangle::samples_area) says so.
-/// Densities and the inverse are then those of area, distance²/(cos θ · area) per steradian.
+/// 1/Ω per steradian inside and 0 outside, farther than the rounding of samples, 2.4e-6·q rad. What
+/// [`SphericalTriangle`](super::SphericalTriangle#density) says of small triangles, of close points and of `pdf(w) > 0` holds
+/// here, too.
 ///
 /// # Domain
 /// - Point: unit vectors in world space. The rectangle is seen from both sides.
-/// - Uniforms: two. The corner is at u₁ = 0; from the first edge to the second, u₂ grows. Where area is sampled they
-///   are the coordinates along the edges.
-/// - Parameters: those of [`SphericalTriangle`](super::SphericalTriangle#domain) for both halves; g is the smaller
-///   determinant and q the larger nearness of the two. The edges are taken as they are given, so that a small one
+/// - Uniforms: two. The corner is at u₁ = 0; from the first edge to the second, u₂ grows.
+/// - Parameters: those of [`SphericalTriangle`](super::SphericalTriangle#domain) for both halves, g being taken with the two
+///   edges and q the larger nearness of the two. The edges are taken as they are given, so that a small one
 ///   keeps its digits far from 0.
 ///
 /// # Accuracy
@@ -41,19 +38,19 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.4e-7*q + 2e-14/g | 4.4e-7*q + 2e-14/g |
+/// | sample, of the size | 5.4e-7*q | 5.4e-7*q |
 /// | unit length | 1.9e-7 | 1.9e-7 |
-/// | place on it | 4.5e-7 + 3*p + 8e-14/g | 4.5e-7 + 3*p + 8e-14/g |
-/// | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
-/// | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
-/// | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a | 1.4e-6 + 6e-15/g + 4.2e-7*a |
-/// | inverse | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
-/// | round trip | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
+/// | place on it | 5e-7 + (1.6 + 0.5·q)·p | 5e-7 + (1.6 + 0.5·q)·p |
+/// | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
+/// | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
+/// | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
+/// | inverse | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | min(1, 5e-7 + 5e-7·q + (13 + 0.5·q)·r + 1.9e-7/h) |
+/// | round trip | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) |
 ///
-/// These hold for every rectangle accepted. a is q where area is sampled and 0 elsewhere; s and r are the relative change
-/// of the density and the change of the uniforms when each coordinate of the direction moves by 2⁻²⁴, and p is the change
-/// of the place when the second uniform does. h is the sine of the smallest height of both halves: the second uniform of
-/// a direction within rounding of the corner, where √u₁ h is below 2⁻²⁰, is lost.
+/// These hold for every rectangle accepted. p is the change of the place when each uniform and each coordinate of the
+/// direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of the
+/// smallest height of both halves: the second uniform of a direction within rounding of the corner, where √u₁ h is below
+/// 2⁻²⁰, is lost.
 ///
 /// # Cost
 /// <!-- generated: cost SphericalRectangle -->
@@ -76,7 +73,7 @@ use core::marker::PhantomData;
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///
-/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
+/// In a renderer, no refusal is worth ending a picture: edge-on, or on the lamp, `new` returns an error. Take `.ok()`.
 /// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
 ///
 /// # See also
@@ -96,10 +93,21 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphericalRectangle<T> {
-    /// The triangle of the first edge and the diagonal, and that of the diagonal and the second edge.
-    halves: [Seen; 2],
-    /// The parts of the solid angle that they have.
-    shares: [f32; 2],
+    /// The directions of the corner, the ends of the first edge, of the diagonal and of the second edge, and the reciprocals
+    /// of their distances in a unit of length.
+    corners: [[f32; 3]; 4],
+    inverses: [f32; 4],
+    /// The edges in that unit, and the sign of the volume.
+    edges: [[f32; 3]; 2],
+    sign: f32,
+    /// The triangle of the first edge and the diagonal, and that of the second edge and the diagonal, both from their edge.
+    halves: [Half; 2],
+    /// The sine and the cosine of half the solid angle times a number, and the square of that.
+    sine: f32,
+    cosine: f32,
+    square: f32,
+    /// Half the solid angle, in turns.
+    half: f32,
     density: f32,
     tier: PhantomData<T>,
 }
@@ -116,40 +124,112 @@ pub struct OnRectangle {
     pub pdf: f32,
 }
 
+/// The square of the distance of the nearest corner beside that of the first one, below which the rounding of the way to that
+/// one shows.
+const FAR_NEARER: f32 = 0.0625;
+
 impl<T: Tier> SphericalRectangle<T> {
     /// The directions from `point` to the rectangle of `corner` and two edges, from either side. The edges need not be
     /// at right angles.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for a coordinate beyond 2⁶⁰, [`Error::ZeroLength`]
-    /// for an edge of length 0, [`Error::Empty`] for a rectangle that is too small, too thin or seen too much from its
-    /// edge, [`Error::NotNormalizable`] for a point on the rectangle. The section on the domain says where these begin.
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for distances and edges beyond 2⁶⁰,
+    /// [`Error::ZeroLength`] for an edge of length 0, [`Error::Empty`] for a rectangle that is too small, too thin or seen
+    /// too much from its edge, [`Error::NotNormalizable`] for a point on the rectangle. The section on the domain says where
+    /// these begin.
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
+    #[inline(always)]
     pub fn new(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]) -> Result<Self, Error> {
-        seen::checked(&[point, corner])?;
-        seen::checked(&edges)?;
-        if edges.contains(&[0.0; 3]) {
-            return Err(Error::ZeroLength);
+        let [mut x, mut y] = edges;
+        let mut p = seen::minus(corner, point);
+        let mut unit = 1.0;
+        let size = seen::span(p) + seen::span(x) + seen::span(y);
+        if !seen::is_plain(size) {
+            unit = seen::rectangle_unit(size, point, corner, edges)?;
+            [p, x, y] = [p, x, y].map(|way| seen::times(way, unit));
         }
-        let [ex, ey] = edges.map(|edge| edge.map(|x| (x, 0.0)));
-        let apex = seen::difference(corner, point);
-        let diagonal = seen::sum(ex, ey);
-        let [along_x, along_y, far] = [ex, ey, diagonal].map(|edge| seen::sum(apex, edge));
-        let back = seen::negative;
-        let first = Seen::new::<T>([apex, along_x, far], [ey, back(diagonal), ex]);
-        let second = Seen::new::<T>([apex, far, along_y], [back(ex), back(ey), diagonal]);
-        let [first, second] = match (first, second) {
-            (Ok(first), Ok(second)) => [first, second],
-            // One half may see from its edge the point on which the other one lies.
-            (Err(Error::NotNormalizable), _) | (_, Err(Error::NotNormalizable)) => {
-                return Err(Error::NotNormalizable);
-            }
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        };
-        let half = first.half() + second.half();
+        let (mut q, mut r, mut s) = (
+            seen::plus(p, x),
+            seen::plus(p, seen::plus(x, y)),
+            seen::plus(p, y),
+        );
+        let (p2, mut q2, mut r2, mut s2) = (
+            seen::dot(p, p),
+            seen::dot(q, q),
+            seen::dot(r, r),
+            seen::dot(s, s),
+        );
+        if seen::least(q2, seen::least(r2, s2)) < FAR_NEARER * p2 {
+            [q, r, s] = seen::other_corners(point, corner, [x, y], unit);
+            [q2, r2, s2] = [q, r, s].map(|way| seen::dot(way, way));
+        }
+        let (lp, lq, lr, ls) = (sqrt(p2), sqrt(q2), sqrt(r2), sqrt(s2));
+        let (ip, iq, ir, is) = (1.0 / lp, 1.0 / lq, 1.0 / lr, 1.0 / ls);
+        let (a, b, c, d) = (
+            seen::times(p, ip),
+            seen::times(q, iq),
+            seen::times(r, ir),
+            seen::times(s, is),
+        );
+        let diagonal = seen::dot(a, c);
+        let [sum0, rise0, near0] =
+            seen::sums(a, b, c, [seen::dot(a, b), seen::dot(b, c), diagonal]);
+        let [sum1, rise1, near1] =
+            seen::sums(a, d, c, [seen::dot(a, d), seen::dot(d, c), diagonal]);
+        let normal = seen::cross(x, y);
+        let spread = seen::span(normal);
+        let mut volume = seen::dot(a, normal);
+        // Edge-on, and between edges of about one direction, few digits are left. They do not count in front of the light,
+        // but for close to a corner.
+        let nearest = seen::least(lq, seen::least(lr, ls));
+        let even = lp < seen::UNEVEN * nearest;
+        let before = seen::least(sum0, sum1) < 0.0;
+        let sharp = seen::SHARP * spread <= seen::span(x) * seen::span(y);
+        let edge_on = seen::EDGE_ON * volume.abs() <= spread;
+        if sharp || (edge_on && !(before && even)) {
+            volume = ip * seen::rectangle_volume(point, corner, [x, y], unit);
+        }
+        let sign = if volume < 0.0 { -1.0 } else { 1.0 };
+        let part = volume.abs() * ir;
+        let (volume0, volume1) = (part * iq, part * is);
+        // The product of both halves as complex numbers.
+        let (sine, cosine) = (
+            volume0 * sum1 + volume1 * sum0,
+            sum0 * sum1 - volume0 * volume1,
+        );
+        let (nearest, size) = (seen::least(lp, nearest), unit * size);
+        if !seen::is_seen(sine, cosine, nearest, size) {
+            return Err(if edges.contains(&[0.0; 3]) {
+                Error::ZeroLength
+            } else {
+                seen::refusal(cosine, nearest, size)
+            });
+        }
+        let half = T::atan2_turns(sine, cosine);
         Ok(Self {
-            halves: [first, second],
-            shares: [first.half() / half, second.half() / half],
-            density: 1.0 / (4.0 * PI * half),
+            corners: [a, b, c, d],
+            inverses: [ip, iq, ir, is],
+            edges: [x, y],
+            sign,
+            halves: [
+                Half {
+                    volume: volume0,
+                    sum: sum0,
+                    rise: rise0,
+                    near: near0,
+                },
+                Half {
+                    volume: volume1,
+                    sum: sum1,
+                    rise: rise1,
+                    near: near1,
+                },
+            ],
+            sine,
+            cosine,
+            square: sine * sine + cosine * cosine,
+            half,
+            density: 1.0 / (4.0 * PI) / half,
             tier: PhantomData,
         })
     }
@@ -157,16 +237,15 @@ impl<T: Tier> SphericalRectangle<T> {
     /// The solid angle of the rectangle, in steradians.
     #[must_use]
     pub const fn solid_angle(&self) -> f32 {
-        let [first, second] = &self.halves;
-        4.0 * PI * (first.half() + second.half())
+        4.0 * PI * self.half
     }
 
-    /// Whether the point is so close to the rectangle, or to its diagonal, that its area is sampled, with the density
-    /// of that.
+    /// The density of every direction that meets the rectangle, per steradian: for one that another technique has found, as
+    /// multiple importance sampling needs it. `pdf` tells such directions from others, which takes longer.
     #[must_use]
-    pub const fn samples_area(&self) -> bool {
-        let [first, second] = &self.halves;
-        (first.close() || second.close()) && first.even() && second.even()
+    #[inline]
+    pub const fn density(&self) -> f32 {
+        self.density
     }
 
     /// The weights that a bilinear density on the unit square takes in order to follow the cosine to `normal`, of any
@@ -179,9 +258,7 @@ impl<T: Tier> SphericalRectangle<T> {
     /// [`Error::AllZero`] for a rectangle below the horizon, [`Error::NotFinite`] and [`Error::ZeroLength`] for a normal
     /// that is none.
     pub fn cosine_weights(&self, normal: [f32; 3]) -> Result<[[f32; 2]; 2], Error> {
-        let [first, second] = &self.halves;
-        let [corner, x, far] = seen::cosines(first.corners(), normal)?;
-        let [_, _, y] = seen::cosines(second.corners(), normal)?;
+        let [corner, x, far, y] = seen::cosines(self.corners, normal)?;
         if corner > 0.0 || x > 0.0 || y > 0.0 {
             Ok([[corner, x], [corner, y]])
         } else if far > 0.0 {
@@ -194,79 +271,87 @@ impl<T: Tier> SphericalRectangle<T> {
     /// The direction, the place on the rectangle and the density of two uniforms. They are brought into range as
     /// [`Warp::sample`] does.
     #[must_use]
+    #[inline]
     pub fn locate(&self, u: [f32; 2]) -> OnRectangle {
         let [u1, u2] = u.canonical().get();
-        let ([first, second], [share, other]) = (&self.halves, self.shares);
-        if self.samples_area() {
-            // Barycentric coordinates of the half in which the place lies.
-            let (direction, spread) = if u1 > u2 {
-                first.towards([1.0 - u1, u1 - u2, u2])
-            } else {
-                second.towards([1.0 - u2, u1, u2 - u1])
-            };
-            return OnRectangle {
-                direction,
-                st: [u1, u2],
-                pdf: representable(spread),
-            };
-        }
-        let (half, weights, in_first) = if u2 < share {
-            let turn = u2 / share;
-            (first, first.weights::<T>(u1, turn, 1.0 - turn), true)
-        } else {
-            let rest = (1.0 - u2) / other;
-            let rest = if rest < 1.0 { rest } else { 1.0 };
-            (second, second.weights::<T>(u1, 1.0 - rest, rest), false)
-        };
-        let [_, p, q] = half.barycentric(weights);
+        let (in_second, weights, corners) = self.weights(u1, u2);
+        let ([p, q, r], [ip, iq, ir, is]) = (weights, self.inverses);
+        let (p, q, r) = (p * ip, q * if in_second { is } else { iq }, r * ir);
+        let sum = p + q + r;
+        let (along, beside) = ((q + r) / sum, r / sum);
         OnRectangle {
-            direction: half.direction(weights),
-            st: if in_first { [p + q, q] } else { [p, p + q] },
+            direction: seen::direction(corners, weights),
+            st: if in_second {
+                [beside, along]
+            } else {
+                [along, beside]
+            },
             pdf: self.density,
         }
     }
 
-    /// The half in which a direction lies, and whether that is the first.
+    /// Whether two uniforms lead to the half of the second edge; the weights there, and the corners of the half.
     #[inline]
-    fn half(&self, direction: [f32; 3]) -> (&Seen, bool) {
-        let [first, second] = &self.halves;
-        if first.over_side_1(direction) > 0.0 {
-            (first, true)
+    fn weights(&self, u1: f32, u2: f32) -> (bool, [f32; 3], [[f32; 3]; 3]) {
+        let ([first, second], [a, b, c, d]) = (self.halves, self.corners);
+        // From the nearer edge, where the half beside it may be a small part of the whole.
+        let from_second = u2 > 0.5;
+        let (near, turn) = if from_second {
+            (second, 1.0 - u2)
         } else {
-            (second, false)
-        }
+            (first, u2)
+        };
+        let (cos, sin) = T::polar(1.0, turn * self.half);
+        let beyond = near.volume * cos < near.sum * sin;
+        // From the other edge: the rest of half the solid angle.
+        let (sine, cosine) = (self.sine, self.cosine);
+        let (sin, cos, square) = if beyond {
+            (
+                sine * cos - cosine * sin,
+                cosine * cos + sine * sin,
+                self.square,
+            )
+        } else {
+            (sin, cos, 1.0)
+        };
+        let in_second = from_second != beyond;
+        let (half, side) = if in_second { (second, d) } else { (first, b) };
+        (in_second, half.weights(u1, sin, cos, square), [a, side, c])
+    }
+
+    /// The edge from each corner to the next.
+    #[inline]
+    fn sides(&self) -> [[f32; 3]; 4] {
+        let [x, y] = self.edges;
+        [x, y, seen::times(x, -1.0), seen::times(y, -1.0)]
+    }
+}
+
+impl<T: Tier> PlanarMap<3> for SphericalRectangle<T> {
+    #[inline]
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        let (_, weights, corners) = self.weights(u1, u2);
+        *to = seen::direction(corners, weights);
     }
 }
 
 impl<T: Tier> Warp for SphericalRectangle<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        self.locate(u.get()).direction
-    }
-
-    #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
-        let there = self.locate(u.get());
-        (there.direction, there.pdf)
-    }
-
+    planar!(3, where T::VECTORS);
     drawn_with_pdf!();
 
     #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
+        (self.sample_canonical(u), self.density)
+    }
+
+    #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
-        let [first, second] = &self.halves;
-        if !(first.holds(direction) || second.holds(direction)) {
-            0.0
-        } else if self.samples_area() {
-            let (half, _) = self.half(direction);
-            let (_, spread) = half.place(direction);
-            representable(spread)
-        } else {
+        let wide = seen::is_wide(self.sine, self.half);
+        let sides = self.sides();
+        if seen::holds(direction, self.corners, sides, self.edges, self.sign, wide) {
             self.density
+        } else {
+            0.0
         }
     }
 }
@@ -274,19 +359,29 @@ impl<T: Tier> Warp for SphericalRectangle<T> {
 impl<T: Tier> Invert for SphericalRectangle<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
-        let (half, in_first) = self.half(direction);
-        if self.samples_area() {
-            let ([_, p, q], _) = half.place(direction);
-            let st = if in_first { [p + q, q] } else { [p, p + q] };
-            return st.map(into_unit);
-        }
-        let [out, turn] = half.uniforms::<T>(direction).map(into_unit);
-        let [share, other] = self.shares;
-        let turn = if in_first {
-            turn * share
-        } else {
-            1.0 - (1.0 - turn) * other
+        let ([a, b, c, d], [x, y]) = (self.corners, self.edges);
+        let ([ip, iq, ir, is], [first, second]) = (self.inverses, &self.halves);
+        let (sides, sign) = (self.sides(), self.sign);
+        let direction = seen::carried_back(direction, self.corners, self.inverses, sides, sign);
+        let over = |corners, inverses, edge| {
+            let (corner, inverse) = seen::end(direction, corners, inverses);
+            let height = sign * seen::height(direction, corner, edge) / inverse;
+            if height > 0.0 { height } else { 0.0 }
         };
-        [out, into_unit(turn)]
+        // The coordinates along the edges and what they lack of 1, times a number.
+        let [_, _, back_x, back_y] = sides;
+        let (t, s) = (over([a, b], [ip, iq], x), over([a, d], [ip, is], back_y));
+        let rest_s = over([b, c], [iq, ir], y);
+        let rest_t = over([d, c], [is, ir], back_x);
+        // From the corner at which they have the smaller error.
+        let from_first = seen::off(direction, a) * ir * ir < seen::off(direction, c) * ip * ip;
+        let apart = if from_first { s - t } else { rest_t - rest_s };
+        if apart > 0.0 {
+            let [out, angle] = first.uniforms::<T>([rest_s / ip, apart / iq, t / ir]);
+            [out, angle / self.half].map(into_unit)
+        } else {
+            let [out, angle] = second.uniforms::<T>([rest_t / ip, -apart / is, s / ir]);
+            [out, 1.0 - angle / self.half].map(into_unit)
+        }
     }
 }

@@ -1,10 +1,11 @@
 //! The uniform distribution over the directions of a triangle, seen from a point.
 
-use super::seen::{self, Seen};
-use super::{Invert, Triangle, Warp, drawn_with_pdf};
+use super::planar::{PlanarMap, planar};
+use super::seen::{self, Half};
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::Error;
-use crate::num::{into_unit, representable};
-use crate::tier::Tier;
+use crate::num::into_unit;
+use crate::tier::{Tier, sqrt};
 use crate::uniform::{Canonical, Uniforms};
 use core::f32::consts::PI;
 use core::marker::PhantomData;
@@ -20,30 +21,31 @@ use core::marker::PhantomData;
 /// near the triangle, and the barycentric coordinates are the weights over the distances.
 ///
 /// # Density
-/// 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 4e-7·q rad from a side, and farther beyond
+/// 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 2.4e-6·q rad from a side, and farther beyond
 /// a sharp corner. A world direction is rounded to 6e-8 rad, so that it cannot tell inside
 /// from outside in a triangle a few times wider than that. [`Oriented`](super::Oriented) says more. Hence:
 ///
-/// - `pdf(w) > 0` is no hit test. Take the density of directions that meet the triangle, or the one that comes with the
-///   sample. The density of a triangle of 1e-3 rad integrates over all directions to 1.003, that of 1e-6 rad
-///   (4e-13 sr) to about 9.
+/// - `pdf(w) > 0` is no hit test. Take [`density`](SphericalTriangle::density) for directions that meet the triangle, or the
+///   one that comes with the sample. The density of a triangle of 1e-3 rad integrates over all directions to 1.02, that of
+///   1e-6 rad (4e-13 sr) to about 80.
 /// - [`locate`](SphericalTriangle::locate) gives the place on the triangle in barycentric coordinates, which keep their
 ///   digits at any size: trace a ray to it rather than along the direction where the triangle is narrower than about
 ///   1e-4 rad.
 ///
-/// Where q is above 64 before the inside, the point is so close to the triangle that area is sampled instead, unless a
-/// vertex is 64 times as near as another. [`samples_area`](SphericalTriangle::samples_area) says so. Densities and the
-/// inverse are then those of area, distance²/(cos θ · area) per steradian.
+/// Close to the triangle the density is as constant as far away, and right; the directions lose digits with q.
 ///
 /// # Domain
 /// - Point: unit vectors in world space. The triangle is seen from both sides.
 /// - Uniforms: two. The first vertex is at u₁ = 0; from the second to the third, u₂ grows.
-/// - Parameters: coordinates up to 2⁶⁰ (1e18), a longest edge of at least 2⁻⁶⁰. With L the distance of the farthest
-///   vertex and E the longest edge, E and each vertex's distance are at least 2⁻³⁰ L (E = 2⁻³⁰ L is 1e-18 sr), and the
-///   determinant of the three vertices, taken from the point, at least 2⁻²⁸ L E².
+/// - Parameters: vertices whose edges and distances are at most 2⁶⁰ (1e18), not all of them below 2⁻⁶⁰, and are seen under
+///   1e-18 sr or more. Seen from their edge, or of a sharp first corner, they have g of at least 2⁻²⁸. With L the distance of
+///   the first vertex and E the longer edge from there, g is the determinant of the three vertices, taken from the point,
+///   over L E².
+/// - A point from which a side is seen under nearly half a turn, 1 + cos being below 2⁻²¹, or the solid angle is within
+///   0.002 sr of 2π, counts as one on the triangle.
 /// - q, the nearness, is 1 over the distance of the point from the plane triangle of three unit vectors, those to the
 ///   vertices. It is 1 for small triangles, 2 for an octant, and about half the size over the height close to a
-///   triangle. Above 1024 the point counts as one on the triangle.
+///   triangle.
 ///
 /// # Accuracy
 /// *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
@@ -52,19 +54,19 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` |
 /// |---|--:|--:|
-/// | sample, of the size | 4.7e-7*q | 4.7e-7*q |
+/// | sample, of the size | 8.1e-7*q | 5.8e-7*q |
 /// | unit length | 1.9e-7 | 1.9e-7 |
-/// | place on it | 1.02e-6 | 1.02e-6 |
-/// | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
-/// | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
-/// | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a | 1.4e-6 + 6e-15/g + 4.2e-7*a |
-/// | inverse | min(1, 5e-7 + 5e-7·q + (13 + 0.8·q)·r + 3e-8/h) | min(1, 5e-7 + 5e-7·q + (13 + 0.8·q)·r + 3e-8/h) |
-/// | round trip | min(1, 5e-7 + 5e-7·q + (14 + q)·r + 3e-8/h) | min(1, 5e-7 + 5e-7·q + (14 + q)·r + 3e-8/h) |
+/// | place on it | 5e-7 + (2 + q)·p | 5e-7 + (2 + q)·p |
+/// | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
+/// | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
+/// | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
+/// | inverse | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) |
+/// | round trip | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) |
 ///
-/// These hold for every triangle accepted. a is q where area is sampled and 0 elsewhere, g the determinant over L E²; s
-/// and r are the relative change of the density and the change of the uniforms when each coordinate of the direction
-/// moves by 2⁻²⁴. h is the sine of the smallest height: the second uniform of a direction within rounding of the first
-/// vertex, where √u₁ h is below 2⁻²⁰, is lost.
+/// These hold for every triangle accepted. p is the change of the place when each uniform and each coordinate of the
+/// direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of the
+/// smallest height: the second uniform of a direction within rounding of the first vertex, where √u₁ h is below 2⁻²⁰, is
+/// lost.
 ///
 /// # Cost
 /// <!-- generated: cost SphericalTriangle -->
@@ -86,7 +88,7 @@ use core::marker::PhantomData;
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///
-/// In a renderer, no refusal is worth ending a picture: edge-on, or next to the lamp, `new` returns an error. Take `.ok()`.
+/// In a renderer, no refusal is worth ending a picture: edge-on, or on the lamp, `new` returns an error. Take `.ok()`.
 /// A lamp that is refused gives no light by this technique; what else hits it counts with density 0, so with weight 1.
 ///
 /// # See also
@@ -105,7 +107,15 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SphericalTriangle<T> {
-    seen: Seen,
+    /// The directions of the vertices, and the reciprocals of their distances in a unit of length.
+    corners: [[f32; 3]; 3],
+    inverses: [f32; 3],
+    /// The edges from the first vertex in that unit, and the sign of the volume.
+    edges: [[f32; 3]; 2],
+    sign: f32,
+    map: Half,
+    /// Half the solid angle, in turns.
+    half: f32,
     density: f32,
     tier: PhantomData<T>,
 }
@@ -126,23 +136,57 @@ impl<T: Tier> SphericalTriangle<T> {
     /// The directions from `point` to the triangle with these vertices, from either side.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for a coordinate beyond 2⁶⁰, [`Error::Empty`] for
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for distances beyond 2⁶⁰, [`Error::Empty`] for
     /// coincident vertices and for a triangle that is too small, too thin or seen too much from its edge,
     /// [`Error::NotNormalizable`] for a point on the triangle. The section on the domain says where these begin.
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
+    #[inline(always)]
     pub fn new(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<Self, Error> {
-        seen::checked(&[point])?;
-        seen::checked(&vertices)?;
         let [a, b, c] = vertices;
-        let corners = vertices.map(|vertex| seen::difference(vertex, point));
-        let edges = [
-            seen::difference(c, b),
-            seen::difference(a, c),
-            seen::difference(b, a),
-        ];
-        let seen = Seen::new::<T>(corners, edges)?;
+        let [mut p, mut q, mut r] = vertices.map(|vertex| seen::minus(vertex, point));
+        let (mut x, mut y) = (seen::minus(b, a), seen::minus(c, a));
+        let mut unit = 1.0;
+        let size = seen::span(p) + seen::span(x) + seen::span(y);
+        if !seen::is_plain(size) {
+            unit = seen::unit(size, [point, a, b, c])?;
+            [p, q, r, x, y] = [p, q, r, x, y].map(|way| seen::times(way, unit));
+        }
+        let [la, lb, lc] = [p, q, r].map(|way| sqrt(seen::dot(way, way)));
+        let (ia, ib, ic) = (1.0 / la, 1.0 / lb, 1.0 / lc);
+        let (a, b, c) = (seen::times(p, ia), seen::times(q, ib), seen::times(r, ic));
+        let cosines = [seen::dot(a, b), seen::dot(b, c), seen::dot(c, a)];
+        let [sum, rise, near] = seen::sums(a, b, c, cosines);
+        let normal = seen::cross(x, y);
+        let spread = seen::span(normal);
+        let mut volume = seen::dot(a, normal);
+        // Edge-on, and in slivers, few digits are left. They do not count in front of the light, but for close to a corner.
+        let nearest = seen::least(lb, lc);
+        let even = la < seen::UNEVEN * nearest;
+        let sharp = seen::SHARP * spread <= seen::span(x) * seen::span(y);
+        let edge_on = seen::EDGE_ON * volume.abs() <= spread;
+        if sharp || (edge_on && !(sum < 0.0 && even)) {
+            volume = ia * seen::triangle_volume(point, vertices, unit);
+        }
+        let sign = if volume < 0.0 { -1.0 } else { 1.0 };
+        let volume = volume.abs() * ib * ic;
+        let (nearest, size) = (seen::least(la, nearest), unit * size);
+        if !seen::is_seen(volume, sum, nearest, size) {
+            return Err(seen::refusal(sum, nearest, size));
+        }
+        let half = T::atan2_turns(volume, sum);
         Ok(Self {
-            seen,
-            density: 1.0 / (4.0 * PI * seen.half()),
+            corners: [a, b, c],
+            inverses: [ia, ib, ic],
+            edges: [x, y],
+            sign,
+            map: Half {
+                volume,
+                sum,
+                rise,
+                near,
+            },
+            half,
+            density: 1.0 / (4.0 * PI) / half,
             tier: PhantomData,
         })
     }
@@ -150,13 +194,15 @@ impl<T: Tier> SphericalTriangle<T> {
     /// The solid angle of the triangle, in steradians.
     #[must_use]
     pub const fn solid_angle(&self) -> f32 {
-        4.0 * PI * self.seen.half()
+        4.0 * PI * self.half
     }
 
-    /// Whether the point is so close to the triangle that its area is sampled, with the density of that.
+    /// The density of every direction that meets the triangle, per steradian: for one that another technique has found, as
+    /// multiple importance sampling needs it. `pdf` tells such directions from others, which takes longer.
     #[must_use]
-    pub const fn samples_area(&self) -> bool {
-        self.seen.close()
+    #[inline]
+    pub const fn density(&self) -> f32 {
+        self.density
     }
 
     /// The weights that a bilinear density on the unit square takes in order to follow the cosine to `normal`, of any
@@ -168,7 +214,7 @@ impl<T: Tier> SphericalTriangle<T> {
     /// [`Error::AllZero`] for a triangle below the horizon, [`Error::NotFinite`] and [`Error::ZeroLength`] for a normal
     /// that is none.
     pub fn cosine_weights(&self, normal: [f32; 3]) -> Result<[[f32; 2]; 2], Error> {
-        let [a, b, c] = seen::cosines(self.seen.corners(), normal)?;
+        let [a, b, c] = seen::cosines(self.corners, normal)?;
         if a > 0.0 || b > 0.0 || c > 0.0 {
             Ok([[a, b], [a, c]])
         } else {
@@ -179,62 +225,58 @@ impl<T: Tier> SphericalTriangle<T> {
     /// The direction, the place on the triangle and the density of two uniforms. They are brought into range as
     /// [`Warp::sample`] does.
     #[must_use]
+    #[inline]
     pub fn locate(&self, u: [f32; 2]) -> OnTriangle {
         let [u1, u2] = u.canonical().get();
-        if self.seen.close() {
-            // The share of the last vertex grows with u₂.
-            let [p, q, r] = Triangle::new().sample([u1, u2]);
-            let barycentric = [p, r, q];
-            let (direction, spread) = self.seen.towards(barycentric);
-            return OnTriangle {
-                direction,
-                barycentric,
-                pdf: representable(2.0 * spread),
-            };
-        }
-        let weights = self.seen.weights::<T>(u1, u2, 1.0 - u2);
+        let weights = self.weights(u1, u2);
+        let ([p, q, r], [i, j, k]) = (weights, self.inverses);
+        let (p, q, r) = (p * i, q * j, r * k);
+        let sum = p + q + r;
         OnTriangle {
-            direction: self.seen.direction(weights),
-            barycentric: self.seen.barycentric(weights),
+            direction: seen::direction(self.corners, weights),
+            barycentric: [p / sum, q / sum, r / sum],
             pdf: self.density,
         }
+    }
+
+    #[inline]
+    fn weights(&self, u1: f32, u2: f32) -> [f32; 3] {
+        let (cos, sin) = T::polar(1.0, u2 * self.half);
+        self.map.weights(u1, sin, cos, 1.0)
+    }
+
+    /// The edge from each vertex to the next.
+    #[inline]
+    fn sides(&self) -> [[f32; 3]; 3] {
+        let [x, y] = self.edges;
+        [x, seen::minus(y, x), seen::times(y, -1.0)]
+    }
+}
+
+impl<T: Tier> PlanarMap<3> for SphericalTriangle<T> {
+    #[inline]
+    fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
+        *to = seen::direction(self.corners, self.weights(u1, u2));
     }
 }
 
 impl<T: Tier> Warp for SphericalTriangle<T> {
-    type Uniforms = [f32; 2];
-    type Point = [f32; 3];
-    type Density = f32;
-
-    #[inline]
-    fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 3] {
-        let [u1, u2] = u.get();
-        if self.seen.close() {
-            let [p, q, r] = Triangle::new().sample_canonical(u);
-            self.seen.towards([p, r, q]).0
-        } else {
-            self.seen
-                .direction(self.seen.weights::<T>(u1, u2, 1.0 - u2))
-        }
-    }
-
-    #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
-        let there = self.locate(u.get());
-        (there.direction, there.pdf)
-    }
-
+    planar!(3, where T::VECTORS);
     drawn_with_pdf!();
 
     #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
+        (self.sample_canonical(u), self.density)
+    }
+
+    #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
-        if !self.seen.holds(direction) {
-            0.0
-        } else if self.seen.close() {
-            let (_, spread) = self.seen.place(direction);
-            representable(2.0 * spread)
-        } else {
+        let wide = seen::is_wide(self.map.volume, self.half);
+        let sides = self.sides();
+        if seen::holds(direction, self.corners, sides, self.edges, self.sign, wide) {
             self.density
+        } else {
+            0.0
         }
     }
 }
@@ -242,10 +284,20 @@ impl<T: Tier> Warp for SphericalTriangle<T> {
 impl<T: Tier> Invert for SphericalTriangle<T> {
     #[inline]
     fn invert(&self, direction: [f32; 3]) -> [f32; 2] {
-        if self.seen.close() {
-            let ([p, q, r], _) = self.seen.place(direction);
-            return Triangle::new().invert([p, r, q]);
-        }
-        self.seen.uniforms::<T>(direction).map(into_unit)
+        let (corners, inverses, sign) = (self.corners, self.inverses, self.sign);
+        let ([a, b, c], [i, j, k], [x, y, z]) = (corners, inverses, self.sides());
+        let direction = seen::carried_back(direction, corners, inverses, self.sides(), sign);
+        // In units of all three distances.
+        let over = |corners, inverses, edge| {
+            let (corner, inverse) = seen::end(direction, corners, inverses);
+            sign * seen::height(direction, corner, edge) / inverse
+        };
+        let weights = [
+            over([b, c], [j, k], y) / i,
+            over([a, c], [i, k], z) / j,
+            over([a, b], [i, j], x) / k,
+        ];
+        let [out, angle] = self.map.uniforms::<T>(weights);
+        [out, angle / self.half].map(into_unit)
     }
 }

@@ -6,7 +6,7 @@ use microwarp::warp::Power;
 use microwarp::{Error, Invert, Warp};
 use support::adversary::words::Kind::{Any, Positive};
 use support::{
-    registry::{Domain, Measure, Registered, entry},
+    registry::{Domain, Measure, Registered, entry, power},
     truth,
 };
 
@@ -65,13 +65,8 @@ pub(super) fn overflowing<T: Tier>() -> Registered {
             }
             let warp = Overflowing { warp, m, a, b };
             let truth = truth::power(n, a, b, true);
-            Ok(entry::<T, _>(
-                "Power",
-                Domain::Line,
-                Measure::Ulp,
-                warp,
-                truth,
-            ))
+            let entry = entry::<T, _>("Power", Domain::Line, Measure::Ulp, warp, truth);
+            Ok(entry.variables(&power::variables(p)))
         },
         cases: Vec::new(),
         seeds: Vec::new(),

@@ -139,7 +139,7 @@ impl Case for Subject {
                             .get_or_insert_with(|| Moved::of(entry, &exact, x))
                             .inverse
                     }
-                    "p" => place_moved(entry, u),
+                    "p" => place_moved(entry, u, &exact),
                     _ => self.variable(name),
                 })
                 .collect();

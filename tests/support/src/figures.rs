@@ -166,22 +166,39 @@ pub fn place_error(entry: &Entry, u: Uniforms, figures: &mut Figures) {
     }
 }
 
-/// How far the exact place on a light moves when the second uniform does by 2⁻²⁴; 0 for a warp that tells no place.
-pub fn place_moved(entry: &Entry, u: Uniforms) -> f64 {
+/// How far the exact place on a light moves when each uniform and each coordinate of the direction does by 2⁻²⁴; 0 for a warp
+/// that tells no place.
+pub fn place_moved(entry: &Entry, u: Uniforms, exact: &Exact) -> f64 {
     let Some(place) = &entry.place else {
         return 0.0;
     };
+    let here = place(u).1;
+    let away = |u: Uniforms| {
+        let mut most = 0.0;
+        for (a, b) in here.iter().zip(place(u).1) {
+            raise(&mut most, (a - b).abs());
+        }
+        most
+    };
     // By more than that, for a step of `f32` anywhere.
     let step = 0.5_f32.powi(22);
-    let at = |turn: f32| place([u[0], turn.clamp(0.0, LARGEST), u[2], u[3]]).1;
-    let here = at(u[1]);
-    let mut most = 0.0;
-    for there in [at(u[1] - step), at(u[1] + step)] {
-        for (a, b) in here.iter().zip(there) {
-            raise(&mut most, (a - b).abs() / 4.0);
+    let mut sum = 0.0;
+    for k in 0..3 {
+        let mut most: f64 = 0.0;
+        for step in [-step, step] {
+            if k < 2 {
+                let mut moved = u;
+                moved[k] = (u[k] + step).clamp(0.0, LARGEST);
+                most = most.max(away(moved));
+            }
+            let mut there = exact.point;
+            there[k] += f64::from(step);
+            let back = entry.truth.invert(there);
+            most = most.max(away(back.map(|u| (u as f32).clamp(0.0, LARGEST))));
         }
+        sum += most / 4.0;
     }
-    most
+    sum
 }
 
 /// The error of the density handed over with the sample, where that is not the density of the returned point.

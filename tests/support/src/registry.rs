@@ -11,7 +11,7 @@ mod lights;
 mod line;
 pub mod picture;
 mod plane;
-mod power;
+pub mod power;
 mod shapes;
 mod surfaces;
 pub mod tables;
@@ -213,7 +213,7 @@ impl Entry {
         })
     }
 
-    fn variables(self, variables: &[(&'static str, f64)]) -> Self {
+    pub fn variables(self, variables: &[(&'static str, f64)]) -> Self {
         self.with(|e| e.variables = variables.to_vec())
     }
 

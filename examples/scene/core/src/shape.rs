@@ -122,8 +122,8 @@ impl Shape for Quad {
         Some(self.seen::<K>(from)?.draw_with_pdf(words))
     }
 
-    fn pdf<K: Kit>(&self, from: Vector, direction: Vector) -> f32 {
-        self.seen::<K>(from).map_or(0.0, |seen| seen.pdf(direction))
+    fn pdf<K: Kit>(&self, from: Vector, _: Vector) -> f32 {
+        self.seen::<K>(from).map_or(0.0, |seen| seen.density())
     }
 }
 

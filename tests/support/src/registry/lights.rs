@@ -45,7 +45,7 @@ where
 
 fn triangle<T: Tier>(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<Entry, Error> {
     let warp = SphericalTriangle::<T>::new(point, vertices)?;
-    let truth = Light::triangle(point, vertices, warp.samples_area());
+    let truth = Light::triangle(point, vertices);
     let place = move |u: Uniforms| {
         let found = warp.locate([u[0], u[1]]).barycentric;
         (found, truth.place(u.map(f64::from)))
@@ -61,7 +61,7 @@ fn rectangle<T: Tier>(
     edges: [[f32; 3]; 2],
 ) -> Result<Entry, Error> {
     let warp = SphericalRectangle::<T>::new(point, corner, edges)?;
-    let truth = Light::rectangle(point, corner, edges, warp.samples_area());
+    let truth = Light::rectangle(point, corner, edges);
     let place = move |u: Uniforms| {
         let [s, t] = warp.locate([u[0], u[1]]).st;
         ([s, t, 0.0], truth.place(u.map(f64::from)))

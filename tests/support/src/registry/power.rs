@@ -46,6 +46,12 @@ const CASES: [(&str, [f32; 3], bool); 27] = [
     ("n=-0.9974 [1.6e-38, 4e28]", [-0.997_436_5, 1.595_427_9e-38, 4.033_297e28], true),
 ];
 
+/// What the bounds of a power law depend on.
+pub fn variables(p: &[f32]) -> [(&'static str, f64); 2] {
+    let [n, a, b] = [p[0], p[1], p[2]].map(f64::from);
+    [("k", (n + 1.0).abs()), ("d", (b / a).log2())]
+}
+
 fn power<T: Tier>(p: &[f32], increasing: bool) -> Result<Entry, Error> {
     let (name, warp) = if increasing {
         ("Power", Power::<T>::new(p[0], p[1], p[2])?)
@@ -56,13 +62,7 @@ fn power<T: Tier>(p: &[f32], increasing: bool) -> Result<Entry, Error> {
         )
     };
     let entry = in_ulp::<T, _>(name, warp, truth::power(p[0], p[1], p[2], increasing));
-    let [m, span] = [
-        f64::from(p[0]) + 1.0,
-        (f64::from(p[2]) / f64::from(p[1])).log2(),
-    ];
-    let entry = entry
-        .own_density_of_word()
-        .variables(&[("k", m.abs()), ("d", span)]);
+    let entry = entry.own_density_of_word().variables(&variables(p));
     Ok(entry.outside(&[[-1.0, 0.0, 0.0], [f32::MAX, 0.0, 0.0]]))
 }
 
