@@ -26,10 +26,10 @@ use crate::tier::sqrt;
 /// mean's error is relative to the larger of mean and standard deviation. Standard deviations and standard errors have half
 /// the variance's error.
 ///
-/// | error | 10⁸ samples, one by one | 10⁸ samples, merged | short runs |
-/// |---|--:|--:|--:|
-/// | mean | 3.4e-8 | 3.4e-8 | 2.1e-7 |
-/// | variance | 1.4e-7 | 1.7e-7 | 5.6e-7 |
+/// | error | 10⁸ samples, one by one | 10⁸ samples, merged | short runs | kind |
+/// |---|--:|--:|--:|---|
+/// | mean | 3.4e-8 | 3.4e-8 | 2.1e-7 | found |
+/// | variance | 1.4e-7 | 1.7e-7 | 5.6e-7 | found |
 ///
 /// # Examples
 ///

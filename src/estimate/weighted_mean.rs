@@ -27,10 +27,10 @@ use crate::tier::sqrt;
 /// tenths of what a search of minutes found. In short runs the ratio's error is relative to the larger of ratio and
 /// weighted standard deviation.
 ///
-/// | error | 10⁸ samples, one by one | 10⁸ samples, merged | short runs |
-/// |---|--:|--:|--:|
-/// | ratio | 3.4e-8 | 3.4e-8 | 4.3e-7 |
-/// | standard error | 1.6e-7 | 1.6e-7 | 5.5e-7 |
+/// | error | 10⁸ samples, one by one | 10⁸ samples, merged | short runs | kind |
+/// |---|--:|--:|--:|---|
+/// | ratio | 3.4e-8 | 3.4e-8 | 4.3e-7 | found |
+/// | standard error | 1.6e-7 | 1.6e-7 | 5.5e-7 | found |
 ///
 /// The standard error is that of the delta method: √(N/(N−1) Σw²(f−R)²)/|Σw|. Its error is stated for values whose weighted
 /// standard deviation is at least 10⁻⁶ of the largest; where they differ in their last bits alone, it loses digits, and may

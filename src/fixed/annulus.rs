@@ -35,12 +35,12 @@ use core::marker::PhantomData;
 /// 1 − (r₀/r₁)², and w the width in turns. Where the gap of a sector is narrower than the error, either side may be taken
 /// for the other.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 1e-6 | 1.9e-4 | 8e-7 |
-/// | pdf | 1.7e-9 | 1.7e-9 | 1.7e-9 |
-/// | round trip, first | (2e-6 + 1.5/n)/s | (4e-4 + 1.5/n)/s | (2e-6 + 1.5/n)/s |
-/// | round trip, second | (3e-7 + 0.36/n)/w | (3.4e-5 + 0.36/n)/w | (3e-7 + 0.36/n)/w |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 1e-6 | 1.9e-4 | 8e-7 | found |
+/// | pdf | 1.7e-9 | 1.7e-9 | 1.7e-9 | found |
+/// | round trip, first | (2e-6 + 1.5/n)/s | (4e-4 + 1.5/n)/s | (2e-6 + 1.5/n)/s | found |
+/// | round trip, second | (3e-7 + 0.36/n)/w | (3.4e-5 + 0.36/n)/w | (3e-7 + 0.36/n)/w | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Annulus -->

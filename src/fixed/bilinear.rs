@@ -32,13 +32,13 @@ use core::marker::PhantomData;
 /// of the uniforms after `sample` and `invert`. *Pdf* is relative to the largest density, beyond a step of 2⁻³². Rms
 /// and mean hold for weights of 1 and 3, and 2 and 0.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 2.6e-7 | 3.2e-5 | 8.8e-8 |
-/// | sample, rms | 2.5e-8 | 5.3e-6 | 1.1e-8 |
-/// | sample, mean | 0 | -1.6e-6 | -3.6e-9 |
-/// | pdf | 1.5e-9 | 1.5e-9 | 1.5e-9 |
-/// | round trip | 5.2e-7 | 6.5e-5 | 1.8e-7 |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 2.6e-7 | 3.2e-5 | 8.8e-8 | found |
+/// | sample, rms | 2.5e-8 | 5.3e-6 | 1.1e-8 | found |
+/// | sample, mean | 0 | -1.6e-6 | -3.6e-9 | found |
+/// | pdf | 1.5e-9 | 1.5e-9 | 1.5e-9 | found |
+/// | round trip | 5.2e-7 | 6.5e-5 | 1.8e-7 | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Bilinear -->

@@ -35,14 +35,14 @@ use core::marker::PhantomData;
 /// *Pdf* is the relative error of the density, beyond a step of 2⁻³². Rms and mean hold for k = 0.3. w is the largest
 /// sine in the cone: √(k(2 − k)) for k below 1, else 1.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 1e-6*w + 1e-9 | 2e-4*w + 1e-9 | 7e-7*w + 1e-9 |
-/// | sample, rms | 8.8e-8 | 3.2e-5 | 1.4e-7 |
-/// | sample, mean | 0 | -2.8e-6 | 0 |
-/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
-/// | pdf | 2.9e-9 | 2.9e-9 | 2.9e-9 |
-/// | round trip | 1.3e-6 + 2e-9/w | 4.1e-4 + 2e-9/w | 1.3e-6 + 2e-9/w |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 1e-6*w + 1e-9 | 2e-4*w + 1e-9 | 7e-7*w + 1e-9 | found |
+/// | sample, rms | 8.8e-8 | 3.2e-5 | 1.4e-7 | found |
+/// | sample, mean | 0 | -2.8e-6 | 0 | found |
+/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 | found |
+/// | pdf | 2.9e-9 | 2.9e-9 | 2.9e-9 | found |
+/// | round trip | 1.3e-6 + 2e-9/w | 4.1e-4 + 2e-9/w | 1.3e-6 + 2e-9/w | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Cone -->

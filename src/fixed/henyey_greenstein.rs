@@ -31,14 +31,14 @@ use core::marker::PhantomData;
 /// error of the uniforms after `sample` and `invert`: of u₁, and of u₂ times sin θ. *Pdf* is the relative error of the
 /// density, beyond a step of 2⁻³². Rms and mean hold for g = 0.8. a is 1 − |g|.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 1.0e-6 | 1.6e-4 | 7e-7 |
-/// | sample, rms | 8.3e-8 | 2.7e-5 | 1.3e-7 |
-/// | sample, mean | 0 | -2.4e-6 | 0 |
-/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
-/// | round trip | 4e-7 + 3e-10/a | 1e-4 + 3e-10/a | 4e-7 + 3e-10/a |
-/// | pdf | 3.2e-7 | 3.5e-5 | 1.4e-7 |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 1.0e-6 | 1.6e-4 | 7e-7 | found |
+/// | sample, rms | 8.3e-8 | 2.7e-5 | 1.3e-7 | found |
+/// | sample, mean | 0 | -2.4e-6 | 0 | found |
+/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 | found |
+/// | round trip | 4e-7 + 3e-10/a | 1e-4 + 3e-10/a | 4e-7 + 3e-10/a | found |
+/// | pdf | 3.2e-7 | 3.5e-5 | 1.4e-7 | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed HenyeyGreenstein -->

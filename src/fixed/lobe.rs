@@ -31,14 +31,14 @@ use core::marker::PhantomData;
 /// *Pdf* is relative to the density on the axis. Rms and mean hold for n = 50. w is the size of the lobe, the smaller of
 /// √(2/(n + 1)) and 1; the farthest sample lies at 4.7 w.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | min(1.8e-6, 1.35e-5*w) + 1e-9 | min(1.9e-4, 1e-3*w) + 1e-9 | min(1.05e-6, 8.4e-6*w) + 1e-9 |
-/// | sample, rms | 5.0e-8 | 1.8e-5 | 6.1e-8 |
-/// | sample, mean | -8.1e-10 | -1.1e-6 | 0 |
-/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 |
-/// | round trip | 2.8e-6 + 2e-9/w | 4e-4 + 2e-9/w | 1.9e-6 + 2e-9/w |
-/// | pdf, of that on the axis | 1.4e-6 | 2.0e-4 | 9.6e-7 |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | min(1.8e-6, 1.35e-5*w) + 1e-9 | min(1.9e-4, 1e-3*w) + 1e-9 | min(1.05e-6, 8.4e-6*w) + 1e-9 | found |
+/// | sample, rms | 5.0e-8 | 1.8e-5 | 6.1e-8 | found |
+/// | sample, mean | -8.1e-10 | -1.1e-6 | 0 | found |
+/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 | found |
+/// | round trip | 2.8e-6 + 2e-9/w | 4e-4 + 2e-9/w | 1.9e-6 + 2e-9/w | found |
+/// | pdf, of that on the axis | 1.4e-6 | 2.0e-4 | 9.6e-7 | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed PhongLobe -->

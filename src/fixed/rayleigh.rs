@@ -30,11 +30,11 @@ use core::marker::PhantomData;
 /// *Sample* is relative to σ, beyond a step of the format. *Pdf* is relative to 1/σ, beyond a step of 2⁻³². *Round trip*
 /// is the error of the uniform after `sample` and `invert`. σ is n steps of the format.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 3e-6 | 2e-4 | 1.1e-6 |
-/// | pdf | 6.8e-7 | 4.4e-5 | 1.1e-7 |
-/// | round trip | 1.2e-6 + 0.7/n | 8e-5 + 0.7/n | 9.2e-7 + 0.7/n |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 3e-6 | 2e-4 | 1.1e-6 | found |
+/// | pdf | 6.8e-7 | 4.4e-5 | 1.1e-7 | found |
+/// | round trip | 1.2e-6 + 0.7/n | 8e-5 + 0.7/n | 9.2e-7 + 0.7/n | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Rayleigh -->

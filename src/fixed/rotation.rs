@@ -24,11 +24,11 @@ use core::marker::PhantomData;
 /// *Sample* is the absolute error of a coordinate, *unit length* the largest error of the length. *Round trip* is the
 /// error of the uniforms after `sample` and `invert`: of u₁, of u₂ times √(1 − u₁), and of u₃ times √u₁.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 1e-6 | 1.4e-4 | 7e-7 |
-/// | unit length | 6e-7 | 1.6e-4 | 6e-7 |
-/// | round trip | 5e-7 | 1e-4 | 5.1e-7 |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 1e-6 | 1.4e-4 | 7e-7 | found |
+/// | unit length | 6e-7 | 1.6e-4 | 6e-7 | found |
+/// | round trip | 5e-7 | 1e-4 | 5.1e-7 | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Rotation -->

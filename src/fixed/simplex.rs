@@ -28,10 +28,10 @@ use core::marker::PhantomData;
 /// *Sample* is the largest error of a share or the rest. *Round trip* is the error of the uniforms after `sample` and
 /// `invert`, of each times what was left before its share.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 6.5e-7*sqrt(n) | 6.5e-5*sqrt(n) | 4.2e-7*sqrt(n) |
-/// | round trip | 2.4e-6 | 2.2e-4 | 1.6e-6 |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 6.5e-7*sqrt(n) | 6.5e-5*sqrt(n) | 4.2e-7*sqrt(n) | found |
+/// | round trip | 2.4e-6 | 2.2e-4 | 1.6e-6 | found |
 ///
 /// n is the number of dimensions.
 ///

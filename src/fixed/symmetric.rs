@@ -31,11 +31,11 @@ use core::marker::PhantomData;
 /// *Sample* is relative to the scale, beyond a step of the format. *Pdf* is relative to the largest density, beyond a
 /// step of 2⁻³². *Round trip* is the error of the uniform after `sample` and `invert`. The scale is n steps of the format.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 5.3e-7 | 3.5e-5 | 4.3e-7 |
-/// | pdf | 8.1e-7 | 7.0e-5 | 1.1e-7 |
-/// | round trip | 5.0e-7 + 0.55/n | 3.9e-5 + 0.55/n | 2.3e-7 + 0.55/n |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 5.3e-7 | 3.5e-5 | 4.3e-7 | found |
+/// | pdf | 8.1e-7 | 7.0e-5 | 1.1e-7 | found |
+/// | round trip | 5.0e-7 + 0.55/n | 3.9e-5 + 0.55/n | 2.3e-7 + 0.55/n | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Laplace -->
@@ -91,11 +91,11 @@ pub struct Laplace<Frac, G = Fine> {
 /// *Sample* is relative to the scale, beyond a step of the format. *Pdf* is relative to the largest density, beyond a
 /// step of 2⁻³². *Round trip* is the error of the uniform after `sample` and `invert`. The scale is n steps of the format.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 6e-7 | 4e-5 | 6e-7 |
-/// | pdf | 4.3e-7 | 2.8e-5 | 6.5e-8 |
-/// | round trip | 4.5e-7 + 0.28/n | 3.3e-5 + 0.28/n | 2.3e-7 + 0.28/n |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 6e-7 | 4e-5 | 6e-7 | found |
+/// | pdf | 4.3e-7 | 2.8e-5 | 6.5e-8 | found |
+/// | round trip | 4.5e-7 + 0.28/n | 3.3e-5 + 0.28/n | 2.3e-7 + 0.28/n | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Logistic -->

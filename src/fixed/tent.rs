@@ -29,13 +29,13 @@ use core::marker::PhantomData;
 /// step of 2⁻³². *Round trip* is the error of the uniform after `sample` and `invert`. The radius is n steps of the
 /// format.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 2.0e-7 | 1.9e-5 | 6.1e-8 |
-/// | sample, rms | 4.2e-8 | 9.0e-6 | 2.0e-8 |
-/// | sample, mean | 0 | 0 | 0 |
-/// | pdf | 8e-10 | 8e-10 | 8e-10 |
-/// | round trip | 2.0e-7 + 1/n | 1.7e-5 + 1/n | 6.1e-8 + 1/n |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 2.0e-7 | 1.9e-5 | 6.1e-8 | found |
+/// | sample, rms | 4.2e-8 | 9.0e-6 | 2.0e-8 | found |
+/// | sample, mean | 0 | 0 | 0 | found |
+/// | pdf | 8e-10 | 8e-10 | 8e-10 | found |
+/// | round trip | 2.0e-7 + 1/n | 1.7e-5 + 1/n | 6.1e-8 + 1/n | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Tent -->

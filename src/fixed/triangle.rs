@@ -25,12 +25,12 @@ use core::marker::PhantomData;
 /// *Sample* is the largest error of a coordinate. *Round trip* is the error of the uniforms after `sample` and `invert`:
 /// of u₁, and of u₂ times √u₁.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 2.0e-7 | 1.9e-5 | 6.1e-8 |
-/// | sample, rms | 3.5e-8 | 7.4e-6 | 1.7e-8 |
-/// | sample, mean | 0 | 2.0e-6 | 4.0e-9 |
-/// | round trip | 3.9e-7 | 3.4e-5 | 1.3e-7 |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 2.0e-7 | 1.9e-5 | 6.1e-8 | found |
+/// | sample, rms | 3.5e-8 | 7.4e-6 | 1.7e-8 | found |
+/// | sample, mean | 0 | 2.0e-6 | 4.0e-9 | found |
+/// | round trip | 3.9e-7 | 3.4e-5 | 1.3e-7 | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed Triangle -->

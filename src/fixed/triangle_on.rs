@@ -32,10 +32,10 @@ use core::marker::PhantomData;
 /// *Sample* is relative to the extent of a coordinate, beyond half a step of the format. *Pdf* is the relative error of
 /// the density, beyond a step of 2⁻³².
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 2.0e-7 | 1.9e-5 | 6.2e-8 |
-/// | pdf | 1.2e-9 | 1.2e-9 | 1.2e-9 |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 2.0e-7 | 1.9e-5 | 6.2e-8 | found |
+/// | pdf | 1.2e-9 | 1.2e-9 | 1.2e-9 | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed TriangleOn -->

@@ -34,13 +34,13 @@ use core::marker::PhantomData;
 /// relative to the largest density, beyond a step of 2⁻³². *Round trip* is the error of the uniform after `sample` and
 /// `invert`. The mean times 1 − e⁻ᶻ is n steps of the format.
 ///
-/// | error | fine | coarse | compact |
-/// |---|--:|--:|--:|
-/// | sample, max | 2.3e-6 | 7.0e-5 | 2.3e-6 |
-/// | sample, rms | 4.8e-7 | 1.7e-5 | 4.4e-7 |
-/// | sample, mean | 2.4e-7 | 9.2e-6 | 1.1e-7 |
-/// | pdf | 8.1e-7 | 7.0e-5 | 1.1e-7 |
-/// | round trip | 4.4e-6 + 1/n | 1.8e-4 + 1/n | 2.4e-6 + 1/n |
+/// | error | fine | coarse | compact | kind |
+/// |---|--:|--:|--:|---|
+/// | sample, max | 2.3e-6 | 7.0e-5 | 2.3e-6 | found |
+/// | sample, rms | 4.8e-7 | 1.7e-5 | 4.4e-7 | found |
+/// | sample, mean | 2.4e-7 | 9.2e-6 | 1.1e-7 | found |
+/// | pdf | 8.1e-7 | 7.0e-5 | 1.1e-7 | found |
+/// | round trip | 4.4e-6 + 1/n | 1.8e-4 + 1/n | 2.4e-6 + 1/n | found |
 ///
 /// # Cost
 /// <!-- generated: cost fixed TruncatedExponential -->

@@ -143,9 +143,9 @@ impl<X: Coordinates> StepLaw<X> for BoxStep<X> {
 ///
 /// The largest error of a step, in ulp: units in its last place.
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | step, ulp | 4.7 | 4.7 |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | step, ulp | 4.7 | 4.7 | found |
 ///
 /// # Examples
 ///
@@ -227,9 +227,9 @@ impl<X: Coordinates, T: Tier> StepLaw<X> for NormalStep<X, T> {
 /// The largest relative error of a step. Below 2⁻¹²⁶ a step also has an absolute one of 2⁻¹⁴⁹, the spacing of numbers there.
 /// No step is outside the sizes.
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | step, relative | 6.3e-7 | 6.3e-7 |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | step, relative | 6.3e-7 | 6.3e-7 | found |
 ///
 /// # Examples
 ///

@@ -37,15 +37,15 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
 /// absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, of the size | 3.3e-7 | 3.3e-7 |
-/// | sin θ, ulp | 3.5 | 3.5 |
-/// | unit length | 2.1e-7 | 2.5e-7 |
-/// | pdf, relative | 3.5e-7 | 3.5e-7 |
-/// | realised density, relative | 3.5e-7 | 3.5e-7 |
-/// | inverse | 4.9e-7 | 4.9e-7 |
-/// | round trip | 7e-7 | 7e-7 |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | sample, of the size | 3.3e-7 | 3.3e-7 | found |
+/// | sin θ, ulp | 3.5 | 3.5 | found |
+/// | unit length | 2.1e-7 | 2.5e-7 | found |
+/// | pdf, relative | 3.5e-7 | 3.5e-7 | found |
+/// | realised density, relative | 3.5e-7 | 3.5e-7 | found |
+/// | inverse | 4.9e-7 | 4.9e-7 | found |
+/// | round trip | 7e-7 | 7e-7 | found |
 ///
 /// These hold for every cone of each constructor. Azimuths of subnormal x and y, which only uniforms below 2⁻⁶⁴
 /// give, have no more digits in the inverse than x and y have.

@@ -134,15 +134,15 @@ impl Frame {
 /// units in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are
 /// absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, of the size | 5e-7 | 5e-7 |
-/// | unit length | 4.5e-7 | 4.5e-7 |
-/// | pdf, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s |
-/// | realised density, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s |
-/// | pdf with the sample, relative | 5.2e-7 + 2*s | 5.2e-7 + 2*s |
-/// | inverse | min(1, 6.2e-7 + 15*r) | min(1, 6.2e-7 + 15*r) |
-/// | round trip | min(1, 6.2e-7 + 15*r) | min(1, 6.2e-7 + 15*r) |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | sample, of the size | 5e-7 | 5e-7 | found |
+/// | unit length | 4.5e-7 | 4.5e-7 | found |
+/// | pdf, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s | found |
+/// | realised density, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s | found |
+/// | pdf with the sample, relative | 5.2e-7 + 2*s | 5.2e-7 + 2*s | found |
+/// | inverse | min(1, 6.2e-7 + 15*r) | min(1, 6.2e-7 + 15*r) | found |
+/// | round trip | min(1, 6.2e-7 + 15*r) | min(1, 6.2e-7 + 15*r) | found |
 ///
 /// These hold for every normal, over the hemispheres, over cones of any width and over lobes of n from 1 to 1e8.
 /// They do not hold for lobes above that, whose density in world coordinates may be wrong altogether, nor for lobes

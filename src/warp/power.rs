@@ -39,14 +39,14 @@ use core::marker::PhantomData;
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, ulp | 1 | 3.2 + 4.2·min(1/k, k·d·d) |
-/// | pdf, relative | 1.3e-7 | 1.3e-7 |
-/// | realised density, relative | 1.3e-7 + s | 1.3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) |
-/// | pdf with the sample, relative | 4.6e-7 + s | 3.5e-7 + 3e-7·min(1/k, k·d·d) + s |
-/// | inverse | 3e-7 | 3e-7 |
-/// | round trip | 3e-7 + 1.1*r | 3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·r |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | sample, ulp | 1 | 3.2 + 4.2·min(1/k, k·d·d) | found |
+/// | pdf, relative | 1.3e-7 | 1.3e-7 | found |
+/// | realised density, relative | 1.3e-7 + s | 1.3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
+/// | pdf with the sample, relative | 4.6e-7 + s | 3.5e-7 + 3e-7·min(1/k, k·d·d) + s | found |
+/// | inverse | 3e-7 | 3e-7 | found |
+/// | round trip | 3e-7 + 1.1*r | 3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·r | found |
 ///
 /// k is |n + 1| and d is log₂(b/a), infinite for a = 0. In `poly` no realised density is stated from k = 1e6 on, where the densities
 /// of neighbouring `f32` differ by a factor. s and r are the relative change of the exact density and the change of the

@@ -36,16 +36,16 @@ use core::marker::PhantomData;
 /// coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
 /// of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, of the size | 5.4e-7*q | 5.4e-7*q |
-/// | unit length | 1.9e-7 | 1.9e-7 |
-/// | place on it | 5e-7 + (1.6 + 0.5·q)·p | 5e-7 + (1.6 + 0.5·q)·p |
-/// | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
-/// | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
-/// | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g |
-/// | inverse | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | min(1, 5e-7 + 5e-7·q + (13 + 0.5·q)·r + 1.9e-7/h) |
-/// | round trip | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | sample, of the size | 5.4e-7*q | 5.4e-7*q | found |
+/// | unit length | 1.9e-7 | 1.9e-7 | found |
+/// | place on it | 5e-7 + (1.6 + 0.5·q)·p | 5e-7 + (1.6 + 0.5·q)·p | found |
+/// | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g | found |
+/// | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g | found |
+/// | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | 6e-7 + 3e-7*q + 6e-15/g | found |
+/// | inverse | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | min(1, 5e-7 + 5e-7·q + (13 + 0.5·q)·r + 1.9e-7/h) | found |
+/// | round trip | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | found |
 ///
 /// These hold for every rectangle accepted. p is the change of the place when each uniform and each coordinate of the
 /// direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of the

@@ -36,14 +36,14 @@ const LIFT: f32 = 1_267_650_600_228_229_401_496_703_205_376.0;
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, ulp | 4.4 | 4.1 |
-/// | pdf, relative | 2.4e-7 | 2.4e-7 |
-/// | realised density, relative | 2.4e-7 + 3.5*s | 2.4e-7 + 3.5*s |
-/// | pdf with the sample, relative | 4.2e-7 | 4.2e-7 |
-/// | inverse | 3e-7 | 3e-7 |
-/// | round trip | 3e-7 + 2*r | 3e-7 + 2*r |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | sample, ulp | 4.4 | 4.1 | found |
+/// | pdf, relative | 2.4e-7 | 2.4e-7 | found |
+/// | realised density, relative | 2.4e-7 + 3.5*s | 2.4e-7 + 3.5*s | found |
+/// | pdf with the sample, relative | 4.2e-7 | 4.2e-7 | found |
+/// | inverse | 3e-7 | 3e-7 | found |
+/// | round trip | 3e-7 + 2*r | 3e-7 + 2*r | found |
 ///
 /// s and r are the relative change of the exact density and the change of the exact inverse over one ulp of x.
 ///

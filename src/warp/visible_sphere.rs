@@ -53,14 +53,14 @@ pub struct SurfaceSample {
 /// are relative, *inverse* and *round trip* are absolute errors of the uniforms; r is what one rounding of the direction
 /// changes in them. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, of the size | 9e-7 | 8e-7 |
-/// | unit length | 4.5e-7 | 4.5e-7 |
-/// | pdf, relative | 7.8e-7 | 7.8e-7 |
-/// | realised density, relative | 7.8e-7 | 7.8e-7 |
-/// | inverse | min(1, 5e-7 + 13*r) | min(1, 5e-7 + 13*r) |
-/// | round trip | min(1, 5e-7 + 5.1*r) | min(1, 5e-7 + 5.1*r) |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | sample, of the size | 9e-7 | 8e-7 | found |
+/// | unit length | 4.5e-7 | 4.5e-7 | found |
+/// | pdf, relative | 7.8e-7 | 7.8e-7 | found |
+/// | realised density, relative | 7.8e-7 | 7.8e-7 | found |
+/// | inverse | min(1, 5e-7 + 13*r) | min(1, 5e-7 + 13*r) | found |
+/// | round trip | min(1, 5e-7 + 5.1*r) | min(1, 5e-7 + 5.1*r) | found |
 ///
 /// In both tiers k is right to 6e-7 and the distance to 1e-6, relatively. The distance belongs to the uniforms, and
 /// loses digits where it is below 1e-37, or the point nearer to the surface than 1e-37 radii.

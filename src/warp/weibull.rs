@@ -38,14 +38,14 @@ use core::marker::PhantomData;
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` |
-/// |---|--:|--:|
-/// | sample, ulp | 1 | 4.4 + 3.6/k |
-/// | pdf, relative | 2.2e-6 | 2.2e-6 |
-/// | realised density, relative | 4e-7 + s/max(0, 1 - k/1e6) | 4e-7 + (4.4 + 3.6/k)*s/max(0, 1 - k/1e6) |
-/// | pdf with the sample, relative | 4e-7 | 6e-7 + 2.9e-7/k |
-/// | inverse | 7.2e-8 | 7.2e-8 |
-/// | round trip | 1e-7 + 1.1*r | 1e-7 + (4.4 + 3.6/k)*r |
+/// | error | `libm` | `poly` | kind |
+/// |---|--:|--:|---|
+/// | sample, ulp | 1 | 4.4 + 3.6/k | found |
+/// | pdf, relative | 2.2e-6 | 2.2e-6 | found |
+/// | realised density, relative | 4e-7 + s/max(0, 1 - k/1e6) | 4e-7 + (4.4 + 3.6/k)*s/max(0, 1 - k/1e6) | found |
+/// | pdf with the sample, relative | 4e-7 | 6e-7 + 2.9e-7/k | found |
+/// | inverse | 7.2e-8 | 7.2e-8 | found |
+/// | round trip | 1e-7 + 1.1*r | 1e-7 + (4.4 + 3.6/k)*r | found |
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. k is κ. No realised density is stated from 1e6 on, where
 /// the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the

@@ -9,6 +9,7 @@
 
 mod families;
 mod hard;
+mod kinds;
 mod page;
 
 use page::Measured;
