@@ -62,7 +62,7 @@ fn above_slope(t: f32) -> f32 {
 }
 
 /// e^(-z²/2), and a factor that it is still to be multiplied by, at the quantile z of a tail in (0, 1/2]: the tail times the
-/// hazard, without an exponential. An error of z changes it relatively by that over z.
+/// hazard, without an exponential. An error of z changes it, relatively, by less than that over z.
 #[inline]
 pub(crate) fn density_of_tail(tail: f32, z: f32) -> (f32, f32) {
     let z = z.abs();

@@ -163,7 +163,7 @@ const fn kept(x: f32, of: f32) -> f32 {
     if x == 0.0 && of > 0.0 { SMALLEST } else { x }
 }
 
-/// Weights times a power of two that takes the larger to 2⁶⁰ or near, or times 2¹²⁷, and the reciprocal of that power times
+/// Weights times a power of two that takes the larger into [2⁶⁰, 2⁶¹), or times 2¹²⁷, and the reciprocal of that power times
 /// 2⁻⁶³.
 #[inline]
 const fn normal([a, b]: [f32; 2]) -> ([f32; 2], f32) {
@@ -184,7 +184,7 @@ const fn normal([a, b]: [f32; 2]) -> ([f32; 2], f32) {
 }
 
 /// What smaller uniforms count as where the density is 0 at 0, 2⁻¹⁰⁴. Its product with the smallest square of a weight is above
-/// 0, and its point, at 2⁻⁵², makes no difference to a square.
+/// 0, and its point, at 2⁻⁵², is as good as 0 on the unit square.
 const LEAST: f32 = 1.0 / (1_u128 << 104) as f32;
 
 /// The place of a uniform under a linear density.

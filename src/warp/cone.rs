@@ -1,6 +1,6 @@
 //! The uniform distribution over a cone of directions (a spherical cap).
 
-use super::direction::{LIFT, UNLIFT, around, azimuth, is_direction, one_minus_cos, sine};
+use super::direction::{around, azimuth, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, positive};
@@ -8,6 +8,11 @@ use crate::num::into_unit;
 use crate::tier::{Tier, one_minus_cos_radians, sqrt};
 use core::f32::consts::{FRAC_1_PI, PI};
 use core::marker::PhantomData;
+
+/// 2¹²⁶, its reciprocal and the root of that. k is kept lifted by it, so that its product with a uniform does not underflow.
+const LIFT: f32 = 8.507_059e37;
+const UNLIFT: f32 = 1.0 / LIFT;
+const UNLIFT_ROOT: f32 = 1.084_202_2e-19;
 
 /// How far beyond the rim a direction still counts as inside, relative to 1 − cos θ: by the rounding of a sample on
 /// the rim.
@@ -17,8 +22,7 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 ///
 /// With k = 1 − cos θmax and q = u₁k: sin θ = √(q(2 − q)), cos θ = 1 − q. The warp stores k, and 2 − k beside it,
 /// because k keeps its digits where cos θmax has rounded to 1. A cone of 1e-19 rad samples as accurately as a wide
-/// one. Where q leaves the range of `f32`, the roots of its factors are multiplied instead, so that sin θ is 0 at
-/// u₁ = 0 alone.
+/// one. k is kept times a power of two, so that no product underflows and sin θ is 0 at u₁ = 0 alone.
 ///
 #[cfg_attr(doc, doc = include_str!("../pictures/cone.html"))]
 ///
@@ -179,7 +183,8 @@ impl<T: Tier> PlanarMap<3> for Cone<T> {
         } else {
             (up * LIFT, up, up - 1.0)
         };
-        around::<T>(sine::<T>(lifted, small), cos, u2, to);
+        let sin = T::sqrt(lifted * (2.0 - small)) * UNLIFT_ROOT;
+        around::<T>(sin, cos, u2, to);
     }
 
     #[inline]

@@ -338,14 +338,12 @@ macro_rules! drawn_with_pdf {
             Ok(self.sample_canonical_with_pdf($uniform(word)))
         }
     };
-    ($(where $($bounds:tt)+)?) => {
+    () => {
         #[inline]
         fn try_draw_with_pdf<R: rand_core::TryRng + ?Sized>(
             &self,
             rng: &mut R,
-        ) -> Result<(Self::Point, Self::Density), R::Error>
-        $(where $($bounds)+)?
-        {
+        ) -> Result<(Self::Point, Self::Density), R::Error> {
             let words = <Self::Uniforms as $crate::uniform::Uniforms>::try_words(rng)?;
             Ok(self.sample_canonical_with_pdf(
                 <Self::Uniforms as $crate::uniform::Uniforms>::from_words(words),

@@ -8,18 +8,6 @@ use core::f32::consts::TAU;
 /// 2⁻¹⁰⁰. Below it 1 − cos θ equals sin²θ/2, and may have lost digits if it is a product.
 pub(crate) const DEEP: f32 = 7.888_609e-31;
 
-/// 2¹²⁴ and its reciprocal. A parameter that a uniform is multiplied by is kept lifted by it, so that no product underflows.
-pub(crate) const LIFT: f32 = 2.126_764_8e37;
-pub(crate) const UNLIFT: f32 = 1.0 / LIFT;
-
-/// The sine of an angle of at most a quarter turn by 1 − cos θ, which is given lifted, too.
-#[inline]
-pub(crate) fn sine<T: Tier>(lifted: f32, down: f32) -> f32 {
-    /// The root of the reciprocal of the lift, 2⁻⁶².
-    const ROOT: f32 = 2.168_404_3e-19;
-    T::sqrt(lifted * (2.0 - down)) * ROOT
-}
-
 /// The direction with the given sine and cosine of its polar angle, `turn` turns about the axis.
 #[inline]
 pub(crate) fn around<T: Tier>(sin: f32, cos: f32, turn: f32, to: &mut [f32; 3]) {

@@ -196,7 +196,7 @@ pub(crate) fn concentric<T: Tier>(u: [f32; 2]) -> [f32; 2] {
     // reduction. Exchanging sine and cosine reaches the other axis. A sum with 0 is never −0, whatever the sign of the radius.
     let turn = 0.125 * (across / if radius == 0.0 { 1.0 } else { radius }) + 0.0;
     let (sin, cos) = T::sincos_quarter(turn);
-    // 2u − 1 is −1 at most, and on the other side a step of the grid away from 1.
+    // 2u − 1 is at least −1, and on the other side a step of the grid away from 1.
     let radius = if radius > -RIM { radius } else { -RIM };
     let (x, y) = exchanged(!wide, radius * cos, radius * sin);
     [x, y]

@@ -2,7 +2,7 @@
 
 use super::located::{Located, Standard, decayed, located, located_inverse, located_warp};
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::num::{above_zero, doubles, middle, representable, two_sum};
+use crate::num::{Scaled, above_zero, doubles, middle, representable, tail, two_sum};
 use crate::tier::{LOG2_E, Tier, exp2_pair, log2, neg_log2_1m, neg_log2_1m_of_word, times};
 use crate::uniform::Canonical;
 
@@ -103,8 +103,14 @@ impl<T: Tier> Gumbel<T> {
     /// The point of −log₂u and its density.
     #[inline]
     fn with_pdf(&self, log: (f32, f32), u: f32) -> (f32, f32) {
-        let hazard = (log.0 + log.1) * core::f32::consts::LN_2;
-        let density = self.0.peak * (hazard * u);
+        let (peak, hazard) = (self.0.peak, (log.0 + log.1) * core::f32::consts::LN_2);
+        let density = if u > 1.0e-30 {
+            peak * (hazard * u)
+        } else {
+            // Their product would lose digits that the density may have.
+            let share = Scaled::of(hazard).times(Scaled::of(u));
+            Scaled::of(peak).times(share).value()
+        };
         (self.at(from_neg_log2(log)), representable(density))
     }
 
@@ -120,12 +126,7 @@ impl<T: Tier> Warp for Gumbel<T> {
     #[inline]
     fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
         let u = above_zero(u.get());
-        let log = if u < 0.5 {
-            neg_log2(u, false)
-        } else {
-            neg_log2(1.0 - u, true)
-        };
-        self.with_pdf(log, u)
+        self.with_pdf(neg_log2(tail(u), u >= 0.5), u)
     }
 
     drawn_with_pdf!(from of_word_with_pdf);

@@ -1,6 +1,6 @@
 //! The phase function of Henyey and Greenstein.
 
-use super::direction::{LIFT, UNLIFT, around, azimuth, is_direction, one_minus_cos, sine};
+use super::direction::{around, azimuth, is_direction, one_minus_cos};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, finite, positive};
@@ -8,6 +8,12 @@ use crate::num::{into_unit, remainder, two_product, two_sum};
 use crate::tier::Tier;
 use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
+
+/// 2¹²⁴, its reciprocal and the root of that. Sums that a uniform is multiplied by are kept lifted by it, so that no product
+/// underflows.
+const LIFT: f32 = 2.126_764_8e37;
+const UNLIFT: f32 = 1.0 / LIFT;
+const UNLIFT_ROOT: f32 = 2.168_404_3e-19;
 
 /// The phase function of Henyey and Greenstein: where fog, clouds, skin or dust scatter light.
 ///
@@ -282,7 +288,8 @@ impl<T: Tier> PlanarMap<3> for HenyeyGreenstein<T> {
         let small = lifted * UNLIFT;
         let cos = 1.0 - small;
         let cos = if ahead { cos } else { -cos };
-        around::<T>(sine::<T>(lifted, small), cos, u2, to);
+        let sin = T::sqrt(lifted * (2.0 - small)) * UNLIFT_ROOT;
+        around::<T>(sin, cos, u2, to);
         c * c * c * self.scale
     }
 }

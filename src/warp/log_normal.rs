@@ -47,7 +47,7 @@ use rand_core::TryRng;
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. d is σ, and w is 1/σ. Little is stated of densities from
 /// w = 1e6 on, where those of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the
-/// change of the inverse when x moves by one ulp. The ulp of the sample for each unit of σ come from the last places of Φ⁻¹(u),
+/// change of the inverse when x moves by one ulp. The part of the sample's error in proportion to σ comes from the last places of Φ⁻¹(u),
 /// which is −14.2 at its lowest.
 ///
 /// # Cost

@@ -95,7 +95,7 @@ fn log_of_ratio(a: f32, b: f32) -> f32 {
 }
 
 impl<T: Tier> Logistic<T> {
-    /// The density at the point with this tail.
+    /// The density at the point with this probability on either side.
     #[inline]
     fn density_of_tail(&self, tail: f32) -> f32 {
         representable(self.0.peak * (tail * (1.0 - tail)))

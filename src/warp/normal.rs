@@ -22,8 +22,8 @@ const REACH: f32 = 14.5;
 /// Normal (Gaussian) with a mean and a standard deviation, one number at a time.
 ///
 /// x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata: never back from one uniform of the 24-bit grid to
-/// the next, and by at most 2 ulp from one word to the next. Up to 2.88σ it comes by a table of 640 bytes, beyond by a logarithm
-/// and a root. Words as far from either end give points as far from the mean, to the last bit.
+/// the next, and by at most 2 ulp of location or distance from one word to the next. Up to 2.88σ it comes by a table of 640
+/// bytes, beyond by a logarithm and a root. Words as far from either end give opposite Φ⁻¹(u), to the last bit.
 ///
 #[cfg_attr(doc, doc = include_str!("../pictures/normal.html"))]
 ///

@@ -46,7 +46,7 @@ use rand_core::TryRng;
 /// | inverse | 2.1e-7 | 2.1e-7 | found |
 /// | round trip | 3.1e-7 | 3.1e-7 | found |
 ///
-/// These hold for every n, which is k. s is the relative change of the density when sin θ and cos θ move by an ulp. Azimuths of
+/// k is n; the bounds hold for every n. s is the relative change of the density when sin θ and cos θ move by an ulp. Azimuths of
 /// subnormal x and y, which only uniforms below 2⁻⁶⁴ give, have no more digits in the inverse than x and y have.
 ///
 /// # Cost

@@ -314,11 +314,15 @@ impl<T: Tier> Power<T> {
         } else {
             near + away * (self.rest.0 / LIFT)
         };
-        if x < f32::MIN_POSITIVE {
+        representable(if x < f32::MIN_POSITIVE {
             self.pdf(x)
+        } else if mixture > 1.0e-30 {
+            self.height * mixture / x
         } else {
-            representable(self.height * mixture / x)
-        }
+            // The product would lose digits that the density may have.
+            let rate = Scaled::of(self.height).times(Scaled::of(mixture));
+            rate.over(Scaled::of(x)).value()
+        })
     }
 
     /// Both weights of a word by tables. That of the anchor is deep.

@@ -30,8 +30,8 @@ const LN_LIFT: f32 = 69.314_72;
 /// Normal (Gaussian) with mean μ and standard deviation σ, restricted to an interval [a, b], of which one end may be
 /// infinite.
 ///
-/// x = μ + σΦ⁻¹((1 − u)Φ((a − μ)/σ) + uΦ((b − μ)/σ)), increasing with the uniform, but for single steps back by at most 2 ulp
-/// between neighbours of the grid. No two values of Φ are subtracted.
+/// x = μ + σΦ⁻¹((1 − u)Φ((a − μ)/σ) + uΦ((b − μ)/σ)), increasing with the uniform, except for single steps back between neighbours of
+/// the grid by at most 3 ulp of x or of σ, whichever is larger. No two values of Φ are subtracted.
 /// Instead x is found by its distance from x₀, the point of the interval nearest to the mean: over that distance the
 /// hazard φ/(1 − Φ) has the integral −ln(1 − f), where f is the share of the tail beyond x₀ that lies before x. So the
 /// distance keeps its digits however far out the interval lies and however narrow it is.
@@ -397,7 +397,13 @@ impl<T: Tier> TruncatedNormal<T> {
         } else {
             1.0
         };
-        (place.x, representable(self.peak * (rest * risen) * factor))
+        let density = if factor < 1.0 {
+            let factor = Scaled::of(factor).times(Scaled::of(rest * risen));
+            Scaled::of(self.peak).times(factor).value()
+        } else {
+            self.peak * (rest * risen)
+        };
+        (place.x, representable(density))
     }
 
     /// The place of the middle of a word's cell.

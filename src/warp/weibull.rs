@@ -173,7 +173,7 @@ impl<T: Tier> Weibull<T> {
     fn beyond_with_pdf(&self, tail: (f32, f32), upper: bool) -> (f32, f32) {
         let (hazard, point) = self.beyond(tail, upper);
         let share = if upper { tail.0 } else { 1.0 - tail.0 };
-        let rate = Scaled::of(self.shape * (share * hazard));
+        let rate = Scaled::of(self.shape).times(Scaled::of(share * hazard));
         (point.value(), representable(rate.over(point).value()))
     }
 
@@ -187,39 +187,35 @@ impl<T: Tier> Weibull<T> {
         times_exp2(self.median, whole * root, small)
     }
 
-    /// The point by tables and its density, from -log₂(1 - u)·2^lifted, from that without the power, and 1 - u.
+    /// The point by tables and its density, from -log₂(1 - u)·2^lifted and 1 - u.
     #[inline]
-    fn above_with_pdf(
-        &self,
-        (whole, rest): (f32, f32),
-        lifted: f32,
-        hazard: f32,
-        share: f32,
-    ) -> (f32, f32) {
-        let x = self.above((whole, rest), lifted);
-        let rate = self.shape * (share * (hazard * core::f32::consts::LN_2));
-        let density = if x >= f32::MIN_POSITIVE {
-            rate / x
+    fn above_with_pdf(&self, log: (f32, f32), lifted: f32, share: f32) -> (f32, f32) {
+        let x = self.above(log, lifted);
+        let hazard = (log.0 + log.1) * core::f32::consts::LN_2;
+        let density = if lifted == 0.0 && x >= f32::MIN_POSITIVE {
+            self.shape * (share * hazard) / x
         } else {
-            self.density_at_subnormal(rate, log2(whole + rest), lifted)
+            self.density_in_depth(log, lifted, share * hazard)
         };
         (x, representable(density))
     }
 
-    /// The rate over a point that has lost digits, of log₂(-log₂(1 - u)) and by how much it is lifted.
+    /// The density where the point or the hazard times the share, of 2^lifted, would lose digits.
     #[cold]
-    fn density_at_subnormal(&self, rate: f32, (whole, rest): (f32, f32), lifted: f32) -> f32 {
-        let (root, more) = quick_two_sum(self.root.0 / 64.0, self.root.1 / 64.0);
-        let log = (whole - lifted, rest);
-        let point = self.median.times_power(log, (root, more));
-        Scaled::of(rate).over(point).value()
+    fn density_in_depth(&self, (whole, rest): (f32, f32), lifted: f32, hazard: f32) -> f32 {
+        let root = quick_two_sum(self.root.0 / 64.0, self.root.1 / 64.0);
+        let (whole, rest) = log2(whole + rest);
+        let point = self.median.times_power((whole - lifted, rest), root);
+        let rate = Scaled::of(self.shape).times(Scaled::of(hazard));
+        rate.raised(0_i32.wrapping_sub(lifted as i32))
+            .over(point)
+            .value()
     }
 
     #[inline]
     fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
         if T::TABLES {
-            let log = neg_log2_1m_of_word(word);
-            self.above_with_pdf(log, 0.0, log.0 + log.1, middle(!word))
+            self.above_with_pdf(neg_log2_1m_of_word(word), 0.0, middle(!word))
         } else {
             let (tail, upper) = folded_exactly(word);
             self.beyond_with_pdf(tail, upper)
@@ -270,10 +266,9 @@ impl<T: Tier> Warp for Weibull<T> {
         let u = above_zero(u.get());
         if T::TABLES && u < 1.0e-30 {
             let log = neg_log2_1m(u * 18_446_744_073_709_551_616.0);
-            self.above_with_pdf(log, 64.0, u * core::f32::consts::LOG2_E, 1.0)
+            self.above_with_pdf(log, 64.0, 1.0)
         } else if T::TABLES {
-            let log = neg_log2_1m(u);
-            self.above_with_pdf(log, 0.0, log.0 + log.1, 1.0 - u)
+            self.above_with_pdf(neg_log2_1m(u), 0.0, 1.0 - u)
         } else if u < 0.5 {
             self.beyond_with_pdf((u, 0.0), false)
         } else {

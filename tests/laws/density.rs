@@ -1,5 +1,6 @@
 //! The density that comes with a sample: that of its point, or one as near to it as both statements allow.
 
+use microwarp::Warp;
 use support::docs::{Statement, of_floats};
 use support::figures::{Exact, at_open_end};
 use support::moved::Moved;
@@ -152,4 +153,50 @@ fn every_way_to_draw_with_a_density_gives_the_same() {
             }
         }
     }
+}
+
+/// The density of a law at the point of a uniform, by a formula, and by the law with a sample in both tiers.
+fn with_a_sample<W: Warp<Uniforms = f32, Density = f32>>(
+    warps: [W; 2],
+    exact: impl Fn(f64) -> f64,
+) -> f64 {
+    let mut worst = 0.0;
+    for u in [f32::from_bits(1), f32::from_bits(5), 1e-42, 3e-39, 1e-31] {
+        for warp in &warps {
+            let (_, density) = warp.sample_with_pdf(u);
+            let error = (f64::from(density) / exact(f64::from(u)) - 1.0).abs();
+            // What is not a number stays.
+            worst = if error <= worst { worst } else { error };
+        }
+    }
+    worst
+}
+
+#[test]
+fn densities_with_samples_keep_their_digits_at_the_smallest_uniforms() {
+    // Of each the density is a plain number where the uniform is subnormal.
+    macro_rules! worst {
+        ($warp:ident($($parameter:literal),+), $exact:expr) => {{
+            let warp = microwarp::libm::$warp::new($($parameter),+).unwrap();
+            let libm = with_a_sample([warp; 2], $exact);
+            let warp = microwarp::poly::$warp::new($($parameter),+).unwrap();
+            f64::max(libm, with_a_sample([warp; 2], $exact))
+        }};
+    }
+    let power = worst!(Power(1.5, 0.0, 1.0), |u| 2.5 * u.powf(0.6));
+    let weibull = worst!(Weibull(1.0, 2.5), |u| 2.5 * u.powf(0.6));
+    let gumbel = worst!(Gumbel(0.0, 1e-10), |u| -u.ln() * u / f64::from(1e-10_f32));
+    for error in [power, weibull, gumbel] {
+        assert!(error <= 2e-6, "{power:e} {weibull:e} {gumbel:e}");
+    }
+    // From a product with a subnormal number.
+    let flawed = worst!(Weibull(1.0, 2.5), |u| {
+        let rate = 2.5 * u as f32;
+        f64::from(rate) / u.powf(0.4)
+    });
+    assert!(flawed > 0.01, "{flawed:e}");
+    let normal = microwarp::poly::TruncatedNormal::new(0.0, 1e-28, -1e-26, 1e-26).unwrap();
+    let (x, density) = normal.sample_with_pdf(1e-20);
+    let error = (density / normal.pdf(x) - 1.0).abs();
+    assert!(error <= 1e-4, "{density:e} at {x:e}");
 }
