@@ -22,13 +22,13 @@ import { Vector2, Vector3, Warp } from "./warp.js";
  * relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of the scale | 1.63 |
- * | pdf, relative | 1.2e-7 |
- * | realised density, relative | 1.2e-7 |
- * | inverse | 1.8e-7 |
- * | round trip | 1.8e-7 + 1.63*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of the scale | 2 | found |
+ * | pdf, relative | 1.2e-7 | found |
+ * | realised density, relative | 1.2e-7 | found |
+ * | inverse | 2e-7 | found |
+ * | round trip | 1.8e-7 + 1.63*r | found |
  *
  * r is the change of the inverse when x moves by one ulp of the larger bound. On the 24-bit grid, samples are within
  * 1.5 ulp, or 1.13 where the bounds differ in sign.
@@ -59,9 +59,9 @@ export declare class Interval extends Warp<number, number> {
  * A power law on an interval: density ∝ xⁿ on [a, b], for any exponent.
  *
  * With m = n + 1, xᵐ is uniform between aᵐ and bᵐ. The code works relative to the end R where xᵐ is larger, with t = 1
- * − (x/R)ᵐ, and takes the logarithm of 1 − t to nine digits, so that nothing overflows and m near 0 does not cancel.
- * `new Power` runs from a at u = 0 to b, `Power.decreasing` from b to a. A sample never steps back from one uniform of
- * the grid to the next.
+ * − (x/R)ᵐ, and takes the logarithm of 1 − t, so that nothing overflows and m near 0 does not cancel. In `poly` it
+ * comes by a table or, for m near 0, by a series, in a fraction of the time. `new Power` runs from a at u = 0 to b,
+ * `Power.decreasing` from b to a. A sample never steps back from one uniform of the grid to the next.
  *
  * **Density**
  * m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b]; else 0.
@@ -70,7 +70,6 @@ export declare class Interval extends Warp<number, number> {
  * - Point: [a, b]; above 0 where the density is 0 or infinite at a = 0.
  * - Uniforms: one.
  * - Parameters: 0 ≤ a < b, and any n: −1, near −1, 0, up to ±1e8 and beyond. n > −1 where a = 0.
- * - Both tiers share this code.
  *
  * With a = 0 and n < 0 the density is infinite at 0. The largest `f32` stands for densities above it, and samples that
  * would be smaller than 2⁻¹⁴⁹ are 2⁻¹⁴⁹, as most are for n within 1e-3 of −1.
@@ -80,15 +79,18 @@ export declare class Interval extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 1 |
- * | pdf, relative | 1.3e-7 |
- * | realised density, relative | 1.3e-7 + s |
- * | inverse | 3e-7 |
- * | round trip | 3e-7 + 1.1*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 3.2 + 4.2·min(1/k, k·d·d) | found |
+ * | pdf, relative | 1.3e-7 | found |
+ * | realised density, relative | 1.3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
+ * | pdf with the sample, relative | 3.5e-7 + 3e-7·min(1/k, k·d·d) + s | found |
+ * | inverse | 3e-7 | found |
+ * | round trip | 3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·r | found |
  *
- * s and r are the relative change of the exact density and the change of the exact inverse over one ulp of x.
+ * k is |n + 1| and d is log₂(b/a), infinite for a = 0. In `poly` no realised density is stated from k = 1e6 on, where
+ * the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the exact density and the
+ * change of the exact inverse over one ulp of x.
  *
  * **Source**
  * M. E. J. Newman, "Power Laws, Pareto Distributions and Zipf's Law", 2005,
@@ -132,13 +134,13 @@ export declare class Power extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 1.1 |
- * | pdf, relative | 1.4e-7 |
- * | realised density, relative | 1.4e-7 |
- * | inverse | 0 |
- * | round trip | 1.6e-45 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 1.35 | found |
+ * | pdf, relative | 1.6e-7 | found |
+ * | realised density, relative | 1.6e-7 | found |
+ * | inverse | 0 | found |
+ * | round trip | 1.9e-45 | found |
  *
  * **Source**
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
@@ -170,13 +172,13 @@ export declare class PowerMax2 extends Warp<number, [number, number]> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 1.1 |
- * | pdf, relative | 1.4e-7 |
- * | realised density, relative | 1.4e-7 |
- * | inverse | 0 |
- * | round trip | 1.6e-45 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 1.35 | found |
+ * | pdf, relative | 1.6e-7 | found |
+ * | realised density, relative | 1.6e-7 | found |
+ * | inverse | 0 | found |
+ * | round trip | 1.9e-45 | found |
  *
  * **Source**
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
@@ -208,13 +210,13 @@ export declare class PowerMax3 extends Warp<number, [number, number, number]> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 1.1 |
- * | pdf, relative | 1.4e-7 |
- * | realised density, relative | 1.4e-7 |
- * | inverse | 0 |
- * | round trip | 1.6e-45 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 1.35 | found |
+ * | pdf, relative | 1.6e-7 | found |
+ * | realised density, relative | 1.6e-7 | found |
+ * | inverse | 0 | found |
+ * | round trip | 1.9e-45 | found |
  *
  * **Source**
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
@@ -244,13 +246,14 @@ export declare class PowerMax4 extends Warp<number, [number, number, number, num
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 2.7 |
- * | pdf, relative | 2.3e-7 |
- * | realised density, relative | 3e-7 + 2.4*s |
- * | inverse | 7e-8 |
- * | round trip | 4e-8 + 2*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 3.2 | found |
+ * | pdf, relative | 2.8e-7 | found |
+ * | realised density, relative | 3.4e-7 + 2.7*s | found |
+ * | pdf with the sample, relative | 1.2e-7 | found |
+ * | inverse | 8.2e-8 | found |
+ * | round trip | 4.3e-8 + 2.2*r | found |
  *
  * s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
@@ -297,13 +300,14 @@ export declare class Exponential extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 2.4 |
- * | pdf, relative | 5.2e-7 |
- * | realised density, relative | 3e-7 + 2*s |
- * | inverse | 6.8e-8 |
- * | round trip | 4e-8 + 2*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 3 | found |
+ * | pdf, relative | 6.5e-7 | found |
+ * | realised density, relative | 3e-7 + 2*s | found |
+ * | pdf with the sample, relative | 6e-8 | found |
+ * | inverse | 8.4e-8 | found |
+ * | round trip | 5.3e-8 + 2.6*r | found |
  *
  * s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
@@ -350,13 +354,14 @@ export declare class ExponentialTail extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 3.9 |
- * | pdf, relative | 2e-7 |
- * | realised density, relative | 2e-7 + 3*s |
- * | inverse | 3e-7 |
- * | round trip | 3e-7 + 2*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 4.1 | found |
+ * | pdf, relative | 2.4e-7 | found |
+ * | realised density, relative | 2.4e-7 + 3.5*s | found |
+ * | pdf with the sample, relative | 4.2e-7 | found |
+ * | inverse | 3e-7 | found |
+ * | round trip | 3e-7 + 2*r | found |
  *
  * s and r are the relative change of the exact density and the change of the exact inverse over one ulp of x.
  *
@@ -400,18 +405,19 @@ export declare class TruncatedExponential extends Warp<number, number> {
  * r_high/((high − low)(D² + t²))`, for D = 0 in proportion to 1/t².
  *
  * **Domain**
- * [low, high], in the unit of length of the parameters. One uniform; t increases with it. `low` and `high` are within
+ * [low, high], in the unit of length of the parameters. One uniform; t increases with it up to rounding: from one
+ * uniform of the grid to the next it steps back by at most 7 ulp, as the table counts them. `low` and `high` are within
  * ±2⁴⁰ (1.1e12) and at least 2⁻⁴⁰ (9e-13) apart. D is from 2⁻⁴⁰ to 2⁴⁰, or 0 where the light lies on the ray and not on
  * the segment: both ends are at least 2⁻⁴⁰ away from it then, on one side.
  *
  * **Accuracy**
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of itself or of a length | 8.3 |
- * | pdf, relative | 4.6e-7 |
- * | realised density, relative | 4e-7 + 5*s |
- * | inverse | 4e-7 |
- * | round trip | 3e-7 + 2*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of itself or of a length | 12 | found |
+ * | pdf, relative | 5.2e-7 | found |
+ * | realised density, relative | 5.6e-7 + 6.8*s | found |
+ * | inverse | 4.8e-7 | found |
+ * | round trip | 3.2e-7 + 2.1*r | found |
  *
  * An ulp is that of t. Where the segment passes the foot it is that of D, or of the longer part where that is shorter
  * than D, as long as t is below. s and r: by how much the exact density, relatively, and the exact inverse change over
@@ -456,13 +462,14 @@ export declare class EquiAngular extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 3.3 |
- * | pdf, relative | 1.9e-7 |
- * | realised density, relative | 1.9e-7 + 3.3*s |
- * | inverse | 1.8e-7 |
- * | round trip | 1.8e-7 + 3.3*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 4 | found |
+ * | pdf, relative | 2.4e-7 | found |
+ * | realised density, relative | 1.9e-7 + 3.3*s | found |
+ * | pdf with the sample, relative | 2.3e-7 | found |
+ * | inverse | 1.8e-7 | found |
+ * | round trip | 1.8e-7 + 3.3*r | found |
  *
  * s and r are the relative change of the density, which falls to 0 at the ends, and the change of the inverse when x
  * moves by one ulp. On the 24-bit grid samples are within 2.4 ulp.
@@ -502,13 +509,14 @@ export declare class Tent extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 0.8 |
- * | pdf, relative | 2.5e-7 |
- * | realised density, relative | 2.5e-7 + 0.55*s |
- * | inverse | 3e-7 |
- * | round trip | 3e-7 + 0.76*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 1 | found |
+ * | pdf, relative | 3.1e-7 | found |
+ * | realised density, relative | 3.2e-7 + 0.7*s | found |
+ * | pdf with the sample, relative | 3.3e-7 | found |
+ * | inverse | 3.3e-7 | found |
+ * | round trip | 3.2e-7 + 0.8*r | found |
  *
  * s and r are the relative change of the density and the change of the inverse when x moves by one ulp. Only samples
  * below 3e-38 are off by more than 0.51 ulp.
@@ -530,7 +538,10 @@ export declare class Linear extends Warp<number, number> {
 /**
  * Normal (Gaussian) with a mean and a standard deviation, one number at a time.
  *
- * x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata.
+ * x = μ + σΦ⁻¹(u), increasing with the uniform, so that strata stay strata: never back from one uniform of the 24-bit
+ * grid to the next, and by at most 2 ulp of location or distance from one word to the next. Up to 2.88σ it comes by a
+ * table of 640 bytes, beyond by a logarithm and a root. Words as far from either end give opposite Φ⁻¹(u), to the last
+ * bit.
  *
  * **Density**
  * e^(−(x−μ)²/2σ²)/(σ√2π), at least 2⁻¹⁴⁹ for every finite x.
@@ -548,21 +559,24 @@ export declare class Linear extends Warp<number, number> {
  * relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * The realised density is stated for |μ| < 1e6 σ. In its formula w is |μ|/σ, and the divisor max(0, 1 − w/1e6) ends it
- * there: it is nearly 1 for common parameters, and beyond 1e6 the densities of neighbouring `f32` differ by a factor. s
- * and r are the relative change of the density and the change of the inverse when x moves by one ulp.
+ * A draw keeps the bound of a sample at the exact middle of its word. The realised density is stated for |μ| < 1e6 σ.
+ * In its formula w is |μ|/σ, and the divisor max(0, 1 − w/1e6) ends it there: it is nearly 1 for common parameters, and
+ * beyond 1e6 the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and
+ * the change of the inverse when x moves by one ulp.
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of location or distance | 5.3 |
- * | pdf, relative | 6e-7 |
- * | realised density, relative | 6e-7 + 4*s/max(0, 1 - w/1e6) |
- * | inverse | 1.8e-7 |
- * | round trip | 1.5e-7 + 3*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of location or distance | 7.1 | found |
+ * | pdf, relative | 7e-7 | found |
+ * | realised density, relative | 7.7e-7 + 5.2*s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 4.8e-7 | found |
+ * | inverse | 2.2e-7 | found |
+ * | round trip | 1.5e-7 + 3*r | found |
  *
  * **Source**
  * M. J. Wichura, "Algorithm AS 241: The Percentage Points of the Normal Distribution", 1988,
- * <https://doi.org/10.2307/2347330>, for the division into regions. The coefficients are this crate's own.
+ * <https://doi.org/10.2307/2347330>, for the division into regions. The table and the coefficients are this crate's
+ * own.
  */
 export declare class Normal extends Warp<number, number> {
   /**
@@ -578,7 +592,7 @@ export declare class Normal extends Warp<number, number> {
 /**
  * Two independent normals (Gaussians) with a common standard deviation, by Box and Muller's map.
  *
- * Radius σ√(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the mean point, cheaper than two quantiles.
+ * Radius σ√(−2 ln(1 − u₁)), angle u₂ turns: a point of the plane about the mean point.
  *
  * **Density**
  * e^(−r²/2σ²)/(2πσ²) per unit area, at least 2⁻¹⁴⁹ for every finite point.
@@ -594,13 +608,14 @@ export declare class Normal extends Warp<number, number> {
  * plus 5.77σ. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
  * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.8e-7 |
- * | pdf, relative | 3.7e-7 |
- * | realised density, relative | 6e-7 + 4.4*s/max(0, 1 - w/1e6) |
- * | inverse | 1.6e-7 |
- * | round trip | 1.5e-7 + 1.8*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 3.3e-7 | found |
+ * | pdf, relative | 4.2e-7 | found |
+ * | realised density, relative | 7.2e-7 + 5.3*s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 3.4e-7 | found |
+ * | inverse | 1.9e-7 | found |
+ * | round trip | 1.5e-7 + 1.8*r | found |
  *
  * w is the larger |μ| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the density
  * and the change of the inverse when the point moves by 2⁻²⁴ of the size. The error of a sample of the standard pair,
@@ -625,10 +640,11 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  * Normal (Gaussian) with mean μ and standard deviation σ, restricted to an interval [a, b], of which one end may be
  * infinite.
  *
- * x = μ + σΦ⁻¹((1 − u)Φ((a − μ)/σ) + uΦ((b − μ)/σ)), increasing with the uniform. No two values of Φ are subtracted.
- * Instead x is found by its distance from x₀, the point of the interval nearest to the mean: over that distance the
- * hazard φ/(1 − Φ) has the integral −ln(1 − f), where f is the share of the tail beyond x₀ that lies before x. So the
- * distance keeps its digits however far out the interval lies and however narrow it is.
+ * x = μ + σΦ⁻¹((1 − u)Φ((a − μ)/σ) + uΦ((b − μ)/σ)), increasing with the uniform, except for single steps back between
+ * neighbours of the grid by at most 3 ulp of x or of σ, whichever is larger. No two values of Φ are subtracted. Instead
+ * x is found by its distance from x₀, the point of the interval nearest to the mean: over that distance the hazard φ/(1
+ * − Φ) has the integral −ln(1 − f), where f is the share of the tail beyond x₀ that lies before x. So the distance
+ * keeps its digits however far out the interval lies and however narrow it is.
  *
  * **Density**
  * e^(−(x−μ)²/2σ²)/(σ√2π(Φ((b − μ)/σ) − Φ((a − μ)/σ))) on [a, b], at least 2⁻¹⁴⁹; else 0.
@@ -646,17 +662,18 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  * *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of location or distance | 10.5 |
- * | pdf, relative | 7.2e-7 |
- * | realised density, relative | 7.2e-7 + 6*s/max(0, 1 - w/1e6) |
- * | inverse | 5.4e-7 |
- * | round trip | 3e-7 + 3.5*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of location or distance | 14 | found |
+ * | pdf, relative | 8.5e-7 | found |
+ * | realised density, relative | 8e-7 + 6.6*s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 5e-6 | found |
+ * | inverse | 6.5e-7 | found |
+ * | round trip | 3.4e-7 + 3.9*r | found |
  *
- * w is |x₀|(1 + c)/σ with c = |x₀ − μ|/σ. No realised density is stated from w = 1e6 on, where densities of
- * neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the inverse
- * when x moves by one such ulp.
+ * A draw keeps the bound of a sample at the exact middle of its word. w is |x₀|(1 + c)/σ with c = |x₀ − μ|/σ. No
+ * realised density is stated from w = 1e6 on, where densities of neighbouring `f32` differ by a factor. s and r are the
+ * relative change of the density and the change of the inverse when x moves by one such ulp.
  *
  * **Source**
  * C. P. Robert, "Simulation of truncated normal variables", 1995, <https://doi.org/10.1007/BF00143942>, for the
@@ -709,13 +726,14 @@ export declare class TruncatedNormal extends Warp<number, number> {
  * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of location or distance | 5 |
- * | pdf, relative | 5e-7 |
- * | realised density, relative | 5e-7 + 3*s/max(0, 1 - w/1e6) |
- * | inverse | 7.5e-8 |
- * | round trip | 7e-8 + 2*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of location or distance | 5.9 | found |
+ * | pdf, relative | 6e-7 | found |
+ * | realised density, relative | 5.8e-7 + 3.4*s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 6e-7 | found |
+ * | inverse | 8.4e-8 | found |
+ * | round trip | 7e-8 + 2*r | found |
  *
  * w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
  * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
@@ -754,13 +772,14 @@ export declare class Cauchy extends Warp<number, number> {
  * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of location or distance | 3 |
- * | pdf, relative | 6.1e-7 |
- * | realised density, relative | 5e-7 + 2*s/max(0, 1 - w/1e6) |
- * | inverse | 6.8e-8 |
- * | round trip | 6e-8 + 2*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of location or distance | 4 | found |
+ * | pdf, relative | 7e-7 | found |
+ * | realised density, relative | 6e-7 + 2.4*s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 1.6e-7 | found |
+ * | inverse | 8.2e-8 | found |
+ * | round trip | 6e-8 + 2*r | found |
  *
  * w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
  * a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
@@ -800,13 +819,14 @@ export declare class Laplace extends Warp<number, number> {
  * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform.
  * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of location or distance | 5.7 |
- * | pdf, relative | 5.8e-7 |
- * | realised density, relative | 5e-7 + 3.3*s/max(0, 1 - w/1e6) |
- * | inverse | 1.1e-7 |
- * | round trip | 1.1e-7 + 1.9*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of location or distance | 5.7 | found |
+ * | pdf, relative | 5.8e-7 | found |
+ * | realised density, relative | 5e-7 + 3.3*s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 3e-7 | found |
+ * | inverse | 1.1e-7 | found |
+ * | round trip | 1.1e-7 + 1.9*r | found |
  *
  * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is
  * stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of
@@ -845,13 +865,14 @@ export declare class Logistic extends Warp<number, number> {
  * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform.
  * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp of location or distance | 5.7 |
- * | pdf, relative | 2.2e-6 |
- * | realised density, relative | 5e-7 + 4.8*s/max(0, 1 - w/1e6) |
- * | inverse | 9.5e-8 |
- * | round trip | 1e-7 + 2.2*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp of location or distance | 5.7 | found |
+ * | pdf, relative | 2.2e-6 | found |
+ * | realised density, relative | 5e-7 + 4.8*s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 5e-7 | found |
+ * | inverse | 9.5e-8 | found |
+ * | round trip | 1e-7 + 2.2*r | found |
  *
  * A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is
  * stated from 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of
@@ -891,13 +912,14 @@ export declare class Gumbel extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 2.3 |
- * | pdf, relative | 8.2e-7 |
- * | realised density, relative | 5e-7 + 2*s |
- * | inverse | 1.05e-7 |
- * | round trip | 1e-7 + 1.5*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 2.7 | found |
+ * | pdf, relative | 9e-7 | found |
+ * | realised density, relative | 5.5e-7 + 2.2*s | found |
+ * | pdf with the sample, relative | 4e-7 | found |
+ * | inverse | 1.2e-7 | found |
+ * | round trip | 1e-7 + 1.5*r | found |
  *
  * s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
  *
@@ -937,13 +959,14 @@ export declare class Rayleigh extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 4.4 + 3.6/k |
- * | pdf, relative | 2.2e-6 |
- * | realised density, relative | 4e-7 + (4.4 + 3.6/k)*s/max(0, 1 - k/1e6) |
- * | inverse | 7.2e-8 |
- * | round trip | 1e-7 + (4.4 + 3.6/k)*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 4.4 + 3.6/k | found |
+ * | pdf, relative | 2.2e-6 | found |
+ * | realised density, relative | 4e-7 + (4.4 + 3.6/k)*s/max(0, 1 - k/1e6) | found |
+ * | pdf with the sample, relative | 6e-7 + 2.9e-7/k | found |
+ * | inverse | 7.2e-8 | found |
+ * | round trip | 1e-7 + (4.4 + 3.6/k)*r | found |
  *
  * A draw keeps the bound of a sample at the exact middle of its word. k is κ. No realised density is stated from 1e6
  * on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and
@@ -984,13 +1007,14 @@ export declare class Weibull extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 4 + 0.8/k |
- * | pdf, relative | 1.4e-7 |
- * | realised density, relative | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) |
- * | inverse | 1.05e-7 |
- * | round trip | 1.1e-7 + (4 + 0.8/k)*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 4 + 0.8/k | found |
+ * | pdf, relative | 1.4e-7 | found |
+ * | realised density, relative | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) | found |
+ * | pdf with the sample, relative | 5.2e-7 + 2.4e-7/k | found |
+ * | inverse | 1.05e-7 | found |
+ * | round trip | 1.1e-7 + (4 + 0.8/k)*r | found |
  *
  * A draw keeps the bound of a sample at the exact middle of its word. k is α. No realised density is stated from 1e6
  * on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and
@@ -1014,7 +1038,8 @@ export declare class Pareto extends Warp<number, number> {
 /**
  * Log-normal with the mean μ and the standard deviation σ of the logarithm: sizes, incomes, products of many factors.
  *
- * x = e^(μ + σΦ⁻¹(u)), increasing with the uniform. The rounding errors of the exponent go into the result.
+ * x = e^μ·2^(σ log₂e·Φ⁻¹(u)), increasing with the uniform: never back from one uniform of the 24-bit grid to the next.
+ * e^μ is known from the constructor; the power comes by a table, Φ⁻¹ as in `Normal`.
  *
  * **Density**
  * e^(−(ln x − μ)²/2σ²)/(xσ√2π) for x > 0, else 0.
@@ -1031,17 +1056,19 @@ export declare class Pareto extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, ulp | 2.1 + 33*d |
- * | pdf, relative | 2.3e-7 + 0.05*s/max(0, 1 - w/1e6) |
- * | realised density, relative | 3e-7 + (2 + 30·d)·s/max(0, 1 - w/1e6) |
- * | inverse | 1.8e-7 + 0.1*r/max(0, 1 - w/1e6) |
- * | round trip | 2e-7 + (2 + 30·d)·r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, ulp | 4.2 + 59*d | found |
+ * | pdf, relative | 2.6e-7 + 0.056*s/max(0, 1 - w/1e6) | found |
+ * | realised density, relative | 3e-7 + (3.7 + 43·d)·s/max(0, 1 - w/1e6) | found |
+ * | pdf with the sample, relative | 7e-7 + 2e-6*d | found |
+ * | inverse | 1.9e-7 + 0.11*r/max(0, 1 - w/1e6) | found |
+ * | round trip | 2.3e-7 + (3 + 46·d)·r | found |
  *
- * d is σ, and w is 1/σ. Little is stated of densities from w = 1e6 on, where those of neighbouring `f32` differ by a
- * factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp. The 33
- * ulp of the sample for each unit of σ come from the last place of Φ⁻¹(u).
+ * A draw keeps the bound of a sample at the exact middle of its word. d is σ, and w is 1/σ. Little is stated of
+ * densities from w = 1e6 on, where those of neighbouring `f32` differ by a factor. s and r are the relative change of
+ * the density and the change of the inverse when x moves by one ulp. The part of the sample's error in proportion to σ
+ * comes from the last places of Φ⁻¹(u), which is −14.2 at its lowest.
  *
  * **Source**
  * J. Aitchison and J. A. C. Brown, "The Lognormal Distribution", 1957.
@@ -1074,13 +1101,13 @@ export declare class LogNormal extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 1.7e-7 |
- * | pdf, relative | 4.5e-8 |
- * | realised density, relative | 4.5e-8 |
- * | inverse | 9.7e-8 |
- * | round trip | 3.9e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 1.7e-7 | proven |
+ * | pdf, relative | 4.5e-8 | exhaustive |
+ * | realised density, relative | 4.5e-8 | exhaustive |
+ * | inverse | 9.7e-8 | found |
+ * | round trip | 3.9e-7 | found |
  *
  * The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
  *
@@ -1113,13 +1140,13 @@ export declare class Disk extends Warp<[number, number], [number, number]> {
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.1e-7 |
- * | pdf, relative | 4.5e-8 |
- * | realised density, relative | 4.5e-8 |
- * | inverse | 1.3e-7 |
- * | round trip | 1.8e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.1e-7 | proven |
+ * | pdf, relative | 4.5e-8 | exhaustive |
+ * | realised density, relative | 4.5e-8 | exhaustive |
+ * | inverse | 1.3e-7 | found |
+ * | round trip | 1.8e-7 | found |
  *
  * The error of a sample is proven for every pair of uniforms: see `docs/proofs.md`.
  *
@@ -1152,13 +1179,13 @@ export declare class DiskConcentric extends Warp<[number, number], [number, numb
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 1.0e-7 |
- * | pdf, relative | 0 |
- * | realised density, relative | 0 |
- * | inverse | 2.0e-7 |
- * | round trip | 6.6e-8 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 1.2e-7 | found |
+ * | pdf, relative | 0 | exhaustive |
+ * | realised density, relative | 0 | exhaustive |
+ * | inverse | 2.45e-7 | found |
+ * | round trip | 8.1e-8 | found |
  *
  * **Source**
  * G. Turk, "Generating Random Points in Triangles", Graphics Gems, 1990.
@@ -1194,13 +1221,13 @@ export declare class Triangle extends Warp<[number, number, number], [number, nu
  * coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
  * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 4.2e-7 |
- * | pdf, relative | 2.6e-7 |
- * | realised density, relative | 2.6e-7 |
- * | inverse | min(1, 5e-7 + 6e-7/h + r) |
- * | round trip | min(1, 5e-7 + 6e-7/h + 6*r) |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 5e-7 | found |
+ * | pdf, relative | 3.1e-7 | found |
+ * | realised density, relative | 3.1e-7 | found |
+ * | inverse | min(1, 7.2e-7 + 8.6e-7/h + 1.4·r) | found |
+ * | round trip | min(1, 5e-7 + 6e-7/h + 6*r) | found |
  *
  * These hold for every triangle accepted. h is the height over the longest side in terms of the size, and r the change
  * of a point's uniforms when each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point within rounding
@@ -1244,13 +1271,13 @@ export declare class TriangleOn2d extends Warp<[number, number], [number, number
  * coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
  * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 4.2e-7 |
- * | pdf, relative | 2.6e-7 |
- * | realised density, relative | 2.6e-7 |
- * | inverse | min(1, 5e-7 + 6e-7/h + r) |
- * | round trip | min(1, 5e-7 + 6e-7/h + 6*r) |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 5e-7 | found |
+ * | pdf, relative | 3.1e-7 | found |
+ * | realised density, relative | 3.1e-7 | found |
+ * | inverse | min(1, 7.2e-7 + 8.6e-7/h + 1.4·r) | found |
+ * | round trip | min(1, 5e-7 + 6e-7/h + 6*r) | found |
  *
  * These hold for every triangle accepted. h is the height over the longest side in terms of the size, and r the change
  * of a point's uniforms when each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point within rounding
@@ -1292,14 +1319,14 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
  * trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 3.9e-7 |
- * | pdf, relative | 3.8e-7 |
- * | realised density, relative | 3.8e-7 + 3.8*s |
- * | pdf with the sample, relative | 5e-7 |
- * | inverse | 3.3e-7 |
- * | round trip | 3.3e-7 + 3.5*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 4e-7 | found |
+ * | pdf, relative | 4.9e-7 | found |
+ * | realised density, relative | 4.5e-7 + 4.5*s | found |
+ * | pdf with the sample, relative | 7.2e-7 | found |
+ * | inverse | 4.1e-7 | found |
+ * | round trip | 4e-7 + 4.2*r | found |
  *
  * **Source**
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", fourth edition, 2023,
@@ -1333,15 +1360,15 @@ export declare class Bilinear extends Warp<[number, number], [number, number]> {
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.1e-7 |
- * | sin θ, ulp | 1.26 |
- * | unit length | 2.1e-7 |
- * | pdf, relative | 4.5e-8 |
- * | realised density, relative | 4.5e-8 |
- * | inverse | 1.1e-7 |
- * | round trip | 1.2e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.1e-7 | proven |
+ * | sin θ, ulp | 1.26 | proven |
+ * | unit length | 2.1e-7 | proven |
+ * | pdf, relative | 4.5e-8 | exhaustive |
+ * | realised density, relative | 4.5e-8 | exhaustive |
+ * | inverse | 1.1e-7 | found |
+ * | round trip | 1.2e-7 | found |
  *
  * The errors of the sample, of sin θ and of the length are proven for every pair of uniforms: see `docs/proofs.md`.
  *
@@ -1373,15 +1400,15 @@ export declare class Sphere extends Warp<[number, number, number], [number, numb
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.0e-7 |
- * | sin θ, ulp | 1.3 |
- * | unit length | 1.9e-7 |
- * | pdf, relative | 4.5e-8 |
- * | realised density, relative | 4.5e-8 |
- * | inverse | 2.2e-7 |
- * | round trip | 4.5e-8 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.0e-7 | proven |
+ * | sin θ, ulp | 1.3 | proven |
+ * | unit length | 1.9e-7 | proven |
+ * | pdf, relative | 4.5e-8 | exhaustive |
+ * | realised density, relative | 4.5e-8 | exhaustive |
+ * | inverse | 2.2e-7 | found |
+ * | round trip | 4.5e-8 | found |
  *
  * The errors of the sample, of sin θ and of the length are proven for every pair of uniforms: see `docs/proofs.md`.
  *
@@ -1413,16 +1440,16 @@ export declare class Hemisphere extends Warp<[number, number, number], [number, 
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 1.7e-7 |
- * | sin θ, ulp | 0.51 |
- * | cos θ, ulp | 0.86 |
- * | unit length | 1.7e-7 |
- * | pdf, relative | 4.9e-7 |
- * | realised density, relative | 2.1e-7 |
- * | inverse | 2.6e-7 |
- * | round trip | 2.4e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 1.7e-7 | proven |
+ * | sin θ, ulp | 0.51 | proven |
+ * | cos θ, ulp | 0.86 | proven |
+ * | unit length | 1.7e-7 | proven |
+ * | pdf, relative | 4.9e-7 | found |
+ * | realised density, relative | 2.1e-7 | found |
+ * | inverse | 2.6e-7 | found |
+ * | round trip | 2.4e-7 | found |
  *
  * The errors of the sample, of sin θ, of cos θ and of the length are proven for every pair of uniforms: see
  * `docs/proofs.md`.
@@ -1457,14 +1484,14 @@ export declare class CosineHemisphere extends Warp<[number, number, number], [nu
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.1e-7 |
- * | unit length | 1.8e-7 |
- * | pdf, relative | 1.3e-7 |
- * | realised density, relative | 2.4e-7 |
- * | inverse | 1.7e-7 |
- * | round trip | 1.6e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.1e-7 | proven |
+ * | unit length | 1.8e-7 | proven |
+ * | pdf, relative | 1.3e-7 | found |
+ * | realised density, relative | 2.4e-7 | found |
+ * | inverse | 1.7e-7 | found |
+ * | round trip | 1.6e-7 | found |
  *
  * The errors of the sample and of the length are proven for every pair of uniforms: see `docs/proofs.md`.
  *
@@ -1501,19 +1528,21 @@ export declare class MalleyHemisphere extends Warp<[number, number, number], [nu
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.1e-7 |
- * | sin θ, ulp | 3.2 |
- * | cos θ, ulp | 45 |
- * | unit length | 2.1e-7 |
- * | pdf, relative | 4.0e-7 |
- * | realised density, relative | min(8e-6, 6e-7 + 15*s) |
- * | inverse | 1.6e-7 |
- * | round trip | 2.2e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.1e-7 | found |
+ * | sin θ, ulp | 3.2 | found |
+ * | cos θ, ulp | 45 | found |
+ * | unit length | 2.1e-7 | found |
+ * | pdf, relative | 4.0e-7 | found |
+ * | realised density, relative | min(8e-6, 6e-7 + 20*s) | found |
+ * | pdf with the sample, relative | 5e-7 + 3e-6/(1 + k) | found |
+ * | inverse | 2.1e-7 | found |
+ * | round trip | 3.1e-7 | found |
  *
- * These hold for every n. s is the relative change of the density when sin θ and cos θ move by an ulp. Azimuths of
- * subnormal x and y, which only uniforms below 2⁻⁶⁴ give, have no more digits in the inverse than x and y have.
+ * k is n; the bounds hold for every n. s is the relative change of the density when sin θ and cos θ move by an ulp.
+ * Azimuths of subnormal x and y, which only uniforms below 2⁻⁶⁴ give, have no more digits in the inverse than x and y
+ * have.
  *
  * **Source**
  * E. P. Lafortune and Y. D. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994,
@@ -1553,16 +1582,16 @@ export declare class PhongLobe extends Warp<[number, number, number], [number, n
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 5e-7 |
- * | sin θ, ulp | 6.6 |
- * | unit length | 2.5e-7 |
- * | pdf, relative | 6.5e-7 |
- * | realised density, relative | 1.6e-6 |
- * | pdf with the sample, relative | 9.7e-7 |
- * | inverse | 4.2e-7 |
- * | round trip | 4.2e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 5e-7 | found |
+ * | sin θ, ulp | 6.6 | found |
+ * | unit length | 2.5e-7 | found |
+ * | pdf, relative | 6.5e-7 | found |
+ * | realised density, relative | 1.6e-6 | found |
+ * | pdf with the sample, relative | 9.7e-7 | found |
+ * | inverse | 4.2e-7 | found |
+ * | round trip | 4.2e-7 | found |
  *
  * These hold for every g and every constructor. They count from the number that it is given: near 1 the rounding of g
  * to an `f32`, up to 3e-8, changes the width of the peak, 1 − |g|, which `fromOneMinusG` and `fromOnePlusG` take as it
@@ -1618,16 +1647,16 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
  * which changes no digit.
  *
  * **Accuracy**
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 3.3e-7 |
- * | sin θ, ulp | 3.2 |
- * | unit length | 2.7e-7 |
- * | pdf, relative | 4e-7 |
- * | realised density, relative | 1.1e-5 |
- * | pdf with the sample, relative | 3.5e-7 |
- * | inverse | 2.8e-7 |
- * | round trip | 3.2e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 3.3e-7 | found |
+ * | sin θ, ulp | 3.2 | found |
+ * | unit length | 2.7e-7 | found |
+ * | pdf, relative | 4e-7 | found |
+ * | realised density, relative | 1.1e-5 | found |
+ * | pdf with the sample, relative | 3.5e-7 | found |
+ * | inverse | 2.8e-7 | found |
+ * | round trip | 3.2e-7 | found |
  *
  * These hold for every κ. The realised density counts the rounding of the direction up to 16.6 times: as far out,
  * 16.6/κ in 1 − cos θ, lies the last uniform. The density that comes with the sample does not know it.
@@ -1667,17 +1696,17 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
  * the uniforms; s and r are what one ulp of the normal changes in density and inverse. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.7e-7 |
- * | sin θ, ulp | 5 |
- * | cos θ, ulp | 5.1 |
- * | unit length | 1.9e-7 |
- * | pdf, relative | 1.1e-6 |
- * | realised density, relative | 1.2e-6 + 1.8*s |
- * | pdf with the sample, relative | 1.5e-6 |
- * | inverse | 1.5e-7 |
- * | round trip | 2.1e-7 + 0.66*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.7e-7 | found |
+ * | sin θ, ulp | 5 | found |
+ * | cos θ, ulp | 5.1 | found |
+ * | unit length | 1.9e-7 | found |
+ * | pdf, relative | 1.1e-6 | found |
+ * | realised density, relative | 1.2e-6 + 1.8*s | found |
+ * | pdf with the sample, relative | 1.5e-6 | found |
+ * | inverse | 1.5e-7 | found |
+ * | round trip | 2.1e-7 + 0.66*r | found |
  *
  * **Source**
  * T. S. Trowbridge and K. P. Reitz, "Average Irregularity Representation of a Rough Surface for Ray Reflection", 1975,
@@ -1720,15 +1749,15 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
  * changes in density and inverse. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.5e-7 + 4.2e-7*q |
- * | unit length | 2.2e-7 |
- * | pdf, relative | 8.5e-7 + 2.2*s |
- * | realised density, relative | 1.4e-6 + 6.6·s + 8e-7·q |
- * | pdf with the sample, relative | 9.3e-7 + 6e-7*q |
- * | inverse | 7.7e-7 + 9.8*r |
- * | round trip | 6.4e-7 + 8.1*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.5e-7 + 4.2e-7*q | found |
+ * | unit length | 2.2e-7 | found |
+ * | pdf, relative | 8.5e-7 + 2.2*s | found |
+ * | realised density, relative | 1.4e-6 + 6.6·s + 8e-7·q | found |
+ * | pdf with the sample, relative | 9.3e-7 + 6e-7*q | found |
+ * | inverse | 7.7e-7 + 9.8*r | found |
+ * | round trip | 6.4e-7 + 8.1*r | found |
  *
  * Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
  * sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 1e-12, next to the
@@ -1764,8 +1793,7 @@ export declare class GgxVisible extends Warp<[number, number, number], [number, 
  *
  * With k = 1 − cos θmax and q = u₁k: sin θ = √(q(2 − q)), cos θ = 1 − q. The warp stores k, and 2 − k beside it,
  * because k keeps its digits where cos θmax has rounded to 1. A cone of 1e-19 rad samples as accurately as a wide one.
- * Where q leaves the range of `f32`, the roots of its factors are multiplied instead, so that sin θ is 0 at u₁ = 0
- * alone.
+ * k is kept times a power of two, so that no product underflows and sin θ is 0 at u₁ = 0 alone.
  *
  * **Density**
  * 1/(2πk) per steradian inside the cone, and a few ulp beyond its rim; 0 elsewhere. `pdf(w) > 0` is no hit test:
@@ -1782,15 +1810,15 @@ export declare class GgxVisible extends Warp<[number, number, number], [number, 
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 3.3e-7 |
- * | sin θ, ulp | 3.5 |
- * | unit length | 2.5e-7 |
- * | pdf, relative | 3.5e-7 |
- * | realised density, relative | 3.5e-7 |
- * | inverse | 4.9e-7 |
- * | round trip | 7e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 3.3e-7 | found |
+ * | sin θ, ulp | 3.5 | found |
+ * | unit length | 2.5e-7 | found |
+ * | pdf, relative | 3.5e-7 | found |
+ * | realised density, relative | 3.5e-7 | found |
+ * | inverse | 4.9e-7 | found |
+ * | round trip | 7e-7 | found |
  *
  * These hold for every cone of each constructor. Azimuths of subnormal x and y, which only uniforms below 2⁻⁶⁴ give,
  * have no more digits in the inverse than x and y have.
@@ -1855,14 +1883,14 @@ export declare class Cone extends Warp<[number, number, number], [number, number
  * density* are relative, *inverse* and *round trip* are absolute errors of the uniforms; r is what one rounding of the
  * direction changes in them. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 8e-7 |
- * | unit length | 4.5e-7 |
- * | pdf, relative | 7.8e-7 |
- * | realised density, relative | 7.8e-7 |
- * | inverse | min(1, 5e-7 + 13*r) |
- * | round trip | min(1, 5e-7 + 5.1*r) |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 8e-7 | found |
+ * | unit length | 4.5e-7 | found |
+ * | pdf, relative | 7.8e-7 | found |
+ * | realised density, relative | 7.8e-7 | found |
+ * | inverse | min(1, 5e-7 + 13*r) | found |
+ * | round trip | min(1, 5e-7 + 5.1*r) | found |
  *
  * In both tiers k is right to 6e-7 and the distance to 1e-6, relatively. The distance belongs to the uniforms, and
  * loses digits where it is below 1e-37, or the point nearer to the surface than 1e-37 radii.
@@ -1903,14 +1931,14 @@ export declare class VisibleSphere extends Warp<[number, number, number], [numbe
  * in the last place (ulp). *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 6.1e-7 |
- * | unit length | 2.9e-7 |
- * | pdf, relative | 6.5e-7 |
- * | realised density, relative | 6.5e-7 |
- * | inverse | min(1, 2.4e-7 + 6e-7*q/c + 1.3e-7/w) |
- * | round trip | min(1, 2.1e-7 + 6.2e-7*q/c + 1.2e-7/w) |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 6.1e-7 | found |
+ * | unit length | 2.9e-7 | found |
+ * | pdf, relative | 6.5e-7 | found |
+ * | realised density, relative | 6.5e-7 | found |
+ * | inverse | min(1, 2.4e-7 + 6e-7*q/c + 1.3e-7/w) | found |
+ * | round trip | min(1, 2.1e-7 + 6.2e-7*q/c + 1.2e-7/w) | found |
  *
  * These hold for every patch: c is cos θ₀ − cos θ₁, w the width φ₁ − φ₀ in turns, and q the smaller of 1 − cos θ₁ and 1
  * + cos θ₀.
@@ -1941,48 +1969,48 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
  * triangle, and the barycentric coordinates are the weights over the distances.
  *
  * **Density**
- * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 4e-7·q rad from a side, and farther
+ * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 2.4e-6·q rad from a side, and farther
  * beyond a sharp corner. A world direction is rounded to 6e-8 rad, so that it cannot tell inside from outside in a
  * triangle a few times wider than that. Hence:
  *
- * - `pdf(w) > 0` is no hit test. Take the density of directions that meet the triangle, or the one that comes with the
- *   sample. The density of a triangle of 1e-3 rad integrates over all directions to 1.003, that of 1e-6 rad (4e-13 sr)
- *   to about 9.
+ * - `pdf(w) > 0` is no hit test. The density of a triangle of 1e-3 rad integrates over all directions to 1.02, that of
+ *   1e-6 rad (4e-13 sr) to about 80.
  *
- * Where q is above 64 before the inside, the point is so close to the triangle that area is sampled instead, unless a
- * vertex is 64 times as near as another. Densities and the inverse are then those of area, distance²/(cos θ · area) per
- * steradian.
+ * Close to the triangle the density is as constant as far away, and right; the directions lose digits with q.
  *
  * **Domain**
  * - Point: unit vectors in world space. The triangle is seen from both sides.
  * - Uniforms: two. The first vertex is at u₁ = 0; from the second to the third, u₂ grows.
- * - Parameters: coordinates up to 2⁶⁰ (1e18), a longest edge of at least 2⁻⁶⁰. With L the distance of the farthest
- *   vertex and E the longest edge, E and each vertex's distance are at least 2⁻³⁰ L (E = 2⁻³⁰ L is 1e-18 sr), and the
- *   determinant of the three vertices, taken from the point, at least 2⁻²⁸ L E².
+ * - Parameters: vertices with edges and distances of at most 2⁶⁰ (1e18), not all of them below 2⁻⁶⁰, that are seen
+ *   under 1e-18 sr or more. Seen from their edge, or of a sharp first corner, they have g of at least 2⁻²⁸. With L the
+ *   distance of the first vertex and E the longer edge from there, g is the determinant of the three vertices, taken
+ *   from the point, over L E².
+ * - A point from which a side is seen under nearly half a turn, 1 + cos being below 2⁻²¹, or the solid angle is within
+ *   0.002 sr of 2π, counts as one on the triangle.
  * - q, the nearness, is 1 over the distance of the point from the plane triangle of three unit vectors, those to the
  *   vertices. It is 1 for small triangles, 2 for an octant, and about half the size over the height close to a
- *   triangle. Above 1024 the point counts as one on the triangle.
+ *   triangle.
  *
  * **Accuracy**
  * *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
  * barycentric coordinates. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of
  * the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 4.7e-7*q |
- * | unit length | 1.9e-7 |
- * | place on it | 1.02e-6 |
- * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
- * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
- * | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a |
- * | inverse | min(1, 5e-7 + 5e-7·q + (13 + 0.8·q)·r + 3e-8/h) |
- * | round trip | min(1, 5e-7 + 5e-7·q + (14 + q)·r + 3e-8/h) |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 5.8e-7*q | found |
+ * | unit length | 1.9e-7 | found |
+ * | place on it | 5e-7 + (2 + q)·p | found |
+ * | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
+ * | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
+ * | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
+ * | inverse | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) | found |
+ * | round trip | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) | found |
  *
- * These hold for every triangle accepted. a is q where area is sampled and 0 elsewhere, g the determinant over L E²; s
- * and r are the relative change of the density and the change of the uniforms when each coordinate of the direction
- * moves by 2⁻²⁴. h is the sine of the smallest height: the second uniform of a direction within rounding of the first
- * vertex, where √u₁ h is below 2⁻²⁰, is lost.
+ * These hold for every triangle accepted. p is the change of the place when each uniform and each coordinate of the
+ * direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of
+ * the smallest height: the second uniform of a direction within rounding of the first vertex, where √u₁ h is below
+ * 2⁻²⁰, is lost.
  *
  * **Source**
  * J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995, <https://doi.org/10.1145/218380.218500>, and A.
@@ -1994,7 +2022,7 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
    * The directions from `point` to the triangle with these vertices, from either side.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for a coordinate beyond 2⁶⁰, Empty (code 3) for
+   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for distances beyond about 2⁶⁰, Empty (code 3) for
    * coincident vertices and for a triangle that is too small, too thin or seen too much from its edge, NotNormalizable
    * (code 8) for a point on the triangle. The section on the domain says where these begin.
    */
@@ -2009,40 +2037,35 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
  * sweeps the solid angle from the first edge to the second, and the map has no seam at the diagonal.
  *
  * **Density**
- * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples, 4e-7·q rad. What `SphericalTriangle`
- * says of small triangles and of `pdf(w) > 0` holds here, too.
- *
- * Where q is above 64 before the inside, the point is so close to the rectangle that area is sampled instead, unless a
- * corner is 64 times as near as another. Densities and the inverse are then those of area, distance²/(cos θ · area) per
- * steradian.
+ * 1/Ω per steradian inside and 0 outside, farther than the rounding of samples, 2.4e-6·q rad. What `SphericalTriangle`
+ * says of small triangles, of close points and of `pdf(w) > 0` holds here, too.
  *
  * **Domain**
  * - Point: unit vectors in world space. The rectangle is seen from both sides.
- * - Uniforms: two. The corner is at u₁ = 0; from the first edge to the second, u₂ grows. Where area is sampled they are
- *   the coordinates along the edges.
- * - Parameters: those of `SphericalTriangle` for both halves; g is the smaller determinant and q the larger nearness of
- *   the two. The edges are taken as they are given, so that a small one keeps its digits far from 0.
+ * - Uniforms: two. The corner is at u₁ = 0; from the first edge to the second, u₂ grows.
+ * - Parameters: those of `SphericalTriangle` for both halves, g being taken with the two edges and q the larger
+ *   nearness of the two. The edges are taken as they are given, so that a small one keeps its digits far from 0.
  *
  * **Accuracy**
  * *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
  * coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute
  * errors of the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 4.4e-7*q + 2e-14/g |
- * | unit length | 1.9e-7 |
- * | place on it | 4.5e-7 + 3*p + 8e-14/g |
- * | pdf, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + 4·s |
- * | realised density, relative | 1.4e-6 + 6e-15/g + 4.2e-7·a + (2 + a)·s |
- * | pdf with the sample, relative | 1.4e-6 + 6e-15/g + 4.2e-7*a |
- * | inverse | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
- * | round trip | min(1, 5e-7 + 5e-7·q + (6 + 0.22·q)·r + 3e-8/h) |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 5.4e-7*q | found |
+ * | unit length | 1.9e-7 | found |
+ * | place on it | 5e-7 + (1.6 + 0.5·q)·p | found |
+ * | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
+ * | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
+ * | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
+ * | inverse | min(1, 5e-7 + 5e-7·q + (13 + 0.5·q)·r + 1.9e-7/h) | found |
+ * | round trip | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | found |
  *
- * These hold for every rectangle accepted. a is q where area is sampled and 0 elsewhere; s and r are the relative
- * change of the density and the change of the uniforms when each coordinate of the direction moves by 2⁻²⁴, and p is
- * the change of the place when the second uniform does. h is the sine of the smallest height of both halves: the second
- * uniform of a direction within rounding of the corner, where √u₁ h is below 2⁻²⁰, is lost.
+ * These hold for every rectangle accepted. p is the change of the place when each uniform and each coordinate of the
+ * direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of
+ * the smallest height of both halves: the second uniform of a direction within rounding of the corner, where √u₁ h is
+ * below 2⁻²⁰, is lost.
  *
  * **Source**
  * C. Ureña, M. Fajardo and A. King, "An Area-Preserving Parametrization for Spherical Rectangles", 2013,
@@ -2054,9 +2077,9 @@ export declare class SphericalRectangle extends Warp<[number, number, number], [
    * right angles.
    *
    * @throws RangeError:
-   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for a coordinate beyond 2⁶⁰, ZeroLength (code 9) for an
-   * edge of length 0, Empty (code 3) for a rectangle that is too small, too thin or seen too much from its edge,
-   * NotNormalizable (code 8) for a point on the rectangle. The section on the domain says where these begin.
+   * NotFinite (code 1) for NaN or infinity, TooLarge (code 4) for distances and edges beyond about 2⁶⁰, ZeroLength
+   * (code 9) for an edge of length 0, Empty (code 3) for a rectangle that is too small, too thin or seen too much from
+   * its edge, NotNormalizable (code 8) for a point on the rectangle. The section on the domain says where these begin.
    */
   constructor(point: Vector3, corner: Vector3, edges: readonly [Vector3, Vector3]);
 }
@@ -2078,13 +2101,13 @@ export declare class SphericalRectangle extends Warp<[number, number, number], [
  * relative errors of densities and absolute errors of uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | sqrt(n) * max(2e-7, 2.3e-45/m) |
- * | pdf, relative | 6.2e-8 |
- * | realised density, relative | 6.2e-8 |
- * | inverse | 1.8e-7 |
- * | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | found |
+ * | pdf, relative | 7.8e-8 | found |
+ * | realised density, relative | 7.8e-8 | found |
+ * | inverse | 2e-7 | found |
+ * | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r | found |
  *
  * n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it can
  * be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
@@ -2120,13 +2143,13 @@ export declare class Aabb2d extends Warp<[number, number], [number, number]> {
  * relative errors of densities and absolute errors of uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | sqrt(n) * max(2e-7, 2.3e-45/m) |
- * | pdf, relative | 6.2e-8 |
- * | realised density, relative | 6.2e-8 |
- * | inverse | 1.8e-7 |
- * | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | found |
+ * | pdf, relative | 7.8e-8 | found |
+ * | realised density, relative | 7.8e-8 | found |
+ * | inverse | 2e-7 | found |
+ * | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r | found |
  *
  * n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it can
  * be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
@@ -2167,13 +2190,13 @@ export declare class Aabb3d extends Warp<[number, number, number], [number, numb
  * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 4.6e-7 |
- * | pdf, relative | 7.8e-8 |
- * | realised density, relative | 7.8e-8 |
- * | inverse | 2e-7/w |
- * | round trip | 1.8e-7/w + 3.3*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 4.6e-7 | found |
+ * | pdf, relative | 7.8e-8 | found |
+ * | realised density, relative | 7.8e-8 | found |
+ * | inverse | 2e-7/w | found |
+ * | round trip | 1.8e-7/w + 3.3*r | found |
  *
  * w is the width in turns. r is the change of the inverse when the point moves by 2⁻²⁴ of the outer radius. Before its
  * coordinates are rounded, the radius is that of a uniform at most 3.3e-7 away, in a ring of any width.
@@ -2220,13 +2243,13 @@ export declare class Annulus extends Warp<[number, number], [number, number]> {
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 3.3e-7 |
- * | pdf, relative | 1e-8 |
- * | realised density, relative | 1e-8 |
- * | inverse | 2.8e-7 |
- * | round trip | 1.1e-6 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 3.3e-7 | found |
+ * | pdf, relative | 1e-8 | exhaustive |
+ * | realised density, relative | 1e-8 | exhaustive |
+ * | inverse | 2.8e-7 | found |
+ * | round trip | 1.1e-6 | found |
  *
  * **Source**
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
@@ -2259,13 +2282,13 @@ export declare class Ball extends Warp<[number, number, number], [number, number
  * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 1.75e-7 |
- * | pdf, relative | 5.5e-9 |
- * | realised density, relative | 5.5e-9 |
- * | inverse | 9.6e-8 |
- * | round trip | 1.4e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 2.1e-7 | found |
+ * | pdf, relative | 5.5e-9 | exhaustive |
+ * | realised density, relative | 5.5e-9 | exhaustive |
+ * | inverse | 1.15e-7 | found |
+ * | round trip | 2.4e-7 | found |
  *
  * **Source**
  * K. Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992,
@@ -2300,13 +2323,13 @@ export declare class Rotation extends Warp<[number, number, number, number], [nu
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.7e-7 |
- * | pdf, relative | 2.3e-7 |
- * | realised density, relative | 2.3e-7 |
- * | inverse | 5.1e-7 |
- * | round trip | 7e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 3.2e-7 | found |
+ * | pdf, relative | 2.8e-7 | found |
+ * | realised density, relative | 2.8e-7 | found |
+ * | inverse | 6.5e-7 | found |
+ * | round trip | 7.3e-7 | found |
  *
  * **Source**
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
@@ -2346,16 +2369,16 @@ export declare class RegularPolygon extends Warp<[number, number], [number, numb
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 1.05e-7*sqrt(n) |
- * | pdf, relative | 0 |
- * | realised density, relative | 0 |
- * | inverse | 1.2e-7 + 3.4e-8*n |
- * | round trip | 1.3e-7 + 3.5e-8*n |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 1e-7 + 5.5e-8*n | found |
+ * | pdf, relative | 6e-8 | exhaustive |
+ * | realised density, relative | 6e-8 | exhaustive |
+ * | inverse | 1.6e-7 + 5.5e-8*n | found |
+ * | round trip | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) | found |
  *
- * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n +
- * 1)·3e-7, unless it is subnormal. Their sum is 1 to 1e-7·√n.
+ * n is the number of dimensions. The relative error of the jth share is at most j·3.5e-7, and that of the rest (n +
+ * 1)·3.5e-7, unless it is subnormal. Their sum is 1 to 1e-7 + 5.5e-8·n.
  *
  * **Source**
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
@@ -2390,16 +2413,16 @@ export declare class Simplex2 extends Warp<[number, number, number], [number, nu
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 1.05e-7*sqrt(n) |
- * | pdf, relative | 0 |
- * | realised density, relative | 0 |
- * | inverse | 1.2e-7 + 3.4e-8*n |
- * | round trip | 1.3e-7 + 3.5e-8*n |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 1e-7 + 5.5e-8*n | found |
+ * | pdf, relative | 6e-8 | exhaustive |
+ * | realised density, relative | 6e-8 | exhaustive |
+ * | inverse | 1.6e-7 + 5.5e-8*n | found |
+ * | round trip | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) | found |
  *
- * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n +
- * 1)·3e-7, unless it is subnormal. Their sum is 1 to 1e-7·√n.
+ * n is the number of dimensions. The relative error of the jth share is at most j·3.5e-7, and that of the rest (n +
+ * 1)·3.5e-7, unless it is subnormal. Their sum is 1 to 1e-7 + 5.5e-8·n.
  *
  * **Source**
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
@@ -2434,16 +2457,16 @@ export declare class Simplex3 extends Warp<[number, number, number, number], [nu
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 1.05e-7*sqrt(n) |
- * | pdf, relative | 0 |
- * | realised density, relative | 0 |
- * | inverse | 1.2e-7 + 3.4e-8*n |
- * | round trip | 1.3e-7 + 3.5e-8*n |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 1e-7 + 5.5e-8*n | found |
+ * | pdf, relative | 6e-8 | exhaustive |
+ * | realised density, relative | 6e-8 | exhaustive |
+ * | inverse | 1.6e-7 + 5.5e-8*n | found |
+ * | round trip | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) | found |
  *
- * n is the number of dimensions. The relative error of the jth share is at most j·3e-7, and that of the rest (n +
- * 1)·3e-7, unless it is subnormal. Their sum is 1 to 1e-7·√n.
+ * n is the number of dimensions. The relative error of the jth share is at most j·3.5e-7, and that of the rest (n +
+ * 1)·3.5e-7, unless it is subnormal. Their sum is 1 to 1e-7 + 5.5e-8·n.
  *
  * **Source**
  * L. Devroye, "Non-Uniform Random Variate Generation", 1986, <https://doi.org/10.1007/978-1-4613-8643-8>.
@@ -2481,13 +2504,13 @@ export declare class Simplex4 extends Warp<[number, number, number, number, numb
  * to `f32`. *Inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 4.2e-7 |
- * | pdf, relative | 6e-7 |
- * | realised density, relative | 6e-7 |
- * | inverse | 2.5e-7 |
- * | round trip | 2.5e-7 + 1.5*r |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 5.2e-7 | found |
+ * | pdf, relative | 8.7e-7 | found |
+ * | realised density, relative | 8.7e-7 | found |
+ * | inverse | 3e-7 | found |
+ * | round trip | 2.5e-7 + 1.5*r | found |
  *
  * r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
  *
@@ -2530,16 +2553,16 @@ export declare class BoxSurface extends Warp<[number, number, number, number, nu
  * height. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms.
  * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 3.7e-7 |
- * | pdf, relative | 4e-7 |
- * | realised density, relative | 4e-7 |
- * | inverse | min(1, 4.5e-7 + 7.5e-7*g) |
- * | round trip | min(1, 4.5e-7 + 7.5e-7*g) |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 4.6e-7 | found |
+ * | pdf, relative | 5e-7 | found |
+ * | realised density, relative | 5e-7 | found |
+ * | inverse | min(1, 4.8e-7 + 8e-7*g) | found |
+ * | round trip | min(1, 5.8e-7 + 9.6e-7*g) | found |
  *
  * g is the share of the side in the area, times the size over the length ℓ of the side: above 2 for a narrow ring
- * alone. The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.1e-7, absolutely.
+ * alone. The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 3.4e-7, absolutely.
  *
  * **Source**
  * M. Pharr, W. Jakob and G. Humphreys, *Physically Based Rendering*, 4th edition, 2023, section 6.3:
@@ -2585,15 +2608,15 @@ export declare class FrustumSurface extends Warp<[number, number, number, number
  * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` |
- * |---|--:|
- * | sample, of the size | 2.5e-7 |
- * | pdf, relative | 2.5e-7 |
- * | realised density, relative | 2.5e-7 |
- * | inverse | 1.7e-7 |
- * | round trip | 2.5e-7 |
+ * | error | `poly` | kind |
+ * |---|--:|---|
+ * | sample, of the size | 3.1e-7 | found |
+ * | pdf, relative | 3e-7 | found |
+ * | realised density, relative | 3e-7 | found |
+ * | inverse | 2e-7 | found |
+ * | round trip | 2.5e-7 | found |
  *
- * The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 1.7e-7, absolutely.
+ * The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.6e-7, absolutely.
  *
  * **Source**
  * E. W. Weisstein, "Archimedes' Hat-Box Theorem", <https://mathworld.wolfram.com/ArchimedesHat-BoxTheorem.html>.

@@ -9,12 +9,13 @@ use crate::error::Error;
 use crate::num::{two_product, two_sum};
 use crate::tier::{Tier, sqrt};
 
-/// 2⁶⁰, 2⁻⁶⁰: the largest and the smallest size of a light and its distance together.
-const LONG: f32 = 1_152_921_504_606_846_976.0;
-const SHORT: f32 = 1.0 / LONG;
+/// 2⁶³ and 2⁻⁶⁰: the largest and the smallest size of a light and its distance together, as the sum of the magnitudes of all
+/// coordinates. Edges and distances of 2⁶⁰ have less.
+const LONG: f32 = 9_223_372_036_854_775_808.0;
+const SHORT: f32 = 8.0 / LONG;
 
-/// 2⁵⁶ and 2⁻¹⁶: between these nothing below overflows or loses its digits.
-const LARGE: f32 = 72_057_594_037_927_936.0;
+/// 2⁴⁰ and 2⁻¹⁶: between these products of three lengths neither overflow nor lose their digits.
+const LARGE: f32 = 1_099_511_627_776.0;
 const SMALL: f32 = 1.525_878_9e-5;
 
 /// How many times the volume of a way and two edges may be smaller than their cross product, and that smaller than the product
@@ -39,9 +40,12 @@ const ON_SIDE: f32 = 4.0 * f32::EPSILON;
 /// 2⁻¹⁰, what half the solid angle lacks of half a turn at least, in radians: nearer to it, the point lies on the light.
 const ON: f32 = 9.765_625e-4;
 
-/// 2⁻¹²: a light is thin where the volume of its unit corners is smaller, and its solid angle below that of a quarter of all
+/// 2⁻¹²: a light is thin where the volume of its unit corners is smaller, and its solid angle below that of an eighth of all
 /// directions.
 const THIN: f32 = 2.441_406_2e-4;
+
+/// 2⁻⁷⁴: the square of a shorter edge is 0.
+const SHORTEST: f32 = 5.293_956e-23;
 
 /// How far rounding can carry a sample over a side, as an angle, beside half of the longest side. A proof, in units of 2⁻²⁴:
 /// the corners of a rectangle are off by 10 where they are four times as near as its first one, and by 1 for their own
@@ -107,8 +111,8 @@ pub(super) fn unit(size: f32, vectors: [[f32; 3]; 4]) -> Result<f32, Error> {
         Err(Error::Empty)
     } else if size < SMALL {
         Ok(17_592_186_044_416.0)
-    } else if size <= 2.0 * LONG {
-        Ok(0.003_906_25)
+    } else if size <= LONG {
+        Ok(LARGE / LONG)
     } else {
         Err(Error::TooLarge)
     }
@@ -222,7 +226,7 @@ pub(super) fn other_corners(
 /// Whether a light of this volume and half solid angle is not thin.
 #[inline]
 pub(super) fn is_wide(volume: f32, half: f32) -> bool {
-    volume > THIN || half > 0.25
+    volume > THIN || half > 0.125
 }
 
 /// Why a light is none, the cosine of half the solid angle being of any length: a flat or a small one, or one on which
@@ -449,7 +453,7 @@ pub(super) fn holds<const N: usize>(
     let rim = RIM / (0.5 * sqrt(least));
     let mut inside = is_direction(direction);
     for (corner, edge) in corners.iter().zip(edges) {
-        let slack = rim * sqrt(dot(edge, edge));
+        let slack = rim * (sqrt(dot(edge, edge)) + SHORTEST);
         inside &= sign * height(direction, *corner, edge) >= -slack;
     }
     // Directions opposite to a thin light are beyond its sides by no more than rounding, too. Where they are in its plane, only
@@ -481,7 +485,8 @@ pub(super) fn carried_back<const N: usize>(
         let normal = cross(corner, edge);
         let height = dot(minus(direction, corner), normal);
         let part = height / dot(normal, normal);
-        if sign * height < 0.0 && part * height > most {
+        // The square of a side may have been too small, and the quotient infinite.
+        if sign * height < 0.0 && part * height > most && part.abs() < f32::MAX {
             most = part * height;
             back = minus(direction, times(normal, part));
         }

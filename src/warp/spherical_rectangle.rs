@@ -2,11 +2,11 @@
 
 use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
-use super::{Invert, Warp, drawn_with_pdf};
+use super::{Invert, Warp};
 use crate::error::Error;
 use crate::num::into_unit;
 use crate::tier::{Tier, sqrt};
-use crate::uniform::{Canonical, Uniforms};
+use crate::uniform::Uniforms;
 use core::f32::consts::PI;
 use core::marker::PhantomData;
 
@@ -21,8 +21,8 @@ use core::marker::PhantomData;
 ///
 /// # Density
 /// 1/Ω per steradian inside and 0 outside, farther than the rounding of samples, 2.4e-6·q rad. What
-/// [`SphericalTriangle`](super::SphericalTriangle#density) says of small triangles, of close points and of `pdf(w) > 0` holds
-/// here, too.
+/// [`SphericalTriangle`](super::SphericalTriangle#density) says of small triangles, of close points and of `pdf(w) > 0` holds here,
+/// too.
 ///
 /// # Domain
 /// - Point: unit vectors in world space. The rectangle is seen from both sides.
@@ -133,7 +133,7 @@ impl<T: Tier> SphericalRectangle<T> {
     /// at right angles.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for distances and edges beyond 2⁶⁰,
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for distances and edges beyond about 2⁶⁰,
     /// [`Error::ZeroLength`] for an edge of length 0, [`Error::Empty`] for a rectangle that is too small, too thin or seen
     /// too much from its edge, [`Error::NotNormalizable`] for a point on the rectangle. The section on the domain says where
     /// these begin.
@@ -333,16 +333,16 @@ impl<T: Tier> PlanarMap<3> for SphericalRectangle<T> {
         let (_, weights, corners) = self.weights(u1, u2);
         *to = seen::direction(corners, weights);
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.density
+    }
 }
 
 impl<T: Tier> Warp for SphericalRectangle<T> {
-    planar!(3, where T::VECTORS);
-    drawn_with_pdf!();
-
-    #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
-        (self.sample_canonical(u), self.density)
-    }
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {

@@ -2,11 +2,11 @@
 
 use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
-use super::{Invert, Warp, drawn_with_pdf};
+use super::{Invert, Warp};
 use crate::error::Error;
 use crate::num::into_unit;
 use crate::tier::{Tier, sqrt};
-use crate::uniform::{Canonical, Uniforms};
+use crate::uniform::Uniforms;
 use core::f32::consts::PI;
 use core::marker::PhantomData;
 
@@ -22,8 +22,8 @@ use core::marker::PhantomData;
 ///
 /// # Density
 /// 1/Ω per steradian inside and 0 outside, farther than the rounding of samples: 2.4e-6·q rad from a side, and farther beyond
-/// a sharp corner. A world direction is rounded to 6e-8 rad, so that it cannot tell inside
-/// from outside in a triangle a few times wider than that. [`Oriented`](super::Oriented) says more. Hence:
+/// a sharp corner. A world direction is rounded to 6e-8 rad, so that it cannot tell inside from outside in a triangle a few
+/// times wider than that. [`Oriented`](super::Oriented) says more. Hence:
 ///
 /// - `pdf(w) > 0` is no hit test. Take [`density`](SphericalTriangle::density) for directions that meet the triangle, or the
 ///   one that comes with the sample. The density of a triangle of 1e-3 rad integrates over all directions to 1.02, that of
@@ -37,7 +37,7 @@ use core::marker::PhantomData;
 /// # Domain
 /// - Point: unit vectors in world space. The triangle is seen from both sides.
 /// - Uniforms: two. The first vertex is at u₁ = 0; from the second to the third, u₂ grows.
-/// - Parameters: vertices whose edges and distances are at most 2⁶⁰ (1e18), not all of them below 2⁻⁶⁰, and are seen under
+/// - Parameters: vertices with edges and distances of at most 2⁶⁰ (1e18), not all of them below 2⁻⁶⁰, that are seen under
 ///   1e-18 sr or more. Seen from their edge, or of a sharp first corner, they have g of at least 2⁻²⁸. With L the distance of
 ///   the first vertex and E the longer edge from there, g is the determinant of the three vertices, taken from the point,
 ///   over L E².
@@ -110,8 +110,9 @@ pub struct SphericalTriangle<T> {
     /// The directions of the vertices, and the reciprocals of their distances in a unit of length.
     corners: [[f32; 3]; 3],
     inverses: [f32; 3],
-    /// The edges from the first vertex in that unit, and the sign of the volume.
-    edges: [[f32; 3]; 2],
+    /// The edges in that unit, from each vertex to the next but the last, which leads from the first; and the sign of the
+    /// volume.
+    edges: [[f32; 3]; 3],
     sign: f32,
     map: Half,
     /// Half the solid angle, in turns.
@@ -136,7 +137,7 @@ impl<T: Tier> SphericalTriangle<T> {
     /// The directions from `point` to the triangle with these vertices, from either side.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for distances beyond 2⁶⁰, [`Error::Empty`] for
+    /// [`Error::NotFinite`] for NaN or infinity, [`Error::TooLarge`] for distances beyond about 2⁶⁰, [`Error::Empty`] for
     /// coincident vertices and for a triangle that is too small, too thin or seen too much from its edge,
     /// [`Error::NotNormalizable`] for a point on the triangle. The section on the domain says where these begin.
     #[allow(clippy::inline_always, reason = "what is not used is not computed")]
@@ -144,12 +145,14 @@ impl<T: Tier> SphericalTriangle<T> {
     pub fn new(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<Self, Error> {
         let [a, b, c] = vertices;
         let [mut p, mut q, mut r] = vertices.map(|vertex| seen::minus(vertex, point));
-        let (mut x, mut y) = (seen::minus(b, a), seen::minus(c, a));
+        // The edge across is no difference of the others: it may be far shorter.
+        let [mut x, mut across, mut y] =
+            [(b, a), (c, b), (c, a)].map(|(to, from)| seen::minus(to, from));
         let mut unit = 1.0;
         let size = seen::span(p) + seen::span(x) + seen::span(y);
         if !seen::is_plain(size) {
             unit = seen::unit(size, [point, a, b, c])?;
-            [p, q, r, x, y] = [p, q, r, x, y].map(|way| seen::times(way, unit));
+            [p, q, r, x, across, y] = [p, q, r, x, across, y].map(|way| seen::times(way, unit));
         }
         let [la, lb, lc] = [p, q, r].map(|way| sqrt(seen::dot(way, way)));
         let (ia, ib, ic) = (1.0 / la, 1.0 / lb, 1.0 / lc);
@@ -177,7 +180,7 @@ impl<T: Tier> SphericalTriangle<T> {
         Ok(Self {
             corners: [a, b, c],
             inverses: [ia, ib, ic],
-            edges: [x, y],
+            edges: [x, across, y],
             sign,
             map: Half {
                 volume,
@@ -248,8 +251,8 @@ impl<T: Tier> SphericalTriangle<T> {
     /// The edge from each vertex to the next.
     #[inline]
     fn sides(&self) -> [[f32; 3]; 3] {
-        let [x, y] = self.edges;
-        [x, seen::minus(y, x), seen::times(y, -1.0)]
+        let [x, across, y] = self.edges;
+        [x, across, seen::times(y, -1.0)]
     }
 }
 
@@ -258,22 +261,22 @@ impl<T: Tier> PlanarMap<3> for SphericalTriangle<T> {
     fn map_to(&self, u1: f32, u2: f32, to: &mut [f32; 3]) {
         *to = seen::direction(self.corners, self.weights(u1, u2));
     }
+
+    #[inline]
+    fn put(&self, u1: f32, u2: f32, to: &mut [f32; 3]) -> f32 {
+        self.map_to(u1, u2, to);
+        self.density
+    }
 }
 
 impl<T: Tier> Warp for SphericalTriangle<T> {
-    planar!(3, where T::VECTORS);
-    drawn_with_pdf!();
-
-    #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 3], f32) {
-        (self.sample_canonical(u), self.density)
-    }
+    planar!(3, with its density, where T::VECTORS);
 
     #[inline]
     fn pdf(&self, direction: [f32; 3]) -> f32 {
         let wide = seen::is_wide(self.map.volume, self.half);
-        let sides = self.sides();
-        if seen::holds(direction, self.corners, sides, self.edges, self.sign, wide) {
+        let ([x, _, y], sides) = (self.edges, self.sides());
+        if seen::holds(direction, self.corners, sides, [x, y], self.sign, wide) {
             self.density
         } else {
             0.0

@@ -306,6 +306,49 @@ fn hard(k: usize, rng: &mut Pcg32) -> ([f32; 3], [[f32; 3]; 3]) {
     )
 }
 
+/// Whether what a light gives for a sample is valid: the direction, its density with the sample and by itself, the place, the
+/// uniforms that lead back.
+fn is_valid(direction: [f32; 3], densities: [f32; 2], place: &[f32], back: [f32; 2]) -> bool {
+    let wide = direction.map(f64::from);
+    let length = (truth::dot(wide, wide).sqrt() - 1.0).abs();
+    let [density, same] = densities;
+    let good = |x: &f32| (0.0..=1.0).contains(x);
+    length <= 2e-7
+        && density > 0.0
+        && density.is_finite()
+        && same.to_bits() == density.to_bits()
+        && place.iter().all(good)
+        && back.iter().all(good)
+}
+
+/// Whether a triangle is seen; then its sample is valid.
+fn seen_triangle(point: [f32; 3], vertices: [[f32; 3]; 3], u: [f32; 2]) -> bool {
+    SphericalTriangle::<Poly>::new(point, vertices).is_ok_and(|light| {
+        let there = light.locate(u);
+        let densities = [there.pdf, light.pdf(there.direction)];
+        let back = light.invert(there.direction);
+        assert!(
+            is_valid(there.direction, densities, &there.barycentric, back),
+            "{there:?} {densities:?} {back:?}: {point:?} {vertices:?} {u:?}"
+        );
+        true
+    })
+}
+
+/// The same of a rectangle.
+fn seen_rectangle(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2], u: [f32; 2]) -> bool {
+    SphericalRectangle::<Poly>::new(point, corner, edges).is_ok_and(|light| {
+        let there = light.locate(u);
+        let densities = [there.pdf, light.pdf(there.direction)];
+        let back = light.invert(there.direction);
+        assert!(
+            is_valid(there.direction, densities, &there.st, back),
+            "{there:?} {densities:?} {back:?}: {point:?} {corner:?} {edges:?} {u:?}"
+        );
+        true
+    })
+}
+
 /// A light is refused, or all that it gives is valid.
 #[test]
 fn whatever_the_point_a_light_is_refused_or_valid() {
@@ -320,59 +363,88 @@ fn whatever_the_point_a_light_is_refused_or_valid() {
             _ => [uniform(), 1.0],
         };
         let other = |edge: [f32; 3]| [0, 1, 2].map(|k| corner[k] + edge[k]);
-        let triangle = SphericalTriangle::<Poly>::new(point, [corner, other(x), other(y)]);
-        let rectangle = SphericalRectangle::<Poly>::new(point, corner, [x, y]);
-        let lights = [
-            triangle.map(|light| {
-                let there = light.locate(u);
-                let [p, q, r] = there.barycentric;
-                let back = light.invert(there.direction);
-                (
-                    there.direction,
-                    there.pdf,
-                    light.pdf(there.direction),
-                    [p, q, r],
-                    back,
-                )
-            }),
-            rectangle.map(|light| {
-                let there = light.locate(u);
-                let [s, t] = there.st;
-                let back = light.invert(there.direction);
-                (
-                    there.direction,
-                    there.pdf,
-                    light.pdf(there.direction),
-                    [s, t, 0.0],
-                    back,
-                )
-            }),
-        ];
-        for light in lights {
-            let Ok((direction, density, same, place, back)) = light else {
-                refused += 1;
-                continue;
-            };
-            seen += 1;
-            let wide = direction.map(f64::from);
-            let length = (truth::dot(wide, wide).sqrt() - 1.0).abs();
-            let good = |x: &f32| (0.0..=1.0).contains(x);
-            assert!(
-                length <= 2e-7,
-                "{length}: {point:?} {corner:?} {x:?} {y:?} {u:?}"
-            );
-            assert!(
-                density > 0.0 && density.is_finite() && same.to_bits() == density.to_bits(),
-                "{density} {same}: {point:?} {corner:?} {x:?} {y:?} {u:?}"
-            );
-            assert!(
-                place.iter().all(good) && back.iter().all(good),
-                "{place:?} {back:?}: {point:?} {corner:?} {x:?} {y:?} {u:?}"
-            );
+        // A side far shorter than the others, across from the first vertex.
+        let short = 1e-3 * uniform();
+        let third = [0, 1, 2].map(|k| corner[k] + x[k] + short * y[k]);
+        for light in [
+            seen_triangle(point, [corner, other(x), other(y)], u),
+            seen_triangle(point, [corner, other(x), third], [1.0 - 1e-6 * u[0], u[1]]),
+            seen_rectangle(point, corner, [x, y], u),
+        ] {
+            *if light { &mut seen } else { &mut refused } += 1;
         }
     }
     println!("{seen} lights, {refused} refused");
     assert!(seen > 0 && refused > 0);
+}
+
+/// Lights whose samples had the density 0: by a short side as the difference of two long ones, and as thin ones that are not.
+#[test]
+fn lights_close_to_a_corner_hold_their_samples() {
+    let short = [
+        [0.0, 0.685_387_13, 0.434_981],
+        [0.001_487_560_8, -5.723_265_4e-7, -1.931_348_6e-10],
+        [0.001_387_175_4, 0.000_118_080_02, -0.000_114_193_29],
+    ];
+    let point = [-3.374_303_9e-12, 0.0, 0.000_245_040_72];
+    assert!(seen_triangle(point, short, [0.999_999_94, 0.999_999_9]));
+    let wide = [
+        [0.000_676_762_7, 2.574_766_8e-12, -0.920_582_4],
+        [0.220_916_51, 9.633_087e-6, 0.883_860_6],
+        [0.182_811_29, 7.966_4e-6, 0.557_833_8],
+    ];
+    let point = [0.215_406_28, 0.000_147_024_23, 0.837_386_7];
+    assert!(seen_triangle(point, wide, [0.0, 0.0]));
+    let corner = [4.484_983_5e-9, 1.0, 0.059_467_435];
+    let edges = [
+        [-4.484_983_5e-9, -1.0, -0.059_467_435],
+        [0.244_213_82, -1.957_674_7, -0.059_467_435],
+    ];
+    let point = [0.244_213_82, -0.957_678_95, 4.543_207_4e-12];
+    for k in 0..10_000_u16 {
+        let [i, j] = [k / 100, k % 100].map(|i| f32::from(i) / 100.0);
+        assert!(seen_rectangle(point, corner, edges, [i * i * i * i, j]));
+    }
+}
+
+/// A light is the same at every size: products of three lengths overflowed from 2⁴³ on.
+#[test]
+fn lights_are_the_same_at_every_size() {
+    let (vertices, edges) = (
+        [[1.0, -0.5, 0.05], [1.0, 0.5, 0.05], [2.0, 0.1, 0.05]],
+        [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]],
+    );
+    let [corner, ..] = vertices;
+    for exponent in -58..=59_i16 {
+        let scale = f32::from(exponent).exp2();
+        let scaled = |v: [f32; 3]| v.map(|x| scale * x);
+        let triangle = SphericalTriangle::<Poly>::new([0.0; 3], vertices.map(scaled)).unwrap();
+        let rectangle =
+            SphericalRectangle::<Poly>::new([0.0; 3], scaled(corner), edges.map(scaled)).unwrap();
+        let of_one = (
+            SphericalTriangle::<Poly>::new([0.0; 3], vertices).unwrap(),
+            SphericalRectangle::<Poly>::new([0.0; 3], corner, edges).unwrap(),
+        );
+        let u = [0.25, 0.75];
+        let same = (triangle.sample(u), rectangle.sample(u));
+        assert_eq!(
+            same,
+            (of_one.0.sample(u), of_one.1.sample(u)),
+            "2^{exponent}"
+        );
+        let angles = [triangle.solid_angle(), rectangle.solid_angle()];
+        assert_eq!(
+            angles,
+            [of_one.0.solid_angle(), of_one.1.solid_angle()],
+            "2^{exponent}"
+        );
+    }
+    // All that the page promises, and more than it does.
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let of = |scale: f32| axes.map(|v| v.map(|x| scale * x));
+    assert!(seen_triangle([0.0; 3], of(60.0_f32.exp2()), [0.5, 0.5]));
+    let huge = SphericalTriangle::<Poly>::new([0.0; 3], of(62.0_f32.exp2()));
+    assert_eq!(huge.err(), Some(Error::TooLarge));
 }
 
 /// A thin light whose sample is carried over a side by its rounding: clamped without being moved back, its first uniform was

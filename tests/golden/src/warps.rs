@@ -475,6 +475,12 @@ macro_rules! float_warps {
                 cost {
                     "visible_sphere" [u, v] -> [f32; 3]
                         = stored(|| VisibleSphere::new([0.0; 3], [0.0, 3.0, 4.0], 0.5)),
+                    // With its setup, for every sample.
+                    "visible_sphere_anew" [u, v] -> [f32; 3] = ok(VisibleSphere::new(
+                        core::hint::black_box([0.0; 3]),
+                        core::hint::black_box([0.0, 3.0, 4.0]),
+                        core::hint::black_box(0.5),
+                    )),
                 }
                 page {
                     sphere 2: VisibleSphere(distance: 2 in 0..10 by 0.01, radius: 1 in 0..10 by 0.01)

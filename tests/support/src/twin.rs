@@ -3,8 +3,6 @@
 //! It reads the constants of the same scenes and the words of the same points in the same dimensions, and maps them in the same
 //! way. A path of the twin is therefore the path of the core as it would be without rounding, and the difference of both is
 //! the error of the core, without noise.
-//!
-//! Near a panel the core samples area, where the twin goes on with the solid angle: both are right, and their paths differ.
 
 mod lobes;
 mod model;
