@@ -39,7 +39,7 @@ pub fn cdf(n: usize) -> Contest<usize> {
 /// Aliases.
 pub fn alias(n: usize) -> Contest<usize> {
     let weights = weights(n);
-    let memory = memory(AliasEntry::<u32>::EMPTY, n);
+    let memory = memory(AliasEntry::<u32>::EMPTY, n.next_power_of_two());
     let table = Alias::<&[AliasEntry<u32>]>::new_in(&weights, memory).unwrap();
     of_indices()
         .draw(INDEX, move |rng| table.draw_index(rng))

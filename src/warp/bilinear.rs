@@ -43,8 +43,8 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST, deep};
 /// # Cost
 /// <!-- generated: cost Bilinear -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 233 on a Cortex-M4F (924 bytes), 6,764 on a Cortex-M0, 369 as WASM.
-/// - `libm`: 233 on a Cortex-M4F (924 bytes), 6,764 on a Cortex-M0, 369 as WASM.
+/// - `poly`: 157 on a Cortex-M4F (616 bytes), 5,381 on a Cortex-M0, 254 as WASM.
+/// - `libm`: 157 on a Cortex-M4F (616 bytes), 5,381 on a Cortex-M0, 254 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -43,8 +43,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost CapsuleSurface -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 119 on a Cortex-M4F (604 bytes), 4,747 on a Cortex-M0, 199 as WASM.
-/// - `libm`: 2,223 on a Cortex-M4F (6,896 bytes), 9,056 on a Cortex-M0, 244 as WASM.
+/// - `poly`: 121 on a Cortex-M4F (732 bytes), 4,623 on a Cortex-M0, 209 as WASM.
+/// - `libm`: 2,225 on a Cortex-M4F (7,104 bytes), 8,933 on a Cortex-M0, 254 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

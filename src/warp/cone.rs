@@ -57,8 +57,8 @@ const RIM_SLACK: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// # Cost
 /// <!-- generated: cost Cone -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 94 on a Cortex-M4F (628 bytes), 3,852 on a Cortex-M0, 157 as WASM.
-/// - `libm`: 2,205 on a Cortex-M4F (6,896 bytes), 8,166 on a Cortex-M0, 202 as WASM.
+/// - `poly`: 94 on a Cortex-M4F (456 bytes), 4,041 on a Cortex-M0, 160 as WASM.
+/// - `libm`: 2,200 on a Cortex-M4F (6,840 bytes), 8,352 on a Cortex-M0, 205 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

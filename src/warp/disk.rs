@@ -150,8 +150,8 @@ fn uniform_density([x, y]: [f32; 2]) -> f32 {
 /// # Cost
 /// <!-- generated: cost DiskConcentric -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 113 on a Cortex-M4F (532 bytes), 3,637 on a Cortex-M0, 209 as WASM.
-/// - `libm`: 2,217 on a Cortex-M4F (6,832 bytes), 7,948 on a Cortex-M0, 256 as WASM.
+/// - `poly`: 92 on a Cortex-M4F (424 bytes), 3,399 on a Cortex-M0, 155 as WASM.
+/// - `libm`: 2,197 on a Cortex-M4F (6,784 bytes), 7,707 on a Cortex-M0, 200 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -249,8 +249,8 @@ pub struct Reflection {
 /// # Cost
 /// <!-- generated: cost GgxVisible -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 134 on a Cortex-M4F (656 bytes), 6,851 on a Cortex-M0, 243 as WASM.
-/// - `libm`: 2,245 on a Cortex-M4F (7,128 bytes), 11,160 on a Cortex-M0, 289 as WASM.
+/// - `poly`: 129 on a Cortex-M4F (592 bytes), 6,813 on a Cortex-M0, 231 as WASM.
+/// - `libm`: 2,238 on a Cortex-M4F (7,008 bytes), 11,121 on a Cortex-M0, 277 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -273,8 +273,8 @@ impl<T: Tier> Invert for CosineHemisphere<T> {
 /// # Cost
 /// <!-- generated: cost MalleyHemisphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 143 on a Cortex-M4F (668 bytes), 4,833 on a Cortex-M0, 248 as WASM.
-/// - `libm`: 2,247 on a Cortex-M4F (6,984 bytes), 9,134 on a Cortex-M0, 295 as WASM.
+/// - `poly`: 119 on a Cortex-M4F (544 bytes), 4,579 on a Cortex-M0, 206 as WASM.
+/// - `libm`: 2,226 on a Cortex-M4F (6,952 bytes), 8,888 on a Cortex-M0, 251 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -59,8 +59,8 @@ const UNLIFT_ROOT: f32 = 2.168_404_3e-19;
 /// # Cost
 /// <!-- generated: cost HenyeyGreenstein -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 109 on a Cortex-M4F (584 bytes), 5,265 on a Cortex-M0, 189 as WASM.
-/// - `libm`: 2,215 on a Cortex-M4F (6,928 bytes), 9,581 on a Cortex-M0, 234 as WASM.
+/// - `poly`: 108 on a Cortex-M4F (516 bytes), 5,457 on a Cortex-M0, 191 as WASM.
+/// - `libm`: 2,214 on a Cortex-M4F (6,896 bytes), 9,766 on a Cortex-M0, 236 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

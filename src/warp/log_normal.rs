@@ -53,8 +53,8 @@ use rand_core::TryRng;
 /// # Cost
 /// <!-- generated: cost LogNormal -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 137 on a Cortex-M4F (1,412 bytes), 6,570 on a Cortex-M0, 229 as WASM.
-/// - `libm`: 146 on a Cortex-M4F (1,240 bytes), 6,301 on a Cortex-M0, 259 as WASM.
+/// - `poly`: 90 on a Cortex-M4F (1,120 bytes), 2,590 on a Cortex-M0, 158 as WASM.
+/// - `libm`: 90 on a Cortex-M4F (1,012 bytes), 2,594 on a Cortex-M0, 158 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

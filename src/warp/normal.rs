@@ -62,8 +62,8 @@ const REACH: f32 = 14.5;
 /// # Cost
 /// <!-- generated: cost Normal -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 78 on a Cortex-M4F (836 bytes), 3,175 on a Cortex-M0, 112 as WASM.
-/// - `libm`: 78 on a Cortex-M4F (668 bytes), 3,332 on a Cortex-M0, 118 as WASM.
+/// - `poly`: 62 on a Cortex-M4F (824 bytes), 1,601 on a Cortex-M0, 106 as WASM.
+/// - `libm`: 62 on a Cortex-M4F (716 bytes), 1,605 on a Cortex-M0, 106 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

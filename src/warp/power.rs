@@ -55,8 +55,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost Power -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 355 on a Cortex-M4F (1,856 bytes), 14,796 on a Cortex-M0, 641 as WASM.
-/// - `libm`: 355 on a Cortex-M4F (5,180 bytes), 9,983 on a Cortex-M0, 466 as WASM.
+/// - `poly`: 151 on a Cortex-M4F (932 bytes), 4,121 on a Cortex-M0, 237 as WASM.
+/// - `libm`: 338 on a Cortex-M4F (1,796 bytes), 14,737 on a Cortex-M0, 607 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -55,8 +55,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost SphericalRectangle -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 249 on a Cortex-M4F (1,736 bytes), 13,669 on a Cortex-M0, 496 as WASM.
-/// - `libm`: 4,462 on a Cortex-M4F (8,016 bytes), 22,278 on a Cortex-M0, 619 as WASM.
+/// - `poly`: 214 on a Cortex-M4F (956 bytes), 10,500 on a Cortex-M0, 373 as WASM.
+/// - `libm`: 2,356 on a Cortex-M4F (8,112 bytes), 14,804 on a Cortex-M0, 446 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

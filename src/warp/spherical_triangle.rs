@@ -71,8 +71,8 @@ use core::marker::PhantomData;
 /// # Cost
 /// <!-- generated: cost SphericalTriangle -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 200 on a Cortex-M4F (1,204 bytes), 13,230 on a Cortex-M0, 405 as WASM.
-/// - `libm`: 4,411 on a Cortex-M4F (7,488 bytes), 21,835 on a Cortex-M0, 528 as WASM.
+/// - `poly`: 174 on a Cortex-M4F (776 bytes), 9,859 on a Cortex-M0, 328 as WASM.
+/// - `libm`: 2,276 on a Cortex-M4F (7,288 bytes), 14,162 on a Cortex-M0, 375 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

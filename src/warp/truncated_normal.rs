@@ -70,8 +70,8 @@ const LN_LIFT: f32 = 69.314_72;
 /// # Cost
 /// <!-- generated: cost TruncatedNormal -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 270 on a Cortex-M4F (2,140 bytes), 15,632 on a Cortex-M0, 435 as WASM.
-/// - `libm`: 296 on a Cortex-M4F (1,780 bytes), 16,623 on a Cortex-M0, 492 as WASM.
+/// - `poly`: 279 on a Cortex-M4F (1,864 bytes), 15,677 on a Cortex-M0, 466 as WASM.
+/// - `libm`: 308 on a Cortex-M4F (1,844 bytes), 16,664 on a Cortex-M0, 521 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

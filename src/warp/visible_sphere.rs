@@ -68,8 +68,8 @@ pub struct SurfaceSample {
 /// # Cost
 /// <!-- generated: cost VisibleSphere -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 105 on a Cortex-M4F (456 bytes), 4,958 on a Cortex-M0, 202 as WASM.
-/// - `libm`: 2,217 on a Cortex-M4F (6,848 bytes), 9,268 on a Cortex-M0, 247 as WASM.
+/// - `poly`: 107 on a Cortex-M4F (468 bytes), 5,074 on a Cortex-M0, 204 as WASM.
+/// - `libm`: 2,219 on a Cortex-M4F (6,864 bytes), 9,385 on a Cortex-M0, 249 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

@@ -50,7 +50,7 @@ use core::marker::PhantomData;
 /// <!-- generated: cost VonMisesFisher -->
 /// Instructions of a draw, PCG32 included, and bytes of flash:
 /// - `poly`: 150 on a Cortex-M4F (1,692 bytes), 6,414 on a Cortex-M0, 242 as WASM.
-/// - `libm`: 2,264 on a Cortex-M4F (7,704 bytes), 11,338 on a Cortex-M0, 318 as WASM.
+/// - `libm`: 2,264 on a Cortex-M4F (7,704 bytes), 11,337 on a Cortex-M0, 318 as WASM.
 /// <!-- end -->
 ///
 /// # Examples

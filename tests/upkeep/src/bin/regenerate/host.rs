@@ -31,13 +31,19 @@ pub fn measure() -> Outcome {
     let tables: String = said
         .lines()
         .filter(|line| line.is_empty() || line.starts_with('|'))
-        .map(|l| plain(l) + "\n")
+        .map(|line| {
+            if line.is_empty() {
+                "\n".into()
+            } else {
+                plain(line) + "\n"
+            }
+        })
         .collect();
     let head = format!(
         "What `cargo bench --bench peers -- --markdown` printed on {}.\n`cargo regenerate --host` measures anew.\n\n",
         machine_and_day()?
     );
-    write("docs/measured/peers.md", &(head + tables.trim_start()))?;
+    write("docs/measured/peers.md", &(head + tables.trim() + "\n"))?;
     example("tradeoff", &[])
 }
 
