@@ -1998,14 +1998,14 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
  *
  * | error | `poly` | kind |
  * |---|--:|---|
- * | sample, of the size | 5.8e-7*q | found |
+ * | sample, of the size | 7.8e-7*q | found |
  * | unit length | 1.9e-7 | found |
- * | place on it | 5e-7 + (2 + q)·p | found |
- * | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
- * | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
- * | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
- * | inverse | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) | found |
- * | round trip | min(1, 5e-7 + 5e-7·q + (9 + 0.65·q)·r + 1.3e-7/h) | found |
+ * | place on it | 5.6e-7 + (2.3 + 1.1·q)·p | found |
+ * | pdf, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
+ * | realised density, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
+ * | pdf with the sample, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
+ * | inverse | min(1, 8e-7 + 8e-7·q + (15 + 1.1·q)·r + 2.1e-7/h) | found |
+ * | round trip | min(1, 8e-7 + 8e-7·q + (15 + 1.1·q)·r + 2.1e-7/h) | found |
  *
  * These hold for every triangle accepted. p is the change of the place when each uniform and each coordinate of the
  * direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of
@@ -2053,14 +2053,14 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
  *
  * | error | `poly` | kind |
  * |---|--:|---|
- * | sample, of the size | 5.4e-7*q | found |
+ * | sample, of the size | 6.8e-7*q | found |
  * | unit length | 1.9e-7 | found |
- * | place on it | 5e-7 + (1.6 + 0.5·q)·p | found |
- * | pdf, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
- * | realised density, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
- * | pdf with the sample, relative | 6e-7 + 3e-7*q + 6e-15/g | found |
- * | inverse | min(1, 5e-7 + 5e-7·q + (13 + 0.5·q)·r + 1.9e-7/h) | found |
- * | round trip | min(1, 5e-7 + 5e-7·q + (11 + 0.4·q)·r + 1.6e-7/h) | found |
+ * | place on it | 5.5e-7 + (1.8 + 0.55·q)·p | found |
+ * | pdf, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
+ * | realised density, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
+ * | pdf with the sample, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
+ * | inverse | min(1, 1.4e-6 + 1.4e-6·q + (34 + 1.3·q)·r + 5e-7/h) | found |
+ * | round trip | min(1, 1.4e-6 + 1.4e-6·q + (34 + 1.3·q)·r + 5e-7/h) | found |
  *
  * These hold for every rectangle accepted. p is the change of the place when each uniform and each coordinate of the
  * direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of
