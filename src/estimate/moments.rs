@@ -29,7 +29,7 @@ use crate::tier::sqrt;
 /// | error | 10⁸ samples, one by one | 10⁸ samples, merged | short runs | kind |
 /// |---|--:|--:|--:|---|
 /// | mean | 3.4e-8 | 3.4e-8 | 2.1e-7 | found |
-/// | variance | 1.4e-7 | 1.7e-7 | 5.6e-7 | found |
+/// | variance | 1.3e-7 | 1.7e-7 | 5.6e-7 | found |
 ///
 /// # Examples
 ///
