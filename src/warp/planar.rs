@@ -177,7 +177,7 @@ pub(super) fn map<const D: usize, W: PlanarMap<D>>(
         if let (true, Ok(uniforms), Ok(points)) = (
             blocks,
             uniforms.try_into(),
-            <&mut [_; _]>::try_from(&mut *points),
+            <&mut [[f32; D]; MAPPED]>::try_from(&mut *points),
         ) {
             block.map(warp, uniforms, points, |_, a, b, to| warp.map_to(a, b, to));
         } else {
@@ -207,7 +207,7 @@ pub(super) fn map_with_pdf<const D: usize, W>(
         if let (true, Ok(uniforms), Ok(points), Ok(densities)) = (
             blocks,
             uniforms.try_into(),
-            <&mut [_; _]>::try_from(&mut *points),
+            <&mut [[f32; D]; MAPPED]>::try_from(&mut *points),
             <&mut [f32; MAPPED]>::try_from(&mut *densities),
         ) {
             block.map(warp, uniforms, points, |i, a, b, to| {

@@ -1,4 +1,4 @@
-// A stated bound, which is a number or a formula: + - * / ^, parentheses, names, max, min and sqrt.
+// A stated bound, which is a number or a formula: + - * · / ^, parentheses, names, max, min and sqrt.
 
 const FUNCTIONS = { max: Math.max, min: Math.min, sqrt: Math.sqrt };
 const is_name = (token) => /^[a-z]/.test(token);
@@ -17,7 +17,7 @@ export function evaluate(formula, names = {}) {
   };
   const product = () => {
     let value = signed();
-    for (let sign; (sign = take("*", "/")); ) value = sign === "*" ? value * signed() : value / signed();
+    for (let sign; (sign = take("*", "·", "/")); ) value = sign === "/" ? value / signed() : value * signed();
     return value;
   };
   const signed = () => (take("-") ? -signed() : power());
