@@ -60,8 +60,8 @@ use core::marker::PhantomData;
 /// | pdf, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
 /// | realised density, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
 /// | pdf with the sample, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
-/// | inverse | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | min(1, 8e-7 + 8e-7·q + (15 + 1.1·q)·r + 2.1e-7/h) | found |
-/// | round trip | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | min(1, 8e-7 + 8e-7·q + (15 + 1.1·q)·r + 2.1e-7/h) | found |
+/// | inverse | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | found |
+/// | round trip | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | found |
 ///
 /// These hold for every triangle accepted. p is the change of the place when each uniform and each coordinate of the
 /// direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of the
