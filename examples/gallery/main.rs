@@ -42,7 +42,7 @@ fn main() -> ExitCode {
 /// Runs everything and returns the complaints about the warps.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    let entries = support::registry::entries();
+    let entries = support::registry::entries_of_each_tier();
     let mut complaints = without_picture(&entries);
     let subjects = subjects(&entries, args)?;
     support::progress::folder(&args.out)?;

@@ -66,7 +66,7 @@ fn drawn(subject: &Subject, cell: Area) -> Canvas {
 
 #[test]
 fn every_panel_has_dots_shading_and_a_frame_inside_its_cell() {
-    let entries = entries();
+    let entries = entries_of_each_tier();
     let subjects = subjects(&entries, &args::Args::default()).unwrap();
     assert!(subjects.len() >= 74, "{} panels", subjects.len());
     for subject in &subjects {
@@ -105,7 +105,7 @@ fn the_banner_is_low_and_shows_a_dozen_warps_and_the_room() {
     );
     // What was README.md's picture until then is not.
     assert!(!low(size("docs/gallery.png")));
-    let entries = entries();
+    let entries = entries_of_each_tier();
     let subjects = subjects(&entries, &args::Args::default()).unwrap();
     for name in crate::banner::SHOWN {
         assert!(subjects.iter().any(|s| s.name == name), "{name}");
@@ -186,7 +186,7 @@ fn wrong(entry: &Entry, view: View, density: &dyn Fn(&Paper, [f64; 2]) -> Option
 
 #[test]
 fn dots_lie_where_shading_is() {
-    let entries = entries();
+    let entries = entries_of_each_tier();
     let subjects = subjects(&entries, &args::Args::default()).unwrap();
     let mut seen = 0;
     let seen_density =

@@ -14,12 +14,14 @@ use microwarp::rejection::{
 };
 use microwarp::{Error, fixed as fine};
 use support::registry::family::*;
-use support::registry::{Entry, entries};
+use support::registry::{Entry, entries_of_each_tier};
 use support::truth::{self, Truth};
 
 /// The rows that are asked for, by family; and which warps have no place in the comparison.
 pub fn rows(args: &Args) -> Result<(Vec<Row>, Vec<String>), Error> {
-    let (floats, left): (Vec<_>, Vec<_>) = entries().into_iter().partition(|e| e.trade.is_some());
+    let (floats, left): (Vec<_>, Vec<_>) = entries_of_each_tier()
+        .into_iter()
+        .partition(|e| e.trade.is_some());
     let missing = missing(&floats, &left);
     let mut rows: Vec<Row> = floats.into_iter().map(registered).collect();
     integers::<Fine>(&mut rows)?;

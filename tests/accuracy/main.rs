@@ -45,13 +45,26 @@ const EDGES: [f32; 16] = [
     0.333_333_34,
 ];
 
-/// One warp with one parameter set, in both tiers.
-type Pair = (Entry, Entry);
+/// One warp with one parameter set: in `libm` and `poly`, or alone where it has no tier.
+type Tiers = Vec<Entry>;
 
-fn pairs() -> Vec<Pair> {
-    let (libm, poly): (Vec<_>, Vec<_>) = entries().into_iter().partition(|e| e.tier == "libm");
-    assert_eq!(libm.len(), poly.len());
-    libm.into_iter().zip(poly).collect()
+fn in_each_tier() -> Vec<Tiers> {
+    let (mut libm, poly): (Vec<_>, Vec<_>) = entries().into_iter().partition(|e| e.tier == "libm");
+    libm.reverse();
+    let all = poly
+        .into_iter()
+        .map(|entry| {
+            if entry.tiered {
+                let libm = libm.pop().expect("an entry in both tiers");
+                assert_eq!((libm.name, libm.parameters), (entry.name, entry.parameters));
+                vec![libm, entry]
+            } else {
+                vec![entry]
+            }
+        })
+        .collect();
+    assert!(libm.is_empty());
+    all
 }
 
 /// Four uniforms of the grid for a counter: a hash of it, so that no two of them are in step.
@@ -63,19 +76,22 @@ fn spread(k: u32) -> Uniforms {
     })
 }
 
-/// Measures both tiers of one warp, in the full speed over every grid input where the input is one number, over 2^24
+/// Measures one warp in each tier that it has, in the full speed over every grid input where the input is one number, over 2^24
 /// points of the grid where it is two, always with all edges. Further parameter sets of the same warp
 /// are swept with a prime stride, which visits every residue. The quick speed takes longer strides everywhere.
-fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
+fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
+    let [first, ..] = tiers else {
+        panic!("no entry");
+    };
     let stride = match thorough {
         true => speed::of("one grid input tried of every", 61, 1),
         false => speed::of("one grid input tried of every, further sets", 1021, 13),
     };
     let fewer = speed::of("one pair of uniforms tried of every", 64, 1);
-    let mut figures = [Figures::default(); 2];
+    let mut figures = vec![Figures::default(); tiers.len()];
     let mut at = |u: Uniforms, deep: bool, polar: bool| {
-        let exact = Exact::of(libm, u, deep);
-        for (entry, figures) in [libm, poly].into_iter().zip(&mut figures) {
+        let exact = Exact::of(first, u, deep);
+        for (entry, figures) in tiers.iter().zip(&mut figures) {
             let x = entry.warp.sample(u);
             if polar {
                 polar_error(entry, &exact, x, figures);
@@ -89,7 +105,7 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
             }
         }
     };
-    match libm.uniforms {
+    match first.uniforms {
         1 => {
             for k in (0..GRID).step_by(stride) {
                 at([k as f32 * STEP, 0.0, 0.0, 0.0], true, false);
@@ -100,7 +116,7 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
             }
         }
         2 => {
-            if libm.polar {
+            if first.polar {
                 for k in (0..GRID).step_by(stride) {
                     at([k as f32 * STEP, 0.0, 0.0, 0.0], false, true);
                 }
@@ -137,21 +153,21 @@ fn measure((libm, poly): &Pair, thorough: bool) -> [Figures; 2] {
 
 #[test]
 fn every_warp_keeps_its_stated_error() {
-    let pairs = pairs();
-    let warp = |(e, _): &Pair| e.name.split(' ').next();
-    let jobs: Vec<usize> = (0..pairs.len()).collect();
+    let all = in_each_tier();
+    let warp = |tiers: &Tiers| tiers[0].name.split(' ').next();
+    let jobs: Vec<usize> = (0..all.len()).collect();
     let measured = in_parallel(threads(), &jobs, |&i| {
-        let pair = &pairs[i];
-        let first = !pairs[..i].iter().any(|before| warp(before) == warp(pair));
-        measure(pair, first && !pair.0.composed)
+        let tiers = &all[i];
+        let first = !all[..i].iter().any(|before| warp(before) == warp(tiers));
+        measure(tiers, first && !tiers[0].composed)
     });
-    let rows: Vec<_> = pairs
+    let rows: Vec<_> = all
         .iter()
         .zip(measured)
-        .map(|((libm, _), figures)| Measured {
-            name: libm.name,
-            parameters: libm.parameters,
-            measure: libm.measure,
+        .map(|(tiers, figures)| Measured {
+            name: tiers[0].name,
+            parameters: tiers[0].parameters,
+            measure: tiers[0].measure,
             figures,
         })
         .collect();
@@ -184,8 +200,8 @@ fn a_branch_that_overflows_alone_is_found() {
 /// The measurement itself notices an error of the size it is there to find.
 #[test]
 fn a_wrong_warp_is_noticed() {
-    let pairs = pairs();
-    let find = |name: &str| &pairs.iter().find(|(e, _)| e.name == name).unwrap().1;
+    let poly: Vec<_> = entries().into_iter().filter(|e| e.tier == "poly").collect();
+    let find = |name: &str| poly.iter().find(|e| e.name == name).unwrap();
     let (disk, exponential) = (find("Disk"), find("Exponential"));
     let u = [0.3, 0.7, 0.0, 0.0];
     let exact = Exact::of(disk, u, true);

@@ -8,13 +8,13 @@ use support::figures::{Figures, ROWS};
 use support::registry::Measure;
 use support::root;
 
-/// What one parameter set showed, in both tiers.
+/// What one parameter set showed.
 pub struct Measured {
     pub name: &'static str,
     pub parameters: &'static str,
     pub measure: Measure,
-    /// `libm`, then `poly`.
-    pub figures: [Figures; 2],
+    /// In `libm`, then in `poly`; once where there is no tier.
+    pub figures: Vec<Figures>,
 }
 
 fn unit(measure: Measure) -> &'static str {
@@ -51,18 +51,19 @@ fn some(title: &str) -> bool {
         .contains(&title)
 }
 
-/// The rows of one warp's table: title, bound in `libm`, bound in `poly`.
-fn summary(group: &[&Measured]) -> Vec<(String, [f64; 2])> {
-    let mut worst = [Figures::default(); 2];
+/// The rows of one warp's table: the title, and what was found in each tier.
+fn summary(group: &[&Measured]) -> Vec<(String, Vec<f64>)> {
+    let mut worst = vec![Figures::default(); group[0].figures.len()];
     for m in group {
-        for (worst, figures) in worst.iter_mut().zip(m.figures) {
-            worst.join(figures);
+        assert_eq!(m.figures.len(), worst.len(), "{}", m.name);
+        for (worst, figures) in worst.iter_mut().zip(&m.figures) {
+            worst.join(*figures);
         }
     }
     let mut rows = Vec::new();
     for (title, row) in ROWS {
-        let values = worst.map(|mut f| *row(&mut f));
-        let shown = !some(title) || values != [0.0; 2];
+        let values: Vec<f64> = worst.iter().map(|f| *row(&mut f.clone())).collect();
+        let shown = !some(title) || values.iter().any(|x| *x != 0.0);
         if shown {
             let title = match title {
                 "sample" => format!("sample, {}", unit(group[0].measure)),
@@ -100,7 +101,7 @@ pub fn check(measured: &[Measured]) {
 
 fn compare(
     name: &str,
-    measured: &[(String, [f64; 2])],
+    measured: &[(String, Vec<f64>)],
     stated: &[(String, [Statement; 2])],
     complaints: &mut String,
 ) {
@@ -113,7 +114,9 @@ fn compare(
         return;
     }
     for ((title, found), (_, bound)) in measured.iter().zip(stated) {
-        for (tier, (found, bound)) in ["libm", "poly"].iter().zip(found.iter().zip(bound)) {
+        // What has no tier states the same in both columns.
+        let found = found.iter().cycle().zip(bound);
+        for (tier, (found, bound)) in ["libm", "poly"].iter().zip(found) {
             let Some(bound) = bound.number() else {
                 continue;
             };
@@ -132,8 +135,8 @@ fn compare(
 const HEAD: &str = "\
 # Measured errors
 
-Largest errors found against formulas in `f64`, for listed parameter sets. Each cell is `libm` / `poly`. The bounds that hold for
-every parameter are on each warp's page.
+Largest errors found against formulas in `f64`, for listed parameter sets. Each cell is `libm` / `poly`; what has no
+tier has one figure. The bounds that hold for every parameter are on each warp's page.
 
 There the last column says of which kind the bounds of a row are. *Proven*: no input exceeds them, by an argument that
 `docs/proofs.md` gives. *Exhaustive*: all inputs have been tried. *Found*: a search over parameters and uniforms has met no
@@ -164,14 +167,15 @@ fn full_table(measured: &[Measured]) -> String {
     for m in measured {
         let mut cells = Vec::new();
         for (title, row) in ROWS {
-            let [a, b] = m.figures.map(|mut f| *row(&mut f));
-            let dash = (a, b) == (0.0, 0.0) && (some(title) || title == "round trip");
-            let cell = if dash {
-                "–".to_string()
+            let values: Vec<f64> = m.figures.iter().map(|f| *row(&mut f.clone())).collect();
+            let nothing = values.iter().all(|x| *x == 0.0);
+            let figures: Vec<String> = values.into_iter().map(printed).collect();
+            let dash = nothing && (some(title) || title == "round trip");
+            cells.push(if dash {
+                "–".into()
             } else {
-                format!("{} / {}", printed(a), printed(b))
-            };
-            cells.push(cell);
+                figures.join(" / ")
+            });
             if title == "sample" {
                 cells.push(unit(m.measure).into());
             }

@@ -52,6 +52,7 @@ impl<T: Tier> Invert for Overflowing<T> {
 pub(super) fn overflowing<T: Tier>() -> Registered {
     Registered {
         name: "Power",
+        tier: T::NAME,
         constructor: "with an exponential that overflows alone",
         takes: &[Any, Positive, Positive],
         ordered: &[],

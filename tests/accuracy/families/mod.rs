@@ -12,26 +12,23 @@ use support::figures::{
     place_error, place_moved, polar_error, sample_error,
 };
 use support::moved::Moved;
-use support::registry::{Domain, Entry, Registered, Uniforms, of_libm, of_poly};
+use support::registry::{Domain, Entry, Registered, Uniforms, registered};
 
-/// All families of both tiers.
+/// All families, in both tiers where they have one.
 pub fn families() -> Vec<Family> {
-    let all =
-        |registered: Vec<Registered>, tier| registered.into_iter().map(move |of| family(of, tier));
-    all(of_libm(), Libm::NAME)
-        .chain(all(of_poly(), Poly::NAME))
-        .collect()
+    registered().into_iter().map(family).collect()
 }
 
 /// Families with a planted defect, one a tier.
 pub fn flawed() -> Vec<Family> {
     vec![
-        family(flawed::overflowing::<Libm>(), Libm::NAME),
-        family(flawed::overflowing::<Poly>(), Poly::NAME),
+        family(flawed::overflowing::<Libm>()),
+        family(flawed::overflowing::<Poly>()),
     ]
 }
 
-fn family(of: Registered, tier: &'static str) -> Family {
+fn family(of: Registered) -> Family {
+    let tier = of.tier;
     let column = usize::from(tier != "libm");
     let rows: Arc<[Row]> = rows_of_floats(of.name)
         .into_iter()

@@ -25,6 +25,8 @@ use microwarp::uniform::Uniforms as _;
 use microwarp::{Error, Invert, Warp, warp::Transform};
 use picture::{Picture, View};
 use rand_pcg::Pcg32;
+use std::any::type_name;
+use std::collections::BTreeSet;
 use std::hint::black_box;
 use std::sync::Arc;
 
@@ -112,6 +114,8 @@ pub struct Entry {
     pub name: &'static str,
     pub parameters: &'static str,
     pub tier: &'static str,
+    /// Whether the type has a tier. What has none is one and the same in both.
+    pub tiered: bool,
     pub domain: Domain,
     /// How many uniforms a sample takes.
     pub uniforms: usize,
@@ -282,6 +286,7 @@ impl Entry {
 pub struct Registered {
     /// The struct, whose documentation states the errors.
     pub name: &'static str,
+    pub tier: &'static str,
     /// What tells constructors of one struct apart.
     pub constructor: &'static str,
     /// What kinds of numbers it takes, one after the other.
@@ -312,6 +317,7 @@ impl Registered {
     ) -> Self {
         Self {
             name,
+            tier: "",
             constructor,
             takes,
             ordered: &[],
@@ -552,6 +558,7 @@ where
         name,
         parameters: "",
         tier: T::NAME,
+        tiered: type_name::<W>().contains(type_name::<T>()),
         domain,
         uniforms,
         words: uniforms,
@@ -588,9 +595,15 @@ where
     }
 }
 
-/// Every constructor of every warp, in both tiers.
+/// Every constructor of every warp: in both tiers where it has one, otherwise once, beside those of `poly`.
 pub fn registered() -> Vec<Registered> {
     let mut all = of_libm();
+    let tiered: BTreeSet<&str> = all
+        .iter()
+        .filter(|of| of.entries().any(|entry| entry.tiered))
+        .map(|of| of.name)
+        .collect();
+    all.retain(|of| tiered.contains(of.name));
     all.extend(of_poly());
     all
 }
@@ -616,10 +629,20 @@ fn of_tier<T: Tier>() -> Vec<Registered> {
     all.extend(lights::registered::<T>());
     all.extend(tables::registered::<T>());
     all.extend(surfaces::registered::<T>());
+    for of in &mut all {
+        of.tier = T::NAME;
+    }
     all
 }
 
-/// Every warp at comfortable and at extreme parameters, in both tiers.
+/// Every warp at comfortable and at extreme parameters, in both tiers where it has one.
 pub fn entries() -> Vec<Entry> {
     registered().iter().flat_map(Registered::entries).collect()
+}
+
+/// The same in each tier, whether it has one or not: for what lays the tiers side by side.
+pub fn entries_of_each_tier() -> Vec<Entry> {
+    let all = of_libm().into_iter().chain(of_poly());
+    all.flat_map(|of| of.entries().collect::<Vec<_>>())
+        .collect()
 }
