@@ -76,6 +76,7 @@
 //! [`Autocorrelation`] tells how many steps are worth one independent sample. [`split_r_hat()`] compares several runs.
 //! Neither notices a peak that no run has visited.
 
+mod acceptance;
 mod autocorrelation;
 mod chain;
 mod chance;
@@ -92,6 +93,7 @@ mod product;
 mod r_hat;
 mod random_walk;
 mod rule;
+mod standing;
 mod start;
 mod step_law;
 mod subset;

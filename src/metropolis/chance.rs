@@ -1,19 +1,18 @@
-//! A step of a chain of integer weights: its exact acceptance, without floating-point operations.
+//! Integer weights, and the acceptance between them: exact, without floating-point operations.
 
 #![expect(
     clippy::arithmetic_side_effects,
     reason = "nothing overflows, which builds with overflow checks show"
 )]
 
-use super::hastings_correction::{Hastings, HastingsCorrection, Stated as _};
-use super::rule::steps;
-use super::target_value::{Standing, Weighing as _};
-use super::{Chain, HastingsCounts, Mutation, Outcome, Transition, WithPayload};
+use super::acceptance::{Acceptance, Probability};
+use super::hastings_correction::{Hastings, HastingsCorrection};
+use super::standing::Standing;
+use super::target_value::{TargetValue, Weighing};
+use super::{HastingsCounts, Transition};
+use crate::error::Error;
 use crate::num::Scaled;
 use crate::num::division::{fraction, fraction_u32, scaled};
-use crate::uniform::infallible;
-use core::num::NonZeroU32;
-use rand_core::{Rng, TryRng};
 
 /// The exact acceptance of a step between integer weights: how many of the 2³² possible words accept it.
 ///
@@ -62,22 +61,9 @@ impl Chance {
     /// How many words there are: 2³².
     pub const TOTAL: u64 = 1 << 32;
 
-    const NEVER: Self = Self::of(0, 1);
-    const ALWAYS: Self = Self::of(1, 1);
-
     #[inline]
     const fn of(part: u64, whole: u64) -> Self {
         Self { part, whole }
-    }
-
-    /// The rule: min(1, f′T′/(fT)), of a proposal of weight f′ by a chain at a state of weight f, both positive.
-    #[inline]
-    fn acceptance(f: u32, f_new: u32, ratio: impl HastingsCorrection) -> Self {
-        match ratio.hastings() {
-            Hastings::One => Self::of(f_new.into(), f.into()),
-            Hastings::HastingsCounts(counts) => Self::of_counts(f, f_new, counts),
-            Hastings::HastingsRatio(ratio) => Self::of_ratio(f, f_new, ratio.value),
-        }
     }
 
     /// How many words accept, from 0 to [`Chance::TOTAL`].
@@ -162,41 +148,46 @@ impl PartialEq for Chance {
 
 impl Eq for Chance {}
 
-macro_rules! advance {
-    ($weight:ty $(, $density:ident, $payload:ident)?) => {
-        impl<X: Copy $(, $payload: Copy)?> Chain<X, $weight> {
-            /// Takes one step; `u32::MAX` means no limit.
-            #[inline]
-            fn advance<R: TryRng + ?Sized>(
-                &mut self,
-                target: impl FnOnce(X) -> $weight,
-                mutation: &(impl Mutation<X> + ?Sized),
-                limit: u32,
-                rng: &mut R,
-            ) -> Result<Transition<X, $weight, Chance>, R::Error> {
-                let proposal = mutation.try_propose(self.state(), rng)?;
-                let word = rng.try_next_u32()?;
-                let weight = target(proposal.state);
-                let ratio = proposal.correction;
-                let (a, outcome) = match weight.standing().and(ratio.standing()) {
-                    Standing::Positive => match Chance::acceptance(self.density()$(.$density)?, weight$(.$density)?, ratio) {
-                        a if a.accepts(word) => (a, Outcome::Accepted),
-                        _ if self.must_move(limit) => (Chance::ALWAYS, Outcome::Forced),
-                        a => (a, Outcome::Rejected),
-                    },
-                    Standing::Zero => (Chance::NEVER, Outcome::Rejected),
-                    Standing::Unsound => (Chance::NEVER, Outcome::Refused),
-                };
-                Ok(self.take(&proposal, weight, a, outcome))
-            }
-        }
+impl Probability for Chance {
+    const NEVER: Self = Self::of(0, 1);
+    const ALWAYS: Self = Self::of(1, 1);
 
-        steps!($weight, Chance $(, $payload: Copy)?);
-    };
+    #[inline]
+    fn accepts(self, word: u32) -> bool {
+        Self::accepts(self, word)
+    }
 }
 
-advance!(u32);
-advance!(WithPayload<u32, P>, density, P);
+impl Acceptance<u32> for Chance {
+    #[inline]
+    fn between(f: u32, f_new: u32, ratio: impl HastingsCorrection) -> Self {
+        match ratio.hastings() {
+            Hastings::One => Self::of(f_new.into(), f.into()),
+            Hastings::HastingsCounts(counts) => Self::of_counts(f, f_new, counts),
+            Hastings::HastingsRatio(ratio) => Self::of_ratio(f, f_new, ratio.value),
+        }
+    }
+}
+
+impl Weighing for u32 {
+    #[inline]
+    fn standing(self) -> Standing {
+        if self > 0 {
+            Standing::Positive
+        } else {
+            Standing::Zero
+        }
+    }
+
+    #[inline]
+    fn fault(self) -> Error {
+        Error::NotPositive
+    }
+}
+
+impl TargetValue for u32 {
+    type Acceptance = Chance;
+}
 
 impl<X: Copy, D> Transition<X, D, Chance> {
     /// Both states, each with its share of the 2³² words: those that reject and those that accept. They sum to 2³² exactly.
@@ -215,8 +206,8 @@ impl<X: Copy, D> Transition<X, D, Chance> {
 }
 
 impl<X, D: Copy> Transition<X, D, Chance> {
-    /// What the target returned for both states, each with its share of the 2³² words: [`Transition::recorded`] for those who
-    /// record a weight, or what it goes [with](super::WithPayload).
+    /// What the target returned for both states, each with its share of the 2³² words: like [`Transition::recorded`], but with
+    /// the weights, and [what goes with them](super::WithPayload), instead of the states.
     ///
     /// Skip a value without words: if the proposal was refused, it may be anything.
     #[must_use]

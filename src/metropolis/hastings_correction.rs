@@ -1,6 +1,6 @@
 //! The Hastings ratio T(x′→x)/T(x→x′), in the three forms a mutation may state.
 
-use super::target_value::Standing;
+use super::standing::Standing;
 use super::{HastingsCounts, HastingsRatio};
 use crate::num::Scaled;
 

@@ -1,6 +1,6 @@
 //! The Hastings ratio T(x′→x)/T(x→x′) of a proposal, as a number and as two integers.
 
-use super::target_value::Standing;
+use super::standing::Standing;
 use crate::num::{Scaled, remainder};
 
 /// The Hastings ratio T(x′→x)/T(x→x′) of a proposal x′, as a number.

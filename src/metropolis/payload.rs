@@ -1,7 +1,10 @@
 //! Densities that carry what else the target has found at the state.
 
+use super::HastingsCorrection;
+use super::acceptance::Acceptance;
+use super::standing::Standing;
 use super::target_density::{Arithmetic, TargetDensity};
-use super::target_value::{Standing, TargetValue, Weighing};
+use super::target_value::{TargetValue, Weighing};
 use crate::error::Error;
 use crate::num::Scaled;
 
@@ -93,7 +96,21 @@ impl<D: TargetValue, P: Copy> Weighing for WithPayload<D, P> {
     }
 }
 
-impl<D: TargetValue, P: Copy> TargetValue for WithPayload<D, P> {}
+impl<D: TargetValue, P: Copy> TargetValue for WithPayload<D, P> {
+    type Acceptance = D::Acceptance;
+}
+
+/// The payload does not matter.
+impl<A: Acceptance<D>, D, P> Acceptance<WithPayload<D, P>> for A {
+    #[inline]
+    fn between(
+        f: WithPayload<D, P>,
+        f_new: WithPayload<D, P>,
+        ratio: impl HastingsCorrection,
+    ) -> Self {
+        A::between(f.density, f_new.density, ratio)
+    }
+}
 
 impl<D: TargetDensity, P: Copy> Arithmetic for WithPayload<D, P> {
     #[inline]

@@ -1,28 +1,17 @@
-//! The Metropolis–Hastings rule for a chain of densities, and the ways to take a step.
+//! The Metropolis–Hastings rule, and the ways to take a step.
 
-use super::hastings_correction::{HastingsCorrection, Stated as _};
-use super::target_density::TargetDensity;
-use super::target_value::{Standing, TargetValue};
+use super::acceptance::{Acceptance as _, Probability as _};
+use super::hastings_correction::Stated as _;
+use super::standing::Standing;
+use super::target_value::TargetValue;
 use super::{Chain, Mutation, Outcome, Proposal, Transition};
-use crate::num::happens;
 use crate::uniform::infallible;
 use core::num::NonZeroU32;
 use rand_core::{Rng, TryRng};
 
-/// The rule: min(1, f′T′/(fT)), of a proposal of density f′ by a chain at a state of density f, both positive.
-#[inline]
-fn acceptance<D: TargetDensity>(f: D, f_new: D, ratio: impl HastingsCorrection) -> f32 {
-    let product = match ratio.value() {
-        // T′ = T. The quotient of a smaller number by a larger one cannot overflow.
-        None if f.exceeds(f_new) => return f_new.over(f),
-        None => return 1.0,
-        Some(ratio) => f_new.quotient(f).times(ratio).value(),
-    };
-    if product < 1.0 { product } else { 1.0 }
-}
-
-impl<X: Copy, D: TargetDensity> Chain<X, D> {
-    /// Takes one step; `u32::MAX` means no limit.
+impl<X: Copy, D: TargetValue> Chain<X, D> {
+    /// The rule: proposes a state, and moves to it with the probability that keeps the density stationary. Each way to take a step
+    /// comes here; a `limit` of `u32::MAX` means none.
     #[inline]
     fn advance<R: TryRng + ?Sized>(
         &mut self,
@@ -30,42 +19,38 @@ impl<X: Copy, D: TargetDensity> Chain<X, D> {
         mutation: &(impl Mutation<X> + ?Sized),
         limit: u32,
         rng: &mut R,
-    ) -> Result<Transition<X, D>, R::Error> {
+    ) -> Result<Transition<X, D, D::Acceptance>, R::Error> {
         let proposal = mutation.try_propose(self.state(), rng)?;
         let word = rng.try_next_u32()?;
         let density = target(proposal.state);
         let ratio = proposal.correction;
         let (a, outcome) = match density.standing().and(ratio.standing()) {
-            Standing::Positive => match acceptance(self.density(), density, ratio) {
-                a if happens(a, word) => (a, Outcome::Accepted),
-                _ if self.must_move(limit) => (1.0, Outcome::Forced),
+            Standing::Positive => match D::Acceptance::between(self.density(), density, ratio) {
+                a if a.accepts(word) => (a, Outcome::Accepted),
+                _ if self.must_move(limit) => (D::Acceptance::ALWAYS, Outcome::Forced),
                 a => (a, Outcome::Rejected),
             },
-            Standing::Zero => (0.0, Outcome::Rejected),
-            Standing::Unsound => (0.0, Outcome::Refused),
+            Standing::Zero => (D::Acceptance::NEVER, Outcome::Rejected),
+            Standing::Unsound => (D::Acceptance::NEVER, Outcome::Refused),
         };
         Ok(self.take(&proposal, density, a, outcome))
     }
-}
 
-steps!(D, f32, D: TargetDensity);
-
-impl<X: Copy, D: TargetValue> Chain<X, D> {
     /// Whether the next proposal that the rule allows must be accepted; never with a limit of `u32::MAX`.
     #[inline]
-    pub(super) const fn must_move(&self, limit: u32) -> bool {
+    const fn must_move(&self, limit: u32) -> bool {
         limit < u32::MAX && self.rejected_in_a_row() >= limit
     }
 
     /// Moves to the proposal or stays, and counts the step.
     #[inline]
-    pub(super) fn take<C, A>(
+    fn take<C>(
         &mut self,
         proposal: &Proposal<X, C>,
         density: D,
-        acceptance: A,
+        acceptance: D::Acceptance,
         outcome: Outcome,
-    ) -> Transition<X, D, A> {
+    ) -> Transition<X, D, D::Acceptance> {
         let step = Transition {
             from: self.state(),
             from_density: self.density(),
@@ -82,117 +67,109 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
         }
         step
     }
-}
 
-/// The ways to take a step, in terms of the `advance` of one kind of chain.
-macro_rules! steps {
-    ($weight:ty, $acceptance:ty $(, $generic:ident: $bound:ident)?) => {
-        impl<X: Copy $(, $generic: $bound)?> Chain<X, $weight> {
-            /// Takes a step: one proposal, accepted or not.
-            ///
-            /// Pass the target that the chain was started with. It must return the same density for the same state each time.
-            ///
-            /// # Errors
-            /// The generator's own error; the chain is then unchanged.
-            #[inline]
-            pub fn try_step<R: TryRng + ?Sized>(
-                &mut self,
-                target: impl FnOnce(X) -> $weight,
-                mutation: &(impl Mutation<X> + ?Sized),
-                rng: &mut R,
-            ) -> Result<Transition<X, $weight, $acceptance>, R::Error> {
-                self.advance(target, mutation, u32::MAX, rng)
-            }
+    /// Takes a step: one proposal, accepted or not.
+    ///
+    /// Pass the target that the chain was started with. It must return the same density for the same state each time.
+    ///
+    /// # Errors
+    /// The generator's own error; the chain is then unchanged.
+    #[inline]
+    pub fn try_step<R: TryRng + ?Sized>(
+        &mut self,
+        target: impl FnOnce(X) -> D,
+        mutation: &(impl Mutation<X> + ?Sized),
+        rng: &mut R,
+    ) -> Result<Transition<X, D, D::Acceptance>, R::Error> {
+        self.advance(target, mutation, u32::MAX, rng)
+    }
 
-            /// Takes a step: one proposal, accepted or not.
-            ///
-            /// Pass the target that the chain was started with. It must return the same density for the same state each time.
-            #[inline]
-            pub fn step(
-                &mut self,
-                target: impl FnOnce(X) -> $weight,
-                mutation: &(impl Mutation<X> + ?Sized),
-                rng: &mut (impl Rng + ?Sized),
-            ) -> Transition<X, $weight, $acceptance> {
-                infallible(self.try_step(target, mutation, rng))
-            }
+    /// Takes a step: one proposal, accepted or not.
+    ///
+    /// Pass the target that the chain was started with. It must return the same density for the same state each time.
+    #[inline]
+    pub fn step(
+        &mut self,
+        target: impl FnOnce(X) -> D,
+        mutation: &(impl Mutation<X> + ?Sized),
+        rng: &mut (impl Rng + ?Sized),
+    ) -> Transition<X, D, D::Acceptance> {
+        infallible(self.try_step(target, mutation, rng))
+    }
 
-            /// Takes a step, and rejects at most `limit` times in a row: the next proposal that has a positive density and a way
-            /// back is then accepted whatever its probability ([`Outcome::Forced`](crate::metropolis::Outcome::Forced)).
-            ///
-            /// This **biases** the chain: f is no longer its stationary density. The states of high density, which the chain rarely
-            /// leaves, lose time. A state left with probability A per step keeps 1 − (1 − A)^(limit + 1) of its time per visit, and
-            /// the states it is forced to gain the rest. (It keeps more if some of its proposals cannot be forced, or propose the
-            /// state itself.) If A is well above 1/limit, the loss is negligible. If A is below, a peak of density f is cut to about
-            /// (limit + 1)·A·f. The share of forced steps tells which case you have.
-            ///
-            /// # Errors
-            /// The generator's own error; the chain is then unchanged.
-            #[inline]
-            pub fn try_step_limited<R: TryRng + ?Sized>(
-                &mut self,
-                target: impl FnOnce(X) -> $weight,
-                mutation: &(impl Mutation<X> + ?Sized),
-                limit: NonZeroU32,
-                rng: &mut R,
-            ) -> Result<Transition<X, $weight, $acceptance>, R::Error> {
-                // `u32::MAX` would mean no limit.
-            let limit = limit.get().min(u32::MAX.saturating_sub(1));
-            self.advance(target, mutation, limit, rng)
-            }
+    /// Takes a step, and rejects at most `limit` times in a row: the next proposal that has a positive density and a way
+    /// back is then accepted whatever its probability ([`Outcome::Forced`](crate::metropolis::Outcome::Forced)).
+    ///
+    /// This **biases** the chain: f is no longer its stationary density. The states of high density, which the chain rarely
+    /// leaves, lose time. A state left with probability A per step keeps 1 − (1 − A)^(limit + 1) of its time per visit, and
+    /// the states it is forced to gain the rest. (It keeps more if some of its proposals cannot be forced, or propose the
+    /// state itself.) If A is well above 1/limit, the loss is negligible. If A is below, a peak of density f is cut to about
+    /// (limit + 1)·A·f. The share of forced steps tells which case you have.
+    ///
+    /// # Errors
+    /// The generator's own error; the chain is then unchanged.
+    #[inline]
+    pub fn try_step_limited<R: TryRng + ?Sized>(
+        &mut self,
+        target: impl FnOnce(X) -> D,
+        mutation: &(impl Mutation<X> + ?Sized),
+        limit: NonZeroU32,
+        rng: &mut R,
+    ) -> Result<Transition<X, D, D::Acceptance>, R::Error> {
+        // `u32::MAX` would mean no limit.
+        let limit = limit.get().min(u32::MAX.saturating_sub(1));
+        self.advance(target, mutation, limit, rng)
+    }
 
-            /// Takes a step, and rejects at most `limit` times in a row. This **biases** the chain: see
-            /// [`try_step_limited`](Self::try_step_limited).
-            #[inline]
-            pub fn step_limited(
-                &mut self,
-                target: impl FnOnce(X) -> $weight,
-                mutation: &(impl Mutation<X> + ?Sized),
-                limit: NonZeroU32,
-                rng: &mut (impl Rng + ?Sized),
-            ) -> Transition<X, $weight, $acceptance> {
-                infallible(self.try_step_limited(target, mutation, limit, rng))
-            }
+    /// Takes a step, and rejects at most `limit` times in a row. This **biases** the chain: see
+    /// [`try_step_limited`](Self::try_step_limited).
+    #[inline]
+    pub fn step_limited(
+        &mut self,
+        target: impl FnOnce(X) -> D,
+        mutation: &(impl Mutation<X> + ?Sized),
+        limit: NonZeroU32,
+        rng: &mut (impl Rng + ?Sized),
+    ) -> Transition<X, D, D::Acceptance> {
+        infallible(self.try_step_limited(target, mutation, limit, rng))
+    }
 
-            /// Takes `steps` steps and resets the counts, so that an unlikely start loses its influence.
-            ///
-            /// No rule says how many steps are enough. A few times the integrated autocorrelation time of
-            /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little bias, provided the chain has been everywhere.
-            ///
-            /// # Errors
-            /// The generator's own error; the chain keeps, and counts, the steps before it.
-            #[doc(alias = "warm_up")]
-            #[inline]
-            pub fn try_burn_in<R: TryRng + ?Sized>(
-                &mut self,
-                mut target: impl FnMut(X) -> $weight,
-                mutation: &(impl Mutation<X> + ?Sized),
-                steps: u32,
-                rng: &mut R,
-            ) -> Result<(), R::Error> {
-                for _ in 0..steps {
-                    self.try_step(&mut target, mutation, rng)?;
-                }
-                self.reset_counts();
-                Ok(())
-            }
-
-            /// Takes `steps` steps and resets the counts, so that an unlikely start loses its influence.
-            ///
-            /// No rule says how many steps are enough. A few times the integrated autocorrelation time of
-            /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little bias, provided the chain has been everywhere.
-            #[doc(alias = "warm_up")]
-            #[inline]
-            pub fn burn_in(
-                &mut self,
-                target: impl FnMut(X) -> $weight,
-                mutation: &(impl Mutation<X> + ?Sized),
-                steps: u32,
-                rng: &mut (impl Rng + ?Sized),
-            ) {
-                infallible(self.try_burn_in(target, mutation, steps, rng));
-            }
+    /// Takes `steps` steps and resets the counts, so that an unlikely start loses its influence.
+    ///
+    /// No rule says how many steps are enough. A few times the integrated autocorrelation time of
+    /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little bias, provided the chain has been everywhere.
+    ///
+    /// # Errors
+    /// The generator's own error; the chain keeps, and counts, the steps before it.
+    #[doc(alias = "warm_up")]
+    #[inline]
+    pub fn try_burn_in<R: TryRng + ?Sized>(
+        &mut self,
+        mut target: impl FnMut(X) -> D,
+        mutation: &(impl Mutation<X> + ?Sized),
+        steps: u32,
+        rng: &mut R,
+    ) -> Result<(), R::Error> {
+        for _ in 0..steps {
+            self.try_step(&mut target, mutation, rng)?;
         }
-    };
+        self.reset_counts();
+        Ok(())
+    }
+
+    /// Takes `steps` steps and resets the counts, so that an unlikely start loses its influence.
+    ///
+    /// No rule says how many steps are enough. A few times the integrated autocorrelation time of
+    /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little bias, provided the chain has been everywhere.
+    #[doc(alias = "warm_up")]
+    #[inline]
+    pub fn burn_in(
+        &mut self,
+        target: impl FnMut(X) -> D,
+        mutation: &(impl Mutation<X> + ?Sized),
+        steps: u32,
+        rng: &mut (impl Rng + ?Sized),
+    ) {
+        infallible(self.try_burn_in(target, mutation, steps, rng));
+    }
 }
-pub(super) use steps;

@@ -1,7 +1,8 @@
 //! How a chain finds its first state among draws from another sampler.
 
+use super::standing::Standing;
 use super::target_density::TargetDensity;
-use super::target_value::{Standing, TargetValue, Weighing as _};
+use super::target_value::{TargetValue, Weighing as _};
 use super::{Chain, StateSource};
 use crate::estimate::Sum;
 use crate::num::{Scaled, happens};

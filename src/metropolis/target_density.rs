@@ -1,6 +1,9 @@
 //! Target densities in floating point, and their logarithms.
 
-use super::target_value::{Standing, TargetValue, Weighing};
+use super::HastingsCorrection;
+use super::acceptance::Acceptance;
+use super::standing::Standing;
+use super::target_value::{TargetValue, Weighing};
 use crate::error::Error;
 use crate::num::{Scaled, representable, saturated, two_product};
 use crate::tier::Tier;
@@ -33,7 +36,7 @@ pub(super) use sealed::Arithmetic;
     message = "the density of a target is `f32` or `LogDensity`, not `{Self}`",
     label = "not a density of a target"
 )]
-pub trait TargetDensity: TargetValue + Arithmetic {}
+pub trait TargetDensity: TargetValue<Acceptance = f32> + Arithmetic {}
 
 impl Weighing for f32 {
     #[inline]
@@ -51,7 +54,9 @@ impl Weighing for f32 {
     }
 }
 
-impl TargetValue for f32 {}
+impl TargetValue for f32 {
+    type Acceptance = f32;
+}
 
 impl Arithmetic for f32 {
     #[inline]
@@ -76,6 +81,13 @@ impl Arithmetic for f32 {
 }
 
 impl TargetDensity for f32 {}
+
+impl Acceptance<Self> for f32 {
+    #[inline]
+    fn between(f: Self, f_new: Self, ratio: impl HastingsCorrection) -> Self {
+        of_densities(f, f_new, ratio)
+    }
+}
 
 /// The natural logarithm of a density, known up to a constant summand; −∞ stands for a density of 0.
 ///
@@ -170,7 +182,9 @@ impl<T: Tier> Weighing for LogDensity<T> {
     }
 }
 
-impl<T: Tier> TargetValue for LogDensity<T> {}
+impl<T: Tier> TargetValue for LogDensity<T> {
+    type Acceptance = f32;
+}
 
 impl<T: Tier> Arithmetic for LogDensity<T> {
     #[inline]
@@ -198,3 +212,22 @@ impl<T: Tier> Arithmetic for LogDensity<T> {
 }
 
 impl<T: Tier> TargetDensity for LogDensity<T> {}
+
+impl<T: Tier> Acceptance<LogDensity<T>> for f32 {
+    #[inline]
+    fn between(f: LogDensity<T>, f_new: LogDensity<T>, ratio: impl HastingsCorrection) -> Self {
+        of_densities(f, f_new, ratio)
+    }
+}
+
+/// The acceptance of either kind of density.
+#[inline]
+fn of_densities<D: Arithmetic>(f: D, f_new: D, ratio: impl HastingsCorrection) -> f32 {
+    let product = match ratio.value() {
+        // T′ = T. The quotient of a smaller number by a larger one cannot overflow.
+        None if f.exceeds(f_new) => return f_new.over(f),
+        None => return 1.0,
+        Some(ratio) => f_new.quotient(f).times(ratio).value(),
+    };
+    if product < 1.0 { product } else { 1.0 }
+}

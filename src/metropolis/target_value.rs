@@ -1,42 +1,8 @@
-//! What a target returns for a state, and integer weights.
+//! What a target returns for a state.
 
+use super::acceptance::Acceptance;
+use super::standing::Standing;
 use crate::error::Error;
-
-/// Whether a chain can be at a state, or can take a proposal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Standing {
-    /// It can.
-    Positive,
-    /// It cannot.
-    Zero,
-    /// The number is not a valid density, weight or ratio.
-    Unsound,
-}
-
-impl Standing {
-    /// Judges a density in `f32`.
-    #[inline]
-    pub(super) const fn of_density(x: f32) -> Self {
-        if x > 0.0 && x <= f32::MAX {
-            Self::Positive
-        } else if x == 0.0 {
-            Self::Zero
-        } else {
-            Self::Unsound
-        }
-    }
-
-    /// Judges a product.
-    #[inline]
-    pub(super) const fn and(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Unsound, _) | (_, Self::Unsound) => Self::Unsound,
-            (Self::Zero, _) | (_, Self::Zero) => Self::Zero,
-            (Self::Positive, Self::Positive) => Self::Positive,
-        }
-    }
-}
 
 mod sealed {
     use super::{Error, Standing};
@@ -68,22 +34,7 @@ pub(super) use sealed::Weighing;
     label = "not a value of a target",
     note = "what else the target finds goes along as `WithPayload::new(density, payload)`"
 )]
-pub trait TargetValue: Weighing {}
-
-impl Weighing for u32 {
-    #[inline]
-    fn standing(self) -> Standing {
-        if self > 0 {
-            Standing::Positive
-        } else {
-            Standing::Zero
-        }
-    }
-
-    #[inline]
-    fn fault(self) -> Error {
-        Error::NotPositive
-    }
+pub trait TargetValue: Weighing {
+    /// The acceptance of a step: an `f32`, or a [`Chance`](super::Chance) for integer weights.
+    type Acceptance: Acceptance<Self>;
 }
-
-impl TargetValue for u32 {}

@@ -9,7 +9,7 @@ use microwarp::tier::Tier;
 use num_bigint::BigUint;
 
 /// A density in f64, of which nothing but quotients are known.
-pub trait Truth: TargetDensity + Weighed<Acceptance = f32> {
+pub trait Truth: TargetDensity + Weighed<Share = f32> {
     /// `to` over `from`.
     fn ratio(from: Self, to: Self) -> f64;
     /// What the acceptance of a symmetric mutation may be off, in proportion to it.
@@ -42,7 +42,7 @@ impl<T: Tier> Truth for LogDensity<T> {
 pub struct Enumerated<W: Weighed> {
     pub f: Vec<W>,
     /// Of each state; of one of weight 0, none.
-    pub paths: Vec<Vec<Path<W::Acceptance>>>,
+    pub paths: Vec<Vec<Path<W::Share>>>,
     /// How many of 2^64 words the ways there and back of one proposal may differ by and count as equal: the parts
     /// of a fraction that does not divide them. Chains of integers are told of it.
     pub uneven: u64,
@@ -50,7 +50,7 @@ pub struct Enumerated<W: Weighed> {
 
 impl<W: Weighed> Enumerated<W> {
     /// Of paths from elsewhere.
-    pub fn of(f: &[W], paths: Vec<Vec<Path<W::Acceptance>>>) -> Self {
+    pub fn of(f: &[W], paths: Vec<Vec<Path<W::Share>>>) -> Self {
         Self {
             f: f.to_vec(),
             paths,
@@ -189,7 +189,7 @@ impl<D: Truth> Enumerated<D> {
     }
 
     /// The exact acceptance of a path, and what the stated errors allow it to be off.
-    fn acceptance(&self, i: usize, path: &Path<D::Acceptance>) -> (f64, f64) {
+    fn acceptance(&self, i: usize, path: &Path<D::Share>) -> (f64, f64) {
         let there = rounded(&self.proposals(path.kind, i, path.to));
         let back = rounded(&self.proposals(path.kind, path.to, i));
         if back == 0.0 {

@@ -129,11 +129,7 @@ pub struct Driven<'a, F, M> {
 
 impl<F, M> Driven<'_, F, M> {
     /// One real step. It takes the words given, all of them, and no other.
-    pub fn step<D: Weighed>(
-        &self,
-        from: usize,
-        words: &[u32],
-    ) -> Transition<usize, D, D::Acceptance>
+    pub fn step<D: Weighed>(&self, from: usize, words: &[u32]) -> Transition<usize, D, D::Share>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -148,7 +144,7 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// All paths out of a state.
-    pub fn paths<D: Weighed>(&self, from: usize) -> Vec<Path<D::Acceptance>>
+    pub fn paths<D: Weighed>(&self, from: usize) -> Vec<Path<D::Share>>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,
@@ -212,7 +208,7 @@ impl<F, M> Driven<'_, F, M> {
         (bits, parts): (u32, u64),
         picks: &BigUint,
         rng: &mut Pcg32,
-    ) -> Vec<Path<D::Acceptance>>
+    ) -> Vec<Path<D::Share>>
     where
         F: Fn(usize) -> D,
         M: Mutation<usize>,

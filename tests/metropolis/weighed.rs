@@ -8,8 +8,8 @@ use std::num::NonZeroU32;
 
 /// A weight, and the steps of its chain.
 pub trait Weighed: TargetValue + Bits + PartialEq + Debug {
-    /// The acceptance; of integer weights, the words that accept.
-    type Acceptance: Copy + PartialEq + Debug + Bits;
+    /// The acceptance as a number; of integer weights, how many words accept.
+    type Share: Copy + PartialEq + Debug + Bits;
 
     fn is_positive(self) -> bool;
 
@@ -20,7 +20,7 @@ pub trait Weighed: TargetValue + Bits + PartialEq + Debug {
         mutation: &M,
         limit: Option<NonZeroU32>,
         rng: &mut R,
-    ) -> Result<Transition<X, Self, Self::Acceptance>, R::Error>;
+    ) -> Result<Transition<X, Self, Self::Share>, R::Error>;
 
     fn step<X: Copy, M: Mutation<X>, R: Rng>(
         chain: &mut Chain<X, Self>,
@@ -28,7 +28,7 @@ pub trait Weighed: TargetValue + Bits + PartialEq + Debug {
         mutation: &M,
         limit: Option<NonZeroU32>,
         rng: &mut R,
-    ) -> Transition<X, Self, Self::Acceptance> {
+    ) -> Transition<X, Self, Self::Share> {
         let Ok(step) = Self::try_step(chain, target, mutation, limit, rng);
         step
     }
@@ -37,7 +37,7 @@ pub trait Weighed: TargetValue + Bits + PartialEq + Debug {
 macro_rules! weighed {
     ($([$($tier:ident)?] $weight:ty, $acceptance:ty, $said:expr, $is_positive:expr;)*) => {$(
         impl<$($tier: Tier)?> Weighed for $weight {
-            type Acceptance = $acceptance;
+            type Share = $acceptance;
 
             fn is_positive(self) -> bool {
                 $is_positive(self)
