@@ -5,6 +5,7 @@
 mod bounds;
 mod cube_root;
 pub(crate) mod division;
+pub(crate) mod double_word;
 pub(crate) mod doubles;
 mod error_free;
 mod exact_sum;
@@ -12,11 +13,12 @@ mod exponent;
 mod long;
 mod scaled;
 mod segment;
+pub(crate) mod vector;
 mod word;
 
 pub use self::bounds::{LARGEST, SMALLEST};
 pub(crate) use self::bounds::{
-    VECTORS, above_zero, clamp, into_unit, representable, saturated, tail,
+    VECTORS, above_zero, by_tail, clamp, into_unit, representable, saturated, tail,
 };
 pub(crate) use self::cube_root::cube_root;
 pub(crate) use self::error_free::{

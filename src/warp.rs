@@ -66,7 +66,7 @@ mod interval;
 mod inversion;
 mod laplace;
 mod linear;
-mod located;
+mod location_scale;
 mod log_normal;
 mod logistic;
 mod marginal;

@@ -1,6 +1,8 @@
 //! The Cauchy distribution.
 
-use super::located::{Located, Standard, density_by_tails, located, located_inverse, located_warp};
+use super::location_scale::{
+    Located, Standard, density_by_tails, located, located_inverse, located_warp,
+};
 use super::{Invert, Warp};
 use crate::num::above_zero;
 use crate::tier::Tier;

@@ -1,8 +1,9 @@
 //! Directions from angles and angles from directions, without cancellation: shared by the warps over directions.
 
-use crate::error::Error;
+use crate::error::{Error, finite};
+use crate::num::vector::scaled;
 use crate::num::{into_unit, two_sum};
-use crate::tier::Tier;
+use crate::tier::{Tier, sqrt};
 use core::f32::consts::TAU;
 
 /// 2⁻¹⁰⁰. Below it 1 − cos θ equals sin²θ/2, and may have lost digits if it is a product.
@@ -45,6 +46,25 @@ pub(crate) fn one_minus_cos(direction: [f32; 3]) -> f32 {
 pub(crate) fn azimuth<T: Tier>(x: f32, y: f32) -> f32 {
     let turns = T::atan2_turns(y, x);
     into_unit(if turns < 0.0 { turns + 1.0 } else { turns })
+}
+
+/// The unit vector along a direction of any finite length.
+pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
+    for c in &direction {
+        finite(*c)?;
+    }
+    let (_, point) = scaled(direction);
+    let length = length(point);
+    if length > 0.0 {
+        Ok(point.map(|c| c / length))
+    } else {
+        Err(Error::ZeroLength)
+    }
+}
+
+/// The length of a scaled point.
+pub(crate) fn length([x, y, z]: [f32; 3]) -> f32 {
+    sqrt(x * x + y * y + z * z)
 }
 
 /// Whether all three coordinates are finite.

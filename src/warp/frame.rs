@@ -1,6 +1,6 @@
 //! Turning local directions onto a given normal.
 
-use super::spherical::normalised;
+use super::direction::normalised;
 use super::{Invert, Warp};
 use crate::error::Error;
 use crate::tier::sqrt;

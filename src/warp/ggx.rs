@@ -1,10 +1,10 @@
 //! Microfacet normals of Trowbridge and Reitz (GGX): all of them, and those that a viewer sees.
 
-use super::direction::{azimuth, is_direction};
+use super::direction::{azimuth, is_direction, length, normalised};
 use super::planar::{PlanarMap, planar};
-use super::spherical::{length, normalised, scaled};
 use super::{Invert, Warp};
 use crate::error::{Error, positive};
+use crate::num::vector::scaled;
 use crate::num::{above_zero, into_unit, remainder, representable};
 use crate::tier::{Tier, sqrt};
 use core::f32::consts::FRAC_1_PI;

@@ -1,6 +1,6 @@
 //! The Gumbel distribution.
 
-use super::located::{Located, Standard, decayed, located, located_inverse, located_warp};
+use super::location_scale::{Located, Standard, decayed, located, located_inverse, located_warp};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::num::{Scaled, above_zero, doubles, middle, representable, tail, two_sum};
 use crate::tier::{LOG2_E, Tier, exp2_pair, log2, neg_log2_1m, neg_log2_1m_of_word, times};

@@ -1,6 +1,6 @@
 //! The Laplace distribution.
 
-use super::located::{
+use super::location_scale::{
     Located, Standard, decayed, density_by_tails, located, located_inverse, located_warp,
 };
 use super::{Invert, Warp};

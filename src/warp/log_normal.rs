@@ -1,6 +1,6 @@
 //! The log-normal distribution.
 
-use super::located::standardised;
+use super::location_scale::standardised;
 use super::normal::{FRAC_1_SQRT_TAU, exponent};
 use super::{Invert, Warp};
 use crate::error::{Error, finite, positive};

@@ -1,6 +1,6 @@
 //! The logistic distribution.
 
-use super::located::{Located, Standard, decayed, located, located_inverse, located_warp};
+use super::location_scale::{Located, Standard, decayed, located, located_inverse, located_warp};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::num::{above_zero, folded, power_of_two_times, representable};
 use crate::tier::{LN_2, Tier};

@@ -1,7 +1,7 @@
 //! The normal distribution: one number by its quantile, two by Box and Muller's map; densities with samples from the uniform.
 
 use super::direction::azimuth;
-use super::located::{checked, decayed, standardised};
+use super::location_scale::{checked, decayed, standardised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::Error;

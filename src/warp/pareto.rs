@@ -2,7 +2,8 @@
 
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, positive};
-use crate::num::{Scaled, head, into_unit, middle, remainder, representable};
+use crate::num::double_word::{by_64, reciprocal};
+use crate::num::{Scaled, into_unit, middle, representable};
 use crate::tier::{LN_2, Tier, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
@@ -78,18 +79,6 @@ pub struct Pareto<T> {
     /// 64/α: a head of 12 bits and the rest.
     root: (f32, f32),
     tier: PhantomData<T>,
-}
-
-/// 1/x and its rounding error; infinite where it overflows.
-pub(super) const fn reciprocal(x: f32) -> (f32, f32) {
-    let inverse = 1.0 / x;
-    (inverse, remainder(1.0, inverse, x) / x)
-}
-
-/// 64 times a number with its rounding error: a head of 12 bits and the rest.
-pub(super) const fn by_64((x, rest): (f32, f32)) -> (f32, f32) {
-    let high = head(64.0 * x);
-    (high, (64.0 * x - high) + 64.0 * rest)
 }
 
 impl<T: Tier> Pareto<T> {

@@ -1,8 +1,8 @@
 //! The power law on an interval, in both orientations. Samples have nine digits inside in `libm`, and come by tables in `poly`.
 
-use super::pareto::by_64;
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, finite};
+use crate::num::double_word::by_64;
 use crate::num::{
     Scaled, clamp, head, into_unit, middle, product, quick_two_sum, remainder, representable,
     two_sum,

@@ -1,6 +1,6 @@
 //! The Rayleigh distribution.
 
-use super::located::{by_tails, decayed, density_by_tails, standardised};
+use super::location_scale::{by_tails, decayed, density_by_tails, standardised};
 use super::normal::exponent;
 use super::{Invert, Warp};
 use crate::error::{Error, positive};

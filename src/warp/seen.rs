@@ -3,10 +3,11 @@
 //! A corner is a direction. Half a light is a triangle of corners a (the apex, at the first uniform 0), b (where the second
 //! one is 0) and c. Everything is said in terms of weights: a direction is the sum of the corners times their weights.
 
-use super::direction::is_direction;
-use super::spherical::normalised;
+use super::direction::{is_direction, normalised};
 use crate::error::Error;
-use crate::num::{two_product, two_sum};
+use crate::num::double_word::{self, DoubleWord, determinant};
+use crate::num::two_sum;
+use crate::num::vector::{cross, dot, minus, plus, span, times};
 use crate::tier::{Tier, sqrt};
 
 /// 2⁶³ and 2⁻⁶⁰: the largest and the smallest size of a light and its distance together, as the sum of the magnitudes of all
@@ -54,41 +55,6 @@ const SHORTEST: f32 = 5.293_956e-23;
 /// and sums of the test add 14.
 const RIM: f32 = 39.0 * 0.5 * f32::EPSILON;
 
-#[inline]
-pub(super) fn dot(p: [f32; 3], q: [f32; 3]) -> f32 {
-    let ([a, b, c], [d, e, f]) = (p, q);
-    a * d + b * e + c * f
-}
-
-#[inline]
-pub(super) fn cross(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
-    let ([a, b, c], [d, e, f]) = (p, q);
-    [b * f - c * e, c * d - a * f, a * e - b * d]
-}
-
-#[inline]
-pub(super) fn plus(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
-    let ([a, b, c], [d, e, f]) = (p, q);
-    [a + d, b + e, c + f]
-}
-
-#[inline]
-pub(super) fn minus(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
-    let ([a, b, c], [d, e, f]) = (p, q);
-    [a - d, b - e, c - f]
-}
-
-#[inline]
-pub(super) fn times(p: [f32; 3], by: f32) -> [f32; 3] {
-    p.map(|x| x * by)
-}
-
-/// The sum of the magnitudes.
-#[inline]
-pub(super) fn span([x, y, z]: [f32; 3]) -> f32 {
-    x.abs() + y.abs() + z.abs()
-}
-
 /// The smaller number; comparisons joined by `or` would draw all they depend on into vectors of two, which are slower here.
 #[inline]
 pub(super) fn least(a: f32, b: f32) -> f32 {
@@ -133,42 +99,25 @@ pub(super) fn rectangle_unit(
     }
 }
 
-/// A number as a rounded part and a rest.
-type Two = (f32, f32);
-
-fn difference(p: [f32; 3], q: [f32; 3]) -> [Two; 3] {
-    let ([a, b, c], [d, e, f]) = (p, q);
-    [two_sum(a, -d), two_sum(b, -e), two_sum(c, -f)]
-}
-
-fn product(p: Two, q: Two) -> Two {
-    let (product, dropped) = two_product(p.0, q.0);
-    (product, dropped + (p.0 * q.1 + p.1 * q.0))
-}
-
-fn sum(p: Two, q: Two) -> Two {
-    let (sum, dropped) = two_sum(p.0, q.0);
-    (sum, dropped + (p.1 + q.1))
-}
-
-/// a·b − c·d.
-fn determinant(a: Two, b: Two, c: Two, d: Two) -> Two {
-    sum(product(a, b), product((-c.0, -c.1), d))
+/// The way from a point to another in twice the digits, in units of a power of two.
+fn way(from: [f32; 3], to: [f32; 3], unit: f32) -> [DoubleWord; 3] {
+    let ([a, b, c], [d, e, f]) = (to, from);
+    [two_sum(a, -d), two_sum(b, -e), two_sum(c, -f)].map(|(x, rest)| (x * unit, rest * unit))
 }
 
 /// The volume of a way and two edges in twice the digits, and its sign; 0 where even those are lost.
-fn spanned(way: [Two; 3], first: [Two; 3], second: [Two; 3]) -> f32 {
+fn spanned(way: [DoubleWord; 3], first: [DoubleWord; 3], second: [DoubleWord; 3]) -> f32 {
     let ([a, b, c], [d, e, f]) = (first, second);
     let [x, y, z] = way;
     let parts = [
-        product(x, determinant(b, f, c, e)),
-        product(y, determinant(c, d, a, f)),
-        product(z, determinant(a, e, b, d)),
+        double_word::times(x, determinant(b, f, c, e)),
+        double_word::times(y, determinant(c, d, a, f)),
+        double_word::times(z, determinant(a, e, b, d)),
     ];
     let [p, q, r] = parts;
-    let (volume, rest) = sum(sum(p, q), r);
+    let (volume, rest) = double_word::plus(double_word::plus(p, q), r);
     let volume = volume + rest;
-    let rounded = |v: [Two; 3]| v.map(|(x, _)| x);
+    let rounded = |v: [DoubleWord; 3]| v.map(|(x, _)| x);
     let [way, first, second] = [way, first, second].map(rounded);
     let [far, long, wide] = [way, first, second].map(|v| sqrt(dot(v, v)));
     let long = if long > wide { long } else { wide };
@@ -183,12 +132,7 @@ fn spanned(way: [Two; 3], first: [Two; 3], second: [Two; 3]) -> f32 {
 #[cold]
 #[inline(never)]
 pub(super) fn triangle_volume(point: [f32; 3], [a, b, c]: [[f32; 3]; 3], unit: f32) -> f32 {
-    let scaled = |v: [Two; 3]| v.map(|(x, rest)| (x * unit, rest * unit));
-    spanned(
-        scaled(difference(a, point)),
-        scaled(difference(b, a)),
-        scaled(difference(c, a)),
-    )
+    spanned(way(point, a, unit), way(a, b, unit), way(a, c, unit))
 }
 
 /// The same of a parallelogram.
@@ -200,7 +144,7 @@ pub(super) fn rectangle_volume(
     [first, second]: [[f32; 3]; 2],
     unit: f32,
 ) -> f32 {
-    let way = difference(corner, point).map(|(x, rest)| (x * unit, rest * unit));
+    let way = way(point, corner, unit);
     spanned(way, first.map(|x| (x, 0.0)), second.map(|x| (x, 0.0)))
 }
 
@@ -213,11 +157,15 @@ pub(super) fn other_corners(
     [first, second]: [[f32; 3]; 2],
     unit: f32,
 ) -> [[f32; 3]; 3] {
-    let way = difference(corner, point).map(|(x, rest)| (x * unit, rest * unit));
+    let way = way(point, corner, unit);
     let [first, second] = [first, second].map(|edge| edge.map(|x| (x, 0.0)));
-    let add = |p: [Two; 3], q: [Two; 3]| {
+    let add = |p: [DoubleWord; 3], q: [DoubleWord; 3]| {
         let ([a, b, c], [d, e, f]) = (p, q);
-        [sum(a, d), sum(b, e), sum(c, f)]
+        [
+            double_word::plus(a, d),
+            double_word::plus(b, e),
+            double_word::plus(c, f),
+        ]
     };
     let (x, y) = (add(way, first), add(way, second));
     [x, add(x, second), y].map(|way| way.map(|(x, rest)| x + rest))

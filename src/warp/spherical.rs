@@ -4,6 +4,7 @@ use super::direction::{Azimuths, azimuth, between_poles, is_direction, nudged, o
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, finite};
+use crate::num::vector::scaled;
 use crate::num::{clamp, into_unit};
 use crate::tier::{Tier, sqrt};
 use core::f32::consts::TAU;
@@ -135,41 +136,6 @@ impl<T: Tier> Spherical<T> {
             f32::MAX,
         )
     }
-}
-
-/// A power of two near the largest of these numbers.
-pub(crate) fn magnitude<const N: usize>(numbers: [f32; N]) -> f32 {
-    let mut largest = f32::MIN_POSITIVE;
-    for x in &numbers {
-        largest = clamp(x.abs(), largest, f32::MAX);
-    }
-    f32::from_bits(largest.to_bits() & 0x7f80_0000)
-}
-
-/// A power of two near the largest coordinate, and the point divided by it, whose squares neither overflow nor
-/// underflow.
-pub(crate) fn scaled(point: [f32; 3]) -> (f32, [f32; 3]) {
-    let scale = magnitude(point);
-    (scale, point.map(|c| c / scale))
-}
-
-/// The unit vector along a direction of any finite length.
-pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
-    for c in &direction {
-        finite(*c)?;
-    }
-    let (_, point) = scaled(direction);
-    let length = length(point);
-    if length > 0.0 {
-        Ok(point.map(|c| c / length))
-    } else {
-        Err(Error::ZeroLength)
-    }
-}
-
-/// The length of a scaled point.
-pub(crate) fn length([x, y, z]: [f32; 3]) -> f32 {
-    sqrt(x * x + y * y + z * z)
 }
 
 /// Uniform over the directions between two polar angles and two azimuths, a rectangle of latitude and longitude.

@@ -4,7 +4,7 @@ use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, Warp};
 use crate::error::Error;
-use crate::num::into_unit;
+use crate::num::{into_unit, vector};
 use crate::tier::{Tier, sqrt};
 use crate::uniform::Uniforms;
 use core::f32::consts::PI;
@@ -141,50 +141,50 @@ impl<T: Tier> SphericalRectangle<T> {
     #[inline(always)]
     pub fn new(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]) -> Result<Self, Error> {
         let [mut x, mut y] = edges;
-        let mut p = seen::minus(corner, point);
+        let mut p = vector::minus(corner, point);
         let mut unit = 1.0;
-        let size = seen::span(p) + seen::span(x) + seen::span(y);
+        let size = vector::span(p) + vector::span(x) + vector::span(y);
         if !seen::is_plain(size) {
             unit = seen::rectangle_unit(size, point, corner, edges)?;
-            [p, x, y] = [p, x, y].map(|way| seen::times(way, unit));
+            [p, x, y] = [p, x, y].map(|way| vector::times(way, unit));
         }
         let (mut q, mut r, mut s) = (
-            seen::plus(p, x),
-            seen::plus(p, seen::plus(x, y)),
-            seen::plus(p, y),
+            vector::plus(p, x),
+            vector::plus(p, vector::plus(x, y)),
+            vector::plus(p, y),
         );
         let (p2, mut q2, mut r2, mut s2) = (
-            seen::dot(p, p),
-            seen::dot(q, q),
-            seen::dot(r, r),
-            seen::dot(s, s),
+            vector::dot(p, p),
+            vector::dot(q, q),
+            vector::dot(r, r),
+            vector::dot(s, s),
         );
         if seen::least(q2, seen::least(r2, s2)) < FAR_NEARER * p2 {
             [q, r, s] = seen::other_corners(point, corner, [x, y], unit);
-            [q2, r2, s2] = [q, r, s].map(|way| seen::dot(way, way));
+            [q2, r2, s2] = [q, r, s].map(|way| vector::dot(way, way));
         }
         let (lp, lq, lr, ls) = (sqrt(p2), sqrt(q2), sqrt(r2), sqrt(s2));
         let (ip, iq, ir, is) = (1.0 / lp, 1.0 / lq, 1.0 / lr, 1.0 / ls);
         let (a, b, c, d) = (
-            seen::times(p, ip),
-            seen::times(q, iq),
-            seen::times(r, ir),
-            seen::times(s, is),
+            vector::times(p, ip),
+            vector::times(q, iq),
+            vector::times(r, ir),
+            vector::times(s, is),
         );
-        let diagonal = seen::dot(a, c);
+        let diagonal = vector::dot(a, c);
         let [sum0, rise0, near0] =
-            seen::sums(a, b, c, [seen::dot(a, b), seen::dot(b, c), diagonal]);
+            seen::sums(a, b, c, [vector::dot(a, b), vector::dot(b, c), diagonal]);
         let [sum1, rise1, near1] =
-            seen::sums(a, d, c, [seen::dot(a, d), seen::dot(d, c), diagonal]);
-        let normal = seen::cross(x, y);
-        let spread = seen::span(normal);
-        let mut volume = seen::dot(a, normal);
+            seen::sums(a, d, c, [vector::dot(a, d), vector::dot(d, c), diagonal]);
+        let normal = vector::cross(x, y);
+        let spread = vector::span(normal);
+        let mut volume = vector::dot(a, normal);
         // Edge-on, and between edges of about one direction, few digits are left. They do not count in front of the light,
         // but for close to a corner.
         let nearest = seen::least(lq, seen::least(lr, ls));
         let even = lp < seen::UNEVEN * nearest;
         let before = seen::least(sum0, sum1) < 0.0;
-        let sharp = seen::SHARP * spread <= seen::span(x) * seen::span(y);
+        let sharp = seen::SHARP * spread <= vector::span(x) * vector::span(y);
         let edge_on = seen::EDGE_ON * volume.abs() <= spread;
         if sharp || (edge_on && !(before && even)) {
             volume = ip * seen::rectangle_volume(point, corner, [x, y], unit);
@@ -323,7 +323,7 @@ impl<T: Tier> SphericalRectangle<T> {
     #[inline]
     fn sides(&self) -> [[f32; 3]; 4] {
         let [x, y] = self.edges;
-        [x, y, seen::times(x, -1.0), seen::times(y, -1.0)]
+        [x, y, vector::times(x, -1.0), vector::times(y, -1.0)]
     }
 }
 

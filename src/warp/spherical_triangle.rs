@@ -4,7 +4,7 @@ use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, Warp};
 use crate::error::Error;
-use crate::num::into_unit;
+use crate::num::{into_unit, vector};
 use crate::tier::{Tier, sqrt};
 use crate::uniform::Uniforms;
 use core::f32::consts::PI;
@@ -144,28 +144,32 @@ impl<T: Tier> SphericalTriangle<T> {
     #[inline(always)]
     pub fn new(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<Self, Error> {
         let [a, b, c] = vertices;
-        let [mut p, mut q, mut r] = vertices.map(|vertex| seen::minus(vertex, point));
+        let [mut p, mut q, mut r] = vertices.map(|vertex| vector::minus(vertex, point));
         // The edge across is no difference of the others: it may be far shorter.
         let [mut x, mut across, mut y] =
-            [(b, a), (c, b), (c, a)].map(|(to, from)| seen::minus(to, from));
+            [(b, a), (c, b), (c, a)].map(|(to, from)| vector::minus(to, from));
         let mut unit = 1.0;
-        let size = seen::span(p) + seen::span(x) + seen::span(y);
+        let size = vector::span(p) + vector::span(x) + vector::span(y);
         if !seen::is_plain(size) {
             unit = seen::unit(size, [point, a, b, c])?;
-            [p, q, r, x, across, y] = [p, q, r, x, across, y].map(|way| seen::times(way, unit));
+            [p, q, r, x, across, y] = [p, q, r, x, across, y].map(|way| vector::times(way, unit));
         }
-        let [la, lb, lc] = [p, q, r].map(|way| sqrt(seen::dot(way, way)));
+        let [la, lb, lc] = [p, q, r].map(|way| sqrt(vector::dot(way, way)));
         let (ia, ib, ic) = (1.0 / la, 1.0 / lb, 1.0 / lc);
-        let (a, b, c) = (seen::times(p, ia), seen::times(q, ib), seen::times(r, ic));
-        let cosines = [seen::dot(a, b), seen::dot(b, c), seen::dot(c, a)];
+        let (a, b, c) = (
+            vector::times(p, ia),
+            vector::times(q, ib),
+            vector::times(r, ic),
+        );
+        let cosines = [vector::dot(a, b), vector::dot(b, c), vector::dot(c, a)];
         let [sum, rise, near] = seen::sums(a, b, c, cosines);
-        let normal = seen::cross(x, y);
-        let spread = seen::span(normal);
-        let mut volume = seen::dot(a, normal);
+        let normal = vector::cross(x, y);
+        let spread = vector::span(normal);
+        let mut volume = vector::dot(a, normal);
         // Edge-on, and in slivers, few digits are left. They do not count in front of the light, but for close to a corner.
         let nearest = seen::least(lb, lc);
         let even = la < seen::UNEVEN * nearest;
-        let sharp = seen::SHARP * spread <= seen::span(x) * seen::span(y);
+        let sharp = seen::SHARP * spread <= vector::span(x) * vector::span(y);
         let edge_on = seen::EDGE_ON * volume.abs() <= spread;
         if sharp || (edge_on && !(sum < 0.0 && even)) {
             volume = ia * seen::triangle_volume(point, vertices, unit);
@@ -252,7 +256,7 @@ impl<T: Tier> SphericalTriangle<T> {
     #[inline]
     fn sides(&self) -> [[f32; 3]; 3] {
         let [x, across, y] = self.edges;
-        [x, across, seen::times(y, -1.0)]
+        [x, across, vector::times(y, -1.0)]
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::{Invert, Triangle, Warp};
 use crate::error::Error;
-use crate::num::{clamp, remainder, two_product, two_sum};
+use crate::num::double_word::{DoubleWord, TripleWord, quotient};
+use crate::num::{clamp, two_sum};
 use crate::tier::sqrt;
 use crate::uniform::Canonical;
 
@@ -95,9 +96,6 @@ pub struct TriangleOn<const D: usize> {
 
 /// 2⁻⁴⁰, the smallest height over the longest side: lower triangles are lines in `f32`.
 const LOWEST: f32 = 9.094_947e-13;
-
-/// A number as a rounded part and a rest.
-type Two = (f32, f32);
 
 impl<const D: usize> TriangleOn<D> {
     /// Uniform on the triangle with these vertices.
@@ -232,7 +230,7 @@ fn binade(x: f32) -> f32 {
 fn differences<const D: usize>(
     vertices: &[[f32; D]; 3],
     scale: f32,
-    sides: &mut [[Two; D]; 3],
+    sides: &mut [[DoubleWord; D]; 3],
 ) -> f32 {
     let [a, b, c] = vertices;
     let mut longest = 0.0_f32;
@@ -245,73 +243,35 @@ fn differences<const D: usize>(
     longest
 }
 
-fn scaled(numbers: &mut [Two], by: f32) {
+fn scaled(numbers: &mut [DoubleWord], by: f32) {
     for (x, rest) in numbers {
         *x /= by;
         *rest /= by;
     }
 }
 
-/// A sum of a few numbers, as if computed with three times as many digits.
-struct Sum(f32, f32, f32);
-
-impl Sum {
-    const ZERO: Self = Self(0.0, 0.0, 0.0);
-
-    fn add(&mut self, x: f32) {
-        let (sum, dropped) = two_sum(self.0, x);
-        let (rest, lost) = two_sum(self.1, dropped);
-        *self = Self(sum, rest, self.2 + lost);
-    }
-
-    /// Adds a product, exact but for the last of its terms.
-    fn add_product(&mut self, p: Two, q: Two) {
-        let (a, b) = two_product(p.0, q.0);
-        let (c, d) = two_product(p.0, q.1);
-        let (e, f) = two_product(p.1, q.0);
-        for x in &[a, c, e, b, d, f, p.1 * q.1] {
-            self.add(*x);
-        }
-    }
-
-    fn rounded(&self) -> Two {
-        let (rest, lost) = two_sum(self.1, self.2);
-        let (sum, rest) = two_sum(self.0, rest);
-        // The last counts where the first two cancelled.
-        two_sum(sum, rest + lost)
-    }
-}
-
-fn dot(p: &[Two], q: &[Two]) -> f32 {
-    let mut sum = Sum::ZERO;
+fn dot(p: &[DoubleWord], q: &[DoubleWord]) -> f32 {
+    let mut sum = TripleWord::ZERO;
     for (p, q) in p.iter().zip(q) {
         sum.add_product(*p, *q);
     }
     sum.rounded().0
 }
 
-/// a·b − c·d.
-fn determinant(a: Two, b: Two, c: Two, d: Two) -> Two {
-    let mut sum = Sum::ZERO;
-    sum.add_product(a, b);
-    sum.add_product((-c.0, -c.1), d);
-    sum.rounded()
-}
-
 /// The component of q at right angles to p, times p², and the area that the two span. Both come from the determinants
 /// in the coordinate planes, which are exact to `f32` however flat the two lie.
-fn contraction(p: &[Two], q: &[Two], part: &mut [Two]) -> f32 {
+fn contraction(p: &[DoubleWord], q: &[DoubleWord], part: &mut [DoubleWord]) -> f32 {
     let mut squares = 0.0;
     for (i, (part, (p1, q1))) in part.iter_mut().zip(p.iter().zip(q)).enumerate() {
         for (j, (p2, q2)) in p.iter().zip(q).enumerate() {
             if i == j {
                 continue;
             }
-            let determinant = determinant(*p2, *q1, *p1, *q2);
+            let determinant = TripleWord::determinant(*p2, *q1, *p1, *q2);
             if i < j {
                 squares += determinant.0 * determinant.0;
             }
-            let mut total = Sum::ZERO;
+            let mut total = TripleWord::ZERO;
             total.add(part.0);
             total.add(part.1);
             total.add_product(*p2, determinant);
@@ -319,12 +279,6 @@ fn contraction(p: &[Two], q: &[Two], part: &mut [Two]) -> f32 {
         }
     }
     sqrt(squares)
-}
-
-/// A number divided by a rounded one, rounded once.
-fn quotient((x, rest): Two, by: f32) -> f32 {
-    let quotient = x / by;
-    quotient + (remainder(x, quotient, by) + rest) / by
 }
 
 /// What the area of a triangle in space comes from: the cross product of two sides, its length, and the power of two
@@ -350,7 +304,7 @@ impl Spanned {
         let [[x, y, z], _, back] = sides;
         let [f, g, h] = back.map(|(x, rest)| (-x, -rest));
         let cross = [(y, h, z, g), (z, f, x, h), (x, g, y, f)]
-            .map(|(a, b, c, d)| determinant(a, b, c, d).0);
+            .map(|(a, b, c, d)| TripleWord::determinant(a, b, c, d).0);
         let [i, j, k] = cross;
         let length = sqrt(i * i + j * j + k * k);
         let (_, base2) = {

@@ -1,6 +1,6 @@
 //! The normal distribution restricted to an interval, by the hazard beyond the point that is nearest to the mean.
 
-use super::located::{decayed, standardised};
+use super::location_scale::{decayed, standardised};
 use super::normal::exponent;
 use super::{Invert, Warp};
 use crate::error::{Error, finite, positive};

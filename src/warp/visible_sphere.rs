@@ -1,10 +1,10 @@
 //! The directions in which a sphere is seen from a point.
 
-use super::direction::around;
+use super::direction::{around, normalised};
 use super::planar::{PlanarMap, planar};
-use super::spherical::{magnitude, normalised};
 use super::{Cone, Frame, Invert, Oriented, Warp};
 use crate::error::{Error, finite, positive};
+use crate::num::vector::magnitude;
 use crate::num::{
     ExactSum, Scaled, clamp, product, quick_two_sum, remainder, two_product, two_sum,
 };

@@ -1,9 +1,9 @@
 //! The Weibull distribution. Both tiers share its density; samples have nine digits inside in `libm`, and come by tables in
 //! `poly`.
 
-use super::pareto::{by_64, reciprocal};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, positive};
+use crate::num::double_word::{by_64, reciprocal};
 use crate::num::{
     Scaled, above_zero, doubles, folded_exactly, head, into_unit, middle, product, quick_two_sum,
     representable,

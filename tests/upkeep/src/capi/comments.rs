@@ -121,7 +121,7 @@ impl Comments {
         });
         // Some laws have theirs from a macro for all of them.
         let family = || {
-            let family = |of: &&Refusals| made(of) && of.file.ends_with("located.rs");
+            let family = |of: &&Refusals| made(of) && of.file.ends_with("location_scale.rs");
             self.refusals.iter().find(family)
         };
         own.or_else(family).map(|of| of.text.as_str())

@@ -36,7 +36,7 @@ impl Docs {
 
     /// The file of the family of laws with a location and a scale.
     fn family() -> Outcome<Self> {
-        let text = read("src/warp/located.rs")?;
+        let text = read("src/warp/location_scale.rs")?;
         Ok(Self {
             name: "$name".into(),
             lines: text.lines().map(String::from).collect(),

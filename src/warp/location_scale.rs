@@ -16,11 +16,7 @@ macro_rules! uniforms_by_tails {
         #[inline]
         fn sample_canonical(&self, u: $crate::uniform::Canonical<f32>) -> f32 {
             let u = u.get();
-            if u < 0.5 {
-                self.beyond($crate::num::above_zero(u), false)
-            } else {
-                self.beyond(1.0 - u, true)
-            }
+            $crate::num::by_tail(u, |tail, upper| self.beyond(tail, upper))
         }
     };
 }
@@ -29,7 +25,7 @@ pub(super) use uniforms_by_tails;
 /// The same, and samples of words, which are taken as the middle of their cells at both ends.
 macro_rules! by_tails {
     () => {
-        super::located::uniforms_by_tails!();
+        super::location_scale::uniforms_by_tails!();
 
         #[inline]
         fn sample_words(&self, word: u32) -> f32 {
@@ -46,11 +42,7 @@ macro_rules! density_by_tails {
         #[inline]
         fn sample_canonical_with_pdf(&self, u: $crate::uniform::Canonical<f32>) -> (f32, f32) {
             let u = u.get();
-            if u < 0.5 {
-                self.placed($crate::num::above_zero(u), false)
-            } else {
-                self.placed(1.0 - u, true)
-            }
+            $crate::num::by_tail(u, |tail, upper| self.placed(tail, upper))
         }
 
         #[inline]
@@ -180,10 +172,10 @@ macro_rules! located {
             /// [`Error::Empty`](crate::Error::Empty) if the density could.
             pub const fn new(location: f32, scale: f32) -> Result<Self, crate::error::Error> {
                 let (peak, reach) = (
-                    <Self as super::located::Standard>::PEAK,
-                    <Self as super::located::Standard>::REACH,
+                    <Self as super::location_scale::Standard>::PEAK,
+                    <Self as super::location_scale::Standard>::REACH,
                 );
-                match super::located::Located::new(location, scale, peak, reach) {
+                match super::location_scale::Located::new(location, scale, peak, reach) {
                     Ok(law) => Ok(Self(law)),
                     Err(e) => Err(e),
                 }
@@ -208,7 +200,9 @@ macro_rules! located {
 
             #[inline]
             fn beyond(&self, tail: f32, upper: bool) -> f32 {
-                self.at(<Self as super::located::Standard>::deviate(tail, upper))
+                self.at(<Self as super::location_scale::Standard>::deviate(
+                    tail, upper,
+                ))
             }
         }
     };
@@ -218,16 +212,16 @@ pub(super) use located;
 /// What such a law has as a warp.
 macro_rules! located_warp {
     () => {
-        super::located::uniforms_by_tails!();
+        super::location_scale::uniforms_by_tails!();
 
         #[inline]
         fn sample_words(&self, word: u32) -> f32 {
-            self.at(<Self as super::located::Standard>::of_word(word))
+            self.at(<Self as super::location_scale::Standard>::of_word(word))
         }
 
         #[inline]
         fn pdf(&self, x: f32) -> f32 {
-            super::located::density::<T, Self>(&self.0, x)
+            super::location_scale::density::<T, Self>(&self.0, x)
         }
     };
 }
@@ -239,7 +233,7 @@ macro_rules! located_inverse {
         #[inline]
         fn invert(&self, x: f32) -> f32 {
             let t = (x - self.0.location) / self.0.scale;
-            $crate::num::into_unit(<Self as super::located::Standard>::cdf(t))
+            $crate::num::into_unit(<Self as super::location_scale::Standard>::cdf(t))
         }
     };
 }

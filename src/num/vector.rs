@@ -1,0 +1,54 @@
+//! Vectors of three coordinates.
+
+use super::clamp;
+
+#[inline]
+pub(crate) fn dot(p: [f32; 3], q: [f32; 3]) -> f32 {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    a * d + b * e + c * f
+}
+
+#[inline]
+pub(crate) fn cross(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+#[inline]
+pub(crate) fn plus(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    [a + d, b + e, c + f]
+}
+
+#[inline]
+pub(crate) fn minus(p: [f32; 3], q: [f32; 3]) -> [f32; 3] {
+    let ([a, b, c], [d, e, f]) = (p, q);
+    [a - d, b - e, c - f]
+}
+
+#[inline]
+pub(crate) fn times(p: [f32; 3], by: f32) -> [f32; 3] {
+    p.map(|x| x * by)
+}
+
+/// The sum of the magnitudes.
+#[inline]
+pub(crate) fn span([x, y, z]: [f32; 3]) -> f32 {
+    x.abs() + y.abs() + z.abs()
+}
+
+/// A power of two near the largest of these numbers.
+pub(crate) fn magnitude<const N: usize>(numbers: [f32; N]) -> f32 {
+    let mut largest = f32::MIN_POSITIVE;
+    for x in &numbers {
+        largest = clamp(x.abs(), largest, f32::MAX);
+    }
+    f32::from_bits(largest.to_bits() & 0x7f80_0000)
+}
+
+/// A power of two near the largest coordinate, and the point divided by it, whose squares neither overflow nor
+/// underflow.
+pub(crate) fn scaled(point: [f32; 3]) -> (f32, [f32; 3]) {
+    let scale = magnitude(point);
+    (scale, point.map(|c| c / scale))
+}
