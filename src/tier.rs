@@ -21,7 +21,9 @@ pub use self::libm::Libm;
 pub(crate) use self::normal::{density_of_tail, hazard_above};
 pub use self::poly::Poly;
 pub(crate) use self::power::{exp2, exp2_pair, log2_1p, log2_of_sum, times};
-pub(crate) use self::quantile::{normal_quantile, normal_quantile_of_word};
+pub(crate) use self::quantile::{
+    normal_quantile, normal_quantile_of_word, normal_quantiles_of_word,
+};
 pub(crate) use self::sqrt::sqrt;
 pub(crate) use self::table::{log2, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
 pub(crate) use self::turns::exchanged;

@@ -116,8 +116,18 @@ fn far<T: Tier>(tail: f32) -> f32 {
 /// A length times Φ⁻¹ of the middle of a word's cell. Words that are as far from either end have opposite results, to the
 /// last bit.
 #[inline]
-#[expect(clippy::cast_possible_wrap, reason = "its sign alone is wanted")]
 pub(crate) fn normal_quantile_of_word<T: Tier>(length: f32, word: u32) -> f32 {
+    let [quantile] = normal_quantiles_of_word::<T, 1>([length], word);
+    quantile
+}
+
+/// The same of several lengths and one word.
+#[inline]
+#[expect(clippy::cast_possible_wrap, reason = "its sign alone is wanted")]
+pub(crate) fn normal_quantiles_of_word<T: Tier, const N: usize>(
+    lengths: [f32; N],
+    word: u32,
+) -> [f32; N] {
     let signed = |x: f32| f32::from_bits(x.to_bits() ^ !word & 0x8000_0000);
     // In units of 2⁻³³: an odd number.
     let tail = word << 1 ^ (word as i32 >> 31) as u32 | 1;
@@ -127,9 +137,11 @@ pub(crate) fn normal_quantile_of_word<T: Tier>(length: f32, word: u32) -> f32 {
     if let Some(row) = ROWS.get(row as usize) {
         // Exactly as far from the median, rounded once.
         let distance = signed(0_u32.wrapping_sub(tail) as f32) * (f32::EPSILON / 1024.0);
-        length * distance * by_row(row, digits >> 6)
+        let slope = by_row(row, digits >> 6);
+        lengths.map(|length| length * distance * slope)
     } else {
-        length * signed(far::<T>(tail as f32 * (f32::EPSILON / 1024.0)))
+        let quantile = signed(far::<T>(tail as f32 * (f32::EPSILON / 1024.0)));
+        lengths.map(|length| length * quantile)
     }
 }
 

@@ -2,18 +2,18 @@
 
 use super::location_scale::standardised;
 use super::normal::{FRAC_1_SQRT_TAU, exponent};
-use super::{Invert, Warp};
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, finite, positive};
 use crate::num::{
     SMALLEST, Scaled, clamp, folded, into_unit, product, quick_two_sum, representable, tail,
     two_product, two_sum,
 };
 use crate::tier::{
-    LN_2, LOG2_E, Tier, density_of_tail, normal_quantile, normal_quantile_of_word, times_exp2,
+    LN_2, LOG2_E, Tier, density_of_tail, normal_quantile, normal_quantile_of_word,
+    normal_quantiles_of_word, times_exp2,
 };
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
-use rand_core::TryRng;
 
 /// Log-normal with the mean μ and the standard deviation σ of the logarithm: sizes, incomes, products of many factors.
 ///
@@ -163,6 +163,12 @@ impl<T: Tier> LogNormal<T> {
         (x, density)
     }
 
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        let [steps, z] = normal_quantiles_of_word::<T, 2>([self.step, 1.0], word);
+        self.at_with_pdf(steps, z, folded(word).0)
+    }
+
     /// The distance of ln x from its mean in standard deviations, and its rounding error; for an x above 0.
     #[inline]
     fn standardised(&self, x: f32) -> (f32, f32) {
@@ -201,13 +207,7 @@ impl<T: Tier> Warp for LogNormal<T> {
         self.at_with_pdf(self.step * z, z, tail(u))
     }
 
-    #[inline]
-    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
-        let word = rng.try_next_u32()?;
-        let steps = normal_quantile_of_word::<T>(self.step, word);
-        let z = normal_quantile_of_word::<T>(1.0, word);
-        Ok(self.at_with_pdf(steps, z, folded(word).0))
-    }
+    drawn_with_pdf!(from of_word_with_pdf);
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {

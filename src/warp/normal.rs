@@ -10,7 +10,6 @@ use crate::tier::{Tier, density_of_tail, normal_quantile, normal_quantile_of_wor
 use crate::uniform::Canonical;
 use core::f32::consts::TAU;
 use core::marker::PhantomData;
-use rand_core::TryRng;
 
 /// 1/√(2π) = (2/√π)/√8.
 pub(super) const FRAC_1_SQRT_TAU: f32 =
@@ -145,6 +144,12 @@ impl<T: Tier> Normal<T> {
         let (decayed, factor) = density_of_tail(tail, z);
         representable(self.peak * decayed * factor)
     }
+
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        let z = normal_quantile_of_word::<T>(1.0, word);
+        (self.at(z), self.pdf_of_tail(folded(word).0, z))
+    }
 }
 
 /// −t²/2 and its rounding error, for a t whose rounding error is `rest`.
@@ -176,12 +181,7 @@ impl<T: Tier> Warp for Normal<T> {
         (self.at(z), self.pdf_of_tail(tail(u), z))
     }
 
-    #[inline]
-    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
-        let word = rng.try_next_u32()?;
-        let z = normal_quantile_of_word::<T>(1.0, word);
-        Ok((self.at(z), self.pdf_of_tail(folded(word).0, z)))
-    }
+    drawn_with_pdf!(from of_word_with_pdf);
 
     #[inline]
     fn map_with_pdf(&self, uniforms: &[f32], points: &mut [f32], densities: &mut [f32]) {

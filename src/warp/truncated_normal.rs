@@ -2,13 +2,12 @@
 
 use super::location_scale::{decayed, standardised};
 use super::normal::exponent;
-use super::{Invert, Warp};
+use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, finite, positive};
 use crate::num::{SMALLEST, Scaled, clamp, folded, into_unit, representable, two_product, two_sum};
 use crate::tier::{Tier, hazard_above, scaled_exp};
 use crate::uniform::Canonical;
 use core::marker::PhantomData;
-use rand_core::TryRng;
 
 /// How far from the mean an interval may begin, in standard deviations.
 const FARTHEST: f32 = 1.0e18;
@@ -416,6 +415,11 @@ impl<T: Tier> TruncatedNormal<T> {
             self.place(tail, 1.0 - tail)
         }
     }
+
+    #[inline]
+    fn of_word_with_pdf(&self, word: u32) -> (f32, f32) {
+        self.with_pdf(&self.place_of_word(word))
+    }
 }
 
 impl<T: Tier> Warp for TruncatedNormal<T> {
@@ -440,10 +444,7 @@ impl<T: Tier> Warp for TruncatedNormal<T> {
         self.with_pdf(&self.place(u, 1.0 - u))
     }
 
-    #[inline]
-    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
-        Ok(self.with_pdf(&self.place_of_word(rng.try_next_u32()?)))
-    }
+    drawn_with_pdf!(from of_word_with_pdf);
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
