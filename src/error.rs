@@ -186,6 +186,17 @@ macro_rules! constant {
     };
 }
 
+/// The value of a result, or a return of its error: what `?` does, which no constant function may use yet.
+macro_rules! tried {
+    ($result:expr) => {
+        match $result {
+            Ok(value) => value,
+            Err(error) => return Err(error),
+        }
+    };
+}
+pub(crate) use tried;
+
 /// Refuses NaN and infinity.
 pub(crate) const fn finite(x: f32) -> Result<f32, Error> {
     if x.is_finite() {
@@ -197,9 +208,9 @@ pub(crate) const fn finite(x: f32) -> Result<f32, Error> {
 
 /// Refuses everything but finite numbers above zero.
 pub(crate) const fn positive(x: f32) -> Result<f32, Error> {
-    match finite(x) {
-        Ok(x) if x > 0.0 => Ok(x),
-        Ok(_) => Err(Error::NotPositive),
-        Err(e) => Err(e),
+    if tried!(finite(x)) > 0.0 {
+        Ok(x)
+    } else {
+        Err(Error::NotPositive)
     }
 }

@@ -1,6 +1,6 @@
 //! Equal cells of an interval: where their edges are in `f32`, and which one a number lies in.
 
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::num::{Scaled, Segment, clamp, extent, neighbour};
 
 /// An interval in equal cells.
@@ -31,10 +31,7 @@ impl Cells {
         if count == 0 {
             return Err(Error::NoWeights);
         }
-        let (scale, length) = match extent(low, high) {
-            Ok(extent) => extent,
-            Err(e) => return Err(e),
-        };
+        let (scale, length) = tried!(extent(low, high));
         let count = count as f32;
         let per_length = count / length;
         let larger = if -low > high { -low } else { high };

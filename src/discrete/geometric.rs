@@ -1,7 +1,7 @@
 //! The geometric distribution: how many failures come before the first success.
 
 use super::word::drawn_by_word;
-use crate::error::{Error, positive};
+use crate::error::{Error, positive, tried};
 use crate::num::doubles::ln;
 use crate::num::{Long, high};
 use core::f64::consts::{LN_2, LOG2_E};
@@ -159,10 +159,8 @@ impl Geometric {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] above 1,
     /// [`Error::TooLarge`] below 5.4e-9, where counts do not fit `u32`.
     pub const fn new(p: f32) -> Result<Self, Error> {
-        match positive(p) {
-            Ok(p) => Self::of(Long::of_f32(p)),
-            Err(e) => Err(e),
-        }
+        let p = tried!(positive(p));
+        Self::of(Long::of_f32(p))
     }
 
     /// Trials of which so many in so many succeed, by integers alone.

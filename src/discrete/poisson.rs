@@ -1,7 +1,7 @@
 //! The Poisson distribution of small means: how many events an interval holds.
 
 use super::word::drawn_by_word;
-use crate::error::{Error, positive};
+use crate::error::{Error, positive, tried};
 use crate::num::{Long, high};
 use core::ops::RangeInclusive;
 
@@ -110,10 +110,8 @@ impl Poisson {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] above 80.
     pub const fn new(mean: f32) -> Result<Self, Error> {
-        match positive(mean) {
-            Ok(mean) => Self::of(Long::of_f32(mean)),
-            Err(e) => Err(e),
-        }
+        let mean = tried!(positive(mean));
+        Self::of(Long::of_f32(mean))
     }
 
     /// So many events in so many intervals, by integers alone.

@@ -5,7 +5,7 @@ use super::grade::{Fine, Grade};
 use super::kernel::product::high;
 use super::kernel::quotient::{ratio, reciprocal};
 use super::{Density, Length, Uniform};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
 use ::fixed::FixedU32;
@@ -187,10 +187,8 @@ impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
     /// [`Error::NotPositive`] for 0, [`Error::Empty`] for a mean that rounds to 0 and for any rate above 2³¹,
     /// [`Error::TooLarge`] if 22.19 means overflow the format.
     pub const fn from_rate(rate: Density) -> Result<Self, Error> {
-        match mean_of(rate) {
-            Ok(mean) => Self::from_mean(mean),
-            Err(e) => Err(e),
-        }
+        let mean = tried!(mean_of(rate));
+        Self::from_mean(mean)
     }
 
     /// The mean.

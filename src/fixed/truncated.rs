@@ -6,7 +6,7 @@ use super::grade::{Fine, Grade};
 use super::kernel::product::{high, near, near_signed, square};
 use super::kernel::quotient::{quotient, ratio};
 use super::{Density, Uniform};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::uniform::Canonical;
 use crate::warp::{Invert, Warp};
 use ::fixed::FixedU32;
@@ -130,10 +130,8 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
     /// [`Error::NotPositive`] for a rate or a length of 0, [`Error::Empty`] for a mean that rounds to 0 and for any
     /// rate above 2³¹, [`Error::TooLarge`] for a mean that the format does not hold.
     pub const fn from_rate(rate: Density, length: FixedU32<Frac>) -> Result<Self, Error> {
-        match mean_of(rate) {
-            Ok(mean) => Self::from_mean(mean, length),
-            Err(e) => Err(e),
-        }
+        let mean = tried!(mean_of(rate));
+        Self::from_mean(mean, length)
     }
 
     /// The mean of the exponential distribution before it was truncated.

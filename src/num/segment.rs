@@ -1,6 +1,6 @@
 //! Interpolation between two numbers that never steps back.
 
-use crate::error::{Error, finite};
+use crate::error::{Error, finite, tried};
 
 /// Monotone interpolation from one number to another.
 ///
@@ -41,10 +41,8 @@ impl Segment {
 /// Refuses bounds that are not finite or not in order. Returns a scale, which is 1, or 1/2 where the length would
 /// overflow; and the length times that scale.
 pub(crate) const fn extent(a: f32, b: f32) -> Result<(f32, f32), Error> {
-    match (finite(a), finite(b)) {
-        (Ok(_), Ok(_)) => {}
-        (Err(e), _) | (_, Err(e)) => return Err(e),
-    }
+    tried!(finite(a));
+    tried!(finite(b));
     if a > b {
         return Err(Error::Reversed);
     }

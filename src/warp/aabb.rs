@@ -1,7 +1,7 @@
 //! The uniform distribution on an axis-aligned box of any dimension.
 
 use super::{Interval, Invert, Warp};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::num::{Scaled, remainder, two_product, two_sum};
 use crate::uniform::Canonical;
 
@@ -70,19 +70,13 @@ impl<const N: usize> Aabb<N> {
     /// Those of [`Interval::new`] for each side. [`Error::Empty`] where the density overflows `f32`, [`Error::TooLarge`]
     /// where it is below the smallest normal number.
     pub const fn new(low: [f32; N], high: [f32; N]) -> Result<Self, Error> {
-        let mut sides = match Interval::new(0.0, 1.0) {
-            Ok(unit) => [unit; N],
-            Err(e) => return Err(e),
-        };
+        let mut sides = [tried!(Interval::new(0.0, 1.0)); N];
         // The product of the lengths is significand · 2^exponent · (1 + rest).
         let (mut significand, mut exponent, mut rest) = (1.0, 0_i32, 0.0);
         let mut left: (&mut [Interval], &[f32], &[f32]) = (&mut sides, &low, &high);
         while let ([side, sides @ ..], [a, lows @ ..], [b, highs @ ..]) = left {
             let (a, b) = (*a, *b);
-            *side = match Interval::new(a, b) {
-                Ok(side) => side,
-                Err(e) => return Err(e),
-            };
+            *side = tried!(Interval::new(a, b));
             let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
             let (length, rounded_off) = two_sum(b * scale, -a * scale);
             let (digits, power) = Scaled::of(length).over(Scaled::of(scale)).parts();

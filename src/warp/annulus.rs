@@ -3,7 +3,7 @@
 use super::direction::{Azimuths, nudged};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
-use crate::error::{Error, finite};
+use crate::error::{Error, finite, tried};
 use crate::num::{
     Scaled, into_unit, pair, power_of_two, product, quick_two_sum, two_product, two_sum,
 };
@@ -121,25 +121,17 @@ impl<T: Tier> Annulus<T> {
         from_turns: f32,
         to_turns: f32,
     ) -> Result<Self, Error> {
-        match (
-            finite(inner),
-            finite(outer),
-            finite(from_turns),
-            finite(to_turns),
-        ) {
-            (Ok(_), Ok(_), Ok(_), Ok(_)) => {}
-            (Err(e), ..) | (_, Err(e), ..) | (_, _, Err(e), _) | (.., Err(e)) => return Err(e),
-        }
+        tried!(finite(inner));
+        tried!(finite(outer));
+        tried!(finite(from_turns));
+        tried!(finite(to_turns));
         if inner < 0.0 || outer < 0.0 {
             return Err(Error::Negative);
         }
         if inner > outer || from_turns > to_turns {
             return Err(Error::Reversed);
         }
-        let azimuths = match Azimuths::new(from_turns, to_turns) {
-            Ok(azimuths) => azimuths,
-            Err(e) => return Err(e),
-        };
+        let azimuths = tried!(Azimuths::new(from_turns, to_turns));
         let (width, rest) = azimuths.width();
         if inner >= outer || width <= 0.0 {
             return Err(Error::Empty);

@@ -2,7 +2,7 @@
 
 use super::linear::{Place, lifted};
 use super::{Invert, Warp};
-use crate::error::{Error, finite};
+use crate::error::{Error, finite, tried};
 use crate::num::{Scaled, clamp, into_unit, remainder, representable, two_sum};
 use crate::uniform::{Canonical, LARGEST, SMALLEST, deep};
 
@@ -92,10 +92,10 @@ impl Bilinear {
     /// are 0.
     pub const fn new(weights: [[f32; 2]; 2]) -> Result<Self, Error> {
         let [[a, b], [c, d]] = weights;
-        match (finite(a), finite(b), finite(c), finite(d)) {
-            (Ok(_), Ok(_), Ok(_), Ok(_)) => {}
-            (Err(e), ..) | (_, Err(e), ..) | (_, _, Err(e), _) | (.., Err(e)) => return Err(e),
-        }
+        tried!(finite(a));
+        tried!(finite(b));
+        tried!(finite(c));
+        tried!(finite(d));
         if a < 0.0 || b < 0.0 || c < 0.0 || d < 0.0 {
             return Err(Error::Negative);
         }

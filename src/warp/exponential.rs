@@ -1,7 +1,7 @@
 //! The exponential distribution, in both orientations.
 
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, positive};
+use crate::error::{Error, positive, tried};
 use crate::num::{above_zero, into_unit, representable};
 use crate::tier::{Tier, exp_of_product, scaled_exp_of_product};
 use crate::uniform::{Canonical, deep, open_full};
@@ -101,13 +101,11 @@ macro_rules! of_a_rate {
             /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
             /// [`Error::TooLarge`] for a rate so small that the tail overflows (below 3.1e-37).
             pub const fn from_rate(rate: f32) -> Result<Self, Error> {
-                match checked_rate(rate) {
-                    Ok(rate) => Ok(Self {
-                        rate,
-                        tier: PhantomData,
-                    }),
-                    Err(e) => Err(e),
-                }
+                let rate = tried!(checked_rate(rate));
+                Ok(Self {
+                    rate,
+                    tier: PhantomData,
+                })
             }
 
             /// Exponential with the given mean. Its rate is 1/mean, rounded to `f32`.
@@ -117,10 +115,8 @@ macro_rules! of_a_rate {
             /// small that the density overflows (below 2.9e-39), [`Error::TooLarge`] for one so large that the tail does (above
             /// 3.2e36).
             pub const fn from_mean(mean: f32) -> Result<Self, Error> {
-                match rate_of_mean(mean) {
-                    Ok(rate) => Self::from_rate(rate),
-                    Err(e) => Err(e),
-                }
+                let rate = tried!(rate_of_mean(mean));
+                Self::from_rate(rate)
             }
 
             /// The rate.

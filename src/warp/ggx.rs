@@ -3,7 +3,7 @@
 use super::direction::{azimuth, is_direction, length, normalised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
-use crate::error::{Error, positive};
+use crate::error::{Error, positive, tried};
 use crate::num::vector::scaled;
 use crate::num::{above_zero, into_unit, remainder, representable};
 use crate::tier::{Tier, sqrt};
@@ -22,10 +22,7 @@ const fn checked_alpha(alpha: f32) -> Result<f32, Error> {
 }
 
 const fn checked_alphas([x, y]: [f32; 2]) -> Result<[f32; 2], Error> {
-    match (checked_alpha(x), checked_alpha(y)) {
-        (Ok(x), Ok(y)) => Ok([x, y]),
-        (Err(e), _) | (_, Err(e)) => Err(e),
-    }
+    Ok([tried!(checked_alpha(x)), tried!(checked_alpha(y))])
 }
 
 /// (x/αx)² + (y/αy)² and z², whose sum is 1/√(π αx αy D).
@@ -135,14 +132,12 @@ impl<T: Tier> Ggx<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] below 1e-4
     /// and above 1.
     pub const fn new(alpha: [f32; 2]) -> Result<Self, Error> {
-        match checked_alphas(alpha) {
-            Ok(alpha) => Ok(Self {
-                alpha,
-                sharpness: sharpness(alpha),
-                tier: PhantomData,
-            }),
-            Err(e) => Err(e),
-        }
+        let alpha = tried!(checked_alphas(alpha));
+        Ok(Self {
+            alpha,
+            sharpness: sharpness(alpha),
+            tier: PhantomData,
+        })
     }
 
     /// The roughness along x and along y.

@@ -1,7 +1,7 @@
 //! The uniform distribution on an interval, in both orientations.
 
 use super::{Invert, Warp};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::num::into_unit;
 use crate::num::{Segment, extent, neighbour};
 use crate::uniform::Canonical;
@@ -83,15 +83,13 @@ impl Interval {
     /// [`Error::NotFinite`] for NaN or infinite bounds, [`Error::Reversed`] for a > b,
     /// [`Error::Empty`] for a = b or a width whose reciprocal overflows.
     pub const fn new(a: f32, b: f32) -> Result<Self, Error> {
-        match Self::density_on(a, b) {
-            Ok(density) => Ok(Self {
-                segment: Segment::new(a, b),
-                end: b,
-                last: neighbour(b, a),
-                density,
-            }),
-            Err(e) => Err(e),
-        }
+        let density = tried!(Self::density_on(a, b));
+        Ok(Self {
+            segment: Segment::new(a, b),
+            end: b,
+            last: neighbour(b, a),
+            density,
+        })
     }
 
     /// Uniform on (a, b], decreasing with the uniform: b at u = 0.
@@ -99,15 +97,13 @@ impl Interval {
     /// # Errors
     /// The errors of [`Interval::new`].
     pub const fn decreasing(a: f32, b: f32) -> Result<Self, Error> {
-        match Self::density_on(a, b) {
-            Ok(density) => Ok(Self {
-                segment: Segment::new(b, a),
-                end: a,
-                last: neighbour(a, b),
-                density,
-            }),
-            Err(e) => Err(e),
-        }
+        let density = tried!(Self::density_on(a, b));
+        Ok(Self {
+            segment: Segment::new(b, a),
+            end: a,
+            last: neighbour(a, b),
+            density,
+        })
     }
 
     /// The lower bound.
@@ -125,10 +121,7 @@ impl Interval {
     }
 
     const fn density_on(a: f32, b: f32) -> Result<f32, Error> {
-        let (scale, length) = match extent(a, b) {
-            Ok(extent) => extent,
-            Err(e) => return Err(e),
-        };
+        let (scale, length) = tried!(extent(a, b));
         let density = scale / length;
         if density.is_finite() {
             Ok(density)

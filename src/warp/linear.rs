@@ -1,7 +1,7 @@
 //! A density that changes linearly across the unit interval.
 
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, finite};
+use crate::error::{Error, finite, tried};
 use crate::num::{
     Scaled, above_zero, clamp, into_unit, remainder, representable, two_product, two_sum,
 };
@@ -91,10 +91,8 @@ impl Linear {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] if either is below 0,
     /// [`Error::NotPositive`] if both are 0.
     pub const fn new(a: f32, b: f32) -> Result<Self, Error> {
-        match (finite(a), finite(b)) {
-            (Ok(_), Ok(_)) => {}
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        }
+        tried!(finite(a));
+        tried!(finite(b));
         if a < 0.0 || b < 0.0 {
             return Err(Error::Negative);
         }

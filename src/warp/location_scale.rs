@@ -1,7 +1,7 @@
 //! Laws on the line by inversion from both ends: what those share that have a tail at each end, and what those share that are
 //! given by a location and a scale.
 
-use crate::error::{Error, finite, positive};
+use crate::error::{Error, finite, positive, tried};
 use crate::num::{folded, remainder, representable, two_sum};
 use crate::tier::{Tier, scaled_exp};
 use core::marker::PhantomData;
@@ -99,25 +99,28 @@ impl<T> Located<T> {
         reach: f32,
     ) -> Result<Self, Error> {
         let peak = peak / scale;
-        match checked(location, scale, reach) {
-            Ok(()) if !peak.is_finite() => Err(Error::Empty),
-            Ok(()) => Ok(Self {
+        tried!(checked(location, scale, reach));
+        if peak.is_finite() {
+            Ok(Self {
                 location,
                 scale,
                 peak,
                 tier: PhantomData,
-            }),
-            Err(e) => Err(e),
+            })
+        } else {
+            Err(Error::Empty)
         }
     }
 }
 
 pub(super) const fn checked(location: f32, scale: f32, reach: f32) -> Result<(), Error> {
-    match (finite(location), positive(scale)) {
-        (Err(e), _) | (_, Err(e)) => Err(e),
-        // The distance of x from the location must not overflow either, hence twice the reach.
-        (Ok(at), Ok(s)) if !(at.abs() + 2.0 * reach * s).is_finite() => Err(Error::TooLarge),
-        _ => Ok(()),
+    tried!(finite(location));
+    tried!(positive(scale));
+    // The distance of x from the location must not overflow either, hence twice the reach.
+    if (location.abs() + 2.0 * reach * scale).is_finite() {
+        Ok(())
+    } else {
+        Err(Error::TooLarge)
     }
 }
 
@@ -175,10 +178,8 @@ macro_rules! located {
                     <Self as super::location_scale::Standard>::PEAK,
                     <Self as super::location_scale::Standard>::REACH,
                 );
-                match super::location_scale::Located::new(location, scale, peak, reach) {
-                    Ok(law) => Ok(Self(law)),
-                    Err(e) => Err(e),
-                }
+                let law = super::location_scale::Located::new(location, scale, peak, reach);
+                Ok(Self($crate::error::tried!(law)))
             }
 
             /// The location.

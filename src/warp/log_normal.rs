@@ -3,7 +3,7 @@
 use super::location_scale::standardised;
 use super::normal::{FRAC_1_SQRT_TAU, exponent};
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, finite, positive};
+use crate::error::{Error, finite, positive, tried};
 use crate::num::{
     SMALLEST, Scaled, clamp, folded, into_unit, product, quick_two_sum, representable, tail,
     two_product, two_sum,
@@ -98,10 +98,8 @@ impl<T: Tier> LogNormal<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a standard deviation of 0 or less,
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density at the median could.
     pub const fn new(mean_of_log: f32, std_dev_of_log: f32) -> Result<Self, Error> {
-        match (finite(mean_of_log), positive(std_dev_of_log)) {
-            (Ok(_), Ok(_)) => {}
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        }
+        tried!(finite(mean_of_log));
+        tried!(positive(std_dev_of_log));
         if mean_of_log + 6.4 * std_dev_of_log > 88.5 {
             return Err(Error::TooLarge);
         }

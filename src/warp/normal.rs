@@ -4,7 +4,7 @@ use super::direction::azimuth;
 use super::location_scale::{checked, decayed, standardised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::num::{folded, into_unit, representable, tail, two_product, two_sum};
 use crate::tier::{Tier, density_of_tail, normal_quantile, normal_quantile_of_word};
 use crate::uniform::Canonical;
@@ -106,15 +106,16 @@ impl<T: Tier> Normal<T> {
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
     pub const fn new(mean: f32, std_dev: f32) -> Result<Self, Error> {
         let peak = FRAC_1_SQRT_TAU / std_dev;
-        match checked(mean, std_dev, REACH) {
-            Ok(()) if !peak.is_finite() => Err(Error::Empty),
-            Ok(()) => Ok(Self {
+        tried!(checked(mean, std_dev, REACH));
+        if peak.is_finite() {
+            Ok(Self {
                 mean,
                 std_dev,
                 peak,
                 tier: PhantomData,
-            }),
-            Err(e) => Err(e),
+            })
+        } else {
+            Err(Error::Empty)
         }
     }
 
@@ -299,10 +300,8 @@ impl<T: Tier> NormalPair<T> {
     /// density could overflow.
     pub const fn new(mean: [f32; 2], std_dev: f32) -> Result<Self, Error> {
         let [x, y] = mean;
-        match (checked(x, std_dev, REACH), checked(y, std_dev, REACH)) {
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-            _ => {}
-        }
+        tried!(checked(x, std_dev, REACH));
+        tried!(checked(y, std_dev, REACH));
         let peak = 1.0 / TAU / std_dev / std_dev;
         if !peak.is_finite() {
             Err(Error::Empty)

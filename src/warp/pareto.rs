@@ -1,7 +1,7 @@
 //! The Pareto distribution. Both tiers share its samples and density.
 
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, positive};
+use crate::error::{Error, positive, tried};
 use crate::num::double_word::{by_64, reciprocal};
 use crate::num::{Scaled, into_unit, middle, representable};
 use crate::tier::{LN_2, Tier, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
@@ -88,10 +88,8 @@ impl<T: Tier> Pareto<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] if a sample
     /// could overflow, [`Error::Empty`] if the density could.
     pub const fn new(minimum: f32, shape: f32) -> Result<Self, Error> {
-        let root = match (positive(minimum), positive(shape)) {
-            (Ok(_), Ok(_)) => reciprocal(shape),
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        };
+        tried!(positive(minimum));
+        let root = reciprocal(tried!(positive(shape)));
         // The deepest word, and what rounding may add.
         let last = Scaled::of(minimum).times_power((33.01, 0.0), root);
         if !last.value().is_finite() {

@@ -1,7 +1,7 @@
 //! The power law on an interval, in both orientations. Samples have nine digits inside in `libm`, and come by tables in `poly`.
 
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, finite};
+use crate::error::{Error, finite, tried};
 use crate::num::double_word::by_64;
 use crate::num::{
     Scaled, clamp, head, into_unit, middle, product, quick_two_sum, remainder, representable,
@@ -130,10 +130,9 @@ impl<T: Tier> Power<T> {
     }
 
     const fn build(n: f32, a: f32, b: f32, increasing: bool) -> Result<Self, Error> {
-        let (n, a, b) = match (finite(n), finite(a), finite(b)) {
-            (Ok(n), Ok(a), Ok(b)) => (n, a, b),
-            (Err(e), _, _) | (_, Err(e), _) | (_, _, Err(e)) => return Err(e),
-        };
+        tried!(finite(n));
+        tried!(finite(a));
+        tried!(finite(b));
         if a < 0.0 {
             return Err(Error::Negative);
         }

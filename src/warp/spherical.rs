@@ -3,7 +3,7 @@
 use super::direction::{Azimuths, azimuth, between_poles, is_direction, nudged, one_minus_cos};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
-use crate::error::{Error, finite};
+use crate::error::{Error, finite, tried};
 use crate::num::vector::scaled;
 use crate::num::{clamp, into_unit};
 use crate::tier::{Tier, sqrt};
@@ -60,16 +60,20 @@ impl<T: Tier> Spherical<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] for a negative radius,
     /// [`Error::OutOfRange`] for a polar angle outside [0, ½] turns. Any finite azimuth is accepted.
     pub const fn from_turns(radius: f32, theta: f32, phi: f32) -> Result<Self, Error> {
-        match (finite(radius), finite(theta), finite(phi)) {
-            (Err(e), _, _) | (_, Err(e), _) | (_, _, Err(e)) => Err(e),
-            _ if radius < 0.0 => Err(Error::Negative),
-            _ if theta < 0.0 || theta > 0.5 => Err(Error::OutOfRange),
-            _ => Ok(Self {
+        tried!(finite(radius));
+        tried!(finite(theta));
+        tried!(finite(phi));
+        if radius < 0.0 {
+            Err(Error::Negative)
+        } else if theta < 0.0 || theta > 0.5 {
+            Err(Error::OutOfRange)
+        } else {
+            Ok(Self {
                 radius,
                 theta,
                 phi,
                 tier: PhantomData,
-            }),
+            })
         }
     }
 

@@ -1,7 +1,7 @@
 //! The exponential distribution truncated to an interval from 0, with a rate of either sign.
 
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, finite, positive};
+use crate::error::{Error, finite, positive, tried};
 use crate::num::{Scaled, clamp, into_unit, quick_two_sum, representable, two_product, two_sum};
 use crate::tier::{LOG2_E, Tier, coin_series, exp_m1_of_product, exp_of_product, exp2_m1, times};
 use crate::uniform::{Canonical, deep};
@@ -96,10 +96,8 @@ impl<T: Tier> TruncatedExponential<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a length of 0 or less,
     /// [`Error::Empty`] for a length whose reciprocal overflows.
     pub const fn from_rate(rate: f32, length: f32) -> Result<Self, Error> {
-        let (rate, length) = match (finite(rate), positive(length)) {
-            (Ok(rate), Ok(length)) => (rate, length),
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        };
+        tried!(finite(rate));
+        tried!(positive(length));
         let (z, z_rest) = two_product(rate, length);
         let (decay, decay_rest, power, fall) = if z > 190.0 {
             (-1.0, 0.0, 0.0, Scaled::ONE.raised(-480))
@@ -155,13 +153,12 @@ impl<T: Tier> TruncatedExponential<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a mean or a length of 0 or less,
     /// [`Error::Empty`] for a mean or a length whose reciprocal overflows.
     pub const fn from_mean(mean: f32, length: f32) -> Result<Self, Error> {
-        match positive(mean) {
-            Ok(mean) if (1.0 / mean).is_finite() => Self::from_rate(1.0 / mean, length),
-            Ok(_) => match positive(length) {
-                Ok(_) => Err(Error::Empty),
-                Err(e) => Err(e),
-            },
-            Err(e) => Err(e),
+        let rate = 1.0 / tried!(positive(mean));
+        tried!(positive(length));
+        if rate.is_finite() {
+            Self::from_rate(rate, length)
+        } else {
+            Err(Error::Empty)
         }
     }
 

@@ -158,10 +158,7 @@ impl<T: Tier> TruncatedNormal<T> {
     /// standard deviations from the mean, [`Error::TooLarge`] if the length of the interval overflows, [`Error::Empty`]
     /// for equal ends and if the density overflows.
     pub fn new(mean: f32, std_dev: f32, low: f32, high: f32) -> Result<Self, Error> {
-        match (finite(low), finite(high)) {
-            (Ok(_), Ok(_)) => Self::between(mean, std_dev, low, high),
-            (Err(e), _) | (_, Err(e)) => Err(e),
-        }
+        Self::between(mean, std_dev, finite(low)?, finite(high)?)
     }
 
     /// Normal with this mean and this standard deviation from `low` up.
@@ -169,10 +166,7 @@ impl<T: Tier> TruncatedNormal<T> {
     /// # Errors
     /// Those of [`new`](Self::new), with [`Error::TooLarge`] if a sample could overflow.
     pub fn above(mean: f32, std_dev: f32, low: f32) -> Result<Self, Error> {
-        match finite(low) {
-            Ok(low) => Self::between(mean, std_dev, low, f32::INFINITY),
-            Err(e) => Err(e),
-        }
+        Self::between(mean, std_dev, finite(low)?, f32::INFINITY)
     }
 
     /// Normal with this mean and this standard deviation up to `high`.
@@ -180,18 +174,13 @@ impl<T: Tier> TruncatedNormal<T> {
     /// # Errors
     /// Those of [`new`](Self::new), with [`Error::TooLarge`] if a sample could overflow.
     pub fn below(mean: f32, std_dev: f32, high: f32) -> Result<Self, Error> {
-        match finite(high) {
-            Ok(high) => Self::between(mean, std_dev, f32::NEG_INFINITY, high),
-            Err(e) => Err(e),
-        }
+        Self::between(mean, std_dev, f32::NEG_INFINITY, finite(high)?)
     }
 
     /// The law on an interval of which one end may be infinite.
     fn between(mean: f32, std_dev: f32, low: f32, high: f32) -> Result<Self, Error> {
-        match (finite(mean), positive(std_dev)) {
-            (Ok(_), Ok(_)) => {}
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        }
+        finite(mean)?;
+        positive(std_dev)?;
         if low > high {
             return Err(Error::Reversed);
         }

@@ -2,7 +2,7 @@
 //! `poly`.
 
 use super::{Invert, Warp, drawn_with_pdf};
-use crate::error::{Error, positive};
+use crate::error::{Error, positive, tried};
 use crate::num::double_word::{by_64, reciprocal};
 use crate::num::{
     Scaled, above_zero, doubles, folded_exactly, head, into_unit, middle, product, quick_two_sum,
@@ -119,10 +119,8 @@ impl<T: Tier> Weibull<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] if a sample
     /// could overflow, [`Error::Empty`] if the density at the scale could.
     pub const fn new(scale: f32, shape: f32) -> Result<Self, Error> {
-        let root = match (positive(scale), positive(shape)) {
-            (Ok(_), Ok(_)) => reciprocal(shape),
-            (Err(e), _) | (_, Err(e)) => return Err(e),
-        };
+        tried!(positive(scale));
+        let root = reciprocal(tried!(positive(shape)));
         // log₂ of 22.88, beyond what the deepest word gives.
         let last = Scaled::of(scale).times_power((4.516, 0.0), root);
         if !last.value().is_finite() {

@@ -2,7 +2,7 @@
 
 use super::layers::{Layers, Shape};
 use super::{Law, attempt_at, try_draw, try_once, ziggurat};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
 use crate::warp::{Exponential, Warp};
@@ -186,14 +186,12 @@ impl ZigguratExponential {
     }
 
     const fn of(law: Result<Exponential<Poly>, Error>) -> Result<Self, Error> {
-        match law {
-            Ok(law) => Ok(Self {
-                law,
-                rate: law.rate(),
-                budget: Self::BUDGET,
-            }),
-            Err(e) => Err(e),
-        }
+        let law = tried!(law);
+        Ok(Self {
+            law,
+            rate: law.rate(),
+            budget: Self::BUDGET,
+        })
     }
 
     /// The rate.

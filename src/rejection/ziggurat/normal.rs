@@ -2,7 +2,7 @@
 
 use super::layers::{Layers, Shape};
 use super::{Law, attempt_at, try_draw, try_once, ziggurat};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
 use crate::warp::{Normal, Warp};
@@ -183,15 +183,13 @@ impl ZigguratNormal {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a standard deviation of 0 or less,
     /// [`Error::TooLarge`] if a number could overflow, [`Error::Empty`] if the density could.
     pub const fn new(mean: f32, std_dev: f32) -> Result<Self, Error> {
-        match Normal::new(mean, std_dev) {
-            Ok(law) => Ok(Self {
-                law,
-                mean,
-                std_dev,
-                budget: Self::BUDGET,
-            }),
-            Err(e) => Err(e),
-        }
+        let law = tried!(Normal::new(mean, std_dev));
+        Ok(Self {
+            law,
+            mean,
+            std_dev,
+            budget: Self::BUDGET,
+        })
     }
 
     /// The mean.

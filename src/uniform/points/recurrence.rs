@@ -1,7 +1,7 @@
 //! Additive recurrences on the generalised golden ratios, in words.
 
 use super::{ByPosition, Points, hashes};
-use crate::error::Error;
+use crate::error::{Error, tried};
 use crate::num::high;
 
 /// An additive recurrence of D dimensions, R₂ for two: point i is i steps from a random start, wrapped around the unit cube.
@@ -67,10 +67,8 @@ impl<const D: usize> Recurrence<D> {
     /// # Errors
     /// [`Error::Empty`] for 0 dimensions, [`Error::TooLarge`] for more than 8.
     pub const fn new(seed: u32) -> Result<Self, Error> {
-        match hashes(seed) {
-            Ok(start) => Ok(Self { start }),
-            Err(e) => Err(e),
-        }
+        let start = tried!(hashes(seed));
+        Ok(Self { start })
     }
 
     /// The powers of 1/φ, as odd words.

@@ -1,7 +1,7 @@
 //! Sobol' points with Owen's scrambling, by a hash.
 
 use super::{Points, hashes, keyed};
-use crate::error::Error;
+use crate::error::{Error, tried};
 
 mod directions;
 
@@ -86,10 +86,8 @@ impl<const D: usize> Sobol<D> {
     /// # Errors
     /// [`Error::Empty`] for 0 dimensions, [`Error::TooLarge`] for more than 8.
     pub const fn new(seed: u32) -> Result<Self, Error> {
-        match hashes(seed) {
-            Ok(seeds) => Ok(Self { seeds }),
-            Err(e) => Err(e),
-        }
+        let seeds = tried!(hashes(seed));
+        Ok(Self { seeds })
     }
 }
 
