@@ -262,14 +262,14 @@ macro_rules! of_tier {
             $what, ".\n\nSee [`warp::", stringify!($name), "`](crate::warp::", stringify!($name),
             ") for the density, the domain, the errors and examples."
         )]
-        pub type $name = crate::warp::$name<Tier>;
+        pub type $name = crate::warp::$name<Functions>;
     };
     (@ $name:ident <T, N> $what:literal) => {
         #[doc = concat!(
             $what, ".\n\nSee [`warp::", stringify!($name), "`](crate::warp::", stringify!($name),
             ") for the density, the domain, the errors and examples."
         )]
-        pub type $name<const N: usize> = crate::warp::$name<Tier, N>;
+        pub type $name<const N: usize> = crate::warp::$name<Functions, N>;
     };
 }
 
@@ -278,18 +278,18 @@ macro_rules! tier_module {
     ($(#[$doc:meta])* $module:ident, $tier:ident) => {
         $(#[$doc])*
         pub mod $module {
-            pub use crate::tier::$tier as Tier;
+            use crate::tier::$tier as Functions;
             crate::warp::each_warp!(of_tier);
             /// [`discrete::LatLongMap`](crate::discrete::LatLongMap) in this tier.
-            pub type LatLongMap<M, C> = crate::discrete::LatLongMap<Tier, M, C>;
+            pub type LatLongMap<M, C> = crate::discrete::LatLongMap<Functions, M, C>;
             /// [`rejection::PoissonRejection`](crate::rejection::PoissonRejection) in this tier.
-            pub type PoissonRejection = crate::rejection::PoissonRejection<Tier>;
+            pub type PoissonRejection = crate::rejection::PoissonRejection<Functions>;
             /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
-            pub type LogUniformStep = crate::metropolis::LogUniformStep<Tier>;
+            pub type LogUniformStep = crate::metropolis::LogUniformStep<Functions>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.
-            pub type LogDensity = crate::metropolis::LogDensity<Tier>;
+            pub type LogDensity = crate::metropolis::LogDensity<Functions>;
             /// [`metropolis::NormalStep`](crate::metropolis::NormalStep) in this tier.
-            pub type NormalStep<X> = crate::metropolis::NormalStep<X, Tier>;
+            pub type NormalStep<X> = crate::metropolis::NormalStep<X, Functions>;
         }
     };
 }

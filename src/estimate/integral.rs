@@ -39,7 +39,7 @@ use crate::tier::{Tier, sqrt};
 /// }
 /// let estimate = integral.estimate().unwrap_or(0.0);
 /// let error = (estimate - 1.718_281_8).abs();
-/// assert!(error < integral.normal_bound::<mw::Tier>(0.99)?);
+/// assert!(error < integral.normal_bound::<microwarp::tier::Poly>(0.99)?);
 /// assert!(error < integral.chebyshev_bound(0.01)?);
 /// # Ok::<(), microwarp::Error>(())
 /// ```

@@ -2,7 +2,7 @@
 //! this model, and the tracker guesses by it.
 
 use microwarp::discrete::Cdf;
-use microwarp::tier::Tier as _;
+use microwarp::tier::{Poly, Tier as _};
 use microwarp::{Error, Warp, poly as mw};
 use rand_pcg::Pcg32;
 
@@ -100,5 +100,5 @@ impl World {
 }
 
 pub fn distance([x, y]: Place, [u, v]: Place) -> f32 {
-    mw::Tier::sqrt((x - u) * (x - u) + (y - v) * (y - v))
+    Poly::sqrt((x - u) * (x - u) + (y - v) * (y - v))
 }

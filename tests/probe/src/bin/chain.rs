@@ -4,10 +4,11 @@
 
 use microwarp::metropolis::{Chain, LargeSmall, LogUniformStep, Mixture, WrappedWalk};
 use microwarp::poly as mw;
+use microwarp::tier::Poly;
 use microwarp_probe::{input, output};
 use rand_pcg::Pcg32;
 
-type Steps = LargeSmall<WrappedWalk<LogUniformStep<mw::Tier>>>;
+type Steps = LargeSmall<WrappedWalk<LogUniformStep<Poly>>>;
 
 fn target([x, y]: [f32; 2]) -> f32 {
     (x - 0.5) * (x - 0.5) + y
