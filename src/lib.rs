@@ -34,7 +34,7 @@
 //! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
 //! | an index by weight, many draws | [`Cdf`](discrete::Cdf) up to some 8 entries (100 on a PC), [`Alias`](discrete::Alias) beyond |
 //! | a picture, a histogram, a curve | [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d), [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d), [`PiecewiseLinear1d`](discrete::PiecewiseLinear1d) |
-//! | a sky, an environment light | [`LatLongMap`](discrete::LatLongMap) |
+//! | an environment map | [`LatLongMap`](discrete::LatLongMap) |
 //! | particles by weight, as many as before | [`resampling`](discrete::resampling) |
 //! | a shape with a simple test | [`Region`](rejection::Region) |
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |

@@ -70,7 +70,7 @@ pub struct Accepted<P> {
 
 /// A sampler that proposes a point and accepts it or not.
 ///
-/// An implementation provides the budget and a single try. The bounded loop is here.
+/// Implement [`budget`](Rejection::budget) and [`try_once`](Rejection::try_once); the bounded loop is provided.
 ///
 /// # Examples
 /// ```

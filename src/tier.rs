@@ -33,7 +33,7 @@ mod sealed {
         /// Whether a compiler can vectorise its functions.
         const VECTORS: bool;
 
-        /// Whether laws take their quick form by tables where a slower one has more digits.
+        /// Whether distributions take their quick form by tables where a slower one has more digits.
         const TABLES: bool;
 
         /// `(sin(2πr), cos(2πr))` for `|r| <= 1/8`.

@@ -380,8 +380,8 @@ export declare class TruncatedExponential extends Warp<number, number> {
    */
   static fromRate(rate: number, length: number): TruncatedExponential;
   /**
-   * Density ∝ e^(−x/mean) on [0, length]: the exponential law of this mean, truncated. Its rate is 1/mean, rounded to
-   * `f32`.
+   * Density ∝ e^(−x/mean) on [0, length]: the exponential distribution of this mean, truncated. Its rate is 1/mean,
+   * rounded to `f32`.
    *
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a mean or a length of 0 or less, Empty (code 3)
@@ -744,7 +744,7 @@ export declare class TruncatedNormal extends Warp<number, number> {
  */
 export declare class Cauchy extends Warp<number, number> {
   /**
-   * The law with this location and this scale.
+   * The distribution with this location and this scale.
    *
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
@@ -790,7 +790,7 @@ export declare class Cauchy extends Warp<number, number> {
  */
 export declare class Laplace extends Warp<number, number> {
   /**
-   * The law with this location and this scale.
+   * The distribution with this location and this scale.
    *
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
@@ -837,7 +837,7 @@ export declare class Laplace extends Warp<number, number> {
  */
 export declare class Logistic extends Warp<number, number> {
   /**
-   * The law with this location and this scale.
+   * The distribution with this location and this scale.
    *
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
@@ -884,7 +884,7 @@ export declare class Logistic extends Warp<number, number> {
  */
 export declare class Gumbel extends Warp<number, number> {
   /**
-   * The law with this location and this scale.
+   * The distribution with this location and this scale.
    *
    * @throws RangeError:
    * NotFinite (code 1) for NaN or infinity, NotPositive (code 5) for a scale of 0 or less, TooLarge (code 4) if a
@@ -1201,8 +1201,8 @@ export declare class Triangle extends Warp<[number, number, number], [number, nu
  * Uniform on a triangle given by its vertices, in two, three or more dimensions.
  *
  * The barycentric combination of the vertices, coordinate by coordinate. Where the vertices lie close together beside
- * their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each point of a
- * small triangle far off has its share, to the rounding of its own cell.
+ * their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So every
+ * representable point of a small triangle far off is hit with the right probability, up to rounding.
  *
  * **Density**
  * 1/area per unit area on the triangle and within rounding of it, so that it is 0 at no sample. In two and three
@@ -1251,8 +1251,8 @@ export declare class TriangleOn2d extends Warp<[number, number], [number, number
  * Uniform on a triangle given by its vertices, in two, three or more dimensions.
  *
  * The barycentric combination of the vertices, coordinate by coordinate. Where the vertices lie close together beside
- * their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each point of a
- * small triangle far off has its share, to the rounding of its own cell.
+ * their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So every
+ * representable point of a small triangle far off is hit with the right probability, up to rounding.
  *
  * **Density**
  * 1/area per unit area on the triangle and within rounding of it, so that it is 0 at no sample. In two and three

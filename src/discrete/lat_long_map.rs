@@ -15,7 +15,7 @@ use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 use rand_core::{Rng, TryRng};
 
-/// Directions in proportion to a latitude-longitude map (an equirectangular environment map): a sky as a light.
+/// Directions in proportion to a latitude-longitude map (an equirectangular environment map).
 ///
 /// The weights are radiances, as the picture has them. The constructor multiplies each row by its solid angle, so no
 /// sin θ is left to the caller, neither in the weights nor in the density. A row is selected, then a column; within a
@@ -184,8 +184,7 @@ arrays! {
     ///
     /// # Errors
     /// Those of [`Cdf::new`](super::Cdf::new), where an index counts pixels row by row: [`Error::AllZero`] for a black
-    /// sky, [`Error::NegativeWeight`] and [`Error::NotFiniteWeight`] for radiances that are none, and
-    /// [`Error::Unreachable`]. [`Error::Empty`] for more than 2²⁰ columns or rows.
+    /// picture, [`Error::NegativeWeight`], [`Error::NotFiniteWeight`] and [`Error::Unreachable`]. [`Error::Empty`] for more than 2²⁰ columns or rows.
     ///
     /// # Cost
     /// That of [`PiecewiseConstant2d::new`].
@@ -237,7 +236,7 @@ impl<T: Tier, M, C> LatLongMap<T, M, C> {
         PiecewiseConstant2d::owned(radiances, shape, [UNIT, UNIT], zones).map(Self::of)
     }
 
-    /// The sky of a finished table.
+    /// The environment map of a finished table.
     fn of<W>(table: PiecewiseConstant2d<M, C>) -> Self
     where
         W: Word,
@@ -291,7 +290,7 @@ where
     M: Storage<Item = W>,
     C: Grid<Item = W>,
 {
-    /// A sky from the words of finished tables, as [`PiecewiseConstant2d::as_words`] of [`LatLongMap::table`] gave them.
+    /// An environment map from the words of finished tables, as [`PiecewiseConstant2d::as_words`] of [`LatLongMap::table`] gave them.
     /// All words are checked.
     ///
     /// # Errors
@@ -300,7 +299,7 @@ where
         PiecewiseConstant2d::from_words(marginal, conditional, UNIT, UNIT).map(Self::of)
     }
 
-    /// A sky from the words of finished tables, in constant time: the words are not looked at. With wrong words the
+    /// An environment map from the words of finished tables, in constant time: the words are not looked at. With wrong words the
     /// distribution is meaningless, but still of finite directions and densities.
     ///
     /// # Errors

@@ -223,7 +223,7 @@ impl Word for u64 {
     }
 }
 
-/// The samples of a law on integers that has the count of a word.
+/// The samples of a distribution on integers that has the count of a word.
 macro_rules! drawn_by_word {
     () => {
         /// The count of any `f32`, brought into [0, 1) by the rule of

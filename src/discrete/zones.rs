@@ -1,5 +1,5 @@
 //! What a row of a picture weighs: the same as every other, or the solid angle of its zone of the sphere. In integers
-//! and `const`, so that the words of a sky are the same in every tier and may lie in flash.
+//! and `const`, so that the words of an environment map are the same in every tier and may lie in flash.
 
 use crate::num::division::scaled;
 use crate::num::{high, power_of_two_times};

@@ -163,7 +163,7 @@ impl<G: Grade> Invert for Hemisphere<G> {
 ///
 /// # See also
 /// - [`Hemisphere`](super::Hemisphere) is uniform.
-/// - [`PhongLobe`](super::PhongLobe) takes any power of the cosine; its exponent 1 is this law.
+/// - [`PhongLobe`](super::PhongLobe) takes any power of the cosine; its exponent 1 is this distribution.
 /// - [`warp::CosineHemisphere`](crate::warp::CosineHemisphere) is the one of the float tiers.
 ///
 /// # Source

@@ -64,7 +64,7 @@ walks! {
     [T] LogUniformStep<T>;
 }
 
-/// Proposes x plus a step of your own law along each coordinate: a random walk in ℝᴰ.
+/// Proposes x plus a step of your own distribution along each coordinate: a random walk in ℝᴰ.
 ///
 /// # Domain
 ///
@@ -93,7 +93,7 @@ walks! {
 ///
 /// # See also
 ///
-/// - [`BoxStep`], [`NormalStep`], [`LogUniformStep`]: these laws are random walks as they are.
+/// - [`BoxStep`], [`NormalStep`], [`LogUniformStep`]: these are random walks as they are.
 /// - [`WrappedWalk`], the same in the unit cube.
 #[doc(alias = "gaussian_proposal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,14 +103,14 @@ pub struct RandomWalk<L> {
 }
 
 impl<L> RandomWalk<L> {
-    /// Walks by steps of this law.
+    /// Walks by steps of this distribution.
     #[must_use]
     #[inline]
     pub const fn new(law: L) -> Self {
         Self { law }
     }
 
-    /// The law of the steps.
+    /// The distribution of the steps.
     #[must_use]
     #[inline]
     pub const fn law(&self) -> &L {
@@ -210,14 +210,14 @@ pub struct WrappedWalk<L> {
 }
 
 impl<L> WrappedWalk<L> {
-    /// Walks by steps of this law, modulo 1.
+    /// Walks by steps of this distribution, modulo 1.
     #[must_use]
     #[inline]
     pub const fn new(law: L) -> Self {
         Self { law }
     }
 
-    /// The law of the steps.
+    /// The distribution of the steps.
     #[must_use]
     #[inline]
     pub const fn law(&self) -> &L {

@@ -68,9 +68,7 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
         step
     }
 
-    /// Takes a step: one proposal, accepted or not.
-    ///
-    /// Pass the target that the chain was started with. It must return the same density for the same state each time.
+    /// Takes a step, as [`step`](Self::step) does, from a generator that can fail.
     ///
     /// # Errors
     /// The generator's own error; the chain is then unchanged.
@@ -134,10 +132,7 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
         infallible(self.try_step_limited(target, mutation, limit, rng))
     }
 
-    /// Takes `steps` steps and resets the counts, so that an unlikely start loses its influence.
-    ///
-    /// No rule says how many steps are enough. A few times the integrated autocorrelation time of
-    /// [`Autocorrelation`](crate::metropolis::Autocorrelation) leaves little bias, provided the chain has been everywhere.
+    /// Takes `steps` steps and resets the counts, as [`burn_in`](Self::burn_in) does, from a generator that can fail.
     ///
     /// # Errors
     /// The generator's own error; the chain keeps, and counts, the steps before it.

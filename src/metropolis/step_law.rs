@@ -6,14 +6,14 @@ use crate::num::{clamp, two_product};
 use crate::tier::{Tier, ln_ratio, scaled_exp};
 use core::marker::PhantomData;
 
-/// The law of a random walk's step along each coordinate: symmetric about 0, to the last bit.
+/// The distribution of a random walk's step along each coordinate: symmetric about 0, to the last bit.
 ///
-/// It is a pure function of one word. Inverting all bits of the word must negate the step. The three laws of this crate
-/// are mutations of points of ℝᴰ as they are. [`RandomWalk`](super::RandomWalk) makes a mutation of your own law, and
-/// [`WrappedWalk`](super::WrappedWalk) turns any law into a mutation of the unit cube.
+/// It is a pure function of one word. Inverting all bits of the word must negate the step. The three of this crate
+/// are mutations of points of ℝᴰ as they are. [`RandomWalk`](super::RandomWalk) makes a mutation of your own, and
+/// [`WrappedWalk`](super::WrappedWalk) turns any of them into a mutation of the unit cube.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law of steps between points of type `{X}`",
-    label = "not a law of steps of `{X}`",
+    message = "`{Self}` is not a distribution of steps between points of type `{X}`",
+    label = "not a distribution of steps of `{X}`",
     note = "`BoxStep` and `NormalStep` take as many parameters as the points have coordinates"
 )]
 pub trait StepLaw<X> {

@@ -129,8 +129,8 @@ impl<X: Copy, D> Transition<X, D> {
 }
 
 impl<X, D: Copy> Transition<X, D> {
-    /// What the target returned for both states, each with the weight to record it with: [`Transition::recorded`] for those who
-    /// record a density, or what it goes [with](super::WithPayload).
+    /// What the target returned for both states, each with the weight to record it with: like [`Transition::recorded`], but with
+    /// the densities, and [what goes with them](super::WithPayload), instead of the states.
     ///
     /// Skip a value of weight 0: if the proposal was refused, it may be anything.
     #[must_use]

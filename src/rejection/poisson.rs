@@ -97,7 +97,7 @@ impl<T: Tier> PoissonRejection<T> {
         if !(10.0..=1_048_576.0).contains(&finite(mean)?) {
             return Err(Error::OutOfRange);
         }
-        // The hat covers the law of every mean: with Hörmann's constants it is up to 0.6 % too low above the mean, where
+        // The hat covers the distribution of every mean: with Hörmann's constants it is up to 0.6 % too low above the mean, where
         // the probability of acceptance would have to exceed 1. The nearest it comes is a factor of 1.0001.
         let slope = 0.966 + 2.5325 * sqrt(mean);
         let accepted = 0.9259 - 3.8 / (slope - 1.6);

@@ -1,6 +1,6 @@
 //! Ziggurats: normal and exponential numbers, mostly from one word, one table entry and one product.
 //!
-//! Here lives the try. `ziggurat/layers.rs` has the layers; each law and its public samplers have a file.
+//! Here lives the try. `ziggurat/layers.rs` has the layers; each distribution and its public samplers have a file.
 //!
 //! The curve falls from 0 on. 256 layers of equal area cover the area under it: rectangles that reach from 0 to where the
 //! curve meets their lower side, and a lowest layer that includes the tail. A try takes a layer and a place in it from
@@ -22,8 +22,8 @@ use crate::uniform::open_full;
 use core::convert::Infallible;
 use rand_core::TryRng;
 
-/// A law whose curve is cut into layers.
-trait Law {
+/// A distribution whose curve is cut into layers.
+trait Distribution {
     /// The layers, in flash.
     fn layers() -> &'static Layers;
     /// The place in a layer as an odd number of 2⁻²⁴ of its width, from the bits of a word above the first 8.
@@ -36,7 +36,7 @@ trait Law {
 
 /// What the first word decides: the layer, the number, and whether that is accepted.
 #[inline]
-fn glance<L: Law>(word: u32) -> (usize, f32, bool) {
+fn glance<L: Distribution>(word: u32) -> (usize, f32, bool) {
     let index = (word & 0xff) as usize;
     let place = L::place(word);
     // There are as many layers as values of a byte, so the compiler drops this case.
@@ -53,7 +53,10 @@ fn glance<L: Law>(word: u32) -> (usize, f32, bool) {
 
 /// A try whose first word is known. The others are drawn only if needed.
 #[inline]
-fn attempt<L: Law, E>(word: u32, next: impl FnMut() -> Result<u32, E>) -> Result<Option<f32>, E> {
+fn attempt<L: Distribution, E>(
+    word: u32,
+    next: impl FnMut() -> Result<u32, E>,
+) -> Result<Option<f32>, E> {
     match glance::<L>(word) {
         (_, x, true) => Ok(Some(x)),
         (index, x, false) => beyond::<L, E>(index, x, next),
@@ -61,7 +64,7 @@ fn attempt<L: Law, E>(word: u32, next: impl FnMut() -> Result<u32, E>) -> Result
 }
 
 /// A number in the tail, or one accepted by its height.
-fn beyond<L: Law, E>(
+fn beyond<L: Distribution, E>(
     index: usize,
     x: f32,
     mut next: impl FnMut() -> Result<u32, E>,
@@ -83,7 +86,7 @@ fn beyond<L: Law, E>(
 }
 
 /// A try with three given words.
-fn attempt_at<L: Law>([word, second, third]: [u32; 3]) -> Option<f32> {
+fn attempt_at<L: Distribution>([word, second, third]: [u32; 3]) -> Option<f32> {
     let mut rest = [second, third].into_iter();
     let next = || Ok::<_, Infallible>(rest.next().unwrap_or(third));
     match attempt::<L, _>(word, next) {
@@ -94,14 +97,16 @@ fn attempt_at<L: Law>([word, second, third]: [u32; 3]) -> Option<f32> {
 
 /// A try with the words of a generator.
 #[inline]
-fn try_once<L: Law, R: TryRng + ?Sized>(rng: &mut R) -> Result<Option<f32>, Failure<R::Error>> {
+fn try_once<L: Distribution, R: TryRng + ?Sized>(
+    rng: &mut R,
+) -> Result<Option<f32>, Failure<R::Error>> {
     let word = rng.try_next_u32().map_err(Failure::Generator)?;
     attempt::<L, _>(word, || rng.try_next_u32()).map_err(Failure::Generator)
 }
 
 /// Tries within a budget above 0. Only the part that 98 calls of 100 need is inlined.
 #[inline]
-fn try_draw<L: Law, R: TryRng + ?Sized>(
+fn try_draw<L: Distribution, R: TryRng + ?Sized>(
     budget: u32,
     rng: &mut R,
 ) -> Result<Accepted<f32>, Failure<R::Error>> {
@@ -115,7 +120,7 @@ fn try_draw<L: Law, R: TryRng + ?Sized>(
 /// The rest of a try that its first word did not decide, and further tries.
 #[cold]
 #[inline(never)]
-fn try_on<L: Law, R: TryRng + ?Sized>(
+fn try_on<L: Distribution, R: TryRng + ?Sized>(
     index: usize,
     x: f32,
     budget: u32,

@@ -1,7 +1,7 @@
 //! The Cauchy distribution.
 
 use super::location_scale::{
-    Located, Standard, density_by_tails, located, located_inverse, located_warp,
+    LocationScale, Standard, density_by_tails, invert, location_scale, location_scale_warp,
 };
 use super::{Invert, Warp};
 use crate::num::above_zero;
@@ -76,9 +76,9 @@ const LEAST: f32 = 1.0 / 18_446_744_073_709_551_616.0;
 #[doc(alias = "heavy_tail")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Cauchy<T>(Located<T>);
+pub struct Cauchy<T>(LocationScale<T>);
 
-located!(Cauchy);
+location_scale!(Cauchy);
 
 impl<T: Tier> Cauchy<T> {
     /// The standard point with this probability beyond it, and the sine of that part of half a turn.
@@ -99,12 +99,15 @@ impl<T: Tier> Cauchy<T> {
 }
 
 impl<T: Tier> Warp for Cauchy<T> {
-    located_warp!();
+    location_scale_warp!();
     density_by_tails!();
 }
 
 impl<T: Tier> Invert for Cauchy<T> {
-    located_inverse!();
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        invert::<T, Self>(&self.0, x)
+    }
 }
 
 impl<T: Tier> Standard for Cauchy<T> {

@@ -226,8 +226,8 @@ pub trait Warp {
         infallible(self.try_fill(rng, points));
     }
 
-    /// The points of a slice of uniforms, in order: for uniforms of your own, such as a point set, another generator or a
-    /// replay.
+    /// A batch of samples: the points of a slice of uniforms, in order. For uniforms of your own, such as a point set, another
+    /// generator or a replay.
     ///
     /// They are the points that as many calls of [`sample`](Warp::sample) would give, several at a time where the processor
     /// has vectors. If the slices differ in length, the shorter one counts; points beyond it are untouched.

@@ -62,7 +62,7 @@ use core::marker::PhantomData;
 ///
 /// # See also
 /// - [`TruncatedExponential`](super::TruncatedExponential) follows the transmittance of the fog instead.
-/// - [`Power`](super::Power) of exponent −2 is the law of D = 0 for any ratio of the ends.
+/// - [`Power`](super::Power) of exponent −2 is the distribution of D = 0 for any ratio of the ends.
 ///
 /// # Source
 /// C. Kulla and M. Fajardo, "Importance Sampling Techniques for Path Tracing in Participating Media", 2012,

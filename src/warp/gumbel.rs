@@ -1,6 +1,8 @@
 //! The Gumbel distribution.
 
-use super::location_scale::{Located, Standard, decayed, located, located_inverse, located_warp};
+use super::location_scale::{
+    LocationScale, Standard, decayed, invert, location_scale, location_scale_warp,
+};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::num::{Scaled, above_zero, doubles, middle, representable, tail, two_sum};
 use crate::tier::{LOG2_E, Tier, exp2_pair, log2, neg_log2_1m, neg_log2_1m_of_word, times};
@@ -72,9 +74,9 @@ use crate::uniform::Canonical;
 #[doc(alias = "log_weibull")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Gumbel<T>(Located<T>);
+pub struct Gumbel<T>(LocationScale<T>);
 
-located!(Gumbel);
+location_scale!(Gumbel);
 
 /// −ln(−ln u) of −log₂u, a whole number and a rest.
 #[inline]
@@ -121,7 +123,7 @@ impl<T: Tier> Gumbel<T> {
 }
 
 impl<T: Tier> Warp for Gumbel<T> {
-    located_warp!();
+    location_scale_warp!();
 
     #[inline]
     fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
@@ -133,7 +135,10 @@ impl<T: Tier> Warp for Gumbel<T> {
 }
 
 impl<T: Tier> Invert for Gumbel<T> {
-    located_inverse!();
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        invert::<T, Self>(&self.0, x)
+    }
 }
 
 impl<T: Tier> Standard for Gumbel<T> {

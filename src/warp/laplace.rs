@@ -1,7 +1,7 @@
 //! The Laplace distribution.
 
 use super::location_scale::{
-    Located, Standard, decayed, density_by_tails, located, located_inverse, located_warp,
+    LocationScale, Standard, decayed, density_by_tails, invert, location_scale, location_scale_warp,
 };
 use super::{Invert, Warp};
 use crate::num::above_zero;
@@ -69,9 +69,9 @@ use crate::tier::Tier;
 #[doc(alias = "differential_privacy")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Laplace<T>(Located<T>);
+pub struct Laplace<T>(LocationScale<T>);
 
-located!(Laplace);
+location_scale!(Laplace);
 
 impl<T: Tier> Laplace<T> {
     /// The point with this probability beyond it, and its density, which is in proportion to that.
@@ -83,12 +83,15 @@ impl<T: Tier> Laplace<T> {
 }
 
 impl<T: Tier> Warp for Laplace<T> {
-    located_warp!();
+    location_scale_warp!();
     density_by_tails!();
 }
 
 impl<T: Tier> Invert for Laplace<T> {
-    located_inverse!();
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        invert::<T, Self>(&self.0, x)
+    }
 }
 
 impl<T: Tier> Standard for Laplace<T> {

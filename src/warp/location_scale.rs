@@ -1,12 +1,12 @@
-//! Laws on the line by inversion from both ends: what those share that have a tail at each end, and what those share that are
-//! given by a location and a scale.
+//! Distributions on the line by inversion from both ends: what those with a tail at each end share, and what those given by a
+//! location and a scale share.
 
 use crate::error::{Error, finite, positive, tried};
-use crate::num::{folded, remainder, representable, two_sum};
+use crate::num::{folded, into_unit, remainder, representable, two_sum};
 use crate::tier::{Tier, scaled_exp};
 use core::marker::PhantomData;
 
-/// The types of a law that finds a point by the probability `beyond` it, on either side, and its samples of uniforms.
+/// The types of a distribution that finds a point by the probability `beyond` it, on either side, and its samples of uniforms.
 macro_rules! uniforms_by_tails {
     () => {
         type Uniforms = f32;
@@ -22,21 +22,7 @@ macro_rules! uniforms_by_tails {
 }
 pub(super) use uniforms_by_tails;
 
-/// The same, and samples of words, which are taken as the middle of their cells at both ends.
-macro_rules! by_tails {
-    () => {
-        super::location_scale::uniforms_by_tails!();
-
-        #[inline]
-        fn sample_words(&self, word: u32) -> f32 {
-            let (tail, upper) = $crate::num::folded(word);
-            self.beyond(tail, upper)
-        }
-    };
-}
-pub(super) use by_tails;
-
-/// The density that comes with a sample of such a law, which is `placed` with it by the tail itself.
+/// The density that comes with a sample of such a distribution, which is `placed` with it by the tail itself.
 macro_rules! density_by_tails {
     () => {
         #[inline]
@@ -57,7 +43,7 @@ macro_rules! density_by_tails {
 }
 pub(super) use density_by_tails;
 
-/// A law of location 0 and scale 1.
+/// A distribution of location 0 and scale 1.
 pub(super) trait Standard {
     /// The factor of its density that the scale divides.
     const PEAK: f32;
@@ -81,17 +67,17 @@ pub(super) trait Standard {
     fn cdf(t: f32) -> f32;
 }
 
-/// A location and a scale, and the peak of the law divided by the scale.
+/// A location and a scale, and the peak of the standard distribution divided by the scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(super) struct Located<T> {
+pub(super) struct LocationScale<T> {
     pub location: f32,
     pub scale: f32,
     pub peak: f32,
     tier: PhantomData<T>,
 }
 
-impl<T> Located<T> {
+impl<T> LocationScale<T> {
     pub(super) const fn new(
         location: f32,
         scale: f32,
@@ -151,22 +137,28 @@ pub(super) fn decayed<T: Tier>(peak: f32, (exponent, rest): (f32, f32)) -> f32 {
     }
 }
 
-/// The density of a law at a point of the line.
+/// The density of such a distribution at a point of the line.
 #[inline]
-pub(super) fn density<T, L: Standard>(law: &Located<T>, x: f32) -> f32 {
+pub(super) fn density<T, L: Standard>(own: &LocationScale<T>, x: f32) -> f32 {
     if x.is_finite() {
-        let t = standardised(x, law.location, law.scale);
-        representable(L::density(law.peak, t))
+        let t = standardised(x, own.location, own.scale);
+        representable(L::density(own.peak, t))
     } else {
         0.0
     }
 }
 
-/// The constructor and the getters of a law with a location and a scale, and its samples.
-macro_rules! located {
+/// The inverse of such a distribution.
+#[inline]
+pub(super) fn invert<T, L: Standard>(own: &LocationScale<T>, x: f32) -> f32 {
+    into_unit(L::cdf((x - own.location) / own.scale))
+}
+
+/// The constructor and the getters of a distribution with a location and a scale, and its samples.
+macro_rules! location_scale {
     ($name:ident) => {
         impl<T: Tier> $name<T> {
-            /// The law with this location and this scale.
+            /// The distribution with this location and this scale.
             ///
             /// # Errors
             /// [`Error::NotFinite`](crate::Error::NotFinite) for NaN or infinity,
@@ -178,8 +170,8 @@ macro_rules! located {
                     <Self as super::location_scale::Standard>::PEAK,
                     <Self as super::location_scale::Standard>::REACH,
                 );
-                let law = super::location_scale::Located::new(location, scale, peak, reach);
-                Ok(Self($crate::error::tried!(law)))
+                let own = super::location_scale::LocationScale::new(location, scale, peak, reach);
+                Ok(Self($crate::error::tried!(own)))
             }
 
             /// The location.
@@ -208,10 +200,10 @@ macro_rules! located {
         }
     };
 }
-pub(super) use located;
+pub(super) use location_scale;
 
-/// What such a law has as a warp.
-macro_rules! located_warp {
+/// What such a distribution has as a warp, except its density with a sample.
+macro_rules! location_scale_warp {
     () => {
         super::location_scale::uniforms_by_tails!();
 
@@ -226,16 +218,4 @@ macro_rules! located_warp {
         }
     };
 }
-pub(super) use located_warp;
-
-/// The inverse of such a law.
-macro_rules! located_inverse {
-    () => {
-        #[inline]
-        fn invert(&self, x: f32) -> f32 {
-            let t = (x - self.0.location) / self.0.scale;
-            $crate::num::into_unit(<Self as super::location_scale::Standard>::cdf(t))
-        }
-    };
-}
-pub(super) use located_inverse;
+pub(super) use location_scale_warp;

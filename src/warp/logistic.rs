@@ -1,6 +1,8 @@
 //! The logistic distribution.
 
-use super::location_scale::{Located, Standard, decayed, located, located_inverse, located_warp};
+use super::location_scale::{
+    LocationScale, Standard, decayed, invert, location_scale, location_scale_warp,
+};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::num::{above_zero, folded, power_of_two_times, representable};
 use crate::tier::{LN_2, Tier};
@@ -71,9 +73,9 @@ use crate::uniform::Canonical;
 #[doc(alias = "sech_squared")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Logistic<T>(Located<T>);
+pub struct Logistic<T>(LocationScale<T>);
 
-located!(Logistic);
+location_scale!(Logistic);
 
 /// ln(a/b) for a normal b up to a; to a few units in the last place of 1 where the two are within a factor of 1.5, which is
 /// all that the difference keeps.
@@ -109,7 +111,7 @@ impl<T: Tier> Logistic<T> {
 }
 
 impl<T: Tier> Warp for Logistic<T> {
-    located_warp!();
+    location_scale_warp!();
 
     #[inline]
     fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
@@ -123,7 +125,10 @@ impl<T: Tier> Warp for Logistic<T> {
 }
 
 impl<T: Tier> Invert for Logistic<T> {
-    located_inverse!();
+    #[inline]
+    fn invert(&self, x: f32) -> f32 {
+        invert::<T, Self>(&self.0, x)
+    }
 }
 
 impl<T: Tier> Standard for Logistic<T> {

@@ -73,7 +73,7 @@ pub(super) use planar;
 /// Rust passes and returns an array of two `f32` as one integer. A loop that takes them apart and joins them again works
 /// with vectors half as long.
 pub(crate) trait PlanarMap<const D: usize> {
-    /// What the map makes of u₁ alone before anything else, where that takes many steps one after the other.
+    /// The part of the map that depends on u₁ only. Override it if it is a long chain of dependent operations.
     #[inline]
     fn first(&self, u1: f32) -> f32 {
         u1

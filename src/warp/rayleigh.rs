@@ -1,10 +1,10 @@
 //! The Rayleigh distribution.
 
-use super::location_scale::{by_tails, decayed, density_by_tails, standardised};
+use super::location_scale::{decayed, density_by_tails, standardised, uniforms_by_tails};
 use super::normal::exponent;
 use super::{Invert, Warp};
 use crate::error::{Error, positive};
-use crate::num::{above_zero, into_unit, representable};
+use crate::num::{above_zero, folded, into_unit, representable};
 use crate::tier::Tier;
 use core::marker::PhantomData;
 
@@ -56,7 +56,7 @@ use core::marker::PhantomData;
 ///
 /// # See also
 /// - [`NormalPair`](super::NormalPair): the vector itself.
-/// - [`Weibull`](super::Weibull): of shape 2 and scale σ√2 it is this law.
+/// - [`Weibull`](super::Weibull): of shape 2 and scale σ√2 it is this distribution.
 ///
 /// # Source
 /// Lord Rayleigh, "On the Resultant of a Large Number of Vibrations of the Same Pitch and of Arbitrary Phase", 1880,
@@ -118,7 +118,13 @@ impl<T: Tier> Rayleigh<T> {
 }
 
 impl<T: Tier> Warp for Rayleigh<T> {
-    by_tails!();
+    uniforms_by_tails!();
+
+    #[inline]
+    fn sample_words(&self, word: u32) -> f32 {
+        let (tail, upper) = folded(word);
+        self.beyond(tail, upper)
+    }
     density_by_tails!();
 
     #[inline]

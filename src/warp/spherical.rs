@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 ///
 /// # See also
 /// - [`SphericalPatch`](super::SphericalPatch) samples between two polar angles and two azimuths.
-/// - [`LatLongMap`](crate::discrete::LatLongMap): a sky by latitude and longitude.
+/// - [`LatLongMap`](crate::discrete::LatLongMap): an environment map by latitude and longitude.
 #[doc(alias = "polar")]
 #[doc(alias = "cartesian")]
 #[doc(alias = "latitude")]

@@ -255,8 +255,8 @@ impl<T: Tier> SphericalRectangle<T> {
     /// corner is above it, its cosine stands for both corners of the second column, between which it lies.
     ///
     /// # Errors
-    /// [`Error::AllZero`] for a rectangle below the horizon, [`Error::NotFinite`] and [`Error::ZeroLength`] for a normal
-    /// that is none.
+    /// [`Error::AllZero`] for a rectangle below the horizon, [`Error::NotFinite`] for a normal with NaN
+    /// or infinity, [`Error::ZeroLength`] for a zero normal.
     pub fn cosine_weights(&self, normal: [f32; 3]) -> Result<[[f32; 2]; 2], Error> {
         let [corner, x, far, y] = seen::cosines(self.corners, normal)?;
         if corner > 0.0 || x > 0.0 || y > 0.0 {

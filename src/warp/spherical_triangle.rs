@@ -218,8 +218,8 @@ impl<T: Tier> SphericalTriangle<T> {
     /// They are the cosines of the vertices, 0 below the horizon; the first vertex is both corners of the first column.
     ///
     /// # Errors
-    /// [`Error::AllZero`] for a triangle below the horizon, [`Error::NotFinite`] and [`Error::ZeroLength`] for a normal
-    /// that is none.
+    /// [`Error::AllZero`] for a triangle below the horizon, [`Error::NotFinite`] for a normal with NaN
+    /// or infinity, [`Error::ZeroLength`] for a zero normal.
     pub fn cosine_weights(&self, normal: [f32; 3]) -> Result<[[f32; 2]; 2], Error> {
         let [a, b, c] = seen::cosines(self.corners, normal)?;
         if a > 0.0 || b > 0.0 || c > 0.0 {

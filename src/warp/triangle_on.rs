@@ -10,8 +10,8 @@ use crate::uniform::Canonical;
 /// Uniform on a triangle given by its vertices, in two, three or more dimensions.
 ///
 /// The barycentric combination of the vertices, coordinate by coordinate. Where the vertices lie close together
-/// beside their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So each
-/// point of a small triangle far off has its share, to the rounding of its own cell.
+/// beside their distance from 0, their differences from the one nearest to 0 are combined, which are exact. So every
+/// representable point of a small triangle far off is hit with the right probability, up to rounding.
 ///
 #[cfg_attr(doc, doc = include_str!("../pictures/triangle_on.html"))]
 ///
@@ -292,7 +292,7 @@ pub(crate) struct Spanned {
 impl Spanned {
     /// That of finite vertices; nothing for a triangle without area, or lower than 2⁻⁴⁰ of its longest side.
     pub(crate) fn of(vertices: [[f32; 3]; 3]) -> Option<Self> {
-        // A quarter of them, of which no difference overflows: exact, but for vertices around which there is no area.
+        // Scaled by 1/4 so that differences cannot overflow. Exact unless the triangle is degenerate.
         let mut sides = [[(0.0, 0.0); 3]; 3];
         let longest = differences(&vertices, 0.25, &mut sides);
         if longest < f32::MIN_POSITIVE {

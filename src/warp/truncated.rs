@@ -146,7 +146,7 @@ impl<T: Tier> TruncatedExponential<T> {
         })
     }
 
-    /// Density ∝ e^(−x/mean) on [0, length]: the exponential law of this mean, truncated. Its rate is 1/mean, rounded to
+    /// Density ∝ e^(−x/mean) on [0, length]: the exponential distribution of this mean, truncated. Its rate is 1/mean, rounded to
     /// `f32`.
     ///
     /// # Errors

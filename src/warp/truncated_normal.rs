@@ -177,7 +177,7 @@ impl<T: Tier> TruncatedNormal<T> {
         Self::between(mean, std_dev, f32::NEG_INFINITY, finite(high)?)
     }
 
-    /// The law on an interval of which one end may be infinite.
+    /// The distribution on an interval of which one end may be infinite.
     fn between(mean: f32, std_dev: f32, low: f32, high: f32) -> Result<Self, Error> {
         finite(mean)?;
         positive(std_dev)?;

@@ -70,7 +70,7 @@ use core::marker::PhantomData;
 /// # See also
 /// - [`Exponential`](super::Exponential): shape 1, at a lower cost.
 /// - [`Rayleigh`](super::Rayleigh): shape 2, at a lower cost.
-/// - [`Gumbel`](super::Gumbel): the logarithm of this law, negated.
+/// - [`Gumbel`](super::Gumbel): the logarithm of this distribution, negated.
 ///
 /// # Source
 /// W. Weibull, "A Statistical Distribution Function of Wide Applicability", 1951, <https://doi.org/10.1115/1.4010337>. Both
@@ -279,7 +279,7 @@ impl<T: Tier> Warp for Weibull<T> {
     #[inline]
     #[expect(
         clippy::float_cmp,
-        reason = "the exponential law alone has a density at 0"
+        reason = "the exponential distribution alone has a density at 0"
     )]
     fn pdf(&self, x: f32) -> f32 {
         if !(0.0..=f32::MAX).contains(&x) {

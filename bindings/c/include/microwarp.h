@@ -483,7 +483,7 @@ float mw_logistic_pdf(const mw_logistic *warp, float point);
 float mw_logistic_invert(const mw_logistic *warp, float point);
 
 /**
- * Gumbel, the law of maxima; one uniform.
+ * Gumbel, the distribution of maxima; one uniform.
  * Largest errors: sample, ulp of location or distance: 5.7; pdf, relative: 2.2e-6.
  * Point: drawn samples lie from -3.13 beta to 22.9 beta about the location.
  * Errors of init: MW_NOT_FINITE for NaN or infinity, MW_NOT_POSITIVE for a scale of 0 or less,

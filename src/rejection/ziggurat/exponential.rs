@@ -1,7 +1,7 @@
 //! The exponential distribution by a ziggurat.
 
 use super::layers::{Layers, Shape};
-use super::{Law, attempt_at, try_draw, try_once, ziggurat};
+use super::{Distribution, attempt_at, try_draw, try_once, ziggurat};
 use crate::error::{Error, tried};
 use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
@@ -16,10 +16,10 @@ const AREA: f64 = 0.003_949_659_822_581_557;
 
 static LAYERS: Layers = Layers::new(Shape::Exponential, START, AREA);
 
-/// The exponential law of rate 1.
+/// The exponential distribution of rate 1.
 struct Standard;
 
-impl Law for Standard {
+impl Distribution for Standard {
     #[inline]
     fn layers() -> &'static Layers {
         &LAYERS

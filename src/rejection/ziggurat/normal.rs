@@ -1,7 +1,7 @@
 //! The normal distribution by a ziggurat.
 
 use super::layers::{Layers, Shape};
-use super::{Law, attempt_at, try_draw, try_once, ziggurat};
+use super::{Distribution, attempt_at, try_draw, try_once, ziggurat};
 use crate::error::{Error, tried};
 use crate::rejection::{Accepted, Failure, Rejection, budgeted, with_budget};
 use crate::tier::{Poly, Tier};
@@ -19,10 +19,10 @@ const BEYOND: f32 = 0.000_129_016_24;
 
 static LAYERS: Layers = Layers::new(Shape::Normal, START, AREA);
 
-/// The standard normal law.
+/// The standard normal distribution.
 struct Standard;
 
-impl Law for Standard {
+impl Distribution for Standard {
     #[inline]
     fn layers() -> &'static Layers {
         &LAYERS

@@ -4,8 +4,8 @@ use super::{Points, hash, keyed};
 
 /// Random numbers without a generator: a word is a hash of a seed, a pixel, a sample and a dimension.
 ///
-/// Any thread takes any word, in any order, and a sample is repeated by its numbers. The index of [`Points`] is the sample. A
-/// pixel may be whatever has random numbers of its own: a particle, a task, a frame.
+/// Any thread takes any word, in any order, and a sample is repeated by its numbers. The index of [`Points`] is the sample.
+/// "Pixel" can be any stream: a particle, a task, a frame.
 ///
 #[cfg_attr(doc, doc = include_str!("../../pictures/by_position.html"))]
 ///
