@@ -1,5 +1,5 @@
 //! Reads a sentence and the stated bounds of each type from the crate's documentation into a JSON text for the page. So
-//! the page compares samples with the promised bounds, and no figure is written twice.
+//! no figure is written twice.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-// The page: the selection, the drawing, the measuring and the timing. The module samples; `truth` has the exact maps. The tab
-// with scenes and the one with code are parts of their own, in `page/scene.mjs` and `page/code.mjs`.
+// The page: the selection, the drawing and the timing. The module samples. The tab with scenes and the one with code are parts
+// of their own, in `page/scene.mjs` and `page/code.mjs`.
 
 import { MOST, SOURCES, load } from "./page/module.mjs";
 import { verify } from "./page/golden.mjs";
@@ -7,22 +7,21 @@ import { TIER_LABELS, families_of, realised } from "./page/catalogue.mjs";
 import { choices, parameters, readings } from "./page/controls.mjs";
 import * as scenes from "./page/scene.mjs";
 import * as code from "./page/code.mjs";
-import { seen } from "./truth/drawn.mjs";
+import { framed } from "./view/frame.mjs";
 import * as line from "./view/line.mjs";
 import * as plane from "./view/plane.mjs";
 import * as sphere from "./view/sphere.mjs";
-import * as residuals from "./view/residuals.mjs";
 
 const at = (id) => document.getElementById(id);
 const whole = (n) => n.toLocaleString("en");
-const figure = (x) => (Number.isNaN(x) ? "not known" : x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 ? x.toExponential(2) : x.toPrecision(3));
+const figure = (x) => (x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 ? x.toExponential(2) : x.toPrecision(3));
 
 // The tabs beside those of samplers.
 const TABS = { code: { label: "In JavaScript", part: code }, scene: { label: "A scene", part: scenes } };
 
 const state = {
   family: null, entry: null, tier: "poly", source: "random", values: [], seed: 1,
-  running: null, kept: null, tallied: null, scene: null, speed: null, clock: null,
+  running: null, count: 0, tallied: null, scene: null, speed: null, clock: null,
 };
 let module;
 let families;
@@ -67,11 +66,11 @@ function choose_tier(tier) {
   renew();
 }
 
-// What the documentation says of a sampler in one sentence, that of its tier where the tier has its own.
-function summary({ documented }, tier) {
-  const { float, integer } = module.documented.summaries;
-  const own = documented.startsWith("fixed::") || ["fine", "coarse", "compact"].includes(tier) ? integer : float;
-  const type = documented.replace("fixed::", "");
+// What the documentation says of a sampler, in the family of its tier where that has its own: a sentence, or bounds.
+function documented({ documented: name }, tier, what) {
+  const { float, integer } = module.documented[what];
+  const own = name.startsWith("fixed::") || ["fine", "coarse", "compact"].includes(tier) ? integer : float;
+  const type = name.replace("fixed::", "");
   return own[type] ?? float[type] ?? integer[type];
 }
 
@@ -86,11 +85,11 @@ function show_choices() {
     });
 }
 
-// --- what is measured --------------------------------------------------------------------------------
+// --- what is drawn --------------------------------------------------------------------------------
 
 // The selection has changed: drop everything kept for the old one.
 function renew() {
-  Object.assign(state, { kept: null, tallied: null, speed: null });
+  Object.assign(state, { count: 0, tallied: null, speed: null });
   refresh(false);
   measure_speed_soon();
 }
@@ -104,15 +103,13 @@ function refresh(keep) {
   const source = entry.plans ? state.source : "random";
   const request = { subject: entry.name, place: entry.places[tier], tier, source, dimensions: entry.words, count, seed, parameters: p };
   const drawn = module.sample(request);
-  at("summary").textContent = summary(entry, tier);
+  at("summary").textContent = documented(entry, tier, "summaries");
   document.body.dataset.shown = `${entry.name} ${tier}`;
   if (drawn.refused) return show_refusal(drawn.refused, request);
-  const truth = entry.truth?.(p, tier) ?? (keep ? state.scene?.truth : null) ?? seen(drawn, entry.flat);
-  const judged = entry.counting(drawn, { entry, tier, p, truth, stated: module.documented.bounds });
-  const error = keep && state.kept && judged.error && !(judged.error.max > state.kept.max) ? { ...judged.error, max: state.kept.max } : judged.error;
-  state.kept = { max: error?.max, count: count + (keep && state.kept ? state.kept.count : 0) };
-  if (entry.view === "line" || entry.view === "bars") state.tallied = line.tally(keep ? state.tallied : null, { entry, drawn, truth });
-  state.scene = { entry, drawn, truth, judged: { ...judged, error }, request, tallied: state.tallied };
+  const frame = (keep ? state.scene?.frame : null) ?? framed(drawn, entry.flat);
+  state.count = count + (keep ? state.count : 0);
+  if (entry.view === "line" || entry.view === "bars") state.tallied = line.tally(keep ? state.tallied : null, { entry, drawn, frame });
+  state.scene = { entry, drawn, frame, request, tallied: state.tallied };
   draw(keep);
   show_readings();
 }
@@ -138,47 +135,50 @@ function draw(keep) {
   const pictures = { line: line.draw, bars: line.draw_bars, plane: plane.draw, sphere: sphere.draw };
   const turnable = entry.view === "sphere";
   at("refusal").hidden = true;
-  at("errors").hidden = scene.judged.residuals.length === 0;
   at("uniforms").hidden = entry.words !== 2 || !["plane", "sphere"].includes(entry.view);
   at("view").classList.toggle("turnable", turnable);
   at("view").tabIndex = turnable ? 0 : -1;
-  pictures[entry.view](at("view"), { ...scene, keep: keep && entry.view === "plane" && state.kept.count < 1 << 18 });
+  pictures[entry.view](at("view"), { ...scene, keep: keep && entry.view === "plane" && state.count < 1 << 18 });
   if (!at("uniforms").hidden) plane.draw_uniforms(at("square"), { ...scene, keep: false });
-  if (!at("errors").hidden) residuals.draw(at("residuals"), scene);
 }
 
-const bound_of = (x) => (x < 1e-2 ? Number(x.toPrecision(2)).toExponential() : String(Number(x.toPrecision(2))));
+// The column of a tier in the documentation's tables of errors.
+const COLUMN = { libm: 0, poly: 1, exact: 0, fine: 0, coarse: 1, compact: 2 };
 
-function reading(label, { max, rms, unit, stated }, count) {
-  const above = stated !== null && !(max <= stated);
-  const bound = stated === null ? "no bound stated" : stated === 0 ? "stated: exact" : above ? `above the ${bound_of(stated)} stated` : `stated: ${bound_of(stated)}`;
-  return {
-    label, value: figure(max), unit: unit === "exact" ? "" : unit, above,
-    share: stated > 0 ? max / stated : null,
-    note: [bound, rms === null ? "" : `rms ${figure(rms)}`, count > 0 ? `of ${whole(count)}` : ""].filter(Boolean).join("; "),
-  };
+// What a rejection, and what a chain reports of itself.
+function of_family(family, [first, second]) {
+  const percent = (share) => `${(100 * share).toFixed(1)} %`;
+  if (family === "rejection") return [{ label: "Accepted", value: percent(first / second), note: `of ${whole(second)} tries` }];
+  if (family !== "chains") return [];
+  return [
+    { label: "Accepted", value: percent(first), note: "of the proposals" },
+    { label: "Autocorrelation time", value: second > 0 ? second.toFixed(1) : "–", note: second > 0 ? "steps" : "longer than 256 steps" },
+  ];
 }
 
 function show_readings() {
-  const { scene: { entry, judged, request }, speed, kept } = state;
-  const list = judged.error ? [reading(judged.error.label ?? "Largest error", judged.error, state.running ? kept.count : 0)] : [];
-  if (judged.density) list.push(reading("Error of its density", judged.density, 0));
-  list.push(...judged.further.map(({ fault = false, ...rest }) => ({ ...rest, above: fault })));
-  list.push(speed ? {
-    label: "Speed", value: figure(1e3 / speed.point), unit: "million/s",
-    note: `${figure(speed.point)} ns a point; a word of PCG32 alone ${figure(speed.word)}`,
-  } : { label: "Speed", value: "…", note: "in this browser, PCG32 included" });
-  readings(at("readings"), list);
-  const { max = "", stated = "", unit } = judged.error ?? {};
-  Object.assign(document.body.dataset, { truth: judged.error ? "f64" : "none", error: String(max), stated: String(stated), refused: "", count: String(request.count) });
+  const { scene: { entry, drawn, request }, speed } = state;
+  const densities = drawn.densities.subarray(0, drawn.count);
+  const [least, most] = [densities.reduce((a, b) => Math.min(a, b)), densities.reduce((a, b) => Math.max(a, b))];
+  readings(at("readings"), [
+    ...Object.entries(documented(entry, request.tier, "bounds") ?? {}).map(([quantity, cells]) => (
+      { label: `Error of ${quantity}`, value: `≤ ${cells[COLUMN[request.tier]]}`, note: "stated" })),
+    { label: "Density", value: least === most ? figure(least) : `${figure(least)} to ${figure(most)}`, note: "reported at the points" },
+    ...of_family(entry.family, drawn.report),
+    speed ? {
+      label: "Speed", value: figure(1e3 / speed.point), unit: "million/s",
+      note: `${figure(speed.point)} ns a point; a word of PCG32 alone ${figure(speed.word)}`,
+    } : { label: "Speed", value: "…", note: "in this browser, PCG32 included" },
+  ]);
+  Object.assign(document.body.dataset, { density: `${least} ${most}`, refused: "", count: String(request.count) });
   at("caption").textContent = captions[entry.view](entry);
-  at("view").setAttribute("aria-label", `${entry.label}, ${TIER_LABELS[request.tier]}: ${whole(request.count)} points; ${judged.error ? `largest error ${figure(max)} ${unit}` : "no truth to count errors against"}. ${captions[entry.view](entry)}`);
+  at("view").setAttribute("aria-label", `${entry.label}, ${TIER_LABELS[request.tier]}: ${whole(request.count)} points. ${captions[entry.view](entry)}`);
 }
 
 const captions = {
-  line: (entry) => `Bars: the points drawn. Line: the density ${entry.truth ? "in f64" : "that is reported"}.`,
-  bars: (entry) => `Bars: how often each index was selected. Lines: the ${entry.truth ? "exact shares" : "probabilities that are reported"}.`,
-  plane: (entry) => (entry.trail ? "States in the order of their colours, over the density." : "Points in the colour of their first uniform."),
+  line: () => "Bars: the points drawn. Line: the density that is reported.",
+  bars: () => "Bars: how often each index was selected. Lines: the shares that are reported.",
+  plane: (entry) => (entry.trail ? "States in the order of their colours." : "Points in the colour of their first uniform."),
   sphere: () => "Turn it by dragging or with the arrow keys; Home turns it back. +z is up.",
 };
 
@@ -187,7 +187,7 @@ function show_refusal({ name, meaning }, request) {
   stop();
   const context = at("view").getContext("2d");
   context.clearRect(0, 0, at("view").width, at("view").height);
-  for (const id of ["uniforms", "errors"]) at(id).hidden = true;
+  at("uniforms").hidden = true;
   const refusal = at("refusal");
   refusal.hidden = false;
   refusal.querySelector("strong").textContent = name;
@@ -195,7 +195,7 @@ function show_refusal({ name, meaning }, request) {
   at("caption").textContent = "";
   at("view").setAttribute("aria-label", `${request.subject}: nothing is drawn, ${name}`);
   readings(at("readings"), []);
-  Object.assign(document.body.dataset, { refused: name, error: "", stated: "", count: "0" });
+  Object.assign(document.body.dataset, { refused: name, density: "", count: "0" });
 }
 
 // --- running -----------------------------------------------------------------------------------------

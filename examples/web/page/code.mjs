@@ -3,7 +3,7 @@
 import { SNIPPETS } from "./snippets.mjs";
 import { corner } from "./catalogue.mjs";
 import { choices } from "./controls.mjs";
-import { seen } from "../truth/drawn.mjs";
+import { framed } from "../view/frame.mjs";
 import * as line from "../view/line.mjs";
 import * as plane from "../view/plane.mjs";
 import * as sphere from "../view/sphere.mjs";
@@ -61,8 +61,8 @@ function show({ shown, dimensions, count, densities, indices }) {
   const drawn = { count, points, densities, words: [] };
   const round = dimensions === 3 && shown.every((x) => Math.abs(x) <= 1.0001);
   const entry = { view: indices ? "bars" : dimensions === 1 ? "line" : round ? "sphere" : "plane", words: 0, plans: false };
-  const truth = seen(drawn, dimensions === 3 && !round ? corner : undefined);
-  scene = { entry, drawn, truth };
+  const frame = framed(drawn, dimensions === 3 && !round ? corner : undefined);
+  scene = { entry, drawn, frame };
   if (dimensions === 1) scene.tallied = line.tally(null, scene);
   draw();
 }

@@ -62,15 +62,10 @@ export function parameters(fieldset, list, changed) {
   fieldset.hidden = list.length === 0;
 }
 
-// A list of readings: { label, value, unit, note, share, above }. `share` of the bound fills a gauge.
+// A list of readings: { label, value, unit, note, above }.
 export function readings(list, entries) {
-  list.replaceChildren(...entries.map(({ label, value, unit = "", note = "", share = null, above = false }) => {
+  list.replaceChildren(...entries.map(({ label, value, unit = "", note = "", above = false }) => {
     const figure = element("dd", {}, element("span", { className: "value" }, value, unit ? " " : "", element("small", { textContent: unit })));
-    if (share !== null) {
-      const bar = element("i");
-      bar.style.width = `${Math.min(100, 100 * share)}%`;
-      figure.append(element("span", { className: "gauge", ariaHidden: "true" }, bar));
-    }
     figure.append(element("span", { className: "note", textContent: note }));
     return element("div", { className: above ? "above" : "" }, element("dt", { textContent: label }), figure);
   }));

@@ -10,7 +10,7 @@ import { serve } from "../serve.mjs";
 import { launch } from "./browser.mjs";
 import { same_points, snippets } from "./code.mjs";
 import { NO_SCENE, one_bit_wider, refused_scenes, rendered, verdict } from "./scene.mjs";
-import { LOST, every_subject, lost_truths, most_points, refusals, turns } from "./walk.mjs";
+import { drawn, every_subject, most_points, refusals, shown, turns } from "./walk.mjs";
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const [site, panics, pictures] = process.argv.slice(2);
@@ -105,9 +105,8 @@ async function on_a_desk() {
     check(golden.state === "verified" && /verified/.test(golden.text), `golden bits: ${golden.text}`);
     check(stated[0] === words && stated[1] === cases, `the page says "${golden.text}", the table has ${words} words of ${cases} cases`);
     say(golden.text);
-    const { seen, plain } = await every_subject(page, module, check);
-    say(`every sampler in every tier: ${seen.length} pictures, each with its error within the bound stated`);
-    say(plain.length > 0 ? `without a truth on the page: ${plain.join(", ")}` : "none is without a truth on the page");
+    const seen = await every_subject(page, module, check);
+    say(`every sampler in every tier: ${seen.length} pictures, each with positive densities and the bounds stated`);
     const refused = await refusals(page, check);
     say(`refused, each with its typed error: ${refused.join("; ")}`);
     await most_points(page, check);
@@ -209,24 +208,19 @@ async function controls() {
   await with_page("control: a console error", DESK, { "index.html": noisy }, async (page) => {
     check(page.problems.some((problem) => problem.includes("control")), "control: an error in the console is not noticed");
   });
-  const truth = await readFile(join(web, "truth/plane.mjs"), "utf8");
-  const wrong = edited(truth, "turned(Math.sqrt(u), v) });", "turned(Math.sqrt(u) * (1 - 1e-6), v) });");
-  await with_page("control: a wrong truth", DESK, { "truth/plane.mjs": wrong }, async (page) => {
-    const { error, stated } = await page.evaluate("({ ...document.body.dataset })");
-    check(Number(error) > Number(stated), "control: an error of 1e-6 of a disk is not noticed");
+  const loader = await readFile(join(web, "page/module.mjs"), "utf8");
+  const zero = edited(loader, "    return { count, points,", "    densities[7] = 0;\n    return { count, points,");
+  await with_page("control: a density of 0", DESK, { "page/module.mjs": zero }, async (page) => {
+    const found = [];
+    drawn("NormalPair poly", await page.call(shown), (holds, fault) => holds || found.push(fault));
+    check(found.length === 1 && /densities/.test(found[0]), `control: of a density of 0 is noticed ${found}`);
   });
   const catalogue = await readFile(join(web, "page/catalogue.mjs"), "utf8");
-  const less = LOST.reduce((text, [, name]) => edited(text, `\n  ${name}: {`, `\n  ...true || {`), catalogue);
-  await with_page("truths that are lost", DESK, { "page/catalogue.mjs": less }, async (page) => {
-    await lost_truths(page, check);
-    await sound("truths that are lost", page);
+  const unknown = edited(catalogue, "\n  PhongLobe: {", "\n  PhongLobes: {");
+  await with_page("control: a label of nothing", DESK, { "page/catalogue.mjs": unknown }, async (page) => {
+    check(page.problems.length > 0, "control: an unknown sampler in the catalogue is not noticed");
   });
-  const unknown = edited(catalogue, "\n  Disk: {", "\n  Disc: {");
-  await with_page("control: a truth of nothing", DESK, { "page/catalogue.mjs": unknown }, async (page) => {
-    check(page.problems.length > 0, "control: a truth of an unknown sampler is not noticed");
-  });
-  say("a sampler without a truth is shown with what is stated; a truth without a sampler is refused");
-  say("controls: a missing table, an error in the console and an error above its bound were noticed");
+  say("controls: a missing table, an error in the console, a density of 0 and an unknown sampler were noticed");
 }
 
 await mkdir(pictures, { recursive: true });

@@ -1,4 +1,4 @@
-// A histogram of points on the line with the exact density over it; and, for tables, bars with the exact shares.
+// A histogram of points on the line with their density over it; and, for tables, bars with the shares.
 
 import { colours, label, path, prepare, short, ticks } from "./canvas.mjs";
 
@@ -6,10 +6,10 @@ const BINS = 72;
 const MARGIN = { left: 14, right: 14, top: 16, bottom: 34 };
 
 // Counts points into a tally that goes on from picture to picture while the page runs.
-export function tally(previous, { entry, drawn, truth }) {
+export function tally(previous, { entry, drawn, frame }) {
   const bars = entry.view === "bars";
-  const [low, high] = bars ? [-0.5, truth.shares.length - 0.5] : truth.range;
-  const bins = bars ? truth.shares.length : BINS;
+  const [low, high] = bars ? [-0.5, frame.shares.length - 0.5] : frame.range;
+  const bins = bars ? frame.shares.length : BINS;
   const same = previous && previous.low === low && previous.high === high && previous.counts.length === bins;
   const { counts, total } = same ? previous : { counts: new Array(bins).fill(0), total: 0 };
   for (let k = 0; k < drawn.count; k += 1) {
@@ -21,13 +21,13 @@ export function tally(previous, { entry, drawn, truth }) {
   return { low, high, counts, total: total + drawn.count };
 }
 
-export function draw(canvas, { truth, tallied: { low, high, counts, total } }) {
+export function draw(canvas, { frame, tallied: { low, high, counts, total } }) {
   const { context, width, height } = prepare(canvas);
   const theme = colours();
   const across = (x) => MARGIN.left + ((x - low) / (high - low)) * (width - MARGIN.left - MARGIN.right);
   const bin = (high - low) / counts.length;
   const densities = counts.map((n) => n / total / bin);
-  const curve = Array.from({ length: 481 }, (_, k) => low + ((high - low) * k) / 480).map((x) => [x, truth.pdf(x)]);
+  const curve = Array.from({ length: 481 }, (_, k) => low + ((high - low) * k) / 480).map((x) => [x, frame.pdf(x)]);
   // A density may be infinite at an end; the bars always fit.
   const inner = curve.slice(4, -4).map(([, y]) => y);
   const top = 1.08 * Math.max(...densities, Math.min(Math.max(...inner), 1.5 * Math.max(...densities)));
@@ -50,7 +50,7 @@ export function draw(canvas, { truth, tallied: { low, high, counts, total } }) {
   axis(context, theme, across, ticks(low, high, width < 480 ? 5 : 9), up(0), [MARGIN.left, width - MARGIN.right], short);
 }
 
-export function draw_bars(canvas, { truth: { shares }, tallied: { counts, total } }) {
+export function draw_bars(canvas, { frame: { shares }, tallied: { counts, total } }) {
   const { context, width, height } = prepare(canvas);
   const theme = colours();
   const slot = (width - MARGIN.left - MARGIN.right) / counts.length;

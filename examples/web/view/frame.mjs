@@ -1,4 +1,4 @@
-// Where the page has no truth: what the points themselves show, for the pictures. Nothing is measured against it.
+// The frame of a picture, from what the points themselves show: their range, the densities and the shares reported.
 
 const least = (numbers) => numbers.reduce((a, b) => Math.min(a, b));
 const most = (numbers) => numbers.reduce((a, b) => Math.max(a, b));
@@ -9,7 +9,7 @@ const range = (numbers) => {
 };
 
 // `flat` places a point of space on paper.
-export function seen({ count, points, densities }, flat) {
+export function framed({ count, points, densities }, flat) {
   const places = Array.from({ length: count }, (_, k) => (flat ?? Array.from)(points.subarray(3 * k, 3 * k + 3)));
   const coordinate = (axis) => places.map((place) => place[axis]);
   const [x, y] = [coordinate(0), coordinate(1)];
@@ -17,14 +17,15 @@ export function seen({ count, points, densities }, flat) {
   return {
     range: range(x),
     box: [...range(x), ...range(y)],
-    outline: [],
     flat,
     // The density reported at the nearest point drawn that is not below.
     pdf: (at) => densities[order[bisected(order.length, (k) => x[order[k]] >= at)]],
+    // In proportion, since a chain reports weights.
     get shares() {
       const shares = new Array(most(x) + 1).fill(0);
       x.forEach((index, k) => (shares[index] = densities[k]));
-      return shares;
+      const sum = shares.reduce((a, b) => a + b);
+      return shares.map((share) => share / sum);
     },
   };
 }
