@@ -3,7 +3,7 @@
 #![no_std]
 #![allow(unsafe_code)]
 
-use microwarp_page_panic as _;
+microwarp_golden::import_panic!();
 
 static WORDS: [u32; 4] = [1, 2, 3, 5];
 

@@ -2,6 +2,8 @@
 //! in `hot`, compiled for speed. The panic handler calls an import; a module without reachable panics needs none, and
 //! the tests check that.
 #![no_std]
+#![allow(unsafe_code, reason = "an import is declared")]
 
 use microwarp_js_small as _;
-use microwarp_page_panic as _;
+
+microwarp_golden::import_panic!();

@@ -18,10 +18,11 @@ mod subject;
 mod tables;
 mod visit;
 
-use microwarp_page_panic as _;
 use run::{Samples, Timing};
 use shared::{Shared, shared};
 use visit::{LISTS, visit};
+
+microwarp_golden::import_panic!();
 
 /// A sentence and the bounds of each type from the crate's documentation, as JSON.
 static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));

@@ -26,6 +26,26 @@ mod integers;
 #[cfg(feature = "cases")]
 mod subjects;
 
+/// What becomes of a panic in a WASM module: an import, which stands in the module if and only if something in it can panic.
+#[macro_export]
+macro_rules! import_panic {
+    () => {
+        #[cfg(target_arch = "wasm32")]
+        #[link(wasm_import_module = "page")]
+        unsafe extern "C" {
+            safe fn panicked() -> !;
+        }
+
+        #[panic_handler]
+        fn panic(_: &core::panic::PanicInfo) -> ! {
+            #[cfg(target_arch = "wasm32")]
+            panicked();
+            #[cfg(not(target_arch = "wasm32"))]
+            loop {}
+        }
+    };
+}
+
 /// What the lists hold of a type, for those who look whether it is complete.
 pub struct Listed {
     pub name: &'static str,

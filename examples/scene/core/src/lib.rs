@@ -38,6 +38,7 @@ pub mod kit;
 pub mod light;
 pub mod material;
 pub mod metropolis;
+pub mod numbered;
 pub mod path;
 pub mod picture;
 pub mod scenes;

@@ -3,10 +3,11 @@
 #![no_std]
 #![allow(unsafe_code)]
 
-use microwarp_page_panic as _;
+use microwarp_scene::numbered::{HALVES, HOST, MOST, POINTS, Request, SCENES, TIERS, row};
 use microwarp_scene::vector::Vector;
 use microwarp_scene::{Hash, Plan};
-use microwarp_web_scene::{Choice, HALVES, HOST, MOST, POINTS, SCENES, TIERS, row};
+
+microwarp_golden::import_panic!();
 
 /// Both sides know this layout.
 #[repr(C)]
@@ -80,7 +81,7 @@ pub extern "C" fn render(half: u32, line: u32) -> usize {
         samples: *samples,
         seed: seed.wrapping_add(half),
     };
-    let choice = Choice {
+    let picture = Request {
         scene: *scene,
         tier: *tier,
         points: *points,
@@ -88,9 +89,9 @@ pub extern "C" fn render(half: u32, line: u32) -> usize {
     };
     let start = line.wrapping_mul(*width) as usize;
     let end = start.wrapping_add(*width as usize);
-    let picture = halves.get_mut(half as usize);
-    let colours = picture.and_then(|picture| picture.get_mut(start..end));
-    match row(&choice, line, colours.unwrap_or_default()) {
+    let pixels = halves.get_mut(half as usize);
+    let colours = pixels.and_then(|pixels| pixels.get_mut(start..end));
+    match row(&picture, line, colours.unwrap_or_default()) {
         Ok(()) => 0,
         Err(refusal) => {
             let message = refusal.message().as_bytes();

@@ -1,14 +1,12 @@
 //! Pictures by numbers: which scene, in which tier, by which points. The module of the page and the program of the host that
 //! it is held against both render by this, so that they differ in nothing but the machine.
-#![no_std]
-#![forbid(unsafe_code)]
 
+use crate::golden::{Fog, Room, Sensor, Shot, Slit, Slivers};
+use crate::source::{Owen, Strata};
+use crate::vector::Vector;
+use crate::{Kit, Plan, Random, Set, Source, View};
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::ByPosition;
-use microwarp_scene::golden::{Fog, Room, Sensor, Shot, Slit, Slivers};
-use microwarp_scene::source::{Owen, Strata};
-use microwarp_scene::vector::Vector;
-use microwarp_scene::{Kit, Plan, Random, Set, Source, View};
 
 /// Scenes, tiers and point sets by name, in the order of their numbers.
 pub const SCENES: [&str; 5] = [
@@ -63,9 +61,9 @@ impl Refusal {
     }
 }
 
-/// What picture is rendered, by the numbers of its choices.
+/// What picture is rendered.
 #[derive(Clone, Copy, Debug)]
-pub struct Choice {
+pub struct Request {
     pub scene: u32,
     pub tier: u32,
     pub points: u32,
@@ -76,8 +74,10 @@ pub struct Choice {
 ///
 /// # Errors
 /// For numbers that nothing has, and for pictures of no size or of too large a one.
-pub fn row(choice: &Choice, row: u32, colours: &mut [Vector]) -> Result<(), Refusal> {
-    let Plan { size, samples, .. } = choice.plan;
+// Compiled where it is called: in itself it holds each scene in each tier by each point set.
+#[inline]
+pub fn row(request: &Request, row: u32, colours: &mut [Vector]) -> Result<(), Refusal> {
+    let Plan { size, samples, .. } = request.plan;
     let [width, height] = size.map(u64::from);
     if !(1..=u64::from(MOST)).contains(&width.wrapping_mul(height)) {
         return Err(Refusal::Pixels);
@@ -86,11 +86,11 @@ pub fn row(choice: &Choice, row: u32, colours: &mut [Vector]) -> Result<(), Refu
         return Err(Refusal::Samples);
     }
     let mut job = Job {
-        choice,
+        request,
         row,
         colours,
     };
-    match choice.scene {
+    match request.scene {
         0 => job.tiers::<Room>(),
         1 => job.tiers::<Fog>(),
         2 => job.tiers::<Slivers>(),
@@ -102,14 +102,14 @@ pub fn row(choice: &Choice, row: u32, colours: &mut [Vector]) -> Result<(), Refu
 
 /// A row to render, while its types are chosen one after another.
 struct Job<'a> {
-    choice: &'a Choice,
+    request: &'a Request,
     row: u32,
     colours: &'a mut [Vector],
 }
 
 impl Job<'_> {
     fn tiers<C: Shot>(&mut self) -> Result<(), Refusal> {
-        match self.choice.tier {
+        match self.request.tier {
             0 => self.points::<C, Libm>(),
             1 => self.points::<C, Poly>(),
             _ => Err(Refusal::Tier),
@@ -117,8 +117,8 @@ impl Job<'_> {
     }
 
     fn points<C: Shot, K: Kit>(&mut self) -> Result<(), Refusal> {
-        let view = C::view::<K>(self.choice.plan.size).map_err(Refusal::Camera)?;
-        match self.choice.points {
+        let view = C::view::<K>(self.request.plan.size).map_err(Refusal::Camera)?;
+        match self.request.points {
             0 => self.pixels::<C, K, Random>(&view),
             1 => self.pixels::<C, K, Set<ByPosition>>(&view),
             2 => self.pixels::<C, K, Set<Strata>>(&view),
@@ -130,7 +130,7 @@ impl Job<'_> {
 
     fn pixels<C: Shot, K: Kit, S: Source>(&mut self, view: &View<K>) {
         for (colour, column) in self.colours.iter_mut().zip(0..) {
-            *colour = C::pixel::<K, S>(view, [column, self.row], &self.choice.plan);
+            *colour = C::pixel::<K, S>(view, [column, self.row], &self.request.plan);
         }
     }
 }
