@@ -91,7 +91,7 @@ fn table() -> String {
         }
     }
     // The parameters of those are no words of constructors.
-    for (label, [_, uniforms]) in kept("fixed_warps/worst.csv") {
+    for (label, [_, uniforms]) in kept("fixed/worst.csv") {
         let name = label.split(' ').next().unwrap_or_default();
         add(format!(
             "fixed {name};;;{}",

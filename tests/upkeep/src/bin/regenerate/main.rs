@@ -203,7 +203,7 @@ fn accuracy(args: &Args) -> Outcome {
     )?;
     if args.worst {
         written_by_tests(args, "accuracy", &["statements_hold"], &[])?;
-        written_by_tests(args, "fixed_warps", &["statements_hold_for_all"], &[])?;
+        written_by_tests(args, "fixed", &["statements_hold_for_all"], &[])?;
     }
     written_by_tests(args, "accuracy", &["take_the_hard_inputs"], &[])
 }

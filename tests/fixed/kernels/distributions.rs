@@ -3,7 +3,7 @@
 //!
 //! Negative controls are in `wrong_maps`.
 
-use crate::shapes::{Shape, shapes};
+use super::shapes::{Shape, shapes};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use rand_pcg::Pcg32;
 use std::collections::BTreeSet;

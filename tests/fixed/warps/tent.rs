@@ -1,6 +1,6 @@
 //! The tent.
 
-use crate::figures::{Figures, WORD, hold, over_words, sample_rows};
+use super::figures::{Figures, WORD, hold, over_words, sample_rows};
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U16, U30, U32};
 use fixed::types::{I2F30, I16F16, U0F32};

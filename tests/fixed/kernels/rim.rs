@@ -2,7 +2,7 @@
 //!
 //! `MICROWARP_WRITE=1 MICROWARP_FULL=all cargo test --test fixed rim` writes it anew.
 
-use crate::inputs::{Words, edges};
+use super::inputs::{Words, edges};
 use fixed::types::{I2F30, U0F32};
 use microwarp::Warp;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp::Disk};

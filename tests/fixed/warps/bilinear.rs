@@ -1,7 +1,7 @@
 //! The bilinear patch.
 
-use crate::families::plane::linear;
-use crate::figures::{Figures, WORD, hold, over_pairs, sample_rows};
+use super::families::plane::linear;
+use super::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{U0F32, U16F16, U32F0};
 use microwarp::fixed::warp::Bilinear;
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade};

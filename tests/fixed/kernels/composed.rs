@@ -5,7 +5,7 @@
 //! size, and δ is what the product cuts. The largest sum of a pair of cells is the bound: over all words with `MICROWARP_FULL=all`,
 //! over one of every 256 otherwise.
 
-use crate::inputs::{Words, edges};
+use super::inputs::{Words, edges};
 use fixed::types::U0F32;
 use microwarp::Warp;
 use microwarp::fixed::warp::{CosineHemisphere, Disk, Hemisphere, Sphere, StandardNormalPair};

@@ -4,9 +4,9 @@
 //! a figure a quarter above what is measured fails too, a largest error in the full speed only.
 //! `MICROWARP_WRITE=1 MICROWARP_FULL=all cargo test --test fixed stated` measures over all words and writes them anew.
 
-use crate::cases::{Case, GRADES, cases};
-use crate::figures::{Errors, Figures, Row, figures, stated, write};
-use crate::inputs::edges;
+use super::cases::{Case, GRADES, cases};
+use super::figures::{Errors, Figures, Row, figures, stated, write};
+use super::inputs::edges;
 use support::speed;
 
 /// The errors of a case in each grade.

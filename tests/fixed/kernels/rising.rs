@@ -3,7 +3,7 @@
 //! The figures stand in its second table, in steps of the result; `MICROWARP_WRITE=1 MICROWARP_FULL=all cargo test
 //! --test fixed rise` writes them anew.
 
-use crate::inputs::{Words, edges};
+use super::inputs::{Words, edges};
 use fixed::types::{U0F32, U5F27};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use support::docs::{self, Doc, Row, states};

@@ -4,7 +4,7 @@
 //! Judging it is one sample, its density and its inverse against the truth in `f64`, or in integers where the warp is
 //! exact; what may never happen whatever the words is a fault.
 
-use crate::figures::statements;
+use crate::warps::figures::statements;
 use support::adversary::words::Kind;
 use support::adversary::{self, Case, Observe, Uniforms};
 use support::docs::{self, Doc, Statement};

@@ -1,6 +1,6 @@
 //! Barycentric coordinates.
 
-use crate::figures::{Figures, WORD, hold, over_pairs, sample_rows};
+use super::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{I2F30, U0F32};
 use microwarp::fixed::warp::Triangle;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};

@@ -1,6 +1,6 @@
 //! The disk and the directions.
 
-use crate::figures::{Figures, WORD, hold, over_pairs, sample_rows};
+use super::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
 use microwarp::fixed::warp::{
     Cone, CosineHemisphere, Disk, Hemisphere, HenyeyGreenstein, PhongLobe, Sphere,

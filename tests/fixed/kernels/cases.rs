@@ -1,6 +1,6 @@
 //! Every function of a grade with its exact counterpart in `f64`, each as a function of one word.
 
-use crate::inputs::Words;
+use super::inputs::Words;
 use fixed::types::{I2F30, U0F32, U5F27, U16F16};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use std::f64::consts::{FRAC_PI_2, TAU};

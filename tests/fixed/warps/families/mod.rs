@@ -27,5 +27,5 @@ fn families() -> Vec<adversary::Family> {
 
 #[test]
 fn statements_hold_for_all_parameters_and_words() {
-    adversary::hold(&families(), "fixed_warps/worst.csv");
+    adversary::hold(&families(), "fixed/worst.csv");
 }

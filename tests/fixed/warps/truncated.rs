@@ -1,6 +1,6 @@
 //! The truncated exponential.
 
-use crate::figures::{Figures, WORD, hold, over_words, sample_rows};
+use super::figures::{Figures, WORD, hold, over_words, sample_rows};
 use fixed::FixedU32;
 use fixed::types::extra::{LeEqU32, U0, U16, U32};
 use fixed::types::{U0F32, U16F16};

@@ -1,6 +1,6 @@
 //! The exponential distributions.
 
-use crate::figures::{Figures, WORD, hold, over_words, sample_rows};
+use super::figures::{Figures, WORD, hold, over_words, sample_rows};
 use fixed::FixedU32;
 use fixed::types::extra::{LeEqU32, U0, U8, U16, U27, U32};
 use fixed::types::{U0F32, U5F27, U16F16, U32F0};

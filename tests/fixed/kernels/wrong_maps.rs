@@ -1,8 +1,8 @@
 //! Negative controls of the distributions: maps that are wrong by a little are rejected by the same examination,
 //! with as few samples and cells as any grade gets.
 
-use crate::distributions::{examine, threshold};
-use crate::shapes::{Shape, fewest, shapes};
+use super::distributions::{examine, threshold};
+use super::shapes::{Shape, fewest, shapes};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;

@@ -3,10 +3,10 @@
 //! The faults are put where they would show, in front of a right kernel or behind it. A sweep over fewer words than
 //! the real one tries cannot find more, so it is one of every 256, or 8192 in the quick speed, that must reject.
 
-use crate::cases::{Case, GRADES, cases};
-use crate::figures::{self, Figures, stated};
-use crate::inputs::{Words, edges};
-use crate::kernels::measure;
+use super::cases::{Case, GRADES, cases};
+use super::figures::{self, Figures, stated};
+use super::inputs::{Words, edges};
+use super::measured::measure;
 use fixed::types::{U0F32, U5F27};
 use microwarp::fixed::{Compact, Fine, Grade};
 use std::f64::consts::TAU;

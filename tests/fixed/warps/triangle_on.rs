@@ -1,6 +1,6 @@
 //! Triangles on vertices.
 
-use crate::figures::{Figures, WORD, hold, over_pairs};
+use super::figures::{Figures, WORD, hold, over_pairs};
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U16};
 use fixed::types::{I16F16, I32F0, U0F32};

@@ -1,6 +1,6 @@
 //! The normal distribution, two at a time.
 
-use crate::figures::{Figures, WORD, hold, over_pairs, sample_rows};
+use super::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use core::f64::consts::TAU;
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U8, U16, U27, U30};
