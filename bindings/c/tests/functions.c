@@ -809,7 +809,7 @@ static void points_cover(void)
     }
     for (int i = 0; i < 4; i++)
         CHECK(quarter[i] == 16);
-    /* As in Rust and in JavaScript: tests/points/neighbours.rs. */
+    /* As in Rust and in JavaScript: tests/uniforms/points/neighbours.rs. */
     static const uint32_t indices[3] = {0, 1, UINT32_MAX};
     static const uint32_t known[3][3] = {{0x93d8a563, 0xb22cb017, 0x9f114892},
         {0x998a9383, 0xc04268ab, 0x7b4f30ef}, {0xa765a3a5, 0xe9718413, 0xce781d5f}};

@@ -25,7 +25,7 @@ test("every class has what it needs in the smaller module", () => {
 });
 
 test("one of many generators has its words, as in Rust and C", () => {
-  // tests/points/neighbours.rs
+  // tests/uniforms/points/neighbours.rs
   const known = [
     [0x93d8a563, 0xb22cb017, 0x9f114892], [0x998a9383, 0xc04268ab, 0x7b4f30ef], [0xa765a3a5, 0xe9718413, 0xce781d5f],
   ];

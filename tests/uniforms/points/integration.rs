@@ -1,6 +1,6 @@
 //! Errors of means against exact integrals: how they fall with the number of points, over seeds; and what would spoil them.
 
-use crate::{Set, plain, random, recurrence, second_pair, sobol};
+use super::{Set, plain, random, recurrence, second_pair, sobol};
 use microwarp::uniform::{Points, Sobol, deep_from_word, grid_from_word, open_from_word};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;

@@ -1,6 +1,6 @@
 //! Every elementary interval of the unit square holds its share of Sobol' points, and no coordinate is off the textbook's.
 
-use crate::{Set, plain, second_pair, sobol};
+use super::{Set, plain, second_pair, sobol};
 use microwarp::Error;
 use microwarp::uniform::{MAX_DIMENSIONS, Points, Recurrence, Sobol};
 use rand_pcg::Pcg32;

@@ -1,0 +1,6 @@
+//! The path tracer of the example `scene`: its light, its bits, its twin in `f64`, and Metropolis light transport.
+
+mod bits;
+mod chains;
+mod light;
+mod twin;

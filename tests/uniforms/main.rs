@@ -1,0 +1,4 @@
+//! Canonical uniforms, and the point sets that yield them.
+
+mod canonical;
+mod points;
