@@ -1,5 +1,5 @@
 //! The laws that hold for every warp: total, inside the domain, never of density 0, the same however
-//! it is drawn. Each law runs over the whole catalogue; what is particular to one warp is not here.
+//! it is drawn. Each law of this file runs over the whole catalogue; its modules have what is particular to some.
 
 mod any_parameters;
 mod boxes;
@@ -7,9 +7,11 @@ mod composed;
 mod constructors;
 mod density;
 mod generators;
+mod geometry;
 mod house;
 mod lights;
 mod monotone;
+mod open_ends;
 mod parameters;
 mod power;
 mod reflection;
