@@ -3,10 +3,6 @@
 /// The straight line of least squares through the logarithms (base 10) of points.
 pub struct Fit {
     pub slope: f64,
-    /// The standard error of the slope, from the residuals.
-    pub scatter: f64,
-    /// A point of the line: the mean of the points.
-    pub through: [f64; 2],
 }
 
 impl Fit {
@@ -17,11 +13,6 @@ impl Fit {
         let [x, y] = [sum(&|p| p[0]) / count, sum(&|p| p[1]) / count];
         let spread = sum(&|p| (p[0] - x).powi(2));
         let slope = sum(&|p| (p[0] - x) * (p[1] - y)) / spread;
-        let residuals = sum(&|p| (p[1] - y - slope * (p[0] - x)).powi(2));
-        Self {
-            slope,
-            scatter: (residuals / (count - 2.0) / spread).sqrt(),
-            through: [x, y],
-        }
+        Self { slope }
     }
 }

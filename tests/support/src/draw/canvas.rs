@@ -87,12 +87,6 @@ impl Canvas {
         }
     }
 
-    pub fn ring(&mut self, centre: [f32; 2], radius: f32, width: f32, colour: Colour) {
-        if let Some(path) = PathBuilder::from_circle(centre[0], centre[1], radius) {
-            self.stroke(&path, width, colour);
-        }
-    }
-
     /// Red, green and blue of a pixel.
     pub fn pixel(&self, x: u32, y: u32) -> [u8; 3] {
         let first = 4 * (y * self.pixels.width() + x) as usize;

@@ -51,11 +51,6 @@ pub fn thousands(n: usize) -> String {
     text
 }
 
-/// With a minus sign as wide as a digit.
-pub fn signed(x: f64, digits: usize) -> String {
-    format!("{x:.digits$}").replace('-', "−")
-}
-
 /// A font that is compiled in: the gallery must look the same on a machine without any.
 pub struct Fonts {
     regular: Face<'static>,

@@ -278,9 +278,5 @@ fn pictures(args: &Args) -> Outcome {
         "gallery",
         &[&["--rustdoc", "src/pictures"][..], &room].concat(),
     )?;
-    host::picture("gallery/banner", "banner")?;
-    for example in ["convergence", "envmap", "mutations", "image_copy"] {
-        host::example(example, &[])?;
-    }
-    Ok(())
+    host::picture("gallery/banner", "banner")
 }
