@@ -52,7 +52,7 @@ fn main() -> Result<(), Error> {
                 1.0 / INTEGRALS as f32
             }
         };
-        normal += missed(integral.normal_bound::<mw::Tier>(0.9)?);
+        normal += missed(integral.normal_bound::<microwarp::tier::Poly>(0.9)?);
         chebyshev += missed(integral.chebyshev_bound(0.1)?);
     }
     println!(

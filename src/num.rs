@@ -18,7 +18,7 @@ mod word;
 
 pub use self::bounds::{LARGEST, SMALLEST};
 pub(crate) use self::bounds::{
-    VECTORS, above_zero, by_tail, clamp, into_unit, representable, saturated, tail,
+    VECTORS, above_zero, clamp, into_unit, representable, saturated, tail,
 };
 pub(crate) use self::cube_root::cube_root;
 pub(crate) use self::error_free::{

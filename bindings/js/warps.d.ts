@@ -2004,8 +2004,8 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
  * | pdf, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
  * | realised density, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
  * | pdf with the sample, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
- * | inverse | min(1, 8e-7 + 8e-7·q + (15 + 1.1·q)·r + 2.1e-7/h) | found |
- * | round trip | min(1, 8e-7 + 8e-7·q + (15 + 1.1·q)·r + 2.1e-7/h) | found |
+ * | inverse | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | found |
+ * | round trip | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | found |
  *
  * These hold for every triangle accepted. p is the change of the place when each uniform and each coordinate of the
  * direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of
@@ -2059,8 +2059,8 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
  * | pdf, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
  * | realised density, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
  * | pdf with the sample, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
- * | inverse | min(1, 1.4e-6 + 1.4e-6·q + (34 + 1.3·q)·r + 5e-7/h) | found |
- * | round trip | min(1, 1.4e-6 + 1.4e-6·q + (34 + 1.3·q)·r + 5e-7/h) | found |
+ * | inverse | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
+ * | round trip | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
  *
  * These hold for every rectangle accepted. p is the change of the place when each uniform and each coordinate of the
  * direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of

@@ -57,17 +57,6 @@ pub(crate) fn tail(u: f32) -> f32 {
     if u < 0.5 { above_zero(u) } else { 1.0 - u }
 }
 
-/// What a function makes of the tail of a uniform, and of whether it is the upper one. Both calls are written out, so that the
-/// compiler knows the side in each.
-#[inline]
-pub(crate) fn by_tail<X>(u: f32, of: impl Fn(f32, bool) -> X) -> X {
-    if u < 0.5 {
-        of(above_zero(u), false)
-    } else {
-        of(1.0 - u, true)
-    }
-}
-
 /// `x`, or the nearer bound where it lies outside; `low` for NaN.
 #[inline]
 pub(crate) const fn clamp(x: f32, low: f32, high: f32) -> f32 {

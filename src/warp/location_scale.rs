@@ -16,7 +16,11 @@ macro_rules! uniforms_by_tails {
         #[inline]
         fn sample_canonical(&self, u: $crate::uniform::Canonical<f32>) -> f32 {
             let u = u.get();
-            $crate::num::by_tail(u, |tail, upper| self.beyond(tail, upper))
+            if u < 0.5 {
+                self.beyond($crate::num::above_zero(u), false)
+            } else {
+                self.beyond(1.0 - u, true)
+            }
         }
     };
 }
@@ -28,7 +32,11 @@ macro_rules! density_by_tails {
         #[inline]
         fn sample_canonical_with_pdf(&self, u: $crate::uniform::Canonical<f32>) -> (f32, f32) {
             let u = u.get();
-            $crate::num::by_tail(u, |tail, upper| self.placed(tail, upper))
+            if u < 0.5 {
+                self.placed($crate::num::above_zero(u), false)
+            } else {
+                self.placed(1.0 - u, true)
+            }
         }
 
         #[inline]

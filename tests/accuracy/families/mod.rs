@@ -2,7 +2,7 @@
 
 mod flawed;
 
-use microwarp::tier::{Libm, Poly, Tier as _};
+use microwarp::tier::{Libm, Poly};
 use std::sync::Arc;
 use support::adversary::words::{Kind, first_accepted};
 use support::adversary::{Case, Family, Observe};
