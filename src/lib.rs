@@ -34,7 +34,7 @@
 //! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
 //! | an index by weight, many draws | [`Cdf`](discrete::Cdf) up to some 8 entries (100 on a PC), [`Alias`](discrete::Alias) beyond |
 //! | a picture, a histogram, a curve | [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d), [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d), [`PiecewiseLinear1d`](discrete::PiecewiseLinear1d) |
-//! | an environment map | [`LatLongMap`](discrete::LatLongMap) |
+//! | an environment map, a light all around | [`LatLongMap`](discrete::LatLongMap) |
 //! | particles by weight, as many as before | [`resampling`](discrete::resampling) |
 //! | a shape with a simple test | [`Region`](rejection::Region) |
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |
@@ -250,26 +250,26 @@ struct Readme;
 
 /// Names the warps of one tier: aliases of the types that are generic over it, and the types that both tiers share.
 macro_rules! of_tier {
-    ($($file:ident::$name:ident $(<$tier:ident $(, $n:ident)?>)? $what:literal,)*) => {
-        $(of_tier!(@ $name $(<$tier $(, $n)?>)? $what);)*
+    ($tier:ident; $($file:ident::$name:ident $(<$t:ident $(, $n:ident)?>)? $what:literal,)*) => {
+        $(of_tier!(@ $tier $name $(<$t $(, $n)?>)? $what);)*
     };
-    (@ $name:ident $what:literal) => {
+    (@ $tier:ident $name:ident $what:literal) => {
         #[doc(inline)]
         pub use crate::warp::$name;
     };
-    (@ $name:ident <T> $what:literal) => {
+    (@ $tier:ident $name:ident <T> $what:literal) => {
         #[doc = concat!(
             $what, ".\n\nSee [`warp::", stringify!($name), "`](crate::warp::", stringify!($name),
             ") for the density, the domain, the errors and examples."
         )]
-        pub type $name = crate::warp::$name<Functions>;
+        pub type $name = crate::warp::$name<$tier>;
     };
-    (@ $name:ident <T, N> $what:literal) => {
+    (@ $tier:ident $name:ident <T, N> $what:literal) => {
         #[doc = concat!(
             $what, ".\n\nSee [`warp::", stringify!($name), "`](crate::warp::", stringify!($name),
             ") for the density, the domain, the errors and examples."
         )]
-        pub type $name<const N: usize> = crate::warp::$name<Functions, N>;
+        pub type $name<const N: usize> = crate::warp::$name<$tier, N>;
     };
 }
 
@@ -278,18 +278,18 @@ macro_rules! tier_module {
     ($(#[$doc:meta])* $module:ident, $tier:ident) => {
         $(#[$doc])*
         pub mod $module {
-            use crate::tier::$tier as Functions;
-            crate::warp::each_warp!(of_tier);
+            use crate::tier::$tier;
+            crate::warp::each_warp!(of_tier $tier);
             /// [`discrete::LatLongMap`](crate::discrete::LatLongMap) in this tier.
-            pub type LatLongMap<M, C> = crate::discrete::LatLongMap<Functions, M, C>;
+            pub type LatLongMap<M, C> = crate::discrete::LatLongMap<$tier, M, C>;
             /// [`rejection::PoissonRejection`](crate::rejection::PoissonRejection) in this tier.
-            pub type PoissonRejection = crate::rejection::PoissonRejection<Functions>;
+            pub type PoissonRejection = crate::rejection::PoissonRejection<$tier>;
             /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
-            pub type LogUniformStep = crate::metropolis::LogUniformStep<Functions>;
+            pub type LogUniformStep = crate::metropolis::LogUniformStep<$tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.
-            pub type LogDensity = crate::metropolis::LogDensity<Functions>;
+            pub type LogDensity = crate::metropolis::LogDensity<$tier>;
             /// [`metropolis::NormalStep`](crate::metropolis::NormalStep) in this tier.
-            pub type NormalStep<X> = crate::metropolis::NormalStep<X, Functions>;
+            pub type NormalStep<X> = crate::metropolis::NormalStep<X, $tier>;
         }
     };
 }

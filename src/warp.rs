@@ -101,8 +101,8 @@ mod weibull;
 ///
 /// From this list come the names of this module, and the names of both tiers with their documentation.
 macro_rules! each_warp {
-    ($then:ident) => {
-        $then! {
+    ($then:ident $($tier:ident)?) => {
+        $then! { $($tier;)?
             aabb::Aabb "Uniform in an axis-aligned box of any dimension; one uniform a dimension",
             annulus::Annulus<T> "Uniform on a ring between two circles, or on a sector of one; two uniforms",
             ball::Ball<T> "Uniform in the unit ball; three uniforms",

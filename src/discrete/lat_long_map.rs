@@ -15,7 +15,7 @@ use core::f32::consts::FRAC_1_PI;
 use core::marker::PhantomData;
 use rand_core::{Rng, TryRng};
 
-/// Directions in proportion to a latitude-longitude map (an equirectangular environment map).
+/// Directions in proportion to a latitude-longitude map: an equirectangular environment map, such as a sky.
 ///
 /// The weights are radiances, as the picture has them. The constructor multiplies each row by its solid angle, so no
 /// sin θ is left to the caller, neither in the weights nor in the density. A row is selected, then a column; within a
@@ -184,7 +184,8 @@ arrays! {
     ///
     /// # Errors
     /// Those of [`Cdf::new`](super::Cdf::new), where an index counts pixels row by row: [`Error::AllZero`] for a black
-    /// picture, [`Error::NegativeWeight`], [`Error::NotFiniteWeight`] and [`Error::Unreachable`]. [`Error::Empty`] for more than 2²⁰ columns or rows.
+    /// picture, [`Error::NegativeWeight`], [`Error::NotFiniteWeight`] and [`Error::Unreachable`]. [`Error::Empty`] for more
+    /// than 2²⁰ columns or rows.
     ///
     /// # Cost
     /// That of [`PiecewiseConstant2d::new`].
@@ -290,8 +291,8 @@ where
     M: Storage<Item = W>,
     C: Grid<Item = W>,
 {
-    /// An environment map from the words of finished tables, as [`PiecewiseConstant2d::as_words`] of [`LatLongMap::table`] gave them.
-    /// All words are checked.
+    /// An environment map from the words of finished tables, as [`PiecewiseConstant2d::as_words`] of [`LatLongMap::table`]
+    /// gave them. All words are checked.
     ///
     /// # Errors
     /// Those of [`PiecewiseConstant2d::from_words`].

@@ -10,8 +10,8 @@ use core::num::NonZeroU32;
 use rand_core::{Rng, TryRng};
 
 impl<X: Copy, D: TargetValue> Chain<X, D> {
-    /// The rule: proposes a state, and moves to it with the probability that keeps the density stationary. Each way to take a step
-    /// comes here; a `limit` of `u32::MAX` means none.
+    /// The rule: proposes a state, and moves to it with the probability that keeps the density stationary. After `limit`
+    /// rejections in a row it must move, which biases the chain; `u32::MAX` means no limit. Each way to take a step comes here.
     #[inline]
     fn advance<R: TryRng + ?Sized>(
         &mut self,

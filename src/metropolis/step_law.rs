@@ -1,4 +1,4 @@
-//! Laws of steps that are symmetric about 0. `random_walk.rs` makes mutations of them.
+//! Distributions of steps that are symmetric about 0. `random_walk.rs` makes mutations of them.
 
 use super::coordinates::Coordinates;
 use crate::error::{Error, finite, positive};
@@ -8,9 +8,10 @@ use core::marker::PhantomData;
 
 /// The distribution of a random walk's step along each coordinate: symmetric about 0, to the last bit.
 ///
-/// It is a pure function of one word. Inverting all bits of the word must negate the step. The three of this crate
-/// are mutations of points of ℝᴰ as they are. [`RandomWalk`](super::RandomWalk) makes a mutation of your own, and
-/// [`WrappedWalk`](super::WrappedWalk) turns any of them into a mutation of the unit cube.
+/// It is a pure function of one word. Inverting all bits of the word must negate the step. [`BoxStep`],
+/// [`NormalStep`] and [`LogUniformStep`] are mutations of points of ℝᴰ as they are. [`RandomWalk`](super::RandomWalk) makes a
+/// mutation of a `StepLaw` of your own, and [`WrappedWalk`](super::WrappedWalk) turns any `StepLaw` into a mutation of the
+/// unit cube.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a distribution of steps between points of type `{X}`",
     label = "not a distribution of steps of `{X}`",

@@ -1,4 +1,4 @@
-//! Numbers that consist of two or three `f32`: a rounded part and a rest, which together have twice the digits.
+//! Numbers of two `f32`, a rounded part and a rest, which together have twice the digits; and sums of three.
 
 use super::{head, remainder, two_product, two_sum};
 
@@ -50,7 +50,7 @@ pub(crate) struct TripleWord(f32, f32, f32);
 impl TripleWord {
     pub(crate) const ZERO: Self = Self(0.0, 0.0, 0.0);
 
-    /// a·b − c·d, rounded once from the exact products.
+    /// a·b − c·d, summed with three times the digits, then rounded to twice.
     pub(crate) fn determinant(
         a: DoubleWord,
         b: DoubleWord,

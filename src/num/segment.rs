@@ -4,8 +4,8 @@ use crate::error::{Error, finite, tried};
 
 /// Monotone interpolation from one number to another.
 ///
-/// Between numbers of one sign it is start + t(end − start), with the difference formed once: every representable point is
-/// hit with the right probability, up to rounding, even on a coarse grid. Otherwise it is (1 − t)start + t end, because a
+/// Between numbers of one sign it is start + t(end − start), with the difference formed once: each point gets its
+/// share of the uniforms, up to the rounding of its own cell, even where points are few. Otherwise it is (1 − t)start + t end, because a
 /// difference would lose digits, or overflow. Every operation is monotone in t, and so is the whole. For t < 1 the result
 /// does not pass the end, but may round to it.
 #[derive(Clone, Copy, Debug, PartialEq)]

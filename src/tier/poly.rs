@@ -10,7 +10,7 @@ mod trig;
 use super::turns::{polar, reduce_few_turns};
 use super::{Tier, normal, power};
 
-/// The polynomial tier: `f32` arithmetic only, no `f64`. Its functions have no tables; distributions on the line share three, of 1,416
+/// The polynomial tier: `f32` arithmetic only, no `f64`. Its functions have no tables; warps on the line share three, of 1,416
 /// bytes together, and none takes more than two.
 ///
 /// # Accuracy

@@ -1,4 +1,4 @@
-//! The quantile of the normal distribution for distributions on the line: about the median by a small table, in a short chain of
+//! The quantile of the normal distribution for warps on the line: about the median by a small table, in a short chain of
 //! operations and from all digits of a word; beyond, in one draw of 256, by a logarithm. Both tiers share this file.
 
 use super::Tier;

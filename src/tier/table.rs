@@ -1,4 +1,4 @@
-//! Logarithms and powers of 2 by small tables, for distributions on the line: short chains of operations, and the digits of a whole
+//! Logarithms and powers of 2 by small tables, for warps on the line: short chains of operations, and the digits of a whole
 //! word. Both tiers share this file.
 //!
 //! A logarithm is a whole number and a rest, whose relative error is below 2e-7 also where their sum is small: the whole

@@ -201,7 +201,8 @@ impl BoxSurface {
     }
 }
 
-/// The axis along which a normal points, and whether upwards; [`None`] for a zero normal and for one that is not a number.
+/// The axis along which a normal points, and whether upwards; [`None`] where the coordinate taken for
+/// the largest is 1/2 at most, or not a number.
 #[inline]
 fn axis_of([x, y, z]: [f32; 3]) -> Option<(Axis, bool)> {
     let (axis, most) = if x.abs() > y.abs() {

@@ -125,6 +125,7 @@ impl<T: Tier> Warp for Rayleigh<T> {
         let (tail, upper) = folded(word);
         self.beyond(tail, upper)
     }
+
     density_by_tails!();
 
     #[inline]

@@ -292,7 +292,8 @@ pub(crate) struct Spanned {
 impl Spanned {
     /// That of finite vertices; nothing for a triangle without area, or lower than 2⁻⁴⁰ of its longest side.
     pub(crate) fn of(vertices: [[f32; 3]; 3]) -> Option<Self> {
-        // Scaled by 1/4 so that differences cannot overflow. Exact unless the triangle is degenerate.
+        // Scaled by 1/4 so that differences cannot overflow. Exact but for coordinates near the
+        // subnormal numbers, whose lost bits show in no area that is accepted.
         let mut sides = [[(0.0, 0.0); 3]; 3];
         let longest = differences(&vertices, 0.25, &mut sides);
         if longest < f32::MIN_POSITIVE {

@@ -70,7 +70,7 @@ use core::marker::PhantomData;
 /// # See also
 /// - [`Exponential`](super::Exponential): shape 1, at a lower cost.
 /// - [`Rayleigh`](super::Rayleigh): shape 2, at a lower cost.
-/// - [`Gumbel`](super::Gumbel): the logarithm of this distribution, negated.
+/// - [`Gumbel`](super::Gumbel): minus the logarithm of such a number.
 ///
 /// # Source
 /// W. Weibull, "A Statistical Distribution Function of Wide Applicability", 1951, <https://doi.org/10.1115/1.4010337>. Both
