@@ -1,5 +1,5 @@
 //! A picture copied by a Metropolis chain: the state is a pixel, the target its brightness, and what is counted is how long
-//! the chain stays. After n mutations a pixel the copy is off by about n^(-1/2). Counting both states of a step, each with
+//! the chain stays. Over n mutations a pixel its error falls as n^(-1/2). Counting both states of a step, each with
 //! its probability, costs no evaluation and has the smaller error.
 //!
 //! `cargo run --release --example copied_by_a_chain [FILE]` prints the errors, in units of the mean brightness, and draws
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mean = picture.iter().sum::<f32>() / PIXELS as f32;
     let target = |pixel: usize| picture[pixel];
 
-    // A uniform pixel is proposed. The first state is chosen among a thousand by brightness, so that nothing need be waited for.
+    // A uniform pixel is proposed. The first state is chosen among a thousand by brightness, so that no burn-in is needed.
     let mut rng = Pcg32::new(1997, 0);
     let mutation = UniformIndex::new(PIXELS as u32)?;
     let mut chain = Chain::resample(target, &mutation, 1000, &mut rng)?.chain;

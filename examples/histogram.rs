@@ -49,7 +49,7 @@ fn main() -> Result<(), Error> {
     assert!((mean - exact).abs() <= 0.02);
     assert_eq!(counts[4], 0, "a bar of weight 0 was drawn");
 
-    // Of the seven bars with a weight: with six degrees of freedom χ² exceeds 52 once in a billion. That of weights which
+    // Of the seven bars with a weight: with six degrees of freedom χ² exceeds 52 twice in a billion. That of weights which
     // are a little off must be larger.
     let mut off = HOURS;
     off[2] += 0.15;

@@ -2,7 +2,8 @@
 //! lobe, and by one of each with weights. A small lamp wants its own directions, a sharp lobe wants the lobe's. The weights
 //! need not be told which: they do well in both scenes, where each way alone is bad in one of them.
 //!
-//! `cargo run --release --example multiple_importance` prints the four estimates, each with its deviation for one direction.
+//! `cargo run --release --example multiple_importance` prints four estimates in each of two scenes, with
+//! their relative deviations for one direction.
 
 use microwarp::estimate::{Moments, balance_heuristic, power_heuristic};
 use microwarp::{Error, Warp, poly as mw};

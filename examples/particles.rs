@@ -1,6 +1,7 @@
 //! Particles resampled: a walker on a line is followed by 20,000 guesses of where it is. A noisy reading weighs the guesses,
 //! and resampling copies the likely ones in place of the unlikely. Here everything is normal, so that Kalman's filter has
-//! the exact answer. The guesses agree with it as well as their number lets them.
+//! the exact answer. The guesses agree with it to within a few errors of as many
+//! independent ones.
 //!
 //! `cargo run --release --example particles` prints both, for systematic and for residual resampling, and how many equal
 //! guesses the weighted ones are worth before they are resampled.
@@ -68,7 +69,8 @@ fn main() -> Result<(), Error> {
         for (square, found) in squares.iter_mut().zip(means) {
             *square += ((found - mean) / error).powi(2) / 20.0;
         }
-        // A walker is seldom three of Kalman's deviations away, and five never.
+        // A walker is seldom three of Kalman's deviations away, and five less than
+        // once in a million steps.
         assert!((walker - mean).abs() <= 5.0 * variance.sqrt());
         assert!(worth[0] < GUESSES as f32 && worth[0] > 0.1 * GUESSES as f32);
     }

@@ -12,7 +12,7 @@ use microwarp::{Error, Warp};
 use rand_pcg::Pcg32;
 
 const PAIRS: u32 = 200_000;
-/// The choice of what comes back, made by the compiler: the target fifteen times in sixteen, or an echo.
+/// What comes back, as a table that the compiler builds: the target fifteen times in sixteen, or an echo.
 const ECHO: Cdf<[u32; 2]> = microwarp::constant!(Cdf::from_integers(&[15, 1]));
 
 /// Metres in a 32-bit number with 27 bits behind the point. Any other format of the crate `fixed` will do.

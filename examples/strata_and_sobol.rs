@@ -1,6 +1,6 @@
 //! Strata and Sobol' points: means over points that are spread evenly have smaller errors. Over a smooth integrand of two
-//! dimensions the error of n random points is n^(-1/2), that of one point in each of n cells n^(-1), that of scrambled
-//! Sobol' points n^(-3/2). Over a jump, here the rim of a disk, both of the latter have n^(-3/4).
+//! dimensions the error of n random points is n^(-1/2), that of one point in each of n cells and of the recurrence R2 n^(-1),
+//! that of scrambled Sobol' points nearly n^(-3/2). Over a jump, here the rim of a disk, all of the latter have n^(-3/4).
 //!
 //! `cargo run --release --example strata_and_sobol [FILE]` prints errors and fitted slopes, and draws
 //! `target/strata_and_sobol.png`: 256 points of each, in the order of the table.

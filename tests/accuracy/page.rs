@@ -114,7 +114,9 @@ fn compare(
         return;
     }
     for ((title, found), (_, bound)) in measured.iter().zip(stated) {
-        // What has no tier states the same in both columns.
+        if found.len() == 1 && !bound[0].is(&bound[1]) {
+            let _ = writeln!(complaints, "{name} has no tier, and two bounds: {title}");
+        }
         let found = found.iter().cycle().zip(bound);
         for (tier, (found, bound)) in ["libm", "poly"].iter().zip(found) {
             let Some(bound) = bound.number() else {

@@ -4,7 +4,7 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use rand_pcg::Pcg32;
 
-pub const ITEMS: usize = 1_024;
+const ITEMS: usize = 1_024;
 
 /// Repeats an action that draws.
 pub fn repeat<T>(bencher: Bencher, mut action: impl FnMut(&mut Pcg32) -> T) {

@@ -3,7 +3,7 @@
 //! - What there is and what it should do: `registry`, `truth`, `twin` of the path tracer, and `peers`, the formulas of others.
 //! - What is stated: `docs` reads, holds and writes the figures of the documentation.
 //! - What is measured: `errors` of numbers, `figures` of a warp, `moved` points, the `adversary` that searches for the worst; `stats`,
-//!   `mean` and `slope` of samples; `contest` and `bench` of times.
+//!   `mean` of samples; `contest` and `bench` of times.
 //! - What it is fed with: `generators`, and `words` of the integer tier.
 //! - How it runs and shows: `parallel`, `progress`, `cli`, `table`, `draw`.
 //!
@@ -24,7 +24,6 @@ pub mod parallel;
 pub mod peers;
 pub mod progress;
 pub mod registry;
-pub mod slope;
 pub mod speed;
 pub mod stats;
 pub mod table;

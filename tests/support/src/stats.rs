@@ -8,7 +8,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
 /// The chance that a correct crate fails anywhere in a suite of tests; a tenth of what is promised,
 /// because the statistics follow their limiting laws only nearly.
-pub const FAMILY: f64 = 1e-7;
+const FAMILY: f64 = 1e-7;
 
 /// The p-value below which one of `tests` independent tests rejects, after Sidak.
 pub fn threshold(tests: usize) -> f64 {

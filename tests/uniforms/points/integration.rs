@@ -6,7 +6,6 @@ use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::f64::consts::{E, FRAC_PI_4};
 use support::parallel::{in_parallel, threads};
-use support::slope::Fit;
 use support::speed;
 use support::stats::{passes, threshold, two_sided};
 
@@ -21,6 +20,15 @@ fn smooth([x, y]: [f64; 2]) -> f64 {
 
 fn disk([x, y]: [f64; 2]) -> f64 {
     f64::from(u8::from(x * x + y * y < 1.0))
+}
+
+/// The slope of the straight line of least squares through the logarithms of points.
+fn slope(points: &[[f64; 2]]) -> f64 {
+    let logs: Vec<[f64; 2]> = points.iter().map(|point| point.map(f64::log10)).collect();
+    let count = logs.len() as f64;
+    let sum = |of: &dyn Fn(&[f64; 2]) -> f64| logs.iter().map(of).sum::<f64>();
+    let [x, y] = [sum(&|p| p[0]) / count, sum(&|p| p[1]) / count];
+    sum(&|p| (p[0] - x) * (p[1] - y)) / sum(&|p| (p[0] - x).powi(2))
 }
 
 struct Integrand {
@@ -85,9 +93,13 @@ impl Fall {
             (sum / squares.len() as f64).sqrt()
         };
         let count = |size: usize| 2f64.powi(*SIZES.start() as i32 + size as i32);
-        let fit = |k| Fit::of_logarithms((0..squares[0].len()).map(|s| [count(s), rms(k, s)]));
+        let points = |k| -> Vec<[f64; 2]> {
+            (0..squares[0].len())
+                .map(|s| [count(s), rms(k, s)])
+                .collect()
+        };
         let fall = Self {
-            slope: [0, 1].map(|k| fit(k).slope),
+            slope: [0, 1].map(|k| slope(&points(k))),
             gain: [0, 1].map(|k| integrands[k].deviation / count(2).sqrt() / rms(k, 2)),
         };
         println!("{name}: {fall:.3?} over {} seeds", seeds.len());

@@ -31,6 +31,11 @@ impl Statement {
         self.number
     }
 
+    /// Whether both cells hold the same text.
+    pub fn is(&self, other: &Self) -> bool {
+        self.formula.unparse() == other.formula.unparse()
+    }
+
     /// The bound for these values of [`Statement::names`], in their order.
     pub fn eval(&self, values: &[f64]) -> f64 {
         let eval = || self.formula.eval(values).expect("a value for each name");
@@ -42,6 +47,9 @@ impl Statement {
 fn cells_are_read_as_written() {
     let read = |cell, values: &[f64]| Statement::parse(cell).map(|s| s.eval(values));
     assert_eq!(read("1.3e-7", &[]), Some(1.3e-7));
+    let cells =
+        ["3e-7 + 2*s", "3e-7 + 2·s", "3e-7 + 3*s"].map(|cell| Statement::parse(cell).unwrap());
+    assert!(cells[0].is(&cells[1]) && !cells[0].is(&cells[2]));
     assert_eq!(read("3e-7 + 2*s", &[1e-3]), Some(3e-7 + 2e-3));
     assert_eq!(read("2·s + 3·r", &[5.0, 7.0]), Some(29.0));
     assert_eq!(read("max(b, 2*a)/4", &[3.0, 5.0]), Some(1.5));
