@@ -300,8 +300,8 @@ where
         PiecewiseConstant2d::from_words(marginal, conditional, UNIT, UNIT).map(Self::of)
     }
 
-    /// An environment map from the words of finished tables, in constant time: the words are not looked at. With wrong words the
-    /// distribution is meaningless, but still of finite directions and densities.
+    /// An environment map from the words of finished tables, in constant time: the words are not looked at. With wrong
+    /// words the distribution is meaningless, but still of finite directions and densities.
     ///
     /// # Errors
     /// Those of [`PiecewiseConstant2d::from_trusted_words`].

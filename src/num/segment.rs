@@ -4,10 +4,10 @@ use crate::error::{Error, finite, tried};
 
 /// Monotone interpolation from one number to another.
 ///
-/// Between numbers of one sign it is start + t(end − start), with the difference formed once: each point gets its
-/// share of the uniforms, up to the rounding of its own cell, even where points are few. Otherwise it is (1 − t)start + t end, because a
-/// difference would lose digits, or overflow. Every operation is monotone in t, and so is the whole. For t < 1 the result
-/// does not pass the end, but may round to it.
+/// Between numbers of one sign it is start + t(end − start), with the difference formed once: each point gets its share of
+/// the uniforms, up to the rounding of its own cell, even where points are few. Otherwise it is (1 − t)start + t end,
+/// because a difference would lose digits, or overflow. Every operation is monotone in t, and so is the whole. For t < 1
+/// the result does not pass the end, but may round to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Segment {

@@ -1,7 +1,7 @@
 //! Directions from angles and angles from directions, without cancellation: shared by the warps over directions.
 
 use crate::error::{Error, finite};
-use crate::num::vector::scaled;
+use crate::num::vector::{dot, scaled};
 use crate::num::{into_unit, two_sum};
 use crate::tier::{Tier, sqrt};
 use core::f32::consts::TAU;
@@ -63,8 +63,8 @@ pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
 }
 
 /// The length of a scaled point.
-pub(crate) fn length([x, y, z]: [f32; 3]) -> f32 {
-    sqrt(x * x + y * y + z * z)
+pub(crate) fn length(point: [f32; 3]) -> f32 {
+    sqrt(dot(point, point))
 }
 
 /// Whether all three coordinates are finite.

@@ -146,8 +146,8 @@ impl<T: Tier> TruncatedExponential<T> {
         })
     }
 
-    /// Density ∝ e^(−x/mean) on [0, length]: the exponential distribution of this mean, truncated. Its rate is 1/mean, rounded to
-    /// `f32`.
+    /// Density ∝ e^(−x/mean) on [0, length]: the exponential distribution of this mean, truncated. Its rate is 1/mean,
+    /// rounded to `f32`.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a mean or a length of 0 or less,
