@@ -12,7 +12,7 @@ use microwarp_scene::sky::Sky;
 use microwarp_scene::source::{Owen, Strata};
 use microwarp_scene::{Camera, Integers, Kit, Power, Random, Scene, Set, Source, View, Walk};
 use std::marker::PhantomData;
-use support::twin::{Air, Heaven, Record, Source64, Stuff, Twin};
+use support::twin::{Air, Forgotten, Heaven, Record, Source64, Stuff, Twin};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tier {
@@ -119,19 +119,6 @@ impl<S, P> Take<S, P> {
             camera,
             film,
         }
-    }
-}
-
-/// No weights: an error on purpose.
-struct Forgotten;
-
-impl Heuristic for Forgotten {
-    fn light(_: f32, _: f32) -> f32 {
-        1.0
-    }
-
-    fn lobe(_: f32, _: f32) -> f32 {
-        1.0
     }
 }
 

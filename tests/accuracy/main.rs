@@ -19,7 +19,7 @@ use support::figures::{
     polar_error, sample_error,
 };
 use support::parallel::{in_parallel, threads};
-use support::registry::{Entry, Uniforms, entries};
+use support::registry::{Entry, Uniforms, entries, entries_of_each_tier};
 use support::speed;
 
 const GRID: u32 = 1 << 24;
@@ -49,22 +49,21 @@ const EDGES: [f32; 16] = [
 type Tiers = Vec<Entry>;
 
 fn in_each_tier() -> Vec<Tiers> {
-    let (mut libm, poly): (Vec<_>, Vec<_>) = entries().into_iter().partition(|e| e.tier == "libm");
-    libm.reverse();
-    let all = poly
+    let (libm, poly): (Vec<_>, Vec<_>) = entries_of_each_tier()
         .into_iter()
-        .map(|entry| {
-            if entry.tiered {
-                let libm = libm.pop().expect("an entry in both tiers");
-                assert_eq!((libm.name, libm.parameters), (entry.name, entry.parameters));
-                vec![libm, entry]
+        .partition(|e| e.tier == "libm");
+    assert_eq!(libm.len(), poly.len());
+    libm.into_iter()
+        .zip(poly)
+        .map(|(libm, poly)| {
+            assert_eq!((libm.name, libm.parameters), (poly.name, poly.parameters));
+            if poly.tiered {
+                vec![libm, poly]
             } else {
-                vec![entry]
+                vec![poly]
             }
         })
-        .collect();
-    assert!(libm.is_empty());
-    all
+        .collect()
 }
 
 /// Four uniforms of the grid for a counter: a hash of it, so that no two of them are in step.

@@ -22,6 +22,7 @@ use std::f64::consts::PI;
 use std::marker::PhantomData;
 use support::mean::Mean;
 use support::speed;
+use support::twin::Forgotten;
 
 static ONE: Cdf<[u32; 1]> = constant!(Cdf::new(&[1.0]));
 
@@ -52,19 +53,6 @@ impl Sky for Dome {
 
     fn table<T: Tier>(&self) -> Option<&Table<T>> {
         (self.0 > 0.0).then_some(&Even::<T>::TABLE)
-    }
-}
-
-/// No weights: what two techniques find counts twice.
-struct Forgotten;
-
-impl Heuristic for Forgotten {
-    fn light(_: f32, _: f32) -> f32 {
-        1.0
-    }
-
-    fn lobe(_: f32, _: f32) -> f32 {
-        1.0
     }
 }
 

@@ -15,7 +15,7 @@ use rand_core::Rng;
 use support::mean::Mean;
 use support::parallel::{in_parallel, threads};
 use support::speed;
-use support::twin::{Air, Heaven, Record, Source64, Stuff, Twin};
+use support::twin::{Air, Forgotten, Heaven, Record, Source64, Stuff, Twin};
 
 /// Columns and rows.
 const SIZE: [u32; 2] = [48, 32];
@@ -137,19 +137,6 @@ fn both_tiers_follow_the_paths_of_the_twin() {
     agrees::<Colour, _, _, _, _>("slivers", &slivers::SCENE, slivers::CAMERA);
     agrees::<Colour, _, _, _, _>("slit", &slit::SCENE, slit::CAMERA);
     agrees::<Echo, _, _, _, _>("sensor", &sensor::SCENE, sensor::CAMERA);
-}
-
-/// Light that two techniques find counts twice.
-struct Forgotten;
-
-impl Heuristic for Forgotten {
-    fn light(_: f32, _: f32) -> f32 {
-        1.0
-    }
-
-    fn lobe(_: f32, _: f32) -> f32 {
-        1.0
-    }
 }
 
 /// A panel whose density is that of its area.

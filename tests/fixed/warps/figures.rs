@@ -1,8 +1,8 @@
 //! How far a warp is from the truth, over how many words, and what its documentation says about it.
 
-use std::sync::Mutex;
 use support::docs::{self, Doc, Row, Statement, rounded_up, states};
 use support::errors::Errors;
+use support::parallel::in_parallel;
 use support::speed;
 
 /// 2⁻³².
@@ -37,6 +37,22 @@ fn edges() -> impl Iterator<Item = u32> {
         }))
 }
 
+/// What two threads find together, of which one takes the even and the other the odd numbers below a count.
+fn by_halves(count: u64, observe: &(dyn Fn(u64, &mut Figures) + Sync)) -> Figures {
+    let halves = in_parallel(2, &[0, 1], |half| {
+        let mut figures = Figures::default();
+        for k in (*half..count).step_by(2) {
+            observe(k, &mut figures);
+        }
+        figures
+    });
+    let mut total = Figures::default();
+    for half in &halves {
+        total.join(half);
+    }
+    total
+}
+
 /// Every so many words, an odd number, from 0 on, on two threads; and all words about the edges. In the quick speed
 /// every 15th of those.
 pub fn over_words(stride: u32, observe: impl Fn(u32, &mut dyn FnMut(f64)) + Sync) -> Figures {
@@ -48,21 +64,10 @@ type OfWord<'a> = &'a (dyn Fn(u32, &mut dyn FnMut(f64)) + Sync);
 fn over_words_of(stride: u32, observe: OfWord) -> Figures {
     let stride = speed::of("one word tried of every", 15 * stride, stride);
     assert_eq!(stride % 2, 1, "so that all low bits occur");
-    let total = Mutex::new(Figures::default());
-    std::thread::scope(|scope| {
-        for half in 0..2 {
-            let total = &total;
-            scope.spawn(move || {
-                let mut figures = Figures::default();
-                for k in (half..(1_u64 << 32) / u64::from(stride)).step_by(2) {
-                    let w = (k * u64::from(stride)) as u32;
-                    observe(w, &mut |error| figures.observe([w, 0], error));
-                }
-                total.lock().unwrap().join(&figures);
-            });
-        }
+    let mut total = by_halves((1_u64 << 32) / u64::from(stride), &|k, figures| {
+        let w = (k * u64::from(stride)) as u32;
+        observe(w, &mut |error| figures.observe([w, 0], error));
     });
-    let mut total = total.into_inner().unwrap();
     for w in edges() {
         observe(w, &mut |error| total.observe_extreme([w, 0], error));
     }
@@ -78,23 +83,12 @@ type OfPair<'a> = &'a (dyn Fn([u32; 2], &mut dyn FnMut(f64)) + Sync);
 
 fn over_pairs_of(count: u64, observe: OfPair) -> Figures {
     let count = speed::of("pairs of words tried", count / 16, count);
-    let total = Mutex::new(Figures::default());
-    std::thread::scope(|scope| {
-        for half in 0..2 {
-            let total = &total;
-            scope.spawn(move || {
-                let mut figures = Figures::default();
-                for k in (half..count).step_by(2) {
-                    // A lattice of the plane: the plastic number's powers.
-                    let pair = [0xc13f_a9a9_02a6_328f, 0x91e1_0da5_c79e_7b1d]
-                        .map(|step: u64| (step.wrapping_mul(k + 1) >> 32) as u32);
-                    observe(pair, &mut |error| figures.observe(pair, error));
-                }
-                total.lock().unwrap().join(&figures);
-            });
-        }
+    let mut total = by_halves(count, &|k, figures| {
+        // A lattice of the plane: the plastic number's powers.
+        let pair = [0xc13f_a9a9_02a6_328f, 0x91e1_0da5_c79e_7b1d]
+            .map(|step: u64| (step.wrapping_mul(k + 1) >> 32) as u32);
+        observe(pair, &mut |error| figures.observe(pair, error));
     });
-    let mut total = total.into_inner().unwrap();
     let near = || {
         (0..=32).flat_map(|k| {
             let power = (1_u64 << k) as u32;

@@ -637,12 +637,17 @@ fn of_tier<T: Tier>() -> Vec<Registered> {
 
 /// Every warp at comfortable and at extreme parameters, in both tiers where it has one.
 pub fn entries() -> Vec<Entry> {
-    registered().iter().flat_map(Registered::entries).collect()
+    entries_of(&registered())
+}
+
+fn entries_of(all: &[Registered]) -> Vec<Entry> {
+    all.iter().flat_map(Registered::entries).collect()
 }
 
 /// The same in each tier, whether it has one or not: for what lays the tiers side by side.
 pub fn entries_of_each_tier() -> Vec<Entry> {
-    let all = of_libm().into_iter().chain(of_poly());
-    all.flat_map(|of| of.entries().collect::<Vec<_>>())
+    [of_libm(), of_poly()]
+        .iter()
+        .flat_map(|all| entries_of(all))
         .collect()
 }

@@ -19,10 +19,19 @@ use self::samplers::{
 };
 use self::sky::Entries;
 use crate::truth::{Point, cross, dot};
-use microwarp_scene::path::ROULETTE_WORD;
 use microwarp_scene::path::{BOUNCES, FAR, FOG, LIGHT, LOBE, PER_BOUNCE, PLACE, ROULETTE};
+use microwarp_scene::path::{Heuristic, ROULETTE_WORD};
 use microwarp_scene::shape::STEP;
 use microwarp_scene::{Camera, Scene, Source, camera};
+
+/// No weights, an error on purpose: light that two techniques find counts twice.
+pub struct Forgotten;
+
+impl Heuristic for Forgotten {
+    fn light(_: f32, _: f32) -> f32 {
+        1.0
+    }
+}
 
 /// A scene with its camera.
 pub struct Twin {
