@@ -4,11 +4,11 @@
 //! multiplications unless stated otherwise. Compare figures of one run only.
 
 use divan::{Bencher, black_box};
+use host::bench::repeat;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::*;
 use microwarp::poly as mw;
 use rand_pcg::rand_core::Rng;
-use support::bench::repeat;
 
 fn main() {
     divan::main();

@@ -5,6 +5,7 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
+use host::bench::repeat;
 use microwarp::Warp;
 use microwarp::discrete::*;
 use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
@@ -12,7 +13,6 @@ use microwarp::poly as mw;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Rejection};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::bench::repeat;
 
 fn main() {
     divan::main();

@@ -9,7 +9,7 @@
 use divan::{Bencher, black_box};
 use microwarp::uniform::{self, Uniforms};
 use microwarp::{Error, Warp};
-use microwarp_golden::float_warps;
+use microwarp_list::float_warps;
 use rand_pcg::Pcg32;
 use std::array;
 use std::fmt::{self, Display, Formatter};

@@ -6,7 +6,7 @@
 //! The last tests hold the lists of `tests/golden` against `src`: nothing public is without a golden subject, and no
 //! warp without a cost kernel.
 
-use microwarp_golden::{FLOAT_WARPS, GRADED_WARPS, Listed, PLAIN_WARPS, cases, describe, evaluate};
+use microwarp_list::{FLOAT_WARPS, GRADED_WARPS, Listed, PLAIN_WARPS, cases, describe, evaluate};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
@@ -219,7 +219,7 @@ const SPARED: [(&str, &str); 10] = [
 #[test]
 fn nothing_public_is_without_golden_bits() {
     let all = code("src");
-    let golden = code("tests/golden/src");
+    let golden = code("crates/list/src");
     let rooms = ["discrete", "rejection", "metropolis", "estimate", "uniform"];
     let floats = rooms.map(|room| code(&format!("src/{room}.rs"))).concat();
     let names = public(&floats, &all);
@@ -230,7 +230,7 @@ fn nothing_public_is_without_golden_bits() {
         spared.into_iter().collect::<Vec<_>>()
     );
     let integer_files = ["fixed", "fixed_warps", "integers"];
-    let golden = integer_files.map(|file| code(&format!("tests/golden/src/{file}.rs")));
+    let golden = integer_files.map(|file| code(&format!("crates/list/src/{file}.rs")));
     let (fixed, inside) = (code("src/fixed.rs"), code("src/fixed"));
     let mut names = public(&fixed, &all);
     names.extend(warps(&inside));

@@ -1,10 +1,10 @@
 //! What a newcomer reads: the README, the crate's page, the pages of the samplers, and the links between them.
 
-use microwarp_golden::FLOAT_WARPS;
+use host::docs::Doc;
+use microwarp_list::FLOAT_WARPS;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use support::docs::Doc;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

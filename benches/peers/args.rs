@@ -1,9 +1,9 @@
 //! The command line: its options and its error messages.
 
+use host::cli::within;
 use lexopt::Error;
 use lexopt::prelude::*;
 use std::path::PathBuf;
-use support::cli::within;
 
 pub const HELP: &str = "\
 Times every sampler beside its peers, in interleaved rounds, and prints nanoseconds a sample and the ratios within

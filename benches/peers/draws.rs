@@ -2,6 +2,8 @@
 
 use crate::contestants::*;
 use fixed::types::U32F32;
+use host::contest::Contest;
+use host::peers::{drawn, micro, rejecting, textbook};
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, Grade, Uniform};
 use microwarp::rejection::{
     BallRejection, DiskRejection, Rejection, ZigguratStandardExponential, ZigguratStandardNormal,
@@ -12,8 +14,6 @@ use microwarp::{Warp, uniform};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
-use support::contest::Contest;
-use support::peers::{drawn, micro, rejecting, textbook};
 
 /// Cosine-power lobes have this exponent.
 pub const EXPONENT: u16 = 50;

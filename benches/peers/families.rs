@@ -1,7 +1,7 @@
 //! The list of contests.
 
 use crate::{draws, fills, lamps, laws, tables};
-use support::contest::Standings;
+use host::contest::Standings;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {

@@ -2,10 +2,10 @@
 
 use crate::contestants::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
 use crate::draws::{EXPONENT, lobe_power, with_pairs, word};
+use host::contest::Contest;
+use host::peers::rejecting;
 use microwarp::{Warp, libm, poly};
 use rand_pcg::Pcg32;
-use support::contest::Contest;
-use support::peers::rejecting;
 
 /// Points per fill.
 const FILLED: usize = 4_096;

@@ -2,6 +2,9 @@
 
 use crate::contestants::{FLOOR, LIBM, POLY, PUBLISHED};
 use crate::draws::word;
+use host::contest::Contest;
+use host::peers::renderer::{self, Vector, Weighed};
+use host::peers::{drawn, uniform};
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{
@@ -10,9 +13,6 @@ use microwarp::warp::{
 };
 use rand_pcg::Pcg32;
 use std::hint::black_box;
-use support::contest::Contest;
-use support::peers::renderer::{self, Vector, Weighed};
-use support::peers::{drawn, uniform};
 
 /// A contest of points and their densities, with the generator alone.
 fn contest<const N: usize>() -> Contest<Weighed<[f32; N]>> {

@@ -2,6 +2,7 @@
 
 use crate::contestants::{FLOOR, INDEX, LIBM, POLY, RAND_DISTR, REJECTION};
 use crate::draws::{accepted, tiers, word};
+use host::contest::Contest;
 use microwarp::discrete;
 use microwarp::rejection::PoissonRejection;
 use microwarp::tier::Poly;
@@ -9,7 +10,6 @@ use rand_distr::Distribution;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
-use support::contest::Contest;
 
 /// A law of rand_distr; the compiler may not know its parameters beforehand.
 fn theirs<P, D: Distribution<P>>(law: D) -> impl Fn(&mut Pcg32) -> P {

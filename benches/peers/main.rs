@@ -1,7 +1,7 @@
 //! Every sampler next to its peers in one process: rand_distr, micromath, textbook formulas over libm, the
 //! maps that renderers write by hand, and the generator alone. `cargo bench --bench peers -- --help`
 //!
-//! How times are taken and compared is in `support::contest`, what the peers are in `support::peers`, who meets
+//! How times are taken and compared is in `host::contest`, what the peers are in `host::peers`, who meets
 //! whom in `families.rs`. This file runs the steps.
 
 mod args;
@@ -16,12 +16,12 @@ mod tables;
 
 use args::Args;
 use families::{Family, Kind};
+use host::contest::Standings;
 use std::error::Error;
 use std::process::ExitCode;
-use support::contest::Standings;
 
 fn main() -> ExitCode {
-    support::cli::run("peers", args::HELP, args::parse(), run)
+    host::cli::run("peers", args::HELP, args::parse(), run)
 }
 
 /// Runs everything. A slow sampler is reported but is not a failure, since times depend on the machine's load.
@@ -33,9 +33,9 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         println!("no family of such a name; --help lists them");
         return Ok(Vec::new());
     }
-    support::progress::folder(&args.out)?;
+    host::progress::folder(&args.out)?;
     let progress =
-        support::progress::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
+        host::progress::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
     let mut results: Vec<(Family, Standings)> = Vec::new();
     for family in families {
         progress.set_message(family.title());

@@ -2,9 +2,9 @@
 
 use crate::contestants::*;
 use crate::families::*;
+use host::contest::{Quartiles, Standings};
+use host::table;
 use std::fmt::Write;
-use support::contest::{Quartiles, Standings};
-use support::table;
 
 pub type Results = [(Family, Standings)];
 

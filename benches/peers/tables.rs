@@ -1,12 +1,12 @@
 //! Contests of tables of weights.
 
 use crate::contestants::{FLOOR, INDEX, RAND_DISTR, SELECTION, TEXTBOOK};
+use host::contest::Contest;
+use host::peers::{drawn, rejecting, textbook};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
-use support::contest::Contest;
-use support::peers::{drawn, rejecting, textbook};
 
 /// Whole numbers below 4,096, the same for all; a few are 0.
 fn weights(n: usize) -> Vec<f32> {

@@ -1,4 +1,4 @@
-// The warps, by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.
+// The warps, by `cargo regenerate` from crates/list/src/warps.rs and the documentation in src.
 import { Vector2, Vector3, Warp } from "./warp.js";
 
 /**

@@ -1,4 +1,4 @@
-// The warps, by `cargo regenerate` from tests/golden/src/warps.rs and the documentation in src.
+// The warps, by `cargo regenerate` from crates/list/src/warps.rs and the documentation in src.
 import { warp } from "./warp.js";
 
 export const Interval = /*#__PURE__*/ warp("Interval new11 decreasing11", 0, 0, 1, 1, 1);

@@ -1,16 +1,16 @@
 //! The picture of a distribution over an area: points over the shaded density, in true proportion,
 //! with the image of a grid of the unit square, which tells apart two maps onto one density.
 
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{ACCENT, HAIR, MUTED, POINT, WHITE, faded, ramp};
+use host::draw::scale::ten_to;
+use host::draw::text::{Align, Type};
+use host::registry::picture::{Body, Face, View};
+use host::registry::{Domain, Entry, Point};
+use host::truth::{complements, dot};
 use microwarp::uniform::LARGEST;
 use rand_pcg::Pcg32;
 use std::f64::consts::FRAC_1_SQRT_2;
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{ACCENT, HAIR, MUTED, POINT, WHITE, faded, ramp};
-use support::draw::scale::ten_to;
-use support::draw::text::{Align, Type};
-use support::registry::picture::{Body, Face, View};
-use support::registry::{Domain, Entry, Point};
-use support::truth::{complements, dot};
 
 /// Squares along a side of the grid of the unit square.
 pub const GRID: u32 = 8;

@@ -1,9 +1,9 @@
 //! The command line: its options and its error messages.
 
+use host::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
 use std::path::PathBuf;
-use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Draws every warp of microwarp in both tiers, checks the samples against the density and prints a table.

@@ -3,10 +3,10 @@
 use crate::Subject;
 use crate::args::Args;
 use crate::sheet::panel;
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{HAIR, MUTED};
-use support::draw::panel::cells;
-use support::draw::text::{Align, Type};
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{HAIR, MUTED};
+use host::draw::panel::cells;
+use host::draw::text::{Align, Type};
 
 /// What is shown, by name.
 pub const SHOWN: [&str; 12] = [

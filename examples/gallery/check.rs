@@ -1,12 +1,12 @@
 //! The numbers of the table: each warp is tested against its density, compared with its exact map, and timed.
 
+use host::figures::{self, Exact, sample_error};
+use host::registry::{Domain, Entry, Point, Uniforms};
+use host::stats::{self, Axis};
+use host::table;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
 use std::time::Instant;
-use support::figures::{self, Exact, sample_error};
-use support::registry::{Domain, Entry, Point, Uniforms};
-use support::stats::{self, Axis};
-use support::table;
 
 /// A p-value below this is not chance, in any number of runs.
 pub const ALARM: f64 = 1e-9;

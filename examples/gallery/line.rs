@@ -1,13 +1,13 @@
 //! The picture of a distribution on the line: histogram, density and a few samples as ticks.
 
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{ACCENT, BAR, HAIR, INK, MUTED, POINT, faded};
+use host::draw::scale::{Scale, round_step};
+use host::draw::text::{Align, Type};
+use host::registry::Entry;
+use host::registry::picture::Axes;
 use microwarp::uniform;
 use rand_pcg::Pcg32;
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{ACCENT, BAR, HAIR, INK, MUTED, POINT, faded};
-use support::draw::scale::{Scale, round_step};
-use support::draw::text::{Align, Type};
-use support::registry::Entry;
-use support::registry::picture::Axes;
 
 /// Samples in a histogram: few enough that the noise shows.
 pub const SAMPLES: usize = 100_000;

@@ -1,7 +1,7 @@
 //! The gallery: draws every warp in both tiers, checks the samples against the density and against
 //! exact values, and prints a table. `cargo run --release --example gallery -- --help`
 //!
-//! The registry in `tests/support` lists what is drawn, with its exact maps. This file runs the steps.
+//! The registry in `crates/host` lists what is drawn, with its exact maps. This file runs the steps.
 
 mod area;
 mod args;
@@ -16,13 +16,13 @@ mod table;
 
 use args::Args;
 use check::Figures;
+use host::registry::Entry;
+use host::registry::picture::{Picture, View};
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
-use support::registry::Entry;
-use support::registry::picture::{Picture, View};
 
 /// The tier of the contact sheet, by its place in the registry's order.
 const SHEET_TIER: usize = 1;
@@ -36,27 +36,25 @@ pub struct Subject<'a> {
 }
 
 fn main() -> ExitCode {
-    support::cli::run("gallery", args::HELP, args::parse(), run)
+    host::cli::run("gallery", args::HELP, args::parse(), run)
 }
 
 /// Runs everything and returns the complaints about the warps.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    let entries = support::registry::entries_of_each_tier();
+    let entries = host::registry::entries_of_each_tier();
     let mut complaints = without_picture(&entries);
     let subjects = subjects(&entries, args)?;
-    support::progress::folder(&args.out)?;
+    host::progress::folder(&args.out)?;
 
     let rows: Vec<&Entry> = subjects
         .iter()
         .flat_map(|s| s.entries.iter().copied())
         .collect();
 
-    let progress = support::progress::progress(
-        (rows.len() + subjects.len()) as u64,
-        support::progress::STEPS,
-    )?;
-    let figures = support::parallel::in_parallel(args.threads, &rows, |entry| {
+    let progress =
+        host::progress::progress((rows.len() + subjects.len()) as u64, host::progress::STEPS)?;
+    let figures = host::parallel::in_parallel(args.threads, &rows, |entry| {
         progress.set_message(format!("sampling {}", entry.label()));
         let figures = check::measure(entry, args.seed, args.samples);
         progress.inc(1);
@@ -68,7 +66,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .map(|i| &figures[i])
     };
 
-    let saved = support::parallel::in_parallel(args.threads, &subjects, |subject| {
+    let saved = host::parallel::in_parallel(args.threads, &subjects, |subject| {
         progress.set_message(format!("drawing {}", subject.name));
         let known: Vec<Option<&Figures>> = subject.entries.iter().map(|entry| of(entry)).collect();
         let path = args.out.join(file_name(subject));
@@ -89,13 +87,13 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .clone()
             .unwrap_or_else(|| args.out.join("gallery.png"));
         if let Some(folder) = path.parent() {
-            support::progress::folder(folder)?;
+            host::progress::folder(folder)?;
         }
         sheet::contact(&subjects, SHEET_TIER, args).save(&path)?;
         places.push(format!("the contact sheet in {}", path.display()));
     }
     if let Some(folder) = &args.rustdoc {
-        support::progress::folder(folder)?;
+        host::progress::folder(folder)?;
         for_rustdoc(&subjects, folder, args)?;
         places.push(format!(
             "those for the documentation in {}",
@@ -104,7 +102,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     }
     if let Some(room) = &args.room {
         let path = args.out.join("banner.png");
-        let room = support::draw::canvas::read_rgb(room)?;
+        let room = host::draw::canvas::read_rgb(room)?;
         banner::draw(&subjects, &room, args).save_in_full_colour(&path)?;
         places.push(format!("the banner in {}", path.display()));
     }

@@ -2,10 +2,10 @@
 
 use crate::area::{Paper, outline};
 use crate::{Subject, args, sheet, subjects};
+use host::draw::canvas::{Area, Canvas};
+use host::registry::picture::{CORNER, View};
+use host::registry::{Entry, Point, entries_of_each_tier};
 use rand_pcg::Pcg32;
-use support::draw::canvas::{Area, Canvas};
-use support::registry::picture::{CORNER, View};
-use support::registry::{Entry, Point, entries_of_each_tier};
 
 /// The cell of a panel, and the white around it that must stay white.
 const CELL: Area = Area {

@@ -5,11 +5,11 @@ use crate::args::Args;
 use crate::check::{Figures, generator, p_text};
 use crate::table::error_text;
 use crate::{area, line, strata};
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{ACCENT, BAR, INK, MUTED, POINT, WHITE, faded, ramp};
+use host::draw::text::{Align, Type, thousands};
+use host::registry::picture::View;
 use rand_pcg::Pcg32;
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{ACCENT, BAR, INK, MUTED, POINT, WHITE, faded, ramp};
-use support::draw::text::{Align, Type, thousands};
-use support::registry::picture::View;
 
 /// Purposes of generators beyond those of the check.
 const POINTS: u64 = 16;

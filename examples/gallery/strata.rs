@@ -1,11 +1,11 @@
 //! The pictures of jittered strata and of points beside plain uniforms, in one and two dimensions.
 
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{MUTED, POINT, WHITE, faded, ramp};
+use host::draw::text::{Align, Type};
+use host::registry::picture::View;
 use microwarp::uniform::{self, ByPosition, Points, Recurrence, Sobol, Strata1d, Strata2d};
 use rand_pcg::Pcg32;
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{MUTED, POINT, WHITE, faded, ramp};
-use support::draw::text::{Align, Type};
-use support::registry::picture::View;
 
 /// Strata along an axis.
 const LINE: u32 = 24;

@@ -1,9 +1,9 @@
 //! The table: one row for each warp, its parameters and a tier.
 
 use crate::check::{ALARM, Figures, p_text};
-use support::draw::text::thousands;
-use support::registry::{Entry, Measure};
-use support::table;
+use host::draw::text::thousands;
+use host::registry::{Entry, Measure};
+use host::table;
 
 /// An error with its unit: ulp, or a distance as a share of the size of the domain.
 pub fn error_text(entry: &Entry, error: f64) -> String {

@@ -8,10 +8,10 @@ use crate::chart;
 use crate::render::{By, Pixels, Plan, PointSet, Tier};
 use crate::shots::Shot;
 use crate::study::SMALL;
+use host::parallel::{in_parallel, threads};
+use host::table::print;
 use std::error::Error;
 use std::time::Instant;
-use support::parallel::{in_parallel, threads};
-use support::table::print;
 
 /// What is measured, controls last.
 pub const KITS: [By; 6] = [
@@ -245,9 +245,7 @@ fn rounded(samples: f64) -> String {
 /// Instructions of a path on a core, where `benches/cores` has counted them.
 fn instructions(scene: &str, kit: By, core: &str) -> String {
     let key = format!("{}_path_{scene},{core},3,", kit.name());
-    let counted = support::COSTS
-        .lines()
-        .find_map(|line| line.strip_prefix(&key));
+    let counted = host::COSTS.lines().find_map(|line| line.strip_prefix(&key));
     let number = counted.and_then(|rest| rest.split(',').next()?.parse::<f64>().ok());
     number.map_or_else(|| "-".into(), |n| format!("{n:.0}"))
 }
@@ -326,7 +324,7 @@ fn summary(scenes: &[Scene]) {
 pub fn run(shots: &[Shot], args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let steps = shots.len() as u64 * u64::from(SMALL[1]);
-    let progress = support::progress::progress(steps, "{percent:>3} %")?;
+    let progress = host::progress::progress(steps, "{percent:>3} %")?;
     let scenes: Vec<_> = shots
         .iter()
         .map(|shot| of(shot, args, || progress.inc(1)))

@@ -1,9 +1,9 @@
 //! The command line: its options and its error messages.
 
+use host::cli::{number, within};
 use lexopt::Error;
 use lexopt::prelude::*;
 use std::path::PathBuf;
-use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Renders six scenes by path tracing, and measures the error of small pictures of them by tier and by point set, and of

@@ -94,7 +94,7 @@ fn kind(seed: u32, paths: u32, reference: &Pixels, picture: impl Fn(u32) -> Pixe
             crate::study::invalid(&pixels),
         )
     };
-    let found = support::parallel::in_parallel(support::parallel::threads(), &seeds, job);
+    let found = host::parallel::in_parallel(host::parallel::threads(), &seeds, job);
     let mut errors: Vec<f64> = found.iter().map(|f| f.0).collect();
     errors.sort_by(f64::total_cmp);
     let time = found.iter().map(|f| f.1).fold(f64::INFINITY, f64::min);
@@ -116,7 +116,7 @@ fn compare(shot: &Shot, samples: u32, args: &Args, progress: &ProgressBar) -> Co
             args.seed ^ 0x5ce7e ^ k << 24,
         )
     };
-    let parts = support::parallel::in_parallel(support::parallel::threads(), &seeds, part);
+    let parts = host::parallel::in_parallel(host::parallel::threads(), &seeds, part);
     let mean = |i: usize| std::array::from_fn(|k| parts.iter().map(|p| p[i][k]).sum::<f64>() / 8.0);
     let reference: Pixels = (0..PIXELS as usize).map(mean).collect();
     let paths = PIXELS * SAMPLES;
@@ -173,7 +173,7 @@ pub fn print(comparisons: &[Comparison]) {
         "Metropolis light transport: the median error of {SEEDS} pictures of {} × {} pixels, {SAMPLES} paths each:",
         SIZE[0], SIZE[1]
     );
-    support::table::print(&header, comparisons.iter().map(row).collect(), 1);
+    host::table::print(&header, comparisons.iter().map(row).collect(), 1);
     println!();
 }
 

@@ -1,11 +1,11 @@
 //! Bias and noise against samples a pixel, scene by scene.
 
 use crate::accuracy::{KITS, Scene};
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{ACCENT, Colour, INK, MUTED, faded};
-use support::draw::plot::Plot;
-use support::draw::scale::Scale;
-use support::draw::text::{Align, Type};
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{ACCENT, Colour, INK, MUTED, faded};
+use host::draw::plot::Plot;
+use host::draw::scale::Scale;
+use host::draw::text::{Align, Type};
 
 const WIDE: f32 = 640.0;
 const HIGH: f32 = 420.0;

@@ -20,13 +20,13 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 fn main() -> ExitCode {
-    support::cli::run("scene", args::HELP, args::parse(), run)
+    host::cli::run("scene", args::HELP, args::parse(), run)
 }
 
 /// Runs everything and returns the complaints.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    support::progress::folder(&args.out)?;
+    host::progress::folder(&args.out)?;
     let shots = shots::all();
     if args.accuracy {
         return accuracy::run(&shots, args);
@@ -35,7 +35,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         return sheet::run(&shots, args);
     }
     let steps = shots.len() as u64 * study::steps(args) + chains::steps();
-    let progress = support::progress::progress(steps, "{percent:>3} %")?;
+    let progress = host::progress::progress(steps, "{percent:>3} %")?;
     let mut studies = Vec::new();
     for shot in &shots {
         progress.set_message(shot.name);

@@ -1,6 +1,7 @@
 //! A picture by several threads, row by row, whatever its scene, tier and points are.
 
 use crate::kits::{FourPercent, Textbook};
+use host::twin::{Air, Forgotten, Heaven, Record, Source64, Stuff, Twin};
 use microwarp::fixed::{Coarse, Fine};
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::ByPosition;
@@ -12,7 +13,6 @@ use microwarp_scene::sky::Sky;
 use microwarp_scene::source::{Owen, Strata};
 use microwarp_scene::{Camera, Integers, Kit, Power, Random, Scene, Set, Source, View, Walk};
 use std::marker::PhantomData;
-use support::twin::{Air, Forgotten, Heaven, Record, Source64, Stuff, Twin};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tier {
@@ -237,5 +237,5 @@ pub fn picture(scene: &dyn Render, plan: &Plan, done: impl Fn() + Sync) -> Pixel
         done();
         pixels
     };
-    support::parallel::in_parallel(support::parallel::threads(), &rows, job).concat()
+    host::parallel::in_parallel(host::parallel::threads(), &rows, job).concat()
 }

@@ -3,12 +3,12 @@
 use crate::args::Args;
 use crate::render::{Pixels, Plan, PointSet, Tier, picture};
 use crate::shots::Shot;
+use host::draw::canvas::{Area, Canvas, save_rgb};
+use host::draw::colour::MUTED;
+use host::draw::panel::{HEAD, cells, head};
+use host::draw::text::{Align, Type, thousands};
 use std::error::Error;
 use std::path::Path;
-use support::draw::canvas::{Area, Canvas, save_rgb};
-use support::draw::colour::MUTED;
-use support::draw::panel::{HEAD, cells, head};
-use support::draw::text::{Align, Type, thousands};
 
 const MARGIN: f32 = 32.0;
 const GAP: f32 = 24.0;
@@ -21,7 +21,7 @@ const WIDE: u32 = 480;
 /// Renders the pictures alone, and their sheet.
 pub fn run(shots: &[Shot], args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let rows = shots.len() as u64 * u64::from(args.size[1]);
-    let progress = support::progress::progress(rows, "{percent:>3} %")?;
+    let progress = host::progress::progress(rows, "{percent:>3} %")?;
     let mut pictures = Vec::new();
     for shot in shots {
         progress.set_message(shot.name);

@@ -1,9 +1,9 @@
 //! The six scenes, with what is said of them and how they are developed.
 
 use crate::render::{Render, Take};
+use host::draw::tone::tone;
 use microwarp_scene::scenes::{caustic, fog, room, sensor, slit, slivers};
 use microwarp_scene::{Colour, Echo};
-use support::draw::tone::tone;
 
 pub struct Shot {
     /// The name of its file.

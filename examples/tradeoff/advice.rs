@@ -3,9 +3,9 @@
 use crate::front::{Trade, cheapest, is_outside};
 use crate::report::cost_text;
 use crate::study::{Study, TARGETS};
+use host::registry::family::PICTURED;
+use host::table;
 use std::collections::BTreeMap;
-use support::registry::family::PICTURED;
-use support::table;
 
 /// Errors that a user may want to stay below.
 const CLASSES: [f64; 4] = [1e-3, 1e-5, 1e-6, 5e-7];

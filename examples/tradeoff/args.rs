@@ -1,9 +1,9 @@
 //! The command line: its options and its error messages.
 
+use host::cli::{number, within};
 use lexopt::prelude::*;
 use lexopt::{Error, Parser};
 use std::path::PathBuf;
-use support::cli::{number, within};
 
 pub const HELP: &str = "\
 Measures what every sampler of microwarp gives and what it costs, beside those of rand_distr, micromath and plain

@@ -2,8 +2,8 @@
 
 use crate::error::{Errors, Lattice};
 use crate::sampler::{FromWords, Sampler};
-use support::docs::{self, Doc};
-use support::figures::{Exact, Figures, ROWS, density_and_inverse_error, sample_error};
+use host::docs::{self, Doc};
+use host::figures::{Exact, Figures, ROWS, density_and_inverse_error, sample_error};
 
 /// Where a sampler exceeds its documented errors.
 pub fn complaints(sampler: &Sampler, errors: &Errors, points: u64) -> Vec<String> {

@@ -1,8 +1,8 @@
 //! Nanoseconds per sample, with all samplers in one contest.
 
 use crate::sampler::Block;
+use host::contest::{BLOCKS, Contest, POINTS, Quartiles};
 use std::collections::BTreeMap;
-use support::contest::{BLOCKS, Contest, POINTS, Quartiles};
 
 /// The unit of all other times: drawing two words as uniforms and doing nothing with them.
 pub const FLOOR: &str = "two uniforms";
@@ -47,14 +47,14 @@ pub fn run(
 }
 
 fn floor() -> impl FnMut(&mut [()]) {
-    let mut kept = support::contest::generator();
+    let mut kept = host::contest::generator();
     let mut points = vec![[0.0_f32; 2]; POINTS];
     move |_| {
         let mut rng = kept.clone();
         for point in std::hint::black_box(&mut points) {
             *point = [
-                support::peers::uniform(&mut rng),
-                support::peers::uniform(&mut rng),
+                host::peers::uniform(&mut rng),
+                host::peers::uniform(&mut rng),
             ];
         }
         kept = rng;

@@ -9,13 +9,13 @@ use crate::sampler::{Law, Map, Point, Words};
 use crate::shape::{self, Shape};
 use crate::study::generator;
 use crate::subject::law;
+use host::truth;
 use microwarp::Warp;
 use microwarp::uniform::grid_from_word;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use statrs::distribution::{ContinuousCDF, Normal};
 use std::f64::consts::TAU;
-use support::truth;
 
 /// How many standard errors an estimate may be off.
 const DOUBT: f64 = 5.0;

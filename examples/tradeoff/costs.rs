@@ -1,7 +1,7 @@
 //! The costs of functions on other targets, as measured by `benches/cores`.
 
+use host::{COSTS, CYCLES};
 use std::collections::BTreeMap;
-use support::{COSTS, CYCLES};
 
 /// The cores, by their names in the measurements and in print.
 pub const CORES: [(&str, &str); 3] = [("m0", "Cortex-M0"), ("m4f", "Cortex-M4F"), ("wasm", "WASM")];

@@ -1,8 +1,8 @@
 //! The errors of points and densities against the exact ones of the same uniforms.
 
 use crate::sampler::{Law, Point, Sampler, Way, Words};
-use support::contest::generator;
-use support::errors::raise;
+use host::contest::generator;
+use host::errors::raise;
 
 /// Errors over a sweep. NaN counts as infinite.
 #[derive(Clone, Copy, Debug, Default)]

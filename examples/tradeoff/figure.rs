@@ -3,11 +3,11 @@
 use crate::advice::traded;
 use crate::panel;
 use crate::study::{Study, TARGETS};
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{INK, MUTED, POINT, faded};
-use support::draw::scale::Scale;
-use support::draw::text::{Align, Type};
-use support::registry::family::PICTURED;
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{INK, MUTED, POINT, faded};
+use host::draw::scale::Scale;
+use host::draw::text::{Align, Type};
+use host::registry::family::PICTURED;
 
 const WIDTH: f32 = 2040.0;
 const MARGIN: f32 = 36.0;

@@ -1,8 +1,8 @@
 //! Places the names of points so that they cover neither points, whiskers, borders nor each other.
 
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::Colour;
-use support::draw::text::{Align, Type};
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::Colour;
+use host::draw::text::{Align, Type};
 
 /// A point with a name.
 pub struct Named {

@@ -8,14 +8,14 @@ use crate::{
     tables_list,
 };
 use fixed::types::{I2F30, I16F16, U2F62, U4F28, U32F32};
+use host::registry::family::*;
+use host::registry::{Entry, entries_of_each_tier};
+use host::truth::{self, Truth};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp as integer};
 use microwarp::rejection::{
     BallRejection, DiskRejection, ZigguratStandardExponential, ZigguratStandardNormal,
 };
 use microwarp::{Error, fixed as fine};
-use support::registry::family::*;
-use support::registry::{Entry, entries_of_each_tier};
-use support::truth::{self, Truth};
 
 /// The rows that are asked for, by family; and which warps have no place in the comparison.
 pub fn rows(args: &Args) -> Result<(Vec<Row>, Vec<String>), Error> {

@@ -1,7 +1,7 @@
 //! The error and cost of each tier on every target, next to its peers.
 //! `cargo run --release --example tradeoff -- --help`
 //!
-//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in the registry of `tests/support`. This file runs the steps.
+//! Which samplers there are is said in `list`, `tables_list` and `peer_list`, what is exact in the registry of `crates/host`. This file runs the steps.
 
 mod advice;
 mod args;
@@ -37,13 +37,13 @@ use std::time::Instant;
 use study::Study;
 
 fn main() -> ExitCode {
-    support::cli::run("tradeoff", args::HELP, args::parse(), run)
+    host::cli::run("tradeoff", args::HELP, args::parse(), run)
 }
 
 /// Runs everything and returns the complaints.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    support::progress::folder(&args.out)?;
+    host::progress::folder(&args.out)?;
     let costs = costs::Costs::checked_in()?;
     let (rows, mut complaints) = list::rows(args)?;
     if rows.is_empty() {
@@ -58,12 +58,10 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         .iter()
         .map(|row| shape::tests(row.sampler.law.axes))
         .sum();
-    let threshold = support::stats::threshold(tests);
+    let threshold = host::stats::threshold(tests);
 
-    let progress = support::progress::progress(
-        (rows.len() + args.rounds + 2) as u64,
-        support::progress::STEPS,
-    )?;
+    let progress =
+        host::progress::progress((rows.len() + args.rounds + 2) as u64, host::progress::STEPS)?;
     let (studies, spread) = study(rows, &costs, args, &progress);
     progress.set_message("maps that are wrong on purpose");
     let controls = controls::all(args);
@@ -117,7 +115,7 @@ fn study(
         blocks.extend(row.fill.map(|fill| (format!("{i} filled"), fill)));
         samplers.push(Mutex::new(Some(row.sampler)));
     }
-    let mut studies = support::parallel::in_parallel(args.threads, &samplers, |sampler| {
+    let mut studies = host::parallel::in_parallel(args.threads, &samplers, |sampler| {
         let sampler = sampler.lock().expect("no thread has panicked").take();
         let sampler = sampler.expect("each is taken once");
         progress.set_message(sampler.label());

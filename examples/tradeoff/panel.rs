@@ -4,10 +4,10 @@ use crate::advice::traded;
 use crate::front::{Trade, front};
 use crate::labels::{self, Named};
 use crate::study::Study;
-use support::draw::canvas::{Area, Canvas};
-use support::draw::colour::{ACCENT, Colour, HAIR, INK, MUTED, POINT, faded};
-use support::draw::scale::Scale;
-use support::draw::text::{Align, Type, thousands};
+use host::draw::canvas::{Area, Canvas};
+use host::draw::colour::{ACCENT, Colour, HAIR, INK, MUTED, POINT, faded};
+use host::draw::scale::Scale;
+use host::draw::text::{Align, Type, thousands};
 
 /// Text beside the axes.
 pub const LABEL: f32 = 19.0;

@@ -2,12 +2,10 @@
 
 use crate::sampler::{FromWords, Map, Numbers, Row, Way};
 use crate::subject::{Name, drawn, law, map};
+use host::peers::{micro, rejecting, textbook};
+use host::registry::family::{BALL, COSINE, DISK, EXPONENTIAL, HEMISPHERE, LOBE, NORMAL, SPHERE};
+use host::truth::{self, Point, Truth, Uniforms};
 use rand_pcg::Pcg32;
-use support::peers::{micro, rejecting, textbook};
-use support::registry::family::{
-    BALL, COSINE, DISK, EXPONENTIAL, HEMISPHERE, LOBE, NORMAL, SPHERE,
-};
-use support::truth::{self, Point, Truth, Uniforms};
 
 /// The standard normal pair.
 pub fn pair() -> Box<dyn Truth> {

@@ -4,11 +4,11 @@ use crate::bias::Shows;
 use crate::controls::Control;
 use crate::costs::{CORES, Cost};
 use crate::study::Study;
+use host::draw::text::thousands;
+use host::table::{self, p_text};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
-use support::draw::text::thousands;
-use support::table::{self, p_text};
 
 /// Stands for a value that is unknown or does not apply.
 pub const DASH: &str = "–";

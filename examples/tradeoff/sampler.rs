@@ -5,11 +5,11 @@
 use fixed::types::U0F32;
 use fixed::types::extra::LeEqU32;
 use fixed::{FixedI32, FixedU32};
+use host::registry::Entry;
+use host::truth::Truth;
 use microwarp::uniform::{Uniforms, grid_from_word};
 use rand_pcg::Pcg32;
 use std::sync::Arc;
-use support::registry::Entry;
-use support::truth::Truth;
 
 /// Up to three coordinates; missing ones are 0.
 pub type Point = [f64; 3];

@@ -5,8 +5,8 @@ use crate::bias::Shows;
 use crate::cells;
 use crate::power::Power;
 use crate::sampler::{Fill, Law, Point};
+use host::stats;
 use rand_pcg::Pcg32;
-use support::stats;
 
 /// Places along an axis where the distance is read.
 const PLACES: usize = 1 << 15;

@@ -1,15 +1,15 @@
 //! Makes rows of samplers of each kind.
 
 use crate::sampler::{Block, Exact, FromWords, Law, Map, Numbers, Row, Sampler, Way, Wide};
+use host::contest::{POINTS, generator};
+use host::registry::Entry;
+use host::truth::{Histogram, Truth};
 use microwarp::Warp;
 use microwarp::rejection::Rejection;
 use microwarp::uniform::Uniforms;
 use rand_pcg::Pcg32;
 use std::hint::black_box;
 use std::sync::Arc;
-use support::contest::{POINTS, generator};
-use support::registry::Entry;
-use support::truth::{Histogram, Truth};
 
 /// What names a row.
 #[derive(Clone)]
@@ -216,9 +216,9 @@ where
         bits: <[f32; N]>::BITS,
         at: Box::new(move |words| (map(<[f32; N]>::of(&words)).exact(), None)),
     });
-    let draw = support::peers::drawn(map);
+    let draw = host::peers::drawn(map);
     let fill = move |rng: &mut Pcg32, out: &mut [[f64; 3]]| {
-        let draw = support::peers::drawn(map);
+        let draw = host::peers::drawn(map);
         out.iter_mut().for_each(|out| *out = draw(rng).exact());
     };
     Row::new(
@@ -246,7 +246,7 @@ pub fn indices(
     let fill = move |rng: &mut Pcg32, out: &mut [[f64; 3]]| {
         for out in out {
             let index = kept(rng) as f64;
-            *out = [index + f64::from(support::peers::uniform(rng)), 0.0, 0.0];
+            *out = [index + f64::from(host::peers::uniform(rng)), 0.0, 0.0];
         }
     };
     let (mut kept, mut points) = (generator(), vec![0_usize; POINTS]);

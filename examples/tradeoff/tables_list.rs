@@ -2,11 +2,11 @@
 
 use crate::sampler::{Chance, Row, Way};
 use crate::subject::{Name, indices};
+use host::peers::{rejecting, textbook};
+use host::registry::family::TABLE;
 use microwarp::Error;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use std::sync::Arc;
-use support::peers::{rejecting, textbook};
-use support::registry::family::TABLE;
 
 const ENTRIES: usize = 1024;
 
@@ -89,7 +89,7 @@ pub fn add(rows: &mut Vec<Row>) -> Result<(), Error> {
         (f64::from(edge(i + 1) - edge(i)) / 16_777_216.0, None)
     });
     let textbook_name = name("sums in f32", "plain libm", "peer_plain_libm_sums_1024");
-    let selection = support::peers::drawn(move |u: [f32; 1]| sums.index(u));
+    let selection = host::peers::drawn(move |u: [f32; 1]| sums.index(u));
     let selection = Arc::new(selection);
     rows.push(indices(
         textbook_name,

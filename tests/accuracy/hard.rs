@@ -1,8 +1,8 @@
 //! What is hard for a warp, as `benches/cores` sweeps it for the longest time: the parameters that the registry lists, and
 //! the worst parameters and uniforms that searches have found, in `benches/cores/hard.csv`.
 
+use host::registry::{Registered, of_poly};
 use std::fmt::Write as _;
-use support::registry::{Registered, of_poly};
 
 const FILE: &str = "benches/cores/hard.csv";
 
@@ -41,7 +41,7 @@ fn hex(words: impl Iterator<Item = u32>) -> String {
 
 /// The kept worst cases of a file: their families and the rows of theirs, as words.
 fn kept(file: &str) -> Vec<(String, [String; 2])> {
-    let text = std::fs::read_to_string(support::root().join("tests").join(file)).unwrap();
+    let text = std::fs::read_to_string(host::root().join("tests").join(file)).unwrap();
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let cells = lines.map(|line| line.split(';').map(String::from).collect::<Vec<_>>());
     cells
@@ -107,7 +107,7 @@ fn table() -> String {
 
 #[test]
 fn sweeps_for_the_longest_time_take_the_hard_inputs() {
-    let path = support::root().join(FILE);
+    let path = host::root().join(FILE);
     let table = table();
     if std::env::var_os("MICROWARP_WRITE").is_some() {
         return std::fs::write(path, table).unwrap();

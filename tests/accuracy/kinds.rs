@@ -1,8 +1,8 @@
 //! Each row of a table of errors says of which kind its bounds are, and `docs/proofs.md` lists those that are not found.
 
+use host::docs::{Kind, of_errors};
+use host::root;
 use std::collections::BTreeMap;
-use support::docs::{Kind, of_errors};
-use support::root;
 
 /// The rooms whose pages have tables of errors.
 const ROOMS: [&str; 5] = ["warp", "discrete", "fixed", "estimate", "metropolis"];

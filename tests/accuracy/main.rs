@@ -12,15 +12,15 @@ mod hard;
 mod kinds;
 mod page;
 
-use page::Measured;
-use support::adversary::search::{Budget, USUAL};
-use support::figures::{
+use host::adversary::search::{Budget, USUAL};
+use host::figures::{
     Exact, Figures, density_and_inverse_error, density_with_sample_error, draw_error, place_error,
     polar_error, sample_error,
 };
-use support::parallel::{in_parallel, threads};
-use support::registry::{Entry, Uniforms, entries, entries_of_each_tier};
-use support::speed;
+use host::parallel::{in_parallel, threads};
+use host::registry::{Entry, Uniforms, entries, entries_of_each_tier};
+use host::speed;
+use page::Measured;
 
 const GRID: u32 = 1 << 24;
 const STEP: f32 = 1.0 / 16_777_216.0;
@@ -181,14 +181,14 @@ fn every_warp_keeps_its_stated_error() {
 fn the_statements_hold_for_every_parameter() {
     let mut families = families::families();
     families.retain(|family| speed::wants(&family.label));
-    support::adversary::hold(&families, "accuracy/worst.csv");
+    host::adversary::hold(&families, "accuracy/worst.csv");
 }
 
 /// The old branch of the power law, whose exponential overflows alone, is found within the usual budget.
 #[test]
 fn a_branch_that_overflows_alone_is_found() {
     let flawed = families::flawed();
-    let found = support::adversary::attack(&flawed, Budget::Points(USUAL));
+    let found = host::adversary::attack(&flawed, Budget::Points(USUAL));
     for (family, worst) in flawed.iter().zip(found) {
         // A wrong branch, not a digit too few: the sample is the wrong end of the interval.
         let sample = &worst[0];

@@ -1,12 +1,12 @@
 //! What is measured of each parameter set: held to what the documentation states, and written as `docs/accuracy.md`.
 
+use host::docs::{Page, Statement, of_floats, rounded_up};
+use host::figures::{Figures, ROWS};
+use host::registry::Measure;
+use host::root;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
-use support::docs::{Page, Statement, of_floats, rounded_up};
-use support::figures::{Figures, ROWS};
-use support::registry::Measure;
-use support::root;
 
 /// What one parameter set showed.
 pub struct Measured {

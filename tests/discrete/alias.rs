@@ -2,8 +2,8 @@
 
 use crate::cases::{cases, wild};
 use crate::runs;
+use host::speed;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
-use support::speed;
 
 /// How many words select each entry: in each bin the runs, which may be two.
 fn counts(n: usize, bins: usize, bits: u32, index: impl Fn(u64) -> usize) -> Vec<u128> {

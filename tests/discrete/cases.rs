@@ -1,8 +1,8 @@
 //! The weights that are counted: the kinds the crate is promised for, at sizes up to 2²⁰.
 
+use host::speed;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::speed;
 
 const MANY: usize = 1 << 20;
 const SOME: usize = 1 << 15;

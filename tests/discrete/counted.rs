@@ -2,10 +2,10 @@
 
 use crate::cases::{cases, wild};
 use crate::{Exact, STEP, counts, grid_counts, grid_point};
+use host::speed;
 use microwarp::Error;
 use microwarp::discrete::Cdf;
 use std::ops::RangeInclusive;
-use support::speed;
 
 /// What must hold of counts out of 2^bits: each within `slack` 2^-32 steps of its part, none for a weight of zero.
 fn objections(exact: &Exact, counts: &[u128], bits: u32, slack: u64) -> Vec<String> {

@@ -1,14 +1,14 @@
 //! `Geometric` and `Poisson`: the words of every count against sums of high precision, which leaves no word out; the
 //! densities, the refusals, and samples.
 
+use host::generators::{Broken, Counting, Failing};
+use host::speed;
+use host::stats::{chi_square, threshold};
 use microwarp::Error;
 use microwarp::discrete::{Geometric, Poisson};
 use num_bigint::BigUint;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::generators::{Broken, Counting, Failing};
-use support::speed;
-use support::stats::{chi_square, threshold};
 
 /// What both samplers do.
 trait Counts {

@@ -1,13 +1,13 @@
 //! Selection in integers alone: the entry that floats select by the same bits, and with it the exact place.
 
+use host::generators::{Broken, Counting, Failing};
+use host::speed;
+use host::stats::{chi_square, threshold};
 use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, Selection};
 use microwarp::uniform::grid_from_word;
 use num_bigint::BigUint;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::generators::{Broken, Counting, Failing};
-use support::speed;
-use support::stats::{chi_square, threshold};
 
 /// Integer weights of all kinds. Those below 2^24 are `f32` as well.
 fn cases() -> Vec<(&'static str, Vec<u32>)> {

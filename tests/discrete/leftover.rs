@@ -1,11 +1,11 @@
 //! What is left of a uniform after a selection: exact, as many bits as stated, and uniform again.
 
+use host::speed;
+use host::stats::{chi_square, threshold};
 use microwarp::discrete::{Alias, AliasEntry, Cdf, Selection, select_once};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::collections::BTreeSet;
-use support::speed;
-use support::stats::{chi_square, threshold};
 
 #[test]
 fn the_leftover_is_the_place_among_the_words_of_the_entry() {

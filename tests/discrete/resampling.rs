@@ -1,11 +1,11 @@
 //! Resampling: counts against exact fractions, over every offset where there are few, and their means.
 
+use host::generators::{Broken, Counting, Cycle, Failing};
 use microwarp::Error;
 use microwarp::discrete::MAX_ENTRIES;
 use microwarp::discrete::resampling::*;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::generators::{Broken, Counting, Cycle, Failing};
 
 type Scheme = fn(&mut [u32], u32, u32) -> Result<(), Error>;
 

@@ -1,11 +1,11 @@
 //! `Reservoir`: the bits that take it counted exactly, then streams and mergers sampled.
 
 use crate::runs;
+use host::speed;
+use host::stats::{chi_square, threshold};
 use microwarp::Error;
 use microwarp::discrete::Reservoir;
 use rand_pcg::Pcg32;
-use support::speed;
-use support::stats::{chi_square, threshold};
 
 /// With how many of the 2⁶⁴ bit strings a second item of weight `b` displaces the first of weight `a`.
 fn taking(a: f32, b: f32) -> u128 {

@@ -1,12 +1,12 @@
 //! Drawn entries against their weights by chi-square, and what a draw takes from a generator.
 
+use host::generators::{Broken, Counting, Failing};
+use host::speed;
+use host::stats::{chi_square, threshold};
 use microwarp::discrete::{Alias, AliasEntry, Cdf, Reservoir};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::sync::LazyLock;
-use support::generators::{Broken, Counting, Failing};
-use support::speed;
-use support::stats::{chi_square, threshold};
 
 static SAMPLES: LazyLock<usize> =
     LazyLock::new(|| speed::of("draws of each table", 1_000_000, 10_000_000));

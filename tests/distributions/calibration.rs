@@ -4,11 +4,11 @@
 use crate::controls::entry;
 use crate::examination::Examination;
 use crate::report::Report;
+use host::{speed, stats};
 use rand_pcg::Pcg32;
 use statrs::distribution::{Exp, Uniform};
 use statrs::stats_tests::NaNPolicy;
 use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
-use support::{speed, stats};
 
 #[test]
 fn p_values_of_correct_warps_are_uniform() {

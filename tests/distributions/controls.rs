@@ -5,15 +5,15 @@ use crate::SAMPLES;
 use crate::examination::Examination;
 use crate::moments::tests;
 use crate::report::Report;
-use microwarp::uniform::grid;
-use rand_pcg::Pcg32;
-use std::f64::consts::{PI, TAU};
-use std::sync::{Arc, LazyLock};
-use support::{
+use host::{
     registry::{Domain, Entry, Erased, Point, Uniforms},
     speed, stats,
     truth::{normal_cdf, normal_quantile_lower},
 };
+use microwarp::uniform::grid;
+use rand_pcg::Pcg32;
+use std::f64::consts::{PI, TAU};
+use std::sync::{Arc, LazyLock};
 
 type Map = fn([f64; 3]) -> [f64; 3];
 type Density = fn(&dyn Erased, Point) -> f32;
@@ -62,7 +62,7 @@ impl Erased for Wrong {
 }
 
 pub fn entry(label: &str) -> Entry {
-    let found = support::registry::entries()
+    let found = host::registry::entries()
         .into_iter()
         .find(|e| e.label() == label);
     found.unwrap_or_else(|| panic!("no entry {label}"))
@@ -89,7 +89,7 @@ fn report(label: &str, map: Option<Map>, pdf: Density) -> (Domain, Report) {
 
 /// The threshold of the real run.
 fn threshold() -> f64 {
-    let entries = support::registry::entries();
+    let entries = host::registry::entries();
     let resolved = entries.iter().filter(|e| e.resolved);
     stats::threshold(resolved.map(|e| tests(e.domain)).sum())
 }

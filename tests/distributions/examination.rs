@@ -5,10 +5,10 @@
 
 use crate::moments::{self, Coordinates, moments};
 use crate::report::Report;
+use host::registry::{Domain, Entry, Measure};
+use host::stats::{self, Axis};
+use host::truth::Point;
 use rand_pcg::Pcg32;
-use support::registry::{Domain, Entry, Measure};
-use support::stats::{self, Axis};
-use support::truth::Point;
 
 /// How far the integral of a density may be from 1. The worst of the registry is off by 1.8e-7, which is
 /// three roundings of an `f32`.

@@ -14,13 +14,13 @@ mod report;
 mod strata;
 
 use examination::Examination;
+use host::parallel::{in_parallel, threads};
+use host::registry::{Domain, Entry};
+use host::{speed, stats};
 use report::Report;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use std::time::Instant;
-use support::parallel::{in_parallel, threads};
-use support::registry::{Domain, Entry};
-use support::{speed, stats};
 
 /// Samples for the first parameters of each warp, unless `f32` resolves them too coarsely for so many.
 static SAMPLES: LazyLock<usize> =
@@ -59,7 +59,7 @@ fn examine(entries: &[Entry]) -> Vec<(usize, f64, Report)> {
 #[test]
 fn samples_follow_the_density_they_report() {
     let start = Instant::now();
-    let (entries, unresolved): (Vec<_>, Vec<_>) = support::registry::entries()
+    let (entries, unresolved): (Vec<_>, Vec<_>) = host::registry::entries()
         .into_iter()
         .filter(|e| speed::wants(e.name))
         .partition(|e| e.resolved);

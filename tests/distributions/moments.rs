@@ -1,7 +1,7 @@
 //! Which moments of the samples are tested over each kind of domain, and in which coordinates.
 
-use support::registry::Domain;
-use support::truth::{self, Point};
+use host::registry::Domain;
+use host::truth::{self, Point};
 
 /// A function of a point whose mean is tested.
 #[derive(Clone, Copy)]

@@ -1,9 +1,9 @@
 //! Jittered strata: every stratum gets its point, the mean stays right, and the variance falls below that
 //! of plain sampling, on a smooth integrand and on a discontinuous one.
 
+use host::generators::Cycle;
 use microwarp::uniform::{LARGEST, Strata1d, Strata2d, grid, grid_from_word};
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
 
 /// Estimates of an integral by plain and by stratified sampling: means and variances of each.
 struct Contest {

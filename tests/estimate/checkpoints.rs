@@ -1,8 +1,8 @@
 //! How a long run is measured: against exact sums, at checkpoints.
 
 use crate::relative;
+use host::docs::{Doc, assert_stated};
 use microwarp::estimate::{Moments, WeightedMean};
-use support::docs::{Doc, assert_stated};
 
 /// Exact sums in integers: between 512 and 2048 every f32 is a multiple of 2⁻¹⁴.
 #[derive(Default)]

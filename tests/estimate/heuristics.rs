@@ -1,11 +1,11 @@
 //! The weights of combined techniques: in [0, 1], summing to 1, and accurate, whatever the densities.
 
+use host::docs::assert_within;
+use host::errors::ulps;
+use host::speed;
 use microwarp::estimate::{balance_heuristic, power_heuristic};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::docs::assert_within;
-use support::errors::ulps;
-use support::speed;
 
 const DENSITIES: [f32; 16] = [
     0.0,

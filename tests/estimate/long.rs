@@ -3,12 +3,12 @@
 
 use crate::checkpoints::{Exact, Largest, errors};
 use crate::{at_most, relative};
+use host::docs::Doc;
+use host::speed;
 use microwarp::estimate::{Moments, WeightedMean};
 use microwarp::{Warp, poly as mw, uniform};
 use rand_pcg::Pcg32;
 use std::sync::LazyLock;
-use support::docs::Doc;
-use support::speed;
 
 static SAMPLES: LazyLock<u64> =
     LazyLock::new(|| speed::of("samples of a long run", 10_000_000, 100_000_000));

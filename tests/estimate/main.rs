@@ -39,5 +39,5 @@ fn truth(samples: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
 }
 
 fn relative(got: Option<f32>, exact: f64) -> f64 {
-    support::errors::relative(got.unwrap().into(), exact)
+    host::errors::relative(got.unwrap().into(), exact)
 }

@@ -1,12 +1,12 @@
 //! Many short runs of all magnitudes and shapes against two passes in f64, pushed and merged at random.
 
 use crate::{at_most, truth};
+use host::docs::{Doc, assert_within};
+use host::speed;
 use microwarp::estimate::{Moments, WeightedMean};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::sync::LazyLock;
-use support::docs::{Doc, assert_within};
-use support::speed;
 
 static RUNS: LazyLock<u32> = LazyLock::new(|| speed::of("short runs", 200_000, 1_000_000));
 

@@ -1,9 +1,9 @@
 //! Whatever parameters a constructor accepts, the warp is total: finite samples of positive, finite
 //! density, inverses in [0, 1). Parameters are random bits, ordinary and special numbers.
 
+use host::registry::{Registered, of_libm, of_poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::registry::{Registered, of_libm, of_poly};
 
 const ROUNDS: u32 = 6_000;
 

@@ -1,10 +1,10 @@
 //! The density that comes with a sample: that of its point, or one as near to it as both statements allow.
 
+use host::docs::{Statement, of_floats};
+use host::figures::{Exact, at_open_end};
+use host::moved::Moved;
+use host::registry::{Entry, Uniforms, entries};
 use microwarp::Warp;
-use support::docs::{Statement, of_floats};
-use support::figures::{Exact, at_open_end};
-use support::moved::Moved;
-use support::registry::{Entry, Uniforms, entries};
 
 /// The bound of a row for these uniforms, for a warp that states it.
 struct Bounds {

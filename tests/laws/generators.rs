@@ -1,12 +1,12 @@
 //! Generators meet warps in one place: what a draw consumes, what a failing or a stuck generator does.
 
+use host::generators::{Broken, Counting, Failing};
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseConstant2d};
 use microwarp::uniform::{self, Canonical, FromFn, Rng06, Rng09, TryRng06, Uniforms as _};
 use microwarp::{Invert, Warp, libm, poly};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 use std::convert::Infallible;
-use support::generators::{Broken, Counting, Failing};
 
 /// Fails after some words.
 fn failing(left: u64) -> Failing {
@@ -77,7 +77,7 @@ fn a_draw_consumes_the_documented_number_of_words() {
 /// tail and for tables of `u64`.
 #[test]
 fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
-    for entry in support::registry::entries() {
+    for entry in host::registry::entries() {
         let (mut drawn, mut stepped) = (Pcg32::new(8, 8), Pcg32::new(8, 8));
         entry.warp.fill(&mut drawn, 10);
         for _ in 0..10 * entry.words {
@@ -90,7 +90,7 @@ fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
 /// Over the whole registry: blocks of points, where they are filled so, and what is left of them.
 #[test]
 fn filling_is_drawing_one_by_one() {
-    for entry in support::registry::entries() {
+    for entry in host::registry::entries() {
         for count in [1, 7, 8, 9, 31] {
             let (mut filled, mut drawn) = (Pcg32::new(8, 8), Pcg32::new(8, 8));
             let points = entry.warp.fill(&mut filled, count);
@@ -134,7 +134,7 @@ fn hostile() -> Vec<[f32; 4]> {
 }
 
 /// Whether `Warp::map` and `Warp::map_with_pdf` give what single calls give, bit for bit.
-fn maps(warp: &dyn support::registry::Erased) -> bool {
+fn maps(warp: &dyn host::registry::Erased) -> bool {
     let u = hostile();
     let (points, with_densities) = warp.map(&u);
     assert_eq!((points.len(), with_densities.len()), (u.len(), u.len()));
@@ -153,11 +153,11 @@ fn maps(warp: &dyn support::registry::Erased) -> bool {
 /// Over the whole registry, and a warp whose slices are wrong in one place.
 #[test]
 fn mapping_a_slice_is_sampling_one_by_one() {
-    for entry in support::registry::entries() {
+    for entry in host::registry::entries() {
         assert!(maps(&*entry.warp), "{}", entry.label());
     }
-    assert!(maps(&*support::registry::erased(Off::<false>)));
-    assert!(!maps(&*support::registry::erased(Off::<true>)));
+    assert!(maps(&*host::registry::erased(Off::<false>)));
+    assert!(!maps(&*host::registry::erased(Off::<true>)));
 }
 
 /// The uniform itself; the tenth of a slice comes out wrong.
@@ -210,7 +210,7 @@ fn a_mapped_slice_ends_with_the_shortest() {
 /// are uniforms, those of one number alone make another.
 #[test]
 fn every_way_to_draw_gives_the_same_point() {
-    for entry in support::registry::entries() {
+    for entry in host::registry::entries() {
         for seed in 0..20 {
             let ways = entry.warp.ways(&Pcg32::new(seed, 8));
             assert_eq!(ways.len(), 9);
@@ -320,7 +320,7 @@ fn differing(slices: &poly::Normal, single: &poly::Normal, step: usize) -> usize
 #[test]
 fn slices_of_normals_have_the_bits_of_single_ones() {
     let normal = poly::Normal::new(0.0, 1.0).unwrap();
-    let step = if support::speed::full() { 101 } else { 65_521 };
+    let step = if host::speed::full() { 101 } else { 65_521 };
     assert_eq!(differing(&normal, &normal, step), 0);
     let wider = poly::Normal::new(0.0, 1.0_f32.next_up()).unwrap();
     assert!(differing(&normal, &wider, 65_521) > 1_000);

@@ -1,5 +1,6 @@
 //! Frames and spherical coordinates: no singular normal, no singular point, and the errors they state.
 
+use host::errors::raise;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{Cone, Spherical};
 use microwarp::{
@@ -8,7 +9,6 @@ use microwarp::{
 };
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
-use support::errors::raise;
 
 fn wide(x: [f32; 3]) -> [f64; 3] {
     x.map(f64::from)

@@ -5,10 +5,10 @@ mod names;
 
 use self::files::House;
 use self::names::{count_over, missing};
+use host::registry::entries;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use support::registry::entries;
 
 fn sources(under: &str) -> Vec<(PathBuf, String)> {
     let mut found = Vec::new();

@@ -1,12 +1,12 @@
 //! Lights seen from a point: what their densities integrate to, the irradiance that they estimate, and the weights of a cosine.
 
+use host::speed;
+use host::truth::{self, Point, Truth, lambert};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{SphericalRectangle, SphericalTriangle};
 use microwarp::{Error, Invert, Warp, uniform};
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
-use support::speed;
-use support::truth::{self, Point, Truth, lambert};
 
 /// A light: its warp, and its corners in order.
 struct Light {

@@ -21,8 +21,8 @@ mod truncated;
 mod uniform_shapes;
 mod visible_sphere;
 
-use support::registry::{Domain, Ends, Entry, Point, Uniforms, entries};
-use support::speed;
+use host::registry::{Domain, Ends, Entry, Point, Uniforms, entries};
+use host::speed;
 
 /// Every kind of f32 a caller can hand in as a uniform.
 const ANY: [f32; 24] = [
@@ -317,7 +317,7 @@ fn volume_element(entry: &Entry, u: [f64; 4]) -> f64 {
     }
     let (p, q) = (slope(0), slope(1));
     if matches!(entry.domain, Domain::Solid | Domain::Rotations) {
-        let volume = support::truth::dot(support::truth::cross(p, q), slope(2)).abs();
+        let volume = host::truth::dot(host::truth::cross(p, q), slope(2)).abs();
         // A piece of the half sphere of quaternions is larger than its shadow on w = 0.
         let [x, y, z] = entry.truth.sample(u);
         return match entry.domain {
@@ -328,6 +328,6 @@ fn volume_element(entry: &Entry, u: [f64; 4]) -> f64 {
     if entry.domain == Domain::Barycentric {
         return (p[0] * q[1] - p[1] * q[0]).abs();
     }
-    let c = support::truth::cross(p, q);
-    support::truth::dot(c, c).sqrt()
+    let c = host::truth::cross(p, q);
+    host::truth::dot(c, c).sqrt()
 }

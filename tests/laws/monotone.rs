@@ -5,6 +5,8 @@
 //! neighbours. The map that rounds twice, (1 − u)a + ub, must be found out by all of it.
 
 use crate::any_parameters::any;
+use host::errors::ulp;
+use host::speed;
 use microwarp::discrete::{PiecewiseConstant1d, PiecewiseLinear1d};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{
@@ -13,8 +15,6 @@ use microwarp::{
 };
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::errors::ulp;
-use support::speed;
 
 const GRID: u32 = 1 << 24;
 const STEP: f32 = 1.0 / 16_777_216.0;

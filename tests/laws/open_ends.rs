@@ -6,12 +6,12 @@
 
 use ::fixed::types::extra::U30;
 use ::fixed::types::{I2F30, U0F32};
+use host::errors::ulp;
+use host::generators::Cycle;
+use host::parallel::{in_parallel, threads};
+use host::speed;
 use microwarp::uniform::{Strata1d, Uniforms, deep_from_word, grid_from_word};
 use microwarp::{Warp, fixed, libm, poly, warp::Inversion};
-use support::errors::ulp;
-use support::generators::Cycle;
-use support::parallel::{in_parallel, threads};
-use support::speed;
 
 /// Words and the share of all words that each stands for.
 fn words(per_octave: u32) -> Vec<(u32, f64)> {

@@ -1,10 +1,10 @@
 //! Bad parameters get a typed error from the constructor, and nothing is built; the extremes that are accepted are total.
 
+use host::registry::{Registered, of_libm, of_poly, registered};
 use microwarp::uniform::{MAX_STRATA, Strata1d, Strata2d};
 use microwarp::{Error, Warp as _, libm, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::registry::{Registered, of_libm, of_poly, registered};
 
 #[test]
 fn impossible_parameters_are_refused_by_name() {

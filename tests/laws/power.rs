@@ -2,13 +2,13 @@
 //! underflow is right, nothing steps back, and a start is the start. The map that was there before, whose
 //! clamp hid the overflow, fails here.
 
+use host::errors::ulps;
+use host::{speed, truth};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{Power, PowerMax};
 use microwarp::{Invert, Warp, libm, poly as mw};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::errors::ulps;
-use support::{speed, truth};
 
 const STEP: f32 = 1.0 / 16_777_216.0;
 

@@ -1,12 +1,12 @@
 //! Reflections off microfacets: their directions mirror the view, and their densities are those of the directions.
 
+use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{GgxVisible, Reflection};
 use microwarp::{Warp, uniform};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::{PI, TAU};
-use support::speed;
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -1,14 +1,14 @@
 //! Triangles and patches of any shape and place: no density 0 at a sample of theirs, none above 0 far from them, and
 //! shares of the points of a small triangle far off that are right to the rounding of their cells.
 
+use host::speed;
+use host::truth::{OnTriangle, Truth};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{Cone, SphericalPatch, Tent, TriangleOn};
 use microwarp::{Warp, uniform};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::PI;
-use support::speed;
-use support::truth::{OnTriangle, Truth};
 
 /// 2 to a power between two ends, of either sign.
 fn spread(rng: &mut Pcg32, low: f32, high: f32) -> f32 {

@@ -1,13 +1,13 @@
 //! Surfaces with their normals: of any sizes, flat ones among them, whose points the position alone does not tell apart.
 
+use host::docs::Doc;
+use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{BoxSurface, CapsuleSurface, FrustumSurface, SurfacePoint};
 use microwarp::{Invert, Warp, uniform};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::{PI, TAU};
-use support::docs::Doc;
-use support::speed;
 
 /// 0, or 2 to a power between two ends.
 fn size(rng: &mut Pcg32, low: f32, high: f32) -> f32 {

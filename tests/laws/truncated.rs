@@ -2,13 +2,13 @@
 //! x = 0. The map that was there before, measured from the far end alone, fails here. And of a truncated normal the least
 //! uniforms, and how far it turns back between neighbours.
 
+use host::errors::{ulp, ulps};
+use host::truth::{self, Truth};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{TruncatedExponential, TruncatedNormal};
 use microwarp::{Error, Warp, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::errors::{ulp, ulps};
-use support::truth::{self, Truth};
 
 /// What the documentation states, in ulp.
 const STATED: f64 = 4.4;

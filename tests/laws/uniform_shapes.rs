@@ -1,6 +1,9 @@
 //! Rings, balls, rotations, polygons and simplices: what the registry's three coordinates do not show, and laws that
 //! hold for a shape alone.
 
+use host::docs::{Doc, of_floats};
+use host::errors::ulp;
+use host::{speed, stats, truth};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::grid;
 use microwarp::warp::{Annulus, Ball, Disk, RegularPolygon, Rotation, Simplex};
@@ -8,9 +11,6 @@ use microwarp::{Invert, Warp};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::PI;
-use support::docs::{Doc, of_floats};
-use support::errors::ulp;
-use support::{speed, stats, truth};
 
 const STEP: f32 = 1.0 / 16_777_216.0;
 

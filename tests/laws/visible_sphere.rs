@@ -1,16 +1,16 @@
 //! Spheres seen from a point: inside or outside is decided exactly, and the cone and the distance to the surface are right at
 //! every height above it.
 
+use host::docs::Doc;
+use host::errors::raise;
+use host::speed;
+use host::truth::SeenSphere;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::{LARGEST, grid};
 use microwarp::warp::VisibleSphere;
 use microwarp::{Error, Warp as _};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::docs::Doc;
-use support::errors::raise;
-use support::speed;
-use support::truth::SeenSphere;
 
 /// A number with the digits of `f32` and an exponent of its own.
 fn number(rng: &mut Pcg32, decades: f32) -> f32 {

@@ -1,14 +1,14 @@
 //! The acceptance: as exact as stated, from densities and ratios of any magnitude.
 
 use super::exact::Fraction;
+use host::generators::Cycle;
+use host::speed;
 use microwarp::metropolis::{
     Chain, HastingsCorrection, HastingsRatio, Mutation, Outcome, Proposal, Symmetric,
     TargetDensity, Transition,
 };
 use rand_core::{Rng as _, TryRng};
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
-use support::speed;
 
 /// Proposes state 1, with a correction of the test's own.
 #[derive(Clone, Copy)]

@@ -1,13 +1,13 @@
 //! Whether R̂ and the time tell chains that have been everywhere from chains that have not.
 
 use crate::series::autoregression;
+use host::speed;
 use microwarp::estimate::Moments;
 use microwarp::metropolis::{
     Autocorrelation, BoxStep, Chain, Halves, Mixture, Mutation, UniformStep, WrappedWalk, r_hat,
     split_r_hat,
 };
 use rand_pcg::Pcg32;
-use support::speed;
 
 const STEPS: usize = 20_000;
 

@@ -3,10 +3,10 @@
 
 use crate::series::{SHAPES, Truth, normal, shaped, unit};
 use crate::stated::{above, assert_stated, below, stated_error};
+use host::speed;
 use microwarp::metropolis::Autocorrelation;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 pub const AUTOCORRELATION: &str = include_str!("../../src/metropolis/autocorrelation.rs");
 

@@ -1,6 +1,8 @@
 //! The chain as a value: what a rejected and a refused step leave, counts, burning in, and what is recorded.
 
 use super::weighed::Bits;
+use host::generators::{Broken, Cycle, Failing};
+use host::speed;
 use microwarp::metropolis::{
     Chain, Mutation, Outcome, Proposal, Symmetric, UniformIndex, UniformStep,
 };
@@ -8,8 +10,6 @@ use microwarp::poly as mw;
 use microwarp::uniform::grid;
 use rand_core::{Rng as _, TryRng};
 use rand_pcg::Pcg32;
-use support::generators::{Broken, Cycle, Failing};
-use support::speed;
 
 /// Proposes one state, at the cost of one word.
 struct To<X>(X);

@@ -5,11 +5,11 @@
 //! accept. What galloping takes for granted is then asked of random words.
 
 use super::weighed::Weighed;
+use host::generators::{Counting, Cycle};
 use microwarp::metropolis::{Chain, Mutation, Outcome, Transition};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
-use support::generators::{Counting, Cycle};
 
 /// All words are counted in units of 2^-128: 2^32 words pick, 2^64 propose and 2^32 decide. Of fewer words
 /// each counts as often as the missing ones would have made it.

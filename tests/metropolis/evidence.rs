@@ -15,8 +15,8 @@
 //! holds as it is, in more cells.
 
 use crate::{flaws, long, start, targets};
+use host::stats;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
-use support::stats;
 
 /// The p-value below which a test rejects, of as many as the files judged here compute.
 pub fn threshold() -> f64 {

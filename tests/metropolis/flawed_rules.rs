@@ -4,6 +4,7 @@ use crate::densities::*;
 use crate::evidence::assert_passes;
 use crate::flaws::{p_values, rejected};
 use crate::subjects::{Subject, chain, walking};
+use host::speed;
 use microwarp::metropolis::{
     HastingsCorrection, HastingsRatio, Independence, Mutation, Outcome, Proposal, StateSource,
     Symmetric, Transition, UniformStep,
@@ -11,7 +12,6 @@ use microwarp::metropolis::{
 use microwarp::poly;
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 /// A mutation whose ratio is replaced.
 #[derive(Clone, Copy)]

@@ -4,10 +4,10 @@ use crate::densities::*;
 use crate::evidence::{assert_passes, assert_rejected};
 use crate::runs::FULL;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
+use host::speed;
 use microwarp::metropolis::{BoxStep, Chain, Mutation, Outcome, Proposal, Symmetric, Transition};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 /// The p-values of right chains here, computed beside the wrong ones'.
 pub const P_VALUES: usize = 17;

@@ -1,6 +1,8 @@
 //! How many words accept, of integer weights: the exact number, for weights and ratios of any magnitude.
 
 use super::acceptance::Given;
+use host::generators::Cycle;
+use host::speed;
 use microwarp::metropolis::{
     Chain, Chance, HastingsCorrection, HastingsCounts, HastingsRatio, Outcome, Symmetric,
     Transition,
@@ -8,8 +10,6 @@ use microwarp::metropolis::{
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
-use support::speed;
 
 /// All decision words, and all words of the widest table.
 pub const ALL: u64 = 1 << 32;

@@ -5,6 +5,8 @@ use super::acceptance::{Given, positive, step as float_step};
 use super::balance::Enumerated;
 use super::enumeration::Words;
 use super::stated::stated;
+use host::speed;
+use host::stats::{chi_square, threshold};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     Chain, Chance, HastingsCounts, HastingsRatio, Independence, LogDensity, Mixture, Mutation,
@@ -16,8 +18,6 @@ use microwarp::{Error, poly};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
-use support::speed;
-use support::stats::{chi_square, threshold};
 
 const WEIGHTS: [u32; 6] = [5, 0, 1, 40, 0, 12];
 

@@ -1,10 +1,10 @@
 //! The laws of steps, over every word: as likely as their negatives to the last bit, and distributed as
 //! stated, by exact counts.
 
+use host::speed::{self, sampled};
 use microwarp::metropolis::{BoxStep, LogUniformStep, NormalStep, StepLaw};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::FRAC_1_SQRT_2;
-use support::speed::{self, sampled};
 
 /// The words that differ, as the upper 24 bits of one.
 pub const WORDS: u32 = 1 << 24;

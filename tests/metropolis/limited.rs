@@ -5,10 +5,10 @@ use super::counterexamples::table;
 use super::enumeration::runs;
 use super::matrices::Neighbour;
 use super::spectrum::{Matrix, stationary};
+use host::generators::Cycle;
+use host::speed;
 use microwarp::metropolis::{Chain, Mutation, Outcome, Saved, UniformIndex};
 use std::num::NonZeroU32;
-use support::generators::Cycle;
-use support::speed;
 
 /// A chain with a limit, expanded: place x (limit + 1) + r for state x after r rejections.
 struct Expanded {

@@ -1,10 +1,10 @@
 //! Steps with a limit: never more rejections in a row than it says, and nothing forced that may not be.
 
 use super::acceptance::Given;
+use host::generators::{Broken, Cycle, Failing};
 use microwarp::metropolis::{Chain, HastingsRatio, Outcome, Saved, UniformStep};
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
-use support::generators::{Broken, Cycle, Failing};
 
 fn limit(n: u32) -> NonZeroU32 {
     NonZeroU32::new(n).unwrap()

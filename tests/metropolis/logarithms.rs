@@ -2,12 +2,12 @@
 
 use super::acceptance::{acceptance, positive, step};
 use super::stated::stated;
+use host::speed::{self, sampled};
 use microwarp::metropolis::{Chain, HastingsRatio, LogDensity, Outcome, Symmetric};
 use microwarp::poly;
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
-use support::speed::{self, sampled};
 
 const SOURCE: &str = include_str!("../../src/metropolis/target_density.rs");
 const SYMMETRIC: &str = "acceptance at a symmetric mutation, ulp";

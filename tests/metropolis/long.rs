@@ -2,13 +2,13 @@
 
 use crate::evidence::{assert_passes, assert_rejected, hotelling};
 use crate::long_record::{Setting, assert_sound};
+use host::speed;
+use host::stats;
 use microwarp::metropolis::{
     BoxStep, Chain, HastingsRatio, LargeSmall, Mixture, Mutation, Proposal, Saved, WrappedWalk,
 };
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
-use support::speed;
-use support::stats;
 
 /// The p-values that are computed in this file: four of the normalisation and two of cells; two of cells.
 pub const P_VALUES: usize = 8;

@@ -2,10 +2,10 @@
 
 use crate::autocorrelation::AUTOCORRELATION;
 use crate::stated::{after, assert_stated, stated_error};
+use host::speed;
 use microwarp::metropolis::Autocorrelation;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 const LAGS: usize = 3;
 

@@ -1,6 +1,7 @@
 //! Mixtures: each mutation by exactly the words of its table, with its own ratio and its index as the kind.
 
 use crate::stated::{above, below};
+use host::generators::Cycle;
 use microwarp::Error;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
@@ -10,7 +11,6 @@ use microwarp::metropolis::{
 use microwarp::poly as mw;
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
 
 /// Proposes always one number, and states a ratio of it.
 #[derive(Clone, Copy)]

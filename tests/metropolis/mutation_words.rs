@@ -1,5 +1,6 @@
 //! The words that mutations take of a generator, and that its failure at any of them passes through.
 
+use host::generators::{Broken, Counting, Failing};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     BoxStep, Independence, LogUniformStep, Mixture, Mutation, NormalStep, OneCoordinate, Product,
@@ -9,7 +10,6 @@ use microwarp::poly as mw;
 use microwarp::tier::{Libm, Poly};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
-use support::generators::{Broken, Counting, Failing};
 
 /// Takes exactly so many words of any generator, and hands on its error at each of them.
 fn takes<X, M>(name: &str, mutation: &M, from: X, words: u64)

@@ -2,6 +2,8 @@
 //! parameters, from any state.
 
 use crate::stated::below;
+use host::generators::Cycle;
+use host::speed;
 use microwarp::Error;
 use microwarp::metropolis::{
     BoxStep, LogUniformStep, Mixture, Mutation, NormalStep, OneCoordinate, StepLaw, Subset,
@@ -10,8 +12,6 @@ use microwarp::metropolis::{
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
-use support::speed;
 
 const TINY: f32 = f32::from_bits(1);
 

@@ -1,6 +1,7 @@
 //! Mutations of the whole cube, of indices and of some coordinates: what they pick, by exact counts, and what they
 //! keep.
 
+use host::generators::Cycle;
 use microwarp::Error;
 use microwarp::metropolis::{
     BoxStep, HastingsRatio, Independence, Mutation, NormalStep, OneCoordinate, Subset, Symmetric,
@@ -10,7 +11,6 @@ use microwarp::poly as mw;
 use microwarp::tier::{Libm, Poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
 
 #[test]
 fn a_uniform_step_is_the_words_on_the_grid() {

@@ -2,6 +2,8 @@
 //! recorded by them has the right mean from the first step on.
 
 use crate::start::humps;
+use host::mean::Mean;
+use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, LogDensity, Mixture, Mutation, Outcome, Product, UniformIndex, UniformStep,
     WithPayload, WrappedWalk,
@@ -9,8 +11,6 @@ use microwarp::metropolis::{
 use microwarp::tier::Poly;
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
-use support::mean::Mean;
-use support::speed;
 
 type Point = [f32; 2];
 

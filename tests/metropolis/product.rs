@@ -1,6 +1,9 @@
 //! Products: each part as its own mutation proposes it, and the acceptance of all parts together, by exact numbers of words.
 
 use crate::exact::Fraction;
+use host::generators::Cycle;
+use host::mean::Mean;
+use host::speed;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
     Chain, HastingsCounts, HastingsRatio, Independence, Mutation, Product, Proposal, StateSource,
@@ -10,9 +13,6 @@ use microwarp::{Warp, metropolis::BoxStep, poly as mw};
 use num_bigint::BigUint;
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
-use support::mean::Mean;
-use support::speed;
 
 #[test]
 fn parts_are_proposed_in_order_by_their_own_mutations() {

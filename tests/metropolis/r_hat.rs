@@ -3,11 +3,11 @@
 
 use crate::series::{SHAPES, normal, shaped};
 use crate::stated::{above, assert_stated, below, stated};
+use host::speed;
 use microwarp::estimate::Moments;
 use microwarp::metropolis::{Halves, r_hat, split_r_hat};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 const R_HAT: &str = include_str!("../../src/metropolis/r_hat.rs");
 

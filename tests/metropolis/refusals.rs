@@ -1,6 +1,7 @@
 //! What is no density or no ratio is never accepted, whatever the words; and is counted as what it is.
 
 use super::acceptance::{Given, positive, step};
+use host::generators::Cycle;
 use microwarp::Error;
 use microwarp::metropolis::{
     Chain, HastingsCorrection, HastingsCounts, HastingsRatio, LogDensity, Mixture, Outcome,
@@ -9,7 +10,6 @@ use microwarp::metropolis::{
 use microwarp::tier::{Libm, Poly};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
-use support::generators::Cycle;
 
 const WORDS: [u32; 5] = [0, 1, 1 << 31, u32::MAX - 1, u32::MAX];
 const FROM: [f32; 5] = [1e-45, f32::MIN_POSITIVE, 1.0, 3e38, f32::MAX];

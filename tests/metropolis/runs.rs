@@ -3,10 +3,10 @@
 use crate::densities::Cells;
 use crate::evidence;
 use crate::series::Truth;
+use host::speed;
+use host::stats;
 use microwarp::metropolis::{Autocorrelation, Transition};
 use rand_pcg::Pcg32;
-use support::speed;
-use support::stats;
 
 /// How much is run.
 #[derive(Clone, Copy)]

@@ -2,10 +2,10 @@
 
 use crate::evidence::{assert_passes, assert_rejected, p_value_of_mean};
 use crate::start_weights;
+use host::speed;
 use microwarp::metropolis::{BoxStep, Chain, UniformStep};
 use rand_pcg::Pcg32;
 use std::sync::OnceLock;
-use support::speed;
 
 /// No fewer than the p-values that are computed here; `p_values_are_counted` counts them.
 pub const P_VALUES: usize = 120;
@@ -191,7 +191,7 @@ fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
     let spread = (0.25 / runs as f64).sqrt() * 2_f64.sqrt();
     assert_passes(
         "100 steps",
-        &[support::stats::two_sided((k100 - after_burn_in) / spread)],
+        &[host::stats::two_sided((k100 - after_burn_in) / spread)],
     );
 }
 

@@ -2,12 +2,12 @@
 //! first state, what both refuse, and the words that they take.
 
 use crate::start_weights::Listed;
+use host::generators::{Broken, Counting, Cycle, Failing};
 use microwarp::metropolis::{Chain, LogDensity, UniformStep};
 use microwarp::poly;
 use microwarp::rejection::Failure;
 use microwarp::tier::Poly;
 use rand_pcg::Pcg32;
-use support::generators::{Broken, Counting, Cycle, Failing};
 
 /// How many of all 2³² words let candidate j, the last one, take the place of the one held. The words that
 /// do are those below a border, which bisection finds.

@@ -110,7 +110,7 @@ fn a_density_that_rises_in_many_steps_leaves_the_sums_in_range() {
         let pdf: Vec<f32> = (0..100).map(|i| (1e-37 * ratio.powi(i)) as f32).collect();
         // Each in its turn, and a word that decides.
         let words: Vec<u32> = (0..100).flat_map(|i| [i, 0xffff_ffff]).collect();
-        let mut rng = support::generators::Cycle::new(&words);
+        let mut rng = host::generators::Cycle::new(&words);
         let found =
             Chain::resample(|i: usize| target[i], &Listed { pdf: &pdf }, 100, &mut rng).unwrap();
         let weights: Vec<f64> = (0..100)

@@ -2,9 +2,9 @@
 
 use crate::laws::{HALF, Law, exponential, normal};
 use crate::stated::{STEP_LAW, assert_stated, stated};
+use host::speed::{self, sampled};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
-use support::speed::{self, sampled};
 
 /// The words looked at whose leading bit is 0.
 fn halves() -> Vec<u32> {

@@ -3,6 +3,7 @@
 use crate::densities::*;
 use crate::matrices::Neighbour;
 use crate::runs::{FULL, Outcome, Plan, plan, run};
+use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TargetDensity,
     Transition, UniformIndex, UniformStep, WrappedWalk, primary_density,
@@ -10,7 +11,6 @@ use microwarp::metropolis::{
 use microwarp::{Warp, discrete::Cdf, libm, poly};
 use rand_pcg::Pcg32;
 use std::rc::Rc;
-use support::speed;
 
 type Runner = Box<dyn Fn(&Plan, u64) -> Outcome>;
 

@@ -4,8 +4,8 @@
 use crate::evidence::{assert_passes, assert_rejected, p_value_of_uniforms};
 use crate::runs::{Outcome, Plan, plan};
 use crate::subjects;
+use host::speed;
 use std::sync::OnceLock;
-use support::speed;
 
 /// No fewer than the p-values that are computed in this file; `p_values_are_counted` counts them.
 pub const P_VALUES: usize = 80;

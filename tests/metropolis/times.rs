@@ -3,9 +3,9 @@
 use crate::autocorrelation::{AUTOCORRELATION, pushed};
 use crate::series::{SHAPES, Truth, autoregression, normal, shaped};
 use crate::stated::stated_error;
+use host::speed;
+use host::stats;
 use rand_pcg::Pcg32;
-use support::speed;
-use support::stats;
 
 /// No fewer than the p-values that are computed in this file.
 const TESTS: usize = 10;

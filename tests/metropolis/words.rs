@@ -1,6 +1,7 @@
 //! Words: how many a step takes, and what is left of one that fails for want of them.
 
 use super::weighed::{Bits, Weighed};
+use host::generators::{Broken, Counting, Failing};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TransitionTable,
@@ -8,7 +9,6 @@ use microwarp::metropolis::{
 };
 use microwarp::poly as mw;
 use rand_pcg::Pcg32;
-use support::generators::{Broken, Counting, Failing};
 
 /// A mutation takes the words that the documentation says, and one decides, whatever comes of the proposal;
 /// where the generator fails at any of them, the chain is as it was, to the last bit, and goes on from there.

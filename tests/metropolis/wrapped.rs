@@ -1,6 +1,7 @@
 //! Walks in the unit cube: as many words lead from each grid point to each other as lead back.
 
 use crate::laws::{HALF, Law, WORDS, boxed, exponential, normal};
+use host::speed;
 use microwarp::metropolis::{
     BoxStep, LogUniformStep, Mutation, NormalStep, StepLaw, WrappedWalk, wrapping_add,
 };
@@ -8,7 +9,6 @@ use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::{LARGEST, grid_from_word};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 /// Laws whose steps are below a grid spacing, about one, as long as the line, and many times as long.
 fn laws() -> [Law; 8] {

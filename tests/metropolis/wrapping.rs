@@ -1,11 +1,11 @@
 //! The sum modulo 1: by the rule that is documented, worked out in integers, for any two numbers at all.
 
 use crate::stated::{above, below};
+use host::speed;
 use microwarp::metropolis::wrapping_add;
 use microwarp::uniform::LARGEST;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 const POINTS: u32 = 1 << 24;
 

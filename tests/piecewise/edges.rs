@@ -1,10 +1,10 @@
 //! Every edge and its neighbours are found in the right cell; samples are in the cell that was selected.
 
 use crate::{above, below, draw, edge, equal, step_below};
+use host::speed;
 use microwarp::discrete::{Cdf, PiecewiseConstant1d};
 use microwarp::uniform::grid_from_word;
 use microwarp::{Error, Invert, Warp};
-use support::speed;
 
 const RANGES: [[f32; 2]; 10] = [
     [0.0, 1.0],

@@ -1,5 +1,8 @@
 //! Triangle meshes: exact areas of any sliver, faces without area that are never met, weights of the caller, refusals.
 
+use host::docs::of_floats;
+use host::speed;
+use host::truth::{OnTriangle, Point, Truth, cross, dot};
 use microwarp::Error::{
     AllZero, Empty, NegativeWeight, NoWeights, NotFiniteWeight, OutOfRange, TooLarge,
     TooManyWeights, Unreachable,
@@ -8,9 +11,6 @@ use microwarp::discrete::{Cdf, Mesh, MeshPoint};
 use microwarp::{Error, Invert, Warp, uniform};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::docs::of_floats;
-use support::speed;
-use support::truth::{OnTriangle, Point, Truth, cross, dot};
 
 /// Finite vertices far off or near, every second time on nearly one line.
 fn triangle(rng: &mut Pcg32) -> [[f32; 3]; 3] {

@@ -2,6 +2,7 @@
 //! solid angle, rows weigh what their zones do, and what is no sky is refused.
 
 use crate::halves;
+use host::speed;
 use microwarp::Error::{
     AllZero, Empty, NegativeWeight, NoWeights, NotFiniteWeight, OutOfRange, TooManyWeights,
     Unreachable,
@@ -14,7 +15,6 @@ use num_bigint::BigUint;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::{PI, TAU};
-use support::speed;
 
 type Narrow<'a, T> = LatLongMap<T, &'a [u32], &'a [u32]>;
 

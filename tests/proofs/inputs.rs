@@ -1,8 +1,8 @@
 //! The inputs of the maps, and the threads that go through them.
 
+use host::parallel::{self, threads};
+use host::speed;
 use std::sync::LazyLock;
-use support::parallel::{self, threads};
-use support::speed;
 
 /// Which uniforms a bound holds for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

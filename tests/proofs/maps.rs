@@ -5,11 +5,11 @@ use crate::inputs::Uniforms;
 use crate::phases::{self, Cell};
 use crate::radii::{self, Radii};
 use crate::search;
+use host::errors::raise;
+use host::figures::Figures;
+use host::registry::{Entry, Measure, entries};
 use microwarp::tier::Tier;
 use microwarp::uniform::LARGEST;
-use support::errors::raise;
-use support::figures::Figures;
-use support::registry::{Entry, Measure, entries};
 
 pub const MAPS: [&str; 7] = [
     "Disk",
@@ -117,7 +117,7 @@ pub fn examine<T: Tier>(
             found.join(largest);
         };
         near(&sample);
-        if entry.domain == support::registry::Domain::Directions {
+        if entry.domain == host::registry::Domain::Directions {
             near(&length);
         }
     };

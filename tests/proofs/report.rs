@@ -1,9 +1,9 @@
 //! The figures: as stated in the documentation of the maps, as proven, as found, and their table in `docs/proofs.md`.
 
 use crate::maps::{MAPS, Outcome, Row};
+use host::docs::{self, Page, STALE};
+use host::speed;
 use std::fmt::Write as _;
-use support::docs::{self, Page, STALE};
-use support::speed;
 
 /// The rows that are proven, as the table of a map calls them.
 const TITLES: [&str; 4] = ["sample", "sin θ, ulp", "cos θ, ulp", "unit length"];

@@ -4,8 +4,8 @@ use crate::bounds::Worst;
 use crate::inputs::Uniforms;
 use crate::phases::Cell;
 use crate::radii::Radii;
-use support::figures::{Exact, Figures, sample_error};
-use support::registry::Entry;
+use host::figures::{Exact, Figures, sample_error};
+use host::registry::Entry;
 
 /// Phases and first uniforms that are tried with each other.
 const PHASES: usize = 64;

@@ -1,5 +1,6 @@
 //! Budgets are kept to the word, and no generator makes a sampler hang.
 
+use host::generators::{Broken, Counting, Cycle, Failing};
 use microwarp::rejection::{
     Accepted, BallRejection, Bounded, DEFAULT_BUDGET, DiskRejection, Failure, Region, Rejection,
     budget_for,
@@ -9,7 +10,6 @@ use microwarp::warp::Aabb;
 use microwarp::{Error, poly, warp::Interval};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::generators::{Broken, Counting, Cycle, Failing};
 
 const STUCK: [u32; 14] = [
     0,

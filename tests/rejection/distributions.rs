@@ -2,6 +2,7 @@
 
 use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
 use crate::subjects::{self, MORE, POINTS, run};
+use host::{speed, stats};
 use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
 use microwarp::warp::Aabb;
@@ -11,7 +12,6 @@ use microwarp::{
 };
 use rand_core::TryRng;
 use std::f32::consts::{FRAC_1_PI, PI};
-use support::{speed, stats};
 
 #[test]
 fn accepted_points_have_the_stated_law() {

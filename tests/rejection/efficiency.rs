@@ -4,11 +4,11 @@ use crate::examination::{
     assert_passes, assert_rejected, p_value_of_mean, p_value_of_tries, totals,
 };
 use crate::subjects::{self, MORE, POINTS};
+use host::stats;
 use microwarp::Error;
 use microwarp::rejection::{BallRejection, DiskRejection, Failure, Rejection, budget_for};
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_4, FRAC_PI_6, LN_2};
-use support::stats;
 
 #[test]
 fn tries_are_geometric_with_the_stated_efficiency() {

@@ -1,6 +1,6 @@
 //! What is asked of a sampler's points and tries, and the p-values of the answers.
 
-use support::stats;
+use host::stats;
 
 /// No fewer than the p-values that are computed in these files; `p_values_are_counted` counts them.
 pub const TESTS: usize = 150;

@@ -1,14 +1,14 @@
 //! The disks of the integer tier: every word there is, and for two words the whole rim, in exact arithmetic.
 
 use ::fixed::types::{I2F30, U0F32};
+use host::generators::{Broken, Counting, Cycle, Failing};
+use host::speed;
 use microwarp::Error;
 use microwarp::fixed::{DiskRejection, DiskRejection16};
 use microwarp::rejection::{Failure, Rejection};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_4};
-use support::generators::{Broken, Counting, Cycle, Failing};
-use support::speed;
 
 /// The radius of each grid: 2^16 and 2^30 units.
 const SHORT: i64 = 1 << 16;

@@ -2,10 +2,10 @@
 
 use crate::bounds::count_from_0;
 use crate::curves::{CURVES, Curve, Geometry, LAYERS};
+use host::speed;
 use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 /// 2²⁴, the width of a layer in units of its grid.
 const UNITS: f64 = 16_777_216.0;

@@ -1,15 +1,15 @@
 //! `PoissonRejection`: the law that all pairs of words have together, counted and not sampled; its efficiency, its pmf,
 //! its refusals and its draws.
 
+use host::docs::Doc;
+use host::generators::{Broken, Counting, Cycle, Failing};
+use host::speed;
+use host::stats::{chi_square, threshold};
 use microwarp::rejection::{Failure, PoissonRejection, Rejection};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{Error, poly};
 use rand_pcg::Pcg32;
 use statrs::function::gamma::ln_gamma;
-use support::docs::Doc;
-use support::generators::{Broken, Counting, Cycle, Failing};
-use support::speed;
-use support::stats::{chi_square, threshold};
 
 fn ln_pmf(mean: f64, k: u32) -> f64 {
     let k = f64::from(k);

@@ -4,6 +4,7 @@
 
 use crate::examination::{Run, histogram, p_values_of_points};
 use ::fixed::types::I2F30;
+use host::speed;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for};
 use microwarp::warp::Aabb;
 use microwarp::{
@@ -13,7 +14,6 @@ use microwarp::{
 use rand_pcg::Pcg32;
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, LN_2, PI, TAU};
 use std::sync::{LazyLock, OnceLock};
-use support::speed;
 
 /// Points of a run.
 pub static POINTS: LazyLock<usize> =

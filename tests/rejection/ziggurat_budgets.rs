@@ -2,6 +2,8 @@
 
 use crate::curves::{CURVES, Curve};
 use crate::layers::{attempt, word};
+use host::generators::{Broken, Counting, Cycle, Failing};
+use host::speed;
 use microwarp::rejection::{
     Failure, Rejection, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
     ZigguratStandardNormal, budget_for,
@@ -9,8 +11,6 @@ use microwarp::rejection::{
 use microwarp::{Error, Warp, poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::generators::{Broken, Counting, Cycle, Failing};
-use support::speed;
 
 /// The place farthest out in the last layer, where no second word but the very first ones accepts.
 fn rejected(curve: Curve) -> u32 {

@@ -6,6 +6,7 @@ use crate::examination::{
     assert_passes, assert_rejected, histogram, p_value_of_mean, p_value_of_tries,
 };
 use crate::layers::{attempt, unit, word};
+use host::{speed, stats};
 use microwarp::rejection::{
     Rejection, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
     ZigguratStandardNormal,
@@ -13,7 +14,6 @@ use microwarp::rejection::{
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::sync::LazyLock;
-use support::{speed, stats};
 
 /// Numbers of a run.
 static NUMBERS: LazyLock<usize> =

@@ -2,10 +2,10 @@
 //! `tests/golden/scene.csv`. Firmware and WASM are held to the same table. `cargo regenerate` adds the lines of new pictures;
 //! it changes others only where they are named.
 
+use host::parallel::{in_parallel, threads};
 use microwarp_scene::golden::{Case, Room, cases, hash};
 use microwarp_scene::{Plan, Random};
 use std::path::Path;
-use support::parallel::{in_parallel, threads};
 
 /// One row a picture.
 fn rows() -> Vec<String> {

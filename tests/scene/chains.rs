@@ -1,6 +1,8 @@
 //! Metropolis light transport in the example `scene`: pictures of many short chains have the mean of plain ones, region by
 //! region. Chains that are wrong on purpose do not.
 
+use host::mean::Mean;
+use host::speed;
 use microwarp::discrete::Cdf;
 use microwarp::metropolis::{
     BoxStep, Chain, HastingsRatio, Mixture, Mutation, Product, Proposal, StateSource, Symmetric,
@@ -20,8 +22,6 @@ use microwarp_scene::{
 };
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
-use support::mean::Mean;
-use support::speed;
 
 const SIZE: [u32; 2] = [6, 4];
 

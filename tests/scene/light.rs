@@ -1,6 +1,9 @@
 //! The path tracer of the example `scene` against what is known of light: energy is kept, lamps shine as their closed forms
 //! say, and every way to sample finds the same. What is wrong on purpose is found out.
 
+use host::mean::Mean;
+use host::speed;
+use host::twin::Forgotten;
 use microwarp::constant;
 use microwarp::discrete::{Cdf, LatLongMap};
 use microwarp::tier::{Libm, Poly, Tier};
@@ -20,9 +23,6 @@ use rand_core::{Rng, TryRng};
 use std::convert::Infallible;
 use std::f64::consts::PI;
 use std::marker::PhantomData;
-use support::mean::Mean;
-use support::speed;
-use support::twin::Forgotten;
 
 static ONE: Cdf<[u32; 1]> = constant!(Cdf::new(&[1.0]));
 

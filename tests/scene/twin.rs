@@ -1,6 +1,10 @@
 //! The path tracer of the example `scene` against its twin in `f64`: from the same words both follow the same paths, and
 //! their pictures agree. Renderers that are wrong on purpose do not.
 
+use host::mean::Mean;
+use host::parallel::{in_parallel, threads};
+use host::speed;
+use host::twin::{Air, Forgotten, Heaven, Record, Source64, Stuff, Twin};
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::{ByPosition, Canonical};
 use microwarp::warp::{CosineHemisphere, HenyeyGreenstein, PhongLobe, Tent, TruncatedExponential};
@@ -12,10 +16,6 @@ use microwarp_scene::{
     Shape, Sky, Source, View,
 };
 use rand_core::Rng;
-use support::mean::Mean;
-use support::parallel::{in_parallel, threads};
-use support::speed;
-use support::twin::{Air, Forgotten, Heaven, Record, Source64, Stuff, Twin};
 
 /// Columns and rows.
 const SIZE: [u32; 2] = [48, 32];

@@ -1,13 +1,13 @@
 //! Tables that are taken without a check: what was made comes back, and wrong words do no more than select wrongly.
 
 use crate::{UNIT, weights};
+use host::speed;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Storage, Word,
 };
 use microwarp::{Error, Invert, Warp};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::speed;
 
 /// Words of every kind: anything, the ends, small numbers.
 fn garbage(rng: &mut Pcg32, n: usize) -> Vec<u64> {

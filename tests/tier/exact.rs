@@ -1,11 +1,11 @@
 //! What holds without an error: the correctly rounded root, quarter turns, and steps that never go back.
 
+use host::parallel::{in_parallel, threads};
+use host::speed;
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::{FromFn, LARGEST, grid_from_word};
 use microwarp::warp::Exponential;
-use support::parallel::{in_parallel, threads};
-use support::speed;
 
 /// Every f32 of two adjacent binades, in the quick speed every 13th, which stand for all others by scaling with powers of 4, and a
 /// sample of those against f64, whose root rounds to the same f32.

@@ -1,8 +1,8 @@
 //! How far a function is from the truth, and what the documentation of a tier says about it.
 
 use crate::sweep::Input;
-use support::docs::{self, Doc, rounded_up, states};
-use support::errors::{raise, relative, ulp};
+use host::docs::{self, Doc, rounded_up, states};
+use host::errors::{raise, relative, ulp};
 
 /// The largest errors of a function. What is not a number counts as infinitely wrong.
 #[derive(Clone, Copy, Debug, Default)]

@@ -14,9 +14,9 @@ mod sweep;
 
 use cases::{Case, Function, cases};
 use figures::{Figures, Row, stated};
+use host::parallel::{in_parallel, threads};
+use host::speed;
 use microwarp::tier::{Poly, Tier};
-use support::parallel::{in_parallel, threads};
-use support::speed;
 use sweep::Sweep;
 
 const TIERS: [&str; 2] = ["libm", "poly"];

@@ -1,8 +1,8 @@
 //! The inputs over which a function is measured, as numbered lists that threads can share.
 
+use host::speed;
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
-use support::speed;
 
 /// Inputs of a function of one or two arguments; where there is one, it is the first.
 pub type Input = (f32, f32);

@@ -1,11 +1,11 @@
 //! Canonical uniforms: every value of a grid is reachable and equally likely, and nothing leaves [0, 1).
 
+use host::speed;
 use microwarp::uniform::{
     LARGEST, SMALLEST, Uniforms, deep_from_word, full_from_words, grid_from_word, open_from_word,
 };
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::speed;
 
 /// All 2^32 words, in the quick speed one of every 1021, a thread for each half.
 fn for_all_words(law: impl Fn(u32) + Sync) {

@@ -1,5 +1,5 @@
 //! The registry of measured functions. The names stand in these files, and those of warps in the lists of
-//! `tests/golden/src`, as string literals, each once; the runner reads them from there.
+//! `crates/list/src`, as string literals, each once; the runner reads them from there.
 #![allow(
     dead_code,
     unused_imports,

@@ -100,4 +100,4 @@ macro_rules! texts {
 }
 
 // `Error` may grow. The tests in C ask for the text of every code in the header, whose list is the same.
-microwarp_golden::errors!(texts);
+microwarp_list::errors!(texts);

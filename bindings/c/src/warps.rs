@@ -6,7 +6,7 @@ use crate::layout::LAYOUT;
 use crate::value::Value;
 use core::slice;
 use core_crate::{Invert, Warp};
-use microwarp_golden::{float_warps, integer_warps};
+use microwarp_list::{float_warps, integer_warps};
 
 pub type Given<T> = <T as Value>::Given;
 pub type Place<T> = <T as Value>::Place;

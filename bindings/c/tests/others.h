@@ -1,7 +1,7 @@
 /*
  * The golden subjects that are no warps, as far as C has their functions; included by golden.c, behind its inputs.
  *
- * They follow tests/golden/src line by line. `skip` stands for a word of a function that only Rust has; where such words
+ * They follow crates/list/src line by line. `skip` stands for a word of a function that only Rust has; where such words
  * vary in number, `only` says which end of the line is compared.
  */
 typedef const float *four;

@@ -6,4 +6,4 @@
 
 use microwarp_js_small as _;
 
-microwarp_golden::import_panic!();
+microwarp_list::import_panic!();

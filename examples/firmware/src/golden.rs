@@ -6,7 +6,7 @@
 use crate::board::{exit, print};
 use core::fmt::{Error, Write};
 use microwarp::tier::Tier;
-use microwarp_golden::{
+use microwarp_list::{
     cases_of_half, cases_of_tier, describe, evaluate_first_half, evaluate_second_half,
 };
 

@@ -3,7 +3,7 @@
 #![no_std]
 #![allow(unsafe_code)]
 
-microwarp_golden::import_panic!();
+microwarp_list::import_panic!();
 
 static WORDS: [u32; 4] = [1, 2, 3, 5];
 

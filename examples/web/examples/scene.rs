@@ -7,7 +7,7 @@ use microwarp_scene::numbered::{HALVES, HOST, MOST, POINTS, Request, SCENES, TIE
 use microwarp_scene::vector::Vector;
 use microwarp_scene::{Hash, Plan};
 
-microwarp_golden::import_panic!();
+microwarp_list::import_panic!();
 
 /// Both sides know this layout.
 #[repr(C)]

@@ -1,4 +1,4 @@
-//! The warps of the float tiers, which `tests/golden/src/warps.rs` lists.
+//! The warps of the float tiers, which `crates/list/src/warps.rs` lists.
 
 use crate::run::of;
 use crate::subject::subjects;
@@ -20,4 +20,4 @@ macro_rules! warps {
     };
 }
 
-microwarp_golden::float_warps!(warps);
+microwarp_list::float_warps!(warps);

@@ -1,4 +1,4 @@
-//! The warps of the integer tier, which `tests/golden/src/fixed_warps.rs` lists; parameters in their formats.
+//! The warps of the integer tier, which `crates/list/src/fixed_warps.rs` lists; parameters in their formats.
 
 use crate::run::of;
 use crate::shared::Refusal;
@@ -28,7 +28,7 @@ macro_rules! warps {
     };
 }
 
-microwarp_golden::integer_warps!(warps);
+microwarp_list::integer_warps!(warps);
 
 /// A parameter in steps of 2⁻¹⁶, if the format holds it; what has more digits is cut.
 fn signed(x: f32) -> Result<I16F16, Refusal> {

@@ -22,7 +22,7 @@ use run::{Samples, Timing};
 use shared::{Shared, shared};
 use visit::{LISTS, visit};
 
-microwarp_golden::import_panic!();
+microwarp_list::import_panic!();
 
 /// A sentence and the bounds of each type from the crate's documentation, as JSON.
 static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));
@@ -108,11 +108,11 @@ pub extern "C" fn time_words(count: u32, seed: u32) -> u32 {
 /// How many golden cases there are.
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_cases() -> usize {
-    microwarp_golden::cases()
+    microwarp_list::cases()
 }
 
 /// Evaluates one golden case into the words of the shared memory; returns how many.
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_evaluate(index: usize) -> usize {
-    microwarp_golden::evaluate(index, &mut shared().golden)
+    microwarp_list::evaluate(index, &mut shared().golden)
 }

@@ -1,14 +1,14 @@
 //! A sampler with a planted defect, which the search must find within its quick budget.
 
+use host::adversary::words::Kind::{Any, Positive};
+use host::{
+    registry::{Domain, Measure, Registered, entry, power},
+    truth,
+};
 use microwarp::tier::Tier;
 use microwarp::uniform::Canonical;
 use microwarp::warp::Power;
 use microwarp::{Error, Invert, Warp};
-use support::adversary::words::Kind::{Any, Positive};
-use support::{
-    registry::{Domain, Measure, Registered, entry, power},
-    truth,
-};
 
 /// The power law by the exponential of one quotient, which leaves the range of `f32` where the sample does not; a clamp
 /// hides it. It is right to some 60 ulp for most parameters and wrong over many decades near n = −1.

@@ -2,17 +2,17 @@
 
 mod flawed;
 
-use microwarp::tier::{Libm, Poly};
-use std::sync::Arc;
-use support::adversary::words::{Kind, first_accepted};
-use support::adversary::{Case, Family, Observe};
-use support::docs::{self, Statement, rows_of_floats};
-use support::figures::{
+use host::adversary::words::{Kind, first_accepted};
+use host::adversary::{Case, Family, Observe};
+use host::docs::{self, Statement, rows_of_floats};
+use host::figures::{
     Exact, Figures, ROWS, density_and_inverse_error, density_with_sample_error, draw_error,
     place_error, place_moved, polar_error, sample_error,
 };
-use support::moved::Moved;
-use support::registry::{Domain, Entry, Registered, Uniforms, registered};
+use host::moved::Moved;
+use host::registry::{Domain, Entry, Registered, Uniforms, registered};
+use microwarp::tier::{Libm, Poly};
+use std::sync::Arc;
 
 /// All families, in both tiers where they have one.
 pub fn families() -> Vec<Family> {

@@ -2,9 +2,9 @@
 
 use super::inputs::Words;
 use fixed::types::{I2F30, U0F32, U5F27, U16F16};
+use host::speed;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use support::speed;
 
 /// One or two numbers of a word; where there is one, the second is NaN on both sides and not looked at.
 pub type Function = fn(u32) -> [f64; 2];

@@ -7,13 +7,13 @@
 
 use super::inputs::{Words, edges};
 use fixed::types::U0F32;
+use host::docs::Doc;
+use host::errors::raise;
+use host::speed;
 use microwarp::Warp;
 use microwarp::fixed::warp::{CosineHemisphere, Disk, Hemisphere, Sphere, StandardNormalPair};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use std::f64::consts::TAU;
-use support::docs::Doc;
-use support::errors::raise;
-use support::speed;
 
 const CELLS: usize = 256;
 const WORD: f64 = 1.0 / 4_294_967_296.0;

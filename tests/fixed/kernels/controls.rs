@@ -8,9 +8,9 @@ use super::figures::{self, Figures, stated};
 use super::inputs::{Words, edges};
 use super::measured::measure;
 use fixed::types::{U0F32, U5F27};
+use host::speed;
 use microwarp::fixed::{Compact, Fine, Grade};
 use std::f64::consts::TAU;
-use support::speed;
 
 const Q30: f64 = 1.0 / 1_073_741_824.0;
 const Q32: f64 = 1.0 / 4_294_967_296.0;

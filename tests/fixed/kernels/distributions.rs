@@ -4,11 +4,11 @@
 //! Negative controls are in `wrong_maps`.
 
 use super::shapes::{Shape, shapes};
+use host::parallel::{in_parallel, threads};
+use host::{docs, speed, stats};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use rand_pcg::Pcg32;
 use std::collections::BTreeSet;
-use support::parallel::{in_parallel, threads};
-use support::{docs, speed, stats};
 
 /// What the samples of a shape gave.
 pub struct Report {
@@ -145,8 +145,8 @@ fn no_warp_is_missing_from_the_shapes_and_the_golden_bits() {
     let implemented = implemented();
     assert!(implemented.len() >= 13, "{implemented:?}");
     let shapes: Vec<String> = shapes().into_iter().map(|shape| shape.name).collect();
-    let golden: Vec<(&str, &str)> = (0..microwarp_golden::cases())
-        .map(microwarp_golden::describe)
+    let golden: Vec<(&str, &str)> = (0..microwarp_list::cases())
+        .map(microwarp_list::describe)
         .map(|(name, _, tier)| (name, tier))
         .collect();
     for name in &implemented {

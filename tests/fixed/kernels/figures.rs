@@ -1,7 +1,7 @@
 //! How far a kernel is from the truth, and what the documentation of the grades says about it.
 
-use support::docs::{self, Doc, states};
-use support::errors;
+use host::docs::{self, Doc, states};
+use host::errors;
 
 /// The errors of one kernel over a sweep of words.
 pub type Errors = errors::Errors<u32>;

@@ -1,9 +1,9 @@
 //! The words over which kernels are tried, in chunks that threads can share.
 
-use support::parallel::{in_parallel, threads};
-use support::progress::{STEPS, progress};
-use support::speed;
-pub use support::words::edges;
+use host::parallel::{in_parallel, threads};
+use host::progress::{STEPS, progress};
+use host::speed;
+pub use host::words::edges;
 
 /// A part of the words: `2^bits` of them from 0 on, one of every `stride`, and the edges.
 #[derive(Clone, Copy, Debug)]

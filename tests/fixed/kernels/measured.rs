@@ -7,7 +7,7 @@
 use super::cases::{Case, GRADES, cases};
 use super::figures::{Errors, Figures, Row, figures, stated, write};
 use super::inputs::edges;
-use support::speed;
+use host::speed;
 
 /// The errors of a case in each grade.
 pub fn measure(case: &Case, edges: &[u32]) -> [Errors; 3] {

@@ -4,12 +4,12 @@
 
 use super::inputs::{Words, edges};
 use fixed::types::{I2F30, U0F32};
+use host::speed;
 use microwarp::Warp;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade, warp::Disk};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use std::path::Path;
-use support::speed;
 
 type Sincos = fn(u32) -> (i32, i32);
 type Scaled = fn(u32, i32) -> i32;

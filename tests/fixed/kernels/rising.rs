@@ -5,9 +5,9 @@
 
 use super::inputs::{Words, edges};
 use fixed::types::{U0F32, U5F27};
+use host::docs::{self, Doc, Row, states};
+use host::speed::{Speed, speed};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
-use support::docs::{self, Doc, Row, states};
-use support::speed::{Speed, speed};
 
 /// A rising function of a word, in its words.
 type Rising = fn(u32) -> u32;

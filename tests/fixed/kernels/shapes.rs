@@ -6,11 +6,11 @@
 use fixed::types::extra::LeEqU32;
 use fixed::types::{I2F30, I16F16, U0F32, U2F62, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32};
+use host::speed;
+use host::truth::{self, Truth};
 use microwarp::Warp;
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade, Interval, warp::*};
 use rand_pcg::Pcg32;
-use support::speed;
-use support::truth::{self, Truth};
 
 /// A point as it is.
 trait Exact: Copy {

@@ -3,11 +3,11 @@
 
 use super::distributions::{examine, threshold};
 use super::shapes::{Shape, fewest, shapes};
+use host::truth::{self, Truth};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
-use support::truth::{self, Truth};
 
 /// By what factor an error is larger where there are fewer samples.
 static MORE: LazyLock<f64> = LazyLock::new(|| fewest().1);

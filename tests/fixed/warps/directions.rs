@@ -2,13 +2,13 @@
 
 use super::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
+use host::truth::{self, Truth};
 use microwarp::fixed::warp::{
     Cone, CosineHemisphere, Disk, Hemisphere, HenyeyGreenstein, PhongLobe, Sphere,
 };
 use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade};
 use microwarp::{Error, Invert, Warp};
 use std::f64::consts::{FRAC_1_PI, TAU};
-use support::truth::{self, Truth};
 
 const PAIRS: u64 = 1 << 20;
 

@@ -1,9 +1,9 @@
 //! How far a warp is from the truth, over how many words, and what its documentation says about it.
 
-use support::docs::{self, Doc, Row, Statement, rounded_up, states};
-use support::errors::Errors;
-use support::parallel::in_parallel;
-use support::speed;
+use host::docs::{self, Doc, Row, Statement, rounded_up, states};
+use host::errors::Errors;
+use host::parallel::in_parallel;
+use host::speed;
 
 /// 2⁻³².
 pub const WORD: f64 = 1.0 / 4_294_967_296.0;

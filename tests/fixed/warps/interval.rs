@@ -3,9 +3,9 @@
 use fixed::types::extra::{U16, U32};
 use fixed::types::{I0F32, I16F16, U0F32, U16F16};
 use fixed::{FixedI32, FixedU32};
+use host::speed;
 use microwarp::fixed::{Interval, Number};
 use microwarp::{Error, Invert, Warp};
-use support::speed;
 
 fn word(w: u128) -> U0F32 {
     U0F32::from_bits(u32::try_from(w).unwrap())

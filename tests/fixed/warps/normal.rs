@@ -5,10 +5,10 @@ use core::f64::consts::TAU;
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U8, U16, U27, U30};
 use fixed::types::{I5F27, I16F16, I32F0, U0F32};
+use host::truth::{self, Truth};
 use microwarp::fixed::warp::{NormalPair, StandardNormalPair};
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use microwarp::{Error, Invert, Warp};
-use support::truth::{self, Truth};
 
 const PAIRS: u64 = 1 << 21;
 

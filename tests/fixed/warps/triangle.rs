@@ -2,10 +2,10 @@
 
 use super::figures::{Figures, WORD, hold, over_pairs, sample_rows};
 use fixed::types::{I2F30, U0F32};
+use host::truth::{Barycentric, Truth};
 use microwarp::fixed::warp::Triangle;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use microwarp::{Invert, Warp};
-use support::truth::{Barycentric, Truth};
 
 const PAIRS: u64 = 1 << 22;
 

@@ -4,13 +4,13 @@ use super::figures::{Figures, WORD, hold, over_pairs};
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U16};
 use fixed::types::{I16F16, I32F0, U0F32};
+use host::speed;
 use microwarp::fixed::warp::TriangleOn;
 use microwarp::fixed::{Coarse, Compact, Fine, Grade};
 use microwarp::{Error, Invert, Warp};
 use num_bigint::BigUint;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-use support::speed;
 
 const PAIRS: u64 = 1 << 16;
 

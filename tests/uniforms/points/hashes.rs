@@ -1,11 +1,11 @@
 //! How near the hashes are to what they stand for: Owen's scrambling, and independent random words.
 
+use host::speed;
+use host::stats::{chi_square, passes, threshold, two_sided};
 use microwarp::uniform::{ByPosition, Points, Sobol};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::collections::HashSet;
-use support::speed;
-use support::stats::{chi_square, passes, threshold, two_sided};
 
 /// A scrambling of reversed bits: of a word, by a seed.
 type Scrambling = fn(u32, u32) -> u32;

@@ -1,13 +1,13 @@
 //! Errors of means against exact integrals: how they fall with the number of points, over seeds; and what would spoil them.
 
 use super::{Set, plain, random, recurrence, second_pair, sobol};
+use host::parallel::{in_parallel, threads};
+use host::speed;
+use host::stats::{passes, threshold, two_sided};
 use microwarp::uniform::{Points, Sobol, deep_from_word, grid_from_word, open_from_word};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::f64::consts::{E, FRAC_PI_4};
-use support::parallel::{in_parallel, threads};
-use support::speed;
-use support::stats::{passes, threshold, two_sided};
 
 /// The middle of a word's cell.
 fn middle(word: u32) -> f64 {

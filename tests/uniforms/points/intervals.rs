@@ -1,11 +1,11 @@
 //! Every elementary interval of the unit square holds its share of Sobol' points, and no coordinate is off the textbook's.
 
 use super::{Set, plain, second_pair, sobol};
+use host::speed;
 use microwarp::Error;
 use microwarp::uniform::{MAX_DIMENSIONS, Points, Recurrence, Sobol};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
-use support::speed;
 
 /// How many of the partitions of the square into as many equal boxes as there are points have a box without its point.
 fn violated(points: &[[u32; 2]]) -> usize {

@@ -1,10 +1,10 @@
 //! Words of neighbours are independent, in pairs and in triples: of samples, of pixels, of generators seeded by their number.
 
+use host::speed;
+use host::stats::{dependences, passes, threshold};
 use microwarp::uniform::{ByPosition, Points};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
-use support::speed;
-use support::stats::{dependences, passes, threshold};
 
 /// Three words of a neighbour, by its number.
 type Words = fn(u32) -> [u32; 3];

@@ -5,7 +5,7 @@
 
 use core::fmt::{self, Write};
 use core::panic::PanicInfo;
-use microwarp_golden::{cases, describe, evaluate};
+use microwarp_list::{cases, describe, evaluate};
 
 /// A call of the system: `write` is 64, `exit` 93.
 fn call(number: usize, arguments: [usize; 3]) -> usize {

@@ -11,7 +11,7 @@ static mut WORDS: [u32; 16] = [0; 16];
 /// How many cases there are.
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_cases() -> usize {
-    microwarp_golden::cases()
+    microwarp_list::cases()
 }
 
 /// Evaluates one case; returns how many words of the buffer it filled.
@@ -19,7 +19,7 @@ pub extern "C" fn golden_cases() -> usize {
 pub extern "C" fn golden_evaluate(index: usize) -> usize {
     // SAFETY: a module instance has one thread, and no reference outlives this call.
     let words = unsafe { &mut *addr_of_mut!(WORDS) };
-    microwarp_golden::evaluate(index, words)
+    microwarp_list::evaluate(index, words)
 }
 
 /// Where the sixteen words of the buffer are.

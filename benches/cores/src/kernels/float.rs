@@ -1,4 +1,4 @@
-//! The warps of both float tiers, which `tests/golden/src/warps.rs` lists. Those of no tier are in both, too.
+//! The warps of both float tiers, which `crates/list/src/warps.rs` lists. Those of no tier are in both, too.
 
 use crate::registry::{ok, warp_entries};
 use crate::varied::varied_entries;
@@ -18,5 +18,5 @@ macro_rules! entries {
     };
 }
 
-microwarp_golden::float_warps!(entries(POLY POLY_VARIED "poly_" poly));
-microwarp_golden::float_warps!(entries(LIBM LIBM_VARIED "libm_" libm));
+microwarp_list::float_warps!(entries(POLY POLY_VARIED "poly_" poly));
+microwarp_list::float_warps!(entries(LIBM LIBM_VARIED "libm_" libm));

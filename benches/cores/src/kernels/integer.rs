@@ -1,4 +1,4 @@
-//! The warps of the integer tier in its three grades, which `tests/golden/src/fixed_warps.rs` lists, and its interval,
+//! The warps of the integer tier in its three grades, which `crates/list/src/fixed_warps.rs` lists, and its interval,
 //! which has none.
 
 use crate::registry::{ok, warp_entries};
@@ -32,7 +32,7 @@ macro_rules! entries {
     };
 }
 
-microwarp_golden::integer_warps!(entries(FINE FINE_VARIED "fine_" fine));
-microwarp_golden::integer_warps!(entries(COARSE COARSE_VARIED "coarse_" coarse));
-microwarp_golden::integer_warps!(entries(COMPACT COMPACT_VARIED "compact_" compact));
-microwarp_golden::integer_warps!(entries(PLAIN PLAIN_VARIED "" fine));
+microwarp_list::integer_warps!(entries(FINE FINE_VARIED "fine_" fine));
+microwarp_list::integer_warps!(entries(COARSE COARSE_VARIED "coarse_" coarse));
+microwarp_list::integer_warps!(entries(COMPACT COMPACT_VARIED "compact_" compact));
+microwarp_list::integer_warps!(entries(PLAIN PLAIN_VARIED "" fine));

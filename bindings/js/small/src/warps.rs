@@ -1,5 +1,5 @@
 //! Every bound warp by its number: constructed, and evaluated over arrays. The numbers are those of the list in
-//! `tests/golden/src/warps.rs`; the JavaScript side has them by `cargo regenerate`.
+//! `crates/list/src/warps.rs`; the JavaScript side has them by `cargo regenerate`.
 
 use crate::buffers::{Arrays, Buffers};
 use crate::flat::{Flat, get, put};
@@ -137,7 +137,7 @@ macro_rules! bound {
         numbered! { $($([$name microwarp::poly::$warp $(<$n>)?] { $($constructors)* })*)* }
     };
 }
-microwarp_golden::float_warps!(bound);
+microwarp_list::float_warps!(bound);
 
 /// Makes a warp by the number of its constructor; how many words it has as a negative number, or the code of the refusal.
 ///

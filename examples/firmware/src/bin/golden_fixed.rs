@@ -4,7 +4,7 @@
 
 use cortex_m_rt::entry;
 use microwarp_firmware::golden::Part;
-use microwarp_golden::{cases, cases_of_tier, evaluate_fixed};
+use microwarp_list::{cases, cases_of_tier, evaluate_fixed};
 
 #[entry]
 fn main() -> ! {

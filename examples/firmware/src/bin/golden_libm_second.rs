@@ -5,7 +5,7 @@
 use cortex_m_rt::entry;
 use microwarp::tier::Libm;
 use microwarp_firmware::golden::Part;
-use microwarp_golden::cases_of_tier;
+use microwarp_list::cases_of_tier;
 
 #[entry]
 fn main() -> ! {

@@ -5,12 +5,12 @@
 
 use super::structured;
 use crate::fixed::kernel::{angle, exp, float, log, product, root, sine};
+use host::parallel::{in_parallel, threads};
+use host::speed;
+use host::words::edges;
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use std::vec::Vec;
-use support::parallel::{in_parallel, threads};
-use support::speed;
-use support::words::edges;
 
 /// Whether two functions agree on all pairs of structured operands and on many at random.
 fn agree<R: PartialEq>(f: impl Fn(u32, u32) -> R, g: impl Fn(u32, u32) -> R) -> bool {

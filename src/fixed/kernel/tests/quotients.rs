@@ -3,10 +3,10 @@
 use super::structured;
 use crate::fixed::kernel::float;
 use crate::fixed::kernel::quotient::{quotient, ratio, reciprocal};
+use host::speed;
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use std::vec::Vec;
-use support::speed;
 
 /// Pairs of structured words, and of words of all magnitudes at random.
 fn pairs() -> impl Iterator<Item = (u32, u32)> {

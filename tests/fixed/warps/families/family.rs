@@ -5,9 +5,9 @@
 //! exact; what may never happen whatever the words is a fault.
 
 use crate::warps::figures::statements;
-use support::adversary::words::Kind;
-use support::adversary::{self, Case, Observe, Uniforms};
-use support::docs::{self, Doc, Statement};
+use host::adversary::words::Kind;
+use host::adversary::{self, Case, Observe, Uniforms};
+use host::docs::{self, Doc, Statement};
 
 /// 2⁻³².
 pub const WORD: f64 = 1.0 / 4_294_967_296.0;

@@ -3,12 +3,12 @@
 use super::directions;
 use super::family::{Family, Subject};
 use fixed::types::{I2F30, U0F32, U2F62};
+use host::adversary::search::{Budget, USUAL};
+use host::adversary::{Family as Attacked, attack};
 use microwarp::fixed::warp::Cone;
 use microwarp::fixed::{Density, Fine, Grade, Uniform};
 use microwarp::uniform::Canonical;
 use microwarp::{Invert, Warp};
-use support::adversary::search::{Budget, USUAL};
-use support::adversary::{Family as Attacked, attack};
 
 /// A cone whose sine is halved to its size before it is turned, so that what the product cuts counts in full.
 #[derive(Clone, Copy)]

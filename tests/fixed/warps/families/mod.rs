@@ -10,7 +10,7 @@ mod shapes;
 mod triangle;
 
 use family::Family;
-use support::{adversary, speed};
+use host::{adversary, speed};
 
 fn families() -> Vec<adversary::Family> {
     let mut all = Vec::new();

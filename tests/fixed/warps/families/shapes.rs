@@ -7,11 +7,11 @@ use super::plane::{around, turns};
 use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
 use fixed::types::{I2F30, U0F32};
+use host::truth;
 use microwarp::fixed::Grade;
 use microwarp::fixed::warp::{Annulus, RegularPolygon, Rotation, Simplex};
 use microwarp::{Invert, Warp};
 use std::f64::consts::{PI, TAU};
-use support::truth;
 
 /// The largest magnitude; NaN counts as that.
 fn largest(errors: &[f64]) -> f64 {

@@ -8,11 +8,11 @@ use microwarp_probe::run;
 #[unsafe(no_mangle)]
 #[inline(never)]
 fn microwarp_evaluate(index: usize, words: &mut [u32; 16]) -> usize {
-    microwarp_golden::evaluate(index, words)
+    microwarp_list::evaluate(index, words)
 }
 
 #[unsafe(no_mangle)]
 #[inline(never)]
 extern "C" fn probe_main() {
-    run(microwarp_golden::cases(), microwarp_evaluate);
+    run(microwarp_list::cases(), microwarp_evaluate);
 }

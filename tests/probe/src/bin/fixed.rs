@@ -8,8 +8,8 @@ use fixed::types::{I2F30, I16F16, U0F32, U16F16, U32F32};
 use microwarp::fixed::warp::*;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, FloatUniforms, Grade};
 use microwarp::{Error, Invert};
-use microwarp_golden::fixed::{Words, v, whole};
-use microwarp_golden::integer_warps;
+use microwarp_list::fixed::{Words, v, whole};
+use microwarp_list::integer_warps;
 use microwarp_probe::{input, output};
 use rand_pcg::Pcg32;
 

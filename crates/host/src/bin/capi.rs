@@ -1,0 +1,22 @@
+//! Prints a part of the C interface: `capi header`, `capi layout`, `capi golden`,
+//! `capi hostile`.
+
+use microwarp_host::upkeep::{Outcome, capi, end};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    end(run())
+}
+
+fn run() -> Outcome {
+    let part = std::env::args().nth(1).unwrap_or_default();
+    let text = match part.as_str() {
+        "header" => capi::header()?,
+        "layout" => capi::layout(),
+        "golden" => capi::golden(),
+        "hostile" => capi::hostile()?,
+        _ => return Err("name a part: header, layout, golden or hostile".into()),
+    };
+    print!("{text}");
+    Ok(())
+}

@@ -1,0 +1,120 @@
+//! What functions and programs take in flash, compared with .ci/sizes.csv.
+//!
+//! .ci/sizes has linked into target/sizes, for each target: `TARGET/NAME`, every function alone, and the programs of
+//! tests/probe; `TARGET.two`, a program of two warps; `TARGET.grown`, `poly_disk` with another warp; and two modules.
+
+use crate::image::Image;
+use crate::record::{self, Row, compare};
+use crate::{ingredients, must_fail, one_warp, target};
+use microwarp_host::upkeep::{Outcome, read, write};
+use std::fs;
+use std::path::Path;
+
+const RECORD: &str = ".ci/sizes.csv";
+const TITLES: [&str; 2] = ["bytes", "symbols"];
+/// In percent.
+const TOLERANCE: u64 = 3;
+/// Another compiler makes other sizes: then only what has more than doubled fails. Of what a compiler decides, the most is
+/// the level of optimisation; between the two levels of benches/cores/costs.csv all functions differ by less than that
+/// (1.73 times at most), except one kernel (coarse_atan2_turns, 2.6 times). What brings in formatted panics or double
+/// precision more than doubles nearly every function here.
+const OF_ANOTHER: u64 = 100;
+
+/// The row of a linked file.
+fn row(name: &str, target: &str, file: &Path) -> Outcome<Row> {
+    let (bytes, symbols) = Image::read(file)?.size();
+    Ok((format!("{name},{target}"), [bytes, symbols as u64]))
+}
+
+/// Every file of a target, by its name.
+fn measure(target: &str, directory: &Path) -> Outcome<Vec<Row>> {
+    let files = fs::read_dir(directory).map_err(|e| format!("{}: {e}", directory.display()))?;
+    let mut names: Vec<String> = files
+        .map(|file| file.unwrap().file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+        .iter()
+        .map(|name| row(name, target, &directory.join(name)))
+        .collect()
+}
+
+/// One function that has really grown, by another that is linked with it, is named.
+fn control_of_growth(target: &str, rows: &[Row], grown: &Path) -> Outcome {
+    let disk = format!("poly_disk,{target}");
+    let mut now = rows.to_vec();
+    match now.iter_mut().find(|(name, _)| *name == disk) {
+        Some(entry) => *entry = row("poly_disk", target, grown)?,
+        None => return Err(format!("control: no {disk}")),
+    }
+    let what = format!("a function that has grown on {target}");
+    must_fail(
+        &what,
+        &format!("GROWN: {disk}"),
+        compare(rows, &now, TITLES, TOLERANCE, false),
+    )
+}
+
+fn below_1_kib(file: &Path) -> Outcome {
+    let bytes = fs::metadata(file)
+        .map_err(|e| format!("{}: {e}", file.display()))?
+        .len();
+    println!("{}: {bytes} bytes", file.display());
+    if bytes < 1024 {
+        Ok(())
+    } else {
+        Err(format!("{bytes} bytes, which is not below 1024"))
+    }
+}
+
+/// Each target with its compiler, as TARGET=COMPILER.
+pub fn check(targets: &[&str], writes: bool) -> Outcome {
+    let place = target("sizes");
+    record::control(TITLES)?;
+    let (mut heads, mut measured, mut failed) = (Vec::new(), Vec::new(), Vec::new());
+    for target in targets {
+        let (target, compiler) = target.split_once('=').ok_or("TARGET=COMPILER")?;
+        let rows = measure(target, &place.join(target))?;
+        control_of_growth(target, &rows, &place.join(format!("{target}.grown")))?;
+        one_warp::check(target, &place)?;
+        failed.extend(ingredients::check(target, &place).err());
+        heads.push((target, format!("# {target}: {compiler}")));
+        measured.push(rows);
+    }
+    if writes {
+        let mut text: String = heads.iter().map(|(_, head)| format!("{head}\n")).collect();
+        text += "function,target,bytes,symbols\n";
+        for (name, [bytes, symbols]) in measured.iter().flatten() {
+            text += &format!("{name},{bytes},{symbols}\n");
+        }
+        write(RECORD, &text)?;
+    }
+    let text = read(RECORD)?;
+    let recorded = record::parse(&text)?;
+    for ((target, head), rows) in heads.iter().zip(&measured) {
+        let same = text.lines().any(|line| line == head);
+        if !same {
+            println!(
+                "*** {head}; the recorded sizes are of another. Up to {OF_ANOTHER} % of growth pass."
+            );
+        }
+        let of_target = |(name, _): &&Row| name.split_once(',').is_some_and(|(_, t)| t == *target);
+        let recorded: Vec<Row> = recorded.iter().filter(of_target).cloned().collect();
+        let percent = if same { TOLERANCE } else { OF_ANOTHER };
+        failed.extend(compare(&recorded, rows, TITLES, percent, false).err());
+    }
+    must_fail(
+        "a module of everything",
+        "not below",
+        below_1_kib(&place.join("everything.wasm")),
+    )?;
+    failed.extend(below_1_kib(&place.join("disk.wasm")).err());
+    if !failed.is_empty() {
+        return Err(failed.join("\n"));
+    }
+    let count: usize = measured.iter().map(Vec::len).sum();
+    println!(
+        "sizes: {count} functions and programs, none larger than recorded by more than {TOLERANCE} %"
+    );
+    Ok(())
+}

@@ -1,0 +1,137 @@
+//! What is measured by the clock: the benches' figures, with the machine and the day.
+
+use crate::command;
+use microwarp_host::upkeep::{Outcome, root, write};
+use std::fs;
+
+pub fn measure() -> Outcome {
+    let mut rows = String::new();
+    for bench in ["warps", "tables", "chains"] {
+        let said = command(&["cargo", "bench", "--locked", "--bench", bench], &[], true)?;
+        for (name, ns) in medians(&said)? {
+            rows += &format!("{bench},{name},{ns}\n");
+        }
+    }
+    let head = format!(
+        "# {}: one core, baseline instructions.\n# Nanoseconds an item of `cargo bench`, the generator included. \
+         `cargo regenerate --host` measures anew.\nbench,name,ns\n",
+        machine_and_day()?
+    );
+    write("docs/measured/host.csv", &(head + &rows))?;
+    let line = [
+        "cargo",
+        "bench",
+        "--locked",
+        "--bench",
+        "peers",
+        "--",
+        "--markdown",
+    ];
+    let said = command(&line, &[], true)?;
+    let tables: String = said
+        .lines()
+        .filter(|line| line.is_empty() || line.starts_with('|'))
+        .map(|line| {
+            if line.is_empty() {
+                "\n".into()
+            } else {
+                plain(line) + "\n"
+            }
+        })
+        .collect();
+    let head = format!(
+        "What `cargo bench --bench peers -- --markdown` printed on {}.\n`cargo regenerate --host` measures anew.\n\n",
+        machine_and_day()?
+    );
+    write("docs/measured/peers.md", &(head + tables.trim() + "\n"))?;
+    example("tradeoff", &[])
+}
+
+/// Runs an example, and takes its picture over into docs.
+pub fn example(name: &str, arguments: &[&str]) -> Outcome {
+    let line = [
+        "cargo",
+        "run",
+        "--locked",
+        "--release",
+        "--example",
+        name,
+        "--",
+    ];
+    command(&[&line, arguments].concat(), &[], false)?;
+    picture(&format!("{name}/{name}"), name)
+}
+
+/// Takes a picture of an example over into docs.
+pub fn picture(made: &str, name: &str) -> Outcome {
+    let (from, to) = (format!("target/{made}.png"), format!("docs/{name}.png"));
+    fs::copy(root().join(&from), root().join(&to)).map_err(|e| format!("{from}: {e}"))?;
+    Ok(())
+}
+
+fn machine_and_day() -> Outcome<String> {
+    let model = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = model
+        .lines()
+        .find_map(|line| line.strip_prefix("model name"));
+    let model = model.map_or("an unknown processor", |m| {
+        m.trim_start_matches([' ', '\t', ':'])
+    });
+    let day = command(&["date", "-u", "+%F"], &[], true)?;
+    Ok(format!("{model}, {}", day.trim()))
+}
+
+/// A row of a table for the terminal without its padding.
+fn plain(row: &str) -> String {
+    let cells = crate::sources::cells(row);
+    if cells
+        .iter()
+        .all(|cell| cell.trim_matches(['-', ':']).is_empty() && !cell.is_empty())
+    {
+        let cells = cells
+            .iter()
+            .map(|cell| if cell.ends_with(':') { "--:" } else { "---" });
+        return format!("|{}|", cells.collect::<Vec<_>>().join("|"));
+    }
+    format!("| {} |", cells.join(" | "))
+}
+
+/// Out of the tree that divan prints: each leaf by its path, with the median of an item, in nanoseconds. The line of
+/// times is that of all items; the line below it says how many of them pass in a second.
+fn medians(said: &str) -> Outcome<Vec<(String, String)>> {
+    let mut path: Vec<&str> = Vec::new();
+    let mut found = Vec::new();
+    for line in said.lines() {
+        let branch = line.find("├─ ").or_else(|| line.find("╰─ "));
+        let cells: Vec<&str> = line.split('│').map(str::trim).collect();
+        if let Some(at) = branch {
+            let depth = line[..at].chars().count() / 3;
+            let name = line[at + "├─ ".len()..].split_whitespace().next();
+            path.truncate(depth);
+            path.push(name.unwrap_or_default());
+        } else if let Some(rate) = cells.iter().filter(|cell| cell.contains("item/s")).nth(2) {
+            let (number, unit) = rate.split_once(' ').ok_or("divan prints another table")?;
+            let scale = match unit.trim_end_matches("item/s") {
+                "G" => 1.0,
+                "M" => 1e3,
+                "K" => 1e6,
+                _ => return Err(format!("divan prints another rate: {rate}")),
+            };
+            let rate: f64 = number
+                .parse()
+                .map_err(|_| format!("divan prints another rate: {rate}"))?;
+            let ns = scale / rate;
+            let text = if ns < 100.0 {
+                format!("{ns:.1}")
+            } else {
+                format!("{ns:.0}")
+            };
+            found.push((path.join("::"), text));
+        }
+    }
+    if found.is_empty() {
+        Err("no bench has printed a rate".into())
+    } else {
+        Ok(found)
+    }
+}

@@ -1,0 +1,240 @@
+//! What the package's tests compare with, computed by the crate on the host: bits as integers.
+
+use super::{Class, Golden};
+use microwarp::discrete::{
+    Alias, AliasEntry, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d,
+};
+use microwarp::metropolis::{
+    BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
+};
+use microwarp::uniform::{ByPosition, Points, Sobol, Strata1d, Strata2d};
+use microwarp::{Invert, Warp, poly, tier::Poly};
+use microwarp_host::upkeep::Outcome;
+use rand_pcg::Pcg32;
+
+/// Weights with zeros and decades.
+const WEIGHTS: [f32; 6] = [0.0, 1.0, 1e-6, 37.0, 0.3, 0.0];
+const CELLS: [[f32; 3]; 2] = [[1.0, 0.0, 4.0], [2.5, 1e-3, 0.5]];
+
+/// One number or several, as bits.
+trait Bits: Copy {
+    fn bits(self) -> Vec<u32>;
+}
+impl Bits for f32 {
+    fn bits(self) -> Vec<u32> {
+        vec![self.to_bits()]
+    }
+}
+impl<const N: usize> Bits for [f32; N] {
+    fn bits(self) -> Vec<u32> {
+        self.map(f32::to_bits).into()
+    }
+}
+
+fn rng() -> Pcg32 {
+    Pcg32::new(42, 54)
+}
+
+fn list(bits: impl IntoIterator<Item = u32>) -> String {
+    let bits: Vec<String> = bits.into_iter().map(|bits| bits.to_string()).collect();
+    format!("[{}]", bits.join(","))
+}
+
+/// So many points by `fill`, more than a block of them.
+fn filled<W: Warp<Point: Bits + Default>>(warp: &W) -> String {
+    let mut points = vec![W::Point::default(); 19];
+    warp.fill(&mut rng(), &mut points);
+    list(points.into_iter().flat_map(Bits::bits))
+}
+
+/// Drawn points with their densities and inverses.
+fn triples<W>(warp: &W) -> String
+where
+    W: Invert<Density = f32, Point: Bits, Uniforms: Bits>,
+{
+    let mut rng = rng();
+    let triples = (0..8).flat_map(|_| {
+        let point = warp.draw(&mut rng);
+        [
+            point.bits(),
+            warp.pdf(point).bits(),
+            warp.invert(point).bits(),
+        ]
+        .concat()
+    });
+    list(triples)
+}
+
+/// Indices drawn, and selections by uniforms.
+macro_rules! selections {
+    ($table:expr) => {{
+        let (table, mut rng) = ($table, rng());
+        let drawn: Vec<u32> = (0..64).map(|_| table.draw_index(&mut rng) as u32).collect();
+        let selected = [0.0, 0.3, 0.999].map(|u| table.select_uniform(u));
+        let selected = selected.map(|s| [s.index as u32, s.pmf.to_bits(), s.leftover.to_bits()]);
+        list(drawn.into_iter().chain(selected.concat()))
+    }};
+}
+
+/// A target that floats of one precision compute exactly alike.
+fn target([x, y]: [f32; 2]) -> f32 {
+    1.0 / (1.0 + (x * x + y * y))
+}
+
+/// The states of a chain.
+fn chain(mutation: impl Mutation<[f32; 2]>) -> String {
+    let mut chain = Chain::new([0.25, 0.5], target).expect("the target is positive there");
+    let mut rng = rng();
+    let states = (0..32).flat_map(|_| {
+        let step = chain.step(target, &mutation, &mut rng);
+        [step.state().bits(), step.acceptance.bits()].concat()
+    });
+    list(states)
+}
+
+/// What a constructor is called with: its arguments in JSON, out of `Name::<..>::new(..)`, perhaps within `Ok(..)`.
+fn arguments(text: &str) -> Outcome<(Option<usize>, &str, String)> {
+    let wrong = || format!("no constructor in {text}");
+    let (path, rest) = text
+        .trim_start_matches("Ok(")
+        .split_once('(')
+        .ok_or_else(wrong)?;
+    let (kind, new) = path.rsplit_once("::").ok_or_else(wrong)?;
+    let digits: String = kind.chars().filter(char::is_ascii_digit).collect();
+    // Rust's writing of numbers, and the function that hides a parameter.
+    let mut json = rest.trim_end_matches(')').replace(['_', '\n'], "");
+    for hidden in ["v(", "blackbox(", "("] {
+        json = json.replace(hidden, "");
+    }
+    json = json.replace([')', ' '], "");
+    while let Some((before, after)) = json.clone().split_once(';') {
+        let (count, after) = after.split_once(']').ok_or_else(wrong)?;
+        let (before, item) = before.rsplit_once('[').ok_or_else(wrong)?;
+        let items = vec![item; count.parse().map_err(|_| wrong())?];
+        json = format!("{before}[{}]{after}", items.join(","));
+    }
+    for (rust, here) in [(",]", "]"), (".,", ".0,"), (".]", ".0]")] {
+        json = json.replace(rust, here);
+    }
+    Ok((
+        digits.parse().ok(),
+        new.trim(),
+        format!("[{}]", json.trim_end_matches(',')),
+    ))
+}
+
+/// The golden subjects with the class, the constructor and the arguments of each.
+fn golden(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
+    let mut lines = Vec::new();
+    for (block, subjects) in goldens {
+        for (name, text) in subjects {
+            let (size, new, arguments) = arguments(text)?;
+            let numbers = arguments.split([',', '[', ']']);
+            let numbers = numbers.filter(|number| !number.is_empty()).count();
+            let class = classes.iter().find(|class| {
+                let constructor = class.constructors.iter().find(|c| c.rust == new);
+                class.block == *block
+                    && (size.is_none() || size == class.size)
+                    && constructor.is_some_and(|c| c.lengths().iter().sum::<usize>() == numbers)
+            });
+            let class = class.ok_or_else(|| format!("no class for {name}"))?;
+            lines.push(format!(
+                "    [{name:?}, {:?}, {:?}, {arguments}]",
+                class.name,
+                super::camel(new, false)
+            ));
+        }
+    }
+    Ok(lines.join(",\n"))
+}
+
+pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
+    let ok = "accepted parameters";
+    let cells = |u, v| PiecewiseConstant2d::<_, [[u32; 3]; 2]>::new(&CELLS, u, v).expect(ok);
+    let points = |words: [[u32; 4]; 6]| list(words.into_iter().flatten());
+    let strata: Vec<u32> = (0..6)
+        .flat_map(|k| {
+            let [x, y] = Strata2d::new(3, 2).expect(ok).point(k, [0.25, 0.75]);
+            [x, y, Strata1d::new(6).expect(ok).point(k, 0.25)].bits()
+        })
+        .collect();
+    let runs = [
+        ("Normal", filled(&poly::Normal::new(10.0, 2.0).expect(ok))),
+        (
+            "NormalPair",
+            filled(&poly::NormalPair::new([1.0, -1.0], 0.5).expect(ok)),
+        ),
+        (
+            "Exponential",
+            filled(&poly::Exponential::from_rate(1.5).expect(ok)),
+        ),
+        (
+            "ExponentialTail",
+            filled(&poly::ExponentialTail::from_rate(1.5).expect(ok)),
+        ),
+        ("Sphere", filled(&poly::Sphere::new())),
+        ("Disk", filled(&poly::Disk::new())),
+        (
+            "Cdf",
+            selections!(Cdf::<[u32; 6]>::new(&WEIGHTS).expect(ok)),
+        ),
+        (
+            "Alias",
+            selections!(Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).expect(ok)),
+        ),
+        (
+            "PiecewiseConstant1d",
+            triples(&PiecewiseConstant1d::<[u32; 6]>::new(&WEIGHTS, -3.0, 5.0).expect(ok)),
+        ),
+        (
+            "PiecewiseLinear1d",
+            triples(&PiecewiseLinear1d::<[u32; 6], _>::new(&WEIGHTS, -3.0, 5.0).expect(ok)),
+        ),
+        (
+            "PiecewiseConstant2d",
+            triples(&cells([0.0, 6.0], [-1.0, 1.0])),
+        ),
+        (
+            "LatLongMap",
+            triples(&LatLongMap::<Poly, [u32; 2], [[u32; 3]; 2]>::new(&CELLS).expect(ok)),
+        ),
+        (
+            "Sobol",
+            points([0, 1, 2, 3, 100, 101].map(|i| Sobol::<8>::new(7).expect(ok).words(i))),
+        ),
+        (
+            "ByPosition",
+            points([0, 1, 2, 3, 100, 101].map(|i| ByPosition::new(7, 9).words(i))),
+        ),
+        ("Strata", list(strata)),
+        (
+            "normal chain",
+            chain(RandomWalk::new(
+                NormalStep::<[f32; 2], Poly>::new([0.5, 1.0]).expect(ok),
+            )),
+        ),
+        (
+            "box chain",
+            chain(RandomWalk::new(BoxStep::new([0.5, 0.0]).expect(ok))),
+        ),
+        (
+            "cube chain",
+            chain(
+                Mixture::large_small(0.25, WrappedWalk::new(BoxStep::new([0.1, 0.2]).expect(ok)))
+                    .expect(ok),
+            ),
+        ),
+    ];
+    let runs: Vec<String> = runs
+        .iter()
+        .map(|(name, bits)| format!("    {name:?}: {bits}"))
+        .collect();
+    let uniforms =
+        microwarp_list::UNIFORMS.map(|uniforms| format!("    {}", list(uniforms.bits())));
+    Ok(format!(
+        "{{\n  \"golden\": [\n{}\n  ],\n  \"uniforms\": [\n{}\n  ],\n  \"runs\": {{\n{}\n  }}\n}}\n",
+        golden(classes, goldens)?,
+        uniforms.join(",\n"),
+        runs.join(",\n"),
+    ))
+}

@@ -1,0 +1,125 @@
+//! The table of rejection in docs/worst_case.md: what a try takes, how many there can be, and how likely that is.
+
+use crate::cycles::{TIMINGS, all, whole};
+use crate::tables::rows;
+use microwarp::rejection::{
+    BallRejection, DiskRejection, PoissonRejection, Rejection, ZigguratStandardExponential,
+    ZigguratStandardNormal,
+};
+use microwarp::tier::Poly;
+use microwarp_host::upkeep::Outcome;
+use rand_pcg::Pcg32;
+
+/// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
+fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 8]> {
+    use microwarp::fixed as integer;
+    let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
+    Ok([
+        (
+            "rejection_disk_pcg32",
+            DiskRejection::EFFICIENCY.into(),
+            DiskRejection::BUDGET,
+            true,
+        ),
+        (
+            "rejection_ball_pcg32",
+            BallRejection::EFFICIENCY.into(),
+            BallRejection::BUDGET,
+            true,
+        ),
+        (
+            "fixed_rejection_disk_pcg32",
+            share(integer::DiskRejection::EFFICIENCY.to_bits()),
+            integer::DiskRejection::BUDGET,
+            true,
+        ),
+        (
+            "fixed_rejection_disk_16_pcg32",
+            share(integer::DiskRejection16::EFFICIENCY.to_bits()),
+            integer::DiskRejection16::BUDGET,
+            true,
+        ),
+        (
+            "rejection_ziggurat_standard_normal_pcg32",
+            ZigguratStandardNormal::EFFICIENCY.into(),
+            ZigguratStandardNormal::BUDGET,
+            false,
+        ),
+        (
+            "rejection_ziggurat_standard_exponential_pcg32",
+            ZigguratStandardExponential::EFFICIENCY.into(),
+            ZigguratStandardExponential::BUDGET,
+            false,
+        ),
+        (
+            "poly_poisson_rejection_100_pcg32",
+            efficiency(100.0)?,
+            PoissonRejection::<Poly>::BUDGET,
+            false,
+        ),
+        (
+            "poly_poisson_rejection_65536_pcg32",
+            efficiency(65536.0)?,
+            PoissonRejection::<Poly>::BUDGET,
+            false,
+        ),
+    ])
+}
+
+/// Counts over tries.
+fn efficiency(mean: f32) -> Outcome<f64> {
+    const COUNTS: u32 = 1 << 20;
+    let sampler = PoissonRejection::<Poly>::new(mean).map_err(|e| e.to_string())?;
+    let (mut rng, mut tries) = (Pcg32::new(1, 1), 0);
+    for _ in 0..COUNTS {
+        tries += sampler.draw(&mut rng).map_err(|e| e.to_string())?.tries;
+    }
+    Ok(f64::from(COUNTS) / f64::from(tries))
+}
+
+/// Upper ends throughout. A further try of a region takes what the mean exceeds the least by, over the tries beyond the first.
+pub fn table() -> Outcome<String> {
+    let all = all()?;
+    let head = [
+        "",
+        "efficiency",
+        "budget",
+        "spent with probability",
+        "core",
+        "mean",
+        "longest seen",
+        "a further try",
+        "all tries",
+    ];
+    let line = [
+        "---", "--:", "--:", "--:", "---", "--:", "--:", "--:", "--:",
+    ];
+    let mut table = vec![head.map(String::from).into(), line.map(String::from).into()];
+    for (kernel, efficiency, budget, alike) in rejections()? {
+        let tries = f64::from(budget);
+        let power = tries * (1.0 - efficiency).log2();
+        let mut first = vec![
+            format!("`{kernel}`"),
+            format!("{efficiency:.3}"),
+            budget.to_string(),
+            format!("2^{power:.0}"),
+        ];
+        for (timing, title) in TIMINGS {
+            let row = all
+                .iter()
+                .find(|row| row.kernel == kernel && row.timing == timing);
+            let row = row.ok_or_else(|| format!("cycles.csv has no {kernel} on {timing}"))?;
+            let further = (row.mean[1] - row.least) / (1.0 / efficiency - 1.0);
+            let (each, most) = if alike {
+                (whole(further), row.least + (tries - 1.0) * further)
+            } else {
+                (String::new(), tries * row.longest)
+            };
+            let mut cells = std::mem::replace(&mut first, vec![String::new(); 4]);
+            cells.push(title.into());
+            cells.extend([whole(row.mean[1]), whole(row.longest), each, whole(most)]);
+            table.push(cells);
+        }
+    }
+    Ok(rows(&table))
+}

@@ -1,0 +1,460 @@
+//! The tables of the pages: which rows each has, and which figures stand in a row.
+
+use crate::sources::{Sources, grouped};
+use crate::{cycles, every, rejection, scene};
+use microwarp_host::upkeep::{Outcome, read};
+use microwarp_list::{FLOAT_WARPS, GRADED_WARPS, Listed};
+
+/// The generated blocks, by the names in their marks.
+pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
+    match name {
+        "warps" => warps(sources),
+        "selections" => beside(
+            sources,
+            SELECTIONS,
+            "| | ns, PCG32 included | Cortex-M4F, PCG32 included | Cortex-M0, PCG32 included |",
+        ),
+        "chains" => beside(sources, CHAINS, "| | ns | Cortex-M4F | Cortex-M0 |"),
+        "generators" => beside(
+            sources,
+            GENERATORS,
+            "| a word; `fixed::Disk::draw` | ns | Cortex-M4F | Cortex-M0 |",
+        ),
+        "integers" => integers(sources),
+        "peers" => Ok(rows(&sources.peers)),
+        "renderers" => Ok(rows(&sources.renderers)),
+        "firmware" => firmware(),
+        "c" => c(),
+        "pictures" => scene::pictures(),
+        "paths" => scene::paths(sources),
+        "ingredients" => scene::ingredients(sources),
+        "scene" => scene::accuracy(),
+        "six" => six(sources),
+        "constant" => cycles::constant(),
+        "peers cycles" => every::beside_peers(sources),
+        _ if name.starts_with("every ") => every::every(&name[6..], sources),
+        "rejection cycles" => rejection::table(),
+        _ if name.starts_with("cycles ") => cycles::table(&name[7..]),
+        _ if name.starts_with("cost ") => cost(&name[5..], sources),
+        _ if name.starts_with("points ") => points(&name[7..], sources),
+        _ => Err(format!("no table is called {name}")),
+    }
+}
+
+/// One figure in a sentence, by the words in its mark.
+pub fn figure(expression: &str, sources: &Sources) -> Outcome<String> {
+    let words: Vec<&str> = expression.split_whitespace().collect();
+    let number = match words[..] {
+        ["instructions", core, kernel] => sources.instructions(core, kernel)?,
+        ["about", core, kernel] => hundreds(sources.instructions(core, kernel)?),
+        ["flash", core, name] => sources.flash(core, name)?,
+        ["golden", "words"] => sources.golden().0,
+        ["golden", "cases"] => sources.golden().1,
+        ["cycles", timing, kernel] => cycles::figure(timing, kernel, |row| row.mean[1])?,
+        ["longest", timing, kernel] => cycles::figure(timing, kernel, |row| row.longest)?,
+        ["ns", bench, name] => return sources.nanoseconds(bench, name),
+        _ => return Err(format!("no figure is called {expression:?}")),
+    };
+    Ok(grouped(number))
+}
+
+/// To the nearest hundred.
+fn hundreds(number: u64) -> u64 {
+    (number + 50) / 100 * 100
+}
+
+/// Rows of a Markdown table; a cell of dashes and colons says how its column is aligned.
+pub fn rows(rows: &[Vec<String>]) -> String {
+    let cell = |cell: &String| match cell.trim_matches([':', '-']) {
+        _ if cell.is_empty() => " ".into(),
+        "" => cell.clone(),
+        _ => format!(" {cell} "),
+    };
+    let row = |cells: &Vec<String>| {
+        let cells: Vec<String> = cells.iter().map(cell).collect();
+        format!("|{}|\n", cells.join("|"))
+    };
+    rows.iter().map(row).collect()
+}
+
+/// A warp of the float tiers, its kernel, which is the name of its bench, and the row of its errors.
+struct Warp {
+    label: &'static str,
+    name: &'static str,
+    error: &'static str,
+    kernel: &'static str,
+}
+
+const fn warp(
+    label: &'static str,
+    name: &'static str,
+    error: &'static str,
+    kernel: &'static str,
+) -> Warp {
+    Warp {
+        label,
+        name,
+        error,
+        kernel,
+    }
+}
+
+#[rustfmt::skip]
+const WARPS: [Warp; 12] = [
+    warp("`Disk`", "Disk", "sample", "disk"),
+    warp("`DiskConcentric`", "DiskConcentric", "sample", "disk_concentric"),
+    warp("`Sphere`", "Sphere", "sample", "sphere"),
+    warp("`Hemisphere`", "Hemisphere", "sample", "hemisphere"),
+    warp("`CosineHemisphere`", "CosineHemisphere", "sample", "cosine_hemisphere"),
+    warp("`PhongLobe`, n = 50: sin θ", "PhongLobe", "sin θ, ulp", "phong_lobe_50"),
+    warp("`Cone`: sin θ", "Cone", "sin θ, ulp", "cone"),
+    warp("`Triangle`", "Triangle", "sample", "triangle"),
+    warp("`Exponential`", "Exponential", "sample, ulp", "exponential_1"),
+    warp("`TruncatedExponential`", "TruncatedExponential", "sample, ulp", "truncated_exponential_2_3"),
+    warp("`Normal`", "Normal", "sample, ulp", "normal"),
+    warp("`NormalPair`, of its reach 5.77σ", "NormalPair", "sample", "normal_pair"),
+];
+
+/// The rows of the README's table.
+const SIX: [&str; 6] = [
+    "Disk",
+    "CosineHemisphere",
+    "PhongLobe",
+    "Exponential",
+    "NormalPair",
+    "Triangle",
+];
+
+fn six(sources: &Sources) -> Outcome<String> {
+    let mut text = String::from(
+        "| in `poly` | largest error | ns, PC | Cortex-M4F | Cortex-M0 | M0, `fixed` | flash, M4F |\n\
+         |---|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for name in SIX {
+        let warp = WARPS.iter().find(|warp| warp.name == name);
+        let warp = warp.ok_or_else(|| format!("no warp {name}"))?;
+        let integer = GRADED_WARPS.iter().find(|warp| warp.name == name);
+        let integer = integer.and_then(|warp| warp.kernels.first());
+        let integer = integer.ok_or_else(|| format!("no integer warp beside {name}"))?;
+        let kernel = format!("poly_{}_pcg32", warp.kernel);
+        let unit = if warp.error.contains("ulp") {
+            " ulp"
+        } else {
+            ""
+        };
+        text += &rows(&[vec![
+            format!("`{name}`"),
+            sources.stated(name, warp.error, "`poly`")? + unit,
+            sources.nanoseconds("warps", &format!("poly::draw::{}", warp.kernel))?,
+            grouped(sources.instructions("m4f", &kernel)?),
+            grouped(sources.instructions("m0", &kernel)?),
+            grouped(sources.instructions("m0", &format!("fine_{integer}_pcg32"))?),
+            grouped(sources.code_at_s("m4f", &kernel)?),
+        ]]);
+    }
+    Ok(text)
+}
+
+/// What a warp costs, for its documentation: one item a tier.
+fn cost(name: &str, sources: &Sources) -> Outcome<String> {
+    let (list, tiers, name): (&[Listed], &[&str], _) = match name.strip_prefix("fixed ") {
+        Some(name) => (GRADED_WARPS, &["fine", "coarse", "compact"], name),
+        None => (FLOAT_WARPS, &["poly", "libm"], name),
+    };
+    let kernels = list
+        .iter()
+        .find(|warp| warp.name == name)
+        .map(|w| w.kernels);
+    let kernel = kernels.and_then(|kernels| kernels.first());
+    let kernel = kernel.ok_or_else(|| format!("{name} has no cost kernel"))?;
+    let mut text = String::from("Instructions of a draw, PCG32 included, and bytes of flash:\n");
+    for tier in tiers {
+        let kernel = format!("{tier}_{kernel}_pcg32");
+        let on = |core| sources.instructions(core, &kernel).map(grouped);
+        let line = if tiers.contains(&"poly") {
+            let flash = grouped(sources.code_at_s("m4f", &kernel)?);
+            format!(
+                "{} on a Cortex-M4F ({flash} bytes), {} on a Cortex-M0, {} as WASM",
+                on("m4f")?,
+                on("m0")?,
+                on("wasm")?
+            )
+        } else {
+            let flash = grouped(sources.code_at_s("m0", &kernel)?);
+            format!(
+                "{} on a Cortex-M0 ({flash} bytes), {} on a Cortex-M3",
+                on("m0")?,
+                on("m3")?
+            )
+        };
+        text += &format!("- `{tier}`: {line}.\n");
+    }
+    Ok(text)
+}
+
+/// What the words of a point cost, for the documentation of its set: one item a kernel.
+fn points(kernels: &str, sources: &Sources) -> Outcome<String> {
+    let mut text = String::from("Instructions of the words of a point, and bytes of flash:\n");
+    for kernel in kernels.split(' ') {
+        let what = match kernel {
+            "sobol_8d" => "eight, of the first 1,024 points",
+            _ => "two words",
+        };
+        let on = |core| sources.instructions(core, kernel).map(grouped);
+        text += &format!(
+            "- {what}: {} on a Cortex-M4F ({} bytes), {} on a Cortex-M0, {} as WASM.\n",
+            on("m4f")?,
+            grouped(sources.code_at_s("m4f", kernel)?),
+            on("m0")?,
+            on("wasm")?
+        );
+    }
+    Ok(text)
+}
+
+fn warps(sources: &Sources) -> Outcome<String> {
+    let mut text = String::from(
+        "| warp | error, `libm` | error, `poly` | ns, `libm` | ns, `poly` | ns filled, `poly` | Cortex-M4F, `poly` | Cortex-M0, `poly` | WASM, `poly` | flash on M4F |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for Warp {
+        label,
+        name,
+        error,
+        kernel,
+    } in WARPS
+    {
+        let drawn = format!("poly_{kernel}_pcg32");
+        let unit = if error.contains("ulp") { " ulp" } else { "" };
+        let mut cells = vec![label.to_string()];
+        for tier in ["`libm`", "`poly`"] {
+            cells.push(sources.stated(name, error, tier)? + unit);
+        }
+        for action in ["libm::draw::", "poly::draw::", "poly::fill::"] {
+            cells.push(sources.nanoseconds("warps", &format!("{action}{kernel}"))?);
+        }
+        for core in ["m4f", "m0", "wasm"] {
+            cells.push(grouped(sources.instructions(core, &drawn)?));
+        }
+        cells.push(grouped(sources.code_at_s("m4f", &drawn)?));
+        text += &rows(&[cells]);
+    }
+    Ok(text)
+}
+
+/// A label, the benches on the host, the kernels (or what was counted without one).
+type Row = (
+    &'static str,
+    &'static [&'static str],
+    &'static [&'static str],
+);
+
+/// Rows of the table of generators.
+#[rustfmt::skip]
+const GENERATORS: &[Row] = &[
+    ("`Pcg32` of `rand_pcg`, which the other tables count", &["tables a_floor_of_one_word"], &["pcg32_word", "fine_disk_pcg32"]),
+    ("`Sfc32` of `rand_sfc`", &[], &["sfc32_word", "sfc32_disk"]),
+    ("`XorShiftRng` of `rand_xorshift`", &[], &["xorshift_word", "xorshift_disk"]),
+    ("`Xoroshiro64Star` of `rand_xoshiro`", &[], &["xoroshiro64_word", "xoroshiro64_disk"]),
+    ("`Xoshiro128PlusPlus` of `rand_xoshiro`, the `SmallRng` of 32-bit targets", &[], &["xoshiro128_word", "xoshiro128_disk"]),
+];
+
+#[rustfmt::skip]
+const SELECTIONS: &[Row] = &[
+    ("one word of PCG32", &["tables a_floor_of_one_word"], &["pcg32_word"]),
+    ("`draw_index` from a `Cdf` of 6, of 1,024 `u32`", &["tables cdf_u32_index_only::6", "tables cdf_u32_index_only::1024"], &["cdf_6_index", "cdf_1024_pcg32"]),
+    ("`draw`, with pmf and leftover", &["tables cdf_u32::6", "tables cdf_u32::1024"], &["cdf_6", "cdf_1024"]),
+    ("`draw_exact` from a `Cdf` of 64 `u32`, with numerator and leftover", &[], &["cdf_64_exact_pcg32"]),
+    ("`draw_index` from an `Alias` of 1,024 `u32`", &[], &["alias_1024_pcg32"]),
+    ("`draw`, with pmf and leftover, of 6, of 2²⁰", &["tables alias_u32::6", "tables alias_u32::1048576"], &["alias_1024"]),
+    ("`PiecewiseConstant1d` of 1,024; of 64 on the microcontrollers", &["tables piecewise_1d_of_1024"], &["piecewise_constant_1d_64_pcg32"]),
+    ("`PiecewiseConstant2d` of 256 × 128; of 32 × 16 on the microcontrollers", &["tables piecewise_2d_of_256_by_128"], &["piecewise_2d_32_16"]),
+    ("`select_once` over 2, 8, 64 weights; over 4, 16 on the microcontrollers, without a generator", &["tables select_once_over::2", "tables select_once_over::8", "tables select_once_over::64"], &["select_once_4", "select_once_16"]),
+    ("`Reservoir::offer`", &["tables reservoir_offer"], &["reservoir_offer"]),
+    ("`DiskRejection`, `BallRejection`", &["tables rejection_disk", "tables rejection_ball"], &["rejection_disk_pcg32", "rejection_ball_pcg32"]),
+    ("`ZigguratStandardNormal`, `ZigguratStandardExponential`", &["peers normal", "peers exponential"], &["rejection_ziggurat_standard_normal_pcg32", "rejection_ziggurat_standard_exponential_pcg32"]),
+    ("`fixed::DiskRejection16`, `fixed::DiskRejection`", &[], &["fixed_rejection_disk_16_pcg32", "fixed_rejection_disk_pcg32"]),
+    ("a step of a chain of `u32` weights, `UniformIndex`", &[], &["chain_integers_uniform_index"]),
+    ("`Moments::push`, `Integral::push`, without a generator on the microcontrollers", &["tables moments_push", "tables integral_push"], &["moments_push", "integral_push"]),
+];
+
+#[rustfmt::skip]
+const CHAINS: &[Row] = &[
+    ("`UniformStep`, 1 coordinate", &["chains uniform_1"], &["chain_uniform_1"]),
+    ("`BoxStep`, in ℝ; wrapped", &["chains box_1", "chains box_wrapped_1"], &["chain_box_1", "chain_box_wrapped_1"]),
+    ("`Mixture` of both, 9 : 1", &["chains box_and_uniform_1"], &["chain_box_and_uniform_1"]),
+    ("`NormalStep`, 2 coordinates, `LogDensity`", &["chains normal_2"], &["chain_normal_2"]),
+    ("`LargeSmall` with `LogUniformStep`, 2 and 32 coordinates", &["chains large_and_exponential::2", "chains large_and_exponential::32"], &["chain_large_exponential_2", "chain_large_exponential_32"]),
+    ("`OneCoordinate` of 32", &["chains one_coordinate::32"], &["chain_one_coordinate_32"]),
+    ("a Phong lobe driven through the unit square", &["chains lobe_driven"], &["chain_lobe"]),
+    ("`Independence` of a `Cdf` of 64", &["chains independence_of_a_table_of_64"], &["chain_independence_cdf_64"]),
+    ("`UniformIndex`", &["chains any_of_65536_indices"], &["chain_uniform_index"]),
+    ("`Autocorrelation::push`, 16 and 64 lags, without a generator on the microcontrollers", &["chains health_push::16", "chains health_push::64"], &["health_push_16", "health_push_64"]),
+];
+
+/// Nanoseconds, and instructions on an M4F and an M0.
+fn beside(sources: &Sources, list: &[Row], header: &str) -> Outcome<String> {
+    let mut text = format!("{header}\n|---|--:|--:|--:|\n");
+    for (label, benches, kernels) in list {
+        let nanoseconds = |bench: &&str| match bench.split_once(' ') {
+            Some(("peers", family)) => rejection(sources, family),
+            Some((bench, name)) => sources.nanoseconds(bench, name),
+            None => Err(format!("no bench {bench}")),
+        };
+        let on = |core| {
+            kernels
+                .iter()
+                .map(|kernel| Ok(grouped(sources.instructions(core, kernel)?)))
+                .collect()
+        };
+        let cells: [Outcome<Vec<String>>; 3] = [
+            benches.iter().map(nanoseconds).collect(),
+            on("m4f"),
+            on("m0"),
+        ];
+        let mut row = vec![label.to_string()];
+        for cell in cells {
+            row.push(cell?.join(", "));
+        }
+        text += &rows(&[row]);
+    }
+    Ok(text)
+}
+
+/// What rejection took beside the peers, to a tenth.
+fn rejection(sources: &Sources, family: &str) -> Outcome<String> {
+    let cell = sources.peer(family, "rejection")?;
+    let value: f64 = cell
+        .parse()
+        .map_err(|_| format!("peers.md: {family}: {cell}"))?;
+    Ok(format!("{value:.1}"))
+}
+
+/// A label, what states its errors and in which row, its kernel, and that of the float tiers where one draws the same.
+type Integer = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    Option<&'static str>,
+);
+
+#[rustfmt::skip]
+const INTEGERS: [Integer; 11] = [
+    ("`sincos_turns`", "Grade", "`sincos_turns`", "sincos_turns", None),
+    ("`sqrt`", "Grade", "`sqrt`", "sqrt", None),
+    ("`Disk`", "Disk", "sample, max", "disk", Some("disk")),
+    ("`Sphere`", "Sphere", "sample, max", "sphere", Some("sphere")),
+    ("`Hemisphere`", "Hemisphere", "sample, max", "hemisphere", Some("hemisphere")),
+    ("`CosineHemisphere`", "CosineHemisphere", "sample, max", "cosine_hemisphere", Some("cosine_hemisphere")),
+    ("`Cone`, of the sine of its angle", "Cone", "sample, max", "cone", Some("cone")),
+    ("`PhongLobe`, n = 50; errors for every n", "PhongLobe", "sample, max", "phong_lobe_50", Some("phong_lobe_50")),
+    ("`StandardExponential`", "StandardExponential", "sample, max", "standard_exponential", Some("exponential_1")),
+    ("`StandardNormalPair`", "StandardNormalPair", "sample, max", "standard_normal_pair", Some("normal_pair")),
+    ("`Triangle`", "Triangle", "sample, max", "triangle", Some("triangle")),
+];
+
+/// The first number of a statement: of several, or of a formula whose first is the factor or the most.
+fn first_number(statement: &str) -> &str {
+    let start = statement.find(|c: char| c.is_ascii_digit()).unwrap_or(0);
+    let rest = &statement[start..];
+    let end = rest.find(|c: char| !(c.is_ascii_digit() || ".e-".contains(c)));
+    &rest[..end.unwrap_or(rest.len())]
+}
+
+fn integers(sources: &Sources) -> Outcome<String> {
+    let mut text = String::from(
+        "| | error, fine, coarse | M0: fine | coarse | compact | `f32` over fine | `poly` | `libm` | M3: fine | coarse | `poly` | flash on M0, fine | stack |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for (label, name, title, kernel, float) in INTEGERS {
+        let grades: &[&str] = if name == "Grade" {
+            &["[`Fine`]", "[`Coarse`]"]
+        } else {
+            &["fine", "coarse"]
+        };
+        let mut errors = Vec::new();
+        for grade in grades {
+            errors.push(first_number(&sources.stated(name, title, grade)?).to_string());
+        }
+        let mut row = vec![label.to_string(), errors.join(", ")];
+        let columns = [
+            ("m0", "fine", Some(kernel)),
+            ("m0", "coarse", Some(kernel)),
+            ("m0", "compact", Some(kernel)),
+            ("m0", "fine_float", Some(kernel)),
+            ("m0", "poly", float),
+            ("m0", "libm", float),
+            ("m3", "fine", Some(kernel)),
+            ("m3", "coarse", Some(kernel)),
+            ("m3", "poly", float),
+        ];
+        for (core, tier, kernel) in columns {
+            let kernel = kernel.map(|kernel| format!("{tier}_{kernel}"));
+            // Not every warp has a kernel with floats outside.
+            let kernel = kernel.filter(|kernel| tier != "fine_float" || sources.has_kernel(kernel));
+            let cell = kernel
+                .map(|kernel| sources.instructions(core, &kernel))
+                .transpose()?;
+            row.push(cell.map_or(String::new(), grouped));
+        }
+        let fine = format!("fine_{kernel}");
+        row.push(grouped(sources.code_at_s("m0", &fine)?));
+        row.push(grouped(sources.stack("m0", &fine)?));
+        text += &rows(&[row]);
+    }
+    Ok(text)
+}
+
+/// The rows of a table of examples/firmware, and by which compiler.
+pub fn of_firmware(file: &str) -> Outcome<(String, Vec<[String; 4]>)> {
+    let path = format!("examples/firmware/{file}");
+    let text = read(&path)?;
+    let compiler = text.lines().next().unwrap_or_default();
+    let row = |row: &str| {
+        let cells: Vec<String> = row.split(',').map(String::from).collect();
+        cells.try_into().map_err(|_| format!("{path}: {row}"))
+    };
+    let rows = text.lines().skip(2).map(row).collect::<Outcome<_>>()?;
+    Ok((compiler.trim_start_matches("# ").into(), rows))
+}
+
+/// What the application of examples/firmware occupies.
+fn firmware() -> Outcome<String> {
+    let (compiler, sizes) = of_firmware("sizes.csv")?;
+    let mut text = format!(
+        "Bytes of the linked image, {compiler}:\n\n| program | target | flash | RAM |\n|---|---|--:|--:|\n"
+    );
+    for [program, target, flash, ram] in sizes {
+        let name = match &*program {
+            "app" => "`app`",
+            "app_rtt" => "`app`, log by RTT",
+            _ => continue,
+        };
+        text += &rows(&[vec![name.into(), format!("`{target}`"), flash, ram]]);
+    }
+    Ok(text)
+}
+
+/// Programs of one sampler in C beside the same in Rust, on both cores.
+fn c() -> Outcome<String> {
+    const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
+    let text = read("bindings/c/sizes/sizes.csv")?;
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let figures = |program: &str, target: &str| {
+        let is = |line: &&Vec<&str>| line[0] == program && line.get(1) == Some(&target);
+        let line = lines.iter().find(is);
+        line.map(|line| [line[2].to_owned(), line[3].to_owned()])
+            .ok_or(format!("no {program} on {target} in sizes.csv"))
+    };
+    let mut text =
+        "| bytes of flash | M0: C | Rust | M4F: C | Rust |\n|---|--:|--:|--:|--:|\n".to_owned();
+    for line in lines.iter().filter(|line| line.get(1) == Some(&TARGETS[0])) {
+        let mut row = vec![format!("`mw_{}`", line[0])];
+        for target in TARGETS {
+            row.extend(figures(line[0], target)?);
+        }
+        text += &rows(&[row]);
+    }
+    Ok(text)
+}
