@@ -1,9 +1,7 @@
 //! The house itself: the order of its rooms, and that no warp is missing from the catalogue.
 
-mod files;
 mod names;
 
-use self::files::House;
 use self::names::{count_over, missing};
 use host::registry::entries;
 use std::collections::BTreeSet;
@@ -99,64 +97,86 @@ fn changed(file: &str, change: impl Fn(&str) -> String) -> Vec<(String, String)>
     texts
 }
 
-#[test]
-fn no_file_stands_on_itself_by_way_of_others() {
-    let texts = house();
-    let house = House::new(&texts);
-    assert!(house.edges().len() > texts.len(), "the paths are not seen");
-    assert_eq!(house.circles(), [[""; 0]; 0]);
+/// The packages that a manifest depends on by path, as folders from the root.
+fn depends_on(folder: &str, manifest: &str) -> Vec<String> {
+    let paths = manifest.lines().filter_map(|line| {
+        // `path = "src/main.rs"` of a target begins its line; that of a dependency does not.
+        let (before, after) = line.split_once("path = \"")?;
+        (!before.is_empty()).then(|| after.split('"').next().unwrap())
+    });
+    let from_the_root = |path: &str| {
+        let mut folders: Vec<&str> = folder.split('/').filter(|f| !f.is_empty()).collect();
+        for step in path.split('/') {
+            match step {
+                ".." => drop(folders.pop()),
+                step => folders.push(step),
+            }
+        }
+        folders.join("/")
+    };
+    paths.map(from_the_root).collect()
+}
+
+/// Those of them that stand where nothing that is shared may stand.
+fn misplaced(folder: &str, manifest: &str) -> Vec<String> {
+    let all = depends_on(folder, manifest).into_iter();
+    let wrong = |path: &String| {
+        ["tests/", "benches/", "examples/"]
+            .iter()
+            .any(|room| path.starts_with(room))
+    };
+    all.filter(wrong).collect()
 }
 
 #[test]
-fn a_circle_of_files_is_noticed() {
-    let house = |files: &[(&str, &str)]| {
-        let owned = files
-            .iter()
-            .map(|(path, text)| ((*path).to_owned(), (*text).to_owned()));
-        House::new(&owned.collect::<Vec<_>>()).circles()
-    };
-    let root = ("lib.rs", "mod room; pub use room::Name;");
-    let room = (
-        "room.rs",
-        "mod a;\nmod b;\npub use self::a::Name;\nuse self::b::{other as o};\nfn f() { o() }",
-    );
-    let one = (
-        "room/a.rs",
-        "/// `super::b`\nuse core::{fmt, ops::Range};\npub struct Name; // super::b::other",
-    );
-    let other = (
-        "room/b.rs",
-        "mod sealed { use super::other; }\npub fn other(_: crate::Name) {}",
-    );
-    assert!(house(&[root, room, one, other]).is_empty());
-    // By an import, by a path in the code, by a name of the parent that the parent has from another file.
-    for text in [
-        "use super::{b::other};",
-        "fn f() { super::b::other() }",
-        "use super::o;",
-    ] {
-        assert_eq!(
-            house(&[root, room, ("room/a.rs", text), other]),
-            [["room/a", "room/b"]],
-            "{text}"
-        );
+fn no_package_depends_on_what_stands_in_tests_benches_or_examples() {
+    let (mut packages, mut seen) = (0, 0);
+    for room in ["", "crates", "tests", "benches", "examples", "bindings"] {
+        for (folder, manifest) in manifests(room) {
+            packages += 1;
+            seen += depends_on(&folder, &manifest).len();
+            assert_eq!(misplaced(&folder, &manifest), [""; 0], "{folder}");
+        }
     }
-    // In the house itself: a room uses a later one, which stands on it.
-    let texts = changed("num/word.rs", |text| {
-        format!("{text}use crate::warp::Normal;\n")
-    });
-    assert_eq!(House::new(&texts).circles().len(), 1);
-    // By what the parent defines itself, and what it hands on and uses.
-    let below = ("room/b.rs", "use super::f;");
-    assert_eq!(house(&[root, room, one, below]), [["room", "room/b"]]);
-    let uses = (
-        "room.rs",
-        "mod a;\npub use self::a::Name;\nfn f(_: Name) {}",
+    assert!(
+        packages > 8 && seen > packages,
+        "the manifests are not seen: {packages}, {seen}"
     );
+    // The check itself sees a dependency by any spelling, and none in a target.
+    let wrong =
+        "a = { path = \"../golden\" }\nb = { package = \"c\", path = \"../../examples/d\" }";
     assert_eq!(
-        house(&[root, uses, ("room/a.rs", "use super::f;")]),
-        [["room", "room/a"]]
+        misplaced("tests/probe", wrong),
+        ["tests/golden", "examples/d"]
     );
+    assert!(
+        misplaced(
+            "tests/probe",
+            "path = \"../golden/main.rs\"\na = { path = \"../..\" }"
+        )
+        .is_empty()
+    );
+}
+
+/// The manifests below a folder of the root, or the root's own, with their folders.
+fn manifests(room: &str) -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut found = Vec::new();
+    let mut open = vec![root.join(room)];
+    while let Some(folder) = open.pop() {
+        if let Ok(text) = fs::read_to_string(folder.join("Cargo.toml")) {
+            let name = folder.strip_prefix(root).unwrap();
+            found.push((name.to_str().unwrap().to_owned(), text));
+        }
+        // The root's other folders are named, so that what is built there is not read.
+        let inside = (!room.is_empty()).then(|| fs::read_dir(&folder).unwrap());
+        let folders = inside
+            .into_iter()
+            .flatten()
+            .map(|entry| entry.unwrap().path());
+        open.extend(folders.filter(|path| path.is_dir() && !path.ends_with("target")));
+    }
+    found
 }
 
 #[test]
