@@ -64,6 +64,34 @@ fn same_inputs_give_the_golden_bits() {
     }
 }
 
+/// What has no tier stands among the rows of `poly` alone; what has one stands in both.
+#[test]
+fn what_has_no_tier_has_its_rows_once() {
+    let rows = |tier: &'static str| -> BTreeSet<&str> {
+        let all = (0..cases()).map(describe);
+        all.filter(|(.., of)| *of == tier)
+            .map(|(name, ..)| name)
+            .collect()
+    };
+    let (poly, libm) = (rows("poly"), rows("libm"));
+    assert!(libm.is_subset(&poly));
+    let entries = host::registry::entries();
+    let mut seen = [0, 0];
+    for warp in FLOAT_WARPS {
+        let of_warp =
+            |entry: &&host::registry::Entry| entry.name.split(' ').next() == Some(warp.name);
+        // What is made of others has their tier.
+        let tiered = entries
+            .iter()
+            .filter(of_warp)
+            .any(|entry| entry.tiered || entry.composed);
+        let in_libm = warp.golden.iter().any(|name| libm.contains(name));
+        assert!(tiered || !in_libm, "{}", warp.name);
+        seen[usize::from(in_libm)] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+}
+
 /// A single flipped bit, a missing row and an empty table do not pass.
 #[test]
 fn a_changed_table_is_noticed() {

@@ -71,7 +71,7 @@ impl Listed {
 
 macro_rules! listed {
     ($list:ident: $($type:ident {
-        golden { $($golden:literal => $warp:expr,)* }
+        golden { $($($once:ident)? $golden:literal => $warp:expr,)* }
         cost {
             $($kernel:literal $u:tt $(: $number:ident)? -> $out:ty = $cost:expr,)*
             $(none $reason:literal)?

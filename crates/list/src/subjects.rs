@@ -1,5 +1,6 @@
 //! The subjects and the inputs of the golden table. The warps stand in `warps.rs`.
 
+use crate::cases::Golden;
 use crate::{chains, integers};
 use core::hint::black_box;
 use microwarp::discrete::{
@@ -12,7 +13,6 @@ use microwarp::rejection::{
     SLACK, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
     ZigguratStandardNormal, budget_for,
 };
-use microwarp::tier::Tier;
 use microwarp::uniform::{
     self, ByPosition, Points, Recurrence, Sobol, Strata1d, Strata2d, Uniforms,
 };
@@ -297,23 +297,47 @@ static FLASH: Cdf<[u32; 6]> = match Cdf::new(&[0.0, 1.0, 1e-6, 37.0, 0.3, 0.0]) 
     Err(_) => panic!("refused"),
 };
 
+/// Which subjects are evaluated in one tier alone: those marked `once`, which have no tier and so cannot name it.
+macro_rules! once {
+    () => {
+        false
+    };
+    (once) => {
+        true
+    };
+    (once $subject:expr) => {{
+        #[allow(dead_code)]
+        type T = ();
+        $subject
+    }};
+    ($subject:expr) => {
+        $subject
+    };
+}
+
 /// The subjects: the warps of the list, and behind them what is no warp, functions of four uniforms and the input.
 macro_rules! subjects {
     (
-        { $($name:literal => $function:expr,)* }
-        $($type:ident { golden { $($warp_name:literal => $warp:expr,)* } cost $cost:tt page $page:tt bind $bind:tt })*
+        { $($($once:ident)? $name:literal => $function:expr,)* }
+        $($type:ident {
+            golden { $($($warp_once:ident)? $warp_name:literal => $warp:expr,)* }
+            cost $cost:tt page $page:tt bind $bind:tt
+        })*
     ) => {
-        /// The names of all subjects, in the order of their cases: first the warps.
-        pub const SUBJECTS: &[&str] = &[$($($warp_name,)*)* $($name,)*];
+        /// The names of all subjects, in the order of their cases: first the warps. And whether they have no tier.
+        pub const SUBJECTS: &[(&str, bool)] = &[
+            $($(($warp_name, once!($($warp_once)?)),)*)*
+            $(($name, once!($($once)?)),)*
+        ];
 
         /// Evaluates one subject at one input; nothing for an index past the last. No other subject than those of a range is
-        /// linked.
-        pub fn evaluate<T: Tier, const FROM: usize, const TO: usize>(subject: usize, input: usize, out: &mut Out) {
-            let linked = |index| FROM <= index && index < TO;
+        /// linked, and what has no tier in one alone.
+        pub fn evaluate<T: Golden, const FROM: usize, const TO: usize>(subject: usize, input: usize, out: &mut Out) {
+            let linked = |index, once: bool| FROM <= index && index < TO && (T::ALL || !once);
             let mut index = 0;
             $($(
-                if linked(index) && subject == index {
-                    let warp: Result<_, Error> = $warp;
+                if linked(index, once!($($warp_once)?)) && subject == index {
+                    let warp: Result<_, Error> = once!($($warp_once)? $warp);
                     if let Ok(warp) = warp {
                         triple(warp, input, out);
                     }
@@ -325,8 +349,8 @@ macro_rules! subjects {
                 Uniforms::canonical(core::array::from_fn(|_| uniform::grid(&mut generator(input)))).get()
             });
             $(
-                if linked(index) && subject == index {
-                    let function: fn([f32; 4], usize, &mut Out) = $function;
+                if linked(index, once!($($once)?)) && subject == index {
+                    let function: fn([f32; 4], usize, &mut Out) = once!($($once)? $function);
                     function(uniforms, input, out);
                     return;
                 }
@@ -404,14 +428,14 @@ float_warps!(subjects {
     "tier normal" => |[a, b, ..], _, out| {
         [T::normal_cdf_lower(-14.0 * a), T::normal_quantile_lower(0.5 * b)].put(out);
     },
-    "uniforms" => |u, input, out| {
+    once "uniforms" => |u, input, out| {
         u.canonical().get().put(out);
         let mut rng = generator(input);
         [uniform::grid(&mut rng), uniform::open(&mut rng), uniform::full(&mut rng)].put(out);
         out.float(uniform::full_from_words(rng.next_u32() >> (2 * input), rng.next_u32()));
         out.float(uniform::full_from_words(0, rng.next_u32() >> (2 * input)));
     },
-    "strata" => |[a, b, ..], input, out| {
+    once "strata" => |[a, b, ..], input, out| {
         if let (Ok(line), Ok(square)) = (Strata1d::new(7), Strata2d::new(5, 3)) {
             out.float(line.point(input as u32, a));
             square.point(input as u32, [a, b]).put(out);
@@ -419,7 +443,7 @@ float_warps!(subjects {
             out.word(square.count());
         }
     },
-    "points" => |[a, b, ..], input, out| {
+    once "points" => |[a, b, ..], input, out| {
         let (index, pixel) = (a.to_bits(), b.to_bits());
         let sets = (Sobol::<2>::new(pixel), Sobol::<8>::new(pixel), Recurrence::<3>::new(pixel));
         if let (Ok(pairs), Ok(eight), Ok(recurrence)) = sets {
@@ -431,7 +455,7 @@ float_warps!(subjects {
             out.word(others.into_iter().fold(0, |all, word| all.rotate_left(1) ^ word));
         }
     },
-    "frame" => |[a, b, c, d], _, out| {
+    once "frame" => |[a, b, c, d], _, out| {
         match Frame::new([a - 0.5, b - 0.5, c - 0.5]) {
             Ok(frame) => {
                 frame.normal().put(out);
@@ -466,7 +490,7 @@ float_warps!(subjects {
             out.float(triangle.area());
         }
     },
-    "cdf" => |[a, b, ..], input, out| {
+    once "cdf" => |[a, b, ..], input, out| {
         let bits = (b * 4_294_967_296.0) as u32;
         with(Cdf::new(&weights()), out, |table, out| {
             selected(table.select_uniform(a), out);
@@ -477,7 +501,7 @@ float_warps!(subjects {
             out.word(u32::from(table == FLASH));
         });
     },
-    "cdf wide" => |[a, b, ..], input, out| {
+    once "cdf wide" => |[a, b, ..], input, out| {
         let bits = (b * 4_294_967_296.0) as u32;
         with(Cdf::new_u64(&weights()), out, |table, out| {
             selected(table.select_uniform(a), out);
@@ -488,7 +512,7 @@ float_warps!(subjects {
             out.word(table.as_words().first().map_or(0, |word| *word as u32));
         });
     },
-    "cdf of any weights" => |[a, b, c, d], _, out| {
+    once "cdf of any weights" => |[a, b, c, d], _, out| {
         let mut memory = [0_u32; 6];
         let any = [a, b, 1e-9 * c, d, 1e6 * a];
         with(Cdf::<&[u32]>::new_in(&any, &mut memory), out, |table, out| {
@@ -504,7 +528,7 @@ float_warps!(subjects {
         let index = 2 + (u64::from(a.to_bits() >> 29) << 32);
         out.word(u32::from(Cdf::from_words([1, 2, index]).is_ok()));
     },
-    "cdf of integers" => |[a, b, c, d], input, out| {
+    once "cdf of integers" => |[a, b, c, d], input, out| {
         let any = [a.to_bits(), b.to_bits() >> 9, c.to_bits() >> 20, d.to_bits()];
         with(Cdf::from_integers(&any), out, |table, out| {
             table.as_words().iter().for_each(|&word| out.word(word));
@@ -517,7 +541,7 @@ float_warps!(subjects {
             out.float(table.pmf(3));
         });
     },
-    "alias" => |[a, b, ..], input, out| {
+    once "alias" => |[a, b, ..], input, out| {
         let bits = (b * 4_294_967_296.0) as u32;
         with(Alias::<[AliasEntry<u32>; 8]>::new(&weights()), out, |table, out| {
             selected(table.select_uniform(a), out);
@@ -528,7 +552,7 @@ float_warps!(subjects {
                 out.word(table.bins() as u32);
         });
     },
-    "alias wide" => |[a, b, c, d], input, out| {
+    once "alias wide" => |[a, b, c, d], input, out| {
         let mut memory = [AliasEntry::<u64>::EMPTY; 8];
         let any = [a, b, 1e-9 * c, d, 1e6 * a];
         with(Alias::<&[AliasEntry<u64>]>::new_in(&any, &mut memory), out, |table, out| {
@@ -542,12 +566,12 @@ float_warps!(subjects {
             out.float(table.pmf(1));
         });
     },
-    "select once" => |[a, b, c, d], _, out| {
+    once "select once" => |[a, b, c, d], _, out| {
         selected_or(select_once(&weights(), (a * 4_294_967_296.0) as u32), out);
         selected_or(select_once_uniform(&[b, c, 1e-9 * d, a], c), out);
         selected_or(select_once(&[a - 0.5, b, 0.0], 0), out);
     },
-    "reservoir" => |[a, b, c, d], input, out| {
+    once "reservoir" => |[a, b, c, d], input, out| {
         let mut rng = generator(input);
         let (mut one, mut two) = (Reservoir::new(), Reservoir::new());
         for (item, weight) in [a, b, 1e30 * c, 1e-30 * d].into_iter().enumerate() {
@@ -563,7 +587,7 @@ float_warps!(subjects {
         out.word(one.item().copied().unwrap_or(99));
         out.float(one.pmf());
     },
-    "piecewise of any weights" => |[a, b, c, d], input, out| {
+    once "piecewise of any weights" => |[a, b, c, d], input, out| {
         let (mut rows, mut cells) = ([0_u32; 2], [0_u32; 4]);
         let table = PiecewiseConstant2d::<&[u32], &[u32]>::new_in(&[a, b, c, d], [2, 2], [0.0, 1.0], [a, 9.0], &mut rows, &mut cells);
         with(table, out, |table, out| {
@@ -605,7 +629,7 @@ float_warps!(subjects {
             out.word(curve.cell(c) as u32);
         });
     },
-    "mesh of any vertices" => |[a, b, c, d], input, out| {
+    once "mesh of any vertices" => |[a, b, c, d], input, out| {
         let vertices = [[a, b, 0.0], [c, d, 1.0], [1.0, a, c], [d, 0.25, 1e-3]];
         let (mut areas, mut words) = ([0.0; 3], [0_u64; 3]);
         let mesh = Mesh::new_in(&vertices, &[[0_u8, 1, 2], [1, 2, 3], [2, 2, 0]], &mut areas, &mut words);
@@ -619,14 +643,14 @@ float_warps!(subjects {
         let table = Cdf::<[u32; 1]>::new(&[1.0]);
         verdict(table.and_then(|t| Mesh::from_table(&vertices, &[[3_u8, 2, 7]], &mut areas, t).map(|m| m.area())), out);
     },
-    "rejection disk and ball" => |[a, b, c, _], input, out| {
+    once "rejection disk and ball" => |[a, b, c, _], input, out| {
         let mut rng = generator(input);
         attempted(DiskRejection::new().attempt([a, b]), out);
         attempted(BallRejection::new().attempt([a, b, c]), out);
         drawn(DiskRejection::new().draw(&mut rng), out);
         drawn(BallRejection::new().try_draw(&mut rng), out);
     },
-    "rejection budgets and densities" => |[a, b, c, d], input, out| {
+    once "rejection budgets and densities" => |[a, b, c, d], input, out| {
         let mut rng = generator(input);
         out.float(DiskRejection::new().pdf([2.0 * a - 1.0, b]));
         out.float(BallRejection::new().pdf([a, 2.0 * b - 1.0, c]));
@@ -647,7 +671,7 @@ float_warps!(subjects {
             }
         }
     },
-    "rejection ziggurats" => |[a, b, c, d], input, out| {
+    once "rejection ziggurats" => |[a, b, c, d], input, out| {
         // Any layer and place; a wedge; the far tails.
         let word = |u: f32| (u * 4_294_967_296.0) as u32;
         let (normal, wait) = (ZigguratStandardNormal::new(), ZigguratStandardExponential::new());
@@ -664,7 +688,7 @@ float_warps!(subjects {
         out.float(normal.pdf(10.0 * a));
         out.float(wait.pdf(b - 0.25));
     },
-    "rejection ziggurats scaled" => |[a, b, c, d], input, out| {
+    once "rejection ziggurats scaled" => |[a, b, c, d], input, out| {
         let mut rng = generator(input);
         with(ZigguratNormal::new(a - 0.5, 1e3 * b), out, |normal, out| {
             out.word(normal.draw(&mut rng).map_or(0, |drawn| drawn.tries));
@@ -685,7 +709,7 @@ float_warps!(subjects {
             Err(e) => out.word(refusal(e)),
         }
     },
-    "rejection region" => |[a, b, c, d], input, out| {
+    once "rejection region" => |[a, b, c, d], input, out| {
         let region = Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]).and_then(|room| {
             out.float(room.pdf([a, b, 2.0 + c]));
             room.invert([a, 0.5 * b, 2.0 + c]).put(out);
@@ -732,7 +756,7 @@ float_warps!(subjects {
         verdict(Aabb::new([a, b], [c, d]), out);
         verdict(Aabb::new([0.0; 3], [1e13, 1e13 * a, 1e13 * b]), out);
     },
-    "moments" => |[a, b, c, d], _, out| {
+    once "moments" => |[a, b, c, d], _, out| {
         let (mut moments, mut other) = (Moments::new(), Moments::default());
         for (i, x) in [a, b, c, d, 3.0 * a, a + b, 1.0 - c].into_iter().enumerate() {
             moments.push(1000.0 + x);
@@ -778,7 +802,7 @@ float_warps!(subjects {
         bound(integral.chebyshev_bound(v(0.05)), out);
         bound(integral.normal_bound::<T>(v(0.95)), out);
     },
-    "ratio" => |[a, b, c, d], _, out| {
+    once "ratio" => |[a, b, c, d], _, out| {
         let (mut ratio, mut other) = (WeightedMean::new(), WeightedMean::default());
         for (value, weight) in [(a, b), (b, c), (c, d), (d, a), (a + b, -0.1 * c)] {
             ratio.push(100.0 + value, weight);
@@ -793,7 +817,7 @@ float_warps!(subjects {
         figure(ratio.mean(), out);
         figure(ratio.standard_error(), out);
     },
-    "heuristics" => |[a, b, c, d], _, out| {
+    once "heuristics" => |[a, b, c, d], _, out| {
         let n = c.to_bits() >> 20;
         for (f, g) in [(a, b), (v(1e-25) * c, v(1e20) * b), (v(3e38) * a, v(3e38) * d)] {
             out.float(balance_heuristic(1, f, 1, g));
@@ -806,20 +830,20 @@ float_warps!(subjects {
     "chain acceptances" => chains::acceptances::<T>,
     "chain in the cube" => chains::cube::<T>,
     "chain in the plane" => chains::plane::<T>,
-    "chain of indices" => chains::indices,
+    once "chain of indices" => chains::indices,
     "chain of parts" => chains::parts::<T>,
-    "chain with limits" => chains::limits,
+    once "chain with limits" => chains::limits,
     "chain starts" => chains::starts::<T>,
     "chain of uniforms" => chains::primary::<T>,
-    "chain health" => chains::health,
+    once "chain health" => chains::health,
     "chain verdicts" => chains::verdicts::<T>,
-    "integer chains" => integers::chains,
-    "integer chances" => integers::chances,
-    "integer selections" => integers::selections,
-    "integer selections wide" => integers::wide_selections,
-    "integer disks" => integers::disks,
-    "integer resampling" => integers::resampled,
-    "counts" => integers::counts,
+    once "integer chains" => integers::chains,
+    once "integer chances" => integers::chances,
+    once "integer selections" => integers::selections,
+    once "integer selections wide" => integers::wide_selections,
+    once "integer disks" => integers::disks,
+    once "integer resampling" => integers::resampled,
+    once "counts" => integers::counts,
     "rejection poisson" => |[a, b, c, d], input, out| {
         for mean in [10.0 + 100.0 * a, 65536.0 * b, v(1_048_576.0) * c] {
             match PoissonRejection::<T>::new(mean) {

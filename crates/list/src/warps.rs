@@ -25,9 +25,9 @@ macro_rules! float_warps {
             // On the line.
             Interval {
                 golden {
-                    "Interval -3 5" => Interval::new(v(-3.0), v(5.0)),
-                    "Interval decreasing 3e38" => Interval::decreasing(v(-3e38), v(3e38)),
-                    "Interval 1 3.1" => Interval::new(v(1.0), v(3.1)),
+                    once "Interval -3 5" => Interval::new(v(-3.0), v(5.0)),
+                    once "Interval decreasing 3e38" => Interval::decreasing(v(-3e38), v(3e38)),
+                    once "Interval 1 3.1" => Interval::new(v(1.0), v(3.1)),
                 }
                 cost { "interval" u -> f32 = const { ok(Interval::new(-3.0, 5.0)) }, }
                 page {
@@ -61,7 +61,7 @@ macro_rules! float_warps {
                 }
             }
             PowerMax {
-                golden { "PowerMax 3" => Ok(PowerMax::<3>::new()), }
+                golden { once "PowerMax 3" => Ok(PowerMax::<3>::new()), }
                 cost { "power_max_4" [a, b, c, d] -> f32 = PowerMax::<4>::new(), }
                 page { line 4: PowerMax() => Ok(PowerMax::<4>::new()), }
                 bind {
@@ -119,15 +119,15 @@ macro_rules! float_warps {
                 bind { "equi_angular" = EquiAngular { new(distance: f32, low: f32, high: f32), } }
             }
             Tent {
-                golden { "Tent" => Tent::new(v(2.0)), }
+                golden { once "Tent" => Tent::new(v(2.0)), }
                 cost { "tent_2" u -> f32 = const { ok(Tent::new(2.0)) }, }
                 page { line 1: Tent(radius: 1 in 0..5) => Tent::new(radius), }
                 bind { "tent" = Tent { new(radius: f32), } }
             }
             Linear {
                 golden {
-                    "Linear" => Linear::new(v(1.0), v(3.0)),
-                    "Linear from 0" => Linear::new(v(0.0), v(1.0)),
+                    once "Linear" => Linear::new(v(1.0), v(3.0)),
+                    once "Linear from 0" => Linear::new(v(0.0), v(1.0)),
                 }
                 cost { "linear_1_3" u -> f32 = const { ok(Linear::new(1.0, 3.0)) }, }
                 page {
@@ -268,7 +268,7 @@ macro_rules! float_warps {
             }
             MarginalConditional {
                 golden {
-                    "MarginalConditional" => Linear::new(v(0.0), v(1.0)).and_then(|marginal| {
+                    once "MarginalConditional" => Linear::new(v(0.0), v(1.0)).and_then(|marginal| {
                         let whole = Interval::new(v(0.0), v(1.0))?;
                         Ok(MarginalConditional::new(marginal, move |x: f32| Interval::new(0.0, x).unwrap_or(whole)))
                     }),
@@ -285,7 +285,7 @@ macro_rules! float_warps {
             }
             Composed {
                 golden {
-                    "Composed" => Bilinear::new([[v(4.0), v(4.0)], [v(1.0), v(0.0)]])
+                    once "Composed" => Bilinear::new([[v(4.0), v(4.0)], [v(1.0), v(0.0)]])
                         .map(|weights| Composed::new(weights, Triangle::new())),
                     "Composed sphere" => Bilinear::new([[v(1.0), v(0.5)], [v(0.0), v(2.0)]])
                         .map(|weights| Composed::new(weights, Sphere::<T>::new())),
@@ -311,15 +311,15 @@ macro_rules! float_warps {
                 bind { "disk_concentric" = DiskConcentric { new(), } }
             }
             Triangle {
-                golden { "Triangle" => Ok(Triangle::new()), }
+                golden { once "Triangle" => Ok(Triangle::new()), }
                 cost { "triangle" [u, v] -> [f32; 3] = Triangle::new(), }
                 page { plane 2: Triangle() => Ok(Triangle::new()), }
                 bind { "triangle" = Triangle { new(), } }
             }
             TriangleOn {
                 golden {
-                    "TriangleOn 2" => TriangleOn::new([[v(0.0), v(0.0)], [v(4.0), v(0.0)], [v(1.0), v(3.0)]]),
-                    "TriangleOn 3" => TriangleOn::new([
+                    once "TriangleOn 2" => TriangleOn::new([[v(0.0), v(0.0)], [v(4.0), v(0.0)], [v(1.0), v(3.0)]]),
+                    once "TriangleOn 3" => TriangleOn::new([
                         [v(1.0), v(0.0), v(0.0)],
                         [v(0.0), v(2.0), v(0.5)],
                         [v(-1.0), v(0.0), v(3.0)],
@@ -342,8 +342,8 @@ macro_rules! float_warps {
 
             Bilinear {
                 golden {
-                    "Bilinear" => Bilinear::new([[v(1.0), v(3.0)], [v(2.0), v(0.0)]]),
-                    "Bilinear far" => Bilinear::new([[v(0.0), v(1e-45)], [v(1e-20), v(3e38)]]),
+                    once "Bilinear" => Bilinear::new([[v(1.0), v(3.0)], [v(2.0), v(0.0)]]),
+                    once "Bilinear far" => Bilinear::new([[v(0.0), v(1e-45)], [v(1e-20), v(3e38)]]),
                 }
                 cost { "bilinear" [u, v] -> [f32; 2] = stored(|| Bilinear::new([[1.0, 3.0], [2.0, 0.5]])), }
                 page {
@@ -593,7 +593,7 @@ macro_rules! float_warps {
 
             // Shapes.
             Aabb {
-                golden { "Aabb" => Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]), }
+                golden { once "Aabb" => Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]), }
                 cost { none "it costs an Interval a coordinate" }
                 page {
                     plane 2: Aabb(left: -1 in -10..10, right: 1 in -10..10, bottom: 2 in -10..10, top: 2.5 in -10..10)
@@ -666,8 +666,8 @@ macro_rules! float_warps {
             }
             BoxSurface {
                 golden {
-                    "BoxSurface" => BoxSurface::new([v(-1.0), v(0.0), v(0.25)], [v(1.0), v(1.0), v(0.75)]),
-                    "BoxSurface flat" => BoxSurface::new([v(-1.0), v(1e6), v(0.0)], [v(1.0), v(1_000_000.5), v(0.0)]),
+                    once "BoxSurface" => BoxSurface::new([v(-1.0), v(0.0), v(0.25)], [v(1.0), v(1.0), v(0.75)]),
+                    once "BoxSurface flat" => BoxSurface::new([v(-1.0), v(1e6), v(0.0)], [v(1.0), v(1_000_000.5), v(0.0)]),
                 }
                 cost {
                     "box_surface" [u, v] -> microwarp::warp::SurfacePoint
@@ -721,8 +721,8 @@ macro_rules! float_warps {
             // Tables that are warps. The page shows them among the tables, which have no tier.
             PiecewiseConstant1d {
                 golden {
-                    "PiecewiseConstant1d" => PiecewiseConstant1d::new(&weights(), v(-3.0), v(5.0)),
-                    "PiecewiseConstant1d wide"
+                    once "PiecewiseConstant1d" => PiecewiseConstant1d::new(&weights(), v(-3.0), v(5.0)),
+                    once "PiecewiseConstant1d wide"
                         => PiecewiseConstant1d::new_u64(&weights(), v(-3e38), v(3e38)),
                 }
                 cost { none "its kernels are those of the tables" }
@@ -731,12 +731,12 @@ macro_rules! float_warps {
             }
             PiecewiseConstant2d {
                 golden {
-                    "PiecewiseConstant2d" => PiecewiseConstant2d::new(
+                    once "PiecewiseConstant2d" => PiecewiseConstant2d::new(
                         &[weights(), [v(0.0); 6], [v(0.5); 6]],
                         [v(0.0), v(6.0)],
                         [v(-1.0), v(1.0)],
                     ),
-                    "PiecewiseConstant2d wide" => PiecewiseConstant2d::new_u64(
+                    once "PiecewiseConstant2d wide" => PiecewiseConstant2d::new_u64(
                         &[weights(), [v(1e-30); 6]],
                         [v(0.0), v(1.0)],
                         [v(0.0), v(1.0)],
@@ -748,8 +748,8 @@ macro_rules! float_warps {
             }
             PiecewiseLinear1d {
                 golden {
-                    "PiecewiseLinear1d" => PiecewiseLinear1d::new(&weights(), v(-3.0), v(5.0)),
-                    "PiecewiseLinear1d wide"
+                    once "PiecewiseLinear1d" => PiecewiseLinear1d::new(&weights(), v(-3.0), v(5.0)),
+                    once "PiecewiseLinear1d wide"
                         => PiecewiseLinear1d::new_u64(&weights(), v(0.0), v(1e-3)),
                 }
                 cost { none "its kernels are those of the tables" }
@@ -758,9 +758,9 @@ macro_rules! float_warps {
             }
             Mesh {
                 golden {
-                    "Mesh" => Cdf::new(&weights())
+                    once "Mesh" => Cdf::new(&weights())
                         .and_then(|table| Mesh::from_trusted_parts(&VERTICES, &FACES, &AREAS, table)),
-                    "Mesh wide" => Cdf::new_u64(&weights())
+                    once "Mesh wide" => Cdf::new_u64(&weights())
                         .and_then(|table| Mesh::from_trusted_parts(&VERTICES, &FACES, &AREAS, table)),
                 }
                 cost { none "it costs a selection from a table and a triangle" }

@@ -5,10 +5,7 @@
 
 use crate::board::{exit, print};
 use core::fmt::{Error, Write};
-use microwarp::tier::Tier;
-use microwarp_list::{
-    cases_of_half, cases_of_tier, describe, evaluate_first_half, evaluate_second_half,
-};
+use microwarp_list::{Golden, describe, evaluate_first_half, evaluate_second_half};
 
 /// Some of a tier: its first case, how many it has, and what evaluates them, counted from 0.
 pub struct Part {
@@ -19,19 +16,19 @@ pub struct Part {
 
 impl Part {
     /// The first half of a float tier, whose cases begin at `first`.
-    pub fn first_half<T: Tier>(first: usize) -> Self {
+    pub fn first_half<T: Golden>(first: usize) -> Self {
         Self {
             first,
-            count: cases_of_half(),
+            count: T::cases_of_half(),
             evaluate: evaluate_first_half::<T>,
         }
     }
 
     /// The second half of a float tier, whose cases begin at `first`.
-    pub fn second_half<T: Tier>(first: usize) -> Self {
+    pub fn second_half<T: Golden>(first: usize) -> Self {
         Self {
-            first: first + cases_of_half(),
-            count: cases_of_tier() - cases_of_half(),
+            first: first + T::cases_of_half(),
+            count: T::cases() - T::cases_of_half(),
             evaluate: evaluate_second_half::<T>,
         }
     }

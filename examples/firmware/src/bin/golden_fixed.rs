@@ -3,14 +3,15 @@
 #![no_main]
 
 use cortex_m_rt::entry;
+use microwarp::tier::{Libm, Poly};
 use microwarp_firmware::golden::Part;
-use microwarp_list::{cases, cases_of_tier, evaluate_fixed};
+use microwarp_list::{Golden as _, cases, evaluate_fixed};
 
 #[entry]
 fn main() -> ! {
     let part = Part {
-        first: 2 * cases_of_tier(),
-        count: cases() - 2 * cases_of_tier(),
+        first: Poly::cases() + Libm::cases(),
+        count: cases() - Poly::cases() - Libm::cases(),
         evaluate: evaluate_fixed,
     };
     part.run()

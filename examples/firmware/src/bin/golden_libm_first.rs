@@ -3,11 +3,11 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use microwarp::tier::Libm;
+use microwarp::tier::{Libm, Poly};
 use microwarp_firmware::golden::Part;
-use microwarp_list::cases_of_tier;
+use microwarp_list::Golden as _;
 
 #[entry]
 fn main() -> ! {
-    Part::first_half::<Libm>(cases_of_tier()).run()
+    Part::first_half::<Libm>(Poly::cases()).run()
 }

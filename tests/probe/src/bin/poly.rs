@@ -2,13 +2,14 @@
 #![no_std]
 #![no_main]
 
+use microwarp::tier::Poly;
 use microwarp_probe::run;
 
 /// The name that the check looks for, so that it knows it has read the right file.
 #[unsafe(no_mangle)]
 #[inline(never)]
 fn microwarp_evaluate_poly(index: usize, words: &mut [u32; 16]) -> usize {
-    microwarp_list::evaluate_poly(index, words)
+    microwarp_list::evaluate_of::<Poly>(index, words)
 }
 
 #[unsafe(no_mangle)]

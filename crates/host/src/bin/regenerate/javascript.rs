@@ -72,7 +72,7 @@ fn v(x: f32) -> f32 {
 
 macro_rules! classes {
     ($($type:ident {
-        golden { $($golden:literal => $warp:expr,)* }
+        golden { $($($once:ident)? $golden:literal => $warp:expr,)* }
         cost $cost:tt page $page:tt
         bind {
             $($name:literal = $bound:ident $(<$n:literal>)? { $($new:ident($($p:ident: $ty:ty),*),)* })*
