@@ -32,7 +32,8 @@
 //!
 //! Densities outside the normal range of `f32` (1.2e-38 to 3.4e38) are positive and finite, and no more is promised.
 //!
-//! The last column says of which kind the bounds of a row are:
+//! There is a column for each float tier, or one *bound* where both state the same: that of a type without a tier, or of one
+//! whose formulas serve both. The last column says of which kind the bounds of a row are:
 //!
 //! - *proven*: no input exceeds them, by an argument that `docs/proofs.md` gives.
 //! - *exhaustive*: all inputs have been tried.

@@ -22,7 +22,7 @@ import { Vector2, Vector3, Warp } from "./warp.js";
  * relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp of the scale | 2 | found |
  * | pdf, relative | 1.2e-7 | found |
@@ -134,7 +134,7 @@ export declare class Power extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 1.35 | found |
  * | pdf, relative | 1.6e-7 | found |
@@ -172,7 +172,7 @@ export declare class PowerMax2 extends Warp<number, [number, number]> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 1.35 | found |
  * | pdf, relative | 1.6e-7 | found |
@@ -210,7 +210,7 @@ export declare class PowerMax3 extends Warp<number, [number, number, number]> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 1.35 | found |
  * | pdf, relative | 1.6e-7 | found |
@@ -462,7 +462,7 @@ export declare class EquiAngular extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 4 | found |
  * | pdf, relative | 2.4e-7 | found |
@@ -509,7 +509,7 @@ export declare class Tent extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 1 | found |
  * | pdf, relative | 3.1e-7 | found |
@@ -564,7 +564,7 @@ export declare class Linear extends Warp<number, number> {
  * beyond 1e6 the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and
  * the change of the inverse when x moves by one ulp.
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp of location or distance | 7.1 | found |
  * | pdf, relative | 7e-7 | found |
@@ -608,7 +608,7 @@ export declare class Normal extends Warp<number, number> {
  * plus 5.77σ. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
  * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 3.3e-7 | found |
  * | pdf, relative | 4.2e-7 | found |
@@ -662,7 +662,7 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  * *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp of location or distance | 14 | found |
  * | pdf, relative | 8.5e-7 | found |
@@ -772,7 +772,7 @@ export declare class Cauchy extends Warp<number, number> {
  * and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp of location or distance | 4 | found |
  * | pdf, relative | 7e-7 | found |
@@ -819,7 +819,7 @@ export declare class Laplace extends Warp<number, number> {
  * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform.
  * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp of location or distance | 5.7 | found |
  * | pdf, relative | 5.8e-7 | found |
@@ -865,7 +865,7 @@ export declare class Logistic extends Warp<number, number> {
  * largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform.
  * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp of location or distance | 5.7 | found |
  * | pdf, relative | 2.2e-6 | found |
@@ -912,7 +912,7 @@ export declare class Gumbel extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 2.7 | found |
  * | pdf, relative | 9e-7 | found |
@@ -1007,7 +1007,7 @@ export declare class Weibull extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 4 + 0.8/k | found |
  * | pdf, relative | 1.4e-7 | found |
@@ -1056,7 +1056,7 @@ export declare class Pareto extends Warp<number, number> {
  * *inverse* and *round trip* are absolute errors of the uniform. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, ulp | 4.2 + 59*d | found |
  * | pdf, relative | 2.6e-7 + 0.056*s/max(0, 1 - w/1e6) | found |
@@ -1179,7 +1179,7 @@ export declare class DiskConcentric extends Warp<[number, number], [number, numb
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 1.2e-7 | found |
  * | pdf, relative | 0 | exhaustive |
@@ -1221,7 +1221,7 @@ export declare class Triangle extends Warp<[number, number, number], [number, nu
  * coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
  * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 5e-7 | found |
  * | pdf, relative | 3.1e-7 | found |
@@ -1271,7 +1271,7 @@ export declare class TriangleOn2d extends Warp<[number, number], [number, number
  * coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the
  * uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 5e-7 | found |
  * | pdf, relative | 3.1e-7 | found |
@@ -1319,7 +1319,7 @@ export declare class TriangleOn3d extends Warp<[number, number, number], [number
  * trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 4e-7 | found |
  * | pdf, relative | 4.9e-7 | found |
@@ -1749,7 +1749,7 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
  * changes in density and inverse. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 2.5e-7 + 4.2e-7*q | found |
  * | unit length | 2.2e-7 | found |
@@ -2051,7 +2051,7 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
  * coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute
  * errors of the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 6.8e-7*q | found |
  * | unit length | 1.9e-7 | found |
@@ -2101,7 +2101,7 @@ export declare class SphericalRectangle extends Warp<[number, number, number], [
  * relative errors of densities and absolute errors of uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | found |
  * | pdf, relative | 7.8e-8 | found |
@@ -2143,7 +2143,7 @@ export declare class Aabb2d extends Warp<[number, number], [number, number]> {
  * relative errors of densities and absolute errors of uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | found |
  * | pdf, relative | 7.8e-8 | found |
@@ -2190,7 +2190,7 @@ export declare class Aabb3d extends Warp<[number, number, number], [number, numb
  * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 4.6e-7 | found |
  * | pdf, relative | 7.8e-8 | found |
@@ -2243,7 +2243,7 @@ export declare class Annulus extends Warp<[number, number], [number, number]> {
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 3.3e-7 | found |
  * | pdf, relative | 1e-8 | exhaustive |
@@ -2369,7 +2369,7 @@ export declare class RegularPolygon extends Warp<[number, number], [number, numb
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 1e-7 + 5.5e-8*n | found |
  * | pdf, relative | 6e-8 | exhaustive |
@@ -2413,7 +2413,7 @@ export declare class Simplex2 extends Warp<[number, number, number], [number, nu
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 1e-7 + 5.5e-8*n | found |
  * | pdf, relative | 6e-8 | exhaustive |
@@ -2457,7 +2457,7 @@ export declare class Simplex3 extends Warp<[number, number, number, number], [nu
  * *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 1e-7 + 5.5e-8*n | found |
  * | pdf, relative | 6e-8 | exhaustive |
@@ -2504,7 +2504,7 @@ export declare class Simplex4 extends Warp<[number, number, number, number, numb
  * to `f32`. *Inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 5.2e-7 | found |
  * | pdf, relative | 8.7e-7 | found |
@@ -2553,7 +2553,7 @@ export declare class BoxSurface extends Warp<[number, number, number, number, nu
  * height. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms.
  * [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 4.6e-7 | found |
  * | pdf, relative | 5e-7 | found |
@@ -2608,7 +2608,7 @@ export declare class FrustumSurface extends Warp<[number, number, number, number
  * relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
  * means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
  *
- * | error | `poly` | kind |
+ * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the size | 3.1e-7 | found |
  * | pdf, relative | 3e-7 | found |

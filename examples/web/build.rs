@@ -105,12 +105,20 @@ fn summary(lines: &[&str]) -> String {
     plain.replace('`', "")
 }
 
-/// The rows of the table whose first column is headed `error`, below its rule.
+/// The rows of the table whose first column is headed `error`, below its rule. A bound of both tiers is a cell of each.
 fn errors(lines: &[&str]) -> Vec<(String, Vec<String>)> {
-    let table = lines
+    let mut table = lines
         .iter()
         .skip_while(|line| !line.starts_with("| error |"));
-    table.skip(2).map_while(|line| row(line)).collect()
+    let one = table.next().is_some_and(|head| head.contains("| bound |"));
+    let rows = table.skip(1).map_while(|line| row(line));
+    let of_each_tier = |(title, mut cells): (String, Vec<String>)| {
+        if one {
+            cells.insert(0, cells[0].clone());
+        }
+        (title, cells)
+    };
+    rows.map(of_each_tier).collect()
 }
 
 fn row(line: &str) -> Option<(String, Vec<String>)> {

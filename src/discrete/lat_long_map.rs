@@ -53,14 +53,14 @@ use rand_core::{Rng, TryRng};
 /// of sin θ and cos θ makes of the inverse, and m the largest probability that lies in the distance which directions keep
 /// from an edge, of a column within its row or of a row.
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 1.6e-6 | 1.6e-6 | found |
-/// | unit length | 2.4e-7 | 2.4e-7 | found |
-/// | pdf, relative | 5e-7 | 5e-7 | found |
-/// | realised density, relative | 5e-7 | 5e-7 | found |
-/// | inverse | 3.5e-7 + 3.5*r | 3.5e-7 + 3.5*r | found |
-/// | round trip | 2.4e-7 + 1.1·m + 2.4·r | 2.4e-7 + 1.1·m + 2.4·r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 1.6e-6 | found |
+/// | unit length | 2.4e-7 | found |
+/// | pdf, relative | 5e-7 | found |
+/// | realised density, relative | 5e-7 | found |
+/// | inverse | 3.5e-7 + 3.5*r | found |
+/// | round trip | 2.4e-7 + 1.1·m + 2.4·r | found |
 ///
 /// # Cost
 /// That of two selections from a [`Cdf`](super::Cdf), of two sines with their cosines, and of a root. The density of a

@@ -40,14 +40,14 @@ use rand_core::TryRng;
 /// probability of the table over the exact area. *Inverse* and *round trip* are absolute errors of the uniforms. [What
 /// each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 2e-7 | 2e-7 | found |
-/// | place on it | 4.9e-7 | 4.9e-7 | found |
-/// | pdf, relative | 3.9e-7 | 3.9e-7 | found |
-/// | realised density, relative | 3.9e-7 | 3.9e-7 | found |
-/// | inverse | 2.3e-7 | 2.3e-7 | found |
-/// | round trip | 3.3e-7 | 3.3e-7 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 2e-7 | found |
+/// | place on it | 4.9e-7 | found |
+/// | pdf, relative | 3.9e-7 | found |
+/// | realised density, relative | 3.9e-7 | found |
+/// | inverse | 2.3e-7 | found |
+/// | round trip | 3.3e-7 | found |
 ///
 /// Areas and densities hold for every triangle accepted, however thin. The second uniform of a point on the first vertex
 /// of its face is lost.

@@ -47,13 +47,13 @@ use rand_core::TryRng;
 /// of the larger bound; r and s are what one ulp of the larger bound makes of the inverse, and of the density
 /// relatively.
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp of the scale | 7.3 | 7.3 | found |
-/// | pdf, relative | 6.7e-7 | 6.7e-7 | found |
-/// | realised density, relative | 6.7e-7 + 4.4*s | 6.7e-7 + 4.4*s | found |
-/// | inverse | 4e-7 | 4e-7 | found |
-/// | round trip | 2.8e-7 + 1.9*r | 2.8e-7 + 1.9*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp of the scale | 7.3 | found |
+/// | pdf, relative | 6.7e-7 | found |
+/// | realised density, relative | 6.7e-7 + 4.4*s | found |
+/// | inverse | 4e-7 | found |
+/// | round trip | 2.8e-7 + 1.9*r | found |
 ///
 /// # Cost
 /// That of a selection from a [`Cdf`](super::Cdf), of one root or two, and of four quotients.

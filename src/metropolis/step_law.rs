@@ -144,9 +144,9 @@ impl<X: Coordinates> StepLaw<X> for BoxStep<X> {
 ///
 /// The largest error of a step, in ulp: units in its last place.
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | step, ulp | 4.7 | 4.7 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | step, ulp | 4.7 | found |
 ///
 /// # Examples
 ///
@@ -228,9 +228,9 @@ impl<X: Coordinates, T: Tier> StepLaw<X> for NormalStep<X, T> {
 /// The largest relative error of a step. Below 2⁻¹²⁶ a step also has an absolute one of 2⁻¹⁴⁹, the spacing of numbers there.
 /// No step is outside the sizes.
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | step, relative | 6.3e-7 | 6.3e-7 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | step, relative | 6.3e-7 | found |
 ///
 /// # Examples
 ///

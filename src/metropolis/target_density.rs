@@ -99,10 +99,10 @@ impl Acceptance<Self> for f32 {
 /// 6e-8 |d| to those below. If the logarithms l are rounded themselves, the acceptance is uncertain by some 6e-8 |l|.
 /// An ulp is a unit in the last place.
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | acceptance at a symmetric mutation, ulp | 1 | 1 | found |
-/// | acceptance at one with a [`HastingsRatio`](super::HastingsRatio), ulp | 2.6 | 2.6 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | acceptance at a symmetric mutation, ulp | 1 | found |
+/// | acceptance at one with a [`HastingsRatio`](super::HastingsRatio), ulp | 2.6 | found |
 ///
 /// # Examples
 ///

@@ -23,13 +23,13 @@ use crate::uniform::Canonical;
 /// are relative errors of densities and absolute errors of uniforms. [What each row
 /// means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | sqrt(n) * max(2.25e-7, 2.6e-45/m) | found |
-/// | pdf, relative | 7.8e-8 | 7.8e-8 | found |
-/// | realised density, relative | 7.8e-8 | 7.8e-8 | found |
-/// | inverse | 2e-7 | 2e-7 | found |
-/// | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r | 1.8e-7 + max(3.3, 3.9e-38/m)*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | found |
+/// | pdf, relative | 7.8e-8 | found |
+/// | realised density, relative | 7.8e-8 | found |
+/// | inverse | 2e-7 | found |
+/// | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r | found |
 ///
 /// n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it
 /// can be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.

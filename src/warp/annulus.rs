@@ -33,13 +33,13 @@ use core::marker::PhantomData;
 /// relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
 /// means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 4.6e-7 | 4.6e-7 | found |
-/// | pdf, relative | 7.8e-8 | 7.8e-8 | found |
-/// | realised density, relative | 7.8e-8 | 7.8e-8 | found |
-/// | inverse | 2e-7/w | 2e-7/w | found |
-/// | round trip | 1.8e-7/w + 3.3*r | 1.8e-7/w + 3.3*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 4.6e-7 | found |
+/// | pdf, relative | 7.8e-8 | found |
+/// | realised density, relative | 7.8e-8 | found |
+/// | inverse | 2e-7/w | found |
+/// | round trip | 1.8e-7/w + 3.3*r | found |
 ///
 /// w is the width in turns. r is the change of the inverse when the point moves by 2⁻²⁴ of the outer radius. Before its
 /// coordinates are rounded, the radius is that of a uniform at most 3.3e-7 away, in a ring of any width.

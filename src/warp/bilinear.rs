@@ -31,14 +31,14 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST, deep};
 /// *Sample* is the distance from the exact point, relative to the size 1. Densities are relative, *inverse* and *round
 /// trip* are absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 4e-7 | 4e-7 | found |
-/// | pdf, relative | 4.9e-7 | 4.9e-7 | found |
-/// | realised density, relative | 4.5e-7 + 4.5*s | 4.5e-7 + 4.5*s | found |
-/// | pdf with the sample, relative | 7.2e-7 | 7.2e-7 | found |
-/// | inverse | 4.1e-7 | 4.1e-7 | found |
-/// | round trip | 4e-7 + 4.2*r | 4e-7 + 4.2*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 4e-7 | found |
+/// | pdf, relative | 4.9e-7 | found |
+/// | realised density, relative | 4.5e-7 + 4.5*s | found |
+/// | pdf with the sample, relative | 7.2e-7 | found |
+/// | inverse | 4.1e-7 | found |
+/// | round trip | 4e-7 + 4.2*r | found |
 ///
 /// # Cost
 /// <!-- generated: cost Bilinear -->

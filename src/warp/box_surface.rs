@@ -31,13 +31,13 @@ use crate::uniform::{Canonical, LARGEST};
 /// to `f32`. *Inverse* and *round trip* are absolute errors of the uniforms. [What each row
 /// means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 5.2e-7 | 5.2e-7 | found |
-/// | pdf, relative | 8.7e-7 | 8.7e-7 | found |
-/// | realised density, relative | 8.7e-7 | 8.7e-7 | found |
-/// | inverse | 3e-7 | 3e-7 | found |
-/// | round trip | 2.5e-7 + 1.5*r | 2.5e-7 + 1.5*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 5.2e-7 | found |
+/// | pdf, relative | 8.7e-7 | found |
+/// | realised density, relative | 8.7e-7 | found |
+/// | inverse | 3e-7 | found |
+/// | round trip | 2.5e-7 + 1.5*r | found |
 ///
 /// r is the change of the inverse when the point moves by 2⁻²⁴ of the size.
 ///

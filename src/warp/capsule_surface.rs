@@ -30,13 +30,13 @@ use core::marker::PhantomData;
 /// *Sample* is the distance from the exact point, relative to the size, h + r. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 3.1e-7 | 3.1e-7 | found |
-/// | pdf, relative | 3e-7 | 3e-7 | found |
-/// | realised density, relative | 3e-7 | 3e-7 | found |
-/// | inverse | 2e-7 | 2e-7 | found |
-/// | round trip | 2.5e-7 | 2.5e-7 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 3.1e-7 | found |
+/// | pdf, relative | 3e-7 | found |
+/// | realised density, relative | 3e-7 | found |
+/// | inverse | 2e-7 | found |
+/// | round trip | 2.5e-7 | found |
 ///
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.6e-7, absolutely.
 ///

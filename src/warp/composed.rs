@@ -38,14 +38,14 @@ use rand_core::TryRng;
 /// [`Triangle`](super::Triangle): *sample* relative to the size 1, densities relative, *inverse* and *round trip* absolute.
 /// [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 4.7e-7 | 4.7e-7 | found |
-/// | pdf, relative | 4.5e-7 + 1.9*s | 4.5e-7 + 1.9*s | found |
-/// | realised density, relative | 5e-7 + 5.4*s | 5e-7 + 5.4*s | found |
-/// | pdf with the sample, relative | 7.5e-7 | 7.5e-7 | found |
-/// | inverse | 3.9e-7 + 3.4*r | 3.9e-7 + 3.4*r | found |
-/// | round trip | 4.4e-7 + 4.9*r | 4.4e-7 + 4.9*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 4.7e-7 | found |
+/// | pdf, relative | 4.5e-7 + 1.9*s | found |
+/// | realised density, relative | 5e-7 + 5.4*s | found |
+/// | pdf with the sample, relative | 7.5e-7 | found |
+/// | inverse | 3.9e-7 + 3.4*r | found |
+/// | round trip | 4.4e-7 + 4.9*r | found |
 ///
 /// # Cost
 /// That of the two warps.

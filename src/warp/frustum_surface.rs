@@ -34,13 +34,13 @@ use core::marker::PhantomData;
 /// *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
 /// means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 4.6e-7 | 4.6e-7 | found |
-/// | pdf, relative | 5e-7 | 5e-7 | found |
-/// | realised density, relative | 5e-7 | 5e-7 | found |
-/// | inverse | min(1, 4.8e-7 + 8e-7*g) | min(1, 4.8e-7 + 8e-7*g) | found |
-/// | round trip | min(1, 5.8e-7 + 9.6e-7*g) | min(1, 5.8e-7 + 9.6e-7*g) | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 4.6e-7 | found |
+/// | pdf, relative | 5e-7 | found |
+/// | realised density, relative | 5e-7 | found |
+/// | inverse | min(1, 4.8e-7 + 8e-7*g) | found |
+/// | round trip | min(1, 5.8e-7 + 9.6e-7*g) | found |
 ///
 /// g is the share of the side in the area, times the size over the length ℓ of the side: above 2 for a narrow ring alone.
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 3.4e-7, absolutely.

@@ -227,15 +227,15 @@ pub struct Reflection {
 /// are relative, *inverse* and *round trip* are absolute errors of the uniforms; s and r are what one ulp of the normal
 /// changes in density and inverse. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 2.5e-7 + 4.2e-7*q | 2.5e-7 + 4.2e-7*q | found |
-/// | unit length | 2.2e-7 | 2.2e-7 | found |
-/// | pdf, relative | 8.5e-7 + 2.2*s | 8.5e-7 + 2.2*s | found |
-/// | realised density, relative | 1.4e-6 + 6.6·s + 8e-7·q | 1.4e-6 + 6.6·s + 8e-7·q | found |
-/// | pdf with the sample, relative | 9.3e-7 + 6e-7*q | 9.3e-7 + 6e-7*q | found |
-/// | inverse | 7.7e-7 + 9.8*r | 7.7e-7 + 9.8*r | found |
-/// | round trip | 6.4e-7 + 8.1*r | 6.4e-7 + 8.1*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 2.5e-7 + 4.2e-7*q | found |
+/// | unit length | 2.2e-7 | found |
+/// | pdf, relative | 8.5e-7 + 2.2*s | found |
+/// | realised density, relative | 1.4e-6 + 6.6·s + 8e-7·q | found |
+/// | pdf with the sample, relative | 9.3e-7 + 6e-7*q | found |
+/// | inverse | 7.7e-7 + 9.8*r | found |
+/// | round trip | 6.4e-7 + 8.1*r | found |
 ///
 /// Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
 /// sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 1e-12, next to the pole

@@ -30,14 +30,14 @@ use crate::uniform::Canonical;
 /// largest. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What
 /// each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp of location or distance | 5.7 | 5.7 | found |
-/// | pdf, relative | 2.2e-6 | 2.2e-6 | found |
-/// | realised density, relative | 5e-7 + 4.8*s/max(0, 1 - w/1e6) | 5e-7 + 4.8*s/max(0, 1 - w/1e6) | found |
-/// | pdf with the sample, relative | 5e-7 | 5e-7 | found |
-/// | inverse | 9.5e-8 | 9.5e-8 | found |
-/// | round trip | 1e-7 + 2.2*r | 1e-7 + 2.2*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp of location or distance | 5.7 | found |
+/// | pdf, relative | 2.2e-6 | found |
+/// | realised density, relative | 5e-7 + 4.8*s/max(0, 1 - w/1e6) | found |
+/// | pdf with the sample, relative | 5e-7 | found |
+/// | inverse | 9.5e-8 | found |
+/// | round trip | 1e-7 + 2.2*r | found |
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. w is |location|/scale. No realised density is stated from
 /// 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the

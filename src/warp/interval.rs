@@ -28,13 +28,13 @@ use crate::uniform::Canonical;
 /// relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
 /// means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp of the scale | 2 | 2 | found |
-/// | pdf, relative | 1.2e-7 | 1.2e-7 | found |
-/// | realised density, relative | 1.2e-7 | 1.2e-7 | found |
-/// | inverse | 2e-7 | 2e-7 | found |
-/// | round trip | 1.8e-7 + 1.63*r | 1.8e-7 + 1.63*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp of the scale | 2 | found |
+/// | pdf, relative | 1.2e-7 | found |
+/// | realised density, relative | 1.2e-7 | found |
+/// | inverse | 2e-7 | found |
+/// | round trip | 1.8e-7 + 1.63*r | found |
 ///
 /// r is the change of the inverse when x moves by one ulp of the larger bound. On the 24-bit grid, samples are
 /// within 1.5 ulp, or 1.13 where the bounds differ in sign.

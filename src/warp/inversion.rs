@@ -23,13 +23,13 @@ use crate::uniform::Canonical;
 /// in the last place (ulp) of the exact point, densities relative, *inverse* and *round trip* absolute. [What each
 /// row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp | 2.4 | 2.4 | found |
-/// | pdf, relative | 6.6e-8 | 6.6e-8 | found |
-/// | realised density, relative | 1.1e-7 | 1.1e-7 | found |
-/// | inverse | 6.6e-8 | 6.6e-8 | found |
-/// | round trip | 1.4e-7 | 1.4e-7 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp | 2.4 | found |
+/// | pdf, relative | 6.6e-8 | found |
+/// | realised density, relative | 1.1e-7 | found |
+/// | inverse | 6.6e-8 | found |
+/// | round trip | 1.4e-7 | found |
 ///
 /// # Cost
 /// That of the functions given.

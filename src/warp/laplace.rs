@@ -28,14 +28,14 @@ use crate::tier::Tier;
 /// and *realised density* are relative, *inverse* and *round trip* are absolute errors of the uniform. [What each row
 /// means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp of location or distance | 4 | 4 | found |
-/// | pdf, relative | 7e-7 | 7e-7 | found |
-/// | realised density, relative | 6e-7 + 2.4*s/max(0, 1 - w/1e6) | 6e-7 + 2.4*s/max(0, 1 - w/1e6) | found |
-/// | pdf with the sample, relative | 1.6e-7 | 1.6e-7 | found |
-/// | inverse | 8.2e-8 | 8.2e-8 | found |
-/// | round trip | 6e-8 + 2*r | 6e-8 + 2*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp of location or distance | 4 | found |
+/// | pdf, relative | 7e-7 | found |
+/// | realised density, relative | 6e-7 + 2.4*s/max(0, 1 - w/1e6) | found |
+/// | pdf with the sample, relative | 1.6e-7 | found |
+/// | inverse | 8.2e-8 | found |
+/// | round trip | 6e-8 + 2*r | found |
 ///
 /// w is |location|/scale. No realised density is stated from 1e6 on, where the densities of neighbouring `f32` differ by
 /// a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.

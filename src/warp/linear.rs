@@ -28,14 +28,14 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST};
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp | 1 | 1 | found |
-/// | pdf, relative | 3.1e-7 | 3.1e-7 | found |
-/// | realised density, relative | 3.2e-7 + 0.7*s | 3.2e-7 + 0.7*s | found |
-/// | pdf with the sample, relative | 3.3e-7 | 3.3e-7 | found |
-/// | inverse | 3.3e-7 | 3.3e-7 | found |
-/// | round trip | 3.2e-7 + 0.8*r | 3.2e-7 + 0.8*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp | 1 | found |
+/// | pdf, relative | 3.1e-7 | found |
+/// | realised density, relative | 3.2e-7 + 0.7*s | found |
+/// | pdf with the sample, relative | 3.3e-7 | found |
+/// | inverse | 3.3e-7 | found |
+/// | round trip | 3.2e-7 + 0.8*r | found |
 ///
 /// s and r are the relative change of the density and the change of the inverse when x moves by one ulp. Only
 /// samples below 3e-38 are off by more than 0.51 ulp.

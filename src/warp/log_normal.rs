@@ -36,14 +36,14 @@ use core::marker::PhantomData;
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp | 4.2 + 59*d | 4.2 + 59*d | found |
-/// | pdf, relative | 2.6e-7 + 0.056*s/max(0, 1 - w/1e6) | 2.6e-7 + 0.056*s/max(0, 1 - w/1e6) | found |
-/// | realised density, relative | 3e-7 + (3.7 + 43·d)·s/max(0, 1 - w/1e6) | 3e-7 + (3.7 + 43·d)·s/max(0, 1 - w/1e6) | found |
-/// | pdf with the sample, relative | 7e-7 + 2e-6*d | 7e-7 + 2e-6*d | found |
-/// | inverse | 1.9e-7 + 0.11*r/max(0, 1 - w/1e6) | 1.9e-7 + 0.11*r/max(0, 1 - w/1e6) | found |
-/// | round trip | 2.3e-7 + (3 + 46·d)·r | 2.3e-7 + (3 + 46·d)·r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp | 4.2 + 59*d | found |
+/// | pdf, relative | 2.6e-7 + 0.056*s/max(0, 1 - w/1e6) | found |
+/// | realised density, relative | 3e-7 + (3.7 + 43·d)·s/max(0, 1 - w/1e6) | found |
+/// | pdf with the sample, relative | 7e-7 + 2e-6*d | found |
+/// | inverse | 1.9e-7 + 0.11*r/max(0, 1 - w/1e6) | found |
+/// | round trip | 2.3e-7 + (3 + 46·d)·r | found |
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. d is σ, and w is 1/σ. Little is stated of densities from
 /// w = 1e6 on, where those of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the

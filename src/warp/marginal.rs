@@ -23,14 +23,14 @@ use rand_core::TryRng;
 /// The errors are those of the two warps. These are for the example below: *sample* relative to the size 1,
 /// densities relative, *inverse* and *round trip* absolute. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 9.5e-8 | 9.5e-8 | found |
-/// | pdf, relative | 7.8e-8 | 7.8e-8 | found |
-/// | realised density, relative | 7.8e-8 | 7.8e-8 | found |
-/// | pdf with the sample, relative | 7.8e-8 | 7.8e-8 | found |
-/// | inverse | 3.9e-8 | 3.9e-8 | found |
-/// | round trip | 7.8e-8 | 7.8e-8 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 9.5e-8 | found |
+/// | pdf, relative | 7.8e-8 | found |
+/// | realised density, relative | 7.8e-8 | found |
+/// | pdf with the sample, relative | 7.8e-8 | found |
+/// | inverse | 3.9e-8 | found |
+/// | round trip | 7.8e-8 | found |
 ///
 /// # Cost
 /// That of the two warps, and of the function that makes the conditional.

@@ -49,14 +49,14 @@ const REACH: f32 = 14.5;
 /// the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the
 /// inverse when x moves by one ulp.
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp of location or distance | 7.1 | 7.1 | found |
-/// | pdf, relative | 7e-7 | 7e-7 | found |
-/// | realised density, relative | 7.7e-7 + 5.2*s/max(0, 1 - w/1e6) | 7.7e-7 + 5.2*s/max(0, 1 - w/1e6) | found |
-/// | pdf with the sample, relative | 4.8e-7 | 4.8e-7 | found |
-/// | inverse | 2.2e-7 | 2.2e-7 | found |
-/// | round trip | 1.5e-7 + 3*r | 1.5e-7 + 3*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp of location or distance | 7.1 | found |
+/// | pdf, relative | 7e-7 | found |
+/// | realised density, relative | 7.7e-7 + 5.2*s/max(0, 1 - w/1e6) | found |
+/// | pdf with the sample, relative | 4.8e-7 | found |
+/// | inverse | 2.2e-7 | found |
+/// | round trip | 1.5e-7 + 3*r | found |
 ///
 /// # Cost
 /// <!-- generated: cost Normal -->
@@ -241,14 +241,14 @@ impl<T: Tier> Invert for Normal<T> {
 /// larger |μ| plus 5.77σ. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
 /// of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 3.3e-7 | 3.3e-7 | found |
-/// | pdf, relative | 4.2e-7 | 4.2e-7 | found |
-/// | realised density, relative | 7.2e-7 + 5.3*s/max(0, 1 - w/1e6) | 7.2e-7 + 5.3*s/max(0, 1 - w/1e6) | found |
-/// | pdf with the sample, relative | 3.4e-7 | 3.4e-7 | found |
-/// | inverse | 1.9e-7 | 1.9e-7 | found |
-/// | round trip | 1.5e-7 + 1.8*r | 1.5e-7 + 1.8*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 3.3e-7 | found |
+/// | pdf, relative | 4.2e-7 | found |
+/// | realised density, relative | 7.2e-7 + 5.3*s/max(0, 1 - w/1e6) | found |
+/// | pdf with the sample, relative | 3.4e-7 | found |
+/// | inverse | 1.9e-7 | found |
+/// | round trip | 1.5e-7 + 1.8*r | found |
 ///
 /// w is the larger |μ| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the
 /// density and the change of the inverse when the point moves by 2⁻²⁴ of the size. The error of a sample of the

@@ -29,14 +29,14 @@ use core::marker::PhantomData;
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp | 4 + 0.8/k | 4 + 0.8/k | found |
-/// | pdf, relative | 1.4e-7 | 1.4e-7 | found |
-/// | realised density, relative | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) | found |
-/// | pdf with the sample, relative | 5.2e-7 + 2.4e-7/k | 5.2e-7 + 2.4e-7/k | found |
-/// | inverse | 1.05e-7 | 1.05e-7 | found |
-/// | round trip | 1.1e-7 + (4 + 0.8/k)*r | 1.1e-7 + (4 + 0.8/k)*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp | 4 + 0.8/k | found |
+/// | pdf, relative | 1.4e-7 | found |
+/// | realised density, relative | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) | found |
+/// | pdf with the sample, relative | 5.2e-7 + 2.4e-7/k | found |
+/// | inverse | 1.05e-7 | found |
+/// | round trip | 1.1e-7 + (4 + 0.8/k)*r | found |
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. k is α. No realised density is stated from 1e6 on, where
 /// the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the

@@ -24,13 +24,13 @@ use crate::uniform::{Canonical, SMALLEST};
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp | 1.35 | 1.35 | found |
-/// | pdf, relative | 1.6e-7 | 1.6e-7 | found |
-/// | realised density, relative | 1.6e-7 | 1.6e-7 | found |
-/// | inverse | 0 | 0 | found |
-/// | round trip | 1.9e-45 | 1.9e-45 | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp | 1.35 | found |
+/// | pdf, relative | 1.6e-7 | found |
+/// | realised density, relative | 1.6e-7 | found |
+/// | inverse | 0 | found |
+/// | round trip | 1.9e-45 | found |
 ///
 /// # Cost
 /// <!-- generated: cost PowerMax -->

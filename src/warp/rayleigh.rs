@@ -27,14 +27,14 @@ use core::marker::PhantomData;
 /// *Sample* counts units in the last place (ulp) of the exact point. *Pdf* and *realised density* are relative,
 /// *inverse* and *round trip* are absolute errors of the uniform. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, ulp | 2.7 | 2.7 | found |
-/// | pdf, relative | 9e-7 | 9e-7 | found |
-/// | realised density, relative | 5.5e-7 + 2.2*s | 5.5e-7 + 2.2*s | found |
-/// | pdf with the sample, relative | 4e-7 | 4e-7 | found |
-/// | inverse | 1.2e-7 | 1.2e-7 | found |
-/// | round trip | 1e-7 + 1.5*r | 1e-7 + 1.5*r | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp | 2.7 | found |
+/// | pdf, relative | 9e-7 | found |
+/// | realised density, relative | 5.5e-7 + 2.2*s | found |
+/// | pdf with the sample, relative | 4e-7 | found |
+/// | inverse | 1.2e-7 | found |
+/// | round trip | 1e-7 + 1.5*r | found |
 ///
 /// s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
 ///

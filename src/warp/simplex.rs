@@ -30,13 +30,13 @@ use core::marker::PhantomData;
 /// relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row
 /// means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 1e-7 + 5.5e-8*n | 1e-7 + 5.5e-8*n | found |
-/// | pdf, relative | 6e-8 | 6e-8 | exhaustive |
-/// | realised density, relative | 6e-8 | 6e-8 | exhaustive |
-/// | inverse | 1.6e-7 + 5.5e-8*n | 1.6e-7 + 5.5e-8*n | found |
-/// | round trip | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 1e-7 + 5.5e-8*n | found |
+/// | pdf, relative | 6e-8 | exhaustive |
+/// | realised density, relative | 6e-8 | exhaustive |
+/// | inverse | 1.6e-7 + 5.5e-8*n | found |
+/// | round trip | min(9e-8 + 1e-7·n, 2.5e-7 + 5.5e-8·n) | found |
 ///
 /// n is the number of dimensions. The relative error of the jth share is at most j·3.5e-7, and that of the rest (n + 1)·3.5e-7,
 /// unless it is subnormal. Their sum is 1 to 1e-7 + 5.5e-8·n.

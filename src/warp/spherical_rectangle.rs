@@ -36,16 +36,16 @@ use core::marker::PhantomData;
 /// coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
 /// of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 6.8e-7*q | 6.8e-7*q | found |
-/// | unit length | 1.9e-7 | 1.9e-7 | found |
-/// | place on it | 5.5e-7 + (1.8 + 0.55·q)·p | 5.5e-7 + (1.8 + 0.55·q)·p | found |
-/// | pdf, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
-/// | realised density, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
-/// | pdf with the sample, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
-/// | inverse | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
-/// | round trip | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 6.8e-7*q | found |
+/// | unit length | 1.9e-7 | found |
+/// | place on it | 5.5e-7 + (1.8 + 0.55·q)·p | found |
+/// | pdf, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
+/// | realised density, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
+/// | pdf with the sample, relative | 6.6e-7 + 3.3e-7*q + 6.6e-15/g | found |
+/// | inverse | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
+/// | round trip | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
 ///
 /// These hold for every rectangle accepted. p is the change of the place when each uniform and each coordinate of the
 /// direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of the

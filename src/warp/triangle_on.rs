@@ -32,13 +32,13 @@ use crate::uniform::Canonical;
 /// vertex's coordinate. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
 /// of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
-/// | error | `libm` | `poly` | kind |
-/// |---|--:|--:|---|
-/// | sample, of the size | 5e-7 | 5e-7 | found |
-/// | pdf, relative | 3.1e-7 | 3.1e-7 | found |
-/// | realised density, relative | 3.1e-7 | 3.1e-7 | found |
-/// | inverse | min(1, 7.2e-7 + 8.6e-7/h + 1.4·r) | min(1, 7.2e-7 + 8.6e-7/h + 1.4·r) | found |
-/// | round trip | min(1, 5e-7 + 6e-7/h + 6*r) | min(1, 5e-7 + 6e-7/h + 6*r) | found |
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, of the size | 5e-7 | found |
+/// | pdf, relative | 3.1e-7 | found |
+/// | realised density, relative | 3.1e-7 | found |
+/// | inverse | min(1, 7.2e-7 + 8.6e-7/h + 1.4·r) | found |
+/// | round trip | min(1, 5e-7 + 6e-7/h + 6*r) | found |
 ///
 /// These hold for every triangle accepted. h is the height over the longest side in terms of the size, and r the
 /// change of a point's uniforms when each coordinate moves by 2⁻²⁴ of the size. The second uniform of a point

@@ -49,8 +49,10 @@ impl Row {
         }
     }
 
-    /// Reads a line of a table whose last column is the kind, or of one without.
-    fn read(line: &str, has_kind: bool) -> Self {
+    /// Reads a line of a table with this head: whether its last column is the kind, and whether it has one bound of both
+    /// tiers, which is a cell of each.
+    fn read(line: &str, head: &str) -> Self {
+        let (has_kind, has_one) = (head.ends_with("| kind |"), head.contains("| bound |"));
         let line = line.trim_start_matches('|').trim_end_matches('|');
         let mut cells = line.split('|').map(|cell| cell.trim().to_owned());
         let title = cells.next().unwrap_or_default();
@@ -59,6 +61,9 @@ impl Row {
         let kind = kind.map(|kind| {
             Kind::parse(&kind).unwrap_or_else(|| panic!("{title:?} is of no kind: {kind:?}"))
         });
+        if has_one {
+            cells.extend_from_within(..);
+        }
         Self { title, cells, kind }
     }
 
@@ -143,8 +148,8 @@ impl Doc {
     pub fn tables(&self) -> Vec<Vec<Row>> {
         let rows = |place: Range<usize>| {
             // The head, and the rule below it.
-            let has_kind = self.line(place.start - 2).ends_with("| kind |");
-            place.map(|i| Row::read(self.line(i), has_kind)).collect()
+            let head = self.line(place.start - 2);
+            place.map(|i| Row::read(self.line(i), head)).collect()
         };
         self.places().into_iter().map(rows).collect()
     }
@@ -202,10 +207,9 @@ pub fn of_errors(room: &str) -> Vec<(String, Vec<Row>)> {
         let lines: Vec<&str> = text.lines().collect();
         let heads = lines.iter().enumerate();
         for (i, head) in heads.filter(|(_, line)| line.starts_with("/// | error |")) {
-            let has_kind = head.ends_with("| kind |");
             let rows = lines[i + 2..].iter().map_while(|line| {
                 let row = line.strip_prefix("/// ")?;
-                row.starts_with('|').then(|| Row::read(row, has_kind))
+                row.starts_with('|').then(|| Row::read(row, head))
             });
             let item = lines[i..].iter().find_map(|line| {
                 let item = line.strip_prefix("pub ")?.split_once(' ')?.1;
@@ -347,25 +351,36 @@ mod tests {
         assert!(disk.figure("sample, max", 0) < disk.figure("sample, max", 1));
     }
 
+    const KINDS: &str = "| error | `libm` | `poly` | kind |";
+
     #[test]
     fn lines_are_read_as_they_are_written() {
         let row = Row::new("`exp_m1`, x < 1/8", ["1e-7, 2e-8".into(), "-".into()]);
         let line = row.line();
         assert_eq!(line, "/// | `exp_m1`, x < 1/8 | 1e-7, 2e-8 | - |");
-        assert_eq!(Row::read(line.trim_start_matches("///").trim(), false), row);
+        assert_eq!(
+            Row::read(
+                line.trim_start_matches("///").trim(),
+                "| error | `libm` | `poly` |"
+            ),
+            row
+        );
         let row = Row {
             kind: Some(Kind::Proven),
             ..row
         };
         let line = row.line();
         assert!(line.ends_with("| - | proven |"), "{line}");
-        assert_eq!(Row::read(line.trim_start_matches("///").trim(), true), row);
+        assert_eq!(Row::read(line.trim_start_matches("///").trim(), KINDS), row);
+        // One bound is that of both tiers.
+        let one = Row::read("| inverse | 2e-7 | proven |", "| error | bound | kind |");
+        assert_eq!(one, Row::read("| inverse | 2e-7 | 2e-7 | proven |", KINDS));
     }
 
     #[test]
     #[should_panic(expected = "of no kind")]
     fn a_row_of_an_unknown_kind_is_refused() {
-        Row::read("| round trip | 2e-7 | 2e-7 | likely |", true);
+        Row::read("| round trip | 2e-7 | 2e-7 | likely |", KINDS);
     }
 
     #[test]

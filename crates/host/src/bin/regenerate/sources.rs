@@ -167,7 +167,8 @@ impl Sources {
     }
 
     /// A cell of a table in the doc comment that ends at a line which begins with `item`: that of the row whose title begins
-    /// so, under a header. The code is that of the room whose comment has such a column.
+    /// so, under a header, or under `bound` where that is of both tiers. The code is that of the room whose comment has such a
+    /// column.
     pub fn stated(&self, item: &str, title: &str, header: &str) -> Outcome<String> {
         for (_, text) in &self.code {
             let lines: Vec<&str> = text.lines().collect();
@@ -179,11 +180,11 @@ impl Sources {
                     .map(cells)
                     .collect();
                 table.reverse();
-                let titles = table
-                    .iter()
-                    .position(|row| row.iter().any(|cell| cell == header));
+                let both = ["`libm`", "`poly`"].contains(&header);
+                let is_header = |cell: &String| cell == header || (both && cell == "bound");
+                let titles = table.iter().position(|row| row.iter().any(is_header));
                 let Some(titles) = titles else { continue };
-                let column = table[titles].iter().position(|cell| cell == header);
+                let column = table[titles].iter().position(is_header);
                 let row = table[titles..].iter().find(|row| row[0].starts_with(title));
                 if let Some((column, row)) = column.zip(row) {
                     return Ok(row[column].clone());

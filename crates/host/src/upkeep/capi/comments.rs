@@ -173,7 +173,8 @@ impl Comments {
         codes
     }
 
-    /// The stated errors of a sample and of its density in one column, where they are numbers and not formulas.
+    /// The stated errors of a sample and of its density in one column, or in that of both tiers, where they are numbers and not
+    /// formulas.
     pub fn errors(&self, name: &str, column: &str) -> Vec<String> {
         let none = Vec::new();
         let rows = self.errors.get(name).unwrap_or(&none);
@@ -182,7 +183,7 @@ impl Comments {
         };
         let Some(place) = rows[head]
             .iter()
-            .position(|cell| cell.trim_matches('`') == column)
+            .position(|cell| [column, "bound"].contains(&cell.trim_matches('`')))
         else {
             return Vec::new();
         };

@@ -2,6 +2,7 @@
 
 use super::{Class, camel};
 use microwarp::Error;
+use microwarp_host::docs::Kind;
 use microwarp_host::upkeep::{Outcome, errors, read, root, wrapped};
 use std::collections::BTreeSet;
 use std::fs;
@@ -176,9 +177,13 @@ fn blocks_of(lines: &[&str]) -> Vec<Block> {
 fn spoken(block: Block, names: &Names) -> Option<Block> {
     match block {
         Block::Row(row) => {
-            // Of a table of errors the column of `poly` alone, and the kind.
+            // Of a table of errors the column of `poly` alone, and the kind. Where both tiers have one bound, there is no other.
             let cells: Vec<&str> = row.split('|').collect();
+            let is_kind = |cell: &str| {
+                matches!(cell.trim(), "kind" | "---") || Kind::parse(cell.trim()).is_some()
+            };
             Some(Block::Row(match cells[..] {
+                [_, _, _, kind, _] if is_kind(kind) => row,
                 [_, title, _, poly, _] => format!("|{title}|{poly}|"),
                 [_, title, _, poly, kind, _] => format!("|{title}|{poly}|{kind}|"),
                 _ => row,
