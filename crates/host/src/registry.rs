@@ -300,16 +300,36 @@ pub struct Registered {
     /// Accepted parameters where the search for the worst case starts: hard ones, and the extremes.
     pub seeds: Vec<Vec<f32>>,
     pub refused: Vec<(Vec<f32>, Error)>,
+    /// What was made at run time, and the constant of the same parameters.
+    pub constants: Vec<[String; 2]>,
+    /// What the getters give back of parameters: the same.
+    pub given_back: Option<Getters>,
+    /// What it does without, and why.
+    pub without: Vec<(&'static str, &'static str)>,
 }
+
+/// What the getters give back of parameters.
+pub type Getters = fn(&[f32]) -> Result<Vec<f32>, Error>;
 
 /// A label, the numbers, and what is particular to them.
 pub type Case = (&'static str, Vec<f32>, fn(Entry) -> Entry);
+
+/// What a constructor makes at run time, and the constant of the same parameters. The shortest digits tell every number,
+/// and every zero from its opposite.
+macro_rules! in_both {
+    ($name:ident $(<$tier:ty>)? :: $constructor:ident ( $($x:expr),* )) => {{
+        let at_run_time = $name$(::<$tier>)?::$constructor($(std::hint::black_box($x)),*);
+        let constant = const { $name$(::<$tier>)?::$constructor($($x),*) };
+        [format!("{at_run_time:?}"), format!("{constant:?}")]
+    }};
+}
+use in_both;
 
 /// Nothing particular.
 const PLAIN: fn(Entry) -> Entry = |entry| entry;
 
 impl Registered {
-    fn new(
+    pub fn new(
         name: &'static str,
         constructor: &'static str,
         takes: &'static [Kind],
@@ -325,6 +345,9 @@ impl Registered {
             cases: Vec::new(),
             seeds: Vec::new(),
             refused: Vec::new(),
+            constants: Vec::new(),
+            given_back: None,
+            without: Vec::new(),
         }
     }
 
@@ -354,6 +377,21 @@ impl Registered {
 
     fn refuse(mut self, parameters: &[f32], error: Error) -> Self {
         self.refused.push((parameters.to_vec(), error));
+        self
+    }
+
+    fn constant(mut self, made: [String; 2]) -> Self {
+        self.constants.push(made);
+        self
+    }
+
+    fn gives_back(mut self, getters: Getters) -> Self {
+        self.given_back = Some(getters);
+        self
+    }
+
+    fn without(mut self, what: &'static str, why: &'static str) -> Self {
+        self.without.push((what, why));
         self
     }
 

@@ -50,27 +50,21 @@ impl<T: Tier> Invert for Overflowing<T> {
 }
 
 pub(super) fn overflowing<T: Tier>() -> Registered {
-    Registered {
-        name: "Power",
-        tier: T::NAME,
-        constructor: "with an exponential that overflows alone",
-        takes: &[Any, Positive, Positive],
-        ordered: &[],
-        build: |p| {
-            let [n, a, b] = [p[0], p[1], p[2]];
-            let warp = Power::<T>::new(n, a, b)?;
-            // What it does at n = −1 exactly and from 0 is another branch.
-            let m = n + 1.0;
-            if m == 0.0 || a == 0.0 {
-                return Err(Error::OutOfRange);
-            }
-            let warp = Overflowing { warp, m, a, b };
-            let truth = truth::power(n, a, b, true);
-            let entry = entry::<T, _>("Power", Domain::Line, Measure::Ulp, warp, truth);
-            Ok(entry.variables(&power::variables(p)))
-        },
-        cases: Vec::new(),
-        seeds: Vec::new(),
-        refused: Vec::new(),
-    }
+    let constructor = "with an exponential that overflows alone";
+    let takes = &[Any, Positive, Positive];
+    let mut of = Registered::new("Power", constructor, takes, |p| {
+        let [n, a, b] = [p[0], p[1], p[2]];
+        let warp = Power::<T>::new(n, a, b)?;
+        // What it does at n = −1 exactly and from 0 is another branch.
+        let m = n + 1.0;
+        if m == 0.0 || a == 0.0 {
+            return Err(Error::OutOfRange);
+        }
+        let warp = Overflowing { warp, m, a, b };
+        let truth = truth::power(n, a, b, true);
+        let entry = entry::<T, _>("Power", Domain::Line, Measure::Ulp, warp, truth);
+        Ok(entry.variables(&power::variables(p)))
+    });
+    of.tier = T::NAME;
+    of
 }

@@ -1,7 +1,7 @@
 //! The warps over directions.
 
 use super::picture::View::Sky;
-use super::{Domain, Entry, Measure, Registered, entry, family};
+use super::{Domain, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
@@ -177,7 +177,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("n=1e6", &[1e6], |e| e.picture("p ∝ cosⁿθ, n = 10⁶", Sky(0.0035)))
             .case("n=1e8", &[1e8])
             .seed(&[50.0]).seed(&[1e8]).seed(&[TINY]).seed(&[1.0e20]).seed(&[f32::MAX])
-            .refuse(&[NAN], NotFinite).refuse(&[-0.1], Negative),
+            .refuse(&[NAN], NotFinite).refuse(&[-0.1], Negative)
+            .constant(in_both!(PhongLobe<T>::new(13.7)))
+            .gives_back(|p| PhongLobe::<T>::new(p[0]).map(|warp| vec![warp.exponent()])),
         Registered::new("HenyeyGreenstein", "", &[Within(-1.0, 1.0)], |p| {
             let warp = HenyeyGreenstein::<T>::new(p[0])?;
             let mut entry = about_z::<T, _>("HenyeyGreenstein", warp, truth::henyey_greenstein(p[0]));
@@ -200,7 +202,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e
             })
             .seed(&[0.8]).seed(&[-0.5]).seed(&[0.3]).seed(&[1e-3]).seed(&[-1e-8]).seed(&[0.999_999_94]).seed(&[-0.999_999_94])
-            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange),
+            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange)
+            .constant(in_both!(HenyeyGreenstein<T>::new(-0.6)))
+            .constant(in_both!(HenyeyGreenstein<T>::from_one_minus_g(1e-7)))
+            .constant(in_both!(HenyeyGreenstein<T>::from_one_plus_g(0.7)))
+            .gives_back(|p| HenyeyGreenstein::<T>::new(p[0]).map(|warp| vec![warp.asymmetry()])),
         Registered::new("HenyeyGreenstein", "from_one_minus_g", &[Within(NARROWEST, 1.0)], |p| {
             peaked(HenyeyGreenstein::<T>::from_one_minus_g(p[0]), p[0], false)
         })
@@ -240,7 +246,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("k=1e30", &[1e30])
             .seed(&[0.0]).seed(&[1e-20]).seed(&[1e-8]).seed(&[1e-3]).seed(&[0.3]).seed(&[1.0]).seed(&[4.0]).seed(&[16.0])
             .seed(&[20.0]).seed(&[39.0]).seed(&[100.0]).seed(&[1e8]).seed(&[1e15]).seed(&[1e30])
-            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[-0.1], Negative).refuse(&[1.1e30], OutOfRange),
+            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[-0.1], Negative).refuse(&[1.1e30], OutOfRange)
+            .without("getters", "it keeps a smallest concentration in place of 0")
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Ggx", "", &[Within(1e-4, 1.0), Within(1e-4, 1.0)], |p| {
             let truth = truth::Ggx { alpha: [p[0], p[1]].map(f64::from) };
             Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, Box::new(truth))).own_density())
@@ -251,7 +259,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("α=0.01", &[0.01, 0.01])
             .case("α=1, 1e-4", &[1.0, 1e-4])
             .seed(&[1e-4, 1.0]).seed(&[0.3, 0.3]).seed(&[1e-4, 1e-4])
-            .refuse(&[NAN, 0.5], NotFinite).refuse(&[0.5, 0.0], NotPositive).refuse(&[0.5, 1.1], OutOfRange).refuse(&[9e-5, 0.5], OutOfRange),
+            .refuse(&[NAN, 0.5], NotFinite).refuse(&[0.5, 0.0], NotPositive).refuse(&[0.5, 1.1], OutOfRange).refuse(&[9e-5, 0.5], OutOfRange)
+            .constant(in_both!(Ggx<T>::new([0.3, 0.1])))
+            .gives_back(|p| Ggx::<T>::new([p[0], p[1]]).map(|warp| warp.alpha().to_vec())),
         Registered::new("GgxVisible", "", &VIEW, |p| {
             visible(p, GgxVisible::<T>::new([p[0], p[1], p[2]], [p[3], p[4]]), false)
         })
@@ -265,7 +275,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[1e-36, 0.0, 6e-31, 0.8, 0.01])
             .seed(&[0.0, 0.0, 1.0, 0.5, 0.5]).seed(&[1.0, 0.0, 0.0, 1e-4, 1.0]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0])
             .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength).refuse(&[NAN, 0.0, 1.0, 0.5, 0.5], NotFinite)
-            .refuse(&[0.0, 0.6, -0.8, 0.5, 0.5], OutOfRange).refuse(&[0.0, 0.0, 1.0, 0.0, 0.5], NotPositive),
+            .refuse(&[0.0, 0.6, -0.8, 0.5, 0.5], OutOfRange).refuse(&[0.0, 0.0, 1.0, 0.0, 0.5], NotPositive)
+            .without("constant", "its constructor is no constant function: it takes roots")
+            .without("getters", "it keeps the view as a unit vector"),
         Registered::new("GgxVisible", "bounded", &VIEW, |p| {
             visible(p, GgxVisible::<T>::bounded([p[0], p[1], p[2]], [p[3], p[4]]), true)
         })
@@ -285,12 +297,14 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1.5 rad", &[1.5])
             .case_with("3 rad", &[3.0], |e| e.outside(&[[0.0, 0.0, -1.0]]))
             .seed(&[1.05])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[3.2], OutOfRange).refuse(&[1.0e-20], Empty),
+            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[3.2], OutOfRange).refuse(&[1.0e-20], Empty)
+            .constant(in_both!(Cone<T>::from_one_minus_cos(0.3))),
         Registered::new("Cone", "from_one_minus_cos", &[Within(0.0, 2.0)], |p| {
             let k = f64::from(p[0]);
             cone(Cone::<T>::from_one_minus_cos(p[0]), k, 2.0 - k)
         })
-            .refuse(&[2.1], OutOfRange).refuse(&[TINY], Empty),
+            .refuse(&[2.1], OutOfRange).refuse(&[TINY], Empty)
+            .without("getters", "it is tried of one number alone, in tests/laws/constructors.rs"),
         Registered::new("Cone", "from_sine", &[Within(0.0, 1.0)], |p| {
             let s = f64::from(p[0]);
             let k = s * s / (1.0 + ((1.0 - s) * (1.0 + s)).sqrt());
@@ -311,7 +325,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.499_999_85, 0.5, 0.0, 1.0]).seed(&[0.0, 0.25, 0.0, 0.25])
             .refuse(&[0.0, 0.25, NAN, 0.5], NotFinite).refuse(&[0.3, 0.2, 0.0, 0.5], Reversed)
             .refuse(&[0.0, 0.6, 0.0, 0.5], OutOfRange).refuse(&[0.0, 0.5, 0.0, 1.5], OutOfRange)
-            .refuse(&[0.1, 0.1, 0.0, 0.5], Empty).refuse(&[0.1, 0.2, 0.5, 0.5], Empty).refuse(&[0.0, 0.2, 0.0, INF], NotFinite),
+            .refuse(&[0.1, 0.1, 0.0, 0.5], Empty).refuse(&[0.1, 0.2, 0.5, 0.5], Empty).refuse(&[0.0, 0.2, 0.0, INF], NotFinite)
+            .gives_back(|p| SphericalPatch::<T>::from_turns(p[0], p[1], p[2], p[3]).map(|warp| [warp.theta_turns(), warp.phi_turns()].concat()))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("VisibleSphere", "", &[Any, Any, Any, Any, Any, Any, Positive], |p| {
             seen::<T>([p[0], p[1], p[2]], [p[3], p[4], p[5]], p[6])
         })
@@ -327,7 +343,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[1e-45, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-45]).seed(&[0.0, 1e-45, 0.0, 0.0, 0.0, 0.0, 1.7e38]).seed(&[1e38, 0.0, 0.0, -1e38, 0.0, 0.0, 1e38])
             .refuse(&[0.0, NAN, 0.0, 0.0, 3.0, 4.0, 0.5], NotFinite).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.0], NotPositive)
             .refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, -1.0], NotPositive).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 1e-20], Empty)
-            .refuse(&[3e38, 0.0, 0.0, -3e38, 0.0, 0.0, 1.0], TooLarge).refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, TINY], Empty),
+            .refuse(&[3e38, 0.0, 0.0, -3e38, 0.0, 0.0, 1.0], TooLarge).refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, TINY], Empty)
+            .gives_back(|p| VisibleSphere::<T>::new([p[0], p[1], p[2]], [p[3], p[4], p[5]], p[6]).map(|warp| [&warp.point()[..], &warp.centre(), &[warp.radius()]].concat()))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         // At a height above the surface in radii, or below it, in any direction from the centre.
         Registered::new("VisibleSphere", "near", &[Within(-1.0, 1.0), Within(-1.0, 1.0), Within(-1.0, 1.0), Within(-0.5, 1.0), Any, Within(0.0, 1e3)], |p| {
             let normal = [p[0], p[1], p[2]].map(f64::from);

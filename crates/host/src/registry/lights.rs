@@ -114,7 +114,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 1.0, 1.0, 0.0], Empty)
             .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0], NotNormalizable)
             .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 1.0, 0.0, -1.0, -1.0, 0.0], NotNormalizable)
-            .refuse(&[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0], NotNormalizable),
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0], NotNormalizable)
+            .without("constant", "its constructor is no constant function: it takes roots")
+            .without("getters", "it keeps what its map needs"),
         Registered::new("SphericalTriangle", "small", &[Within(0.0, 31.0), UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT], |p| {
             triangle::<T>(at(p, 1), [at(p, 4), at(p, 7), at(p, 10)].map(|v| shrunk(v, p[0])))
         })
@@ -143,7 +145,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 0.0, 0.0, 0.0, -0.1, 1.0, 0.2], ZeroLength)
             .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0], Empty)
             .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], Empty)
-            .refuse(&[0.0, 0.0, 0.0, -0.5, -0.6, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], NotNormalizable),
+            .refuse(&[0.0, 0.0, 0.0, -0.5, -0.6, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], NotNormalizable)
+            .without("constant", "its constructor is no constant function: it takes roots")
+            .without("getters", "it keeps what its map needs"),
         Registered::new("SphericalRectangle", "small", &[Within(0.0, 31.0), UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT], |p| {
             let [corner, ex, ey] = [at(p, 4), at(p, 7), at(p, 10)].map(|v| shrunk(v, p[0]));
             rectangle::<T>(at(p, 1), corner, [ex, ey])

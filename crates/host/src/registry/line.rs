@@ -1,7 +1,7 @@
 //! The warps of the line, but for powers and what users compose.
 
 use super::picture::{View, between};
-use super::{Domain, Ends, Entry, Measure, Registered, entry, family};
+use super::{Domain, Ends, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
@@ -38,7 +38,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[-1.7374, -1.5582]", &[-1.737_384_2, -1.558_242_2])
             .seed(&[-f32::MAX, f32::MAX]).seed(&[0.0, 3.0e-39]).seed(&[1.0, 1.000_000_1])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, INF], NotFinite).refuse(&[1.0, 0.0], Reversed)
-            .refuse(&[1.0, 1.0], Empty).refuse(&[0.0, TINY], Empty),
+            .refuse(&[1.0, 1.0], Empty).refuse(&[0.0, TINY], Empty)
+            .constant(in_both!(Interval::new(0.1, 0.7)))
+            .constant(in_both!(Interval::decreasing(-0.1, 0.7)))
+            .gives_back(|p| Interval::new(p[0], p[1]).map(|warp| vec![warp.low(), warp.high()])),
         Registered::new("Interval", "decreasing", &[Any, Any], |p| {
             interval::<T>("Interval decreasing", p, Interval::decreasing(p[0], p[1]), false)
         })
@@ -61,7 +64,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("a=1e30", &[1e30])
             .case("a=3.1e-37", &[3.1e-37])
             .seed(&[3.06e-37])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive).refuse(&[1.0e-40], TooLarge),
+            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive).refuse(&[1.0e-40], TooLarge)
+            .constant(in_both!(Exponential<T>::from_rate(0.7)))
+            .constant(in_both!(Exponential<T>::from_mean(0.7)))
+            .gives_back(|p| Exponential::<T>::from_rate(p[0]).map(|warp| vec![warp.rate()])),
         Registered::new("ExponentialTail", "", &[Positive], |p| {
             let warp = ExponentialTail::<T>::from_rate(p[0])?;
             Ok(half_line(in_ulp::<T, _>("ExponentialTail", warp, truth::exponential_tail(p[0])).words(2)).own_density().deep())
@@ -73,7 +79,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("a=1e30", &[1e30])
             .case("a=3.1e-37", &[3.1e-37])
             .seed(&[1.0]).seed(&[3.06e-37]).seed(&[f32::MAX])
-            .refuse(&[INF], NotFinite).refuse(&[-0.0], NotPositive).refuse(&[TINY], TooLarge),
+            .refuse(&[INF], NotFinite).refuse(&[-0.0], NotPositive).refuse(&[TINY], TooLarge)
+            .constant(in_both!(ExponentialTail<T>::from_rate(3.0)))
+            .constant(in_both!(ExponentialTail<T>::from_mean(3.0)))
+            .gives_back(|p| ExponentialTail::<T>::from_rate(p[0]).map(|warp| vec![warp.rate()])),
         Registered::new("TruncatedExponential", "", &[Any, Positive], |p| {
             let warp = TruncatedExponential::<T>::from_rate(p[0], p[1])?;
             let mut entry = in_ulp::<T, _>("TruncatedExponential", warp, truth::truncated_exponential(p[0], p[1]));
@@ -102,7 +111,13 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("c=-1.76e-6 X=2", &[-1.758_337e-6, 1.998_206_7])
             .seed(&[-f32::MAX, f32::MAX]).seed(&[0.0, f32::MAX]).seed(&[TINY, 1.0])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, NAN], NotFinite).refuse(&[1.0, 0.0], NotPositive)
-            .refuse(&[1.0, -1.0], NotPositive).refuse(&[1.0, TINY], Empty),
+            .refuse(&[1.0, -1.0], NotPositive).refuse(&[1.0, TINY], Empty)
+            .constant(in_both!(TruncatedExponential<T>::from_rate(1e-7, 3.0)))
+            .constant(in_both!(TruncatedExponential<T>::from_rate(0.7, 3.0)))
+            .constant(in_both!(TruncatedExponential<T>::from_rate(-0.7, 3.0)))
+            .constant(in_both!(TruncatedExponential<T>::from_rate(-700.0, 0.3)))
+            .constant(in_both!(TruncatedExponential<T>::from_mean(0.7, 3.0)))
+            .gives_back(|p| TruncatedExponential::<T>::from_rate(p[0], p[1]).map(|warp| vec![warp.rate(), warp.length()])),
         Registered::new("EquiAngular", "", &[Positive, Any, Any], |p| {
             let warp = EquiAngular::<T>::new(p[0], p[1], p[2])?;
             let [d, a, b] = [p[0], p[1], p[2]].map(f64::from);
@@ -128,7 +143,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN, 0.0, 1.0], NotFinite).refuse(&[1.0, -INF, 1.0], NotFinite).refuse(&[-1.0, 0.0, 1.0], Negative)
             .refuse(&[1.0, 1.0, 0.0], Reversed).refuse(&[1.0, 1.0, 1.0], Empty).refuse(&[TINY, 0.0, 1.0], OutOfRange)
             .refuse(&[0.0, -1.0, 1.0], NotNormalizable).refuse(&[0.0, 0.0, 1.0], NotNormalizable)
-            .refuse(&[1.0, 0.0, 1e13], TooLarge).refuse(&[1e13, 0.0, 1.0], TooLarge),
+            .refuse(&[1.0, 0.0, 1e13], TooLarge).refuse(&[1e13, 0.0, 1.0], TooLarge)
+            .gives_back(|p| EquiAngular::<T>::new(p[0], p[1], p[2]).map(|warp| vec![warp.distance(), warp.low(), warp.high()]))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Tent", "", &[Positive], |p| {
             let entry = in_ulp::<T, _>("Tent", Tent::new(p[0])?, truth::tent(p[0]));
             Ok(entry.own_density().deep().outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
@@ -139,7 +156,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("r=3e38", &[3e38])
             .case("r=1e-30", &[1e-30])
             .seed(&[f32::MIN_POSITIVE])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[TINY], Empty),
+            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[TINY], Empty)
+            .constant(in_both!(Tent::new(0.3)))
+            .gives_back(|p| Tent::new(p[0]).map(|warp| vec![warp.radius()])),
         Registered::new("Linear", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Linear", Linear::new(p[0], p[1])?, truth::linear(p[0], p[1]));
             Ok(entry.own_density().deep().outside(&[[-1e-7, 0.0, 0.0], [1.000_000_1, 0.0, 0.0]]))
@@ -156,7 +175,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("5500 to 100866", &[5_499.947, 100_865.68])
             .seed(&[TINY, 0.0]).seed(&[f32::MAX, f32::MAX])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[-1.0, 1.0], Negative)
-            .refuse(&[0.0, 0.0], NotPositive),
+            .refuse(&[0.0, 0.0], NotPositive)
+            .constant(in_both!(Linear::new(0.1, 0.3)))
+            .without("getters", "its ends are densities"),
         Registered::new("Normal", "", &[Any, Positive], |p| {
             let (mean, std_dev) = (f64::from(p[0]), f64::from(p[1]));
             let (warp, truth) = (Normal::<T>::new(p[0], p[1])?, truth::normal(p[0], p[1]));
@@ -177,7 +198,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e37]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e38], TooLarge).refuse(&[0.0, TINY], Empty),
+            .refuse(&[0.0, 1.0e38], TooLarge).refuse(&[0.0, TINY], Empty)
+            .constant(in_both!(Normal<T>::new(0.3, 1.7)))
+            .gives_back(|p| Normal::<T>::new(p[0], p[1]).map(|warp| vec![warp.mean(), warp.std_dev()])),
         Registered::new("TruncatedNormal", "new", &[Any, Positive, Any, Any], |p| {
             truncated_normal::<T>("TruncatedNormal", p, [p[2], p[3]], TruncatedNormal::new(p[0], p[1], p[2], p[3]))
         })
@@ -202,7 +225,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive)
             .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed).refuse(&[0.0, 1.0, 1.0, 1.0], Empty)
             .refuse(&[0.0, 1.0, 0.0, TINY], Empty).refuse(&[0.0, TINY, 0.0, 1.0], Empty)
-            .refuse(&[0.0, 1.0, 1e19, 2e19], OutOfRange).refuse(&[0.0, 1e38, -f32::MAX, f32::MAX], TooLarge),
+            .refuse(&[0.0, 1.0, 1e19, 2e19], OutOfRange).refuse(&[0.0, 1e38, -f32::MAX, f32::MAX], TooLarge)
+            .gives_back(|p| TruncatedNormal::<T>::new(p[0], p[1], p[2], p[3]).map(|warp| vec![warp.mean(), warp.std_dev(), warp.low(), warp.high()]))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("TruncatedNormal", "above", &[Any, Positive, Any], |p| {
             truncated_normal::<T>("TruncatedNormal above", p, [p[2], INF], TruncatedNormal::above(p[0], p[1], p[2]))
         })
@@ -235,7 +260,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 2e19", &[0.0, 2e19])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e19]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e20], TooLarge).refuse(&[0.0, TINY], Empty),
+            .refuse(&[0.0, 1.0e20], TooLarge).refuse(&[0.0, TINY], Empty)
+            .constant(in_both!(Cauchy<T>::new(0.3, 1.7)))
+            .gives_back(|p| Cauchy::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Laplace", "", &[Any, Positive], |p| {
             Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, truth::laplace(p[0], p[1])).own_density().deep())
         })
@@ -245,7 +272,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
             .refuse(&[INF, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
+            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty)
+            .constant(in_both!(Laplace<T>::new(0.3, 1.7)))
+            .gives_back(|p| Laplace::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Logistic", "", &[Any, Positive], |p| {
             Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
         })
@@ -255,7 +284,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
             .refuse(&[0.0, NAN], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
+            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty)
+            .constant(in_both!(Logistic<T>::new(0.3, 1.7)))
+            .gives_back(|p| Logistic::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Gumbel", "", &[Any, Positive], |p| {
             Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
         })
@@ -265,7 +296,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
             .refuse(&[0.0, INF], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty),
+            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty)
+            .constant(in_both!(Gumbel<T>::new(0.3, 1.7)))
+            .gives_back(|p| Gumbel::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Rayleigh", "", &[Positive], |p| {
             Ok(from_zero(in_ulp::<T, _>("Rayleigh", Rayleigh::<T>::new(p[0])?, truth::rayleigh(p[0]))).own_density().deep())
         })
@@ -274,7 +307,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("4e37", &[4e37])
             .seed(&[1.0]).seed(&[3.0e-39]).seed(&[4.8e37])
             .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive)
-            .refuse(&[1.0e38], TooLarge).refuse(&[TINY], Empty),
+            .refuse(&[1.0e38], TooLarge).refuse(&[TINY], Empty)
+            .constant(in_both!(Rayleigh<T>::new(0.3)))
+            .gives_back(|p| Rayleigh::<T>::new(p[0]).map(|warp| vec![warp.scale()])),
         Registered::new("Weibull", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Weibull", Weibull::<T>::new(p[0], p[1])?, truth::weibull(p[0], p[1]));
             Ok(from_zero(entry).middle().own_density_of_word().variables(&[("k", p[1].into())]))
@@ -292,7 +327,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[2.0, 1.0e7]).seed(&[1.0e-30, 1.0e5]).seed(&[1.0, 1.0e-1])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[0.0, 1.0], NotPositive)
             .refuse(&[1.0, 0.0], NotPositive).refuse(&[1.0, 0.03], TooLarge).refuse(&[1.0, TINY], TooLarge)
-            .refuse(&[1e-30, 1e30], Empty),
+            .refuse(&[1e-30, 1e30], Empty)
+            .constant(in_both!(Weibull<T>::new(0.3, 1.7)))
+            .gives_back(|p| Weibull::<T>::new(p[0], p[1]).map(|warp| vec![warp.scale(), warp.shape()])),
         Registered::new("Pareto", "", &[Positive, Positive], |p| {
             let entry = in_ulp::<T, _>("Pareto", Pareto::<T>::new(p[0], p[1])?, truth::pareto(p[0], p[1]));
             let mut entry = half_line(entry).middle().own_density_of_word();
@@ -309,7 +346,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[2.0, 1.0e7]).seed(&[1.0e-30, 1.0e5])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[0.0, 1.0], NotPositive)
             .refuse(&[1.0, -1.0], NotPositive).refuse(&[1.0, 0.25], TooLarge).refuse(&[1.0, TINY], TooLarge)
-            .refuse(&[1e-30, 1e30], Empty),
+            .refuse(&[1e-30, 1e30], Empty)
+            .constant(in_both!(Pareto<T>::new(0.3, 1.7)))
+            .gives_back(|p| Pareto::<T>::new(p[0], p[1]).map(|warp| vec![warp.minimum(), warp.shape()])),
         Registered::new("LogNormal", "", &[Any, Positive], |p| {
             let warp = LogNormal::<T>::new(p[0], p[1])?;
             let deviation = f64::from(p[1]);
@@ -328,7 +367,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 1.0]).seed(&[-87.0, 25.0]).seed(&[88.0, 0.05]).seed(&[0.0, 1.0e-5]).seed(&[-80.0, 1.0e-3])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, INF], NotFinite).refuse(&[0.0, 0.0], NotPositive)
             .refuse(&[0.0, -1.0], NotPositive).refuse(&[0.0, 14.0], TooLarge).refuse(&[-100.0, 1.0], Empty)
-            .refuse(&[0.0, TINY], Empty),
+            .refuse(&[0.0, TINY], Empty)
+            .constant(in_both!(LogNormal<T>::new(0.3, 1.7)))
+            .gives_back(|p| LogNormal::<T>::new(p[0], p[1]).map(|warp| vec![warp.mean_of_log(), warp.std_dev_of_log()])),
     ]
 }
 

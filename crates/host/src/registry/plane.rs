@@ -1,7 +1,7 @@
 //! The warps of the plane, of boxes and of triangles in space.
 
 use super::picture::{CORNER, EQUILATERAL, FLAT, window};
-use super::{Domain, Entry, Flat, Measure, Registered, entry, family};
+use super::{Domain, Entry, Flat, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
@@ -124,7 +124,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e18", &[0.0, 0.0, 1e18])
             .seed(&[0.0, 0.0, 1.0]).seed(&[3.0, -2.0, 0.5])
             .refuse(&[0.0, NAN, 1.0], NotFinite).refuse(&[0.0, 0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 0.0, 1.0e-30], Empty).refuse(&[0.0, 0.0, 1.0e30], TooLarge),
+            .refuse(&[0.0, 0.0, 1.0e-30], Empty).refuse(&[0.0, 0.0, 1.0e30], TooLarge)
+            .constant(in_both!(NormalPair<T>::new([0.3, 3.0], 1.7)))
+            .gives_back(|p| NormalPair::<T>::new([p[0], p[1]], p[2]).map(|warp| vec![warp.mean()[0], warp.mean()[1], warp.std_dev()])),
         Registered::new("TriangleOn", "plane", &[Any; 6], |p| triangle_on::<T, 2>(p, Domain::Plane))
             .case_with("plane", &[0.0, 0.0, 4.0, 0.0, 1.0, 3.0], |e| {
                 e.picture("(0, 0), (4, 0), (1, 3)", FLAT).trade(family::TRIANGLE, "triangle_on")
@@ -138,7 +140,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.1, 0.2, 0.7, 0.9, 0.4, 0.55]).seed(&[1e6, 0.1, 1_000_001.0, -0.3, 1e6, 0.7])
             .refuse(&[0.0, 0.0, 1.0, 1.0, 2.0, 2.0], Empty).refuse(&[0.0; 6], Empty)
             .refuse(&[NAN, 0.0, 1.0, 0.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 1e30, 0.0, 0.0, 1e30], TooLarge)
-            .refuse(&[0.0, 0.0, 1e-30, 0.0, 0.0, 1e-30], Empty),
+            .refuse(&[0.0, 0.0, 1e-30, 0.0, 0.0, 1e-30], Empty)
+            .gives_back(|p| TriangleOn::new([[p[0], p[1]], [p[2], p[3]], [p[4], p[5]]]).map(|warp| warp.vertices().concat()))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("TriangleOn", "space", &[Any; 9], |p| triangle_on::<T, 3>(p, Domain::Space))
             .case_with("space", &[1.0, 0.0, 0.0, 0.0, 2.0, 0.5, -1.0, 0.0, 3.0], |e| {
                 e.no_round_trip().picture("three vertices in space", CORNER)
@@ -169,10 +173,13 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[1.0, 0.0, 0.0, 1.0]).seed(&[1766.677, 0.0, 0.014_073_868, 0.022_967_072]).seed(&[0.0, 1.0, 1e-4, 0.0])
             .seed(&[0.0, 1.0, 1.0, 2.0]).seed(&[1.0; 4])
             .refuse(&[1.0, NAN, 1.0, 1.0], NotFinite).refuse(&[1.0, 1.0, f32::INFINITY, 1.0], NotFinite)
-            .refuse(&[1.0, 1.0, 1.0, -1.0], Negative).refuse(&[0.0; 4], NotPositive),
+            .refuse(&[1.0, 1.0, 1.0, -1.0], Negative).refuse(&[0.0; 4], NotPositive)
+            .constant(in_both!(Bilinear::new([[0.1, 0.3], [0.7, 0.2]])))
+            .without("getters", "its corners are densities"),
         Registered::new("Aabb", "of 1 side", &[Any; 2], |p| sides::<T, 1>(p, Domain::Plane))
             .ordered(&[[0, 1]])
-            .refuse(&[1.0, 0.0], Reversed),
+            .refuse(&[1.0, 0.0], Reversed)
+            .constant(in_both!(Aabb::new([-1.0, 0.1, 1e-3], [2.0, 0.3, 1e20]))),
         Registered::new("Aabb", "of 2 sides", &[Any; 4], |p| sides::<T, 2>(p, Domain::Plane))
             .ordered(&[[0, 1], [2, 3]])
             .case_with("[-1, 1] x [2, 2.5]", &[-1.0, 1.0, 2.0, 2.5], |e| {
@@ -181,7 +188,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[0, 1e-30] x [-1e30, 0]", &[0.0, 1e-30, -1e30, 0.0])
             .case("[-3e38, 3e38] x [0, 1e-38]", &[-3e38, 3e38, 0.0, 1e-38])
             .refuse(&[0.0, 1.0, NAN, 1.0], NotFinite).refuse(&[0.0, 1.0, 2.0, 1.0], Reversed)
-            .refuse(&[0.0, 0.0, 0.0, 1.0], Empty),
+            .refuse(&[0.0, 0.0, 0.0, 1.0], Empty)
+            .gives_back(|p| Aabb::new([p[0], p[2]], [p[1], p[3]]).map(|warp| (0..4).map(|k| [warp.low(), warp.high()][k % 2][k / 2]).collect())),
         Registered::new("Aabb", "of 3 sides", &[Any; 6], |p| sides::<T, 3>(p, Domain::Space))
             .ordered(&[[0, 1], [2, 3], [4, 5]]),
     ]

@@ -2,7 +2,7 @@
 
 use super::line::in_ulp;
 use super::picture::{View, between};
-use super::{Entry, Flat, Registered, family};
+use super::{Entry, Flat, Registered, family, in_both};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth;
 use microwarp::Error::{self, *};
@@ -99,7 +99,14 @@ where
 pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     const NEAR: Kind = Within(-1.02, -0.98);
     vec![
-        with_cases(Registered::new("Power", "new", &[Any, Positive, Positive], |p| power::<T>(p, true)), |label| match label {
+        with_cases(Registered::new("Power", "new", &[Any, Positive, Positive], |p| power::<T>(p, true))
+            .constant(in_both!(Power<T>::new(2.5, 0.0, 0.7)))
+            .constant(in_both!(Power<T>::new(-1.0, 0.1, 0.7)))
+            .constant(in_both!(Power<T>::new(-0.9999, 1e-30, 1e30)))
+            .constant(in_both!(Power<T>::new(-0.3, 0.0, 7.0)))
+            .constant(in_both!(Power<T>::decreasing(-2.7, 0.1, 1e20)))
+            .constant(in_both!(Power<T>::decreasing(1e8, 1.0, 1.000_001)))
+            .without("getters", "it keeps a smallest number in place of an end of 0"), |label| match label {
             "n=2.5 [0, 1]" => |e| e.picture("p ∝ x^2.5 on [0, 1]", View::Line(between(-0.1, 1.1))).trade(family::POWER, "power"),
             "n=-1 [1, 100]" => |e| {
                 let axes = between(0.794_328, 125.892_54).log_x().log_y(1e-3);

@@ -1,7 +1,7 @@
 //! The uniform shapes: rings, balls, rotations, polygons and simplices.
 
 use super::picture::{EQUILATERAL, window};
-use super::{Domain, Entry, Measure, Registered, entry, family};
+use super::{Domain, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{Positive, Within};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
@@ -59,7 +59,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[1e21, 1.000_000_1e21]).seed(&[0.5, 0.7])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, f32::INFINITY], NotFinite).refuse(&[-1.0, 1.0], Negative)
             .refuse(&[2.0, 1.0], Reversed).refuse(&[1.0, 1.0], Empty).refuse(&[0.0, 0.0], Empty).refuse(&[0.0, 1e-20], Empty)
-            .refuse(&[0.0, 1e19], TooLarge),
+            .refuse(&[0.0, 1e19], TooLarge)
+            .gives_back(|p| Annulus::<T>::new(p[0], p[1]).map(|warp| vec![warp.inner(), warp.outer()]))
+            .constant(in_both!(Annulus<T>::new(0.3, 1.7)))
+            .constant(in_both!(Annulus<T>::sector(0.3, 1.7, -0.3, 0.1))),
         Registered::new("Annulus", "sector", &[Positive, Positive, Within(-1.0, 1.0), Within(-1.0, 2.0)], |p| {
             annulus::<T>([p[0], p[1]], [p[2], p[3]])
         })
@@ -97,7 +100,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("5 corners", &[5.0])
             .case("1001 corners", &[1001.0])
             .seed(&[3.0]).seed(&[4.0]).seed(&[5.0]).seed(&[7.0]).seed(&[12.0]).seed(&[65_535.0])
-            .refuse(&[2.0], OutOfRange).refuse(&[0.0], OutOfRange),
+            .refuse(&[2.0], OutOfRange).refuse(&[0.0], OutOfRange)
+            .gives_back(|p| RegularPolygon::<T>::new(p[0] as u16).map(|warp| vec![warp.corners().into()]))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Simplex", "of 2 dimensions", &[], |_| {
             let truth: Box<dyn Truth> = Box::new(truth::Simplex(2));
             let mut entry = entry::<T, _>("Simplex", Domain::Barycentric, Measure::Length(1.0), Simplex::<T, 2>::new(), truth);

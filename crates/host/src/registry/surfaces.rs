@@ -459,7 +459,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 1e-9, 0.0, 1e-9, 0.0, 1e9]).seed(&[1e6, 1_000_000.06, -1.0, 1.0, 0.0, 1e-3])
             .refuse(&[0.0, 1.0, NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, 1.0, 1.0, 0.0], Reversed)
             .refuse(&[1.0; 6], Empty).refuse(&[0.0, 1.0, 2.0, 2.0, 3.0, 3.0], Empty)
-            .refuse(&[0.0, 1e-20, 0.0, 1e-20, 0.0, 1e-20], Empty).refuse(&[0.0, 1e20, 0.0, 1e20, 0.0, 0.0], TooLarge),
+            .refuse(&[0.0, 1e-20, 0.0, 1e-20, 0.0, 1e-20], Empty).refuse(&[0.0, 1e20, 0.0, 1e20, 0.0, 0.0], TooLarge)
+            .gives_back(|p| BoxSurface::new([p[0], p[2], p[4]], [p[1], p[3], p[5]]).map(|warp| (0..6).map(|k| [warp.low(), warp.high()][k % 2][k / 2]).collect()))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("FrustumSurface", "", &[Positive; 3], |p| frustum::<T>(p, true))
             .case_with("1 to 0.5, 2 high", &[1.0, 0.5, 2.0], |e| {
                 e.picture("radii 1 and 0.5, height 2", View::Solid(Body::Frustum([1.0, 0.5], 2.0))).trade(family::COMPOSED, "frustum_surface")
@@ -475,7 +477,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("tube", &[1.0, 1.0, 2.0]).case("open cone", &[1.0, 0.0, 2.0]).case_with("ring", &[1.0, 2.0, 0.0], constant)
             .case_with("narrow ring", &[1.0, 0.999_9, 0.0], |e| loose(constant(e), 1e-3))
             .seed(&[1.0, 0.0, 0.0]).seed(&[1.0, 1.0, 1e-9]).seed(&[1e-30, 3e-30, 1e30])
-            .refuse(&[1.0, 1.0, 0.0], Empty).refuse(&[1.0, f32::INFINITY, 0.0], NotFinite),
+            .refuse(&[1.0, 1.0, 0.0], Empty).refuse(&[1.0, f32::INFINITY, 0.0], NotFinite)
+            .gives_back(|p| FrustumSurface::<T>::tube([p[0], p[1]], p[2]).map(|warp| vec![warp.radii()[0], warp.radii()[1], warp.height()]))
+            .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("CapsuleSurface", "", &[Positive; 2], capsule::<T>)
             .case_with("1 high, radius 0.5", &[1.0, 0.5], |e| {
                 e.picture("height 1, radius 0.5", View::Solid(Body::Capsule(1.0, 0.5))).trade(family::COMPOSED, "capsule_surface")
@@ -484,6 +488,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1e30 by 1e-30", &[1e30, 1e-30])
             .seed(&[0.0, 1.0]).seed(&[1.0, 1.0]).seed(&[1.0, 1e-6]).seed(&[1e-6, 1.0])
             .refuse(&[NAN, 1.0], NotFinite).refuse(&[-1.0, 1.0], Negative).refuse(&[1.0, 0.0], NotPositive)
-            .refuse(&[1e-20, 1e-20], Empty).refuse(&[1.0, 1e20], TooLarge).refuse(&[3e38, 1e38], TooLarge),
+            .refuse(&[1e-20, 1e-20], Empty).refuse(&[1.0, 1e20], TooLarge).refuse(&[3e38, 1e38], TooLarge)
+            .gives_back(|p| CapsuleSurface::<T>::new(p[0], p[1]).map(|warp| vec![warp.height(), warp.radius()]))
+            .without("constant", "its constructor is no constant function: it takes roots"),
     ]
 }
