@@ -154,7 +154,7 @@ impl Cells {
     pub(crate) fn find(&self, x: f32) -> usize {
         let last = self.count - 1.0;
         let guess = (x * self.scale - self.low * self.scale) * self.per_length;
-        // Off by one cell at most, see `LEAST`; `tests/piecewise` walks all edges.
+        // Off by one cell at most, see `LEAST`; `tests/tables` walks all edges.
         let mut index = clamp(guess, 0.0, last) as u32 as f32;
         if index > 0.0 && x < self.edge(index) {
             index -= 1.0;

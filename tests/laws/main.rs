@@ -8,7 +8,6 @@ mod constructors;
 mod density;
 mod generators;
 mod geometry;
-mod house;
 mod lights;
 mod monotone;
 mod open_ends;

@@ -1,6 +1,8 @@
 //! No sampler without its names: what is generic over a tier or a grade has an alias in each, and every warp is in
-//! the list of warps.
+//! the list of warps and in the catalogue of the host.
 
+use crate::{code, files, warps};
+use host::registry::entries;
 use std::collections::BTreeSet;
 
 /// What a header of an `impl` says.
@@ -64,7 +66,7 @@ fn impls(text: &str) -> Vec<Impl<'_>> {
 }
 
 /// Which names are missing in a house, and where: of the texts of its files, by their paths below `src`.
-pub fn missing(sources: &[(String, String)]) -> Vec<String> {
+fn missing(sources: &[(String, String)]) -> Vec<String> {
     let text = |file: &str| {
         let found = sources.iter().find(|(path, _)| path == file);
         found.map_or("", |(_, text)| text)
@@ -118,11 +120,81 @@ pub fn missing(sources: &[(String, String)]) -> Vec<String> {
 }
 
 /// How many types are generic over a trait.
-pub fn count_over(sources: &[(String, String)], bound: &str) -> usize {
+fn count_over(sources: &[(String, String)], bound: &str) -> usize {
     let all = sources.iter().flat_map(|(_, source)| impls(source));
     let names: BTreeSet<_> = all
         .filter(|i| i.over.contains(bound))
         .map(|i| i.name)
         .collect();
     names.len()
+}
+
+/// The texts of the crate's files, by their paths below `src`.
+fn house() -> Vec<(String, String)> {
+    let inside = |(path, text): (String, String)| (path[4..].to_owned(), text);
+    files("src", &[".rs"]).into_iter().map(inside).collect()
+}
+
+/// The same with one text changed.
+fn changed(file: &str, change: impl Fn(&str) -> String) -> Vec<(String, String)> {
+    let mut texts = house();
+    let (_, text) = texts.iter_mut().find(|(path, _)| path == file).unwrap();
+    let after = change(text);
+    assert_ne!(*text, after, "{file} stays as it is");
+    *text = after;
+    texts
+}
+
+#[test]
+fn no_warp_is_missing_from_the_catalogue() {
+    let entries = entries();
+    let names = entries.iter().map(|e| e.name.split(' ').next().unwrap());
+    let code = ["src/warp", "src/discrete"].map(code).concat();
+    let implemented = warps(&code);
+    assert!(implemented.len() > 25);
+    assert_eq!(crate::missing(&implemented, &names.collect()), [""; 0]);
+}
+
+#[test]
+fn every_tier_and_grade_has_every_name() {
+    let texts = house();
+    let counts = ["Tier", "Grade"].map(|bound| count_over(&texts, bound));
+    assert!(counts.iter().all(|count| *count > 12), "{counts:?}");
+    assert_eq!(missing(&texts), Vec::<String>::new());
+}
+
+#[test]
+fn a_missing_name_is_noticed() {
+    // Each line of a list, taken out.
+    let taken_out = |file: &str, line: &str, what: &str| {
+        let without = |text: &str| {
+            let kept = text.lines().filter(|l| !l.contains(line));
+            kept.fold(String::new(), |all, l| all + l + "\n")
+        };
+        assert_eq!(
+            missing(&changed(file, without)),
+            what.split_terminator(", ").collect::<Vec<_>>()
+        );
+    };
+    taken_out(
+        "warp.rs",
+        "disk::Disk<T>",
+        "Disk in the list of warps, Disk in the tiers",
+    );
+    taken_out("warp.rs", "tent::Tent", "Tent in the list of warps");
+    taken_out("lib.rs", "pub type NormalStep", "NormalStep in the tiers");
+    taken_out("fixed.rs", "cone::Cone", "Cone in the grades");
+    // A tier forgotten in its line.
+    let texts = changed("warp.rs", |text| {
+        text.replace("sphere::Sphere<T>", "sphere::Sphere")
+    });
+    assert_eq!(missing(&texts), ["Sphere in the tiers"]);
+    // What is new: generic over its tier by a bound behind, in a room without a list; and what is not public.
+    for (vis, what) in [("pub ", vec!["New in the tiers"]), ("pub(crate) ", vec![])] {
+        let more = format!(
+            "{vis}struct New<T>(T);\nimpl<T, X> Rejection for New<T>\nwhere\n    T: Copy + Tier,\n{{}}\n"
+        );
+        let texts = changed("rejection/ball.rs", |text| format!("{text}{more}"));
+        assert_eq!(missing(&texts), what);
+    }
 }

@@ -1,6 +1,6 @@
 //! `Reservoir`: the bits that take it counted exactly, then streams and mergers sampled.
 
-use crate::runs;
+use crate::counting::runs;
 use host::speed;
 use host::stats::{chi_square, threshold};
 use microwarp::Error;

@@ -1,20 +1,4 @@
-//! The tables select with the probabilities they state: counted, not sampled, wherever there is something
-//! to count; then sampled as well.
-//!
-//! Here live the exact weights and the counting. Which tables are counted is in `cases`; what is asked of
-//! them in `counted`, `alias`, `select_once`, `resampling` and `reservoir`; refusals in `refused`, samples in `sampled`.
-
-mod alias;
-mod cases;
-mod counted;
-mod counts;
-mod exact;
-mod leftover;
-mod refused;
-mod resampling;
-mod reservoir;
-mod sampled;
-mod select_once;
+//! Exact weights, and words counted by galloping.
 
 use num_bigint::BigUint;
 

@@ -1,6 +1,6 @@
 //! Tables that are taken without a check: what was made comes back, and wrong words do no more than select wrongly.
 
-use crate::{UNIT, weights};
+use crate::storage::{UNIT, weights};
 use host::speed;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Storage, Word,

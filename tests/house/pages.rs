@@ -1,18 +1,10 @@
 //! What a newcomer reads: the README, the crate's page, the pages of the samplers, and the links between them.
 
+use crate::{code, files, missing, of_rooms, read, root};
 use host::docs::Doc;
 use microwarp_list::FLOAT_WARPS;
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::{Path, PathBuf};
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn read(path: &str) -> String {
-    fs::read_to_string(root().join(path)).unwrap_or_else(|e| panic!("{path}: {e}"))
-}
+use std::path::Path;
 
 /// The text of the comments in front of a module's items.
 fn head(code: &str) -> String {
@@ -20,90 +12,31 @@ fn head(code: &str) -> String {
     lines.fold(String::new(), |all, line| all + line.trim_start() + "\n")
 }
 
-/// The names of a room's `pub use` lines.
-fn public(room: &str) -> Vec<&str> {
-    let lists = room.split("\npub use ").skip(1);
-    let names = lists.flat_map(|list| {
-        let list = list.split(';').next().unwrap_or_default();
-        let list = list.rsplit("::").next().unwrap_or_default();
-        list.split(|c: char| !c.is_alphanumeric() && c != '_')
-    });
-    names.filter(|name| !name.is_empty()).collect()
-}
+/// What a room makes public beside its samplers: results, and parts of others.
+const BESIDE: &str = "AliasEntry Chance Cursor Error06 ExactSelection Failure FromFn Halves HastingsCounts HastingsRatio \
+    LogDensity MeshPoint Outcome PixelSample Proposal Saved Selection Start Symmetric Transition primary_density r_hat \
+    wrapping_add";
 
-/// What a room makes public beside its samplers: traits, results, and parts of others.
-const BESIDE: [&str; 45] = [
-    "Accepted",
-    "AliasEntry",
-    "Chance",
-    "Coordinates",
-    "Cursor",
-    "Error06",
-    "ExactSelection",
-    "Failure",
-    "FromFn",
-    "Grid",
-    "Halves",
-    "HastingsCorrection",
-    "HastingsCounts",
-    "HastingsRatio",
-    "LARGEST",
-    "LargeSmall",
-    "LogDensity",
-    "MAX_DIMENSIONS",
-    "MAX_STRATA",
-    "MeshPoint",
-    "Mutation",
-    "Mutations",
-    "Outcome",
-    "OwnedStorage",
-    "PixelSample",
-    "Points",
-    "Proposal",
-    "Rejection",
-    "SMALLEST",
-    "SLACK",
-    "Saved",
-    "Selection",
-    "StateSource",
-    "Start",
-    "StepLaw",
-    "Storage",
-    "Symmetric",
-    "TargetDensity",
-    "TargetValue",
-    "Transition",
-    "Word",
-    "budget_for",
-    "primary_density",
-    "r_hat",
-    "wrapping_add",
-];
-
-/// The names that a page does not show as code.
-fn unlisted<'a>(names: &[&'a str], page: &str) -> Vec<&'a str> {
-    let shown = |name: &&&str| page.contains(&format!("`{name}`"));
-    names.iter().filter(|name| !shown(name)).copied().collect()
+/// The names that a page shows as code.
+fn shown(page: &str) -> BTreeSet<&str> {
+    page.split('`').skip(1).step_by(2).collect()
 }
 
 #[test]
 fn the_crate_page_lists_every_sampler() {
     let page = head(&read("src/lib.rs"));
-    let rooms = ["discrete", "rejection", "metropolis", "estimate", "uniform"];
-    let rooms = rooms.map(|room| read(&format!("src/{room}.rs"))).concat();
-    let mut names: Vec<_> = FLOAT_WARPS.iter().map(|warp| warp.name).collect();
-    names.extend(public(&rooms));
+    let mut names = of_rooms(&code("src"));
+    names.extend(FLOAT_WARPS.iter().map(|warp| warp.name.to_owned()));
     assert!(names.len() > 80, "{} names are seen", names.len());
-    let beside: BTreeSet<_> = BESIDE.into_iter().collect();
-    names.retain(|name| !beside.contains(name));
-    assert_eq!(unlisted(&names, &page), [""; 0]);
     // What is spared must exist, and a name that is left out is noticed.
     let gone: Vec<_> = BESIDE
-        .iter()
-        .filter(|name| !rooms.contains(**name))
+        .split(' ')
+        .filter(|name| !names.remove(*name))
         .collect();
-    assert!(gone.is_empty(), "{gone:?}");
-    assert_eq!(unlisted(&["Disk", "Ring"], &page), ["Ring"]);
+    assert_eq!(gone, [""; 0]);
+    assert_eq!(missing(&names, &shown(&page)), [""; 0]);
+    let two = BTreeSet::from(["Disk", "Ring"]);
+    assert_eq!(missing(&two, &shown("a `Disk` is no Ring")), ["Ring"]);
 }
 
 /// The page of a warp, in whichever room it is.
@@ -138,33 +71,17 @@ fn starred(page: &str) -> Vec<&str> {
 
 #[test]
 fn no_cell_of_a_table_loses_its_stars() {
-    let mut open = vec![
-        root().join("src"),
-        root().join("docs"),
-        root().join("examples"),
-    ];
-    open.push(root().join("README.md"));
     let (mut pages, mut found) = (0, Vec::new());
-    while let Some(path) = open.pop() {
-        if path.is_dir() && !path.ends_with("target") {
-            open.extend(
-                fs::read_dir(path)
-                    .unwrap()
-                    .map(|entry| entry.unwrap().path()),
-            );
-        } else if path.extension().is_some_and(|e| e == "rs" || e == "md") {
-            let mut text = fs::read_to_string(&path).unwrap();
-            if path.extension().is_some_and(|e| e == "rs") {
+    for place in ["src", "docs", "examples", "README.md"] {
+        for (path, mut text) in files(place, &[".rs", ".md"]) {
+            if path.ends_with(".rs") {
                 let comments = text
                     .lines()
                     .filter(|line| line.trim_start().starts_with("//"));
                 text = comments.collect::<Vec<_>>().join("\n");
             }
-            found.extend(
-                starred(&text)
-                    .into_iter()
-                    .map(|cell| format!("{path:?}: {cell}")),
-            );
+            let cells = starred(&text).into_iter();
+            found.extend(cells.map(|cell| format!("{path}: {cell}")));
             pages += 1;
         }
     }
@@ -220,7 +137,7 @@ fn every_warp_has_a_page_with_its_density_domain_errors_example_siblings_and_pic
 }
 
 /// The targets of a page's links and pictures that are files, relative to the page.
-fn files(page: &str) -> Vec<&str> {
+fn targets(page: &str) -> Vec<&str> {
     let targets = page
         .split("](")
         .skip(1)
@@ -231,34 +148,29 @@ fn files(page: &str) -> Vec<&str> {
         .collect()
 }
 
-fn broken(page: &Path) -> Vec<PathBuf> {
-    let text = fs::read_to_string(page).unwrap();
-    let folder = page.parent().unwrap();
-    let targets = files(&text).into_iter().map(|target| folder.join(target));
-    targets.filter(|path| !path.exists()).collect()
-}
-
 #[test]
 fn links_between_pages_lead_somewhere() {
-    let mut pages: Vec<PathBuf> = Vec::new();
-    for folder in [
-        "",
+    let mut pages = Vec::new();
+    for place in [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
         "docs",
         "examples",
-        "examples/firmware",
-        "examples/firmware-c",
-        "examples/web",
     ] {
-        let inside = fs::read_dir(root().join(folder))
-            .unwrap()
-            .map(|e| e.unwrap().path());
-        pages.extend(inside.filter(|path| path.extension().is_some_and(|e| e == "md")));
+        pages.extend(files(place, &[".md"]));
     }
     assert!(pages.len() > 10);
-    let broken: Vec<_> = pages.iter().flat_map(|page| broken(page)).collect();
-    assert!(broken.is_empty(), "{broken:?}");
+    let mut broken = Vec::new();
+    for (path, text) in &pages {
+        let folder = root().join(Path::new(path).parent().unwrap());
+        let targets = targets(text).into_iter();
+        broken.extend(targets.filter(|target| !folder.join(target).exists()));
+    }
+    assert_eq!(broken, [""; 0]);
     assert_eq!(
-        files("[a](docs/a.md#b), [c](https://d) ![e](f.png)"),
+        targets("[a](docs/a.md#b), [c](https://d) ![e](f.png)"),
         ["docs/a.md", "f.png"]
     );
 }

@@ -1,15 +1,32 @@
-//! Piecewise-constant densities, exactly: every edge of every cell, every probability, every refusal.
-//! Truth is integers and `f64`. How samples are distributed is in `distributions.rs`, errors of samples
-//! and densities are in `accuracy.rs`.
+//! Tables: they select with the probabilities that they state, to the last bit, counted wherever there is something to
+//! count; cells, curves, meshes and skies over them, and where they lie in memory.
+//!
+//! Truth is integers and `f64`. How samples of warps are distributed is in `tests/distributions`, errors of samples and
+//! densities are in `tests/accuracy`.
 
+mod alias;
+mod cases;
+mod counted;
+mod counting;
+mod counts;
 mod curves;
 mod edges;
+mod exact;
+mod leftover;
 mod masses;
 mod meshes;
 mod pictures;
 mod places;
-mod refusals;
+mod refused_ranges;
+mod refused_weights;
+mod resampling;
+mod reservoir;
+mod sampled;
+mod select_once;
 mod skies;
+mod stack;
+mod storage;
+mod trusted;
 
 use microwarp::Warp;
 use microwarp::discrete::Cdf;

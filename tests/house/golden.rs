@@ -3,18 +3,13 @@
 //! The table is `tests/golden/golden.csv`; the very code that is compared here also runs as WASM and as
 //! firmware. `cargo regenerate` adds the lines of new cases; it changes others only where they are named.
 //!
-//! The last tests hold the lists of `tests/golden` against `src`: nothing public is without a golden subject, and no
+//! The last tests hold the lists of `crates/list` against `src`: nothing public is without a golden subject, and no
 //! warp without a cost kernel.
 
+use crate::{code, identifiers, missing, of_rooms, public, read, warps};
 use microwarp_list::{FLOAT_WARPS, GRADED_WARPS, Listed, PLAIN_WARPS, cases, describe, evaluate};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::fs;
-use std::path::{Path, PathBuf};
-
-fn path() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/golden/golden.csv")
-}
 
 /// One row a case: its name, then the words it yields.
 fn table() -> String {
@@ -52,7 +47,7 @@ fn first_difference(golden: &str, now: &str) -> Option<usize> {
 #[test]
 fn same_inputs_give_the_golden_bits() {
     let now = table();
-    let golden = std::fs::read_to_string(path()).expect("the golden table is checked in");
+    let golden = read("tests/golden/golden.csv");
     assert_eq!(golden.lines().count(), cases() + 1);
     if let Some(row) = first_difference(&golden, &now) {
         let row_of = |text: &str| text.lines().nth(row).unwrap_or("nothing").to_string();
@@ -120,71 +115,6 @@ fn words(index: usize) -> [u32; 16] {
     words
 }
 
-/// The code of all Rust files under a path of the repository, without comments.
-fn code(under: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(under);
-    if path.is_dir() {
-        let mut inside: Vec<_> = fs::read_dir(&path)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        inside.sort();
-        let files = inside.iter().map(|name| code(&format!("{under}/{name}")));
-        return files.collect();
-    }
-    let text = fs::read_to_string(&path).unwrap();
-    let code = text.lines().map(|line| line.split("//").next().unwrap());
-    code.fold(String::new(), |all, line| all + line + "\n")
-}
-
-fn identifiers(text: &str) -> BTreeSet<&str> {
-    text.split(|c: char| !c.is_alphanumeric() && c != '_')
-        .filter(|word| word.starts_with(|c: char| c.is_alphabetic()))
-        .collect()
-}
-
-/// The identifier that a text begins with.
-fn first(text: &str) -> &str {
-    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_');
-    &text[..end.unwrap_or(text.len())]
-}
-
-/// The types that are warps; a reference to one is none of them.
-fn warps(code: &str) -> BTreeSet<&str> {
-    let found = code.split(" Warp for ").skip(1).map(first);
-    found.filter(|name| !name.is_empty()).collect()
-}
-
-/// The names that a room of the crate makes public, but for those of traits, other names and constants.
-fn public<'a>(room: &'a str, code: &str) -> BTreeSet<&'a str> {
-    let uses = room.split("pub use ").skip(1);
-    let lists = uses.filter_map(|rest| rest.split(';').next());
-    let names = lists.flat_map(|list| {
-        let names = list.rsplit("::").next().unwrap();
-        identifiers(names.trim_matches(['{', '}']))
-    });
-    let declared = |kind: &str, name: &str| {
-        code.split(&format!("pub {kind} {name}"))
-            .skip(1)
-            .any(|rest| first(rest).is_empty())
-    };
-    let other = |name: &str| {
-        ["trait", "type", "const"]
-            .iter()
-            .any(|kind| declared(kind, name))
-    };
-    // Some names of types are also those of aliases in a tier.
-    names
-        .filter(|name| declared("struct", name) || !other(name))
-        .collect()
-}
-
-/// The names that are not among others.
-fn missing<'a>(names: &BTreeSet<&'a str>, present: &BTreeSet<&str>) -> Vec<&'a str> {
-    let absent = names.iter().filter(|name| !present.contains(*name));
-    absent.copied().collect()
-}
-
 /// The types of a list that have golden subjects.
 fn with_golden<'a>(lists: &[&'a [Listed]]) -> BTreeSet<&'a str> {
     let listed = lists.iter().copied().flatten();
@@ -247,16 +177,9 @@ const SPARED: [(&str, &str); 10] = [
 #[test]
 fn nothing_public_is_without_golden_bits() {
     let all = code("src");
+    let spared: Vec<_> = SPARED.iter().map(|(name, _)| *name).collect();
     let golden = code("crates/list/src");
-    let rooms = ["discrete", "rejection", "metropolis", "estimate", "uniform"];
-    let floats = rooms.map(|room| code(&format!("src/{room}.rs"))).concat();
-    let names = public(&floats, &all);
-    assert!(names.len() > 40, "{} names are seen", names.len());
-    let spared: BTreeSet<_> = SPARED.iter().map(|(name, _)| *name).collect();
-    assert_eq!(
-        missing(&names, &identifiers(&golden)),
-        spared.into_iter().collect::<Vec<_>>()
-    );
+    assert_eq!(missing(&of_rooms(&all), &identifiers(&golden)), spared);
     let integer_files = ["fixed", "fixed_warps", "integers"];
     let golden = integer_files.map(|file| code(&format!("crates/list/src/{file}.rs")));
     let (fixed, inside) = (code("src/fixed.rs"), code("src/fixed"));
@@ -268,8 +191,7 @@ fn nothing_public_is_without_golden_bits() {
 
 #[test]
 fn no_warp_is_without_a_cost_kernel() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(".ci/sizes.csv");
-    let sizes = fs::read_to_string(path).unwrap();
+    let sizes = read(".ci/sizes.csv");
     let lists: [(&[Listed], &[&str]); 3] = [
         (FLOAT_WARPS, &["poly_", "libm_"]),
         (GRADED_WARPS, &["fine_", "coarse_", "compact_"]),
@@ -283,8 +205,6 @@ fn no_warp_is_without_a_cost_kernel() {
 /// The checks of completeness see what is forgotten.
 #[test]
 fn what_is_forgotten_is_noticed() {
-    let source = "impl<T: Tier> Warp for Disk<T> {}\nimpl Warp for Ring {}\nimpl<W> Warp for &W {}";
-    assert_eq!(Vec::from_iter(warps(source)), ["Disk", "Ring"]);
     let listed = |name, golden, kernels, no_kernel| Listed {
         name,
         golden,
@@ -299,19 +219,11 @@ fn what_is_forgotten_is_noticed() {
         listed("Turned", &["Turned"], &[], Some("it costs what it turns")),
         listed("Silent", &["Silent"], &[], Some("")),
     ];
-    let golden = with_golden(&[&list]);
-    assert_eq!(missing(&warps(source), &golden), ["Ring"]);
+    let names = BTreeSet::from(["Disk", "Ring"]);
+    assert_eq!(missing(&names, &with_golden(&[&list])), ["Ring"]);
     let sizes = "poly_disk,m0,1,1\npoly_disk_pcg32,m0,1,1\npoly_oval,m0,1,1\n";
     let forgotten = without_kernel(&list, &["poly_"], sizes);
     assert_eq!(forgotten, ["Ring", "Oval", "Silent"]);
     let other = without_kernel(&list, &["poly_", "libm_"], sizes);
     assert_eq!(other, ["Disk", "Ring", "Oval", "Silent"]);
-
-    let room =
-        "pub use self::walk::{Walk, Mutation,\n stay};\npub use self::step::Step;\nuse a::B;";
-    let code = "pub trait Mutation<X> {}\npub trait Steps {}\npub struct Step;";
-    let names = public(room, code);
-    assert_eq!(Vec::from_iter(names.clone()), ["Step", "Walk", "stay"]);
-    let golden = identifiers("Walk::new(), Stepped, stays()");
-    assert_eq!(missing(&names, &golden), ["Step", "stay"]);
 }

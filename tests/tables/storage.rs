@@ -1,9 +1,6 @@
 //! Where tables lie: in arrays, on the heap, in borrowed memory, in a container of the user's. What making them takes of
 //! the stack is in `stack`, and what tables of wrong words still keep in `trusted`.
 
-mod stack;
-mod trusted;
-
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, OwnedStorage, PiecewiseConstant1d, PiecewiseConstant2d, Storage,
 };

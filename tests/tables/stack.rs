@@ -1,6 +1,6 @@
 //! Making a table takes no more of the stack than the documentation says.
 
-use crate::{UNIT, weights};
+use crate::storage::{UNIT, weights};
 use microwarp::Warp;
 use microwarp::discrete::{Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d};
 use std::thread;
