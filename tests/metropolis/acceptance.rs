@@ -1,30 +1,14 @@
 //! The acceptance: as exact as stated, from densities and ratios of any magnitude.
 
 use super::exact::Fraction;
+use super::own::given;
 use host::generators::Cycle;
 use host::speed;
 use microwarp::metropolis::{
-    Chain, HastingsCorrection, HastingsRatio, Mutation, Outcome, Proposal, Symmetric,
-    TargetDensity, Transition,
+    Chain, HastingsCorrection, HastingsRatio, Outcome, Symmetric, TargetDensity, Transition,
 };
-use rand_core::{Rng as _, TryRng};
+use rand_core::Rng as _;
 use rand_pcg::Pcg32;
-
-/// Proposes state 1, with a correction of the test's own.
-#[derive(Clone, Copy)]
-pub struct Given<C>(pub C);
-
-impl<C: HastingsCorrection> Mutation<usize> for Given<C> {
-    type Correction = C;
-
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        _: usize,
-        _: &mut R,
-    ) -> Result<Proposal<usize, C>, R::Error> {
-        Ok(Proposal::new(1, self.0))
-    }
-}
 
 /// The step of a chain at a state of density `from` to which one of density `to` is proposed.
 pub fn step<D: TargetDensity, C: HastingsCorrection>(
@@ -35,7 +19,7 @@ pub fn step<D: TargetDensity, C: HastingsCorrection>(
 ) -> Transition<usize, D> {
     let target = |state: usize| if state == 0 { from } else { to };
     let mut chain = Chain::new(0, target).expect("a density to start from");
-    let step = chain.step(target, &Given(correction), &mut Cycle::new(&[word]));
+    let step = chain.step(target, &given(1, correction), &mut Cycle::new(&[word]));
     assert_eq!(chain.state(), step.state());
     assert_eq!(chain.accepted(), u64::from(step.is_accepted()));
     assert_eq!(chain.refused(), u64::from(step.outcome == Outcome::Refused));

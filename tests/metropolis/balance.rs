@@ -59,11 +59,7 @@ impl<W: Weighed> Enumerated<W> {
     }
 
     pub fn new<M: Mutation<usize>>(f: &[W], mutation: &M, words: &Words) -> Self {
-        let driven = Driven {
-            target: |i: usize| f[i],
-            mutation,
-            words,
-        };
+        let driven = Driven::new(|i| f[i], mutation, words);
         let paths = |i: usize| match f[i].is_positive() {
             true => driven.paths(i),
             false => Vec::new(),

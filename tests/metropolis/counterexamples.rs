@@ -3,30 +3,13 @@
 use super::balance::{Enumerated, Examined};
 use super::enumeration::Words;
 use super::integer_chances::ALL;
-use super::matrices::Neighbour;
+use super::own::{forgetful, neighbour};
 use super::spectrum::by_rotations;
 use microwarp::discrete::Cdf;
-use microwarp::metropolis::{Mutation, Proposal, Symmetric, TransitionTable};
-use rand_core::TryRng;
+use microwarp::metropolis::{Mutation, TransitionTable};
 
 pub fn table<const N: usize>(rows: [[f32; N]; N]) -> TransitionTable<[u32; N], N> {
     TransitionTable::new(rows.map(|row| Cdf::<[u32; N]>::new(&row).unwrap())).unwrap()
-}
-
-/// Proposes by a table, and says that the way back is as likely.
-pub struct Forgetful<const N: usize>(pub TransitionTable<[u32; N], N>);
-
-impl<const N: usize> Mutation<usize> for Forgetful<N> {
-    type Correction = Symmetric;
-
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: usize,
-        rng: &mut R,
-    ) -> Result<Proposal<usize, Symmetric>, R::Error> {
-        let proposal = self.0.try_propose(from, rng)?;
-        Ok(Proposal::new(proposal.state, Symmetric))
-    }
 }
 
 #[test]
@@ -35,7 +18,7 @@ fn a_chain_that_forgets_its_ratio_is_seen_not_to_be_stationary() {
     let f = [1.0_f32, 2.0, 3.0];
     let right = Enumerated::new(&f, &table(rows), &Words::ONE).report();
     assert!(right.passes(), "{right:?}");
-    let wrong = Enumerated::new(&f, &Forgetful(table(rows)), &Words::ONE).report();
+    let wrong = Enumerated::new(&f, &forgetful(table(rows)), &Words::ONE).report();
     println!("{wrong:?}");
     // It is a chain, and it converges: to something else.
     assert!(wrong.rows && wrong.converges());
@@ -80,10 +63,10 @@ fn a_reducible_chain_is_seen() {
     let blocks = [[1, 1, 0, 0], [1, 3, 0, 0], [0, 0, 1, 9], [0, 0, 1, 1]];
     check(&[1_u32, 2, 3, 4], &integer_table(blocks));
     // A gap of density 0 that no proposal is wide enough for.
-    check(&[1.0_f32, 2.0, 0.0, 3.0, 4.0, 0.0], &Neighbour(6));
-    check(&[1_u32, 2, 0, 3, 4, 0], &Neighbour(6));
+    check(&[1.0_f32, 2.0, 0.0, 3.0, 4.0, 0.0], &neighbour(6));
+    check(&[1_u32, 2, 0, 3, 4, 0], &neighbour(6));
     // Valleys whose acceptance is below half a step of the decision word.
-    check(&[1.0_f32, 1e-10, 2.0, 1e-11], &Neighbour(4));
+    check(&[1.0_f32, 1e-10, 2.0, 1e-11], &neighbour(4));
 }
 
 /// T11 = T22 = 0 and every acceptance 1: the eigenvalue -1.
@@ -101,8 +84,8 @@ fn a_cyclic_chain_is_seen() {
     );
     check(&[1.0_f32, 1.0], &swap);
     check(&[1_u32, 1], &whole);
-    check(&[7.0_f32; 6], &Neighbour(6));
-    check(&[u32::MAX; 6], &Neighbour(6));
+    check(&[7.0_f32; 6], &neighbour(6));
+    check(&[u32::MAX; 6], &neighbour(6));
     // A rejection now and then is enough.
     let report = Enumerated::new(&[1.0_f32, 0.999], &swap, &Words::ONE).report();
     assert!(report.passes(), "{report:?}");

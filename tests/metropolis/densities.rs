@@ -1,7 +1,6 @@
 //! The targets, each with the coordinates that make it uniform, exactly and in f64, and the cells that its states are
-//! counted in; and mutations such as a user may write.
+//! counted in.
 
-use microwarp::metropolis::{HastingsRatio, Mutation, Proposal};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -74,25 +73,6 @@ pub fn power_cells() -> Cells<f32> {
     let rest = 1.0 - POWER;
     let [least, most] = [DECADES.0, DECADES.1].map(|x| f64::from(x).powf(rest));
     Cells::uniform(move |x: f32| [(f64::from(x).powf(rest) - least) / (most - least)])
-}
-
-/// Multiplies by any factor from 1/e^reach to e^reach, each order of magnitude as likely: T(x→x′) ∝ 1/x′.
-#[derive(Clone, Copy)]
-pub struct Multiply {
-    pub reach: f32,
-}
-
-impl Mutation<f32> for Multiply {
-    type Correction = HastingsRatio;
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: f32,
-        rng: &mut R,
-    ) -> Result<Proposal<f32, HastingsRatio>, R::Error> {
-        let turn = f64::from(rng.try_next_u32()?) / 2_147_483_648.0 - 1.0;
-        let to = (f64::from(from) * (turn * f64::from(self.reach)).exp()) as f32;
-        Ok(Proposal::new(to, HastingsRatio::new(1.0 / to, 1.0 / from)))
-    }
 }
 
 /// A density that falls by thirty decades across the unit interval: ln of 10^(15 − 30u).

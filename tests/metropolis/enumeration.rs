@@ -120,35 +120,42 @@ fn runs_of<K: PartialEq>(first: u64, last: u64, key: &dyn Fn(u64) -> K) -> Vec<(
     }
 }
 
-/// What is enumerated: target, mutation and words.
-pub struct Driven<'a, F, M> {
-    pub target: F,
-    pub mutation: &'a M,
-    pub words: &'a Words,
+/// Takes a real step from a state with some words, and says how many of them it took.
+type Take<'a, D> = dyn Fn(usize, &[u32]) -> (Transition<usize, D, <D as Weighed>::Share>, u64) + 'a;
+
+/// What is enumerated: the steps of a target and a mutation, of types erased, and the words.
+pub struct Driven<'a, D: Weighed> {
+    take: Box<Take<'a, D>>,
+    words: &'a Words,
 }
 
-impl<F, M> Driven<'_, F, M> {
+impl<'a, D: Weighed + 'a> Driven<'a, D> {
+    pub fn new(
+        target: impl Fn(usize) -> D + 'a,
+        mutation: &'a impl Mutation<usize>,
+        words: &'a Words,
+    ) -> Self {
+        let take = move |from: usize, words: &[u32]| {
+            let mut chain = Chain::new(from, &target).unwrap();
+            let mut rng = Counting::new(Cycle::new(words));
+            let step = D::step(&mut chain, &target, mutation, None, &mut rng);
+            assert_eq!((step.from, step.state()), (from, chain.state()));
+            assert_ne!(step.outcome, Outcome::Refused);
+            (step, rng.words)
+        };
+        let take = Box::new(take);
+        Self { take, words }
+    }
+
     /// One real step. It takes the words given, all of them, and no other.
-    pub fn step<D: Weighed>(&self, from: usize, words: &[u32]) -> Transition<usize, D, D::Share>
-    where
-        F: Fn(usize) -> D,
-        M: Mutation<usize>,
-    {
-        let mut chain = Chain::new(from, &self.target).unwrap();
-        let mut rng = Counting::new(Cycle::new(words));
-        let step = D::step(&mut chain, &self.target, self.mutation, None, &mut rng);
-        assert_eq!(rng.words, words.len() as u64);
-        assert_eq!((step.from, step.state()), (from, chain.state()));
-        assert_ne!(step.outcome, Outcome::Refused);
+    fn step(&self, from: usize, words: &[u32]) -> Transition<usize, D, D::Share> {
+        let (step, taken) = (self.take)(from, words);
+        assert_eq!(taken, words.len() as u64);
         step
     }
 
     /// All paths out of a state.
-    pub fn paths<D: Weighed>(&self, from: usize) -> Vec<Path<D::Share>>
-    where
-        F: Fn(usize) -> D,
-        M: Mutation<usize>,
-    {
+    pub fn paths(&self, from: usize) -> Vec<Path<D::Share>> {
         let mut rng = Pcg32::new(from as u64, 96);
         let all = BigUint::from(1_u64 << 32);
         match self.words {
@@ -187,32 +194,22 @@ impl<F, M> Driven<'_, F, M> {
     }
 
     /// The kind of a mixture at this picking word, if it takes `n` words after that one.
-    fn kind<D: Weighed>(&self, from: usize, pick: u32, n: usize) -> Option<u32>
-    where
-        F: Fn(usize) -> D,
-        M: Mutation<usize>,
-    {
+    fn kind(&self, from: usize, pick: u32, n: usize) -> Option<u32> {
         let mut words = vec![0x5555_5555; n + 2];
         words[0] = pick;
-        let mut rng = Counting::new(Cycle::new(&words));
-        let mut chain = Chain::new(from, &self.target).unwrap();
-        let step = D::step(&mut chain, &self.target, self.mutation, None, &mut rng);
-        (rng.words == words.len() as u64).then_some(step.kind)
+        let (step, taken) = (self.take)(from, &words);
+        (taken == words.len() as u64).then_some(step.kind)
     }
 
     /// The paths whose words begin with `pick`, of which there are `picks`.
-    fn proposals<D: Weighed>(
+    fn proposals(
         &self,
         from: usize,
         pick: &[u32],
         (bits, parts): (u32, u64),
         picks: &BigUint,
         rng: &mut Pcg32,
-    ) -> Vec<Path<D::Share>>
-    where
-        F: Fn(usize) -> D,
-        M: Mutation<usize>,
-    {
+    ) -> Vec<Path<D::Share>> {
         let step = |word: u64, decision: u32| {
             let mut words = pick.to_vec();
             if bits == 64 {

@@ -3,102 +3,43 @@
 use crate::densities::*;
 use crate::evidence::assert_passes;
 use crate::flaws::{p_values, rejected};
+use crate::own::{multiply, then};
 use crate::subjects::{Subject, chain, walking};
 use host::speed;
 use microwarp::metropolis::{
-    HastingsCorrection, HastingsRatio, Independence, Mutation, Outcome, Proposal, StateSource,
-    Symmetric, Transition, UniformStep,
+    HastingsCorrection, HastingsRatio, Mutation, Outcome, Proposal, Symmetric, Transition,
+    UniformStep,
 };
-use microwarp::poly;
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
 
-/// A mutation whose ratio is replaced.
-#[derive(Clone, Copy)]
-struct Restated<M, C> {
-    mutation: M,
+/// Steps by factors for the gamma law, whose ratio is replaced.
+fn restated<C: HastingsCorrection + 'static>(
+    name: &'static str,
     ratio: fn(f32, f32) -> C,
-}
-
-impl<M: Mutation<f32>, C: HastingsCorrection> Mutation<f32> for Restated<M, C> {
-    type Correction = C;
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: f32,
-        rng: &mut R,
-    ) -> Result<Proposal<f32, C>, R::Error> {
-        let to = self.mutation.try_propose(from, rng)?.state;
-        Ok(Proposal::new(to, (self.ratio)(from, to)))
-    }
+) -> Subject {
+    let mutation = then(multiply(1.5), move |from, to| {
+        Proposal::new(to, ratio(from, to))
+    });
+    chain(name, gamma_cells(), 40.0, gamma, mutation)
 }
 
 #[test]
 fn a_chain_that_forgets_the_ratio_is_rejected() {
-    let factors = Multiply { reach: 1.5 };
-    let source = Independence::new(poly::Exponential::from_rate(0.4).unwrap());
-    let cells = gamma_cells;
-    let forgets = |_, _| Symmetric;
-    let wrong = Restated {
-        mutation: factors,
-        ratio: forgets,
-    };
-    rejected(&chain("factors without ratio", cells(), 40.0, gamma, wrong));
-    let wrong = Restated {
-        mutation: source,
-        ratio: forgets,
-    };
-    rejected(&chain(
-        "independence without ratio",
-        cells(),
-        40.0,
-        gamma,
-        wrong,
-    ));
-    let inverted = |from, to| HastingsRatio::new(1.0 / from, 1.0 / to);
-    let wrong = Restated {
-        mutation: factors,
-        ratio: inverted,
-    };
-    rejected(&chain("the inverse ratio", cells(), 40.0, gamma, wrong));
+    rejected(&restated("without ratio", |_, _| Symmetric));
+    rejected(&restated("the inverse ratio", |from, to| {
+        HastingsRatio::new(1.0 / from, 1.0 / to)
+    }));
     // x′/x to the power 1.03: how little is seen; of fewer steps, less.
     let nearly: fn(f32, f32) -> HastingsRatio = if speed::full() {
         |from, to| HastingsRatio::new(from.powf(1.03), to.powf(1.03))
     } else {
         |from, to| HastingsRatio::new(from.powf(1.15), to.powf(1.15))
     };
-    let wrong = Restated {
-        mutation: factors,
-        ratio: nearly,
-    };
-    rejected(&chain(
-        "a ratio some percent off in its logarithm",
-        cells(),
-        40.0,
-        gamma,
-        wrong,
-    ));
+    rejected(&restated("off in its logarithm", nearly));
     // Restated rightly, nothing is wrong.
-    let rightly = |from, to| HastingsRatio::new(from, to);
-    let right = Restated {
-        mutation: factors,
-        ratio: rightly,
-    };
-    assert_passes(
-        "restated",
-        &p_values(&chain("", cells(), 40.0, gamma, right)),
-    );
-    let rightly = |from, to| {
-        let source = poly::Exponential::from_rate(0.4).unwrap();
-        StateSource::<f32>::ratio_of_states(&source, from, to)
-    };
-    let right = Restated {
-        mutation: source,
-        ratio: rightly,
-    };
-    assert_passes(
-        "restated",
-        &p_values(&chain("", cells(), 40.0, gamma, right)),
-    );
+    let right = restated("restated", HastingsRatio::new);
+    assert_passes("restated", &p_values(&right));
 }
 
 /// Metropolis's rule with a mistake of one's choice in the comparison.
@@ -115,22 +56,19 @@ fn naive(
             let Ok(word) = rng.try_next_u32();
             let [from_density, proposed_density] = [at, proposal.state].map(target);
             let acceptance = proposed_density / from_density;
-            let rejected = rejects((f64::from(word) / 4_294_967_296.0) as f32, acceptance);
+            let uniform = (f64::from(word) / 4_294_967_296.0) as f32;
+            let outcome = match rejects(uniform, acceptance) {
+                true => Outcome::Rejected,
+                false => Outcome::Accepted,
+            };
             let step = Transition {
                 from: at,
                 from_density,
                 proposed: proposal.state,
                 proposed_density,
-                acceptance: if acceptance.is_nan() {
-                    1.0
-                } else {
-                    acceptance.min(1.0)
-                },
-                outcome: if rejected {
-                    Outcome::Rejected
-                } else {
-                    Outcome::Accepted
-                },
+                // Of NaN it is 1.
+                acceptance: acceptance.min(1.0),
+                outcome,
                 kind: 0,
             };
             at = step.state();

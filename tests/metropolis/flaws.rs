@@ -2,6 +2,7 @@
 
 use crate::densities::*;
 use crate::evidence::{assert_passes, assert_rejected};
+use crate::own::then;
 use crate::runs::FULL;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
 use host::speed;
@@ -66,23 +67,6 @@ fn wrong_recordings_are_rejected() {
     assert_passes("nothing altered", &p_values(&altered("", Some)));
 }
 
-/// A step that is put back to the border where it leaves the unit interval.
-#[derive(Clone, Copy)]
-struct Clamped(BoxStep<f32>);
-
-impl Mutation<f32> for Clamped {
-    type Correction = Symmetric;
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: f32,
-        rng: &mut R,
-    ) -> Result<Proposal<f32, Symmetric>, R::Error> {
-        let proposal = self.0.try_propose(from, rng)?;
-        let state = proposal.state.clamp(0.0, 1.0);
-        Ok(Proposal { state, ..proposal })
-    }
-}
-
 /// Proposes anew until it is inside.
 #[derive(Clone, Copy)]
 struct Insistent(BoxStep<f32>);
@@ -106,41 +90,30 @@ impl Mutation<f32> for Insistent {
 #[test]
 fn wrong_borders_are_rejected() {
     let narrow = BoxStep::new(0.1).unwrap();
-    rejected(&slow_box("clamped to the border", Clamped(narrow)));
+    // Put back to the border where it leaves the unit interval.
+    let clamped = then(narrow, |_, to: f32| {
+        Proposal::new(to.clamp(0.0, 1.0), Symmetric)
+    });
+    rejected(&slow_box("clamped to the border", clamped));
     rejected(&slow_box("proposed anew at the border", Insistent(narrow)));
+}
+
+/// A chain that steps nine to one, for the target that it is given.
+fn for_another(name: &'static str, target: impl Fn(f32) -> f32 + 'static) {
+    rejected(&chain(name, parabola_cells(), 0.45, target, nine_to_one()));
 }
 
 #[test]
 fn targets_that_are_slightly_off_are_rejected() {
     let times = speed::of("factor on one side, floor", [1.2, 0.012], [1.05, 0.003]);
-    let shifted = move |x: f32| parabola(x) * if x > 0.5 { times[0] } else { 1.0 };
-    let mutation = nine_to_one();
-    rejected(&chain(
-        "some percent on one side",
-        parabola_cells(),
-        0.45,
-        shifted,
-        mutation,
-    ));
-    let floor = move |x: f32| parabola(x) + times[1];
-    rejected(&chain(
-        "a floor of 3.6 % or more",
-        parabola_cells(),
-        0.45,
-        floor,
-        mutation,
-    ));
+    for_another("some percent on one side", move |x| {
+        parabola(x) * if x > 0.5 { times[0] } else { 1.0 }
+    });
+    for_another("a floor of 3.6 % or more", move |x| parabola(x) + times[1]);
 }
 
 /// A chain that hardly moves off its start passes no test that starts far away.
 #[test]
 fn a_stuck_chain_is_rejected() {
-    let stuck = |x: f32| if x == 0.45 { 1e30 } else { parabola(x) };
-    rejected(&chain(
-        "stuck",
-        parabola_cells(),
-        0.45,
-        stuck,
-        nine_to_one(),
-    ));
+    for_another("stuck", |x| if x == 0.45 { 1e30 } else { parabola(x) });
 }

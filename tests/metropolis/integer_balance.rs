@@ -3,10 +3,11 @@
 //! seen by it.
 
 use super::balance::{Enumerated, Examined, Report};
-use super::counterexamples::{Forgetful, integer_table as table};
+use super::counterexamples::integer_table as table;
 use super::enumeration::{Driven, Path, TOTAL_BITS, Words, rounded};
 use super::integer_chances::{ALL, ceiling};
 use super::matrices::LARGE_INTEGERS as LARGE;
+use super::own::forgetful;
 use microwarp::metropolis::{Mutation, TransitionTable, UniformIndex};
 use num_bigint::BigUint;
 
@@ -94,7 +95,7 @@ fn right<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Enumerat
 fn a_chain_of_integers_that_forgets_its_counts_is_seen() {
     let f = [1, 2, 3];
     right(&f, &table(ROWS), &Words::ONE);
-    let wrong = Enumerated::new(&f, &Forgetful(table(ROWS)), &Words::ONE).report();
+    let wrong = Enumerated::new(&f, &forgetful(table(ROWS)), &Words::ONE).report();
     println!("{wrong:?}");
     // It is a chain, and it converges: to something else.
     assert!(wrong.rows && wrong.converges());
@@ -104,11 +105,7 @@ fn a_chain_of_integers_that_forgets_its_counts_is_seen() {
 
 /// The same weights and the same mutation through a float chain.
 fn in_floats<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Report {
-    let driven = Driven {
-        target: |i: usize| f[i] as f32,
-        mutation,
-        words,
-    };
+    let driven = Driven::new(|i| f[i] as f32, mutation, words);
     let said = |path: Path| {
         let words = path.accepted;
         path.saying(|_| words)

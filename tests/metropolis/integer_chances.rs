@@ -1,6 +1,6 @@
 //! How many words accept, of integer weights: the exact number, for weights and ratios of any magnitude.
 
-use super::acceptance::Given;
+use super::own::given;
 use host::generators::Cycle;
 use host::speed;
 use microwarp::metropolis::{
@@ -66,7 +66,7 @@ fn step<C: HastingsCorrection>(
 ) -> (Transition<usize, u32, Chance>, Chain<usize, u32>) {
     let weight = |state: usize| if state == 0 { from } else { to };
     let mut chain = Chain::new(0, weight).unwrap();
-    let step = chain.step(weight, &Given(correction), &mut Cycle::new(&[word]));
+    let step = chain.step(weight, &given(1, correction), &mut Cycle::new(&[word]));
     assert_eq!(chain.state(), step.state());
     assert_eq!(chain.density(), step.density());
     assert_eq!(chain.accepted(), u64::from(step.is_accepted()));

@@ -1,20 +1,14 @@
-//! Chains of integer weights beside those of densities: starts, limits, words, saving; what is recorded; and
-//! counts in chains of densities.
+//! Chains of integer weights beside those of densities: starts, limits, what is recorded; and counts in
+//! chains of densities.
 
-use super::acceptance::{Given, positive, step as float_step};
-use super::balance::Enumerated;
-use super::enumeration::Words;
-use super::stated::stated;
-use host::speed;
-use host::stats::{chi_square, threshold};
-use microwarp::discrete::{Alias, AliasEntry, Cdf};
+use super::acceptance::{positive, step as float_step};
+use microwarp::Error;
 use microwarp::metropolis::{
-    Chain, Chance, HastingsCounts, HastingsRatio, Independence, LogDensity, Mixture, Mutation,
-    Outcome, Saved, Symmetric, Transition, TransitionTable, UniformIndex, UniformStep,
+    Chain, Chance, HastingsCounts, HastingsRatio, LogDensity, Outcome, Transition, UniformIndex,
+    UniformStep,
 };
 use microwarp::rejection::Failure;
 use microwarp::tier::Poly;
-use microwarp::{Error, poly};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
@@ -46,28 +40,6 @@ fn a_chain_of_integers_starts_where_the_weight_is_positive() {
 }
 
 #[test]
-fn a_chain_of_integers_is_resumed_and_burns_in_as_any() {
-    let (mut chain, mut rng) = (Chain::new(0, weight).unwrap(), Pcg32::new(2, 2));
-    for _ in 0..300 {
-        chain.step(weight, &any(), &mut rng);
-    }
-    let saved = chain.save();
-    let refused = |saved| Chain::resume(saved).err();
-    let density = 0;
-    assert_eq!(
-        refused(Saved { density, ..saved }),
-        Some(Error::NotPositive)
-    );
-    let accepted = saved.steps + 1;
-    assert_eq!(
-        refused(Saved { accepted, ..saved }),
-        Some(Error::OutOfRange)
-    );
-    chain.burn_in(weight, &any(), 5, &mut rng);
-    assert_eq!((chain.steps(), chain.accepted()), (0, 0));
-}
-
-#[test]
 fn a_limit_forces_a_chain_of_integers() {
     let peak = |i: usize| [u32::MAX, 1, 0][i];
     let any = UniformIndex::new(3).unwrap();
@@ -81,60 +53,12 @@ fn a_limit_forces_a_chain_of_integers() {
             assert_eq!((step.state(), step.acceptance.words()), (1, Chance::TOTAL));
             assert_eq!(step.recorded(), [(0, 0), (1, 1 << 32)]);
         }
+        let [(_, stays), (_, goes)] = step.recorded();
+        assert_eq!(stays + goes, Chance::TOTAL);
         assert!(peak(step.state()) > 0);
     }
     println!("{forced} forced");
     assert!(forced > 10);
-}
-
-/// Sixty steps apart, states are as good as independent, by the second eigenvalue.
-#[test]
-fn states_of_a_chain_of_integers_have_their_weights() {
-    const APART: u32 = 60;
-    let states = speed::of("states", 10_000, 100_000);
-    let rows = [7, 1, 9, 2, 8, 3].map(|k| {
-        let row = std::array::from_fn(|j| (k * (j as u32 + 2)) % 13 + 1);
-        Cdf::<[u32; 6]>::from_integers(&row).unwrap()
-    });
-    let pick = Cdf::<[u32; 2]>::from_integers(&[1, 1]).unwrap();
-    let mutation = Mixture::from_table((any(), TransitionTable::new(rows).unwrap()), pick);
-    let words = Words::Picked(vec![Words::TWO, Words::ONE]);
-    let [second, _] = Enumerated::new(&WEIGHTS, &mutation, &words).second();
-    assert!(second.powi(APART as i32) <= 1e-4, "{second}");
-    let run = |f: [u32; 6], seed: u64| {
-        let target = |i: usize| f[i];
-        let (mut chain, mut rng) = (Chain::new(0, target).unwrap(), Pcg32::new(seed, 5));
-        let (mut seen, mut recorded) = ([0_u64; 6], [0_u64; 6]);
-        for _ in 0..states {
-            for _ in 0..APART {
-                let step = chain.step(target, &mutation, &mut rng);
-                assert_eq!(step.recorded()[0].1 + step.recorded()[1].1, Chance::TOTAL);
-                for (state, words) in step.recorded() {
-                    recorded[state] += words >> 8;
-                }
-            }
-            seen[chain.state()] += 1;
-        }
-        let total: f64 = WEIGHTS.iter().copied().map(f64::from).sum();
-        let share = WEIGHTS.map(|w| f64::from(w) / total);
-        let due = share.map(|s| s * states as f64);
-        let all = (states * APART as usize) as f64 * 2_f64.powi(24);
-        for (words, share) in recorded.iter().zip(share) {
-            // Loosely: how exactly the weights are kept is said by the matrices.
-            assert!(f != WEIGHTS || (*words as f64 / all - share).abs() <= 0.01);
-        }
-        chi_square(&seen, &due).map_or(0.0, |(_, _, p)| p)
-    };
-    let p = [run(WEIGHTS, 1), run(WEIGHTS.map(|w| w * 90_000_000), 2)];
-    println!("p {p:.3?}");
-    assert!(p.iter().all(|p| *p >= threshold(2)));
-    // One weight off by a fifth, or three; a weight of 0 that is none.
-    let off = [
-        run([speed::of("for 5", 8, 6), 0, 1, 40, 0, 12], 3),
-        run([5, 1, 1, 40, 0, 12], 4),
-    ];
-    println!("off: p {off:?}");
-    assert!(off.iter().all(|p| *p < threshold(2)));
 }
 
 /// In a chain of densities, counts are the ratio that they are in floating point, to the last bit.
@@ -163,62 +87,6 @@ fn counts_in_a_chain_of_densities_are_their_ratio() {
                 .to_bits()
         );
     }
-}
-
-/// A mixture states as little as its parts do.
-#[test]
-fn mixtures_of_counts_stay_counts() {
-    fn is<M: Mutation<X, Correction = C>, X, C: microwarp::metropolis::HastingsCorrection>(
-        _: &M,
-        _: C,
-    ) {
-    }
-    let counts = HastingsCounts::new(1, 1);
-    let row = Cdf::<[u32; 2]>::from_integers(&[1, 2]).unwrap();
-    let bins = Alias::<[AliasEntry<u64>; 2]>::from_integers_u64(&[1, 2]).unwrap();
-    let (cdf, alias) = (Independence::new(row), Independence::new(bins));
-    let rows = TransitionTable::new([row; 2]).unwrap();
-    let index = UniformIndex::new(2).unwrap();
-    is(&cdf, counts);
-    is(&alias, counts);
-    is(&rows, counts);
-    is(&Independence::new(index), counts);
-    is(&Mixture::from_table((index, index), row), Symmetric);
-    is(&Mixture::from_table((index, cdf), row), counts);
-    is(&Mixture::from_table((alias, index), row), counts);
-    is(&Mixture::from_table((rows, alias), row), counts);
-    let given = Given(HastingsRatio::ONE);
-    is(&Mixture::from_table((&given, cdf), row), HastingsRatio::ONE);
-    is(&Mixture::from_table((cdf, &given), row), HastingsRatio::ONE);
-    is(
-        &Mixture::from_table((index, &given), row),
-        HastingsRatio::ONE,
-    );
-    let warp = Independence::new(poly::Disk::new());
-    is::<_, [f32; 2], _>(&warp, HastingsRatio::ONE);
-    is::<_, f32, _>(&Independence::new(UniformStep::new()), HastingsRatio::ONE);
-}
-
-#[test]
-#[cfg(target_pointer_width = "64")]
-fn chains_of_integers_are_as_large_as_stated() {
-    const SOURCE: &str = include_str!("../../src/metropolis/chain.rs");
-    fn check<X>(column: usize) {
-        for (row, size) in [
-            ("[`Chain`], [`Saved`]", size_of::<Chain<X, u32>>()),
-            ("[`Chain`], [`Saved`]", size_of::<Saved<X, u32>>()),
-            (
-                "of integer weights",
-                size_of::<Transition<X, u32, Chance>>(),
-            ),
-        ] {
-            assert_eq!(stated(SOURCE, row, column), size as f64, "{row} {column}");
-        }
-    }
-    check::<f32>(1);
-    check::<[f32; 2]>(2);
-    check::<[f32; 32]>(3);
-    check::<usize>(4);
 }
 
 /// States need not be indices.

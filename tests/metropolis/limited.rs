@@ -3,7 +3,7 @@
 
 use super::counterexamples::table;
 use super::enumeration::runs;
-use super::matrices::Neighbour;
+use super::own::neighbour;
 use super::spectrum::{Matrix, stationary};
 use host::generators::Cycle;
 use host::speed;
@@ -132,7 +132,7 @@ fn a_limit_cuts_stays_as_stated() {
     let mut worst = 0.0_f64;
     for &limit in limits() {
         let swap = expanded(&F, &table([[0.0, 1.0], [1.0, 0.0]]), 32, limit);
-        let ring = expanded(&[3.0, 0.5, 7.25, 1.0, 0.01], &Neighbour(5), 32, limit);
+        let ring = expanded(&[3.0, 0.5, 7.25, 1.0, 0.01], &neighbour(5), 32, limit);
         for chain in [&swap, &ring] {
             let (_, stays) = chain.time_and_stays();
             for (x, stay) in stays.into_iter().enumerate() {
@@ -170,7 +170,7 @@ fn a_proposal_of_the_state_itself_or_of_density_0_keeps_it_longer() {
         // The other state is left by every proposal that is not itself: nothing is ever forced.
         assert!((stays[1] - 1.0).abs() <= 1e-10);
 
-        let gap = expanded(&[9.0, 1.0, 0.0, 2.0], &Neighbour(4), 32, limit);
+        let gap = expanded(&[9.0, 1.0, 0.0, 2.0], &neighbour(4), 32, limit);
         let (_, stays) = gap.time_and_stays();
         for x in [1, 3] {
             assert!(stays[x] >= gap.stated(x) * (1.0 - 1e-10), "{limit} {x}");

@@ -1,6 +1,6 @@
 //! Steps with a limit: never more rejections in a row than it says, and nothing forced that may not be.
 
-use super::acceptance::Given;
+use super::own::given;
 use host::generators::{Broken, Cycle, Failing};
 use microwarp::metropolis::{Chain, HastingsRatio, Outcome, Saved, UniformStep};
 use rand_pcg::Pcg32;
@@ -116,7 +116,7 @@ fn a_way_without_return_is_never_forced_and_an_acceptance_of_0_is() {
             let mut chain = rejected(times);
             let target = |_| density;
             let mut rng = Cycle::new(&[u32::MAX]);
-            let step = chain.step_limited(target, &Given(ratio), most, &mut rng);
+            let step = chain.step_limited(target, &given(1, ratio), most, &mut rng);
             let outcome = match outcome {
                 Outcome::Forced if times < 5 => Outcome::Rejected,
                 other => other,
@@ -139,7 +139,7 @@ fn a_count_that_saturates_forces_nothing() {
     for _ in 0..3 {
         let step = chain.step(
             |_| 1e-45,
-            &Given(HastingsRatio::ONE),
+            &given(1, HastingsRatio::ONE),
             &mut Cycle::new(&[u32::MAX]),
         );
         assert_eq!(step.outcome, Outcome::Rejected);
@@ -150,7 +150,7 @@ fn a_count_that_saturates_forces_nothing() {
         let mut rng = Cycle::new(&[u32::MAX]);
         chain.step_limited(
             |_| 1e-45,
-            &Given(HastingsRatio::ONE),
+            &given(1, HastingsRatio::ONE),
             NonZeroU32::MAX,
             &mut rng,
         )

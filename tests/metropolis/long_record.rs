@@ -1,8 +1,16 @@
 //! What is kept of a long run, and what must hold of every one.
 
+use crate::densities::parabola;
 use microwarp::metropolis::{Chain, Halves, Transition, split_r_hat};
 
 const BATCHES: u64 = 400;
+
+/// Cells of equal width.
+pub const CELLS: usize = 32;
+
+fn cell(x: f32) -> usize {
+    (x * CELLS as f32) as usize
+}
 
 /// Everything about a run that is compared with the truth.
 pub struct Record {
@@ -23,25 +31,9 @@ pub struct Record {
     pub halves: Halves,
 }
 
-/// What a run is of.
-pub struct Setting<F, C, P> {
-    pub target: F,
-    pub domain: std::ops::RangeInclusive<f32>,
-    pub cells: usize,
-    pub cell: C,
-    /// The number whose R̂ is taken.
-    pub watched: P,
-    pub steps: u64,
-}
-
-impl<F, C, P> Setting<F, C, P>
-where
-    F: Fn(f32) -> f32,
-    C: Fn(f32) -> usize,
-    P: Fn(f32) -> f32,
-{
-    /// Takes the steps; `walk` gives each together with the chain after it.
-    pub fn record(&self, mut walk: impl FnMut(&F) -> (Transition<f32>, Chain<f32>)) -> Record {
+impl Record {
+    /// Takes the steps on the parabola; `walk` gives each together with the chain after it.
+    pub fn of(steps: u64, mut walk: impl FnMut() -> (Transition<f32>, Chain<f32>)) -> Self {
         let mut record = Record {
             stale: 0,
             unsound: 0,
@@ -51,19 +43,19 @@ where
             longest: 0,
             shares: [Vec::new(), Vec::new()],
             large: [(0.0, 0.0); 10],
-            halves: Halves::new(self.steps / 2),
+            halves: Halves::new(steps / 2),
         };
-        let batch = self.steps / BATCHES;
+        let batch = steps / BATCHES;
         let mut in_a_row = 0;
         for index in 0..BATCHES {
-            let mut counts = [(); 2].map(|()| vec![0.0; self.cells]);
+            let mut counts = [(); 2].map(|()| vec![0.0; CELLS]);
             let tenth = (10 * index / BATCHES) as usize;
             for _ in 0..batch {
-                let (step, chain) = walk(&self.target);
+                let (step, chain) = walk();
                 let (state, density) = (chain.state(), chain.density());
-                let fresh = (self.target)(state).to_bits() == density.to_bits();
+                let fresh = parabola(state).to_bits() == density.to_bits();
                 record.stale += u64::from(!fresh);
-                let sound = self.domain.contains(&state) && density > 0.0 && density <= f32::MAX;
+                let sound = (0.0..1.0).contains(&state) && density > 0.0 && density <= f32::MAX;
                 record.unsound += u64::from(!sound);
                 in_a_row = if step.is_accepted() { 0 } else { in_a_row + 1 };
                 record.longest = record.longest.max(in_a_row);
@@ -72,16 +64,16 @@ where
                 record.uneven += u64::from(stays + goes != 1.0);
                 for (state, weight) in [(from, stays), (to, goes)] {
                     if weight > 0.0 {
-                        counts[1][(self.cell)(state)] += f64::from(weight);
+                        counts[1][cell(state)] += f64::from(weight);
                         record.weights += f64::from(weight);
                     }
                 }
-                counts[0][(self.cell)(state)] += 1.0;
+                counts[0][cell(state)] += 1.0;
                 if step.kind == 0 {
                     record.large[tenth].0 += 1.0;
                     record.large[tenth].1 += f64::from(step.proposed_density);
                 }
-                record.halves.push((self.watched)(state));
+                record.halves.push(state);
             }
             for (shares, counts) in record.shares.iter_mut().zip(counts) {
                 shares.push(counts.iter().map(|c| c / batch as f64).collect());

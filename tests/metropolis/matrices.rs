@@ -3,30 +3,13 @@
 
 use super::balance::{Enumerated, Examined};
 use super::enumeration::Words;
+use super::own::neighbour;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
-    Independence, LogDensity, Mixture, Mutation, Proposal, Symmetric, TransitionTable, UniformIndex,
+    Independence, LogDensity, Mixture, Mutation, TransitionTable, UniformIndex,
 };
 use microwarp::tier::{Libm, Poly};
 use num_bigint::BigUint;
-use rand_core::TryRng;
-
-/// One place up or down in a circle.
-#[derive(Clone, Copy)]
-pub struct Neighbour(pub usize);
-
-impl Mutation<usize> for Neighbour {
-    type Correction = Symmetric;
-
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        from: usize,
-        rng: &mut R,
-    ) -> Result<Proposal<usize, Symmetric>, R::Error> {
-        let by = [1, self.0 - 1][rng.try_next_u32()? as usize >> 31];
-        Ok(Proposal::new((from + by) % self.0, Symmetric))
-    }
-}
 
 const MODERATE: [f32; 8] = [3.0, 0.5, 7.25, 1.0, 0.125, 2.0, 5.5, 0.75];
 /// From the smallest subnormal to nearly the largest number, and a zero.
@@ -107,21 +90,8 @@ fn uniform_indices() {
     fn of<const N: usize>() {
         let mutation = UniformIndex::new(N as u32).unwrap();
         let uneven = u64::from(!N.is_power_of_two());
-        all_targets::<_, N>(
-            &format!("UniformIndex({N})"),
-            &mutation,
-            &Words::TWO,
-            uneven,
-        );
-        // The parts of 2^64, to the word.
-        let found = Enumerated::new(&[1.0_f32; N], &mutation, &Words::TWO);
-        let start = |i: usize| ((i as u128) << 64).div_ceil(N as u128);
-        for i in 0..N {
-            for j in 0..N {
-                let due = BigUint::from(start(j + 1) - start(j)) << 32_u32;
-                assert_eq!(found.proposals(0, i, j), due);
-            }
-        }
+        let name = format!("UniformIndex({N})");
+        all_targets::<_, N>(&name, &mutation, &Words::TWO, uneven);
     }
     of::<2>();
     of::<3>();
@@ -226,7 +196,7 @@ fn a_mutation_written_by_a_user() {
         (5, &EXTREME),
     ] {
         let name = format!("Neighbour({n})");
-        examine(&name, &f[..n], &Neighbour(n), &Words::ONE, 0);
+        examine(&name, &f[..n], &neighbour(n), &Words::ONE, 0);
     }
     let (libm, poly) = (
         LOGS.map(LogDensity::<Libm>::new),
@@ -235,14 +205,14 @@ fn a_mutation_written_by_a_user() {
     examine(
         "Neighbour(8), logs, libm",
         &libm,
-        &Neighbour(8),
+        &neighbour(8),
         &Words::ONE,
         0,
     );
     examine(
         "Neighbour(8), logs, poly",
         &poly,
-        &Neighbour(8),
+        &neighbour(8),
         &Words::ONE,
         0,
     );
@@ -253,7 +223,7 @@ fn mixtures_of_all_of_them() {
     let uniform = UniformIndex::new(5).unwrap();
     let independence = Independence::new(Cdf::<[u64; 5]>::new_u64(&first()).unwrap());
 
-    let both_symmetric = Mixture::new((uniform, Neighbour(5)), &[0.3, 0.7]).unwrap();
+    let both_symmetric = Mixture::new((uniform, neighbour(5)), &[0.3, 0.7]).unwrap();
     let words = Words::Picked(vec![Words::TWO, Words::ONE]);
     all_targets::<_, 5>(
         "Mixture(UniformIndex, Neighbour)",
@@ -262,7 +232,7 @@ fn mixtures_of_all_of_them() {
         1,
     );
 
-    let both_kinds = Mixture::new((Neighbour(5), table::<5>()), &[0.6, 0.4]).unwrap();
+    let both_kinds = Mixture::new((neighbour(5), table::<5>()), &[0.6, 0.4]).unwrap();
     let words = Words::Picked(vec![Words::ONE, Words::ONE]);
     all_targets::<_, 5>(
         "Mixture(Neighbour, TransitionTable)",
@@ -271,7 +241,7 @@ fn mixtures_of_all_of_them() {
         0,
     );
 
-    let four = (wide_table::<5>(), uniform, independence, Neighbour(5));
+    let four = (wide_table::<5>(), uniform, independence, neighbour(5));
     let four = Mixture::new(four, &[1.0, 1e-6, 2.0, 3.0]).unwrap();
     let words = Words::Picked(vec![Words::TWO, Words::TWO, Words::TWO, Words::ONE]);
     all_targets::<_, 5>("Mixture of four", &four, &words, 1);

@@ -1,44 +1,26 @@
 //! Mixtures: each mutation by exactly the words of its table, with its own ratio and its index as the kind.
 
+use crate::own::given;
 use crate::stated::{above, below};
 use host::generators::Cycle;
 use microwarp::Error;
-use microwarp::discrete::Cdf;
+use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
-    BoxStep, HastingsCorrection, HastingsRatio, Independence, LargeSmall, Mixture, Mutation,
-    Proposal, Symmetric, UniformStep, WrappedWalk,
+    BoxStep, HastingsCorrection, HastingsCounts, HastingsRatio, Independence, LargeSmall, Mixture,
+    Mutation, Symmetric, TransitionTable, UniformIndex, UniformStep, WrappedWalk,
 };
 use microwarp::poly as mw;
-use rand_core::{Rng, TryRng};
+use rand_core::Rng;
 use rand_pcg::Pcg32;
 
-/// Proposes always one number, and states a ratio of it.
-#[derive(Clone, Copy)]
-struct To(f32);
-
-impl Mutation<f32> for To {
-    type Correction = Symmetric;
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        _: f32,
-        _: &mut R,
-    ) -> Result<Proposal<f32, Symmetric>, R::Error> {
-        Ok(Proposal::new(self.0, Symmetric))
-    }
+/// Proposes always one number.
+fn to(state: f32) -> impl Mutation<f32, Correction = Symmetric> + Copy {
+    given(state, Symmetric)
 }
 
-#[derive(Clone, Copy)]
-struct Uneven(f32);
-
-impl Mutation<f32> for Uneven {
-    type Correction = HastingsRatio;
-    fn try_propose<R: TryRng + ?Sized>(
-        &self,
-        _: f32,
-        _: &mut R,
-    ) -> Result<Proposal<f32, HastingsRatio>, R::Error> {
-        Ok(Proposal::new(self.0, HastingsRatio::new(1.0, self.0)))
-    }
+/// The same, and states a ratio of it.
+fn uneven(state: f32) -> impl Mutation<f32, Correction = HastingsRatio> + Copy {
+    given(state, HastingsRatio::new(1.0, state))
 }
 
 /// Whether a mixture picks by the words that its table says, of which the weights are a fair reading.
@@ -70,28 +52,30 @@ where
 #[test]
 fn a_mixture_picks_by_the_words_of_its_table() {
     let weights = [0.5, 0.0, 3.0, 1e-6, 0.0, 0.1, 7.0, 0.0];
-    let [a, b, c, d, e, f, g, h] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(To);
+    let numbers = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
+    let [a, b, c, d, e, f, g, h] = numbers.map(to);
+    let odd = numbers.map(uneven);
     let array = Mixture::new([a, b, c, d, e, f, g, h], &weights).unwrap();
     picks_by_its_table(&array, &weights);
     macro_rules! tuples {
-        ($($count:literal: $($part:expr),+;)*) => {$(
+        ($($count:literal: $($part:expr => $index:literal),+;)*) => {$(
             let first: [f32; $count] = std::array::from_fn(|i| weights[i]);
             let tuple = Mixture::new(($($part,)+), &first).unwrap();
             picks_by_its_table(&tuple, &first);
             // One asymmetric part changes nothing of the picking.
-            let uneven = Mixture::new(($(Uneven($part.0),)+), &first).unwrap();
-            picks_by_its_table(&uneven, &first);
+            let asymmetric = Mixture::new(($(odd[$index],)+), &first).unwrap();
+            picks_by_its_table(&asymmetric, &first);
         )*};
     }
     tuples! {
-        1: a;
-        2: a, b;
-        3: a, b, c;
-        4: a, b, c, d;
-        5: a, b, c, d, e;
-        6: a, b, c, d, e, f;
-        7: a, b, c, d, e, f, g;
-        8: a, b, c, d, e, f, g, h;
+        1: a => 0;
+        2: a => 0, b => 1;
+        3: a => 0, b => 1, c => 2;
+        4: a => 0, b => 1, c => 2, d => 3;
+        5: a => 0, b => 1, c => 2, d => 3, e => 4;
+        6: a => 0, b => 1, c => 2, d => 3, e => 4, f => 5;
+        7: a => 0, b => 1, c => 2, d => 3, e => 4, f => 5, g => 6;
+        8: a => 0, b => 1, c => 2, d => 3, e => 4, f => 5, g => 6, h => 7;
     }
     // A table of one's own, built by the compiler.
     const TABLE: Cdf<[u32; 2]> = match Cdf::<[u32; 2]>::new(&[1.0, 2.0]) {
@@ -105,7 +89,7 @@ fn a_mixture_picks_by_the_words_of_its_table() {
 
 #[test]
 fn a_mutation_of_weight_0_is_never_picked() {
-    let mixture = Mixture::new([To(1.0), To(2.0), To(3.0)], &[1.0, 0.0, 1e-9]).unwrap();
+    let mixture = Mixture::new([1.0, 2.0, 3.0].map(to), &[1.0, 0.0, 1e-9]).unwrap();
     let mut rng = Pcg32::new(0x3377, 54);
     let mut kinds = [0; 3];
     for word in [0, 1, u32::MAX, 1 << 31]
@@ -121,12 +105,12 @@ fn a_mutation_of_weight_0_is_never_picked() {
 
 #[test]
 fn the_weights_of_a_mixture_are_those_of_a_table() {
-    let new = |weights: [f32; 3]| Mixture::new([To(1.0); 3], &weights).err();
+    let new = |weights: [f32; 3]| Mixture::new([to(1.0); 3], &weights).err();
     assert_eq!(new([0.0; 3]), Some(Error::AllZero));
     assert_eq!(new([1.0, -1.0, 1.0]), Some(Error::NegativeWeight(1)));
     assert_eq!(new([1.0, 1.0, f32::NAN]), Some(Error::NotFiniteWeight(2)));
     assert_eq!(new([0.0, 1e-30, 0.0]), None);
-    let nothing: [To; 0] = [];
+    let nothing = [0.0; 0].map(to);
     assert_eq!(Mixture::new(nothing, &[]).err(), Some(Error::NoWeights));
 }
 
@@ -135,7 +119,7 @@ fn states<C: HastingsCorrection, X, M: Mutation<X, Correction = C>>(_: &M) {}
 
 #[test]
 fn a_mixture_is_symmetric_where_all_its_parts_are() {
-    let (even, odd) = (To(1.0), Uneven(2.0));
+    let (even, odd) = (to(1.0), uneven(2.0));
     states::<Symmetric, f32, _>(&Mixture::new((even,), &[1.0]).unwrap());
     states::<Symmetric, f32, _>(&Mixture::new((even, even), &[1.0; 2]).unwrap());
     states::<Symmetric, f32, _>(&Mixture::new((even, even, even), &[1.0; 3]).unwrap());
@@ -154,11 +138,31 @@ fn a_mixture_is_symmetric_where_all_its_parts_are() {
     states::<Symmetric, [f32; 2], _>(&large_small);
     let with_source = (wrapped, Independence::new(UniformStep::new()));
     states::<HastingsRatio, [f32; 2], _>(&Mixture::new(with_source, &[1.0; 2]).unwrap());
+    states::<HastingsRatio, [f32; 2], _>(&Independence::new(mw::Disk::new()));
+    states::<HastingsRatio, f32, _>(&Independence::new(UniformStep::new()));
+    // Of indices it states counts, but for those beside a ratio.
+    type Counts = HastingsCounts;
+    let row = Cdf::<[u32; 2]>::from_integers(&[1, 2]).unwrap();
+    let bins = Alias::<[AliasEntry<u64>; 2]>::from_integers_u64(&[1, 2]).unwrap();
+    let (cdf, alias) = (Independence::new(row), Independence::new(bins));
+    let (rows, index) = (
+        TransitionTable::new([row; 2]).unwrap(),
+        UniformIndex::new(2).unwrap(),
+    );
+    states::<Counts, usize, _>(&Independence::new(index));
+    states::<Symmetric, usize, _>(&Mixture::from_table((index, index), row));
+    states::<Counts, usize, _>(&Mixture::from_table((index, cdf), row));
+    states::<Counts, usize, _>(&Mixture::from_table((alias, index), row));
+    states::<Counts, usize, _>(&Mixture::from_table((rows, alias), row));
+    let ratio = given(1, HastingsRatio::ONE);
+    states::<HastingsRatio, usize, _>(&Mixture::from_table((&ratio, cdf), row));
+    states::<HastingsRatio, usize, _>(&Mixture::from_table((cdf, &ratio), row));
+    states::<HastingsRatio, usize, _>(&Mixture::from_table((index, &ratio), row));
 }
 
 #[test]
 fn the_ratio_is_that_of_the_part_picked() {
-    let mixture = Mixture::new((To(1.0), Uneven(2.0), Uneven(3.0)), &[1.0, 1.0, 2.0]).unwrap();
+    let mixture = Mixture::new((to(1.0), uneven(2.0), uneven(3.0)), &[1.0, 1.0, 2.0]).unwrap();
     let ratio_of = |word| {
         let Ok(proposal) = mixture.try_propose(0.0, &mut Cycle::new(&[word]));
         proposal.correction
@@ -167,7 +171,7 @@ fn the_ratio_is_that_of_the_part_picked() {
     assert_eq!(ratio_of(1 << 30), HastingsRatio::new(1.0, 2.0));
     assert_eq!(ratio_of(1 << 31), HastingsRatio::new(1.0, 3.0));
     // Within a mixture of mixtures the kind is the outer one's, the ratio the innermost one's.
-    let outer = Mixture::new((To(9.0), mixture), &[1.0, 1.0]).unwrap();
+    let outer = Mixture::new((to(9.0), mixture), &[1.0, 1.0]).unwrap();
     let Ok(proposal) = outer.try_propose(0.0, &mut Cycle::new(&[1 << 31, 1 << 30]));
     assert_eq!((proposal.state, proposal.kind), (2.0, 1));
     assert_eq!(proposal.correction, HastingsRatio::new(1.0, 2.0));

@@ -66,19 +66,30 @@ pub struct Outcome {
 /// Lags of `Autocorrelation`.
 const LAGS: usize = 128;
 
-/// Runs batches of what `start` makes: a chain about to be stepped.
-pub fn run<X, D, W>(
-    plan: &Plan,
-    cells: &Cells<X>,
-    start: impl Fn(&mut Pcg32) -> W,
-    seed: u64,
-) -> Outcome
-where
-    X: Copy,
-    D: Copy,
-    W: FnMut(&mut Pcg32) -> Transition<X, D>,
-{
-    let [times, exact_times] = pilot(plan, cells, &start, seed);
+/// What is looked at of a step.
+pub struct Seen<X> {
+    recorded: [(X, f32); 2],
+    accepted: bool,
+}
+
+impl<X: Copy> Seen<X> {
+    pub fn of<D: Copy>(step: &Transition<X, D>) -> Self {
+        let (recorded, accepted) = (step.recorded(), step.is_accepted());
+        Self { recorded, accepted }
+    }
+
+    fn state(&self) -> X {
+        self.recorded[usize::from(self.accepted)].0
+    }
+}
+
+/// A chain about to be stepped, its types erased but for that of its states.
+pub type Walk<X> = Box<dyn FnMut(&mut Pcg32) -> Seen<X>>;
+pub type Start<X> = dyn Fn(&mut Pcg32) -> Walk<X>;
+
+/// Runs batches of what `start` makes.
+pub fn run<X: Copy>(plan: &Plan, cells: &Cells<X>, start: &Start<X>, seed: u64) -> Outcome {
+    let [times, exact_times] = pilot(plan, cells, start, seed);
     let far = (plan.apart * times[0].max(times[1])).ceil() as usize;
     let thin = if far == 0 { plan.steps } else { far };
     let mut vectors = [Vec::new(), Vec::new()];
@@ -99,20 +110,21 @@ where
         for i in 1..=plan.steps {
             let step = walk(&mut rng);
             // Of a state of weight 0 nothing may be asked.
-            let from = here.or_else(|| (cells.place)(step.from));
-            let to = if step.acceptance > 0.0 || step.is_accepted() {
-                (cells.place)(step.proposed)
+            let [(before, _), (proposed, acceptance)] = step.recorded;
+            let from = here.or_else(|| (cells.place)(before));
+            let to = if acceptance > 0.0 || step.accepted {
+                (cells.place)(proposed)
             } else {
                 from
             };
-            for (place, (_, weight)) in [from, to].into_iter().zip(step.recorded()) {
+            for (place, (_, weight)) in [from, to].into_iter().zip(step.recorded) {
                 match place {
                     Some([cell, _]) => shares[1][cell] += f64::from(weight),
                     None => outside |= weight != 0.0,
                 }
             }
-            here = if step.is_accepted() { to } else { from };
-            moved += u64::from(step.is_accepted());
+            here = if step.accepted { to } else { from };
+            moved += u64::from(step.accepted);
             match here {
                 Some([coarse, cell]) => {
                     shares[0][coarse] += 1.0;
@@ -162,17 +174,7 @@ fn variance(numbers: &[f64]) -> f64 {
 }
 
 /// The integrated times of the two watched functions, by `Autocorrelation` and in f64.
-fn pilot<X, D, W>(
-    plan: &Plan,
-    cells: &Cells<X>,
-    start: &impl Fn(&mut Pcg32) -> W,
-    seed: u64,
-) -> [[f64; 2]; 2]
-where
-    X: Copy,
-    D: Copy,
-    W: FnMut(&mut Pcg32) -> Transition<X, D>,
-{
+fn pilot<X: Copy>(plan: &Plan, cells: &Cells<X>, start: &Start<X>, seed: u64) -> [[f64; 2]; 2] {
     if plan.apart == 0.0 {
         return [[0.0; 2]; 2];
     }

@@ -4,8 +4,8 @@ use super::stated::stated;
 use super::weighed::{Bits, Weighed};
 use microwarp::Error;
 use microwarp::metropolis::{
-    Chain, LogDensity, Mixture, Mutation, Saved, Start, Transition, UniformIndex, UniformStep,
-    WrappedWalk,
+    Chain, Chance, LogDensity, Mixture, Mutation, Saved, Start, Transition, UniformIndex,
+    UniformStep, WrappedWalk,
 };
 use microwarp::tier::{Libm, Poly};
 use microwarp::{metropolis::BoxStep, poly as mw};
@@ -144,13 +144,8 @@ fn what_no_chain_can_be_is_not_resumed() {
     for density in [0.0, -0.0] {
         assert_eq!(refused(Saved { density, ..good }), Some(Error::NotPositive));
     }
-    assert_eq!(
-        refused(Saved {
-            density: -1.0,
-            ..good
-        }),
-        Some(Error::Negative)
-    );
+    let density = -1.0;
+    assert_eq!(refused(Saved { density, ..good }), Some(Error::Negative));
     // More of one kind than there are steps, or of all.
     for (accepted, refusals) in [
         (11, 0),
@@ -195,20 +190,26 @@ fn what_no_chain_can_be_is_not_resumed() {
         };
         assert!(Chain::resume(saved).is_ok(), "{saved:?}");
     }
-    for log in [f32::NAN, f32::INFINITY] {
+    // Of logarithms and of integers too.
+    fn fresh<D: Weighed>(density: D) -> Option<Error> {
         let saved = Saved {
             state: 0_usize,
-            density: LogDensity::<Poly>::new(log),
+            density,
             steps: 0,
             accepted: 0,
             refused: 0,
             rejected_in_a_row: 0,
         };
-        assert_eq!(Chain::resume(saved).err(), Some(Error::NotFinite));
-        let density = LogDensity::new(f32::NEG_INFINITY);
-        let saved = Saved { density, ..saved };
-        assert_eq!(Chain::resume(saved).err(), Some(Error::NotPositive));
+        Chain::resume(saved).err()
     }
+    for (log, error) in [
+        (f32::NAN, Error::NotFinite),
+        (f32::INFINITY, Error::NotFinite),
+        (f32::NEG_INFINITY, Error::NotPositive),
+    ] {
+        assert_eq!(fresh(LogDensity::<Poly>::new(log)), Some(error));
+    }
+    assert_eq!(fresh(0_u32), Some(Error::NotPositive));
 }
 
 /// The table at `Chain` states the sizes, on machines whose `usize` has 64 bits.
@@ -227,6 +228,12 @@ fn sizes_are_those_stated() {
             (
                 "[`Chain`], [`Saved`]",
                 size_of::<Chain<X, LogDensity<Poly>>>(),
+            ),
+            ("[`Chain`], [`Saved`]", size_of::<Chain<X, u32>>()),
+            ("[`Chain`], [`Saved`]", size_of::<Saved<X, u32>>()),
+            (
+                "of integer weights",
+                size_of::<Transition<X, u32, Chance>>(),
             ),
             ("[`Transition`]", size_of::<Transition<X>>()),
             (

@@ -1,7 +1,6 @@
 //! The start-up bias and its two cures, measured over many short runs of a slow chain.
 
 use crate::evidence::{assert_passes, assert_rejected, p_value_of_mean};
-use crate::start_weights;
 use host::speed;
 use microwarp::metropolis::{BoxStep, Chain, UniformStep};
 use rand_pcg::Pcg32;
@@ -13,9 +12,9 @@ pub const P_VALUES: usize = 120;
 #[test]
 fn p_values_are_counted() {
     // Two functions at each length of a run, of each count of candidates and of the long burn-in; one
-    // comparison of burn-ins; then the weights.
+    // comparison of burn-ins; then the mean weights.
     let lengths = 2 * LENGTHS.len() * (CANDIDATES.len() + 1);
-    let computed = lengths + 1 + CANDIDATES.len() + start_weights::P_VALUES;
+    let computed = lengths + 1 + CANDIDATES.len();
     assert!(computed <= P_VALUES, "{computed}");
 }
 
@@ -29,7 +28,7 @@ pub fn humps(x: f32) -> f32 {
 }
 
 /// Its integral, (1/8 + 1/64)/3.
-pub const INTEGRAL: f64 = 0.046_875;
+const INTEGRAL: f64 = 0.046_875;
 
 /// What is asked of a state: whether it is on the greater hump, and its place.
 fn asked(x: f32) -> [f64; 2] {
@@ -49,23 +48,19 @@ const CANDIDATES: [u32; 4] = [1, 4, 16, 64];
 
 /// Sums over runs: of a number, and of its square.
 #[derive(Clone, Copy, Default)]
-pub struct Sums(f64, f64);
+struct Sums(f64, f64);
 
 impl Sums {
-    pub fn add(&mut self, x: f64) {
+    fn add(&mut self, x: f64) {
         self.0 += x;
         self.1 += x * x;
     }
 
-    pub fn mean(&self, count: usize) -> f64 {
+    fn mean(&self, count: usize) -> f64 {
         self.0 / count as f64
     }
 
-    pub fn variance(&self, count: usize) -> f64 {
-        self.1 / count as f64 - self.mean(count).powi(2)
-    }
-
-    pub fn p_value(&self, count: usize, exact: f64) -> f64 {
+    fn p_value(&self, count: usize, exact: f64) -> f64 {
         p_value_of_mean(self.0, self.1, count as f64, exact)
     }
 }

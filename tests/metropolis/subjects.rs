@@ -1,8 +1,8 @@
 //! The chains under test: every mutation, over targets of all kinds.
 
 use crate::densities::*;
-use crate::matrices::Neighbour;
-use crate::runs::{FULL, Outcome, Plan, plan, run};
+use crate::own::{multiply, neighbour};
+use crate::runs::{FULL, Outcome, Plan, Seen, Walk, plan, run};
 use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TargetDensity,
@@ -46,6 +46,10 @@ where
     D: Copy + 'static,
     W: FnMut(&mut Pcg32) -> Transition<X, D> + 'static,
 {
+    let start = move |rng: &mut Pcg32| -> Walk<X> {
+        let mut walk = start(rng);
+        Box::new(move |rng| Seen::of(&walk(rng)))
+    };
     Subject {
         name,
         plan: plan(),
@@ -83,7 +87,7 @@ pub fn nine_to_one() -> impl Mutation<f32> + Copy {
 /// Half of the steps by factors, half by sums.
 fn over_decades() -> impl Mutation<f32> {
     let sum = poly::LogUniformStep::new(1e-15, 1e15).unwrap();
-    Mixture::new((Multiply { reach: 35.0 }, sum), &[1.0, 1.0]).unwrap()
+    Mixture::new((multiply(35.0), sum), &[1.0, 1.0]).unwrap()
 }
 
 /// A step across the parabola that never crosses its valley in time, so that each batch starts on the target.
@@ -129,13 +133,17 @@ fn on_the_line() -> Vec<Subject> {
         stride: 4,
         ..plan()
     };
+    let linear = |x| log_power(x).exp() as f32;
+    let falling = |u| log_cliff(u).exp() as f32;
+    let (uniform, wrapped) = (UniformStep::new(), WrappedWalk::new(narrow));
+    let factors = multiply(1.5);
     vec![
         chain(
             "parabola, uniform",
             parabola_cells(),
             0.45,
             parabola,
-            UniformStep::new(),
+            uniform,
         ),
         slow_box("parabola, box", narrow),
         chain(
@@ -143,7 +151,7 @@ fn on_the_line() -> Vec<Subject> {
             parabola_cells(),
             0.45,
             parabola,
-            WrappedWalk::new(narrow),
+            wrapped,
         )
         .planned(long),
         parabolic("parabola, nine to one", nine_to_one()),
@@ -152,7 +160,7 @@ fn on_the_line() -> Vec<Subject> {
             "thirty decades, f32",
             power_cells(),
             1e15,
-            |x| log_power(x).exp() as f32,
+            linear,
             over_decades(),
         ),
         chain(
@@ -162,13 +170,7 @@ fn on_the_line() -> Vec<Subject> {
             log_law,
             over_decades(),
         ),
-        chain(
-            "cliff, f32",
-            cliff_cells(),
-            0.999,
-            |u| log_cliff(u).exp() as f32,
-            kelemen(0.1),
-        ),
+        chain("cliff, f32", cliff_cells(), 0.999, falling, kelemen(0.1)),
         chain(
             "cliff, logarithms",
             cliff_cells(),
@@ -176,13 +178,7 @@ fn on_the_line() -> Vec<Subject> {
             log_drop,
             kelemen(0.1),
         ),
-        chain(
-            "gamma, factors",
-            gamma_cells(),
-            40.0,
-            gamma,
-            Multiply { reach: 1.5 },
-        ),
+        chain("gamma, factors", gamma_cells(), 40.0, gamma, factors),
         chain(
             "gamma, independence",
             gamma_cells(),
@@ -257,7 +253,7 @@ fn of_indices() -> Vec<Subject> {
     let shape: [f32; STATES] = std::array::from_fn(|i| 20.0 + (i % 50) as f32);
     let table = Independence::new(Cdf::<[u32; STATES]>::new(&shape).unwrap());
     let any = UniformIndex::new(STATES as u32).unwrap();
-    let mixed = Mixture::new((any, table, Neighbour(STATES)), &[1.0, 1.0, 1.0]).unwrap();
+    let mixed = Mixture::new((any, table, neighbour(STATES)), &[1.0, 1.0, 1.0]).unwrap();
     vec![
         chain("indices, uniform", index_cells(), 0, weight_of, any),
         chain("indices, table", index_cells(), 0, weight_of, table),
