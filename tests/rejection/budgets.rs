@@ -7,9 +7,10 @@ use microwarp::rejection::{
 };
 use microwarp::uniform::grid_from_word;
 use microwarp::warp::Aabb;
-use microwarp::{Error, poly, warp::Interval};
+use microwarp::{Error, fixed, poly, warp::Interval};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use std::fmt::Debug;
 
 const STUCK: [u32; 14] = [
     0,
@@ -28,103 +29,83 @@ const STUCK: [u32; 14] = [
     u32::MAX,
 ];
 
-/// A sampler that never accepts spends exactly its budget of tries and of words.
-fn spends<S: Rejection>(sampler: &S, tries: u32, words: u64)
+/// A sampler takes so many words a try, spends its budget to the word where a generator is stuck at a word that no try
+/// accepts, and hands on what a generator fails with.
+fn keeps<S: Rejection>(sampler: &S, words: u64, stuck: u32)
 where
-    S::Point: std::fmt::Debug + PartialEq,
+    S::Point: Debug + PartialEq,
 {
-    let mut rng = Counting::new(Pcg32::new(1, 1));
-    assert_eq!(sampler.budget(), tries);
-    assert_eq!(sampler.draw(&mut rng), Err(Failure::BudgetSpent { tries }));
-    assert_eq!(rng.words, words);
-}
-
-#[test]
-fn a_budget_is_spent_to_the_word() {
-    let line = Interval::new(0.0, 1.0).unwrap();
-    let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
-    let cube = Aabb::new([0.0; 3], [1.0; 3]).unwrap();
-    for budget in [1, 2, 7, 1000] {
-        let tries = u64::from(budget);
-        spends(
-            &Region::new(line, |_| false).with_budget(budget).unwrap(),
-            budget,
-            tries,
-        );
-        spends(
-            &Region::new(tail, |_| false).with_budget(budget).unwrap(),
-            budget,
-            2 * tries,
-        );
-        spends(
-            &Region::new(cube, |_| false).with_budget(budget).unwrap(),
-            budget,
-            3 * tries,
-        );
-        // One word more for the decision.
-        spends(
-            &Bounded::new(line, |_| 0.0, 1.0)
-                .unwrap()
-                .with_budget(budget)
-                .unwrap(),
-            budget,
-            2 * tries,
-        );
-        spends(
-            &Bounded::new(tail, |_| 0.0, 1.0)
-                .unwrap()
-                .with_budget(budget)
-                .unwrap(),
-            budget,
-            3 * tries,
-        );
-        spends(
-            &Bounded::new(cube, |_| -0.0, 1.0)
-                .unwrap()
-                .with_budget(budget)
-                .unwrap(),
-            budget,
-            4 * tries,
-        );
-    }
-}
-
-#[test]
-fn tries_and_words_agree() {
-    fn agree<S: Rejection>(sampler: &S, words: u64) {
-        let mut rng = Counting::new(Pcg32::new(2, 2));
-        for _ in 0..1000 {
-            let before = rng.words;
-            let accepted = sampler.draw(&mut rng).unwrap();
-            assert_eq!(rng.words - before, words * u64::from(accepted.tries));
+    let (tries, all) = (sampler.budget(), words * u64::from(sampler.budget()));
+    let spent = Failure::BudgetSpent { tries };
+    let mut rng = Counting::new(Pcg32::new(2, 2));
+    for _ in 0..1000 {
+        let before = rng.words;
+        match sampler.draw(&mut rng) {
+            Ok(accepted) => assert_eq!(rng.words - before, words * u64::from(accepted.tries)),
+            Err(failure) => assert_eq!((failure, rng.words - before), (spent, all)),
         }
     }
-    agree(&DiskRejection::new(), 2);
-    agree(&BallRejection::new(), 3);
-    let f = |[x, y]: [f32; 2]| x * y;
-    agree(
-        &Bounded::new(Aabb::new([0.0; 2], [1.0; 2]).unwrap(), f, 1.0).unwrap(),
-        3,
-    );
+    let stuck = [stuck];
+    let mut rng = Counting::new(Cycle::new(&stuck));
+    assert_eq!((sampler.draw(&mut rng), rng.words), (Err(spent), all));
+    for left in 0..=all {
+        let word = stuck[0];
+        let end = sampler.try_draw(&mut Failing { word, left });
+        let due = match left < all {
+            true => Failure::Generator(Broken(17)),
+            false => Failure::BudgetSpent { tries },
+        };
+        assert_eq!(end, Err(due), "{left}");
+    }
+}
+
+#[test]
+fn budgets_are_kept_to_the_word() {
+    let line = Interval::new(0.0, 1.0).unwrap();
     let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
-    agree(&Region::new(tail, |x| x > 1.0), 2);
+    let (square, cube) = (Aabb::new([0.0; 2], [1.0; 2]), Aabb::new([0.0; 3], [1.0; 3]));
+    let (square, cube) = (square.unwrap(), cube.unwrap());
+    for budget in [1, 2, 7] {
+        macro_rules! keep {
+            ($($sampler:expr, $words:literal, $stuck:expr;)*) => {$(
+                keeps(&$sampler.with_budget(budget).unwrap(), $words, $stuck);
+            )*};
+        }
+        keep! {
+            // The corner of the box.
+            DiskRejection::new(), 2, u32::MAX;
+            BallRejection::new(), 3, u32::MAX;
+            fixed::DiskRejection::new(), 2, 0x8000_8000;
+            fixed::DiskRejection16::new(), 1, 0x8000_8000;
+            // Beyond all counts.
+            poly::PoissonRejection::new(30.0).unwrap(), 2, 0;
+            Region::new(line, |_| false), 1, 0;
+            Region::new(tail, |_| false), 2, 0;
+            Region::new(cube, |_| false), 3, 0;
+            // One word more for the decision.
+            Bounded::new(line, |_| 0.0, 1.0).unwrap(), 2, 0;
+            Bounded::new(tail, |_| 0.0, 1.0).unwrap(), 3, 0;
+            Bounded::new(cube, |_| -0.0, 1.0).unwrap(), 4, 0;
+            Bounded::new(square, |[x, y]: [f32; 2]| x * y, 1.0).unwrap(), 3, 0;
+        }
+    }
+    let failed = Failure::Generator(Broken(17));
+    let source = std::error::Error::source(&failed).unwrap();
+    assert_eq!(source.downcast_ref(), Some(&Broken(17)));
+    assert_eq!(failed.to_string(), "the generator failed: broken 17");
 }
 
 #[test]
 fn a_budget_of_nothing_is_refused() {
     let line = Interval::new(0.0, 1.0).unwrap();
-    assert_eq!(
-        Region::new(line, |_| true).with_budget(0).err(),
-        Some(Error::NotPositive)
-    );
-    assert_eq!(
-        Bounded::new(line, |_| 1.0, 1.0)
-            .and_then(|sampler| sampler.with_budget(0))
-            .err(),
-        Some(Error::NotPositive)
-    );
-    assert_eq!(DiskRejection::new().with_budget(0), Err(Error::NotPositive));
-    assert_eq!(BallRejection::new().with_budget(0), Err(Error::NotPositive));
+    let none = Some(Error::NotPositive);
+    assert_eq!(Region::new(line, |_| true).with_budget(0).err(), none);
+    let bounded = Bounded::new(line, |_| 1.0, 1.0).unwrap();
+    assert_eq!(bounded.with_budget(0).err(), none);
+    assert_eq!(DiskRejection::new().with_budget(0).err(), none);
+    assert_eq!(BallRejection::new().with_budget(0).err(), none);
+    assert_eq!(fixed::DiskRejection::new().with_budget(0).err(), none);
+    assert_eq!(fixed::DiskRejection16::new().with_budget(0).err(), none);
     const DISK: Result<DiskRejection, Error> = DiskRejection::new().with_budget(5);
     assert_eq!(DISK.unwrap().budget(), 5);
 }
@@ -162,29 +143,17 @@ fn a_stuck_generator_ends_at_once_or_with_the_budget() {
         }
     }
     let line = Interval::new(0.0, 1.0).unwrap();
+    let half = Region::new(line, |x| x > 0.5);
+    let rising = Bounded::new(line, |x| x, 1.0).unwrap();
+    let apart = Bounded::new(poly::Disk::new(), |[x, _]: [f32; 2]| x.abs(), 4.0).unwrap();
     let (mut points, mut errors) = (0, 0);
     for word in STUCK {
         let ended = [
             ends(&DiskRejection::new(), word),
             ends(&BallRejection::new(), word),
-            ends(
-                &Region::new(line, |x| x > 0.5).with_budget(50).unwrap(),
-                word,
-            ),
-            ends(
-                &Bounded::new(line, |x| x, 1.0)
-                    .unwrap()
-                    .with_budget(50)
-                    .unwrap(),
-                word,
-            ),
-            ends(
-                &Bounded::new(poly::Disk::new(), |[x, _]: [f32; 2]| x.abs(), 4.0)
-                    .unwrap()
-                    .with_budget(50)
-                    .unwrap(),
-                word,
-            ),
+            ends(&half, word),
+            ends(&rising, word),
+            ends(&apart, word),
         ];
         points += ended.iter().filter(|e| **e).count();
         errors += ended.iter().filter(|e| !**e).count();
@@ -216,39 +185,6 @@ fn an_alternating_generator_ends_too() {
     }
 }
 
-#[test]
-fn a_failing_generator_passes_its_error_on() {
-    let broken = |left: u64| Failing {
-        word: u32::MAX,
-        left,
-    };
-    let line = Interval::new(0.0, 1.0).unwrap();
-    let zero = Bounded::new(line, |_| 0.0, 1.0)
-        .unwrap()
-        .with_budget(10)
-        .unwrap();
-    let nowhere = Region::new(line, |_| false).with_budget(10).unwrap();
-    let generator = Failure::Generator(Broken(17));
-    // The corner of the box is proposed again and again until the generator fails or the budget is spent.
-    for left in 0..64 {
-        let disk = DiskRejection::new()
-            .try_draw(&mut broken(left))
-            .unwrap_err();
-        assert_eq!(disk, generator);
-        let spent = |tries| Failure::BudgetSpent { tries };
-        let ball = BallRejection::new().with_budget(10).unwrap();
-        let ball = ball.try_draw(&mut broken(left)).unwrap_err();
-        assert_eq!(ball, if left < 30 { generator } else { spent(10) });
-        let zero = zero.try_draw(&mut broken(left)).unwrap_err();
-        assert_eq!(zero, if left < 20 { generator } else { spent(10) });
-        let nowhere = nowhere.try_draw(&mut broken(left)).unwrap_err();
-        assert_eq!(nowhere, if left < 10 { generator } else { spent(10) });
-    }
-    let source = std::error::Error::source(&generator).unwrap();
-    assert_eq!(source.downcast_ref(), Some(&Broken(17)));
-    assert_eq!(generator.to_string(), "the generator failed: broken 17");
-}
-
 /// Drawing is attempting at the drawn words.
 #[test]
 fn drawing_is_attempting_at_the_drawn_uniforms() {
@@ -257,6 +193,7 @@ fn drawing_is_attempting_at_the_drawn_uniforms() {
     let square = Aabb::new([0.0; 2], [1.0; 2]).unwrap();
     let bounded = Bounded::new(square, f, 2.0).unwrap();
     let region = Region::new(square, |p| f(p) < 0.5);
+    let poisson = poly::PoissonRejection::new(77.7).unwrap();
     let (mut drawn, mut replayed) = (Pcg32::new(3, 3), Pcg32::new(3, 3));
     for _ in 0..1000 {
         let mut u = || grid_from_word(replayed.next_u32());
@@ -267,6 +204,9 @@ fn drawing_is_attempting_at_the_drawn_uniforms() {
         let once: Result<_, Failure> = bounded.try_once(&mut drawn);
         let u = [u(), u()];
         assert_eq!(once, bounded.attempt(u, replayed.next_u32()));
+        let once: Result<_, Failure> = poisson.try_once(&mut drawn);
+        let words = [replayed.next_u32(), replayed.next_u32()];
+        assert_eq!(once, Ok(poisson.attempt(words)));
     }
     assert_eq!(drawn, replayed);
 }

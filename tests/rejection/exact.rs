@@ -26,26 +26,28 @@ fn inside(m: &[i64]) -> bool {
     m.iter().map(|m| i128::from(m * m)).sum::<i128>() <= i128::from(SIDE) * i128::from(SIDE)
 }
 
-fn check_disk(m: [i64; 2]) -> bool {
-    let disk = DiskRejection::new();
-    let point = disk.attempt(m.map(uniform));
+fn check<const D: usize>(
+    m: [i64; D],
+    attempt: impl Fn([f32; D]) -> Option<[f32; D]>,
+    pdf: impl Fn([f32; D]) -> f32,
+) -> bool {
+    let point = attempt(m.map(uniform));
     assert_eq!(point.is_some(), inside(&m), "{m:?}");
     if let Some(point) = point {
         assert_eq!(point.map(units), m);
-        assert!(disk.pdf(point) > 0.0, "{m:?} has density 0");
+        assert!(pdf(point) > 0.0, "{m:?} has density 0");
     }
     point.is_some()
 }
 
+fn check_disk(m: [i64; 2]) -> bool {
+    let disk = DiskRejection::new();
+    check(m, |u| disk.attempt(u), |x| disk.pdf(x))
+}
+
 fn check_ball(m: [i64; 3]) -> bool {
     let ball = BallRejection::new();
-    let point = ball.attempt(m.map(uniform));
-    assert_eq!(point.is_some(), inside(&m), "{m:?}");
-    if let Some(point) = point {
-        assert_eq!(point.map(units), m);
-        assert!(ball.pdf(point) > 0.0, "{m:?} has density 0");
-    }
-    point.is_some()
+    check(m, |u| ball.attempt(u), |x| ball.pdf(x))
 }
 
 /// The largest odd m with m² ≤ `left`, if any.

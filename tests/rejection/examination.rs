@@ -44,13 +44,7 @@ pub fn p_values_of_points<const D: usize>(points: &[[f64; D]]) -> Vec<f64> {
     let mut p_values = vec![p];
     for axis in 0..D {
         let mut along: Vec<f64> = points.iter().map(|p| p[axis]).collect();
-        along.sort_unstable_by(f64::total_cmp);
-        let distance = along
-            .iter()
-            .enumerate()
-            .map(|(i, u)| (u - i as f64 / n).abs().max((u - (i + 1) as f64 / n).abs()))
-            .fold(0.0, f64::max);
-        p_values.push(stats::kolmogorov(distance, n));
+        p_values.push(stats::p_value_of_uniforms(&mut along));
     }
     p_values
 }

@@ -183,100 +183,42 @@ pub fn all() -> Vec<Subject> {
             Bounded::new($proposal, $f, $c).unwrap()
         };
     }
+    let half = region!(Triangle::new(), |b: [f32; 3]| b[0] < b[1], 0.5);
+    let fast = region!(poly::Hemisphere::new(), unit, 0.5);
+    let slow = region!(libm::Hemisphere::new(), unit, 0.5);
+    let decay = region!(decay, |x| x < 1.0, mass);
+    let tail = region!(tail, |x| x < 1.0, mass);
+    let below = region!(cube, |p: [f32; 3]| p.iter().sum::<f32>() < 1.0, 1.0 / 6.0);
+    // The integral of 1/(1 + r²) over the disk is π ln 2.
+    let [over_poly, over_libm] = ["1/(1 + r²) over Disk, poly", "1/(1 + r²) over Disk, libm"];
+    let over_concentric = "1/(1 + r²) over DiskConcentric, twice the bound";
+    let on_poly = bounded!(poly::Disk::new(), bump_density, pi);
+    let on_libm = bounded!(libm::Disk::new(), bump_density, pi);
+    let concentric = bounded!(poly::DiskConcentric::new(), bump_density, 2.0 * pi);
+    let in_box = bounded!(square, bump_or_zero, 4.0);
+    let sine = bounded!(line, f32::sin, pi);
+    // f/p = π z, of integral 2π/3.
+    let z2 = |n: [f32; 3]| n[2] * n[2];
+    let lobe_poly = bounded!(poly::CosineHemisphere::new(), z2, pi);
+    let lobe_libm = bounded!(libm::CosineHemisphere::new(), z2, pi);
+    let (long, short) = (fixed::DiskRejection::new(), fixed::DiskRejection16::new());
     vec![
         subject("disk", FRAC_PI_4, DiskRejection::new(), disk),
         subject("ball", FRAC_PI_6, BallRejection::new(), ball),
-        subject(
-            "half a triangle",
-            0.5,
-            region!(Triangle::new(), |b: [f32; 3]| b[0] < b[1], 0.5),
-            half_triangle,
-        ),
-        subject(
-            "cap, poly",
-            0.5,
-            region!(poly::Hemisphere::new(), unit, 0.5),
-            cap,
-        ),
-        subject(
-            "cap, libm",
-            0.5,
-            region!(libm::Hemisphere::new(), unit, 0.5),
-            cap,
-        ),
-        subject(
-            "exponential below 1",
-            mass,
-            region!(decay, |x| x < 1.0, mass),
-            below_one,
-        ),
-        subject(
-            "the same from its tail",
-            mass,
-            region!(tail, |x| x < 1.0, mass),
-            below_one,
-        ),
-        subject(
-            "simplex in a box",
-            1.0 / 6.0,
-            region!(cube, |p: [f32; 3]| p.iter().sum::<f32>() < 1.0, 1.0 / 6.0),
-            simplex,
-        ),
-        // The integral of 1/(1 + r²) over the disk is π ln 2.
-        subject(
-            "1/(1 + r²) over Disk, poly",
-            LN_2,
-            bounded!(poly::Disk::new(), bump_density, pi),
-            bump,
-        ),
-        subject(
-            "1/(1 + r²) over Disk, libm",
-            LN_2,
-            bounded!(libm::Disk::new(), bump_density, pi),
-            bump,
-        ),
-        subject(
-            "1/(1 + r²) over DiskConcentric, twice the bound",
-            0.5 * LN_2,
-            bounded!(poly::DiskConcentric::new(), bump_density, 2.0 * pi),
-            bump,
-        ),
-        subject(
-            "1/(1 + r²) over its box",
-            PI * LN_2 / 4.0,
-            bounded!(square, bump_or_zero, 4.0),
-            bump,
-        ),
-        subject(
-            "sin over Interval",
-            2.0 / PI,
-            bounded!(line, f32::sin, pi),
-            half_sine,
-        ),
-        // f/p = π z, of integral 2π/3.
-        subject(
-            "z² over CosineHemisphere, poly",
-            2.0 / 3.0,
-            bounded!(poly::CosineHemisphere::new(), |n: [f32; 3]| n[2] * n[2], pi),
-            squared_cosine,
-        ),
-        subject(
-            "z² over CosineHemisphere, libm",
-            2.0 / 3.0,
-            bounded!(libm::CosineHemisphere::new(), |n: [f32; 3]| n[2] * n[2], pi),
-            squared_cosine,
-        ),
-        subject(
-            "disk in integers, two words",
-            FRAC_PI_4,
-            fixed::DiskRejection::new(),
-            fixed_disk,
-        ),
-        subject(
-            "disk in integers, one word",
-            FRAC_PI_4,
-            fixed::DiskRejection16::new(),
-            fixed_disk,
-        ),
+        subject("half a triangle", 0.5, half, half_triangle),
+        subject("cap, poly", 0.5, fast, cap),
+        subject("cap, libm", 0.5, slow, cap),
+        subject("exponential below 1", mass, decay, below_one),
+        subject("the same from its tail", mass, tail, below_one),
+        subject("simplex in a box", 1.0 / 6.0, below, simplex),
+        subject(over_poly, LN_2, on_poly, bump),
+        subject(over_libm, LN_2, on_libm, bump),
+        subject(over_concentric, 0.5 * LN_2, concentric, bump),
+        subject("1/(1 + r²) over its box", PI * LN_2 / 4.0, in_box, bump),
+        subject("sin over Interval", 2.0 / PI, sine, half_sine),
+        subject("z² over a lobe, poly", 2.0 / 3.0, lobe_poly, squared_cosine),
+        subject("z² over a lobe, libm", 2.0 / 3.0, lobe_libm, squared_cosine),
+        subject("integers, two words", FRAC_PI_4, long, fixed_disk),
+        subject("integers, one word", FRAC_PI_4, short, fixed_disk),
     ]
 }

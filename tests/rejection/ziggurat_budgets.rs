@@ -74,33 +74,25 @@ fn keeps_its_budget(sampler: &impl Rejection<Point = f32>, curve: Curve, budget:
 
 #[test]
 fn budgets_are_kept_to_the_word() {
-    for budget in [1, 2, 7] {
-        let normal = ZigguratStandardNormal::new().with_budget(budget).unwrap();
-        let scaled = ZigguratNormal::new(3.0, 2.0)
-            .unwrap()
-            .with_budget(budget)
-            .unwrap();
-        let wait = ZigguratStandardExponential::new()
-            .with_budget(budget)
-            .unwrap();
-        let path = ZigguratExponential::from_rate(3.0)
-            .unwrap()
-            .with_budget(budget)
-            .unwrap();
-        if budget > 2 {
-            keeps_its_budget(&normal, Curve::Normal, budget);
-            keeps_its_budget(&scaled, Curve::Normal, budget);
-            keeps_its_budget(&wait, Curve::Exponential, budget);
-            keeps_its_budget(&path, Curve::Exponential, budget);
+    fn of<S: Rejection<Point = f32>>(curve: Curve, make: impl Fn(u32) -> Result<S, Error>) {
+        assert_eq!(make(0).err(), Some(Error::NotPositive));
+        let words = [rejected(curve)];
+        for tries in [1, 2] {
+            let spent = make(tries).unwrap().draw(&mut Cycle::new(&words));
+            assert_eq!(spent, Err(Failure::BudgetSpent { tries }));
         }
-        let spent = Err(Failure::BudgetSpent { tries: budget });
-        let stuck = |curve| [rejected(curve)];
-        assert_eq!(normal.draw(&mut Cycle::new(&stuck(Curve::Normal))), spent);
-        assert_eq!(
-            wait.draw(&mut Cycle::new(&stuck(Curve::Exponential))),
-            spent
-        );
+        keeps_its_budget(&make(7).unwrap(), curve, 7);
     }
+    let normal = ZigguratNormal::new(3.0, 2.0).unwrap();
+    let path = ZigguratExponential::from_rate(3.0).unwrap();
+    of(Curve::Normal, |budget| normal.with_budget(budget));
+    of(Curve::Exponential, |budget| path.with_budget(budget));
+    of(Curve::Normal, |budget| {
+        ZigguratStandardNormal::new().with_budget(budget)
+    });
+    of(Curve::Exponential, |budget| {
+        ZigguratStandardExponential::new().with_budget(budget)
+    });
 }
 
 #[test]
@@ -239,22 +231,6 @@ fn parameters_are_refused_as_by_the_warps() {
         Err(Error::TooLarge)
     );
     assert!(ZigguratExponential::from_rate(3.1e-37).is_ok());
-    assert_eq!(
-        ZigguratNormal::new(0.0, 1.0).and_then(|sampler| sampler.with_budget(0)),
-        Err(Error::NotPositive)
-    );
-    assert_eq!(
-        ZigguratExponential::from_rate(1.0).and_then(|sampler| sampler.with_budget(0)),
-        Err(Error::NotPositive)
-    );
-    assert_eq!(
-        ZigguratStandardNormal::new().with_budget(0),
-        Err(Error::NotPositive)
-    );
-    assert_eq!(
-        ZigguratStandardExponential::new().with_budget(0),
-        Err(Error::NotPositive)
-    );
 }
 
 #[test]
@@ -305,51 +281,39 @@ fn extremes_of_scale_stay_finite_and_dense() {
     let far = CURVES.map(|curve| word(curve, 0, (1 << 24) - 1));
     let deviations = [1.2e-39, 1e-30, 1.0, 1e30, 1.1e37];
     let means = [0.0, -1.0, 1e20, -1e37];
-    for deviation in deviations {
-        for mean in means {
-            let Ok(normal) = ZigguratNormal::new(mean, deviation) else {
-                assert!(mean.abs() >= 1e37 || deviation >= 1e37);
-                continue;
-            };
-            let law = poly::Normal::new(mean, deviation).unwrap();
+    let mut finite =
+        |what: &str, odd: [[u32; 3]; 3], attempt: &dyn Fn([u32; 3]) -> Option<[f32; 3]>| {
             for k in 0..20_000 {
-                let mut words = [rng.next_u32(), rng.next_u32(), rng.next_u32()];
-                match k {
-                    0 => words = [far[0], 0, 0],
-                    1 => words = [!far[0] & !0xff, 0, 0],
-                    2 => words = [far[0], 0, 1],
-                    _ => {}
+                let any = [rng.next_u32(), rng.next_u32(), rng.next_u32()];
+                let words = odd.get(k).copied().unwrap_or(any);
+                if let Some([x, pdf, due]) = attempt(words) {
+                    assert!(x.is_finite() && pdf > 0.0, "{what}: {x}");
+                    assert_eq!(pdf, due, "{what}: {x}");
                 }
-                let Some(x) = normal.attempt(words) else {
-                    continue;
-                };
-                assert!(
-                    x.is_finite() && normal.pdf(x) > 0.0,
-                    "{mean} {deviation}: {x}"
-                );
-                assert_eq!(normal.pdf(x), law.pdf(x));
             }
-        }
+        };
+    for (mean, deviation) in means.into_iter().flat_map(|m| deviations.map(|d| (m, d))) {
+        let Ok(normal) = ZigguratNormal::new(mean, deviation) else {
+            assert!(mean.abs() >= 1e37 || deviation >= 1e37);
+            continue;
+        };
+        let law = poly::Normal::new(mean, deviation).unwrap();
+        let odd = [[far[0], 0, 0], [!far[0] & !0xff, 0, 0], [far[0], 0, 1]];
+        finite(&format!("{mean} {deviation}"), odd, &|words| {
+            normal
+                .attempt(words)
+                .map(|x| [x, normal.pdf(x), law.pdf(x)])
+        });
     }
     for rate in [3.1e-37, 1e-30, 1.0, 1e30, f32::MAX] {
         let path = ZigguratExponential::from_rate(rate).unwrap();
         let law = poly::Exponential::from_rate(rate).unwrap();
-        for k in 0..20_000 {
-            let mut words = [rng.next_u32(), rng.next_u32(), rng.next_u32()];
-            match k {
-                0 => words = [far[1], 0, 0],
-                1 => words = [0xff, 0, 0],
-                _ => {}
-            }
-            let Some(x) = path.attempt(words) else {
-                continue;
-            };
-            assert!(
-                x.is_finite() && x >= 0.0 && path.pdf(x) > 0.0,
-                "{rate}: {x}"
-            );
-            assert_eq!(path.pdf(x), law.pdf(x));
-        }
+        let odd = [[far[1], 0, 0], [0xff, 0, 0], [far[1], 0, 1]];
+        finite(&format!("{rate}"), odd, &|words| {
+            let x = path.attempt(words)?;
+            assert!(x >= 0.0);
+            Some([x, path.pdf(x), law.pdf(x)])
+        });
     }
 }
 

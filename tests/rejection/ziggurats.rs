@@ -5,12 +5,9 @@ use crate::curves::{CURVES, Curve, Geometry};
 use crate::examination::{
     assert_passes, assert_rejected, histogram, p_value_of_mean, p_value_of_tries,
 };
-use crate::layers::{attempt, unit, word};
+use crate::layers::{attempt, word};
 use host::{speed, stats};
-use microwarp::rejection::{
-    Rejection, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
-    ZigguratStandardNormal,
-};
+use microwarp::rejection::{Rejection, ZigguratStandardExponential, ZigguratStandardNormal};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::sync::LazyLock;
@@ -23,9 +20,9 @@ static NUMBERS: LazyLock<usize> =
 static MORE: LazyLock<f64> =
     LazyLock::new(|| speed::of("factor of the errors of controls of ziggurats", 2.3, 1.0));
 
-/// The p-values of this file: of each curve ten of numbers and tries, two of a tail, one of independence; and of each
-/// scaled sampler what numbers have.
-pub const P_VALUES: usize = 2 * (10 + 2 + 1) + 2 * 8;
+/// The p-values of this file: of each curve ten of numbers and tries, two of a tail. (What a scaled sampler makes of the
+/// numbers is asked to the bit, and so is where layer and place are read from, in `layers`.)
+pub const P_VALUES: usize = 2 * (10 + 2);
 
 /// What is wrong with a ziggurat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -162,18 +159,13 @@ fn p_values_of_numbers(curve: Curve, numbers: &[f64]) -> Vec<f64> {
         (before, below) = (reached, border);
     }
     let (_, _, chi_square) = stats::chi_square(&counts, &expected).unwrap();
-    let distance = uniforms
-        .iter()
-        .enumerate()
-        .map(|(i, u)| (u - i as f64 / n).abs().max((u - (i + 1) as f64 / n).abs()))
-        .fold(0.0, f64::max);
     let start = curve.geometry().start;
     let beyond = numbers.iter().filter(|x| x.abs() > start).count() as f64;
     let total = curve.beyond(0.0);
     let due = n * curve.beyond(start) / total;
     let mut p_values = vec![
         chi_square,
-        stats::kolmogorov(distance, n),
+        stats::p_value_of_uniforms(&mut uniforms),
         stats::two_sided((beyond - due) / due.sqrt()),
     ];
     for power in 1..=5 {
@@ -247,30 +239,6 @@ fn numbers_have_their_law_and_tries_theirs() {
     }
 }
 
-#[test]
-fn scaled_numbers_have_their_law() {
-    let normal = ZigguratNormal::new(-3.0, 0.25).unwrap();
-    let (numbers, _) = draw(&normal, 3);
-    let standard: Vec<f64> = numbers.iter().map(|x| (x + 3.0) / 0.25).collect();
-    assert_passes("scaled", &p_values_of_numbers(Curve::Normal, &standard));
-    // A mean off by four thousandths of the deviation or more, and a deviation by two of itself or more.
-    for (mean, deviation) in [(3.0 + 0.001 * *MORE, 0.25), (3.0, 0.25 + 0.000_5 * *MORE)] {
-        let wrong: Vec<f64> = numbers.iter().map(|x| (x + mean) / deviation).collect();
-        assert_rejected(
-            "scaled wrongly",
-            &p_values_of_numbers(Curve::Normal, &wrong),
-        );
-    }
-    let wait = ZigguratExponential::from_rate(40.0).unwrap();
-    let (numbers, _) = draw(&wait, 4);
-    let standard: Vec<f64> = numbers.iter().map(|x| x * 40.0).collect();
-    let p_values = p_values_of_numbers(Curve::Exponential, &standard);
-    assert_passes("scaled", &p_values);
-    let wrong: Vec<f64> = numbers.iter().map(|x| x * (40.0 + 0.1 * *MORE)).collect();
-    let p_values = p_values_of_numbers(Curve::Exponential, &wrong);
-    assert_rejected("scaled wrongly", &p_values);
-}
-
 /// The tests themselves: a right ziggurat passes, and every flaw is seen.
 #[test]
 fn flawed_ziggurats_are_rejected() {
@@ -317,41 +285,4 @@ fn tails_have_their_law() {
         assert_passes(&name, &of(Flaw::None));
         assert_rejected(&name, &of(Flaw::WrongTail));
     }
-}
-
-/// Chi-square of the layer and the last 8 bits of the place in it, over the words for which there are both.
-fn p_value_of_independence(parts: impl Fn(u32) -> Option<(usize, u32)>) -> f64 {
-    let mut rng = Pcg32::new(6, 6);
-    let mut counts = vec![0_u64; 255 * 256];
-    for _ in 0..*NUMBERS {
-        if let Some((layer, place)) = parts(rng.next_u32()) {
-            counts[(layer - 1) * 256 + (place & 0xff) as usize] += 1;
-        }
-    }
-    let mean = counts.iter().sum::<u64>() as f64 / counts.len() as f64;
-    stats::chi_square(&counts, &vec![mean; counts.len()])
-        .unwrap()
-        .2
-}
-
-/// The layer and the place's last bits, which Marsaglia and Tsang read from the same bits.
-#[test]
-fn layer_and_place_are_independent() {
-    for curve in CURVES {
-        let units: Vec<f64> = (0..256).map(|k| f64::from(unit(curve, k))).collect();
-        let parts = |first: u32| {
-            let layer = (first & 0xff) as usize;
-            let x = attempt(curve, [first, 0, 0])?;
-            let place = (f64::from(x.abs()) / units[layer]).round() as u32;
-            // The lowest bit is always set.
-            (layer > 0).then_some((layer, place >> 1))
-        };
-        assert_passes("bits apart", &[p_value_of_independence(parts)]);
-    }
-    let shared = |first: u32| {
-        let layer = (first & 0xff) as usize;
-        let place = (first as i32).unsigned_abs();
-        (layer > 0).then_some((layer, place))
-    };
-    assert_rejected("bits shared", &[p_value_of_independence(shared)]);
 }

@@ -100,6 +100,15 @@ pub fn kolmogorov(d: f64, n: f64) -> f64 {
         .sum::<f64>()
 }
 
+/// The p-value of numbers that should be uniform in [0, 1], by Kolmogorov and Smirnov's distance; sorts them.
+pub fn p_value_of_uniforms(numbers: &mut [f64]) -> f64 {
+    numbers.sort_unstable_by(f64::total_cmp);
+    let n = numbers.len() as f64;
+    let off = |(i, u): (usize, &f64)| (u - i as f64 / n).abs().max((u - (i + 1) as f64 / n).abs());
+    let distance = numbers.iter().enumerate().map(off).fold(0.0, f64::max);
+    kolmogorov(distance, n)
+}
+
 /// The chance that a standard normal is at least as far from 0 as `z`.
 pub fn two_sided(z: f64) -> f64 {
     2.0 * Normal::standard().sf(z.abs())
