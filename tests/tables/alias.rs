@@ -113,25 +113,6 @@ fn more_bins_than_needed_change_nothing_but_their_size() {
     assert_eq!((tight.bins(), loose.bins(), loose.entries()), (4, 64, 3));
 }
 
-#[test]
-fn a_const_table_lies_in_flash_and_the_storages_agree() {
-    static DIE: Alias<[AliasEntry<u32>; 8]> =
-        match Alias::<[AliasEntry<u32>; 8]>::from_integers(&[1; 6]) {
-            Ok(table) => table,
-            Err(_) => panic!("refused"),
-        };
-    assert_eq!(size_of::<AliasEntry<u32>>(), 12);
-    assert_eq!(size_of::<AliasEntry<u64>>(), 24);
-    let vector = Alias::<heapless::Vec<AliasEntry<u32>, 8>>::from_integer_slice(&[1; 6]).unwrap();
-    let mut memory = [AliasEntry::<u32>::EMPTY; 8];
-    let slice = Alias::<&[AliasEntry<u32>]>::from_integers_in(&[1; 6], &mut memory).unwrap();
-    for word in (0..u32::MAX).step_by(65_537) {
-        assert_eq!(DIE.select(word), vector.select(word));
-        assert_eq!(DIE.select(word), slice.select(word));
-        assert_eq!(DIE.view().select(word), slice.select(word));
-    }
-}
-
 /// The counting sees a table whose bin and coin share bits: there a word's bin tells its coin.
 #[test]
 fn shared_bits_are_rejected() {

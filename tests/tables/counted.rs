@@ -238,54 +238,6 @@ fn all_the_words_of_a_table_counted_one_by_one() {
 }
 
 #[test]
-fn the_same_bits_select_the_same_entry() {
-    let weights: Vec<f32> = (1..=1000).map(|i| (i * i % 97) as f32).collect();
-    let (mut narrow, mut wide) = (vec![0; 1000], vec![0; 1000]);
-    let narrow = Cdf::<&[u32]>::new_in(&weights, &mut narrow).unwrap();
-    let wide = Cdf::<&[u64]>::new_in(&weights, &mut wide).unwrap();
-    let stride = speed::of("one point of the grid tried of every", 61, 1);
-    for k in (0..1_u32 << 24).step_by(stride) {
-        let bits = k << 8;
-        let index = narrow.select(bits).index;
-        let u = microwarp::uniform::grid_from_word(bits);
-        assert_eq!(narrow.select_uniform(u).index, index);
-        assert_eq!(narrow.index(bits), index);
-        // No weight is below a step, so both widths cut at the same places.
-        assert_eq!(wide.select(bits).index, index);
-        assert_eq!(wide.select_uniform(u).index, index);
-    }
-}
-
-#[test]
-fn the_three_storages_hold_the_same_words() {
-    const WEIGHTS: [f32; 5] = [1.0, 0.0, 4.0, 0.5, 0.0];
-    const FLASH: Cdf<[u32; 5]> = match Cdf::new(&WEIGHTS) {
-        Ok(table) => table,
-        Err(_) => panic!("refused"),
-    };
-    static WIDE: Cdf<[u64; 5]> = match Cdf::from_integers_u64(&[2, 0, 8, 1, 0]) {
-        Ok(table) => table,
-        Err(_) => panic!("refused"),
-    };
-    assert_eq!(size_of_val(&FLASH), 20);
-    assert_eq!(size_of_val(&WIDE), 40);
-    let vector = Cdf::<heapless::Vec<u32, 8>>::from_slice(&WEIGHTS).unwrap();
-    let mut memory = [7; 9];
-    let slice = Cdf::<&[u32]>::new_in(&WEIGHTS, &mut memory).unwrap();
-    assert_eq!(FLASH.as_words(), vector.as_words());
-    assert_eq!(FLASH.as_words(), slice.as_words());
-    assert_eq!(FLASH.view(), slice);
-    assert_eq!(memory[5..], [7; 4]);
-    let again = Cdf::from_words(*FLASH.view().as_words().first_chunk::<5>().unwrap());
-    assert_eq!(again, Ok(FLASH));
-    let integers = Cdf::<heapless::Vec<u64, 8>>::from_integer_slice(&[2, 0, 8, 1, 0]).unwrap();
-    assert_eq!(integers.as_words(), WIDE.as_words());
-    for i in 0..5 {
-        assert_eq!(WIDE.pmf(i), FLASH.pmf(i));
-    }
-}
-
-#[test]
 fn integer_weights_are_exact() {
     let weights = [0, 1, u32::MAX, 3, 0, u32::MAX - 1, 0];
     let table = Cdf::from_integers_u64(&weights).unwrap();
@@ -297,32 +249,6 @@ fn integer_weights_are_exact() {
         assert_eq!(table.numerator(i), count, "{i}");
         below += u128::from(weight);
     }
-}
-
-#[test]
-fn a_die_is_fair() {
-    let die = Cdf::from_integers(&[1; 6]).unwrap();
-    let p = |i: usize| die.numerator(i) as f64 / 4_294_967_296.0;
-    let mean: f64 = (0..6).map(|i| (i + 1) as f64 * p(i)).sum();
-    let square: f64 = (0..6).map(|i| ((i + 1) * (i + 1)) as f64 * p(i)).sum();
-    assert!((mean - 3.5).abs() <= 1e-9, "{mean}");
-    assert!((square - mean * mean - 35.0 / 12.0).abs() <= 1e-8);
-    // Samples: seven standard errors.
-    let mut rng = rand_pcg::Pcg32::new(6, 6);
-    let n = speed::of("throws of the die", 1_000_000, 10_000_000);
-    let (mut sum, mut squares) = (0_u64, 0_u64);
-    for _ in 0..n {
-        let eyes = die.draw(&mut rng).index as u64 + 1;
-        sum += eyes;
-        squares += eyes * eyes;
-    }
-    let n = f64::from(n);
-    let mean = sum as f64 / n;
-    let variance = squares as f64 / n - mean * mean;
-    assert!((mean - 3.5).abs() <= 7.0 * (35.0 / 12.0 / n).sqrt());
-    // The fourth central moment of a die is 707/48.
-    let spread = ((707.0 / 48.0 - (35.0_f64 / 12.0).powi(2)) / n).sqrt();
-    assert!((variance - 35.0 / 12.0).abs() <= 7.0 * spread);
 }
 
 /// Some ends are repeated, as those of zero weights are.

@@ -1,6 +1,8 @@
 //! Exact weights, and words counted by galloping.
 
+use host::stats::chi_square;
 use num_bigint::BigUint;
+use rand_pcg::Pcg32;
 
 /// Weights as exact integers, in units of 2⁻¹⁴⁹, and their sum.
 pub struct Exact {
@@ -106,3 +108,18 @@ pub fn grid_point(k: u64) -> f32 {
 
 /// A whole step, in the 2^-32 of steps that [`Exact::within`] counts in.
 pub const STEP: u64 = 1 << 32;
+
+/// The p-value of drawn cells under their probabilities, by chi-square; the objection where one of no probability is drawn.
+pub fn p_value(
+    cells: &[f64],
+    draws: u32,
+    seed: u64,
+    mut draw: impl FnMut(&mut Pcg32) -> usize,
+) -> Result<f64, String> {
+    let (mut rng, mut observed) = (Pcg32::new(seed, 5), vec![0; cells.len()]);
+    for _ in 0..draws {
+        observed[draw(&mut rng)] += 1;
+    }
+    let expected: Vec<f64> = cells.iter().map(|p| p * f64::from(draws)).collect();
+    chi_square(&observed, &expected).map(|(_, _, p)| p)
+}

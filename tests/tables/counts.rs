@@ -1,34 +1,15 @@
 //! `Geometric` and `Poisson`: the words of every count against sums of high precision, which leaves no word out; the
-//! densities, the refusals, and samples.
+//! densities, the refusals, and what a draw takes.
 
 use host::generators::{Broken, Counting, Failing};
 use host::speed;
-use host::stats::{chi_square, threshold};
 use microwarp::Error;
 use microwarp::discrete::{Geometric, Poisson};
 use num_bigint::BigUint;
-use rand_pcg::Pcg32;
-use rand_pcg::rand_core::Rng;
+use std::ops::RangeInclusive;
 
-/// What both samplers do.
-trait Counts {
-    fn count(&self, word: u32) -> u32;
-    fn words_of(&self, count: u32) -> Option<std::ops::RangeInclusive<u32>>;
-}
-
-macro_rules! counts {
-    ($($name:ident)*) => {$(
-        impl Counts for $name {
-            fn count(&self, word: u32) -> u32 {
-                $name::count(self, word)
-            }
-            fn words_of(&self, count: u32) -> Option<std::ops::RangeInclusive<u32>> {
-                $name::words_of(self, count)
-            }
-        }
-    )*};
-}
-counts!(Geometric Poisson);
+type Count<'a> = &'a dyn Fn(u32) -> u32;
+type Words<'a> = &'a dyn Fn(u32) -> Option<RangeInclusive<u32>>;
 
 /// How far the ends of the counts are from where they should be.
 #[derive(Debug, Default)]
@@ -43,22 +24,22 @@ struct Ends {
 /// Goes through all counts that words reach. `end` says how many words give up to a count, exactly: the integer that is
 /// nearest, and how far the number is from the middle between two integers. A word in front of an end and one behind it
 /// tell of all words, since counts increase with them.
-fn ends(sampler: &impl Counts, mut end: impl FnMut(u32) -> (u64, f64)) -> Ends {
+fn ends(count: Count, words_of: Words, mut end: impl FnMut(u32) -> (u64, f64)) -> Ends {
     let mut found = Ends::default();
     let mut start = 0_u64;
-    let mut k = sampler.count(0);
+    let mut k = count(0);
     for before in 0..k {
-        assert_eq!(sampler.words_of(before), None);
+        assert_eq!(words_of(before), None);
         end(before);
     }
     while start < 1 << 32 {
         let (nearest, doubt) = end(k);
-        let next = match sampler.words_of(k) {
+        let next = match words_of(k) {
             None => start,
             Some(words) => {
                 assert_eq!(u64::from(*words.start()), start, "count {k}");
                 for word in [*words.start(), *words.end()] {
-                    assert_eq!(sampler.count(word), k, "word {word}");
+                    assert_eq!(count(word), k, "word {word}");
                 }
                 u64::from(*words.end()) + 1
             }
@@ -75,9 +56,17 @@ fn ends(sampler: &impl Counts, mut end: impl FnMut(u32) -> (u64, f64)) -> Ends {
         start = next;
         k += 1;
     }
-    assert_eq!(sampler.words_of(k), None);
-    assert_eq!(sampler.words_of(u32::MAX), None);
+    assert_eq!(words_of(k), None);
+    assert_eq!(words_of(u32::MAX), None);
     found
+}
+
+fn ends_of_geometric(sampler: &Geometric, end: impl FnMut(u32) -> (u64, f64)) -> Ends {
+    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), end)
+}
+
+fn ends_of_poisson(sampler: &Poisson, end: impl FnMut(u32) -> (u64, f64)) -> Ends {
+    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), end)
 }
 
 /// The probability of failure in units of 2⁻¹²⁸, from the ratio of success.
@@ -138,7 +127,7 @@ fn geometric_counts_have_their_words() {
             continue;
         }
         let [n, d] = ratio(p);
-        let found = ends(&Geometric::new(p).unwrap(), of_failure(failure(n, d)));
+        let found = ends_of_geometric(&Geometric::new(p).unwrap(), of_failure(failure(n, d)));
         println!("p = {p}: {found:?}");
         all += found.counts;
         assert!(found.doubt < 2_f64.powi(-20));
@@ -152,7 +141,7 @@ fn geometric_counts_have_their_words() {
         (u32::MAX - 1, u32::MAX),
     ] {
         let sampler = Geometric::from_ratio(n, d).unwrap();
-        let found = ends(&sampler, of_failure(failure(n.into(), d.into())));
+        let found = ends_of_geometric(&sampler, of_failure(failure(n.into(), d.into())));
         println!("p = {n}/{d}: {found:?}");
         all += found.counts;
         assert!(found.doubt < 2_f64.powi(-20));
@@ -231,7 +220,7 @@ fn poisson_counts_have_their_words() {
         .chain(special)
     {
         let sampler = Poisson::new(mean).unwrap();
-        let found = ends(&sampler, poisson(f64::from(mean)));
+        let found = ends_of_poisson(&sampler, poisson(f64::from(mean)));
         moved += found.moved;
         // The truth itself is right to 1e-4 words.
         assert!(found.doubt < 2_f64.powi(-12), "{mean}: {found:?}");
@@ -244,10 +233,8 @@ fn poisson_counts_have_their_words() {
     }
     println!("{moved} ends of {means} means in doubt");
     for (n, d) in [(7, 2), (80, 1), (1, 3), (1, u32::MAX)] {
-        let found = ends(
-            &Poisson::from_ratio(n, d).unwrap(),
-            poisson(f64::from(n) / f64::from(d)),
-        );
+        let sampler = Poisson::from_ratio(n, d).unwrap();
+        let found = ends_of_poisson(&sampler, poisson(f64::from(n) / f64::from(d)));
         assert!(found.doubt < 2_f64.powi(-12), "{n}/{d}: {found:?}");
     }
 }
@@ -347,72 +334,6 @@ fn parameters_out_of_range_are_refused() {
     assert_eq!(Poisson::from_ratio(15, 4), Poisson::new(3.75));
 }
 
-/// The p-value of drawn counts under probabilities, of which the last stands for all that follow.
-fn p_value(expected: &[f64], seed: u64, mut draw: impl FnMut(&mut Pcg32) -> u32) -> f64 {
-    let samples = speed::of("draws of each law of counts", 300_000, 5_000_000);
-    let mut rng = Pcg32::new(seed, 77);
-    let mut observed = vec![0; expected.len()];
-    for _ in 0..samples {
-        observed[(draw(&mut rng) as usize).min(expected.len() - 1)] += 1;
-    }
-    let expected: Vec<f64> = expected.iter().map(|p| p * f64::from(samples)).collect();
-    chi_square(&observed, &expected).unwrap().2
-}
-
-fn with_rest(mut probabilities: Vec<f64>) -> Vec<f64> {
-    probabilities.push(1.0 - probabilities.iter().sum::<f64>().min(1.0));
-    probabilities
-}
-
-fn geometric_law(p: f64, n: i32) -> Vec<f64> {
-    with_rest((0..n).map(|k| p * (1.0 - p).powi(k)).collect())
-}
-
-fn poisson_law(mean: f64) -> Vec<f64> {
-    let mut p = (-mean).exp();
-    let law = (0..150).map(|k| {
-        let now = p;
-        p *= mean / f64::from(k + 1);
-        now
-    });
-    with_rest(law.collect())
-}
-
-const TESTS: usize = 6;
-
-#[test]
-fn drawn_counts_follow_their_laws_and_wrong_ones_are_rejected() {
-    let least = threshold(TESTS);
-    for (k, p) in [0.7, 0.2, 0.003_f32].into_iter().enumerate() {
-        let sampler = Geometric::new(p).unwrap();
-        let law = |p: f32| geometric_law(f64::from(p), (9.0 / p) as i32);
-        let found = p_value(&law(p), k as u64, |rng| sampler.draw(rng));
-        assert!(found > least, "p = {p}: {found}");
-        // Success more likely by 2 in 100, or 10 where cells are many; and one failure more in 16, which is lost there.
-        let wrong = Geometric::new(if p < 0.1 { 1.1 * p } else { 1.02 * p }).unwrap();
-        let off = p_value(&law(p), k as u64, |rng| wrong.draw(rng));
-        assert!(off < least, "{off}");
-        let more = p_value(&law(p), k as u64, |rng| {
-            sampler.draw(rng) + u32::from(rng.next_u32() >> 28 == 0)
-        });
-        assert!(more < least || p < 0.1, "{more}");
-    }
-    for (k, mean) in [0.3, 12.5, 80.0_f32].into_iter().enumerate() {
-        let sampler = Poisson::new(mean).unwrap();
-        let law = poisson_law(f64::from(mean));
-        let found = p_value(&law, 10 + k as u64, |rng| sampler.draw(rng));
-        assert!(found > least, "mean {mean}: {found}");
-        // A mean that is a little too small; and counts rounded from a normal of the same mean and variance.
-        let wrong = Poisson::new(mean - 0.03 * mean.sqrt()).unwrap();
-        assert!(p_value(&law, 10 + k as u64, |rng| wrong.draw(rng)) < least);
-        let normal = microwarp::poly::Normal::new(mean, mean.sqrt()).unwrap();
-        let rounded = p_value(&law, 10 + k as u64, |rng| {
-            microwarp::Warp::draw(&normal, rng).round() as u32
-        });
-        assert!(rounded < least, "{rounded}");
-    }
-}
-
 #[test]
 fn a_draw_takes_one_word_and_passes_a_failure_on() {
     fn takes_one(
@@ -444,30 +365,36 @@ fn a_draw_takes_one_word_and_passes_a_failure_on() {
 /// ⌊L/λ⌋ in `f32` fails where all counts are looked at.
 #[test]
 fn counts_by_logarithms_are_noticed() {
-    struct Naive(f32);
-    impl Counts for Naive {
-        fn count(&self, word: u32) -> u32 {
-            let tail = (0x1_0000_0000_u64 - u64::from(word)) as f32 / 4_294_967_296.0;
-            (tail.ln() / (-self.0).ln_1p()) as u32
+    let count = |word: u32| {
+        let tail = (0x1_0000_0000_u64 - u64::from(word)) as f32 / 4_294_967_296.0;
+        (tail.ln() / (-1e-3_f32).ln_1p()) as u32
+    };
+    let reaching = |least: u32| {
+        let (mut low, mut high) = (0_u64, 1 << 32);
+        while low < high {
+            let middle = u64::midpoint(low, high);
+            match count(middle as u32) >= least {
+                true => high = middle,
+                false => low = middle + 1,
+            }
         }
-        fn words_of(&self, count: u32) -> Option<std::ops::RangeInclusive<u32>> {
-            let reaching = |count: u32| {
-                let (mut low, mut high) = (0_u64, 1 << 32);
-                while low < high {
-                    let middle = (low + high) / 2;
-                    if self.count(middle as u32) >= count {
-                        high = middle;
-                    } else {
-                        low = middle + 1;
-                    }
-                }
-                low
-            };
-            let (start, end) = (reaching(count), reaching(count + 1));
-            (start < end).then(|| start as u32..=(end - 1) as u32)
-        }
-    }
+        low
+    };
+    let words_of = |k| {
+        let (start, end) = (reaching(k), reaching(k + 1));
+        (start < end).then(|| start as u32..=(end - 1) as u32)
+    };
+    let noticed = |judge: &dyn Fn() -> Ends| {
+        std::panic::catch_unwind(std::panic::AssertUnwindSafe(judge)).is_err()
+    };
     let [n, d] = ratio(1e-3);
-    let naive = std::panic::catch_unwind(|| ends(&Naive(1e-3), of_failure(failure(n, d))));
-    assert!(naive.is_err());
+    assert!(noticed(&|| ends(
+        &count,
+        &words_of,
+        of_failure(failure(n, d))
+    )));
+    // And so is a mean that is off by a millionth.
+    let poisson_of =
+        |mean| noticed(&|| ends_of_poisson(&Poisson::new(12.5).unwrap(), poisson(mean)));
+    assert!(poisson_of(12.500_012) && !poisson_of(12.5));
 }

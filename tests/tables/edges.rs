@@ -35,6 +35,14 @@ struct Walk {
     off: f64,
 }
 
+impl Walk {
+    fn judge(&self) {
+        let Self { edges, naive, off } = self;
+        println!("{edges} edges, at most {off:.2} steps off; a naive look-up: {naive}");
+        assert!(*off <= ROUNDING, "{off}");
+    }
+}
+
 /// Walks over all edges of equal cells of equal weight; nothing where they are too narrow.
 fn walk(range: [f32; 2], count: usize, seen: &mut Walk) -> bool {
     let [low, high] = range;
@@ -102,12 +110,8 @@ fn every_edge_of_few_cells_is_found() {
             walk(range, count, &mut seen);
         }
     }
-    println!(
-        "{} edges, at most {:.2} steps off; a naive look-up: {}",
-        seen.edges, seen.off, seen.naive
-    );
+    seen.judge();
     assert!(seen.edges > 9 * 50_000);
-    assert!(seen.off <= ROUNDING, "{}", seen.off);
 }
 
 #[test]
@@ -129,11 +133,7 @@ fn every_edge_of_many_cells_is_found() {
             "{range:?}: {most}"
         );
     }
-    println!(
-        "{} edges, at most {:.2} steps off; a naive look-up: {}",
-        seen.edges, seen.off, seen.naive
-    );
-    assert!(seen.off <= ROUNDING, "{}", seen.off);
+    seen.judge();
 }
 
 /// As narrow as they are granted, where the guess is worst.
@@ -158,11 +158,7 @@ fn every_edge_of_the_narrowest_cells_is_found() {
             assert_eq!(granted, count < most, "{range:?}: {count}");
         }
     }
-    println!(
-        "{} edges, at most {:.2} steps off; a naive look-up: {}",
-        seen.edges, seen.off, seen.naive
-    );
-    assert!(seen.off <= ROUNDING, "{}", seen.off);
+    seen.judge();
 }
 
 /// The walk would not pass without the edges: the plain formula puts many of them into wrong cells.

@@ -1,47 +1,15 @@
 //! What is left of a uniform after a selection: exact, as many bits as stated, and uniform again.
 
 use host::speed;
-use host::stats::{chi_square, threshold};
-use microwarp::discrete::{Alias, AliasEntry, Cdf, Selection, select_once};
+use host::stats::threshold;
+use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, Selection, select_once};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::collections::BTreeSet;
 
+/// What an f32 has below a word counts too.
 #[test]
-fn the_leftover_is_the_place_among_the_words_of_the_entry() {
-    let weights: Vec<f32> = (0..100).map(|i| [0.0, 1.0, 1e-6, 37.0][i % 4]).collect();
-    let (mut narrow, mut wide) = (vec![0; 100], vec![0; 100]);
-    let narrow = Cdf::<&[u32]>::new_in(&weights, &mut narrow).unwrap();
-    let wide = Cdf::<&[u64]>::new_in(&weights, &mut wide).unwrap();
-    let mut rng = Pcg32::new(2, 2);
-    let close = |chosen: Selection, exact: f64| {
-        let error = (f64::from(chosen.leftover) - exact).abs();
-        assert!(error <= exact * 1.8e-7, "{chosen:?} {exact}");
-        assert!((0.0..1.0).contains(&chosen.leftover));
-    };
-    for _ in 0..200_000 {
-        let word = rng.next_u32();
-        let chosen = narrow.select(word);
-        let words = narrow.words_of(chosen.index).unwrap();
-        assert!(words.contains(&word));
-        let count = f64::from(words.end() - words.start()) + 1.0;
-        close(chosen, f64::from(word - words.start()) / count);
-        assert_eq!(chosen.leftover_bits, count.log2().floor() as u32);
-
-        let word = u64::from(word) << 32 | u64::from(rng.next_u32());
-        let chosen = wide.select_word(word);
-        let words = wide.words_of(chosen.index).unwrap();
-        assert!(words.contains(&word));
-        let count = (words.end() - words.start()) as f64 + 1.0;
-        close(chosen, (word - words.start()) as f64 / count);
-        assert_eq!(chosen.leftover_bits, count.log2().floor() as u32);
-        let few = wide.select((word >> 32) as u32);
-        assert_eq!(
-            few.leftover_bits,
-            (count.log2().floor() as u32).saturating_sub(32)
-        );
-    }
-    // What an f32 has below a word counts too.
+fn the_whole_of_a_uniform_is_left_of_a_single_entry() {
     let single = Cdf::new(&[1.0, 0.0]).unwrap();
     for u in [1e-12_f32, 3.3e-20, 1e-45, 0.25, 0.999_999_94] {
         assert_eq!(single.select_uniform(u).leftover, u);
@@ -64,20 +32,15 @@ fn as_many_values_as_bits_are_stated() {
 }
 
 /// The p-value of leftovers, entry by entry, against the uniform law.
-fn p_value(mut draw: impl FnMut(&mut Pcg32) -> (usize, f32), pmf: &[f64], seed: u64) -> f64 {
+fn p_value(draw: impl Fn(&mut Pcg32) -> (usize, f64), pmf: &[f64], seed: u64) -> f64 {
     const CELLS: usize = 63;
-    let n = speed::of("leftovers of each table", 500_000, 5_000_000);
-    let mut rng = Pcg32::new(seed, 5);
-    let mut observed = vec![0; pmf.len() * CELLS];
-    for _ in 0..n {
-        let (index, leftover) = draw(&mut rng);
-        observed[index * CELLS + (leftover * CELLS as f32) as usize] += 1;
-    }
-    let expected: Vec<f64> = pmf
-        .iter()
-        .flat_map(|p| [p * f64::from(n) / CELLS as f64; CELLS])
-        .collect();
-    chi_square(&observed, &expected).unwrap().2
+    let n = speed::of("leftovers of each table", 400_000, 5_000_000);
+    let cells: Vec<f64> = pmf.iter().flat_map(|p| [p / CELLS as f64; CELLS]).collect();
+    let found = crate::counting::p_value(&cells, n, seed, |rng| {
+        let (index, leftover) = draw(rng);
+        index * CELLS + (leftover * CELLS as f64) as usize
+    });
+    found.unwrap()
 }
 
 #[test]
@@ -89,29 +52,40 @@ fn leftovers_are_uniform_and_tell_nothing_of_the_index() {
     let wide = Cdf::new_u64(&WEIGHTS).unwrap();
     let alias = Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).unwrap();
     let wide_alias = Alias::<[AliasEntry<u64>; 16]>::new_u64(&WEIGHTS).unwrap();
-    let pair = |s: Selection| (s.index, s.leftover);
+    let exact = WEIGHTS.map(|w| (10.0 * w) as u32);
+    let exact_narrow = Cdf::from_integers(&exact).unwrap();
+    let exact_wide = Cdf::from_integers_u64(&exact).unwrap();
+    let exact_alias = Alias::<[AliasEntry<u32>; 8]>::from_integers(&exact).unwrap();
+    let pair = |s: Selection| (s.index, f64::from(s.leftover));
+    fn exactly<C>(s: ExactSelection<C>) -> (usize, f64) {
+        (s.index, f64::from(s.leftover) / 2_f64.powi(32))
+    }
+    let p_value = |seed, draw: &dyn Fn(&mut Pcg32) -> (usize, f64)| p_value(draw, &pmf, seed);
     let all = [
-        p_value(|rng| pair(narrow.draw(rng)), &pmf, 1),
-        p_value(|rng| pair(wide.draw(rng)), &pmf, 2),
-        p_value(|rng| pair(alias.draw(rng)), &pmf, 3),
-        p_value(|rng| pair(wide_alias.draw(rng)), &pmf, 4),
-        p_value(
-            |rng| pair(select_once(&WEIGHTS, rng.next_u32()).unwrap()),
-            &pmf,
-            5,
-        ),
+        p_value(1, &|rng| pair(narrow.draw(rng))),
+        p_value(2, &|rng| pair(wide.draw(rng))),
+        p_value(3, &|rng| pair(alias.draw(rng))),
+        p_value(4, &|rng| pair(wide_alias.draw(rng))),
+        p_value(5, &|rng| {
+            pair(select_once(&WEIGHTS, rng.next_u32()).unwrap())
+        }),
+        p_value(6, &|rng| exactly(exact_narrow.draw_exact(rng))),
+        p_value(7, &|rng| exactly(exact_wide.draw_exact(rng))),
+        p_value(8, &|rng| exactly(exact_alias.draw_exact(rng))),
     ];
     println!("p {all:.3?}");
     let least = threshold(all.len());
     assert!(all.iter().all(|p| *p > least), "{all:?}");
-    // The uniform itself, used again without rescaling, is rejected.
-    let reused = p_value(
-        |rng| {
-            let word = rng.next_u32();
-            (narrow.index(word), microwarp::uniform::grid_from_word(word))
-        },
-        &pmf,
-        6,
-    );
-    assert!(reused < least);
+    // The word itself, used again as it is, is rejected; and so is the place without its share's size.
+    let reused = |rng: &mut Pcg32| {
+        let word = rng.next_u32();
+        (narrow.index(word), f64::from(word) / 2_f64.powi(32))
+    };
+    let place = |rng: &mut Pcg32| {
+        let word = rng.next_u32();
+        let index = narrow.index(word);
+        let words = narrow.words_of(index).unwrap();
+        (index, f64::from(word - words.start()) / 2_f64.powi(32))
+    };
+    assert!(p_value(9, &reused) < least && p_value(10, &place) < least);
 }

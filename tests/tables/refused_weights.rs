@@ -22,36 +22,21 @@ fn bad_weights_are_named() {
         (vec![0.0, f32::INFINITY, -1.0], NotFiniteWeight(1)),
         (vec![1.0, f32::NEG_INFINITY], NotFiniteWeight(1)),
     ] {
-        let (mut narrow, mut wide) = ([5; 4], [5; 4]);
-        let (mut bins, mut wide_bins) =
-            ([AliasEntry::<u32>::EMPTY; 4], [AliasEntry::<u64>::EMPTY; 4]);
-        assert_eq!(Cdf::<&[u32]>::new_in(&weights, &mut narrow), Err(error));
-        assert_eq!(Cdf::<&[u64]>::new_in(&weights, &mut wide), Err(error));
-        assert_eq!(
-            Cdf::<heapless::Vec<u32, 4>>::from_slice(&weights),
-            Err(error)
-        );
-        assert_eq!(
-            Cdf::<heapless::Vec<u64, 4>>::from_slice(&weights),
-            Err(error)
-        );
-        assert_eq!(
-            Alias::<&[AliasEntry<u32>]>::new_in(&weights, &mut bins),
-            Err(error)
-        );
-        assert_eq!(
-            Alias::<&[AliasEntry<u64>]>::new_in(&weights, &mut wide_bins),
-            Err(error)
-        );
-        assert_eq!(
-            Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_slice(&weights),
-            Err(error)
-        );
-        assert_eq!(
-            Alias::<heapless::Vec<AliasEntry<u64>, 4>>::from_slice(&weights),
-            Err(error)
-        );
-        assert_eq!(select_once(&weights, 0).unwrap_err(), error);
+        let (mut narrow, mut wide) = ([5_u32; 4], [5_u64; 4]);
+        let mut bins = [AliasEntry::<u32>::EMPTY; 4];
+        let mut wide_bins = [AliasEntry::<u64>::EMPTY; 4];
+        let refused = [
+            Cdf::<&[u32]>::new_in(&weights, &mut narrow).err(),
+            Cdf::<&[u64]>::new_in(&weights, &mut wide).err(),
+            Cdf::<heapless::Vec<u32, 4>>::from_slice(&weights).err(),
+            Cdf::<heapless::Vec<u64, 4>>::from_slice(&weights).err(),
+            Alias::<&[AliasEntry<u32>]>::new_in(&weights, &mut bins).err(),
+            Alias::<&[AliasEntry<u64>]>::new_in(&weights, &mut wide_bins).err(),
+            Alias::<heapless::Vec<AliasEntry<u32>, 4>>::from_slice(&weights).err(),
+            Alias::<heapless::Vec<AliasEntry<u64>, 4>>::from_slice(&weights).err(),
+            select_once(&weights, 0).err(),
+        ];
+        assert_eq!(refused, [Some(error); 9]);
         assert_eq!((narrow, wide), ([5; 4], [5; 4]), "memory was touched");
     }
     assert_eq!(Cdf::new(&[1.0, nan]), Err(NotFiniteWeight(1)));

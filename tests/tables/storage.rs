@@ -87,6 +87,26 @@ fn every_storage_holds_the_words_of_the_array() {
             assert_eq!(vec.draw_index(&mut rng.clone()), $array.draw_index(&mut rng));
         };
     }
+    // The compiler makes tables, and memory that is lent keeps what is beyond them.
+    const FLASH: Cdf<[u32; 6]> = match Cdf::new(&WEIGHTS) {
+        Ok(table) => table,
+        Err(_) => panic!("refused"),
+    };
+    static WIDE: Alias<[AliasEntry<u64>; 8]> =
+        match Alias::<[AliasEntry<u64>; 8]>::from_integers_u64(&INTEGERS) {
+            Ok(table) => table,
+            Err(_) => panic!("refused"),
+        };
+    assert_eq!((size_of_val(&FLASH), size_of_val(&WIDE)), (24, 8 * 24 + 8));
+    assert_eq!(size_of::<AliasEntry<u32>>(), 12);
+    let mut memory = [7; 9];
+    let slice = Cdf::<&[u32]>::new_in(&WEIGHTS, &mut memory).unwrap();
+    assert_eq!(FLASH.view(), slice);
+    let again = Cdf::from_words(*slice.as_words().first_chunk::<6>().unwrap());
+    assert_eq!((again, &memory[6..]), (Ok(FLASH), &[7; 3][..]));
+    let mut memory = [AliasEntry::<u64>::EMPTY; 8];
+    let slice = Alias::<&[AliasEntry<u64>]>::from_integers_in(&INTEGERS, &mut memory).unwrap();
+    assert_eq!(WIDE.view(), slice);
     held!(u32, new, from_integers);
     held!(u64, new_u64, from_integers_u64);
     assert_eq!(
