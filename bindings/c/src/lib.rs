@@ -1,6 +1,6 @@
 //! The samplers of microwarp as C functions; `include/microwarp.h` declares and describes them.
 //!
-//! The warps come from the lists of `tests/golden`, one macro for all. The other samplers have a file each.
+//! The warps come from the lists of `crates/list`, one macro for all. The other samplers have a file each.
 //!
 //! # Safety
 //! The callers are C programs, and what they promise stands at the top of the header: a pointer is valid for what the

@@ -1,8 +1,8 @@
 //! Writes a table of weights as constants in C, laid out as the library would at run time: `table --help`.
 
+use core_crate::discrete::{Alias, AliasEntry, Cdf, PiecewiseConstant2d};
+use core_crate::poly::LatLongMap;
 use lexopt::prelude::*;
-use microwarp::discrete::{Alias, AliasEntry, Cdf, PiecewiseConstant2d};
-use microwarp::poly::LatLongMap;
 use std::fmt::Write;
 use std::process::ExitCode;
 
@@ -102,7 +102,7 @@ fn read(text: &str) -> Result<Vec<Vec<f32>>, String> {
     Ok(rows?.into_iter().filter(|row| !row.is_empty()).collect())
 }
 
-fn cdf(weights: &[f32], name: &str) -> Result<String, microwarp::Error> {
+fn cdf(weights: &[f32], name: &str) -> Result<String, core_crate::Error> {
     let mut words = vec![0; weights.len()];
     Cdf::<&[u32]>::new_in(weights, &mut words)?;
     let words = array(
@@ -115,7 +115,7 @@ fn cdf(weights: &[f32], name: &str) -> Result<String, microwarp::Error> {
     ))
 }
 
-fn alias(weights: &[f32], name: &str) -> Result<String, microwarp::Error> {
+fn alias(weights: &[f32], name: &str) -> Result<String, core_crate::Error> {
     let mut bins = vec![AliasEntry::EMPTY; weights.len().next_power_of_two()];
     Alias::<&[AliasEntry<u32>]>::new_in(weights, &mut bins)?;
     let bins = bins.iter().map(|bin| {
@@ -138,7 +138,7 @@ fn grid(
     shape: [usize; 2],
     name: &str,
     sky: bool,
-) -> Result<String, microwarp::Error> {
+) -> Result<String, core_crate::Error> {
     let [columns, rows] = shape;
     let (mut marginal, mut conditional) = (vec![0_u32; rows], vec![0_u32; weights.len()]);
     if sky {
