@@ -23,7 +23,7 @@ Regenerates what is derived from the sources, in this order:
     javascript bindings/js: warps.js, warps.d.ts, reasons.js, test/expected.json
     accuracy   docs/accuracy.md and benches/cores/hard.csv, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
-    sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/sizes/sizes.csv
+    sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/tests/sizes/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
     pages      the tables and figures between marks in README.md and other pages
     capi       bindings/c/include/microwarp.h, bindings/c/src/layout.rs

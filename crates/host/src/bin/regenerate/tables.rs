@@ -436,23 +436,38 @@ fn firmware() -> Outcome<String> {
     Ok(text)
 }
 
-/// Programs of one sampler in C beside the same in Rust, on both cores.
+/// Functions that draw in C beside those in Rust, and a whole program in C, on both cores.
 fn c() -> Outcome<String> {
     const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
-    let text = read("bindings/c/sizes/sizes.csv")?;
-    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
-    let figures = |program: &str, target: &str| {
-        let is = |line: &&Vec<&str>| line[0] == program && line.get(1) == Some(&target);
-        let line = lines.iter().find(is);
-        line.map(|line| [line[2].to_owned(), line[3].to_owned()])
-            .ok_or(format!("no {program} on {target} in sizes.csv"))
+    const IN_RUST: [(&str, &str); 6] = [
+        ("disk", "poly_disk_pcg32"),
+        ("exponential", "poly_exponential_1_pcg32"),
+        ("normal_pair", "poly_normal_pair_pcg32"),
+        ("phong_lobe", "poly_phong_lobe_50_pcg32"),
+        ("fixed_disk", "fine_disk_pcg32"),
+        ("fixed_exponential", "fine_exponential_20_pcg32"),
+    ];
+    let (c, rust) = (
+        read("bindings/c/tests/sizes/sizes.csv")?,
+        read(".ci/sizes.csv")?,
+    );
+    let figures = |table: &str, name: &str, target: &str| {
+        let named = format!("{name},{target},");
+        let mut lines = table.lines();
+        let found = lines.find_map(|line| line.strip_prefix(&named)?.split_once(','));
+        found
+            .map(|(first, second)| [first.to_owned(), second.to_owned()])
+            .ok_or(format!("no sizes of {name} on {target}"))
     };
     let mut text =
-        "| bytes of flash | M0: C | Rust | M4F: C | Rust |\n|---|--:|--:|--:|--:|\n".to_owned();
-    for line in lines.iter().filter(|line| line.get(1) == Some(&TARGETS[0])) {
-        let mut row = vec![format!("`mw_{}`", line[0])];
+        "| bytes of flash | M0: C | Rust | program | M4F: C | Rust | program |\n|---|--:|--:|--:|--:|--:|--:|\n"
+            .to_owned();
+    for (name, kernel) in IN_RUST {
+        let mut row = vec![format!("`mw_{name}_draw`")];
         for target in TARGETS {
-            row.extend(figures(line[0], target)?);
+            let [alone, program] = figures(&c, name, target)?;
+            let [in_rust, _] = figures(&rust, kernel, target)?;
+            row.extend([alone, in_rust, program]);
         }
         text += &rows(&[row]);
     }

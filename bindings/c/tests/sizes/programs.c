@@ -1,5 +1,5 @@
 /*
- * Programs of one sampler each, to be compared with the same in src/lib.rs.
+ * Programs of one sampler each, with its constructor and a generator.
  *
  * What a compiler could fold stands behind `volatile`: the seed, and parameters, which real programs
  * get from elsewhere. -DPROGRAM=NAME picks one.
