@@ -1,9 +1,15 @@
-//! The module of the npm package. What it exports is in `small`, compiled for size; the loops that fill arrays most often are
-//! in `hot`, compiled for speed. The panic handler calls an import; a module without reachable panics needs none, and
-//! the tests check that.
+//! What the module of the npm package exports: plain functions that take addresses and numbers.
+//!
+//! The JavaScript around it owns the memory: it writes what an export reads, and copies out what an export writes. What a
+//! caller gives passes through two buffers whose length is known here too. Nothing here keeps anything, so no object of
+//! JavaScript has anything to free.
 #![no_std]
-#![allow(unsafe_code, reason = "an import is declared")]
+#![allow(unsafe_code, reason = "the caller's memory is all there is")]
 
-use microwarp_js_small as _;
-
-microwarp_list::import_panic!();
+mod buffers;
+mod chains;
+mod flat;
+mod parts;
+mod tables;
+mod warps;
+mod words;
