@@ -242,7 +242,7 @@ fn rounded(samples: f64) -> String {
     groups.join(",")
 }
 
-/// Instructions of a path on a core, where `benches/cores` has counted them.
+/// Instructions of a path on a core, where `crates/cores` has counted them.
 fn instructions(scene: &str, kit: By, core: &str) -> String {
     let key = format!("{}_path_{scene},{core},3,", kit.name());
     let counted = host::COSTS.lines().find_map(|line| line.strip_prefix(&key));

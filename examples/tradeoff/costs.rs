@@ -1,4 +1,4 @@
-//! The costs of functions on other targets, as measured by `benches/cores`.
+//! The costs of functions on other targets, as measured by `crates/cores`.
 
 use host::{COSTS, CYCLES};
 use std::collections::BTreeMap;
@@ -59,12 +59,12 @@ fn columns<const N: usize>(head: &str, names: [&str; N]) -> Result<[usize; N], S
     let mut places = [0; N];
     for (place, name) in places.iter_mut().zip(names) {
         let found = head.iter().position(|title| *title == name);
-        *place = found.ok_or_else(|| format!("benches/cores: no column {name}"))?;
+        *place = found.ok_or_else(|| format!("crates/cores: no column {name}"))?;
     }
     Ok(places)
 }
 
-/// Reads `benches/cores/cycles.csv`.
+/// Reads `crates/cores/cycles.csv`.
 fn cycles(text: &str) -> Result<BTreeMap<(String, String), Cycles>, String> {
     let (head, rows) = text.split_once('\n').unwrap_or((text, ""));
     let names = ["function", "timing", "least", "high", "longest"];
@@ -81,7 +81,7 @@ fn cycles(text: &str) -> Result<BTreeMap<(String, String), Cycles>, String> {
         Some(((cell(0)?.into(), cell(1)?.into()), cycles))
     };
     let rows = rows.lines();
-    rows.map(|line| row(line).ok_or_else(|| format!("benches/cores/cycles.csv: {line}")))
+    rows.map(|line| row(line).ok_or_else(|| format!("crates/cores/cycles.csv: {line}")))
         .collect()
 }
 
@@ -104,7 +104,7 @@ impl Costs {
             let [Some(function), Some(core), Some(opt)] =
                 names.map(|i| cells.get(i).map(|c| (*c).to_owned()))
             else {
-                return Err(format!("benches/cores/costs.csv: {line}"));
+                return Err(format!("crates/cores/costs.csv: {line}"));
             };
             let line = Line {
                 instructions: number(instructions),

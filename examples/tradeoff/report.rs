@@ -135,7 +135,7 @@ pub fn costs(studies: &[Study], spread: f64) {
         "ns: on this host, with PCG32, one by one and into a slice of 1024. Of the cores: executed instructions (of WASM, \
          operators) at\nopt-level 3, the uniforms given and with PCG32; cycles with PCG32 by the manuals' tables at zero \
          wait states, the mean and the\nlongest seen; bytes of code and tables at opt-level s, of stack at 3; from \
-         benches/cores.\n{DASH}: not measured. Two normals: what gives one at a time is drawn twice. Half of all times lay within \
+         crates/cores.\n{DASH}: not measured. Two normals: what gives one at a time is drawn twice. Half of all times lay within \
          {:.0} % of each other.\n",
         100.0 * spread
     );

@@ -17,7 +17,7 @@ pub struct Name {
     pub family: &'static str,
     pub name: String,
     pub tier: &'static str,
-    /// In `benches/cores/costs.csv`.
+    /// In `crates/cores/costs.csv`.
     pub kernel: String,
 }
 

@@ -1,10 +1,10 @@
-//! What is hard for a warp, as `benches/cores` sweeps it for the longest time: the parameters that the registry lists, and
-//! the worst parameters and uniforms that searches have found, in `benches/cores/hard.csv`.
+//! What is hard for a warp, as `crates/cores` sweeps it for the longest time: the parameters that the registry lists, and
+//! the worst parameters and uniforms that searches have found, in `crates/cores/hard.csv`.
 
 use host::registry::{Registered, of_poly};
 use std::fmt::Write as _;
 
-const FILE: &str = "benches/cores/hard.csv";
+const FILE: &str = "crates/cores/hard.csv";
 
 const HEAD: &str = "\
 # Hard parameters and uniforms of a warp: warp; constructor; parameters; uniforms (words in hex).

@@ -113,12 +113,12 @@ fn no_package_depends_on_what_stands_in_tests_benches_or_examples() {
     let wrong =
         "a = { path = \"../golden\" }\nb = { package = \"c\", path = \"../../examples/d\" }";
     assert_eq!(
-        misplaced("tests/probe", wrong),
+        misplaced("tests/generators", wrong),
         ["tests/golden", "examples/d"]
     );
     assert!(
         misplaced(
-            "tests/probe",
+            "tests/generators",
             "path = \"../golden/main.rs\"\na = { path = \"../..\" }"
         )
         .is_empty()

@@ -40,7 +40,7 @@ pub fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
-/// What `benches/cores` has measured and recorded.
-pub const COSTS: &str = include_str!("../../../benches/cores/costs.csv");
+/// What `crates/cores` has measured and recorded.
+pub const COSTS: &str = include_str!("../../../crates/cores/costs.csv");
 /// Cycles by the tables of the manuals, and the longest that a call was seen to take.
-pub const CYCLES: &str = include_str!("../../../benches/cores/cycles.csv");
+pub const CYCLES: &str = include_str!("../../../crates/cores/cycles.csv");

@@ -1,6 +1,6 @@
 //! The warps of the integer tier, as far as they run on cores. A new warp is one block here.
 //!
-//! From these blocks come the golden subjects, the cost kernels of `benches/cores`, the probe without floating point,
+//! From these blocks come the golden subjects, the cost kernels of `crates/cores`, the probe without floating point,
 //! the subjects of the page and the C functions. A block reads like those of `warps.rs`, with these differences:
 //! - `G` is the grade.
 //! - `golden`: `v` makes a number of the bits of a word and `whole` one of 16 fraction bits.

@@ -60,7 +60,7 @@ pub struct Listed {
 }
 
 impl Listed {
-    /// The names of what takes parameters, whose kernels `benches/cores` sweeps with any of them.
+    /// The names of what takes parameters, whose kernels `crates/cores` sweeps with any of them.
     pub fn varied(&self) -> impl Iterator<Item = &'static str> {
         let alone = ["new()", "new ()"];
         let takes = move |made: &str| !alone.iter().any(|new| made.starts_with(new));

@@ -1,6 +1,6 @@
 //! The warps of the float tiers, as far as they run on cores. A new warp is one block here.
 //!
-//! From these blocks come the golden subjects, the cost kernels of `benches/cores`, the host benches, the subjects of the
+//! From these blocks come the golden subjects, the cost kernels of `crates/cores`, the host benches, the subjects of the
 //! page and the bindings for C and JavaScript. What only a host knows, the truths and the cases of the laws, stands in `crates/host`.
 //!
 //! A block has the name of the type and four parts. `T` is the tier.

@@ -91,7 +91,7 @@ fn rejection_samplers_take_a_point() {
 /// Two dimensions stay below what was asked for, and only more of them have a table.
 #[test]
 fn two_words_are_cheap_and_link_no_table() {
-    let rows = include_str!("../../../benches/cores/costs.csv").lines();
+    let rows = include_str!("../../../crates/cores/costs.csv").lines();
     let of = |kernel: &str, core: &str| {
         let name = format!("{kernel},{core},3,");
         let row = rows.clone().find_map(|row| row.strip_prefix(&name));

@@ -1,7 +1,7 @@
 //! Reads what was linked for firmware and WASM, and fails for what must not be there or has grown. No emulator.
 //!
 //! ```text
-//! linked probe DIRECTORY...             the programs of tests/probe, in the directory of each target
+//! linked probe DIRECTORY...             the programs of crates/cores, in the directory of each target
 //! linked sizes [--write] TARGET=COMPILER...    in target/sizes: see .ci/sizes
 //! linked constant [--write] TARGET...   in target/sizes: which functions execute the same for every input
 //! linked firmware [--write] COMPILER    in target/firmware: see examples/firmware/check

@@ -1,4 +1,4 @@
-//! The programs of tests/probe: what may not be linked into each, and what must be found in those that are wrong on
+//! The programs of crates/cores: what may not be linked into each, and what must be found in those that are wrong on
 //! purpose.
 
 use crate::forbidden::{self, Kind, Kind::*};

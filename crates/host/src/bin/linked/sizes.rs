@@ -1,7 +1,7 @@
 //! What functions and programs take in flash, compared with .ci/sizes.csv.
 //!
 //! .ci/sizes has linked into target/sizes, for each target: `TARGET/NAME`, every function alone, and the programs of
-//! tests/probe; `TARGET.two`, a program of two warps; `TARGET.grown`, `poly_disk` with another warp; and two modules.
+//! crates/cores; `TARGET.two`, a program of two warps; `TARGET.grown`, `poly_disk` with another warp; and two modules.
 
 use crate::image::Image;
 use crate::record::{self, Row, compare};
@@ -15,7 +15,7 @@ const TITLES: [&str; 2] = ["bytes", "symbols"];
 /// In percent.
 const TOLERANCE: u64 = 3;
 /// Another compiler makes other sizes: then only what has more than doubled fails. Of what a compiler decides, the most is
-/// the level of optimisation; between the two levels of benches/cores/costs.csv all functions differ by less than that
+/// the level of optimisation; between the two levels of crates/cores/costs.csv all functions differ by less than that
 /// (1.73 times at most), except one kernel (coarse_atan2_turns, 2.6 times). What brings in formatted panics or double
 /// precision more than doubles nearly every function here.
 const OF_ANOTHER: u64 = 100;

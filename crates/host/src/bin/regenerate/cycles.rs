@@ -1,4 +1,4 @@
-//! The tables of docs/worst_case.md, from benches/cores/cycles.csv.
+//! The tables of docs/worst_case.md, from crates/cores/cycles.csv.
 
 use crate::sources::{Sources, TIERS, grouped};
 use crate::tables::rows;
@@ -53,7 +53,7 @@ fn alone(all: &[Row]) -> Vec<&Row> {
 
 /// In the order of the file.
 pub fn all() -> Outcome<Vec<Row>> {
-    const FILE: &str = "benches/cores/cycles.csv";
+    const FILE: &str = "crates/cores/cycles.csv";
     let text = read(FILE)?;
     let row = |line: &str| {
         let cells: Vec<&str> = line.split(',').collect();

@@ -21,7 +21,7 @@ Regenerates what is derived from the sources, in this order:
 
     golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
     javascript bindings/js: warps.js, warps.d.ts, reasons.js, test/expected.json
-    accuracy   docs/accuracy.md and benches/cores/hard.csv, from `cargo test --test accuracy`
+    accuracy   docs/accuracy.md and crates/cores/hard.csv, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
     sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/tests/sizes/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
@@ -37,7 +37,7 @@ Regenerates what is derived from the sources, in this order:
     --golden TEXT   lines of a golden table whose case contains TEXT may change; prints the old and the new.
                     This breaks values: say so in the changelog and in the commit
     --worst         keeps the worst cases of an adversary's search as well: tests/*/worst.csv
-    --costs         counts instructions and cycles as well: benches/cores/costs.csv, cycles.csv; needs an emulator,
+    --costs         counts instructions and cycles as well: crates/cores/costs.csv, cycles.csv; needs an emulator,
                     and hours for all
     --kernel NAME   with --costs: only the kernels whose names match this regular expression
     --host          runs the benches as well: docs/measured/host.csv, peers.md, docs/tradeoff.png; wants a quiet
@@ -212,7 +212,7 @@ fn costs(args: &Args) -> Outcome {
     if args.check || !args.costs {
         return Ok(());
     }
-    let mut line = vec!["benches/cores/run"];
+    let mut line = vec!["crates/cores/run"];
     if !args.kernels.is_empty() {
         line.push("--update");
         line.extend(args.kernels.iter().map(String::as_str));

@@ -12,7 +12,7 @@ const CORES: [&str; 4] = ["m0", "m3", "m4f", "wasm"];
 pub struct Sources {
     /// Columns 4 and on of costs.csv, by kernel, core and level.
     costs: HashMap<String, Vec<String>>,
-    /// Instructions that no kernel of benches/cores counts, on an M4F and an M0.
+    /// Instructions that no kernel of crates/cores counts, on an M4F and an M0.
     counted: HashMap<String, Vec<String>>,
     /// Bytes and symbols, by function and target.
     sizes: HashMap<String, Vec<String>>,
@@ -96,7 +96,7 @@ impl Sources {
                 .map(|table| table.lines().map(cells).collect())
         };
         Ok(Self {
-            costs: by_keys("benches/cores/costs.csv", 3)?,
+            costs: by_keys("crates/cores/costs.csv", 3)?,
             counted: by_keys("docs/measured/cores.csv", 1)?,
             sizes: by_keys(".ci/sizes.csv", 2)?,
             host: by_keys("docs/measured/host.csv", 2)?,
@@ -219,10 +219,10 @@ pub const TIERS: [(&[Listed], &[&str]); 3] = [
 ];
 
 /// The names of the kernels: those of the warps in the lists for cores, each in its tiers and drawn, and the string
-/// literals with which lines of benches/cores begin.
+/// literals with which lines of crates/cores begin.
 fn kernels() -> BTreeSet<String> {
     let mut code = Vec::new();
-    all_code(&root().join("benches/cores/src/kernels"), &mut code);
+    all_code(&root().join("crates/cores/src/measured/kernels"), &mut code);
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     let mut names = BTreeSet::new();
     for (warps, tiers) in TIERS {
@@ -283,7 +283,7 @@ pub fn tidy() -> Outcome {
     }
     wrong.extend(crate::cycles::tidy(&sources, &kernels)?);
     if kernels.is_empty() {
-        wrong.push("no kernel is found in benches/cores/src/kernels".into());
+        wrong.push("no kernel is found in crates/cores/src/measured/kernels".into());
     }
     if wrong.is_empty() {
         println!("tidy: {} kernels, all counted", kernels.len());

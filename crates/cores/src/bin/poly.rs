@@ -1,0 +1,19 @@
+//! Every public function, in the `poly` tier alone: no f64 routine may be linked.
+#![no_std]
+#![no_main]
+
+use microwarp::tier::Poly;
+use microwarp_cores::run;
+
+/// The name that the check looks for, so that it knows it has read the right file.
+#[unsafe(no_mangle)]
+#[inline(never)]
+fn microwarp_evaluate_poly(index: usize, words: &mut [u32; 16]) -> usize {
+    microwarp_list::evaluate_of::<Poly>(index, words)
+}
+
+#[unsafe(no_mangle)]
+#[inline(never)]
+extern "C" fn probe_main() {
+    run(microwarp_list::cases(), microwarp_evaluate_poly);
+}

@@ -1,0 +1,40 @@
+//! Steps of a chain that lies in memory, with the generator, over a target of a few multiplications.
+
+use crate::measured::registry::{kernels, loaded, made};
+use microwarp::Error;
+use microwarp::metropolis::{Chain, LargeSmall, LogUniformStep, Mixture, UniformStep, WrappedWalk};
+use microwarp::tier::{Libm, Poly, Tier};
+use rand_pcg::Pcg32;
+
+type Point = [f32; 2];
+type LargeAndSmall<T> = (Chain<Point>, LargeSmall<WrappedWalk<LogUniformStep<T>>>);
+
+fn slopes([x, y]: Point) -> f32 {
+    (0.5 + x) * (0.5 + y)
+}
+
+fn large_and_small<T: Tier>() -> Result<LargeAndSmall<T>, Error> {
+    let small = LogUniformStep::new(1.0 / 1024.0, 1.0 / 64.0)?;
+    Ok((
+        Chain::new([0.5; 2], slopes)?,
+        Mixture::large_small(0.3, WrappedWalk::new(small))?,
+    ))
+}
+
+fn uniform() -> Result<Chain<Point>, Error> {
+    Chain::new([0.5; 2], slopes)
+}
+
+#[inline(always)]
+fn step<T: Tier>((chain, mutation): &mut LargeAndSmall<T>, rng: &mut Pcg32) -> Point {
+    chain.step(slopes, mutation, rng).state()
+}
+
+kernels! {
+    "chain_uniform_2_pcg32" (rng) -> [f32; 2] =
+        loaded(uniform).step(slopes, &UniformStep::new(), rng).state(), made(uniform);
+    "poly_chain_large_small_2_pcg32" (rng) -> [f32; 2] =
+        step(loaded(large_and_small::<Poly>), rng), made(large_and_small::<Poly>);
+    "libm_chain_large_small_2_pcg32" (rng) -> [f32; 2] =
+        step(loaded(large_and_small::<Libm>), rng), made(large_and_small::<Libm>);
+}

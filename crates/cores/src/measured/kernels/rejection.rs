@@ -1,0 +1,29 @@
+//! Rejection, with its generator.
+
+use crate::measured::registry::{kernels, loaded, made};
+use fixed::types::I2F30;
+use microwarp::rejection::{
+    BallRejection, DiskRejection, Rejection, ZigguratStandardExponential, ZigguratStandardNormal,
+};
+use microwarp::{Error, fixed as integer, poly};
+
+fn poisson<const MEAN: u32>() -> Result<poly::PoissonRejection, Error> {
+    poly::PoissonRejection::new(MEAN as f32)
+}
+
+kernels! {
+    "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
+    "rejection_ball_pcg32" (rng) -> [f32; 3] = BallRejection::new().draw(rng).map_or([0.0; 3], |accepted| accepted.point);
+    "fixed_rejection_disk_pcg32" (rng) -> [I2F30; 2] =
+        integer::DiskRejection::new().draw(rng).map_or([I2F30::ZERO; 2], |accepted| accepted.point);
+    "fixed_rejection_disk_16_pcg32" (rng) -> [I2F30; 2] =
+        integer::DiskRejection16::new().draw(rng).map_or([I2F30::ZERO; 2], |accepted| accepted.point);
+    "rejection_ziggurat_standard_normal_pcg32" (rng) -> f32 =
+        ZigguratStandardNormal::new().draw(rng).map_or(0.0, |accepted| accepted.point);
+    "rejection_ziggurat_standard_exponential_pcg32" (rng) -> f32 =
+        ZigguratStandardExponential::new().draw(rng).map_or(0.0, |accepted| accepted.point);
+    "poly_poisson_rejection_100_pcg32" (rng) -> u32 =
+        loaded(poisson::<100>).draw(rng).map_or(0, |accepted| accepted.point), made(poisson::<100>);
+    "poly_poisson_rejection_65536_pcg32" (rng) -> u32 =
+        loaded(poisson::<65536>).draw(rng).map_or(0, |accepted| accepted.point), made(poisson::<65536>);
+}
