@@ -1,7 +1,7 @@
 //! The published maps of renderers have the distributions of our warps, so that the benches compare like with like.
 
+use host::peers::renderer::{self, Weighed};
 use microwarp::{Warp, poly as mw};
-use microwarp_host::peers::renderer::{self, Weighed};
 
 /// Cells of a grid of uniforms, in each direction.
 const CELLS: u16 = 128;

@@ -2,7 +2,7 @@
 //!
 //! How accurate they are is not promised here: `examples/tradeoff` measures it.
 
-use microwarp_host::peers::{drawn, micro, rejecting, textbook};
+use host::peers::{drawn, micro, rejecting, textbook};
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
 

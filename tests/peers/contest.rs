@@ -1,6 +1,6 @@
 //! The benches' stopwatch itself: orders, quartiles, and that it tells slow from fast.
 
-use microwarp_host::contest::{Contest, Quartiles, Standings, order};
+use host::contest::{Contest, Quartiles, Standings, order};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -167,7 +167,7 @@ fn points_that_are_drawn_differ_from_block_to_block() {
         word
     });
     contest.run(2, || ());
-    let mut rng = microwarp_host::contest::generator();
+    let mut rng = host::contest::generator();
     let words: Vec<u32> = (0..2 * 3 * 4).map(|_| rng.next_u32()).collect();
     assert_eq!(*seen.borrow(), words);
 }
