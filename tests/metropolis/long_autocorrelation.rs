@@ -91,7 +91,7 @@ fn plain_sums_do_not_keep_the_stated_error() {
     let mut rng = Pcg32::new(0x10e9, 54);
     let (mut sums, mut x) = (Sums::default(), 0.0_f64);
     let [mut sum, mut squares, mut products, mut before] = [0.0_f32; 4];
-    let n = 20_000_000;
+    let n = speed::of("numbers of the control", 5_000_000, 20_000_000);
     for i in 0..n {
         x = 0.7 * x + f64::from(rng.next_u32()) * 2f64.powi(-32) - 0.5;
         let number = (3.0 + 2.5 * x) as f32;

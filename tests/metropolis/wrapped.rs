@@ -62,7 +62,7 @@ fn every_distance_has_the_words_of_its_negative() {
         }
     }
     // The same counts see a sum in f32 that rounds.
-    for law in laws().into_iter().take(4) {
+    for law in laws().into_iter().take(2) {
         let rounding = |x, s| (x + s) - f32::floor(x + s);
         let naive = uneven(&law, stride, rounding);
         println!(

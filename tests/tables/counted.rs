@@ -144,10 +144,14 @@ fn check_wide(what: &str, weights: &[f32], exact: &Exact, memory: &mut [u64], on
 fn every_entry_has_its_share_of_the_words() {
     let (mut narrow, mut wide) = (vec![0; 1 << 20], vec![0; 1 << 20]);
     let mut refused = Vec::new();
-    let one_by_one = speed::of("largest table counted over the whole grid", 6, 1000);
+    let grid = speed::of(
+        "sizes of tables counted over the whole grid",
+        5..=5,
+        5..=1000,
+    );
     for (what, weights) in cases() {
         let exact = Exact::of(&weights);
-        let few = (5..=one_by_one).contains(&weights.len());
+        let few = grid.contains(&weights.len());
         if !check_narrow(what, &weights, &exact, &mut narrow, few) {
             refused.push(what);
         }

@@ -1,6 +1,7 @@
 //! Resampling: counts against exact fractions, over every offset where there are few, and their means.
 
 use host::generators::{Broken, Counting, Cycle, Failing};
+use host::speed;
 use microwarp::Error;
 use microwarp::discrete::MAX_ENTRIES;
 use microwarp::discrete::resampling::*;
@@ -148,7 +149,11 @@ fn stratified_counts_have_the_right_mean() {
 #[test]
 fn the_largest_sums_do_not_overflow() {
     let mut weights = vec![u32::MAX; MAX_ENTRIES];
-    for word in [0, 1 << 31, u32::MAX] {
+    for &word in speed::of(
+        "words of the largest sums",
+        &[u32::MAX][..],
+        &[0, 1 << 31, u32::MAX],
+    ) {
         for (_, scheme) in SCHEMES {
             weights.fill(u32::MAX);
             assert_eq!(scheme(&mut weights, MAX_ENTRIES as u32, word), Ok(()));
