@@ -49,6 +49,16 @@ fn scaled(significand: f32, exponent: i32) -> f32 {
     (f64::from(significand) * 2_f64.powi(exponent)) as f32
 }
 
+/// A number up to 2¹⁹ steps away.
+pub fn nudged(x: f32, rng: &mut Pcg32) -> f32 {
+    let by = 1_u32 << (rng.next_u32() % 20);
+    let bits = x.to_bits();
+    f32::from_bits(match rng.next_u32() % 2 {
+        0 => bits + by,
+        _ => bits - by,
+    })
+}
+
 fn between(rng: &mut Pcg32, low: i32, high: i32) -> i32 {
     low + (rng.next_u32() % (high - low + 1) as u32) as i32
 }
@@ -131,13 +141,7 @@ fn an_acceptance_with_a_ratio_is_within_2_and_a_half_ulp() {
         for _ in 0..500 {
             let mut next = best;
             let which = rng.next_u32() as usize % 4;
-            let by = 1_u32 << (rng.next_u32() % 20);
-            let bits = next[which].to_bits();
-            next[which] = f32::from_bits(if rng.next_u32() % 2 == 0 {
-                bits + by
-            } else {
-                bits - by
-            });
+            next[which] = nudged(next[which], &mut rng);
             let off = try_one(next);
             if off >= most {
                 (most, best) = (off, next);

@@ -1,5 +1,6 @@
 //! Products: each part as its own mutation proposes it, and the acceptance of all parts together, by exact numbers of words.
 
+use crate::acceptance::nudged;
 use crate::exact::Fraction;
 use crate::own::given;
 use host::generators::Cycle;
@@ -280,13 +281,7 @@ fn worst<const N: usize>(climbs: u32) -> f64 {
             let k = rng.next_u32() as usize % (2 * N + 2);
             let place = other.iter_mut().chain(moved.as_flattened_mut()).nth(k);
             let place = place.unwrap();
-            let by = 1_u32 << (rng.next_u32() % 20);
-            let bits = place.to_bits();
-            *place = f32::from_bits(if rng.next_u32() & 1 == 0 {
-                bits + by
-            } else {
-                bits - by
-            });
+            *place = nudged(*place, &mut rng);
             let off = ulps(other, moved);
             if off >= most {
                 (most, weights, parts) = (off, other, moved);

@@ -92,17 +92,6 @@ impl Table {
     fn plain(&self) -> Vec<f64> {
         self.p_values(TRUE, &self.plain, self.started)
     }
-
-    /// The bias in percent of the truth, of the share on the greater hump.
-    fn biases(&self, weighted: bool) -> String {
-        let (sums, count, exact) = if weighted {
-            (&self.weighted, self.runs, TRUE[0] * INTEGRAL)
-        } else {
-            (&self.plain, self.started, TRUE[0])
-        };
-        let bias = |s: &[Sums; 2]| 100.0 * (s[0].mean(count) / exact - 1.0);
-        sums.iter().map(|s| format!("{:8.2}", bias(s))).collect()
-    }
 }
 
 /// Runs of chains that `start` finds, each with its weight.
@@ -158,20 +147,10 @@ fn resampled() -> &'static [Table; 4] {
     })
 }
 
-/// Printed as the head of each table.
-fn head() -> String {
-    LENGTHS.map(|k| format!("{k:8}")).concat()
-}
-
 #[test]
 fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
-    println!("bias in %, k =              {}", head());
-    let tables = [0, 10, 100, 2000].map(|steps| (steps, badly_started(steps)));
-    for (steps, table) in &tables {
-        println!("bad start, burn-in {steps:4}     {}", table.biases(false));
-    }
     let at = |table: &Table, row: usize| table.plain()[2 * row..2 * row + 2].to_vec();
-    let [bad, short, longer, long] = tables.map(|(_, table)| table);
+    let [bad, short, longer, long] = [0, 10, 100, 2000].map(badly_started);
     let runs = bad.runs;
     // The bias is still there after 100 steps. (Before the first all states are the same: no spread to judge by.)
     for row in 1..8 {
@@ -192,11 +171,6 @@ fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
 
 #[test]
 fn a_weighted_start_is_unbiased_after_any_number_of_steps() {
-    println!("bias in %, k =              {}", head());
-    for (count, table) in CANDIDATES.into_iter().zip(resampled()) {
-        println!("{count:2} candidates, weighted     {}", table.biases(true));
-        println!("{count:2} candidates, not weighted {}", table.biases(false));
-    }
     for (count, table) in CANDIDATES.into_iter().zip(resampled()) {
         assert_passes(&format!("{count} candidates"), &table.weighted());
         let mean = table.weights.mean(table.runs);

@@ -17,52 +17,32 @@ fn drawing_uses_every_bit_of_its_words() {
         // Two for the share, which is kept below 1 and whose cell may reach from one end to the other, and the
         // rounding of the sum.
         let tolerance = 2.5 * step_below(case.larger()) + 1e-45;
-        let mut last = [f32::NEG_INFINITY; 2];
-        for j in (0..count).filter(|j| case.weights[*j] > 0) {
-            let words = narrow.cdf().words_of(j).unwrap();
-            let (first, end) = (*words.start(), *words.end());
-            let numerator = narrow.cdf().numerator(j) as f64;
-            for word in [
-                first,
-                first + (end - first) / 3,
-                end - (end - first) / 5,
-                end,
-            ] {
-                let x = draw(&narrow, &[word]);
-                let exact = place(j, f64::from(word - first) / numerator);
-                assert!(
-                    (f64::from(x) - exact).abs() <= tolerance,
-                    "{word}: {x:e} for {exact:e}"
-                );
-                assert!(x >= last[0] && narrow.cell(x) == j);
-                last[0] = x;
-                // On the grid of uniforms, drawing is sampling.
-                let coarse = word & !0xff;
-                let drawn = draw(&narrow, &[coarse]);
-                assert_eq!(drawn, narrow.sample(grid_from_word(coarse)));
-            }
-            let words = wide.cdf().words_of(j).unwrap();
-            let (first, end) = (*words.start(), *words.end());
-            let numerator = wide.cdf().numerator(j) as f64;
-            for word in [
-                first,
-                first + (end - first) / 3,
-                end - (end - first) / 5,
-                end,
-            ] {
-                let x = draw(&wide, &halves(word));
-                let exact = place(j, (word - first) as f64 / numerator);
-                assert!(
-                    (f64::from(x) - exact).abs() <= tolerance,
-                    "{word}: {x:e} for {exact:e}"
-                );
-                assert!(x >= last[1] && wide.cell(x) == j);
-                last[1] = x;
-                let high = (word >> 32) as u32 & !0xff;
-                let drawn = draw(&wide, &[high, 0]);
-                assert_eq!(drawn, wide.sample(grid_from_word(high)));
-            }
+        macro_rules! in_each_cell {
+            ($table:ident, $split:expr, $coarse:expr) => {
+                let mut last = f32::NEG_INFINITY;
+                for j in (0..count).filter(|j| case.weights[*j] > 0) {
+                    let words = $table.cdf().words_of(j).unwrap();
+                    let (first, end) = (*words.start(), *words.end());
+                    let numerator = $table.cdf().numerator(j) as f64;
+                    let third = first + (end - first) / 3;
+                    for word in [first, third, end - (end - first) / 5, end] {
+                        let x = draw(&$table, &$split(word));
+                        let exact = place(j, (word - first) as f64 / numerator);
+                        let off = (f64::from(x) - exact).abs();
+                        assert!(off <= tolerance, "{word}: {x:e} for {exact:e}");
+                        assert!(x >= last && $table.cell(x) == j);
+                        last = x;
+                        // On the grid of uniforms, drawing is sampling.
+                        let coarse: u32 = $coarse(word) & !0xff;
+                        let mut words = $split(0);
+                        words[0] = coarse;
+                        assert_eq!(draw(&$table, &words), $table.sample(grid_from_word(coarse)));
+                    }
+                }
+            };
         }
+        in_each_cell!(narrow, |word: u32| [word], |word: u32| word);
+        in_each_cell!(wide, halves, |word: u64| (word >> 32) as u32);
     }
 }
 
