@@ -244,9 +244,9 @@ fn rounded(samples: f64) -> String {
 
 /// Instructions of a path on a core, where `crates/cores` has counted them.
 fn instructions(scene: &str, kit: By, core: &str) -> String {
-    let key = format!("{}_path_{scene},{core},3,", kit.name());
-    let counted = host::COSTS.lines().find_map(|line| line.strip_prefix(&key));
-    let number = counted.and_then(|rest| rest.split(',').next()?.parse::<f64>().ok());
+    let counts = host::counts::Counts::read().ok();
+    let kernel = format!("{}_path_{scene}", kit.name());
+    let number = counts.and_then(|counts| counts.number(&kernel, core, "instructions"));
     number.map_or_else(|| "-".into(), |n| format!("{n:.0}"))
 }
 

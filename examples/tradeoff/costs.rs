@@ -1,7 +1,6 @@
 //! The costs of functions on other targets, as measured by `crates/cores`.
 
-use host::{COSTS, CYCLES};
-use std::collections::BTreeMap;
+use host::counts::Counts;
 
 /// The cores, by their names in the measurements and in print.
 pub const CORES: [(&str, &str); 3] = [("m0", "Cortex-M0"), ("m4f", "Cortex-M4F"), ("wasm", "WASM")];
@@ -40,96 +39,29 @@ impl Cost {
     }
 }
 
-/// One line of measurements: instructions, stack, and code with tables.
-#[derive(Clone, Copy)]
-struct Line {
-    instructions: Option<f64>,
-    stack: Option<f64>,
-    flash: Option<f64>,
-}
-
-pub struct Costs {
-    lines: BTreeMap<(String, String, String), Line>,
-    cycles: BTreeMap<(String, String), Cycles>,
-}
-
-/// The columns of a table that has names at its head.
-fn columns<const N: usize>(head: &str, names: [&str; N]) -> Result<[usize; N], String> {
-    let head: Vec<&str> = head.split(',').collect();
-    let mut places = [0; N];
-    for (place, name) in places.iter_mut().zip(names) {
-        let found = head.iter().position(|title| *title == name);
-        *place = found.ok_or_else(|| format!("crates/cores: no column {name}"))?;
-    }
-    Ok(places)
-}
-
-/// Reads `crates/cores/cycles.csv`.
-fn cycles(text: &str) -> Result<BTreeMap<(String, String), Cycles>, String> {
-    let (head, rows) = text.split_once('\n').unwrap_or((text, ""));
-    let names = ["function", "timing", "least", "high", "longest"];
-    let places = columns(head, names)?;
-    let row = |line: &str| {
-        let cells: Vec<&str> = line.split(',').collect();
-        let cell = |i: usize| cells.get(places[i]).copied();
-        let number = |i| cell(i)?.parse().ok();
-        let cycles = Cycles {
-            least: number(2)?,
-            mean: number(3)?,
-            longest: number(4)?,
-        };
-        Some(((cell(0)?.into(), cell(1)?.into()), cycles))
-    };
-    let rows = rows.lines();
-    rows.map(|line| row(line).ok_or_else(|| format!("crates/cores/cycles.csv: {line}")))
-        .collect()
-}
+pub struct Costs(Counts);
 
 impl Costs {
     pub fn checked_in() -> Result<Self, String> {
-        Self::read(COSTS, CYCLES)
-    }
-
-    /// Reads lines of `function,core,opt,instructions,stack,code,tables`, by the names at their head, and those of cycles.
-    pub fn read(text: &str, of_cycles: &str) -> Result<Self, String> {
-        let mut lines = text.lines();
-        let head = lines.next().unwrap_or("");
-        let names = columns(head, ["function", "core", "opt"])?;
-        let [instructions, stack, code, tables] =
-            columns(head, ["instructions", "stack", "code", "tables"])?;
-        let mut costs = BTreeMap::new();
-        for line in lines {
-            let cells: Vec<&str> = line.split(',').collect();
-            let number = |i: usize| cells.get(i).and_then(|cell| cell.parse::<f64>().ok());
-            let [Some(function), Some(core), Some(opt)] =
-                names.map(|i| cells.get(i).map(|c| (*c).to_owned()))
-            else {
-                return Err(format!("crates/cores/costs.csv: {line}"));
-            };
-            let line = Line {
-                instructions: number(instructions),
-                stack: number(stack),
-                flash: number(code)
-                    .zip(number(tables))
-                    .map(|(code, tables)| code + tables),
-            };
-            costs.insert((function, core, opt), line);
-        }
-        Ok(Self {
-            lines: costs,
-            cycles: cycles(of_cycles)?,
-        })
+        Counts::read().map(Self)
     }
 
     /// What belongs to no tier, as a table does, is counted without the name of one.
-    fn line(&self, function: &str, core: &str, opt: &str) -> Option<&Line> {
-        let counted = |name: &str| self.lines.get(&(name.into(), core.into(), opt.into()));
+    fn number(&self, function: &str, core: &str, column: &str) -> Option<f64> {
+        let counted = |name: &str| self.0.number(name, core, column);
         counted(function).or_else(|| counted(function.split_once('_')?.1))
     }
 
     /// The inputs of a warp are swept where they are given, and the generator takes what a mean is longer with it.
     fn cycles(&self, function: &str, core: &str, calls: f64) -> Option<Cycles> {
-        let of = |name: &str| self.cycles.get(&(name.into(), core.into()));
+        let of = |name: &str| {
+            let number = |column| self.0.number(name, core, column);
+            Some(Cycles {
+                least: number("least")?,
+                mean: number("cycles_high")?,
+                longest: number("longest")?,
+            })
+        };
         let plain = |name: &str| {
             let drawn = of(&format!("{name}_pcg32"))?;
             let given = of(name).unwrap_or(drawn);
@@ -146,19 +78,20 @@ impl Costs {
     /// The cost of a sample, which takes so many calls of a function.
     pub fn of(&self, function: &str, core: &str, calls: f64) -> Cost {
         let with = format!("{function}_pcg32");
-        let instructions = |name| {
-            self.line(name, core, "3")
-                .and_then(|line| line.instructions)
+        let either = |column| {
+            let names = [function, &with].into_iter();
+            names
+                .filter_map(|name| self.number(name, core, column))
+                .next()
         };
-        let either = |opt, of: fn(&Line) -> Option<f64>| {
-            let lines = [self.line(function, core, opt), self.line(&with, core, opt)];
-            lines.into_iter().flatten().find_map(of)
-        };
+        let code = || Some(either("code_s")? + either("tables")?);
         Cost {
-            given: instructions(function).map(|n| n * calls),
-            drawn: instructions(&with).map(|n| n * calls),
-            flash: either("s", |line| line.flash),
-            stack: either("3", |line| line.stack),
+            given: self
+                .number(function, core, "instructions")
+                .map(|n| n * calls),
+            drawn: self.number(&with, core, "instructions").map(|n| n * calls),
+            flash: either("flash_s").or_else(code),
+            stack: either("stack"),
             cycles: self.cycles(function, core, calls),
         }
     }

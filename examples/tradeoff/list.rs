@@ -56,7 +56,7 @@ fn missing(listed: &[Entry], left: &[Entry]) -> Vec<String> {
 
 #[rustfmt::skip] // one line a sampler
 fn integers<G: Grade>(rows: &mut Vec<Row>) -> Result<(), Error> {
-    // Family, name, name in costs.csv, the warp, and what is exact.
+    // Family, name, name in counts.csv, the warp, and what is exact.
     macro_rules! list {
         ($($family:ident, $name:literal, $kernel:literal => $warp:expr, $truth:expr;)*) => {$({
             let truth: Box<dyn Truth> = $truth;

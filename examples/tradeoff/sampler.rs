@@ -208,7 +208,7 @@ pub struct Sampler {
     pub fill: Fill,
     /// Draws a point and the density that is reported there, where a map does not tell.
     pub judged: Option<Judged>,
-    /// What it is called in `crates/cores/costs.csv`, and how many calls are a sample.
+    /// What it is called in `docs/measured/counts.csv`, and how many calls are a sample.
     pub kernel: String,
     pub calls: f64,
     /// What the registry knows of it.

@@ -17,7 +17,7 @@ pub struct Name {
     pub family: &'static str,
     pub name: String,
     pub tier: &'static str,
-    /// In `crates/cores/costs.csv`.
+    /// In `docs/measured/counts.csv`.
     pub kernel: String,
 }
 

@@ -41,12 +41,7 @@ use core::marker::PhantomData;
 /// | round trip | 5.2e-7 | 6.5e-5 | 1.8e-7 | found |
 ///
 /// # Cost
-/// <!-- generated: cost fixed Bilinear -->
-/// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `fine`: 1,881 on a Cortex-M0 (928 bytes), 1,184 on a Cortex-M3.
-/// - `coarse`: 1,867 on a Cortex-M0 (916 bytes), 1,176 on a Cortex-M3.
-/// - `compact`: 1,951 on a Cortex-M0 (1,012 bytes), 1,224 on a Cortex-M3.
-/// <!-- end -->
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Bilinear -->1,881 instructions on an M0, 1,184 on an M3, and 928 bytes<!-- -->.
 ///
 /// # Examples
 /// ```

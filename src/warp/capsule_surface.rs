@@ -41,11 +41,7 @@ use core::marker::PhantomData;
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.6e-7, absolutely.
 ///
 /// # Cost
-/// <!-- generated: cost CapsuleSurface -->
-/// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 121 on a Cortex-M4F (732 bytes), 4,623 on a Cortex-M0, 209 as WASM.
-/// - `libm`: 2,225 on a Cortex-M4F (7,104 bytes), 8,933 on a Cortex-M0, 254 as WASM.
-/// <!-- end -->
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost CapsuleSurface -->121 instructions on an M4F, 4,623 on an M0, and 732 bytes<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -46,11 +46,7 @@ use core::marker::PhantomData;
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 3.4e-7, absolutely.
 ///
 /// # Cost
-/// <!-- generated: cost FrustumSurface -->
-/// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 141 on a Cortex-M4F (764 bytes), 5,551 on a Cortex-M0, 243 as WASM.
-/// - `libm`: 2,249 on a Cortex-M4F (7,176 bytes), 9,867 on a Cortex-M0, 288 as WASM.
-/// <!-- end -->
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost FrustumSurface -->141 instructions on an M4F, 5,551 on an M0, and 764 bytes<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -177,11 +177,7 @@ impl<T: Tier> Spherical<T> {
 /// and 1 + cos θ₀.
 ///
 /// # Cost
-/// <!-- generated: cost SphericalPatch -->
-/// Instructions of a draw, PCG32 included, and bytes of flash:
-/// - `poly`: 108 on a Cortex-M4F (500 bytes), 5,506 on a Cortex-M0, 206 as WASM.
-/// - `libm`: 2,219 on a Cortex-M4F (6,816 bytes), 9,822 on a Cortex-M0, 251 as WASM.
-/// <!-- end -->
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost SphericalPatch -->108 instructions on an M4F, 5,506 on an M0, and 500 bytes<!-- -->.
 ///
 /// # Examples
 /// ```

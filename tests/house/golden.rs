@@ -191,7 +191,7 @@ fn nothing_public_is_without_golden_bits() {
 
 #[test]
 fn no_warp_is_without_a_cost_kernel() {
-    let sizes = read(".ci/sizes.csv");
+    let sizes = read(host::counts::FILE);
     let lists: [(&[Listed], &[&str]); 3] = [
         (FLOAT_WARPS, &["poly_", "libm_"]),
         (GRADED_WARPS, &["fine_", "coarse_", "compact_"]),

@@ -3,7 +3,7 @@
 //! - What there is and what it should do: `registry`, `truth`, `twin` of the path tracer, and `peers`, the formulas of others.
 //! - What is stated: `docs` reads, holds and writes the figures of the documentation.
 //! - What is measured: `errors` of numbers, `figures` of a warp, `moved` points, the `adversary` that searches for the worst; `stats`,
-//!   `mean` of samples; `contest` and `bench` of times.
+//!   `mean` of samples; `contest` and `bench` of times; `counts`, what was counted on cores.
 //! - What it is fed with: `generators`, and `words` of the integer tier.
 //! - How it runs and shows: `parallel`, `progress`, `cli`, `table`, `draw`.
 //! - What keeps the repository: `upkeep`, with the programs `regenerate`, `linked` and `capi`.
@@ -14,6 +14,7 @@ pub mod adversary;
 pub mod bench;
 pub mod cli;
 pub mod contest;
+pub mod counts;
 pub mod docs;
 pub mod draw;
 pub mod errors;
@@ -39,8 +40,3 @@ use std::path::PathBuf;
 pub fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
-
-/// What `crates/cores` has measured and recorded.
-pub const COSTS: &str = include_str!("../../../crates/cores/costs.csv");
-/// Cycles by the tables of the manuals, and the longest that a call was seen to take.
-pub const CYCLES: &str = include_str!("../../../crates/cores/cycles.csv");

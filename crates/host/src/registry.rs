@@ -186,7 +186,7 @@ pub enum Ends {
 pub struct Trade {
     /// The heading.
     pub family: &'static str,
-    /// Its name in `crates/cores/costs.csv`, without the tier.
+    /// Its name in `docs/measured/counts.csv`, without the tier.
     pub kernel: &'static str,
     /// How many calls a sample of the family takes.
     pub calls: f64,

@@ -91,14 +91,9 @@ fn rejection_samplers_take_a_point() {
 /// Two dimensions stay below what was asked for, and only more of them have a table.
 #[test]
 fn two_words_are_cheap_and_link_no_table() {
-    let rows = include_str!("../../../crates/cores/costs.csv").lines();
+    let counts = host::counts::Counts::read().unwrap();
     let of = |kernel: &str, core: &str| {
-        let name = format!("{kernel},{core},3,");
-        let row = rows.clone().find_map(|row| row.strip_prefix(&name));
-        let row = row.unwrap_or_else(|| panic!("{name} is not counted"));
-        let figures = row.split(',').map(|figure| figure.parse::<f64>().unwrap());
-        let figures: Vec<f64> = figures.collect();
-        [figures[0], figures[3]]
+        ["instructions", "tables"].map(|column| counts.figure(kernel, core, column).unwrap())
     };
     for (core, most) in [("m0", 100.0), ("m4f", 50.0)] {
         let ([sobol, tables], [recurrence, none]) =

@@ -24,7 +24,7 @@ pub struct Entry {
     pub outputs: usize,
     /// Runs once before all calls.
     pub prepare: fn(),
-    /// Its warp, as `hard.csv` calls it; nothing where it is no warp.
+    /// Its warp, as the list of what is hard calls it; nothing where it is no warp.
     #[cfg_attr(not(sweep), allow(dead_code, reason = "a sweep asks for it"))]
     pub warp: &'static str,
     /// How its warp is made of other parameters.

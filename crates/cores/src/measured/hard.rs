@@ -1,7 +1,7 @@
 //! Parameters and uniforms that are hard for a warp: those that the registry of the tests lists, and the worst that their
-//! adversary has found. `hard.csv` is written by `MICROWARP_WRITE=1 cargo test --test accuracy hard`.
+//! adversary has found. `run` has `cargo test --test accuracy hard` write them before a sweep.
 
-const TEXT: &str = include_str!("../../hard.csv");
+const TEXT: &str = include_str!(env!("CORES_HARD"));
 
 /// One line. Parameters are there where the constructor is named, uniforms where the adversary found some.
 pub struct Line {

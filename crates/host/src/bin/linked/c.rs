@@ -1,19 +1,20 @@
 //! What C programs link: bindings/c/tests/sizes/link and examples/firmware-c/check have put them under target/c.
 //!
 //! Nothing that a small core lacks is brought in; a function that draws costs no more than its counterpart in Rust, as
-//! .ci/sizes.csv has it; and programs of one sampler are as bindings/c/tests/sizes/sizes.csv says.
+//! docs/measured/counts.csv has it; and programs of one sampler are as bindings/c/tests/sizes/sizes.csv says.
 
 use crate::forbidden::{self, Kind, Kind::*};
 use crate::image::Image;
 use crate::must_fail;
 use crate::record::{self, Row, compare};
+use crate::sizes::recorded;
+use microwarp_host::counts::{Counts, FILE as OF_RUST};
 use microwarp_host::upkeep::{Outcome, read, write};
 use regex_lite::Regex;
 use std::fs;
 use std::path::Path;
 
 const RECORD: &str = "bindings/c/tests/sizes/sizes.csv";
-const OF_RUST: &str = ".ci/sizes.csv";
 const TITLES: [&str; 2] = ["bytes of the function alone", "bytes of the program"];
 const FLOATS: [&str; 5] = ["disk", "exponential", "normal_pair", "phong_lobe", "cdf"];
 const INTEGERS: [&str; 2] = ["fixed_disk", "fixed_exponential"];
@@ -116,23 +117,24 @@ fn programs(target_name: &str, directory: &Path) -> Outcome<Vec<Row>> {
         .collect()
 }
 
-/// Each target with its compiler, as TARGET=COMPILER; those without an entry in .ci/sizes.csv are read for symbols only.
+/// Each target with its compiler, as TARGET=COMPILER; those that are no core of counts.csv are read for symbols only.
 pub fn check(targets: &[&str], writes: bool) -> Outcome {
     forbidden::control()?;
     record::control(TITLES)?;
-    let (of_rust, mut text, mut rows, mut same) = (read(OF_RUST)?, String::new(), Vec::new(), true);
-    let rust = record::parse(&of_rust)?;
+    let counts = Counts::read()?;
+    let (mut text, mut rows, mut same) = (String::new(), Vec::new(), true);
     for target in targets {
         let (name, compiler) = target.split_once('=').ok_or("TARGET=COMPILER")?;
         let directory = crate::target("c").join(name);
         nothing_forbidden(name, &directory)?;
-        if !of_rust.contains(&format!(",{name},")) {
+        if crate::core(name).is_err() {
             continue;
         }
+        let rust = recorded(&counts, name)?;
         let sizes = directory.join("sizes");
         let head = format!("# {name}: {compiler}");
         // Another compiler makes other sizes.
-        if of_rust.lines().any(|line| line == head) {
+        if counts.comments.contains(&head) {
             functions(name, &sizes, &rust, MORE)?;
             must_fail(
                 &format!("any function that is larger on {name}"),

@@ -1,17 +1,18 @@
 //! Functions that take the same time for all inputs stay so.
 //!
 //! One whose linked code decides nothing executes the same instructions for every input: that is a proof, and needs no
-//! emulator. .ci/constant.csv has the functions of which it holds; all code that they reach is read. Between two calls
+//! emulator. The column `constant_s` of docs/measured/counts.csv has the functions of which it holds; all code that they reach is read. Between two calls
 //! at zero wait states nothing else differs either: what takes longer for some operands, a division of integers, is
 //! refused too. (On a Cortex-M3 the long multiplications would be; no code for one is linked here.)
 
 use crate::image::Image;
 use crate::must_fail;
-use microwarp_host::upkeep::{Outcome, read, write};
+use microwarp_host::counts::Counts;
+use microwarp_host::upkeep::Outcome;
 use std::fs;
 use std::path::Path;
 
-const RECORD: &str = ".ci/constant.csv";
+const COLUMN: &str = "constant_s";
 
 /// Of 32 bits, by its first halfword.
 fn long(half: u16) -> bool {
@@ -74,14 +75,14 @@ fn is_constant(file: &Path) -> Outcome<bool> {
 }
 
 /// The functions of a target of which it holds.
-fn found(target: &str, directory: &Path) -> Outcome<Vec<String>> {
+fn found(directory: &Path) -> Outcome<Vec<String>> {
     let files = fs::read_dir(directory).map_err(|e| format!("{}: {e}", directory.display()))?;
     let mut rows = Vec::new();
     for file in files {
         let file = file.map_err(|e| e.to_string())?;
         let name = file.file_name().to_string_lossy().into_owned();
         if !name.starts_with("program_") && is_constant(&file.path())? {
-            rows.push(format!("{name},{target}"));
+            rows.push(name);
         }
     }
     rows.sort();
@@ -133,14 +134,22 @@ fn control() -> Outcome {
 /// In the directories of .ci/sizes.
 pub fn check(targets: &[&str], writes: bool) -> Outcome {
     control()?;
-    let mut all = Vec::new();
+    let mut counts = Counts::read()?;
+    let (mut all, mut recorded) = (Vec::new(), Vec::new());
     for target in targets {
-        all.extend(found(target, &crate::target("sizes").join(target))?);
+        let core = crate::core(target)?;
+        let found = found(&crate::target("sizes").join(target))?;
+        if writes {
+            let cells = found.iter().map(|name| (name.clone(), "constant".into()));
+            counts.set(core, COLUMN, &cells.collect());
+        }
+        let row = |name: &str| format!("{name},{target}");
+        all.extend(found.iter().map(|name| row(name)));
+        recorded.extend(counts.functions(core, COLUMN).map(row));
     }
     if writes {
-        write(RECORD, &format!("function,target\n{}\n", all.join("\n")))?;
+        counts.write()?;
     }
-    let recorded: Vec<String> = read(RECORD)?.lines().skip(1).map(String::from).collect();
     // The soft-float routines of a Cortex-M0 decide.
     let mut more = recorded.clone();
     more.push("poly_disk,thumbv6m-none-eabi".into());

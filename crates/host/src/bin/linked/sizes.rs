@@ -1,4 +1,4 @@
-//! What functions and programs take in flash, compared with .ci/sizes.csv.
+//! What functions and programs take in flash, compared with docs/measured/counts.csv.
 //!
 //! .ci/sizes has linked into target/sizes, for each target: `TARGET/NAME`, every function alone, and the programs of
 //! crates/cores; `TARGET.two`, a program of two warps; `TARGET.grown`, `poly_disk` with another warp; and two modules.
@@ -6,16 +6,18 @@
 use crate::image::Image;
 use crate::record::{self, Row, compare};
 use crate::{ingredients, must_fail, one_warp, target};
-use microwarp_host::upkeep::{Outcome, read, write};
+use microwarp_host::counts::Counts;
+use microwarp_host::upkeep::Outcome;
 use std::fs;
 use std::path::Path;
 
-const RECORD: &str = ".ci/sizes.csv";
+/// The columns of what is recorded.
+const COLUMNS: [&str; 2] = ["flash_s", "symbols_s"];
 const TITLES: [&str; 2] = ["bytes", "symbols"];
 /// In percent.
 const TOLERANCE: u64 = 3;
 /// Another compiler makes other sizes: then only what has more than doubled fails. Of what a compiler decides, the most is
-/// the level of optimisation; between the two levels of crates/cores/costs.csv all functions differ by less than that
+/// the level of optimisation; between the two levels of counts.csv all functions differ by less than that
 /// (1.73 times at most), except one kernel (coarse_atan2_turns, 2.6 times). What brings in formatted panics or double
 /// precision more than doubles nearly every function here.
 const OF_ANOTHER: u64 = 100;
@@ -67,6 +69,19 @@ fn below_1_kib(file: &Path) -> Outcome {
     }
 }
 
+/// What is recorded of a target.
+pub fn recorded(counts: &Counts, target: &str) -> Outcome<Vec<Row>> {
+    let core = crate::core(target)?;
+    let figure = |name, column| Ok::<_, String>(counts.figure(name, core, column)? as u64);
+    counts
+        .functions(core, COLUMNS[0])
+        .map(|name| {
+            let [bytes, symbols] = COLUMNS.map(|column| figure(name, column));
+            Ok((format!("{name},{target}"), [bytes?, symbols?]))
+        })
+        .collect()
+}
+
 /// Each target with its compiler, as TARGET=COMPILER.
 pub fn check(targets: &[&str], writes: bool) -> Outcome {
     let place = target("sizes");
@@ -81,25 +96,32 @@ pub fn check(targets: &[&str], writes: bool) -> Outcome {
         heads.push((target, format!("# {target}: {compiler}")));
         measured.push(rows);
     }
+    let mut counts = Counts::read()?;
     if writes {
-        let mut text: String = heads.iter().map(|(_, head)| format!("{head}\n")).collect();
-        text += "function,target,bytes,symbols\n";
-        for (name, [bytes, symbols]) in measured.iter().flatten() {
-            text += &format!("{name},{bytes},{symbols}\n");
+        counts.comments = heads.iter().map(|(_, head)| head.clone()).collect();
+        for ((target, _), rows) in heads.iter().zip(&measured) {
+            for (i, column) in COLUMNS.iter().enumerate() {
+                let cell = |(name, figures): &Row| {
+                    let name = name.split(',').next().unwrap_or_default();
+                    (name.to_owned(), figures[i].to_string())
+                };
+                counts.set(
+                    crate::core(target)?,
+                    column,
+                    &rows.iter().map(cell).collect(),
+                );
+            }
         }
-        write(RECORD, &text)?;
+        counts.write()?;
     }
-    let text = read(RECORD)?;
-    let recorded = record::parse(&text)?;
     for ((target, head), rows) in heads.iter().zip(&measured) {
-        let same = text.lines().any(|line| line == head);
+        let same = counts.comments.contains(head);
         if !same {
             println!(
                 "*** {head}; the recorded sizes are of another. Up to {OF_ANOTHER} % of growth pass."
             );
         }
-        let of_target = |(name, _): &&Row| name.split_once(',').is_some_and(|(_, t)| t == *target);
-        let recorded: Vec<Row> = recorded.iter().filter(of_target).cloned().collect();
+        let recorded = recorded(&counts, target)?;
         let percent = if same { TOLERANCE } else { OF_ANOTHER };
         failed.extend(compare(&recorded, rows, TITLES, percent, false).err());
     }

@@ -3,7 +3,6 @@
 //! Here lives the list of steps. Each is a file of its own, or a command that the repository has for it.
 
 mod cycles;
-mod every;
 mod golden;
 mod host;
 mod javascript;
@@ -21,13 +20,13 @@ Regenerates what is derived from the sources, in this order:
 
     golden     tests/golden/golden.csv, scene.csv: lines of new cases; existing lines only with --golden
     javascript bindings/js: warps.js, warps.d.ts, reasons.js, test/expected.json
-    accuracy   docs/accuracy.md and crates/cores/hard.csv, from `cargo test --test accuracy`
+    accuracy   docs/accuracy.md, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
-    sizes      .ci/sizes.csv, .ci/constant.csv, examples/firmware/sizes.csv, bindings/c/tests/sizes/sizes.csv
+    sizes      docs/measured/counts.csv: what is linked; examples/firmware/sizes.csv, bindings/c/tests/sizes/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
     pages      the tables and figures between marks in README.md and other pages
     capi       bindings/c/include/microwarp.h, bindings/c/src/layout.rs
-    tidy       nothing is written: costs.csv has every kernel, and none that is gone; cycles.csv agrees with it
+    tidy       nothing is written: counts.csv has every kernel, and none that is gone
 
     cargo regenerate [OPTIONS]
 
@@ -37,7 +36,7 @@ Regenerates what is derived from the sources, in this order:
     --golden TEXT   lines of a golden table whose case contains TEXT may change; prints the old and the new.
                     This breaks values: say so in the changelog and in the commit
     --worst         keeps the worst cases of an adversary's search as well: tests/*/worst.csv
-    --costs         counts instructions and cycles as well: crates/cores/costs.csv, cycles.csv; needs an emulator,
+    --costs         counts instructions and cycles as well: docs/measured/counts.csv; needs an emulator,
                     and hours for all
     --kernel NAME   with --costs: only the kernels whose names match this regular expression
     --host          runs the benches as well: docs/measured/host.csv, peers.md, docs/tradeoff.png; wants a quiet
@@ -205,7 +204,7 @@ fn accuracy(args: &Args) -> Outcome {
         written_by_tests(args, "accuracy", &["statements_hold"], &[])?;
         written_by_tests(args, "fixed", &["statements_hold_for_all"], &[])?;
     }
-    written_by_tests(args, "accuracy", &["take_the_hard_inputs"], &[])
+    Ok(())
 }
 
 fn costs(args: &Args) -> Outcome {
@@ -217,8 +216,6 @@ fn costs(args: &Args) -> Outcome {
         line.push("--update");
         line.extend(args.kernels.iter().map(String::as_str));
     }
-    command(&line, &[], false)?;
-    line.insert(1, "--cycles");
     command(&line, &[], false).map(drop)
 }
 

@@ -6,17 +6,16 @@
 //! <!-- figure: WORDS -->1,234<!-- --> a figure in a sentence
 //! ```
 //!
-//! In the documentation of `src` the marks of a table, and its lines, stand behind `///`.
+//! In the documentation of `src` there are figures alone.
 
 use crate::sources::Sources;
 use crate::tables::{block, figure};
 use microwarp_host::upkeep::{Outcome, read, write};
 
-const PAGES: [&str; 9] = [
+const PAGES: [&str; 8] = [
     "README.md",
     "docs/c.md",
     "docs/costs.md",
-    "docs/every_sampler.md",
     "docs/peers.md",
     "docs/promises.md",
     "docs/worst_case.md",
@@ -25,8 +24,6 @@ const PAGES: [&str; 9] = [
 ];
 /// How a mark begins, how it ends, and the mark behind what is generated.
 const BLOCK: [&str; 3] = ["<!-- generated: ", " -->\n", "<!-- end -->"];
-/// The same in the documentation of `src`.
-const COMMENT: [&str; 3] = ["/// <!-- generated: ", " -->\n", "/// <!-- end -->"];
 const FIGURE: [&str; 3] = ["<!-- figure: ", " -->", "<!-- -->"];
 
 /// A page with what stands between marks of a kind replaced, and how many there were.
@@ -54,16 +51,7 @@ fn generated(page: &str, sources: &Sources) -> Outcome<(String, usize)> {
             "a line begins with the mark of a figure: {line:.30}"
         ));
     }
-    let comment = |name: &str| {
-        let lines = block(name, sources)?;
-        Ok(lines.lines().map(|line| format!("/// {line}\n")).collect())
-    };
-    let (page, comments) = replace(page, COMMENT, &comment)?;
-    let (page, blocks) = if comments > 0 {
-        (page, comments)
-    } else {
-        replace(&page, BLOCK, &|name| block(name, sources))?
-    };
+    let (page, blocks) = replace(page, BLOCK, &|name| block(name, sources))?;
     let (page, figures) = replace(&page, FIGURE, &|words| figure(words, sources))?;
     Ok((page, blocks + figures))
 }
@@ -81,12 +69,7 @@ pub fn difference(old: &str, new: &str) -> String {
 /// A digit that is changed in any table and any sentence would be seen.
 fn control(page: &str, sources: &Sources) -> Outcome {
     let mut seen = 0;
-    let blocks = if page.contains(COMMENT[0]) {
-        COMMENT
-    } else {
-        BLOCK
-    };
-    for [open, close, end] in [blocks, FIGURE] {
+    for [open, close, end] in [BLOCK, FIGURE] {
         for (at, _) in page.match_indices(open) {
             let start = at + page[at..].find(close).unwrap_or(0) + close.len();
             let stop = start + page[start..].find(end).unwrap_or(0);
@@ -116,8 +99,7 @@ fn control(page: &str, sources: &Sources) -> Outcome {
 
 /// Lines of the documentation in `src` that state a time which nothing generates: it goes stale unseen.
 fn copied_times(code: &str) -> Outcome<Vec<String>> {
-    let (bare, _) = replace(code, COMMENT, &|_| Ok(String::new()))?;
-    let (bare, _) = replace(&bare, FIGURE, &|_| Ok(String::new()))?;
+    let (bare, _) = replace(code, FIGURE, &|_| Ok(String::new()))?;
     // A time may be parted from its unit by the end of a line.
     let comments = bare.lines().map(str::trim_start);
     let comments = comments.filter_map(|line| line.strip_prefix("//"));
@@ -144,7 +126,7 @@ fn copied_times(code: &str) -> Outcome<Vec<String>> {
 /// No time is copied by hand into `src`.
 fn no_copied_times(sources: &Sources) -> Outcome {
     let control = "/// the fastest: 1.7 ns a\n/// number, against 2.2\n/// ns; 3ns. Columns, 5 spins.\n\
-                   /// <!-- generated: x -->\n/// | 4 ns |\n/// <!-- end -->\nlet x = 2;";
+                   /// <!-- figure: x -->4 ns<!-- -->\nlet x = 2;";
     let seen = copied_times(control)?;
     if seen != ["1.7 ns", "2.2 ns;", "3ns."] {
         return Err(format!("control: of three copied times {seen:?} are seen"));
@@ -165,7 +147,7 @@ pub fn step(check: bool) -> Outcome {
     let commented = sources
         .code
         .iter()
-        .filter(|(_, text)| text.contains(COMMENT[0]));
+        .filter(|(_, text)| text.contains(FIGURE[0]));
     let pages = PAGES.map(String::from).into_iter();
     for path in pages.chain(commented.map(|(path, _)| path.clone())) {
         let path = path.as_str();

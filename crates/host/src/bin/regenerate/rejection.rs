@@ -1,12 +1,13 @@
 //! The table of rejection in docs/worst_case.md: what a try takes, how many there can be, and how likely that is.
 
-use crate::cycles::{TIMINGS, all, whole};
+use crate::cycles::{CORES, whole};
 use crate::tables::rows;
 use microwarp::rejection::{
     BallRejection, DiskRejection, PoissonRejection, Rejection, ZigguratStandardExponential,
     ZigguratStandardNormal,
 };
 use microwarp::tier::Poly;
+use microwarp_host::counts::Counts;
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 
@@ -78,8 +79,7 @@ fn efficiency(mean: f32) -> Outcome<f64> {
 }
 
 /// Upper ends throughout. A further try of a region takes what the mean exceeds the least by, over the tries beyond the first.
-pub fn table() -> Outcome<String> {
-    let all = all()?;
+pub fn table(counts: &Counts) -> Outcome<String> {
     let head = [
         "",
         "efficiency",
@@ -104,20 +104,18 @@ pub fn table() -> Outcome<String> {
             budget.to_string(),
             format!("2^{power:.0}"),
         ];
-        for (timing, title) in TIMINGS {
-            let row = all
-                .iter()
-                .find(|row| row.kernel == kernel && row.timing == timing);
-            let row = row.ok_or_else(|| format!("cycles.csv has no {kernel} on {timing}"))?;
-            let further = (row.mean[1] - row.least) / (1.0 / efficiency - 1.0);
+        for (title, core) in CORES {
+            let of = |column| counts.figure(kernel, core, column);
+            let (mean, least, longest) = (of("cycles_high")?, of("least")?, of("longest")?);
+            let further = (mean - least) / (1.0 / efficiency - 1.0);
             let (each, most) = if alike {
-                (whole(further), row.least + (tries - 1.0) * further)
+                (whole(further), least + (tries - 1.0) * further)
             } else {
-                (String::new(), tries * row.longest)
+                (String::new(), tries * longest)
             };
             let mut cells = std::mem::replace(&mut first, vec![String::new(); 4]);
             cells.push(title.into());
-            cells.extend([whole(row.mean[1]), whole(row.longest), each, whole(most)]);
+            cells.extend([whole(mean), whole(longest), each, whole(most)]);
             table.push(cells);
         }
     }

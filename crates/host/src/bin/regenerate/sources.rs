@@ -1,21 +1,17 @@
 //! Where figures come from: what was counted, measured, linked and stated. Each is looked up by name, and one that is
 //! not there is an error.
 
+use microwarp_host::counts::{CORES, Counts};
 use microwarp_host::upkeep::{Outcome, read, root};
 use microwarp_list::{FLOAT_WARPS, GRADED_WARPS, Listed, PLAIN_WARPS};
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 use std::path::Path;
 
-const CORES: [&str; 4] = ["m0", "m3", "m4f", "wasm"];
-
 pub struct Sources {
-    /// Columns 4 and on of costs.csv, by kernel, core and level.
-    costs: HashMap<String, Vec<String>>,
+    pub counts: Counts,
     /// Instructions that no kernel of crates/cores counts, on an M4F and an M0.
     counted: HashMap<String, Vec<String>>,
-    /// Bytes and symbols, by function and target.
-    sizes: HashMap<String, Vec<String>>,
     /// Nanoseconds, by bench and name.
     host: HashMap<String, Vec<String>>,
     /// The rows of the table of peers, by the family's first words.
@@ -62,15 +58,6 @@ pub fn cells(row: &str) -> Vec<String> {
     row.split('|').map(|cell| cell.trim().into()).collect()
 }
 
-pub fn target(core: &str) -> Outcome<&'static str> {
-    match core {
-        "m0" => Ok("thumbv6m-none-eabi"),
-        "m4f" => Ok("thumbv7em-none-eabihf"),
-        "wasm" => Ok("wasm32-unknown-unknown"),
-        _ => Err(format!("no sizes for core {core}")),
-    }
-}
-
 /// Digits in groups of three.
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
@@ -96,9 +83,8 @@ impl Sources {
                 .map(|table| table.lines().map(cells).collect())
         };
         Ok(Self {
-            costs: by_keys("crates/cores/costs.csv", 3)?,
+            counts: Counts::read()?,
             counted: by_keys("docs/measured/cores.csv", 1)?,
-            sizes: by_keys(".ci/sizes.csv", 2)?,
             host: by_keys("docs/measured/host.csv", 2)?,
             peers: table().ok_or("peers.md is empty")?,
             renderers: table().unwrap_or_default(),
@@ -107,18 +93,13 @@ impl Sources {
         })
     }
 
-    /// A column of costs.csv: 0 instructions, 1 stack, 2 code, 3 tables.
-    pub fn cost(&self, kernel: &str, core: &str, opt: &str, column: usize) -> Outcome<f64> {
-        let row = self.costs.get(&format!("{kernel} {core} {opt}"));
-        let row =
-            row.ok_or_else(|| format!("costs.csv has no {kernel} on {core} at level {opt}"))?;
-        row[column]
-            .parse()
-            .map_err(|_| format!("costs.csv: {kernel}: {row:?}"))
+    pub fn has_kernel(&self, kernel: &str) -> bool {
+        self.counts.cell(kernel, "m0", "stack").is_some()
     }
 
-    pub fn has_kernel(&self, kernel: &str) -> bool {
-        self.costs.contains_key(&format!("{kernel} m0 3"))
+    pub fn whole(&self, core: &str, function: &str, column: &str) -> Outcome<u64> {
+        let figure = self.counts.figure(function, core, column)?;
+        Ok(figure.round_ties_even() as u64)
     }
 
     /// Instructions at opt-level 3, of a kernel or, on two cores, of what was counted without one.
@@ -132,22 +113,20 @@ impl Sources {
                 .parse()
                 .map_err(|_| format!("cores.csv: {name}"));
         }
-        Ok(self.cost(name, core, "3", 0)?.round_ties_even() as u64)
+        self.whole(core, name, "instructions")
     }
 
     pub fn code_at_s(&self, core: &str, kernel: &str) -> Outcome<u64> {
-        Ok(self.cost(kernel, core, "s", 2)? as u64)
+        self.whole(core, kernel, "code_s")
     }
 
     pub fn stack(&self, core: &str, kernel: &str) -> Outcome<u64> {
-        Ok(self.cost(kernel, core, "3", 1)? as u64)
+        self.whole(core, kernel, "stack")
     }
 
     /// Bytes of flash of a function or program that .ci/sizes links.
     pub fn flash(&self, core: &str, name: &str) -> Outcome<u64> {
-        let row = self.sizes.get(&format!("{name} {}", target(core)?));
-        let row = row.ok_or_else(|| format!("sizes.csv has no {name} on {core}"))?;
-        row[0].parse().map_err(|_| format!("sizes.csv: {name}"))
+        self.whole(core, name, "flash_s")
     }
 
     pub fn nanoseconds(&self, bench: &str, name: &str) -> Outcome<String> {
@@ -247,41 +226,56 @@ fn kernels() -> BTreeSet<String> {
     names
 }
 
-/// costs.csv has every kernel on every core at both levels, but for paths, and none that is gone; sizes.csv every kernel but
-/// the peers'.
+/// Every kernel but the paths has been counted on every core and, where it may take longer for some inputs, swept; what was
+/// counted is a kernel.
 pub fn tidy() -> Outcome {
-    let sources = Sources::read()?;
+    let counts = Sources::read()?.counts;
     let kernels = kernels();
     let mut wrong = Vec::new();
+    let mut due = |kernel: &str, cores: &[&str], column: &str| {
+        let has = |core: &&str| counts.cell(kernel, core, column).is_some();
+        if !cores.iter().all(has) {
+            let how = match column {
+                "flash_s" => "--only sizes".into(),
+                _ => format!("--costs --kernel '^{kernel}$'"),
+            };
+            wrong.push(format!("{kernel} has no {column} in counts.csv: {how}"));
+        }
+    };
     for kernel in &kernels {
         // Paths take long: of a scene's only what is shown is counted, and those for sizes alone are not.
-        let path = kernel.strip_prefix("poly_path_");
-        let (cores, opts): (&[&str], &[&str]) = match path {
-            None => (&CORES, &["3", "s"]),
-            Some(path) if path == "plain" || path.starts_with("with_") => (&[], &[]),
-            Some(_) => (&["m0", "m4f", "wasm"], &["3"]),
-        };
-        let counted = |core| {
-            let mut opts = opts.iter();
-            opts.all(|opt| sources.cost(kernel, core, opt, 0).is_ok())
-        };
-        let complete = cores.iter().copied().all(counted);
-        if !complete {
-            wrong.push(format!(
-                "{kernel} is not in costs.csv: --costs --kernel '^{kernel}$'"
-            ));
+        match kernel.strip_prefix("poly_path_") {
+            Some(path) if path == "plain" || path.starts_with("with_") => {}
+            Some(_) => due(kernel, &["m0", "m4f", "wasm"], "instructions"),
+            None => due(kernel, &["m0", "m3", "m4f", "wasm"], "instructions_s"),
         }
-        if !kernel.starts_with("peer_") && sources.flash("m0", kernel).is_err() {
-            wrong.push(format!("{kernel} is not in sizes.csv: --only sizes"));
+        // What only draws for another is not swept.
+        let alone = kernel.strip_suffix("_pcg32");
+        if !kernel.contains("_path_") && !alone.is_some_and(|alone| kernels.contains(alone)) {
+            due(kernel, &["m0", "m0plus", "m3", "m4f"], "longest");
+        }
+        if !kernel.starts_with("peer_") {
+            due(kernel, &["m0", "m4f", "wasm"], "flash_s");
         }
     }
-    for row in sources.costs.keys() {
-        let kernel = row.split(' ').next().unwrap_or_default();
-        if !kernels.contains(kernel) {
-            wrong.push(format!("costs.csv has {row}, and there is no such kernel"));
+    let varied: BTreeSet<String> = varied().collect();
+    let of_grade = ["libm_", "coarse_", "compact_"];
+    for kernel in &varied {
+        // Those of the other tiers may be there.
+        if !of_grade.iter().any(|tier| kernel.starts_with(tier)) {
+            due(kernel, &["m0", "m0plus", "m3", "m4f"], "longest");
         }
     }
-    wrong.extend(crate::cycles::tidy(&sources, &kernels)?);
+    for core in CORES {
+        for kernel in counts.functions(core, "function") {
+            let known = kernels.contains(kernel) || varied.contains(kernel);
+            if !known && !kernel.starts_with("program_") {
+                wrong.push(format!(
+                    "counts.csv has {kernel}, and there is no such kernel"
+                ));
+            }
+        }
+    }
     if kernels.is_empty() {
         wrong.push("no kernel is found in crates/cores/src/measured/kernels".into());
     }
@@ -291,4 +285,12 @@ pub fn tidy() -> Outcome {
     } else {
         Err(wrong.join("\n"))
     }
+}
+
+/// The kernels of warps that take any parameters.
+fn varied() -> impl Iterator<Item = String> {
+    TIERS.into_iter().flat_map(|(warps, tiers)| {
+        let names = warps.iter().flat_map(Listed::varied);
+        names.flat_map(move |name| tiers.iter().map(move |tier| format!("{tier}{name}_any")))
+    })
 }

@@ -1,7 +1,7 @@
 //! The tables of the pages: which rows each has, and which figures stand in a row.
 
 use crate::sources::{Sources, grouped};
-use crate::{cycles, every, rejection, scene};
+use crate::{cycles, rejection, scene};
 use microwarp_host::upkeep::{Outcome, read};
 use microwarp_list::{FLOAT_WARPS, GRADED_WARPS, Listed};
 
@@ -30,13 +30,9 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "ingredients" => scene::ingredients(sources),
         "scene" => scene::accuracy(),
         "six" => six(sources),
-        "constant" => cycles::constant(),
-        "peers cycles" => every::beside_peers(sources),
-        _ if name.starts_with("every ") => every::every(&name[6..], sources),
-        "rejection cycles" => rejection::table(),
-        _ if name.starts_with("cycles ") => cycles::table(&name[7..]),
-        _ if name.starts_with("cost ") => cost(&name[5..], sources),
-        _ if name.starts_with("points ") => points(&name[7..], sources),
+        "constant" => cycles::constant(&sources.counts),
+        "extremes" => cycles::extremes(&sources.counts),
+        "rejection cycles" => rejection::table(&sources.counts),
         _ => Err(format!("no table is called {name}")),
     }
 }
@@ -50,8 +46,12 @@ pub fn figure(expression: &str, sources: &Sources) -> Outcome<String> {
         ["flash", core, name] => sources.flash(core, name)?,
         ["golden", "words"] => sources.golden().0,
         ["golden", "cases"] => sources.golden().1,
-        ["cycles", timing, kernel] => cycles::figure(timing, kernel, |row| row.mean[1])?,
-        ["longest", timing, kernel] => cycles::figure(timing, kernel, |row| row.longest)?,
+        ["cycles", core, kernel] => sources.whole(core, kernel, "cycles_high")?,
+        ["slow", kernel] => sources.whole("m0", kernel, "cycles_slow")?,
+        ["longest", core, kernel] => sources.whole(core, kernel, "longest")?,
+        ["cost", "fixed", name] => return cost(GRADED_WARPS, "fine", name, sources),
+        ["cost", name] => return cost(FLOAT_WARPS, "poly", name, sources),
+        ["point", kernel] => return price(["m4f", "m0"], kernel, sources),
         ["ns", bench, name] => return sources.nanoseconds(bench, name),
         _ => return Err(format!("no figure is called {expression:?}")),
     };
@@ -155,61 +155,28 @@ fn six(sources: &Sources) -> Outcome<String> {
     Ok(text)
 }
 
-/// What a warp costs, for its documentation: one item a tier.
-fn cost(name: &str, sources: &Sources) -> Outcome<String> {
-    let (list, tiers, name): (&[Listed], &[&str], _) = match name.strip_prefix("fixed ") {
-        Some(name) => (GRADED_WARPS, &["fine", "coarse", "compact"], name),
-        None => (FLOAT_WARPS, &["poly", "libm"], name),
-    };
-    let kernels = list
-        .iter()
-        .find(|warp| warp.name == name)
-        .map(|w| w.kernels);
-    let kernel = kernels.and_then(|kernels| kernels.first());
+/// What a draw of a warp costs, for its documentation: in `poly` with a floating-point unit first, in `fine` without one.
+fn cost(list: &[Listed], tier: &str, name: &str, sources: &Sources) -> Outcome<String> {
+    let warp = list.iter().find(|warp| warp.name == name);
+    let kernel = warp.and_then(|warp| warp.kernels.first());
     let kernel = kernel.ok_or_else(|| format!("{name} has no cost kernel"))?;
-    let mut text = String::from("Instructions of a draw, PCG32 included, and bytes of flash:\n");
-    for tier in tiers {
-        let kernel = format!("{tier}_{kernel}_pcg32");
-        let on = |core| sources.instructions(core, &kernel).map(grouped);
-        let line = if tiers.contains(&"poly") {
-            let flash = grouped(sources.code_at_s("m4f", &kernel)?);
-            format!(
-                "{} on a Cortex-M4F ({flash} bytes), {} on a Cortex-M0, {} as WASM",
-                on("m4f")?,
-                on("m0")?,
-                on("wasm")?
-            )
-        } else {
-            let flash = grouped(sources.code_at_s("m0", &kernel)?);
-            format!(
-                "{} on a Cortex-M0 ({flash} bytes), {} on a Cortex-M3",
-                on("m0")?,
-                on("m3")?
-            )
-        };
-        text += &format!("- `{tier}`: {line}.\n");
+    let kernel = format!("{tier}_{kernel}_pcg32");
+    match tier {
+        "poly" => price(["m4f", "m0"], &kernel, sources),
+        _ => price(["m0", "m3"], &kernel, sources),
     }
-    Ok(text)
 }
 
-/// What the words of a point cost, for the documentation of its set: one item a kernel.
-fn points(kernels: &str, sources: &Sources) -> Outcome<String> {
-    let mut text = String::from("Instructions of the words of a point, and bytes of flash:\n");
-    for kernel in kernels.split(' ') {
-        let what = match kernel {
-            "sobol_8d" => "eight, of the first 1,024 points",
-            _ => "two words",
-        };
-        let on = |core| sources.instructions(core, kernel).map(grouped);
-        text += &format!(
-            "- {what}: {} on a Cortex-M4F ({} bytes), {} on a Cortex-M0, {} as WASM.\n",
-            on("m4f")?,
-            grouped(sources.code_at_s("m4f", kernel)?),
-            on("m0")?,
-            on("wasm")?
-        );
-    }
-    Ok(text)
+/// What a kernel costs on two cores, and its flash on the first.
+fn price(cores: [&str; 2], kernel: &str, sources: &Sources) -> Outcome<String> {
+    let on =
+        |core: &str| Ok::<_, String>((sources.instructions(core, kernel)?, core.to_uppercase()));
+    let [(first, here), (second, there)] = [on(cores[0])?, on(cores[1])?];
+    let [first, second] = [first, second].map(grouped);
+    let flash = grouped(sources.code_at_s(cores[0], kernel)?);
+    Ok(format!(
+        "{first} instructions on an {here}, {second} on an {there}, and {flash} bytes"
+    ))
 }
 
 fn warps(sources: &Sources) -> Outcome<String> {
