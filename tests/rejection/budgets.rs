@@ -31,10 +31,11 @@ const STUCK: [u32; 14] = [
 
 /// A sampler takes so many words a try, spends its budget to the word where a generator is stuck at a word that no try
 /// accepts, and hands on what a generator fails with.
-fn keeps<S: Rejection>(sampler: &S, words: u64, stuck: u32)
+fn keeps<S: Rejection>(sampler: Result<S, Error>, words: u64, stuck: u32)
 where
     S::Point: Debug + PartialEq,
 {
+    let sampler = sampler.unwrap();
     let (tries, all) = (sampler.budget(), words * u64::from(sampler.budget()));
     let spent = Failure::BudgetSpent { tries };
     let mut rng = Counting::new(Pcg32::new(2, 2));
@@ -65,29 +66,27 @@ fn budgets_are_kept_to_the_word() {
     let tail = poly::ExponentialTail::from_rate(1.0).unwrap();
     let (square, cube) = (Aabb::new([0.0; 2], [1.0; 2]), Aabb::new([0.0; 3], [1.0; 3]));
     let (square, cube) = (square.unwrap(), cube.unwrap());
+    let (long, short) = (fixed::DiskRejection::new(), fixed::DiskRejection16::new());
+    let poisson = poly::PoissonRejection::new(30.0).unwrap();
+    let on_line = Bounded::new(line, |_| 0.0, 1.0).unwrap();
+    let on_tail = Bounded::new(tail, |_| 0.0, 1.0).unwrap();
+    let in_cube = Bounded::new(cube, |_| -0.0, 1.0).unwrap();
+    let rising = Bounded::new(square, |[x, y]: [f32; 2]| x * y, 1.0).unwrap();
     for budget in [1, 2, 7] {
-        macro_rules! keep {
-            ($($sampler:expr, $words:literal, $stuck:expr;)*) => {$(
-                keeps(&$sampler.with_budget(budget).unwrap(), $words, $stuck);
-            )*};
-        }
-        keep! {
-            // The corner of the box.
-            DiskRejection::new(), 2, u32::MAX;
-            BallRejection::new(), 3, u32::MAX;
-            fixed::DiskRejection::new(), 2, 0x8000_8000;
-            fixed::DiskRejection16::new(), 1, 0x8000_8000;
-            // Beyond all counts.
-            poly::PoissonRejection::new(30.0).unwrap(), 2, 0;
-            Region::new(line, |_| false), 1, 0;
-            Region::new(tail, |_| false), 2, 0;
-            Region::new(cube, |_| false), 3, 0;
-            // One word more for the decision.
-            Bounded::new(line, |_| 0.0, 1.0).unwrap(), 2, 0;
-            Bounded::new(tail, |_| 0.0, 1.0).unwrap(), 3, 0;
-            Bounded::new(cube, |_| -0.0, 1.0).unwrap(), 4, 0;
-            Bounded::new(square, |[x, y]: [f32; 2]| x * y, 1.0).unwrap(), 3, 0;
-        }
+        // The corner of the box, and beyond all counts.
+        keeps(DiskRejection::new().with_budget(budget), 2, u32::MAX);
+        keeps(BallRejection::new().with_budget(budget), 3, u32::MAX);
+        keeps(long.with_budget(budget), 2, 0x8000_8000);
+        keeps(short.with_budget(budget), 1, 0x8000_8000);
+        keeps(poisson.with_budget(budget), 2, 0);
+        keeps(Region::new(line, |_| false).with_budget(budget), 1, 0);
+        keeps(Region::new(tail, |_| false).with_budget(budget), 2, 0);
+        keeps(Region::new(cube, |_| false).with_budget(budget), 3, 0);
+        // One word more for the decision.
+        keeps(on_line.with_budget(budget), 2, 0);
+        keeps(on_tail.with_budget(budget), 3, 0);
+        keeps(in_cube.with_budget(budget), 4, 0);
+        keeps(rising.with_budget(budget), 3, 0);
     }
     let failed = Failure::Generator(Broken(17));
     let source = std::error::Error::source(&failed).unwrap();
