@@ -24,7 +24,7 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "peers" => Ok(rows(&sources.peers)),
         "renderers" => Ok(rows(&sources.renderers)),
         "firmware" => firmware(),
-        "c" => c(),
+        "c" => c(sources),
         "pictures" => scene::pictures(),
         "paths" => scene::paths(sources),
         "ingredients" => scene::ingredients(sources),
@@ -404,8 +404,11 @@ fn firmware() -> Outcome<String> {
 }
 
 /// Functions that draw in C beside those in Rust, and a whole program in C, on both cores.
-fn c() -> Outcome<String> {
-    const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
+fn c(sources: &Sources) -> Outcome<String> {
+    const CORES: [(&str, &str); 2] = [
+        ("m0", "thumbv6m-none-eabi"),
+        ("m4f", "thumbv7em-none-eabihf"),
+    ];
     const IN_RUST: [(&str, &str); 6] = [
         ("disk", "poly_disk_pcg32"),
         ("exponential", "poly_exponential_1_pcg32"),
@@ -414,13 +417,10 @@ fn c() -> Outcome<String> {
         ("fixed_disk", "fine_disk_pcg32"),
         ("fixed_exponential", "fine_exponential_20_pcg32"),
     ];
-    let (c, rust) = (
-        read("bindings/c/tests/sizes/sizes.csv")?,
-        read(".ci/sizes.csv")?,
-    );
-    let figures = |table: &str, name: &str, target: &str| {
+    let in_c = read("bindings/c/tests/sizes/sizes.csv")?;
+    let figures = |name: &str, target: &str| {
         let named = format!("{name},{target},");
-        let mut lines = table.lines();
+        let mut lines = in_c.lines();
         let found = lines.find_map(|line| line.strip_prefix(&named)?.split_once(','));
         found
             .map(|(first, second)| [first.to_owned(), second.to_owned()])
@@ -431,9 +431,9 @@ fn c() -> Outcome<String> {
             .to_owned();
     for (name, kernel) in IN_RUST {
         let mut row = vec![format!("`mw_{name}_draw`")];
-        for target in TARGETS {
-            let [alone, program] = figures(&c, name, target)?;
-            let [in_rust, _] = figures(&rust, kernel, target)?;
+        for (core, target) in CORES {
+            let [alone, program] = figures(name, target)?;
+            let in_rust = sources.flash(core, kernel)?.to_string();
             row.extend([alone, in_rust, program]);
         }
         text += &rows(&[row]);
