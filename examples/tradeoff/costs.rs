@@ -84,13 +84,13 @@ impl Costs {
                 .filter_map(|name| self.number(name, core, column))
                 .next()
         };
-        let code = || Some(either("code_s")? + either("tables")?);
         Cost {
             given: self
                 .number(function, core, "instructions")
                 .map(|n| n * calls),
             drawn: self.number(&with, core, "instructions").map(|n| n * calls),
-            flash: either("flash_s").or_else(code),
+            flash: Option::zip(either("code_s"), either("tables_s"))
+                .map(|(code, tables)| code + tables),
             stack: either("stack"),
             cycles: self.cycles(function, core, calls),
         }

@@ -43,7 +43,7 @@ use core::marker::PhantomData;
 /// | round trip, second | (3e-7 + 0.36/n)/w | (3.4e-5 + 0.36/n)/w | (3e-7 + 0.36/n)/w | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Annulus -->231 instructions on an M0, 100 on an M3, and 400 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Annulus -->231 instructions and 400 bytes of code on an M0, 100 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// | round trip | 5.2e-7 | 6.5e-5 | 1.8e-7 | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Bilinear -->1,881 instructions on an M0, 1,184 on an M3, and 928 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Bilinear -->1,881 instructions and 928 bytes of code on an M0, 1,184 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -45,7 +45,7 @@ use core::marker::PhantomData;
 /// | round trip | 1.3e-6 + 2e-9/w | 4.1e-4 + 2e-9/w | 1.3e-6 + 2e-9/w | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Cone -->256 instructions on an M0, 126 on an M3, and 552 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Cone -->256 instructions and 552 bytes of code on an M0, 126 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -32,7 +32,7 @@ use core::marker::PhantomData;
 /// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Disk -->204 instructions on an M0, 98 on an M3, and 384 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Disk -->204 instructions and 384 bytes of code on an M0, 98 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

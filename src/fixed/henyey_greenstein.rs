@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// | pdf | 3.2e-7 | 3.5e-5 | 1.4e-7 | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed HenyeyGreenstein -->1,408 instructions on an M0, 740 on an M3, and 1,432 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed HenyeyGreenstein -->1,408 instructions and 1,432 bytes of code on an M0, 740 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// | pdf, of that on the axis | 1.4e-6 | 2.0e-4 | 9.6e-7 | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed PhongLobe -->359 instructions on an M0, 182 on an M3, and 1,260 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed PhongLobe -->359 instructions and 1,260 bytes of code on an M0, 182 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -40,7 +40,7 @@ use core::marker::PhantomData;
 /// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed StandardNormalPair -->251 instructions on an M0, 124 on an M3, and 508 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed StandardNormalPair -->251 instructions and 508 bytes of code on an M0, 124 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```
@@ -163,7 +163,7 @@ impl<G: Grade> Invert for StandardNormalPair<G> {
 /// | round trip | 1.2e-6 + 2.3/n | 7.7e-5 + 2.3/n | 9.2e-7 + 2.3/n | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed NormalPair -->272 instructions on an M0, 131 on an M3, and 556 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed NormalPair -->272 instructions and 556 bytes of code on an M0, 131 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -37,7 +37,7 @@ use core::marker::PhantomData;
 /// | round trip | 1.2e-6 + 0.7/n | 8e-5 + 0.7/n | 9.2e-7 + 0.7/n | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Rayleigh -->159 instructions on an M0, 76 on an M3, and 408 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Rayleigh -->159 instructions and 408 bytes of code on an M0, 76 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

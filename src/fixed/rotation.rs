@@ -31,7 +31,7 @@ use core::marker::PhantomData;
 /// | round trip | 5e-7 | 1e-4 | 5.1e-7 | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Rotation -->366 instructions on an M0, 175 on an M3, and 620 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Rotation -->366 instructions and 620 bytes of code on an M0, 175 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -34,7 +34,7 @@ use core::marker::PhantomData;
 /// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Sphere -->222 instructions on an M0, 107 on an M3, and 416 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Sphere -->222 instructions and 416 bytes of code on an M0, 107 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 /// | round trip | 5.0e-7 + 0.55/n | 3.9e-5 + 0.55/n | 2.3e-7 + 0.55/n | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Laplace -->129 instructions on an M0, 55 on an M3, and 308 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Laplace -->129 instructions and 308 bytes of code on an M0, 55 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```
@@ -93,7 +93,7 @@ pub struct Laplace<Frac, G = Fine> {
 /// | round trip | 4.5e-7 + 0.28/n | 3.3e-5 + 0.28/n | 2.3e-7 + 0.28/n | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Logistic -->179 instructions on an M0, 93 on an M3, and 432 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Logistic -->179 instructions and 432 bytes of code on an M0, 93 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

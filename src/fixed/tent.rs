@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 /// | round trip | 2.0e-7 + 1/n | 1.7e-5 + 1/n | 6.1e-8 + 1/n | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Tent -->104 instructions on an M0, 49 on an M3, and 376 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Tent -->104 instructions and 376 bytes of code on an M0, 49 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -43,7 +43,7 @@ use core::marker::PhantomData;
 /// | round trip | 4.4e-6 + 1/n | 1.8e-4 + 1/n | 2.4e-6 + 1/n | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed TruncatedExponential -->148 instructions on an M0, 59 on an M3, and 364 bytes<!-- -->.
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed TruncatedExponential -->148 instructions and 364 bytes of code on an M0, 59 instructions on an M3<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -45,7 +45,7 @@ use core::marker::PhantomData;
 /// coordinates are rounded, the radius is that of a uniform at most 3.3e-7 away, in a ring of any width.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Annulus -->106 instructions on an M4F, 4,478 on an M0, and 464 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Annulus -->106 instructions and 464 bytes of code on an M4F, 4,478 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

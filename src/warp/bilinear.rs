@@ -41,7 +41,7 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST, deep};
 /// | round trip | 4e-7 + 4.2*r | found |
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Bilinear -->157 instructions on an M4F, 5,381 on an M0, and 616 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Bilinear -->157 instructions and 616 bytes of code on an M4F, 5,381 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

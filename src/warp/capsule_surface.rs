@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 2.6e-7, absolutely.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost CapsuleSurface -->121 instructions on an M4F, 4,623 on an M0, and 732 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost CapsuleSurface -->121 instructions and 732 bytes of code on an M4F, 4,623 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -46,7 +46,7 @@ const LEAST: f32 = 1.0 / 18_446_744_073_709_551_616.0;
 /// a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Cauchy -->81 instructions on an M4F, 2,732 on an M0, and 412 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Cauchy -->81 instructions and 412 bytes of code on an M4F, 2,732 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -43,7 +43,7 @@ use core::marker::PhantomData;
 /// change over one such ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost EquiAngular -->144 instructions on an M4F, 5,794 on an M0, and 1,424 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost EquiAngular -->144 instructions and 1,424 bytes of code on an M4F, 5,794 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -56,7 +56,7 @@ const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
 /// s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Exponential -->52 instructions on an M4F, 1,780 on an M0, and 220 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Exponential -->52 instructions and 220 bytes of code on an M4F, 1,780 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```
@@ -212,7 +212,7 @@ impl<T: Tier> Invert for Exponential<T> {
 /// s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost ExponentialTail -->85 instructions on an M4F, 2,149 on an M0, and 592 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost ExponentialTail -->85 instructions and 592 bytes of code on an M4F, 2,149 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

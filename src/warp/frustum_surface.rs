@@ -46,7 +46,7 @@ use core::marker::PhantomData;
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 3.4e-7, absolutely.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost FrustumSurface -->141 instructions on an M4F, 5,551 on an M0, and 764 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost FrustumSurface -->141 instructions and 764 bytes of code on an M4F, 5,551 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -42,7 +42,7 @@ use core::marker::PhantomData;
 /// `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Hemisphere -->81 instructions on an M4F, 3,734 on an M0, and 360 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Hemisphere -->81 instructions and 360 bytes of code on an M4F, 3,734 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```
@@ -147,7 +147,7 @@ impl<T: Tier> Invert for Hemisphere<T> {
 /// `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost CosineHemisphere -->83 instructions on an M4F, 3,813 on an M0, and 364 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost CosineHemisphere -->83 instructions and 364 bytes of code on an M4F, 3,813 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```
@@ -263,7 +263,7 @@ impl<T: Tier> Invert for CosineHemisphere<T> {
 /// The errors of the sample and of the length are proven for every pair of uniforms: see `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost MalleyHemisphere -->119 instructions on an M4F, 4,579 on an M0, and 544 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost MalleyHemisphere -->119 instructions and 544 bytes of code on an M4F, 4,579 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

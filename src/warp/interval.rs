@@ -40,7 +40,7 @@ use crate::uniform::Canonical;
 /// within 1.5 ulp, or 1.13 where the bounds differ in sign.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Interval -->35 instructions on an M4F, 762 on an M0, and 148 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Interval -->35 instructions and 148 bytes of code on an M4F, 762 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -41,7 +41,7 @@ use crate::tier::Tier;
 /// a factor. s and r are the relative change of the density and the change of the inverse when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Laplace -->68 instructions on an M4F, 2,322 on an M0, and 516 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Laplace -->68 instructions and 516 bytes of code on an M4F, 2,322 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

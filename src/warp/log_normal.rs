@@ -51,7 +51,7 @@ use core::marker::PhantomData;
 /// which is −14.2 at its lowest.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost LogNormal -->90 instructions on an M4F, 2,590 on an M0, and 1,120 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost LogNormal -->90 instructions and 1,120 bytes of code on an M4F, 2,590 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -45,7 +45,7 @@ use crate::uniform::Canonical;
 /// change of the inverse when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Logistic -->61 instructions on an M4F, 2,303 on an M0, and 272 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Logistic -->61 instructions and 272 bytes of code on an M4F, 2,303 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

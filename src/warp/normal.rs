@@ -59,7 +59,7 @@ const REACH: f32 = 14.5;
 /// | round trip | 1.5e-7 + 3*r | found |
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Normal -->62 instructions on an M4F, 1,601 on an M0, and 824 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Normal -->62 instructions and 824 bytes of code on an M4F, 1,601 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```
@@ -251,7 +251,7 @@ impl<T: Tier> Invert for Normal<T> {
 /// standard pair, of mean 0 and standard deviation 1, is proven for every pair of uniforms: see `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost NormalPair -->110 instructions on an M4F, 4,975 on an M0, and 484 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost NormalPair -->110 instructions and 484 bytes of code on an M4F, 4,975 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

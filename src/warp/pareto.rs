@@ -43,7 +43,7 @@ use core::marker::PhantomData;
 /// inverse when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Pareto -->86 instructions on an M4F, 2,596 on an M0, and 528 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Pareto -->86 instructions and 528 bytes of code on an M4F, 2,596 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -50,7 +50,7 @@ use rand_core::TryRng;
 /// subnormal x and y, which only uniforms below 2⁻⁶⁴ give, have no more digits in the inverse than x and y have.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost PhongLobe -->147 instructions on an M4F, 7,339 on an M0, and 732 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost PhongLobe -->147 instructions and 732 bytes of code on an M4F, 7,339 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -33,7 +33,7 @@ use crate::uniform::{Canonical, SMALLEST};
 /// | round trip | 1.9e-45 | found |
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost PowerMax -->69 instructions on an M4F, 423 on an M0, and 176 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost PowerMax -->69 instructions and 176 bytes of code on an M4F, 423 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

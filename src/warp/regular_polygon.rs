@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 /// | round trip | 8.9e-7 | 7.3e-7 | found |
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost RegularPolygon -->162 instructions on an M4F, 7,561 on an M0, and 736 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost RegularPolygon -->162 instructions and 736 bytes of code on an M4F, 7,561 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

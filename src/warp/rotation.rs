@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 /// | round trip | 2.4e-7 | 2.4e-7 | found |
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Rotation -->137 instructions on an M4F, 6,632 on an M0, and 540 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Rotation -->137 instructions and 540 bytes of code on an M4F, 6,632 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

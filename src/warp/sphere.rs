@@ -40,7 +40,7 @@ use core::marker::PhantomData;
 /// `docs/proofs.md`.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Sphere -->86 instructions on an M4F, 3,839 on an M0, and 380 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Sphere -->86 instructions and 380 bytes of code on an M4F, 3,839 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

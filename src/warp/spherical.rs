@@ -177,7 +177,7 @@ impl<T: Tier> Spherical<T> {
 /// and 1 + cos θ₀.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost SphericalPatch -->108 instructions on an M4F, 5,506 on an M0, and 500 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost SphericalPatch -->108 instructions and 500 bytes of code on an M4F, 5,506 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -53,7 +53,7 @@ use core::marker::PhantomData;
 /// 2⁻²⁰, is lost.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost SphericalRectangle -->214 instructions on an M4F, 10,500 on an M0, and 956 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost SphericalRectangle -->214 instructions and 956 bytes of code on an M4F, 10,500 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -33,7 +33,7 @@ use crate::uniform::Canonical;
 /// | round trip | 8.1e-8 | found |
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Triangle -->50 instructions on an M4F, 1,677 on an M0, and 216 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Triangle -->50 instructions and 216 bytes of code on an M4F, 1,677 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

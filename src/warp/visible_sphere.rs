@@ -66,7 +66,7 @@ pub struct SurfaceSample {
 /// loses digits where it is below 1e-37, or the point nearer to the surface than 1e-37 radii.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost VisibleSphere -->107 instructions on an M4F, 5,074 on an M0, and 468 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost VisibleSphere -->107 instructions and 468 bytes of code on an M4F, 5,074 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -47,7 +47,7 @@ use core::marker::PhantomData;
 /// 16.6/κ in 1 − cos θ, lies the last uniform. The density that comes with the sample does not know it.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost VonMisesFisher -->150 instructions on an M4F, 6,414 on an M0, and 1,692 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost VonMisesFisher -->150 instructions and 1,692 bytes of code on an M4F, 6,414 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

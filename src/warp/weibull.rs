@@ -52,7 +52,7 @@ use core::marker::PhantomData;
 /// inverse when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Weibull -->108 instructions on an M4F, 3,763 on an M0, and 612 bytes<!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost Weibull -->108 instructions and 612 bytes of code on an M4F, 3,763 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

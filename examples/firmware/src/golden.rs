@@ -1,7 +1,7 @@
 //! Prints golden bits, row by row as they stand in `tests/golden/golden.csv`.
 //!
 //! All of them together, every function of the crate in every tier, are more than the 256 KB of the smaller board; so
-//! there are two programs for each float tier, and one for the integers.
+//! the program is built twice for each float tier, and once for the integers.
 
 use crate::board::{exit, print};
 use core::fmt::{Error, Write};

@@ -27,7 +27,7 @@ use crate::num::high;
 /// A step is rounded to an odd number of 2⁻³².
 ///
 /// # Cost
-/// The two words of a point take <!-- figure: point recurrence_2d -->9 instructions on an M4F, 9 on an M0, and 92 bytes<!-- -->.
+/// The two words of a point take <!-- figure: point recurrence_2d -->9 instructions and 92 bytes of code on an M4F, 9 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -39,8 +39,8 @@ mod directions;
 /// # Cost
 /// The first two dimensions need no table, and a program of `Sobol<2>` links none. From the third on there are 768 bytes.
 ///
-/// The two words of a point take <!-- figure: point sobol_2d -->44 instructions on an M4F, 91 on an M0, and 176 bytes<!-- -->.
-/// Eight words, of the first 1,024 points, take <!-- figure: point sobol_8d -->260 instructions on an M4F, 467 on an M0, and 480 bytes<!-- -->.
+/// The two words of a point take <!-- figure: point sobol_2d -->44 instructions and 176 bytes of code on an M4F, 91 instructions on an M0<!-- -->.
+/// Eight words, of the first 1,024 points, take <!-- figure: point sobol_8d -->260 instructions and 480 bytes of code on an M4F, 467 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -167,7 +167,7 @@ fn cost(list: &[Listed], tier: &str, name: &str, sources: &Sources) -> Outcome<S
     }
 }
 
-/// What a kernel costs on two cores, and its flash on the first.
+/// What a kernel costs on two cores, and its code on the first.
 fn price(cores: [&str; 2], kernel: &str, sources: &Sources) -> Outcome<String> {
     let on =
         |core: &str| Ok::<_, String>((sources.instructions(core, kernel)?, core.to_uppercase()));
@@ -175,7 +175,7 @@ fn price(cores: [&str; 2], kernel: &str, sources: &Sources) -> Outcome<String> {
     let [first, second] = [first, second].map(grouped);
     let flash = grouped(sources.code_at_s(cores[0], kernel)?);
     Ok(format!(
-        "{first} instructions on an {here}, {second} on an {there}, and {flash} bytes"
+        "{first} instructions and {flash} bytes of code on an {here}, {second} instructions on an {there}"
     ))
 }
 
