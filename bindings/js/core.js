@@ -6,7 +6,7 @@ import { reasons } from "./reasons.js";
 export let wasm;
 let f32, u32;
 
-// As small/src/buffers.rs has them: the generator, and two buffers of so many numbers, one for what goes in and one for what
+// As src/buffers.rs has them: the generator, and two buffers of so many numbers, one for what goes in and one for what
 // comes out. Behind them parameters and whatever is loaded. Places are counted in numbers, and BUFFERS in bytes.
 export const BLOCK = 8192;
 const SMALL = 64;

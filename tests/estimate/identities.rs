@@ -126,7 +126,7 @@ fn a_die_shows_three_and_a_half() {
     let fair = moments(faces());
     assert_eq!(fair.mean(), Some(3.5));
     assert_eq!(fair.population_variance(), Some(35.0 / 12.0));
-    // Not the 0.916 of one of the documents.
+    // Not 0.916.
     assert!(!at_most(relative(fair.population_variance(), 0.916), 0.1));
 }
 

@@ -59,7 +59,7 @@ fn same_inputs_give_the_golden_bits() {
     }
 }
 
-/// What has no tier stands among the rows of `poly` alone; what has one stands in both.
+/// What has no tier stands among the rows of `poly` alone.
 #[test]
 fn what_has_no_tier_has_its_rows_once() {
     let rows = |tier: &'static str| -> BTreeSet<&str> {
@@ -75,14 +75,17 @@ fn what_has_no_tier_has_its_rows_once() {
     for warp in FLOAT_WARPS {
         let of_warp =
             |entry: &&host::registry::Entry| entry.name.split(' ').next() == Some(warp.name);
+        let of_warp: Vec<_> = entries.iter().filter(of_warp).collect();
         // What is made of others has their tier.
-        let tiered = entries
-            .iter()
-            .filter(of_warp)
-            .any(|entry| entry.tiered || entry.composed);
-        let in_libm = warp.golden.iter().any(|name| libm.contains(name));
-        assert!(tiered || !in_libm, "{}", warp.name);
-        seen[usize::from(in_libm)] += 1;
+        if of_warp.iter().any(|entry| entry.composed) {
+            continue;
+        }
+        // A wrapper of the registry may have a tier where the type has none, so that one direction alone is asked.
+        let tiered = of_warp.iter().any(|entry| entry.tiered);
+        for name in warp.golden {
+            assert!(tiered || !libm.contains(name), "{name}");
+            seen[usize::from(libm.contains(name))] += 1;
+        }
     }
     assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
 }

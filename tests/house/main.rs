@@ -36,7 +36,6 @@ fn files(under: &str, endings: &[&str]) -> Vec<(String, String)> {
             found.push((name.to_owned(), read(name)));
         }
     }
-    assert!(!found.is_empty(), "no files under {under}");
     found.sort();
     found
 }

@@ -90,7 +90,14 @@ fn misplaced(folder: &str, manifest: &str) -> Vec<String> {
 #[test]
 fn no_package_depends_on_what_stands_in_tests_benches_or_examples() {
     let (mut packages, mut seen) = (0, 0);
-    for room in ["Cargo.toml", "crates", "tests", "examples", "bindings"] {
+    for room in [
+        "Cargo.toml",
+        "crates",
+        "tests",
+        "benches",
+        "examples",
+        "bindings",
+    ] {
         for (path, manifest) in files(room, &["Cargo.toml"]) {
             let folder = path.trim_end_matches("Cargo.toml");
             packages += 1;

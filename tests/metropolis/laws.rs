@@ -1,5 +1,5 @@
-//! The laws of steps, over every word: as likely as their negatives to the last bit; those of a box exactly. How far
-//! every word's step is off the others' laws, `step_errors` measures.
+//! The laws of steps, over every word: each as likely as its negative, to the last bit, and a box step exactly. `step_errors`
+//! measures the others against theirs.
 
 use host::speed::{self, sampled};
 use microwarp::metropolis::{BoxStep, LogUniformStep, NormalStep, StepLaw};

@@ -1,5 +1,4 @@
-//! Words: how many a mutation takes of a generator and a step with it, that a failure at any of them passes through, and
-//! what is left of a step that fails.
+//! How many words a mutation takes, and a step with it. A failure at any word passes through and leaves the chain as it was.
 
 use super::own::given;
 use super::weighed::{Bits, Weighed};
@@ -113,7 +112,8 @@ fn a_mixture_takes_the_words_of_the_part_picked() {
     }
 }
 
-/// A step takes the words of its mutation, and one decides, whatever comes of the proposal; where the generator fails at any of them, the chain is as it was, to the last bit, and goes on from there.
+/// A step takes the words of its mutation and one that decides, whatever comes of the proposal. Where the generator fails at any
+/// of them, the chain is as it was, to the last bit, and goes on from there.
 fn words<X, M>(name: &str, start: X, mutation: &M, stated: impl Fn(u32) -> u64)
 where
     X: Copy + Bits,

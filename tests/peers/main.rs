@@ -1,5 +1,5 @@
-//! What `crates/host` has for the benches: its stopwatch, and the peers that they run beside. (They stand here because
-//! cargo builds a package's programs, which no test runs, for the tests beside them.)
+//! What `crates/host` has for the benches: its stopwatch, and the peers that they run beside. (They are no tests of
+//! `crates/host` itself, since cargo would build all its programs for them.)
 
 mod contest;
 mod drawn;

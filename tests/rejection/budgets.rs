@@ -73,12 +73,14 @@ fn budgets_are_kept_to_the_word() {
     let in_cube = Bounded::new(cube, |_| -0.0, 1.0).unwrap();
     let rising = Bounded::new(square, |[x, y]: [f32; 2]| x * y, 1.0).unwrap();
     for budget in [1, 2, 7] {
-        // The corner of the box, and beyond all counts.
+        // Stuck in the corner of the box.
         keeps(DiskRejection::new().with_budget(budget), 2, u32::MAX);
         keeps(BallRejection::new().with_budget(budget), 3, u32::MAX);
         keeps(long.with_budget(budget), 2, 0x8000_8000);
         keeps(short.with_budget(budget), 1, 0x8000_8000);
+        // Stuck beyond all counts.
         keeps(poisson.with_budget(budget), 2, 0);
+        // Nothing is inside.
         keeps(Region::new(line, |_| false).with_budget(budget), 1, 0);
         keeps(Region::new(tail, |_| false).with_budget(budget), 2, 0);
         keeps(Region::new(cube, |_| false).with_budget(budget), 3, 0);

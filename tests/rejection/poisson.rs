@@ -1,5 +1,5 @@
-//! `PoissonRejection`: the law that all pairs of words have together, counted and not sampled; its efficiency, its pmf,
-//! its refusals.
+//! `PoissonRejection`: the law that all pairs of words have together, counted and not sampled; its efficiency, its pmf
+//! and its refusals.
 
 use host::docs::Doc;
 use host::speed;

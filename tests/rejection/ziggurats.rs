@@ -20,8 +20,8 @@ static NUMBERS: LazyLock<usize> =
 static MORE: LazyLock<f64> =
     LazyLock::new(|| speed::of("factor of the errors of controls of ziggurats", 2.3, 1.0));
 
-/// The p-values of this file: of each curve ten of numbers and tries, two of a tail. (What a scaled sampler makes of the
-/// numbers is asked to the bit, and so is where layer and place are read from, in `layers`.)
+/// The p-values of this file: of each curve ten of numbers and tries, two of a tail. (What a scaled sampler makes of
+/// numbers is asked to the bit in `ziggurat_budgets`. Where layer and place are read from is asked in `layers`.)
 pub const P_VALUES: usize = 2 * (10 + 2);
 
 /// What is wrong with a ziggurat.

@@ -1,4 +1,4 @@
-//! The functions of every warp, made of the lists of `tests/golden`.
+//! The functions of every warp, made of the lists of `crates/list`.
 
 use crate::error::{Code, code};
 use crate::generators::{Pcg32, Source};

@@ -2,7 +2,7 @@
 //! refuses, its picture and its place in comparisons. Laws, measurements and pictures run over it and ask for no name.
 //!
 //! The files below hold a block a constructor; how a block is written is said at [`Registered`]. What runs on cores, without
-//! a truth, is registered in `tests/golden`.
+//! a truth, is registered in `crates/list`.
 
 mod composed;
 mod directions;

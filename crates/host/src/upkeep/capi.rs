@@ -1,5 +1,5 @@
 //! The C interface of `bindings/c` as text: the header, the sizes of its structs, and the table of its golden test. All
-//! come from the lists of `tests/golden`, the crate's documentation, and what is not a warp from a template.
+//! come from the lists of `crates/list`, the crate's documentation, and what is not a warp from a template.
 
 mod bound;
 mod call;

@@ -1,9 +1,9 @@
 //! Functions that take the same time for all inputs stay so.
 //!
 //! One whose linked code decides nothing executes the same instructions for every input: that is a proof, and needs no
-//! emulator. The column `constant_s` of docs/measured/counts.csv has the functions of which it holds; all code that they reach is read. Between two calls
-//! at zero wait states nothing else differs either: what takes longer for some operands, a division of integers, is
-//! refused too. (On a Cortex-M3 the long multiplications would be; no code for one is linked here.)
+//! emulator. The column `constant_s` of docs/measured/counts.csv has the functions of which it holds; all code that they
+//! reach is read. Between two calls at zero wait states nothing else differs either: what takes longer for some operands, a
+//! division of integers, is refused too. (On a Cortex-M3 the long multiplications would be; no code for one is linked here.)
 
 use crate::image::Image;
 use crate::must_fail;

@@ -16,8 +16,8 @@ const COLUMNS: [&str; 2] = ["flash_s", "symbols_s"];
 const TITLES: [&str; 2] = ["bytes", "symbols"];
 /// In percent.
 const TOLERANCE: u64 = 3;
-/// Another compiler makes other sizes: then only what has more than doubled fails. Of what a compiler decides, the most is
-/// the level of optimisation; between the two levels of counts.csv all functions differ by less than that
+/// Another compiler makes other sizes: then only what has more than doubled fails. The level of
+/// optimisation changes most of what a compiler decides; between the two levels of counts.csv all functions differ by less than that
 /// (1.73 times at most), except one kernel (coarse_atan2_turns, 2.6 times). What brings in formatted panics or double
 /// precision more than doubles nearly every function here.
 const OF_ANOTHER: u64 = 100;

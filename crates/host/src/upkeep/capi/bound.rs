@@ -1,4 +1,4 @@
-//! The lists of `tests/golden`, read as what is bound: names, constructors and types.
+//! The lists of `crates/list`, read as what is bound: names, constructors and types.
 
 use super::form::{Form, InC};
 use microwarp::Warp;
