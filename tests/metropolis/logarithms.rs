@@ -1,7 +1,7 @@
 //! The acceptance from logarithms of densities, in both tiers, as exact as stated.
 
 use super::acceptance::{acceptance, positive, step};
-use super::stated::stated;
+use host::docs::Doc;
 use host::speed::{self, sampled};
 use microwarp::metropolis::{Chain, HastingsRatio, LogDensity, Outcome, Symmetric};
 use microwarp::poly;
@@ -9,13 +9,12 @@ use microwarp::tier::{Libm, Poly, Tier};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
 
-const SOURCE: &str = include_str!("../../src/metropolis/target_density.rs");
 const SYMMETRIC: &str = "acceptance at a symmetric mutation, ulp";
 const WITH_RATIO: &str = "acceptance at one with a [`HastingsRatio`](super::HastingsRatio), ulp";
 
 /// The figure that the documentation states for a tier.
 fn figure<T: Tier>(row: &str) -> f64 {
-    stated(SOURCE, row, 1 + usize::from(T::NAME == Poly::NAME))
+    Doc::of("metropolis", "LogDensity").figure(row, usize::from(T::NAME == Poly::NAME))
 }
 
 fn ulp(x: f64) -> f64 {

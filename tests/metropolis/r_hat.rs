@@ -2,14 +2,13 @@
 //! from chains that do not.
 
 use crate::series::{SHAPES, normal, shaped};
-use crate::stated::{above, assert_stated, below, stated};
+use crate::stated::{above, assert_stated, below};
+use host::docs::Doc;
 use host::speed;
 use microwarp::estimate::Moments;
 use microwarp::metropolis::{Halves, r_hat, split_r_hat};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
-
-const R_HAT: &str = include_str!("../../src/metropolis/r_hat.rs");
 
 /// The definition, on the scale of the largest number, about one of them.
 fn exact(runs: &[&[f32]]) -> Option<f64> {
@@ -115,7 +114,7 @@ fn r_hat_has_the_stated_error() {
     let subnormal = largest_error(0.0, &[1e-38, 1e-40, 1e-42, 3e-44]);
     println!("subnormal deviations: {subnormal:.2e}");
     worst = worst.max(subnormal);
-    let figure = stated(R_HAT, "mean up to 10⁶ deviations, relative", 1);
+    let figure = Doc::of("metropolis", "r_hat").figure("mean up to 10⁶ deviations, relative", 0);
     assert_stated("r_hat", worst, figure);
     // What takes the means in f32 does not keep it.
     let mut rng = Pcg32::new(0x4a8, 54);
@@ -138,7 +137,7 @@ fn r_hat_has_the_stated_error() {
 /// Runs of magnitudes and spreads so far apart that R̂ is far out of the usual.
 #[test]
 fn r_hat_of_far_magnitudes_is_right_too() {
-    let figure = stated(R_HAT, "mean up to 10⁶ deviations, relative", 1);
+    let figure = Doc::of("metropolis", "r_hat").figure("mean up to 10⁶ deviations, relative", 0);
     let tiny = f32::from_bits(1);
     let cases = [
         vec![vec![1.0, 1.0, 1.0], vec![1e-30, 2e-30, 4e-30]],

@@ -1,7 +1,7 @@
 //! Chains that are saved, sent as bytes, and made chains again; and what a chain costs in bytes.
 
-use super::stated::stated;
 use super::weighed::{Bits, Weighed};
+use host::docs::Doc;
 use microwarp::Error;
 use microwarp::metropolis::{
     Chain, Chance, LogDensity, Mixture, Mutation, Saved, Start, Transition, UniformIndex,
@@ -216,8 +216,8 @@ fn what_no_chain_can_be_is_not_resumed() {
 #[test]
 #[cfg(target_pointer_width = "64")]
 fn sizes_are_those_stated() {
-    const SOURCE: &str = include_str!("../../src/metropolis/chain.rs");
-    fn check<X>(column: usize) {
+    let chain = Doc::of("metropolis", "Chain");
+    fn check<X>(chain: &Doc, column: usize) {
         let sizes = [
             ("[`Chain`], [`Saved`]", size_of::<Chain<X>>()),
             ("[`Chain`], [`Saved`]", size_of::<Saved<X>>()),
@@ -235,21 +235,24 @@ fn sizes_are_those_stated() {
                 "of integer weights",
                 size_of::<Transition<X, u32, Chance>>(),
             ),
-            ("[`Transition`]", size_of::<Transition<X>>()),
             (
-                "[`Transition`]",
+                "[`Transition`](super::Transition)",
+                size_of::<Transition<X>>(),
+            ),
+            (
+                "[`Transition`](super::Transition)",
                 size_of::<Transition<X, LogDensity<Poly>>>(),
             ),
         ];
         for (row, size) in sizes {
-            assert_eq!(stated(SOURCE, row, column), size as f64, "{row} {column}");
+            assert_eq!(chain.figure(row, column), size as f64, "{row} {column}");
         }
         println!("{sizes:?}");
     }
-    check::<f32>(1);
-    check::<[f32; 2]>(2);
-    check::<[f32; 32]>(3);
-    check::<usize>(4);
+    check::<f32>(&chain, 0);
+    check::<[f32; 2]>(&chain, 1);
+    check::<[f32; 32]>(&chain, 2);
+    check::<usize>(&chain, 3);
     // One number is as large as an array of one.
     assert_eq!(size_of::<Chain<[f32; 1]>>(), size_of::<Chain<f32>>());
     assert_eq!(

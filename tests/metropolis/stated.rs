@@ -1,30 +1,4 @@
-//! Figures read from the documentation, and how a measured one is held to them; the neighbours of a number.
-
-use host::docs::Kind;
-
-/// The sources whose documentation states figures.
-pub const STEP_LAW: &str = include_str!("../../src/metropolis/step_law.rs");
-
-/// A figure from the table of a source's documentation, by the head of its row and its column.
-pub fn stated(source: &str, row: &str, column: usize) -> f64 {
-    let mut rows = source
-        .lines()
-        .filter_map(|line| line.strip_prefix("/// | "))
-        .filter(|line| line.starts_with(row));
-    let figures = rows.next().expect("a row of that head");
-    assert!(rows.next().is_none(), "two rows {row}");
-    let mut cells: Vec<&str> = figures
-        .trim_end_matches('|')
-        .split('|')
-        .map(str::trim)
-        .collect();
-    // Behind bounds is their kind. One bound is that of both tiers.
-    if Kind::parse(cells[cells.len() - 1]).is_some() {
-        cells.pop();
-        cells.resize(cells.len().max(3), cells[1]);
-    }
-    cells[column].parse().unwrap()
-}
+//! How a measured figure is held to one of the documentation, and figures in its sentences; the neighbours of a number.
 
 /// Holds a measured error to the one stated, and the statement to being no more than 2.5 times what is measured: one that
 /// a search found has a margin, and this search may be shorter.

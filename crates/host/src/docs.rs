@@ -90,6 +90,14 @@ impl Row {
     }
 }
 
+/// Where a column stands in the head of a table of errors. One bound is that of both float tiers.
+pub fn column(head: &[String], name: &str) -> Option<usize> {
+    let both = ["libm", "poly"].contains(&name);
+    head.iter()
+        .map(|cell| cell.trim_matches('`'))
+        .position(|cell| cell == name || (both && cell == "bound"))
+}
+
 /// The doc comment of a public item.
 pub struct Doc {
     path: PathBuf,

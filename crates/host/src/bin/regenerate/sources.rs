@@ -2,6 +2,7 @@
 //! not there is an error.
 
 use microwarp_host::counts::{CORES, Counts};
+use microwarp_host::docs;
 use microwarp_host::upkeep::{Outcome, read, root};
 use microwarp_list::{FLOAT_WARPS, GRADED_WARPS, Listed, PLAIN_WARPS};
 use std::collections::{BTreeSet, HashMap};
@@ -146,8 +147,7 @@ impl Sources {
     }
 
     /// A cell of a table in the doc comment that ends at a line which begins with `item`: that of the row whose title begins
-    /// so, under a header, or under `bound` where that is of both tiers. The code is that of the room whose comment has such a
-    /// column.
+    /// so, under a header. The code is that of the room whose comment has such a column.
     pub fn stated(&self, item: &str, title: &str, header: &str) -> Outcome<String> {
         for (_, text) in &self.code {
             let lines: Vec<&str> = text.lines().collect();
@@ -159,14 +159,11 @@ impl Sources {
                     .map(cells)
                     .collect();
                 table.reverse();
-                let both = ["`libm`", "`poly`"].contains(&header);
-                let is_header = |cell: &String| cell == header || (both && cell == "bound");
-                let titles = table.iter().position(|row| row.iter().any(is_header));
-                let Some(titles) = titles else { continue };
-                let column = table[titles].iter().position(is_header);
-                let row = table[titles..].iter().find(|row| row[0].starts_with(title));
-                if let Some((column, row)) = column.zip(row) {
-                    return Ok(row[column].clone());
+                let mut rows = table.iter();
+                let place = rows.find_map(|row| docs::column(row, header));
+                let row = rows.find(|row| row[0].starts_with(title));
+                if let Some((place, row)) = place.zip(row) {
+                    return Ok(row[place].clone());
                 }
             }
         }

@@ -144,7 +144,7 @@ fn six(sources: &Sources) -> Outcome<String> {
         };
         text += &rows(&[vec![
             format!("`{name}`"),
-            sources.stated(name, warp.error, "`poly`")? + unit,
+            sources.stated(name, warp.error, "poly")? + unit,
             sources.nanoseconds("warps", &format!("poly::draw::{}", warp.kernel))?,
             grouped(sources.instructions("m4f", &kernel)?),
             grouped(sources.instructions("m0", &kernel)?),
@@ -194,7 +194,7 @@ fn warps(sources: &Sources) -> Outcome<String> {
         let drawn = format!("poly_{kernel}_pcg32");
         let unit = if error.contains("ulp") { " ulp" } else { "" };
         let mut cells = vec![label.to_string()];
-        for tier in ["`libm`", "`poly`"] {
+        for tier in ["libm", "poly"] {
             cells.push(sources.stated(name, error, tier)? + unit);
         }
         for action in ["libm::draw::", "poly::draw::", "poly::fill::"] {

@@ -1,6 +1,7 @@
 //! What the crate's documentation says of a type, for comments in C.
 
 use super::header::upper_case;
+use crate::docs;
 use crate::upkeep::{Outcome, root};
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
@@ -173,18 +174,14 @@ impl Comments {
         codes
     }
 
-    /// The stated errors of a sample and of its density in one column, or in that of both tiers, where they are numbers and not
-    /// formulas.
+    /// The stated errors of a sample and of its density in one column, where they are numbers and not formulas.
     pub fn errors(&self, name: &str, column: &str) -> Vec<String> {
         let none = Vec::new();
         let rows = self.errors.get(name).unwrap_or(&none);
         let Some(head) = rows.iter().position(|row| row[0] == "error") else {
             return none.into_iter().flatten().collect();
         };
-        let Some(place) = rows[head]
-            .iter()
-            .position(|cell| [column, "bound"].contains(&cell.trim_matches('`')))
-        else {
+        let Some(place) = docs::column(&rows[head], column) else {
             return Vec::new();
         };
         let stated = rows[head + 2..].iter().filter(|row| {
