@@ -27,6 +27,11 @@ pub trait Golden: Tier {
     /// Whether what has no tier is evaluated here, too.
     const ALL: bool;
 
+    /// The first of its cases among all.
+    fn first() -> usize {
+        if Self::ALL { 0 } else { Poly::cases() }
+    }
+
     /// How many cases there are.
     fn cases() -> usize {
         let subjects = if Self::ALL { SUBJECTS.len() } else { TIERED.1 };

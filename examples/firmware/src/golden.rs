@@ -5,31 +5,42 @@
 
 use crate::board::{exit, print};
 use core::fmt::{Error, Write};
-use microwarp_list::{Golden, describe, evaluate_first_half, evaluate_second_half};
+use microwarp_list::{
+    Golden, cases, describe, evaluate_first_half, evaluate_fixed, evaluate_second_half, fixed,
+};
 
 /// Some of a tier: its first case, how many it has, and what evaluates them, counted from 0.
 pub struct Part {
-    pub first: usize,
-    pub count: usize,
-    pub evaluate: fn(usize, &mut [u32; 16]) -> usize,
+    first: usize,
+    count: usize,
+    evaluate: fn(usize, &mut [u32; 16]) -> usize,
 }
 
 impl Part {
-    /// The first half of a float tier, whose cases begin at `first`.
-    pub fn first_half<T: Golden>(first: usize) -> Self {
+    /// The first half of a float tier.
+    pub fn first_half<T: Golden>() -> Self {
         Self {
-            first,
+            first: T::first(),
             count: T::cases_of_half(),
             evaluate: evaluate_first_half::<T>,
         }
     }
 
-    /// The second half of a float tier, whose cases begin at `first`.
-    pub fn second_half<T: Golden>(first: usize) -> Self {
+    /// The second half of a float tier.
+    pub fn second_half<T: Golden>() -> Self {
         Self {
-            first: first + T::cases_of_half(),
+            first: T::first() + T::cases_of_half(),
             count: T::cases() - T::cases_of_half(),
             evaluate: evaluate_second_half::<T>,
+        }
+    }
+
+    /// The integer tier.
+    pub fn integers() -> Self {
+        Self {
+            first: cases() - fixed::cases(),
+            count: fixed::cases(),
+            evaluate: evaluate_fixed,
         }
     }
 

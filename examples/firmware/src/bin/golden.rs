@@ -4,35 +4,20 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use microwarp::tier::{Libm, Poly};
-use microwarp_firmware::golden::Part;
-use microwarp_list::{Golden, cases, evaluate_fixed};
-
 #[cfg(feature = "libm")]
-type Tier = Libm;
+use microwarp::tier::Libm as Tier;
 #[cfg(not(feature = "libm"))]
-type Tier = Poly;
+use microwarp::tier::Poly as Tier;
+use microwarp_firmware::golden::Part;
 
 #[entry]
 fn main() -> ! {
-    let tiers = Poly::cases() + Libm::cases();
     let part = if cfg!(feature = "integers") {
-        Part {
-            first: tiers,
-            count: cases() - tiers,
-            evaluate: evaluate_fixed,
-        }
+        Part::integers()
+    } else if cfg!(feature = "second") {
+        Part::second_half::<Tier>()
     } else {
-        let first = if cfg!(feature = "libm") {
-            Poly::cases()
-        } else {
-            0
-        };
-        if cfg!(feature = "second") {
-            Part::second_half::<Tier>(first)
-        } else {
-            Part::first_half::<Tier>(first)
-        }
+        Part::first_half::<Tier>()
     };
     part.run()
 }
