@@ -8,11 +8,8 @@ mod rooms;
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
+use host::root;
 
 /// The text of a file of the repository.
 fn read(path: &str) -> String {

@@ -325,6 +325,12 @@ macro_rules! in_both {
 }
 use in_both;
 
+/// The ends of a box as its parameters have them: both of one side, then of the next.
+fn ends<const N: usize>(low: [f32; N], high: [f32; N]) -> Vec<f32> {
+    let sides = low.into_iter().zip(high);
+    sides.flat_map(|(low, high)| [low, high]).collect()
+}
+
 /// Nothing particular.
 const PLAIN: fn(Entry) -> Entry = |entry| entry;
 

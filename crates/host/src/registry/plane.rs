@@ -1,7 +1,7 @@
 //! The warps of the plane, of boxes and of triangles in space.
 
 use super::picture::{CORNER, EQUILATERAL, FLAT, window};
-use super::{Domain, Entry, Flat, Measure, Registered, entry, family, in_both};
+use super::{Domain, Entry, Flat, Measure, Registered, ends, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
@@ -189,7 +189,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[-3e38, 3e38] x [0, 1e-38]", &[-3e38, 3e38, 0.0, 1e-38])
             .refuse(&[0.0, 1.0, NAN, 1.0], NotFinite).refuse(&[0.0, 1.0, 2.0, 1.0], Reversed)
             .refuse(&[0.0, 0.0, 0.0, 1.0], Empty)
-            .gives_back(|p| Aabb::new([p[0], p[2]], [p[1], p[3]]).map(|warp| (0..4).map(|k| [warp.low(), warp.high()][k % 2][k / 2]).collect())),
+            .gives_back(|p| Aabb::new([p[0], p[2]], [p[1], p[3]]).map(|warp| ends(warp.low(), warp.high()))),
         Registered::new("Aabb", "of 3 sides", &[Any; 6], |p| sides::<T, 3>(p, Domain::Space))
             .ordered(&[[0, 1], [2, 3], [4, 5]]),
     ]

@@ -1,7 +1,7 @@
 //! The warps over surfaces, whose points say more than a position: here they have three coordinates.
 
 use super::picture::{Body, Face, View};
-use super::{Domain, Entry, Measure, Registered, Uniforms, entry, family};
+use super::{Domain, Entry, Measure, Registered, Uniforms, ends, entry, family};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth::{self, OnTriangle, Truth, dot};
 use microwarp::Error::{self, *};
@@ -460,7 +460,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 1.0, NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, 1.0, 1.0, 0.0], Reversed)
             .refuse(&[1.0; 6], Empty).refuse(&[0.0, 1.0, 2.0, 2.0, 3.0, 3.0], Empty)
             .refuse(&[0.0, 1e-20, 0.0, 1e-20, 0.0, 1e-20], Empty).refuse(&[0.0, 1e20, 0.0, 1e20, 0.0, 0.0], TooLarge)
-            .gives_back(|p| BoxSurface::new([p[0], p[2], p[4]], [p[1], p[3], p[5]]).map(|warp| (0..6).map(|k| [warp.low(), warp.high()][k % 2][k / 2]).collect()))
+            .gives_back(|p| BoxSurface::new([p[0], p[2], p[4]], [p[1], p[3], p[5]]).map(|warp| ends(warp.low(), warp.high())))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("FrustumSurface", "", &[Positive; 3], |p| frustum::<T>(p, true))
             .case_with("1 to 0.5, 2 high", &[1.0, 0.5, 2.0], |e| {
