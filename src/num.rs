@@ -31,4 +31,4 @@ pub(crate) use self::exponent::{
 pub(crate) use self::long::{Long, high};
 pub(crate) use self::scaled::Scaled;
 pub(crate) use self::segment::{Segment, extent, neighbour};
-pub(crate) use self::word::{folded, folded_exactly, happens, middle, nearest};
+pub(crate) use self::word::{NARROW, folded, folded_exactly, happens, middle, nearest, up_to};

@@ -14,7 +14,7 @@ macro_rules! on_this_core {
     ($function:ident($($argument:expr),*)) => {{
         #[cfg(test)]
         assert!($function::<true>($($argument),*) == $function::<false>($($argument),*));
-        $function::<{ $crate::fixed::kernel::NARROW }>($($argument),*)
+        $function::<{ $crate::num::NARROW }>($($argument),*)
     }};
 }
 
@@ -29,6 +29,3 @@ pub(super) mod sine;
 mod tables;
 #[cfg(test)]
 mod tests;
-
-/// Whether the core lacks a product of 32 bits by 32 to 64. Among Arm cores these are the ones without compare-and-swap.
-pub(super) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));

@@ -2,6 +2,7 @@
 
 use super::{Mutation, Proposal};
 use crate::error::Error;
+use crate::num::up_to;
 use rand_core::TryRng;
 
 /// Changes K of D coordinates by a mutation of points of K coordinates.
@@ -160,8 +161,7 @@ impl<M: Mutation<f32>, const D: usize> Mutation<[f32; D]> for OneCoordinate<M> {
         mut from: [f32; D],
         rng: &mut R,
     ) -> Result<Proposal<[f32; D], M::Correction>, R::Error> {
-        let word = u64::from(rng.try_next_u32()?);
-        let axis = (word.wrapping_mul(D as u64) >> 32) as usize;
+        let axis = up_to((D as u32).wrapping_sub(1), rng.try_next_u32()?) as usize;
         // With no coordinates nothing changes, but the words are taken all the same.
         let before = from.get(axis).copied().unwrap_or_default();
         Ok(self.mutation.try_propose(before, rng)?.map(|x| {

@@ -1,6 +1,38 @@
-//! Decisions by a word: whether an event happens, and on which side of a symmetric distribution a point lies.
+//! Decisions by a word: an integer in a range, whether an event happens, and on which side of a symmetric distribution a
+//! point lies.
 
 use super::exponent::power_of_two;
+
+/// Whether the core lacks a product of 32 bits by 32 to 64. Among Arm cores these are the ones without compare-and-swap.
+pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// The integer from 0 to `last` that a word gives: ⌊word·(last + 1)/2³²⌋. For the largest `last` it is the word itself.
+#[inline]
+pub(crate) const fn up_to(last: u32, word: u32) -> u32 {
+    up_to_on::<NARROW>(last, word)
+}
+
+/// The same, by products of 16 bits on a narrow core. None of the sums can overflow, by the word that is added as
+/// well, since x·y + x + z is below 2³² for three numbers of 16 bits.
+#[inline]
+pub(crate) const fn up_to_on<const NARROW: bool>(last: u32, word: u32) -> u32 {
+    if NARROW {
+        let (high, low) = (word >> 16, word & 0xffff);
+        let (last_high, last_low) = (last >> 16, last & 0xffff);
+        let least = low.wrapping_mul(last_low).wrapping_add(low) >> 16;
+        let middle = high
+            .wrapping_mul(last_low)
+            .wrapping_add(high)
+            .wrapping_add(least);
+        let other = low.wrapping_mul(last_high).wrapping_add(middle & 0xffff);
+        high.wrapping_mul(last_high)
+            .wrapping_add(middle >> 16)
+            .wrapping_add(other >> 16)
+    } else {
+        let word = word as u64;
+        (word.wrapping_mul(last as u64).wrapping_add(word) >> 32) as u32
+    }
+}
 
 /// Whether an event of this probability happens, by a word. True for 2³² times the probability of all words, rounded to
 /// an integer: never for 0, always for 1.
