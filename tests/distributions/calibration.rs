@@ -13,7 +13,7 @@ use statrs::stats_tests::ks_test::{KSOneSampleAlternativeMethod, ks_onesample};
 #[test]
 fn p_values_of_correct_warps_are_uniform() {
     let mut checked = 0;
-    let samples = speed::of("samples of each run of the calibration", 20_000, 100_000);
+    let samples = speed::of("samples of each run of the calibration", 12_000, 50_000);
     let runs = speed::of("runs of the calibration", 100, 200);
     for label in [
         "Exponential a=1 poly",

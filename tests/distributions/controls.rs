@@ -20,7 +20,7 @@ type Density = fn(&dyn Erased, Point) -> f32;
 
 /// How wrong most controls are: 1 % where all samples are drawn.
 static SLIGHT: LazyLock<f64> =
-    LazyLock::new(|| speed::of("part by which the controls are wrong", 0.065, 0.01));
+    LazyLock::new(|| speed::of("part by which the controls are wrong", 0.105, 0.018));
 
 /// An entry's warp with its map or its density replaced by a wrong one.
 struct Wrong {
@@ -464,7 +464,8 @@ fn densities_slightly_off_are_rejected() {
         assert_rejected(
             &format!("{label}, density slightly tilted"),
             &tilted,
-            &["chi-square", "mean x"],
+            // With few samples the moments are those of the uniforms.
+            &["chi-square", "mean"],
         );
     }
     for kind in [

@@ -5,7 +5,7 @@ use host::registry::{Registered, of_libm, of_poly};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
-const ROUNDS: u32 = 6_000;
+const ROUNDS: u32 = 2_500;
 
 /// Uniforms at which maps break, and some between.
 const UNIFORMS: [[f32; 4]; 10] = [

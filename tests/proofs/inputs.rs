@@ -20,4 +20,4 @@ pub fn in_parallel<T: Send>(count: u32, job: impl Fn(u32) -> T + Sync) -> Vec<T>
 }
 
 /// One of how many inputs is tried. Odd, so that all low bits occur.
-pub static STRIDE: LazyLock<u32> = LazyLock::new(|| speed::of("one input tried of every", 17, 1));
+pub static STRIDE: LazyLock<u32> = LazyLock::new(|| speed::of("one input tried of every", 53, 1));

@@ -178,7 +178,7 @@ fn every_entry_has_its_share_of_the_words() {
 fn wild_tables_are_as_good_as_can_be() {
     let (mut narrow, mut wide) = ([0; 24], [0; 24]);
     let (mut taken, mut crowded) = (0_u32, 0_u32);
-    let tables = speed::of("wild tables", 2_000_u32, 20_000);
+    let tables = speed::of("wild tables", 1_000_u32, 20_000);
     for seed in 0..u64::from(tables) {
         let weights = wild(seed);
         let exact = Exact::of(&weights);

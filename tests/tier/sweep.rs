@@ -73,10 +73,10 @@ impl Sweep {
     pub fn stride(self) -> usize {
         match self {
             Sweep::Grid(_) | Sweep::Magnitudes { step: 1, .. } => {
-                speed::of("one neighbour tried of every", 13, 1)
+                speed::of("one neighbour tried of every", 29, 1)
             }
             Sweep::Magnitudes { .. } | Sweep::Pairs { .. } | Sweep::Powers { .. } => {
-                speed::of("one other input tried of every", 3, 1)
+                speed::of("one other input tried of every", 7, 1)
             }
             Sweep::Edges => 1,
         }
