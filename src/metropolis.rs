@@ -61,6 +61,30 @@
 //! [`Mixture`] of them (by [`Mixture::from_table`]). Start such a chain with [`Chain::new`] or [`Chain::search`];
 //! [`Chain::resample`] and [`Chain::acceptance_rate`] compute with floats.
 //!
+//! For weights f of x and f′ of x′, and counts T of the way there and T′ of the way back, the first ⌈2³² f′T′/(fT)⌉ words accept,
+//! or all of them: the acceptance, rounded up by less than 2⁻³², and never 0 for a proposal that the rule allows.
+//!
+//! ```
+//! use microwarp::metropolis::{Chain, UniformIndex};
+//! use rand_pcg::Pcg32;
+//! const WEIGHTS: [u32; 2] = [9, 1];
+//! let weight = |i: usize| WEIGHTS[i];
+//! let (mut chain, mut rng) = (Chain::new(0, weight)?, Pcg32::new(1, 1));
+//! let (mutation, mut histogram) = (UniformIndex::new(2)?, [0; 2]);
+//! for _ in 0..1000 {
+//!     let step = chain.step(weight, &mutation, &mut rng);
+//!     if (step.from, step.proposed) == (0, 1) {
+//!         assert_eq!(step.acceptance.words(), (1_u64 << 32).div_ceil(9));
+//!     }
+//!     for (state, words) in step.recorded() {
+//!         histogram[state] += words; // both together 2³²
+//!     }
+//! }
+//! assert_eq!(histogram[0] + histogram[1], 1000 << 32);
+//! assert!(histogram[0] > 850 << 32 && histogram[0] < 950 << 32);
+//! # Ok::<(), microwarp::Error>(())
+//! ```
+//!
 //! # Primary sample space
 //!
 //! A chain in the unit cube can drive any warp: its state is the warp's uniforms, and its density is f/p at the
@@ -103,7 +127,6 @@ mod transition;
 
 pub use self::autocorrelation::Autocorrelation;
 pub use self::chain::{Chain, Saved};
-pub use self::chance::Chance;
 pub use self::coordinates::Coordinates;
 pub use self::hastings_correction::{HastingsCorrection, Symmetric};
 pub use self::hastings_ratio::{HastingsCounts, HastingsRatio};
@@ -122,3 +145,4 @@ pub use self::subset::{OneCoordinate, Subset};
 pub use self::target_density::{LogDensity, TargetDensity};
 pub use self::target_value::TargetValue;
 pub use self::transition::{Outcome, Transition};
+pub use crate::uniform::Chance;

@@ -13,6 +13,8 @@ mod exponent;
 mod long;
 mod scaled;
 mod segment;
+#[cfg(test)]
+mod tests;
 pub(crate) mod vector;
 mod word;
 
@@ -31,4 +33,6 @@ pub(crate) use self::exponent::{
 pub(crate) use self::long::{Long, high};
 pub(crate) use self::scaled::Scaled;
 pub(crate) use self::segment::{Segment, extent, neighbour};
-pub(crate) use self::word::{NARROW, folded, folded_exactly, happens, middle, nearest, up_to};
+pub(crate) use self::word::{
+    NARROW, folded, folded_exactly, happens, middle, nearest, up_to, up_to_by_two,
+};

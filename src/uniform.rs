@@ -1,4 +1,22 @@
-//! Uniforms in [0, 1): how they are drawn, the rule that brings any `f32` into range, jittered strata, and points.
+//! Uniforms in [0, 1), integers of a range, and coins: how they are drawn; the rule that brings any `f32` into range, jittered
+//! strata, and points.
+//!
+//! ```
+//! use microwarp::{constant, uniform};
+//! use microwarp::uniform::{Chance, Range};
+//! use rand_pcg::Pcg32;
+//!
+//! let mut rng = Pcg32::new(42, 54);
+//! let index = Range::below(10)?.draw(&mut rng);              // 0 to 9; an empty range is an error
+//! let face = 1 + uniform::up_to(5, &mut rng);                // 1 to 6, without an error to handle
+//! let lost = constant!(Chance::new(0.1)).draw(&mut rng);     // true once in ten times
+//! let u = uniform::grid(&mut rng);                           // a number in [0, 1)
+//! # assert!(index < 10 && (1..=6).contains(&face) && (0.0..1.0).contains(&u));
+//! # let _ = lost;
+//! # Ok::<(), microwarp::Error>(())
+//! ```
+//!
+//! [`Range`] and [`Chance`] are exact: they say how many of the 2³² words give each outcome. One word decides, whatever it is.
 //!
 //! A [`Warp`](crate::Warp) draws its own uniforms. Take these functions for uniforms that go elsewhere, or that
 //! you change first.
@@ -34,16 +52,20 @@
 //! ```
 //! `mw_pcg32_init_at` in C and `Pcg32.at` in JavaScript make the same generators.
 
+mod chance;
 mod generators;
 mod points;
+mod range;
 mod strata;
 
+pub use self::chance::Chance;
 pub use self::generators::FromFn;
 #[cfg(feature = "rand_core_09")]
 pub use self::generators::Rng09;
 #[cfg(feature = "rand_core_06")]
 pub use self::generators::{Error06, Rng06, TryRng06};
 pub use self::points::{ByPosition, Cursor, MAX_DIMENSIONS, Points, Recurrence, Sobol};
+pub use self::range::{Range, try_up_to, up_to, up_to_from_word};
 pub use self::strata::{MAX_STRATA, Strata1d, Strata2d};
 pub use crate::num::{LARGEST, SMALLEST};
 

@@ -12,85 +12,11 @@ use super::target_value::{TargetValue, Weighing};
 use super::{HastingsCounts, Transition};
 use crate::error::Error;
 use crate::num::Scaled;
-use crate::num::division::{fraction, fraction_u32, scaled};
+use crate::num::division::scaled;
+use crate::uniform::Chance;
 
-/// The exact acceptance of a step between integer weights: how many of the 2³² possible words accept it.
-///
-/// For weights f of x and f′ of x′, and counts T of the way there and T′ of the way back, the word U accepts if
-/// U·f·T < 2³²·f′·T′. So the first ⌈2³² f′T′/(fT)⌉ words accept, or all of them. This is the acceptance a, rounded up by
-/// less than 2⁻³², and it is never 0 for a proposal that the rule allows.
-///
-/// Two values are equal if the same words accept.
-///
-/// # Examples
-///
-/// ```
-/// use microwarp::metropolis::{Chain, UniformIndex};
-/// use rand_pcg::Pcg32;
-/// const WEIGHTS: [u32; 2] = [9, 1];
-/// let weight = |i: usize| WEIGHTS[i];
-/// let (mut chain, mut rng) = (Chain::new(0, weight)?, Pcg32::new(1, 1));
-/// let (mutation, mut histogram) = (UniformIndex::new(2)?, [0; 2]);
-/// for _ in 0..1000 {
-///     let step = chain.step(weight, &mutation, &mut rng);
-///     if (step.from, step.proposed) == (0, 1) {
-///         assert_eq!(step.acceptance.words(), (1_u64 << 32).div_ceil(9));
-///     }
-///     for (state, words) in step.recorded() {
-///         histogram[state] += words; // both together 2³²
-///     }
-/// }
-/// assert_eq!(histogram[0] + histogram[1], 1000 << 32);
-/// assert!(histogram[0] > 850 << 32 && histogram[0] < 950 << 32);
-/// # Ok::<(), microwarp::Error>(())
-/// ```
-///
-/// # See also
-///
-/// - [`Transition`](super::Transition), whose `acceptance` this is.
-/// - [`HastingsCounts`](super::HastingsCounts), the Hastings ratio of such a chain.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Chance {
-    /// The acceptance is min(1, `part`/`whole`); `whole` is positive.
-    part: u64,
-    whole: u64,
-}
-
+// The word U accepts if U·f·T < 2³²·f′·T′, for weights f of x and f′ of x′, and counts T of the way there and T′ of the way back.
 impl Chance {
-    /// How many words there are: 2³².
-    pub const TOTAL: u64 = 1 << 32;
-
-    #[inline]
-    const fn of(part: u64, whole: u64) -> Self {
-        Self { part, whole }
-    }
-
-    /// How many words accept, from 0 to [`Chance::TOTAL`].
-    #[must_use]
-    #[inline]
-    pub const fn words(self) -> u64 {
-        if self.part >= self.whole {
-            return Self::TOTAL;
-        }
-        let (words, inexact) = if self.whole >> 32 == 0 {
-            fraction_u32(self.part as u32, self.whole as u32)
-        } else {
-            fraction(self.part, self.whole)
-        };
-        words as u64 + inexact as u64
-    }
-
-    /// Whether this word accepts, that is, whether it is below [`Chance::words`]. It takes no division.
-    #[must_use]
-    #[inline]
-    pub const fn accepts(self, word: u32) -> bool {
-        // word · whole < 2^32 · part, in whole multiples of 2^32. The upper product is at most (2^32 - 1)^2.
-        let (upper, lower) = (self.whole >> 32, self.whole & 0xffff_ffff);
-        let word = word as u64;
-        word * upper + ((word * lower) >> 32) < self.part
-    }
-
     /// Of two weights and two counts from 1 to 2⁶⁴.
     #[inline]
     const fn of_counts(from: u32, to: u32, counts: HastingsCounts) -> Self {
@@ -139,14 +65,6 @@ impl Chance {
 const fn least(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
-
-impl PartialEq for Chance {
-    fn eq(&self, other: &Self) -> bool {
-        self.words() == other.words()
-    }
-}
-
-impl Eq for Chance {}
 
 impl Probability for Chance {
     const NEVER: Self = Self::of(0, 1);

@@ -3,6 +3,7 @@
 use super::{HastingsCounts, Mutation, Proposal, StateSource, Symmetric};
 use crate::discrete::{Cdf, Storage, Word};
 use crate::error::Error;
+use crate::num::up_to_by_two;
 use rand_core::TryRng;
 
 /// Proposes any of n indices with equal probability, wherever the chain is.
@@ -64,12 +65,8 @@ impl StateSource<usize> for UniformIndex {
 
     #[inline]
     fn try_draw_state<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
-        // The leading 32 bits of a product of 64 bits by 32, in two parts.
         let (high, low) = (rng.try_next_u32()?, rng.try_next_u32()?);
-        let count = u64::from(self.count);
-        let carried = u64::from(low).wrapping_mul(count) >> 32;
-        let product = u64::from(high).wrapping_mul(count).wrapping_add(carried);
-        Ok((product >> 32) as usize)
+        Ok(up_to_by_two(self.count.wrapping_sub(1), high, low) as usize)
     }
 
     #[inline]

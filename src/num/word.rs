@@ -9,28 +9,42 @@ pub(crate) const NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_ato
 /// The integer from 0 to `last` that a word gives: ⌊word·(last + 1)/2³²⌋. For the largest `last` it is the word itself.
 #[inline]
 pub(crate) const fn up_to(last: u32, word: u32) -> u32 {
-    up_to_on::<NARROW>(last, word)
+    up_to_on::<NARROW>(last, word, 0)
 }
 
-/// The same, by products of 16 bits on a narrow core. None of the sums can overflow, by the word that is added as
-/// well, since x·y + x + z is below 2³² for three numbers of 16 bits.
+/// The same of a fraction of two words, the leading one first.
 #[inline]
-pub(crate) const fn up_to_on<const NARROW: bool>(last: u32, word: u32) -> u32 {
+pub(crate) const fn up_to_by_two(last: u32, high: u32, low: u32) -> u32 {
+    up_to_on::<NARROW>(last, high, up_to(last, low))
+}
+
+/// ⌊(word·last + word + carried)/2³²⌋, by products of 16 bits on a narrow core. None of the sums can overflow, since
+/// x·y + x + z is below 2³² for three numbers of 16 bits. With `word` among them the compiler does not recognise a long
+/// product, for which a narrow core calls a routine.
+#[inline]
+pub(super) const fn up_to_on<const NARROW: bool>(last: u32, word: u32, carried: u32) -> u32 {
     if NARROW {
         let (high, low) = (word >> 16, word & 0xffff);
         let (last_high, last_low) = (last >> 16, last & 0xffff);
-        let least = low.wrapping_mul(last_low).wrapping_add(low) >> 16;
+        let least = low
+            .wrapping_mul(last_low)
+            .wrapping_add(low)
+            .wrapping_add(carried & 0xffff);
         let middle = high
             .wrapping_mul(last_low)
             .wrapping_add(high)
-            .wrapping_add(least);
-        let other = low.wrapping_mul(last_high).wrapping_add(middle & 0xffff);
+            .wrapping_add(least >> 16);
+        let other = low
+            .wrapping_mul(last_high)
+            .wrapping_add(middle & 0xffff)
+            .wrapping_add(carried >> 16);
         high.wrapping_mul(last_high)
             .wrapping_add(middle >> 16)
             .wrapping_add(other >> 16)
     } else {
         let word = word as u64;
-        (word.wrapping_mul(last as u64).wrapping_add(word) >> 32) as u32
+        let product = word.wrapping_mul(last as u64).wrapping_add(word);
+        (product.wrapping_add(carried as u64) >> 32) as u32
     }
 }
 

@@ -1,4 +1,6 @@
-//! Canonical uniforms, and the point sets that yield them.
+//! Canonical uniforms, integers and chances, and the point sets that yield words.
 
 mod canonical;
+mod chance;
 mod points;
+mod range;

@@ -1,0 +1,118 @@
+//! Integers up to a last one: both kinds of cores give the same, and each integer gets the words that are its share.
+#![allow(
+    clippy::arithmetic_side_effects,
+    clippy::cast_lossless,
+    clippy::indexing_slicing,
+    clippy::integer_division_remainder_used,
+    reason = "tests run where there are panics"
+)]
+
+use super::word::up_to_on;
+use super::{up_to, up_to_by_two};
+use host::speed;
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+use std::vec;
+use std::vec::Vec;
+
+/// The integer by products of 128 bits, of a fraction of 64.
+fn exact(last: u32, high: u32, low: u32) -> u32 {
+    let fraction = u128::from(high) << 32 | u128::from(low);
+    ((fraction * (u128::from(last) + 1)) >> 64) as u32
+}
+
+/// Numbers whose halves are all pairs of the ends of 16 bits, of powers of two and of their neighbours.
+fn structured() -> Vec<u32> {
+    let mut halves = vec![0, 3, 0x5555, 0xaaaa, 0xfffe, 0xffff];
+    halves.extend((0..16).map(|bit| 1 << bit));
+    let high = halves.iter().map(|half| half << 16);
+    high.flat_map(|high| halves.iter().map(move |low| high | low))
+        .collect()
+}
+
+/// The first triple of numbers of which a function is not ⌊(word·last + word + carried)/2³²⌋.
+fn wrong(form: impl Fn(u32, u32, u32) -> u32) -> Option<[u32; 3]> {
+    let long = |[last, word, carried]: [u32; 3]| {
+        let word = u128::from(word);
+        ((word * u128::from(last) + word + u128::from(carried)) >> 32) as u32
+    };
+    let mut rng = Pcg32::new(5, 5);
+    let random =
+        (0..1 << 20).map(move |_| [(); 3].map(|()| rng.next_u32() >> (rng.next_u32() & 31)));
+    let numbers = structured();
+    let pairs = numbers
+        .iter()
+        .flat_map(|last| numbers.iter().map(move |word| (*last, *word)));
+    let triples = pairs.flat_map(|(last, word)| [0, 0xffff, u32::MAX].map(|c| [last, word, c]));
+    triples
+        .chain(random)
+        .find(|of @ [last, word, carried]| form(*last, *word, *carried) != long(*of))
+}
+
+#[test]
+fn both_kinds_of_cores_give_the_same_integers() {
+    assert_eq!(wrong(up_to_on::<true>), None);
+    assert_eq!(wrong(up_to_on::<false>), None);
+    // A carry that is lost is seen, also one out of the least column.
+    assert!(wrong(|last, word, _| up_to_on::<true>(last, word, 0)).is_some());
+    assert!(wrong(|last, word, carried| up_to_on::<true>(last, word, carried & !0xffff)).is_some());
+}
+
+#[test]
+fn two_words_are_one_fraction() {
+    let numbers = structured();
+    let mut rng = Pcg32::new(7, 7);
+    for last in numbers.iter().copied() {
+        for high in numbers.iter().copied() {
+            let low = rng.next_u32();
+            assert_eq!(up_to(last, high), exact(last, high, 0));
+            for low in [low, 0, u32::MAX, low | 0xffff_0000] {
+                assert_eq!(up_to_by_two(last, high, low), exact(last, high, low));
+            }
+        }
+    }
+}
+
+/// An analogue of words of 16 bits, by products of 8 as a narrow core has them.
+fn analogue(last: u32, word: u32) -> u32 {
+    let ([high, low], [last_high, last_low]) = ([word >> 8, word & 0xff], [last >> 8, last & 0xff]);
+    let middle = high * last_low + high + ((low * last_low + low) >> 8);
+    let other = low * last_high + (middle & 0xff);
+    high * last_high + (middle >> 8) + (other >> 8)
+}
+
+/// The first range of so many integers of which one does not have the words from ⌈k·2¹⁶/n⌉ to ⌈(k + 1)·2¹⁶/n⌉ − 1, of all words
+/// of 16 bits.
+fn unfair(sizes: impl Iterator<Item = u32>, form: impl Fn(u32, u32) -> u32) -> Option<u32> {
+    let fair = |n: u32| {
+        let first = |k: u32| (k << 16).div_ceil(n);
+        let mut word = 0;
+        (0..n).all(|k| {
+            while word < 1 << 16 && form(n, word) == k {
+                word += 1;
+            }
+            word == if k + 1 < n { first(k + 1) } else { 1 << 16 }
+        })
+    };
+    sizes.into_iter().find(|n| !fair(*n))
+}
+
+/// Of each integer of 16 bits that may be the last.
+#[test]
+fn each_integer_has_its_share_of_all_words() {
+    let step = speed::of("one size of every", 97, 1);
+    let sizes = || {
+        (1..=300)
+            .chain((301..=1 << 16).step_by(step))
+            .chain([1 << 16])
+    };
+    assert_eq!(unfair(sizes(), |n, word| analogue(n - 1, word)), None);
+    assert_eq!(
+        unfair(sizes(), |n, word| ((u64::from(word) * u64::from(n)) >> 16)
+            as u32),
+        None
+    );
+    // What is not fair: the remainder, whose words are not next to each other; and a uniform of fewer bits.
+    assert_eq!(unfair(2..4, |n, word| word % n), Some(2));
+    assert_eq!(unfair(1..300, |n, word| ((word >> 4) * n) >> 12), Some(3));
+}
