@@ -22,6 +22,9 @@
 //! | a core with an FPU, WASM, a PC | [`poly`]: `use microwarp::poly as mw;` |
 //! | a core without an FPU | feature `fixed`: `use microwarp::fixed as mw;` |
 //! | the last bits of logarithms | [`libm`]: `use microwarp::libm as mw;` |
+//! | an integer of a range, an index, a die | [`Range`](uniform::Range), [`up_to`](uniform::up_to()) |
+//! | a coin, an event of a given probability | [`Chance`](uniform::Chance) |
+//! | one uniform number in [0, 1) | [`grid`](uniform::grid), or [`full`](uniform::full) with every digit of an `f32` |
 //! | a slice of normal or exponential numbers | `fill` of [`NormalPair`](warp::NormalPair), of [`Exponential`](warp::Exponential) |
 //! | one normal or exponential number from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential); the number of words varies |
 //! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one, which keeps the order of strata |
@@ -40,8 +43,7 @@
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |
 //! | fewer samples for the same error | [`Sobol`](uniform::Sobol) points instead of a generator |
 //!
-//! Gamma, beta, binomial, Student and Dirichlet numbers are not here. Take `rand_distr`, which runs on the same generators; `rand`
-//! without default features has integers of a range, coins and shuffles.
+//! Gamma, beta, binomial, Student and Dirichlet numbers are not here. Take `rand_distr`, which runs on the same generators.
 //!
 //! The tier is a type, chosen once. `poly` and `libm` have every warp and take the same uniforms. `fixed` has those that
 //! integers serve well, under the same names.
@@ -141,7 +143,8 @@
 //! - [`balance_heuristic`](estimate::balance_heuristic), [`power_heuristic`](estimate::power_heuristic): multiple importance
 //!   sampling
 //!
-//! Uniforms ([`uniform`]): the 24-bit grid, open, and full resolution; [`Strata1d`](uniform::Strata1d),
+//! Uniforms ([`uniform`]): the 24-bit grid, open, and full resolution; [`Range`](uniform::Range) and
+//! [`Chance`](uniform::Chance): integers and events of exact probabilities; [`Strata1d`](uniform::Strata1d),
 //! [`Strata2d`](uniform::Strata2d).
 //!
 //! Points, whose words are a function of an index and a dimension ([`uniform::Points`]):

@@ -13,9 +13,9 @@ fn head(code: &str) -> String {
 }
 
 /// What a room makes public beside its samplers: results, and parts of others.
-const BESIDE: &str = "AliasEntry Chance Cursor Error06 ExactSelection Failure FromFn Halves HastingsCounts HastingsRatio \
+const BESIDE: &str = "AliasEntry Cursor Error06 ExactSelection Failure FromFn Halves HastingsCounts HastingsRatio \
     LogDensity MeshPoint Outcome PixelSample Proposal Saved Selection Start Symmetric Transition primary_density r_hat \
-    wrapping_add";
+    try_up_to up_to_from_word wrapping_add";
 
 /// The names that a page shows as code.
 fn shown(page: &str) -> BTreeSet<&str> {

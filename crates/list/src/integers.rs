@@ -10,6 +10,7 @@ use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poi
 use microwarp::fixed::{DiskRejection, DiskRejection16};
 use microwarp::metropolis::*;
 use microwarp::rejection::{Accepted, Failure, Rejection};
+use microwarp::uniform::{Chance, Range, up_to, up_to_from_word};
 
 /// Steps a case takes, so that an error anywhere has spread by its end.
 const STEPS: usize = 20;
@@ -274,4 +275,46 @@ pub fn counts(u: [f32; 4], input: usize, out: &mut Out) {
         out.word(law.sample(u[3]));
         out.float(law.pmf(c >> 24));
     });
+}
+
+/// Integers of ranges, by one word and by two, with what is left over.
+pub fn ranges(u: [f32; 4], input: usize, out: &mut Out) {
+    let [a, b, c, d] = stirred(u);
+    let mut rng = generator(input);
+    let last = a >> (b & 31);
+    out.word(up_to_from_word(last, c));
+    out.word(up_to(last, &mut rng));
+    with(Range::below(last), out, |range, out| {
+        let (integer, rest) = range.select(c);
+        out.word(integer);
+        out.word(rest);
+        wide(range.numerator(integer), out);
+        out.word(range.draw_wide(&mut rng));
+        out.float(range.pmf(d >> (b & 31)));
+    });
+    let [low, high] = [c, d].map(|word| word as i32 >> (b >> 5 & 31));
+    with(Range::signed(low, high), out, |range, out| {
+        out.word(range.draw(&mut rng) as u32);
+        out.word(range.draw_wide(&mut rng) as u32);
+    });
+    let [from, to] = [[a, c], [d, b]].map(|[high, low]| u64::from(high) << 32 | u64::from(low));
+    with(Range::of_u64(from >> (b & 63), to), out, |range, out| {
+        wide(range.draw(&mut rng), out);
+        out.float(range.pmf(to));
+    });
+}
+
+/// Events of a probability, and of a ratio.
+pub fn coins(u: [f32; 4], input: usize, out: &mut Out) {
+    let [a, b, c, d] = stirred(u);
+    let mut rng = generator(input);
+    let mut said = |chance: Chance, out: &mut Out| {
+        wide(chance.words(), out);
+        out.float(chance.probability());
+        out.word(u32::from(chance.accepts(d)) | u32::from(chance.draw(&mut rng)) << 1);
+    };
+    for p in [u[0], f32::from_bits(a >> 2)] {
+        with(Chance::new(p), out, &mut said);
+    }
+    with(Chance::from_ratio(c >> (b & 31), b), out, said);
 }

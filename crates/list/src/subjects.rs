@@ -862,4 +862,6 @@ float_warps!(subjects {
             }
         }
     },
+    once "ranges" => integers::ranges,
+    once "coins" => integers::coins,
 });

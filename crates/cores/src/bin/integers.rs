@@ -9,7 +9,7 @@ use microwarp::metropolis::{
     Chain, HastingsCounts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
 };
 use microwarp::rejection::Rejection;
-use microwarp::uniform::{ByPosition, Points, Recurrence, Sobol};
+use microwarp::uniform::{ByPosition, Chance, Points, Range, Recurrence, Sobol, up_to};
 use microwarp_cores::{input, output};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
@@ -105,6 +105,16 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
         output(found.state() as u32);
     }
     output(chain.accepted() as u32);
+
+    output(up_to(input(5), rng));
+    let (index, wide) = (Range::below(input(9))?, Range::of_u64(1, input(8).into())?);
+    output(index.draw(rng) ^ index.draw_wide(rng));
+    output(Range::signed(-3, input(3) as i32)?.draw(rng) as u32);
+    output(wide.draw(rng) as u32 ^ index.numerator(1) as u32);
+    let coins = [Chance::new(f32::from_bits(input(7)))?, Chance::from_ratio(input(1), input(6))?];
+    for coin in coins {
+        output(u32::from(coin.draw(rng)) ^ coin.words() as u32);
+    }
 
     let failures = Geometric::from_ratio(input(1), input(9))?;
     output(failures.draw(rng));

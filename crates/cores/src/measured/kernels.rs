@@ -12,6 +12,7 @@ mod chains;
 mod float;
 mod generator;
 mod integer;
+mod integers;
 mod paths;
 mod peers;
 mod points;
@@ -22,7 +23,7 @@ mod tables;
 use crate::measured::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 16] = [
+pub static REGISTRY: [&[Entry]; 17] = [
     chains::ENTRIES,
     float::POLY,
     float::LIBM,
@@ -32,6 +33,7 @@ pub static REGISTRY: [&[Entry]; 16] = [
     integer::COARSE,
     integer::COMPACT,
     integer::PLAIN,
+    integers::ENTRIES,
     paths::ENTRIES,
     peers::ENTRIES,
     points::ENTRIES,
