@@ -106,6 +106,41 @@ typedef struct mw_source {
     void *context;
 } mw_source;
 
+/* ---- Integers, coins, one uniform ------------------------------------------------------------ */
+
+/*
+ * Each takes one word, and knows how many of the 2^32 words give each outcome: no loop, no division,
+ * no floating-point operation. What is refused draws nothing and changes nothing. The same from a
+ * source that may fail: mw_NAME_from.
+ */
+
+/** An integer from 0 to `last`, which is reached: no `last` is refused. A die: 1 + mw_up_to(rng, 5). */
+uint32_t mw_up_to(mw_pcg32 *rng, uint32_t last);
+mw_error mw_up_to_from(const mw_source *source, uint32_t last, uint32_t *value);
+
+/** An integer from 0 to n - 1, such as an index of n entries; MW_EMPTY for n = 0. */
+mw_error mw_below(mw_pcg32 *rng, uint32_t n, uint32_t *value);
+mw_error mw_below_from(const mw_source *source, uint32_t n, uint32_t *value);
+
+/** An integer from low to high, both reached; MW_EMPTY where low is above high. */
+mw_error mw_range(mw_pcg32 *rng, int32_t low, int32_t high, int32_t *value);
+mw_error mw_range_from(const mw_source *source, int32_t low, int32_t high, int32_t *value);
+
+/**
+ * Whether an event of probability p happens, of which 2^32 p words, rounded up, say yes: 0 never, 1
+ * always, and anything between may. MW_NOT_FINITE, MW_NEGATIVE, or MW_OUT_OF_RANGE above 1.
+ */
+mw_error mw_chance(mw_pcg32 *rng, float p, bool *happens);
+mw_error mw_chance_from(const mw_source *source, float p, bool *happens);
+
+/** Likewise `part` times in `all`; MW_NOT_POSITIVE for 0 in all, MW_OUT_OF_RANGE for more than all. */
+mw_error mw_ratio(mw_pcg32 *rng, uint32_t part, uint32_t all, bool *happens);
+mw_error mw_ratio_from(const mw_source *source, uint32_t part, uint32_t all, bool *happens);
+
+/** A uniform in [0, 1), a multiple of 2^-24: without an FPU it is the one here to take longer. */
+float mw_uniform(mw_pcg32 *rng);
+mw_error mw_uniform_from(const mw_source *source, float *u);
+
 /* ---- Samplers in float ---------------------------------------------------------------------- */
 
 /** A point of a surface, with the outward normal there. */

@@ -19,6 +19,7 @@ mod error;
 mod estimate;
 mod frame;
 mod generators;
+mod integers;
 mod layout;
 mod maps;
 mod points;

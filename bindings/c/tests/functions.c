@@ -46,6 +46,68 @@ static void pcg32_is_the_published_one(void)
         CHECK(mw_pcg32_next(&rng) == published[i]);
 }
 
+/* Integers and coins have the words that are their share, and are refused before a word is drawn. */
+static void integers_are_drawn(void)
+{
+    mw_pcg32 rng = seeded(7), same = seeded(7);
+    mw_source source = {from_pcg32, &same}, dry = {fails, NULL};
+    int faces[6] = {0}, offsets[5] = {0}, lost = 0, sixes = 0;
+    for (int i = 0; i < 60000; i++) {
+        uint32_t face, face_from;
+        int32_t offset, offset_from;
+        bool happens, happens_from;
+        const uint32_t word = mw_up_to(&rng, UINT32_MAX);
+        CHECK(mw_up_to_from(&source, UINT32_MAX, &face_from) == MW_OK && face_from == word);
+        CHECK(mw_below(&rng, 6, &face) == MW_OK && face < 6);
+        CHECK(mw_below_from(&source, 6, &face_from) == MW_OK && face == face_from);
+        CHECK(mw_range(&rng, -2, 2, &offset) == MW_OK && offset >= -2 && offset <= 2);
+        CHECK(mw_range_from(&source, -2, 2, &offset_from) == MW_OK && offset == offset_from);
+        faces[face]++;
+        offsets[offset + 2]++;
+        CHECK(mw_chance(&rng, 0.1f, &happens) == MW_OK);
+        CHECK(mw_chance_from(&source, 0.1f, &happens_from) == MW_OK && happens == happens_from);
+        lost += happens;
+        CHECK(mw_ratio(&rng, 1, 6, &happens) == MW_OK);
+        CHECK(mw_ratio_from(&source, 1, 6, &happens_from) == MW_OK && happens == happens_from);
+        sixes += happens;
+        float u = mw_uniform(&rng), v;
+        CHECK(mw_uniform_from(&source, &v) == MW_OK && u == v && u >= 0.0f && u < 1.0f);
+    }
+    /* Six standard deviations. */
+    for (int i = 0; i < 6; i++)
+        CHECK(near(faces[i], 10000, 548));
+    for (int i = 0; i < 5; i++)
+        CHECK(near(offsets[i], 12000, 588));
+    CHECK(near(lost, 6000, 441) && near(sixes, 10000, 548));
+
+    const mw_pcg32 before = rng;
+    uint32_t value = 77;
+    int32_t number = 77;
+    bool happens = true;
+    float u = 77.0f;
+    static const struct {
+        float p;
+        mw_error error;
+    } bad[] = {{NAN, MW_NOT_FINITE}, {-1e-30f, MW_NEGATIVE}, {1.0000001f, MW_OUT_OF_RANGE}, {INFINITY, MW_NOT_FINITE}};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        CHECK(mw_chance(&rng, bad[i].p, &happens) == bad[i].error && happens);
+        CHECK(mw_chance_from(&dry, bad[i].p, &happens) == bad[i].error && happens);
+    }
+    CHECK(mw_below(&rng, 0, &value) == MW_EMPTY && mw_below_from(&dry, 0, &value) == MW_EMPTY);
+    CHECK(mw_range(&rng, 1, 0, &number) == MW_EMPTY && mw_range_from(&dry, 1, 0, &number) == MW_EMPTY);
+    CHECK(mw_ratio(&rng, 0, 0, &happens) == MW_NOT_POSITIVE && mw_ratio(&rng, 3, 2, &happens) == MW_OUT_OF_RANGE);
+    CHECK(memcmp(&rng, &before, sizeof rng) == 0);
+    CHECK(mw_up_to_from(&dry, 5, &value) == MW_SOURCE_FAILED && mw_below_from(&dry, 5, &value) == MW_SOURCE_FAILED);
+    CHECK(mw_range_from(&dry, -1, 0, &number) == MW_SOURCE_FAILED);
+    CHECK(mw_chance_from(&dry, 0.5f, &happens) == MW_SOURCE_FAILED);
+    CHECK(mw_ratio_from(&dry, 1, 2, &happens) == MW_SOURCE_FAILED);
+    CHECK(mw_uniform_from(&dry, &u) == MW_SOURCE_FAILED);
+    CHECK(value == 77 && number == 77 && happens && u == 77.0f);
+    CHECK(mw_up_to(&rng, 0) == 0 && mw_range(&rng, INT32_MIN, INT32_MAX, &number) == MW_OK);
+    CHECK(mw_chance(&rng, 0.0f, &happens) == MW_OK && !happens);
+    CHECK(mw_chance(&rng, 1.0f, &happens) == MW_OK && happens);
+}
+
 enum { ENTRIES = 5 };
 static const float weights[ENTRIES] = {0.0f, 1.0f, 2.0f, 0.0f, 5.0f};
 
@@ -898,6 +960,7 @@ int main(void)
 {
     errors_have_texts();
     pcg32_is_the_published_one();
+    integers_are_drawn();
     tables_select();
     tables_refuse();
     maps_are_warps();

@@ -310,6 +310,8 @@ static const struct other_subject {
     {"poly integer disks", integer_disks},
     {"poly integer resampling", resampling},
     {"poly counts", counts},
+    {"poly ranges", ranges},
+    {"poly coins", coins},
     {"fine verdicts", fixed_verdicts},
     {"coarse verdicts", coarse_verdicts},
     {"compact verdicts", compact_verdicts},

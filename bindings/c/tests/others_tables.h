@@ -164,6 +164,59 @@ static void counts(four u, int input, struct out *out)
     }
 }
 
+/* The same word again and again. */
+static bool from_word(void *context, uint32_t *word)
+{
+    *word = *(const uint32_t *)context;
+    return true;
+}
+
+static void ranges(four u, int input, struct out *out)
+{
+    uint32_t stirred[4], value;
+    int32_t number;
+    mw_pcg32 rng = generator(input);
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], c = stirred[2], d = stirred[3], last = a >> (b & 31);
+    const mw_source word = {from_word, &stirred[2]};
+    if (made(out, mw_up_to_from(&word, last, &value)))
+        put_uint32_t(out, value);
+    put_uint32_t(out, mw_up_to(&rng, last));
+    if (made(out, mw_below_from(&word, last, &value))) {
+        put_uint32_t(out, value);
+        skip(out, 5);
+        mw_pcg32_next(&rng);
+        mw_pcg32_next(&rng);
+    }
+    const uint32_t shift = b >> 5 & 31;
+    if (made(out, mw_range(&rng, (int32_t)c >> shift, (int32_t)d >> shift, &number))) {
+        put_uint32_t(out, (uint32_t)number);
+        skip(out, 1);
+    }
+    if (((uint64_t)a << 32 | c) >> (b & 63) <= ((uint64_t)d << 32 | b))
+        skip(out, 3);
+    else
+        put_refusal(out, MW_EMPTY, 0);
+}
+
+static void coins(four u, int input, struct out *out)
+{
+    uint32_t stirred[4];
+    bool given, drawn;
+    mw_pcg32 rng = generator(input);
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], part = stirred[2] >> (b & 31);
+    const float p[2] = {u[0], float_of(a >> 2)};
+    const mw_source word = {from_word, &stirred[3]};
+    for (int i = 0; i < 3; i++) {
+        if (!made(out, i < 2 ? mw_chance_from(&word, p[i], &given) : mw_ratio_from(&word, part, b, &given)))
+            continue;
+        skip(out, 3);
+        CHECK((i < 2 ? mw_chance(&rng, p[i], &drawn) : mw_ratio(&rng, part, b, &drawn)) == MW_OK);
+        put_uint32_t(out, (uint32_t)given | (uint32_t)drawn << 1);
+    }
+}
+
 static void resampling(four u, int input, struct out *out)
 {
     const float numbers[6] = {u[0], u[1], 0.5f, 1e-20f, u[2], u[3]};

@@ -1,0 +1,60 @@
+//! Integers of a range, coins, and one uniform.
+
+use crate::error::{Code, OK, code};
+use crate::generators::{Pcg32, Source, forget_registers};
+use core_crate::Error;
+use core_crate::uniform::{Chance, Range, grid, try_grid, try_up_to, up_to};
+
+#[unsafe(export_name = "mw_uniform")]
+extern "C" fn uniform(rng: &mut Pcg32) -> f32 {
+    forget_registers();
+    grid(rng)
+}
+
+#[unsafe(export_name = "mw_uniform_from")]
+extern "C" fn uniform_from(source: &Source, u: &mut f32) -> Code {
+    forget_registers();
+    code(try_grid(&mut { *source }), |drawn| *u = drawn)
+}
+
+#[unsafe(export_name = "mw_up_to")]
+extern "C" fn integer(rng: &mut Pcg32, last: u32) -> u32 {
+    up_to(last, rng)
+}
+
+#[unsafe(export_name = "mw_up_to_from")]
+extern "C" fn integer_from(source: &Source, last: u32, value: &mut u32) -> Code {
+    code(try_up_to(last, &mut { *source }), |drawn| *value = drawn)
+}
+
+macro_rules! drawn {
+    ($($name:literal ($($parameter:ident: $type:ty),*) -> $value:ty = $made:expr;)*) => {$(
+        const _: () = {
+            #[unsafe(export_name = concat!("mw_", $name))]
+            extern "C" fn draw(rng: &mut Pcg32, $($parameter: $type,)* value: &mut $value) -> Code {
+                match $made {
+                    Ok(made) => {
+                        *value = made.draw(rng);
+                        OK
+                    }
+                    Err(error) => Error::into(error),
+                }
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_from"))]
+            extern "C" fn draw_from(source: &Source, $($parameter: $type,)* value: &mut $value) -> Code {
+                match $made {
+                    Ok(made) => code(made.try_draw(&mut { *source }), |drawn| *value = drawn),
+                    Err(error) => Error::into(error),
+                }
+            }
+        };
+    )*};
+}
+
+drawn! {
+    "below" (n: u32) -> u32 = Range::below(n);
+    "range" (low: i32, high: i32) -> i32 = Range::signed(low, high);
+    "chance" (p: f32) -> bool = Chance::new(p);
+    "ratio" (part: u32, all: u32) -> bool = Chance::from_ratio(part, all);
+}
