@@ -33,6 +33,8 @@ pub(crate) use self::exponent::{
 pub(crate) use self::long::{Long, high};
 pub(crate) use self::scaled::Scaled;
 pub(crate) use self::segment::{Segment, extent, neighbour};
+#[cfg(feature = "fixed")]
+pub(crate) use self::word::NARROW;
 pub(crate) use self::word::{
-    NARROW, folded, folded_exactly, happens, middle, nearest, up_to, up_to_by_two,
+    folded, folded_exactly, happens, middle, nearest, up_to, up_to_by_two,
 };
