@@ -97,12 +97,12 @@ export const refuse = (refusal) => {
 const shown = (value) => (typeof value === "number" ? `${value}` : value === null ? "null" : `a value of type ${typeof value}`);
 export const wrong = (expected, value) => new TypeError(`${expected} is expected, not ${shown(value)}`);
 
-// Every integer parameter.
-export const integer = (name, value, least, most) => {
-  const expected = `${name}: an integer from ${least} to ${most}`;
+// Every parameter between two ends, an integer where nothing else is said.
+export const integer = (name, value, least, most, kind = "an integer", is = Number.isInteger) => {
+  if (is(value) && value >= least && value <= most) return value;
+  const expected = `${name}: ${kind} from ${least} to ${most}`;
   if (typeof value !== "number") throw wrong(expected, value);
-  if (!(Number.isInteger(value) && value >= least && value <= most)) throw new RangeError(`${expected} is expected, not ${value}`);
-  return value;
+  throw new RangeError(`${expected} is expected, not ${value}`);
 };
 export const u32_of = (name, value) => integer(name, value, 0, 0xffffffff);
 // Of 64 bits: those of a negative number are its complement's.
@@ -207,12 +207,32 @@ export const from_array = (array, each) => (from, n) => {
 
 // --- where words come from -----------------------------------------------------------------------------
 
+const FAR = Number.MAX_SAFE_INTEGER;
+// ⌊word·n/2³²⌋, of up to 2³² integers: each product of a half has 48 bits.
+const scaled = (n, word) => Math.floor(((word >>> 16) * n + Math.floor((word & 0xffff) * n / 65536)) / 65536);
+
 // How a source is readied, by nobody but `ready`.
 export const READY = Symbol("ready");
 
 export class Source {
   words(words, dimensions = 1) {
     return this.#filled(words, Uint32Array, dimensions, () => {});
+  }
+  uniform() {
+    const word = word_of(this);
+    return deep && word < 1 << 23 ? (2 * word + 1) / 2 ** 33 : (word >>> 8 | deep) / 2 ** 24;
+  }
+  below(n) {
+    return scaled(integer("n", n, 1, 2 ** 32), word_of(this));
+  }
+  range(low, high) {
+    integer("low", low, -FAR, FAR);
+    integer("high", high, low, Math.min(low + 2 ** 32 - 1, FAR));
+    return low + scaled(high - low + 1, word_of(this));
+  }
+  chance(p) {
+    integer("p", p, 0, 1, "a number", Number.isFinite);
+    return word_of(this) < Math.ceil(Math.fround(p) * 2 ** 32);
   }
   uniforms(uniforms, dimensions = 1) {
     return this.#filled(uniforms, Float32Array, dimensions, (n, random) => {
@@ -289,12 +309,23 @@ export const plan = (owner, source, words_each, numbers) => {
   return drawn ? many : -1;
 };
 // Keeps what has come out but the first point, which is to be handed out.
-export const keep = () => {
+export const keep = (at = OUT) => {
   if (many === 1) return;
   [next, end] = [each, many * each];
-  kept_words.set(u32.subarray(OUT, OUT + end));
+  kept_words.set(u32.subarray(at, at + end));
 };
 export const kept_word = (at) => kept_words[at];
+// The next word of a source, and with it 1 in `deep` where it is one of a set, whose uniforms keep their middles.
+let deep;
+const word_of = (source) => {
+  const at = place_ahead(Source, source);
+  if (at >= 0) return kept_words[at];
+  const random = plan(Source, source, 1, 1);
+  deep = random > 0 ? 0 : 1;
+  drawn(random);
+  keep(IN);
+  return u32[IN];
+};
 export const kept_point = (at) => {
   if (each === 1) return kept[at];
   const numbers = [];

@@ -2,6 +2,27 @@
 export declare abstract class Source {
   /** Fills an array with words of 32 bits; of points, with the words of so many dimensions each. */
   words(words: Uint32Array, dimensions?: number): Uint32Array;
+  /** A uniform in [0, 1), of one word, as `uniforms` fills in. */
+  uniform(): number;
+  /**
+   * An integer from 0 to n − 1, of one word: each has ⌊2³²/n⌋ of the 2³² words, or one more.
+   *
+   * @throws RangeError for an n that is no integer from 1 to 2³².
+   */
+  below(n: number): number;
+  /**
+   * An integer from `low` to `high`, both among them, of one word.
+   *
+   * @throws RangeError where `low` is above `high`, for more than 2³² integers, and for what are none.
+   */
+  range(low: number, high: number): number;
+  /**
+   * Whether an event of probability p happens, of one word: ⌈2³²p⌉ of the 2³² words say so, of p as an `f32`. For one in six take
+   * `below(6) < 1`.
+   *
+   * @throws RangeError for a p outside [0, 1], and for NaN.
+   */
+  chance(p: number): boolean;
   /** Fills an array with uniforms in [0, 1); of points, with so many dimensions each. */
   uniforms(uniforms: Float32Array, dimensions?: number): Float32Array;
 }

@@ -96,6 +96,15 @@ const actual = {
   Strata: () => Array.from({ length: 6 }, (_, k) => [
     ...new Strata(3, 2).place(k, [0.25, 0.75]), new Strata(6).place(k, 0.25),
   ]).flatMap(bits),
+  integers: () => {
+    const [words, drawn] = [rng(), []];
+    for (const n of [1, 2, 6, 52, 1000, 65537, 3 * 2 ** 29, 2 ** 32 - 1]) {
+      const half = Math.floor(n / 2);
+      drawn.push(words.below(n), words.below(2 ** 32), words.range(-half, half) >>> 0, Number(words.chance(1 / n)), ...bits(words.uniform()));
+    }
+    drawn.push(...Array.from({ length: 200 }, () => words.range(1, 6)), ...Array.from({ length: 200 }, () => Number(words.chance(0.1))));
+    return [...drawn, new Sobol(7).at(3).below(2 ** 32)];
+  },
   "normal chain": () => chain({ normal: [0.5, 1] }),
   "box chain": () => chain({ box: [0.5, 0] }),
   "cube chain": () => chain({ box: [0.1, 0.2], cube: 0.25 }),

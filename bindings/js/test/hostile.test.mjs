@@ -42,6 +42,7 @@ const integers = {
   from: [(n) => new Strata(3).uniforms(new Float32Array(3), new Pcg32(1), n), 3], "index of pmf": [(n) => new Cdf([1, 2]).pmf(n), 1],
   "index of pmf of Alias": [(n) => new Alias([1, 2]).pmf(n), 1], "columns of a table": [(n) => new PiecewiseConstant2d([1, 2, 3, 4], [n, 2], [0, 1], [0, 1]), 2],
   "rows of a sky": [(n) => new LatLongMap([1, 2, 3, 4], [2, n]), 2], "seed of at": [(n) => Pcg32.at(n, 1), 3], "index of Pcg32.at": [(n) => Pcg32.at(1, n), 3],
+  n: [(n) => new Pcg32(1).below(n), 3], high: [(n) => new Sobol(1).range(0, n), 3],
   dimensions: [(n) => new Pcg32(1).words(new Uint32Array(4), n), 2],
   steps: [(n) => new Chain(() => 1, 0, { box: 1 }).resume({ state: 0, density: 1, steps: n, accepted: 0, refused: 0 }), 3],
 };
@@ -174,6 +175,43 @@ test("errors name what is expected", () => {
   assert.throws(() => new microwarp.Warp(), /a class of a warp is expected/);
 });
 
+test("empty ranges, and probabilities that are none, are refused and draw nothing", () => {
+  for (const source of [new Pcg32(3), new Sobol(3)]) {
+    const before = source.state ?? source.index;
+    for (const n of [0, -1, 2 ** 32 + 1, 0.5, NaN]) assert.throws(() => source.below(n), { name: "RangeError", message: /^n: an integer from 1 to 4294967296 is expected, not / });
+    for (const [low, high] of [[1, 0], [0, 2 ** 32], [NaN, 1], [0.5, 1], [-(2 ** 53), 0], [2 ** 53 - 1, 2 ** 53]]) assert.throws(() => source.range(low, high), RangeError);
+    for (const p of [-1e-300, 1 + 2 ** -52, NaN, Infinity]) assert.throws(() => source.chance(p), { name: "RangeError", message: /^p: a number from 0 to 1 is expected, not / });
+    for (const wrong of ["3", 7n, null, undefined, [3], true]) {
+      for (const use of ["below", "chance"]) assert.throws(() => source[use](wrong), TypeError);
+      assert.throws(() => source.range(0, wrong), TypeError);
+    }
+    assert.equal(source.state ?? source.index, before);
+  }
+});
+
+test("integers and coins reach their ends, and no further", () => {
+  const rng = new Pcg32(9);
+  const count = (draw, times) => {
+    const counts = new Map();
+    for (let i = 0; i < times; i += 1) {
+      const value = draw();
+      counts.set(value, (counts.get(value) ?? 0) + 1);
+    }
+    return counts;
+  };
+  const faces = count(() => rng.range(1, 6), 60000);
+  assert.deepEqual([...faces.keys()].sort(), [1, 2, 3, 4, 5, 6]);
+  // Six standard deviations.
+  for (const times of faces.values()) assert.ok(Math.abs(times - 10000) < 548, `${times}`);
+  const far = 2 ** 53 - 1;
+  assert.deepEqual([rng.below(1), rng.range(-7, -7), rng.range(far, far), rng.range(-far, -far)], [0, -7, far, -far]);
+  assert.deepEqual([...count(() => rng.chance(0), 1000).keys(), ...count(() => rng.chance(1), 1000).keys()], [false, true]);
+  const [one, same] = [new Pcg32(5), new Pcg32(5)];
+  assert.deepEqual(Array.from({ length: 50 }, () => one.uniform()), Array.from(same.uniforms(new Float32Array(50))));
+  const [set, other] = [new Sobol(5), new Sobol(5)];
+  assert.deepEqual(Array.from({ length: 50 }, () => set.uniform()), Array.from(other.uniforms(new Float32Array(50))));
+});
+
 test("points drawn one by one are those drawn at once, whatever comes between", () => {
   const makers = [() => new Normal(0, 1), () => Exponential.fromRate(2), () => new Disk(), () => new Cdf([1, 2, 3, 4]), () => new Alias([1, 2, 3])];
   const words = [1, 1, 2, 1, 1];
@@ -188,6 +226,8 @@ test("points drawn one by one are those drawn at once, whatever comes between", 
     const filled = fresh.fill(which > 2 ? new Uint32Array(times) : new Float32Array(times * (which === 2 ? 2 : 1)), same);
     assert.deepEqual(drawn, Array.from(filled), `${run}`);
     word += times * words[which];
+    if (run % 7 === 2) for (let i = 0; i < times; i += 1) assert.equal(one.below(2 ** 32), same.words(new Uint32Array(1))[0]);
+    if (run % 7 === 2) word += times;
     if (run % 3 === 0) assert.equal(one.state, same.state);
     if (run % 4 === 0) thing.draw(new Pcg32(1));
     if (run % 5 === 1) assert.deepEqual(one.words(new Uint32Array(3)), same.words(new Uint32Array(3)));

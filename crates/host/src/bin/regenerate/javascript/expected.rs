@@ -7,7 +7,9 @@ use microwarp::discrete::{
 use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
 };
-use microwarp::uniform::{ByPosition, Points, Sobol, Strata1d, Strata2d};
+use microwarp::uniform::{
+    ByPosition, Chance, Points, Range, Sobol, Strata1d, Strata2d, grid, up_to,
+};
 use microwarp::{Invert, Warp, poly, tier::Poly};
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
@@ -148,6 +150,27 @@ fn golden(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
     Ok(lines.join(",\n"))
 }
 
+/// Integers, coins and uniforms, in turns, so that each starts anew where another has ended; then of one kind in a row.
+fn integers() -> Vec<u32> {
+    let ok = "accepted parameters";
+    let (mut rng, mut drawn) = (Pcg32::new(42, 54), Vec::new());
+    for n in [1, 2, 6, 52, 1000, 65_537, 3 << 29, u32::MAX] {
+        let half = (n / 2) as i32;
+        drawn.push(Range::below(n).expect(ok).draw(&mut rng));
+        drawn.push(up_to(u32::MAX, &mut rng));
+        let range = Range::signed(-half, half).expect(ok);
+        drawn.push(range.draw(&mut rng) as u32);
+        let p = 1.0 / n as f32;
+        drawn.push(Chance::new(p).expect(ok).draw(&mut rng).into());
+        drawn.push(grid(&mut rng).to_bits());
+    }
+    let (die, coin) = (Range::new(1, 6).expect(ok), Chance::new(0.1).expect(ok));
+    drawn.extend((0..200).map(|_| die.draw(&mut rng)));
+    drawn.extend((0..200).map(|_| u32::from(coin.draw(&mut rng))));
+    drawn.extend(Sobol::<8>::new(7).expect(ok).words::<1>(3));
+    drawn
+}
+
 pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
     let ok = "accepted parameters";
     let cells = |u, v| PiecewiseConstant2d::<_, [[u32; 3]; 2]>::new(&CELLS, u, v).expect(ok);
@@ -207,6 +230,7 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             points([0, 1, 2, 3, 100, 101].map(|i| ByPosition::new(7, 9).words(i))),
         ),
         ("Strata", list(strata)),
+        ("integers", list(integers())),
         (
             "normal chain",
             chain(RandomWalk::new(
