@@ -106,12 +106,14 @@ const MADE_OF_OTHERS: [&str; 7] = [
     "PiecewiseLinear1d",
 ];
 
-/// What the blocks of one struct leave out and do not account for: `picture`, `comparison`, `refusal`, `constant`, `getters`.
+/// What the blocks of one struct leave out and do not account for: `picture`, `comparison`, `control`, `refusal`,
+/// `constant`, `getters`.
 fn lacks(blocks: &[&Registered]) -> Vec<&'static str> {
     let entries: Vec<_> = blocks.iter().flat_map(|of| of.entries()).collect();
     let given = |what| match what {
         "picture" => entries.iter().any(|entry| entry.picture.is_some()),
         "comparison" => entries.iter().any(|entry| entry.trade.is_some()),
+        "control" => blocks.iter().any(|of| !of.controls.is_empty()),
         "refusal" => blocks.iter().any(|of| !of.refused.is_empty()),
         "constant" => blocks.iter().any(|of| !of.constants.is_empty()),
         _ => blocks.iter().any(|of| of.given_back.is_some()),
@@ -119,8 +121,15 @@ fn lacks(blocks: &[&Registered]) -> Vec<&'static str> {
     // Without parameters nothing is refused, nothing can differ, and nothing is given back.
     let takes = blocks.iter().any(|of| !of.takes.is_empty());
     let takes = takes && !MADE_OF_OTHERS.contains(&blocks[0].name);
-    let due = ["picture", "comparison", "refusal", "constant", "getters"];
-    let due = due.into_iter().take(if takes { 5 } else { 2 });
+    let due = [
+        "picture",
+        "comparison",
+        "control",
+        "refusal",
+        "constant",
+        "getters",
+    ];
+    let due = due.into_iter().take(if takes { 6 } else { 3 });
     let accounted = |what: &&'static str| {
         let mut without = blocks.iter().flat_map(|of| &of.without);
         without.any(|(left_out, why)| left_out == what && !why.is_empty())
@@ -157,6 +166,7 @@ fn the_blocks_of_every_struct_have_all_that_is_known_of_it() {
         lacks(&[bare])
     };
     assert_eq!(bare(|of| of.cases.clear()), ["picture", "comparison"]);
+    assert_eq!(bare(|of| of.controls.clear()), ["control"]);
     assert_eq!(bare(|of| of.refused.clear()), ["refusal"]);
     assert_eq!(bare(|of| of.constants.clear()), ["constant"]);
     assert_eq!(bare(|of| of.given_back = None), ["getters"]);

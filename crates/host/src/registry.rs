@@ -6,6 +6,7 @@
 
 mod composed;
 mod directions;
+pub mod evidence;
 pub mod family;
 mod lights;
 mod line;
@@ -20,6 +21,7 @@ use crate::adversary::words::Kind;
 use crate::contest::{POINTS, generator};
 use crate::generators::Cycle;
 use crate::truth::Truth;
+use evidence::Control;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::Uniforms as _;
 use microwarp::{Error, Invert, Warp, warp::Transform};
@@ -297,6 +299,8 @@ pub struct Registered {
     pub build: fn(&[f32]) -> Result<Entry, Error>,
     /// The parameters under which every law runs: a label, the numbers, and what is particular to them.
     pub cases: Vec<Case>,
+    /// Wrong maps that the examination of samples rejects.
+    pub controls: Vec<Control>,
     /// Accepted parameters where the search for the worst case starts: hard ones, and the extremes.
     pub seeds: Vec<Vec<f32>>,
     pub refused: Vec<(Vec<f32>, Error)>,
@@ -349,6 +353,7 @@ impl Registered {
             ordered: &[],
             build,
             cases: Vec::new(),
+            controls: Vec::new(),
             seeds: Vec::new(),
             refused: Vec::new(),
             constants: Vec::new(),

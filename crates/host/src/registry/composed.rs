@@ -49,6 +49,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             e.picture("a bilinear weight on a triangle", EQUILATERAL)
                 .trade(family::COMPOSED, "composed")
         })
+        .control(
+            "a triangle without its weights",
+            |[u, v, _], _| [1.0 - u.sqrt(), u.sqrt() * (1.0 - v), u.sqrt() * v],
+            &["chi-square", "distance", "mean x"],
+        )
         .case("1 2 / 3 4", &[1.0, 2.0, 3.0, 4.0])
         .seed(&[1.0; 4])
         .seed(&[4.0, 4.0, 1.0, 0.0])
@@ -66,6 +71,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 )
                 .trade(family::LINE, "inversion")
             },
+        )
+        .control(
+            "a uniform that is not inverted",
+            |[u, ..], _| [u, 0.0, 0.0],
+            &["chi-square", "distance", "mean x"],
         ),
         example(
             "Transform",
@@ -76,6 +86,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e.picture("y = sin x, with p(x) = 2x", View::Line(between(-0.1, 1.0)))
                     .trade(family::LINE, "transform")
             },
+        )
+        .control(
+            "the sine of a plain uniform",
+            |[u, ..], _| [u.sin(), 0.0, 0.0],
+            &["chi-square", "distance", "mean x"],
         ),
         example(
             "Transform",
@@ -97,6 +112,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e.picture("p(x) = 2x, p(y | x) = 1/x", window(0.5, 0.5, 0.51))
                     .trade(family::COMPOSED, "marginal_conditional")
             },
+        )
+        .control(
+            "a marginal that is uniform",
+            |[u, v, _], _| [u, u * v, 0.0],
+            &["chi-square", "distance", "mean x"],
         ),
     ]
 }

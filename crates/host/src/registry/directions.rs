@@ -1,5 +1,6 @@
 //! The warps over directions.
 
+use super::evidence::direction;
 use super::picture::View::Sky;
 use super::{Domain, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
@@ -146,17 +147,20 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.cosine = false;
             Ok(entry.outside(&[]))
         })
-            .case_with("", &[], |e| e.picture("all directions", Sky(PI)).trade(family::SPHERE, "sphere")),
+            .case_with("", &[], |e| e.picture("all directions", Sky(PI)).trade(family::SPHERE, "sphere"))
+            .control("a sphere with theta linear in xi", |[u, v, _], _| direction(PI * u, v), &["chi-square", "distance", "mean z²"]),
         Registered::new("Hemisphere", "", &[], |_| {
             Ok(upper(about_z::<T, _>("Hemisphere", Hemisphere::<T>::new(), truth::hemisphere())))
         })
-            .case_with("", &[], |e| e.picture("the upper half", Sky(FRAC_PI_2)).trade(family::HEMISPHERE, "hemisphere")),
+            .case_with("", &[], |e| e.picture("the upper half", Sky(FRAC_PI_2)).trade(family::HEMISPHERE, "hemisphere"))
+            .control("a hemisphere with theta linear in xi", |[u, v, _], _| direction(0.5 * PI * u, v), &["chi-square", "distance", "mean z", "mean z²"]),
         Registered::new("CosineHemisphere", "", &[], |_| {
             Ok(upper(about_z::<T, _>("CosineHemisphere", CosineHemisphere::<T>::new(), truth::cosine_hemisphere())))
         })
             .case_with("", &[], |e| {
                 e.picture("p = cos θ / π, by inversion", Sky(FRAC_PI_2)).trade(family::COSINE, "cosine_hemisphere")
-            }),
+            })
+            .control("a uniform hemisphere for Lambert's law", |[u, v, _], _| direction((1.0 - u).acos(), v), &["chi-square", "distance", "mean z"]),
         Registered::new("MalleyHemisphere", "", &[], |_| {
             let mut entry = upper(about_z::<T, _>("MalleyHemisphere", MalleyHemisphere::<T>::new(), Box::new(truth::Malley)));
             (entry.azimuth, entry.polar) = (false, false);
@@ -164,7 +168,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         })
             .case_with("", &[], |e| {
                 e.picture("p = cos θ / π, Malley's method", Sky(FRAC_PI_2)).trade(family::COSINE, "malley_hemisphere")
-            }),
+            })
+            .control("a disk with r = xi, lifted", |[u, v, _], _| direction(u.asin(), v), &["chi-square", "distance", "mean z"]),
         Registered::new("PhongLobe", "", &[Positive], |p| {
             Ok(upper(about_z::<T, _>("PhongLobe", PhongLobe::<T>::new(p[0])?, truth::phong(p[0]))).own_density().variables(&[("k", p[0].into())]))
         })
@@ -173,6 +178,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("n=1.4136", &[1.413_630_8])
             .case("n=3.4715", &[3.471_497_3])
             .case_with("n=50", &[50.0], |e| e.picture("p ∝ cosⁿθ, n = 50", Sky(0.5)).trade(family::LOBE, "phong_lobe_50"))
+            .control("a lobe of an exponent slightly off", |[u, v, _], wrong| direction((1.0 - u).powf((1.0 + wrong) / 51.0).acos(), v), &["chi-square", "distance"])
             .case("n=1e4", &[1e4])
             .case_with("n=1e6", &[1e6], |e| e.picture("p ∝ cosⁿθ, n = 10⁶", Sky(0.0035)))
             .case("n=1e8", &[1e8])
@@ -189,6 +195,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("g=0.8", &[0.8], |e| {
                 e.picture("g = 0.8: p ∝ (1.64 − 1.6 cos θ)^−1.5", Sky(PI)).trade("phase g = 0.8", "henyey_greenstein_08")
             })
+            .control("fog of a g slightly off", |[u, v, _], wrong| direction(fog(0.8 * (1.0 - wrong), u).acos(), v), &["chi-square", "distance", "mean z"])
             .case("g=-0.5", &[-0.5])
             .case("g=0", &[0.0])
             .case("g=0.999", &[0.999])
@@ -236,6 +243,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("k=10", &[10.0], |e| {
                 e.picture("p ∝ exp(κ cos θ), κ = 10", Sky(FRAC_PI_2)).trade("von Mises-Fisher", "von_mises_fisher_10")
             })
+            .control("a concentration slightly off", |[u, v, _], wrong| direction((1.0 + (-u * (1.0 - (-20f64).exp())).ln_1p() / (10.0 + 10.0 * wrong)).acos(), v), &["chi-square", "distance", "mean z"])
             .case("k=0", &[0.0])
             .case("k=1e-6", &[1e-6])
             .case("k=0.5", &[0.5])
@@ -254,6 +262,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, Box::new(truth))).own_density())
         })
             .case_with("α=0.3", &[0.3, 0.3], |e| e.trade("GGX α = 0.3", "ggx_03"))
+            .control("a roughness slightly off", |[u, v, _], wrong| direction((0.3 * (1.0 + wrong) * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean z"])
             .case_with("α=0.1, 0.5", &[0.1, 0.5], |e| e.picture("roughness 0.1 along x, 0.5 along y", Sky(FRAC_PI_2)))
             .case("α=1", &[1.0, 1.0])
             .case("α=0.01", &[0.01, 0.01])
@@ -266,6 +275,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             visible(p, GgxVisible::<T>::new([p[0], p[1], p[2]], [p[3], p[4]]), false)
         })
             .case_with("α=0.3 at 60°", &[0.866, 0.0, 0.5, 0.3, 0.3], |e| e.picture("seen at 60°, roughness 0.3", Sky(FRAC_PI_2)).trade("GGX α = 0.3", "ggx_visible_03"))
+            .control("all normals for those that are seen", |[u, v, _], _| direction((0.3 * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean x"])
             .case("α=0.1, 0.5 at 60°", &[0.5, -0.7, 0.5, 0.1, 0.5])
             .case("α=1 from above", &[0.0, 0.0, 1.0, 1.0, 1.0])
             .case("α=1 at the horizon", &[1.0, 0.0, 0.0, 1.0, 1.0])
@@ -294,6 +304,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1e-2 rad", &[1e-2])
             .case("1.6e-2 rad", &[0.016_239_65])
             .case_with("0.1 rad", &[0.1], |e| e.picture("half angle 0.1 rad", Sky(0.102)).trade(family::CAP, "cone"))
+            .control("a cone with theta linear in xi", |[u, v, _], _| direction(0.1 * u, v), &["chi-square", "distance", "mean z"])
             .case("1.5 rad", &[1.5])
             .case_with("3 rad", &[3.0], |e| e.outside(&[[0.0, 0.0, -1.0]]))
             .seed(&[1.05])
@@ -316,6 +327,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("octant", &[0.0, 0.25, 0.0, 0.25], |e| {
                 e.picture("0 ≤ θ ≤ 90°, 0 ≤ φ ≤ 90°", Sky(FRAC_PI_2)).trade(family::CAP, "spherical_patch")
             })
+            .control("a patch with theta linear in xi", |[u, v, _], _| direction(0.5 * PI * u, 0.25 * v), &["chi-square", "distance", "mean z"])
             .case_with("band", &[0.2, 0.3, -0.5, 0.5], |e| e.picture("72° ≤ θ ≤ 108°, every φ", Sky(PI)))
             .case_with("south", &[0.45, 0.5, 0.1, 0.6], |e| e.outside(&[[0.6, 0.0, -0.8], [0.0, 0.0, 1.0]]))
             .case_with("1e-3 tile", &[0.125, 0.126, 0.3, 0.301], |mut e| {
@@ -335,6 +347,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e.outside(&[[0.0, -1.0, 0.0], [-0.6, 0.8, 0.0]]).picture("a sphere seen from twice its radius", Sky(FRAC_PI_2)).trade(family::CAP, "visible_sphere")
             })
             .case_with("5 m off", &[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.5], |e| e.outside(&[[0.0, 0.8, 0.6], [0.0, -0.6, -0.8]]))
+            .control("a sphere seen with theta linear in xi", |[u, v, _], _| tilted(direction(0.1f64.asin() * u, v)), &["chi-square", "distance"])
             .case_with("1e-6 above", &[1.000_001, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], |e| e.outside(&[[0.1, 0.0, 0.995]]))
             .case_with("on the surface", &[1.0, 2.0, 2.0, 0.0, 0.0, 0.0, 3.0], |e| e.outside(&[[0.1, 0.7, 0.7]]))
             .case_with("inside", &[1.0, 2.0, 2.0, 0.0, 0.1, 0.0, 3.0], |e| e.outside(&[]))
@@ -360,6 +373,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("cosine about (1, 2, 3)", &[1.0, 2.0, 3.0], |e| {
                 e.outside(&[[-0.3, -0.5, -0.8]]).picture("cosine about (1, 2, 3)", Sky(PI)).trade(family::COMPOSED, "oriented")
             })
+            .control("a cosine hemisphere left at +z", |[u, v, _], _| direction(u.sqrt().asin(), v), &["chi-square", "distance", "mean x"])
             .case("cosine about -z", &[0.0, 0.0, -1.0])
             .case("cosine about (1e-4, 0, -1)", &[1e-4, 0.0, -1.0]),
         turned("Hemisphere", &[Any; 3], |p| oriented::<T, _>(p, Hemisphere::<T>::new(), truth::hemisphere())),
@@ -389,4 +403,15 @@ fn exact_frame(n: truth::Point) -> [truth::Point; 3] {
         [x * y * a, sign + y * y * a, -y],
         [x, y, z],
     ]
+}
+
+/// The cosine of Henyey and Greenstein's law.
+fn fog(g: f64, u: f64) -> f64 {
+    let part = (1.0 - g * g) / (1.0 - g + 2.0 * g * u);
+    ((1.0 + g * g - part * part) / (2.0 * g)).clamp(-1.0, 1.0)
+}
+
+/// A direction about +z, turned about (0, 0.6, 0.8).
+fn tilted([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [x, 0.8 * y + 0.6 * z, 0.8 * z - 0.6 * y]
 }

@@ -3,7 +3,7 @@
 use super::picture::View::Sky;
 use super::{Domain, Entry, Measure, Registered, Uniforms, entry, family};
 use crate::adversary::words::Kind::{self, Within};
-use crate::truth::Light;
+use crate::truth::{Light, dot};
 use microwarp::Error::{self, *};
 use microwarp::Invert;
 use microwarp::tier::Tier;
@@ -77,6 +77,13 @@ fn tiny(mut entry: Entry) -> Entry {
     entry.unresolved()
 }
 
+/// The direction to a point of a light with a corner at (-0.6, -0.5, 0.8), by shares of both edges there.
+fn toward(edges: [[f64; 3]; 2], [s, t]: [f64; 2]) -> [f64; 3] {
+    let corner = [-0.6, -0.5, 0.8];
+    let point = [0, 1, 2].map(|k| corner[k] + s * edges[0][k] + t * edges[1][k]);
+    point.map(|c| c / dot(point, point).sqrt())
+}
+
 /// So far may the inverse of a rounded direction lie outside.
 fn loose(mut entry: Entry, slack: f64) -> Entry {
     entry.slack = slack;
@@ -92,6 +99,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1 sr", &[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 0.7, -0.4, 0.9, 0.1, 0.8, 0.6], |e| {
                 loose(e.picture("a triangle seen from a point", Sky(FRAC_PI_2)).trade(family::CAP, "spherical_triangle"), 3e-5)
             })
+            .control("points that are uniform on a triangle", |[u, v, _], _| toward([[1.3, 0.1, 0.1], [0.7, 1.3, -0.2]], [u.sqrt() * (1.0 - v), u.sqrt() * v]), &["chi-square", "distance"])
             .case_with("2e-3 sr", &[0.9, -0.7, -1.0, 0.1, 0.0, 1.0, 0.0, 0.1, 0.9, -0.1, -0.1, 1.0], |e| loose(e, 1e-4))
             .case_with("sliver", &[0.0, 0.0, 0.0, -0.6, 0.0, 0.8, 0.7, 0.3, 0.9, 0.055, 0.151, 0.85], |e| loose(e, 1e-2))
             .case_with("above", &[0.0, 0.1, 0.0, 1.0, 0.0, 0.05, -0.5, 0.9, 0.05, -0.5, -0.9, 0.05], |e| loose(e, 1e-4))
@@ -132,6 +140,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1 sr", &[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1.2, 0.1, 0.1, -0.1, 1.0, 0.2], |e| {
                 loose(e.picture("a rectangle seen from a point", Sky(FRAC_PI_2)).trade(family::CAP, "spherical_rectangle"), 3e-5)
             })
+            .control("points that are uniform on a rectangle", |[u, v, _], _| toward([[1.2, 0.1, 0.1], [-0.1, 1.0, 0.2]], [u, v]), &["chi-square", "distance"])
             .case_with("2e-3 sr", &[0.9, -0.7, -1.0, 0.1, 0.0, 1.0, 0.0, 0.05, 0.1, -0.1, 0.0, 0.0], |e| loose(e, 1e-4))
             .case_with("strip", &[0.0, 0.0, 0.0, -0.6, 0.0, 0.8, 1.3, 0.3, 0.1, -0.0003, 0.0012, 0.0], |e| loose(e, 1e-2))
             .case_with("above", &[0.1, 0.2, 0.0, 0.5, -0.7, 0.1, 0.0, 1.4, 0.0, -1.0, 0.0, 0.0], |e| loose(e, 1e-4))

@@ -1,5 +1,6 @@
 //! The warps of the line, but for powers and what users compose.
 
+use super::evidence::{normal, ramp};
 use super::picture::{View, between};
 use super::{Domain, Ends, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
@@ -8,6 +9,7 @@ use microwarp::Error::{self, *};
 use microwarp::Invert;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use std::f64::consts::PI;
 
 const NAN: f32 = f32::NAN;
 const INF: f32 = f32::INFINITY;
@@ -31,6 +33,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("[-3, 5]", &[-3.0, 5.0], |e| {
                 e.picture("uniform on [−3, 5)", View::Line(between(-4.0, 6.0))).trade(family::INTERVAL, "interval")
             })
+            .control("an interval bent by a power of xi near 1", |[u, ..], wrong| [8.0 * u.powf(1.0 + wrong) - 3.0, 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case("[0, 1]", &[0.0, 1.0])
             .case("[-3e38, 3e38]", &[-3e38, 3e38])
             .case_with("[1e6, 1e6+1/16]", &[1e6, 1e6 + 0.0625], Entry::unresolved)
@@ -61,6 +64,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("a=1", &[1.0], |e| {
                 e.picture("p = exp(−x)", View::Line(between(-0.4, 6.0))).trade(family::EXPONENTIAL, "exponential_1")
             })
+            .control("an exponential whose rate is off", |[u, ..], wrong| [-(-u).ln_1p() / (1.0 + wrong), 0.0, 0.0], &["chi-square", "distance", "mean x", "mean x²"])
             .case("a=1e30", &[1e30])
             .case("a=3.1e-37", &[3.1e-37])
             .seed(&[3.06e-37])
@@ -76,6 +80,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 let axes = between(-0.4, 9.3).log_y(1e-4);
                 e.picture("p = exp(−x), the tail first", View::Line(axes)).trade(family::EXPONENTIAL, "exponential_tail_1")
             })
+            .control("a tail whose rate is off", |[u, ..], wrong| [-(1.0 - u).ln() / (1.0 + wrong), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case("a=1e30", &[1e30])
             .case("a=3.1e-37", &[3.1e-37])
             .seed(&[1.0]).seed(&[3.06e-37]).seed(&[f32::MAX])
@@ -93,6 +98,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e.picture("p ∝ exp(−2x) on [0, 3]", View::Line(between(-0.3, 3.3)))
                     .trade(family::TRUNCATED, "truncated_exponential_2_3")
             })
+            .control("a truncated exponential whose rate is off", |[u, ..], wrong| [cut(u, 2.0 + 2.0 * wrong), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case_with("c=-2 X=3", &[-2.0, 3.0], |e| e.picture("p ∝ exp(2x) on [0, 3]", View::Line(between(-0.3, 3.3))))
             .case("c=0 X=2", &[0.0, 2.0])
             .case("c=1e-3 X=1", &[1e-3, 1.0])
@@ -130,6 +136,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("D=2 [-5, 15]", &[2.0, -5.0, 15.0], |e| {
                 e.picture("p ∝ 1/(D² + t²), D = 2", View::Line(between(-7.0, 17.0))).trade("equi-angular", "equi_angular_2")
             })
+            .control("equal steps along the ray", |[u, ..], _| [20.0 * u - 5.0, 0.0, 0.0], &["chi-square", "distance", "mean x²"])
             .case("D=0 [1, 1e6]", &[0.0, 1.0, 1e6])
             .case("D=0.5 [-9, -0.25]", &[0.5, -9.0, -0.25])
             .case("D=1 [0, 3]", &[1.0, 0.0, 3.0])
@@ -153,6 +160,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("r=1", &[1.0], |e| {
                 e.picture("p = 1 − |x|", View::Line(between(-1.2, 1.2))).trade(family::LINE, "tent_2")
             })
+            .control("a box for a tent", |[u, ..], _| [2.0 * u - 1.0, 0.0, 0.0], &["chi-square", "distance", "mean x²"])
             .case("r=3e38", &[3e38])
             .case("r=1e-30", &[1e-30])
             .seed(&[f32::MIN_POSITIVE])
@@ -166,6 +174,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1 to 3", &[1.0, 3.0], |e| {
                 e.picture("p ∝ 1 + 2x", View::Line(between(-0.1, 1.1))).trade(family::LINE, "linear_1_3")
             })
+            .control("a slope slightly off", |[u, ..], wrong| [ramp(u, 1.0 + 4.0 * wrong, 3.0), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case("1 to 0", &[1.0, 0.0])
             .case("0 to 1", &[0.0, 1.0])
             .case("1 to 1", &[1.0, 1.0])
@@ -193,6 +202,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 }
                 entry
             })
+            .control("a normal of a deviation slightly too large", |[u, v, _], wrong| [(1.0 + wrong) * normal(u, v), 0.0, 0.0], &["chi-square", "distance", "mean x²"])
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
@@ -208,8 +218,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("0, 1 [-1, 2]", &[0.0, 1.0, -1.0, 2.0], |e| {
                 e.picture("mean 0, deviation 1, on [−1, 2]", View::Line(between(-1.5, 2.5))).trade(family::LAW, "truncated_normal")
             })
+            .control("a normal number clipped to the interval", |[u, v, _], _| [normal(u, v).clamp(-1.0, 2.0), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case("0, 1 [30, 31]", &[0.0, 1.0, 30.0, 31.0])
             .case("0, 1 [-11, -10]", &[0.0, 1.0, -11.0, -10.0])
+            .control("a tail by a difference of probabilities that cancels in f32", cancelled, &["chi-square", "distance", "mean x"])
             .case("0, 1 [-1e-6, 2e-6]", &[0.0, 1.0, -1e-6, 2e-6])
             .case("5, 2 [-1000, 4]", &[5.0, 2.0, -1000.0, 4.0])
             .case("-1e4, 1 [0, 1]", &[-1e4, 1.0, 0.0, 1.0])
@@ -255,6 +267,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(located::<T, _>("Cauchy", p, Cauchy::<T>::new(p[0], p[1])?, truth::cauchy(p[0], p[1])).own_density().deep())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p ∝ 1/(1 + x²)", View::Line(between(-6.0, 6.0))).trade(family::LAW, "cauchy"))
+            .control("a Cauchy number of a scale slightly too large", |[u, ..], wrong| [-(1.0 + wrong) / (PI * (u + 1e-9)).tan(), 0.0, 0.0], &["chi-square", "distance"])
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 2e19", &[0.0, 2e19])
@@ -267,6 +280,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, truth::laplace(p[0], p[1])).own_density().deep())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−|x|)/2", View::Line(between(-5.0, 5.0))).trade(family::LAW, "laplace"))
+            .control("a Laplace number that is positive slightly too often", |[u, v, _], wrong| [-(-u).ln_1p() * (0.5 + 0.5 * wrong - v).signum(), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
@@ -279,6 +293,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = 1/(4 cosh²(x/2))", View::Line(between(-7.0, 7.0))).trade(family::LAW, "logistic"))
+            .control("a logistic number of a scale slightly too large", |[u, ..], wrong| [(1.0 + wrong) * ((u + 1e-9) / (1.0 - u)).ln(), 0.0, 0.0], &["chi-square", "distance"])
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
@@ -291,6 +306,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−x − exp(−x))", View::Line(between(-3.0, 7.0))).trade(family::LAW, "gumbel"))
+            .control("a Gumbel number of minima", |[u, ..], _| [(-(-u).ln_1p() + 1e-9).ln(), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case_with("100, 1", &[100.0, 1.0], Entry::no_round_trip)
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
@@ -303,6 +319,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(from_zero(in_ulp::<T, _>("Rayleigh", Rayleigh::<T>::new(p[0])?, truth::rayleigh(p[0]))).own_density().deep())
         })
             .case_with("1", &[1.0], |e| e.picture("p = x exp(−x²/2)", View::Line(between(-0.3, 5.0))).trade(family::LAW, "rayleigh"))
+            .control("a Rayleigh number without its factor of 2", |[u, ..], _| [(-(-u).ln_1p()).sqrt(), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .case("1e-30", &[1e-30])
             .case("4e37", &[4e37])
             .seed(&[1.0]).seed(&[3.0e-39]).seed(&[4.8e37])
@@ -315,6 +332,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(from_zero(entry).middle().own_density_of_word().variables(&[("k", p[1].into())]))
         })
             .case_with("1, 1.5", &[1.0, 1.5], |e| e.picture("p ∝ √x exp(−x^1.5)", View::Line(between(-0.2, 3.5))).trade(family::LAW, "weibull"))
+            .control("a Weibull number of a shape slightly off", |[u, ..], wrong| [(-(-u).ln_1p()).powf((1.0 + wrong) / 1.5), 0.0, 0.0], &["chi-square", "distance"])
             .case("1, 1", &[1.0, 1.0])
             .case("1000, 0.5", &[1000.0, 0.5])
             .case("1, 0.2", &[1.0, 0.2])
@@ -337,6 +355,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.variables(&[("k", p[1].into())]))
         })
             .case_with("1, 2", &[1.0, 2.0], |e| e.picture("p = 2/x³ from 1", View::Line(between(0.5, 6.0))).trade(family::LAW, "pareto"))
+            .control("a Pareto number of a shape slightly off", |[u, ..], wrong| [(1.0 - u).powf(-0.5 * (1.0 + wrong)), 0.0, 0.0], &["chi-square", "distance"])
             .case("1, 0.3", &[1.0, 0.3])
             .case("1e-30, 0.2", &[1e-30, 0.2])
             .case("1e20, 10", &[1e20, 10.0])
@@ -360,6 +379,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.middle().own_density().variables(&[("d", deviation), ("w", 1.0 / deviation)]).outside(&[[0.0; 3], [-1.0, 0.0, 0.0]]))
         })
             .case_with("0, 0.5", &[0.0, 0.5], |e| e.picture("p ∝ exp(−2 ln²x)/x", View::Line(between(-0.1, 4.0))).trade(family::LAW, "log_normal"))
+            .control("a log-normal number of a deviation slightly too large", |[u, v, _], wrong| [(0.5 * (1.0 + wrong) * normal(u, v)).exp(), 0.0, 0.0], &["chi-square", "distance"])
             .case("0, 1", &[0.0, 1.0])
             .case("-40, 10", &[-40.0, 10.0])
             .case("80, 1", &[80.0, 1.0])
@@ -371,6 +391,19 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(LogNormal<T>::new(0.3, 1.7)))
             .gives_back(|p| LogNormal::<T>::new(p[0], p[1]).map(|warp| vec![warp.mean_of_log(), warp.std_dev_of_log()])),
     ]
+}
+
+/// An exponential number below 3.
+fn cut(u: f64, rate: f64) -> f64 {
+    -(u * (-3.0 * rate).exp_m1()).ln_1p() / rate
+}
+
+/// A normal number between -11 and -10, through probabilities in `f32`.
+fn cancelled([u, ..]: [f64; 3], _: f64) -> [f64; 3] {
+    let below = [-11.0, -10.0].map(|t| (1.0 - truth::normal_cdf(-t)) as f32);
+    let p = f64::from(below[0] + u as f32 * (below[1] - below[0]));
+    let point = truth::normal_quantile_lower(p.max(1e-45));
+    [point.clamp(-11.0, -10.0), 0.0, 0.0]
 }
 
 /// What laws of a location and a scale have in common: no end, and digits of the location or of the distance from it.

@@ -1,5 +1,6 @@
 //! The warps of the plane, of boxes and of triangles in space.
 
+use super::evidence::{disk, leftover};
 use super::picture::{CORNER, EQUILATERAL, FLAT, window};
 use super::{Domain, Entry, Flat, Measure, Registered, ends, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
@@ -94,7 +95,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.rims = &[|rim, u| [rim, u, 0.0, 0.0]];
             Ok(entry)
         })
-            .case_with("", &[], |e| e.picture("polar map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk")),
+            .case_with("", &[], |e| e.picture("polar map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk"))
+            .control("a disk with r = xi", |[u, v, _], _| disk(u * u, v), &["chi-square", "distance", "mean x²", "mean y²"]),
         Registered::new("DiskConcentric", "", &[], |_| {
             let mut entry = on_disk::<T, _>("DiskConcentric", DiskConcentric::<T>::new(), Box::new(truth::DiskConcentric));
             entry.rims = &[
@@ -107,18 +109,21 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         })
             .case_with("", &[], |e| {
                 e.picture("Shirley's concentric map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk_concentric")
-            }),
+            })
+            .control("a disk turned slightly unevenly", |[u, v, _], wrong| disk(u, v.powf(1.0 + wrong)), &["chi-square", "distance", "mean y"]),
         Registered::new("Triangle", "", &[], |_| {
             let truth: Box<dyn Truth> = Box::new(truth::Barycentric);
             let mut entry = entry::<T, _>("Triangle", Domain::Barycentric, Measure::Length(1.0), Triangle::new(), truth);
             entry.inside = |x| x.iter().all(|c| *c >= 0.0) && (x.iter().sum::<f64>() - 1.0).abs() <= 1.2e-7;
             Ok(entry.outside(&[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0]]))
         })
-            .case_with("", &[], |e| e.picture("barycentric coordinates", EQUILATERAL).trade(family::TRIANGLE, "triangle")),
+            .case_with("", &[], |e| e.picture("barycentric coordinates", EQUILATERAL).trade(family::TRIANGLE, "triangle"))
+            .control("a triangle with v = xi (1 - u)", |[u, v, _], _| leftover(u, v), &["chi-square", "distance", "mean x"]),
         Registered::new("NormalPair", "", &[Any, Any, Positive], normal_pair::<T>)
             .case_with("0, 1", &[0.0, 0.0, 1.0], |e| {
                 e.picture("Box and Muller, within 3σ", window(0.0, 0.0, 3.0)).trade(family::NORMAL, "normal_pair")
             })
+            .control("a normal pair without the square root", |[u, v, _], _| disk(4.0 * (-u).ln_1p().powi(2), v), &["chi-square", "distance", "mean x²"])
             .case_with("(3, -2), 0.5", &[3.0, -2.0, 0.5], Entry::no_round_trip)
             .case_with("0, 1e-18", &[0.0, 0.0, 1e-18], Entry::no_round_trip)
             .case("0, 1e18", &[0.0, 0.0, 1e18])
@@ -131,6 +136,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("plane", &[0.0, 0.0, 4.0, 0.0, 1.0, 3.0], |e| {
                 e.picture("(0, 0), (4, 0), (1, 3)", FLAT).trade(family::TRIANGLE, "triangle_on")
             })
+            .control("a triangle in the plane with v = xi (1 - u)", |[u, v, _], _| [4.0 * u + v * (1.0 - u), 3.0 * v * (1.0 - u), 0.0], &["chi-square", "distance", "mean x"])
             .case_with("plane 1e18", &[-1e18, 0.0, 1e18, -1e18, 0.0, 1e18], Entry::no_round_trip)
             .case_with("plane sliver", &[0.0, 0.0, 1.0, 0.0, 0.5, 1e-5], |mut e| {
                 e.slack = 0.05;
@@ -162,6 +168,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1 3 / 2 0", &[1.0, 3.0, 2.0, 0.0], |e| {
                 e.picture("corners of 1, 3, 2 and 0", window(0.5, 0.5, 0.51)).trade(family::COMPOSED, "bilinear")
             })
+            .control("a square without its weights", |[u, v, _], _| [u, v, 0.0], &["chi-square", "distance", "mean x"])
             .case("0 1 / 1 2", &[0.0, 1.0, 1.0, 2.0])
             .case("1 0 / 0 1", &[1.0, 0.0, 0.0, 1.0])
             .case("0 0 / 0 1", &[0.0, 0.0, 0.0, 1.0])
@@ -185,6 +192,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("[-1, 1] x [2, 2.5]", &[-1.0, 1.0, 2.0, 2.5], |e| {
                 e.picture("uniform on a box", window(0.0, 2.25, 1.05)).trade(family::COMPOSED, "aabb")
             })
+            .control("a box bent by a power of xi near 1", |[u, v, _], wrong| [2.0 * u.powf(1.0 + wrong) - 1.0, 2.0 + 0.5 * v, 0.0], &["chi-square", "distance", "mean x"])
             .case("[0, 1e-30] x [-1e30, 0]", &[0.0, 1e-30, -1e30, 0.0])
             .case("[-3e38, 3e38] x [0, 1e-38]", &[-3e38, 3e38, 0.0, 1e-38])
             .refuse(&[0.0, 1.0, NAN, 1.0], NotFinite).refuse(&[0.0, 1.0, 2.0, 1.0], Reversed)

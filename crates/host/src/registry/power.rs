@@ -75,6 +75,13 @@ fn with_cases(mut of: Registered, particular: fn(&str) -> fn(Entry) -> Entry) ->
             Entry::unresolved
         };
         of = of.case_with(label, &parameters, change);
+        if label == "n=2.5 [0, 1]" {
+            of = of.control(
+                "a power of an exponent slightly off",
+                |[u, ..], wrong| [u.powf((1.0 + wrong) / 3.5), 0.0, 0.0],
+                &["chi-square", "distance", "mean x"],
+            );
+        }
     }
     of
 }
@@ -133,6 +140,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("PowerMax", "N=3", &[], largest::<T, 3>),
         Registered::new("PowerMax", "N=4", &[], largest::<T, 4>).case_with("N=4", &[], |e| {
             e.picture("largest of 4 uniforms: p = 4x³", View::Line(between(-0.1, 1.1))).trade(family::POWER, "power_max_4")
-        }),
+        })
+            .control("the largest of two uniforms for that of four", |[u, v, _], _| [u.max(v), 0.0, 0.0], &["chi-square", "distance", "mean x"]),
     ]
 }

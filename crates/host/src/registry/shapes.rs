@@ -1,5 +1,6 @@
 //! The uniform shapes: rings, balls, rotations, polygons and simplices.
 
+use super::evidence::{direction, disk};
 use super::picture::{EQUILATERAL, window};
 use super::{Domain, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{Positive, Within};
@@ -7,6 +8,7 @@ use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use std::f64::consts::PI;
 
 const NAN: f32 = f32::NAN;
 
@@ -48,6 +50,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e.picture("radii 1 and 2", window(0.0, 0.0, 2.04)).trade("ring", "annulus")
                     .outside(&[[0.9, 0.3, 0.0], [0.0, -2.1, 0.0], [0.0, 0.0, 0.0]])
             })
+            .control("a ring with r linear in xi", |[u, v, _], _| disk((1.0 + u).powi(2), v), &["chi-square", "distance", "mean x²", "mean y²"])
             .case_with("disk of 3", &[0.0, 3.0], |e| e.outside(&[[2.0, -2.4, 0.0]]))
             .case_with("1 to 1.001", &[1.0, 1.001], |mut e| {
                 e.slack = 1e-3;
@@ -83,7 +86,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.inside = |x| x.iter().map(|c| c * c).sum::<f64>() <= 1.0 + 4.8e-7;
             Ok(entry.outside(&[[1.0, 0.1, 0.0], [0.6, 0.6, 0.6], [0.0, 0.0, -1.000_001]]))
         })
-            .case_with("", &[], |e| e.picture("seen from above", window(0.0, 0.0, 1.02)).trade(family::BALL, "ball")),
+            .case_with("", &[], |e| e.picture("seen from above", window(0.0, 0.0, 1.02)).trade(family::BALL, "ball"))
+            .control("a ball with r = the square root of xi", |[u, v, w], _| direction((1.0 - 2.0 * v).acos(), w).map(|c| u.sqrt() * c), &["chi-square", "distance", "mean x²", "mean z²"]),
         Registered::new("Rotation", "", &[], |_| {
             let truth: Box<dyn Truth> = Box::new(truth::Rotations);
             let mut entry = entry::<T, _>("Rotation", Domain::Rotations, Measure::Length(1.0), Rotation::<T>::new(), truth);
@@ -93,9 +97,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.slack = 0.02;
             Ok(entry.no_round_trip().outside(&[]))
         })
-            .case_with("", &[], |e| e.picture("x and y of quaternions", window(0.0, 0.0, 1.02)).trade("rotations", "rotation")),
+            .case_with("", &[], |e| e.picture("x and y of quaternions", window(0.0, 0.0, 1.02)).trade("rotations", "rotation"))
+            .control("rotations about a uniform axis by a uniform angle", |[u, v, w], _| direction((1.0 - 2.0 * v).acos(), w).map(|c| (0.5 * PI * u).sin() * c), &["chi-square", "distance", "mean x²", "mean z²"]),
         Registered::new("RegularPolygon", "", &[Within(3.0, 65_535.0)], polygon::<T>)
             .case_with("6 corners", &[6.0], |e| e.picture("six corners", window(0.0, 0.0, 1.02)).trade("polygon", "regular_polygon_6"))
+            .control("the disk within a polygon", |[u, v, _], _| disk(0.75 * u, v), &["chi-square", "distance", "mean x²"])
             .case("3 corners", &[3.0])
             .case("5 corners", &[5.0])
             .case("1001 corners", &[1001.0])
@@ -118,6 +124,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.slack = 0.02;
             Ok(entry.variables(&[("n", 3.0)]).no_round_trip().outside(&[[-0.1, 0.5, 0.6], [0.5, 0.5, 0.5]]))
         })
-            .case("tetrahedron", &[]),
+            .case("tetrahedron", &[])
+            .control("a tetrahedron of uniforms, each of what is left", |[u, v, w], _| [u, (1.0 - u) * v, (1.0 - u) * (1.0 - v) * w], &["chi-square", "distance", "mean x"]),
     ]
 }

@@ -1,5 +1,6 @@
 //! The warps over surfaces, whose points say more than a position: here they have three coordinates.
 
+use super::evidence::disk;
 use super::picture::{Body, Face, View};
 use super::{Domain, Entry, Measure, Registered, Uniforms, ends, entry, family};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
@@ -421,7 +422,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         })
             .case_with("octahedron", &[], |e| {
                 e.picture("the upper faces of an octahedron", ROOF).trade(family::COMPOSED, "mesh_8")
-            }),
+            })
+            .control("a mesh without its last face", |[u, v, _], _| [(8.0 * u).floor(), (8.0 * u).fract().sqrt() * (1.0 - v), (8.0 * u).fract().sqrt() * v], &["chi-square", "distance"]),
         Registered::new("Mesh", "decades", &[], |_| {
             let small = |k: i32| { let s = 10f32.powi(-k); [[1e6, 0.0, s], [1e6, 2.0 * s, 0.0], [1e6, 0.0, 0.0]] };
             let vertices: Vec<_> = (0..6).flat_map(small).collect();
@@ -450,6 +452,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("2 x 1 x 0.5", &[-1.0, 1.0, 0.0, 1.0, 0.25, 0.75], |e| {
                 e.picture("a box of 2 × 1 × ½, unfolded", NET).trade(family::COMPOSED, "box_surface")
             })
+            .control("a box with as many points on each of its faces", |[u, v, _], _| on_faces(u, v), &["chi-square", "distance"])
             .case("cube", &[-1.0, 1.0, -1.0, 1.0, -1.0, 1.0])
             .case_with("flat", &[0.0, 3.0, 1.0, 1.0, -2.0, 5.0], constant)
             .case_with("thin", &[0.0, 1.0, 0.0, 1e-9, -1e-3, 1e-3], constant)
@@ -466,7 +469,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1 to 0.5, 2 high", &[1.0, 0.5, 2.0], |e| {
                 e.picture("radii 1 and 0.5, height 2", View::Solid(Body::Frustum([1.0, 0.5], 2.0))).trade(family::COMPOSED, "frustum_surface")
             })
-            .case("cylinder", &[1.0, 1.0, 2.0]).case("cone", &[3.0, 0.0, 4.0]).case("funnel", &[0.0, 1.0, 0.1])
+            .case("cylinder", &[1.0, 1.0, 2.0]).case("cone", &[3.0, 0.0, 4.0])
+            .control("a cone whose side is uniform in its height", |[u, v, _], _| on_cone(u, v), &["chi-square", "distance", "mean z"])
+            .case("funnel", &[0.0, 1.0, 0.1])
             .case("needle", &[1e-3, 2e-3, 5.0]).case_with("coin", &[2.0, 2.0, 1e-3], constant).case("lid", &[1.0, 0.75, 1e-8])
             .case("1e-20 by 1e20", &[1e-20, 2e-20, 1e20])
             .seed(&[1.0, 1.0, 1.0]).seed(&[1.0, 0.0, 1.0]).seed(&[0.0, 1.0, 1e-3]).seed(&[1.0, 1e-4, 2.0]).seed(&[1.0, 0.999_999_9, 1e-6])
@@ -484,6 +489,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1 high, radius 0.5", &[1.0, 0.5], |e| {
                 e.picture("height 1, radius 0.5", View::Solid(Body::Capsule(1.0, 0.5))).trade(family::COMPOSED, "capsule_surface")
             })
+            .control("a capsule with slightly too many points on its ends", |[u, v, _], wrong| on_capsule(u, v, 0.25 * (1.0 + wrong)), &["chi-square", "distance", "mean z²"])
             .case("sphere", &[0.0, 1.0]).case("needle", &[5.0, 1e-3]).case("nearly a sphere", &[1e-3, 7.0])
             .case("1e30 by 1e-30", &[1e30, 1e-30])
             .seed(&[0.0, 1.0]).seed(&[1.0, 1.0]).seed(&[1.0, 1e-6]).seed(&[1e-6, 1.0])
@@ -492,4 +498,41 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| CapsuleSurface::<T>::new(p[0], p[1]).map(|warp| vec![warp.height(), warp.radius()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
     ]
+}
+
+/// The box of 2 by 1 by ½, with as many points on each of its faces.
+fn on_faces(u: f64, v: f64) -> [f64; 3] {
+    let (k, s) = ((3.0 * u).min(2.999_999) as usize, (3.0 * u).fract());
+    let (low, side) = ([-1.0, 0.0, 0.25], [2.0, 1.0, 0.5]);
+    let mut point = [0.0; 3];
+    point[k] = if v < 0.5 { -4.0 } else { 4.0 };
+    for (k, part) in [((k + 1) % 3, s), ((k + 2) % 3, (2.0 * v).fract())] {
+        point[k] = low[k] + part * side[k];
+    }
+    point
+}
+
+/// The cone of radius 3 and height 4, with a side uniform in its height. The disk has 3/8 of the area.
+fn on_cone(u: f64, v: f64) -> [f64; 3] {
+    let (r, z) = if u < 0.375 {
+        (3.0 * (u / 0.375).sqrt(), 0.0)
+    } else {
+        let up = (u - 0.375) / 0.625;
+        (3.0 * (1.0 - up), 4.0 * up)
+    };
+    let [x, y, _] = disk(r * r, v);
+    [x, y, z]
+}
+
+/// The capsule of height 1 and radius ½, each of whose ends has a given part of the points.
+fn on_capsule(u: f64, v: f64, end: f64) -> [f64; 3] {
+    let (ring, z) = if u < end || 1.0 - u < end {
+        let q = u.min(1.0 - u) / end;
+        let z = 0.5 * (1.0 - q);
+        (0.25 * q * (2.0 - q), if u < 0.5 { -z } else { 1.0 + z })
+    } else {
+        (0.25, (u - end) / (1.0 - 2.0 * end))
+    };
+    let [x, y, _] = disk(ring, v);
+    [x, y, z]
 }

@@ -4,6 +4,7 @@
 //! plane: these are the numbers of cells with which shapes are tested, so that no jump of a density lies
 //! within a cell and quadrature is exact.
 
+use super::evidence::{direction, ramp};
 use super::picture::{View, between, window};
 use super::{Domain, Entry, Measure, Registered, entry, family};
 use crate::adversary::words::Kind::{Any, Positive};
@@ -14,6 +15,7 @@ use microwarp::discrete::{
 };
 use microwarp::tier::Tier;
 use microwarp::{Error, Invert};
+use std::f64::consts::PI;
 
 /// The columns and the rows of [`sky`].
 pub const SKY: [usize; 2] = [32, 16];
@@ -286,7 +288,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(on_line::<T, _>(&wide_weights(&FOUR), [0.0, 8.0], warp))
         }, |e| {
             e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4))).trade(family::LINE, "piecewise_constant_1d_64")
-        }),
+        })
+            .control("a cell with slightly too much", |[u, ..], wrong| [four(u, 2.0 * (1.0 + wrong) / 7.0), 0.0, 0.0], &["chi-square", "distance", "mean x"])
+            .control("a cell that leaks into one of weight zero", |[u, ..], _| [four(u, 2.0 / 7.0) + if u < 2.0 / 7.0 { 0.02 } else { 0.0 }, 0.0, 0.0], &["has density 0"]),
         listed(LINE, "0:0:3:4:0 on [-3, 5]", |_| narrow::<T>(&[0.0, 0.0, 219.0, 292.0, 0.0], [-3.0, 5.0]), |e| e),
         listed(LINE, "10 equal on [-3e38, 3e38]", |_| narrow::<T>(&[0.1; 10], [-3e38, 3e38]), |e| e),
         listed(LINE, "1 on [0, 1e-35]", |_| narrow::<T>(&[1e-30], [0.0, 1e-35]), |e| e),
@@ -317,7 +321,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         listed(PLANE, "sun 1595:1, 9 x 3", |_| {
             let sun = product(&[1.0, 1.0, 1.0, 55.0, 1.0, 1.0, 1.0, 1.0, 1.0], &[1.0, 29.0, 1.0]);
             in_plane::<T>(&sun, [9, 3], [[-3.0, 5.0], [0.1, 0.7]], 1)
-        }, |e| e),
+        }, |e| e)
+            .control("a picture without its sun", |[u, v, _], _| [8.0 * u - 3.0, 0.1 + 0.6 * v, 0.0], &["chi-square", "distance"]),
         listed(PLANE, "dark frame, 6 x 6", |_| in_plane::<T>(&frame(), [6, 6], [[-0.5, 1.0], UNIT], 1), |e| e),
         listed(PLANE, "1 x 1", |_| in_plane::<T>(&[0.25], [1, 1], [[-3.0, 5.0], UNIT], 1), |e| e),
         listed(PLANE, "1 x 5", |_| in_plane::<T>(&[3.0, 0.0, 7.0, 1.0, 20.0], [1, 5], [UNIT, [-3.0, 5.0]], 1), |e| e),
@@ -330,7 +335,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         listed(LINEAR, "0:3:1:1:0:0:2 on [0, 6]", |_| interpolated::<T>(&[0.0, 3.0, 1.0, 1.0, 0.0, 0.0, 2.0], [0.0, 6.0]), |e| {
             e.picture("linear between 0, 3, 1, 1, 0, 0 and 2", View::Line(between(-0.3, 6.3))).trade(family::LINE, "piecewise_linear_1d_64")
         }),
-        listed(LINEAR, "1:3 on [0, 1]", |_| interpolated::<T>(&[1.0, 3.0], UNIT), |e| e),
+        listed(LINEAR, "1:3 on [0, 1]", |_| interpolated::<T>(&[1.0, 3.0], UNIT), |e| e)
+            .control("a slope taken for a step", |[u, ..], _| [u, 0.0, 0.0], &["chi-square", "distance", "mean x"])
+            .control("a slope slightly off", |[u, ..], wrong| [ramp(u, 1.0 + 4.0 * wrong, 3.0), 0.0, 0.0], &["chi-square", "distance", "mean x"]),
         listed(LINEAR, "5:0:1e-6:4 on [-3, 5]", |_| interpolated::<T>(&[5.0, 0.0, 1e-6, 4.0], [-3.0, 5.0]), |e| e),
         listed(LINEAR, "9 on [-3e38, 3e38]", |_| interpolated::<T>(&[1.0, 2.0, 0.5, 0.0, 3.0, 3.0, 1.0, 1e-3, 2.0], [-3e38, 3e38]), |e| e),
         listed(LINEAR, "74 on [0, 1]", |_| {
@@ -356,7 +363,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             e.picture("clouds, a sun, a dark row and column", View::Sky(std::f64::consts::PI)).trade(family::COMPOSED, "lat_long_map_16_8")
         }),
         // The same as a uniform sphere.
-        listed(SKY_OF, "6 x 7 grey", |_| radiances::<T, u32>(&[0.25; 42], [6, 7], 1), |e| e),
+        listed(SKY_OF, "6 x 7 grey", |_| radiances::<T, u32>(&[0.25; 42], [6, 7], 1), |e| e)
+            .control("a grey sky without sin theta in the weights of its rows", |[u, v, _], _| grey(u, 7.0 * v, false), &["chi-square", "distance", "mean z²"])
+            .control("a grey sky with theta linear within a row", |[u, v, _], _| grey(u, weighed(v), true), &["chi-square", "distance"]),
         listed(SKY_OF, "dark frame, 6 x 6", |_| radiances::<T, u32>(&frame(), [6, 6], 1), |e| e),
         listed(SKY_OF, "1 x 1", |_| radiances::<T, u32>(&[1e30], [1, 1], 1), |e| e),
         listed(SKY_OF, "1 x 5", |_| radiances::<T, u32>(&of_masses(&[3.0, 0.0, 7.0, 1.0, 20.0], [1, 5]), [1, 5], 1), |e| e),
@@ -375,4 +384,41 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new(SKY_OF, "of 2 by 5 pixels", &[Positive; 10], pixels::<T, 2, 5>)
             .seed(&[1.0; 10]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0]),
     ]
+}
+
+/// Cells of 2, 0, 4, 1 on [0, 8), the first with a share of its own.
+fn four(u: f64, first: f64) -> f64 {
+    if u < first {
+        2.0 * u / first
+    } else if u < 6.0 / 7.0 {
+        4.0 + 2.0 * (u - first) / (6.0 / 7.0 - first)
+    } else {
+        6.0 + 14.0 * (u - 6.0 / 7.0)
+    }
+}
+
+/// cos θ at both edges of one of seven rows.
+fn edges(row: f64) -> [f64; 2] {
+    [row, row + 1.0].map(|j| (PI * j / 7.0).cos())
+}
+
+/// A place that counts seven rows of a grey sky, each of the right weight.
+fn weighed(v: f64) -> f64 {
+    let cos = 1.0 - 2.0 * v;
+    let row = (7.0 * cos.acos() / PI).min(6.999_999).floor();
+    let [top, bottom] = edges(row);
+    row + (top - cos) / (top - bottom)
+}
+
+/// A direction of a grey sky in seven rows, at a place that counts rows: uniform within its row, or with equal steps of
+/// θ, which crowd towards the poles.
+fn grey(u: f64, place: f64, linear: bool) -> [f64; 3] {
+    let row = place.min(6.999_999).floor();
+    let [top, bottom] = edges(row);
+    let theta = if linear {
+        PI * place / 7.0
+    } else {
+        (top + (place - row) * (bottom - top)).acos()
+    };
+    direction(theta, u)
 }
