@@ -38,8 +38,6 @@ macro_rules! tiers {
     };
 }
 
-pub(crate) use tiers;
-
 /// Admits a warp of the integer tier, in its three grades.
 macro_rules! grades {
     ($contest:expr, $warp:expr) => {

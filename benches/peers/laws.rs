@@ -1,55 +1,43 @@
 //! Contests of laws on the line and of counts, which rand_distr has too.
 
 use crate::contestants::{FLOOR, INDEX, LIBM, POLY, RAND_DISTR, REJECTION};
-use crate::draws::{accepted, tiers, word};
+use crate::draws::{accepted, word};
+use crate::families::{Family, Kind};
 use host::contest::Contest;
+use host::peers::theirs;
+use host::registry::{of_libm, of_poly};
 use microwarp::discrete;
 use microwarp::rejection::PoissonRejection;
 use microwarp::tier::Poly;
-use rand_distr::Distribution;
-use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
 
-/// A law of rand_distr; the compiler may not know its parameters beforehand.
-fn theirs<P, D: Distribution<P>>(law: D) -> impl Fn(&mut Pcg32) -> P {
-    let law = black_box(law);
-    move |rng| law.sample(rng)
-}
-
-/// Both have the same parameters.
-macro_rules! laws {
-    ($($name:ident: $warp:ident($($parameter:literal),+);)*) => {$(
-        pub fn $name() -> Contest<f32> {
-            tiers!(Contest::new(0.0).draw(FLOOR, word), mw::$warp::new($($parameter),+).unwrap())
-                .draw(RAND_DISTR, theirs(rand_distr::$warp::new($($parameter),+).unwrap()))
-        }
-    )*};
-}
-
-laws! {
-    cauchy: Cauchy(0.0, 1.0);
-    gumbel: Gumbel(0.0, 1.0);
-    weibull: Weibull(1.0, 1.5);
-    pareto: Pareto(1.0, 2.5);
-    log_normal: LogNormal(0.0, 0.5);
+/// The laws of the registry that rand_distr has too, each beside it.
+pub fn registered() -> Vec<Family> {
+    let tiers = of_libm().into_iter().zip(of_poly());
+    let families = tiers.flat_map(|(libm, poly)| {
+        let ours = [(LIBM, libm.build), (POLY, poly.build)];
+        poly.peers.into_iter().map(move |peer| Family {
+            name: peer.law,
+            kind: Kind::Draw,
+            peer: peer.name,
+            run: Box::new(move |rounds, after_round| {
+                let mut contest = Contest::new(0.0).draw(FLOOR, word);
+                for (tier, build) in ours {
+                    let mut block = build(&peer.parameters).expect("accepted").warp.block(false);
+                    contest = contest.block(tier, move |_| block());
+                }
+                let contest = contest.block(RAND_DISTR, (peer.block)());
+                contest.run(rounds, after_round)
+            }),
+        })
+    });
+    families.collect()
 }
 
 /// A contest of counts with the generator alone.
 fn of_counts() -> Contest<u32> {
     Contest::new(0).draw(FLOOR, |rng| rng.next_u32())
-}
-
-/// Single normals, of parameters of their own.
-pub fn normal() -> Contest<f32> {
-    tiers!(
-        Contest::new(0.0).draw(FLOOR, word),
-        mw::Normal::new(0.5, 1.5).unwrap()
-    )
-    .draw(
-        RAND_DISTR,
-        theirs(rand_distr::Normal::new(0.5_f32, 1.5).unwrap()),
-    )
 }
 
 /// Failures before a head.

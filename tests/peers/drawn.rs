@@ -3,6 +3,7 @@
 //! How accurate they are is not promised here: `examples/tradeoff` measures it.
 
 use host::peers::{drawn, micro, rejecting, textbook};
+use host::registry::{Registered, evidence::Peer, of_poly};
 use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
 
@@ -109,7 +110,7 @@ fn another_map_does_not_pass() {
 }
 
 /// How many standard errors the mean of a statistic over samples is off the truth.
-fn deviation<P>(draw: impl Fn(&mut Pcg32) -> P, of: impl Fn(P) -> f64, truth: f64) -> f64 {
+fn deviation<P>(mut draw: impl FnMut(&mut Pcg32) -> P, of: impl Fn(P) -> f64, truth: f64) -> f64 {
     const SAMPLES: u32 = 1 << 18;
     let mut rng = Pcg32::new(7, 11);
     let (mut sum, mut squares) = (0.0, 0.0);
@@ -160,6 +161,39 @@ fn what_rejects_has_the_moments_of_its_distribution() {
     // The very same figure tells a disk from a circle, and a mean from one that is two percent off.
     assert!(deviation(rejecting::disk, |[x, _]| square(x), 1.0 / 2.0).abs() > 5.0);
     assert!(deviation(rejecting::exponential, f64::from, 1.02).abs() > 5.0);
+}
+
+/// How far the quantiles of a peer's numbers under our law are from uniform: the first two moments, in standard errors.
+fn beside(of: &Registered, peer: &Peer, parameters: &[f32]) -> [f64; 2] {
+    let truth = (of.build)(parameters).unwrap().truth;
+    [(1, 1.0 / 2.0), (2, 1.0 / 3.0)].map(|(power, due)| {
+        let (mut block, mut points) = ((peer.block)(), [0.0; 1]);
+        let draw = |_: &mut Pcg32| {
+            block(&mut points);
+            points[0]
+        };
+        let quantile = |x: f32| truth.invert([x.into(), 0.0, 0.0])[0].powi(power);
+        deviation(draw, quantile, due)
+    })
+}
+
+#[test]
+fn the_peers_of_registered_laws_have_their_parameters() {
+    let mut seen = 0;
+    for of in of_poly() {
+        for peer in &of.peers {
+            let worst = |all: [f64; 2]| all[0].abs().max(all[1].abs());
+            let off = worst(beside(&of, peer, &peer.parameters));
+            assert!(off < 5.0, "{}: {off} standard errors", peer.law);
+            let last = peer.parameters.len() - 1;
+            let mut other = peer.parameters.clone();
+            other[last] *= 1.1;
+            let off = worst(beside(&of, peer, &other));
+            assert!(off > 5.0, "{}: others pass by {off}", peer.law);
+            seen += 1;
+        }
+    }
+    assert!(seen > 5, "{seen}");
 }
 
 #[test]

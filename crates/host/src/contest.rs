@@ -26,6 +26,19 @@ pub fn generator() -> Pcg32 {
 /// Draws a block of points, each time others.
 pub type Block<P> = Box<dyn FnMut(&mut [P])>;
 
+/// The block of a sampler of single points.
+pub fn block_of<P>(mut draw: impl FnMut(&mut Pcg32) -> P) -> impl FnMut(&mut [P]) {
+    let mut kept = generator();
+    move |points| {
+        // In a local variable the generator may stay in registers, as it does in a caller's own loop.
+        let mut rng = kept.clone();
+        for point in points {
+            *point = draw(&mut rng);
+        }
+        kept = rng;
+    }
+}
+
 /// Who takes part, and the memory that they write to.
 pub struct Contest<P> {
     names: Vec<String>,
@@ -62,16 +75,8 @@ impl<P: Copy + 'static> Contest<P> {
 
     /// Admits a sampler of single points.
     #[must_use]
-    pub fn draw(self, name: &str, mut draw: impl FnMut(&mut Pcg32) -> P + 'static) -> Self {
-        let mut kept = generator();
-        self.block(name, move |points| {
-            // In a local variable the generator may stay in registers, as it does in a caller's own loop.
-            let mut rng = kept.clone();
-            for point in points {
-                *point = draw(&mut rng);
-            }
-            kept = rng;
-        })
+    pub fn draw(self, name: &str, draw: impl FnMut(&mut Pcg32) -> P + 'static) -> Self {
+        self.block(name, block_of(draw))
     }
 
     /// Admits a sampler that fills slices.

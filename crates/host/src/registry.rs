@@ -21,7 +21,7 @@ use crate::adversary::words::Kind;
 use crate::contest::{POINTS, generator};
 use crate::generators::Cycle;
 use crate::truth::Truth;
-use evidence::Control;
+use evidence::{Control, Moment, Peer};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::Uniforms as _;
 use microwarp::{Error, Invert, Warp, warp::Transform};
@@ -301,6 +301,8 @@ pub struct Registered {
     pub cases: Vec<Case>,
     /// Wrong maps that the examination of samples rejects.
     pub controls: Vec<Control>,
+    pub moments: Vec<Moment>,
+    pub peers: Vec<Peer>,
     /// Accepted parameters where the search for the worst case starts: hard ones, and the extremes.
     pub seeds: Vec<Vec<f32>>,
     pub refused: Vec<(Vec<f32>, Error)>,
@@ -354,6 +356,8 @@ impl Registered {
             build,
             cases: Vec::new(),
             controls: Vec::new(),
+            moments: Vec::new(),
+            peers: Vec::new(),
             seeds: Vec::new(),
             refused: Vec::new(),
             constants: Vec::new(),

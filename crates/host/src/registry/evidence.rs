@@ -1,7 +1,8 @@
-//! What a block gives to the tests of distributions: wrong maps that they must reject, and what maps have in common that are
-//! wrong.
+//! What a block gives to the tests of distributions and to the benches: wrong maps that must be rejected, moments, and the
+//! same law of another crate. And what wrong maps have in common.
 
 use super::Registered;
+use crate::contest::Block;
 use std::f64::consts::TAU;
 
 /// A map that is nearly right, of up to three uniforms and how wrong it is.
@@ -15,6 +16,31 @@ pub struct Control {
     pub map: Map,
     /// The tests, or faults, by which it is rejected.
     pub by: &'static [&'static str],
+}
+
+/// What is averaged, of a point and its density.
+pub type Averaged = dyn Fn(f64, &dyn Fn() -> f64) -> f64 + Send + Sync;
+
+/// A moment that draws have because they read their word more deeply than the grid.
+pub struct Moment {
+    pub parameters: Vec<f32>,
+    pub name: &'static str,
+    pub of: Box<Averaged>,
+    /// Its value under the law.
+    pub due: f64,
+    /// How far off it may be, relatively.
+    pub bound: f64,
+}
+
+/// The same law in rand_distr.
+pub struct Peer {
+    /// The law, as tables of times name it.
+    pub law: &'static str,
+    pub parameters: Vec<f32>,
+    /// What rand_distr calls it.
+    pub name: &'static str,
+    /// Draws a block of it.
+    pub block: fn() -> Block<f32>,
 }
 
 impl Registered {
@@ -31,6 +57,48 @@ impl Registered {
             what,
             map,
             by,
+        });
+        self
+    }
+
+    /// A moment under these parameters.
+    pub(super) fn moment(
+        mut self,
+        parameters: &[f32],
+        name: &'static str,
+        of: impl Fn(f64, &dyn Fn() -> f64) -> f64 + Send + Sync + 'static,
+        due: f64,
+        bound: f64,
+    ) -> Self {
+        self.moments.push(Moment {
+            parameters: parameters.to_vec(),
+            name,
+            of: Box::new(of),
+            due,
+            bound,
+        });
+        self
+    }
+
+    /// 1/p where p vanishes at an end: its mean is the width of the domain, if nothing stands next to the end that has more
+    /// than its share.
+    pub(super) fn width(self, parameters: &[f32], due: f64, bound: f64) -> Self {
+        self.moment(parameters, "1/p", |_, density| 1.0 / density(), due, bound)
+    }
+
+    /// The law of rand_distr under these parameters.
+    pub(super) fn peer(
+        mut self,
+        law: &'static str,
+        parameters: &[f32],
+        name: &'static str,
+        block: fn() -> Block<f32>,
+    ) -> Self {
+        self.peers.push(Peer {
+            law,
+            parameters: parameters.to_vec(),
+            name,
+            block,
         });
         self
     }

@@ -182,7 +182,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.0, NAN, 1.0, 1.0], NotFinite).refuse(&[1.0, 1.0, f32::INFINITY, 1.0], NotFinite)
             .refuse(&[1.0, 1.0, 1.0, -1.0], Negative).refuse(&[0.0; 4], NotPositive)
             .constant(in_both!(Bilinear::new([[0.1, 0.3], [0.7, 0.2]])))
-            .without("getters", "its corners are densities"),
+            .without("getters", "its corners are densities")
+            .without("moment", "a draw takes two words"),
         Registered::new("Aabb", "of 1 side", &[Any; 2], |p| sides::<T, 1>(p, Domain::Plane))
             .ordered(&[[0, 1]])
             .refuse(&[1.0, 0.0], Reversed)

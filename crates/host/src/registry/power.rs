@@ -86,6 +86,23 @@ fn with_cases(mut of: Registered, particular: fn(&str) -> fn(Entry) -> Entry) ->
     of
 }
 
+/// Moments of -(n + 1) ln(x/b), which is an exponential number, for exponents and upper ends.
+fn with_moments(mut of: Registered) -> Registered {
+    for (n, b) in [(2.5, 1.0), (1.0, 2.0), (99.0, 3.0), (-0.5, 4.0)] {
+        let y = move |x: f64| -(f64::from(n) + 1.0) * (x / f64::from(b)).ln();
+        of = of
+            .moment(&[n, 0.0, b], "y^4", move |x, _| y(x).powi(4), 24.0, 5e-6)
+            .moment(
+                &[n, 0.0, b],
+                "y^8",
+                move |x, _| y(x).powi(8),
+                40_320.0,
+                2e-4,
+            );
+    }
+    of
+}
+
 fn largest<T: Tier, const N: usize>(_: &[f32]) -> Result<Entry, Error>
 where
     [f32; N]: Flat<4>,
@@ -106,7 +123,9 @@ where
 pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     const NEAR: Kind = Within(-1.02, -0.98);
     vec![
-        with_cases(Registered::new("Power", "new", &[Any, Positive, Positive], |p| power::<T>(p, true))
+        with_cases(with_moments(Registered::new("Power", "new", &[Any, Positive, Positive], |p| power::<T>(p, true)))
+            // An end that is open, and one that is closed and next to one that is open.
+            .width(&[1.0, 0.0, 2.0], 2.0, 2e-5).width(&[3.0, 1e-10, 1.0], 1.0, 5e-3)
             .constant(in_both!(Power<T>::new(2.5, 0.0, 0.7)))
             .constant(in_both!(Power<T>::new(-1.0, 0.1, 0.7)))
             .constant(in_both!(Power<T>::new(-0.9999, 1e-30, 1e30)))
@@ -127,7 +146,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.0, 2.0, 1.0], Reversed).refuse(&[1.0, 1.0, 1.0], Empty).refuse(&[1.0, 0.0, TINY], Empty)
             .refuse(&[-1.0, TINY, 1.0], Empty).refuse(&[-1.0, 0.0, 1.0], NotNormalizable)
             .refuse(&[-3.0, 0.0, 1.0], NotNormalizable),
-        with_cases(Registered::new("Power", "decreasing", &[Any, Positive, Positive], |p| power::<T>(p, false)), |label| match label {
+        with_cases(with_moments(Registered::new("Power", "decreasing", &[Any, Positive, Positive], |p| power::<T>(p, false))), |label| match label {
             "n=2.5 [0, 1]" => |e| e.trade(family::POWER, "power_decreasing"),
             "n=-0.5 [0, 4]" => |e| e.picture("p ∝ 1/√x on [0, 4], 4 first", View::Line(between(-0.3, 4.3).top(1.7))),
             _ => |e| e,
