@@ -54,53 +54,102 @@
 //! [`invert`](Invert).
 //!
 //! On the line:
-//! - [`Interval`](warp::Interval): uniform between two numbers, in either orientation
-//! - [`Power`](warp::Power): a power law on an interval
-//! - [`PowerMax`](warp::PowerMax): the largest of N uniforms
-//! - [`Linear`](warp::Linear): a linear density on [0, 1)
-//! - [`Tent`](warp::Tent): the tent filter
-//! - [`Exponential`](warp::Exponential), [`ExponentialTail`](warp::ExponentialTail): exponential, from 0 or from the tail
-//! - [`TruncatedExponential`](warp::TruncatedExponential): exponential on an interval, rising or falling
-//! - [`Normal`](warp::Normal): normal, one number at a time
-//! - [`TruncatedNormal`](warp::TruncatedNormal): normal on an interval or beyond a bound
-//! - [`LogNormal`](warp::LogNormal): the exponential of a normal number
-//! - [`Laplace`](warp::Laplace), [`Logistic`](warp::Logistic), [`Cauchy`](warp::Cauchy): symmetric, with heavier tails
-//! - [`Gumbel`](warp::Gumbel), [`Weibull`](warp::Weibull): extremes and life times
-//! - [`Rayleigh`](warp::Rayleigh): lengths of normal vectors
-//! - [`Pareto`](warp::Pareto): a tail that falls as a power
-//! - [`EquiAngular`](warp::EquiAngular): along a ray, uniform in the angle in which a light sees it
-//! - [`Inversion`](warp::Inversion): your own inverse CDF
+//! <!-- generated: listed Line -->
+//! - [`Interval`](warp::Interval): Uniform on an interval [a, b)
+//! - [`Power`](warp::Power): A power law on an interval: density ∝ xⁿ on [a, b], for any exponent
+//! - [`PowerMax`](warp::PowerMax): The largest of N uniforms: density N x^(N−1) on [0, 1)
+//! - [`Exponential`](warp::Exponential): Exponential with rate a, increasing with the uniform: free paths, waiting
+//!   times
+//! - [`ExponentialTail`](warp::ExponentialTail): Exponential with rate a, decreasing with the uniform, so that samples
+//!   reach far into the tail
+//! - [`TruncatedExponential`](warp::TruncatedExponential): Exponential on [0, X], with a rate of either sign: density ∝
+//!   e^(−cx)
+//! - [`EquiAngular`](warp::EquiAngular): Equi-angular sampling along a ray: density in proportion to 1/(D² + t²), the
+//!   light that a point sends to each place of a ray through fog
+//! - [`Tent`](warp::Tent): The tent (triangle) filter on (−r, r): a density that falls linearly from the centre to 0 at
+//!   ±r
+//! - [`Linear`](warp::Linear): Linear on [0, 1): density ∝ (1 − x)a + xb
+//! - [`Normal`](warp::Normal): Normal (Gaussian) with a mean and a standard deviation, one number at a time
+//! - [`TruncatedNormal`](warp::TruncatedNormal): Normal (Gaussian) with mean μ and standard deviation σ, restricted to
+//!   an interval [a, b], of which one end may be infinite
+//! - [`Cauchy`](warp::Cauchy): Cauchy (Lorentz) with a location and a scale: the shape of spectral lines, and steps
+//!   with a heavy tail
+//! - [`Laplace`](warp::Laplace): Laplace (double exponential) with a location and a scale: an exponential on both sides
+//!   of the location
+//! - [`Logistic`](warp::Logistic): Logistic with a location and a scale, whose CDF is the logistic function (sigmoid)
+//! - [`Gumbel`](warp::Gumbel): Gumbel with a location and a scale: the largest of many numbers whose tail is
+//!   exponential
+//! - [`Rayleigh`](warp::Rayleigh): Rayleigh with a scale σ: the length of a vector of two normal numbers of deviation σ
+//! - [`Weibull`](warp::Weibull): Weibull with a scale λ and a shape κ: life times, wind speeds, the weakest of many
+//!   links
+//! - [`Pareto`](warp::Pareto): Pareto with a minimum m and a shape α: a heavy tail that falls as a power
+//! - [`LogNormal`](warp::LogNormal): Log-normal with the mean μ and the standard deviation σ of the logarithm: sizes,
+//!   incomes, products of many factors
+//! - [`Inversion`](warp::Inversion): Any density on the line, from its inverse CDF, the density itself and its CDF
+//! - [`Transform`](warp::Transform): A change of variables: a warp followed by a one-to-one map y = f(x), with the
+//!   density p(x)/|J(x)|
+//! <!-- end -->
 //!
-//! In the plane and in boxes:
-//! - [`Disk`](warp::Disk), [`DiskConcentric`](warp::DiskConcentric): uniform on the unit disk
-//! - [`Triangle`](warp::Triangle), [`TriangleOn`](warp::TriangleOn): uniform barycentric coordinates, or a point on
-//!   a triangle in the plane or in space
-//! - [`Annulus`](warp::Annulus), [`RegularPolygon`](warp::RegularPolygon): uniform on a ring or its sector, on a regular polygon
-//! - [`NormalPair`](warp::NormalPair): two independent normal numbers
-//! - [`Aabb`](warp::Aabb): uniform in a box of any dimension
-//! - [`Ball`](warp::Ball), [`Simplex`](warp::Simplex): uniform in the unit ball, on the simplex of any dimension
-//! - [`Bilinear`](warp::Bilinear): bilinear on the unit square, by weights at its corners
-//! - [`MarginalConditional`](warp::MarginalConditional): a marginal and the conditional at its point
-//! - [`Composed`](warp::Composed): any warp of two uniforms, weighted by another on the unit square
-//! - [`BoxSurface`](warp::BoxSurface), [`FrustumSurface`](warp::FrustumSurface), [`CapsuleSurface`](warp::CapsuleSurface):
-//!   uniform on a box, a cylinder or cone, a capsule, with the normal
+//! In the plane, in boxes and on surfaces:
+//! <!-- generated: listed Plane -->
+//! - [`NormalPair`](warp::NormalPair): Two independent normals (Gaussians) with a common standard deviation, by Box and
+//!   Muller's map
+//! - [`MarginalConditional`](warp::MarginalConditional): A density in the plane: x from its marginal, then y from the
+//!   conditional of that x
+//! - [`Composed`](warp::Composed): Two warps composed: the points of `first`, a warp of the unit square, are the
+//!   uniforms of `then`
+//! - [`Disk`](warp::Disk): Uniform on the unit disk, by polar coordinates
+//! - [`DiskConcentric`](warp::DiskConcentric): Uniform on the unit disk, by Shirley and Chiu's concentric map
+//! - [`Triangle`](warp::Triangle): Uniform barycentric coordinates: the shares of the three vertices of a triangle
+//! - [`TriangleOn`](warp::TriangleOn): Uniform on a triangle given by its vertices, in two, three or more dimensions
+//! - [`Bilinear`](warp::Bilinear): Bilinear on the unit square: density in proportion to the interpolation between four
+//!   weights, one a corner
+//! - [`Aabb`](warp::Aabb): Uniform in an axis-aligned box of any dimension, such as the bounding box of a region
+//! - [`Annulus`](warp::Annulus): Uniform on a ring between two circles about the origin (an annulus), or on a sector of
+//!   one
+//! - [`Ball`](warp::Ball): Uniform in the unit ball, the solid sphere
+//! - [`RegularPolygon`](warp::RegularPolygon): Uniform on a regular polygon with its corners on the unit circle, the
+//!   first at (1, 0)
+//! - [`Simplex`](warp::Simplex): Uniform on the simplex of N dimensions: N shares and the rest, none negative, with sum
+//!   1
+//! - [`BoxSurface`](warp::BoxSurface): Uniform on the surface of an axis-aligned box, by area
+//! - [`FrustumSurface`](warp::FrustumSurface): Uniform on the surface of a frustum, by area: a cylinder, a cone, or a
+//!   cone whose top is cut off; with its disks, or as a tube without
+//! - [`CapsuleSurface`](warp::CapsuleSurface): Uniform on the surface of a capsule, by area: all points at one distance
+//!   from a segment of the z axis
+//! <!-- end -->
 //!
 //! Directions:
-//! - [`Sphere`](warp::Sphere), [`Hemisphere`](warp::Hemisphere): uniform
-//! - [`CosineHemisphere`](warp::CosineHemisphere), [`MalleyHemisphere`](warp::MalleyHemisphere): proportional to the cosine
-//! - [`PhongLobe`](warp::PhongLobe): proportional to a power of the cosine
-//! - [`HenyeyGreenstein`](warp::HenyeyGreenstein): the phase function of fog, clouds and skin
-//! - [`VonMisesFisher`](warp::VonMisesFisher): the normal distribution of directions
-//! - [`Ggx`](warp::Ggx), [`GgxVisible`](warp::GgxVisible): normals of rough microfacets, all or those that a viewer sees
-//! - [`Cone`](warp::Cone): uniform within an angle of +z
-//! - [`VisibleSphere`](warp::VisibleSphere): uniform over the directions in which a sphere is seen (a sphere light)
-//! - [`SphericalPatch`](warp::SphericalPatch): uniform between two polar angles and two azimuths
-//! - [`SphericalTriangle`](warp::SphericalTriangle), [`SphericalRectangle`](warp::SphericalRectangle): uniform over the
-//!   directions to an area light
-//! - [`Rotation`](warp::Rotation): uniform over all rotations, as unit quaternions
-//! - [`Oriented`](warp::Oriented): any of these about a normal, by a [`Frame`](warp::Frame)
-//! - [`Transform`](warp::Transform): any warp followed by your own one-to-one map; [`Spherical`](warp::Spherical)
-//!   coordinates
+//! <!-- generated: listed Directions -->
+//! - [`Sphere`](warp::Sphere): Uniform over the unit sphere: all directions alike
+//! - [`Hemisphere`](warp::Hemisphere): Uniform over the hemisphere about +z
+//! - [`CosineHemisphere`](warp::CosineHemisphere): In proportion to the cosine over the hemisphere about +z (Lambert's
+//!   law), by inversion
+//! - [`MalleyHemisphere`](warp::MalleyHemisphere): In proportion to the cosine over the hemisphere about +z (Lambert's
+//!   law), by Malley's method
+//! - [`PhongLobe`](warp::PhongLobe): In proportion to a power of the cosine over the hemisphere about +z: the Phong
+//!   lobe
+//! - [`HenyeyGreenstein`](warp::HenyeyGreenstein): The phase function of Henyey and Greenstein: where fog, clouds, skin
+//!   or dust scatter light
+//! - [`VonMisesFisher`](warp::VonMisesFisher): The von Mises-Fisher distribution: the normal distribution of
+//!   directions, for glossy lobes, light guiding and noise on an orientation
+//! - [`Ggx`](warp::Ggx): Normals of the microfacets of a rough surface, after Trowbridge and Reitz (GGX)
+//! - [`GgxVisible`](warp::GgxVisible): Normals of GGX microfacets that a viewer sees, in proportion to their visible
+//!   area
+//! - [`Cone`](warp::Cone): Uniform over the directions within an angle of +z: a cone, also called a spherical cap
+//! - [`VisibleSphere`](warp::VisibleSphere): Uniform over the directions in which a sphere is seen from a point: a
+//!   sphere light, sampled by solid angle
+//! - [`SphericalPatch`](warp::SphericalPatch): Uniform over the directions between two polar angles and two azimuths, a
+//!   rectangle of latitude and longitude
+//! - [`SphericalTriangle`](warp::SphericalTriangle): Uniform over the directions from a point to a triangle: an area
+//!   light, sampled by its solid angle
+//! - [`SphericalRectangle`](warp::SphericalRectangle): Uniform over the directions from a point to a rectangle, or any
+//!   parallelogram: an area light, sampled by its solid angle
+//! - [`Oriented`](warp::Oriented): A warp over directions, turned from +z onto a given normal
+//! - [`Rotation`](warp::Rotation): Uniform over the rotations of space, as unit quaternions [x, y, z, w] with w ≥ 0
+//! <!-- end -->
+//!
+//! Beside them stand [`Frame`](warp::Frame), an orthonormal frame about a normal, and [`Spherical`](warp::Spherical) coordinates.
 //!
 //! Tables ([`discrete`]):
 //! - [`Cdf`](discrete::Cdf), [`Alias`](discrete::Alias): an index by weight, with its exact probability and a leftover uniform

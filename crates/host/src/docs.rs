@@ -134,6 +134,15 @@ impl Doc {
         self.lines[self.range.clone()].join("\n")
     }
 
+    /// The sentence that it begins with.
+    pub fn sentence(&self) -> String {
+        let lines = self.range.clone().map(|i| self.line(i));
+        let first: Vec<_> = lines.take_while(|line| !line.is_empty()).collect();
+        let text = first.join(" ");
+        let end = text.find(". ").unwrap_or(text.len());
+        text[..end].trim_end_matches('.').to_owned()
+    }
+
     fn line(&self, i: usize) -> &str {
         self.lines[i].trim_start_matches("///").trim()
     }

@@ -2,13 +2,19 @@
 
 use crate::sources::{Sources, grouped};
 use crate::{cycles, rejection, scene};
-use microwarp_host::upkeep::{Outcome, read};
+use microwarp_host::docs::Doc;
+use microwarp_host::registry::{Domain, Registered, of_poly};
+use microwarp_host::upkeep::{Outcome, read, wrapped};
 use microwarp_list::{FLOAT_WARPS, GRADED_WARPS, Listed};
 
 /// The generated blocks, by the names in their marks.
 pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
     match name {
         "warps" => warps(sources),
+        "names" => names(),
+        "listed Line" => listed(Group::Line),
+        "listed Plane" => listed(Group::Plane),
+        "listed Directions" => listed(Group::Directions),
         "selections" => beside(
             sources,
             SELECTIONS,
@@ -75,6 +81,54 @@ pub fn rows(rows: &[Vec<String>]) -> String {
         format!("|{}|\n", cells.join("|"))
     };
     rows.iter().map(row).collect()
+}
+
+/// What the warps are grouped by where all are listed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Group {
+    Line,
+    Plane,
+    Directions,
+}
+
+/// The warps of a group, by the domains of their entries, each with its documentation; in the order of `crates/list`.
+fn members(group: Group) -> impl Iterator<Item = (&'static str, Doc)> {
+    let all = of_poly();
+    let group_of = move |name: &str| {
+        let of = all.iter().filter(|of| of.name == name);
+        let entry = of.flat_map(Registered::entries).next()?;
+        Some(match entry.domain {
+            Domain::Line => Group::Line,
+            Domain::Directions | Domain::World | Domain::Rotations => Group::Directions,
+            _ => Group::Plane,
+        })
+    };
+    let members = FLOAT_WARPS.iter().map(|warp| warp.name);
+    let members = members.filter(move |name| group_of(name) == Some(group));
+    members.filter_map(|name| Some((name, Doc::find("warp", name)?)))
+}
+
+/// The names of all warps, for the README.
+fn names() -> Outcome<String> {
+    let groups = [Group::Line, Group::Plane, Group::Directions].map(|group| {
+        let names: Vec<String> = members(group)
+            .map(|(name, _)| format!("`{name}`"))
+            .collect();
+        let lines = wrapped(&format!("- **{group:?}**: {}", names.join(", ")), 120);
+        lines.join("\n  ") + "\n"
+    });
+    Ok(groups.concat())
+}
+
+/// The warps of a group with the sentences that their pages begin with, for the page of the crate.
+fn listed(group: Group) -> Outcome<String> {
+    let lines = members(group).flat_map(|(name, doc)| {
+        let sentence = doc.sentence();
+        let text = format!("- [`{name}`](warp::{name}): {sentence}");
+        let lines = wrapped(&text, 116).into_iter().enumerate();
+        lines.map(|(i, line)| format!("//! {}{line}\n", if i > 0 { "  " } else { "" }))
+    });
+    Ok(lines.collect::<String>() + "//! ")
 }
 
 /// A warp of the float tiers, its kernel, which is the name of its bench, and the row of its errors.
