@@ -1,5 +1,5 @@
-//! Uniforms in [0, 1), integers of a range, and coins: how they are drawn; the rule that brings any `f32` into range, jittered
-//! strata, and points.
+//! Uniforms in [0, 1), integers of a range, coins and orders: how they are drawn; the rule that brings any `f32` into range,
+//! jittered strata, and points.
 //!
 //! ```
 //! use microwarp::{constant, uniform};
@@ -36,7 +36,19 @@
 //! |---|---|---|--:|
 //! | [`Sobol`] | N^−1.45 where the integrand is smooth, N^−0.75 at edges | 2ᵐ points, up to 8 dimensions | 0 or 768 bytes |
 //! | [`Recurrence`] | N^−0.9, N^−0.75 | any N, 1 to 3 dimensions, the cheapest | 0 |
+//! | [`LatinHypercube`] | N^−1.5 where coordinates act apart, N^−0.5 | few points in many dimensions, N known | 0 |
 //! | [`ByPosition`] | N^−0.5 | random numbers without a state, any dimensions | 0 |
+//!
+//! Orders and choices, in integers, by a number of words that depends on the numbers of items alone:
+//!
+//! | | what | words |
+//! |---|---|---|
+//! | [`shuffle`] | items in a random order | 2 for 12 items, 16 for 52, 612 for 1,000 |
+//! | [`shuffle_each`] | the same, in fewer instructions | one less than items |
+//! | [`choose`] | k of n items, in random order | k |
+//! | [`ChoiceInOrder`] | k of n items, where they are | n |
+//! | [`ChoiceOfStream`] | k items of a stream of any length | one an item |
+//! | [`Permutation`] | the numbers below n in the order of a seed, one by one, and back | none |
 //!
 //! # Many generators
 //! Generators of neighbouring seeds or streams may yield words that depend on each other, and those of PCG32 do. Seed them from
@@ -53,20 +65,32 @@
 //! `mw_pcg32_init_at` in C and `Pcg32.at` in JavaScript make the same generators.
 
 mod chance;
+mod choice;
 mod generators;
+mod order;
+mod permutation;
 mod points;
 mod range;
 mod strata;
+mod stream;
 
 pub use self::chance::Chance;
+pub use self::choice::{ChoiceInOrder, choose, choose_with, try_choose, try_choose_with};
 pub use self::generators::FromFn;
 #[cfg(feature = "rand_core_09")]
 pub use self::generators::Rng09;
 #[cfg(feature = "rand_core_06")]
 pub use self::generators::{Error06, Rng06, TryRng06};
-pub use self::points::{ByPosition, Cursor, MAX_DIMENSIONS, Points, Recurrence, Sobol};
+pub use self::order::{
+    shuffle, shuffle_each, shuffle_with, try_shuffle, try_shuffle_each, try_shuffle_with,
+};
+pub use self::permutation::Permutation;
+pub use self::points::{
+    ByPosition, Cursor, LatinHypercube, MAX_DIMENSIONS, Points, Recurrence, Sobol,
+};
 pub use self::range::{Range, try_up_to, up_to, up_to_from_word};
 pub use self::strata::{MAX_STRATA, Strata1d, Strata2d};
+pub use self::stream::ChoiceOfStream;
 pub use crate::num::{LARGEST, SMALLEST};
 
 use crate::num::into_unit;

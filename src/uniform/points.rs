@@ -1,9 +1,11 @@
 //! Points instead of random numbers: each word is a function of the index of its point and of a dimension.
 
+mod latin_hypercube;
 mod position;
 mod recurrence;
 mod sobol;
 
+pub use self::latin_hypercube::LatinHypercube;
 pub use self::position::ByPosition;
 pub use self::recurrence::Recurrence;
 pub use self::sobol::Sobol;
@@ -61,6 +63,7 @@ pub const MAX_DIMENSIONS: usize = 8;
 /// # See also
 /// - [`Sobol`](super::Sobol): the smallest errors, best with 2ᵐ points.
 /// - [`Recurrence`](super::Recurrence): the cheapest, for any number of points.
+/// - [`LatinHypercube`](super::LatinHypercube): for N known in advance, in any dimensions.
 /// - [`ByPosition`](super::ByPosition): plain random numbers.
 #[doc(alias = "quasi-random")]
 #[doc(alias = "low-discrepancy")]
@@ -181,7 +184,7 @@ const fn hash(x: u32) -> u32 {
 
 /// The hash of a number under a key.
 #[inline]
-const fn keyed(key: u32, number: u32) -> u32 {
+pub(super) const fn keyed(key: u32, number: u32) -> u32 {
     hash(key.wrapping_add(number.wrapping_add(1).wrapping_mul(GOLDEN)))
 }
 

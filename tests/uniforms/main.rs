@@ -1,6 +1,7 @@
-//! Canonical uniforms, integers and chances, and the point sets that yield words.
+//! Canonical uniforms, integers, chances and orders, and the point sets that yield words.
 
 mod canonical;
 mod chance;
+mod orders;
 mod points;
 mod range;

@@ -2,6 +2,7 @@
 //!
 //! - `intervals`: the structure of Sobol' points, exactly; and their directions against the textbook's
 //! - `integration`: errors of means and how they fall, discrepancy, seeds, truncation
+//! - `latin`: strata of Latin hypercubes, and the errors of means
 //! - `hashes`: the scrambling beside Owen's, and the statistics of words by position
 //! - `neighbours`: words of neighbouring samples, pixels and seeded generators are independent
 //! - `uses`: warps, strata, chains and the integer tier take a point as a generator
@@ -9,6 +10,7 @@
 mod hashes;
 mod integration;
 mod intervals;
+mod latin;
 mod neighbours;
 mod uses;
 
