@@ -33,6 +33,9 @@
 //! | a rough surface | [`GgxVisible`](warp::GgxVisible), about a normal by [`Oriented`](warp::Oriented) |
 //! | a place in a pixel | [`Tent`](warp::Tent) for each axis; another filter as a [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d) |
 //! | an even spread over a square | [`Strata2d`](uniform::Strata2d) |
+//! | a random order, some of many items | [`shuffle`](uniform::shuffle), [`choose`](uniform::choose) |
+//! | a random order of numbers that takes no memory | [`Permutation`](uniform::Permutation) |
+//! | a few points in many dimensions | [`LatinHypercube`](uniform::LatinHypercube) |
 //! | one of many generators, by its number | [`ByPosition`](uniform::ByPosition) [seeds it](uniform#many-generators) |
 //! | an index by weight, few draws per table | [`select_once`](discrete::select_once) |
 //! | an index by weight, many draws | [`Cdf`](discrete::Cdf) up to some 8 entries (100 on a PC), [`Alias`](discrete::Alias) beyond |
@@ -199,7 +202,14 @@
 //! Points, whose words are a function of an index and a dimension ([`uniform::Points`]):
 //! - [`Sobol`](uniform::Sobol): Sobol' points with Owen's scrambling, up to 8 dimensions and any number by groups
 //! - [`Recurrence`](uniform::Recurrence): the additive recurrence R₂ and its kin, the cheapest
+//! - [`LatinHypercube`](uniform::LatinHypercube): n points, one in each of n strata of every dimension
 //! - [`ByPosition`](uniform::ByPosition): random words by seed, pixel, sample and dimension
+//!
+//! Orders and choices, in integers ([`uniform`]):
+//! - [`shuffle`](uniform::shuffle), [`shuffle_each`](uniform::shuffle_each): items in a random order, by few words or in few instructions
+//! - [`choose`](uniform::choose), [`ChoiceInOrder`](uniform::ChoiceInOrder), [`ChoiceOfStream`](uniform::ChoiceOfStream): k of n items, or
+//!   of a stream
+//! - [`Permutation`](uniform::Permutation): the numbers below n in the order of a seed, and back, without memory
 //!
 //! # Generators
 //! [`Warp::draw`] takes any generator of `rand_core` 0.10, and [`Warp::try_draw`] one that can fail. Many HALs still implement

@@ -16,7 +16,7 @@ use microwarp::uniform::{Chance, Range, up_to, up_to_from_word};
 const STEPS: usize = 20;
 
 /// Four words of the inputs: the bits of the uniforms, stirred.
-fn stirred(u: [f32; 4]) -> [u32; 4] {
+pub(crate) fn stirred(u: [f32; 4]) -> [u32; 4] {
     let mut rest = 0x9e37_79b9_u32;
     u.map(|u| {
         rest = (rest ^ u.to_bits())

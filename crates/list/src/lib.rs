@@ -24,6 +24,8 @@ pub mod fixed;
 #[cfg(feature = "cases")]
 mod integers;
 #[cfg(feature = "cases")]
+mod orders;
+#[cfg(feature = "cases")]
 mod subjects;
 
 /// What becomes of a panic in a WASM module: an import, which stands in the module if and only if something in it can panic.

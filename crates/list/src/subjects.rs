@@ -1,7 +1,7 @@
 //! The subjects and the inputs of the golden table. The warps stand in `warps.rs`.
 
 use crate::cases::Golden;
-use crate::{chains, integers};
+use crate::{chains, integers, orders};
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, LatLongMap, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,
@@ -844,6 +844,8 @@ float_warps!(subjects {
     once "integer disks" => integers::disks,
     once "integer resampling" => integers::resampled,
     once "counts" => integers::counts,
+    once "shuffles" => orders::shuffles,
+    once "permutations" => orders::permutations,
     "rejection poisson" => |[a, b, c, d], input, out| {
         for mean in [10.0 + 100.0 * a, 65536.0 * b, v(1_048_576.0) * c] {
             match PoissonRejection::<T>::new(mean) {

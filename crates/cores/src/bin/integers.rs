@@ -9,7 +9,10 @@ use microwarp::metropolis::{
     Chain, HastingsCounts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
 };
 use microwarp::rejection::Rejection;
-use microwarp::uniform::{ByPosition, Chance, Points, Range, Recurrence, Sobol, up_to};
+use microwarp::uniform::{
+    ByPosition, Chance, ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation, Points, Range,
+    Recurrence, Sobol, choose, shuffle, shuffle_each, up_to,
+};
 use microwarp_cores::{input, output};
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
@@ -111,7 +114,10 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
     output(index.draw(rng) ^ index.draw_wide(rng));
     output(Range::signed(-3, input(3) as i32)?.draw(rng) as u32);
     output(wide.draw(rng) as u32 ^ index.numerator(1) as u32);
-    let coins = [Chance::new(f32::from_bits(input(7)))?, Chance::from_ratio(input(1), input(6))?];
+    let coins = [
+        Chance::new(f32::from_bits(input(7)))?,
+        Chance::from_ratio(input(1), input(6))?,
+    ];
     for coin in coins {
         output(u32::from(coin.draw(rng)) ^ coin.words() as u32);
     }
@@ -141,6 +147,18 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
         Sobol::<8>::new(pixel.word(0, 0))?,
     );
     let recurrence = Recurrence::<2>::new(input(3))?;
+    let (cube, order) = (
+        LatinHypercube::new(input(8), input(3))?,
+        Permutation::new(input(100), input(3))?,
+    );
+    let mut items = run_time;
+    shuffle(&mut items, rng);
+    shuffle_each(&mut items, rng);
+    output(choose(&mut items, input(2) as usize, rng)?.0.len() as u32);
+    let (mut few, mut kept) = (
+        ChoiceInOrder::new(input(1), input(9))?,
+        ChoiceOfStream::new(input(2))?,
+    );
     for index in 0..input(9) {
         for word in pairs.words::<4>(index) {
             output(word);
@@ -151,6 +169,15 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
         for word in recurrence.words::<3>(index) {
             output(word);
         }
+        output(cube.word(index, 1));
+        output(
+            order
+                .get(index)
+                .and_then(|at| order.index_of(at))
+                .unwrap_or(0),
+        );
+        output(u32::from(few.draw(rng)));
+        output(kept.draw(rng).unwrap_or(0));
         for point in fine.draw(&mut pairs.at(index)).into_iter() {
             output(point.tries);
         }

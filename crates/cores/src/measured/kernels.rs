@@ -13,6 +13,7 @@ mod float;
 mod generator;
 mod integer;
 mod integers;
+mod orders;
 mod paths;
 mod peers;
 mod points;
@@ -23,7 +24,7 @@ mod tables;
 use crate::measured::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 17] = [
+pub static REGISTRY: [&[Entry]; 18] = [
     chains::ENTRIES,
     float::POLY,
     float::LIBM,
@@ -34,6 +35,7 @@ pub static REGISTRY: [&[Entry]; 17] = [
     integer::COMPACT,
     integer::PLAIN,
     integers::ENTRIES,
+    orders::ENTRIES,
     paths::ENTRIES,
     peers::ENTRIES,
     points::ENTRIES,

@@ -2,7 +2,7 @@
 
 use crate::measured::registry::{kernels, loaded, made};
 use microwarp::Error;
-use microwarp::uniform::{ByPosition, Points, Recurrence, Sobol};
+use microwarp::uniform::{ByPosition, LatinHypercube, Points, Recurrence, Sobol};
 
 fn pixel() -> Result<ByPosition, Error> {
     Ok(ByPosition::new(7, 1))
@@ -16,5 +16,7 @@ kernels! {
         _ = made(|| Sobol::<8>::new(7));
     "recurrence_2d" (index: u32) -> [u32; 2] = loaded(|| Recurrence::<2>::new(7)).words(index),
         _ = made(|| Recurrence::<2>::new(7));
+    "latin_hypercube_1000" (index: u32) -> [u32; 2] = loaded(|| LatinHypercube::new(1000, 7)).words(index >> 23),
+        _ = made(|| LatinHypercube::new(1000, 7));
     "by_position_2" (index: u32) -> [u32; 2] = loaded(pixel).words(index), _ = made(pixel);
 }
