@@ -6,7 +6,9 @@
 //! | up to some hundred weights that stay (on a microcontroller, some eight) | [`Cdf`] | 4 bytes | log₂ n comparisons |
 //! | more weights that stay, and memory | [`Alias`] | 12 bytes, of a power of two | one look-up |
 //! | weights that change with every selection | [`select_once`] | none | one pass over the weights |
+//! | integer weights that change now and then | [`SumTree`] | none beside the weights | log₂ n additions |
 //! | a stream whose length is not known | [`Reservoir`] | one item in all | two `u32` an item |
+//! | a stream with integer weights, and want several of its items | [`WeightedReservoir`] | 12 bytes and an item each of those | one `u32` an item |
 //! | weights of cells on a line, and want a point | [`PiecewiseConstant1d`] | 4 bytes | that of a `Cdf` |
 //! | a density at equally spaced points of a line | [`PiecewiseLinear1d`] | 8 bytes | that of a `Cdf`, and a root or two |
 //! | particles, and want as many of equal weight | [`resampling`] | none | one pass over the particles |
@@ -58,7 +60,9 @@ mod reservoir;
 mod selection;
 mod single_selection;
 mod storage;
+mod sum_tree;
 mod total;
+mod weighted_reservoir;
 mod weights;
 mod word;
 mod zones;
@@ -77,6 +81,8 @@ pub use self::reservoir::Reservoir;
 pub use self::selection::{ExactSelection, Selection};
 pub use self::single_selection::{select_once, select_once_uniform};
 pub use self::storage::{Grid, OwnedStorage, Storage};
+pub use self::sum_tree::SumTree;
+pub use self::weighted_reservoir::WeightedReservoir;
 pub use self::word::Word;
 
 /// The most entries a table may have, 2²⁴: as many as there are points on the grid of an `f32` uniform.

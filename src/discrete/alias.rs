@@ -4,7 +4,7 @@ use super::apportionment::Apportionment;
 use super::bins::{AliasEntry, Bins};
 use super::cdf::room;
 use super::layout::is_layout;
-use super::selection::{ExactSelection, Selection, Share, amount, selections};
+use super::selection::{ExactSelection, Selection, Share, amount, numerator, selections};
 use super::storage::{OwnedStorage, Storage};
 use super::weights::Weights;
 use super::word::Word;

@@ -1,7 +1,7 @@
 //! A discrete distribution as a table of cumulated words, searched by halving.
 
 use super::apportionment::Apportionment;
-use super::selection::{ExactSelection, Selection, Share, amount, selections};
+use super::selection::{ExactSelection, Selection, Share, amount, numerator, selections};
 use super::storage::{OwnedStorage, Storage};
 use super::weights::Weights;
 use super::word::{Word, Words};
@@ -75,6 +75,7 @@ use rand_core::{Rng, TryRng};
 ///
 /// # See also
 /// - [`Alias`](super::Alias): the same probabilities from one look-up, in three times the memory or more.
+/// - [`SumTree`](super::SumTree): for weights that change.
 /// - [`select_once`](super::select_once): without a table, for weights that change with every selection.
 /// - [`PiecewiseConstant1d`](super::PiecewiseConstant1d): a point in a cell instead of an index.
 ///

@@ -37,6 +37,7 @@ use rand_core::{Rng, TryRng};
 /// ```
 ///
 /// # See also
+/// - [`WeightedReservoir`](super::WeightedReservoir): several items, of integer weights.
 /// - [`select_once`](super::select_once): one uniform in all, for weights in a slice.
 ///
 /// # Source

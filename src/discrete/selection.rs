@@ -107,6 +107,17 @@ impl<W: Word> Share<W> {
         bits.saturating_sub(W::BITS.saturating_sub(of))
     }
 
+    /// The selection in integers, by a word of so many random bits.
+    #[inline]
+    pub(crate) fn exact(&self, numerator: W::Count, bits: u32) -> ExactSelection<W::Count> {
+        ExactSelection {
+            index: self.index,
+            numerator,
+            leftover: self.exact_leftover(),
+            leftover_bits: self.bits(bits),
+        }
+    }
+
     #[inline]
     pub(crate) fn selection(&self, pmf: f32, fraction: f32, bits: u32) -> Selection {
         Selection {
@@ -115,6 +126,16 @@ impl<W: Word> Share<W> {
             leftover: self.leftover(fraction),
             leftover_bits: self.bits(bits),
         }
+    }
+}
+
+/// A number of words, where 0 means all of them.
+#[inline]
+pub(crate) fn numerator<W: Word>(count: W) -> W::Count {
+    if count == W::ZERO {
+        W::TOTAL
+    } else {
+        count.into()
     }
 }
 
@@ -128,22 +149,32 @@ pub(crate) fn amount<W: Word>(count: W) -> f32 {
     }
 }
 
-/// The methods that both kinds of table have: selection by bits, by a word, by a uniform, from a generator, and
-/// the probabilities. The table provides `selection(word, fraction, bits)`, and `count(index)`, the number of words
-/// of an entry, where 0 means all.
+/// The methods that all kinds of table have: selection by bits, by a word, by a uniform, from a generator, and
+/// the probabilities. The table provides `locate(word)`, `selection(word, fraction, bits)`, and `count(index)`, the number of
+/// words of an entry, where 0 means all. One that may have nothing to select names what selections yield, and provides
+/// `exact(word, bits)`.
 macro_rules! selections {
     ($word:ident) => {
+        selections!($word, Selection, ExactSelection<$word::Count>, usize);
+
+        #[inline]
+        fn exact(&self, word: $word, bits: u32) -> ExactSelection<$word::Count> {
+            let share = self.locate(word);
+            share.exact(self.numerator(share.index), bits)
+        }
+    };
+    ($word:ident, $selection:ty, $exact:ty, $index:ty) => {
         /// Selects by 32 bits.
         #[must_use]
         #[inline]
-        pub fn select(&self, bits: u32) -> Selection {
+        pub fn select(&self, bits: u32) -> $selection {
             self.selection($word::from_bits(bits), 0.0, 32)
         }
 
         /// Selects by a whole word of the table.
         #[must_use]
         #[inline]
-        pub fn select_word(&self, word: $word) -> Selection {
+        pub fn select_word(&self, word: $word) -> $selection {
             self.selection(word, 0.0, $word::BITS)
         }
 
@@ -154,7 +185,7 @@ macro_rules! selections {
         /// leading 24 bits of the word select. The bits of the leftover are counted for a 24-bit uniform.
         #[must_use]
         #[inline]
-        pub fn select_uniform(&self, u: f32) -> Selection {
+        pub fn select_uniform(&self, u: f32) -> $selection {
             let (word, fraction) = $word::from_uniform(u.canonical());
             self.selection(word, fraction, 24)
         }
@@ -165,13 +196,13 @@ macro_rules! selections {
         /// # Errors
         /// The generator's own error.
         #[inline]
-        pub fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<Selection, R::Error> {
+        pub fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<$selection, R::Error> {
             Ok(self.select_word($word::try_draw(rng)?))
         }
 
         /// Draws an entry: one `u32` of the generator for a table of `u32`, two for a table of `u64`.
         #[inline]
-        pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Selection {
+        pub fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> $selection {
             infallible(self.try_draw(rng))
         }
 
@@ -179,26 +210,15 @@ macro_rules! selections {
         /// which the compiler drops where the leftover is not used.
         #[must_use]
         #[inline]
-        pub fn select_exact(&self, bits: u32) -> ExactSelection<$word::Count> {
+        pub fn select_exact(&self, bits: u32) -> $exact {
             self.exact($word::from_bits(bits), 32)
         }
 
         /// Selects by a whole word of the table, without a floating-point operation.
         #[must_use]
         #[inline]
-        pub fn select_exact_word(&self, word: $word) -> ExactSelection<$word::Count> {
+        pub fn select_exact_word(&self, word: $word) -> $exact {
             self.exact(word, $word::BITS)
-        }
-
-        #[inline]
-        fn exact(&self, word: $word, bits: u32) -> ExactSelection<$word::Count> {
-            let share = self.locate(word);
-            ExactSelection {
-                index: share.index,
-                numerator: self.numerator(share.index),
-                leftover: share.exact_leftover(),
-                leftover_bits: share.bits(bits),
-            }
         }
 
         /// Draws an entry without a floating-point operation, from a generator that can fail: one `u32` for a
@@ -207,17 +227,14 @@ macro_rules! selections {
         /// # Errors
         /// The generator's own error.
         #[inline]
-        pub fn try_draw_exact<R: TryRng + ?Sized>(
-            &self,
-            rng: &mut R,
-        ) -> Result<ExactSelection<$word::Count>, R::Error> {
+        pub fn try_draw_exact<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<$exact, R::Error> {
             Ok(self.select_exact_word($word::try_draw(rng)?))
         }
 
         /// Draws an entry without a floating-point operation: one `u32` of the generator for a table of `u32`,
         /// two for a table of `u64`.
         #[inline]
-        pub fn draw_exact<R: Rng + ?Sized>(&self, rng: &mut R) -> ExactSelection<$word::Count> {
+        pub fn draw_exact<R: Rng + ?Sized>(&self, rng: &mut R) -> $exact {
             infallible(self.try_draw_exact(rng))
         }
 
@@ -227,14 +244,14 @@ macro_rules! selections {
         /// # Errors
         /// The generator's own error.
         #[inline]
-        pub fn try_draw_index<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<usize, R::Error> {
+        pub fn try_draw_index<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<$index, R::Error> {
             Ok(self.index($word::try_draw(rng)?))
         }
 
         /// Draws the index of an entry and nothing else: one `u32` of the generator for a table of `u32`, two
         /// for a table of `u64`. Take it on cores without an FPU, where pmf and leftover are most of the cost.
         #[inline]
-        pub fn draw_index<R: Rng + ?Sized>(&self, rng: &mut R) -> usize {
+        pub fn draw_index<R: Rng + ?Sized>(&self, rng: &mut R) -> $index {
             infallible(self.try_draw_index(rng))
         }
 
@@ -242,11 +259,7 @@ macro_rules! selections {
         #[must_use]
         #[inline]
         pub fn numerator(&self, index: usize) -> $word::Count {
-            match self.count(index) {
-                None => $word::ZERO.into(),
-                Some(count) if count == $word::ZERO => $word::TOTAL,
-                Some(count) => count.into(),
-            }
+            self.count(index).map_or($word::ZERO.into(), numerator)
         }
 
         /// The probability of an entry: the numerator over the total, correctly rounded; 0 beyond the last

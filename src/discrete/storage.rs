@@ -8,6 +8,7 @@
 /// | [`heapless::Vec`] | known at run time, at most the capacity | [`Cdf::from_slice`](super::Cdf::from_slice) |
 /// | `Vec<T>`, `Box<[T]>`, with feature `alloc` | known at run time | [`Cdf::from_slice`](super::Cdf::from_slice) |
 /// | `&[T]` | known at run time; the memory is the caller's | [`Cdf::new_in`](super::Cdf::new_in) |
+/// | `&mut` of any of these, where entries change | known at run time | [`SumTree::new_in`](super::SumTree::new_in) |
 ///
 /// A type of your own becomes a storage with the one method here, and then holds finished tables:
 /// [`Cdf::from_words`](super::Cdf::from_words). With [`OwnedStorage`] it can hold new ones too.
@@ -86,6 +87,22 @@ impl<T: Copy> Storage for &[T] {
     #[inline]
     fn items(&self) -> &[T] {
         self
+    }
+}
+
+impl<T: Copy> Storage for [T] {
+    type Item = T;
+    #[inline]
+    fn items(&self) -> &[T] {
+        self
+    }
+}
+
+impl<S: Storage + ?Sized> Storage for &mut S {
+    type Item = S::Item;
+    #[inline]
+    fn items(&self) -> &[S::Item] {
+        S::items(self)
     }
 }
 

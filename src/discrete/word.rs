@@ -1,7 +1,8 @@
 //! The words a table is made of and is asked with: `u32` or `u64`.
 
 use super::bins::{AliasEntry, Bins};
-use crate::num::division::{fraction, fraction_u32};
+use crate::num::division::{fraction, fraction_u32, scaled};
+use crate::num::up_to;
 use crate::uniform::Canonical;
 use core::fmt::Debug;
 use core::hash::Hash;
@@ -23,6 +24,17 @@ pub(crate) mod sealed {
         const ONE: Self;
         const MAX: Self;
         fn minus(self, other: Self) -> Self;
+        fn plus(self, other: Self) -> Self;
+        /// The sum, where it fits a word.
+        fn checked_plus(self, other: Self) -> Option<Self>;
+        /// The last bits of a number.
+        fn low(x: u64) -> Self;
+        fn widened(self) -> u64;
+        /// The integer from 0 to this that a word gives: ⌊word·(this + 1)/2^BITS⌋.
+        fn up_to(self, word: Self) -> Self;
+        /// The first word that [`up_to`](Self::up_to)` total - 1` takes to this or beyond, ⌈this·2^BITS/total⌉; 0 for the total,
+        /// which no word reaches.
+        fn first_word(self, total: Self) -> Self;
         /// The leading `bits` bits as a number; 0 for no bits.
         fn leading(self, bits: u32) -> usize;
         /// All but the leading `bits` bits; at least one must be left.
@@ -124,7 +136,7 @@ pub trait Word: Arithmetic + Debug + Hash {
 }
 
 macro_rules! arithmetic {
-    ($word:ident, $fraction:ident, $either:ident) => {
+    ($word:ident, $fraction:ident, $either:ident, $up_to:expr, $share:expr) => {
         impl Arithmetic for $word {
             const ZERO: Self = 0;
             const ONE: Self = 1;
@@ -132,6 +144,34 @@ macro_rules! arithmetic {
             #[inline]
             fn minus(self, other: Self) -> Self {
                 self.wrapping_sub(other)
+            }
+            #[inline]
+            fn plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
+            }
+            #[inline]
+            fn checked_plus(self, other: Self) -> Option<Self> {
+                self.checked_add(other)
+            }
+            #[inline]
+            fn low(x: u64) -> Self {
+                x as Self
+            }
+            #[inline]
+            fn widened(self) -> u64 {
+                self.into()
+            }
+            #[inline]
+            fn up_to(self, word: Self) -> Self {
+                $up_to(self, word)
+            }
+            #[inline]
+            fn first_word(self, total: Self) -> Self {
+                if self >= total {
+                    return 0;
+                }
+                let (quotient, inexact) = $share(self, total);
+                quotient.wrapping_add(inexact.into())
             }
             #[inline]
             fn leading(self, bits: u32) -> usize {
@@ -184,8 +224,21 @@ macro_rules! arithmetic {
     };
 }
 
-arithmetic!(u32, fraction_u32, U32);
-arithmetic!(u64, fraction, U64);
+/// [`up_to`] of 64 bits.
+#[inline]
+const fn up_to_wide(last: u64, word: u64) -> u64 {
+    let word = word as u128;
+    (word.wrapping_mul(last as u128).wrapping_add(word) >> 64) as u64
+}
+
+/// ⌊x·2⁶⁴/total⌋ and whether there is a remainder, for `x < total`.
+const fn share_wide(x: u64, total: u64) -> (u64, bool) {
+    let (quotient, inexact) = scaled(x as u128, total as u128, 64);
+    (quotient as u64, inexact)
+}
+
+arithmetic!(u32, fraction_u32, U32, up_to, fraction_u32);
+arithmetic!(u64, fraction, U64, up_to_wide, share_wide);
 
 impl Word for u32 {
     const BITS: u32 = 32;

@@ -26,7 +26,9 @@ mod select_once;
 mod skies;
 mod stack;
 mod storage;
+mod sum_tree;
 mod trusted;
+mod weighted_reservoir;
 
 use microwarp::Warp;
 use microwarp::discrete::Cdf;
