@@ -572,6 +572,58 @@ float mw_strata_1d_point(const mw_strata_1d *strata, uint32_t i, float u);
 mw_error mw_strata_2d_init(mw_strata_2d *strata, uint32_t columns, uint32_t rows);
 void mw_strata_2d_point(const mw_strata_2d *strata, uint32_t i, const float u[2], float point[2]);
 
+/** Latin hypercubes: of `count` points one in each of as many strata of every dimension. */
+@struct mw_latin_hypercube@
+/** MW_EMPTY for no points. */
+mw_error mw_latin_hypercube_init(mw_latin_hypercube *set, uint32_t count, uint32_t seed);
+uint32_t mw_latin_hypercube_word(const mw_latin_hypercube *set, uint32_t index,
+        uint32_t dimension);
+
+/* ---- Orders and choices ---------------------------------------------------------------------- */
+
+/**
+ * Puts `count` items of `size` bytes in a random order: mw_shuffle(deck, 52, sizeof deck[0], &rng).
+ * It draws 2 words for up to 12 items, 16 for 52, 612 for 1,000; the number depends on `count` alone.
+ * Where a source fails, the items may be in another order already; so too below.
+ */
+void mw_shuffle(void *items, size_t count, size_t size, mw_pcg32 *rng);
+mw_error mw_shuffle_from(void *items, size_t count, size_t size, const mw_source *source);
+
+/**
+ * Moves `chosen` random items to the front, in random order, by one word each. MW_OUT_OF_RANGE for
+ * more than there are. With all items but one it is the shuffle for a core that multiplies slowly.
+ */
+mw_error mw_choose(void *items, size_t count, size_t size, size_t chosen, mw_pcg32 *rng);
+mw_error mw_choose_from(void *items, size_t count, size_t size, size_t chosen,
+        const mw_source *source);
+
+/**
+ * `chosen` of `count` items where they are: whether the next item is chosen, by a random word.
+ * MW_OUT_OF_RANGE for more than there are. Behind the last item none is.
+ */
+@struct mw_choice_in_order@
+mw_error mw_choice_in_order_init(mw_choice_in_order *choice, uint32_t chosen, uint32_t count);
+bool mw_choice_in_order_take(mw_choice_in_order *choice, uint32_t word);
+bool mw_choice_in_order_draw(mw_choice_in_order *choice, mw_pcg32 *rng);
+
+/**
+ * Some items of a stream of any length: whether the next item is chosen, and if so, its place below
+ * `places` in an array of the caller. The order of the array is not random. MW_EMPTY for no places.
+ */
+@struct mw_choice_of_stream@
+mw_error mw_choice_of_stream_init(mw_choice_of_stream *choice, uint32_t places);
+bool mw_choice_of_stream_take(mw_choice_of_stream *choice, uint32_t word, uint32_t *place);
+bool mw_choice_of_stream_draw(mw_choice_of_stream *choice, mw_pcg32 *rng, uint32_t *place);
+
+/**
+ * The numbers below `count` in the random order of a seed, without a table: the number at a place,
+ * and the place of a number. MW_EMPTY for no numbers, MW_OUT_OF_RANGE from `count` on.
+ */
+@struct mw_permutation@
+mw_error mw_permutation_init(mw_permutation *order, uint32_t count, uint32_t seed);
+mw_error mw_permutation_get(const mw_permutation *order, uint32_t place, uint32_t *number);
+mw_error mw_permutation_index_of(const mw_permutation *order, uint32_t number, uint32_t *place);
+
 /* ---- Samplers without a floating-point operation --------------------------------------------- */
 
 /*

@@ -22,6 +22,7 @@ mod generators;
 mod integers;
 mod layout;
 mod maps;
+mod orders;
 mod points;
 mod rejection;
 mod tables;

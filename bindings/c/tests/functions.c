@@ -849,6 +849,62 @@ static void zeros_are_sound(void)
     }
 }
 
+/* Items of an odd size. */
+struct card {
+    uint8_t number, copy, other;
+};
+
+static void orders_are_whole(void)
+{
+    struct card cards[52];
+    bool seen[52] = {false};
+    mw_pcg32 rng;
+    mw_source failing = {0};
+    mw_pcg32_init(&rng, 42, 54);
+    for (int i = 0; i < 52; i++) {
+        cards[i].number = cards[i].copy = (uint8_t)i;
+        cards[i].other = (uint8_t)(51 - i);
+    }
+    mw_shuffle(cards, 52, sizeof cards[0], &rng);
+    CHECK(mw_choose(cards, 52, sizeof cards[0], 51, &rng) == MW_OK);
+    for (int i = 0; i < 52; i++) {
+        const struct card card = cards[i];
+        CHECK(!seen[card.number] && card.copy == card.number && card.other == 51 - card.number);
+        seen[card.number] = true;
+    }
+    const mw_pcg32 before = rng;
+    CHECK(mw_choose(cards, 52, sizeof cards[0], 53, &rng) == MW_OUT_OF_RANGE);
+    mw_shuffle(NULL, 0, 4, &rng);
+    CHECK(mw_choose(NULL, 0, 4, 0, &rng) == MW_OK && memcmp(&rng, &before, sizeof rng) == 0);
+    CHECK(mw_shuffle_from(cards, 52, sizeof cards[0], &failing) == MW_SOURCE_FAILED);
+    CHECK(mw_choose_from(cards, 52, sizeof cards[0], 1, &failing) == MW_SOURCE_FAILED);
+    CHECK(mw_choose_from(cards, 52, sizeof cards[0], 53, &failing) == MW_OUT_OF_RANGE);
+
+    mw_permutation order = {{0}};
+    mw_choice_in_order in_order = {{0}};
+    mw_choice_of_stream of_stream = {{0}};
+    mw_latin_hypercube cube = {{0}};
+    uint32_t number = 77, place = 77;
+    CHECK(mw_permutation_get(&order, 0, &number) == MW_OUT_OF_RANGE && number == 77);
+    CHECK(!mw_choice_in_order_draw(&in_order, &rng));
+    CHECK(!mw_choice_of_stream_draw(&of_stream, &rng, &place) && place == 77);
+    CHECK(mw_latin_hypercube_word(&cube, 1, 0) != mw_latin_hypercube_word(&cube, 2, 0));
+    CHECK(mw_permutation_init(&order, 0, 7) == MW_EMPTY);
+    CHECK(mw_choice_in_order_init(&in_order, 4, 3) == MW_OUT_OF_RANGE);
+    CHECK(mw_choice_of_stream_init(&of_stream, 0) == MW_EMPTY);
+    CHECK(mw_latin_hypercube_init(&cube, 0, 7) == MW_EMPTY);
+    CHECK(mw_permutation_init(&order, 1000, 7) == MW_OK);
+    for (uint32_t i = 0; i < 1000; i++) {
+        CHECK(mw_permutation_get(&order, i, &number) == MW_OK && number < 1000);
+        CHECK(mw_permutation_index_of(&order, number, &place) == MW_OK && place == i);
+    }
+    CHECK(mw_latin_hypercube_init(&cube, 4, 7) == MW_OK);
+    uint32_t strata = 0;
+    for (uint32_t i = 0; i < 4; i++)
+        strata |= 1u << (mw_latin_hypercube_word(&cube, i, 5) >> 30);
+    CHECK(strata == 15);
+}
+
 static void points_cover(void)
 {
     mw_sobol_2d sobol;
@@ -983,6 +1039,7 @@ int main(void)
     observations_do_not_underflow();
     zeros_are_sound();
     points_cover();
+    orders_are_whole();
     frames_turn();
     sources_serve();
     return done("functions");

@@ -312,6 +312,8 @@ static const struct other_subject {
     {"poly counts", counts},
     {"poly ranges", ranges},
     {"poly coins", coins},
+    {"poly shuffles", shuffles},
+    {"poly permutations", permutations},
     {"fine verdicts", fixed_verdicts},
     {"coarse verdicts", coarse_verdicts},
     {"compact verdicts", compact_verdicts},

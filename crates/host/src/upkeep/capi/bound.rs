@@ -194,6 +194,7 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
     use microwarp::estimate::{Integral, Moments, WeightedMean};
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
     use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
+    use microwarp::uniform::{ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation};
     use microwarp::uniform::{Recurrence, Sobol, Strata1d, Strata2d};
     use microwarp::warp::Frame;
     use microwarp::{fixed, poly};
@@ -224,5 +225,9 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
         "recurrence_3d" Recurrence<3>;
         "strata_1d" Strata1d;
         "strata_2d" Strata2d;
+        "choice_in_order" ChoiceInOrder;
+        "choice_of_stream" ChoiceOfStream;
+        "permutation" Permutation;
+        "latin_hypercube" LatinHypercube;
     }
 }
