@@ -145,8 +145,9 @@ export const numbers = (value, count) => {
   if (flat.length !== count) throw new TypeError(`${count} numbers are expected, not ${flat.length}`);
   return flat;
 };
-// A copy of the weights of a table.
+// The longest array of any kind.
 const MOST = 1 << 26;
+// A copy of the weights of a table.
 export const weights_of = (weights) => {
   if (!Array.isArray(weights) && !tag(weights)) throw wrong("an array of weights", weights);
   const own = new Float32Array(integer("the number of weights", weights.length, 0, MOST));
@@ -210,6 +211,14 @@ export const from_array = (array, each) => (from, n) => {
 const FAR = Number.MAX_SAFE_INTEGER;
 // ⌊word·n/2³²⌋, of up to 2³² integers: each product of a half has 48 bits.
 const scaled = (n, word) => Math.floor(((word >>> 16) * n + Math.floor((word & 0xffff) * n / 65536)) / 65536);
+// Calls a function for the sizes from one on down whose product is up to 2³². Returns the next.
+const batch = (size, place) => {
+  for (let outcomes = size; size > 1 && outcomes <= 2 ** 32; outcomes *= size) {
+    place(size);
+    size -= 1;
+  }
+  return size;
+};
 
 // How a source is readied, by nobody but `ready`.
 export const READY = Symbol("ready");
@@ -238,6 +247,31 @@ export class Source {
     return this.#filled(uniforms, Float32Array, dimensions, (n, random) => {
       wasm.uniforms(BUFFERS, n * dimensions, random > 0 ? 0 : 1);
     });
+  }
+  // As `uniform::shuffle` in Rust: of each two words as many places as have up to 2³² outcomes, digit by digit.
+  shuffle(array) {
+    if (!Array.isArray(array) && !tag(array)) throw wrong("an array", array);
+    let left = integer("length", array.length, 0, MOST);
+    while (left > 1) {
+      let count = 0;
+      for (let size = left; size > 1 && count < BLOCK; count += 2) size = batch(size, () => {});
+      const words = this.words(new Uint32Array(count), count);
+      for (let at = 0; at < count; at += 2) {
+        const [high, low] = [words[at], words[at + 1]];
+        const digits = [low & 0xffff, low >>> 16, high & 0xffff, high >>> 16];
+        left = batch(left, (size) => {
+          let place = 0;
+          for (let k = 0; k < 4; k += 1) {
+            // Below 2⁴⁸, so that it is exact.
+            const product = digits[k] * size + place;
+            digits[k] = product & 0xffff;
+            place = (product - digits[k]) / 0x10000;
+          }
+          [array[place], array[size - 1]] = [array[size - 1], array[place]];
+        });
+      }
+    }
+    return array;
   }
   #filled(array, Type, dimensions, then) {
     const own = view(array, Type, integer("dimensions", dimensions, 1, BLOCK));

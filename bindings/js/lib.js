@@ -5,5 +5,5 @@ export { Warp } from "./warp.js";
 export { Alias, Cdf } from "./table.js";
 export { LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./pieces.js";
 export { Pcg32 } from "./source.js";
-export { ByPosition, Sobol, Strata } from "./sets.js";
+export { ByPosition, Permutation, Sobol, Strata } from "./sets.js";
 export { Chain } from "./chain.js";

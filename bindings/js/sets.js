@@ -1,6 +1,6 @@
-// Sets of points, and strata.
+// Sets of points, strata, and permutations.
 
-import { BUFFERS, IN, READY, Source, drawn, from_source, in_blocks, integer, point, put, refuse, u32_of, view, wasm } from "./core.js";
+import { BUFFERS, IN, READY, Source, drawn, from_source, in_blocks, integer, point, put, refuse, u32_of, view, wasm, written } from "./core.js";
 
 class Points extends Source {
   #by_position;
@@ -77,5 +77,29 @@ export class Strata {
       from = from + n >>> 0;
     }, true);
     return uniforms;
+  }
+}
+
+// As src/words.rs has it.
+const WORDS = 19;
+export class Permutation {
+  #length;
+  #loaded;
+  constructor(length, seed) {
+    this.#length = integer("length", length, 1, 0xffffffff);
+    u32_of("seed", seed);
+    this.#loaded = written(WORDS, [], [], (at) => wasm.permutation(at, length, seed));
+  }
+  get length() {
+    return this.#length;
+  }
+  get(place) {
+    return wasm.permuted(this.#loaded.address(), integer("place", place, 0, this.#length - 1), 0) >>> 0;
+  }
+  indexOf(number) {
+    return wasm.permuted(this.#loaded.address(), integer("number", number, 0, this.#length - 1), 1) >>> 0;
+  }
+  *[Symbol.iterator]() {
+    for (let place = 0; place < this.#length; place += 1) yield this.get(place);
   }
 }

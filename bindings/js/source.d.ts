@@ -1,3 +1,7 @@
+/** An array of anything. */
+export type Items = unknown[] | Int8Array | Uint8Array | Uint8ClampedArray | Int16Array | Uint16Array | Int32Array | Uint32Array
+  | Float32Array | Float64Array | BigInt64Array | BigUint64Array;
+
 /** Where random words come from. */
 export declare abstract class Source {
   /** Fills an array with words of 32 bits; of points, with the words of so many dimensions each. */
@@ -25,6 +29,13 @@ export declare abstract class Source {
   chance(p: number): boolean;
   /** Fills an array with uniforms in [0, 1); of points, with so many dimensions each. */
   uniforms(uniforms: Float32Array, dimensions?: number): Float32Array;
+  /**
+   * Puts the items of an array in a random order, and returns the array. All orders are equally likely. It takes 2 words for up to
+   * 12 items, 16 for 52, 612 for 1,000, and of points as many dimensions, from 8,192 on those of the next point.
+   *
+   * @throws RangeError for more than 2²⁶ items.
+   */
+  shuffle<A extends Items>(array: A): A;
 }
 
 /**
@@ -78,4 +89,16 @@ export declare class Strata {
   place(index: number, jitter: readonly [number, number]): [number, number];
   /** Fills an array with a random point of each stratum, from stratum `from` on; returns the array. */
   uniforms(uniforms: Float32Array, source: Source, from?: number): Float32Array;
+}
+
+/** The numbers from 0 to `length` - 1 in the random order of a seed, one by one and back, without a table. */
+export declare class Permutation implements Iterable<number> {
+  /** @throws RangeError for no numbers. */
+  constructor(length: number, seed: number);
+  readonly length: number;
+  /** The number at a place. */
+  get(place: number): number;
+  /** The place of a number. */
+  indexOf(number: number): number;
+  [Symbol.iterator](): IterableIterator<number>;
 }

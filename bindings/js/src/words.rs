@@ -1,9 +1,9 @@
-//! Where the words of draws come from: the generator, or points of a set; and strata, which are uniforms.
+//! Where the words of draws come from: the generator, or points of a set; strata, which are uniforms; and permutations.
 
 use crate::buffers::Buffers;
 use crate::parts::{NOT_LINKED, linked};
 use microwarp::uniform::{
-    ByPosition, Points, Sobol, Strata1d, Strata2d, deep_from_word, grid_from_word,
+    ByPosition, Permutation, Points, Sobol, Strata1d, Strata2d, deep_from_word, grid_from_word,
 };
 use microwarp_js_hot::Pcg32;
 use rand_core::Rng;
@@ -107,4 +107,37 @@ pub extern "C" fn uniforms(buffers: &mut Buffers, count: usize, deep: u32) {
     for word in buffers.input(count) {
         *word = of(*word).to_bits();
     }
+}
+
+/// Writes a permutation to its place. 0, or the code of the refusal.
+///
+/// # Safety
+/// There is room for its 19 words.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn permutation(place: *mut Permutation, count: u32, seed: u32) -> u32 {
+    const { assert!(size_of::<Permutation>() == 4 * 19 && align_of::<Permutation>() == 4) };
+    if !const { linked("points") } {
+        return NOT_LINKED;
+    }
+    match Permutation::new(count, seed) {
+        Ok(made) => {
+            // SAFETY: the caller's promise.
+            unsafe { place.write(made) };
+            0
+        }
+        Err(refusal) => refusal.code().into(),
+    }
+}
+
+/// The number at a place of a permutation, or with `inverse` the place of a number; the largest word where there is none.
+#[unsafe(no_mangle)]
+pub extern "C" fn permuted(order: &Permutation, at: u32, inverse: u32) -> u32 {
+    if !const { linked("points") } {
+        return u32::MAX;
+    }
+    let found = match inverse {
+        0 => order.get(at),
+        _ => order.index_of(at),
+    };
+    found.unwrap_or(u32::MAX)
 }

@@ -7,7 +7,7 @@ import test from "node:test";
 import * as microwarp from "microwarp";
 
 const { golden, uniforms, runs } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
-const { Alias, ByPosition, Cdf, Chain, Pcg32, Sobol, Strata } = microwarp;
+const { Alias, ByPosition, Cdf, Chain, Pcg32, Permutation, Sobol, Strata } = microwarp;
 
 const bits = (numbers) => Array.from(new Uint32Array(Float32Array.from([numbers].flat(Infinity)).buffer));
 const floats = (bits) => Array.from(new Float32Array(Uint32Array.from(bits).buffer));
@@ -105,6 +105,17 @@ const actual = {
     drawn.push(...Array.from({ length: 200 }, () => words.range(1, 6)), ...Array.from({ length: 200 }, () => Number(words.chance(0.1))));
     return [...drawn, new Sobol(7).at(3).below(2 ** 32)];
   },
+  // The first items, and the word behind those that were drawn.
+  shuffle: () => [2, 12, 13, 52, 1000].flatMap((n) => {
+    const words = rng();
+    const order = words.shuffle(Array.from({ length: n }, (_, i) => i));
+    return [...order.slice(0, 20), ...words.words(new Uint32Array(1))];
+  }),
+  "shuffle by points": () => [...new Sobol(7).at(3).shuffle(Uint8Array.from({ length: 30 }, (_, i) => i))],
+  Permutation: () => [1, 16, 17, 1000, 2 ** 31 + 1, 2 ** 32 - 1].flatMap((n) => {
+    const [order, last] = [new Permutation(n, 7), n - 1];
+    return [0, last, Math.floor(last / 2)].flatMap((i) => [order.get(i), order.indexOf(i)]);
+  }),
   "normal chain": () => chain({ normal: [0.5, 1] }),
   "box chain": () => chain({ box: [0.5, 0] }),
   "cube chain": () => chain({ box: [0.1, 0.2], cube: 0.25 }),

@@ -6,7 +6,7 @@ import vm from "node:vm";
 import { readFileSync } from "node:fs";
 import * as microwarp from "microwarp";
 
-const { Alias, ByPosition, Cdf, Chain, Disk, Exponential, LatLongMap, Normal, NormalPair, Pcg32, PiecewiseConstant2d, Sobol, Strata } = microwarp;
+const { Alias, ByPosition, Cdf, Chain, Disk, Exponential, LatLongMap, Normal, NormalPair, Pcg32, Permutation, PiecewiseConstant2d, Sobol, Strata } = microwarp;
 const round = (x) => Math.exp(-x.reduce((sum, x) => sum + x * x, 0));
 
 test("a chain has as many coordinates as its buffers hold, or is refused", () => {
@@ -43,9 +43,27 @@ const integers = {
   "index of pmf of Alias": [(n) => new Alias([1, 2]).pmf(n), 1], "columns of a table": [(n) => new PiecewiseConstant2d([1, 2, 3, 4], [n, 2], [0, 1], [0, 1]), 2],
   "rows of a sky": [(n) => new LatLongMap([1, 2, 3, 4], [2, n]), 2], "seed of at": [(n) => Pcg32.at(n, 1), 3], "index of Pcg32.at": [(n) => Pcg32.at(1, n), 3],
   n: [(n) => new Pcg32(1).below(n), 3], high: [(n) => new Sobol(1).range(0, n), 3],
+  length: [(n) => new Permutation(n, 1), 3], "seed of Permutation": [(n) => new Permutation(3, n), 3],
+  place: [(n) => new Permutation(4, 1).get(n), 3], number: [(n) => new Permutation(4, 1).indexOf(n), 3],
   dimensions: [(n) => new Pcg32(1).words(new Uint32Array(4), n), 2],
   steps: [(n) => new Chain(() => 1, 0, { box: 1 }).resume({ state: 0, density: 1, steps: n, accepted: 0, refused: 0 }), 3],
 };
+
+test("a permutation has each number once, and a shuffle each item", () => {
+  for (const n of [1, 2, 16, 17, 100]) {
+    const order = new Permutation(n, 3);
+    assert.deepEqual([...order].sort((a, b) => a - b), Array.from({ length: n }, (_, i) => i));
+    for (let i = 0; i < n; i += 1) assert.equal(order.indexOf(order.get(i)), i);
+  }
+  for (const [length, seed] of [[0, 1], [2 ** 32, 1]]) assert.throws(() => new Permutation(length, seed), RangeError);
+  assert.throws(() => new Permutation(4, 1).get(4), RangeError);
+  // Also where the words of one buffer are not enough.
+  const many = new Pcg32(1).shuffle(Int32Array.from({ length: 50000 }, (_, i) => i));
+  assert.deepEqual(many.sort(), Int32Array.from({ length: 50000 }, (_, i) => i));
+  assert.deepEqual([new Pcg32(1).shuffle([]), new Pcg32(1).shuffle(["a"])], [[], ["a"]]);
+  for (const none of [undefined, null, 3, "abc", { length: 2 }]) assert.throws(() => new Pcg32(1).shuffle(none), /an array is expected/);
+  assert.throws(() => new Pcg32(1).shuffle(Array(2 ** 32 - 1)), /length: an integer from 0 to 67108864 is expected/);
+});
 
 test("every integer parameter is checked, and refused by name", () => {
   for (const [name, [give, taken]] of Object.entries(integers)) {

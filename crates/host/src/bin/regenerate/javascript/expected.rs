@@ -8,11 +8,12 @@ use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
 };
 use microwarp::uniform::{
-    ByPosition, Chance, Points, Range, Sobol, Strata1d, Strata2d, grid, up_to,
+    ByPosition, Chance, Permutation, Points, Range, Sobol, Strata1d, Strata2d, grid, shuffle, up_to,
 };
 use microwarp::{Invert, Warp, poly, tier::Poly};
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
 
 /// Weights with zeros and decades.
 const WEIGHTS: [f32; 6] = [0.0, 1.0, 1e-6, 37.0, 0.3, 0.0];
@@ -76,6 +77,28 @@ macro_rules! selections {
         let selected = selected.map(|s| [s.index as u32, s.pmf.to_bits(), s.leftover.to_bits()]);
         list(drawn.into_iter().chain(selected.concat()))
     }};
+}
+
+/// The first items of shuffles, and the word behind those that were drawn.
+fn shuffles() -> String {
+    let shuffles = [2, 12, 13, 52, 1000].map(|count| {
+        let (mut items, mut rng) = ((0..count).collect::<Vec<u32>>(), rng());
+        shuffle(&mut items, &mut rng);
+        items.truncate(20);
+        items.push(rng.next_u32());
+        items
+    });
+    list(shuffles.concat())
+}
+
+/// Numbers at places and places of numbers.
+fn permutations() -> String {
+    let orders = [1, 16, 17, 1000, (1 << 31) + 1, u32::MAX].map(|count| {
+        let order = Permutation::new(count, 7).expect("there are numbers");
+        [0, count - 1, (count - 1) / 2]
+            .map(|i| [order.get(i), order.index_of(i)].map(|found| found.expect("it is below")))
+    });
+    list(orders.concat().concat())
 }
 
 /// A target that floats of one precision compute exactly alike.
@@ -181,6 +204,8 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             [x, y, Strata1d::new(6).expect(ok).point(k, 0.25)].bits()
         })
         .collect();
+    let mut order: [u32; 30] = std::array::from_fn(|item| item as u32);
+    shuffle(&mut order, &mut Sobol::<8>::new(7).expect(ok).at(3));
     let runs = [
         ("Normal", filled(&poly::Normal::new(10.0, 2.0).expect(ok))),
         (
@@ -231,6 +256,9 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
         ),
         ("Strata", list(strata)),
         ("integers", list(integers())),
+        ("shuffle", shuffles()),
+        ("shuffle by points", list(order)),
+        ("Permutation", permutations()),
         (
             "normal chain",
             chain(RandomWalk::new(
