@@ -162,7 +162,8 @@
 //! - [`Mesh`](discrete::Mesh): a point on a triangle mesh, by area or by weights of its faces
 //! - [`LatLongMap`](discrete::LatLongMap): directions in proportion to a picture by latitude and longitude
 //! - [`select_once`](discrete::select_once), [`select_once_uniform`](discrete::select_once_uniform): one selection, without a table
-//! - [`Reservoir`](discrete::Reservoir): one item of a stream
+//! - [`SumTree`](discrete::SumTree): an index by integer weights that change, and several without replacement
+//! - [`Reservoir`](discrete::Reservoir), [`WeightedReservoir`](discrete::WeightedReservoir): one or several items of a stream
 //! - [`Geometric`](discrete::Geometric), [`Poisson`](discrete::Poisson): failures before a success, events in an interval
 //! - [`resampling`](discrete::resampling): systematic, stratified and residual resampling of particles, in place
 //!

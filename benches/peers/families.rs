@@ -79,6 +79,8 @@ families! {
     Draw "alias of 8" "WeightedAliasIndex" tables::alias(8);
     Draw "alias of 64" "WeightedAliasIndex" tables::alias(64);
     Draw "alias of 1024" "WeightedAliasIndex" tables::alias(1024);
+    Draw "sum tree of 16, select and set" "WeightedTreeIndex" tables::tree(16);
+    Draw "sum tree of 4096, select and set" "WeightedTreeIndex" tables::tree(4096);
     Fill "disk" "UnitDisc" fills::disk();
     Fill "sphere" "UnitSphere" fills::sphere();
     Fill "hemisphere" "UnitSphere, folded" fills::hemisphere();

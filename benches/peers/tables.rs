@@ -3,7 +3,7 @@
 use crate::contestants::{FLOOR, INDEX, RAND_DISTR, SELECTION, TEXTBOOK};
 use host::contest::Contest;
 use host::peers::{drawn, rejecting, textbook};
-use microwarp::discrete::{Alias, AliasEntry, Cdf};
+use microwarp::discrete::{Alias, AliasEntry, Cdf, SumTree};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
@@ -45,4 +45,20 @@ pub fn alias(n: usize) -> Contest<usize> {
         .draw(INDEX, move |rng| table.draw_index(rng))
         .draw(SELECTION, move |rng| black_box(table.draw(rng)).index)
         .draw(RAND_DISTR, rejecting::aliases(&weights))
+}
+
+/// Weights of which one changes between two selections: the drawn index gets another one.
+pub fn tree(n: usize) -> Contest<usize> {
+    let integers: Vec<u32> = weights(n).into_iter().map(|w| w as u32).collect();
+    let mut sums = SumTree::new_in(memory(0, n)).unwrap();
+    for (index, weight) in integers.iter().enumerate() {
+        sums.set(index, *weight).unwrap();
+    }
+    of_indices()
+        .draw(INDEX, move |rng| {
+            let index = sums.draw_index(rng).unwrap_or(0);
+            let _ = black_box(sums.set(index, 1 + index as u32 % 4095));
+            index
+        })
+        .draw(RAND_DISTR, rejecting::tree(integers))
 }

@@ -6,7 +6,9 @@ use core::hint::black_box;
 use core::num::NonZeroU32;
 use fixed::types::{I2F30, U0F32};
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic, to_integers};
-use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poisson};
+use microwarp::discrete::{
+    Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poisson, SumTree, WeightedReservoir,
+};
 use microwarp::fixed::{DiskRejection, DiskRejection16};
 use microwarp::metropolis::*;
 use microwarp::rejection::{Accepted, Failure, Rejection};
@@ -136,8 +138,7 @@ pub fn chances(u: [f32; 4], input: usize, out: &mut Out) {
 
 fn selected<C: Into<u128>>(chosen: ExactSelection<C>, out: &mut Out) {
     out.word(chosen.index as u32);
-    // Halved, since it may be that of all words.
-    wide((chosen.numerator.into() >> 1) as u64, out);
+    wide_half(chosen.numerator.into(), out);
     out.word(chosen.leftover);
     out.word(chosen.leftover_bits);
 }
@@ -317,4 +318,45 @@ pub fn coins(u: [f32; 4], input: usize, out: &mut Out) {
         with(Chance::new(p), out, &mut said);
     }
     with(Chance::from_ratio(c >> (b & 31), b), out, said);
+}
+
+/// Weights that change, and what is drawn without replacement.
+pub fn trees(u: [f32; 4], input: usize, out: &mut Out) {
+    let [a, b, c, d] = stirred(u);
+    let mut rng = generator(input);
+    let mut weights = [a >> 3, b >> 5, 0, c >> (a & 31) >> 3, 1, d >> 4];
+    with(SumTree::new_in(&mut weights), out, |mut tree, out| {
+        out.word(tree.set(2, d >> 3).unwrap_or(u32::MAX));
+        verdict(tree.set(4, u32::MAX).map(drop), out);
+        if let Some(chosen) = tree.select_exact(d) {
+            out.word(chosen.index as u32);
+            out.word(chosen.numerator as u32);
+            out.word(chosen.leftover);
+        }
+        out.word(tree.draw_index(&mut rng).map_or(9, |index| index as u32));
+        out.float(tree.pmf(1));
+        let mut places = [(0, 0); 3];
+        let drawn = tree.draw_distinct(&mut places, &mut rng);
+        out.word(drawn.iter().fold(0, |all, (at, _)| all << 4 | *at as u32));
+        let sums = tree.into_weights().iter();
+        out.word(sums.fold(0, |all: u32, weight| all.rotate_left(7) ^ weight));
+    });
+    let wide = [a, 0, b, c].map(|weight| u64::from(weight) << 29);
+    with(SumTree::new_u64(wide), out, |tree, out| {
+        let word = u64::from(d) << 32 | u64::from(a);
+        if let Some(chosen) = tree.select_exact_word(word) {
+            out.word(chosen.index as u32);
+            wide_half(chosen.numerator, out);
+        }
+    });
+    let mut kept = WeightedReservoir::<u32, 3>::new();
+    for (item, weight) in (0..).zip([a, b, c >> 20, d, 0, a >> (b & 31)]) {
+        kept.offer(item, weight, &mut rng);
+    }
+    out.word(kept.items().fold(0, |all, item| all << 4 | item));
+}
+
+/// Half of a number of words, since it may be that of all.
+fn wide_half(numerator: u128, out: &mut Out) {
+    wide((numerator >> 1) as u64, out);
 }

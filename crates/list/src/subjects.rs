@@ -846,6 +846,7 @@ float_warps!(subjects {
     once "counts" => integers::counts,
     once "shuffles" => orders::shuffles,
     once "permutations" => orders::permutations,
+    once "changing weights" => integers::trees,
     "rejection poisson" => |[a, b, c, d], input, out| {
         for mean in [10.0 + 100.0 * a, 65536.0 * b, v(1_048_576.0) * c] {
             match PoissonRejection::<T>::new(mean) {

@@ -3,7 +3,9 @@
 #![no_std]
 #![no_main]
 
-use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poisson};
+use microwarp::discrete::{
+    Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poisson, SumTree, WeightedReservoir,
+};
 use microwarp::fixed as mw;
 use microwarp::metropolis::{
     Chain, HastingsCounts, Independence, Mixture, Mutation, Proposal, TransitionTable, UniformIndex,
@@ -84,6 +86,19 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
     selected(table.draw_exact(rng));
     selected(alias.select_exact_word(input(8)));
     output(table.draw_index(rng) as u32);
+
+    let mut tree = SumTree::new(run_time)?;
+    tree.set(input(1) as usize, input(2))?;
+    tree.draw_exact(rng).into_iter().for_each(selected);
+    for (index, weight) in tree.draw_distinct(&mut [(0, 0); 2], rng) {
+        output(*index as u32);
+        output(*weight);
+    }
+    let mut kept = WeightedReservoir::<u32, 2>::new();
+    for item in tree.into_weights() {
+        kept.offer(item, item, rng);
+    }
+    kept.items().for_each(|item| output(*item));
 
     let mut chain = Chain::new(0, |_| input(9))?;
     let any = UniformIndex::new(input(4))?;

@@ -9,6 +9,7 @@
 )]
 
 mod chains;
+mod changing;
 mod float;
 mod generator;
 mod integer;
@@ -24,8 +25,9 @@ mod tables;
 use crate::measured::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 18] = [
+pub static REGISTRY: [&[Entry]; 19] = [
     chains::ENTRIES,
+    changing::ENTRIES,
     float::POLY,
     float::LIBM,
     generator::ENTRIES,

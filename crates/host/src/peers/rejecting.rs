@@ -2,10 +2,11 @@
 //! the number of words they draw is random.
 
 use super::uniform;
-use rand_distr::weighted::{WeightedAliasIndex, WeightedIndex};
+use rand_distr::weighted::{WeightedAliasIndex, WeightedIndex, WeightedTreeIndex};
 use rand_distr::{Distribution, Exp1, StandardNormal};
 use rand_distr::{UnitBall, UnitCircle, UnitDisc, UnitSphere};
 use rand_pcg::Pcg32;
+use std::hint::black_box;
 
 /// The unit disk: `UnitDisc`.
 #[inline]
@@ -77,4 +78,15 @@ pub fn cumulative(weights: &[f32]) -> impl Fn(&mut Pcg32) -> usize + use<> {
 pub fn aliases(weights: &[f32]) -> impl Fn(&mut Pcg32) -> usize + use<> {
     let table = WeightedAliasIndex::new(weights.to_vec()).expect("weights");
     move |rng| table.sample(rng)
+}
+
+/// Indices by a tree of sums, of which the drawn one gets another weight: `WeightedTreeIndex<u32>`.
+pub fn tree(weights: Vec<u32>) -> impl FnMut(&mut Pcg32) -> usize {
+    let mut tree = WeightedTreeIndex::new(weights).expect("weights");
+    move |rng| {
+        let index = tree.sample(rng);
+        let changed = tree.update(index, 1 + index as u32 % 4095);
+        black_box(changed).expect("a weight");
+        index
+    }
 }

@@ -6,7 +6,7 @@ use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, ExactSelection, Geometric, Mesh, MeshPoint, PiecewiseConstant1d,
-    PiecewiseConstant2d, PiecewiseLinear1d, Poisson,
+    PiecewiseConstant2d, PiecewiseLinear1d, Poisson, SumTree,
 };
 use microwarp::poly::LatLongMap;
 use rand_core::Rng;
@@ -20,6 +20,16 @@ const fn weights<const N: usize>() -> [f32; N] {
         index += 1;
     }
     weights
+}
+
+/// The same as integers.
+pub(super) const fn integers<const N: usize>() -> [u32; N] {
+    let (weights, mut integers, mut index) = (weights::<N>(), [0; N], 0);
+    while index < N {
+        integers[index] = weights[index] as u32;
+        index += 1;
+    }
+    integers
 }
 
 /// Weights of a picture.
@@ -55,6 +65,7 @@ macro_rules! tables {
 }
 
 type AliasOf<const N: usize> = Alias<[AliasEntry<u32>; N]>;
+pub(super) type Tree<const N: usize> = SumTree<[u32; N]>;
 type CdfOf<const N: usize> = Cdf<[u32; N]>;
 type Pieces<const N: usize> = PiecewiseConstant1d<[u32; N]>;
 type Lines<const N: usize> = PiecewiseLinear1d<[u32; N], [f32; N]>;
@@ -116,6 +127,10 @@ tables! {
         (word: u32) -> u32 = POISSON_10.count(word), rng => POISSON_10.draw(rng);
     "poisson_80" "poisson_80_pcg32" POISSON_80: Poisson = Poisson::from_ratio(80, 1),
         (word: u32) -> u32 = POISSON_80.count(word), rng => POISSON_80.draw(rng);
+    "sum_tree_16" "sum_tree_16_pcg32" TREE_16: Tree<16> = Tree::<16>::new(integers()),
+        (word: u32) -> usize = TREE_16.index(word).unwrap_or(0), rng => TREE_16.draw_index(rng).unwrap_or(0);
+    "sum_tree_4096" "sum_tree_4096_pcg32" TREE_4096: Tree<4096> = Tree::<4096>::new(integers()),
+        (word: u32) -> usize = TREE_4096.index(word).unwrap_or(0), rng => TREE_4096.draw_index(rng).unwrap_or(0);
     "piecewise_constant_1d_64" "piecewise_constant_1d_64_pcg32"
         PIECES_64: Pieces<64> = Pieces::<64>::new(&weights(), 0.0, 1.0),
         (u: f32) -> f32 = PIECES_64.sample(u), rng => PIECES_64.draw(rng);
