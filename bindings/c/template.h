@@ -233,6 +233,47 @@ size_t mw_{}_draw_index(const mw_{} *table, mw_pcg32 *rng);
 float mw_{}_pmf(const mw_{} *table, size_t index);
 @end@
 
+/**
+ * Weights that change: a tree of sums in place of the caller's integer weights, which take no memory
+ * beside them. `init` makes the sums, in which the weights can be read and set, and
+ * `into_weights` brings the weights back. They must stay where they are until then. Their sum must be
+ * below 2^32; with MW_TOO_LARGE or any other error nothing is changed. A weight of 0 is never
+ * selected, a positive one has at least one word, and the same word selects as from a mw_cdf.
+ */
+typedef struct mw_sum_tree {
+    uint32_t *sums;
+    size_t entries;
+} mw_sum_tree;
+
+mw_error mw_sum_tree_init(mw_sum_tree *tree, uint32_t *weights, size_t entries);
+void mw_sum_tree_into_weights(mw_sum_tree *tree);
+/** Sets a weight; MW_OUT_OF_RANGE beyond the last. */
+mw_error mw_sum_tree_set(mw_sum_tree *tree, size_t index, uint32_t weight);
+/** A weight, or 0 beyond the last; and the sum of all. */
+uint32_t mw_sum_tree_get(const mw_sum_tree *tree, size_t index);
+uint32_t mw_sum_tree_total(const mw_sum_tree *tree);
+/** How many of the 2^32 words select an entry, and its probability. */
+uint64_t mw_sum_tree_numerator(const mw_sum_tree *tree, size_t index);
+float mw_sum_tree_pmf(const mw_sum_tree *tree, size_t index);
+/**
+ * Selections, by one word; false, and nothing is written, where all weights are 0. The index alone
+ * takes no division.
+ */
+bool mw_sum_tree_select(const mw_sum_tree *tree, uint32_t word, mw_selection *chosen);
+bool mw_sum_tree_select_exact(const mw_sum_tree *tree, uint32_t word, mw_exact_selection *chosen);
+bool mw_sum_tree_index(const mw_sum_tree *tree, uint32_t word, size_t *index);
+bool mw_sum_tree_draw(const mw_sum_tree *tree, mw_pcg32 *rng, mw_selection *chosen);
+bool mw_sum_tree_draw_index(const mw_sum_tree *tree, mw_pcg32 *rng, size_t *index);
+/** Likewise from a source; MW_ALL_ZERO where all weights are 0. */
+mw_error mw_sum_tree_draw_from(const mw_sum_tree *tree, const mw_source *source,
+        mw_selection *chosen);
+/**
+ * Draws entries without replacement: their indices and weights, `count` words. Returns how many it
+ * drew, fewer where all positive weights are drawn. The weights are as they were at the end.
+ */
+size_t mw_sum_tree_draw_distinct(mw_sum_tree *tree, mw_pcg32 *rng, size_t *indices,
+        uint32_t *weights, size_t count);
+
 /** One selection from weights that are seen once, without a table. */
 mw_error mw_select_once(const float *weights, size_t entries, uint32_t word, mw_selection *chosen);
 mw_error mw_select_once_uniform(const float *weights, size_t entries, float u,

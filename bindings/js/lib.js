@@ -3,6 +3,7 @@
 export * from "./warps.js";
 export { Warp } from "./warp.js";
 export { Alias, Cdf } from "./table.js";
+export { SumTree } from "./tree.js";
 export { LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./pieces.js";
 export { Pcg32 } from "./source.js";
 export { ByPosition, Permutation, Sobol, Strata } from "./sets.js";

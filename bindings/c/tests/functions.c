@@ -199,6 +199,35 @@ static void tables_refuse(void)
     CHECK(mw_select_once_uniform(weights, 0, 0.5f, &chosen) == MW_NO_WEIGHTS);
 }
 
+static void weights_change(void)
+{
+    uint32_t changing[4] = {3, 0, 5, 8}, taken[4];
+    size_t index = 9, places[4];
+    mw_sum_tree tree = {0};
+    mw_pcg32 rng;
+    mw_selection chosen;
+    mw_exact_selection exact;
+    mw_pcg32_init(&rng, 1, 1);
+    CHECK(mw_sum_tree_init(&tree, NULL, 0) == MW_NO_WEIGHTS && mw_sum_tree_total(&tree) == 0);
+    CHECK(!mw_sum_tree_index(&tree, 0, &index) && index == 9);
+    CHECK(mw_sum_tree_set(&tree, 0, 1) == MW_NO_WEIGHTS);
+    CHECK(mw_sum_tree_init(&tree, changing, 4) == MW_OK && mw_sum_tree_total(&tree) == 16);
+    CHECK(mw_sum_tree_index(&tree, 0x30000000, &index) && index == 2);
+    CHECK(mw_sum_tree_select(&tree, 0x30000000, &chosen) && chosen.index == 2);
+    CHECK(chosen.pmf == 0.3125f && chosen.leftover == 0.0f && mw_sum_tree_pmf(&tree, 3) == 0.5f);
+    CHECK(mw_sum_tree_select_exact(&tree, UINT32_MAX, &exact) && exact.index == 3);
+    CHECK(exact.numerator == 1u << 31 && mw_sum_tree_numerator(&tree, 0) == 3u << 28);
+    CHECK(mw_sum_tree_set(&tree, 1, UINT32_MAX - 15) == MW_TOO_LARGE);
+    CHECK(mw_sum_tree_set(&tree, 4, 0) == MW_OUT_OF_RANGE && mw_sum_tree_total(&tree) == 16);
+    CHECK(mw_sum_tree_set(&tree, 3, 0) == MW_OK && mw_sum_tree_get(&tree, 3) == 0);
+    CHECK(mw_sum_tree_draw_distinct(&tree, &rng, places, taken, 4) == 2);
+    CHECK(places[0] + places[1] == 2 && taken[0] + taken[1] == 8 && mw_sum_tree_total(&tree) == 8);
+    CHECK(mw_sum_tree_draw(&tree, &rng, &chosen) && (chosen.index == 0 || chosen.index == 2));
+    CHECK(mw_sum_tree_draw_index(&tree, &rng, &index) && (index == 0 || index == 2));
+    mw_sum_tree_into_weights(&tree);
+    CHECK(changing[0] == 3 && changing[1] == 0 && changing[2] == 5 && changing[3] == 0);
+}
+
 static void maps_are_warps(void)
 {
     uint32_t words[ENTRIES], marginal[2], conditional[6];
@@ -1002,6 +1031,14 @@ static void sources_serve(void)
     CHECK(mw_resample_stratified(copies[1], 2, 8, &rng) == MW_OK && copies[0][0] == copies[1][0]);
     CHECK(mw_resample_stratified_from(copies[0], 2, 8, &dry) == MW_SOURCE_FAILED);
     CHECK(mw_resample_stratified_from(copies[0], 0, 8, &dry) == MW_NO_WEIGHTS);
+    uint32_t changing[2] = {0, 1};
+    mw_selection chosen;
+    mw_sum_tree tree;
+    CHECK(mw_sum_tree_init(&tree, changing, 2) == MW_OK);
+    CHECK(mw_sum_tree_draw_from(&tree, &dry, &chosen) == MW_SOURCE_FAILED);
+    CHECK(mw_sum_tree_draw_from(&tree, &source, &chosen) == MW_OK && chosen.index == 1);
+    CHECK(mw_sum_tree_set(&tree, 1, 0) == MW_OK);
+    CHECK(mw_sum_tree_draw_from(&tree, &source, &chosen) == MW_ALL_ZERO && chosen.index == 1);
     mw_reservoir reservoir;
     bool taken = false;
     uint32_t item;
@@ -1019,6 +1056,7 @@ int main(void)
     integers_are_drawn();
     tables_select();
     tables_refuse();
+    weights_change();
     maps_are_warps();
     counts_are_drawn();
     resampling_keeps_its_shares();

@@ -314,6 +314,7 @@ static const struct other_subject {
     {"poly coins", coins},
     {"poly shuffles", shuffles},
     {"poly permutations", permutations},
+    {"poly changing weights", trees},
     {"fine verdicts", fixed_verdicts},
     {"coarse verdicts", coarse_verdicts},
     {"compact verdicts", compact_verdicts},

@@ -217,6 +217,43 @@ static void coins(four u, int input, struct out *out)
     }
 }
 
+static void trees(four u, int input, struct out *out)
+{
+    uint32_t stirred[4], all = 0;
+    mw_pcg32 rng = generator(input);
+    mw_sum_tree tree;
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], c = stirred[2], d = stirred[3];
+    uint32_t weights[6] = {a >> 3, b >> 5, 0, c >> (a & 31) >> 3, 1, d >> 4};
+    if (made(out, mw_sum_tree_init(&tree, weights, 6))) {
+        put_uint32_t(out, mw_sum_tree_get(&tree, 2));
+        mw_sum_tree_set(&tree, 2, d >> 3);
+        verdict(out, mw_sum_tree_set(&tree, 4, UINT32_MAX));
+        mw_exact_selection chosen;
+        if (mw_sum_tree_select_exact(&tree, d, &chosen)) {
+            put_size_t(out, chosen.index);
+            put_uint32_t(out, (uint32_t)chosen.numerator);
+            put_uint32_t(out, chosen.leftover);
+        }
+        size_t index = 9, places[3];
+        uint32_t taken[3];
+        mw_sum_tree_draw_index(&tree, &rng, &index);
+        put_size_t(out, index);
+        put_float(out, mw_sum_tree_pmf(&tree, 1));
+        const size_t drawn = mw_sum_tree_draw_distinct(&tree, &rng, places, taken, 3);
+        for (size_t i = 0; i < drawn; i++)
+            all = all << 4 | (uint32_t)places[i];
+        put_uint32_t(out, all);
+        mw_sum_tree_into_weights(&tree);
+        uint32_t sum = 0;
+        for (int i = 0; i < 6; i++)
+            sum = (sum << 7 | sum >> 25) ^ weights[i];
+        put_uint32_t(out, sum);
+    }
+    /* Trees of 64 bits and reservoirs of several items are not in C. */
+    out->only = FIRST;
+}
+
 static void resampling(four u, int input, struct out *out)
 {
     const float numbers[6] = {u[0], u[1], 0.5f, 1e-20f, u[2], u[3]};

@@ -7,7 +7,7 @@ import test from "node:test";
 import * as microwarp from "microwarp";
 
 const { golden, uniforms, runs } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
-const { Alias, ByPosition, Cdf, Chain, Pcg32, Permutation, Sobol, Strata } = microwarp;
+const { Alias, ByPosition, Cdf, Chain, Pcg32, Permutation, Sobol, Strata, SumTree } = microwarp;
 
 const bits = (numbers) => Array.from(new Uint32Array(Float32Array.from([numbers].flat(Infinity)).buffer));
 const floats = (bits) => Array.from(new Float32Array(Uint32Array.from(bits).buffer));
@@ -64,6 +64,16 @@ const selections = (table) => {
   const selected = [0, 0.3, 0.999].map((u) => table.select(u)).map(({ index, pmf, leftover }) => [index, ...bits([pmf, leftover])]);
   return [...table.fill(new Uint32Array(64), rng()), ...selected.flat()];
 };
+const changing = () => {
+  const [tree, words, found] = [new SumTree(Uint32Array.of(3, 0, 5, 2 ** 31, 7, 2 ** 30)), rng(), []];
+  for (let k = 0; k < 32; k += 1) {
+    const index = tree.draw(words);
+    found.push(index, tree.set(index, Math.imul(k, 0x9e3779b9) >>> (k & 7) >>> 5));
+  }
+  found.push(...tree.drawDistinct(4, words));
+  for (let index = 0; index < 6; index += 1) found.push(...bits(tree.pmf(index)));
+  return [...found, tree.total, ...tree.intoWeights()];
+};
 // Rounded at each step, as the host computes it.
 const target = ([x, y]) => {
   const f = Math.fround;
@@ -87,6 +97,7 @@ const actual = {
   Disk: () => filled(new microwarp.Disk()),
   Cdf: () => selections(new Cdf(weights)),
   Alias: () => selections(new Alias(weights)),
+  SumTree: changing,
   PiecewiseConstant1d: () => triples(new microwarp.PiecewiseConstant1d(weights, -3, 5)),
   PiecewiseLinear1d: () => triples(new microwarp.PiecewiseLinear1d(weights, -3, 5)),
   PiecewiseConstant2d: () => triples(new microwarp.PiecewiseConstant2d(cells, [3, 2], [0, 6], [-1, 1])),

@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import * as microwarp from "microwarp";
 
-const { Alias, Cdf, Chain, Disk, Exponential, Normal, Pcg32, Sobol, Strata, Warp } = microwarp;
+const { Alias, Cdf, Chain, Disk, Exponential, Normal, Pcg32, Sobol, Strata, SumTree, Warp } = microwarp;
 const classes = Object.values(microwarp).filter((value) => value.prototype instanceof Warp);
 const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const made = (name, maker, given) => (maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given));
@@ -35,6 +35,19 @@ test("a refusal is a RangeError with the words and the code of the crate", () =>
   assert.throws(() => new Cdf([1, 2, -3]), { message: "weight 2 is negative", code: 13 });
   assert.throws(() => new Alias([0, 0]), refused(14));
   assert.throws(() => new Cdf([]), refused(10));
+  assert.throws(() => new SumTree(new Uint32Array(0)), refused(10));
+  const large = Uint32Array.of(2 ** 31, 1, 2 ** 31);
+  assert.throws(() => new SumTree(large), refused(4));
+  assert.deepEqual([...large], [2 ** 31, 1, 2 ** 31]);
+  const tree = new SumTree(Uint32Array.of(2 ** 32 - 6, 2, 0));
+  assert.throws(() => tree.set(2, 4), refused(4));
+  for (const index of [3, -1, 0.5]) assert.throws(() => tree.set(index, 1), RangeError);
+  assert.throws(() => tree.set(0, -1), RangeError);
+  assert.throws(() => new SumTree([1, 2]), TypeError);
+  assert.deepEqual([tree.total, tree.get(0), tree.index(2 ** 32 - 1)], [2 ** 32 - 4, 2 ** 32 - 6, 1]);
+  assert.deepEqual([...tree.intoWeights()], [2 ** 32 - 6, 2, 0]);
+  assert.throws(() => tree.draw(new Pcg32(1)), TypeError);
+  assert.equal(new SumTree(new Uint32Array(3)).draw(new Pcg32(1)), undefined);
   assert.throws(() => new microwarp.PiecewiseConstant2d([1, 2, 3], [2, 2], [0, 1], [0, 1]), RangeError);
   assert.throws(() => new microwarp.RegularPolygon(4.5), refused(7));
   assert.throws(() => new Strata(0), RangeError);

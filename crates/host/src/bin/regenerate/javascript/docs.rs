@@ -226,7 +226,7 @@ pub struct Names {
 }
 
 /// What is no class of a warp.
-const OTHERS: [&str; 8] = [
+const OTHERS: [&str; 9] = [
     "Alias",
     "Cdf",
     "LatLongMap",
@@ -234,6 +234,7 @@ const OTHERS: [&str; 8] = [
     "PiecewiseConstant2d",
     "PiecewiseLinear1d",
     "Sobol",
+    "SumTree",
     "Warp",
 ];
 const METHODS: [&str; 8] = [

@@ -2,7 +2,8 @@
 
 use super::{Class, Golden};
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d,
+    Alias, AliasEntry, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d,
+    PiecewiseLinear1d, SumTree,
 };
 use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
@@ -99,6 +100,25 @@ fn permutations() -> String {
             .map(|i| [order.get(i), order.index_of(i)].map(|found| found.expect("it is below")))
     });
     list(orders.concat().concat())
+}
+
+/// Indices drawn from weights that change, some without replacement, and the weights at the end.
+fn changing() -> String {
+    let (mut weights, mut rng) = ([3_u32, 0, 5, 1 << 31, 7, 1 << 30], rng());
+    let mut tree = SumTree::new_in(&mut weights).expect("weights");
+    let mut found = Vec::new();
+    for k in 0..32_u32 {
+        let index = tree.draw_index(&mut rng).expect("one is positive");
+        let before = tree.set(index, k.wrapping_mul(0x9e37_79b9) >> (k & 7) >> 5);
+        found.extend([index as u32, before.expect("it fits")]);
+    }
+    let mut places = [(0, 0); 4];
+    let drawn = tree.draw_distinct(&mut places, &mut rng);
+    found.extend(drawn.iter().map(|(index, _)| *index as u32));
+    found.extend((0..6).map(|index| tree.pmf(index).to_bits()));
+    found.push(tree.total());
+    found.extend(*tree.into_weights());
+    list(found)
 }
 
 /// A target that floats of one precision compute exactly alike.
@@ -230,6 +250,7 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             "Alias",
             selections!(Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).expect(ok)),
         ),
+        ("SumTree", changing()),
         (
             "PiecewiseConstant1d",
             triples(&PiecewiseConstant1d::<[u32; 6]>::new(&WEIGHTS, -3.0, 5.0).expect(ok)),
