@@ -46,7 +46,7 @@
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |
 //! | fewer samples for the same error | [`Sobol`](uniform::Sobol) points instead of a generator |
 //!
-//! Gamma, beta, binomial, Student and Dirichlet numbers are not here. Take `rand_distr`, which runs on the same generators.
+//! Gamma, beta, Student and Dirichlet numbers are not here. Take `rand_distr`, which runs on the same generators.
 //!
 //! The tier is a type, chosen once. `poly` and `libm` have every warp and take the same uniforms. `fixed` has those that
 //! integers serve well, under the same names.
@@ -165,6 +165,7 @@
 //! - [`SumTree`](discrete::SumTree): an index by integer weights that change, and several without replacement
 //! - [`Reservoir`](discrete::Reservoir), [`WeightedReservoir`](discrete::WeightedReservoir): one or several items of a stream
 //! - [`Geometric`](discrete::Geometric), [`Poisson`](discrete::Poisson): failures before a success, events in an interval
+//! - [`Binomial`](discrete::Binomial): successes of so many trials
 //! - [`resampling`](discrete::resampling): systematic, stratified and residual resampling of particles, in place
 //!
 //! Rejection within a budget of tries ([`rejection`]):
@@ -175,6 +176,7 @@
 //!   [`ZigguratStandardExponential`](rejection::ZigguratStandardExponential),
 //!   [`ZigguratExponential`](rejection::ZigguratExponential): the fastest for one number from a generator
 //! - [`PoissonRejection`](rejection::PoissonRejection): events of a mean number from 10 up
+//! - [`BinomialRejection`](rejection::BinomialRejection): successes of a variance from 10 up
 //!
 //! Markov chains ([`metropolis`]):
 //! - [`Chain`](metropolis::Chain): states of any density, or of integer weights, in fixed memory
@@ -347,6 +349,8 @@ macro_rules! tier_module {
             pub type LatLongMap<M, C> = crate::discrete::LatLongMap<$tier, M, C>;
             /// [`rejection::PoissonRejection`](crate::rejection::PoissonRejection) in this tier.
             pub type PoissonRejection = crate::rejection::PoissonRejection<$tier>;
+            /// [`rejection::BinomialRejection`](crate::rejection::BinomialRejection) in this tier.
+            pub type BinomialRejection = crate::rejection::BinomialRejection<$tier>;
             /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
             pub type LogUniformStep = crate::metropolis::LogUniformStep<$tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.

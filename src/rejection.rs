@@ -9,6 +9,7 @@
 //! | [`ZigguratStandardNormal`], [`ZigguratNormal`] | normal numbers | 99.3 % | 1, sometimes 2 or 3 |
 //! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | exponential numbers | 98.9 % | 1, sometimes 2 or 3 |
 //! | [`PoissonRejection`] | counts of events | 77 % to 89 % | 2 |
+//! | [`BinomialRejection`] | counts of successes | 77 % to 89 % | 2 |
 //! | `fixed::DiskRejection` | the unit disk, in fixed point | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | the unit disk, in fixed point of 16 bits | π/4 = 78.5 % | 1 |
 //!
@@ -33,13 +34,16 @@
 //! returns a `Box<dyn Error>`, or maps them as the [example](Failure#examples) does.
 
 mod ball;
+mod binomial;
 mod bounded;
 mod failure;
 mod poisson;
 mod region;
+mod stirling;
 mod ziggurat;
 
 pub use self::ball::{BallRejection, DiskRejection};
+pub use self::binomial::BinomialRejection;
 pub use self::bounded::{Bounded, SLACK};
 pub use self::failure::Failure;
 pub use self::poisson::PoissonRejection;

@@ -44,6 +44,7 @@ use core::ops::RangeInclusive;
 /// # See also
 /// - [`rejection::PoissonRejection`](crate::rejection::PoissonRejection): means from 10 up.
 /// - [`Cdf`](super::Cdf), [`Alias`](super::Alias): where the mean stays, a table of [`pmf`](Self::pmf) has a fixed cost.
+/// - [`Binomial`](super::Binomial): successes of a number of trials, which they cannot exceed.
 /// - [`Geometric`](super::Geometric): how many intervals pass before the first event.
 ///
 /// # Source

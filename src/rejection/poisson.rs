@@ -1,5 +1,6 @@
 //! The Poisson distribution of large means, by transformed rejection.
 
+use super::stirling::{deviance, excess};
 use super::{Failure, Rejection, with_budget};
 use crate::error::{Error, finite};
 use crate::num::{folded, happens};
@@ -159,27 +160,8 @@ impl<T: Tier> PoissonRejection<T> {
         }
         let away = count.wrapping_sub(self.whole) as i32 as f32 - self.rest;
         let k = count as f32;
-        let v = away / (2.0 * self.mean + away);
-        // k ln(k/m) − (k − m), without cancellation where k is near m.
-        let deviance = if v.abs() < 0.5 {
-            let w = v * v;
-            let mut series = 1.0 / 25.0;
-            for odd in [23.0, 21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0] {
-                series = 1.0 / odd + w * series;
-            }
-            away * v + 2.0 * k * (v * w * series)
-        } else {
-            k * T::ln_1p(away / self.mean) - away
-        };
-        // By how much the logarithm of k! is above Stirling's formula.
-        let r = 1.0 / k;
-        let s = r * r;
-        let excess = if count == 1 {
-            0.081_061_47
-        } else {
-            r * (1.0 / 12.0 - s * (1.0 / 360.0 - s * (1.0 / 1260.0 - s * (1.0 / 1680.0))))
-        };
-        T::exp(-(deviance + excess)) * PEAK / sqrt(k)
+        let exponent = deviance::<T>(k, self.mean, away) + excess(count);
+        T::exp(-exponent) * PEAK / sqrt(k)
     }
 }
 

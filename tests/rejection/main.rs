@@ -1,6 +1,7 @@
 //! Rejection: the accepted points have the law that is stated, the tries are counted and geometric, budgets
 //! are kept to the word, and nothing that is wrong with a density or a generator is hidden.
 
+mod binomial;
 mod bounds;
 mod budgets;
 mod curves;
@@ -9,6 +10,7 @@ mod efficiency;
 mod exact;
 mod examination;
 mod integers;
+mod law;
 mod layers;
 mod poisson;
 mod subjects;

@@ -13,12 +13,12 @@ type Words<'a> = &'a dyn Fn(u32) -> Option<RangeInclusive<u32>>;
 
 /// How far the ends of the counts are from where they should be.
 #[derive(Debug, Default)]
-struct Ends {
-    counts: u32,
+pub struct Ends {
+    pub counts: u32,
     /// Ends that are not the nearest integer to the exact one.
-    moved: u32,
+    pub moved: u32,
     /// How far the exact end of such a one lies from the middle between two words, in words.
-    doubt: f64,
+    pub doubt: f64,
 }
 
 /// Goes through all counts that words reach. `end` says how many words give up to a count, exactly: the integer that is
@@ -93,7 +93,7 @@ fn of_failure(failure: BigUint) -> impl FnMut(u32) -> (u64, f64) {
 }
 
 /// The significand and the exponent of an `f32` as a ratio.
-fn ratio(p: f32) -> [u128; 2] {
+pub fn ratio(p: f32) -> [u128; 2] {
     let exact = f64::from(p) * 2_f64.powi(60);
     assert_eq!(exact.fract(), 0.0);
     [exact as u128, 1 << 60]
@@ -240,7 +240,7 @@ fn poisson_counts_have_their_words() {
 }
 
 /// The error of an `f32`, in units of what the page grants.
-fn excess(found: f32, exact: f64) -> f64 {
+pub fn excess(found: f32, exact: f64) -> f64 {
     (f64::from(found) - exact).abs() / (6.2e-8 * exact).max(2_f64.powi(-149))
 }
 
@@ -334,18 +334,20 @@ fn parameters_out_of_range_are_refused() {
     assert_eq!(Poisson::from_ratio(15, 4), Poisson::new(3.75));
 }
 
+/// One word, the count of it, and a failure of the generator.
+pub fn takes_one(
+    draw: impl Fn(&mut Counting<Failing>) -> Result<u32, Broken>,
+    count: impl Fn(u32) -> u32,
+) {
+    let word = 0x9234_5678;
+    let mut rng = Counting::new(Failing { word, left: 1 });
+    assert_eq!(draw(&mut rng).ok(), Some(count(word)));
+    assert_eq!(rng.words, 1);
+    assert!(draw(&mut rng).is_err());
+}
+
 #[test]
 fn a_draw_takes_one_word_and_passes_a_failure_on() {
-    fn takes_one(
-        draw: impl Fn(&mut Counting<Failing>) -> Result<u32, Broken>,
-        count: impl Fn(u32) -> u32,
-    ) {
-        let word = 0x9234_5678;
-        let mut rng = Counting::new(Failing { word, left: 1 });
-        assert_eq!(draw(&mut rng).ok(), Some(count(word)));
-        assert_eq!(rng.words, 1);
-        assert!(draw(&mut rng).is_err());
-    }
     let (geometric, poisson) = (Geometric::new(0.1).unwrap(), Poisson::new(20.0).unwrap());
     takes_one(|rng| geometric.try_draw(rng), |word| geometric.count(word));
     takes_one(|rng| poisson.try_draw(rng), |word| poisson.count(word));
@@ -398,6 +400,6 @@ fn a_mean_off_by_a_millionth_is_noticed() {
     assert!(of(12.500_012) && !of(12.5));
 }
 
-fn noticed(judge: &dyn Fn() -> Ends) -> bool {
+pub fn noticed(judge: &dyn Fn() -> Ends) -> bool {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(judge)).is_err()
 }

@@ -5,6 +5,7 @@
 //! densities are in `tests/accuracy`.
 
 mod alias;
+mod binomials;
 mod cases;
 mod counted;
 mod counting;

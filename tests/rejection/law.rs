@@ -1,0 +1,112 @@
+//! The law that all pairs of words of a transformed rejection have together, counted and not sampled.
+
+/// The first of the numbers from one to another of which something no longer holds.
+fn first_without(from: u64, to: u64, holds: impl Fn(u64) -> bool) -> u64 {
+    let (mut low, mut high) = (from, to);
+    while low < high {
+        let middle = u64::midpoint(low, high);
+        if holds(middle) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// The first word that proposes this count or more. Counts increase with the word; no decision accepts those at the ends.
+fn first(count: i64, attempt: &impl Fn([u32; 2]) -> Option<u32>) -> u64 {
+    first_without(0, 1 << 32, |word| match attempt([word as u32, 0]) {
+        Some(k) => i64::from(k) < count,
+        None => word < 1 << 31,
+    })
+}
+
+/// Gauss and Legendre's rule of five points on [0, 1].
+const RULE: [(f64, f64); 5] = [
+    (0.046_910_077_030_668, 0.118_463_442_528_094_5),
+    (0.230_765_344_947_158_5, 0.239_314_335_249_683_2),
+    (0.5, 0.284_444_444_444_444_4),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_2),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_5),
+];
+
+/// How many pairs are accepted, of the first words from one up to another that propose one count, on one side of the
+/// middle.
+///
+/// There the hat rises outwards, so that an outer word is accepted by more decisions. All words are accepted by the
+/// decisions of the innermost; each decision from there to those of the outermost is counted by how many words it
+/// accepts. That number falls smoothly as the decision grows, even where the hat is too low and the outer words are
+/// accepted by all decisions.
+fn pairs(attempt: &impl Fn([u32; 2]) -> Option<u32>, from: u64, to: u64) -> f64 {
+    if to <= from {
+        return 0.0;
+    }
+    let accepts = |word: u64, decision: u64| attempt([word as u32, decision as u32]).is_some();
+    let share = |word| first_without(0, 1 << 32, |decision| accepts(word, decision));
+    let upper = from >= 1 << 31;
+    let ends = if upper {
+        (from, to - 1)
+    } else {
+        (to - 1, from)
+    };
+    let (least, most) = (share(ends.0), share(ends.1));
+    let of_all = least as f64 * (to - from) as f64;
+    if most <= least {
+        return of_all;
+    }
+    let words = |decision: f64| {
+        let decision = least + decision.clamp(0.0, (most - least - 1) as f64) as u64;
+        let words = if upper {
+            to - first_without(from, to, |word| !accepts(word, decision))
+        } else {
+            first_without(from, to, |word| accepts(word, decision)) - from
+        };
+        words as f64
+    };
+    let decisions = (most - least) as f64;
+    let at = |(x, w): &(f64, f64)| {
+        // A sum over integers is an integral from half a step before the first; between two of them, a straight line.
+        let x = x * decisions - 0.5;
+        let (below, above) = (words(x.floor()), words(x.floor() + 1.0));
+        w * decisions * (below + (above - below) * (x - x.floor()))
+    };
+    of_all + RULE.iter().map(at).sum::<f64>()
+}
+
+/// The efficiency, and the largest error of a probability in units of a bound. The law has a mean, a standard deviation and a
+/// largest count.
+pub fn law(
+    [m, deviation]: [f64; 2],
+    most: u32,
+    pmf: impl Fn(u32) -> f64,
+    attempt: &impl Fn([u32; 2]) -> Option<u32>,
+    bound: impl Fn(f64) -> f64,
+) -> [f64; 2] {
+    let reach = 7.0 * deviation;
+    let last = ((m + reach) as i64).min(most.into());
+    let mut all = Vec::new();
+    let mut k = ((m - reach).max(0.0)) as i64;
+    let mut start = first(k, attempt);
+    // Few pairs of words lie beyond; what they have is counted as well.
+    let mut sum = 0.0;
+    while k <= last {
+        let end = first(k + 1, attempt);
+        let middle = 1 << 31;
+        let share = pairs(attempt, start, end.min(middle)) + pairs(attempt, start.max(middle), end);
+        sum += share;
+        all.push((k as u32, share));
+        (start, k) = (end, k + 1);
+    }
+    let mut worst = 0.0_f64;
+    for (k, share) in all {
+        if (f64::from(k) - m).abs() > 4.5 * deviation {
+            continue;
+        }
+        let exact = pmf(k);
+        let error = (share / sum / exact - 1.0).abs() / bound(f64::from(k) - m);
+        // NaN counts.
+        worst = if error <= worst { worst } else { error };
+    }
+    [sum / 2.0_f64.powi(64), worst]
+}

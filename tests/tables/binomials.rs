@@ -1,0 +1,308 @@
+//! `Binomial`: the words of every count against sums of 768 bits, which leaves no word out; its pmf, its ends and its
+//! refusals, and what a draw takes.
+
+use crate::counts::{Ends, excess, noticed, ratio, takes_one};
+use host::speed;
+use microwarp::discrete::{Binomial, Poisson};
+use microwarp::{Error, constant};
+use num_bigint::BigUint;
+use rand_pcg::Pcg32;
+use rand_pcg::rand_core::Rng;
+
+const BITS: u64 = 768;
+
+/// The law of the rarer of the two events, in units of 2⁻⁷⁶⁸: probabilities of 0, 1, 2, ... and their sums, to where
+/// nothing is left that an `f32` could hold.
+struct Truth {
+    trials: u32,
+    /// Whether failures are the rarer event.
+    turned: bool,
+    each: Vec<BigUint>,
+    sums: Vec<BigUint>,
+}
+
+impl Truth {
+    fn new(trials: u32, [part, whole]: [u128; 2]) -> Self {
+        let turned = 2 * part > whole;
+        let part = if turned { whole - part } else { part };
+        let (part, other) = (BigUint::from(part), BigUint::from(whole - part));
+        let whole = BigUint::from(whole);
+        // All trials fail: a power by squaring.
+        let (mut square, mut power) = ((&other << BITS) / &whole, BigUint::from(1_u32) << BITS);
+        let mut left = trials;
+        while left > 0 {
+            if left & 1 == 1 {
+                power = (&power * &square) >> BITS;
+            }
+            square = (&square * &square) >> BITS;
+            left >>= 1;
+        }
+        let (mut each, mut sums) = (vec![power.clone()], vec![power.clone()]);
+        let (mut sum, mut rising) = (power.clone(), true);
+        for k in 0..trials {
+            let next =
+                &power * (BigUint::from(trials - k) * &part) / (BigUint::from(k + 1) * &other);
+            rising = rising && next >= power;
+            power = next;
+            if !rising && power.bits() < BITS - 200 {
+                break;
+            }
+            sum += &power;
+            each.push(power.clone());
+            sums.push(sum.clone());
+        }
+        Self {
+            trials,
+            turned,
+            each,
+            sums,
+        }
+    }
+
+    /// How many words give up to this count, in units of 2⁻⁶⁴.
+    fn words(&self, count: i64) -> u128 {
+        let all = 1_u128 << 96;
+        let of = |k: i64| match usize::try_from(k) {
+            Err(_) => 0,
+            Ok(k) => self
+                .sums
+                .get(k)
+                .map_or(all, |sum| u128::try_from(sum >> (BITS - 96)).unwrap()),
+        };
+        match self.turned {
+            true => all - of(i64::from(self.trials) - count - 1),
+            false => of(count),
+        }
+    }
+
+    fn pmf(&self, count: u32) -> f64 {
+        let rare = if self.turned {
+            self.trials - count
+        } else {
+            count
+        };
+        let Some(p) = self.each.get(rare as usize) else {
+            return 0.0;
+        };
+        let cut = p.bits().max(64) - 64;
+        let leading = u64::try_from(p >> cut).unwrap();
+        leading as f64 * 2_f64.powi(cut as i32 - BITS as i32)
+    }
+}
+
+/// Goes through all counts that words reach.
+fn ends(sampler: &Binomial, truth: &Truth) -> Ends {
+    let mut found = Ends::default();
+    let (first, last) = (sampler.count(0), sampler.count(u32::MAX));
+    let mut start = 0_u64;
+    for k in i64::from(first) - 1..=i64::from(last) + 1 {
+        let exact = truth.words(k);
+        let nearest = ((exact + (1 << 63)) >> 64) as u64;
+        let words = u32::try_from(k).ok().and_then(|k| sampler.words_of(k));
+        // In a tail a count may have less than a word, and none.
+        assert!(words.is_some() || k != i64::from(first) && k != i64::from(last));
+        assert!(words.is_none() || (i64::from(first)..=i64::from(last)).contains(&k));
+        if let Some(words) = words {
+            assert_eq!(u64::from(*words.start()), start, "count {k}");
+            for word in [*words.start(), *words.end()] {
+                assert_eq!(i64::from(sampler.count(word)), k, "word {word}");
+            }
+            start = u64::from(*words.end()) + 1;
+            found.counts += 1;
+        }
+        assert!(
+            start.abs_diff(nearest) <= 1,
+            "{start} words up to {k}, not {nearest}"
+        );
+        if start != nearest {
+            found.moved += 1;
+            let fraction = exact as u64 as f64 / 2_f64.powi(64);
+            found.doubt = found.doubt.max((fraction - 0.5).abs());
+        }
+    }
+    assert_eq!(start, 1 << 32);
+    found
+}
+
+/// A probability of any size, and as many trials as it allows or fewer.
+fn any(rng: &mut Pcg32) -> (u32, f32) {
+    let part = |rng: &mut Pcg32| (f64::from(rng.next_u32()) + 0.5) / 2_f64.powi(32);
+    let p = match rng.next_u32() % 4 {
+        0 => 1e-9_f64.powf(part(rng)),
+        1 => 1.0 - 1e-7_f64.powf(part(rng)),
+        _ => part(rng),
+    } as f32;
+    let most = (99.9999 / (f64::from(p) * (1.0 - f64::from(p)))).min(f64::from(u32::MAX));
+    let trials = if rng.next_u32() % 3 == 0 {
+        most
+    } else {
+        most.powf(part(rng))
+    };
+    (trials as u32, p)
+}
+
+#[test]
+fn binomial_counts_have_their_words() {
+    let number = speed::of("binomial distributions with all their words", 150, 20_000);
+    let mut rng = Pcg32::new(33, 4);
+    let special = [
+        (1, 0.5),
+        (1, 1e-45),
+        (3, f32::MIN_POSITIVE),
+        (u32::MAX, 1e-45),
+        (u32::MAX, 2.3e-8),
+        (400, 0.5),
+        (1_677_721_600, 0.999_999_94),
+        (1111, 0.1),
+        (1111, 0.9),
+    ];
+    let (mut counts, mut moved) = (0, 0);
+    for (trials, p) in special
+        .into_iter()
+        .chain((0..number).map(|_| any(&mut rng)))
+    {
+        let sampler = Binomial::new(trials, p).unwrap();
+        let [part, whole] = if p < 1e-17 { [0, 1] } else { ratio(p) };
+        let found = ends(&sampler, &Truth::new(trials, [part, whole]));
+        assert!(found.doubt < 2_f64.powi(-20), "{trials}, {p:e}: {found:?}");
+        (counts, moved) = (counts + found.counts, moved + found.moved);
+    }
+    for (trials, part, whole) in [
+        (10, 1, 6),
+        (1, 1, 2),
+        (7, 5, 5),
+        (360, 1, 3),
+        (u32::MAX, 1, u32::MAX),
+        (u32::MAX, u32::MAX - 90, u32::MAX),
+    ] {
+        let sampler = Binomial::from_ratio(trials, part, whole).unwrap();
+        let found = ends(&sampler, &Truth::new(trials, [part.into(), whole.into()]));
+        assert!(
+            found.doubt < 2_f64.powi(-20),
+            "{trials}, {part}/{whole}: {found:?}"
+        );
+    }
+    println!("{counts} counts, {moved} ends in doubt");
+}
+
+#[test]
+fn the_pmf_of_a_binomial_is_that_of_the_formula() {
+    let mut worst = 0.0_f64;
+    let mut rng = Pcg32::new(33, 5);
+    for _ in 0..speed::of("binomial distributions with their pmf", 60, 2000) {
+        let (trials, p) = any(&mut rng);
+        let (sampler, truth) = (
+            Binomial::new(trials, p).unwrap(),
+            Truth::new(trials, ratio(p)),
+        );
+        for rare in 0..trials.min(500) {
+            let k = if truth.turned { trials - rare } else { rare };
+            let error = excess(sampler.pmf(k), truth.pmf(k));
+            worst = if error <= worst { worst } else { error };
+        }
+        assert!(sampler.pmf(sampler.count(rng.next_u32())) > 0.0);
+        assert_eq!(
+            sampler.pmf(trials.saturating_add(1)),
+            [0.0, sampler.pmf(trials)][usize::from(trials == u32::MAX)]
+        );
+    }
+    println!("{worst:.3} of the bound");
+    assert!(worst <= 1.0);
+}
+
+/// p = 0, p = 1 and no trials give one count; the count of failures is the mirror image.
+#[test]
+fn ends_of_the_parameters_are_exact() {
+    for (trials, p, count) in [
+        (5, 0.0, 0),
+        (5, -0.0, 0),
+        (5, 1.0, 5),
+        (u32::MAX, 1.0, u32::MAX),
+        (u32::MAX, 0.0, 0),
+        (0, 0.3, 0),
+        (0, 1.0, 0),
+    ] {
+        let sampler = Binomial::new(trials, p).unwrap();
+        for word in [0, 1, 1 << 31, u32::MAX] {
+            assert_eq!(sampler.count(word), count);
+        }
+        assert_eq!(sampler.words_of(count), Some(0..=u32::MAX));
+        assert_eq!(sampler.pmf(count), 1.0);
+        for other in [0, 1, 4, 5, 6, u32::MAX - 1, u32::MAX] {
+            if other != count {
+                assert_eq!((sampler.pmf(other), sampler.words_of(other)), (0.0, None));
+            }
+        }
+        assert_eq!((sampler.trials(), sampler.success()), (trials, p));
+    }
+    assert_eq!(Binomial::from_ratio(9, 0, 3), Binomial::new(9, 0.0));
+    assert_eq!(Binomial::from_ratio(9, 7, 7), Binomial::new(9, 1.0));
+    assert_eq!(Binomial::from_ratio(9, 3, 8), Binomial::new(9, 0.375));
+    for (trials, part, whole) in [(40, 1, 7), (300, 2, 5), (1000, 1, 12)] {
+        let rare = Binomial::from_ratio(trials, part, whole).unwrap();
+        let other = Binomial::from_ratio(trials, whole - part, whole).unwrap();
+        for i in 0..4096_u32 {
+            let word = i.wrapping_mul(0x9e37_79b9);
+            assert_eq!(rare.count(word), trials - other.count(!word));
+        }
+    }
+}
+
+#[test]
+fn binomial_parameters_out_of_range_are_refused() {
+    for (trials, p, error) in [
+        (3, f32::NAN, Error::NotFinite),
+        (3, f32::INFINITY, Error::NotFinite),
+        (0, f32::NAN, Error::NotFinite),
+        (3, -1e-45, Error::OutOfRange),
+        (3, 1.000_000_1, Error::OutOfRange),
+        (401, 0.5, Error::TooLarge),
+        (u32::MAX, 0.5, Error::TooLarge),
+        (u32::MAX, 2.4e-8, Error::TooLarge),
+        (u32::MAX, 0.999_999_9, Error::TooLarge),
+    ] {
+        assert_eq!(Binomial::new(trials, p), Err(error), "{trials}, {p}");
+    }
+    for (trials, part, whole, error) in [
+        (3, 0, 0, Error::NotPositive),
+        (3, 4, 3, Error::OutOfRange),
+        (u32::MAX, 1, 2, Error::TooLarge),
+    ] {
+        assert_eq!(Binomial::from_ratio(trials, part, whole), Err(error));
+    }
+}
+
+#[test]
+fn a_binomial_draw_takes_one_word() {
+    const COINS: Binomial = constant!(Binomial::new(100, 0.5));
+    assert_eq!(size_of::<Binomial>(), 592);
+    takes_one(|rng| COINS.try_draw(rng), |word| COINS.count(word));
+    for (u, word) in [
+        (f32::NAN, 0),
+        (-1.0, 0),
+        (0.25, 1 << 30),
+        (7.0, 0xffff_ff00),
+    ] {
+        assert_eq!(COINS.sample(u), COINS.count(word));
+    }
+}
+
+/// Another p, another n, sums in `f32`, and the Poisson distribution of the same mean.
+#[test]
+fn wrong_binomial_laws_are_noticed() {
+    let sampler = Binomial::from_ratio(100, 3, 10).unwrap();
+    let of = |trials, part, whole| noticed(&|| ends(&sampler, &Truth::new(trials, [part, whole])));
+    assert!(!of(100, 3, 10));
+    assert!(of(100, 30_000_001, 100_000_000) && of(101, 3, 10));
+    let rare = Binomial::from_ratio(u32::MAX, 1, u32::MAX / 7).unwrap();
+    let poisson = Poisson::new(7.0).unwrap();
+    assert!((0..20).any(|k| rare.words_of(k) != poisson.words_of(k)));
+    let truth = Truth::new(100, [3, 10]);
+    let mut sum = 0.0_f32;
+    let wrong = (0..100).filter(|&k| {
+        sum += sampler.pmf(k);
+        let exact = (truth.words(k.into()) >> 64) as f64;
+        (f64::from(sum) * 2_f64.powi(32) - exact).abs() > 1.0
+    });
+    assert!(wrong.count() > 10);
+}
