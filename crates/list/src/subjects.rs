@@ -9,8 +9,8 @@ use microwarp::discrete::{
 };
 use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
-    Accepted, BallRejection, Bounded, DiskRejection, Failure, PoissonRejection, Region, Rejection,
-    SLACK, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
+    Accepted, BallRejection, BinomialRejection, Bounded, DiskRejection, Failure, PoissonRejection,
+    Region, Rejection, SLACK, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
     ZigguratStandardNormal, budget_for,
 };
 use microwarp::uniform::{
@@ -867,4 +867,24 @@ float_warps!(subjects {
     },
     once "ranges" => integers::ranges,
     once "coins" => integers::coins,
+    once "binomial counts" => integers::successes,
+    "rejection binomial" => |[a, b, c, d], input, out| {
+        let word = |u: f32| (u * 4_294_967_296.0) as u32;
+        for (trials, p) in [(word(a) >> 22, b), (word(b), c), (word(c), v(1e-6) * d), (word(d) >> 10, 1.0 - v(1e-3) * a)] {
+            match BinomialRejection::<T>::new(trials, p) {
+                Ok(law) => {
+                    let count = law.attempt([word(d), word(a)]);
+                    out.word(count.unwrap_or(0xf0));
+                    match law.draw(&mut generator(input)) {
+                        Ok(drawn) => {
+                            out.word(drawn.point);
+                            out.float(law.pmf(drawn.point));
+                        }
+                        Err(failure) => failed(failure, out),
+                    }
+                }
+                Err(e) => out.word(refusal(e)),
+            }
+        }
+    },
 });

@@ -4,7 +4,8 @@
 #![no_main]
 
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, ExactSelection, Geometric, Poisson, SumTree, WeightedReservoir,
+    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Poisson, SumTree,
+    WeightedReservoir,
 };
 use microwarp::fixed as mw;
 use microwarp::metropolis::{
@@ -141,9 +142,15 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
     output(failures.draw(rng));
     let events = Poisson::from_ratio(input(9), input(4))?;
     output(events.draw(rng));
-    for words in [failures.words_of(input(2)), events.words_of(input(3))]
-        .into_iter()
-        .flatten()
+    let successes = Binomial::from_ratio(input(3), input(1), input(9))?;
+    output(successes.draw(rng));
+    for words in [
+        failures.words_of(input(2)),
+        events.words_of(input(3)),
+        successes.words_of(input(1)),
+    ]
+    .into_iter()
+    .flatten()
     {
         output(*words.start());
     }

@@ -11,6 +11,10 @@ fn poisson<const MEAN: u32>() -> Result<poly::PoissonRejection, Error> {
     poly::PoissonRejection::new(MEAN as f32)
 }
 
+fn binomial<const TRIALS: u32>() -> Result<poly::BinomialRejection, Error> {
+    poly::BinomialRejection::new(TRIALS, 0.25)
+}
+
 kernels! {
     "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
     "rejection_ball_pcg32" (rng) -> [f32; 3] = BallRejection::new().draw(rng).map_or([0.0; 3], |accepted| accepted.point);
@@ -26,4 +30,6 @@ kernels! {
         loaded(poisson::<100>).draw(rng).map_or(0, |accepted| accepted.point), made(poisson::<100>);
     "poly_poisson_rejection_65536_pcg32" (rng) -> u32 =
         loaded(poisson::<65536>).draw(rng).map_or(0, |accepted| accepted.point), made(poisson::<65536>);
+    "poly_binomial_rejection_1000_pcg32" (rng) -> u32 =
+        loaded(binomial::<1000>).draw(rng).map_or(0, |accepted| accepted.point), made(binomial::<1000>);
 }

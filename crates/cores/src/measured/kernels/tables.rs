@@ -5,8 +5,8 @@ use crate::measured::registry::{entry, ok};
 use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, ExactSelection, Geometric, Mesh, MeshPoint, PiecewiseConstant1d,
-    PiecewiseConstant2d, PiecewiseLinear1d, Poisson, SumTree,
+    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Mesh, MeshPoint,
+    PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Poisson, SumTree,
 };
 use microwarp::poly::LatLongMap;
 use rand_core::Rng;
@@ -123,6 +123,8 @@ tables! {
         (word: u32) -> usize = CDF_1024.index(word), rng => CDF_1024.index(rng.next_u32());
     "geometric_100" "geometric_100_pcg32" GEOMETRIC_100: Geometric = Geometric::from_ratio(1, 100),
         (word: u32) -> u32 = GEOMETRIC_100.count(word), rng => GEOMETRIC_100.draw(rng);
+    "binomial_100" "binomial_100_pcg32" BINOMIAL_100: Binomial = Binomial::from_ratio(100, 3, 10),
+        (word: u32) -> u32 = BINOMIAL_100.count(word), rng => BINOMIAL_100.draw(rng);
     "poisson_10" "poisson_10_pcg32" POISSON_10: Poisson = Poisson::from_ratio(10, 1),
         (word: u32) -> u32 = POISSON_10.count(word), rng => POISSON_10.draw(rng);
     "poisson_80" "poisson_80_pcg32" POISSON_80: Poisson = Poisson::from_ratio(80, 1),

@@ -3,8 +3,8 @@
 use crate::cycles::{CORES, whole};
 use crate::tables::rows;
 use microwarp::rejection::{
-    BallRejection, DiskRejection, PoissonRejection, Rejection, ZigguratStandardExponential,
-    ZigguratStandardNormal,
+    BallRejection, BinomialRejection, DiskRejection, PoissonRejection, Rejection,
+    ZigguratStandardExponential, ZigguratStandardNormal,
 };
 use microwarp::tier::Poly;
 use microwarp_host::counts::Counts;
@@ -12,7 +12,7 @@ use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 
 /// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
-fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 8]> {
+fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 9]> {
     use microwarp::fixed as integer;
     let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
     Ok([
@@ -54,23 +54,32 @@ fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 8]> {
         ),
         (
             "poly_poisson_rejection_100_pcg32",
-            efficiency(100.0)?,
+            poisson(100.0)?,
             PoissonRejection::<Poly>::BUDGET,
             false,
         ),
         (
             "poly_poisson_rejection_65536_pcg32",
-            efficiency(65536.0)?,
+            poisson(65536.0)?,
             PoissonRejection::<Poly>::BUDGET,
+            false,
+        ),
+        (
+            "poly_binomial_rejection_1000_pcg32",
+            efficiency(&BinomialRejection::<Poly>::new(1000, 0.25).map_err(|e| e.to_string())?)?,
+            BinomialRejection::<Poly>::BUDGET,
             false,
         ),
     ])
 }
 
+fn poisson(mean: f32) -> Outcome<f64> {
+    efficiency(&PoissonRejection::<Poly>::new(mean).map_err(|e| e.to_string())?)
+}
+
 /// Counts over tries.
-fn efficiency(mean: f32) -> Outcome<f64> {
+fn efficiency(sampler: &impl Rejection) -> Outcome<f64> {
     const COUNTS: u32 = 1 << 20;
-    let sampler = PoissonRejection::<Poly>::new(mean).map_err(|e| e.to_string())?;
     let (mut rng, mut tries) = (Pcg32::new(1, 1), 0);
     for _ in 0..COUNTS {
         tries += sampler.draw(&mut rng).map_err(|e| e.to_string())?.tries;
