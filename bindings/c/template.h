@@ -373,7 +373,16 @@ mw_error mw_geometric_init_from_ratio(mw_geometric *law, uint32_t successes, uin
 mw_error mw_poisson_init(mw_poisson *law, float mean);
 mw_error mw_poisson_init_from_ratio(mw_poisson *law, uint32_t events, uint32_t intervals);
 
-@each geometric poisson@
+/**
+ * How many of so many trials succeed, of probability p or part/whole each, for a variance of up to
+ * 100; see mw_binomial_rejection for larger ones. `init` fills a table: keep it, where it stays.
+ */
+@struct mw_binomial@
+mw_error mw_binomial_init(mw_binomial *law, uint32_t trials, float p);
+mw_error mw_binomial_init_from_ratio(mw_binomial *law, uint32_t trials, uint32_t part,
+        uint32_t whole);
+
+@each geometric poisson binomial@
 uint32_t mw_{}_sample(const mw_{} *law, float u);
 uint32_t mw_{}_count(const mw_{} *law, uint32_t word);
 uint32_t mw_{}_draw(const mw_{} *law, mw_pcg32 *rng);
@@ -426,6 +435,9 @@ mw_error mw_ziggurat_exponential_init_from_mean(mw_ziggurat_exponential *sampler
 /** Poisson counts for means from 10 to 2^20. */
 @struct mw_poisson_rejection@
 mw_error mw_poisson_rejection_init(mw_poisson_rejection *sampler, float mean);
+/** Successes of so many trials of probability p, of a variance from 10. */
+@struct mw_binomial_rejection@
+mw_error mw_binomial_rejection_init(mw_binomial_rejection *sampler, uint32_t trials, float p);
 /** The unit disk and the unit ball; in Q2.30 from two words, and from the halves of one. */
 @struct mw_disk_rejection@
 mw_error mw_disk_rejection_init(mw_disk_rejection *sampler);
@@ -436,7 +448,7 @@ mw_error mw_fixed_disk_rejection_init(mw_fixed_disk_rejection *sampler);
 @struct mw_fixed_disk_rejection_16@
 mw_error mw_fixed_disk_rejection_16_init(mw_fixed_disk_rejection_16 *sampler);
 
-@each ziggurat_standard_normal,float,*point ziggurat_normal,float,*point ziggurat_standard_exponential,float,*point ziggurat_exponential,float,*point poisson_rejection,uint32_t,*point disk_rejection,float,point[2] ball_rejection,float,point[3] fixed_disk_rejection,int32_t,point[2] fixed_disk_rejection_16,int32_t,point[2]@
+@each ziggurat_standard_normal,float,*point ziggurat_normal,float,*point ziggurat_standard_exponential,float,*point ziggurat_exponential,float,*point poisson_rejection,uint32_t,*point binomial_rejection,uint32_t,*point disk_rejection,float,point[2] ball_rejection,float,point[3] fixed_disk_rejection,int32_t,point[2] fixed_disk_rejection_16,int32_t,point[2]@
 mw_error mw_{}_set_budget(mw_{} *sampler, uint32_t budget);
 mw_error mw_{}_draw(const mw_{} *sampler, mw_pcg32 *rng,
         {1} {2}, uint32_t *tries);

@@ -5,7 +5,7 @@ use crate::generators::{Pcg32, Source};
 use crate::tables::Selection;
 use crate::warps::{as_declared, given, memory};
 use core_crate::discrete::{
-    Geometric, Poisson, Reservoir, resampling, select_once, select_once_uniform,
+    Binomial, Geometric, Poisson, Reservoir, resampling, select_once, select_once_uniform,
 };
 
 macro_rules! counts {
@@ -56,6 +56,10 @@ counts! {
     "poisson" Poisson {
         "_init" new(mean: f32);
         "_init_from_ratio" from_ratio(events: u32, intervals: u32);
+    }
+    "binomial" Binomial {
+        "_init" new(trials: u32, p: f32);
+        "_init_from_ratio" from_ratio(trials: u32, part: u32, whole: u32);
     }
 }
 

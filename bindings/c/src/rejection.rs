@@ -83,15 +83,16 @@ samplers! {
     "disk_rejection" rejection::DiskRejection, [f32; 2];
     "ball_rejection" rejection::BallRejection, [f32; 3];
     "poisson_rejection" poly::PoissonRejection, u32;
+    "binomial_rejection" poly::BinomialRejection, u32;
     "fixed_disk_rejection" fixed::DiskRejection, [fixed::Coordinate; 2];
     "fixed_disk_rejection_16" fixed::DiskRejection16, [fixed::Coordinate; 2];
 }
 
 macro_rules! inits {
-    ($($name:literal $sampler:ty, ($($parameter:ident),*) $made:expr;)*) => {$(
+    ($($name:literal $sampler:ty, ($($parameter:ident: $type:ty),*) $made:expr;)*) => {$(
         const _: () = {
             #[unsafe(export_name = concat!("mw_", $name))]
-            unsafe extern "C" fn init(sampler: *mut $sampler, $($parameter: f32),*) -> Code {
+            unsafe extern "C" fn init(sampler: *mut $sampler, $($parameter: $type),*) -> Code {
                 let made: Result<$sampler, Error> = $made;
                 // SAFETY: the promise of the header.
                 code(made, |made| unsafe { sampler.write(made) })
@@ -107,10 +108,11 @@ inits! {
     "ball_rejection_init" rejection::BallRejection, () Ok(Default::default());
     "fixed_disk_rejection_init" fixed::DiskRejection, () Ok(Default::default());
     "fixed_disk_rejection_16_init" fixed::DiskRejection16, () Ok(Default::default());
-    "ziggurat_normal_init" ZigguratNormal, (mean, std_dev) ZigguratNormal::new(mean, std_dev);
-    "ziggurat_exponential_init" ZigguratExponential, (rate) ZigguratExponential::from_rate(rate);
-    "ziggurat_exponential_init_from_mean" ZigguratExponential, (mean) ZigguratExponential::from_mean(mean);
-    "poisson_rejection_init" poly::PoissonRejection, (mean) poly::PoissonRejection::new(mean);
+    "ziggurat_normal_init" ZigguratNormal, (mean: f32, std_dev: f32) ZigguratNormal::new(mean, std_dev);
+    "ziggurat_exponential_init" ZigguratExponential, (rate: f32) ZigguratExponential::from_rate(rate);
+    "ziggurat_exponential_init_from_mean" ZigguratExponential, (mean: f32) ZigguratExponential::from_mean(mean);
+    "poisson_rejection_init" poly::PoissonRejection, (mean: f32) poly::PoissonRejection::new(mean);
+    "binomial_rejection_init" poly::BinomialRejection, (trials: u32, p: f32) poly::BinomialRejection::new(trials, p);
 }
 
 #[unsafe(export_name = "mw_budget_for")]

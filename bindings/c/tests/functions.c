@@ -310,13 +310,17 @@ static void counts_are_drawn(void)
     mw_geometric coin;
     mw_poisson events;
     mw_poisson_rejection many;
-    mw_moments sums[3];
+    mw_binomial few;
+    mw_binomial_rejection crowd;
+    mw_moments sums[5];
     mw_pcg32 rng = seeded(4);
     mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
     CHECK(mw_geometric_init(&coin, 0.25f) == MW_OK);
     CHECK(mw_poisson_init_from_ratio(&events, 7, 2) == MW_OK);
     CHECK(mw_poisson_rejection_init(&many, 100.0f) == MW_OK);
-    for (int i = 0; i < 3; i++)
+    CHECK(mw_binomial_init_from_ratio(&few, 20, 1, 4) == MW_OK);
+    CHECK(mw_binomial_rejection_init(&crowd, 1000, 0.75f) == MW_OK);
+    for (int i = 0; i < 5; i++)
         mw_moments_init(&sums[i]);
     for (int i = 0; i < 40000; i++) {
         uint32_t count, tries;
@@ -325,9 +329,13 @@ static void counts_are_drawn(void)
         mw_moments_push(&sums[1], (float)count);
         CHECK(mw_poisson_rejection_draw(&many, &rng, &count, &tries) == MW_OK && tries >= 1);
         mw_moments_push(&sums[2], (float)count);
+        mw_moments_push(&sums[3], (float)mw_binomial_draw(&few, &rng));
+        CHECK(mw_binomial_rejection_draw(&crowd, &rng, &count, &tries) == MW_OK && count <= 1000);
+        mw_moments_push(&sums[4], (float)count);
     }
-    static const double means[3] = {3.0, 3.5, 100.0}, variances[3] = {12.0, 3.5, 100.0};
-    for (int i = 0; i < 3; i++) {
+    static const double means[5] = {3.0, 3.5, 100.0, 5.0, 750.0},
+                        variances[5] = {12.0, 3.5, 100.0, 3.75, 187.5};
+    for (int i = 0; i < 5; i++) {
         float mean, variance, error;
         CHECK(mw_moments_mean(&sums[i], &mean) && mw_moments_variance(&sums[i], &variance));
         CHECK(mw_moments_standard_error(&sums[i], &error));
@@ -347,6 +355,12 @@ static void counts_are_drawn(void)
     CHECK(mw_poisson_rejection_init(&many, 1.0f) == MW_OUT_OF_RANGE);
     CHECK(mw_poisson_rejection_set_budget(&many, 0) == MW_NOT_POSITIVE);
     CHECK(mw_poisson_rejection_draw_from(&many, &dry, &count, NULL) == MW_SOURCE_FAILED);
+    CHECK(mw_binomial_count(&few, 0) == 0 && mw_binomial_pmf(&few, 21) == 0.0f);
+    CHECK(mw_binomial_init(&few, 3, NAN) == MW_NOT_FINITE);
+    CHECK(mw_binomial_init(&few, 401, 0.5f) == MW_TOO_LARGE);
+    CHECK(mw_binomial_init_from_ratio(&few, 3, 4, 3) == MW_OUT_OF_RANGE);
+    CHECK(mw_binomial_init(&few, 9, 1.0f) == MW_OK && mw_binomial_sample(&few, NAN) == 9);
+    CHECK(mw_binomial_rejection_init(&crowd, 10, 0.5f) == MW_OUT_OF_RANGE);
     CHECK(mw_geometric_sample(&coin, 0.0f) == 0);
 }
 

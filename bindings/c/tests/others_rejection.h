@@ -147,6 +147,27 @@ static void rejected_counts(four u, int input, struct out *out)
     }
 }
 
+static void rejected_successes(four u, int input, struct out *out)
+{
+    const uint32_t trials[4] = {word_of(u[0]) >> 22, word_of(u[1]), word_of(u[2]),
+            word_of(u[3]) >> 10};
+    const float ps[4] = {u[1], u[2], 1e-6f * u[3], 1.0f - 1e-3f * u[0]};
+    for (int i = 0; i < 4; i++) {
+        mw_pcg32 rng = generator(input);
+        mw_binomial_rejection law;
+        uint32_t count, tries = 0;
+        if (!made(out, mw_binomial_rejection_init(&law, trials[i], ps[i])))
+            continue;
+        skip(out, 1);
+        mw_error error = mw_binomial_rejection_draw(&law, &rng, &count, &tries);
+        put_uint32_t(out, error == MW_OK ? count : 0xf1);
+        if (error == MW_OK)
+            skip(out, 1);
+        else
+            put_uint32_t(out, tries);
+    }
+}
+
 #define FIGURE(name, of)                          \
     do {                                          \
         bool known = mw_##name((of), &x);         \
@@ -302,6 +323,7 @@ static const struct other_subject {
     {"poly rejection region", region},
     {"poly rejection verdicts", rejection_verdicts},
     {"poly rejection poisson", rejected_counts},
+    {"poly rejection binomial", rejected_successes},
     {"poly moments", moments},
     {"poly integral", integral},
     {"poly ratio", ratio},
@@ -315,6 +337,7 @@ static const struct other_subject {
     {"poly shuffles", shuffles},
     {"poly permutations", permutations},
     {"poly changing weights", trees},
+    {"poly binomial counts", successes},
     {"fine verdicts", fixed_verdicts},
     {"coarse verdicts", coarse_verdicts},
     {"compact verdicts", compact_verdicts},

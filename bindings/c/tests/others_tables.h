@@ -254,6 +254,30 @@ static void trees(four u, int input, struct out *out)
     out->only = FIRST;
 }
 
+static void successes(four u, int input, struct out *out)
+{
+    uint32_t stirred[4];
+    mw_pcg32 rng = generator(input);
+    mw_binomial law;
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], c = stirred[2], d = stirred[3];
+    const uint32_t trials = a >> (22 + (b & 7)), whole = b | 1;
+    const uint32_t part = (uint32_t)((uint64_t)c * whole >> 32);
+    if (made(out, mw_binomial_init_from_ratio(&law, trials, part, whole))) {
+        const uint32_t count = mw_binomial_count(&law, d);
+        put_uint32_t(out, count);
+        put_uint32_t(out, mw_binomial_draw(&law, &rng));
+        put_float(out, mw_binomial_pmf(&law, count));
+        skip(out, 1);
+    }
+    const float p = 1e-7f * u[0];
+    if (made(out, mw_binomial_init(&law, c, (d & 1) == 0 ? p : 1.0f - p))) {
+        const uint32_t count = mw_binomial_sample(&law, u[3]);
+        put_uint32_t(out, count);
+        put_float(out, mw_binomial_pmf(&law, count ^ 1));
+    }
+}
+
 static void resampling(four u, int input, struct out *out)
 {
     const float numbers[6] = {u[0], u[1], 0.5f, 1e-20f, u[2], u[3]};

@@ -190,7 +190,7 @@ macro_rules! structs {
 
 /// The structs of what is no warp.
 pub fn structs() -> Vec<(&'static str, Stored)> {
-    use microwarp::discrete::{Geometric, Poisson, Reservoir};
+    use microwarp::discrete::{Binomial, Geometric, Poisson, Reservoir};
     use microwarp::estimate::{Integral, Moments, WeightedMean};
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
     use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
@@ -202,6 +202,7 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
         "frame" Frame;
         "geometric" Geometric;
         "poisson" Poisson;
+        "binomial" Binomial;
         "reservoir" Reservoir<u32>;
         "ziggurat_standard_normal" ZigguratStandardNormal;
         "ziggurat_normal" ZigguratNormal;
@@ -210,6 +211,7 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
         "disk_rejection" rejection::DiskRejection;
         "ball_rejection" rejection::BallRejection;
         "poisson_rejection" poly::PoissonRejection;
+        "binomial_rejection" poly::BinomialRejection;
         "fixed_disk_rejection" fixed::DiskRejection;
         "fixed_disk_rejection_16" fixed::DiskRejection16;
         "moments" Moments;
