@@ -401,13 +401,12 @@ impl<W: Word, S: Storage<Item = W>> SumTree<S> {
         let sums = self.sums.items();
         let (mut left, mut index, mut step) = (point, 0_usize, self.step);
         while step > 0 {
-            match sums.get(index.wrapping_add(step).wrapping_sub(1)) {
-                Some(&sum) if sum <= left => {
-                    left = left.minus(sum);
-                    index = index.wrapping_add(step);
-                }
-                _ => {}
-            }
+            let sum = sums.get(index.wrapping_add(step).wrapping_sub(1));
+            let sum = sum.copied().unwrap_or(W::MAX);
+            // A mask, not a branch: no processor could predict it. The point is below the largest word.
+            let passed = u64::from(sum <= left).wrapping_neg();
+            left = left.minus(W::low(sum.widened() & passed));
+            index = index.wrapping_add(step & passed as usize);
             step >>= 1;
         }
         index
