@@ -1,5 +1,6 @@
 //! What mass functions of counts are made of: deviances, and the error of Stirling's formula.
 
+use crate::num::LARGEST;
 use crate::tier::Tier;
 
 /// k ln(k/m) − (k − m) of a count k above 0, from k − m, without cancellation where k is near m.
@@ -14,7 +15,8 @@ pub(super) fn deviance<T: Tier>(k: f32, mean: f32, away: f32) -> f32 {
         }
         away * v + 2.0 * k * (v * w * series)
     } else {
-        k * T::ln_1p(away / mean) - away
+        // Far below a large mean the quotient rounds to −1, of which the logarithm is infinite.
+        k * T::ln_1p((away / mean).max(-LARGEST)) - away
     }
 }
 

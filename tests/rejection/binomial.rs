@@ -224,6 +224,15 @@ fn the_pmf_of_a_large_binomial_is_that_of_the_formula() {
     assert!(both.iter().all(|w| *w <= 1.0), "{both:?}");
     let sampler = poly::BinomialRejection::new(100, 0.3).unwrap();
     assert_eq!((sampler.pmf(101), sampler.pmf(u32::MAX)), (0.0, 0.0));
+    // So far from a large mean that the quotient of both rounds to −1.
+    for (trials, p) in [(100_000_000, 0.5), (u32::MAX, 0.5), (u32::MAX, 0.013)] {
+        let far = poly::BinomialRejection::new(trials, p).unwrap();
+        for k in [0, 1, 2, 60, trials - 60, trials - 2, trials - 1, trials] {
+            assert_eq!(far.pmf(k), 0.0, "{trials} {p}: {k}");
+        }
+    }
+    let far = poly::BinomialRejection::new(4_294_961_541, 0.3492).unwrap();
+    assert_eq!(far.attempt([0x15dc, u32::MAX]), None);
 }
 
 #[test]
@@ -283,7 +292,8 @@ fn no_pair_of_words_goes_beyond_the_trials() {
         {
             for b in edges {
                 let count = sampler.attempt([a, b]);
-                assert!(count.is_none_or(|k| k <= trials && sampler.pmf(k) > 0.0));
+                let sound = |k| k <= trials && sampler.pmf(k) > 0.0 && sampler.pmf(k) <= 1.0;
+                assert!(count.is_none_or(sound), "{trials} {p}: {count:?}");
                 if p > 0.5 {
                     let other = mirror.unwrap().attempt([!a, b]);
                     assert_eq!(count, other.map(|k| trials - k));
