@@ -88,13 +88,13 @@ pub struct SumTree<S> {
     sums: S,
     /// Below 2^BITS of the word.
     total: u64,
-    /// The largest power of two that is no more than the number of entries.
+    /// The largest power of two below the number of entries; 0 of one entry.
     step: usize,
 }
 
-/// The largest power of two that is no more than a number from 1 to [`MAX_ENTRIES`](super::MAX_ENTRIES).
+/// The largest power of two below a number from 1 to [`MAX_ENTRIES`](super::MAX_ENTRIES); 0 for 1.
 const fn step(entries: usize) -> usize {
-    (entries >> 1).wrapping_add(1).next_power_of_two()
+    entries.next_power_of_two() >> 1
 }
 
 /// The number without its last bit.
