@@ -8,7 +8,7 @@ use core::ops::RangeInclusive;
 /// The number of successes in n independent trials, of a variance np(1 − p) up to 100, by inversion: bits in error,
 /// packets lost, cells hit.
 ///
-/// Counts increase with the word. The constructor makes a table of the words of each count, and a draw is seven
+/// Counts increase with the word. The constructor makes a table of the words of each count, and a draw is eight
 /// comparisons of integers. So [`constant!`](crate::constant) suits it, where n and p are constants.
 ///
 /// # Density

@@ -20,10 +20,11 @@ use rand_core::{Rng, TryRng};
 /// # Accuracy
 /// - A time is that of the middle of its word's cell, to a relative error of 2e-8, and times are compared exactly.
 /// - Of items of the same time, which words of 32 bits give to one pair of equal weights in 2³², the first is held.
-/// - The items stand in the order in which they would be drawn from an urn: the first is item i with probability wᵢ/W.
+/// - The items stand in the order in which they would be drawn from an urn: the first is item i with probability wᵢ/W. Of two
+///   items the lighter one, v times lighter, has that to a relative error of (2⁻³²v)²/24: up to 4.2 %, and 2e-8 up to v = 2²¹.
 ///
 /// # Cost
-/// Memory of `K` items with 12 bytes each. An item takes six products of 32 bits, and two a comparison: one where it is not
+/// Memory of `K` items with 12 bytes each, rounded up to 8. An item takes six products of 32 bits, and four a comparison: one where it is not
 /// held, which after n items of equal weights are all but K/n. No division and no floating-point operation.
 ///
 /// # Examples

@@ -26,7 +26,7 @@ use rand_core::{Rng, TryRng};
 ///   up a number is exact. 0 never happens, 1 always, and what is positive may happen.
 /// - [`probability`](Self::probability) is that of the words. Divide by it, not by p, where what survived is to keep its mean.
 ///
-/// A uniform compared with p, as in `grid(rng) < p`, decides by 24 bits: it is off by up to 0.6 % at p = 1e-5.
+/// A uniform compared with p, as in `grid(rng) < p`, decides by 24 bits: it is off by up to 0.6 % near p = 1e-5.
 ///
 /// Two values are equal if the same words accept.
 ///

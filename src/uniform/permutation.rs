@@ -22,7 +22,7 @@ const ONES: u64 = 0x1111_1111_1111_1111;
 ///
 /// # Accuracy
 /// Each number stands at exactly one place, for every n and seed.
-/// - Up to n = 16 the order is shuffled, so that each is as likely as any other over the seeds. From n = 13 on there are more
+/// - Up to n = 16 the order is shuffled: over the seeds each occurs as of random shuffles. From n = 13 on there are more
 ///   orders than seeds.
 /// - Beyond, eight rounds of a multiplication and a shift mix the place under sixteen hashed words. Over the seeds the places of one
 ///   number, of two and of three are as those of a random order, as far as some millions of orders tell. Of all n! orders only
@@ -30,9 +30,10 @@ const ONES: u64 = 0x1111_1111_1111_1111;
 ///
 /// # Cost
 /// 76 bytes. The rounds work on 2ᵐ ≥ n numbers, and are repeated while they lead outside: at most 2ᵐ − n times, and 2ᵐ/n − 1
-/// times on average. That is less than once, and never for a power of two. t repetitions and more have a share of 2⁻ᵗ at most.
+/// times on average. That is less than once, and never for a power of two. Over the seeds t repetitions and more
+/// have a share of 2⁻ᵗ on average.
 ///
-/// A place takes <!-- figure: point permutation_1000 -->0<!-- --> for n = 1,000.
+/// A place takes <!-- figure: point permutation_1000 -->85 instructions and 188 bytes of code on an M4F, 101 instructions on an M0<!-- --> for n = 1,000.
 ///
 /// # Examples
 /// ```

@@ -1,5 +1,5 @@
 //! Negative controls: what is wrong by a little is rejected, by the same examination, with the threshold and
-//! the number of samples of the real run. A 25th of the samples rejects an error five times as large.
+//! the number of samples of the real run. A 33rd of the samples rejects an error six times as large.
 
 use crate::SAMPLES;
 use crate::examination::Examination;
@@ -15,7 +15,7 @@ use std::sync::{Arc, LazyLock};
 
 type Density = fn(&dyn Erased, Point) -> f32;
 
-/// How wrong many controls are: 1 % where all samples are drawn.
+/// How wrong many controls are: 1.8 % where all samples are drawn.
 static SLIGHT: LazyLock<f64> =
     LazyLock::new(|| speed::of("part by which the controls are wrong", 0.105, 0.018));
 
@@ -87,7 +87,7 @@ fn report(label: &str, map: Option<Map>, pdf: Density) -> (Domain, Report) {
     report_of(entry(label), label, map, pdf)
 }
 
-/// The threshold of the real run.
+/// The threshold of the real run, or in the quick speed, which draws fewer entries, a lower one.
 fn threshold() -> f64 {
     let entries = host::registry::entries();
     let resolved = entries.iter().filter(|e| e.resolved);

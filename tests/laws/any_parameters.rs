@@ -2,10 +2,13 @@
 //! density, inverses in [0, 1). Parameters are random bits, ordinary and special numbers.
 
 use host::registry::{Registered, of_libm, of_poly};
+use host::speed;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
+use std::sync::LazyLock;
 
-const ROUNDS: u32 = 2_500;
+static ROUNDS: LazyLock<u32> =
+    LazyLock::new(|| speed::of("parameters of each constructor", 2_500, 6_000));
 
 /// Uniforms at which maps break, and some between.
 const UNIFORMS: [[f32; 4]; 10] = [
@@ -37,7 +40,7 @@ pub fn any(rng: &mut Pcg32) -> f32 {
 
 fn total(of: &Registered, rng: &mut Pcg32) {
     let mut accepted = 0;
-    for _ in 0..ROUNDS {
+    for _ in 0..*ROUNDS {
         let parameters: Vec<f32> = of
             .takes
             .iter()
@@ -63,8 +66,8 @@ fn total(of: &Registered, rng: &mut Pcg32) {
         }
     }
     let name = format!("{} {}", of.name, of.constructor);
-    println!("{name}: {accepted} of {ROUNDS} accepted");
-    assert!(accepted >= ROUNDS / 100, "{name} accepted only {accepted}");
+    println!("{name}: {accepted} of {} accepted", *ROUNDS);
+    assert!(accepted >= *ROUNDS / 100, "{name} accepted only {accepted}");
 }
 
 fn every_constructor(all: &[Registered]) {

@@ -14,7 +14,7 @@ use crate::uniform::Permutation;
 /// - Points: n from 1 to 2³² − 1, by their index. From index n on words are those of [`ByPosition`](super::ByPosition): plain random
 ///   ones.
 /// - Dimensions: 2³², each with an order of its own.
-/// - Strata: number k has the words w with ⌊w·n/2³²⌋ = k. None has a word more than another and one.
+/// - Strata: number k has the words w with ⌊w·n/2³²⌋ = k. Their numbers of words differ by one at most.
 /// - Parameter: a seed, which is hashed.
 ///
 /// # Accuracy
@@ -29,7 +29,7 @@ use crate::uniform::Permutation;
 ///
 /// # Cost
 /// 24 bytes, and no division for a point. The two words of a point of 1,000 take
-/// <!-- figure: point latin_hypercube_1000 -->0<!-- -->.
+/// <!-- figure: point latin_hypercube_1000 -->627 instructions and 1,292 bytes of code on an M4F, 1,211 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -128,6 +128,16 @@ fn every_choice_of_a_stream_is_equally_likely_and_its_order_is_not_random() {
         let off = deviation(&sets(&law), binomial(count, places));
         let bound = f64::from(count * count) * 2.0_f64.powi(-32);
         assert!(off <= bound, "{places} of {count}: {off:e}");
+        for item in 0..count {
+            let holds = law.iter().filter(|(array, _)| array.contains(&item));
+            let p: f64 = holds.map(|(_, p)| p).sum();
+            let due = f64::from(places) / f64::from(count);
+            let bound = f64::from(count) * 2.0_f64.powi(-31);
+            assert!(
+                (p - due).abs() <= bound * due,
+                "{places} of {count}: {item} {p}"
+            );
+        }
         assert!(law.keys().all(|array| !array[1..].contains(&0)));
     }
     // One place too many, one too few, and a coin.

@@ -290,7 +290,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4))).trade(family::LINE, "piecewise_constant_1d_64")
         })
             .control("a cell with slightly too much", |[u, ..], wrong| [four(u, 2.0 * (1.0 + wrong) / 7.0), 0.0, 0.0], &["chi-square", "distance", "mean x"])
-            .control("a cell that leaks into one of weight zero", |[u, ..], _| [four(u, 2.0 / 7.0) + if u < 2.0 / 7.0 { 0.02 } else { 0.0 }, 0.0, 0.0], &["has density 0"]),
+            .control("a cell that leaks into one of weight zero", |[u, ..], _| [four(u, 2.0 / 7.0) + if u < 2.0 / 7.0 { 0.01 } else { 0.0 }, 0.0, 0.0], &["has density 0"]),
         listed(LINE, "0:0:3:4:0 on [-3, 5]", |_| narrow::<T>(&[0.0, 0.0, 219.0, 292.0, 0.0], [-3.0, 5.0]), |e| e),
         listed(LINE, "10 equal on [-3e38, 3e38]", |_| narrow::<T>(&[0.1; 10], [-3e38, 3e38]), |e| e),
         listed(LINE, "1 on [0, 1e-35]", |_| narrow::<T>(&[1e-30], [0.0, 1e-35]), |e| e),
@@ -337,7 +337,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         }),
         listed(LINEAR, "1:3 on [0, 1]", |_| interpolated::<T>(&[1.0, 3.0], UNIT), |e| e)
             .control("a slope taken for a step", |[u, ..], _| [u, 0.0, 0.0], &["chi-square", "distance", "mean x"])
-            .control("a slope slightly off", |[u, ..], wrong| [ramp(u, 1.0 + 4.0 * wrong, 3.0), 0.0, 0.0], &["chi-square", "distance", "mean x"]),
+            .control("a slope of the first cell slightly off", |[u, ..], wrong| [ramp(u, 1.0 + 4.0 * wrong, 3.0), 0.0, 0.0], &["chi-square", "distance", "mean x"]),
         listed(LINEAR, "5:0:1e-6:4 on [-3, 5]", |_| interpolated::<T>(&[5.0, 0.0, 1e-6, 4.0], [-3.0, 5.0]), |e| e),
         listed(LINEAR, "9 on [-3e38, 3e38]", |_| interpolated::<T>(&[1.0, 2.0, 0.5, 0.0, 3.0, 3.0, 1.0, 1e-3, 2.0], [-3e38, 3e38]), |e| e),
         listed(LINEAR, "74 on [0, 1]", |_| {
