@@ -83,10 +83,10 @@ fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
         panic!("no entry");
     };
     let stride = match thorough {
-        true => speed::of("one grid input tried of every", 61, 1),
-        false => speed::of("one grid input tried of every, further sets", 1021, 13),
+        true => speed::of("one grid input tried of every", 151, 1),
+        false => speed::of("one grid input tried of every, further sets", 4095, 13),
     };
-    let fewer = speed::of("one pair of uniforms tried of every", 64, 1);
+    let fewer = speed::of("one pair of uniforms tried of every", 192, 1);
     let mut figures = vec![Figures::default(); tiers.len()];
     let mut at = |u: Uniforms, deep: bool, polar: bool| {
         let exact = Exact::of(first, u, deep);

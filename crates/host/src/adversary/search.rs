@@ -29,7 +29,7 @@ impl Budget {
         let points = || {
             Self::Points(speed::of(
                 "points of the search a family",
-                USUAL / 32,
+                USUAL / 40,
                 USUAL,
             ))
         };
