@@ -302,6 +302,12 @@ pub mod warp;
 pub use error::Error;
 pub use warp::contract::{Invert, Warp};
 
+/// A page: an integer, a coin, a shuffle, jitter, noise, seeds and logs, in one screen.
+///
+#[cfg(all(doc, not(doctest)))]
+#[doc = include_str!("../docs/firmware.md")]
+pub mod firmware {}
+
 /// A page: HALs with another `rand_core`, seeds, and what the compiler says.
 ///
 #[cfg(all(doc, not(doctest)))]
@@ -312,6 +318,9 @@ pub mod generators {}
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+#[cfg(doctest)]
+#[doc = include_str!("../docs/firmware.md")]
+struct Firmware;
 
 /// Names the warps of one tier: aliases of the types that are generic over it, and the types that both tiers share.
 macro_rules! of_tier {

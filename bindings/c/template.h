@@ -110,7 +110,7 @@ typedef struct mw_source {
 
 /*
  * Each takes one word, and knows how many of the 2^32 words give each outcome: no loop, no division,
- * no floating-point operation. What is refused draws nothing and changes nothing. The same from a
+ * no floating-point operation but in mw_uniform. What is refused draws nothing and changes nothing. The same from a
  * source that may fail: mw_NAME_from.
  */
 
@@ -133,7 +133,7 @@ mw_error mw_range_from(const mw_source *source, int32_t low, int32_t high, int32
 mw_error mw_chance(mw_pcg32 *rng, float p, bool *happens);
 mw_error mw_chance_from(const mw_source *source, float p, bool *happens);
 
-/** Likewise `part` times in `all`; MW_NOT_POSITIVE for 0 in all, MW_OUT_OF_RANGE for more than all. */
+/** Likewise with probability part/all; MW_NOT_POSITIVE for all = 0, MW_OUT_OF_RANGE for part > all. */
 mw_error mw_ratio(mw_pcg32 *rng, uint32_t part, uint32_t all, bool *happens);
 mw_error mw_ratio_from(const mw_source *source, uint32_t part, uint32_t all, bool *happens);
 
@@ -237,7 +237,8 @@ float mw_{}_pmf(const mw_{} *table, size_t index);
  * Weights that change: a tree of sums in place of the caller's integer weights, which take no memory
  * beside them. `init` makes the sums, in which the weights can be read and set, and
  * `into_weights` brings the weights back. They must stay where they are until then. Their sum must be
- * below 2^32; with MW_TOO_LARGE or any other error nothing is changed. A weight of 0 is never
+ * below 2^32, or MW_TOO_LARGE; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
+ * With an error nothing is changed. After `into_weights` call `init` again. A weight of 0 is never
  * selected, a positive one has at least one word, and the same word selects as from a mw_cdf.
  */
 typedef struct mw_sum_tree {
@@ -268,8 +269,9 @@ bool mw_sum_tree_draw_index(const mw_sum_tree *tree, mw_pcg32 *rng, size_t *inde
 mw_error mw_sum_tree_draw_from(const mw_sum_tree *tree, const mw_source *source,
         mw_selection *chosen);
 /**
- * Draws entries without replacement: their indices and weights, `count` words. Returns how many it
- * drew, fewer where all positive weights are drawn. The weights are as they were at the end.
+ * Draws up to `count` entries without replacement: their indices and weights. It takes `count` words
+ * in any case, and returns how many it drew: fewer where all positive weights are drawn. At the end
+ * the weights are as they were.
  */
 size_t mw_sum_tree_draw_distinct(mw_sum_tree *tree, mw_pcg32 *rng, size_t *indices,
         uint32_t *weights, size_t count);
@@ -376,6 +378,8 @@ mw_error mw_poisson_init_from_ratio(mw_poisson *law, uint32_t events, uint32_t i
 /**
  * How many of so many trials succeed, of probability p or part/whole each, for a variance of up to
  * 100; see mw_binomial_rejection for larger ones. `init` fills a table: keep it, where it stays.
+ * MW_TOO_LARGE for a larger variance, MW_NOT_FINITE or MW_OUT_OF_RANGE for p; of a ratio
+ * MW_NOT_POSITIVE for whole = 0, MW_OUT_OF_RANGE for part > whole.
  */
 @struct mw_binomial@
 mw_error mw_binomial_init(mw_binomial *law, uint32_t trials, float p);
@@ -435,7 +439,10 @@ mw_error mw_ziggurat_exponential_init_from_mean(mw_ziggurat_exponential *sampler
 /** Poisson counts for means from 10 to 2^20. */
 @struct mw_poisson_rejection@
 mw_error mw_poisson_rejection_init(mw_poisson_rejection *sampler, float mean);
-/** Successes of so many trials of probability p, of a variance from 10. */
+/**
+ * Successes of so many trials of probability p, of a variance from 10. MW_NOT_FINITE for p,
+ * MW_OUT_OF_RANGE for p outside [0, 1] and for a smaller variance.
+ */
 @struct mw_binomial_rejection@
 mw_error mw_binomial_rejection_init(mw_binomial_rejection *sampler, uint32_t trials, float p);
 /** The unit disk and the unit ball; in Q2.30 from two words, and from the halves of one. */
@@ -660,7 +667,7 @@ bool mw_choice_in_order_take(mw_choice_in_order *choice, uint32_t word);
 bool mw_choice_in_order_draw(mw_choice_in_order *choice, mw_pcg32 *rng);
 
 /**
- * Some items of a stream of any length: whether the next item is chosen, and if so, its place below
+ * Some items of a stream of up to 2^32: whether the next item is chosen, and if so, its place below
  * `places` in an array of the caller. The order of the array is not random. MW_EMPTY for no places.
  */
 @struct mw_choice_of_stream@

@@ -96,7 +96,11 @@ export declare class Permutation implements Iterable<number> {
   /** @throws RangeError for no numbers. */
   constructor(length: number, seed: number);
   readonly length: number;
-  /** The number at a place. */
+  /**
+   * The number at a place.
+   *
+   * @throws RangeError for a place that is not below the length; so too `indexOf`.
+   */
   get(place: number): number;
   /** The place of a number. */
   indexOf(number: number): number;

@@ -7,7 +7,7 @@ import { Source } from "./source.js";
  * A weight of 0 is never selected, and a positive one has at least one of the 2³² words.
  */
 export declare class SumTree {
-  /** @throws RangeError for no weights, or a sum of 2³² or more; the weights are as they were then. */
+  /** @throws RangeError for no weights, more than 2²⁴, or a sum of 2³² or more; the weights are as they were then. */
   constructor(weights: Uint32Array);
   /** How many weights there are. */
   readonly entries: number;
@@ -29,8 +29,10 @@ export declare class SumTree {
   /**
    * So many different indices, drawn one after the other without replacement, by one word each; fewer where all positive weights are
    * drawn. The weights stay as they are.
+   *
+   * @throws RangeError for more than there are entries.
    */
   drawDistinct(count: number, source: Source): number[];
-  /** Brings the weights back, and returns their array. The tree is at an end. */
+  /** Brings the weights back, and returns their array. Afterwards the tree has no entries, and calls throw a TypeError. */
   intoWeights(): Uint32Array;
 }

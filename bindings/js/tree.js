@@ -55,10 +55,9 @@ export class SumTree {
     return index;
   }
   get entries() {
-    return this.#tree().length;
+    return this.#sums?.length ?? 0;
   }
   get total() {
-    this.#tree();
     return this.#total;
   }
   get(index) {
@@ -89,7 +88,7 @@ export class SumTree {
     return this.#at(word_at(0));
   }
   drawDistinct(count, source) {
-    integer("count", count, 0, ALL - 1);
+    integer("count", count, 0, this.#tree().length);
     const found = [];
     try {
       for (let i = 0; i < count; i += 1) {
@@ -103,7 +102,7 @@ export class SumTree {
   }
   intoWeights() {
     const own = this.#tree();
-    this.#sums = undefined;
+    [this.#sums, this.#total] = [undefined, 0];
     for (let i = own.length; i > 0; i -= 1) {
       const next = i + (i & -i);
       if (next <= own.length) own[next - 1] -= own[i - 1];

@@ -121,6 +121,41 @@ typedef struct mw_source {
     void *context;
 } mw_source;
 
+/* ---- Integers, coins, one uniform ------------------------------------------------------------ */
+
+/*
+ * Each takes one word, and knows how many of the 2^32 words give each outcome: no loop, no division,
+ * no floating-point operation but in mw_uniform. What is refused draws nothing and changes nothing. The same from a
+ * source that may fail: mw_NAME_from.
+ */
+
+/** An integer from 0 to `last`, which is reached: no `last` is refused. A die: 1 + mw_up_to(rng, 5). */
+uint32_t mw_up_to(mw_pcg32 *rng, uint32_t last);
+mw_error mw_up_to_from(const mw_source *source, uint32_t last, uint32_t *value);
+
+/** An integer from 0 to n - 1, such as an index of n entries; MW_EMPTY for n = 0. */
+mw_error mw_below(mw_pcg32 *rng, uint32_t n, uint32_t *value);
+mw_error mw_below_from(const mw_source *source, uint32_t n, uint32_t *value);
+
+/** An integer from low to high, both reached; MW_EMPTY where low is above high. */
+mw_error mw_range(mw_pcg32 *rng, int32_t low, int32_t high, int32_t *value);
+mw_error mw_range_from(const mw_source *source, int32_t low, int32_t high, int32_t *value);
+
+/**
+ * Whether an event of probability p happens, of which 2^32 p words, rounded up, say yes: 0 never, 1
+ * always, and anything between may. MW_NOT_FINITE, MW_NEGATIVE, or MW_OUT_OF_RANGE above 1.
+ */
+mw_error mw_chance(mw_pcg32 *rng, float p, bool *happens);
+mw_error mw_chance_from(const mw_source *source, float p, bool *happens);
+
+/** Likewise with probability part/all; MW_NOT_POSITIVE for all = 0, MW_OUT_OF_RANGE for part > all. */
+mw_error mw_ratio(mw_pcg32 *rng, uint32_t part, uint32_t all, bool *happens);
+mw_error mw_ratio_from(const mw_source *source, uint32_t part, uint32_t all, bool *happens);
+
+/** A uniform in [0, 1), a multiple of 2^-24: without an FPU it is the one here to take longer. */
+float mw_uniform(mw_pcg32 *rng);
+mw_error mw_uniform_from(const mw_source *source, float *u);
+
 /* ---- Samplers in float ---------------------------------------------------------------------- */
 
 /** A point of a surface, with the outward normal there. */
@@ -1316,6 +1351,49 @@ mw_error mw_alias_draw_from(const mw_alias *table, const mw_source *source, mw_s
 size_t mw_alias_draw_index(const mw_alias *table, mw_pcg32 *rng);
 float mw_alias_pmf(const mw_alias *table, size_t index);
 
+/**
+ * Weights that change: a tree of sums in place of the caller's integer weights, which take no memory
+ * beside them. `init` makes the sums, in which the weights can be read and set, and
+ * `into_weights` brings the weights back. They must stay where they are until then. Their sum must be
+ * below 2^32, or MW_TOO_LARGE; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
+ * With an error nothing is changed. After `into_weights` call `init` again. A weight of 0 is never
+ * selected, a positive one has at least one word, and the same word selects as from a mw_cdf.
+ */
+typedef struct mw_sum_tree {
+    uint32_t *sums;
+    size_t entries;
+} mw_sum_tree;
+
+mw_error mw_sum_tree_init(mw_sum_tree *tree, uint32_t *weights, size_t entries);
+void mw_sum_tree_into_weights(mw_sum_tree *tree);
+/** Sets a weight; MW_OUT_OF_RANGE beyond the last. */
+mw_error mw_sum_tree_set(mw_sum_tree *tree, size_t index, uint32_t weight);
+/** A weight, or 0 beyond the last; and the sum of all. */
+uint32_t mw_sum_tree_get(const mw_sum_tree *tree, size_t index);
+uint32_t mw_sum_tree_total(const mw_sum_tree *tree);
+/** How many of the 2^32 words select an entry, and its probability. */
+uint64_t mw_sum_tree_numerator(const mw_sum_tree *tree, size_t index);
+float mw_sum_tree_pmf(const mw_sum_tree *tree, size_t index);
+/**
+ * Selections, by one word; false, and nothing is written, where all weights are 0. The index alone
+ * takes no division.
+ */
+bool mw_sum_tree_select(const mw_sum_tree *tree, uint32_t word, mw_selection *chosen);
+bool mw_sum_tree_select_exact(const mw_sum_tree *tree, uint32_t word, mw_exact_selection *chosen);
+bool mw_sum_tree_index(const mw_sum_tree *tree, uint32_t word, size_t *index);
+bool mw_sum_tree_draw(const mw_sum_tree *tree, mw_pcg32 *rng, mw_selection *chosen);
+bool mw_sum_tree_draw_index(const mw_sum_tree *tree, mw_pcg32 *rng, size_t *index);
+/** Likewise from a source; MW_ALL_ZERO where all weights are 0. */
+mw_error mw_sum_tree_draw_from(const mw_sum_tree *tree, const mw_source *source,
+        mw_selection *chosen);
+/**
+ * Draws up to `count` entries without replacement: their indices and weights. It takes `count` words
+ * in any case, and returns how many it drew: fewer where all positive weights are drawn. At the end
+ * the weights are as they were.
+ */
+size_t mw_sum_tree_draw_distinct(mw_sum_tree *tree, mw_pcg32 *rng, size_t *indices,
+        uint32_t *weights, size_t count);
+
 /** One selection from weights that are seen once, without a table. */
 mw_error mw_select_once(const float *weights, size_t entries, uint32_t word, mw_selection *chosen);
 mw_error mw_select_once_uniform(const float *weights, size_t entries, float u,
@@ -1505,6 +1583,17 @@ typedef struct mw_poisson { uint64_t words[7]; } mw_poisson;
 mw_error mw_poisson_init(mw_poisson *law, float mean);
 mw_error mw_poisson_init_from_ratio(mw_poisson *law, uint32_t events, uint32_t intervals);
 
+/**
+ * How many of so many trials succeed, of probability p or part/whole each, for a variance of up to
+ * 100; see mw_binomial_rejection for larger ones. `init` fills a table: keep it, where it stays.
+ * MW_TOO_LARGE for a larger variance, MW_NOT_FINITE or MW_OUT_OF_RANGE for p; of a ratio
+ * MW_NOT_POSITIVE for whole = 0, MW_OUT_OF_RANGE for part > whole.
+ */
+typedef struct mw_binomial { uint64_t words[74]; } mw_binomial;
+mw_error mw_binomial_init(mw_binomial *law, uint32_t trials, float p);
+mw_error mw_binomial_init_from_ratio(mw_binomial *law, uint32_t trials, uint32_t part,
+        uint32_t whole);
+
 uint32_t mw_geometric_sample(const mw_geometric *law, float u);
 uint32_t mw_geometric_count(const mw_geometric *law, uint32_t word);
 uint32_t mw_geometric_draw(const mw_geometric *law, mw_pcg32 *rng);
@@ -1515,6 +1604,11 @@ uint32_t mw_poisson_count(const mw_poisson *law, uint32_t word);
 uint32_t mw_poisson_draw(const mw_poisson *law, mw_pcg32 *rng);
 mw_error mw_poisson_draw_from(const mw_poisson *law, const mw_source *source, uint32_t *count);
 float mw_poisson_pmf(const mw_poisson *law, uint32_t count);
+uint32_t mw_binomial_sample(const mw_binomial *law, float u);
+uint32_t mw_binomial_count(const mw_binomial *law, uint32_t word);
+uint32_t mw_binomial_draw(const mw_binomial *law, mw_pcg32 *rng);
+mw_error mw_binomial_draw_from(const mw_binomial *law, const mw_source *source, uint32_t *count);
+float mw_binomial_pmf(const mw_binomial *law, uint32_t count);
 
 /* ---- Resampling ------------------------------------------------------------------------------ */
 
@@ -1561,6 +1655,12 @@ mw_error mw_ziggurat_exponential_init_from_mean(mw_ziggurat_exponential *sampler
 /** Poisson counts for means from 10 to 2^20. */
 typedef struct mw_poisson_rejection { uint32_t words[8]; } mw_poisson_rejection;
 mw_error mw_poisson_rejection_init(mw_poisson_rejection *sampler, float mean);
+/**
+ * Successes of so many trials of probability p, of a variance from 10. MW_NOT_FINITE for p,
+ * MW_OUT_OF_RANGE for p outside [0, 1] and for a smaller variance.
+ */
+typedef struct mw_binomial_rejection { uint64_t words[10]; } mw_binomial_rejection;
+mw_error mw_binomial_rejection_init(mw_binomial_rejection *sampler, uint32_t trials, float p);
 /** The unit disk and the unit ball; in Q2.30 from two words, and from the halves of one. */
 typedef struct mw_disk_rejection { uint32_t words[1]; } mw_disk_rejection;
 mw_error mw_disk_rejection_init(mw_disk_rejection *sampler);
@@ -1595,6 +1695,11 @@ mw_error mw_poisson_rejection_set_budget(mw_poisson_rejection *sampler, uint32_t
 mw_error mw_poisson_rejection_draw(const mw_poisson_rejection *sampler, mw_pcg32 *rng,
         uint32_t *point, uint32_t *tries);
 mw_error mw_poisson_rejection_draw_from(const mw_poisson_rejection *sampler, const mw_source *source,
+        uint32_t *point, uint32_t *tries);
+mw_error mw_binomial_rejection_set_budget(mw_binomial_rejection *sampler, uint32_t budget);
+mw_error mw_binomial_rejection_draw(const mw_binomial_rejection *sampler, mw_pcg32 *rng,
+        uint32_t *point, uint32_t *tries);
+mw_error mw_binomial_rejection_draw_from(const mw_binomial_rejection *sampler, const mw_source *source,
         uint32_t *point, uint32_t *tries);
 mw_error mw_disk_rejection_set_budget(mw_disk_rejection *sampler, uint32_t budget);
 mw_error mw_disk_rejection_draw(const mw_disk_rejection *sampler, mw_pcg32 *rng,
@@ -2233,6 +2338,58 @@ float mw_strata_1d_point(const mw_strata_1d *strata, uint32_t i, float u);
 typedef struct mw_strata_2d { uint32_t words[2]; } mw_strata_2d;
 mw_error mw_strata_2d_init(mw_strata_2d *strata, uint32_t columns, uint32_t rows);
 void mw_strata_2d_point(const mw_strata_2d *strata, uint32_t i, const float u[2], float point[2]);
+
+/** Latin hypercubes: of `count` points one in each of as many strata of every dimension. */
+typedef struct mw_latin_hypercube { uint64_t words[3]; } mw_latin_hypercube;
+/** MW_EMPTY for no points. */
+mw_error mw_latin_hypercube_init(mw_latin_hypercube *set, uint32_t count, uint32_t seed);
+uint32_t mw_latin_hypercube_word(const mw_latin_hypercube *set, uint32_t index,
+        uint32_t dimension);
+
+/* ---- Orders and choices ---------------------------------------------------------------------- */
+
+/**
+ * Puts `count` items of `size` bytes in a random order: mw_shuffle(deck, 52, sizeof deck[0], &rng).
+ * It draws 2 words for up to 12 items, 16 for 52, 612 for 1,000; the number depends on `count` alone.
+ * Where a source fails, the items may be in another order already; so too below.
+ */
+void mw_shuffle(void *items, size_t count, size_t size, mw_pcg32 *rng);
+mw_error mw_shuffle_from(void *items, size_t count, size_t size, const mw_source *source);
+
+/**
+ * Moves `chosen` random items to the front, in random order, by one word each. MW_OUT_OF_RANGE for
+ * more than there are. With all items but one it is the shuffle for a core that multiplies slowly.
+ */
+mw_error mw_choose(void *items, size_t count, size_t size, size_t chosen, mw_pcg32 *rng);
+mw_error mw_choose_from(void *items, size_t count, size_t size, size_t chosen,
+        const mw_source *source);
+
+/**
+ * `chosen` of `count` items where they are: whether the next item is chosen, by a random word.
+ * MW_OUT_OF_RANGE for more than there are. Behind the last item none is.
+ */
+typedef struct mw_choice_in_order { uint32_t words[2]; } mw_choice_in_order;
+mw_error mw_choice_in_order_init(mw_choice_in_order *choice, uint32_t chosen, uint32_t count);
+bool mw_choice_in_order_take(mw_choice_in_order *choice, uint32_t word);
+bool mw_choice_in_order_draw(mw_choice_in_order *choice, mw_pcg32 *rng);
+
+/**
+ * Some items of a stream of up to 2^32: whether the next item is chosen, and if so, its place below
+ * `places` in an array of the caller. The order of the array is not random. MW_EMPTY for no places.
+ */
+typedef struct mw_choice_of_stream { uint32_t words[2]; } mw_choice_of_stream;
+mw_error mw_choice_of_stream_init(mw_choice_of_stream *choice, uint32_t places);
+bool mw_choice_of_stream_take(mw_choice_of_stream *choice, uint32_t word, uint32_t *place);
+bool mw_choice_of_stream_draw(mw_choice_of_stream *choice, mw_pcg32 *rng, uint32_t *place);
+
+/**
+ * The numbers below `count` in the random order of a seed, without a table: the number at a place,
+ * and the place of a number. MW_EMPTY for no numbers, MW_OUT_OF_RANGE from `count` on.
+ */
+typedef struct mw_permutation { uint32_t words[19]; } mw_permutation;
+mw_error mw_permutation_init(mw_permutation *order, uint32_t count, uint32_t seed);
+mw_error mw_permutation_get(const mw_permutation *order, uint32_t place, uint32_t *number);
+mw_error mw_permutation_index_of(const mw_permutation *order, uint32_t number, uint32_t *place);
 
 /* ---- Samplers without a floating-point operation --------------------------------------------- */
 
