@@ -8,12 +8,12 @@
 //! | weights that change with every selection | [`select_once`] | none | one pass over the weights |
 //! | integer weights that change now and then | [`SumTree`] | none beside the weights | log₂ n additions |
 //! | a stream whose length is not known | [`Reservoir`] | one item in all | two `u32` an item |
-//! | a stream with integer weights, and want several of its items | [`WeightedReservoir`] | 12 bytes and an item each of those | one `u32` an item |
+//! | a stream with integer weights, and want several of its items | [`WeightedReservoir`] | 12 bytes and an item each of those, rounded up to 8 | one `u32` an item |
 //! | weights of cells on a line, and want a point | [`PiecewiseConstant1d`] | 4 bytes | that of a `Cdf` |
 //! | a density at equally spaced points of a line | [`PiecewiseLinear1d`] | 8 bytes | that of a `Cdf`, and a root or two |
 //! | particles, and want as many of equal weight | [`resampling`] | none | one pass over the particles |
 //! | a probability, and count trials before a success | [`Geometric`] | none | a product a digit |
-//! | a number of trials and a probability, and count successes | [`Binomial`] | 592 bytes in all | seven comparisons |
+//! | a number of trials and a probability, and count successes | [`Binomial`] | 592 bytes in all | eight comparisons |
 //! | a mean, and count events | [`Poisson`] | none | some steps from the mean |
 //! | a picture, and want a point | [`PiecewiseConstant2d`] | 4 bytes a cell and a row | those of two `Cdf` |
 //! | a triangle mesh, and want a point on it | [`Mesh`] | 8 bytes a face | that of a `Cdf`, and a root |
