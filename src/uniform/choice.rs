@@ -9,7 +9,7 @@ use rand_core::{Rng, TryRng};
 /// Moves `count` random items to the front, in random order. Returns these, and the others.
 ///
 /// # Domain
-/// - Items: as for [`shuffle_each`].
+/// - Items: as for [`shuffle_each`](super::shuffle_each).
 /// - Words: one for each item that is chosen.
 ///
 /// # Accuracy

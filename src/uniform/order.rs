@@ -36,7 +36,7 @@ use rand_core::{Rng, TryRng};
 ///
 /// # See also
 /// - [`shuffle_each`]: fewer instructions on a core that multiplies slowly.
-/// - [`choose`]: some items alone.
+/// - [`choose`](super::choose): some items alone.
 /// - [`Permutation`](super::Permutation): an order that needs no memory.
 ///
 /// # Source

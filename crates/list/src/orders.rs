@@ -16,6 +16,17 @@ fn folded(words: impl IntoIterator<Item = u32>) -> u32 {
     words.fold(0, |all, word| all.rotate_left(7) ^ word)
 }
 
+/// Exchanges two items. What is outside stays: an index that can panic would link what says so.
+fn exchange(items: &mut [u16], i: usize, j: usize) {
+    if let (Some(&x), Some(&y)) = (items.get(i), items.get(j)) {
+        for (place, item) in [(i, y), (j, x)] {
+            if let Some(at) = items.get_mut(place) {
+                *at = item;
+            }
+        }
+    }
+}
+
 pub fn shuffles(u: [f32; 4], input: usize, out: &mut Out) {
     let [a, b, c, d] = stirred(u);
     let mut rng = generator(input);
@@ -27,8 +38,8 @@ pub fn shuffles(u: [f32; 4], input: usize, out: &mut Out) {
     let Ok(()) = try_shuffle_each(&mut deck, &mut rng);
     out.word(folded(deck));
     let mut many: [u16; 300] = core::array::from_fn(|item| item as u16);
-    shuffle_with(300, &mut rng, |i, j| many.swap(i, j));
-    let Ok(()) = try_shuffle_with(300, &mut rng, |i, j| many.swap(i, j));
+    shuffle_with(300, &mut rng, |i, j| exchange(&mut many, i, j));
+    let Ok(()) = try_shuffle_with(300, &mut rng, |i, j| exchange(&mut many, i, j));
     out.word(folded(many.map(u32::from)));
     match choose(&mut deck, (a >> 26) as usize, &mut rng) {
         Ok((some, others)) => {
@@ -37,8 +48,10 @@ pub fn shuffles(u: [f32; 4], input: usize, out: &mut Out) {
         }
         Err(e) => out.word(refusal(e)),
     }
-    let refused = choose_with(300, 5, &mut rng, |i, j| many.swap(i, j)).is_err();
-    let Ok(done) = try_choose_with(300, b as usize >> 23, &mut rng, |i, j| many.swap(i, j));
+    let refused = choose_with(300, 5, &mut rng, |i, j| exchange(&mut many, i, j)).is_err();
+    let Ok(done) = try_choose_with(300, b as usize >> 23, &mut rng, |i, j| {
+        exchange(&mut many, i, j)
+    });
     out.word(done.map_or_else(refusal, |()| u32::from(refused)));
     let Ok(chosen) = try_choose(&mut many, 7, &mut rng);
     out.word(chosen.map_or_else(refusal, |(some, _)| folded(some.iter().map(|&x| x.into()))));
