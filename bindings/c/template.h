@@ -237,7 +237,7 @@ float mw_{}_pmf(const mw_{} *table, size_t index);
  * Weights that change: a tree of sums in place of the caller's integer weights, which take no memory
  * beside them. `init` makes the sums, in which the weights can be read and set, and
  * `into_weights` brings the weights back. They must stay where they are until then. Their sum must be
- * below 2^32, or MW_TOO_LARGE; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
+ * below 2^32, or MW_TOO_LARGE, and may be 0; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
  * With an error nothing is changed. After `into_weights` call `init` again. A weight of 0 is never
  * selected, a positive one has at least one word, and the same word selects as from a mw_cdf.
  */
@@ -248,7 +248,7 @@ typedef struct mw_sum_tree {
 
 mw_error mw_sum_tree_init(mw_sum_tree *tree, uint32_t *weights, size_t entries);
 void mw_sum_tree_into_weights(mw_sum_tree *tree);
-/** Sets a weight; MW_OUT_OF_RANGE beyond the last. */
+/** Sets a weight; MW_OUT_OF_RANGE beyond the last, MW_TOO_LARGE for too large a sum. */
 mw_error mw_sum_tree_set(mw_sum_tree *tree, size_t index, uint32_t weight);
 /** A weight, or 0 beyond the last; and the sum of all. */
 uint32_t mw_sum_tree_get(const mw_sum_tree *tree, size_t index);
@@ -377,7 +377,8 @@ mw_error mw_poisson_init_from_ratio(mw_poisson *law, uint32_t events, uint32_t i
 
 /**
  * How many of so many trials succeed, of probability p or part/whole each, for a variance of up to
- * 100; see mw_binomial_rejection for larger ones. `init` fills a table: keep it, where it stays.
+ * 100, which is trials * p * (1 - p); see mw_binomial_rejection for larger ones. `init` fills a
+ * table: keep it, where it stays.
  * MW_TOO_LARGE for a larger variance, MW_NOT_FINITE or MW_OUT_OF_RANGE for p; of a ratio
  * MW_NOT_POSITIVE for whole = 0, MW_OUT_OF_RANGE for part > whole.
  */
