@@ -210,7 +210,7 @@ export const from_array = (array, each) => (from, n) => {
 
 const FAR = Number.MAX_SAFE_INTEGER;
 // ⌊word·n/2³²⌋, of up to 2³² integers: each product of a half has 48 bits.
-const scaled = (n, word) => Math.floor(((word >>> 16) * n + Math.floor((word & 0xffff) * n / 65536)) / 65536);
+export const scaled = (n, word) => Math.floor(((word >>> 16) * n + Math.floor((word & 0xffff) * n / 65536)) / 65536);
 // Calls a function for the sizes from one on down whose product is up to 2³². Returns the next.
 const batch = (size, place) => {
   for (let outcomes = size; size > 1 && outcomes <= 2 ** 32; outcomes *= size) {

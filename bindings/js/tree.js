@@ -1,16 +1,10 @@
 // Weights that change: a tree of sums in place of them, in an array of the caller's.
 
-import { drawn, integer, ready, refuse, u32_of, view, word_at } from "./core.js";
+import { drawn, integer, ready, refuse, scaled, u32_of, view, word_at } from "./core.js";
 
 const ALL = 2 ** 32;
 // The codes of refusals.
 const [TOO_LARGE, NO_WEIGHTS, TOO_MANY_WEIGHTS] = [4, 10, 11];
-
-// ⌊x·y/2³²⌋ of two words, by halves, since the product does not fit the digits of a number.
-const high = (x, y) => {
-  const middle = (x >>> 16) * y + Math.floor((x & 0xffff) * y / 65536);
-  return Math.floor(middle / 65536);
-};
 
 export class SumTree {
   #sums;
@@ -47,7 +41,7 @@ export class SumTree {
   #at(word) {
     const [sums, total] = [this.#tree(), this.#total];
     if (total === 0) return undefined;
-    let [left, index] = [high(word, total), 0];
+    let [left, index] = [scaled(total, word), 0];
     for (let step = 1 << 31 - Math.clz32(sums.length); step > 0; step >>= 1) {
       const sum = sums[index + step - 1];
       if (sum <= left) [left, index] = [left - sum, index + step];
