@@ -1,6 +1,6 @@
 //! The binomial distribution of large variance, by transformed rejection.
 
-use super::stirling::{deviance, excess};
+use super::stirling::{PEAK, TAILS, deviance, excess};
 use super::{Failure, Rejection, with_budget};
 use crate::error::{Error, finite};
 use crate::num::{happens, power_of_two};
@@ -88,9 +88,6 @@ pub struct BinomialRejection<T> {
     budget: u32,
     tier: PhantomData<T>,
 }
-
-/// Where the tails begin, as a part of the words on each side.
-const TAILS: f32 = 0.07;
 
 /// How many places a proposal has beyond those of the slopes.
 const FINER: u32 = 5;
@@ -225,8 +222,6 @@ impl<T: Tier> BinomialRejection<T> {
 
     /// The probability of a count of the rarer event, up to n.
     fn pmf_of_rare(&self, count: u32) -> f32 {
-        /// 1/√2π.
-        const PEAK: f32 = 0.398_942_3;
         let left = self.trials.wrapping_sub(count);
         let away = i64::from(count).wrapping_sub(i64::from(self.whole)) as f32 - self.rest;
         // Without a success or a failure, its deviance is its mean, and Stirling's formula is not needed.

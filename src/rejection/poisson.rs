@@ -1,6 +1,6 @@
 //! The Poisson distribution of large means, by transformed rejection.
 
-use super::stirling::{deviance, excess};
+use super::stirling::{PEAK, TAILS, deviance, excess};
 use super::{Failure, Rejection, with_budget};
 use crate::error::{Error, finite};
 use crate::num::{folded, happens};
@@ -81,9 +81,6 @@ pub struct PoissonRejection<T> {
     tier: PhantomData<T>,
 }
 
-/// Where the tails begin, as a part of the words on each side.
-const TAILS: f32 = 0.07;
-
 impl<T: Tier> PoissonRejection<T> {
     /// The default budget. A true random generator spends it with a probability below 2⁻⁶⁴.
     pub const BUDGET: u32 = 32;
@@ -149,8 +146,6 @@ impl<T: Tier> PoissonRejection<T> {
     #[must_use]
     #[expect(clippy::cast_possible_wrap, reason = "a difference has a sign")]
     pub fn pmf(&self, count: u32) -> f32 {
-        /// 1/√2π.
-        const PEAK: f32 = 0.398_942_3;
         if count == 0 {
             return T::exp(-self.mean);
         }

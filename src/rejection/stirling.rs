@@ -1,7 +1,14 @@
-//! What mass functions of counts are made of: deviances, and the error of Stirling's formula.
+//! What mass functions of counts are made of, deviances and the error of Stirling's formula, and where both hats of counts
+//! bend.
 
 use crate::num::LARGEST;
 use crate::tier::Tier;
+
+/// 1/√2π.
+pub(super) const PEAK: f32 = 0.398_942_3;
+
+/// Where the tails of a hat begin, as a part of the words on each side.
+pub(super) const TAILS: f32 = 0.07;
 
 /// k ln(k/m) − (k − m) of a count k above 0, from k − m, without cancellation where k is near m.
 #[inline]
