@@ -267,6 +267,24 @@ pub(crate) fn with<S>(table: Result<S, Error>, out: &mut Out, then: impl FnOnce(
     }
 }
 
+/// What a try gave, and a count that is drawn, with its probability.
+fn tried_and_drawn(
+    law: &impl Rejection<Point = u32>,
+    count: Option<u32>,
+    pmf: impl Fn(u32) -> f32,
+    input: usize,
+    out: &mut Out,
+) {
+    out.word(count.unwrap_or(0xf0));
+    match law.draw(&mut generator(input)) {
+        Ok(drawn) => {
+            out.word(drawn.point);
+            out.float(pmf(drawn.point));
+        }
+        Err(failure) => failed(failure, out),
+    }
+}
+
 /// Weights with zeros and decades, which the compiler cannot see.
 pub fn weights() -> [f32; 6] {
     [v(0.0), v(1.0), v(1e-6), v(37.0), v(0.3), v(0.0)]
@@ -849,20 +867,10 @@ float_warps!(subjects {
     once "changing weights" => integers::trees,
     "rejection poisson" => |[a, b, c, d], input, out| {
         for mean in [10.0 + 100.0 * a, 65536.0 * b, v(1_048_576.0) * c] {
-            match PoissonRejection::<T>::new(mean) {
-                Ok(law) => {
-                    let count = law.attempt([(d * 4_294_967_296.0) as u32, (a * 4_294_967_296.0) as u32]);
-                    out.word(count.unwrap_or(0xf0));
-                    match law.draw(&mut generator(input)) {
-                        Ok(drawn) => {
-                            out.word(drawn.point);
-                            out.float(law.pmf(drawn.point));
-                        }
-                        Err(failure) => failed(failure, out),
-                    }
-                }
-                Err(e) => out.word(refusal(e)),
-            }
+            with(PoissonRejection::<T>::new(mean), out, |law, out| {
+                let count = law.attempt([(d * 4_294_967_296.0) as u32, (a * 4_294_967_296.0) as u32]);
+                tried_and_drawn(&law, count, |count| law.pmf(count), input, out);
+            });
         }
     },
     once "ranges" => integers::ranges,
@@ -871,20 +879,10 @@ float_warps!(subjects {
     "rejection binomial" => |[a, b, c, d], input, out| {
         let word = |u: f32| (u * 4_294_967_296.0) as u32;
         for (trials, p) in [(word(a) >> 22, b), (word(b), c), (word(c), v(1e-6) * d), (word(d) >> 10, 1.0 - v(1e-3) * a)] {
-            match BinomialRejection::<T>::new(trials, p) {
-                Ok(law) => {
-                    let count = law.attempt([word(d), word(a)]);
-                    out.word(count.unwrap_or(0xf0));
-                    match law.draw(&mut generator(input)) {
-                        Ok(drawn) => {
-                            out.word(drawn.point);
-                            out.float(law.pmf(drawn.point));
-                        }
-                        Err(failure) => failed(failure, out),
-                    }
-                }
-                Err(e) => out.word(refusal(e)),
-            }
+            with(BinomialRejection::<T>::new(trials, p), out, |law, out| {
+                let count = law.attempt([word(d), word(a)]);
+                tried_and_drawn(&law, count, |count| law.pmf(count), input, out);
+            });
         }
     },
 });
