@@ -1,7 +1,7 @@
 //! `BinomialRejection`: the law that all pairs of words have together, counted and not sampled; its efficiency, its pmf
 //! and its refusals.
 
-use crate::law::law;
+use crate::law::{law, wrong_ones_are_noticed};
 use host::docs::Doc;
 use host::speed;
 use microwarp::rejection::{BinomialRejection, Rejection};
@@ -179,18 +179,11 @@ fn wrong_laws_of_rejection_are_noticed() {
     let other = poly::BinomialRejection::new(trials, 0.3001).unwrap();
     let truth = Truth::new(trials, p);
     assert!(truth.law(&|words| sampler.attempt(words))[1] <= 1.0);
-    for wrong in [
-        &(|words| other.attempt(words)) as &dyn Fn([u32; 2]) -> Option<u32>,
-        &|words| sampler.attempt(words).map(|k| k + 1),
-        &|[a, b]| {
-            let squeezed = b < 0xf000_0000 && a.abs_diff(1 << 31) < 0x6e00_0000;
-            sampler.attempt([a, if squeezed { 0 } else { b }])
-        },
-    ] {
-        let [_, worst] = truth.law(&wrong);
-        println!("wrong: {worst:.1} of the bound");
-        assert!(worst > 1.5, "{worst}");
-    }
+    wrong_ones_are_noticed(
+        |words| sampler.attempt(words),
+        |words| other.attempt(words),
+        |wrong| truth.law(&wrong)[1],
+    );
 }
 
 #[test]

@@ -110,3 +110,24 @@ pub fn law(
     }
     [sum / 2.0_f64.powi(64), worst]
 }
+
+/// The law of other parameters, another count, and a squeeze that accepts too much are noticed: `error` is the largest one
+/// of an attempt in units of what is granted.
+pub fn wrong_ones_are_noticed(
+    right: impl Fn([u32; 2]) -> Option<u32>,
+    other: impl Fn([u32; 2]) -> Option<u32>,
+    error: impl Fn(&dyn Fn([u32; 2]) -> Option<u32>) -> f64,
+) {
+    for wrong in [
+        &other as &dyn Fn([u32; 2]) -> Option<u32>,
+        &|words| right(words).map(|k| k + 1),
+        &|[a, b]| {
+            let squeezed = b < 0xf000_0000 && a.abs_diff(1 << 31) < 0x6e00_0000;
+            right([a, if squeezed { 0 } else { b }])
+        },
+    ] {
+        let worst = error(wrong);
+        println!("wrong: {worst:.1} of the bound");
+        assert!(worst > 1.5, "{worst}");
+    }
+}
