@@ -1,6 +1,6 @@
 //! Integers of a range, coins, and one uniform.
 
-use crate::error::{Code, OK, code};
+use crate::error::{Code, code};
 use crate::generators::{Pcg32, Source, forget_registers};
 use core_crate::Error;
 use core_crate::uniform::{Chance, Range, grid, try_grid, try_up_to, up_to};
@@ -32,13 +32,7 @@ macro_rules! drawn {
         const _: () = {
             #[unsafe(export_name = concat!("mw_", $name))]
             extern "C" fn draw(rng: &mut Pcg32, $($parameter: $type,)* value: &mut $value) -> Code {
-                match $made {
-                    Ok(made) => {
-                        *value = made.draw(rng);
-                        OK
-                    }
-                    Err(error) => Error::into(error),
-                }
+                code($made, |made| *value = made.draw(rng))
             }
 
             #[unsafe(export_name = concat!("mw_", $name, "_from"))]
