@@ -75,18 +75,19 @@ fn spread(k: u32) -> Uniforms {
     })
 }
 
-/// Measures one warp in each tier that it has, in the full speed over every grid input where the input is one number, over 2^24
-/// points of the grid where it is two, always with all edges. Further parameter sets of the same warp
-/// are swept with a prime stride, which visits every residue. The quick speed takes longer strides everywhere.
+/// Measures one warp in each tier that it has, in the full speed over every grid input where the input is one number, over 2^21
+/// points of the grid where it is several, always with all edges. Further parameter sets of the same warp are swept with an
+/// odd stride, which visits every residue of a power of two. The quick speed takes longer strides everywhere, multiples of these.
 fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
     let [first, ..] = tiers else {
         panic!("no entry");
     };
     let stride = match thorough {
         true => speed::of("one grid input tried of every", 151, 1),
-        false => speed::of("one grid input tried of every, further sets", 4095, 13),
+        false => speed::of("one grid input tried of every, further sets", 4095, 65),
     };
-    let fewer = speed::of("one pair of uniforms tried of every", 192, 1);
+    let fewer = speed::of("one pair of uniforms tried of every", 48, 1);
+    let points = if thorough { GRID / 8 } else { GRID / 32 } / fewer;
     let mut figures = vec![Figures::default(); tiers.len()];
     let mut at = |u: Uniforms, deep: bool, polar: bool| {
         let exact = Exact::of(first, u, deep);
@@ -122,7 +123,7 @@ fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
             }
             // Pairs of the grid spread over the square by multiplication; the density and the inverse, which
             // cost most to judge, at every 8th.
-            for k in 0..if thorough { GRID } else { GRID / 8 } / fewer {
+            for k in 0..points {
                 let [u1, u2, ..] = spread(k);
                 at([u1, u2, 0.0, 0.0], k % 8 == 0, false);
             }
@@ -137,7 +138,7 @@ fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
             }
         }
         n => {
-            for k in 0..GRID / 16 / fewer {
+            for k in 0..points {
                 let u = spread(k);
                 let u = std::array::from_fn(|i| if i < n { u[i] } else { 0.0 });
                 at(u, true, false);
