@@ -36,106 +36,34 @@
  * chain that refuses to step. A sampler or a table of zeros is none.
  *
  * Angles are in turns unless the name says otherwise; directions are unit vectors about +z.
+ *
+ * Index, without the mw_ in front. What computes without floats is declared in
+ * microwarp_integers.h, which may be included alone:
+ *
+@index of microwarp_integers.h@
+ *
+ * And here:
+ *
+@own index@
  */
 #ifndef MICROWARP_H
 #define MICROWARP_H
 
-/* Older rules of `inline` define a function twice. */
-#if defined(__GNUC_GNU_INLINE__) || (!defined(__cplusplus) && !defined(_MSC_VER) && \
-        (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L))
-#error "microwarp.h asks for C99, as by -std=c99"
-#endif
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "microwarp_integers.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ---- Errors --------------------------------------------------------------------------------- */
-
-/** Why a call was refused. The numbers never change. */
-typedef enum mw_error {
-    MW_OK = 0,
-@errors@
-    MW_SOURCE_FAILED = 1000, /* the source of random words failed */
-    MW_BUDGET_SPENT = 1001, /* no point was accepted within the budget of tries */
-    MW_BOUND_EXCEEDED = 1002, /* a density of the caller is above its bound */
-    MW_BAD_DENSITY = 1003 /* a density of the caller is negative, NaN or infinite */
-} mw_error;
-
-/** What went wrong, in words; never null. */
-const char *mw_error_text(mw_error error);
-
-/* ---- Generators ----------------------------------------------------------------------------- */
-
-/** The generator PCG-XSH-RR 64/32. Its state is all there is: store it to go on later. */
-typedef struct mw_pcg32 {
-    uint64_t state;
-    uint64_t increment;
-} mw_pcg32;
-
-/**
- * One generator. Generators of neighbouring seeds or streams give words that depend on each other:
- * mw_pcg32_init_at seeds many.
- */
-inline void mw_pcg32_init(mw_pcg32 *rng, uint64_t seed, uint64_t stream)
-{
-    /* Here, so that a compiler folds what is constant; the library has it, too. */
-    rng->increment = (stream << 1) | 1u;
-    rng->state = (seed + rng->increment) * UINT64_C(0x5851f42d4c957f2d) + rng->increment;
-}
-
-/**
- * One of many generators, of independent words: for thread, pixel or device `index`. It is seeded
- * from the words of dimensions 0 to 3 of mw_word_by_position(seed, index, 0, ...).
- */
-void mw_pcg32_init_at(mw_pcg32 *rng, uint32_t seed, uint32_t index);
-
-/** The next 32 random bits. */
-uint32_t mw_pcg32_next(mw_pcg32 *rng);
-
-/**
- * Any other generator: `next` writes 32 random bits to `*word` and returns true, or returns false,
- * which ends the draw with MW_SOURCE_FAILED.
- */
-typedef struct mw_source {
-    bool (*next)(void *context, uint32_t *word);
-    void *context;
-} mw_source;
-
-/* ---- Integers, coins, one uniform ------------------------------------------------------------ */
-
-/*
- * Each takes one word, and knows how many of the 2^32 words give each outcome: no loop, no division,
- * no floating-point operation but in mw_uniform. What is refused draws nothing and changes nothing. The same from a
- * source that may fail: mw_NAME_from.
- */
-
-/** An integer from 0 to `last`, which is reached: no `last` is refused. A die: 1 + mw_up_to(rng, 5). */
-uint32_t mw_up_to(mw_pcg32 *rng, uint32_t last);
-mw_error mw_up_to_from(const mw_source *source, uint32_t last, uint32_t *value);
-
-/** An integer from 0 to n - 1, such as an index of n entries; MW_EMPTY for n = 0. */
-mw_error mw_below(mw_pcg32 *rng, uint32_t n, uint32_t *value);
-mw_error mw_below_from(const mw_source *source, uint32_t n, uint32_t *value);
-
-/** An integer from low to high, both reached; MW_EMPTY where low is above high. */
-mw_error mw_range(mw_pcg32 *rng, int32_t low, int32_t high, int32_t *value);
-mw_error mw_range_from(const mw_source *source, int32_t low, int32_t high, int32_t *value);
+/* ---- Coins and uniforms ---------------------------------------------------------------------- */
 
 /**
  * Whether an event of probability p happens, of which 2^32 p words, rounded up, say yes: 0 never, 1
- * always, and anything between may. MW_NOT_FINITE, MW_NEGATIVE, or MW_OUT_OF_RANGE above 1.
+ * always, and anything between may. Of a ratio it is mw_ratio. MW_NOT_FINITE, MW_NEGATIVE, or
+ * MW_OUT_OF_RANGE above 1.
  */
 mw_error mw_chance(mw_pcg32 *rng, float p, bool *happens);
 mw_error mw_chance_from(const mw_source *source, float p, bool *happens);
-
-/** Likewise with probability part/all; MW_NOT_POSITIVE for all = 0, MW_OUT_OF_RANGE for part > all. */
-mw_error mw_ratio(mw_pcg32 *rng, uint32_t part, uint32_t all, bool *happens);
-mw_error mw_ratio_from(const mw_source *source, uint32_t part, uint32_t all, bool *happens);
 
 /** A uniform in [0, 1), a multiple of 2^-24: without an FPU it is the one here to take longer. */
 float mw_uniform(mw_pcg32 *rng);
@@ -235,9 +163,9 @@ float mw_{}_pmf(const mw_{} *table, size_t index);
 
 /**
  * Weights that change: a tree of sums in place of the caller's integer weights, which take no memory
- * beside them. `init` makes the sums, in which the weights can be read and set, and
- * `into_weights` brings the weights back. They must stay where they are until then. Their sum must be
- * below 2^32, or MW_TOO_LARGE, and may be 0; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
+ * beside them. `init` makes the sums, in which the weights can be read and set, and `into_weights`
+ * brings the weights back. They must stay where they are until then. Their sum must be below 2^32,
+ * or MW_TOO_LARGE, and may be 0; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
  * With an error nothing is changed. After `into_weights` call `init` again. A weight of 0 is never
  * selected, a positive one has at least one word, and the same word selects as from a mw_cdf.
  */
@@ -246,35 +174,45 @@ typedef struct mw_sum_tree {
     size_t entries;
 } mw_sum_tree;
 
-mw_error mw_sum_tree_init(mw_sum_tree *tree, uint32_t *weights, size_t entries);
-void mw_sum_tree_into_weights(mw_sum_tree *tree);
+/** The same with weights and words of 64 bits; the sum is below 2^64. A draw takes two words. */
+typedef struct mw_sum_tree_64 {
+    uint64_t *sums;
+    size_t entries;
+} mw_sum_tree_64;
+
+@each sum_tree,uint32_t sum_tree_64,uint64_t@
+mw_error mw_{}_init(mw_{} *tree, {1} *weights, size_t entries);
+void mw_{}_into_weights(mw_{} *tree);
 /** Sets a weight; MW_OUT_OF_RANGE beyond the last, MW_TOO_LARGE for too large a sum. */
-mw_error mw_sum_tree_set(mw_sum_tree *tree, size_t index, uint32_t weight);
+mw_error mw_{}_set(mw_{} *tree, size_t index, {1} weight);
 /** A weight, or 0 beyond the last; and the sum of all. */
-uint32_t mw_sum_tree_get(const mw_sum_tree *tree, size_t index);
-uint32_t mw_sum_tree_total(const mw_sum_tree *tree);
-/** How many of the 2^32 words select an entry, and its probability. */
-uint64_t mw_sum_tree_numerator(const mw_sum_tree *tree, size_t index);
-float mw_sum_tree_pmf(const mw_sum_tree *tree, size_t index);
+{1} mw_{}_get(const mw_{} *tree, size_t index);
+{1} mw_{}_total(const mw_{} *tree);
+/** The probability of an entry. */
+float mw_{}_pmf(const mw_{} *tree, size_t index);
 /**
  * Selections, by one word; false, and nothing is written, where all weights are 0. The index alone
  * takes no division.
  */
-bool mw_sum_tree_select(const mw_sum_tree *tree, uint32_t word, mw_selection *chosen);
-bool mw_sum_tree_select_exact(const mw_sum_tree *tree, uint32_t word, mw_exact_selection *chosen);
-bool mw_sum_tree_index(const mw_sum_tree *tree, uint32_t word, size_t *index);
-bool mw_sum_tree_draw(const mw_sum_tree *tree, mw_pcg32 *rng, mw_selection *chosen);
-bool mw_sum_tree_draw_index(const mw_sum_tree *tree, mw_pcg32 *rng, size_t *index);
+bool mw_{}_select(const mw_{} *tree, {1} word, mw_selection *chosen);
+bool mw_{}_index(const mw_{} *tree, {1} word, size_t *index);
+bool mw_{}_draw(const mw_{} *tree, mw_pcg32 *rng, mw_selection *chosen);
+bool mw_{}_draw_index(const mw_{} *tree, mw_pcg32 *rng, size_t *index);
 /** Likewise from a source; MW_ALL_ZERO where all weights are 0. */
-mw_error mw_sum_tree_draw_from(const mw_sum_tree *tree, const mw_source *source,
+mw_error mw_{}_draw_from(const mw_{} *tree, const mw_source *source,
         mw_selection *chosen);
 /**
- * Draws up to `count` entries without replacement: their indices and weights. It takes `count` words
- * in any case, and returns how many it drew: fewer where all positive weights are drawn. At the end
- * the weights are as they were.
+ * Draws up to `count` entries without replacement: their indices and weights. It takes the words of
+ * `count` draws in any case, and returns how many it drew: fewer where all positive weights are
+ * drawn. At the end the weights are as they were.
  */
-size_t mw_sum_tree_draw_distinct(mw_sum_tree *tree, mw_pcg32 *rng, size_t *indices,
-        uint32_t *weights, size_t count);
+size_t mw_{}_draw_distinct(mw_{} *tree, mw_pcg32 *rng, size_t *indices,
+        {1} *weights, size_t count);
+
+@end@
+/** With 32 bits also how many of the 2^32 words select an entry, and a selection in integers. */
+uint64_t mw_sum_tree_numerator(const mw_sum_tree *tree, size_t index);
+bool mw_sum_tree_select_exact(const mw_sum_tree *tree, uint32_t word, mw_exact_selection *chosen);
 
 /** One selection from weights that are seen once, without a table. */
 mw_error mw_select_once(const float *weights, size_t entries, uint32_t word, mw_selection *chosen);
@@ -639,62 +577,6 @@ void mw_strata_2d_point(const mw_strata_2d *strata, uint32_t i, const float u[2]
 mw_error mw_latin_hypercube_init(mw_latin_hypercube *set, uint32_t count, uint32_t seed);
 uint32_t mw_latin_hypercube_word(const mw_latin_hypercube *set, uint32_t index,
         uint32_t dimension);
-
-/* ---- Orders and choices ---------------------------------------------------------------------- */
-
-/**
- * Puts `count` items of `size` bytes in a random order: mw_shuffle(deck, 52, sizeof deck[0], &rng).
- * It draws 2 words for up to 12 items, 16 for 52, 612 for 1,000; the number depends on `count` alone.
- * Where a source fails, the items may be in another order already; so too below.
- */
-void mw_shuffle(void *items, size_t count, size_t size, mw_pcg32 *rng);
-mw_error mw_shuffle_from(void *items, size_t count, size_t size, const mw_source *source);
-
-/**
- * Moves `chosen` random items to the front, in random order, by one word each. MW_OUT_OF_RANGE for
- * more than there are. With all items but one it is the shuffle for a core that multiplies slowly.
- */
-mw_error mw_choose(void *items, size_t count, size_t size, size_t chosen, mw_pcg32 *rng);
-mw_error mw_choose_from(void *items, size_t count, size_t size, size_t chosen,
-        const mw_source *source);
-
-/**
- * `chosen` of `count` items where they are: whether the next item is chosen, by a random word.
- * MW_OUT_OF_RANGE for more than there are. Behind the last item none is.
- */
-@struct mw_choice_in_order@
-mw_error mw_choice_in_order_init(mw_choice_in_order *choice, uint32_t chosen, uint32_t count);
-bool mw_choice_in_order_take(mw_choice_in_order *choice, uint32_t word);
-bool mw_choice_in_order_draw(mw_choice_in_order *choice, mw_pcg32 *rng);
-
-/**
- * Some items of a stream of up to 2^32: whether the next item is chosen, and if so, its place below
- * `places` in an array of the caller. The order of the array is not random. MW_EMPTY for no places.
- */
-@struct mw_choice_of_stream@
-mw_error mw_choice_of_stream_init(mw_choice_of_stream *choice, uint32_t places);
-bool mw_choice_of_stream_take(mw_choice_of_stream *choice, uint32_t word, uint32_t *place);
-bool mw_choice_of_stream_draw(mw_choice_of_stream *choice, mw_pcg32 *rng, uint32_t *place);
-
-/**
- * The numbers below `count` in the random order of a seed, without a table: the number at a place,
- * and the place of a number. MW_EMPTY for no numbers, MW_OUT_OF_RANGE from `count` on.
- */
-@struct mw_permutation@
-mw_error mw_permutation_init(mw_permutation *order, uint32_t count, uint32_t seed);
-mw_error mw_permutation_get(const mw_permutation *order, uint32_t place, uint32_t *number);
-mw_error mw_permutation_index_of(const mw_permutation *order, uint32_t number, uint32_t *place);
-
-/* ---- Samplers without a floating-point operation --------------------------------------------- */
-
-/*
- * Qm.n is a signed and UQm.n an unsigned number with n bits behind the point: the words are
- * multiples of 2^-n. Uniforms are UQ0.32, any 32-bit words, and densities UQ32.32. The grades:
- * mw_fixed_* has errors about 1e-6, with tables of 2 KB that all functions share; mw_coarse_* about
- * 1e-4, in the fewest instructions; mw_compact_* about 1e-6 without tables, in the least flash.
- */
-
-@fixed@
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-# find_package(microwarp) gives the target microwarp::microwarp: the header and the library.
+# find_package(microwarp) gives the target microwarp::microwarp: the headers and the library.
 get_filename_component(_microwarp_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 if(NOT TARGET microwarp::microwarp)
   add_library(microwarp::microwarp STATIC IMPORTED)

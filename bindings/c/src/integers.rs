@@ -28,17 +28,17 @@ extern "C" fn integer_from(source: &Source, last: u32, value: &mut u32) -> Code 
 }
 
 macro_rules! drawn {
-    ($($name:literal ($($parameter:ident: $type:ty),*) -> $value:ty = $made:expr;)*) => {$(
+    ($($name:literal ($($parameter:ident: $type:ty),*) -> $value:ty = $made:expr, $draw:ident $try_draw:ident;)*) => {$(
         const _: () = {
             #[unsafe(export_name = concat!("mw_", $name))]
             extern "C" fn draw(rng: &mut Pcg32, $($parameter: $type,)* value: &mut $value) -> Code {
-                code($made, |made| *value = made.draw(rng))
+                code($made, |made| *value = made.$draw(rng))
             }
 
             #[unsafe(export_name = concat!("mw_", $name, "_from"))]
             extern "C" fn draw_from(source: &Source, $($parameter: $type,)* value: &mut $value) -> Code {
                 match $made {
-                    Ok(made) => code(made.try_draw(&mut { *source }), |drawn| *value = drawn),
+                    Ok(made) => code(made.$try_draw(&mut { *source }), |drawn| *value = drawn),
                     Err(error) => Error::into(error),
                 }
             }
@@ -47,8 +47,11 @@ macro_rules! drawn {
 }
 
 drawn! {
-    "below" (n: u32) -> u32 = Range::below(n);
-    "range" (low: i32, high: i32) -> i32 = Range::signed(low, high);
-    "chance" (p: f32) -> bool = Chance::new(p);
-    "ratio" (part: u32, all: u32) -> bool = Chance::from_ratio(part, all);
+    "below" (n: u32) -> u32 = Range::below(n), draw try_draw;
+    "below_wide" (n: u32) -> u32 = Range::below(n), draw_wide try_draw_wide;
+    "range" (low: i32, high: i32) -> i32 = Range::signed(low, high), draw try_draw;
+    "range_wide" (low: i32, high: i32) -> i32 = Range::signed(low, high), draw_wide try_draw_wide;
+    "range_u64" (low: u64, high: u64) -> u64 = Range::of_u64(low, high), draw try_draw;
+    "chance" (p: f32) -> bool = Chance::new(p), draw try_draw;
+    "ratio" (part: u32, all: u32) -> bool = Chance::from_ratio(part, all), draw try_draw;
 }

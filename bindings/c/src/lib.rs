@@ -26,8 +26,10 @@ mod orders;
 mod points;
 mod rejection;
 mod tables;
+mod trees;
 mod value;
 mod warps;
+mod weighted;
 
 /// Nothing here panics, so no program links this; `bindings/c/test` looks.
 #[cfg(not(test))]

@@ -4,7 +4,7 @@ use crate::error::{Code, code};
 use crate::generators::{Pcg32, Source, forget_registers};
 use crate::warps::{given, memory};
 use core_crate::Error;
-use core_crate::discrete::{self, Alias, AliasEntry, Cdf, SumTree};
+use core_crate::discrete::{self, Alias, AliasEntry, Cdf};
 
 /// `mw_selection`
 #[repr(C)]
@@ -31,7 +31,7 @@ impl From<discrete::Selection> for Selection {
 /// `mw_exact_selection`
 #[repr(C)]
 #[derive(Default)]
-struct ExactSelection {
+pub struct ExactSelection {
     numerator: u64,
     index: usize,
     leftover: u32,
@@ -240,162 +240,4 @@ macro_rules! selections {
 selections! {
     "cdf" CdfHandle;
     "alias" AliasHandle;
-}
-
-/// `mw_sum_tree`
-#[repr(C)]
-#[derive(Clone, Copy)]
-struct TreeHandle {
-    sums: *mut u32,
-    entries: usize,
-}
-
-impl TreeHandle {
-    /// # Safety
-    /// The sums are valid for reads.
-    #[inline]
-    unsafe fn tree(self) -> Option<SumTree<&'static [u32]>> {
-        // SAFETY: the caller's promise.
-        SumTree::from_trusted_sums(unsafe { given(self.sums, self.entries) }).ok()
-    }
-
-    /// # Safety
-    /// The sums are valid for reads and writes, and for nobody else as long as the tree lives.
-    #[inline]
-    unsafe fn changing(self) -> Result<SumTree<&'static mut [u32]>, Error> {
-        // SAFETY: the caller's promise.
-        SumTree::from_trusted_sums(unsafe { memory(self.sums, self.entries) })
-    }
-}
-
-/// Writes what there is.
-#[inline]
-fn found<T, C: From<T>>(result: Option<T>, to: &mut C) -> bool {
-    let some = result.is_some();
-    if let Some(value) = result {
-        *to = value.into();
-    }
-    some
-}
-
-#[unsafe(export_name = "mw_sum_tree_init")]
-unsafe extern "C" fn tree_init(tree: &mut TreeHandle, weights: *mut u32, entries: usize) -> Code {
-    // SAFETY: the promise of the header.
-    let made = SumTree::new_in(unsafe { memory(weights, entries) });
-    code(made, |_| {
-        *tree = TreeHandle {
-            sums: weights,
-            entries,
-        }
-    })
-}
-
-#[unsafe(export_name = "mw_sum_tree_into_weights")]
-unsafe extern "C" fn tree_into_weights(tree: &mut TreeHandle) {
-    // SAFETY: the promise of the header.
-    if let Ok(tree) = unsafe { tree.changing() } {
-        let _ = tree.into_weights();
-    }
-}
-
-#[unsafe(export_name = "mw_sum_tree_set")]
-unsafe extern "C" fn tree_set(tree: &mut TreeHandle, index: usize, weight: u32) -> Code {
-    // SAFETY: the promise of the header.
-    let tree = unsafe { tree.changing() };
-    code(tree.and_then(|mut tree| tree.set(index, weight)), drop)
-}
-
-#[unsafe(export_name = "mw_sum_tree_get")]
-unsafe extern "C" fn tree_get(tree: &TreeHandle, index: usize) -> u32 {
-    // SAFETY: the promise of the header.
-    let tree = unsafe { tree.tree() };
-    tree.and_then(|tree| tree.get(index)).unwrap_or(0)
-}
-
-#[unsafe(export_name = "mw_sum_tree_total")]
-unsafe extern "C" fn tree_total(tree: &TreeHandle) -> u32 {
-    // SAFETY: the promise of the header.
-    unsafe { tree.tree() }.map_or(0, |tree| tree.total())
-}
-
-#[unsafe(export_name = "mw_sum_tree_numerator")]
-unsafe extern "C" fn tree_numerator(tree: &TreeHandle, index: usize) -> u64 {
-    // SAFETY: the promise of the header.
-    unsafe { tree.tree() }.map_or(0, |tree| tree.numerator(index))
-}
-
-#[unsafe(export_name = "mw_sum_tree_pmf")]
-unsafe extern "C" fn tree_pmf(tree: &TreeHandle, index: usize) -> f32 {
-    // SAFETY: the promise of the header.
-    unsafe { tree.tree() }.map_or(0.0, |tree| tree.pmf(index))
-}
-
-/// What the tree selects by a word or with a generator.
-macro_rules! tree_selections {
-    ($($name:literal ($by:ident: $type:ty) -> $to:ty = $method:ident;)*) => {$(
-        const _: () = {
-            #[unsafe(export_name = concat!("mw_sum_tree_", $name))]
-            unsafe extern "C" fn select(tree: &TreeHandle, $by: $type, to: &mut $to) -> bool {
-                forget_registers();
-                // SAFETY: the promise of the header.
-                let tree = unsafe { tree.tree() };
-                found(tree.and_then(|tree| tree.$method($by)), to)
-            }
-        };
-    )*};
-}
-
-tree_selections! {
-    "select" (word: u32) -> Selection = select;
-    "select_exact" (word: u32) -> ExactSelection = select_exact;
-    "index" (word: u32) -> usize = index;
-    "draw" (rng: &mut Pcg32) -> Selection = draw;
-    "draw_index" (rng: &mut Pcg32) -> usize = draw_index;
-}
-
-#[unsafe(export_name = "mw_sum_tree_draw_from")]
-unsafe extern "C" fn tree_draw_from(
-    tree: &TreeHandle,
-    source: &Source,
-    chosen: &mut Selection,
-) -> Code {
-    forget_registers();
-    // SAFETY: the promise of the header.
-    let Some(tree) = (unsafe { tree.tree() }) else {
-        return Error::NoWeights.into();
-    };
-    match tree.try_draw(&mut { *source }) {
-        Ok(drawn) => code(drawn.ok_or(Error::AllZero), |drawn| *chosen = drawn.into()),
-        Err(failed) => failed.into(),
-    }
-}
-
-#[unsafe(export_name = "mw_sum_tree_draw_distinct")]
-unsafe extern "C" fn tree_draw_distinct(
-    tree: &mut TreeHandle,
-    rng: &mut Pcg32,
-    indices: *mut usize,
-    weights: *mut u32,
-    count: usize,
-) -> usize {
-    // SAFETY: the promise of the header.
-    let (indices, weights) = unsafe { (memory(indices, count), memory(weights, count)) };
-    // SAFETY: the promise of the header.
-    let Ok(mut tree) = (unsafe { tree.changing() }) else {
-        return 0;
-    };
-    let mut drawn = 0;
-    for place in indices.iter_mut().zip(weights.iter_mut()) {
-        if let Some(index) = tree.draw_index(rng) {
-            if let Ok(weight) = tree.set(index, 0) {
-                (*place.0, *place.1) = (index, weight);
-                drawn += 1;
-            }
-        }
-    }
-    for (&mut index, &mut weight) in indices.iter_mut().zip(weights).take(drawn) {
-        // It had that weight before.
-        let _ = tree.set(index, weight);
-    }
-    drawn
 }

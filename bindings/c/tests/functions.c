@@ -228,6 +228,120 @@ static void weights_change(void)
     CHECK(changing[0] == 3 && changing[1] == 0 && changing[2] == 5 && changing[3] == 0);
 }
 
+/* By two words, and of 64 bits: the same from a source, the ends, and what is refused. */
+static void integers_by_two_words(void)
+{
+    mw_pcg32 rng = seeded(9), same = seeded(9);
+    mw_source source = {from_pcg32, &same}, dry = {fails, NULL};
+    uint32_t face = 77, face_from;
+    int32_t offset, offset_from;
+    uint64_t large = 77, large_from;
+    int faces[6] = {0}, halves[2] = {0};
+    for (int i = 0; i < 60000; i++) {
+        CHECK(mw_below_wide(&rng, 6, &face) == MW_OK && face < 6);
+        CHECK(mw_below_wide_from(&source, 6, &face_from) == MW_OK && face == face_from);
+        CHECK(mw_range_wide(&rng, -2, 2, &offset) == MW_OK && offset >= -2 && offset <= 2);
+        CHECK(mw_range_wide_from(&source, -2, 2, &offset_from) == MW_OK && offset == offset_from);
+        CHECK(mw_range_u64(&rng, 5, UINT64_C(1) << 40, &large) == MW_OK && large >= 5 && large >> 40 <= 1);
+        CHECK(mw_range_u64_from(&source, 5, UINT64_C(1) << 40, &large_from) == MW_OK && large == large_from);
+        faces[face]++;
+        halves[large >> 39 & 1]++;
+    }
+    for (int i = 0; i < 6; i++)
+        CHECK(near(faces[i], 10000, 548));
+    CHECK(near(halves[0], 30000, 735));
+    /* All integers of 64 bits: the two words themselves, the leading one first. */
+    same = rng;
+    CHECK(mw_range_u64(&rng, 0, UINT64_MAX, &large) == MW_OK);
+    const uint64_t high = mw_pcg32_next(&same);
+    CHECK(large == (high << 32 | mw_pcg32_next(&same)));
+    const mw_pcg32 before = rng;
+    large = face = 77;
+    CHECK(mw_range_u64(&rng, 1, 0, &large) == MW_EMPTY && mw_range_u64_from(&dry, 1, 0, &large) == MW_EMPTY);
+    CHECK(mw_below_wide(&rng, 0, &face) == MW_EMPTY && mw_below_wide_from(&dry, 0, &face) == MW_EMPTY);
+    CHECK(mw_range_wide(&rng, 1, 0, &offset) == MW_EMPTY && mw_range_wide_from(&dry, 1, 0, &offset) == MW_EMPTY);
+    CHECK(mw_range_u64_from(&dry, 0, 1, &large) == MW_SOURCE_FAILED && large == 77);
+    CHECK(mw_below_wide_from(&dry, 6, &face) == MW_SOURCE_FAILED && face == 77);
+    CHECK(mw_range_wide_from(&dry, 0, 1, &offset) == MW_SOURCE_FAILED);
+    CHECK(memcmp(&rng, &before, sizeof rng) == 0);
+}
+
+/* The tree of 64 bits does what that of 32 does, beyond its sums. */
+static void weights_of_64_bits(void)
+{
+    uint64_t large[4] = {UINT64_C(3) << 40, 0, UINT64_C(5) << 40, UINT64_C(8) << 40}, taken[4];
+    mw_pcg32 rng = seeded(5);
+    mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
+    size_t index = 9, places[4];
+    mw_selection chosen;
+    mw_sum_tree_64 tree = {0};
+    CHECK(mw_sum_tree_64_init(&tree, NULL, 0) == MW_NO_WEIGHTS && mw_sum_tree_64_total(&tree) == 0);
+    CHECK(!mw_sum_tree_64_index(&tree, 0, &index) && index == 9);
+    CHECK(mw_sum_tree_64_init(&tree, large, 4) == MW_OK && mw_sum_tree_64_total(&tree) == UINT64_C(1) << 44);
+    CHECK(mw_sum_tree_64_index(&tree, UINT64_C(3) << 60, &index) && index == 2);
+    CHECK(mw_sum_tree_64_index(&tree, (UINT64_C(3) << 60) - 1, &index) && index == 0);
+    CHECK(mw_sum_tree_64_select(&tree, UINT64_C(3) << 60, &chosen) && chosen.index == 2);
+    CHECK(chosen.pmf == 0.3125f && chosen.leftover == 0.0f && mw_sum_tree_64_pmf(&tree, 3) == 0.5f);
+    CHECK(mw_sum_tree_64_set(&tree, 1, UINT64_MAX - (UINT64_C(1) << 44) + 1) == MW_TOO_LARGE);
+    CHECK(mw_sum_tree_64_set(&tree, 4, 0) == MW_OUT_OF_RANGE && mw_sum_tree_64_set(&tree, 3, 0) == MW_OK);
+    CHECK(mw_sum_tree_64_get(&tree, 3) == 0 && mw_sum_tree_64_get(&tree, 2) == UINT64_C(5) << 40);
+    CHECK(mw_sum_tree_64_draw_distinct(&tree, &rng, places, taken, 4) == 2);
+    CHECK(places[0] + places[1] == 2 && taken[0] + taken[1] == UINT64_C(8) << 40);
+    CHECK(mw_sum_tree_64_draw(&tree, &rng, &chosen) && (chosen.index == 0 || chosen.index == 2));
+    CHECK(mw_sum_tree_64_draw_index(&tree, &rng, &index) && (index == 0 || index == 2));
+    CHECK(mw_sum_tree_64_draw_from(&tree, &source, &chosen) == MW_OK && chosen.index != 1);
+    CHECK(mw_sum_tree_64_draw_from(&tree, &dry, &chosen) == MW_SOURCE_FAILED);
+    mw_sum_tree_64_into_weights(&tree);
+    CHECK(large[0] == UINT64_C(3) << 40 && large[1] == 0 && large[3] == 0);
+}
+
+/* What is held is what the same words hold in parts that are merged, and the heaviest comes first. */
+static void streams_are_weighted(void)
+{
+    enum { ITEMS = 40, HELD = 5 };
+    static mw_weighted_place zeros[HELD];
+    mw_weighted_place memory[4][HELD];
+    mw_weighted_reservoir whole, same, parts[2], none = {NULL, 0};
+    mw_weighted_reservoir of_zeros = {zeros, HELD};
+    uint32_t item = 77, other;
+    int first[3] = {0};
+    bool taken = true;
+    mw_pcg32 rng = seeded(3), again = seeded(3);
+    mw_source source = {from_pcg32, &again}, dry = {fails, NULL};
+    mw_weighted_reservoir_init(&whole, memory[0], HELD);
+    mw_weighted_reservoir_init(&same, memory[1], HELD);
+    mw_weighted_reservoir_init(&parts[0], memory[2], HELD);
+    mw_weighted_reservoir_init(&parts[1], memory[3], HELD);
+    CHECK(!mw_weighted_reservoir_item(&whole, 0, &item) && item == 77);
+    CHECK(!mw_weighted_reservoir_offer(&none, 1, 1, &again) && !mw_weighted_reservoir_item(&none, 0, &item));
+    again = rng;
+    for (uint32_t i = 0; i < ITEMS; i++) {
+        const uint32_t weight = i % 7, word = mw_pcg32_next(&rng);
+        const bool held = mw_weighted_reservoir_offer_with(&whole, i, weight, word);
+        CHECK(mw_weighted_reservoir_offer_from(&same, i, weight, &source, &taken) == MW_OK && taken == held);
+        CHECK(mw_weighted_reservoir_offer_with(&of_zeros, i, weight, word) == held && (weight > 0 || !held));
+        mw_weighted_reservoir_offer_with(&parts[i % 2], i, weight, word);
+    }
+    mw_weighted_reservoir_merge(&parts[0], &parts[1]);
+    for (size_t i = 0; i < HELD; i++) {
+        CHECK(mw_weighted_reservoir_item(&whole, i, &item) && item % 7 != 0);
+        CHECK(mw_weighted_reservoir_item(&same, i, &other) && other == item);
+        CHECK(mw_weighted_reservoir_item(&parts[0], i, &other) && other == item);
+        CHECK(mw_weighted_reservoir_item(&of_zeros, i, &other) && other == item);
+    }
+    CHECK(!mw_weighted_reservoir_item(&whole, HELD, &item));
+    CHECK(mw_weighted_reservoir_offer_from(&same, 1, 1, &dry, &taken) == MW_SOURCE_FAILED);
+    /* The first of three has the share of its weight. */
+    for (int run = 0; run < 60000; run++) {
+        mw_weighted_reservoir_init(&whole, memory[0], 2);
+        for (uint32_t i = 0; i < 3; i++)
+            mw_weighted_reservoir_offer(&whole, i, i + 1, &rng);
+        CHECK(mw_weighted_reservoir_item(&whole, 0, &item));
+        first[item]++;
+    }
+    CHECK(near(first[0], 10000, 548) && near(first[1], 20000, 693) && near(first[2], 30000, 735));
+}
+
 static void maps_are_warps(void)
 {
     uint32_t words[ENTRIES], marginal[2], conditional[6];
@@ -1070,7 +1184,10 @@ int main(void)
     integers_are_drawn();
     tables_select();
     tables_refuse();
+    integers_by_two_words();
     weights_change();
+    weights_of_64_bits();
+    streams_are_weighted();
     maps_are_warps();
     counts_are_drawn();
     resampling_keeps_its_shares();

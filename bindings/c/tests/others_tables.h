@@ -184,19 +184,22 @@ static void ranges(four u, int input, struct out *out)
     put_uint32_t(out, mw_up_to(&rng, last));
     if (made(out, mw_below_from(&word, last, &value))) {
         put_uint32_t(out, value);
-        skip(out, 5);
-        mw_pcg32_next(&rng);
-        mw_pcg32_next(&rng);
+        skip(out, 3);
+        expect_error(out, MW_OK, mw_below_wide(&rng, last, &value));
+        put_uint32_t(out, value);
+        skip(out, 1);
     }
     const uint32_t shift = b >> 5 & 31;
     if (made(out, mw_range(&rng, (int32_t)c >> shift, (int32_t)d >> shift, &number))) {
         put_uint32_t(out, (uint32_t)number);
+        expect_error(out, MW_OK, mw_range_wide(&rng, (int32_t)c >> shift, (int32_t)d >> shift, &number));
+        put_uint32_t(out, (uint32_t)number);
+    }
+    uint64_t large;
+    if (made(out, mw_range_u64(&rng, ((uint64_t)a << 32 | c) >> (b & 63), (uint64_t)d << 32 | b, &large))) {
+        put_uint64_t(out, large);
         skip(out, 1);
     }
-    if (((uint64_t)a << 32 | c) >> (b & 63) <= ((uint64_t)d << 32 | b))
-        skip(out, 3);
-    else
-        put_refusal(out, MW_EMPTY, 0);
 }
 
 static void coins(four u, int input, struct out *out)
@@ -250,8 +253,24 @@ static void trees(four u, int input, struct out *out)
             sum = (sum << 7 | sum >> 25) ^ weights[i];
         put_uint32_t(out, sum);
     }
-    /* Trees of 64 bits and reservoirs of several items are not in C. */
-    out->only = FIRST;
+    uint64_t wide[4] = {(uint64_t)a << 29, 0, (uint64_t)b << 29, (uint64_t)c << 29};
+    mw_sum_tree_64 large;
+    size_t index;
+    if (made(out, mw_sum_tree_64_init(&large, wide, 4)) &&
+        mw_sum_tree_64_index(&large, (uint64_t)d << 32 | a, &index)) {
+        put_size_t(out, index);
+        skip(out, 2);
+    }
+    const uint32_t offered[6] = {a, b, c >> 20, d, 0, a >> (b & 31)};
+    mw_weighted_place places[3];
+    mw_weighted_reservoir kept;
+    mw_weighted_reservoir_init(&kept, places, 3);
+    for (uint32_t i = 0; i < 6; i++)
+        mw_weighted_reservoir_offer(&kept, i, offered[i], &rng);
+    all = 0;
+    for (uint32_t i = 0, item; mw_weighted_reservoir_item(&kept, i, &item); i++)
+        all = all << 4 | item;
+    put_uint32_t(out, all);
 }
 
 static void successes(four u, int input, struct out *out)

@@ -1,4 +1,4 @@
-//! Prints a part of the C interface: `capi header`, `capi layout`, `capi golden`,
+//! Prints a part of the C interface: `capi headers`, `capi layout`, `capi golden`,
 //! `capi hostile`.
 
 use microwarp_host::upkeep::{Outcome, capi, end};
@@ -11,11 +11,11 @@ fn main() -> ExitCode {
 fn run() -> Outcome {
     let part = std::env::args().nth(1).unwrap_or_default();
     let text = match part.as_str() {
-        "header" => capi::header()?,
+        "headers" => capi::headers()?.concat(),
         "layout" => capi::layout(),
         "golden" => capi::golden(),
         "hostile" => capi::hostile()?,
-        _ => return Err("name a part: header, layout, golden or hostile".into()),
+        _ => return Err("name a part: headers, layout, golden or hostile".into()),
     };
     print!("{text}");
     Ok(())

@@ -1,4 +1,4 @@
-//! The C interface of `bindings/c` as text: the header, the sizes of its structs, and the table of its golden test. All
+//! The C interface of `bindings/c` as text: the headers, the sizes of its structs, and the table of its golden test. All
 //! come from the lists of `crates/list`, the crate's documentation, and what is not a warp from a template.
 
 mod bound;
@@ -9,8 +9,9 @@ mod form;
 mod golden;
 mod header;
 mod hostile;
+mod index;
 mod made;
 
 pub use golden::golden;
-pub use header::{HEADER, LAYOUT, header, layout};
+pub use header::{HEADERS, LAYOUT, headers, layout};
 pub use hostile::hostile;

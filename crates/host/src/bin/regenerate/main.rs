@@ -25,7 +25,7 @@ Regenerates what is derived from the sources, in this order:
     sizes      docs/measured/counts.csv: what is linked; examples/firmware/sizes.csv, bindings/c/tests/sizes/sizes.csv
     pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
     pages      the tables and figures between marks in README.md and other pages
-    capi       bindings/c/include/microwarp.h, bindings/c/src/layout.rs
+    capi       bindings/c/include, bindings/c/src/layout.rs
     tidy       nothing is written: counts.csv has every kernel, and none that is gone
 
     cargo regenerate [OPTIONS]
@@ -228,13 +228,12 @@ fn sizes(args: &Args) -> Outcome {
     command(&["bindings/c/check", "--write"], &[], false).map(drop)
 }
 
-/// The header of the C interface, and the sizes that every target is held to.
+/// The headers of the C interface, and the sizes that every target is held to.
 fn capi(check: bool) -> Outcome {
-    for (path, text) in [
-        (capi::HEADER, capi::header()?),
-        (capi::LAYOUT, capi::layout()),
-    ] {
-        let changed = text.replacen("mw_disk", "mw_disc", 1);
+    let headers = capi::HEADERS.map(|(path, _)| path).into_iter();
+    let headers = headers.zip(capi::headers()?);
+    for (path, text) in headers.chain([(capi::LAYOUT, capi::layout())]) {
+        let changed = text.replacen("_disk", "_disc", 1);
         if changed == text || same(path, &changed, &text).is_ok() {
             return Err(format!("control: a changed line of {path} passes"));
         }

@@ -1,17 +1,24 @@
-//! The text of the header, and of the sizes that `bindings/c` holds every target to.
+//! The text of the headers, and of the sizes that `bindings/c` holds every target to.
 
 use super::bound::{self, Block, Bound};
 use super::comments::Comments;
 use super::declare::{WIDTH, declare, structure};
+use super::index::index;
 use crate::upkeep::{Outcome, errors, read, wrapped};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Where they stand, from the root.
-pub const HEADER: &str = "bindings/c/include/microwarp.h";
 pub const LAYOUT: &str = "bindings/c/src/layout.rs";
-/// What is no warp and no error is declared here. In the place of `@name@` comes what is generated.
-const TEMPLATE: &str = "bindings/c/template.h";
+/// The headers, each with its template: what is no warp and no error is declared there. In the place of `@name@` comes what
+/// is generated. The second includes the first.
+pub const HEADERS: [(&str, &str); 2] = [
+    (
+        "bindings/c/include/microwarp_integers.h",
+        "bindings/c/template_integers.h",
+    ),
+    ("bindings/c/include/microwarp.h", "bindings/c/template.h"),
+];
 
 /// The tiers: the warps, the list that describes them, their folder, and the column of their errors.
 pub type Section = (fn() -> Vec<Block>, &'static str, &'static str, &'static str);
@@ -23,9 +30,12 @@ pub const FIXED: [Section; 4] = [
     (bound::compact, "src/fixed.rs", "src/fixed", "compact"),
 ];
 
-/// The whole header.
-pub fn header() -> Outcome<String> {
-    let mut text = expanded(&read(TEMPLATE)?)?;
+/// The whole headers, in their order.
+pub fn headers() -> Outcome<[String; 2]> {
+    let mut texts = [String::new(), String::new()];
+    for ((_, template), text) in HEADERS.iter().zip(&mut texts) {
+        *text = expanded(template, &read(template)?)?;
+    }
     // The template has these.
     let mut structs = BTreeSet::from(["mw_surface_point", "mw_mesh_point"].map(String::from));
     let poly = section(&POLY, &mut structs)?;
@@ -46,26 +56,41 @@ pub fn header() -> Outcome<String> {
     for (symbol, stored) in bound::structs() {
         generated.push((format!("struct {symbol}"), structure(symbol, stored)));
     }
-    for (place, generated) in generated {
-        let place = format!("@{place}@");
-        if text.matches(&place).count() != 1 {
-            return Err(format!("{TEMPLATE} has not one {place}"));
+    for (place, generated) in &generated {
+        put(&mut texts, place, generated)?;
+    }
+    let indices = [index(&texts[0]), index(&texts[1])];
+    put(&mut texts, "index of microwarp_integers.h", &indices[0])?;
+    for (text, own) in texts.iter_mut().zip(&indices) {
+        put(std::slice::from_mut(text), "own index", own)?;
+    }
+    for ((path, template), text) in HEADERS.iter().zip(&texts) {
+        if let Some(place) = text.lines().find(|line| line.starts_with('@')) {
+            return Err(format!("{template}: nothing is made for {place}"));
         }
-        text = text.replace(&place, generated.trim_end());
+        // Of the documentation only what the comments know in ASCII.
+        if let Some(c) = text.chars().find(|c| !c.is_ascii()) {
+            return Err(format!("{path} has a {c}"));
+        }
     }
-    if let Some(place) = text.lines().find(|line| line.starts_with('@')) {
-        return Err(format!("{TEMPLATE}: nothing is made for {place}"));
+    Ok(texts)
+}
+
+/// Puts what is generated in its place, which one of the texts has once.
+fn put(texts: &mut [String], place: &str, generated: &str) -> Outcome {
+    let place = format!("@{place}@");
+    if texts.concat().matches(&place).count() != 1 {
+        return Err(format!("the templates have not one {place}"));
     }
-    // Of the documentation only what the comments know in ASCII.
-    match text.chars().find(|c| !c.is_ascii()) {
-        Some(c) => Err(format!("{HEADER} has a {c}")),
-        None => Ok(text),
+    for text in texts {
+        *text = text.replace(&place, generated.trim_end());
     }
+    Ok(())
 }
 
 /// The template with what stands between `@each a,b c,d@` and `@end@` repeated: once with `a` for `{}` and `b` for `{1}`,
 /// and once with the others; `~` is a space.
-fn expanded(template: &str) -> Outcome<String> {
+fn expanded(path: &str, template: &str) -> Outcome<String> {
     let mut text = String::new();
     let mut rest = template;
     while let Some((before, each)) = rest.split_once("@each ") {
@@ -74,7 +99,7 @@ fn expanded(template: &str) -> Outcome<String> {
             Some((values, block, after))
         });
         let (values, block, after) =
-            parts.ok_or_else(|| format!("{TEMPLATE}: an @each@ without an @end@"))?;
+            parts.ok_or_else(|| format!("{path}: an @each@ without an @end@"))?;
         text.push_str(before);
         for value in values.split(' ') {
             let mut once = block.to_owned();
