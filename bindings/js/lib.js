@@ -3,8 +3,11 @@
 export * from "./warps.js";
 export { Warp } from "./warp.js";
 export { Alias, Cdf } from "./table.js";
+export { Binomial, BinomialRejection } from "./counts.js";
+export { Integers } from "./integers.js";
 export { SumTree } from "./tree.js";
+export { WeightedReservoir } from "./reservoir.js";
 export { LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./pieces.js";
 export { Pcg32 } from "./source.js";
-export { ByPosition, Permutation, Sobol, Strata } from "./sets.js";
+export { ByPosition, LatinHypercube, Permutation, Sobol, Strata } from "./sets.js";
 export { Chain } from "./chain.js";

@@ -3,14 +3,14 @@
 import { BUFFERS, IN, READY, Source, drawn, from_source, in_blocks, integer, point, put, refuse, u32_of, view, wasm, written } from "./core.js";
 
 class Points extends Source {
-  #by_position;
+  #kind;
   #seed;
   #pixel;
   #index = 0;
   #dimension = 0;
-  constructor(by_position, seed, pixel) {
+  constructor(kind, seed, pixel) {
     super();
-    [this.#by_position, this.#seed, this.#pixel] = [by_position, u32_of("seed", seed), u32_of("pixel", pixel)];
+    [this.#kind, this.#seed, this.#pixel] = [kind, u32_of("seed", seed), u32_of("pixel", pixel)];
   }
   get index() {
     return this.#index;
@@ -25,11 +25,12 @@ class Points extends Source {
     this.#dimension = u32_of("dimension", dimension);
   }
   at(index, dimension = 0) {
-    const other = this.#by_position ? new ByPosition(this.#seed, this.#pixel) : new Sobol(this.#seed);
-    return Object.assign(other, { index, dimension });
+    const [seed, pixel] = [this.#seed, this.#pixel];
+    const made = () => (this.#kind === 0 ? new Sobol(seed) : this.#kind === 1 ? new ByPosition(seed, pixel) : new LatinHypercube(pixel, seed));
+    return Object.assign(made(), { index, dimension });
   }
   [READY](each, count) {
-    wasm.points(BUFFERS, this.#by_position, this.#seed, this.#pixel, this.#index, this.#dimension, each, count);
+    wasm.points(BUFFERS, this.#kind, this.#seed, this.#pixel, this.#index, this.#dimension, each, count);
     // Behind the last of 2³² points comes the first.
     this.#index = this.#index + count >>> 0;
     return 0;
@@ -43,6 +44,16 @@ export class Sobol extends Points {
 export class ByPosition extends Points {
   constructor(seed, pixel) {
     super(1, seed, pixel);
+  }
+}
+export class LatinHypercube extends Points {
+  #count;
+  constructor(count, seed = 0) {
+    super(2, seed, integer("count", count, 1, 0xffffffff));
+    this.#count = count;
+  }
+  get count() {
+    return this.#count;
   }
 }
 

@@ -75,6 +75,16 @@ export declare class Sobol extends Points {
   constructor(seed?: number);
 }
 
+/**
+ * A Latin hypercube: of `count` points one in each of as many strata of every dimension, in any number of dimensions. Further points
+ * are random.
+ */
+export declare class LatinHypercube extends Points {
+  /** @throws RangeError for no points. */
+  constructor(count: number, seed?: number);
+  readonly count: number;
+}
+
 /** Random numbers that are a function of a seed, a pixel, the index of a point and its dimension: there is no state. */
 export declare class ByPosition extends Points {
   constructor(seed: number, pixel: number);

@@ -8,8 +8,10 @@
 
 mod buffers;
 mod chains;
+mod counts;
 mod flat;
 mod parts;
 mod tables;
+mod times;
 mod warps;
 mod words;

@@ -3,7 +3,8 @@
 use crate::buffers::Buffers;
 use crate::parts::{NOT_LINKED, linked};
 use microwarp::uniform::{
-    ByPosition, Permutation, Points, Sobol, Strata1d, Strata2d, deep_from_word, grid_from_word,
+    ByPosition, LatinHypercube, Permutation, Points, Sobol, Strata1d, Strata2d, deep_from_word,
+    grid_from_word,
 };
 use microwarp_js_hot::Pcg32;
 use rand_core::Rng;
@@ -28,12 +29,13 @@ pub extern "C" fn random(buffers: &mut Buffers, count: usize) {
     buffers.random(count);
 }
 
-/// The words of `count` points from `index` on in `each` dimensions from `dimension` on, to the input: of a Sobol' sequence of
-/// eight dimensions, or with `by_position` of random numbers by the position `pixel`.
+/// The words of `count` points from `index` on in `each` dimensions from `dimension` on, to the input, by
+/// the kind of the set: 0 a Sobol' sequence of eight dimensions, 1 random numbers by the position `pixel`, 2 a Latin hypercube of as
+/// many points.
 #[unsafe(no_mangle)]
 pub extern "C" fn points(
     buffers: &mut Buffers,
-    by_position: u32,
+    kind: u32,
     seed: u32,
     pixel: u32,
     index: u32,
@@ -45,10 +47,18 @@ pub extern "C" fn points(
         return;
     }
     let words = buffers.input(each.wrapping_mul(count));
-    if by_position > 0 {
-        write(ByPosition::new(seed, pixel), index, dimension, words, each);
-    } else if let Ok(set) = Sobol::<8>::new(seed) {
-        write(set, index, dimension, words, each);
+    match kind {
+        0 => {
+            if let Ok(set) = Sobol::<8>::new(seed) {
+                write(set, index, dimension, words, each);
+            }
+        }
+        1 => write(ByPosition::new(seed, pixel), index, dimension, words, each),
+        _ => {
+            if let Ok(set) = LatinHypercube::new(pixel, seed) {
+                write(set, index, dimension, words, each);
+            }
+        }
     }
 }
 

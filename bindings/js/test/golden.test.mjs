@@ -7,7 +7,7 @@ import test from "node:test";
 import * as microwarp from "microwarp";
 
 const { golden, uniforms, runs } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
-const { Alias, ByPosition, Cdf, Chain, Pcg32, Permutation, Sobol, Strata, SumTree } = microwarp;
+const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Integers, LatinHypercube, Pcg32, Permutation, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
 
 const bits = (numbers) => Array.from(new Uint32Array(Float32Array.from([numbers].flat(Infinity)).buffer));
 const floats = (bits) => Array.from(new Float32Array(Uint32Array.from(bits).buffer));
@@ -72,7 +72,38 @@ const changing = () => {
   }
   found.push(...tree.drawDistinct(4, words));
   for (let index = 0; index < 6; index += 1) found.push(...bits(tree.pmf(index)));
-  return [...found, tree.total, ...tree.intoWeights()];
+  return [...found, tree.total, ...tree.weights()];
+};
+const halves = (word) => [Number(word >> 32n), Number(word & 0xffffffffn)];
+const changing_wide = () => {
+  const [tree, words, found] = [new SumTree(BigUint64Array.of(3n, 0n, 5n << 40n, 1n << 62n, 7n, 1n << 60n)), rng(), []];
+  for (let k = 0n; k < 32n; k += 1n) {
+    const index = tree.draw(words);
+    const weight = BigInt.asUintN(64, k * 0x9e3779b97f4a7c15n) >> (k & 7n) >> 5n;
+    found.push(index, ...halves(tree.set(index, weight)));
+  }
+  found.push(...tree.drawDistinct(4, words));
+  for (let index = 0; index < 6; index += 1) found.push(...bits(tree.pmf(index)));
+  return [...found, ...halves(tree.total), ...Array.from(tree.weights(), halves).flat()];
+};
+const streams = () => {
+  const [words, [whole, even, odd]] = [rng(), [5, 5, 5].map((places) => new WeightedReservoir(places))];
+  for (let i = 0; i < 200; i += 1) {
+    const [weight, state] = [Math.imul(i, 0x9e3779b9) >>> i % 20, words.state];
+    whole.offer(i, weight, words);
+    (i % 2 === 0 ? even : odd).offer(i, weight, Pcg32.resume(state));
+  }
+  const parts = [...even.items(), ...odd.items()];
+  even.merge(odd);
+  assert.deepEqual(even.items(), whole.items());
+  return [...parts, ...whole.items()];
+};
+const successes = () => {
+  const words = rng();
+  return [new Binomial(100, 0.3), Binomial.fromRatio(1000, 1, 20)].flatMap((law) => [
+    ...Array.from({ length: 20 }, () => law.draw(words)), ...law.fill(new Uint32Array(20), words),
+    ...[0, 30, 99, 1001].flatMap((count) => bits(law.pmf(count))), law.count(2 ** 31),
+  ]);
 };
 // Rounded at each step, as the host computes it.
 const target = ([x, y]) => {
@@ -98,6 +129,13 @@ const actual = {
   Cdf: () => selections(new Cdf(weights)),
   Alias: () => selections(new Alias(weights)),
   SumTree: changing,
+  "SumTree of 64 bits": changing_wide,
+  WeightedReservoir: streams,
+  Binomial: successes,
+  BinomialRejection: () => {
+    const [law, words] = [new BinomialRejection(1_000_000, 0.3), rng()];
+    return [...Array.from({ length: 40 }, () => law.draw(words)), ...[300_000, 0, 299_000].flatMap((count) => bits(law.pmf(count)))];
+  },
   PiecewiseConstant1d: () => triples(new microwarp.PiecewiseConstant1d(weights, -3, 5)),
   PiecewiseLinear1d: () => triples(new microwarp.PiecewiseLinear1d(weights, -3, 5)),
   PiecewiseConstant2d: () => triples(new microwarp.PiecewiseConstant2d(cells, [3, 2], [0, 6], [-1, 1])),
@@ -107,6 +145,20 @@ const actual = {
   Strata: () => Array.from({ length: 6 }, (_, k) => [
     ...new Strata(3, 2).place(k, [0.25, 0.75]), new Strata(6).place(k, 0.25),
   ]).flatMap(bits),
+  LatinHypercube: () => [0, 1, 2, 3, 58, 101].flatMap((index) => Array.from(new LatinHypercube(59, 7).at(index).words(new Uint32Array(4), 4))),
+  Integers: () => {
+    const [words, drawn] = [rng(), []];
+    for (const n of [1, 2, 6, 52, 1000, 65537, 3 * 2 ** 29, 2 ** 32 - 1]) {
+      const range = new Integers(-Math.floor(n / 2), Math.floor(n / 2));
+      drawn.push(new Integers(0, n - 1).drawWide(words), range.drawWide(words) >>> 0, range.draw(words) >>> 0);
+    }
+    const most = 2n ** 64n - 1n;
+    for (const [low, high] of [[0n, 5n], [7n, 1n << 40n], [0n, most], [most - 3n, most]]) {
+      const range = new Integers(low, high);
+      for (let i = 0; i < 10; i += 1) drawn.push(...halves(range.draw(words)));
+    }
+    return [...drawn, ...halves(new Integers(0n, most).draw(new Sobol(7).at(3)))];
+  },
   integers: () => {
     const [words, drawn] = [rng(), []];
     for (const n of [1, 2, 6, 52, 1000, 65537, 3 * 2 ** 29, 2 ** 32 - 1]) {

@@ -6,7 +6,7 @@ import vm from "node:vm";
 import { readFileSync } from "node:fs";
 import * as microwarp from "microwarp";
 
-const { Alias, ByPosition, Cdf, Chain, Disk, Exponential, LatLongMap, Normal, NormalPair, Pcg32, Permutation, PiecewiseConstant2d, Sobol, Strata } = microwarp;
+const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Disk, Exponential, Integers, LatinHypercube, LatLongMap, Normal, NormalPair, Pcg32, Permutation, PiecewiseConstant2d, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
 const round = (x) => Math.exp(-x.reduce((sum, x) => sum + x * x, 0));
 
 test("a chain has as many coordinates as its buffers hold, or is refused", () => {
@@ -43,6 +43,12 @@ const integers = {
   "index of pmf of Alias": [(n) => new Alias([1, 2]).pmf(n), 1], "columns of a table": [(n) => new PiecewiseConstant2d([1, 2, 3, 4], [n, 2], [0, 1], [0, 1]), 2],
   "rows of a sky": [(n) => new LatLongMap([1, 2, 3, 4], [2, n]), 2], "seed of at": [(n) => Pcg32.at(n, 1), 3], "index of Pcg32.at": [(n) => Pcg32.at(1, n), 3],
   n: [(n) => new Pcg32(1).below(n), 3], high: [(n) => new Sobol(1).range(0, n), 3],
+  "high of Integers": [(n) => new Integers(0, n), 3],
+  count: [(n) => new LatinHypercube(n), 3], "seed of LatinHypercube": [(n) => new LatinHypercube(3, n), 3],
+  trials: [(n) => new Binomial(n, 0.5), 3], part: [(n) => Binomial.fromRatio(3, n, 4), 3], whole: [(n) => Binomial.fromRatio(3, 1, n), 3],
+  word: [(n) => new Binomial(3, 0.5).count(n), 3], "count of pmf": [(n) => new BinomialRejection(100, 0.5).pmf(n), 3],
+  places: [(n) => new WeightedReservoir(n), 3], weight: [(n) => new WeightedReservoir(3).offer("a", n, new Pcg32(1)), 3],
+  "weight of SumTree": [(n) => new SumTree([1, n]), 3], "index of SumTree": [(n) => new SumTree([1, 2, 3, 4]).get(n), 3],
   length: [(n) => new Permutation(n, 1), 3], "seed of Permutation": [(n) => new Permutation(3, n), 3],
   place: [(n) => new Permutation(4, 1).get(n), 3], number: [(n) => new Permutation(4, 1).indexOf(n), 3],
   dimensions: [(n) => new Pcg32(1).words(new Uint32Array(4), n), 2],

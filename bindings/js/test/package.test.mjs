@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import * as microwarp from "microwarp";
 
-const { Alias, Cdf, Chain, Disk, Exponential, Normal, Pcg32, Sobol, Strata, SumTree, Warp } = microwarp;
+const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Integers, LatinHypercube, Normal, Pcg32, Sobol, Strata, SumTree, Warp, WeightedReservoir } = microwarp;
 const classes = Object.values(microwarp).filter((value) => value.prototype instanceof Warp);
 const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const made = (name, maker, given) => (maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given));
@@ -43,15 +43,74 @@ test("a refusal is a RangeError with the words and the code of the crate", () =>
   assert.throws(() => tree.set(2, 4), refused(4));
   for (const index of [3, -1, 0.5]) assert.throws(() => tree.set(index, 1), RangeError);
   assert.throws(() => tree.set(0, -1), RangeError);
-  assert.throws(() => new SumTree([1, 2]), TypeError);
+  assert.throws(() => new SumTree([1, "2"]), TypeError);
+  assert.throws(() => new SumTree([1n, 2]), TypeError);
+  assert.throws(() => new SumTree([1, 2n]), TypeError);
+  assert.throws(() => new SumTree({ length: 1 }), TypeError);
+  assert.throws(() => new SumTree([1n << 63n, 1n << 63n]), refused(4));
+  assert.throws(() => new SumTree([-1]), RangeError);
   assert.deepEqual([tree.total, tree.get(0), tree.index(2 ** 32 - 1)], [2 ** 32 - 4, 2 ** 32 - 6, 1]);
-  assert.deepEqual([...tree.intoWeights()], [2 ** 32 - 6, 2, 0]);
-  assert.throws(() => tree.draw(new Pcg32(1)), TypeError);
+  assert.deepEqual([...tree.weights()], [2 ** 32 - 6, 2, 0]);
   assert.equal(new SumTree(new Uint32Array(3)).draw(new Pcg32(1)), undefined);
   assert.throws(() => new microwarp.PiecewiseConstant2d([1, 2, 3], [2, 2], [0, 1], [0, 1]), RangeError);
   assert.throws(() => new microwarp.RegularPolygon(4.5), refused(7));
   assert.throws(() => new Strata(0), RangeError);
   assert.throws(() => new Exponential(1), /Exponential.fromRate or Exponential.fromMean/);
+});
+
+test("nobody but the tree writes to its weights", () => {
+  for (const weights of [Uint32Array.of(3, 0, 5), [3, 0, 5], BigUint64Array.of(3n, 0n, 5n)]) {
+    const [tree, largest] = [new SumTree(weights), typeof weights[0] === "bigint" ? 2n ** 64n - 1n : 2 ** 32 - 1];
+    weights.fill(largest);
+    tree.weights().fill(largest);
+    for (let i = 0; i < 1000; i += 1) assert.ok([0, 2].includes(tree.draw(new Pcg32(i))));
+    assert.equal(tree.index(largest), 2);
+    assert.deepEqual([...tree.weights()].map(Number), [3, 0, 5]);
+  }
+});
+
+test("integers, counts and reservoirs refuse what Rust refuses, and draw nothing", () => {
+  const rng = new Pcg32(3);
+  const before = rng.state;
+  for (const [low, high] of [[1, 0], [0, 2 ** 32], [1n, 0n], [0n, 2n ** 64n], [-1n, 0n]]) assert.throws(() => new Integers(low, high), RangeError);
+  for (const [low, high] of [[0, 1n], [0n, 1], ["0", 1], [0n]]) assert.throws(() => new Integers(low, high), TypeError);
+  assert.throws(() => new Integers(0, 1).draw({}), TypeError);
+  assert.deepEqual([new Integers(-3, 5).low, new Integers(-3n + 4n, 5n).high], [-3, 5n]);
+  assert.throws(() => new Binomial(1000, 0.5), refused(4));
+  assert.throws(() => new Binomial(10, 1.5), RangeError);
+  assert.throws(() => new Binomial(10, NaN), refused(1));
+  assert.throws(() => Binomial.fromRatio(10, 3, 2), RangeError);
+  assert.throws(() => Binomial.fromRatio(10, 0, 0), refused(5));
+  assert.throws(() => new BinomialRejection(10, 0.5), RangeError);
+  assert.throws(() => new BinomialRejection(1000), TypeError);
+  assert.throws(() => new WeightedReservoir(0), RangeError);
+  assert.throws(() => new WeightedReservoir(3).offer("a", -1, rng), RangeError);
+  assert.throws(() => new WeightedReservoir(3).merge({}), TypeError);
+  assert.throws(() => new LatinHypercube(0), RangeError);
+  assert.equal(rng.state, before);
+  // A word an item, of whatever weight; none is held of weight 0.
+  const kept = new WeightedReservoir(2);
+  assert.deepEqual([kept.offer("a", 0, rng), kept.offer("b", 1, rng), kept.offer("c", 1, rng)], [false, true, true]);
+  assert.deepEqual(kept.items().sort(), ["b", "c"]);
+  const same = Pcg32.resume(before);
+  same.words(new Uint32Array(3));
+  assert.equal(rng.state, same.state);
+});
+
+test("a reservoir holds by weight, and a hypercube has a point a stratum", () => {
+  const [rng, first] = [new Pcg32(8), [0, 0, 0]];
+  for (let run = 0; run < 12000; run += 1) {
+    const kept = new WeightedReservoir(2);
+    for (const item of [0, 1, 2]) kept.offer(item, item + 1, rng);
+    first[kept.items()[0]] += 1;
+  }
+  // Six standard deviations.
+  first.forEach((times, item) => assert.ok(Math.abs(times - 2000 * (item + 1)) < 330, `${first}`));
+  const uniforms = new LatinHypercube(50, 3).uniforms(new Float32Array(100), 2);
+  for (const d of [0, 1]) {
+    const strata = Array.from({ length: 50 }, (_, i) => Math.floor(uniforms[2 * i + d] * 50));
+    assert.deepEqual(strata.sort((a, b) => a - b), Array.from({ length: 50 }, (_, i) => i));
+  }
 });
 
 test("arrays of a wrong type or length, and detached ones, are refused", () => {

@@ -28,7 +28,7 @@ const typed = ["js", "js worker", "js page", "js config", "ts"].flatMap(of);
 typed.forEach((text, i) => writeFileSync(`typed/snippet${i}.ts`, text));
 writeFileSync("index.html", of("html")[0]);
 mkdirSync("wrong");
-writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Normal, Pcg32 } from "microwarp";
+writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Integers, Normal, Pcg32, SumTree } from "microwarp";
 new Normal("0", 1); // wrong
 new Exponential(1); // wrong
 new Disk().sample(0.5); // wrong
@@ -36,9 +36,11 @@ new Disk().fill([0, 0], new Pcg32()); // wrong
 new Chain((x) => x, 0, { normal: [1, 1] }); // wrong
 new Chain(() => 1, [1, 1], { box: [1] }); // wrong
 new Chain((x) => x, 0, {}); // wrong
+new SumTree([1n, 2n]).set(0, 1); // wrong
+new Integers(0n, 1); // wrong
 export const name: string = new Normal(0, 1).draw(new Pcg32()); // wrong
 `);
-writeFileSync("typed/chains.ts", `import { Chain, Pcg32, type Saved } from "microwarp";
+writeFileSync("typed/chains.ts", `import { Chain, Integers, Pcg32, type Saved, SumTree, WeightedReservoir } from "microwarp";
 const [rng, dimensions] = [new Pcg32(7), 20];
 export const one: number = new Chain((x) => Math.exp(-x * x), 0, { normal: 1 }).step(rng).from;
 const two = new Chain(([x, y]) => x * y, [1, 1], { box: [1, 1], cube: 0.25 });
@@ -46,5 +48,13 @@ const kept: Saved<[number, number]> = two.save();
 export const sum: number = two.resume(kept).state[0] + two.step(rng).proposed[1];
 const zeros: number[] = new Array<number>(dimensions).fill(0);
 export const many: Chain<number[]> = new Chain((x) => x.length, zeros, { normal: zeros });
+const tree: SumTree = new SumTree([3, 0, 5]);
+export const before: number = tree.set(1, 8) + tree.weights()[0]! + new Integers(1, 6).draw(rng);
+export const wide: bigint = new SumTree(BigUint64Array.of(3n)).total + new Integers(0n, 9n).drawWide(rng);
+const words: SumTree<bigint> = new SumTree([3n]);
+export const all: [BigUint64Array, Uint32Array] = [words.weights(), tree.weights()];
+const reservoir = new WeightedReservoir<string>(2);
+reservoir.offer("a", 1, rng);
+export const names: string[] = reservoir.items();
 `);
 console.log(`${snippets.length} snippets run`);

@@ -2,14 +2,16 @@
 
 use super::{Class, Golden};
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d,
-    PiecewiseLinear1d, SumTree,
+    Alias, AliasEntry, Binomial, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d,
+    PiecewiseLinear1d, SumTree, WeightedReservoir,
 };
 use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
 };
+use microwarp::rejection::Rejection;
 use microwarp::uniform::{
-    ByPosition, Chance, Permutation, Points, Range, Sobol, Strata1d, Strata2d, grid, shuffle, up_to,
+    ByPosition, Chance, LatinHypercube, Permutation, Points, Range, Sobol, Strata1d, Strata2d,
+    grid, shuffle, up_to,
 };
 use microwarp::{Invert, Warp, poly, tier::Poly};
 use microwarp_host::upkeep::Outcome;
@@ -119,6 +121,96 @@ fn changing() -> String {
     found.push(tree.total());
     found.extend(*tree.into_weights());
     list(found)
+}
+
+fn halves(x: u64) -> [u32; 2] {
+    [(x >> 32) as u32, x as u32]
+}
+
+/// The same of 64 bits.
+fn changing_wide() -> String {
+    let weights = [3, 0, 5 << 40, 1 << 62, 7, 1 << 60];
+    let (mut tree, mut rng) = (SumTree::new_u64(weights).expect("weights"), rng());
+    let mut found = Vec::new();
+    for k in 0..32_u64 {
+        let index = tree.draw_index(&mut rng).expect("one is positive");
+        let weight = k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (k & 7) >> 5;
+        found.push(index as u32);
+        found.extend(halves(tree.set(index, weight).expect("it fits")));
+    }
+    let mut places = [(0, 0); 4];
+    let drawn = tree.draw_distinct(&mut places, &mut rng);
+    found.extend(drawn.iter().map(|(index, _)| *index as u32));
+    found.extend((0..6).map(|index| tree.pmf(index).to_bits()));
+    found.extend(halves(tree.total()));
+    found.extend(tree.into_weights().into_iter().flat_map(halves));
+    list(found)
+}
+
+/// What is held of a stream, and of its parts together.
+fn streams() -> String {
+    let mut rng = rng();
+    let [mut whole, mut even, mut odd] = [WeightedReservoir::<u32, 5>::new(); 3];
+    for i in 0..200_u32 {
+        let weight = i.wrapping_mul(0x9e37_79b9) >> (i % 20);
+        let word = rng.next_u32();
+        whole.offer_with(i, weight, word);
+        if i % 2 == 0 { &mut even } else { &mut odd }.offer_with(i, weight, word);
+    }
+    let parts = [even, odd].map(|part| part.items().copied().collect::<Vec<u32>>());
+    even.merge(odd);
+    assert_eq!(even, whole, "parts hold what the whole does");
+    list(parts.concat().into_iter().chain(whole.items().copied()))
+}
+
+/// Counts, and probabilities of some.
+fn successes() -> String {
+    let ok = "accepted parameters";
+    let mut rng = rng();
+    let mut found = Vec::new();
+    for law in [
+        Binomial::new(100, 0.3).expect(ok),
+        Binomial::from_ratio(1000, 1, 20).expect(ok),
+    ] {
+        found.extend((0..40).map(|_| law.draw(&mut rng)));
+        found.extend([0, 30, 99, 1001].map(|count| law.pmf(count).to_bits()));
+        found.push(law.count(1 << 31));
+    }
+    list(found)
+}
+
+fn rejected() -> String {
+    let law = poly::BinomialRejection::new(1_000_000, 0.3).expect("accepted parameters");
+    let mut rng = rng();
+    let drawn = (0..40).map(|_| law.draw(&mut rng).expect("within the budget").point);
+    let drawn: Vec<u32> = drawn.collect();
+    let pmf = [300_000, 0, 299_000].map(|count| law.pmf(count).to_bits());
+    list(drawn.into_iter().chain(pmf))
+}
+
+/// Integers by two words.
+fn wide_integers() -> String {
+    let ok = "accepted parameters";
+    let (mut rng, mut drawn) = (rng(), Vec::new());
+    for n in [1, 2, 6, 52, 1000, 65_537, 3 << 29, u32::MAX] {
+        let half = (n / 2) as i32;
+        drawn.push(Range::below(n).expect(ok).draw_wide(&mut rng));
+        let range = Range::signed(-half, half).expect(ok);
+        drawn.push(range.draw_wide(&mut rng) as u32);
+        drawn.push(range.draw(&mut rng) as u32);
+    }
+    for (low, high) in [
+        (0, 5),
+        (7, 1 << 40),
+        (0, u64::MAX),
+        (u64::MAX - 3, u64::MAX),
+    ] {
+        let range = Range::of_u64(low, high).expect(ok);
+        drawn.extend((0..10).flat_map(|_| halves(range.draw(&mut rng))));
+    }
+    let all = Range::of_u64(0, u64::MAX).expect(ok);
+    drawn.extend(halves(all.draw(&mut Sobol::<8>::new(7).expect(ok).at(3))));
+    list(drawn)
 }
 
 /// A target that floats of one precision compute exactly alike.
@@ -251,6 +343,10 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             selections!(Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).expect(ok)),
         ),
         ("SumTree", changing()),
+        ("SumTree of 64 bits", changing_wide()),
+        ("WeightedReservoir", streams()),
+        ("Binomial", successes()),
+        ("BinomialRejection", rejected()),
         (
             "PiecewiseConstant1d",
             triples(&PiecewiseConstant1d::<[u32; 6]>::new(&WEIGHTS, -3.0, 5.0).expect(ok)),
@@ -275,7 +371,12 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             "ByPosition",
             points([0, 1, 2, 3, 100, 101].map(|i| ByPosition::new(7, 9).words(i))),
         ),
+        (
+            "LatinHypercube",
+            points([0, 1, 2, 3, 58, 101].map(|i| LatinHypercube::new(59, 7).expect(ok).words(i))),
+        ),
         ("Strata", list(strata)),
+        ("Integers", wide_integers()),
         ("integers", list(integers())),
         ("shuffle", shuffles()),
         ("shuffle by points", list(order)),
