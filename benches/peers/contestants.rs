@@ -21,3 +21,6 @@ pub const DRAWN: &str = "poly, one by one";
 /// Of tables, which have no tier: the index alone, and the index with its probability and the leftover uniform.
 pub const INDEX: &str = "index";
 pub const SELECTION: &str = "index, pmf, leftover";
+/// Of integers, by two words in place of one; of orders, by a word an item.
+pub const WIDE: &str = "by two words";
+pub const EACH: &str = "a word an item";

@@ -1,6 +1,6 @@
 //! The list of contests, but for laws that stand in the registry.
 
-use crate::{draws, fills, lamps, laws, tables};
+use crate::{draws, fills, integers, lamps, laws, tables};
 use host::contest::Standings;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub type Run = dyn Fn(usize, &mut dyn FnMut()) -> Standings;
 pub struct Family {
     pub name: &'static str,
     pub kind: Kind,
-    /// What `rand_distr` stands for in this contest, or whose map the published one is.
+    /// What `rand_distr` stands for in this contest, where it says so of `rand`, or whose map the published one is.
     pub peer: &'static str,
     pub run: Box<Run>,
 }
@@ -81,6 +81,14 @@ families! {
     Draw "alias of 1024" "WeightedAliasIndex" tables::alias(1024);
     Draw "sum tree of 16, select and set" "WeightedTreeIndex" tables::tree(16);
     Draw "sum tree of 4096, select and set" "WeightedTreeIndex" tables::tree(4096);
+    Draw "integer below 6" "random_range of rand" integers::below(6);
+    Draw "integer below 3221225473" "random_range of rand" integers::below((3 << 30) + 1);
+    Draw "integer from -20 to 20" "random_range of rand" integers::range(-20, 20);
+    Draw "integer below 2^40" "random_range of rand" integers::below_of_64_bits(1 << 40);
+    Draw "coin of 0.1" "random_bool of rand" integers::chance(0.1);
+    Draw "shuffle of 52" "shuffle of rand" integers::shuffle(52);
+    Draw "shuffle of 1000" "shuffle of rand" integers::shuffle(1000);
+    Draw "choice of 5 of 52" "partial_shuffle of rand" integers::choose(52, 5);
     Fill "disk" "UnitDisc" fills::disk();
     Fill "sphere" "UnitSphere" fills::sphere();
     Fill "hemisphere" "UnitSphere, folded" fills::hemisphere();

@@ -1,4 +1,4 @@
-//! Every sampler next to its peers in one process: rand_distr, micromath, textbook formulas over libm, the
+//! Every sampler next to its peers in one process: rand, rand_distr, micromath, textbook formulas over libm, the
 //! maps that renderers write by hand, and the generator alone. `cargo bench --bench peers -- --help`
 //!
 //! How times are taken and compared is in `host::contest`, what the peers are in `host::peers`, who meets
@@ -9,6 +9,7 @@ mod contestants;
 mod draws;
 mod families;
 mod fills;
+mod integers;
 mod lamps;
 mod laws;
 mod report;

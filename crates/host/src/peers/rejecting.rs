@@ -1,7 +1,9 @@
-//! The samplers of rand_distr, and what its users put together from them where it has none. They reject, so that
-//! the number of words they draw is random.
+//! The samplers of rand and rand_distr, and what their users put together from them where they have none. They reject,
+//! so that the number of words they draw is random.
 
 use super::uniform;
+use rand::RngExt;
+use rand::seq::SliceRandom;
 use rand_distr::weighted::{WeightedAliasIndex, WeightedIndex, WeightedTreeIndex};
 use rand_distr::{Distribution, Exp1, StandardNormal};
 use rand_distr::{UnitBall, UnitCircle, UnitDisc, UnitSphere};
@@ -66,6 +68,42 @@ pub fn normal(rng: &mut Pcg32) -> f32 {
 #[inline]
 pub fn ball(rng: &mut Pcg32) -> [f32; 3] {
     UnitBall.sample(rng)
+}
+
+/// An integer below n: `random_range`.
+pub fn below(n: u32) -> impl Fn(&mut Pcg32) -> u32 {
+    move |rng| rng.random_range(0..n)
+}
+
+/// An integer of a range: `random_range`.
+pub fn range(low: i32, high: i32) -> impl Fn(&mut Pcg32) -> i32 {
+    move |rng| rng.random_range(low..=high)
+}
+
+/// An integer of 64 bits below n: `random_range`.
+pub fn below_of_64_bits(n: u64) -> impl Fn(&mut Pcg32) -> u64 {
+    move |rng| rng.random_range(0..n)
+}
+
+/// Whether an event happens: `random_bool`.
+pub fn chance(p: f64) -> impl Fn(&mut Pcg32) -> bool {
+    move |rng| rng.random_bool(p)
+}
+
+/// A random order of numbers, again and again, of which the first is given: `SliceRandom::shuffle`.
+pub fn shuffle(mut items: Vec<u32>) -> impl FnMut(&mut Pcg32) -> u32 {
+    move |rng| {
+        items.shuffle(rng);
+        items.first().copied().unwrap_or(0)
+    }
+}
+
+/// So many numbers in random order, of which the first is given: `SliceRandom::partial_shuffle`.
+pub fn choose(mut items: Vec<u32>, chosen: usize) -> impl FnMut(&mut Pcg32) -> u32 {
+    move |rng| {
+        let (chosen, _) = items.partial_shuffle(rng, chosen);
+        chosen.first().copied().unwrap_or(0)
+    }
 }
 
 /// Indices by running sums: `WeightedIndex<f32>`.
