@@ -14,6 +14,8 @@
 //! | particles, and want as many of equal weight | [`resampling`] | none | one pass over the particles |
 //! | a probability, and count trials before a success | [`Geometric`] | none | a product a digit |
 //! | a number of trials and a probability, and count successes | [`Binomial`] | 592 bytes in all | eight comparisons |
+//! | a probability, and count failures before several successes | [`NegativeBinomial`] | 1,104 bytes in all | nine comparisons |
+//! | a population, and count the marked ones of a sample | [`Hypergeometric`] | 552 bytes in all | eight comparisons |
 //! | a mean, and count events | [`Poisson`] | none | some steps from the mean |
 //! | a picture, and want a point | [`PiecewiseConstant2d`] | 4 bytes a cell and a row | those of two `Cdf` |
 //! | a triangle mesh, and want a point on it | [`Mesh`] | 8 bytes a face | that of a `Cdf`, and a root |
@@ -49,10 +51,13 @@ mod binomial;
 mod bins;
 mod cdf;
 mod cells;
+mod ends;
 mod geometric;
+mod hypergeometric;
 mod lat_long_map;
 mod layout;
 mod mesh;
+mod negative_binomial;
 mod piecewise1d;
 mod piecewise2d;
 mod piecewise_linear1d;
@@ -74,8 +79,10 @@ pub use self::binomial::Binomial;
 pub use self::bins::AliasEntry;
 pub use self::cdf::Cdf;
 pub use self::geometric::Geometric;
+pub use self::hypergeometric::Hypergeometric;
 pub use self::lat_long_map::{LatLongMap, PixelSample};
 pub use self::mesh::{Mesh, MeshPoint};
+pub use self::negative_binomial::NegativeBinomial;
 pub use self::piecewise_linear1d::PiecewiseLinear1d;
 pub use self::piecewise1d::PiecewiseConstant1d;
 pub use self::piecewise2d::PiecewiseConstant2d;

@@ -165,7 +165,9 @@
 //! - [`SumTree`](discrete::SumTree): an index by integer weights that change, and several without replacement
 //! - [`Reservoir`](discrete::Reservoir), [`WeightedReservoir`](discrete::WeightedReservoir): one or several items of a stream
 //! - [`Geometric`](discrete::Geometric), [`Poisson`](discrete::Poisson): failures before a success, events in an interval
-//! - [`Binomial`](discrete::Binomial): successes of so many trials
+//! - [`Binomial`](discrete::Binomial), [`NegativeBinomial`](discrete::NegativeBinomial): successes of so many trials, failures
+//!   before so many successes
+//! - [`Hypergeometric`](discrete::Hypergeometric): marked items of a sample without replacement
 //! - [`resampling`](discrete::resampling): systematic, stratified and residual resampling of particles, in place
 //!
 //! Rejection within a budget of tries ([`rejection`]):

@@ -1,7 +1,8 @@
 //! The binomial distribution of small variance: how many of so many trials succeed.
 
+use super::ends::{Ends, Kind, Law, NOTHING, chances, chances_of};
 use super::word::drawn_by_word;
-use crate::error::{Error, finite, tried};
+use crate::error::{Error, tried};
 use crate::num::Long;
 use core::ops::RangeInclusive;
 
@@ -45,7 +46,9 @@ use core::ops::RangeInclusive;
 /// # See also
 /// - [`rejection::BinomialRejection`](crate::rejection::BinomialRejection): variances from 10 up.
 /// - [`Poisson`](super::Poisson): events that have no largest number.
-/// - [`Geometric`](super::Geometric): how many trials fail before the first success.
+/// - [`Geometric`](super::Geometric), [`NegativeBinomial`](super::NegativeBinomial): how many trials fail before the first
+///   success, or before several.
+/// - [`Hypergeometric`](super::Hypergeometric): a sample without replacement.
 ///
 /// # Source
 /// L. Devroye, *Non-Uniform Random Variate Generation*, Springer, 1986, chapters III.2 and X.4 (inversion, the ratio of
@@ -62,21 +65,7 @@ pub struct Binomial {
     /// p/(1 − p) and the inverse; 0 for p = 0 and p = 1.
     odds: Long,
     inverse: Long,
-    /// The count of the largest probability, but for rounding, and this probability.
-    mode: u32,
-    peak: Long,
-    /// The smallest count that a word gives.
-    first: u32,
-    /// The last word of this count and of those behind it.
-    ends: [u32; 128],
-}
-
-/// A number of which products are 0.
-const NOTHING: Long = Long::of(0, 0);
-
-/// How many words have their middle below a probability in units of 2⁻⁶⁴; without a carry.
-const fn rounded(below: u64) -> u64 {
-    (below >> 31).wrapping_add(1) >> 1
+    table: Ends<128>,
 }
 
 impl Binomial {
@@ -86,22 +75,7 @@ impl Binomial {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::OutOfRange`] for p outside [0, 1], [`Error::TooLarge`] for a
     /// variance np(1 − p) above 100.
     pub const fn new(trials: u32, p: f32) -> Result<Self, Error> {
-        let p = tried!(finite(p));
-        if p < 0.0 || p > 1.0 {
-            return Err(Error::OutOfRange);
-        }
-        if p == 0.0 {
-            return Self::of(trials, NOTHING, Long::ONE);
-        }
-        let success = Long::of_f32(p);
-        if p >= 1.0 {
-            return Self::of(trials, success, NOTHING);
-        }
-        // Below 2⁻⁶⁴ the other probability is 1.
-        let failure = match success.fraction() {
-            0 => Long::ONE,
-            part => Long::of(part.wrapping_neg(), 0),
-        };
+        let [success, failure] = tried!(chances(p));
         Self::of(trials, success, failure)
     }
 
@@ -111,25 +85,14 @@ impl Binomial {
     /// [`Error::NotPositive`] if `whole` is 0, [`Error::OutOfRange`] for a part above the whole, [`Error::TooLarge`] for a
     /// variance np(1 − p) above 100.
     pub const fn from_ratio(trials: u32, part: u32, whole: u32) -> Result<Self, Error> {
-        if whole == 0 {
-            return Err(Error::NotPositive);
-        }
-        let Some(other) = whole.checked_sub(part) else {
-            return Err(Error::OutOfRange);
-        };
-        let whole = Long::of(whole as u64, 64);
-        let success = match part {
-            0 => NOTHING,
-            _ => Long::of(part as u64, 64).over(whole),
-        };
-        Self::of(trials, success, Long::of(other as u64, 64).over(whole))
+        let [success, failure] = tried!(chances_of(part, whole));
+        Self::of(trials, success, failure)
     }
 
     const fn of(trials: u32, success: Long, failure: Long) -> Result<Self, Error> {
         let mean = Long::of(trials as u64, 64).times(success);
         let variance = mean.times(failure);
-        // 100 is 25/32 of 2⁷.
-        if variance.exponent > 7 || (variance.exponent == 7 && variance.mantissa > 25 << 59) {
+        if variance.exceeds(Long::of(100, 64)) {
             return Err(Error::TooLarge);
         }
         let ends = success.mantissa == 0 || failure.mantissa == 0;
@@ -140,86 +103,23 @@ impl Binomial {
         };
         // The mode is (n + 1)p, cut to an integer, and n for p = 1.
         let next = Long::of((trials as u64).wrapping_add(1), 64).times(success);
-        let mode = match next.exponent {
-            whole @ 1..=33 => next.mantissa >> 64_u32.wrapping_sub(whole.unsigned_abs()),
-            _ => 0,
-        };
-        let mode = if mode < trials as u64 {
-            mode as u32
+        let mode = if next.whole() < trials as u64 {
+            next.whole() as u32
         } else {
             trials
         };
-        let made = Self {
+        let law = Law {
+            kind: Kind::Trials(trials),
+            odds,
+            inverse,
+        };
+        Ok(Self {
             trials,
             success,
             odds,
             inverse,
-            mode,
-            peak: Long::ONE,
-            first: 0,
-            ends: [u32::MAX; 128],
-        };
-        Ok(made.filled())
-    }
-
-    /// The probability of the next count from that of a count below n.
-    const fn above(&self, count: u32, probability: Long) -> Long {
-        let (left, next) = (self.trials.wrapping_sub(count), count.wrapping_add(1));
-        let ratio = Long::of(left as u64, 64).over(Long::of(next as u64, 64));
-        probability.times(self.odds).times(ratio)
-    }
-
-    /// The probability of the count before from that of a count above 0.
-    const fn below(&self, count: u32, probability: Long) -> Long {
-        let more = (self.trials.wrapping_sub(count) as u64).wrapping_add(1);
-        let ratio = Long::of(count as u64, 64).over(Long::of(more, 64));
-        probability.times(self.inverse).times(ratio)
-    }
-
-    /// The same with its table and the probability of its mode.
-    const fn filled(mut self) -> Self {
-        // 1/64 in place of this probability: the sum of all stays below 1, and what is left out is below 2⁻⁵⁰ of it.
-        let start = Long::of(1, 58);
-        let (mut sum, mut lowest, mut count) = (start.fraction(), start, self.mode);
-        while count > 0 {
-            let next = self.below(count, lowest);
-            if next.fraction() == 0 {
-                break;
-            }
-            sum = sum.wrapping_add(next.fraction());
-            lowest = next;
-            count = count.wrapping_sub(1);
-        }
-        let (mut next, mut up) = (start, self.mode);
-        while up < self.trials {
-            next = self.above(up, next);
-            if next.fraction() == 0 {
-                break;
-            }
-            sum = sum.wrapping_add(next.fraction());
-            up = up.wrapping_add(1);
-        }
-        let whole = Long::of(sum, 0);
-        self.peak = start.over(whole);
-        let (mut probability, mut below) = (lowest.over(whole), 0_u64);
-        let mut ends = self.ends;
-        let mut rest: &mut [u32] = &mut ends;
-        self.first = count;
-        while count < self.trials {
-            below = below.saturating_add(probability.fraction());
-            probability = self.above(count, probability);
-            count = count.wrapping_add(1);
-            match rest {
-                _ if rounded(below) == 0 => self.first = count,
-                [slot, others @ ..] => {
-                    *slot = rounded(below).wrapping_sub(1) as u32;
-                    rest = others;
-                }
-                [] => break,
-            }
-        }
-        self.ends = ends;
-        self
+            table: Ends::of(&law, mode),
+        })
     }
 
     /// The number of trials.
@@ -238,9 +138,7 @@ impl Binomial {
     #[must_use]
     #[inline]
     pub fn count(&self, word: u32) -> u32 {
-        // The last end is the last word, so this is one of the counts.
-        let passed = self.ends.partition_point(|&last| last < word);
-        self.first.wrapping_add(passed as u32)
+        self.table.count(word)
     }
 
     drawn_by_word!();
@@ -248,32 +146,17 @@ impl Binomial {
     /// The words that give a count; none beyond the end of either tail.
     #[must_use]
     pub fn words_of(&self, count: u32) -> Option<RangeInclusive<u32>> {
-        let place = count.checked_sub(self.first)? as usize;
-        let last = *self.ends.get(place)?;
-        let Some(before) = place.checked_sub(1) else {
-            return Some(0..=last);
-        };
-        let before = *self.ends.get(before)?;
-        (before < last).then(|| before.wrapping_add(1)..=last)
+        self.table.words_of(count)
     }
 
     /// The probability of a count; 0 only beyond n, below the smallest `f32`, and beside the one count of p = 0 and 1.
     #[must_use]
     pub fn pmf(&self, count: u32) -> f32 {
-        /// Below this exponent numbers are far below the smallest `f32`, and become smaller with each step.
-        const NONE: i32 = -200;
-        let (mut at, mut probability) = (self.mode, self.peak);
-        if count > self.trials {
-            return 0.0;
-        }
-        while at < count && probability.exponent > NONE {
-            probability = self.above(at, probability);
-            at = at.wrapping_add(1);
-        }
-        while at > count && probability.exponent > NONE {
-            probability = self.below(at, probability);
-            at = at.wrapping_sub(1);
-        }
-        probability.value()
+        let law = Law {
+            kind: Kind::Trials(self.trials),
+            odds: self.odds,
+            inverse: self.inverse,
+        };
+        self.table.pmf(&law, count)
     }
 }

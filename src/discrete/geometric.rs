@@ -176,12 +176,10 @@ impl Geometric {
     }
 
     const fn of(success: Long) -> Result<Self, Error> {
-        if success.exponent > 1 || (success.exponent == 1 && success.mantissa > ONE) {
+        if success.exceeds(Long::ONE) {
             return Err(Error::OutOfRange);
         }
-        if success.exponent < LEAST.exponent
-            || (success.exponent == LEAST.exponent && success.mantissa < LEAST.mantissa)
-        {
+        if LEAST.exceeds(success) {
             return Err(Error::TooLarge);
         }
         let shift = success.exponent.unsigned_abs();

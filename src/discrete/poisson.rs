@@ -1,5 +1,6 @@
 //! The Poisson distribution of small means: how many events an interval holds.
 
+use super::ends::rounded;
 use super::word::drawn_by_word;
 use crate::error::{Error, positive, tried};
 use crate::num::{Long, high};
@@ -127,14 +128,10 @@ impl Poisson {
     }
 
     const fn of(mean: Long) -> Result<Self, Error> {
-        // 80 is 5/8 of 2⁷.
-        if mean.exponent > 7 || (mean.exponent == 7 && mean.mantissa > 5 << 61) {
+        if mean.exceeds(Long::of(80, 64)) {
             return Err(Error::TooLarge);
         }
-        let mode = match mean.exponent {
-            whole @ 1..=7 => (mean.mantissa >> 64_u32.wrapping_sub(whole.unsigned_abs())) as usize,
-            _ => 0,
-        };
+        let mode = mean.whole() as usize;
         let (mut probability, mut below) = (exp_neg(mean), 0_u64);
         let (mut reciprocals, _) = RECIPROCALS.split_at(mode);
         while let [reciprocal, others @ ..] = reciprocals {
@@ -201,8 +198,7 @@ impl Poisson {
         match count {
             0 => 0,
             _ if reached < count => 1 << 32,
-            // Those whose middle lies below; without a carry.
-            _ => (below.saturating_sub(1) >> 31).wrapping_add(1) >> 1,
+            _ => rounded(below.saturating_sub(1)),
         }
     }
 

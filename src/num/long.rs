@@ -55,6 +55,12 @@ impl Long {
         Self::of(quotient as u64, exponent.saturating_add(1))
     }
 
+    /// Whether this number is the larger one.
+    pub(crate) const fn exceeds(self, other: Self) -> bool {
+        self.exponent > other.exponent
+            || (self.exponent == other.exponent && self.mantissa > other.mantissa)
+    }
+
     /// `x` times this number, cut; the product has to fit.
     #[inline]
     pub(crate) const fn of_this(self, x: u64) -> u64 {
@@ -77,6 +83,14 @@ impl Long {
             self.mantissa.wrapping_shr(shift)
         } else {
             0
+        }
+    }
+
+    /// The number, cut to an integer; it is below 2⁶⁴.
+    pub(crate) const fn whole(self) -> u64 {
+        match self.exponent {
+            digits @ 1..=64 => self.mantissa >> 64_u32.wrapping_sub(digits.unsigned_abs()),
+            _ => 0,
         }
     }
 

@@ -2,6 +2,7 @@
 //! refusals, and what a draw takes.
 
 use crate::counts::{Ends, excess, noticed, ratio, takes_one};
+use crate::ends::ends;
 use host::speed;
 use microwarp::discrete::Binomial;
 use microwarp::{Error, constant};
@@ -90,38 +91,12 @@ impl Truth {
     }
 }
 
-/// Goes through all counts that words reach.
-fn ends(sampler: &Binomial, truth: &Truth) -> Ends {
-    let mut found = Ends::default();
-    let (first, last) = (sampler.count(0), sampler.count(u32::MAX));
-    let mut start = 0_u64;
-    for k in i64::from(first) - 1..=i64::from(last) + 1 {
-        let exact = truth.words(k);
-        let nearest = ((exact + (1 << 63)) >> 64) as u64;
-        let words = u32::try_from(k).ok().and_then(|k| sampler.words_of(k));
-        // In a tail a count may have less than a word, and none.
-        assert!(words.is_some() || k != i64::from(first) && k != i64::from(last));
-        assert!(words.is_none() || (i64::from(first)..=i64::from(last)).contains(&k));
-        if let Some(words) = words {
-            assert_eq!(u64::from(*words.start()), start, "count {k}");
-            for word in [*words.start(), *words.end()] {
-                assert_eq!(i64::from(sampler.count(word)), k, "word {word}");
-            }
-            start = u64::from(*words.end()) + 1;
-            found.counts += 1;
-        }
-        assert!(
-            start.abs_diff(nearest) <= 1,
-            "{start} words up to {k}, not {nearest}"
-        );
-        if start != nearest {
-            found.moved += 1;
-            let fraction = exact as u64 as f64 / 2_f64.powi(64);
-            found.doubt = found.doubt.max((fraction - 0.5).abs());
-        }
-    }
-    assert_eq!(start, 1 << 32);
-    found
+fn found(sampler: &Binomial, truth: &Truth) -> Ends {
+    ends(
+        &|word| sampler.count(word),
+        &|k| sampler.words_of(k),
+        &|k| truth.words(k),
+    )
 }
 
 /// A probability of any size, and as many trials as it allows or fewer.
@@ -163,7 +138,7 @@ fn binomial_counts_have_their_words() {
     {
         let sampler = Binomial::new(trials, p).unwrap();
         let [part, whole] = if p < 1e-17 { [0, 1] } else { ratio(p) };
-        let found = ends(&sampler, &Truth::new(trials, [part, whole]));
+        let found = found(&sampler, &Truth::new(trials, [part, whole]));
         assert!(found.doubt < 2_f64.powi(-20), "{trials}, {p:e}: {found:?}");
         (counts, moved) = (counts + found.counts, moved + found.moved);
     }
@@ -176,7 +151,7 @@ fn binomial_counts_have_their_words() {
         (u32::MAX, u32::MAX - 90, u32::MAX),
     ] {
         let sampler = Binomial::from_ratio(trials, part, whole).unwrap();
-        let found = ends(&sampler, &Truth::new(trials, [part.into(), whole.into()]));
+        let found = found(&sampler, &Truth::new(trials, [part.into(), whole.into()]));
         assert!(
             found.doubt < 2_f64.powi(-20),
             "{trials}, {part}/{whole}: {found:?}"
@@ -291,12 +266,14 @@ fn a_binomial_draw_takes_one_word() {
 #[test]
 fn wrong_binomial_laws_are_noticed() {
     let sampler = Binomial::from_ratio(100, 3, 10).unwrap();
-    let of = |trials, part, whole| noticed(&|| ends(&sampler, &Truth::new(trials, [part, whole])));
+    let of = |trials, part, whole| noticed(&|| found(&sampler, &Truth::new(trials, [part, whole])));
     assert!(!of(100, 3, 10));
     assert!(of(100, 30_000_001, 100_000_000) && of(101, 3, 10));
     // Nearly the Poisson distribution of a mean of 7, in place of that of 1,000 trials.
     let rare = Binomial::from_ratio(1_000_000, 7, 1_000_000).unwrap();
-    assert!(noticed(&|| { ends(&rare, &Truth::new(1_000, [7, 1_000])) }));
+    assert!(noticed(&|| {
+        found(&rare, &Truth::new(1_000, [7, 1_000]))
+    }));
     let truth = Truth::new(100, [3, 10]);
     let mut sum = 0.0_f32;
     let wrong = (0..100).filter(|&k| {
