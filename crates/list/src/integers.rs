@@ -6,10 +6,7 @@ use core::hint::black_box;
 use core::num::NonZeroU32;
 use fixed::types::{I2F30, U0F32};
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic, to_integers};
-use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Poisson, SumTree,
-    WeightedReservoir,
-};
+use microwarp::discrete::{Alias, AliasEntry, Cdf, ExactSelection, SumTree, WeightedReservoir};
 use microwarp::fixed::{DiskRejection, DiskRejection16};
 use microwarp::metropolis::*;
 use microwarp::rejection::{Accepted, Failure, Rejection};
@@ -242,43 +239,6 @@ pub fn resampled(u: [f32; 4], input: usize, out: &mut Out) {
     );
 }
 
-/// Counts by ratios of integers, and by numbers.
-pub fn counts(u: [f32; 4], input: usize, out: &mut Out) {
-    let [a, b, c, d] = stirred(u);
-    let mut rng = generator(input);
-    with(
-        Geometric::from_ratio(a >> (b & 31), b | 1),
-        out,
-        |law, out| {
-            let count = law.count(c);
-            out.word(count);
-            out.word(law.draw(&mut rng));
-            out.float(law.pmf(count));
-            out.word(law.words_of(count).map_or(0, |words| *words.end()));
-        },
-    );
-    with(Geometric::new(u[1]), out, |law, out| {
-        out.word(law.sample(u[0]));
-        out.float(law.pmf(d >> 20));
-    });
-    let events = (a >> 8).wrapping_mul(81);
-    with(
-        Poisson::from_ratio(events >> 8, 1 << 16),
-        out,
-        |law, out| {
-            let count = law.count(d);
-            out.word(count);
-            out.word(law.draw(&mut rng));
-            out.float(law.pmf(count));
-            out.word(law.words_of(count).map_or(0, |words| *words.end()));
-        },
-    );
-    with(Poisson::new(90.0 * u[2]), out, |law, out| {
-        out.word(law.sample(u[3]));
-        out.float(law.pmf(c >> 24));
-    });
-}
-
 /// Integers of ranges, by one word and by two, with what is left over.
 pub fn ranges(u: [f32; 4], input: usize, out: &mut Out) {
     let [a, b, c, d] = stirred(u);
@@ -360,34 +320,4 @@ pub fn trees(u: [f32; 4], input: usize, out: &mut Out) {
 /// Half of a number of words, since it may be that of all.
 fn wide_half(numerator: u128, out: &mut Out) {
     wide((numerator >> 1) as u64, out);
-}
-
-/// Successes of a number of trials, by a ratio of integers and by a number.
-pub fn successes(u: [f32; 4], input: usize, out: &mut Out) {
-    let [a, b, c, d] = stirred(u);
-    let mut rng = generator(input);
-    let (trials, whole) = (a >> (22 + (b & 7)), b | 1);
-    let part = ((c as u64).wrapping_mul(whole as u64) >> 32) as u32;
-    with(
-        Binomial::from_ratio(trials, part, whole),
-        out,
-        |law, out| {
-            let count = law.count(d);
-            out.word(count);
-            out.word(law.draw(&mut rng));
-            out.float(law.pmf(count));
-            out.word(law.words_of(count).map_or(0, |words| *words.end()));
-        },
-    );
-    // A probability near 0 or 1.
-    let p = 1e-7 * u[0];
-    with(
-        Binomial::new(c, if d & 1 == 0 { p } else { 1.0 - p }),
-        out,
-        |law, out| {
-            let count = law.sample(u[3]);
-            out.word(count);
-            out.float(law.pmf(count ^ 1));
-        },
-    );
 }

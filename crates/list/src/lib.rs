@@ -20,6 +20,8 @@ mod cases;
 #[cfg(feature = "cases")]
 mod chains;
 #[cfg(feature = "cases")]
+mod counts;
+#[cfg(feature = "cases")]
 pub mod fixed;
 #[cfg(feature = "cases")]
 mod integers;

@@ -1,7 +1,7 @@
 //! The subjects and the inputs of the golden table. The warps stand in `warps.rs`.
 
 use crate::cases::Golden;
-use crate::{chains, integers, orders};
+use crate::{chains, counts, integers, orders};
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, LatLongMap, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,
@@ -861,7 +861,7 @@ float_warps!(subjects {
     once "integer selections wide" => integers::wide_selections,
     once "integer disks" => integers::disks,
     once "integer resampling" => integers::resampled,
-    once "counts" => integers::counts,
+    once "counts" => counts::counts,
     once "shuffles" => orders::shuffles,
     once "permutations" => orders::permutations,
     once "changing weights" => integers::trees,
@@ -875,7 +875,7 @@ float_warps!(subjects {
     },
     once "ranges" => integers::ranges,
     once "coins" => integers::coins,
-    once "binomial counts" => integers::successes,
+    once "binomial counts" => counts::successes,
     "rejection binomial" => |[a, b, c, d], input, out| {
         let word = |u: f32| (u * 4_294_967_296.0) as u32;
         for (trials, p) in [(word(a) >> 22, b), (word(b), c), (word(c), v(1e-6) * d), (word(d) >> 10, 1.0 - v(1e-3) * a)] {
@@ -885,4 +885,6 @@ float_warps!(subjects {
             });
         }
     },
+    once "negative binomial counts" => counts::failures,
+    once "hypergeometric counts" => counts::urns,
 });

@@ -4,7 +4,7 @@
 #![no_main]
 
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Poisson, SumTree,
+    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, NegativeBinomial, Poisson, SumTree,
     WeightedReservoir,
 };
 use microwarp::fixed as mw;
@@ -144,10 +144,16 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
     output(events.draw(rng));
     let successes = Binomial::from_ratio(input(3), input(1), input(9))?;
     output(successes.draw(rng));
+    let losses = NegativeBinomial::from_ratio(input(3), input(1), input(2))?;
+    output(losses.draw(rng));
+    let marked = Hypergeometric::new(input(9), input(4), input(3))?;
+    output(marked.draw(rng));
     for words in [
         failures.words_of(input(2)),
         events.words_of(input(3)),
         successes.words_of(input(1)),
+        losses.words_of(input(2)),
+        marked.words_of(input(1)),
     ]
     .into_iter()
     .flatten()

@@ -5,7 +5,7 @@ use crate::measured::registry::{entry, ok};
 use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Mesh, MeshPoint,
+    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint, NegativeBinomial,
     PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Poisson, SumTree,
 };
 use microwarp::poly::LatLongMap;
@@ -125,6 +125,12 @@ tables! {
         (word: u32) -> u32 = GEOMETRIC_100.count(word), rng => GEOMETRIC_100.draw(rng);
     "binomial_100" "binomial_100_pcg32" BINOMIAL_100: Binomial = Binomial::from_ratio(100, 3, 10),
         (word: u32) -> u32 = BINOMIAL_100.count(word), rng => BINOMIAL_100.draw(rng);
+    "negative_binomial_10" "negative_binomial_10_pcg32"
+        NEGATIVE_BINOMIAL_10: NegativeBinomial = NegativeBinomial::from_ratio(10, 1, 2),
+        (word: u32) -> u32 = NEGATIVE_BINOMIAL_10.count(word), rng => NEGATIVE_BINOMIAL_10.draw(rng);
+    "hypergeometric_1000" "hypergeometric_1000_pcg32"
+        HYPERGEOMETRIC_1000: Hypergeometric = Hypergeometric::new(1000, 300, 100),
+        (word: u32) -> u32 = HYPERGEOMETRIC_1000.count(word), rng => HYPERGEOMETRIC_1000.draw(rng);
     "poisson_10" "poisson_10_pcg32" POISSON_10: Poisson = Poisson::from_ratio(10, 1),
         (word: u32) -> u32 = POISSON_10.count(word), rng => POISSON_10.draw(rng);
     "poisson_80" "poisson_80_pcg32" POISSON_80: Poisson = Poisson::from_ratio(80, 1),
