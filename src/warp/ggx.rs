@@ -1,5 +1,7 @@
 //! Microfacet normals of Trowbridge and Reitz (GGX): all of them, and those that a viewer sees.
 
+mod masking;
+
 use super::direction::{azimuth, is_direction, length, normalised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};

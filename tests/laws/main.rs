@@ -9,6 +9,7 @@ mod density;
 mod generators;
 mod geometry;
 mod lights;
+mod masking;
 mod monotone;
 mod open_ends;
 mod parameters;

@@ -1,0 +1,217 @@
+//! Masking and shadowing of GGX, and the distribution of its normals, beside Smith's Λ of the tangent in `f64`.
+
+use host::speed;
+use microwarp::poly::{Ggx, GgxVisible};
+use microwarp::{Error, uniform};
+use rand_core::Rng;
+use rand_pcg::Pcg32;
+
+/// The errors that the documentation states: of G₁, of G₂/G₁, of visibility and of D.
+const STATED: [f64; 4] = [4e-7, 5e-7, 4.2e-7, 8.5e-7];
+const NAMES: [&str; 4] = ["G1", "G2/G1", "visibility", "D"];
+
+/// A case: view and light above the surface, a normal, and the roughness.
+struct Case {
+    view: [f32; 3],
+    light: [f32; 3],
+    normal: [f32; 3],
+    alpha: [f32; 2],
+}
+
+/// A unit vector whose cosine is from 1 down to 1e-30.
+fn direction(rng: &mut Pcg32) -> [f32; 3] {
+    let z = match rng.next_u32() % 8 {
+        0 => 1.0,
+        1 => 1e-30,
+        2 => f64::from(uniform::open(rng)),
+        _ => 10f64.powf(-30.0 * f64::from(uniform::grid(rng))),
+    };
+    let turn = match rng.next_u32() % 4 {
+        0 => 0.0,
+        1 => 0.25,
+        _ => f64::from(uniform::grid(rng)),
+    };
+    let (s, c) = (std::f64::consts::TAU * turn).sin_cos();
+    let flat = (1.0 - z * z).sqrt();
+    [flat * c, flat * s, z].map(|x| x as f32)
+}
+
+fn roughness(rng: &mut Pcg32) -> [f32; 2] {
+    let mut one = || match rng.next_u32() % 4 {
+        0 => 1e-4,
+        1 => 1.0,
+        _ => 10_f32.powf(-4.0 * uniform::grid(rng)).clamp(1e-4, 1.0),
+    };
+    let [x, y] = [one(), one()];
+    if rng.next_u32() % 2 == 0 {
+        [x, x]
+    } else {
+        [x, y]
+    }
+}
+
+fn case(rng: &mut Pcg32) -> Case {
+    Case {
+        view: direction(rng),
+        light: direction(rng),
+        normal: direction(rng),
+        alpha: roughness(rng),
+    }
+}
+
+/// Λ of the slope that a direction has, measured in roughness.
+fn lambda([ax, ay]: [f64; 2], [x, y, z]: [f64; 3]) -> f64 {
+    let slope = ((ax * x).powi(2) + (ay * y).powi(2)) / (z * z);
+    0.5 * ((1.0 + slope).sqrt() - 1.0)
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    v.map(|x| x / length)
+}
+
+/// The four figures by Λ, and D by the tangent and the cosine. The view is one of any length; light and normal are as they are.
+fn exact(case: &Case) -> [f64; 4] {
+    let alpha = case.alpha.map(f64::from);
+    let view = unit(case.view.map(f64::from));
+    let [light, normal] = [case.light, case.normal].map(|v| v.map(f64::from));
+    let (of_view, of_light) = (lambda(alpha, view), lambda(alpha, light));
+    let both = 1.0 / (1.0 + of_view + of_light);
+    let [x, y, z] = normal;
+    let tangent = ((x / alpha[0]).powi(2) + (y / alpha[1]).powi(2)) / (z * z);
+    let facets = std::f64::consts::PI * alpha[0] * alpha[1] * z.powi(4) * (1.0 + tangent).powi(2);
+    [
+        1.0 / (1.0 + of_view),
+        both * (1.0 + of_view),
+        both / (4.0 * view[2] * light[2]),
+        1.0 / facets,
+    ]
+}
+
+fn ours(case: &Case) -> Result<[f32; 4], Error> {
+    let visible = GgxVisible::new(case.view, case.alpha)?;
+    Ok([
+        visible.g1(),
+        visible.unmasked(case.light),
+        visible.visibility(case.light),
+        Ggx::new(case.alpha)?.distribution(case.normal),
+    ])
+}
+
+/// As most renderers write them: by the square of the tangent and Λ, and D by 1 − z².
+fn by_tangents(case: &Case) -> [f32; 4] {
+    let alpha = case.alpha;
+    let lambda = |[x, y, z]: [f32; 3]| {
+        let square = z * z;
+        let tangent = (1.0 - square) / square;
+        let flat = (x * x + y * y).max(1e-30);
+        let (c, s) = (x * x / flat, y * y / flat);
+        let slope = (c * alpha[0] * alpha[0] + s * alpha[1] * alpha[1]) * tangent;
+        0.5 * ((1.0 + slope).sqrt() - 1.0)
+    };
+    let (view, light) = (lambda(case.view), lambda(case.light));
+    let both = 1.0 / (1.0 + view + light);
+    let [x, y, z] = case.normal;
+    let flat = (x * x + y * y).max(1e-30);
+    let slopes = (x * x / (alpha[0] * alpha[0]) + y * y / (alpha[1] * alpha[1])) / flat;
+    let sum = (1.0 - z * z) * slopes + z * z;
+    let facets = std::f32::consts::PI * alpha[0] * alpha[1] * sum * sum;
+    [
+        1.0 / (1.0 + view),
+        both * (1.0 + view),
+        both / (4.0 * case.view[2] * case.light[2]),
+        1.0 / facets,
+    ]
+}
+
+/// The largest relative error of each figure; infinite for NaN.
+fn worst(cases: u32, of: impl Fn(&Case) -> [f32; 4]) -> [f64; 4] {
+    let mut rng = Pcg32::new(2, 34);
+    let mut worst = [0.0_f64; 4];
+    for _ in 0..cases {
+        let case = case(&mut rng);
+        for ((worst, got), want) in worst.iter_mut().zip(of(&case)).zip(exact(&case)) {
+            let error = (f64::from(got) / want - 1.0).abs();
+            *worst = worst.max(if error.is_nan() { f64::INFINITY } else { error });
+        }
+    }
+    worst
+}
+
+#[test]
+fn masking_and_the_distribution_of_normals_keep_their_errors_down_to_the_horizon() {
+    let cases = speed::of("views, lights and normals", 200_000, 20_000_000);
+    let right = worst(cases, |case| ours(case).unwrap());
+    let wrong = worst(10_000, by_tangents);
+    for (((name, stated), right), wrong) in NAMES.iter().zip(STATED).zip(right).zip(wrong) {
+        println!("{name}: {right:.2e} of {stated:.1e}; by tangents {wrong:.1e}");
+        assert!(right <= stated, "{name}: {right:e}");
+        assert!(
+            right >= stated / 2.5,
+            "{name}: {right:e} is far below {stated:e}"
+        );
+        assert!(
+            !(wrong <= stated),
+            "the control passes for {name}: {wrong:e}"
+        );
+    }
+}
+
+#[test]
+fn masking_ends_where_it_should() {
+    let edge = GgxVisible::new([1.0, 0.0, 0.0], [0.3, 0.3]).unwrap();
+    let steep = GgxVisible::new([0.6, 0.0, 0.8], [0.3, 0.7]).unwrap();
+    let surface = Ggx::new([0.3, 0.7]).unwrap();
+    assert_eq!(edge.g1(), 0.0);
+    for z in [1.0, 0.3, 1e-20, 1e-38, 1e-45] {
+        assert_eq!(
+            edge.unmasked([1.0, 0.0, z]),
+            1.0,
+            "a view on the horizon, {z:e}"
+        );
+        assert!(steep.unmasked([1.0, 0.0, z]) <= 1.0);
+        for visible in [&edge, &steep] {
+            let visibility = visible.visibility([1.0, 0.0, z]);
+            assert!(
+                visibility > 0.0 && visibility <= f32::MAX,
+                "{z:e}: {visibility}"
+            );
+        }
+    }
+    let any = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        1e-45,
+        1e30,
+        f32::MAX,
+        f32::INFINITY,
+        f32::NAN,
+    ];
+    for x in any {
+        for z in any {
+            for visible in [&edge, &steep] {
+                let (part, visibility) = (
+                    visible.unmasked([x, 0.0, z]),
+                    visible.visibility([x, 0.0, z]),
+                );
+                assert!((0.0..=1.0).contains(&part), "{x} {z}: {part}");
+                assert!(
+                    (0.0..=f32::MAX).contains(&visibility),
+                    "{x} {z}: {visibility}"
+                );
+                if !(z > 0.0) {
+                    assert_eq!([part, visibility], [0.0; 2], "{x} {z}");
+                }
+            }
+            let d = surface.distribution([x, 0.0, z]);
+            assert!((0.0..=f32::MAX).contains(&d), "{x} {z}: {d}");
+        }
+    }
+    assert_eq!(surface.distribution([1.0, 0.0, 0.0]), 0.0);
+    assert_eq!(
+        GgxVisible::new([0.0, 0.0, 1.0], [0.3; 2]).unwrap().g1(),
+        1.0
+    );
+}
