@@ -8,6 +8,7 @@
 //! | weights that change with every selection | [`select_once`] | none | one pass over the weights |
 //! | integer weights that change now and then | [`SumTree`] | none beside the weights | log₂ n additions |
 //! | a stream whose length is not known | [`Reservoir`] | one item in all | two `u32` an item |
+//! | candidates for a light, and a target that is not normalised | [`LightReservoir`] | one item in all | two `u32` a candidate |
 //! | a stream with integer weights, and want several of its items | [`WeightedReservoir`] | 12 bytes and an item each of those, rounded up to 8 | one `u32` an item |
 //! | weights of cells on a line, and want a point | [`PiecewiseConstant1d`] | 4 bytes | that of a `Cdf` |
 //! | a density at equally spaced points of a line | [`PiecewiseLinear1d`] | 8 bytes | that of a `Cdf`, and a root or two |
@@ -51,11 +52,13 @@ mod binomial;
 mod bins;
 mod cdf;
 mod cells;
+mod combination;
 mod ends;
 mod geometric;
 mod hypergeometric;
 mod lat_long_map;
 mod layout;
+mod light_reservoir;
 mod mesh;
 mod negative_binomial;
 mod piecewise1d;
@@ -78,9 +81,11 @@ pub use self::alias::Alias;
 pub use self::binomial::Binomial;
 pub use self::bins::AliasEntry;
 pub use self::cdf::Cdf;
+pub use self::combination::Normaliser;
 pub use self::geometric::Geometric;
 pub use self::hypergeometric::Hypergeometric;
 pub use self::lat_long_map::{LatLongMap, PixelSample};
+pub use self::light_reservoir::LightReservoir;
 pub use self::mesh::{Mesh, MeshPoint};
 pub use self::negative_binomial::NegativeBinomial;
 pub use self::piecewise_linear1d::PiecewiseLinear1d;

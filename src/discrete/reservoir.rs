@@ -142,11 +142,7 @@ impl<T> Reservoir<T> {
 
     /// Offers an item of weight `own` that adds `mass` to the sum.
     fn take(&mut self, item: T, own: Total, mass: Total, bits: u64) -> bool {
-        if mass.is_zero() {
-            return false;
-        }
-        self.total = self.total.plus(mass);
-        let taken = mass.contains(bits, self.total);
+        let taken = self.total.grow(mass, bits);
         if taken {
             self.held = Some((item, own));
         }

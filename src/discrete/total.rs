@@ -3,6 +3,7 @@
 use super::weights::decode;
 use crate::error::Error;
 use crate::num::division::quotient;
+use crate::num::{Long, Scaled, high, representable};
 
 /// A positive number as 64 leading bits and an exponent: mantissa · 2^(exponent − 214), or 0.
 ///
@@ -12,8 +13,11 @@ use crate::num::division::quotient;
 pub(crate) struct Total {
     /// The leading bit is set, unless the number is 0.
     mantissa: u64,
-    exponent: u32,
+    exponent: i32,
 }
+
+/// The exponents of products stay within this, so that they can be added.
+const FARTHEST: i32 = 1 << 24;
 
 impl Total {
     pub(crate) const ZERO: Self = Self {
@@ -37,8 +41,34 @@ impl Total {
         let up = significand.leading_zeros();
         Ok(Self {
             mantissa: significand.wrapping_shl(up),
-            exponent: field.wrapping_add(64).wrapping_sub(up),
+            exponent: 64_i32
+                .wrapping_add_unsigned(field)
+                .wrapping_sub_unsigned(up),
         })
+    }
+
+    pub(crate) const fn of_long(number: Long) -> Self {
+        Self {
+            mantissa: number.mantissa,
+            exponent: number.exponent.saturating_add(150),
+        }
+    }
+
+    /// The number of some things, exactly.
+    pub(crate) const fn of_count(count: u32) -> Self {
+        match count {
+            0 => Self::ZERO,
+            count => Self::of_long(Long::of(count as u64, 64)),
+        }
+    }
+
+    pub(crate) const fn of_scaled(number: Scaled) -> Self {
+        let (significand, exponent) = number.parts();
+        let digits = significand.to_bits() & 0x007f_ffff | 0x0080_0000;
+        Self {
+            mantissa: (digits as u64) << 40,
+            exponent: exponent.saturating_add(151),
+        }
     }
 
     pub(crate) const fn is_zero(self) -> bool {
@@ -47,7 +77,7 @@ impl Total {
 
     /// How far the mantissa of `self` must be shifted down to the exponent of a larger number.
     const fn below(self, larger: Self) -> u32 {
-        larger.exponent.wrapping_sub(self.exponent)
+        larger.exponent.wrapping_sub(self.exponent) as u32
     }
 
     pub(crate) const fn plus(self, other: Self) -> Self {
@@ -77,6 +107,36 @@ impl Total {
                 mantissa: sum,
                 exponent: large.exponent,
             }
+        }
+    }
+
+    /// Adds a part, and says whether a word of 2⁶⁴ falls on it. A part of 0 takes none.
+    pub(crate) const fn grow(&mut self, part: Self, word: u64) -> bool {
+        if part.is_zero() {
+            return false;
+        }
+        *self = self.plus(part);
+        part.contains(word, *self)
+    }
+
+    /// The product, cut: less than 2⁻⁶² of it is lost, and nothing where both have 32 bits.
+    pub(crate) const fn times(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::ZERO;
+        }
+        let product = high(self.mantissa, other.mantissa);
+        let up = product.leading_zeros();
+        let exponent = self.exponent.saturating_add(other.exponent);
+        let exponent = exponent.saturating_sub_unsigned(up).saturating_sub(150);
+        Self {
+            mantissa: product.wrapping_shl(up),
+            exponent: if exponent > FARTHEST {
+                FARTHEST
+            } else if exponent < -FARTHEST {
+                -FARTHEST
+            } else {
+                exponent
+            },
         }
     }
 
@@ -145,14 +205,25 @@ impl Total {
 
     /// The quotient of this and `whole`, which is not below it, as an `f32`; never 0.
     pub(crate) fn ratio(self, whole: Self) -> f32 {
-        // The mantissas' quotient lies between 1/2 and 2. We take 31 or 32 bits of it, and let the last stand
-        // for all that follow, so the conversion rounds as that of the exact quotient would.
-        let (digits, inexact) = quotient(self.mantissa, whole.mantissa);
-        let digits = (digits | u32::from(inexact)) as f32;
         // The exponents differ by at most 277 and the growth of a stream, which two powers of two can express.
         let down = self.below(whole).wrapping_add(31);
         let half = down >> 1;
-        crate::num::representable(digits * power(half) * power(down.wrapping_sub(half)))
+        representable(self.digits(whole) * power(half) * power(down.wrapping_sub(half)))
+    }
+
+    /// The quotient of two positive numbers as an `f32`, correctly rounded unless subnormal; positive and finite.
+    pub(crate) fn over(self, other: Self) -> f32 {
+        let up = self.exponent.saturating_sub(other.exponent);
+        let digits = Scaled::of(self.digits(other));
+        representable(digits.raised(up.saturating_sub(31)).value())
+    }
+
+    /// The quotient of the mantissas times 2³¹.
+    fn digits(self, other: Self) -> f32 {
+        // It lies between 1/2 and 2. We take 31 or 32 bits of it, and let the last stand for all that follow, so the
+        // conversion rounds as that of the exact quotient would.
+        let (digits, inexact) = quotient(self.mantissa, other.mantissa);
+        (digits | u32::from(inexact)) as f32
     }
 }
 

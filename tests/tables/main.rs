@@ -17,6 +17,7 @@ mod ends;
 mod exact;
 mod hypergeometrics;
 mod leftover;
+mod light_reservoir;
 mod masses;
 mod meshes;
 mod negative_binomials;
