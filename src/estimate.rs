@@ -9,6 +9,8 @@
 //! | samples of a known density, and an integrand | [`Integral`]: estimate, standard error, bounds |
 //! | weighted samples, or a density known up to a factor | [`WeightedMean`]: mean, standard error |
 //! | two densities that sample one integrand | [`balance_heuristic`] or [`power_heuristic`] |
+//! | three or more | [`balance_heuristic_of`] or [`power_heuristic_of`] |
+//! | a path that may end, or goes on with more weight | [`roulette`] |
 //! | the states of a chain | [`Autocorrelation`](crate::metropolis::Autocorrelation), since they depend on each other |
 //!
 //! # Promises
@@ -22,13 +24,17 @@
 mod heuristic;
 mod integral;
 mod moments;
+mod roulette;
 mod sum;
 mod tally;
 mod weighted_mean;
 
-pub use self::heuristic::{balance_heuristic, power_heuristic};
+pub use self::heuristic::{
+    balance_heuristic, balance_heuristic_of, power_heuristic, power_heuristic_of,
+};
 pub use self::integral::Integral;
 pub use self::moments::Moments;
+pub use self::roulette::roulette;
 pub(crate) use self::sum::{Scale, Sum};
 pub(crate) use self::tally::Tally;
 pub use self::weighted_mean::WeightedMean;

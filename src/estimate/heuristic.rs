@@ -1,4 +1,6 @@
-//! Weights that combine two sampling techniques into one estimate.
+//! Weights that combine sampling techniques into one estimate.
+
+use crate::num::power_of_two;
 
 /// 2⁹⁴; above it, a density times a count could overflow.
 const LARGE: f32 = f32::from_bits((127 + 94) << 23);
@@ -89,6 +91,7 @@ fn weight((f, g): (f32, f32), shape: impl Fn(f32) -> f32) -> f32 {
 /// # See also
 ///
 /// - [`power_heuristic`], which often has less variance.
+/// - [`balance_heuristic_of`], for more than two techniques.
 ///
 /// # Source
 ///
@@ -121,6 +124,7 @@ pub fn balance_heuristic(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
 /// # See also
 ///
 /// - [`balance_heuristic`], which is cheaper.
+/// - [`power_heuristic_of`], for more than two techniques.
 ///
 /// # Source
 ///
@@ -131,4 +135,114 @@ pub fn balance_heuristic(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
 #[inline]
 pub fn power_heuristic(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
     weight(expected(n_f, p_f, n_g, p_g), |quotient| quotient * quotient)
+}
+
+/// The weight of a technique among several: its part of the sum of what `shape` makes of the expected numbers of samples.
+/// They are scaled so that the largest density is near 2^`near`, from where no product leaves the range of `f32`.
+#[inline]
+fn weight_of(techniques: &[(u32, f32)], own: usize, near: i32, shape: impl Fn(f32) -> f32) -> f32 {
+    let most = techniques.iter().fold(0.0, |most: f32, &(n, p)| {
+        let p = density(n, p);
+        if p > most { p } else { most }
+    });
+    let field = most.to_bits() >> 23;
+    let up = near.wrapping_add(127).wrapping_sub_unsigned(field);
+    let (first, second) = (
+        power_of_two(up >> 1),
+        power_of_two(up.wrapping_sub(up >> 1)),
+    );
+    let expected = |&(n, p): &(u32, f32)| {
+        let p = density(n, p);
+        let p = if most <= f32::MAX {
+            p * first * second
+        } else if p > f32::MAX {
+            // An infinite density outweighs every finite one; several are equal.
+            1.0
+        } else {
+            0.0
+        };
+        shape(n as f32 * p)
+    };
+    let sum = techniques
+        .iter()
+        .fold(0.0, |sum, technique| sum + expected(technique));
+    match techniques.get(own) {
+        Some(own) if sum > 0.0 => expected(own) / sum,
+        _ => 0.0,
+    }
+}
+
+/// The balance heuristic of any number of techniques: the weight of a sample of the technique `own`.
+///
+/// Of each technique `techniques` has the number n of its samples and the density p with which it draws the point of the
+/// sample. The weight is w = `n p`/∑ `n p`, computed without overflow or underflow.
+///
+/// # Domain
+///
+/// Any numbers, and at most 2²⁴ techniques. A negative or NaN density counts as 0. An infinite density outweighs every finite
+/// one; several count as equal. The weight is in [0, 1], and 0 of a technique that there is not. The weights of all sum to 1,
+/// up to rounding, if one technique has a positive density and count; otherwise all are 0.
+///
+/// # Accuracy
+///
+/// Error of N techniques: N ulp for counts of 1, N + 4 ulp for any counts, which is proven: as many
+/// roundings. An ulp is a unit in the last place; below 2⁻¹²⁶, it is the subnormal spacing.
+///
+/// # Examples
+///
+/// ```
+/// use microwarp::estimate::balance_heuristic_of;
+/// // A lamp, a lobe and the sky, of which the last takes two samples.
+/// let techniques = [(1, 3.0), (1, 1.0), (2, 2.0)];
+/// let weights = [0, 1, 2].map(|own| balance_heuristic_of(&techniques, own));
+/// assert_eq!(weights, [0.375, 0.125, 0.5]);
+/// assert_eq!(balance_heuristic_of(&[(1, f32::NAN), (1, f32::INFINITY), (3, 1e38)], 1), 1.0);
+/// ```
+///
+/// # See also
+///
+/// - [`balance_heuristic`], of two techniques, which is cheaper.
+/// - [`power_heuristic_of`], which often has less variance.
+///
+/// # Source
+///
+/// E. Veach, L. J. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995,
+/// [doi:10.1145/218380.218498](https://doi.org/10.1145/218380.218498).
+#[doc(alias = "multiple_importance_sampling")]
+#[must_use]
+#[inline]
+pub fn balance_heuristic_of(techniques: &[(u32, f32)], own: usize) -> f32 {
+    weight_of(techniques, own, 60, |expected| expected)
+}
+
+/// The power heuristic with exponent 2 of any number of techniques: [`balance_heuristic_of`] with the squares of `n p`.
+///
+/// It favours the technique that samples the point best. Its domain is that of [`balance_heuristic_of`].
+///
+/// # Accuracy
+///
+/// Error of N techniques: N + 2 ulp for counts of 1, N + 10 ulp for any counts, which is proven: as many
+/// roundings. An ulp is a unit in the last place; below 2⁻¹²⁶, it is the subnormal spacing.
+///
+/// # Examples
+///
+/// ```
+/// use microwarp::estimate::power_heuristic_of;
+/// assert_eq!(power_heuristic_of(&[(1, 3.0), (1, 1.0), (2, 1.0)], 0), 9.0 / 14.0);
+/// assert_eq!(power_heuristic_of(&[(1, 1e20), (1, 1e-25)], 0), 1.0);
+/// ```
+///
+/// # See also
+///
+/// - [`power_heuristic`], of two techniques.
+///
+/// # Source
+///
+/// E. Veach, L. J. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995,
+/// [doi:10.1145/218380.218498](https://doi.org/10.1145/218380.218498).
+#[doc(alias = "multiple_importance_sampling")]
+#[must_use]
+#[inline]
+pub fn power_heuristic_of(techniques: &[(u32, f32)], own: usize) -> f32 {
+    weight_of(techniques, own, 16, |expected| expected * expected)
 }

@@ -22,9 +22,10 @@ use rand_core::{Rng, TryRng};
 /// - Parameters: a probability from 0 to 1 as an `f32`, or as a ratio of integers, of which no division is taken.
 ///
 /// # Accuracy
-/// - A number p has ⌈2³²p⌉ words, and a ratio ⌈2³²a/b⌉. So the probability is never below p, and above it by less than 2⁻³². From 2⁻⁹
-///   up a number is exact. 0 never happens, 1 always, and what is positive may happen.
-/// - [`probability`](Self::probability) is that of the words. Divide by it, not by p, where what survived is to keep its mean.
+/// - A number p has ⌈2³²p⌉ words, and a ratio ⌈2³²a/b⌉. So the probability is never below p, and above it by less than
+///   2⁻³². From 2⁻⁹ up a number is exact. 0 never happens, 1 always, and what is positive may happen.
+/// - [`probability`](Self::probability) is that of the words. Multiply by [`weight`](Self::weight), not by 1/p, where what
+///   survived is to keep its mean.
 ///
 /// A uniform compared with p, as in `grid(rng) < p`, decides by 24 bits: it is off by up to 0.6 % near p = 1e-5.
 ///
@@ -47,6 +48,7 @@ use rand_core::{Rng, TryRng};
 /// # See also
 /// - [`Range`](super::Range): an integer of several.
 /// - [`Geometric`](crate::discrete::Geometric): how many events happen before the first that does not.
+/// - [`roulette`](crate::estimate::roulette()), for paths whose chance of going on changes.
 /// - [`Chain`](crate::metropolis::Chain), whose steps between integer weights are accepted by this.
 #[doc(alias = "coin")]
 #[doc(alias = "bool")]
@@ -143,6 +145,17 @@ impl Chance {
     pub const fn probability(self) -> f32 {
         // Exact: a power of two.
         self.words() as f32 * (f32::EPSILON / 512.0)
+    }
+
+    /// By what to multiply what happened so that its mean is that of the whole: 1 over the probability of the words. It is
+    /// rounded once for a number, twice for a ratio. 0 where it never happens.
+    #[must_use]
+    pub const fn weight(self) -> f32 {
+        let words = self.words();
+        if words == 0 {
+            return 0.0;
+        }
+        Self::TOTAL as f32 / words as f32
     }
 
     /// Whether this word accepts, that is, whether it is below [`Chance::words`]. It takes no division.

@@ -7,7 +7,7 @@ use microwarp::estimate::{balance_heuristic, power_heuristic};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
-const DENSITIES: [f32; 16] = [
+pub const DENSITIES: [f32; 16] = [
     0.0,
     1e-45,
     1e-40,
@@ -67,7 +67,7 @@ fn check(heuristic: Heuristic, exponent: i32, [n_f, n_g]: [u32; 2], [f, g]: [f32
 }
 
 /// Counts and densities that a search found, where all roundings go one way.
-const SEARCHED: [([u32; 2], [f32; 2]); 4] = [
+pub const SEARCHED: [([u32; 2], [f32; 2]); 4] = [
     ([1, 1], [1.841_285, 234.452_09]),
     ([1, 1], [1.694_926_5, 27.112_032]),
     ([44_575_522, 34_782_094], [1.506_556_5, 247.100_11]),

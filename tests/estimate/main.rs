@@ -13,7 +13,9 @@ mod importance;
 mod integrals;
 mod limits;
 mod long;
+mod roulette;
 mod short;
+mod techniques;
 mod weighted_mean;
 
 /// Standard errors that a correct estimator may be off.
