@@ -86,7 +86,8 @@ pub use self::order::{
 };
 pub use self::permutation::Permutation;
 pub use self::points::{
-    ByPosition, Cursor, LatinHypercube, MAX_DIMENSIONS, Points, Recurrence, Sobol,
+    ByPosition, Cursor, LatinHypercube, MAX_DIMENSIONS, Points, Recurrence, Screen, ScreenPixel,
+    Sobol,
 };
 pub use self::range::{Range, try_up_to, up_to, up_to_from_word};
 pub use self::strata::{MAX_STRATA, Strata1d, Strata2d};

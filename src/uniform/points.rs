@@ -3,11 +3,13 @@
 mod latin_hypercube;
 mod position;
 mod recurrence;
+mod screen;
 mod sobol;
 
 pub use self::latin_hypercube::LatinHypercube;
 pub use self::position::ByPosition;
 pub use self::recurrence::Recurrence;
+pub use self::screen::{Screen, ScreenPixel};
 pub use self::sobol::Sobol;
 
 use super::deep_from_word;
@@ -65,6 +67,7 @@ pub const MAX_DIMENSIONS: usize = 8;
 /// - [`Recurrence`](super::Recurrence): the cheapest, for any number of points.
 /// - [`LatinHypercube`](super::LatinHypercube): for N known in advance, in any dimensions.
 /// - [`ByPosition`](super::ByPosition): plain random numbers.
+/// - [`Screen`](super::Screen): a set for the pixels of a picture.
 #[doc(alias = "quasi-random")]
 #[doc(alias = "low-discrepancy")]
 #[doc(alias = "QMC")]

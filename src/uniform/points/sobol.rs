@@ -61,6 +61,7 @@ mod directions;
 ///
 /// # See also
 /// - [`Recurrence`](super::Recurrence): cheaper, and even for any number of points.
+/// - [`Screen`](super::Screen): one set for all pixels of a picture.
 /// - [`Strata2d`](crate::uniform::Strata2d): for a number of points that is known in advance.
 ///
 /// # Source
@@ -147,7 +148,7 @@ const fn pascal(index: u32) -> u32 {
 /// <https://psychopath.io/post/2021_01_30_building_a_better_lk_hash>. Of some thousand random factors these had the least
 /// bias over 2¹⁸ words and seeds: no bit follows one below it by more than the noise, 0.003.
 #[inline]
-const fn scrambled(x: u32, seed: u32) -> u32 {
+pub(super) const fn scrambled(x: u32, seed: u32) -> u32 {
     let x = x ^ x.wrapping_mul(0x1705_b884);
     let x = x.wrapping_add(seed).wrapping_mul(seed >> 16 | 1);
     let x = x ^ x.wrapping_mul(0x7c2f_1220);

@@ -5,6 +5,7 @@
 //! - `latin`: strata of Latin hypercubes, and the errors of means
 //! - `hashes`: the scrambling beside Owen's, and the statistics of words by position
 //! - `neighbours`: words of neighbouring samples, pixels and seeded generators are independent
+//! - `screen`, `pictures`: the order of a set over a picture, and the errors of neighbouring pixels
 //! - `uses`: warps, strata, chains and the integer tier take a point as a generator
 
 mod hashes;
@@ -12,6 +13,8 @@ mod integration;
 mod intervals;
 mod latin;
 mod neighbours;
+mod pictures;
+mod screen;
 mod uses;
 
 use microwarp::uniform::{Points, Recurrence, Sobol};
