@@ -316,6 +316,31 @@ pub(crate) fn one_by_one<W: Warp, R: TryRng + ?Sized>(
     Ok(())
 }
 
+/// The draws of a method of two explicit uniforms, which take a word for each from the grid, in order.
+macro_rules! drawn_by {
+    ($(#[$doc:meta])* $draw:ident, $try_draw:ident, $method:ident -> $out:ty) => {
+        $(#[$doc])*
+        ///
+        /// That is the method of explicit uniforms, of two words of the generator on the 24-bit grid. A
+        /// [`Cursor`](crate::uniform::Cursor) gives its next two dimensions.
+        #[inline]
+        pub fn $draw<R: rand_core::Rng + ?Sized>(&self, rng: &mut R) -> $out {
+            crate::uniform::infallible(self.$try_draw(rng))
+        }
+
+        /// Likewise from a generator that can fail.
+        ///
+        /// # Errors
+        /// The generator's own error.
+        #[inline]
+        pub fn $try_draw<R: rand_core::TryRng + ?Sized>(&self, rng: &mut R) -> Result<$out, R::Error> {
+            let u = <[f32; 2] as crate::uniform::Uniforms>::try_draw(rng)?;
+            Ok(self.$method(u.get()))
+        }
+    };
+}
+pub(super) use drawn_by;
+
 /// [`Warp::try_draw_with_pdf`] of a warp that overrides [`Warp::sample_canonical_with_pdf`] and draws from the grid, `by`
 /// another uniform of a word, or `from` the word by a method.
 macro_rules! drawn_with_pdf {

@@ -2,6 +2,7 @@
 
 mod masking;
 
+use super::contract::drawn_by;
 use super::direction::{azimuth, is_direction, length, normalised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
@@ -429,6 +430,11 @@ impl<T: Tier> GgxVisible<T> {
             direction: [twice * mx - wx, twice * my - wy, twice * mz - wz],
             pdf: self.reflected_pdf(normal),
         }
+    }
+
+    drawn_by! {
+        /// Draws a reflection of the view: [`reflect`](Self::reflect) of a generator.
+        draw_reflection, try_draw_reflection, reflect -> Reflection
     }
 
     /// The density of the direction into which a microfacet of this normal reflects the view, per steradian.

@@ -1,5 +1,6 @@
 //! The uniform distribution over the directions of a rectangle, seen from a point.
 
+use super::contract::drawn_by;
 use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, Warp};
@@ -284,6 +285,11 @@ impl<T: Tier> SphericalRectangle<T> {
             },
             pdf: self.density,
         }
+    }
+
+    drawn_by! {
+        /// Draws a place on the rectangle: [`locate`](Self::locate) of a generator.
+        draw_place, try_draw_place, locate -> OnRectangle
     }
 
     /// Whether two uniforms lead to the half of the second edge; the weights there, and the corners of the half.

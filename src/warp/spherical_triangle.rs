@@ -1,5 +1,6 @@
 //! The uniform distribution over the directions of a triangle, seen from a point.
 
+use super::contract::drawn_by;
 use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, Warp};
@@ -240,6 +241,11 @@ impl<T: Tier> SphericalTriangle<T> {
             barycentric: [p / sum, q / sum, r / sum],
             pdf: self.density,
         }
+    }
+
+    drawn_by! {
+        /// Draws a place on the triangle: [`locate`](Self::locate) of a generator.
+        draw_place, try_draw_place, locate -> OnTriangle
     }
 
     #[inline]

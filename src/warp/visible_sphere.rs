@@ -1,5 +1,6 @@
 //! The directions in which a sphere is seen from a point.
 
+use super::contract::drawn_by;
 use super::direction::{around, normalised};
 use super::planar::{PlanarMap, planar};
 use super::{Cone, Frame, Invert, Oriented, Warp};
@@ -244,6 +245,11 @@ impl<T: Tier> VisibleSphere<T> {
             distance: clamp(distance * self.scale, 0.0, f32::MAX),
             pdf,
         }
+    }
+
+    drawn_by! {
+        /// Draws a place on the sphere: [`sample_surface`](Self::sample_surface) of a generator.
+        draw_surface, try_draw_surface, sample_surface -> SurfaceSample
     }
 }
 

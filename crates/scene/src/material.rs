@@ -210,7 +210,7 @@ impl<K: Kit> MetalLobe<K> {
 
 impl<K: Kit> Lobe for MetalLobe<K> {
     fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
-        let bounce = self.normals.reflect([grid(words), grid(words)]);
+        let bounce = self.normals.draw_reflection(words);
         let (value, pdf) = self.of(bounce.direction, bounce.normal);
         let direction = bounce.direction;
         (pdf > 0.0).then_some(Bounce {

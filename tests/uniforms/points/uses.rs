@@ -9,7 +9,7 @@ use microwarp::uniform::{
     ByPosition, MAX_DIMENSIONS, Points, Recurrence, Sobol, Strata2d, deep_from_word, grid_from_word,
 };
 use microwarp::{Warp, poly};
-use rand_pcg::rand_core::Rng;
+use rand_pcg::rand_core::{Rng, TryRng};
 
 #[test]
 fn a_cursor_yields_the_dimensions_in_order() {
@@ -56,6 +56,84 @@ fn warps_of_all_tiers_and_strata_take_a_point() {
             [(4.0 * u) as u32, (4.0 * v) as u32],
             [index % 4, index / 4 % 4]
         );
+    }
+}
+
+/// Methods of two explicit uniforms draw them from the next two dimensions, in order; a failing generator's error comes through.
+#[test]
+fn reflections_and_places_take_a_point() {
+    let [across, up, aside] = [[2.0, 0.0, 0.5], [0.0, 1.5, 0.0], [0.5, 0.5, 2.0]];
+    let glossy = poly::GgxVisible::new([0.6, 0.0, 0.8], [0.3, 0.1]).unwrap();
+    let ball = poly::VisibleSphere::new([0.0; 3], aside, 0.7).unwrap();
+    let panel = poly::SphericalRectangle::new([0.0; 3], aside, [across, up]).unwrap();
+    let face = poly::SphericalTriangle::new([0.0; 3], [aside, across, up]).unwrap();
+    let set = Sobol::<4>::new(11).unwrap();
+    for index in 0..200 {
+        let [_, u, v] = set.words(index).map(grid_from_word);
+        let mut point = set.at(index).skip_to(1);
+        assert_eq!(glossy.draw_reflection(&mut point), glossy.reflect([u, v]));
+        assert_eq!(point.dimension(), 3);
+        let point = || set.at(index).skip_to(1);
+        assert_eq!(ball.draw_surface(&mut point()), ball.sample_surface([u, v]));
+        assert_eq!(panel.draw_place(&mut point()), panel.locate([u, v]));
+        assert_eq!(face.draw_place(&mut point()), face.locate([u, v]));
+        // What is drawn is the point that the warp itself draws.
+        assert_eq!(
+            glossy.draw_reflection(&mut point()).normal,
+            glossy.draw(&mut point())
+        );
+        assert_eq!(
+            ball.draw_surface(&mut point()).direction,
+            ball.draw(&mut point())
+        );
+        assert_eq!(
+            panel.draw_place(&mut point()).direction,
+            panel.draw(&mut point())
+        );
+        assert_eq!(
+            face.draw_place(&mut point()).direction,
+            face.draw(&mut point())
+        );
+        assert_ne!(glossy.draw_reflection(&mut point()), glossy.reflect([v, u]));
+    }
+    let mut spent = Spent(1);
+    assert_eq!(glossy.try_draw_reflection(&mut spent), Err(Empty));
+    assert_eq!(ball.try_draw_surface(&mut spent), Err(Empty));
+    assert_eq!(panel.try_draw_place(&mut Spent(1)), Err(Empty));
+    assert_eq!(
+        face.try_draw_place(&mut Spent(2)),
+        Ok(face.locate([0.0, 0.0]))
+    );
+}
+
+/// Zeros, so many words of them.
+struct Spent(u32);
+
+#[derive(Debug, PartialEq)]
+struct Empty;
+
+impl std::fmt::Display for Empty {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("no word is left")
+    }
+}
+
+impl std::error::Error for Empty {}
+
+impl TryRng for Spent {
+    type Error = Empty;
+
+    fn try_next_u32(&mut self) -> Result<u32, Empty> {
+        self.0 = self.0.checked_sub(1).ok_or(Empty)?;
+        Ok(0)
+    }
+
+    fn try_next_u64(&mut self) -> Result<u64, Empty> {
+        Err(Empty)
+    }
+
+    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Empty> {
+        Err(Empty)
     }
 }
 
