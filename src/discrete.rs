@@ -12,6 +12,7 @@
 //! | a stream with integer weights, and want several of its items | [`WeightedReservoir`] | 12 bytes and an item each of those, rounded up to 8 | one `u32` an item |
 //! | weights of cells on a line, and want a point | [`PiecewiseConstant1d`] | 4 bytes | that of a `Cdf` |
 //! | a density at equally spaced points of a line | [`PiecewiseLinear1d`] | 8 bytes | that of a `Cdf`, and a root or two |
+//! | a function of either sign at such points, as a pixel filter | [`SignedLinear1d`], [`filter`] | 12 bytes | the same, and a quotient |
 //! | particles, and want as many of equal weight | [`resampling`] | none | one pass over the particles |
 //! | a probability, and count trials before a success | [`Geometric`] | none | a product a digit |
 //! | a number of trials and a probability, and count successes | [`Binomial`] | 592 bytes in all | eight comparisons |
@@ -54,6 +55,7 @@ mod cdf;
 mod cells;
 mod combination;
 mod ends;
+pub mod filter;
 mod geometric;
 mod hypergeometric;
 mod lat_long_map;
@@ -68,6 +70,7 @@ mod poisson;
 pub mod resampling;
 mod reservoir;
 mod selection;
+mod signed_linear1d;
 mod single_selection;
 mod storage;
 mod sum_tree;
@@ -94,6 +97,7 @@ pub use self::piecewise2d::PiecewiseConstant2d;
 pub use self::poisson::Poisson;
 pub use self::reservoir::Reservoir;
 pub use self::selection::{ExactSelection, Selection};
+pub use self::signed_linear1d::SignedLinear1d;
 pub use self::single_selection::{select_once, select_once_uniform};
 pub use self::storage::{Grid, OwnedStorage, Storage};
 pub use self::sum_tree::SumTree;

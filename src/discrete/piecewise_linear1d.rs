@@ -73,6 +73,7 @@ use rand_core::TryRng;
 ///
 /// # See also
 /// - [`PiecewiseConstant1d`](super::PiecewiseConstant1d): a histogram, of half the memory.
+/// - [`SignedLinear1d`](super::SignedLinear1d): a function of either sign.
 /// - [`Linear`](crate::warp::Linear): one cell.
 ///
 /// # Source
@@ -254,6 +255,11 @@ where
     #[inline]
     pub const fn cdf(&self) -> &Cdf<S> {
         self.cells.cdf()
+    }
+
+    #[inline]
+    pub(super) const fn cells(&self) -> &PiecewiseConstant1d<S> {
+        &self.cells
     }
 
     /// The weights of the vertices.

@@ -28,6 +28,7 @@ mod refused_weights;
 mod resampling;
 mod reservoir;
 mod select_once;
+mod signed;
 mod skies;
 mod stack;
 mod storage;
