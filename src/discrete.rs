@@ -21,6 +21,7 @@
 //! | a mean, and count events | [`Poisson`] | none | some steps from the mean |
 //! | a picture, and want a point | [`PiecewiseConstant2d`] | 4 bytes a cell and a row | those of two `Cdf` |
 //! | a triangle mesh, and want a point on it | [`Mesh`] | 8 bytes a face | that of a `Cdf`, and a root |
+//! | several warps, and want a point of one of them by its weight | [`Mixture`] | 16 bytes | that of a `Cdf`, and the warp |
 //! | a picture of all directions, and want a direction | [`LatLongMap`] | 4 bytes a pixel and a row | those of two `Cdf`, and two angles |
 //!
 //! A table of `u32` words, the usual one, has probabilities in steps of 2⁻³² and takes one `u32` of the generator.
@@ -53,6 +54,7 @@ mod binomial;
 mod bins;
 mod cdf;
 mod cells;
+mod chooser;
 mod combination;
 mod ends;
 pub mod filter;
@@ -62,6 +64,7 @@ mod lat_long_map;
 mod layout;
 mod light_reservoir;
 mod mesh;
+mod mixture;
 mod negative_binomial;
 mod piecewise1d;
 mod piecewise2d;
@@ -90,6 +93,7 @@ pub use self::hypergeometric::Hypergeometric;
 pub use self::lat_long_map::{LatLongMap, PixelSample};
 pub use self::light_reservoir::LightReservoir;
 pub use self::mesh::{Mesh, MeshPoint};
+pub use self::mixture::{InvertParts, Mixture, Parts};
 pub use self::negative_binomial::NegativeBinomial;
 pub use self::piecewise_linear1d::PiecewiseLinear1d;
 pub use self::piecewise1d::PiecewiseConstant1d;
@@ -103,6 +107,16 @@ pub use self::storage::{Grid, OwnedStorage, Storage};
 pub use self::sum_tree::SumTree;
 pub use self::weighted_reservoir::WeightedReservoir;
 pub use self::word::Word;
+
+use crate::warp::{Area, Length, SolidAngle};
+
+crate::warp::taken_by! {
+    [S] PiecewiseConstant1d<S>: Length;
+    [S, V] PiecewiseLinear1d<S, V>: Length;
+    [M, C] PiecewiseConstant2d<M, C>: Area;
+    [I, S] Mesh<'_, I, S>: Area;
+    [T, M, C] LatLongMap<T, M, C>: SolidAngle;
+}
 
 /// The most entries a table may have, 2²⁴: as many as there are points on the grid of an `f32` uniform.
 pub const MAX_ENTRIES: usize = 1 << 24;

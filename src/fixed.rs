@@ -147,6 +147,8 @@ pub use self::rejection::{DiskRejection, DiskRejection16};
 pub use self::interval::Interval;
 pub use self::number::Number;
 
+use crate::warp::{Content, Measured, Rotations, SolidAngle};
+
 /// Every warp with a grade in one line: its file, its name, its other parameters (as declared and as named), and what it
 /// is.
 macro_rules! each_warp {
@@ -190,6 +192,34 @@ macro_rules! graded {
 pub mod warp {
     pub use super::interval::Interval;
     each_warp!(graded);
+}
+
+crate::warp::taken_by! {
+    [Frac, G] warp::Annulus<Frac, G>: Content<2>;
+    [G] warp::Bilinear<G>: Content<2>;
+    [G] warp::Cone<G>: SolidAngle;
+    [G] warp::Disk<G>: Content<2>;
+    [Frac, G] warp::Exponential<Frac, G>: Content<1>;
+    [G] warp::StandardExponential<G>: Content<1>;
+    [G] warp::CosineHemisphere<G>: SolidAngle;
+    [G] warp::Hemisphere<G>: SolidAngle;
+    [G] warp::HenyeyGreenstein<G>: SolidAngle;
+    [G] warp::PhongLobe<G>: SolidAngle;
+    [Frac, G] warp::NormalPair<Frac, G>: Content<2>;
+    [G] warp::StandardNormalPair<G>: Content<2>;
+    [Frac, G] warp::Rayleigh<Frac, G>: Content<1>;
+    [G] warp::RegularPolygon<G>: Content<2>;
+    [G] warp::Rotation<G>: Rotations;
+    [const N: usize, G] warp::Simplex<N, G>: Content<N>;
+    [G] warp::Sphere<G>: SolidAngle;
+    [Frac, G] warp::Laplace<Frac, G>: Content<1>;
+    [Frac, G] warp::Logistic<Frac, G>: Content<1>;
+    [Frac, G] warp::Tent<Frac, G>: Content<1>;
+    [G] warp::Triangle<G>: Content<2>;
+    [Frac, const D: usize, G] warp::TriangleOn<Frac, D, G>: Content<2>;
+    [Frac, G] warp::TruncatedExponential<Frac, G>: Content<1>;
+    [T] Interval<T>: Content<1>;
+    [W: Measured] Float<W>: W::Measure;
 }
 
 /// Aliases of the warps in one grade, so that a program names its grade once.

@@ -326,7 +326,7 @@ struct Firmware;
 
 /// Names the warps of one tier: aliases of the types that are generic over it, and the types that both tiers share.
 macro_rules! of_tier {
-    ($tier:ident; $($file:ident::$name:ident $(<$t:ident $(, $n:ident)?>)? $what:literal,)*) => {
+    ($tier:ident; $($file:ident::$name:ident $(<$t:ident $(, $n:ident)?>)? $what:literal $($measure:ident)?,)*) => {
         $(of_tier!(@ $tier $name $(<$t $(, $n)?>)? $what);)*
     };
     (@ $tier:ident $name:ident $what:literal) => {

@@ -66,6 +66,7 @@
 
 mod chance;
 mod choice;
+mod first;
 mod generators;
 mod order;
 mod permutation;
@@ -76,6 +77,7 @@ mod stream;
 
 pub use self::chance::Chance;
 pub use self::choice::{ChoiceInOrder, choose, choose_with, try_choose, try_choose_with};
+pub(crate) use self::first::{First, Led};
 pub use self::generators::FromFn;
 #[cfg(feature = "rand_core_09")]
 pub use self::generators::Rng09;
@@ -133,22 +135,31 @@ impl<U: Copy, const N: usize> Canonical<[U; N]> {
     }
 }
 
+impl<A: Copy, B: Copy> Canonical<(A, B)> {
+    /// The uniforms of either half, each still known to lie in [0, 1).
+    #[must_use]
+    #[inline]
+    pub const fn split(self) -> (Canonical<A>, Canonical<B>) {
+        let (a, b) = self.0;
+        (Canonical(a), Canonical(b))
+    }
+}
+
 mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
-    impl<const N: usize> Sealed for [f32; N] {}
     #[cfg(feature = "fixed")]
     impl Sealed for fixed::types::U0F32 {}
-    #[cfg(feature = "fixed")]
-    impl<const N: usize> Sealed for [fixed::types::U0F32; N] {}
+    impl<U: Sealed, const N: usize> Sealed for [U; N] {}
+    impl<A: Sealed, B: Sealed> Sealed for (A, B) {}
 }
 
-/// The uniforms of one sample: an `f32` or an array of them; in the integer tier a `U0F32` or an array of those.
+/// The uniforms of one sample: an `f32`, in the integer tier a `U0F32`; an array of uniforms, or a pair.
 ///
 /// The trait is sealed. The type [`Warp::Uniforms`](crate::Warp::Uniforms) says how many uniforms a warp takes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be the uniforms of a warp",
-    note = "uniforms are an `f32` or an array `[f32; N]`; with feature `fixed` also a `U0F32` or an array of them"
+    note = "uniforms are an `f32`, an array such as `[f32; N]`, or a pair; with feature `fixed` also a `U0F32` in place of an `f32`"
 )]
 pub trait Uniforms: sealed::Sealed + Copy {
     /// The number of uniforms.
@@ -156,6 +167,9 @@ pub trait Uniforms: sealed::Sealed + Copy {
 
     /// The words they are drawn from, one `u32` for each number.
     type Words: Copy;
+
+    /// Words that are all 0.
+    const ZERO_WORDS: Self::Words;
 
     /// Brings every number into [0, 1): NaN and numbers below 0 become 0, numbers from 1 up become [`LARGEST`].
     ///
@@ -188,6 +202,7 @@ pub trait Uniforms: sealed::Sealed + Copy {
 impl Uniforms for f32 {
     const COUNT: usize = 1;
     type Words = u32;
+    const ZERO_WORDS: u32 = 0;
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
@@ -205,31 +220,12 @@ impl Uniforms for f32 {
     }
 }
 
-impl<const N: usize> Uniforms for [f32; N] {
-    const COUNT: usize = N;
-    type Words = [u32; N];
-
-    #[inline]
-    fn canonical(self) -> Canonical<Self> {
-        Canonical(self.map(|u| u.canonical().get()))
-    }
-
-    #[inline]
-    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<[u32; N], R::Error> {
-        try_words(rng)
-    }
-
-    #[inline]
-    fn from_words(words: [u32; N]) -> Canonical<Self> {
-        Canonical(words.map(grid_from_word))
-    }
-}
-
 /// Each of the 2³² words is a uniform k·2⁻³² in [0, 1), so that none is out of range.
 #[cfg(feature = "fixed")]
 impl Uniforms for fixed::types::U0F32 {
     const COUNT: usize = 1;
     type Words = u32;
+    const ZERO_WORDS: u32 = 0;
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
@@ -247,35 +243,51 @@ impl Uniforms for fixed::types::U0F32 {
     }
 }
 
-#[cfg(feature = "fixed")]
-impl<const N: usize> Uniforms for [fixed::types::U0F32; N] {
-    const COUNT: usize = N;
-    type Words = [u32; N];
+impl<U: Uniforms, const N: usize> Uniforms for [U; N] {
+    const COUNT: usize = N.wrapping_mul(U::COUNT);
+    type Words = [U::Words; N];
+    const ZERO_WORDS: [U::Words; N] = [U::ZERO_WORDS; N];
 
     #[inline]
     fn canonical(self) -> Canonical<Self> {
-        Canonical(self)
+        Canonical(self.map(|u| u.canonical().get()))
     }
 
     #[inline]
-    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<[u32; N], R::Error> {
-        try_words(rng)
+    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<[U::Words; N], R::Error> {
+        let mut words = Self::ZERO_WORDS;
+        for word in &mut words {
+            *word = U::try_words(rng)?;
+        }
+        Ok(words)
     }
 
     #[inline]
-    fn from_words(words: [u32; N]) -> Canonical<Self> {
-        Canonical(words.map(fixed::types::U0F32::from_bits))
+    fn from_words(words: [U::Words; N]) -> Canonical<Self> {
+        Canonical(words.map(|word| U::from_words(word).get()))
     }
 }
 
-/// Draws N words, in order.
-#[inline]
-fn try_words<R: TryRng + ?Sized, const N: usize>(rng: &mut R) -> Result<[u32; N], R::Error> {
-    let mut words = [0; N];
-    for word in &mut words {
-        *word = rng.try_next_u32()?;
+impl<A: Uniforms, B: Uniforms> Uniforms for (A, B) {
+    const COUNT: usize = A::COUNT.wrapping_add(B::COUNT);
+    type Words = (A::Words, B::Words);
+    const ZERO_WORDS: (A::Words, B::Words) = (A::ZERO_WORDS, B::ZERO_WORDS);
+
+    #[inline]
+    fn canonical(self) -> Canonical<Self> {
+        let (a, b) = self;
+        Canonical((a.canonical().get(), b.canonical().get()))
     }
-    Ok(words)
+
+    #[inline]
+    fn try_words<R: TryRng + ?Sized>(rng: &mut R) -> Result<Self::Words, R::Error> {
+        Ok((A::try_words(rng)?, B::try_words(rng)?))
+    }
+
+    #[inline]
+    fn from_words((a, b): Self::Words) -> Canonical<Self> {
+        Canonical((A::from_words(a).get(), B::from_words(b).get()))
+    }
 }
 
 /// Unwraps the result of a generator that cannot fail.

@@ -54,6 +54,7 @@ mod cone;
 pub(crate) mod contract;
 pub(crate) mod direction;
 mod disk;
+mod each;
 mod equi_angular;
 mod exponential;
 mod fill;
@@ -71,13 +72,16 @@ mod location_scale;
 mod log_normal;
 mod logistic;
 mod marginal;
+mod measure;
 mod normal;
 mod pareto;
 mod phong_lobe;
 mod planar;
 mod power;
 mod power_max;
+mod product;
 mod rayleigh;
+mod reflected;
 mod regular_polygon;
 mod rotation;
 mod seen;
@@ -98,79 +102,84 @@ mod von_mises_fisher;
 mod weibull;
 
 /// Every warp in one line: its file, its name, and a sentence for the lists of the tiers. `<T>` marks types that are
-/// generic over the tier, `<T, N>` those that are generic over a number, too.
+/// generic over the tier, `<T, N>` those that are generic over a number, too. What follows is the measure of the density;
+/// where nothing does, it depends on parameters of the type, and `measure.rs` says how.
 ///
 /// From this list come the names of this module, and the names of both tiers with their documentation.
 macro_rules! each_warp {
     ($then:ident $($tier:ident)?) => {
         $then! { $($tier;)?
             aabb::Aabb "Uniform in an axis-aligned box of any dimension; one uniform a dimension",
-            annulus::Annulus<T> "Uniform on a ring between two circles, or on a sector of one; two uniforms",
-            ball::Ball<T> "Uniform in the unit ball; three uniforms",
-            bilinear::Bilinear "Bilinear between four weights at the corners of the unit square; two uniforms",
-            box_surface::BoxSurface "Uniform on the surface of an axis-aligned box; two uniforms",
-            capsule_surface::CapsuleSurface<T> "Uniform on the surface of a capsule, a cylinder between two hemispheres; two uniforms",
-            cauchy::Cauchy<T> "Cauchy (Lorentz), heavy tails on both sides; one uniform",
+            annulus::Annulus<T> "Uniform on a ring between two circles, or on a sector of one; two uniforms" Area,
+            ball::Ball<T> "Uniform in the unit ball; three uniforms" Volume,
+            bilinear::Bilinear "Bilinear between four weights at the corners of the unit square; two uniforms" Area,
+            box_surface::BoxSurface "Uniform on the surface of an axis-aligned box; two uniforms" Area,
+            capsule_surface::CapsuleSurface<T> "Uniform on the surface of a capsule, a cylinder between two hemispheres; two uniforms" Area,
+            cauchy::Cauchy<T> "Cauchy (Lorentz), heavy tails on both sides; one uniform" Length,
             composed::Composed "A warp fed with the points of another, e.g. to weight an area light by cosines",
-            cone::Cone<T> "Uniform over the directions within an angle of +z (a cone, or spherical cap); two uniforms",
-            disk::Disk<T> "Uniform on the unit disk, by polar coordinates; two uniforms",
-            disk::DiskConcentric<T> "Uniform on the unit disk, by Shirley and Chiu's concentric map, which keeps strata compact; two uniforms",
-            equi_angular::EquiAngular<T> "Uniform in the angle in which a light sees a segment of a ray (equi-angular sampling); one uniform",
-            exponential::Exponential<T> "Exponential, increasing with the uniform; one uniform",
-            exponential::ExponentialTail<T> "Exponential, decreasing with the uniform, to far into the tail; one uniform, drawn from two words",
+            cone::Cone<T> "Uniform over the directions within an angle of +z (a cone, or spherical cap); two uniforms" SolidAngle,
+            disk::Disk<T> "Uniform on the unit disk, by polar coordinates; two uniforms" Area,
+            disk::DiskConcentric<T> "Uniform on the unit disk, by Shirley and Chiu's concentric map, which keeps strata compact; two uniforms" Area,
+            each::Each "Several independent warps of one type side by side; their uniforms together",
+            equi_angular::EquiAngular<T> "Uniform in the angle in which a light sees a segment of a ray (equi-angular sampling); one uniform" Length,
+            exponential::Exponential<T> "Exponential, increasing with the uniform; one uniform" Length,
+            exponential::ExponentialTail<T> "Exponential, decreasing with the uniform, to far into the tail; one uniform, drawn from two words" Length,
             frame::Frame "An orthonormal frame about a normal",
             frame::Oriented "A warp over directions, turned onto a normal",
-            frustum_surface::FrustumSurface<T> "Uniform on a cylinder, a cone or a frustum, with or without its disks; two uniforms",
-            ggx::Ggx<T> "Normals of the microfacets of a rough surface (GGX, Trowbridge-Reitz); two uniforms",
-            ggx::GgxVisible<T> "Normals of the GGX microfacets that a viewer sees; two uniforms",
-            gumbel::Gumbel<T> "Gumbel, the distribution of maxima; one uniform",
-            hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by inversion; two uniforms",
-            hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z; two uniforms",
-            hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by Malley's method, which keeps strata compact; two uniforms",
-            henyey_greenstein::HenyeyGreenstein<T> "The Henyey-Greenstein phase function of fog, clouds and skin; two uniforms",
-            interval::Interval "Uniform on an interval; one uniform",
+            frustum_surface::FrustumSurface<T> "Uniform on a cylinder, a cone or a frustum, with or without its disks; two uniforms" Area,
+            ggx::Ggx<T> "Normals of the microfacets of a rough surface (GGX, Trowbridge-Reitz); two uniforms" Normals,
+            ggx::GgxVisible<T> "Normals of the GGX microfacets that a viewer sees; two uniforms" Normals,
+            gumbel::Gumbel<T> "Gumbel, the distribution of maxima; one uniform" Length,
+            hemisphere::CosineHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by inversion; two uniforms" SolidAngle,
+            hemisphere::Hemisphere<T> "Uniform over the hemisphere about +z; two uniforms" SolidAngle,
+            hemisphere::MalleyHemisphere<T> "In proportion to the cosine over the hemisphere about +z (Lambert's law), by Malley's method, which keeps strata compact; two uniforms" SolidAngle,
+            henyey_greenstein::HenyeyGreenstein<T> "The Henyey-Greenstein phase function of fog, clouds and skin; two uniforms" SolidAngle,
+            interval::Interval "Uniform on an interval; one uniform" Length,
             inversion::Inversion "Any density on the line, from its inverse CDF; one uniform",
-            laplace::Laplace<T> "Laplace, an exponential on both sides; one uniform",
-            linear::Linear "Linear on [0, 1); one uniform",
-            log_normal::LogNormal<T> "Log-normal, the exponential of a normal number; one uniform",
-            logistic::Logistic<T> "Logistic, whose CDF is the sigmoid; one uniform",
-            phong_lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two uniforms",
+            laplace::Laplace<T> "Laplace, an exponential on both sides; one uniform" Length,
+            linear::Linear "Linear on [0, 1); one uniform" Length,
+            log_normal::LogNormal<T> "Log-normal, the exponential of a normal number; one uniform" Length,
+            logistic::Logistic<T> "Logistic, whose CDF is the sigmoid; one uniform" Length,
+            phong_lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two uniforms" SolidAngle,
             marginal::MarginalConditional "A density in the plane, from a marginal and its conditional; two uniforms",
-            normal::Normal<T> "Normal (Gaussian), one number at a time by its quantile; one uniform",
-            normal::NormalPair<T> "Two independent normals (Gaussians), by Box and Muller's map; two uniforms",
-            pareto::Pareto<T> "Pareto, a tail that falls as a power; one uniform",
-            power::Power<T> "A power law on an interval, for any exponent; one uniform",
+            normal::Normal<T> "Normal (Gaussian), one number at a time by its quantile; one uniform" Length,
+            normal::NormalPair<T> "Two independent normals (Gaussians), by Box and Muller's map; two uniforms" Area,
+            pareto::Pareto<T> "Pareto, a tail that falls as a power; one uniform" Length,
+            product::Product "Two independent warps side by side; the uniforms of both",
+            power::Power<T> "A power law on an interval, for any exponent; one uniform" Length,
             power_max::PowerMax "The largest of N uniforms, a power law of whole exponent; N uniforms",
-            rayleigh::Rayleigh<T> "Rayleigh, the length of a vector of two normal numbers; one uniform",
-            regular_polygon::RegularPolygon<T> "Uniform on a regular polygon; two uniforms",
-            rotation::Rotation<T> "Uniform over the rotations of space, as unit quaternions; three uniforms",
+            rayleigh::Rayleigh<T> "Rayleigh, the length of a vector of two normal numbers; one uniform" Length,
+            reflected::Reflected<T> "Directions into which GGX microfacets reflect a view; two uniforms" SolidAngle,
+            regular_polygon::RegularPolygon<T> "Uniform on a regular polygon; two uniforms" Area,
+            rotation::Rotation<T> "Uniform over the rotations of space, as unit quaternions; three uniforms" Rotations,
             simplex::Simplex<T, N> "Uniform on the simplex of N dimensions: shares with sum 1; N uniforms",
-            sphere::Sphere<T> "Uniform over the unit sphere; two uniforms",
+            sphere::Sphere<T> "Uniform over the unit sphere; two uniforms" SolidAngle,
             spherical::Spherical<T> "A point in spherical coordinates, angles in turns",
-            spherical::SphericalPatch<T> "Uniform over the directions between two polar angles and two azimuths; two uniforms",
-            spherical_rectangle::SphericalRectangle<T> "Uniform over the directions from a point to a rectangle; two uniforms",
-            spherical_triangle::SphericalTriangle<T> "Uniform over the directions from a point to a triangle (Arvo's map); two uniforms",
-            tent::Tent "The tent (triangle) filter; one uniform",
+            spherical::SphericalPatch<T> "Uniform over the directions between two polar angles and two azimuths; two uniforms" SolidAngle,
+            spherical_rectangle::SphericalRectangle<T> "Uniform over the directions from a point to a rectangle; two uniforms" SolidAngle,
+            spherical_triangle::SphericalTriangle<T> "Uniform over the directions from a point to a triangle (Arvo's map); two uniforms" SolidAngle,
+            tent::Tent "The tent (triangle) filter; one uniform" Length,
             transform::Transform "A warp followed by a one-to-one map, with its Jacobian",
-            triangle::Triangle "Uniform barycentric coordinates; two uniforms",
+            triangle::Triangle "Uniform barycentric coordinates; two uniforms" Area,
             triangle_on::TriangleOn "Uniform on a triangle given by its vertices; two uniforms",
-            truncated::TruncatedExponential<T> "Exponential on [0, X], falling or rising; one uniform",
-            truncated_normal::TruncatedNormal<T> "Normal on an interval or beyond a bound, right in the far tails; one uniform",
-            visible_sphere::VisibleSphere<T> "Uniform over the directions in which a sphere is seen from a point (a sphere light); two uniforms",
-            von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms",
-            weibull::Weibull<T> "Weibull, life times by a shape; one uniform",
+            truncated::TruncatedExponential<T> "Exponential on [0, X], falling or rising; one uniform" Length,
+            truncated_normal::TruncatedNormal<T> "Normal on an interval or beyond a bound, right in the far tails; one uniform" Length,
+            visible_sphere::VisibleSphere<T> "Uniform over the directions in which a sphere is seen from a point (a sphere light); two uniforms" SolidAngle,
+            von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms" SolidAngle,
+            weibull::Weibull<T> "Weibull, life times by a shape; one uniform" Length,
         }
     };
 }
 pub(crate) use each_warp;
 
 macro_rules! names {
-    ($($file:ident::$name:ident $(<$tier:ident $(, $n:ident)?>)? $what:literal,)*) => {
+    ($($file:ident::$name:ident $(<$tier:ident $(, $n:ident)?>)? $what:literal $($measure:ident)?,)*) => {
         $(pub use self::$file::$name;)*
     };
 }
 each_warp!(names);
 pub use self::ggx::Reflection;
+pub use self::measure::{Area, Content, Length, Measured, Normals, Rotations, SolidAngle, Volume};
 pub use self::spherical_rectangle::OnRectangle;
 pub use self::spherical_triangle::OnTriangle;
 pub use self::surface_point::SurfacePoint;
@@ -178,3 +187,4 @@ pub use self::visible_sphere::SurfaceSample;
 
 pub(crate) use self::contract::{Invert, Warp, drawn_with_pdf, one_by_one};
 pub(crate) use self::fill::filled_in_blocks;
+pub(crate) use self::measure::taken_by;

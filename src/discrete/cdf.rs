@@ -263,6 +263,21 @@ impl<W: Word, const N: usize> Cdf<[W; N]> {
     }
 }
 
+impl<const N: usize> Cdf<[u32; N]> {
+    /// The words of the table, of which the last is [`last`](Self::last).
+    pub(super) const fn ends(&self) -> &[u32; N] {
+        &self.ends
+    }
+
+    /// The last entry of positive weight.
+    pub(super) const fn last(&self) -> usize {
+        match self.ends.as_slice() {
+            [.., last] => *last as usize,
+            [] => 0,
+        }
+    }
+}
+
 impl<W: Word, S: Storage<Item = W>> Cdf<S> {
     /// The table of a slice of weights, in storage of its own: a [`heapless::Vec`], with feature `alloc` a
     /// `Vec` or a `Box`, or your own [`OwnedStorage`].

@@ -127,6 +127,7 @@ tuples! {
 ///
 /// - [`LargeSmall`], the usual mixture in the unit cube.
 /// - [`OneCoordinate`](super::OneCoordinate), which picks a coordinate instead of a mutation.
+/// - [`discrete::Mixture`](crate::discrete::Mixture), of warps.
 ///
 /// # Source
 ///

@@ -59,6 +59,7 @@ use rand_core::TryRng;
 ///
 /// - [`Mixture`](super::Mixture), which takes one of several mutations at a time.
 /// - [`Subset`](super::Subset), which changes some coordinates of a point.
+/// - [`warp::Product`](crate::warp::Product), of warps.
 ///
 /// # Source
 ///

@@ -18,6 +18,12 @@ pub(crate) const fn up_to_by_two(last: u32, high: u32, low: u32) -> u32 {
     up_to_on::<NARROW>(last, high, up_to(last, low))
 }
 
+/// ⌊(word·last + word + carried)/2³²⌋.
+#[inline]
+pub(crate) const fn up_to_carried(last: u32, word: u32, carried: u32) -> u32 {
+    up_to_on::<NARROW>(last, word, carried)
+}
+
 /// ⌊(word·last + word + carried)/2³²⌋, by products of 16 bits on a narrow core. None of the sums can overflow, since
 /// x·y + x + z is below 2³² for three numbers of 16 bits. With `word` among them the compiler does not recognise a long
 /// product, for which a narrow core calls a routine.

@@ -451,8 +451,18 @@ impl<T: Tier> GgxVisible<T> {
 
     /// `D(m)/(ℓ + k w_z)`, times a factor.
     #[inline]
-    fn share(&self, factor: f32, normal: [f32; 3]) -> f32 {
+    pub(super) fn share(&self, factor: f32, normal: [f32; 3]) -> f32 {
         shape(self.alpha, normal) * (factor * self.sharpness / self.length)
+    }
+
+    /// Whether the view may be reflected into a direction, of which the normal half way and the length of the sum with the view are known.
+    /// A shortened cap lacks only normals that reflect below the surface. The shorter the sum, the less is known of its normal.
+    #[inline]
+    pub(super) fn reaches(&self, direction: [f32; 3], normal: [f32; 3], length: f32) -> bool {
+        let ([_, _, z], [ax, ay]) = (direction, self.alpha);
+        let narrow = if ax < ay { ax } else { ay };
+        let slack = RIM_SLACK * (1.0 + 4.0 / (length * narrow));
+        z >= 0.0 || self.short <= slack || self.rise(self.stretched(normal)) >= self.short - slack
     }
 
     /// Whether a normal is one that the sampler may give, but for rounding.
@@ -477,7 +487,7 @@ impl<T: Tier> GgxVisible<T> {
 }
 
 /// How far beyond the rim a normal still counts as seen: the rounding of a sample on it.
-const RIM_SLACK: f32 = 4.0 * f32::EPSILON;
+pub(super) const RIM_SLACK: f32 = 4.0 * f32::EPSILON;
 
 impl<T: Tier> PlanarMap<3> for GgxVisible<T> {
     #[inline]

@@ -1,7 +1,7 @@
 //! A warp onto the plane from a marginal and a conditional.
 
+use super::product::joint;
 use super::{Invert, Warp};
-use crate::num::representable;
 use crate::uniform::Canonical;
 use rand_core::TryRng;
 
@@ -90,16 +90,6 @@ where
     #[must_use]
     pub fn conditional(&self, x: f32) -> C {
         (self.conditional)(x)
-    }
-}
-
-/// The product of two densities; 0 where one of them is.
-#[inline]
-fn joint(marginal: f32, conditional: f32) -> f32 {
-    if marginal > 0.0 && conditional > 0.0 {
-        representable(marginal * conditional)
-    } else {
-        0.0
     }
 }
 

@@ -14,6 +14,7 @@ mod monotone;
 mod open_ends;
 mod parameters;
 mod power;
+mod products;
 mod reflection;
 mod shapes;
 mod surfaces;

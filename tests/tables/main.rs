@@ -20,6 +20,7 @@ mod leftover;
 mod light_reservoir;
 mod masses;
 mod meshes;
+mod mixtures;
 mod negative_binomials;
 mod pictures;
 mod places;
