@@ -1,6 +1,6 @@
 //! The peers of the benches draw what they are said to draw, so that times and errors compare like with like.
 //!
-//! How accurate they are is not promised here: `examples/tradeoff` measures it.
+//! How accurate they are is not promised here: `benches/tradeoff.rs` measures it.
 
 use host::peers::{drawn, micro, rejecting, textbook};
 use host::registry::{Registered, evidence::Peer, of_poly};

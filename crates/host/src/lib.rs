@@ -3,7 +3,7 @@
 //! - What there is and what it should do: `registry`, `truth`, `twin` of the path tracer, and `peers`, the formulas of others.
 //! - What is stated: `docs` reads, holds and writes the figures of the documentation.
 //! - What is measured: `errors` of numbers, `figures` of a warp, `moved` points, the `adversary` that searches for the worst; `stats`,
-//!   `mean` of samples; `contest` and `bench` of times; `counts`, what was counted on cores.
+//!   `mean` of samples; `contest` and `bench` of times; `counts`, what was counted on cores; `trade`, error and time beside peers.
 //! - What it is fed with: `generators`, and `words` of the integer tier.
 //! - How it runs and shows: `parallel`, `progress`, `cli`, `table`, `draw`.
 //! - What keeps the repository: `upkeep`, with the programs `regenerate`, `linked` and `capi`.
@@ -29,6 +29,7 @@ pub mod registry;
 pub mod speed;
 pub mod stats;
 pub mod table;
+pub mod trade;
 pub mod truth;
 pub mod twin;
 pub mod upkeep;

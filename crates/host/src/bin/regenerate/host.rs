@@ -1,6 +1,6 @@
 //! What is measured by the clock: the benches' figures, with the machine and the day.
 
-use crate::command;
+use crate::{command, tradeoff};
 use microwarp_host::upkeep::{Outcome, root, write};
 use std::fs;
 
@@ -44,7 +44,17 @@ pub fn measure() -> Outcome {
         machine_and_day()?
     );
     write("docs/measured/peers.md", &(head + tables.trim() + "\n"))?;
-    example("tradeoff", &[])
+    let said = command(
+        &["cargo", "bench", "--locked", "--bench", "tradeoff"],
+        &[],
+        true,
+    )?;
+    let head = format!(
+        "# {}: one core, baseline instructions. What `cargo bench --bench tradeoff` prints.\n\
+         # The largest distance of a point from the exact one, and nanoseconds a sample, the generator included.\n",
+        machine_and_day()?
+    );
+    write(tradeoff::record::FILE, &(head + &said))
 }
 
 /// Runs an example, and takes its picture over into docs.

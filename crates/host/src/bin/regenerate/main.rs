@@ -11,6 +11,7 @@ mod rejection;
 mod scene;
 mod sources;
 mod tables;
+mod tradeoff;
 
 use microwarp_host::upkeep::{Outcome, capi, end, read, root, write};
 use std::process::{Command, ExitCode};
@@ -23,7 +24,8 @@ Regenerates what is derived from the sources, in this order:
     accuracy   docs/accuracy.md, from `cargo test --test accuracy`
     proofs     the figures in docs/proofs.md, from `cargo test --test proofs`
     sizes      docs/measured/counts.csv: what is linked; examples/firmware/sizes.csv, bindings/c/tests/sizes/sizes.csv
-    pictures   docs/*.png, but for tradeoff.png, which --host draws, and web.png, which .ci/run web takes
+    tradeoff   docs/tradeoff.png, from what is measured
+    pictures   the other docs/*.png, but for web.png, which .ci/run web takes
     pages      the tables and figures between marks in README.md and other pages
     capi       bindings/c/include, bindings/c/src/layout.rs
     tidy       nothing is written: counts.csv has every kernel, and none that is gone
@@ -31,7 +33,8 @@ Regenerates what is derived from the sources, in this order:
     cargo regenerate [OPTIONS]
 
     --check         writes nothing; fails, and prints the difference, where golden, javascript, pages, capi or
-                    tidy are not up to date. The full tests and .ci/run sizes compare the others
+                    tidy are not up to date, and where the record of tradeoff does not hold. The full tests and
+                    .ci/run sizes compare the others
     --only NAME     this step alone; may be given more than once
     --golden TEXT   lines of a golden table whose case contains TEXT may change; prints the old and the new.
                     This breaks values: say so in the changelog and in the commit
@@ -39,8 +42,7 @@ Regenerates what is derived from the sources, in this order:
     --costs         counts instructions and cycles as well: docs/measured/counts.csv; needs an emulator,
                     and hours for all
     --kernel NAME   with --costs: only the kernels whose names match this regular expression
-    --host          runs the benches as well: docs/measured/host.csv, peers.md, docs/tradeoff.png; wants a quiet
-                    machine
+    --host          runs the benches as well: docs/measured/host.csv, tradeoff.csv, peers.md; wants a quiet machine
     --help          this text";
 
 #[derive(Default)]
@@ -58,7 +60,7 @@ pub struct Args {
 type Step = (&'static str, fn(&Args) -> Outcome);
 
 /// Each may read what those before it have written.
-const STEPS: [Step; 11] = [
+const STEPS: [Step; 12] = [
     ("golden", |args| golden::step(args.check, &args.golden)),
     ("javascript", |args| javascript::step(args.check)),
     ("accuracy", accuracy),
@@ -71,6 +73,7 @@ const STEPS: [Step; 11] = [
         |args| if args.host { host::measure() } else { Ok(()) },
     ),
     ("sizes", sizes),
+    ("tradeoff", |args| tradeoff::step(args.check)),
     ("pictures", pictures),
     ("pages", |args| pages::step(args.check)),
     ("capi", |args| capi(args.check)),

@@ -1,7 +1,7 @@
 //! The tables of the pages: which rows each has, and which figures stand in a row.
 
 use crate::sources::{Sources, grouped};
-use crate::{cycles, rejection, scene};
+use crate::{cycles, rejection, scene, tradeoff};
 use microwarp_host::docs::Doc;
 use microwarp_host::registry::{Domain, Registered, of_poly};
 use microwarp_host::upkeep::{Outcome, read, wrapped};
@@ -27,6 +27,7 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
             "| a word; `fixed::Disk::draw` | ns | Cortex-M4F | Cortex-M0 |",
         ),
         "integers" => integers(sources),
+        "cheapest" => tradeoff::cheapest(&sources.counts),
         "peers" => Ok(rows(&sources.peers)),
         "renderers" => Ok(rows(&sources.renderers)),
         "firmware" => firmware(),

@@ -1,8 +1,8 @@
 //! Places the names of points so that they cover neither points, whiskers, borders nor each other.
 
-use host::draw::canvas::{Area, Canvas};
-use host::draw::colour::Colour;
-use host::draw::text::{Align, Type};
+use microwarp_host::draw::canvas::{Area, Canvas};
+use microwarp_host::draw::colour::Colour;
+use microwarp_host::draw::text::{Align, Type};
 
 /// A point with a name.
 pub struct Named {
@@ -53,9 +53,9 @@ fn places([x, y]: [f32; 2], w: f32) -> impl Iterator<Item = Area> {
 
 /// A name's place, and how far down the list of places it is.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed {
-    pub area: Area,
-    pub rank: usize,
+struct Placed {
+    area: Area,
+    rank: usize,
 }
 
 /// So much of a lead from a point to its name lies on an area, at least: by steps along it.
@@ -79,7 +79,7 @@ fn end([x, y]: [f32; 2], place: Area) -> [f32; 2] {
 }
 
 /// Where the names of points go within an area, by their widths: off marks, and off lines along the axes.
-pub fn layout(inside: Area, points: &[([f32; 2], f32)], lines: &[[[f32; 2]; 2]]) -> Vec<Placed> {
+fn layout(inside: Area, points: &[([f32; 2], f32)], lines: &[[[f32; 2]; 2]]) -> Vec<Placed> {
     let marks: Vec<Area> = points
         .iter()
         .map(|([x, y], _)| Area::new(x - 6.0, y - 6.0, 12.0, 12.0))
@@ -125,103 +125,39 @@ pub fn layout(inside: Area, points: &[([f32; 2], f32)], lines: &[[[f32; 2]; 2]])
     placed.into_iter().flatten().collect()
 }
 
-/// Writes the names of points within an area, off lines along the axes where they can.
-pub fn write(canvas: &mut Canvas, inside: Area, points: &[Named], lines: &[[[f32; 2]; 2]]) {
+/// Writes the names of points within an area, off lines along the axes where they can. Returns how many of them lie on others
+/// or partly outside, and how many would if each had its first place.
+pub fn write(
+    canvas: &mut Canvas,
+    inside: Area,
+    points: &[Named],
+    lines: &[[[f32; 2]; 2]],
+) -> [usize; 2] {
     let style = |point: &Named| Type::plain(SIZE, point.colour);
     let sizes: Vec<_> = points
         .iter()
         .map(|p| (p.at, canvas.width(&p.text, style(p))))
         .collect();
-    for (point, Placed { area, rank }) in points.iter().zip(layout(inside, &sizes, lines)) {
+    let placed = layout(inside, &sizes, lines);
+    for (point, Placed { area, rank }) in points.iter().zip(&placed) {
         // A name that stands away from its point is led to it.
-        if rank >= 8 {
-            canvas.segment(point.at, end(point.at, area), 0.8, point.colour);
+        if *rank >= 8 {
+            canvas.segment(point.at, end(point.at, *area), 0.8, point.colour);
         }
         let anchor = [area.x, area.y + 0.8 * area.h];
         canvas.text(&point.text, anchor, Align::Left, style(point), area.w + 1.0);
     }
+    let first = sizes.iter().filter_map(|(at, w)| places(*at, *w).next());
+    let placed: Vec<Area> = placed.iter().map(|p| p.area).collect();
+    [placed, first.collect()].map(|names| faults(&names, inside))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use microwarp::uniform::grid;
-    use rand_pcg::Pcg32;
-
-    const PANEL: Area = Area {
-        x: 0.0,
-        y: 0.0,
-        w: 435.0,
-        h: 284.0,
+/// How many names lie on one before them or partly outside.
+fn faults(names: &[Area], inside: Area) -> usize {
+    let faulty = |&i: &usize| {
+        let name = names[i];
+        let out = name.w * name.h - name.overlap(inside) > 1e-2;
+        out || names[..i].iter().any(|other| name.overlap(*other) > 1e-2)
     };
-
-    /// Names that lie on each other or outside, marks and whiskers that names lie on.
-    fn faults(
-        points: &[([f32; 2], f32)],
-        lines: &[[[f32; 2]; 2]],
-        placed: &[Placed],
-    ) -> [usize; 2] {
-        let (mut on_names, mut struck) = (0, 0);
-        for (i, a) in placed.iter().enumerate() {
-            let out = a.area.w * a.area.h - a.area.overlap(PANEL) > 1e-2;
-            let meets = placed[..i].iter().any(|b| a.area.overlap(b.area) > 1e-2);
-            on_names += usize::from(out || meets);
-            let mark = points
-                .iter()
-                .any(|([x, y], _)| a.area.overlap(Area::new(x - 4.0, y - 4.0, 8.0, 8.0)) > 1e-2);
-            let line = lines
-                .iter()
-                .any(|[from, to]| a.area.overlap(piece(*from, *to)) > 1e-2);
-            struck += usize::from(mark || line);
-        }
-        [on_names, struck]
-    }
-
-    /// A point and the width of its name.
-    type Named = ([f32; 2], f32);
-    type Line = [[f32; 2]; 2];
-
-    /// A crowd as in the panel of the disk on the host: twelve points with names of four to fifteen letters, most of them in
-    /// a heap, with a whisker each.
-    fn crowd(rng: &mut Pcg32) -> (Vec<Named>, Vec<Line>) {
-        let mut u = || grid(rng);
-        let heap = [60.0 + 250.0 * u(), 120.0 + 110.0 * u()];
-        let mut points = Vec::new();
-        let mut lines = Vec::new();
-        for k in 0..12 {
-            let wide = if k < 9 { [110.0, 60.0] } else { [380.0, 240.0] };
-            let at = [0, 1].map(|i| heap[i] + wide[i] * (u() - 0.5));
-            let at = [at[0].clamp(6.0, 425.0), at[1].clamp(6.0, 278.0)];
-            points.push((at, 32.0 + 90.0 * u()));
-            lines.push([at, [(at[0] + 60.0 * u()).min(430.0), at[1]]]);
-        }
-        (points, lines)
-    }
-
-    #[test]
-    fn names_cover_neither_each_other_nor_points_nor_whiskers() {
-        let rng = &mut Pcg32::new(5, 17);
-        let (mut panels, mut control, mut struck) = (0, 0, 0);
-        for _ in 0..100 {
-            let (points, lines) = crowd(rng);
-            let placed = layout(PANEL, &points, &lines);
-            assert_eq!(placed.len(), points.len());
-            let [on_names, on_lines] = faults(&points, &lines, &placed);
-            assert_eq!(on_names, 0, "{points:?}");
-            struck += on_lines;
-            panels += 1;
-            // Each at the first of its places, whatever the others do.
-            let first = |(at, w): &([f32; 2], f32)| places(*at, *w).next();
-            let area = |area| Placed { area, rank: 0 };
-            let naive: Vec<_> = points.iter().filter_map(first).map(area).collect();
-            let [names, lines] = faults(&points, &lines, &naive);
-            control += usize::from(names > 0 && lines > 0);
-        }
-        println!(
-            "{panels} panels: {struck} names on a point or a whisker; control: {control} panels"
-        );
-        // Of 1,200; a heap may leave no free place nearby.
-        assert!(struck <= 24, "{struck}");
-        assert_eq!(control, panels);
-    }
+    (0..names.len()).filter(faulty).count()
 }
