@@ -13,6 +13,7 @@ const _: () = as_declared::<Place>(&["mw_weighted_place"]);
 
 /// `mw_weighted_reservoir`
 #[repr(C)]
+#[derive(Clone, Copy)]
 struct Handle {
     places: *mut Place,
     count: usize,
@@ -22,7 +23,7 @@ impl Handle {
     /// # Safety
     /// The places are valid for reads and writes, and for nobody else as long as they are used.
     #[inline]
-    unsafe fn places(&self) -> &mut [Place] {
+    unsafe fn places(self) -> &'static mut [Place] {
         // SAFETY: the caller's promise.
         unsafe { memory(self.places, self.count) }
     }
