@@ -192,7 +192,8 @@ mw_error mw_weighted_reservoir_offer_from(mw_weighted_reservoir *reservoir, uint
         uint32_t weight, const mw_source *source, bool *taken);
 bool mw_weighted_reservoir_offer_with(mw_weighted_reservoir *reservoir, uint32_t item,
         uint32_t weight, uint32_t word);
-/** Adds what one of another part of the stream holds. It is then one of the whole stream. */
+/** Adds what one of another part of the stream holds, in places apart from these. It is then one of
+ * the whole stream. With itself nothing changes. */
 void mw_weighted_reservoir_merge(mw_weighted_reservoir *reservoir,
         const mw_weighted_reservoir *other);
 /** The item in a place, from 0 on in the order of the draws; false behind the last one held. */

@@ -1,6 +1,6 @@
 // Several items of a stream by weight: each gets a time from the module, and the earliest are held.
 
-import { BLOCK, BUFFERS, drawn, integer, put_words, ready, u32_of, wasm, word_at, wrong } from "./core.js";
+import { BLOCK, BUFFERS, drawn, integer, put_words, ready, refuse, u32_of, wasm, word_at, wrong } from "./core.js";
 
 // A time has so many words.
 const TIME = 4;
@@ -43,13 +43,14 @@ export class WeightedReservoir {
     u32_of("weight", weight);
     drawn(ready(source, 1, 1));
     if (weight === 0) return false;
-    wasm.earlier(BUFFERS, weight, word_at(0));
+    refuse(wasm.earlier(BUFFERS, weight, word_at(0)));
     return this.#take(Uint32Array.from({ length: TIME }, (_, i) => word_at(i)), item);
   }
   merge(other) {
     if (!(other instanceof WeightedReservoir)) throw wrong("a WeightedReservoir", other);
-    // A copy, since it may be this one.
-    for (const [time, item] of [...other.#held]) this.#take(time, item);
+    // It holds what it holds.
+    if (other === this) return;
+    for (const [time, item] of other.#held) this.#take(time, item);
   }
   items() {
     return this.#held.map(([, item]) => item);

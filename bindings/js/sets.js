@@ -30,7 +30,7 @@ class Points extends Source {
     return Object.assign(made(), { index, dimension });
   }
   [READY](each, count) {
-    wasm.points(BUFFERS, this.#kind, this.#seed, this.#pixel, this.#index, this.#dimension, each, count);
+    refuse(wasm.points(BUFFERS, this.#kind, this.#seed, this.#pixel, this.#index, this.#dimension, each, count));
     // Behind the last of 2³² points comes the first.
     this.#index = this.#index + count >>> 0;
     return 0;

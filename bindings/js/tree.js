@@ -12,9 +12,9 @@ export class SumTree {
   // What weights of 64 bits are: BigInts.
   #big;
   constructor(weights) {
-    if (!Array.isArray(weights) && !ArrayBuffer.isView(weights)) throw wrong("an array of weights", weights);
-    const n = weights.length;
-    if (!(n > 0)) refuse(NO_WEIGHTS);
+    if (!Array.isArray(weights) && !(ArrayBuffer.isView(weights) && "length" in weights)) throw wrong("an array of weights", weights);
+    const n = integer("the number of weights", weights.length, 0, 0xffffffff);
+    if (n === 0) refuse(NO_WEIGHTS);
     if (n > 2 ** 24) refuse(TOO_MANY_WEIGHTS);
     this.#big = typeof weights[0] === "bigint";
     const own = new (this.#big ? BigUint64Array : Uint32Array)(n);

@@ -64,12 +64,18 @@ pub(super) const fn chances_of(part: u32, whole: u32) -> Result<[Long; 2], Error
     let Some(other) = whole.checked_sub(part) else {
         return Err(Error::OutOfRange);
     };
+    // As of a probability of 0 and of 1.
+    if part == 0 {
+        return Ok([NOTHING, Long::ONE]);
+    }
+    if other == 0 {
+        return Ok([Long::of_f32(1.0), NOTHING]);
+    }
     let whole = Long::of(whole as u64, 64);
-    let success = match part {
-        0 => NOTHING,
-        _ => Long::of(part as u64, 64).over(whole),
-    };
-    Ok([success, Long::of(other as u64, 64).over(whole)])
+    Ok([
+        Long::of(part as u64, 64).over(whole),
+        Long::of(other as u64, 64).over(whole),
+    ])
 }
 
 impl Law {

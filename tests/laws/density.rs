@@ -1,6 +1,7 @@
 //! The density that comes with a sample: that of its point, or one as near to it as both statements allow.
 
 use host::docs::{Statement, of_floats};
+use host::errors::or_infinite;
 use host::figures::{Exact, at_open_end};
 use host::moved::Moved;
 use host::registry::{Entry, Uniforms, entries};
@@ -64,7 +65,7 @@ fn disagreement(entry: &Entry, with: impl Fn(Uniforms) -> f32) -> (f64, u32) {
         judged += 1;
         let apart = (f64::from(with(u)) - f64::from(entry.warp.pdf(x))).abs() / exact.density;
         let part = apart / bounds.sum(entry, &Moved::of(entry, &exact, x));
-        worst = if part <= worst { worst } else { part };
+        worst = worst.max(or_infinite(part));
     });
     (worst, judged)
 }
@@ -160,13 +161,12 @@ fn with_a_sample<W: Warp<Uniforms = f32, Density = f32>>(
     warps: [W; 2],
     exact: impl Fn(f64) -> f64,
 ) -> f64 {
-    let mut worst = 0.0;
+    let mut worst = 0.0_f64;
     for u in [f32::from_bits(1), f32::from_bits(5), 1e-42, 3e-39, 1e-31] {
         for warp in &warps {
             let (_, density) = warp.sample_with_pdf(u);
             let error = (f64::from(density) / exact(f64::from(u)) - 1.0).abs();
-            // What is not a number stays.
-            worst = if error <= worst { worst } else { error };
+            worst = worst.max(or_infinite(error));
         }
     }
     worst

@@ -1,5 +1,7 @@
 //! The law that all pairs of words of a transformed rejection have together, counted and not sampled.
 
+use host::errors::or_infinite;
+
 /// The first of the numbers from one to another of which something no longer holds.
 fn first_without(from: u64, to: u64, holds: impl Fn(u64) -> bool) -> u64 {
     let (mut low, mut high) = (from, to);
@@ -105,8 +107,7 @@ pub fn law(
         }
         let exact = pmf(k);
         let error = (share / sum / exact - 1.0).abs() / bound(f64::from(k) - m);
-        // NaN counts.
-        worst = if error <= worst { worst } else { error };
+        worst = worst.max(or_infinite(error));
     }
     [sum / 2.0_f64.powi(64), worst]
 }

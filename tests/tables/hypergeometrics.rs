@@ -3,6 +3,7 @@
 
 use crate::counts::{self, excess, noticed, takes_one};
 use crate::ends::{Exact, ends};
+use host::errors::or_infinite;
 use host::speed;
 use microwarp::discrete::{Binomial, Hypergeometric};
 use microwarp::{Error, constant};
@@ -157,7 +158,7 @@ fn the_pmf_of_a_hypergeometric_is_that_of_the_formula() {
         let (sampler, law) = (made(urn), from_the_mode(urn));
         for k in law.from..law.from + law.each.len() as u32 {
             let error = excess(sampler.pmf(k), law.pmf(k));
-            worst = if error <= worst { worst } else { error };
+            worst = worst.max(or_infinite(error));
         }
         let [least, most] = range(urn);
         for beyond in [least.checked_sub(1), most.checked_add(1)]

@@ -29,7 +29,7 @@ impl Handle {
     }
 }
 
-/// Puts an item in its place, if it is early enough: each place keeps the earlier one and passes the other on.
+/// Puts an item in its place, if it is early enough, behind those of the same time. Those from there on move one place to the end.
 #[inline]
 fn take(places: &mut [Place], new: Place) -> bool {
     let Some(&last) = places.last() else {
@@ -40,12 +40,13 @@ fn take(places: &mut [Place], new: Place) -> bool {
     if tried == last {
         return false;
     }
-    let mut passed = new;
+    let (mut passed, mut moving) = (new, false);
     for place in places {
-        let before = *place;
-        place.merge(passed);
-        if *place != before {
-            passed = before;
+        let mut tried = *place;
+        tried.merge(new);
+        moving = moving || tried != *place;
+        if moving {
+            passed = core::mem::replace(place, passed);
         }
     }
     true
@@ -97,9 +98,17 @@ unsafe extern "C" fn offer_from(
     })
 }
 
+/// # Safety
+/// Both are valid for reads, and may be one.
 #[unsafe(export_name = "mw_weighted_reservoir_merge")]
-unsafe extern "C" fn merge(reservoir: &mut Handle, other: &Handle) {
-    // SAFETY: the promise of the header.
+unsafe extern "C" fn merge(reservoir: *const Handle, other: *const Handle) {
+    // SAFETY: the caller's promise.
+    let (reservoir, other) = unsafe { (*reservoir, *other) };
+    // It holds what it holds.
+    if reservoir.places == other.places {
+        return;
+    }
+    // SAFETY: the promise of the header. The places of two reservoirs are apart.
     let (places, others) = unsafe { (reservoir.places(), given(other.places, other.count)) };
     for other in others {
         take(places, *other);

@@ -331,6 +331,13 @@ static void streams_are_weighted(void)
     }
     CHECK(!mw_weighted_reservoir_item(&whole, HELD, &item));
     CHECK(mw_weighted_reservoir_offer_from(&same, 1, 1, &dry, &taken) == MW_SOURCE_FAILED);
+    /* Of two of the same time the first is held, also when a third comes before both. Merging with itself changes nothing. */
+    mw_weighted_reservoir_init(&whole, memory[0], 2);
+    for (uint32_t i = 0; i < 3; i++)
+        CHECK(mw_weighted_reservoir_offer_with(&whole, i, 1, i < 2 ? 100 : 200));
+    mw_weighted_reservoir_merge(&whole, &whole);
+    CHECK(mw_weighted_reservoir_item(&whole, 0, &item) && item == 2);
+    CHECK(mw_weighted_reservoir_item(&whole, 1, &item) && item == 0);
     /* The first of three has the share of its weight. */
     for (int run = 0; run < 60000; run++) {
         mw_weighted_reservoir_init(&whole, memory[0], 2);

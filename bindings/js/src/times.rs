@@ -1,7 +1,7 @@
 //! When items of a weighted reservoir come. The caller keeps the items by their times.
 
 use crate::buffers::Buffers;
-use crate::parts::linked;
+use crate::parts::{NOT_LINKED, linked};
 use microwarp::discrete::WeightedReservoir;
 
 const TIMES: bool = linked("reservoirs");
@@ -14,11 +14,11 @@ type Words = [u32; 4];
 const _: () = assert!(size_of::<Time>() == size_of::<Words>());
 
 /// Puts the time of an item of a positive weight by a word into the input; or, of weight 0, says whether the first time in the
-/// input comes before the second: a reservoir of one item that has the second takes the first.
+/// input comes before the second: a reservoir of one item that has the second takes the first. Where this is not linked, no time is made.
 #[unsafe(no_mangle)]
 pub extern "C" fn earlier(buffers: &mut Buffers, weight: u32, word: u32) -> u32 {
     if !TIMES {
-        return 0;
+        return NOT_LINKED;
     }
     let times = buffers.input.as_mut_ptr().cast::<Time>();
     if weight > 0 {

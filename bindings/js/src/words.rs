@@ -31,7 +31,7 @@ pub extern "C" fn random(buffers: &mut Buffers, count: usize) {
 
 /// The words of `count` points from `index` on in `each` dimensions from `dimension` on, to the input, by
 /// the kind of the set: 0 a Sobol' sequence of eight dimensions, 1 random numbers by the position `pixel`, 2 a Latin hypercube of as
-/// many points.
+/// many points. 0, or the code of the refusal.
 #[unsafe(no_mangle)]
 pub extern "C" fn points(
     buffers: &mut Buffers,
@@ -42,9 +42,9 @@ pub extern "C" fn points(
     dimension: u32,
     each: usize,
     count: usize,
-) {
+) -> u32 {
     if !const { linked("points") } {
-        return;
+        return NOT_LINKED;
     }
     let words = buffers.input(each.wrapping_mul(count));
     match kind {
@@ -60,6 +60,7 @@ pub extern "C" fn points(
             }
         }
     }
+    0
 }
 
 fn write(set: impl Points, mut index: u32, from: u32, words: &mut [u32], each: usize) {

@@ -92,6 +92,8 @@ test("integers, counts and reservoirs refuse what Rust refuses, and draw nothing
   const kept = new WeightedReservoir(2);
   assert.deepEqual([kept.offer("a", 0, rng), kept.offer("b", 1, rng), kept.offer("c", 1, rng)], [false, true, true]);
   assert.deepEqual(kept.items().sort(), ["b", "c"]);
+  kept.merge(kept);
+  assert.deepEqual(kept.items().sort(), ["b", "c"]);
   const same = Pcg32.resume(before);
   same.words(new Uint32Array(3));
   assert.equal(rng.state, same.state);

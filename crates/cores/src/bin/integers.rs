@@ -4,8 +4,8 @@
 #![no_main]
 
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, NegativeBinomial, Poisson, SumTree,
-    WeightedReservoir,
+    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, NegativeBinomial,
+    Poisson, SumTree, WeightedReservoir,
 };
 use microwarp::fixed as mw;
 use microwarp::metropolis::{

@@ -5,8 +5,9 @@ use crate::measured::registry::{entry, ok};
 use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint, NegativeBinomial,
-    PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Poisson, SumTree,
+    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint,
+    NegativeBinomial, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Poisson,
+    SumTree,
 };
 use microwarp::poly::LatLongMap;
 use rand_core::Rng;
