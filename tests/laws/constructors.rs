@@ -1,6 +1,6 @@
 //! Constructors in constants, the parameters that getters give back, and the numbers of errors.
 
-use host::registry::{Entry, Registered, family, of_poly, registered};
+use host::registry::{Registered, of_poly, registered};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{
     Aabb, Annulus, Cone, Exponential, ExponentialTail, FrustumSurface, HenyeyGreenstein, Interval,
@@ -106,13 +106,12 @@ const MADE_OF_OTHERS: [&str; 7] = [
     "PiecewiseLinear1d",
 ];
 
-/// What the blocks of one struct leave out and do not account for: `picture`, `comparison`, `control`, `moment`,
-/// `peer`, `refusal`, `constant`, `getters`.
+/// What the blocks of one struct leave out and do not account for: `picture`, `control`, `moment`, `peer`, `refusal`,
+/// `constant`, `getters`.
 fn lacks(blocks: &[&Registered]) -> Vec<&'static str> {
     let entries: Vec<_> = blocks.iter().flat_map(|of| of.entries()).collect();
     let given = |what| match what {
         "picture" => entries.iter().any(|entry| entry.picture.is_some()),
-        "comparison" => entries.iter().any(|entry| entry.trade.is_some()),
         "control" => blocks.iter().any(|of| !of.controls.is_empty()),
         "moment" => blocks.iter().any(|of| !of.moments.is_empty()),
         "peer" => blocks.iter().any(|of| !of.peers.is_empty()),
@@ -123,12 +122,11 @@ fn lacks(blocks: &[&Registered]) -> Vec<&'static str> {
     // Without parameters nothing is refused, nothing can differ, and nothing is given back.
     let takes = blocks.iter().any(|of| !of.takes.is_empty());
     let takes = takes && !MADE_OF_OTHERS.contains(&blocks[0].name);
-    let mut due = vec!["picture", "comparison", "control"];
-    // The moments of draws that read more of a word than the grid does, and the laws that rand_distr may have.
-    let deep = entries.iter().any(|entry| entry.deep);
-    let is_law = |entry: &Entry| entry.trade.is_some_and(|trade| trade.family == family::LAW);
-    due.extend(deep.then_some("moment"));
-    due.extend(entries.iter().any(is_law).then_some("peer"));
+    let mut due = vec!["picture", "control"];
+    // Of draws that read more of a word than the grid does, as those of the laws do that rand_distr may have.
+    if entries.iter().any(|entry| entry.deep) {
+        due.extend(["moment", "peer"]);
+    }
     if takes {
         due.extend(["refusal", "constant", "getters"]);
     }
@@ -167,7 +165,7 @@ fn the_blocks_of_every_struct_have_all_that_is_known_of_it() {
         change(bare);
         lacks(&[bare])
     };
-    assert_eq!(bare(|of| of.cases.clear()), ["picture", "comparison"]);
+    assert_eq!(bare(|of| of.cases.clear()), ["picture"]);
     assert_eq!(bare(|of| of.controls.clear()), ["control"]);
     assert_eq!(bare(|of| of.moments.clear()), ["moment"]);
     assert_eq!(bare(|of| of.peers.clear()), ["peer"]);

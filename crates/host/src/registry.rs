@@ -183,15 +183,13 @@ pub enum Ends {
     None,
 }
 
-/// Where a sampler stands in the comparison of errors and costs.
+/// Where a sampler stands in the picture of error against cost.
 #[derive(Clone, Copy, Debug)]
 pub struct Trade {
     /// The heading.
     pub family: &'static str,
     /// Its name in `docs/measured/counts.csv`, without the tier.
     pub kernel: &'static str,
-    /// How many calls a sample of the family takes.
-    pub calls: f64,
 }
 
 impl Entry {
@@ -267,13 +265,7 @@ impl Entry {
     }
 
     fn trade(self, family: &'static str, kernel: &'static str) -> Self {
-        self.with(|e| {
-            e.trade = Some(Trade {
-                family,
-                kernel,
-                calls: 1.0,
-            })
-        })
+        self.with(|e| e.trade = Some(Trade { family, kernel }))
     }
 
     /// The value of a parameter of the formulas.

@@ -2,7 +2,7 @@
 
 use super::picture::{EQUILATERAL, View, between, window};
 use super::plane::square;
-use super::{Domain, Ends, Entry, Measure, Registered, entry, family};
+use super::{Domain, Ends, Entry, Measure, Registered, entry};
 use crate::adversary::words::Kind::Positive;
 use crate::truth::{self, Truth};
 use microwarp::Error;
@@ -47,7 +47,6 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         })
         .case_with("4 4 / 1 0", &[4.0, 4.0, 1.0, 0.0], |e| {
             e.picture("a bilinear weight on a triangle", EQUILATERAL)
-                .trade(family::COMPOSED, "composed")
         })
         .control(
             "a triangle without its weights",
@@ -69,7 +68,6 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                     "a user's inverse CDF: p = ½ + x",
                     View::Line(between(-0.1, 1.1)),
                 )
-                .trade(family::LINE, "inversion")
             },
         )
         .control(
@@ -82,10 +80,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             "sine",
             "y=sin x",
             |_| Ok(own(sine::<T>().outside(&[]))),
-            |e| {
-                e.picture("y = sin x, with p(x) = 2x", View::Line(between(-0.1, 1.0)))
-                    .trade(family::LINE, "transform")
-            },
+            |e| e.picture("y = sin x, with p(x) = 2x", View::Line(between(-0.1, 1.0))),
         )
         .control(
             "the sine of a plain uniform",
@@ -108,10 +103,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 entry.composed = true;
                 Ok(entry.own_density())
             },
-            |e| {
-                e.picture("p(x) = 2x, p(y | x) = 1/x", window(0.5, 0.5, 0.51))
-                    .trade(family::COMPOSED, "marginal_conditional")
-            },
+            |e| e.picture("p(x) = 2x, p(y | x) = 1/x", window(0.5, 0.5, 0.51)),
         )
         .control(
             "a marginal that is uniform",

@@ -193,7 +193,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.own_density().outside(&[]))
         })
             .case_with("g=0.8", &[0.8], |e| {
-                e.picture("g = 0.8: p ∝ (1.64 − 1.6 cos θ)^−1.5", Sky(PI)).trade("phase g = 0.8", "henyey_greenstein_08")
+                e.picture("g = 0.8: p ∝ (1.64 − 1.6 cos θ)^−1.5", Sky(PI))
             })
             .control("fog of a g slightly off", |[u, v, _], wrong| direction(fog(0.8 * (1.0 - wrong), u).acos(), v), &["chi-square", "distance", "mean z"])
             .case("g=-0.5", &[-0.5])
@@ -241,7 +241,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.own_density().outside(&[]))
         })
             .case_with("k=10", &[10.0], |e| {
-                e.picture("p ∝ exp(κ cos θ), κ = 10", Sky(FRAC_PI_2)).trade("von Mises-Fisher", "von_mises_fisher_10")
+                e.picture("p ∝ exp(κ cos θ), κ = 10", Sky(FRAC_PI_2))
             })
             .control("a concentration slightly off", |[u, v, _], wrong| direction((1.0 + (-u * (1.0 - (-20f64).exp())).ln_1p() / (10.0 + 10.0 * wrong)).acos(), v), &["chi-square", "distance", "mean z"])
             .case("k=0", &[0.0])
@@ -261,7 +261,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let truth = truth::Ggx { alpha: [p[0], p[1]].map(f64::from) };
             Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, Box::new(truth))).own_density())
         })
-            .case_with("α=0.3", &[0.3, 0.3], |e| e.trade("GGX α = 0.3", "ggx_03"))
+            .case("α=0.3", &[0.3, 0.3])
             .control("a roughness slightly off", |[u, v, _], wrong| direction((0.3 * (1.0 + wrong) * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean z"])
             .case_with("α=0.1, 0.5", &[0.1, 0.5], |e| e.picture("roughness 0.1 along x, 0.5 along y", Sky(FRAC_PI_2)))
             .case("α=1", &[1.0, 1.0])
@@ -274,7 +274,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("GgxVisible", "", &VIEW, |p| {
             visible(p, GgxVisible::<T>::new([p[0], p[1], p[2]], [p[3], p[4]]), false)
         })
-            .case_with("α=0.3 at 60°", &[0.866, 0.0, 0.5, 0.3, 0.3], |e| e.picture("seen at 60°, roughness 0.3", Sky(FRAC_PI_2)).trade("GGX α = 0.3", "ggx_visible_03"))
+            .case_with("α=0.3 at 60°", &[0.866, 0.0, 0.5, 0.3, 0.3], |e| e.picture("seen at 60°, roughness 0.3", Sky(FRAC_PI_2)))
             .control("all normals for those that are seen", |[u, v, _], _| direction((0.3 * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean x"])
             .case("α=0.1, 0.5 at 60°", &[0.5, -0.7, 0.5, 0.1, 0.5])
             .case("α=1 from above", &[0.0, 0.0, 1.0, 1.0, 1.0])
@@ -303,7 +303,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("3.9e-3 rad", &[0.003_918_659])
             .case("1e-2 rad", &[1e-2])
             .case("1.6e-2 rad", &[0.016_239_65])
-            .case_with("0.1 rad", &[0.1], |e| e.picture("half angle 0.1 rad", Sky(0.102)).trade(family::CAP, "cone"))
+            .case_with("0.1 rad", &[0.1], |e| e.picture("half angle 0.1 rad", Sky(0.102)))
             .control("a cone with theta linear in xi", |[u, v, _], _| direction(0.1 * u, v), &["chi-square", "distance", "mean z"])
             .case("1.5 rad", &[1.5])
             .case_with("3 rad", &[3.0], |e| e.outside(&[[0.0, 0.0, -1.0]]))
@@ -325,7 +325,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.5], OutOfRange).refuse(&[-0.1], NotPositive),
         Registered::new("SphericalPatch", "", &[Within(0.0, 0.5), Within(0.0, 0.5), Within(-1.0, 1.0), Within(-1.0, 2.0)], patch::<T>)
             .case_with("octant", &[0.0, 0.25, 0.0, 0.25], |e| {
-                e.picture("0 ≤ θ ≤ 90°, 0 ≤ φ ≤ 90°", Sky(FRAC_PI_2)).trade(family::CAP, "spherical_patch")
+                e.picture("0 ≤ θ ≤ 90°, 0 ≤ φ ≤ 90°", Sky(FRAC_PI_2))
             })
             .control("a patch with theta linear in xi", |[u, v, _], _| direction(0.5 * PI * u, 0.25 * v), &["chi-square", "distance", "mean z"])
             .case_with("band", &[0.2, 0.3, -0.5, 0.5], |e| e.picture("72° ≤ θ ≤ 108°, every φ", Sky(PI)))
@@ -344,7 +344,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             seen::<T>([p[0], p[1], p[2]], [p[3], p[4], p[5]], p[6])
         })
             .case_with("half angle 30°", &[1.0, -2.0, 0.5, 1.8, -2.4, 2.3, 1.0], |e| {
-                e.outside(&[[0.0, -1.0, 0.0], [-0.6, 0.8, 0.0]]).picture("a sphere seen from twice its radius", Sky(FRAC_PI_2)).trade(family::CAP, "visible_sphere")
+                e.outside(&[[0.0, -1.0, 0.0], [-0.6, 0.8, 0.0]]).picture("a sphere seen from twice its radius", Sky(FRAC_PI_2))
             })
             .case_with("5 m off", &[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.5], |e| e.outside(&[[0.0, 0.8, 0.6], [0.0, -0.6, -0.8]]))
             .control("a sphere seen with theta linear in xi", |[u, v, _], _| tilted(direction(0.1f64.asin() * u, v)), &["chi-square", "distance"])
@@ -371,7 +371,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             oriented::<T, _>(p, CosineHemisphere::<T>::new(), truth::cosine_hemisphere())
         })
             .case_with("cosine about (1, 2, 3)", &[1.0, 2.0, 3.0], |e| {
-                e.outside(&[[-0.3, -0.5, -0.8]]).picture("cosine about (1, 2, 3)", Sky(PI)).trade(family::COMPOSED, "oriented")
+                e.outside(&[[-0.3, -0.5, -0.8]]).picture("cosine about (1, 2, 3)", Sky(PI))
             })
             .control("a cosine hemisphere left at +z", |[u, v, _], _| direction(u.sqrt().asin(), v), &["chi-square", "distance", "mean x"])
             .case("cosine about -z", &[0.0, 0.0, -1.0])

@@ -117,7 +117,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.inside = |x| x.iter().all(|c| *c >= 0.0) && (x.iter().sum::<f64>() - 1.0).abs() <= 1.2e-7;
             Ok(entry.outside(&[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0]]))
         })
-            .case_with("", &[], |e| e.picture("barycentric coordinates", EQUILATERAL).trade(family::TRIANGLE, "triangle"))
+            .case_with("", &[], |e| e.picture("barycentric coordinates", EQUILATERAL))
             .control("a triangle with v = xi (1 - u)", |[u, v, _], _| leftover(u, v), &["chi-square", "distance", "mean x"]),
         Registered::new("NormalPair", "", &[Any, Any, Positive], normal_pair::<T>)
             .case_with("0, 1", &[0.0, 0.0, 1.0], |e| {
@@ -134,7 +134,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| NormalPair::<T>::new([p[0], p[1]], p[2]).map(|warp| vec![warp.mean()[0], warp.mean()[1], warp.std_dev()])),
         Registered::new("TriangleOn", "plane", &[Any; 6], |p| triangle_on::<T, 2>(p, Domain::Plane))
             .case_with("plane", &[0.0, 0.0, 4.0, 0.0, 1.0, 3.0], |e| {
-                e.picture("(0, 0), (4, 0), (1, 3)", FLAT).trade(family::TRIANGLE, "triangle_on")
+                e.picture("(0, 0), (4, 0), (1, 3)", FLAT)
             })
             .control("a triangle in the plane with v = xi (1 - u)", |[u, v, _], _| [4.0 * u + v * (1.0 - u), 3.0 * v * (1.0 - u), 0.0], &["chi-square", "distance", "mean x"])
             .case_with("plane 1e18", &[-1e18, 0.0, 1e18, -1e18, 0.0, 1e18], Entry::no_round_trip)
@@ -165,9 +165,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.inside = |[x, y, _]| (0.0..1.0).contains(&x) && (0.0..1.0).contains(&y);
             Ok(entry.own_density().outside(&[[-1e-7, 0.5, 0.0], [1.000_000_1, 0.5, 0.0], [0.5, 2.0, 0.0]]))
         })
-            .case_with("1 3 / 2 0", &[1.0, 3.0, 2.0, 0.0], |e| {
-                e.picture("corners of 1, 3, 2 and 0", window(0.5, 0.5, 0.51)).trade(family::COMPOSED, "bilinear")
-            })
+            .case_with("1 3 / 2 0", &[1.0, 3.0, 2.0, 0.0], |e| e.picture("corners of 1, 3, 2 and 0", window(0.5, 0.5, 0.51)))
+            .without("peer", "rand_distr has none")
             .control("a square without its weights", |[u, v, _], _| [u, v, 0.0], &["chi-square", "distance", "mean x"])
             .case("0 1 / 1 2", &[0.0, 1.0, 1.0, 2.0])
             .case("1 0 / 0 1", &[1.0, 0.0, 0.0, 1.0])
@@ -191,7 +190,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("Aabb", "of 2 sides", &[Any; 4], |p| sides::<T, 2>(p, Domain::Plane))
             .ordered(&[[0, 1], [2, 3]])
             .case_with("[-1, 1] x [2, 2.5]", &[-1.0, 1.0, 2.0, 2.5], |e| {
-                e.picture("uniform on a box", window(0.0, 2.25, 1.05)).trade(family::COMPOSED, "aabb")
+                e.picture("uniform on a box", window(0.0, 2.25, 1.05))
             })
             .control("a box bent by a power of xi near 1", |[u, v, _], wrong| [2.0 * u.powf(1.0 + wrong) - 1.0, 2.0 + 0.5 * v, 0.0], &["chi-square", "distance", "mean x"])
             .case("[0, 1e-30] x [-1e30, 0]", &[0.0, 1e-30, -1e30, 0.0])

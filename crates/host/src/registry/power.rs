@@ -2,7 +2,7 @@
 
 use super::line::in_ulp;
 use super::picture::{View, between};
-use super::{Entry, Flat, Registered, family, in_both};
+use super::{Entry, Flat, Registered, in_both};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth;
 use microwarp::Error::{self, *};
@@ -132,8 +132,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(Power<T>::new(-0.3, 0.0, 7.0)))
             .constant(in_both!(Power<T>::decreasing(-2.7, 0.1, 1e20)))
             .constant(in_both!(Power<T>::decreasing(1e8, 1.0, 1.000_001)))
-            .without("getters", "it keeps a smallest number in place of an end of 0"), |label| match label {
-            "n=2.5 [0, 1]" => |e| e.picture("p ∝ x^2.5 on [0, 1]", View::Line(between(-0.1, 1.1))).trade(family::POWER, "power"),
+            .without("getters", "it keeps a smallest number in place of an end of 0")
+            .without("peer", "rand_distr has none"), |label| match label {
+            "n=2.5 [0, 1]" => |e| e.picture("p ∝ x^2.5 on [0, 1]", View::Line(between(-0.1, 1.1))),
             "n=-1 [1, 100]" => |e| {
                 let axes = between(0.794_328, 125.892_54).log_x().log_y(1e-3);
                 e.picture("p ∝ 1/x on [1, 100]", View::Line(axes))
@@ -147,7 +148,6 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[-1.0, TINY, 1.0], Empty).refuse(&[-1.0, 0.0, 1.0], NotNormalizable)
             .refuse(&[-3.0, 0.0, 1.0], NotNormalizable),
         with_cases(with_moments(Registered::new("Power", "decreasing", &[Any, Positive, Positive], |p| power::<T>(p, false))), |label| match label {
-            "n=2.5 [0, 1]" => |e| e.trade(family::POWER, "power_decreasing"),
             "n=-0.5 [0, 4]" => |e| e.picture("p ∝ 1/√x on [0, 4], 4 first", View::Line(between(-0.3, 4.3).top(1.7))),
             _ => |e| e,
         })
@@ -158,7 +158,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("PowerMax", "N=2", &[], largest::<T, 2>).case("N=2", &[]),
         Registered::new("PowerMax", "N=3", &[], largest::<T, 3>),
         Registered::new("PowerMax", "N=4", &[], largest::<T, 4>).case_with("N=4", &[], |e| {
-            e.picture("largest of 4 uniforms: p = 4x³", View::Line(between(-0.1, 1.1))).trade(family::POWER, "power_max_4")
+            e.picture("largest of 4 uniforms: p = 4x³", View::Line(between(-0.1, 1.1)))
         })
             .control("the largest of two uniforms for that of four", |[u, v, _], _| [u.max(v), 0.0, 0.0], &["chi-square", "distance", "mean x"]),
     ]

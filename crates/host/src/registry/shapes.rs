@@ -2,7 +2,7 @@
 
 use super::evidence::{direction, disk};
 use super::picture::{EQUILATERAL, window};
-use super::{Domain, Entry, Measure, Registered, entry, family, in_both};
+use super::{Domain, Entry, Measure, Registered, entry, in_both};
 use crate::adversary::words::Kind::{Positive, Within};
 use crate::truth::{self, Truth};
 use microwarp::Error::{self, *};
@@ -47,7 +47,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("Annulus", "", &[Positive, Positive], |p| annulus::<T>([p[0], p[1]], [0.0, 1.0]))
             .ordered(&[[0, 1]])
             .case_with("1 to 2", &[1.0, 2.0], |e| {
-                e.picture("radii 1 and 2", window(0.0, 0.0, 2.04)).trade("ring", "annulus")
+                e.picture("radii 1 and 2", window(0.0, 0.0, 2.04))
                     .outside(&[[0.9, 0.3, 0.0], [0.0, -2.1, 0.0], [0.0, 0.0, 0.0]])
             })
             .control("a ring with r linear in xi", |[u, v, _], _| disk((1.0 + u).powi(2), v), &["chi-square", "distance", "mean x²", "mean y²"])
@@ -86,7 +86,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.inside = |x| x.iter().map(|c| c * c).sum::<f64>() <= 1.0 + 4.8e-7;
             Ok(entry.outside(&[[1.0, 0.1, 0.0], [0.6, 0.6, 0.6], [0.0, 0.0, -1.000_001]]))
         })
-            .case_with("", &[], |e| e.picture("seen from above", window(0.0, 0.0, 1.02)).trade(family::BALL, "ball"))
+            .case_with("", &[], |e| e.picture("seen from above", window(0.0, 0.0, 1.02)))
             .control("a ball with r = the square root of xi", |[u, v, w], _| direction((1.0 - 2.0 * v).acos(), w).map(|c| u.sqrt() * c), &["chi-square", "distance", "mean x²", "mean z²"]),
         Registered::new("Rotation", "", &[], |_| {
             let truth: Box<dyn Truth> = Box::new(truth::Rotations);
@@ -97,10 +97,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.slack = 0.02;
             Ok(entry.no_round_trip().outside(&[]))
         })
-            .case_with("", &[], |e| e.picture("x and y of quaternions", window(0.0, 0.0, 1.02)).trade("rotations", "rotation"))
+            .case_with("", &[], |e| e.picture("x and y of quaternions", window(0.0, 0.0, 1.02)))
             .control("rotations about a uniform axis by a uniform angle", |[u, v, w], _| direction((1.0 - 2.0 * v).acos(), w).map(|c| (0.5 * PI * u).sin() * c), &["chi-square", "distance", "mean x²", "mean z²"]),
         Registered::new("RegularPolygon", "", &[Within(3.0, 65_535.0)], polygon::<T>)
-            .case_with("6 corners", &[6.0], |e| e.picture("six corners", window(0.0, 0.0, 1.02)).trade("polygon", "regular_polygon_6"))
+            .case_with("6 corners", &[6.0], |e| e.picture("six corners", window(0.0, 0.0, 1.02)))
             .control("the disk within a polygon", |[u, v, _], _| disk(0.75 * u, v), &["chi-square", "distance", "mean x²"])
             .case("3 corners", &[3.0])
             .case("5 corners", &[5.0])
@@ -115,7 +115,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.inside = |x| x.iter().all(|c| *c >= 0.0) && (x.iter().sum::<f64>() - 1.0).abs() <= 2e-7;
             Ok(entry.variables(&[("n", 2.0)]).outside(&[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0], [0.3, 0.3, 0.3]]))
         })
-            .case_with("triangle", &[], |e| e.picture("two shares and the rest", EQUILATERAL).trade(family::TRIANGLE, "simplex_2")),
+            .case_with("triangle", &[], |e| e.picture("two shares and the rest", EQUILATERAL)),
         Registered::new("Simplex", "of 3 dimensions", &[], |_| {
             let truth: Box<dyn Truth> = Box::new(truth::Simplex(3));
             let mut entry = entry::<T, _>("Simplex", Domain::Solid, Measure::Length(1.0), Simplex::<T, 3>::new(), truth);

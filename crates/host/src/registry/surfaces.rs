@@ -2,7 +2,7 @@
 
 use super::evidence::disk;
 use super::picture::{Body, Face, View};
-use super::{Domain, Entry, Measure, Registered, Uniforms, ends, entry, family};
+use super::{Domain, Entry, Measure, Registered, Uniforms, ends, entry};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth::{self, OnTriangle, Truth, dot};
 use microwarp::Error::{self, *};
@@ -421,7 +421,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             mesh::<T, u32>([vertices, vec![[0.0; 3]]].concat(), faces)
         })
             .case_with("octahedron", &[], |e| {
-                e.picture("the upper faces of an octahedron", ROOF).trade(family::COMPOSED, "mesh_8")
+                e.picture("the upper faces of an octahedron", ROOF)
             })
             .control("a mesh without its last face", |[u, v, _], _| [(8.0 * u).floor(), (8.0 * u).fract().sqrt() * (1.0 - v), (8.0 * u).fract().sqrt() * v], &["chi-square", "distance"]),
         Registered::new("Mesh", "decades", &[], |_| {
@@ -450,7 +450,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("BoxSurface", "", &[Any; 6], faces::<T>)
             .ordered(&[[0, 1], [2, 3], [4, 5]])
             .case_with("2 x 1 x 0.5", &[-1.0, 1.0, 0.0, 1.0, 0.25, 0.75], |e| {
-                e.picture("a box of 2 × 1 × ½, unfolded", NET).trade(family::COMPOSED, "box_surface")
+                e.picture("a box of 2 × 1 × ½, unfolded", NET)
             })
             .control("a box with as many points on each of its faces", |[u, v, _], _| on_faces(u, v), &["chi-square", "distance"])
             .case("cube", &[-1.0, 1.0, -1.0, 1.0, -1.0, 1.0])
@@ -467,7 +467,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("FrustumSurface", "", &[Positive; 3], |p| frustum::<T>(p, true))
             .case_with("1 to 0.5, 2 high", &[1.0, 0.5, 2.0], |e| {
-                e.picture("radii 1 and 0.5, height 2", View::Solid(Body::Frustum([1.0, 0.5], 2.0))).trade(family::COMPOSED, "frustum_surface")
+                e.picture("radii 1 and 0.5, height 2", View::Solid(Body::Frustum([1.0, 0.5], 2.0)))
             })
             .case("cylinder", &[1.0, 1.0, 2.0]).case("cone", &[3.0, 0.0, 4.0])
             .control("a cone whose side is uniform in its height", |[u, v, _], _| on_cone(u, v), &["chi-square", "distance", "mean z"])
@@ -487,7 +487,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("CapsuleSurface", "", &[Positive; 2], capsule::<T>)
             .case_with("1 high, radius 0.5", &[1.0, 0.5], |e| {
-                e.picture("height 1, radius 0.5", View::Solid(Body::Capsule(1.0, 0.5))).trade(family::COMPOSED, "capsule_surface")
+                e.picture("height 1, radius 0.5", View::Solid(Body::Capsule(1.0, 0.5)))
             })
             .control("a capsule with slightly too many points on its ends", |[u, v, _], wrong| on_capsule(u, v, 0.25 * (1.0 + wrong)), &["chi-square", "distance", "mean z²"])
             .case("sphere", &[0.0, 1.0]).case("needle", &[5.0, 1e-3]).case("nearly a sphere", &[1e-3, 7.0])

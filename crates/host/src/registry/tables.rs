@@ -6,7 +6,7 @@
 
 use super::evidence::{direction, ramp};
 use super::picture::{View, between, window};
-use super::{Domain, Entry, Measure, Registered, entry, family};
+use super::{Domain, Entry, Measure, Registered, entry};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::truth::{self, Truth};
 use microwarp::discrete::{
@@ -287,7 +287,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = PiecewiseConstant1d::new(&FOUR, 0.0, 8.0)?;
             Ok(on_line::<T, _>(&wide_weights(&FOUR), [0.0, 8.0], warp))
         }, |e| {
-            e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4))).trade(family::LINE, "piecewise_constant_1d_64")
+            e.picture("cells of weight 2, 0, 4 and 1", View::Line(between(-0.4, 8.4)))
         })
             .control("a cell with slightly too much", |[u, ..], wrong| [four(u, 2.0 * (1.0 + wrong) / 7.0), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .control("a cell that leaks into one of weight zero", |[u, ..], _| [four(u, 2.0 / 7.0) + if u < 2.0 / 7.0 { 0.01 } else { 0.0 }, 0.0, 0.0], &["has density 0"]),
@@ -316,7 +316,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new(LINE, "of 4 cells", &[Any, Any, Positive, Positive, Positive, Positive], cells::<T, 4>)
             .ordered(&[[0, 1]]),
         listed(PLANE, "32 x 16 sky", |_| in_plane::<T>(&sky(), SKY, [UNIT; 2], 1), |e| {
-            e.picture("clouds, a sun, a dark row", window(0.5, 0.5, 0.51)).trade(family::COMPOSED, "piecewise_constant_2d_16_8")
+            e.picture("clouds, a sun, a dark row", window(0.5, 0.5, 0.51))
         }),
         listed(PLANE, "sun 1595:1, 9 x 3", |_| {
             let sun = product(&[1.0, 1.0, 1.0, 55.0, 1.0, 1.0, 1.0, 1.0, 1.0], &[1.0, 29.0, 1.0]);
@@ -333,7 +333,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .ordered(&[[0, 1], [2, 3]])
             .seed(&[-1.136_488_4, 1.123_338_6, -1.131_686_4, 1.149_362_9, 0.069_521_83, 0.290_617_5, 0.890_342_7, 0.496_947_02]),
         listed(LINEAR, "0:3:1:1:0:0:2 on [0, 6]", |_| interpolated::<T>(&[0.0, 3.0, 1.0, 1.0, 0.0, 0.0, 2.0], [0.0, 6.0]), |e| {
-            e.picture("linear between 0, 3, 1, 1, 0, 0 and 2", View::Line(between(-0.3, 6.3))).trade(family::LINE, "piecewise_linear_1d_64")
+            e.picture("linear between 0, 3, 1, 1, 0, 0 and 2", View::Line(between(-0.3, 6.3)))
         }),
         listed(LINEAR, "1:3 on [0, 1]", |_| interpolated::<T>(&[1.0, 3.0], UNIT), |e| e)
             .control("a slope taken for a step", |[u, ..], _| [u, 0.0, 0.0], &["chi-square", "distance", "mean x"])
@@ -360,7 +360,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         listed(SKY_OF, "32 x 16 radiances", |_| radiances::<T, u32>(&sky(), SKY, 1), |mut e| {
             // Edges of pixels lie within the cells of the quadrature.
             e.resolved = false;
-            e.picture("clouds, a sun, a dark row and column", View::Sky(std::f64::consts::PI)).trade(family::COMPOSED, "lat_long_map_16_8")
+            e.picture("clouds, a sun, a dark row and column", View::Sky(std::f64::consts::PI))
         }),
         // The same as a uniform sphere.
         listed(SKY_OF, "6 x 7 grey", |_| radiances::<T, u32>(&[0.25; 42], [6, 7], 1), |e| e)

@@ -4,7 +4,7 @@ use super::{Sampler, WORD, flat, repaired, sweep};
 use crate::figures::{Exact, wide};
 use crate::generators::Cycle;
 use crate::peers::{drawn, micro, rejecting, textbook};
-use crate::registry::{Entry, entries_of_each_tier, family::*};
+use crate::registry::{Domain, Entry, entries_of_each_tier, family::*};
 use crate::truth::{self, Point, Truth, Uniforms};
 use fixed::types::U32F32;
 use microwarp::fixed::{self as integers, Coarse, Compact, Fine, Grade, warp as integer};
@@ -30,13 +30,14 @@ pub fn samplers() -> Vec<Sampler> {
 
 /// A warp of the float tiers.
 fn registered(entry: Entry) -> Option<Sampler> {
-    let trade = entry.trade.filter(|t| PICTURED.contains(&t.family))?;
+    let trade = entry.trade?;
+    let is_half = trade.family == NORMAL && entry.domain == Domain::Line;
     Some(Sampler {
         family: trade.family,
         name: entry.name,
         tier: entry.tier,
         kernel: format!("{}_{}", entry.tier, trade.kernel),
-        calls: trade.calls,
+        calls: if is_half { 2.0 } else { 1.0 },
         block: entry.warp.block(false),
         error: Box::new(move |points| {
             sweep(24, entry.uniforms, points, |u| {
