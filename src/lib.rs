@@ -179,6 +179,7 @@
 //!   [`ZigguratExponential`](rejection::ZigguratExponential): the fastest for one number from a generator
 //! - [`PoissonRejection`](rejection::PoissonRejection): events of a mean number from 10 up
 //! - [`BinomialRejection`](rejection::BinomialRejection): successes of a variance from 10 up
+//! - [`HypergeometricRejection`](rejection::HypergeometricRejection): marked items of a sample, likewise
 //!
 //! Markov chains ([`metropolis`]):
 //! - [`Chain`](metropolis::Chain): states of any density, or of integer weights, in fixed memory
@@ -362,6 +363,8 @@ macro_rules! tier_module {
             pub type PoissonRejection = crate::rejection::PoissonRejection<$tier>;
             /// [`rejection::BinomialRejection`](crate::rejection::BinomialRejection) in this tier.
             pub type BinomialRejection = crate::rejection::BinomialRejection<$tier>;
+            /// [`rejection::HypergeometricRejection`](crate::rejection::HypergeometricRejection) in this tier.
+            pub type HypergeometricRejection = crate::rejection::HypergeometricRejection<$tier>;
             /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
             pub type LogUniformStep = crate::metropolis::LogUniformStep<$tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.

@@ -10,6 +10,7 @@
 //! | [`ZigguratStandardExponential`], [`ZigguratExponential`] | exponential numbers | 98.9 % | 1, sometimes 2 or 3 |
 //! | [`PoissonRejection`] | counts of events | 77 % to 89 % | 2 |
 //! | [`BinomialRejection`] | counts of successes | 77 % to 89 % | 2 |
+//! | [`HypergeometricRejection`] | counts of marked items in a sample | 77 % to 89 % | 2 |
 //! | `fixed::DiskRejection` | the unit disk, in fixed point | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | the unit disk, in fixed point of 16 bits | π/4 = 78.5 % | 1 |
 //!
@@ -37,15 +38,18 @@ mod ball;
 mod binomial;
 mod bounded;
 mod failure;
+mod hypergeometric;
 mod poisson;
 mod region;
 mod stirling;
+mod transformed;
 mod ziggurat;
 
 pub use self::ball::{BallRejection, DiskRejection};
 pub use self::binomial::BinomialRejection;
 pub use self::bounded::{Bounded, SLACK};
 pub use self::failure::Failure;
+pub use self::hypergeometric::HypergeometricRejection;
 pub use self::poisson::PoissonRejection;
 pub use self::region::Region;
 pub use self::ziggurat::{

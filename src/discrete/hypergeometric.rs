@@ -42,6 +42,7 @@ use core::ops::RangeInclusive;
 /// ```
 ///
 /// # See also
+/// - [`rejection::HypergeometricRejection`](crate::rejection::HypergeometricRejection): variances from 10 up.
 /// - [`Binomial`](super::Binomial): with replacement.
 /// - [`uniform::choose`](crate::uniform::choose): the items themselves.
 ///

@@ -1,9 +1,10 @@
 //! The binomial distribution of large variance, by transformed rejection.
 
-use super::stirling::{PEAK, TAILS, deviance, excess};
+use super::stirling::{PEAK, deviance, excess};
+use super::transformed::Hat;
 use super::{Failure, Rejection, with_budget};
 use crate::error::{Error, finite};
-use crate::num::{happens, power_of_two};
+use crate::num::power_of_two;
 use crate::tier::{Tier, sqrt};
 use core::marker::PhantomData;
 use rand_core::TryRng;
@@ -50,6 +51,7 @@ use rand_core::TryRng;
 ///
 /// # See also
 /// - [`discrete::Binomial`](crate::discrete::Binomial): variances up to 100 from one word, without rejection.
+/// - [`HypergeometricRejection`](super::HypergeometricRejection): a sample without replacement.
 /// - [`PoissonRejection`](super::PoissonRejection): events that have no largest number.
 ///
 /// # Source
@@ -66,34 +68,16 @@ pub struct BinomialRejection<T> {
     success: f32,
     /// Whether failures are counted, the rarer event.
     turned: bool,
-    /// The mean number of the rarer event, cut to an integer, and what is left; the mean of the other event.
-    whole: u32,
-    rest: f32,
+    hat: Hat,
+    /// The mean number of the rarer event, and its part behind the point; the mean of the other event.
     mean: f32,
+    rest: f32,
     other: f32,
-    /// The slope of the map that proposes: in the tails, and at the centre.
-    tail: f32,
-    slope: f32,
-    /// The bits behind the point of a proposal, and its centre in such steps; both slopes in steps of 32.
-    places: u32,
-    tail_steps: u64,
-    slope_steps: u64,
-    centre: i64,
-    /// The density of proposals at a slope of 1, over its bound.
-    scale: f32,
     /// By how much ln n! is above Stirling's formula.
     excess: f32,
-    /// A second word below this accepts whatever does not lie in the tails.
-    squeeze: u32,
     budget: u32,
     tier: PhantomData<T>,
 }
-
-/// How many places a proposal has beyond those of the slopes.
-const FINER: u32 = 5;
-
-/// The end of a word, in units of 2⁻³³, from which it proposes counts that are accepted.
-const OUT: u64 = 1 << 10;
 
 impl<T: Tier> BinomialRejection<T> {
     /// The default budget. A true random generator spends it with a probability below 2⁻⁶⁴.
@@ -123,30 +107,15 @@ impl<T: Tier> BinomialRejection<T> {
         let mean = u128::from(digits).wrapping_mul(trials.into());
         let (whole, part) = ((mean >> 52) as u32, (mean as u64) << 12);
         let rest = part as f32 * power_of_two(-64);
-        // The hat covers all n and p: the nearest it comes is a factor of 1.0009. A small p is the hardest.
-        let slope = 0.966 + 2.5325 * sqrt(variance);
-        let accepted = 0.9255 - 3.8 / (slope - 1.6);
-        let tail = 0.0247 * slope - 0.056;
-        // The slope is below 2^18, and has 31 bits in such steps; the tail has 26 and all its digits.
-        let places = 157_u32.wrapping_sub(slope.to_bits() >> 23);
-        let steps = 1_u64.wrapping_shl(places) as f32;
         Ok(Self {
             trials,
             success: p,
             turned,
-            whole,
-            rest,
+            hat: Hat::new(variance, whole, rest + 0.45 + 0.1 * rare),
             mean: whole as f32 + rest,
+            rest,
             other: n * (1.0 - rare),
-            tail,
-            slope,
-            places: places.wrapping_add(FINER),
-            tail_steps: (tail * steps) as u64,
-            slope_steps: (slope * steps) as u64,
-            centre: ((rest + 0.45 + 0.1 * rare) * steps * (1_u32 << FINER) as f32) as i64,
-            scale: 1.0 / (1.1266 + 1.16 / (slope - 2.4)),
             excess: excess(trials),
-            squeeze: (accepted * 4_294_967_296.0) as u32,
             budget: Self::BUDGET,
             tier: PhantomData,
         })
@@ -179,36 +148,10 @@ impl<T: Tier> BinomialRejection<T> {
     #[must_use]
     #[inline]
     pub fn attempt(&self, words: [u32; 2]) -> Option<u32> {
-        let [place, decision] = words;
-        let upper = place >> 31 == 1;
-        let rank = if upper { !place } else { place };
-        // The end of the words lies at 0, the middle at 2³², and each word between two.
-        let end = u64::from(rank << 1 | 1);
-        // So far out no decision accepts, and numbers might not fit.
-        if end < OUT {
-            return None;
-        }
-        let from_middle = (1_u64 << 32).wrapping_sub(end);
-        let straight = self.slope_steps.wrapping_mul(from_middle) >> 33_u32.wrapping_sub(FINER);
-        let bent = (self.tail_steps << 33_u32.wrapping_add(FINER)).checked_div(end)?;
-        let away = straight
-            .wrapping_add(bent)
-            .wrapping_sub(self.tail_steps << 1_u32.wrapping_add(FINER));
-        let x = if upper == self.turned {
-            self.centre.wrapping_sub_unsigned(away)
-        } else {
-            self.centre.wrapping_add_unsigned(away)
-        };
-        let count = i64::from(self.whole).wrapping_add(x.wrapping_shr(self.places));
-        let count = u32::try_from(count)
-            .ok()
-            .filter(|&count| count <= self.trials)?;
-        let end = end as f32 * power_of_two(-33);
-        if end >= TAILS && decision < self.squeeze {
-            return Some(self.turn(count));
-        }
-        let slope = self.tail / (end * end) + self.slope;
-        happens(self.pmf_of_rare(count) * slope * self.scale, decision).then_some(self.turn(count))
+        let range = 0..=self.trials;
+        let pmf = |count| self.pmf_of_rare(count);
+        let count = self.hat.attempt(words, self.turned, range, pmf)?;
+        Some(self.turn(count))
     }
 
     /// The probability of a count; 0 only above n and below the smallest `f32`.
@@ -223,7 +166,7 @@ impl<T: Tier> BinomialRejection<T> {
     /// The probability of a count of the rarer event, up to n.
     fn pmf_of_rare(&self, count: u32) -> f32 {
         let left = self.trials.wrapping_sub(count);
-        let away = i64::from(count).wrapping_sub(i64::from(self.whole)) as f32 - self.rest;
+        let away = self.hat.away(count, self.rest);
         // Without a success or a failure, its deviance is its mean, and Stirling's formula is not needed.
         let (first, second) = match (count, left) {
             (0, _) => (self.mean, deviance::<T>(left as f32, self.other, -away)),

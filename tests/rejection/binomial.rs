@@ -1,7 +1,7 @@
 //! `BinomialRejection`: the law that all pairs of words have together, counted and not sampled; its efficiency, its pmf
 //! and its refusals.
 
-use crate::law::{law, wrong_ones_are_noticed};
+use crate::law::{Masses, law, wrong_ones_are_noticed};
 use host::docs::Doc;
 use host::errors::or_infinite;
 use host::speed;
@@ -9,13 +9,11 @@ use microwarp::rejection::{BinomialRejection, Rejection};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{Error, poly};
 
-/// Probabilities around the mode, each from its neighbour, and normalised: no logarithm and no factorial.
 struct Truth {
     trials: u32,
     mean: f64,
     deviation: f64,
-    from: u32,
-    each: Vec<f64>,
+    masses: Masses,
 }
 
 impl Truth {
@@ -23,38 +21,16 @@ impl Truth {
         let (n, p) = (f64::from(trials), f64::from(p));
         let (mean, deviation, odds) = (n * p, (n * p * (1.0 - p)).sqrt(), p / (1.0 - p));
         let reach = 16.0 * deviation + 256.0;
-        let mode = ((n + 1.0) * p) as u32;
-        let (from, to) = ((mean - reach).max(0.0) as u32, (mean + reach).min(n) as u32);
-        let mut each = Vec::new();
-        let mut weight = 1.0;
-        for k in (from + 1..=mode).rev() {
-            weight *= f64::from(k) / (f64::from(trials - k) + 1.0) / odds;
-            each.push(weight);
-        }
-        each.reverse();
-        each.push(1.0);
-        weight = 1.0;
-        for k in mode..to {
-            weight *= f64::from(trials - k) / (f64::from(k) + 1.0) * odds;
-            each.push(weight);
-        }
-        let sum: f64 = each.iter().sum();
-        each.iter_mut().for_each(|weight| *weight /= sum);
+        let ends = [(mean - reach).max(0.0) as u32, (mean + reach).min(n) as u32];
+        let masses = Masses::around(((n + 1.0) * p) as u32, ends, |k| {
+            f64::from(trials - k) / (f64::from(k) + 1.0) * odds
+        });
         Self {
             trials,
             mean,
             deviation,
-            from,
-            each,
+            masses,
         }
-    }
-
-    fn pmf(&self, count: u32) -> f64 {
-        let place = count.checked_sub(self.from).map(|place| place as usize);
-        place
-            .and_then(|place| self.each.get(place))
-            .copied()
-            .unwrap_or(0.0)
     }
 
     /// The efficiency of an attempt, and its largest error in units of the page's.
@@ -67,7 +43,7 @@ impl Truth {
         law(
             [self.mean, self.deviation],
             self.trials,
-            |k| self.pmf(k),
+            |k| self.masses.pmf(k),
             attempt,
             bound,
         )
@@ -206,6 +182,7 @@ fn the_pmf_of_a_large_binomial_is_that_of_the_formula() {
                 (f64::from(sampler.pmf(k)) - exact).abs() / bound.max(2_f64.powi(-148))
             });
         errors.fold(0.0, |worst, e| worst.max(or_infinite(e)))
+        truth.masses.worst_pmf(|k| sampler.pmf(k))
     }
     let number = speed::of("binomial laws of the pmf", 60, 2000);
     let mut both = [0.0_f64; 2];

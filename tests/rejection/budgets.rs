@@ -195,6 +195,7 @@ fn drawing_is_attempting_at_the_drawn_uniforms() {
     let bounded = Bounded::new(square, f, 2.0).unwrap();
     let region = Region::new(square, |p| f(p) < 0.5);
     let poisson = poly::PoissonRejection::new(77.7).unwrap();
+    let urn = poly::HypergeometricRejection::new(9000, 700, 500).unwrap();
     let (mut drawn, mut replayed) = (Pcg32::new(3, 3), Pcg32::new(3, 3));
     for _ in 0..1000 {
         let mut u = || grid_from_word(replayed.next_u32());
@@ -208,6 +209,9 @@ fn drawing_is_attempting_at_the_drawn_uniforms() {
         let once: Result<_, Failure> = poisson.try_once(&mut drawn);
         let words = [replayed.next_u32(), replayed.next_u32()];
         assert_eq!(once, Ok(poisson.attempt(words)));
+        let once: Result<_, Failure> = urn.try_once(&mut drawn);
+        let words = [replayed.next_u32(), replayed.next_u32()];
+        assert_eq!(once, Ok(urn.attempt(words)));
     }
     assert_eq!(drawn, replayed);
 }

@@ -76,6 +76,54 @@ fn pairs(attempt: &impl Fn([u32; 2]) -> Option<u32>, from: u64, to: u64) -> f64 
     of_all + RULE.iter().map(at).sum::<f64>()
 }
 
+/// Probabilities of counts in a row, normalised.
+pub struct Masses {
+    pub from: u32,
+    pub each: Vec<f64>,
+}
+
+impl Masses {
+    /// From the mode both ways, each from its neighbour: no logarithm and no factorial. `ratio` is that of the probability of the
+    /// next count and of this one.
+    pub fn around(mode: u32, [from, to]: [u32; 2], ratio: impl Fn(u32) -> f64) -> Self {
+        let mut each = Vec::new();
+        let mut weight = 1.0;
+        for k in (from..mode).rev() {
+            weight /= ratio(k);
+            each.push(weight);
+        }
+        each.reverse();
+        each.push(1.0);
+        weight = 1.0;
+        for k in mode..to {
+            weight *= ratio(k);
+            each.push(weight);
+        }
+        let sum: f64 = each.iter().sum();
+        each.iter_mut().for_each(|weight| *weight /= sum);
+        Self { from, each }
+    }
+
+    pub fn pmf(&self, count: u32) -> f64 {
+        let place = count.checked_sub(self.from).map(|place| place as usize);
+        place
+            .and_then(|place| self.each.get(place))
+            .copied()
+            .unwrap_or(0.0)
+    }
+
+    /// The largest error of a pmf over all counts, or a thousand of them, where 5e-7 (1 + L) is granted, L = −ln of it, or 2⁻¹⁴⁸.
+    pub fn worst_pmf(&self, found: impl Fn(u32) -> f32) -> f64 {
+        let stride = self.each.len() / 1000 + 1;
+        let places = self.each.iter().zip(self.from..).step_by(stride);
+        let errors = places.map(|(&exact, k)| {
+            let bound = 5e-7 * (1.0 - exact.ln()) * exact;
+            (f64::from(found(k)) - exact).abs() / bound.max(2_f64.powi(-148))
+        });
+        errors.fold(0.0, |worst, e| if e <= worst { worst } else { e })
+    }
+}
+
 /// The efficiency, and the largest error of a probability in units of a bound. The law has a mean, a standard deviation and a
 /// largest count.
 pub fn law(

@@ -9,6 +9,7 @@ mod distributions;
 mod efficiency;
 mod exact;
 mod examination;
+mod hypergeometric;
 mod integers;
 mod law;
 mod layers;
