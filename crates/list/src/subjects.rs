@@ -9,9 +9,9 @@ use microwarp::discrete::{
 };
 use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
-    Accepted, BallRejection, BinomialRejection, Bounded, DiskRejection, Failure, PoissonRejection,
-    Region, Rejection, SLACK, ZigguratExponential, ZigguratNormal, ZigguratStandardExponential,
-    ZigguratStandardNormal, budget_for,
+    Accepted, BallRejection, BinomialRejection, Bounded, DiskRejection, Failure,
+    HypergeometricRejection, PoissonRejection, Region, Rejection, SLACK, ZigguratExponential,
+    ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal, budget_for,
 };
 use microwarp::uniform::{
     self, ByPosition, Points, Recurrence, Sobol, Strata1d, Strata2d, Uniforms,
@@ -887,4 +887,12 @@ float_warps!(subjects {
     },
     once "negative binomial counts" => counts::failures,
     once "hypergeometric counts" => counts::urns,
+    "rejection hypergeometric" => |[a, b, c, d], input, out| {
+        let [a, b, c, d] = [a, b, c, d].map(|u| (u * 4_294_967_296.0) as u32);
+        for (population, marked, drawn) in [(a, b, c), (d >> 16, a >> 17, b >> 17), (u32::MAX, c, d), (u32::MAX - d, a >> 12, b)] {
+            with(HypergeometricRejection::<T>::new(population, marked, drawn), out, |law, out| {
+                tried_and_drawn(&law, law.attempt([d, a]), |count| law.pmf(count), input, out);
+            });
+        }
+    },
 });

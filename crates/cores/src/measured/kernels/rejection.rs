@@ -15,6 +15,10 @@ fn binomial<const TRIALS: u32>() -> Result<poly::BinomialRejection, Error> {
     poly::BinomialRejection::new(TRIALS, 0.25)
 }
 
+fn urn<const POPULATION: u32>() -> Result<poly::HypergeometricRejection, Error> {
+    poly::HypergeometricRejection::new(POPULATION, POPULATION / 2, POPULATION / 4)
+}
+
 kernels! {
     "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
     "rejection_ball_pcg32" (rng) -> [f32; 3] = BallRejection::new().draw(rng).map_or([0.0; 3], |accepted| accepted.point);
@@ -32,4 +36,6 @@ kernels! {
         loaded(poisson::<65536>).draw(rng).map_or(0, |accepted| accepted.point), made(poisson::<65536>);
     "poly_binomial_rejection_1000_pcg32" (rng) -> u32 =
         loaded(binomial::<1000>).draw(rng).map_or(0, |accepted| accepted.point), made(binomial::<1000>);
+    "poly_hypergeometric_rejection_10000_pcg32" (rng) -> u32 =
+        loaded(urn::<10_000>).draw(rng).map_or(0, |accepted| accepted.point), made(urn::<10_000>);
 }

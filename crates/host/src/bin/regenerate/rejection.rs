@@ -3,8 +3,8 @@
 use crate::cycles::{CORES, whole};
 use crate::tables::rows;
 use microwarp::rejection::{
-    BallRejection, BinomialRejection, DiskRejection, PoissonRejection, Rejection,
-    ZigguratStandardExponential, ZigguratStandardNormal,
+    BallRejection, BinomialRejection, DiskRejection, HypergeometricRejection, PoissonRejection,
+    Rejection, ZigguratStandardExponential, ZigguratStandardNormal,
 };
 use microwarp::tier::Poly;
 use microwarp_host::counts::Counts;
@@ -12,7 +12,7 @@ use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 
 /// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
-fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 9]> {
+fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 10]> {
     use microwarp::fixed as integer;
     let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
     Ok([
@@ -70,11 +70,22 @@ fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 9]> {
             BinomialRejection::<Poly>::BUDGET,
             false,
         ),
+        (
+            "poly_hypergeometric_rejection_10000_pcg32",
+            efficiency(&urn(10_000)?)?,
+            HypergeometricRejection::<Poly>::BUDGET,
+            false,
+        ),
     ])
 }
 
 fn poisson(mean: f32) -> Outcome<f64> {
     efficiency(&PoissonRejection::<Poly>::new(mean).map_err(|e| e.to_string())?)
+}
+
+fn urn(population: u32) -> Outcome<HypergeometricRejection<Poly>> {
+    HypergeometricRejection::new(population, population / 2, population / 4)
+        .map_err(|e| e.to_string())
 }
 
 /// Counts over tries.
