@@ -23,10 +23,11 @@ pub enum Error {
     NotFinite,
     /// The lower bound is above the upper bound.
     Reversed,
-    /// The domain has no extent, or so little that its density overflows `f32`.
+    /// The domain has no extent, or so little that its density overflows `f32`; a range holds no integer.
     Empty,
     /// The domain is so large that its density is below the smallest positive `f32`, or that its size overflows. In the
-    /// integer tier: so large that its points overflow their format.
+    /// integer tier: so large that its points overflow their format. A mean, a variance or a sum of weights is beyond what the
+    /// sampler holds.
     TooLarge,
     /// A parameter that must be positive is zero or negative.
     NotPositive,
@@ -90,8 +91,8 @@ impl Error {
         match self {
             Self::NotFinite => "a parameter is NaN or infinite",
             Self::Reversed => "the lower bound is above the upper bound",
-            Self::Empty => "the domain has no extent, or too little for a finite density",
-            Self::TooLarge => "the domain is too large, or samples overflow their number format",
+            Self::Empty => "the domain or range is empty, or too small for a finite density",
+            Self::TooLarge => "the domain, a parameter or a sum is too large, or samples overflow",
             Self::NotPositive => "a parameter that must be positive is not",
             Self::Negative => "a parameter that must not be negative is",
             Self::OutOfRange => "a parameter is outside its stated range",
