@@ -1,6 +1,7 @@
 //! Several items of a stream, drawn by weight without replacement, in integers.
 
 use crate::num::doubles::ln;
+use crate::num::up_to;
 use crate::uniform::infallible;
 use core::f64::consts::{LN_2, LOG2_E};
 use core::num::NonZeroU32;
@@ -210,7 +211,7 @@ fn neg_log2(word: u32) -> u64 {
     let (inverse, log) = LOG.get((rest >> 27) as usize).copied().unwrap_or_default();
     let offset = rest & (CELL - 1);
     // As a part of the cell's end, in units of 2⁻³².
-    let x = (offset.wrapping_mul(inverse.into()) >> 31) as u32;
+    let x = high((offset << 1) as u32, inverse);
     let [one, two, three, four] = SERIES;
     let slope = one.wrapping_add(high(
         x,
@@ -220,8 +221,8 @@ fn neg_log2(word: u32) -> u64 {
     (u64::from(zeros) << 58).wrapping_add(log).wrapping_add(way)
 }
 
-/// ⌊x·y/2³²⌋.
+/// ⌊x·y/2³²⌋ of a y above 0.
 #[inline]
 const fn high(x: u32, y: u32) -> u32 {
-    ((x as u64).wrapping_mul(y as u64) >> 32) as u32
+    up_to(y.wrapping_sub(1), x)
 }
