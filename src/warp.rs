@@ -67,6 +67,7 @@ mod henyey_greenstein;
 mod interval;
 mod inversion;
 mod laplace;
+mod light_sample;
 mod linear;
 mod location_scale;
 mod log_normal;
@@ -180,6 +181,7 @@ macro_rules! names {
 each_warp!(names);
 pub use self::ggx::Reflection;
 pub use self::measure::{Area, Content, Length, Measured, Normals, Rotations, SolidAngle, Volume};
+pub use self::light_sample::LightSample;
 pub use self::spherical_rectangle::OnRectangle;
 pub use self::spherical_triangle::OnTriangle;
 pub use self::surface_point::SurfacePoint;

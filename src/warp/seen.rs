@@ -333,10 +333,16 @@ impl Half {
 
 /// The direction of the sum of three corners times their weights.
 #[inline]
-pub(super) fn direction(
+pub(super) fn direction(corners: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
+    direction_and_length(corners, weights).0
+}
+
+/// The same, and the length of the sum.
+#[inline]
+pub(super) fn direction_and_length(
     [[a, b, c], [d, e, f], [g, h, i]]: [[f32; 3]; 3],
     [p, q, r]: [f32; 3],
-) -> [f32; 3] {
+) -> ([f32; 3], f32) {
     let sum = [
         p * a + (q * d + r * g),
         p * b + (q * e + r * h),
@@ -349,7 +355,7 @@ pub(super) fn direction(
     } else {
         1.0 / sqrt(square)
     };
-    times(sum, scale)
+    (times(sum, scale), square * scale)
 }
 
 /// The height of a direction over the side that leads along an edge from a corner, times the length of the edge. Measured

@@ -3,7 +3,7 @@
 use super::contract::drawn_by;
 use super::direction::{around, normalised};
 use super::planar::{PlanarMap, planar};
-use super::{Cone, Frame, Invert, Oriented, Warp};
+use super::{Cone, Frame, Invert, LightSample, Oriented, Warp};
 use crate::error::{Error, finite, positive};
 use crate::num::vector::magnitude;
 use crate::num::{
@@ -250,6 +250,16 @@ impl<T: Tier> VisibleSphere<T> {
     drawn_by! {
         /// Draws a place on the sphere: [`sample_surface`](Self::sample_surface) of a generator.
         draw_surface, try_draw_surface, sample_surface -> SurfaceSample
+    /// The same as all lamps give it, to the same errors; a sphere has no coordinates of the place.
+    #[must_use]
+    pub fn sample_light(&self, u: [f32; 2]) -> LightSample {
+        let seen = self.sample_surface(u);
+        LightSample {
+            direction: seen.direction,
+            distance: seen.distance,
+            pdf: seen.pdf,
+            place: [0.0; 2],
+        }
     }
 }
 

@@ -8,6 +8,7 @@ mod constructors;
 mod density;
 mod generators;
 mod geometry;
+mod lamps;
 mod lights;
 mod masking;
 mod monotone;
