@@ -97,6 +97,7 @@ mod transform;
 mod triangle;
 pub(crate) mod triangle_on;
 mod truncated;
+mod truncated_logistic;
 mod truncated_normal;
 mod visible_sphere;
 mod von_mises_fisher;
@@ -168,6 +169,12 @@ macro_rules! each_warp {
             visible_sphere::VisibleSphere<T> "Uniform over the directions in which a sphere is seen from a point (a sphere light); two uniforms" SolidAngle,
             von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms" SolidAngle,
             weibull::Weibull<T> "Weibull, life times by a shape; one uniform" Length,
+            truncated::TruncatedExponential<T> "Exponential on [0, X], falling or rising; one uniform",
+            truncated_logistic::TruncatedLogistic<T> "Logistic on an interval, as for wavelengths; one uniform",
+            truncated_normal::TruncatedNormal<T> "Normal on an interval or beyond a bound, right in the far tails; one uniform",
+            visible_sphere::VisibleSphere<T> "Uniform over the directions in which a sphere is seen from a point (a sphere light); two uniforms",
+            von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms",
+            weibull::Weibull<T> "Weibull, life times by a shape; one uniform",
         }
     };
 }

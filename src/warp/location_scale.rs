@@ -120,7 +120,7 @@ pub(super) const fn checked(location: f32, scale: f32, reach: f32) -> Result<(),
 
 /// The distance of x from the location in units of the scale, and its rounding error.
 #[inline]
-pub(super) fn standardised(x: f32, location: f32, unit: f32) -> (f32, f32) {
+pub(super) const fn standardised(x: f32, location: f32, unit: f32) -> (f32, f32) {
     // For a small one the rounding error would be subnormal.
     let scale = if unit < 1.0e-18 {
         18_446_744_073_709_551_616.0
