@@ -192,6 +192,24 @@ macro_rules! float_warps {
                 page { line 1: Logistic(location: 0 in -10..10, scale: 1 in 0..5) => Logistic::<T>::new(location, scale), }
                 bind { "logistic" = Logistic { new(location: f32, scale: f32), } }
             }
+            TruncatedLogistic {
+                golden {
+                    "TruncatedLogistic 360 830" => TruncatedLogistic::<T>::new(v(538.0), v(69.444_44), v(360.0), v(830.0)),
+                    "TruncatedLogistic narrow" => TruncatedLogistic::<T>::new(v(0.5), v(1.0), v(0.1), v(0.100_1)),
+                    "TruncatedLogistic 30 60" => TruncatedLogistic::<T>::new(v(0.0), v(1.0), v(30.0), v(60.0)),
+                    "TruncatedLogistic -1 2" => TruncatedLogistic::<T>::new(v(0.0), v(1.0), v(-1.0), v(2.0)),
+                }
+                cost {
+                    "truncated_logistic" u -> f32 = const { ok(TruncatedLogistic::new(538.0, 69.444_44, 360.0, 830.0)) },
+                }
+                page {
+                    line 1: TruncatedLogistic(location: 538 in 300..900, scale: 69.44 in 0..500, low: 360 in 300..900, high: 830 in 300..900)
+                        => TruncatedLogistic::<T>::new(location, scale, low, high),
+                }
+                bind {
+                    "truncated_logistic" = TruncatedLogistic { new(location: f32, scale: f32, low: f32, high: f32), }
+                }
+            }
             Gumbel {
                 golden { "Gumbel" => Gumbel::<T>::new(v(0.0), v(2.0)), }
                 cost { "gumbel" u -> f32 = const { ok(Gumbel::new(0.0, 1.0)) }, }

@@ -314,6 +314,38 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty)
             .constant(in_both!(Logistic<T>::new(0.3, 1.7)))
             .gives_back(|p| Logistic::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
+        Registered::new("TruncatedLogistic", "", &[Any, Positive, Any, Any], |p| {
+            truncated_logistic::<T>(p, TruncatedLogistic::new(p[0], p[1], p[2], p[3])?)
+        })
+            .ordered(&[[2, 3]])
+            .case_with("538, 69.4 [360, 830]", &[538.0, 69.444_44, 360.0, 830.0], |e| {
+                e.picture("visible wavelengths in nm, after pbrt", View::Line(between(330.0, 860.0))).trade(family::LAW, "truncated_logistic")
+            })
+            .control("a logistic number clipped to the interval", |[u, ..], _| [(538.0 + 69.444_44 * ((u + 1e-9) / (1.0 - u)).ln()).clamp(360.0, 830.0), 0.0, 0.0], &["chi-square", "distance", "mean x"])
+            .moment(&[0.0, 1.0, -700.0, 700.0], "x^4", |x, _| x.powi(4), 7.0 * PI.powi(4) / 15.0, 4e-4)
+            .without("peer", "rand_distr has none")
+            .case("0, 1 [-1, 2]", &[0.0, 1.0, -1.0, 2.0])
+            .case("0, 0.2 [-π, π]", &[0.0, 0.2, -std::f32::consts::PI, std::f32::consts::PI])
+            .case("0, 1 [30, 31]", &[0.0, 1.0, 30.0, 31.0])
+            .case("0, 1 [-500, -10]", &[0.0, 1.0, -500.0, -10.0])
+            .case("0, 1 [-1e-6, 2e-6]", &[0.0, 1.0, -1e-6, 2e-6])
+            .case("5, 2 [-1000, 4]", &[5.0, 2.0, -1000.0, 4.0])
+            .case_with("0, 1 [1e4, 1e4+1]", &[0.0, 1.0, 1e4, 1e4 + 1.0], Entry::unresolved)
+            .case_with("1, 1 [1, 1.0000001]", &[1.0, 1.0, 1.0, 1.000_000_1], Entry::unresolved)
+            .case("0, 1e36 [-3e36, 3e37]", &[0.0, 1e36, -3e36, 3e37])
+            .seed(&[0.0, 1.0, -1.0, 2.0]).seed(&[0.0, 1.0, 30.0, 31.0]).seed(&[0.0, 1.0, -11.0, -10.0])
+            .seed(&[0.0, 1.0, -1e-6, 2e-6]).seed(&[0.0, 1.0, 0.0, 0.1]).seed(&[538.0, 69.444_44, 360.0, 830.0])
+            .seed(&[0.0, 1.0, -2.0, 2.0]).seed(&[0.0, 1.0, -1.999, 2.0]).seed(&[0.0, 1.0, -1.0, 3.5]).seed(&[0.0, 1.0, -1e-3, 100.0])
+            .seed(&[0.0, 1.0, -100.0, 110.0]).seed(&[1e30, 1.0, 0.0, 1e-17]).seed(&[0.0, 1e30, 0.0, 1e-30]).seed(&[0.0, 1.0, -1.0, 0.0])
+            .seed(&[0.0, 1e-30, 1.0, 2.0]).seed(&[0.0, 1e37, -1e37, 2e37]).seed(&[0.0, 1e-38, 0.0, 1.0]).seed(&[0.0, 1.0, 1.0, 70.0])
+            .refuse(&[NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, INF], NotFinite).refuse(&[0.0, INF, 0.0, 1.0], NotFinite)
+            .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive)
+            .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed).refuse(&[0.0, 1.0, 1.0, 1.0], Empty)
+            .refuse(&[0.0, 1.0, 0.0, TINY], Empty).refuse(&[0.0, TINY, 0.0, 1.0], Empty)
+            .refuse(&[0.0, 1e38, 0.0, 1.0], TooLarge).refuse(&[0.0, 1.0, -f32::MAX, f32::MAX], TooLarge)
+            .constant(in_both!(TruncatedLogistic<T>::new(538.0, 69.444_44, 360.0, 830.0)))
+            .constant(in_both!(TruncatedLogistic<T>::new(0.3, 1.7, 5.1, 5.2)))
+            .gives_back(|p| TruncatedLogistic::<T>::new(p[0], p[1], p[2], p[3]).map(|warp| vec![warp.location(), warp.scale(), warp.low(), warp.high()])),
         Registered::new("Gumbel", "", &[Any, Positive], |p| {
             Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
         })
@@ -486,6 +518,33 @@ fn truncated_normal<T: Tier>(
         .own_density()
         .variables(&[("w", steep)])
         .outside(&[]))
+}
+
+/// An interval of a logistic law; the errors count from the location in a wide one, else from the end nearer to it.
+fn truncated_logistic<T: Tier>(p: &[f32], warp: TruncatedLogistic<T>) -> Result<Entry, Error> {
+    let [location, scale, low, high] = [p[0], p[1], p[2], p[3]].map(f64::from);
+    let about = low < location && location < high && (p[3] - p[2]) / p[1] >= 4.0;
+    let (from, least) = if about {
+        (location, scale)
+    } else if p[3] - p[0] < p[0] - p[2] {
+        (high, 0.0)
+    } else {
+        (low, 0.0)
+    };
+    let truth = truth::TruncatedLogistic::new(p[0], p[1], p[2], p[3]);
+    let cut = truth.is_cut();
+    let measure = Measure::UlpFrom(from, least);
+    let truth = Box::new(truth) as Box<dyn Truth>;
+    let mut entry = entry::<T, _>("TruncatedLogistic", Domain::Line, measure, warp, truth);
+    entry.open = false;
+    if cut {
+        entry.ends = Ends::None;
+    }
+    Ok(entry
+        .middle()
+        .own_density_of_word()
+        .variables(&[("w", from.abs() / scale)])
+        .outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
 }
 
 /// What laws from some number up have in common. The ends are not bounds of a domain but the last sample.

@@ -462,6 +462,151 @@ pub fn logistic(location: f32, scale: f32) -> Box<dyn Truth> {
     located(location, scale, standard)
 }
 
+/// What no sample of a truncated logistic law has less of beyond it.
+const LEAST: f64 = f32::MIN_POSITIVE as f64;
+
+/// A logistic law on an interval: about the location by the logit of the probabilities below and above, else by the distance
+/// from the end that is nearer to the location, as a sum of two logarithms.
+pub struct TruncatedLogistic {
+    location: f64,
+    scale: f64,
+    low: f64,
+    high: f64,
+    about: bool,
+    upper: bool,
+    /// e^(±t) of the nearer end, and the probability between the ends over that beyond it on its side.
+    odds: f64,
+    share: f64,
+    rest: f64,
+}
+
+/// The shares of a logistic law below and above t, each with its digits.
+fn sigmoid(t: f64) -> [f64; 2] {
+    [1.0 / (1.0 + (-t).exp()), 1.0 / (1.0 + t.exp())]
+}
+
+impl TruncatedLogistic {
+    pub fn new(location: f32, scale: f32, low: f32, high: f32) -> Self {
+        // The end that the warp takes: the distance from the other one would lose digits.
+        let upper = high - location < location - low;
+        let [location, scale, low, high] = [location, scale, low, high].map(f64::from);
+        let width = (high - low) / scale;
+        let near = if upper {
+            high - location
+        } else {
+            location - low
+        } / scale;
+        let odds = near.exp();
+        let whole = 1.0 + odds * (-width).exp();
+        Self {
+            location,
+            scale,
+            low,
+            high,
+            about: low < location && location < high && width > 3.999_999,
+            upper,
+            odds,
+            share: -(-width).exp_m1() / whole,
+            rest: (-width).exp() * (1.0 + odds) / whole,
+        }
+    }
+
+    fn t(&self, x: f64) -> f64 {
+        (x - self.location) / self.scale
+    }
+
+    /// The probability beyond an end that has less than the least number beyond it is not reached.
+    pub fn is_cut(&self) -> bool {
+        if self.about {
+            sigmoid(self.t(self.low))[0].min(sigmoid(self.t(self.high))[1]) < LEAST
+        } else {
+            self.rest < LEAST
+        }
+    }
+
+    /// The probability between the ends.
+    fn between(&self) -> f64 {
+        let (a, b) = (self.t(self.low), self.t(self.high));
+        -(a - b).exp_m1() * sigmoid(b)[0] * sigmoid(a)[1]
+    }
+
+    fn sides(&self, u: f64) -> [f64; 2] {
+        let (low, high) = (sigmoid(self.t(self.low)), sigmoid(self.t(self.high)));
+        [0, 1].map(|k: usize| ((1.0 - u) * low[k] + u * high[k]).max(LEAST))
+    }
+
+    /// The probability from the nearer end on, and what is beyond in units of that beyond the end.
+    fn parts(&self, u: f64) -> (f64, f64) {
+        let (before, beyond) = if self.upper {
+            (1.0 - u, u)
+        } else {
+            (u, 1.0 - u)
+        };
+        (before, (beyond + self.rest * before).max(LEAST))
+    }
+}
+
+impl Truth for TruncatedLogistic {
+    fn sample(&self, u: Uniforms) -> Point {
+        let x = if self.about {
+            let [below, above] = self.sides(u[0]);
+            self.location + self.scale * (below / above).ln()
+        } else {
+            let (before, left) = self.parts(u[0]);
+            let part = self.share * before;
+            let fallen = if part < 0.5 {
+                -(-part).ln_1p()
+            } else {
+                -left.ln()
+            };
+            let along = self.scale * (fallen + (self.odds * part).ln_1p());
+            if self.upper {
+                self.high - along
+            } else {
+                self.low + along
+            }
+        };
+        [x.clamp(self.low, self.high), 0.0, 0.0]
+    }
+    fn density(&self, u: Uniforms) -> f64 {
+        if self.about {
+            let [below, above] = self.sides(u[0]);
+            return below * above / (self.scale * self.between());
+        }
+        let (before, left) = self.parts(u[0]);
+        left * (1.0 + self.odds * self.share * before)
+            / (self.scale * self.share * (1.0 + self.odds))
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        if self.about {
+            let [below, above] = sigmoid(self.t(x[0]));
+            return below * above / (self.scale * self.between());
+        }
+        let along = if self.upper {
+            self.high - x[0]
+        } else {
+            x[0] - self.low
+        } / self.scale;
+        let fall = (-along).exp();
+        let ratio = (1.0 + self.odds) / (1.0 + self.odds * fall);
+        fall * ratio * ratio / (self.scale * self.share * (1.0 + self.odds))
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        let u = if self.about {
+            (sigmoid(self.t(x[0]))[0] - sigmoid(self.t(self.low))[0]) / self.between()
+        } else {
+            let along = if self.upper {
+                self.high - x[0]
+            } else {
+                x[0] - self.low
+            } / self.scale;
+            let before = -(-along).exp_m1() / (1.0 + self.odds * (-along).exp()) / self.share;
+            if self.upper { 1.0 - before } else { before }
+        };
+        [u, 0.0, 0.0, 0.0]
+    }
+}
+
 pub fn gumbel(location: f32, scale: f32) -> Box<dyn Truth> {
     let standard = Line {
         // Doubles have the digits to spare that cancel about 1/e, where the result is 0.
