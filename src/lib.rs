@@ -311,6 +311,12 @@ pub use warp::contract::{Invert, Warp};
 #[doc = include_str!("../docs/firmware.md")]
 pub mod firmware {}
 
+/// A page: lamps, rough surfaces, a sky and the weights between them, and pbrt's names beside these.
+///
+#[cfg(all(doc, not(doctest)))]
+#[doc = include_str!("../docs/renderers.md")]
+pub mod renderers {}
+
 /// A page: HALs with another `rand_core`, seeds, and what the compiler says.
 ///
 #[cfg(all(doc, not(doctest)))]
@@ -324,6 +330,9 @@ struct Readme;
 #[cfg(doctest)]
 #[doc = include_str!("../docs/firmware.md")]
 struct Firmware;
+#[cfg(doctest)]
+#[doc = include_str!("../docs/renderers.md")]
+struct Renderers;
 
 /// Names the warps of one tier: aliases of the types that are generic over it, and the types that both tiers share.
 macro_rules! of_tier {
