@@ -2,5 +2,6 @@
 
 mod bits;
 mod chains;
+mod lamps;
 mod light;
 mod twin;

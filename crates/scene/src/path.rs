@@ -11,8 +11,7 @@ use crate::sky::Sky;
 use crate::source::Source;
 use crate::vector::{Vector, dot, largest, plus, scaled, times};
 use microwarp::Warp;
-use microwarp::estimate::{balance_heuristic, power_heuristic};
-use microwarp::uniform::grid;
+use microwarp::estimate::{balance_heuristic, power_heuristic, roulette};
 use microwarp::warp::Frame;
 use rand_core::Rng;
 
@@ -299,11 +298,10 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
             light = times(light, scaled(next.value, 1.0 / next.pdf));
             if bounce >= ROULETTE {
                 source.skip_to(dimension.wrapping_add(ROULETTE_WORD));
-                let chance = largest(light).min(0.95);
-                if grid(source) >= chance {
+                let Some(weight) = roulette(largest(light).min(0.95), source.next_u32()) else {
                     break;
-                }
-                light = scaled(light, 1.0 / chance);
+                };
+                light = scaled(light, weight);
             }
             let direction = next.direction;
             ray = Ray {
