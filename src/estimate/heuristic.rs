@@ -56,8 +56,8 @@ fn weight((f, g): (f32, f32), shape: impl Fn(f32) -> f32) -> f32 {
 ///
 /// # Accuracy
 ///
-/// Error: 3 ulp for counts of 1, 7 ulp for any counts, which is proven: up to seven roundings. An ulp is a unit in the last place; below 2⁻¹²⁶, it is the
-/// subnormal spacing.
+/// Error: 3 ulp for counts of 1, 7 ulp for any counts, which is proven: up to seven roundings. An ulp is a unit in the
+/// last place; below 2⁻¹²⁶, it is the subnormal spacing.
 ///
 /// # Examples
 ///
@@ -110,8 +110,8 @@ pub fn balance_heuristic(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
 ///
 /// # Accuracy
 ///
-/// Error: 5 ulp for counts of 1, 13 ulp for any counts, which is proven: up to thirteen roundings. An ulp is a unit in the last place; below 2⁻¹²⁶, it is the
-/// subnormal spacing.
+/// Error: 5 ulp for counts of 1, 13 ulp for any counts, which is proven: up to thirteen roundings. An ulp is a unit in
+/// the last place; below 2⁻¹²⁶, it is the subnormal spacing.
 ///
 /// # Examples
 ///
@@ -140,8 +140,14 @@ pub fn power_heuristic(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
 /// The weight of a technique among several: its part of the sum of what `shape` makes of the expected numbers of samples.
 /// They are scaled so that the largest density is near 2^`near`, from where no product leaves the range of `f32`.
 #[inline]
-fn weight_of(techniques: &[(u32, f32)], own: usize, near: i32, shape: impl Fn(f32) -> f32) -> f32 {
-    let most = techniques.iter().fold(0.0, |most: f32, &(n, p)| {
+fn weight_of(
+    (counts, densities): (&[u32], &[f32]),
+    own: usize,
+    near: i32,
+    shape: impl Fn(f32) -> f32,
+) -> f32 {
+    let techniques = || counts.iter().copied().zip(densities.iter().copied());
+    let most = techniques().fold(0.0, |most: f32, (n, p)| {
         let p = density(n, p);
         if p > most { p } else { most }
     });
@@ -151,7 +157,7 @@ fn weight_of(techniques: &[(u32, f32)], own: usize, near: i32, shape: impl Fn(f3
         power_of_two(up >> 1),
         power_of_two(up.wrapping_sub(up >> 1)),
     );
-    let expected = |&(n, p): &(u32, f32)| {
+    let expected = |(n, p): (u32, f32)| {
         let p = density(n, p);
         let p = if most <= f32::MAX {
             p * first * second
@@ -163,10 +169,8 @@ fn weight_of(techniques: &[(u32, f32)], own: usize, near: i32, shape: impl Fn(f3
         };
         shape(n as f32 * p)
     };
-    let sum = techniques
-        .iter()
-        .fold(0.0, |sum, technique| sum + expected(technique));
-    match techniques.get(own) {
+    let sum = techniques().fold(0.0, |sum, technique| sum + expected(technique));
+    match techniques().nth(own) {
         Some(own) if sum > 0.0 => expected(own) / sum,
         _ => 0.0,
     }
@@ -174,14 +178,15 @@ fn weight_of(techniques: &[(u32, f32)], own: usize, near: i32, shape: impl Fn(f3
 
 /// The balance heuristic of any number of techniques: the weight of a sample of the technique `own`.
 ///
-/// Of each technique `techniques` has the number n of its samples and the density p with which it draws the point of the
-/// sample. The weight is w = `n p`/∑ `n p`, computed without overflow or underflow.
+/// A technique takes n = `counts[k]` samples, and draws the point of the sample with density p = `densities[k]`. The weight is
+/// w = `n p`/∑ `n p`, computed without overflow or underflow.
 ///
 /// # Domain
 ///
-/// Any numbers, and at most 2²⁴ techniques. A negative or NaN density counts as 0. An infinite density outweighs every finite
-/// one; several count as equal. The weight is in [0, 1], and 0 of a technique that there is not. The weights of all sum to 1,
-/// up to rounding, if one technique has a positive density and count; otherwise all are 0.
+/// Any numbers, and as many techniques as both slices have, up to 2²⁴. A negative or NaN density counts as 0. An
+/// infinite density outweighs every finite one; several count as equal. The weight is in [0, 1], and 0 of a technique
+/// that there is not. The weights of all sum to 1, up to rounding, if one technique has a positive density and count;
+/// otherwise all are 0.
 ///
 /// # Accuracy
 ///
@@ -193,10 +198,9 @@ fn weight_of(techniques: &[(u32, f32)], own: usize, near: i32, shape: impl Fn(f3
 /// ```
 /// use microwarp::estimate::balance_heuristic_of;
 /// // A lamp, a lobe and the sky, of which the last takes two samples.
-/// let techniques = [(1, 3.0), (1, 1.0), (2, 2.0)];
-/// let weights = [0, 1, 2].map(|own| balance_heuristic_of(&techniques, own));
+/// let weights = [0, 1, 2].map(|own| balance_heuristic_of(&[1, 1, 2], &[3.0, 1.0, 2.0], own));
 /// assert_eq!(weights, [0.375, 0.125, 0.5]);
-/// assert_eq!(balance_heuristic_of(&[(1, f32::NAN), (1, f32::INFINITY), (3, 1e38)], 1), 1.0);
+/// assert_eq!(balance_heuristic_of(&[1, 1, 3], &[f32::NAN, f32::INFINITY, 1e38], 1), 1.0);
 /// ```
 ///
 /// # See also
@@ -211,8 +215,8 @@ fn weight_of(techniques: &[(u32, f32)], own: usize, near: i32, shape: impl Fn(f3
 #[doc(alias = "multiple_importance_sampling")]
 #[must_use]
 #[inline]
-pub fn balance_heuristic_of(techniques: &[(u32, f32)], own: usize) -> f32 {
-    weight_of(techniques, own, 60, |expected| expected)
+pub fn balance_heuristic_of(counts: &[u32], densities: &[f32], own: usize) -> f32 {
+    weight_of((counts, densities), own, 60, |expected| expected)
 }
 
 /// The power heuristic with exponent 2 of any number of techniques: [`balance_heuristic_of`] with the squares of `n p`.
@@ -228,8 +232,8 @@ pub fn balance_heuristic_of(techniques: &[(u32, f32)], own: usize) -> f32 {
 ///
 /// ```
 /// use microwarp::estimate::power_heuristic_of;
-/// assert_eq!(power_heuristic_of(&[(1, 3.0), (1, 1.0), (2, 1.0)], 0), 9.0 / 14.0);
-/// assert_eq!(power_heuristic_of(&[(1, 1e20), (1, 1e-25)], 0), 1.0);
+/// assert_eq!(power_heuristic_of(&[1, 1, 2], &[3.0, 1.0, 1.0], 0), 9.0 / 14.0);
+/// assert_eq!(power_heuristic_of(&[1, 1], &[1e20, 1e-25], 0), 1.0);
 /// ```
 ///
 /// # See also
@@ -243,6 +247,6 @@ pub fn balance_heuristic_of(techniques: &[(u32, f32)], own: usize) -> f32 {
 #[doc(alias = "multiple_importance_sampling")]
 #[must_use]
 #[inline]
-pub fn power_heuristic_of(techniques: &[(u32, f32)], own: usize) -> f32 {
-    weight_of(techniques, own, 16, |expected| expected * expected)
+pub fn power_heuristic_of(counts: &[u32], densities: &[f32], own: usize) -> f32 {
+    weight_of((counts, densities), own, 16, |expected| expected * expected)
 }
