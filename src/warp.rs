@@ -165,16 +165,11 @@ macro_rules! each_warp {
             triangle::Triangle "Uniform barycentric coordinates; two uniforms" Area,
             triangle_on::TriangleOn "Uniform on a triangle given by its vertices; two uniforms",
             truncated::TruncatedExponential<T> "Exponential on [0, X], falling or rising; one uniform" Length,
+            truncated_logistic::TruncatedLogistic<T> "Logistic on an interval, as for wavelengths; one uniform" Length,
             truncated_normal::TruncatedNormal<T> "Normal on an interval or beyond a bound, right in the far tails; one uniform" Length,
             visible_sphere::VisibleSphere<T> "Uniform over the directions in which a sphere is seen from a point (a sphere light); two uniforms" SolidAngle,
             von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms" SolidAngle,
             weibull::Weibull<T> "Weibull, life times by a shape; one uniform" Length,
-            truncated::TruncatedExponential<T> "Exponential on [0, X], falling or rising; one uniform",
-            truncated_logistic::TruncatedLogistic<T> "Logistic on an interval, as for wavelengths; one uniform",
-            truncated_normal::TruncatedNormal<T> "Normal on an interval or beyond a bound, right in the far tails; one uniform",
-            visible_sphere::VisibleSphere<T> "Uniform over the directions in which a sphere is seen from a point (a sphere light); two uniforms",
-            von_mises_fisher::VonMisesFisher<T> "The normal distribution of directions (von Mises-Fisher); two uniforms",
-            weibull::Weibull<T> "Weibull, life times by a shape; one uniform",
         }
     };
 }
@@ -187,8 +182,8 @@ macro_rules! names {
 }
 each_warp!(names);
 pub use self::ggx::Reflection;
-pub use self::measure::{Area, Content, Length, Measured, Normals, Rotations, SolidAngle, Volume};
 pub use self::light_sample::LightSample;
+pub use self::measure::{Area, Content, Length, Measured, Normals, Rotations, SolidAngle, Volume};
 pub use self::spherical_rectangle::OnRectangle;
 pub use self::spherical_triangle::OnTriangle;
 pub use self::surface_point::SurfacePoint;

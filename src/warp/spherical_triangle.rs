@@ -252,6 +252,8 @@ impl<T: Tier> SphericalTriangle<T> {
     drawn_by! {
         /// Draws a place on the triangle: [`locate`](Self::locate) of a generator.
         draw_place, try_draw_place, locate -> OnTriangle
+    }
+
     /// The same with the distance, as all lamps give it.
     ///
     /// The distance is that of the place on the triangle to 4e-7 of the reach, the distance of the first vertex and the lengths

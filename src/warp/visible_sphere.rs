@@ -250,6 +250,8 @@ impl<T: Tier> VisibleSphere<T> {
     drawn_by! {
         /// Draws a place on the sphere: [`sample_surface`](Self::sample_surface) of a generator.
         draw_surface, try_draw_surface, sample_surface -> SurfaceSample
+    }
+
     /// The same as all lamps give it, to the same errors; a sphere has no coordinates of the place.
     #[must_use]
     pub fn sample_light(&self, u: [f32; 2]) -> LightSample {

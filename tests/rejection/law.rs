@@ -120,7 +120,7 @@ impl Masses {
             let bound = 5e-7 * (1.0 - exact.ln()) * exact;
             (f64::from(found(k)) - exact).abs() / bound.max(2_f64.powi(-148))
         });
-        errors.fold(0.0, |worst, e| if e <= worst { worst } else { e })
+        errors.fold(0.0, |worst, e| worst.max(or_infinite(e)))
     }
 }
 

@@ -29,7 +29,7 @@ impl<T: Tier> Ggx<T> {
 /// `ℓ(w) = √(αx² w_x² + αy² w_y² + w_z²)` all of it is products, quotients and sums of positive numbers. The errors below hold for
 /// every roughness and for cosines of view and light from 1 to 1e-30. They are found by a search, and stated with a margin.
 impl<T: Tier> GgxVisible<T> {
-    /// G₁ of the view, 2w_z/(w_z + ℓ(w)): the visible part of the microfacets that face the viewer, from 0 to 1.
+    /// G₁ of the view, `2w_z/(w_z + ℓ(w))`: the visible part of the microfacets that face the viewer, from 0 to 1.
     ///
     /// Right to 5.5e-7, relatively. It is 0 for a view on the horizon.
     #[doc(alias = "smith")]
@@ -75,8 +75,8 @@ impl<T: Tier> GgxVisible<T> {
         if part < 1.0 { part } else { 1.0 }
     }
 
-    /// G₂/(4 w_z l_z) of a light `direction`, `1/(2(l_z ℓ(w) + w_z ℓ(l)))`: the value of the reflection model, but for Fresnel's
-    /// term and the [`distribution`](Ggx::distribution) of normals.
+    /// `G₂/(4 w_z l_z)` of a light `direction`, `1/(2(l_z ℓ(w) + w_z ℓ(l)))`: the value of the reflection model, but for
+    /// Fresnel's term and the [`distribution`](Ggx::distribution) of normals.
     ///
     /// Right to 6.5e-7, relatively. It is 0 for directions on and below the horizon, and finite above it.
     #[must_use]
@@ -88,7 +88,7 @@ impl<T: Tier> GgxVisible<T> {
         }
     }
 
-    /// l_z and l_z + ℓ(l) w_z/ℓ(w), of a direction above the surface.
+    /// `l_z` and `l_z + ℓ(l) w_z/ℓ(w)`, of a direction above the surface.
     #[inline]
     fn joint(&self, direction: [f32; 3]) -> Option<(f32, f32)> {
         let ([ax, ay], [x, y, z]) = (self.alpha, direction);

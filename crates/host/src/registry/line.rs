@@ -319,7 +319,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         })
             .ordered(&[[2, 3]])
             .case_with("538, 69.4 [360, 830]", &[538.0, 69.444_44, 360.0, 830.0], |e| {
-                e.picture("visible wavelengths in nm, after pbrt", View::Line(between(330.0, 860.0))).trade(family::LAW, "truncated_logistic")
+                e.picture("visible wavelengths in nm, after pbrt", View::Line(between(330.0, 860.0)))
             })
             .control("a logistic number clipped to the interval", |[u, ..], _| [(538.0 + 69.444_44 * ((u + 1e-9) / (1.0 - u)).ln()).clamp(360.0, 830.0), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .moment(&[0.0, 1.0, -700.0, 700.0], "x^4", |x, _| x.powi(4), 7.0 * PI.powi(4) / 15.0, 4e-4)
