@@ -164,6 +164,7 @@
 //! - [`select_once`](discrete::select_once), [`select_once_uniform`](discrete::select_once_uniform): one selection, without a table
 //! - [`SumTree`](discrete::SumTree): an index by integer weights that change, and several without replacement
 //! - [`Reservoir`](discrete::Reservoir), [`WeightedReservoir`](discrete::WeightedReservoir): one or several items of a stream
+//! - [`LightReservoir`](discrete::LightReservoir): one light of many candidates
 //! - [`Geometric`](discrete::Geometric), [`Poisson`](discrete::Poisson): failures before a success, events in an interval
 //! - [`Binomial`](discrete::Binomial), [`NegativeBinomial`](discrete::NegativeBinomial): successes of so many trials, failures
 //!   before so many successes
@@ -198,8 +199,10 @@
 //! - [`Moments`](estimate::Moments): mean and variance
 //! - [`Integral`](estimate::Integral): f/p with standard error and bounds
 //! - [`WeightedMean`](estimate::WeightedMean): a self-normalised mean
-//! - [`balance_heuristic`](estimate::balance_heuristic), [`power_heuristic`](estimate::power_heuristic): multiple importance
-//!   sampling
+//! - [`balance_heuristic`](estimate::balance_heuristic), [`power_heuristic`](estimate::power_heuristic),
+//!   [`balance_heuristic_of`](estimate::balance_heuristic_of), [`power_heuristic_of`](estimate::power_heuristic_of): multiple
+//!   importance sampling
+//! - [`roulette`](estimate::roulette()): paths that may end
 //!
 //! Uniforms ([`uniform`]): the 24-bit grid, open, and full resolution; [`Range`](uniform::Range) and
 //! [`Chance`](uniform::Chance): integers and events of exact probabilities; [`Strata1d`](uniform::Strata1d),

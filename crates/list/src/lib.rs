@@ -26,6 +26,8 @@ pub mod fixed;
 #[cfg(feature = "cases")]
 mod integers;
 #[cfg(feature = "cases")]
+mod lamps;
+#[cfg(feature = "cases")]
 mod orders;
 #[cfg(feature = "cases")]
 mod subjects;

@@ -2,6 +2,7 @@
 
 use crate::cases::Golden;
 use crate::{chains, counts, integers, orders};
+use crate::{chains, integers, lamps, orders};
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, LatLongMap, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,
@@ -865,6 +866,10 @@ float_warps!(subjects {
     once "shuffles" => orders::shuffles,
     once "permutations" => orders::permutations,
     once "changing weights" => integers::trees,
+    once "light reservoirs" => lamps::reservoirs,
+    once "light reservoirs merged" => lamps::merged,
+    once "techniques" => lamps::techniques,
+    once "roulette" => lamps::roulettes,
     "rejection poisson" => |[a, b, c, d], input, out| {
         for mean in [10.0 + 100.0 * a, 65536.0 * b, v(1_048_576.0) * c] {
             with(PoissonRejection::<T>::new(mean), out, |law, out| {

@@ -14,6 +14,7 @@ mod float;
 mod generator;
 mod integer;
 mod integers;
+mod lamps;
 mod orders;
 mod paths;
 mod peers;
@@ -25,7 +26,7 @@ mod tables;
 use crate::measured::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 19] = [
+pub static REGISTRY: [&[Entry]; 20] = [
     chains::ENTRIES,
     changing::ENTRIES,
     float::POLY,
@@ -37,6 +38,7 @@ pub static REGISTRY: [&[Entry]; 19] = [
     integer::COMPACT,
     integer::PLAIN,
     integers::ENTRIES,
+    lamps::ENTRIES,
     orders::ENTRIES,
     paths::ENTRIES,
     peers::ENTRIES,
