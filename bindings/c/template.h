@@ -347,6 +347,34 @@ mw_error mw_reservoir_offer_from(mw_reservoir *reservoir, uint32_t item, float w
 bool mw_reservoir_item(const mw_reservoir *reservoir, uint32_t *item);
 float mw_reservoir_pmf(const mw_reservoir *reservoir);
 
+/**
+ * One light of many candidates, which need not be weighed all: kept nearly in proportion to a target,
+ * such as the light it would send here if nothing stood between. The estimate of what all of them
+ * send is that of the item times the contribution.
+ */
+@struct mw_light_reservoir@
+void mw_light_reservoir_init(mw_light_reservoir *reservoir);
+/** A candidate drawn with this density. One of target 0 counts too; offer it. */
+mw_error mw_light_reservoir_offer(mw_light_reservoir *reservoir, uint32_t item, float target,
+        float density, mw_pcg32 *rng, bool *taken);
+mw_error mw_light_reservoir_offer_from(mw_light_reservoir *reservoir, uint32_t item, float target,
+        float density, const mw_source *source, bool *taken);
+/**
+ * Merges that of another place or time, with the target of its item here. Where some item has a
+ * target in one place only, normalise by the candidates of the places in which what is kept has one.
+ */
+mw_error mw_light_reservoir_absorb(mw_light_reservoir *reservoir, const mw_light_reservoir *other,
+        float target, mw_pcg32 *rng, bool *taken);
+/** Lets it count for no more than so many candidates. The contribution stays. */
+void mw_light_reservoir_cap(mw_light_reservoir *reservoir, uint32_t limit);
+/** Divides by so many candidates in place of all. */
+void mw_light_reservoir_normalise(mw_light_reservoir *reservoir, uint32_t candidates);
+/** False where no candidate of a positive target has come. */
+bool mw_light_reservoir_item(const mw_light_reservoir *reservoir, uint32_t *item);
+float mw_light_reservoir_target(const mw_light_reservoir *reservoir);
+uint32_t mw_light_reservoir_count(const mw_light_reservoir *reservoir);
+float mw_light_reservoir_contribution(const mw_light_reservoir *reservoir);
+
 /** Weights as integers of one scale, for the functions below. */
 mw_error mw_resample_to_integers(const float *weights, size_t entries, uint32_t *integers);
 /** Writes over each weight how many of so many copies it gets, by 32 random bits. */
@@ -474,6 +502,17 @@ uint64_t mw_{}_refused(const mw_{} *of);
 /** Weights of multiple importance sampling, for n_f samples of density p_f and n_g of p_g. */
 float mw_balance_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
 float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
+/** The same of any number of techniques, for a sample of the technique own. */
+float mw_balance_heuristic_of(const uint32_t *counts, const float *densities, size_t techniques,
+        size_t own);
+float mw_power_heuristic_of(const uint32_t *counts, const float *densities, size_t techniques,
+        size_t own);
+
+/**
+ * Russian roulette: whether what has this chance goes on, and by what to multiply it then, which is
+ * the inverse of the chance that words realise. From 1 up all goes on; NaN and 0 end it.
+ */
+bool mw_roulette(float chance, uint32_t word, float *weight);
 
 /* ---- Metropolis chains ----------------------------------------------------------------------- */
 

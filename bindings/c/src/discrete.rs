@@ -5,7 +5,8 @@ use crate::generators::{Pcg32, Source};
 use crate::tables::Selection;
 use crate::warps::{as_declared, given, memory};
 use core_crate::discrete::{
-    Binomial, Geometric, Poisson, Reservoir, resampling, select_once, select_once_uniform,
+    Binomial, Geometric, LightReservoir, Poisson, Reservoir, resampling, select_once,
+    select_once_uniform,
 };
 
 macro_rules! counts {
@@ -117,6 +118,101 @@ extern "C" fn item(reservoir: &Reservoir<u32>, item: &mut u32) -> bool {
 #[unsafe(export_name = "mw_reservoir_pmf")]
 extern "C" fn pmf(reservoir: &Reservoir<u32>) -> f32 {
     reservoir.pmf()
+}
+
+const _: () = as_declared::<LightReservoir<u32>>(&["mw_light_reservoir"]);
+
+// A struct of zeros is an empty one, as above.
+const _: () = {
+    // SAFETY: the compiler evaluates this, and refuses zeros that are no reservoir.
+    let zeros: LightReservoir<u32> = unsafe { core::mem::zeroed() };
+    assert!(zeros.item().is_none() && zeros.count() == 0);
+};
+
+#[unsafe(export_name = "mw_light_reservoir_init")]
+unsafe extern "C" fn light_reservoir(reservoir: *mut LightReservoir<u32>) {
+    // SAFETY: the promise of the header.
+    unsafe { reservoir.write(LightReservoir::new()) }
+}
+
+#[unsafe(export_name = "mw_light_reservoir_offer")]
+extern "C" fn offer_light(
+    reservoir: &mut LightReservoir<u32>,
+    item: u32,
+    target: f32,
+    density: f32,
+    rng: &mut Pcg32,
+    taken: &mut bool,
+) -> Code {
+    code(reservoir.offer(item, target, density, rng), |was| {
+        *taken = was
+    })
+}
+
+#[unsafe(export_name = "mw_light_reservoir_offer_from")]
+extern "C" fn offer_light_from(
+    reservoir: &mut LightReservoir<u32>,
+    item: u32,
+    target: f32,
+    density: f32,
+    source: &Source,
+    taken: &mut bool,
+) -> Code {
+    match reservoir.try_offer(item, target, density, &mut { *source }) {
+        Ok(offered) => code(offered, |was| *taken = was),
+        Err(failed) => failed.into(),
+    }
+}
+
+#[unsafe(export_name = "mw_light_reservoir_absorb")]
+unsafe extern "C" fn absorb_lights(
+    reservoir: *mut LightReservoir<u32>,
+    other: *const LightReservoir<u32>,
+    target: f32,
+    rng: &mut Pcg32,
+    taken: &mut bool,
+) -> Code {
+    // SAFETY: the promise of the header; both may be one.
+    let other = unsafe { *other };
+    // SAFETY: the same.
+    let reservoir = unsafe { &mut *reservoir };
+    code(reservoir.absorb(other, target, rng), |was| *taken = was)
+}
+
+#[unsafe(export_name = "mw_light_reservoir_cap")]
+extern "C" fn cap(reservoir: &mut LightReservoir<u32>, limit: u32) {
+    reservoir.cap(limit);
+}
+
+#[unsafe(export_name = "mw_light_reservoir_normalise")]
+extern "C" fn normalise(reservoir: &mut LightReservoir<u32>, candidates: u32) {
+    reservoir.normalise(candidates);
+}
+
+#[unsafe(export_name = "mw_light_reservoir_item")]
+extern "C" fn light(reservoir: &LightReservoir<u32>, item: &mut u32) -> bool {
+    match reservoir.item() {
+        Some(held) => {
+            *item = *held;
+            true
+        }
+        None => false,
+    }
+}
+
+#[unsafe(export_name = "mw_light_reservoir_target")]
+extern "C" fn target(reservoir: &LightReservoir<u32>) -> f32 {
+    reservoir.target()
+}
+
+#[unsafe(export_name = "mw_light_reservoir_count")]
+extern "C" fn candidates(reservoir: &LightReservoir<u32>) -> u32 {
+    reservoir.count()
+}
+
+#[unsafe(export_name = "mw_light_reservoir_contribution")]
+extern "C" fn contribution(reservoir: &LightReservoir<u32>) -> f32 {
+    reservoir.contribution()
 }
 
 #[unsafe(export_name = "mw_select_once")]

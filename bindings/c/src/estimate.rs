@@ -1,7 +1,10 @@
 //! Estimators: means, weighted means, integrals and their errors; and the weights of multiple importance sampling.
 
-use crate::warps::as_declared;
-use core_crate::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
+use crate::warps::{as_declared, given};
+use core_crate::estimate::{
+    Integral, Moments, WeightedMean, balance_heuristic, balance_heuristic_of, power_heuristic,
+    power_heuristic_of, roulette,
+};
 
 /// An estimator as it starts, in the place of one that has seen nothing: that may be a struct of zeros.
 #[inline]
@@ -91,4 +94,39 @@ extern "C" fn balance(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
 #[unsafe(export_name = "mw_power_heuristic")]
 extern "C" fn power(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> f32 {
     power_heuristic(n_f, p_f, n_g, p_g)
+}
+
+#[unsafe(export_name = "mw_balance_heuristic_of")]
+unsafe extern "C" fn balance_of(
+    counts: *const u32,
+    densities: *const f32,
+    techniques: usize,
+    own: usize,
+) -> f32 {
+    // SAFETY: the promise of the header.
+    let (counts, densities) = unsafe { (given(counts, techniques), given(densities, techniques)) };
+    balance_heuristic_of(counts, densities, own)
+}
+
+#[unsafe(export_name = "mw_power_heuristic_of")]
+unsafe extern "C" fn power_of(
+    counts: *const u32,
+    densities: *const f32,
+    techniques: usize,
+    own: usize,
+) -> f32 {
+    // SAFETY: the promise of the header.
+    let (counts, densities) = unsafe { (given(counts, techniques), given(densities, techniques)) };
+    power_heuristic_of(counts, densities, own)
+}
+
+#[unsafe(export_name = "mw_roulette")]
+extern "C" fn survives(chance: f32, word: u32, weight: &mut f32) -> bool {
+    match roulette(chance, word) {
+        Some(by) => {
+            *weight = by;
+            true
+        }
+        None => false,
+    }
 }

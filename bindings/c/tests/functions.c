@@ -697,6 +697,14 @@ static void estimators_estimate(void)
     CHECK(mw_balance_heuristic(1, 1.0f, 1, 3.0f) == 0.25f);
     CHECK(mw_power_heuristic(1, 1.0f, 1, 3.0f) == 0.1f);
     CHECK(mw_balance_heuristic(1, 0.0f, 1, 0.0f) == 0.0f);
+    const uint32_t counts[3] = {1, 1, 2};
+    const float densities[3] = {3.0f, 1.0f, 2.0f};
+    CHECK(mw_balance_heuristic_of(counts, densities, 3, 2) == 0.5f);
+    CHECK(mw_power_heuristic_of(counts, densities, 2, 0) == 0.9f);
+    CHECK(mw_balance_heuristic_of(counts, densities, 3, 3) == 0.0f);
+    CHECK(mw_balance_heuristic_of(NULL, NULL, 0, 0) == 0.0f);
+    CHECK(mw_roulette(0.25f, 0x3fffffffu, &x) && x == 4.0f);
+    CHECK(!mw_roulette(0.25f, 0x40000000u, &x) && !mw_roulette(NAN, 0, &x) && x == 4.0f);
 }
 
 /* A normal density around 1, up to a factor, of as many coordinates as the context says. */
@@ -991,6 +999,24 @@ static void zeros_are_sound(void)
     CHECK(!mw_reservoir_item(&reservoir, &item) && mw_reservoir_pmf(&reservoir) == 0.0f);
     CHECK(mw_reservoir_offer(&reservoir, 5, 2.0f, &rng, &taken) == MW_OK && taken);
     CHECK(mw_reservoir_item(&reservoir, &item) && item == 5 && mw_reservoir_pmf(&reservoir) == 1.0f);
+
+    mw_light_reservoir lights = {0}, others = {0};
+    CHECK(!mw_light_reservoir_item(&lights, &item) && mw_light_reservoir_count(&lights) == 0);
+    CHECK(mw_light_reservoir_offer(&lights, 6, 0.0f, 0.5f, &rng, &taken) == MW_OK && !taken);
+    CHECK(mw_light_reservoir_offer(&lights, 7, 3.0f, 0.5f, &rng, &taken) == MW_OK && taken);
+    CHECK(mw_light_reservoir_item(&lights, &item) && item == 7);
+    CHECK(mw_light_reservoir_contribution(&lights) == 1.0f);
+    CHECK(mw_light_reservoir_target(&lights) == 3.0f && mw_light_reservoir_count(&lights) == 2);
+    CHECK(mw_light_reservoir_offer(&lights, 8, 1.0f, 0.0f, &rng, &taken) == MW_NOT_POSITIVE);
+    CHECK(mw_light_reservoir_absorb(&others, &lights, 1.5f, &rng, &taken) == MW_OK && taken);
+    CHECK(mw_light_reservoir_contribution(&others) == 1.0f);
+    mw_light_reservoir_normalise(&others, 1);
+    CHECK(mw_light_reservoir_contribution(&others) == 2.0f);
+    mw_light_reservoir_cap(&others, 1);
+    CHECK(mw_light_reservoir_contribution(&others) == 2.0f && mw_light_reservoir_count(&others) == 1);
+    mw_light_reservoir_init(&others);
+    CHECK(!mw_light_reservoir_item(&others, &item));
+    CHECK(mw_light_reservoir_offer_from(&others, 9, 1.0f, 1.0f, &source, &taken) == MW_SOURCE_FAILED);
 
     int coordinates = 2;
     mw_density_2d target = {bell, &coordinates};

@@ -268,6 +268,85 @@ static void heuristics(four u, int input, struct out *out)
     }
 }
 
+static void techniques(four u, int input, struct out *out)
+{
+    const float a = u[0], b = u[1], d = u[3], scales[2] = {1.0f, 3e38f};
+    const uint32_t counts[3] = {1, bits_of(u[2]) >> 20, 7};
+    (void)input;
+    for (int i = 0; i < 2; i++) {
+        const float densities[3] = {scales[i] * a, b, scales[i] * d};
+        for (size_t own = 0; own < 4; own++) {
+            put_float(out, mw_balance_heuristic_of(counts, densities, 3, own));
+            put_float(out, mw_power_heuristic_of(counts, densities, 3, own));
+        }
+    }
+}
+
+static void roulettes(four u, int input, struct out *out)
+{
+    const float chances[4] = {u[0], 1e-4f * u[1], 2.0f * u[2], u[3] - 0.5f};
+    (void)input;
+    for (int i = 0; i < 4; i++) {
+        float weight = 0.0f, least = 0.0f;
+        mw_roulette(chances[i], bits_of(u[3]) << 9, &weight);
+        mw_roulette(chances[i], 0, &least);
+        put_float(out, weight);
+        put_float(out, least);
+    }
+    /* The weight of a chance that is a ratio is not in C. */
+    out->only = FIRST;
+}
+
+static void put_lights(struct out *out, const mw_light_reservoir *held)
+{
+    uint32_t item = 99;
+    mw_light_reservoir_item(held, &item);
+    put_uint32_t(out, item);
+    put_uint32_t(out, mw_light_reservoir_count(held));
+    put_float(out, mw_light_reservoir_target(held));
+    put_float(out, mw_light_reservoir_contribution(held));
+}
+
+/* Two streams, of which the first says what it took, where that is asked for. */
+static void offer_lights(four u, mw_light_reservoir held[2], mw_pcg32 *rng, struct out *out)
+{
+    const float targets[5] = {u[0], 1e30f * u[2], 0.0f, u[3], u[1]};
+    const float densities[5] = {u[1], u[0], u[3], 1e-30f * u[2], u[0] - 0.5f};
+    for (uint32_t i = 0; i < 5; i++) {
+        bool taken;
+        const mw_error error =
+            mw_light_reservoir_offer(&held[0], i, targets[i], densities[i], rng, &taken);
+        if (out != NULL && made(out, error))
+            put_uint32_t(out, taken);
+        mw_light_reservoir_offer(&held[1], i + 8, targets[i] + 0.25f, 0.5f, rng, &taken);
+    }
+}
+
+static void light_reservoirs(four u, int input, struct out *out)
+{
+    mw_pcg32 rng = generator(input);
+    mw_light_reservoir held[2] = {{{0}}, {{0}}};
+    offer_lights(u, held, &rng, out);
+    put_lights(out, &held[0]);
+    mw_light_reservoir_cap(&held[0], 2);
+    put_lights(out, &held[0]);
+}
+
+static void merged_lights(four u, int input, struct out *out)
+{
+    mw_pcg32 rng = generator(input);
+    mw_light_reservoir held[2] = {{{0}}, {{0}}};
+    bool taken;
+    offer_lights(u, held, &rng, NULL);
+    if (made(out, mw_light_reservoir_absorb(&held[1], &held[0], u[1], &rng, &taken)))
+        put_uint32_t(out, taken);
+    put_lights(out, &held[1]);
+    mw_light_reservoir_normalise(&held[1], 5);
+    put_float(out, mw_light_reservoir_contribution(&held[1]));
+    /* Combinations by targets of several places are not in C. */
+    out->only = FIRST;
+}
+
 #define OF_GRADE(grade)                                                                              \
     static void grade##_verdicts(four u, int input, struct out *out)                                 \
     {                                                                                                \
@@ -328,6 +407,10 @@ static const struct other_subject {
     {"poly integral", integral},
     {"poly ratio", ratio},
     {"poly heuristics", heuristics},
+    {"poly techniques", techniques},
+    {"poly roulette", roulettes},
+    {"poly light reservoirs", light_reservoirs},
+    {"poly light reservoirs merged", merged_lights},
     {"poly integer selections", integer_selections},
     {"poly integer disks", integer_disks},
     {"poly integer resampling", resampling},

@@ -190,6 +190,7 @@ macro_rules! structs {
 
 /// The structs of what is no warp.
 pub fn structs() -> Vec<(&'static str, Stored)> {
+    use microwarp::discrete::{Binomial, Geometric, LightReservoir, Poisson, Reservoir};
     use microwarp::discrete::{Binomial, Geometric, Poisson, Reservoir, WeightedReservoir};
     use microwarp::estimate::{Integral, Moments, WeightedMean};
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
@@ -205,6 +206,7 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
         "binomial" Binomial;
         "reservoir" Reservoir<u32>;
         "weighted_place" WeightedReservoir<u32, 1>;
+        "light_reservoir" LightReservoir<u32>;
         "ziggurat_standard_normal" ZigguratStandardNormal;
         "ziggurat_normal" ZigguratNormal;
         "ziggurat_standard_exponential" ZigguratStandardExponential;
