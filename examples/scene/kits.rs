@@ -2,7 +2,9 @@
 
 use microwarp::tier::Poly;
 use microwarp::uniform::Canonical;
-use microwarp::warp::{CosineHemisphere, HenyeyGreenstein, PhongLobe, Tent, TruncatedExponential};
+use microwarp::warp::{
+    CosineHemisphere, HenyeyGreenstein, Measured, PhongLobe, SolidAngle, Tent, TruncatedExponential,
+};
 use microwarp::{Error, Warp};
 use microwarp_scene::Kit;
 use microwarp_scene::vector::{Vector, unit};
@@ -68,7 +70,12 @@ enum Law {
 }
 
 /// A law of directions about +z.
+#[derive(Clone, Copy)]
 pub struct Lobe(Law);
+
+impl Measured for Lobe {
+    type Measure = SolidAngle;
+}
 
 impl Warp for Lobe {
     type Uniforms = [f32; 2];
@@ -180,7 +187,12 @@ impl Kit for Textbook {
 }
 
 /// Densities that are 4 % too large.
+#[derive(Clone, Copy)]
 pub struct Off<W>(W);
+
+impl<W: Measured<Density = f32>> Measured for Off<W> {
+    type Measure = W::Measure;
+}
 
 impl<W: Warp<Density = f32>> Warp for Off<W> {
     type Uniforms = W::Uniforms;

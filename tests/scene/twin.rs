@@ -7,7 +7,9 @@ use host::speed;
 use host::twin::{Air, Forgotten, Heaven, Record, Source64, Stuff, Twin};
 use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::{ByPosition, Canonical};
-use microwarp::warp::{CosineHemisphere, HenyeyGreenstein, PhongLobe, Tent, TruncatedExponential};
+use microwarp::warp::{
+    CosineHemisphere, HenyeyGreenstein, Measured, PhongLobe, SolidAngle, Tent, TruncatedExponential,
+};
 use microwarp::{Error, Warp};
 use microwarp_scene::scenes::{fog, room, sensor, slit, slivers};
 use microwarp_scene::vector::{Vector, cross, length};
@@ -180,7 +182,12 @@ impl Light for ByArea {
 }
 
 /// Lambert's law with the density of the disk below it, which has no cosine, or with roots that are 4 % too large.
+#[derive(Clone, Copy)]
 struct Wrong<const ROOTS: bool>;
+
+impl<const ROOTS: bool> Measured for Wrong<ROOTS> {
+    type Measure = SolidAngle;
+}
 
 impl<const ROOTS: bool> Warp for Wrong<ROOTS> {
     type Uniforms = [f32; 2];

@@ -1,8 +1,21 @@
 //! The samplers of a path, chosen by one type.
 
 use microwarp::tier::Tier;
-use microwarp::warp::{CosineHemisphere, HenyeyGreenstein, PhongLobe, Tent, TruncatedExponential};
+use microwarp::warp::{
+    CosineHemisphere, HenyeyGreenstein, Measured, PhongLobe, SolidAngle, Tent, TruncatedExponential,
+};
 use microwarp::{Error, Warp};
+
+/// A warp of directions, of two numbers, that can be mixed with others.
+pub trait Directions:
+    Measured<Uniforms = [f32; 2], Point = [f32; 3], Density = f32, Measure = SolidAngle> + Copy
+{
+}
+
+impl<W> Directions for W where
+    W: Measured<Uniforms = [f32; 2], Point = [f32; 3], Density = f32, Measure = SolidAngle> + Copy
+{
+}
 
 /// A set of samplers. Both tiers of `f32` are kits. One that takes some samplers of the integer tier by `fixed::Float` names
 /// the others by a tier.
@@ -10,9 +23,9 @@ pub trait Kit: 'static {
     /// The tier of the samplers that are not named here.
     type Tier: Tier;
     /// Directions about +z by Lambert's law.
-    type Cosine: Warp<Point = [f32; 3], Density = f32>;
+    type Cosine: Directions;
     /// Directions about +z in proportion to a power of the cosine.
-    type Gloss: Warp<Point = [f32; 3], Density = f32>;
+    type Gloss: Directions;
     /// Directions about the way that light goes, +z.
     type Phase: Warp<Point = [f32; 3], Density = f32>;
     /// Distances in fog, up to an end.

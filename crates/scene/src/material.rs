@@ -3,6 +3,7 @@
 use crate::kit::Kit;
 use crate::vector::{Vector, dot, plus, scaled, sqrt, unit};
 use core::f32::consts::FRAC_1_PI;
+use microwarp::discrete::Mixture;
 use microwarp::uniform::grid;
 use microwarp::warp::{CosineHemisphere, Frame, GgxVisible, Oriented};
 use microwarp::{Error, Invert as _, Warp};
@@ -100,39 +101,30 @@ pub struct Glossy {
 
 /// The lobe of [`Glossy`].
 pub struct GlossyLobe<K: Kit> {
-    ground: MatteLobe<K>,
+    ground: Vector,
     coat: f32,
     exponent: f32,
-    gloss: Oriented<K::Gloss>,
-    /// Of choosing the coat.
-    chance: f32,
+    directions: Mixture<(Oriented<K::Gloss>, K::Cosine), 2>,
 }
 
 impl Material for Glossy {
     type Lobe<K: Kit> = GlossyLobe<K>;
 
     fn seen<K: Kit>(&self, [x, y, z]: Vector) -> Result<GlossyLobe<K>, Error> {
-        let about = Frame::new([-x, -y, z])?;
-        let brightness = crate::vector::largest(self.ground);
+        let gloss = Oriented::new(K::gloss(self.exponent)?, Frame::new([-x, -y, z])?);
+        let weights = [self.coat, crate::vector::largest(self.ground)];
         Ok(GlossyLobe {
-            ground: Matte(self.ground).seen::<K>([x, y, z])?,
+            ground: self.ground,
             coat: self.coat,
             exponent: self.exponent,
-            gloss: Oriented::new(K::gloss(self.exponent)?, about),
-            chance: self.coat / (self.coat + brightness),
+            directions: Mixture::new((gloss, K::cosine()), &weights)?,
         })
     }
 }
 
 impl<K: Kit> Lobe for GlossyLobe<K> {
     fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
-        // One word decides, and two are of the lobe that it chose.
-        let coat = grid(words) < self.chance;
-        let direction = if coat {
-            self.gloss.draw(words)
-        } else {
-            self.ground.cosine.draw(words)
-        };
+        let direction = self.directions.draw(words);
         let (value, pdf) = self.weigh(direction);
         (pdf > 0.0).then_some(Bounce {
             direction,
@@ -144,13 +136,13 @@ impl<K: Kit> Lobe for GlossyLobe<K> {
     /// The lobe's value is its density but for the norm, (n + 2)/(n + 1), and the cosine. Below the horizon it is 0, though
     /// the density is not.
     fn weigh(&self, direction: Vector) -> (Vector, f32) {
-        let (ground, diffuse) = self.ground.weigh(direction);
-        let gloss = self.gloss.pdf(direction);
+        let (gloss, cosine) = self.directions.parts();
+        let [gloss, diffuse] = [gloss.pdf(direction), cosine.pdf(direction)];
         let [_, _, z] = direction;
         let z = if z > 0.0 { z } else { 0.0 };
         let coat = self.coat * gloss * z * ((self.exponent + 2.0) / (self.exponent + 1.0));
-        let pdf = self.chance * gloss + (1.0 - self.chance) * diffuse;
-        (plus(ground, [coat; 3]), pdf)
+        let value = plus(lambert(self.ground, direction), [coat; 3]);
+        (value, self.directions.pdf_of([gloss, diffuse]))
     }
 }
 

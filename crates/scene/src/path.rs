@@ -24,8 +24,8 @@ pub const ROULETTE: u32 = 2;
 /// How far rays go that hit nothing.
 pub const FAR: f32 = 100.0;
 
-/// The dimensions of a bounce: two for the place on the light, one for which light, one for roulette, three for the lobe, four
-/// for the fog. What is two-dimensional begins at an even one, since points come in pairs. With those of the camera the first
+/// The dimensions of a bounce: two for the place on the light, one for which light, one for roulette, two for the lobe and two
+/// that are spare, four for the fog. What is two-dimensional begins at an even one, since points come in pairs. With those of the camera the first
 /// eight end with roulette, so that what a picture sees first is in one group.
 pub const PER_BOUNCE: u32 = 12;
 pub const PLACE: u32 = 0;

@@ -106,8 +106,17 @@ impl Stuff {
                 coat,
                 exponent,
             } => {
-                let on_coat = grid(source.next_u32()) < coat / (coat + largest(ground));
-                let u = pair(source);
+                // One word chooses, and where it lies in the share of its choice is the first number of that.
+                let (word, words) = (f64::from(source.next_u32()), 2.0_f64.powi(32));
+                let share = (words * coat / (coat + largest(ground))).ceil();
+                let on_coat = word < share;
+                let first = if on_coat {
+                    (word + 0.5) / share
+                } else {
+                    (word - share + 0.5) / (words - share)
+                };
+                let steps = 2.0_f64.powi(24);
+                let u = [(first * steps).floor() / steps, grid(source.next_u32())];
                 if on_coat {
                     let axes = Axes::about([-view[0], -view[1], view[2]]);
                     axes.to_world(phong(exponent, u))
