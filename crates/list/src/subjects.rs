@@ -1,8 +1,7 @@
 //! The subjects and the inputs of the golden table. The warps stand in `warps.rs`.
 
 use crate::cases::Golden;
-use crate::{chains, counts, integers, orders};
-use crate::{chains, integers, lamps, orders};
+use crate::{chains, counts, integers, lamps, orders};
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, LatLongMap, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,

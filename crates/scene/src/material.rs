@@ -4,7 +4,6 @@ use crate::kit::Kit;
 use crate::vector::{Vector, dot, plus, scaled, sqrt, unit};
 use core::f32::consts::FRAC_1_PI;
 use microwarp::discrete::Mixture;
-use microwarp::uniform::grid;
 use microwarp::warp::{CosineHemisphere, Frame, GgxVisible, Oriented};
 use microwarp::{Error, Invert as _, Warp};
 use rand_core::Rng;

@@ -190,8 +190,9 @@ macro_rules! structs {
 
 /// The structs of what is no warp.
 pub fn structs() -> Vec<(&'static str, Stored)> {
-    use microwarp::discrete::{Binomial, Geometric, LightReservoir, Poisson, Reservoir};
-    use microwarp::discrete::{Binomial, Geometric, Poisson, Reservoir, WeightedReservoir};
+    use microwarp::discrete::{
+        Binomial, Geometric, LightReservoir, Poisson, Reservoir, WeightedReservoir,
+    };
     use microwarp::estimate::{Integral, Moments, WeightedMean};
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
     use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
