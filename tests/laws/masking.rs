@@ -280,10 +280,7 @@ fn masking_and_the_distribution_of_normals_keep_their_errors_down_to_the_horizon
             right >= stated / 2.5,
             "{name}: {right:e} is far below {stated:e}"
         );
-        assert!(
-            !(wrong <= stated),
-            "the control passes for {name}: {wrong:e}"
-        );
+        assert!(wrong > stated, "the control passes for {name}: {wrong:e}");
     }
 }
 
@@ -331,7 +328,7 @@ fn masking_ends_where_it_should() {
                     (0.0..=f32::MAX).contains(&visibility),
                     "{x} {z}: {visibility}"
                 );
-                if !(z > 0.0) {
+                if z <= 0.0 || z.is_nan() {
                     assert_eq!([part, visibility], [0.0; 2], "{x} {z}");
                 }
             }
