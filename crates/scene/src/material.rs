@@ -1,7 +1,7 @@
 //! What surfaces do with light: matte, glossy (Phong's lobe over a matte ground), and rough metal (GGX).
 
 use crate::kit::Kit;
-use crate::vector::{Vector, dot, plus, scaled, sqrt, unit};
+use crate::vector::{Vector, dot, plus, scaled, unit};
 use core::f32::consts::FRAC_1_PI;
 use microwarp::discrete::Mixture;
 use microwarp::warp::{CosineHemisphere, Frame, GgxVisible, Oriented};
@@ -156,15 +156,6 @@ pub struct Metal {
 pub struct MetalLobe<K: Kit> {
     colour: Vector,
     normals: GgxVisible<K::Tier>,
-    /// What Smith's masking needs of the view.
-    length: f32,
-}
-
-impl Metal {
-    /// √(α²x² + α²y² + z²).
-    fn length(roughness: f32, [x, y, z]: Vector) -> f32 {
-        sqrt(roughness * roughness * (x * x + y * y) + z * z)
-    }
 }
 
 impl Material for Metal {
@@ -174,7 +165,6 @@ impl Material for Metal {
         Ok(MetalLobe {
             colour: self.colour,
             normals: GgxVisible::new(view, [self.roughness; 2])?,
-            length: Metal::length(self.roughness, view),
         })
     }
 }
@@ -184,13 +174,7 @@ impl<K: Kit> MetalLobe<K> {
     /// is Fresnel's part, after Schlick, times the light that leaves without being masked, given that the normal is seen.
     fn of(&self, direction: Vector, normal: Vector) -> (Vector, f32) {
         let pdf = self.normals.reflected_pdf(normal);
-        let ([_, _, z], [_, _, v]) = (direction, self.normals.view());
-        if z <= 0.0 {
-            return ([0.0; 3], pdf);
-        }
-        let [roughness, _] = self.normals.alpha();
-        let (seen, leaving) = (self.length, Metal::length(roughness, direction));
-        let unmasked = z * (seen + v) / (z * seen + v * leaving);
+        let unmasked = self.normals.unmasked(direction);
         let cosine = dot(normal, direction);
         let past = if cosine < 1.0 { 1.0 - cosine } else { 0.0 };
         let square = past * past;
