@@ -31,7 +31,8 @@
 //! | normal numbers without an FPU | `fixed::NormalPair`; for one, either of the two |
 //! | a lamp: a sphere, a triangle, a rectangle, a mesh | [`VisibleSphere`](warp::VisibleSphere), [`SphericalTriangle`](warp::SphericalTriangle), [`SphericalRectangle`](warp::SphericalRectangle), [`Mesh`](discrete::Mesh) |
 //! | a rough surface | [`GgxVisible`](warp::GgxVisible), about a normal by [`Oriented`](warp::Oriented) |
-//! | a place in a pixel | [`Tent`](warp::Tent) for each axis; another filter as a [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d) |
+//! | a place in a pixel | [`Tent`](warp::Tent) for each axis; Mitchell's or another filter by [`SignedLinear1d`](discrete::SignedLinear1d) |
+//! | pixels whose errors cancel | [`Screen`](uniform::Screen) |
 //! | an even spread over a square | [`Strata2d`](uniform::Strata2d) |
 //! | a random order, some of many items | [`shuffle`](uniform::shuffle), [`choose`](uniform::choose) |
 //! | a random order of numbers that takes no memory | [`Permutation`](uniform::Permutation) |
@@ -159,6 +160,7 @@
 //! - [`PiecewiseConstant1d`](discrete::PiecewiseConstant1d), [`PiecewiseConstant2d`](discrete::PiecewiseConstant2d): tabulated
 //!   densities
 //! - [`PiecewiseLinear1d`](discrete::PiecewiseLinear1d): a tabulated density, interpolated
+//! - [`SignedLinear1d`](discrete::SignedLinear1d): a tabulated function of either sign with weights, such as a pixel filter
 //! - [`Mesh`](discrete::Mesh): a point on a triangle mesh, by area or by weights of its faces
 //! - [`LatLongMap`](discrete::LatLongMap): directions in proportion to a picture by latitude and longitude
 //! - [`select_once`](discrete::select_once), [`select_once_uniform`](discrete::select_once_uniform): one selection, without a table
@@ -213,6 +215,7 @@
 //! - [`Recurrence`](uniform::Recurrence): the additive recurrence R₂ and its kin, the cheapest
 //! - [`LatinHypercube`](uniform::LatinHypercube): n points, one in each of n strata of every dimension
 //! - [`ByPosition`](uniform::ByPosition): random words by seed, pixel, sample and dimension
+//! - [`Screen`](uniform::Screen): one set for all pixels of a picture, in an order by which errors of neighbours cancel
 //!
 //! Orders and choices, in integers ([`uniform`]):
 //! - [`shuffle`](uniform::shuffle), [`shuffle_each`](uniform::shuffle_each): items in a random order, by few words or in few instructions

@@ -39,6 +39,8 @@
 //! | [`LatinHypercube`] | N^−1.5 where coordinates act apart, N^−0.5 | few points in many dimensions, N known | 0 |
 //! | [`ByPosition`] | N^−0.5 | random numbers without a state, any dimensions | 0 |
 //!
+//! [`Screen`] orders a set over the pixels of a picture, so that the errors of neighbours cancel.
+//!
 //! Orders and choices, in integers, by a number of words that depends on the numbers of items alone:
 //!
 //! | | what | words |

@@ -34,8 +34,8 @@ use rand_core::{Rng, TryRng};
 /// bound makes of them.
 ///
 /// # Cost
-/// 12 bytes a vertex. A draw with its weight, from 65 vertices of Lanczos' filter, takes
-/// <!-- figure: table signed_linear1d_65 -->? instructions and ? bytes of code on an M4F, ? instructions on an M0<!-- -->.
+/// 12 bytes a vertex. A draw with its weight, from 65 vertices of Lanczos' filter, PCG32 included, takes
+/// <!-- figure: point signed_linear_1d_65_pcg32 -->? instructions and ? bytes of code on an M4F, ? instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

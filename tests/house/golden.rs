@@ -163,13 +163,17 @@ fn no_warp_is_without_golden_bits() {
 }
 
 /// Public and in no golden subject by name, with the reason.
-const SPARED: [(&str, &str); 10] = [
+const SPARED: [(&str, &str); 11] = [
     ("Cursor", "a point as `Points::at` returns it"),
     ("Error06", "the error of `TryRng06`"),
     ("FromFn", "words as a closure returns them"),
     ("RandomWalk", "how `BoxStep` and the other steps propose"),
     ("Rng06", "words of another generator as they are"),
     ("Rng09", "words of another generator as they are"),
+    (
+        "ScreenPixel",
+        "the points of a pixel as `Screen::pixel` returns them",
+    ),
     ("Start", "what `Chain::resample` returns"),
     ("Transition", "what `Chain::step` returns"),
     ("TryRng06", "words of another generator as they are"),

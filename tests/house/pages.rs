@@ -14,7 +14,7 @@ fn head(code: &str) -> String {
 
 /// What a room makes public beside its samplers: results, and parts of others.
 const BESIDE: &str = "AliasEntry Cursor Error06 ExactSelection Failure FromFn Halves HastingsCounts HastingsRatio \
-    LogDensity MeshPoint Outcome PixelSample Proposal Saved Selection Start Symmetric Transition choose_with \
+    LogDensity MeshPoint Outcome PixelSample Proposal Saved ScreenPixel Selection Start Symmetric Transition choose_with \
     primary_density r_hat shuffle_with try_choose try_choose_with try_shuffle try_shuffle_each try_shuffle_with \
     try_up_to up_to_from_word wrapping_add";
 

@@ -1,11 +1,11 @@
-//! The subjects of orders: shuffles, choices, permutations and Latin hypercubes.
+//! The subjects of orders: shuffles, choices, permutations, Latin hypercubes and the order of a picture.
 
 use crate::Out;
 use crate::integers::stirred;
 use crate::subjects::{generator, refusal, with};
 use microwarp::uniform::{
-    ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation, Points, choose, choose_with,
-    shuffle, shuffle_each, shuffle_with, try_choose, try_choose_with, try_shuffle,
+    ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation, Points, Screen, Sobol, choose,
+    choose_with, shuffle, shuffle_each, shuffle_with, try_choose, try_choose_with, try_shuffle,
     try_shuffle_each, try_shuffle_with,
 };
 use rand_core::Rng;
@@ -90,5 +90,27 @@ pub fn permutations(u: [f32; 4], _: usize, out: &mut Out) {
             let indices = [0, 1, points.count().wrapping_sub(1), d];
             out.word(folded(indices.map(|index| points.word(index, d & 3))));
         });
+    }
+}
+
+pub fn screens(u: [f32; 4], _: usize, out: &mut Out) {
+    let [a, b, c, d] = stirred(u);
+    let Ok(set) = Sobol::<8>::new(a) else { return };
+    for (size, log2_samples) in [
+        ([1920, 1080], 4),
+        ([(b & 1023) + 1, c & 1023], b >> 28),
+        ([c, d], d & 3),
+        ([1, 1], 32),
+    ] {
+        with(
+            Screen::new(set, size, log2_samples, a),
+            out,
+            |screen, out| {
+                let pixel = screen.pixel(c & 2047, d & 1023);
+                out.word(pixel.index(d >> 28));
+                out.word(folded(pixel.words::<3>(c >> 28)));
+                out.word(pixel.word(d, 1) ^ screen.pixel(a, d).word(c, 9));
+            },
+        );
     }
 }

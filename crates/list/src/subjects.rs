@@ -5,7 +5,8 @@ use crate::{chains, counts, integers, lamps, orders};
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, LatLongMap, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,
-    PiecewiseLinear1d, PixelSample, Reservoir, Selection, select_once, select_once_uniform,
+    PiecewiseLinear1d, PixelSample, Reservoir, Selection, SignedLinear1d, filter, select_once,
+    select_once_uniform,
 };
 use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
@@ -864,6 +865,46 @@ float_warps!(subjects {
     once "counts" => counts::counts,
     once "shuffles" => orders::shuffles,
     once "permutations" => orders::permutations,
+    once "screens" => orders::screens,
+    once "signed functions" => |[a, b, c, d], input, out| {
+        let tables = [
+            SignedLinear1d::new(&filter::lanczos::<17>(3), -3.0, 3.0),
+            SignedLinear1d::new(&filter::mitchell::<17>(a, c), v(-2.0), 2.0 + b),
+            if input & 1 == 0 {
+                SignedLinear1d::new(&filter::gaussian::<17>(0.2 + d), -1.5, 1.5)
+            } else {
+                SignedLinear1d::new(&filter::blackman_harris::<17>(), -a, b)
+            },
+        ];
+        for table in tables {
+            with(table, out, |table, out| {
+                let (x, w) = table.sample(b);
+                let (y, drawn) = table.draw(&mut generator(input));
+                [x, w, y, drawn * table.weight(a)].put(out);
+            });
+        }
+    },
+    "draws of places" => |u, input, out| {
+        let [a, b, c, _] = u;
+        let (near, far) = ([0.5 + a, b, 2.0], [[2.0, 0.0, c], [0.0, 1.5, 0.0]]);
+        let mut rng = generator(input);
+        with(GgxVisible::<T>::new([0.6, 0.0, 0.8], [0.3, 0.1]), out, |glossy, out| {
+            let drawn = glossy.draw_reflection(&mut rng);
+            drawn.direction.put(out);
+            out.float(drawn.pdf);
+        });
+        with(VisibleSphere::<T>::new([0.0; 3], near, 0.7), out, |ball, out| {
+            out.float(ball.draw_surface(&mut rng).distance);
+        });
+        with(SphericalRectangle::<T>::new([0.0; 3], near, far), out, |panel, out| {
+            panel.draw_place(&mut rng).st.put(out);
+        });
+        let [x, y] = far;
+        with(SphericalTriangle::<T>::new([0.0; 3], [near, x, y]), out, |face, out| {
+            let Ok(drawn) = face.try_draw_place(&mut rng);
+            drawn.barycentric.put(out);
+        });
+    },
     once "changing weights" => integers::trees,
     once "light reservoirs" => lamps::reservoirs,
     once "light reservoirs merged" => lamps::merged,

@@ -14,7 +14,7 @@ use microwarp::metropolis::{
 use microwarp::rejection::Rejection;
 use microwarp::uniform::{
     ByPosition, Chance, ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation, Points, Range,
-    Recurrence, Sobol, choose, shuffle, shuffle_each, up_to,
+    Recurrence, Screen, Sobol, choose, shuffle, shuffle_each, up_to,
 };
 use microwarp_cores::{input, output};
 use rand_core::TryRng;
@@ -179,6 +179,7 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
         LatinHypercube::new(input(8), input(3))?,
         Permutation::new(input(100), input(3))?,
     );
+    let picture = Screen::new(eight, [input(9), input(7)], input(2), input(3))?;
     let mut items = run_time;
     shuffle(&mut items, rng);
     shuffle_each(&mut items, rng);
@@ -198,6 +199,7 @@ fn microwarp_integers(rng: &mut Pcg32) -> Result<(), microwarp::Error> {
             output(word);
         }
         output(cube.word(index, 1));
+        output(picture.pixel(index, input(3)).word(input(1), 2));
         output(
             order
                 .get(index)

@@ -2,10 +2,14 @@
 
 use crate::measured::registry::{kernels, loaded, made};
 use microwarp::Error;
-use microwarp::uniform::{ByPosition, LatinHypercube, Points, Recurrence, Sobol};
+use microwarp::uniform::{ByPosition, LatinHypercube, Points, Recurrence, Screen, Sobol};
 
 fn pixel() -> Result<ByPosition, Error> {
     Ok(ByPosition::new(7, 1))
+}
+
+fn screen() -> Result<Screen<Sobol<2>>, Error> {
+    Screen::new(Sobol::new(7)?, [2048, 2048], 4, 7)
 }
 
 kernels! {
@@ -18,5 +22,7 @@ kernels! {
         _ = made(|| Recurrence::<2>::new(7));
     "latin_hypercube_1000" (index: u32) -> [u32; 2] = loaded(|| LatinHypercube::new(1000, 7)).words(index >> 23),
         _ = made(|| LatinHypercube::new(1000, 7));
+    "screen_sobol_2d" (place: u32) -> [u32; 2] = loaded(screen).pixel(place >> 21, place >> 10 & 0x7ff).words(place >> 6 & 15),
+        _ = made(screen);
     "by_position_2" (index: u32) -> [u32; 2] = loaded(pixel).words(index), _ = made(pixel);
 }

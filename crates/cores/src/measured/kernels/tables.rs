@@ -7,7 +7,7 @@ use microwarp::discrete::resampling::{rearrange, residual, stratified, systemati
 use microwarp::discrete::{
     Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint,
     NegativeBinomial, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Poisson,
-    SumTree,
+    SignedLinear1d, SumTree, filter,
 };
 use microwarp::poly::LatLongMap;
 use rand_core::Rng;
@@ -149,6 +149,9 @@ tables! {
     "piecewise_linear_1d_64" "piecewise_linear_1d_64_pcg32"
         LINES_64: Lines<64> = Lines::<64>::new(&weights(), 0.0, 1.0),
         (u: f32) -> f32 = LINES_64.sample(u), rng => LINES_64.draw(rng);
+    "signed_linear_1d_65" "signed_linear_1d_65_pcg32"
+        SIGNED_65: SignedLinear1d<65> = SignedLinear1d::new(&filter::lanczos(3), -3.0, 3.0),
+        (u: f32) -> [f32; 2] = SIGNED_65.sample(u).into(), rng => SIGNED_65.draw(rng).into();
     "mesh_8" "mesh_8_pcg32" MESH_8: CdfOf<8> = CdfOf::<8>::new(&AREAS),
         (u: f32, v: f32) -> ([f32; 3], usize) = found(octahedron(&MESH_8).sample([u, v])),
         rng => found(octahedron(&MESH_8).draw(rng));
