@@ -102,6 +102,8 @@
 //!   conditional of that x
 //! - [`Composed`](warp::Composed): Two warps composed: the points of `first`, a warp of the unit square, are the
 //!   uniforms of `then`
+//! - [`Product`](warp::Product): Two independent warps side by side: a point of each
+//! - [`Each`](warp::Each): Several independent warps of one type side by side: a point of each
 //! - [`Disk`](warp::Disk): Uniform on the unit disk, by polar coordinates
 //! - [`DiskConcentric`](warp::DiskConcentric): Uniform on the unit disk, by Shirley and Chiu's concentric map
 //! - [`Triangle`](warp::Triangle): Uniform barycentric coordinates: the shares of the three vertices of a triangle
@@ -140,6 +142,8 @@
 //! - [`Ggx`](warp::Ggx): Normals of the microfacets of a rough surface, after Trowbridge and Reitz (GGX)
 //! - [`GgxVisible`](warp::GgxVisible): Normals of GGX microfacets that a viewer sees, in proportion to their visible
 //!   area
+//! - [`Reflected`](warp::Reflected): Directions into which GGX microfacets reflect a view: a warp of directions out of
+//!   [`GgxVisible`], a warp of normals
 //! - [`Cone`](warp::Cone): Uniform over the directions within an angle of +z: a cone, also called a spherical cap
 //! - [`VisibleSphere`](warp::VisibleSphere): Uniform over the directions in which a sphere is seen from a point: a
 //!   sphere light, sampled by solid angle
@@ -171,6 +175,8 @@
 //! - [`Binomial`](discrete::Binomial), [`NegativeBinomial`](discrete::NegativeBinomial): successes of so many trials, failures
 //!   before so many successes
 //! - [`Hypergeometric`](discrete::Hypergeometric): marked items of a sample without replacement
+//! - [`Binomial`](discrete::Binomial): successes of so many trials
+//! - [`Mixture`](discrete::Mixture): a point of one of several warps by weight, with the density of the mixture
 //! - [`resampling`](discrete::resampling): systematic, stratified and residual resampling of particles, in place
 //!
 //! Rejection within a budget of tries ([`rejection`]):

@@ -212,6 +212,8 @@ where
 /// takes as many words as its parts, and points of a set ([`Points`](crate::uniform::Points)) keep their structure. Nothing is
 /// allocated, and no part is a trait object.
 ///
+#[cfg_attr(doc, doc = include_str!("../pictures/mixture.html"))]
+///
 /// # Density
 /// Σ qᵢ pᵢ(x), in the order of the parts, with the probabilities qᵢ with which parts are picked, exactly: those of a
 /// [`Cdf`](super::Cdf), out of 2³², and not the weights. A part of weight 0 is never picked, and its density is never asked for. The
@@ -242,6 +244,18 @@ where
 /// - The rest that [`choose`](Mixture::choose) gives is the middle of the word's place in the share, within 2⁻³².
 /// - The density has the errors of those of the parts, and (N + 1) · 6e-8 of its own.
 /// - A sample has the error of the part that is picked. Next to the end of a share, rounding may take it for the other side.
+///
+/// These are for three intervals of length 1 apart from each other, whose weights are 1, 4 and 3: *sample* in units in the last place
+/// (ulp), densities relative, *inverse*, of which there is one there, and *round trip* absolute. [What each row
+/// means](crate::warp#stated-errors).
+///
+/// | error | bound | kind |
+/// |---|--:|---|
+/// | sample, ulp | 1 | found |
+/// | pdf, relative | 1e-7 | found |
+/// | realised density, relative | 1e-7 | found |
+/// | inverse | 3e-10 | found |
+/// | round trip | 1.6e-7 | found |
 ///
 /// # Cost
 /// A comparison a part (log₂ N where there are no vectors) and two products, beside the part that is picked; a density costs those of all

@@ -96,14 +96,17 @@ fn getters_give_back_what_was_given() {
 }
 
 /// What is made of others has their parameters, and tables have theirs in `tests/tables`.
-const MADE_OF_OTHERS: [&str; 7] = [
+const MADE_OF_OTHERS: [&str; 10] = [
     "Composed",
+    "Each",
     "LatLongMap",
     "Mesh",
+    "Mixture",
     "Oriented",
     "PiecewiseConstant1d",
     "PiecewiseConstant2d",
     "PiecewiseLinear1d",
+    "Product",
 ];
 
 /// What the blocks of one struct leave out and do not account for: `picture`, `control`, `moment`, `peer`, `refusal`,

@@ -4,9 +4,9 @@ use crate::cases::Golden;
 use crate::{chains, counts, integers, lamps, orders};
 use core::hint::black_box;
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, LatLongMap, Mesh, MeshPoint, PiecewiseConstant1d, PiecewiseConstant2d,
-    PiecewiseLinear1d, PixelSample, Reservoir, Selection, SignedLinear1d, filter, select_once,
-    select_once_uniform,
+    Alias, AliasEntry, Cdf, InvertParts, LatLongMap, Mesh, MeshPoint, Mixture, Parts,
+    PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, PixelSample, Reservoir, Selection,
+    SignedLinear1d, filter, select_once, select_once_uniform,
 };
 use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
@@ -15,7 +15,7 @@ use microwarp::rejection::{
     ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal, budget_for,
 };
 use microwarp::uniform::{
-    self, ByPosition, Points, Recurrence, Sobol, Strata1d, Strata2d, Uniforms,
+    self, ByPosition, Canonical, Points, Recurrence, Sobol, Strata1d, Strata2d, Uniforms,
 };
 use microwarp::warp::*;
 use microwarp::{Error, Invert, Warp, warp::Frame};
@@ -97,6 +97,15 @@ impl<const N: usize> Numbers for [f32; N] {
     }
 }
 
+impl<const N: usize> Numbers for ([f32; N], f32) {
+    fn from_four(four: [f32; 4]) -> Self {
+        (
+            Numbers::from_four(four),
+            four.get(N).copied().unwrap_or(0.5),
+        )
+    }
+}
+
 impl Put for f32 {
     fn put(self, out: &mut Out) {
         out.float(self);
@@ -152,6 +161,33 @@ where
     point.put(out);
     out.float(warp.pdf(point));
     warp.invert(point).put(out);
+}
+
+/// A mixture in the place of a warp that has an inverse.
+struct Mixed<P, const N: usize>(Mixture<P, N>);
+
+impl<P: Parts<N>, const N: usize> Warp for Mixed<P, N> {
+    type Uniforms = P::Uniforms;
+    type Point = P::Point;
+    type Density = f32;
+
+    fn sample_canonical(&self, u: Canonical<P::Uniforms>) -> P::Point {
+        self.0.sample_canonical(u)
+    }
+
+    fn pdf(&self, x: P::Point) -> f32 {
+        self.0.pdf(x)
+    }
+
+    fn sample_words(&self, words: <P::Uniforms as Uniforms>::Words) -> P::Point {
+        self.0.sample_words(words)
+    }
+}
+
+impl<P: InvertParts<N>, const N: usize> Invert for Mixed<P, N> {
+    fn invert(&self, x: P::Point) -> P::Uniforms {
+        self.0.invert_with(x, 0.25)
+    }
 }
 
 /// A parameter the compiler cannot see, so that the linked firmware holds the constructors' refusals too.
@@ -381,6 +417,22 @@ macro_rules! subjects {
 }
 
 float_warps!(subjects {
+    once "Mixture choices" => |[a, b, c, d], input, out| {
+        let mixture = Tent::new(1.0).and_then(|tent| Mixture::new([tent; 4], &[a, b.abs(), 0.0, c]));
+        with(mixture, out, |mixture, out| {
+            let word = generator(input).next_u32();
+            for word in [word, 0, u32::MAX] {
+                let (part, rest) = mixture.choose(word);
+                out.word(part as u32);
+                out.word(rest);
+            }
+            out.word(mixture.numerator(1) as u32);
+            out.float(mixture.pmf(3));
+            out.float(mixture.pdf_of([a, b, c, d]));
+            out.float(mixture.sample_with_pdf(d).1);
+            mixture.draw_with_pdf(&mut generator(input)).0.put(out);
+        });
+    },
     "verdicts on the line" => |[a, b, c, _], _, out| {
         verdict(Interval::new(a, b), out);
         verdict(Interval::decreasing(b, c), out);

@@ -314,6 +314,26 @@ macro_rules! float_warps {
                     none "the caller hands the point of a bilinear patch to another warp and multiplies the densities"
                 }
             }
+            Product {
+                golden {
+                    "Product cylinder" => Interval::new(v(-1.0), v(2.0))
+                        .map(|height| Product::new(Disk::<T>::new(), height)),
+                }
+                cost { none "it costs what the two warps given to it cost" }
+                page {}
+                bind { none "the caller samples two warps and multiplies the densities" }
+            }
+            Each {
+                golden {
+                    once "Each tents" => Tent::new(v(1.5)).and_then(|tent| Ok(Each::new([tent, Tent::new(v(0.5))?]))),
+                    once "Each far apart" => Interval::new(v(0.0), v(1e-30)).and_then(|narrow| {
+                        Ok(Each::new([narrow, narrow, Interval::new(v(0.0), v(1e30))?]))
+                    }),
+                }
+                cost { none "it costs what the warps given to it cost" }
+                page {}
+                bind { none "the caller samples the warps and multiplies the densities" }
+            }
 
             // In the plane.
             Disk {
@@ -466,6 +486,19 @@ macro_rules! float_warps {
                         bounded(view: [f32; 3], alpha: [f32; 2]),
                     }
                 }
+            }
+            Reflected {
+                golden {
+                    "Reflected 0.3" => GgxVisible::<T>::new([v(0.6), v(0.0), v(0.8)], [v(0.3), v(0.3)]).map(Reflected::new),
+                    "Reflected bounded" => GgxVisible::<T>::bounded([v(0.6), v(-0.7), v(0.1)], [v(0.05), v(1.0)])
+                        .map(Reflected::new),
+                }
+                cost {
+                    "reflected_03" [u, v] -> [f32; 3]
+                        = stored(|| GgxVisible::new([0.6, 0.0, 0.8], [0.3, 0.3]).map(Reflected::new)),
+                }
+                page {}
+                bind { none "`mw_ggx_visible_reflect` gives the direction with its normal and its density" }
             }
             Cone {
                 golden {
@@ -773,6 +806,21 @@ macro_rules! float_warps {
                 cost { none "its kernels are those of the tables" }
                 page {}
                 bind { none "it lies in memory of the caller, so it is bound with the tables" }
+            }
+            Mixture {
+                golden {
+                    "Mixture lobes" => GgxVisible::<T>::new([v(0.6), v(0.0), v(0.8)], [v(0.3), v(0.3)]).and_then(|normals| {
+                        let parts = (CosineHemisphere::<T>::new(), Reflected::new(normals));
+                        Ok(Mixed(Mixture::new(parts, &[v(1.0), v(2.0)])?))
+                    }),
+                    once "Mixture of three" => Interval::new(v(0.0), v(1.0)).and_then(|interval| {
+                        let parts = [interval, Interval::new(v(0.5), v(2.0))?, Interval::new(v(-1e30), v(1e30))?];
+                        Ok(Mixed(Mixture::new(parts, &[v(0.3), v(0.0), v(1e-7)])?))
+                    }),
+                }
+                cost { none "its kernels are those of the tables" }
+                page {}
+                bind { none "the caller picks a part by a table and adds the densities" }
             }
             Mesh {
                 golden {

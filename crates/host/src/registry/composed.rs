@@ -1,13 +1,16 @@
-//! What users compose, by examples: inversions, transforms, and a marginal with its conditional.
+//! What users compose, by examples: inversions, transforms, a marginal with its conditional, products, and mixtures.
 
 use super::picture::{EQUILATERAL, View, between, window};
 use super::plane::square;
 use super::{Domain, Ends, Entry, Measure, Registered, entry};
 use crate::adversary::words::Kind::Positive;
 use crate::truth::{self, Truth};
-use microwarp::Error;
+use microwarp::discrete::{InvertParts, Mixture, Parts};
 use microwarp::tier::Tier;
+use microwarp::uniform::{Canonical, Uniforms};
 use microwarp::warp::*;
+use microwarp::{Error, Invert, Warp};
+use rand_core::TryRng;
 
 /// An example without parameters of its own.
 fn example(
@@ -110,7 +113,159 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             |[u, v, _], _| [u, u * v, 0.0],
             &["chi-square", "distance", "mean x"],
         ),
+        example(
+            "Product",
+            "",
+            "a cylinder",
+            |_| Ok(cylinder::<T>().outside(&[[0.9, 0.9, 1.0], [0.1, 0.1, -0.1], [0.1, 0.1, 2.1]])),
+            |e| {
+                e.picture("a cylinder from above", window(0.0, 0.0, 1.02))
+                    .trade(family::COMPOSED, "product")
+            },
+        )
+        .control(
+            "a disk with r = xi for its square root",
+            |[u, v, w], _| {
+                let [x, y, _] = truth::DiskConcentric.sample([u, v, 0.0, 0.0]);
+                let r = x.hypot(y);
+                [x * r, y * r, 2.0 * w]
+            },
+            &["chi-square", "distance", "mean x²"],
+        ),
+        example(
+            "Each",
+            "",
+            "two tents",
+            |_| Ok(tents::<T>().outside(&[[1.1, 0.0, 0.0], [0.0, -1.1, 0.0]])),
+            |e| {
+                e.picture("two tents", window(0.0, 0.0, 1.02))
+                    .trade(family::COMPOSED, "each")
+            },
+        )
+        .control(
+            "a box for the second tent",
+            |[u, v, _], _| {
+                let [x, ..] = truth::tent(1.0).sample([u; 4]);
+                [x, 2.0 * v - 1.0, 0.0]
+            },
+            &["chi-square", "distance", "mean y²"],
+        )
+        .without("moment", "a draw takes two words"),
+        example(
+            "Mixture",
+            "",
+            "three intervals",
+            |_| Ok(intervals::<T>().outside(&[[-0.1, 0.0, 0.0], [1.5, 0.0, 0.0], [5.1, 0.0, 0.0]])),
+            |e| {
+                e.picture(
+                    "three intervals, of weights 1, 4 and 3",
+                    View::Line(between(-0.2, 5.2)),
+                )
+                .trade(family::COMPOSED, "mixture")
+            },
+        )
+        .control(
+            "parts by equal chances",
+            |[u, ..], _| {
+                let part = (3.0 * u).floor();
+                [2.0 * part + (3.0 * u - part), 0.0, 0.0]
+            },
+            &["chi-square", "distance", "mean x"],
+        )
+        .without(
+            "moment",
+            "its draws are those of its parts, and tests/tables counts them",
+        ),
     ]
+}
+
+/// Uniform in a cylinder of radius 1 and height 2.
+fn cylinder<T: Tier>() -> Entry {
+    let mut entry = entry::<T, _>(
+        "Product",
+        Domain::Solid,
+        Measure::Length(1.0),
+        Product::new(DiskConcentric::<T>::new(), Interval::new(0.0, 2.0).unwrap()),
+        Box::new(truth::Beside(
+            Box::new(truth::DiskConcentric),
+            truth::interval(0.0, 2.0, true),
+            2,
+        )) as Box<dyn Truth>,
+    );
+    entry.composed = true;
+    entry
+}
+
+/// The tents of both axes of a pixel.
+fn tents<T: Tier>() -> Entry {
+    let mut entry = entry::<T, _>(
+        "Each",
+        Domain::Plane,
+        Measure::Length(1.0),
+        Each::new([Tent::new(1.0).unwrap(); 2]),
+        Box::new(truth::Beside(truth::tent(1.0), truth::tent(1.0), 1)) as Box<dyn Truth>,
+    );
+    (entry.composed, entry.deep) = (true, true);
+    entry.own_density()
+}
+
+/// A mixture as a warp with an inverse, which it is where no point comes of two parts.
+#[derive(Clone, Copy, Debug)]
+struct Apart<P, const N: usize>(Mixture<P, N>);
+
+impl<P: Parts<N>, const N: usize> Warp for Apart<P, N> {
+    type Uniforms = P::Uniforms;
+    type Point = P::Point;
+    type Density = f32;
+
+    fn sample_canonical(&self, u: Canonical<P::Uniforms>) -> P::Point {
+        self.0.sample_canonical(u)
+    }
+    fn pdf(&self, x: P::Point) -> f32 {
+        self.0.pdf(x)
+    }
+    fn sample_words(&self, words: <P::Uniforms as Uniforms>::Words) -> P::Point {
+        self.0.sample_words(words)
+    }
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<P::Point, R::Error> {
+        self.0.try_draw(rng)
+    }
+}
+
+impl<P: InvertParts<N>, const N: usize> Invert for Apart<P, N> {
+    fn invert(&self, x: P::Point) -> P::Uniforms {
+        self.0.invert_with(x, 0.5)
+    }
+}
+
+/// Uniform in three intervals, one with an eighth, one with a half of the points.
+fn intervals<T: Tier>() -> Entry {
+    let parts = [0.0, 2.0, 4.0].map(|low| Interval::new(low, low + 1.0).unwrap());
+    let mut entry = entry::<T, _>(
+        "Mixture",
+        Domain::Line,
+        Measure::Ulp,
+        Apart(Mixture::new(parts, &[1.0, 4.0, 3.0]).unwrap()),
+        Box::new(truth::Line {
+            quantile: |u: f64| match 8.0 * u {
+                u if u < 1.0 => u,
+                u if u < 5.0 => 2.0 + (u - 1.0) / 4.0,
+                u => 4.0 + (u - 5.0) / 3.0,
+            },
+            pdf: |x: f64| match x {
+                x if x <= 1.0 => 0.125,
+                x if x <= 3.0 => 0.5,
+                _ => 0.375,
+            },
+            cdf: |x: f64| match x {
+                x if x <= 1.0 => x / 8.0,
+                x if x <= 3.0 => (1.0 + 4.0 * (x - 2.0).max(0.0)) / 8.0,
+                x => (5.0 + 3.0 * (x - 4.0).max(0.0)) / 8.0,
+            },
+        }) as Box<dyn Truth>,
+    );
+    (entry.composed, entry.deep, entry.jumps) = (true, true, true);
+    entry
 }
 
 /// p(x) = ½ + x on [0, 1].

@@ -52,6 +52,18 @@ fn visible<T: Tier>(
     Ok(entry.variables(&[("q", ratio), ("h", 1.0)]))
 }
 
+/// Reflections of a view in the plane of x and z, at so much of the sine, by two roughnesses.
+fn reflected<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    let (view, alpha) = ([p[0], 0.0, (1.0 - p[0] * p[0]).sqrt()], [p[1], p[2]]);
+    let warp = Reflected::<T>::new(GgxVisible::bounded(view, alpha)?);
+    let truth = truth::Reflected(truth::GgxVisible::new(view, alpha, true));
+    let mut entry = about_z::<T, _>("Reflected", warp, Box::new(truth));
+    (entry.polar, entry.cosine) = (false, false);
+    // As of the normals.
+    let entry = entry.variables(&[("h", 1.0)]);
+    Ok(entry.own_density().outside(&[]))
+}
+
 /// A view and two roughnesses.
 const VIEW: [Kind; 5] = [
     Within(-1.0, 1.0),
@@ -295,6 +307,15 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("α=1, 0.3 at 85°, bounded", &[0.7, 0.7, 0.09, 1.0, 0.3])
             .seed(&[0.0, 0.0, 1.0, 1.0, 1.0]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0])
             .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength),
+        Registered::new("Reflected", "", &[Within(0.0, 0.866), Within(0.2, 1.0), Within(0.2, 1.0)], reflected::<T>)
+            .case_with("α=0.3 at 53°", &[0.8, 0.3, 0.3], |e| e.picture("seen at 53°, roughness 0.3", Sky(PI)).trade("GGX α = 0.3", "reflected_03"))
+            .control("the normals for the directions", |[u, v, _], _| direction((0.3 * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean x"])
+            .case("α=1, 0.2 at 30°", &[0.5, 1.0, 0.2])
+            .case("α=0.5 from above", &[0.0, 0.5, 0.5])
+            .seed(&[0.866, 0.2, 0.2]).seed(&[0.866, 1.0, 0.2]).seed(&[0.0, 0.2, 1.0])
+            .refuse(&[0.5, 1.5, 0.5], OutOfRange).refuse(&[NAN, 0.5, 0.5], NotFinite)
+            .without("constant", "its normals take roots")
+            .without("getters", "it keeps the view as a unit vector"),
         Registered::new("Cone", "from_radians", &[Within(0.0, PI_32)], |p| {
             cone(Cone::<T>::from_radians(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
         })

@@ -437,3 +437,34 @@ impl Truth for GgxVisible {
         [u, turns - turns.floor(), 0.0, 0.0]
     }
 }
+
+/// Directions into which the visible normals of GGX reflect the view.
+pub struct Reflected(pub GgxVisible);
+
+impl Reflected {
+    fn half_way(&self, x: Point) -> Point {
+        let sum = [0, 1, 2].map(|i| x[i] + self.0.view[i]);
+        let length = dot(sum, sum).sqrt();
+        sum.map(|c| c / length)
+    }
+    fn of_normal(&self, m: Point) -> f64 {
+        self.0.all.distribution(m) / (2.0 * self.0.length * (1.0 + self.0.rim))
+    }
+}
+
+impl Truth for Reflected {
+    fn sample(&self, u: Uniforms) -> Point {
+        let m = self.0.sample(u);
+        let twice = 2.0 * dot(self.0.view, m);
+        [0, 1, 2].map(|i| twice * m[i] - self.0.view[i])
+    }
+    fn density(&self, u: Uniforms) -> f64 {
+        self.of_normal(self.0.sample(u))
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        self.of_normal(self.half_way(x))
+    }
+    fn invert(&self, x: Point) -> Uniforms {
+        self.0.invert(self.half_way(x))
+    }
+}

@@ -6,10 +6,10 @@ use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
     Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint,
-    NegativeBinomial, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Poisson,
-    SignedLinear1d, SumTree, filter,
+    Mixture, NegativeBinomial, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d,
+    Poisson, SignedLinear1d, SumTree, filter,
 };
-use microwarp::poly::LatLongMap;
+use microwarp::poly::{CosineHemisphere, Interval, LatLongMap, Sphere};
 use rand_core::Rng;
 
 /// Weights of a table, no two neighbours alike.
@@ -74,6 +74,8 @@ type Sky<const U: usize, const V: usize> = LatLongMap<[u32; V], [[u32; U]; V]>;
 type Picture<const U: usize, const V: usize> = PiecewiseConstant2d<[u32; V], [[u32; U]; V]>;
 
 const UNIT: [f32; 2] = [0.0, 1.0];
+
+const INTERVAL: Interval = ok(Interval::new(0.0, 1.0));
 
 /// The areas of the faces of an octahedron.
 static AREAS: [f32; 8] = [0.866_025_4; 8];
@@ -140,6 +142,11 @@ tables! {
         (word: u32) -> usize = TREE_16.index(word).unwrap_or(0), rng => TREE_16.draw_index(rng).unwrap_or(0);
     "sum_tree_4096" "sum_tree_4096_pcg32" TREE_4096: Tree<4096> = Tree::<4096>::new(integers()),
         (word: u32) -> usize = TREE_4096.index(word).unwrap_or(0), rng => TREE_4096.draw_index(rng).unwrap_or(0);
+    "mixture_8" "mixture_8_pcg32" MIXTURE_8: Mixture<[Interval; 8], 8> = Mixture::new([INTERVAL; 8], &weights()),
+        (word: u32) -> [u32; 2] = picked(MIXTURE_8.choose(word)), rng => picked(MIXTURE_8.choose(rng.next_u32()));
+    "poly_mixture_lobes" "poly_mixture_lobes_pcg32"
+        LOBES: Mixture<(CosineHemisphere, Sphere), 2> = Mixture::new((CosineHemisphere::new(), Sphere::new()), &[2.0, 1.0]),
+        (u: f32, v: f32) -> [f32; 3] = LOBES.sample([u, v]), rng => LOBES.draw(rng);
     "piecewise_constant_1d_64" "piecewise_constant_1d_64_pcg32"
         PIECES_64: Pieces<64> = Pieces::<64>::new(&weights(), 0.0, 1.0),
         (u: f32) -> f32 = PIECES_64.sample(u), rng => PIECES_64.draw(rng);
@@ -168,6 +175,10 @@ fn parts(chosen: ExactSelection) -> [u32; 4] {
         chosen.leftover,
         chosen.leftover_bits,
     ]
+}
+
+fn picked((part, rest): (usize, u32)) -> [u32; 2] {
+    [part as u32, rest]
 }
 
 fn found(point: MeshPoint) -> ([f32; 3], usize) {
