@@ -118,10 +118,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             "",
             "a cylinder",
             |_| Ok(cylinder::<T>().outside(&[[0.9, 0.9, 1.0], [0.1, 0.1, -0.1], [0.1, 0.1, 2.1]])),
-            |e| {
-                e.picture("a cylinder from above", window(0.0, 0.0, 1.02))
-                    .trade(family::COMPOSED, "product")
-            },
+            |e| e.picture("a cylinder from above", window(0.0, 0.0, 1.02)),
         )
         .control(
             "a disk with r = xi for its square root",
@@ -137,10 +134,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             "",
             "two tents",
             |_| Ok(tents::<T>().outside(&[[1.1, 0.0, 0.0], [0.0, -1.1, 0.0]])),
-            |e| {
-                e.picture("two tents", window(0.0, 0.0, 1.02))
-                    .trade(family::COMPOSED, "each")
-            },
+            |e| e.picture("two tents", window(0.0, 0.0, 1.02)),
         )
         .control(
             "a box for the second tent",
@@ -161,7 +155,6 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                     "three intervals, of weights 1, 4 and 3",
                     View::Line(between(-0.2, 5.2)),
                 )
-                .trade(family::COMPOSED, "mixture")
             },
         )
         .control(
