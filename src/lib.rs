@@ -170,7 +170,7 @@
 //! - [`select_once`](discrete::select_once), [`select_once_uniform`](discrete::select_once_uniform): one selection, without a table
 //! - [`SumTree`](discrete::SumTree): an index by integer weights that change, and several without replacement
 //! - [`Reservoir`](discrete::Reservoir), [`WeightedReservoir`](discrete::WeightedReservoir): one or several items of a stream
-//! - [`LightReservoir`](discrete::LightReservoir): one light of many candidates
+//! - [`LightReservoir`](discrete::LightReservoir): one light of many candidates; of several places by a [`Normaliser`](discrete::Normaliser)
 //! - [`Geometric`](discrete::Geometric), [`Poisson`](discrete::Poisson): failures before a success, events in an interval
 //! - [`Binomial`](discrete::Binomial), [`NegativeBinomial`](discrete::NegativeBinomial): successes of so many trials, failures
 //!   before so many successes

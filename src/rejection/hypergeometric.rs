@@ -107,7 +107,7 @@ impl<T: Tier> HypergeometricRejection<T> {
         ];
         let [both, _, _, neither] = means;
         let variance = both * (neither / population.saturating_sub(1) as f32);
-        // Of fewer it is NaN, and of 159 it first reaches 10.
+        // Of fewer it is NaN, and of 160 it first reaches 10.
         if population < 2 || variance < 10.0 {
             return Err(Error::OutOfRange);
         }

@@ -250,6 +250,11 @@ impl<T: Tier> SphericalTriangle<T> {
     }
 
     drawn_by! {
+        /// Draws a direction to the triangle with its distance: [`sample_light`](Self::sample_light) of a generator.
+        draw_light, try_draw_light, sample_light -> LightSample
+    }
+
+    drawn_by! {
         /// Draws a place on the triangle: [`locate`](Self::locate) of a generator.
         draw_place, try_draw_place, locate -> OnTriangle
     }

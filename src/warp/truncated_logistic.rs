@@ -42,7 +42,7 @@ fn reached(share: f32) -> f32 {
 ///   measured from μ, else of that beyond the end x₀, as if the other end were infinite.
 /// - Uniforms: one. Drawing takes all 32 bits of a word, as the middle of their cell.
 /// - Parameters: a finite location, a scale above 0, and finite ends in their order, all of them so small that four times the
-///   sum of their sizes is finite, and for which the density does not overflow.
+///   sum of their sizes is finite, and for which four times the largest density is finite, too.
 ///
 /// # Accuracy
 /// *Sample* counts units in the last place (ulp) of x₀, of x − x₀ or of l, whichever is largest. In an interval about μ
@@ -156,7 +156,7 @@ impl<T: Tier> TruncatedLogistic<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a scale of 0 or less, [`Error::Reversed`] for ends
     /// in the wrong order, [`Error::TooLarge`] where four times the sum of all sizes overflows, [`Error::Empty`] for equal ends
-    /// and if the density overflows.
+    /// and if four times the largest density overflows.
     pub const fn new(location: f32, scale: f32, low: f32, high: f32) -> Result<Self, Error> {
         tried!(finite(location));
         tried!(positive(scale));
@@ -202,7 +202,15 @@ impl<T: Tier> TruncatedLogistic<T> {
             (form, length)
         };
         let peak = 1.0 / length;
-        if !peak.is_finite() {
+        // Four times the density at the location, where that is inside, or else at the end.
+        let largest = match form {
+            Form::Middle { .. } => peak,
+            Form::End { odds, .. } if low < location && location < high => {
+                peak * ((1.0 + odds) * (1.0 + odds) / odds)
+            }
+            Form::End { .. } => 4.0 * peak,
+        };
+        if !largest.is_finite() {
             return Err(Error::Empty);
         }
         Ok(Self {

@@ -63,7 +63,7 @@ pub struct SurfaceSample {
 /// | inverse | min(1, 5e-7 + 13*r) | min(1, 5e-7 + 13*r) | found |
 /// | round trip | min(1, 5e-7 + 5.1*r) | min(1, 5e-7 + 5.1*r) | found |
 ///
-/// In both tiers k is right to 6e-7 and the distance to 1e-6, relatively. The distance belongs to the uniforms, and
+/// In both tiers k is right to 8e-7 and the distance to 1.9e-6, relatively. The distance belongs to the uniforms, and
 /// loses digits where it is below 1e-37, or the point nearer to the surface than 1e-37 radii.
 ///
 /// # Cost
@@ -250,6 +250,11 @@ impl<T: Tier> VisibleSphere<T> {
     drawn_by! {
         /// Draws a place on the sphere: [`sample_surface`](Self::sample_surface) of a generator.
         draw_surface, try_draw_surface, sample_surface -> SurfaceSample
+    }
+
+    drawn_by! {
+        /// Draws a direction to the sphere with its distance: [`sample_light`](Self::sample_light) of a generator.
+        draw_light, try_draw_light, sample_light -> LightSample
     }
 
     /// The same as all lamps give it, to the same errors; a sphere has no coordinates of the place.

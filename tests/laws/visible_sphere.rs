@@ -105,7 +105,23 @@ fn inside_and_outside_are_decided_as_in_integers() {
 }
 
 /// What the documentation states of k and of the distance.
-const STATED: [f64; 2] = [6e-7, 1e-6];
+const STATED: [f64; 2] = [8e-7, 1.9e-6];
+
+/// What a search that climbs has found for each: a point, a centre, a radius, and the first uniform.
+const FOUND: [([f32; 3], [f32; 3], f32, f32); 2] = [
+    (
+        [-0.001_273_474_7, 0.001_179_047_9, -0.001_261_831],
+        [-0.016_905_086, 0.001_040_926_3, 4.692_149e-5],
+        0.013_401_213,
+        0.5,
+    ),
+    (
+        [-0.099_056_36, -0.001_029_692_5, -0.119_526_56],
+        [-2.122_223, -0.147_682_43, 0.038_621_545],
+        1.760_744_9,
+        0.010_545_046,
+    ),
+];
 
 fn edge(rng: &mut Pcg32) -> f32 {
     match rng.next_u32() % 8 {
@@ -123,7 +139,10 @@ fn errors<T: Tier>(n: usize) -> [f64; 2] {
     let mut rng = Pcg32::new(43, 5);
     let (mut worst, mut judged) = ([0.0, 0.0], 0);
     for i in 0..n {
-        let (point, centre, radius) = scene(&mut rng, [0.0, 2.0, 30.0][i % 3]);
+        let (point, centre, radius) = match FOUND.get(i) {
+            Some(&(point, centre, radius, _)) => (point, centre, radius),
+            None => scene(&mut rng, [0.0, 2.0, 30.0][i % 3]),
+        };
         let seen = match VisibleSphere::<T>::new(point, centre, radius) {
             Ok(seen) => seen,
             Err(error) => {
@@ -139,7 +158,8 @@ fn errors<T: Tier>(n: usize) -> [f64; 2] {
             println!("k {:e} off at {label}", worst[0]);
         }
         for _ in 0..4 {
-            let u = [edge(&mut rng), grid(&mut rng)];
+            let first = FOUND.get(i).map_or_else(|| edge(&mut rng), |found| found.3);
+            let u = [first, grid(&mut rng)];
             let found = seen.sample_surface(u);
             assert_eq!((found.direction, found.pdf), seen.sample_with_pdf(u));
             assert_eq!(found.pdf, seen.density());

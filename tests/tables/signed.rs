@@ -1,5 +1,6 @@
 //! Functions of either sign: weights have the mean 1, means are those under the function, and filters are their formulas.
 
+use host::errors::or_infinite;
 use microwarp::Error;
 use microwarp::discrete::{SignedLinear1d, filter};
 use rand_pcg::Pcg32;
@@ -96,7 +97,7 @@ impl<const N: usize> Case<N> {
         let functions: [fn(f64) -> f64; 3] = [|_| 1.0, |x| x, |x| (2.0 * x + 0.3).cos()];
         let off = |weight: &dyn Fn(f32) -> f32| {
             let off = functions.map(|g| (self.mean(weight, g) - self.exact(g)).abs());
-            off.into_iter().fold(0.0, f64::max)
+            off.into_iter().map(or_infinite).fold(0.0, f64::max)
         };
         let found = off(&weight);
         let ratio = self.ratio();

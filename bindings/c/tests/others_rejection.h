@@ -275,7 +275,7 @@ static void techniques(four u, int input, struct out *out)
     (void)input;
     for (int i = 0; i < 2; i++) {
         const float densities[3] = {scales[i] * a, b, scales[i] * d};
-        for (size_t own = 0; own < 4; own++) {
+        for (size_t own = 0; own < 3; own++) {
             put_float(out, mw_balance_heuristic_of(counts, densities, 3, own));
             put_float(out, mw_power_heuristic_of(counts, densities, 3, own));
         }

@@ -75,7 +75,8 @@ pub fn merged([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
     let bits = u64::from(a.to_bits()) << 32;
     let _ = two.offer_with(7, c, 0.5, bits);
     let _ = two.absorb_with(one, d, bits ^ u64::from(b.to_bits()));
-    held(&two, out);
+    out.word(two.item().copied().unwrap_or(99));
+    out.float(two.contribution());
 }
 
 /// Weights of three techniques.
@@ -83,7 +84,7 @@ pub fn techniques([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
     let n = c.to_bits() >> 20;
     for scale in [1.0, 3e38] {
         let (counts, densities) = ([1, n, 7], [scale * a, b, scale * d]);
-        for own in 0..4 {
+        for own in 0..3 {
             out.float(balance_heuristic_of(&counts, &densities, own));
             out.float(power_heuristic_of(&counts, &densities, own));
         }

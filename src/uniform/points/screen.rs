@@ -64,7 +64,7 @@ use crate::error::Error;
 #[doc(alias = "dithering")]
 #[doc(alias = "Morton")]
 #[doc(alias = "Z-order")]
-#[doc(alias = "ZSampler")]
+#[doc(alias = "ZSobolSampler")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Screen<P> {

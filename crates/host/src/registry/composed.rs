@@ -144,7 +144,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             },
             &["chi-square", "distance", "mean y²"],
         )
-        .without("moment", "a draw takes two words"),
+        .without("moment", "a draw takes two words")
+        .without("peer", "rand_distr has none"),
         example(
             "Mixture",
             "",
@@ -168,7 +169,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         .without(
             "moment",
             "its draws are those of its parts, and tests/tables counts them",
-        ),
+        )
+        .without("peer", "rand_distr has none"),
     ]
 }
 
