@@ -617,6 +617,20 @@ mw_error mw_latin_hypercube_init(mw_latin_hypercube *set, uint32_t count, uint32
 uint32_t mw_latin_hypercube_word(const mw_latin_hypercube *set, uint32_t index,
         uint32_t dimension);
 
+/**
+ * One set of Sobol' points in eight dimensions for all pixels of a picture, in an order by which
+ * errors of neighbouring pixels cancel (blue noise), with 2^log2_samples samples a pixel. That must
+ * be the number of samples that are taken. Later ones are those of further sets.
+ */
+@struct mw_screen@
+/** MW_EMPTY without pixels; MW_TOO_LARGE beyond 32 bits, two of each of a square picture's side. */
+mw_error mw_screen_init(mw_screen *screen, uint32_t width, uint32_t height, uint32_t log2_samples,
+        uint32_t seed);
+uint32_t mw_screen_word(const mw_screen *screen, uint32_t x, uint32_t y, uint32_t sample,
+        uint32_t dimension);
+/** The index in the set, which is that of mw_sobol_8d_init with this seed. */
+uint32_t mw_screen_index(const mw_screen *screen, uint32_t x, uint32_t y, uint32_t sample);
+
 #ifdef __cplusplus
 }
 #endif

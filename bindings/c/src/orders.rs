@@ -1,11 +1,11 @@
-//! Orders of items of any size, choices, permutations and Latin hypercubes.
+//! Orders of items of any size, choices, permutations, Latin hypercubes and the order of a picture.
 
 use crate::error::{Code, code};
 use crate::generators::{Pcg32, Source};
 use crate::warps::as_declared;
 use core_crate::uniform::{
-    ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation, Points, choose_with, shuffle_with,
-    try_choose_with, try_shuffle_with,
+    ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation, Points, Screen, Sobol, choose_with,
+    shuffle_with, try_choose_with, try_shuffle_with,
 };
 
 /// What exchanges two items of so many bytes.
@@ -71,6 +71,7 @@ const _: () = as_declared::<ChoiceInOrder>(&["mw_choice_in_order"]);
 const _: () = as_declared::<ChoiceOfStream>(&["mw_choice_of_stream"]);
 const _: () = as_declared::<Permutation>(&["mw_permutation"]);
 const _: () = as_declared::<LatinHypercube>(&["mw_latin_hypercube"]);
+const _: () = as_declared::<Screen<Sobol<8>>>(&["mw_screen"]);
 
 #[unsafe(export_name = "mw_choice_in_order_init")]
 unsafe extern "C" fn in_order(choice: *mut ChoiceInOrder, chosen: u32, count: u32) -> Code {
@@ -153,4 +154,34 @@ unsafe extern "C" fn latin_hypercube(set: *mut LatinHypercube, count: u32, seed:
 #[unsafe(export_name = "mw_latin_hypercube_word")]
 extern "C" fn latin_hypercube_word(set: &LatinHypercube, index: u32, dimension: u32) -> u32 {
     set.word(index, dimension)
+}
+
+#[unsafe(export_name = "mw_screen_init")]
+unsafe extern "C" fn screen(
+    screen: *mut Screen<Sobol<8>>,
+    width: u32,
+    height: u32,
+    log2_samples: u32,
+    seed: u32,
+) -> Code {
+    let made =
+        Sobol::new(seed).and_then(|set| Screen::new(set, [width, height], log2_samples, seed));
+    // SAFETY: the promise of the header.
+    code(made, |made| unsafe { screen.write(made) })
+}
+
+#[unsafe(export_name = "mw_screen_word")]
+extern "C" fn screen_word(
+    screen: &Screen<Sobol<8>>,
+    x: u32,
+    y: u32,
+    sample: u32,
+    dimension: u32,
+) -> u32 {
+    screen.pixel(x, y).word(sample, dimension)
+}
+
+#[unsafe(export_name = "mw_screen_index")]
+extern "C" fn screen_index(screen: &Screen<Sobol<8>>, x: u32, y: u32, sample: u32) -> u32 {
+    screen.pixel(x, y).index(sample)
 }

@@ -1093,6 +1093,22 @@ static void orders_are_whole(void)
     for (uint32_t i = 0; i < 4; i++)
         strata |= 1u << (mw_latin_hypercube_word(&cube, i, 5) >> 30);
     CHECK(strata == 15);
+
+    mw_screen screen;
+    mw_sobol_8d set;
+    CHECK(mw_screen_init(&screen, 0, 8, 2, 7) == MW_EMPTY);
+    CHECK(mw_screen_init(&screen, 65536, 1, 1, 7) == MW_TOO_LARGE);
+    CHECK(mw_screen_init(&screen, 8, 8, 2, 7) == MW_OK && mw_sobol_8d_init(&set, 7) == MW_OK);
+    bool taken[256] = {false};
+    for (uint32_t i = 0; i < 256; i++) {
+        uint32_t words[8];
+        const uint32_t x = i >> 2 & 7, y = i >> 5;
+        const uint32_t index = mw_screen_index(&screen, x, y, i & 3);
+        CHECK(index < 256 && !taken[index]);
+        taken[index] = true;
+        mw_sobol_8d_words(&set, index, words);
+        CHECK(words[5] == mw_screen_word(&screen, x, y, i & 3, 5));
+    }
 }
 
 static void points_cover(void)

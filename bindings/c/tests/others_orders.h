@@ -1,4 +1,4 @@
-/* More of others.h: shuffles, choices, permutations and Latin hypercubes. */
+/* More of others.h: shuffles, choices, permutations, Latin hypercubes and the order of a picture. */
 static uint32_t fold(uint32_t all, uint32_t word)
 {
     return (all << 7 | all >> 25) ^ word;
@@ -106,5 +106,27 @@ static void permutations(four u, int input, struct out *out)
         for (int i = 0; i < 4; i++)
             all = fold(all, mw_latin_hypercube_word(&points, indices[i], d & 3));
         put_uint32_t(out, all);
+    }
+}
+
+static void screens(four u, int input, struct out *out)
+{
+    uint32_t stirred[4];
+    (void)input;
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], c = stirred[2], d = stirred[3];
+    const uint32_t sizes[4][3] = {
+        {1920, 1080, 4}, {(b & 1023) + 1, c & 1023, b >> 28}, {c, d, d & 3}, {1, 1, 32}};
+    for (int k = 0; k < 4; k++) {
+        const uint32_t x = c & 2047, y = d & 1023;
+        uint32_t all = 0;
+        mw_screen screen;
+        if (!made(out, mw_screen_init(&screen, sizes[k][0], sizes[k][1], sizes[k][2], a)))
+            continue;
+        put_uint32_t(out, mw_screen_index(&screen, x, y, d >> 28));
+        for (uint32_t dimension = 0; dimension < 3; dimension++)
+            all = fold(all, mw_screen_word(&screen, x, y, c >> 28, dimension));
+        put_uint32_t(out, all);
+        put_uint32_t(out, mw_screen_word(&screen, x, y, d, 1) ^ mw_screen_word(&screen, a, d, c, 9));
     }
 }

@@ -419,6 +419,7 @@ static const struct other_subject {
     {"poly coins", coins},
     {"poly shuffles", shuffles},
     {"poly permutations", permutations},
+    {"poly screens", screens},
     {"poly changing weights", trees},
     {"poly binomial counts", successes},
     {"fine verdicts", fixed_verdicts},

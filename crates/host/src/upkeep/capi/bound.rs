@@ -197,7 +197,7 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
     use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
     use microwarp::uniform::{ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation};
-    use microwarp::uniform::{Recurrence, Sobol, Strata1d, Strata2d};
+    use microwarp::uniform::{Recurrence, Screen, Sobol, Strata1d, Strata2d};
     use microwarp::warp::Frame;
     use microwarp::{fixed, poly};
     structs! {
@@ -235,5 +235,6 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
         "choice_of_stream" ChoiceOfStream;
         "permutation" Permutation;
         "latin_hypercube" LatinHypercube;
+        "screen" Screen<Sobol<8>>;
     }
 }
