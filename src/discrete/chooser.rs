@@ -104,6 +104,16 @@ impl<const N: usize> Chooser<N> {
     #[inline]
     pub(super) fn uniform(&self, index: usize, rest: f32) -> f32 {
         let (start, count) = self.table.mass(index).unwrap_or((0, 0));
+        if start == 0 {
+            // It has all the digits of the rest, far below a word, too.
+            let u = rest.canonical().get() * self.pmf(index);
+            let (word, _) = u32::from_uniform(u.canonical());
+            return if self.table.locate(word).index == index {
+                u
+            } else {
+                f32::from_bits(u.to_bits().wrapping_sub(1))
+            };
+        }
         let (word, _) = u32::from_uniform(rest.canonical());
         let word = start.wrapping_add(up_to(count.wrapping_sub(1), word));
         // Cut to the 24 digits of an `f32`, or the next one above where that would be before the share.

@@ -32,7 +32,7 @@ impl<T: Clone> LightReservoir<T> {
     ///
     /// `target(k, item)` is the target of the source k at an item. NaN and what is below 0 count as 0, infinity as the largest `f32`. The
     /// place may have no source: then `here` is an index of its own, and every item with a positive target here must
-    /// have one in a source. Counts are first capped so that their sum fits, at 2²⁸ or more for up to fifteen sources.
+    /// have one in a source. Counts are first capped so that their sum fits, at 2²⁹ − 1 or more for up to seven sources.
     ///
     /// # Examples
     /// Of two places the second is blind to lamp 0. The estimate is of the light that both lamps send to the first, which is 5:
@@ -90,7 +90,7 @@ impl<T: Clone> LightReservoir<T> {
             let mut source = source.clone();
             source.cap(room);
             let Some(item) = source.item() else {
-                whole.absorb_share(source, 0.0, 0.0, bits);
+                whole.absorb_share(source, 0.0, Total::ZERO, bits);
                 continue;
             };
             let target_here = target(here, item);
@@ -102,7 +102,7 @@ impl<T: Clone> LightReservoir<T> {
                 }
             };
             let share = if target_here == 0.0 || matches!(by, Normaliser::Support) {
-                1.0
+                Total::ONE
             } else if matches!(by, Normaliser::Balance) || own == 0 {
                 let (mut ours, mut sum) = (Total::ZERO, Total::ZERO);
                 for (place, count) in counts().enumerate() {
@@ -112,7 +112,7 @@ impl<T: Clone> LightReservoir<T> {
                         ours = weighed(all, there);
                     }
                 }
-                part(ours, sum)
+                ours.part(sum)
             } else {
                 // Each other place is weighed against this one as if it had the candidates of all.
                 let others = all.wrapping_sub(own);
@@ -121,12 +121,12 @@ impl<T: Clone> LightReservoir<T> {
                     let mut sum = Total::of_count(own);
                     for (place, count) in counts().enumerate().filter(|(place, _)| *place != here) {
                         let there = weighed(others, target(place));
-                        sum = sum.plus(weighed(count, part(this, this.plus(there))));
+                        sum = sum.plus(Total::of_count(count).times(this.part(this.plus(there))));
                     }
-                    part(sum, Total::of_count(own))
+                    sum.part(Total::of_count(own))
                 } else {
                     let there = weighed(others, target(k));
-                    part(there, this.plus(there))
+                    there.part(this.plus(there))
                 }
             };
             whole.absorb_share(source, target_here, share, bits);
@@ -147,9 +147,4 @@ fn limited(target: f32) -> f32 {
     } else {
         0.0
     }
-}
-
-/// The quotient, or 0 of nothing.
-fn part(of: Total, whole: Total) -> f32 {
-    if of.is_zero() { 0.0 } else { of.over(whole) }
 }

@@ -30,7 +30,7 @@ use rand_core::{Rng, TryRng};
 /// - The shares of [`combine`](Self::combine) are off by less than 3e-7 of themselves.
 ///
 /// # Cost
-/// Memory of one item and 28 bytes, rounded up to 8. An offer takes a division of `f32` and two 128-bit products.
+/// Memory of one item and 28 bytes, rounded up to the alignment of an item and of 8, each. An offer takes a division of `f32` and two 128-bit products.
 ///
 /// # Examples
 /// One of a thousand lamps, by eight candidates from a table of their powers:
@@ -169,7 +169,7 @@ impl<T> LightReservoir<T> {
     /// [`Error::NotFinite`] and [`Error::Negative`] for the target. The reservoir is unchanged after an error.
     pub fn absorb_with(&mut self, other: Self, target: f32, bits: u64) -> Result<bool, Error> {
         Total::of(target)?;
-        Ok(self.absorb_share(other, target, 1.0, bits))
+        Ok(self.absorb_share(other, target, Total::ONE, bits))
     }
 
     /// Merges the reservoir of another place, or of another time, as [`absorb_with`](Self::absorb_with) does. Draws two `u32`.
@@ -207,16 +207,19 @@ impl<T> LightReservoir<T> {
         &mut self,
         mut other: Self,
         target: f32,
-        share: f32,
+        share: Total,
         bits: u64,
     ) -> bool {
         self.count_with(&mut other);
         match other.held {
-            Some((item, own)) if target > 0.0 && share > 0.0 => {
+            Some((item, own)) if target > 0.0 && !share.is_zero() => {
                 let here = Scaled::of(target).over(Scaled::of(own));
-                let mass = other
-                    .sum
-                    .times(Total::of_scaled(here.times(Scaled::of(share))));
+                let mass = other.sum.times(Total::of_scaled(here));
+                let mass = if share == Total::ONE {
+                    mass
+                } else {
+                    mass.times(share)
+                };
                 self.take(item, target, mass, bits)
             }
             _ => false,
@@ -250,7 +253,7 @@ impl<T> LightReservoir<T> {
     }
 
     /// Divides by so many candidates in place of [`count`](Self::count), which stays: by those, for instance, of the
-    /// sources that could hold this item. 0 lets go of the item.
+    /// sources that could hold this item. Once, after all mergers: a second call divides again. 0 lets go of the item.
     pub fn normalise(&mut self, candidates: u32) {
         if self.count > 0 {
             self.rescale(self.count, candidates);

@@ -224,6 +224,8 @@ where
 /// - Point: that of the parts.
 /// - Uniforms: those of one part; all parts take as many. Drawing takes the words that drawing from the picked part takes. A draw reads
 ///   all 32 bits of its first word: a part of probability q has 32 + log₂ q of them left, rounded down, and at least 24 down to 2⁻⁸.
+///   A part that takes further words for its tails, or a table of `u64`, has no digits below these. Explicit uniforms pick a part by
+///   their own digits: on the 24-bit grid a probability is met to 2⁻²⁴.
 /// - Parameters: an array of 1 to 32 warps of one type, or a pair of two types, with densities by one
 ///   [measure](crate::warp::Measured); a finite weight of each, zero or positive, not all zero.
 /// - Size: that of the parts, and 16 bytes each.
@@ -347,25 +349,23 @@ impl<P: Parts<N>, const N: usize> Mixture<P, N> {
         self.chooser.pmf(part)
     }
 
-    /// The share that each part has in the density, of the densities of parts. Those of weight 0 are not asked for.
+    /// The share that each part has in the density, of the densities of parts; none of one that is 0. Parts of weight 0 are not
+    /// asked.
     #[inline]
-    fn terms(&self, density: impl Fn(usize) -> f32) -> impl Iterator<Item = f32> {
+    fn terms(&self, density: impl Fn(usize) -> f32) -> impl Iterator<Item = Option<f32>> {
         let pmfs = self.chooser.pmfs().iter().enumerate();
         pmfs.map(move |(index, &pmf)| {
             let density = if pmf > 0.0 { density(index) } else { 0.0 };
             // NaN is no density.
-            if density > 0.0 {
-                above_zero(pmf * density)
-            } else {
-                0.0
-            }
+            (density > 0.0).then_some(pmf * density)
         })
     }
 
     #[inline]
     fn density(&self, density: impl Fn(usize) -> f32) -> f32 {
-        let sum = self.terms(density).fold(0.0, |sum, term| sum + term);
-        if sum > 0.0 { representable(sum) } else { 0.0 }
+        let sum = self.terms(density).flatten().reduce(|sum, term| sum + term);
+        // Where all round to 0 it is the smallest number.
+        sum.map_or(0.0, representable)
     }
 
     /// The density at a point where one part is known to have this one.
@@ -422,14 +422,14 @@ impl<P: Parts<N>, const N: usize> Mixture<P, N> {
     where
         P: InvertParts<N>,
     {
-        // No sum of as many overflows.
-        let most = f32::MAX / N as f32;
-        let mut terms = [0.0; N];
-        for (slot, term) in terms
-            .iter_mut()
-            .zip(self.terms(|index| self.parts.pdf_by(index, x)))
-        {
-            *slot = if term < most { term } else { most };
+        let mut terms = [0.0_f32; N];
+        let shares = self.terms(|index| self.parts.pdf_by(index, x));
+        for (slot, share) in terms.iter_mut().zip(shares) {
+            *slot = share.map_or(0.0, |share| above_zero(share).min(f32::MAX));
+        }
+        // A sum of 32 terms or fewer does not overflow of their 32nds.
+        if terms.iter().any(|&term| term > f32::MAX / 32.0) {
+            terms = terms.map(|term| term / 32.0);
         }
         let mut at = u.canonical().get() * terms.iter().sum::<f32>();
         let pmfs = self.chooser.pmfs().iter();

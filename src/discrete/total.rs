@@ -47,6 +47,24 @@ impl Total {
         })
     }
 
+    pub(crate) const ONE: Self = Self::of_count(1);
+
+    /// The quotient with all its digits, whatever its size; 0 of nothing. The other is not 0.
+    pub(crate) const fn part(self, whole: Self) -> Self {
+        if self.is_zero() {
+            return Self::ZERO;
+        }
+        let [of, whole] = [self.long(), whole.long()];
+        Self::of_long(of.over(whole))
+    }
+
+    const fn long(self) -> Long {
+        Long {
+            mantissa: self.mantissa,
+            exponent: self.exponent.wrapping_sub(150),
+        }
+    }
+
     pub(crate) const fn of_long(number: Long) -> Self {
         Self {
             mantissa: number.mantissa,

@@ -131,6 +131,9 @@ impl Chance {
         if self.part > self.last {
             return Self::TOTAL;
         }
+        if self.last == u32::MAX as u64 {
+            return self.part;
+        }
         let whole = self.last + 1;
         let (words, inexact) = if whole >> 32 == 0 {
             fraction_u32(self.part as u32, whole as u32)

@@ -194,3 +194,30 @@ fn sums_keep_their_digits_over_a_million_candidates() {
     assert!(off(held.contribution().into()) <= 1.5e-7);
     assert!(off(by_f32) > 1e-4, "{}", off(by_f32));
 }
+
+/// Of targets whose quotients leave the range of `f32`, by logarithms in `f64`.
+#[test]
+fn shares_of_any_size_keep_their_digits() {
+    let mut rng = Pcg32::new(4, 4);
+    let mut judged = 0;
+    for density in [1e-38, 1e-30, 1e-8, 1.0] {
+        for here in [1.5, 1e20, 3e38] {
+            for there in [3e-45, 1e-45, 1e-30, 1.0] {
+                let [mut own, mut other] = [LightReservoir::new(), LightReservoir::new()];
+                own.offer_with(1, 0.0, density, 0).unwrap();
+                other.offer_with(7, there, density, 0).unwrap();
+                let targets = |k, _: &u32| [here, there][k];
+                let rule = Normaliser::Balance;
+                let whole = LightReservoir::combine(&[own, other], 0, rule, targets, &mut rng);
+                let [here, there, density] = [here, there, density].map(f64::from);
+                let exact = there / (here + there) / density;
+                if exact > 1e-37 && exact < f64::from(f32::MAX) {
+                    let off = (f64::from(whole.contribution()) / exact - 1.0).abs();
+                    assert!(off <= 3e-7, "{here:e} {there:e} {density:e}: {off:e}");
+                    judged += 1;
+                }
+            }
+        }
+    }
+    assert!(judged > 20, "{judged}");
+}

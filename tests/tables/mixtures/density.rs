@@ -1,6 +1,7 @@
 //! The density of a mixture: the sum that it stands for, at every magnitude.
 
 use super::{Known, known, steps};
+use host::errors::or_infinite;
 use host::speed;
 use microwarp::discrete::Mixture;
 use microwarp::uniform::{LARGEST, SMALLEST, grid};
@@ -58,24 +59,35 @@ fn no_density_leaves_the_range() {
 #[test]
 fn the_density_is_the_sum_of_its_parts() {
     let peaks = [0.0, 0.7, -0.9, 0.999].map(|g| libm::HenyeyGreenstein::new(g).unwrap());
-    let mixture = Mixture::new(peaks, &[1.0, 2.0, 0.5, 1e-6]).unwrap();
+    let weights = [1.0, 2.0, 0.5, 1e-6];
+    let mixture = Mixture::new(peaks, &weights).unwrap();
+    // The probabilities with which parts are picked, and those of the weights as they were given.
+    let picked = [0, 1, 2, 3].map(|i| mixture.numerator(i) as f64 / 2.0_f64.powi(32));
+    let given = weights.map(|w| f64::from(w) / weights.map(f64::from).iter().sum::<f64>());
+    let off = |density: f32, shares: [f64; 4], x: [f32; 3]| {
+        let parts = shares.into_iter().zip(peaks);
+        let exact: f64 = parts.map(|(q, peak)| q * f64::from(peak.pdf(x))).sum();
+        or_infinite((f64::from(density) / exact - 1.0).abs())
+    };
     let mut rng = Pcg32::new(2, 3);
-    let mut worst = [0.0_f64; 2];
+    let pole = [0.0, 0.0, 1.0];
+    let mut worst = [picked, picked, given].map(|shares| off(mixture.pdf(pole), shares, pole));
     for _ in 0..speed::of("densities", 20_000, 1_000_000) {
         let u = [grid(&mut rng), grid(&mut rng)];
         let (x, with_sample) = mixture.sample_with_pdf(u);
-        let exact: f64 = (0..4)
-            .map(|i| mixture.numerator(i) as f64 / 2.0_f64.powi(32) * f64::from(peaks[i].pdf(x)))
-            .sum();
-        worst[0] = worst[0].max((f64::from(mixture.pdf(x)) / exact - 1.0).abs());
-        worst[1] = worst[1].max((f64::from(with_sample) / exact - 1.0).abs());
-        assert!(mixture.pdf(x) > 0.0);
+        let density = mixture.pdf(x);
+        for (worst, off) in worst.iter_mut().zip([
+            off(density, picked, x),
+            off(with_sample, picked, x),
+            off(density, given, x),
+        ]) {
+            *worst = worst.max(off);
+        }
+        assert!(density > 0.0);
     }
-    println!("density {:.1e}, with the sample {:.1e}", worst[0], worst[1]);
+    println!("density, with the sample, and by the weights as given: {worst:?}");
     assert!(worst[0] <= 3e-7 && worst[1] <= 4e-6, "{worst:?}");
-    // With the weights as they were given, which have no sum of 1, it would be off.
-    let wrong = peaks[0].pdf([0.0, 0.0, 1.0]) * 1.0;
-    assert!((wrong / mixture.pdf([0.0, 0.0, 1.0]) - 1.0).abs() > 1e-3);
+    assert!(worst[2] > 3e-6, "{worst:?}");
 }
 
 /// Over all words of 16 bits: the mean of f/p is the integral of f.

@@ -61,11 +61,29 @@ fn an_inverse_leads_back() {
         let u = lobe.invert_with(x, grid(&mut rng));
         let again = lobe.sample(u);
         let off = [0, 1, 2].map(|i| (x[i] - again[i]).abs());
+        assert!(off.iter().all(|off| off.is_finite()), "{x:?} {again:?}");
         worst = off.into_iter().fold(worst, f32::max);
     }
     println!("points off by {worst:.1e}");
     // The square root of a step of the grid, next to the pole.
     assert!(worst <= 5e-4, "{worst}");
+}
+
+/// Points far out in the tail of the first part, whose uniforms are far below a word, lead back as well.
+#[test]
+fn an_inverse_keeps_the_tail_of_the_first_part() {
+    let parts = [0.0, 3.0].map(|mean| mw::Normal::new(mean, 1.0).unwrap());
+    let mixture = Mixture::new(parts, &[1.0, 1.0]).unwrap();
+    let alone = Mixture::new([mw::ExponentialTail::from_rate(1.0).unwrap()], &[1.0]).unwrap();
+    for word in [0, 1, 2, 100, 1 << 20] {
+        let x = mixture.sample_words(word);
+        let again = mixture.sample(mixture.invert_with(x, 0.0));
+        assert!((again - x).abs() <= 1e-5, "{x} {again}");
+    }
+    for x in [1e-3, 1.0, 22.5, 40.0] {
+        let again = alone.sample(alone.invert_with(x, 0.5));
+        assert!((again / x - 1.0).abs() <= 1e-5, "{x} {again}");
+    }
 }
 
 /// The uniform of a part lies in the share of the part, also where it has few numbers.
