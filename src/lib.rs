@@ -81,6 +81,8 @@
 //! - [`Laplace`](warp::Laplace): Laplace (double exponential) with a location and a scale: an exponential on both sides
 //!   of the location
 //! - [`Logistic`](warp::Logistic): Logistic with a location and a scale, whose CDF is the logistic function (sigmoid)
+//! - [`TruncatedLogistic`](warp::TruncatedLogistic): Logistic with a location μ and a scale s, restricted to an
+//!   interval [a, b]: wavelengths as the eye weighs them, azimuths in hair
 //! - [`Gumbel`](warp::Gumbel): Gumbel with a location and a scale: the largest of many numbers whose tail is
 //!   exponential
 //! - [`Rayleigh`](warp::Rayleigh): Rayleigh with a scale σ: the length of a vector of two normal numbers of deviation σ

@@ -3,8 +3,8 @@
 export const reasons = [
   "a parameter is NaN or infinite",
   "the lower bound is above the upper bound",
-  "the domain has no extent, or too little for a finite density",
-  "the domain is too large, or samples overflow their number format",
+  "the domain or range is empty, or too small for a finite density",
+  "the domain, a parameter or a sum is too large, or samples overflow",
   "a parameter that must be positive is not",
   "a parameter that must not be negative is",
   "a parameter is outside its stated range",

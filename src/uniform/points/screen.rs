@@ -34,7 +34,7 @@ use crate::error::Error;
 ///
 /// # Cost
 /// No table: 12 bytes beside the set. The words of a sample in two dimensions take
-/// <!-- figure: point screen_sobol_2d -->? instructions and ? bytes of code on an M4F, ? instructions on an M0<!-- -->.
+/// <!-- figure: point screen_sobol_2d -->109 instructions and 520 bytes of code on an M4F, 210 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -277,10 +277,12 @@ fn ascii(text: &str) -> String {
 
 /// The lines `file::Name… "sentence",` of a list.
 fn sentences(list: &str) -> HashMap<String, String> {
+    // A place, its sentence in quotes, and a measure where there is one.
     let lines = list.lines().map(str::trim);
-    let lines = lines.filter_map(|line| line.strip_suffix("\",")?.split_once(" \""));
+    let lines = lines.filter_map(|line| line.strip_suffix(',')?.split_once(" \""));
     lines
-        .filter_map(|(place, sentence)| {
+        .filter_map(|(place, rest)| {
+            let (sentence, _) = rest.rsplit_once('"')?;
             let name = place.split_once("::")?.1;
             let name = name.split(['<', '[']).next()?;
             Some((name.to_owned(), sentence.to_owned()))
