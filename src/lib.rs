@@ -145,7 +145,7 @@
 //! - [`GgxVisible`](warp::GgxVisible): Normals of GGX microfacets that a viewer sees, in proportion to their visible
 //!   area
 //! - [`Reflected`](warp::Reflected): Directions into which GGX microfacets reflect a view: a warp of directions out of
-//!   [`GgxVisible`], a warp of normals
+//!   `GgxVisible`, a warp of normals
 //! - [`Cone`](warp::Cone): Uniform over the directions within an angle of +z: a cone, also called a spherical cap
 //! - [`VisibleSphere`](warp::VisibleSphere): Uniform over the directions in which a sphere is seen from a point: a
 //!   sphere light, sampled by solid angle

@@ -52,7 +52,7 @@ use rand_core::{Rng, TryRng};
 ///     let light = 0.5 + 0.1 * (x + y); // of the place (x, y), from the middle of the pixel
 ///     pixel.push(light, across * down);
 /// }
-/// assert!((pixel.mean() - 0.5).abs() < 0.05);
+/// assert!((pixel.mean().unwrap_or(0.0) - 0.5).abs() < 0.05);
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///

@@ -7,7 +7,7 @@ use crate::num::{above_zero, representable};
 use crate::tier::Tier;
 use crate::uniform::Canonical;
 
-/// Directions into which GGX microfacets reflect a view: a warp of directions out of [`GgxVisible`], a warp of normals.
+/// Directions into which GGX microfacets reflect a view: a warp of directions out of `GgxVisible`, a warp of normals.
 ///
 /// It mixes with other lobes in a [`Mixture`](crate::discrete::Mixture), which normals do not: their density by solid angle is another.
 /// For the normal beside the direction take [`GgxVisible::reflect`].

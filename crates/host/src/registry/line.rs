@@ -338,7 +338,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 1.0, -2.0, 2.0]).seed(&[0.0, 1.0, -1.999, 2.0]).seed(&[0.0, 1.0, -1.0, 3.5]).seed(&[0.0, 1.0, -1e-3, 100.0])
             .seed(&[0.0, 1.0, -100.0, 110.0]).seed(&[1e30, 1.0, 0.0, 1e-17]).seed(&[0.0, 1e30, 0.0, 1e-30]).seed(&[0.0, 1.0, -1.0, 0.0])
             .seed(&[0.0, 1e-30, 1.0, 2.0]).seed(&[0.0, 1e37, -1e37, 2e37]).seed(&[0.0, 1e-38, 0.0, 1.0]).seed(&[0.0, 1.0, 1.0, 70.0])
-            .seed(&[0.0, 1.2e-39, -2.4e-39, 2.38e-39]).refuse(&[0.0, 6e-40, -1.2e-39, 1.19e-39], Empty)
+            .seed(&[0.0, 4e-39, -7.9e-39, 7.9e-39]).refuse(&[0.0, 6e-40, -1.2e-39, 1.19e-39], Empty)
             .refuse(&[NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, INF], NotFinite).refuse(&[0.0, INF, 0.0, 1.0], NotFinite)
             .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive)
             .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed).refuse(&[0.0, 1.0, 1.0, 1.0], Empty)
