@@ -308,7 +308,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 0.0, 1.0, 1.0, 1.0]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0])
             .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength),
         Registered::new("Reflected", "", &[Within(0.0, 0.866), Within(0.2, 1.0), Within(0.2, 1.0)], reflected::<T>)
-            .case_with("α=0.3 at 53°", &[0.8, 0.3, 0.3], |e| e.picture("seen at 53°, roughness 0.3", Sky(PI)).trade("GGX α = 0.3", "reflected_03"))
+            .case_with("α=0.3 at 53°", &[0.8, 0.3, 0.3], |e| e.picture("seen at 53°, roughness 0.3", Sky(PI)))
             .control("the normals for the directions", |[u, v, _], _| direction((0.3 * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean x"])
             .case("α=1, 0.2 at 30°", &[0.5, 1.0, 0.2])
             .case("α=0.5 from above", &[0.0, 0.5, 0.5])
