@@ -46,7 +46,7 @@ impl<T: Tier> GgxVisible<T> {
     /// density. Of [`bounded`](GgxVisible::bounded) normals the density is larger, and the weight less: multiply by
     /// [`reflected_pdf`](GgxVisible::reflected_pdf) of a [`new`](GgxVisible::new) one, and divide by that of the bounded one.
     ///
-    /// Right to 8e-7, relatively. It is 0 for directions on and below the horizon, and 1 above it for a view on the horizon.
+    /// Right to 8.5e-7, relatively. It is 0 for directions on and below the horizon, and 1 above it for a view on the horizon.
     ///
     /// # Examples
     /// ```
@@ -78,7 +78,7 @@ impl<T: Tier> GgxVisible<T> {
     /// `G₂/(4 w_z l_z)` of a light `direction`, `1/(2(l_z ℓ(w) + w_z ℓ(l)))`: the value of the reflection model, but for
     /// Fresnel's term and the [`distribution`](Ggx::distribution) of normals.
     ///
-    /// Right to 6.5e-7, relatively. It is 0 for directions on and below the horizon, and finite above it.
+    /// Right to 7e-7, relatively. It is 0 for directions on and below the horizon, and finite above it.
     #[must_use]
     #[inline]
     pub fn visibility(&self, direction: [f32; 3]) -> f32 {
