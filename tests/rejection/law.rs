@@ -2,6 +2,18 @@
 
 use host::errors::or_infinite;
 
+/// Words at which products of words turn: the ends, the middle, and a neighbour of a power of two.
+pub const EDGES: [u32; 8] = [
+    0,
+    1,
+    255,
+    (1 << 31) - 1,
+    1 << 31,
+    (1 << 31) + 1,
+    u32::MAX - 1,
+    u32::MAX,
+];
+
 /// The first of the numbers from one to another of which something no longer holds.
 fn first_without(from: u64, to: u64, holds: impl Fn(u64) -> bool) -> u64 {
     let (mut low, mut high) = (from, to);

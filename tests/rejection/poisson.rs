@@ -1,6 +1,7 @@
 //! `PoissonRejection`: the law that all pairs of words have together, counted and not sampled; its efficiency, its pmf
 //! and its refusals.
 
+use crate::law::EDGES;
 use host::docs::Doc;
 use host::errors::or_infinite;
 use host::speed;
@@ -179,17 +180,6 @@ fn means_out_of_range_are_refused() {
     assert_eq!(sampler.with_budget(0), Err(Error::NotPositive));
     assert_eq!(sampler.with_budget(3).unwrap().budget(), 3);
 }
-
-const EDGES: [u32; 8] = [
-    0,
-    1,
-    255,
-    (1 << 31) - 1,
-    1 << 31,
-    (1 << 31) + 1,
-    u32::MAX - 1,
-    u32::MAX,
-];
 
 #[test]
 fn no_pair_of_words_goes_wrong() {

@@ -116,4 +116,4 @@ integer_warps!(listed_integers);
 #[cfg(feature = "cases")]
 pub use cases::*;
 #[cfg(feature = "cases")]
-pub use subjects::{AREAS, FACES, INPUTS, Out, UNIFORMS, VERTICES, weights};
+pub use subjects::{AREAS, FACES, INPUTS, Mixed, Out, UNIFORMS, VERTICES, weights};

@@ -19,7 +19,7 @@ use microwarp::uniform::{
 };
 use microwarp::warp::*;
 use microwarp::{Error, Invert, Warp, warp::Frame};
-use rand_core::Rng;
+use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 
 /// Uniforms in and out of range; warps take as many of the four as they need.
@@ -163,8 +163,10 @@ where
     warp.invert(point).put(out);
 }
 
-/// A mixture in the place of a warp that has an inverse.
-struct Mixed<P, const N: usize>(Mixture<P, N>);
+/// A mixture as a warp with an inverse. It leads back to a point's uniforms where no point comes of two
+/// parts.
+#[derive(Clone, Copy, Debug)]
+pub struct Mixed<P, const N: usize>(pub Mixture<P, N>);
 
 impl<P: Parts<N>, const N: usize> Warp for Mixed<P, N> {
     type Uniforms = P::Uniforms;
@@ -181,6 +183,10 @@ impl<P: Parts<N>, const N: usize> Warp for Mixed<P, N> {
 
     fn sample_words(&self, words: <P::Uniforms as Uniforms>::Words) -> P::Point {
         self.0.sample_words(words)
+    }
+
+    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<P::Point, R::Error> {
+        self.0.try_draw(rng)
     }
 }
 

@@ -5,12 +5,11 @@ use super::plane::square;
 use super::{Domain, Ends, Entry, Measure, Registered, entry};
 use crate::adversary::words::Kind::Positive;
 use crate::truth::{self, Truth};
-use microwarp::discrete::{InvertParts, Mixture, Parts};
+use microwarp::Error;
+use microwarp::discrete::Mixture;
 use microwarp::tier::Tier;
-use microwarp::uniform::{Canonical, Uniforms};
 use microwarp::warp::*;
-use microwarp::{Error, Invert, Warp};
-use rand_core::TryRng;
+use microwarp_list::Mixed;
 
 /// An example without parameters of its own.
 fn example(
@@ -204,35 +203,6 @@ fn tents<T: Tier>() -> Entry {
     entry.own_density()
 }
 
-/// A mixture as a warp with an inverse, which it is where no point comes of two parts.
-#[derive(Clone, Copy, Debug)]
-struct Apart<P, const N: usize>(Mixture<P, N>);
-
-impl<P: Parts<N>, const N: usize> Warp for Apart<P, N> {
-    type Uniforms = P::Uniforms;
-    type Point = P::Point;
-    type Density = f32;
-
-    fn sample_canonical(&self, u: Canonical<P::Uniforms>) -> P::Point {
-        self.0.sample_canonical(u)
-    }
-    fn pdf(&self, x: P::Point) -> f32 {
-        self.0.pdf(x)
-    }
-    fn sample_words(&self, words: <P::Uniforms as Uniforms>::Words) -> P::Point {
-        self.0.sample_words(words)
-    }
-    fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<P::Point, R::Error> {
-        self.0.try_draw(rng)
-    }
-}
-
-impl<P: InvertParts<N>, const N: usize> Invert for Apart<P, N> {
-    fn invert(&self, x: P::Point) -> P::Uniforms {
-        self.0.invert_with(x, 0.5)
-    }
-}
-
 /// Uniform in three intervals, one with an eighth, one with a half of the points.
 fn intervals<T: Tier>() -> Entry {
     let parts = [0.0, 2.0, 4.0].map(|low| Interval::new(low, low + 1.0).unwrap());
@@ -240,7 +210,7 @@ fn intervals<T: Tier>() -> Entry {
         "Mixture",
         Domain::Line,
         Measure::Ulp,
-        Apart(Mixture::new(parts, &[1.0, 4.0, 3.0]).unwrap()),
+        Mixed(Mixture::new(parts, &[1.0, 4.0, 3.0]).unwrap()),
         Box::new(truth::Line {
             quantile: |u: f64| match 8.0 * u {
                 u if u < 1.0 => u,
