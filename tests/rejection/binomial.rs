@@ -42,7 +42,7 @@ impl Truth {
         let bound = |away: f64| 5e-6 + 1e-9 * self.deviation + 1.3e-8 * away.abs();
         law(
             [self.mean, self.deviation],
-            self.trials,
+            [0, self.trials],
             |k| self.masses.pmf(k),
             attempt,
             bound,

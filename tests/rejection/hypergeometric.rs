@@ -53,7 +53,7 @@ impl Truth {
         let bound = |away: f64| 6e-6 + 1.2e-9 * self.deviation + 1.5e-8 * away.abs();
         law(
             [self.mean, self.deviation],
-            self.ends[1],
+            self.ends,
             |k| self.masses.pmf(k),
             attempt,
             bound,

@@ -136,11 +136,11 @@ impl Masses {
     }
 }
 
-/// The efficiency, and the largest error of a probability in units of a bound. The law has a mean, a standard deviation and a
-/// largest count.
+/// The efficiency, and the largest error of a probability in units of a bound. The law has a mean, a standard deviation, a least
+/// and a largest count.
 pub fn law(
     [m, deviation]: [f64; 2],
-    most: u32,
+    [least, most]: [u32; 2],
     pmf: impl Fn(u32) -> f64,
     attempt: &impl Fn([u32; 2]) -> Option<u32>,
     bound: impl Fn(f64) -> f64,
@@ -148,7 +148,7 @@ pub fn law(
     let reach = 7.0 * deviation;
     let last = ((m + reach) as i64).min(most.into());
     let mut all = Vec::new();
-    let mut k = ((m - reach).max(0.0)) as i64;
+    let mut k = ((m - reach) as i64).max(least.into());
     let mut start = first(k, attempt);
     // Few pairs of words lie beyond; what they have is counted as well.
     let mut sum = 0.0;

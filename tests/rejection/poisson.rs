@@ -22,7 +22,7 @@ fn law(
 ) -> [f64; 2] {
     let m = f64::from(mean);
     let pmf = |k| ln_pmf(m, k).exp();
-    crate::law::law([m, m.sqrt()], u32::MAX, pmf, attempt, bound)
+    crate::law::law([m, m.sqrt()], [0, u32::MAX], pmf, attempt, bound)
 }
 
 /// The bound of the page at a distance from the mean.
