@@ -10,6 +10,7 @@
 mod families;
 mod hard;
 mod kinds;
+mod oracle;
 mod page;
 
 use host::adversary::search::{Budget, USUAL};

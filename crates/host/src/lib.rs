@@ -10,6 +10,11 @@
 //!
 //! What runs on a core, without `std`, is the business of the packages beside this one.
 
+#![allow(
+    clippy::duplicate_mod,
+    reason = "the truths are one text over two kinds of numbers"
+)]
+
 pub mod adversary;
 pub mod bench;
 pub mod cli;

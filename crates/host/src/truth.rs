@@ -1,64 +1,69 @@
-//! What each warp should do, in `f64`, written from the definitions and not from the crate's code.
+//! What each warp should do, in `f64`, written from the definitions and not from the crate's code; and the same in 237 bits.
 //!
-//! Formulas here are the textbook ones wherever doubles bear them; where even doubles would cancel
-//! (cones of 1e-7 rad), they are written in the complementary quantity. `tests/laws` checks every
-//! truth against itself: that its density is the derivative of its map, and its inverse the inverse.
+//! The formulas stand once, in `truth/all.rs` and its files, over a type `Real`. `double` and `precise` are that text with either type
+//! in its place, so that the second shows how much of a truth the rounding of the first has cost.
 
-mod directions;
-mod discrete;
-mod line;
-mod plane;
-mod polygon;
-mod shapes;
-mod surfaces;
-mod visible_sphere;
+pub mod double;
+pub mod precise;
 
-pub use directions::*;
-pub use discrete::*;
-pub use line::*;
-pub use plane::*;
-pub use polygon::*;
-pub use shapes::*;
-pub use surfaces::*;
-pub use visible_sphere::*;
+pub use double::*;
 
-use std::f64::consts::TAU;
+use std::cell::Cell;
+use std::sync::Arc;
 
-pub type Uniforms = [f64; 4];
-pub type Point = [f64; 3];
+thread_local! {
+    /// Whether `both!` takes the precise one, and how often it has.
+    static PRECISE: Cell<Option<usize>> = const { Cell::new(None) };
+}
 
-/// The exact counterpart of one warp with its parameters.
-pub trait Truth: Send + Sync {
-    /// The exact point of the uniforms.
-    fn sample(&self, u: Uniforms) -> Point;
-    /// The exact density at a point of the domain.
-    fn pdf(&self, x: Point) -> f64;
-    /// The exact density at the point of the uniforms, where even the `f64` of the point would have lost digits of it.
+/// What is made of an entry where each of its truths is the precise one, rounded to `f64` at the end; and of how many there is one.
+pub fn precisely<T>(make: impl FnOnce() -> T) -> (T, usize) {
+    PRECISE.set(Some(0));
+    let made = make();
+    (made, PRECISE.take().unwrap_or(0))
+}
+
+/// Whether it is the precise truth that is asked for. It counts as made.
+pub fn is_precise() -> bool {
+    PRECISE.set(PRECISE.get().map(|made| made + 1));
+    PRECISE.get().is_some()
+}
+
+/// The truth that is asked for, of its text over a `Real`: in doubles, or the precise one.
+macro_rules! exact {
+    ($truth:expr) => {
+        if $crate::truth::is_precise() {
+            #[allow(unused_imports, reason = "not every text names a `Real`")]
+            use $crate::truth::precise::*;
+            let truth = std::sync::Arc::new($truth);
+            std::sync::Arc::new($crate::truth::Rounded(truth))
+                as std::sync::Arc<dyn $crate::truth::double::Truth>
+        } else {
+            #[allow(unused_imports, reason = "not every text names a `Real`")]
+            use $crate::truth::double::*;
+            std::sync::Arc::new($truth)
+        }
+    };
+}
+pub(crate) use exact;
+
+/// A precise truth behind the interface of `f64`.
+pub struct Rounded(pub Arc<dyn precise::Truth>);
+
+impl Truth for Rounded {
+    fn sample(&self, u: Uniforms) -> Point {
+        self.0.sample(u.map(precise::real)).map(precise::to_f64)
+    }
+    fn pdf(&self, x: Point) -> f64 {
+        precise::to_f64(self.0.pdf(x.map(precise::real)))
+    }
     fn density(&self, u: Uniforms) -> f64 {
-        self.pdf(self.sample(u))
+        precise::to_f64(self.0.density(u.map(precise::real)))
     }
-    /// The exact uniforms of a point of the domain.
-    fn invert(&self, x: Point) -> Uniforms;
-    /// The exact fourth coordinate, of points that have one.
-    fn fourth(&self, _: Uniforms) -> Option<f64> {
-        None
+    fn invert(&self, x: Point) -> Uniforms {
+        self.0.invert(x.map(precise::real)).map(precise::to_f64)
     }
-}
-
-/// The azimuth of (x, y) in turns, in [0, 1).
-pub fn turn(x: f64, y: f64) -> f64 {
-    let t = y.atan2(x) / TAU;
-    if t < 0.0 { t + 1.0 } else { t }
-}
-
-pub fn cross(p: Point, q: Point) -> Point {
-    [
-        p[1] * q[2] - p[2] * q[1],
-        p[2] * q[0] - p[0] * q[2],
-        p[0] * q[1] - p[1] * q[0],
-    ]
-}
-
-pub fn dot(p: Point, q: Point) -> f64 {
-    p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+    fn fourth(&self, u: Uniforms) -> Option<f64> {
+        self.0.fourth(u.map(precise::real)).map(precise::to_f64)
+    }
 }

@@ -11,6 +11,7 @@ use host::figures::{
 };
 use host::moved::Moved;
 use host::registry::{Domain, Entry, Registered, Uniforms, registered};
+use microwarp::Error;
 use microwarp::tier::{Libm, Poly};
 use std::sync::Arc;
 
@@ -28,6 +29,14 @@ pub fn flawed() -> Vec<Family> {
 }
 
 fn family(of: Registered) -> Family {
+    family_by(of, |of, p| of.of_drawn(p))
+}
+
+/// How an entry is made of parameters.
+pub type Make = fn(&Registered, &[f32]) -> Result<Entry, Error>;
+
+/// A family whose entries are made in another way.
+pub fn family_by(of: Registered, make: Make) -> Family {
     let tier = of.tier;
     let column = usize::from(tier != "libm");
     let rows: Arc<[Row]> = rows_of_floats(of.name)
@@ -73,7 +82,7 @@ fn family(of: Registered) -> Family {
             .collect(),
         build: Box::new(move |words| {
             assert_eq!(words.len(), arity);
-            let entry = of.of_drawn(&floats(words)).ok()?;
+            let entry = make(&of, &floats(words)).ok()?;
             Some(Box::new(Subject {
                 entry,
                 rows: Arc::clone(&rows),

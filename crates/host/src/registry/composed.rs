@@ -4,7 +4,7 @@ use super::picture::{EQUILATERAL, View, between, window};
 use super::plane::square;
 use super::{Domain, Ends, Entry, Measure, Registered, entry};
 use crate::adversary::words::Kind::Positive;
-use crate::truth::{self, Truth};
+use crate::truth::{self, Truth, exact};
 use microwarp::Error;
 use microwarp::discrete::Mixture;
 use microwarp::tier::Tier;
@@ -37,8 +37,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     vec![
         Registered::new("Composed", "", &[Positive; 4], |p| {
             let then = Triangle::new();
-            let exact = truth::Bilinear(square(p).map(|row| row.map(f64::from)));
-            let truth: Box<dyn Truth> = Box::new(truth::Composed(exact, truth::Barycentric));
+            let truth = exact!(Composed(
+                Bilinear(square(p).map(|row| row.map(Real::from))),
+                Barycentric
+            ));
             let warp = Composed::new(Bilinear::new(square(p))?, then);
             let unit = Measure::Length(1.0);
             let mut entry = entry::<T, _>("Composed", Domain::Barycentric, unit, warp, truth);
@@ -180,11 +182,11 @@ fn cylinder<T: Tier>() -> Entry {
         Domain::Solid,
         Measure::Length(1.0),
         Product::new(DiskConcentric::<T>::new(), Interval::new(0.0, 2.0).unwrap()),
-        Box::new(truth::Beside(
-            Box::new(truth::DiskConcentric),
-            truth::interval(0.0, 2.0, true),
+        exact!(Beside(
+            Box::new(DiskConcentric),
+            interval(0.0, 2.0, true),
             2,
-        )) as Box<dyn Truth>,
+        )),
     );
     entry.composed = true;
     entry
@@ -197,7 +199,7 @@ fn tents<T: Tier>() -> Entry {
         Domain::Plane,
         Measure::Length(1.0),
         Each::new([Tent::new(1.0).unwrap(); 2]),
-        Box::new(truth::Beside(truth::tent(1.0), truth::tent(1.0), 1)) as Box<dyn Truth>,
+        exact!(Beside(tent(1.0), tent(1.0), 1)),
     );
     (entry.composed, entry.deep) = (true, true);
     entry.own_density()
@@ -211,23 +213,23 @@ fn intervals<T: Tier>() -> Entry {
         Domain::Line,
         Measure::Ulp,
         Mixed(Mixture::new(parts, &[1.0, 4.0, 3.0]).unwrap()),
-        Box::new(truth::Line {
-            quantile: |u: f64| match 8.0 * u {
+        exact!(Line {
+            quantile: |u: Real| match 8.0 * u {
                 u if u < 1.0 => u,
                 u if u < 5.0 => 2.0 + (u - 1.0) / 4.0,
                 u => 4.0 + (u - 5.0) / 3.0,
             },
-            pdf: |x: f64| match x {
-                x if x <= 1.0 => 0.125,
-                x if x <= 3.0 => 0.5,
-                _ => 0.375,
+            pdf: |x: Real| match x {
+                x if x <= 1.0 => Real::from(0.125),
+                x if x <= 3.0 => Real::from(0.5),
+                _ => Real::from(0.375),
             },
-            cdf: |x: f64| match x {
+            cdf: |x: Real| match x {
                 x if x <= 1.0 => x / 8.0,
                 x if x <= 3.0 => (1.0 + 4.0 * (x - 2.0).max(0.0)) / 8.0,
                 x => (5.0 + 3.0 * (x - 4.0).max(0.0)) / 8.0,
             },
-        }) as Box<dyn Truth>,
+        }),
     );
     (entry.composed, entry.deep, entry.jumps) = (true, true, true);
     entry
@@ -244,11 +246,11 @@ fn inversion<T: Tier>() -> Entry {
             |x: f32| 0.5 + x,
             |x: f32| 0.5 * x * (1.0 + x),
         ),
-        Box::new(truth::Line {
-            quantile: |u: f64| 4.0 * u / (1.0 + (1.0 + 8.0 * u).sqrt()),
-            pdf: |x: f64| 0.5 + x,
-            cdf: |x: f64| 0.5 * x * (1.0 + x),
-        }) as Box<dyn Truth>,
+        exact!(Line {
+            quantile: |u: Real| 4.0 * u / (1.0 + (1.0 + 8.0 * u).sqrt()),
+            pdf: |x: Real| 0.5 + x,
+            cdf: |x: Real| 0.5 * x * (1.0 + x),
+        }),
     )
 }
 
@@ -263,11 +265,11 @@ fn sine<T: Tier>() -> Entry {
         Domain::Line,
         Measure::Ulp,
         Transform::new(Linear::new(0.0, 1.0).unwrap(), sine, arcsine, cosine),
-        Box::new(truth::Line {
-            quantile: |u: f64| u.sqrt().sin(),
-            pdf: |y: f64| 2.0 * y.asin() / (1.0 - y * y).sqrt(),
-            cdf: |y: f64| y.asin().powi(2),
-        }) as Box<dyn Truth>,
+        exact!(Line {
+            quantile: |u: Real| u.sqrt().sin(),
+            pdf: |y: Real| 2.0 * y.asin() / (1.0 - y * y).sqrt(),
+            cdf: |y: Real| y.asin().powi(2),
+        }),
     )
 }
 
@@ -283,21 +285,21 @@ fn logarithm<T: Tier>() -> Entry {
             |y: f32| T::exp(0.5 * (y + core::f32::consts::LN_2)),
             |x: f32| 2.0 / x,
         ),
-        Box::new(truth::Line {
+        exact!(Line {
             // Exact for the interval whose lower end is the f32 nearest to the root of 2.
-            quantile: |u: f64| {
-                let low = f64::from(core::f32::consts::SQRT_2).powi(2);
-                ((1.0 - u) * low + u * 4.0).ln() - f64::from(core::f32::consts::LN_2)
+            quantile: |u: Real| {
+                let low = Real::from(core::f32::consts::SQRT_2).powi(2);
+                ((1.0 - u) * low + u * 4.0).ln() - Real::from(core::f32::consts::LN_2)
             },
-            pdf: |y: f64| {
-                let low = f64::from(core::f32::consts::SQRT_2).powi(2);
-                (y + f64::from(core::f32::consts::LN_2)).exp() / (4.0 - low)
+            pdf: |y: Real| {
+                let low = Real::from(core::f32::consts::SQRT_2).powi(2);
+                (y + Real::from(core::f32::consts::LN_2)).exp() / (4.0 - low)
             },
-            cdf: |y: f64| {
-                let low = f64::from(core::f32::consts::SQRT_2).powi(2);
-                ((y + f64::from(core::f32::consts::LN_2)).exp() - low) / (4.0 - low)
+            cdf: |y: Real| {
+                let low = Real::from(core::f32::consts::SQRT_2).powi(2);
+                ((y + Real::from(core::f32::consts::LN_2)).exp() - low) / (4.0 - low)
             },
-        }) as Box<dyn Truth>,
+        }),
     )
 }
 
@@ -309,15 +311,15 @@ fn below_diagonal<T: Tier>() -> Entry {
         Domain::Plane,
         Measure::Length(1.0),
         MarginalConditional::new(Linear::new(0.0, 1.0).unwrap(), conditional),
-        Box::new(truth::Product {
-            marginal: truth::linear(0.0, 1.0),
-            conditional: |x: f64| {
-                Box::new(truth::Line {
+        exact!(Product {
+            marginal: linear(0.0, 1.0),
+            conditional: |x: Real| {
+                Box::new(Line {
                     quantile: move |u| u * x,
                     pdf: move |_| 1.0 / x,
                     cdf: move |y| y / x,
                 }) as Box<dyn Truth>
             },
-        }) as Box<dyn Truth>,
+        }),
     )
 }

@@ -4,13 +4,14 @@ use super::evidence::direction;
 use super::picture::View::Sky;
 use super::{Domain, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
-use crate::truth::{self, Truth};
+use crate::truth::{self, Truth, exact};
 use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
 use microwarp::{Invert, warp::Frame};
 use std::f32::consts::PI as PI_32;
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
 const NAN: f32 = f32::NAN;
 const INF: f32 = f32::INFINITY;
@@ -18,7 +19,7 @@ const INF: f32 = f32::INFINITY;
 const TINY: f32 = 1.0e-45;
 
 /// Directions about +z.
-fn about_z<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
+fn about_z<T: Tier, W>(name: &'static str, warp: W, truth: Arc<dyn Truth>) -> Entry
 where
     W: Invert<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
 {
@@ -31,8 +32,8 @@ fn upper(mut entry: Entry) -> Entry {
     entry.outside(&[[0.6, 0.0, -0.8], [0.0, 0.0, -1.0]])
 }
 
-fn cone<T: Tier>(warp: Result<Cone<T>, Error>, k: f64, rest: f64) -> Result<Entry, Error> {
-    let mut entry = about_z::<T, _>("Cone", warp?, truth::cone(k, rest));
+fn cone<T: Tier>(warp: Result<Cone<T>, Error>, truth: Arc<dyn Truth>) -> Result<Entry, Error> {
+    let mut entry = about_z::<T, _>("Cone", warp?, truth);
     entry.cosine = false;
     Ok(entry.outside(&[[0.0, 0.0, -1.0], [0.0, 0.999, -0.044_7]]))
 }
@@ -43,8 +44,8 @@ fn visible<T: Tier>(
     warp: Result<GgxVisible<T>, Error>,
     bounded: bool,
 ) -> Result<Entry, Error> {
-    let truth = truth::GgxVisible::new([p[0], p[1], p[2]], [p[3], p[4]], bounded);
-    let mut entry = upper(about_z::<T, _>("GgxVisible", warp?, Box::new(truth)));
+    let truth = exact!(GgxVisible::new([p[0], p[1], p[2]], [p[3], p[4]], bounded));
+    let mut entry = upper(about_z::<T, _>("GgxVisible", warp?, truth));
     (entry.polar, entry.cosine, entry.own_density) = (false, false, true);
     let alpha = [p[3], p[4]].map(f64::from);
     let ratio = (alpha[0] / alpha[1]).max(alpha[1] / alpha[0]);
@@ -56,8 +57,8 @@ fn visible<T: Tier>(
 fn reflected<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let (view, alpha) = ([p[0], 0.0, (1.0 - p[0] * p[0]).sqrt()], [p[1], p[2]]);
     let warp = Reflected::<T>::new(GgxVisible::bounded(view, alpha)?);
-    let truth = truth::Reflected(truth::GgxVisible::new(view, alpha, true));
-    let mut entry = about_z::<T, _>("Reflected", warp, Box::new(truth));
+    let truth = exact!(Reflected(GgxVisible::new(view, alpha, true)));
+    let mut entry = about_z::<T, _>("Reflected", warp, truth);
     (entry.polar, entry.cosine) = (false, false);
     // At a first uniform of 1e-5 the cap's pole is some 1e-3 away, where the rounding of a direction turns the azimuth by 5e-5.
     entry.slack = 1e-4;
@@ -81,7 +82,7 @@ fn peaked<T: Tier>(
     least: f32,
     backward: bool,
 ) -> Result<Entry, Error> {
-    let truth = truth::henyey_greenstein_peak(least, backward);
+    let truth = exact!(henyey_greenstein_peak(least, backward));
     let mut entry = about_z::<T, _>("HenyeyGreenstein", warp?, truth);
     entry.cosine = false;
     Ok(entry.own_density().outside(&[]))
@@ -99,7 +100,11 @@ fn patch<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
         ("q", truth.reach()),
         ("w", truth.width()),
     ];
-    let mut entry = about_z::<T, _>("SphericalPatch", warp, Box::new(truth));
+    let truth = exact!(Patch {
+        theta: [p[0], p[1]].map(Real::from),
+        phi: [p[2], p[3]].map(Real::from),
+    });
+    let mut entry = about_z::<T, _>("SphericalPatch", warp, truth);
     entry.polar = false;
     Ok(entry
         .variables(&variables)
@@ -107,14 +112,12 @@ fn patch<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
 }
 
 /// A warp about the normal that the first three parameters are.
-fn oriented<T: Tier, W>(p: &[f32], warp: W, inner: Box<dyn Truth>) -> Result<Entry, Error>
+fn oriented<T: Tier, W>(p: &[f32], warp: W, truth: Arc<dyn Truth>) -> Result<Entry, Error>
 where
     W: Invert<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
 {
     let normal = [p[0], p[1], p[2]];
     let warp = Oriented::new(warp, Frame::new(normal)?);
-    let axes = exact_frame(normal.map(f64::from));
-    let truth: Box<dyn Truth> = Box::new(truth::Turned { inner, axes });
     let mut entry = entry::<T, _>("Oriented", Domain::World, Measure::Length(1.0), warp, truth);
     entry.composed = true;
     Ok(entry.own_density().outside(&[[0.0, 0.0, 1.0]]))
@@ -123,15 +126,8 @@ where
 /// Where the parameters say a point, a centre and a radius.
 fn seen<T: Tier>(point: [f32; 3], centre: [f32; 3], radius: f32) -> Result<Entry, Error> {
     let warp = VisibleSphere::<T>::new(point, centre, radius)?;
-    let truth = truth::SeenSphere::new(point, centre, radius);
-    let k = truth.k();
-    let axis = if truth.distance > 0.0 {
-        truth.axis
-    } else {
-        [0.0, 0.0, 1.0]
-    };
-    let (inner, axes) = (truth::cone(k, 2.0 - k), exact_frame(axis));
-    let truth = Box::new(truth::Turned { inner, axes }) as Box<dyn Truth>;
+    let k = truth::SeenSphere::new(point, centre, radius).k();
+    let truth = exact!(Turned::seen(&SeenSphere::new(point, centre, radius)));
     let measure = Measure::Length(1.0);
     let mut entry = entry::<T, _>("VisibleSphere", Domain::World, measure, warp, truth);
     // What one rounding of the direction changes in the first uniform.
@@ -157,35 +153,35 @@ fn turned(
 pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     vec![
         Registered::new("Sphere", "", &[], |_| {
-            let mut entry = about_z::<T, _>("Sphere", Sphere::<T>::new(), truth::sphere());
+            let mut entry = about_z::<T, _>("Sphere", Sphere::<T>::new(), exact!(sphere()));
             entry.cosine = false;
             Ok(entry.outside(&[]))
         })
             .case_with("", &[], |e| e.picture("all directions", Sky(PI)).trade(family::SPHERE, "sphere"))
             .control("a sphere with theta linear in xi", |[u, v, _], _| direction(PI * u, v), &["chi-square", "distance", "mean z²"]),
         Registered::new("Hemisphere", "", &[], |_| {
-            Ok(upper(about_z::<T, _>("Hemisphere", Hemisphere::<T>::new(), truth::hemisphere())))
+            Ok(upper(about_z::<T, _>("Hemisphere", Hemisphere::<T>::new(), exact!(hemisphere()))))
         })
             .case_with("", &[], |e| e.picture("the upper half", Sky(FRAC_PI_2)).trade(family::HEMISPHERE, "hemisphere"))
             .control("a hemisphere with theta linear in xi", |[u, v, _], _| direction(0.5 * PI * u, v), &["chi-square", "distance", "mean z", "mean z²"]),
         Registered::new("CosineHemisphere", "", &[], |_| {
-            Ok(upper(about_z::<T, _>("CosineHemisphere", CosineHemisphere::<T>::new(), truth::cosine_hemisphere())))
+            Ok(upper(about_z::<T, _>("CosineHemisphere", CosineHemisphere::<T>::new(), exact!(cosine_hemisphere()))))
         })
             .case_with("", &[], |e| {
                 e.picture("p = cos θ / π, by inversion", Sky(FRAC_PI_2)).trade(family::COSINE, "cosine_hemisphere")
             })
             .control("a uniform hemisphere for Lambert's law", |[u, v, _], _| direction((1.0 - u).acos(), v), &["chi-square", "distance", "mean z"]),
         Registered::new("MalleyHemisphere", "", &[], |_| {
-            let mut entry = upper(about_z::<T, _>("MalleyHemisphere", MalleyHemisphere::<T>::new(), Box::new(truth::Malley)));
+            let mut entry = upper(about_z::<T, _>("MalleyHemisphere", MalleyHemisphere::<T>::new(), exact!(Malley)));
             (entry.azimuth, entry.polar) = (false, false);
-            Ok(entry.chart(truth::cosine_hemisphere()))
+            Ok(entry.chart(exact!(cosine_hemisphere())))
         })
             .case_with("", &[], |e| {
                 e.picture("p = cos θ / π, Malley's method", Sky(FRAC_PI_2)).trade(family::COSINE, "malley_hemisphere")
             })
             .control("a disk with r = xi, lifted", |[u, v, _], _| direction(u.asin(), v), &["chi-square", "distance", "mean z"]),
         Registered::new("PhongLobe", "", &[Positive], |p| {
-            Ok(upper(about_z::<T, _>("PhongLobe", PhongLobe::<T>::new(p[0])?, truth::phong(p[0]))).own_density().variables(&[("k", p[0].into())]))
+            Ok(upper(about_z::<T, _>("PhongLobe", PhongLobe::<T>::new(p[0])?, exact!(phong(p[0])))).own_density().variables(&[("k", p[0].into())]))
         })
             .case("n=0", &[0.0])
             .case("n=1", &[1.0])
@@ -202,7 +198,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| PhongLobe::<T>::new(p[0]).map(|warp| vec![warp.exponent()])),
         Registered::new("HenyeyGreenstein", "", &[Within(-1.0, 1.0)], |p| {
             let warp = HenyeyGreenstein::<T>::new(p[0])?;
-            let mut entry = about_z::<T, _>("HenyeyGreenstein", warp, truth::henyey_greenstein(p[0]));
+            let mut entry = about_z::<T, _>("HenyeyGreenstein", warp, exact!(henyey_greenstein(p[0])));
             entry.cosine = false;
             Ok(entry.own_density().outside(&[]))
         })
@@ -250,7 +246,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[INF], NotFinite).refuse(&[-0.1], NotPositive).refuse(&[1.1], OutOfRange).refuse(&[1e-10], OutOfRange),
         Registered::new("VonMisesFisher", "", &[Positive], |p| {
             let warp = VonMisesFisher::<T>::new(p[0])?;
-            let mut entry = about_z::<T, _>("VonMisesFisher", warp, truth::von_mises_fisher(p[0]));
+            let mut entry = about_z::<T, _>("VonMisesFisher", warp, exact!(von_mises_fisher(p[0])));
             entry.cosine = false;
             Ok(entry.own_density().outside(&[]))
         })
@@ -272,8 +268,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .without("getters", "it keeps a smallest concentration in place of 0")
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Ggx", "", &[Within(1e-4, 1.0), Within(1e-4, 1.0)], |p| {
-            let truth = truth::Ggx { alpha: [p[0], p[1]].map(f64::from) };
-            Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, Box::new(truth))).own_density())
+            let truth = exact!(Ggx { alpha: [p[0], p[1]].map(Real::from) });
+            Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, truth)).own_density())
         })
             .case("α=0.3", &[0.3, 0.3])
             .control("a roughness slightly off", |[u, v, _], wrong| direction((0.3 * (1.0 + wrong) * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean z"])
@@ -319,7 +315,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .without("constant", "its normals take roots")
             .without("getters", "it keeps the view as a unit vector"),
         Registered::new("Cone", "from_radians", &[Within(0.0, PI_32)], |p| {
-            cone(Cone::<T>::from_radians(p[0]), truth::one_minus_cos(p[0]), truth::one_plus_cos(p[0]))
+            cone(Cone::<T>::from_radians(p[0]), exact!(cone(one_minus_cos(p[0]), one_plus_cos(p[0]))))
         })
             .case_with("1e-7 rad", &[1e-7], |e| e.picture("half angle 10⁻⁷ rad", Sky(1.02e-7)))
             .case("1e-4 rad", &[1e-4])
@@ -334,15 +330,13 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[3.2], OutOfRange).refuse(&[1.0e-20], Empty)
             .constant(in_both!(Cone<T>::from_one_minus_cos(0.3))),
         Registered::new("Cone", "from_one_minus_cos", &[Within(0.0, 2.0)], |p| {
-            let k = f64::from(p[0]);
-            cone(Cone::<T>::from_one_minus_cos(p[0]), k, 2.0 - k)
+            let truth = exact!(cone(Real::from(p[0]), 2.0 - Real::from(p[0])));
+            cone(Cone::<T>::from_one_minus_cos(p[0]), truth)
         })
             .refuse(&[2.1], OutOfRange).refuse(&[TINY], Empty)
             .without("getters", "it is tried of one number alone, in tests/laws/constructors.rs"),
         Registered::new("Cone", "from_sine", &[Within(0.0, 1.0)], |p| {
-            let s = f64::from(p[0]);
-            let k = s * s / (1.0 + ((1.0 - s) * (1.0 + s)).sqrt());
-            cone(Cone::<T>::from_sine(p[0]), k, 2.0 - k)
+            cone(Cone::<T>::from_sine(p[0]), exact!(cone_of_sine(p[0])))
         })
             .case("sphere at 1e-3", &[1e-3])
             .refuse(&[1.5], OutOfRange).refuse(&[-0.1], NotPositive),
@@ -391,7 +385,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             seen::<T>(normal.map(|c| (f64::from(centre) - reach * c / length) as f32), [centre; 3], p[5])
         }),
         turned("CosineHemisphere", &[Any; 3], |p| {
-            oriented::<T, _>(p, CosineHemisphere::<T>::new(), truth::cosine_hemisphere())
+            oriented::<T, _>(p, CosineHemisphere::<T>::new(), exact!(Turned::new(cosine_hemisphere(), about(p))))
         })
             .case_with("cosine about (1, 2, 3)", &[1.0, 2.0, 3.0], |e| {
                 e.outside(&[[-0.3, -0.5, -0.8]]).picture("cosine about (1, 2, 3)", Sky(PI))
@@ -399,32 +393,18 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .control("a cosine hemisphere left at +z", |[u, v, _], _| direction(u.sqrt().asin(), v), &["chi-square", "distance", "mean x"])
             .case("cosine about -z", &[0.0, 0.0, -1.0])
             .case("cosine about (1e-4, 0, -1)", &[1e-4, 0.0, -1.0]),
-        turned("Hemisphere", &[Any; 3], |p| oriented::<T, _>(p, Hemisphere::<T>::new(), truth::hemisphere())),
+        turned("Hemisphere", &[Any; 3], |p| oriented::<T, _>(p, Hemisphere::<T>::new(), exact!(Turned::new(hemisphere(), about(p))))),
         turned("MalleyHemisphere", &[Any; 3], |p| {
             // Its second uniform is no azimuth, and is held as one: at the seam both are the same.
-            oriented::<T, _>(p, MalleyHemisphere::<T>::new(), Box::new(truth::Malley))
+            oriented::<T, _>(p, MalleyHemisphere::<T>::new(), exact!(Turned::new(Box::new(Malley), about(p))))
         }),
         turned("Cone", &[Any, Any, Any, Within(0.0, 2.0)], |p| {
-            let k = f64::from(p[3]);
-            oriented::<T, _>(p, Cone::<T>::from_one_minus_cos(p[3])?, truth::cone(k, 2.0 - k))
+            let truth = exact!(Turned::new(cone(Real::from(p[3]), 2.0 - Real::from(p[3])), about(p)));
+            oriented::<T, _>(p, Cone::<T>::from_one_minus_cos(p[3])?, truth)
         }),
         turned("PhongLobe", &[Any, Any, Any, Within(1.0, 1e8)], |p| {
-            oriented::<T, _>(p, PhongLobe::<T>::new(p[3])?, truth::phong(p[3]))
+            oriented::<T, _>(p, PhongLobe::<T>::new(p[3])?, exact!(Turned::new(phong(p[3]), about(p))))
         }),
-    ]
-}
-
-/// The frame of Duff and others in f64.
-fn exact_frame(n: truth::Point) -> [truth::Point; 3] {
-    let length = truth::dot(n, n).sqrt();
-    let [x, y, z] = n.map(|c| c / length);
-    let sign = 1f64.copysign(z);
-    // The same tangent vectors without the cancellation of 1 + a x² near the equator's pole.
-    let a = -1.0 / (sign + z);
-    [
-        [1.0 + sign * x * x * a, sign * x * y * a, -sign * x],
-        [x * y * a, sign + y * y * a, -y],
-        [x, y, z],
     ]
 }
 

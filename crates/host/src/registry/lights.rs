@@ -3,7 +3,7 @@
 use super::picture::View::Sky;
 use super::{Domain, Entry, Measure, Registered, Uniforms, entry};
 use crate::adversary::words::Kind::{self, Within};
-use crate::truth::{Light, dot};
+use crate::truth::{Light, Truth, dot, exact};
 use microwarp::Error::{self, *};
 use microwarp::Invert;
 use microwarp::tier::Tier;
@@ -29,12 +29,11 @@ fn shrunk(x: [f32; 3], by: f32) -> [f32; 3] {
     x.map(|x| x * scale)
 }
 
-fn seen<T: Tier, W>(name: &'static str, warp: W, truth: Light) -> Entry
+fn seen<T: Tier, W>(name: &'static str, warp: W, light: Light, truth: Arc<dyn Truth>) -> Entry
 where
     W: Invert<Uniforms = [f32; 2], Point = [f32; 3], Density = f32> + Send + Sync + 'static,
 {
-    let variables = truth.variables();
-    let truth: Box<dyn crate::truth::Truth> = Box::new(truth);
+    let variables = light.variables();
     let mut entry = entry::<T, _>(name, Domain::World, Measure::Length(1.0), warp, truth);
     entry.azimuth = false;
     entry
@@ -45,12 +44,17 @@ where
 
 fn triangle<T: Tier>(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<Entry, Error> {
     let warp = SphericalTriangle::<T>::new(point, vertices)?;
-    let truth = Light::triangle(point, vertices);
+    let light = Light::triangle(point, vertices);
     let place = move |u: Uniforms| {
         let found = warp.locate([u[0], u[1]]).barycentric;
-        (found, truth.place(u.map(f64::from)))
+        (found, light.place(u.map(f64::from)))
     };
-    let mut entry = seen::<T, _>("SphericalTriangle", warp, truth);
+    let mut entry = seen::<T, _>(
+        "SphericalTriangle",
+        warp,
+        light,
+        exact!(Light::triangle(point, vertices)),
+    );
     entry.place = Some(Arc::new(place));
     Ok(entry)
 }
@@ -61,12 +65,17 @@ fn rectangle<T: Tier>(
     edges: [[f32; 3]; 2],
 ) -> Result<Entry, Error> {
     let warp = SphericalRectangle::<T>::new(point, corner, edges)?;
-    let truth = Light::rectangle(point, corner, edges);
+    let light = Light::rectangle(point, corner, edges);
     let place = move |u: Uniforms| {
         let [s, t] = warp.locate([u[0], u[1]]).st;
-        ([s, t, 0.0], truth.place(u.map(f64::from)))
+        ([s, t, 0.0], light.place(u.map(f64::from)))
     };
-    let mut entry = seen::<T, _>("SphericalRectangle", warp, truth);
+    let mut entry = seen::<T, _>(
+        "SphericalRectangle",
+        warp,
+        light,
+        exact!(Light::rectangle(point, corner, edges)),
+    );
     entry.place = Some(Arc::new(place));
     Ok(entry)
 }

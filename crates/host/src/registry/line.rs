@@ -5,12 +5,13 @@ use super::picture::{View, between};
 use super::{Domain, Ends, Entry, Measure, Registered, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::peers;
-use crate::truth::{self, Truth};
+use crate::truth::{self, Truth, exact};
 use microwarp::Error::{self, *};
 use microwarp::Invert;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 const NAN: f32 = f32::NAN;
 const INF: f32 = f32::INFINITY;
@@ -18,7 +19,7 @@ const INF: f32 = f32::INFINITY;
 const TINY: f32 = 1.0e-45;
 
 /// A warp of the line whose error is counted in ulp of the sample.
-pub(super) fn in_ulp<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
+pub(super) fn in_ulp<T: Tier, W>(name: &'static str, warp: W, truth: Arc<dyn Truth>) -> Entry
 where
     W: Invert<Point = f32, Density = f32> + Send + Sync + 'static,
     W::Uniforms: super::Flat<4>,
@@ -60,7 +61,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[-1.7374, -1.5582]", &[-1.737_384_2, -1.558_242_2])
             .refuse(&[-INF, 1.0], NotFinite).refuse(&[1.0, 0.0], Reversed).refuse(&[2.0, 2.0], Empty),
         Registered::new("Exponential", "", &[Positive], |p| {
-            Ok(half_line(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, truth::exponential(p[0]))).own_density())
+            Ok(half_line(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, exact!(exponential(p[0])))).own_density())
         })
             .case_with("a=1", &[1.0], |e| {
                 e.picture("p = exp(−x)", View::Line(between(-0.4, 6.0))).trade(family::EXPONENTIAL, "exponential_1")
@@ -75,7 +76,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| Exponential::<T>::from_rate(p[0]).map(|warp| vec![warp.rate()])),
         Registered::new("ExponentialTail", "", &[Positive], |p| {
             let warp = ExponentialTail::<T>::from_rate(p[0])?;
-            Ok(half_line(in_ulp::<T, _>("ExponentialTail", warp, truth::exponential_tail(p[0])).words(2)).own_density().deep())
+            Ok(half_line(in_ulp::<T, _>("ExponentialTail", warp, exact!(exponential_tail(p[0]))).words(2)).own_density().deep())
         })
             .case_with("a=1", &[1.0], |e| {
                 let axes = between(-0.4, 9.3).log_y(1e-4);
@@ -93,7 +94,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| ExponentialTail::<T>::from_rate(p[0]).map(|warp| vec![warp.rate()])),
         Registered::new("TruncatedExponential", "", &[Any, Positive], |p| {
             let warp = TruncatedExponential::<T>::from_rate(p[0], p[1])?;
-            let mut entry = in_ulp::<T, _>("TruncatedExponential", warp, truth::truncated_exponential(p[0], p[1]));
+            let mut entry = in_ulp::<T, _>("TruncatedExponential", warp, exact!(truncated_exponential(p[0], p[1])));
             entry.open = false;
             Ok(entry.own_density().deep().outside(&[[-1e-45, 0.0, 0.0]]))
         })
@@ -131,7 +132,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             let warp = EquiAngular::<T>::new(p[0], p[1], p[2])?;
             let [d, a, b] = [p[0], p[1], p[2]].map(f64::from);
             let least = if a < 0.0 && b > 0.0 { d.min(b.max(-a)) } else { 0.0 };
-            let truth = truth::equi_angular(p[0], p[1], p[2]);
+            let truth = exact!(equi_angular(p[0], p[1], p[2]));
             let entry = entry::<T, _>("EquiAngular", Domain::Line, Measure::UlpAbove(least), warp, truth);
             Ok(entry.outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
         })
@@ -157,7 +158,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| EquiAngular::<T>::new(p[0], p[1], p[2]).map(|warp| vec![warp.distance(), warp.low(), warp.high()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Tent", "", &[Positive], |p| {
-            let entry = in_ulp::<T, _>("Tent", Tent::new(p[0])?, truth::tent(p[0]));
+            let entry = in_ulp::<T, _>("Tent", Tent::new(p[0])?, exact!(tent(p[0])));
             Ok(entry.own_density().deep().outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
         })
             .case_with("r=1", &[1.0], |e| e.picture("p = 1 − |x|", View::Line(between(-1.2, 1.2))))
@@ -171,7 +172,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(Tent::new(0.3)))
             .gives_back(|p| Tent::new(p[0]).map(|warp| vec![warp.radius()])),
         Registered::new("Linear", "", &[Positive, Positive], |p| {
-            let entry = in_ulp::<T, _>("Linear", Linear::new(p[0], p[1])?, truth::linear(p[0], p[1]));
+            let entry = in_ulp::<T, _>("Linear", Linear::new(p[0], p[1])?, exact!(linear(p[0], p[1])));
             Ok(entry.own_density().deep().outside(&[[-1e-7, 0.0, 0.0], [1.000_000_1, 0.0, 0.0]]))
         })
             .case_with("1 to 3", &[1.0, 3.0], |e| e.picture("p ∝ 1 + 2x", View::Line(between(-0.1, 1.1))))
@@ -192,7 +193,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .without("getters", "its ends are densities"),
         Registered::new("Normal", "", &[Any, Positive], |p| {
             let (mean, std_dev) = (f64::from(p[0]), f64::from(p[1]));
-            let (warp, truth) = (Normal::<T>::new(p[0], p[1])?, truth::normal(p[0], p[1]));
+            let (warp, truth) = (Normal::<T>::new(p[0], p[1])?, exact!(normal(p[0], p[1])));
             let mut entry = entry::<T, _>("Normal", Domain::Line, Measure::UlpFrom(mean, 0.0), warp, truth);
             entry.ends = Ends::None;
             entry.deep = true;
@@ -268,7 +269,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[NAN, 1.0, 0.0], NotFinite).refuse(&[0.0, 1.0, INF], NotFinite).refuse(&[0.0, -0.0, 0.0], NotPositive)
             .refuse(&[0.0, 1e38, 0.0], TooLarge).refuse(&[0.0, 1.0, -1e19], OutOfRange).refuse(&[0.0, TINY, 0.0], Empty),
         Registered::new("Cauchy", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Cauchy", p, Cauchy::<T>::new(p[0], p[1])?, truth::cauchy(p[0], p[1])).own_density().deep())
+            Ok(located::<T, _>("Cauchy", p, Cauchy::<T>::new(p[0], p[1])?, exact!(cauchy(p[0], p[1]))).own_density().deep())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p ∝ 1/(1 + x²)", View::Line(between(-6.0, 6.0))))
             .control("a Cauchy number of a scale slightly too large", |[u, ..], wrong| [-(1.0 + wrong) / (PI * (u + 1e-9)).tan(), 0.0, 0.0], &["chi-square", "distance"])
@@ -284,7 +285,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(Cauchy<T>::new(0.3, 1.7)))
             .gives_back(|p| Cauchy::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Laplace", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, truth::laplace(p[0], p[1])).own_density().deep())
+            Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, exact!(laplace(p[0], p[1]))).own_density().deep())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−|x|)/2", View::Line(between(-5.0, 5.0))))
             .control("a Laplace number that is positive slightly too often", |[u, v, _], wrong| [-(-u).ln_1p() * (0.5 + 0.5 * wrong - v).signum(), 0.0, 0.0], &["chi-square", "distance", "mean x"])
@@ -299,7 +300,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(Laplace<T>::new(0.3, 1.7)))
             .gives_back(|p| Laplace::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Logistic", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, truth::logistic(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
+            Ok(located::<T, _>("Logistic", p, Logistic::<T>::new(p[0], p[1])?, exact!(logistic(p[0], p[1]))).or_scale(p[1]).middle().own_density_of_word())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = 1/(4 cosh²(x/2))", View::Line(between(-7.0, 7.0))))
             .control("a logistic number of a scale slightly too large", |[u, ..], wrong| [(1.0 + wrong) * ((u + 1e-9) / (1.0 - u)).ln(), 0.0, 0.0], &["chi-square", "distance"])
@@ -348,7 +349,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(TruncatedLogistic<T>::new(0.3, 1.7, 5.1, 5.2)))
             .gives_back(|p| TruncatedLogistic::<T>::new(p[0], p[1], p[2], p[3]).map(|warp| vec![warp.location(), warp.scale(), warp.low(), warp.high()])),
         Registered::new("Gumbel", "", &[Any, Positive], |p| {
-            Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, truth::gumbel(p[0], p[1])).or_scale(p[1]).middle().own_density_of_word())
+            Ok(located::<T, _>("Gumbel", p, Gumbel::<T>::new(p[0], p[1])?, exact!(gumbel(p[0], p[1]))).or_scale(p[1]).middle().own_density_of_word())
         })
             .case_with("0, 1", &[0.0, 1.0], |e| e.picture("p = exp(−x − exp(−x))", View::Line(between(-3.0, 7.0))))
             .control("a Gumbel number of minima", |[u, ..], _| [(-(-u).ln_1p() + 1e-9).ln(), 0.0, 0.0], &["chi-square", "distance", "mean x"])
@@ -364,7 +365,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(Gumbel<T>::new(0.3, 1.7)))
             .gives_back(|p| Gumbel::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Rayleigh", "", &[Positive], |p| {
-            Ok(from_zero(in_ulp::<T, _>("Rayleigh", Rayleigh::<T>::new(p[0])?, truth::rayleigh(p[0]))).own_density().deep())
+            Ok(from_zero(in_ulp::<T, _>("Rayleigh", Rayleigh::<T>::new(p[0])?, exact!(rayleigh(p[0])))).own_density().deep())
         })
             .case_with("1", &[1.0], |e| e.picture("p = x exp(−x²/2)", View::Line(between(-0.3, 5.0))))
             .control("a Rayleigh number without its factor of 2", |[u, ..], _| [(-(-u).ln_1p()).sqrt(), 0.0, 0.0], &["chi-square", "distance", "mean x"])
@@ -378,7 +379,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(Rayleigh<T>::new(0.3)))
             .gives_back(|p| Rayleigh::<T>::new(p[0]).map(|warp| vec![warp.scale()])),
         Registered::new("Weibull", "", &[Positive, Positive], |p| {
-            let entry = in_ulp::<T, _>("Weibull", Weibull::<T>::new(p[0], p[1])?, truth::weibull(p[0], p[1]));
+            let entry = in_ulp::<T, _>("Weibull", Weibull::<T>::new(p[0], p[1])?, exact!(weibull(p[0], p[1])));
             Ok(from_zero(entry).middle().own_density_of_word().variables(&[("k", p[1].into())]))
         })
             .case_with("1, 1.5", &[1.0, 1.5], |e| e.picture("p ∝ √x exp(−x^1.5)", View::Line(between(-0.2, 3.5))))
@@ -401,7 +402,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .constant(in_both!(Weibull<T>::new(0.3, 1.7)))
             .gives_back(|p| Weibull::<T>::new(p[0], p[1]).map(|warp| vec![warp.scale(), warp.shape()])),
         Registered::new("Pareto", "", &[Positive, Positive], |p| {
-            let entry = in_ulp::<T, _>("Pareto", Pareto::<T>::new(p[0], p[1])?, truth::pareto(p[0], p[1]));
+            let entry = in_ulp::<T, _>("Pareto", Pareto::<T>::new(p[0], p[1])?, exact!(pareto(p[0], p[1])));
             let mut entry = half_line(entry).middle().own_density_of_word();
             entry.open = false;
             Ok(entry.variables(&[("k", p[1].into())]))
@@ -425,7 +426,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("LogNormal", "", &[Any, Positive], |p| {
             let warp = LogNormal::<T>::new(p[0], p[1])?;
             let deviation = f64::from(p[1]);
-            let entry = in_ulp::<T, _>("LogNormal", warp, truth::log_normal(p[0], p[1])).with(|e| {
+            let entry = in_ulp::<T, _>("LogNormal", warp, exact!(log_normal(p[0], p[1]))).with(|e| {
                 e.ends = Ends::None;
                 e.inside = |x| x[0] > 0.0;
                 e.deep = true;
@@ -463,7 +464,7 @@ fn cancelled([u, ..]: [f64; 3], _: f64) -> [f64; 3] {
 }
 
 /// What laws of a location and a scale have in common: no end, and digits of the location or of the distance from it.
-fn located<T: Tier, W>(name: &'static str, p: &[f32], warp: W, truth: Box<dyn Truth>) -> Entry
+fn located<T: Tier, W>(name: &'static str, p: &[f32], warp: W, truth: Arc<dyn Truth>) -> Entry
 where
     W: Invert<Uniforms = f32, Point = f32, Density = f32> + Send + Sync + 'static,
 {
@@ -498,16 +499,10 @@ fn truncated_normal<T: Tier>(
         0.0
     };
     let away = (nearest - mean).abs() / deviation;
-    let truth = truth::TruncatedNormal::new(p[0], p[1], low, high);
-    let open = truth.beyond_low() < f64::from(TINY);
+    let open = truth::TruncatedNormal::new(p[0], p[1], low, high).beyond_low() < f64::from(TINY);
+    let truth = exact!(TruncatedNormal::new(p[0], p[1], low, high));
     let measure = Measure::UlpFrom(nearest, least);
-    let mut entry = entry::<T, _>(
-        name,
-        Domain::Line,
-        measure,
-        warp,
-        Box::new(truth) as Box<dyn Truth>,
-    );
+    let mut entry = entry::<T, _>(name, Domain::Line, measure, warp, truth);
     entry.open = open;
     entry.deep = true;
     if a.is_infinite() || b.is_infinite() {
@@ -532,10 +527,9 @@ fn truncated_logistic<T: Tier>(p: &[f32], warp: TruncatedLogistic<T>) -> Result<
     } else {
         (low, 0.0)
     };
-    let truth = truth::TruncatedLogistic::new(p[0], p[1], p[2], p[3]);
-    let cut = truth.is_cut();
+    let cut = truth::TruncatedLogistic::new(p[0], p[1], p[2], p[3]).is_cut();
     let measure = Measure::UlpFrom(from, least);
-    let truth = Box::new(truth) as Box<dyn Truth>;
+    let truth = exact!(TruncatedLogistic::new(p[0], p[1], p[2], p[3]));
     let mut entry = entry::<T, _>("TruncatedLogistic", Domain::Line, measure, warp, truth);
     entry.open = false;
     if cut {
@@ -567,7 +561,7 @@ fn interval<T: Tier>(
     increasing: bool,
 ) -> Result<Entry, Error> {
     let scale = Measure::UlpOf(p[0].abs().max(p[1].abs()).into());
-    let truth = truth::interval(p[0], p[1], increasing);
+    let truth = exact!(interval(p[0], p[1], increasing));
     let entry = entry::<T, _>(name, Domain::Line, scale, warp?, truth);
     Ok(entry.outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]]))
 }

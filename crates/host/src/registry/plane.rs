@@ -4,11 +4,12 @@ use super::evidence::{disk, leftover};
 use super::picture::{CORNER, EQUILATERAL, FLAT, window};
 use super::{Domain, Entry, Flat, Measure, Registered, ends, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
-use crate::truth::{self, Truth};
+use crate::truth::{self, Truth, exact};
 use microwarp::Error::{self, *};
 use microwarp::Invert;
 use microwarp::tier::Tier;
 use microwarp::warp::*;
+use std::sync::Arc;
 
 const NAN: f32 = f32::NAN;
 
@@ -19,7 +20,7 @@ pub(super) fn square(p: &[f32]) -> [[f32; 2]; 2] {
     [[p[0], p[1]], [p[2], p[3]]]
 }
 
-fn on_disk<T: Tier, W>(name: &'static str, warp: W, truth: Box<dyn Truth>) -> Entry
+fn on_disk<T: Tier, W>(name: &'static str, warp: W, truth: Arc<dyn Truth>) -> Entry
 where
     W: Invert<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
 {
@@ -30,9 +31,9 @@ where
 
 fn normal_pair<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let (mean, std_dev) = ([p[0], p[1]], p[2]);
-    let truth: Box<dyn Truth> = Box::new(truth::NormalPair {
-        mean: mean.map(f64::from),
-        deviation: f64::from(std_dev),
+    let truth = exact!(NormalPair {
+        mean: mean.map(Real::from),
+        deviation: Real::from(std_dev),
     });
     let size = Measure::Length(truth::normal_pair_size(mean, std_dev));
     let warp = NormalPair::<T>::new(mean, std_dev)?;
@@ -54,10 +55,9 @@ where
     let vertices: [[f32; D]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| p[i * D + k]));
     let warp = TriangleOn::new(vertices)?;
     let size = f64::from(p.iter().fold(0.0_f32, |size, x| size.max(x.abs())));
-    let wide = vertices.map(|v| std::array::from_fn(|k| v.get(k).copied().map_or(0.0, f64::from)));
-    let truth = truth::OnTriangle(wide);
-    let height = truth.height() / size;
-    let truth: Box<dyn Truth> = Box::new(truth);
+    let wide = vertices.map(|v| [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0)));
+    let height = truth::OnTriangle(wide.map(|v| v.map(f64::from))).height() / size;
+    let truth = exact!(OnTriangle(wide.map(|v| v.map(Real::from))));
     let entry = entry::<T, _>("TriangleOn", domain, Measure::Length(size), warp, truth);
     let outside: &[_] = if domain == Domain::Plane {
         &[[5.0e18, 3.0, 0.0], [0.1, -1.0e18, 0.0]]
@@ -78,8 +78,9 @@ where
 {
     let [low, high] = [0, 1].map(|end| std::array::from_fn(|i| p[2 * i + end]));
     let warp = Aabb::<N>::new(low, high)?;
-    let truth = truth::Sides((0..N).map(|i| [low[i], high[i]].map(f64::from)).collect());
-    let truth: Box<dyn Truth> = Box::new(truth);
+    let truth = exact!(Sides(
+        (0..N).map(|i| [low[i], high[i]].map(Real::from)).collect()
+    ));
     let size = largest(p);
     let entry = entry::<T, _>("Aabb", domain, Measure::Length(size), warp, truth);
     let entry = entry.variables(&[("n", N as f64), ("m", size)]);
@@ -90,7 +91,7 @@ where
 pub(super) fn registered<T: Tier>() -> Vec<Registered> {
     vec![
         Registered::new("Disk", "", &[], |_| {
-            let mut entry = on_disk::<T, _>("Disk", Disk::<T>::new(), Box::new(truth::Disk));
+            let mut entry = on_disk::<T, _>("Disk", Disk::<T>::new(), exact!(Disk));
             entry.azimuth = true;
             entry.rims = &[|rim, u| [rim, u, 0.0, 0.0]];
             Ok(entry)
@@ -98,21 +99,21 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("", &[], |e| e.picture("polar map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk"))
             .control("a disk with r = xi", |[u, v, _], _| disk(u * u, v), &["chi-square", "distance", "mean x²", "mean y²"]),
         Registered::new("DiskConcentric", "", &[], |_| {
-            let mut entry = on_disk::<T, _>("DiskConcentric", DiskConcentric::<T>::new(), Box::new(truth::DiskConcentric));
+            let mut entry = on_disk::<T, _>("DiskConcentric", DiskConcentric::<T>::new(), exact!(DiskConcentric));
             entry.rims = &[
                 |_, u| [0.0, u, 0.0, 0.0],
                 |_, u| [u, 0.0, 0.0, 0.0],
                 |rim, u| [rim, u, 0.0, 0.0],
                 |rim, u| [u, rim, 0.0, 0.0],
             ];
-            Ok(entry.chart(Box::new(truth::Disk) as Box<dyn Truth>))
+            Ok(entry.chart(exact!(Disk)))
         })
             .case_with("", &[], |e| {
                 e.picture("Shirley's concentric map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk_concentric")
             })
             .control("a disk turned slightly unevenly", |[u, v, _], wrong| disk(u, v.powf(1.0 + wrong)), &["chi-square", "distance", "mean y"]),
         Registered::new("Triangle", "", &[], |_| {
-            let truth: Box<dyn Truth> = Box::new(truth::Barycentric);
+            let truth = exact!(Barycentric);
             let mut entry = entry::<T, _>("Triangle", Domain::Barycentric, Measure::Length(1.0), Triangle::new(), truth);
             entry.inside = |x| x.iter().all(|c| *c >= 0.0) && (x.iter().sum::<f64>() - 1.0).abs() <= 1.2e-7;
             Ok(entry.outside(&[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0]]))
@@ -159,7 +160,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], Empty),
         Registered::new("Bilinear", "", &[Positive; 4], |p| {
             let warp = Bilinear::new(square(p))?;
-            let truth: Box<dyn Truth> = Box::new(truth::Bilinear(square(p).map(|row| row.map(f64::from))));
+            let truth = exact!(Bilinear(square(p).map(|row| row.map(Real::from))));
             let mut entry = entry::<T, _>("Bilinear", Domain::Plane, Measure::Length(1.0), warp, truth);
             (entry.open, entry.deep) = (false, true);
             entry.inside = |[x, y, _]| (0.0..1.0).contains(&x) && (0.0..1.0).contains(&y);

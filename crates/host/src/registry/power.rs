@@ -4,7 +4,7 @@ use super::line::in_ulp;
 use super::picture::{View, between};
 use super::{Entry, Flat, Registered, in_both};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
-use crate::truth;
+use crate::truth::exact;
 use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
 use microwarp::warp::{Power, PowerMax};
@@ -61,7 +61,7 @@ fn power<T: Tier>(p: &[f32], increasing: bool) -> Result<Entry, Error> {
             Power::<T>::decreasing(p[0], p[1], p[2])?,
         )
     };
-    let entry = in_ulp::<T, _>(name, warp, truth::power(p[0], p[1], p[2], increasing));
+    let entry = in_ulp::<T, _>(name, warp, exact!(power(p[0], p[1], p[2], increasing)));
     let entry = entry.own_density_of_word().variables(&variables(p));
     Ok(entry.outside(&[[-1.0, 0.0, 0.0], [f32::MAX, 0.0, 0.0]]))
 }
@@ -108,12 +108,12 @@ where
     [f32; N]: Flat<4>,
 {
     let n = u32::try_from(N).expect("a small number");
-    let mut entry = in_ulp::<T, _>("PowerMax", PowerMax::<N>::new(), truth::power_max(n));
+    let mut entry = in_ulp::<T, _>("PowerMax", PowerMax::<N>::new(), exact!(power_max(n)));
     // Many sets of uniforms share their largest.
     entry.folds = N > 1;
     entry.round_trip = N == 1;
     if N > 1 {
-        entry = entry.chart(truth::power(N as f32 - 1.0, 0.0, 1.0, true));
+        entry = entry.chart(exact!(power(N as f32 - 1.0, 0.0, 1.0, true)));
     }
     entry.composed = true;
     Ok(entry.outside(&[[-1e-7, 0.0, 0.0], [1.000_000_1, 0.0, 0.0]]))

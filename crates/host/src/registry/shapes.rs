@@ -4,7 +4,7 @@ use super::evidence::{direction, disk};
 use super::picture::{EQUILATERAL, window};
 use super::{Domain, Entry, Measure, Registered, entry, in_both};
 use crate::adversary::words::Kind::{Positive, Within};
-use crate::truth::{self, Truth};
+use crate::truth::{self, exact};
 use microwarp::Error::{self, *};
 use microwarp::tier::Tier;
 use microwarp::warp::*;
@@ -14,12 +14,11 @@ const NAN: f32 = f32::NAN;
 
 fn annulus<T: Tier>(radii: [f32; 2], turns: [f32; 2]) -> Result<Entry, Error> {
     let warp = Annulus::<T>::sector(radii[0], radii[1], turns[0], turns[1])?;
-    let truth = truth::Annulus {
-        radii: radii.map(f64::from),
-        turns: turns.map(f64::from),
-    };
-    let width = truth.width();
-    let truth: Box<dyn Truth> = Box::new(truth);
+    let width = truth::width(turns.map(f64::from));
+    let truth = exact!(Annulus {
+        radii: radii.map(Real::from),
+        turns: turns.map(Real::from),
+    });
     let size = Measure::Length(f64::from(radii[1]));
     let mut entry = entry::<T, _>("Annulus", Domain::Plane, size, warp, truth);
     // A side that is rounded onto the other one, which lies next to it.
@@ -33,7 +32,7 @@ fn polygon<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     }
     let corners = p[0] as u16;
     let warp = RegularPolygon::<T>::new(corners)?;
-    let truth: Box<dyn Truth> = Box::new(truth::RegularPolygon(corners));
+    let truth = exact!(RegularPolygon(corners));
     let size = Measure::Length(1.0);
     let mut entry = entry::<T, _>("RegularPolygon", Domain::Plane, size, warp, truth);
     entry.azimuth = true;
@@ -80,7 +79,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[1.0, 2.0, 0.5, 0.25], Reversed).refuse(&[1.0, 2.0, -1.5, -1.0], OutOfRange)
             .refuse(&[1.0, 2.0, -0.5, 1.0], OutOfRange).refuse(&[1.0, 2.0, 0.5, 0.5], Empty),
         Registered::new("Ball", "", &[], |_| {
-            let truth: Box<dyn Truth> = Box::new(truth::Ball);
+            let truth = exact!(Ball);
             let mut entry = entry::<T, _>("Ball", Domain::Solid, Measure::Length(1.0), Ball::<T>::new(), truth);
             entry.azimuth = true;
             entry.inside = |x| x.iter().map(|c| c * c).sum::<f64>() <= 1.0 + 4.8e-7;
@@ -89,7 +88,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("", &[], |e| e.picture("seen from above", window(0.0, 0.0, 1.02)))
             .control("a ball with r = the square root of xi", |[u, v, w], _| direction((1.0 - 2.0 * v).acos(), w).map(|c| u.sqrt() * c), &["chi-square", "distance", "mean x²", "mean z²"]),
         Registered::new("Rotation", "", &[], |_| {
-            let truth: Box<dyn Truth> = Box::new(truth::Rotations);
+            let truth = exact!(Rotations);
             let mut entry = entry::<T, _>("Rotation", Domain::Rotations, Measure::Length(1.0), Rotation::<T>::new(), truth);
             entry.azimuth = true;
             entry.inside = |x| x.iter().map(|c| c * c).sum::<f64>() <= 1.0 + 4.8e-7;
@@ -110,14 +109,14 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| RegularPolygon::<T>::new(p[0] as u16).map(|warp| vec![warp.corners().into()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Simplex", "of 2 dimensions", &[], |_| {
-            let truth: Box<dyn Truth> = Box::new(truth::Simplex(2));
+            let truth = exact!(Simplex(2));
             let mut entry = entry::<T, _>("Simplex", Domain::Barycentric, Measure::Length(1.0), Simplex::<T, 2>::new(), truth);
             entry.inside = |x| x.iter().all(|c| *c >= 0.0) && (x.iter().sum::<f64>() - 1.0).abs() <= 2e-7;
             Ok(entry.variables(&[("n", 2.0)]).outside(&[[-0.1, 0.5, 0.6], [1.1, -0.1, 0.0], [0.3, 0.3, 0.3]]))
         })
             .case_with("triangle", &[], |e| e.picture("two shares and the rest", EQUILATERAL)),
         Registered::new("Simplex", "of 3 dimensions", &[], |_| {
-            let truth: Box<dyn Truth> = Box::new(truth::Simplex(3));
+            let truth = exact!(Simplex(3));
             let mut entry = entry::<T, _>("Simplex", Domain::Solid, Measure::Length(1.0), Simplex::<T, 3>::new(), truth);
             entry.inside = |x| x.iter().all(|c| *c >= 0.0) && x.iter().sum::<f64>() <= 1.0 + 2e-7;
             // The rest of three shares has lost digits that the point has, here too.

@@ -4,7 +4,7 @@ use super::evidence::disk;
 use super::picture::{Body, Face, View};
 use super::{Domain, Entry, Measure, Registered, Uniforms, ends, entry};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
-use crate::truth::{self, OnTriangle, Truth, dot};
+use crate::truth::{self, OnTriangle, Truth, dot, exact};
 use microwarp::Error::{self, *};
 use microwarp::discrete::{Cdf, Mesh, MeshPoint, Word};
 use microwarp::tier::Tier;
@@ -126,7 +126,7 @@ where
         let distance = dot([0, 1, 2].map(off), [0, 1, 2].map(off)).sqrt() + far;
         ([distance as f32, 0.0, 0.0], [0.0; 3])
     };
-    let truth: Box<dyn Truth> = Box::new(truth::Faces::new(&words));
+    let truth = exact!(Faces::new(&reals(&words)));
     let mut entry = entry::<T, _>("Mesh", Domain::Space, Measure::Length(1.0), soup, truth);
     entry.place = Some(Arc::new(place));
     // From face to face.
@@ -301,11 +301,14 @@ fn faces<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
         return Err(TooLarge); // beyond which nothing is left
     }
     let beyond = 4.0 * size.log2().floor().exp2();
-    let truth: Box<dyn Truth> = Box::new(truth::BoxFaces {
-        low: low.map(f64::from),
-        high: high.map(f64::from),
-        pieces: pieces(&warp),
-        beyond: beyond.into(),
+    let truth = exact!(BoxFaces {
+        low: low.map(Real::from),
+        high: high.map(Real::from),
+        pieces: pieces(&warp)
+            .into_iter()
+            .map(|(k, from, to)| (k, Real::from(from), Real::from(to)))
+            .collect(),
+        beyond: Real::from(beyond),
     });
     let of = move |point: SurfacePoint| {
         let k = axis(point.normal)?;
@@ -360,7 +363,11 @@ fn frustum<T: Tier>(p: &[f32], closed: bool) -> Result<Entry, Error> {
     let slope = truth.slope().map(|x| x as f32);
     let size = f64::from(largest(p));
     let variables = [("g", truth.side() * size)];
-    let truth: Box<dyn Truth> = Box::new(truth);
+    let truth = exact!(Frustum::new(
+        radii.map(Real::from),
+        Real::from(height),
+        closed
+    ));
     let back = move |position: [f32; 3]| {
         let [x, y, z] = position;
         let disk = |radius: f32| closed && radius > 0.0;
@@ -389,12 +396,11 @@ fn frustum<T: Tier>(p: &[f32], closed: bool) -> Result<Entry, Error> {
 fn capsule<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let (height, radius) = (p[0], p[1]);
     let warp = CapsuleSurface::<T>::new(height, radius)?;
-    let truth = truth::Capsule {
-        height: height.into(),
-        radius: radius.into(),
-    };
-    let size = truth.height + truth.radius;
-    let truth: Box<dyn Truth> = Box::new(truth);
+    let truth = exact!(Capsule {
+        height: Real::from(height),
+        radius: Real::from(radius),
+    });
+    let size = f64::from(height) + f64::from(radius);
     let of = |point: SurfacePoint| Some(point.position);
     let back = |position| SurfacePoint {
         position,

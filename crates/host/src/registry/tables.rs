@@ -8,7 +8,7 @@ use super::evidence::{direction, ramp};
 use super::picture::{View, between, window};
 use super::{Domain, Entry, Measure, Registered, entry};
 use crate::adversary::words::Kind::{Any, Positive};
-use crate::truth::{self, Truth};
+use crate::truth::{self, Truth, exact};
 use microwarp::discrete::{
     Cdf, Grid, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Storage,
     Word,
@@ -16,6 +16,7 @@ use microwarp::discrete::{
 use microwarp::tier::Tier;
 use microwarp::{Error, Invert};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// The columns and the rows of [`sky`].
 pub const SKY: [usize; 2] = [32, 16];
@@ -67,9 +68,8 @@ fn on_line<T: Tier, W>(weights: &[f64], range: [f32; 2], warp: W) -> Entry
 where
     W: Invert<Uniforms = f32, Point = f32, Density = f32> + Send + Sync + 'static,
 {
-    let truth = truth::Histogram::new(weights, range).expect("a positive weight");
     let scale = Measure::UlpOf(f64::from(range[0].abs().max(range[1].abs())));
-    let truth: Box<dyn Truth> = Box::new(truth);
+    let truth = exact!(Histogram::new(&reals(weights), range).expect("a positive weight"));
     let entry = entry::<T, _>("PiecewiseConstant1d", Domain::Line, scale, warp, truth);
     entry.outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]])
 }
@@ -96,7 +96,7 @@ fn in_plane<T: Tier>(
     [u, v]: [[f32; 2]; 2],
     words: usize,
 ) -> Result<Entry, Error> {
-    let truth = truth::Picture::new(weights, shape[0], u, v);
+    let truth = exact!(Picture::new(weights, shape[0], u, v));
     let size = u.into_iter().chain(v).fold(0.0, |m: f32, x| m.max(x.abs()));
     macro_rules! of {
         ($word:ty) => {
@@ -118,11 +118,10 @@ fn in_plane<T: Tier>(
     Ok(entry.words(2 * words))
 }
 
-fn picture<T: Tier, W>(truth: truth::Picture, size: f32, warp: W) -> Entry
+fn picture<T: Tier, W>(truth: Arc<dyn Truth>, size: f32, warp: W) -> Entry
 where
     W: Invert<Uniforms = [f32; 2], Point = [f32; 2], Density = f32> + Send + Sync + 'static,
 {
-    let truth: Box<dyn Truth> = Box::new(truth);
     let size = Measure::Length(size.into());
     let entry = entry::<T, _>("PiecewiseConstant2d", Domain::Plane, size, warp, truth);
     entry.outside(&[[5.1, 0.5, 0.0], [0.5, f32::MAX, 0.0], [-3.1, -0.5, 0.0]])
@@ -141,9 +140,9 @@ fn four_cells<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let (u, v) = ([p[0], p[1]], [p[2], p[3]]);
     let weights = [[p[4], p[5]], [p[6], p[7]]];
     let warp = PiecewiseConstant2d::new(&weights, u, v)?;
-    let rows = (0..2).map(|row| truth::Histogram::new(&numerators(warp.conditional(row).cdf()), u));
-    let marginal = truth::Histogram::new(&numerators(warp.marginal().cdf()), v);
-    let truth = truth::Picture::of(marginal.expect("a positive weight"), rows.collect());
+    let rows = [0, 1].map(|row| numerators(warp.conditional(row).cdf()));
+    let marginal = numerators(warp.marginal().cdf());
+    let truth = exact!(Picture::of((&marginal, v), (&rows, u)));
     let size = p[..4].iter().fold(0.0, |m: f32, x| m.max(x.abs()));
     Ok(picture::<T, _>(truth, size, warp))
 }
@@ -164,9 +163,8 @@ where
     let range = [warp.low(), warp.high()];
     let mut cells = numerators(warp.cdf());
     assert_eq!(cells.pop(), Some(0.0), "the entry beyond the last cell");
-    let cells = truth::Histogram::new(&cells, range).expect("a positive area");
     let scale = Measure::UlpOf(f64::from(range[0].abs().max(range[1].abs())));
-    let truth: Box<dyn Truth> = Box::new(truth::Polyline::new(cells, warp.weights()));
+    let truth = exact!(Polyline::new(&cells, range, warp.weights()));
     let entry = entry::<T, _>("PiecewiseLinear1d", Domain::Line, scale, warp, truth);
     entry
         .outside(&[[f32::MAX, 0.0, 0.0], [-f32::MAX, 0.0, 0.0]])
@@ -197,14 +195,12 @@ where
     M: Storage<Item = W> + Send + Sync + 'static,
     C: Grid<Item = W> + Send + Sync + 'static,
 {
-    const UNIT: [f32; 2] = [0.0, 1.0];
     let table = warp.table();
-    let marginal = truth::Histogram::new(&numerators(table.marginal().cdf()), UNIT);
-    let rows = (0..warp.shape()[1])
-        .map(|row| truth::Histogram::new(&numerators(table.conditional(row).cdf()), UNIT));
-    let truth = truth::Sky::of(marginal.expect("a positive weight"), rows.collect());
-    let beside = truth.beside(1.0 / 8_388_608.0, 1.6e-6);
-    let truth: Box<dyn Truth> = Box::new(truth);
+    let marginal = numerators(table.marginal().cdf());
+    let rows = (0..warp.shape()[1]).map(|row| numerators(table.conditional(row).cdf()));
+    let rows: Vec<_> = rows.collect();
+    let beside = truth::Sky::of(&marginal, &rows).beside(1.0 / 8_388_608.0, 1.6e-6);
+    let truth = exact!(Sky::of(&marginal, &rows));
     let size = Measure::Length(1.0);
     let mut entry = entry::<T, _>("LatLongMap", Domain::Directions, size, warp, truth);
     // The first uniform is the azimuth.

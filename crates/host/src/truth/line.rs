@@ -1,7 +1,6 @@
 //! Exact counterparts of the warps of the line.
 
-use super::{Point, Truth, Uniforms};
-use std::f64::consts::TAU;
+use super::{FRAC_1_PI, FRAC_1_SQRT_2, PI, Point, Real, TAU, Truth, Uniforms, erf, erfc, real};
 
 /// A one-dimensional truth from its quantile function, density and CDF.
 pub struct Line<Q, P, C> {
@@ -12,35 +11,35 @@ pub struct Line<Q, P, C> {
 
 impl<Q, P, C> Truth for Line<Q, P, C>
 where
-    Q: Fn(f64) -> f64 + Send + Sync,
-    P: Fn(f64) -> f64 + Send + Sync,
-    C: Fn(f64) -> f64 + Send + Sync,
+    Q: Fn(Real) -> Real + Send + Sync,
+    P: Fn(Real) -> Real + Send + Sync,
+    C: Fn(Real) -> Real + Send + Sync,
 {
     fn sample(&self, u: Uniforms) -> Point {
-        [(self.quantile)(u[0]), 0.0, 0.0]
+        [(self.quantile)(u[0]), real(0.0), real(0.0)]
     }
-    fn pdf(&self, x: Point) -> f64 {
+    fn pdf(&self, x: Point) -> Real {
         (self.pdf)(x[0])
     }
     fn invert(&self, x: Point) -> Uniforms {
-        [(self.cdf)(x[0]), 0.0, 0.0, 0.0]
+        [(self.cdf)(x[0]), real(0.0), real(0.0), real(0.0)]
     }
 }
 
-/// A law whose density is known of a uniform, too: the `f64` of a point may have lost all digits of it.
+/// A law whose density is known of a uniform, too: the `Real` of a point may have lost all digits of it.
 struct OfUniform<L, D> {
     law: L,
     density: D,
 }
 
-impl<L: Truth, D: Fn(f64) -> f64 + Send + Sync> Truth for OfUniform<L, D> {
+impl<L: Truth, D: Fn(Real) -> Real + Send + Sync> Truth for OfUniform<L, D> {
     fn sample(&self, u: Uniforms) -> Point {
         self.law.sample(u)
     }
-    fn pdf(&self, x: Point) -> f64 {
+    fn pdf(&self, x: Point) -> Real {
         self.law.pdf(x)
     }
-    fn density(&self, u: Uniforms) -> f64 {
+    fn density(&self, u: Uniforms) -> Real {
         (self.density)(u[0])
     }
     fn invert(&self, x: Point) -> Uniforms {
@@ -49,7 +48,7 @@ impl<L: Truth, D: Fn(f64) -> f64 + Send + Sync> Truth for OfUniform<L, D> {
 }
 
 pub fn interval(a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
-    let (a, b) = (f64::from(a), f64::from(b));
+    let (a, b) = (Real::from(a), Real::from(b));
     let (s, e) = if increasing { (a, b) } else { (b, a) };
     Box::new(Line {
         quantile: move |u| s + u * (e - s),
@@ -58,10 +57,10 @@ pub fn interval(a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
     })
 }
 
-/// ln(x/r), to a few units of f64 however close or far apart the two are; infinite for an r of 0.
-fn log_ratio(x: f64, r: f64) -> f64 {
+/// ln(x/r), to a few units of Real however close or far apart the two are; infinite for an r of 0.
+fn log_ratio(x: Real, r: Real) -> Real {
     if r == 0.0 {
-        f64::INFINITY
+        Real::INFINITY
     } else if x > 0.5 * r && x < 2.0 * r {
         ((x - r) / r).ln_1p()
     } else {
@@ -71,7 +70,7 @@ fn log_ratio(x: f64, r: f64) -> f64 {
 
 /// The power law, through logarithms relative to the end R where x^m is larger.
 pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
-    let (n, a, b) = (f64::from(n), f64::from(a), f64::from(b));
+    let (n, a, b) = (Real::from(n), Real::from(a), Real::from(b));
     let m = n + 1.0;
     let (r, other) = if m < 0.0 { (a, b) } else { (b, a) };
     // |m| and |ln(x/R)|; infinite where the other end is 0, and for m = 0 the law is that of the logarithm.
@@ -85,7 +84,7 @@ pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
         0.0
     };
     // The share of the mass that is no farther from R than x, and the share that is.
-    let shares = move |x: f64| {
+    let shares = move |x: Real| {
         let (part, left) = (log_ratio(x, r).abs(), log_ratio(x, other).abs());
         if m == 0.0 {
             (part / span, left / span)
@@ -98,15 +97,21 @@ pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
         }
     };
     Box::new(Line {
-        quantile: move |u: f64| {
+        quantile: move |u: Real| {
             let (near, away) = if from_anchor {
                 (1.0 - u, u)
             } else {
                 (u, 1.0 - u)
             };
-            let log = if m == 0.0 {
-                -away * span
-            } else if near == 0.0 {
+            if m == 0.0 {
+                // From the nearer end.
+                return if away < 0.5 {
+                    r * (-away * span).exp()
+                } else {
+                    other * (near * span).exp()
+                };
+            }
+            let log = if near == 0.0 {
                 // Where e^-z may be 0 and its logarithm is not.
                 -steep * span / m
             } else if away * drop < 0.5 {
@@ -117,16 +122,16 @@ pub fn power(n: f32, a: f32, b: f32, increasing: bool) -> Box<dyn Truth> {
             let x = r * log.exp();
             if u > 0.0 { x.max(least) } else { x }
         },
-        pdf: move |x: f64| {
+        pdf: move |x: Real| {
             let peak = if m == 0.0 { 1.0 / span } else { steep / drop };
             let power = if n == 0.0 {
-                1.0
+                real(1.0)
             } else {
                 (n * log_ratio(x, r)).exp()
             };
             peak / r * power
         },
-        cdf: move |x: f64| {
+        cdf: move |x: Real| {
             let (away, near) = shares(x);
             if from_anchor { away } else { near }
         },
@@ -138,15 +143,15 @@ pub fn power_max(count: u32) -> Box<dyn Truth> {
     impl Truth for Max {
         fn sample(&self, u: Uniforms) -> Point {
             let all = u.len().min(self.0 as usize);
-            let largest = u[..all].iter().copied().fold(0.0, f64::max);
-            [largest, 0.0, 0.0]
+            let largest = u[..all].iter().copied().fold(real(0.0), Real::max);
+            [largest, real(0.0), real(0.0)]
         }
-        fn pdf(&self, x: Point) -> f64 {
-            let n = f64::from(self.0 - 1);
+        fn pdf(&self, x: Point) -> Real {
+            let n = Real::from(self.0 - 1);
             let power = if n == 0.0 {
-                1.0
+                real(1.0)
             } else {
-                (n * log_ratio(x[0], 1.0)).exp()
+                (n * log_ratio(x[0], real(1.0))).exp()
             };
             (n + 1.0) * power
         }
@@ -158,31 +163,37 @@ pub fn power_max(count: u32) -> Box<dyn Truth> {
 }
 
 pub fn exponential(rate: f32) -> Box<dyn Truth> {
-    let a = f64::from(rate);
+    let a = Real::from(rate);
     Box::new(Line {
-        quantile: move |u: f64| -(-u).ln_1p() / a,
-        pdf: move |x: f64| a * (-a * x).exp(),
-        cdf: move |x: f64| -(-a * x).exp_m1(),
+        quantile: move |u: Real| -(-u).ln_1p() / a,
+        pdf: move |x: Real| a * (-a * x).exp(),
+        cdf: move |x: Real| -(-a * x).exp_m1(),
     })
 }
 
 pub fn exponential_tail(rate: f32) -> Box<dyn Truth> {
-    let a = f64::from(rate);
+    let a = Real::from(rate);
     Box::new(Line {
-        quantile: move |u: f64| -u.max(2f64.powi(-149)).ln() / a,
-        pdf: move |x: f64| a * (-a * x).exp(),
-        cdf: move |x: f64| (-a * x).exp(),
+        quantile: move |u: Real| -u.max(2f64.powi(-149)).ln() / a,
+        pdf: move |x: Real| a * (-a * x).exp(),
+        cdf: move |x: Real| (-a * x).exp(),
     })
 }
 
 pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
-    let (c, len) = (f64::from(rate), f64::from(length));
+    let (c, len) = (Real::from(rate), Real::from(length));
     // Exact: both have 24 bits.
     let z = c * len;
     // (1 - e^-t)/t, which is 1 at t = 0.
-    let mean = |t: f64| if t == 0.0 { 1.0 } else { -(-t).exp_m1() / t };
+    let mean = |t: Real| {
+        if t == 0.0 {
+            real(1.0)
+        } else {
+            -(-t).exp_m1() / t
+        }
+    };
     let law = Line {
-        quantile: move |u: f64| {
+        quantile: move |u: Real| {
             // -ln(1 - u + u e^-z)/c.
             if z.abs() < 1e-7 {
                 // Two terms of the series in z; the next is below 1e-15.
@@ -200,13 +211,13 @@ pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
                 ((-z + u.ln()).exp() - u).ln_1p() / -c
             }
         },
-        pdf: move |x: f64| {
+        pdf: move |x: Real| {
             let from_peak = if c > 0.0 { x } else { len - x };
             (-c.abs() * from_peak).exp() / (mean(z.abs()) * len)
         },
-        cdf: move |x: f64| {
+        cdf: move |x: Real| {
             // From the end where the density is larger, shares are relative to the whole.
-            let share = |x: f64| x * mean(c.abs() * x) / (len * mean(z.abs()));
+            let share = |x: Real| x * mean(c.abs() * x) / (len * mean(z.abs()));
             if c > 0.0 {
                 share(x)
             } else {
@@ -214,7 +225,7 @@ pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
             }
         },
     };
-    let density = move |u: f64| {
+    let density = move |u: Real| {
         let (peak, fall) = (1.0 / (mean(z.abs()) * len), (-z.abs()).exp());
         let (near, away) = if c > 0.0 { (1.0 - u, u) } else { (u, 1.0 - u) };
         peak * (near + away * fall)
@@ -228,7 +239,7 @@ pub fn truncated_exponential(rate: f32, length: f32) -> Box<dyn Truth> {
 /// right angles. Here a triangle is divided: its apex is the light, and its base runs from the foot or from the nearer
 /// end to the farther one. Angles from both sides and the law of sines divide the base without a difference.
 pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
-    let [d, a, b] = [distance, low, high].map(f64::from);
+    let [d, a, b] = [distance, low, high].map(Real::from);
     let passed = a < 0.0 && b > 0.0;
     let [to_a, to_b] = [a, b].map(|t| t.abs().atan2(d));
     let angle = if passed {
@@ -237,7 +248,7 @@ pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
         (d * (b - a)).atan2(d * d + a * b)
     };
     // Where the light is in line with the way, all angles are 0 and sines are as their angles.
-    let sine = move |part: f64| {
+    let sine = move |part: Real| {
         if angle < 1e-12 {
             part
         } else {
@@ -246,7 +257,7 @@ pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
     };
     // sin(Δ)/Δ, which is 1 at 0.
     let sinc = if angle < 1e-12 {
-        1.0
+        real(1.0)
     } else {
         angle.sin() / angle
     };
@@ -256,7 +267,7 @@ pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
         sinc * d.hypot(a) * d.hypot(b) / (b - a)
     };
     Box::new(Line {
-        quantile: move |u: f64| {
+        quantile: move |u: Real| {
             let v = 1.0 - u;
             // (the nearer end, the share of the angle from there), and the same of the farther end.
             let ((near, from_near), (far, from_far)) = if !passed && a >= 0.0 {
@@ -264,9 +275,9 @@ pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
             } else if !passed {
                 ((b, v), (a, u))
             } else if u * angle < to_a {
-                ((0.0, to_a / angle - u), (a, u))
+                ((real(0.0), to_a / angle - u), (a, u))
             } else {
-                ((0.0, to_b / angle - v), (b, v))
+                ((real(0.0), to_b / angle - v), (b, v))
             };
             let (x, y) = (
                 d.hypot(far) * sine(from_far),
@@ -278,8 +289,8 @@ pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
                 far - (far - near) * (x / (x + y))
             }
         },
-        pdf: move |t: f64| scale / (d * d + t * t),
-        cdf: move |t: f64| {
+        pdf: move |t: Real| scale / (d * d + t * t),
+        cdf: move |t: Real| {
             if passed {
                 let from_foot = t.abs().atan2(d);
                 if t < 0.0 {
@@ -297,47 +308,49 @@ pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
 }
 
 pub fn tent(radius: f32) -> Box<dyn Truth> {
-    let r = f64::from(radius);
-    Box::new(Line {
+    let r = Real::from(radius);
+    let law = Line {
         // 1 - sqrt(t) through the logarithm of t = 1 - rest, so that nothing cancels at the centre.
-        quantile: move |u: f64| {
+        quantile: move |u: Real| {
             let rest = (1.0 - 2.0 * u).abs();
             let x = -r * (0.5 * (-rest).ln_1p()).exp_m1();
             if u < 0.5 { -x } else { x }
         },
-        pdf: move |x: f64| (r - x.abs()) / r / r,
-        cdf: move |x: f64| {
+        pdf: move |x: Real| (r - x.abs()) / r / r,
+        cdf: move |x: Real| {
             let half = 0.5 * ((r - x.abs()) / r).powi(2);
             if x < 0.0 { half } else { 1.0 - half }
         },
-    })
+    };
+    let density = move |u: Real| (2.0 * u.min(1.0 - u)).sqrt() / r;
+    Box::new(OfUniform { law, density })
 }
 
 pub fn linear(a: f32, b: f32) -> Box<dyn Truth> {
-    let (a, b) = (f64::from(a), f64::from(b));
+    let (a, b) = (Real::from(a), Real::from(b));
     Box::new(Line {
-        quantile: move |u: f64| {
+        quantile: move |u: Real| {
             let root = ((1.0 - u) * a * a + u * b * b).sqrt();
             if u == 0.0 {
-                0.0
+                real(0.0)
             } else {
                 u * (a + b) / (a + root)
             }
         },
-        pdf: move |x: f64| 2.0 * ((1.0 - x) * a + x * b) / (a + b),
-        cdf: move |x: f64| x * (a * (2.0 - x) + b * x) / (a + b),
+        pdf: move |x: Real| 2.0 * ((1.0 - x) * a + x * b) / (a + b),
+        cdf: move |x: Real| x * (a * (2.0 - x) + b * x) / (a + b),
     })
 }
 
-/// The standard normal CDF in f64.
-pub fn normal_cdf(x: f64) -> f64 {
-    0.5 * libm::erfc(-x * std::f64::consts::FRAC_1_SQRT_2)
+/// The standard normal CDF in Real.
+pub fn normal_cdf(x: Real) -> Real {
+    0.5 * erfc(-x * FRAC_1_SQRT_2)
 }
 
 /// The standard normal quantile of a lower-tail probability up to 1/2, by Newton's method: about the middle on the
 /// probability between there and x, whose digits do not cancel, in the tail on the logarithm of the CDF, which
 /// converges from either side.
-pub fn normal_quantile_lower(p: f64) -> f64 {
+pub fn normal_quantile_lower(p: Real) -> Real {
     let middle = p > 0.1;
     let mut x = if middle {
         (p - 0.5) * TAU.sqrt()
@@ -347,7 +360,7 @@ pub fn normal_quantile_lower(p: f64) -> f64 {
     for _ in 0..60 {
         let density = (-0.5 * x * x).exp() / TAU.sqrt();
         let step = if middle {
-            (0.5 * libm::erf(x * std::f64::consts::FRAC_1_SQRT_2) - (p - 0.5)) / density
+            (0.5 * erf(x * FRAC_1_SQRT_2) - (p - 0.5)) / density
         } else {
             let cdf = normal_cdf(x);
             (cdf / p).ln() * cdf / density
@@ -362,7 +375,7 @@ pub fn normal_quantile_lower(p: f64) -> f64 {
 }
 
 /// The standard normal quantile of a uniform, of which 0 counts as 2^-149.
-fn normal_quantile(u: f64) -> f64 {
+fn normal_quantile(u: Real) -> Real {
     if u < 0.5 {
         normal_quantile_lower(u.max(SMALLEST))
     } else {
@@ -371,15 +384,15 @@ fn normal_quantile(u: f64) -> f64 {
 }
 
 pub fn normal(mean: f32, deviation: f32) -> Box<dyn Truth> {
-    let (m, d) = (f64::from(mean), f64::from(deviation));
+    let (m, d) = (Real::from(mean), Real::from(deviation));
     let line = Line {
-        quantile: move |u: f64| m + d * normal_quantile(u),
-        pdf: move |x: f64| (-0.5 * ((x - m) / d).powi(2)).exp() / (d * TAU.sqrt()),
-        cdf: move |x: f64| normal_cdf((x - m) / d),
+        quantile: move |u: Real| m + d * normal_quantile(u),
+        pdf: move |x: Real| (-0.5 * ((x - m) / d).powi(2)).exp() / (d * TAU.sqrt()),
+        cdf: move |x: Real| normal_cdf((x - m) / d),
     };
     Box::new(OfUniform {
         law: line,
-        density: move |u: f64| (-0.5 * normal_quantile(u).powi(2)).exp() / (d * TAU.sqrt()),
+        density: move |u: Real| (-0.5 * normal_quantile(u).powi(2)).exp() / (d * TAU.sqrt()),
     })
 }
 
@@ -389,26 +402,25 @@ const SMALLEST: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 75) as f64;
 /// A law of a location and a scale, from that of location 0 and scale 1.
 fn located<Q, P, C>(location: f32, scale: f32, standard: Line<Q, P, C>) -> Box<dyn Truth>
 where
-    Q: Fn(f64) -> f64 + Copy + Send + Sync + 'static,
-    P: Fn(f64) -> f64 + Copy + Send + Sync + 'static,
-    C: Fn(f64) -> f64 + Send + Sync + 'static,
+    Q: Fn(Real) -> Real + Copy + Send + Sync + 'static,
+    P: Fn(Real) -> Real + Copy + Send + Sync + 'static,
+    C: Fn(Real) -> Real + Send + Sync + 'static,
 {
-    let (at, s) = (f64::from(location), f64::from(scale));
+    let (at, s) = (Real::from(location), Real::from(scale));
     let Line { quantile, pdf, cdf } = standard;
     let law = Line {
-        quantile: move |u: f64| at + s * quantile(u.max(SMALLEST)),
-        pdf: move |x: f64| pdf((x - at) / s) / s,
-        cdf: move |x: f64| cdf((x - at) / s),
+        quantile: move |u: Real| at + s * quantile(u.max(SMALLEST)),
+        pdf: move |x: Real| pdf((x - at) / s) / s,
+        cdf: move |x: Real| cdf((x - at) / s),
     };
-    let density = move |u: f64| pdf(quantile(u.max(SMALLEST))) / s;
+    let density = move |u: Real| pdf(quantile(u.max(SMALLEST))) / s;
     Box::new(OfUniform { law, density })
 }
 
 pub fn cauchy(location: f32, scale: f32) -> Box<dyn Truth> {
-    use std::f64::consts::{FRAC_1_PI, PI};
     let standard = Line {
         // About the median by its own distance, and by that of the nearer end beyond; never nearer than 2^-64.
-        quantile: |u: f64| {
+        quantile: |u: Real| {
             if (u - 0.5).abs() < 0.25 {
                 (PI * (u - 0.5)).tan()
             } else if u < 0.5 {
@@ -417,8 +429,8 @@ pub fn cauchy(location: f32, scale: f32) -> Box<dyn Truth> {
                 1.0 / (PI * (1.0 - u)).tan()
             }
         },
-        pdf: |t: f64| FRAC_1_PI / (1.0 + t * t),
-        cdf: |t: f64| {
+        pdf: |t: Real| FRAC_1_PI / (1.0 + t * t),
+        cdf: |t: Real| {
             if t < 0.0 {
                 FRAC_1_PI * (-1.0 / t).atan()
             } else {
@@ -431,15 +443,15 @@ pub fn cauchy(location: f32, scale: f32) -> Box<dyn Truth> {
 
 pub fn laplace(location: f32, scale: f32) -> Box<dyn Truth> {
     let standard = Line {
-        quantile: |u: f64| {
+        quantile: |u: Real| {
             if u < 0.5 {
                 (2.0 * u).ln()
             } else {
                 -(2.0 * (1.0 - u)).ln()
             }
         },
-        pdf: |t: f64| 0.5 * (-t.abs()).exp(),
-        cdf: |t: f64| {
+        pdf: |t: Real| 0.5 * (-t.abs()).exp(),
+        cdf: |t: Real| {
             let tail = 0.5 * (-t.abs()).exp();
             if t < 0.0 { tail } else { 1.0 - tail }
         },
@@ -449,15 +461,15 @@ pub fn laplace(location: f32, scale: f32) -> Box<dyn Truth> {
 
 pub fn logistic(location: f32, scale: f32) -> Box<dyn Truth> {
     let standard = Line {
-        quantile: |u: f64| {
+        quantile: |u: Real| {
             if (u - 0.5).abs() < 0.25 {
                 2.0 * (2.0 * u - 1.0).atanh()
             } else {
                 (u / (1.0 - u)).ln()
             }
         },
-        pdf: |t: f64| 0.25 / (0.5 * t).cosh().powi(2),
-        cdf: |t: f64| 1.0 / (1.0 + (-t).exp()),
+        pdf: |t: Real| 0.25 / (0.5 * t).cosh().powi(2),
+        cdf: |t: Real| 1.0 / (1.0 + (-t).exp()),
     };
     located(location, scale, standard)
 }
@@ -468,20 +480,20 @@ const LEAST: f64 = f32::MIN_POSITIVE as f64;
 /// A logistic law on an interval: about the location by the logit of the probabilities below and above, else by the distance
 /// from the end that is nearer to the location, as a sum of two logarithms.
 pub struct TruncatedLogistic {
-    location: f64,
-    scale: f64,
-    low: f64,
-    high: f64,
+    location: Real,
+    scale: Real,
+    low: Real,
+    high: Real,
     about: bool,
     upper: bool,
     /// e^(±t) of the nearer end, and the probability between the ends over that beyond it on its side.
-    odds: f64,
-    share: f64,
-    rest: f64,
+    odds: Real,
+    share: Real,
+    rest: Real,
 }
 
 /// The shares of a logistic law below and above t, each with its digits.
-fn sigmoid(t: f64) -> [f64; 2] {
+fn sigmoid(t: Real) -> [Real; 2] {
     [1.0 / (1.0 + (-t).exp()), 1.0 / (1.0 + t.exp())]
 }
 
@@ -489,7 +501,7 @@ impl TruncatedLogistic {
     pub fn new(location: f32, scale: f32, low: f32, high: f32) -> Self {
         // The end that the warp takes: the distance from the other one would lose digits.
         let upper = high - location < location - low;
-        let [location, scale, low, high] = [location, scale, low, high].map(f64::from);
+        let [location, scale, low, high] = [location, scale, low, high].map(Real::from);
         let width = (high - low) / scale;
         let near = if upper {
             high - location
@@ -511,7 +523,7 @@ impl TruncatedLogistic {
         }
     }
 
-    fn t(&self, x: f64) -> f64 {
+    fn t(&self, x: Real) -> Real {
         (x - self.location) / self.scale
     }
 
@@ -525,18 +537,18 @@ impl TruncatedLogistic {
     }
 
     /// The probability between the ends.
-    fn between(&self) -> f64 {
+    fn between(&self) -> Real {
         let (a, b) = (self.t(self.low), self.t(self.high));
         -(a - b).exp_m1() * sigmoid(b)[0] * sigmoid(a)[1]
     }
 
-    fn sides(&self, u: f64) -> [f64; 2] {
+    fn sides(&self, u: Real) -> [Real; 2] {
         let (low, high) = (sigmoid(self.t(self.low)), sigmoid(self.t(self.high)));
         [0, 1].map(|k: usize| ((1.0 - u) * low[k] + u * high[k]).max(LEAST))
     }
 
     /// The probability from the nearer end on, and what is beyond in units of that beyond the end.
-    fn parts(&self, u: f64) -> (f64, f64) {
+    fn parts(&self, u: Real) -> (Real, Real) {
         let (before, beyond) = if self.upper {
             (1.0 - u, u)
         } else {
@@ -566,9 +578,9 @@ impl Truth for TruncatedLogistic {
                 self.low + along
             }
         };
-        [x.clamp(self.low, self.high), 0.0, 0.0]
+        [x.clamp(self.low, self.high), real(0.0), real(0.0)]
     }
-    fn density(&self, u: Uniforms) -> f64 {
+    fn density(&self, u: Uniforms) -> Real {
         if self.about {
             let [below, above] = self.sides(u[0]);
             return below * above / (self.scale * self.between());
@@ -577,7 +589,7 @@ impl Truth for TruncatedLogistic {
         left * (1.0 + self.odds * self.share * before)
             / (self.scale * self.share * (1.0 + self.odds))
     }
-    fn pdf(&self, x: Point) -> f64 {
+    fn pdf(&self, x: Point) -> Real {
         if self.about {
             let [below, above] = sigmoid(self.t(x[0]));
             return below * above / (self.scale * self.between());
@@ -603,102 +615,108 @@ impl Truth for TruncatedLogistic {
             let before = -(-along).exp_m1() / (1.0 + self.odds * (-along).exp()) / self.share;
             if self.upper { 1.0 - before } else { before }
         };
-        [u, 0.0, 0.0, 0.0]
+        [u, real(0.0), real(0.0), real(0.0)]
     }
 }
 
 pub fn gumbel(location: f32, scale: f32) -> Box<dyn Truth> {
     let standard = Line {
         // Doubles have the digits to spare that cancel about 1/e, where the result is 0.
-        quantile: |u: f64| -(-u.ln()).ln(),
-        pdf: |t: f64| (-t - (-t).exp()).exp(),
-        cdf: |t: f64| (-(-t).exp()).exp(),
+        quantile: |u: Real| -(-u.ln()).ln(),
+        pdf: |t: Real| (-t - (-t).exp()).exp(),
+        cdf: |t: Real| (-(-t).exp()).exp(),
     };
     located(location, scale, standard)
 }
 
 pub fn rayleigh(scale: f32) -> Box<dyn Truth> {
-    let s = f64::from(scale);
+    let s = Real::from(scale);
     Box::new(Line {
-        quantile: move |u: f64| s * (-2.0 * (-u).ln_1p()).sqrt(),
-        pdf: move |x: f64| x / s / s * (-0.5 * (x / s).powi(2)).exp(),
-        cdf: move |x: f64| -(-0.5 * (x / s).powi(2)).exp_m1(),
+        quantile: move |u: Real| s * (-2.0 * (-u).ln_1p()).sqrt(),
+        pdf: move |x: Real| x / s / s * (-0.5 * (x / s).powi(2)).exp(),
+        cdf: move |x: Real| -(-0.5 * (x / s).powi(2)).exp_m1(),
     })
 }
 
-/// (x/s)^power, to a few units of f64 times the power however near to 1 the quotient is.
-fn powered(x: f64, s: f64, power: f64) -> f64 {
+/// (x/s)^power, to a few units of Real times the power however near to 1 the quotient is.
+fn powered(x: Real, s: Real, power: Real) -> Real {
     (power * log_ratio(x, s)).exp()
 }
 
 pub fn weibull(scale: f32, shape: f32) -> Box<dyn Truth> {
-    let (s, k) = (f64::from(scale), f64::from(shape));
-    let quantile = move |u: f64| s * ((-(-u).ln_1p()).ln() / k).exp();
+    let (s, k) = (Real::from(scale), Real::from(shape));
+    let quantile = move |u: Real| s * ((-(-u).ln_1p()).ln() / k).exp();
     let law = Line {
         quantile,
-        pdf: move |x: f64| {
+        pdf: move |x: Real| {
             if x == 0.0 {
-                return [0.0, 1.0 / s, f64::INFINITY][usize::from(k <= 1.0) + usize::from(k < 1.0)];
+                return [real(0.0), 1.0 / s, Real::INFINITY]
+                    [usize::from(k <= 1.0) + usize::from(k < 1.0)];
             }
             // In the exponent at once: the power may underflow where the density does not.
             let log = log_ratio(x, s);
             k / s * ((k - 1.0) * log - (k * log).exp()).exp()
         },
-        cdf: move |x: f64| -(-powered(x, s, k)).exp_m1(),
+        cdf: move |x: Real| -(-powered(x, s, k)).exp_m1(),
     };
-    let density = move |u: f64| k * (1.0 - u) * -(-u).ln_1p() / quantile(u);
+    let density = move |u: Real| k * (1.0 - u) * -(-u).ln_1p() / quantile(u);
     Box::new(OfUniform { law, density })
 }
 
 pub fn pareto(minimum: f32, shape: f32) -> Box<dyn Truth> {
-    let (m, a) = (f64::from(minimum), f64::from(shape));
-    let quantile = move |u: f64| m * (-(-u).ln_1p() / a).exp();
+    let (m, a) = (Real::from(minimum), Real::from(shape));
+    let quantile = move |u: Real| m * (-(-u).ln_1p() / a).exp();
     let law = Line {
         quantile,
-        pdf: move |x: f64| {
-            if x < m { 0.0 } else { a / x * powered(m, x, a) }
+        pdf: move |x: Real| {
+            if x < m {
+                real(0.0)
+            } else {
+                a / x * powered(m, x, a)
+            }
         },
-        cdf: move |x: f64| {
+        cdf: move |x: Real| {
             if x <= m {
-                0.0
+                real(0.0)
             } else {
                 -(a * log_ratio(m, x)).exp_m1()
             }
         },
     };
-    let density = move |u: f64| a * (1.0 - u) / quantile(u);
+    let density = move |u: Real| a * (1.0 - u) / quantile(u);
     Box::new(OfUniform { law, density })
 }
 
 pub fn log_normal(mean_of_log: f32, std_dev_of_log: f32) -> Box<dyn Truth> {
-    let (m, d) = (f64::from(mean_of_log), f64::from(std_dev_of_log));
-    let deviate = move |x: f64| (x.ln() - m) / d;
-    let pdf = move |x: f64, z: f64| (-0.5 * z.powi(2)).exp() / (x * d * TAU.sqrt());
+    let (m, d) = (Real::from(mean_of_log), Real::from(std_dev_of_log));
+    let deviate = move |x: Real| (x.ln() - m) / d;
+    let pdf = move |x: Real, z: Real| (-0.5 * z.powi(2)).exp() / (x * d * TAU.sqrt());
     let line = Line {
-        quantile: move |u: f64| (m + d * normal_quantile(u)).exp().max(SMALLEST),
-        pdf: move |x: f64| pdf(x, deviate(x)),
-        cdf: move |x: f64| normal_cdf(deviate(x)),
+        quantile: move |u: Real| (m + d * normal_quantile(u)).exp().max(SMALLEST),
+        pdf: move |x: Real| pdf(x, deviate(x)),
+        cdf: move |x: Real| normal_cdf(deviate(x)),
     };
     Box::new(OfUniform {
         law: line,
-        density: move |u: f64| {
+        density: move |u: Real| {
             let z = normal_quantile(u);
             let x = (m + d * z).exp();
-            if x > SMALLEST {
+            let least = real(SMALLEST);
+            if x > least {
                 pdf(x, z)
             } else {
-                pdf(SMALLEST, deviate(SMALLEST))
+                pdf(least, deviate(least))
             }
         },
     })
 }
 
 /// (1 − Φ(t))/φ(t) for t ≥ 0: of the complementary error function, or farther out by Laplace's continued fraction.
-fn mills(t: f64) -> f64 {
+fn mills(t: Real) -> Real {
     if t < 5.0 {
-        (0.5 * t * t).exp() * libm::erfc(t * std::f64::consts::FRAC_1_SQRT_2) * (0.25 * TAU).sqrt()
+        (0.5 * t * t).exp() * erfc(t * FRAC_1_SQRT_2) * (0.25 * TAU).sqrt()
     } else {
-        let fraction = (1..=60).rev().fold(t, |f, k| t + f64::from(k) / f);
+        let fraction = (1..=60).rev().fold(t, |f, k| t + Real::from(k) / f);
         1.0 / fraction
     }
 }
@@ -706,20 +724,20 @@ fn mills(t: f64) -> f64 {
 /// A normal law on an interval, in units of the mass of the density e^(−y)/σ with y = 0 at the point nearest to the mean: as
 /// differences of Mills' ratio, or where these would cancel by the series of the density.
 pub struct TruncatedNormal {
-    mean: f64,
-    deviation: f64,
-    low: f64,
-    high: f64,
-    nearest: f64,
+    mean: Real,
+    deviation: Real,
+    low: Real,
+    high: Real,
+    nearest: Real,
     /// The distance of the nearest point from the mean, in standard deviations.
-    away: f64,
-    below: f64,
-    above: f64,
+    away: Real,
+    below: Real,
+    above: Real,
 }
 
 impl TruncatedNormal {
     pub fn new(mean: f32, deviation: f32, low: f32, high: f32) -> Self {
-        let [mean, deviation, low, high] = [mean, deviation, low, high].map(f64::from);
+        let [mean, deviation, low, high] = [mean, deviation, low, high].map(Real::from);
         let nearest = mean.clamp(low, high);
         let mut law = Self {
             mean,
@@ -728,8 +746,8 @@ impl TruncatedNormal {
             high,
             nearest,
             away: (nearest - mean).abs() / deviation,
-            below: 0.0,
-            above: 0.0,
+            below: real(0.0),
+            above: real(0.0),
         };
         law.below = law.mass((nearest - low) / deviation);
         law.above = law.mass((high - nearest) / deviation);
@@ -737,12 +755,12 @@ impl TruncatedNormal {
     }
 
     /// The exponent at a distance from the nearest point.
-    fn exponent(&self, s: f64) -> f64 {
+    fn exponent(&self, s: Real) -> Real {
         s * (self.away + 0.5 * s)
     }
 
     /// The mass over a distance from the nearest point.
-    fn mass(&self, s: f64) -> f64 {
+    fn mass(&self, s: Real) -> Real {
         let c = self.away;
         if s.is_infinite() {
             return mills(c);
@@ -759,7 +777,7 @@ impl TruncatedNormal {
     }
 
     /// The logarithm of what the mass beyond a distance is of that beyond the nearest point, without its sign.
-    fn log_of_rest(&self, s: f64) -> f64 {
+    fn log_of_rest(&self, s: Real) -> Real {
         if s.is_infinite() {
             return s;
         }
@@ -767,15 +785,15 @@ impl TruncatedNormal {
     }
 
     /// What share of the tail below the nearest point is beyond the lower end.
-    pub fn beyond_low(&self) -> f64 {
+    pub fn beyond_low(&self) -> Real {
         (-self.log_of_rest((self.nearest - self.low) / self.deviation)).exp()
     }
 
     /// The distance that has this mass, or beyond which there is this rest of the tail.
-    fn distance(&self, mass: f64, rest: f64) -> f64 {
+    fn distance(&self, mass: Real, rest: Real) -> Real {
         let c = self.away;
         if mass == 0.0 {
-            return 0.0;
+            return real(0.0);
         }
         // Newton's method from the side where it does not pass the solution.
         let near = mass < 0.5 * mills(c);
@@ -803,7 +821,7 @@ impl TruncatedNormal {
     }
 
     /// The distance of the point of a uniform from the nearest point, and whether it is above.
-    fn along(&self, u: f64) -> (f64, bool) {
+    fn along(&self, u: Real) -> (Real, bool) {
         let v = 1.0 - u;
         let mass = u * self.above - v * self.below;
         let ends = [self.nearest - self.low, self.high - self.nearest];
@@ -825,13 +843,13 @@ impl Truth for TruncatedNormal {
         let (distance, upper) = self.along(u[0]);
         let along = self.deviation * distance;
         let x = self.nearest + if upper { along } else { -along };
-        [x.clamp(self.low, self.high), 0.0, 0.0]
+        [x.clamp(self.low, self.high), real(0.0), real(0.0)]
     }
-    fn density(&self, u: Uniforms) -> f64 {
+    fn density(&self, u: Uniforms) -> Real {
         let (distance, _) = self.along(u[0]);
         (-self.exponent(distance)).exp() / (self.deviation * (self.below + self.above))
     }
-    fn pdf(&self, x: Point) -> f64 {
+    fn pdf(&self, x: Point) -> Real {
         // Before the nearest point, where only a change of x by its rounding leads, the exponent is negative.
         let along = (x[0] - self.nearest) / self.deviation;
         let along = if self.nearest < self.mean {
@@ -849,6 +867,11 @@ impl Truth for TruncatedNormal {
         } else {
             self.below - mass
         };
-        [below / (self.below + self.above), 0.0, 0.0, 0.0]
+        [
+            below / (self.below + self.above),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ]
     }
 }

@@ -1,21 +1,20 @@
 //! Exact counterparts of the warps over surfaces: meshes, boxes, frustums and capsules.
 
-use super::{Barycentric, Point, Truth, Uniforms, turn};
-use std::f64::consts::{PI, TAU};
+use super::{Barycentric, PI, Point, Real, TAU, Truth, Uniforms, index, real, turn};
 
 /// A triangle mesh by the words of its table, in coordinates of its own: the number of the face, and the shares of the
 /// second and the third vertex. The densities are those of these coordinates.
 pub struct Faces {
     /// The probability below each face, and that of all, from 0 to 1.
-    ends: Vec<f64>,
+    ends: Vec<Real>,
 }
 
 impl Faces {
     /// Of the words of each face; what lies below a step of doubles is 0 anyway.
-    pub fn new(words: &[f64]) -> Self {
-        let total: f64 = words.iter().sum();
-        let mut ends = vec![0.0];
-        let mut sum = 0.0;
+    pub fn new(words: &[Real]) -> Self {
+        let total: Real = words.iter().sum();
+        let mut ends = vec![real(0.0)];
+        let mut sum = real(0.0);
         for count in words {
             sum += count;
             ends.push(sum / total);
@@ -23,7 +22,7 @@ impl Faces {
         Self { ends }
     }
 
-    pub fn probability(&self, face: usize) -> f64 {
+    pub fn probability(&self, face: usize) -> Real {
         self.ends[face + 1] - self.ends[face]
     }
 
@@ -32,7 +31,7 @@ impl Faces {
     }
 
     fn face(&self, x: Point) -> usize {
-        (x[0].round().max(0.0) as usize).min(self.last())
+        index(x[0].round()).min(self.last())
     }
 
     /// The face of the first uniform, and the barycentric coordinates.
@@ -41,24 +40,24 @@ impl Faces {
         let lit = (0..=self.last()).rev().find(|k| self.probability(*k) > 0.0);
         let face = above.or(lit).expect("a face of positive probability");
         let part = (u[0] - self.ends[face]) / self.probability(face);
-        (face, Barycentric.sample([part, u[1], 0.0, 0.0]))
+        (face, Barycentric.sample([part, u[1], real(0.0), real(0.0)]))
     }
 }
 
 impl Truth for Faces {
     fn sample(&self, u: Uniforms) -> Point {
         let (face, [_, v, w]) = self.place(u);
-        [face as f64, v, w]
+        [Real::from(face as u32), v, w]
     }
-    fn pdf(&self, x: Point) -> f64 {
+    fn pdf(&self, x: Point) -> Real {
         2.0 * self.probability(self.face(x))
     }
     fn invert(&self, x: Point) -> Uniforms {
         let face = self.face(x);
         let s = x[1] + x[2];
-        let second = if s > 0.0 { x[1] / s } else { 0.0 };
+        let second = if s > 0.0 { x[1] / s } else { real(0.0) };
         let first = self.ends[face] + s * s * self.probability(face);
-        [first, second, 0.0, 0.0]
+        [first, second, real(0.0), real(0.0)]
     }
 }
 
@@ -67,12 +66,12 @@ pub struct BoxFaces {
     pub low: Point,
     pub high: Point,
     /// The axis across the faces that first uniforms select, and from where to where.
-    pub pieces: Vec<(usize, f64, f64)>,
-    pub beyond: f64,
+    pub pieces: Vec<(usize, Real, Real)>,
+    pub beyond: Real,
 }
 
 impl BoxFaces {
-    fn side(&self, k: usize) -> f64 {
+    fn side(&self, k: usize) -> Real {
         self.high[k % 3] - self.low[k % 3]
     }
 
@@ -81,9 +80,9 @@ impl BoxFaces {
         far.unwrap_or(2)
     }
 
-    fn piece(&self, axis: usize) -> (f64, f64) {
+    fn piece(&self, axis: usize) -> (Real, Real) {
         let piece = self.pieces.iter().find(|piece| piece.0 == axis);
-        piece.map_or((0.0, 0.0), |piece| (piece.1, piece.2))
+        piece.map_or((real(0.0), real(0.0)), |piece| (piece.1, piece.2))
     }
 }
 
@@ -92,15 +91,15 @@ impl Truth for BoxFaces {
         let piece = self.pieces.iter().find(|piece| u[0] < piece.2);
         let (k, start, end) = *piece.unwrap_or(&self.pieces[self.pieces.len() - 1]);
         let (s, upper) = ((u[0] - start) / (end - start), u[1] >= 0.5);
-        let t = 2.0 * u[1] - f64::from(u8::from(upper));
-        let mut point = [0.0; 3];
+        let t = 2.0 * u[1] - Real::from(u8::from(upper));
+        let mut point = [real(0.0); 3];
         point[k] = if upper { self.beyond } else { -self.beyond };
         for (k, part) in [((k + 1) % 3, s), ((k + 2) % 3, t)] {
             point[k] = self.low[k] + part * self.side(k);
         }
         point
     }
-    fn pdf(&self, x: Point) -> f64 {
+    fn pdf(&self, x: Point) -> Real {
         let k = self.axis(x);
         let (start, end) = self.piece(k);
         (end - start) / (2.0 * self.side(k + 1) * self.side(k + 2))
@@ -111,23 +110,23 @@ impl Truth for BoxFaces {
         let (start, end) = self.piece(k);
         let first = start + (end - start) * part(k + 1);
         let second = 0.5 * part(k + 2) + if x[k] > 0.0 { 0.5 } else { 0.0 };
-        [first, second, 0.0, 0.0]
+        [first, second, real(0.0), real(0.0)]
     }
 }
 
 /// A frustum from z = 0 up, with its disks or without.
 pub struct Frustum {
-    radii: [f64; 2],
-    height: f64,
-    slant: f64,
+    radii: [Real; 2],
+    height: Real,
+    slant: Real,
     /// The areas of the lower disk, the side and the upper disk, over that of all.
-    shares: [f64; 3],
-    area: f64,
+    shares: [Real; 3],
+    area: Real,
 }
 
 /// The part of the way from a radius to another within which a part of the area lies, by bisection.
-fn way(from: f64, to: f64, area: f64) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
+fn way(from: Real, to: Real, area: Real) -> Real {
+    let (mut low, mut high) = (real(0.0), real(1.0));
     while high - low > 1e-16 * high {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
@@ -137,14 +136,24 @@ fn way(from: f64, to: f64, area: f64) -> f64 {
         let within = middle * (from + 0.5 * middle * (to - from)) / (0.5 * (from + to));
         *(if within < area { &mut low } else { &mut high }) = middle;
     }
-    if area <= 0.0 { 0.0 } else { 0.5 * (low + high) }
+    if area <= 0.0 {
+        real(0.0)
+    } else {
+        0.5 * (low + high)
+    }
 }
 
 impl Frustum {
-    pub fn new(radii: [f64; 2], height: f64, closed: bool) -> Self {
+    pub fn new(radii: [Real; 2], height: Real, closed: bool) -> Self {
         let [lower, upper] = radii;
         let slant = height.hypot(lower - upper);
-        let disk = |radius: f64| if closed { PI * radius * radius } else { 0.0 };
+        let disk = |radius: Real| {
+            if closed {
+                PI * radius * radius
+            } else {
+                real(0.0)
+            }
+        };
         let areas = [disk(lower), PI * (lower + upper) * slant, disk(upper)];
         let area = areas.iter().sum();
         Self {
@@ -157,7 +166,7 @@ impl Frustum {
     }
 
     /// The normal of the side: outwards and upwards.
-    pub fn slope(&self) -> [f64; 2] {
+    pub fn slope(&self) -> [Real; 2] {
         [
             self.height / self.slant,
             (self.radii[0] - self.radii[1]) / self.slant,
@@ -165,11 +174,11 @@ impl Frustum {
     }
 
     /// The share of the side over its length.
-    pub fn side(&self) -> f64 {
+    pub fn side(&self) -> Real {
         if self.slant > 0.0 {
             self.shares[1] / self.slant
         } else {
-            0.0
+            real(0.0)
         }
     }
 }
@@ -179,7 +188,7 @@ impl Truth for Frustum {
         let ([lower, upper], [p, side, q]) = (self.radii, self.shares);
         let down = 1.0 - u[0];
         let (radius, z) = if u[0] < p {
-            (lower * (u[0] / p).sqrt(), 0.0)
+            (lower * (u[0] / p).sqrt(), real(0.0))
         } else if down <= q {
             (upper * (down / q).sqrt(), self.height)
         } else {
@@ -196,7 +205,7 @@ impl Truth for Frustum {
         let (s, c) = (TAU * u[1]).sin_cos();
         [radius * c, radius * s, z]
     }
-    fn pdf(&self, _: Point) -> f64 {
+    fn pdf(&self, _: Point) -> Real {
         1.0 / self.area
     }
     fn invert(&self, x: Point) -> Uniforms {
@@ -211,18 +220,18 @@ impl Truth for Frustum {
             let up = (x[2] * steep + (lower - radius) * flat) / self.slant;
             p + side * up * (2.0 * lower + up * (upper - lower)) / (lower + upper)
         };
-        [first, turn(x[0], x[1]), 0.0, 0.0]
+        [first, turn(x[0], x[1]), real(0.0), real(0.0)]
     }
 }
 
 /// A capsule around the segment from z = 0 up.
 pub struct Capsule {
-    pub height: f64,
-    pub radius: f64,
+    pub height: Real,
+    pub radius: Real,
 }
 
 impl Capsule {
-    fn whole(&self) -> f64 {
+    fn whole(&self) -> Real {
         self.height + 2.0 * self.radius
     }
 }
@@ -242,11 +251,11 @@ impl Truth for Capsule {
         let ring = (part * (2.0 * r - part)).sqrt();
         [ring * c, ring * s, z]
     }
-    fn pdf(&self, _: Point) -> f64 {
+    fn pdf(&self, _: Point) -> Real {
         1.0 / (TAU * self.radius * self.whole())
     }
     fn invert(&self, x: Point) -> Uniforms {
         let first = (x[2] + self.radius) / self.whole();
-        [first, turn(x[0], x[1]), 0.0, 0.0]
+        [first, turn(x[0], x[1]), real(0.0), real(0.0)]
     }
 }

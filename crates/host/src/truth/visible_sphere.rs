@@ -1,9 +1,9 @@
 //! A sphere seen from a point, by sums that are exact before they are rounded.
 
-use super::{Point, dot};
+use super::{Point, Real, dot, real};
 
 /// Adds a number to an exact sum of parts that do not overlap, smallest first.
-fn grow(parts: &mut Vec<f64>, mut x: f64) {
+fn grow(parts: &mut Vec<Real>, mut x: Real) {
     let mut kept = Vec::new();
     for &part in &*parts {
         let (large, small) = if x.abs() < part.abs() {
@@ -23,7 +23,7 @@ fn grow(parts: &mut Vec<f64>, mut x: f64) {
 }
 
 /// Adds the exact product of two numbers.
-fn grow_by(parts: &mut Vec<f64>, a: f64, b: f64) {
+fn grow_by(parts: &mut Vec<Real>, a: Real, b: Real) {
     let product = a * b;
     grow(parts, a.mul_add(b, -product));
     grow(parts, product);
@@ -34,20 +34,20 @@ pub struct SeenSphere {
     /// centre − point.
     pub axis: Point,
     /// The distance to the centre, and d² − r², rounded once; its sign is exact.
-    pub distance: f64,
-    pub gap: f64,
-    pub radius: f64,
+    pub distance: Real,
+    pub gap: Real,
+    pub radius: Real,
 }
 
 impl SeenSphere {
     pub fn new(point: [f32; 3], centre: [f32; 3], radius: f32) -> Self {
-        let radius = f64::from(radius);
-        let (mut gap, mut axis) = (Vec::new(), [0.0; 3]);
+        let radius = Real::from(radius);
+        let (mut gap, mut axis) = (Vec::new(), [real(0.0); 3]);
         grow_by(&mut gap, -radius, radius);
         for i in 0..3 {
             let mut side = Vec::new();
-            grow(&mut side, f64::from(centre[i]));
-            grow(&mut side, -f64::from(point[i]));
+            grow(&mut side, Real::from(centre[i]));
+            grow(&mut side, -Real::from(point[i]));
             for a in &side {
                 for b in &side {
                     grow_by(&mut gap, *a, *b);
@@ -68,21 +68,21 @@ impl SeenSphere {
     }
 
     /// cos θmax, from outside.
-    fn cos(&self) -> f64 {
+    fn cos(&self) -> Real {
         self.gap.sqrt() / self.distance
     }
 
     /// 1 − cos θmax.
-    pub fn k(&self) -> f64 {
+    pub fn k(&self) -> Real {
         if self.is_inside() {
-            2.0
+            real(2.0)
         } else {
             (self.radius / self.distance).powi(2) / (1.0 + self.cos())
         }
     }
 
     /// How far away the surface is in the direction of this first uniform.
-    pub fn distance_along(&self, u: f64) -> f64 {
+    pub fn distance_along(&self, u: Real) -> Real {
         let d = self.distance;
         if self.is_inside() {
             let along = d * (1.0 - 2.0 * u);
