@@ -20,7 +20,7 @@ pub(crate) use self::compensated::{
 pub use self::libm::Libm;
 pub(crate) use self::normal::{density_of_tail, hazard_above};
 pub use self::poly::Poly;
-pub(crate) use self::power::{exp2, exp2_pair, log2_1p, log2_of_sum, times};
+pub(crate) use self::power::{exp2, exp2_neg_pair, exp2_pair, log2_1p, log2_of_sum, times};
 pub(crate) use self::quantile::{
     normal_quantile, normal_quantile_of_word, normal_quantiles_of_word,
 };

@@ -52,6 +52,7 @@ mod cauchy;
 mod composed;
 mod cone;
 pub(crate) mod contract;
+mod degrees;
 pub(crate) mod direction;
 mod disk;
 mod each;
@@ -91,6 +92,8 @@ mod sphere;
 mod spherical;
 mod spherical_rectangle;
 mod spherical_triangle;
+mod student_pair;
+mod student_t;
 mod surface_point;
 mod tent;
 mod transform;
@@ -160,6 +163,8 @@ macro_rules! each_warp {
             spherical::SphericalPatch<T> "Uniform over the directions between two polar angles and two azimuths; two uniforms" SolidAngle,
             spherical_rectangle::SphericalRectangle<T> "Uniform over the directions from a point to a rectangle; two uniforms" SolidAngle,
             spherical_triangle::SphericalTriangle<T> "Uniform over the directions from a point to a triangle (Arvo's map); two uniforms" SolidAngle,
+            student_pair::StudentPair<T> "Student's t in the plane: a pair of numbers with heavy tails; two uniforms" Area,
+            student_t::StudentT<T> "Student's t, heavy tails by degrees of freedom; two uniforms" Length,
             tent::Tent "The tent (triangle) filter; one uniform" Length,
             transform::Transform "A warp followed by a one-to-one map, with its Jacobian",
             triangle::Triangle "Uniform barycentric coordinates; two uniforms" Area,

@@ -13,6 +13,7 @@ pub fn error_text(entry: &Entry, error: f64) -> String {
         Measure::UlpFrom(..) => format!("{error:.2} ulp of mean or deviate"),
         Measure::UlpOf(scale) => format!("{error:.2} ulp of {}", short(scale)),
         Measure::Length(1.0) => format!("{error:.2e}"),
+        Measure::From(_) => format!("{error:.2e} of the distance or the location"),
         Measure::Length(length) => format!("{error:.2e} of {}", short(length)),
     }
 }

@@ -6,7 +6,7 @@ use super::{head, remainder, two_product, two_sum};
 pub(crate) type DoubleWord = (f32, f32);
 
 /// The product; not rounded again, unlike [`num::product`](super::product).
-pub(crate) fn times(p: DoubleWord, q: DoubleWord) -> DoubleWord {
+pub(crate) const fn times(p: DoubleWord, q: DoubleWord) -> DoubleWord {
     let (product, dropped) = two_product(p.0, q.0);
     (product, dropped + (p.0 * q.1 + p.1 * q.0))
 }
@@ -39,7 +39,7 @@ pub(crate) const fn by_64((x, rest): DoubleWord) -> DoubleWord {
 }
 
 /// A number divided by a rounded one, rounded once.
-pub(crate) fn quotient((x, rest): DoubleWord, by: f32) -> f32 {
+pub(crate) const fn quotient((x, rest): DoubleWord, by: f32) -> f32 {
     let quotient = x / by;
     quotient + (remainder(x, quotient, by) + rest) / by
 }

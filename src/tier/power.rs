@@ -2,8 +2,8 @@
 //! products are exact, and a rest. Both tiers share this file.
 
 use crate::num::{
-    Scaled, head, is_plain, ldexp, nearest_integer, normalised, power_of_two_times, quick_two_sum,
-    remainder,
+    Scaled, head, is_plain, ldexp, nearest_integer, normalised, power_of_two, power_of_two_times,
+    quick_two_sum, remainder,
 };
 
 /// `(e^r - 1 - r)/r²` in powers of r; see `EXPONENTIAL` in `tests/derivation`.
@@ -120,6 +120,17 @@ pub(crate) const fn exp2_pair(exact: f32, small: f32) -> (f32, f32) {
     let (sum, dropped) = quick_two_sum(1.0, a);
     let (power, rest) = quick_two_sum(sum, dropped + b);
     (scale * power, scale * rest)
+}
+
+/// `(2^-y, 1 - 2^-y)` of y = exact + small from 0 to 125.5, both accurate where they are small.
+#[inline]
+pub(crate) fn exp2_neg_pair(exact: f32, small: f32) -> (f32, f32) {
+    let (n, k) = nearest_integer(-(exact + small));
+    let natural = ((-exact - n) - small) * core::f32::consts::LN_2;
+    let power = power_of_two(k);
+    // Exact, but for the sum.
+    let part = power * (natural + beyond_linear(natural));
+    (power + part, (1.0 - power) - part)
 }
 
 impl Scaled {

@@ -24,6 +24,7 @@ fn unit(measure: Measure) -> &'static str {
         Measure::UlpFrom(..) => "ulp of location or distance",
         Measure::UlpAbove(_) => "ulp of itself or of a length",
         Measure::Length(_) => "of the size",
+        Measure::From(_) => "of the distance or the location",
     }
 }
 

@@ -118,6 +118,7 @@ impl<'a> Examination<'a> {
             Measure::UlpFrom(mean, least) => [mean.abs().max(least), 0.0, 0.0],
             // Relative to each sample; see `strays`.
             Measure::Ulp => [0.0; 3],
+            Measure::From([a, b]) => [a.abs(), b.abs(), 0.0],
             Measure::Length(_) => [extent(0), extent(1), extent(2)],
         };
         self.rounding = size.map(|s| 4.0 * f64::from(f32::EPSILON) * s);

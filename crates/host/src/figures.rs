@@ -117,6 +117,7 @@ pub fn sample_error(entry: &Entry, exact: &Exact, x: Point, figures: &mut Figure
         }
         Measure::UlpAbove(least) => ulp(exact.point[0].abs().max(least)),
         Measure::Length(length) => length,
+        Measure::From(middle) => Measure::far(middle, exact.point),
     };
     raise(&mut figures.sample, distance / unit);
     if matches!(entry.domain, Domain::Directions | Domain::World) {

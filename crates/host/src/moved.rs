@@ -62,6 +62,10 @@ fn units(entry: &Entry, point: [f64; 3]) -> [f64; 3] {
         (Domain::Line, Measure::UlpAbove(least)) => [ulp(point[0].abs().max(least)), 0.0, 0.0],
         (Domain::Line, _) => [ulp(point[0]), 0.0, 0.0],
         (Domain::Plane, Measure::Length(size)) => [size * HALF_STEP, size * HALF_STEP, 0.0],
+        (Domain::Plane, Measure::From(middle)) => {
+            let size = Measure::far(middle, point);
+            [size * HALF_STEP, size * HALF_STEP, 0.0]
+        }
         (Domain::Directions, _) => {
             let sine = point[0].hypot(point[1]);
             [ulp(sine), ulp(sine), ulp(point[2])]

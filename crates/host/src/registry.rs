@@ -71,6 +71,17 @@ pub enum Measure {
     UlpAbove(f64),
     /// Euclidean distance in units of a length.
     Length(f64),
+    /// Euclidean distance in the plane in units of the exact one from a point, or of that point's coordinates, but at least of
+    /// the smallest normal number.
+    From([f64; 2]),
+}
+
+impl Measure {
+    /// The unit of [`Self::From`] at an exact point.
+    pub fn far([a, b]: [f64; 2], [x, y, _]: [f64; 3]) -> f64 {
+        let least = f64::from(f32::MIN_POSITIVE);
+        (x - a).hypot(y - b).max(a.abs()).max(b.abs()).max(least)
+    }
 }
 
 /// A warp whose types have been erased.

@@ -151,6 +151,31 @@ macro_rules! float_warps {
                 }
                 bind { "normal_pair" = NormalPair { new(mean: [f32; 2], std_dev: f32), } }
             }
+            StudentPair {
+                golden {
+                    "StudentPair" => StudentPair::<T>::new(v(3.0), [v(1.0), v(-1.0)], v(0.5)),
+                    "StudentPair 1e20" => StudentPair::<T>::new(v(1e20), [v(0.0), v(2.0)], v(0.5)),
+                }
+                cost { "student_pair" [u, v] -> [f32; 2] = const { ok(StudentPair::new(3.0, [0.0; 2], 1.0)) }, }
+                page {
+                    plane 2: StudentPair(degrees: 3 in 0.3..50, x: 0 in -10..10, y: 0 in -10..10, scale: 1 in 0..5)
+                        => StudentPair::<T>::new(degrees, [x, y], scale),
+                }
+                bind { "student_pair" = StudentPair { new(degrees: f32, location: [f32; 2], scale: f32), } }
+            }
+            StudentT {
+                golden {
+                    "StudentT" => StudentT::<T>::new(v(5.0), v(10.0), v(2.0)),
+                    "StudentT 0.3" => StudentT::<T>::new(v(0.3), v(0.0), v(1.0)),
+                    "StudentT 1e20" => StudentT::<T>::new(v(1e20), v(0.0), v(1.0)),
+                }
+                cost { "student_t" [u, v] -> f32 = const { ok(StudentT::new(5.0, 0.0, 1.0)) }, }
+                page {
+                    line 2: StudentT(degrees: 5 in 0.3..50, location: 0 in -10..10, scale: 1 in 0..5)
+                        => StudentT::<T>::new(degrees, location, scale),
+                }
+                bind { "student_t" = StudentT { new(degrees: f32, location: f32, scale: f32), } }
+            }
             TruncatedNormal {
                 golden {
                     "TruncatedNormal -1 2" => TruncatedNormal::<T>::new(v(0.0), v(1.0), v(-1.0), v(2.0)),

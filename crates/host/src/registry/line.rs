@@ -284,6 +284,27 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 1.0e20], TooLarge).refuse(&[0.0, TINY], Empty)
             .constant(in_both!(Cauchy<T>::new(0.3, 1.7)))
             .gives_back(|p| Cauchy::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
+        Registered::new("StudentT", "", &[Positive, Any, Positive], student_t::<T>)
+            .case_with("5, 0, 1", &[5.0, 0.0, 1.0], |e| e.picture("p of 5 degrees of freedom", View::Line(between(-6.0, 6.0))))
+            .control("a Student's t of other degrees", |[u, v, _], wrong| [-truth::student_radius(5.0 + 50.0 * wrong, u) * (PI * v).cos(), 0.0, 0.0], &["chi-square", "distance"])
+            .without("moment", "a draw takes two words, whose pairs are too many")
+            .peer("Student's t", &[5.0, 0.0, 1.0], "StudentT", || peers::block(rand_distr::StudentT::new(5.0)))
+            .peer("Student's t of 2 degrees", &[2.0, 0.0, 1.0], "StudentT", || peers::block(rand_distr::StudentT::new(2.0)))
+            .case("2, 100, 1", &[2.0, 100.0, 1.0])
+            .case("0.5, 0, 1e-30", &[0.5, 0.0, 1e-30])
+            .case("1, 0, 1e20", &[1.0, 0.0, 1e20])
+            .case("300, 0, 1", &[300.0, 0.0, 1.0])
+            .case_with("1e12, 0, 1e36", &[1e12, 0.0, 1e36], Entry::unresolved)
+            .case_with("3e38, 0, 1", &[3e38, 0.0, 1.0], Entry::unresolved)
+            .seed(&[1.0, 0.0, 1.0]).seed(&[0.27, 0.0, 1.0]).seed(&[0.267, 0.0, 1e-10]).seed(&[15.9, 1e30, 1e-30]).seed(&[1e8, 100.0, 1.0])
+            .seed(&[1.09e12, 0.0, 1.0]).seed(&[1.0, 1e37, 1e20]).seed(&[3.0, 0.0, 1e-38])
+            .refuse(&[NAN, 0.0, 1.0], NotFinite).refuse(&[INF, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 1.0], NotPositive)
+            .refuse(&[-1.0, 0.0, 1.0], NotPositive).refuse(&[1.0, NAN, 1.0], NotFinite).refuse(&[1.0, 0.0, 0.0], NotPositive)
+            .refuse(&[1.0, 0.0, -1.0], NotPositive).refuse(&[0.26, 0.0, 1.0], TooLarge).refuse(&[TINY, 0.0, 1.0], TooLarge)
+            .refuse(&[1.0, 0.0, 1.0e30], TooLarge).refuse(&[1.0, 0.0, TINY], Empty)
+            .constant(in_both!(StudentT<T>::new(2.7, 0.3, 1.7)))
+            .constant(in_both!(StudentT<T>::new(1e20, 0.3, 1.7)))
+            .gives_back(|p| StudentT::<T>::new(p[0], p[1], p[2]).map(|warp| vec![warp.degrees(), warp.location(), warp.scale()])),
         Registered::new("Laplace", "", &[Any, Positive], |p| {
             Ok(located::<T, _>("Laplace", p, Laplace::<T>::new(p[0], p[1])?, exact!(laplace(p[0], p[1]))).own_density().deep())
         })
@@ -481,6 +502,29 @@ where
     entry
         .variables(&[("w", location.abs() / scale)])
         .outside(&[])
+}
+
+/// Many pairs of uniforms share their point.
+fn student_t<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    let [degrees, location, scale] = [p[0], p[1], p[2]];
+    let warp = StudentT::<T>::new(degrees, location, scale)?;
+    let mut entry = entry::<T, _>(
+        "StudentT",
+        Domain::Line,
+        Measure::UlpFrom(location.into(), 0.0),
+        warp,
+        exact!(student_t(degrees, location, scale)),
+    );
+    entry.ends = Ends::None;
+    entry.open = false;
+    entry.folds = true;
+    entry.round_trip = false;
+    let far = f64::from(location).abs() / f64::from(scale);
+    Ok(entry
+        .deep()
+        .chart(truth::student_t_line(degrees, location, scale))
+        .variables(&[("w", far)])
+        .outside(&[]))
 }
 
 /// An interval of a normal law, of which one end may be infinite; the errors count from the point nearest to the mean.

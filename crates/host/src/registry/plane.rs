@@ -48,6 +48,28 @@ fn normal_pair<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
         .outside(&[]))
 }
 
+fn student_pair<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    let [degrees, scale] = [p[0], p[3]];
+    let location = [p[1], p[2]];
+    let warp = StudentPair::<T>::new(degrees, location, scale)?;
+    let [a, b] = location.map(f64::from);
+    let truth = exact!(StudentPair {
+        degrees: Real::from(degrees),
+        location: location.map(Real::from),
+        scale: Real::from(scale),
+    });
+    let measure = Measure::From([a, b]);
+    let mut entry = entry::<T, _>("StudentPair", Domain::Plane, measure, warp, truth);
+    entry.azimuth = true;
+    // Whatever the plane holds may be a sample; its inverse far out is an end.
+    entry.slack = f64::INFINITY;
+    let far = a.abs().max(b.abs());
+    Ok(entry
+        .deep()
+        .variables(&[("w", far / f64::from(scale))])
+        .outside(&[]))
+}
+
 fn triangle_on<T: Tier, const D: usize>(p: &[f32], domain: Domain) -> Result<Entry, Error>
 where
     [f32; D]: Flat<3> + Flat<4>,
@@ -133,6 +155,25 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 0.0, 1.0e-30], Empty).refuse(&[0.0, 0.0, 1.0e30], TooLarge)
             .constant(in_both!(NormalPair<T>::new([0.3, 3.0], 1.7)))
             .gives_back(|p| NormalPair::<T>::new([p[0], p[1]], p[2]).map(|warp| vec![warp.mean()[0], warp.mean()[1], warp.std_dev()])),
+        Registered::new("StudentPair", "", &[Positive, Any, Any, Positive], student_pair::<T>)
+            .case_with("3, 0, 1", &[3.0, 0.0, 0.0, 1.0], |e| {
+                e.picture("Bailey's form, 3 degrees, within 5σ", window(0.0, 0.0, 5.0))
+            })
+            .control("a Student's t of other degrees in the plane", |[u, v, _], wrong| disk((3.0 + 30.0 * wrong) * (-2.0 * (-u).ln_1p() / (3.0 + 30.0 * wrong)).exp_m1(), v), &["chi-square", "distance"])
+            .without("moment", "a draw takes two words, whose pairs are too many")
+            .without("peer", "rand_distr has none in the plane")
+            .case_with("1, (3, -2), 0.5", &[1.0, 3.0, -2.0, 0.5], Entry::no_round_trip)
+            // Far out the density is below the smallest number.
+            .case_with("0.3, 0, 1", &[0.3, 0.0, 0.0, 1.0], Entry::unresolved)
+            .case("30, 0, 1e-18", &[30.0, 0.0, 0.0, 1e-18])
+            .case("1e12, 0, 1e18", &[1e12, 0.0, 0.0, 1e18])
+            .case("1e30, 0, 1", &[1e30, 0.0, 0.0, 1.0])
+            .seed(&[1.0, 0.0, 0.0, 1.0]).seed(&[0.27, 0.0, 0.0, 1.0]).seed(&[1e8, 3.0, -2.0, 0.5]).seed(&[1e12, 0.0, 0.0, 1.0])
+            .refuse(&[NAN, 0.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[-1.0, 0.0, 0.0, 1.0], NotPositive)
+            .refuse(&[1.0, NAN, 0.0, 1.0], NotFinite).refuse(&[1.0, 0.0, 0.0, 0.0], NotPositive)
+            .refuse(&[0.26, 0.0, 0.0, 1.0], TooLarge).refuse(&[3.0, 0.0, 0.0, 1.0e-30], Empty).refuse(&[3.0, 0.0, 0.0, 1.0e30], TooLarge)
+            .constant(in_both!(StudentPair<T>::new(2.7, [0.3, 3.0], 1.7)))
+            .gives_back(|p| StudentPair::<T>::new(p[0], [p[1], p[2]], p[3]).map(|warp| vec![warp.degrees(), warp.location()[0], warp.location()[1], warp.scale()])),
         Registered::new("TriangleOn", "plane", &[Any; 6], |p| triangle_on::<T, 2>(p, Domain::Plane))
             .case_with("plane", &[0.0, 0.0, 4.0, 0.0, 1.0, 3.0], |e| {
                 e.picture("(0, 0), (4, 0), (1, 3)", FLAT)

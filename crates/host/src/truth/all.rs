@@ -22,7 +22,7 @@ pub use shapes::*;
 pub use surfaces::*;
 pub use visible_sphere::*;
 
-use super::{FRAC_1_PI, FRAC_1_SQRT_2, PI, Real, TAU, erf, erfc, real, to_f64};
+use super::{FRAC_1_PI, FRAC_1_SQRT_2, PI, Real, TAU, erf, erfc, ln_gamma, real, to_f64};
 
 pub type Uniforms = [Real; 4];
 pub type Point = [Real; 3];

@@ -1,6 +1,7 @@
 //! The truths in doubles, which the tests use.
 
 pub use libm::{erf, erfc};
+pub use statrs::function::gamma::ln_gamma;
 pub use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, TAU};
 
 pub type Real = f64;
@@ -17,4 +18,7 @@ pub const fn to_f64(x: Real) -> f64 {
 
 #[path = "all.rs"]
 mod all;
+#[path = "charts.rs"]
+mod charts;
 pub use all::*;
+pub use charts::*;

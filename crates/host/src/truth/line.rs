@@ -1,6 +1,9 @@
 //! Exact counterparts of the warps of the line.
 
-use super::{FRAC_1_PI, FRAC_1_SQRT_2, PI, Point, Real, TAU, Truth, Uniforms, erf, erfc, real};
+use super::{
+    FRAC_1_PI, FRAC_1_SQRT_2, PI, Point, Real, TAU, Truth, Uniforms, erf, erfc, ln_gamma, real,
+    student_radius,
+};
 
 /// A one-dimensional truth from its quantile function, density and CDF.
 pub struct Line<Q, P, C> {
@@ -400,7 +403,7 @@ pub fn normal(mean: f32, deviation: f32) -> Box<dyn Truth> {
 const SMALLEST: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 75) as f64;
 
 /// A law of a location and a scale, from that of location 0 and scale 1.
-fn located<Q, P, C>(location: f32, scale: f32, standard: Line<Q, P, C>) -> Box<dyn Truth>
+pub fn located<Q, P, C>(location: f32, scale: f32, standard: Line<Q, P, C>) -> Box<dyn Truth>
 where
     Q: Fn(Real) -> Real + Copy + Send + Sync + 'static,
     P: Fn(Real) -> Real + Copy + Send + Sync + 'static,
@@ -439,6 +442,46 @@ pub fn cauchy(location: f32, scale: f32) -> Box<dyn Truth> {
         },
     };
     located(location, scale, standard)
+}
+
+/// Γ((ν+1)/2)/(√(νπ) Γ(ν/2)), for many degrees by the series of the quotient's logarithm.
+pub fn student_peak(degrees: Real) -> Real {
+    let a = 0.5 * degrees;
+    let log = if a > 50.0 {
+        -1.0 / (8.0 * a) + 1.0 / (192.0 * a.powi(3)) - 1.0 / (640.0 * a.powi(5))
+    } else {
+        ln_gamma(a + 0.5) - ln_gamma(a) - 0.5 * a.ln()
+    };
+    log.exp() / TAU.sqrt()
+}
+
+/// Student's t by its map of two uniforms; its inverse is the pair whose second uniform lies at an end.
+pub fn student_t(degrees: f32, location: f32, scale: f32) -> Box<dyn Truth> {
+    struct Polar([Real; 3], Real);
+    impl Truth for Polar {
+        fn sample(&self, u: Uniforms) -> Point {
+            let Self([degrees, location, scale], _) = *self;
+            let radius = student_radius(degrees, u[0]);
+            // The cosine of half a turn, which is small about its middle.
+            let x = (PI * (u[1] - 0.5)).sin();
+            [location + scale * radius * x, real(0.0), real(0.0)]
+        }
+        fn pdf(&self, x: Point) -> Real {
+            let Self([degrees, location, scale], peak) = *self;
+            let t = (x[0] - location) / scale;
+            let log = 0.5 * (degrees + 1.0) * (t * t / degrees).ln_1p();
+            peak / scale * (-log).exp()
+        }
+        fn invert(&self, x: Point) -> Uniforms {
+            let Self([degrees, location, scale], _) = *self;
+            let t = (x[0] - location) / scale;
+            let u = -(-0.5 * degrees * (t * t / degrees).ln_1p()).exp_m1();
+            let end = real(if x[0] < location { 0.0 } else { 1.0 });
+            [u, end, real(0.0), real(0.0)]
+        }
+    }
+    let parameters = [degrees, location, scale].map(Real::from);
+    Box::new(Polar(parameters, student_peak(Real::from(degrees))))
 }
 
 pub fn laplace(location: f32, scale: f32) -> Box<dyn Truth> {

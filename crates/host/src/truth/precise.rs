@@ -3,7 +3,7 @@
 mod real;
 
 use ::f256::consts;
-pub use real::{Real, erf, erfc, real, to_f64};
+pub use real::{Real, erf, erfc, ln_gamma, real, to_f64};
 
 pub const PI: Real = Real::of(consts::PI);
 pub const TAU: Real = Real::of(consts::TAU);
