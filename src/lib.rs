@@ -191,6 +191,7 @@
 //! - [`PoissonRejection`](rejection::PoissonRejection): events of a mean number from 10 up
 //! - [`BinomialRejection`](rejection::BinomialRejection): successes of a variance from 10 up
 //! - [`HypergeometricRejection`](rejection::HypergeometricRejection): marked items of a sample, likewise
+//! - [`VonMises`](rejection::VonMises): angles about a mean direction, of any concentration
 //!
 //! Markov chains ([`metropolis`]):
 //! - [`Chain`](metropolis::Chain): states of any density, or of integer weights, in fixed memory
@@ -388,6 +389,8 @@ macro_rules! tier_module {
             pub type BinomialRejection = crate::rejection::BinomialRejection<$tier>;
             /// [`rejection::HypergeometricRejection`](crate::rejection::HypergeometricRejection) in this tier.
             pub type HypergeometricRejection = crate::rejection::HypergeometricRejection<$tier>;
+            /// [`rejection::VonMises`](crate::rejection::VonMises) in this tier.
+            pub type VonMises = crate::rejection::VonMises<$tier>;
             /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
             pub type LogUniformStep = crate::metropolis::LogUniformStep<$tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.

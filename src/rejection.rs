@@ -11,6 +11,7 @@
 //! | [`PoissonRejection`] | counts of events | 77 % to 89 % | 2 |
 //! | [`BinomialRejection`] | counts of successes | 77 % to 89 % | 2 |
 //! | [`HypergeometricRejection`] | counts of marked items in a sample | 77 % to 89 % | 2 |
+//! | [`VonMises`] | angles about a mean direction | 66 % to 100 % | 2 |
 //! | `fixed::DiskRejection` | the unit disk, in fixed point | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | the unit disk, in fixed point of 16 bits | π/4 = 78.5 % | 1 |
 //!
@@ -43,6 +44,7 @@ mod poisson;
 mod region;
 mod stirling;
 mod transformed;
+mod von_mises;
 mod ziggurat;
 
 pub use self::ball::{BallRejection, DiskRejection};
@@ -52,6 +54,7 @@ pub use self::failure::Failure;
 pub use self::hypergeometric::HypergeometricRejection;
 pub use self::poisson::PoissonRejection;
 pub use self::region::Region;
+pub use self::von_mises::VonMises;
 pub use self::ziggurat::{
     ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
 };

@@ -15,6 +15,7 @@ mod law;
 mod layers;
 mod poisson;
 mod subjects;
+mod von_mises;
 mod ziggurat_budgets;
 mod ziggurats;
 
