@@ -18,6 +18,8 @@
 //! | a number of trials and a probability, and count successes | [`Binomial`] | 592 bytes in all | eight comparisons |
 //! | a probability, and count failures before several successes | [`NegativeBinomial`] | 1,104 bytes in all | nine comparisons |
 //! | a population, and count the marked ones of a sample | [`Hypergeometric`] | 552 bytes in all | eight comparisons |
+//! | a centre and a spread, and want an integer about it | [`DiscreteGaussian`] | 1,080 bytes in all | nine comparisons |
+//! | a scale, and want an integer about 0 with heavier tails | [`DiscreteLaplace`] | none | a product a digit |
 //! | a mean, and count events | [`Poisson`] | none | some steps from the mean |
 //! | a picture, and want a point | [`PiecewiseConstant2d`] | 4 bytes a cell and a row | those of two `Cdf` |
 //! | a triangle mesh, and want a point on it | [`Mesh`] | 8 bytes a face | that of a `Cdf`, and a root |
@@ -56,6 +58,8 @@ mod cdf;
 mod cells;
 mod chooser;
 mod combination;
+mod discrete_gaussian;
+mod discrete_laplace;
 mod ends;
 pub mod filter;
 mod geometric;
@@ -88,6 +92,8 @@ pub use self::binomial::Binomial;
 pub use self::bins::AliasEntry;
 pub use self::cdf::Cdf;
 pub use self::combination::Normaliser;
+pub use self::discrete_gaussian::DiscreteGaussian;
+pub use self::discrete_laplace::DiscreteLaplace;
 pub use self::geometric::Geometric;
 pub use self::hypergeometric::Hypergeometric;
 pub use self::lat_long_map::{LatLongMap, PixelSample};

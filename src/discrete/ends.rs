@@ -1,5 +1,6 @@
 //! Counts by a table of words, for distributions of which neighbouring probabilities have a simple ratio.
 
+use super::poisson::exp_neg;
 use crate::error::{Error, finite, tried};
 use crate::num::Long;
 use core::ops::RangeInclusive;
@@ -26,6 +27,9 @@ pub(super) enum Kind {
         marked: u32,
         drawn: u32,
     },
+    /// Of e^(−(j + d)²h) for the j-th count from the one with the number `mode`: d in units of 2⁻⁶³, at most half of one either
+    /// way, and h.
+    Squares { mode: u32, off: i64, rate: Long },
 }
 
 /// A number of which products are 0.
@@ -83,7 +87,7 @@ impl Law {
     pub(super) const fn range(&self) -> [u32; 2] {
         match self.kind {
             Kind::Trials(trials) => [0, trials],
-            Kind::Failures(_) => [0, u32::MAX],
+            Kind::Failures(_) | Kind::Squares { .. } => [0, u32::MAX],
             Kind::Urn {
                 population,
                 marked,
@@ -104,6 +108,7 @@ impl Law {
             Kind::Failures(successes) => {
                 [((count as u64) << 31).wrapping_add(successes), next << 31]
             }
+            Kind::Squares { .. } => [1, 1],
             Kind::Urn {
                 population,
                 marked,
@@ -125,13 +130,44 @@ impl Law {
 
     /// The probability of the next count from that of a count below the largest.
     const fn above(&self, count: u32, probability: Long) -> Long {
+        if let Kind::Squares { .. } = self.kind {
+            return self.step(count, probability, false);
+        }
         let [more, less] = self.ratio(count);
         let ratio = Long::of(more, 64).over(Long::of(less, 64));
         probability.times(self.odds).times(ratio)
     }
 
+    /// The probability of the next count from that of this one, or the other way round, of exponents that are squares.
+    const fn step(&self, count: u32, probability: Long, down: bool) -> Long {
+        let Kind::Squares { mode, off, rate } = self.kind else {
+            return probability;
+        };
+        // (j + 1 + d)² − (j + d)², in units of 2⁻⁶².
+        let j = (count as i128).wrapping_sub(mode as i128);
+        let difference = ((j << 1 | 1) << 62).wrapping_add(off as i128);
+        let size = difference.unsigned_abs();
+        if size == 0 {
+            return probability;
+        }
+        let zeros = size.leading_zeros();
+        let size = Long::of(
+            (size.wrapping_shl(zeros) >> 64) as u64,
+            66_i32.wrapping_sub_unsigned(zeros),
+        );
+        let ratio = exp_neg(size.times(rate));
+        if (difference < 0) == down {
+            probability.times(ratio)
+        } else {
+            probability.over(ratio)
+        }
+    }
+
     /// The probability of the count before from that of a count above the smallest.
     const fn below(&self, count: u32, probability: Long) -> Long {
+        if let Kind::Squares { .. } = self.kind {
+            return self.step(count.wrapping_sub(1), probability, true);
+        }
         let [less, more] = self.ratio(count.wrapping_sub(1));
         let ratio = Long::of(more, 64).over(Long::of(less, 64));
         probability.times(self.inverse).times(ratio)
@@ -199,6 +235,11 @@ impl<const N: usize> Ends<N> {
             first,
             last,
         }
+    }
+
+    /// The count of the largest probability, but for rounding.
+    pub(super) const fn mode(&self) -> u32 {
+        self.mode
     }
 
     /// The count of a word.

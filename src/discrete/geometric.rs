@@ -175,7 +175,7 @@ impl Geometric {
         Self::of(Long::of(successes as u64, 64).over(Long::of(trials as u64, 64)))
     }
 
-    const fn of(success: Long) -> Result<Self, Error> {
+    pub(super) const fn of(success: Long) -> Result<Self, Error> {
         if success.exceeds(Long::ONE) {
             return Err(Error::OutOfRange);
         }
@@ -268,8 +268,12 @@ impl Geometric {
     /// The count of a word by its binary digits.
     #[cold]
     fn walked(&self, word: u32) -> u32 {
-        // The way from the middle of the word to 1, in units of 2^-63.
-        let bound = ONE.wrapping_sub(u64::from(word) << 31 | HALF);
+        // The way from the middle of the word to 1.
+        self.reached(ONE.wrapping_sub(u64::from(word) << 31 | HALF))
+    }
+
+    /// The largest count that is reached with this probability or more, in units of 2⁻⁶³.
+    pub(super) fn reached(&self, bound: u64) -> u32 {
         let (mut count, mut power) = (0, ONE);
         for (bit, step, shift) in self.falling() {
             let next = power.wrapping_sub(high(power, step) >> shift);

@@ -70,7 +70,7 @@ pub struct Poisson {
 }
 
 /// 1/k in units of 2⁻⁶⁴, from k = 1.
-static RECIPROCALS: [u64; 256] = {
+pub(super) static RECIPROCALS: [u64; 256] = {
     let mut table = [0; 256];
     let mut rest: &mut [u64] = &mut table;
     let mut k = 1;
@@ -82,8 +82,8 @@ static RECIPROCALS: [u64; 256] = {
     table
 };
 
-/// e⁻ˣ of x up to 80.
-const fn exp_neg(x: Long) -> Long {
+/// e⁻ˣ of x up to 128, to an absolute error of 2⁻⁵⁷ of x; e⁻¹²⁸ beyond.
+pub(super) const fn exp_neg(x: Long) -> Long {
     /// In units of 2⁻⁶⁴.
     const LN_2: u64 = 0xb172_17f7_d1cf_79ab;
     /// Half of it, likewise.

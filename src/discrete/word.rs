@@ -279,13 +279,16 @@ impl Word for u64 {
 /// The samples of a distribution on integers that has the count of a word.
 macro_rules! drawn_by_word {
     () => {
+        $crate::discrete::word::drawn_by_word!(u32 by count);
+    };
+    ($number:ident by $count:ident) => {
         /// The count of any `f32`, brought into [0, 1) by the rule of
         /// [`Uniforms::canonical`](crate::uniform::Uniforms::canonical) first: that of its first 32 bits.
         #[must_use]
         #[inline]
-        pub fn sample(&self, u: f32) -> u32 {
+        pub fn sample(&self, u: f32) -> $number {
             let u = $crate::uniform::Uniforms::canonical(u);
-            self.count(<u32 as $crate::discrete::Word>::from_uniform(u).0)
+            self.$count(<u32 as $crate::discrete::Word>::from_uniform(u).0)
         }
 
         /// Draws a count from a generator that can fail: one `u32`.
@@ -296,13 +299,13 @@ macro_rules! drawn_by_word {
         pub fn try_draw<R: rand_core::TryRng + ?Sized>(
             &self,
             rng: &mut R,
-        ) -> Result<u32, R::Error> {
-            rng.try_next_u32().map(|word| self.count(word))
+        ) -> Result<$number, R::Error> {
+            rng.try_next_u32().map(|word| self.$count(word))
         }
 
         /// Draws a count: one `u32` of the generator.
         #[inline]
-        pub fn draw<R: rand_core::Rng + ?Sized>(&self, rng: &mut R) -> u32 {
+        pub fn draw<R: rand_core::Rng + ?Sized>(&self, rng: &mut R) -> $number {
             $crate::uniform::infallible(self.try_draw(rng))
         }
     };

@@ -335,9 +335,9 @@ fn parameters_out_of_range_are_refused() {
 }
 
 /// One word, the count of it, and a failure of the generator.
-pub fn takes_one(
-    draw: impl Fn(&mut Counting<Failing>) -> Result<u32, Broken>,
-    count: impl Fn(u32) -> u32,
+pub fn takes_one<C: PartialEq + std::fmt::Debug>(
+    draw: impl Fn(&mut Counting<Failing>) -> Result<C, Broken>,
+    count: impl Fn(u32) -> C,
 ) {
     let word = 0x9234_5678;
     let mut rng = Counting::new(Failing { word, left: 1 });

@@ -76,6 +76,11 @@ impl Exact {
             next = next * more / less;
             each.push(next.clone());
         }
+        Self::of(from, each)
+    }
+
+    /// Weights of a count and of those behind it.
+    pub fn of(from: u32, each: Vec<BigUint>) -> Self {
         let mut sum = BigUint::ZERO;
         let sums = each.iter().map(|weight| {
             sum += weight;

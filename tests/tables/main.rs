@@ -16,6 +16,7 @@ mod edges;
 mod ends;
 mod exact;
 mod hypergeometrics;
+mod integers;
 mod leftover;
 mod light_reservoir;
 mod masses;
