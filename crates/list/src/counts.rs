@@ -4,7 +4,10 @@ use crate::Out;
 use crate::integers::stirred;
 use crate::subjects::{generator, with};
 use core::ops::RangeInclusive;
-use microwarp::discrete::{Binomial, Geometric, Hypergeometric, NegativeBinomial, Poisson};
+use microwarp::discrete::{
+    Binomial, DiscreteGaussian, DiscreteLaplace, Geometric, Hypergeometric, NegativeBinomial,
+    Poisson,
+};
 use microwarp::uniform::up_to_from_word;
 
 /// The count of a word with its probability and the last of its words, and a count of a generator.
@@ -146,5 +149,44 @@ pub fn urns(u: [f32; 4], input: usize, out: &mut Out) {
     with(Hypergeometric::new(c, c >> 1, d >> 23), out, |law, out| {
         out.word(law.sample(u[3]));
         out.float(law.pmf(d >> 24));
+    });
+}
+
+/// Integers about a centre and about 0, by numbers and by a ratio of integers.
+pub fn around(u: [f32; 4], input: usize, out: &mut Out) {
+    let [a, b, c, d] = stirred(u);
+    let mut rng = generator(input);
+    let centre = (a as f32 - 2_147_483_648.0) * (0.001 * u[1]);
+    with(
+        DiscreteGaussian::new(centre, 20.0 * u[0]),
+        out,
+        |law, out| {
+            let integer = law.integer(d);
+            seen(
+                integer as u32,
+                law.draw(&mut rng) as u32,
+                law.pmf(integer),
+                law.words_of(integer),
+                out,
+            );
+        },
+    );
+    with(
+        DiscreteLaplace::from_ratio(b >> (c & 31), a | 1),
+        out,
+        |law, out| {
+            let integer = law.integer(d);
+            seen(
+                integer as u32,
+                law.draw(&mut rng) as u32,
+                law.pmf(integer),
+                law.words_of(integer),
+                out,
+            );
+        },
+    );
+    with(DiscreteLaplace::new(1e4 * u[2]), out, |law, out| {
+        out.word(law.sample(u[3]) as u32);
+        out.float(law.pmf((d >> 20) as i32));
     });
 }

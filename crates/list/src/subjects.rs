@@ -11,8 +11,9 @@ use microwarp::discrete::{
 use microwarp::estimate::{Integral, Moments, WeightedMean, balance_heuristic, power_heuristic};
 use microwarp::rejection::{
     Accepted, BallRejection, BinomialRejection, Bounded, DiskRejection, Failure,
-    HypergeometricRejection, PoissonRejection, Region, Rejection, SLACK, ZigguratExponential,
-    ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal, budget_for,
+    HypergeometricRejection, PoissonRejection, Region, Rejection, SLACK, VonMises,
+    ZigguratExponential, ZigguratNormal, ZigguratStandardExponential, ZigguratStandardNormal,
+    budget_for,
 };
 use microwarp::uniform::{
     self, ByPosition, Canonical, Points, Recurrence, Sobol, Strata1d, Strata2d, Uniforms,
@@ -995,6 +996,23 @@ float_warps!(subjects {
         for (population, marked, drawn) in [(a, b, c), (d >> 16, a >> 17, b >> 17), (u32::MAX, c, d), (u32::MAX - d, a >> 12, b)] {
             with(HypergeometricRejection::<T>::new(population, marked, drawn), out, |law, out| {
                 tried_and_drawn(&law, law.attempt([d, a]), |count| law.pmf(count), input, out);
+            });
+        }
+    },
+    once "integers around" => counts::around,
+    "rejection von mises" => |[a, b, c, d], input, out| {
+        let [place, decision] = [d, a].map(|u| (u * 4_294_967_296.0) as u32);
+        for (mean, concentration) in [(6.0 * a - 3.0, 20.0 * b), (v(3.0), v(1e-20) * c), (12.0 * b - 6.0, v(1e20) * d)] {
+            with(VonMises::<T>::new(mean, concentration), out, |law, out| {
+                out.float(law.attempt([place, decision]).unwrap_or(9.0));
+                out.float(law.pdf(a));
+                match law.draw(&mut generator(input)) {
+                    Ok(drawn) => {
+                        out.float(drawn.point);
+                        out.float(law.pdf(drawn.point));
+                    }
+                    Err(failure) => failed(failure, out),
+                }
             });
         }
     },

@@ -19,6 +19,10 @@ fn urn<const POPULATION: u32>() -> Result<poly::HypergeometricRejection, Error> 
     poly::HypergeometricRejection::new(POPULATION, POPULATION / 2, POPULATION / 4)
 }
 
+fn von_mises<const CONCENTRATION: u32>() -> Result<poly::VonMises, Error> {
+    poly::VonMises::new(1.0, CONCENTRATION as f32)
+}
+
 kernels! {
     "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
     "rejection_ball_pcg32" (rng) -> [f32; 3] = BallRejection::new().draw(rng).map_or([0.0; 3], |accepted| accepted.point);
@@ -38,4 +42,6 @@ kernels! {
         loaded(binomial::<1000>).draw(rng).map_or(0, |accepted| accepted.point), made(binomial::<1000>);
     "poly_hypergeometric_rejection_10000_pcg32" (rng) -> u32 =
         loaded(urn::<10_000>).draw(rng).map_or(0, |accepted| accepted.point), made(urn::<10_000>);
+    "poly_von_mises_10_pcg32" (rng) -> f32 =
+        loaded(von_mises::<10>).draw(rng).map_or(0.0, |accepted| accepted.point), made(von_mises::<10>);
 }

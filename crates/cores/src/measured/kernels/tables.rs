@@ -5,7 +5,7 @@ use crate::measured::registry::{entry, ok};
 use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint,
+    Alias, AliasEntry, Binomial, Cdf, DiscreteGaussian, DiscreteLaplace, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint,
     Mixture, NegativeBinomial, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d,
     Poisson, SignedLinear1d, SumTree, filter,
 };
@@ -134,6 +134,12 @@ tables! {
     "hypergeometric_1000" "hypergeometric_1000_pcg32"
         HYPERGEOMETRIC_1000: Hypergeometric = Hypergeometric::new(1000, 300, 100),
         (word: u32) -> u32 = HYPERGEOMETRIC_1000.count(word), rng => HYPERGEOMETRIC_1000.draw(rng);
+    "discrete_gaussian_3" "discrete_gaussian_3_pcg32"
+        DISCRETE_GAUSSIAN_3: DiscreteGaussian = DiscreteGaussian::new(0.25, 3.0),
+        (word: u32) -> i32 = DISCRETE_GAUSSIAN_3.integer(word), rng => DISCRETE_GAUSSIAN_3.draw(rng);
+    "discrete_laplace_10" "discrete_laplace_10_pcg32"
+        DISCRETE_LAPLACE_10: DiscreteLaplace = DiscreteLaplace::from_ratio(10, 1),
+        (word: u32) -> i32 = DISCRETE_LAPLACE_10.integer(word), rng => DISCRETE_LAPLACE_10.draw(rng);
     "poisson_10" "poisson_10_pcg32" POISSON_10: Poisson = Poisson::from_ratio(10, 1),
         (word: u32) -> u32 = POISSON_10.count(word), rng => POISSON_10.draw(rng);
     "poisson_80" "poisson_80_pcg32" POISSON_80: Poisson = Poisson::from_ratio(80, 1),

@@ -4,7 +4,7 @@ use crate::cycles::{CORES, whole};
 use crate::tables::rows;
 use microwarp::rejection::{
     BallRejection, BinomialRejection, DiskRejection, HypergeometricRejection, PoissonRejection,
-    Rejection, ZigguratStandardExponential, ZigguratStandardNormal,
+    Rejection, VonMises, ZigguratStandardExponential, ZigguratStandardNormal,
 };
 use microwarp::tier::Poly;
 use microwarp_host::counts::Counts;
@@ -12,7 +12,7 @@ use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 
 /// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
-fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 10]> {
+fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 11]> {
     use microwarp::fixed as integer;
     let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
     Ok([
@@ -74,6 +74,12 @@ fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 10]> {
             "poly_hypergeometric_rejection_10000_pcg32",
             efficiency(&urn(10_000)?)?,
             HypergeometricRejection::<Poly>::BUDGET,
+            false,
+        ),
+        (
+            "poly_von_mises_10_pcg32",
+            efficiency(&VonMises::<Poly>::new(1.0, 10.0).map_err(|e| e.to_string())?)?,
+            VonMises::<Poly>::BUDGET,
             false,
         ),
     ])

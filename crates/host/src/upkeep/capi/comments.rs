@@ -268,6 +268,7 @@ fn ascii(text: &str) -> String {
             'φ' => plain.push_str("phi"),
             'π' => plain.push_str("pi"),
             'α' => plain.push_str("alpha"),
+            'ν' => plain.push_str("nu"),
             'ᵢ' => plain.push_str("_i"),
             c => plain.push(c),
         }
