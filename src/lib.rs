@@ -193,6 +193,8 @@
 //! - [`BinomialRejection`](rejection::BinomialRejection): successes of a variance from 10 up
 //! - [`HypergeometricRejection`](rejection::HypergeometricRejection): marked items of a sample, likewise
 //! - [`VonMises`](rejection::VonMises): angles about a mean direction, of any concentration
+//! - [`Gamma`](rejection::Gamma): gamma and chi-squared numbers of any shape, or their logarithms
+//! - [`Beta`](rejection::Beta), [`Dirichlet`](rejection::Dirichlet): a share and its rest, or shares of a whole
 //!
 //! Markov chains ([`metropolis`]):
 //! - [`Chain`](metropolis::Chain): states of any density, or of integer weights, in fixed memory
@@ -392,6 +394,12 @@ macro_rules! tier_module {
             pub type HypergeometricRejection = crate::rejection::HypergeometricRejection<$tier>;
             /// [`rejection::VonMises`](crate::rejection::VonMises) in this tier.
             pub type VonMises = crate::rejection::VonMises<$tier>;
+            /// [`rejection::Gamma`](crate::rejection::Gamma) in this tier.
+            pub type Gamma = crate::rejection::Gamma<$tier>;
+            /// [`rejection::Beta`](crate::rejection::Beta) in this tier.
+            pub type Beta = crate::rejection::Beta<$tier>;
+            /// [`rejection::Dirichlet`](crate::rejection::Dirichlet) in this tier.
+            pub type Dirichlet<const N: usize> = crate::rejection::Dirichlet<$tier, N>;
             /// [`metropolis::LogUniformStep`](crate::metropolis::LogUniformStep) in this tier.
             pub type LogUniformStep = crate::metropolis::LogUniformStep<$tier>;
             /// [`metropolis::LogDensity`](crate::metropolis::LogDensity) in this tier.

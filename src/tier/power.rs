@@ -173,7 +173,13 @@ impl Scaled {
             return Self::ONE.raised(if up { 1000 } else { -1000 });
         }
         let (exact, small) = times(log, y);
-        let (k, a, b) = exp2(exact, small + y_rest * log.0);
+        self.times_exp2(exact, small + y_rest * log.0)
+    }
+
+    /// The number times 2^(exact + small), for sums up to 2^22.
+    #[inline]
+    pub(crate) const fn times_exp2(self, exact: f32, small: f32) -> Self {
+        let (k, a, b) = exp2(exact, small);
         // s(1 + a + b), with its largest product exact and all the rest in one sum, so that the result is monotone where k
         // changes.
         let (s, exponent) = self.parts();
