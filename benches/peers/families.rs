@@ -71,6 +71,12 @@ families! {
     Draw "Poisson, mean 60" "Poisson" laws::poisson(60.0);
     Draw "Poisson, mean 30, rejection" "Poisson" laws::poisson_rejection(30.0);
     Draw "Poisson, mean 1000" "Poisson" laws::poisson_rejection(1000.0);
+    Draw "gamma, shape 0.5" "Gamma" laws::gamma(0.5);
+    Draw "gamma, shape 2.5" "Gamma" laws::gamma(2.5);
+    Draw "gamma, shape 1000" "Gamma" laws::gamma(1000.0);
+    Draw "beta, shapes 0.5 and 3" "Beta" laws::beta(0.5, 3.0);
+    Draw "beta, shapes 2 and 5" "Beta" laws::beta(2.0, 5.0);
+    Draw "Dirichlet, 4 shapes" "Dirichlet" laws::dirichlet([0.5, 1.0, 2.0, 4.0]);
     Draw "cdf of 8" "WeightedIndex" tables::cdf(8);
     Draw "cdf of 64" "WeightedIndex" tables::cdf(64);
     Draw "cdf of 1024" "WeightedIndex" tables::cdf(1024);

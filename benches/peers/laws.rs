@@ -7,8 +7,9 @@ use host::contest::Contest;
 use host::peers::theirs;
 use host::registry::{of_libm, of_poly};
 use microwarp::discrete;
-use microwarp::rejection::PoissonRejection;
-use microwarp::tier::Poly;
+use microwarp::rejection::{Beta, Dirichlet, Gamma, PoissonRejection};
+use microwarp::tier::{Libm, Poly};
+use rand_distr::multi::MultiDistribution;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
 
@@ -73,4 +74,45 @@ pub fn poisson_rejection(mean: f32) -> Contest<u32> {
     of_counts()
         .draw(REJECTION, accepted(ours))
         .draw(RAND_DISTR, move |rng| peer(rng) as u32)
+}
+
+/// A contest of numbers with the generator alone.
+fn of_numbers() -> Contest<f32> {
+    Contest::new(0.0).draw(FLOOR, word)
+}
+
+pub fn gamma(shape: f32) -> Contest<f32> {
+    let libm = black_box(Gamma::<Libm>::new(shape, 1.0).unwrap());
+    let poly = black_box(Gamma::<Poly>::new(shape, 1.0).unwrap());
+    let peer = theirs::<f32, _>(rand_distr::Gamma::new(shape, 1.0).unwrap());
+    of_numbers()
+        .draw(LIBM, accepted(libm))
+        .draw(POLY, accepted(poly))
+        .draw(RAND_DISTR, peer)
+}
+
+/// Ours gives the rest as well.
+pub fn beta(a: f32, b: f32) -> Contest<f32> {
+    let libm = accepted(black_box(Beta::<Libm>::new(a, b).unwrap()));
+    let poly = accepted(black_box(Beta::<Poly>::new(a, b).unwrap()));
+    let peer = theirs::<f32, _>(rand_distr::Beta::new(a, b).unwrap());
+    of_numbers()
+        .draw(LIBM, move |rng| libm(rng)[0])
+        .draw(POLY, move |rng| poly(rng)[0])
+        .draw(RAND_DISTR, peer)
+}
+
+pub fn dirichlet(shapes: [f32; 4]) -> Contest<[f32; 4]> {
+    let libm = accepted(black_box(Dirichlet::<Libm, 4>::new(shapes).unwrap()));
+    let poly = accepted(black_box(Dirichlet::<Poly, 4>::new(shapes).unwrap()));
+    let peer = black_box(rand_distr::multi::Dirichlet::new(&shapes).unwrap());
+    Contest::new([0.0; 4])
+        .draw(FLOOR, |rng| [(); 4].map(|()| word(rng)))
+        .draw(LIBM, libm)
+        .draw(POLY, poly)
+        .draw(RAND_DISTR, move |rng| {
+            let mut shares = [0.0; 4];
+            peer.sample_to_slice(rng, &mut shares);
+            shares
+        })
 }

@@ -24,6 +24,8 @@ mod counts;
 #[cfg(feature = "cases")]
 pub mod fixed;
 #[cfg(feature = "cases")]
+mod gammas;
+#[cfg(feature = "cases")]
 mod integers;
 #[cfg(feature = "cases")]
 mod lamps;

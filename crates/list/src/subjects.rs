@@ -1,7 +1,7 @@
 //! The subjects and the inputs of the golden table. The warps stand in `warps.rs`.
 
 use crate::cases::Golden;
-use crate::{chains, counts, integers, lamps, orders};
+use crate::{chains, counts, gammas, integers, lamps, orders};
 use core::hint::black_box;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, InvertParts, LatLongMap, Mesh, MeshPoint, Mixture, Parts,
@@ -1016,4 +1016,6 @@ float_warps!(subjects {
             });
         }
     },
+    "rejection gamma" => gammas::numbers::<T>,
+    "rejection shares" => gammas::shares::<T>,
 });

@@ -23,6 +23,18 @@ fn von_mises<const CONCENTRATION: u32>() -> Result<poly::VonMises, Error> {
     poly::VonMises::new(1.0, CONCENTRATION as f32)
 }
 
+fn gamma<const TENTHS: u32>() -> Result<poly::Gamma, Error> {
+    poly::Gamma::new(0.1 * TENTHS as f32, 2.0)
+}
+
+fn beta() -> Result<poly::Beta, Error> {
+    poly::Beta::new(2.0, 5.0)
+}
+
+fn dirichlet() -> Result<poly::Dirichlet<4>, Error> {
+    poly::Dirichlet::new([0.5, 1.0, 2.0, 4.0])
+}
+
 kernels! {
     "rejection_disk_pcg32" (rng) -> [f32; 2] = DiskRejection::new().draw(rng).map_or([0.0; 2], |accepted| accepted.point);
     "rejection_ball_pcg32" (rng) -> [f32; 3] = BallRejection::new().draw(rng).map_or([0.0; 3], |accepted| accepted.point);
@@ -44,4 +56,12 @@ kernels! {
         loaded(urn::<10_000>).draw(rng).map_or(0, |accepted| accepted.point), made(urn::<10_000>);
     "poly_von_mises_10_pcg32" (rng) -> f32 =
         loaded(von_mises::<10>).draw(rng).map_or(0.0, |accepted| accepted.point), made(von_mises::<10>);
+    "poly_gamma_25_pcg32" (rng) -> f32 =
+        loaded(gamma::<25>).draw(rng).map_or(0.0, |accepted| accepted.point), made(gamma::<25>);
+    "poly_gamma_5_pcg32" (rng) -> f32 =
+        loaded(gamma::<5>).draw(rng).map_or(0.0, |accepted| accepted.point), made(gamma::<5>);
+    "poly_beta_2_5_pcg32" (rng) -> [f32; 2] =
+        loaded(beta).draw(rng).map_or([0.0; 2], |accepted| accepted.point), made(beta);
+    "poly_dirichlet_4_pcg32" (rng) -> [f32; 4] =
+        loaded(dirichlet).draw(rng).map_or([0.0; 4], |accepted| accepted.point), made(dirichlet);
 }
