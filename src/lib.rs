@@ -207,7 +207,10 @@
 //! - [`Subset`](metropolis::Subset), [`OneCoordinate`](metropolis::OneCoordinate), [`Product`](metropolis::Product),
 //!   [`Mixture`](metropolis::Mixture): combinations
 //! - [`WithPayload`](metropolis::WithPayload): what else the target finds, kept with the state
-//! - [`Autocorrelation`](metropolis::Autocorrelation), [`split_r_hat`](metropolis::split_r_hat): has the chain converged?
+//! - [`Tuning`](metropolis::Tuning): the scale of a step, found while the chain burns in; of all that is
+//!   [`Scalable`](metropolis::Scalable)
+//! - [`Autocorrelation`](metropolis::Autocorrelation), [`split_r_hat`](metropolis::split_r_hat), [`Draws`](metropolis::Draws): has the
+//!   chain converged?
 //!
 //! Estimators ([`estimate`]):
 //! - [`Moments`](estimate::Moments): mean and variance

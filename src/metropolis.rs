@@ -90,6 +90,10 @@
 //! A chain in the unit cube can drive any warp: its state is the warp's uniforms, and its density is f/p at the
 //! point. See [`primary_density`].
 //!
+//! # How wide?
+//!
+//! [`Tuning`] finds the scale of a step while the chain burns in, and freezes it then.
+//!
 //! # Start-up bias
 //!
 //! A chain that does not start with the density f needs time to forget its start. Either wait ([`Chain::burn_in`]), or
@@ -97,14 +101,21 @@
 //!
 //! # Has it converged?
 //!
-//! [`Autocorrelation`] tells how many steps are worth one independent sample. [`split_r_hat()`] compares several runs.
-//! Neither notices a peak that no run has visited.
+//! | you have | take |
+//! |---|---|
+//! | one run, no memory for it | [`Autocorrelation`]: how many steps are worth one independent sample, the error of the mean |
+//! | several runs, no memory for them | [`split_r_hat()`]: whether they agree |
+//! | several runs in memory | [`Draws`]: R̂ by ranks, effective sizes of bulk and tails, the error of the mean |
+//!
+//! None notices a peak that no run has visited.
 
 mod acceptance;
 mod autocorrelation;
 mod chain;
 mod chance;
 mod coordinates;
+mod draws;
+mod effective;
 mod hastings_correction;
 mod hastings_ratio;
 mod independence;
@@ -116,7 +127,9 @@ mod primary;
 mod product;
 mod r_hat;
 mod random_walk;
+mod ranks;
 mod rule;
+mod scalable;
 mod standing;
 mod start;
 mod step_law;
@@ -124,10 +137,12 @@ mod subset;
 mod target_density;
 mod target_value;
 mod transition;
+mod tuning;
 
 pub use self::autocorrelation::Autocorrelation;
 pub use self::chain::{Chain, Saved};
 pub use self::coordinates::Coordinates;
+pub use self::draws::Draws;
 pub use self::hastings_correction::{HastingsCorrection, Symmetric};
 pub use self::hastings_ratio::{HastingsCounts, HastingsRatio};
 pub use self::independence::{Independence, StateSource, UniformStep};
@@ -139,10 +154,12 @@ pub use self::primary::primary_density;
 pub use self::product::Product;
 pub use self::r_hat::{Halves, r_hat, split_r_hat};
 pub use self::random_walk::{RandomWalk, WrappedWalk, wrapping_add};
+pub use self::scalable::Scalable;
 pub use self::start::Start;
 pub use self::step_law::{BoxStep, LogUniformStep, NormalStep, StepLaw};
 pub use self::subset::{OneCoordinate, Subset};
 pub use self::target_density::{LogDensity, TargetDensity};
 pub use self::target_value::TargetValue;
 pub use self::transition::{Outcome, Transition};
+pub use self::tuning::Tuning;
 pub use crate::uniform::Chance;

@@ -1,6 +1,7 @@
 //! Autocorrelation along a chain, its integrated time, and the effective sample size.
 
 use crate::estimate::{Scale, Sum, Tally};
+use crate::tier::sqrt;
 
 /// The autocorrelation of a number along a chain, with the integrated autocorrelation time and the effective sample size.
 ///
@@ -43,7 +44,7 @@ use crate::estimate::{Scale, Sum, Tally};
 ///
 /// # See also
 ///
-/// - [`split_r_hat`](super::split_r_hat()), which compares several runs.
+/// - [`split_r_hat`](super::split_r_hat()), which compares several runs, and [`Draws`](super::Draws), which keeps them.
 ///
 /// # Source
 ///
@@ -185,6 +186,18 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
     #[must_use]
     pub fn effective_sample_size(&self) -> Option<f32> {
         Some(self.count() as f32 / self.integrated_time()?)
+    }
+
+    /// The standard error of the mean: the standard deviation over the root of the effective sample size.
+    ///
+    /// [`None`] if [`Autocorrelation::integrated_time`] is.
+    #[doc(alias = "mcse")]
+    #[must_use]
+    pub fn standard_error(&self) -> Option<f32> {
+        let size = self.effective_sample_size()?;
+        let count = self.count() as f32;
+        let squares = self.about(self.sum.value() / count).next()?.value();
+        Some(self.scale.undo(sqrt(squares / (count - 1.0) / size)))
     }
 
     /// The autocorrelations from lag 0 on, as far as they are known.

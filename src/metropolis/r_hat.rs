@@ -101,6 +101,11 @@ impl Halves {
 #[doc(alias = "convergence")]
 #[must_use]
 pub fn r_hat<'a>(sequences: impl Iterator<Item = &'a Moments> + Clone) -> Option<f32> {
+    r_hat_of(sequences.copied())
+}
+
+/// The same of moments that are made anew at each of four passes.
+pub(super) fn r_hat_of(sequences: impl Iterator<Item = Moments> + Clone) -> Option<f32> {
     // Take means from a common centre: far from 0 they could differ by less than their rounding.
     let first = sequences.clone().next()?;
     let scale = (sequences.clone()).fold(first.scale(), |scale, s| scale.joined(s.scale()));
@@ -138,7 +143,12 @@ pub fn r_hat<'a>(sequences: impl Iterator<Item = &'a Moments> + Clone) -> Option
 /// Split R̂ of one or more runs: the [`r_hat`] of all their halves. It detects a run that drifts, even a single one.
 ///
 /// A value above 1.01 says that the runs are too short, or that some have not been everywhere. It compares means only:
-/// runs with equal means and unequal spreads pass. Its domain is that of [`r_hat`].
+/// runs with equal means and unequal spreads pass. To see these, push |x − m| to further [`Halves`], for a number m near the
+/// median, as the burn-in has shown it. Its domain is that of [`r_hat`].
+///
+/// # See also
+///
+/// - [`Draws`](super::Draws), which ranks draws kept in memory, and so serves any distribution.
 ///
 /// # Source
 ///
