@@ -10,6 +10,7 @@ use microwarp::metropolis::*;
 use microwarp::rejection::Failure;
 use microwarp::tier::Tier;
 use microwarp::warp::{Hemisphere, NormalPair, PhongLobe};
+use rand_core::Rng as _;
 
 /// Steps a case takes, so that an error anywhere has spread by its end.
 const STEPS: usize = 20;
@@ -330,6 +331,69 @@ pub fn health([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
         figure(split_r_hat(&runs), out);
         figure(r_hat(runs.iter().map(|run| &run.parts()[0])), out);
     });
+}
+
+pub fn tuned<T: Tier>([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
+    let f = |[x, y]: [f32; 2]| LogDensity::<T>::new(-x * x - 3.0 * y * y);
+    let mut rng = generator(input);
+    let tuning = || {
+        let step = NormalStep::<_, T>::new([1e3 * a, 2.0 * b])?;
+        Tuning::new(Chain::new([c, d], f)?, step, 0.1 + 0.5 * c)
+    };
+    with(tuning(), out, |mut tuning, out| {
+        for _ in 0..STEPS {
+            tuning.step(f, &mut rng);
+        }
+        out.float(tuning.scale());
+        out.word(tuning.steps() as u32);
+        let (mut chain, step) = tuning.freeze();
+        step.std_devs().put(out);
+        out.word(chain.steps() as u32);
+        chain.step(f, &step, &mut rng).state().put(out);
+    });
+    let scaled = || {
+        let sizes = LogUniformStep::<T>::new(v(0.01), v(0.5))?.scaled(10.0 * d);
+        let box_step = BoxStep::new([a, v(0.0), v(3e38)])?.scaled(0.5 + b);
+        Ok((sizes, box_step))
+    };
+    with(scaled(), out, |(sizes, box_step), out| {
+        [sizes.smallest(), sizes.largest()].put(out);
+        box_step.widths().put(out);
+    });
+    let goal = 1.5 * d - 0.2;
+    let chain = Chain::new(a, |x| 0.5 + x);
+    verdict(
+        chain.and_then(|chain| Tuning::new(chain, BoxStep::new(b)?, goal)),
+        out,
+    );
+}
+
+/// Nine draws of three chains each, of which some are equal.
+pub fn judged([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
+    let mut rng = generator(input);
+    let mut chains = [[0.0; 9]; 3];
+    let mut x = a;
+    for chain in &mut chains {
+        for draw in chain {
+            let word = rng.next_u32();
+            x = 0.5 * x + b * ((word >> 24) as f32 - 128.0);
+            *draw = 1e3 * c + if word & 3 == 0 { d } else { x };
+        }
+    }
+    let mut scratch = [0.0; 54];
+    with(Draws::new(&chains, &mut scratch), out, |mut draws, out| {
+        figure(draws.split_r_hat(), out);
+        figure(draws.r_hat(), out);
+        figure(draws.folded_r_hat(), out);
+        out.float(draws.effective_sample_size());
+        out.float(draws.bulk_effective_sample_size());
+        out.float(draws.tail_effective_sample_size());
+        out.float(draws.standard_error());
+    });
+    verdict(
+        Draws::new(&[[b; 9], [black_box(f32::NAN); 9]], &mut scratch),
+        out,
+    );
 }
 
 pub fn verdicts<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {

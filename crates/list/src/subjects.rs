@@ -914,6 +914,8 @@ float_warps!(subjects {
     "chain starts" => chains::starts::<T>,
     "chain of uniforms" => chains::primary::<T>,
     once "chain health" => chains::health,
+    "chain tuned" => chains::tuned::<T>,
+    once "chain draws" => chains::judged,
     "chain verdicts" => chains::verdicts::<T>,
     once "integer chains" => integers::chains,
     once "integer chances" => integers::chances,

@@ -2,7 +2,9 @@
 
 use crate::measured::registry::{kernels, loaded, made};
 use microwarp::Error;
-use microwarp::metropolis::{Chain, LargeSmall, LogUniformStep, Mixture, UniformStep, WrappedWalk};
+use microwarp::metropolis::{
+    Chain, LargeSmall, LogUniformStep, Mixture, NormalStep, Tuning, UniformStep, WrappedWalk,
+};
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_pcg::Pcg32;
 
@@ -30,6 +32,18 @@ fn step<T: Tier>((chain, mutation): &mut LargeAndSmall<T>, rng: &mut Pcg32) -> P
     chain.step(slopes, mutation, rng).state()
 }
 
+type Tuned<T> = Tuning<Point, NormalStep<Point, T>>;
+
+fn tuning<T: Tier>() -> Result<Tuned<T>, Error> {
+    Tuning::new(uniform()?, NormalStep::new([0.5; 2])?, 0.35)
+}
+
+#[inline(always)]
+fn tune<T: Tier>(tuning: &mut Tuned<T>, rng: &mut Pcg32) -> f32 {
+    tuning.step(slopes, rng);
+    tuning.scale()
+}
+
 kernels! {
     "chain_uniform_2_pcg32" (rng) -> [f32; 2] =
         loaded(uniform).step(slopes, &UniformStep::new(), rng).state(), made(uniform);
@@ -37,4 +51,8 @@ kernels! {
         step(loaded(large_and_small::<Poly>), rng), made(large_and_small::<Poly>);
     "libm_chain_large_small_2_pcg32" (rng) -> [f32; 2] =
         step(loaded(large_and_small::<Libm>), rng), made(large_and_small::<Libm>);
+    "poly_chain_tuning_2_pcg32" (rng) -> f32 =
+        tune(loaded(tuning::<Poly>), rng), made(tuning::<Poly>);
+    "libm_chain_tuning_2_pcg32" (rng) -> f32 =
+        tune(loaded(tuning::<Libm>), rng), made(tuning::<Libm>);
 }
