@@ -5,9 +5,9 @@ use crate::measured::registry::{entry, ok};
 use microwarp::Warp;
 use microwarp::discrete::resampling::{rearrange, residual, stratified, systematic};
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, DiscreteGaussian, DiscreteLaplace, ExactSelection, Geometric, Hypergeometric, Mesh, MeshPoint,
-    Mixture, NegativeBinomial, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d,
-    Poisson, SignedLinear1d, SumTree, filter,
+    Alias, AliasEntry, Binomial, Cdf, DiscreteGaussian, DiscreteLaplace, ExactSelection, Geometric,
+    Hypergeometric, Mesh, MeshPoint, Mixture, NegativeBinomial, PiecewiseConstant1d,
+    PiecewiseConstant2d, PiecewiseLinear1d, Poisson, SignedLinear1d, SumTree, filter,
 };
 use microwarp::poly::{CosineHemisphere, Interval, LatLongMap, Sphere};
 use rand_core::Rng;
