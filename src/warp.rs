@@ -75,6 +75,7 @@ mod log_normal;
 mod logistic;
 mod marginal;
 mod measure;
+mod multivariate_normal;
 mod normal;
 mod pareto;
 mod phong_lobe;
@@ -147,6 +148,7 @@ macro_rules! each_warp {
             logistic::Logistic<T> "Logistic, whose CDF is the sigmoid; one uniform" Length,
             phong_lobe::PhongLobe<T> "In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two uniforms" SolidAngle,
             marginal::MarginalConditional "A density in the plane, from a marginal and its conditional; two uniforms",
+            multivariate_normal::MultivariateNormal<T, N> "Several correlated normal numbers (Gaussians), of a covariance matrix that may be singular; N uniforms",
             normal::Normal<T> "Normal (Gaussian), one number at a time by its quantile; one uniform" Length,
             normal::NormalPair<T> "Two independent normals (Gaussians), by Box and Muller's map; two uniforms" Area,
             pareto::Pareto<T> "Pareto, a tail that falls as a power; one uniform" Length,

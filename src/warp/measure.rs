@@ -1,8 +1,8 @@
 //! What a density is taken by: a length, an area, a solid angle. Only densities by one measure may be added or compared.
 
 use super::{
-    Aabb, Composed, Each, Inversion, MarginalConditional, Oriented, PowerMax, Product, Simplex,
-    Transform, TriangleOn, Warp, each_warp,
+    Aabb, Composed, Each, Inversion, MarginalConditional, MultivariateNormal, Oriented, PowerMax,
+    Product, Simplex, Transform, TriangleOn, Warp, each_warp,
 };
 use crate::tier::Tier;
 
@@ -111,6 +111,7 @@ taken_by! {
     [const N: usize] PowerMax<N>: Length;
     [const D: usize] TriangleOn<D>: Area;
     [T: Tier, const N: usize] Simplex<T, N>: Content<N>;
+    [T: Tier, const D: usize] MultivariateNormal<T, D>: Content<D>;
     [Q, P, C] Inversion<Q, P, C>: Length;
     [M, F] MarginalConditional<M, F>: Area;
     [B, W: Measured] Composed<B, W>: W::Measure;

@@ -12,6 +12,8 @@ mod lamps;
 mod lights;
 mod masking;
 mod monotone;
+mod multivariate_errors;
+mod multivariate_normal;
 mod open_ends;
 mod parameters;
 mod power;

@@ -379,6 +379,38 @@ macro_rules! float_warps {
                 page { plane 2: Triangle() => Ok(Triangle::new()), }
                 bind { "triangle" = Triangle { new(), } }
             }
+            MultivariateNormal {
+                golden {
+                    "MultivariateNormal 2" => MultivariateNormal::<T, 2>::new([v(1.0), v(-2.0)], [[v(4.0), v(1.5)], [v(1.5), v(1.0)]]),
+                    "MultivariateNormal 3 singular" => MultivariateNormal::<T, 3>::new(
+                        [v(0.0), v(3.0), v(0.1)],
+                        [[v(0.04), v(0.04), v(0.004)], [v(0.04), v(0.04), v(0.004)], [v(0.004), v(0.004), v(0.01)]],
+                    ),
+                    "MultivariateNormal 2 far apart" => MultivariateNormal::<T, 2>::new(
+                        [v(0.0), v(1e9)],
+                        [[v(1e38), v(0.0)], [v(0.0), v(1e-30)]],
+                    ),
+                }
+                cost {
+                    "multivariate_normal_3" [u, v, w] -> [f32; 3] = stored(|| MultivariateNormal::<3>::new(
+                        [0.0, 0.0, 0.1],
+                        [[0.04, 0.01, 0.002], [0.01, 0.02, -0.001], [0.002, -0.001, 0.0016]],
+                    )),
+                }
+                page {
+                    plane 2: MultivariateNormal(
+                        deviation_x: 2 in 0..4, deviation_y: 1 in 0..4, correlation: 0.8 in -1..1 by 0.01
+                    ) => MultivariateNormal::<T, 2>::new([0.0; 2], [
+                        [deviation_x * deviation_x, correlation * deviation_x * deviation_y],
+                        [correlation * deviation_x * deviation_y, deviation_y * deviation_y],
+                    ]),
+                }
+                bind {
+                    "multivariate_normal_2" = MultivariateNormal<2> { new(mean: [f32; 2], covariance: [[f32; 2]; 2]), }
+                    "multivariate_normal_3" = MultivariateNormal<3> { new(mean: [f32; 3], covariance: [[f32; 3]; 3]), }
+                    "multivariate_normal_6" = MultivariateNormal<6> { new(mean: [f32; 6], covariance: [[f32; 6]; 6]), }
+                }
+            }
             TriangleOn {
                 golden {
                     once "TriangleOn 2" => TriangleOn::new([[v(0.0), v(0.0)], [v(4.0), v(0.0)], [v(1.0), v(3.0)]]),

@@ -3,7 +3,8 @@
 use super::evidence::{disk, leftover};
 use super::picture::{CORNER, EQUILATERAL, FLAT, window};
 use super::{Domain, Entry, Flat, Measure, Registered, ends, entry, family, in_both};
-use crate::adversary::words::Kind::{Any, Positive};
+use crate::adversary::words::Kind::{Any, Positive, Within};
+
 use crate::truth::{self, Truth, exact};
 use microwarp::Error::{self, *};
 use microwarp::Invert;
@@ -67,6 +68,34 @@ fn student_pair<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     Ok(entry
         .deep()
         .variables(&[("w", far / f64::from(scale))])
+        .outside(&[]))
+}
+
+/// The covariance matrix of two deviations and their correlation.
+fn covariance(p: &[f32]) -> [[f32; 2]; 2] {
+    let both = p[2] * p[0] * p[1];
+    [[p[0] * p[0], both], [both, p[1] * p[1]]]
+}
+
+/// Two normal numbers of two means, two deviations and a correlation.
+fn multivariate_normal<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
+    let (mean, matrix) = ([p[0], p[1]], covariance(&p[2..]));
+    let warp = MultivariateNormal::<T, 2>::new(mean, matrix)?;
+    if warp.rank() < 2 {
+        // There is no density of the plane then; `tests/laws` has these.
+        return Err(OutOfRange);
+    }
+    let (factor, free) = (*warp.factor(), warp.free());
+    let truth = exact!(MultivariateNormal::new(mean, matrix, &factor, free));
+    let [[xx, xy], [_, yy]] = matrix.map(|row| row.map(f64::from));
+    let size = largest(&mean) + 14.2 * xx.max(yy).sqrt();
+    let share = (xy * xy / xx / yy).sqrt();
+    let unit = Measure::Length(size);
+    let mut entry = entry::<T, _>("MultivariateNormal", Domain::Plane, unit, warp, truth);
+    (entry.open, entry.slack) = (true, f64::INFINITY);
+    Ok(entry
+        .own_density_of_word()
+        .variables(&[("c", (1.0 + share) / (1.0 - share))])
         .outside(&[]))
 }
 
@@ -174,6 +203,24 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.26, 0.0, 0.0, 1.0], TooLarge).refuse(&[3.0, 0.0, 0.0, 1.0e-30], Empty).refuse(&[3.0, 0.0, 0.0, 1.0e30], TooLarge)
             .constant(in_both!(StudentPair<T>::new(2.7, [0.3, 3.0], 1.7)))
             .gives_back(|p| StudentPair::<T>::new(p[0], [p[1], p[2]], p[3]).map(|warp| vec![warp.degrees(), warp.location()[0], warp.location()[1], warp.scale()])),
+        Registered::new("MultivariateNormal", "", &[Any, Any, Positive, Positive, Within(-1.0, 1.0)], multivariate_normal::<T>)
+            .case_with("1, ½, 0.6", &[0.0, 0.0, 1.0, 0.5, 0.6], |e| {
+                e.no_round_trip().picture("two correlated normal numbers, within 3σ", window(0.0, 0.0, 3.0))
+            })
+            .control(
+                "correlated numbers without their correlation",
+                |[u, v, _], _| [truth::normal_quantile(u), 0.5 * truth::normal_quantile(v), 0.0],
+                &["chi-square"],
+            )
+            .case_with("(3, -2), 0.1, 4, -0.99", &[3.0, -2.0, 0.1, 4.0, -0.99], Entry::no_round_trip)
+            .case_with("1e18, 1e-18, 0", &[0.0, 0.0, 1e18, 1e-18, 0.0], Entry::unresolved)
+            .seed(&[0.0, 0.0, 1.0, 0.5, 0.6]).seed(&[3.0, -2.0, 0.1, 4.0, -0.99]).seed(&[0.0, 0.0, 1.0, 1.0, 0.999_999])
+            .refuse(&[0.0, NAN, 1.0, 1.0, 0.0], NotFinite).refuse(&[0.0, 0.0, 1.0, f32::MAX, 0.0], NotFinite)
+            .refuse(&[0.0, 0.0, 1.0, 1.0, 1.1], NotNormalizable)
+            .without("getters", "it keeps the factor in place of the matrix")
+            .without("constant", "its constructor is no constant function: it takes roots")
+            .without("moment", "a draw takes two words")
+            .without("peer", "rand_distr has none"),
         Registered::new("TriangleOn", "plane", &[Any; 6], |p| triangle_on::<T, 2>(p, Domain::Plane))
             .case_with("plane", &[0.0, 0.0, 4.0, 0.0, 1.0, 3.0], |e| {
                 e.picture("(0, 0), (4, 0), (1, 3)", FLAT)

@@ -7,6 +7,7 @@
 mod directions;
 mod discrete;
 mod line;
+mod multivariate_normal;
 mod plane;
 mod polygon;
 mod shapes;
@@ -16,6 +17,7 @@ mod visible_sphere;
 pub use directions::*;
 pub use discrete::*;
 pub use line::*;
+pub use multivariate_normal::MultivariateNormal;
 pub use plane::*;
 pub use polygon::*;
 pub use shapes::*;

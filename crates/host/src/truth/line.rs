@@ -378,7 +378,7 @@ pub fn normal_quantile_lower(p: Real) -> Real {
 }
 
 /// The standard normal quantile of a uniform, of which 0 counts as 2^-149.
-fn normal_quantile(u: Real) -> Real {
+pub fn normal_quantile(u: Real) -> Real {
     if u < 0.5 {
         normal_quantile_lower(u.max(SMALLEST))
     } else {
