@@ -1,89 +1,96 @@
-//! Particles resampled: a walker on a line is followed by 20,000 guesses of where it is. A noisy reading weighs the guesses,
-//! and resampling copies the likely ones in place of the unlikely. Here everything is normal, so that Kalman's filter has
-//! the exact answer. The guesses agree with it to within a few errors of as many
-//! independent ones.
+//! Particles resampled: a robot rolls along a corridor and is followed by 20,000 guesses of its pose. Two noisy readings weigh
+//! the guesses, and resampling copies the likely ones in place of the unlikely. The noise of odometry is correlated and its
+//! covariance singular: what wheels move sideways follows from their turn. Everything is normal and linear, so that Kalman's
+//! filter has the exact answer. The guesses agree with it to within a few errors of as many independent ones.
 //!
-//! `cargo run --release --example particles` prints both, for systematic and for residual resampling, and how many equal
-//! guesses the weighted ones are worth before they are resampled.
+//! `cargo run --release --example particles` prints both, for systematic and for residual resampling, how many equal guesses
+//! the weighted ones are worth, and the mean of Mahalanobis' squared distance at the end, which is 3.
 
 use microwarp::discrete::resampling::{rearrange, residual, systematic, to_integers};
 use microwarp::{Error, Warp, poly as mw};
 use rand_pcg::{Pcg32, rand_core::Rng};
+use std::array::from_fn;
 
 const GUESSES: usize = 20_000;
-/// In metres: a step, the deviation of a step, and that of a reading.
-const STRIDE: f32 = 1.0;
-const SWAY: f32 = 0.3;
+/// Metres along the corridor and across it, and the heading in radians.
+type Pose = [f32; 3];
+const START: [Pose; 3] = [[4.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.01]];
+/// A step of a metre turns by 0.02; what is across is half of that.
+const SLIP: [Pose; 3] = [[0.09, 0.0, 0.0], [0.0, 1e-4, 2e-4], [0.0, 2e-4, 4e-4]];
+/// Of both readings, which are along and across.
 const NOISE: f32 = 0.5;
+
+fn moved([along, across, heading]: Pose, [x, y, turn]: Pose) -> Pose {
+    [along + 1.0 + x, across + heading + y, heading + turn]
+}
 
 fn main() -> Result<(), Error> {
     let mut rng = Pcg32::new(42, 54);
-    let start = mw::Normal::new(0.0, 2.0)?;
-    let sway = mw::Normal::new(0.0, SWAY)?;
+    let start = mw::MultivariateNormal::new([0.0; 3], START)?;
+    let slip = mw::MultivariateNormal::new([0.0; 3], SLIP)?;
     let noise = mw::Normal::new(0.0, NOISE)?;
+    assert_eq!(slip.rank(), 2);
 
-    let mut walker = start.draw(&mut rng);
-    let mut crowds = [(); 2].map(|()| vec![0.0; GUESSES]);
+    let mut robot = start.draw(&mut rng);
+    let mut crowds = [(); 2].map(|()| vec![robot; GUESSES]);
     for crowd in &mut crowds {
         start.fill(&mut rng, crowd);
     }
-    let (mut mean, mut variance) = (0.0_f32, 4.0_f32);
+    let (mut mean, mut spread) = ([0.0; 3], START);
     let mut squares = [0.0; 2];
-    println!("step   walker  reading   Kalman  systematic  residual  worth");
+    println!("step    robot   Kalman  [systematic, residual]  worth");
     for step in 1..=20 {
-        walker += STRIDE + sway.draw(&mut rng);
-        let reading = walker + noise.draw(&mut rng);
-        // Kalman's filter: predict, then correct.
-        variance += SWAY * SWAY;
-        let gain = variance / (variance + NOISE * NOISE);
-        mean += STRIDE;
-        mean += gain * (reading - mean);
-        variance *= 1.0 - gain;
+        robot = moved(robot, slip.draw(&mut rng));
+        let readings = [0, 1].map(|k| robot[k] + noise.draw(&mut rng));
+        // Kalman's filter: predict, then correct by each reading.
+        mean = moved(mean, [0.0; 3]);
+        spread[1] = from_fn(|j| spread[1][j] + spread[2][j]);
+        for (row, slip) in spread.iter_mut().zip(SLIP) {
+            row[1] += row[2];
+            *row = from_fn(|j| row[j] + slip[j]);
+        }
+        for (k, reading) in readings.into_iter().enumerate() {
+            let (p, off) = (spread, reading - mean[k]);
+            let gain: Pose = from_fn(|i| p[i][k] / (p[k][k] + NOISE * NOISE));
+            mean = from_fn(|i| mean[i] + gain[i] * off);
+            spread = from_fn(|i| from_fn(|j| p[i][j] - gain[i] * p[k][j]));
+        }
 
-        let resamplings = [systematic, residual];
-        let mut worth = [0.0; 2];
-        for (k, crowd) in crowds.iter_mut().enumerate() {
-            for guess in crowd.iter_mut() {
-                *guess += STRIDE + sway.draw(&mut rng);
+        let mut worth = 0.0;
+        for (crowd, resample) in crowds.iter_mut().zip([systematic, residual]) {
+            let mut weights = vec![0.0; GUESSES];
+            for (guess, weight) in crowd.iter_mut().zip(&mut weights) {
+                *guess = moved(*guess, slip.draw(&mut rng));
+                *weight = noise.pdf(readings[0] - guess[0]) * noise.pdf(readings[1] - guess[1]);
             }
-            let weights: Vec<f32> = crowd
-                .iter()
-                .map(|guess| noise.pdf(reading - guess))
-                .collect();
-            worth[k] = effective(&weights);
+            // The number of equal weights that have the same variance.
+            let of_squares: f32 = weights.iter().map(|w| w * w).sum();
+            worth = weights.iter().sum::<f32>().powi(2) / of_squares;
             let mut counts = vec![0; GUESSES];
             to_integers(&weights, &mut counts)?;
-            resamplings[k](&mut counts, GUESSES as u32, rng.next_u32())?;
+            resample(&mut counts, GUESSES as u32, rng.next_u32())?;
             rearrange(&mut counts, crowd)?;
         }
-
-        let error = (variance / GUESSES as f32).sqrt();
-        let means = crowds
-            .each_ref()
-            .map(|crowd| crowd.iter().sum::<f32>() / GUESSES as f32);
-        let [a, b] = means;
-        println!(
-            "{step:>4}  {walker:>7.3}  {reading:>7.3}  {mean:>7.3}  {a:>10.3}  {b:>8.3}  {:.0}",
-            worth[0]
-        );
+        let means = crowds.each_ref().map(|crowd| mean_of(crowd, |g| g[1]));
+        let (at, y, deviation) = (robot[1], mean[1], spread[1][1].sqrt());
+        println!("{step:>4}  {at:>7.3}  {y:>7.3}  {means:>9.3?}  {worth:.0}");
         for (square, found) in squares.iter_mut().zip(means) {
-            *square += ((found - mean) / error).powi(2) / 20.0;
+            *square += ((found - y) / deviation).powi(2) * GUESSES as f32 / 20.0;
         }
-        // A walker is seldom three of Kalman's deviations away, and five less than
-        // once in a million steps.
-        assert!((walker - mean).abs() <= 5.0 * variance.sqrt());
-        assert!(worth[0] < GUESSES as f32 && worth[0] > 0.1 * GUESSES as f32);
+        // The robot is farther than five of Kalman's deviations less than once in a million steps.
+        assert!((at - y).abs() <= 5.0 * deviation && worth > 0.05 * GUESSES as f32);
     }
-    let [a, b] = squares.map(f32::sqrt);
-    println!(
-        "off Kalman's mean by {a:.1} and {b:.1} times the error of as many independent guesses"
-    );
-    assert!(a <= 4.0 && b <= 4.0, "the guesses have lost the walker");
+    let known = mw::MultivariateNormal::new(mean, spread)?;
+    for (crowd, square) in crowds.iter().zip(squares) {
+        let distance = mean_of(crowd, |g| known.whiten(*g).iter().map(|z| z * z).sum());
+        let off = square.sqrt();
+        println!("off by {off:.1} errors of so many guesses; Mahalanobis {distance:.2}");
+        assert!(off <= 5.0, "the guesses have lost the robot");
+        assert!((distance - 3.0).abs() < 0.3, "another spread");
+    }
     Ok(())
 }
 
-/// The number of equal weights that have the same variance: (Σ w)²/Σ w².
-fn effective(weights: &[f32]) -> f32 {
-    let sum: f32 = weights.iter().sum();
-    sum * sum / weights.iter().map(|w| w * w).sum::<f32>()
+fn mean_of(crowd: &[Pose], of: impl Fn(&Pose) -> f32) -> f32 {
+    crowd.iter().map(of).sum::<f32>() / GUESSES as f32
 }
