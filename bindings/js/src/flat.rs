@@ -28,7 +28,7 @@ macro_rules! as_it_is {
         }
     )*};
 }
-as_it_is!([] f32 [] u32 [N] [f32; N] [N] [[f32; 2]; N] [N] [[f32; 3]; N] [N] [[f32; 6]; N]);
+as_it_is!([] f32 [] u32 [N] [f32; N] [N] [[f32; 2]; N] [N] [[f32; 3]; N]);
 
 /// A count; what is none becomes 0, which no constructor takes.
 impl Flat for u16 {

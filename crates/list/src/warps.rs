@@ -408,7 +408,6 @@ macro_rules! float_warps {
                 bind {
                     "multivariate_normal_2" = MultivariateNormal<2> { new(mean: [f32; 2], covariance: [[f32; 2]; 2]), }
                     "multivariate_normal_3" = MultivariateNormal<3> { new(mean: [f32; 3], covariance: [[f32; 3]; 3]), }
-                    "multivariate_normal_6" = MultivariateNormal<6> { new(mean: [f32; 6], covariance: [[f32; 6]; 6]), }
                 }
             }
             TriangleOn {

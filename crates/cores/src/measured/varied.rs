@@ -99,7 +99,7 @@ macro_rules! several {
     )*};
 }
 
-several! { 1: 0; 2: 0 1; 3: 0 1 2; 4: 0 1 2 3; 6: 0 1 2 3 4 5; }
+several! { 1: 0; 2: 0 1; 3: 0 1 2; 4: 0 1 2 3; }
 
 /// The kernel that does nothing with so many.
 pub const fn empty_of<O: Output>(inputs: usize) -> Kernel {
@@ -107,8 +107,7 @@ pub const fn empty_of<O: Output>(inputs: usize) -> Kernel {
         1 => empty::<1, O>,
         2 => empty::<2, O>,
         3 => empty::<3, O>,
-        4 => empty::<4, O>,
-        _ => empty::<6, O>,
+        _ => empty::<4, O>,
     }
 }
 

@@ -107,7 +107,6 @@ several!(1: a);
 several!(2: a b);
 several!(3: a b c);
 several!(4: a b c d);
-several!(6: a b c d e f);
 
 macro_rules! tuples {
     ($first:ident $a:ident $($rest:ident $b:ident)*) => {
@@ -134,4 +133,4 @@ macro_rules! tuples {
     };
 }
 
-tuples!(A a B b C c D d E e F f);
+tuples!(A a B b C c D d);

@@ -56,8 +56,6 @@ fn type_of(rust: &str) -> &'static str {
         "[[f32; 3]; 2]" => "readonly [Vector3, Vector3]",
         "[[f32; 2]; 3]" => "readonly [Vector2, Vector2, Vector2]",
         "[[f32; 3]; 3]" => "readonly [Vector3, Vector3, Vector3]",
-        "[f32; 6]" => "ArrayLike<number>",
-        "[[f32; 6]; 6]" => "readonly ArrayLike<number>[]",
         _ => panic!("no type of TypeScript for {rust}"),
     }
 }
