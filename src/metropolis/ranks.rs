@@ -1,7 +1,6 @@
 //! Ranks of numbers in a slice, and the normal numbers that stand for them. The order is found without recursion.
 
-use crate::estimate::Scale;
-use crate::num::two_sum;
+use crate::num::{power_of_two, two_sum};
 use crate::tier::{Poly, Tier as _};
 
 /// Sorts numbers, none of them NaN, in at most 2 n log₂ n comparisons: a heap sort.
@@ -57,11 +56,12 @@ pub(super) fn rank_scores(numbers: &mut [f32], sorted: &[f32]) {
 /// The same by the ranks of |x − m| for the median m, which are exact, of an even count.
 pub(super) fn folded_scores(numbers: &mut [f32], sorted: &[f32]) {
     let at = |place: usize| sorted.get(place).copied().unwrap_or_default();
-    // So that no sum overflows.
-    let [low, high] = [0, sorted.len().saturating_sub(1)].map(|place| Scale::of(at(place)));
-    let scale = low.joined(high);
+    // So that no sum overflows; only beside such numbers do those below 2^-124 lose digits.
+    let high = power_of_two(126);
+    let huge = at(0) <= -high || at(sorted.len().saturating_sub(1)) >= high;
+    let scale = if huge { 0.25 } else { 1.0 };
     // Sums of two numbers and what their rounding has left out are in the order of the exact sums.
-    let sum = |x: f32, y: f32| two_sum(scale.apply(x), scale.apply(y));
+    let sum = |x: f32, y: f32| two_sum(scale * x, scale * y);
     let upper = sorted.len() >> 1;
     let twice_median = sum(at(upper.saturating_sub(1)), at(upper));
     for x in numbers {
@@ -82,8 +82,9 @@ pub(super) fn folded_scores(numbers: &mut [f32], sorted: &[f32]) {
 /// The normal number of a rank: of the mean of those of equal numbers, of which so many are below, and up to them.
 fn score(below: usize, up_to: usize, count: usize) -> f32 {
     // Twice the mean rank is one more than the sum of both; times 4 all terms are integers, but for the half.
-    let lower = 2.0 * below.saturating_add(up_to) as f32;
-    let upper = 4.0 * count as f32 - lower;
+    let sum = below.saturating_add(up_to);
+    let lower = 2.0 * sum as f32;
+    let upper = 2.0 * count.saturating_mul(2).saturating_sub(sum) as f32;
     let tail = |part: f32| Poly::normal_quantile_lower((part + 0.5) / (4.0 * count as f32 + 1.0));
     if lower <= upper {
         tail(lower)

@@ -66,7 +66,7 @@ impl<T: Tier> Beta<T> {
         Ok(Self { shares })
     }
 
-    /// The same sampler with at most `budget` tries a point.
+    /// The same sampler with at most `budget` tries a point; one of 1 is always spent.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a budget of 0.

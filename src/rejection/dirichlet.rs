@@ -31,7 +31,7 @@ const LEAST: f32 = power_of_two(-80);
 ///
 /// # Accuracy
 /// Gamma numbers and their logarithms have the errors of [`Gamma`](super::Gamma). A share made of them has a
-/// relative error of (N + 4 + l) 2⁻²⁴, or an absolute one of 2⁻¹⁴⁹, where l is by how much its logarithm is below the largest, and
+/// relative error of (N + 4 + l) 2⁻²⁴, plus an absolute one of 2⁻¹⁴⁹, where l is by how much its logarithm is below the largest, and
 /// 0 where none is taken.
 ///
 /// The pdf has a
@@ -42,7 +42,7 @@ const LEAST: f32 = power_of_two(-80);
 /// # Cost
 /// Efficiency: that of a try of each share, 0.952 at least.
 ///
-/// The default budget of 16 tries a share, for all together, is spent with a probability below 2⁻⁶⁴.
+/// The default budget of 16 tries a share, for all together, is spent with a probability below 2⁻⁶⁴. One below N is always spent.
 ///
 /// # Examples
 /// ```
@@ -115,7 +115,8 @@ impl<T: Tier, const N: usize> Dirichlet<T, N> {
         self.tries.map(|tries| tries.shape())
     }
 
-    /// The density at these shares. It is never 0 at drawn ones.
+    /// The density at these shares. It is never 0 at drawn ones, up to N = 16384; beyond, what `f32` rounds of their sum may be
+    /// more than the largest share.
     #[must_use]
     pub fn pdf(&self, shares: [f32; N]) -> f32 {
         let shapes = self.tries.iter().map(Tries::shape);

@@ -20,7 +20,8 @@ use rand_core::{Rng, TryRng};
 /// 2⁻¹⁴⁹, and [`Self::draw_ln`] draws the logarithm instead, which is never out of range.
 ///
 /// # Density
-/// xᵃ⁻¹e^(−x/θ)/(Γ(a)θᵃ) for x ≥ 0, of which 0 counts as 2⁻¹⁴⁹; else 0.
+/// xᵃ⁻¹e^(−x/θ)/(Γ(a)θᵃ) for x ≥ 0, of which 0 counts as 2⁻¹⁴⁹; else 0. What `f32` does not hold becomes 2⁻¹⁴⁹ or the
+/// largest finite number.
 ///
 /// The reciprocal 1/x is inverse-gamma, of shape a and scale 1/θ. Its density is that of x times x².
 ///
@@ -34,10 +35,10 @@ use rand_core::{Rng, TryRng};
 /// The words of a point give x = θd(1 + w)³/eᵉ: d is a − 1/3, w is z/√(9d) with the normal quantile z of the first word, and e is
 /// 0. Below shape 1, d is a + 2/3, and e is −ln u/a with the uniform u of the third word; at shape 1, x is −θ ln(1 − u).
 /// A number has a
-/// relative error of 5e-7 (1 + 3|w/(1 + w)|) + 2.5e-7 e, or an absolute one of 2⁻¹⁴⁹, against that of its words at the middle of
+/// relative error of 6e-7 (1 + 3|w/(1 + w)|) + 3e-7 e, plus an absolute one of 2⁻¹⁴⁹, against that of its words at the middle of
 /// their cells; its logarithm has an
-/// absolute error of 5e-7 (1 + 3|w/(1 + w)|) + 3.5e-7 (1 + |ln x| + |ln θ|). It is accepted with its probability to a
-/// relative error of 2.2e-6 (1 + 3|w/(1 + w)|), or an absolute one of 2⁻³³.
+/// absolute error of 6e-7 (1 + 3|w/(1 + w)|) + 5.5e-7 (1 + |ln x| + |ln θ|). It is accepted with its probability to a
+/// relative error of 2.8e-6 (1 + 3|w/(1 + w)|), plus an absolute one of 2⁻³³.
 ///
 /// The pdf has a
 /// relative error of 3.5e-7 + 2e-10 a|ln(x/aθ)|, or an absolute one of 2⁻¹⁴⁸.

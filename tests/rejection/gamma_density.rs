@@ -134,9 +134,7 @@ fn the_density_of_shares_is_that_of_the_formula() {
             let sampler = poly::Dirichlet::new(shapes).unwrap();
             for _ in 0..20 {
                 let near = if unit(&mut rng) < 0.7 { 0.2 } else { 1.0 };
-                let Ok(drawn) = sampler.draw(&mut rng) else {
-                    continue;
-                };
+                let drawn = sampler.draw(&mut rng).unwrap();
                 // Drawn, and moved away.
                 let moved = drawn.point.map(|x| {
                     f64::from(x)

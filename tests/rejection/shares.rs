@@ -54,7 +54,7 @@ fn shares_are_those_of_gamma_numbers() {
         assert_eq!(rng, again);
         worst
     }
-    assert!(page().contains("relative error of (N + 4 + l) 2⁻²⁴, or an absolute one of 2⁻¹⁴⁹"));
+    assert!(page().contains("relative error of (N + 4 + l) 2⁻²⁴, plus an absolute one of 2⁻¹⁴⁹"));
     let all = [
         worst::<Poly, 2>([1e-3, 1e-3], 1),
         worst::<Poly, 2>([1e-30, 1e6], 2),

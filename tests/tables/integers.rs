@@ -203,11 +203,13 @@ fn integers_of_a_wide_laplace_law_have_their_words() {
         let both = &one + exp_neg(&whole, &part);
         let most = sampler.integer(u32::MAX);
         assert!(f64::from(most) < 22.9 * f64::from(scale));
+        let mut tried = 0;
         for i in 0..400 {
             let size = (f64::from(most).powf(f64::from(i) / 399.0)) as i32;
             let Some(words) = sampler.words_of(-size) else {
                 continue;
             };
+            tried += 1;
             // All words of this size or more on the lower side, in units of 2⁻³².
             let power = exp_neg(&(&whole * size as u32), &part);
             let exact = u128::try_from(((power << 64_u32) << 32_u32) / &both).unwrap();
@@ -217,6 +219,7 @@ fn integers_of_a_wide_laplace_law_have_their_words() {
             assert_eq!(sampler.integer(*words.end()), -size);
             assert_eq!(sampler.integer(!*words.end()), size);
         }
+        assert!(tried > 200, "{scale}: {tried}");
     }
 }
 
@@ -301,7 +304,7 @@ fn a_draw_of_an_integer_takes_one_word() {
     }
 }
 
-/// Another centre, another scale, a rounded normal number, and a Laplace law of another scale.
+/// Another centre, another scale, and a Laplace law of another scale.
 #[test]
 fn wrong_laws_of_integers_are_noticed() {
     let sampler = DiscreteGaussian::new(0.25, 3.0).unwrap();
@@ -311,8 +314,4 @@ fn wrong_laws_of_integers_are_noticed() {
     let side = DiscreteLaplace::from_ratio(5, 2).unwrap();
     let of = |part: u32| noticed(&|| found_laplace(&side, &[part, 200_000_000].map(BigUint::from)));
     assert!(!of(500_000_000) && of(500_000_010));
-    // The integers around 0 of a rounded normal number have other probabilities.
-    let exact = gaussian(0.0, 0.5);
-    let rounded = 0.682_689_492_137_086;
-    assert!((exact.pmf(count_of(0)) - rounded).abs() > 0.05);
 }

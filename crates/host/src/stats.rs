@@ -3,6 +3,7 @@
 //!
 //! What is tallied in the cells, and for which warps, is not said here: see `tests/distributions`.
 
+use crate::errors::or_infinite;
 use crate::registry::{Entry, Measure};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
@@ -105,7 +106,9 @@ pub fn p_value_of_uniforms(numbers: &mut [f64]) -> f64 {
     numbers.sort_unstable_by(f64::total_cmp);
     let n = numbers.len() as f64;
     let off = |(i, u): (usize, &f64)| (u - i as f64 / n).abs().max((u - (i + 1) as f64 / n).abs());
-    let distance = numbers.iter().enumerate().map(off).fold(0.0, f64::max);
+    let distance = numbers.iter().enumerate().map(off);
+    // So that NaN is rejected.
+    let distance = distance.fold(0.0_f64, |worst, off| worst.max(or_infinite(off)));
     kolmogorov(distance, n)
 }
 

@@ -198,6 +198,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1e12, 0, 1e18", &[1e12, 0.0, 0.0, 1e18])
             .case("1e30, 0, 1", &[1e30, 0.0, 0.0, 1.0])
             .seed(&[1.0, 0.0, 0.0, 1.0]).seed(&[0.27, 0.0, 0.0, 1.0]).seed(&[1e8, 3.0, -2.0, 0.5]).seed(&[1e12, 0.0, 0.0, 1.0])
+            .seed(&[1.1e12, -72.682_87, 0.003_523_225_4, 4.436_352_3]).seed(&[1.398_413e27, 0.048_473_828, 1.297_451_9, 1.417_010_3])
             .refuse(&[NAN, 0.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[-1.0, 0.0, 0.0, 1.0], NotPositive)
             .refuse(&[1.0, NAN, 0.0, 1.0], NotFinite).refuse(&[1.0, 0.0, 0.0, 0.0], NotPositive)
             .refuse(&[0.26, 0.0, 0.0, 1.0], TooLarge).refuse(&[3.0, 0.0, 0.0, 1.0e-30], Empty).refuse(&[3.0, 0.0, 0.0, 1.0e30], TooLarge)
