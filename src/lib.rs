@@ -74,6 +74,8 @@
 //!   ±r
 //! - [`Linear`](warp::Linear): Linear on [0, 1): density ∝ (1 − x)a + xb
 //! - [`Normal`](warp::Normal): Normal (Gaussian) with a mean and a standard deviation, one number at a time
+//! - [`StudentT`](warp::StudentT): Student's t with some degrees of freedom, a location and a scale: noise with
+//!   outliers, by how many of them there are
 //! - [`TruncatedNormal`](warp::TruncatedNormal): Normal (Gaussian) with mean μ and standard deviation σ, restricted to
 //!   an interval [a, b], of which one end may be infinite
 //! - [`Cauchy`](warp::Cauchy): Cauchy (Lorentz) with a location and a scale: the shape of spectral lines, and steps
@@ -100,6 +102,8 @@
 //! <!-- generated: listed Plane -->
 //! - [`NormalPair`](warp::NormalPair): Two independent normals (Gaussians) with a common standard deviation, by Box and
 //!   Muller's map
+//! - [`StudentPair`](warp::StudentPair): Student's t in the plane: a point whose coordinates are two Student's t of one
+//!   outlier, with common degrees of freedom
 //! - [`MarginalConditional`](warp::MarginalConditional): A density in the plane: x from its marginal, then y from the
 //!   conditional of that x
 //! - [`Composed`](warp::Composed): Two warps composed: the points of `first`, a warp of the unit square, are the
@@ -109,6 +113,8 @@
 //! - [`Disk`](warp::Disk): Uniform on the unit disk, by polar coordinates
 //! - [`DiskConcentric`](warp::DiskConcentric): Uniform on the unit disk, by Shirley and Chiu's concentric map
 //! - [`Triangle`](warp::Triangle): Uniform barycentric coordinates: the shares of the three vertices of a triangle
+//! - [`MultivariateNormal`](warp::MultivariateNormal): Several correlated normal numbers (Gaussians) of a mean and a
+//!   covariance matrix, which may be singular
 //! - [`TriangleOn`](warp::TriangleOn): Uniform on a triangle given by its vertices, in two, three or more dimensions
 //! - [`Bilinear`](warp::Bilinear): Bilinear on the unit square: density in proportion to the interpolation between four
 //!   weights, one a corner

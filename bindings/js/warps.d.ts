@@ -647,7 +647,8 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  * (1 + r²/νσ²)^(−(ν+2)/2)/(2πσ²) per unit area, at least 2⁻¹⁴⁹ for every finite point.
  *
  * **Domain**
- * - Point: drawn samples end at √ν 2^(33/ν) σ from the location, which is 8.6e9σ for one degree of freedom.
+ * - Point: drawn samples end at √ν √(4^(33/ν) − 1) σ from the location: 8.6e9σ for one degree of freedom, 6.8σ for
+ *   many.
  * - Uniforms: two, radius and angle. u₁ = 0 gives the location itself. Drawing takes all 32 bits of the word of the
  *   radius, as the middle of their cell.
  * - Parameters: degrees of freedom above 0 that need not be whole, a finite location and a scale above 0, for which
@@ -661,9 +662,9 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  *
  * | error | bound | kind |
  * |---|--:|---|
- * | sample, of the distance or the location | 7.4e-7 | found |
- * | pdf, relative | 4.4e-7 | found |
- * | realised density, relative | 5.4e-7 + 9.2*s/max(0, 1 - w/1e6) | found |
+ * | sample, of the distance or the location | 8e-7 | found |
+ * | pdf, relative | 8e-7 | found |
+ * | realised density, relative | 8.6e-7 + 9.2*s/max(0, 1 - w/1e6) | found |
  * | inverse | 2e-7 | found |
  * | round trip | 2.2e-7 + 3.3*r | found |
  *
@@ -695,9 +696,9 @@ export declare class StudentPair extends Warp<[number, number], [number, number]
  * C(1 + t²/ν)^(−(ν+1)/2)/σ, where t = (x − μ)/σ and C = Γ((ν+1)/2)/(√(νπ) Γ(ν/2)); at least 2⁻¹⁴⁹ for every finite x.
  *
  * **Domain**
- * - Point: drawn samples end at √ν 2^(33/ν) σ on both sides, which is 8.6e9σ for one degree of freedom.
- * - Uniforms: two. Drawing takes all 32 bits of both words, as the middles of their cells, and words as far from either
- *   end of the second one give opposite numbers.
+ * - Point: drawn samples end at √ν √(4^(33/ν) − 1) σ on both sides: 8.6e9σ for one degree of freedom, 6.8σ for many.
+ * - Uniforms: two. Drawing takes all 32 bits of both words, as the middles of their cells, but for the second one near
+ *   the location, of which 24 bits count. Words as far from either end of the second one give opposite numbers.
  * - Parameters: degrees of freedom above 0 that need not be whole, a finite location and a scale above 0, for which
  *   neither samples nor the density overflow: at a scale of 1, from 0.27 degrees on.
  * - Inverse: many pairs of uniforms share their point, and none is special. `invert` gives the pair with the smallest
@@ -710,9 +711,9 @@ export declare class StudentPair extends Warp<[number, number], [number, number]
  *
  * | error | bound | kind |
  * |---|--:|---|
- * | sample, ulp of location or distance | 11 | found |
- * | pdf, relative | 5.8e-7 | found |
- * | realised density, relative | 6e-7 + 8*s/max(0, 1 - w/1e6) | found |
+ * | sample, ulp of location or distance | 13 | found |
+ * | pdf, relative | 7.6e-7 | found |
+ * | realised density, relative | 7.8e-7 + 8*s/max(0, 1 - w/1e6) | found |
  * | inverse | 1.8e-7 | found |
  * | round trip | 1 | found |
  *
@@ -1476,69 +1477,6 @@ export declare class MultivariateNormal3 extends Warp<[number, number, number], 
    * semi-definite, such as one with a correlation beyond 1.
    */
   constructor(mean: Vector3, covariance: readonly [Vector3, Vector3, Vector3]);
-}
-
-/**
- * Several correlated normal numbers (Gaussians) of a mean and a covariance matrix, which may be singular.
- *
- * x = μ + A z with A Aᵀ = Σ, where each z is Φ⁻¹ of its uniform. The matrix is taken apart with pivots, in twice the
- * digits of `f32` and in units of each coordinate's own. So samples keep their digits however strongly coordinates are
- * correlated, and metres may stand beside radians.
- *
- * A coordinate that follows from others, or that has no variance, has no randomness of its own: a robot that does not
- * slide moves along its heading alone.
- *
- * **Density**
- * e^(−|z|²/2)/∏ Aᵢᵢ√2π over the free coordinates, with respect to these: of a regular Σ that is e^(−tᵀΣ⁻¹t/2)/√det 2πΣ
- * with t = x − μ. It is at least 2⁻¹⁴⁹ where the other coordinates are what the free ones say, to rounding, and 0
- * elsewhere.
- *
- * **Domain**
- * - Point: D numbers. Each lies as far from its mean as those of `Normal` do, in units of √Σᵢᵢ and √D.
- * - Uniforms: D, one a coordinate; those of coordinates that are not free do nothing. A uniform of 0 counts as 2⁻¹⁴⁹.
- *   Drawing takes all 32 bits of each word, as the middle of their cell.
- * - Parameters: a finite mean and a finite matrix, which is symmetric and semi-definite, both to D·9.5e-7 of √Σᵢᵢ √Σⱼⱼ,
- *   since rounding makes others of such; of Σᵢⱼ and Σⱼᵢ the mean counts. What is left of a variance, given the others,
- *   counts as 0 up to D·2.4e-7 of it, and so does a variance up to D·2.8e-45. D is any number from 1.
- *
- * **Accuracy**
- * These are for two dimensions. *Sample* is the distance from the exact point, relative to the size: the largest |μᵢ|
- * plus 14.2 of the largest √Σᵢᵢ. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute
- * errors of the uniforms. [What each row means](https://docs.rs/microwarp/latest/microwarp/warp/#stated-errors).
- *
- * | error | `poly` | kind |
- * |---|--:|---|
- * | sample, of the size | 5.6e-7 | found |
- * | pdf, relative | 7e-7 + 6*s | found |
- * | realised density, relative | 1e-6 + 3.5*s/max(0, 1 - s/0.1) | found |
- * | pdf with the sample, relative | 9.6e-7 | found |
- * | inverse | 2.2e-7 + 3*r | found |
- * | round trip | 2.2e-7 + 5*r | found |
- *
- * c is the condition number of the matrix of correlations, here at most 8.4e6; s and r are the relative change of the
- * density and the change of the inverse when the point moves by 2⁻²⁴ of the size. No realised density is stated where s
- * reaches 0.1.
- *
- * In D dimensions each coordinate of a sample is off by at most 3.2e-7 of |xᵢ| + |μᵢ| + √Σᵢᵢ max(1, |z|), whatever c
- * is, and pdf with the sample by 7e-7 + 1.3e-7·D. With q = |z|², whitened numbers in `poly` are off by 6e-7·√(c·q), the
- * logarithm of the density by 1.1e-7·(D + 4 + |ln p|) + 3.5e-7·√c·q, and so is the density, relatively and without |ln
- * p|. All are found, for D to 12.
- *
- * **Source**
- * N. J. Higham, "Analysis of the Cholesky Decomposition of a Semi-definite Matrix", 1990,
- * <https://eprints.maths.manchester.ac.uk/1193/>. The pivots by shares of variances, and the digits, are this crate's
- * own.
- */
-export declare class MultivariateNormal6 extends Warp<[number, number, number, number, number, number], [number, number, number, number, number, number]> {
-  /**
-   * The law with this mean and this covariance matrix.
-   *
-   * @throws RangeError:
-   * Empty (code 3) for D = 0, NotFinite (code 1) for NaN or infinity in either, Negative (code 6) for a variance below
-   * 0, OutOfRange (code 7) for a matrix that is not symmetric, NotNormalizable (code 8) for one that is not
-   * semi-definite, such as one with a correlation beyond 1.
-   */
-  constructor(mean: ArrayLike<number>, covariance: readonly ArrayLike<number>[]);
 }
 
 /**

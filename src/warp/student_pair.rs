@@ -35,7 +35,7 @@ use core::marker::PhantomData;
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, of the distance or the location | 8e-7 | found |
-/// | pdf, relative | 8e-7 | found |
+/// | pdf, relative | 7.4e-7 | found |
 /// | realised density, relative | 8.6e-7 + 9.2*s/max(0, 1 - w/1e6) | found |
 /// | inverse | 2e-7 | found |
 /// | round trip | 2.2e-7 + 3.3*r | found |
@@ -44,7 +44,7 @@ use core::marker::PhantomData;
 /// and the change of the inverse when the point moves by 2⁻²⁴ of the unit of the sample's error.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost StudentPair --><!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost StudentPair -->148 instructions and 672 bytes of code on an M4F, 7,198 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

@@ -44,7 +44,7 @@ use crate::uniform::Canonical;
 /// a factor. s is the relative change of the density when x moves by one ulp.
 ///
 /// # Cost
-/// One draw in `poly`, PCG32 included, takes <!-- figure: cost StudentT --><!-- -->.
+/// One draw in `poly`, PCG32 included, takes <!-- figure: cost StudentT -->151 instructions and 668 bytes of code on an M4F, 7,175 instructions on an M0<!-- -->.
 ///
 /// # Examples
 /// ```

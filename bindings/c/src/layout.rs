@@ -26,7 +26,6 @@ pub const LAYOUT: &[(&str, usize, usize, usize)] = &[
     ("mw_log_normal", 0, 24, 4),
     ("mw_multivariate_normal_2", 0, 68, 4),
     ("mw_multivariate_normal_3", 0, 132, 4),
-    ("mw_multivariate_normal_6", 0, 472, 4),
     ("mw_triangle_on_2d", 0, 84, 4),
     ("mw_triangle_on_3d", 0, 108, 4),
     ("mw_bilinear", 0, 28, 4),
