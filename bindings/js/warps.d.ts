@@ -663,7 +663,7 @@ export declare class NormalPair extends Warp<[number, number], [number, number]>
  * | error | bound | kind |
  * |---|--:|---|
  * | sample, of the distance or the location | 8e-7 | found |
- * | pdf, relative | 8e-7 | found |
+ * | pdf, relative | 7.4e-7 | found |
  * | realised density, relative | 8.6e-7 + 9.2*s/max(0, 1 - w/1e6) | found |
  * | inverse | 2e-7 | found |
  * | round trip | 2.2e-7 + 3.3*r | found |
