@@ -23,7 +23,7 @@ const MORE: u64 = 72;
 /// Functions in Rust whose parameters are constants, which the compiler has folded into less code than their warp has;
 /// with floats, and in the integer tier.
 const FOLDED: [&[&str]; 2] = [
-    &["annulus", "linear"],
+    &["annulus", "linear", "student_pair", "student_t"],
     &[
         "annulus",
         "bilinear",
