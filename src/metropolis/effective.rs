@@ -34,7 +34,8 @@ pub(super) fn effective(scores: &mut [f32], length: usize) -> f32 {
     if pooled > 0.0 {
         let rho = |lag: usize| {
             let mut sum = Sum::ZERO;
-            for sequence in scores.chunks_exact(length) {
+            // Not 0 either way, but the compiler has to see it here.
+            for sequence in scores.chunks_exact(length.max(1)) {
                 for (x, y) in sequence.iter().zip(sequence.get(lag..).unwrap_or_default()) {
                     sum = sum.plus(x * y);
                 }

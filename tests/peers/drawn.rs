@@ -165,14 +165,14 @@ fn what_rejects_has_the_moments_of_its_distribution() {
 
 /// How far the quantiles of a peer's numbers under our law are from uniform: the first two moments, in standard errors.
 fn beside(of: &Registered, peer: &Peer, parameters: &[f32]) -> [f64; 2] {
-    let truth = (of.build)(parameters).unwrap().truth;
+    let chart = (of.build)(parameters).unwrap().chart;
     [(1, 1.0 / 2.0), (2, 1.0 / 3.0)].map(|(power, due)| {
         let (mut block, mut points) = ((peer.block)(), [0.0; 1]);
         let draw = |_: &mut Pcg32| {
             block(&mut points);
             points[0]
         };
-        let quantile = |x: f32| truth.invert([x.into(), 0.0, 0.0])[0].powi(power);
+        let quantile = |x: f32| chart.invert([x.into(), 0.0, 0.0])[0].powi(power);
         deviation(draw, quantile, due)
     })
 }
