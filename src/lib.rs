@@ -184,7 +184,6 @@
 //!   before so many successes
 //! - [`Hypergeometric`](discrete::Hypergeometric): marked items of a sample without replacement
 //! - [`DiscreteGaussian`](discrete::DiscreteGaussian), [`DiscreteLaplace`](discrete::DiscreteLaplace): integers about a centre
-//! - [`Binomial`](discrete::Binomial): successes of so many trials
 //! - [`Mixture`](discrete::Mixture): a point of one of several warps by weight, with the density of the mixture
 //! - [`resampling`](discrete::resampling): systematic, stratified and residual resampling of particles, in place
 //!
