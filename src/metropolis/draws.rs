@@ -4,7 +4,6 @@ use super::effective::{effective, moments};
 use super::r_hat::r_hat_of;
 use super::ranks::{folded_scores, rank_scores, sort};
 use crate::error::{Error, finite};
-use crate::estimate::Moments;
 use crate::tier::sqrt;
 
 /// The draws of one or more chains, kept in memory, and what they say of convergence: R̂ by ranks, the effective sample sizes of the
@@ -19,8 +18,8 @@ use crate::tier::sqrt;
 /// - Draws: finite, at least 4 of each chain, of all chains equally many. Each chain counts as two, its halves; of an odd
 ///   number of draws the one in the middle is in neither.
 /// - Scratch: two numbers for each draw. They are overwritten.
-/// - If all draws are as far from the median, folded R̂ is [`None`]. If all draws are equal, each effective size is their number, the standard error is 0, and R̂ is [`None`]. If only the draws
-///   of each half are equal, R̂ is the largest `f32`.
+/// - If all draws are as far from the median, folded R̂ is [`None`]. If all draws are equal, each effective size is their number,
+///   the standard error is 0, and R̂ is [`None`]. If only the draws of each half are equal, R̂ is the largest `f32`.
 ///
 /// # Accuracy
 ///
@@ -171,10 +170,7 @@ impl<'a, C: AsRef<[f32]>> Draws<'a, C> {
     /// size](Self::effective_sample_size).
     #[must_use]
     pub fn standard_error(&mut self) -> f32 {
-        let mut all = Moments::new();
-        for &x in self.chains.iter().flat_map(AsRef::as_ref) {
-            all.push(x);
-        }
+        let all = moments(self.chains.iter().flat_map(AsRef::as_ref));
         all.std_dev().unwrap_or_default() / sqrt(self.effective_sample_size())
     }
 

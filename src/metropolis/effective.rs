@@ -3,7 +3,7 @@
 use crate::estimate::{Moments, Scale, Sum};
 use crate::tier::{Poly, Tier as _};
 
-pub(super) fn moments(run: &[f32]) -> Moments {
+pub(super) fn moments<'a>(run: impl IntoIterator<Item = &'a f32>) -> Moments {
     let mut moments = Moments::new();
     for &x in run {
         moments.push(x);
@@ -18,7 +18,7 @@ pub(super) fn effective(scores: &mut [f32], length: usize) -> f32 {
     let scale = sequences.fold(Scale::FINEST, |scale, s| scale.joined(s.scale()));
     let (mut centre, mut means, mut variances) = (None, Moments::new(), Moments::new());
     for sequence in scores.chunks_exact_mut(length) {
-        let moments = moments(sequence);
+        let moments = moments(&*sequence);
         let own = moments.centre_on(scale);
         let common = *centre.get_or_insert(own);
         let from = |centre| moments.seen_from(scale, centre).unwrap_or_default();

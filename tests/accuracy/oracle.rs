@@ -5,16 +5,20 @@
 
 use super::families::{self, Make};
 use super::{EDGES, spread};
-use host::adversary::{Case, Family};
+use host::adversary::{self, Case, Family};
 use host::parallel::{in_parallel, threads};
 use host::registry::{Entry, Registered, of_poly};
 use host::speed;
 use host::truth::{Truth, Uniforms, precisely};
+use microwarp::Error;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// How far two truths may be apart, of what is stated.
 const PART: f64 = 1e-3;
+
+/// A label, parameters and uniforms.
+type Kept = (String, Vec<u32>, [u32; 4]);
 
 /// The rows that a case shows at a point: the error, and the bound on it.
 fn judged(case: &dyn Case, u: [u32; 4]) -> BTreeMap<usize, [f64; 2]> {
@@ -46,38 +50,23 @@ fn apart(one: &dyn Case, other: &dyn Case, u: [u32; 4]) -> (f64, String) {
     worst
 }
 
-/// The worst cases of a family in the file of those that searches have kept: parameters and uniforms.
-fn kept(label: &str) -> Vec<(Vec<u32>, [u32; 4])> {
-    let hex = |words: &str| -> Vec<u32> {
-        let words = words.split_whitespace().map(|w| u32::from_str_radix(w, 16));
-        words.map(Result::unwrap).collect()
-    };
-    let lines = include_str!("worst.csv").lines();
-    let of_family = lines.filter_map(|line| line.strip_prefix(label)?.strip_prefix(';'));
-    let each = of_family.map(|line| {
-        let columns: Vec<&str> = line.split(';').collect();
-        let uniforms = hex(columns[2]);
-        (hex(columns[1]), std::array::from_fn(|i| uniforms[i]))
-    });
-    each.filter(|(parameters, _)| !parameters.is_empty())
-        .collect()
-}
-
-/// Everything that is tried of a family.
-fn tried(of: &Registered, label: &str) -> Vec<(Vec<u32>, [u32; 4])> {
+/// Everything that is tried of a family: parameters and uniforms.
+fn tried(of: &Registered, family: &Family, kept: &[Kept]) -> Vec<(Vec<u32>, [u32; 4])> {
     let number = speed::of("uniforms of each set of parameters beside 237 bits", 1, 4);
     let stride = speed::of(
         "one set of parameters tried of every, beside 237 bits",
         16,
         1,
     );
-    let kept = kept(label);
+    let kept = kept.iter().filter(|(label, ..)| *label == family.label);
     let listed = of.cases.iter().map(|(_, p, _)| p).chain(&of.seeds);
     let listed = listed.map(|p| p.iter().map(|x| x.to_bits()).collect());
-    let of_kept = kept.iter().map(|(p, _)| p.clone());
-    let sets: Vec<Vec<u32>> = listed.chain(of_kept).collect();
-    let mut all: Vec<_> = kept.into_iter().step_by(stride).collect();
-    for (k, set) in sets.into_iter().enumerate().step_by(stride) {
+    let sets = listed.chain(kept.clone().map(|(_, p, _)| p.clone()));
+    let mut all: Vec<_> = kept
+        .step_by(stride)
+        .map(|(_, p, u)| (p.clone(), *u))
+        .collect();
+    for (k, set) in sets.enumerate().step_by(stride) {
         for j in 0..number {
             let mut u = spread((97 * k + j) as u32);
             if j % 3 == 0 {
@@ -86,45 +75,48 @@ fn tried(of: &Registered, label: &str) -> Vec<(Vec<u32>, [u32; 4])> {
             all.push((set.clone(), u.map(f32::to_bits)));
         }
     }
+    for (_, u) in &mut all {
+        u[family.uniforms.len()..].fill(0);
+    }
     all
 }
 
-/// How far two ways to make the entries of a family are apart at most, and the parameters and uniforms where.
-fn worst(of: fn() -> Vec<Registered>, i: usize, ways: [Make; 2]) -> (f64, String) {
-    let [one, other] = ways.map(|make| families::family_by(of().swap_remove(i), make));
-    let registered = of().swap_remove(i);
-    let mut worst = (0.0, String::new());
-    for (parameters, mut u) in tried(&registered, &one.label) {
-        for (k, word) in u.iter_mut().enumerate() {
-            *word = if k < one.uniforms.len() { *word } else { 0 };
-        }
-        let build = |family: &Family| (family.build)(&parameters);
-        if let (Some(one), Some(other)) = (build(&one), build(&other)) {
-            let (off, row) = apart(one.as_ref(), other.as_ref(), u);
-            let near = off <= worst.0;
-            if !near {
-                let numbers: Vec<f32> = parameters.iter().map(|w| f32::from_bits(*w)).collect();
-                worst = (
-                    off,
-                    format!("{numbers:?} at {:?}, {row}", u.map(f32::from_bits)),
-                );
+/// How far two ways to make the entries of each wanted family are apart at most, and the parameters and uniforms where.
+fn worst(wants: fn(&str) -> bool, ways: [Make; 2]) -> Vec<(f64, String)> {
+    let made = |make| {
+        let families = of_poly().into_iter();
+        families.map(move |of| families::family_by(of, make))
+    };
+    let pairs = made(ways[0]).zip(made(ways[1]));
+    let all = of_poly().into_iter().zip(pairs);
+    let all: Vec<_> = all.filter(|(of, _)| wants(of.name)).collect();
+    let kept = adversary::kept::cases("accuracy/worst.csv");
+    in_parallel(threads(), &all, |(of, (one, other))| {
+        let mut worst = (0.0, String::new());
+        for (parameters, u) in tried(of, one, &kept) {
+            let build = |family: &Family| (family.build)(&parameters);
+            if let (Some(one), Some(other)) = (build(one), build(other)) {
+                let (off, row) = apart(one.as_ref(), other.as_ref(), u);
+                let near = off <= worst.0;
+                if !near {
+                    let numbers: Vec<f32> = parameters.iter().map(|w| f32::from_bits(*w)).collect();
+                    let at = format!("{numbers:?} at {:?}, {row}", u.map(f32::from_bits));
+                    worst = (off, at);
+                }
             }
         }
-    }
-    (
-        worst.0,
-        format!(
-            "{}: {:.1e} of what is stated, {}",
-            one.label, worst.0, worst.1
-        ),
-    )
+        let (off, at) = worst;
+        let text = format!("{}: {off:.1e} of what is stated, {at}", one.label);
+        println!("{text}");
+        (off, text)
+    })
 }
 
-fn doubles(of: &Registered, p: &[f32]) -> Result<Entry, microwarp::Error> {
+fn doubles(of: &Registered, p: &[f32]) -> Result<Entry, Error> {
     of.of_drawn(p)
 }
 
-fn precise(of: &Registered, p: &[f32]) -> Result<Entry, microwarp::Error> {
+fn precise(of: &Registered, p: &[f32]) -> Result<Entry, Error> {
     let (entry, number) = precisely(|| of.of_drawn(p));
     assert!(number > 0, "{} has no precise truth", of.name);
     entry
@@ -132,17 +124,8 @@ fn precise(of: &Registered, p: &[f32]) -> Result<Entry, microwarp::Error> {
 
 #[test]
 fn truths_in_doubles_are_those_of_237_bits() {
-    let jobs: Vec<usize> = (0..of_poly().len()).collect();
-    let wanted = of_poly()
-        .into_iter()
-        .map(|of| speed::wants(of.name))
-        .collect::<Vec<_>>();
-    let found = in_parallel(threads(), &jobs, |&i| {
-        wanted[i].then(|| worst(of_poly, i, [doubles, precise]))
-    });
     let mut complaints = Vec::new();
-    for (off, text) in found.into_iter().flatten() {
-        println!("{text}");
+    for (off, text) in worst(speed::wants, [doubles, precise]) {
         // Written so that NaN complains.
         let holds = off <= PART;
         if !holds {
@@ -174,7 +157,7 @@ impl Truth for Off {
 }
 
 /// A hundredth of a unit in the last place, where a statement is one or two.
-fn off(of: &Registered, p: &[f32]) -> Result<Entry, microwarp::Error> {
+fn off(of: &Registered, p: &[f32]) -> Result<Entry, Error> {
     let mut entry = of.of_drawn(p)?;
     entry.truth = Arc::new(Off(entry.truth, 0.01 * f64::from(f32::EPSILON)));
     Ok(entry)
@@ -182,23 +165,17 @@ fn off(of: &Registered, p: &[f32]) -> Result<Entry, microwarp::Error> {
 
 #[test]
 fn truths_that_are_off_by_a_hundredth_are_noticed() {
-    let mut tried = 0;
-    for (i, of) in of_poly().iter().enumerate() {
-        if [
-            "Exponential",
-            "Sphere",
-            "Disk",
-            "Cone",
-            "Weibull",
-            "VisibleSphere",
-        ]
-        .contains(&of.name)
-        {
-            let (found, text) = worst(of_poly, i, [off, precise]);
-            println!("{text}");
-            assert!(found > PART, "{text}");
-            tried += 1;
-        }
+    const TRIED: [&str; 6] = [
+        "Exponential",
+        "Sphere",
+        "Disk",
+        "Cone",
+        "Weibull",
+        "VisibleSphere",
+    ];
+    let found = worst(|name| TRIED.contains(&name), [off, precise]);
+    assert!(found.len() >= TRIED.len());
+    for (off, text) in found {
+        assert!(off > PART, "{text}");
     }
-    assert!(tried >= 6);
 }

@@ -16,24 +16,32 @@ fn hex(words: &str) -> Vec<u32> {
         .collect()
 }
 
+/// The kept cases of all families: the label, the parameters and the uniforms.
+pub fn cases(file: &str) -> Vec<(String, Vec<u32>, Uniforms)> {
+    let text = std::fs::read_to_string(path(file)).unwrap_or_default();
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    let cases = lines.map(|line| {
+        let columns: Vec<&str> = line.split(';').collect();
+        let &[label, _, parameters, uniforms] = columns.as_slice() else {
+            panic!("{file} has the line {line:?}");
+        };
+        let uniforms = hex(uniforms).try_into().expect("four uniforms");
+        (label.to_owned(), hex(parameters), uniforms)
+    });
+    cases.collect()
+}
+
 /// What the kept cases of each family reach now, row by row.
 pub fn read(file: &str, families: &[Family]) -> Vec<Vec<Worst>> {
     let mut worst: Vec<_> = families
         .iter()
         .map(|f| vec![Worst::default(); f.rows.len()])
         .collect();
-    let text = std::fs::read_to_string(path(file)).unwrap_or_default();
-    for line in text.lines().filter(|l| !l.starts_with('#')) {
-        let columns: Vec<&str> = line.split(';').collect();
-        let &[label, _, parameters, uniforms] = columns.as_slice() else {
-            panic!("{file} has the line {line:?}");
-        };
+    for (label, parameters, uniforms) in cases(file) {
         // A sampler that has gone takes its cases with it when the file is written anew.
         let Some(i) = families.iter().position(|f| f.label == label) else {
             continue;
         };
-        let parameters = hex(parameters);
-        let uniforms: Uniforms = hex(uniforms).try_into().expect("four uniforms");
         if let Some(case) = (families[i].build)(&parameters) {
             raise(case.as_ref(), &parameters, uniforms, &mut worst[i]);
         }

@@ -313,10 +313,14 @@ pub fn equi_angular(distance: f32, low: f32, high: f32) -> Box<dyn Truth> {
 pub fn tent(radius: f32) -> Box<dyn Truth> {
     let r = Real::from(radius);
     let law = Line {
-        // 1 - sqrt(t) through the logarithm of t = 1 - rest, so that nothing cancels at the centre.
+        // 1 - sqrt(t), about the centre through the logarithm of t = 1 - rest, so that nothing cancels there.
         quantile: move |u: Real| {
-            let rest = (1.0 - 2.0 * u).abs();
-            let x = -r * (0.5 * (-rest).ln_1p()).exp_m1();
+            let (t, rest) = (2.0 * u.min(1.0 - u), (1.0 - 2.0 * u).abs());
+            let x = if t < 0.5 {
+                r * (1.0 - t.sqrt())
+            } else {
+                -r * (0.5 * (-rest).ln_1p()).exp_m1()
+            };
             if u < 0.5 { -x } else { x }
         },
         pdf: move |x: Real| (r - x.abs()) / r / r,
