@@ -1,6 +1,6 @@
 //! The discrete Gaussian: integers about a centre.
 
-use super::ends::{Ends, Kind, Law, NOTHING};
+use super::ends::{Ends, Kind, Law, NOTHING, Squares};
 use super::word::drawn_by_word;
 use crate::error::{Error, finite, positive, tried};
 use crate::num::Long;
@@ -127,7 +127,7 @@ impl DiscreteGaussian {
 
     const fn law(mode: u32, off: i64, rate: Long) -> Law {
         Law {
-            kind: Kind::Squares { mode, off, rate },
+            kind: Kind::Squares(Squares { mode, off, rate }),
             odds: NOTHING,
             inverse: NOTHING,
         }

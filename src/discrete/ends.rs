@@ -27,9 +27,41 @@ pub(super) enum Kind {
         marked: u32,
         drawn: u32,
     },
-    /// Of e^(−(j + d)²h) for the j-th count from the one with the number `mode`: d in units of 2⁻⁶³, at most half of one either
-    /// way, and h.
-    Squares { mode: u32, off: i64, rate: Long },
+    /// No ratio of integers, but a power of e.
+    Squares(Squares),
+}
+
+/// Of e^(−(j + d)²h) for the j-th count from the one with the number `mode`: d in units of 2⁻⁶³, at most half of one either
+/// way, and h.
+#[derive(Clone, Copy)]
+pub(super) struct Squares {
+    pub(super) mode: u32,
+    pub(super) off: i64,
+    pub(super) rate: Long,
+}
+
+impl Squares {
+    /// The probability of the next count from that of this one, or the other way round.
+    const fn step(self, count: u32, probability: Long, down: bool) -> Long {
+        // (j + 1 + d)² − (j + d)², in units of 2⁻⁶².
+        let j = (count as i128).wrapping_sub(self.mode as i128);
+        let difference = ((j << 1 | 1) << 62).wrapping_add(self.off as i128);
+        let size = difference.unsigned_abs();
+        if size == 0 {
+            return probability;
+        }
+        let zeros = size.leading_zeros();
+        let size = Long::of(
+            (size.wrapping_shl(zeros) >> 64) as u64,
+            66_i32.wrapping_sub_unsigned(zeros),
+        );
+        let ratio = exp_neg(size.times(self.rate));
+        if (difference < 0) == down {
+            probability.times(ratio)
+        } else {
+            probability.over(ratio)
+        }
+    }
 }
 
 /// A number of which products are 0.
@@ -87,7 +119,7 @@ impl Law {
     pub(super) const fn range(&self) -> [u32; 2] {
         match self.kind {
             Kind::Trials(trials) => [0, trials],
-            Kind::Failures(_) | Kind::Squares { .. } => [0, u32::MAX],
+            Kind::Failures(_) | Kind::Squares(_) => [0, u32::MAX],
             Kind::Urn {
                 population,
                 marked,
@@ -108,7 +140,7 @@ impl Law {
             Kind::Failures(successes) => {
                 [((count as u64) << 31).wrapping_add(successes), next << 31]
             }
-            Kind::Squares { .. } => [1, 1],
+            Kind::Squares(_) => [1, 1],
             Kind::Urn {
                 population,
                 marked,
@@ -130,43 +162,18 @@ impl Law {
 
     /// The probability of the next count from that of a count below the largest.
     const fn above(&self, count: u32, probability: Long) -> Long {
-        if let Kind::Squares { .. } = self.kind {
-            return self.step(count, probability, false);
+        if let Kind::Squares(squares) = self.kind {
+            return squares.step(count, probability, false);
         }
         let [more, less] = self.ratio(count);
         let ratio = Long::of(more, 64).over(Long::of(less, 64));
         probability.times(self.odds).times(ratio)
     }
 
-    /// The probability of the next count from that of this one, or the other way round, of exponents that are squares.
-    const fn step(&self, count: u32, probability: Long, down: bool) -> Long {
-        let Kind::Squares { mode, off, rate } = self.kind else {
-            return probability;
-        };
-        // (j + 1 + d)² − (j + d)², in units of 2⁻⁶².
-        let j = (count as i128).wrapping_sub(mode as i128);
-        let difference = ((j << 1 | 1) << 62).wrapping_add(off as i128);
-        let size = difference.unsigned_abs();
-        if size == 0 {
-            return probability;
-        }
-        let zeros = size.leading_zeros();
-        let size = Long::of(
-            (size.wrapping_shl(zeros) >> 64) as u64,
-            66_i32.wrapping_sub_unsigned(zeros),
-        );
-        let ratio = exp_neg(size.times(rate));
-        if (difference < 0) == down {
-            probability.times(ratio)
-        } else {
-            probability.over(ratio)
-        }
-    }
-
     /// The probability of the count before from that of a count above the smallest.
     const fn below(&self, count: u32, probability: Long) -> Long {
-        if let Kind::Squares { .. } = self.kind {
-            return self.step(count.wrapping_sub(1), probability, true);
+        if let Kind::Squares(squares) = self.kind {
+            return squares.step(count.wrapping_sub(1), probability, true);
         }
         let [less, more] = self.ratio(count.wrapping_sub(1));
         let ratio = Long::of(more, 64).over(Long::of(less, 64));

@@ -118,6 +118,20 @@ pub(super) const fn checked(location: f32, scale: f32, reach: f32) -> Result<(),
     }
 }
 
+/// The same of a point of the plane, with a scale of each coordinate: the largest density of a law whose standard one is 1/2π.
+pub(super) const fn peak_of_pair([x, y]: [f32; 2], scale: f32, reach: f32) -> Result<f32, Error> {
+    tried!(checked(x, scale, reach));
+    tried!(checked(y, scale, reach));
+    let peak = 1.0 / core::f32::consts::TAU / scale / scale;
+    if !peak.is_finite() {
+        Err(Error::Empty)
+    } else if peak < f32::MIN_POSITIVE {
+        Err(Error::TooLarge)
+    } else {
+        Ok(peak)
+    }
+}
+
 /// The distance of x from the location in units of the scale, and its rounding error.
 #[inline]
 pub(super) const fn standardised(x: f32, location: f32, unit: f32) -> (f32, f32) {

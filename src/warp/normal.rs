@@ -1,14 +1,13 @@
 //! The normal distribution: one number by its quantile, two by Box and Muller's map; densities with samples from the uniform.
 
 use super::direction::azimuth;
-use super::location_scale::{checked, decayed, standardised};
+use super::location_scale::{checked, decayed, peak_of_pair, standardised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, tried};
 use crate::num::{folded, into_unit, representable, tail, two_product, two_sum};
 use crate::tier::{Tier, density_of_tail, normal_quantile, normal_quantile_of_word};
 use crate::uniform::Canonical;
-use core::f32::consts::TAU;
 use core::marker::PhantomData;
 
 /// 1/√(2π) = (2/√π)/√8.
@@ -291,22 +290,12 @@ impl<T: Tier> NormalPair<T> {
     /// [`Error::TooLarge`] if a sample could overflow or the density vanish, [`Error::Empty`] if the
     /// density could overflow.
     pub const fn new(mean: [f32; 2], std_dev: f32) -> Result<Self, Error> {
-        let [x, y] = mean;
-        tried!(checked(x, std_dev, REACH));
-        tried!(checked(y, std_dev, REACH));
-        let peak = 1.0 / TAU / std_dev / std_dev;
-        if !peak.is_finite() {
-            Err(Error::Empty)
-        } else if peak < f32::MIN_POSITIVE {
-            Err(Error::TooLarge)
-        } else {
-            Ok(Self {
-                mean,
-                std_dev,
-                peak,
-                tier: PhantomData,
-            })
-        }
+        Ok(Self {
+            mean,
+            std_dev,
+            peak: tried!(peak_of_pair(mean, std_dev, REACH)),
+            tier: PhantomData,
+        })
     }
 
     /// The mean.

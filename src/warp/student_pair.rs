@@ -2,12 +2,11 @@
 
 use super::degrees::{Degrees, Square};
 use super::direction::azimuth;
-use super::location_scale::checked;
+use super::location_scale::peak_of_pair;
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, tried};
 use crate::tier::Tier;
-use core::f32::consts::TAU;
 use core::marker::PhantomData;
 
 /// Student's t in the plane: a point whose coordinates are two Student's t of one outlier, with common degrees of freedom.
@@ -86,23 +85,13 @@ impl<T: Tier> StudentPair<T> {
     /// [`Error::TooLarge`] if a sample could overflow or the density vanish, [`Error::Empty`] if the density could overflow.
     pub const fn new(degrees: f32, location: [f32; 2], scale: f32) -> Result<Self, Error> {
         let (degrees, reach) = tried!(Degrees::new(degrees));
-        let [x, y] = location;
-        tried!(checked(x, scale, reach));
-        tried!(checked(y, scale, reach));
-        let peak = 1.0 / TAU / scale / scale;
-        if !peak.is_finite() {
-            Err(Error::Empty)
-        } else if peak < f32::MIN_POSITIVE {
-            Err(Error::TooLarge)
-        } else {
-            Ok(Self {
-                degrees,
-                location,
-                scale,
-                peak,
-                tier: PhantomData,
-            })
-        }
+        Ok(Self {
+            degrees,
+            location,
+            scale,
+            peak: tried!(peak_of_pair(location, scale, reach)),
+            tier: PhantomData,
+        })
     }
 
     /// The degrees of freedom.

@@ -4,7 +4,6 @@ use super::evidence::{disk, leftover};
 use super::picture::{CORNER, EQUILATERAL, FLAT, window};
 use super::{Domain, Entry, Flat, Measure, Registered, ends, entry, family, in_both};
 use crate::adversary::words::Kind::{Any, Positive, Within};
-
 use crate::truth::{self, Truth, exact};
 use microwarp::Error::{self, *};
 use microwarp::Invert;
@@ -186,7 +185,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .gives_back(|p| NormalPair::<T>::new([p[0], p[1]], p[2]).map(|warp| vec![warp.mean()[0], warp.mean()[1], warp.std_dev()])),
         Registered::new("StudentPair", "", &[Positive, Any, Any, Positive], student_pair::<T>)
             .case_with("3, 0, 1", &[3.0, 0.0, 0.0, 1.0], |e| {
-                e.picture("Bailey's form, 3 degrees, within 5σ", window(0.0, 0.0, 5.0))
+                e.picture("Bailey's form, 3 degrees, within 7σ", window(0.0, 0.0, 7.0))
             })
             .control("a Student's t of other degrees in the plane", |[u, v, _], wrong| disk((3.0 + 30.0 * wrong) * (-2.0 * (-u).ln_1p() / (3.0 + 30.0 * wrong)).exp_m1(), v), &["chi-square", "distance"])
             .without("moment", "a draw takes two words, whose pairs are too many")
