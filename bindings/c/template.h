@@ -89,6 +89,62 @@ mw_error mw_frame_init(mw_frame *frame, const float normal[3]);
 void mw_frame_to_world(const mw_frame *frame, const float local[3], float world[3]);
 void mw_frame_to_local(const mw_frame *frame, const float world[3], float local[3]);
 
+/* ---- Lamps and rough surfaces ---------------------------------------------------------------- */
+
+/**
+ * A place on a lamp that is seen from a point. The distance is that of the place itself; it is
+ * rounded, and so is the ray, so end a shadow ray a little before the lamp.
+ */
+typedef struct mw_light_sample {
+    float direction[3]; /* from the point to the place, a unit vector in world coordinates */
+    float distance;
+    float pdf;          /* of the direction, per steradian */
+    float place[2];     /* corner + s ex + t ey of a rectangle; of a triangle, the barycentric
+                           coordinates of the second and the third vertex; of a sphere, 0 */
+} mw_light_sample;
+
+/**
+ * One way for all lamps: mw_visible_sphere, mw_spherical_rectangle, mw_spherical_triangle. density
+ * is that of every direction that meets the lamp, per steradian: for one drawn by other means.
+ */
+@each visible_sphere spherical_rectangle spherical_triangle@
+void mw_{}_sample_light(const mw_{} *lamp, const float u[2],
+        mw_light_sample *to);
+void mw_{}_draw_light(const mw_{} *lamp, mw_pcg32 *rng,
+        mw_light_sample *to);
+mw_error mw_{}_draw_light_from(const mw_{} *lamp,
+        const mw_source *source, mw_light_sample *to);
+float mw_{}_density(const mw_{} *lamp);
+@end@
+
+/**
+ * A reflection off a microfacet. Carry its density: computed again from two rounded directions, the
+ * normal half way between them loses all its digits at small roughness.
+ */
+typedef struct mw_reflection {
+    float normal[3];    /* of the microfacet: the half vector of view and direction */
+    float direction[3]; /* a unit vector; below the surface where its third number is negative */
+    float pdf;          /* of the direction, per steradian */
+} mw_reflection;
+
+void mw_ggx_visible_reflect(const mw_ggx_visible *gloss, const float u[2], mw_reflection *to);
+void mw_ggx_visible_draw_reflection(const mw_ggx_visible *gloss, mw_pcg32 *rng, mw_reflection *to);
+mw_error mw_ggx_visible_draw_reflection_from(const mw_ggx_visible *gloss, const mw_source *source,
+        mw_reflection *to);
+/** The density of the direction into which a microfacet of this normal reflects the view. */
+float mw_ggx_visible_reflected_pdf(const mw_ggx_visible *gloss, const float normal[3]);
+
+/**
+ * D, masking and shadowing after Smith, for cosines from 1 to 1e-30. g1: G1 of the view, to 5.5e-7.
+ * unmasked: G2/G1 of a light direction, to 8.5e-7; times Fresnel's term it is the weight of a
+ * reflection. visibility: G2/(4 cos cos), to 7e-7; times D and Fresnel's term it is the model.
+ * distribution: D of a normal, to 1.1e-6. Below the surface they are 0.
+ */
+float mw_ggx_visible_g1(const mw_ggx_visible *gloss);
+float mw_ggx_visible_unmasked(const mw_ggx_visible *gloss, const float direction[3]);
+float mw_ggx_visible_visibility(const mw_ggx_visible *gloss, const float direction[3]);
+float mw_ggx_distribution(const mw_ggx *surface, const float normal[3]);
+
 /* ---- Tables of weights ----------------------------------------------------------------------- */
 
 /** A selected entry. The leftover is again a uniform, independent of the index. */

@@ -21,6 +21,7 @@ mod frame;
 mod generators;
 mod integers;
 mod layout;
+mod lights;
 mod maps;
 mod orders;
 mod points;

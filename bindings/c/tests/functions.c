@@ -1174,6 +1174,35 @@ static void frames_turn(void)
     CHECK(memcmp(&frame, &before, sizeof frame) == 0);
 }
 
+/* Lamps and gloss at ends: uniforms that are none, directions below the surface, a source that fails. */
+static void lamps_are_total(void)
+{
+    static const float here[3] = {0, 0, 0}, centre[3] = {0, 0, 2}, bad[2] = {NAN, INFINITY}, down[3] = {0, 0, -1};
+    static const float level[3] = {1, 0, 0}, alpha[2] = {0.5f, 0.5f}, nothing[3] = {NAN, NAN, NAN};
+    const mw_source dry = {fails, NULL};
+    mw_visible_sphere ball;
+    mw_ggx_visible gloss;
+    mw_ggx surface;
+    mw_light_sample to, kept;
+    mw_reflection bounce;
+    CHECK(mw_visible_sphere_init(&ball, here, centre, 1.0f) == MW_OK);
+    mw_visible_sphere_sample_light(&ball, bad, &to);
+    CHECK(to.distance >= 1.0f && to.distance <= 1.7321f && to.pdf == mw_visible_sphere_density(&ball));
+    CHECK(near((double)to.pdf, 1.0 / (6.283185307 * (1.0 - 0.8660254038)), 1e-5) && to.place[0] == 0.0f);
+    kept = to;
+    CHECK(mw_visible_sphere_draw_light_from(&ball, &dry, &to) == MW_SOURCE_FAILED);
+    CHECK(memcmp(&kept, &to, sizeof to) == 0);
+    CHECK(mw_ggx_visible_init(&gloss, level, alpha) == MW_OK && mw_ggx_init(&surface, alpha) == MW_OK);
+    mw_ggx_visible_reflect(&gloss, bad, &bounce);
+    CHECK(bounce.pdf > 0.0f && isfinite(bounce.pdf) && isfinite(bounce.direction[2]));
+    CHECK(mw_ggx_visible_g1(&gloss) == 0.0f && mw_ggx_visible_unmasked(&gloss, down) == 0.0f);
+    CHECK(mw_ggx_visible_visibility(&gloss, down) == 0.0f && mw_ggx_distribution(&surface, down) == 0.0f);
+    CHECK(mw_ggx_visible_visibility(&gloss, nothing) == 0.0f && mw_ggx_distribution(&surface, nothing) == 0.0f);
+    CHECK(mw_ggx_visible_reflected_pdf(&gloss, nothing) == 0.0f);
+    bounce.pdf = 7.0f;
+    CHECK(mw_ggx_visible_draw_reflection_from(&gloss, &dry, &bounce) == MW_SOURCE_FAILED && bounce.pdf == 7.0f);
+}
+
 /* What takes words takes them from a source, and gives up where that fails. */
 static void sources_serve(void)
 {
@@ -1259,6 +1288,7 @@ int main(void)
     points_cover();
     orders_are_whole();
     frames_turn();
+    lamps_are_total();
     sources_serve();
     return done("functions");
 }

@@ -213,6 +213,7 @@ static void compare(struct out *out)
 #include "others.h"
 #include "others_tables.h"
 #include "others_orders.h"
+#include "others_lamps.h"
 #include "others_rejection.h"
 
 int main(int count, char **arguments)

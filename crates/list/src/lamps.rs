@@ -1,10 +1,14 @@
-//! What a renderer of many lamps needs: reservoirs of lights, weights of several techniques, roulette.
+//! What a renderer of lamps needs: places on them, masking, reservoirs of lights, weights of several techniques, roulette.
 
 use crate::Out;
-use crate::subjects::{generator, refusal};
+use crate::subjects::{Put, generator, refusal, with};
 use microwarp::discrete::{LightReservoir, Normaliser};
 use microwarp::estimate::{balance_heuristic_of, power_heuristic_of, roulette};
+use microwarp::tier::Tier;
 use microwarp::uniform::Chance;
+use microwarp::warp::{
+    Ggx, GgxVisible, LightSample, SphericalRectangle, SphericalTriangle, VisibleSphere,
+};
 use rand_pcg::Pcg32;
 
 fn held(of: &LightReservoir<u32>, out: &mut Out) {
@@ -102,4 +106,56 @@ pub fn roulettes([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
     if let Ok(chance) = Chance::from_ratio(n, n | word) {
         out.float(chance.weight());
     }
+}
+
+/// Places on a ball, a panel and a face, and the densities of all directions there.
+pub fn seen<T: Tier>([a, b, c, d]: [f32; 4], input: usize, out: &mut Out) {
+    let (near, far) = ([0.5 + a, b, 2.0], [[2.0, 0.0, c], [0.0, 1.5, 0.0]]);
+    let mut rng = generator(input);
+    let put = |to: LightSample, density: f32, out: &mut Out| {
+        [to.distance, to.place[0], to.place[1], density].put(out);
+    };
+    with(
+        VisibleSphere::<T>::new([0.0; 3], near, 0.7),
+        out,
+        |ball, out| {
+            put(ball.draw_light(&mut rng), ball.density(), out);
+        },
+    );
+    with(
+        SphericalRectangle::<T>::new([0.0; 3], near, far),
+        out,
+        |panel, out| {
+            put(panel.draw_light(&mut rng), panel.density(), out);
+        },
+    );
+    let [x, y] = far;
+    with(
+        SphericalTriangle::<T>::new([0.0; 3], [near, x, y]),
+        out,
+        |face, out| {
+            put(face.sample_light([c, d]), face.density(), out);
+        },
+    );
+}
+
+/// A reflection, its density and that of its normal; masking, shadowing and the distribution there.
+pub fn masking<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
+    let alpha = [0.05 + 0.9 * c, 0.05 + 0.9 * d];
+    with(
+        GgxVisible::<T>::new([a - 0.5, b, d], alpha),
+        out,
+        |gloss, out| {
+            let bounce = gloss.reflect([b, c]);
+            [bounce.pdf, gloss.reflected_pdf(bounce.normal), gloss.g1()].put(out);
+            [
+                gloss.unmasked(bounce.direction),
+                gloss.visibility(bounce.direction),
+            ]
+            .put(out);
+            with(Ggx::<T>::new(alpha), out, |surface, out| {
+                out.float(surface.distribution(bounce.normal));
+            });
+        },
+    );
 }

@@ -1020,4 +1020,6 @@ float_warps!(subjects {
     },
     "rejection gamma" => gammas::numbers::<T>,
     "rejection shares" => gammas::shares::<T>,
+    "lamps seen" => lamps::seen::<T>,
+    "masking" => lamps::masking::<T>,
 });
