@@ -1,7 +1,8 @@
 export * from "./warps.js";
 export { Warp } from "./warp.js";
 export type { Vector2, Vector3 } from "./warp.js";
-export { ByPosition, LatinHypercube, Pcg32, Permutation, Sobol, Strata } from "./source.js";
+export { ByPosition, LatinHypercube, Pcg32, Permutation, Screen, Sobol, Strata } from "./source.js";
+export { Frame } from "./frame.js";
 export type { Items, Points, Source } from "./source.js";
 export { Alias, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./table.js";
 export type { Indices, Selection } from "./table.js";

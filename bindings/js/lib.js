@@ -9,5 +9,6 @@ export { SumTree } from "./tree.js";
 export { WeightedReservoir } from "./reservoir.js";
 export { LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./pieces.js";
 export { Pcg32 } from "./source.js";
-export { ByPosition, LatinHypercube, Permutation, Sobol, Strata } from "./sets.js";
+export { ByPosition, LatinHypercube, Permutation, Screen, Sobol, Strata } from "./sets.js";
+export { Frame } from "./frame.js";
 export { Chain } from "./chain.js";

@@ -26,8 +26,8 @@ class Points extends Source {
   }
   at(index, dimension = 0) {
     const [seed, pixel] = [this.#seed, this.#pixel];
-    const made = () => (this.#kind === 0 ? new Sobol(seed) : this.#kind === 1 ? new ByPosition(seed, pixel) : new LatinHypercube(pixel, seed));
-    return Object.assign(made(), { index, dimension });
+    const made = [() => new Sobol(seed), () => new ByPosition(seed, pixel), () => new LatinHypercube(pixel, seed)][this.#kind];
+    return Object.assign(made?.() ?? new Points(this.#kind, seed, pixel), { index, dimension });
   }
   [READY](each, count) {
     refuse(wasm.points(BUFFERS, this.#kind, this.#seed, this.#pixel, this.#index, this.#dimension, each, count));
@@ -54,6 +54,31 @@ export class LatinHypercube extends Points {
   }
   get count() {
     return this.#count;
+  }
+}
+// One set for a picture: a pixel is points of its own.
+export class Screen {
+  #width;
+  #height;
+  #kind;
+  #seed;
+  constructor(width, height, log2_samples, seed = 0) {
+    this.#width = integer("width", width, 1, 0x10000);
+    this.#height = integer("height", height, 1, 0x10000);
+    const side = 32 - Math.clz32(width - 1 | height - 1);
+    this.#kind = 3 + 256 * integer("log2Samples", log2_samples, 0, 32 - 2 * side) + 65536 * side;
+    this.#seed = u32_of("seed", seed);
+  }
+  get width() {
+    return this.#width;
+  }
+  get height() {
+    return this.#height;
+  }
+  pixel(x, y) {
+    integer("x", x, 0, this.#width - 1);
+    integer("y", y, 0, this.#height - 1);
+    return new Points(this.#kind, this.#seed, x + 65536 * y);
   }
 }
 

@@ -90,6 +90,24 @@ export declare class ByPosition extends Points {
   constructor(seed: number, pixel: number);
 }
 
+/**
+ * One set of Sobol' points in eight dimensions for all pixels of a picture, in an order by which errors of neighbouring pixels
+ * cancel (blue noise), with 2^log2Samples samples a pixel. That must be the number of samples that are taken. Later ones are those
+ * of further sets.
+ */
+export declare class Screen {
+  /** @throws RangeError without pixels, for a side above 65536, or where the pixels of a square times the samples are more than 2³². */
+  constructor(width: number, height: number, log2Samples: number, seed?: number);
+  readonly width: number;
+  readonly height: number;
+  /**
+   * The points of a pixel: its samples, in order.
+   *
+   * @throws RangeError for a pixel outside of the picture.
+   */
+  pixel(x: number, y: number): Points;
+}
+
 /** Jittered strata: equal intervals of [0, 1), or with `rows` equal cells of the unit square. */
 export declare class Strata {
   /** @throws RangeError for no strata, or for more than 2²³ along a side. */

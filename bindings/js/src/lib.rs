@@ -10,6 +10,7 @@ mod buffers;
 mod chains;
 mod counts;
 mod flat;
+mod frames;
 mod parts;
 mod tables;
 mod times;

@@ -3,8 +3,8 @@
 use crate::buffers::Buffers;
 use crate::parts::{NOT_LINKED, linked};
 use microwarp::uniform::{
-    ByPosition, LatinHypercube, Permutation, Points, Sobol, Strata1d, Strata2d, deep_from_word,
-    grid_from_word,
+    ByPosition, LatinHypercube, Permutation, Points, Screen, Sobol, Strata1d, Strata2d,
+    deep_from_word, grid_from_word,
 };
 use microwarp_js_hot::Pcg32;
 use rand_core::Rng;
@@ -31,7 +31,8 @@ pub extern "C" fn random(buffers: &mut Buffers, count: usize) {
 
 /// The words of `count` points from `index` on in `each` dimensions from `dimension` on, to the input, by
 /// the kind of the set: 0 a Sobol' sequence of eight dimensions, 1 random numbers by the position `pixel`, 2 a Latin hypercube of as
-/// many points. 0, or the code of the refusal.
+/// many points, 3 + 256 k + 65536 b the points of the pixel x + 65536 y of a screen of side 2ᵇ with 2ᵏ samples a pixel. 0, or the code
+/// of the refusal.
 #[unsafe(no_mangle)]
 pub extern "C" fn points(
     buffers: &mut Buffers,
@@ -47,10 +48,23 @@ pub extern "C" fn points(
         return NOT_LINKED;
     }
     let words = buffers.input(each.wrapping_mul(count));
-    match kind {
+    match kind & 255 {
         0 => {
             if let Ok(set) = Sobol::<8>::new(seed) {
                 write(set, index, dimension, words, each);
+            }
+        }
+        3 => {
+            let screen = Sobol::<8>::new(seed).and_then(|set| {
+                let side = 1_u32.wrapping_shl(kind >> 16);
+                Screen::new(set, [side, side], kind >> 8 & 255, seed)
+            });
+            match screen {
+                Ok(screen) => {
+                    let pixel = screen.pixel(pixel & 0xffff, pixel >> 16);
+                    write(pixel, index, dimension, words, each);
+                }
+                Err(refusal) => return refusal.code().into(),
             }
         }
         1 => write(ByPosition::new(seed, pixel), index, dimension, words, each),

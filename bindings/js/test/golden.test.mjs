@@ -7,7 +7,7 @@ import test from "node:test";
 import * as microwarp from "microwarp";
 
 const { golden, uniforms, runs } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
-const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Integers, LatinHypercube, Pcg32, Permutation, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
+const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Frame, Integers, LatinHypercube, Pcg32, Permutation, Screen, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
 
 const bits = (numbers) => Array.from(new Uint32Array(Float32Array.from([numbers].flat(Infinity)).buffer));
 const floats = (bits) => Array.from(new Float32Array(Uint32Array.from(bits).buffer));
@@ -146,6 +146,14 @@ const actual = {
     ...new Strata(3, 2).place(k, [0.25, 0.75]), new Strata(6).place(k, 0.25),
   ]).flatMap(bits),
   LatinHypercube: () => [0, 1, 2, 3, 58, 101].flatMap((index) => Array.from(new LatinHypercube(59, 7).at(index).words(new Uint32Array(4), 4))),
+  Screen: () => [[0, 0], [7, 100], [639, 479]].flatMap(([x, y]) => {
+    const pixel = new Screen(640, 480, 4, 7).pixel(x, y);
+    return [0, 1, 15, 16, 100].flatMap((sample) => Array.from(pixel.at(sample).words(new Uint32Array(4), 4)));
+  }),
+  Frame: () => [[0, 0, 1], [0.6, -3, 0.1], [0, 0, -1e-30], [1e30, 2e30, -3e30]].flatMap((normal) => {
+    const frame = new Frame(normal);
+    return bits([...frame.toWorld([0.36, -0.48, 0.8]), ...frame.toLocal([0.36, -0.48, 0.8])]);
+  }),
   Integers: () => {
     const [words, drawn] = [rng(), []];
     for (const n of [1, 2, 6, 52, 1000, 65537, 3 * 2 ** 29, 2 ** 32 - 1]) {

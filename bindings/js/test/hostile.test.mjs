@@ -6,7 +6,7 @@ import vm from "node:vm";
 import { readFileSync } from "node:fs";
 import * as microwarp from "microwarp";
 
-const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Disk, Exponential, Integers, LatinHypercube, LatLongMap, Normal, NormalPair, Pcg32, Permutation, PiecewiseConstant2d, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
+const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, LatLongMap, Normal, NormalPair, Pcg32, Permutation, PiecewiseConstant2d, Screen, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
 const round = (x) => Math.exp(-x.reduce((sum, x) => sum + x * x, 0));
 
 test("a chain has as many coordinates as its buffers hold, or is refused", () => {
@@ -51,6 +51,8 @@ const integers = {
   "weight of SumTree": [(n) => new SumTree([1, n]), 3], "index of SumTree": [(n) => new SumTree([1, 2, 3, 4]).get(n), 3],
   length: [(n) => new Permutation(n, 1), 3], "seed of Permutation": [(n) => new Permutation(3, n), 3],
   place: [(n) => new Permutation(4, 1).get(n), 3], number: [(n) => new Permutation(4, 1).indexOf(n), 3],
+  width: [(n) => new Screen(n, 3, 0), 3], height: [(n) => new Screen(3, n, 0), 3], log2Samples: [(n) => new Screen(3, 3, n), 3],
+  "seed of Screen": [(n) => new Screen(3, 3, 0, n), 3], x: [(n) => new Screen(4, 1, 0).pixel(n, 0), 3], y: [(n) => new Screen(1, 4, 0).pixel(0, n), 3],
   dimensions: [(n) => new Pcg32(1).words(new Uint32Array(4), n), 2],
   steps: [(n) => new Chain(() => 1, 0, { box: 1 }).resume({ state: 0, density: 1, steps: n, accepted: 0, refused: 0 }), 3],
 };
@@ -74,7 +76,7 @@ test("a permutation has each number once, and a shuffle each item", () => {
 test("every integer parameter is checked, and refused by name", () => {
   for (const [name, [give, taken]] of Object.entries(integers)) {
     give(taken);
-    for (const n of [taken + 0.5, NaN, Infinity, -1, 2 ** 53]) assert.throws(() => give(n), { name: "RangeError", message: /^[a-z]+: an integer from \d+ to \d+ is expected, not / }, `${name}: ${n}`);
+    for (const n of [taken + 0.5, NaN, Infinity, -1, 2 ** 53]) assert.throws(() => give(n), { name: "RangeError", message: /^[a-zA-Z0-9]+: an integer from \d+ to \d+ is expected, not / }, `${name}: ${n}`);
     for (const n of ["3", 7n, null, {}, [3], true]) assert.throws(() => give(n), { name: "TypeError" }, `${name}: ${typeof n}`);
   }
   for (const give of [(n) => new Pcg32(n), (n) => new Pcg32(1, n)]) {

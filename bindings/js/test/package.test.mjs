@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import * as microwarp from "microwarp";
 
-const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Integers, LatinHypercube, Normal, Pcg32, Sobol, Strata, SumTree, Warp, WeightedReservoir } = microwarp;
+const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, Normal, Pcg32, Screen, Sobol, Strata, SumTree, Warp, WeightedReservoir } = microwarp;
 const classes = Object.values(microwarp).filter((value) => value.prototype instanceof Warp);
 const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const made = (name, maker, given) => (maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given));
@@ -87,6 +87,14 @@ test("integers, counts and reservoirs refuse what Rust refuses, and draw nothing
   assert.throws(() => new WeightedReservoir(3).offer("a", -1, rng), RangeError);
   assert.throws(() => new WeightedReservoir(3).merge({}), TypeError);
   assert.throws(() => new LatinHypercube(0), RangeError);
+  // Of a picture of 2^16 a side a pixel has one sample.
+  for (const [width, height, log2, good] of [[65536, 1, 0, true], [65536, 65536, 1, false], [1, 1, 32, true], [1, 1, 33, false], [257, 3, 15, false]]) {
+    if (good) assert.equal(new Screen(width, height, log2).pixel(0, 0).at(2 ** 32 - 1).words(new Uint32Array(1)).length, 1);
+    else assert.throws(() => new Screen(width, height, log2), { name: "RangeError", message: /log2Samples/ });
+  }
+  for (const [normal, code] of [[[0, 0, 0], 9], [[NaN, 0, 1], 1], [[0, Infinity, 1], 1]]) assert.throws(() => new Frame(normal), refused(code));
+  for (const normal of [undefined, 3, [1, 2], [1, 2, 3, 4], ["0", 0, 1]]) assert.throws(() => new Frame(normal), TypeError);
+  assert.throws(() => new Frame([0, 0, 1]).toWorld([1, 2]), TypeError);
   assert.equal(rng.state, before);
   // A word an item, of whatever weight; none is held of weight 0.
   const kept = new WeightedReservoir(2);

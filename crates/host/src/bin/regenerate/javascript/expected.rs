@@ -10,9 +10,10 @@ use microwarp::metropolis::{
 };
 use microwarp::rejection::Rejection;
 use microwarp::uniform::{
-    ByPosition, Chance, LatinHypercube, Permutation, Points, Range, Sobol, Strata1d, Strata2d,
-    grid, shuffle, up_to,
+    ByPosition, Chance, LatinHypercube, Permutation, Points, Range, Screen, Sobol, Strata1d,
+    Strata2d, grid, shuffle, up_to,
 };
+use microwarp::warp::Frame;
 use microwarp::{Invert, Warp, poly, tier::Poly};
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
@@ -286,6 +287,35 @@ fn golden(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
 }
 
 /// Integers, coins and uniforms, in turns, so that each starts anew where another has ended; then of one kind in a row.
+fn screen() -> Vec<u32> {
+    let ok = "accepted parameters";
+    let set = Sobol::<8>::new(7).expect(ok);
+    let screen = Screen::new(set, [640, 480], 4, 7).expect(ok);
+    let pixels = [[0, 0], [7, 100], [639, 479]].map(|[x, y]| screen.pixel(x, y));
+    let samples = pixels.map(|pixel| [0, 1, 15, 16, 100].map(|sample| pixel.words::<4>(sample)));
+    samples.into_iter().flatten().flatten().collect()
+}
+
+fn frames() -> Vec<u32> {
+    let normals = [
+        [0.0, 0.0, 1.0],
+        [0.6, -3.0, 0.1],
+        [0.0, 0.0, -1e-30],
+        [1e30, 2e30, -3e30],
+    ];
+    let turned = normals.map(|normal| {
+        let frame = Frame::new(normal).expect("a normal");
+        let direction = [0.36, -0.48, 0.8];
+        [frame.to_world(direction), frame.to_local(direction)]
+    });
+    turned
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(f32::to_bits)
+        .collect()
+}
+
 fn integers() -> Vec<u32> {
     let ok = "accepted parameters";
     let (mut rng, mut drawn) = (Pcg32::new(42, 54), Vec::new());
@@ -375,6 +405,8 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             "LatinHypercube",
             points([0, 1, 2, 3, 58, 101].map(|i| LatinHypercube::new(59, 7).expect(ok).words(i))),
         ),
+        ("Screen", list(screen())),
+        ("Frame", list(frames())),
         ("Strata", list(strata)),
         ("Integers", wide_integers()),
         ("integers", list(integers())),
