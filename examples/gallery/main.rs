@@ -10,6 +10,7 @@ mod check;
 mod line;
 #[cfg(test)]
 mod panels;
+mod screen;
 mod sheet;
 mod strata;
 mod table;
@@ -171,7 +172,7 @@ fn without_picture(entries: &[Entry]) -> Vec<String> {
 }
 
 /// What has no density: strata and points, beside plain uniforms.
-const STRATA: [(&str, &str, Picture); 5] = [
+const STRATA: [(&str, &str, Picture); 6] = [
     (
         "Strata1d",
         "24",
@@ -210,6 +211,14 @@ const STRATA: [(&str, &str, Picture); 5] = [
         Picture {
             caption: "256 samples of a pixel",
             view: View::ByPosition,
+        },
+    ),
+    (
+        "Screen",
+        "1",
+        Picture {
+            caption: "errors of pixels with one sample each; below, after a mean over 3 × 3",
+            view: View::Screen,
         },
     ),
 ];

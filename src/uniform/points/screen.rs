@@ -6,6 +6,8 @@ use crate::error::Error;
 
 /// One set of points for all pixels of a picture, such that the errors of neighbouring pixels differ: blue noise.
 ///
+#[cfg_attr(doc, doc = include_str!("../../pictures/screen.html"))]
+///
 /// A square of 2ᵃ × 2ᵃ pixels whose corner is at multiples of 2ᵃ takes a block of the set, and so does each pixel in it. Blocks lie
 /// in a random order, by Owen's scrambling of the index, so that no seam of the order is seen. The points of one pixel are as even as
 /// those of a set of its own, and those of neighbours together are nearly as even as so many points of one set. What a

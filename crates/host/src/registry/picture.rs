@@ -38,6 +38,8 @@ pub enum View {
     Sobol,
     Recurrence,
     ByPosition,
+    /// Errors of neighbouring pixels, with a set each and with one for all.
+    Screen,
 }
 
 /// A rectangle of points, and where its corner lies on paper; lengths are the same there.
