@@ -64,6 +64,8 @@ extern "C" {
  */
 mw_error mw_chance(mw_pcg32 *rng, float p, bool *happens);
 mw_error mw_chance_from(const mw_source *source, float p, bool *happens);
+/** How many of the 2^32 words say yes. */
+mw_error mw_chance_numerator(float p, uint64_t *words);
 
 /** A uniform in [0, 1), a multiple of 2^-24: without an FPU it is the one here to take longer. */
 float mw_uniform(mw_pcg32 *rng);

@@ -111,6 +111,17 @@ mw_error mw_range_wide(mw_pcg32 *rng, int32_t low, int32_t high, int32_t *value)
 mw_error mw_range_wide_from(const mw_source *source, int32_t low, int32_t high, int32_t *value);
 
 /**
+ * What both make of a word by one word, and what is left of it: where in the share of the integer it
+ * lies, a word again, for another decision.
+ */
+mw_error mw_below_select(uint32_t word, uint32_t n, uint32_t *value, uint32_t *rest);
+mw_error mw_range_select(uint32_t word, int32_t low, int32_t high, int32_t *value, uint32_t *rest);
+
+/** How many of the 2^32 words give an integer, by one word; 0 for one outside. */
+mw_error mw_below_numerator(uint32_t n, uint32_t value, uint64_t *words);
+mw_error mw_range_numerator(int32_t low, int32_t high, int32_t value, uint64_t *words);
+
+/**
  * An integer of 64 bits from low to high, both reached, by two words; MW_EMPTY where low is above
  * high. All of them: from 0 to UINT64_MAX. Of one below n: from 0 to n - 1, where n is not 0.
  */
@@ -123,6 +134,8 @@ mw_error mw_range_u64_from(const mw_source *source, uint64_t low, uint64_t high,
  */
 mw_error mw_ratio(mw_pcg32 *rng, uint32_t part, uint32_t all, bool *happens);
 mw_error mw_ratio_from(const mw_source *source, uint32_t part, uint32_t all, bool *happens);
+/** How many of the 2^32 words say that it happens. */
+mw_error mw_ratio_numerator(uint32_t part, uint32_t all, uint64_t *words);
 
 /* ---- Orders and choices ---------------------------------------------------------------------- */
 

@@ -45,7 +45,8 @@
  *   Generators
  *     pcg32
  *   Integers and ratios
- *     up_to, below, range, below_wide, range_wide, range_u64, ratio
+ *     up_to, below, range, below_wide, range_wide, below_select, range_select, below_numerator,
+ *     range_numerator, range_u64, ratio, ratio_numerator
  *   Orders and choices
  *     shuffle, choose, choice_in_order, choice_of_stream, permutation
  *   Items of a stream, by weight
@@ -63,7 +64,7 @@
  * And here:
  *
  *   Coins and uniforms
- *     chance, uniform
+ *     chance, chance_numerator, uniform
  *   Samplers in float
  *     interval, power, power_max_2, power_max_3, power_max_4, exponential, exponential_tail,
  *     truncated_exponential, equi_angular, tent, linear, normal, normal_pair, student_pair,
@@ -123,6 +124,8 @@ extern "C" {
  */
 mw_error mw_chance(mw_pcg32 *rng, float p, bool *happens);
 mw_error mw_chance_from(const mw_source *source, float p, bool *happens);
+/** How many of the 2^32 words say yes. */
+mw_error mw_chance_numerator(float p, uint64_t *words);
 
 /** A uniform in [0, 1), a multiple of 2^-24: without an FPU it is the one here to take longer. */
 float mw_uniform(mw_pcg32 *rng);

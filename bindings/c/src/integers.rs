@@ -55,3 +55,37 @@ drawn! {
     "chance" (p: f32) -> bool = Chance::new(p), draw try_draw;
     "ratio" (part: u32, all: u32) -> bool = Chance::from_ratio(part, all), draw try_draw;
 }
+
+/// What a range makes of a word, and how many words give an integer.
+macro_rules! words_of {
+    ($($name:literal ($($parameter:ident: $type:ty),*) -> $value:ty = $made:expr;)*) => {$(
+        const _: () = {
+            #[unsafe(export_name = concat!("mw_", $name, "_select"))]
+            extern "C" fn select(word: u32, $($parameter: $type,)* value: &mut $value, rest: &mut u32) -> Code {
+                code($made, |made| (*value, *rest) = made.select(word))
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name, "_numerator"))]
+            extern "C" fn numerator($($parameter: $type,)* value: $value, words: &mut u64) -> Code {
+                code($made, |made| *words = made.numerator(value))
+            }
+        };
+    )*};
+}
+
+words_of! {
+    "below" (n: u32) -> u32 = Range::below(n);
+    "range" (low: i32, high: i32) -> i32 = Range::signed(low, high);
+}
+
+#[unsafe(export_name = "mw_chance_numerator")]
+extern "C" fn words_of_chance(p: f32, words: &mut u64) -> Code {
+    code(Chance::new(p), |chance| *words = chance.words())
+}
+
+#[unsafe(export_name = "mw_ratio_numerator")]
+extern "C" fn words_of_ratio(part: u32, all: u32, words: &mut u64) -> Code {
+    code(Chance::from_ratio(part, all), |chance| {
+        *words = chance.words()
+    })
+}

@@ -93,6 +93,22 @@ static void integers_are_drawn(void)
         CHECK(mw_chance(&rng, bad[i].p, &happens) == bad[i].error && happens);
         CHECK(mw_chance_from(&dry, bad[i].p, &happens) == bad[i].error && happens);
     }
+    /* Of six faces two have a word more; every word leaves another of its share. */
+    uint64_t all = 0, of_face;
+    for (int32_t face = -3; face <= 4; face++) {
+        CHECK(mw_range_numerator(-2, 3, face, &of_face) == MW_OK && of_face <= 715827883u);
+        CHECK((of_face > 0) == (face >= -2 && face <= 3));
+        all += of_face;
+    }
+    CHECK(all == (uint64_t)1 << 32);
+    int32_t top = 77;
+    uint32_t least = 77, rest = 77;
+    CHECK(mw_range_select(UINT32_MAX, -2, 3, &top, &rest) == MW_OK && top == 3 && rest > UINT32_MAX - 12);
+    CHECK(mw_below_select(0, 6, &least, &rest) == MW_OK && least == 0 && rest < 12);
+    CHECK(mw_below_select(1, 0, &value, &rest) == MW_EMPTY && mw_range_select(1, 1, 0, &number, &rest) == MW_EMPTY);
+    CHECK(mw_below_numerator(0, 0, &of_face) == MW_EMPTY && mw_range_numerator(1, 0, 0, &of_face) == MW_EMPTY);
+    CHECK(mw_chance_numerator(NAN, &of_face) == MW_NOT_FINITE && mw_ratio_numerator(2, 1, &of_face) == MW_OUT_OF_RANGE);
+    CHECK(of_face == 0 && mw_ratio_numerator(1, 1, &of_face) == MW_OK && of_face == all);
     CHECK(mw_below(&rng, 0, &value) == MW_EMPTY && mw_below_from(&dry, 0, &value) == MW_EMPTY);
     CHECK(mw_range(&rng, 1, 0, &number) == MW_EMPTY && mw_range_from(&dry, 1, 0, &number) == MW_EMPTY);
     CHECK(mw_ratio(&rng, 0, 0, &happens) == MW_NOT_POSITIVE && mw_ratio(&rng, 3, 2, &happens) == MW_OUT_OF_RANGE);

@@ -183,8 +183,14 @@ static void ranges(four u, int input, struct out *out)
         put_uint32_t(out, value);
     put_uint32_t(out, mw_up_to(&rng, last));
     if (made(out, mw_below_from(&word, last, &value))) {
-        put_uint32_t(out, value);
-        skip(out, 3);
+        uint32_t chosen, rest;
+        uint64_t share;
+        expect_error(out, MW_OK, mw_below_select(c, last, &chosen, &rest));
+        expect_same(out, &chosen, &value, sizeof value);
+        put_uint32_t(out, chosen);
+        put_uint32_t(out, rest);
+        expect_error(out, MW_OK, mw_below_numerator(last, value, &share));
+        put_uint64_t(out, share);
         expect_error(out, MW_OK, mw_below_wide(&rng, last, &value));
         put_uint32_t(out, value);
         skip(out, 1);
@@ -214,7 +220,10 @@ static void coins(four u, int input, struct out *out)
     for (int i = 0; i < 3; i++) {
         if (!made(out, i < 2 ? mw_chance_from(&word, p[i], &given) : mw_ratio_from(&word, part, b, &given)))
             continue;
-        skip(out, 3);
+        uint64_t share;
+        CHECK((i < 2 ? mw_chance_numerator(p[i], &share) : mw_ratio_numerator(part, b, &share)) == MW_OK);
+        put_uint64_t(out, share);
+        skip(out, 1);
         CHECK((i < 2 ? mw_chance(&rng, p[i], &drawn) : mw_ratio(&rng, part, b, &drawn)) == MW_OK);
         put_uint32_t(out, (uint32_t)given | (uint32_t)drawn << 1);
     }
