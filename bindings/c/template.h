@@ -359,7 +359,7 @@ mw_error mw_{}_init_trusted(mw_{} *warp, const float (*vertices)[3], size_t vert
         const {1} (*faces)[3], size_t face_count, const float *areas, const uint32_t *words);
 @end@
 
-/* ---- Counts ---------------------------------------------------------------------------------- */
+/* ---- Counts and other integers --------------------------------------------------------------- */
 
 /** How many trials fail before the first success, of probability p each. */
 @struct mw_geometric@
@@ -383,12 +383,31 @@ mw_error mw_binomial_init(mw_binomial *law, uint32_t trials, float p);
 mw_error mw_binomial_init_from_ratio(mw_binomial *law, uint32_t trials, uint32_t part,
         uint32_t whole);
 
-@each geometric poisson binomial@
-uint32_t mw_{}_sample(const mw_{} *law, float u);
-uint32_t mw_{}_count(const mw_{} *law, uint32_t word);
-uint32_t mw_{}_draw(const mw_{} *law, mw_pcg32 *rng);
-mw_error mw_{}_draw_from(const mw_{} *law, const mw_source *source, uint32_t *count);
-float mw_{}_pmf(const mw_{} *law, uint32_t count);
+/**
+ * Integers about a centre from -2^30 to 2^30, in proportion to exp(-(k - centre)^2 / (2 scale^2)),
+ * of a scale up to 20. `init` fills a table: keep it, where it stays.
+ * MW_NOT_FINITE; MW_NOT_POSITIVE or MW_TOO_LARGE for the scale, MW_OUT_OF_RANGE for the centre.
+ */
+@struct mw_discrete_gaussian@
+mw_error mw_discrete_gaussian_init(mw_discrete_gaussian *law, float centre, float scale);
+
+/**
+ * Integers about 0, in proportion to exp(-|k| / scale), of a scale up to 9e7, which may be the
+ * ratio part/whole. MW_NOT_FINITE, MW_NOT_POSITIVE, also for a part or a whole of 0, or MW_TOO_LARGE.
+ */
+@struct mw_discrete_laplace@
+mw_error mw_discrete_laplace_init(mw_discrete_laplace *law, float scale);
+mw_error mw_discrete_laplace_init_from_ratio(mw_discrete_laplace *law, uint32_t part,
+        uint32_t whole);
+
+/** By a uniform, by a word, and by the next word of a generator; and the probability. */
+@each geometric,uint32_t,count poisson,uint32_t,count binomial,uint32_t,count discrete_gaussian,int32_t,integer discrete_laplace,int32_t,integer@
+{1} mw_{}_sample(const mw_{} *law, float u);
+{1} mw_{}_{2}(const mw_{} *law, uint32_t word);
+{1} mw_{}_draw(const mw_{} *law, mw_pcg32 *rng);
+mw_error mw_{}_draw_from(const mw_{} *law, const mw_source *source,
+        {1} *{2});
+float mw_{}_pmf(const mw_{} *law, {1} {2});
 @end@
 
 /* ---- Resampling ------------------------------------------------------------------------------ */
@@ -470,6 +489,39 @@ mw_error mw_poisson_rejection_init(mw_poisson_rejection *sampler, float mean);
  */
 @struct mw_binomial_rejection@
 mw_error mw_binomial_rejection_init(mw_binomial_rejection *sampler, uint32_t trials, float p);
+/**
+ * Gamma of a shape from 1e-30 to 1e6 and a scale, whose product is the mean; and chi-squared of so
+ * many degrees of freedom. `draw_ln` draws the logarithm of a number: numbers of small shapes are
+ * often below the smallest float, and then drawn as 2^-149. 1/x is inverse-gamma.
+ * MW_NOT_FINITE, MW_NOT_POSITIVE, MW_OUT_OF_RANGE for the shape; for the scale MW_EMPTY below
+ * 2^-125 and MW_TOO_LARGE where a number could overflow.
+ */
+@struct mw_gamma@
+mw_error mw_gamma_init(mw_gamma *sampler, float shape, float scale);
+mw_error mw_gamma_init_chi_squared(mw_gamma *sampler, float degrees);
+mw_error mw_gamma_draw_ln(const mw_gamma *sampler, mw_pcg32 *rng, float *ln, uint32_t *tries);
+mw_error mw_gamma_draw_ln_from(const mw_gamma *sampler, const mw_source *source, float *ln,
+        uint32_t *tries);
+/**
+ * Shares of a whole, by a shape from 1e-30 to 1e6 for each: two of them (beta), which are x and
+ * 1 - x, and 3, 4, 6 or 8 (Dirichlet). MW_NOT_FINITE, MW_NOT_POSITIVE, MW_OUT_OF_RANGE.
+ */
+@struct mw_beta@
+mw_error mw_beta_init(mw_beta *sampler, float a, float b);
+@each 3 4 6 8@
+@struct mw_dirichlet_{}@
+mw_error mw_dirichlet_{}_init(mw_dirichlet_{} *sampler, const float shapes[{}]);
+@end@
+/**
+ * Angles from -pi to pi radians about a mean direction from -2 pi to 2 pi, of a concentration of 0
+ * or from 1e-30 to 1e30 (von Mises). MW_NOT_FINITE, MW_NEGATIVE, MW_OUT_OF_RANGE.
+ */
+@struct mw_von_mises@
+mw_error mw_von_mises_init(mw_von_mises *sampler, float mean, float concentration);
+/** The densities of the last ones; of shares with respect to all but one. */
+@each gamma,float~x beta,const~float~shares[2] dirichlet_3,const~float~shares[3] dirichlet_4,const~float~shares[4] dirichlet_6,const~float~shares[6] dirichlet_8,const~float~shares[8] von_mises,float~x@
+float mw_{}_pdf(const mw_{} *sampler, {1});
+@end@
 /** The unit disk and the unit ball; in Q2.30 from two words, and from the halves of one. */
 @struct mw_disk_rejection@
 mw_error mw_disk_rejection_init(mw_disk_rejection *sampler);
@@ -480,7 +532,7 @@ mw_error mw_fixed_disk_rejection_init(mw_fixed_disk_rejection *sampler);
 @struct mw_fixed_disk_rejection_16@
 mw_error mw_fixed_disk_rejection_16_init(mw_fixed_disk_rejection_16 *sampler);
 
-@each ziggurat_standard_normal,float,*point ziggurat_normal,float,*point ziggurat_standard_exponential,float,*point ziggurat_exponential,float,*point poisson_rejection,uint32_t,*point binomial_rejection,uint32_t,*point disk_rejection,float,point[2] ball_rejection,float,point[3] fixed_disk_rejection,int32_t,point[2] fixed_disk_rejection_16,int32_t,point[2]@
+@each ziggurat_standard_normal,float,*point ziggurat_normal,float,*point ziggurat_standard_exponential,float,*point ziggurat_exponential,float,*point poisson_rejection,uint32_t,*point binomial_rejection,uint32_t,*point gamma,float,*point beta,float,point[2] dirichlet_3,float,point[3] dirichlet_4,float,point[4] dirichlet_6,float,point[6] dirichlet_8,float,point[8] von_mises,float,*point disk_rejection,float,point[2] ball_rejection,float,point[3] fixed_disk_rejection,int32_t,point[2] fixed_disk_rejection_16,int32_t,point[2]@
 mw_error mw_{}_set_budget(mw_{} *sampler, uint32_t budget);
 mw_error mw_{}_draw(const mw_{} *sampler, mw_pcg32 *rng,
         {1} {2}, uint32_t *tries);

@@ -35,3 +35,30 @@ export declare class BinomialRejection {
   /** The probability of a count. */
   pmf(count: number): number;
 }
+
+interface SignedIntegers {
+  /** An integer, by one word of the source. */
+  draw(source: Source): number;
+  /** The integer of a word, which is an integer below 2³². */
+  integer(word: number): number;
+  /** The probability of an integer. */
+  pmf(integer: number): number;
+  /** Fills an array with drawn integers; returns the array. */
+  fill(integers: Int32Array, source: Source): Int32Array;
+}
+
+/** Integers about a centre with a Gaussian, exact to the word: in proportion to e^(−(k − centre)²/2scale²). */
+export interface DiscreteGaussian extends SignedIntegers {}
+export declare class DiscreteGaussian {
+  /** @throws RangeError for NaN, a centre beyond 2³⁰ either way, and a scale that is not above 0 and up to 20. */
+  constructor(centre: number, scale: number);
+}
+
+/** Integers about 0 whose probability falls as a power, exact to the word: in proportion to e^(−|k|/scale). */
+export interface DiscreteLaplace extends SignedIntegers {}
+export declare class DiscreteLaplace {
+  /** @throws RangeError for NaN, and for a scale that is not above 0 and up to 9e7. */
+  constructor(scale: number);
+  /** Of the scale part/whole, two integers below 2³². */
+  static fromRatio(part: number, whole: number): DiscreteLaplace;
+}

@@ -1,20 +1,14 @@
-// Counts of successes: by a table that is exact to the word, and by rejection.
+// Counts of successes, by a table that is exact to the word and by rejection; and integers about a centre.
 
-import { BUFFERS, OUT, from_source, in_blocks, index_at, numbers, point, put_words, ready, u32_of, view, wasm, written } from "./core.js";
+import { OUT, from_source, in_blocks, index_at, integer, point, put_words, ready, u32_of, view } from "./core.js";
+import { counted, law_of } from "./laws.js";
 
-// Room for either law; src/counts.rs has it, too.
-const WORDS = 192;
-const [TABLE, REJECTION, OF_RATIO] = [0, 1, 2];
+const [TABLE, REJECTION, OF_RATIO, GAUSSIAN, LAPLACE, LAPLACE_OF_RATIO] = [0, 1, 2, 3, 4, 5];
 const [COUNT, PMF] = [0, 1];
 // As `BinomialRejection::BUDGET` has it.
 const TRIES = 32;
 
-const by_p = (kind, trials, p) => {
-  u32_of("trials", trials);
-  const [own] = numbers(p, 1);
-  return written(WORDS, [], [], (at) => wasm.binomial(at, kind, trials, own, 0, 0));
-};
-const counted = (law, kind, what, count, random) => wasm.counted(kind, what, law.address(), BUFFERS, count, random);
+const by_p = (kind, trials, p) => law_of(kind, [p], u32_of("trials", trials));
 const pmf = (law, kind, count) => {
   put_words(Uint32Array.of(u32_of("count", count)));
   counted(law, kind, PMF, 1, 0);
@@ -31,7 +25,7 @@ export class Binomial {
   static fromRatio(trials, part, whole) {
     const law = new Binomial(1, 0.5);
     [law.#trials, part, whole] = [u32_of("trials", trials), u32_of("part", part), u32_of("whole", whole)];
-    law.#law = written(WORDS, [], [], (at) => wasm.binomial(at, OF_RATIO, trials, 0, part, whole));
+    law.#law = law_of(OF_RATIO, [], trials, part, whole);
     return law;
   }
   get trials() {
@@ -74,5 +68,43 @@ export class BinomialRejection {
   }
   pmf(count) {
     return pmf(this.#law, REJECTION, count);
+  }
+}
+
+// Integers with a sign, of a law that the classes below hand over: nothing else is one.
+const signed = (kind, made) => class {
+  #law;
+  constructor(...parameters) {
+    this.#law = made(...parameters);
+  }
+  integer(word) {
+    put_words(Uint32Array.of(u32_of("word", word)));
+    counted(this.#law, kind, COUNT, 1, 0);
+    return index_at() | 0;
+  }
+  draw(source) {
+    counted(this.#law, kind, COUNT, 1, ready(source, 1, 1));
+    return index_at() | 0;
+  }
+  pmf(at) {
+    put_words(Uint32Array.of(integer("integer", at, -(2 ** 31), 2 ** 31 - 1)));
+    counted(this.#law, kind, PMF, 1, 0);
+    return point(OUT, 1);
+  }
+  fill(integers, source) {
+    const own = view(integers, Int32Array, 1);
+    in_blocks(from_source(source, 1), 1, own, 1, (n, random) => counted(this.#law, kind, COUNT, n, random));
+    return integers;
+  }
+};
+
+export class DiscreteGaussian extends /*#__PURE__*/ signed(GAUSSIAN, (centre, scale) => law_of(GAUSSIAN, [centre, scale])) {}
+
+const RATIO = {};
+export class DiscreteLaplace extends /*#__PURE__*/ signed(LAPLACE, (scale, part, whole) => (
+  scale === RATIO ? law_of(LAPLACE_OF_RATIO, [], 0, u32_of("part", part), u32_of("whole", whole)) : law_of(LAPLACE, [scale])
+)) {
+  static fromRatio(part, whole) {
+    return new DiscreteLaplace(RATIO, part, whole);
   }
 }

@@ -3,7 +3,8 @@
 export * from "./warps.js";
 export { Warp } from "./warp.js";
 export { Alias, Cdf } from "./table.js";
-export { Binomial, BinomialRejection } from "./counts.js";
+export { Binomial, BinomialRejection, DiscreteGaussian, DiscreteLaplace } from "./counts.js";
+export { Beta, Dirichlet, Gamma, VonMises } from "./rejection.js";
 export { Integers } from "./integers.js";
 export { SumTree } from "./tree.js";
 export { WeightedReservoir } from "./reservoir.js";

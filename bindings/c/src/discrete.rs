@@ -1,42 +1,42 @@
-//! Counts, one selection from weights that are seen once, and resampling.
+//! Counts and other integers, one selection from weights that are seen once, and resampling.
 
 use crate::error::{Code, code};
 use crate::generators::{Pcg32, Source};
 use crate::tables::Selection;
 use crate::warps::{as_declared, given, memory};
 use core_crate::discrete::{
-    Binomial, Geometric, LightReservoir, Poisson, Reservoir, resampling, select_once,
-    select_once_uniform,
+    Binomial, DiscreteGaussian, DiscreteLaplace, Geometric, LightReservoir, Poisson, Reservoir,
+    resampling, select_once, select_once_uniform,
 };
 
 macro_rules! counts {
-    ($($name:literal $law:ty { $($init:literal $constructor:ident($($parameter:ident: $type:ty),*);)* })*) => {$(
+    ($($name:literal $law:ty, $number:ident by $of_word:ident { $($init:literal $constructor:ident($($parameter:ident: $type:ty),*);)* })*) => {$(
         const _: () = {
             const _: () = as_declared::<$law>(&["mw_", $name]);
 
             #[unsafe(export_name = concat!("mw_", $name, "_sample"))]
-            extern "C" fn sample(law: &$law, u: f32) -> u32 {
+            extern "C" fn sample(law: &$law, u: f32) -> $number {
                 law.sample(u)
             }
 
-            #[unsafe(export_name = concat!("mw_", $name, "_count"))]
-            extern "C" fn count(law: &$law, word: u32) -> u32 {
-                law.count(word)
+            #[unsafe(export_name = concat!("mw_", $name, "_", stringify!($of_word)))]
+            extern "C" fn of_word(law: &$law, word: u32) -> $number {
+                law.$of_word(word)
             }
 
             #[unsafe(export_name = concat!("mw_", $name, "_draw"))]
-            extern "C" fn draw(law: &$law, rng: &mut Pcg32) -> u32 {
+            extern "C" fn draw(law: &$law, rng: &mut Pcg32) -> $number {
                 law.draw(rng)
             }
 
             #[unsafe(export_name = concat!("mw_", $name, "_draw_from"))]
-            extern "C" fn draw_from(law: &$law, source: &Source, count: &mut u32) -> Code {
-                code(law.try_draw(&mut { *source }), |drawn| *count = drawn)
+            extern "C" fn draw_from(law: &$law, source: &Source, number: &mut $number) -> Code {
+                code(law.try_draw(&mut { *source }), |drawn| *number = drawn)
             }
 
             #[unsafe(export_name = concat!("mw_", $name, "_pmf"))]
-            extern "C" fn pmf(law: &$law, count: u32) -> f32 {
-                law.pmf(count)
+            extern "C" fn pmf(law: &$law, number: $number) -> f32 {
+                law.pmf(number)
             }
         };
         $(const _: () = {
@@ -50,17 +50,24 @@ macro_rules! counts {
 }
 
 counts! {
-    "geometric" Geometric {
+    "geometric" Geometric, u32 by count {
         "_init" new(p: f32);
         "_init_from_ratio" from_ratio(successes: u32, trials: u32);
     }
-    "poisson" Poisson {
+    "poisson" Poisson, u32 by count {
         "_init" new(mean: f32);
         "_init_from_ratio" from_ratio(events: u32, intervals: u32);
     }
-    "binomial" Binomial {
+    "binomial" Binomial, u32 by count {
         "_init" new(trials: u32, p: f32);
         "_init_from_ratio" from_ratio(trials: u32, part: u32, whole: u32);
+    }
+    "discrete_gaussian" DiscreteGaussian, i32 by integer {
+        "_init" new(centre: f32, scale: f32);
+    }
+    "discrete_laplace" DiscreteLaplace, i32 by integer {
+        "_init" new(scale: f32);
+        "_init_from_ratio" from_ratio(part: u32, whole: u32);
     }
 }
 

@@ -1,4 +1,5 @@
-//! Rejection sampling within a budget of tries: ziggurats, disk and ball, counts, and callbacks of the caller.
+//! Rejection sampling within a budget of tries: ziggurats, disk and ball, counts, gamma numbers and what is made of them, angles,
+//! and callbacks of the caller.
 
 use crate::error::{Code, OK, code};
 use crate::generators::{Pcg32, Source, forget_registers};
@@ -84,8 +85,61 @@ samplers! {
     "ball_rejection" rejection::BallRejection, [f32; 3];
     "poisson_rejection" poly::PoissonRejection, u32;
     "binomial_rejection" poly::BinomialRejection, u32;
+    "gamma" poly::Gamma, f32;
+    "beta" poly::Beta, [f32; 2];
+    "dirichlet_3" poly::Dirichlet<3>, [f32; 3];
+    "dirichlet_4" poly::Dirichlet<4>, [f32; 4];
+    "dirichlet_6" poly::Dirichlet<6>, [f32; 6];
+    "dirichlet_8" poly::Dirichlet<8>, [f32; 8];
+    "von_mises" poly::VonMises, f32;
     "fixed_disk_rejection" fixed::DiskRejection, [fixed::Coordinate; 2];
     "fixed_disk_rejection_16" fixed::DiskRejection16, [fixed::Coordinate; 2];
+}
+
+macro_rules! densities {
+    ($($name:literal $sampler:ty, $point:ty;)*) => {$(
+        const _: () = {
+            #[unsafe(export_name = concat!("mw_", $name, "_pdf"))]
+            unsafe extern "C" fn pdf(sampler: &$sampler, x: Given<$point>) -> f32 {
+                // SAFETY: the promise of the header.
+                sampler.pdf(unsafe { <$point>::read(x) })
+            }
+        };
+    )*};
+}
+
+densities! {
+    "gamma" poly::Gamma, f32;
+    "beta" poly::Beta, [f32; 2];
+    "dirichlet_3" poly::Dirichlet<3>, [f32; 3];
+    "dirichlet_4" poly::Dirichlet<4>, [f32; 4];
+    "dirichlet_6" poly::Dirichlet<6>, [f32; 6];
+    "dirichlet_8" poly::Dirichlet<8>, [f32; 8];
+    "von_mises" poly::VonMises, f32;
+}
+
+#[unsafe(export_name = "mw_gamma_draw_ln")]
+unsafe extern "C" fn draw_ln(
+    sampler: &poly::Gamma,
+    rng: &mut Pcg32,
+    ln: *mut f32,
+    tries: *mut u32,
+) -> Code {
+    forget_registers();
+    // SAFETY: the promise of the header.
+    unsafe { drawn(sampler.try_draw_ln(rng), ln, tries) }
+}
+
+#[unsafe(export_name = "mw_gamma_draw_ln_from")]
+unsafe extern "C" fn draw_ln_from(
+    sampler: &poly::Gamma,
+    source: &Source,
+    ln: *mut f32,
+    tries: *mut u32,
+) -> Code {
+    forget_registers();
+    // SAFETY: the promise of the header.
+    unsafe { drawn(sampler.try_draw_ln(&mut { *source }), ln, tries) }
 }
 
 macro_rules! inits {
@@ -113,6 +167,33 @@ inits! {
     "ziggurat_exponential_init_from_mean" ZigguratExponential, (mean: f32) ZigguratExponential::from_mean(mean);
     "poisson_rejection_init" poly::PoissonRejection, (mean: f32) poly::PoissonRejection::new(mean);
     "binomial_rejection_init" poly::BinomialRejection, (trials: u32, p: f32) poly::BinomialRejection::new(trials, p);
+    "gamma_init" poly::Gamma, (shape: f32, scale: f32) poly::Gamma::new(shape, scale);
+    "gamma_init_chi_squared" poly::Gamma, (degrees: f32) poly::Gamma::chi_squared(degrees);
+    "beta_init" poly::Beta, (a: f32, b: f32) poly::Beta::new(a, b);
+    "von_mises_init" poly::VonMises, (mean: f32, concentration: f32) poly::VonMises::new(mean, concentration);
+}
+
+macro_rules! inits_of_shapes {
+    ($($name:literal $shares:literal;)*) => {$(
+        const _: () = {
+            #[unsafe(export_name = concat!("mw_", $name, "_init"))]
+            unsafe extern "C" fn init(
+                sampler: *mut poly::Dirichlet<$shares>, shapes: Given<[f32; $shares]>,
+            ) -> Code {
+                // SAFETY: the promise of the header.
+                let shapes = unsafe { <[f32; $shares]>::read(shapes) };
+                // SAFETY: the same.
+                code(poly::Dirichlet::new(shapes), |made| unsafe { sampler.write(made) })
+            }
+        };
+    )*};
+}
+
+inits_of_shapes! {
+    "dirichlet_3" 3;
+    "dirichlet_4" 4;
+    "dirichlet_6" 6;
+    "dirichlet_8" 8;
 }
 
 #[unsafe(export_name = "mw_budget_for")]

@@ -1,55 +1,27 @@
-//! Counts of successes, of laws in memory of the caller: by a table, or by rejection.
+//! Counts of successes and integers about a centre: by a table, or by rejection.
 
 use crate::buffers::Buffers;
-use crate::parts::{NOT_LINKED, linked};
-use microwarp::Error;
-use microwarp::discrete::Binomial;
+use crate::laws::written;
+use microwarp::discrete::{Binomial, DiscreteGaussian, DiscreteLaplace};
 use microwarp::poly::BinomialRejection;
 
-const COUNTS: bool = linked("counts");
-
-/// The JavaScript side has so much room for one.
-const WORDS: usize = 192;
-
-/// Writes a law to its place. How many words it has as a negative number, or the code of the refusal.
+/// Writes a law by its kind: of so many trials a table of probability p (0), one by rejection (1), a table of probability part/whole (2);
+/// a Gaussian of a centre and a scale (3); a Laplace law of a scale (4), or of the scale part/whole.
 ///
 /// # Safety
-/// There is room for [`WORDS`].
-unsafe fn written<L>(law: Result<L, Error>, place: *mut L) -> i32 {
-    const { assert!(size_of::<L>() <= 4 * WORDS && align_of::<L>() <= 16) };
-    match law {
-        Ok(law) => {
-            // SAFETY: as the caller says.
-            unsafe { place.write(law) };
-            const { -(size_of::<L>().div_ceil(4) as i32) }
-        }
-        Err(refusal) => refusal.code().into(),
-    }
-}
-
-/// Writes a law of so many trials to its place: a table of probability p (0), one by rejection (1), a table of probability
-/// part/whole (2). As [`written`] returns.
-///
-/// # Safety
-/// There is room for [`WORDS`].
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn binomial(
-    place: *mut u32,
-    kind: u32,
-    trials: u32,
-    p: f32,
-    part: u32,
-    whole: u32,
-) -> i32 {
-    if !COUNTS {
-        return NOT_LINKED as i32;
-    }
+/// As for `law`.
+pub unsafe fn made(kind: u32, place: *mut u32, parameters: *const f32, given: [u32; 3]) -> i32 {
+    let [trials, part, whole] = given;
     // SAFETY: as the caller says.
     unsafe {
+        let [a, b] = [*parameters, *parameters.add(1)];
         match kind {
-            0 => written(Binomial::new(trials, p), place.cast()),
-            1 => written(BinomialRejection::new(trials, p), place.cast()),
-            _ => written(Binomial::from_ratio(trials, part, whole), place.cast()),
+            0 => written(Binomial::new(trials, a), place.cast()),
+            1 => written(BinomialRejection::new(trials, a), place.cast()),
+            2 => written(Binomial::from_ratio(trials, part, whole), place.cast()),
+            3 => written(DiscreteGaussian::new(a, b), place.cast()),
+            4 => written(DiscreteLaplace::new(a), place.cast()),
+            _ => written(DiscreteLaplace::from_ratio(part, whole), place.cast()),
         }
     }
 }
@@ -58,9 +30,8 @@ pub unsafe extern "C" fn binomial(
 /// words first. By rejection it is one count of two words, and 0 where they are rejected.
 ///
 /// # Safety
-/// `binomial` has written the law, by kind 0 or 2 where it is 0, and else by 1.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn counted(
+/// `made` has written the law by this kind, where it made a table of a ratio by 0 or 4.
+pub unsafe fn asked(
     kind: u32,
     what: u32,
     law: *const u32,
@@ -68,27 +39,59 @@ pub unsafe extern "C" fn counted(
     count: usize,
     random: usize,
 ) -> u32 {
-    if !COUNTS {
-        return 0;
-    }
     buffers.random(random);
-    if kind == 0 {
-        // SAFETY: as the caller says.
-        let law = unsafe { &*law.cast::<Binomial>() };
-        for (&from, to) in buffers.input.iter().zip(&mut buffers.output).take(count) {
-            *to = match what {
-                0 => law.count(from),
-                _ => law.pmf(from).to_bits(),
-            };
-        }
-        return 1;
-    }
+    let words = what == 0;
     // SAFETY: as the caller says.
-    let law = unsafe { &*law.cast::<BinomialRejection>() };
+    unsafe {
+        match kind {
+            0 => {
+                let law = &*law.cast::<Binomial>();
+                each(
+                    buffers,
+                    count,
+                    words,
+                    |word| law.count(word),
+                    |of| law.pmf(of),
+                );
+            }
+            1 => return tried(&*law.cast(), words, buffers),
+            3 => {
+                let law = &*law.cast::<DiscreteGaussian>();
+                let integer = |word| law.integer(word) as u32;
+                each(buffers, count, words, integer, |of| law.pmf(of as i32));
+            }
+            _ => {
+                let law = &*law.cast::<DiscreteLaplace>();
+                let integer = |word| law.integer(word) as u32;
+                each(buffers, count, words, integer, |of| law.pmf(of as i32));
+            }
+        }
+    }
+    1
+}
+
+fn each(
+    buffers: &mut Buffers,
+    count: usize,
+    words: bool,
+    number: impl Fn(u32) -> u32,
+    pmf: impl Fn(u32) -> f32,
+) {
+    for (&from, to) in buffers.input.iter().zip(&mut buffers.output).take(count) {
+        *to = if words {
+            number(from)
+        } else {
+            pmf(from).to_bits()
+        };
+    }
+}
+
+fn tried(law: &BinomialRejection, words: bool, buffers: &mut Buffers) -> u32 {
     let ([first, second, ..], [to, ..]) = (&buffers.input, &mut buffers.output);
-    let found = match what {
-        0 => law.attempt([*first, *second]),
-        _ => Some(law.pmf(*first).to_bits()),
+    let found = if words {
+        law.attempt([*first, *second])
+    } else {
+        Some(law.pmf(*first).to_bits())
     };
     if let Some(found) = found {
         *to = found;

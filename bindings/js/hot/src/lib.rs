@@ -100,6 +100,26 @@ impl Pcg32 {
     }
 }
 
+/// Word by word, for what does not know how many it takes.
+impl TryRng for Pcg32 {
+    type Error = Infallible;
+
+    #[inline(never)]
+    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+        let word = self.word();
+        self.step();
+        Ok(word)
+    }
+
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        uniform::FromFn(|| self.try_next_u32()).try_next_u64()
+    }
+
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        uniform::FromFn(|| self.try_next_u32()).try_fill_bytes(bytes)
+    }
+}
+
 /// A type that has a loop of its own, as that type.
 fn same<A: 'static, B: 'static>(a: &A) -> Option<&B> {
     let same = TypeId::of::<A>() == TypeId::of::<B>();

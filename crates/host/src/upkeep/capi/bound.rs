@@ -191,7 +191,8 @@ macro_rules! structs {
 /// The structs of what is no warp.
 pub fn structs() -> Vec<(&'static str, Stored)> {
     use microwarp::discrete::{
-        Binomial, Geometric, LightReservoir, Poisson, Reservoir, WeightedReservoir,
+        Binomial, DiscreteGaussian, DiscreteLaplace, Geometric, LightReservoir, Poisson, Reservoir,
+        WeightedReservoir,
     };
     use microwarp::estimate::{Integral, Moments, WeightedMean};
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
@@ -205,6 +206,8 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
         "geometric" Geometric;
         "poisson" Poisson;
         "binomial" Binomial;
+        "discrete_gaussian" DiscreteGaussian;
+        "discrete_laplace" DiscreteLaplace;
         "reservoir" Reservoir<u32>;
         "weighted_place" WeightedReservoir<u32, 1>;
         "light_reservoir" LightReservoir<u32>;
@@ -216,6 +219,13 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
         "ball_rejection" rejection::BallRejection;
         "poisson_rejection" poly::PoissonRejection;
         "binomial_rejection" poly::BinomialRejection;
+        "gamma" poly::Gamma;
+        "beta" poly::Beta;
+        "dirichlet_3" poly::Dirichlet<3>;
+        "dirichlet_4" poly::Dirichlet<4>;
+        "dirichlet_6" poly::Dirichlet<6>;
+        "dirichlet_8" poly::Dirichlet<8>;
+        "von_mises" poly::VonMises;
         "fixed_disk_rejection" fixed::DiskRejection;
         "fixed_disk_rejection_16" fixed::DiskRejection16;
         "moments" Moments;
