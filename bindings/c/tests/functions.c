@@ -501,6 +501,97 @@ static void counts_are_drawn(void)
     CHECK(mw_geometric_sample(&coin, 0.0f) == 0);
 }
 
+/* Numbers, shares, angles and integers: what is drawn has the moments of its law. */
+static void random_quantities_are_drawn(void)
+{
+    static const float die[6] = {4.0f, 2.0f, 0.5f, 1.0f, 1.5f, 1.0f}, none[3] = {1.0f, 0.0f, 1.0f};
+    static const float eight[8] = {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f};
+    mw_gamma wait, few;
+    mw_beta share;
+    mw_dirichlet_3 three;
+    mw_dirichlet_6 six;
+    mw_dirichlet_8 many;
+    mw_von_mises heading;
+    mw_discrete_gaussian peak;
+    mw_discrete_laplace tails;
+    mw_moments sums[8];
+    mw_pcg32 rng = seeded(35);
+    mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
+    CHECK(mw_gamma_init(&wait, 2.5f, 4.0f) == MW_OK);
+    CHECK(mw_gamma_init_chi_squared(&few, 0.5f) == MW_OK);
+    CHECK(mw_beta_init(&share, 2.0f, 3.0f) == MW_OK);
+    CHECK(mw_dirichlet_6_init(&six, die) == MW_OK);
+    CHECK(mw_dirichlet_8_init(&many, eight) == MW_OK);
+    CHECK(mw_von_mises_init(&heading, 0.0f, 0.0f) == MW_OK);
+    CHECK(mw_discrete_gaussian_init(&peak, 0.5f, 3.0f) == MW_OK);
+    CHECK(mw_discrete_laplace_init_from_ratio(&tails, 5, 2) == MW_OK);
+    for (int i = 0; i < 8; i++)
+        mw_moments_init(&sums[i]);
+    for (int i = 0; i < 40000; i++) {
+        float x, ln, shares[8];
+        int32_t integer;
+        uint32_t tries = 0;
+        CHECK(mw_gamma_draw(&wait, &rng, &x, &tries) == MW_OK && tries >= 1 && x > 0.0f);
+        mw_moments_push(&sums[0], x);
+        CHECK(mw_gamma_draw_ln_from(&few, &source, &ln, NULL) == MW_OK);
+        mw_moments_push(&sums[1], ln);
+        CHECK(mw_beta_draw_from(&share, &source, shares, NULL) == MW_OK);
+        CHECK(mw_beta_pdf(&share, shares) > 0.0f);
+        mw_moments_push(&sums[2], shares[0]);
+        CHECK(mw_dirichlet_6_draw(&six, &rng, shares, &tries) == MW_OK && tries >= 6);
+        mw_moments_push(&sums[3], shares[2]);
+        CHECK(mw_dirichlet_8_draw(&many, &rng, shares, NULL) == MW_OK);
+        mw_moments_push(&sums[4], shares[7]);
+        CHECK(mw_von_mises_draw(&heading, &rng, &x, NULL) == MW_OK);
+        mw_moments_push(&sums[5], x);
+        mw_moments_push(&sums[6], (float)mw_discrete_gaussian_draw(&peak, &rng));
+        CHECK(mw_discrete_laplace_draw_from(&tails, &source, &integer) == MW_OK);
+        mw_moments_push(&sums[7], (float)integer);
+    }
+    /* The logarithm of gamma of shape 1/4: its digamma and trigamma. Angles: uniform. */
+    static const double means[8] = {10.0, -4.2274535334 + 0.6931471806, 0.4, 0.05, 8.0 / 36.0, 0.0, 0.5, 0.0};
+    const double pi = acos(-1.0), r = exp(-0.4), share_of_six = 0.05 * 0.95 / 11.0;
+    const double variances[8] = {40.0, 17.1973291545, 0.04, share_of_six, 8.0 * 28.0 / (36.0 * 36.0 * 37.0),
+            pi * pi / 3.0, 9.0, 2.0 * r / ((1.0 - r) * (1.0 - r))};
+    for (int i = 0; i < 8; i++) {
+        float mean, variance, error;
+        CHECK(mw_moments_mean(&sums[i], &mean) && mw_moments_variance(&sums[i], &variance));
+        CHECK(mw_moments_standard_error(&sums[i], &error));
+        CHECK(near((double)mean, means[i], 5.0 * (double)error));
+        CHECK(near((double)variance, variances[i], 0.1 * variances[i]));
+    }
+    /* Another mean would be seen. */
+    float mean, error;
+    CHECK(mw_moments_mean(&sums[0], &mean) && mw_moments_standard_error(&sums[0], &error));
+    CHECK(!near((double)mean, 10.5, 5.0 * (double)error));
+
+    CHECK(near((double)mw_gamma_pdf(&wait, 10.0f), pow(2.5, 1.5) * exp(-2.5) / (4.0 * tgamma(2.5)), 1e-7));
+    CHECK(mw_gamma_pdf(&wait, -1.0f) == 0.0f && mw_gamma_pdf(&wait, NAN) == 0.0f);
+    CHECK(near((double)mw_von_mises_pdf(&heading, 1.0f), 0.5 / pi, 1e-7));
+    CHECK(near((double)mw_discrete_laplace_pmf(&tails, -3), exp(-1.2) * tanh(0.2), 1e-7));
+    CHECK(mw_discrete_laplace_sample(&tails, NAN) == -55 && mw_discrete_laplace_integer(&tails, UINT32_MAX) == 55);
+    CHECK(mw_discrete_gaussian_sample(&peak, 2.0f) == mw_discrete_gaussian_integer(&peak, 0xffffff00u));
+    CHECK(mw_discrete_gaussian_integer(&peak, 0) == 1 - mw_discrete_gaussian_integer(&peak, UINT32_MAX));
+    CHECK(mw_discrete_gaussian_pmf(&peak, INT32_MIN) == 0.0f && mw_discrete_gaussian_pmf(&peak, 1) > 0.13f);
+    float kept[3] = {7.0f, 7.0f, 7.0f};
+    uint32_t tries = 9;
+    CHECK(mw_gamma_draw_from(&wait, &dry, kept, &tries) == MW_SOURCE_FAILED && kept[0] == 7.0f && tries == 9);
+    CHECK(mw_gamma_set_budget(&wait, 0) == MW_NOT_POSITIVE);
+    CHECK(mw_beta_set_budget(&share, 1) == MW_OK);
+    CHECK(mw_beta_draw(&share, &rng, kept, &tries) == MW_BUDGET_SPENT && kept[1] == 7.0f && tries == 1);
+    CHECK(mw_gamma_init(&wait, 0.0f, 1.0f) == MW_NOT_POSITIVE && mw_gamma_init(&wait, NAN, 1.0f) == MW_NOT_FINITE);
+    CHECK(mw_gamma_init(&wait, 2e6f, 1.0f) == MW_OUT_OF_RANGE && mw_gamma_init(&wait, 1.0f, 1e-38f) == MW_EMPTY);
+    CHECK(mw_gamma_init(&wait, 1e6f, 1e38f) == MW_TOO_LARGE && mw_gamma_init(&wait, 1.0f, -1.0f) == MW_NOT_POSITIVE);
+    CHECK(mw_gamma_init_chi_squared(&wait, INFINITY) == MW_NOT_FINITE);
+    CHECK(mw_beta_init(&share, 1.0f, 0.0f) == MW_NOT_POSITIVE && mw_beta_init(&share, 1e-31f, 1.0f) == MW_OUT_OF_RANGE);
+    CHECK(mw_dirichlet_3_init(&three, none) == MW_NOT_POSITIVE);
+    CHECK(mw_von_mises_init(&heading, 0.0f, -1.0f) == MW_NEGATIVE && mw_von_mises_init(&heading, 7.0f, 1.0f) == MW_OUT_OF_RANGE);
+    CHECK(mw_discrete_gaussian_init(&peak, 0.0f, 21.0f) == MW_TOO_LARGE);
+    CHECK(mw_discrete_gaussian_init(&peak, 2e9f, 1.0f) == MW_OUT_OF_RANGE);
+    CHECK(mw_discrete_laplace_init(&tails, 0.0f) == MW_NOT_POSITIVE && mw_discrete_laplace_init(&tails, 1e8f) == MW_TOO_LARGE);
+    CHECK(mw_discrete_laplace_init_from_ratio(&tails, 1, 0) == MW_NOT_POSITIVE);
+}
+
 static void resampling_keeps_its_shares(void)
 {
     uint32_t integers[ENTRIES], copies[ENTRIES];
@@ -1284,6 +1375,7 @@ int main(void)
     streams_are_weighted();
     maps_are_warps();
     counts_are_drawn();
+    random_quantities_are_drawn();
     resampling_keeps_its_shares();
     rejection_ends();
     estimators_estimate();

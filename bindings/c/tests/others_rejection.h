@@ -168,6 +168,89 @@ static void rejected_successes(four u, int input, struct out *out)
     }
 }
 
+/* A number with its density, or the failure with its tries. */
+static void put_with_pdf(struct out *out, mw_error error, uint32_t tries, const float *point, int count,
+        float pdf)
+{
+    if (error == MW_OK) {
+        put_floats(out, point, count);
+        put_float(out, pdf);
+    } else {
+        put_uint32_t(out, 0xf1);
+        put_uint32_t(out, tries);
+    }
+}
+
+static void gamma_numbers(four u, int input, struct out *out)
+{
+    const float a = u[0], b = u[1], c = u[2], d = u[3];
+    const float shapes[5] = {a, 1.0f + 9.0f * c, 1e6f * d, 1e-3f * b, 1.0f};
+    const float scales[5] = {b, 1.0f, a, d, 2.0f};
+    for (int i = 0; i < 5; i++) {
+        mw_pcg32 rng = generator(input);
+        mw_gamma law;
+        float x = 0.0f, ln = 0.0f;
+        uint32_t tries = 0;
+        if (!made(out, i < 4 ? mw_gamma_init(&law, shapes[i], scales[i])
+                             : mw_gamma_init_chi_squared(&law, 2.0f)))
+            continue;
+        skip(out, 1);
+        const mw_error error = mw_gamma_draw(&law, &rng, &x, &tries);
+        const float pdf = mw_gamma_pdf(&law, x);
+        put_with_pdf(out, error, tries, &pdf, 0, pdf);
+        if (i == 2 || i == 4)
+            continue;
+        rng = generator(input);
+        put_float(out, mw_gamma_draw_ln(&law, &rng, &ln, NULL) == MW_OK ? ln : 0.0f);
+    }
+}
+
+static void shares(four u, int input, struct out *out)
+{
+    const float a = u[0], b = u[1], c = u[2], d = u[3], two[2] = {c, 1.0f - c};
+    const float many[4] = {a, d, 1e-3f * b, c}, few[3] = {1.0f + a, 1.0f + b, 100.0f * c};
+    mw_pcg32 rng = generator(input);
+    mw_beta beta;
+    mw_dirichlet_4 four_shares;
+    mw_dirichlet_3 three;
+    float point[4] = {0};
+    uint32_t tries = 0;
+    if (made(out, mw_beta_init(&beta, a, b)))
+        put_float(out, mw_beta_pdf(&beta, two));
+    if (made(out, mw_beta_init(&beta, 1.0f + c, 1e3f * d))) {
+        const mw_error error = mw_beta_draw(&beta, &rng, point, &tries);
+        put_with_pdf(out, error, tries, point, 2, mw_beta_pdf(&beta, point));
+    }
+    if (made(out, mw_dirichlet_4_init(&four_shares, many))) {
+        rng = generator(input);
+        const mw_error error = mw_dirichlet_4_draw(&four_shares, &rng, point, &tries);
+        put_with_pdf(out, error, tries, point, 4, mw_dirichlet_4_pdf(&four_shares, point));
+    }
+    if (made(out, mw_dirichlet_3_init(&three, few))) {
+        rng = generator(input);
+        const mw_error error = mw_dirichlet_3_draw(&three, &rng, point, &tries);
+        put_with_pdf(out, error, tries, point, 3, mw_dirichlet_3_pdf(&three, point));
+    }
+}
+
+static void von_mises(four u, int input, struct out *out)
+{
+    const float means[3] = {6.0f * u[0] - 3.0f, 3.0f, 12.0f * u[1] - 6.0f};
+    const float concentrations[3] = {20.0f * u[1], 1e-20f * u[2], 1e20f * u[3]};
+    for (int i = 0; i < 3; i++) {
+        mw_pcg32 rng = generator(input);
+        mw_von_mises law;
+        float x = 0.0f;
+        uint32_t tries = 0;
+        if (!made(out, mw_von_mises_init(&law, means[i], concentrations[i])))
+            continue;
+        skip(out, 1);
+        put_float(out, mw_von_mises_pdf(&law, u[0]));
+        const mw_error error = mw_von_mises_draw(&law, &rng, &x, &tries);
+        put_with_pdf(out, error, tries, &x, 1, mw_von_mises_pdf(&law, x));
+    }
+}
+
 #define FIGURE(name, of)                          \
     do {                                          \
         bool known = mw_##name((of), &x);         \
@@ -403,6 +486,9 @@ static const struct other_subject {
     {"poly rejection verdicts", rejection_verdicts},
     {"poly rejection poisson", rejected_counts},
     {"poly rejection binomial", rejected_successes},
+    {"poly rejection gamma", gamma_numbers},
+    {"poly rejection shares", shares},
+    {"poly rejection von mises", von_mises},
     {"poly moments", moments},
     {"poly integral", integral},
     {"poly ratio", ratio},
@@ -425,6 +511,7 @@ static const struct other_subject {
     {"poly screens", screens},
     {"poly changing weights", trees},
     {"poly binomial counts", successes},
+    {"poly integers around", integers_around},
     {"fine verdicts", fixed_verdicts},
     {"coarse verdicts", coarse_verdicts},
     {"compact verdicts", compact_verdicts},

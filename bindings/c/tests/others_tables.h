@@ -306,6 +306,35 @@ static void successes(four u, int input, struct out *out)
     }
 }
 
+static void integers_around(four u, int input, struct out *out)
+{
+    uint32_t stirred[4];
+    mw_pcg32 rng = generator(input);
+    mw_discrete_gaussian peak;
+    mw_discrete_laplace tails;
+    stir(u, stirred);
+    const uint32_t a = stirred[0], b = stirred[1], c = stirred[2], d = stirred[3];
+    const float centre = ((float)a - 2147483648.0f) * (0.001f * u[1]);
+    if (made(out, mw_discrete_gaussian_init(&peak, centre, 20.0f * u[0]))) {
+        const int32_t integer = mw_discrete_gaussian_integer(&peak, d);
+        put_int32_t(out, integer);
+        put_int32_t(out, mw_discrete_gaussian_draw(&peak, &rng));
+        put_float(out, mw_discrete_gaussian_pmf(&peak, integer));
+        skip(out, 1);
+    }
+    if (made(out, mw_discrete_laplace_init_from_ratio(&tails, b >> (c & 31), a | 1))) {
+        const int32_t integer = mw_discrete_laplace_integer(&tails, d);
+        put_int32_t(out, integer);
+        put_int32_t(out, mw_discrete_laplace_draw(&tails, &rng));
+        put_float(out, mw_discrete_laplace_pmf(&tails, integer));
+        skip(out, 1);
+    }
+    if (made(out, mw_discrete_laplace_init(&tails, 1e4f * u[2]))) {
+        put_int32_t(out, mw_discrete_laplace_sample(&tails, u[3]));
+        put_float(out, mw_discrete_laplace_pmf(&tails, (int32_t)(d >> 20)));
+    }
+}
+
 static void resampling(four u, int input, struct out *out)
 {
     const float numbers[6] = {u[0], u[1], 0.5f, 1e-20f, u[2], u[3]};

@@ -105,6 +105,10 @@ const successes = () => {
     ...[0, 30, 99, 1001].flatMap((count) => bits(law.pmf(count))), law.count(2 ** 31),
   ]);
 };
+const accepted = (law) => {
+  const words = rng();
+  return Array.from({ length: 40 }, () => law.draw(words)).flatMap((point) => bits([point, law.pdf(point)]));
+};
 // Rounded at each step, as the host computes it.
 const target = ([x, y]) => {
   const f = Math.fround;
@@ -136,6 +140,31 @@ const actual = {
     const [law, words] = [new BinomialRejection(1_000_000, 0.3), rng()];
     return [...Array.from({ length: 40 }, () => law.draw(words)), ...[300_000, 0, 299_000].flatMap((count) => bits(law.pmf(count)))];
   },
+  "discrete laws": () => {
+    const [words, found] = [rng(), []];
+    const draws = (law) => [...Array.from({ length: 20 }, () => law.draw(words)), ...law.fill(new Int32Array(20), words)].map((integer) => integer >>> 0);
+    const ends = (law) => [0, 2 ** 31, 2 ** 32 - 1].map((word) => law.integer(word) >>> 0);
+    for (const [centre, scale] of [[0.25, 3], [-1e6 - 0.5, 20]]) {
+      const law = new microwarp.DiscreteGaussian(centre, scale);
+      found.push(...draws(law), ...[0, -1_000_001].flatMap((integer) => bits(law.pmf(integer))), ...ends(law));
+    }
+    for (const law of [new microwarp.DiscreteLaplace(1e6), microwarp.DiscreteLaplace.fromRatio(5, 2)]) {
+      found.push(...draws(law), ...[0, -3, -(2 ** 31)].flatMap((integer) => bits(law.pmf(integer))), ...ends(law));
+    }
+    return found;
+  },
+  Gamma: () => [new microwarp.Gamma(2.5, 4), new microwarp.Gamma(1e-3, 1), new microwarp.Gamma(1, 0.5), microwarp.Gamma.chiSquared(3)].flatMap((law) => {
+    const words = rng();
+    return [...accepted(law), ...Array.from({ length: 40 }, () => law.drawLn(words)).flatMap(bits)];
+  }),
+  Beta: () => {
+    const [law, set] = [new microwarp.Beta(2, 5e-3), new Sobol(7)];
+    return [...accepted(law), ...Array.from({ length: 100 }, () => law.draw(set)).flatMap(bits)];
+  },
+  Dirichlet: () => [
+    [1, 0.1], [4, 2, 0.5], [1, 1e-3, 1e-3, 7], [100, 2, 3, 1e6, 1], Array(6).fill(0.5), Float32Array.of(1, 2, 3, 4, 5, 6, 7), Array(8).fill(1e-20),
+  ].flatMap((shapes) => accepted(new microwarp.Dirichlet(shapes))),
+  VonMises: () => [[1, 10], [-6, 1e-20], [3, 1e6], [0, 0]].flatMap((given) => accepted(new microwarp.VonMises(...given))),
   PiecewiseConstant1d: () => triples(new microwarp.PiecewiseConstant1d(weights, -3, 5)),
   PiecewiseLinear1d: () => triples(new microwarp.PiecewiseLinear1d(weights, -3, 5)),
   PiecewiseConstant2d: () => triples(new microwarp.PiecewiseConstant2d(cells, [3, 2], [0, 6], [-1, 1])),

@@ -6,7 +6,7 @@ import vm from "node:vm";
 import { readFileSync } from "node:fs";
 import * as microwarp from "microwarp";
 
-const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, LatLongMap, Normal, NormalPair, Pcg32, Permutation, PiecewiseConstant2d, Screen, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
+const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, DiscreteGaussian, DiscreteLaplace, Disk, Exponential, Frame, Integers, LatinHypercube, LatLongMap, Normal, NormalPair, Pcg32, Permutation, PiecewiseConstant2d, Screen, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
 const round = (x) => Math.exp(-x.reduce((sum, x) => sum + x * x, 0));
 
 test("a chain has as many coordinates as its buffers hold, or is refused", () => {
@@ -47,6 +47,8 @@ const integers = {
   count: [(n) => new LatinHypercube(n), 3], "seed of LatinHypercube": [(n) => new LatinHypercube(3, n), 3],
   trials: [(n) => new Binomial(n, 0.5), 3], part: [(n) => Binomial.fromRatio(3, n, 4), 3], whole: [(n) => Binomial.fromRatio(3, 1, n), 3],
   word: [(n) => new Binomial(3, 0.5).count(n), 3], "count of pmf": [(n) => new BinomialRejection(100, 0.5).pmf(n), 3],
+  "part of Laplace": [(n) => DiscreteLaplace.fromRatio(n, 3), 3], "whole of Laplace": [(n) => DiscreteLaplace.fromRatio(3, n), 3],
+  "word of an integer": [(n) => new DiscreteGaussian(0, 3).integer(n), 3],
   places: [(n) => new WeightedReservoir(n), 3], weight: [(n) => new WeightedReservoir(3).offer("a", n, new Pcg32(1)), 3],
   "weight of SumTree": [(n) => new SumTree([1, n]), 3], "index of SumTree": [(n) => new SumTree([1, 2, 3, 4]).get(n), 3],
   length: [(n) => new Permutation(n, 1), 3], "seed of Permutation": [(n) => new Permutation(3, n), 3],
@@ -329,6 +331,20 @@ test("classes that others are made of take nothing that leads beyond", () => {
   const weights = new Float32Array(1000).fill(1);
   assert.equal(new Indices(7, weights, 0).select(0.4321).index, new Alias(weights).select(0.4321).index);
   assert.throws(() => new Indices(0, { length: 2 ** 31 }), TypeError);
+});
+
+test("what draws by rejection takes a point of a set a draw", () => {
+  const laws = [new microwarp.Gamma(0.5, 1), new microwarp.VonMises(1, 2), new microwarp.Beta(2, 3), new microwarp.Dirichlet(Array(8).fill(1e-3))];
+  for (const law of laws) {
+    const [set, generator] = [new Sobol(3), new Pcg32(3)];
+    for (let i = 0; i < 300; i += 1) for (const source of [set, generator]) assert.ok([law.draw(source)].flat().every((x) => Number.isFinite(x)) && law.pdf(law.draw(source)) > 0);
+    assert.equal(set.index, 600);
+    for (const wrong of [undefined, null, Math.random, {}, "rng"]) assert.throws(() => law.draw(wrong), { name: "TypeError", message: /a generator such as new Pcg32/ });
+  }
+  const [gamma, integers] = [new microwarp.Gamma(2, 3), new DiscreteLaplace(2)];
+  for (const at of [-1, NaN, Infinity]) assert.equal(gamma.pdf(at), 0);
+  for (const at of [0.5, NaN, 2 ** 31, -(2 ** 31) - 1]) assert.throws(() => integers.pmf(at), { name: "RangeError", message: /^integer: an integer from -2147483648 to 2147483647 is expected, not / });
+  for (const wrong of [new Uint32Array(4), [1]]) assert.throws(() => integers.fill(wrong, new Pcg32(1)), TypeError);
 });
 
 test("a chain resumes from counts that do not contradict each other", () => {

@@ -2,8 +2,8 @@
 
 use super::{Class, Golden};
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d,
-    PiecewiseLinear1d, SumTree, WeightedReservoir,
+    Alias, AliasEntry, Binomial, Cdf, DiscreteGaussian, DiscreteLaplace, LatLongMap,
+    PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, SumTree, WeightedReservoir,
 };
 use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
@@ -187,6 +187,96 @@ fn rejected() -> String {
     let drawn: Vec<u32> = drawn.collect();
     let pmf = [300_000, 0, 299_000].map(|count| law.pmf(count).to_bits());
     list(drawn.into_iter().chain(pmf))
+}
+
+/// Integers about a centre and about 0, with probabilities of some.
+fn around() -> String {
+    let ok = "accepted parameters";
+    let mut rng = rng();
+    let mut found = Vec::new();
+    for (centre, scale) in [(0.25, 3.0), (-1e6 - 0.5, 20.0)] {
+        let law = DiscreteGaussian::new(centre, scale).expect(ok);
+        found.extend((0..40).map(|_| law.draw(&mut rng) as u32));
+        found.extend([0, -1_000_001].map(|integer| law.pmf(integer).to_bits()));
+        found.extend([0, 1 << 31, u32::MAX].map(|word| law.integer(word) as u32));
+    }
+    for law in [DiscreteLaplace::new(1e6), DiscreteLaplace::from_ratio(5, 2)] {
+        let law = law.expect(ok);
+        found.extend((0..40).map(|_| law.draw(&mut rng) as u32));
+        found.extend([0, -3, i32::MIN].map(|integer| law.pmf(integer).to_bits()));
+        found.extend([0, 1 << 31, u32::MAX].map(|word| law.integer(word) as u32));
+    }
+    list(found)
+}
+
+/// Points by rejection with their densities.
+fn accepted<P: Bits>(law: &impl Rejection<Point = P>, pdf: impl Fn(P) -> f32) -> Vec<u32> {
+    let mut rng = rng();
+    let drawn = (0..40).map(|_| law.draw(&mut rng).expect("within the budget").point);
+    drawn
+        .flat_map(|point| [point.bits(), vec![pdf(point).to_bits()]].concat())
+        .collect()
+}
+
+fn gammas() -> String {
+    let ok = "accepted parameters";
+    let laws = [
+        poly::Gamma::new(2.5, 4.0),
+        poly::Gamma::new(1e-3, 1.0),
+        poly::Gamma::new(1.0, 0.5),
+        poly::Gamma::chi_squared(3.0),
+    ];
+    list(laws.into_iter().flat_map(|law| {
+        let law = law.expect(ok);
+        let mut rng = rng();
+        let lns = (0..40).map(|_| law.draw_ln(&mut rng).expect("within the budget").point);
+        let lns: Vec<u32> = lns.map(f32::to_bits).collect();
+        [accepted(&law, |x| law.pdf(x)), lns].concat()
+    }))
+}
+
+fn shares<const N: usize>(shapes: [f32; N]) -> Vec<u32> {
+    let law = poly::Dirichlet::new(shapes).expect("accepted parameters");
+    accepted(&law, |shares| law.pdf(shares))
+}
+
+/// Each number of shares.
+fn dirichlets() -> String {
+    list(
+        [
+            shares([1.0, 0.1]),
+            shares([4.0, 2.0, 0.5]),
+            shares([1.0, 1e-3, 1e-3, 7.0]),
+            shares([100.0, 2.0, 3.0, 1e6, 1.0]),
+            shares([0.5; 6]),
+            shares([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]),
+            shares([1e-20; 8]),
+        ]
+        .concat(),
+    )
+}
+
+fn angles() -> String {
+    let laws = [(1.0, 10.0), (-6.0, 1e-20), (3.0, 1e6), (0.0, 0.0)];
+    list(laws.into_iter().flat_map(|(mean, concentration)| {
+        let law = poly::VonMises::new(mean, concentration).expect("accepted parameters");
+        accepted(&law, |x| law.pdf(x))
+    }))
+}
+
+/// By a generator, and by a set of points of which some are rejected first.
+fn beta() -> String {
+    let ok = "accepted parameters";
+    let (law, set) = (
+        poly::Beta::new(2.0, 5e-3).expect(ok),
+        Sobol::<8>::new(7).expect(ok),
+    );
+    let of_points = (0..100).flat_map(|index| {
+        let drawn = law.draw(&mut set.at(index)).expect("within the budget");
+        drawn.point.bits()
+    });
+    let of_points: Vec<u32> = of_points.collect();
+    list([accepted(&law, |shares| law.pdf(shares)), of_points].concat())
 }
 
 /// Integers by two words.
@@ -377,6 +467,11 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
         ("WeightedReservoir", streams()),
         ("Binomial", successes()),
         ("BinomialRejection", rejected()),
+        ("discrete laws", around()),
+        ("Gamma", gammas()),
+        ("Beta", beta()),
+        ("Dirichlet", dirichlets()),
+        ("VonMises", angles()),
         (
             "PiecewiseConstant1d",
             triples(&PiecewiseConstant1d::<[u32; 6]>::new(&WEIGHTS, -3.0, 5.0).expect(ok)),
