@@ -136,7 +136,7 @@ fn neg_log2(left: u32) -> u64 {
 }
 
 /// −log₂ of a number above 0 in units of 2⁻⁶⁴, in units of 2⁻⁵⁸, digit by digit.
-const fn neg_log2_in_full(number: u64) -> u64 {
+pub(super) const fn neg_log2_in_full(number: u64) -> u64 {
     let zeros = number.leading_zeros();
     let (mut log, mut power) = (zeros as u64, number.wrapping_shl(zeros));
     let mut digits = 58_u32;
@@ -255,14 +255,25 @@ impl Geometric {
             if self.doubt == 0 {
                 return left.leading_zeros();
             }
-            let count = self.reciprocal.of_this(neg_log2(left));
-            // Far enough from the whole numbers on both sides.
-            let beyond = (count as u32).wrapping_sub(self.doubt);
-            if beyond < self.doubt.wrapping_mul(2).wrapping_neg() {
-                return (count >> 32) as u32;
+            if let Some(count) = self.quick(left, 0) {
+                return count;
             }
         }
         self.walked(word)
+    }
+
+    /// The largest count that is reached with a probability of (left + ½)·2^(more·2⁻³² − 32) or more, where the logarithm leaves no
+    /// doubt.
+    #[inline]
+    pub(super) fn quick(&self, left: u32, more: u64) -> Option<u32> {
+        if left < LAST {
+            return None;
+        }
+        let log = neg_log2(left).saturating_sub(more);
+        let count = self.reciprocal.of_this(log);
+        // Far enough from the whole numbers on both sides.
+        let beyond = (count as u32).wrapping_sub(self.doubt);
+        (beyond < self.doubt.wrapping_mul(2).wrapping_neg()).then_some((count >> 32) as u32)
     }
 
     /// The count of a word by its binary digits.
