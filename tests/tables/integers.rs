@@ -196,7 +196,7 @@ fn integers_of_a_laplace_law_have_their_words() {
 /// Of the largest scales some integers stand for all.
 #[test]
 fn integers_of_a_wide_laplace_law_have_their_words() {
-    for scale in [1e4, 1e6, 9e7_f32] {
+    for scale in [1e4, 1e6, 6e6, 9e7_f32] {
         let sampler = DiscreteLaplace::new(scale).unwrap();
         let [part, whole] = ratio(scale);
         let one = BigUint::from(1_u32) << BITS;
@@ -218,8 +218,18 @@ fn integers_of_a_wide_laplace_law_have_their_words() {
             assert!(off < 0.5 + 2_f64.powi(-16), "{scale}, {size}: {off}");
             assert_eq!(sampler.integer(*words.end()), -size);
             assert_eq!(sampler.integer(!*words.end()), size);
+            // The next word is of the next integer that has words.
+            assert!(sampler.integer(*words.end() + 1) > -size);
+            assert_eq!(sampler.integer(*words.start()), -size);
         }
         assert!(tried > 200, "{scale}: {tried}");
+        // Between the ends of integers nothing steps back.
+        let mut rng = Pcg32::new(35, 4);
+        for _ in 0..speed::of("words of wide Laplace laws", 10_000, 1_000_000) {
+            let word = rng.next_u32() >> (rng.next_u32() & 31);
+            let integer = sampler.integer(word);
+            assert!(sampler.words_of(integer).unwrap().contains(&word), "{word}");
+        }
     }
 }
 
@@ -286,7 +296,7 @@ fn a_draw_of_an_integer_takes_one_word() {
     const GAUSSIAN: DiscreteGaussian = constant!(DiscreteGaussian::new(0.25, 20.0));
     const LAPLACE: DiscreteLaplace = constant!(DiscreteLaplace::from_ratio(100, 3));
     assert_eq!(size_of::<DiscreteGaussian>(), 1080);
-    assert_eq!(size_of::<DiscreteLaplace>(), 344);
+    assert_eq!(size_of::<DiscreteLaplace>(), 352);
     takes_one(|rng| GAUSSIAN.try_draw(rng), |word| GAUSSIAN.integer(word));
     takes_one(|rng| LAPLACE.try_draw(rng), |word| LAPLACE.integer(word));
     for (u, word) in [
