@@ -29,6 +29,7 @@
 //! | one normal or exponential number from a generator | [`ZigguratNormal`](rejection::ZigguratNormal), [`ZigguratExponential`](rejection::ZigguratExponential); the number of words varies |
 //! | normal numbers from your own uniforms | [`NormalPair`](warp::NormalPair) for two, [`Normal`](warp::Normal) for one, which keeps the order of strata |
 //! | normal numbers without an FPU | `fixed::NormalPair`; for one, either of the two |
+//! | a waiting time for several events; a probability, shares of a whole | [`Gamma`](rejection::Gamma); [`Beta`](rejection::Beta), [`Dirichlet`](rejection::Dirichlet) |
 //! | a lamp: a sphere, a triangle, a rectangle, a mesh | [`VisibleSphere`](warp::VisibleSphere), [`SphericalTriangle`](warp::SphericalTriangle), [`SphericalRectangle`](warp::SphericalRectangle), [`Mesh`](discrete::Mesh) |
 //! | a rough surface | [`GgxVisible`](warp::GgxVisible), about a normal by [`Oriented`](warp::Oriented) |
 //! | a place in a pixel | [`Tent`](warp::Tent) for each axis; Mitchell's or another filter by [`SignedLinear1d`](discrete::SignedLinear1d) |
@@ -46,8 +47,6 @@
 //! | a shape with a simple test | [`Region`](rejection::Region) |
 //! | a density known up to a factor | [`Chain`](metropolis::Chain) |
 //! | fewer samples for the same error | [`Sobol`](uniform::Sobol) points instead of a generator |
-//!
-//! Gamma, beta, Student and Dirichlet numbers are not here. Take `rand_distr`, which runs on the same generators.
 //!
 //! The tier is a type, chosen once. `poly` and `libm` have every warp and take the same uniforms. `fixed` has those that
 //! integers serve well, under the same names.

@@ -17,9 +17,17 @@
 //! | `fixed::DiskRejection` | the unit disk, in fixed point | π/4 = 78.5 % | 2 |
 //! | `fixed::DiskRejection16` | the unit disk, in fixed point of 16 bits | π/4 = 78.5 % | 1 |
 //!
-//! A rejection sampler takes no fixed number of uniforms and has no inverse. For strata, low-discrepancy points, replays
+//! A rejection sampler takes no fixed number of uniforms. For strata, low-discrepancy points, replays
 //! from a uniform and chains, take a [`warp`](crate::warp). Warps also propose the points here; the usual one is the
 //! bounding box, [`Aabb`](crate::warp::Aabb).
+//!
+//! # No inverse
+//! The words that give a point are not a function of it: any decision that accepts gives the same point, tries that were rejected leave
+//! no trace, and a gamma number below shape 1 is a product of two. An inverse of a gamma or a beta distribution would be one of their
+//! distribution functions, incomplete gamma and beta functions, which nothing here evaluates: it would belong to another sampler, one
+//! that solves for the number of a uniform. The members of these families that have a closed form are warps, with their inverses:
+//! [`Exponential`](crate::warp::Exponential) (gamma of shape 1, chi-squared of 2 degrees), [`Power`](crate::warp::Power) (beta with a
+//! shape of 1), [`Simplex`](crate::warp::Simplex) (Dirichlet with all shapes 1).
 //!
 //! # Efficiency
 //! The **efficiency** e is the share of proposals that is accepted. For a region it is the probability that the proposal

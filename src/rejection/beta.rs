@@ -18,6 +18,7 @@ use rand_core::TryRng;
 /// - Point: x and 1 − x, above 0.
 /// - Words a try: those of two shares, see [`Dirichlet`].
 /// - Parameters: two shapes from 1e-30 to 1e6.
+/// - No inverse, as of all [rejection](crate::rejection#no-inverse).
 ///
 /// # Accuracy
 /// That of [`Dirichlet`].

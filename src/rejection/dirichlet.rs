@@ -28,6 +28,7 @@ const LEAST: f32 = power_of_two(-80);
 /// - Words a try: one try of a [`Gamma`](super::Gamma) number for each share, until one is rejected. A draw keeps those that were
 ///   accepted, and its tries are those of all shares together: N at least.
 /// - Parameters: N from 1 up, and shapes from 1e-30 to 1e6.
+/// - No inverse, as of all [rejection](crate::rejection#no-inverse).
 ///
 /// # Accuracy
 /// Gamma numbers and their logarithms have the errors of [`Gamma`](super::Gamma). A share made of them has a

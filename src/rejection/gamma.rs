@@ -23,13 +23,15 @@ use rand_core::{Rng, TryRng};
 /// xᵃ⁻¹e^(−x/θ)/(Γ(a)θᵃ) for x ≥ 0, of which 0 counts as 2⁻¹⁴⁹; else 0. What `f32` does not hold becomes 2⁻¹⁴⁹ or the
 /// largest finite number.
 ///
-/// The reciprocal 1/x is inverse-gamma, of shape a and scale 1/θ. Its density is that of x times x².
+/// The reciprocal 1/x is inverse-gamma, of shape a and scale 1/θ: the variance of a normal distribution that is learnt. Its density is
+/// that of x times x². From x = 2⁻¹²⁸ down 1/x is infinite in `f32`; its logarithm, minus that of x, is not.
 ///
 /// # Domain
 /// - Point: above 0.
 /// - Words a try: two. The first proposes, and numbers increase with it; the second decides. Below shape 1 an accepted number
 ///   takes a third. At shape 1 there is one word, and no try is rejected.
 /// - Parameters: a shape from 1e-30 to 1e6, and a scale from 2⁻¹²⁵ up for which no number overflows.
+/// - No inverse, as of all [rejection](crate::rejection#no-inverse).
 ///
 /// # Accuracy
 /// The words of a point give x = θd(1 + w)³/eᵉ: d is a − 1/3, w is z/√(9d) with the normal quantile z of the first word, and e is
@@ -60,6 +62,15 @@ use rand_core::{Rng, TryRng};
 /// assert!(time > 0.0 && SERVICE.pdf(time) > 0.0);
 /// let rare = mw::Gamma::new(1e-3, 1.0)?;
 /// assert!(rare.draw_ln(&mut rng)?.point < 3.0); // often below −1000
+///
+/// // Inverse-gamma, of shape 3 and scale 4: e⁻⁴·4³/Γ(3) at 1, where the density of x is the same.
+/// let precision = mw::Gamma::new(3.0, 1.0 / 4.0)?;
+/// let x = precision.draw(&mut rng)?.point;
+/// let (variance, density) = (1.0 / x, precision.pdf(x) * x * x);
+/// assert!(variance > 0.0 && density > 0.0);
+/// assert!((precision.pdf(1.0) - 0.586_100_4).abs() < 1e-6);
+/// let ln_variance = -precision.draw_ln(&mut rng)?.point;
+/// assert!(ln_variance.is_finite());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
