@@ -6,6 +6,7 @@ use host::{speed, stats};
 use microwarp::poly;
 use microwarp::rejection::{Failure, Rejection};
 use rand_pcg::Pcg32;
+use statrs::distribution::{Continuous, ContinuousCDF, InverseGamma};
 use statrs::function::gamma::{gamma_lr, ln_gamma};
 use std::convert::Infallible;
 
@@ -152,6 +153,57 @@ fn what_is_drawn_has_the_law() {
         assert!(shape < 0.1 || z.abs() < 5.5, "{shape}: {z}");
         // The control: a shape that is a few percent larger.
         stats::assert_rejected(&name, &[p_value(more * a)], threshold);
+    }
+}
+
+/// As the page says: the law of 1/x, by logarithms where `f32` does not hold it, and its density from that of x.
+#[test]
+fn the_reciprocal_is_inverse_gamma() {
+    let number = speed::of("drawn inverse-gamma numbers", 20_000, 1_000_000);
+    let threshold = stats::threshold(2);
+    for (shape, scale, seed) in [(0.02_f32, 0.5_f32, 1), (3.0, 0.25, 2), (40.0, 7.0, 3)] {
+        let law = poly::Gamma::new(shape, scale).unwrap();
+        let exact = |scale: f64| InverseGamma::new(shape.into(), scale).unwrap();
+        let right = exact(1.0 / f64::from(scale));
+        let (mut rng, mut again) = (Pcg32::new(seed, 38), Pcg32::new(seed, 38));
+        let (mut lns, mut worst, mut wrong, mut beyond) = (Vec::new(), 0.0_f64, 0.0_f64, 0);
+        for _ in 0..number {
+            let ln = -f64::from(law.draw_ln(&mut rng).unwrap().point);
+            lns.push(ln);
+            let x = law.draw(&mut again).unwrap().point;
+            if x < 2_f32.powi(-128) {
+                beyond += 1;
+                assert!(1.0 / x == f32::INFINITY && ln > 88.7);
+                continue;
+            }
+            // Where no factor leaves f32.
+            if !(1e-12..1e12).contains(&x) {
+                continue;
+            }
+            let density = right.pdf(1.0 / f64::from(x));
+            let far = (f64::from(x) / (f64::from(shape) * f64::from(scale)))
+                .ln()
+                .abs();
+            // That of the page, and two products.
+            let bound = 3.5e-7 + 2e-10 * f64::from(shape) * far + 1.2e-7;
+            let error = |density_here: f32| (f64::from(density_here) / density - 1.0).abs() / bound;
+            worst = worst.max(or_infinite(error(law.pdf(x) * x * x)));
+            wrong = wrong.max(error(law.pdf(x) * x));
+        }
+        println!("shape {shape}: {worst:.3} of the bound; {beyond} beyond f32");
+        assert!(worst <= 1.0 && wrong > 100.0, "{shape}: {worst}, {wrong}");
+        assert_eq!(beyond > 0, shape < 0.1);
+        // The law of those of which a double holds the number.
+        if shape < 0.1 {
+            continue;
+        }
+        let p_value = |law: InverseGamma| {
+            let mut uniforms: Vec<_> = lns.iter().map(|ln| law.cdf(ln.exp())).collect();
+            stats::p_value_of_uniforms(&mut uniforms)
+        };
+        let name = format!("1/x of shape {shape}");
+        stats::assert_passes(&name, &[p_value(right)], threshold);
+        stats::assert_rejected(&name, &[p_value(exact(scale.into()))], threshold);
     }
 }
 
