@@ -3,8 +3,9 @@
 use crate::cycles::{CORES, whole};
 use crate::tables::rows;
 use microwarp::rejection::{
-    BallRejection, BinomialRejection, DiskRejection, HypergeometricRejection, PoissonRejection,
-    Rejection, VonMises, ZigguratStandardExponential, ZigguratStandardNormal,
+    BallRejection, Beta, BinomialRejection, Dirichlet, DiskRejection, Gamma,
+    HypergeometricRejection, PoissonRejection, Rejection, VonMises, ZigguratStandardExponential,
+    ZigguratStandardNormal,
 };
 use microwarp::tier::Poly;
 use microwarp_host::counts::Counts;
@@ -12,7 +13,7 @@ use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 
 /// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
-fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 11]> {
+fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 15]> {
     use microwarp::fixed as integer;
     let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
     Ok([
@@ -82,7 +83,62 @@ fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 11]> {
             VonMises::<Poly>::BUDGET,
             false,
         ),
+        (
+            "poly_gamma_25_pcg32",
+            of_shapes(&[2.5])?,
+            Gamma::<Poly>::BUDGET,
+            false,
+        ),
+        (
+            "poly_gamma_5_pcg32",
+            of_shapes(&[0.5])?,
+            Gamma::<Poly>::BUDGET,
+            false,
+        ),
+        (
+            "poly_beta_2_5_pcg32",
+            of_shapes(&[2.0, 5.0])?,
+            Beta::<Poly>::BUDGET,
+            false,
+        ),
+        (
+            "poly_dirichlet_4_pcg32",
+            of_shapes(&[0.5, 1.0, 2.0, 4.0])?,
+            Dirichlet::<Poly, 4>::BUDGET,
+            false,
+        ),
     ])
+}
+
+/// How many numbers a point is made of, each of which has to be accepted.
+fn numbers(kernel: &str) -> u32 {
+    match kernel {
+        "poly_beta_2_5_pcg32" => 2,
+        "poly_dirichlet_4_pcg32" => 4,
+        _ => 1,
+    }
+}
+
+/// The least efficiency of gamma numbers of these shapes.
+fn of_shapes(shapes: &[f32]) -> Outcome<f64> {
+    let mut least = 1.0_f64;
+    for &shape in shapes {
+        let law = Gamma::<Poly>::new(shape, 1.0).map_err(|e| e.to_string())?;
+        least = least.min(efficiency(&law)?);
+    }
+    Ok(least)
+}
+
+/// The logarithm to base 2 of the probability that fewer than so many of independent tries are accepted.
+fn spent(efficiency: f64, tries: u32, numbers: u32) -> f64 {
+    // From none accepted on: each has the share of the one before times the odds and the ratio of binomial coefficients.
+    let (mut each, mut sum) = (1.0, 0.0);
+    for accepted in 0..numbers {
+        sum += each;
+        each *=
+            efficiency / (1.0 - efficiency) * f64::from(tries - accepted) / f64::from(accepted + 1);
+    }
+    f64::from(tries) * (1.0 - efficiency).log2() + sum.log2()
 }
 
 fn poisson(mean: f32) -> Outcome<f64> {
@@ -123,7 +179,7 @@ pub fn table(counts: &Counts) -> Outcome<String> {
     let mut table = vec![head.map(String::from).into(), line.map(String::from).into()];
     for (kernel, efficiency, budget, alike) in rejections()? {
         let tries = f64::from(budget);
-        let power = tries * (1.0 - efficiency).log2();
+        let power = spent(efficiency, budget, numbers(kernel));
         let mut first = vec![
             format!("`{kernel}`"),
             format!("{efficiency:.3}"),
