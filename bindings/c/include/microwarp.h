@@ -86,14 +86,15 @@
  *   Tables of weights
  *     cdf, alias, sum_tree, sum_tree_64, select_once, select_once_uniform, piecewise_constant_1d,
  *     piecewise_linear_1d, piecewise_constant_2d, lat_long_map, mesh, mesh_u16
- *   Counts
- *     geometric, poisson, binomial
+ *   Counts and other integers
+ *     geometric, poisson, binomial, discrete_gaussian, discrete_laplace
  *   Resampling
  *     reservoir, light_reservoir, resample_to_integers, resample_systematic, resample_residual,
  *     resample_stratified
  *   Rejection within a budget of tries
  *     ziggurat_standard_normal, ziggurat_normal, ziggurat_standard_exponential,
- *     ziggurat_exponential, poisson_rejection, binomial_rejection, disk_rejection, ball_rejection,
+ *     ziggurat_exponential, poisson_rejection, binomial_rejection, gamma, beta, dirichlet_3,
+ *     dirichlet_4, dirichlet_6, dirichlet_8, von_mises, disk_rejection, ball_rejection,
  *     fixed_disk_rejection, fixed_disk_rejection_16, budget_for, region_1d, bounded_1d_draw,
  *     region_2d, bounded_2d_draw, region_3d, bounded_3d_draw
  *   Estimators
@@ -1775,7 +1776,7 @@ mw_error mw_mesh_u16_init(mw_mesh_u16 *warp, const float (*vertices)[3], size_t 
 mw_error mw_mesh_u16_init_trusted(mw_mesh_u16 *warp, const float (*vertices)[3], size_t vertex_count,
         const uint16_t (*faces)[3], size_t face_count, const float *areas, const uint32_t *words);
 
-/* ---- Counts ---------------------------------------------------------------------------------- */
+/* ---- Counts and other integers --------------------------------------------------------------- */
 
 /** How many trials fail before the first success, of probability p each. */
 typedef struct mw_geometric { uint64_t words[38]; } mw_geometric;
@@ -1799,21 +1800,54 @@ mw_error mw_binomial_init(mw_binomial *law, uint32_t trials, float p);
 mw_error mw_binomial_init_from_ratio(mw_binomial *law, uint32_t trials, uint32_t part,
         uint32_t whole);
 
+/**
+ * Integers about a centre from -2^30 to 2^30, in proportion to exp(-(k - centre)^2 / (2 scale^2)),
+ * of a scale up to 20. `init` fills a table: keep it, where it stays.
+ * MW_NOT_FINITE; MW_NOT_POSITIVE or MW_TOO_LARGE for the scale, MW_OUT_OF_RANGE for the centre.
+ */
+typedef struct mw_discrete_gaussian { uint64_t words[135]; } mw_discrete_gaussian;
+mw_error mw_discrete_gaussian_init(mw_discrete_gaussian *law, float centre, float scale);
+
+/**
+ * Integers about 0, in proportion to exp(-|k| / scale), of a scale up to 9e7, which may be the
+ * ratio part/whole. MW_NOT_FINITE, MW_NOT_POSITIVE, also for a part or a whole of 0, or MW_TOO_LARGE.
+ */
+typedef struct mw_discrete_laplace { uint64_t words[44]; } mw_discrete_laplace;
+mw_error mw_discrete_laplace_init(mw_discrete_laplace *law, float scale);
+mw_error mw_discrete_laplace_init_from_ratio(mw_discrete_laplace *law, uint32_t part,
+        uint32_t whole);
+
+/** By a uniform, by a word, and by the next word of a generator; and the probability. */
 uint32_t mw_geometric_sample(const mw_geometric *law, float u);
 uint32_t mw_geometric_count(const mw_geometric *law, uint32_t word);
 uint32_t mw_geometric_draw(const mw_geometric *law, mw_pcg32 *rng);
-mw_error mw_geometric_draw_from(const mw_geometric *law, const mw_source *source, uint32_t *count);
+mw_error mw_geometric_draw_from(const mw_geometric *law, const mw_source *source,
+        uint32_t *count);
 float mw_geometric_pmf(const mw_geometric *law, uint32_t count);
 uint32_t mw_poisson_sample(const mw_poisson *law, float u);
 uint32_t mw_poisson_count(const mw_poisson *law, uint32_t word);
 uint32_t mw_poisson_draw(const mw_poisson *law, mw_pcg32 *rng);
-mw_error mw_poisson_draw_from(const mw_poisson *law, const mw_source *source, uint32_t *count);
+mw_error mw_poisson_draw_from(const mw_poisson *law, const mw_source *source,
+        uint32_t *count);
 float mw_poisson_pmf(const mw_poisson *law, uint32_t count);
 uint32_t mw_binomial_sample(const mw_binomial *law, float u);
 uint32_t mw_binomial_count(const mw_binomial *law, uint32_t word);
 uint32_t mw_binomial_draw(const mw_binomial *law, mw_pcg32 *rng);
-mw_error mw_binomial_draw_from(const mw_binomial *law, const mw_source *source, uint32_t *count);
+mw_error mw_binomial_draw_from(const mw_binomial *law, const mw_source *source,
+        uint32_t *count);
 float mw_binomial_pmf(const mw_binomial *law, uint32_t count);
+int32_t mw_discrete_gaussian_sample(const mw_discrete_gaussian *law, float u);
+int32_t mw_discrete_gaussian_integer(const mw_discrete_gaussian *law, uint32_t word);
+int32_t mw_discrete_gaussian_draw(const mw_discrete_gaussian *law, mw_pcg32 *rng);
+mw_error mw_discrete_gaussian_draw_from(const mw_discrete_gaussian *law, const mw_source *source,
+        int32_t *integer);
+float mw_discrete_gaussian_pmf(const mw_discrete_gaussian *law, int32_t integer);
+int32_t mw_discrete_laplace_sample(const mw_discrete_laplace *law, float u);
+int32_t mw_discrete_laplace_integer(const mw_discrete_laplace *law, uint32_t word);
+int32_t mw_discrete_laplace_draw(const mw_discrete_laplace *law, mw_pcg32 *rng);
+mw_error mw_discrete_laplace_draw_from(const mw_discrete_laplace *law, const mw_source *source,
+        int32_t *integer);
+float mw_discrete_laplace_pmf(const mw_discrete_laplace *law, int32_t integer);
 
 /* ---- Resampling ------------------------------------------------------------------------------ */
 
@@ -1894,6 +1928,47 @@ mw_error mw_poisson_rejection_init(mw_poisson_rejection *sampler, float mean);
  */
 typedef struct mw_binomial_rejection { uint64_t words[10]; } mw_binomial_rejection;
 mw_error mw_binomial_rejection_init(mw_binomial_rejection *sampler, uint32_t trials, float p);
+/**
+ * Gamma of a shape from 1e-30 to 1e6 and a scale, whose product is the mean; and chi-squared of so
+ * many degrees of freedom. `draw_ln` draws the logarithm of a number: numbers of small shapes are
+ * often below the smallest float, and then drawn as 2^-149. 1/x is inverse-gamma.
+ * MW_NOT_FINITE, MW_NOT_POSITIVE, MW_OUT_OF_RANGE for the shape; for the scale MW_EMPTY below
+ * 2^-125 and MW_TOO_LARGE where a number could overflow.
+ */
+typedef struct mw_gamma { uint32_t words[11]; } mw_gamma;
+mw_error mw_gamma_init(mw_gamma *sampler, float shape, float scale);
+mw_error mw_gamma_init_chi_squared(mw_gamma *sampler, float degrees);
+mw_error mw_gamma_draw_ln(const mw_gamma *sampler, mw_pcg32 *rng, float *ln, uint32_t *tries);
+mw_error mw_gamma_draw_ln_from(const mw_gamma *sampler, const mw_source *source, float *ln,
+        uint32_t *tries);
+/**
+ * Shares of a whole, by a shape from 1e-30 to 1e6 for each: two of them (beta), which are x and
+ * 1 - x, and 3, 4, 6 or 8 (Dirichlet). MW_NOT_FINITE, MW_NOT_POSITIVE, MW_OUT_OF_RANGE.
+ */
+typedef struct mw_beta { uint32_t words[17]; } mw_beta;
+mw_error mw_beta_init(mw_beta *sampler, float a, float b);
+typedef struct mw_dirichlet_3 { uint32_t words[23]; } mw_dirichlet_3;
+mw_error mw_dirichlet_3_init(mw_dirichlet_3 *sampler, const float shapes[3]);
+typedef struct mw_dirichlet_4 { uint32_t words[29]; } mw_dirichlet_4;
+mw_error mw_dirichlet_4_init(mw_dirichlet_4 *sampler, const float shapes[4]);
+typedef struct mw_dirichlet_6 { uint32_t words[41]; } mw_dirichlet_6;
+mw_error mw_dirichlet_6_init(mw_dirichlet_6 *sampler, const float shapes[6]);
+typedef struct mw_dirichlet_8 { uint32_t words[53]; } mw_dirichlet_8;
+mw_error mw_dirichlet_8_init(mw_dirichlet_8 *sampler, const float shapes[8]);
+/**
+ * Angles from -pi to pi radians about a mean direction from -2 pi to 2 pi, of a concentration of 0
+ * or from 1e-30 to 1e30 (von Mises). MW_NOT_FINITE, MW_NEGATIVE, MW_OUT_OF_RANGE.
+ */
+typedef struct mw_von_mises { uint32_t words[7]; } mw_von_mises;
+mw_error mw_von_mises_init(mw_von_mises *sampler, float mean, float concentration);
+/** The densities of the last ones; of shares with respect to all but one. */
+float mw_gamma_pdf(const mw_gamma *sampler, float x);
+float mw_beta_pdf(const mw_beta *sampler, const float shares[2]);
+float mw_dirichlet_3_pdf(const mw_dirichlet_3 *sampler, const float shares[3]);
+float mw_dirichlet_4_pdf(const mw_dirichlet_4 *sampler, const float shares[4]);
+float mw_dirichlet_6_pdf(const mw_dirichlet_6 *sampler, const float shares[6]);
+float mw_dirichlet_8_pdf(const mw_dirichlet_8 *sampler, const float shares[8]);
+float mw_von_mises_pdf(const mw_von_mises *sampler, float x);
 /** The unit disk and the unit ball; in Q2.30 from two words, and from the halves of one. */
 typedef struct mw_disk_rejection { uint32_t words[1]; } mw_disk_rejection;
 mw_error mw_disk_rejection_init(mw_disk_rejection *sampler);
@@ -1934,6 +2009,41 @@ mw_error mw_binomial_rejection_draw(const mw_binomial_rejection *sampler, mw_pcg
         uint32_t *point, uint32_t *tries);
 mw_error mw_binomial_rejection_draw_from(const mw_binomial_rejection *sampler, const mw_source *source,
         uint32_t *point, uint32_t *tries);
+mw_error mw_gamma_set_budget(mw_gamma *sampler, uint32_t budget);
+mw_error mw_gamma_draw(const mw_gamma *sampler, mw_pcg32 *rng,
+        float *point, uint32_t *tries);
+mw_error mw_gamma_draw_from(const mw_gamma *sampler, const mw_source *source,
+        float *point, uint32_t *tries);
+mw_error mw_beta_set_budget(mw_beta *sampler, uint32_t budget);
+mw_error mw_beta_draw(const mw_beta *sampler, mw_pcg32 *rng,
+        float point[2], uint32_t *tries);
+mw_error mw_beta_draw_from(const mw_beta *sampler, const mw_source *source,
+        float point[2], uint32_t *tries);
+mw_error mw_dirichlet_3_set_budget(mw_dirichlet_3 *sampler, uint32_t budget);
+mw_error mw_dirichlet_3_draw(const mw_dirichlet_3 *sampler, mw_pcg32 *rng,
+        float point[3], uint32_t *tries);
+mw_error mw_dirichlet_3_draw_from(const mw_dirichlet_3 *sampler, const mw_source *source,
+        float point[3], uint32_t *tries);
+mw_error mw_dirichlet_4_set_budget(mw_dirichlet_4 *sampler, uint32_t budget);
+mw_error mw_dirichlet_4_draw(const mw_dirichlet_4 *sampler, mw_pcg32 *rng,
+        float point[4], uint32_t *tries);
+mw_error mw_dirichlet_4_draw_from(const mw_dirichlet_4 *sampler, const mw_source *source,
+        float point[4], uint32_t *tries);
+mw_error mw_dirichlet_6_set_budget(mw_dirichlet_6 *sampler, uint32_t budget);
+mw_error mw_dirichlet_6_draw(const mw_dirichlet_6 *sampler, mw_pcg32 *rng,
+        float point[6], uint32_t *tries);
+mw_error mw_dirichlet_6_draw_from(const mw_dirichlet_6 *sampler, const mw_source *source,
+        float point[6], uint32_t *tries);
+mw_error mw_dirichlet_8_set_budget(mw_dirichlet_8 *sampler, uint32_t budget);
+mw_error mw_dirichlet_8_draw(const mw_dirichlet_8 *sampler, mw_pcg32 *rng,
+        float point[8], uint32_t *tries);
+mw_error mw_dirichlet_8_draw_from(const mw_dirichlet_8 *sampler, const mw_source *source,
+        float point[8], uint32_t *tries);
+mw_error mw_von_mises_set_budget(mw_von_mises *sampler, uint32_t budget);
+mw_error mw_von_mises_draw(const mw_von_mises *sampler, mw_pcg32 *rng,
+        float *point, uint32_t *tries);
+mw_error mw_von_mises_draw_from(const mw_von_mises *sampler, const mw_source *source,
+        float *point, uint32_t *tries);
 mw_error mw_disk_rejection_set_budget(mw_disk_rejection *sampler, uint32_t budget);
 mw_error mw_disk_rejection_draw(const mw_disk_rejection *sampler, mw_pcg32 *rng,
         float point[2], uint32_t *tries);
