@@ -25,11 +25,13 @@ use crate::uniform::Canonical;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | found |
+/// | sample, of the size | sqrt(n) * max(2.25e-7, 2.6e-45/m) | proven |
 /// | pdf, relative | 7.8e-8 | found |
 /// | realised density, relative | 7.8e-8 | found |
 /// | inverse | 2e-7 | found |
 /// | round trip | 1.8e-7 + max(3.3, 3.9e-38/m)*r | found |
+///
+/// The error of a sample is proven for all parameters and uniforms: see `docs/proofs.md`.
 ///
 /// n is the number of dimensions and m the size. The second term of a maximum counts where m is subnormal, which it
 /// can be in one dimension. r is the change of the inverse when the point moves by 2⁻²⁴ of the size.

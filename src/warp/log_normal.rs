@@ -38,12 +38,14 @@ use core::marker::PhantomData;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, ulp | 4.2 + 59*d | found |
+/// | sample, ulp | 4.2 + 62*d | proven |
 /// | pdf, relative | 2.6e-7 + 0.056*s/max(0, 1 - w/1e6) | found |
 /// | realised density, relative | 3e-7 + (3.7 + 43·d)·s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 7e-7 + 2e-6*d | found |
 /// | inverse | 1.9e-7 + 0.11*r/max(0, 1 - w/1e6) | found |
 /// | round trip | 2.3e-7 + (3 + 46·d)·r | found |
+///
+/// The error of a sample is proven for all parameters and uniforms: see `docs/proofs.md`.
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. d is σ, and w is 1/σ. Little is stated of densities from
 /// w = 1e6 on, where those of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the

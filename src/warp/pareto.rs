@@ -31,12 +31,14 @@ use core::marker::PhantomData;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, ulp | 4 + 0.8/k | found |
+/// | sample, ulp | 3.2 + 1.9/k | proven |
 /// | pdf, relative | 1.4e-7 | found |
 /// | realised density, relative | 1.4e-7 + (4 + 0.8/k)*s/max(0, 1 - k/1e6) | found |
 /// | pdf with the sample, relative | 5.2e-7 + 2.4e-7/k | found |
 /// | inverse | 1.05e-7 | found |
 /// | round trip | 1.1e-7 + (4 + 0.8/k)*r | found |
+///
+/// The error of a sample is proven for all parameters and uniforms: see `docs/proofs.md`.
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. k is α. No realised density is stated from 1e6 on, where
 /// the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the change of the
