@@ -1,4 +1,5 @@
-//! Bounds on the errors of the maps of two uniforms that have no parameters, over all pairs of uniforms.
+//! Bounds on the errors of the maps of two uniforms that have no parameters, over all pairs of uniforms; and on those of laws of
+//! the line, over all parameters and uniforms (`line.rs`).
 //!
 //! There are 2^48 pairs of the grid alone, too many to try. But each such map is a radius, made of one uniform, times sine
 //! and cosine, made of the other: the error of each factor is found by trying all its inputs, and what the products
@@ -8,13 +9,22 @@
 //! `MICROWARP_WRITE=1 cargo test --test proofs` writes the figures anew.
 
 mod bounds;
+mod direct;
+mod forms;
 mod inputs;
+mod kernels;
+mod laws;
+mod line;
 mod maps;
 mod phases;
+mod powers;
 mod radii;
 mod range;
+mod reached;
 mod report;
 mod search;
+mod tables;
+mod unit;
 
 use bounds::Roundings;
 use inputs::{STRIDE, Uniforms, in_parallel};

@@ -5,7 +5,8 @@
 //! - `MICROWARP_FULL=1` is what CI runs: sweeps are exhaustive wherever that takes minutes, distributions take all their
 //!   samples, and what the documentation says was measured is measured again and compared.
 //! - `MICROWARP_FULL=all` also tries every one of the 2³² words in the kernels of the integer tier, which takes half an
-//!   hour. Only `tests/fixed` tells it from 1.
+//!   hour, and every `f32` and every word in those of the line, which takes an hour. Only `tests/fixed` and `tests/proofs`
+//!   tell it from 1.
 //!
 //! Each choice is printed, past the test harness, which keeps to itself what passing tests print.
 
