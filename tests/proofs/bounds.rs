@@ -22,6 +22,18 @@ pub struct Roundings {
     pub quotient: bool,
     /// Those numbers themselves.
     pub square: bool,
+    /// By how many radians the phase is rounded otherwise.
+    pub turn: f64,
+}
+
+impl Roundings {
+    /// The products alone.
+    pub const PLAIN: Self = Self {
+        products: true,
+        quotient: false,
+        square: false,
+        turn: 0.0,
+    };
 }
 
 /// A bound, and where it is reached.
@@ -84,7 +96,7 @@ impl Roundings {
             let rounded = self.square && x * bin.r >= 0.5;
             if rounded { 2.0_f64.powi(-25) } else { 0.0 }
         };
-        bin.r * quotient + TAU * phase * number(1.0) + FRAC_PI_4 * number(8.0 * phase)
+        bin.r * (quotient + self.turn) + TAU * phase * number(1.0) + FRAC_PI_4 * number(8.0 * phase)
     }
 
     /// The largest distance in the plane, and its direction.

@@ -9,21 +9,32 @@
 //! `MICROWARP_WRITE=1 cargo test --test proofs` writes the figures anew.
 
 mod bounds;
+mod cover;
 mod direct;
 mod forms;
 mod inputs;
+mod interval;
+mod kept;
 mod kernels;
 mod laws;
 mod line;
 mod maps;
+mod number;
+mod parametric;
 mod phases;
 mod powers;
+mod products;
+mod programs;
 mod radii;
 mod range;
 mod reached;
 mod report;
+mod rounding;
 mod search;
+mod several;
+mod sweeps;
 mod tables;
+mod tape;
 mod unit;
 
 use bounds::Roundings;

@@ -40,9 +40,9 @@ impl Roundings {
     /// What is rounded in the map of that name.
     pub fn of(name: &str, uniforms: Uniforms) -> Self {
         Self {
-            products: true,
             quotient: is_concentric(name),
             square: is_concentric(name) && uniforms == Uniforms::Any,
+            ..Self::PLAIN
         }
     }
 }
@@ -146,7 +146,7 @@ pub fn examine<T: Tier>(
 }
 
 /// Sine and cosine of any phase by those of an eighth of a turn.
-fn mirrored<T: Tier>(t: f32) -> (f32, f32) {
+pub fn mirrored<T: Tier>(t: f32) -> (f32, f32) {
     let quarters = (4.0 * f64::from(t)).round();
     let rest = f64::from(t) - 0.25 * quarters;
     assert!(rest.abs() <= 0.125 && f64::from(rest as f32) == rest, "{t}");

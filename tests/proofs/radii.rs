@@ -44,7 +44,7 @@ impl Bin {
     };
 
     /// What is argued: a radius up to `r`, and errors up to these.
-    fn argued(r: f64, off: f64, height: f64, longer: f64) -> Self {
+    pub fn argued(r: f64, off: f64, height: f64, longer: f64) -> Self {
         let both = |x: f64| Range { low: -x, high: x };
         Self {
             uniforms: Range {
@@ -58,7 +58,7 @@ impl Bin {
         }
     }
 
-    fn join(&mut self, other: &Self) {
+    pub fn join(&mut self, other: &Self) {
         self.r = self.r.max(other.r);
         self.uniforms.join(other.uniforms);
         self.off.join(other.off);
@@ -76,13 +76,18 @@ pub struct Radii {
 }
 
 impl Radii {
-    fn none() -> Self {
+    /// Bins alone.
+    pub fn of(bins: Vec<Bin>) -> Self {
         Self {
-            bins: vec![Bin::NONE; 400],
+            bins,
             sine: 0.0,
             cosine: 0.0,
             argued: [0.0; 2],
         }
+    }
+
+    fn none() -> Self {
+        Self::of(vec![Bin::NONE; 400])
     }
 }
 

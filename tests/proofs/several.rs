@@ -1,0 +1,178 @@
+//! Bounds on the errors of maps of several uniforms and with parameters, over all of both.
+//!
+//! A map is written once more as a program (`parametric`). Its bits on `f32` are those of the crate, on `f64` it is the truth of the
+//! registry, and a record of it (`tape`) bounds the difference over boxes that cover all parameters and uniforms (`cover`).
+//! The azimuth is added as for the maps without parameters (`bounds`).
+
+use crate::bounds::Roundings;
+use crate::cover::{Piece, alone, binades, bins, pieces, triangle};
+use crate::parametric::{Cone, Fog, Given, Polar, Triangle};
+use crate::inputs::Uniforms;
+use crate::phases::{self, Cell};
+use crate::products::{ball, rotation};
+use crate::range::Range;
+use crate::rounding::UNIT;
+use crate::{kept, sweeps};
+use host::docs::{self, Page, STALE};
+use host::speed;
+use microwarp::tier::{Libm, Poly, Tier};
+use std::fmt::Write as _;
+
+/// A row of a warp: its name, the title, and the bound in `libm` and in `poly`.
+type Row = (&'static str, &'static str, [f64; 2]);
+
+/// The cells of both tiers.
+pub type Cells = [Vec<Cell>; 2];
+
+fn cells() -> Cells {
+    [Libm::sincos_turns, Poly::sincos_turns].map(|kernel| phases::sweep(Uniforms::Any, kernel, 0.0))
+}
+
+/// Uniforms up to a half. At 0 points are exact.
+fn uniforms(parts: u32) -> Vec<Range> {
+    binades(-44, 0.5, parts)
+}
+
+/// The parameter above a bottom, which begins the list with all down to it.
+fn down_to(bottom: f64, mut binades: Vec<Range>) -> Vec<Range> {
+    binades[0].low = bottom;
+    binades
+}
+
+/// The largest errors of a sample over pieces and all azimuths.
+fn samples(pieces: &[Piece], cells: &Cells) -> [f64; 2] {
+    let radii = bins(pieces);
+    cells
+        .each_ref()
+        .map(|cells| Roundings::PLAIN.sample(&radii, cells).bound)
+}
+
+fn sine(pieces: &[Piece]) -> [f64; 2] {
+    [pieces.iter().map(|p| p.sine).fold(0.0, f64::max); 2]
+}
+
+fn cones(off: [sweeps::Halves; 2]) -> Vec<Piece> {
+    // Of k up to 1, and of what k leaves of 2 where it is above.
+    let ks = down_to(2.0_f64.powi(-126), binades(-20, 1.0, 4));
+    let rests = down_to(0.0, binades(-44, 1.0, 4));
+    let of = |wide, boxes: &[Range]| pieces(&Cone { wide, off }, boxes, &uniforms(4), (1.8e-7, 3));
+    let mut all = of(false, &ks);
+    all.extend(of(true, &rests));
+    all
+}
+
+fn fogs() -> Vec<Piece> {
+    let mut all = Vec::new();
+    for backward in [false, true] {
+        for of in [Given::G, Given::OneMinusG] {
+            // 1 - |g| is 2^-32 or more.
+            let widths = &binades(-32, 1.0, 4)[1..];
+            let fog = Fog { backward, of };
+            all.extend(pieces(&fog, widths, &uniforms(4), (4.8e-7, 4)));
+        }
+    }
+    all
+}
+
+/// What is proven.
+fn rows() -> Vec<Row> {
+    let cells = cells();
+    // The length is right whatever 1 - cos θ is off by, since sine and cosine are both made of it.
+    let polar = bins(&alone(&Polar, &binades(-44, 1.0 + 64.0 * UNIT, 512)));
+    let length = cells
+        .each_ref()
+        .map(|cells| Roundings::PLAIN.length(&polar, cells).bound);
+    let fogs = fogs();
+    let [libm, poly] = [sweeps::cone::<Libm>(), sweeps::cone::<Poly>()].map(cones);
+    let cone = [samples(&libm, &cells)[0], samples(&poly, &cells)[1]];
+    vec![
+        (
+            "Triangle",
+            "sample",
+            [triangle(&Triangle { once_more: false }, &uniforms(4)); 2],
+        ),
+        ("Ball", "sample", ball(&cells)),
+        ("Rotation", "sample", rotation(&cells)),
+        ("Cone", "sample", cone),
+        ("Cone", "unit length", length),
+        ("HenyeyGreenstein", "sample", samples(&fogs, &cells)),
+        ("HenyeyGreenstein", "sin θ, ulp", sine(&fogs)),
+        ("HenyeyGreenstein", "unit length", length),
+    ]
+}
+
+/// What a warp states of a row.
+fn stated(name: &str, title: &str) -> [f64; 2] {
+    let table = docs::of_floats(name);
+    let row = table.iter().find(|(t, _)| t.starts_with(title));
+    let (_, bounds) = row.expect("a row");
+    bounds
+        .each_ref()
+        .map(|bound| bound.number().expect("a number"))
+}
+
+fn rounded_up(x: f64) -> String {
+    let up = docs::rounded_up(x, 3);
+    if up > 0.01 {
+        format!("{up:.2}")
+    } else {
+        format!("{up:.2e}")
+    }
+}
+
+/// What is wrong with a bound. In the quick speed it is that of some of the boxes.
+fn complaint(stated: f64, proven: f64, found: f64) -> Option<String> {
+    // Each written so that NaN fails.
+    let holds = proven <= stated;
+    let near = found <= proven && stated <= STALE * proven && stated <= 2.0 * found;
+    let figures = || format!("{stated} stated, {proven:.4e} proven, {found:.4e} found");
+    (!holds || speed::full() && !near).then(figures)
+}
+
+#[test]
+fn stated_errors_are_proven_for_all_parameters() {
+    let mut complaints = String::new();
+    let mut table =
+        String::from("| warp | error | stated | proven | found |\n|---|---|--:|--:|--:|\n");
+    for (name, title, proven) in rows() {
+        let (stated, found) = (stated(name, title), kept::largest(name, title));
+        for i in 0..2 {
+            if let Some(wrong) = complaint(stated[i], proven[i], found[i]) {
+                let _ = writeln!(complaints, "{name}: {title}: {wrong}");
+            }
+        }
+        let pairs = [stated, proven, found].map(|pair| pair.map(rounded_up).join(" / "));
+        let _ = writeln!(table, "| {name} | {title} | {} |", pairs.join(" | "));
+    }
+    print!("{table}");
+    let path = host::root().join("docs/proofs.md");
+    let text = std::fs::read_to_string(&path).expect("a page");
+    let start = text.find("\n| warp | error |").expect("a table") + 1;
+    let end = start + text[start..].find("\n\n").expect("its end") + 1;
+    if std::env::var_os("MICROWARP_WRITE").is_some() {
+        let text = [&text[..start], &table, &text[end..]].concat();
+        std::fs::write(path, text).expect("a page");
+    } else if !Page(&text[start..end]).states(&table) {
+        complaints.push_str("docs/proofs.md is not what is computed\n");
+    }
+    assert!(complaints.is_empty(), "\n{complaints}");
+}
+
+#[test]
+fn a_broken_link_of_the_argument_about_parameters_is_noticed() {
+    // Without the errors of k a cone would be better than it is.
+    let cells = cells();
+    let [cone, ..] = stated("Cone", "sample");
+    let [found, ..] = kept::largest("Cone", "sample");
+    let [left_out, ..] = samples(&cones([[0.0; 17]; 2]), &cells);
+    assert!(left_out < found, "{left_out} proven, {found} found");
+    // With more of them it is worse than stated.
+    let [more, ..] = samples(&cones([[6.0; 17]; 2]), &cells);
+    assert!(complaint(cone, more, found).is_some());
+
+    let [stated, ..] = stated("Triangle", "sample");
+    let [found, ..] = kept::largest("Triangle", "sample");
+    let bound = |once_more| triangle(&Triangle { once_more }, &uniforms(4));
+    assert_eq!(complaint(stated, bound(false), found), None);
+    assert!(complaint(stated, bound(true), found).is_some());
+}
