@@ -1,7 +1,7 @@
 //! Boxes that cover all parameters and all first uniforms of a map, and what is proven of each.
 
-use crate::parametric::Form;
 use crate::inputs::in_parallel;
+use crate::parametric::Form;
 use crate::radii::{Bin, Radii};
 use crate::range::Range;
 use crate::rounding::UNIT;

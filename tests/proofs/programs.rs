@@ -1,7 +1,7 @@
 //! The programs of `parametric` are the maps of the crate, bit by bit, and in real numbers their truths.
 
-use crate::parametric::{Cone, Fog, Form, Given, Triangle};
 use crate::maps::mirrored;
+use crate::parametric::{Cone, Fog, Form, Given, Triangle};
 use crate::search::spread;
 use host::registry::{Registered, registered};
 use host::speed;

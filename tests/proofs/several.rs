@@ -6,8 +6,8 @@
 
 use crate::bounds::Roundings;
 use crate::cover::{Piece, alone, binades, bins, pieces, triangle};
-use crate::parametric::{Cone, Fog, Given, Polar, Triangle};
 use crate::inputs::Uniforms;
+use crate::parametric::{Cone, Fog, Given, Polar, Triangle};
 use crate::phases::{self, Cell};
 use crate::products::{ball, rotation};
 use crate::range::Range;
