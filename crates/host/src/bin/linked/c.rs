@@ -23,7 +23,7 @@ const MORE: u64 = 72;
 /// Functions in Rust whose parameters are constants, which the compiler has folded into less code than their warp has;
 /// with floats, and in the integer tier.
 const FOLDED: [&[&str]; 2] = [
-    &["annulus", "linear", "student_pair", "student_t"],
+    &["annulus", "gamma", "linear", "student_pair", "student_t"],
     &[
         "annulus",
         "bilinear",
@@ -33,6 +33,8 @@ const FOLDED: [&[&str]; 2] = [
         "phong_lobe",
     ],
 ];
+/// Functions in C that call what others of the archive call too: a program of one function alone has a call more.
+const SHARED: &[&str] = &["spherical_rectangle"];
 
 fn nothing_forbidden(target_name: &str, directory: &Path) -> Outcome {
     let sizes = directory.join("sizes");
@@ -61,7 +63,7 @@ fn counterpart(function: &str, target_name: &str, rust: &[Row]) -> Outcome<Optio
         Some((grade @ ("coarse" | "compact"), warp)) => (grade, warp),
         _ => ("poly", name),
     };
-    if FOLDED[usize::from(tier != "poly")].contains(&warp) {
+    if FOLDED[usize::from(tier != "poly")].contains(&warp) || SHARED.contains(&warp) {
         return Ok(None);
     }
     let pattern = format!(r"^{tier}_{warp}(_\d+)*_pcg32,{target_name}$");
