@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, ulp | 4.2 + 62*d | proven |
+/// | sample, ulp | 4.4 + 64*d | proven |
 /// | pdf, relative | 2.6e-7 + 0.056*s/max(0, 1 - w/1e6) | found |
 /// | realised density, relative | 3e-7 + (3.7 + 43·d)·s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 7e-7 + 2e-6*d | found |

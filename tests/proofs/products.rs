@@ -1,4 +1,4 @@
-//! Maps made of others: a direction times a radius, and two points of a disk.
+//! Maps made of others: a direction times a radius, two points of a disk, and a normal pair scaled and moved.
 
 use crate::bounds::Roundings;
 use crate::inputs::{STRIDE, Uniforms, in_parallel};
@@ -10,6 +10,7 @@ use host::errors::raise;
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::Ball;
+use std::f64::consts::SQRT_2;
 
 /// How many ulp the cube root is off, over every `f32` from 2⁻⁸⁹ to 1. Below 2⁻⁸⁸ it is that of 2⁶⁰ times the number, over 2²⁰.
 fn cube_root() -> f64 {
@@ -78,4 +79,26 @@ fn rotation_of<T: Tier>(cells: &[crate::phases::Cell]) -> f64 {
 
 pub fn rotation([libm, poly]: &Cells) -> [f64; 2] {
     [rotation_of::<Libm>(libm), rotation_of::<Poly>(poly)]
+}
+
+/// The farthest that a pair lies from its mean, in deviations, as its size counts.
+const REACH: f64 = 5.77;
+
+/// A pair of any parameters, in units of its size. To the errors of the standard pair's radius and angle come three roundings: of
+/// the radius times the deviation and of both products, each relative to the radius, and of the sums with the mean, each of which is
+/// no larger than the size. Deviations are above 1e-20, and what is subnormal has steps of 2^-149.
+fn normal_pair_of<T: Tier>(cells: &[crate::phases::Cell]) -> f64 {
+    let radii = radii::<T>("NormalPair", Uniforms::Any, 0);
+    let exact = Roundings {
+        products: false,
+        ..Roundings::PLAIN
+    };
+    let factors = exact.sample(&radii, cells).bound;
+    let reach = radii.bins.iter().map(|bin| bin.r).fold(0.0, f64::max);
+    assert!(reach <= REACH, "{reach}");
+    (factors + 2.0 * UNIT * reach) / REACH * (1.0 + 1e-6) + SQRT_2 * UNIT
+}
+
+pub fn normal_pair([libm, poly]: &Cells) -> [f64; 2] {
+    [normal_pair_of::<Libm>(libm), normal_pair_of::<Poly>(poly)]
 }

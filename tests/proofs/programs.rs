@@ -155,7 +155,7 @@ fn maps_are_the_programs_that_are_recorded() {
     assert!(noticed.count() > 50);
 }
 
-/// The ball is a direction times a radius, a rotation two points of a disk.
+/// The ball is a direction times a radius, a rotation two points of a disk, a normal pair the standard one scaled and moved.
 fn products<T: Tier>([a, b, c]: [f32; 3]) {
     let [_, _, r] = warp::Ball::<T>::new().sample([a, 0.0, 0.0]);
     let [sin, _, cos] = warp::Sphere::<T>::new().sample([b, 0.0]);
@@ -165,6 +165,12 @@ fn products<T: Tier>([a, b, c]: [f32; 3]) {
     let ((z, w), [near, far]) = (mirrored::<T>(0.5 * b - 0.25), [a, 1.0 - a].map(f32::sqrt));
     let rotation = [near * x, near * y, far * z, (far * w).abs()];
     assert_eq!(warp::Rotation::<T>::new().sample([a, b, c]), rotation);
+    let pair = |mean, deviation| warp::NormalPair::<T>::new(mean, deviation).expect("a pair");
+    let [r, _] = pair([0.0; 2], 1.0).sample([a, 0.0]);
+    let (mean, deviation) = ([100.0 * (b - 0.5), 1.0 - a], 1e-6 + 3.0 * b);
+    let far = deviation * r;
+    let point = [mean[0] + far * x, mean[1] + far * y];
+    assert_eq!(pair(mean, deviation).sample([a, c]), point);
 }
 
 /// Without rounding a program gives what the registry calls the truth.

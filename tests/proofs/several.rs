@@ -9,7 +9,7 @@ use crate::cover::{Piece, alone, binades, bins, pieces, triangle};
 use crate::inputs::Uniforms;
 use crate::parametric::{Cone, Fog, Given, Polar, Triangle};
 use crate::phases::{self, Cell};
-use crate::products::{ball, rotation};
+use crate::products::{ball, normal_pair, rotation};
 use crate::range::Range;
 use crate::rounding::UNIT;
 use crate::{kept, sweeps};
@@ -93,6 +93,7 @@ fn rows() -> Vec<Row> {
         ),
         ("Ball", "sample", ball(&cells)),
         ("Rotation", "sample", rotation(&cells)),
+        ("NormalPair", "sample", normal_pair(&cells)),
         ("Cone", "sample", cone),
         ("Cone", "unit length", length),
         ("HenyeyGreenstein", "sample", samples(&fogs, &cells)),
