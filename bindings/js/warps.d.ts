@@ -486,7 +486,8 @@ export declare class EquiAngular extends Warp<number, number> {
  * The error of a sample is proven for all parameters and uniforms: see `docs/proofs.md`.
  *
  * s and r are the relative change of the density, which falls to 0 at the ends, and the change of the inverse when x
- * moves by one ulp. On the 24-bit grid samples are within 2.4 ulp.
+ * moves by one ulp. On the 24-bit grid samples are within 2.4 ulp. A uniform below 2⁻⁴⁹ gives the last point before the
+ * end, and with it the density of that point.
  *
  * **Source**
  * M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", third edition, 2016,
