@@ -61,6 +61,14 @@ pub fn complements<'a>(tape: &'a Tape, small: Range, first: bool) -> [Traced<'a>
     }
 }
 
+/// Whether it is the uniform that is at most a half, or its complement, which is at least 2⁻²⁴: whatever may be.
+fn given(small: Range) -> impl Iterator<Item = bool> {
+    let complement = small.low >= UNIT;
+    [true, false]
+        .into_iter()
+        .filter(move |first| *first || complement)
+}
+
 /// The fields of parameters from a box, off as the form says.
 pub fn fields<'a, F: Form>(form: &F, tape: &'a Tape, parameters: &[Range]) -> Vec<Traced<'a>> {
     let exact = tape.exactly(|| {
@@ -89,11 +97,8 @@ pub fn pieces<F: Form>(
         let mut pieces = Vec::new();
         let mut boxes = Vec::new();
         for &small in uniforms {
-            // 1 - u is at least 2^-24.
-            let given = [true, false]
-                .into_iter()
-                .filter(|first| *first || small.low >= UNIT);
-            boxes.extend(given.map(|first| (*parameters[i as usize], small, first, depth)));
+            let given = given(small).map(|first| (*parameters[i as usize], small, first, depth));
+            boxes.extend(given);
         }
         while let Some((parameter, small, first, depth)) = boxes.pop() {
             let of_box = of_box(form, parameter, small, first);
@@ -177,16 +182,11 @@ pub fn alone<F: Form>(form: &F, numbers: &[Range]) -> Vec<Piece> {
 /// The largest error of a point of two uniforms.
 pub fn triangle<F: Form>(form: &F, uniforms: &[Range]) -> f64 {
     let one = Range::only(1.0);
-    let both = |small: Range| {
-        [true, false]
-            .into_iter()
-            .filter(move |first| *first || small.low >= UNIT)
-    };
     let parts = in_parallel(uniforms.len() as u32, |i| {
         let mut worst = 0.0_f64;
         let a = uniforms[i as usize];
         for &b in uniforms {
-            for (of_a, of_b) in both(a).flat_map(|of_a| both(b).map(move |of_b| (of_a, of_b))) {
+            for (of_a, of_b) in given(a).flat_map(|of_a| given(b).map(move |of_b| (of_a, of_b))) {
                 each_way(|tape| {
                     let [u, v] =
                         [(a, of_a), (b, of_b)].map(|(x, first)| complements(tape, x, first));

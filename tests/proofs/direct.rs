@@ -4,17 +4,14 @@ use crate::line::stated;
 use crate::maps::Row;
 use crate::reached::reached;
 use crate::report::{Line, complaint_of_half};
+use crate::rounding::UNIT;
 use crate::search::spread;
-use host::docs;
 use host::errors::{raise, relative, ulp};
 use host::registry::registered;
 use host::speed;
 use microwarp::Warp;
 use microwarp::uniform::{LARGEST, SMALLEST};
 use microwarp::warp::{Aabb, Interval, PowerMax};
-
-/// Half the spacing of numbers about 1.
-const HALF: f64 = 1.0 / 16_777_216.0;
 
 /// What the roundings of a sample of an interval add to its error, in ulp of the larger bound, which lies below 2ᵏ.
 ///
@@ -144,32 +141,23 @@ fn of_a_box<const N: usize>() {
 /// What is proven of a box, as a part of what is stated. A number of so many ulp is 2⁻²³ of the size at most, and where that
 /// is subnormal, samples are within 1.5 of the smallest number. Coordinates are at right angles.
 fn of_boxes(ulps: f64) -> Line {
-    let row = docs::of_floats("Aabb")
-        .into_iter()
-        .find(|(t, _)| t.starts_with("sample"));
-    let (title, [stated, _]) = row.expect("a row");
-    let at = |size: f64| {
-        let values: Vec<_> = stated
-            .names()
-            .iter()
-            .map(|name| if name == "m" { size } else { 1.0 })
-            .collect();
-        stated.eval(&values)
-    };
-    let (smallest, large) = (f64::from(SMALLEST), 1.0);
-    let proven = (ulps * 2.0 * HALF / at(large)).max(1.5 / at(smallest));
-    let boxes = registered().into_iter().filter(|of| of.name == "Aabb");
-    let found = boxes.map(|of| reached(&of, &stated)).fold(0.0, f64::max);
     of_a_box::<1>();
     of_a_box::<2>();
     of_a_box::<3>();
-    Line {
-        name: "Aabb",
-        title,
-        stated: vec![1.0],
-        rows: vec![Row { proven, found }],
-        formula: Some(docs::rows_of_floats("Aabb")[0].cells[0].clone()),
-    }
+    Line::of_samples("Aabb", |stated| {
+        let at = |size: f64| {
+            let names = stated.names().iter();
+            let values: Vec<_> = names
+                .map(|name| if name == "m" { size } else { 1.0 })
+                .collect();
+            stated.eval(&values)
+        };
+        let (smallest, large) = (f64::from(SMALLEST), 1.0);
+        let proven = (ulps * 2.0 * UNIT / at(large)).max(1.5 / at(smallest));
+        let boxes = registered().into_iter().filter(|of| of.name == "Aabb");
+        let found = boxes.map(|of| reached(&of, stated)).fold(0.0, f64::max);
+        vec![Row { proven, found }]
+    })
 }
 
 /// The rows of these laws.
@@ -191,7 +179,7 @@ pub fn lines() -> Vec<Line> {
         }
     };
     let [one, both] = of_intervals();
-    let density = (1.0 + HALF).powi(2) - 1.0;
+    let density = (1.0 + UNIT).powi(2) - 1.0;
     let of_density = of_densities();
     of_the_largest::<1>();
     of_the_largest::<2>();
@@ -221,15 +209,16 @@ pub fn lines() -> Vec<Line> {
 #[test]
 fn a_rounding_of_an_interval_left_out_is_noticed() {
     let found = of_intervals();
+    let (_, [_, stated]) = stated("Interval", "sample");
     println!("{found:?}");
     for (found, roundings) in found.into_iter().zip([ONE_SIGN, BOTH_SIGNS]) {
         let row = |proven| Row { proven, found };
-        assert_eq!(complaint_of_half(row(sum(roundings)), 2.0), None);
+        assert_eq!(complaint_of_half(row(sum(roundings)), stated), None);
         for left_out in 0..3 {
             let mut fewer = roundings;
             fewer[left_out] = 0.0;
             assert!(
-                complaint_of_half(row(sum(fewer)), 2.0).is_some(),
+                complaint_of_half(row(sum(fewer)), stated).is_some(),
                 "{left_out}: {found}"
             );
         }

@@ -1,13 +1,11 @@
 //! The largest errors of a kernel over its inputs: every `f32` in [0, 1), or every word.
 
-use crate::inputs::in_parallel;
+use crate::inputs::in_parts;
+use crate::rounding::UNIT;
 use crate::unit::{Unit, middle};
 use host::errors::{raise, ulp};
 use host::speed;
 use std::sync::LazyLock;
-
-/// 2²⁴: errors are relative, in ulp of a number just below a power of 2.
-const ULP: f64 = 16_777_216.0;
 
 /// The errors of the f64 truths and sums, many times over.
 pub const MARGIN: f64 = 1e-5;
@@ -48,7 +46,8 @@ impl Reach {
         let error = if off == 0.0 {
             0.0
         } else {
-            ULP * off.abs() / exact.abs().max(least)
+            // In ulp of a number just below a power of 2.
+            off.abs() / exact.abs().max(least) / UNIT
         };
         if (off > 0.0) == (exact > 0.0) {
             self.outward.raise(error, at);
@@ -88,30 +87,15 @@ static GRID: LazyLock<u32> =
 static WORDS: LazyLock<u32> =
     LazyLock::new(|| speed::or_all("one word tried of every", 40_009, 257, 1));
 
-/// Goes through one of every so many numbers from 0 to `last`, and the last, in parts of 2²⁰.
-fn sweep(last: u32, stride: u32, note: impl Fn(&mut Reach, u32) + Sync) -> Vec<Reach> {
-    let mut parts = in_parallel((last >> 20) + 1, |part| {
-        let mut reach = Reach::default();
-        let start = (part << 20).next_multiple_of(stride);
-        let end = last.min((part << 20) + ((1 << 20) - 1));
-        for i in (start..=end).step_by(stride as usize) {
-            note(&mut reach, i);
-        }
-        reach
-    });
-    note(parts.last_mut().expect("a part"), last);
-    parts
-}
-
 /// The same over uniforms of [0, 1), and over those at which earlier searches met the most; `note` takes one and its bits.
 fn over_uniforms(unit: &Unit, note: impl Fn(&mut Reach, f32, u32) + Sync) -> Reach {
     let each = |reach: &mut Reach, u: f32| note(reach, u, u.to_bits());
     let last = 1.0_f32.to_bits() - 1;
-    let mut parts = sweep(last, *EVERY, |reach, bits| {
+    let mut parts = in_parts(last, *EVERY, |reach, bits| {
         each(reach, f32::from_bits(bits));
     });
     if *EVERY > 1 {
-        parts.extend(sweep((1 << 24) - 1, *GRID, |reach, i| {
+        parts.extend(in_parts((1 << 24) - 1, *GRID, |reach, i| {
             each(reach, i as f32 / 16_777_216.0);
         }));
     }
@@ -129,7 +113,7 @@ pub fn of_samples(unit: &Unit, least: f64, wrong: u32) -> [Reach; 2] {
         reach.note(off(x), unit.exact(u.into(), x), least, at);
     });
     let of_words = if unit.has_words() {
-        Reach::of(&sweep(u32::MAX, *WORDS, |reach, word| {
+        Reach::of(&in_parts(u32::MAX, *WORDS, |reach: &mut Reach, word| {
             let x = unit.drawn(word);
             reach.note(off(x), unit.exact(middle(word), x), least, word);
         }))
@@ -183,5 +167,5 @@ pub fn rounded(reach: &Reach, by: By) -> f64 {
 
 /// What is relatively off at most, of a product that is rounded so often after its kernel.
 pub fn rounded_relatively(reach: &Reach, roundings: i32) -> f64 {
-    (1.0 + (reach.most() + MARGIN) / ULP) * (1.0 + 1.0 / ULP).powi(roundings) - 1.0
+    (1.0 + (reach.most() + MARGIN) * UNIT) * (1.0 + UNIT).powi(roundings) - 1.0
 }

@@ -2,22 +2,20 @@
 //! and what scaling and moving its number rounds.
 
 use crate::direct;
+use crate::kept;
 use crate::kernels::{self, By, MARGIN, Reach, rounded, rounded_relatively};
 use crate::laws::{LAWS, Law};
 use crate::maps::Row;
 use crate::report::{self, Line, complaint_of_half};
+use crate::rounding::UNIT;
 use crate::search::spread;
 use crate::tables;
 use crate::unit::{Unit, middle};
-use host::adversary::kept;
 use host::docs;
 use host::errors::raise;
 use host::figures::{Exact, Figures, density_with_sample_error, draw_error, sample_error};
 use host::registry::Registered;
 use host::speed;
-
-/// 2⁻²⁴, what a rounding changes relatively.
-const HALF: f64 = 1.0 / 16_777_216.0;
 
 /// The rows of a law, as its table calls them.
 const SAMPLE: &str = "sample";
@@ -75,11 +73,8 @@ fn found(of: &Registered, inputs: &[u32], densities: &[u32]) -> Figures {
             at(&p, f32::from_bits(*bits), &mut figures);
         }
     }
-    for (label, parameters, u) in kept::cases("accuracy/worst.csv") {
-        if label == format!("{} {}", of.name, of.tier) {
-            let p: Vec<f32> = parameters.into_iter().map(f32::from_bits).collect();
-            at(&p, f32::from_bits(u[0]), &mut figures);
-        }
+    for (p, [u, ..]) in kept::cases(of) {
+        at(&p, u, &mut figures);
     }
     figures
 }
@@ -186,7 +181,7 @@ fn exact_kernels_are_those_of_237_bits() {
         let mut compare = |one: f64, other: f64, least: f64| {
             raise(
                 &mut most,
-                (one - other).abs() / other.abs().max(least) / HALF,
+                (one - other).abs() / other.abs().max(least) / UNIT,
             );
         };
         let pair = |p| [Unit::new(&of, p), Unit::precise(&of, p)];

@@ -112,7 +112,6 @@ impl Cell {
     /// even if it is off by 2^-21 of itself, which four roundings cannot bring about. What comes on top is `more` along
     /// the axis, and less than a tenth of it across.
     fn near_the_axis(more: f64) -> Self {
-        let both = |x: f64| Range { low: -x, high: x };
         Self {
             turns: Range {
                 low: 0.0,
@@ -122,9 +121,9 @@ impl Cell {
             c: 1.0,
             along: std::array::from_fn(|k| {
                 let [ax, ay] = axis(k);
-                both((3.02e-8 + more) * ax.abs() + (2.4e-8 + 0.1 * more) * ay.abs())
+                Range::both((3.02e-8 + more) * ax.abs() + (2.4e-8 + 0.1 * more) * ay.abs())
             }),
-            radial: both(3.02e-8 + 0.05 * 2.4e-8 + 1.01 * more),
+            radial: Range::both(3.02e-8 + 0.05 * 2.4e-8 + 1.01 * more),
             uniforms: Uniforms::Any,
             steps: 0..0,
         }

@@ -45,16 +45,15 @@ impl Bin {
 
     /// What is argued: a radius up to `r`, and errors up to these.
     pub fn argued(r: f64, off: f64, height: f64, longer: f64) -> Self {
-        let both = |x: f64| Range { low: -x, high: x };
         Self {
             uniforms: Range {
                 low: 0.0,
                 high: f64::from(FIRST),
             },
             r,
-            off: both(off),
-            height: both(height),
-            longer: both(longer),
+            off: Range::both(off),
+            height: Range::both(height),
+            longer: Range::both(longer),
         }
     }
 

@@ -1,6 +1,7 @@
 //! How near to what is stated samples are known to come, where that is a formula.
 
-use host::adversary::{kept, words::Kind};
+use crate::kept;
+use host::adversary::words::Kind;
 use host::docs::Statement;
 use host::errors::raise;
 use host::figures::{Exact, Figures, draw_error, sample_error};
@@ -23,13 +24,8 @@ pub fn reached(of: &Registered, stated: &Statement) -> f64 {
             raise(&mut most, figures.sample / stated.eval(&values));
         }
     };
-    let space = if of.constructor.is_empty() { "" } else { " " };
-    let own = format!("{}{space}{} {}", of.name, of.constructor, of.tier);
-    for (label, parameters, u) in kept::cases("accuracy/worst.csv") {
-        if label == own {
-            let p: Vec<f32> = parameters.into_iter().map(f32::from_bits).collect();
-            at(&p, u.map(f32::from_bits));
-        }
+    for (p, u) in kept::cases(of) {
+        at(&p, u);
     }
     let mut rng = Pcg32::new(11, 11);
     for _ in 0..speed::of("samples beside a formula tried", 1 << 14, 1 << 20) {

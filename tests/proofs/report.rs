@@ -95,7 +95,7 @@ pub fn check(outcomes: &[[[Outcome; 2]; 2]]) {
             let _ = writeln!(table, "| {name} | {title} | {} |", cells.join(" | "));
         }
     }
-    complaints.extend(differs("| map |", &table));
+    complaints.extend(differs("## The figures", &table));
     assert!(complaints.is_empty(), "\n{complaints}");
 }
 
@@ -109,9 +109,45 @@ pub struct Line {
     pub formula: Option<String>,
 }
 
+impl Line {
+    /// Of samples for which a formula is stated: how `figures` come from it, as parts of what it gives.
+    pub fn of_samples(
+        name: &'static str,
+        figures: impl FnOnce(&docs::Statement) -> Vec<Row>,
+    ) -> Self {
+        let mut rows = docs::of_floats(name).into_iter();
+        let row = rows.find(|(title, _)| title.starts_with("sample"));
+        let (title, [stated, _]) = row.expect("a row");
+        let rows = figures(&stated);
+        Self {
+            name,
+            title,
+            stated: vec![1.0; rows.len()],
+            rows,
+            formula: Some(docs::rows_of_floats(name)[0].cells[0].clone()),
+        }
+    }
+}
+
 /// The same for laws of the line.
 pub fn check_line(lines: &[Line]) {
     let mut complaints = String::new();
+    for line in lines {
+        for (row, stated) in line.rows.iter().zip(&line.stated) {
+            if let Some(complaint) = complaint_of_half(*row, *stated) {
+                let _ = writeln!(complaints, "{}: {}: {complaint}", line.name, line.title);
+            }
+        }
+    }
+    let table = table_of(lines);
+    if std::env::var_os("MICROWARP_FAMILY").is_none() {
+        complaints.extend(differs("On the line *found*", &table));
+    }
+    assert!(complaints.is_empty(), "\n{complaints}");
+}
+
+/// What is stated, proven and found, each in both tiers.
+pub fn table_of(lines: &[Line]) -> String {
     let mut table = String::from(
         "| warp | error | stated | proven | found |\n\
          |---|---|--:|--:|--:|\n",
@@ -124,11 +160,6 @@ pub fn check_line(lines: &[Line]) {
         formula,
     } in lines
     {
-        for (row, stated) in rows.iter().zip(stated) {
-            if let Some(complaint) = complaint_of_half(*row, *stated) {
-                let _ = writeln!(complaints, "{name}: {title}: {complaint}");
-            }
-        }
         let proven = rows.iter().map(|row| row.proven).collect();
         let found = rows.iter().map(|row| row.found).collect();
         let cells = [stated.clone(), proven, found].map(|figures: Vec<f64>| {
@@ -142,21 +173,19 @@ pub fn check_line(lines: &[Line]) {
             "| {name} | {title} | {stated} | {proven} | {found} |"
         );
     }
-    if std::env::var_os("MICROWARP_FAMILY").is_none() {
-        complaints.extend(differs("| warp |", &table));
-    }
-    assert!(complaints.is_empty(), "\n{complaints}");
+    table
 }
 
-/// Writes a table into its place on the page, or says that the page has another.
-fn differs(head: &str, table: &str) -> Option<String> {
+/// Writes a table into its place on the page, the first table behind these words, or says that the page has another.
+pub fn differs(behind: &str, table: &str) -> Option<String> {
     // Tests that run at once write to one file.
     static PAGE: Mutex<()> = Mutex::new(());
     let _one = PAGE.lock().unwrap_or_else(PoisonError::into_inner);
     print!("{table}");
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/proofs.md");
     let text = std::fs::read_to_string(path).unwrap();
-    let start = text.find(&format!("\n{head}")).unwrap() + 1;
+    let words = text.find(&format!("\n{behind}")).unwrap() + 1;
+    let start = words + text[words..].find("\n| ").unwrap() + 1;
     let end = text[start..]
         .find("\n\n")
         .map_or(text.len(), |end| start + end + 1);
@@ -166,5 +195,5 @@ fn differs(head: &str, table: &str) -> Option<String> {
         return None;
     }
     let same = Page(&text[start..end]).states(table);
-    (!same).then(|| format!("{head}: docs/proofs.md is not what is computed\n"))
+    (!same).then(|| format!("{behind}: docs/proofs.md is not what is computed\n"))
 }

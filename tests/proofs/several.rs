@@ -7,19 +7,22 @@
 use crate::bounds::Roundings;
 use crate::cover::{Piece, alone, binades, bins, pieces, triangle};
 use crate::inputs::Uniforms;
+use crate::line::stated;
+use crate::maps::Row;
 use crate::parametric::{Cone, Fog, Given, Polar, Triangle};
 use crate::phases::{self, Cell};
 use crate::products::{ball, normal_pair, rotation};
 use crate::range::Range;
+use crate::report::{Line, differs, table_of};
 use crate::rounding::UNIT;
 use crate::{kept, sweeps};
-use host::docs::{self, Page, STALE};
+use host::docs::STALE;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
 use std::fmt::Write as _;
 
-/// A row of a warp: its name, the title, and the bound in `libm` and in `poly`.
-type Row = (&'static str, &'static str, [f64; 2]);
+/// A row of a warp: its name, the title, and what is proven in `libm` and in `poly`.
+type Proven = (&'static str, &'static str, [f64; 2]);
 
 /// The cells of both tiers.
 pub type Cells = [Vec<Cell>; 2];
@@ -75,7 +78,7 @@ fn fogs() -> Vec<Piece> {
 }
 
 /// What is proven.
-fn rows() -> Vec<Row> {
+fn rows() -> Vec<Proven> {
     let cells = cells();
     // The length is right whatever 1 - cos θ is off by, since sine and cosine are both made of it.
     let polar = bins(&alone(&Polar, &binades(-44, 1.0 + 64.0 * UNIT, 512)));
@@ -102,27 +105,8 @@ fn rows() -> Vec<Row> {
     ]
 }
 
-/// What a warp states of a row.
-fn stated(name: &str, title: &str) -> [f64; 2] {
-    let table = docs::of_floats(name);
-    let row = table.iter().find(|(t, _)| t.starts_with(title));
-    let (_, bounds) = row.expect("a row");
-    bounds
-        .each_ref()
-        .map(|bound| bound.number().expect("a number"))
-}
-
-fn rounded_up(x: f64) -> String {
-    let up = docs::rounded_up(x, 3);
-    if up > 0.01 {
-        format!("{up:.2}")
-    } else {
-        format!("{up:.2e}")
-    }
-}
-
 /// What is wrong with a bound. In the quick speed it is that of some of the boxes.
-fn complaint(stated: f64, proven: f64, found: f64) -> Option<String> {
+fn complaint(stated: f64, Row { proven, found }: Row) -> Option<String> {
     // Each written so that NaN fails.
     let holds = proven <= stated;
     let near = found <= proven && stated <= STALE * proven && stated <= 2.0 * found;
@@ -133,30 +117,27 @@ fn complaint(stated: f64, proven: f64, found: f64) -> Option<String> {
 #[test]
 fn stated_errors_are_proven_for_all_parameters() {
     let mut complaints = String::new();
-    let mut table =
-        String::from("| warp | error | stated | proven | found |\n|---|---|--:|--:|--:|\n");
-    for (name, title, proven) in rows() {
-        let (stated, found) = (stated(name, title), kept::largest(name, title));
-        for i in 0..2 {
-            if let Some(wrong) = complaint(stated[i], proven[i], found[i]) {
+    let lines = rows().into_iter().map(|(name, title, proven)| {
+        let ((_, stated), found) = (stated(name, title), kept::largest(name, title));
+        let rows = [0, 1].map(|tier| Row {
+            proven: proven[tier],
+            found: found[tier],
+        });
+        for (stated, row) in stated.into_iter().zip(rows) {
+            if let Some(wrong) = complaint(stated, row) {
                 let _ = writeln!(complaints, "{name}: {title}: {wrong}");
             }
         }
-        let pairs = [stated, proven, found].map(|pair| pair.map(rounded_up).join(" / "));
-        let _ = writeln!(table, "| {name} | {title} | {} |", pairs.join(" | "));
-    }
-    print!("{table}");
-    let path = host::root().join("docs/proofs.md");
-    let text = std::fs::read_to_string(&path).expect("a page");
-    let own = text.find("\n## Maps with parameters\n").expect("a section");
-    let start = own + text[own..].find("\n| warp | error |").expect("a table") + 1;
-    let end = start + text[start..].find("\n\n").expect("its end") + 1;
-    if std::env::var_os("MICROWARP_WRITE").is_some() {
-        let text = [&text[..start], &table, &text[end..]].concat();
-        std::fs::write(path, text).expect("a page");
-    } else if !Page(&text[start..end]).states(&table) {
-        complaints.push_str("docs/proofs.md is not what is computed\n");
-    }
+        Line {
+            name,
+            title: title.into(),
+            stated: stated.to_vec(),
+            rows: rows.to_vec(),
+            formula: None,
+        }
+    });
+    let table = table_of(&lines.collect::<Vec<_>>());
+    complaints.extend(differs("## Maps with parameters", &table));
     assert!(complaints.is_empty(), "\n{complaints}");
 }
 
@@ -164,17 +145,29 @@ fn stated_errors_are_proven_for_all_parameters() {
 fn a_broken_link_of_the_argument_about_parameters_is_noticed() {
     // Without the errors of k a cone would be better than it is.
     let cells = cells();
-    let [cone, ..] = stated("Cone", "sample");
+    let (_, [cone, _]) = stated("Cone", "sample");
     let [found, ..] = kept::largest("Cone", "sample");
     let [left_out, ..] = samples(&cones([[0.0; 17]; 2]), &cells);
     assert!(left_out < found, "{left_out} proven, {found} found");
     // With more of them it is worse than stated.
     let [more, ..] = samples(&cones([[6.0; 17]; 2]), &cells);
-    assert!(complaint(cone, more, found).is_some());
+    assert!(
+        complaint(
+            cone,
+            Row {
+                proven: more,
+                found
+            }
+        )
+        .is_some()
+    );
 
-    let [stated, ..] = stated("Triangle", "sample");
+    let (_, [stated, _]) = stated("Triangle", "sample");
     let [found, ..] = kept::largest("Triangle", "sample");
-    let bound = |once_more| triangle(&Triangle { once_more }, &uniforms(4));
-    assert_eq!(complaint(stated, bound(false), found), None);
-    assert!(complaint(stated, bound(true), found).is_some());
+    let judged = |once_more| {
+        let proven = triangle(&Triangle { once_more }, &uniforms(4));
+        complaint(stated, Row { proven, found })
+    };
+    assert_eq!(judged(false), None);
+    assert!(judged(true).is_some());
 }

@@ -3,13 +3,14 @@
 //! The bound is the sum of what each link of the chain is off by, relatively and in units of 2⁻²⁴: the number, the power's
 //! table and series, and the exponent. What the exponent is off by counts in proportion to σ, or to 1/α.
 
-use crate::inputs::in_parallel;
+use crate::inputs::in_parts;
 use crate::kernels::MARGIN;
 use crate::laws::by_name;
 use crate::maps::Row;
 use crate::powers::{log_of_uniform, log_of_word, power};
 use crate::reached::reached;
 use crate::report::{Line, complaint_of_half};
+use crate::rounding::UNIT;
 use crate::unit::{Unit, middle};
 use host::adversary::words;
 use host::docs::{self, Statement};
@@ -21,18 +22,10 @@ use microwarp::uniform::LARGEST;
 use rand_pcg::Pcg32;
 use std::f64::consts::LN_2;
 
-/// A relative error of 2⁻²⁴.
-const UNIT: f64 = 1.0 / 16_777_216.0;
-
 /// The largest of the numbers of inputs 0 to `last`, of which one of so many is tried.
 fn largest(last: u32, stride: u32, of: impl Fn(u32) -> f64 + Sync) -> f64 {
-    let parts = in_parallel((last >> 20) + 1, |part| {
-        let (start, end) = (part << 20, last.min((part << 20) + ((1 << 20) - 1)));
-        let mut most = of(end);
-        for i in (start.next_multiple_of(stride)..=end).step_by(stride as usize) {
-            raise(&mut most, of(i));
-        }
-        most
+    let parts = in_parts(last, stride, |most, i| {
+        raise(most, of(i));
     });
     parts.into_iter().fold(0.0, f64::max)
 }
@@ -142,22 +135,14 @@ pub fn lines() -> Vec<Line> {
     }
     let powers = of_powers(power, [stride(4001, 61), stride(40_009, 61)]);
     let line = |name, parts: Vec<Parts>, tiers: &[Registered]| {
-        let row = docs::of_floats(name)
-            .into_iter()
-            .find(|(t, _)| t.starts_with("sample"));
-        let (title, [stated, _]) = row.expect("a row");
-        let rows = parts.iter().zip(tiers).map(|(parts, of)| Row {
-            proven: parts.of(&stated),
-            found: reached(of, &stated),
-        });
         println!("{name}: {parts:?}");
-        Line {
-            name,
-            title,
-            stated: vec![1.0; tiers.len()],
-            rows: rows.collect(),
-            formula: Some(docs::rows_of_floats(name)[0].cells[0].clone()),
-        }
+        Line::of_samples(name, |stated| {
+            let rows = parts.iter().zip(tiers).map(|(parts, of)| Row {
+                proven: parts.of(stated),
+                found: reached(of, stated),
+            });
+            rows.collect()
+        })
     };
     let mut lines = Vec::new();
     if speed::wants("LogNormal") {
