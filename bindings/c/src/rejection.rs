@@ -46,7 +46,7 @@ unsafe fn drawn<P: Value, E: Into<Code>>(
 }
 
 macro_rules! samplers {
-    ($($name:literal $sampler:ty, $point:ty;)*) => {$(
+    ($($name:literal $sampler:ty, $point:ty $(, $pdf:ident)?;)*) => {$(
         const _: () = {
             const _: () = as_declared::<$sampler>(&["mw_", $name]);
 
@@ -72,6 +72,14 @@ macro_rules! samplers {
                 // SAFETY: the promise of the header.
                 unsafe { drawn(sampler.try_draw(&mut { *source }), point, tries) }
             }
+
+            $(
+                #[unsafe(export_name = concat!("mw_", $name, "_", stringify!($pdf)))]
+                unsafe extern "C" fn $pdf(sampler: &$sampler, x: Given<$point>) -> f32 {
+                    // SAFETY: the promise of the header.
+                    sampler.$pdf(unsafe { <$point>::read(x) })
+                }
+            )?
         };
     )*};
 }
@@ -85,37 +93,15 @@ samplers! {
     "ball_rejection" rejection::BallRejection, [f32; 3];
     "poisson_rejection" poly::PoissonRejection, u32;
     "binomial_rejection" poly::BinomialRejection, u32;
-    "gamma" poly::Gamma, f32;
-    "beta" poly::Beta, [f32; 2];
-    "dirichlet_3" poly::Dirichlet<3>, [f32; 3];
-    "dirichlet_4" poly::Dirichlet<4>, [f32; 4];
-    "dirichlet_6" poly::Dirichlet<6>, [f32; 6];
-    "dirichlet_8" poly::Dirichlet<8>, [f32; 8];
-    "von_mises" poly::VonMises, f32;
+    "gamma" poly::Gamma, f32, pdf;
+    "beta" poly::Beta, [f32; 2], pdf;
+    "dirichlet_3" poly::Dirichlet<3>, [f32; 3], pdf;
+    "dirichlet_4" poly::Dirichlet<4>, [f32; 4], pdf;
+    "dirichlet_6" poly::Dirichlet<6>, [f32; 6], pdf;
+    "dirichlet_8" poly::Dirichlet<8>, [f32; 8], pdf;
+    "von_mises" poly::VonMises, f32, pdf;
     "fixed_disk_rejection" fixed::DiskRejection, [fixed::Coordinate; 2];
     "fixed_disk_rejection_16" fixed::DiskRejection16, [fixed::Coordinate; 2];
-}
-
-macro_rules! densities {
-    ($($name:literal $sampler:ty, $point:ty;)*) => {$(
-        const _: () = {
-            #[unsafe(export_name = concat!("mw_", $name, "_pdf"))]
-            unsafe extern "C" fn pdf(sampler: &$sampler, x: Given<$point>) -> f32 {
-                // SAFETY: the promise of the header.
-                sampler.pdf(unsafe { <$point>::read(x) })
-            }
-        };
-    )*};
-}
-
-densities! {
-    "gamma" poly::Gamma, f32;
-    "beta" poly::Beta, [f32; 2];
-    "dirichlet_3" poly::Dirichlet<3>, [f32; 3];
-    "dirichlet_4" poly::Dirichlet<4>, [f32; 4];
-    "dirichlet_6" poly::Dirichlet<6>, [f32; 6];
-    "dirichlet_8" poly::Dirichlet<8>, [f32; 8];
-    "von_mises" poly::VonMises, f32;
 }
 
 #[unsafe(export_name = "mw_gamma_draw_ln")]
@@ -146,7 +132,9 @@ macro_rules! inits {
     ($($name:literal $sampler:ty, ($($parameter:ident: $type:ty),*) $made:expr;)*) => {$(
         const _: () = {
             #[unsafe(export_name = concat!("mw_", $name))]
-            unsafe extern "C" fn init(sampler: *mut $sampler, $($parameter: $type),*) -> Code {
+            unsafe extern "C" fn init(sampler: *mut $sampler, $($parameter: Given<$type>),*) -> Code {
+                // SAFETY: the promise of the header.
+                $(let $parameter = unsafe { <$type>::read($parameter) };)*
                 let made: Result<$sampler, Error> = $made;
                 // SAFETY: the promise of the header.
                 code(made, |made| unsafe { sampler.write(made) })
@@ -170,30 +158,11 @@ inits! {
     "gamma_init" poly::Gamma, (shape: f32, scale: f32) poly::Gamma::new(shape, scale);
     "gamma_init_chi_squared" poly::Gamma, (degrees: f32) poly::Gamma::chi_squared(degrees);
     "beta_init" poly::Beta, (a: f32, b: f32) poly::Beta::new(a, b);
+    "dirichlet_3_init" poly::Dirichlet<3>, (shapes: [f32; 3]) poly::Dirichlet::new(shapes);
+    "dirichlet_4_init" poly::Dirichlet<4>, (shapes: [f32; 4]) poly::Dirichlet::new(shapes);
+    "dirichlet_6_init" poly::Dirichlet<6>, (shapes: [f32; 6]) poly::Dirichlet::new(shapes);
+    "dirichlet_8_init" poly::Dirichlet<8>, (shapes: [f32; 8]) poly::Dirichlet::new(shapes);
     "von_mises_init" poly::VonMises, (mean: f32, concentration: f32) poly::VonMises::new(mean, concentration);
-}
-
-macro_rules! inits_of_shapes {
-    ($($name:literal $shares:literal;)*) => {$(
-        const _: () = {
-            #[unsafe(export_name = concat!("mw_", $name, "_init"))]
-            unsafe extern "C" fn init(
-                sampler: *mut poly::Dirichlet<$shares>, shapes: Given<[f32; $shares]>,
-            ) -> Code {
-                // SAFETY: the promise of the header.
-                let shapes = unsafe { <[f32; $shares]>::read(shapes) };
-                // SAFETY: the same.
-                code(poly::Dirichlet::new(shapes), |made| unsafe { sampler.write(made) })
-            }
-        };
-    )*};
-}
-
-inits_of_shapes! {
-    "dirichlet_3" 3;
-    "dirichlet_4" 4;
-    "dirichlet_6" 6;
-    "dirichlet_8" 8;
 }
 
 #[unsafe(export_name = "mw_budget_for")]
