@@ -20,10 +20,17 @@ const FLOATS: [&str; 5] = ["disk", "exponential", "normal_pair", "phong_lobe", "
 const INTEGERS: [&str; 2] = ["fixed_disk", "fixed_exponential"];
 /// By how many bytes a function in C may be larger.
 const MORE: u64 = 72;
-/// Functions in Rust whose parameters are constants, which the compiler has folded into less code than their warp has;
-/// with floats, and in the integer tier.
-const FOLDED: [&[&str]; 2] = [
-    &["annulus", "gamma", "linear", "student_pair", "student_t"],
+/// Functions that are smaller in Rust: their parameters are constants there, which the compiler has folded into less code than their
+/// warp has, or, of a rectangle, nothing else calls what several functions of the archive call. With floats, and in the integer tier.
+const SMALLER: [&[&str]; 2] = [
+    &[
+        "annulus",
+        "gamma",
+        "linear",
+        "spherical_rectangle",
+        "student_pair",
+        "student_t",
+    ],
     &[
         "annulus",
         "bilinear",
@@ -33,8 +40,6 @@ const FOLDED: [&[&str]; 2] = [
         "phong_lobe",
     ],
 ];
-/// Functions in C that call what others of the archive call too: a program of one function alone has a call more.
-const SHARED: &[&str] = &["spherical_rectangle"];
 
 fn nothing_forbidden(target_name: &str, directory: &Path) -> Outcome {
     let sizes = directory.join("sizes");
@@ -63,7 +68,7 @@ fn counterpart(function: &str, target_name: &str, rust: &[Row]) -> Outcome<Optio
         Some((grade @ ("coarse" | "compact"), warp)) => (grade, warp),
         _ => ("poly", name),
     };
-    if FOLDED[usize::from(tier != "poly")].contains(&warp) || SHARED.contains(&warp) {
+    if SMALLER[usize::from(tier != "poly")].contains(&warp) {
         return Ok(None);
     }
     let pattern = format!(r"^{tier}_{warp}(_\d+)*_pcg32,{target_name}$");

@@ -12,8 +12,9 @@ use microwarp_host::counts::Counts;
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 
-/// Rejection: its kernel, its efficiency, its budget, and whether every try costs the same.
-fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 15]> {
+/// Rejection: its kernel, its efficiency, its budget, whether every try costs the same, and how many numbers a point is made of, each
+/// of which has to be accepted.
+fn rejections() -> Outcome<[(&'static str, f64, u32, bool, u32); 15]> {
     use microwarp::fixed as integer;
     let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
     Ok([
@@ -22,101 +23,107 @@ fn rejections() -> Outcome<[(&'static str, f64, u32, bool); 15]> {
             DiskRejection::EFFICIENCY.into(),
             DiskRejection::BUDGET,
             true,
+            1,
         ),
         (
             "rejection_ball_pcg32",
             BallRejection::EFFICIENCY.into(),
             BallRejection::BUDGET,
             true,
+            1,
         ),
         (
             "fixed_rejection_disk_pcg32",
             share(integer::DiskRejection::EFFICIENCY.to_bits()),
             integer::DiskRejection::BUDGET,
             true,
+            1,
         ),
         (
             "fixed_rejection_disk_16_pcg32",
             share(integer::DiskRejection16::EFFICIENCY.to_bits()),
             integer::DiskRejection16::BUDGET,
             true,
+            1,
         ),
         (
             "rejection_ziggurat_standard_normal_pcg32",
             ZigguratStandardNormal::EFFICIENCY.into(),
             ZigguratStandardNormal::BUDGET,
             false,
+            1,
         ),
         (
             "rejection_ziggurat_standard_exponential_pcg32",
             ZigguratStandardExponential::EFFICIENCY.into(),
             ZigguratStandardExponential::BUDGET,
             false,
+            1,
         ),
         (
             "poly_poisson_rejection_100_pcg32",
             poisson(100.0)?,
             PoissonRejection::<Poly>::BUDGET,
             false,
+            1,
         ),
         (
             "poly_poisson_rejection_65536_pcg32",
             poisson(65536.0)?,
             PoissonRejection::<Poly>::BUDGET,
             false,
+            1,
         ),
         (
             "poly_binomial_rejection_1000_pcg32",
             efficiency(&BinomialRejection::<Poly>::new(1000, 0.25).map_err(|e| e.to_string())?)?,
             BinomialRejection::<Poly>::BUDGET,
             false,
+            1,
         ),
         (
             "poly_hypergeometric_rejection_10000_pcg32",
             efficiency(&urn(10_000)?)?,
             HypergeometricRejection::<Poly>::BUDGET,
             false,
+            1,
         ),
         (
             "poly_von_mises_10_pcg32",
             efficiency(&VonMises::<Poly>::new(1.0, 10.0).map_err(|e| e.to_string())?)?,
             VonMises::<Poly>::BUDGET,
             false,
+            1,
         ),
         (
             "poly_gamma_25_pcg32",
             of_shapes(&[2.5])?,
             Gamma::<Poly>::BUDGET,
             false,
+            1,
         ),
         (
             "poly_gamma_5_pcg32",
             of_shapes(&[0.5])?,
             Gamma::<Poly>::BUDGET,
             false,
+            1,
         ),
         (
             "poly_beta_2_5_pcg32",
             of_shapes(&[2.0, 5.0])?,
             Beta::<Poly>::BUDGET,
             false,
+            2,
         ),
         (
             "poly_dirichlet_4_pcg32",
             of_shapes(&[0.5, 1.0, 2.0, 4.0])?,
             Dirichlet::<Poly, 4>::BUDGET,
             false,
+            4,
         ),
     ])
-}
-
-/// How many numbers a point is made of, each of which has to be accepted.
-fn numbers(kernel: &str) -> u32 {
-    match kernel {
-        "poly_beta_2_5_pcg32" => 2,
-        "poly_dirichlet_4_pcg32" => 4,
-        _ => 1,
-    }
 }
 
 /// The least efficiency of gamma numbers of these shapes.
@@ -177,9 +184,9 @@ pub fn table(counts: &Counts) -> Outcome<String> {
         "---", "--:", "--:", "--:", "---", "--:", "--:", "--:", "--:",
     ];
     let mut table = vec![head.map(String::from).into(), line.map(String::from).into()];
-    for (kernel, efficiency, budget, alike) in rejections()? {
+    for (kernel, efficiency, budget, alike, numbers) in rejections()? {
         let tries = f64::from(budget);
-        let power = spent(efficiency, budget, numbers(kernel));
+        let power = spent(efficiency, budget, numbers);
         let mut first = vec![
             format!("`{kernel}`"),
             format!("{efficiency:.3}"),
