@@ -251,15 +251,13 @@ impl Geometric {
     #[inline]
     pub fn count(&self, word: u32) -> u32 {
         let left = !word;
-        if left >= LAST {
-            if self.doubt == 0 {
-                return left.leading_zeros();
-            }
-            if let Some(count) = self.quick(left, 0) {
-                return count;
-            }
+        if left >= LAST && self.doubt == 0 {
+            return left.leading_zeros();
         }
-        self.walked(word)
+        match self.quick(left, 0) {
+            Some(count) => count,
+            None => self.walked(word),
+        }
     }
 
     /// The largest count that is reached with a probability of (left + ½)·2^(more·2⁻³² − 32) or more, where the logarithm leaves no
