@@ -12,117 +12,121 @@ use microwarp_host::counts::Counts;
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 
-/// Rejection: its kernel, its efficiency, its budget, whether every try costs the same, and how many numbers a point is made of, each
-/// of which has to be accepted.
-fn rejections() -> Outcome<[(&'static str, f64, u32, bool, u32); 15]> {
+/// One row of the table.
+struct Row {
+    kernel: &'static str,
+    efficiency: f64,
+    budget: u32,
+    /// Whether every try costs the same.
+    alike: bool,
+    /// How many numbers a point is made of, each of which has to be accepted.
+    numbers: u32,
+}
+
+/// A region: a point is drawn until it lies inside.
+fn region(kernel: &'static str, efficiency: f64, budget: u32) -> Row {
+    Row {
+        kernel,
+        efficiency,
+        budget,
+        alike: true,
+        numbers: 1,
+    }
+}
+
+/// A law: some tries end early.
+fn law(kernel: &'static str, efficiency: f64, budget: u32) -> Row {
+    Row {
+        alike: false,
+        ..region(kernel, efficiency, budget)
+    }
+}
+
+fn rejections() -> Outcome<[Row; 15]> {
     use microwarp::fixed as integer;
     let share = |bits: u32| f64::from(bits) / 4_294_967_296.0;
     Ok([
-        (
+        region(
             "rejection_disk_pcg32",
             DiskRejection::EFFICIENCY.into(),
             DiskRejection::BUDGET,
-            true,
-            1,
         ),
-        (
+        region(
             "rejection_ball_pcg32",
             BallRejection::EFFICIENCY.into(),
             BallRejection::BUDGET,
-            true,
-            1,
         ),
-        (
+        region(
             "fixed_rejection_disk_pcg32",
             share(integer::DiskRejection::EFFICIENCY.to_bits()),
             integer::DiskRejection::BUDGET,
-            true,
-            1,
         ),
-        (
+        region(
             "fixed_rejection_disk_16_pcg32",
             share(integer::DiskRejection16::EFFICIENCY.to_bits()),
             integer::DiskRejection16::BUDGET,
-            true,
-            1,
         ),
-        (
+        law(
             "rejection_ziggurat_standard_normal_pcg32",
             ZigguratStandardNormal::EFFICIENCY.into(),
             ZigguratStandardNormal::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "rejection_ziggurat_standard_exponential_pcg32",
             ZigguratStandardExponential::EFFICIENCY.into(),
             ZigguratStandardExponential::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "poly_poisson_rejection_100_pcg32",
             poisson(100.0)?,
             PoissonRejection::<Poly>::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "poly_poisson_rejection_65536_pcg32",
             poisson(65536.0)?,
             PoissonRejection::<Poly>::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "poly_binomial_rejection_1000_pcg32",
             efficiency(&BinomialRejection::<Poly>::new(1000, 0.25).map_err(|e| e.to_string())?)?,
             BinomialRejection::<Poly>::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "poly_hypergeometric_rejection_10000_pcg32",
             efficiency(&urn(10_000)?)?,
             HypergeometricRejection::<Poly>::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "poly_von_mises_10_pcg32",
             efficiency(&VonMises::<Poly>::new(1.0, 10.0).map_err(|e| e.to_string())?)?,
             VonMises::<Poly>::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "poly_gamma_25_pcg32",
             of_shapes(&[2.5])?,
             Gamma::<Poly>::BUDGET,
-            false,
-            1,
         ),
-        (
+        law(
             "poly_gamma_5_pcg32",
             of_shapes(&[0.5])?,
             Gamma::<Poly>::BUDGET,
-            false,
-            1,
         ),
-        (
-            "poly_beta_2_5_pcg32",
-            of_shapes(&[2.0, 5.0])?,
-            Beta::<Poly>::BUDGET,
-            false,
-            2,
-        ),
-        (
-            "poly_dirichlet_4_pcg32",
-            of_shapes(&[0.5, 1.0, 2.0, 4.0])?,
-            Dirichlet::<Poly, 4>::BUDGET,
-            false,
-            4,
-        ),
+        Row {
+            numbers: 2,
+            ..law(
+                "poly_beta_2_5_pcg32",
+                of_shapes(&[2.0, 5.0])?,
+                Beta::<Poly>::BUDGET,
+            )
+        },
+        Row {
+            numbers: 4,
+            ..law(
+                "poly_dirichlet_4_pcg32",
+                of_shapes(&[0.5, 1.0, 2.0, 4.0])?,
+                Dirichlet::<Poly, 4>::BUDGET,
+            )
+        },
     ])
 }
 
@@ -184,7 +188,14 @@ pub fn table(counts: &Counts) -> Outcome<String> {
         "---", "--:", "--:", "--:", "---", "--:", "--:", "--:", "--:",
     ];
     let mut table = vec![head.map(String::from).into(), line.map(String::from).into()];
-    for (kernel, efficiency, budget, alike, numbers) in rejections()? {
+    for row in rejections()? {
+        let Row {
+            kernel,
+            efficiency,
+            budget,
+            alike,
+            numbers,
+        } = row;
         let tries = f64::from(budget);
         let power = spent(efficiency, budget, numbers);
         let mut first = vec![
