@@ -89,16 +89,12 @@ pub fn try_shuffle_with<R: TryRng + ?Sized>(
     let size = |left: usize| (left as u64).min(WORDS);
     let mut left = count;
     while left > 1 {
-        let (mut high, mut low) = (rng.try_next_u32()?, rng.try_next_u32()?);
+        let (high, low) = (rng.try_next_u32()?, rng.try_next_u32()?);
+        let mut word = u64::from(high) << 32 | u64::from(low);
         let mut outcomes = size(left);
         while left > 1 && outcomes <= WORDS {
-            // The upper word of the product of 64 bits by 32 is the place, and the others are uniform again.
-            let lower = u64::from(low).wrapping_mul(size(left));
-            let upper = u64::from(high)
-                .wrapping_mul(size(left))
-                .wrapping_add(lower >> 32);
-            (high, low) = (upper as u32, lower as u32);
-            let place = (upper >> 32) as usize;
+            let place;
+            (place, word) = whole_and_rest(word, size(left));
             left = left.wrapping_sub(1);
             if place < left {
                 swap(place, left);
@@ -107,6 +103,20 @@ pub fn try_shuffle_with<R: TryRng + ?Sized>(
         }
     }
     Ok(())
+}
+
+/// The integer below a number of up to 2³² that a word gives, and what it leaves, which is uniform again.
+#[inline]
+fn whole_and_rest(word: u64, number: u64) -> (usize, u64) {
+    if cfg!(target_pointer_width = "64") {
+        let product = u128::from(word).wrapping_mul(u128::from(number));
+        ((product >> 64) as usize, product as u64)
+    } else {
+        // By products of 64 bits, for which most other cores have an instruction.
+        let low = (word & 0xffff_ffff).wrapping_mul(number);
+        let high = (word >> 32).wrapping_mul(number).wrapping_add(low >> 32);
+        ((high >> 32) as usize, high << 32 | low & 0xffff_ffff)
+    }
 }
 
 /// Puts items in a random order, by a word for each but the last: the form for firmware.

@@ -79,12 +79,14 @@ impl Range<u32> {
 }
 
 /// An integer up to `last`, and the rest.
+#[inline]
 const fn select_u32(last: u32, word: u32) -> (u32, u32) {
     let rest = word.wrapping_mul(last).wrapping_add(word);
     (num::up_to(last, word), rest)
 }
 
 /// Likewise. The sum does not overflow: it is at most (2⁶⁴ − 1)·2⁶⁴.
+#[inline]
 const fn select_u64(last: u64, word: u64) -> (u64, u64) {
     let word = word as u128;
     let product = word.wrapping_mul(last as u128).wrapping_add(word);

@@ -167,7 +167,9 @@ pub trait Warp {
     /// assert!((reading - 20.0).abs() < 3.2);
     /// # Ok::<(), microwarp::Error>(())
     /// ```
-    #[inline]
+    #[allow(clippy::inline_always, reason = "as of `try_draw`")]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn draw<R: Rng + ?Sized>(&self, rng: &mut R) -> Self::Point
     where
         Self: Sized,

@@ -245,7 +245,10 @@ impl<T: Tier> Warp for Weibull<T> {
         }
     }
 
-    #[inline]
+    // As `try_draw` is, so that a loop which draws breaks the false dependency of the conversions.
+    #[allow(clippy::inline_always, reason = "see there")]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn sample_words(&self, word: u32) -> f32 {
         if T::TABLES {
             self.above(neg_log2_1m_of_word(word), 0.0)
