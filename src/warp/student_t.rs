@@ -126,7 +126,10 @@ impl<T: Tier> Warp for StudentT<T> {
         self.at(self.degrees.radius(u1), u2, 0)
     }
 
-    #[inline]
+    // As `try_draw` is, so that a loop which draws breaks the false dependency of the conversions.
+    #[allow(clippy::inline_always, reason = "see there")]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn sample_words(&self, [a, b]: [u32; 2]) -> f32 {
         let (half, _) = folded(b);
         self.at(self.degrees.radius_of_word(a), half, b & 1 << 31)
