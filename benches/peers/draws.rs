@@ -1,6 +1,6 @@
 //! Contests of warps that are drawn one sample after the other.
 
-use crate::contestants::*;
+use crate::args::*;
 use fixed::types::U32F32;
 use host::contest::Contest;
 use host::peers::{drawn, micro, rejecting, textbook};

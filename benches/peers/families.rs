@@ -1,7 +1,17 @@
 //! The list of contests, but for laws that stand in the registry.
 
-use crate::{draws, fills, integers, lamps, laws, tables};
-use host::contest::Standings;
+use crate::args::{FLOOR, INDEX, LIBM, POLY, RAND_DISTR, REJECTION};
+use crate::draws::{self, accepted, word};
+use crate::{fills, lamps, tables};
+use host::contest::{Contest, Standings};
+use host::peers::theirs;
+use host::registry::{of_libm, of_poly};
+use microwarp::discrete;
+use microwarp::rejection::{Beta, Dirichlet, Gamma, PoissonRejection};
+use microwarp::tier::{Libm, Poly};
+use rand_distr::multi::MultiDistribution;
+use rand_pcg::rand_core::Rng;
+use std::hint::black_box;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -37,7 +47,7 @@ impl Family {
 /// All of them, in the order of the tables.
 pub fn all() -> Vec<Family> {
     let mut all = listed();
-    all.extend(laws::registered());
+    all.extend(registered());
     all
 }
 
@@ -65,18 +75,18 @@ families! {
     Draw "exponential" "Exp1" draws::exponential();
     Draw "normal" "StandardNormal" draws::normal();
     Draw "ball" "UnitBall" draws::ball();
-    Draw "geometric, p = 1/2" "StandardGeometric" laws::geometric_of_a_half();
-    Draw "geometric, p = 0.01" "Geometric" laws::geometric(0.01);
-    Draw "Poisson, mean 10" "Poisson" laws::poisson(10.0);
-    Draw "Poisson, mean 60" "Poisson" laws::poisson(60.0);
-    Draw "Poisson, mean 30, rejection" "Poisson" laws::poisson_rejection(30.0);
-    Draw "Poisson, mean 1000" "Poisson" laws::poisson_rejection(1000.0);
-    Draw "gamma, shape 0.5" "Gamma" laws::gamma(0.5);
-    Draw "gamma, shape 2.5" "Gamma" laws::gamma(2.5);
-    Draw "gamma, shape 1000" "Gamma" laws::gamma(1000.0);
-    Draw "beta, shapes 0.5 and 3" "Beta" laws::beta(0.5, 3.0);
-    Draw "beta, shapes 2 and 5" "Beta" laws::beta(2.0, 5.0);
-    Draw "Dirichlet, 4 shapes" "Dirichlet" laws::dirichlet([0.5, 1.0, 2.0, 4.0]);
+    Draw "geometric, p = 1/2" "StandardGeometric" geometric_of_a_half();
+    Draw "geometric, p = 0.01" "Geometric" geometric(0.01);
+    Draw "Poisson, mean 10" "Poisson" poisson(10.0);
+    Draw "Poisson, mean 60" "Poisson" poisson(60.0);
+    Draw "Poisson, mean 30, rejection" "Poisson" poisson_rejection(30.0);
+    Draw "Poisson, mean 1000" "Poisson" poisson_rejection(1000.0);
+    Draw "gamma, shape 0.5" "Gamma" gamma(0.5);
+    Draw "gamma, shape 2.5" "Gamma" gamma(2.5);
+    Draw "gamma, shape 1000" "Gamma" gamma(1000.0);
+    Draw "beta, shapes 0.5 and 3" "Beta" beta(0.5, 3.0);
+    Draw "beta, shapes 2 and 5" "Beta" beta(2.0, 5.0);
+    Draw "Dirichlet, 4 shapes" "Dirichlet" dirichlet([0.5, 1.0, 2.0, 4.0]);
     Draw "cdf of 8" "WeightedIndex" tables::cdf(8);
     Draw "cdf of 64" "WeightedIndex" tables::cdf(64);
     Draw "cdf of 1024" "WeightedIndex" tables::cdf(1024);
@@ -87,14 +97,14 @@ families! {
     Draw "alias of 1024" "WeightedAliasIndex" tables::alias(1024);
     Draw "sum tree of 16, select and set" "WeightedTreeIndex" tables::tree(16);
     Draw "sum tree of 4096, select and set" "WeightedTreeIndex" tables::tree(4096);
-    Draw "integer below 6" "random_range of rand" integers::below(6);
-    Draw "integer below 3221225473" "random_range of rand" integers::below((3 << 30) + 1);
-    Draw "integer from -20 to 20" "random_range of rand" integers::range(-20, 20);
-    Draw "integer below 2^40" "random_range of rand" integers::below_of_64_bits(1 << 40);
-    Draw "coin of 0.1" "random_bool of rand" integers::chance(0.1);
-    Draw "shuffle of 52" "shuffle of rand" integers::shuffle(52);
-    Draw "shuffle of 1000" "shuffle of rand" integers::shuffle(1000);
-    Draw "choice of 5 of 52" "partial_shuffle of rand" integers::choose(52, 5);
+    Draw "integer below 6" "random_range of rand" tables::below(6);
+    Draw "integer below 3221225473" "random_range of rand" tables::below((3 << 30) + 1);
+    Draw "integer from -20 to 20" "random_range of rand" tables::range(-20, 20);
+    Draw "integer below 2^40" "random_range of rand" tables::below_of_64_bits(1 << 40);
+    Draw "coin of 0.1" "random_bool of rand" tables::chance(0.1);
+    Draw "shuffle of 52" "shuffle of rand" tables::shuffle(52);
+    Draw "shuffle of 1000" "shuffle of rand" tables::shuffle(1000);
+    Draw "choice of 5 of 52" "partial_shuffle of rand" tables::choose(52, 5);
     Fill "disk" "UnitDisc" fills::disk();
     Fill "sphere" "UnitSphere" fills::sphere();
     Fill "hemisphere" "UnitSphere, folded" fills::hemisphere();
@@ -116,4 +126,110 @@ families! {
     Weighed "exponential law" "by the logarithm" lamps::exponential();
     Weighed "logistic law" "by the logarithm" lamps::logistic();
     Weighed "normal law" "Giles 2012" lamps::normal();
+}
+
+// Contests of laws on the line and of counts, which rand_distr has too.
+
+/// The laws of the registry that rand_distr has too, each beside it.
+pub fn registered() -> Vec<Family> {
+    let tiers = of_libm().into_iter().zip(of_poly());
+    let families = tiers.flat_map(|(libm, poly)| {
+        let ours = [(LIBM, libm.build), (POLY, poly.build)];
+        poly.peers.into_iter().map(move |peer| Family {
+            name: peer.law,
+            kind: Kind::Draw,
+            peer: peer.name,
+            run: Box::new(move |rounds, after_round| {
+                let mut contest = Contest::new(0.0).draw(FLOOR, word);
+                for (tier, build) in ours {
+                    let mut block = build(&peer.parameters).expect("accepted").warp.block(false);
+                    contest = contest.block(tier, move |_| block());
+                }
+                let contest = contest.block(RAND_DISTR, (peer.block)());
+                contest.run(rounds, after_round)
+            }),
+        })
+    });
+    families.collect()
+}
+
+/// A contest of counts with the generator alone.
+fn of_counts() -> Contest<u32> {
+    Contest::new(0).draw(FLOOR, |rng| rng.next_u32())
+}
+
+/// Failures before a head.
+pub fn geometric_of_a_half() -> Contest<u32> {
+    let ours = black_box(discrete::Geometric::new(0.5).unwrap());
+    let peer = theirs(rand_distr::StandardGeometric);
+    of_counts()
+        .draw(INDEX, move |rng| ours.draw(rng))
+        .draw(RAND_DISTR, move |rng| peer(rng) as u32)
+}
+
+pub fn geometric(p: f32) -> Contest<u32> {
+    let ours = black_box(discrete::Geometric::new(p).unwrap());
+    let peer = theirs(rand_distr::Geometric::new(p.into()).unwrap());
+    of_counts()
+        .draw(INDEX, move |rng| ours.draw(rng))
+        .draw(RAND_DISTR, move |rng| peer(rng) as u32)
+}
+
+/// By inversion, of a small mean.
+pub fn poisson(mean: f32) -> Contest<u32> {
+    let ours = black_box(discrete::Poisson::new(mean).unwrap());
+    let peer = theirs::<f32, _>(rand_distr::Poisson::new(mean).unwrap());
+    of_counts()
+        .draw(INDEX, move |rng| ours.draw(rng))
+        .draw(RAND_DISTR, move |rng| peer(rng) as u32)
+}
+
+/// By rejection, of a large mean.
+pub fn poisson_rejection(mean: f32) -> Contest<u32> {
+    let ours = black_box(PoissonRejection::<Poly>::new(mean).unwrap());
+    let peer = theirs::<f32, _>(rand_distr::Poisson::new(mean).unwrap());
+    of_counts()
+        .draw(REJECTION, accepted(ours))
+        .draw(RAND_DISTR, move |rng| peer(rng) as u32)
+}
+
+/// A contest of numbers with the generator alone.
+fn of_numbers() -> Contest<f32> {
+    Contest::new(0.0).draw(FLOOR, word)
+}
+
+pub fn gamma(shape: f32) -> Contest<f32> {
+    let libm = black_box(Gamma::<Libm>::new(shape, 1.0).unwrap());
+    let poly = black_box(Gamma::<Poly>::new(shape, 1.0).unwrap());
+    let peer = theirs::<f32, _>(rand_distr::Gamma::new(shape, 1.0).unwrap());
+    of_numbers()
+        .draw(LIBM, accepted(libm))
+        .draw(POLY, accepted(poly))
+        .draw(RAND_DISTR, peer)
+}
+
+/// Ours gives the rest as well.
+pub fn beta(a: f32, b: f32) -> Contest<f32> {
+    let libm = accepted(black_box(Beta::<Libm>::new(a, b).unwrap()));
+    let poly = accepted(black_box(Beta::<Poly>::new(a, b).unwrap()));
+    let peer = theirs::<f32, _>(rand_distr::Beta::new(a, b).unwrap());
+    of_numbers()
+        .draw(LIBM, move |rng| libm(rng)[0])
+        .draw(POLY, move |rng| poly(rng)[0])
+        .draw(RAND_DISTR, peer)
+}
+
+pub fn dirichlet(shapes: [f32; 4]) -> Contest<[f32; 4]> {
+    let libm = accepted(black_box(Dirichlet::<Libm, 4>::new(shapes).unwrap()));
+    let poly = accepted(black_box(Dirichlet::<Poly, 4>::new(shapes).unwrap()));
+    let peer = black_box(rand_distr::multi::Dirichlet::new(&shapes).unwrap());
+    Contest::new([0.0; 4])
+        .draw(FLOOR, |rng| [(); 4].map(|()| word(rng)))
+        .draw(LIBM, libm)
+        .draw(POLY, poly)
+        .draw(RAND_DISTR, move |rng| {
+            let mut shares = [0.0; 4];
+            peer.sample_to_slice(rng, &mut shares);
+            shares
+        })
 }

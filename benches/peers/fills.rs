@@ -1,6 +1,6 @@
 //! Contests of slices: our `fill` against single draws, ours and the peers'.
 
-use crate::contestants::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
+use crate::args::{DRAWN, FLOOR, LIBM, POLY, RAND_DISTR};
 use crate::draws::{EXPONENT, lobe_power, with_pairs, word};
 use host::contest::Contest;
 use host::peers::rejecting;

@@ -1,6 +1,6 @@
 //! Contests of what renderers sample, each with its density: ours beside the published maps.
 
-use crate::contestants::{FLOOR, LIBM, POLY, PUBLISHED};
+use crate::args::{FLOOR, LIBM, POLY, PUBLISHED};
 use crate::draws::word;
 use host::contest::Contest;
 use host::peers::renderer::{self, Vector, Weighed};

@@ -5,13 +5,10 @@
 //! whom in `families.rs`. This file runs the steps.
 
 mod args;
-mod contestants;
 mod draws;
 mod families;
 mod fills;
-mod integers;
 mod lamps;
-mod laws;
 mod report;
 mod tables;
 
@@ -34,9 +31,8 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         println!("no family of such a name; --help lists them");
         return Ok(Vec::new());
     }
-    host::progress::folder(&args.out)?;
-    let progress =
-        host::progress::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
+    host::cli::folder(&args.out)?;
+    let progress = host::cli::progress((families.len() * args.rounds) as u64, "{percent:>3} %")?;
     let mut results: Vec<(Family, Standings)> = Vec::new();
     for family in families {
         progress.set_message(family.title());

@@ -1,9 +1,9 @@
 //! Prints and writes the standings.
 
-use crate::contestants::*;
+use crate::args::*;
 use crate::families::*;
+use host::cli as table;
 use host::contest::{Quartiles, Standings};
-use host::table;
 use std::fmt::Write;
 
 pub type Results = [(Family, Standings)];

@@ -10,10 +10,8 @@ mod check;
 mod line;
 #[cfg(test)]
 mod panels;
-mod screen;
 mod sheet;
 mod strata;
-mod table;
 
 use args::Args;
 use check::Figures;
@@ -46,15 +44,14 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let entries = host::registry::entries_of_each_tier();
     let mut complaints = without_picture(&entries);
     let subjects = subjects(&entries, args)?;
-    host::progress::folder(&args.out)?;
+    host::cli::folder(&args.out)?;
 
     let rows: Vec<&Entry> = subjects
         .iter()
         .flat_map(|s| s.entries.iter().copied())
         .collect();
 
-    let progress =
-        host::progress::progress((rows.len() + subjects.len()) as u64, host::progress::STEPS)?;
+    let progress = host::cli::progress((rows.len() + subjects.len()) as u64, host::cli::STEPS)?;
     let figures = host::parallel::in_parallel(args.threads, &rows, |entry| {
         progress.set_message(format!("sampling {}", entry.label()));
         let figures = check::measure(entry, args.seed, args.samples);
@@ -88,13 +85,13 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
             .clone()
             .unwrap_or_else(|| args.out.join("gallery.png"));
         if let Some(folder) = path.parent() {
-            host::progress::folder(folder)?;
+            host::cli::folder(folder)?;
         }
         sheet::contact(&subjects, SHEET_TIER, args).save(&path)?;
         places.push(format!("the contact sheet in {}", path.display()));
     }
     if let Some(folder) = &args.rustdoc {
-        host::progress::folder(folder)?;
+        host::cli::folder(folder)?;
         for_rustdoc(&subjects, folder, args)?;
         places.push(format!(
             "those for the documentation in {}",
@@ -110,7 +107,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     progress.finish_and_clear();
 
     let measured: Vec<(&Entry, &Figures)> = rows.iter().copied().zip(&figures).collect();
-    table::print(&measured);
+    check::print(&measured);
     for (entry, figures) in measured {
         complaints.extend(
             figures

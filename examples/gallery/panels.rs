@@ -1,7 +1,7 @@
 //! Tests of what is drawn: every panel has dots, shading and a frame, all inside its cell, and dots lie where shading is.
 
 use crate::area::{Paper, outline};
-use crate::{Subject, args, screen, sheet, subjects};
+use crate::{Subject, args, sheet, strata, subjects};
 use host::draw::canvas::{Area, Canvas};
 use host::registry::picture::{CORNER, View};
 use host::registry::{Entry, Point, entries_of_each_tier};
@@ -227,17 +227,17 @@ fn the_picture_of_a_screen_shows_what_it_does() {
         let squares: f64 = errors.iter().map(|error| error * error).sum();
         (squares / errors.len() as f64).sqrt()
     };
-    let [each, all] = [false, true].map(screen::errors);
+    let [each, all] = [false, true].map(strata::errors);
     let [before, after] = [
         size(&each) / size(&all),
-        size(&screen::filtered(&each)) / size(&screen::filtered(&all)),
+        size(&strata::filtered(&each)) / size(&strata::filtered(&all)),
     ];
     println!("a set for each is off by {before:.3} of one for all, and filtered by {after:.3}");
     assert!((before - 1.0).abs() <= 0.05 && after >= 1.4);
     // In another order nothing cancels.
     let count = all.len();
     let stirred: Vec<f64> = (0..count).map(|k| all[k * 701 % count]).collect();
-    let control = size(&screen::filtered(&each)) / size(&screen::filtered(&stirred));
+    let control = size(&strata::filtered(&each)) / size(&strata::filtered(&stirred));
     println!("control: stirred, by {control:.3}");
     assert!(control < 1.4);
 }

@@ -2,9 +2,9 @@
 
 use crate::Subject;
 use crate::args::Args;
+use crate::check::error_text;
 use crate::check::{Figures, generator, p_text};
-use crate::table::error_text;
-use crate::{area, line, screen, strata};
+use crate::{area, line, strata};
 use host::draw::canvas::{Area, Canvas};
 use host::draw::colour::{ACCENT, BAR, INK, MUTED, POINT, WHITE, faded, ramp};
 use host::draw::text::{Align, Type, thousands};
@@ -38,7 +38,7 @@ pub fn panel(
         (view @ (View::Strata2d | View::Sobol | View::Recurrence | View::ByPosition), _) => {
             strata::plane(canvas, place, &mut rng, unit, view);
         }
-        (View::Screen, _) => screen::draw(canvas, place, unit),
+        (View::Screen, _) => strata::draw(canvas, place, unit),
         (View::Line(axes), Some(entry)) => line::draw(canvas, place, axes, entry, &mut rng, unit),
         (view, Some(entry)) => area::draw(canvas, place, view, entry, &mut rng, args.points, unit),
         (_, None) => {}

@@ -8,8 +8,8 @@ use crate::chart;
 use crate::render::{By, Pixels, Plan, PointSet, Tier};
 use crate::shots::Shot;
 use crate::study::SMALL;
+use host::cli::print;
 use host::parallel::{in_parallel, threads};
-use host::table::print;
 use std::error::Error;
 use std::time::Instant;
 
@@ -324,7 +324,7 @@ fn summary(scenes: &[Scene]) {
 pub fn run(shots: &[Shot], args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
     let steps = shots.len() as u64 * u64::from(SMALL[1]);
-    let progress = host::progress::progress(steps, "{percent:>3} %")?;
+    let progress = host::cli::progress(steps, "{percent:>3} %")?;
     let scenes: Vec<_> = shots
         .iter()
         .map(|shot| of(shot, args, || progress.inc(1)))

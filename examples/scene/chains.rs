@@ -173,7 +173,7 @@ pub fn print(comparisons: &[Comparison]) {
         "Metropolis light transport: the median error of {SEEDS} pictures of {} × {} pixels, {SAMPLES} paths each:",
         SIZE[0], SIZE[1]
     );
-    host::table::print(&header, comparisons.iter().map(row).collect(), 1);
+    host::cli::print(&header, comparisons.iter().map(row).collect(), 1);
     println!();
 }
 

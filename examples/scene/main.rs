@@ -26,7 +26,7 @@ fn main() -> ExitCode {
 /// Runs everything and returns the complaints.
 fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let start = Instant::now();
-    host::progress::folder(&args.out)?;
+    host::cli::folder(&args.out)?;
     let shots = shots::all();
     if args.accuracy {
         return accuracy::run(&shots, args);
@@ -35,7 +35,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         return sheet::run(&shots, args);
     }
     let steps = shots.len() as u64 * study::steps(args) + chains::steps();
-    let progress = host::progress::progress(steps, "{percent:>3} %")?;
+    let progress = host::cli::progress(steps, "{percent:>3} %")?;
     let mut studies = Vec::new();
     for shot in &shots {
         progress.set_message(shot.name);

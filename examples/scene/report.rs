@@ -4,7 +4,7 @@ use crate::chains::reference_of;
 use crate::render::{PointSet, Tier};
 use crate::shots::Shot;
 use crate::study::{KINDS, SAMPLES, Study};
-use host::table::print;
+use host::cli::print;
 
 pub fn errors(shots: &[Shot], studies: &[Study]) {
     let mut rows = Vec::new();

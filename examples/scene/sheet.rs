@@ -21,7 +21,7 @@ const WIDE: u32 = 480;
 /// Renders the pictures alone, and their sheet.
 pub fn run(shots: &[Shot], args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let rows = shots.len() as u64 * u64::from(args.size[1]);
-    let progress = host::progress::progress(rows, "{percent:>3} %")?;
+    let progress = host::cli::progress(rows, "{percent:>3} %")?;
     let mut pictures = Vec::new();
     for shot in shots {
         progress.set_message(shot.name);

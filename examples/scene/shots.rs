@@ -1,7 +1,7 @@
 //! The six scenes, with what is said of them and how they are developed.
 
 use crate::render::{Render, Take};
-use host::draw::tone::tone;
+use host::draw::colour::tone;
 use microwarp_scene::scenes::{caustic, fog, room, sensor, slit, slivers};
 use microwarp_scene::{Colour, Echo};
 

@@ -1,8 +1,8 @@
 //! Autocorrelations against their definition in f64, over stored runs: short ones after every push, of any
 //! magnitude, far from 0.
 
+use crate::exact::{above, assert_stated, below, stated_error};
 use crate::series::{SHAPES, Truth, normal, shaped, unit};
-use crate::stated::{above, assert_stated, below, stated_error};
 use host::speed;
 use microwarp::metropolis::Autocorrelation;
 use rand_core::Rng;

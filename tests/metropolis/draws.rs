@@ -1,8 +1,8 @@
 //! `Draws` against arviz, and against the definitions in f64 over runs of any kind.
 
 use crate::diagnosis::{Figures, exact, reference};
+use crate::exact::assert_stated;
 use crate::series::{SHAPES, shaped};
-use crate::stated::assert_stated;
 use host::docs::Doc;
 use host::errors::or_infinite;
 use host::speed;

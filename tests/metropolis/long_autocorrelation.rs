@@ -1,7 +1,7 @@
 //! A hundred million numbers: autocorrelations as exact as stated, far from 0 too.
 
 use crate::autocorrelation::AUTOCORRELATION;
-use crate::stated::{after, assert_stated, stated_error};
+use crate::exact::{after, assert_stated, stated_error};
 use host::speed;
 use microwarp::metropolis::Autocorrelation;
 use rand_core::Rng;

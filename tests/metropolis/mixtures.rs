@@ -1,7 +1,7 @@
 //! Mixtures: each mutation by exactly the words of its table, with its own ratio and its index as the kind.
 
+use crate::exact::{above, below};
 use crate::own::given;
-use crate::stated::{above, below};
 use host::generators::Cycle;
 use microwarp::Error;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};

@@ -1,7 +1,7 @@
 //! What the constructors of mutations refuse, and that whatever they accept proposes in range: with random
 //! parameters, from any state.
 
-use crate::stated::below;
+use crate::exact::below;
 use host::generators::Cycle;
 use host::speed;
 use microwarp::Error;

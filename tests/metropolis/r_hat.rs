@@ -1,8 +1,8 @@
 //! R̂ against its definition in f64, over stored runs of any magnitude, and whether it distinguishes chains that agree
 //! from chains that do not.
 
+use crate::exact::{above, assert_stated, below};
 use crate::series::{SHAPES, normal, shaped};
-use crate::stated::{above, assert_stated, below};
 use host::docs::Doc;
 use host::speed;
 use microwarp::estimate::Moments;

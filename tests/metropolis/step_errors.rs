@@ -1,7 +1,7 @@
 //! The errors of steps, over every word, against f64.
 
+use crate::exact::assert_stated;
 use crate::laws::{HALF, Law, exponential, normal};
-use crate::stated::assert_stated;
 use host::docs::Doc;
 use host::speed::{self, sampled};
 use microwarp::tier::{Libm, Poly, Tier};

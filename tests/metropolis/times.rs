@@ -1,8 +1,8 @@
 //! The integrated autocorrelation time: Geyer's initial monotone sequence in f64 on the same runs, and theory.
 
 use crate::autocorrelation::{AUTOCORRELATION, pushed};
+use crate::exact::stated_error;
 use crate::series::{SHAPES, Truth, autoregression, normal, shaped};
-use crate::stated::stated_error;
 use host::speed;
 use host::stats;
 use rand_pcg::Pcg32;

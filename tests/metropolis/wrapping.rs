@@ -1,6 +1,6 @@
 //! The sum modulo 1: by the rule that is documented, worked out in integers, for any two numbers at all.
 
-use crate::stated::{above, below};
+use crate::exact::{above, below};
 use host::speed;
 use microwarp::metropolis::wrapping_add;
 use microwarp::uniform::LARGEST;

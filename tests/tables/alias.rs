@@ -1,7 +1,7 @@
 //! `Alias`: the words of every entry counted over all bins; they are those of the `Cdf`.
 
+use crate::cases::runs;
 use crate::cases::{cases, wild};
-use crate::counting::runs;
 use host::speed;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 

@@ -1,7 +1,7 @@
 //! `Cdf`: every entry's words counted, in both widths, from 24, 32 and 64 bits.
 
+use crate::cases::{Exact, STEP, counts, grid_counts, grid_point};
 use crate::cases::{cases, wild};
-use crate::counting::{Exact, STEP, counts, grid_counts, grid_point};
 use host::speed;
 use microwarp::Error;
 use microwarp::discrete::Cdf;

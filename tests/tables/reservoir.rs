@@ -1,6 +1,6 @@
 //! `Reservoir`: the bits that take it counted exactly, then streams and mergers sampled.
 
-use crate::counting::runs;
+use crate::cases::runs;
 use host::speed;
 use host::stats::threshold;
 use microwarp::Error;
@@ -51,7 +51,7 @@ fn p_value(stream: impl FnMut(&mut Pcg32) -> usize, seed: u64) -> f64 {
     let total: f64 = WEIGHTS.iter().map(|&w| f64::from(w)).sum();
     let shares = WEIGHTS.map(|w| f64::from(w) / total);
     let runs = speed::of("streams", 200_000, 1_000_000);
-    crate::counting::p_value(&shares, runs, seed, stream).unwrap()
+    crate::cases::p_value(&shares, runs, seed, stream).unwrap()
 }
 
 fn part(range: std::ops::Range<usize>, rng: &mut Pcg32) -> Reservoir<usize> {

@@ -1,7 +1,7 @@
 //! `select_once`: every entry's words counted, as for a table.
 
 use crate::cases::wild;
-use crate::counting::{Exact, STEP, counts, runs};
+use crate::cases::{Exact, STEP, counts, runs};
 use microwarp::discrete::{Cdf, select_once, select_once_uniform};
 use microwarp::uniform::grid_from_word;
 

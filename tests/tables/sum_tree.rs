@@ -2,7 +2,7 @@
 //! same check.
 
 use crate::Given;
-use crate::counting::counts;
+use crate::cases::counts;
 use host::generators::{Broken, Counting, Failing};
 use host::speed;
 use microwarp::Error;

@@ -84,7 +84,7 @@ fn p_value(seed: u64, mut pair: impl FnMut(&mut Pcg32) -> [usize; 2]) -> Result<
     };
     let cells: Vec<f64> = (0..25).map(|cell| chance(cell / 5, cell % 5)).collect();
     let runs = speed::of("pairs of a stream", 100_000, 2_000_000);
-    crate::counting::p_value(&cells, runs, seed, |rng| {
+    crate::cases::p_value(&cells, runs, seed, |rng| {
         let [a, b] = pair(rng);
         5 * a + b
     })

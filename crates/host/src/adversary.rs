@@ -4,18 +4,16 @@
 //! sampler is, and how its errors are measured, is the business of the tests that set the adversary on it.
 //! Parameters and uniforms are raw words, so that one search serves `f32` and the integer tier.
 
-mod family;
 pub mod kept;
 pub mod search;
 pub mod words;
 
-pub use family::{Build, Case, Family, Observe, Uniforms};
-
-use crate::docs::Kind;
+use crate::docs;
 use crate::parallel::{in_parallel, threads};
 use crate::speed;
 use search::{Budget, Worst};
 use std::collections::BTreeMap;
+use words::Kind;
 
 /// The worst of each row of each family, found by all threads of the machine.
 pub fn attack(families: &[Family], budget: Budget) -> Vec<Vec<Worst>> {
@@ -33,7 +31,7 @@ pub fn hold(families: &[Family], file: &str) {
     let found = attack(families, Budget::of_environment());
     let mut complaints = Vec::new();
     let mut alone: BTreeMap<&str, f64> = BTreeMap::new();
-    let mut known: BTreeMap<(&str, &str), (f64, Kind)> = BTreeMap::new();
+    let mut known: BTreeMap<(&str, &str), (f64, docs::Kind)> = BTreeMap::new();
     let mut worst_known = Vec::new();
     for ((family, found), kept) in families.iter().zip(found).zip(kept) {
         let (statement, rows) = (family.statement.as_str(), family.rows.iter());
@@ -58,7 +56,7 @@ pub fn hold(families: &[Family], file: &str) {
         }
     }
     for (statement, most) in alone {
-        let near = !speed::full() || most >= Kind::Found.least();
+        let near = !speed::full() || most >= docs::Kind::Found.least();
         if !near {
             complaints.push(format!(
                 "{statement}: the search comes no nearer than {most:.3}"
@@ -83,4 +81,38 @@ pub fn hold(families: &[Family], file: &str) {
 
 fn raise_to(most: &mut f64, ratio: f64) {
     *most = most.max(ratio);
+}
+
+// What the adversary attacks: families of samplers as raw words.
+
+/// Four uniforms as raw words; those a sampler does not take are 0.
+pub type Uniforms = [u32; 4];
+
+/// Receives the row, the error found and the bound stated for it.
+pub type Observe<'a> = dyn FnMut(usize, f64, f64) + 'a;
+
+/// A sampler with parameters that its constructor has accepted.
+pub trait Case {
+    /// Measures all errors at one point. An error counts against the bound of its row; NaN is infinitely wrong.
+    fn judge(&self, u: Uniforms, observe: &mut Observe);
+}
+
+/// Builds a sampler from its parameters; nothing where the constructor refuses them.
+pub type Build = dyn Fn(&[u32]) -> Option<Box<dyn Case>> + Send + Sync;
+
+/// Everything that one constructor accepts, in one tier or grade.
+pub struct Family {
+    /// Unique, without commas or semicolons: `"Power decreasing poly"`.
+    pub label: String,
+    /// Families of one statement are held to it together: `"Power poly"`.
+    pub statement: String,
+    pub parameters: Vec<Kind>,
+    pub uniforms: Vec<Kind>,
+    /// The titles of the rows, by the index that [`Case::judge`] gives.
+    pub rows: Vec<String>,
+    /// Their kinds; what does not say one is found.
+    pub kinds: Vec<docs::Kind>,
+    pub build: Box<Build>,
+    /// Parameters that someone has listed, to start from.
+    pub seeds: Vec<Vec<u32>>,
 }

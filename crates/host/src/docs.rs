@@ -1,11 +1,9 @@
 //! What the documentation of the crate states: tables of figures, found by the item they document, read, held to what
 //! is measured, and written in place.
 
-mod kind;
 mod statement;
 
-pub use kind::Kind;
-pub use statement::Statement;
+pub use statement::{Kind, Statement};
 
 use crate::root;
 use crate::speed;

@@ -6,4 +6,3 @@ pub mod panel;
 pub mod plot;
 pub mod scale;
 pub mod text;
-pub mod tone;

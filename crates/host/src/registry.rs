@@ -7,7 +7,6 @@
 mod composed;
 mod directions;
 pub mod evidence;
-pub mod family;
 mod lights;
 mod line;
 pub mod picture;

@@ -4,7 +4,6 @@
 //! way. A path of the twin is therefore the path of the core as it would be without rounding, and the difference of both is
 //! the error of the core, without noise.
 
-mod lobes;
 mod model;
 mod samplers;
 mod sky;
@@ -12,12 +11,12 @@ mod sky;
 pub use model::{Air, Form, Record, Source64, Stuff};
 pub use sky::Heaven;
 
-use self::lobes::{Place, power};
 use self::model::wide;
 use self::samplers::{
     EquiAngular, free, free_pdf, grid, middle, minus, mix, plus, polygon, scaled, tent, unit,
 };
 use self::sky::Entries;
+use self::sky::{Place, power};
 use crate::truth::{Point, cross, dot};
 use microwarp_scene::path::{BOUNCES, FAR, FOG, LIGHT, LOBE, PER_BOUNCE, PLACE, ROULETTE};
 use microwarp_scene::path::{Heuristic, ROULETTE_WORD};

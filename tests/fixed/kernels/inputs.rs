@@ -1,7 +1,7 @@
 //! The words over which kernels are tried, in chunks that threads can share.
 
+use host::cli::{STEPS, progress};
 use host::parallel::{in_parallel, threads};
-use host::progress::{STEPS, progress};
 use host::speed;
 pub use host::words::edges;
 

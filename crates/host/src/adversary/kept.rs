@@ -1,7 +1,7 @@
 //! The worst cases of earlier searches, checked in.
 
-use super::family::{Family, Uniforms};
 use super::search::{Worst, raise};
+use super::{Family, Uniforms};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 

@@ -1,7 +1,7 @@
 //! The search: fresh parameters, and changes of the worst ones met so far.
 
-use super::family::{Case, Family, Uniforms};
 use super::words::below;
+use super::{Case, Family, Uniforms};
 use crate::errors::or_infinite;
 use crate::speed;
 use rand_pcg::Pcg32;

@@ -2,7 +2,7 @@
 
 use super::evidence::direction;
 use super::picture::View::Sky;
-use super::{Domain, Entry, Measure, Registered, entry, family, in_both};
+use super::{Domain, Entry, Measure, Registered, entry, evidence, in_both};
 use crate::adversary::words::Kind::{self, Any, Positive, Within};
 use crate::truth::{self, Truth, exact};
 use microwarp::Error::{self, *};
@@ -157,18 +157,18 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.cosine = false;
             Ok(entry.outside(&[]))
         })
-            .case_with("", &[], |e| e.picture("all directions", Sky(PI)).trade(family::SPHERE, "sphere"))
+            .case_with("", &[], |e| e.picture("all directions", Sky(PI)).trade(evidence::SPHERE, "sphere"))
             .control("a sphere with theta linear in xi", |[u, v, _], _| direction(PI * u, v), &["chi-square", "distance", "mean z²"]),
         Registered::new("Hemisphere", "", &[], |_| {
             Ok(upper(about_z::<T, _>("Hemisphere", Hemisphere::<T>::new(), exact!(hemisphere()))))
         })
-            .case_with("", &[], |e| e.picture("the upper half", Sky(FRAC_PI_2)).trade(family::HEMISPHERE, "hemisphere"))
+            .case_with("", &[], |e| e.picture("the upper half", Sky(FRAC_PI_2)).trade(evidence::HEMISPHERE, "hemisphere"))
             .control("a hemisphere with theta linear in xi", |[u, v, _], _| direction(0.5 * PI * u, v), &["chi-square", "distance", "mean z", "mean z²"]),
         Registered::new("CosineHemisphere", "", &[], |_| {
             Ok(upper(about_z::<T, _>("CosineHemisphere", CosineHemisphere::<T>::new(), exact!(cosine_hemisphere()))))
         })
             .case_with("", &[], |e| {
-                e.picture("p = cos θ / π, by inversion", Sky(FRAC_PI_2)).trade(family::COSINE, "cosine_hemisphere")
+                e.picture("p = cos θ / π, by inversion", Sky(FRAC_PI_2)).trade(evidence::COSINE, "cosine_hemisphere")
             })
             .control("a uniform hemisphere for Lambert's law", |[u, v, _], _| direction((1.0 - u).acos(), v), &["chi-square", "distance", "mean z"]),
         Registered::new("MalleyHemisphere", "", &[], |_| {
@@ -177,7 +177,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.chart(exact!(cosine_hemisphere())))
         })
             .case_with("", &[], |e| {
-                e.picture("p = cos θ / π, Malley's method", Sky(FRAC_PI_2)).trade(family::COSINE, "malley_hemisphere")
+                e.picture("p = cos θ / π, Malley's method", Sky(FRAC_PI_2)).trade(evidence::COSINE, "malley_hemisphere")
             })
             .control("a disk with r = xi, lifted", |[u, v, _], _| direction(u.asin(), v), &["chi-square", "distance", "mean z"]),
         Registered::new("PhongLobe", "", &[Positive], |p| {
@@ -187,7 +187,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("n=1", &[1.0])
             .case("n=1.4136", &[1.413_630_8])
             .case("n=3.4715", &[3.471_497_3])
-            .case_with("n=50", &[50.0], |e| e.picture("p ∝ cosⁿθ, n = 50", Sky(0.5)).trade(family::LOBE, "phong_lobe_50"))
+            .case_with("n=50", &[50.0], |e| e.picture("p ∝ cosⁿθ, n = 50", Sky(0.5)).trade(evidence::LOBE, "phong_lobe_50"))
             .control("a lobe of an exponent slightly off", |[u, v, _], wrong| direction((1.0 - u).powf((1.0 + wrong) / 51.0).acos(), v), &["chi-square", "distance"])
             .case("n=1e4", &[1e4])
             .case_with("n=1e6", &[1e6], |e| e.picture("p ∝ cosⁿθ, n = 10⁶", Sky(0.0035)))

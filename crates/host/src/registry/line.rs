@@ -2,7 +2,7 @@
 
 use super::evidence::{normal, ramp};
 use super::picture::{View, between};
-use super::{Domain, Ends, Entry, Measure, Registered, entry, family, in_both};
+use super::{Domain, Ends, Entry, Measure, Registered, entry, evidence, in_both};
 use crate::adversary::words::Kind::{Any, Positive};
 use crate::peers;
 use crate::truth::{self, Truth, exact};
@@ -64,7 +64,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(half_line(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, exact!(exponential(p[0])))).own_density())
         })
             .case_with("a=1", &[1.0], |e| {
-                e.picture("p = exp(−x)", View::Line(between(-0.4, 6.0))).trade(family::EXPONENTIAL, "exponential_1")
+                e.picture("p = exp(−x)", View::Line(between(-0.4, 6.0))).trade(evidence::EXPONENTIAL, "exponential_1")
             })
             .control("an exponential whose rate is off", |[u, ..], wrong| [-(-u).ln_1p() / (1.0 + wrong), 0.0, 0.0], &["chi-square", "distance", "mean x", "mean x²"])
             .case("a=1e30", &[1e30])
@@ -80,7 +80,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         })
             .case_with("a=1", &[1.0], |e| {
                 let axes = between(-0.4, 9.3).log_y(1e-4);
-                e.picture("p = exp(−x), the tail first", View::Line(axes)).trade(family::EXPONENTIAL, "exponential_tail_1")
+                e.picture("p = exp(−x), the tail first", View::Line(axes)).trade(evidence::EXPONENTIAL, "exponential_tail_1")
             })
             .control("a tail whose rate is off", |[u, ..], wrong| [-(1.0 - u).ln() / (1.0 + wrong), 0.0, 0.0], &["chi-square", "distance", "mean x"])
             .without("moment", "a draw takes two words, whose pairs are too many")
@@ -200,7 +200,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.middle().own_density().variables(&[("w", mean.abs() / std_dev)]).outside(&[]))
         })
             .case_with("0, 1", &[0.0, 1.0], |e| {
-                e.picture("mean 0, deviation 1", View::Line(between(-4.0, 4.0))).trade(family::NORMAL, "normal")
+                e.picture("mean 0, deviation 1", View::Line(between(-4.0, 4.0))).trade(evidence::NORMAL, "normal")
             })
             .control("a normal of a deviation slightly too large", |[u, v, _], wrong| [(1.0 + wrong) * normal(u, v), 0.0, 0.0], &["chi-square", "distance", "mean x²"])
             .moment(&[0.0, 1.0], "z^2", |z, _| z.powi(2), 1.0, 1e-6).moment(&[0.0, 1.0], "z^4", |z, _| z.powi(4), 3.0, 1e-6)

@@ -2,7 +2,7 @@
 
 use super::evidence::{disk, leftover};
 use super::picture::{CORNER, EQUILATERAL, FLAT, window};
-use super::{Domain, Entry, Flat, Measure, Registered, ends, entry, family, in_both};
+use super::{Domain, Entry, Flat, Measure, Registered, ends, entry, evidence, in_both};
 use crate::adversary::words::Kind::{Any, Positive, Within};
 use crate::truth::{self, Truth, exact};
 use microwarp::Error::{self, *};
@@ -146,7 +146,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.rims = &[|rim, u| [rim, u, 0.0, 0.0]];
             Ok(entry)
         })
-            .case_with("", &[], |e| e.picture("polar map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk"))
+            .case_with("", &[], |e| e.picture("polar map", window(0.0, 0.0, 1.02)).trade(evidence::DISK, "disk"))
             .control("a disk with r = xi", |[u, v, _], _| disk(u * u, v), &["chi-square", "distance", "mean x²", "mean y²"]),
         Registered::new("DiskConcentric", "", &[], |_| {
             let mut entry = on_disk::<T, _>("DiskConcentric", DiskConcentric::<T>::new(), exact!(DiskConcentric));
@@ -159,7 +159,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             Ok(entry.chart(exact!(Disk)))
         })
             .case_with("", &[], |e| {
-                e.picture("Shirley's concentric map", window(0.0, 0.0, 1.02)).trade(family::DISK, "disk_concentric")
+                e.picture("Shirley's concentric map", window(0.0, 0.0, 1.02)).trade(evidence::DISK, "disk_concentric")
             })
             .control("a disk turned slightly unevenly", |[u, v, _], wrong| disk(u, v.powf(1.0 + wrong)), &["chi-square", "distance", "mean y"]),
         Registered::new("Triangle", "", &[], |_| {
@@ -172,7 +172,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .control("a triangle with v = xi (1 - u)", |[u, v, _], _| leftover(u, v), &["chi-square", "distance", "mean x"]),
         Registered::new("NormalPair", "", &[Any, Any, Positive], normal_pair::<T>)
             .case_with("0, 1", &[0.0, 0.0, 1.0], |e| {
-                e.picture("Box and Muller, within 3σ", window(0.0, 0.0, 3.0)).trade(family::NORMAL, "normal_pair")
+                e.picture("Box and Muller, within 3σ", window(0.0, 0.0, 3.0)).trade(evidence::NORMAL, "normal_pair")
             })
             .control("a normal pair without the square root", |[u, v, _], _| disk(4.0 * (-u).ln_1p().powi(2), v), &["chi-square", "distance", "mean x²"])
             .case_with("(3, -2), 0.5", &[3.0, -2.0, 0.5], Entry::no_round_trip)

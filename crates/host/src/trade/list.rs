@@ -4,7 +4,7 @@ use super::{Sampler, WORD, flat, repaired, sweep};
 use crate::figures::{Exact, wide};
 use crate::generators::Cycle;
 use crate::peers::{drawn, micro, rejecting, textbook};
-use crate::registry::{Domain, Entry, entries_of_each_tier, family::*};
+use crate::registry::{Domain, Entry, entries_of_each_tier, evidence::*};
 use crate::truth::{self, Point, Truth, Uniforms};
 use fixed::types::U32F32;
 use microwarp::fixed::{self as integers, Coarse, Compact, Fine, Grade, warp as integer};

@@ -9,7 +9,6 @@ mod form;
 mod golden;
 mod header;
 mod hostile;
-mod index;
 mod made;
 
 pub use golden::golden;

@@ -6,8 +6,8 @@
 use crate::forbidden::{self, Kind, Kind::*};
 use crate::image::Image;
 use crate::must_fail;
-use crate::record::{self, Row, compare};
 use crate::sizes::recorded;
+use crate::sizes::{self, Row, compare};
 use microwarp_host::counts::{Counts, FILE as OF_RUST};
 use microwarp_host::upkeep::{Outcome, read, write};
 use regex_lite::Regex;
@@ -127,7 +127,7 @@ fn programs(target_name: &str, directory: &Path) -> Outcome<Vec<Row>> {
 /// Each target with its compiler, as TARGET=COMPILER; those that are no core of counts.csv are read for symbols only.
 pub fn check(targets: &[&str], writes: bool) -> Outcome {
     forbidden::control()?;
-    record::control(TITLES)?;
+    sizes::control(TITLES)?;
     let counts = Counts::read()?;
     let (mut text, mut rows, mut same) = (String::new(), Vec::new(), true);
     for target in targets {
@@ -162,7 +162,7 @@ pub fn check(targets: &[&str], writes: bool) -> Outcome {
         }
         write(RECORD, &text)?;
     }
-    let recorded = record::parse(&read(RECORD)?)?;
+    let recorded = sizes::parse(&read(RECORD)?)?;
     compare(&recorded, &rows, TITLES, if same { 3 } else { 15 }, false)?;
     println!(
         "flash of {} programs is as recorded in {RECORD}",

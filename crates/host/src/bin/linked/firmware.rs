@@ -4,7 +4,7 @@
 
 use crate::forbidden::{self, Kind};
 use crate::image::Image;
-use crate::record::{self, compare};
+use crate::sizes::{self, compare};
 use crate::target;
 use microwarp_host::upkeep::{Outcome, read, write};
 
@@ -23,7 +23,7 @@ const TITLES: [&str; 2] = ["flash", "RAM"];
 
 pub fn check(compiler: &str, writes: bool) -> Outcome {
     forbidden::control()?;
-    record::control(TITLES)?;
+    sizes::control(TITLES)?;
     let mut rows = Vec::new();
     for target_name in ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"] {
         for program in PROGRAMS {
@@ -55,7 +55,7 @@ pub fn check(compiler: &str, writes: bool) -> Outcome {
     } else {
         15
     };
-    compare(&record::parse(&text)?, &rows, TITLES, percent, true)?;
+    compare(&sizes::parse(&text)?, &rows, TITLES, percent, true)?;
     println!(
         "flash and RAM of {} programs are as recorded, to {percent} %",
         rows.len()

@@ -19,7 +19,6 @@ mod image;
 mod ingredients;
 mod one_warp;
 mod probe;
-mod record;
 mod sizes;
 
 use microwarp_host::upkeep::{Outcome, end};

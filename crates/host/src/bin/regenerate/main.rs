@@ -2,7 +2,6 @@
 //!
 //! Here lives the list of steps. Each is a file of its own, or a command that the repository has for it.
 
-mod cycles;
 mod golden;
 mod host;
 mod javascript;

@@ -1,6 +1,6 @@
 //! The table of rejection in docs/worst_case.md: what a try takes, how many there can be, and how likely that is.
 
-use crate::cycles::{CORES, whole};
+use crate::host::{CORES, whole};
 use crate::tables::rows;
 use microwarp::rejection::{
     BallRejection, Beta, BinomialRejection, Dirichlet, DiskRejection, Gamma,

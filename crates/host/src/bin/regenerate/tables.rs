@@ -1,7 +1,7 @@
 //! The tables of the pages: which rows each has, and which figures stand in a row.
 
 use crate::sources::{Sources, grouped};
-use crate::{cycles, rejection, scene, tradeoff};
+use crate::{host, rejection, scene, tradeoff};
 use microwarp_host::docs::Doc;
 use microwarp_host::registry::{Domain, Registered, of_poly};
 use microwarp_host::upkeep::{Outcome, read, wrapped};
@@ -37,8 +37,8 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "ingredients" => scene::ingredients(sources),
         "scene" => scene::accuracy(),
         "six" => six(sources),
-        "constant" => cycles::constant(&sources.counts),
-        "extremes" => cycles::extremes(&sources.counts),
+        "constant" => host::constant(&sources.counts),
+        "extremes" => host::extremes(&sources.counts),
         "rejection cycles" => rejection::table(&sources.counts),
         _ => Err(format!("no table is called {name}")),
     }

@@ -9,7 +9,7 @@ pub mod record;
 use crate::sources::grouped;
 use crate::tables::rows;
 use microwarp_host::counts::Counts;
-use microwarp_host::registry::family::PICTURED;
+use microwarp_host::registry::evidence::PICTURED;
 use microwarp_host::upkeep::{Outcome, root};
 use record::Row;
 

@@ -2,8 +2,8 @@
 
 use super::bound::{self, Block, Bound};
 use super::comments::Comments;
+use super::declare::index;
 use super::declare::{WIDTH, declare, structure};
-use super::index::index;
 use crate::upkeep::{Outcome, errors, read, wrapped};
 use std::collections::BTreeSet;
 use std::fmt::Write;
