@@ -6,8 +6,6 @@
 mod count;
 #[cfg(sweep)]
 mod edges;
-#[cfg(sweep)]
-mod hard;
 mod kernels;
 #[cfg(target_arch = "wasm32")]
 mod module;

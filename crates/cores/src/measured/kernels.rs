@@ -9,13 +9,10 @@
 )]
 
 mod chains;
-mod changing;
 mod float;
 mod generator;
 mod integer;
-mod integers;
-mod lamps;
-mod orders;
+mod lots;
 mod paths;
 mod peers;
 mod points;
@@ -26,9 +23,8 @@ mod tables;
 use crate::measured::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 20] = [
+pub static REGISTRY: [&[Entry]; 17] = [
     chains::ENTRIES,
-    changing::ENTRIES,
     float::POLY,
     float::LIBM,
     generator::ENTRIES,
@@ -37,9 +33,7 @@ pub static REGISTRY: [&[Entry]; 20] = [
     integer::COARSE,
     integer::COMPACT,
     integer::PLAIN,
-    integers::ENTRIES,
-    lamps::ENTRIES,
-    orders::ENTRIES,
+    lots::ENTRIES,
     paths::ENTRIES,
     peers::ENTRIES,
     points::ENTRIES,

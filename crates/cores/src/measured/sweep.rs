@@ -3,7 +3,7 @@
 
 use crate::measured::count::{CALLS, CHUNKS, Entry, Vary, fill, run};
 use crate::measured::edges;
-use crate::measured::hard::{Line, lines};
+use crate::measured::edges::{Line, lines};
 use rand_pcg::Pcg32;
 
 /// Of 64 calls each: 2^16 calls.

@@ -1,7 +1,9 @@
-//! Steps of a chain that lies in memory, with the generator, over a target of a few multiplications.
+//! Steps of a chain that lies in memory, with the generator, over a target of a few multiplications; and weights that change.
 
-use crate::measured::registry::{kernels, loaded, made};
+use super::tables::{Tree, integers};
+use crate::measured::registry::{kernels, loaded, made, ok, store};
 use microwarp::Error;
+use microwarp::discrete::WeightedReservoir;
 use microwarp::metropolis::{
     Chain, LargeSmall, LogUniformStep, Mixture, NormalStep, Tuning, UniformStep, WrappedWalk,
 };
@@ -55,4 +57,14 @@ kernels! {
         tune(loaded(tuning::<Poly>), rng), made(tuning::<Poly>);
     "libm_chain_tuning_2_pcg32" (rng) -> f32 =
         tune(loaded(tuning::<Libm>), rng), made(tuning::<Libm>);
+
+    // Weights that change in memory: one of a tree, and those of a stream.
+    "sum_tree_64_set" (index: u32, weight: u32) -> u32 = {
+        let tree: &mut Tree<64> = loaded(|| Tree::new(integers()));
+        tree.set(index as usize & 63, weight >> 6).unwrap_or(0)
+    }, store(ok(Tree::<64>::new(integers())));
+    "weighted_reservoir_8" (weight: u32, word: u32) -> u32 = {
+        let reservoir: &mut WeightedReservoir<u32, 8> = loaded(|| Ok(WeightedReservoir::new()));
+        u32::from(reservoir.offer_with(word, weight, word))
+    }, store(WeightedReservoir::<u32, 8>::new());
 }
