@@ -7,7 +7,6 @@ use microwarp_host::upkeep::Outcome;
 use std::path::Path;
 
 /// A program, the function that it must hold, and what it may not link.
-#[rustfmt::skip]
 const PROGRAMS: [(&str, &str, &[Kind]); 8] = [
     ("all", "microwarp_evaluate", &[Panic, Alloc]),
     ("poly", "microwarp_evaluate_poly", &[Panic, Alloc, F64]),
@@ -15,7 +14,11 @@ const PROGRAMS: [(&str, &str, &[Kind]); 8] = [
     ("table", "microwarp_table", &[Panic, Alloc, F64]),
     ("chain", "microwarp_chain", &[Panic, Alloc, F64]),
     ("fixed", "microwarp_fixed", &[Panic, Alloc, F64, F32]),
-    ("fixed_disk", "microwarp_fixed_disk", &[Panic, Alloc, F64, F32]),
+    (
+        "fixed_disk",
+        "microwarp_fixed_disk",
+        &[Panic, Alloc, F64, F32],
+    ),
     ("integers", "microwarp_integers", &[Panic, Alloc, F64, F32]),
 ];
 
