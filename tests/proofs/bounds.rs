@@ -24,6 +24,8 @@ pub struct Roundings {
     pub square: bool,
     /// By how many radians the phase is rounded otherwise.
     pub turn: f64,
+    /// The sums of each coordinate with what turns the point by less than 1e-6.
+    pub nudged: bool,
 }
 
 impl Roundings {
@@ -33,6 +35,7 @@ impl Roundings {
         quotient: false,
         square: false,
         turn: 0.0,
+        nudged: false,
     };
 }
 
@@ -73,7 +76,9 @@ impl Roundings {
     /// Half the units in the last place of both products.
     fn of_products(self, bin: &Bin, cell: &Cell) -> [f64; 2] {
         let half = |factor: f64| {
-            if self.products {
+            if self.nudged {
+                2.0 * half_ulp(bin.r * (factor + 1e-6))
+            } else if self.products {
                 half_ulp(bin.r * factor)
             } else {
                 0.0

@@ -83,11 +83,11 @@ pub fn fields<'a, F: Form>(form: &F, tape: &'a Tape, parameters: &[Range]) -> Ve
         .collect()
 }
 
-/// What is proven of a map of a radius and a height over the boxes. One whose errors are not below `fine` is cut into four, up to
-/// `depth` times.
-pub fn pieces<F: Form>(
+/// What is proven of a map of a radius and a height over the boxes. One whose errors are not below `fine` is cut in half each
+/// way, up to `depth` times.
+pub fn pieces<F: Form, const N: usize>(
     form: &F,
-    parameters: &[Range],
+    parameters: &[[Range; N]],
     uniforms: &[Range],
     (fine, depth): (f64, u32),
 ) -> Vec<Piece> {
@@ -101,15 +101,16 @@ pub fn pieces<F: Form>(
             boxes.extend(given);
         }
         while let Some((parameter, small, first, depth)) = boxes.pop() {
-            let of_box = of_box(form, parameter, small, first);
+            let of_box = of_box(form, &parameter, small, first);
             let is_fine = of_box.iter().all(|p| p.off.hypot(p.height) <= fine);
             if is_fine || depth == 0 {
                 pieces.extend(of_box);
                 continue;
             }
-            for parameter in halves(parameter) {
-                let cut = halves(small).map(|small| (parameter, small, first, depth - 1));
-                boxes.extend(cut);
+            for way in 0..1 << N {
+                let cut = parameter.map(halves);
+                let cut = std::array::from_fn(|i| cut[i][way >> i & 1]);
+                boxes.extend(halves(small).map(|small| (cut, small, first, depth - 1)));
             }
         }
         pieces
@@ -122,10 +123,10 @@ fn halves(Range { low, high }: Range) -> [Range; 2] {
     [(low, middle), (middle, high)].map(|(low, high)| Range { low, high })
 }
 
-fn of_box<F: Form>(form: &F, parameter: Range, small: Range, first: bool) -> Vec<Piece> {
+fn of_box<F: Form>(form: &F, parameters: &[Range], small: Range, first: bool) -> Vec<Piece> {
     let mut pieces = Vec::new();
     each_way(|tape| {
-        let fields = fields(form, tape, &[parameter]);
+        let fields = fields(form, tape, parameters);
         let uniforms = complements(tape, small, first);
         let place = form.place(&fields, &uniforms);
         if !tape.is_impossible() {
@@ -179,8 +180,8 @@ pub fn alone<F: Form>(form: &F, numbers: &[Range]) -> Vec<Piece> {
     pieces
 }
 
-/// The largest error of a point of two uniforms.
-pub fn triangle<F: Form>(form: &F, uniforms: &[Range]) -> f64 {
+/// The largest error of a point of two uniforms and of parameters from one box.
+pub fn triangle<F: Form>(form: &F, parameters: &[Range], uniforms: &[Range]) -> f64 {
     let one = Range::only(1.0);
     let parts = in_parallel(uniforms.len() as u32, |i| {
         let mut worst = 0.0_f64;
@@ -190,8 +191,8 @@ pub fn triangle<F: Form>(form: &F, uniforms: &[Range]) -> f64 {
                 each_way(|tape| {
                     let [u, v] =
                         [(a, of_a), (b, of_b)].map(|(x, first)| complements(tape, x, first));
-                    let place =
-                        form.place(&[], u.into_iter().chain(v).collect::<Vec<_>>().as_slice());
+                    let uniforms: Vec<_> = u.into_iter().chain(v).collect();
+                    let place = form.place(&fields(form, tape, parameters), &uniforms);
                     let errors = place.iter().map(|&x| tape.error(&[(x, one)]));
                     let error = errors.map(|e| e * e).sum::<f64>().sqrt();
                     raise(&mut worst, error);

@@ -1,6 +1,7 @@
 //! Laws of the line of a few operations each: the rounding of each is at most half an ulp of its result.
 
 use crate::line::stated;
+use crate::linear;
 use crate::maps::Row;
 use crate::reached::reached;
 use crate::report::{Line, complaint_of_half};
@@ -162,7 +163,7 @@ fn of_boxes(ulps: f64) -> Line {
 
 /// The rows of these laws.
 pub fn lines() -> Vec<Line> {
-    if !["Interval", "PowerMax", "Aabb"]
+    if !["Interval", "PowerMax", "Aabb", "Linear"]
         .into_iter()
         .all(speed::wants)
     {
@@ -202,6 +203,7 @@ pub fn lines() -> Vec<Line> {
             f64::from(PowerMax::<1>::new().sample([0.0])) / ulp(0.0),
         ),
         of_boxes(bound),
+        linear::line(),
     ]
 }
 

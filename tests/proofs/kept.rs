@@ -23,7 +23,7 @@ pub fn largest(name: &str, title: &str) -> [f64; 2] {
     let mut largest = [Figures::default(); 2];
     for of in registered().iter().filter(|of| of.name == name) {
         for (parameters, u) in cases(of) {
-            let entry = (of.build)(&parameters).expect("accepted parameters");
+            let entry = of.of_drawn(&parameters).expect("accepted parameters");
             let tiers = match entry.tier {
                 "libm" => 0..1,
                 _ if entry.tiered => 1..2,

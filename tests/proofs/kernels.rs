@@ -105,22 +105,30 @@ fn over_uniforms(unit: &Unit, note: impl Fn(&mut Reach, f32, u32) + Sync) -> Rea
     Reach::of(&parts)
 }
 
-/// Of samples, taken `wrong` steps of `f32` too far out; of uniforms, and of words where a draw keeps the bound.
-pub fn of_samples(unit: &Unit, least: f64, wrong: u32) -> [Reach; 2] {
-    let off = |x: f32| f32::from_bits(x.to_bits() + if x == 0.0 { 0 } else { wrong });
-    let of_uniforms = over_uniforms(unit, |reach, u, at| {
+/// A number so many steps of `f32` farther out.
+fn out(x: f32, steps: u32) -> f32 {
+    f32::from_bits(x.to_bits() + if x == 0.0 { 0 } else { steps })
+}
+
+/// Of samples of uniforms, taken `wrong` steps of `f32` too far out.
+pub fn of_uniforms(unit: &Unit, least: f64, wrong: u32) -> Reach {
+    over_uniforms(unit, |reach, u, at| {
         let x = unit.sample(u);
-        reach.note(off(x), unit.exact(u.into(), x), least, at);
-    });
+        reach.note(out(x, wrong), unit.exact(u.into(), x), least, at);
+    })
+}
+
+/// The same, and of words where a draw keeps the bound.
+pub fn of_samples(unit: &Unit, least: f64, wrong: u32) -> [Reach; 2] {
     let of_words = if unit.has_words() {
         Reach::of(&in_parts(u32::MAX, *WORDS, |reach: &mut Reach, word| {
             let x = unit.drawn(word);
-            reach.note(off(x), unit.exact(middle(word), x), least, word);
+            reach.note(out(x, wrong), unit.exact(middle(word), x), least, word);
         }))
     } else {
         Reach::default()
     };
-    [of_uniforms, of_words]
+    [of_uniforms(unit, least, wrong), of_words]
 }
 
 /// Of densities with samples.

@@ -46,6 +46,53 @@ impl Form for Triangle {
     }
 }
 
+/// A coordinate of a point of a triangle, of those of the vertices. Of the control see [`Triangle`].
+pub struct Vertices {
+    pub once_more: bool,
+}
+
+impl Form for Vertices {
+    fn fields<N: Number>(&self, vertices: &[N]) -> Vec<N> {
+        vertices.to_vec()
+    }
+
+    fn off(&self, _: &[Range]) -> Vec<f64> {
+        vec![0.0; 3]
+    }
+
+    fn place<N: Number>(&self, of: &[N], u: &[N]) -> Vec<N> {
+        let Self { once_more } = *self;
+        let w = Triangle { once_more }.place(&[], u);
+        vec![w[0] * of[0] + w[1] * of[1] + w[2] * of[2]]
+    }
+}
+
+/// The radius of a point of a ring, of its inner radius as a part of the outer one, and of that.
+pub struct Ring;
+
+impl Form for Ring {
+    fn fields<N: Number>(&self, ring: &[N]) -> Vec<N> {
+        let (part, high, one) = (ring[0], ring[1], ring[0].like(1.0));
+        vec![part * high, high * high * ((one - part) * (one + part))]
+    }
+
+    fn off(&self, _: &[Range]) -> Vec<f64> {
+        vec![0.0, ONCE]
+    }
+
+    fn place<N: Number>(&self, fields: &[N], u: &[N]) -> Vec<N> {
+        let [low, area] = [fields[0], fields[1]];
+        let (gain, square) = (u[0] * area, low * low);
+        let root = (square + gain).sqrt();
+        let r = if gain.below(square) {
+            low + gain / (low + root)
+        } else {
+            root
+        };
+        vec![r, low.like(0.0)]
+    }
+}
+
 /// sin θ and cos θ of 1 - cos θ, or of 1 + cos θ, whichever is the smaller.
 fn polar<N: Number>(small: N, lifted: N, root: f32, ahead: bool) -> Vec<N> {
     // Where both are next to 1 in real numbers, what is rounded may choose either.
@@ -160,7 +207,7 @@ impl Form for Fog {
             Given::OneMinusG if d[0].low < 0.5 => [1.0, 0.0],
             _ => [0.0, 0.0],
         };
-        vec![h, least, SQUARES, SQUARES]
+        vec![h, least, ONCE, ONCE]
     }
 
     fn place<N: Number>(&self, fields: &[N], u: &[N]) -> Vec<N> {
@@ -187,5 +234,5 @@ impl Form for Fog {
     }
 }
 
-/// The square of a sum of two is rounded once; what else is lost is a 2⁻²²nd of that.
-const SQUARES: f64 = 1.001;
+/// A product of sums of two is rounded once; what else is lost is a 2⁻²²nd of that.
+const ONCE: f64 = 1.001;

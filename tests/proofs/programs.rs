@@ -13,10 +13,11 @@ use std::fmt::Debug;
 use std::sync::LazyLock;
 
 /// How many parameters and uniforms are drawn.
-static DRAWS: LazyLock<u32> = LazyLock::new(|| speed::of("draws of programs", 1 << 10, 1 << 16));
+pub static DRAWS: LazyLock<u32> =
+    LazyLock::new(|| speed::of("draws of programs", 1 << 10, 1 << 16));
 
 /// A uniform of a counter: of the grid, or of all binades.
-fn uniform(k: u32) -> f32 {
+pub fn uniform(k: u32) -> f32 {
     let word = spread(k);
     if word % 3 == 0 {
         f32::from_bits(spread(word) % 1.0_f32.to_bits())
@@ -26,13 +27,13 @@ fn uniform(k: u32) -> f32 {
 }
 
 /// A number of all binades between two.
-fn between(k: u32, low: f32, high: f32) -> f32 {
+pub fn between(k: u32, low: f32, high: f32) -> f32 {
     let [low, high] = [low, high].map(f32::to_bits);
     f32::from_bits(low + spread(k ^ 0x5bd1_e995) % (high - low + 1))
 }
 
 /// What a warp keeps under a name. The shortest digits tell every number.
-fn kept(warp: &impl Debug, name: &str) -> f32 {
+pub fn kept(warp: &impl Debug, name: &str) -> f32 {
     let text = format!("{warp:?}");
     let (_, value) = text.split_once(&format!(" {name}: ")).expect("a field");
     let end = value.find([',', ' ']).expect("its end");

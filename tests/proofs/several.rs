@@ -15,24 +15,24 @@ use crate::products::{ball, normal_pair, rotation};
 use crate::range::Range;
 use crate::report::{Line, differs, table_of};
 use crate::rounding::UNIT;
-use crate::{kept, sweeps};
+use crate::{kept, lobe, shapes, sweeps};
 use host::docs::STALE;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
 use std::fmt::Write as _;
 
 /// A row of a warp: its name, the title, and what is proven in `libm` and in `poly`.
-type Proven = (&'static str, &'static str, [f64; 2]);
+pub type Proven = (&'static str, &'static str, [f64; 2]);
 
 /// The cells of both tiers.
 pub type Cells = [Vec<Cell>; 2];
 
-fn cells() -> Cells {
+pub fn cells() -> Cells {
     [Libm::sincos_turns, Poly::sincos_turns].map(|kernel| phases::sweep(Uniforms::Any, kernel, 0.0))
 }
 
 /// Uniforms up to a half. At 0 points are exact.
-fn uniforms(parts: u32) -> Vec<Range> {
+pub fn uniforms(parts: u32) -> Vec<Range> {
     binades(-44, 0.5, parts)
 }
 
@@ -43,11 +43,11 @@ fn down_to(bottom: f64, mut binades: Vec<Range>) -> Vec<Range> {
 }
 
 /// The largest errors of a sample over pieces and all azimuths.
-fn samples(pieces: &[Piece], cells: &Cells) -> [f64; 2] {
+pub fn samples(pieces: &[Piece], cells: &Cells, roundings: Roundings) -> [f64; 2] {
     let radii = bins(pieces);
     cells
         .each_ref()
-        .map(|cells| Roundings::PLAIN.sample(&radii, cells).bound)
+        .map(|cells| roundings.sample(&radii, cells).bound)
 }
 
 fn sine(pieces: &[Piece]) -> [f64; 2] {
@@ -58,7 +58,10 @@ fn cones(off: [sweeps::Halves; 2]) -> Vec<Piece> {
     // Of k up to 1, and of what k leaves of 2 where it is above.
     let ks = down_to(2.0_f64.powi(-126), binades(-20, 1.0, 4));
     let rests = down_to(0.0, binades(-44, 1.0, 4));
-    let of = |wide, boxes: &[Range]| pieces(&Cone { wide, off }, boxes, &uniforms(4), (1.8e-7, 3));
+    let of = |wide, boxes: &[Range]| {
+        let boxes: Vec<_> = boxes.iter().map(|&k| [k]).collect();
+        pieces(&Cone { wide, off }, &boxes, &uniforms(4), (1.8e-7, 3))
+    };
     let mut all = of(false, &ks);
     all.extend(of(true, &rests));
     all
@@ -69,9 +72,10 @@ fn fogs() -> Vec<Piece> {
     for backward in [false, true] {
         for of in [Given::G, Given::OneMinusG] {
             // 1 - |g| is 2^-32 or more.
-            let widths = &binades(-32, 1.0, 4)[1..];
+            let widths = binades(-32, 1.0, 4).into_iter().skip(1);
+            let widths: Vec<_> = widths.map(|width| [width]).collect();
             let fog = Fog { backward, of };
-            all.extend(pieces(&fog, widths, &uniforms(4), (4.8e-7, 4)));
+            all.extend(pieces(&fog, &widths, &uniforms(4), (4.8e-7, 4)));
         }
     }
     all
@@ -87,26 +91,36 @@ fn rows() -> Vec<Proven> {
         .map(|cells| Roundings::PLAIN.length(&polar, cells).bound);
     let fogs = fogs();
     let [libm, poly] = [sweeps::cone::<Libm>(), sweeps::cone::<Poly>()].map(cones);
-    let cone = [samples(&libm, &cells)[0], samples(&poly, &cells)[1]];
-    vec![
+    let cone = [
+        samples(&libm, &cells, Roundings::PLAIN)[0],
+        samples(&poly, &cells, Roundings::PLAIN)[1],
+    ];
+    let mut rows = shapes::rows(&cells);
+    rows.extend(lobe::rows(&cells));
+    rows.extend([
         (
             "Triangle",
             "sample",
-            [triangle(&Triangle { once_more: false }, &uniforms(4)); 2],
+            [triangle(&Triangle { once_more: false }, &[], &uniforms(4)); 2],
         ),
         ("Ball", "sample", ball(&cells)),
         ("Rotation", "sample", rotation(&cells)),
         ("NormalPair", "sample", normal_pair(&cells)),
         ("Cone", "sample", cone),
         ("Cone", "unit length", length),
-        ("HenyeyGreenstein", "sample", samples(&fogs, &cells)),
+        (
+            "HenyeyGreenstein",
+            "sample",
+            samples(&fogs, &cells, Roundings::PLAIN),
+        ),
         ("HenyeyGreenstein", "sin θ, ulp", sine(&fogs)),
         ("HenyeyGreenstein", "unit length", length),
-    ]
+    ]);
+    rows
 }
 
 /// What is wrong with a bound. In the quick speed it is that of some of the boxes.
-fn complaint(stated: f64, Row { proven, found }: Row) -> Option<String> {
+pub fn complaint(stated: f64, Row { proven, found }: Row) -> Option<String> {
     // Each written so that NaN fails.
     let holds = proven <= stated;
     let near = found <= proven && stated <= STALE * proven && stated <= 2.0 * found;
@@ -147,10 +161,10 @@ fn a_broken_link_of_the_argument_about_parameters_is_noticed() {
     let cells = cells();
     let (_, [cone, _]) = stated("Cone", "sample");
     let [found, ..] = kept::largest("Cone", "sample");
-    let [left_out, ..] = samples(&cones([[0.0; 17]; 2]), &cells);
+    let [left_out, ..] = samples(&cones([[0.0; 17]; 2]), &cells, Roundings::PLAIN);
     assert!(left_out < found, "{left_out} proven, {found} found");
     // With more of them it is worse than stated.
-    let [more, ..] = samples(&cones([[6.0; 17]; 2]), &cells);
+    let [more, ..] = samples(&cones([[6.0; 17]; 2]), &cells, Roundings::PLAIN);
     assert!(
         complaint(
             cone,
@@ -165,7 +179,7 @@ fn a_broken_link_of_the_argument_about_parameters_is_noticed() {
     let (_, [stated, _]) = stated("Triangle", "sample");
     let [found, ..] = kept::largest("Triangle", "sample");
     let judged = |once_more| {
-        let proven = triangle(&Triangle { once_more }, &uniforms(4));
+        let proven = triangle(&Triangle { once_more }, &[], &uniforms(4));
         complaint(stated, Row { proven, found })
     };
     assert_eq!(judged(false), None);
