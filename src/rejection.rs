@@ -234,8 +234,8 @@ pub(crate) fn draw_first_alone<S: Rejection + ?Sized, R: TryRng + ?Sized>(
 pub const fn budget_for(efficiency: f32) -> Result<u32, Error> {
     /// A little above 64 ln 2 = 44.361.
     const TRIES: f32 = 44.4;
-    match positive(efficiency) {
-        Ok(e) if e < 1.1e-8 => Err(Error::OutOfRange),
+    match positive(efficiency, 0) {
+        Ok(e) if e < 1.1e-8 => Err(Error::OutOfRange(0)),
         Ok(e) => {
             let e = if e < 1.0 { e } else { 1.0 };
             // Below 4.04e9, so that neither the cast nor the next integer leaves a u32.
@@ -254,7 +254,7 @@ macro_rules! with_budget {
         /// [`Error::NotPositive`](crate::Error::NotPositive) for a budget of 0.
         pub $($const)? fn with_budget(mut self, budget: u32) -> Result<Self, crate::Error> {
             if budget == 0 {
-                return Err(crate::Error::NotPositive);
+                return Err(crate::Error::NotPositive(0));
             }
             self.budget = budget;
             Ok(self)

@@ -75,8 +75,8 @@ impl Binomial {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::OutOfRange`] for p outside [0, 1], [`Error::TooLarge`] for a
     /// variance np(1 − p) above 100.
     pub const fn new(trials: u32, p: f32) -> Result<Self, Error> {
-        let [success, failure] = tried!(chances(p));
-        Self::of(trials, success, failure)
+        let [success, failure] = tried!(chances(p, 1));
+        Self::of(trials, success, failure, 1)
     }
 
     /// So many trials that succeed in `part` of `whole` cases each, by integers alone.
@@ -85,15 +85,16 @@ impl Binomial {
     /// [`Error::NotPositive`] if `whole` is 0, [`Error::OutOfRange`] for a part above the whole, [`Error::TooLarge`] for a
     /// variance np(1 − p) above 100.
     pub const fn from_ratio(trials: u32, part: u32, whole: u32) -> Result<Self, Error> {
-        let [success, failure] = tried!(chances_of(part, whole));
-        Self::of(trials, success, failure)
+        let [success, failure] = tried!(chances_of(part, whole, 2));
+        Self::of(trials, success, failure, Error::NO_PLACE)
     }
 
-    const fn of(trials: u32, success: Long, failure: Long) -> Result<Self, Error> {
+    /// With the place of a reason that lies in all parameters.
+    const fn of(trials: u32, success: Long, failure: Long, all: usize) -> Result<Self, Error> {
         let mean = Long::of(trials as u64, 64).times(success);
         let variance = mean.times(failure);
         if variance.exceeds(Long::of(100, 64)) {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(all));
         }
         let ends = success.mantissa == 0 || failure.mantissa == 0;
         let (odds, inverse) = if ends {

@@ -27,18 +27,24 @@ pub(crate) struct Cells {
 const LEAST: f32 = 1.0 / 1_048_576.0;
 
 impl Cells {
-    pub(crate) const fn new([low, high]: [f32; 2], count: usize) -> Result<Self, Error> {
+    /// So many cells of a range, whose bounds are the parameters of these places.
+    pub(crate) const fn new(
+        range: [f32; 2],
+        places: [usize; 2],
+        count: usize,
+    ) -> Result<Self, Error> {
+        let [low, high] = range;
         if count == 0 {
             return Err(Error::NoWeights);
         }
-        let (scale, length) = tried!(extent(low, high));
+        let (scale, length) = tried!(extent(range, places));
         let count = count as f32;
         let per_length = count / length;
         let larger = if -low > high { -low } else { high };
         // The first refuses an empty interval too, whose quotient is infinite; twice, because rounding
         // makes some cells narrower than others.
         if !(2.0 * per_length).is_finite() || length / count < LEAST * (larger * scale) {
-            return Err(Error::Empty);
+            return Err(Error::Empty(places[1]));
         }
         Ok(Self {
             low,
@@ -56,25 +62,26 @@ impl Cells {
     }
 
     /// Refuses a rectangle on which a uniform density is not a normal number, or on one cell of which it
-    /// could overflow.
-    pub(crate) const fn check_area(&self, other: &Self) -> Result<(), Error> {
+    /// could overflow. The other side is the parameter of that place.
+    pub(crate) const fn check_area(&self, other: &Self, place: usize) -> Result<(), Error> {
         let area = self.length().times(other.length());
         let cells = Scaled::of(self.count).times(Scaled::of(other.count));
         if Scaled::ONE.over(area).value() < f32::MIN_POSITIVE {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(place));
         }
         if cells.times(Scaled::of(2.0)).over(area).value() > f32::MAX {
-            return Err(Error::Empty);
+            return Err(Error::Empty(place));
         }
         Ok(())
     }
 
-    /// Refuses cells on one of which twice the density of a certain cell could overflow.
-    pub(crate) const fn check_steep(&self) -> Result<(), Error> {
+    /// Refuses cells on one of which twice the density of a certain cell could overflow. The upper bound is the
+    /// parameter of that place.
+    pub(crate) const fn check_steep(&self, place: usize) -> Result<(), Error> {
         if (4.0 * self.per_length).is_finite() {
             Ok(())
         } else {
-            Err(Error::Empty)
+            Err(Error::Empty(place))
         }
     }
 

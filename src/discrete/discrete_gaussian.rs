@@ -94,12 +94,12 @@ impl DiscreteGaussian {
     /// 20, [`Error::OutOfRange`] for a centre beyond 2³⁰ either way.
     pub const fn new(centre: f32, scale: f32) -> Result<Self, Error> {
         const FAR: f32 = 1_073_741_824.0;
-        let (centre, scale) = (tried!(finite(centre)), tried!(positive(scale)));
+        let (centre, scale) = (tried!(finite(centre, 0)), tried!(positive(scale, 1)));
         if scale > Self::LARGEST {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(1));
         }
         if centre < -FAR || centre > FAR {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         // Cut towards 0, and exact: beyond 2²³ there is nothing to cut.
         let whole = centre as i32;

@@ -95,8 +95,8 @@ impl DiscreteLaplace {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] above 9e7.
     pub const fn new(scale: f32) -> Result<Self, Error> {
-        let scale = tried!(positive(scale));
-        Self::of(Long::of_f32(scale))
+        let scale = tried!(positive(scale, 0));
+        Self::of(Long::of_f32(scale), 0)
     }
 
     /// Of a scale that is a ratio, by integers alone.
@@ -105,14 +105,16 @@ impl DiscreteLaplace {
     /// [`Error::NotPositive`] if one of the two is 0, [`Error::TooLarge`] for a ratio above 9e7.
     pub const fn from_ratio(part: u32, whole: u32) -> Result<Self, Error> {
         if part == 0 || whole == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(if part == 0 { 0 } else { 1 }));
         }
-        Self::of(Long::of(part as u64, 64).over(Long::of(whole as u64, 64)))
+        let scale = Long::of(part as u64, 64).over(Long::of(whole as u64, 64));
+        Self::of(scale, 1)
     }
 
-    const fn of(scale: Long) -> Result<Self, Error> {
+    /// Of a scale that lies in the parameters up to that place.
+    const fn of(scale: Long, place: usize) -> Result<Self, Error> {
         if scale.exceeds(Long::of_f32(Self::LARGEST)) {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(place));
         }
         let rate = Long::ONE.over(scale);
         let short = if rate.exceeds(Long::of(1, 63)) {
@@ -127,7 +129,7 @@ impl DiscreteLaplace {
         Ok(Self {
             rate,
             short,
-            side: tried!(Geometric::of(short)),
+            side: tried!(Geometric::of(short, place)),
             both,
             log: (1_u64 << 58).wrapping_sub(neg_log2_in_full(both)) >> 26,
         })

@@ -72,11 +72,11 @@ pub(super) const fn rounded(below: u64) -> u64 {
     (below >> 31).wrapping_add(1) >> 1
 }
 
-/// The probabilities of a success and of a failure.
-pub(super) const fn chances(p: f32) -> Result<[Long; 2], Error> {
-    let p = tried!(finite(p));
+/// The probabilities of a success, the parameter of that place, and of a failure.
+pub(super) const fn chances(p: f32, place: usize) -> Result<[Long; 2], Error> {
+    let p = tried!(finite(p, place));
     if p < 0.0 || p > 1.0 {
-        return Err(Error::OutOfRange);
+        return Err(Error::OutOfRange(place));
     }
     if p == 0.0 {
         return Ok([NOTHING, Long::ONE]);
@@ -92,13 +92,13 @@ pub(super) const fn chances(p: f32) -> Result<[Long; 2], Error> {
     })
 }
 
-/// The same of a ratio of integers.
-pub(super) const fn chances_of(part: u32, whole: u32) -> Result<[Long; 2], Error> {
+/// The same of a ratio of integers, of which the whole is the parameter of that place.
+pub(super) const fn chances_of(part: u32, whole: u32, place: usize) -> Result<[Long; 2], Error> {
     if whole == 0 {
-        return Err(Error::NotPositive);
+        return Err(Error::NotPositive(place));
     }
     let Some(other) = whole.checked_sub(part) else {
-        return Err(Error::OutOfRange);
+        return Err(Error::OutOfRange(place));
     };
     // As of a probability of 0 and of 1.
     if part == 0 {

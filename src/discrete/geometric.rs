@@ -159,8 +159,8 @@ impl Geometric {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] above 1,
     /// [`Error::TooLarge`] below 5.4e-9, where counts do not fit `u32`.
     pub const fn new(p: f32) -> Result<Self, Error> {
-        let p = tried!(positive(p));
-        Self::of(Long::of_f32(p))
+        let p = tried!(positive(p, 0));
+        Self::of(Long::of_f32(p), 0)
     }
 
     /// Trials of which so many in so many succeed, by integers alone.
@@ -170,17 +170,19 @@ impl Geometric {
     /// [`Error::TooLarge`] for a ratio below 5.4e-9.
     pub const fn from_ratio(successes: u32, trials: u32) -> Result<Self, Error> {
         if successes == 0 || trials == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(if successes == 0 { 0 } else { 1 }));
         }
-        Self::of(Long::of(successes as u64, 64).over(Long::of(trials as u64, 64)))
+        let success = Long::of(successes as u64, 64).over(Long::of(trials as u64, 64));
+        Self::of(success, 1)
     }
 
-    pub(super) const fn of(success: Long) -> Result<Self, Error> {
+    /// Of a probability that lies in the parameters up to that place.
+    pub(super) const fn of(success: Long, place: usize) -> Result<Self, Error> {
         if success.exceeds(Long::ONE) {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(place));
         }
         if LEAST.exceeds(success) {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(place));
         }
         let shift = success.exponent.unsigned_abs();
         let mut made = Self {

@@ -72,7 +72,7 @@ impl Hypergeometric {
             population.checked_sub(marked),
             population.checked_sub(drawn),
         ) else {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(if marked > population { 1 } else { 2 }));
         };
         let law = Self::law(population, marked, drawn);
         let [least, most] = law.range();
@@ -83,7 +83,7 @@ impl Hypergeometric {
             let rest = Long::of((others as u64).wrapping_mul(left as u64), 64).over(all);
             let variance = mean.times(rest.over(Long::of((population as u64).wrapping_sub(1), 64)));
             if variance.exceeds(Long::of(100, 64)) {
-                return Err(Error::TooLarge);
+                return Err(Error::TooLarge(Error::NO_PLACE));
             }
         }
         // The mode is (K + 1)(n + 1)/(N + 2), cut to an integer.

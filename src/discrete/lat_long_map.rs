@@ -163,7 +163,7 @@ macro_rules! arrays {
                         half: half(V),
                         tier: PhantomData,
                     }),
-                    Err(error) => Err(error),
+                    Err(error) => Err(error.at(0)),
                 }
             }
         }
@@ -234,7 +234,9 @@ impl<T: Tier, M, C> LatLongMap<T, M, C> {
         C: OwnedStorage<Item = M::Item> + Grid<Item = M::Item>,
     {
         let zones = Zones::Sphere(shape[1]);
-        PiecewiseConstant2d::owned(radiances, shape, [UNIT, UNIT], zones).map(Self::of)
+        PiecewiseConstant2d::owned(radiances, shape, [UNIT, UNIT], zones)
+            .map(Self::of)
+            .map_err(|error| error.at(1))
     }
 
     /// The environment map of a finished table.
@@ -279,8 +281,8 @@ impl<'a, T: Tier, W: Word> LatLongMap<T, &'a [W], &'a [W]> {
             zones,
             marginal,
             conditional,
-        )?;
-        Ok(Self::of(table))
+        );
+        table.map(Self::of).map_err(|error| error.at(1))
     }
 }
 
@@ -297,7 +299,9 @@ where
     /// # Errors
     /// Those of [`PiecewiseConstant2d::from_words`].
     pub fn from_words(marginal: M, conditional: C) -> Result<Self, Error> {
-        PiecewiseConstant2d::from_words(marginal, conditional, UNIT, UNIT).map(Self::of)
+        PiecewiseConstant2d::from_words(marginal, conditional, UNIT, UNIT)
+            .map(Self::of)
+            .map_err(|error| error.at(1))
     }
 
     /// An environment map from the words of finished tables, in constant time: the words are not looked at. With wrong
@@ -306,7 +310,9 @@ where
     /// # Errors
     /// Those of [`PiecewiseConstant2d::from_trusted_words`].
     pub fn from_trusted_words(marginal: M, conditional: C) -> Result<Self, Error> {
-        PiecewiseConstant2d::from_trusted_words(marginal, conditional, UNIT, UNIT).map(Self::of)
+        PiecewiseConstant2d::from_trusted_words(marginal, conditional, UNIT, UNIT)
+            .map(Self::of)
+            .map_err(|error| error.at(1))
     }
 
     /// The table that selects rows and columns: of radiances times solid angles, on the unit square.

@@ -108,13 +108,13 @@ impl<T> LightReservoir<T> {
         density: f32,
         bits: u64,
     ) -> Result<bool, Error> {
-        let weight = Total::of(target)?;
-        let divisor = Total::of(density).map_err(|error| match error {
-            Error::Negative => Error::NotPositive,
+        let weight = Total::of(target, 1)?;
+        let divisor = Total::of(density, 2).map_err(|error| match error {
+            Error::Negative(place) => Error::NotPositive(place),
             other => other,
         })?;
         if divisor.is_zero() {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(2));
         }
         if self.count == u32::MAX {
             self.cap(HALF);
@@ -168,7 +168,7 @@ impl<T> LightReservoir<T> {
     /// # Errors
     /// [`Error::NotFinite`] and [`Error::Negative`] for the target. The reservoir is unchanged after an error.
     pub fn absorb_with(&mut self, other: Self, target: f32, bits: u64) -> Result<bool, Error> {
-        Total::of(target)?;
+        Total::of(target, 1)?;
         Ok(self.absorb_share(other, target, Total::ONE, bits))
     }
 
@@ -307,7 +307,7 @@ impl<T> LightReservoir<T> {
 
 /// A target times a number of candidates.
 pub(super) fn weighed(count: u32, target: f32) -> Total {
-    match Total::of(target) {
+    match Total::of(target, 0) {
         Ok(target) => Total::of_count(count).times(target),
         Err(_) => Total::ZERO,
     }

@@ -158,7 +158,7 @@ impl<'a, I: Copy + Into<u32>> Mesh<'a, I, &'a [u32]> {
         check_number(faces.len())?;
         let areas = memory.get_mut(..faces.len()).ok_or(Error::TooManyWeights)?;
         for (index, (&face, to)) in faces.iter().zip(areas.iter_mut()).enumerate() {
-            *to = area(corners(vertices, face).ok_or(Error::OutOfRange)?);
+            *to = area(corners(vertices, face).ok_or(Error::OutOfRange(1))?);
             if !to.is_finite() {
                 return Err(Error::NotFiniteWeight(index));
             }
@@ -214,13 +214,13 @@ impl<'a, I: Copy + Into<u32>, W: Word, S: Storage<Item = W>> Mesh<'a, I, S> {
             return Err(if areas.iter().all(|area| *area == 0.0) {
                 Error::AllZero
             } else {
-                Error::Empty
+                Error::Empty(3)
             });
         }
         if 1.0 / mesh.area() >= f32::MIN_POSITIVE {
             Ok(mesh)
         } else {
-            Err(Error::TooLarge)
+            Err(Error::TooLarge(1))
         }
     }
 
@@ -238,7 +238,11 @@ impl<'a, I: Copy + Into<u32>, W: Word, S: Storage<Item = W>> Mesh<'a, I, S> {
         table: Cdf<S>,
     ) -> Result<Self, Error> {
         if table.entries() != faces.len() || areas.len() != faces.len() {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(if areas.len() == faces.len() {
+                3
+            } else {
+                2
+            }));
         }
         Ok(Self {
             vertices,

@@ -318,7 +318,7 @@ impl<P: Parts<N>, const N: usize> Mixture<P, N> {
         P: Copy,
     {
         if P::Uniforms::COUNT == 0 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         let chooser = tried!(Chooser::new(weights));
         Ok(Self { parts, chooser })

@@ -79,20 +79,21 @@ impl NegativeBinomial {
     /// [`Error::OutOfRange`] for r below 2⁻⁷ and for p above 1, [`Error::TooLarge`] for p below 0.1, for r from 2³² up and for
     /// a variance r(1 − p)/p² above 200.
     pub const fn new(successes: f32, p: f32) -> Result<Self, Error> {
-        let (successes, p) = (tried!(positive(successes)), tried!(positive(p)));
+        let (successes, p) = (tried!(positive(successes, 0)), tried!(positive(p, 1)));
         if successes < 0.007_812_5 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         if successes >= 4_294_967_296.0 {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(0));
         }
-        let [success, failure] = tried!(chances(p));
+        let [success, failure] = tried!(chances(p, 1));
         // Exact: 24 digits above 2⁻³¹.
         let Long { mantissa, exponent } = Long::of_f32(successes);
         Self::of(
             Long::of(mantissa, exponent.wrapping_add(31)).whole(),
             success,
             failure,
+            [1, 1],
         )
     }
 
@@ -103,18 +104,28 @@ impl NegativeBinomial {
     /// [`Error::TooLarge`] for p below 0.1 and for a variance r(1 − p)/p² above 200.
     pub const fn from_ratio(successes: u32, part: u32, whole: u32) -> Result<Self, Error> {
         if successes == 0 || part == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(if successes == 0 { 0 } else { 1 }));
         }
-        let [success, failure] = tried!(chances_of(part, whole));
-        Self::of((successes as u64) << 31, success, failure)
+        let [success, failure] = tried!(chances_of(part, whole, 2));
+        let places = [2, Error::NO_PLACE];
+        Self::of((successes as u64) << 31, success, failure, places)
     }
 
-    const fn of(successes: u64, success: Long, failure: Long) -> Result<Self, Error> {
+    /// With the places of a reason that lies in the probability, and of one that lies in all parameters.
+    const fn of(
+        successes: u64,
+        success: Long,
+        failure: Long,
+        [of_p, all]: [usize; 2],
+    ) -> Result<Self, Error> {
         let least = Long::of(1, 64).over(Long::of(10, 64));
         let odds = failure.over(success);
         let variance = Long::of(successes, 33).times(odds).over(success);
-        if least.exceeds(success) || variance.exceeds(Long::of(200, 64)) {
-            return Err(Error::TooLarge);
+        if least.exceeds(success) {
+            return Err(Error::TooLarge(of_p));
+        }
+        if variance.exceeds(Long::of(200, 64)) {
+            return Err(Error::TooLarge(all));
         }
         let inverse = match failure.mantissa {
             0 => NOTHING,

@@ -121,7 +121,7 @@ macro_rules! arrays {
                     Ok(cdf) => cdf,
                     Err(error) => return Err(error),
                 };
-                match Cells::new([low, high], N) {
+                match Cells::new([low, high], [1, 2], N) {
                     Ok(cells) => Ok(Self::within(cdf, cells)),
                     Err(error) => Err(error),
                 }
@@ -240,7 +240,7 @@ impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
     /// [`Error::Empty`] for bounds that are equal or so close that cells are narrower than 2⁻²⁰ of the
     /// larger bound or a density could overflow.
     pub fn from_cdf(cdf: Cdf<S>, low: f32, high: f32) -> Result<Self, Error> {
-        let cells = Cells::new([low, high], cdf.entries())?;
+        let cells = Cells::new([low, high], [1, 2], cdf.entries())?;
         Ok(Self::within(cdf, cells))
     }
 

@@ -106,10 +106,18 @@ const fn unreachable(weights: &[f32], row: usize, columns: usize) -> Error {
     Error::Unreachable(index)
 }
 
-/// The cells along both axes.
-const fn grid([u, v]: [[f32; 2]; 2], [columns, rows]: [usize; 2]) -> Result<(Cells, Cells), Error> {
-    match (Cells::new(u, columns), Cells::new(v, rows)) {
-        (Ok(columns), Ok(rows)) => match columns.check_area(&rows) {
+/// The cells along both axes. The range of the first is the parameter of that place, the other the next.
+const fn grid(
+    [u, v]: [[f32; 2]; 2],
+    place: usize,
+    [columns, rows]: [usize; 2],
+) -> Result<(Cells, Cells), Error> {
+    let next = place.wrapping_add(1);
+    match (
+        Cells::new(u, [place; 2], columns),
+        Cells::new(v, [next; 2], rows),
+    ) {
+        (Ok(columns), Ok(rows)) => match columns.check_area(&rows, next) {
             Ok(()) => Ok((columns, rows)),
             Err(error) => Err(error),
         },
@@ -168,7 +176,7 @@ macro_rules! arrays {
                 ranges: [[f32; 2]; 2],
                 zones: Zones,
             ) -> Result<Self, Error> {
-                let (columns, rows) = match grid(ranges, [U, V]) {
+                let (columns, rows) = match grid(ranges, 1, [U, V]) {
                     Ok(cells) => cells,
                     Err(error) => return Err(error),
                 };
@@ -261,10 +269,10 @@ fn plan(
     zones: Zones,
 ) -> Result<(Weights<'_>, Cells, Cells), Error> {
     if columns.checked_mul(rows) != Some(weights.len()) {
-        return Err(Error::OutOfRange);
+        return Err(Error::OutOfRange(1));
     }
     let sums = Weights::rows(weights, columns, zones)?;
-    let (column_cells, row_cells) = grid(ranges, [columns, rows])?;
+    let (column_cells, row_cells) = grid(ranges, 2, [columns, rows])?;
     Ok((sums, column_cells, row_cells))
 }
 
@@ -472,7 +480,7 @@ where
         if width.checked_mul(rows) != Some(cells) {
             return Err(Error::NotATable);
         }
-        let (columns, rows) = grid([u, v], [width, rows])?;
+        let (columns, rows) = grid([u, v], 2, [width, rows])?;
         Ok(Self {
             marginal: PiecewiseConstant1d::within(cdf, rows),
             conditional,

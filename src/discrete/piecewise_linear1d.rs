@@ -7,7 +7,7 @@ use super::selection::{Share, amount};
 use super::storage::{OwnedStorage, Storage};
 use super::weights::Weights;
 use super::word::Word;
-use crate::error::{Error, finite};
+use crate::error::Error;
 use crate::num::{Scaled, above_zero, into_unit, representable};
 use crate::tier::sqrt;
 use crate::uniform::Canonical;
@@ -92,10 +92,10 @@ pub struct PiecewiseLinear1d<S, V> {
     weights: V,
 }
 
-/// The cells between so many vertices.
-const fn between([low, high]: [f32; 2], vertices: usize) -> Result<Cells, Error> {
-    match Cells::new([low, high], vertices.saturating_sub(1)) {
-        Ok(cells) => match cells.check_steep() {
+/// The cells between so many vertices, on a range whose bounds are the parameters of these places.
+const fn between(range: [f32; 2], places: [usize; 2], vertices: usize) -> Result<Cells, Error> {
+    match Cells::new(range, places, vertices.saturating_sub(1)) {
+        Ok(cells) => match cells.check_steep(places[1]) {
             Ok(()) => Ok(cells),
             Err(error) => Err(error),
         },
@@ -113,7 +113,7 @@ macro_rules! arrays {
                     Ok(cdf) => cdf,
                     Err(error) => return Err(error),
                 };
-                match between([low, high], N) {
+                match between([low, high], [1, 2], N) {
                     Ok(cells) => Ok(Self {
                         cells: PiecewiseConstant1d::within(cdf, cells),
                         weights: *weights,
@@ -165,7 +165,7 @@ impl<'a, W: Word> PiecewiseLinear1d<&'a [W], &'a [f32]> {
         let cells = Weights::neighbours(weights)?;
         let cdf = Cdf::<&[W]>::borrowed(cells, weights.len(), memory)?;
         Ok(Self {
-            cells: PiecewiseConstant1d::within(cdf, between([low, high], weights.len())?),
+            cells: PiecewiseConstant1d::within(cdf, between([low, high], [1, 2], weights.len())?),
             weights,
         })
     }
@@ -204,7 +204,7 @@ where
         }
         let cdf = Cdf::owned(cells, weights.len())?;
         Ok(Self {
-            cells: PiecewiseConstant1d::within(cdf, between([low, high], weights.len())?),
+            cells: PiecewiseConstant1d::within(cdf, between([low, high], [1, 2], weights.len())?),
             weights: kept,
         })
     }
@@ -223,7 +223,7 @@ where
             return Err(Error::NotATable);
         }
         for (index, weight) in weights.items().iter().enumerate() {
-            if finite(*weight).is_err() {
+            if !weight.is_finite() {
                 return Err(Error::NotFiniteWeight(index));
             }
             if *weight < 0.0 {
@@ -231,7 +231,7 @@ where
             }
         }
         Ok(Self {
-            cells: PiecewiseConstant1d::within(cdf, between([low, high], count)?),
+            cells: PiecewiseConstant1d::within(cdf, between([low, high], [2, 3], count)?),
             weights,
         })
     }

@@ -112,8 +112,8 @@ impl Poisson {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] above 80.
     pub const fn new(mean: f32) -> Result<Self, Error> {
-        let mean = tried!(positive(mean));
-        Self::of(Long::of_f32(mean))
+        let mean = tried!(positive(mean, 0));
+        Self::of(Long::of_f32(mean), 0)
     }
 
     /// So many events in so many intervals, by integers alone.
@@ -122,14 +122,16 @@ impl Poisson {
     /// [`Error::NotPositive`] if one of the two is 0, [`Error::TooLarge`] for a ratio above 80.
     pub const fn from_ratio(events: u32, intervals: u32) -> Result<Self, Error> {
         if events == 0 || intervals == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(if events == 0 { 0 } else { 1 }));
         }
-        Self::of(Long::of(events as u64, 64).over(Long::of(intervals as u64, 64)))
+        let mean = Long::of(events as u64, 64).over(Long::of(intervals as u64, 64));
+        Self::of(mean, 1)
     }
 
-    const fn of(mean: Long) -> Result<Self, Error> {
+    /// Of a mean that lies in the parameters up to that place.
+    const fn of(mean: Long, place: usize) -> Result<Self, Error> {
         if mean.exceeds(Long::of(80, 64)) {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(place));
         }
         let mode = mean.whole() as usize;
         let (mut probability, mut below) = (exp_neg(mean), 0_u64);

@@ -263,7 +263,7 @@ pub fn rearrange<P: Clone>(counts: &mut [u32], particles: &mut [P]) -> Result<()
 fn total(weights: &[u32], copies: u32) -> Result<NonZeroU64, Error> {
     check_number(weights.len())?;
     if copies as usize > MAX_ENTRIES {
-        return Err(Error::TooLarge);
+        return Err(Error::TooLarge(1));
     }
     let sum = weights
         .iter()

@@ -75,7 +75,7 @@ impl<T> Reservoir<T> {
     /// # Errors
     /// [`Error::NotFinite`] and [`Error::Negative`] for the weight. The reservoir is unchanged after an error.
     pub fn offer_with(&mut self, item: T, weight: f32, bits: u64) -> Result<bool, Error> {
-        let weight = Total::of(weight)?;
+        let weight = Total::of(weight, 1)?;
         Ok(self.take(item, weight, weight, bits))
     }
 

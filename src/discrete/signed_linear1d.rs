@@ -116,7 +116,7 @@ impl<const N: usize> SignedLinear1d<N> {
             rest = others;
         }
         if sum.0 < LEAST * sum_of_sizes {
-            return Err(Error::NotNormalizable);
+            return Err(Error::NotNormalizable(0));
         }
         Ok(Self {
             sizes,

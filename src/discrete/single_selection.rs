@@ -107,8 +107,8 @@ fn pass(weights: &[f32], (word, fraction): (u32, f32), bits: u32) -> Result<Sele
 }
 
 fn weigh(index: usize, weight: f32) -> Result<Total, Error> {
-    Total::of(weight).map_err(|error| match error {
-        Error::Negative => Error::NegativeWeight(index),
+    Total::of(weight, 0).map_err(|error| match error {
+        Error::Negative(_) => Error::NegativeWeight(index),
         _ => Error::NotFiniteWeight(index),
     })
 }

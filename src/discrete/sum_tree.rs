@@ -141,7 +141,7 @@ const fn build(words: Words<'_>) -> Result<(u64, usize), Error> {
             rest = others;
         }
         if total >> bits > 0 {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(0));
         }
         let mut half = 1;
         while half < entries {
@@ -188,7 +188,7 @@ arrays! {
     /// ```
     /// use microwarp::{Error, discrete::SumTree};
     /// assert_eq!(SumTree::new([1, 3])?.pmf(1), 0.75);
-    /// assert_eq!(SumTree::new([u32::MAX, 1]), Err(Error::TooLarge));
+    /// assert_eq!(SumTree::new([u32::MAX, 1]), Err(Error::TooLarge(0)));
     /// assert!(SumTree::new_u64([u32::MAX.into(), 1]).is_ok());
     /// # Ok::<(), microwarp::Error>(())
     /// ```
@@ -237,9 +237,9 @@ impl<W: Word, S: Storage<Item = W> + AsMut<[W]>> SumTree<S> {
     /// fit the word. The tree is as it was then.
     #[inline]
     pub fn set(&mut self, index: usize, weight: W) -> Result<W, Error> {
-        let before = self.get(index).ok_or(Error::OutOfRange)?;
+        let before = self.get(index).ok_or(Error::OutOfRange(0))?;
         let others = W::low(self.total).minus(before);
-        let total = others.checked_plus(weight).ok_or(Error::TooLarge)?;
+        let total = others.checked_plus(weight).ok_or(Error::TooLarge(1))?;
         let difference = weight.minus(before);
         let (sums, mut at) = (self.sums.as_mut(), index);
         while let Some(sum) = sums.get_mut(at) {

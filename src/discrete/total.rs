@@ -25,13 +25,13 @@ impl Total {
         exponent: 0,
     };
 
-    /// A weight, exactly.
-    pub(crate) const fn of(weight: f32) -> Result<Self, Error> {
+    /// A weight, exactly. It is the parameter of that place.
+    pub(crate) const fn of(weight: f32, place: usize) -> Result<Self, Error> {
         if !weight.is_finite() {
-            return Err(Error::NotFinite);
+            return Err(Error::NotFinite(place));
         }
         if weight < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(place));
         }
         let (field, significand) = decode(weight);
         if significand == 0 {

@@ -61,9 +61,9 @@ pub struct Integral {
 
 /// Accepts a probability strictly between 0 and 1.
 const fn probability(x: f32) -> Result<f32, Error> {
-    match finite(x) {
+    match finite(x, 0) {
         Ok(x) if x > 0.0 && x < 1.0 => Ok(x),
-        Ok(_) => Err(Error::OutOfRange),
+        Ok(_) => Err(Error::OutOfRange(0)),
         Err(e) => Err(e),
     }
 }

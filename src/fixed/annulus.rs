@@ -96,7 +96,7 @@ impl<Frac: LeEqU32, G: Grade> Annulus<Frac, G> {
     /// an outer one of more than half the format's range, [`Error::Empty`] for equal radii, or radii so near each
     /// other that the density overflows.
     pub const fn new(inner: FixedI32<Frac>, outer: FixedI32<Frac>) -> Result<Self, Error> {
-        Self::of(inner, outer, 0, 0)
+        Self::of(inner, outer, 0, 0, 1)
     }
 
     /// The part of a ring from one side to another, each an azimuth in turns, counted from +x towards +y.
@@ -110,29 +110,31 @@ impl<Frac: LeEqU32, G: Grade> Annulus<Frac, G> {
     ) -> Result<Self, Error> {
         let [from, to] = sides;
         match to.to_bits().wrapping_sub(from.to_bits()) {
-            0 => Err(Error::Empty),
-            width => Self::of(inner, outer, from.to_bits(), width),
+            0 => Err(Error::Empty(2)),
+            width => Self::of(inner, outer, from.to_bits(), width, Error::NO_PLACE),
         }
     }
 
+    /// With the place of a reason that lies in all parameters.
     const fn of(
         inner: FixedI32<Frac>,
         outer: FixedI32<Frac>,
         start: u32,
         width: u32,
+        all: usize,
     ) -> Result<Self, Error> {
         let (inner, outer) = (inner.to_bits(), outer.to_bits());
         if inner < 0 || outer < 0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(if inner < 0 { 0 } else { 1 }));
         }
         if inner > outer {
-            return Err(Error::Reversed);
+            return Err(Error::Reversed(1));
         }
         if inner == outer {
-            return Err(Error::Empty);
+            return Err(Error::Empty(1));
         }
         if outer > 1 << 30 {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(1));
         }
         let (inner, outer) = (inner as u32, outer as u32);
         let steps = (outer - inner) as u64 * (outer + inner) as u64;
@@ -146,7 +148,7 @@ impl<Frac: LeEqU32, G: Grade> Annulus<Frac, G> {
         let density = PER_ANGLE.doubled().over(area);
         // 2³² or more.
         if density.exponent < -32 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(all));
         }
         let shift = ((outer - 1) | 1).leading_zeros();
         let (low, whole) = ((inner as u64) << shift, (outer as u64) << shift);

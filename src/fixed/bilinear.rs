@@ -89,7 +89,7 @@ impl<G: Grade> Bilinear<G> {
         let (a, b, c, d) = (a.to_bits(), b.to_bits(), c.to_bits(), d.to_bits());
         let any = a | b | c | d;
         if any == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(0));
         }
         let zeros = any.leading_zeros();
         let corners = [[a << zeros, b << zeros], [c << zeros, d << zeros]];

@@ -90,9 +90,9 @@ impl<G: Grade> Cone<G> {
     /// density overflows.
     pub const fn from_one_minus_cos(k: U2F62) -> Result<Self, Error> {
         match k.to_bits() {
-            0 => Err(Error::NotPositive),
-            bits if bits > 1 << 63 => Err(Error::OutOfRange),
-            bits if bits < 1 << 29 => Err(Error::Empty),
+            0 => Err(Error::NotPositive(0)),
+            bits if bits > 1 << 63 => Err(Error::OutOfRange(0)),
+            bits if bits < 1 << 29 => Err(Error::Empty(0)),
             bits => Ok(Self::of(Scaled::of(bits, 63))),
         }
     }
@@ -107,10 +107,10 @@ impl<G: Grade> Cone<G> {
         const HALF: u32 = 1 << 31;
         let bits = half_angle.to_bits();
         if bits == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(0));
         }
         if bits > HALF {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         // k/2 is sin² of half the angle; beyond a quarter of a turn, 1 − sin² of half the supplement.
         let half = if bits <= HALF >> 1 {
@@ -121,7 +121,7 @@ impl<G: Grade> Cone<G> {
             Scaled::of((1 << 63) - (square >> (fraction - 63)), 63)
         };
         if half.exponent > 33 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         Ok(Self::of(half))
     }
@@ -138,7 +138,7 @@ impl<G: Grade> Cone<G> {
     ) -> Result<Self, Error> {
         let (d, r) = (distance.to_bits() as u64, radius.to_bits() as u64);
         if r == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(1));
         }
         if d < r {
             return Ok(Self::of(Scaled::of(1 << 63, 63)));
@@ -160,7 +160,7 @@ impl<G: Grade> Cone<G> {
         let (digits, _) = quotient(square << up, divisor << down);
         let half = Scaled::of(digits as u64, 33 + up as i32 - down as i32);
         if half.exponent > 33 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(1));
         }
         Ok(Self::of(half))
     }

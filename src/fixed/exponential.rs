@@ -159,8 +159,8 @@ impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
     /// [`Error::NotPositive`] for 0, [`Error::TooLarge`] if 22.19 means overflow the format.
     pub const fn from_mean(mean: FixedU32<Frac>) -> Result<Self, Error> {
         match mean.to_bits() {
-            0 => Err(Error::NotPositive),
-            bits if bits > LARGEST => Err(Error::TooLarge),
+            0 => Err(Error::NotPositive(0)),
+            bits if bits > LARGEST => Err(Error::TooLarge(0)),
             bits => Ok(Self {
                 mean: bits,
                 height: UNIT.over(Scaled::of(bits as u64, Frac::I32)),
@@ -197,11 +197,11 @@ impl<Frac: LeEqU32, G: Grade> Exponential<Frac, G> {
 /// 1/rate, rounded to the nearest step.
 pub(super) const fn mean_of<Frac: LeEqU32>(rate: Density) -> Result<FixedU32<Frac>, Error> {
     match rate.to_bits() {
-        0 => Err(Error::NotPositive),
-        bits if bits > 1 << 63 => Err(Error::Empty),
+        0 => Err(Error::NotPositive(0)),
+        bits if bits > 1 << 63 => Err(Error::Empty(0)),
         bits => match reciprocal(32 + Frac::U32, bits) {
-            0 => Err(Error::Empty),
-            steps if steps > u32::MAX as u64 => Err(Error::TooLarge),
+            0 => Err(Error::Empty(0)),
+            steps if steps > u32::MAX as u64 => Err(Error::TooLarge(0)),
             steps => Ok(FixedU32::from_bits(steps as u32)),
         },
     }

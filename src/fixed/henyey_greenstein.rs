@@ -89,7 +89,7 @@ impl<G: Grade> HenyeyGreenstein<G> {
     pub const fn new(g: Coordinate) -> Result<Self, Error> {
         let h = g.to_bits().unsigned_abs();
         if h >= 1 << 30 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         Self::of(ONE - ((h as u64) << 33), g.to_bits() < 0)
     }
@@ -101,7 +101,7 @@ impl<G: Grade> HenyeyGreenstein<G> {
     /// overflows.
     pub const fn from_one_minus(complement: U2F62) -> Result<Self, Error> {
         match complement.to_bits() {
-            0 | ONE.. => Err(Error::OutOfRange),
+            0 | ONE.. => Err(Error::OutOfRange(0)),
             bits if bits <= ONE >> 1 => Self::of(bits << 1, false),
             bits => Self::of((ONE - bits) << 1, true),
         }
@@ -109,7 +109,7 @@ impl<G: Grade> HenyeyGreenstein<G> {
 
     const fn of(least: u64, back: bool) -> Result<Self, Error> {
         if least < ONE >> 17 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         Ok(Self {
             least,

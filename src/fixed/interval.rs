@@ -102,9 +102,9 @@ macro_rules! constructors {
                 let start = { let $x = low; $bits };
                 let end = { let $x = high; $bits };
                 if start > end {
-                    Err(Error::Reversed)
+                    Err(Error::Reversed(1))
                 } else if start == end {
-                    Err(Error::Empty)
+                    Err(Error::Empty(1))
                 } else {
                     Ok(Self::of(start as u32, end.wrapping_sub(start) as u32, $fraction))
                 }
@@ -118,7 +118,7 @@ macro_rules! constructors {
                 let start = { let $x = low; $bits };
                 let last = { let $x = last; $bits };
                 if start > last {
-                    Err(Error::Reversed)
+                    Err(Error::Reversed(1))
                 } else {
                     let count = (last.wrapping_sub(start) as u32).wrapping_add(1);
                     Ok(Self::of(start as u32, count, $fraction))

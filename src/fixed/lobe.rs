@@ -85,7 +85,7 @@ impl<G: Grade> PhongLobe<G> {
     pub const fn new(exponent: U32F32) -> Result<Self, Error> {
         let exponent = exponent.to_bits();
         if exponent > (u32::MAX as u64 - 1) << 32 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let power = Scaled::of(exponent + (1 << 32), 32);
         // 1, and whatever rounds to it, counts as the largest number below it.

@@ -208,20 +208,20 @@ impl<Frac: LeEqU32, G: Grade> NormalPair<Frac, G> {
         let [x, y] = mean;
         let (x, y, std_dev) = (x.to_bits(), y.to_bits(), std_dev.to_bits());
         if std_dev <= 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(1));
         }
         // 6.67 standard deviations, and a step for rounding.
         let reach = ((std_dev as i64 * 427) >> 6) + 1;
         let room = i32::MAX as i64 - reach;
         if std_dev >= 1 << 27 || x.unsigned_abs() as i64 > room || y.unsigned_abs() as i64 > room {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(1));
         }
         let shift = std_dev.leading_zeros();
         let inverse = UNIT.over(Scaled::of(std_dev as u64, Frac::I32));
         let peak = inverse.times(inverse).times(PER_ANGLE);
         let peak = Scaled::normal(peak.mantissa, peak.exponent);
         if peak.exponent < -32 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(1));
         }
         Ok(Self {
             mean: [x, y],

@@ -78,8 +78,8 @@ impl<Frac: LeEqU32, G: Grade> Rayleigh<Frac, G> {
     /// [`Error::NotPositive`] for 0, [`Error::TooLarge`] if 6.67σ overflows the format.
     pub const fn new(sigma: FixedU32<Frac>) -> Result<Self, Error> {
         match sigma.to_bits() {
-            0 => Err(Error::NotPositive),
-            bits if bits > LARGEST => Err(Error::TooLarge),
+            0 => Err(Error::NotPositive(0)),
+            bits if bits > LARGEST => Err(Error::TooLarge(0)),
             bits => Ok(Self {
                 sigma: bits,
                 height: UNIT.over(Scaled::of(bits as u64, Frac::I32)),

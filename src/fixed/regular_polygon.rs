@@ -48,7 +48,7 @@ use core::marker::PhantomData;
 /// assert!((x + 0.5).abs() < 2e-6 && y.abs() < 2e-6); // half-way to the fourth corner
 /// assert!(aperture.pdf([0.0, 0.86].map(I2F30::from_num)) > 0);
 /// assert_eq!(aperture.pdf([0.0, 0.87].map(I2F30::from_num)), 0);
-/// assert_eq!(mw::RegularPolygon::new(2), Err(Error::OutOfRange));
+/// assert_eq!(mw::RegularPolygon::new(2), Err(Error::OutOfRange(0)));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///
@@ -100,7 +100,7 @@ impl<G: Grade> RegularPolygon<G> {
     /// [`Error::OutOfRange`] for fewer than three.
     pub const fn new(corners: u16) -> Result<Self, Error> {
         if corners < 3 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let corners = corners as u32;
         // In Q61 and below 1, then in Q32.

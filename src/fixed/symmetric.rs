@@ -145,11 +145,11 @@ macro_rules! symmetric {
             ) -> Result<Self, Error> {
                 let (location, scale) = (location.to_bits(), scale.to_bits());
                 if scale <= 0 {
-                    return Err(Error::NotPositive);
+                    return Err(Error::NotPositive(1));
                 }
                 let reach = (scale as u64 * $reach).div_ceil(128);
                 if location.unsigned_abs() as u64 + reach > i32::MAX as u64 {
-                    return Err(Error::TooLarge);
+                    return Err(Error::TooLarge(1));
                 }
                 let $least = Scaled::of(scale as u64, Frac::I32);
                 Ok(Self {

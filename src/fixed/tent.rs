@@ -77,7 +77,7 @@ impl<Frac: LeEqU32, G: Grade> Tent<Frac, G> {
     pub const fn new(radius: FixedI32<Frac>) -> Result<Self, Error> {
         let radius = radius.to_bits();
         if radius <= 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(0));
         }
         let radius = radius as u32;
         Ok(Self {

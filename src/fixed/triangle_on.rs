@@ -86,14 +86,14 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
         {
             let [least, _, most] = sorted(row);
             if most - least > i32::MAX as i64 {
-                return Err(Error::TooLarge);
+                return Err(Error::TooLarge(0));
             }
             *slot = least as i32;
             (rest, slots) = (others, later);
         }
         let (axes, largest) = largest(vertices);
         if largest == 0 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         // Twice the area is the root of the sum of the squares of all minors. Of 48 bits each, 2³¹ of them fit.
         let (root, fraction) = if D > 2 {
@@ -108,7 +108,7 @@ impl<Frac: LeEqU32, const D: usize, G: Grade> TriangleOn<Frac, D, G> {
         let height = UNIT.over(Scaled::of(root, 2 * Frac::I32 + 1 + fraction));
         // 2³² or more.
         if height.exponent < -32 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         Ok(Self {
             vertices: [a, b, c],

@@ -93,7 +93,7 @@ impl<Frac: LeEqU32, G: Grade> TruncatedExponential<Frac, G> {
     pub const fn from_mean(mean: FixedU32<Frac>, length: FixedU32<Frac>) -> Result<Self, Error> {
         let (mean, length) = (mean.to_bits(), length.to_bits());
         if mean == 0 || length == 0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(if mean == 0 { 0 } else { 1 }));
         }
         let z = ratio(length, mean);
         // The mass is the reciprocal of the height: the part of the length, or of the mean, that truncation leaves.

@@ -37,7 +37,7 @@ use crate::tier::sqrt;
 /// for _ in 0..10_000 {
 ///     health.push(chain.step(f, &step, &mut rng).state());
 /// }
-/// let time = health.integrated_time().ok_or(microwarp::Error::OutOfRange)?;
+/// let time = health.integrated_time().ok_or(microwarp::Error::OutOfRange(0))?;
 /// assert!(time > 2.0 && time < 20.0);
 /// # Ok::<(), microwarp::Error>(())
 /// ```

@@ -86,7 +86,7 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
     #[inline]
     pub fn new(start: X, target: impl FnOnce(X) -> D) -> Result<Self, Error> {
         let density = target(start);
-        density.positive()?;
+        density.positive(1)?;
         Ok(Self::at(start, density))
     }
 
@@ -195,14 +195,14 @@ impl<X: Copy, D: TargetValue> Chain<X, D> {
     #[inline]
     pub fn resume(saved: Saved<X, D>) -> Result<Self, Error> {
         let Some(stayed) = saved.steps.checked_sub(saved.accepted) else {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         };
         // All of them are counts of the same steps until their number saturates.
         let counted = saved.steps < u64::MAX;
         if counted && (saved.refused > stayed || u64::from(saved.rejected_in_a_row) > stayed) {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
-        saved.density.positive()?;
+        saved.density.positive(0)?;
         Ok(Self { at: saved })
     }
 }

@@ -98,8 +98,8 @@ impl Weighing for u32 {
     }
 
     #[inline]
-    fn fault(self) -> Error {
-        Error::NotPositive
+    fn fault(self, place: usize) -> Error {
+        Error::NotPositive(place)
     }
 }
 

@@ -94,14 +94,14 @@ impl<'a, C: AsRef<[f32]>> Draws<'a, C> {
     pub fn new(chains: &'a [C], scratch: &'a mut [f32]) -> Result<Self, Error> {
         let each = chains.first().map_or(0, |chain| chain.as_ref().len());
         if each < 4 || chains.iter().any(|chain| chain.as_ref().len() != each) {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         for &x in chains.iter().flat_map(AsRef::as_ref) {
-            finite(x)?;
+            finite(x, 0)?;
         }
         let draws = each.saturating_mul(chains.len());
         if scratch.len() < draws.saturating_mul(2) {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(1));
         }
         Ok(Self { chains, scratch })
     }

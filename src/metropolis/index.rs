@@ -43,7 +43,7 @@ impl UniformIndex {
         if count > 0 {
             Ok(Self { count })
         } else {
-            Err(Error::NotPositive)
+            Err(Error::NotPositive(0))
         }
     }
 

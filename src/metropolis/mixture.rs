@@ -195,7 +195,7 @@ impl<S> LargeSmall<S> {
         S: Copy,
     {
         if !(probability >= 0.0 && probability <= 1.0) {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         // Built by hand, so that the program needs no code that builds tables.
         let words = if probability < 1.0 {

@@ -91,8 +91,8 @@ impl<D: TargetValue, P: Copy> Weighing for WithPayload<D, P> {
     }
 
     #[inline]
-    fn fault(self) -> Error {
-        self.density.fault()
+    fn fault(self, place: usize) -> Error {
+        self.density.fault(place)
     }
 }
 

@@ -40,15 +40,15 @@ fn signed(word: u32) -> (f32, f32) {
 fn checked<X: Coordinates>(widths: X) -> Result<X, Error> {
     let mut some = false;
     for &width in widths.as_slice() {
-        if finite(width)? < 0.0 {
-            return Err(Error::Negative);
+        if finite(width, 0)? < 0.0 {
+            return Err(Error::Negative(0));
         }
         some |= width > 0.0;
     }
     if some {
         Ok(widths)
     } else {
-        Err(Error::NotPositive)
+        Err(Error::NotPositive(0))
     }
 }
 
@@ -184,7 +184,7 @@ impl<X: Coordinates, T: Tier> NormalStep<X, T> {
     pub fn new(std_devs: X) -> Result<Self, Error> {
         let std_devs = checked(std_devs)?;
         if std_devs.as_slice().iter().any(|&x| x > 6e37) {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(0));
         }
         Ok(Self {
             std_devs,
@@ -269,8 +269,8 @@ impl<T: Tier> LogUniformStep<T> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Reversed`] if `smallest` is above `largest`.
     pub fn new(smallest: f32, largest: f32) -> Result<Self, Error> {
-        if positive(smallest)? > positive(largest)? {
-            return Err(Error::Reversed);
+        if positive(smallest, 0)? > positive(largest, 1)? {
+            return Err(Error::Reversed(1));
         }
         let (span, span_rest) = ln_ratio::<T>(smallest, largest);
         Ok(Self {

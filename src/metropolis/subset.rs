@@ -50,17 +50,17 @@ impl<M, const K: usize, const D: usize> Subset<M, K, D> {
             let mut later = others;
             while let Some((&other, beyond)) = later.split_first() {
                 if other == axis {
-                    return Err(Error::OutOfRange);
+                    return Err(Error::OutOfRange(1));
                 }
                 later = beyond;
             }
             if axis >= D {
-                return Err(Error::OutOfRange);
+                return Err(Error::OutOfRange(1));
             }
             rest = others;
         }
         if K == 0 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(1));
         }
         Ok(Self { mutation, axes })
     }

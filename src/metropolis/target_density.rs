@@ -45,11 +45,11 @@ impl Weighing for f32 {
     }
 
     #[inline]
-    fn fault(self) -> Error {
+    fn fault(self, place: usize) -> Error {
         if self.is_finite() {
-            Error::Negative
+            Error::Negative(place)
         } else {
-            Error::NotFinite
+            Error::NotFinite(place)
         }
     }
 }
@@ -177,8 +177,8 @@ impl<T: Tier> Weighing for LogDensity<T> {
     }
 
     #[inline]
-    fn fault(self) -> Error {
-        Error::NotFinite
+    fn fault(self, place: usize) -> Error {
+        Error::NotFinite(place)
     }
 }
 

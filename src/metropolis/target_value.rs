@@ -9,17 +9,18 @@ mod sealed {
 
     pub trait Weighing: Copy {
         fn standing(self) -> Standing;
-        /// Accepts only a weight at which a chain can be, and says what is wrong with any other.
+        /// Accepts only a weight at which a chain can be, and says what is wrong with any other. It comes from the parameter of
+        /// that place.
         #[inline]
-        fn positive(self) -> Result<(), Error> {
+        fn positive(self, place: usize) -> Result<(), Error> {
             match self.standing() {
                 Standing::Positive => Ok(()),
-                Standing::Zero => Err(Error::NotPositive),
-                Standing::Unsound => Err(self.fault()),
+                Standing::Zero => Err(Error::NotPositive(place)),
+                Standing::Unsound => Err(self.fault(place)),
             }
         }
         /// The error for an unsound weight.
-        fn fault(self) -> Error;
+        fn fault(self, place: usize) -> Error;
     }
 }
 pub(super) use sealed::Weighing;

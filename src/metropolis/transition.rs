@@ -19,7 +19,7 @@ pub enum Outcome {
     /// use microwarp::metropolis::{Chain, Outcome, UniformStep};
     /// use rand_pcg::Pcg32;
     /// let spike = |x: f32| if x < 0.01 { 1e6 } else { 1.0 };
-    /// let limit = NonZeroU32::new(100).ok_or(microwarp::Error::NotPositive)?;
+    /// let limit = NonZeroU32::new(100).ok_or(microwarp::Error::NotPositive(0))?;
     /// let (mut chain, mut rng) = (Chain::new(0.0, spike)?, Pcg32::new(1, 1));
     /// let mut forced = 0;
     /// for _ in 0..10_000 {

@@ -91,8 +91,8 @@ impl<X: Coordinates, M: Mutation<X> + Scalable, D: TargetDensity> Tuning<X, M, D
     /// # Errors
     /// [`Error::NotFinite`] and [`Error::NotPositive`] for the share, and [`Error::OutOfRange`] if it is not below 1.
     pub fn new(mut chain: Chain<X, D>, mutation: M, goal: f32) -> Result<Self, Error> {
-        if positive(goal)? >= 1.0 {
-            return Err(Error::OutOfRange);
+        if positive(goal, 2)? >= 1.0 {
+            return Err(Error::OutOfRange(2));
         }
         chain.reset_counts();
         Ok(Self {

@@ -39,12 +39,12 @@ impl Segment {
 }
 
 /// Refuses bounds that are not finite or not in order. Returns a scale, which is 1, or 1/2 where the length would
-/// overflow; and the length times that scale.
-pub(crate) const fn extent(a: f32, b: f32) -> Result<(f32, f32), Error> {
-    tried!(finite(a));
-    tried!(finite(b));
+/// overflow; and the length times that scale. The bounds are the parameters of these places.
+pub(crate) const fn extent([a, b]: [f32; 2], places: [usize; 2]) -> Result<(f32, f32), Error> {
+    tried!(finite(a, places[0]));
+    tried!(finite(b, places[1]));
     if a > b {
-        return Err(Error::Reversed);
+        return Err(Error::Reversed(places[1]));
     }
     let scale = if (b - a).is_finite() { 1.0 } else { 0.5 };
     Ok((scale, b * scale - a * scale))

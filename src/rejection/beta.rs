@@ -1,5 +1,6 @@
 //! The beta distribution.
 
+use super::gamma_tries::is_shape;
 use super::{Accepted, Dirichlet, Failure, Rejection};
 use crate::error::{Error, tried};
 use crate::tier::Tier;
@@ -63,7 +64,9 @@ impl<T: Tier> Beta<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] for a shape
     /// below 1e-30 or above 1e6.
     pub const fn new(a: f32, b: f32) -> Result<Self, Error> {
-        let shares = tried!(Dirichlet::new([a, b]));
+        // Both are one parameter there.
+        let place = if is_shape(a) { 1 } else { 0 };
+        let shares = tried!(Dirichlet::new([a, b]), at place);
         Ok(Self { shares })
     }
 

@@ -91,8 +91,8 @@ impl<T: Tier> BinomialRejection<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::OutOfRange`] for p outside [0, 1] and for a variance np(1 − p)
     /// below 10.
     pub fn new(trials: u32, p: f32) -> Result<Self, Error> {
-        if !(0.0..=1.0).contains(&finite(p)?) {
-            return Err(Error::OutOfRange);
+        if !(0.0..=1.0).contains(&finite(p, 1)?) {
+            return Err(Error::OutOfRange(1));
         }
         let turned = p > 0.5;
         // Exact, from 1/2 up.
@@ -100,7 +100,7 @@ impl<T: Tier> BinomialRejection<T> {
         let n = trials as f32;
         let variance = n * rare * (1.0 - rare);
         if variance < 10.0 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(1));
         }
         // The variance is at least 10, so that p is at least 2^-29 and its digits lie above 2^-52.
         let digits = (rare * power_of_two(52)) as u64;

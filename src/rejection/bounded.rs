@@ -80,7 +80,7 @@ where
         Ok(Self {
             proposal,
             density,
-            bound: positive(bound)?,
+            bound: positive(bound, 2)?,
             budget: DEFAULT_BUDGET,
         })
     }

@@ -113,10 +113,10 @@ impl<T: Tier> Gamma<T> {
     /// below 1e-30 or above 1e6, [`Error::Empty`] for a scale below 2⁻¹²⁵, [`Error::TooLarge`] if a number could overflow.
     pub const fn new(shape: f32, scale: f32) -> Result<Self, Error> {
         let tries = tried!(Tries::new(shape));
-        if tried!(positive(scale)) < 2.0 * f32::MIN_POSITIVE {
-            Err(Error::Empty)
+        if tried!(positive(scale, 1)) < 2.0 * f32::MIN_POSITIVE {
+            Err(Error::Empty(1))
         } else if !(tries.largest() * scale).is_finite() {
-            Err(Error::TooLarge)
+            Err(Error::TooLarge(1))
         } else {
             let (bits, rest) = Scaled::of(scale).log2();
             Ok(Self {

@@ -10,6 +10,11 @@ use core::f32::consts::LN_2;
 /// The smallest and the largest shape.
 pub(super) const SHAPES: (f32, f32) = (1e-30, 1e6);
 
+/// Whether this is an accepted shape.
+pub(super) const fn is_shape(shape: f32) -> bool {
+    shape >= SHAPES.0 && shape <= SHAPES.1
+}
+
 /// The largest |Φ⁻¹| of a word, and what rounding may add.
 const REACH: f32 = 6.35;
 
@@ -85,9 +90,9 @@ impl Tries {
     /// Refuses what is not a shape from 1e-30 to 1e6.
     pub(super) const fn new(shape: f32) -> Result<Self, Error> {
         const THIRD: f32 = (1.0 / 3.0_f64) as f32;
-        tried!(positive(shape));
-        if shape < SHAPES.0 || shape > SHAPES.1 {
-            return Err(Error::OutOfRange);
+        tried!(positive(shape, 0));
+        if !is_shape(shape) {
+            return Err(Error::OutOfRange(0));
         }
         let depth = if shape < 1.0 {
             shape + 2.0 * THIRD

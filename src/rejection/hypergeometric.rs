@@ -95,7 +95,7 @@ impl<T: Tier> HypergeometricRejection<T> {
             population.checked_sub(marked),
             population.checked_sub(drawn),
         ) else {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(if marked > population { 1 } else { 2 }));
         };
         let all = population as f32;
         let mean = |a: u32, b: u32| u64::from(a).wrapping_mul(b.into()) as f32 / all;
@@ -109,7 +109,7 @@ impl<T: Tier> HypergeometricRejection<T> {
         let variance = both * (neither / population.saturating_sub(1) as f32);
         // Of fewer it is NaN, and of 160 it first reaches 10.
         if population < 2 || variance < 10.0 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(Error::NO_PLACE));
         }
         let product = u64::from(marked).wrapping_mul(drawn.into());
         let whole = product.checked_div(population.into()).unwrap_or(0);

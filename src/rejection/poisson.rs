@@ -92,8 +92,8 @@ impl<T: Tier> PoissonRejection<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::OutOfRange`] for means out of range.
     pub fn new(mean: f32) -> Result<Self, Error> {
-        if !(10.0..=1_048_576.0).contains(&finite(mean)?) {
-            return Err(Error::OutOfRange);
+        if !(10.0..=1_048_576.0).contains(&finite(mean, 0)?) {
+            return Err(Error::OutOfRange(0));
         }
         // The hat covers the distribution of every mean: with Hörmann's constants it is up to 0.6 % too low above the mean, where
         // the probability of acceptance would have to exceed 1. The nearest it comes is a factor of 1.0001.

@@ -131,12 +131,15 @@ impl<T: Tier> VonMises<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] for a concentration below 0, [`Error::OutOfRange`] for one
     /// beside 0 that is not from 1e-30 to 1e30, and for a mean beyond 2π either way.
     pub fn new(mean: f32, concentration: f32) -> Result<Self, Error> {
-        let (mean, k) = (finite(mean)?, finite(concentration)?);
+        let (mean, k) = (finite(mean, 0)?, finite(concentration, 1)?);
         if k < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(1));
         }
-        if mean.abs() > TAU || !(k == 0.0 || (1.0e-30..=1.0e30).contains(&k)) {
-            return Err(Error::OutOfRange);
+        if mean.abs() > TAU {
+            return Err(Error::OutOfRange(0));
+        }
+        if !(k == 0.0 || (1.0e-30..=1.0e30).contains(&k)) {
+            return Err(Error::OutOfRange(1));
         }
         let twice = 2.0 * k;
         // The 1 is lost in the root beyond, where the square would overflow.

@@ -86,13 +86,13 @@ impl Chance {
         // By its bits, so that a core without an FPU links no routine for floats.
         let bits = p.to_bits() & 0x7fff_ffff;
         if bits >= f32::INFINITY.to_bits() {
-            return Err(Error::NotFinite);
+            return Err(Error::NotFinite(0));
         }
         if p.to_bits() > 1 << 31 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(0));
         }
         if bits > ONE {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let (field, digits) = match bits >> 23 {
             0 => (1, bits as u64),
@@ -116,9 +116,9 @@ impl Chance {
     /// [`Error::NotPositive`] for 0 in all, [`Error::OutOfRange`] for more than all.
     pub const fn from_ratio(part: u32, all: u32) -> Result<Self, Error> {
         if all == 0 {
-            Err(Error::NotPositive)
+            Err(Error::NotPositive(1))
         } else if part > all {
-            Err(Error::OutOfRange)
+            Err(Error::OutOfRange(1))
         } else {
             Ok(Self::of(part as u64, all as u64))
         }

@@ -62,7 +62,9 @@ pub fn try_choose<'a, T, R: TryRng + ?Sized>(
     if let Err(refused) = done {
         return Ok(Err(refused));
     }
-    Ok(items.split_at_mut_checked(count).ok_or(Error::OutOfRange))
+    Ok(items
+        .split_at_mut_checked(count)
+        .ok_or(Error::OutOfRange(1)))
 }
 
 /// [`choose`] from what is no slice: moves `chosen` of `count` items to the front, where `swap(i, j)` exchanges items i and j, i < j.
@@ -101,7 +103,7 @@ pub fn try_choose_with<R: TryRng + ?Sized>(
     swap: impl FnMut(usize, usize),
 ) -> Result<Result<(), Error>, R::Error> {
     if chosen > count {
-        return Ok(Err(Error::OutOfRange));
+        return Ok(Err(Error::OutOfRange(1)));
     }
     first_places(count, chosen, rng, swap).map(Ok)
 }
@@ -154,7 +156,7 @@ impl ChoiceInOrder {
     /// [`Error::OutOfRange`] for more than there are.
     pub const fn new(chosen: u32, count: u32) -> Result<Self, Error> {
         if chosen > count {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(1));
         }
         Ok(Self {
             wanted: chosen,

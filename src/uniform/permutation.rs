@@ -75,7 +75,7 @@ impl Permutation {
     /// [`Error::Empty`] for 0.
     pub const fn new(count: u32, seed: u32) -> Result<Self, Error> {
         if count == 0 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         let key = keyed(seed, 0);
         let mut keys = [[0; 2]; ROUNDS];

@@ -194,9 +194,9 @@ pub(super) const fn keyed(key: u32, number: u32) -> u32 {
 /// The hashes of a seed, one for each dimension of a set.
 const fn hashes<const D: usize>(seed: u32) -> Result<[u32; D], Error> {
     match D {
-        0 => return Err(Error::Empty),
+        0 => return Err(Error::Empty(Error::NO_PLACE)),
         1..=MAX_DIMENSIONS => {}
-        _ => return Err(Error::TooLarge),
+        _ => return Err(Error::TooLarge(Error::NO_PLACE)),
     }
     let key = keyed(seed, 0);
     let mut hashes = [0; D];

@@ -73,7 +73,7 @@ impl Range<u32> {
     pub const fn below(n: u32) -> Result<Self, Error> {
         match n.checked_sub(1) {
             Some(last) => Self::new(0, last),
-            None => Err(Error::Empty),
+            None => Err(Error::Empty(0)),
         }
     }
 }
@@ -117,7 +117,7 @@ macro_rules! integers {
                 if low <= high {
                     Ok(Self { low, high })
                 } else {
-                    Err(Error::Empty)
+                    Err(Error::Empty(1))
                 }
             }
 

@@ -53,9 +53,9 @@ impl Strata1d {
     /// [`Error::Empty`] for 0, [`Error::TooLarge`] above [`MAX_STRATA`].
     pub const fn new(count: u32) -> Result<Self, Error> {
         match count {
-            0 => Err(Error::Empty),
+            0 => Err(Error::Empty(0)),
             1..=MAX_STRATA => Ok(Self { count }),
-            _ => Err(Error::TooLarge),
+            _ => Err(Error::TooLarge(0)),
         }
     }
 
@@ -156,8 +156,9 @@ impl Strata2d {
             columns.checked_mul(rows),
         ) {
             (Ok(columns), Ok(rows), Some(_)) => Ok(Self { columns, rows }),
-            (Err(e), _, _) | (_, Err(e), _) => Err(e),
-            _ => Err(Error::TooLarge),
+            (Err(e), _, _) => Err(e),
+            (_, Err(e), _) => Err(e.at(1)),
+            _ => Err(Error::TooLarge(1)),
         }
     }
 

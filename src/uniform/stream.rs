@@ -55,7 +55,7 @@ impl ChoiceOfStream {
     /// [`Error::Empty`] for none.
     pub const fn new(places: u32) -> Result<Self, Error> {
         if places == 0 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         Ok(Self { places, seen: 0 })
     }

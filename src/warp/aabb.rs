@@ -95,11 +95,11 @@ impl<const N: usize> Aabb<N> {
             .raised(exponent.wrapping_neg())
             .value();
         if density > f32::MAX {
-            Err(Error::Empty)
+            Err(Error::Empty(1))
         } else if density >= f32::MIN_POSITIVE {
             Ok(Self { sides, density })
         } else {
-            Err(Error::TooLarge)
+            Err(Error::TooLarge(1))
         }
     }
 

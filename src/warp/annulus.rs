@@ -103,7 +103,7 @@ impl<T: Tier> Annulus<T> {
     /// # Errors
     /// Those of [`Annulus::sector`].
     pub const fn new(inner: f32, outer: f32) -> Result<Self, Error> {
-        Self::sector(inner, outer, 0.0, 1.0)
+        Self::of([inner, outer], [0.0, 1.0], 1)
     }
 
     /// The part of a ring between two azimuths in turns, counted from +x towards +y.
@@ -119,20 +119,29 @@ impl<T: Tier> Annulus<T> {
         from_turns: f32,
         to_turns: f32,
     ) -> Result<Self, Error> {
-        tried!(finite(inner));
-        tried!(finite(outer));
-        tried!(finite(from_turns));
-        tried!(finite(to_turns));
+        Self::of([inner, outer], [from_turns, to_turns], Error::NO_PLACE)
+    }
+
+    /// With the place of a reason that lies in all.
+    const fn of(
+        [inner, outer]: [f32; 2],
+        [from_turns, to_turns]: [f32; 2],
+        all: usize,
+    ) -> Result<Self, Error> {
+        tried!(finite(inner, 0));
+        tried!(finite(outer, 1));
+        tried!(finite(from_turns, 2));
+        tried!(finite(to_turns, 3));
         if inner < 0.0 || outer < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(if inner < 0.0 { 0 } else { 1 }));
         }
         if inner > outer || from_turns > to_turns {
-            return Err(Error::Reversed);
+            return Err(Error::Reversed(if inner > outer { 1 } else { 3 }));
         }
-        let azimuths = tried!(Azimuths::new(from_turns, to_turns));
+        let azimuths = tried!(Azimuths::new([from_turns, to_turns], [2, 3]));
         let (width, rest) = azimuths.width();
         if inner >= outer || width <= 0.0 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(if inner >= outer { 1 } else { 3 }));
         }
         let (high, exponent) = Scaled::of(outer).parts();
         let low = if inner > 0.0 {
@@ -149,10 +158,10 @@ impl<T: Tier> Annulus<T> {
         );
         let density = density.raised(exponent.wrapping_mul(-2)).value();
         if density > f32::MAX {
-            return Err(Error::Empty);
+            return Err(Error::Empty(all));
         }
         if density < f32::MIN_POSITIVE {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(all));
         }
         Ok(Self {
             inner,

@@ -88,16 +88,16 @@ impl Bilinear {
     /// are 0.
     pub const fn new(weights: [[f32; 2]; 2]) -> Result<Self, Error> {
         let [[a, b], [c, d]] = weights;
-        tried!(finite(a));
-        tried!(finite(b));
-        tried!(finite(c));
-        tried!(finite(d));
+        tried!(finite(a, 0));
+        tried!(finite(b, 0));
+        tried!(finite(c, 0));
+        tried!(finite(d, 0));
         if a < 0.0 || b < 0.0 || c < 0.0 || d < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(0));
         }
         let largest = larger([larger([a, b]), larger([c, d])]);
         if largest == 0.0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(0));
         }
         let lift = 127_i32.wrapping_sub(Scaled::of(largest).parts().1);
         let corners = [

@@ -137,8 +137,9 @@ impl BoxSurface {
     /// density is below the smallest normal number.
     pub fn new(low: [f32; 3], high: [f32; 3]) -> Result<Self, Error> {
         let ([a, b, c], [d, e, f]) = (low, high);
-        let [x, y, z] = [extent(a, d)?, extent(b, e)?, extent(c, f)?]
-            .map(|(scale, length)| Some(scaled(length)?.over(Scaled::of(scale))));
+        let [x, y, z] = [[a, d], [b, e], [c, f]].map(|side| extent(side, [0, 1]));
+        let [x, y, z] =
+            [x?, y?, z?].map(|(scale, length)| Some(scaled(length)?.over(Scaled::of(scale))));
         // Of both faces of each pair.
         let ([p, q, r], sum, density) = parts([area(y, z), area(z, x), area(x, y)], 2.0)?;
         let (mut first, mut second, mut third) = ((p, Axis::X), (q, Axis::Y), (r, Axis::Z));

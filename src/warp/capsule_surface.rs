@@ -99,13 +99,13 @@ impl<T: Tier> CapsuleSurface<T> {
     /// of 0 or less. [`Error::Empty`] where the density overflows, [`Error::TooLarge`] where it is below the smallest normal
     /// number, or where h + 2r overflows.
     pub fn new(height: f32, radius: f32) -> Result<Self, Error> {
-        if finite(height)? < 0.0 {
-            return Err(Error::Negative);
+        if finite(height, 0)? < 0.0 {
+            return Err(Error::Negative(0));
         }
-        positive(radius)?;
+        positive(radius, 1)?;
         let whole = height + 2.0 * radius;
         if !whole.is_finite() {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(1));
         }
         let (_, _, density) = parts([area(scaled(radius), scaled(whole)), None, None], TAU)?;
         Ok(Self {

@@ -101,9 +101,9 @@ impl<T: Tier> Cone<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::OutOfRange`] above 2, [`Error::Empty`] below the smallest normal `f32`.
     pub const fn from_one_minus_cos(k: f32) -> Result<Self, Error> {
-        match positive(k) {
-            Ok(k) if k > 2.0 => Err(Error::OutOfRange),
-            Ok(k) if k < f32::MIN_POSITIVE => Err(Error::Empty),
+        match positive(k, 0) {
+            Ok(k) if k > 2.0 => Err(Error::OutOfRange(0)),
+            Ok(k) if k < f32::MIN_POSITIVE => Err(Error::Empty(0)),
             Ok(k) => Ok(Self::of(k)),
             Err(e) => Err(e),
         }
@@ -124,9 +124,9 @@ impl<T: Tier> Cone<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::OutOfRange`] above π, [`Error::Empty`] below about 1.6e-19 rad.
     pub fn from_radians(half_angle: f32) -> Result<Self, Error> {
-        let half_angle = positive(half_angle)?;
+        let half_angle = positive(half_angle, 0)?;
         if half_angle > PI {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let k = one_minus_cos_radians::<T>(half_angle);
         let mut cone = Self::from_one_minus_cos(if k > 2.0 { 2.0 } else { k })?;
@@ -142,9 +142,9 @@ impl<T: Tier> Cone<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::OutOfRange`] above 1, [`Error::Empty`] below 1.6e-19.
     pub fn from_sine(sine: f32) -> Result<Self, Error> {
-        let sine = positive(sine)?;
+        let sine = positive(sine, 0)?;
         if sine > 1.0 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let cos = sqrt((1.0 - sine) * (1.0 + sine));
         Self::from_one_minus_cos(sine * sine / (1.0 + cos))

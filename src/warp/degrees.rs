@@ -34,12 +34,12 @@ const fn root(x: Scaled) -> f32 {
 impl Degrees {
     /// With a bound on how far a sample lies from its location in units of the scale.
     pub(super) const fn new(count: f32) -> Result<(Self, f32), Error> {
-        let inverse = reciprocal(tried!(positive(count)));
+        let inverse = reciprocal(tried!(positive(count, 0)));
         // ν(4^y − 1) is at most 2 ln 2 νy 4^y, where y = 33.01/ν. Beyond the largest float the sample's own power could leave
         // the range.
         let reach = Scaled::of(6.8).times_power((33.01, 0.0), inverse).value();
         if !reach.is_finite() {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(0));
         }
         let high = head(inverse.0);
         let made = Self {

@@ -48,17 +48,17 @@ pub(crate) fn azimuth<T: Tier>(x: f32, y: f32) -> f32 {
     into_unit(if turns < 0.0 { turns + 1.0 } else { turns })
 }
 
-/// The unit vector along a direction of any finite length.
-pub(crate) fn normalised(direction: [f32; 3]) -> Result<[f32; 3], Error> {
+/// The unit vector along a direction of any finite length, the parameter of that place.
+pub(crate) fn normalised(direction: [f32; 3], place: usize) -> Result<[f32; 3], Error> {
     for c in &direction {
-        finite(*c)?;
+        finite(*c, place)?;
     }
     let (_, point) = scaled(direction);
     let length = length(point);
     if length > 0.0 {
         Ok(point.map(|c| c / length))
     } else {
-        Err(Error::ZeroLength)
+        Err(Error::ZeroLength(place))
     }
 }
 
@@ -88,11 +88,15 @@ pub(crate) struct Azimuths {
 }
 
 impl Azimuths {
-    /// From one finite azimuth to another that is not below it. A width that rounds to 1 is a whole turn.
-    pub(crate) const fn new(from: f32, to: f32) -> Result<Self, Error> {
+    /// From one finite azimuth to another that is not below it, the parameters of these places. A width that rounds to 1
+    /// is a whole turn.
+    pub(crate) const fn new([from, to]: [f32; 2], places: [usize; 2]) -> Result<Self, Error> {
         let (width, rest) = two_sum(to, -from);
-        if from < -1.0 || from > 1.0 || width > 1.0 {
-            return Err(Error::OutOfRange);
+        if from < -1.0 || from > 1.0 {
+            return Err(Error::OutOfRange(places[0]));
+        }
+        if width > 1.0 {
+            return Err(Error::OutOfRange(places[1]));
         }
         Ok(Self {
             start: from,

@@ -123,25 +123,31 @@ impl<T: Tier> EquiAngular<T> {
     /// 0, [`Error::OutOfRange`] for one above 0 and below 2⁻⁴⁰, [`Error::NotNormalizable`] for a light on the segment,
     /// or on its line and less than 2⁻⁴⁰ away.
     pub fn new(distance: f32, low: f32, high: f32) -> Result<Self, Error> {
-        let (d, a, b) = (finite(distance)?, finite(low)?, finite(high)?);
+        let (d, a, b) = (finite(distance, 0)?, finite(low, 1)?, finite(high, 2)?);
         if d < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(0));
         }
         if a > b {
-            return Err(Error::Reversed);
+            return Err(Error::Reversed(2));
         }
         if d > LONG || a < -LONG || b > LONG {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(if d > LONG {
+                0
+            } else if a < -LONG {
+                1
+            } else {
+                2
+            }));
         }
         let (extent, lost) = two_sum(b, -a);
         if extent < SHORT {
-            return Err(Error::Empty);
+            return Err(Error::Empty(2));
         }
         if d == 0.0 && a < SHORT && b > -SHORT {
-            return Err(Error::NotNormalizable);
+            return Err(Error::NotNormalizable(Error::NO_PLACE));
         }
         if d > 0.0 && d < SHORT {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let passed = a < 0.0 && b > 0.0;
         let side = |end: f32| Side {

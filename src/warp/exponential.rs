@@ -12,16 +12,16 @@ use rand_core::TryRng;
 const MIN_RATE: f32 = 104.0 / f32::MAX;
 
 const fn checked_rate(rate: f32) -> Result<f32, Error> {
-    match positive(rate) {
-        Ok(rate) if rate < MIN_RATE => Err(Error::TooLarge),
+    match positive(rate, 0) {
+        Ok(rate) if rate < MIN_RATE => Err(Error::TooLarge(0)),
         other => other,
     }
 }
 
 const fn rate_of_mean(mean: f32) -> Result<f32, Error> {
-    match positive(mean) {
+    match positive(mean, 0) {
         Ok(mean) if (1.0 / mean).is_finite() => Ok(1.0 / mean),
-        Ok(_) => Err(Error::Empty),
+        Ok(_) => Err(Error::Empty(0)),
         Err(e) => Err(e),
     }
 }

@@ -50,7 +50,7 @@ impl Frame {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::ZeroLength`] for a normal of length 0.
     pub fn new(normal: [f32; 3]) -> Result<Self, Error> {
-        Ok(Self::about(normalised(normal)?))
+        Ok(Self::about(normalised(normal, 0)?))
     }
 
     /// The frame of a normal whose length is 1 but for rounding.

@@ -127,14 +127,14 @@ impl<T: Tier> FrustumSurface<T> {
     }
 
     fn with([lower, upper]: [f32; 2], height: f32, closed: bool) -> Result<Self, Error> {
-        for &x in &[lower, upper, height] {
-            if finite(x)? < 0.0 {
-                return Err(Error::Negative);
+        for (x, place) in [(lower, 0), (upper, 0), (height, 1)] {
+            if finite(x, place)? < 0.0 {
+                return Err(Error::Negative(place));
             }
         }
         let sum = lower + upper;
         if !sum.is_finite() {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(0));
         }
         let (length, long) = hypotenuse(lower - upper, height);
         let side = scaled(length).map(|length| length.times(Scaled::of(long)));

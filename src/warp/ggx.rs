@@ -17,15 +17,18 @@ use core::marker::PhantomData;
 const SMOOTHEST: f32 = 1e-4;
 const ROUGHEST: f32 = 1.0;
 
-const fn checked_alpha(alpha: f32) -> Result<f32, Error> {
-    match positive(alpha) {
-        Ok(alpha) if alpha < SMOOTHEST || alpha > ROUGHEST => Err(Error::OutOfRange),
+const fn checked_alpha(alpha: f32, place: usize) -> Result<f32, Error> {
+    match positive(alpha, place) {
+        Ok(alpha) if alpha < SMOOTHEST || alpha > ROUGHEST => Err(Error::OutOfRange(place)),
         other => other,
     }
 }
 
-const fn checked_alphas([x, y]: [f32; 2]) -> Result<[f32; 2], Error> {
-    Ok([tried!(checked_alpha(x)), tried!(checked_alpha(y))])
+const fn checked_alphas([x, y]: [f32; 2], place: usize) -> Result<[f32; 2], Error> {
+    Ok([
+        tried!(checked_alpha(x, place)),
+        tried!(checked_alpha(y, place)),
+    ])
 }
 
 /// (x/αx)² + (y/αy)² and z², whose sum is 1/√(π αx αy D).
@@ -133,7 +136,7 @@ impl<T: Tier> Ggx<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] below 1e-4
     /// and above 1.
     pub const fn new(alpha: [f32; 2]) -> Result<Self, Error> {
-        let alpha = tried!(checked_alphas(alpha));
+        let alpha = tried!(checked_alphas(alpha, 0));
         Ok(Self {
             alpha,
             sharpness: sharpness(alpha),
@@ -310,12 +313,12 @@ impl<T: Tier> GgxVisible<T> {
     }
 
     fn of(view: [f32; 3], alpha: [f32; 2], bounded: bool) -> Result<Self, Error> {
-        let [ax, ay] = checked_alphas(alpha)?;
-        let unit = normalised(view)?;
+        let [ax, ay] = checked_alphas(alpha, 1)?;
+        let unit = normalised(view, 0)?;
         let (scale, scaled_view) = scaled(view);
         let [_, _, z] = scaled_view;
         if z < 0.0 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         // The azimuth has a scale of its own, so that beside a far larger z neither squares nor digits are lost.
         let [x, y, _] = view;

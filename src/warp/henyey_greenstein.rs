@@ -168,8 +168,8 @@ impl<T: Tier> HenyeyGreenstein<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::OutOfRange`] for 1 or more and for −1 or less, where all the
     /// light goes one way and there is no density.
     pub const fn new(g: f32) -> Result<Self, Error> {
-        match finite(g) {
-            Ok(g) if g.abs() >= 1.0 => Err(Error::OutOfRange),
+        match finite(g, 0) {
+            Ok(g) if g.abs() >= 1.0 => Err(Error::OutOfRange(0)),
             Ok(g) => {
                 let (product, dropped) = two_product(g, g);
                 let (left, rest) = two_sum(1.0, -product);
@@ -202,8 +202,8 @@ impl<T: Tier> HenyeyGreenstein<T> {
     }
 
     const fn peaked(least: f32, side: f32) -> Result<Self, Error> {
-        match positive(least) {
-            Ok(least) if least < NARROWEST || least > 1.0 => Err(Error::OutOfRange),
+        match positive(least, 0) {
+            Ok(least) if least < NARROWEST || least > 1.0 => Err(Error::OutOfRange(0)),
             Ok(least) => {
                 let (sum, rest) = two_sum(2.0, -least);
                 let (near, far) = (square((least, 0.0)), square((sum, rest)));

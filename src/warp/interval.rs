@@ -119,12 +119,12 @@ impl Interval {
     }
 
     const fn density_on(a: f32, b: f32) -> Result<f32, Error> {
-        let (scale, length) = tried!(extent(a, b));
+        let (scale, length) = tried!(extent([a, b], [0, 1]));
         let density = scale / length;
         if density.is_finite() {
             Ok(density)
         } else {
-            Err(Error::Empty)
+            Err(Error::Empty(1))
         }
     }
 }

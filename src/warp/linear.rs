@@ -87,14 +87,14 @@ impl Linear {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] if either is below 0,
     /// [`Error::NotPositive`] if both are 0.
     pub const fn new(a: f32, b: f32) -> Result<Self, Error> {
-        tried!(finite(a));
-        tried!(finite(b));
+        tried!(finite(a, 0));
+        tried!(finite(b, 1));
         if a < 0.0 || b < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(if a < 0.0 { 0 } else { 1 }));
         }
         let larger = if a > b { a } else { b };
         if larger == 0.0 {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(1));
         }
         let lift = 60_i32.wrapping_sub(Scaled::of(larger).parts().1);
         let (a, b) = (lifted(a, lift), lifted(b, lift));

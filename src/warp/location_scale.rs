@@ -91,9 +91,10 @@ impl<T> LocationScale<T> {
         scale: f32,
         peak: f32,
         reach: f32,
+        place: usize,
     ) -> Result<Self, Error> {
         let peak = peak / scale;
-        tried!(checked(location, scale, reach));
+        tried!(checked(location, scale, reach, place));
         if peak.is_finite() {
             Ok(Self {
                 location,
@@ -102,31 +103,47 @@ impl<T> LocationScale<T> {
                 tier: PhantomData,
             })
         } else {
-            Err(Error::Empty)
+            Err(Error::Empty(place.wrapping_add(1)))
         }
     }
 }
 
-pub(super) const fn checked(location: f32, scale: f32, reach: f32) -> Result<(), Error> {
-    tried!(finite(location));
-    tried!(positive(scale));
+/// Refuses what is no location, the parameter of that place, or no scale, the next; and samples that overflow. Where a parameter
+/// stands before, the reach depends on it.
+pub(super) const fn checked(
+    location: f32,
+    scale: f32,
+    reach: f32,
+    place: usize,
+) -> Result<(), Error> {
+    tried!(finite(location, place));
+    tried!(positive(scale, place.wrapping_add(1)));
     // The distance of x from the location must not overflow either, hence twice the reach.
     if (location.abs() + 2.0 * reach * scale).is_finite() {
         Ok(())
     } else {
-        Err(Error::TooLarge)
+        Err(Error::TooLarge(if place == 0 {
+            1
+        } else {
+            Error::NO_PLACE
+        }))
     }
 }
 
 /// The same of a point of the plane, with a scale of each coordinate: the largest density of a law whose standard one is 1/2π.
-pub(super) const fn peak_of_pair([x, y]: [f32; 2], scale: f32, reach: f32) -> Result<f32, Error> {
-    tried!(checked(x, scale, reach));
-    tried!(checked(y, scale, reach));
+pub(super) const fn peak_of_pair(
+    [x, y]: [f32; 2],
+    scale: f32,
+    reach: f32,
+    place: usize,
+) -> Result<f32, Error> {
+    tried!(checked(x, scale, reach, place));
+    tried!(checked(y, scale, reach, place));
     let peak = 1.0 / core::f32::consts::TAU / scale / scale;
     if !peak.is_finite() {
-        Err(Error::Empty)
+        Err(Error::Empty(place.wrapping_add(1)))
     } else if peak < f32::MIN_POSITIVE {
-        Err(Error::TooLarge)
+        Err(Error::TooLarge(place.wrapping_add(1)))
     } else {
         Ok(peak)
     }
@@ -192,7 +209,8 @@ macro_rules! location_scale {
                     <Self as super::location_scale::Standard>::PEAK,
                     <Self as super::location_scale::Standard>::REACH,
                 );
-                let own = super::location_scale::LocationScale::new(location, scale, peak, reach);
+                let own =
+                    super::location_scale::LocationScale::new(location, scale, peak, reach, 0);
                 Ok(Self($crate::error::tried!(own)))
             }
 

@@ -96,14 +96,14 @@ impl<T: Tier> LogNormal<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a standard deviation of 0 or less,
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density at the median could.
     pub const fn new(mean_of_log: f32, std_dev_of_log: f32) -> Result<Self, Error> {
-        tried!(finite(mean_of_log));
-        tried!(positive(std_dev_of_log));
+        tried!(finite(mean_of_log, 0));
+        tried!(positive(std_dev_of_log, 1));
         if mean_of_log + 6.4 * std_dev_of_log > 88.5 {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(1));
         }
         let peak = FRAC_1_SQRT_TAU / std_dev_of_log;
         if !peak.is_finite() {
-            return Err(Error::Empty);
+            return Err(Error::Empty(1));
         }
         let at_median = Scaled::of(peak).times_power(LOG2_E, (-mean_of_log, 0.0));
         if at_median.value().is_finite() {
@@ -117,7 +117,7 @@ impl<T: Tier> LogNormal<T> {
                 tier: PhantomData,
             })
         } else {
-            Err(Error::Empty)
+            Err(Error::Empty(1))
         }
     }
 

@@ -93,7 +93,7 @@ const ROUNDINGS: f32 = 4.0;
 ///
 /// // Correlations beyond 1 are no matrix of a law.
 /// let wrong = mw::MultivariateNormal::new([0.0; 2], [[1.0, 2.0], [2.0, 1.0]]);
-/// assert_eq!(wrong, Err(Error::NotNormalizable));
+/// assert_eq!(wrong, Err(Error::NotNormalizable(1)));
 /// # Ok::<(), Error>(())
 /// ```
 ///
@@ -133,10 +133,10 @@ impl<T: Tier, const D: usize> MultivariateNormal<T, D> {
     /// as one with a correlation beyond 1.
     pub fn new(mean: [f32; D], covariance: [[f32; D]; D]) -> Result<Self, Error> {
         if D < 1 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(Error::NO_PLACE));
         }
         for x in &mean {
-            finite(*x)?;
+            finite(*x, 0)?;
         }
         let Factors {
             factor,

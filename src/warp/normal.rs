@@ -103,7 +103,7 @@ impl<T: Tier> Normal<T> {
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
     pub const fn new(mean: f32, std_dev: f32) -> Result<Self, Error> {
         let peak = FRAC_1_SQRT_TAU / std_dev;
-        tried!(checked(mean, std_dev, REACH));
+        tried!(checked(mean, std_dev, REACH, 0));
         if peak.is_finite() {
             Ok(Self {
                 mean,
@@ -112,7 +112,7 @@ impl<T: Tier> Normal<T> {
                 tier: PhantomData,
             })
         } else {
-            Err(Error::Empty)
+            Err(Error::Empty(1))
         }
     }
 
@@ -295,7 +295,7 @@ impl<T: Tier> NormalPair<T> {
         Ok(Self {
             mean,
             std_dev,
-            peak: tried!(peak_of_pair(mean, std_dev, REACH)),
+            peak: tried!(peak_of_pair(mean, std_dev, REACH, 0)),
             tier: PhantomData,
         })
     }

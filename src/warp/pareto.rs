@@ -86,14 +86,14 @@ impl<T: Tier> Pareto<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] if a sample
     /// could overflow, [`Error::Empty`] if the density could.
     pub const fn new(minimum: f32, shape: f32) -> Result<Self, Error> {
-        tried!(positive(minimum));
-        let root = reciprocal(tried!(positive(shape)));
+        tried!(positive(minimum, 0));
+        let root = reciprocal(tried!(positive(shape, 1)));
         // The deepest word, and what rounding may add.
         let last = Scaled::of(minimum).times_power((33.01, 0.0), root);
         if !last.value().is_finite() {
-            Err(Error::TooLarge)
+            Err(Error::TooLarge(1))
         } else if !(shape / minimum).is_finite() {
-            Err(Error::Empty)
+            Err(Error::Empty(1))
         } else {
             Ok(Self {
                 minimum: Scaled::of(minimum),

@@ -91,8 +91,8 @@ impl<T: Tier> PhongLobe<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] below 0.
     pub const fn new(n: f32) -> Result<Self, Error> {
-        match finite(n) {
-            Ok(n) if n < 0.0 => Err(Error::Negative),
+        match finite(n, 0) {
+            Ok(n) if n < 0.0 => Err(Error::Negative(0)),
             Ok(n) => Ok(Self {
                 n,
                 m: n + 1.0,

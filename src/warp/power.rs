@@ -126,20 +126,20 @@ impl<T: Tier> Power<T> {
     }
 
     const fn build(n: f32, a: f32, b: f32, increasing: bool) -> Result<Self, Error> {
-        tried!(finite(n));
-        tried!(finite(a));
-        tried!(finite(b));
+        tried!(finite(n, 0));
+        tried!(finite(a, 1));
+        tried!(finite(b, 2));
         if a < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(1));
         }
         if a > b {
-            return Err(Error::Reversed);
+            return Err(Error::Reversed(2));
         }
         if a >= b {
-            return Err(Error::Empty);
+            return Err(Error::Empty(2));
         }
         if a == 0.0 && n <= -1.0 {
-            return Err(Error::NotNormalizable);
+            return Err(Error::NotNormalizable(1));
         }
         // −0 becomes 0.
         let a = a + 0.0;
@@ -187,7 +187,7 @@ impl<T: Tier> Power<T> {
         }
         // An integrable singularity at 0 is accepted.
         if power.density(b) > f32::MAX || (a > 0.0 && power.density(a) > f32::MAX) {
-            return Err(Error::Empty);
+            return Err(Error::Empty(Error::NO_PLACE));
         }
         Ok(power)
     }

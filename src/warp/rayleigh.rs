@@ -78,9 +78,9 @@ impl<T: Tier> Rayleigh<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] if a sample
     /// could overflow, [`Error::Empty`] if the density could.
     pub const fn new(scale: f32) -> Result<Self, Error> {
-        match positive(scale) {
-            Ok(scale) if !(7.0 * scale).is_finite() => Err(Error::TooLarge),
-            Ok(scale) if !(1.0 / scale).is_finite() => Err(Error::Empty),
+        match positive(scale, 0) {
+            Ok(scale) if !(7.0 * scale).is_finite() => Err(Error::TooLarge(0)),
+            Ok(scale) if !(1.0 / scale).is_finite() => Err(Error::Empty(0)),
             Ok(scale) => Ok(Self {
                 scale,
                 peak: 1.0 / scale,

@@ -52,7 +52,7 @@ use core::marker::PhantomData;
 /// let [x, y] = aperture.sample([0.25, 0.5]);
 /// assert!((x + 0.5).abs() < 1e-6 && y.abs() < 1e-6); // half-way to the fourth corner
 /// assert!(aperture.pdf([0.0, 0.86]) > 0.0 && aperture.pdf([0.0, 0.87]) == 0.0);
-/// assert_eq!(mw::RegularPolygon::new(2), Err(Error::OutOfRange));
+/// assert_eq!(mw::RegularPolygon::new(2), Err(Error::OutOfRange(0)));
 /// # Ok::<(), microwarp::Error>(())
 /// ```
 ///
@@ -106,7 +106,7 @@ impl<T: Tier> RegularPolygon<T> {
     /// [`Error::OutOfRange`] for fewer than three.
     pub fn new(corners: u16) -> Result<Self, Error> {
         if corners < 3 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let corners = f32::from(corners);
         let [apothem, half_side] = unit_vector::<T>(1.0, corners + corners);

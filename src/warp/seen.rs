@@ -4,7 +4,7 @@
 //! one is 0) and c. Everything is said in terms of weights: a direction is the sum of the corners times their weights.
 
 use super::direction::{is_direction, normalised};
-use crate::error::Error;
+use crate::error::{Error, finite};
 use crate::num::double_word::{self, DoubleWord, determinant};
 use crate::num::two_sum;
 use crate::num::vector::{cross, dot, minus, plus, span, times};
@@ -67,20 +67,25 @@ pub(super) fn is_plain(size: f32) -> bool {
     (SMALL..=LARGE).contains(&size)
 }
 
-/// A power of two by which lengths of this sum become plain.
+/// A power of two by which lengths of this sum become plain. The vectors are parameters in their order, and from the one of the
+/// last place on parts of that.
 #[cold]
 #[inline(never)]
-pub(super) fn unit(size: f32, vectors: [[f32; 3]; 4]) -> Result<f32, Error> {
-    if vectors.as_flattened().iter().any(|x| !x.is_finite()) {
-        Err(Error::NotFinite)
-    } else if size < SHORT {
-        Err(Error::Empty)
+pub(super) fn unit(size: f32, vectors: [[f32; 3]; 4], last: usize) -> Result<f32, Error> {
+    for (vector, place) in vectors.into_iter().zip(0_usize..) {
+        for x in vector {
+            finite(x, place.min(last))?;
+        }
+    }
+    let all = if last > 1 { Error::NO_PLACE } else { last };
+    if size < SHORT {
+        Err(Error::Empty(all))
     } else if size < SMALL {
         Ok(17_592_186_044_416.0)
     } else if size <= LONG {
         Ok(LARGE / LONG)
     } else {
-        Err(Error::TooLarge)
+        Err(Error::TooLarge(all))
     }
 }
 
@@ -93,8 +98,10 @@ pub(super) fn rectangle_unit(
     corner: [f32; 3],
     [first, second]: [[f32; 3]; 2],
 ) -> Result<f32, Error> {
-    match unit(size, [point, corner, first, second]) {
-        Err(Error::Empty) if span(first) == 0.0 || span(second) == 0.0 => Err(Error::ZeroLength),
+    match unit(size, [point, corner, first, second], 2) {
+        Err(Error::Empty(_)) if span(first) == 0.0 || span(second) == 0.0 => {
+            Err(Error::ZeroLength(2))
+        }
         unit => unit,
     }
 }
@@ -178,15 +185,15 @@ pub(super) fn is_wide(volume: f32, half: f32) -> bool {
 }
 
 /// Why a light is none, the cosine of half the solid angle being of any length: a flat or a small one, or one on which
-/// the point lies.
+/// the point lies. With the place of a reason that lies in all parameters.
 #[cold]
 #[inline(never)]
-pub(super) fn refusal(cosine: f32, nearest: f32, size: f32) -> Error {
+pub(super) fn refusal(cosine: f32, nearest: f32, size: f32, all: usize) -> Error {
     // Beside a side there is no cosine.
     if cosine > 0.0 && nearest >= ON_CORNER * size {
-        Error::Empty
+        Error::Empty(all)
     } else {
-        Error::NotNormalizable
+        Error::NotNormalizable(all)
     }
 }
 
@@ -453,7 +460,7 @@ pub(super) fn cosines<const N: usize>(
     directions: [[f32; 3]; N],
     normal: [f32; 3],
 ) -> Result<[f32; N], Error> {
-    let normal = normalised(normal)?;
+    let normal = normalised(normal, 0)?;
     Ok(directions.map(|direction| {
         let cos = dot(direction, normal);
         if cos > 0.0 { cos } else { 0.0 }

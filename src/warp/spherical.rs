@@ -60,13 +60,13 @@ impl<T: Tier> Spherical<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] for a negative radius,
     /// [`Error::OutOfRange`] for a polar angle outside [0, ½] turns. Any finite azimuth is accepted.
     pub const fn from_turns(radius: f32, theta: f32, phi: f32) -> Result<Self, Error> {
-        tried!(finite(radius));
-        tried!(finite(theta));
-        tried!(finite(phi));
+        tried!(finite(radius, 0));
+        tried!(finite(theta, 1));
+        tried!(finite(phi, 2));
         if radius < 0.0 {
-            Err(Error::Negative)
+            Err(Error::Negative(0))
         } else if theta < 0.0 || theta > 0.5 {
-            Err(Error::OutOfRange)
+            Err(Error::OutOfRange(1))
         } else {
             Ok(Self {
                 radius,
@@ -231,16 +231,16 @@ impl<T: Tier> SphericalPatch<T> {
     /// turn, [`Error::Empty`] for a patch with no extent, one whose density overflows or
     /// one whose cos θ₀ − cos θ₁ is below the smallest normal `f32`. A width that rounds to 1 is a whole turn.
     pub fn from_turns(theta0: f32, theta1: f32, phi0: f32, phi1: f32) -> Result<Self, Error> {
-        for angle in [theta0, theta1, phi0, phi1] {
-            finite(angle)?;
+        for (angle, place) in [theta0, theta1, phi0, phi1].into_iter().zip(0..) {
+            finite(angle, place)?;
         }
         if theta0 > theta1 || phi0 > phi1 {
-            return Err(Error::Reversed);
+            return Err(Error::Reversed(if theta0 > theta1 { 1 } else { 3 }));
         }
         if theta0 < 0.0 || theta1 > 0.5 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(usize::from(theta0 >= 0.0)));
         }
-        let Azimuths { start, width, rest } = Azimuths::new(phi0, phi1)?;
+        let Azimuths { start, width, rest } = Azimuths::new([phi0, phi1], [2, 3])?;
         // 1 - cos θ = 2 sin²(θ/2); cos θ₀ - cos θ₁ = 2 sin((θ₀+θ₁)/2) sin((θ₁-θ₀)/2).
         let (sin_half, _) = T::sincos_turns(0.5 * theta0);
         let (_, cos_half) = T::sincos_turns(0.5 * theta1);
@@ -257,7 +257,13 @@ impl<T: Tier> SphericalPatch<T> {
         let drop = 2.0 * mean * half_width;
         let density = 1.0 / TAU / drop / width;
         if !(density.is_finite() && drop >= f32::MIN_POSITIVE && width > 0.0) {
-            return Err(Error::Empty);
+            return Err(Error::Empty(if theta0 >= theta1 {
+                1
+            } else if phi0 >= phi1 {
+                3
+            } else {
+                Error::NO_PLACE
+            }));
         }
         Ok(Self {
             theta0,

@@ -204,9 +204,9 @@ impl<T: Tier> SphericalRectangle<T> {
         let (nearest, size) = (seen::least(lp, nearest), unit * size);
         if !seen::is_seen(sine, cosine, nearest, size) {
             return Err(if edges.contains(&[0.0; 3]) {
-                Error::ZeroLength
+                Error::ZeroLength(2)
             } else {
-                seen::refusal(cosine, nearest, size)
+                seen::refusal(cosine, nearest, size, Error::NO_PLACE)
             });
         }
         let half = T::atan2_turns(sine, cosine);

@@ -155,7 +155,7 @@ impl<T: Tier> SphericalTriangle<T> {
         let mut unit = 1.0;
         let size = vector::span(p) + vector::span(x) + vector::span(y);
         if !seen::is_plain(size) {
-            unit = seen::unit(size, [point, a, b, c])?;
+            unit = seen::unit(size, [point, a, b, c], 1)?;
             [p, q, r, x, across, y] = [p, q, r, x, across, y].map(|way| vector::times(way, unit));
         }
         let [la, lb, lc] = [p, q, r].map(|way| sqrt(vector::dot(way, way)));
@@ -182,7 +182,7 @@ impl<T: Tier> SphericalTriangle<T> {
         let volume = volume.abs() * ib * ic;
         let (nearest, size) = (seen::least(la, nearest), unit * size);
         if !seen::is_seen(volume, sum, nearest, size) {
-            return Err(seen::refusal(sum, nearest, size));
+            return Err(seen::refusal(sum, nearest, size, 1));
         }
         let half = T::atan2_turns(volume, sum);
         Ok(Self {

@@ -89,7 +89,7 @@ impl<T: Tier> StudentPair<T> {
             degrees,
             location,
             scale,
-            peak: tried!(peak_of_pair(location, scale, reach)),
+            peak: tried!(peak_of_pair(location, scale, reach, 1)),
             tier: PhantomData,
         })
     }

@@ -81,7 +81,7 @@ impl<T: Tier> StudentT<T> {
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
     pub const fn new(degrees: f32, location: f32, scale: f32) -> Result<Self, Error> {
         let (degrees, reach) = tried!(Degrees::new(degrees));
-        let own = LocationScale::new(location, scale, degrees.peak(), reach);
+        let own = LocationScale::new(location, scale, degrees.peak(), reach, 1);
         Ok(Self {
             degrees,
             own: tried!(own),

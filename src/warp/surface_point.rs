@@ -33,10 +33,10 @@ pub(super) fn scaled(x: f32) -> Option<Scaled> {
 ///
 /// # Errors
 /// [`Error::Empty`] without area, or where the density overflows; [`Error::TooLarge`] where it is below the smallest normal
-/// number.
+/// number. A surface has two parameters, and these reasons lie in both.
 pub(super) fn parts(areas: [Option<Scaled>; 3], times: f32) -> Result<([f32; 3], f32, f32), Error> {
     let exponents = areas.into_iter().flatten().map(|area| area.parts().1);
-    let largest = exponents.max().ok_or(Error::Empty)?;
+    let largest = exponents.max().ok_or(Error::Empty(1))?;
     let down = largest.wrapping_neg();
     let areas = areas.map(|area| area.map_or(0.0, |area| area.raised(down).value()));
     let [a, b, c] = areas;
@@ -44,11 +44,11 @@ pub(super) fn parts(areas: [Option<Scaled>; 3], times: f32) -> Result<([f32; 3],
     let density = Scaled::ONE.over(Scaled::of(times * sum)).raised(down);
     let density = density.value();
     if density > f32::MAX {
-        Err(Error::Empty)
+        Err(Error::Empty(1))
     } else if density >= f32::MIN_POSITIVE {
         Ok((areas, sum, density))
     } else {
-        Err(Error::TooLarge)
+        Err(Error::TooLarge(1))
     }
 }
 

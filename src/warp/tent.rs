@@ -85,13 +85,13 @@ impl Tent {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less,
     /// [`Error::Empty`] for a radius below the smallest normal `f32`.
     pub const fn new(radius: f32) -> Result<Self, Error> {
-        match positive(radius) {
+        match positive(radius, 0) {
             Ok(radius) if radius >= f32::MIN_POSITIVE => Ok(Self {
                 radius,
                 last: f32::from_bits(radius.to_bits().wrapping_sub(1)),
                 peak: 1.0 / radius,
             }),
-            Ok(_) => Err(Error::Empty),
+            Ok(_) => Err(Error::Empty(0)),
             Err(e) => Err(e),
         }
     }

@@ -104,7 +104,7 @@ impl<const D: usize> TriangleOn<D> {
         let mut largest = 0.0_f32;
         for x in vertices.as_flattened() {
             if !x.is_finite() {
-                return Err(Error::NotFinite);
+                return Err(Error::NotFinite(0));
             }
             largest = clamp(x.abs(), largest, f32::MAX);
         }
@@ -113,7 +113,7 @@ impl<const D: usize> TriangleOn<D> {
         let mut sides = [[(0.0, 0.0); D]; 3];
         let longest = differences(&vertices, 1.0 / unit, &mut sides);
         if longest < f32::MIN_POSITIVE {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         let scale = binade(longest);
         scaled(sides.as_flattened_mut(), scale);
@@ -131,14 +131,14 @@ impl<const D: usize> TriangleOn<D> {
         let length = sqrt(base2);
         let height = cross / length;
         if height < LOWEST * length {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         let density = 2.0 / cross / unit / scale / unit / scale;
         if !density.is_finite() {
-            return Err(Error::Empty);
+            return Err(Error::Empty(0));
         }
         if density < f32::MIN_POSITIVE {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(0));
         }
         let along = base.map(|x| quotient(x, length));
         let across = part.map(|x| quotient(x, cross * length));

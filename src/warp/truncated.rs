@@ -92,8 +92,8 @@ impl<T: Tier> TruncatedExponential<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a length of 0 or less,
     /// [`Error::Empty`] for a length whose reciprocal overflows.
     pub const fn from_rate(rate: f32, length: f32) -> Result<Self, Error> {
-        tried!(finite(rate));
-        tried!(positive(length));
+        tried!(finite(rate, 0));
+        tried!(positive(length, 1));
         let (z, z_rest) = two_product(rate, length);
         let (decay, decay_rest, power, fall) = if z > 190.0 {
             (-1.0, 0.0, 0.0, Scaled::ONE.raised(-480))
@@ -124,7 +124,7 @@ impl<T: Tier> TruncatedExponential<T> {
             -rate
         };
         if !peak.is_finite() {
-            return Err(Error::Empty);
+            return Err(Error::Empty(1));
         }
         let ends = if z > 0.0 {
             [peak, Scaled::of(peak).times(fall).value()]
@@ -149,12 +149,12 @@ impl<T: Tier> TruncatedExponential<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for a mean or a length of 0 or less,
     /// [`Error::Empty`] for a mean or a length whose reciprocal overflows.
     pub const fn from_mean(mean: f32, length: f32) -> Result<Self, Error> {
-        let rate = 1.0 / tried!(positive(mean));
-        tried!(positive(length));
+        let rate = 1.0 / tried!(positive(mean, 0));
+        tried!(positive(length, 1));
         if rate.is_finite() {
             Self::from_rate(rate, length)
         } else {
-            Err(Error::Empty)
+            Err(Error::Empty(0))
         }
     }
 

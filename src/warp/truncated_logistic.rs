@@ -158,14 +158,14 @@ impl<T: Tier> TruncatedLogistic<T> {
     /// in the wrong order, [`Error::TooLarge`] where four times the sum of all sizes overflows, [`Error::Empty`] for equal ends
     /// and if four times the largest density overflows.
     pub const fn new(location: f32, scale: f32, low: f32, high: f32) -> Result<Self, Error> {
-        tried!(finite(location));
-        tried!(positive(scale));
-        if tried!(finite(low)) > tried!(finite(high)) {
-            return Err(Error::Reversed);
+        tried!(finite(location, 0));
+        tried!(positive(scale, 1));
+        if tried!(finite(low, 2)) > tried!(finite(high, 3)) {
+            return Err(Error::Reversed(3));
         }
         let sizes = (location.abs() + scale) + (low.abs() + high.abs());
         if !(4.0 * sizes).is_finite() {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(Error::NO_PLACE));
         }
         let to_low = standardised(low, location, scale);
         let to_high = standardised(high, location, scale);
@@ -211,7 +211,7 @@ impl<T: Tier> TruncatedLogistic<T> {
             Form::End { .. } => 4.0 * peak,
         };
         if !largest.is_finite() {
-            return Err(Error::Empty);
+            return Err(Error::Empty(if low < high { Error::NO_PLACE } else { 3 }));
         }
         Ok(Self {
             location,

@@ -154,7 +154,7 @@ impl<T: Tier> TruncatedNormal<T> {
     /// standard deviations from the mean, [`Error::TooLarge`] if the length of the interval overflows, [`Error::Empty`]
     /// for equal ends and if the density overflows.
     pub fn new(mean: f32, std_dev: f32, low: f32, high: f32) -> Result<Self, Error> {
-        Self::between(mean, std_dev, finite(low)?, finite(high)?)
+        Self::between(mean, std_dev, finite(low, 2)?, finite(high, 3)?)
     }
 
     /// Normal with this mean and this standard deviation from `low` up.
@@ -162,7 +162,7 @@ impl<T: Tier> TruncatedNormal<T> {
     /// # Errors
     /// Those of [`new`](Self::new), with [`Error::TooLarge`] if a sample could overflow.
     pub fn above(mean: f32, std_dev: f32, low: f32) -> Result<Self, Error> {
-        Self::between(mean, std_dev, finite(low)?, f32::INFINITY)
+        Self::between(mean, std_dev, finite(low, 2)?, f32::INFINITY)
     }
 
     /// Normal with this mean and this standard deviation up to `high`.
@@ -170,15 +170,15 @@ impl<T: Tier> TruncatedNormal<T> {
     /// # Errors
     /// Those of [`new`](Self::new), with [`Error::TooLarge`] if a sample could overflow.
     pub fn below(mean: f32, std_dev: f32, high: f32) -> Result<Self, Error> {
-        Self::between(mean, std_dev, f32::NEG_INFINITY, finite(high)?)
+        Self::between(mean, std_dev, f32::NEG_INFINITY, finite(high, 2)?)
     }
 
     /// The distribution on an interval of which one end may be infinite.
     fn between(mean: f32, std_dev: f32, low: f32, high: f32) -> Result<Self, Error> {
-        finite(mean)?;
-        positive(std_dev)?;
+        finite(mean, 0)?;
+        positive(std_dev, 1)?;
         if low > high {
-            return Err(Error::Reversed);
+            return Err(Error::Reversed(3));
         }
         let nearest = clamp(mean, low, high);
         let (to_low, to_high) = (nearest - low, high - nearest);
@@ -203,10 +203,10 @@ impl<T: Tier> TruncatedNormal<T> {
         };
         let (from, _) = from_mean;
         if from > FARTHEST || from.is_nan() {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(Error::NO_PLACE));
         }
         if !reach.is_finite() {
-            return Err(Error::TooLarge);
+            return Err(Error::TooLarge(if unbounded { Error::NO_PLACE } else { 3 }));
         }
         let above_distance = hazard_above(from);
         let hazard = from + above_distance;
@@ -234,7 +234,7 @@ impl<T: Tier> TruncatedNormal<T> {
         let exponent = |mass: Option<Scaled>| mass.map_or(i32::MIN, |mass| mass.parts().1);
         let up = 0_i32.wrapping_sub(exponent(below).max(exponent(above)));
         if below.is_none() && above.is_none() {
-            return Err(Error::Empty);
+            return Err(Error::Empty(3));
         }
         let lifted = |mass: Option<Scaled>| mass.map_or(0.0, |mass| mass.raised(up).value());
         let (below, above) = (lifted(below), lifted(above));
@@ -244,7 +244,7 @@ impl<T: Tier> TruncatedNormal<T> {
             .over(length.times(Scaled::of(below + above)))
             .value();
         if !peak.is_finite() {
-            return Err(Error::Empty);
+            return Err(Error::Empty(Error::NO_PLACE));
         }
         Ok(Self {
             mean,

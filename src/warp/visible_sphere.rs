@@ -285,10 +285,12 @@ struct Cap {
 #[cold]
 #[inline(never)]
 fn compensated(point: [f32; 3], centre: [f32; 3], radius: f32) -> Result<Cap, Error> {
-    for c in [point, centre].as_flattened() {
-        finite(*c)?;
+    for (vector, place) in [(point, 0), (centre, 1)] {
+        for c in vector {
+            finite(c, place)?;
+        }
     }
-    positive(radius)?;
+    positive(radius, 2)?;
     let ([px, py, pz], [cx, cy, cz]) = (point, centre);
     let sides = [(cx, px), (cy, py), (cz, pz)].map(|(c, p)| two_sum(c, -p));
     let axis = sides.map(|(side, _)| side);
@@ -306,7 +308,7 @@ fn compensated(point: [f32; 3], centre: [f32; 3], radius: f32) -> Result<Cap, Er
     let (square, rest) = quick_two_sum(square, rest);
     let distance = sqrt(square);
     if !(distance * scale + radius).is_finite() {
-        return Err(Error::TooLarge);
+        return Err(Error::TooLarge(Error::NO_PLACE));
     }
     // r² times a power of two, and its rounding error.
     let lift = if r < SMALL { 1.0 / SMALL } else { 1.0 };
@@ -329,9 +331,9 @@ fn compensated(point: [f32; 3], centre: [f32; 3], radius: f32) -> Result<Cap, Er
         ((k + short / whole) * unlift, cos)
     };
     if k < f32::MIN_POSITIVE {
-        return Err(Error::Empty);
+        return Err(Error::Empty(Error::NO_PLACE));
     }
-    let normal = normalised(axis).unwrap_or([0.0, 0.0, 1.0]);
+    let normal = normalised(axis, Error::NO_PLACE).unwrap_or([0.0, 0.0, 1.0]);
     Ok(Cap {
         normal,
         k,

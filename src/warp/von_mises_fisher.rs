@@ -116,12 +116,12 @@ impl<T: Tier> VonMisesFisher<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::Negative`] below 0, [`Error::OutOfRange`] above 1e30.
     pub fn new(kappa: f32) -> Result<Self, Error> {
-        let kappa = finite(kappa)?;
+        let kappa = finite(kappa, 0)?;
         if kappa < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(0));
         }
         if kappa > 1e30 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let told = if kappa > FLAT { kappa } else { FLAT };
         let ((less, less_rest), power) = if told < 2.0 * FRONT {

@@ -115,14 +115,14 @@ impl<T: Tier> Weibull<T> {
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::TooLarge`] if a sample
     /// could overflow, [`Error::Empty`] if the density at the scale could.
     pub const fn new(scale: f32, shape: f32) -> Result<Self, Error> {
-        tried!(positive(scale));
-        let root = reciprocal(tried!(positive(shape)));
+        tried!(positive(scale, 0));
+        let root = reciprocal(tried!(positive(shape, 1)));
         // log₂ of 22.88, beyond what the deepest word gives.
         let last = Scaled::of(scale).times_power((4.516, 0.0), root);
         if !last.value().is_finite() {
-            Err(Error::TooLarge)
+            Err(Error::TooLarge(1))
         } else if !(shape / scale).is_finite() {
-            Err(Error::Empty)
+            Err(Error::Empty(1))
         } else {
             Ok(Self {
                 scale,

@@ -79,7 +79,7 @@ impl LatinHypercube {
                 orders: keyed(seed, 2),
                 places: ByPosition::new(seed, 0),
             }),
-            None => Err(Error::Empty),
+            None => Err(Error::Empty(0)),
         }
     }
 

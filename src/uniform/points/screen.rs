@@ -89,7 +89,7 @@ impl<P: Points> Screen<P> {
         seed: u32,
     ) -> Result<Self, Error> {
         if width == 0 || height == 0 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(1));
         }
         let last = width.wrapping_sub(1) | height.wrapping_sub(1);
         let side = 32_u32.wrapping_sub(last.leading_zeros());
@@ -101,7 +101,7 @@ impl<P: Points> Screen<P> {
                 log2_samples,
                 indices: shifted_down(u32::MAX, unused),
             }),
-            None => Err(Error::TooLarge),
+            None => Err(Error::TooLarge(2)),
         }
     }
 

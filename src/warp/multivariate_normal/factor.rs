@@ -82,11 +82,11 @@ fn in_own_units<const D: usize>(
         .enumerate()
     {
         if !row.iter().all(|x| x.is_finite()) {
-            return Err(Error::NotFinite);
+            return Err(Error::NotFinite(1));
         }
         let own = row.get(i).copied().unwrap_or(0.0);
         if own < 0.0 {
-            return Err(Error::Negative);
+            return Err(Error::Negative(1));
         }
         let own = own.max(f32::MIN_POSITIVE);
         *half = half_exponent(own);
@@ -106,11 +106,11 @@ fn in_own_units<const D: usize>(
             let apart = a - b;
             let same = x.to_bits() == mirrored.to_bits();
             if !(same || apart * apart <= room * room * (variance * v)) {
-                return Err(Error::OutOfRange);
+                return Err(Error::OutOfRange(1));
             }
             // No covariance is larger than the root of the product of the variances, which is below 4.
             if !(a.abs() < 5.0 && b.abs() < 5.0) {
-                return Err(Error::NotNormalizable);
+                return Err(Error::NotNormalizable(1));
             }
             *to = two_sum(0.5 * a, 0.5 * b);
         }
@@ -178,7 +178,7 @@ impl<const D: usize> Factors<D> {
                 let room = Self::ROOM * Self::ROOM * (variance * other);
                 let nothing = x.0 * x.0 <= room || i == j && x.0 >= 0.0;
                 if !(*taken || *known || nothing) {
-                    return Err(Error::NotNormalizable);
+                    return Err(Error::NotNormalizable(1));
                 }
             }
         }
