@@ -177,7 +177,7 @@ impl Kit for Textbook {
         if mass > 0.0 {
             Ok(Free(rate, mass))
         } else {
-            Err(Error::Empty)
+            Err(Error::Empty(1))
         }
     }
 

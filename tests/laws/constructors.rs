@@ -13,15 +13,15 @@ use std::hint::black_box;
 
 /// Every reason, and its number. A number that is in use is never given to another reason.
 const CODES: [(Error, u16); 16] = [
-    (Error::NotFinite, 1),
-    (Error::Reversed, 2),
-    (Error::Empty, 3),
-    (Error::TooLarge, 4),
-    (Error::NotPositive, 5),
-    (Error::Negative, 6),
-    (Error::OutOfRange, 7),
-    (Error::NotNormalizable, 8),
-    (Error::ZeroLength, 9),
+    (Error::NotFinite(1), 1),
+    (Error::Reversed(1), 2),
+    (Error::Empty(1), 3),
+    (Error::TooLarge(1), 4),
+    (Error::NotPositive(1), 5),
+    (Error::Negative(1), 6),
+    (Error::OutOfRange(1), 7),
+    (Error::NotNormalizable(1), 8),
+    (Error::ZeroLength(1), 9),
     (Error::NoWeights, 10),
     (Error::TooManyWeights, 11),
     (Error::NotFiniteWeight(3), 12),
@@ -36,10 +36,15 @@ fn the_numbers_of_errors_never_change() {
     let mut messages = BTreeSet::new();
     for (error, code) in CODES {
         assert_eq!(error.code(), code, "{error:?}");
-        let of_weight = matches!(code, 12 | 13 | 15);
+        let (of_weight, of_parameter) = (matches!(code, 12 | 13 | 15), code < 10);
         assert_eq!(error.index(), of_weight.then_some(3), "{error:?}");
-        assert_eq!(error.to_string().contains('3'), of_weight, "{error}");
-        assert_eq!(error.to_string() == error.message(), !of_weight, "{error}");
+        assert_eq!(error.parameter(), of_parameter.then_some(1), "{error:?}");
+        let text = error.to_string();
+        assert_eq!(text.contains('3'), of_weight, "{text}");
+        let named = text.starts_with("the second parameter ");
+        assert_eq!(named, of_parameter, "{text}");
+        let plain = !of_weight && !of_parameter;
+        assert_eq!(text == error.message(), plain, "{text}");
         messages.insert(error.message());
     }
     assert_eq!(messages.len(), CODES.len(), "two reasons read alike");
@@ -50,6 +55,37 @@ fn the_numbers_of_errors_never_change() {
     let reasons = body.lines().map(str::trim);
     let reasons = reasons.filter(|line| !line.starts_with("//") && line.ends_with(','));
     assert_eq!(reasons.count(), CODES.len());
+}
+
+/// Words for as many parameters as any constructor has; the message alone where the reason lies in no single one.
+#[test]
+fn places_are_told_in_words() {
+    let words = ["first", "second", "third", "fourth", "fifth", "sixth"];
+    for (place, word) in words.into_iter().enumerate() {
+        let text = Error::NotPositive(place).to_string();
+        assert_eq!(text, format!("the {word} parameter must be positive"));
+    }
+    let of: [fn(usize) -> Error; 9] = [
+        Error::NotFinite,
+        Error::Reversed,
+        Error::Empty,
+        Error::TooLarge,
+        Error::NotPositive,
+        Error::Negative,
+        Error::OutOfRange,
+        Error::NotNormalizable,
+        Error::ZeroLength,
+    ];
+    for make in of {
+        let all = make(Error::NO_PLACE);
+        assert_eq!(all.parameter(), None, "{all:?}");
+        assert_eq!(all.to_string(), all.message());
+        assert_eq!(make(254).to_string(), all.message());
+        assert_eq!(make(254).parameter(), Some(254));
+        assert_eq!(make(0).code(), all.code());
+    }
+    let most = registered().iter().flat_map(|of| of.parameters).max();
+    assert!(*most.unwrap() < words.len());
 }
 
 #[test]
@@ -267,12 +303,12 @@ fn a_mean_is_the_rate_that_is_its_reciprocal() {
             assert_eq!(segment, TruncatedExponential::from_rate(rate, 1.0));
         }
         let refused = [
-            (f32::NAN, Error::NotFinite),
-            (f32::INFINITY, Error::NotFinite),
-            (0.0, Error::NotPositive),
-            (-1.0, Error::NotPositive),
-            (2.9e-39, Error::Empty),
-            (3.3e36, Error::TooLarge),
+            (f32::NAN, Error::NotFinite(0)),
+            (f32::INFINITY, Error::NotFinite(0)),
+            (0.0, Error::NotPositive(0)),
+            (-1.0, Error::NotPositive(0)),
+            (2.9e-39, Error::Empty(0)),
+            (3.3e36, Error::TooLarge(0)),
         ];
         for (mean, error) in refused {
             assert_eq!(
@@ -287,13 +323,13 @@ fn a_mean_is_the_rate_that_is_its_reciprocal() {
             );
             let truncated = TruncatedExponential::<T>::from_mean(mean, 1.0).err();
             // An interval ends the tail, which cannot overflow then.
-            let due = Some(error).filter(|error| *error != Error::TooLarge);
+            let due = Some(error).filter(|error| *error != Error::TooLarge(0));
             assert_eq!(truncated, due, "{mean}");
         }
         let mean = TruncatedExponential::<T>::from_mean;
-        assert_eq!(mean(1.0, 0.0).err(), Some(Error::NotPositive));
-        assert_eq!(mean(1e-45, f32::NAN).err(), Some(Error::NotFinite));
-        assert_eq!(mean(1.0, 1e-45).err(), Some(Error::Empty));
+        assert_eq!(mean(1.0, 0.0).err(), Some(Error::NotPositive(1)));
+        assert_eq!(mean(1e-45, f32::NAN).err(), Some(Error::NotFinite(1)));
+        assert_eq!(mean(1.0, 1e-45).err(), Some(Error::Empty(1)));
     }
     of_tier::<Libm>();
     of_tier::<Poly>();

@@ -199,10 +199,10 @@ fn weights_of_a_cosine_are_those_of_the_corners() {
         triangle.cosine_weights([-1.0, -1.0, 0.0]),
         Err(Error::AllZero)
     );
-    assert_eq!(triangle.cosine_weights([0.0; 3]), Err(Error::ZeroLength));
+    assert_eq!(triangle.cosine_weights([0.0; 3]), Err(Error::ZeroLength(0)));
     assert_eq!(
         triangle.cosine_weights([f32::NAN, 0.0, 0.0]),
-        Err(Error::NotFinite)
+        Err(Error::NotFinite(0))
     );
     let corner = [-1.0, -1.0, 1.0];
     let edges = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
@@ -444,7 +444,7 @@ fn lights_are_the_same_at_every_size() {
     let of = |scale: f32| axes.map(|v| v.map(|x| scale * x));
     assert!(seen_triangle([0.0; 3], of(60.0_f32.exp2()), [0.5, 0.5]));
     let huge = SphericalTriangle::<Poly>::new([0.0; 3], of(62.0_f32.exp2()));
-    assert_eq!(huge.err(), Some(Error::TooLarge));
+    assert_eq!(huge.err(), Some(Error::TooLarge(1)));
 }
 
 /// A thin light whose sample is carried over a side by its rounding: clamped without being moved back, its first uniform was

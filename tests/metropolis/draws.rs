@@ -151,26 +151,29 @@ fn bad_draws_are_refused() {
     assert!(Draws::new(&good, &mut scratch).is_ok());
     assert_eq!(
         Draws::new(&good, &mut scratch[..15]),
-        Err(Error::OutOfRange)
+        Err(Error::OutOfRange(1))
     );
     assert_eq!(
         Draws::new(&[[0.0; 3]; 4], &mut scratch),
-        Err(Error::OutOfRange)
+        Err(Error::OutOfRange(0))
     );
     assert_eq!(
         Draws::new(&[[0.0; 0]; 4], &mut scratch),
-        Err(Error::OutOfRange)
+        Err(Error::OutOfRange(0))
     );
     assert_eq!(
         Draws::new(&[[0.0; 4]; 0], &mut scratch),
-        Err(Error::OutOfRange)
+        Err(Error::OutOfRange(0))
     );
     let unequal: [&[f32]; 2] = [&[1.0, 2.0, 3.0, 4.0], &[1.0, 2.0, 3.0, 4.0, 5.0]];
-    assert_eq!(Draws::new(&unequal, &mut [0.0; 99]), Err(Error::OutOfRange));
+    assert_eq!(
+        Draws::new(&unequal, &mut [0.0; 99]),
+        Err(Error::OutOfRange(0))
+    );
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let mut draws = good;
         draws[1][2] = bad;
-        assert_eq!(Draws::new(&draws, &mut scratch), Err(Error::NotFinite));
+        assert_eq!(Draws::new(&draws, &mut scratch), Err(Error::NotFinite(0)));
         assert_eq!(scratch, [0.0; 16]);
     }
 }

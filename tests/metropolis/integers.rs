@@ -28,7 +28,7 @@ fn a_chain_of_integers_starts_where_the_weight_is_positive() {
     for (i, &w) in WEIGHTS.iter().enumerate() {
         let chain = Chain::new(i, weight);
         match w {
-            0 => assert_eq!(chain, Err(Error::NotPositive)),
+            0 => assert_eq!(chain, Err(Error::NotPositive(1))),
             _ => assert_eq!(chain.map(|c| (c.state(), c.density())), Ok((i, w))),
         }
     }

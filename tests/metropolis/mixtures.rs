@@ -183,7 +183,7 @@ fn large_steps_have_the_probability_asked_for() {
     let small = WrappedWalk::new(mw::LogUniformStep::new(0.001, 0.1).unwrap());
     let new = |probability| Steps::large_small(probability, small);
     for bad in [f32::NAN, -1e-45, -1.0, above(1.0), 2.0, f32::INFINITY] {
-        assert_eq!(new(bad).err(), Some(Error::OutOfRange), "{bad}");
+        assert_eq!(new(bad).err(), Some(Error::OutOfRange(0)), "{bad}");
     }
     let least = 2f32.powi(-33);
     for bad in [1e-45, 1e-20, below(least)] {

@@ -49,7 +49,7 @@ fn first_of(mutation: UniformIndex, index: usize) -> u128 {
 
 #[test]
 fn every_index_has_its_share_of_fractions() {
-    assert_eq!(UniformIndex::new(0), Err(Error::NotPositive));
+    assert_eq!(UniformIndex::new(0), Err(Error::NotPositive(0)));
     let mut rng = Pcg32::new(0x1d8, 54);
     let mut largest = 0;
     for count in (1..40).chain([1000, 65_537, (1 << 31) - 1, 1 << 31, u32::MAX - 1, u32::MAX]) {
@@ -127,14 +127,14 @@ fn impossible_axes_are_refused() {
         [usize::MAX, 1],
         [1, usize::MAX],
     ] {
-        assert_eq!(two(bad), Some(Error::OutOfRange), "{bad:?}");
+        assert_eq!(two(bad), Some(Error::OutOfRange(1)), "{bad:?}");
     }
     let none = Subset::<_, 0, 3>::new(whole, []);
-    assert_eq!(none.err(), Some(Error::OutOfRange));
+    assert_eq!(none.err(), Some(Error::OutOfRange(1)));
     let out_of_none = Subset::<_, 1, 0>::new(whole, [0]);
-    assert_eq!(out_of_none.err(), Some(Error::OutOfRange));
+    assert_eq!(out_of_none.err(), Some(Error::OutOfRange(1)));
     let many = Subset::<_, 4, 3>::new(whole, [0, 1, 2, 1]);
-    assert_eq!(many.err(), Some(Error::OutOfRange));
+    assert_eq!(many.err(), Some(Error::OutOfRange(1)));
     let all = Subset::<_, 3, 3>::new(whole, [2, 1, 0]);
     assert_eq!(all.err(), None);
     // At compile time too.

@@ -128,20 +128,20 @@ fn a_chain_starts_where_it_can_be_and_nowhere_else() {
         assert_eq!(start(f), None);
     }
     for bits in NOT_A_NUMBER {
-        assert_eq!(start(f32::from_bits(bits)), Some(Error::NotFinite));
+        assert_eq!(start(f32::from_bits(bits)), Some(Error::NotFinite(1)));
     }
-    assert_eq!(start(f32::INFINITY), Some(Error::NotFinite));
-    assert_eq!(start(f32::NEG_INFINITY), Some(Error::NotFinite));
-    assert_eq!(start(0.0), Some(Error::NotPositive));
-    assert_eq!(start(-0.0), Some(Error::NotPositive));
-    assert_eq!(start(-1e-45), Some(Error::Negative));
+    assert_eq!(start(f32::INFINITY), Some(Error::NotFinite(1)));
+    assert_eq!(start(f32::NEG_INFINITY), Some(Error::NotFinite(1)));
+    assert_eq!(start(0.0), Some(Error::NotPositive(1)));
+    assert_eq!(start(-0.0), Some(Error::NotPositive(1)));
+    assert_eq!(start(-1e-45), Some(Error::Negative(1)));
     let log = |l: f32| Chain::new(7_usize, |_| LogDensity::<Libm>::new(l)).err();
     for l in [-0.0, f32::MIN, f32::MAX, -1e-45] {
         assert_eq!(log(l), None);
     }
-    assert_eq!(log(f32::NEG_INFINITY), Some(Error::NotPositive));
-    assert_eq!(log(f32::INFINITY), Some(Error::NotFinite));
-    assert_eq!(log(f32::NAN), Some(Error::NotFinite));
+    assert_eq!(log(f32::NEG_INFINITY), Some(Error::NotPositive(1)));
+    assert_eq!(log(f32::INFINITY), Some(Error::NotFinite(1)));
+    assert_eq!(log(f32::NAN), Some(Error::NotFinite(1)));
     assert!(Chain::new(0.5_f32, LogDensity::<Poly>::new).is_ok());
 }
 

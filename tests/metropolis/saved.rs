@@ -139,13 +139,19 @@ fn what_no_chain_can_be_is_not_resumed() {
     assert_eq!(Chain::resume(good).map(|c| c.save()), Ok(good));
     let refused = |saved: Saved<usize>| Chain::resume(saved).err();
     for density in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        assert_eq!(refused(Saved { density, ..good }), Some(Error::NotFinite));
+        assert_eq!(
+            refused(Saved { density, ..good }),
+            Some(Error::NotFinite(0))
+        );
     }
     for density in [0.0, -0.0] {
-        assert_eq!(refused(Saved { density, ..good }), Some(Error::NotPositive));
+        assert_eq!(
+            refused(Saved { density, ..good }),
+            Some(Error::NotPositive(0))
+        );
     }
     let density = -1.0;
-    assert_eq!(refused(Saved { density, ..good }), Some(Error::Negative));
+    assert_eq!(refused(Saved { density, ..good }), Some(Error::Negative(0)));
     // More of one kind than there are steps, or of all.
     for (accepted, refusals) in [
         (11, 0),
@@ -162,7 +168,7 @@ fn what_no_chain_can_be_is_not_resumed() {
             rejected_in_a_row: 0,
             ..good
         };
-        assert_eq!(refused(saved), Some(Error::OutOfRange));
+        assert_eq!(refused(saved), Some(Error::OutOfRange(0)));
     }
     // More rejections in a row than rejections.
     for rejected_in_a_row in [7, 10, u32::MAX] {
@@ -170,7 +176,7 @@ fn what_no_chain_can_be_is_not_resumed() {
             rejected_in_a_row,
             ..good
         };
-        assert_eq!(refused(saved), Some(Error::OutOfRange));
+        assert_eq!(refused(saved), Some(Error::OutOfRange(0)));
     }
     // All that a chain can be.
     for (steps, accepted, refused, rejected_in_a_row) in [
@@ -203,13 +209,13 @@ fn what_no_chain_can_be_is_not_resumed() {
         Chain::resume(saved).err()
     }
     for (log, error) in [
-        (f32::NAN, Error::NotFinite),
-        (f32::INFINITY, Error::NotFinite),
-        (f32::NEG_INFINITY, Error::NotPositive),
+        (f32::NAN, Error::NotFinite(0)),
+        (f32::INFINITY, Error::NotFinite(0)),
+        (f32::NEG_INFINITY, Error::NotPositive(0)),
     ] {
         assert_eq!(fresh(LogDensity::<Poly>::new(log)), Some(error));
     }
-    assert_eq!(fresh(0_u32), Some(Error::NotPositive));
+    assert_eq!(fresh(0_u32), Some(Error::NotPositive(0)));
 }
 
 /// The table at `Chain` states the sizes, on machines whose `usize` has 64 bits.

@@ -135,12 +135,12 @@ fn what_is_frozen_is_an_ordinary_mutation() {
         assert_eq!(step, same.0.step(normal, &plain, &mut same.1));
     }
     for (goal, error) in [
-        (0.0, Error::NotPositive),
-        (-0.5, Error::NotPositive),
-        (1.0, Error::OutOfRange),
-        (2.0, Error::OutOfRange),
-        (f32::NAN, Error::NotFinite),
-        (f32::INFINITY, Error::NotFinite),
+        (0.0, Error::NotPositive(2)),
+        (-0.5, Error::NotPositive(2)),
+        (1.0, Error::OutOfRange(2)),
+        (2.0, Error::OutOfRange(2)),
+        (f32::NAN, Error::NotFinite(2)),
+        (f32::INFINITY, Error::NotFinite(2)),
     ] {
         assert_eq!(
             Tuning::new(chain, frozen, goal).err(),

@@ -198,15 +198,15 @@ fn the_pmf_of_a_large_binomial_is_that_of_the_formula() {
 #[test]
 fn trials_and_probabilities_out_of_range_are_refused() {
     for (trials, p, error) in [
-        (1000, f32::NAN, Error::NotFinite),
-        (1000, f32::INFINITY, Error::NotFinite),
-        (1000, -0.1, Error::OutOfRange),
-        (1000, 1.000_000_1, Error::OutOfRange),
-        (u32::MAX, 0.0, Error::OutOfRange),
-        (u32::MAX, 1.0, Error::OutOfRange),
-        (u32::MAX, 2.3e-9, Error::OutOfRange),
-        (39, 0.5, Error::OutOfRange),
-        (0, 0.5, Error::OutOfRange),
+        (1000, f32::NAN, Error::NotFinite(1)),
+        (1000, f32::INFINITY, Error::NotFinite(1)),
+        (1000, -0.1, Error::OutOfRange(1)),
+        (1000, 1.000_000_1, Error::OutOfRange(1)),
+        (u32::MAX, 0.0, Error::OutOfRange(1)),
+        (u32::MAX, 1.0, Error::OutOfRange(1)),
+        (u32::MAX, 2.3e-9, Error::OutOfRange(1)),
+        (39, 0.5, Error::OutOfRange(1)),
+        (0, 0.5, Error::OutOfRange(1)),
     ] {
         assert_eq!(
             poly::BinomialRejection::new(trials, p),
@@ -217,7 +217,7 @@ fn trials_and_probabilities_out_of_range_are_refused() {
     let sampler = poly::BinomialRejection::new(40, 0.5).unwrap();
     assert_eq!((sampler.trials(), sampler.success()), (40, 0.5));
     assert_eq!(sampler.budget(), poly::BinomialRejection::BUDGET);
-    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive));
+    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive(0)));
     assert_eq!(sampler.with_budget(3).unwrap().budget(), 3);
 }
 

@@ -53,10 +53,10 @@ fn an_impossible_bound_is_refused() {
             .err()
     };
     for c in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        assert_eq!(new(c), Some(Error::NotFinite), "{c}");
+        assert_eq!(new(c), Some(Error::NotFinite(2)), "{c}");
     }
     for c in [0.0, -0.0, -TINY, -1.0, f32::MIN] {
-        assert_eq!(new(c), Some(Error::NotPositive), "{c}");
+        assert_eq!(new(c), Some(Error::NotPositive(2)), "{c}");
     }
     for c in [TINY, f32::MIN_POSITIVE, 1.0, f32::MAX] {
         assert_eq!(new(c), None, "{c}");

@@ -99,7 +99,7 @@ fn budgets_are_kept_to_the_word() {
 #[test]
 fn a_budget_of_nothing_is_refused() {
     let line = Interval::new(0.0, 1.0).unwrap();
-    let none = Some(Error::NotPositive);
+    let none = Some(Error::NotPositive(0));
     assert_eq!(Region::new(line, |_| true).with_budget(0).err(), none);
     let bounded = Bounded::new(line, |_| 1.0, 1.0).unwrap();
     assert_eq!(bounded.with_budget(0).err(), none);

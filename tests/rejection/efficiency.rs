@@ -109,12 +109,12 @@ fn a_budget_for_an_efficiency_is_practically_never_spent() {
     }
     assert_eq!(budget_for(7.0), budget_for(1.0));
     assert_eq!(budget_for(f32::MAX), Ok(45));
-    assert_eq!(budget_for(1.09e-8), Err(Error::OutOfRange));
-    assert_eq!(budget_for(1e-45), Err(Error::OutOfRange));
-    assert_eq!(budget_for(0.0), Err(Error::NotPositive));
-    assert_eq!(budget_for(-0.5), Err(Error::NotPositive));
-    assert_eq!(budget_for(f32::NAN), Err(Error::NotFinite));
-    assert_eq!(budget_for(f32::INFINITY), Err(Error::NotFinite));
+    assert_eq!(budget_for(1.09e-8), Err(Error::OutOfRange(0)));
+    assert_eq!(budget_for(1e-45), Err(Error::OutOfRange(0)));
+    assert_eq!(budget_for(0.0), Err(Error::NotPositive(0)));
+    assert_eq!(budget_for(-0.5), Err(Error::NotPositive(0)));
+    assert_eq!(budget_for(f32::NAN), Err(Error::NotFinite(0)));
+    assert_eq!(budget_for(f32::INFINITY), Err(Error::NotFinite(0)));
     const AT_COMPILE_TIME: Result<u32, Error> = budget_for(0.25);
     assert_eq!(AT_COMPILE_TIME, Ok(178));
 }

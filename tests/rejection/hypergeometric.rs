@@ -190,21 +190,21 @@ fn the_pmf_of_a_large_hypergeometric_is_that_of_the_formula() {
 
 #[test]
 fn urns_of_a_small_variance_are_refused() {
-    for urn in [
-        [0, 0, 0],
-        [1, 1, 0],
-        [1, 0, 1],
-        [9, 10, 3],
-        [9, 3, 10],
-        [158, 79, 79],
-        [u32::MAX, u32::MAX, 1 << 31],
-        [u32::MAX, 0, 1 << 31],
-        [u32::MAX, 1 << 31, 39],
+    for (urn, place) in [
+        ([0, 0, 0], Error::NO_PLACE),
+        ([1, 1, 0], Error::NO_PLACE),
+        ([1, 0, 1], Error::NO_PLACE),
+        ([9, 10, 3], 1),
+        ([9, 3, 10], 2),
+        ([158, 79, 79], Error::NO_PLACE),
+        ([u32::MAX, u32::MAX, 1 << 31], Error::NO_PLACE),
+        ([u32::MAX, 0, 1 << 31], Error::NO_PLACE),
+        ([u32::MAX, 1 << 31, 39], Error::NO_PLACE),
     ] {
         let [population, marked, drawn] = urn;
         assert_eq!(
             poly::HypergeometricRejection::new(population, marked, drawn),
-            Err(Error::OutOfRange),
+            Err(Error::OutOfRange(place)),
             "{urn:?}"
         );
     }
@@ -214,7 +214,7 @@ fn urns_of_a_small_variance_are_refused() {
         [162, 81, 80]
     );
     assert_eq!(sampler.budget(), poly::HypergeometricRejection::BUDGET);
-    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive));
+    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive(0)));
     assert_eq!(sampler.with_budget(3).unwrap().budget(), 3);
 }
 

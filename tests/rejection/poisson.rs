@@ -165,19 +165,19 @@ fn the_pmf_is_that_of_the_formula() {
 #[test]
 fn means_out_of_range_are_refused() {
     for (mean, error) in [
-        (f32::NAN, Error::NotFinite),
-        (f32::INFINITY, Error::NotFinite),
-        (-12.0, Error::OutOfRange),
-        (0.0, Error::OutOfRange),
-        (9.999_999, Error::OutOfRange),
-        (1_048_576.1, Error::OutOfRange),
+        (f32::NAN, Error::NotFinite(0)),
+        (f32::INFINITY, Error::NotFinite(0)),
+        (-12.0, Error::OutOfRange(0)),
+        (0.0, Error::OutOfRange(0)),
+        (9.999_999, Error::OutOfRange(0)),
+        (1_048_576.1, Error::OutOfRange(0)),
     ] {
         assert_eq!(poly::PoissonRejection::new(mean), Err(error), "{mean}");
     }
     let sampler = poly::PoissonRejection::new(12.5).unwrap();
     assert_eq!(sampler.mean(), 12.5);
     assert_eq!(sampler.budget(), poly::PoissonRejection::BUDGET);
-    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive));
+    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive(0)));
     assert_eq!(sampler.with_budget(3).unwrap().budget(), 3);
 }
 

@@ -181,19 +181,22 @@ fn points_and_parameters_out_of_range_are_refused() {
     ] {
         assert_eq!(pair.pdf(point), 0.0, "{point:?}");
     }
-    for (bad, error) in [
+    type Reason = fn(usize) -> Error;
+    let refused: [(f32, Reason); 6] = [
         (f32::NAN, Error::NotFinite),
         (f32::INFINITY, Error::NotFinite),
         (0.0, Error::NotPositive),
         (-1.0, Error::NotPositive),
         (1e-31, Error::OutOfRange),
         (1.1e6, Error::OutOfRange),
-    ] {
-        assert_eq!(poly::Beta::new(bad, 1.0), Err(error), "{bad}");
-        assert_eq!(poly::Beta::new(1.0, bad), Err(error), "{bad}");
-        assert_eq!(poly::Dirichlet::new([1.0, 2.0, bad]), Err(error), "{bad}");
+    ];
+    for (bad, error) in refused {
+        assert_eq!(poly::Beta::new(bad, 1.0), Err(error(0)), "{bad}");
+        assert_eq!(poly::Beta::new(1.0, bad), Err(error(1)), "{bad}");
+        let three = poly::Dirichlet::new([1.0, 2.0, bad]);
+        assert_eq!(three, Err(error(0)), "{bad}");
     }
     assert_eq!(pair.shapes(), [2.0, 3.0]);
     assert_eq!((pair.budget(), poly::Dirichlet::<5>::BUDGET), (32, 80));
-    assert_eq!(pair.with_budget(0), Err(Error::NotPositive));
+    assert_eq!(pair.with_budget(0), Err(Error::NotPositive(0)));
 }

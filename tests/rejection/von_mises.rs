@@ -247,16 +247,16 @@ fn wrong_angles_are_noticed() {
 #[test]
 fn concentrations_out_of_range_are_refused() {
     for (mean, concentration, error) in [
-        (f32::NAN, 1.0, Error::NotFinite),
-        (f32::INFINITY, 1.0, Error::NotFinite),
-        (0.0, f32::NAN, Error::NotFinite),
-        (0.0, f32::INFINITY, Error::NotFinite),
-        (0.0, -1.0, Error::Negative),
-        (0.0, -1e-40, Error::Negative),
-        (0.0, 0.9e-30, Error::OutOfRange),
-        (0.0, 1.1e30, Error::OutOfRange),
-        (6.283_186, 1.0, Error::OutOfRange),
-        (-6.283_186, 1.0, Error::OutOfRange),
+        (f32::NAN, 1.0, Error::NotFinite(0)),
+        (f32::INFINITY, 1.0, Error::NotFinite(0)),
+        (0.0, f32::NAN, Error::NotFinite(1)),
+        (0.0, f32::INFINITY, Error::NotFinite(1)),
+        (0.0, -1.0, Error::Negative(1)),
+        (0.0, -1e-40, Error::Negative(1)),
+        (0.0, 0.9e-30, Error::OutOfRange(1)),
+        (0.0, 1.1e30, Error::OutOfRange(1)),
+        (6.283_186, 1.0, Error::OutOfRange(0)),
+        (-6.283_186, 1.0, Error::OutOfRange(0)),
     ] {
         assert_eq!(poly::VonMises::new(mean, concentration), Err(error));
     }
@@ -264,6 +264,6 @@ fn concentrations_out_of_range_are_refused() {
     assert_eq!((sampler.mean(), sampler.concentration()), (1.5, 0.0));
     assert_eq!(poly::VonMises::new(1.5, -0.0).unwrap().concentration(), 0.0);
     assert_eq!(sampler.budget(), poly::VonMises::BUDGET);
-    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive));
+    assert_eq!(sampler.with_budget(0), Err(Error::NotPositive(0)));
     assert_eq!(sampler.with_budget(3).unwrap().budget(), 3);
 }

@@ -227,22 +227,22 @@ fn ends_of_the_parameters_are_exact() {
 #[test]
 fn binomial_parameters_out_of_range_are_refused() {
     for (trials, p, error) in [
-        (3, f32::NAN, Error::NotFinite),
-        (3, f32::INFINITY, Error::NotFinite),
-        (0, f32::NAN, Error::NotFinite),
-        (3, -1e-45, Error::OutOfRange),
-        (3, 1.000_000_1, Error::OutOfRange),
-        (401, 0.5, Error::TooLarge),
-        (u32::MAX, 0.5, Error::TooLarge),
-        (u32::MAX, 2.4e-8, Error::TooLarge),
-        (u32::MAX, 0.999_999_9, Error::TooLarge),
+        (3, f32::NAN, Error::NotFinite(1)),
+        (3, f32::INFINITY, Error::NotFinite(1)),
+        (0, f32::NAN, Error::NotFinite(1)),
+        (3, -1e-45, Error::OutOfRange(1)),
+        (3, 1.000_000_1, Error::OutOfRange(1)),
+        (401, 0.5, Error::TooLarge(1)),
+        (u32::MAX, 0.5, Error::TooLarge(1)),
+        (u32::MAX, 2.4e-8, Error::TooLarge(1)),
+        (u32::MAX, 0.999_999_9, Error::TooLarge(1)),
     ] {
         assert_eq!(Binomial::new(trials, p), Err(error), "{trials}, {p}");
     }
     for (trials, part, whole, error) in [
-        (3, 0, 0, Error::NotPositive),
-        (3, 4, 3, Error::OutOfRange),
-        (u32::MAX, 1, 2, Error::TooLarge),
+        (3, 0, 0, Error::NotPositive(2)),
+        (3, 4, 3, Error::OutOfRange(2)),
+        (u32::MAX, 1, 2, Error::TooLarge(Error::NO_PLACE)),
     ] {
         assert_eq!(Binomial::from_ratio(trials, part, whole), Err(error));
     }

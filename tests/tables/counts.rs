@@ -296,33 +296,36 @@ fn no_count_has_probability_0() {
 #[test]
 fn parameters_out_of_range_are_refused() {
     for (p, error) in [
-        (f32::NAN, Error::NotFinite),
-        (f32::INFINITY, Error::NotFinite),
-        (0.0, Error::NotPositive),
-        (-0.5, Error::NotPositive),
-        (1.000_000_1, Error::OutOfRange),
-        (5.3e-9, Error::TooLarge),
-        (1e-45, Error::TooLarge),
+        (f32::NAN, Error::NotFinite(0)),
+        (f32::INFINITY, Error::NotFinite(0)),
+        (0.0, Error::NotPositive(0)),
+        (-0.5, Error::NotPositive(0)),
+        (1.000_000_1, Error::OutOfRange(0)),
+        (5.3e-9, Error::TooLarge(0)),
+        (1e-45, Error::TooLarge(0)),
     ] {
         assert_eq!(Geometric::new(p), Err(error), "{p}");
     }
     for (mean, error) in [
-        (f32::NAN, Error::NotFinite),
-        (f32::NEG_INFINITY, Error::NotFinite),
-        (0.0, Error::NotPositive),
-        (-1.0, Error::NotPositive),
-        (80.000_01, Error::TooLarge),
-        (f32::MAX, Error::TooLarge),
+        (f32::NAN, Error::NotFinite(0)),
+        (f32::NEG_INFINITY, Error::NotFinite(0)),
+        (0.0, Error::NotPositive(0)),
+        (-1.0, Error::NotPositive(0)),
+        (80.000_01, Error::TooLarge(0)),
+        (f32::MAX, Error::TooLarge(0)),
     ] {
         assert_eq!(Poisson::new(mean), Err(error), "{mean}");
     }
-    for (n, d) in [(0, 1), (1, 0), (0, 0)] {
-        assert_eq!(Geometric::from_ratio(n, d), Err(Error::NotPositive));
-        assert_eq!(Poisson::from_ratio(n, d), Err(Error::NotPositive));
+    for (n, d, place) in [(0, 1, 0), (1, 0, 1), (0, 0, 0)] {
+        assert_eq!(Geometric::from_ratio(n, d), Err(Error::NotPositive(place)));
+        assert_eq!(Poisson::from_ratio(n, d), Err(Error::NotPositive(place)));
     }
-    assert_eq!(Geometric::from_ratio(4, 3), Err(Error::OutOfRange));
-    assert_eq!(Geometric::from_ratio(1, 200_000_000), Err(Error::TooLarge));
-    assert_eq!(Poisson::from_ratio(81, 1), Err(Error::TooLarge));
+    assert_eq!(Geometric::from_ratio(4, 3), Err(Error::OutOfRange(1)));
+    assert_eq!(
+        Geometric::from_ratio(1, 200_000_000),
+        Err(Error::TooLarge(1))
+    );
+    assert_eq!(Poisson::from_ratio(81, 1), Err(Error::TooLarge(1)));
     // Parameters are kept.
     for p in [1.0, 0.3, 5.4e-9] {
         assert_eq!(Geometric::new(p).unwrap().success(), p);

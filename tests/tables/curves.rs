@@ -188,10 +188,10 @@ fn what_is_no_curve_is_refused() {
     );
     assert_eq!(refused(&[-1.0, 1.0], 0.0, 1.0), Some(NegativeWeight(0)));
     assert_eq!(refused(&[1.0; 7], 0.0, 1.0), Some(TooManyWeights));
-    assert_eq!(refused(&[1.0; 3], 1.0, 0.0), Some(Reversed));
-    assert_eq!(refused(&[1.0; 3], 1.0, 1.0), Some(Empty));
+    assert_eq!(refused(&[1.0; 3], 1.0, 0.0), Some(Reversed(2)));
+    assert_eq!(refused(&[1.0; 3], 1.0, 1.0), Some(Empty(2)));
     // A density of twice the mean must be possible.
-    assert_eq!(refused(&[1.0, 0.0], 0.0, 1.1e-38), Some(Empty));
+    assert_eq!(refused(&[1.0, 0.0], 0.0, 1.1e-38), Some(Empty(2)));
     assert_eq!(refused(&[1.0, 0.0], 0.0, 1.2e-38), None);
     let cdf = || Cdf::new(&[1.0, 2.0, 0.0]).unwrap();
     let from = |weights: [f32; 3]| PiecewiseLinear1d::from_cdf(cdf(), weights, 0.0, 1.0).err();

@@ -53,7 +53,7 @@ fn walk(range: [f32; 2], count: usize, seen: &mut Walk) -> bool {
     let table = match PiecewiseConstant1d::from_cdf(cdf, low, high) {
         Ok(table) => table,
         Err(error) => {
-            assert_eq!(error, Error::Empty);
+            assert_eq!(error, Error::Empty(2));
             assert!(
                 width <= LEAST * f64::from(larger) * (1.0 + 1e-6),
                 "{range:?}, {count} cells"

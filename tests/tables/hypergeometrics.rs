@@ -211,13 +211,19 @@ fn ends_of_urns_are_exact() {
 #[test]
 fn urns_out_of_range_are_refused() {
     for (urn, error) in [
-        ([0, 1, 0], Error::OutOfRange),
-        ([9, 10, 3], Error::OutOfRange),
-        ([9, 3, 10], Error::OutOfRange),
-        ([1600, 800, 800], Error::TooLarge),
-        ([u32::MAX, 1 << 31, 401], Error::TooLarge),
-        ([u32::MAX, 1 << 31, 1 << 31], Error::TooLarge),
-        ([u32::MAX, u32::MAX - 656_000, 656_000], Error::TooLarge),
+        ([0, 1, 0], Error::OutOfRange(1)),
+        ([9, 10, 3], Error::OutOfRange(1)),
+        ([9, 3, 10], Error::OutOfRange(2)),
+        ([1600, 800, 800], Error::TooLarge(Error::NO_PLACE)),
+        ([u32::MAX, 1 << 31, 401], Error::TooLarge(Error::NO_PLACE)),
+        (
+            [u32::MAX, 1 << 31, 1 << 31],
+            Error::TooLarge(Error::NO_PLACE),
+        ),
+        (
+            [u32::MAX, u32::MAX - 656_000, 656_000],
+            Error::TooLarge(Error::NO_PLACE),
+        ),
     ] {
         let [population, marked, drawn] = urn;
         assert_eq!(

@@ -262,33 +262,33 @@ fn the_pmf_of_integers_is_that_of_the_formulas() {
 #[test]
 fn integer_laws_out_of_range_are_refused() {
     for (centre, scale, error) in [
-        (f32::NAN, 1.0, Error::NotFinite),
-        (f32::INFINITY, 1.0, Error::NotFinite),
-        (0.0, f32::NAN, Error::NotFinite),
-        (0.0, f32::INFINITY, Error::NotFinite),
-        (0.0, 0.0, Error::NotPositive),
-        (0.0, -1.0, Error::NotPositive),
-        (0.0, 20.000_002, Error::TooLarge),
-        (1_073_741_952.0, 1.0, Error::OutOfRange),
-        (-3e38, 1.0, Error::OutOfRange),
+        (f32::NAN, 1.0, Error::NotFinite(0)),
+        (f32::INFINITY, 1.0, Error::NotFinite(0)),
+        (0.0, f32::NAN, Error::NotFinite(1)),
+        (0.0, f32::INFINITY, Error::NotFinite(1)),
+        (0.0, 0.0, Error::NotPositive(1)),
+        (0.0, -1.0, Error::NotPositive(1)),
+        (0.0, 20.000_002, Error::TooLarge(1)),
+        (1_073_741_952.0, 1.0, Error::OutOfRange(0)),
+        (-3e38, 1.0, Error::OutOfRange(0)),
     ] {
         assert_eq!(DiscreteGaussian::new(centre, scale), Err(error));
     }
     for (scale, error) in [
-        (f32::NAN, Error::NotFinite),
-        (f32::INFINITY, Error::NotFinite),
-        (0.0, Error::NotPositive),
-        (-1.0, Error::NotPositive),
-        (9.000_001e7, Error::TooLarge),
+        (f32::NAN, Error::NotFinite(0)),
+        (f32::INFINITY, Error::NotFinite(0)),
+        (0.0, Error::NotPositive(0)),
+        (-1.0, Error::NotPositive(0)),
+        (9.000_001e7, Error::TooLarge(0)),
     ] {
         assert_eq!(DiscreteLaplace::new(scale), Err(error));
     }
-    for [part, whole] in [[0, 1], [1, 0], [0, 0]] {
+    for ([part, whole], place) in [([0, 1], 0), ([1, 0], 1), ([0, 0], 0)] {
         let refused = DiscreteLaplace::from_ratio(part, whole);
-        assert_eq!(refused, Err(Error::NotPositive));
+        assert_eq!(refused, Err(Error::NotPositive(place)));
     }
     let wide = DiscreteLaplace::from_ratio(90_000_001, 1);
-    assert_eq!(wide, Err(Error::TooLarge));
+    assert_eq!(wide, Err(Error::TooLarge(1)));
 }
 
 #[test]

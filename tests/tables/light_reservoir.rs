@@ -18,15 +18,27 @@ fn refusals_leave_it_as_it_was() {
     held.offer('x', 2.0, 0.5, &mut rng).unwrap();
     let before = held;
     for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        assert_eq!(held.offer('y', wrong, 1.0, &mut rng), Err(Error::NotFinite));
-        assert_eq!(held.offer('y', 1.0, wrong, &mut rng), Err(Error::NotFinite));
-        assert_eq!(held.absorb(before, wrong, &mut rng), Err(Error::NotFinite));
+        assert_eq!(
+            held.offer('y', wrong, 1.0, &mut rng),
+            Err(Error::NotFinite(1))
+        );
+        assert_eq!(
+            held.offer('y', 1.0, wrong, &mut rng),
+            Err(Error::NotFinite(2))
+        );
+        assert_eq!(
+            held.absorb(before, wrong, &mut rng),
+            Err(Error::NotFinite(1))
+        );
     }
-    assert_eq!(held.offer('y', -1e-45, 1.0, &mut rng), Err(Error::Negative));
-    assert_eq!(held.absorb(before, -1.0, &mut rng), Err(Error::Negative));
+    assert_eq!(
+        held.offer('y', -1e-45, 1.0, &mut rng),
+        Err(Error::Negative(1))
+    );
+    assert_eq!(held.absorb(before, -1.0, &mut rng), Err(Error::Negative(1)));
     for wrong in [0.0, -0.0, -1e-45] {
         let refused = held.offer('y', 1.0, wrong, &mut rng);
-        assert_eq!(refused, Err(Error::NotPositive), "{wrong}");
+        assert_eq!(refused, Err(Error::NotPositive(2)), "{wrong}");
     }
     assert_eq!(held, before);
     assert_eq!((held.count(), held.contribution()), (1, 2.0));

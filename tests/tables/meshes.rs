@@ -207,8 +207,8 @@ fn what_is_no_mesh_is_refused_by_name() {
     assert_eq!(made(&VERTICES, &[good], 1), None);
     assert_eq!(made(&VERTICES, &[], 1), Some(NoWeights));
     assert_eq!(made(&VERTICES, &[good; 2], 1), Some(TooManyWeights));
-    assert_eq!(made(&VERTICES, &[good, [0, 1, 6]], 2), Some(OutOfRange));
-    assert_eq!(made(&[], &[good], 1), Some(OutOfRange));
+    assert_eq!(made(&VERTICES, &[good, [0, 1, 6]], 2), Some(OutOfRange(1)));
+    assert_eq!(made(&[], &[good], 1), Some(OutOfRange(1)));
     assert_eq!(made(&VERTICES, &[[0, 0, 1], [0, 4, 2]], 2), Some(AllZero));
     let mut vertices = VERTICES;
     for bad in [f32::NAN, f32::INFINITY, -f32::INFINITY] {
@@ -226,7 +226,7 @@ fn what_is_no_mesh_is_refused_by_name() {
     let scaled = |by: f32| VERTICES.map(|v| v.map(|x| x * by));
     assert_eq!(made(&scaled(1e-20), &[good], 1), Some(AllZero));
     assert_eq!(made(&scaled(1e-18), &[good], 1), None);
-    assert_eq!(made(&scaled(1.5e19), &[good], 1), Some(TooLarge));
+    assert_eq!(made(&scaled(1.5e19), &[good], 1), Some(TooLarge(1)));
     assert_eq!(made(&scaled(1e38), &[good], 1), Some(NotFiniteWeight(0)));
     assert_eq!(made(&scaled(1e19), &[good], 1), None);
     let from_table = |weights: &[f32]| {
@@ -237,8 +237,8 @@ fn what_is_no_mesh_is_refused_by_name() {
             .err()
     };
     assert_eq!(from_table(&[1.0, 0.0, 0.0, 1.0, 0.0]), None);
-    assert_eq!(from_table(&[1.0, 1.0, 0.0, 1.0, 0.0]), Some(Empty));
-    assert_eq!(from_table(&[1.0, 0.0, 0.0, 1.0]), Some(OutOfRange));
+    assert_eq!(from_table(&[1.0, 1.0, 0.0, 1.0, 0.0]), Some(Empty(3)));
+    assert_eq!(from_table(&[1.0, 0.0, 0.0, 1.0]), Some(OutOfRange(3)));
     assert_eq!(from_table(&[1.0, -1.0]), Some(NegativeWeight(1)));
     assert_ne!(from_table(&[1.0, 0.0, 0.0, 1.0, 0.0]), Some(Unreachable(0)));
 }
@@ -269,5 +269,5 @@ fn parts_that_are_trusted_wrongly_stay_total() {
         );
     }
     let short = Mesh::from_trusted_parts(&VERTICES, &faces[..4], &areas, table).err();
-    assert_eq!(short, Some(OutOfRange));
+    assert_eq!(short, Some(OutOfRange(2)));
 }

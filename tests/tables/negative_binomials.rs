@@ -161,21 +161,21 @@ fn ends_of_negative_binomial_parameters_are_exact() {
 #[test]
 fn negative_binomial_parameters_out_of_range_are_refused() {
     for (successes, p, error) in [
-        (f32::NAN, 0.5, Error::NotFinite),
-        (f32::INFINITY, 0.5, Error::NotFinite),
-        (3.0, f32::NAN, Error::NotFinite),
-        (0.0, 0.5, Error::NotPositive),
-        (-1.0, 0.5, Error::NotPositive),
-        (3.0, 0.0, Error::NotPositive),
-        (3.0, -0.5, Error::NotPositive),
-        (0.007_812_4, 0.5, Error::OutOfRange),
-        (3.0, 1.000_000_1, Error::OutOfRange),
-        (1.0, 0.099_999_99, Error::TooLarge),
-        (2.222_223, 0.1, Error::TooLarge),
-        (100.001, 0.5, Error::TooLarge),
-        (4_294_967_300.0, 1.0, Error::TooLarge),
-        (f32::MAX, 1.0, Error::TooLarge),
-        (1e-45, 1e-45, Error::OutOfRange),
+        (f32::NAN, 0.5, Error::NotFinite(0)),
+        (f32::INFINITY, 0.5, Error::NotFinite(0)),
+        (3.0, f32::NAN, Error::NotFinite(1)),
+        (0.0, 0.5, Error::NotPositive(0)),
+        (-1.0, 0.5, Error::NotPositive(0)),
+        (3.0, 0.0, Error::NotPositive(1)),
+        (3.0, -0.5, Error::NotPositive(1)),
+        (0.007_812_4, 0.5, Error::OutOfRange(0)),
+        (3.0, 1.000_000_1, Error::OutOfRange(1)),
+        (1.0, 0.099_999_99, Error::TooLarge(1)),
+        (2.222_223, 0.1, Error::TooLarge(1)),
+        (100.001, 0.5, Error::TooLarge(1)),
+        (4_294_967_300.0, 1.0, Error::TooLarge(0)),
+        (f32::MAX, 1.0, Error::TooLarge(0)),
+        (1e-45, 1e-45, Error::OutOfRange(0)),
     ] {
         assert_eq!(
             NegativeBinomial::new(successes, p),
@@ -184,12 +184,12 @@ fn negative_binomial_parameters_out_of_range_are_refused() {
         );
     }
     for (successes, part, whole, error) in [
-        (0, 1, 2, Error::NotPositive),
-        (3, 0, 2, Error::NotPositive),
-        (3, 1, 0, Error::NotPositive),
-        (3, 3, 2, Error::OutOfRange),
-        (1, 1, 11, Error::TooLarge),
-        (101, 1, 2, Error::TooLarge),
+        (0, 1, 2, Error::NotPositive(0)),
+        (3, 0, 2, Error::NotPositive(1)),
+        (3, 1, 0, Error::NotPositive(2)),
+        (3, 3, 2, Error::OutOfRange(2)),
+        (1, 1, 11, Error::TooLarge(2)),
+        (101, 1, 2, Error::TooLarge(Error::NO_PLACE)),
     ] {
         assert_eq!(
             NegativeBinomial::from_ratio(successes, part, whole),

@@ -18,7 +18,8 @@ fn line<const N: usize>(weights: [f32; N], low: f32, high: f32) -> Option<Error>
     narrow
 }
 
-/// The same refusal from arrays and from borrowed memory, of both words.
+/// The same refusal from arrays and from borrowed memory, of both words. The shape of what is borrowed is a parameter before the
+/// ranges.
 fn plane<const C: usize, const R: usize>(
     weights: [[f32; C]; R],
     u: [f32; 2],
@@ -37,7 +38,10 @@ fn plane<const C: usize, const R: usize>(
                 &mut rows,
                 &mut cells,
             );
-            assert_eq!(array, borrowed.err());
+            let told = |error: Error| (error.code(), error.index(), error.parameter());
+            let later =
+                |(code, index, place): (_, _, Option<usize>)| (code, index, place.map(|p| p + 1));
+            assert_eq!(array.map(told).map(later), borrowed.err().map(told));
             array
         }};
     }
@@ -81,21 +85,27 @@ fn bad_weights_are_named_by_their_index() {
 
 #[test]
 fn bad_ranges_are_refused() {
-    for (range, error) in [
-        ([NAN, 1.0], NotFinite),
-        ([0.0, INF], NotFinite),
-        ([-INF, 1.0], NotFinite),
-        ([1.0, 0.0], Reversed),
-        ([2.0, 2.0], Empty),
-        ([0.0, 0.0], Empty),
-        ([1.0, 1.000_000_1], Empty),
-        ([0.0, 1e-45], Empty),
-        ([0.0, 1e-38], Empty),
-        ([-1e6, -1e6 + 1.0], Empty),
-    ] {
-        assert_eq!(line([1.0; 4], range[0], range[1]), Some(error), "{range:?}");
-        assert_eq!(plane([[1.0; 4]; 3], range, UNIT), Some(error), "{range:?}");
-        assert_eq!(plane([[1.0; 3]; 4], UNIT, range), Some(error), "{range:?}");
+    type Reason = fn(usize) -> Error;
+    let refused: [([f32; 2], Reason, usize); 10] = [
+        ([NAN, 1.0], NotFinite, 1),
+        ([0.0, INF], NotFinite, 2),
+        ([-INF, 1.0], NotFinite, 1),
+        ([1.0, 0.0], Reversed, 2),
+        ([2.0, 2.0], Empty, 2),
+        ([0.0, 0.0], Empty, 2),
+        ([1.0, 1.000_000_1], Empty, 2),
+        ([0.0, 1e-45], Empty, 2),
+        ([0.0, 1e-38], Empty, 2),
+        ([-1e6, -1e6 + 1.0], Empty, 2),
+    ];
+    for (range, error, place) in refused {
+        let of_line = line([1.0; 4], range[0], range[1]);
+        assert_eq!(of_line, Some(error(place)), "{range:?}");
+        let (of_u, of_v) = (
+            plane([[1.0; 4]; 3], range, UNIT),
+            plane([[1.0; 3]; 4], UNIT, range),
+        );
+        assert_eq!((of_u, of_v), (Some(error(1)), Some(error(2))), "{range:?}");
     }
     for range in [
         [-f32::MAX, f32::MAX],
@@ -108,11 +118,11 @@ fn bad_ranges_are_refused() {
     // Of a rectangle it is the area that counts.
     for (u, v, error) in [
         ([-f32::MAX, f32::MAX], [0.0, 2.8e-38], None),
-        ([-f32::MAX, f32::MAX], UNIT, Some(TooLarge)),
-        ([0.0, 2e19], [0.0, 2e19], Some(TooLarge)),
+        ([-f32::MAX, f32::MAX], UNIT, Some(TooLarge(2))),
+        ([0.0, 2e19], [0.0, 2e19], Some(TooLarge(2))),
         ([0.0, 9e18], [0.0, 9e18], None),
         ([0.0, 1e-18], [0.0, 1e-18], None),
-        ([0.0, 1e-19], [0.0, 1e-19], Some(Empty)),
+        ([0.0, 1e-19], [0.0, 1e-19], Some(Empty(2))),
         ([1e6, 1e6 + 4.0], [1e6, 1e6 + 4.0], None),
     ] {
         assert_eq!(plane([[1.0; 4]; 4], u, v), error, "{u:?} {v:?}");
@@ -137,7 +147,7 @@ fn shapes_and_memory_must_fit() {
         [usize::MAX, 2],
         [1 << 63, 1 << 63],
     ] {
-        assert_eq!(build(shape, 6, 6), Some(OutOfRange), "{shape:?}");
+        assert_eq!(build(shape, 6, 6), Some(OutOfRange(1)), "{shape:?}");
     }
     assert_eq!(build([3, 2], 1, 6), Some(TooManyWeights));
     assert_eq!(build([3, 2], 2, 5), Some(TooManyWeights));
@@ -163,7 +173,7 @@ fn words_that_are_no_table_are_refused() {
     assert_eq!(build(&[half, 1], &[half, 1, half, 0]), Some(NotATable));
     assert_eq!(build(&[half, 1], &[]), Some(NoWeights));
     let reversed = Table::from_words(&[half, 1], &[0, 0], [1.0, 0.0], UNIT).err();
-    assert_eq!(reversed, Some(Reversed));
+    assert_eq!(reversed, Some(Reversed(2)));
 
     let line = Cdf::from_words([half, 1]).unwrap();
     let table = PiecewiseConstant1d::from_cdf(line, 0.0, 8.0).unwrap();

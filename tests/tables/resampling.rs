@@ -235,7 +235,7 @@ fn bad_input_is_refused_and_changes_nothing() {
         assert_eq!(scheme(&mut [], 1, 0), Err(Error::NoWeights));
         assert_eq!(scheme(&mut [0, 0], 1, 0), Err(Error::AllZero));
         let mut weights = [4, 5];
-        assert_eq!(scheme(&mut weights, many, 0), Err(Error::TooLarge));
+        assert_eq!(scheme(&mut weights, many, 0), Err(Error::TooLarge(1)));
         assert_eq!(weights, [4, 5]);
         assert_eq!(
             scheme(&mut vec![1; many as usize], 1, 0),

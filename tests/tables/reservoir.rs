@@ -118,13 +118,16 @@ fn refusals_leave_it_as_it_was() {
     let mut reservoir = Reservoir::default();
     assert_eq!(
         reservoir.offer('x', f32::NAN, &mut rng),
-        Err(Error::NotFinite)
+        Err(Error::NotFinite(1))
     );
     assert_eq!(
         reservoir.offer('x', f32::INFINITY, &mut rng),
-        Err(Error::NotFinite)
+        Err(Error::NotFinite(1))
     );
-    assert_eq!(reservoir.offer('x', -1e-45, &mut rng), Err(Error::Negative));
+    assert_eq!(
+        reservoir.offer('x', -1e-45, &mut rng),
+        Err(Error::Negative(1))
+    );
     assert_eq!(reservoir.offer('x', -0.0, &mut rng), Ok(false));
     assert_eq!(reservoir, Reservoir::new());
     assert!(!reservoir.merge(Reservoir::new(), &mut rng));

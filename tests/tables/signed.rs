@@ -265,7 +265,11 @@ fn functions_without_a_positive_integral_are_refused() {
         [1.0, -1.000_001, 1.0],
         [1e38, -3e38, 1e38],
     ] {
-        assert_eq!(new(negative), Err(Error::NotNormalizable), "{negative:?}");
+        assert_eq!(
+            new(negative),
+            Err(Error::NotNormalizable(0)),
+            "{negative:?}"
+        );
     }
     assert_eq!(new([1.0, -0.999_99, 1.0]), Ok(()));
     assert_eq!(new([0.0, -0.0, 0.0]), Err(Error::AllZero));
@@ -277,11 +281,11 @@ fn functions_without_a_positive_integral_are_refused() {
     assert_eq!(SignedLinear1d::new(&[1.0], 0.0, 1.0), Err(Error::NoWeights));
     assert_eq!(
         SignedLinear1d::new(&[1.0, 1.0], 1.0, 0.0),
-        Err(Error::Reversed)
+        Err(Error::Reversed(2))
     );
     assert_eq!(
         SignedLinear1d::new(&[1.0, 1.0], 1.0, 1.0),
-        Err(Error::Empty)
+        Err(Error::Empty(2))
     );
     for odd in [0.0, f32::NAN, f32::INFINITY, -1e-30, 1e-30] {
         let made = SignedLinear1d::new(&filter::gaussian::<9>(odd), -1.0, 1.0);

@@ -386,7 +386,7 @@ fn what_is_no_sky_is_refused() {
     assert_eq!(with(2, f32::INFINITY), Some(NotFiniteWeight(2)));
     assert_eq!(with(5, -1e-30), Some(NegativeWeight(5)));
     assert_eq!(with(0, f32::MAX), Some(Unreachable(1)));
-    assert_eq!(refused(&[1.0; 6], [2, 2]), Some(OutOfRange));
+    assert_eq!(refused(&[1.0; 6], [2, 2]), Some(OutOfRange(1)));
     assert_eq!(refused(&[], [0, 0]), Some(NoWeights));
     assert_eq!(refused(&[1.0; 80], [10, 8]), Some(TooManyWeights));
     let mut rows = vec![0; (1 << 20) + 1];
@@ -394,7 +394,7 @@ fn what_is_no_sky_is_refused() {
     let many = vec![1.0; (1 << 20) + 1];
     for shape in [[1, many.len()], [many.len(), 1]] {
         let sky = Narrow::<Poly>::new_in(&many, shape, &mut rows, &mut cells);
-        assert_eq!(sky.err(), Some(Empty));
+        assert_eq!(sky.err(), Some(Empty(1)));
     }
     let black: Result<_, Error> = microwarp::poly::LatLongMap::new(&[[0.0; 4]; 2]);
     assert_eq!(black.err(), Some(AllZero));

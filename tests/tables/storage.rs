@@ -144,7 +144,7 @@ fn a_map_on_the_heap_has_the_bits_of_the_array() {
     // Refused as an array would be.
     type Map = PiecewiseConstant2d<Vec<u32>, Vec<u32>>;
     let refused = |weights: &[f32], shape| Map::from_slice(weights, shape, UNIT, UNIT).err();
-    assert_eq!(refused(&[1.0; 6], [2, 2]), Some(Error::OutOfRange));
+    assert_eq!(refused(&[1.0; 6], [2, 2]), Some(Error::OutOfRange(1)));
     assert_eq!(refused(&[], [0, 0]), Some(Error::NoWeights));
     let dim = [1.0, 1.0, 0.0, 1e-12, 0.0, 1e-12];
     assert_eq!(refused(&dim, [2, 3]), Some(Error::Unreachable(3)));

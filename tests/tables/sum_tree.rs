@@ -320,14 +320,14 @@ fn what_does_not_fit_is_refused_and_changes_nothing() {
         Err(Error::TooManyWeights)
     );
     let mut weights = [1_u32 << 31, 7, 1 << 31];
-    assert_eq!(SumTree::new_in(&mut weights[..]), Err(Error::TooLarge));
+    assert_eq!(SumTree::new_in(&mut weights[..]), Err(Error::TooLarge(0)));
     assert_eq!(weights, [1 << 31, 7, 1 << 31]);
-    assert_eq!(SumTree::new_u64([u64::MAX, 1]), Err(Error::TooLarge));
+    assert_eq!(SumTree::new_u64([u64::MAX, 1]), Err(Error::TooLarge(0)));
     let mut tree = SumTree::new([u32::MAX - 5, 2, 0]).unwrap();
     let before = tree;
-    assert_eq!(tree.set(2, 4), Err(Error::TooLarge));
-    assert_eq!(tree.set(3, 0), Err(Error::OutOfRange));
-    assert_eq!(tree.set(usize::MAX, 0), Err(Error::OutOfRange));
+    assert_eq!(tree.set(2, 4), Err(Error::TooLarge(1)));
+    assert_eq!(tree.set(3, 0), Err(Error::OutOfRange(0)));
+    assert_eq!(tree.set(usize::MAX, 0), Err(Error::OutOfRange(0)));
     assert_eq!(tree, before);
     assert_eq!(tree.set(2, 3), Ok(0));
     assert_eq!(tree.total(), u32::MAX);

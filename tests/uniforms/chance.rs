@@ -156,13 +156,13 @@ fn a_draw_takes_one_word_and_equal_chances_are_equal() {
 #[test]
 fn bad_chances_are_refused() {
     for (p, error) in [
-        (f32::NAN, Error::NotFinite),
-        (f32::INFINITY, Error::NotFinite),
-        (-f32::MIN_POSITIVE, Error::Negative),
-        (1.0_f32.next_up(), Error::OutOfRange),
+        (f32::NAN, Error::NotFinite(0)),
+        (f32::INFINITY, Error::NotFinite(0)),
+        (-f32::MIN_POSITIVE, Error::Negative(0)),
+        (1.0_f32.next_up(), Error::OutOfRange(0)),
     ] {
         assert_eq!(Chance::new(p), Err(error), "{p}");
     }
-    assert_eq!(Chance::from_ratio(0, 0), Err(Error::NotPositive));
-    assert_eq!(Chance::from_ratio(3, 2), Err(Error::OutOfRange));
+    assert_eq!(Chance::from_ratio(0, 0), Err(Error::NotPositive(1)));
+    assert_eq!(Chance::from_ratio(3, 2), Err(Error::OutOfRange(1)));
 }

@@ -245,9 +245,9 @@ fn every_draw_takes_the_words_stated() {
 
 #[test]
 fn empty_ranges_are_refused() {
-    assert_eq!(Range::below(0), Err(Error::Empty));
-    assert_eq!(Range::new(2, 1), Err(Error::Empty));
-    assert_eq!(Range::signed(0, -1), Err(Error::Empty));
-    assert_eq!(Range::of_u64(u64::MAX, 0), Err(Error::Empty));
+    assert_eq!(Range::below(0), Err(Error::Empty(0)));
+    assert_eq!(Range::new(2, 1), Err(Error::Empty(1)));
+    assert_eq!(Range::signed(0, -1), Err(Error::Empty(1)));
+    assert_eq!(Range::of_u64(u64::MAX, 0), Err(Error::Empty(1)));
     assert_eq!(Range::below(1).unwrap().select(u32::MAX), (0, u32::MAX));
 }

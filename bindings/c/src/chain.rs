@@ -91,7 +91,7 @@ impl<X: Copy, K: Kind> InC<X, K> {
     #[inline]
     fn chain(&self) -> Result<Chain<X, K::Density>, Error> {
         if !self.made.is_made() {
-            return Err(Error::NotPositive);
+            return Err(Error::NotPositive(0));
         }
         Chain::resume(Saved {
             state: self.state,

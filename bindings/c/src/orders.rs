@@ -141,7 +141,7 @@ extern "C" fn permutation_index_of(order: &Permutation, number: u32, place: &mut
     })
 }
 
-const OUTSIDE: core_crate::Error = core_crate::Error::OutOfRange;
+const OUTSIDE: core_crate::Error = core_crate::Error::OutOfRange(1);
 
 #[unsafe(export_name = "mw_latin_hypercube_init")]
 unsafe extern "C" fn latin_hypercube(set: *mut LatinHypercube, count: u32, seed: u32) -> Code {

@@ -61,7 +61,7 @@ fn proposed(step: &Step, widths: &[f32], mut words: Words, state: &mut [f32]) ->
         false
     };
     if widths.iter().all(|width| *width == 0.0) {
-        return Err(Error::NotPositive);
+        return Err(Error::NotPositive(1));
     }
     for (x, &width) in state.iter_mut().zip(widths) {
         let words = &mut words;

@@ -295,6 +295,8 @@ pub struct Registered {
     pub constructor: &'static str,
     /// What kinds of numbers it takes, one after the other.
     pub takes: &'static [Kind],
+    /// The place of the constructor's parameter to which each number belongs; its own where nothing is said.
+    pub parameters: &'static [usize],
     /// Pairs of numbers of which the smaller one comes first; who draws parameters puts them in order.
     pub ordered: &'static [[usize; 2]],
     /// The entry of these numbers, or why they are refused.
@@ -354,6 +356,7 @@ impl Registered {
             tier: "",
             constructor,
             takes,
+            parameters: &[],
             ordered: &[],
             build,
             cases: Vec::new(),
@@ -380,6 +383,16 @@ impl Registered {
     ) -> Self {
         self.cases.push((label, parameters.to_vec(), change));
         self
+    }
+
+    fn parameters(mut self, places: &'static [usize]) -> Self {
+        self.parameters = places;
+        self
+    }
+
+    /// The place of the parameter to which a number belongs.
+    pub fn parameter(&self, number: usize) -> usize {
+        self.parameters.get(number).copied().unwrap_or(number)
     }
 
     fn ordered(mut self, pairs: &'static [[usize; 2]]) -> Self {

@@ -44,7 +44,7 @@ impl<K: Kit> View<K> {
     /// without pixels, [`Error::OutOfRange`] for fewer than three blades.
     pub fn new(camera: Camera, [width, height]: [u32; 2]) -> Result<Self, Error> {
         if width == 0 || height == 0 {
-            return Err(Error::Empty);
+            return Err(Error::Empty(1));
         }
         let ahead = unit(minus(camera.target, camera.eye));
         let [x, y, _] = ahead;

@@ -30,26 +30,26 @@ impl<G: Grade + 'static> Kit for Integers<G> {
 
     #[inline]
     fn gloss(exponent: f32) -> Result<Self::Gloss, Error> {
-        let exponent = U32F32::checked_from_num(exponent).ok_or(Error::OutOfRange)?;
+        let exponent = U32F32::checked_from_num(exponent).ok_or(Error::OutOfRange(0))?;
         PhongLobe::new(exponent).map(Float::new)
     }
 
     #[inline]
     fn phase(asymmetry: f32) -> Result<Self::Phase, Error> {
-        let asymmetry = I2F30::checked_from_num(asymmetry).ok_or(Error::OutOfRange)?;
+        let asymmetry = I2F30::checked_from_num(asymmetry).ok_or(Error::OutOfRange(0))?;
         HenyeyGreenstein::new(asymmetry).map(Float::new)
     }
 
     #[inline]
     fn free(rate: f32, length: f32) -> Result<Self::Free, Error> {
-        let rate = U32F32::checked_from_num(rate).ok_or(Error::OutOfRange)?;
-        let length = U8F24::checked_from_num(length).ok_or(Error::TooLarge)?;
+        let rate = U32F32::checked_from_num(rate).ok_or(Error::OutOfRange(0))?;
+        let length = U8F24::checked_from_num(length).ok_or(Error::TooLarge(1))?;
         TruncatedExponential::from_rate(rate, length).map(Float::new)
     }
 
     #[inline]
     fn filter(radius: f32) -> Result<Self::Filter, Error> {
-        let radius = I2F30::checked_from_num(radius).ok_or(Error::OutOfRange)?;
+        let radius = I2F30::checked_from_num(radius).ok_or(Error::OutOfRange(0))?;
         Tent::new(radius).map(Float::new)
     }
 }

@@ -58,7 +58,7 @@ pub(super) fn overflowing<T: Tier>() -> Registered {
         // What it does at n = −1 exactly and from 0 is another branch.
         let m = n + 1.0;
         if m == 0.0 || a == 0.0 {
-            return Err(Error::OutOfRange);
+            return Err(Error::OutOfRange(0));
         }
         let warp = Overflowing { warp, m, a, b };
         let truth = truth::power(n, a, b, true);

@@ -79,7 +79,7 @@ fn cones_of_an_angle_are_accepted_as_those_of_a_cosine_are() {
     let least = (2.0_f64.powi(-17).asin() / std::f64::consts::PI * TURN).ceil() as u32;
     let cone = |words| warp::Cone::<Fine>::from_turns(U0F32::from_bits(words));
     assert!(cone(least + 2).is_ok());
-    assert_eq!(cone(least - 2), Err(Error::Empty));
+    assert_eq!(cone(least - 2), Err(Error::Empty(0)));
     assert!(f64::from(least) / TURN < 2.43e-6 && f64::from(least) / TURN > 2.42e-6);
 }
 
@@ -131,7 +131,7 @@ fn normals_are_refused_only_where_their_density_overflows() {
         warp::NormalPair::<_, Fine>::new([I0F32::ZERO; 2], I0F32::from_num(deviation))
     };
     assert!(noise(least * 1.001).is_ok());
-    assert_eq!(noise(least * 0.999), Err(Error::Empty));
+    assert_eq!(noise(least * 0.999), Err(Error::Empty(1)));
     let finest = noise(least * 1.001).unwrap();
     let peak = finest.pdf([I0F32::ZERO; 2]).to_num::<f64>();
     let truth = 1.0 / (2.0 * std::f64::consts::PI) / finest_deviation(least * 1.001).powi(2);

@@ -95,7 +95,7 @@ fn weights_of_0_leave_out_their_corners_edges_and_points() {
 #[test]
 fn weights_that_are_all_0_are_refused_and_others_count_by_their_ratios() {
     let refused = Bilinear::<Fine>::new([[U32F0::ZERO; 2]; 2]);
-    assert_eq!(refused, Err(Error::NotPositive));
+    assert_eq!(refused, Err(Error::NotPositive(0)));
     let bits = [[1, 3], [2, 0]];
     let of_units = Bilinear::<Fine>::new(bits.map(|row| row.map(U32F0::from_bits)));
     let of_steps = Bilinear::<Fine>::new(bits.map(|row| row.map(U0F32::from_bits)));

@@ -194,12 +194,12 @@ fn an_asymmetry_near_1_is_given_by_its_complement() {
     type Fog = HenyeyGreenstein<Fine>;
     let of = |bits: u64| Fog::from_one_minus(U2F62::from_bits(bits));
     let one = 1_u64 << 62;
-    assert_eq!(of(0), Err(Error::OutOfRange));
-    assert_eq!(of(2 * one), Err(Error::OutOfRange));
-    assert_eq!(of(u64::MAX), Err(Error::OutOfRange));
+    assert_eq!(of(0), Err(Error::OutOfRange(0)));
+    assert_eq!(of(2 * one), Err(Error::OutOfRange(0)));
+    assert_eq!(of(u64::MAX), Err(Error::OutOfRange(0)));
     for least in [1, (one >> 17) - 1] {
-        assert_eq!(of(least), Err(Error::Empty));
-        assert_eq!(of(2 * one - least), Err(Error::Empty));
+        assert_eq!(of(least), Err(Error::Empty(0)));
+        assert_eq!(of(2 * one - least), Err(Error::Empty(0)));
     }
     for bits in [
         one >> 17,
@@ -225,9 +225,9 @@ fn an_asymmetry_near_1_is_given_by_its_complement() {
         assert_eq!(Fog::new(g), of(complement.to_bits()));
     }
     for g in [I2F30::ONE, -I2F30::ONE, I2F30::MIN, I2F30::MAX] {
-        assert_eq!(Fog::new(g), Err(Error::OutOfRange));
+        assert_eq!(Fog::new(g), Err(Error::OutOfRange(0)));
     }
-    assert_eq!(Fog::new(I2F30::ONE - I2F30::DELTA), Err(Error::Empty));
+    assert_eq!(Fog::new(I2F30::ONE - I2F30::DELTA), Err(Error::Empty(0)));
 }
 
 #[test]

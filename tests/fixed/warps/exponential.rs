@@ -165,14 +165,14 @@ fn a_mean_of_0_or_beyond_the_format_is_refused() {
     type Wide = Exponential<U0, Fine>;
     assert_eq!(
         Wide::from_mean(U32F0::from_bits(0)),
-        Err(Error::NotPositive)
+        Err(Error::NotPositive(0))
     );
     assert!(Wide::from_mean(U32F0::from_bits(1)).is_ok());
     assert!(Wide::from_mean(U32F0::from_bits(LARGEST)).is_ok());
     for mean in [LARGEST + 1, 1 << 28, u32::MAX] {
         assert_eq!(
             Wide::from_mean(U32F0::from_bits(mean)),
-            Err(Error::TooLarge)
+            Err(Error::TooLarge(0))
         );
     }
     const CHECKED: Result<Exponential<U16, Fine>, Error> =

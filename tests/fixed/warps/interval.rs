@@ -148,17 +148,17 @@ fn outside_there_is_no_density_and_the_nearest_value_s_word() {
 
 #[test]
 fn bounds_in_the_wrong_order_are_refused() {
-    assert_eq!(Interval::<i32>::new(1, 0), Err(Error::Reversed));
-    assert_eq!(Interval::<i32>::new(0, 0), Err(Error::Empty));
-    assert_eq!(Interval::<i32>::inclusive(0, -1), Err(Error::Reversed));
+    assert_eq!(Interval::<i32>::new(1, 0), Err(Error::Reversed(1)));
+    assert_eq!(Interval::<i32>::new(0, 0), Err(Error::Empty(1)));
+    assert_eq!(Interval::<i32>::inclusive(0, -1), Err(Error::Reversed(1)));
     assert_eq!(
         Interval::<i32>::new(i32::MAX, i32::MIN),
-        Err(Error::Reversed)
+        Err(Error::Reversed(1))
     );
     // Bits that are larger as words, but of a smaller number.
     assert!(Interval::<i32>::new(-1, 0).is_ok());
     assert!(Interval::<I0F32>::new(I0F32::MIN, I0F32::MAX).is_ok());
-    assert_eq!(Interval::<u32>::new(u32::MAX, 0), Err(Error::Reversed));
+    assert_eq!(Interval::<u32>::new(u32::MAX, 0), Err(Error::Reversed(1)));
     const DICE: Result<Interval<i32>, Error> = Interval::<i32>::inclusive(1, 6);
     assert_eq!(DICE.unwrap().sample(U0F32::MAX), 6);
 }

@@ -209,15 +209,15 @@ fn deviations_and_means_that_would_overflow_are_refused() {
     let new =
         |mean: [i32; 2], deviation| NormalPair::<U16, Fine>::new(mean.map(bits), bits(deviation));
     for deviation in [0, -1, i32::MIN] {
-        assert_eq!(new([0, 0], deviation), Err(Error::NotPositive));
+        assert_eq!(new([0, 0], deviation), Err(Error::NotPositive(1)));
     }
     for deviation in [1 << 27, 1 << 28, i32::MAX] {
-        assert_eq!(new([0, 0], deviation), Err(Error::TooLarge));
+        assert_eq!(new([0, 0], deviation), Err(Error::TooLarge(1)));
     }
     assert!(new([0, 0], (1 << 27) - 1).is_ok());
     for far in [i32::MIN, i32::MIN + 3000, i32::MAX - 6000, i32::MAX] {
-        assert_eq!(new([0, far], 1000), Err(Error::TooLarge));
-        assert_eq!(new([far, 0], 1000), Err(Error::TooLarge));
+        assert_eq!(new([0, far], 1000), Err(Error::TooLarge(1)));
+        assert_eq!(new([far, 0], 1000), Err(Error::TooLarge(1)));
     }
     assert!(new([i32::MAX - 6700, -i32::MAX + 6700], 1000).is_ok());
     // The density overflows where 2πσ² is below 2⁻³².
@@ -225,7 +225,7 @@ fn deviations_and_means_that_would_overflow_are_refused() {
         let bits = FixedI32::<U30>::from_bits;
         NormalPair::<U30, Fine>::new([bits(0); 2], bits(deviation))
     };
-    assert_eq!(narrow(6_530), Err(Error::Empty));
+    assert_eq!(narrow(6_530), Err(Error::Empty(1)));
     assert!(narrow(6_540).is_ok());
     const CHECKED: Result<NormalPair<U16, Fine>, Error> =
         NormalPair::new([I16F16::ZERO; 2], I16F16::from_bits(1 << 16));

@@ -124,7 +124,7 @@ fn the_tent_rises_to_the_middle_and_ends_at_the_radius() {
 fn a_radius_of_0_or_less_is_refused() {
     for radius in [0, -1, i32::MIN] {
         let refused = Tent::<U16, Fine>::new(I16F16::from_bits(radius));
-        assert_eq!(refused, Err(Error::NotPositive));
+        assert_eq!(refused, Err(Error::NotPositive(0)));
     }
     const CHECKED: Result<Tent<U16, Fine>, Error> = Tent::new(I16F16::from_bits(1));
     assert_eq!(CHECKED.unwrap().sample(U0F32::ZERO), 0);

@@ -360,10 +360,13 @@ fn vertices_too_far_apart_or_on_a_line_are_refused() {
         [[0, 0], [5, 5], [9, 9]],
         [[1, 7], [1, 8], [1, i32::MAX]],
     ] {
-        assert_eq!(new(on_a_line), Err(Error::Empty));
+        assert_eq!(new(on_a_line), Err(Error::Empty(0)));
     }
     // Half a square step, of density 2³³.
-    assert_eq!(new([[100, 100], [101, 100], [100, 101]]), Err(Error::Empty));
+    assert_eq!(
+        new([[100, 100], [101, 100], [100, 101]]),
+        Err(Error::Empty(0))
+    );
     assert!(new([[100, 100], [102, 100], [100, 102]]).is_ok());
     const FACET: Result<TriangleOn<U16, 2>, Error> = TriangleOn::new([
         [I16F16::ZERO, I16F16::ZERO],
@@ -375,6 +378,6 @@ fn vertices_too_far_apart_or_on_a_line_are_refused() {
         [[-1, 0], [i32::MAX, 0], [5, 5]],
         [[0, i32::MIN], [1, 0], [2, i32::MAX]],
     ] {
-        assert_eq!(new(too_far), Err(Error::TooLarge));
+        assert_eq!(new(too_far), Err(Error::TooLarge(0)));
     }
 }

@@ -199,7 +199,10 @@ fn a_mean_or_a_length_of_0_is_refused() {
         )
     };
     for (mean, length) in [(0, 0), (0, 1), (1, 0), (u32::MAX, 0), (0, u32::MAX)] {
-        assert_eq!(new(mean, length), Err(Error::NotPositive));
+        assert_eq!(
+            new(mean, length),
+            Err(Error::NotPositive(usize::from(mean > 0)))
+        );
     }
     const CHECKED: Result<TruncatedExponential<U16, Fine>, Error> =
         TruncatedExponential::from_mean(U16F16::from_bits(1 << 16), U16F16::from_bits(1));

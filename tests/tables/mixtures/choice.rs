@@ -230,7 +230,7 @@ fn what_cannot_be_picked_from_is_refused() {
     assert_eq!((far.numerator(2), far.pmf(2)), (0, 0.0));
     // No uniform, nothing to pick by.
     let none = Mixture::new([Still; 2], &[1.0, 1.0]);
-    assert_eq!(none.unwrap_err(), Error::Empty);
+    assert_eq!(none.unwrap_err(), Error::Empty(0));
     const CONSTANT: Mixture<[mw::Normal; 2], 2> = constant!(Mixture::new(
         [
             constant!(mw::Normal::new(-3.0, 0.5)),

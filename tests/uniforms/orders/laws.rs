@@ -113,10 +113,10 @@ fn what_is_refused_changes_nothing() {
     let words = drawn(|rng| refused = uniform::choose(&mut items, 4, rng).err());
     assert_eq!(
         (refused, words, items),
-        (Some(Error::OutOfRange), 0, [3, 1, 2])
+        (Some(Error::OutOfRange(1)), 0, [3, 1, 2])
     );
-    assert_eq!(ChoiceInOrder::new(4, 3), Err(Error::OutOfRange));
-    assert_eq!(ChoiceOfStream::new(0), Err(Error::Empty));
+    assert_eq!(ChoiceInOrder::new(4, 3), Err(Error::OutOfRange(1)));
+    assert_eq!(ChoiceOfStream::new(0), Err(Error::Empty(0)));
     // A generator that fails says so, and a choice has not seen the item.
     let mut failing = FromFn(|| Err::<u32, _>(std::fmt::Error));
     let mut choices = (

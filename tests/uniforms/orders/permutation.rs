@@ -56,7 +56,7 @@ fn numbers_of_many_are_found() {
         }
         assert_eq!([order.get(count), order.index_of(count)], [None; 2]);
     }
-    assert_eq!(Permutation::new(0, 1), Err(Error::Empty));
+    assert_eq!(Permutation::new(0, 1), Err(Error::Empty(0)));
     const ORDER: Permutation = microwarp::constant!(Permutation::new(1000, 3));
     assert_eq!((ORDER, ORDER.count()), (of(1000, 3), 1000));
 }

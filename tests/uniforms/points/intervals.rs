@@ -190,11 +190,11 @@ fn dimensions_beyond_those_tabulated_are_refused() {
         )*};
     }
     refused! {
-        0 => Some(Error::Empty);
+        0 => Some(Error::Empty(Error::NO_PLACE));
         1 => None;
         2 => None;
         8 => None;
-        9 => Some(Error::TooLarge);
-        1000 => Some(Error::TooLarge);
+        9 => Some(Error::TooLarge(Error::NO_PLACE));
+        1000 => Some(Error::TooLarge(Error::NO_PLACE));
     }
 }

@@ -103,7 +103,7 @@ fn points_behind_the_last_are_random_ones() {
             ByPosition::new(7, 0).word(4, dimension)
         );
     }
-    assert_eq!(LatinHypercube::new(0, 1), Err(Error::Empty));
+    assert_eq!(LatinHypercube::new(0, 1), Err(Error::Empty(0)));
     assert_eq!((points.count(), size_of::<LatinHypercube>()), (5, 24));
 }
 

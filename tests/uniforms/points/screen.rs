@@ -116,10 +116,10 @@ fn pictures_beyond_32_bits_are_refused_and_any_place_has_words() {
         ([2, 2], 31),
         ([5, 5], u32::MAX),
     ] {
-        assert_eq!(made(size, k), Err(Error::TooLarge), "{size:?}, {k}");
+        assert_eq!(made(size, k), Err(Error::TooLarge(2)), "{size:?}, {k}");
     }
     for size in [[0, 1], [1, 0], [0, 0], [0, u32::MAX]] {
-        assert_eq!(made(size, 0), Err(Error::Empty));
+        assert_eq!(made(size, 0), Err(Error::Empty(1)));
     }
     for (size, k) in [([1, 1], 32), ([1, 1], 0), ([1 << 16; 2], 0), ([9, 4], 3)] {
         let screen = Screen::new(Sobol::<3>::new(1).unwrap(), size, k, 3).unwrap();

@@ -49,6 +49,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 .own_density()
                 .outside(&[[0.5, 0.6, 0.1], [-0.1, 0.6, 0.5]]))
         })
+        .parameters(&[0; 4])
         .case_with("4 4 / 1 0", &[4.0, 4.0, 1.0, 0.0], |e| {
             e.picture("a bilinear weight on a triangle", EQUILATERAL)
         })
@@ -61,7 +62,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         .seed(&[1.0; 4])
         .seed(&[4.0, 4.0, 1.0, 0.0])
         .seed(&[0.0, 1.0, 1.0, 2.0])
-        .refuse(&[0.0; 4], Error::NotPositive),
+        .refuse(&[0.0; 4], Error::NotPositive(0)),
         example(
             "Inversion",
             "",

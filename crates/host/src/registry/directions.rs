@@ -142,10 +142,14 @@ fn turned(
     build: fn(&[f32]) -> Result<Entry, Error>,
 ) -> Registered {
     Registered::new("Oriented", constructor, takes, build)
-        .refuse(&[&[0.0; 3], &[1.0][..takes.len() - 3]].concat(), ZeroLength)
+        .parameters(&[0; 4])
+        .refuse(
+            &[&[0.0; 3], &[1.0][..takes.len() - 3]].concat(),
+            ZeroLength(0),
+        )
         .refuse(
             &[&[0.0, NAN, 0.0], &[1.0][..takes.len() - 3]].concat(),
-            NotFinite,
+            NotFinite(0),
         )
 }
 
@@ -193,7 +197,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("n=1e6", &[1e6], |e| e.picture("p ∝ cosⁿθ, n = 10⁶", Sky(0.0035)))
             .case("n=1e8", &[1e8])
             .seed(&[50.0]).seed(&[1e8]).seed(&[TINY]).seed(&[1.0e20]).seed(&[f32::MAX])
-            .refuse(&[NAN], NotFinite).refuse(&[-0.1], Negative)
+            .refuse(&[NAN], NotFinite(0)).refuse(&[-0.1], Negative(0))
             .constant(in_both!(PhongLobe<T>::new(13.7)))
             .gives_back(|p| PhongLobe::<T>::new(p[0]).map(|warp| vec![warp.exponent()])),
         Registered::new("HenyeyGreenstein", "", &[Within(-1.0, 1.0)], |p| {
@@ -219,7 +223,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e
             })
             .seed(&[0.8]).seed(&[-0.5]).seed(&[0.3]).seed(&[1e-3]).seed(&[-1e-8]).seed(&[0.999_999_94]).seed(&[-0.999_999_94])
-            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[1.0], OutOfRange).refuse(&[-1.0], OutOfRange)
+            .refuse(&[NAN], NotFinite(0)).refuse(&[INF], NotFinite(0)).refuse(&[1.0], OutOfRange(0)).refuse(&[-1.0], OutOfRange(0))
             .constant(in_both!(HenyeyGreenstein<T>::new(-0.6)))
             .constant(in_both!(HenyeyGreenstein<T>::from_one_minus_g(1e-7)))
             .constant(in_both!(HenyeyGreenstein<T>::from_one_plus_g(0.7)))
@@ -233,7 +237,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e
             })
             .seed(&[1.0]).seed(&[0.2]).seed(&[1e-7]).seed(&[NARROWEST])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[1.1], OutOfRange).refuse(&[1e-10], OutOfRange),
+            .refuse(&[NAN], NotFinite(0)).refuse(&[0.0], NotPositive(0)).refuse(&[1.1], OutOfRange(0)).refuse(&[1e-10], OutOfRange(0)),
         Registered::new("HenyeyGreenstein", "from_one_plus_g", &[Within(NARROWEST, 1.0)], |p| {
             peaked(HenyeyGreenstein::<T>::from_one_plus_g(p[0]), p[0], true)
         })
@@ -243,7 +247,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e
             })
             .seed(&[1.0]).seed(&[0.2]).seed(&[1e-7]).seed(&[NARROWEST])
-            .refuse(&[INF], NotFinite).refuse(&[-0.1], NotPositive).refuse(&[1.1], OutOfRange).refuse(&[1e-10], OutOfRange),
+            .refuse(&[INF], NotFinite(0)).refuse(&[-0.1], NotPositive(0)).refuse(&[1.1], OutOfRange(0)).refuse(&[1e-10], OutOfRange(0)),
         Registered::new("VonMisesFisher", "", &[Positive], |p| {
             let warp = VonMisesFisher::<T>::new(p[0])?;
             let mut entry = about_z::<T, _>("VonMisesFisher", warp, exact!(von_mises_fisher(p[0])));
@@ -264,13 +268,14 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("k=1e30", &[1e30])
             .seed(&[0.0]).seed(&[1e-20]).seed(&[1e-8]).seed(&[1e-3]).seed(&[0.3]).seed(&[1.0]).seed(&[4.0]).seed(&[16.0])
             .seed(&[20.0]).seed(&[39.0]).seed(&[100.0]).seed(&[1e8]).seed(&[1e15]).seed(&[1e30])
-            .refuse(&[NAN], NotFinite).refuse(&[INF], NotFinite).refuse(&[-0.1], Negative).refuse(&[1.1e30], OutOfRange)
+            .refuse(&[NAN], NotFinite(0)).refuse(&[INF], NotFinite(0)).refuse(&[-0.1], Negative(0)).refuse(&[1.1e30], OutOfRange(0))
             .without("getters", "it keeps a smallest concentration in place of 0")
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Ggx", "", &[Within(1e-4, 1.0), Within(1e-4, 1.0)], |p| {
             let truth = exact!(Ggx { alpha: [p[0], p[1]].map(Real::from) });
             Ok(upper(about_z::<T, _>("Ggx", Ggx::<T>::new([p[0], p[1]])?, truth)).own_density())
         })
+            .parameters(&[0, 0])
             .case("α=0.3", &[0.3, 0.3])
             .control("a roughness slightly off", |[u, v, _], wrong| direction((0.3 * (1.0 + wrong) * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean z"])
             .case_with("α=0.1, 0.5", &[0.1, 0.5], |e| e.picture("roughness 0.1 along x, 0.5 along y", Sky(FRAC_PI_2)))
@@ -278,12 +283,13 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("α=0.01", &[0.01, 0.01])
             .case("α=1, 1e-4", &[1.0, 1e-4])
             .seed(&[1e-4, 1.0]).seed(&[0.3, 0.3]).seed(&[1e-4, 1e-4])
-            .refuse(&[NAN, 0.5], NotFinite).refuse(&[0.5, 0.0], NotPositive).refuse(&[0.5, 1.1], OutOfRange).refuse(&[9e-5, 0.5], OutOfRange)
+            .refuse(&[NAN, 0.5], NotFinite(0)).refuse(&[0.5, 0.0], NotPositive(0)).refuse(&[0.5, 1.1], OutOfRange(0)).refuse(&[9e-5, 0.5], OutOfRange(0))
             .constant(in_both!(Ggx<T>::new([0.3, 0.1])))
             .gives_back(|p| Ggx::<T>::new([p[0], p[1]]).map(|warp| warp.alpha().to_vec())),
         Registered::new("GgxVisible", "", &VIEW, |p| {
             visible(p, GgxVisible::<T>::new([p[0], p[1], p[2]], [p[3], p[4]]), false)
         })
+            .parameters(&[0, 0, 0, 1, 1])
             .case_with("α=0.3 at 60°", &[0.866, 0.0, 0.5, 0.3, 0.3], |e| e.picture("seen at 60°, roughness 0.3", Sky(FRAC_PI_2)))
             .control("all normals for those that are seen", |[u, v, _], _| direction((0.3 * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean x"])
             .case("α=0.1, 0.5 at 60°", &[0.5, -0.7, 0.5, 0.1, 0.5])
@@ -294,24 +300,26 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.6, 0.5, 0.5, 1e-3, 1.0]).seed(&[-0.5, -0.25, 0.5, 1.0, 1e-4])
             .seed(&[1e-36, 0.0, 6e-31, 0.8, 0.01])
             .seed(&[0.0, 0.0, 1.0, 0.5, 0.5]).seed(&[1.0, 0.0, 0.0, 1e-4, 1.0]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0])
-            .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength).refuse(&[NAN, 0.0, 1.0, 0.5, 0.5], NotFinite)
-            .refuse(&[0.0, 0.6, -0.8, 0.5, 0.5], OutOfRange).refuse(&[0.0, 0.0, 1.0, 0.0, 0.5], NotPositive)
+            .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength(0)).refuse(&[NAN, 0.0, 1.0, 0.5, 0.5], NotFinite(0))
+            .refuse(&[0.0, 0.6, -0.8, 0.5, 0.5], OutOfRange(0)).refuse(&[0.0, 0.0, 1.0, 0.0, 0.5], NotPositive(1))
             .without("constant", "its constructor is no constant function: it takes roots")
             .without("getters", "it keeps the view as a unit vector"),
         Registered::new("GgxVisible", "bounded", &VIEW, |p| {
             visible(p, GgxVisible::<T>::bounded([p[0], p[1], p[2]], [p[3], p[4]]), true)
         })
+            .parameters(&[0, 0, 0, 1, 1])
             .case("α=0.5 at 30°, bounded", &[0.5, 0.0, 0.866, 0.5, 0.5])
             .case("α=1, 0.3 at 85°, bounded", &[0.7, 0.7, 0.09, 1.0, 0.3])
             .seed(&[0.0, 0.0, 1.0, 1.0, 1.0]).seed(&[1.0, 0.0, 0.0, 1.0, 1.0])
-            .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength),
+            .refuse(&[0.0, 0.0, 0.0, 0.5, 0.5], ZeroLength(0)),
         Registered::new("Reflected", "", &[Within(0.0, 0.866), Within(0.2, 1.0), Within(0.2, 1.0)], reflected::<T>)
+            .parameters(&[0, 1, 1])
             .case_with("α=0.3 at 53°", &[0.8, 0.3, 0.3], |e| e.picture("seen at 53°, roughness 0.3", Sky(PI)))
             .control("the normals for the directions", |[u, v, _], _| direction((0.3 * (u / (1.0 - u)).sqrt()).atan(), v), &["chi-square", "distance", "mean x"])
             .case("α=1, 0.2 at 30°", &[0.5, 1.0, 0.2])
             .case("α=0.5 from above", &[0.0, 0.5, 0.5])
             .seed(&[0.866, 0.2, 0.2]).seed(&[0.866, 1.0, 0.2]).seed(&[0.0, 0.2, 1.0])
-            .refuse(&[0.5, 1.5, 0.5], OutOfRange).refuse(&[NAN, 0.5, 0.5], NotFinite)
+            .refuse(&[0.5, 1.5, 0.5], OutOfRange(1)).refuse(&[NAN, 0.5, 0.5], NotFinite(0))
             .without("constant", "its normals take roots")
             .without("getters", "it keeps the view as a unit vector"),
         Registered::new("Cone", "from_radians", &[Within(0.0, PI_32)], |p| {
@@ -327,19 +335,19 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1.5 rad", &[1.5])
             .case_with("3 rad", &[3.0], |e| e.outside(&[[0.0, 0.0, -1.0]]))
             .seed(&[1.05])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[3.2], OutOfRange).refuse(&[1.0e-20], Empty)
+            .refuse(&[NAN], NotFinite(0)).refuse(&[0.0], NotPositive(0)).refuse(&[3.2], OutOfRange(0)).refuse(&[1.0e-20], Empty(0))
             .constant(in_both!(Cone<T>::from_one_minus_cos(0.3))),
         Registered::new("Cone", "from_one_minus_cos", &[Within(0.0, 2.0)], |p| {
             let truth = exact!(cone(Real::from(p[0]), 2.0 - Real::from(p[0])));
             cone(Cone::<T>::from_one_minus_cos(p[0]), truth)
         })
-            .refuse(&[2.1], OutOfRange).refuse(&[TINY], Empty)
+            .refuse(&[2.1], OutOfRange(0)).refuse(&[TINY], Empty(0))
             .without("getters", "it is tried of one number alone, in tests/laws/constructors.rs"),
         Registered::new("Cone", "from_sine", &[Within(0.0, 1.0)], |p| {
             cone(Cone::<T>::from_sine(p[0]), exact!(cone_of_sine(p[0])))
         })
             .case("sphere at 1e-3", &[1e-3])
-            .refuse(&[1.5], OutOfRange).refuse(&[-0.1], NotPositive),
+            .refuse(&[1.5], OutOfRange(0)).refuse(&[-0.1], NotPositive(0)),
         Registered::new("SphericalPatch", "", &[Within(0.0, 0.5), Within(0.0, 0.5), Within(-1.0, 1.0), Within(-1.0, 2.0)], patch::<T>)
             .case_with("octant", &[0.0, 0.25, 0.0, 0.25], |e| {
                 e.picture("0 ≤ θ ≤ 90°, 0 ≤ φ ≤ 90°", Sky(FRAC_PI_2))
@@ -352,14 +360,15 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
                 e
             })
             .seed(&[0.499_999_85, 0.5, 0.0, 1.0]).seed(&[0.0, 0.25, 0.0, 0.25])
-            .refuse(&[0.0, 0.25, NAN, 0.5], NotFinite).refuse(&[0.3, 0.2, 0.0, 0.5], Reversed)
-            .refuse(&[0.0, 0.6, 0.0, 0.5], OutOfRange).refuse(&[0.0, 0.5, 0.0, 1.5], OutOfRange)
-            .refuse(&[0.1, 0.1, 0.0, 0.5], Empty).refuse(&[0.1, 0.2, 0.5, 0.5], Empty).refuse(&[0.0, 0.2, 0.0, INF], NotFinite)
+            .refuse(&[0.0, 0.25, NAN, 0.5], NotFinite(2)).refuse(&[0.3, 0.2, 0.0, 0.5], Reversed(1))
+            .refuse(&[0.0, 0.6, 0.0, 0.5], OutOfRange(1)).refuse(&[0.0, 0.5, 0.0, 1.5], OutOfRange(3))
+            .refuse(&[0.1, 0.1, 0.0, 0.5], Empty(1)).refuse(&[0.1, 0.2, 0.5, 0.5], Empty(3)).refuse(&[0.0, 0.2, 0.0, INF], NotFinite(3))
             .gives_back(|p| SphericalPatch::<T>::from_turns(p[0], p[1], p[2], p[3]).map(|warp| [warp.theta_turns(), warp.phi_turns()].concat()))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("VisibleSphere", "", &[Any, Any, Any, Any, Any, Any, Positive], |p| {
             seen::<T>([p[0], p[1], p[2]], [p[3], p[4], p[5]], p[6])
         })
+            .parameters(&[0, 0, 0, 1, 1, 1, 2])
             .case_with("half angle 30°", &[1.0, -2.0, 0.5, 1.8, -2.4, 2.3, 1.0], |e| {
                 e.outside(&[[0.0, -1.0, 0.0], [-0.6, 0.8, 0.0]]).picture("a sphere seen from twice its radius", Sky(FRAC_PI_2))
             })
@@ -371,9 +380,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("at the centre", &[1.0, 2.0, 2.0, 1.0, 2.0, 2.0, 3.0], |e| e.outside(&[]))
             .seed(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.5]).seed(&[1.0, 2.0, 2.0, 0.0, 0.0, 0.0, 3.0]).seed(&[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.7e-19])
             .seed(&[1e-45, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-45]).seed(&[0.0, 1e-45, 0.0, 0.0, 0.0, 0.0, 1.7e38]).seed(&[1e38, 0.0, 0.0, -1e38, 0.0, 0.0, 1e38])
-            .refuse(&[0.0, NAN, 0.0, 0.0, 3.0, 4.0, 0.5], NotFinite).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.0], NotPositive)
-            .refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, -1.0], NotPositive).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 1e-20], Empty)
-            .refuse(&[3e38, 0.0, 0.0, -3e38, 0.0, 0.0, 1.0], TooLarge).refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, TINY], Empty)
+            .refuse(&[0.0, NAN, 0.0, 0.0, 3.0, 4.0, 0.5], NotFinite(0)).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 0.0], NotPositive(2))
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, -1.0], NotPositive(2)).refuse(&[0.0, 0.0, 0.0, 0.0, 3.0, 4.0, 1e-20], Empty(Error::NO_PLACE))
+            .refuse(&[3e38, 0.0, 0.0, -3e38, 0.0, 0.0, 1.0], TooLarge(Error::NO_PLACE)).refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, TINY], Empty(Error::NO_PLACE))
             .gives_back(|p| VisibleSphere::<T>::new([p[0], p[1], p[2]], [p[3], p[4], p[5]], p[6]).map(|warp| [&warp.point()[..], &warp.centre(), &[warp.radius()]].concat()))
             .without("constant", "its constructor is no constant function: it takes roots"),
         // At a height above the surface in radii, or below it, in any direction from the centre.

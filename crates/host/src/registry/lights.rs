@@ -105,6 +105,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         Registered::new("SphericalTriangle", "", &[UNIT; 12], |p| {
             triangle::<T>(at(p, 0), [at(p, 3), at(p, 6), at(p, 9)])
         })
+            .parameters(&[0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1])
             .case_with("1 sr", &[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 0.7, -0.4, 0.9, 0.1, 0.8, 0.6], |e| {
                 loose(e.picture("a triangle seen from a point", Sky(FRAC_PI_2)), 3e-5)
             })
@@ -123,29 +124,31 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 0.1, 0.0, 0.03, 1.0, 0.01, 0.03, -1.0, 0.01, 1.0, 0.2, 0.3])
             .seed(&[0.0, 0.1, 0.0, 0.01, 1.0, 0.01, 1.0, 0.2, -0.3, 0.01, -1.0, 0.01])
             .seed(&[0.0, 0.0, 0.0, -0.6, 0.0, 0.8, 0.7, 0.3, 0.9, 0.05, 0.150_1, 0.85])
-            .refuse(&[NAN; 12], NotFinite)
-            .refuse(&[0.0, 0.0, 0.0, 1e20, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0], TooLarge)
-            .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0], Empty)
-            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0], Empty)
-            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0], Empty)
-            .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 1.0, 1.0, 0.0], Empty)
-            .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0], NotNormalizable)
-            .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 1.0, 0.0, -1.0, -1.0, 0.0], NotNormalizable)
-            .refuse(&[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0], NotNormalizable)
+            .refuse(&[NAN; 12], NotFinite(0))
+            .refuse(&[0.0, 0.0, 0.0, 1e20, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0], TooLarge(1))
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0], Empty(1))
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0], Empty(1))
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0], Empty(1))
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 1.0, 1.0, 0.0], Empty(1))
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0], NotNormalizable(1))
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 1.0, 0.0, -1.0, -1.0, 0.0], NotNormalizable(1))
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0], NotNormalizable(1))
             .without("constant", "its constructor is no constant function: it takes roots")
             .without("getters", "it keeps what its map needs"),
         Registered::new("SphericalTriangle", "small", &[Within(0.0, 31.0), UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT], |p| {
             triangle::<T>(at(p, 1), [at(p, 4), at(p, 7), at(p, 10)].map(|v| shrunk(v, p[0])))
         })
+            .parameters(&[1, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1])
             .case_with("1e-13 sr", &[22.0, 0.6, 0.0, -0.8, 0.5, 0.5, 0.1, 0.0, -0.5, 0.1, -0.5, 0.5, -0.3], |mut e| {
                 e.outside = Some(&[[0.6, 0.0, -0.8], [-0.599, 0.001, 0.8]]);
                 tiny(e)
             })
             .seed(&[3.0, 0.6, 0.0, -0.8, 0.5, 0.5, 0.1, 0.0, -0.5, 0.1, -0.5, 0.5, -0.3])
-            .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], Empty),
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], Empty(1)),
         Registered::new("SphericalRectangle", "", &[UNIT; 12], |p| {
             rectangle::<T>(at(p, 0), at(p, 3), [at(p, 6), at(p, 9)])
         })
+            .parameters(&[0, 0, 0, 1, 1, 1, 2, 2, 2, 2, 2, 2])
             .case_with("1 sr", &[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1.2, 0.1, 0.1, -0.1, 1.0, 0.2], |e| {
                 loose(e.picture("a rectangle seen from a point", Sky(FRAC_PI_2)), 3e-5)
             })
@@ -158,23 +161,24 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.1, 0.2, 0.0, 0.5, -0.7, 0.03, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0])
             .seed(&[0.1, 0.2, 0.0, 0.5, -0.7, 0.002, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0])
             .seed(&[0.0, 0.0, 0.0, -0.6, 0.01, 0.01, 1.0, 0.0, 0.0, 0.0, 0.5, 0.3])
-            .refuse(&[0.0, 0.0, NAN, -0.6, -0.5, 0.8, 1.0, 0.1, 0.1, -0.1, 1.0, 0.2], NotFinite)
-            .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1e20, 0.1, 0.1, -0.1, 1.0, 0.2], TooLarge)
-            .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 0.0, 0.0, 0.0, -0.1, 1.0, 0.2], ZeroLength)
-            .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0], Empty)
-            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], Empty)
-            .refuse(&[0.0, 0.0, 0.0, -0.5, -0.6, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], NotNormalizable)
+            .refuse(&[0.0, 0.0, NAN, -0.6, -0.5, 0.8, 1.0, 0.1, 0.1, -0.1, 1.0, 0.2], NotFinite(0))
+            .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1e20, 0.1, 0.1, -0.1, 1.0, 0.2], TooLarge(Error::NO_PLACE))
+            .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 0.0, 0.0, 0.0, -0.1, 1.0, 0.2], ZeroLength(2))
+            .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0], Empty(Error::NO_PLACE))
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], Empty(Error::NO_PLACE))
+            .refuse(&[0.0, 0.0, 0.0, -0.5, -0.6, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], NotNormalizable(Error::NO_PLACE))
             .without("constant", "its constructor is no constant function: it takes roots")
             .without("getters", "it keeps what its map needs"),
         Registered::new("SphericalRectangle", "small", &[Within(0.0, 31.0), UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT], |p| {
             let [corner, ex, ey] = [at(p, 4), at(p, 7), at(p, 10)].map(|v| shrunk(v, p[0]));
             rectangle::<T>(at(p, 1), corner, [ex, ey])
         })
+            .parameters(&[1, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2, 2, 2])
             .case_with("1e-13 sr", &[22.0, 0.6, 0.0, -0.8, 0.5, 0.5, 0.1, -0.8, 0.5, 0.1, 0.5, 0.5, -0.3], |mut e| {
                 e.outside = Some(&[[0.6, 0.0, -0.8], [-0.599, 0.001, 0.8]]);
                 tiny(e)
             })
             .seed(&[3.0, 0.6, 0.0, -0.8, 0.5, 0.5, 0.1, -0.8, 0.5, 0.1, 0.5, 0.5, -0.3])
-            .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], ZeroLength),
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], ZeroLength(2)),
     ]
 }

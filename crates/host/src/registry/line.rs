@@ -42,8 +42,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("[0, 1e-35]", &[0.0, 1e-35])
             .case("[-1.7374, -1.5582]", &[-1.737_384_2, -1.558_242_2])
             .seed(&[-f32::MAX, f32::MAX]).seed(&[0.0, 3.0e-39]).seed(&[1.0, 1.000_000_1])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, INF], NotFinite).refuse(&[1.0, 0.0], Reversed)
-            .refuse(&[1.0, 1.0], Empty).refuse(&[0.0, TINY], Empty)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[0.0, INF], NotFinite(1)).refuse(&[1.0, 0.0], Reversed(1))
+            .refuse(&[1.0, 1.0], Empty(1)).refuse(&[0.0, TINY], Empty(1))
             .constant(in_both!(Interval::new(0.1, 0.7)))
             .constant(in_both!(Interval::decreasing(-0.1, 0.7)))
             .gives_back(|p| Interval::new(p[0], p[1]).map(|warp| vec![warp.low(), warp.high()])),
@@ -59,7 +59,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("[1e6, 1e6+1/16]", &[1e6, 1e6 + 0.0625], Entry::unresolved)
             .case("[0, 1e-35]", &[0.0, 1e-35])
             .case("[-1.7374, -1.5582]", &[-1.737_384_2, -1.558_242_2])
-            .refuse(&[-INF, 1.0], NotFinite).refuse(&[1.0, 0.0], Reversed).refuse(&[2.0, 2.0], Empty),
+            .refuse(&[-INF, 1.0], NotFinite(0)).refuse(&[1.0, 0.0], Reversed(1)).refuse(&[2.0, 2.0], Empty(1)),
         Registered::new("Exponential", "", &[Positive], |p| {
             Ok(half_line(in_ulp::<T, _>("Exponential", Exponential::<T>::from_rate(p[0])?, exact!(exponential(p[0])))).own_density())
         })
@@ -70,7 +70,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("a=1e30", &[1e30])
             .case("a=3.1e-37", &[3.1e-37])
             .seed(&[3.06e-37])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive).refuse(&[1.0e-40], TooLarge)
+            .refuse(&[NAN], NotFinite(0)).refuse(&[0.0], NotPositive(0)).refuse(&[-1.0], NotPositive(0)).refuse(&[1.0e-40], TooLarge(0))
             .constant(in_both!(Exponential<T>::from_rate(0.7)))
             .constant(in_both!(Exponential<T>::from_mean(0.7)))
             .gives_back(|p| Exponential::<T>::from_rate(p[0]).map(|warp| vec![warp.rate()])),
@@ -88,7 +88,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("a=1e30", &[1e30])
             .case("a=3.1e-37", &[3.1e-37])
             .seed(&[1.0]).seed(&[3.06e-37]).seed(&[f32::MAX])
-            .refuse(&[INF], NotFinite).refuse(&[-0.0], NotPositive).refuse(&[TINY], TooLarge)
+            .refuse(&[INF], NotFinite(0)).refuse(&[-0.0], NotPositive(0)).refuse(&[TINY], TooLarge(0))
             .constant(in_both!(ExponentialTail<T>::from_rate(3.0)))
             .constant(in_both!(ExponentialTail<T>::from_mean(3.0)))
             .gives_back(|p| ExponentialTail::<T>::from_rate(p[0]).map(|warp| vec![warp.rate()])),
@@ -120,8 +120,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("c=3e-39 X=3.4e38", &[3.045_662e-39, 3.391_878_5e38])
             .case("c=-1.76e-6 X=2", &[-1.758_337e-6, 1.998_206_7])
             .seed(&[-f32::MAX, f32::MAX]).seed(&[0.0, f32::MAX]).seed(&[TINY, 1.0])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, NAN], NotFinite).refuse(&[1.0, 0.0], NotPositive)
-            .refuse(&[1.0, -1.0], NotPositive).refuse(&[1.0, TINY], Empty)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[1.0, NAN], NotFinite(1)).refuse(&[1.0, 0.0], NotPositive(1))
+            .refuse(&[1.0, -1.0], NotPositive(1)).refuse(&[1.0, TINY], Empty(1))
             .constant(in_both!(TruncatedExponential<T>::from_rate(1e-7, 3.0)))
             .constant(in_both!(TruncatedExponential<T>::from_rate(0.7, 3.0)))
             .constant(in_both!(TruncatedExponential<T>::from_rate(-0.7, 3.0)))
@@ -151,10 +151,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[2.0, -5.0, 15.0]).seed(&[1e-12, -1.0, 1e4]).seed(&[0.0, 1e-12, 1e12]).seed(&[1.0, 0.0, 1e12])
             .seed(&[1.0, -1e-12, 1e12]).seed(&[1.0, -1.0, 1.0]).seed(&[1e12, -1e12, 1e12]).seed(&[1e4, 10.0, 20.0])
             .seed(&[1.0, 0.5, 4.0]).seed(&[3.0, -4.0, -1.0]).seed(&[1e-3, -1e-2, 1e-2]).seed(&[1.0, 1e-4, 1e4])
-            .refuse(&[NAN, 0.0, 1.0], NotFinite).refuse(&[1.0, -INF, 1.0], NotFinite).refuse(&[-1.0, 0.0, 1.0], Negative)
-            .refuse(&[1.0, 1.0, 0.0], Reversed).refuse(&[1.0, 1.0, 1.0], Empty).refuse(&[TINY, 0.0, 1.0], OutOfRange)
-            .refuse(&[0.0, -1.0, 1.0], NotNormalizable).refuse(&[0.0, 0.0, 1.0], NotNormalizable)
-            .refuse(&[1.0, 0.0, 1e13], TooLarge).refuse(&[1e13, 0.0, 1.0], TooLarge)
+            .refuse(&[NAN, 0.0, 1.0], NotFinite(0)).refuse(&[1.0, -INF, 1.0], NotFinite(1)).refuse(&[-1.0, 0.0, 1.0], Negative(0))
+            .refuse(&[1.0, 1.0, 0.0], Reversed(2)).refuse(&[1.0, 1.0, 1.0], Empty(2)).refuse(&[TINY, 0.0, 1.0], OutOfRange(0))
+            .refuse(&[0.0, -1.0, 1.0], NotNormalizable(Error::NO_PLACE)).refuse(&[0.0, 0.0, 1.0], NotNormalizable(Error::NO_PLACE))
+            .refuse(&[1.0, 0.0, 1e13], TooLarge(2)).refuse(&[1e13, 0.0, 1.0], TooLarge(0))
             .gives_back(|p| EquiAngular::<T>::new(p[0], p[1], p[2]).map(|warp| vec![warp.distance(), warp.low(), warp.high()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Tent", "", &[Positive], |p| {
@@ -168,7 +168,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .width(&[1.0], 2.0, 2e-5).width(&[3e18], 2.0 * f64::from(3e18_f32), 2e-5)
             .case("r=1e-30", &[1e-30])
             .seed(&[f32::MIN_POSITIVE])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[TINY], Empty)
+            .refuse(&[NAN], NotFinite(0)).refuse(&[0.0], NotPositive(0)).refuse(&[TINY], Empty(0))
             .constant(in_both!(Tent::new(0.3)))
             .gives_back(|p| Tent::new(p[0]).map(|warp| vec![warp.radius()])),
         Registered::new("Linear", "", &[Positive, Positive], |p| {
@@ -187,8 +187,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("5500 to 100866", &[5_499.947, 100_865.68])
             .width(&[0.0, 1.0], 1.0, 2e-5).width(&[1e-20, 1.0], 1.0, 2e-5).width(&[0.0, 3e38], 1.0, 2e-5)
             .seed(&[TINY, 0.0]).seed(&[f32::MAX, f32::MAX])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[-1.0, 1.0], Negative)
-            .refuse(&[0.0, 0.0], NotPositive)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[1.0, INF], NotFinite(1)).refuse(&[-1.0, 1.0], Negative(0))
+            .refuse(&[0.0, 0.0], NotPositive(1))
             .constant(in_both!(Linear::new(0.1, 0.3)))
             .without("getters", "its ends are densities"),
         Registered::new("Normal", "", &[Any, Positive], |p| {
@@ -210,8 +210,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e37]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e38], TooLarge).refuse(&[0.0, TINY], Empty)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[0.0, 0.0], NotPositive(1)).refuse(&[0.0, -1.0], NotPositive(1))
+            .refuse(&[0.0, 1.0e38], TooLarge(1)).refuse(&[0.0, TINY], Empty(1))
             .constant(in_both!(Normal<T>::new(0.3, 1.7)))
             .gives_back(|p| Normal::<T>::new(p[0], p[1]).map(|warp| vec![warp.mean(), warp.std_dev()])),
         Registered::new("TruncatedNormal", "new", &[Any, Positive, Any, Any], |p| {
@@ -236,11 +236,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 1.0, -13.5, 13.5]).seed(&[0.0, 1.0, -14.1, 14.5]).seed(&[0.0, 1.0, -0.75, 0.7])
             .seed(&[-15.0, 1.0, 0.0, 10.0]).seed(&[15.0, 1.0, -10.0, 0.0]).seed(&[0.0, f32::MAX, -1e38, 1e38])
             .seed(&[-1e18, 1.0, 0.0, 1e-17]).seed(&[0.0, 1e30, 0.0, 1e-30]).seed(&[-1.0, 1.0, 0.0, 1.0])
-            .refuse(&[NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, INF], NotFinite)
-            .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive)
-            .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed).refuse(&[0.0, 1.0, 1.0, 1.0], Empty)
-            .refuse(&[0.0, 1.0, 0.0, TINY], Empty).refuse(&[0.0, TINY, 0.0, 1.0], Empty)
-            .refuse(&[0.0, 1.0, 1e19, 2e19], OutOfRange).refuse(&[0.0, 1e38, -f32::MAX, f32::MAX], TooLarge)
+            .refuse(&[NAN, 1.0, 0.0, 1.0], NotFinite(0)).refuse(&[0.0, 1.0, 0.0, INF], NotFinite(3))
+            .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive(1)).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive(1))
+            .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed(3)).refuse(&[0.0, 1.0, 1.0, 1.0], Empty(3))
+            .refuse(&[0.0, 1.0, 0.0, TINY], Empty(Error::NO_PLACE)).refuse(&[0.0, TINY, 0.0, 1.0], Empty(Error::NO_PLACE))
+            .refuse(&[0.0, 1.0, 1e19, 2e19], OutOfRange(Error::NO_PLACE)).refuse(&[0.0, 1e38, -f32::MAX, f32::MAX], TooLarge(3))
             .gives_back(|p| TruncatedNormal::<T>::new(p[0], p[1], p[2], p[3]).map(|warp| vec![warp.mean(), warp.std_dev(), warp.low(), warp.high()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("TruncatedNormal", "above", &[Any, Positive, Any], |p| {
@@ -256,8 +256,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 1.0, 0.0]).seed(&[0.0, 1.0, 10.0]).seed(&[-100.0, 1.0, 0.0]).seed(&[0.0, 1.0, -1.5])
             .seed(&[-14.9, 1.0, 0.0]).seed(&[-1.0, 1.0, 0.0]).seed(&[0.0, 1e37, 0.0]).seed(&[-1e18, 1.0, 0.0])
             .seed(&[0.0, 1.0, -14.1])
-            .refuse(&[NAN, 1.0, 0.0], NotFinite).refuse(&[0.0, 1.0, -INF], NotFinite).refuse(&[0.0, 0.0, 0.0], NotPositive)
-            .refuse(&[0.0, 1e38, 0.0], TooLarge).refuse(&[0.0, 1.0, 1e19], OutOfRange).refuse(&[0.0, TINY, 0.0], Empty),
+            .refuse(&[NAN, 1.0, 0.0], NotFinite(0)).refuse(&[0.0, 1.0, -INF], NotFinite(2)).refuse(&[0.0, 0.0, 0.0], NotPositive(1))
+            .refuse(&[0.0, 1e38, 0.0], TooLarge(Error::NO_PLACE)).refuse(&[0.0, 1.0, 1e19], OutOfRange(Error::NO_PLACE)).refuse(&[0.0, TINY, 0.0], Empty(Error::NO_PLACE)),
         Registered::new("TruncatedNormal", "below", &[Any, Positive, Any], |p| {
             truncated_normal::<T>("TruncatedNormal below", p, [-INF, p[2]], TruncatedNormal::below(p[0], p[1], p[2]))
         })
@@ -266,8 +266,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1e4, 1 (-∞, 0]", &[1e4, 1.0, 0.0])
             .seed(&[0.0, 1.0, 1.0]).seed(&[0.0, 1.0, -10.0]).seed(&[1e4, 1.0, 0.0]).seed(&[1.0, 1.0, 0.0])
             .seed(&[14.9, 1.0, 0.0]).seed(&[0.0, 1e37, 0.0]).seed(&[1e18, 1.0, 0.0]).seed(&[0.0, 1.0, 14.1])
-            .refuse(&[NAN, 1.0, 0.0], NotFinite).refuse(&[0.0, 1.0, INF], NotFinite).refuse(&[0.0, -0.0, 0.0], NotPositive)
-            .refuse(&[0.0, 1e38, 0.0], TooLarge).refuse(&[0.0, 1.0, -1e19], OutOfRange).refuse(&[0.0, TINY, 0.0], Empty),
+            .refuse(&[NAN, 1.0, 0.0], NotFinite(0)).refuse(&[0.0, 1.0, INF], NotFinite(2)).refuse(&[0.0, -0.0, 0.0], NotPositive(1))
+            .refuse(&[0.0, 1e38, 0.0], TooLarge(Error::NO_PLACE)).refuse(&[0.0, 1.0, -1e19], OutOfRange(Error::NO_PLACE)).refuse(&[0.0, TINY, 0.0], Empty(Error::NO_PLACE)),
         Registered::new("Cauchy", "", &[Any, Positive], |p| {
             Ok(located::<T, _>("Cauchy", p, Cauchy::<T>::new(p[0], p[1])?, exact!(cauchy(p[0], p[1]))).own_density().deep())
         })
@@ -280,8 +280,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 2e19", &[0.0, 2e19])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e19]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e20], TooLarge).refuse(&[0.0, TINY], Empty)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[0.0, 0.0], NotPositive(1)).refuse(&[0.0, -1.0], NotPositive(1))
+            .refuse(&[0.0, 1.0e20], TooLarge(1)).refuse(&[0.0, TINY], Empty(1))
             .constant(in_both!(Cauchy<T>::new(0.3, 1.7)))
             .gives_back(|p| Cauchy::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("StudentT", "", &[Positive, Any, Positive], student_t::<T>)
@@ -299,10 +299,10 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[1.0, 0.0, 1.0]).seed(&[0.27, 0.0, 1.0]).seed(&[0.267, 0.0, 1e-10]).seed(&[15.9, 1e30, 1e-30]).seed(&[1e8, 100.0, 1.0])
             .seed(&[1.09e12, 0.0, 1.0]).seed(&[1.425_096_8e21, -0.000_163_293_23, 1.190_516_5e-5]).seed(&[0.300_656_57, -0.196_591_26, 1737.2739])
             .seed(&[1.0, 1e37, 1e20]).seed(&[3.0, 0.0, 1e-38])
-            .refuse(&[NAN, 0.0, 1.0], NotFinite).refuse(&[INF, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 1.0], NotPositive)
-            .refuse(&[-1.0, 0.0, 1.0], NotPositive).refuse(&[1.0, NAN, 1.0], NotFinite).refuse(&[1.0, 0.0, 0.0], NotPositive)
-            .refuse(&[1.0, 0.0, -1.0], NotPositive).refuse(&[0.26, 0.0, 1.0], TooLarge).refuse(&[TINY, 0.0, 1.0], TooLarge)
-            .refuse(&[1.0, 0.0, 1.0e30], TooLarge).refuse(&[1.0, 0.0, TINY], Empty)
+            .refuse(&[NAN, 0.0, 1.0], NotFinite(0)).refuse(&[INF, 0.0, 1.0], NotFinite(0)).refuse(&[0.0, 0.0, 1.0], NotPositive(0))
+            .refuse(&[-1.0, 0.0, 1.0], NotPositive(0)).refuse(&[1.0, NAN, 1.0], NotFinite(1)).refuse(&[1.0, 0.0, 0.0], NotPositive(2))
+            .refuse(&[1.0, 0.0, -1.0], NotPositive(2)).refuse(&[0.26, 0.0, 1.0], TooLarge(0)).refuse(&[TINY, 0.0, 1.0], TooLarge(0))
+            .refuse(&[1.0, 0.0, 1.0e30], TooLarge(Error::NO_PLACE)).refuse(&[1.0, 0.0, TINY], Empty(2))
             .constant(in_both!(StudentT<T>::new(2.7, 0.3, 1.7)))
             .constant(in_both!(StudentT<T>::new(1e20, 0.3, 1.7)))
             .gives_back(|p| StudentT::<T>::new(p[0], p[1], p[2]).map(|warp| vec![warp.degrees(), warp.location(), warp.scale()])),
@@ -317,8 +317,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
-            .refuse(&[INF, 1.0], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty)
+            .refuse(&[INF, 1.0], NotFinite(0)).refuse(&[0.0, 0.0], NotPositive(1)).refuse(&[0.0, -1.0], NotPositive(1))
+            .refuse(&[0.0, 1.0e37], TooLarge(1)).refuse(&[0.0, TINY], Empty(1))
             .constant(in_both!(Laplace<T>::new(0.3, 1.7)))
             .gives_back(|p| Laplace::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Logistic", "", &[Any, Positive], |p| {
@@ -333,8 +333,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
-            .refuse(&[0.0, NAN], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty)
+            .refuse(&[0.0, NAN], NotFinite(1)).refuse(&[0.0, 0.0], NotPositive(1)).refuse(&[0.0, -1.0], NotPositive(1))
+            .refuse(&[0.0, 1.0e37], TooLarge(1)).refuse(&[0.0, TINY], Empty(1))
             .constant(in_both!(Logistic<T>::new(0.3, 1.7)))
             .gives_back(|p| Logistic::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("TruncatedLogistic", "", &[Any, Positive, Any, Any], |p| {
@@ -361,12 +361,12 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[0.0, 1.0, -2.0, 2.0]).seed(&[0.0, 1.0, -1.999, 2.0]).seed(&[0.0, 1.0, -1.0, 3.5]).seed(&[0.0, 1.0, -1e-3, 100.0])
             .seed(&[0.0, 1.0, -100.0, 110.0]).seed(&[1e30, 1.0, 0.0, 1e-17]).seed(&[0.0, 1e30, 0.0, 1e-30]).seed(&[0.0, 1.0, -1.0, 0.0])
             .seed(&[0.0, 1e-30, 1.0, 2.0]).seed(&[0.0, 1e37, -1e37, 2e37]).seed(&[0.0, 1e-38, 0.0, 1.0]).seed(&[0.0, 1.0, 1.0, 70.0])
-            .seed(&[0.0, 4e-39, -7.9e-39, 7.9e-39]).refuse(&[0.0, 6e-40, -1.2e-39, 1.19e-39], Empty)
-            .refuse(&[NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, INF], NotFinite).refuse(&[0.0, INF, 0.0, 1.0], NotFinite)
-            .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive)
-            .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed).refuse(&[0.0, 1.0, 1.0, 1.0], Empty)
-            .refuse(&[0.0, 1.0, 0.0, TINY], Empty).refuse(&[0.0, TINY, 0.0, 1.0], Empty)
-            .refuse(&[0.0, 1e38, 0.0, 1.0], TooLarge).refuse(&[0.0, 1.0, -f32::MAX, f32::MAX], TooLarge)
+            .seed(&[0.0, 4e-39, -7.9e-39, 7.9e-39]).refuse(&[0.0, 6e-40, -1.2e-39, 1.19e-39], Empty(Error::NO_PLACE))
+            .refuse(&[NAN, 1.0, 0.0, 1.0], NotFinite(0)).refuse(&[0.0, 1.0, 0.0, INF], NotFinite(3)).refuse(&[0.0, INF, 0.0, 1.0], NotFinite(1))
+            .refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive(1)).refuse(&[0.0, -1.0, 0.0, 1.0], NotPositive(1))
+            .refuse(&[0.0, 1.0, 1.0, 0.0], Reversed(3)).refuse(&[0.0, 1.0, 1.0, 1.0], Empty(3))
+            .refuse(&[0.0, 1.0, 0.0, TINY], Empty(Error::NO_PLACE)).refuse(&[0.0, TINY, 0.0, 1.0], Empty(Error::NO_PLACE))
+            .refuse(&[0.0, 1e38, 0.0, 1.0], TooLarge(Error::NO_PLACE)).refuse(&[0.0, 1.0, -f32::MAX, f32::MAX], TooLarge(Error::NO_PLACE))
             .constant(in_both!(TruncatedLogistic<T>::new(538.0, 69.444_44, 360.0, 830.0)))
             .constant(in_both!(TruncatedLogistic<T>::new(0.3, 1.7, 5.1, 5.2)))
             .gives_back(|p| TruncatedLogistic::<T>::new(p[0], p[1], p[2], p[3]).map(|warp| vec![warp.location(), warp.scale(), warp.low(), warp.high()])),
@@ -382,8 +382,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("0, 1e-30", &[0.0, 1e-30])
             .case("0, 1e36", &[0.0, 1e36])
             .seed(&[0.0, 1.0]).seed(&[100.0, 1.0]).seed(&[1.0e37, 1.0e36]).seed(&[0.0, 1.0e-38]).seed(&[1.0e30, 1.0e-30])
-            .refuse(&[0.0, INF], NotFinite).refuse(&[0.0, 0.0], NotPositive).refuse(&[0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 1.0e37], TooLarge).refuse(&[0.0, TINY], Empty)
+            .refuse(&[0.0, INF], NotFinite(1)).refuse(&[0.0, 0.0], NotPositive(1)).refuse(&[0.0, -1.0], NotPositive(1))
+            .refuse(&[0.0, 1.0e37], TooLarge(1)).refuse(&[0.0, TINY], Empty(1))
             .constant(in_both!(Gumbel<T>::new(0.3, 1.7)))
             .gives_back(|p| Gumbel::<T>::new(p[0], p[1]).map(|warp| vec![warp.location(), warp.scale()])),
         Registered::new("Rayleigh", "", &[Positive], |p| {
@@ -396,8 +396,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1e-30", &[1e-30])
             .case("4e37", &[4e37])
             .seed(&[1.0]).seed(&[3.0e-39]).seed(&[4.8e37])
-            .refuse(&[NAN], NotFinite).refuse(&[0.0], NotPositive).refuse(&[-1.0], NotPositive)
-            .refuse(&[1.0e38], TooLarge).refuse(&[TINY], Empty)
+            .refuse(&[NAN], NotFinite(0)).refuse(&[0.0], NotPositive(0)).refuse(&[-1.0], NotPositive(0))
+            .refuse(&[1.0e38], TooLarge(0)).refuse(&[TINY], Empty(0))
             .constant(in_both!(Rayleigh<T>::new(0.3)))
             .gives_back(|p| Rayleigh::<T>::new(p[0]).map(|warp| vec![warp.scale()])),
         Registered::new("Weibull", "", &[Positive, Positive], |p| {
@@ -418,9 +418,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1, 1e6", &[1.0, 1e6], Entry::unresolved)
             .seed(&[1.0, 1.0]).seed(&[1.0, 0.036]).seed(&[1.0e-38, 0.02]).seed(&[1.0, 1.0e30]).seed(&[3.0e38, 200.0])
             .seed(&[2.0, 1.0e7]).seed(&[1.0e-30, 1.0e5]).seed(&[1.0, 1.0e-1])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[0.0, 1.0], NotPositive)
-            .refuse(&[1.0, 0.0], NotPositive).refuse(&[1.0, 0.03], TooLarge).refuse(&[1.0, TINY], TooLarge)
-            .refuse(&[1e-30, 1e30], Empty)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[1.0, INF], NotFinite(1)).refuse(&[0.0, 1.0], NotPositive(0))
+            .refuse(&[1.0, 0.0], NotPositive(1)).refuse(&[1.0, 0.03], TooLarge(1)).refuse(&[1.0, TINY], TooLarge(1))
+            .refuse(&[1e-30, 1e30], Empty(1))
             .constant(in_both!(Weibull<T>::new(0.3, 1.7)))
             .gives_back(|p| Weibull::<T>::new(p[0], p[1]).map(|warp| vec![warp.scale(), warp.shape()])),
         Registered::new("Pareto", "", &[Positive, Positive], |p| {
@@ -440,9 +440,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1, 1e6", &[1.0, 1e6], Entry::unresolved)
             .seed(&[1.0, 1.0]).seed(&[1.0, 0.26]).seed(&[1.0e-38, 0.14]).seed(&[1.0, 1.0e30]).seed(&[3.0e38, 200.0])
             .seed(&[2.0, 1.0e7]).seed(&[1.0e-30, 1.0e5])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, INF], NotFinite).refuse(&[0.0, 1.0], NotPositive)
-            .refuse(&[1.0, -1.0], NotPositive).refuse(&[1.0, 0.25], TooLarge).refuse(&[1.0, TINY], TooLarge)
-            .refuse(&[1e-30, 1e30], Empty)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[1.0, INF], NotFinite(1)).refuse(&[0.0, 1.0], NotPositive(0))
+            .refuse(&[1.0, -1.0], NotPositive(1)).refuse(&[1.0, 0.25], TooLarge(1)).refuse(&[1.0, TINY], TooLarge(1))
+            .refuse(&[1e-30, 1e30], Empty(1))
             .constant(in_both!(Pareto<T>::new(0.3, 1.7)))
             .gives_back(|p| Pareto::<T>::new(p[0], p[1]).map(|warp| vec![warp.minimum(), warp.shape()])),
         Registered::new("LogNormal", "", &[Any, Positive], |p| {
@@ -464,9 +464,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("80, 1", &[80.0, 1.0])
             .case_with("5, 1e-4", &[5.0, 1e-4], Entry::unresolved)
             .seed(&[0.0, 1.0]).seed(&[-87.0, 25.0]).seed(&[88.0, 0.05]).seed(&[0.0, 1.0e-5]).seed(&[-80.0, 1.0e-3])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[0.0, INF], NotFinite).refuse(&[0.0, 0.0], NotPositive)
-            .refuse(&[0.0, -1.0], NotPositive).refuse(&[0.0, 14.0], TooLarge).refuse(&[-100.0, 1.0], Empty)
-            .refuse(&[0.0, TINY], Empty)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[0.0, INF], NotFinite(1)).refuse(&[0.0, 0.0], NotPositive(1))
+            .refuse(&[0.0, -1.0], NotPositive(1)).refuse(&[0.0, 14.0], TooLarge(1)).refuse(&[-100.0, 1.0], Empty(1))
+            .refuse(&[0.0, TINY], Empty(1))
             .constant(in_both!(LogNormal<T>::new(0.3, 1.7)))
             .gives_back(|p| LogNormal::<T>::new(p[0], p[1]).map(|warp| vec![warp.mean_of_log(), warp.std_dev_of_log()])),
     ]

@@ -82,7 +82,7 @@ fn multivariate_normal<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let warp = MultivariateNormal::<T, 2>::new(mean, matrix)?;
     if warp.rank() < 2 {
         // There is no density of the plane then; `tests/laws` has these.
-        return Err(OutOfRange);
+        return Err(OutOfRange(1));
     }
     let (factor, free) = (*warp.factor(), warp.free());
     let truth = exact!(MultivariateNormal::new(mean, matrix, &factor, free));
@@ -171,6 +171,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("", &[], |e| e.picture("barycentric coordinates", EQUILATERAL))
             .control("a triangle with v = xi (1 - u)", |[u, v, _], _| leftover(u, v), &["chi-square", "distance", "mean x"]),
         Registered::new("NormalPair", "", &[Any, Any, Positive], normal_pair::<T>)
+            .parameters(&[0, 0, 1])
             .case_with("0, 1", &[0.0, 0.0, 1.0], |e| {
                 e.picture("Box and Muller, within 3σ", window(0.0, 0.0, 3.0)).trade(evidence::NORMAL, "normal_pair")
             })
@@ -179,11 +180,12 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("0, 1e-18", &[0.0, 0.0, 1e-18], Entry::no_round_trip)
             .case("0, 1e18", &[0.0, 0.0, 1e18])
             .seed(&[0.0, 0.0, 1.0]).seed(&[3.0, -2.0, 0.5])
-            .refuse(&[0.0, NAN, 1.0], NotFinite).refuse(&[0.0, 0.0, -1.0], NotPositive)
-            .refuse(&[0.0, 0.0, 1.0e-30], Empty).refuse(&[0.0, 0.0, 1.0e30], TooLarge)
+            .refuse(&[0.0, NAN, 1.0], NotFinite(0)).refuse(&[0.0, 0.0, -1.0], NotPositive(1))
+            .refuse(&[0.0, 0.0, 1.0e-30], Empty(1)).refuse(&[0.0, 0.0, 1.0e30], TooLarge(1))
             .constant(in_both!(NormalPair<T>::new([0.3, 3.0], 1.7)))
             .gives_back(|p| NormalPair::<T>::new([p[0], p[1]], p[2]).map(|warp| vec![warp.mean()[0], warp.mean()[1], warp.std_dev()])),
         Registered::new("StudentPair", "", &[Positive, Any, Any, Positive], student_pair::<T>)
+            .parameters(&[0, 1, 1, 2])
             .case_with("3, 0, 1", &[3.0, 0.0, 0.0, 1.0], |e| {
                 e.picture("Bailey's form, 3 degrees, within 7σ", window(0.0, 0.0, 7.0))
             })
@@ -198,12 +200,13 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("1e30, 0, 1", &[1e30, 0.0, 0.0, 1.0])
             .seed(&[1.0, 0.0, 0.0, 1.0]).seed(&[0.27, 0.0, 0.0, 1.0]).seed(&[1e8, 3.0, -2.0, 0.5]).seed(&[1e12, 0.0, 0.0, 1.0])
             .seed(&[1.1e12, -72.682_87, 0.003_523_225_4, 4.436_352_3]).seed(&[1.398_413e27, 0.048_473_828, 1.297_451_9, 1.417_010_3])
-            .refuse(&[NAN, 0.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive).refuse(&[-1.0, 0.0, 0.0, 1.0], NotPositive)
-            .refuse(&[1.0, NAN, 0.0, 1.0], NotFinite).refuse(&[1.0, 0.0, 0.0, 0.0], NotPositive)
-            .refuse(&[0.26, 0.0, 0.0, 1.0], TooLarge).refuse(&[3.0, 0.0, 0.0, 1.0e-30], Empty).refuse(&[3.0, 0.0, 0.0, 1.0e30], TooLarge)
+            .refuse(&[NAN, 0.0, 0.0, 1.0], NotFinite(0)).refuse(&[0.0, 0.0, 0.0, 1.0], NotPositive(0)).refuse(&[-1.0, 0.0, 0.0, 1.0], NotPositive(0))
+            .refuse(&[1.0, NAN, 0.0, 1.0], NotFinite(1)).refuse(&[1.0, 0.0, 0.0, 0.0], NotPositive(2))
+            .refuse(&[0.26, 0.0, 0.0, 1.0], TooLarge(0)).refuse(&[3.0, 0.0, 0.0, 1.0e-30], Empty(2)).refuse(&[3.0, 0.0, 0.0, 1.0e30], TooLarge(2))
             .constant(in_both!(StudentPair<T>::new(2.7, [0.3, 3.0], 1.7)))
             .gives_back(|p| StudentPair::<T>::new(p[0], [p[1], p[2]], p[3]).map(|warp| vec![warp.degrees(), warp.location()[0], warp.location()[1], warp.scale()])),
         Registered::new("MultivariateNormal", "", &[Any, Any, Positive, Positive, Within(-1.0, 1.0)], multivariate_normal::<T>)
+            .parameters(&[0, 0, 1, 1, 1])
             .case_with("1, ½, 0.6", &[0.0, 0.0, 1.0, 0.5, 0.6], |e| {
                 e.no_round_trip().picture("two correlated normal numbers, within 3σ", window(0.0, 0.0, 3.0))
             })
@@ -215,13 +218,14 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("(3, -2), 0.1, 4, -0.99", &[3.0, -2.0, 0.1, 4.0, -0.99], Entry::no_round_trip)
             .case_with("1e18, 1e-18, 0", &[0.0, 0.0, 1e18, 1e-18, 0.0], Entry::unresolved)
             .seed(&[0.0, 0.0, 1.0, 0.5, 0.6]).seed(&[3.0, -2.0, 0.1, 4.0, -0.99]).seed(&[0.0, 0.0, 1.0, 1.0, 0.999_999])
-            .refuse(&[0.0, NAN, 1.0, 1.0, 0.0], NotFinite).refuse(&[0.0, 0.0, 1.0, f32::MAX, 0.0], NotFinite)
-            .refuse(&[0.0, 0.0, 1.0, 1.0, 1.1], NotNormalizable)
+            .refuse(&[0.0, NAN, 1.0, 1.0, 0.0], NotFinite(0)).refuse(&[0.0, 0.0, 1.0, f32::MAX, 0.0], NotFinite(1))
+            .refuse(&[0.0, 0.0, 1.0, 1.0, 1.1], NotNormalizable(1))
             .without("getters", "it keeps the factor in place of the matrix")
             .without("constant", "its constructor is no constant function: it takes roots")
             .without("moment", "a draw takes two words")
             .without("peer", "rand_distr has none"),
         Registered::new("TriangleOn", "plane", &[Any; 6], |p| triangle_on::<T, 2>(p, Domain::Plane))
+            .parameters(&[0; 6])
             .case_with("plane", &[0.0, 0.0, 4.0, 0.0, 1.0, 3.0], |e| {
                 e.picture("(0, 0), (4, 0), (1, 3)", FLAT)
             })
@@ -233,19 +237,20 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             })
             .seed(&[0.0, 0.0, 4.0, 0.0, 1.0, 3.0]).seed(&[0.0, 0.0, 1.0, 0.0, 0.5, 1e-11])
             .seed(&[0.1, 0.2, 0.7, 0.9, 0.4, 0.55]).seed(&[1e6, 0.1, 1_000_001.0, -0.3, 1e6, 0.7])
-            .refuse(&[0.0, 0.0, 1.0, 1.0, 2.0, 2.0], Empty).refuse(&[0.0; 6], Empty)
-            .refuse(&[NAN, 0.0, 1.0, 0.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 0.0, 1e30, 0.0, 0.0, 1e30], TooLarge)
-            .refuse(&[0.0, 0.0, 1e-30, 0.0, 0.0, 1e-30], Empty)
+            .refuse(&[0.0, 0.0, 1.0, 1.0, 2.0, 2.0], Empty(0)).refuse(&[0.0; 6], Empty(0))
+            .refuse(&[NAN, 0.0, 1.0, 0.0, 0.0, 1.0], NotFinite(0)).refuse(&[0.0, 0.0, 1e30, 0.0, 0.0, 1e30], TooLarge(0))
+            .refuse(&[0.0, 0.0, 1e-30, 0.0, 0.0, 1e-30], Empty(0))
             .gives_back(|p| TriangleOn::new([[p[0], p[1]], [p[2], p[3]], [p[4], p[5]]]).map(|warp| warp.vertices().concat()))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("TriangleOn", "space", &[Any; 9], |p| triangle_on::<T, 3>(p, Domain::Space))
+            .parameters(&[0; 9])
             .case_with("space", &[1.0, 0.0, 0.0, 0.0, 2.0, 0.5, -1.0, 0.0, 3.0], |e| {
                 e.no_round_trip().picture("three vertices in space", CORNER)
             })
             .seed(&[1.0, 0.0, 0.0, 0.0, 2.0, 0.5, -1.0, 0.0, 3.0])
             .seed(&[0.1, 0.2, 0.3, 0.7, 0.9, -0.4, 0.4, 0.55, -0.05])
             .seed(&[1e6, 0.1, -7e3, 1_000_001.0, -0.3, -7001.0, 1e6, 0.7, -7002.0])
-            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], Empty),
+            .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], Empty(0)),
         Registered::new("Bilinear", "", &[Positive; 4], |p| {
             let warp = Bilinear::new(square(p))?;
             let truth = exact!(Bilinear(square(p).map(|row| row.map(Real::from))));
@@ -254,6 +259,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             entry.inside = |[x, y, _]| (0.0..1.0).contains(&x) && (0.0..1.0).contains(&y);
             Ok(entry.own_density().outside(&[[-1e-7, 0.5, 0.0], [1.000_000_1, 0.5, 0.0], [0.5, 2.0, 0.0]]))
         })
+            .parameters(&[0; 4])
             .case_with("1 3 / 2 0", &[1.0, 3.0, 2.0, 0.0], |e| e.picture("corners of 1, 3, 2 and 0", window(0.5, 0.5, 0.51)))
             .without("peer", "rand_distr has none")
             .control("a square without its weights", |[u, v, _], _| [u, v, 0.0], &["chi-square", "distance", "mean x"])
@@ -267,16 +273,17 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .seed(&[TINY, 0.0, 0.0, 0.0]).seed(&[f32::MAX; 4]).seed(&[TINY, 3e-45, f32::MAX, 1e38]).seed(&[TINY; 4])
             .seed(&[1.0, 0.0, 0.0, 1.0]).seed(&[1766.677, 0.0, 0.014_073_868, 0.022_967_072]).seed(&[0.0, 1.0, 1e-4, 0.0])
             .seed(&[0.0, 1.0, 1.0, 2.0]).seed(&[1.0; 4])
-            .refuse(&[1.0, NAN, 1.0, 1.0], NotFinite).refuse(&[1.0, 1.0, f32::INFINITY, 1.0], NotFinite)
-            .refuse(&[1.0, 1.0, 1.0, -1.0], Negative).refuse(&[0.0; 4], NotPositive)
+            .refuse(&[1.0, NAN, 1.0, 1.0], NotFinite(0)).refuse(&[1.0, 1.0, f32::INFINITY, 1.0], NotFinite(0))
+            .refuse(&[1.0, 1.0, 1.0, -1.0], Negative(0)).refuse(&[0.0; 4], NotPositive(0))
             .constant(in_both!(Bilinear::new([[0.1, 0.3], [0.7, 0.2]])))
             .without("getters", "its corners are densities")
             .without("moment", "a draw takes two words"),
         Registered::new("Aabb", "of 1 side", &[Any; 2], |p| sides::<T, 1>(p, Domain::Plane))
             .ordered(&[[0, 1]])
-            .refuse(&[1.0, 0.0], Reversed)
+            .refuse(&[1.0, 0.0], Reversed(1))
             .constant(in_both!(Aabb::new([-1.0, 0.1, 1e-3], [2.0, 0.3, 1e20]))),
         Registered::new("Aabb", "of 2 sides", &[Any; 4], |p| sides::<T, 2>(p, Domain::Plane))
+            .parameters(&[0, 1, 0, 1])
             .ordered(&[[0, 1], [2, 3]])
             .case_with("[-1, 1] x [2, 2.5]", &[-1.0, 1.0, 2.0, 2.5], |e| {
                 e.picture("uniform on a box", window(0.0, 2.25, 1.05))
@@ -284,10 +291,11 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .control("a box bent by a power of xi near 1", |[u, v, _], wrong| [2.0 * u.powf(1.0 + wrong) - 1.0, 2.0 + 0.5 * v, 0.0], &["chi-square", "distance", "mean x"])
             .case("[0, 1e-30] x [-1e30, 0]", &[0.0, 1e-30, -1e30, 0.0])
             .case("[-3e38, 3e38] x [0, 1e-38]", &[-3e38, 3e38, 0.0, 1e-38])
-            .refuse(&[0.0, 1.0, NAN, 1.0], NotFinite).refuse(&[0.0, 1.0, 2.0, 1.0], Reversed)
-            .refuse(&[0.0, 0.0, 0.0, 1.0], Empty)
+            .refuse(&[0.0, 1.0, NAN, 1.0], NotFinite(0)).refuse(&[0.0, 1.0, 2.0, 1.0], Reversed(1))
+            .refuse(&[0.0, 0.0, 0.0, 1.0], Empty(1))
             .gives_back(|p| Aabb::new([p[0], p[2]], [p[1], p[3]]).map(|warp| ends(warp.low(), warp.high()))),
         Registered::new("Aabb", "of 3 sides", &[Any; 6], |p| sides::<T, 3>(p, Domain::Space))
+            .parameters(&[0, 1, 0, 1, 0, 1])
             .ordered(&[[0, 1], [2, 3], [4, 5]]),
     ]
 }

@@ -143,17 +143,17 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
         })
             .seed(&[3.0e38, 0.0, 1.0]).seed(&[-3.0e38, 1.0, 2.0]).seed(&[-1.0, 1.0e-36, f32::MAX])
             .seed(&[-0.999_999_94, 0.0, 1.0]).seed(&[0.5, 0.0, f32::MAX]).seed(&[7.0, 1.0, 1.000_000_1])
-            .refuse(&[NAN, 0.0, 1.0], NotFinite).refuse(&[1.0, 0.0, INF], NotFinite).refuse(&[1.0, -1.0, 1.0], Negative)
-            .refuse(&[1.0, 2.0, 1.0], Reversed).refuse(&[1.0, 1.0, 1.0], Empty).refuse(&[1.0, 0.0, TINY], Empty)
-            .refuse(&[-1.0, TINY, 1.0], Empty).refuse(&[-1.0, 0.0, 1.0], NotNormalizable)
-            .refuse(&[-3.0, 0.0, 1.0], NotNormalizable),
+            .refuse(&[NAN, 0.0, 1.0], NotFinite(0)).refuse(&[1.0, 0.0, INF], NotFinite(2)).refuse(&[1.0, -1.0, 1.0], Negative(1))
+            .refuse(&[1.0, 2.0, 1.0], Reversed(2)).refuse(&[1.0, 1.0, 1.0], Empty(2)).refuse(&[1.0, 0.0, TINY], Empty(Error::NO_PLACE))
+            .refuse(&[-1.0, TINY, 1.0], Empty(Error::NO_PLACE)).refuse(&[-1.0, 0.0, 1.0], NotNormalizable(1))
+            .refuse(&[-3.0, 0.0, 1.0], NotNormalizable(1)),
         with_cases(with_moments(Registered::new("Power", "decreasing", &[Any, Positive, Positive], |p| power::<T>(p, false))), |label| match label {
             "n=-0.5 [0, 4]" => |e| e.picture("p ∝ 1/√x on [0, 4], 4 first", View::Line(between(-0.3, 4.3).top(1.7))),
             _ => |e| e,
         })
-            .refuse(&[-1.0, 0.0, 1.0], NotNormalizable),
+            .refuse(&[-1.0, 0.0, 1.0], NotNormalizable(1)),
         Registered::new("Power", "near n=-1", &[NEAR, Positive, Positive], |p| power::<T>(p, true)),
-        Registered::new("Power", "from 0", &[Any, Positive], |p| power::<T>(&[p[0], 0.0, p[1]], true)),
+        Registered::new("Power", "from 0", &[Any, Positive], |p| power::<T>(&[p[0], 0.0, p[1]], true)).parameters(&[0, 2]),
         Registered::new("PowerMax", "N=1", &[], largest::<T, 1>).case("N=1", &[]),
         Registered::new("PowerMax", "N=2", &[], largest::<T, 2>).case("N=2", &[]),
         Registered::new("PowerMax", "N=3", &[], largest::<T, 3>),

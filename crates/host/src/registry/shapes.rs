@@ -28,7 +28,7 @@ fn annulus<T: Tier>(radii: [f32; 2], turns: [f32; 2]) -> Result<Entry, Error> {
 
 fn polygon<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     if !p[0].is_finite() {
-        return Err(NotFinite);
+        return Err(NotFinite(0));
     }
     let corners = p[0] as u16;
     let warp = RegularPolygon::<T>::new(corners)?;
@@ -59,9 +59,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("1e17 to 1e18", &[1e17, 1e18], |e| e.outside(&[[0.0, 9e16, 0.0], [1.1e18, 0.0, 0.0]]))
             .seed(&[1.0, 2.0]).seed(&[0.0, 1.0]).seed(&[1.0, 1.000_000_1]).seed(&[1.0, 1.000_01]).seed(&[0.999, 1.0]).seed(&[1e-45, 1e-18])
             .seed(&[1e21, 1.000_000_1e21]).seed(&[0.5, 0.7])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[1.0, f32::INFINITY], NotFinite).refuse(&[-1.0, 1.0], Negative)
-            .refuse(&[2.0, 1.0], Reversed).refuse(&[1.0, 1.0], Empty).refuse(&[0.0, 0.0], Empty).refuse(&[0.0, 1e-20], Empty)
-            .refuse(&[0.0, 1e19], TooLarge)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[1.0, f32::INFINITY], NotFinite(1)).refuse(&[-1.0, 1.0], Negative(0))
+            .refuse(&[2.0, 1.0], Reversed(1)).refuse(&[1.0, 1.0], Empty(1)).refuse(&[0.0, 0.0], Empty(1)).refuse(&[0.0, 1e-20], Empty(Error::NO_PLACE))
+            .refuse(&[0.0, 1e19], TooLarge(Error::NO_PLACE))
             .gives_back(|p| Annulus::<T>::new(p[0], p[1]).map(|warp| vec![warp.inner(), warp.outer()]))
             .constant(in_both!(Annulus<T>::new(0.3, 1.7)))
             .constant(in_both!(Annulus<T>::sector(0.3, 1.7, -0.3, 0.1))),
@@ -75,9 +75,9 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("fan", &[0.0, 1.0, 0.9, 1.3], |e| e.outside(&[[-0.5, 0.1, 0.0], [0.8, 0.7, 0.0]]))
             .case_with("sector of a turn", &[0.5, 1.0, -0.3, 0.7], |e| e.outside(&[[0.1, 0.1, 0.0]]))
             .seed(&[0.0, 1.0, 0.0, 1e-7]).seed(&[1.0, 1.000_001, 1.0, 1.001]).seed(&[0.0, 1e30, 0.0, 1e-30])
-            .refuse(&[1.0, 2.0, NAN, 0.5], NotFinite).refuse(&[1.0, 2.0, 0.0, f32::INFINITY], NotFinite)
-            .refuse(&[1.0, 2.0, 0.5, 0.25], Reversed).refuse(&[1.0, 2.0, -1.5, -1.0], OutOfRange)
-            .refuse(&[1.0, 2.0, -0.5, 1.0], OutOfRange).refuse(&[1.0, 2.0, 0.5, 0.5], Empty),
+            .refuse(&[1.0, 2.0, NAN, 0.5], NotFinite(2)).refuse(&[1.0, 2.0, 0.0, f32::INFINITY], NotFinite(3))
+            .refuse(&[1.0, 2.0, 0.5, 0.25], Reversed(3)).refuse(&[1.0, 2.0, -1.5, -1.0], OutOfRange(2))
+            .refuse(&[1.0, 2.0, -0.5, 1.0], OutOfRange(3)).refuse(&[1.0, 2.0, 0.5, 0.5], Empty(3)),
         Registered::new("Ball", "", &[], |_| {
             let truth = exact!(Ball);
             let mut entry = entry::<T, _>("Ball", Domain::Solid, Measure::Length(1.0), Ball::<T>::new(), truth);
@@ -105,7 +105,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("5 corners", &[5.0])
             .case("1001 corners", &[1001.0])
             .seed(&[3.0]).seed(&[4.0]).seed(&[5.0]).seed(&[7.0]).seed(&[12.0]).seed(&[65_535.0])
-            .refuse(&[2.0], OutOfRange).refuse(&[0.0], OutOfRange)
+            .refuse(&[2.0], OutOfRange(0)).refuse(&[0.0], OutOfRange(0))
             .gives_back(|p| RegularPolygon::<T>::new(p[0] as u16).map(|warp| vec![warp.corners().into()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("Simplex", "of 2 dimensions", &[], |_| {

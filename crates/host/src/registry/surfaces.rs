@@ -298,7 +298,7 @@ fn faces<T: Tier>(p: &[f32]) -> Result<Entry, Error> {
     let warp = BoxSurface::new(low, high)?;
     let size = largest(p);
     if size > 3e37 {
-        return Err(TooLarge); // beyond which nothing is left
+        return Err(TooLarge(1)); // beyond which nothing is left
     }
     let beyond = 4.0 * size.log2().floor().exp2();
     let truth = exact!(BoxFaces {
@@ -357,7 +357,7 @@ fn frustum<T: Tier>(p: &[f32], closed: bool) -> Result<Entry, Error> {
     };
     // Flatter ones are in `tests/laws`, by their normals.
     if closed && (height < 1e-30 * largest(&radii) || height < 1e-36) {
-        return Err(Empty);
+        return Err(Empty(1));
     }
     let truth = truth::Frustum::new(radii.map(f64::from), height.into(), closed);
     let slope = truth.slope().map(|x| x as f32);
@@ -447,13 +447,14 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0; 9], AllZero)
             .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], AllZero)
             .refuse(&[0.0, 0.0, 0.0, 1e20, 0.0, 0.0, 0.0, 1e20, 0.0], NotFiniteWeight(0))
-            .refuse(&[0.0, 0.0, 0.0, 1.4e19, 0.0, 0.0, 0.0, 1.4e19, 0.0], TooLarge)
+            .refuse(&[0.0, 0.0, 0.0, 1.4e19, 0.0, 0.0, 0.0, 1.4e19, 0.0], TooLarge(1))
             .refuse(&[0.0, NAN, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], NotFiniteWeight(0)),
         Registered::new("Mesh", "of 2 faces", &[Within(-62.0, 62.0), UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT, UNIT], |p| {
             apart::<T>(&p[1..], power(p[0]))
         })
             .seed(&[0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.5, -1.0, 0.0, 1.0, 1e-3, 0.0, 0.0, 0.0, 1e-3, 0.0, 0.0, 0.0, 1e-3]),
         Registered::new("BoxSurface", "", &[Any; 6], faces::<T>)
+            .parameters(&[0, 1, 0, 1, 0, 1])
             .ordered(&[[0, 1], [2, 3], [4, 5]])
             .case_with("2 x 1 x 0.5", &[-1.0, 1.0, 0.0, 1.0, 0.25, 0.75], |e| {
                 e.picture("a box of 2 × 1 × ½, unfolded", NET)
@@ -466,12 +467,13 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case_with("far off", &[1e6, 1_000_001.0, -3e5, -299_999.5, 7.0, 8.0], |e| loose(e.unresolved(), 0.1))
             .seed(&[0.0, 1.0, 0.0, 1.0, 0.0, 1.0]).seed(&[1e-40, 1e-39, -1e36, 1e36, 0.0, 0.0])
             .seed(&[0.0, 1e-9, 0.0, 1e-9, 0.0, 1e9]).seed(&[1e6, 1_000_000.06, -1.0, 1.0, 0.0, 1e-3])
-            .refuse(&[0.0, 1.0, NAN, 1.0, 0.0, 1.0], NotFinite).refuse(&[0.0, 1.0, 0.0, 1.0, 1.0, 0.0], Reversed)
-            .refuse(&[1.0; 6], Empty).refuse(&[0.0, 1.0, 2.0, 2.0, 3.0, 3.0], Empty)
-            .refuse(&[0.0, 1e-20, 0.0, 1e-20, 0.0, 1e-20], Empty).refuse(&[0.0, 1e20, 0.0, 1e20, 0.0, 0.0], TooLarge)
+            .refuse(&[0.0, 1.0, NAN, 1.0, 0.0, 1.0], NotFinite(0)).refuse(&[0.0, 1.0, 0.0, 1.0, 1.0, 0.0], Reversed(1))
+            .refuse(&[1.0; 6], Empty(1)).refuse(&[0.0, 1.0, 2.0, 2.0, 3.0, 3.0], Empty(1))
+            .refuse(&[0.0, 1e-20, 0.0, 1e-20, 0.0, 1e-20], Empty(1)).refuse(&[0.0, 1e20, 0.0, 1e20, 0.0, 0.0], TooLarge(1))
             .gives_back(|p| BoxSurface::new([p[0], p[2], p[4]], [p[1], p[3], p[5]]).map(|warp| ends(warp.low(), warp.high())))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("FrustumSurface", "", &[Positive; 3], |p| frustum::<T>(p, true))
+            .parameters(&[0, 0, 1])
             .case_with("1 to 0.5, 2 high", &[1.0, 0.5, 2.0], |e| {
                 e.picture("radii 1 and 0.5, height 2", View::Solid(Body::Frustum([1.0, 0.5], 2.0)))
             })
@@ -481,14 +483,15 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("needle", &[1e-3, 2e-3, 5.0]).case_with("coin", &[2.0, 2.0, 1e-3], constant).case("lid", &[1.0, 0.75, 1e-8])
             .case("1e-20 by 1e20", &[1e-20, 2e-20, 1e20])
             .seed(&[1.0, 1.0, 1.0]).seed(&[1.0, 0.0, 1.0]).seed(&[0.0, 1.0, 1e-3]).seed(&[1.0, 1e-4, 2.0]).seed(&[1.0, 0.999_999_9, 1e-6])
-            .refuse(&[NAN, 1.0, 1.0], NotFinite).refuse(&[1.0, -1.0, 1.0], Negative).refuse(&[1.0, 1.0, -1.0], Negative)
-            .refuse(&[0.0, 0.0, 1.0], Empty).refuse(&[0.0; 3], Empty).refuse(&[1e-20, 1e-20, 1e-20], Empty)
-            .refuse(&[1e20, 1.0, 1.0], TooLarge).refuse(&[3e38, 3e38, 0.0], TooLarge),
+            .refuse(&[NAN, 1.0, 1.0], NotFinite(0)).refuse(&[1.0, -1.0, 1.0], Negative(0)).refuse(&[1.0, 1.0, -1.0], Negative(1))
+            .refuse(&[0.0, 0.0, 1.0], Empty(1)).refuse(&[0.0; 3], Empty(1)).refuse(&[1e-20, 1e-20, 1e-20], Empty(1))
+            .refuse(&[1e20, 1.0, 1.0], TooLarge(1)).refuse(&[3e38, 3e38, 0.0], TooLarge(0)),
         Registered::new("FrustumSurface", "tube", &[Positive; 3], |p| frustum::<T>(p, false))
+            .parameters(&[0, 0, 1])
             .case("tube", &[1.0, 1.0, 2.0]).case("open cone", &[1.0, 0.0, 2.0]).case_with("ring", &[1.0, 2.0, 0.0], constant)
             .case_with("narrow ring", &[1.0, 0.999_9, 0.0], |e| loose(constant(e), 1e-3))
             .seed(&[1.0, 0.0, 0.0]).seed(&[1.0, 1.0, 1e-9]).seed(&[1e-30, 3e-30, 1e30])
-            .refuse(&[1.0, 1.0, 0.0], Empty).refuse(&[1.0, f32::INFINITY, 0.0], NotFinite)
+            .refuse(&[1.0, 1.0, 0.0], Empty(1)).refuse(&[1.0, f32::INFINITY, 0.0], NotFinite(0))
             .gives_back(|p| FrustumSurface::<T>::tube([p[0], p[1]], p[2]).map(|warp| vec![warp.radii()[0], warp.radii()[1], warp.height()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
         Registered::new("CapsuleSurface", "", &[Positive; 2], capsule::<T>)
@@ -499,8 +502,8 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .case("sphere", &[0.0, 1.0]).case("needle", &[5.0, 1e-3]).case("nearly a sphere", &[1e-3, 7.0])
             .case("1e30 by 1e-30", &[1e30, 1e-30])
             .seed(&[0.0, 1.0]).seed(&[1.0, 1.0]).seed(&[1.0, 1e-6]).seed(&[1e-6, 1.0])
-            .refuse(&[NAN, 1.0], NotFinite).refuse(&[-1.0, 1.0], Negative).refuse(&[1.0, 0.0], NotPositive)
-            .refuse(&[1e-20, 1e-20], Empty).refuse(&[1.0, 1e20], TooLarge).refuse(&[3e38, 1e38], TooLarge)
+            .refuse(&[NAN, 1.0], NotFinite(0)).refuse(&[-1.0, 1.0], Negative(0)).refuse(&[1.0, 0.0], NotPositive(1))
+            .refuse(&[1e-20, 1e-20], Empty(1)).refuse(&[1.0, 1e20], TooLarge(1)).refuse(&[3e38, 1e38], TooLarge(1))
             .gives_back(|p| CapsuleSurface::<T>::new(p[0], p[1]).map(|warp| vec![warp.height(), warp.radius()]))
             .without("constant", "its constructor is no constant function: it takes roots"),
     ]
