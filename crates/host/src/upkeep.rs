@@ -37,12 +37,13 @@ pub fn errors() -> Outcome<Vec<(Error, String)>> {
     let messages = source
         .split_once("fn message(")
         .and_then(|(_, rest)| rest.split_once("\n    }\n"));
-    let stated = messages.map_or(0, |(body, _)| body.matches(" => \"").count());
+    let stated = messages.map_or(0, |(body, _)| body.matches("Self::").count());
     if stated != ERRORS.len() {
         return Err(format!("there are {stated} errors, not {}", ERRORS.len()));
     }
     let named = ERRORS.iter().zip(1..).map(|(&error, code)| {
-        let name = format!("{error:?}").replace("(0)", "");
+        let whole = format!("{error:?}");
+        let name = whole.split('(').next().unwrap_or(&whole).to_string();
         let numbered = error.code() == code;
         numbered
             .then_some((error, name))
