@@ -89,12 +89,11 @@ pub fn try_shuffle_with<R: TryRng + ?Sized>(
     let size = |left: usize| (left as u64).min(WORDS);
     let mut left = count;
     while left > 1 {
-        let (high, low) = (rng.try_next_u32()?, rng.try_next_u32()?);
-        let mut word = u64::from(high) << 32 | u64::from(low);
+        let (mut high, mut low) = (rng.try_next_u32()?, rng.try_next_u32()?);
         let mut outcomes = size(left);
         while left > 1 && outcomes <= WORDS {
             let place;
-            (place, word) = whole_and_rest(word, size(left));
+            (place, high, low) = whole_and_rest(high, low, size(left));
             left = left.wrapping_sub(1);
             if place < left {
                 swap(place, left);
@@ -105,17 +104,24 @@ pub fn try_shuffle_with<R: TryRng + ?Sized>(
     Ok(())
 }
 
-/// The integer below a number of up to 2³² that a word gives, and what it leaves, which is uniform again.
+/// The integer below a number of up to 2³² that two words give, and what they leave, which is uniform again.
 #[inline]
-fn whole_and_rest(word: u64, number: u64) -> (usize, u64) {
+fn whole_and_rest(high: u32, low: u32, number: u64) -> (usize, u32, u32) {
     if cfg!(target_pointer_width = "64") {
-        let product = u128::from(word).wrapping_mul(u128::from(number));
-        ((product >> 64) as usize, product as u64)
+        let product =
+            u128::from(u64::from(high) << 32 | u64::from(low)).wrapping_mul(u128::from(number));
+        (
+            (product >> 64) as usize,
+            (product >> 32) as u32,
+            product as u32,
+        )
     } else {
         // By products of 64 bits, for which most other cores have an instruction.
-        let low = (word & 0xffff_ffff).wrapping_mul(number);
-        let high = (word >> 32).wrapping_mul(number).wrapping_add(low >> 32);
-        ((high >> 32) as usize, high << 32 | low & 0xffff_ffff)
+        let lower = u64::from(low).wrapping_mul(number);
+        let upper = u64::from(high)
+            .wrapping_mul(number)
+            .wrapping_add(lower >> 32);
+        ((upper >> 32) as usize, upper as u32, lower as u32)
     }
 }
 
