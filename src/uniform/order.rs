@@ -89,11 +89,11 @@ pub fn try_shuffle_with<R: TryRng + ?Sized>(
     let size = |left: usize| (left as u64).min(WORDS);
     let mut left = count;
     while left > 1 {
-        let (mut high, mut low) = (rng.try_next_u32()?, rng.try_next_u32()?);
+        let mut words = joined(rng.try_next_u32()?, rng.try_next_u32()?);
         let mut outcomes = size(left);
         while left > 1 && outcomes <= WORDS {
             let place;
-            (place, high, low) = whole_and_rest(high, low, size(left));
+            (place, words) = whole_and_rest(words, size(left));
             left = left.wrapping_sub(1);
             if place < left {
                 swap(place, left);
@@ -104,25 +104,40 @@ pub fn try_shuffle_with<R: TryRng + ?Sized>(
     Ok(())
 }
 
-/// The integer below a number of up to 2³² that two words give, and what they leave, which is uniform again.
+/// Two words, in the form that a core multiplies by the fewest instructions.
+#[cfg(target_pointer_width = "64")]
+type Words = u64;
+#[cfg(not(target_pointer_width = "64"))]
+type Words = (u32, u32);
+
+#[cfg(target_pointer_width = "64")]
 #[inline]
-fn whole_and_rest(high: u32, low: u32, number: u64) -> (usize, u32, u32) {
-    if cfg!(target_pointer_width = "64") {
-        let product =
-            u128::from(u64::from(high) << 32 | u64::from(low)).wrapping_mul(u128::from(number));
-        (
-            (product >> 64) as usize,
-            (product >> 32) as u32,
-            product as u32,
-        )
-    } else {
-        // By products of 64 bits, for which most other cores have an instruction.
-        let lower = u64::from(low).wrapping_mul(number);
-        let upper = u64::from(high)
-            .wrapping_mul(number)
-            .wrapping_add(lower >> 32);
-        ((upper >> 32) as usize, upper as u32, lower as u32)
-    }
+fn joined(high: u32, low: u32) -> Words {
+    u64::from(high) << 32 | u64::from(low)
+}
+
+#[cfg(not(target_pointer_width = "64"))]
+#[inline]
+fn joined(high: u32, low: u32) -> Words {
+    (high, low)
+}
+
+/// The integer below a number of up to 2³² that two words give, and what they leave, which is uniform again.
+#[cfg(target_pointer_width = "64")]
+#[inline]
+fn whole_and_rest(words: Words, number: u64) -> (usize, Words) {
+    let product = u128::from(words).wrapping_mul(u128::from(number));
+    ((product >> 64) as usize, product as u64)
+}
+
+#[cfg(not(target_pointer_width = "64"))]
+#[inline]
+fn whole_and_rest((high, low): Words, number: u64) -> (usize, Words) {
+    let lower = u64::from(low).wrapping_mul(number);
+    let upper = u64::from(high)
+        .wrapping_mul(number)
+        .wrapping_add(lower >> 32);
+    ((upper >> 32) as usize, (upper as u32, lower as u32))
 }
 
 /// Puts items in a random order, by a word for each but the last: the form for firmware.
