@@ -138,7 +138,23 @@ impl Error {
     /// assert_eq!(Error::AllZero.parameter(), None);
     /// ```
     #[must_use]
-    pub const fn parameter(self) -> Option<usize> {
+    pub const fn parameter(mut self) -> Option<usize> {
+        match self.place() {
+            Some(&mut place) if place != Self::NO_PLACE => Some(place),
+            _ => None,
+        }
+    }
+
+    /// The same reason at another place, if it has one: for a function that hands parameters on.
+    pub(crate) const fn at(mut self, to: usize) -> Self {
+        if let Some(place) = self.place() {
+            *place = to;
+        }
+        self
+    }
+
+    /// The place in a reason that has one.
+    const fn place(&mut self) -> Option<&mut usize> {
         match self {
             Self::NotFinite(place)
             | Self::Reversed(place)
@@ -148,30 +164,9 @@ impl Error {
             | Self::Negative(place)
             | Self::OutOfRange(place)
             | Self::NotNormalizable(place)
-            | Self::ZeroLength(place)
-                if place != Self::NO_PLACE =>
-            {
-                Some(place)
-            }
+            | Self::ZeroLength(place) => Some(place),
             _ => None,
         }
-    }
-
-    /// The same reason at another place, if it has one: for a function that hands parameters on.
-    pub(crate) const fn at(mut self, to: usize) -> Self {
-        match &mut self {
-            Self::NotFinite(place)
-            | Self::Reversed(place)
-            | Self::Empty(place)
-            | Self::TooLarge(place)
-            | Self::NotPositive(place)
-            | Self::Negative(place)
-            | Self::OutOfRange(place)
-            | Self::NotNormalizable(place)
-            | Self::ZeroLength(place) => *place = to,
-            _ => {}
-        }
-        self
     }
 
     /// What is said of the parameter in which the reason lies.

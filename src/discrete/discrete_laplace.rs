@@ -104,11 +104,7 @@ impl DiscreteLaplace {
     /// # Errors
     /// [`Error::NotPositive`] if one of the two is 0, [`Error::TooLarge`] for a ratio above 9e7.
     pub const fn from_ratio(part: u32, whole: u32) -> Result<Self, Error> {
-        if part == 0 || whole == 0 {
-            return Err(Error::NotPositive(if part == 0 { 0 } else { 1 }));
-        }
-        let scale = Long::of(part as u64, 64).over(Long::of(whole as u64, 64));
-        Self::of(scale, 1)
+        Self::of(tried!(Long::of_ratio(part, whole)), 1)
     }
 
     /// Of a scale that lies in the parameters up to that place.

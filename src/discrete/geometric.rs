@@ -169,11 +169,7 @@ impl Geometric {
     /// [`Error::NotPositive`] if one of the two is 0, [`Error::OutOfRange`] for more successes than trials,
     /// [`Error::TooLarge`] for a ratio below 5.4e-9.
     pub const fn from_ratio(successes: u32, trials: u32) -> Result<Self, Error> {
-        if successes == 0 || trials == 0 {
-            return Err(Error::NotPositive(if successes == 0 { 0 } else { 1 }));
-        }
-        let success = Long::of(successes as u64, 64).over(Long::of(trials as u64, 64));
-        Self::of(success, 1)
+        Self::of(tried!(Long::of_ratio(successes, trials)), 1)
     }
 
     /// Of a probability that lies in the parameters up to that place.

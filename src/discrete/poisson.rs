@@ -121,11 +121,7 @@ impl Poisson {
     /// # Errors
     /// [`Error::NotPositive`] if one of the two is 0, [`Error::TooLarge`] for a ratio above 80.
     pub const fn from_ratio(events: u32, intervals: u32) -> Result<Self, Error> {
-        if events == 0 || intervals == 0 {
-            return Err(Error::NotPositive(if events == 0 { 0 } else { 1 }));
-        }
-        let mean = Long::of(events as u64, 64).over(Long::of(intervals as u64, 64));
-        Self::of(mean, 1)
+        Self::of(tried!(Long::of_ratio(events, intervals)), 1)
     }
 
     /// Of a mean that lies in the parameters up to that place.

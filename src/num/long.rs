@@ -3,6 +3,7 @@
 use super::division::scaled;
 use super::exact_sum::parts;
 use super::scaled::Scaled;
+use crate::error::Error;
 
 /// A positive number: mantissa · 2^(exponent − 64).
 ///
@@ -31,6 +32,17 @@ impl Long {
             mantissa: mantissa.wrapping_shl(zeros),
             exponent: exponent.saturating_sub_unsigned(zeros),
         }
+    }
+
+    /// The quotient of two integers above 0, the first and the second parameter of a constructor.
+    pub(crate) const fn of_ratio(part: u32, whole: u32) -> Result<Self, Error> {
+        if part == 0 {
+            return Err(Error::NotPositive(0));
+        }
+        if whole == 0 {
+            return Err(Error::NotPositive(1));
+        }
+        Ok(Self::of(part as u64, 64).over(Self::of(whole as u64, 64)))
     }
 
     /// A positive finite `f32`, exactly.
