@@ -1,5 +1,6 @@
 //! The shapes of `shapes` are what is examined there, bit by bit, and in real numbers their truths.
 
+use crate::laws::by_constructor;
 use crate::linear::two_sum;
 use crate::maps::mirrored;
 use crate::parametric::{Form, Ring, Vertices};
@@ -189,11 +190,7 @@ fn assert_truth(of: &Registered, p: &[f32], u: [f64; 2], made: &[f64], size: f64
 #[test]
 fn shapes_in_real_numbers_are_the_truth() {
     let all = registered();
-    let find = |name, constructor| {
-        let mut all = all.iter();
-        let found = all.find(|of| (of.name, of.constructor) == (name, constructor));
-        found.expect("a constructor")
-    };
+    let find = |name, constructor| by_constructor(&all, name, constructor);
     let turned = |[x, y]: [f64; 2], turns: f64| {
         let (s, c) = (std::f64::consts::TAU * turns).sin_cos();
         [x * c - y * s, x * s + y * c]

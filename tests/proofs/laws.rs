@@ -117,6 +117,13 @@ fn registered_as(name: &str, tier: &str) -> Option<Registered> {
     all.find(|of| of.name == name && of.tier == tier)
 }
 
+/// The constructor of that name among those registered.
+pub fn by_constructor<'a>(all: &'a [Registered], name: &str, constructor: &str) -> &'a Registered {
+    let mut all = all.iter();
+    let found = all.find(|of| (of.name, of.constructor) == (name, constructor));
+    found.expect("a constructor")
+}
+
 /// The constructor of that name in a tier.
 pub fn by_name(name: &str, tier: &str) -> Registered {
     registered_as(name, tier).expect("a law")

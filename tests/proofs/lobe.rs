@@ -11,7 +11,7 @@ use crate::maps::Row;
 use crate::radii::{Bin, Radii};
 use crate::range::Range;
 use crate::rounding::UNIT;
-use crate::several::{Cells, Proven, cells, complaint};
+use crate::several::{CELLS, Cells, Proven, complaint};
 use crate::unit::Unit;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
@@ -85,11 +85,11 @@ pub fn rows([libm, poly]: &Cells) -> Vec<Proven> {
 /// Three roundings more of the logarithm are noticed.
 #[test]
 fn a_lobe_of_another_logarithm_is_noticed() {
-    let [_, poly] = cells();
+    let [_, poly] = &*CELLS;
     let (_, [_, stated]) = stated("PhongLobe", "sample");
     let [_, found] = largest("PhongLobe", "sample");
     let judged = |quotient: f64| {
-        let [proven, _] = of_lobes::<Poly>(&poly, quotient);
+        let [proven, _] = of_lobes::<Poly>(poly, quotient);
         complaint(stated, Row { proven, found })
     };
     let right = of_quotients::<Poly>();

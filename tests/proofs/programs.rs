@@ -1,5 +1,6 @@
 //! The programs of `parametric` are the maps of the crate, bit by bit, and in real numbers their truths.
 
+use crate::laws::by_constructor;
 use crate::maps::mirrored;
 use crate::parametric::{Cone, Fog, Form, Given, Triangle};
 use crate::search::spread;
@@ -190,11 +191,7 @@ fn assert_truth(of: &Registered, parameter: f32, form: &impl Form, exact: f64, u
 #[test]
 fn programs_of_real_numbers_are_the_truth() {
     let all = registered();
-    let find = |name, constructor| {
-        let mut all = all.iter();
-        let found = all.find(|of| (of.name, of.constructor) == (name, constructor));
-        found.expect("a constructor")
-    };
+    let find = |name, constructor| by_constructor(&all, name, constructor);
     let fogs = ["from_one_minus_g", "from_one_plus_g"].map(|by| find("HenyeyGreenstein", by));
     let cones = find("Cone", "from_one_minus_cos");
     let triangle = (find("Triangle", "").build)(&[]).expect("a triangle");

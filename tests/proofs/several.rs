@@ -20,6 +20,7 @@ use host::docs::STALE;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
 use std::fmt::Write as _;
+use std::sync::LazyLock;
 
 /// A row of a warp: its name, the title, and what is proven in `libm` and in `poly`.
 pub type Proven = (&'static str, &'static str, [f64; 2]);
@@ -27,9 +28,10 @@ pub type Proven = (&'static str, &'static str, [f64; 2]);
 /// The cells of both tiers.
 pub type Cells = [Vec<Cell>; 2];
 
-pub fn cells() -> Cells {
+/// They are swept once.
+pub static CELLS: LazyLock<Cells> = LazyLock::new(|| {
     [Libm::sincos_turns, Poly::sincos_turns].map(|kernel| phases::sweep(Uniforms::Any, kernel, 0.0))
-}
+});
 
 /// Uniforms up to a half. At 0 points are exact.
 pub fn uniforms(parts: u32) -> Vec<Range> {
@@ -83,7 +85,7 @@ fn fogs() -> Vec<Piece> {
 
 /// What is proven.
 fn rows() -> Vec<Proven> {
-    let cells = cells();
+    let cells = &*CELLS;
     // The length is right whatever 1 - cos θ is off by, since sine and cosine are both made of it.
     let polar = bins(&alone(&Polar, &binades(-44, 1.0 + 64.0 * UNIT, 512)));
     let length = cells
@@ -92,26 +94,26 @@ fn rows() -> Vec<Proven> {
     let fogs = fogs();
     let [libm, poly] = [sweeps::cone::<Libm>(), sweeps::cone::<Poly>()].map(cones);
     let cone = [
-        samples(&libm, &cells, Roundings::PLAIN)[0],
-        samples(&poly, &cells, Roundings::PLAIN)[1],
+        samples(&libm, cells, Roundings::PLAIN)[0],
+        samples(&poly, cells, Roundings::PLAIN)[1],
     ];
-    let mut rows = shapes::rows(&cells);
-    rows.extend(lobe::rows(&cells));
+    let mut rows = shapes::rows(cells);
+    rows.extend(lobe::rows(cells));
     rows.extend([
         (
             "Triangle",
             "sample",
             [triangle(&Triangle { once_more: false }, &[], &uniforms(4)); 2],
         ),
-        ("Ball", "sample", ball(&cells)),
-        ("Rotation", "sample", rotation(&cells)),
-        ("NormalPair", "sample", normal_pair(&cells)),
+        ("Ball", "sample", ball(cells)),
+        ("Rotation", "sample", rotation(cells)),
+        ("NormalPair", "sample", normal_pair(cells)),
         ("Cone", "sample", cone),
         ("Cone", "unit length", length),
         (
             "HenyeyGreenstein",
             "sample",
-            samples(&fogs, &cells, Roundings::PLAIN),
+            samples(&fogs, cells, Roundings::PLAIN),
         ),
         ("HenyeyGreenstein", "sin θ, ulp", sine(&fogs)),
         ("HenyeyGreenstein", "unit length", length),
@@ -158,13 +160,13 @@ fn stated_errors_are_proven_for_all_parameters() {
 #[test]
 fn a_broken_link_of_the_argument_about_parameters_is_noticed() {
     // Without the errors of k a cone would be better than it is.
-    let cells = cells();
+    let cells = &*CELLS;
     let (_, [cone, _]) = stated("Cone", "sample");
     let [found, ..] = kept::largest("Cone", "sample");
-    let [left_out, ..] = samples(&cones([[0.0; 17]; 2]), &cells, Roundings::PLAIN);
+    let [left_out, ..] = samples(&cones([[0.0; 17]; 2]), cells, Roundings::PLAIN);
     assert!(left_out < found, "{left_out} proven, {found} found");
     // With more of them it is worse than stated.
-    let [more, ..] = samples(&cones([[6.0; 17]; 2]), &cells, Roundings::PLAIN);
+    let [more, ..] = samples(&cones([[6.0; 17]; 2]), cells, Roundings::PLAIN);
     assert!(
         complaint(
             cone,

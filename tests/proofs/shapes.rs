@@ -12,7 +12,7 @@ use crate::phases::{Cell, MISSED, sincos};
 use crate::programs::kept;
 use crate::range::Range;
 use crate::rounding::{Lost, UNIT};
-use crate::several::{Cells, Proven, cells, complaint, samples, uniforms};
+use crate::several::{CELLS, Cells, Proven, complaint, samples, uniforms};
 use host::errors::raise;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
@@ -197,7 +197,7 @@ pub fn rows(cells: &Cells) -> Vec<Proven> {
 /// A rounding more, or one that is left out, is noticed.
 #[test]
 fn a_broken_link_of_the_argument_about_shapes_is_noticed() {
-    let cells = cells();
+    let cells = &*CELLS;
     let judged = |name, proven: [f64; 2]| {
         let ((_, stated), found) = (stated(name, "sample"), largest(name, "sample"));
         [0, 1].map(|tier| {
@@ -205,7 +205,7 @@ fn a_broken_link_of_the_argument_about_shapes_is_noticed() {
             complaint(stated[tier], Row { proven, found }).is_some() || proven < found
         })
     };
-    let [libm, poly] = &cells;
+    let [libm, poly] = cells;
     let phases = [relative::<Libm>(), relative::<Poly>()];
     let twice = Roundings {
         turn: 2.0 * SECTOR.turn,
@@ -214,7 +214,7 @@ fn a_broken_link_of_the_argument_about_shapes_is_noticed() {
     let ulp = 2.0 * UNIT;
     for (name, wrong) in [
         ("TriangleOn", [on_triangles(true); 2]),
-        ("Annulus", rings(&cells, twice)),
+        ("Annulus", rings(cells, twice)),
         ("Ggx", phases.map(|phases| of_ggx(phases, 3.0))),
         (
             "RegularPolygon",
