@@ -9,6 +9,7 @@
 
 mod families;
 mod hard;
+mod inputs;
 mod kinds;
 mod oracle;
 mod page;

@@ -83,6 +83,12 @@ impl Exact {
         Self::at(entry, u, with_density)
     }
 
+    /// The point at the middle of a word.
+    pub fn drawn(entry: &Entry, word: u32) -> Self {
+        let middle = (f64::from(word) + 0.5) * 2f64.powi(-32);
+        Self::at(entry, [middle, 0.0, 0.0, 0.0], false)
+    }
+
     fn at(entry: &Entry, u: [f64; 4], with_density: bool) -> Self {
         let truth: &dyn Truth = entry.truth.as_ref();
         let point = truth.sample(u);
@@ -133,9 +139,12 @@ pub fn draw_error(entry: &Entry, u: f32, figures: &mut Figures) {
         let word =
             (f64::from(u) * 2f64.powi(32)) as u32 ^ (u.to_bits().wrapping_mul(0x9e37_79b9) >> 24);
         for word in [word, !word] {
-            let middle = (f64::from(word) + 0.5) * 2f64.powi(-32);
-            let exact = Exact::at(entry, [middle, 0.0, 0.0, 0.0], false);
-            sample_error(entry, &exact, entry.warp.drawn(word), figures);
+            sample_error(
+                entry,
+                &Exact::drawn(entry, word),
+                entry.warp.drawn(word),
+                figures,
+            );
         }
     }
 }
