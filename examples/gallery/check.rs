@@ -26,7 +26,7 @@ const BLOCK: usize = 512;
 pub fn generator(seed: u64, entry: &Entry, purpose: u64) -> Pcg32 {
     // FNV-1a over the label, so that a row keeps its numbers when another is added above it.
     let hash = |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    let stream = entry.label().bytes().fold(0xcbf2_9ce4_8422_2325, hash);
+    let stream = entry.to_string().bytes().fold(0xcbf2_9ce4_8422_2325, hash);
     Pcg32::new(seed, stream ^ purpose)
 }
 

@@ -53,7 +53,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
 
     let progress = host::cli::progress((rows.len() + subjects.len()) as u64, host::cli::STEPS)?;
     let figures = host::parallel::in_parallel(args.threads, &rows, |entry| {
-        progress.set_message(format!("sampling {}", entry.label()));
+        progress.set_message(format!("sampling {entry}"));
         let figures = check::measure(entry, args.seed, args.samples);
         progress.inc(1);
         figures
@@ -109,12 +109,7 @@ fn run(args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
     let measured: Vec<(&Entry, &Figures)> = rows.iter().copied().zip(&figures).collect();
     check::print(&measured);
     for (entry, figures) in measured {
-        complaints.extend(
-            figures
-                .shape
-                .complaint()
-                .map(|c| format!("{}: {c}", entry.label())),
-        );
+        complaints.extend(figures.shape.complaint().map(|c| format!("{entry}: {c}")));
     }
     println!(
         "\n{}; {:.1} s.",

@@ -1,5 +1,5 @@
 //! Samples follow the density they report: every warp of the registry in both tiers, by chi-square, Kolmogorov and
-//! Smirnov's distance and moments. In the full speed the first parameters of a warp get four million samples, further ones
+//! Smirnov's distance and moments. In the full speed the first parameters of a warp get two million samples, further ones
 //! a quarter of that.
 //!
 //! Here lives the run over the whole registry. How one entry is examined is in `examination`; that the
@@ -24,13 +24,13 @@ use std::time::Instant;
 
 /// Samples for the first parameters of each warp, unless `f32` resolves them too coarsely for so many.
 static SAMPLES: LazyLock<usize> =
-    LazyLock::new(|| speed::of("samples of each warp", 120_000, 4_000_000));
+    LazyLock::new(|| speed::of("samples of each warp", 120_000, 2_000_000));
 /// Samples for its further parameters.
 static FURTHER: LazyLock<usize> = LazyLock::new(|| {
     speed::or_all(
         "samples of further parameters",
         120_000,
-        1_000_000,
+        500_000,
         10_000_000,
     )
 });
@@ -87,7 +87,7 @@ fn samples_follow_the_density_they_report() {
     for (entry, (samples, integral, report)) in entries.iter().zip(&rows) {
         println!(
             "{:<50} {samples:>9} {:>9.1} {:>5} {:>8.1e} {:>8.1e} {:>8.1e}  {:+.1e}",
-            entry.label(),
+            entry,
             report.chi2,
             report.dof,
             report.lowest("chi"),
@@ -102,7 +102,7 @@ fn samples_follow_the_density_they_report() {
             report
                 .objections(threshold)
                 .iter()
-                .map(|o| format!("{}: {o}", entry.label())),
+                .map(|o| format!("{entry}: {o}")),
         );
     }
     println!(

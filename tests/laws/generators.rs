@@ -83,7 +83,7 @@ fn every_warp_consumes_as_many_words_as_the_catalogue_says() {
         for _ in 0..10 * entry.words {
             stepped.next_u32();
         }
-        assert_eq!(drawn, stepped, "{}", entry.label());
+        assert_eq!(drawn, stepped, "{entry}");
     }
 }
 
@@ -99,11 +99,10 @@ fn filling_is_drawing_one_by_one() {
                 assert_eq!(
                     point.map(f32::to_bits),
                     one.map(f32::to_bits),
-                    "{}: {i} of {count}",
-                    entry.label()
+                    "{entry}: {i} of {count}"
                 );
             }
-            assert_eq!(filled, drawn, "{}", entry.label());
+            assert_eq!(filled, drawn, "{entry}");
         }
     }
 }
@@ -154,7 +153,7 @@ fn maps(warp: &dyn host::registry::Erased) -> bool {
 #[test]
 fn mapping_a_slice_is_sampling_one_by_one() {
     for entry in host::registry::entries() {
-        assert!(maps(&*entry.warp), "{}", entry.label());
+        assert!(maps(&*entry.warp), "{entry}");
     }
     assert!(maps(&*host::registry::erased(Off::<false>)));
     assert!(!maps(&*host::registry::erased(Off::<true>)));
@@ -217,7 +216,7 @@ fn every_way_to_draw_gives_the_same_point() {
             let due = ways[0].1.map(f32::to_bits);
             for (way, point) in ways {
                 if entry.words == entry.uniforms || !way.starts_with("of words") {
-                    assert_eq!(point.map(f32::to_bits), due, "{}: {way}", entry.label());
+                    assert_eq!(point.map(f32::to_bits), due, "{entry}: {way}");
                 }
             }
         }

@@ -58,7 +58,7 @@ const HEIGHTS: [f32; 4] = [1.0, 0.05, 0.004, 0.001];
 
 /// The irradiance that a grid of uniforms estimates with a density.
 fn irradiance(light: &Light, density: impl Fn([f32; 3], f32) -> f64) -> f64 {
-    let n = speed::of("uniforms a side of a light", 700, 3_000);
+    let n = speed::of("uniforms a side of a light", 700, 1_400);
     let middle = |k: i32| (k as f32 + 0.5) / n as f32;
     let mut sum = 0.0;
     for i in 0..n {

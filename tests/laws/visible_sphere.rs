@@ -195,7 +195,7 @@ fn cone_and_distance_are_right_at_every_height() {
     let page = Doc::find("warp", "VisibleSphere").unwrap().text();
     let stated = format!("k is right to {k:e} and the distance to {distance:e}");
     assert!(page.contains(&stated), "the page does not say {stated:?}");
-    let n = speed::of("spheres and points", 60_000, 3_000_000);
+    let n = speed::of("spheres and points", 60_000, 1_000_000);
     for (tier, worst) in [("libm", errors::<Libm>(n)), ("poly", errors::<Poly>(n))] {
         println!("{tier}: {worst:?}");
         for (worst, stated) in worst.into_iter().zip(STATED) {

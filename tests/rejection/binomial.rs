@@ -87,8 +87,8 @@ fn all_pairs_of_words_have_the_binomial_law() {
             T::NAME
         );
     }
-    let few = speed::of("binomial laws of a variance from 10 to 400", 45, 3000);
-    let more = speed::of("binomial laws of a variance above 400", 3, 150);
+    let few = speed::of("binomial laws of a variance from 10 to 400", 45, 1000);
+    let more = speed::of("binomial laws of a variance above 400", 3, 60);
     let wide: &[(u32, f32)] = speed::of(
         "whether the widest binomial laws are tried",
         &[],

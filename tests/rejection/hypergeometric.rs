@@ -109,8 +109,8 @@ fn all_pairs_of_words_have_the_hypergeometric_law() {
         );
         assert!(number > 0);
     }
-    let few = speed::of("hypergeometric laws of a variance from 10 to 400", 30, 2000);
-    let more = speed::of("hypergeometric laws of a variance above 400", 2, 150);
+    let few = speed::of("hypergeometric laws of a variance from 10 to 400", 30, 700);
+    let more = speed::of("hypergeometric laws of a variance above 400", 2, 60);
     let wide: &[Urn] = speed::of(
         "whether the widest hypergeometric laws are tried",
         &[],

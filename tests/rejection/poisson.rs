@@ -64,8 +64,8 @@ fn all_pairs_of_words_have_the_stated_law() {
             worst.1
         );
     }
-    let few = speed::of("means from 10 to 400 of the law of all pairs", 30, 1900);
-    let more = speed::of("means above 400 of the law of all pairs", 3, 150);
+    let few = speed::of("means from 10 to 400 of the law of all pairs", 30, 700);
+    let more = speed::of("means above 400 of the law of all pairs", 3, 60);
     let all = |share: u32| {
         // Where Hörmann's hat is lowest, and the ends.
         [10.0, 16.5367, 14.999_999]

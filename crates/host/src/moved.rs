@@ -7,6 +7,7 @@ use crate::truth::Truth;
 
 /// What rounding the point by one unit does to the exact density, relatively, and to the exact inverse: `s` and `r` of the
 /// formulas. The larger of what it does at the exact point and at the returned one.
+#[derive(Default)]
 pub struct Moved {
     pub density: f64,
     pub inverse: f64,
@@ -24,10 +25,7 @@ impl Moved {
     fn at(entry: &Entry, point: [f64; 3]) -> Self {
         let truth: &dyn Truth = entry.truth.as_ref();
         let (density, inverse) = (truth.pdf(point), truth.invert(point));
-        let mut moved = Self {
-            density: 0.0,
-            inverse: 0.0,
-        };
+        let mut moved = Self::default();
         for (k, unit) in units(entry, point).into_iter().enumerate() {
             if unit == 0.0 {
                 continue;

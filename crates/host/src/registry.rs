@@ -28,6 +28,7 @@ use picture::{Picture, View};
 use rand_pcg::Pcg32;
 use std::any::type_name;
 use std::collections::BTreeSet;
+use std::fmt;
 use std::hint::black_box;
 use std::sync::Arc;
 
@@ -202,13 +203,18 @@ pub struct Trade {
     pub kernel: &'static str,
 }
 
-impl Entry {
-    /// `"Disk poly"`, `"PhongLobe n=50 libm"`.
-    pub fn label(&self) -> String {
+/// `Disk poly`, `PhongLobe n=50 libm`.
+impl fmt::Display for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let space = if self.parameters.is_empty() { "" } else { " " };
-        format!("{}{space}{} {}", self.name, self.parameters, self.tier)
+        f.pad(&format!(
+            "{}{space}{} {}",
+            self.name, self.parameters, self.tier
+        ))
     }
+}
 
+impl Entry {
     fn with(mut self, change: impl FnOnce(&mut Self)) -> Self {
         change(&mut self);
         self

@@ -162,7 +162,7 @@ impl Case for Subject {
 impl Subject {
     fn variable(&self, name: &str) -> f64 {
         let known = self.entry.variable(name);
-        known.unwrap_or_else(|| panic!("{}: no parameter {name}", self.entry.label()))
+        known.unwrap_or_else(|| panic!("{}: no parameter {name}", self.entry))
     }
 }
 

@@ -140,7 +140,7 @@ macro_rules! power_of {
     ($i:literal, $name:literal) => {
         Case {
             name: $name,
-            words: Words::all_or(8, 128),
+            words: Words::all_or(8, 16_384, 128),
             within: |word| word > 0,
             truth: |word| power(word, EXPONENTS[$i]),
             grades: grades!(|word| q32(G::pow(
@@ -155,7 +155,7 @@ macro_rules! power_of {
 pub fn cases() -> Vec<Case> {
     let case = |name, truth, grades| Case {
         name,
-        words: Words::every(16),
+        words: Words::every(2048, 64),
         within: |_| true,
         truth,
         grades,
@@ -187,7 +187,7 @@ pub fn cases() -> Vec<Case> {
         ),
         Case {
             // For the most part the complement of the one before.
-            words: Words::every(64),
+            words: Words::every(8192, 64),
             ..case(
                 "`exp_m1_neg`",
                 |word| one(-(-f64::from(word) * Q27).exp_m1()),

@@ -34,7 +34,7 @@ fn by_size<const N: usize>(
             raise(cell, error.abs());
         }
     };
-    let parts = Words::every(256).fold(what, &edges(), || [0.0; CELLS], step);
+    let parts = Words::every(32_768, 256).fold(what, &edges(), || [0.0; CELLS], step);
     let mut all: Cells = [0.0; CELLS];
     for part in &parts {
         for (all, part) in all.iter_mut().zip(part) {

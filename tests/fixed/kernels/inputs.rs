@@ -16,15 +16,14 @@ pub struct Words {
 const CHUNK: u32 = 1 << 20;
 
 impl Words {
-    /// All 2³² words where they were asked for, otherwise one of every `stride`, or of 128 times that in the quick speed.
-    pub fn every(stride: u32) -> Self {
-        Self::all_or(1, stride)
+    /// One of every so many words in the quick speed and in the full; all 2³² where they were asked for.
+    pub fn every(quick: u32, full: u32) -> Self {
+        Self::all_or(1, quick, full)
     }
 
-    /// One of every so many words: where all were asked for, and otherwise.
-    pub fn all_or(all: u32, stride: u32) -> Self {
-        let quick = stride * 128;
-        let stride = speed::or_all("one word tried of every", quick, stride, all);
+    /// Likewise, and where all were asked for one of every `all`.
+    pub fn all_or(all: u32, quick: u32, full: u32) -> Self {
+        let stride = speed::or_all("one word tried of every", quick, full, all);
         Self { bits: 32, stride }
     }
 

@@ -67,7 +67,7 @@ fn inside(x: i32, y: i32) -> bool {
 /// A radius with fewer leading half words is too small by far to leave it; with the same one, products do not grow
 /// as the radius falls.
 fn widest(name: &str, sincos: Sincos, scaled: Scaled) -> u32 {
-    let states = Words::every(16).fold(
+    let states = Words::every(2048, 64).fold(
         name,
         &edges(),
         || u32::MAX,
@@ -116,7 +116,7 @@ fn the_rim_is_the_widest() {
 fn points_lie_inside<G: Grade>() {
     let disk = Disk::<G>::new();
     let bits = |[x, y]: [I2F30; 2]| (x.to_bits(), y.to_bits());
-    let states = Words::every(16).fold(
+    let states = Words::every(2048, 64).fold(
         G::NAME,
         &edges(),
         || 0_u64,
@@ -129,7 +129,7 @@ fn points_lie_inside<G: Grade>() {
     // At random, and next to the rim at all scales; each the product of the radius and a sine that the rim is made for.
     let (rim, scaled) = rim_and_product(G::NAME, None);
     let mut rng = Pcg32::seed_from_u64(5);
-    for i in 0..speed::of("points next to the rim", 1_u32 << 20, 1 << 24) {
+    for i in 0..speed::of("points next to the rim", 1_u32 << 20, 1 << 22) {
         let u1 = !(rng.next_u32() >> (i & 31));
         let u2 = rng.next_u32();
         let (x, y) = bits(disk.sample([u1, u2].map(U0F32::from_bits)));

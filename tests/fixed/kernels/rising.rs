@@ -26,7 +26,7 @@ fn functions<G: Grade>() -> [Rising; 4] {
 
 /// By how much a function falls at most from a word to the next.
 fn largest_fall(name: &str, function: Rising) -> u32 {
-    let falls = Words::every(64).fold(
+    let falls = Words::every(8192, 128).fold(
         name,
         &edges(),
         || 0,

@@ -80,13 +80,9 @@ struct Power {
 /// Samples off by e of the mass add 2 N K² e² to a chi-square of K cells along an axis, whose standard deviation
 /// is √(2K) on the line: of e = 1e-7 and 1e-5 that is next to nothing here.
 const FINE: Power = Power {
-    samples: 1 << 24,
+    samples: 1 << 22,
     cells: [251, 61],
     slack: 4e-6,
-};
-const COMPACT: Power = Power {
-    samples: 1 << 22,
-    ..FINE
 };
 const COARSE: Power = Power {
     samples: 1 << 22,
@@ -287,7 +283,7 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
 pub fn shapes() -> Vec<Shape> {
     let mut all = of_grade::<Fine>(&FINE);
     all.extend(of_grade::<Coarse>(&COARSE));
-    all.extend(of_grade::<Compact>(&COMPACT));
+    all.extend(of_grade::<Compact>(&FINE));
     let interval = Interval::<I16F16>::new(I16F16::from_num(-3), I16F16::from_num(5)).unwrap();
     let truth = truth::interval(-3.0, 5.0, true);
     all.push(shape("Interval [-3, 5)".into(), &FINE, interval, truth));

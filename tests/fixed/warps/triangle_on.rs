@@ -145,7 +145,7 @@ fn astray<const D: usize, G: Grade>(
 ) -> [u32; 2] {
     let mut rng = Pcg32::new(21, D as u64);
     let (mut astray, mut wrong) = (0, 0);
-    for _ in 0..speed::of("slivers", 20_000, 3_000_000) {
+    for _ in 0..speed::of("slivers", 20_000, 1_000_000) {
         let vertices = sliver::<D>(&mut rng);
         let Ok(warp) = TriangleOn::<U16, D, G>::new(vertices.map(|v| v.map(FixedI32::from_bits)))
         else {
