@@ -1,5 +1,6 @@
 //! The command line: its options and its error messages.
 
+use crate::render::PointSet;
 use host::cli::{number, within};
 use lexopt::Error;
 use lexopt::prelude::*;
@@ -15,6 +16,8 @@ Metropolis light transport on the two that are hard.
     --out DIR        where the pictures go [target/scene]
     --width N        columns of the pictures, 48 to 1920 [144]; rows are two thirds of them
     --samples N      samples a pixel of the pictures, 1 to 65536 [64]
+    --screen         one set of points for all pixels of the pictures, in an order by which the errors of neighbours
+                     cancel: for direct light, a filter or a screen behind; samples should be a power of two
     --reference N    samples a pixel that errors are measured against, 256 to 1048576 [1024]
     --pictures       instead: the pictures alone, hard scenes with more samples, and their sheet
     --accuracy       instead: how much accuracy each scene needs, against a twin in f64
@@ -31,6 +34,8 @@ pub struct Args {
     pub out: PathBuf,
     pub size: [u32; 2],
     pub samples: u32,
+    /// Those of the pictures.
+    pub points: PointSet,
     pub reference: u32,
     pub pictures: bool,
     pub accuracy: bool,
@@ -44,6 +49,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
         out: PathBuf::from("target/scene"),
         size: [144, 96],
         samples: 64,
+        points: PointSet::Sobol,
         reference: 1024,
         pictures: false,
         accuracy: false,
@@ -59,6 +65,7 @@ pub fn parse() -> Result<Option<Args>, Error> {
                 args.size = [width, width * 2 / 3];
             }
             Long("samples") => args.samples = within(&mut parser, "--samples", 1, 65_536)? as u32,
+            Long("screen") => args.points = PointSet::Screen,
             Long("reference") => {
                 args.reference = within(&mut parser, "--reference", 256, 1_048_576)? as u32;
             }

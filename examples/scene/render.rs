@@ -10,7 +10,7 @@ use microwarp_scene::light::Light;
 use microwarp_scene::material::Material;
 use microwarp_scene::path::Heuristic;
 use microwarp_scene::sky::Sky;
-use microwarp_scene::source::{Owen, Strata};
+use microwarp_scene::source::{Owen, Shared, Strata};
 use microwarp_scene::{Camera, Integers, Kit, Power, Random, Scene, Set, Source, View, Walk};
 use std::marker::PhantomData;
 
@@ -58,6 +58,8 @@ pub enum PointSet {
     ByPosition,
     Strata,
     Sobol,
+    /// One set for all pixels.
+    Screen,
 }
 
 impl Tier {
@@ -77,6 +79,7 @@ impl PointSet {
             Self::ByPosition => "by position",
             Self::Strata => "strata",
             Self::Sobol => "Sobol'",
+            Self::Screen => "Sobol', one set for all pixels",
         }
     }
 }
@@ -89,6 +92,16 @@ pub struct Plan {
     pub size: [u32; 2],
     pub samples: u32,
     pub seed: u32,
+}
+
+impl Plan {
+    fn core(&self) -> microwarp_scene::Plan {
+        microwarp_scene::Plan {
+            size: self.size,
+            samples: self.samples,
+            seed: self.seed,
+        }
+    }
 }
 
 /// Pixels, row by row.
@@ -133,11 +146,7 @@ where
     fn row_by<K: Kit, H: Heuristic, S: Source>(&self, plan: &Plan, row: u32) -> Pixels {
         let view = View::<K>::new(self.camera, plan.size).expect("the camera sees something");
         let [width, _] = plan.size;
-        let core = microwarp_scene::Plan {
-            size: plan.size,
-            samples: plan.samples,
-            seed: plan.seed,
-        };
+        let core = plan.core();
         let pixel = |column| {
             let light = self.scene.pixel::<K, H, P, S>(&view, [column, row], &core);
             light.map(f64::from)
@@ -148,11 +157,10 @@ where
     /// The light of each path of a pixel by whatever follows one.
     fn each(
         plan: &Plan,
-        [column, row]: [u32; 2],
+        pixel: [u32; 2],
         mut follow: impl FnMut(&mut Set<ByPosition>) -> [f64; 3],
     ) -> Pixels {
-        let pixel = row * plan.size[0] + column;
-        let mut source = Set::<ByPosition>::of_pixel(plan.seed, pixel, plan.samples);
+        let mut source = Set::<ByPosition>::of_pixel(&plan.core(), pixel);
         let path = |sample| {
             source.begin(sample);
             follow(&mut source)
@@ -174,6 +182,7 @@ where
             PointSet::ByPosition => self.row_by::<K, H, Set<ByPosition>>(plan, row),
             PointSet::Strata => self.row_by::<K, H, Set<Strata>>(plan, row),
             PointSet::Sobol => self.row_by::<K, H, Set<Owen>>(plan, row),
+            PointSet::Screen => self.row_by::<K, H, Set<Shared>>(plan, row),
         }
     }
 }

@@ -27,7 +27,7 @@ pub fn run(shots: &[Shot], args: &Args) -> Result<Vec<String>, Box<dyn Error>> {
         progress.set_message(shot.name);
         let plan = Plan {
             tier: Tier::Poly,
-            points: PointSet::Sobol,
+            points: args.points,
             size: args.size,
             samples: (f64::from(args.samples) * shot.times).ceil() as u32,
             seed: args.seed,
@@ -66,8 +66,12 @@ pub fn draw(shots: &[Shot], pictures: &[&Pixels], args: &Args) -> Canvas {
     let fit = width - 2.0 * MARGIN;
     let title = "One path tracer, six scenes, every random number from microwarp";
     canvas.text(title, [MARGIN, 58.0], Align::Left, Type::bold(38.0), fit);
+    let points = match args.points {
+        PointSet::Screen => "one set of Sobol' points for all",
+        _ => "Owen-scrambled Sobol' points",
+    };
     let text = format!(
-        "{} × {} pixels, about {} samples each of Owen-scrambled Sobol' points, tier poly",
+        "{} × {} pixels, about {} samples each of {points}, tier poly",
         size[0],
         size[1],
         thousands(args.samples as usize)

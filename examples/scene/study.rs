@@ -109,7 +109,7 @@ pub fn of(shot: &Shot, args: &Args, progress: &ProgressBar) -> Study {
     };
     let picture = render(Plan {
         tier: Tier::Poly,
-        points: PointSet::Sobol,
+        points: args.points,
         size: args.size,
         samples: args.samples,
         seed: args.seed,

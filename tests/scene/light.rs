@@ -16,8 +16,8 @@ use microwarp_scene::source::{OfPixel, Owen, Strata};
 use microwarp_scene::vector::{Vector, cross, dot, length, minus, plus, scaled, unit};
 use microwarp_scene::{
     Balance, Camera, Choice, Clear, Colour, Echo, Film, Fog, Haze, Heuristic, Kit, Lamp, Light,
-    LightOnly, LobeOnly, Material, NoSky, Power, Quad, Random, Ray, Scene, Set, Shape, Sky, Source,
-    Sphere, View,
+    LightOnly, LobeOnly, Material, NoSky, Plan, Power, Quad, Random, Ray, Scene, Set, Shape, Sky,
+    Source, Sphere, View,
 };
 use rand_core::{Rng, TryRng};
 use std::convert::Infallible;
@@ -56,13 +56,22 @@ impl Sky for Dome {
     }
 }
 
+/// Pixels in a row, of so many samples.
+const fn in_a_row(seed: u32, samples: u32) -> Plan {
+    Plan {
+        size: [u32::MAX, 1],
+        samples,
+        seed,
+    }
+}
+
 /// The mean of what paths along a ray find, in the first channel.
 fn along<K: Kit, H: Heuristic, M: Material, L: Light, E: Sky, F: Fog>(
     scene: &Scene<'_, M, L, E, F>,
     ray: Ray,
     paths: u32,
 ) -> Mean {
-    let mut words = Random::of_pixel(7, 0, paths);
+    let mut words = Random::of_pixel(&in_a_row(7, paths), [0; 2]);
     Mean::of((0..paths).map(|i| {
         words.begin(i);
         let [light, _, _] = scene.follow::<K, H, Colour>(ray, &mut words);
@@ -76,7 +85,7 @@ fn evenly<K: Kit, H: Heuristic, M: Material, L: Light, E: Sky, F: Fog>(
     ray: Ray,
     paths: u32,
 ) -> f64 {
-    let mut words = Set::<Owen>::of_pixel(7, 0, paths);
+    let mut words = Set::<Owen>::of_pixel(&in_a_row(7, paths), [0; 2]);
     let light = (0..paths).map(|i| {
         words.begin(i);
         f64::from(scene.follow::<K, H, Colour>(ray, &mut words)[0])
@@ -570,7 +579,7 @@ fn picture<K: Kit, H: Heuristic, S: Source, P: Film, M: Material, L: Light, E: S
 ) -> Mean {
     let view = View::<K>::new(camera, [side, side]).unwrap();
     Mean::of((0..side * side).map(|pixel| {
-        let mut words = S::of_pixel(3, pixel, 1);
+        let mut words = S::of_pixel(&in_a_row(3, 1), [pixel, 0]);
         words.begin(0);
         let light = scene.sample::<K, H, P>(&view, [pixel % side, pixel / side], &mut words);
         assert!(
@@ -637,7 +646,7 @@ impl<const WORD: u32> TryRng for Stuck<WORD> {
 }
 
 impl<const WORD: u32> Source for Stuck<WORD> {
-    fn of_pixel(_: u32, _: u32, _: u32) -> Self {
+    fn of_pixel(_: &Plan, _: [u32; 2]) -> Self {
         Self
     }
 
@@ -768,7 +777,7 @@ fn scenes_without_light_are_black() {
 
 /// The strata of a pair of dimensions that points of a source have met.
 fn met<S: Source>(dimension: u32, columns: u32) -> usize {
-    let mut words = S::of_pixel(5, 9, columns * columns);
+    let mut words = S::of_pixel(&in_a_row(5, columns * columns), [9, 0]);
     let cells = (0..columns * columns).map(|i| {
         words.begin(i);
         words.skip_to(dimension);
@@ -793,7 +802,7 @@ fn tied<S: Source>() -> f64 {
     const PIXELS: u32 = 1000;
     let mut squares = [[0.0; DIMENSIONS]; DIMENSIONS];
     for pixel in 0..PIXELS {
-        let mut words = S::of_pixel(3, pixel, 64);
+        let mut words = S::of_pixel(&in_a_row(3, 64), [pixel, 0]);
         let mut sums = [[0.0_f64; DIMENSIONS]; DIMENSIONS];
         for sample in 0..64 {
             words.begin(sample);
@@ -831,8 +840,8 @@ impl Points for Unshuffled {
 }
 
 impl OfPixel for Unshuffled {
-    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
-        Self(ByPosition::new(seed, pixel).word(0, 0))
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self {
+        Self(ByPosition::of_pixel(plan, pixel).word(0, 0))
     }
 }
 

@@ -14,8 +14,8 @@ use microwarp::{Error, Warp};
 use microwarp_scene::scenes::{fog, room, sensor, slit, slivers};
 use microwarp_scene::vector::{Vector, cross, length};
 use microwarp_scene::{
-    Camera, Colour, Echo, Fog, Heuristic, Kit, Lamp, Light, Material, Power, Quad, Ray, Scene, Set,
-    Shape, Sky, Source, View,
+    Camera, Colour, Echo, Fog, Heuristic, Kit, Lamp, Light, Material, Plan, Power, Quad, Ray,
+    Scene, Set, Shape, Sky, Source, View,
 };
 use rand_core::Rng;
 
@@ -46,11 +46,16 @@ where
     F: Fog + Sync,
 {
     let rows: Vec<u32> = (0..SIZE[1]).collect();
+    let plan = Plan {
+        size: SIZE,
+        samples,
+        seed: 3,
+    };
     let row = |row: &u32| {
         let view = View::<K>::new(camera, SIZE).expect("the camera sees something");
         let mut pairs = Vec::new();
         for column in 0..SIZE[0] {
-            let mut words = Set::<ByPosition>::of_pixel(3, row * SIZE[0] + column, samples);
+            let mut words = Set::<ByPosition>::of_pixel(&plan, [column, *row]);
             for sample in 0..samples {
                 words.begin(sample);
                 let found = scene.sample::<K, H, P>(&view, [column, *row], &mut words);

@@ -7,6 +7,7 @@
 //!
 //! | what is random | by |
 //! |---|---|
+//! | points for all pixels of a picture | `Screen` of `Sobol` |
 //! | place in the pixel | `Tent` |
 //! | place on the lens | `RegularPolygon` |
 //! | which light | `Cdf` |

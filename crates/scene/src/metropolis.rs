@@ -7,6 +7,7 @@ use crate::kit::Kit;
 use crate::light::Light;
 use crate::material::Material;
 use crate::path::{Heuristic, NUMBERS, Scene};
+use crate::picture::Plan;
 use crate::shift::{NOWHERE, Shift};
 use crate::sky::Sky;
 use crate::source::{Numbers, Random, Source as _};
@@ -74,7 +75,6 @@ const LUMINANCE: Vector = [0.2126, 0.7152, 0.0722];
 
 /// One step in four is large, one is small, and two move the eye's end.
 static SHARES: Cdf<[u32; 3]> = constant!(Cdf::new(&[1.0, 1.0, 2.0]));
-const LARGE_SHARE: f32 = 0.25;
 
 /// How far small steps go at most: in numbers of the path, and in pixels. Steps of a box are the cheapest, and there are many
 /// numbers.
@@ -121,8 +121,13 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
         };
         let mutation = Mixture::from_table((anew, near, shift), SHARES);
 
-        // Words of two pixels that no picture has.
-        let mut words = Random::of_pixel(walk.seed, u32::MAX, 0);
+        // Words of a pixel that no picture has.
+        let plan = Plan {
+            size: walk.size,
+            samples: 0,
+            seed: walk.seed,
+        };
+        let mut words = Random::of_pixel(&plan, [u32::MAX, 0]);
         let mut guess = 0.0;
         for _ in 0..walk.guesses {
             let Ok(state) = anew.try_draw_state(&mut words);
@@ -132,7 +137,7 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
         guess /= walk.guesses.max(1) as f32;
 
         let steps = walk.steps as f32;
-        let random = walk.candidates as f32 + LARGE_SHARE * steps;
+        let random = walk.candidates as f32 + SHARES.pmf(0) * steps;
         let pixels = width * height;
         // The densities of both kinds of paths, a chain's and random ones, in units of 1/`guess` a path.
         let mut add = |found: WithPayload<f32, Found>, share: f32| {

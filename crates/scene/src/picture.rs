@@ -21,6 +21,16 @@ pub struct Plan {
     pub seed: u32,
 }
 
+impl Plan {
+    /// The number of a pixel, which is given by column and row: row by row.
+    #[must_use]
+    #[inline]
+    pub const fn index(&self, [column, row]: [u32; 2]) -> u32 {
+        let [width, _] = self.size;
+        row.wrapping_mul(width).wrapping_add(column)
+    }
+}
+
 impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
     /// The mean of the samples of a pixel, which is given by column and row; black where no sample is asked for.
     pub fn pixel<K: Kit, H: Heuristic, P: Film, S: Source>(
@@ -29,9 +39,7 @@ impl<M: Material, L: Light, E: Sky, F: Fog> Scene<'_, M, L, E, F> {
         pixel: [u32; 2],
         plan: &Plan,
     ) -> Vector {
-        let ([column, row], [width, _]) = (pixel, plan.size);
-        let index = row.wrapping_mul(width).wrapping_add(column);
-        let mut source = S::of_pixel(plan.seed, index, plan.samples);
+        let mut source = S::of_pixel(plan, pixel);
         let mut sum = [0.0; 3];
         for sample in 0..plan.samples {
             source.begin(sample);

@@ -1,16 +1,19 @@
 //! Where the random words of a path come from.
 
 use crate::path::NUMBERS;
+use crate::picture::Plan;
 use core::convert::Infallible;
-use microwarp::uniform::{ByPosition, Cursor, FromFn, Points, Sobol, Strata2d, grid_from_word};
+use microwarp::uniform::{
+    ByPosition, Cursor, FromFn, Points, Screen, ScreenPixel, Sobol, Strata2d, grid_from_word,
+};
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
 
 /// The words of the paths of one pixel. Each decision of a path has a dimension of its own, so that sets of points can be
 /// even in it.
 pub trait Source: Rng {
-    /// The words of a pixel that takes so many samples.
-    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self;
+    /// The words of a pixel, which is given by column and row, of a picture.
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self;
     /// Goes on to a sample.
     fn begin(&mut self, sample: u32);
     /// The next word is that of this dimension.
@@ -48,9 +51,9 @@ impl TryRng for Random {
 }
 
 impl Source for Random {
-    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self {
         // Neighbouring pixels get states and streams that are not neighbours.
-        let word = |d| u64::from(ByPosition::new(seed, pixel).word(0, d));
+        let word = |d| u64::from(ByPosition::of_pixel(plan, pixel).word(0, d));
         Self(Pcg32::new(word(0) << 32 | word(1), word(2) << 32 | word(3)))
     }
 
@@ -70,7 +73,7 @@ pub struct Set<P> {
 
 /// Sets of points that a pixel can have.
 pub trait OfPixel: Points {
-    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self;
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self;
 }
 
 impl<P: Points> TryRng for Set<P> {
@@ -78,8 +81,8 @@ impl<P: Points> TryRng for Set<P> {
 }
 
 impl<P: OfPixel> Source for Set<P> {
-    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self {
-        let points = P::of_pixel(seed, pixel, samples);
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self {
+        let points = P::of_pixel(plan, pixel);
         Self {
             points,
             cursor: points.at(0),
@@ -98,30 +101,43 @@ impl<P: OfPixel> Source for Set<P> {
 }
 
 impl OfPixel for ByPosition {
-    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
-        Self::new(seed, pixel)
+    #[inline]
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self {
+        Self::new(plan.seed, plan.index(pixel))
     }
 }
 
 /// Owen-scrambled Sobol' points in groups of eight dimensions.
-#[derive(Clone, Copy, Debug)]
-pub struct Owen(Sobol<8>);
-
-impl Points for Owen {
-    #[inline]
-    fn word(self, index: u32, dimension: u32) -> u32 {
-        self.0.word(index, dimension)
-    }
-}
+pub type Owen = Sobol<8>;
 
 impl OfPixel for Owen {
-    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
-        Self(Sobol::<8>::new(ByPosition::new(seed, pixel).word(0, 0)).unwrap_or(FIRST))
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self {
+        Self::new(ByPosition::of_pixel(plan, pixel).word(0, 0)).unwrap_or(FIRST)
     }
 }
 
 /// The points of one seed, checked by the compiler.
-const FIRST: Sobol<8> = microwarp::constant!(Sobol::new(0));
+const FIRST: Owen = microwarp::constant!(Sobol::new(0));
+
+/// One set of Sobol' points for all pixels, in an order by which the errors of neighbours cancel. The number of samples should be
+/// a power of two.
+pub type Shared = ScreenPixel<Owen>;
+
+impl OfPixel for Shared {
+    fn of_pixel(plan: &Plan, [column, row]: [u32; 2]) -> Self {
+        let points = Owen::new(plan.seed).unwrap_or(FIRST);
+        let size = plan.size.map(|n| n.clamp(1, 1 << 16));
+        let bits = 32_u32.wrapping_sub(plan.samples.saturating_sub(1).leading_zeros());
+        // Of more samples than the set has points for, some are of further sets.
+        let screen = (0..=bits)
+            .rev()
+            .find_map(|bits| Screen::new(points, size, bits, plan.seed).ok());
+        screen.unwrap_or(SCREEN).pixel(column, row)
+    }
+}
+
+/// The largest picture's.
+const SCREEN: Screen<Owen> = microwarp::constant!(Screen::new(FIRST, [1 << 16; 2], 0, 0));
 
 /// Jittered strata in each pair of dimensions, as square as the number of samples allows. Each pair goes through its strata
 /// in a shuffled order of its own, so that pairs are independent. Where the number of samples is a power of two every
@@ -135,14 +151,15 @@ pub struct Strata {
 const ONE: Strata2d = microwarp::constant!(Strata2d::new(1, 1));
 
 impl OfPixel for Strata {
-    fn of_pixel(seed: u32, pixel: u32, samples: u32) -> Self {
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self {
+        let samples = plan.samples;
         // The divisor of the number next below its root.
         let divides = |d: &u32| samples.checked_rem(*d) == Some(0);
         let columns = (1..=samples.isqrt()).rev().find(divides).unwrap_or(1);
         let rows = samples.checked_div(columns).unwrap_or(1);
         Self {
             strata: Strata2d::new(columns, rows).unwrap_or(ONE),
-            jitter: ByPosition::new(seed, pixel),
+            jitter: ByPosition::of_pixel(plan, pixel),
         }
     }
 }
@@ -226,8 +243,8 @@ impl TryRng for Numbers {
 }
 
 impl Source for Numbers {
-    fn of_pixel(seed: u32, pixel: u32, _: u32) -> Self {
-        let points = ByPosition::new(seed, pixel);
+    fn of_pixel(plan: &Plan, pixel: [u32; 2]) -> Self {
+        let points = ByPosition::of_pixel(plan, pixel);
         let path = [0.0; NUMBERS];
         Self {
             path,

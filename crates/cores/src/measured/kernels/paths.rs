@@ -27,18 +27,22 @@ fn pixel(word: u32) -> [u32; 2] {
     ]
 }
 
+/// One sample a pixel, from words of a seed.
+const fn once(seed: u32) -> Plan {
+    Plan {
+        samples: 1,
+        seed,
+        ..PLAN
+    }
+}
+
 fn view<C: Shot>() -> Result<View<Poly>, Error> {
     C::view(PLAN.size)
 }
 
 #[inline(always)]
 fn shot<C: Shot>(word: u32) -> [f32; 3] {
-    let plan = Plan {
-        samples: 1,
-        seed: word,
-        ..PLAN
-    };
-    C::pixel::<Poly, Random>(loaded(view::<C>), pixel(word), &plan)
+    C::pixel::<Poly, Random>(loaded(view::<C>), pixel(word), &once(word))
 }
 
 static ONE: Cdf<[u32; 1]> = ok(Cdf::new(&[1.0]));
@@ -122,7 +126,7 @@ fn ray<S: Source>(
         origin: CAMERA.eye,
         direction: unit([column, 1.0, row]),
     };
-    scene.follow::<Poly, Power, Colour>(ray, &mut S::of_pixel(word, 0, 1))
+    scene.follow::<Poly, Power, Colour>(ray, &mut S::of_pixel(&once(word), [0; 2]))
 }
 
 fn lens() -> Result<View<Poly>, Error> {
@@ -132,7 +136,7 @@ fn lens() -> Result<View<Poly>, Error> {
 #[inline(always)]
 fn through_lens(word: u32) -> [f32; 3] {
     let scene = scene(&const { of(MATTE) }, &[LAMP], NoSky, Clear);
-    let mut source = Random::of_pixel(word, 0, 1);
+    let mut source = Random::of_pixel(&once(word), [0; 2]);
     scene.sample::<Poly, Power, Colour>(loaded(lens), pixel(word), &mut source)
 }
 
