@@ -126,7 +126,7 @@ macro_rules! assert_agree {
     )+};
 }
 
-fn lit_by<L: Light>(lights: &[L]) -> Scene<'_, Matte, L, NoSky, Clear> {
+pub fn lit_by<L: Light>(lights: &[L]) -> Scene<'_, Matte, L, NoSky, Clear> {
     Scene {
         quads: &[(&[FLOOR], Matte([0.5; 3]))],
         spheres: &[],
@@ -313,7 +313,7 @@ fn lambert(corners: [[f64; 3]; 4]) -> f64 {
     0.5 * (0..4).map(side).sum::<f64>().abs()
 }
 
-const PANEL: Quad = Quad::new([-0.6, 0.4, 1.1], [[0.1, 0.9, 0.3], [1.3, 0.0, 0.0]]);
+pub const PANEL: Quad = Quad::new([-0.6, 0.4, 1.1], [[0.1, 0.9, 0.3], [1.3, 0.0, 0.0]]);
 
 fn panel_truth([x, y]: [f32; 2]) -> f64 {
     let ([ex, ey], corner) = (PANEL.edges(), PANEL.corner());

@@ -4,4 +4,5 @@ mod bits;
 mod chains;
 mod lamps;
 mod light;
+mod order;
 mod twin;
