@@ -157,7 +157,8 @@ impl Twin {
         let Air {
             density, albedo, ..
         } = self.air;
-        if density == 0.0 || grid(source.next_u32()) >= 1.0 - (-density * way).exp() {
+        let words = -(-density * way).exp_m1() * 4_294_967_296.0;
+        if density == 0.0 || f64::from(source.next_u32()) >= words {
             return None;
         }
         let by_light = grid(source.next_u32()) < 0.5;

@@ -6,10 +6,11 @@ use crate::material::{Bounce, Lobe};
 use crate::shape::Ray;
 use crate::vector::{Vector, dot, length, minus, scaled};
 use core::convert::Infallible;
-use microwarp::Warp;
+use microwarp::estimate::balance_heuristic;
 use microwarp::tier::Tier;
-use microwarp::uniform::grid;
+use microwarp::uniform::Chance;
 use microwarp::warp::{EquiAngular, Frame, Oriented};
+use microwarp::{Warp, constant};
 use rand_core::Rng;
 
 /// What is between the surfaces.
@@ -97,6 +98,9 @@ pub struct Haze {
     pub asymmetry: f32,
 }
 
+/// Whether a place is chosen for a light.
+const HALF: Chance = constant!(Chance::from_ratio(1, 2));
+
 impl Haze {
     /// Light that passes, and the rest.
     #[inline]
@@ -128,9 +132,9 @@ impl Fog for Haze {
         self.parts::<K>(way).0
     }
 
-    /// Whether a ray is scattered is decided by the chance of that. Where, is drawn from an even mixture of both laws, and
-    /// weighed by the density of the mixture (the balance heuristic for one sample). The four words are the event, the law,
-    /// the light and the distance.
+    /// Whether a ray is scattered is decided by the chance of that, which words realise to 2⁻³². Where, is drawn from an even
+    /// mixture of both laws, and weighed by the density of the mixture (the balance heuristic for one sample). The four words are
+    /// the event, the law, the light and the distance.
     fn scattered<K: Kit, L: Light>(
         &self,
         ray: Ray,
@@ -139,11 +143,11 @@ impl Fog for Haze {
         words: &mut impl Rng,
     ) -> Option<Scattered> {
         let (_, chance) = self.parts::<K>(way);
-        if grid(words) >= chance {
+        if !Chance::new(chance).ok()?.draw(words) {
             return None;
         }
         let free = K::free(self.density, way).ok()?;
-        let by_light = grid(words) < 0.5;
+        let by_light = HALF.draw(words);
         let light = choice.draw(words);
         let seen = light.and_then(|(index, _)| Self::towards::<K, L>(ray, way, lights, index));
         let Some((foot, seen)) = seen else {
@@ -158,7 +162,7 @@ impl Fog for Haze {
         let way = drawn.max(0.0).min(way);
         let (own, other) = (free.pdf(way), seen.pdf(way - foot));
         // In proportion to the density of `free` is what is to be found; the mean of both is what was drawn from.
-        let weight = self.albedo * (2.0 * own / (own + other));
+        let weight = self.albedo * (2.0 * balance_heuristic(1, own, 1, other));
         Some(Scattered { way, weight, light })
     }
 
