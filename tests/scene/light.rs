@@ -790,6 +790,8 @@ fn met<S: Source>(dimension: u32, columns: u32) -> usize {
 fn strata_are_met_once_in_each_pair_of_dimensions() {
     for pair in [0, 2, 4, 30] {
         assert_eq!(met::<Set<Strata>>(pair, 8), 64);
+        // Of a number that is no power of two, too.
+        assert_eq!(met::<Set<Strata>>(pair, 6), 36);
         assert!(met::<Set<ByPosition>>(pair, 8) < 60);
     }
     assert_eq!(met::<Set<Owen>>(0, 8), 64);

@@ -4,7 +4,8 @@ use crate::path::NUMBERS;
 use crate::picture::Plan;
 use core::convert::Infallible;
 use microwarp::uniform::{
-    ByPosition, Cursor, FromFn, Points, Screen, ScreenPixel, Sobol, Strata2d, grid_from_word,
+    ByPosition, Cursor, FromFn, Permutation, Points, Screen, ScreenPixel, Sobol, Strata2d,
+    grid_from_word,
 };
 use rand_core::{Rng, TryRng};
 use rand_pcg::Pcg32;
@@ -140,8 +141,7 @@ impl OfPixel for Shared {
 const SCREEN: Screen<Owen> = microwarp::constant!(Screen::new(FIRST, [1 << 16; 2], 0, 0));
 
 /// Jittered strata in each pair of dimensions, as square as the number of samples allows. Each pair goes through its strata
-/// in a shuffled order of its own, so that pairs are independent. Where the number of samples is a power of two every
-/// stratum is met once; otherwise some are met twice and some never, without bias.
+/// in an order of its own, so that pairs are independent. Every stratum is met once.
 #[derive(Clone, Copy, Debug)]
 pub struct Strata {
     strata: Strata2d,
@@ -164,37 +164,23 @@ impl OfPixel for Strata {
     }
 }
 
-impl Strata {
-    /// The stratum of a sample in a pair of dimensions. Each round is a bijection of the words of so many bits: a product
-    /// with an odd number, a sum, and bits that are turned over by higher ones.
-    #[inline]
-    fn stratum(&self, sample: u32, pair: u32) -> u32 {
-        let count = self.strata.count();
-        let bits = count.next_power_of_two().trailing_zeros();
-        let mask = (1_u32.wrapping_shl(bits)).wrapping_sub(1);
-        // A word of the jitter that no sample takes, for each of the eight numbers.
-        let word = |k: u32| self.jitter.word(u32::MAX.wrapping_sub(k), pair);
-        let place = (0..4).fold(sample & mask, |place, round: u32| {
-            let [odd, term] = [word(round << 1) | 1, word(round << 1 | 1)];
-            let moved = place.wrapping_mul(odd).wrapping_add(term) & mask;
-            moved ^ moved >> (bits >> 1).wrapping_add(1)
-        });
-        (u64::from(place).wrapping_mul(u64::from(count)) >> bits) as u32
-    }
-}
-
 impl Points for Strata {
     #[inline]
     fn word(self, index: u32, dimension: u32) -> u32 {
         let pair = dimension >> 1;
-        let stratum = self.stratum(index, pair);
-        let words = [0, 1].map(|k| self.jitter.word(index, pair << 1 | k));
-        let jitter = words.map(microwarp::uniform::deep_from_word);
-        let [x, y] = self.strata.point(stratum, jitter);
-        let u = if dimension & 1 == 0 { x } else { y };
-        // The middle of a step of the grid, as 32 bits.
-        ((u * 16_777_216.0) as u32) << 8 | 0x80
+        // A word of the jitter that no sample takes.
+        let order = Permutation::new(self.strata.count(), self.jitter.word(u32::MAX, pair));
+        let stratum = order.ok().and_then(|order| order.get(index));
+        let mut jitter = self.jitter.at(index).skip_to(pair << 1);
+        let [x, y] = self.strata.draw(stratum.unwrap_or(index), &mut jitter);
+        word_of(if dimension & 1 == 0 { x } else { y })
     }
+}
+
+/// The middle of a step of the grid, as 32 bits.
+#[inline]
+fn word_of(u: f32) -> u32 {
+    ((u * 16_777_216.0) as u32) << 8 | 0x80
 }
 
 /// The numbers of one path, from 0 to 1: what a chain in primary sample space moves. A pixel's own are those of
@@ -215,11 +201,11 @@ impl Numbers {
         }
     }
 
-    /// The middle of a step of the grid; of the whole interval beyond the last number.
+    /// That of the middle of the whole interval beyond the last number.
     fn next_word(&mut self) -> u32 {
         let number = self.path.get(self.next as usize).copied().unwrap_or(0.5);
         self.next = self.next.wrapping_add(1);
-        ((number * 16_777_216.0) as u32) << 8 | 0x80
+        word_of(number)
     }
 }
 
