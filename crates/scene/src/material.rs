@@ -4,7 +4,7 @@ use crate::kit::Kit;
 use crate::vector::{Vector, dot, plus, scaled, unit};
 use core::f32::consts::FRAC_1_PI;
 use microwarp::discrete::Mixture;
-use microwarp::warp::{CosineHemisphere, Frame, GgxVisible, Oriented};
+use microwarp::warp::{CosineHemisphere, Frame, GgxVisible, Oriented, Reflection};
 use microwarp::{Error, Invert as _, Warp};
 use rand_core::Rng;
 
@@ -170,33 +170,36 @@ impl Material for Metal {
 }
 
 impl<K: Kit> MetalLobe<K> {
-    /// Value and density of a direction that a microfacet of this normal reflects to. Of the density D/(2(v + ℓ)) the value
-    /// is Fresnel's part, after Schlick, times the light that leaves without being masked, given that the normal is seen.
-    fn of(&self, direction: Vector, normal: Vector) -> (Vector, f32) {
-        let pdf = self.normals.reflected_pdf(normal);
+    /// The value of a direction that a microfacet of this normal reflects to. Of the density D/(2(v + ℓ)) it is Fresnel's part,
+    /// after Schlick, times the light that leaves without being masked, given that the normal is seen.
+    fn value(&self, direction: Vector, normal: Vector, pdf: f32) -> Vector {
         let unmasked = self.normals.unmasked(direction);
         let cosine = dot(normal, direction);
         let past = if cosine < 1.0 { 1.0 - cosine } else { 0.0 };
         let square = past * past;
         let fresnel = self.colour.map(|c| c + (1.0 - c) * square * square * past);
-        (scaled(fresnel, unmasked * pdf), pdf)
+        scaled(fresnel, unmasked * pdf)
     }
 }
 
 impl<K: Kit> Lobe for MetalLobe<K> {
     fn draw(&self, words: &mut impl Rng) -> Option<Bounce> {
-        let bounce = self.normals.draw_reflection(words);
-        let (value, pdf) = self.of(bounce.direction, bounce.normal);
-        let direction = bounce.direction;
-        (pdf > 0.0).then_some(Bounce {
+        let Reflection {
             direction,
-            value,
+            normal,
+            pdf,
+        } = self.normals.draw_reflection(words);
+        (pdf > 0.0).then(|| Bounce {
+            direction,
+            value: self.value(direction, normal, pdf),
             pdf,
         })
     }
 
     fn weigh(&self, direction: Vector) -> (Vector, f32) {
-        self.of(direction, unit(plus(direction, self.normals.view())))
+        let normal = unit(plus(direction, self.normals.view()));
+        let pdf = self.normals.reflected_pdf(normal);
+        (self.value(direction, normal, pdf), pdf)
     }
 }
 
