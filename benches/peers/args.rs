@@ -12,7 +12,7 @@ a round: medians, and quartiles in brackets.
     cargo bench --bench peers [-- [OPTIONS] [TEXT]...]
 
     TEXT           only families whose name contains one of these: disk, circle, sphere, hemisphere,
-                   cosine hemisphere, lobe, exponential, normal, ball, a law, cdf of 8, alias of 8, lamp, cone
+                   cosine hemisphere, lobe, exponential, normal, ball, a law, cdf of 8, alias of 8, lamp, cone, filter
     --rounds N     rounds of a family, 2 to 100000 [1000]
     --quick        60 rounds, as also under `cargo test --benches`
     --markdown     two tables for docs/peers.md in place of the tables of every family

@@ -2,7 +2,7 @@
 
 use crate::args::{FLOOR, INDEX, LIBM, POLY, RAND_DISTR, REJECTION};
 use crate::draws::{self, accepted, word};
-use crate::{fills, lamps, tables};
+use crate::{fills, kit, lamps, tables};
 use host::contest::{Contest, Standings};
 use host::peers::theirs;
 use host::registry::{of_libm, of_poly};
@@ -19,7 +19,7 @@ pub enum Kind {
     Draw,
     /// Our `fill` of a slice beside the peers' single draws.
     Fill,
-    /// One sample with its density after the other, beside the published map.
+    /// One sample with its density after the other, or another piece of a renderer's kit, beside the published form.
     Weighed,
 }
 
@@ -118,6 +118,8 @@ families! {
     Weighed "triangle lamp, density alone" "Arvo 1995, with its sample" lamps::triangle_density();
     Weighed "rectangle lamp, density alone" "Urena et al. 2013, with its sample" lamps::rectangle_density();
     Weighed "visible normals, anew" "Heitz 2018" lamps::ggx();
+    Weighed "visible reflection, anew" "Heitz 2018, Walter et al. 2007" kit::reflection();
+    Weighed "masking of a view, anew" "Walter et al. 2007" kit::masking();
     Weighed "cone" "by the cosine" lamps::cone();
     Weighed "Henyey-Greenstein" "by the cosine" lamps::henyey_greenstein();
     Weighed "bilinear" "by two roots" lamps::bilinear();
@@ -126,6 +128,15 @@ families! {
     Weighed "exponential law" "by the logarithm" lamps::exponential();
     Weighed "logistic law" "by the logarithm" lamps::logistic();
     Weighed "normal law" "Giles 2012" lamps::normal();
+    Weighed "piecewise constant, 64" "by sums in floats" kit::piecewise();
+    Weighed "piecewise constant, 64 x 32" "by sums in floats" kit::piecewise_of_rows();
+    Weighed "tent filter" "by halves" kit::tent();
+    Weighed "Mitchell's filter" "by a table of 128 x 128" kit::mitchell();
+    Weighed "balance heuristic" "Veach, Guibas 1995" kit::balance();
+    Weighed "power heuristic" "Veach, Guibas 1995" kit::power();
+    Weighed "light offered to a reservoir" "Chao 1982" kit::reservoir();
+    Weighed "mixture of two lobes" "by a third uniform" kit::mixture();
+    Weighed "index in a picture's order" "Ahmed, Wonka 2020" kit::screen();
 }
 
 // Contests of laws on the line and of counts, which rand_distr has too.

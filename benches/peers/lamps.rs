@@ -15,7 +15,7 @@ use rand_pcg::Pcg32;
 use std::hint::black_box;
 
 /// A contest of points and their densities, with the generator alone.
-fn contest<const N: usize>() -> Contest<Weighed<[f32; N]>> {
+pub fn contest<const N: usize>() -> Contest<Weighed<[f32; N]>> {
     Contest::new(([0.0; N], 0.0)).draw(FLOOR, |rng| {
         let mut point = [0.0; N];
         if let [x, y, ..] = point.as_mut_slice() {
@@ -26,12 +26,12 @@ fn contest<const N: usize>() -> Contest<Weighed<[f32; N]>> {
     })
 }
 
-fn on_the_line() -> Contest<Weighed<f32>> {
+pub fn on_the_line() -> Contest<Weighed<f32>> {
     Contest::new((0.0, 0.0)).draw(FLOOR, |rng| (word(rng), 0.0))
 }
 
 /// Kept warps, made once.
-fn kept<L, W, P: Copy + 'static>(
+pub fn kept<L, W, P: Copy + 'static>(
     contest: Contest<Weighed<P>>,
     libm: L,
     poly: W,
@@ -59,7 +59,7 @@ const CORNER: Vector = [-1.0, -1.0, 3.0];
 const EDGES: [Vector; 2] = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
 
 /// What is made anew at every draw takes a point and two uniforms; none of it may be known beforehand.
-fn anew<S: Copy + 'static>(
+pub fn anew<S: Copy + 'static>(
     shape: S,
     libm: impl Fn(Vector, S, [f32; 2]) -> Weighed<Vector> + 'static,
     poly: impl Fn(Vector, S, [f32; 2]) -> Weighed<Vector> + 'static,
@@ -150,11 +150,13 @@ pub fn triangle_density() -> Contest<Weighed<Vector>> {
     )
 }
 
+/// A view of a surface.
+pub fn view([x, y, _]: Vector) -> Vector {
+    [x, y, (1.0 - x * x - y * y).sqrt()]
+}
+
 /// Normals that another view meets at every draw.
 pub fn ggx() -> Contest<Weighed<Vector>> {
-    fn view([x, y, _]: Vector) -> Vector {
-        [x, y, (1.0 - x * x - y * y).sqrt()]
-    }
     fn ours<T: Tier>(point: Vector, alpha: [f32; 2], u: [f32; 2]) -> Weighed<Vector> {
         let normals = GgxVisible::<T>::new(view(point), alpha);
         normals.map_or_else(|_| Default::default(), |normals| normals.sample_with_pdf(u))

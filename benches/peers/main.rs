@@ -8,6 +8,7 @@ mod args;
 mod draws;
 mod families;
 mod fills;
+mod kit;
 mod lamps;
 mod report;
 mod tables;

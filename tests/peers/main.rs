@@ -3,4 +3,5 @@
 
 mod contest;
 mod drawn;
+mod kit;
 mod renderers;

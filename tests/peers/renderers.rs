@@ -13,7 +13,10 @@ fn grid() -> impl Iterator<Item = [f32; 2]> {
 
 /// How far the two are apart: the largest relative difference of densities at the peer's points, and the largest difference of
 /// means, of mean squares and of mean products of coordinates.
-fn apart<W, const N: usize>(ours: &W, theirs: impl Fn([f32; 2]) -> Weighed<[f32; N]>) -> (f64, f64)
+pub fn apart<W, const N: usize>(
+    ours: &W,
+    theirs: impl Fn([f32; 2]) -> Weighed<[f32; N]>,
+) -> (f64, f64)
 where
     W: Warp<Uniforms = [f32; 2], Point = [f32; N], Density = f32>,
 {
@@ -47,8 +50,8 @@ const TRIANGLE: [[f32; 3]; 3] = [[-1.0, -1.0, 3.0], [1.2, -0.8, 2.8], [0.1, 1.0,
 const CORNER: [f32; 3] = [-1.0, -1.0, 3.0];
 const EDGES: [[f32; 3]; 2] = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
 const WEIGHTS: [[f32; 2]; 2] = [[1.0, 2.0], [0.5, 3.0]];
-const ALPHA: [f32; 2] = [0.3, 0.2];
-const VIEW: [f32; 3] = [0.48, 0.36, 0.8];
+pub const ALPHA: [f32; 2] = [0.3, 0.2];
+pub const VIEW: [f32; 3] = [0.48, 0.36, 0.8];
 
 #[test]
 fn directions_and_points_have_the_distributions_of_ours() -> Result<(), microwarp::Error> {
@@ -84,27 +87,29 @@ fn directions_and_points_have_the_distributions_of_ours() -> Result<(), microwar
     Ok(())
 }
 
+/// How far maps of the line and their densities are apart.
+pub fn apart_on_the_line(
+    ours: &impl Warp<Uniforms = f32, Point = f32, Density = f32>,
+    theirs: impl Fn([f32; 1]) -> Weighed<f32>,
+) -> f32 {
+    (1..256_u16).fold(0.0, |most, i| {
+        let u = f32::from(i) / 256.0;
+        let ((x, p), (y, q)) = (ours.sample_with_pdf(u), theirs([u]));
+        let difference = (x - y).abs().max((p - q).abs());
+        if difference <= most { most } else { difference }
+    })
+}
+
 #[test]
 fn laws_of_the_line_are_the_maps_of_ours() -> Result<(), microwarp::Error> {
-    fn apart(
-        ours: &impl Warp<Uniforms = f32, Point = f32, Density = f32>,
-        theirs: impl Fn([f32; 1]) -> Weighed<f32>,
-    ) -> f32 {
-        (1..256_u16).fold(0.0, |most, i| {
-            let u = f32::from(i) / 256.0;
-            let ((x, p), (y, q)) = (ours.sample_with_pdf(u), theirs([u]));
-            let difference = (x - y).abs().max((p - q).abs());
-            if difference <= most { most } else { difference }
-        })
-    }
     let exponential = mw::Exponential::from_rate(1.5)?;
     let logistic = mw::Logistic::new(0.0, 1.5)?;
     let normal = mw::Normal::new(0.5, 1.5)?;
-    assert!(apart(&exponential, |u| renderer::exponential(1.5, u)) <= 1e-5);
+    assert!(apart_on_the_line(&exponential, |u| renderer::exponential(1.5, u)) <= 1e-5);
     // The peer's 1/u - 1 loses digits near 1.
-    assert!(apart(&logistic, |u| renderer::logistic(1.5, u)) <= 1e-4);
-    assert!(apart(&normal, |u| renderer::normal(0.5, 1.5, u)) <= 1e-5);
-    assert!(apart(&normal, |u| renderer::normal(0.5, 1.6, u)) > 1e-2);
+    assert!(apart_on_the_line(&logistic, |u| renderer::logistic(1.5, u)) <= 1e-4);
+    assert!(apart_on_the_line(&normal, |u| renderer::normal(0.5, 1.5, u)) <= 1e-5);
+    assert!(apart_on_the_line(&normal, |u| renderer::normal(0.5, 1.6, u)) > 1e-2);
     Ok(())
 }
 

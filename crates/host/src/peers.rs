@@ -36,6 +36,7 @@ pub fn block<P: 'static, D: Distribution<P> + 'static>(law: Result<D, impl Debug
 }
 
 mod formulas;
+pub mod kit;
 pub mod micro;
 pub mod rejecting;
 pub mod renderer;

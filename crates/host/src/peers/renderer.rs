@@ -32,7 +32,7 @@ fn times(s: f32, a: Vector) -> Vector {
     a.map(|x| s * x)
 }
 
-fn dot(a: Vector, b: Vector) -> f32 {
+pub(super) fn dot(a: Vector, b: Vector) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -54,7 +54,7 @@ fn root(x: f32) -> f32 {
     x.max(0.0).sqrt()
 }
 
-fn between(t: f32, a: f32, b: f32) -> f32 {
+pub(super) fn between(t: f32, a: f32, b: f32) -> f32 {
     (1.0 - t) * a + t * b
 }
 
@@ -269,7 +269,7 @@ pub fn ggx_visible(view: Vector, alpha: [f32; 2], [u1, u2]: [f32; 2]) -> Weighed
 }
 
 /// Linear between two densities at the ends of [0, 1).
-fn linear(u: f32, a: f32, b: f32) -> f32 {
+pub(super) fn linear(u: f32, a: f32, b: f32) -> f32 {
     if u == 0.0 && a == 0.0 {
         return 0.0;
     }
