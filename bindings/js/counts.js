@@ -1,7 +1,7 @@
 // Counts of successes, by a table that is exact to the word and by rejection; and integers about a centre.
 
 import { OUT, from_source, in_blocks, index_at, integer, point, put_words, ready, u32_of, view } from "./core.js";
-import { counted, law_of } from "./laws.js";
+import { ask, law_of } from "./laws.js";
 
 const [TABLE, REJECTION, OF_RATIO, GAUSSIAN, LAPLACE, LAPLACE_OF_RATIO] = [0, 1, 2, 3, 4, 5];
 const [COUNT, PMF] = [0, 1];
@@ -11,7 +11,7 @@ const TRIES = 32;
 const by_p = (kind, trials, p) => law_of(kind, [p], u32_of("trials", trials));
 const pmf = (law, kind, count) => {
   put_words(Uint32Array.of(u32_of("count", count)));
-  counted(law, kind, PMF, 1, 0);
+  ask(law, kind, PMF, 1, 0);
   return point(OUT, 1);
 };
 
@@ -33,11 +33,11 @@ export class Binomial {
   }
   count(word) {
     put_words(Uint32Array.of(u32_of("word", word)));
-    counted(this.#law, TABLE, COUNT, 1, 0);
+    ask(this.#law, TABLE, COUNT, 1, 0);
     return index_at();
   }
   draw(source) {
-    counted(this.#law, TABLE, COUNT, 1, ready(source, 1, 1));
+    ask(this.#law, TABLE, COUNT, 1, ready(source, 1, 1));
     return index_at();
   }
   pmf(count) {
@@ -45,7 +45,7 @@ export class Binomial {
   }
   fill(counts, source) {
     const own = view(counts, Uint32Array, 1);
-    in_blocks(from_source(source, 1), 1, own, 1, (n, random) => counted(this.#law, TABLE, COUNT, n, random));
+    in_blocks(from_source(source, 1), 1, own, 1, (n, random) => ask(this.#law, TABLE, COUNT, n, random));
     return counts;
   }
 }
@@ -62,7 +62,7 @@ export class BinomialRejection {
   }
   draw(source) {
     for (let tries = 0; tries < TRIES; tries += 1) {
-      if (counted(this.#law, REJECTION, COUNT, 1, ready(source, 2, 1)) > 0) return index_at();
+      if (ask(this.#law, REJECTION, COUNT, 1, ready(source, 2, 1)) > 0) return index_at();
     }
     throw new RangeError(`a source of random words is expected: ${TRIES} tries gave no count`);
   }
@@ -79,21 +79,21 @@ const signed = (kind, made) => class {
   }
   integer(word) {
     put_words(Uint32Array.of(u32_of("word", word)));
-    counted(this.#law, kind, COUNT, 1, 0);
+    ask(this.#law, kind, COUNT, 1, 0);
     return index_at() | 0;
   }
   draw(source) {
-    counted(this.#law, kind, COUNT, 1, ready(source, 1, 1));
+    ask(this.#law, kind, COUNT, 1, ready(source, 1, 1));
     return index_at() | 0;
   }
   pmf(at) {
     put_words(Uint32Array.of(integer("integer", at, -(2 ** 31), 2 ** 31 - 1)));
-    counted(this.#law, kind, PMF, 1, 0);
+    ask(this.#law, kind, PMF, 1, 0);
     return point(OUT, 1);
   }
   fill(integers, source) {
     const own = view(integers, Int32Array, 1);
-    in_blocks(from_source(source, 1), 1, own, 1, (n, random) => counted(this.#law, kind, COUNT, n, random));
+    in_blocks(from_source(source, 1), 1, own, 1, (n, random) => ask(this.#law, kind, COUNT, n, random));
     return integers;
   }
 };

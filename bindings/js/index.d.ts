@@ -1,6 +1,8 @@
 export * from "./warps.js";
 export { Warp } from "./warp.js";
 export type { Vector2, Vector3 } from "./warp.js";
+export { drawWithPdf, fillWithPdf, mapWithPdf, sampleWithPdf } from "./density.js";
+export type { Sample } from "./density.js";
 export { ByPosition, LatinHypercube, Pcg32, Permutation, Screen, Sobol, Strata } from "./source.js";
 export { Frame } from "./frame.js";
 export type { Items, Points, Source } from "./source.js";

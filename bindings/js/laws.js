@@ -9,4 +9,4 @@ export const law_of = (kind, parameters, ...integers) => {
   return written(272, [], flat, (to, from) => wasm.law(to, kind, from, ...integers));
 };
 // Asks it for `count` numbers.
-export const counted = (law, kind, what, count, random) => wasm.counted(kind, what, law.address(), BUFFERS, count, random);
+export const ask = (law, kind, what, count, random) => wasm.ask(kind, what, law.address(), BUFFERS, count, random);

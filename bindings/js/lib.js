@@ -2,6 +2,7 @@
 
 export * from "./warps.js";
 export { Warp } from "./warp.js";
+export { drawWithPdf, fillWithPdf, mapWithPdf, sampleWithPdf } from "./density.js";
 export { Alias, Cdf } from "./table.js";
 export { Binomial, BinomialRejection, DiscreteGaussian, DiscreteLaplace } from "./counts.js";
 export { Beta, Dirichlet, Gamma, VonMises } from "./rejection.js";

@@ -1,7 +1,7 @@
 // Gamma numbers, shares of a whole and angles: by rejection, within a budget of tries.
 
 import { OUT, integer, numbers, point, put, ready } from "./core.js";
-import { counted, law_of } from "./laws.js";
+import { ask, law_of } from "./laws.js";
 
 // Laws by their kind; of shares it is their number more than the first.
 const [GAMMA, VON_MISES, BETA, CHI_SQUARED] = [16, 17, 18, 25];
@@ -11,12 +11,12 @@ const [ANGLE, NUMBER] = [2 * 42, 3 * 16];
 
 const drawn = (law, kind, what, count, source) => {
   const random = ready(source, kind === VON_MISES ? ANGLE : NUMBER * count, 1);
-  if (counted(law, kind, what, 1, random) > 0) return point(OUT, count);
+  if (ask(law, kind, what, 1, random) > 0) return point(OUT, count);
   throw new RangeError("a source of random words is expected: within the budget no try was accepted");
 };
 const pdf = (law, kind, count, at) => {
   put(at, count);
-  counted(law, kind, PDF, 1, 0);
+  ask(law, kind, PDF, 1, 0);
   return point(OUT, 1);
 };
 

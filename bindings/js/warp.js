@@ -6,6 +6,9 @@ const [DRAW, SAMPLE, PDF, INVERT] = [0, 1, 2, 3];
 // Room for the largest warp, as src/warps.rs asserts.
 const LARGEST = 128;
 
+// What is loaded of a warp, its number, whether that is one of a table, and its figures, whatever a class made of it says.
+export let inside;
+
 // Of all warps: how many uniforms and numbers a point has, and the words of a draw.
 export class Warp {
   #loaded;
@@ -14,6 +17,9 @@ export class Warp {
   #words;
   #uniforms;
   #dimensions;
+  static {
+    inside = (warp) => [warp.#loaded, warp.#number, warp.#table, warp.#words, warp.#uniforms, warp.#dimensions];
+  }
   // What is loaded, and its number among the warps or, of a table, its kind.
   constructor(loaded, number, figures, table = false) {
     // No caller has one, whatever class is made of this one.

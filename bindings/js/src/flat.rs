@@ -13,7 +13,7 @@ pub trait Flat: Copy {
 /// Two parts, one behind the other.
 #[derive(Clone, Copy)]
 #[repr(C)]
-pub struct Both<A, B>(A, B);
+pub struct Both<A, B>(pub A, pub B);
 
 macro_rules! as_it_is {
     ($([$($n:ident)*] $type:ty)*) => {$(

@@ -1,15 +1,20 @@
-//! Laws in memory of the caller that are no warps: counts and other integers, and what is drawn by rejection.
+//! Laws in memory of the caller that are no warps: counts and other integers, and what is drawn by rejection. By their exports
+//! goes whatever else is asked by a kind.
 
 use crate::buffers::Buffers;
 use crate::parts::{NOT_LINKED, linked};
+use crate::warps::DENSITIES;
 use crate::{counts, rejection};
 use microwarp::Error;
 
 const COUNTS: bool = linked("counts");
 const REJECTIONS: bool = linked("rejections");
 
-/// The kinds of `rejection` begin here.
+/// The kinds of `rejection` begin here, and end.
 const FIRST: u32 = 16;
+const LAST: u32 = 32;
+/// Whether densities come with samples.
+const DENSITIES_KIND: u32 = 48;
 
 /// The JavaScript side has so much room for one.
 const WORDS: usize = 272;
@@ -46,19 +51,22 @@ pub unsafe extern "C" fn law(
     // SAFETY: as the caller says.
     unsafe {
         match kind {
-            FIRST.. if REJECTIONS => rejection::made(kind.wrapping_sub(FIRST), place, parameters),
+            FIRST..LAST if REJECTIONS => {
+                rejection::made(kind.wrapping_sub(FIRST), place, parameters)
+            }
             0..FIRST if COUNTS => counts::made(kind, place, parameters, [trials, part, whole]),
             _ => NOT_LINKED as i32,
         }
     }
 }
 
-/// Asks a law: see `counts::asked` and `rejection::asked`, whose words are drawn where `random` is above 0.
+/// Asks a law: see `counts::asked` and `rejection::asked`, whose words are drawn where `random` is above 0; or, by the last kind,
+/// whether the module hands over densities with samples. What is not linked is 0.
 ///
 /// # Safety
 /// `law` has written it by this kind, as `asked` says.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn counted(
+pub unsafe extern "C" fn ask(
     kind: u32,
     what: u32,
     law: *const u32,
@@ -69,7 +77,8 @@ pub unsafe extern "C" fn counted(
     // SAFETY: as the caller says.
     unsafe {
         match kind {
-            FIRST.. if REJECTIONS => {
+            DENSITIES_KIND => DENSITIES.into(),
+            FIRST..LAST if REJECTIONS => {
                 rejection::asked(kind.wrapping_sub(FIRST), what, law, buffers, random > 0)
             }
             0..FIRST if COUNTS => counts::asked(kind, what, law, buffers, count, random),

@@ -3,8 +3,8 @@
 /// What is said of a part that the module does not have; no error has this code.
 pub const NOT_LINKED: u32 = 31;
 
-/// The names of warps in the list, and `indices`, `pieces`, `points`, `frames`, `chains`, `counts`, `rejections` and `reservoirs`, with
-/// spaces between; without it the module has everything.
+/// The names of warps in the list, and `indices`, `pieces`, `points`, `frames`, `chains`, `counts`, `rejections`, `reservoirs`,
+/// `densities`, `mixtures` and `lights`, with spaces between; without it the module has everything.
 const PARTS: Option<&str> = option_env!("MICROWARP_PARTS");
 
 /// Whether the module has a part. It is known at compile time, so nothing else is linked.

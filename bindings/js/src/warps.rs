@@ -2,7 +2,7 @@
 //! `crates/list/src/warps.rs`; the JavaScript side has them by `cargo regenerate`.
 
 use crate::buffers::{Arrays, Buffers};
-use crate::flat::{Flat, get, put};
+use crate::flat::{Both, Flat, get, put};
 use crate::parts::{NOT_LINKED, linked};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::{Error, Invert};
@@ -12,6 +12,12 @@ use microwarp_js_hot::{Words, fill};
 pub const DRAW: u32 = 0;
 pub const SAMPLE: u32 = 1;
 pub const PDF: u32 = 2;
+pub const INVERT: u32 = 3;
+pub const SAMPLE_WITH_PDF: u32 = 4;
+pub const DRAW_WITH_PDF: u32 = 5;
+
+/// Densities with samples.
+pub const DENSITIES: bool = linked("densities");
 
 /// Does one thing to every element, of a warp of any type.
 ///
@@ -48,8 +54,21 @@ where
             DRAW => put(output, warp.draw(&mut Words::new(input.cast()))),
             SAMPLE => put(output, warp.sample(get(input))),
             PDF => put(output, warp.pdf(get(input))),
+            SAMPLE_WITH_PDF if DENSITIES => both(output, warp.sample_with_pdf(get(input))),
+            DRAW_WITH_PDF if DENSITIES => {
+                both(output, warp.draw_with_pdf(&mut Words::new(input.cast())));
+            }
             _ => put(output, warp.invert(get(input))),
         }
+    }
+}
+
+/// Writes a point, and its density behind it.
+unsafe fn both<P: Flat>(to: *mut f32, (point, density): (P, f32)) {
+    // SAFETY: as for `put`.
+    unsafe {
+        to.cast::<Both<P::Raw, f32>>()
+            .write_unaligned(Both(point.raw(), density));
     }
 }
 
@@ -154,8 +173,8 @@ pub unsafe extern "C" fn construct(
         .map_or(0, |new| unsafe { new(parameters, warp) })
 }
 
-/// Draws (0), samples (1), evaluates the density (2) or inverts (3) every element, by the number of a warp;
-/// draws `random` words first.
+/// Draws (0), samples (1), evaluates the density (2) or inverts (3) every element, or samples (4) or draws (5) with the density
+/// behind each point, by the number of a warp; draws `random` words first.
 ///
 /// # Safety
 /// `construct` has written the warp by this number, whose elements have so many numbers.
