@@ -105,6 +105,15 @@ const due_of = (warp, key) => {
     fill: [points(n), source()], map: [uniforms(n), points(n)], pdfs: [points(n), into(1)(n)], inverts: [points(n), uniforms(n)],
   }[key];
 };
+// And what a function takes.
+const due_of_function = (of) => {
+  const [warp, n] = [one_of(of_class(Warp)), random(3000)];
+  const array = (each) => new Float32Array(each * n);
+  return {
+    drawWithPdf: [warp, source()], sampleWithPdf: [warp, due_of(warp, "sample")[0]],
+    fillWithPdf: [warp, array(warp.dimensions), array(1), source()], mapWithPdf: [warp, array(warp.uniforms), array(warp.dimensions), array(1)],
+  }[of] ?? given();
+};
 // Parameters that constructors take.
 const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const given = () => Array.from({ length: random(6) }, () => (random(5) < 3 ? one_of(sensible) : one_of(hostile))());
@@ -151,8 +160,11 @@ for (let call = 0; call < calls; call += 1) {
     const maker = random(3) > 0 && makers.length > 0 ? one_of(makers) : undefined;
     name = `${of}.${maker ?? "new"}`;
     const parameters = given();
-    const made = attempt(name, () => (maker ? Class[maker](...parameters) : new Class(...parameters)));
-    if (typeof made === "object") live.push(made);
+    // What has no prototype is a function.
+    const plain = Class.prototype === undefined;
+    if (plain && random(2)) parameters.splice(0, 9, ...due_of_function(of));
+    const made = attempt(name, () => (maker ? Class[maker](...parameters) : plain ? Class(...parameters) : new Class(...parameters)));
+    if (typeof made === "object" && !plain) live.push(made);
   } else {
     const object = one_of(live);
     const key = one_of(members(object));
@@ -172,6 +184,8 @@ console.log(`${calls} calls: ${returned} returned, ${thrown} refused; ${reached.
 const warps = classes.filter(([, Class]) => Class.prototype instanceof Warp);
 const members_of = ["draw", "sample", "pdf", "invert", "fill", "map", "pdfs", "inverts"];
 const missed = warps.flatMap(([of]) => members_of.map((key) => `${of}.${key}`)).filter((name) => !reached.has(name));
+const functions = classes.filter(([of, Class]) => Class.prototype === undefined && !reached.has(`${of}.new`));
+assert.deepEqual(functions.map(([of]) => of), [], "functions not reached");
 assert.ok(missed.length < warps.length * members_of.length / 10, `not reached: ${missed}`);
 
 // What overwrites the canary, the table or the generator is noticed.

@@ -4,10 +4,11 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
+import { isDeepStrictEqual } from "node:util";
 import * as microwarp from "microwarp";
 
-const { golden, uniforms, runs } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
-const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Frame, Integers, LatinHypercube, Pcg32, Permutation, Screen, Sobol, Strata, SumTree, WeightedReservoir } = microwarp;
+const { golden, uniforms, runs, densities } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
+const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Frame, Integers, LatinHypercube, Pcg32, Permutation, Screen, Sobol, Strata, SumTree, WeightedReservoir, drawWithPdf, sampleWithPdf } = microwarp;
 
 const bits = (numbers) => Array.from(new Uint32Array(Float32Array.from([numbers].flat(Infinity)).buffer));
 const floats = (bits) => Array.from(new Float32Array(Uint32Array.from(bits).buffer));
@@ -50,6 +51,23 @@ test("a table in which one bit is changed is rejected", () => {
 });
 
 const rng = () => new Pcg32(42, 54);
+// Two points and their densities: drawn, and by the uniforms of these.
+const with_densities = (warp) => {
+  const words = rng();
+  return Array.from({ length: 2 }, () => {
+    const drawn = drawWithPdf(warp, words);
+    return [drawn, sampleWithPdf(warp, warp.invert(drawn.point))].map(({ point, pdf }) => bits([point, pdf]));
+  }).flat(2);
+};
+const other_densities = (due) => golden.filter(([name, ...of]) => !isDeepStrictEqual(with_densities(made(...of)), due[name])).map(([name]) => name);
+
+test("every class hands over the densities of the host, and of a changed one it is seen", () => {
+  assert.deepEqual(Object.keys(densities), golden.map(([name]) => name));
+  assert.deepEqual(other_densities(densities), []);
+  const changed = densities.Normal.with(3, densities.Normal[3] ^ 1);
+  assert.deepEqual(other_densities({ ...densities, Normal: changed }), ["Normal"]);
+});
+
 const weights = [0, 1, 1e-6, 37, 0.3, 0];
 const cells = [1, 0, 4, 2.5, 1e-3, 0.5];
 const filled = (warp) => bits(Array.from(warp.fill(new Float32Array(19 * warp.dimensions), rng())));
@@ -169,6 +187,10 @@ const actual = {
   PiecewiseLinear1d: () => triples(new microwarp.PiecewiseLinear1d(weights, -3, 5)),
   PiecewiseConstant2d: () => triples(new microwarp.PiecewiseConstant2d(cells, [3, 2], [0, 6], [-1, 1])),
   LatLongMap: () => triples(new microwarp.LatLongMap(cells, [3, 2])),
+  "densities of tables": () => [
+    new microwarp.PiecewiseConstant1d(weights, -3, 5), new microwarp.PiecewiseLinear1d(weights, -3, 5),
+    new microwarp.PiecewiseConstant2d(cells, [3, 2], [0, 6], [-1, 1]), new microwarp.LatLongMap(cells, [3, 2]),
+  ].flatMap(with_densities),
   Sobol: () => points(new Sobol(7)),
   ByPosition: () => points(new ByPosition(7, 9)),
   Strata: () => Array.from({ length: 6 }, (_, k) => [

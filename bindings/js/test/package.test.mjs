@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import * as microwarp from "microwarp";
 
-const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, Normal, Pcg32, Screen, Sobol, Strata, SumTree, Warp, WeightedReservoir } = microwarp;
+const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, Normal, Pcg32, Screen, Sobol, Strata, SumTree, Warp, WeightedReservoir, drawWithPdf, fillWithPdf, mapWithPdf, sampleWithPdf } = microwarp;
 const classes = Object.values(microwarp).filter((value) => value.prototype instanceof Warp);
 const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const made = (name, maker, given) => (maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given));
@@ -183,6 +183,45 @@ test("arrays hold what single calls give, over the ends of blocks", () => {
       assert.deepEqual(warp.sample(uniforms), at(again, warp.dimensions, i), `${name} ${i}`);
     }
   }
+});
+
+test("densities come with the points, over the ends of blocks, and refusals change nothing", () => {
+  for (const Class of classes) {
+    const subject = golden.find(([, name]) => name === Class.name);
+    if (!subject) continue;
+    const [, name, maker, given] = subject;
+    const [warp, count] = [made(name, maker, given), 5001];
+    const { dimensions, uniforms } = warp;
+    const [points, densities] = [new Float32Array(count * dimensions), new Float32Array(count)];
+    assert.equal(fillWithPdf(warp, points, densities, new Pcg32(3, 4)), points);
+    assert.deepEqual(points, warp.fill(new Float32Array(count * dimensions), new Pcg32(3, 4)), name);
+    const single = new Pcg32(3, 4);
+    for (let i = 0; i < count; i += 1) {
+      const { point, pdf } = drawWithPdf(warp, single);
+      if (i % 750 === 0 || i + 1 === count) assert.deepEqual([point, pdf].flat(), [...points.subarray(i * dimensions, (i + 1) * dimensions), densities[i]], `${name} ${i}`);
+    }
+    const own = new Sobol(5).uniforms(new Float32Array(count * uniforms), uniforms);
+    assert.deepEqual(mapWithPdf(warp, own, points, densities), warp.map(own, new Float32Array(count * dimensions)), name);
+    const last = uniforms === 1 ? own.at(-1) : Array.from(own.subarray(-uniforms));
+    assert.equal(sampleWithPdf(warp, last).pdf, densities.at(-1), name);
+  }
+  const [disk, set, rng] = [new Disk(), new Sobol(1), new Pcg32(1)];
+  const before = rng.state;
+  assert.deepEqual(drawWithPdf(disk, set).point, disk.draw(new Sobol(1)));
+  assert.equal(set.index, 1);
+  for (const wrong of [undefined, null, 3, {}, Disk, new Cdf([1])]) {
+    for (const use of [() => drawWithPdf(wrong, rng), () => sampleWithPdf(wrong, 0.5), () => fillWithPdf(wrong, new Float32Array(2), new Float32Array(1), rng), () => mapWithPdf(wrong, new Float32Array(2), new Float32Array(2), new Float32Array(1))]) {
+      assert.throws(use, { name: "TypeError", message: /^a warp is expected, not / });
+    }
+  }
+  const points = new Float32Array(4).fill(7);
+  for (const densities of [new Float32Array(1), new Float32Array(3), new Float32Array(0)]) assert.throws(() => fillWithPdf(disk, points, densities, rng), { name: "RangeError", message: /not as many/ });
+  for (const densities of [new Float64Array(2), [1, 2]]) assert.throws(() => fillWithPdf(disk, points, densities, rng), TypeError);
+  assert.throws(() => fillWithPdf(disk, points, new Float32Array(2), {}), TypeError);
+  assert.throws(() => mapWithPdf(disk, new Float32Array(2), points, new Float32Array(2)), RangeError);
+  assert.throws(() => drawWithPdf(disk, {}), TypeError);
+  assert.throws(() => sampleWithPdf(disk, 0.5), TypeError);
+  assert.deepEqual([rng.state, ...points], [before, 7, 7, 7, 7]);
 });
 
 test("a generator goes on where it was, and two do not disturb each other", () => {

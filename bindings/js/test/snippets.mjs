@@ -28,8 +28,10 @@ const typed = ["js", "js worker", "js page", "js config", "ts"].flatMap(of);
 typed.forEach((text, i) => writeFileSync(`typed/snippet${i}.ts`, text));
 writeFileSync("index.html", of("html")[0]);
 mkdirSync("wrong");
-writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Integers, Normal, Pcg32, SumTree } from "microwarp";
+writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Integers, Normal, Pcg32, SumTree, drawWithPdf, sampleWithPdf } from "microwarp";
 new Normal("0", 1); // wrong
+sampleWithPdf(new Disk(), 0.5); // wrong
+drawWithPdf(Disk, new Pcg32()); // wrong
 new Exponential(1); // wrong
 new Disk().sample(0.5); // wrong
 new Disk().fill([0, 0], new Pcg32()); // wrong
@@ -40,7 +42,7 @@ new SumTree([1n, 2n]).set(0, 1); // wrong
 new Integers(0n, 1); // wrong
 export const name: string = new Normal(0, 1).draw(new Pcg32()); // wrong
 `);
-writeFileSync("typed/chains.ts", `import { Chain, Integers, Pcg32, type Saved, SumTree, WeightedReservoir } from "microwarp";
+writeFileSync("typed/chains.ts", `import { Chain, Disk, Integers, Pcg32, type Sample, type Saved, SumTree, WeightedReservoir, drawWithPdf } from "microwarp";
 const [rng, dimensions] = [new Pcg32(7), 20];
 export const one: number = new Chain((x) => Math.exp(-x * x), 0, { normal: 1 }).step(rng).from;
 const two = new Chain(([x, y]) => x * y, [1, 1], { box: [1, 1], cube: 0.25 });
@@ -56,5 +58,6 @@ export const all: [BigUint64Array, Uint32Array] = [words.weights(), tree.weights
 const reservoir = new WeightedReservoir<string>(2);
 reservoir.offer("a", 1, rng);
 export const names: string[] = reservoir.items();
+export const seen: Sample<[number, number]> = drawWithPdf(new Disk(), rng);
 `);
 console.log(`${snippets.length} snippets run`);

@@ -100,6 +100,24 @@ macro_rules! classes {
             )*
             goldens
         }
+
+        /// Points with their densities, of the same subjects.
+        fn densities() -> Vec<(&'static str, Vec<u32>)> {
+            type T = Poly;
+            let mut densities = Vec::new();
+            $(
+                dense!(densities [$($golden => $warp),*] $($name)*);
+            )*
+            densities
+        }
+    };
+}
+
+/// Nothing of a block without bound warps.
+macro_rules! dense {
+    ($densities:ident $golden:tt) => {};
+    ($densities:ident [$($golden:literal => $warp:expr),*] $($name:literal)+) => {
+        $densities.extend([$(($golden, expected::with_densities($warp))),*]);
     };
 }
 
@@ -164,7 +182,7 @@ pub fn step(check: bool) -> Outcome {
         ("bindings/js/warps.d.ts", scripts::typings(&classes)?),
         (
             "bindings/js/test/expected.json",
-            expected::json(&classes, &goldens())?,
+            expected::json(&classes, &goldens(), &densities())?,
         ),
     ];
     for (path, text) in files {

@@ -13,8 +13,8 @@ use microwarp::uniform::{
     ByPosition, Chance, LatinHypercube, Permutation, Points, Range, Screen, Sobol, Strata1d,
     Strata2d, grid, shuffle, up_to,
 };
-use microwarp::warp::Frame;
-use microwarp::{Invert, Warp, poly, tier::Poly};
+use microwarp::warp::{Frame, SurfacePoint};
+use microwarp::{Error, Invert, Warp, poly, tier::Poly};
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
@@ -24,7 +24,7 @@ const WEIGHTS: [f32; 6] = [0.0, 1.0, 1e-6, 37.0, 0.3, 0.0];
 const CELLS: [[f32; 3]; 2] = [[1.0, 0.0, 4.0], [2.5, 1e-3, 0.5]];
 
 /// One number or several, as bits.
-trait Bits: Copy {
+pub trait Bits: Copy {
     fn bits(self) -> Vec<u32>;
 }
 impl Bits for f32 {
@@ -35,6 +35,17 @@ impl Bits for f32 {
 impl<const N: usize> Bits for [f32; N] {
     fn bits(self) -> Vec<u32> {
         self.map(f32::to_bits).into()
+    }
+}
+
+impl<const N: usize> Bits for ([f32; N], f32) {
+    fn bits(self) -> Vec<u32> {
+        [self.0.bits(), self.1.bits()].concat()
+    }
+}
+impl Bits for SurfacePoint {
+    fn bits(self) -> Vec<u32> {
+        [self.position.bits(), self.normal.bits()].concat()
     }
 }
 
@@ -70,6 +81,21 @@ where
         .concat()
     });
     list(triples)
+}
+
+/// Two points and their densities: drawn, and by the uniforms of these.
+pub fn with_densities<W>(warp: Result<W, Error>) -> Vec<u32>
+where
+    W: Invert<Density = f32, Point: Bits>,
+{
+    let (warp, mut rng) = (warp.expect("a golden subject"), rng());
+    let found = (0..2).flat_map(|_| {
+        let drawn = warp.draw_with_pdf(&mut rng);
+        [drawn, warp.sample_with_pdf(warp.invert(drawn.0))]
+    });
+    found
+        .flat_map(|(point, pdf)| [point.bits(), pdf.bits()].concat())
+        .collect()
 }
 
 /// Indices drawn, and selections by uniforms.
@@ -426,7 +452,11 @@ fn integers() -> Vec<u32> {
     drawn
 }
 
-pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
+pub fn json(
+    classes: &[Class],
+    goldens: &[(&str, Golden)],
+    densities: &[(&str, Vec<u32>)],
+) -> Outcome<String> {
     let ok = "accepted parameters";
     let cells = |u, v| PiecewiseConstant2d::<_, [[u32; 3]; 2]>::new(&CELLS, u, v).expect(ok);
     let points = |words: [[u32; 4]; 6]| list(words.into_iter().flatten());
@@ -489,6 +519,18 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
             triples(&LatLongMap::<Poly, [u32; 2], [[u32; 3]; 2]>::new(&CELLS).expect(ok)),
         ),
         (
+            "densities of tables",
+            list(
+                [
+                    with_densities(PiecewiseConstant1d::<[u32; 6]>::new(&WEIGHTS, -3.0, 5.0)),
+                    with_densities(PiecewiseLinear1d::<[u32; 6], _>::new(&WEIGHTS, -3.0, 5.0)),
+                    with_densities(Ok(cells([0.0, 6.0], [-1.0, 1.0]))),
+                    with_densities(LatLongMap::<Poly, [u32; 2], [[u32; 3]; 2]>::new(&CELLS)),
+                ]
+                .concat(),
+            ),
+        ),
+        (
             "Sobol",
             points([0, 1, 2, 3, 100, 101].map(|i| Sobol::<8>::new(7).expect(ok).words(i))),
         ),
@@ -530,12 +572,17 @@ pub fn json(classes: &[Class], goldens: &[(&str, Golden)]) -> Outcome<String> {
         .iter()
         .map(|(name, bits)| format!("    {name:?}: {bits}"))
         .collect();
+    let densities = densities.iter();
+    let densities: Vec<String> = densities
+        .map(|(name, bits)| format!("    {name:?}: {}", list(bits.iter().copied())))
+        .collect();
     let uniforms =
         microwarp_list::UNIFORMS.map(|uniforms| format!("    {}", list(uniforms.bits())));
     Ok(format!(
-        "{{\n  \"golden\": [\n{}\n  ],\n  \"uniforms\": [\n{}\n  ],\n  \"runs\": {{\n{}\n  }}\n}}\n",
+        "{{\n  \"golden\": [\n{}\n  ],\n  \"uniforms\": [\n{}\n  ],\n  \"runs\": {{\n{}\n  }},\n  \"densities\": {{\n{}\n  }}\n}}\n",
         golden(classes, goldens)?,
         uniforms.join(",\n"),
         runs.join(",\n"),
+        densities.join(",\n"),
     ))
 }
