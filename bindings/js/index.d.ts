@@ -11,6 +11,7 @@ export type { Indices, Selection } from "./table.js";
 export { Binomial, BinomialRejection, DiscreteGaussian, DiscreteLaplace } from "./counts.js";
 export { Beta, Dirichlet, Gamma, VonMises } from "./rejection.js";
 export { Integers } from "./integers.js";
+export { Mixture } from "./mixture.js";
 export { SumTree } from "./tree.js";
 export { WeightedReservoir } from "./reservoir.js";
 export { Chain } from "./chain.js";

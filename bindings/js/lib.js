@@ -7,6 +7,7 @@ export { Alias, Cdf } from "./table.js";
 export { Binomial, BinomialRejection, DiscreteGaussian, DiscreteLaplace } from "./counts.js";
 export { Beta, Dirichlet, Gamma, VonMises } from "./rejection.js";
 export { Integers } from "./integers.js";
+export { Mixture } from "./mixture.js";
 export { SumTree } from "./tree.js";
 export { WeightedReservoir } from "./reservoir.js";
 export { LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./pieces.js";

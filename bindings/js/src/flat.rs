@@ -6,6 +6,8 @@ use microwarp::warp::SurfacePoint;
 pub trait Flat: Copy {
     /// As it lies there.
     type Raw: Copy;
+    /// Its kind among those of as many numbers: plain ones, shares and the rest, or a position and its normal.
+    const LAYOUT: u8 = 0;
     fn raw(self) -> Self::Raw;
     fn of(raw: Self::Raw) -> Self;
 }
@@ -45,6 +47,7 @@ impl Flat for u16 {
 /// Shares and the rest.
 impl<const N: usize> Flat for ([f32; N], f32) {
     type Raw = Both<[f32; N], f32>;
+    const LAYOUT: u8 = 1;
     fn raw(self) -> Self::Raw {
         Both(self.0, self.1)
     }
@@ -55,6 +58,7 @@ impl<const N: usize> Flat for ([f32; N], f32) {
 
 impl Flat for SurfacePoint {
     type Raw = Both<[f32; 3], [f32; 3]>;
+    const LAYOUT: u8 = 2;
     fn raw(self) -> Self::Raw {
         Both(self.position, self.normal)
     }

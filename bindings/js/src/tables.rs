@@ -2,6 +2,7 @@
 
 use crate::buffers::{Arrays, Buffers};
 use crate::flat::{get, put};
+use crate::mixture::{self, MIXTURES, kind};
 use crate::parts::{NOT_LINKED, linked};
 use crate::warps::{DRAW, SAMPLE, all};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
@@ -16,9 +17,26 @@ use microwarp_js_hot::{by_alias, by_cdf};
 const INDICES: bool = linked("indices");
 const PIECES: bool = linked("pieces");
 
+/// The kind of a mixture.
+const MIXTURE: u32 = 6;
+
 /// Whether the module has tables of a kind.
 const fn has(kind: u32) -> bool {
-    if kind < 2 { INDICES } else { PIECES }
+    match kind {
+        0 | 1 => INDICES,
+        MIXTURE => MIXTURES,
+        _ => PIECES,
+    }
+}
+
+/// What a density made of pieces may be mixed with.
+pub const fn kind_of(table: u32) -> Option<u8> {
+    match table {
+        2 | 3 => Some(kind::<PiecewiseConstant1d<&[u32]>>()),
+        4 => Some(kind::<PiecewiseConstant2d<&[u32], &[u32]>>()),
+        5 => Some(kind::<LatLongMap<&[u32], &[u32]>>()),
+        _ => None,
+    }
 }
 
 /// What lies in front of the entries.
@@ -38,7 +56,7 @@ unsafe fn behind<'a>(table: *mut Head, words: usize) -> &'a mut [u32] {
 }
 
 /// Makes a table of a kind of the weights at `weights`, by the head at `table`: 0 `Cdf`, 1 `Alias`, 2 constant on
-/// pieces, 3 linear on pieces, 4 constant on cells, 5 a sky. 0, or the code of the refusal and the index of a weight
+/// pieces, 3 linear on pieces, 4 constant on cells, 5 a sky; 6 the chooser of a mixture, which has a head of its own. 0, or the code of the refusal and the index of a weight
 /// times 32.
 ///
 /// # Safety
@@ -47,6 +65,10 @@ unsafe fn behind<'a>(table: *mut Head, words: usize) -> &'a mut [u32] {
 pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f32) -> u32 {
     if !has(kind) {
         return NOT_LINKED;
+    }
+    if kind == MIXTURE {
+        // SAFETY: as the caller says.
+        return unsafe { mixture::made(table.cast(), weights) };
     }
     // SAFETY: as the caller says.
     let made = unsafe {
@@ -132,15 +154,14 @@ pub unsafe extern "C" fn look_up(
     } = arrays;
     // SAFETY: as the caller says. Finished tables are taken as they are, in constant time; none is refused.
     unsafe {
-        let Head {
-            shape: [width, height],
-            bounds: [[low, high], [from, to]],
-        } = *table;
-        let cells = width.wrapping_mul(height);
-        let words: &[u32] = behind(table, cells);
+        let entries = || {
+            let [width, height] = (*table).shape;
+            let words: &[u32] = behind(table, width.wrapping_mul(height));
+            words
+        };
         match kind {
             0 => {
-                if let Ok(cdf) = Cdf::from_trusted_words(words) {
+                if let Ok(cdf) = Cdf::from_trusted_words(entries()) {
                     if what == DRAW {
                         by_cdf(
                             cdf,
@@ -153,11 +174,12 @@ pub unsafe extern "C" fn look_up(
                 }
             }
             1 => {
+                let words = entries();
                 let bins = from_raw_parts(
                     words.as_ptr().cast::<AliasEntry<u32>>(),
-                    cells.next_power_of_two(),
+                    words.len().next_power_of_two(),
                 );
-                if let Ok(alias) = Alias::from_trusted_bins(bins, cells) {
+                if let Ok(alias) = Alias::from_trusted_bins(bins, words.len()) {
                     if what == DRAW {
                         by_alias(
                             alias,
@@ -169,6 +191,29 @@ pub unsafe extern "C" fn look_up(
                     }
                 }
             }
+            MIXTURE => mixture::all(table.cast(), what, arrays),
+            _ => piece(kind, what, table, arrays),
+        }
+    }
+}
+
+/// The same for a density made of pieces.
+///
+/// # Safety
+/// As for [`look_up`].
+pub unsafe fn piece(kind: u32, what: u32, table: *mut Head, arrays: Arrays) {
+    if !PIECES {
+        return;
+    }
+    // SAFETY: as the caller says. Finished tables are taken as they are, in constant time; none is refused.
+    unsafe {
+        let Head {
+            shape: [width, height],
+            bounds: [[low, high], [from, to]],
+        } = *table;
+        let cells = width.wrapping_mul(height);
+        let words: &[u32] = behind(table, cells);
+        match kind {
             2 => {
                 if let Ok(warp) = Cdf::from_trusted_words(words)
                     .and_then(|cdf| PiecewiseConstant1d::from_cdf(cdf, low, high))

@@ -3,6 +3,7 @@
 
 use crate::buffers::{Arrays, Buffers};
 use crate::flat::{Both, Flat, get, put};
+use crate::mixture::kind;
 use crate::parts::{NOT_LINKED, linked};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::{Error, Invert};
@@ -138,7 +139,9 @@ macro_rules! numbered {
     ($([$name:literal $warp:ty] { $($new:ident $parameters:tt,)* })*) => {
         // The JavaScript side has so much room for one.
         const _: () = assert!(true $(&& size_of::<$warp>() <= 512 && align_of::<$warp>() <= 16)*);
-        static RUN: &[Run] = &[$(if linked($name) { run::<$warp> } else { nothing }),*];
+        pub static RUN: &[Run] = &[$(if linked($name) { run::<$warp> } else { nothing }),*];
+        /// What each may be mixed with.
+        pub static KINDS: &[u8] = &[$(kind::<$warp>()),*];
         static NEW: &[New] = &[$($(
             if linked($name) { |from, to| write(made!($warp, $new $parameters, from), to) } else { none }
         ),*),*];
