@@ -93,6 +93,7 @@ const target = () => one_of([
 const sensible = [
   () => random(10), () => random(100) / 100, () => [random(100) / 100, 0.5], () => [0.1, 0.7, 0.2], () => Array.from({ length: 1 + random(9) }, () => random(5)),
   source, source, source, target, () => new Float32Array(6 * random(2000)), () => new Uint32Array(random(9000)), () => foreign.f(12), () => foreign.u(12), () => foreign.a(2),
+  () => Array.from({ length: 1 + random(3) }, () => one_of(of_class(Warp))), () => Array(1 + random(3)).fill(one_of(of_class(Warp))),
   () => ({ normal: 1 }), () => ({ box: [1, 1] }), () => ({ normal: [1, 1], cube: 0.5, logDensity: true }), () => [4, 2], () => [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
 ];
 // What a member of a warp takes, so that hostile arrays meet what is going on.
@@ -105,11 +106,12 @@ const due_of = (warp, key) => {
     fill: [points(n), source()], map: [uniforms(n), points(n)], pdfs: [points(n), into(1)(n)], inverts: [points(n), uniforms(n)],
   }[key];
 };
-// And what a function takes.
+// And what a function takes, or a mixture.
 const due_of_function = (of) => {
   const [warp, n] = [one_of(of_class(Warp)), random(3000)];
   const array = (each) => new Float32Array(each * n);
   return {
+    Mixture: [Array(1 + n % 3).fill(warp), Array.from({ length: 1 + n % 3 }, () => random(3))],
     drawWithPdf: [warp, source()], sampleWithPdf: [warp, due_of(warp, "sample")[0]],
     fillWithPdf: [warp, array(warp.dimensions), array(1), source()], mapWithPdf: [warp, array(warp.uniforms), array(warp.dimensions), array(1)],
   }[of] ?? given();
@@ -162,7 +164,7 @@ for (let call = 0; call < calls; call += 1) {
     const parameters = given();
     // What has no prototype is a function.
     const plain = Class.prototype === undefined;
-    if (plain && random(2)) parameters.splice(0, 9, ...due_of_function(of));
+    if ((plain || of === "Mixture") && random(2)) parameters.splice(0, 9, ...due_of_function(of));
     const made = attempt(name, () => (maker ? Class[maker](...parameters) : plain ? Class(...parameters) : new Class(...parameters)));
     if (typeof made === "object" && !plain) live.push(made);
   } else {

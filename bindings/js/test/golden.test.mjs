@@ -44,6 +44,21 @@ test("every class gives the bits of the golden table", () => {
   console.log(`${cases.length} cases of ${names.size} classes`);
 });
 
+// Of `Mixture of three`, and of the same with another weight.
+const of_three = (weights) => {
+  const { Interval, Mixture } = microwarp;
+  const mixture = new Mixture([new Interval(0, 1), new Interval(0.5, 2), new Interval(-1e30, 1e30)], weights);
+  return Array.from({ length: 16 }, (_, input) => {
+    const point = input < uniforms.length ? mixture.sample(floats(uniforms[input])[0]) : mixture.draw(new Pcg32(0x5eed + input, 54));
+    return `poly Mixture of three #${input},${words(point, mixture.pdf(point), mixture.invert(point, 0.25)).map(hex).join(",")}`;
+  }).filter((line) => !table.includes(`${line}\n`)).length;
+};
+
+test("a mixture gives the bits of the golden table, and not those of another", () => {
+  assert.equal(of_three([0.3, 0, 1e-7]), 0);
+  assert.ok(of_three([0.3, 0, 2e-7]) > 5);
+});
+
 test("a table in which one bit is changed is rejected", () => {
   const at = table.indexOf("poly Disk #5,") + "poly Disk #5,".length;
   const changed = table.slice(0, at) + hex(parseInt(table.slice(at, at + 8), 16) ^ 1) + table.slice(at + 8);
@@ -150,6 +165,26 @@ const actual = {
   Disk: () => filled(new microwarp.Disk()),
   Cdf: () => selections(new Cdf(weights)),
   Alias: () => selections(new Alias(weights)),
+  Mixture: () => [
+    [[[0, 1], [9, 0.1], [-3, 2]].map((of) => new microwarp.Normal(...of)), [0.3, 0, 1e-7]],
+    [[new microwarp.Disk()], [7]],
+    [[new microwarp.Sphere(), new microwarp.CosineHemisphere()], [1, 2]],
+    [[microwarp.ExponentialTail.fromRate(1.5), microwarp.Exponential.fromRate(0.5)], [3, 1]],
+    [Array.from({ length: 32 }, (_, i) => new microwarp.Interval(i, 40)), Float32Array.from({ length: 32 }, (_, i) => i * 5 % 7)],
+    [[new microwarp.PiecewiseLinear1d(weights, -3, 5), new microwarp.Normal(1, 1)], [1, 1]],
+    [[new microwarp.Hemisphere(), new microwarp.LatLongMap(cells, [3, 2])], [1, 5]],
+    [[0, 0.9].map((low) => new microwarp.BoxSurface([low, low, low], [1, 2, 3])), [1e-3, 1]],
+    [[new microwarp.Simplex2(), new microwarp.Simplex2()], [1, 2]],
+  ].flatMap(([parts, weights]) => {
+    const mixture = new microwarp.Mixture(parts, weights);
+    const found = Array.from({ length: 16 }, (_, i) => {
+      const x = mixture.draw(new Pcg32(42 + i, 54));
+      const inverse = mixture.invert(x, i / 16);
+      const [drawn, sampled] = [drawWithPdf(mixture, new Pcg32(42 + i, 54)), sampleWithPdf(mixture, inverse)];
+      return bits([x, mixture.pdf(x), inverse, drawn.point, drawn.pdf, sampled.point, sampled.pdf]);
+    });
+    return [...found, [0, 1, 2].flatMap((part) => bits(mixture.pmf(part)))].flat();
+  }),
   SumTree: changing,
   "SumTree of 64 bits": changing_wide,
   WeightedReservoir: streams,

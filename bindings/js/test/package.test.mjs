@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import * as microwarp from "microwarp";
 
-const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, Normal, Pcg32, Screen, Sobol, Strata, SumTree, Warp, WeightedReservoir, drawWithPdf, fillWithPdf, mapWithPdf, sampleWithPdf } = microwarp;
+const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, Mixture, Normal, Pcg32, Screen, Sobol, Strata, SumTree, Warp, WeightedReservoir, drawWithPdf, fillWithPdf, mapWithPdf, sampleWithPdf } = microwarp;
 const classes = Object.values(microwarp).filter((value) => value.prototype instanceof Warp);
 const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const made = (name, maker, given) => (maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given));
@@ -222,6 +222,64 @@ test("densities come with the points, over the ends of blocks, and refusals chan
   assert.throws(() => drawWithPdf(disk, {}), TypeError);
   assert.throws(() => sampleWithPdf(disk, 0.5), TypeError);
   assert.deepEqual([rng.state, ...points], [before, 7, 7, 7, 7]);
+});
+
+test("warps mix where their points are of one kind and their densities by one measure", () => {
+  const of = (name) => made(...golden.find(([, other]) => other === name).slice(1));
+  const groups = [
+    ["Interval", "Normal", "ExponentialTail", "Weibull"], ["PowerMax2", "StudentT"], ["Disk", "NormalPair", "Aabb2d", "RegularPolygon"],
+    ["Triangle", "TriangleOn3d"], ["Sphere", "CosineHemisphere", "VisibleSphere", "Cone"], ["Ggx", "GgxVisible"], ["Simplex2"],
+    ["MultivariateNormal3", "Ball"], ["Rotation"], ["Simplex3"], ["BoxSurface", "CapsuleSurface"],
+  ];
+  const warps = groups.flatMap((names, group) => names.filter((name) => golden.some(([, other]) => other === name)).map((name) => [of(name), group, name]));
+  assert.ok(warps.length >= 20, `${warps.length}`);
+  for (const [one, group, name] of warps) {
+    for (const [other, its, its_name] of warps) {
+      if (group === its) {
+        const mixture = new Mixture([one, other], [1, 3]);
+        assert.deepEqual([mixture.dimensions, mixture.uniforms], [one.dimensions, one.uniforms]);
+        assert.ok(drawWithPdf(mixture, new Pcg32(1)).pdf > 0, `${name} ${its_name}`);
+      } else assert.throws(() => new Mixture([one, other], [1, 1]), { name: "TypeError", message: /^parts of one kind are expected: part 1 has / }, `${name} ${its_name}`);
+    }
+  }
+  assert.throws(() => new Mixture([new Disk(), new Disk(), new microwarp.LatLongMap([1, 1], [2, 1])], [1, 1, 1]), /part 2 has/);
+});
+
+test("a mixture picks by weight, fills as it draws, and refuses what is none", () => {
+  const [low, high] = [new microwarp.Interval(0, 1), new microwarp.Interval(2, 3)];
+  const mixture = new Mixture([low, high], [1, 3]);
+  const [points, rng] = [mixture.fill(new Float32Array(40000), new Pcg32(5)), new Pcg32(5)];
+  for (let i = 0; i < 9000; i += 1) assert.equal(mixture.draw(rng), points[i]);
+  const above = points.filter((x) => x >= 2).length / points.length;
+  // Six standard deviations; the weights the other way round are seen.
+  const apart = (share) => Math.abs(above - share) * Math.sqrt(points.length / 0.1875);
+  assert.ok(apart(0.75) < 6 && apart(0.25) > 6, `${above}`);
+  assert.deepEqual([mixture.pmf(0), mixture.pmf(1), mixture.pmf(2), mixture.pmf(2 ** 32 - 1)], [0.25, 0.75, 0, 0]);
+  assert.deepEqual([mixture.pdf(0.5), mixture.pdf(2.5), mixture.pdf(1.5), mixture.pdf(NaN)], [0.25, 0.75, 0, 0]);
+  const own = new Sobol(2).uniforms(new Float32Array(9000));
+  assert.deepEqual(mixture.inverts(mixture.map(own, new Float32Array(9000)), new Float32Array(9000)).length, 9000);
+  own.forEach((u, i) => assert.ok(Math.abs(mixture.invert(mixture.sample(u)) - u) < 2e-7, `${i}`));
+  // What lies about in the memory is no part of it.
+  for (let i = 0; i < 3000; i += 1) new Cdf(new Float32Array(1000).fill(1));
+  assert.equal(mixture.draw(new Pcg32(5)), points[0]);
+
+  for (const parts of [undefined, null, 3, {}, "ab", new Float32Array(2), [1, 2], [low, undefined], [low, , high], [low, Disk]]) assert.throws(() => new Mixture(parts, [1, 1]), { name: "TypeError", message: /is expected, not / });
+  assert.throws(() => new Mixture([mixture, low], [1, 1]), { name: "TypeError", message: /a part that is no mixture is expected/ });
+  for (const parts of [[], Array(33).fill(low)]) assert.throws(() => new Mixture(parts, parts.map(() => 1)), { name: "RangeError", message: /the number of parts: an integer from 1 to 32/ });
+  for (const weights of [[1], [1, 2, 3], []]) assert.throws(() => new Mixture([low, high], weights), { name: "RangeError", message: /^2 weights are expected, not / });
+  for (const [weights, code] of [[[1, NaN], 12], [[1, -1], 13], [[0, 0], 14]]) assert.throws(() => new Mixture([low, high], weights), refused(code));
+  assert.throws(() => new Mixture([low, high], [1, -1]), /weight 1 is negative/);
+  for (const weights of [undefined, 3, ["1", 1]]) assert.throws(() => new Mixture([low, high], weights), TypeError);
+  assert.throws(() => mixture.invert(0.5, "1"), TypeError);
+  assert.throws(() => mixture.invert([0.5, 1]), TypeError);
+  assert.throws(() => mixture.pmf(0.5), RangeError);
+  // A class made of one may say what it likes.
+  class Wide extends microwarp.Interval {
+    get dimensions() {
+      return 4000;
+    }
+  }
+  assert.deepEqual(drawWithPdf(new Mixture([new Wide(0, 1)], [1]), new Pcg32(5)).pdf, 1);
 });
 
 test("a generator goes on where it was, and two do not disturb each other", () => {

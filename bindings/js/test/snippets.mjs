@@ -28,10 +28,11 @@ const typed = ["js", "js worker", "js page", "js config", "ts"].flatMap(of);
 typed.forEach((text, i) => writeFileSync(`typed/snippet${i}.ts`, text));
 writeFileSync("index.html", of("html")[0]);
 mkdirSync("wrong");
-writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Integers, Normal, Pcg32, SumTree, drawWithPdf, sampleWithPdf } from "microwarp";
+writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Integers, Mixture, Normal, Pcg32, SumTree, drawWithPdf, sampleWithPdf } from "microwarp";
 new Normal("0", 1); // wrong
 sampleWithPdf(new Disk(), 0.5); // wrong
 drawWithPdf(Disk, new Pcg32()); // wrong
+new Mixture([new Disk(), new Normal(0, 1)], [1, 1]); // wrong
 new Exponential(1); // wrong
 new Disk().sample(0.5); // wrong
 new Disk().fill([0, 0], new Pcg32()); // wrong
@@ -42,7 +43,7 @@ new SumTree([1n, 2n]).set(0, 1); // wrong
 new Integers(0n, 1); // wrong
 export const name: string = new Normal(0, 1).draw(new Pcg32()); // wrong
 `);
-writeFileSync("typed/chains.ts", `import { Chain, Disk, Integers, Pcg32, type Sample, type Saved, SumTree, WeightedReservoir, drawWithPdf } from "microwarp";
+writeFileSync("typed/chains.ts", `import { Chain, Disk, Integers, Mixture, Pcg32, type Sample, type Warp, type Saved, SumTree, WeightedReservoir, drawWithPdf } from "microwarp";
 const [rng, dimensions] = [new Pcg32(7), 20];
 export const one: number = new Chain((x) => Math.exp(-x * x), 0, { normal: 1 }).step(rng).from;
 const two = new Chain(([x, y]) => x * y, [1, 1], { box: [1, 1], cube: 0.25 });
@@ -59,5 +60,8 @@ const reservoir = new WeightedReservoir<string>(2);
 reservoir.offer("a", 1, rng);
 export const names: string[] = reservoir.items();
 export const seen: Sample<[number, number]> = drawWithPdf(new Disk(), rng);
+const mixture = new Mixture([new Disk(), new Disk()], [1, 2]);
+export const any: Warp<[number, number], [number, number]> = mixture;
+export const inverse: [number, number] = mixture.invert(mixture.draw(rng), rng.uniform());
 `);
 console.log(`${snippets.length} snippets run`);

@@ -2,8 +2,8 @@
 
 use super::{Class, Golden};
 use microwarp::discrete::{
-    Alias, AliasEntry, Binomial, Cdf, DiscreteGaussian, DiscreteLaplace, LatLongMap,
-    PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, SumTree, WeightedReservoir,
+    self as mw, Alias, AliasEntry, Binomial, Cdf, DiscreteGaussian, DiscreteLaplace, InvertParts,
+    LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, SumTree, WeightedReservoir,
 };
 use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
@@ -96,6 +96,59 @@ where
     found
         .flat_map(|(point, pdf)| [point.bits(), pdf.bits()].concat())
         .collect()
+}
+
+/// Of a mixture a point of each generator with its density and the inverse by a uniform, and both points with their densities;
+/// and the probabilities of the first parts.
+fn mixed<P: InvertParts<N> + Copy, const N: usize>(parts: P, weights: [f32; N]) -> Vec<u32>
+where
+    P::Point: Bits,
+    P::Uniforms: Bits,
+{
+    let mixture = mw::Mixture::new(parts, &weights).expect("accepted weights");
+    let points = (0..16_u16).flat_map(|i| {
+        let (rng, u) = (|| Pcg32::new((42 + i).into(), 54), f32::from(i) / 16.0);
+        let x = mixture.draw(&mut rng());
+        let inverse = mixture.invert_with(x, u);
+        let both = [
+            mixture.draw_with_pdf(&mut rng()),
+            mixture.sample_with_pdf(inverse),
+        ];
+        let both = both.map(|(x, pdf)| [x.bits(), pdf.bits()].concat()).concat();
+        [x.bits(), mixture.pdf(x).bits(), inverse.bits(), both].concat()
+    });
+    let pmfs = (0..3).map(|part| mixture.pmf(part).to_bits());
+    points.chain(pmfs).collect()
+}
+
+/// Parts of one type and of two, with as many words and not, alone and as many as there may be; warps and tables.
+fn mixtures() -> String {
+    let ok = "accepted parameters";
+    let normal = |mean, deviation| poly::Normal::new(mean, deviation).expect(ok);
+    let peaks = [normal(0.0, 1.0), normal(9.0, 0.1), normal(-3.0, 2.0)];
+    let tail = poly::ExponentialTail::from_rate(1.5).expect(ok);
+    let steps: [f32; 32] = std::array::from_fn(|i| i as f32);
+    let intervals = steps.map(|low| poly::Interval::new(low, 40.0).expect(ok));
+    let ramp = PiecewiseLinear1d::<[u32; 6], _>::new(&WEIGHTS, -3.0, 5.0).expect(ok);
+    let sky = LatLongMap::<Poly, [u32; 2], [[u32; 3]; 2]>::new(&CELLS).expect(ok);
+    let box_of = |low| poly::BoxSurface::new([low; 3], [1.0, 2.0, 3.0]).expect(ok);
+    let disk = [poly::Disk::new()];
+    let directions = (poly::Sphere::new(), poly::CosineHemisphere::new());
+    let shares = [poly::Simplex::<2>::new(), poly::Simplex::new()];
+    list(
+        [
+            mixed(peaks, [0.3, 0.0, 1e-7]),
+            mixed(disk, [7.0]),
+            mixed(directions, [1.0, 2.0]),
+            mixed((tail, poly::Exponential::from_rate(0.5).expect(ok)), [3.0, 1.0]),
+            mixed(intervals, steps.map(|i| (i * 5.0) % 7.0)),
+            mixed((ramp, normal(1.0, 1.0)), [1.0, 1.0]),
+            mixed((poly::Hemisphere::new(), sky), [1.0, 5.0]),
+            mixed([box_of(0.0), box_of(0.9)], [1e-3, 1.0]),
+            mixed(shares, [1.0, 2.0]),
+        ]
+        .concat(),
+    )
 }
 
 /// Indices drawn, and selections by uniforms.
@@ -492,6 +545,7 @@ pub fn json(
             "Alias",
             selections!(Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).expect(ok)),
         ),
+        ("Mixture", mixtures()),
         ("SumTree", changing()),
         ("SumTree of 64 bits", changing_wide()),
         ("WeightedReservoir", streams()),
