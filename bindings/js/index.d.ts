@@ -14,5 +14,8 @@ export { Integers } from "./integers.js";
 export { Mixture } from "./mixture.js";
 export { SumTree } from "./tree.js";
 export { WeightedReservoir } from "./reservoir.js";
+export { LightReservoir, balanceHeuristic, powerHeuristic, roulette } from "./lights.js";
+export { Reflected } from "./lamps.js";
+export type { Gloss, Lamp, LightSample, Reflection, Surface } from "./lamps.js";
 export { Chain } from "./chain.js";
 export type { Saved, Step, Transition } from "./chain.js";

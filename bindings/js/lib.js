@@ -10,6 +10,8 @@ export { Integers } from "./integers.js";
 export { Mixture } from "./mixture.js";
 export { SumTree } from "./tree.js";
 export { WeightedReservoir } from "./reservoir.js";
+export { LightReservoir, balanceHeuristic, powerHeuristic, roulette } from "./lights.js";
+export { Reflected } from "./reflected.js";
 export { LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d } from "./pieces.js";
 export { Pcg32 } from "./source.js";
 export { ByPosition, LatinHypercube, Permutation, Screen, Sobol, Strata } from "./sets.js";

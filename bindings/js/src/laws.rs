@@ -2,9 +2,10 @@
 //! goes whatever else is asked by a kind.
 
 use crate::buffers::Buffers;
+use crate::lights::LIGHTS;
 use crate::parts::{NOT_LINKED, linked};
 use crate::warps::DENSITIES;
-use crate::{counts, rejection};
+use crate::{counts, lights, rejection};
 use microwarp::Error;
 
 const COUNTS: bool = linked("counts");
@@ -61,7 +62,7 @@ pub unsafe extern "C" fn law(
 }
 
 /// Asks a law: see `counts::asked` and `rejection::asked`, whose words are drawn where `random` is above 0; or, by the last kind,
-/// whether the module hands over densities with samples. What is not linked is 0.
+/// whether the module hands over densities with samples; and `lights::asked` of the kinds between. What is not linked is 0.
 ///
 /// # Safety
 /// `law` has written it by this kind, as `asked` says.
@@ -78,6 +79,9 @@ pub unsafe extern "C" fn ask(
     unsafe {
         match kind {
             DENSITIES_KIND => DENSITIES.into(),
+            LAST..DENSITIES_KIND if LIGHTS => {
+                lights::asked(kind, what, law, buffers, count, random)
+            }
             FIRST..LAST if REJECTIONS => {
                 rejection::asked(kind.wrapping_sub(FIRST), what, law, buffers, random > 0)
             }

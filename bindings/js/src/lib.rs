@@ -12,6 +12,7 @@ mod counts;
 mod flat;
 mod frames;
 mod laws;
+mod lights;
 mod mixture;
 mod parts;
 mod rejection;

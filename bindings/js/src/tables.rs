@@ -2,6 +2,7 @@
 
 use crate::buffers::{Arrays, Buffers};
 use crate::flat::{get, put};
+use crate::lights::LIGHTS;
 use crate::mixture::{self, MIXTURES, kind};
 use crate::parts::{NOT_LINKED, linked};
 use crate::warps::{DRAW, SAMPLE, all};
@@ -10,21 +11,23 @@ use microwarp::Error;
 use microwarp::discrete::{
     Alias, AliasEntry, Cdf, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, Selection,
 };
-use microwarp::poly::LatLongMap;
+use microwarp::poly::{GgxVisible, LatLongMap, Reflected};
 use microwarp_js_hot::{by_alias, by_cdf};
 
 /// Tables of indices, and densities made of pieces.
 const INDICES: bool = linked("indices");
 const PIECES: bool = linked("pieces");
 
-/// The kind of a mixture.
+/// The kinds of a mixture and of reflections, whose normals are the table.
 const MIXTURE: u32 = 6;
+const REFLECTED: u32 = 7;
 
 /// Whether the module has tables of a kind.
 const fn has(kind: u32) -> bool {
     match kind {
         0 | 1 => INDICES,
         MIXTURE => MIXTURES,
+        REFLECTED => LIGHTS,
         _ => PIECES,
     }
 }
@@ -35,6 +38,7 @@ pub const fn kind_of(table: u32) -> Option<u8> {
         2 | 3 => Some(kind::<PiecewiseConstant1d<&[u32]>>()),
         4 => Some(kind::<PiecewiseConstant2d<&[u32], &[u32]>>()),
         5 => Some(kind::<LatLongMap<&[u32], &[u32]>>()),
+        REFLECTED => Some(kind::<Reflected>()),
         _ => None,
     }
 }
@@ -197,11 +201,15 @@ pub unsafe extern "C" fn look_up(
     }
 }
 
-/// The same for a density made of pieces.
+/// The same for a density made of pieces, and for reflections.
 ///
 /// # Safety
 /// As for [`look_up`].
 pub unsafe fn piece(kind: u32, what: u32, table: *mut Head, arrays: Arrays) {
+    if kind == REFLECTED && LIGHTS {
+        // SAFETY: as the caller says.
+        return unsafe { all(&Reflected::new(*table.cast::<GgxVisible>()), what, arrays) };
+    }
     if !PIECES {
         return;
     }

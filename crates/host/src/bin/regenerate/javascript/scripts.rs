@@ -22,10 +22,25 @@ pub fn reasons() -> Outcome<String> {
 const HEAD: &str =
     "by `cargo regenerate` from crates/list/src/warps.rs and the documentation in src.";
 
+/// The classes that have more than a warp has: by which function of `lamps.js` they are made, with what in front, and of which
+/// interface in `lamps.d.ts` they are.
+fn more(class: &Class) -> Option<(&'static str, &'static str, &'static str)> {
+    Some(match class.name.as_str() {
+        "VisibleSphere" => ("lamp", "33, ", "Lamp"),
+        "SphericalTriangle" => ("lamp", "34, ", "Lamp"),
+        "SphericalRectangle" => ("lamp", "35, ", "Lamp"),
+        "GgxVisible" => ("gloss", "", "Gloss"),
+        "Ggx" => ("surface", "", "Surface"),
+        _ => return None,
+    })
+}
+
 /// The table of the classes: number of the class and of its first constructor; uniforms, numbers of a point, words of a
 /// draw; and the constructors with the numbers of their parameters.
 pub fn table(classes: &[Class]) -> String {
-    let mut text = format!("// The warps, {HEAD}\nimport {{ warp }} from \"./warp.js\";\n\n");
+    let mut text = format!(
+        "// The warps, {HEAD}\nimport {{ gloss, lamp, surface }} from \"./lamps.js\";\nimport {{ warp }} from \"./warp.js\";\n\n"
+    );
     let mut first = 0;
     for (class, number) in classes.iter().zip(0..) {
         let constructors = class.constructors.iter().map(|constructor| {
@@ -35,12 +50,13 @@ pub fn table(classes: &[Class]) -> String {
         });
         let constructors: Vec<String> = constructors.collect();
         text += &format!(
-            "export const {0} = /*#__PURE__*/ warp(\"{0} {1}\", {number}, {first}, {2}, {3}, {4});\n",
+            "export const {0} = /*#__PURE__*/ {5}\"{0} {1}\", {number}, {first}, {2}, {3}, {4});\n",
             class.name,
             constructors.join(" "),
             class.uniforms,
             class.numbers,
             class.words,
+            more(class).map_or("warp(".into(), |(made, kind, _)| format!("{made}({kind}")),
         );
         first += class.constructors.len();
     }
@@ -75,14 +91,18 @@ fn signature(constructor: &Constructor) -> String {
 }
 
 pub fn typings(classes: &[Class]) -> Outcome<String> {
-    let mut text =
-        format!("// The warps, {HEAD}\nimport {{ Vector2, Vector3, Warp }} from \"./warp.js\";\n");
+    let mut text = format!(
+        "// The warps, {HEAD}\nimport {{ Gloss, Lamp, Surface }} from \"./lamps.js\";\nimport {{ Vector2, Vector3, Warp }} from \"./warp.js\";\n"
+    );
     for class in classes {
         let (docs, names) = (Docs::of(class.block)?, Names::of(class, classes));
         names.control()?;
         let (point, uniforms) = (numbers(class.numbers), numbers(class.uniforms));
+        let more = more(class).map_or(String::new(), |(_, _, of)| {
+            format!("\nexport interface {} extends {of} {{}}\n", class.name)
+        });
         text += &format!(
-            "\n{}export declare class {} extends Warp<{point}, {uniforms}> {{\n",
+            "{more}\n{}export declare class {} extends Warp<{point}, {uniforms}> {{\n",
             docs.class(&names)?,
             class.name
         );
