@@ -106,12 +106,14 @@ const due_of = (warp, key) => {
     fill: [points(n), source()], map: [uniforms(n), points(n)], pdfs: [points(n), into(1)(n)], inverts: [points(n), uniforms(n)],
   }[key];
 };
-// And what a function takes, or a mixture.
+// And what a function takes, or a class that is hard to meet.
 const due_of_function = (of) => {
   const [warp, n] = [one_of(of_class(Warp)), random(3000)];
   const array = (each) => new Float32Array(each * n);
   return {
     Mixture: [Array(1 + n % 3).fill(warp), Array.from({ length: 1 + n % 3 }, () => random(3))],
+    balanceHeuristic: [Array(2).fill(random(9)), [random(9), NaN], random(2)], powerHeuristic: [[1, random(9)], new Float32Array(2), random(2)],
+    roulette: [random(100) / 100, source()], LightReservoir: [], Reflected: [new microwarp.GgxVisible([0, 0, 1], [0.5, 0.5])],
     drawWithPdf: [warp, source()], sampleWithPdf: [warp, due_of(warp, "sample")[0]],
     fillWithPdf: [warp, array(warp.dimensions), array(1), source()], mapWithPdf: [warp, array(warp.uniforms), array(warp.dimensions), array(1)],
   }[of] ?? given();
@@ -164,7 +166,7 @@ for (let call = 0; call < calls; call += 1) {
     const parameters = given();
     // What has no prototype is a function.
     const plain = Class.prototype === undefined;
-    if ((plain || of === "Mixture") && random(2)) parameters.splice(0, 9, ...due_of_function(of));
+    if ((plain || ["Mixture", "LightReservoir", "Reflected"].includes(of)) && random(2)) parameters.splice(0, 9, ...due_of_function(of));
     const made = attempt(name, () => (maker ? Class[maker](...parameters) : plain ? Class(...parameters) : new Class(...parameters)));
     if (typeof made === "object" && !plain) live.push(made);
   } else {

@@ -44,19 +44,24 @@ test("every class gives the bits of the golden table", () => {
   console.log(`${cases.length} cases of ${names.size} classes`);
 });
 
-// Of `Mixture of three`, and of the same with another weight.
-const of_three = (weights) => {
-  const { Interval, Mixture } = microwarp;
-  const mixture = new Mixture([new Interval(0, 1), new Interval(0.5, 2), new Interval(-1e30, 1e30)], weights);
-  return Array.from({ length: 16 }, (_, input) => {
-    const point = input < uniforms.length ? mixture.sample(floats(uniforms[input])[0]) : mixture.draw(new Pcg32(0x5eed + input, 54));
-    return `poly Mixture of three #${input},${words(point, mixture.pdf(point), mixture.invert(point, 0.25)).map(hex).join(",")}`;
-  }).filter((line) => !table.includes(`${line}\n`)).length;
-};
+// How many lines of a subject that is made of other warps are not those of the table.
+const composed = (name, warp) => Array.from({ length: 16 }, (_, input) => {
+  const point = input < uniforms.length
+    ? warp.sample(one_or_all(floats(uniforms[input]).slice(0, warp.uniforms)))
+    : warp.draw(new Pcg32(0x5eed + input, 54));
+  return `poly ${name} #${input},${words(point, warp.pdf(point), warp.invert(point, 0.25)).map(hex).join(",")}`;
+}).filter((line) => !table.includes(`${line}\n`)).length;
 
-test("a mixture gives the bits of the golden table, and not those of another", () => {
-  assert.equal(of_three([0.3, 0, 1e-7]), 0);
-  assert.ok(of_three([0.3, 0, 2e-7]) > 5);
+test("mixtures and reflections give the bits of the golden table, and not those of others", () => {
+  const { CosineHemisphere, GgxVisible, Interval, Mixture, Reflected } = microwarp;
+  const parts = [new Interval(0, 1), new Interval(0.5, 2), new Interval(-1e30, 1e30)];
+  assert.equal(composed("Mixture of three", new Mixture(parts, [0.3, 0, 1e-7])), 0);
+  assert.ok(composed("Mixture of three", new Mixture(parts, [0.3, 0, 2e-7])) > 5);
+  const gloss = new Reflected(new GgxVisible([0.6, 0, 0.8], [0.3, 0.3]));
+  const bounded = GgxVisible.bounded([0.6, -0.7, 0.1], [0.05, 1]);
+  assert.deepEqual([composed("Reflected 0.3", gloss), composed("Reflected bounded", new Reflected(bounded))], [0, 0]);
+  assert.ok(composed("Reflected bounded", new Reflected(new GgxVisible([0.6, -0.7, 0.1], [0.05, 1]))) > 5);
+  assert.equal(composed("Mixture lobes", new Mixture([new CosineHemisphere(), gloss], [1, 2])), 0);
 });
 
 test("a table in which one bit is changed is rejected", () => {
@@ -131,6 +136,27 @@ const streams = () => {
   assert.deepEqual(even.items(), whole.items());
   return [...parts, ...whole.items()];
 };
+const lights = () => {
+  const [words, found, [one, two]] = [rng(), [], [0, 1].map(() => new microwarp.LightReservoir())];
+  const held = (of) => found.push(of.item ?? 2 ** 32 - 1, of.count, ...bits([of.target, of.contribution]));
+  for (let i = 0; i < 60; i += 1) {
+    const target = i * 7 % 11 * Math.fround([1, 1e30, 1e-30][Math.floor(i / 7) % 3]);
+    const of = i % 4 === 0 ? two : one;
+    found.push(Number(of.offer(i, target, [0.5, 1e-20, 3e5][i % 3], words)));
+    held(of);
+  }
+  for (const limit of [7, 1_000_000_000, 0]) {
+    found.push(Number(two.absorb(one, 0.25, words)));
+    held(two);
+    two.normalise(5);
+    held(two);
+    one.cap(limit);
+    held(one);
+  }
+  return found;
+};
+// Uniforms in range and out of it.
+const PAIRS = [[0.25, 0.5], [0, 0], [0.9, 0.999], [NaN, 2]];
 const successes = () => {
   const words = rng();
   return [new Binomial(100, 0.3), Binomial.fromRatio(1000, 1, 20)].flatMap((law) => [
@@ -188,6 +214,38 @@ const actual = {
   SumTree: changing,
   "SumTree of 64 bits": changing_wide,
   WeightedReservoir: streams,
+  LightReservoir: lights,
+  lamps: () => {
+    const corners = [[-0.6, -0.5, 0.8], [0.7, -0.4, 0.9], [0.1, 0.8, 0.6]];
+    return [
+      new microwarp.VisibleSphere([0, 0, 0], [0, 3, 4], 0.5), new microwarp.VisibleSphere([1, 2, -2], [0.1, 0, 0], 3),
+      new microwarp.SphericalTriangle([0, 0, 0], corners), new microwarp.SphericalRectangle([0, 0, 0], corners[0], [[1.2, 0.1, 0.1], [-0.1, 1, 0.2]]),
+    ].flatMap((lamp) => {
+      const words = rng();
+      const seen = [...Array.from({ length: 4 }, () => lamp.drawLight(words)), ...PAIRS.map((u) => lamp.sampleLight(u))];
+      return bits([lamp.density, ...seen.map(({ direction, distance, pdf, place }) => [direction, distance, pdf, place])]);
+    });
+  },
+  reflections: () => {
+    const alpha = [0.05, 0.8];
+    const surface = new microwarp.Ggx(alpha);
+    return [new microwarp.GgxVisible([0.6, 0, 0.8], alpha), microwarp.GgxVisible.bounded([0.5, -0.7, 0.1], alpha)].flatMap((gloss) => {
+      const words = rng();
+      const bounces = [...Array.from({ length: 4 }, () => gloss.drawReflection(words)), ...PAIRS.map((u) => gloss.reflect(u))];
+      const figures = ({ normal, direction, pdf }) => [
+        normal, direction, pdf, gloss.reflectedPdf(normal), gloss.unmasked(direction), gloss.visibility(direction), surface.distribution(normal),
+      ];
+      return [...bits([...bounces.map(figures), gloss.g1]), ...with_densities(new microwarp.Reflected(gloss))];
+    });
+  },
+  techniques: () => {
+    const [words, counts, found] = [rng(), [1, 2 ** 20, 7], []];
+    for (const densities of [[1, 3, 0.25], [3e38, 1e30, 1e38], [1e-38, 1e-44, 0], [NaN, Infinity, 1], [-1, 0, 0]]) {
+      for (const own of [0, 1, 2]) found.push(microwarp.balanceHeuristic(counts, densities, own), microwarp.powerHeuristic(Uint32Array.from(counts), Float32Array.from(densities), own));
+    }
+    for (let i = 0; i < 8; i += 1) for (const chance of [0.25, 1e-5, 0.95, 1, 2, NaN, -1, 0]) found.push(microwarp.roulette(chance, words) ?? 0);
+    return bits(found);
+  },
   Binomial: successes,
   BinomialRejection: () => {
     const [law, words] = [new BinomialRejection(1_000_000, 0.3), rng()];

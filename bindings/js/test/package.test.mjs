@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import * as microwarp from "microwarp";
 
-const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, Mixture, Normal, Pcg32, Screen, Sobol, Strata, SumTree, Warp, WeightedReservoir, drawWithPdf, fillWithPdf, mapWithPdf, sampleWithPdf } = microwarp;
+const { Alias, Binomial, BinomialRejection, Cdf, Chain, Disk, Exponential, Frame, Integers, LatinHypercube, LightReservoir, Mixture, Normal, Pcg32, Screen, Sobol, Strata, SumTree, Warp, WeightedReservoir, balanceHeuristic, drawWithPdf, fillWithPdf, mapWithPdf, powerHeuristic, roulette, sampleWithPdf } = microwarp;
 const classes = Object.values(microwarp).filter((value) => value.prototype instanceof Warp);
 const { golden } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const made = (name, maker, given) => (maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given));
@@ -280,6 +280,98 @@ test("a mixture picks by weight, fills as it draws, and refuses what is none", (
     }
   }
   assert.deepEqual(drawWithPdf(new Mixture([new Wide(0, 1)], [1]), new Pcg32(5)).pdf, 1);
+});
+
+test("a reservoir of lights estimates the sum, merged too, and not without its contribution", () => {
+  const [rng, lamps] = [new Pcg32(11), [1, 5, 0, 2, 9, 3]];
+  const [table, light] = [new Cdf([1, 1, 1, 1, 2, 2]), (lamp) => lamps[lamp] * (1 + lamp % 2)];
+  const due = lamps.reduce((sum, _, lamp) => sum + light(lamp), 0);
+  const stream = () => {
+    const held = new LightReservoir();
+    for (let i = 0; i < 4; i += 1) {
+      const lamp = table.draw(rng);
+      held.offer(lamp, lamps[lamp], table.pmf(lamp), rng);
+    }
+    return held;
+  };
+  const [runs, sums, squares] = [20000, [0, 0], [0, 0]];
+  let merged = 0;
+  for (let run = 0; run < runs; run += 1) {
+    const [held, other] = [stream(), stream()];
+    // By the inverse of the density alone, as if the first candidate were the sample.
+    const wrong = held.item === undefined ? 0 : light(held.item) / table.pmf(held.item);
+    const right = held.item === undefined ? 0 : light(held.item) * held.contribution;
+    [right, wrong].forEach((x, i) => { sums[i] += x; squares[i] += x * x; });
+    held.absorb(other, other.target, rng);
+    assert.equal(held.count, 8);
+    merged += held.item === undefined ? 0 : light(held.item) * held.contribution;
+  }
+  // Six standard errors of the mean of one stream, and so for that of two.
+  const apart = (sum, i) => Math.abs(sum / runs - due) / Math.sqrt((squares[i] / runs - (sums[i] / runs) ** 2) / runs);
+  assert.ok(apart(sums[0], 0) < 6 && apart(merged, 0) < 6, `${sums[0] / runs} ${merged / runs} of ${due}`);
+  assert.ok(apart(sums[1], 1) > 6, `${sums[1] / runs}`);
+});
+
+test("what is wrong of lights is refused, and draws and changes nothing", () => {
+  const [rng, held, other] = [new Pcg32(3), new LightReservoir(), new LightReservoir()];
+  held.offer("a", 2, 0.5, rng);
+  other.offer("b", 1, 1, rng);
+  const shown = (of) => [of.item, of.count, of.target, of.contribution];
+  const [before, due] = [rng.state, [shown(held), shown(other)]];
+  assert.deepEqual(due, [["a", 1, 2, 2], ["b", 1, 1, 1]]);
+  for (const [target, density, code] of [[NaN, 1, 1], [Infinity, 1, 1], [1e39, 1, 1], [-1, 1, 6], [1, 0, 5], [1, -1, 5], [1, NaN, 1], [1, 1e-50, 5]]) {
+    assert.throws(() => held.offer("c", target, density, rng), refused(code), `${target} ${density}`);
+  }
+  for (const [target, code] of [[NaN, 1], [-1, 6]]) assert.throws(() => held.absorb(other, target, rng), refused(code));
+  for (const wrong of ["1", undefined, null, 7n, {}]) {
+    assert.throws(() => held.offer("c", wrong, 1, rng), TypeError);
+    assert.throws(() => held.offer("c", 1, wrong, rng), TypeError);
+    assert.throws(() => held.absorb(other, wrong, rng), TypeError);
+    assert.throws(() => held.absorb(wrong, 1, rng), { name: "TypeError", message: /^a LightReservoir is expected, not / });
+    assert.throws(() => held.offer("c", 1, 1, wrong), { name: "TypeError", message: /a generator such as/ });
+    assert.throws(() => held.absorb(other, 1, wrong), TypeError);
+    assert.throws(() => held.cap(wrong), TypeError);
+    assert.throws(() => roulette(wrong, rng), TypeError);
+    assert.throws(() => roulette(0.5, wrong), TypeError);
+  }
+  for (const own of [-1, 2, 0.5]) assert.throws(() => balanceHeuristic([1, 1], [1, 1], own), { name: "RangeError", message: /^own: / });
+  for (const counts of [[], Array(4097).fill(1), [1, -1], [0.5, 1], [1, 2 ** 32]]) assert.throws(() => powerHeuristic(counts, counts, 0), RangeError);
+  for (const densities of [undefined, [1], [1, 2, 3], ["1", 2], 1]) assert.throws(() => balanceHeuristic([1, 1], densities, 0), TypeError);
+  assert.deepEqual([rng.state, shown(held), shown(other)], [before, ...due]);
+  assert.equal(held.offer("d", 0, 1, rng), false);
+  held.absorb(held, held.target, rng);
+  assert.deepEqual(shown(held), ["a", 4, 2, 1]);
+  held.cap(0);
+  assert.deepEqual(shown(held), [undefined, 0, 0, 0]);
+
+  const [lamp, gloss, disk] = [new microwarp.VisibleSphere([0, 0, 0], [0, 0, 5], 1), new microwarp.GgxVisible([0, 0, 1], [0.2, 0.2]), new Disk()];
+  assert.deepEqual(lamp.sampleLight([0.25, 0.5]).direction, lamp.sample([0.25, 0.5]));
+  assert.deepEqual(lamp.drawLight(new Sobol(4)).direction, lamp.sample([...new Sobol(4).words(new Uint32Array(2), 2)].map((word) => (word >>> 8) / 2 ** 24)));
+  for (const wrong of [0.5, [0.5], [0, 0, 0], ["0", 0], undefined]) {
+    for (const use of [() => lamp.sampleLight(wrong), () => gloss.reflect(wrong)]) assert.throws(use, TypeError);
+  }
+  for (const use of [() => lamp.drawLight({}), () => gloss.drawReflection(), () => gloss.reflectedPdf([1, 0]), () => gloss.unmasked(1), () => gloss.visibility("abc"), () => new microwarp.Ggx([0.2, 0.2]).distribution([])]) assert.throws(use, TypeError);
+  // Members of one class are no members of another.
+  const { drawLight } = lamp;
+  for (const value of [disk, gloss, {}, new microwarp.SphericalRectangle([0, 0, 0], [0, 0, 1], [[1, 0, 0], [0, 1, 0]])]) assert.throws(() => drawLight.call(value, new Pcg32(1)), { name: "TypeError", message: /^a VisibleSphere is expected, not / });
+  for (const value of [undefined, lamp, {}]) assert.throws(() => new microwarp.Reflected(value), { name: "TypeError", message: /^a GgxVisible is expected, not / });
+  assert.equal(microwarp.GgxVisible.name, "GgxVisible");
+});
+
+test("weights of techniques and of what goes on keep the mean, and a weight by the chance itself does not", () => {
+  const [counts, densities] = [[1, 2, 5], [0.3, 1.7, 0.01]];
+  for (const heuristic of [balanceHeuristic, powerHeuristic]) {
+    const sum = [0, 1, 2].reduce((sum, own) => sum + heuristic(counts, densities, own), 0);
+    assert.ok(Math.abs(sum - 1) < 3e-7, `${sum}`);
+  }
+  assert.ok(powerHeuristic(counts, densities, 1) > balanceHeuristic(counts, densities, 1));
+  // The chance that words realise is a little more than p.
+  const [p, rng] = [Math.fround(1e-5), new Pcg32(2)];
+  const realised = Math.ceil(p * 2 ** 32) / 2 ** 32;
+  let by;
+  for (let i = 0; i < 2e6 && by === undefined; i += 1) by = roulette(1e-5, rng);
+  assert.ok(Math.abs(by * realised - 1) < 6e-8 && Math.abs(by * p - 1) > 6e-8, `${by}`);
+  assert.deepEqual([roulette(1, rng), roulette(7, rng), roulette(0, rng), roulette(-1, rng), roulette(NaN, rng)], [1, 1, undefined, undefined, undefined]);
 });
 
 test("a generator goes on where it was, and two do not disturb each other", () => {

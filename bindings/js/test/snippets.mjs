@@ -28,11 +28,14 @@ const typed = ["js", "js worker", "js page", "js config", "ts"].flatMap(of);
 typed.forEach((text, i) => writeFileSync(`typed/snippet${i}.ts`, text));
 writeFileSync("index.html", of("html")[0]);
 mkdirSync("wrong");
-writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, Integers, Mixture, Normal, Pcg32, SumTree, drawWithPdf, sampleWithPdf } from "microwarp";
+writeFileSync("wrong/wrong.ts", `import { Chain, Disk, Exponential, GgxVisible, Integers, LightReservoir, Mixture, Normal, Pcg32, Reflected, SumTree, drawWithPdf, sampleWithPdf } from "microwarp";
 new Normal("0", 1); // wrong
 sampleWithPdf(new Disk(), 0.5); // wrong
 drawWithPdf(Disk, new Pcg32()); // wrong
 new Mixture([new Disk(), new Normal(0, 1)], [1, 1]); // wrong
+new LightReservoir<string>().offer(1, 1, 1, new Pcg32()); // wrong
+new GgxVisible([0, 0, 1], [1, 1]).reflect(0.5); // wrong
+new Reflected(new Disk()); // wrong
 new Exponential(1); // wrong
 new Disk().sample(0.5); // wrong
 new Disk().fill([0, 0], new Pcg32()); // wrong
@@ -43,7 +46,7 @@ new SumTree([1n, 2n]).set(0, 1); // wrong
 new Integers(0n, 1); // wrong
 export const name: string = new Normal(0, 1).draw(new Pcg32()); // wrong
 `);
-writeFileSync("typed/chains.ts", `import { Chain, Disk, Integers, Mixture, Pcg32, type Sample, type Warp, type Saved, SumTree, WeightedReservoir, drawWithPdf } from "microwarp";
+writeFileSync("typed/chains.ts", `import { Chain, Disk, Integers, type Lamp, LightReservoir, type LightSample, Mixture, Pcg32, type Sample, SphericalTriangle, VisibleSphere, type Warp, type Saved, roulette, SumTree, WeightedReservoir, drawWithPdf } from "microwarp";
 const [rng, dimensions] = [new Pcg32(7), 20];
 export const one: number = new Chain((x) => Math.exp(-x * x), 0, { normal: 1 }).step(rng).from;
 const two = new Chain(([x, y]) => x * y, [1, 1], { box: [1, 1], cube: 0.25 });
@@ -62,6 +65,14 @@ export const names: string[] = reservoir.items();
 export const seen: Sample<[number, number]> = drawWithPdf(new Disk(), rng);
 const mixture = new Mixture([new Disk(), new Disk()], [1, 2]);
 export const any: Warp<[number, number], [number, number]> = mixture;
+const lamps: (Lamp & Warp<[number, number, number], [number, number]>)[] = [
+  new VisibleSphere([0, 0, 0], [0, 0, 5], 1), new SphericalTriangle([0, 0, 0], [[0, 0, 1], [1, 0, 1], [0, 1, 1]]),
+];
+export const place: LightSample = lamps[0]!.drawLight(rng);
+const lights = new LightReservoir<string>();
+lights.offer("a", 1, place.pdf, rng);
+export const light: string | undefined = lights.item;
+export const on: number = roulette(0.5, rng) ?? lamps[1]!.density;
 export const inverse: [number, number] = mixture.invert(mixture.draw(rng), rng.uniform());
 `);
 console.log(`${snippets.length} snippets run`);

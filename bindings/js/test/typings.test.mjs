@@ -25,7 +25,7 @@ test("typings and page name what is there", () => {
 });
 
 test("a name that is not there is seen", () => {
-  const wrong = "`Strata1d.draw`, `GgxVisible.reflectedPdf`, `Oriented`, `new Frames`, `VisibleSphere.sampleSurface()`";
+  const wrong = "`Strata1d.draw`, `GgxVisible.reflectedPdfs`, `Oriented`, `new Frames`, `VisibleSphere.sampleSurface()`";
   assert.equal(missing(wrong).length, 5);
   assert.deepEqual(missing("`Exponential.fromRate`, `new Normal`, `Disk.dimensions`, `Warp.draw`, `Float32Array`"), []);
 });

@@ -3,8 +3,10 @@
 use super::{Class, Golden};
 use microwarp::discrete::{
     self as mw, Alias, AliasEntry, Binomial, Cdf, DiscreteGaussian, DiscreteLaplace, InvertParts,
-    LatLongMap, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d, SumTree, WeightedReservoir,
+    LatLongMap, LightReservoir, PiecewiseConstant1d, PiecewiseConstant2d, PiecewiseLinear1d,
+    SumTree, WeightedReservoir,
 };
+use microwarp::estimate::{balance_heuristic_of, power_heuristic_of, roulette};
 use microwarp::metropolis::{
     BoxStep, Chain, Mixture, Mutation, NormalStep, RandomWalk, WrappedWalk,
 };
@@ -13,7 +15,7 @@ use microwarp::uniform::{
     ByPosition, Chance, LatinHypercube, Permutation, Points, Range, Screen, Sobol, Strata1d,
     Strata2d, grid, shuffle, up_to,
 };
-use microwarp::warp::{Frame, SurfacePoint};
+use microwarp::warp::{Frame, LightSample, Reflected, SurfacePoint};
 use microwarp::{Error, Invert, Warp, poly, tier::Poly};
 use microwarp_host::upkeep::Outcome;
 use rand_pcg::Pcg32;
@@ -114,7 +116,9 @@ where
             mixture.draw_with_pdf(&mut rng()),
             mixture.sample_with_pdf(inverse),
         ];
-        let both = both.map(|(x, pdf)| [x.bits(), pdf.bits()].concat()).concat();
+        let both = both
+            .map(|(x, pdf)| [x.bits(), pdf.bits()].concat())
+            .concat();
         [x.bits(), mixture.pdf(x).bits(), inverse.bits(), both].concat()
     });
     let pmfs = (0..3).map(|part| mixture.pmf(part).to_bits());
@@ -140,7 +144,10 @@ fn mixtures() -> String {
             mixed(peaks, [0.3, 0.0, 1e-7]),
             mixed(disk, [7.0]),
             mixed(directions, [1.0, 2.0]),
-            mixed((tail, poly::Exponential::from_rate(0.5).expect(ok)), [3.0, 1.0]),
+            mixed(
+                (tail, poly::Exponential::from_rate(0.5).expect(ok)),
+                [3.0, 1.0],
+            ),
             mixed(intervals, steps.map(|i| (i * 5.0) % 7.0)),
             mixed((ramp, normal(1.0, 1.0)), [1.0, 1.0]),
             mixed((poly::Hemisphere::new(), sky), [1.0, 5.0]),
@@ -149,6 +156,123 @@ fn mixtures() -> String {
         ]
         .concat(),
     )
+}
+
+/// What a reservoir of lights says.
+fn held(of: &LightReservoir<u32>) -> [u32; 4] {
+    let item = of.item().copied().unwrap_or(u32::MAX);
+    let [target, contribution] = [of.target(), of.contribution()].map(f32::to_bits);
+    [item, of.count(), target, contribution]
+}
+
+/// Two streams of candidates, one capped, normalised and merged into the other.
+fn lights() -> String {
+    let (mut rng, mut found) = (rng(), Vec::new());
+    let [mut one, mut two] = [LightReservoir::new(); 2];
+    for i in 0..60_u16 {
+        let scale = [1.0, 1e30, 1e-30][usize::from(i / 7 % 3)];
+        let target = f32::from(i * 7 % 11) * scale;
+        let density = [0.5, 1e-20, 3e5][usize::from(i % 3)];
+        let of = if i % 4 == 0 { &mut two } else { &mut one };
+        let taken = of.offer(i.into(), target, density, &mut rng);
+        found.push(taken.expect("accepted numbers").into());
+        found.extend(held(of));
+    }
+    for limit in [7, 1_000_000_000, 0] {
+        let taken = two.absorb(one, 0.25, &mut rng);
+        found.push(taken.expect("an accepted target").into());
+        found.extend(held(&two));
+        two.normalise(5);
+        found.extend(held(&two));
+        one.cap(limit);
+        found.extend(held(&one));
+    }
+    list(found)
+}
+
+/// Uniforms in range and out of it.
+const PAIRS: [[f32; 2]; 4] = [[0.25, 0.5], [0.0, 0.0], [0.9, 0.999], [f32::NAN, 2.0]];
+
+fn lamps() -> String {
+    let ok = "an accepted lamp";
+    let seen = |lamp: LightSample| {
+        let ends = [lamp.distance, lamp.pdf, lamp.place[0], lamp.place[1]];
+        [lamp.direction.bits(), ends.bits()].concat()
+    };
+    let mut found = Vec::new();
+    macro_rules! lamp {
+        ($lamp:expr) => {{
+            let (lamp, mut rng) = ($lamp.expect(ok), rng());
+            found.extend(lamp.density().bits());
+            found.extend((0..4).flat_map(|_| seen(lamp.draw_light(&mut rng))));
+            found.extend(PAIRS.into_iter().flat_map(|u| seen(lamp.sample_light(u))));
+        }};
+    }
+    let corners = [[-0.6, -0.5, 0.8], [0.7, -0.4, 0.9], [0.1, 0.8, 0.6]];
+    let edges = [[1.2, 0.1, 0.1], [-0.1, 1.0, 0.2]];
+    lamp!(poly::VisibleSphere::new([0.0; 3], [0.0, 3.0, 4.0], 0.5));
+    lamp!(poly::VisibleSphere::new(
+        [1.0, 2.0, -2.0],
+        [0.1, 0.0, 0.0],
+        3.0
+    ));
+    lamp!(poly::SphericalTriangle::new([0.0; 3], corners));
+    lamp!(poly::SphericalRectangle::new([0.0; 3], corners[0], edges));
+    list(found)
+}
+
+fn reflections() -> String {
+    let (ok, alpha) = ("an accepted surface", [0.05, 0.8]);
+    let surface = poly::Ggx::new(alpha).expect(ok);
+    let glosses = [
+        poly::GgxVisible::new([0.6, 0.0, 0.8], alpha).expect(ok),
+        poly::GgxVisible::bounded([0.5, -0.7, 0.1], alpha).expect(ok),
+    ];
+    let found = glosses.into_iter().flat_map(|gloss| {
+        let mut rng = rng();
+        let mut bounces: Vec<_> = (0..4).map(|_| gloss.draw_reflection(&mut rng)).collect();
+        bounces.extend(PAIRS.map(|u| gloss.reflect(u)));
+        let of = bounces.into_iter().flat_map(|bounce| {
+            let (m, l) = (bounce.normal, bounce.direction);
+            let figures = [
+                bounce.pdf,
+                gloss.reflected_pdf(m),
+                gloss.unmasked(l),
+                gloss.visibility(l),
+                surface.distribution(m),
+            ];
+            [m.bits(), l.bits(), figures.bits()].concat()
+        });
+        let mut of: Vec<u32> = of.collect();
+        of.extend(gloss.g1().bits());
+        of.extend(with_densities(Ok(Reflected::new(gloss))));
+        of
+    });
+    list(found)
+}
+
+/// Weights of three techniques, and what goes on by any chance.
+fn techniques() -> String {
+    let (mut rng, mut found) = (rng(), Vec::new());
+    let counts = [1, 1 << 20, 7];
+    for densities in [
+        [1.0, 3.0, 0.25],
+        [3e38, 1e30, 1e38],
+        [1e-38, 1e-44, 0.0],
+        [f32::NAN, f32::INFINITY, 1.0],
+        [-1.0, 0.0, 0.0],
+    ] {
+        for own in 0..3 {
+            found.extend(balance_heuristic_of(&counts, &densities, own).bits());
+            found.extend(power_heuristic_of(&counts, &densities, own).bits());
+        }
+    }
+    for _ in 0..8 {
+        for chance in [0.25, 1e-5, 0.95, 1.0, 2.0, f32::NAN, -1.0, 0.0] {
+            found.extend(roulette(chance, rng.next_u32()).unwrap_or(0.0).bits());
+        }
+    }
+    list(found)
 }
 
 /// Indices drawn, and selections by uniforms.
@@ -549,6 +673,10 @@ pub fn json(
         ("SumTree", changing()),
         ("SumTree of 64 bits", changing_wide()),
         ("WeightedReservoir", streams()),
+        ("LightReservoir", lights()),
+        ("lamps", lamps()),
+        ("reflections", reflections()),
+        ("techniques", techniques()),
         ("Binomial", successes()),
         ("BinomialRejection", rejected()),
         ("discrete laws", around()),
