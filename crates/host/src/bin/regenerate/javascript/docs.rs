@@ -226,13 +226,15 @@ pub struct Names {
 }
 
 /// What is no class of a warp.
-const OTHERS: [&str; 9] = [
+const OTHERS: [&str; 11] = [
     "Alias",
     "Cdf",
     "LatLongMap",
+    "Mixture",
     "PiecewiseConstant1d",
     "PiecewiseConstant2d",
     "PiecewiseLinear1d",
+    "Reflected",
     "Sobol",
     "SumTree",
     "Warp",
@@ -240,12 +242,22 @@ const OTHERS: [&str; 9] = [
 const METHODS: [&str; 8] = [
     "draw", "sample", "pdf", "invert", "fill", "map", "pdfs", "inverts",
 ];
+/// Methods of Rust that are functions.
+const FUNCTIONS: [&str; 2] = ["sample_with_pdf", "draw_with_pdf"];
+/// What some classes have beside.
+const MEMBERS: [&str; 3] = [
+    "GgxVisible.reflect",
+    "GgxVisible.reflectedPdf",
+    "VisibleSphere.sampleLight",
+];
 /// Code that is no name of the package: types and the tier of the crate, and a word of a formula.
 const WORDS: [&str; 3] = ["f32", "poly", "near"];
 
 impl Names {
     pub fn of(class: &Class, all: &[Class]) -> Self {
         let mut known: BTreeSet<String> = OTHERS.map(String::from).into();
+        known.extend(MEMBERS.map(String::from));
+        known.extend(FUNCTIONS.map(|name| camel(name, false)));
         for class in all {
             known.insert(class.name.clone());
             known.extend(class.constructors.iter().map(|constructor| {
@@ -315,6 +327,9 @@ impl Names {
             None if rust.starts_with(char::is_uppercase) => (rust, ""),
             None => (self.class.as_str(), rust),
         };
+        if FUNCTIONS.contains(&method) {
+            return Some(camel(method, false));
+        }
         let name = match method {
             "" => class.into(),
             "new" => format!("new {class}"),
