@@ -1,4 +1,5 @@
 // The warps, by `cargo regenerate` from crates/list/src/warps.rs and the documentation in src.
+import { Gloss, Lamp, Surface } from "./lamps.js";
 import { Vector2, Vector3, Warp } from "./warp.js";
 
 /**
@@ -66,7 +67,7 @@ export declare class Interval extends Warp<number, number> {
  * `Power.decreasing` from b to a. A sample never steps back from one uniform of the grid to the next.
  *
  * **Density**
- * m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b]; else 0.
+ * m xⁿ/(bᵐ − aᵐ), or 1/(x ln(b/a)) for n = −1, on [a, b]; else 0. `sampleWithPdf` takes it from the uniform.
  *
  * **Domain**
  * - Point: [a, b]; above 0 where the density is 0 or infinite at a = 0.
@@ -927,7 +928,8 @@ export declare class Laplace extends Warp<number, number> {
  * of the tail, which does not cancel at the median.
  *
  * **Density**
- * e^(−t)/(s(1 + e^(−t))²) with t = |x − μ|/s, at least 2⁻¹⁴⁹ for every finite x.
+ * e^(−t)/(s(1 + e^(−t))²) with t = |x − μ|/s, at least 2⁻¹⁴⁹ for every finite x. `sampleWithPdf` takes it from the
+ * uniform, as u(1 − u)/s.
  *
  * **Domain**
  * - Point: drawn samples end at 22.9s on both sides. Uniforms on the 24-bit grid give −16.6s to 16.6s, except u = 0: it
@@ -1032,7 +1034,8 @@ export declare class TruncatedLogistic extends Warp<number, number> {
  * x = μ − β ln(−ln u), increasing with the uniform, by a table of logarithms that takes all digits of a word.
  *
  * **Density**
- * e^(−(t + e^(−t)))/β with t = (x − μ)/β, at least 2⁻¹⁴⁹ for every finite x.
+ * e^(−(t + e^(−t)))/β with t = (x − μ)/β, at least 2⁻¹⁴⁹ for every finite x. `sampleWithPdf` takes it from the uniform,
+ * as −u ln(u)/β.
  *
  * **Domain**
  * - Point: drawn samples lie from −3.13β to 22.9β about the location. Uniforms on the 24-bit grid give −2.81β to 16.6β,
@@ -1130,6 +1133,7 @@ export declare class Rayleigh extends Warp<number, number> {
  *
  * **Density**
  * (κ/λ)(x/λ)^(κ−1) e^(−(x/λ)^κ) for x ≥ 0, else 0. With κ < 1 it is infinite at 0, and the largest `f32` stands for it.
+ * `sampleWithPdf` takes it from the uniform, as κ(1 − u)(−ln(1 − u))/x.
  *
  * **Domain**
  * - Point: drawn samples lie from (1.16e-10)^(1/κ)·λ to 22.9^(1/κ)·λ. Uniforms on the 24-bit grid reach 16.6^(1/κ)·λ; u
@@ -1178,7 +1182,8 @@ export declare class Weibull extends Warp<number, number> {
  * adds to a whole number, and 1/α has nine, so that a small shape, whose power is large, costs few of a sample's.
  *
  * **Density**
- * α m^α/x^(α+1) for x ≥ m, else 0. The mean is finite for α > 1, the variance for α > 2.
+ * α m^α/x^(α+1) for x ≥ m, else 0. The mean is finite for α > 1, the variance for α > 2. `sampleWithPdf` takes it from
+ * the uniform, as α(1 − u)/x.
  *
  * **Domain**
  * - Point: drawn samples lie from m to m·2^(33/α). Uniforms on the 24-bit grid reach m·2^(24/α).
@@ -1836,7 +1841,8 @@ export declare class MalleyHemisphere extends Warp<[number, number, number], [nu
  *
  * **Density**
  * (n + 1)/(2π) cosⁿθ per steradian where z > 0, else 0. Never 0 at a sample. Where z > ½, cos θ is read from all three
- * coordinates, because x and y hold digits that z has lost.
+ * coordinates, because x and y hold digits that z has lost. `sampleWithPdf` takes it from the uniform, as (n + 1)(1 −
+ * u₁)/(2π cos θ).
  *
  * **Domain**
  * - Point: unit vectors with z > 0.
@@ -1963,7 +1969,8 @@ export declare class HenyeyGreenstein extends Warp<[number, number, number], [nu
  * taken of 1 + x or of v + u₁e^(−2κ), whichever keeps the digits: no two heights fall together, however large κ is.
  *
  * **Density**
- * κ/(2π(1 − e^(−2κ))) e^(−κ(1 − cos θ)) per steradian, for any finite direction.
+ * κ/(2π(1 − e^(−2κ))) e^(−κ(1 − cos θ)) per steradian, for any finite direction. `sampleWithPdf` takes it from the
+ * uniforms, without an exponential.
  *
  * **Domain**
  * Unit vectors. For large κ most of them have z = 1, and all the information is in x and y, which `pdf` and `invert`
@@ -1999,6 +2006,8 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
   constructor(kappa: number);
 }
 
+export interface Ggx extends Surface {}
+
 /**
  * Normals of the microfacets of a rough surface, after Trowbridge and Reitz (GGX).
  *
@@ -2007,7 +2016,8 @@ export declare class VonMisesFisher extends Warp<[number, number, number], [numb
  *
  * **Density**
  * D(m) cos θ per steradian for z > 0, with D = 1/(π αx αy ((x/αx)² + (y/αy)² + z²)²). All terms are positive, so that
- * nothing cancels at small roughness.
+ * nothing cancels at small roughness. `sampleWithPdf` takes it from the uniforms, which is cheaper and does not count
+ * the rounding of the normal.
  *
  * **Domain**
  * - Point: unit vectors with z > 0, about the surface normal +z.
@@ -2050,16 +2060,19 @@ export declare class Ggx extends Warp<[number, number, number], [number, number]
   constructor(alpha: Vector2);
 }
 
+export interface GgxVisible extends Gloss {}
+
 /**
  * Normals of GGX microfacets that a viewer sees, in proportion to their visible area.
  *
  * A direction uniform on a spherical cap and the viewer's, both in the space where the surface is a hemisphere, add up
  * to the normal (Dupuy and Benyoub). The azimuth u₂ is counted from the viewer's, so that the sum has no cancellation.
+ * `sampleWithPdf` takes the density from the length of that sum, in which w·m does not cancel either.
  *
  * **Density**
  * `2 (w·m) D(m)/(w_z + ℓ)` per steradian where w·m > 0, with the view w, `ℓ = √(αx² w_x² + αy² w_y² + w_z²)` and D as
- * for `Ggx`. The reflected direction has density `D(m)/(2(w_z + ℓ))`. `GgxVisible.bounded` divides by `k w_z + ℓ`
- * instead, with k ≤ 1.
+ * for `Ggx`. The reflected direction has density `D(m)/(2(w_z + ℓ))`. `GgxVisible.reflectedPdf` gives it.
+ * `GgxVisible.bounded` divides by `k w_z + ℓ` instead, with k ≤ 1.
  *
  * **Domain**
  * - Point: unit vectors with z > 0, about the surface normal +z.
@@ -2186,6 +2199,8 @@ export declare class Cone extends Warp<[number, number, number], [number, number
   static fromSine(sine: number): Cone;
 }
 
+export interface VisibleSphere extends Lamp {}
+
 /**
  * Uniform over the directions in which a sphere is seen from a point: a sphere light, sampled by solid angle.
  *
@@ -2289,6 +2304,8 @@ export declare class SphericalPatch extends Warp<[number, number, number], [numb
   static fromTurns(theta0: number, theta1: number, phi0: number, phi1: number): SphericalPatch;
 }
 
+export interface SphericalTriangle extends Lamp {}
+
 /**
  * Uniform over the directions from a point to a triangle: an area light, sampled by its solid angle.
  *
@@ -2358,6 +2375,8 @@ export declare class SphericalTriangle extends Warp<[number, number, number], [n
    */
   constructor(point: Vector3, vertices: readonly [Vector3, Vector3, Vector3]);
 }
+
+export interface SphericalRectangle extends Lamp {}
 
 /**
  * Uniform over the directions from a point to a rectangle, or any parallelogram: an area light, sampled by its solid

@@ -1,4 +1,5 @@
 // The warps, by `cargo regenerate` from crates/list/src/warps.rs and the documentation in src.
+import { gloss, lamp, surface } from "./lamps.js";
 import { warp } from "./warp.js";
 
 export const Interval = /*#__PURE__*/ warp("Interval new11 decreasing11", 0, 0, 1, 1, 1);
@@ -41,13 +42,13 @@ export const MalleyHemisphere = /*#__PURE__*/ warp("MalleyHemisphere new", 36, 4
 export const PhongLobe = /*#__PURE__*/ warp("PhongLobe new1", 37, 44, 2, 3, 2);
 export const HenyeyGreenstein = /*#__PURE__*/ warp("HenyeyGreenstein new1 fromOneMinusG1 fromOnePlusG1", 38, 45, 2, 3, 2);
 export const VonMisesFisher = /*#__PURE__*/ warp("VonMisesFisher new1", 39, 48, 2, 3, 2);
-export const Ggx = /*#__PURE__*/ warp("Ggx new2", 40, 49, 2, 3, 2);
-export const GgxVisible = /*#__PURE__*/ warp("GgxVisible new32 bounded32", 41, 50, 2, 3, 2);
+export const Ggx = /*#__PURE__*/ surface("Ggx new2", 40, 49, 2, 3, 2);
+export const GgxVisible = /*#__PURE__*/ gloss("GgxVisible new32 bounded32", 41, 50, 2, 3, 2);
 export const Cone = /*#__PURE__*/ warp("Cone fromOneMinusCos1 fromRadians1 fromSine1", 42, 52, 2, 3, 2);
-export const VisibleSphere = /*#__PURE__*/ warp("VisibleSphere new331", 43, 55, 2, 3, 2);
+export const VisibleSphere = /*#__PURE__*/ lamp(33, "VisibleSphere new331", 43, 55, 2, 3, 2);
 export const SphericalPatch = /*#__PURE__*/ warp("SphericalPatch fromTurns1111", 44, 56, 2, 3, 2);
-export const SphericalTriangle = /*#__PURE__*/ warp("SphericalTriangle new39", 45, 57, 2, 3, 2);
-export const SphericalRectangle = /*#__PURE__*/ warp("SphericalRectangle new336", 46, 58, 2, 3, 2);
+export const SphericalTriangle = /*#__PURE__*/ lamp(34, "SphericalTriangle new39", 45, 57, 2, 3, 2);
+export const SphericalRectangle = /*#__PURE__*/ lamp(35, "SphericalRectangle new336", 46, 58, 2, 3, 2);
 export const Aabb2d = /*#__PURE__*/ warp("Aabb2d new22", 47, 59, 2, 2, 2);
 export const Aabb3d = /*#__PURE__*/ warp("Aabb3d new33", 48, 60, 3, 3, 3);
 export const Annulus = /*#__PURE__*/ warp("Annulus new11 sector1111", 49, 61, 2, 2, 2);
