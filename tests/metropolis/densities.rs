@@ -109,17 +109,6 @@ pub fn gap_cells() -> Cells<f32> {
     Cells::uniform(move |x: f32| [((f64::from(x) - 0.5).powi(3) - low) / (0.125 - low)])
 }
 
-pub const STATES: usize = 1000;
-
-pub fn weight_of(i: usize) -> f32 {
-    1.0 + ((i * 389) % 101) as f32
-}
-
-pub fn index_cells() -> Cells<usize> {
-    let weights: Vec<f64> = (0..STATES).map(|i| f64::from(weight_of(i))).collect();
-    Cells::indices(&weights, 20)
-}
-
 /// 1/(1 + x²).
 pub fn cauchy(x: f32) -> f32 {
     1.0 / (1.0 + x * x)
@@ -148,10 +137,8 @@ pub struct Cells<X> {
     pub place: Box<dyn Fn(X) -> Option<[usize; 2]>>,
     /// The exact probabilities of both.
     pub exact: [Vec<f64>; 2],
-    /// Two functions of the state whose autocorrelation is measured.
+    /// Two functions of the state whose autocorrelation is measured: uniforms.
     pub watched: Box<dyn Fn(X) -> [f32; 2]>,
-    /// The exact variance of the first.
-    pub variance: f64,
 }
 
 impl<X: Copy + 'static> Cells<X> {
@@ -186,31 +173,6 @@ impl<X: Copy + 'static> Cells<X> {
                 let u = uniforms(x);
                 [u[0] as f32, u[A - 1] as f32]
             }),
-            variance: 1.0 / 12.0,
-        }
-    }
-}
-
-impl Cells<usize> {
-    /// Indices, each a fine cell, in groups that are spread over them.
-    pub fn indices(weights: &[f64], groups: usize) -> Self {
-        let total: f64 = weights.iter().sum();
-        let fine: Vec<f64> = weights.iter().map(|w| w / total).collect();
-        let mut coarse = vec![0.0; groups];
-        for (i, p) in fine.iter().enumerate() {
-            coarse[i % groups] += p;
-        }
-        let count = weights.len();
-        let moment = |power| -> f64 {
-            let terms = (0..).zip(&fine).map(|(i, p)| p * f64::from(i).powi(power));
-            terms.sum()
-        };
-        let variance = moment(2) - moment(1).powi(2);
-        Self {
-            place: Box::new(move |i| (i < count).then_some([i % groups, i])),
-            exact: [coarse, fine],
-            watched: Box::new(|i| [i as f32, (i % 7) as f32]),
-            variance,
         }
     }
 }

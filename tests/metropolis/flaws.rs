@@ -13,9 +13,6 @@ use microwarp::metropolis::{
 use rand_core::TryRng;
 use rand_pcg::Pcg32;
 
-/// The p-values of right chains here, computed beside the wrong ones': two of one chain, and three of each of four.
-pub const P_VALUES: usize = 14;
-
 /// Seeds of their own; the same plan as the right chains.
 pub fn p_values(subject: &Subject) -> [f64; 3] {
     subject.run(77).p_values

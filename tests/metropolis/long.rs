@@ -8,9 +8,6 @@ use microwarp::metropolis::{
 };
 use rand_pcg::Pcg32;
 
-/// The p-values that are computed in this file: four of the normalisation and two of cells.
-pub const P_VALUES: usize = 6;
-
 /// The steps of the full form.
 const FULL: u64 = 100_000_000;
 

@@ -160,7 +160,7 @@ pub fn run<X: Copy>(plan: &Plan, cells: &Cells<X>, start: &Start<X>, seed: u64) 
         p_values,
         times,
         exact_times,
-        batch_time: steps * variance(&means) / cells.variance,
+        batch_time: 12.0 * steps * variance(&means),
         cell_time: of_cells.fold(0.0, f64::max),
         thin,
         accepted: moved as f64 / (plan.batches as f64 * steps),

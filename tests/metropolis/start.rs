@@ -6,18 +6,6 @@ use microwarp::metropolis::{BoxStep, Chain, UniformStep};
 use rand_pcg::Pcg32;
 use std::sync::OnceLock;
 
-/// No fewer than the p-values that are computed here; `p_values_are_counted` counts them.
-pub const P_VALUES: usize = 120;
-
-#[test]
-fn p_values_are_counted() {
-    // Two functions at each length of a run, of each count of candidates and of the long burn-in; one
-    // comparison of burn-ins; then the mean weights.
-    let lengths = 2 * LENGTHS.len() * (CANDIDATES.len() + 1);
-    let computed = lengths + 1 + CANDIDATES.len();
-    assert!(computed <= P_VALUES, "{computed}");
-}
-
 /// (x − ½)² between ¼ and 1: two humps of 1/9 and 8/9 of the mass, and nothing below.
 pub fn humps(x: f32) -> f32 {
     if (0.25..1.0).contains(&x) {

@@ -1,14 +1,14 @@
 //! The chains under test: every mutation, over targets of all kinds.
 
 use crate::densities::*;
-use crate::own::{multiply, neighbour};
+use crate::own::multiply;
 use crate::runs::{FULL, Outcome, Plan, Seen, Walk, plan, run};
 use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TargetDensity,
-    Transition, UniformIndex, UniformStep, WrappedWalk, primary_density,
+    Transition, UniformStep, WrappedWalk, primary_density,
 };
-use microwarp::{Warp, discrete::Cdf, libm, poly};
+use microwarp::{Warp, libm, poly};
 use rand_pcg::Pcg32;
 use std::rc::Rc;
 
@@ -249,20 +249,8 @@ fn in_the_plane() -> Vec<Subject> {
     ]
 }
 
-fn of_indices() -> Vec<Subject> {
-    let shape: [f32; STATES] = std::array::from_fn(|i| 20.0 + (i % 50) as f32);
-    let table = Independence::new(Cdf::<[u32; STATES]>::new(&shape).unwrap());
-    let any = UniformIndex::new(STATES as u32).unwrap();
-    let mixed = Mixture::new((any, table, neighbour(STATES)), &[1.0, 1.0, 1.0]).unwrap();
-    vec![
-        chain("indices, uniform", index_cells(), 0, weight_of, any),
-        chain("indices, table", index_cells(), 0, weight_of, table),
-        chain("indices, mixture", index_cells(), 0, weight_of, mixed),
-    ]
-}
-
 pub fn all() -> Vec<Subject> {
-    [on_the_line(), in_the_plane(), of_indices()]
+    [on_the_line(), in_the_plane()]
         .into_iter()
         .flatten()
         .collect()
