@@ -18,7 +18,7 @@ fn acceptance(chain: &Enumerated<f32>, from: usize, to: usize) -> f32 {
     let all: Vec<f32> = chain.paths[from]
         .iter()
         .filter(|p| p.to == to)
-        .map(|p| p.acceptance)
+        .map(|p| f32::from_bits(p.acceptance as u32))
         .collect();
     assert_eq!(all.len(), 1, "one way from {from} to {to}");
     all[0]

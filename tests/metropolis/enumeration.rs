@@ -4,9 +4,9 @@
 //! same form runs, whose ends are found by galloping and halving; so is the number of decision words that
 //! accept. What galloping takes for granted is then asked of random words.
 
-use super::weighed::Weighed;
+use super::weighed::{Bits, Weighed};
 use host::generators::{Counting, Cycle};
-use microwarp::metropolis::{Chain, Mutation, Outcome, Transition};
+use microwarp::metropolis::{Chain, Mutation, Outcome, TargetValue, Transition};
 use num_bigint::BigUint;
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -31,49 +31,15 @@ impl Words {
 
 /// All words that propose one thing.
 #[derive(Clone, Debug)]
-pub struct Path<A = f32> {
+pub struct Path {
     pub to: usize,
     pub kind: u32,
     /// How many words, of 2^96.
     pub proposals: BigUint,
-    /// The acceptance, as the step reports it.
-    pub acceptance: A,
+    /// The bits of the acceptance that the step reports: of integer weights, how many words accept.
+    pub acceptance: u64,
     /// How many decision words accept, of 2^32.
     pub accepted: u64,
-}
-
-impl<A> Path<A> {
-    /// The same path with its acceptance in other terms.
-    pub fn saying<B>(self, terms: impl Fn(A) -> B) -> Path<B> {
-        Path {
-            to: self.to,
-            kind: self.kind,
-            proposals: self.proposals,
-            acceptance: terms(self.acceptance),
-            accepted: self.accepted,
-        }
-    }
-}
-
-/// Row i and column j of the matrix, in units of 2^-128.
-pub fn exact<A>(paths: &[Vec<Path<A>>], i: usize, j: usize) -> BigUint {
-    let mut sum = BigUint::ZERO;
-    for path in &paths[i] {
-        let all = 1_u64 << 32;
-        if path.to == j {
-            sum += &path.proposals * path.accepted;
-        }
-        if i == j {
-            sum += &path.proposals * (all - path.accepted);
-        }
-    }
-    sum
-}
-
-/// How many of 2^96 words of the mutation of this kind propose j from i.
-pub fn proposals<A>(paths: &[Vec<Path<A>>], kind: u32, i: usize, j: usize) -> BigUint {
-    let of = |p: &&Path<A>| p.kind == kind && p.to == j;
-    paths[i].iter().filter(of).map(|p| &p.proposals).sum()
 }
 
 /// A number of up to some hundred bits, rounded.
@@ -84,11 +50,7 @@ pub fn rounded(x: &BigUint) -> f64 {
 }
 
 /// Words from `first` to `last` in runs of the same key, by galloping and halving.
-pub fn runs<K: PartialEq>(first: u64, last: u64, key: impl Fn(u64) -> K) -> Vec<(K, u64, u64)> {
-    runs_of(first, last, &key)
-}
-
-fn runs_of<K: PartialEq>(first: u64, last: u64, key: &dyn Fn(u64) -> K) -> Vec<(K, u64, u64)> {
+pub fn runs<K: PartialEq>(first: u64, last: u64, key: &dyn Fn(u64) -> K) -> Vec<(K, u64, u64)> {
     let (mut runs, mut start) = (Vec::new(), first);
     loop {
         let own = key(start);
@@ -121,7 +83,8 @@ fn runs_of<K: PartialEq>(first: u64, last: u64, key: &dyn Fn(u64) -> K) -> Vec<(
 }
 
 /// Takes a real step from a state with some words, and says how many of them it took.
-type Take<'a, D> = dyn Fn(usize, &[u32]) -> (Transition<usize, D, <D as Weighed>::Share>, u64) + 'a;
+type Take<'a, D> = dyn Fn(usize, &[u32]) -> (Step<D>, u64) + 'a;
+type Step<D> = Transition<usize, D, <D as TargetValue>::Acceptance>;
 
 /// What is enumerated: the steps of a target and a mutation, of types erased, and the words.
 pub struct Driven<'a, D: Weighed> {
@@ -138,7 +101,7 @@ impl<'a, D: Weighed + 'a> Driven<'a, D> {
         let take = move |from: usize, words: &[u32]| {
             let mut chain = Chain::new(from, &target).unwrap();
             let mut rng = Counting::new(Cycle::new(words));
-            let step = D::step(&mut chain, &target, mutation, None, &mut rng);
+            let step = chain.step(&target, mutation, &mut rng);
             assert_eq!((step.from, step.state()), (from, chain.state()));
             assert_ne!(step.outcome, Outcome::Refused);
             (step, rng.words)
@@ -148,14 +111,14 @@ impl<'a, D: Weighed + 'a> Driven<'a, D> {
     }
 
     /// One real step. It takes the words given, all of them, and no other.
-    fn step(&self, from: usize, words: &[u32]) -> Transition<usize, D, D::Share> {
+    fn step(&self, from: usize, words: &[u32]) -> Step<D> {
         let (step, taken) = (self.take)(from, words);
         assert_eq!(taken, words.len() as u64);
         step
     }
 
     /// All paths out of a state.
-    pub fn paths(&self, from: usize) -> Vec<Path<D::Share>> {
+    pub fn paths(&self, from: usize) -> Vec<Path> {
         let mut rng = Pcg32::new(from as u64, 96);
         let all = BigUint::from(1_u64 << 32);
         match self.words {
@@ -168,7 +131,7 @@ impl<'a, D: Weighed + 'a> Driven<'a, D> {
                     let step = |n: usize| self.kind(from, word as u32, n);
                     each.iter().find_map(|w| step(w.count())).unwrap()
                 };
-                let picks = runs(0, u64::from(u32::MAX), kind);
+                let picks = runs(0, u64::from(u32::MAX), &kind);
                 let mut paths = Vec::new();
                 for (kind, first, last) in picks {
                     let Words::Fraction { bits, parts } = each[kind as usize] else {
@@ -209,7 +172,7 @@ impl<'a, D: Weighed + 'a> Driven<'a, D> {
         (bits, parts): (u32, u64),
         picks: &BigUint,
         rng: &mut Pcg32,
-    ) -> Vec<Path<D::Share>> {
+    ) -> Vec<Path> {
         let step = |word: u64, decision: u32| {
             let mut words = pick.to_vec();
             if bits == 64 {
@@ -226,7 +189,7 @@ impl<'a, D: Weighed + 'a> Driven<'a, D> {
         let mut paths = Vec::new();
         for index in 0..u128::from(parts) {
             let (first, last) = (index * part, (index + 1) * part - 1);
-            let found = runs(first as u64, last as u64, key);
+            let found = runs(first as u64, last as u64, &key);
             for _ in 0..50 {
                 let random = u128::from(rng.next_u64()) % part + first;
                 let run = found.iter().find(|r| u128::from(r.2) >= random).unwrap();
@@ -247,7 +210,7 @@ impl<'a, D: Weighed + 'a> Driven<'a, D> {
                     to: key.0,
                     kind: key.1,
                     proposals: (picks * words) << (64 - bits),
-                    acceptance: key.2,
+                    acceptance: key.2.bits()[0],
                     accepted,
                 });
             }
@@ -268,7 +231,7 @@ impl Words {
 
 /// How many of the 2^32 words accept, which are the lowest ones: it steps on both sides of the border.
 pub fn border(accepts: impl Fn(u64) -> bool) -> u64 {
-    let found = runs_of(0, u64::from(u32::MAX), &accepts);
+    let found = runs(0, u64::from(u32::MAX), &accepts);
     match found[..] {
         [(true, _, last), (false, ..)] => last + 1,
         [(true, ..)] => 1 << 32,

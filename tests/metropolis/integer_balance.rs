@@ -8,6 +8,7 @@ use super::enumeration::{Driven, Path, TOTAL_BITS, Words, rounded};
 use super::integer_chances::{ALL, ceiling};
 use super::matrices::LARGE_INTEGERS as LARGE;
 use super::own::forgetful;
+use super::spectrum::second;
 use microwarp::metropolis::{Mutation, TransitionTable, UniformIndex};
 use num_bigint::BigUint;
 
@@ -25,7 +26,7 @@ fn difference(x: BigUint, y: BigUint) -> BigUint {
 
 impl Enumerated<u32> {
     /// The words that must accept a path: its ways there and back are those that were counted.
-    fn due(&self, i: usize, path: &Path<u64>) -> u64 {
+    fn due(&self, i: usize, path: &Path) -> u64 {
         let there = self.proposals(path.kind, i, path.to);
         let back = self.proposals(path.kind, path.to, i);
         let uneven = BigUint::from(self.uneven) << 32_u32;
@@ -77,7 +78,7 @@ impl Examined for u32 {
             wrong,
             stationary,
             balance,
-            second: chain.second(),
+            second: second(&chain.matrix()),
         }
     }
 }
@@ -106,9 +107,9 @@ fn a_chain_of_integers_that_forgets_its_counts_is_seen() {
 /// The same weights and the same mutation through a float chain.
 fn in_floats<M: Mutation<usize>>(f: &[u32], mutation: &M, words: &Words) -> Report {
     let driven = Driven::new(|i| f[i] as f32, mutation, words);
-    let said = |path: Path| {
-        let words = path.accepted;
-        path.saying(|_| words)
+    let said = |path: Path| Path {
+        acceptance: path.accepted,
+        ..path
     };
     let paths = |i: usize| driven.paths(i).into_iter().map(said).collect();
     Enumerated::of(f, (0..f.len()).map(paths).collect()).report()
@@ -134,7 +135,7 @@ fn an_acceptance_rounded_to_a_float_is_seen() {
 fn by_another_rule(found: Enumerated<u32>, rule: fn(BigUint, BigUint) -> BigUint) -> Report {
     let f = found.f.clone();
     let paths = (0..f.len()).map(|i| {
-        let of = |path: &Path<u64>| {
+        let of = |path: &Path| {
             let there = found.proposals(path.kind, i, path.to) * f[i];
             let back = found.proposals(path.kind, path.to, i) * f[path.to];
             let words = rule(back << 32_u32, there);

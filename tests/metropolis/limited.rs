@@ -51,9 +51,9 @@ fn expanded<M: Mutation<usize>>(f: &[f32], mutation: &M, bits: u32, limit: usize
             let mut total = 0;
             let last = u64::MAX >> (64 - bits);
             let both = |word: u64| [0, u32::MAX].map(|d| step(state, rejected, word, d.into()));
-            for (_, first, last) in runs(0, last, both) {
+            for (_, first, last) in runs(0, last, &both) {
                 let words = (u128::from(last - first) + 1) << (64 - bits);
-                let decisions = runs(0, u32::MAX.into(), |d| step(state, rejected, first, d));
+                let decisions = runs(0, u32::MAX.into(), &|d| step(state, rejected, first, d));
                 for ((proposed, to, then, outcome), first, last) in decisions {
                     let count = words * u128::from(last - first + 1);
                     total += count;

@@ -33,8 +33,9 @@ where
 {
     let limit = NonZeroU32::new(3).unwrap();
     // Limited steps now and then, so that rejections in a row matter.
-    let go = |chain: &mut Chain<X, D>, k: usize, rng: &mut Pcg32| {
-        D::step(chain, &target, mutation, (k % 3 == 0).then_some(limit), rng)
+    let go = |chain: &mut Chain<X, D>, k: usize, rng: &mut Pcg32| match k % 3 {
+        0 => chain.step_limited(&target, mutation, limit, rng),
+        _ => chain.step(&target, mutation, rng),
     };
     let (mut rng, mut chain) = (Pcg32::new(1, 2), Chain::new(start, &target).unwrap());
     let mut uncut = Vec::new();

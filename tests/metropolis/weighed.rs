@@ -1,78 +1,18 @@
 //! What a harness asks of densities and integer weights alike, so that one harness serves both kinds of chain.
 
-use microwarp::metropolis::{Chain, Chance, LogDensity, Mutation, Saved, TargetValue, Transition};
+use microwarp::metropolis::{Chance, LogDensity, Saved, TargetValue, Transition};
 use microwarp::tier::Tier;
-use rand_core::{Rng, TryRng};
 use std::fmt::Debug;
-use std::num::NonZeroU32;
 
-/// A weight, and the steps of its chain.
-pub trait Weighed: TargetValue + Bits + PartialEq + Debug {
-    /// The acceptance as a number; of integer weights, how many words accept.
-    type Share: Copy + PartialEq + Debug + Bits;
-
-    fn is_positive(self) -> bool;
-
-    /// A step, with a limit of rejections in a row or without.
-    fn try_step<X: Copy, M: Mutation<X>, R: TryRng>(
-        chain: &mut Chain<X, Self>,
-        target: impl FnOnce(X) -> Self,
-        mutation: &M,
-        limit: Option<NonZeroU32>,
-        rng: &mut R,
-    ) -> Result<Transition<X, Self, Self::Share>, R::Error>;
-
-    fn step<X: Copy, M: Mutation<X>, R: Rng>(
-        chain: &mut Chain<X, Self>,
-        target: impl FnOnce(X) -> Self,
-        mutation: &M,
-        limit: Option<NonZeroU32>,
-        rng: &mut R,
-    ) -> Transition<X, Self, Self::Share> {
-        let Ok(step) = Self::try_step(chain, target, mutation, limit, rng);
-        step
-    }
+/// A weight, whose acceptances can be compared.
+pub trait Weighed:
+    TargetValue<Acceptance: Copy + PartialEq + Debug + Bits> + Bits + PartialEq + Debug
+{
 }
 
-macro_rules! weighed {
-    ($([$($tier:ident)?] $weight:ty, $acceptance:ty, $said:expr, $is_positive:expr;)*) => {$(
-        impl<$($tier: Tier)?> Weighed for $weight {
-            type Share = $acceptance;
-
-            fn is_positive(self) -> bool {
-                $is_positive(self)
-            }
-
-            fn try_step<X: Copy, M: Mutation<X>, R: TryRng>(
-                chain: &mut Chain<X, Self>,
-                target: impl FnOnce(X) -> Self,
-                mutation: &M,
-                limit: Option<NonZeroU32>,
-                rng: &mut R,
-            ) -> Result<Transition<X, Self, $acceptance>, R::Error> {
-                let step = match limit {
-                    Some(limit) => chain.try_step_limited(target, mutation, limit, rng),
-                    None => chain.try_step(target, mutation, rng),
-                }?;
-                Ok(Transition {
-                    from: step.from,
-                    from_density: step.from_density,
-                    proposed: step.proposed,
-                    proposed_density: step.proposed_density,
-                    acceptance: $said(step.acceptance),
-                    outcome: step.outcome,
-                    kind: step.kind,
-                })
-            }
-        }
-    )*};
-}
-
-weighed! {
-    [] f32, f32, |a| a, |f| f > 0.0;
-    [T] LogDensity<T>, f32, |a| a, |f: Self| f.get() > f32::NEG_INFINITY;
-    [] u32, u64, Chance::words, |f| f > 0;
-}
+impl Weighed for f32 {}
+impl<T: Tier> Weighed for LogDensity<T> {}
+impl Weighed for u32 {}
 
 /// What consists of bits: NaN is equal to itself, and 0 is not -0.
 pub trait Bits {
@@ -91,9 +31,9 @@ impl Bits for u32 {
     }
 }
 
-impl Bits for u64 {
+impl Bits for Chance {
     fn bits(&self) -> Vec<u64> {
-        vec![*self]
+        vec![self.words()]
     }
 }
 

@@ -152,7 +152,7 @@ fn words_of<W, X, M, const N: usize>(
         for _ in 0..50 {
             let mut counted = Counting::new(rng.clone());
             let before = chain;
-            let step = W::step(&mut chain, target, mutation, None, &mut counted);
+            let step = chain.step(target, mutation, &mut counted);
             assert_eq!(counted.words, stated(step.kind) + 1, "{name}");
             outcomes[step.outcome as usize] += 1;
             rng = counted.inner;
@@ -160,7 +160,7 @@ fn words_of<W, X, M, const N: usize>(
             for left in 0..counted.words {
                 let mut cut = before;
                 let mut failing = Failing { word: 0, left };
-                let end = W::try_step(&mut cut, target, mutation, None, &mut failing);
+                let end = cut.try_step(target, mutation, &mut failing);
                 // A mixture may take fewer words with this one.
                 if let Err(error) = end {
                     assert_eq!(error, Broken(17));
@@ -171,7 +171,7 @@ fn words_of<W, X, M, const N: usize>(
             }
             let mut failing = Failing { word: 0, left: 99 };
             let mut cut = before;
-            let whole = W::try_step(&mut cut, target, mutation, None, &mut failing).unwrap();
+            let whole = cut.try_step(target, mutation, &mut failing).unwrap();
             assert_eq!(99 - failing.left, stated(whole.kind) + 1, "{name}");
         }
     }
