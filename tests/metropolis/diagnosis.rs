@@ -12,7 +12,7 @@ fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len() as f64
 }
 
-fn variance(x: &[f64]) -> f64 {
+pub fn variance(x: &[f64]) -> f64 {
     let centre = mean(x);
     // The mean is rounded, far from 0.
     let rest = mean(&x.iter().map(|x| x - centre).collect::<Run>());
@@ -57,8 +57,9 @@ fn folded(runs: &[Run]) -> Vec<Run> {
     runs.iter().map(fold).collect()
 }
 
-fn r_hat(runs: &[Run]) -> f64 {
-    let n = runs[0].len() as f64;
+/// Of runs that may differ in length.
+pub fn r_hat(runs: &[Run]) -> f64 {
+    let n = runs.iter().map(Vec::len).min().unwrap() as f64;
     let means: Run = runs.iter().map(|run| mean(run)).collect();
     let within = mean(&runs.iter().map(|run| variance(run)).collect::<Run>());
     (variance(&means) / within + (n - 1.0) / n).sqrt()

@@ -1,10 +1,10 @@
 //! Wrong chains, which the tests must reject.
 
 use crate::densities::*;
-use crate::evidence::{assert_passes, assert_rejected};
 use crate::own::{multiply, then};
 use crate::runs::FULL;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
+use crate::targets::{assert_passes, assert_rejected};
 use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, HastingsCorrection, HastingsRatio, Mutation, Outcome, Proposal, Symmetric,

@@ -3,9 +3,9 @@
 //! seen by it.
 
 use super::balance::{Enumerated, Examined, Report};
-use super::counterexamples::integer_table as table;
 use super::enumeration::{Driven, Path, TOTAL_BITS, Words, rounded};
 use super::integer_chances::{ALL, ceiling};
+use super::known::integer_table as table;
 use super::matrices::LARGE_INTEGERS as LARGE;
 use super::own::forgetful;
 use super::spectrum::second;

@@ -1,8 +1,8 @@
 //! What a limit of rejections does to a chain, exactly: the chain of state and rejections in a row, whose
 //! transitions are counted over all words of the real step.
 
-use super::counterexamples::table;
 use super::enumeration::runs;
+use super::known::table;
 use super::own::neighbour;
 use super::spectrum::{Matrix, stationary};
 use host::generators::Cycle;

@@ -2,7 +2,9 @@
 
 use super::own::given;
 use host::generators::{Broken, Cycle, Failing};
-use microwarp::metropolis::{Chain, HastingsRatio, Outcome, Saved, UniformStep};
+use microwarp::metropolis::{
+    Chain, Chance, HastingsRatio, Outcome, Saved, UniformIndex, UniformStep,
+};
 use rand_pcg::Pcg32;
 use std::num::NonZeroU32;
 
@@ -187,4 +189,25 @@ fn a_failed_limited_step_leaves_no_trace() {
         let end = chain.try_step_limited(peak, &UniformStep::new(), limit(1), &mut failing);
         assert_eq!((end, chain), (Err(Broken(17)), before));
     }
+}
+
+#[test]
+fn a_limit_forces_a_chain_of_integers() {
+    let peak = |i: usize| [u32::MAX, 1, 0][i];
+    let any = UniformIndex::new(3).unwrap();
+    let (mut chain, mut rng) = (Chain::new(0, peak).unwrap(), Pcg32::new(3, 3));
+    let mut forced = 0;
+    for _ in 0..1000 {
+        let step = chain.step_limited(peak, &any, limit(4), &mut rng);
+        if step.outcome == Outcome::Forced {
+            forced += 1;
+            assert_eq!((step.state(), step.acceptance.words()), (1, Chance::TOTAL));
+            assert_eq!(step.recorded(), [(0, 0), (1, 1 << 32)]);
+        }
+        let [(_, stays), (_, goes)] = step.recorded();
+        assert_eq!(stays + goes, Chance::TOTAL);
+        assert!(peak(step.state()) > 0);
+    }
+    println!("{forced} forced");
+    assert!(forced > 10);
 }

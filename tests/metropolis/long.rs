@@ -1,7 +1,7 @@
 //! A hundred million steps: nothing drifts, nothing sticks, nothing is lost.
 
 use crate::densities::parabola;
-use crate::evidence::{assert_passes, assert_rejected, hotelling};
+use crate::targets::{assert_passes, assert_rejected, hotelling};
 use host::{speed, stats};
 use microwarp::metropolis::{
     BoxStep, Chain, Halves, LargeSmall, Mixture, Saved, Transition, WrappedWalk, split_r_hat,

@@ -1,6 +1,7 @@
 //! R̂ against its definition in f64, over stored runs of any magnitude, and whether it distinguishes chains that agree
 //! from chains that do not.
 
+use crate::diagnosis;
 use crate::exact::{above, assert_stated, below};
 use crate::series::{SHAPES, normal, shaped};
 use host::docs::Doc;
@@ -21,25 +22,14 @@ fn exact(runs: &[&[f32]]) -> Option<f64> {
     if runs.len() < 2 || runs.iter().any(|run| run.len() < 2) || scale == 0.0 {
         return None;
     }
-    let spread = |numbers: &[f64]| {
-        let n = numbers.len() as f64;
-        let mean = numbers.iter().sum::<f64>() / n;
-        let rest = numbers.iter().map(|x| x - mean).sum::<f64>() / n;
-        let mean = mean + rest;
-        let squares: f64 = numbers.iter().map(|x| (x - mean) * (x - mean)).sum();
-        (mean, squares / (n - 1.0))
+    let scaled = |run: &&[f32]| {
+        run.iter()
+            .map(|&x| (f64::from(x) - first) / scale)
+            .collect()
     };
-    let parts: Vec<(f64, f64)> = runs
-        .iter()
-        .map(|run| {
-            let scaled = run.iter().map(|&x| (f64::from(x) - first) / scale);
-            spread(&scaled.collect::<Vec<f64>>())
-        })
-        .collect();
-    let n = runs.iter().map(|run| run.len()).min()? as f64;
-    let (_, between) = spread(&parts.iter().map(|p| p.0).collect::<Vec<f64>>());
-    let within = parts.iter().map(|p| p.1).sum::<f64>() / parts.len() as f64;
-    Some(((n - 1.0) / n + between / within).sqrt())
+    Some(diagnosis::r_hat(
+        &runs.iter().map(scaled).collect::<Vec<_>>(),
+    ))
 }
 
 fn moments(run: &[f32]) -> Moments {

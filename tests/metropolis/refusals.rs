@@ -6,8 +6,9 @@ use host::generators::Cycle;
 use microwarp::Error;
 use microwarp::metropolis::{
     Chain, HastingsCounts, HastingsRatio, LogDensity, Mixture, Outcome, StateSource, Symmetric,
-    UniformIndex,
+    Transition, UniformIndex,
 };
+use microwarp::rejection::Failure;
 use microwarp::tier::{Libm, Poly};
 use rand_core::Rng as _;
 use rand_pcg::Pcg32;
@@ -143,6 +144,21 @@ fn a_chain_starts_where_it_can_be_and_nowhere_else() {
     assert_eq!(log(f32::INFINITY), Some(Error::NotFinite(1)));
     assert_eq!(log(f32::NAN), Some(Error::NotFinite(1)));
     assert!(Chain::new(0.5_f32, LogDensity::<Poly>::new).is_ok());
+    let weight = |i: usize| [5_u32, 0, 1, 40, 0, 12][i];
+    for i in 0..6 {
+        match weight(i) {
+            0 => assert_eq!(Chain::new(i, weight), Err(Error::NotPositive(1))),
+            w => assert_eq!(
+                Chain::new(i, weight).map(|c| (c.state(), c.density())),
+                Ok((i, w))
+            ),
+        }
+    }
+    let (any, mut rng) = (UniformIndex::new(6).unwrap(), Pcg32::new(1, 1));
+    let found = Chain::search(weight, &any, 1000, &mut rng).unwrap();
+    assert!(weight(found.state()) > 0 && found.density() == weight(found.state()));
+    let nowhere = Chain::search(|_: usize| 0_u32, &any, 9, &mut rng);
+    assert_eq!(nowhere.err(), Some(Failure::BudgetSpent { tries: 9 }));
 }
 
 /// A ratio passes through a mixture, and what is none stays none.
@@ -173,5 +189,29 @@ fn an_index_out_of_range_has_no_probability() {
         let count = inside.into();
         assert_eq!(any.ratio_of_states(4, state), HastingsCounts::new(count, 1));
         assert_eq!(any.ratio_of_states(state, 0), HastingsCounts::new(1, count));
+    }
+}
+
+/// In a chain of densities, counts are the ratio that they are in floating point, to the last bit.
+#[test]
+fn counts_in_a_chain_of_densities_are_their_ratio() {
+    let mut rng = Pcg32::new(6, 6);
+    for _ in 0..200_000 {
+        let any = |rng: &mut Pcg32| u128::from(rng.next_u64() >> (rng.next_u32() % 64));
+        let (forward, backward) = (any(&mut rng), any(&mut rng));
+        let counts = HastingsCounts::new(forward, backward);
+        let ratio = HastingsRatio::from_counts(forward, backward);
+        assert_eq!(counts.ratio(), ratio);
+        let (from, to, word) = (positive(&mut rng), positive(&mut rng), rng.next_u32());
+        let bits = |s: Transition<usize>| (s.acceptance.to_bits(), s.outcome);
+        assert_eq!(
+            bits(step(from, to, counts, word)),
+            bits(step(from, to, ratio, word))
+        );
+        let log = |x: f32| LogDensity::<Poly>::new(x.ln());
+        assert_eq!(
+            step(log(from), log(to), counts, word).acceptance.to_bits(),
+            step(log(from), log(to), ratio, word).acceptance.to_bits()
+        );
     }
 }

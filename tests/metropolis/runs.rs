@@ -1,8 +1,9 @@
 //! How a chain is run for its evidence: batches, what they record, and the autocorrelation times.
 
 use crate::densities::Cells;
-use crate::evidence;
+use crate::diagnosis::variance;
 use crate::series::Truth;
+use crate::targets;
 use host::speed;
 use host::stats;
 use microwarp::metropolis::{Autocorrelation, Transition};
@@ -148,8 +149,8 @@ pub fn run<X: Copy>(plan: &Plan, cells: &Cells<X>, start: &Start<X>, seed: u64) 
     }
     let expected: Vec<f64> = cells.exact[1].iter().map(|p| p * taken as f64).collect();
     let far_apart = stats::chi_square(&fine, &expected).map_or(0.0, |(_, _, p)| p);
-    let plain = evidence::hotelling(&vectors[0], &cells.exact[0]);
-    let weighted = evidence::hotelling(&vectors[1], &cells.exact[0]);
+    let plain = targets::hotelling(&vectors[0], &cells.exact[0]);
+    let weighted = targets::hotelling(&vectors[1], &cells.exact[0]);
     let p_values = [plain, weighted, far_apart].map(|p| if outside { 0.0 } else { p });
     let steps = plan.steps as f64;
     let of_cells = cells.exact[1].iter().enumerate().map(|(c, p)| {
@@ -165,12 +166,6 @@ pub fn run<X: Copy>(plan: &Plan, cells: &Cells<X>, start: &Start<X>, seed: u64) 
         thin,
         accepted: moved as f64 / (plan.batches as f64 * steps),
     }
-}
-
-fn variance(numbers: &[f64]) -> f64 {
-    let n = numbers.len() as f64;
-    let mean = numbers.iter().sum::<f64>() / n;
-    numbers.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0)
 }
 
 /// The integrated times of the two watched functions, by `Autocorrelation` and in f64.

@@ -1,6 +1,6 @@
 //! The start-up bias and its two cures, measured over many short runs of a slow chain.
 
-use crate::evidence::{assert_passes, assert_rejected, p_value_of_mean};
+use crate::targets::{assert_passes, assert_rejected, p_value_of_mean};
 use host::speed;
 use microwarp::metropolis::{BoxStep, Chain, UniformStep};
 use rand_pcg::Pcg32;

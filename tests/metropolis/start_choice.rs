@@ -1,17 +1,16 @@
 //! Which candidate starts a chain: its exact probability, by the words that choose it. And the search for a
-//! first state, what both refuse, and the words that they take.
+//! first state, and what both refuse.
 
 use crate::start_weights::Listed;
-use host::generators::{Broken, Counting, Cycle, Failing};
-use microwarp::metropolis::{Chain, LogDensity, UniformStep};
-use microwarp::poly;
+use host::generators::{Counting, Cycle};
+use microwarp::metropolis::{Chain, LogDensity, TargetDensity};
 use microwarp::rejection::Failure;
-use microwarp::tier::Poly;
+use microwarp::tier::{Libm, Poly, Tier};
 use rand_pcg::Pcg32;
 
 /// How many of all 2³² words let candidate j, the last one, take the place of the one held. The words that
 /// do are those below a border, which bisection finds.
-fn words_that_choose(weights: &[f32], states: &[usize]) -> u64 {
+fn words_that_choose<D: TargetDensity>(weights: &[D], states: &[usize]) -> u64 {
     let pdf = vec![1.0; weights.len()];
     let chosen = |word: u32| {
         let mut words: Vec<u32> = Vec::new();
@@ -51,7 +50,7 @@ fn words_that_choose(weights: &[f32], states: &[usize]) -> u64 {
 }
 
 /// The probability of each candidate to be the start.
-fn probabilities(weights: &[f32]) -> Vec<f64> {
+fn probabilities<D: TargetDensity>(weights: &[D]) -> Vec<f64> {
     let states: Vec<usize> = (0..weights.len()).collect();
     let taken: Vec<f64> = (1..=weights.len())
         .map(|count| words_that_choose(weights, &states[..count]) as f64 / 2_f64.powi(32))
@@ -96,8 +95,60 @@ fn each_candidate_is_chosen_in_proportion_to_its_weight() {
 #[test]
 fn the_proportion_is_seen_to_be_missed() {
     let weights = [1.0, 2.0, 3.0, 4.0_f64];
-    let found = probabilities(&[1.0; 4]);
+    let found = probabilities(&[1.0_f32; 4]);
     assert!((found[0] - weights[0] / 10.0).abs() > 0.1);
+}
+
+/// However far the logarithms are from 0 or from one another.
+#[test]
+fn candidates_are_chosen_by_logarithms_of_any_size() {
+    fn check<T: Tier>(shift: f32, spacing: f32) {
+        let logs = [shift, shift + spacing].map(LogDensity::<T>::new);
+        let due = 1.0 / (1.0 + f64::exp(-f64::from(spacing)));
+        let bound = 8.0 * 2_f64.powi(-24);
+        let [rising, falling] = [probabilities(&logs), probabilities(&[logs[1], logs[0]])];
+        for found in [rising[1], falling[0]] {
+            assert!(
+                (found - due).abs() <= bound,
+                "{shift:e} {spacing:e}: {found} for {due}"
+            );
+        }
+        // The control: logarithms that count as equal are chosen alike.
+        assert!((probabilities(&[logs[0]; 2])[1] - due).abs() > 0.2);
+    }
+    for (shift, spacing) in [
+        (0.0, 1.0),
+        (1e4, 1.0),
+        (-1e6, 1.0),
+        (3e9, 256.0),
+        (-3e9, 512.0),
+        (-1e30, 1e29),
+        (1e38, 2e38),
+        (-f32::MAX, f32::MAX),
+    ] {
+        check::<Libm>(shift, spacing);
+        check::<Poly>(shift, spacing);
+    }
+}
+
+/// Weights below and above what `f32` holds are the nearest positive ones.
+#[test]
+fn weights_out_of_range_are_the_nearest_in_range() {
+    let tiny = f32::from_bits(1);
+    for (density, pdf, weight) in [
+        (tiny, 100.0, tiny),
+        (tiny, f32::MAX, tiny),
+        (f32::MAX, 1e-3, f32::MAX),
+        (f32::MAX, tiny, f32::MAX),
+        (3.0, 2.0, 1.5),
+    ] {
+        let source = Listed { pdf: &[pdf] };
+        let start = Chain::resample(|_| density, &source, 5, &mut Pcg32::new(1, 1)).unwrap();
+        assert_eq!(start.weight, weight, "{density:e} {pdf:e}");
+        let log = |_| LogDensity::<Poly>::new(f32::MAX);
+        let start = Chain::resample(log, &source, 5, &mut Pcg32::new(1, 1)).unwrap();
+        assert!(start.weight.get().is_finite());
+    }
 }
 
 /// The expectation of W at each state, over all sequences of candidates, is the target: exactly what makes
@@ -208,34 +259,4 @@ fn candidates_of_no_density_are_none() {
     }
     let found = Chain::resample(|_| 1.0, &source, 0, &mut Pcg32::new(1, 1));
     assert_eq!(found, Err(Failure::BudgetSpent { tries: 0 }));
-}
-
-#[test]
-fn starts_take_the_words_they_say() {
-    let mut rng = Counting::new(Pcg32::new(3, 3));
-    let flat = |_: [f32; 3]| 1.0;
-    Chain::try_resample(flat, &UniformStep::new(), 10, &mut rng).unwrap();
-    assert_eq!(rng.words, 10 * (3 + 1));
-    Chain::try_search(flat, &UniformStep::new(), 10, &mut rng).unwrap();
-    assert_eq!(rng.words, 40 + 3);
-    // Whatever the densities are.
-    let none = |x: f32| if x < 0.9 { f32::NAN } else { x };
-    let normal = poly::Normal::new(0.0, 1.0).unwrap();
-    rng.words = 0;
-    let _ = Chain::try_resample(none, &normal, 100, &mut rng);
-    assert_eq!(rng.words, 100 * (1 + 1));
-}
-
-#[test]
-fn failing_generators_pass_through() {
-    for left in 0..8 {
-        let mut rng = Failing { word: 7, left };
-        let found = Chain::try_resample(|_: f32| 1.0, &UniformStep::new(), 4, &mut rng);
-        assert_eq!(found, Err(Failure::Generator(Broken(17))), "{left}");
-        let mut rng = Failing { word: 7, left };
-        let found = Chain::try_search(|_: f32| 0.0, &UniformStep::new(), 9, &mut rng);
-        assert_eq!(found, Err(Failure::Generator(Broken(17))), "{left}");
-    }
-    let mut rng = Failing { word: 7, left: 8 };
-    assert!(Chain::try_resample(|_: f32| 1.0, &UniformStep::new(), 4, &mut rng).is_ok());
 }

@@ -9,6 +9,7 @@ use microwarp::metropolis::{
     Product, Subset, Symmetric, TransitionTable, UniformIndex, UniformStep, WrappedWalk,
 };
 use microwarp::poly as mw;
+use microwarp::rejection::Failure;
 use microwarp::tier::{Libm, Poly};
 use rand_pcg::Pcg32;
 
@@ -197,4 +198,34 @@ fn a_step_takes_a_word_more_and_a_failed_one_leaves_no_trace() {
     words("Mixture", [0.5_f32; 4], &mixture, |kind| {
         [5, 3, 3][kind as usize]
     });
+}
+
+#[test]
+fn starts_take_the_words_they_say() {
+    let mut rng = Counting::new(Pcg32::new(3, 3));
+    let flat = |_: [f32; 3]| 1.0;
+    Chain::try_resample(flat, &UniformStep::new(), 10, &mut rng).unwrap();
+    assert_eq!(rng.words, 10 * (3 + 1));
+    Chain::try_search(flat, &UniformStep::new(), 10, &mut rng).unwrap();
+    assert_eq!(rng.words, 40 + 3);
+    // Whatever the densities are.
+    let none = |x: f32| if x < 0.9 { f32::NAN } else { x };
+    let normal = mw::Normal::new(0.0, 1.0).unwrap();
+    rng.words = 0;
+    let _ = Chain::try_resample(none, &normal, 100, &mut rng);
+    assert_eq!(rng.words, 100 * (1 + 1));
+}
+
+#[test]
+fn failing_generators_pass_through() {
+    for left in 0..8 {
+        let mut rng = Failing { word: 7, left };
+        let found = Chain::try_resample(|_: f32| 1.0, &UniformStep::new(), 4, &mut rng);
+        assert_eq!(found, Err(Failure::Generator(Broken(17))), "{left}");
+        let mut rng = Failing { word: 7, left };
+        let found = Chain::try_search(|_: f32| 0.0, &UniformStep::new(), 9, &mut rng);
+        assert_eq!(found, Err(Failure::Generator(Broken(17))), "{left}");
+    }
+    let mut rng = Failing { word: 7, left: 8 };
+    assert!(Chain::try_resample(|_: f32| 1.0, &UniformStep::new(), 4, &mut rng).is_ok());
 }

@@ -1,4 +1,5 @@
-//! Chains that are wrong, each in one way: the checks that the right ones pass see it.
+//! Chains of which all can be said: two states in closed form; and chains that are wrong, each in one way, which the
+//! checks that the right ones pass see.
 
 use super::balance::{Enumerated, Examined};
 use super::enumeration::Words;
@@ -6,10 +7,35 @@ use super::integer_chances::ALL;
 use super::own::{forgetful, neighbour};
 use super::spectrum::{Matrix, lazy, second};
 use microwarp::discrete::Cdf;
-use microwarp::metropolis::{Mutation, TransitionTable};
+use microwarp::metropolis::{Independence, Mutation, TransitionTable, UniformIndex};
+use num_bigint::BigUint;
 
 pub fn table<const N: usize>(rows: [[f32; N]; N]) -> TransitionTable<[u32; N], N> {
     TransitionTable::new(rows.map(|row| Cdf::<[u32; N]>::new(&row).unwrap())).unwrap()
+}
+
+/// T = 1/2 everywhere, f = 9 : 1. M = [[1 - a/2, a/2], [1/2, 1/2]] with a = 1/9, in whole words.
+#[test]
+fn two_states_have_the_matrix_of_their_closed_form() {
+    fn check<W: Examined>(f: [W; 2], ninth: u64) {
+        let half = Cdf::<[u32; 2]>::from_integers(&[1, 1]).unwrap();
+        for chain in [
+            Enumerated::new(&f, &UniformIndex::new(2).unwrap(), &Words::TWO),
+            Enumerated::new(&f, &Independence::new(half), &Words::ONE),
+            Enumerated::new(&f, &TransitionTable::new([half; 2]).unwrap(), &Words::ONE),
+        ] {
+            let report = chain.report();
+            assert!(report.passes(), "{report:?}");
+            let unit = |x: u64| BigUint::from(x) << 95_u32;
+            assert_eq!(chain.exact(0, 1), unit(ninth));
+            assert_eq!(chain.exact(0, 0), unit((1 << 33) - ninth));
+            assert_eq!(chain.exact(1, 0), unit(1 << 32));
+            assert_eq!(chain.exact(1, 1), unit(1 << 32));
+        }
+    }
+    // The `f32` nearest to 1/9 is 14913081 2^-27: 9 · 14913081 = 2^27 + 1. And 9 · 477218589 = 2^32 + 5, the next multiple.
+    check([9.0_f32, 1.0], 14_913_081 << 5);
+    check([9_u32, 1], 477_218_589);
 }
 
 #[test]
