@@ -1,7 +1,9 @@
-//! Integrals of the documents, and that the estimate and its variance are unbiased.
+//! Integrals of the documents, and that the estimate and its variance are unbiased; the variance falls as the density approaches
+//! the integrand, to nothing where they are proportional.
 
-use crate::{Z, truth};
+use crate::Z;
 use core::f32::consts::PI;
+use host::mean::Mean;
 use microwarp::estimate::{Integral, Moments, WeightedMean};
 use microwarp::{Warp, poly as mw, uniform};
 use rand_pcg::Pcg32;
@@ -56,28 +58,16 @@ fn the_cosine_over_half_a_turn_integrates_to_nothing() {
     assert!(f64::from(off) <= Z * f64::from(mean.standard_error().unwrap()));
 }
 
-/// Mean over many repetitions, and its standard error.
-struct Repeated {
-    mean: f64,
-    error: f64,
+/// The mean over many repetitions.
+fn repeated(repeats: usize, mut once: impl FnMut() -> Option<f32>) -> Mean {
+    Mean::of((0..repeats).map(|_| f64::from(once().unwrap())))
 }
 
-impl Repeated {
-    fn new(repeats: usize, mut once: impl FnMut() -> Option<f32>) -> Self {
-        let results: Vec<f64> = (0..repeats).map(|_| f64::from(once().unwrap())).collect();
-        let (mean, variance) = truth(results.iter().copied());
-        let error = (variance / repeats as f64).sqrt();
-        Self { mean, error }
-    }
-
-    fn is(&self, what: &str, exact: f64) -> bool {
-        println!(
-            "{what}: {:.6} for {exact:.6}, standard error {:.1e}",
-            self.mean, self.error
-        );
-        assert!(self.error > 0.0);
-        (self.mean - exact).abs() <= Z * self.error
-    }
+fn is(repeated: Mean, what: &str, exact: f64) -> bool {
+    let Mean { mean, error } = repeated;
+    println!("{what}: {mean:.6} for {exact:.6}, standard error {error:.1e}");
+    assert!(error > 0.0);
+    repeated.deviation(exact).abs() <= Z
 }
 
 /// Five samples for the integral of e^x over [0, 1], of density 2(1 + x)/3.
@@ -99,7 +89,8 @@ fn five_samples_are_as_right_on_average_as_a_million() {
     };
     const REPEATS: usize = 500_000;
     let exact = 1f64.exp() - 1.0;
-    assert!(Repeated::new(REPEATS, || integral().estimate()).is("integral", exact));
+    let estimates = repeated(REPEATS, || integral().estimate());
+    assert!(is(estimates, "integral", exact));
 
     // ∫f²/p − I², with p = 2(1 + x)/3, by Simpson's rule.
     let squares = |x: f64| (2.0 * x).exp() * 1.5 / (1.0 + x);
@@ -111,18 +102,101 @@ fn five_samples_are_as_right_on_average_as_a_million() {
         .map(|i| simpson(i) * squares(f64::from(i) / 1000.0))
         .sum();
     let variance = second / 3000.0 - exact * exact;
-    let of_variance = Repeated::new(REPEATS, || integral().moments().variance());
-    assert!(of_variance.is("variance", variance));
-    let squared = Repeated::new(REPEATS, || integral().standard_error().map(|e| e * e));
-    assert!(squared.is("standard error squared", variance / 5.0));
+    let of_variance = repeated(REPEATS, || integral().moments().variance());
+    assert!(is(of_variance, "variance", variance));
+    let squared = repeated(REPEATS, || integral().standard_error().map(|e| e * e));
+    assert!(is(squared, "standard error squared", variance / 5.0));
     // The controls: n under the line, and weights that are made to sum to 1.
-    let population = Repeated::new(REPEATS, || integral().moments().population_variance());
-    assert!(!population.is("n under the line", variance));
+    let population = repeated(REPEATS, || integral().moments().population_variance());
+    assert!(!is(population, "n under the line", variance));
     let mut rng = Pcg32::new(24, 54);
-    let normalised = Repeated::new(REPEATS, || {
+    let normalised = repeated(REPEATS, || {
         let mut ratio = WeightedMean::new();
         five(&mut rng, |f, pdf| ratio.push(f, 1.0 / pdf));
         ratio.mean()
     });
-    assert!(!normalised.is("normalised weights", exact));
+    assert!(!is(normalised, "normalised weights", exact));
+}
+
+const OF_IMPORTANCE: u32 = 1_000_000;
+
+/// ∫ x^k/p^(k−1) over [0, 1], the k-th moment of f/p for f = x and p = 1 − t + 2tx.
+fn moment(k: i32, t: f64) -> f64 {
+    let cells = 100_000;
+    let at = |i: u32| (f64::from(i) + 0.5) / f64::from(cells);
+    let terms = (0..cells)
+        .map(at)
+        .map(|x| x.powi(k) / (1.0 - t + 2.0 * t * x).powi(k - 1));
+    terms.sum::<f64>() / f64::from(cells)
+}
+
+/// The variance of x/p, and the standard deviation of its estimate.
+fn exact(t: f64) -> (f64, f64) {
+    let [m2, m3, m4] = [2, 3, 4].map(|k| moment(k, t));
+    let variance = m2 - 0.25;
+    let fourth = m4 - 2.0 * m3 + 1.5 * m2 - 3.0 / 16.0;
+    (
+        variance,
+        ((fourth - variance * variance).max(0.0) / f64::from(OF_IMPORTANCE)).sqrt(),
+    )
+}
+
+/// The integral of x over [0, 1], sampled with density 1 − t + 2tx, or falling instead of rising.
+fn integrate(t: f32, falling: bool) -> Integral {
+    let warp = mw::Linear::new(1.0 - t, 1.0 + t).unwrap();
+    let mut rng = Pcg32::new(31, 54);
+    let mut integral = Integral::new();
+    for _ in 0..OF_IMPORTANCE {
+        let x = warp.draw(&mut rng);
+        integral.push(if falling { 1.0 - x } else { x }, warp.pdf(x));
+    }
+    integral
+}
+
+fn falls(variances: &[f32]) -> bool {
+    variances.windows(2).all(|pair| pair[1] < pair[0])
+}
+
+#[test]
+fn the_variance_falls_as_the_density_approaches_the_integrand() {
+    let steps = [0.0_f32, 0.25, 0.5, 0.75, 0.875, 0.9375, 1.0];
+    println!("density           variance, exact   measured  standard error");
+    let mut variances = Vec::new();
+    for t in steps {
+        let integral = integrate(t, false);
+        let variance = integral.moments().variance().unwrap();
+        let error = integral.standard_error().unwrap();
+        let (exact, spread) = exact(f64::from(t));
+        println!(
+            "{:.4} + {:.4}x  {exact:>14.3e}  {variance:>10.3e}  {error:>14.2e}",
+            1.0 - t,
+            2.0 * t
+        );
+        let off = (f64::from(variance) - exact).abs();
+        assert!(off <= Z * spread + 1e-10, "t = {t}: {off:e}, {spread:e}");
+        let off = f64::from(integral.estimate().unwrap()) - 0.5;
+        assert!(off.abs() <= Z * f64::from(error) + 1e-7, "t = {t}: {off:e}");
+        variances.push(variance);
+    }
+    assert!(falls(&variances));
+
+    // The control: a density that turns away from the integrand.
+    let away = [0.0, 0.25, 0.5, 0.75].map(|t| integrate(t, true).moments().variance().unwrap());
+    println!("turning away: {away:?}");
+    assert!(!falls(&away));
+}
+
+#[test]
+fn a_proportional_density_leaves_no_variance() {
+    let mut rng = Pcg32::new(32, 54);
+    let warp = mw::Linear::new(0.0, 1.0).unwrap();
+    let (mut integral, mut control) = (Integral::new(), Integral::new());
+    for _ in 0..OF_IMPORTANCE {
+        let x = warp.draw(&mut rng);
+        integral.push(x, 2.0 * x);
+        control.push(x + 1e-3 * uniform::grid(&mut rng), 2.0 * x);
+    }
+    assert_eq!(integral.estimate(), Some(0.5));
+    assert_eq!(integral.moments().variance(), Some(0.0));
+    assert!(control.moments().variance().unwrap() > 0.0);
 }

@@ -1,7 +1,8 @@
 //! Many short runs of all magnitudes and shapes against two passes in f64, pushed and merged at random.
 
-use crate::{at_most, truth};
+use crate::at_most;
 use host::docs::{Doc, assert_within};
+use host::mean::mean_and_variance;
 use host::speed;
 use microwarp::estimate::{Moments, WeightedMean};
 use rand_pcg::Pcg32;
@@ -162,7 +163,7 @@ fn short_runs_keep_the_stated_errors() {
             gather(&mut rng, &samples, Moments::push, Moments::merge)
         };
         assert_eq!(moments.count(), samples.len() as u64);
-        let (mean, variance) = truth(samples.iter().map(|&x| f64::from(x)));
+        let (mean, variance) = mean_and_variance(samples.iter().map(|&x| f64::from(x)));
         let deviation = variance.sqrt();
         if normal(mean) {
             let error = (f64::from(moments.mean().unwrap()) - mean).abs();

@@ -1,7 +1,8 @@
 //! The ratio estimator: its bias vanishes as 1/N at the rate of its first-order formula, where the unbiased
 //! estimator has none; and its standard error is that of its own scatter.
 
-use crate::{Z, at_most, truth};
+use crate::{Z, at_most};
+use host::mean::mean_and_variance;
 use microwarp::estimate::{Integral, Moments, WeightedMean};
 use microwarp::uniform;
 use rand_pcg::Pcg32;
@@ -34,7 +35,7 @@ fn biases(n: u32, repeats: usize) -> [Bias; 2] {
         })
         .unzip();
     [ratios, integrals].map(|estimates| {
-        let (mean, variance) = truth(estimates.iter().copied());
+        let (mean, variance) = mean_and_variance(estimates.iter().copied());
         Bias {
             n,
             bias: mean - RATIO,
@@ -134,7 +135,7 @@ fn the_standard_error_is_the_scatter_of_the_estimates() {
             f64::from(ratio.mean().unwrap())
         })
         .collect();
-    let (_, scatter) = truth(estimates.iter().copied());
+    let (_, scatter) = mean_and_variance(estimates.iter().copied());
     // 4 E[x²(x − 2/3)²] = 8/135 to first order; the second is one part in N.
     let tolerance = Z * (2.0 / REPEATS as f64).sqrt() + 2.0 / 256.0;
     let off = |squared: &Moments| f64::from(squared.mean().unwrap()) / scatter - 1.0;

@@ -1,7 +1,6 @@
 //! The chain as a value: what a rejected and a refused step leave, counts, burning in, and what is recorded.
 
-use super::own::to;
-use super::weighed::Bits;
+use super::own::{Bits, to};
 use host::generators::{Broken, Cycle, Failing};
 use host::speed;
 use microwarp::metropolis::{Chain, Outcome, UniformIndex, UniformStep};

@@ -1,5 +1,6 @@
 //! What draws of chains say, by the definitions of Vehtari et al. (2021) in f64, and the draws that `reference.py` makes too.
 
+use host::mean::mean_and_variance;
 use host::truth::normal_quantile_lower;
 
 /// The figures of a line of `reference.csv`, in its order: split R̂, R̂ by ranks, folded R̂; effective sizes of mean, bulk and tails;
@@ -9,15 +10,11 @@ pub type Figures = [f64; 7];
 type Run = Vec<f64>;
 
 fn mean(x: &[f64]) -> f64 {
-    x.iter().sum::<f64>() / x.len() as f64
+    mean_and_variance(x.iter().copied()).0
 }
 
 pub fn variance(x: &[f64]) -> f64 {
-    let centre = mean(x);
-    // The mean is rounded, far from 0.
-    let rest = mean(&x.iter().map(|x| x - centre).collect::<Run>());
-    let squares: f64 = x.iter().map(|x| (x - centre - rest).powi(2)).sum();
-    squares / (x.len() as f64 - 1.0)
+    mean_and_variance(x.iter().copied()).1
 }
 
 fn halves(runs: &[Run]) -> Vec<Run> {

@@ -4,7 +4,7 @@
 //! same form runs, whose ends are found by galloping and halving; so is the number of decision words that
 //! accept. What galloping takes for granted is then asked of random words.
 
-use super::weighed::{Bits, Weighed};
+use super::own::{Bits, Weighed};
 use host::generators::{Counting, Cycle};
 use microwarp::metropolis::{Chain, Mutation, Outcome, TargetValue, Transition};
 use num_bigint::BigUint;

@@ -122,7 +122,7 @@ fn errors_in_ulp_are_exact() {
     assert_eq!(above.capped().ulps(1.0), 0.0);
 }
 
-// How a measured figure is held to one of the documentation, and figures in its sentences; the neighbours of a number.
+// How a measured figure is held to one of the documentation, and figures in its sentences.
 
 /// Holds a measured error to the one stated, and the statement to being no more than 2.5 times what is measured: one that
 /// a search found has a margin, and this search may be shorter.
@@ -148,14 +148,4 @@ pub fn after(source: &str, words: &str) -> f64 {
     let (_, rest) = source.split_once(words).unwrap();
     let figure = rest.split(',').next().unwrap();
     figure.trim().parse().unwrap()
-}
-
-/// The next number towards 0, of one above it.
-pub fn below(x: f32) -> f32 {
-    f32::from_bits(x.to_bits() - 1)
-}
-
-/// The next number away from 0.
-pub fn above(x: f32) -> f32 {
-    f32::from_bits(x.to_bits() + 1)
 }

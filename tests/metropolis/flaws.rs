@@ -4,7 +4,7 @@ use crate::densities::*;
 use crate::own::{multiply, then};
 use crate::runs::FULL;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
-use crate::targets::{assert_passes, assert_rejected};
+use crate::targets::FAMILY;
 use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, HastingsCorrection, HastingsRatio, Mutation, Outcome, Proposal, Symmetric,
@@ -19,7 +19,7 @@ pub fn p_values(subject: &Subject) -> [f64; 3] {
 }
 
 pub fn rejected(subject: &Subject) {
-    assert_rejected(subject.name, &p_values(subject));
+    FAMILY.assert_rejected(subject.name, &p_values(subject));
 }
 
 /// Steps on the parabola, nine to one, after which `then` has its say.
@@ -53,9 +53,9 @@ fn wrong_recordings_are_rejected() {
     };
     let swapped = altered("swapped weights", swapped);
     let [plain, weighted, apart] = p_values(&swapped);
-    assert_rejected("swapped weights", &[weighted]);
+    FAMILY.assert_rejected("swapped weights", &[weighted]);
     // It is the recording alone that is wrong there.
-    assert_passes("and its plain states", &[plain, apart]);
+    FAMILY.assert_passes("and its plain states", &[plain, apart]);
     let proposals = |step: Transition<f32>| {
         Some(Transition {
             acceptance: 1.0,
@@ -64,7 +64,7 @@ fn wrong_recordings_are_rejected() {
         })
     };
     rejected(&altered("proposals for states", proposals));
-    assert_passes("nothing altered", &p_values(&altered("", Some)));
+    FAMILY.assert_passes("nothing altered", &p_values(&altered("", Some)));
 }
 
 /// Proposes anew until it is inside.
@@ -146,7 +146,7 @@ fn a_chain_that_forgets_the_ratio_is_rejected() {
     rejected(&restated("off in its logarithm", nearly));
     // Restated rightly, nothing is wrong.
     let right = restated("restated", HastingsRatio::new);
-    assert_passes("restated", &p_values(&right));
+    FAMILY.assert_passes("restated", &p_values(&right));
 }
 
 /// Metropolis's rule with a mistake of one's choice in the comparison.
@@ -207,7 +207,7 @@ fn wrong_comparisons_are_rejected() {
     let other = naive("another rule", cells(), parabola, heat);
     // Barker's rule is as right as Metropolis's; only the recorded weights are then not its own, and they have
     // detailed balance all the same.
-    assert_passes("Barker's rule", &p_values(&other));
+    FAMILY.assert_passes("Barker's rule", &p_values(&other));
     let right = naive("", cells(), parabola, low);
-    assert_passes("the right comparison", &p_values(&right));
+    FAMILY.assert_passes("the right comparison", &p_values(&right));
 }

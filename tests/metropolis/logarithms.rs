@@ -2,6 +2,7 @@
 
 use super::acceptance::{acceptance, positive, step};
 use host::docs::Doc;
+use host::errors::ulp;
 use host::speed::{self, sampled};
 use microwarp::metropolis::{Chain, HastingsRatio, LogDensity, Outcome, Symmetric};
 use microwarp::poly;
@@ -15,11 +16,6 @@ const WITH_RATIO: &str = "acceptance at one with a [`HastingsRatio`](super::Hast
 /// The figure that the documentation states for a tier.
 fn figure<T: Tier>(row: &str) -> f64 {
     Doc::of("metropolis", "LogDensity").figure(row, usize::from(T::NAME == Poly::NAME))
-}
-
-fn ulp(x: f64) -> f64 {
-    let exponent = (x.log2().floor() as i32).max(-126);
-    2.0_f64.powi(exponent - 23)
 }
 
 /// How far an acceptance is off min(1, e^log), in ulp of that.

@@ -1,7 +1,7 @@
 //! A hundred million steps: nothing drifts, nothing sticks, nothing is lost.
 
 use crate::densities::parabola;
-use crate::targets::{assert_passes, assert_rejected, hotelling};
+use crate::targets::{FAMILY, hotelling};
 use host::{speed, stats};
 use microwarp::metropolis::{
     BoxStep, Chain, Halves, LargeSmall, Mixture, Saved, Transition, WrappedWalk, split_r_hat,
@@ -78,9 +78,9 @@ fn a_hundred_million_steps_leave_the_chain_as_it_should_be() {
     println!("longest stay {}, plausible {plausible:?}", record.longest);
     assert!(plausible.contains(&record.longest));
     for (way, shares) in ["plain", "weighted"].into_iter().zip(&record.shares) {
-        assert_passes(way, &[hotelling(shares, &probabilities(0.5))]);
+        FAMILY.assert_passes(way, &[hotelling(shares, &probabilities(0.5))]);
         let other = probabilities(0.5 + 0.001 * farther());
-        assert_rejected("off by 0.001", &[hotelling(shares, &other)]);
+        FAMILY.assert_rejected("off by 0.001", &[hotelling(shares, &other)]);
     }
     // Of uniform x, (x − ½)² has the mean 1/12 and the variance 1/80 − 1/144.
     let (mean, variance) = (1.0 / 12.0, 1.0 / 80.0 - 1.0 / 144.0);
@@ -94,10 +94,10 @@ fn a_hundred_million_steps_leave_the_chain_as_it_should_be() {
     let [a, b, c] = [first, last, all].map(|x| x.1 / x.0);
     println!("integral {a:.7} at first, {b:.7} at last, {c:.7} in all, exact {mean:.7}");
     let z_values = [z(first), z(last), drift(first, last), z(all)];
-    assert_passes("normalisation", &z_values.map(stats::two_sided));
+    FAMILY.assert_passes("normalisation", &z_values.map(stats::two_sided));
     // The control: densities that grow by 1 % in the end, 1e-10 a step of the full form.
     let grown = (last.0, last.1 * (1.0 + 0.95 * 0.01 * farther()));
-    assert_rejected("a drift", &[stats::two_sided(drift(first, grown))]);
+    FAMILY.assert_rejected("a drift", &[stats::two_sided(drift(first, grown))]);
 }
 
 /// The control of the record: a cached density that drifts by one place a step is seen.

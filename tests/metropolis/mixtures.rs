@@ -1,15 +1,14 @@
 //! Mixtures: each mutation by exactly the words of its table, with its own ratio and its index as the kind.
 
-use crate::exact::{above, below};
 use crate::own::given;
 use host::generators::Cycle;
-use microwarp::Error;
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{
     BoxStep, HastingsCorrection, HastingsCounts, HastingsRatio, Independence, LargeSmall, Mixture,
     Mutation, Symmetric, TransitionTable, UniformIndex, UniformStep, WrappedWalk,
 };
 use microwarp::poly as mw;
+use microwarp::{Error, constant};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
@@ -78,10 +77,7 @@ fn a_mixture_picks_by_the_words_of_its_table() {
         8: a => 0, b => 1, c => 2, d => 3, e => 4, f => 5, g => 6, h => 7;
     }
     // A table of one's own, built by the compiler.
-    const TABLE: Cdf<[u32; 2]> = match Cdf::<[u32; 2]>::new(&[1.0, 2.0]) {
-        Ok(table) => table,
-        Err(_) => panic!("bad weights"),
-    };
+    const TABLE: Cdf<[u32; 2]> = constant!(Cdf::<[u32; 2]>::new(&[1.0, 2.0]));
     picks_by_its_table(&Mixture::from_table((a, b), TABLE), &[1.0, 2.0]);
     let borrowed = (&a, &b);
     picks_by_its_table(&Mixture::from_table(borrowed, TABLE), &[1.0, 2.0]);
@@ -182,16 +178,23 @@ fn large_steps_have_the_probability_asked_for() {
     type Steps = LargeSmall<WrappedWalk<mw::LogUniformStep>>;
     let small = WrappedWalk::new(mw::LogUniformStep::new(0.001, 0.1).unwrap());
     let new = |probability| Steps::large_small(probability, small);
-    for bad in [f32::NAN, -1e-45, -1.0, above(1.0), 2.0, f32::INFINITY] {
+    for bad in [
+        f32::NAN,
+        -1e-45,
+        -1.0,
+        1.0_f32.next_up(),
+        2.0,
+        f32::INFINITY,
+    ] {
         assert_eq!(new(bad).err(), Some(Error::OutOfRange(0)), "{bad}");
     }
     let least = 2f32.powi(-33);
-    for bad in [1e-45, 1e-20, below(least)] {
+    for bad in [1e-45, 1e-20, least.next_down()] {
         assert_eq!(new(bad).err(), Some(Error::Unreachable(0)), "{bad:e}");
     }
     let mut rng = Pcg32::new(0x1a26e, 54);
     let mut probabilities = vec![0.0, -0.0, least, 2.0 * least, 3.0 * least, 5.0 * least];
-    probabilities.extend([1e-6, 0.1, 0.3, 0.5, below(1.0), 1.0]);
+    probabilities.extend([1e-6, 0.1, 0.3, 0.5, 1.0_f32.next_down(), 1.0]);
     probabilities.extend((0..1000).map(|_| rng.next_u32() as f32 * 2f32.powi(-32)));
     for probability in probabilities {
         let steps = new(probability).unwrap();

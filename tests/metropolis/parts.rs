@@ -2,6 +2,7 @@
 //! keep.
 
 use host::generators::Cycle;
+use host::words::first_without;
 use microwarp::Error;
 use microwarp::metropolis::{
     BoxStep, HastingsRatio, Independence, Mutation, NormalStep, OneCoordinate, Subset, Symmetric,
@@ -33,18 +34,14 @@ fn index_of(mutation: UniformIndex, fraction: u64) -> usize {
     proposal.state
 }
 
-/// The first 64-bit fraction that gives at least an index, by bisection; 2⁶⁴ if none does.
+/// The first 64-bit fraction that gives at least an index; 2⁶⁴ if none does.
 fn first_of(mutation: UniformIndex, index: usize) -> u128 {
-    let (mut low, mut high) = (0_u128, 1 << 64);
-    while low < high {
-        let middle = (low + high) / 2;
-        if index_of(mutation, middle as u64) < index {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
+    let below = |fraction| index_of(mutation, fraction) < index;
+    if below(u64::MAX) {
+        1 << 64
+    } else {
+        first_without(0..u64::MAX, below).into()
     }
-    low
 }
 
 #[test]
@@ -163,22 +160,15 @@ fn picked<const D: usize>(word: u32) -> usize {
 fn each_has_its_words<const D: usize>() {
     let mut start = 0;
     for axis in 0..D as u64 {
-        let (mut low, mut high) = (start, 1 << 32);
-        while low < high {
-            let middle = (low + high) / 2;
-            if picked::<D>(middle as u32) <= axis as usize {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        let words = low - start;
+        let up_to = |word: u64| picked::<D>(word as u32) <= axis as usize;
+        let end = first_without(start..1 << 32, up_to);
+        let words = end - start;
         assert!(
             words * (D as u64) < (1 << 32) + D as u64,
             "{axis} of {D}: {words}"
         );
         assert!((words + 1) * D as u64 > 1 << 32, "{axis} of {D}: {words}");
-        start = low;
+        start = end;
     }
     assert_eq!(start, 1 << 32);
 }

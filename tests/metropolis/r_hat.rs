@@ -2,7 +2,7 @@
 //! from chains that do not.
 
 use crate::diagnosis;
-use crate::exact::{above, assert_stated, below};
+use crate::exact::assert_stated;
 use crate::series::{SHAPES, normal, shaped};
 use host::docs::Doc;
 use host::speed;
@@ -135,7 +135,10 @@ fn r_hat_of_far_magnitudes_is_right_too() {
             vec![f32::MAX, f32::MIN, f32::MAX],
             vec![f32::MIN, f32::MAX, f32::MIN],
         ],
-        vec![vec![f32::MAX, below(f32::MAX)], vec![f32::MIN, f32::MIN]],
+        vec![
+            vec![f32::MAX, f32::MAX.next_down()],
+            vec![f32::MIN, f32::MIN],
+        ],
         vec![vec![tiny, 0.0, tiny], vec![0.0, tiny, 0.0, 0.0]],
         vec![vec![tiny, 0.0], vec![1e-20, 1e-20], vec![-1e-12, -1e-12]],
         vec![vec![1e38, -1e38], vec![tiny, 2.0 * tiny], vec![1.0, 2.0]],
@@ -151,7 +154,7 @@ fn r_hat_of_far_magnitudes_is_right_too() {
         );
     }
     // No number differs within a run, but from run to run.
-    let constant = [moments(&[1.0; 4]), moments(&[above(1.0); 4])];
+    let constant = [moments(&[1.0; 4]), moments(&[1.0_f32.next_up(); 4])];
     assert_eq!(r_hat(constant.iter()), Some(f32::MAX));
     // Results are numbers in range whatever is pushed.
     let mut rng = Pcg32::new(0x4a9, 54);

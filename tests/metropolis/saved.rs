@@ -1,6 +1,6 @@
 //! Chains that are saved, sent as bytes, and made chains again; and what a chain costs in bytes.
 
-use super::weighed::{Bits, Weighed};
+use super::own::{Bits, Weighed};
 use host::docs::Doc;
 use microwarp::Error;
 use microwarp::metropolis::{

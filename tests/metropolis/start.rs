@@ -1,6 +1,6 @@
 //! The start-up bias and its two cures, measured over many short runs of a slow chain.
 
-use crate::targets::{assert_passes, assert_rejected, p_value_of_mean};
+use crate::targets::{FAMILY, p_value_of_mean};
 use host::speed;
 use microwarp::metropolis::{BoxStep, Chain, UniformStep};
 use rand_pcg::Pcg32;
@@ -142,16 +142,16 @@ fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
     let runs = bad.runs;
     // The bias is still there after 100 steps. (Before the first all states are the same: no spread to judge by.)
     for row in 1..8 {
-        assert_rejected("a bad start", &at(&bad, row));
-        assert_rejected("10 steps of burn-in", &at(&short, row));
+        FAMILY.assert_rejected("a bad start", &at(&bad, row));
+        FAMILY.assert_rejected("10 steps of burn-in", &at(&short, row));
     }
-    assert_rejected("100 steps of burn-in", &at(&longer, 0));
-    assert_passes("2000 steps of burn-in", &long.plain());
+    FAMILY.assert_rejected("100 steps of burn-in", &at(&longer, 0));
+    FAMILY.assert_passes("2000 steps of burn-in", &long.plain());
     // Steps of the burn-in and steps after are the same steps.
     let [k100, after_burn_in] =
         [(&bad, 7), (&longer, 0)].map(|(t, row)| t.plain[row][0].mean(runs));
     let spread = (0.25 / runs as f64).sqrt() * 2_f64.sqrt();
-    assert_passes(
+    FAMILY.assert_passes(
         "100 steps",
         &[host::stats::two_sided((k100 - after_burn_in) / spread)],
     );
@@ -160,10 +160,10 @@ fn burning_in_long_enough_leaves_no_bias_and_less_leaves_some() {
 #[test]
 fn a_weighted_start_is_unbiased_after_any_number_of_steps() {
     for (count, table) in CANDIDATES.into_iter().zip(resampled()) {
-        assert_passes(&format!("{count} candidates"), &table.weighted());
+        FAMILY.assert_passes(&format!("{count} candidates"), &table.weighted());
         let mean = table.weights.mean(table.runs);
         println!("mean weight {mean:.6}, exact {INTEGRAL:.6}");
-        assert_passes(
+        FAMILY.assert_passes(
             "mean weight",
             &[table.weights.p_value(table.runs, INTEGRAL)],
         );
@@ -174,7 +174,7 @@ fn a_weighted_start_is_unbiased_after_any_number_of_steps() {
 #[test]
 fn a_start_without_its_weight_is_biased() {
     for table in &resampled()[..2] {
-        assert_rejected("without the weight", &table.plain()[..2]);
+        FAMILY.assert_rejected("without the weight", &table.plain()[..2]);
     }
     // One candidate is not even better than a source that knows nothing.
     let [one, four, ..] = resampled();
@@ -190,7 +190,7 @@ fn runs_without_a_start_count_as_zero() {
     let spread = (0.25 * 0.75 * runs as f64).sqrt();
     println!("{none} of {runs} without a start");
     assert!((none as f64 - 0.25 * runs as f64).abs() <= 6.0 * spread);
-    assert_rejected("left out", &[one.weights.p_value(one.started, INTEGRAL)]);
+    FAMILY.assert_rejected("left out", &[one.weights.p_value(one.started, INTEGRAL)]);
     let left_out = one.p_values(TRUE.map(|g| g * INTEGRAL), &one.weighted, one.started);
-    assert_rejected("left out", &left_out);
+    FAMILY.assert_rejected("left out", &left_out);
 }

@@ -3,13 +3,14 @@
 
 use crate::start_weights::Listed;
 use host::generators::{Counting, Cycle};
+use host::words::first_without;
 use microwarp::metropolis::{Chain, LogDensity, TargetDensity};
 use microwarp::rejection::Failure;
 use microwarp::tier::{Libm, Poly, Tier};
 use rand_pcg::Pcg32;
 
 /// How many of all 2³² words let candidate j, the last one, take the place of the one held. The words that
-/// do are those below a border, which bisection finds.
+/// do are those below a border.
 fn words_that_choose<D: TargetDensity>(weights: &[D], states: &[usize]) -> u64 {
     let pdf = vec![1.0; weights.len()];
     let chosen = |word: u32| {
@@ -34,19 +35,7 @@ fn words_that_choose<D: TargetDensity>(weights: &[D], states: &[usize]) -> u64 {
         assert_eq!(calls, count);
         start.is_ok_and(|s| s.chain.state() == states[states.len() - 1])
     };
-    if chosen(u32::MAX) {
-        return 1 << 32;
-    }
-    let (mut least, mut border) = (0_u64, u64::from(u32::MAX));
-    while least < border {
-        let middle = (least + border) / 2;
-        if chosen(middle as u32) {
-            least = middle + 1;
-        } else {
-            border = middle;
-        }
-    }
-    border
+    first_without(0..1 << 32, |word| chosen(word as u32))
 }
 
 /// The probability of each candidate to be the start.

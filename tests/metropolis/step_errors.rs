@@ -3,6 +3,7 @@
 use crate::exact::assert_stated;
 use crate::laws::{HALF, Law, exponential, normal};
 use host::docs::Doc;
+use host::errors::ulp;
 use host::speed::{self, sampled};
 use microwarp::tier::{Libm, Poly, Tier};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
@@ -38,12 +39,6 @@ fn quantiles(words: &[u32]) -> Vec<(u32, f64)> {
         .collect();
     sizes.reverse();
     sizes
-}
-
-/// The spacing of `f32` at a number.
-fn ulp(x: f64) -> f64 {
-    let exponent = x.abs().log2().floor().clamp(-126.0, 127.0);
-    2f64.powi(exponent as i32 - 23)
 }
 
 /// The largest error of a normal step in ulp, and the deviation of the largest that its word could have with

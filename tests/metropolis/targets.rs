@@ -17,24 +17,12 @@
 use crate::runs::{Outcome, Plan, plan};
 use crate::subjects;
 use host::speed;
-use host::stats::{self, p_value_of_uniforms};
+use host::stats::{self, Family, p_value_of_uniforms};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// No fewer than the p-values of what is right, which are counted as they come.
-const P_VALUES: usize = 220;
-static COUNTED: AtomicUsize = AtomicUsize::new(0);
-
-pub fn assert_passes(what: &str, p_values: &[f64]) {
-    let before = COUNTED.fetch_add(p_values.len(), Ordering::Relaxed);
-    assert!(before + p_values.len() <= P_VALUES);
-    stats::assert_passes(what, p_values, stats::threshold(P_VALUES));
-}
-
-pub fn assert_rejected(what: &str, p_values: &[f64]) {
-    stats::assert_rejected(what, p_values, stats::threshold(P_VALUES));
-}
+/// What is judged of chains.
+pub static FAMILY: Family = Family::of(220);
 
 /// The p-value of Hotelling's T² of the batches' shares in the cells against the exact probabilities.
 ///
@@ -104,7 +92,7 @@ fn chains_have_the_distribution_of_their_target() {
             outcome.thin,
             outcome.cell_time,
         );
-        assert_passes(name, &outcome.p_values);
+        FAMILY.assert_passes(name, &outcome.p_values);
     }
 }
 
@@ -172,7 +160,7 @@ fn p_values_of_right_chains_are_uniform() {
             below(0.5),
             below(0.05)
         );
-        assert_passes(name, &[p_value_of_uniforms(&mut p_values.clone())]);
+        FAMILY.assert_passes(name, &[p_value_of_uniforms(&mut p_values.clone())]);
     }
     // The control: as if every state were independent of the one before.
     let dense = Plan {
@@ -181,5 +169,5 @@ fn p_values_of_right_chains_are_uniform() {
     };
     let runs = (0..seeds / 3).map(|i| subject.run_by(&dense, 9000 + i).p_values[2]);
     let naive = p_value_of_uniforms(&mut runs.collect::<Vec<_>>());
-    assert_rejected("correlated states", &[naive]);
+    FAMILY.assert_rejected("correlated states", &[naive]);
 }

@@ -1,7 +1,6 @@
 //! How many words a mutation takes, and a step with it. A failure at any word passes through and leaves the chain as it was.
 
-use super::own::given;
-use super::weighed::{Bits, Weighed};
+use super::own::{Bits, Weighed, given};
 use host::generators::{Broken, Counting, Failing};
 use microwarp::discrete::{Alias, AliasEntry, Cdf};
 use microwarp::metropolis::{

@@ -1,6 +1,5 @@
 //! The sum modulo 1: by the rule that is documented, worked out in integers, for any two numbers at all.
 
-use crate::exact::{above, below};
 use host::speed;
 use microwarp::metropolis::wrapping_add;
 use microwarp::uniform::LARGEST;
@@ -73,8 +72,8 @@ fn the_rule_in_integers_is_the_documented_one() {
         (0.0, 0),
         (half, 1),
         (-half, POINTS - 1),
-        (below(half), 0),
-        (above(half), 1),
+        (half.next_down(), 0),
+        (half.next_up(), 1),
         (3.0 * half, 2),
         (5.0 * half, 3),
         (0.25, POINTS / 4),
@@ -189,7 +188,7 @@ fn a_step_and_its_negative_undo_each_other() {
     let stride = speed::of("one place of", 61, 1);
     for place in speed::sampled(0..POINTS, stride) {
         let u = point(place);
-        for s in [0.1, 2f32.powi(-25), below(2f32.powi(-25)), 1.5] {
+        for s in [0.1, 2f32.powi(-25), 2f32.powi(-25).next_down(), 1.5] {
             assert_eq!(wrapping_add(wrapping_add(u, s), -s), u);
         }
     }

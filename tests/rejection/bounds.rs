@@ -1,5 +1,6 @@
 //! What is wrong with a density, a bound or a proposal is reported, and any magnitude is decided right.
 
+use host::words::first_without;
 use microwarp::rejection::{Bounded, Failure, Rejection, SLACK};
 use microwarp::uniform::LARGEST;
 use microwarp::{
@@ -24,24 +25,10 @@ fn attempt(f: f32, p: f32, c: f32, word: u32) -> Result<Option<f32>, Failure> {
     bounded.attempt(0.0, word)
 }
 
-/// How many words below a limit accept, of which the accepting ones come first; by bisection.
-pub fn count_from_0(limit: u64, accepts: impl Fn(u64) -> bool) -> u64 {
-    let (mut low, mut high) = (0, limit);
-    while low < high {
-        let middle = (low + high) / 2;
-        if accepts(middle) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    low
-}
-
 /// How many of the 2³² words accept.
 fn words_that_accept(f: f32, p: f32, c: f32) -> u64 {
     let accepts = |word: u64| attempt(f, p, c, word as u32).unwrap().is_some();
-    count_from_0(1 << 32, accepts)
+    first_without(0..1 << 32, accepts)
 }
 
 #[test]

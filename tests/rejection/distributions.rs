@@ -1,8 +1,8 @@
 //! Accepted points have the stated law, in their whole domain and whatever the number of tries.
 
-use crate::examination::{assert_passes, assert_rejected, p_values_of_points};
+use crate::examination::{FAMILY, p_values_of_points};
 use crate::subjects::{self, MORE, POINTS, run};
-use host::{speed, stats};
+use host::speed;
 use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
 use microwarp::warp::Aabb;
@@ -16,8 +16,7 @@ use std::f32::consts::{FRAC_1_PI, PI};
 #[test]
 fn accepted_points_have_the_stated_law() {
     for (subject, outcome) in subjects::all().iter().zip(subjects::outcomes()) {
-        assert_eq!(outcome.points.len(), 1 + subject.axes);
-        assert_passes(subject.name, &outcome.points);
+        FAMILY.assert_passes(subject.name, &outcome.points);
     }
 }
 
@@ -35,7 +34,7 @@ fn points_do_not_depend_on_their_tries() {
     };
     let late = patient(3);
     assert!(late.len() > *POINTS / 20);
-    assert_passes("third tries and later", &p_values_of_points(&late));
+    FAMILY.assert_passes("third tries and later", &p_values_of_points(&late));
     // The control: as if a point were handed out of those that had been turned down.
     let turned_down = Bounded::new(
         poly::Disk::new(),
@@ -46,7 +45,7 @@ fn points_do_not_depend_on_their_tries() {
     let other = run_of(&turned_down.unwrap());
     let some = (0.01 * *MORE * *POINTS as f64) as usize;
     wrong.splice(0..some, other.into_iter().take(some));
-    assert_rejected("some turned down", &p_values_of_points(&wrong));
+    FAMILY.assert_rejected("some turned down", &p_values_of_points(&wrong));
 }
 
 fn run_of<S: Rejection<Point = [f32; 2]>>(sampler: &S) -> Vec<[f64; 2]> {
@@ -112,21 +111,21 @@ fn regions_that_are_slightly_off_are_rejected() {
     let more = *MORE as f32;
     let narrow = |[x, y]: [f32; 2]| x * x + y * y <= 1.0 - 0.005 * more;
     let narrow = Region::new(square, narrow);
-    assert_rejected("narrow disk", &p_values(&narrow, subjects::disk));
+    FAMILY.assert_rejected("narrow disk", &p_values(&narrow, subjects::disk));
     let oval = |[x, y]: [f32; 2]| x * x + (1.0 + 0.01 * more) * y * y <= 1.0;
     let oval = Region::new(square, oval);
-    assert_rejected("oval", &p_values(&oval, subjects::disk));
+    FAMILY.assert_rejected("oval", &p_values(&oval, subjects::disk));
     let cap = Region::new(libm::Hemisphere::new(), |n: [f32; 3]| {
         n[2] > 0.5 + 0.005 * more
     });
-    assert_rejected("small cap", &p_values(&cap, subjects::cap));
+    FAMILY.assert_rejected("small cap", &p_values(&cap, subjects::cap));
     let triangle = |b: [f32; 3]| b[0] < (1.0 - 0.01 * more) * b[1];
     let triangle = Region::new(Triangle::new(), triangle);
-    assert_rejected("triangle", &p_values(&triangle, subjects::half_triangle));
+    FAMILY.assert_rejected("triangle", &p_values(&triangle, subjects::half_triangle));
     // A disk at the centre of which a little hole has been left.
     let ring = |[x, y]: [f32; 2]| (4e-3 * more..=1.0).contains(&(x * x + y * y));
     let ring = Region::new(square, ring);
-    assert_rejected("punctured disk", &p_values(&ring, subjects::disk));
+    FAMILY.assert_rejected("punctured disk", &p_values(&ring, subjects::disk));
 }
 
 #[test]
@@ -136,34 +135,33 @@ fn densities_that_are_slightly_off_are_rejected() {
     let peak = 1.0 - 0.1 * more;
     let clamped = |x| subjects::bump_density(x).min(peak);
     let clamped = Bounded::new(disk, clamped, peak * PI).unwrap();
-    assert_rejected("a clamped peak", &p_values(&clamped, subjects::bump));
+    FAMILY.assert_rejected("a clamped peak", &p_values(&clamped, subjects::bump));
     let wrong = Bounded::new(WrongDisk, subjects::bump_density, PI).unwrap();
-    assert_rejected("proposals r = u", &p_values(&wrong, subjects::bump));
+    FAMILY.assert_rejected("proposals r = u", &p_values(&wrong, subjects::bump));
     let line = Interval::new(0.0, PI).unwrap();
     let by = 0.03 * more;
     let raised = Bounded::new(line, |x: f32| by + x.sin(), (1.0 + by) * PI).unwrap();
-    assert_rejected(
+    FAMILY.assert_rejected(
         "sin + 0.03 or more",
         &p_values(&raised, subjects::half_sine),
     );
     let coarse = Bounded::new(line, f32::sin, PI).unwrap();
     let bits = u32::MAX << speed::of("bits that the coarse coin lacks", 27, 26);
     let coarse = p_values(&CoarseCoin(coarse, bits), subjects::half_sine);
-    assert_rejected("a coin of few bits", &coarse);
+    FAMILY.assert_rejected("a coin of few bits", &coarse);
     // Dividing by c alone where c p is meant: as if f were f p.
     let lobe = poly::CosineHemisphere::new();
     let forgetful = move |n: [f32; 3]| n[2] * n[2] * lobe.pdf(n);
     let forgetful = Bounded::new(lobe, forgetful, 1.0).unwrap();
     let forgetful = p_values(&forgetful, subjects::squared_cosine);
-    assert_rejected("the proposal's density forgotten", &forgetful);
+    FAMILY.assert_rejected("the proposal's density forgotten", &forgetful);
 }
 
 /// The disk's own law is not that of 1/(1 + r²), and conversely.
 #[test]
 fn laws_are_told_apart() {
     let disk = DiskRejection::new();
-    assert_rejected("disk for bump", &p_values(&disk, subjects::bump));
+    FAMILY.assert_rejected("disk for bump", &p_values(&disk, subjects::bump));
     let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI).unwrap();
-    assert_rejected("bump for disk", &p_values(&bump, subjects::disk));
-    assert!(stats::threshold(1) > crate::examination::threshold());
+    FAMILY.assert_rejected("bump for disk", &p_values(&bump, subjects::disk));
 }

@@ -5,6 +5,7 @@ use host::docs::Doc;
 use host::errors::raise;
 use host::speed;
 use host::truth::normal_quantile_lower;
+use host::words::first_without;
 use microwarp::rejection::{Gamma, Rejection};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{Error, poly};
@@ -90,20 +91,6 @@ pub fn page() -> String {
     text.replace("\n/// ", " ")
 }
 
-/// The first decision that does not accept.
-pub fn first_rejected(accepts: impl Fn(u32) -> bool) -> u64 {
-    let (mut low, mut high) = (0_u64, 1 << 32);
-    while low < high {
-        let middle = u64::midpoint(low, high);
-        if accepts(middle as u32) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    low
-}
-
 #[test]
 fn every_word_proposes_the_number_of_the_formula() {
     fn worst<T: Tier>(
@@ -137,8 +124,8 @@ fn every_word_proposes_the_number_of_the_formula() {
                 let granted =
                     PROPOSED * bent + LOG * (1.0 + ln.abs() + f64::from(scale).ln().abs());
                 let off = (got - ln).abs() / granted;
-                let share = |decision| sampler.attempt([word, decision, third]).is_some();
-                let accepted = first_rejected(share) as f64 / 4_294_967_296.0;
+                let share = |decision| sampler.attempt([word, decision as u32, third]).is_some();
+                let accepted = first_without(0..1 << 32, share) as f64 / 4_294_967_296.0;
                 let missed =
                     ((accepted - probability).abs() - 2_f64.powi(-33)).max(0.0) / probability;
                 let missed = missed / (ACCEPTED * bent);

@@ -1,7 +1,7 @@
 //! `Gamma`: the law that all words of a try have together, its efficiency, and the law of what is drawn.
 
-use crate::gamma::first_rejected;
 use host::errors::or_infinite;
+use host::words::first_without;
 use host::{speed, stats};
 use microwarp::poly;
 use microwarp::rejection::{Failure, Rejection};
@@ -21,7 +21,9 @@ fn law(shape: f64, cells: u32, attempt: impl Fn([u32; 2]) -> Option<f32>) -> (f6
     for i in 0..cells {
         let (from, to) = (start(i), start(i + 1));
         let middle = u64::midpoint(from, to) as u32;
-        let accepted = first_rejected(|decision| attempt([middle, decision]).is_some());
+        let accepted = first_without(0..1 << 32, |decision| {
+            attempt([middle, decision as u32]).is_some()
+        });
         sum += (to - from) as f64 * accepted as f64;
         sums.push((attempt([(to - 1) as u32, 0]), sum));
     }

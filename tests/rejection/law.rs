@@ -1,6 +1,7 @@
 //! The law that all pairs of words of a transformed rejection have together, counted and not sampled.
 
 use host::errors::or_infinite;
+use host::words::first_without;
 
 /// Words at which products of words turn: the ends, the middle, and a neighbour of a power of two.
 pub const EDGES: [u32; 8] = [
@@ -14,23 +15,9 @@ pub const EDGES: [u32; 8] = [
     u32::MAX,
 ];
 
-/// The first of the numbers from one to another of which something no longer holds.
-fn first_without(from: u64, to: u64, holds: impl Fn(u64) -> bool) -> u64 {
-    let (mut low, mut high) = (from, to);
-    while low < high {
-        let middle = u64::midpoint(low, high);
-        if holds(middle) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    low
-}
-
 /// The first word that proposes this count or more. Counts increase with the word; no decision accepts those at the ends.
 fn first(count: i64, attempt: &impl Fn([u32; 2]) -> Option<u32>) -> u64 {
-    first_without(0, 1 << 32, |word| match attempt([word as u32, 0]) {
+    first_without(0..1 << 32, |word| match attempt([word as u32, 0]) {
         Some(k) => i64::from(k) < count,
         None => word < 1 << 31,
     })
@@ -57,7 +44,7 @@ fn pairs(attempt: &impl Fn([u32; 2]) -> Option<u32>, from: u64, to: u64) -> f64 
         return 0.0;
     }
     let accepts = |word: u64, decision: u64| attempt([word as u32, decision as u32]).is_some();
-    let share = |word| first_without(0, 1 << 32, |decision| accepts(word, decision));
+    let share = |word| first_without(0..1 << 32, |decision| accepts(word, decision));
     let upper = from >= 1 << 31;
     let ends = if upper {
         (from, to - 1)
@@ -72,9 +59,9 @@ fn pairs(attempt: &impl Fn([u32; 2]) -> Option<u32>, from: u64, to: u64) -> f64 
     let words = |decision: f64| {
         let decision = least + decision.clamp(0.0, (most - least - 1) as f64) as u64;
         let words = if upper {
-            to - first_without(from, to, |word| !accepts(word, decision))
+            to - first_without(from..to, |word| !accepts(word, decision))
         } else {
-            first_without(from, to, |word| accepts(word, decision)) - from
+            first_without(from..to, |word| accepts(word, decision)) - from
         };
         words as f64
     };
@@ -170,6 +157,43 @@ pub fn law(
         worst = worst.max(or_infinite(error));
     }
     [sum / 2.0_f64.powi(64), worst]
+}
+
+/// Efficiencies of laws and their errors in units of what is granted.
+pub fn assert_laws(tier: &str, found: impl Iterator<Item = (String, [f64; 2])>) {
+    let (mut number, mut worst, mut lowest) = (0, 0.0_f64, 1.0_f64);
+    for (law, [efficiency, error]) in found {
+        assert!(efficiency > 0.76 && efficiency < 0.9, "{law}: {efficiency}");
+        // The default budget.
+        assert!((1.0 - efficiency).powi(32) < 2_f64.powi(-64));
+        assert!(error <= 1.0, "{law}: {error} of the bound");
+        (number, lowest) = (number + 1, lowest.min(efficiency));
+        worst = worst.max(error);
+    }
+    println!("{tier}, {number} laws: efficiency from {lowest:.4}, at most {worst:.3} of the bound");
+    assert!(number > 0);
+}
+
+/// No pair of words leaves a range, or has a count of no probability; counts increase with the first word.
+pub fn assert_within(
+    range: std::ops::RangeInclusive<u32>,
+    pmf: impl Fn(u32) -> f32,
+    attempt: impl Fn([u32; 2]) -> Option<u32>,
+) {
+    let sound = |k| range.contains(&k) && pmf(k) > 0.0 && pmf(k) <= 1.0;
+    let places = (0..=4096_u32).map(|i| (i << 20).saturating_sub(1));
+    let mut last = 0;
+    for place in places.chain(EDGES) {
+        for decision in EDGES {
+            let count = attempt([place, decision]);
+            assert!(count.is_none_or(sound), "{range:?}: {count:?}");
+        }
+    }
+    for k in (0..=4096_u32).filter_map(|i| attempt([(i << 20).saturating_sub(1), 0])) {
+        assert!(k >= last);
+        last = k;
+    }
+    assert!(last > 0);
 }
 
 /// The law of other parameters, another count, and a squeeze that accepts too much are noticed: `error` is the largest one

@@ -1,8 +1,8 @@
 //! The layers of the ziggurats are those of an exact computation, and what is between them is decided by the curve.
 
-use crate::bounds::count_from_0;
 use crate::curves::{CURVES, Curve, Geometry, LAYERS};
 use host::speed;
+use host::words::first_without;
 use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -38,12 +38,12 @@ pub fn unit(curve: Curve, layer: usize) -> f32 {
 fn accepting(curve: Curve, layer: usize, place: u32) -> u64 {
     let accepts =
         |second: u64| attempt(curve, [word(curve, layer, place), second as u32, 0]).is_some();
-    count_from_0(1 << 32, accepts)
+    first_without(0..1 << 32, accepts)
 }
 
 /// The first place of a layer at which something holds that holds from there on.
 fn first_place(holds: impl Fn(u32) -> bool) -> u32 {
-    2 * count_from_0(1 << 23, |half| !holds(2 * half as u32 + 1)) as u32 + 1
+    2 * first_without(0..1 << 23, |half| !holds(2 * half as u32 + 1)) as u32 + 1
 }
 
 /// A number in the source of a law.

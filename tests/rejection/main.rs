@@ -6,7 +6,6 @@ mod bounds;
 mod budgets;
 mod curves;
 mod distributions;
-mod efficiency;
 mod exact;
 mod examination;
 mod gamma;
@@ -22,13 +21,3 @@ mod subjects;
 mod von_mises;
 mod ziggurat_budgets;
 mod ziggurats;
-
-use examination::TESTS;
-
-#[test]
-fn p_values_are_counted() {
-    // Chi-square and a distance an axis, for points; chi-square and a mean, for tries; five on their own; and the ziggurats'.
-    let points: usize = subjects::all().iter().map(|s| 1 + s.axes).sum();
-    let computed = points + 2 * subjects::all().len() + 5 + ziggurats::P_VALUES;
-    assert!(computed <= TESTS, "{computed}");
-}

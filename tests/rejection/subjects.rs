@@ -8,7 +8,7 @@ use host::speed;
 use microwarp::rejection::{BallRejection, Bounded, DiskRejection, Region, Rejection, budget_for};
 use microwarp::warp::Aabb;
 use microwarp::{
-    fixed, libm, poly,
+    Warp, fixed, libm, poly,
     warp::{Interval, Triangle},
 };
 use rand_pcg::Pcg32;
@@ -45,8 +45,6 @@ pub fn outcomes() -> &'static [Outcome] {
 pub struct Subject {
     pub name: &'static str,
     pub efficiency: f64,
-    /// Coordinates of a point's uniforms.
-    pub axes: usize,
     run: Box<dyn Fn(u64) -> Outcome>,
 }
 
@@ -75,7 +73,6 @@ fn subject<S: Rejection + 'static, const D: usize>(
     Subject {
         name,
         efficiency,
-        axes: D,
         run: Box::new(move |seed| {
             let run = run(&sampler, &uniform, seed);
             Outcome {
@@ -171,36 +168,27 @@ pub fn all() -> Vec<Subject> {
     // Of x below 1, both: (1 - e^(-2x))/(1 - e^-2).
     let below_one = |x: f32| [(-2.0 * f64::from(x)).exp_m1() / (-2.0_f64).exp_m1()];
     let mass = -(-2.0_f64).exp_m1();
-    macro_rules! region {
-        ($domain:expr, $predicate:expr, $e:expr) => {
-            Region::new($domain, $predicate)
-                .with_budget(budget($e))
-                .unwrap()
-        };
+    fn region<W: Warp, P: Fn(W::Point) -> bool>(domain: W, inside: P, e: f64) -> Region<W, P> {
+        Region::new(domain, inside).with_budget(budget(e)).unwrap()
     }
-    macro_rules! bounded {
-        ($proposal:expr, $f:expr, $c:expr) => {
-            Bounded::new($proposal, $f, $c).unwrap()
-        };
-    }
-    let half = region!(Triangle::new(), |b: [f32; 3]| b[0] < b[1], 0.5);
-    let fast = region!(poly::Hemisphere::new(), unit, 0.5);
-    let slow = region!(libm::Hemisphere::new(), unit, 0.5);
-    let decay = region!(decay, |x| x < 1.0, mass);
-    let tail = region!(tail, |x| x < 1.0, mass);
-    let below = region!(cube, |p: [f32; 3]| p.iter().sum::<f32>() < 1.0, 1.0 / 6.0);
+    let half = region(Triangle::new(), |b: [f32; 3]| b[0] < b[1], 0.5);
+    let fast = region(poly::Hemisphere::new(), unit, 0.5);
+    let slow = region(libm::Hemisphere::new(), unit, 0.5);
+    let decay = region(decay, |x| x < 1.0, mass);
+    let tail = region(tail, |x| x < 1.0, mass);
+    let below = region(cube, |p: [f32; 3]| p.iter().sum::<f32>() < 1.0, 1.0 / 6.0);
     // The integral of 1/(1 + r²) over the disk is π ln 2.
     let [over_poly, over_libm] = ["1/(1 + r²) over Disk, poly", "1/(1 + r²) over Disk, libm"];
     let over_concentric = "1/(1 + r²) over DiskConcentric, twice the bound";
-    let on_poly = bounded!(poly::Disk::new(), bump_density, pi);
-    let on_libm = bounded!(libm::Disk::new(), bump_density, pi);
-    let concentric = bounded!(poly::DiskConcentric::new(), bump_density, 2.0 * pi);
-    let in_box = bounded!(square, bump_or_zero, 4.0);
-    let sine = bounded!(line, f32::sin, pi);
+    let on_poly = Bounded::new(poly::Disk::new(), bump_density, pi).unwrap();
+    let on_libm = Bounded::new(libm::Disk::new(), bump_density, pi).unwrap();
+    let concentric = Bounded::new(poly::DiskConcentric::new(), bump_density, 2.0 * pi).unwrap();
+    let in_box = Bounded::new(square, bump_or_zero, 4.0).unwrap();
+    let sine = Bounded::new(line, f32::sin, pi).unwrap();
     // f/p = π z, of integral 2π/3.
     let z2 = |n: [f32; 3]| n[2] * n[2];
-    let lobe_poly = bounded!(poly::CosineHemisphere::new(), z2, pi);
-    let lobe_libm = bounded!(libm::CosineHemisphere::new(), z2, pi);
+    let lobe_poly = Bounded::new(poly::CosineHemisphere::new(), z2, pi).unwrap();
+    let lobe_libm = Bounded::new(libm::CosineHemisphere::new(), z2, pi).unwrap();
     let (long, short) = (fixed::DiskRejection::new(), fixed::DiskRejection16::new());
     vec![
         subject("disk", FRAC_PI_4, DiskRejection::new(), disk),

@@ -5,6 +5,7 @@ use crate::law::EDGES;
 use host::docs::Doc;
 use host::errors::or_infinite;
 use host::speed;
+use host::words::first_without;
 use microwarp::rejection::{Rejection, VonMises};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::{Error, poly};
@@ -84,16 +85,9 @@ impl Truth {
             let word = ((u64::from(i) << 32 | 1 << 31) / u64::from(places)) as u32;
             let [exact, slope] = self.proposed(word);
             // The first decision that rejects.
-            let (mut low, mut high) = (0_u64, 1_u64 << 32);
-            while low < high {
-                let middle = u64::midpoint(low, high);
-                if attempt([word, middle as u32]).is_some() {
-                    low = middle + 1;
-                } else {
-                    high = middle;
-                }
-            }
-            let share = low as f64 / 2_f64.powi(32);
+            let accepts = |decision| attempt([word, decision as u32]).is_some();
+            let rejects = first_without(0..1 << 32, accepts);
+            let share = rejects as f64 / 2_f64.powi(32);
             all += share / f64::from(places);
             likeliest = likeliest.max(share);
             let Some(angle) = attempt([word, 0]) else {

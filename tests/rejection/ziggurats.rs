@@ -2,9 +2,7 @@
 //! very same tests.
 
 use crate::curves::{CURVES, Curve, Geometry};
-use crate::examination::{
-    assert_passes, assert_rejected, histogram, p_value_of_mean, p_value_of_tries,
-};
+use crate::examination::{FAMILY, histogram, p_value_of_mean, p_value_of_tries};
 use crate::layers::{attempt, word};
 use host::{speed, stats};
 use microwarp::rejection::{Rejection, ZigguratStandardExponential, ZigguratStandardNormal};
@@ -19,10 +17,6 @@ static NUMBERS: LazyLock<usize> =
 /// By what factor controls are more wrong than with all numbers, as those are 2.2² times as many.
 static MORE: LazyLock<f64> =
     LazyLock::new(|| speed::of("factor of the errors of controls of ziggurats", 2.3, 1.0));
-
-/// The p-values of this file: of each curve ten of numbers and tries, two of a tail. (What a scaled sampler makes of
-/// numbers is asked to the bit in `ziggurat_budgets`. Where layer and place are read from is asked in `layers`.)
-pub const P_VALUES: usize = 2 * (10 + 2);
 
 /// What is wrong with a ziggurat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -225,11 +219,11 @@ fn numbers_have_their_law_and_tries_theirs() {
         let (tries, e) = (histogram(&tries), curve.efficiency());
         p_values.extend([p_value_of_tries(&tries, e), p_value_of_mean(&tries, e)]);
         assert_eq!(p_values.len(), 10);
-        assert_passes(&format!("{curve:?}"), &p_values);
+        FAMILY.assert_passes(&format!("{curve:?}"), &p_values);
         // A thousandth more or fewer is seen both ways; of fewer numbers three.
         for wrong in [(1.0 - 0.001 * *MORE) * e, (1.0 + 0.001 * *MORE) * e] {
-            assert_rejected("histogram", &[p_value_of_tries(&tries, wrong)]);
-            assert_rejected("mean", &[p_value_of_mean(&tries, wrong)]);
+            FAMILY.assert_rejected("histogram", &[p_value_of_tries(&tries, wrong)]);
+            FAMILY.assert_rejected("mean", &[p_value_of_mean(&tries, wrong)]);
         }
         let stated = match curve {
             Curve::Normal => ZigguratStandardNormal::EFFICIENCY,
@@ -244,14 +238,14 @@ fn numbers_have_their_law_and_tries_theirs() {
 fn flawed_ziggurats_are_rejected() {
     for curve in CURVES {
         let of = |flaw| p_values_of_numbers(curve, &Reference::new(curve, flaw).numbers());
-        assert_passes(&format!("{curve:?}, reference"), &of(Flaw::None));
+        FAMILY.assert_passes(&format!("{curve:?}, reference"), &of(Flaw::None));
         for flaw in [
             Flaw::SharedHighBits,
             Flaw::NoWedge,
             Flaw::InnerAlone,
             Flaw::NoTail,
         ] {
-            assert_rejected(&format!("{curve:?}, {flaw:?}"), &of(flaw));
+            FAMILY.assert_rejected(&format!("{curve:?}, {flaw:?}"), &of(flaw));
         }
     }
 }
@@ -276,13 +270,13 @@ fn tails_have_their_law() {
             f64::from(attempt(curve, words).unwrap())
         });
         let name = format!("{curve:?}, tail");
-        assert_passes(&name, &p_values_of_tail(curve, numbers));
+        FAMILY.assert_passes(&name, &p_values_of_tail(curve, numbers));
         let of = |flaw| {
             let mut reference = Reference::new(curve, flaw);
             let numbers: Vec<f64> = (0..count).map(|_| reference.tail()).collect();
             p_values_of_tail(curve, numbers.into_iter())
         };
-        assert_passes(&name, &of(Flaw::None));
-        assert_rejected(&name, &of(Flaw::WrongTail));
+        FAMILY.assert_passes(&name, &of(Flaw::None));
+        FAMILY.assert_rejected(&name, &of(Flaw::WrongTail));
     }
 }

@@ -10,12 +10,10 @@ pub struct Mean {
 impl Mean {
     pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
         let values: Vec<f64> = values.into_iter().collect();
-        let count = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / count;
-        let squares: f64 = values.iter().map(|v| (v - mean).powi(2)).sum();
+        let (mean, variance) = mean_and_variance(values.iter().copied());
         Self {
             mean,
-            error: (squares / (count - 1.0) / count).sqrt(),
+            error: (variance / values.len() as f64).sqrt(),
         }
     }
 
@@ -23,4 +21,18 @@ impl Mean {
     pub fn deviation(self, truth: f64) -> f64 {
         (self.mean - truth) / self.error
     }
+}
+
+/// Mean and unbiased variance of numbers, in two passes.
+pub fn mean_and_variance(samples: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
+    let n = samples.clone().count() as f64;
+    let mean = samples.clone().sum::<f64>() / n;
+    // The mean's own rounding leaves a residue, which is taken off.
+    let (squares, residue) = samples.fold((0.0, 0.0), |(squares, residue), x| {
+        (squares + (x - mean) * (x - mean), residue + (x - mean))
+    });
+    (
+        mean + residue / n,
+        (squares - residue * residue / n) / (n - 1.0),
+    )
 }

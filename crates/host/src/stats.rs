@@ -6,6 +6,7 @@
 use crate::errors::or_infinite;
 use crate::registry::{Entry, Measure};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The chance that a correct crate fails anywhere in a suite of tests; a tenth of what is promised,
 /// because the statistics follow their limiting laws only nearly.
@@ -29,6 +30,29 @@ pub fn assert_passes(what: &str, p_values: &[f64], threshold: f64) {
 pub fn assert_rejected(what: &str, p_values: &[f64], threshold: f64) {
     println!("{what}: {p_values:?}");
     assert!(!passes(p_values, threshold), "{what} passes: {p_values:?}");
+}
+
+/// A family of tests in one program: no more p-values of what is right than are foreseen, which are counted as they come.
+pub struct Family {
+    tests: usize,
+    judged: AtomicUsize,
+}
+
+impl Family {
+    pub const fn of(tests: usize) -> Self {
+        let judged = AtomicUsize::new(0);
+        Self { tests, judged }
+    }
+
+    pub fn assert_passes(&self, what: &str, p_values: &[f64]) {
+        let before = self.judged.fetch_add(p_values.len(), Ordering::Relaxed);
+        assert!(before + p_values.len() <= self.tests, "{what}: more tests");
+        assert_passes(what, p_values, threshold(self.tests));
+    }
+
+    pub fn assert_rejected(&self, what: &str, p_values: &[f64]) {
+        assert_rejected(what, p_values, threshold(self.tests));
+    }
 }
 
 /// Chi-square, degrees of freedom and p-value, cells that expect fewer than 5 being pooled.

@@ -1,6 +1,21 @@
-//! Words over which the kernels of the integer tier are tried.
+//! Words over which kernels are tried, and where among words something ends.
 
 use crate::speed;
+use std::ops::Range;
+
+/// The first of the numbers in a range, or its end, of which something no longer holds that holds of those before; by bisection.
+pub fn first_without(range: Range<u64>, holds: impl Fn(u64) -> bool) -> u64 {
+    let Range { mut start, mut end } = range;
+    while start < end {
+        let middle = u64::midpoint(start, end);
+        if holds(middle) {
+            start = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    start
+}
 
 /// Where kernels tend to break: the first and the last words, powers of two, quarters, and the borders of the cells
 /// of every table, each with its neighbours. In the quick speed there are fewer neighbours.

@@ -183,18 +183,14 @@ fn words_are_those_of_the_dimensions() {
 
 #[test]
 fn dimensions_beyond_those_tabulated_are_refused() {
-    macro_rules! refused {
-        ($($count:literal => $error:expr;)*) => {$(
-            assert_eq!(Sobol::<$count>::new(1).err(), $error);
-            assert_eq!(Recurrence::<$count>::new(1).err(), $error);
-        )*};
+    fn refused<const COUNT: usize>(error: Option<Error>) {
+        assert_eq!(Sobol::<COUNT>::new(1).err(), error);
+        assert_eq!(Recurrence::<COUNT>::new(1).err(), error);
     }
-    refused! {
-        0 => Some(Error::Empty(Error::NO_PLACE));
-        1 => None;
-        2 => None;
-        8 => None;
-        9 => Some(Error::TooLarge(Error::NO_PLACE));
-        1000 => Some(Error::TooLarge(Error::NO_PLACE));
-    }
+    refused::<0>(Some(Error::Empty(Error::NO_PLACE)));
+    refused::<1>(None);
+    refused::<2>(None);
+    refused::<8>(None);
+    refused::<9>(Some(Error::TooLarge(Error::NO_PLACE)));
+    refused::<1000>(Some(Error::TooLarge(Error::NO_PLACE)));
 }
