@@ -1,8 +1,7 @@
-//! `Binomial`: the words of every count against sums of 768 bits, which leaves no word out; its pmf, its ends and its
+//! `Binomial`: the words of every count against sums of 512 bits, which leaves no word out; its pmf, its ends and its
 //! refusals, and what a draw takes.
 
-use crate::counts::{Ends, excess, noticed, ratio, takes_one};
-use crate::ends::ends;
+use crate::ends::{Ends, Exact, ends, excess, noticed, off_in_floats, ratio, takes_one};
 use host::errors::or_infinite;
 use host::speed;
 use microwarp::discrete::Binomial;
@@ -11,93 +10,24 @@ use num_bigint::BigUint;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
-const BITS: u64 = 768;
-
-/// The law of the rarer of the two events, in units of 2⁻⁷⁶⁸: probabilities of 0, 1, 2, ... and their sums, to where
-/// nothing is left that an `f32` could hold.
-struct Truth {
-    trials: u32,
-    /// Whether failures are the rarer event.
-    turned: bool,
-    each: Vec<BigUint>,
-    sums: Vec<BigUint>,
+/// The law of trials with a probability that is a ratio.
+fn exact(trials: u32, [part, whole]: [u128; 2]) -> Exact {
+    let mode = (u128::from(trials) + 1) * part / whole;
+    let least = BigUint::from(1_u32) << 300_u32;
+    let one = BigUint::from(1_u32) << 512_u32;
+    // Without the common divisor, a power of two, of p as an `f32`.
+    let shift = part.trailing_zeros().min(whole.trailing_zeros());
+    let (part, other) = (part >> shift, (whole - part) >> shift);
+    let mode = mode.min(trials.into()) as u32;
+    Exact::around(mode, one, [0, trials], &least, |k| {
+        [u128::from(trials - k + 1) * part, u128::from(k) * other]
+    })
 }
 
-impl Truth {
-    fn new(trials: u32, [part, whole]: [u128; 2]) -> Self {
-        let turned = 2 * part > whole;
-        let part = if turned { whole - part } else { part };
-        let (part, other) = (BigUint::from(part), BigUint::from(whole - part));
-        let whole = BigUint::from(whole);
-        // All trials fail: a power by squaring.
-        let (mut square, mut power) = ((&other << BITS) / &whole, BigUint::from(1_u32) << BITS);
-        let mut left = trials;
-        while left > 0 {
-            if left & 1 == 1 {
-                power = (&power * &square) >> BITS;
-            }
-            square = (&square * &square) >> BITS;
-            left >>= 1;
-        }
-        let (mut each, mut sums) = (vec![power.clone()], vec![power.clone()]);
-        let (mut sum, mut rising) = (power.clone(), true);
-        for k in 0..trials {
-            let next =
-                &power * (BigUint::from(trials - k) * &part) / (BigUint::from(k + 1) * &other);
-            rising = rising && next >= power;
-            power = next;
-            if !rising && power.bits() < BITS - 200 {
-                break;
-            }
-            sum += &power;
-            each.push(power.clone());
-            sums.push(sum.clone());
-        }
-        Self {
-            trials,
-            turned,
-            each,
-            sums,
-        }
-    }
-
-    /// How many words give up to this count, in units of 2⁻⁶⁴.
-    fn words(&self, count: i64) -> u128 {
-        let all = 1_u128 << 96;
-        let of = |k: i64| match usize::try_from(k) {
-            Err(_) => 0,
-            Ok(k) => self
-                .sums
-                .get(k)
-                .map_or(all, |sum| u128::try_from(sum >> (BITS - 96)).unwrap()),
-        };
-        match self.turned {
-            true => all - of(i64::from(self.trials) - count - 1),
-            false => of(count),
-        }
-    }
-
-    fn pmf(&self, count: u32) -> f64 {
-        let rare = if self.turned {
-            self.trials - count
-        } else {
-            count
-        };
-        let Some(p) = self.each.get(rare as usize) else {
-            return 0.0;
-        };
-        let cut = p.bits().max(64) - 64;
-        let leading = u64::try_from(p >> cut).unwrap();
-        leading as f64 * 2_f64.powi(cut as i32 - BITS as i32)
-    }
-}
-
-fn found(sampler: &Binomial, truth: &Truth) -> Ends {
-    ends(
-        &|word| sampler.count(word),
-        &|k| sampler.words_of(k),
-        &|k| truth.words(k),
-    )
+fn found(sampler: &Binomial, law: &Exact) -> Ends {
+    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), |k| {
+        law.words(k)
+    })
 }
 
 /// A probability of any size, and as many trials as it allows or fewer.
@@ -138,8 +68,7 @@ fn binomial_counts_have_their_words() {
         .chain((0..number).map(|_| any(&mut rng)))
     {
         let sampler = Binomial::new(trials, p).unwrap();
-        let [part, whole] = if p < 1e-17 { [0, 1] } else { ratio(p) };
-        let found = found(&sampler, &Truth::new(trials, [part, whole]));
+        let found = found(&sampler, &exact(trials, ratio(p)));
         assert!(found.doubt < 2_f64.powi(-20), "{trials}, {p:e}: {found:?}");
         (counts, moved) = (counts + found.counts, moved + found.moved);
     }
@@ -152,7 +81,7 @@ fn binomial_counts_have_their_words() {
         (u32::MAX, u32::MAX - 90, u32::MAX),
     ] {
         let sampler = Binomial::from_ratio(trials, part, whole).unwrap();
-        let found = found(&sampler, &Truth::new(trials, [part.into(), whole.into()]));
+        let found = found(&sampler, &exact(trials, [part.into(), whole.into()]));
         assert!(
             found.doubt < 2_f64.powi(-20),
             "{trials}, {part}/{whole}: {found:?}"
@@ -167,13 +96,9 @@ fn the_pmf_of_a_binomial_is_that_of_the_formula() {
     let mut rng = Pcg32::new(33, 5);
     for _ in 0..speed::of("binomial distributions with their pmf", 60, 2000) {
         let (trials, p) = any(&mut rng);
-        let (sampler, truth) = (
-            Binomial::new(trials, p).unwrap(),
-            Truth::new(trials, ratio(p)),
-        );
-        for rare in 0..trials.min(500) {
-            let k = if truth.turned { trials - rare } else { rare };
-            let error = excess(sampler.pmf(k), truth.pmf(k));
+        let (sampler, law) = (Binomial::new(trials, p).unwrap(), exact(trials, ratio(p)));
+        for k in (law.from..).take(law.each.len()) {
+            let error = excess(sampler.pmf(k), law.pmf(k));
             worst = worst.max(or_infinite(error));
         }
         assert!(sampler.pmf(sampler.count(rng.next_u32())) > 0.0);
@@ -267,20 +192,12 @@ fn a_binomial_draw_takes_one_word() {
 #[test]
 fn wrong_binomial_laws_are_noticed() {
     let sampler = Binomial::from_ratio(100, 3, 10).unwrap();
-    let of = |trials, part, whole| noticed(&|| found(&sampler, &Truth::new(trials, [part, whole])));
+    let of = |trials, part, whole| noticed(&|| found(&sampler, &exact(trials, [part, whole])));
     assert!(!of(100, 3, 10));
     assert!(of(100, 30_000_001, 100_000_000) && of(101, 3, 10));
     // Nearly the Poisson distribution of a mean of 7, in place of that of 1,000 trials.
     let rare = Binomial::from_ratio(1_000_000, 7, 1_000_000).unwrap();
-    assert!(noticed(&|| {
-        found(&rare, &Truth::new(1_000, [7, 1_000]))
-    }));
-    let truth = Truth::new(100, [3, 10]);
-    let mut sum = 0.0_f32;
-    let wrong = (0..100).filter(|&k| {
-        sum += sampler.pmf(k);
-        let exact = (truth.words(k.into()) >> 64) as f64;
-        (f64::from(sum) * 2_f64.powi(32) - exact).abs() > 1.0
-    });
-    assert!(wrong.count() > 10);
+    assert!(noticed(&|| { found(&rare, &exact(1_000, [7, 1_000])) }));
+    let law = exact(100, [3, 10]);
+    assert!(off_in_floats(|k| sampler.pmf(k), &law) > 10);
 }

@@ -1,73 +1,12 @@
 //! `Geometric` and `Poisson`: the words of every count against sums of high precision, which leaves no word out; the
 //! densities, the refusals, and what a draw takes.
 
-use host::generators::{Broken, Counting, Failing};
+use crate::ends::{Ends, Exact, ends, excess, noticed, ratio, takes_one};
 use host::speed;
+use host::words::first_without;
 use microwarp::Error;
 use microwarp::discrete::{Geometric, Poisson};
 use num_bigint::BigUint;
-use std::ops::RangeInclusive;
-
-type Count<'a> = &'a dyn Fn(u32) -> u32;
-type Words<'a> = &'a dyn Fn(u32) -> Option<RangeInclusive<u32>>;
-
-/// How far the ends of the counts are from where they should be.
-#[derive(Debug, Default)]
-pub struct Ends {
-    pub counts: u32,
-    /// Ends that are not the nearest integer to the exact one.
-    pub moved: u32,
-    /// How far the exact end of such a one lies from the middle between two words, in words.
-    pub doubt: f64,
-}
-
-/// Goes through all counts that words reach. `end` says how many words give up to a count, exactly: the integer that is
-/// nearest, and how far the number is from the middle between two integers. A word in front of an end and one behind it
-/// tell of all words, since counts increase with them.
-fn ends(count: Count, words_of: Words, mut end: impl FnMut(u32) -> (u64, f64)) -> Ends {
-    let mut found = Ends::default();
-    let mut start = 0_u64;
-    let mut k = count(0);
-    for before in 0..k {
-        assert_eq!(words_of(before), None);
-        end(before);
-    }
-    while start < 1 << 32 {
-        let (nearest, doubt) = end(k);
-        let next = match words_of(k) {
-            None => start,
-            Some(words) => {
-                assert_eq!(u64::from(*words.start()), start, "count {k}");
-                for word in [*words.start(), *words.end()] {
-                    assert_eq!(count(word), k, "word {word}");
-                }
-                u64::from(*words.end()) + 1
-            }
-        };
-        assert!(
-            next.abs_diff(nearest) <= 1,
-            "{next} words up to {k}, not {nearest}"
-        );
-        found.counts += 1;
-        if next != nearest {
-            found.moved += 1;
-            found.doubt = found.doubt.max(doubt);
-        }
-        start = next;
-        k += 1;
-    }
-    assert_eq!(words_of(k), None);
-    assert_eq!(words_of(u32::MAX), None);
-    found
-}
-
-fn ends_of_geometric(sampler: &Geometric, end: impl FnMut(u32) -> (u64, f64)) -> Ends {
-    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), end)
-}
-
-fn ends_of_poisson(sampler: &Poisson, end: impl FnMut(u32) -> (u64, f64)) -> Ends {
-    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), end)
-}
 
 /// The probability of failure in units of 2⁻¹²⁸, from the ratio of success.
 fn failure(successes: u128, trials: u128) -> BigUint {
@@ -75,28 +14,21 @@ fn failure(successes: u128, trials: u128) -> BigUint {
     &one - (BigUint::from(successes) << 128_u32) / BigUint::from(trials)
 }
 
-/// The ends of the counts of a geometric distribution, by multiplying step by step with 128 bits.
-fn of_failure(failure: BigUint) -> impl FnMut(u32) -> (u64, f64) {
+/// How many words give up to each count of a geometric distribution, by multiplying step by step with 128 bits.
+fn of_failure(failure: BigUint) -> impl FnMut(i64) -> u128 {
     let one = BigUint::from(1_u32) << 128_u32;
     let mut power = one.clone();
-    move |_| {
+    move |count| {
+        if count < 0 {
+            return 0;
+        }
         power = (&power * &failure) >> 128_u32;
-        let part = u64::try_from((&one - &power) >> 65_u32).unwrap();
-        // In units of 2^-63; words of 2^31.
-        let fraction = part % (1 << 31);
-        let doubt = (fraction as f64 / 2_f64.powi(31) - 0.5).abs();
-        // A tie goes to the larger count: what is exactly half lies on the other side.
-        let tie = fraction == 1 << 30
-            && (&one - &power) % (BigUint::from(1_u32) << 65_u32) == BigUint::ZERO;
-        ((part >> 31) + u64::from(fraction >= 1 << 30 && !tie), doubt)
+        u128::try_from((&one - &power) >> 32_u32).unwrap()
     }
 }
 
-/// The significand and the exponent of an `f32` as a ratio.
-pub fn ratio(p: f32) -> [u128; 2] {
-    let exact = f64::from(p) * 2_f64.powi(60);
-    assert_eq!(exact.fract(), 0.0);
-    [exact as u128, 1 << 60]
+fn found(sampler: &Geometric, law: impl FnMut(i64) -> u128) -> Ends {
+    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), law)
 }
 
 /// Every word of all 2³² gives the count of its middle.
@@ -127,7 +59,7 @@ fn geometric_counts_have_their_words() {
             continue;
         }
         let [n, d] = ratio(p);
-        let found = ends_of_geometric(&Geometric::new(p).unwrap(), of_failure(failure(n, d)));
+        let found = found(&Geometric::new(p).unwrap(), of_failure(failure(n, d)));
         println!("p = {p}: {found:?}");
         all += found.counts;
         assert!(found.doubt < 2_f64.powi(-20));
@@ -141,7 +73,7 @@ fn geometric_counts_have_their_words() {
         (u32::MAX - 1, u32::MAX),
     ] {
         let sampler = Geometric::from_ratio(n, d).unwrap();
-        let found = ends_of_geometric(&sampler, of_failure(failure(n.into(), d.into())));
+        let found = found(&sampler, of_failure(failure(n.into(), d.into())));
         println!("p = {n}/{d}: {found:?}");
         all += found.counts;
         assert!(found.doubt < 2_f64.powi(-20));
@@ -194,18 +126,19 @@ fn the_smallest_probabilities_keep_their_words() {
     }
 }
 
-/// Probabilities of a Poisson distribution, and their sums in words, in `f64`: right to 1e-4 words.
-fn poisson(mean: f64) -> impl FnMut(u32) -> (u64, f64) {
-    let mut p = (-mean).exp();
-    let mut sum = 0.0;
-    move |k| {
-        if k > 0 {
-            p *= mean / f64::from(k);
-        }
-        sum += p;
-        let words = sum * 2_f64.powi(32);
-        (words.round() as u64, ((words - words.floor()) - 0.5).abs())
-    }
+/// The law of a mean that is a ratio. Below 2⁻³⁷ words know of no count but 0.
+fn poisson([part, whole]: [u128; 2]) -> Exact {
+    let one = BigUint::from(1_u32) << 512_u32;
+    let least = BigUint::from(1_u32) << 300_u32;
+    Exact::around((part / whole) as u32, one, [0, u32::MAX], &least, |k| {
+        [part, whole * u128::from(k)]
+    })
+}
+
+fn found_poisson(sampler: &Poisson, law: &Exact) -> Ends {
+    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), |k| {
+        law.words(k)
+    })
 }
 
 #[test]
@@ -220,9 +153,8 @@ fn poisson_counts_have_their_words() {
         .chain(special)
     {
         let sampler = Poisson::new(mean).unwrap();
-        let found = ends_of_poisson(&sampler, poisson(f64::from(mean)));
+        let found = found_poisson(&sampler, &poisson(ratio(mean)));
         moved += found.moved;
-        // The truth itself is right to 1e-4 words.
         assert!(found.doubt < 2_f64.powi(-12), "{mean}: {found:?}");
         let (first, last) = (sampler.count(0), sampler.count(u32::MAX));
         let mode = mean as u32;
@@ -234,14 +166,9 @@ fn poisson_counts_have_their_words() {
     println!("{moved} ends of {means} means in doubt");
     for (n, d) in [(7, 2), (80, 1), (1, 3), (1, u32::MAX)] {
         let sampler = Poisson::from_ratio(n, d).unwrap();
-        let found = ends_of_poisson(&sampler, poisson(f64::from(n) / f64::from(d)));
+        let found = found_poisson(&sampler, &poisson([n, d].map(u128::from)));
         assert!(found.doubt < 2_f64.powi(-12), "{n}/{d}: {found:?}");
     }
-}
-
-/// The error of an `f32`, in units of what the page grants.
-pub fn excess(found: f32, exact: f64) -> f64 {
-    (f64::from(found) - exact).abs() / (6.2e-8 * exact).max(2_f64.powi(-149))
 }
 
 #[test]
@@ -265,10 +192,9 @@ fn probabilities_are_those_of_the_formulas() {
     }
     for mean in [1e-45_f32, 1e-10, 0.01, 0.9, 1.0, 7.7, 30.2, 80.0] {
         let sampler = Poisson::new(mean).unwrap();
-        let (mut p, m) = ((-f64::from(mean)).exp(), f64::from(mean));
+        let law = poisson(ratio(mean));
         for k in 0..300 {
-            worst[1] = worst[1].max(excess(sampler.pmf(k), p));
-            p *= m / f64::from(k + 1);
+            worst[1] = worst[1].max(excess(sampler.pmf(k), law.pmf(k)));
         }
         assert_eq!(sampler.pmf(u32::MAX), 0.0);
     }
@@ -337,18 +263,6 @@ fn parameters_out_of_range_are_refused() {
     assert_eq!(Poisson::from_ratio(15, 4), Poisson::new(3.75));
 }
 
-/// One word, the count of it, and a failure of the generator.
-pub fn takes_one<C: PartialEq + std::fmt::Debug>(
-    draw: impl Fn(&mut Counting<Failing>) -> Result<C, Broken>,
-    count: impl Fn(u32) -> C,
-) {
-    let word = 0x9234_5678;
-    let mut rng = Counting::new(Failing { word, left: 1 });
-    assert_eq!(draw(&mut rng).ok(), Some(count(word)));
-    assert_eq!(rng.words, 1);
-    assert!(draw(&mut rng).is_err());
-}
-
 #[test]
 fn a_draw_takes_one_word_and_passes_a_failure_on() {
     let (geometric, poisson) = (Geometric::new(0.1).unwrap(), Poisson::new(20.0).unwrap());
@@ -374,35 +288,19 @@ fn counts_by_logarithms_are_noticed() {
         let tail = (0x1_0000_0000_u64 - u64::from(word)) as f32 / 4_294_967_296.0;
         (tail.ln() / (-1e-3_f32).ln_1p()) as u32
     };
-    let reaching = |least: u32| {
-        let (mut low, mut high) = (0_u64, 1 << 32);
-        while low < high {
-            let middle = u64::midpoint(low, high);
-            match count(middle as u32) >= least {
-                true => high = middle,
-                false => low = middle + 1,
-            }
-        }
-        low
-    };
+    let reaching = |least: u32| first_without(0..1 << 32, |word| count(word as u32) < least);
     let words_of = |k| {
         let (start, end) = (reaching(k), reaching(k + 1));
         (start < end).then(|| start as u32..=(end - 1) as u32)
     };
     let [n, d] = ratio(1e-3);
-    assert!(noticed(&|| ends(
-        &count,
-        &words_of,
-        of_failure(failure(n, d))
-    )));
+    let law = || of_failure(failure(n, d));
+    assert!(noticed(&|| ends(&count, &words_of, law())));
 }
 
 #[test]
 fn a_mean_off_by_a_millionth_is_noticed() {
-    let of = |mean| noticed(&|| ends_of_poisson(&Poisson::new(12.5).unwrap(), poisson(mean)));
-    assert!(of(12.500_012) && !of(12.5));
-}
-
-pub fn noticed(judge: &dyn Fn() -> Ends) -> bool {
-    std::panic::catch_unwind(std::panic::AssertUnwindSafe(judge)).is_err()
+    let sampler = Poisson::new(12.5).unwrap();
+    let of = |part| noticed(&|| found_poisson(&sampler, &poisson([part, 1_000_000])));
+    assert!(of(12_500_012) && !of(12_500_000));
 }

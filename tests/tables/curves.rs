@@ -1,11 +1,11 @@
 //! Densities that are linear between vertices: the area of every trapezoid, edges and zeros, jumps, storage, refusals.
 
-use crate::{Given, above, below, edge, step_below};
+use crate::{Given, edge, step_below};
 use microwarp::Error::{
     AllZero, Empty, NegativeWeight, NoWeights, NotATable, NotFiniteWeight, Reversed, TooManyWeights,
 };
 use microwarp::discrete::{Cdf, PiecewiseLinear1d};
-use microwarp::{Invert, Warp};
+use microwarp::{Invert, Warp, constant};
 
 type Lent<'a> = PiecewiseLinear1d<&'a [u32], &'a [f32]>;
 
@@ -70,7 +70,7 @@ fn edges_have_the_densities_of_their_vertices() {
                 for j in 0..count - 1 {
                     let (low, high) = (edge(range, count - 1, j), edge(range, count - 1, j + 1));
                     let Some(words) = table.cdf().words_of(j) else {
-                        assert_eq!((table.pdf(low), table.pdf(below(high))), (0.0, 0.0));
+                        assert_eq!((table.pdf(low), table.pdf(high.next_down())), (0.0, 0.0));
                         continue;
                     };
                     assert_eq!(table.pdf(low) > 0.0, weights[j] > 0.0, "{range:?} {low:e}");
@@ -92,7 +92,8 @@ fn edges_have_the_densities_of_their_vertices() {
                     }
                     // The jump at the lower vertex, within what the page says.
                     if j > 0 && weights[j] > 0.0 && table.pdf(low) >= f32::MIN_POSITIVE {
-                        let [below_it, at] = [table.pdf(below(low)), table.pdf(low)].map(f64::from);
+                        let [below_it, at] =
+                            [table.pdf(low.next_down()), table.pdf(low)].map(f64::from);
                         let p = [j - 1, j].map(|j| f64::from(table.cdf().pmf(j)));
                         let width =
                             (f64::from(range[1]) - f64::from(range[0])) / (count - 1) as f64;
@@ -114,7 +115,10 @@ fn edges_have_the_densities_of_their_vertices() {
                 }
                 assert_eq!(table.pdf(range[1]) > 0.0, weights[count - 1] > 0.0);
                 assert_eq!(
-                    [table.pdf(above(range[1])), table.pdf(below(range[0]))],
+                    [
+                        table.pdf(range[1].next_up()),
+                        table.pdf(range[0].next_down())
+                    ],
                     [0.0; 2]
                 );
             }
@@ -128,10 +132,7 @@ fn edges_have_the_densities_of_their_vertices() {
 fn storage_holds_the_same_table() {
     const WEIGHTS: [f32; 5] = [0.0, 2.0, 1.0, 0.0, 4.0];
     const TABLE: PiecewiseLinear1d<[u32; 5], [f32; 5]> =
-        match PiecewiseLinear1d::new(&WEIGHTS, -1.0, 3.0) {
-            Ok(table) => table,
-            Err(_) => panic!("a table"),
-        };
+        constant!(PiecewiseLinear1d::new(&WEIGHTS, -1.0, 3.0));
     assert!(size_of_val(&TABLE) <= 8 * 5 + 24);
     let mut memory = [0_u32; 9];
     let lent = Lent::new_in(&WEIGHTS, -1.0, 3.0, &mut memory).unwrap();

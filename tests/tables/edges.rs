@@ -1,6 +1,6 @@
 //! Every edge and its neighbours are found in the right cell; samples are in the cell that was selected.
 
-use crate::{above, below, draw, edge, equal, step_below};
+use crate::{draw, edge, equal, step_below};
 use host::speed;
 use microwarp::discrete::{Cdf, PiecewiseConstant1d};
 use microwarp::uniform::grid_from_word;
@@ -74,7 +74,7 @@ fn walk(range: [f32; 2], count: usize, seen: &mut Walk) -> bool {
         seen.off = seen
             .off
             .max((f64::from(upper) - exact).abs() / step_below(larger));
-        for x in [lower, above(lower), below(upper)] {
+        for x in [lower, lower.next_up(), upper.next_down()] {
             assert_eq!(table.cell(x), j, "{range:?}, {count} cells: {x:e}");
             seen.naive += usize::from(naive(x) != j);
         }
@@ -205,7 +205,7 @@ fn no_sample_lies_in_a_zero_cell() {
                 let table = PiecewiseConstant1d::from_cdf(cdf, range[0], range[1]).unwrap();
                 for (j, weight) in weights.iter().enumerate() {
                     let (lower, upper) = (edge(range, count, j), edge(range, count, j + 1));
-                    for x in [lower, above(lower), below(upper)] {
+                    for x in [lower, lower.next_up(), upper.next_down()] {
                         assert_eq!(table.pdf(x) > 0.0, *weight > 0.0, "{range:?}: {x:e}");
                         assert!((0.0..1.0).contains(&table.invert(x)));
                     }

@@ -1,14 +1,24 @@
-//! The words of every count of a table against exact sums, which leaves no word out.
+//! The words of every count of a table against exact sums, which leaves no word out; and what else is asked of all counts.
 
-use crate::counts::Ends;
+use host::generators::{Broken, Counting, Failing};
 use num_bigint::BigUint;
 use std::ops::RangeInclusive;
 
-/// Goes through all counts that words reach. `exact` says how many words give up to a count, in units of 2⁻⁶⁴.
+/// How far the ends of the counts are from where they should be.
+#[derive(Debug, Default)]
+pub struct Ends {
+    pub counts: u32,
+    /// Ends that are not the nearest integer to the exact one.
+    pub moved: u32,
+    /// How far the exact end of such a one lies from the middle between two words, in words.
+    pub doubt: f64,
+}
+
+/// Goes through all counts that words reach, in their order. `exact` says how many words give up to a count, in units of 2⁻⁶⁴.
 pub fn ends(
     count: &dyn Fn(u32) -> u32,
     words_of: &dyn Fn(u32) -> Option<RangeInclusive<u32>>,
-    exact: &dyn Fn(i64) -> u128,
+    mut exact: impl FnMut(i64) -> u128,
 ) -> Ends {
     let mut found = Ends::default();
     let (first, last) = (count(0), count(u32::MAX));
@@ -113,4 +123,46 @@ impl Exact {
         let cut = scaled.bits().max(64) - 64;
         u64::try_from(&scaled >> cut).unwrap() as f64 * 2_f64.powi(cut as i32 - 512)
     }
+}
+
+/// An `f32` as a ratio; below 2⁻³⁷, where no word tells it from 0, as that.
+pub fn ratio(p: f32) -> [u128; 2] {
+    if p < 2_f32.powi(-37) {
+        return [0, 1];
+    }
+    let exact = f64::from(p) * 2_f64.powi(60);
+    assert_eq!(exact.fract(), 0.0);
+    [exact as u128, 1 << 60]
+}
+
+/// The error of an `f32`, in units of what the page grants.
+pub fn excess(found: f32, exact: f64) -> f64 {
+    (f64::from(found) - exact).abs() / (6.2e-8 * exact).max(2_f64.powi(-149))
+}
+
+/// One word, the count of it, and a failure of the generator.
+pub fn takes_one<C: PartialEq + std::fmt::Debug>(
+    draw: impl Fn(&mut Counting<Failing>) -> Result<C, Broken>,
+    count: impl Fn(u32) -> C,
+) {
+    let word = 0x9234_5678;
+    let mut rng = Counting::new(Failing { word, left: 1 });
+    assert_eq!(draw(&mut rng).ok(), Some(count(word)));
+    assert_eq!(rng.words, 1);
+    assert!(draw(&mut rng).is_err());
+}
+
+pub fn noticed(judge: &dyn Fn() -> Ends) -> bool {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(judge)).is_err()
+}
+
+/// How many of the first ends are off by a word and more where a pmf is summed in `f32`.
+pub fn off_in_floats(pmf: impl Fn(u32) -> f32, law: &Exact) -> usize {
+    let mut sum = 0.0_f32;
+    let off = |k: &u32| {
+        sum += pmf(*k);
+        let exact = (law.words((*k).into()) >> 64) as f64;
+        (f64::from(sum) * 2_f64.powi(32) - exact).abs() > 1.0
+    };
+    (0..100).filter(off).count()
 }

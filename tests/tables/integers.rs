@@ -1,8 +1,7 @@
 //! `DiscreteGaussian` and `DiscreteLaplace`: the words of every integer against exponentials of 512 bits, which leaves no word out;
 //! their pmf, their ends and their refusals, and what a draw takes.
 
-use crate::counts::{self, excess, noticed, takes_one};
-use crate::ends::{Exact, ends};
+use crate::ends::{Ends, Exact, ends, excess, noticed, takes_one};
 use host::errors::or_infinite;
 use host::speed;
 use microwarp::discrete::{DiscreteGaussian, DiscreteLaplace};
@@ -70,11 +69,11 @@ fn gaussian(centre: f32, scale: f32) -> Exact {
     Exact::of(count_of(first), each.collect())
 }
 
-fn found(sampler: &DiscreteGaussian, exact: &Exact) -> counts::Ends {
+fn found(sampler: &DiscreteGaussian, exact: &Exact) -> Ends {
     ends(
         &|word| count_of(sampler.integer(word)),
         &|count| sampler.words_of(integer_of(count)),
-        &|count| exact.words(count),
+        |count| exact.words(count),
     )
 }
 
@@ -140,13 +139,13 @@ fn laplace([part, whole]: &[BigUint; 2], most: u32) -> Exact {
     Exact::of(count_of(-(most as i32)), each)
 }
 
-fn found_laplace(sampler: &DiscreteLaplace, scale: &[BigUint; 2]) -> counts::Ends {
+fn found_laplace(sampler: &DiscreteLaplace, scale: &[BigUint; 2]) -> Ends {
     let most = sampler.integer(u32::MAX);
     let exact = laplace(scale, most as u32 + 100 + 30 * most as u32 / 23);
     ends(
         &|word| count_of(sampler.integer(word)),
         &|count| sampler.words_of(integer_of(count)),
-        &|count| exact.words(count),
+        |count| exact.words(count),
     )
 }
 

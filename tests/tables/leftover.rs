@@ -1,11 +1,8 @@
-//! What is left of a uniform after a selection: exact, as many bits as stated, and uniform again.
+//! What is left of a uniform after a selection, as many bits as stated; and what a draw takes. That leftovers are the place in
+//! the share is in `exact` and `select_once`.
 
 use host::generators::{Broken, Counting, Failing};
-use host::speed;
-use host::stats::threshold;
-use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, ExactSelection, Reservoir, Selection, select_once,
-};
+use microwarp::discrete::{Alias, AliasEntry, Cdf, Reservoir};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::collections::BTreeSet;
@@ -32,65 +29,6 @@ fn as_many_values_as_bits_are_stated() {
     let mut memory = vec![AliasEntry::<u32>::EMPTY; 1 << 20];
     let table = Alias::<&[AliasEntry<u32>]>::new_in(&weights, &mut memory).unwrap();
     assert_eq!(table.select(777 << 12).leftover_bits, 12);
-}
-
-/// The p-value of leftovers, entry by entry, against the uniform law.
-fn p_value(draw: impl Fn(&mut Pcg32) -> (usize, f64), pmf: &[f64], seed: u64) -> f64 {
-    const CELLS: usize = 63;
-    let n = speed::of("leftovers of each table", 400_000, 5_000_000);
-    let cells: Vec<f64> = pmf.iter().flat_map(|p| [p / CELLS as f64; CELLS]).collect();
-    let found = crate::cases::p_value(&cells, n, seed, |rng| {
-        let (index, leftover) = draw(rng);
-        index * CELLS + (leftover * CELLS as f64) as usize
-    });
-    found.unwrap()
-}
-
-#[test]
-fn leftovers_are_uniform_and_tell_nothing_of_the_index() {
-    const WEIGHTS: [f32; 7] = [1.0, 0.0, 4.0, 0.3, 2.2, 0.0, 0.9];
-    let total: f64 = WEIGHTS.iter().map(|&w| f64::from(w)).sum();
-    let pmf = WEIGHTS.map(|w| f64::from(w) / total);
-    let narrow = Cdf::new(&WEIGHTS).unwrap();
-    let wide = Cdf::new_u64(&WEIGHTS).unwrap();
-    let alias = Alias::<[AliasEntry<u32>; 8]>::new(&WEIGHTS).unwrap();
-    let wide_alias = Alias::<[AliasEntry<u64>; 16]>::new_u64(&WEIGHTS).unwrap();
-    let exact = WEIGHTS.map(|w| (10.0 * w) as u32);
-    let exact_narrow = Cdf::from_integers(&exact).unwrap();
-    let exact_wide = Cdf::from_integers_u64(&exact).unwrap();
-    let exact_alias = Alias::<[AliasEntry<u32>; 8]>::from_integers(&exact).unwrap();
-    let pair = |s: Selection| (s.index, f64::from(s.leftover));
-    fn exactly<C>(s: ExactSelection<C>) -> (usize, f64) {
-        (s.index, f64::from(s.leftover) / 2_f64.powi(32))
-    }
-    let p_value = |seed, draw: &dyn Fn(&mut Pcg32) -> (usize, f64)| p_value(draw, &pmf, seed);
-    let all = [
-        p_value(1, &|rng| pair(narrow.draw(rng))),
-        p_value(2, &|rng| pair(wide.draw(rng))),
-        p_value(3, &|rng| pair(alias.draw(rng))),
-        p_value(4, &|rng| pair(wide_alias.draw(rng))),
-        p_value(5, &|rng| {
-            pair(select_once(&WEIGHTS, rng.next_u32()).unwrap())
-        }),
-        p_value(6, &|rng| exactly(exact_narrow.draw_exact(rng))),
-        p_value(7, &|rng| exactly(exact_wide.draw_exact(rng))),
-        p_value(8, &|rng| exactly(exact_alias.draw_exact(rng))),
-    ];
-    println!("p {all:.3?}");
-    let least = threshold(all.len());
-    assert!(all.iter().all(|p| *p > least), "{all:?}");
-    // The word itself, used again as it is, is rejected; and so is the place without its share's size.
-    let reused = |rng: &mut Pcg32| {
-        let word = rng.next_u32();
-        (narrow.index(word), f64::from(word) / 2_f64.powi(32))
-    };
-    let place = |rng: &mut Pcg32| {
-        let word = rng.next_u32();
-        let index = narrow.index(word);
-        let words = narrow.words_of(index).unwrap();
-        (index, f64::from(word - words.start()) / 2_f64.powi(32))
-    };
-    assert!(p_value(9, &reused) < least && p_value(10, &place) < least);
 }
 
 // What a draw takes from a generator, and that it is what the words select.

@@ -3,7 +3,6 @@
 //! Every decision of a sum is made by the reservoir itself, with a uniform on either side of the border that a fraction says. So the
 //! sum is that of the code, up to the rounding of a weight.
 
-mod fraction;
 mod sums;
 
 use host::generators::{Counting, Failing};

@@ -77,25 +77,10 @@ pub fn edge([low, high]: [f32; 2], count: usize, index: usize) -> f32 {
 
 /// The spacing of `f32` just below a magnitude.
 pub fn step_below(x: f32) -> f64 {
-    f64::from(x.abs()) - f64::from(below(x.abs()))
+    f64::from(x.abs()) - f64::from(x.abs().next_down())
 }
 
 /// A table of cells that all weigh the same.
 pub fn equal(count: usize, memory: &mut [u32]) -> Cdf<&[u32]> {
     Cdf::<&[u32]>::from_integers_in(&vec![1; count], memory).unwrap()
-}
-
-/// The next `f32` above.
-pub fn above(x: f32) -> f32 {
-    let bits = x.to_bits();
-    match x {
-        0.0 => f32::from_bits(1),
-        x if x > 0.0 => f32::from_bits(bits + 1),
-        _ => f32::from_bits(bits - 1),
-    }
-}
-
-/// The next `f32` below.
-pub fn below(x: f32) -> f32 {
-    -above(-x)
 }

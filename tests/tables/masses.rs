@@ -1,6 +1,6 @@
 //! What a cell reports is what its words realise: probabilities and densities.
 
-use crate::{above, below, edge};
+use crate::edge;
 use microwarp::Warp;
 use microwarp::discrete::{Cdf, PiecewiseConstant1d, Word};
 
@@ -68,12 +68,12 @@ pub fn cases() -> Vec<Case> {
 /// Floats of a cell: all of them where they are few, the ends and some between otherwise.
 fn floats(lower: f32, upper: f32) -> Vec<f32> {
     let mut all = vec![lower];
-    while all.len() < 48 && above(all[all.len() - 1]) < upper {
-        all.push(above(all[all.len() - 1]));
+    while all.len() < 48 && all[all.len() - 1].next_up() < upper {
+        all.push(all[all.len() - 1].next_up());
     }
     let between = (1..16).map(|k| (0.0625 * k as f32).mul_add(upper - lower, lower));
     all.extend(between.filter(|x| *x >= lower && *x < upper));
-    all.push(below(upper));
+    all.push(upper.next_down());
     all
 }
 
@@ -136,8 +136,8 @@ fn the_density_of_a_cell_is_the_one_its_words_realise() {
         ];
         worst = [0, 1].map(|i| worst[i].max(found[i]));
         for x in [
-            below(case.range[0]),
-            above(case.range[1]),
+            case.range[0].next_down(),
+            case.range[1].next_up(),
             f32::NAN,
             f32::INFINITY,
         ] {

@@ -1,8 +1,7 @@
 //! `NegativeBinomial`: the words of every count against sums of 512 bits, its pmf, its ends and its refusals, and what a draw
 //! takes.
 
-use crate::counts::{self, excess, noticed, takes_one};
-use crate::ends::{Exact, ends};
+use crate::ends::{Ends, Exact, ends, excess, noticed, off_in_floats, ratio, takes_one};
 use host::errors::or_infinite;
 use host::speed;
 use microwarp::discrete::{Binomial, Geometric, NegativeBinomial};
@@ -28,12 +27,10 @@ fn exact(successes: u64, [part, whole]: [u128; 2]) -> Exact {
     })
 }
 
-fn found(sampler: &NegativeBinomial, exact: &Exact) -> counts::Ends {
-    ends(
-        &|word| sampler.count(word),
-        &|k| sampler.words_of(k),
-        &|k| exact.words(k),
-    )
+fn found(sampler: &NegativeBinomial, exact: &Exact) -> Ends {
+    ends(&|word| sampler.count(word), &|k| sampler.words_of(k), |k| {
+        exact.words(k)
+    })
 }
 
 fn units(successes: f32) -> u64 {
@@ -75,7 +72,7 @@ fn negative_binomial_counts_have_their_words() {
         .chain((0..number).map(|_| any(&mut rng)))
     {
         let sampler = NegativeBinomial::new(successes, p).unwrap();
-        let found = found(&sampler, &exact(units(successes), counts::ratio(p)));
+        let found = found(&sampler, &exact(units(successes), ratio(p)));
         assert!(found.doubt < 2_f64.powi(-16), "{successes}, {p}: {found:?}");
         (counts, moved) = (counts + found.counts, moved + found.moved);
         widest = widest.max(sampler.count(u32::MAX) - sampler.count(0) + 1);
@@ -118,7 +115,7 @@ fn the_pmf_of_a_negative_binomial_is_that_of_the_formula() {
     for _ in 0..speed::of("negative binomial laws with their pmf", 40, 2000) {
         let (successes, p) = any(&mut rng);
         let sampler = NegativeBinomial::new(successes, p).unwrap();
-        let law = exact(units(successes), counts::ratio(p));
+        let law = exact(units(successes), ratio(p));
         for k in (0..law.from + law.each.len() as u32 + 40).step_by(17) {
             let error = excess(sampler.pmf(k), law.pmf(k));
             worst = worst.max(or_infinite(error));
@@ -221,15 +218,9 @@ fn wrong_negative_binomial_laws_are_noticed() {
     let law = exact(12 << 31, [3, 10]);
     let trials = Binomial::from_ratio(40, 7, 10).unwrap();
     assert!(noticed(&|| {
-        ends(&|word| trials.count(word), &|k| trials.words_of(k), &|k| {
+        ends(&|word| trials.count(word), &|k| trials.words_of(k), |k| {
             law.words(k)
         })
     }));
-    let mut sum = 0.0_f32;
-    let wrong = (0..150).filter(|&k| {
-        sum += sampler.pmf(k);
-        let exact = (law.words(k.into()) >> 64) as f64;
-        (f64::from(sum) * 2_f64.powi(32) - exact).abs() > 1.0
-    });
-    assert!(wrong.count() > 10);
+    assert!(off_in_floats(|k| sampler.pmf(k), &law) > 10);
 }

@@ -1,7 +1,7 @@
 //! Where in its cell a word or a uniform falls, and the way back.
 
 use crate::masses::cases;
-use crate::{above, below, draw, halves, step_below};
+use crate::{draw, halves, step_below};
 use microwarp::discrete::{Cdf, PiecewiseConstant1d};
 use microwarp::uniform::{LARGEST, grid_from_word};
 use microwarp::{Invert, Warp};
@@ -114,7 +114,11 @@ fn round_trips_lead_back() {
         }
         // The inverse increases, through cells of weight zero too, but for the rounding of its sum.
         for j in 0..=count {
-            for x in [below(case.edge(j)), case.edge(j), above(case.edge(j))] {
+            for x in [
+                case.edge(j).next_down(),
+                case.edge(j),
+                case.edge(j).next_up(),
+            ] {
                 let u = table.invert(x);
                 assert!(
                     u >= before - f32::EPSILON / 2.0 && u <= LARGEST,

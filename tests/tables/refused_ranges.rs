@@ -4,7 +4,7 @@ use microwarp::Error::{
     AllZero, Empty, NegativeWeight, NoWeights, NotATable, NotFinite, NotFiniteWeight, OutOfRange,
     Reversed, TooLarge, TooManyWeights, Unreachable,
 };
-use microwarp::discrete::{Cdf, PiecewiseConstant1d, PiecewiseConstant2d};
+use microwarp::discrete::{Cdf, PiecewiseConstant1d, PiecewiseConstant2d, Word};
 use microwarp::{Error, Warp};
 
 const NAN: f32 = f32::NAN;
@@ -18,34 +18,32 @@ fn line<const N: usize>(weights: [f32; N], low: f32, high: f32) -> Option<Error>
     narrow
 }
 
-/// The same refusal from arrays and from borrowed memory, of both words. The shape of what is borrowed is a parameter before the
-/// ranges.
+/// The same refusal from borrowed memory as from an array. The shape of what is borrowed is a parameter before the ranges.
+fn borrowed_too<W: Word, const C: usize, const R: usize>(
+    weights: [[f32; C]; R],
+    [u, v]: [[f32; 2]; 2],
+    array: Option<Error>,
+) -> Option<Error> {
+    let flat = weights.as_flattened();
+    let (mut rows, mut cells) = ([W::from_bits(0); R], vec![W::from_bits(0); C * R]);
+    type Lent<'a, W> = PiecewiseConstant2d<&'a [W], &'a [W]>;
+    let borrowed = Lent::new_in(flat, [C, R], u, v, &mut rows, &mut cells).err();
+    let told = |error: Error| (error.code(), error.index(), error.parameter());
+    let later = |(code, index, place): (_, _, Option<usize>)| (code, index, place.map(|p| p + 1));
+    assert_eq!(array.map(told).map(later), borrowed.map(told));
+    array
+}
+
+/// The refusal of both words.
 fn plane<const C: usize, const R: usize>(
     weights: [[f32; C]; R],
     u: [f32; 2],
     v: [f32; 2],
 ) -> Option<Error> {
-    macro_rules! both {
-        ($word:ty, $new:ident) => {{
-            let array = PiecewiseConstant2d::$new(&weights, u, v).err();
-            let flat = weights.as_flattened();
-            let (mut rows, mut cells) = ([0; R], vec![0; C * R]);
-            let borrowed = PiecewiseConstant2d::<&[$word], &[$word]>::new_in(
-                flat,
-                [C, R],
-                u,
-                v,
-                &mut rows,
-                &mut cells,
-            );
-            let told = |error: Error| (error.code(), error.index(), error.parameter());
-            let later =
-                |(code, index, place): (_, _, Option<usize>)| (code, index, place.map(|p| p + 1));
-            assert_eq!(array.map(told).map(later), borrowed.err().map(told));
-            array
-        }};
-    }
-    let (narrow, wide) = (both!(u32, new), both!(u64, new_u64));
+    let narrow = PiecewiseConstant2d::new(&weights, u, v).err();
+    let wide = PiecewiseConstant2d::new_u64(&weights, u, v).err();
+    let narrow = borrowed_too::<u32, C, R>(weights, [u, v], narrow);
+    let wide = borrowed_too::<u64, C, R>(weights, [u, v], wide);
     assert!(narrow == wide || matches!(narrow, Some(Unreachable(_))));
     narrow
 }

@@ -10,7 +10,7 @@ use microwarp::Error::{
 use microwarp::discrete::{LatLongMap, Word};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::{LARGEST, grid_from_word};
-use microwarp::{Error, Invert, Warp};
+use microwarp::{Error, Invert, Warp, constant};
 use num_bigint::BigUint;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -335,11 +335,8 @@ fn probabilities_are_right_to_the_stated_bits() {
 #[test]
 fn a_sky_is_the_same_wherever_it_is_kept() {
     const ROWS: [[f32; 4]; 3] = [[1.0, 0.0, 2.0, 5.0], [0.0; 4], [7.0, 1.0, 1.0, 0.5]];
-    static SKY: microwarp::poly::LatLongMap<[u32; 3], [[u32; 4]; 3]> = match LatLongMap::new(&ROWS)
-    {
-        Ok(sky) => sky,
-        Err(_) => panic!("a sky"),
-    };
+    static SKY: microwarp::poly::LatLongMap<[u32; 3], [[u32; 4]; 3]> =
+        constant!(LatLongMap::new(&ROWS));
     let (rows, cells) = SKY.table().as_words();
     let flat = ROWS.as_flattened();
     type Bounded = microwarp::poly::LatLongMap<heapless::Vec<u32, 4>, heapless::Vec<u32, 12>>;

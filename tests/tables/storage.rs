@@ -2,9 +2,9 @@
 //! the stack is in `stack`, and what tables of wrong words still keep in `trusted`.
 
 use microwarp::discrete::{
-    Alias, AliasEntry, Cdf, OwnedStorage, PiecewiseConstant1d, PiecewiseConstant2d, Storage,
+    Alias, AliasEntry, Cdf, OwnedStorage, PiecewiseConstant1d, PiecewiseConstant2d, Storage, Word,
 };
-use microwarp::{Error, Warp};
+use microwarp::{Error, Warp, constant};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
@@ -88,15 +88,9 @@ fn every_storage_holds_the_words_of_the_array() {
         };
     }
     // The compiler makes tables, and memory that is lent keeps what is beyond them.
-    const FLASH: Cdf<[u32; 6]> = match Cdf::new(&WEIGHTS) {
-        Ok(table) => table,
-        Err(_) => panic!("refused"),
-    };
+    const FLASH: Cdf<[u32; 6]> = constant!(Cdf::new(&WEIGHTS));
     static WIDE: Alias<[AliasEntry<u64>; 8]> =
-        match Alias::<[AliasEntry<u64>; 8]>::from_integers_u64(&INTEGERS) {
-            Ok(table) => table,
-            Err(_) => panic!("refused"),
-        };
+        constant!(Alias::<[AliasEntry<u64>; 8]>::from_integers_u64(&INTEGERS));
     assert_eq!((size_of_val(&FLASH), size_of_val(&WIDE)), (24, 8 * 24 + 8));
     assert_eq!(size_of::<AliasEntry<u32>>(), 12);
     let mut memory = [7; 9];
@@ -117,33 +111,32 @@ fn every_storage_holds_the_words_of_the_array() {
     );
 }
 
+/// A map of 6 by 3 cells, over ranges.
+type Map<W> = PiecewiseConstant2d<[W; 3], [[W; 6]; 3]>;
+
+fn same_on_the_heap<W: Word>(array: Map<W>, flat: &[f32], [u, v]: [[f32; 2]; 2]) {
+    let vec = PiecewiseConstant2d::<Vec<W>, Vec<W>>::from_slice(flat, [6, 3], u, v).unwrap();
+    let boxed = PiecewiseConstant2d::<Box<[W]>, Box<[W]>>::from_slice(flat, [6, 3], u, v).unwrap();
+    assert_eq!(vec.as_words(), array.as_words());
+    assert_eq!(boxed.as_words(), array.as_words());
+    let mut rngs = [Pcg32::new(1, 2), Pcg32::new(1, 2)];
+    for _ in 0..1000 {
+        let points = (array.draw(&mut rngs[0]), vec.draw(&mut rngs[1]));
+        assert_eq!(points.0.map(f32::to_bits), points.1.map(f32::to_bits));
+        assert_eq!(array.pdf(points.0).to_bits(), vec.pdf(points.1).to_bits());
+    }
+}
+
 #[test]
 fn a_map_on_the_heap_has_the_bits_of_the_array() {
     let rows: [[f32; 6]; 3] = std::array::from_fn(|v| weights(6 + v)[..6].try_into().unwrap());
     let (u, v) = ([-3.0, 5.0], UNIT);
-    macro_rules! same {
-        ($word:ty, $new:ident) => {{
-            let array = PiecewiseConstant2d::$new(&rows, u, v).unwrap();
-            let flat = rows.as_flattened();
-            let vec = PiecewiseConstant2d::<Vec<$word>, Vec<$word>>::from_slice(flat, [6, 3], u, v);
-            let boxed =
-                PiecewiseConstant2d::<Box<[$word]>, Box<[$word]>>::from_slice(flat, [6, 3], u, v);
-            let (vec, boxed) = (vec.unwrap(), boxed.unwrap());
-            assert_eq!(vec.as_words(), array.as_words());
-            assert_eq!(boxed.as_words(), array.as_words());
-            let mut rngs = [Pcg32::new(1, 2), Pcg32::new(1, 2)];
-            for _ in 0..1000 {
-                let points = (array.draw(&mut rngs[0]), vec.draw(&mut rngs[1]));
-                assert_eq!(points.0.map(f32::to_bits), points.1.map(f32::to_bits));
-                assert_eq!(array.pdf(points.0).to_bits(), vec.pdf(points.1).to_bits());
-            }
-        }};
-    }
-    same!(u32, new);
-    same!(u64, new_u64);
+    let (narrow, wide) = (Map::new(&rows, u, v), Map::new_u64(&rows, u, v));
+    same_on_the_heap(narrow.unwrap(), rows.as_flattened(), [u, v]);
+    same_on_the_heap(wide.unwrap(), rows.as_flattened(), [u, v]);
     // Refused as an array would be.
-    type Map = PiecewiseConstant2d<Vec<u32>, Vec<u32>>;
-    let refused = |weights: &[f32], shape| Map::from_slice(weights, shape, UNIT, UNIT).err();
+    type Heap = PiecewiseConstant2d<Vec<u32>, Vec<u32>>;
+    let refused = |weights: &[f32], shape| Heap::from_slice(weights, shape, UNIT, UNIT).err();
     assert_eq!(refused(&[1.0; 6], [2, 2]), Some(Error::OutOfRange(1)));
     assert_eq!(refused(&[], [0, 0]), Some(Error::NoWeights));
     let dim = [1.0, 1.0, 0.0, 1e-12, 0.0, 1e-12];

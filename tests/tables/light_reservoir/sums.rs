@@ -1,8 +1,31 @@
 //! The expectation of estimates over all candidates and all decisions.
 
-use super::fraction::{Fraction, ONE, ZERO, over, whole};
 use host::generators::Cycle;
 use microwarp::discrete::{LightReservoir, Normaliser};
+use num_rational::Ratio;
+
+/// What does not fit 128 bits panics.
+type Fraction = Ratio<u128>;
+
+const ZERO: Fraction = Ratio::new_raw(0, 1);
+const ONE: Fraction = Ratio::new_raw(1, 1);
+
+fn over(n: u128, d: u128) -> Fraction {
+    Ratio::new(n, d)
+}
+
+fn whole(n: u32) -> Fraction {
+    Ratio::from_integer(n.into())
+}
+
+/// ⌊2⁶⁴ times this⌋ of a fraction of at most 1.
+fn words(fraction: Fraction) -> u128 {
+    (fraction.numer() << 64) / fraction.denom()
+}
+
+fn value(fraction: Fraction) -> f64 {
+    *fraction.numer() as f64 / *fraction.denom() as f64
+}
 
 /// What each of the three items has of something.
 type Items = [u32; 3];
@@ -45,7 +68,7 @@ impl State {
     /// With the reservoir that came of the decisions on both sides, which is what it should be.
     fn found(self, [real, other]: [LightReservoir<usize>; 2]) -> Self {
         assert_eq!(real, other);
-        let (has, should) = (f64::from(real.contribution()), self.contribution().value());
+        let (has, should) = (f64::from(real.contribution()), value(self.contribution()));
         assert!((has - should).abs() <= SLACK * should, "{has} {should}");
         assert_eq!(
             (real.item().copied(), real.count()),
@@ -95,7 +118,7 @@ fn outcomes(sum: Fraction, part: Fraction, slack: f64) -> Vec<(Fraction, [u64; 2
     if p == ONE {
         return vec![(ONE, [0, u64::MAX], true)];
     }
-    let (border, off) = (p.words() as u64, (slack * 2_f64.powi(64)) as u64);
+    let (border, off) = (words(p) as u64, (slack * 2_f64.powi(64)) as u64);
     vec![
         (p, [0, border - 1 - off], true),
         (sum / (sum + part), [border + off, u64::MAX], false),
@@ -303,7 +326,7 @@ fn share(by: Normaliser, here: usize, source: usize, counts: &[u32], seen: &[u32
             if source == here {
                 let others = (0..counts.len()).filter(|k| *k != here);
                 let part = |k: usize| whole(counts[k]) * balance(ours, theirs(k));
-                whole(own) + others.map(part).sum()
+                whole(own) + others.map(part).sum::<Fraction>()
             } else {
                 whole(counts[source]) * balance(theirs(source), ours)
             }
