@@ -3,6 +3,7 @@
 #![no_std]
 #![no_main]
 
+use microwarp::constant;
 use microwarp::discrete::{
     Alias, AliasEntry, Binomial, Cdf, ExactSelection, Geometric, Hypergeometric, NegativeBinomial,
     Poisson, SumTree, WeightedReservoir,
@@ -22,19 +23,10 @@ use rand_pcg::Pcg32;
 
 const WEIGHTS: [u32; 4] = [9, 1, 0, 30];
 
-static FLASH: Cdf<[u32; 4]> = match Cdf::from_integers(&WEIGHTS) {
-    Ok(table) => table,
-    Err(_) => panic!("refused"),
-};
+static FLASH: Cdf<[u32; 4]> = constant!(Cdf::from_integers(&WEIGHTS));
 static BINS: Alias<[AliasEntry<u32>; 4]> =
-    match Alias::<[AliasEntry<u32>; 4]>::from_integers(&WEIGHTS) {
-        Ok(table) => table,
-        Err(_) => panic!("refused"),
-    };
-const PICK: Cdf<[u32; 3]> = match Cdf::from_integers(&[2, 1, 1]) {
-    Ok(table) => table,
-    Err(_) => panic!("refused"),
-};
+    constant!(Alias::<[AliasEntry<u32>; 4]>::from_integers(&WEIGHTS));
+const PICK: Cdf<[u32; 3]> = constant!(Cdf::from_integers(&[2, 1, 1]));
 
 /// Up in three cases out of four, in a circle.
 struct Upwards;

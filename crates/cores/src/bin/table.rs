@@ -2,8 +2,8 @@
 #![no_std]
 #![no_main]
 
-use microwarp::Warp;
 use microwarp::discrete::PiecewiseConstant2d;
+use microwarp::{Warp, constant};
 use microwarp_cores::{input, output};
 use rand_pcg::Pcg32;
 
@@ -28,10 +28,7 @@ const fn weights() -> [[f32; 32]; 16] {
     weights
 }
 
-static SKY: Table = match Table::new(&weights(), [0.0, 1.0], [0.0, 1.0]) {
-    Ok(table) => table,
-    Err(_) => panic!("refused"),
-};
+static SKY: Table = constant!(Table::new(&weights(), [0.0, 1.0], [0.0, 1.0]));
 
 #[unsafe(no_mangle)]
 #[inline(never)]

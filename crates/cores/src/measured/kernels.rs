@@ -15,7 +15,6 @@ mod integer;
 mod lots;
 mod paths;
 mod peers;
-mod points;
 mod primitives;
 mod rejection;
 mod tables;
@@ -23,12 +22,11 @@ mod tables;
 use crate::measured::count::Entry;
 
 /// The entries in several lists.
-pub static REGISTRY: [&[Entry]; 17] = [
+pub static REGISTRY: [&[Entry]; 15] = [
     chains::ENTRIES,
     float::POLY,
     float::LIBM,
     generator::ENTRIES,
-    generator::OTHERS,
     integer::FINE,
     integer::COARSE,
     integer::COMPACT,
@@ -36,7 +34,6 @@ pub static REGISTRY: [&[Entry]; 17] = [
     lots::ENTRIES,
     paths::ENTRIES,
     peers::ENTRIES,
-    points::ENTRIES,
     primitives::ENTRIES,
     rejection::ENTRIES,
     tables::ENTRIES,
