@@ -119,13 +119,18 @@ macro_rules! case {
     };
 }
 
-#[rustfmt::skip]
 pub fn cases() -> Vec<Case> {
     use Sweep::{Edges, Grid, Pairs, Powers};
     let all = [between(TINY, f32::MAX), negative(TINY, f32::MAX), Edges];
     // The largest errors of the exponentials are rare: here every argument is tried that has a result
     // of its own.
-    let exponents = [all[0], all[1], Edges, every(0.0625, 105.0, 1.0), every(0.0625, 105.0, -1.0)];
+    let exponents = [
+        all[0],
+        all[1],
+        Edges,
+        every(0.0625, 105.0, 1.0),
+        every(0.0625, 105.0, -1.0),
+    ];
     vec![
         case!("sqrt", "x ≥ 0", [between(TINY, f32::MAX), Edges], |(x, _)| x >= 0.0,
             |x, _| x.sqrt() => |x, _| T::sqrt(x)),
@@ -139,12 +144,12 @@ pub fn cases() -> Vec<Case> {
             |t, _| sincos(t).1 => |t, _| T::polar(1.0, t).0,
             |t, _| sincos(t).0 => |t, _| T::polar(1.0, t).1),
         case!("sin² + cos²", "0 ≤ t ≤ 1", [Grid(1.0)], |_| true,
-            // Squared and summed in f64, and rounded only after 1 has been taken off.
-            |_, _| 0.0 => |t, _| {
-                let (s, c) = T::sincos_turns(t);
-                let (s, c) = (f64::from(s), f64::from(c));
-                (s * s + c * c - 1.0) as f32
-            }),
+        // Squared and summed in f64, and rounded only after 1 has been taken off.
+        |_, _| 0.0 => |t, _| {
+            let (s, c) = T::sincos_turns(t);
+            let (s, c) = (f64::from(s), f64::from(c));
+            (s * s + c * c - 1.0) as f32
+        }),
         case!("atan2_turns", "finite x, y", [
                 Pairs { x: [TINY, f32::MAX], y: [TINY, f32::MAX], count: 1 << 21 },
                 Pairs { x: [1.0e-4, 1.0e4], y: [1.0e-4, 1.0e4], count: 1 << 22 },
