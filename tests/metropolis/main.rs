@@ -34,7 +34,6 @@ mod runs;
 mod saved;
 mod series;
 mod spectrum;
-mod start;
 mod start_choice;
 mod start_weights;
 mod step_errors;

@@ -22,7 +22,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use std::sync::OnceLock;
 
 /// What is judged of chains.
-pub static FAMILY: Family = Family::of(220);
+pub static FAMILY: Family = Family::of(100);
 
 /// The p-value of Hotelling's T² of the batches' shares in the cells against the exact probabilities.
 ///
@@ -62,13 +62,6 @@ pub fn hotelling(batches: &[Vec<f64>], exact: &[f64]) -> f64 {
     let (k, d) = (k as f64, d as f64);
     let f = k * squares * (k - d) / (d * (k - 1.0));
     FisherSnedecor::new(d, k - d).unwrap().sf(f)
-}
-
-/// The p-value of a mean of independent numbers against the exact one, by their own spread.
-pub fn p_value_of_mean(sum: f64, squares: f64, count: f64, exact: f64) -> f64 {
-    let mean = sum / count;
-    let variance = (squares / count - mean * mean) / (count - 1.0);
-    stats::two_sided((mean - exact) / variance.sqrt())
 }
 
 fn outcomes() -> &'static [(&'static str, Plan, Outcome)] {

@@ -1,6 +1,8 @@
-//! The layers of the ziggurats are those of an exact computation, and what is between them is decided by the curve.
+//! The layers of the ziggurats are those of an exact computation, and what is between them is decided by the curve. So numbers
+//! have their law, the tails included; a ziggurat with any of the known flaws fails the very same checks.
 
 use crate::curves::{CURVES, Curve, Geometry, LAYERS};
+use host::errors::or_infinite;
 use host::speed;
 use host::words::first_without;
 use microwarp::rejection::{ZigguratStandardExponential, ZigguratStandardNormal};
@@ -34,11 +36,14 @@ pub fn unit(curve: Curve, layer: usize) -> f32 {
     attempt(curve, [word(curve, layer, 1), 0, 0]).unwrap()
 }
 
+/// A try of a ziggurat, or of one with a flaw.
+type Try<'a> = &'a dyn Fn([u32; 3]) -> Option<f32>;
+
 /// How many second words accept, which are the first ones.
-fn accepting(curve: Curve, layer: usize, place: u32) -> u64 {
-    let accepts =
-        |second: u64| attempt(curve, [word(curve, layer, place), second as u32, 0]).is_some();
-    first_without(0..1 << 32, accepts)
+fn accepting(first: u32, attempt: Try) -> u64 {
+    first_without(0..1 << 32, |second| {
+        attempt([first, second as u32, 0]).is_some()
+    })
 }
 
 /// The first place of a layer at which something holds that holds from there on.
@@ -67,6 +72,13 @@ fn the_constants_of_the_sources_are_derived() {
             assert!((stated / value - 1.0).abs() <= 1e-14, "{name}: {value}");
         }
     }
+    for (curve, stated) in [
+        (Curve::Normal, ZigguratStandardNormal::EFFICIENCY),
+        (Curve::Exponential, ZigguratStandardExponential::EFFICIENCY),
+    ] {
+        let efficiency = curve.beyond(0.0) / (256.0 * curve.geometry().area);
+        assert_eq!(stated, efficiency as f32);
+    }
     let beyond = Curve::Normal.cdf(-Curve::Normal.geometry().start) as f32;
     assert_eq!(constant(Curve::Normal, "BEYOND") as f32, beyond);
 }
@@ -83,29 +95,36 @@ fn every_width_is_the_nearest_number_to_the_exact_one() {
     }
 }
 
-/// A number is its place times the unit, rounded once, on both sides for the normal law; no bit of the layer shows.
+/// How many numbers are not their place times the unit of their layer, rounded once; of the normal law on both sides, so that no
+/// bit of the layer shows.
+fn misplaced(curve: Curve, attempt: Try, words: u32) -> u32 {
+    let mut rng = Pcg32::new(1, 1);
+    let units: Vec<f32> = (0..LAYERS).map(|layer| unit(curve, layer)).collect();
+    let wrong = (0..words).filter(|_| {
+        let first = rng.next_u32();
+        let layer = (first & 0xff) as usize;
+        let place = match curve {
+            Curve::Normal => i64::from(first as i32 >> 8) * 2 + 1,
+            Curve::Exponential => i64::from(first >> 9) * 2 + 1,
+        };
+        let due = (place as f64 * f64::from(units[layer])) as f32;
+        let got = attempt([first, 0, 0]);
+        let tail = layer == 0 && f64::from(due.abs()) > curve.geometry_start();
+        // The opposite place in the same layer.
+        let opposite = attempt([first ^ 0xffff_ff00, 0, 0]).map(|x| -x);
+        !tail && got != Some(due) || curve == Curve::Normal && opposite != got
+    });
+    wrong.count() as u32
+}
+
 #[test]
 fn numbers_are_places_in_their_layers() {
-    let mut rng = Pcg32::new(1, 1);
     for curve in CURVES {
-        let units: Vec<f32> = (0..LAYERS).map(|layer| unit(curve, layer)).collect();
-        for _ in 0..1_000_000 {
-            let first = rng.next_u32();
-            let layer = (first & 0xff) as usize;
-            let place = match curve {
-                Curve::Normal => i64::from(first as i32 >> 8) * 2 + 1,
-                Curve::Exponential => i64::from(first >> 9) * 2 + 1,
-            };
-            let due = (place as f64 * f64::from(units[layer])) as f32;
-            let got = attempt(curve, [first, 0, 0]).unwrap();
-            let tail = layer == 0 && f64::from(due.abs()) > curve.geometry_start();
-            assert!(tail || got == due, "{first:x}: {got} for {due}");
-            if curve == Curve::Normal {
-                // The opposite place in the same layer.
-                let opposite = attempt(curve, [first ^ 0xffff_ff00, 0, 0]).unwrap();
-                assert_eq!(opposite, -got);
-            }
-        }
+        let attempt = |words| attempt(curve, words);
+        assert_eq!(misplaced(curve, &attempt, 1_000_000), 0);
+        // Layer and place are read from the same end of the word.
+        let shared = |[first, b, c]: [u32; 3]| attempt([first & !0xff | first >> 24, b, c]);
+        assert!(misplaced(curve, &shared, 10_000) > 9_000);
     }
 }
 
@@ -150,86 +169,111 @@ fn inner_parts_end_where_the_layer_above_does() {
     }
 }
 
-/// The realised density at many places, by what the code accepts there, against the curve.
+/// The realised density at many places, by what is accepted there, against the curve: the largest error, the mean one, and how
+/// many wedges were asked.
+fn realised(curve: Curve, attempt: Try, places: u32) -> (f64, f64, u32) {
+    let mut rng = Pcg32::new(2, 2);
+    let Geometry { area, widths, .. } = curve.geometry();
+    let units: Vec<f64> = (0..LAYERS)
+        .map(|layer| f64::from(unit(curve, layer)))
+        .collect();
+    let (mut worst, mut mean, mut wedges) = (0.0_f64, 0.0, 0);
+    for k in 0..places {
+        // A place in a layer, its wedge mostly; then all the layers that reach as far.
+        let layer = 1 + (rng.next_u32() % 255) as usize;
+        let share = f64::from(rng.next_u32()) / 4_294_967_296.0;
+        let inner = if k % 8 == 0 { 0.0 } else { widths[layer + 1] };
+        let x = inner + share * (widths[layer] - inner);
+        let mut density = 0.0;
+        for other in 0..LAYERS {
+            let place = (x / units[other]) as u32 | 1;
+            if f64::from(place) >= UNITS {
+                break;
+            }
+            let at = f64::from(place) * units[other];
+            if other == 0 || at <= widths[other + 1] {
+                // Accepted whatever the height, but for the steps that the test above grants.
+                density += 1.0 / (units[other] * UNITS);
+            } else {
+                // The curve at the place itself, not at x.
+                let accepted = accepting(word(curve, other, place), attempt);
+                let chance = accepted as f64 / 4_294_967_296.0;
+                let whole = curve.excess(widths[other], widths[other + 1]);
+                let [due, here] = [at, x].map(|x| curve.excess(widths[other], x) / whole);
+                density += (chance - due + here) / (units[other] * UNITS);
+                wedges += 1;
+            }
+        }
+        let error = density * area / curve.height(x) - 1.0;
+        worst = worst.max(or_infinite(error.abs()));
+        mean += error / f64::from(places);
+    }
+    (worst, mean, wedges)
+}
+
 #[test]
 fn the_realised_density_is_the_curve() {
-    let mut rng = Pcg32::new(2, 2);
     for curve in CURVES {
-        let Geometry { area, widths, .. } = curve.geometry();
-        let units: Vec<f64> = (0..LAYERS)
-            .map(|layer| f64::from(unit(curve, layer)))
-            .collect();
-        let (mut worst, mut mean, mut wedges) = (0.0_f64, 0.0, 0);
+        let attempt = |words| attempt(curve, words);
         let places = speed::of("places of each curve", 4_000, 40_000);
-        for k in 0..places {
-            // A place in a layer, its wedge mostly; then all the layers that reach as far.
-            let layer = 1 + (rng.next_u32() % 255) as usize;
-            let share = f64::from(rng.next_u32()) / 4_294_967_296.0;
-            let inner = if k % 8 == 0 { 0.0 } else { widths[layer + 1] };
-            let x = inner + share * (widths[layer] - inner);
-            let mut density = 0.0;
-            for other in 0..LAYERS {
-                let place = (x / units[other]) as u32 | 1;
-                if f64::from(place) >= UNITS {
-                    break;
-                }
-                let beyond = f64::from(place) * units[other] > widths[other + 1];
-                if other == 0 || !beyond {
-                    // Accepted whatever the height, but for the steps that the test above grants.
-                    density += 1.0 / (units[other] * UNITS);
-                } else {
-                    // The curve at the place itself, not at x.
-                    let at = f64::from(place) * units[other];
-                    let chance = accepting(curve, other, place) as f64 / 4_294_967_296.0;
-                    let due = curve.excess(widths[other], at)
-                        / curve.excess(widths[other], widths[other + 1]);
-                    let here = curve.excess(widths[other], x)
-                        / curve.excess(widths[other], widths[other + 1]);
-                    density += (chance - due + here) / (units[other] * UNITS);
-                    wedges += 1;
-                }
-            }
-            let error = density * area / curve.height(x) - 1.0;
-            worst = worst.max(error.abs());
-            mean += error / f64::from(places);
-        }
+        let (worst, mean, wedges) = realised(curve, &attempt, places);
         println!("{curve:?}: {worst:.2e} at most, {mean:.1e} on average, {wedges} wedges");
         assert!(4 * wedges > 3 * places);
         assert!(worst <= 7e-7, "{curve:?}: {worst}");
         assert!(mean.abs() <= 3e-8, "{curve:?}: {mean}");
+        // What lies beyond the inner part is handed out, or never.
+        let no_wedge = |[first, _, c]: [u32; 3]| attempt([first, 0, c]);
+        let inner_alone = |[first, _, c]: [u32; 3]| attempt([first, u32::MAX, c]);
+        for flaw in [&no_wedge as Try, &inner_alone] {
+            let (worst, mean, _) = realised(curve, flaw, 200);
+            assert!(worst > 1e-3 && mean.abs() > 1e-3, "{worst} {mean}");
+        }
     }
+}
+
+/// How far numbers of the tail are off its law; infinitely where there are none.
+fn tail_off(curve: Curve, attempt: Try, words: u32) -> f64 {
+    let (mut rng, start) = (Pcg32::new(3, 3), curve.geometry().start);
+    let errors = (0..words).map(|k| {
+        let (high, low) = (rng.next_u32() >> (k % 32), rng.next_u32());
+        // Of 64 bits, less those that an f32 has no room for.
+        let u = microwarp::uniform::full_from_words(high, low);
+        assert!(u > 0.0);
+        let x = attempt([word(curve, 0, (1 << 24) - 1), high, low]);
+        let exact = inverse_tail(curve, start, f64::from(u));
+        x.map_or(f64::INFINITY, |x| (f64::from(x) / exact - 1.0).abs())
+    });
+    errors.map(or_infinite).fold(0.0, f64::max)
 }
 
 /// The chance of the tail, which is a number of words, and the law in it.
 #[test]
 fn tails_have_their_mass_and_their_law() {
-    let mut rng = Pcg32::new(3, 3);
     for curve in CURVES {
+        let attempt = |words| attempt(curve, words);
         let Geometry { start, area, .. } = curve.geometry();
         let first = first_place(|place| {
-            let tries = [0, u32::MAX].map(|w| attempt(curve, [word(curve, 0, place), w, 1]));
+            let tries = [0, u32::MAX].map(|w| attempt([word(curve, 0, place), w, 1]));
             tries[0] != tries[1]
         });
         let places = (UNITS - f64::from(first - 1)) / UNITS;
         let off = places * area / curve.beyond(start) - 1.0;
         println!("{curve:?}: the tail's mass is off by {off:.1e}");
         assert!(off.abs() <= 1e-6, "{off}");
-        let mut worst = 0.0_f64;
-        for k in 0..speed::of("words of each tail", 20_000, 200_000) {
-            let (high, low) = (rng.next_u32() >> (k % 32), rng.next_u32());
-            let x = attempt(curve, [word(curve, 0, (1 << 24) - 1), high, low]).unwrap();
-            // Of 64 bits, less those that an f32 has no room for.
-            let u = microwarp::uniform::full_from_words(high, low);
-            assert!(u > 0.0);
-            let exact = inverse_tail(curve, start, f64::from(u));
-            worst = worst.max((f64::from(x) / exact - 1.0).abs());
-        }
+        let words = speed::of("words of each tail", 20_000, 200_000);
+        let worst = tail_off(curve, &attempt, words);
         println!("{curve:?}: numbers of the tail are off by {worst:.1e}");
         assert!(worst <= 3e-7, "{worst}");
+        // A tail that falls less steeply, and none.
+        let begin = start as f32;
+        let flat = |words| attempt(words).map(|x| begin + (x - begin) / 0.999);
+        let none = |words| attempt(words).filter(|x| *x <= begin);
+        assert!(tail_off(curve, &flat, 100) > 1e-4);
+        assert_eq!(tail_off(curve, &none, 100), f64::INFINITY);
         // The farthest there are.
-        let at = |words: [u32; 2]| {
+        let at = |[high, low]: [u32; 2]| {
             let place = word(curve, 0, (1 << 24) - 1);
-            f64::from(attempt(curve, [place, words[0], words[1]]).unwrap())
+            f64::from(attempt([place, high, low]).unwrap())
         };
         let (least, none) = (at([0, 1]), at([0, 0]));
         let stated = match curve {

@@ -20,4 +20,3 @@ mod shares;
 mod subjects;
 mod von_mises;
 mod ziggurat_budgets;
-mod ziggurats;
