@@ -1,8 +1,9 @@
-//! The identities of expectation and variance: multiples, sums, groups, constants, and a die.
+//! The identities of expectation and variance: multiples, sums, groups, constants, and a die; and the factors of bounds.
 
 use crate::{Z, at_most, relative};
 use host::mean::mean_and_variance;
 use microwarp::estimate::{Integral, Moments, WeightedMean};
+use microwarp::tier::{Libm, Poly};
 use microwarp::{Warp, poly as mw, uniform};
 use rand_pcg::Pcg32;
 
@@ -194,4 +195,43 @@ fn a_ratio_of_equal_weights_is_a_mean() {
     let (mean, variance) = mean_and_variance(samples.iter().map(|&x| f64::from(x)));
     assert!(relative(plain.mean(), mean) <= 2e-7);
     assert!(relative(plain.variance(), variance) <= 3e-7);
+}
+
+#[test]
+fn bounds_are_the_standard_error_times_the_right_factor() {
+    let mut integral = Integral::new();
+    for x in [1.0, 2.0, 4.0, 8.0] {
+        integral.push(x, 0.5);
+    }
+    let error = f64::from(integral.standard_error().unwrap());
+    let off = |got: f32, factor: f64| (f64::from(got) - factor * error).abs() / (factor * error);
+    for delta in [1e-45_f32, 1e-20, 1e-3, 0.05, 0.5, 0.999_999_94] {
+        let bound = integral.chebyshev_bound(delta).unwrap();
+        assert!(
+            off(bound, f64::from(delta).sqrt().recip()) <= 3e-7,
+            "{delta}"
+        );
+    }
+    // Quantiles of the standard normal, from tables.
+    for (confidence, factor) in [
+        (0.5, 0.674_489_750_196_082),
+        (0.9, 1.644_853_626_951_473),
+        (0.95, 1.959_963_984_540_054),
+        (0.99, 2.575_829_303_548_901),
+        (0.999, 3.290_526_731_491_926),
+    ] {
+        // The confidence itself is rounded to 24 bits, which moves its tail by up to 3e-8.
+        let slope = (factor * factor / 2.0_f64).exp() * 2.506_628_274_631 / factor;
+        let tolerance = 5e-7 + 3e-8 * slope;
+        for bound in [
+            integral.normal_bound::<Libm>(confidence).unwrap(),
+            integral.normal_bound::<Poly>(confidence).unwrap(),
+        ] {
+            assert!(off(bound, factor) <= tolerance, "{confidence}: {bound}");
+        }
+        assert!(!at_most(
+            off(integral.chebyshev_bound(1.0 - confidence).unwrap(), factor),
+            tolerance
+        ));
+    }
 }

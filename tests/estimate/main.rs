@@ -4,7 +4,6 @@
 //! it rejects.
 
 mod checkpoints;
-mod coverage;
 mod extremes;
 mod heuristics;
 mod identities;

@@ -133,46 +133,28 @@ pub fn lobe_cells(z: fn(f64) -> f64) -> Cells<[f32; 2]> {
 
 /// What a batch is counted in.
 pub struct Cells<X> {
-    /// The coarse and the fine cell of a state; nothing outside the target's domain.
-    pub place: Box<dyn Fn(X) -> Option<[usize; 2]>>,
-    /// The exact probabilities of both.
-    pub exact: [Vec<f64>; 2],
-    /// Two functions of the state whose autocorrelation is measured: uniforms.
-    pub watched: Box<dyn Fn(X) -> [f32; 2]>,
+    /// The cell of a state; nothing outside the target's domain.
+    pub place: Box<dyn Fn(X) -> Option<usize>>,
+    /// The exact probabilities.
+    pub exact: Vec<f64>,
 }
 
 impl<X: Copy + 'static> Cells<X> {
     /// Equal cells in coordinates that make the target uniform.
-    pub fn uniform<const A: usize>(uniforms: impl Fn(X) -> [f64; A] + Clone + 'static) -> Self {
-        let (coarse, fine): (&[usize], &[usize]) = match A {
-            1 => (&[20], &[120]),
-            _ => (&[5, 4], &[12, 10]),
-        };
-        let dimensions = [coarse, fine];
-        let exact = dimensions.map(|d| {
-            let count: usize = d.iter().product();
-            vec![1.0 / count as f64; count]
-        });
-        let of_place = uniforms.clone();
+    pub fn uniform<const A: usize>(uniforms: impl Fn(X) -> [f64; A] + 'static) -> Self {
+        let counts: &[usize] = if A == 1 { &[20] } else { &[5, 4] };
         let place = move |x| {
-            let u = of_place(x);
+            let u = uniforms(x);
             let inside = u.iter().all(|u| (0.0..=1.0).contains(u));
             inside.then(|| {
-                dimensions.map(|counts| {
-                    let along = u.iter().zip(counts);
-                    along.fold(0, |cell, (u, &count)| {
-                        cell * count + ((u * count as f64) as usize).min(count - 1)
-                    })
+                u.iter().zip(counts).fold(0, |cell, (u, &count)| {
+                    cell * count + ((u * count as f64) as usize).min(count - 1)
                 })
             })
         };
         Self {
             place: Box::new(place),
-            exact,
-            watched: Box::new(move |x| {
-                let u = uniforms(x);
-                [u[0] as f32, u[A - 1] as f32]
-            }),
+            exact: vec![0.05; 20],
         }
     }
 }

@@ -13,7 +13,7 @@ fn mean(x: &[f64]) -> f64 {
     mean_and_variance(x.iter().copied()).0
 }
 
-pub fn variance(x: &[f64]) -> f64 {
+fn variance(x: &[f64]) -> f64 {
     mean_and_variance(x.iter().copied()).1
 }
 

@@ -2,7 +2,6 @@
 //! proposed wrongly gets in; a rejected step leaves no trace; a saved chain goes on as if nothing had been.
 
 mod acceptance;
-mod agreement;
 mod autocorrelation;
 mod balance;
 mod chains;
@@ -42,5 +41,4 @@ mod targets;
 mod times;
 mod tuning;
 mod words;
-mod wrapped;
 mod wrapping;

@@ -2,7 +2,7 @@
 
 use crate::densities::*;
 use crate::own::multiply;
-use crate::runs::{FULL, Outcome, Plan, Seen, Walk, plan, run};
+use crate::runs::{Outcome, Plan, Seen, Walk, plan, run};
 use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TargetDensity,
@@ -91,14 +91,11 @@ fn over_decades() -> impl Mutation<f32> {
 }
 
 /// A step across the parabola that never crosses its valley in time, so that each batch starts on the target.
-/// Few states of a batch are then worth more than one, and the last of each are taken as independent.
 fn slow() -> Plan {
     Plan {
         batches: if speed::full() { 2048 } else { 1024 },
         steps: 1000,
         burn_in: 0,
-        apart: 0.0,
-        ..plan()
     }
 }
 
@@ -123,15 +120,8 @@ fn on_the_line() -> Vec<Subject> {
     let source = poly::Exponential::from_rate(0.4).unwrap();
     let long = Plan {
         steps: if speed::full() { 50_000 } else { 10_000 },
-        pilot: if speed::full() { 400_000 } else { 80_000 },
         burn_in: 20_000,
-        stride: 10,
         batches: 128,
-        ..plan()
-    };
-    let rare = Plan {
-        stride: 4,
-        ..plan()
     };
     let linear = |x| log_power(x).exp() as f32;
     let falling = |u| log_cliff(u).exp() as f32;
@@ -155,7 +145,7 @@ fn on_the_line() -> Vec<Subject> {
         )
         .planned(long),
         parabolic("parabola, nine to one", nine_to_one()),
-        chain("cauchy, exponential", cauchy_cells(), 50.0, cauchy, wide).planned(rare),
+        chain("cauchy, exponential", cauchy_cells(), 50.0, cauchy, wide),
         chain(
             "thirty decades, f32",
             power_cells(),
@@ -204,14 +194,7 @@ where
     let target = primary_density(warp, move |w: [f32; 3]| shine.pdf(w));
     let step = poly::LogUniformStep::new(1.0 / 1024.0, 1.0 / 64.0).unwrap();
     let mutation = Mixture::large_small(0.2, WrappedWalk::new(step)).unwrap();
-    let lobe = chain(name, lobe_cells(z), [0.9, 0.1], target, mutation);
-    // As many states far apart as the fine cells ask for.
-    lobe.planned(Plan {
-        stride: 10,
-        steps: FULL.steps,
-        apart: FULL.apart,
-        ..plan()
-    })
+    chain(name, lobe_cells(z), [0.9, 0.1], target, mutation)
 }
 
 fn in_the_plane() -> Vec<Subject> {

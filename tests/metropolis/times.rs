@@ -1,14 +1,11 @@
-//! The integrated autocorrelation time: Geyer's initial monotone sequence in f64 on the same runs, and theory.
+//! The integrated autocorrelation time: Geyer's initial monotone sequence in f64 on the same runs.
 
 use crate::autocorrelation::{AUTOCORRELATION, pushed};
 use crate::exact::stated_error;
 use crate::series::{SHAPES, Truth, autoregression, normal, shaped};
 use host::speed;
-use host::stats;
+use microwarp::estimate::Moments;
 use rand_pcg::Pcg32;
-
-/// No fewer than the p-values that are computed in this file.
-const TESTS: usize = 10;
 
 /// The time against that of the same run in f64: of how many runs, and its largest error.
 fn against_truth<const LAGS: usize>(rng: &mut Pcg32) -> ([u32; 3], f64) {
@@ -33,6 +30,11 @@ fn against_truth<const LAGS: usize>(rng: &mut Pcg32) -> ([u32; 3], f64) {
                 let size = health.effective_sample_size().unwrap();
                 let product = f64::from(size) * f64::from(got) / n as f64;
                 assert!((product - 1.0).abs() < 3e-7, "{product}");
+                let mut moments = Moments::new();
+                run.iter().for_each(|&x| moments.push(x));
+                let error = f64::from(health.standard_error().unwrap());
+                let due = f64::from(moments.std_dev().unwrap()) / f64::from(size).sqrt();
+                assert!((error / due - 1.0).abs() < 1e-6, "{error} {due}");
             }
             (None, None) => {
                 cases[2] += 1;
@@ -72,52 +74,6 @@ fn the_time_is_that_of_the_initial_monotone_sequence() {
         assert!(known[1] > 10, "{known:?}");
     }
     assert!(more[1] > 150 && more[2] > 20, "{more:?}");
-}
-
-/// How far from theory a time is: the p-value by the limiting variance of a sum of that many lags.
-fn p_value(time: f64, rho: f64, n: usize) -> f64 {
-    let theory = (1.0 + rho) / (1.0 - rho);
-    // Madras and Sokal: var τ = 2(2W + 1)/n τ², for a window W that holds the correlations; of τ no less than
-    // that of white noise, whose pairs are noise as well.
-    let decay = -rho.abs().max(0.01).ln();
-    let window = (0.5 * (n as f64).ln() / decay).max(2.0);
-    let deviation = theory.max(1.0) * (2.0 * (2.0 * window + 1.0) / n as f64).sqrt();
-    let z = (time - theory) / deviation;
-    println!("{time:.4} for {theory:.4}: {z:.2} deviations");
-    stats::two_sided(z)
-}
-
-fn time_of<const LAGS: usize>(rho: f64, n: usize, rng: &mut Pcg32) -> Option<f64> {
-    let run: Vec<f32> = autoregression(rho, n, rng)
-        .iter()
-        .map(|x| (x * 3.0 + 50.0) as f32)
-        .collect();
-    pushed::<LAGS>(&run).integrated_time().map(f64::from)
-}
-
-#[test]
-fn the_time_of_an_autoregression_is_that_of_theory() {
-    let mut rng = Pcg32::new(0xa401, 54);
-    let n = speed::of("numbers", 100_000, 1_000_000);
-    for rho in [0.0, 0.5, 0.9, -0.5] {
-        let time = time_of::<256>(rho, n, &mut rng).unwrap();
-        assert!(p_value(time, rho, n) >= stats::threshold(TESTS), "{rho}");
-    }
-    // Runs of another law do not pass for these.
-    let white = time_of::<256>(0.0, n, &mut rng).unwrap();
-    let nine = time_of::<256>(0.9, n, &mut rng).unwrap();
-    for (time, rho) in [
-        (white, 0.5),
-        (white, 0.05),
-        (white, -0.5),
-        (nine, 0.87),
-        (nine, 0.0),
-    ] {
-        assert!(
-            p_value(time, rho, n) < stats::threshold(TESTS),
-            "{time} for {rho}"
-        );
-    }
 }
 
 #[test]

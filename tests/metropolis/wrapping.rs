@@ -1,7 +1,11 @@
-//! The sum modulo 1: by the rule that is documented, worked out in integers, for any two numbers at all.
+//! The sum modulo 1: by the rule that is documented, worked out in integers, for any two numbers at all. So, with steps whose
+//! negatives have as many words (`laws`), as many words lead in a wrapped walk from each grid point to each other as lead back.
 
 use host::speed;
-use microwarp::metropolis::wrapping_add;
+use microwarp::metropolis::{
+    BoxStep, LogUniformStep, Mutation, NormalStep, StepLaw, WrappedWalk, wrapping_add,
+};
+use microwarp::tier::{Libm, Poly};
 use microwarp::uniform::LARGEST;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -192,4 +196,49 @@ fn a_step_and_its_negative_undo_each_other() {
             assert_eq!(wrapping_add(wrapping_add(u, s), -s), u);
         }
     }
+}
+
+/// A law that is asked by the mutation and by the test.
+struct Borrowed<'a, L>(&'a L);
+
+impl<L: StepLaw<[f32; 3]>> StepLaw<[f32; 3]> for Borrowed<'_, L> {
+    fn displacement(&self, axis: usize, word: u32) -> f32 {
+        self.0.displacement(axis, word)
+    }
+}
+
+/// By the mutation: from anywhere, even from what is no point of the cube, to the sum modulo 1.
+fn walks<L: StepLaw<[f32; 3]>>(law: L) {
+    let mutation = WrappedWalk::new(Borrowed(&law));
+    let any = [
+        f32::NAN,
+        7.0,
+        -1.0,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        1.0,
+        LARGEST,
+        0.3,
+    ];
+    let mut words = Pcg32::new(0x3a1c, 54);
+    let mut rng = words.clone();
+    for turn in 0..20_000 {
+        let from: [f32; 3] = std::array::from_fn(|axis| any[(turn * 3 + axis) % any.len()]);
+        let Ok(proposal) = mutation.try_propose(from, &mut rng);
+        assert_eq!(proposal.kind, 0);
+        for (axis, (before, to)) in from.into_iter().zip(proposal.state).enumerate() {
+            let step = law.displacement(axis, words.next_u32());
+            assert_eq!(to, wrapping_add(before, step));
+            assert!((0.0..1.0).contains(&to), "{before} to {to}");
+        }
+    }
+}
+
+#[test]
+fn a_state_out_of_range_is_brought_in() {
+    walks(BoxStep::new([0.1, 0.0, 1000.0]).unwrap());
+    walks(NormalStep::<_, Libm>::new([0.1, 0.0, 6e37]).unwrap());
+    walks(NormalStep::<_, Poly>::new([1e-30, 1e-7, 1.0]).unwrap());
+    walks(LogUniformStep::<Libm>::new(1e-45, f32::MAX).unwrap());
+    walks(LogUniformStep::<Poly>::new(1.0 / 1024.0, 1.0 / 64.0).unwrap());
 }

@@ -1,7 +1,7 @@
 //! Accepted points have the stated law, in their whole domain and whatever the number of tries.
 
 use crate::examination::{FAMILY, p_values_of_points};
-use crate::subjects::{self, MORE, POINTS, run};
+use crate::subjects::{self, MORE, run};
 use host::speed;
 use microwarp::rejection::{Bounded, DiskRejection, Failure, Region, Rejection};
 use microwarp::uniform::{Canonical, Uniforms};
@@ -18,38 +18,6 @@ fn accepted_points_have_the_stated_law() {
     for (subject, outcome) in subjects::all().iter().zip(subjects::outcomes()) {
         FAMILY.assert_passes(subject.name, &outcome.points);
     }
-}
-
-/// A point that took three tries has the law of one that took one.
-#[test]
-fn points_do_not_depend_on_their_tries() {
-    let bump = Bounded::new(poly::Disk::new(), subjects::bump_density, PI).unwrap();
-    let run = run(&bump, subjects::bump, 7);
-    let patient = |least: u32| -> Vec<[f64; 2]> {
-        let pairs = run.uniforms.iter().zip(&run.tries);
-        pairs
-            .filter(|(_, k)| **k >= least)
-            .map(|(u, _)| *u)
-            .collect()
-    };
-    let late = patient(3);
-    assert!(late.len() > *POINTS / 20);
-    FAMILY.assert_passes("third tries and later", &p_values_of_points(&late));
-    // The control: as if a point were handed out of those that had been turned down.
-    let turned_down = Bounded::new(
-        poly::Disk::new(),
-        |x| 1.0 - subjects::bump_density(x),
-        0.5 * PI,
-    );
-    let mut wrong = late;
-    let other = run_of(&turned_down.unwrap());
-    let some = (0.01 * *MORE * *POINTS as f64) as usize;
-    wrong.splice(0..some, other.into_iter().take(some));
-    FAMILY.assert_rejected("some turned down", &p_values_of_points(&wrong));
-}
-
-fn run_of<S: Rejection<Point = [f32; 2]>>(sampler: &S) -> Vec<[f64; 2]> {
-    run(sampler, subjects::bump, 8).uniforms
 }
 
 /// A disk with r = u, as one of the source documents nearly has it, which claims the density 1/π.

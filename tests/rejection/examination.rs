@@ -1,11 +1,10 @@
 //! What is asked of a sampler's points and tries, and the p-values of the answers; the mean of the tries is the efficiency's
 //! reciprocal, and their law geometric.
 
-use crate::subjects::{self, MORE, POINTS};
+use crate::subjects::{self, MORE};
 use host::stats::{self, Family};
 use microwarp::Error;
-use microwarp::rejection::{BallRejection, DiskRejection, Failure, Rejection, budget_for};
-use rand_pcg::Pcg32;
+use microwarp::rejection::{BallRejection, DiskRejection, Rejection, budget_for};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_4, FRAC_PI_6, LN_2};
 
 /// What is judged of samplers.
@@ -120,39 +119,6 @@ fn truncated_tries_are_rejected() {
     let disk = &subjects::outcomes()[0].tries;
     FAMILY.assert_rejected("1 to 4", &[p_value_of_tries(&disk[..4], FRAC_PI_4)]);
     FAMILY.assert_rejected("1 to 4", &[p_value_of_mean(&disk[..4], FRAC_PI_4)]);
-}
-
-#[test]
-fn a_budget_is_spent_as_often_as_it_must_be() {
-    let disk = DiskRejection::new().with_budget(2).unwrap();
-    let ball = BallRejection::new().with_budget(5).unwrap();
-    let mut rng = Pcg32::new(500, 500);
-    let (mut disks, mut balls) = (0, 0);
-    for _ in 0..*POINTS {
-        match disk.draw(&mut rng) {
-            Ok(accepted) => assert!((1..=2).contains(&accepted.tries)),
-            Err(failure) => {
-                assert_eq!(failure, Failure::BudgetSpent { tries: 2 });
-                disks += 1;
-            }
-        }
-        balls += u32::from(ball.draw(&mut rng).is_err());
-    }
-    let p_value = |spent: u32, probability: f64| {
-        let n = *POINTS as f64;
-        let deviation = (n * probability * (1.0 - probability)).sqrt();
-        stats::two_sided((f64::from(spent) - n * probability) / deviation)
-    };
-    let [d, b] = [(1.0 - FRAC_PI_4).powi(2), (1.0 - FRAC_PI_6).powi(5)];
-    FAMILY.assert_passes("budgets", &[p_value(disks, d), p_value(balls, b)]);
-    FAMILY.assert_rejected(
-        "budget of disk",
-        &[p_value(disks, (1.0 + 0.05 * *MORE) * d)],
-    );
-    FAMILY.assert_rejected(
-        "budget of ball",
-        &[p_value(balls, (1.0 + 0.05 * *MORE) * b)],
-    );
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! `Gamma`: the law that all words of a try have together, its efficiency, and the law of what is drawn.
 
 use host::errors::or_infinite;
+use host::generators::{Counting, Cycle};
 use host::words::first_without;
 use host::{speed, stats};
 use microwarp::poly;
@@ -8,7 +9,6 @@ use microwarp::rejection::{Failure, Rejection};
 use rand_pcg::Pcg32;
 use statrs::distribution::{Continuous, ContinuousCDF, InverseGamma};
 use statrs::function::gamma::{gamma_lr, ln_gamma};
-use std::convert::Infallible;
 
 /// The largest distance of the law of all words from the gamma distribution of a shape, and the efficiency. First words are taken
 /// from the middle of cells that shrink towards both ends, and the numbers between two cells separate their shares.
@@ -211,39 +211,25 @@ fn the_reciprocal_is_inverse_gamma() {
 
 #[test]
 fn a_stuck_generator_spends_the_budget() {
-    struct Stuck(u32);
-    impl rand_core::TryRng for Stuck {
-        type Error = Infallible;
-        fn try_next_u32(&mut self) -> Result<u32, Infallible> {
-            self.0 += 1;
-            Ok(0)
-        }
-        fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-            unreachable!()
-        }
-        fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Infallible> {
-            unreachable!()
-        }
-    }
     let sampler = poly::Gamma::new(1.5, 1.0).unwrap();
-    let mut stuck = Stuck(0);
+    let mut stuck = Counting::new(Cycle::new(&[0]));
     assert_eq!(
         sampler.draw(&mut stuck),
         Err(Failure::BudgetSpent { tries: 16 })
     );
-    assert_eq!(stuck.0, 32);
+    assert_eq!(stuck.words, 32);
     assert_eq!(
         sampler.with_budget(3).unwrap().draw_ln(&mut stuck),
         Err(Failure::BudgetSpent { tries: 3 })
     );
-    assert_eq!(stuck.0, 38);
+    assert_eq!(stuck.words, 38);
     // The first share takes one word and no second try.
     let shares = poly::Dirichlet::new([1.0, 1.5, 2.0]).unwrap();
     assert_eq!(
         shares.draw(&mut stuck),
         Err(Failure::BudgetSpent { tries: 48 })
     );
-    assert_eq!(stuck.0, 38 + 1 + 2 * 47);
+    assert_eq!(stuck.words, 38 + 1 + 2 * 47);
     assert_eq!(shares.try_once(&mut stuck), Ok::<_, Failure>(None));
     let pair = poly::Beta::new(1.5, 2.0).unwrap().with_budget(1).unwrap();
     assert_eq!(

@@ -6,7 +6,7 @@
 //! - `hashes`: the scrambling beside Owen's, and the statistics of words by position
 //! - `neighbours`: words of neighbouring samples, pixels and seeded generators are independent
 //! - `screen`, `pictures`: the order of a set over a picture, and the errors of neighbouring pixels
-//! - `uses`: warps, strata, chains and the integer tier take a point as a generator
+//! - `uses`: warps, strata and the integer tier take a point as a generator
 
 mod hashes;
 mod integration;

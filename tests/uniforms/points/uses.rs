@@ -1,15 +1,14 @@
-//! A point serves whatever takes a generator: warps of every tier, strata, chains, rejection samplers.
+//! A point serves whatever takes a generator: a cursor yields its dimensions in order, and draws are the samples of its words.
 
 use super::sobol;
 use fixed::types::U0F32;
+use host::generators::{Broken, Failing};
 use microwarp::fixed as integers;
-use microwarp::metropolis::{Chain, UniformStep};
-use microwarp::rejection::{DiskRejection, Rejection};
 use microwarp::uniform::{
     ByPosition, MAX_DIMENSIONS, Points, Recurrence, Sobol, Strata2d, deep_from_word, grid_from_word,
 };
 use microwarp::{Warp, poly};
-use rand_pcg::rand_core::{Rng, TryRng};
+use rand_pcg::rand_core::Rng;
 
 #[test]
 fn a_cursor_yields_the_dimensions_in_order() {
@@ -96,74 +95,13 @@ fn reflections_and_places_take_a_point() {
         );
         assert_ne!(glossy.draw_reflection(&mut point()), glossy.reflect([v, u]));
     }
-    let mut spent = Spent(1);
-    assert_eq!(glossy.try_draw_reflection(&mut spent), Err(Empty));
-    assert_eq!(ball.try_draw_surface(&mut spent), Err(Empty));
-    assert_eq!(panel.try_draw_place(&mut Spent(1)), Err(Empty));
-    assert_eq!(
-        face.try_draw_place(&mut Spent(2)),
-        Ok(face.locate([0.0, 0.0]))
-    );
-}
-
-/// Zeros, so many words of them.
-struct Spent(u32);
-
-#[derive(Debug, PartialEq)]
-struct Empty;
-
-impl std::fmt::Display for Empty {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("no word is left")
-    }
-}
-
-impl std::error::Error for Empty {}
-
-impl TryRng for Spent {
-    type Error = Empty;
-
-    fn try_next_u32(&mut self) -> Result<u32, Empty> {
-        self.0 = self.0.checked_sub(1).ok_or(Empty)?;
-        Ok(0)
-    }
-
-    fn try_next_u64(&mut self) -> Result<u64, Empty> {
-        Err(Empty)
-    }
-
-    fn try_fill_bytes(&mut self, _: &mut [u8]) -> Result<(), Empty> {
-        Err(Empty)
-    }
-}
-
-/// A chain goes along the dimensions of one point, and its states have the mean of the density 1/2 + x, 7/12.
-#[test]
-fn chains_take_a_point() {
-    let density = |x: f32| 0.5 + x;
-    let mean = |rng: &mut dyn FnMut() -> f64| (0..64).map(|_| rng()).sum::<f64>() / 64.0;
-    let of = |mut rng: microwarp::uniform::Cursor<Sobol<8>>| {
-        let mut chain = Chain::new(0.5, density).unwrap();
-        let step = |_| f64::from(chain.step(density, &UniformStep::new(), &mut rng).state());
-        (0..1000).map(step).sum::<f64>() / 1000.0
-    };
-    let points = Sobol::<8>::new(5).unwrap();
-    let mut index = 0;
-    let found = mean(&mut || {
-        index += 1;
-        of(points.at(index))
-    });
-    println!("mean of 64 chains: {found:.4}");
-    assert!((found - 7.0 / 12.0).abs() < 0.01);
-}
-
-#[test]
-fn rejection_samplers_take_a_point() {
-    let points = Sobol::<2>::new(5).unwrap();
-    let disk = DiskRejection::new();
-    let tries = |index| disk.draw(&mut points.at(index)).unwrap().tries;
-    let mean = f64::from((0..4096).map(tries).sum::<u32>()) / 4096.0;
-    assert!((mean - 4.0 / std::f64::consts::PI).abs() < 0.01, "{mean}");
+    let spent = |left| Failing { word: 0, left };
+    let failed = Broken(17);
+    assert_eq!(glossy.try_draw_reflection(&mut spent(1)), Err(failed));
+    assert_eq!(ball.try_draw_surface(&mut spent(0)), Err(failed));
+    assert_eq!(panel.try_draw_place(&mut spent(1)), Err(failed));
+    let place = face.try_draw_place(&mut spent(2));
+    assert_eq!(place, Ok(face.locate([0.0, 0.0])));
 }
 
 /// Two dimensions stay below what was asked for, and only more of them have a table.
