@@ -1,8 +1,7 @@
 //! 10⁸ samples, in the quick speed 10⁷, whose mean is 1000 deviations: the figures stay right, one by one and merged, where plain
 //! sums and Welford's recurrence in f32 do not.
 
-use crate::checkpoints::{Exact, Largest, errors};
-use crate::{at_most, relative};
+use crate::{Exact, Largest, at_most, errors, relative};
 use host::docs::Doc;
 use host::speed;
 use microwarp::estimate::{Moments, WeightedMean};
