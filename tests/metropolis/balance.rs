@@ -2,8 +2,8 @@
 //! balance, eigenvalues; and in what each fails, so that the counter-examples can be asked too.
 
 use super::enumeration::{Driven, Path, TOTAL_BITS, Words, rounded};
+use super::known::{Matrix, second};
 use super::own::Weighed;
-use super::spectrum::{Matrix, second};
 use microwarp::metropolis::{Chain, LogDensity, Mutation, TargetDensity};
 use microwarp::tier::Tier;
 use num_bigint::BigUint;

@@ -2,9 +2,8 @@
 
 use crate::densities::*;
 use crate::own::{multiply, then};
-use crate::runs::FULL;
 use crate::subjects::{Subject, chain, nine_to_one, slow_box, walking};
-use crate::targets::FAMILY;
+use crate::targets::{FAMILY, FULL};
 use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, HastingsCorrection, HastingsRatio, Mutation, Outcome, Proposal, Symmetric,

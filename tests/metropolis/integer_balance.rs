@@ -6,9 +6,9 @@ use super::balance::{Enumerated, Examined, Report};
 use super::enumeration::{Driven, Path, TOTAL_BITS, Words, rounded};
 use super::integer_chances::{ALL, ceiling};
 use super::known::integer_table as table;
+use super::known::second;
 use super::matrices::LARGE_INTEGERS as LARGE;
 use super::own::forgetful;
-use super::spectrum::second;
 use microwarp::metropolis::{Mutation, TransitionTable, UniformIndex};
 use num_bigint::BigUint;
 

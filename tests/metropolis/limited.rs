@@ -2,9 +2,8 @@
 //! transitions are counted over all words of the real step.
 
 use super::enumeration::runs;
-use super::known::table;
+use super::known::{Matrix, stationary, table};
 use super::own::neighbour;
-use super::spectrum::{Matrix, stationary};
 use host::generators::Cycle;
 use host::speed;
 use microwarp::metropolis::{Chain, Mutation, Outcome, Saved, UniformIndex};

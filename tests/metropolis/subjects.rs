@@ -2,7 +2,7 @@
 
 use crate::densities::*;
 use crate::own::multiply;
-use crate::runs::{Outcome, Plan, Seen, Walk, plan, run};
+use crate::targets::{Outcome, Plan, Seen, Walk, plan, run};
 use host::speed;
 use microwarp::metropolis::{
     BoxStep, Chain, Independence, Mixture, Mutation, OneCoordinate, Subset, TargetDensity,
