@@ -3,6 +3,10 @@
 //!
 //! Truth is integers and `f64`. How samples of warps are distributed is in `tests/distributions`, errors of samples and
 //! densities are in `tests/accuracy`.
+#![expect(
+    clippy::incompatible_msrv,
+    reason = "tests compile with a newer compiler than the crate asks for"
+)]
 
 mod alias;
 mod binomials;

@@ -93,7 +93,7 @@ fn gathered(states: impl IntoIterator<Item = (Fraction, State)>) -> Law {
     let mut law = Law::new();
     for (p, state) in states {
         match law.iter_mut().find(|(_, other)| *other == state) {
-            Some((sum, _)) => *sum = *sum + p,
+            Some((sum, _)) => *sum += p,
             None => law.push((p, state)),
         }
     }
@@ -459,7 +459,7 @@ fn places_that_are_blind_to_some_items_do_not_darken_others() {
                 &vec![(ONE, *two)],
                 f,
             );
-            by_holders = by_holders + *p * *q * found(&normalised(&law, |_| holding), f);
+            by_holders += *p * *q * found(&normalised(&law, |_| holding), f);
         }
     }
     assert_eq!(by_holders, over(983, 1280));
