@@ -33,11 +33,12 @@ fn expected(n_f: u32, p_f: f32, n_g: u32, p_g: f32) -> (f32, f32) {
 /// The weight of f, from a quotient of at most 1 that `shape` may sharpen.
 #[inline]
 fn weight((f, g): (f32, f32), shape: impl Fn(f32) -> f32) -> f32 {
-    if f > g {
-        1.0 / (1.0 + shape(g / f))
-    } else if g > 0.0 {
-        let quotient = shape(f / g);
-        quotient / (1.0 + quotient)
+    // Which of the two is larger is anybody's guess, so it is selected and not branched on.
+    let first = f > g;
+    let (least, most) = if first { (g, f) } else { (f, g) };
+    if most > 0.0 {
+        let quotient = shape(least / most);
+        (if first { 1.0 } else { quotient }) / (1.0 + quotient)
     } else {
         0.0
     }
