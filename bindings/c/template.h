@@ -278,6 +278,27 @@ mw_error mw_select_once_uniform(const float *weights, size_t entries, float u,
         mw_selection *chosen);
 
 /**
+ * One of up to 32 parts of a mixture by weight, and what is left for the part of the word or the
+ * uniform that chose it: the first that the part takes. Parts have the probabilities that a mw_cdf
+ * gives them, exactly, which are within 2^-32 of their shares in the sum. MW_NO_WEIGHTS;
+ * MW_TOO_MANY_WEIGHTS above 32; MW_NEGATIVE_WEIGHT, MW_NOT_FINITE_WEIGHT, MW_ALL_ZERO;
+ * MW_UNREACHABLE for a positive weight too small for one word among so many.
+ */
+@struct mw_chooser@
+mw_error mw_chooser_init(mw_chooser *chooser, const float *weights, size_t parts);
+/** A part of weight 0 is never chosen. A u outside [0, 1), or NaN, is brought into range. */
+size_t mw_chooser_choose(const mw_chooser *chooser, uint32_t word, uint32_t *rest);
+size_t mw_chooser_choose_uniform(const mw_chooser *chooser, float u, float *rest);
+/** How many of the 2^32 words choose a part, and its probability; 0 beyond the last. */
+uint64_t mw_chooser_numerator(const mw_chooser *chooser, size_t part);
+float mw_chooser_pmf(const mw_chooser *chooser, size_t part);
+/**
+ * The density of the mixture at a point, from those of its parts there; NaN and what is below 0 count
+ * as 0. Those of parts of weight 0 are not read.
+ */
+float mw_chooser_pdf(const mw_chooser *chooser, const float *densities);
+
+/**
  * Piecewise constant on equal cells of [low, high), with the weights as the masses of the cells.
  * `build` lays out the words, and `init` makes the handle of finished ones, which it checks;
  * `init_trusted` checks nothing but the bounds, in constant time. The words must stay where they

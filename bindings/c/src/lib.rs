@@ -14,6 +14,7 @@
 )]
 
 mod chain;
+mod chooser;
 mod discrete;
 mod error;
 mod estimate;
