@@ -365,6 +365,80 @@ static void streams_are_weighted(void)
     CHECK(near(first[0], 10000, 548) && near(first[1], 20000, 693) && near(first[2], 30000, 735));
 }
 
+/* A law with a density is one that f/density integrates under; the interval from 0 to 1 has length 1. */
+static double length_seen(const mw_chooser *chosen, const mw_chooser *believed, const mw_normal normals[3], bool whole)
+{
+    mw_pcg32 rng = seeded(21);
+    double sum = 0.0;
+    for (int i = 0; i < 200000; i++) {
+        const uint32_t word = mw_pcg32_next(&rng);
+        uint32_t rest;
+        const size_t part = mw_chooser_choose(chosen, word, &rest);
+        const float x = mw_normal_sample(&normals[part], ldexpf((float)((whole ? word : rest) >> 8), -24));
+        float densities[3];
+        for (int k = 0; k < 3; k++)
+            densities[k] = k == 1 ? NAN : mw_normal_pdf(&normals[k], x);
+        if (x >= 0.0f && x < 1.0f)
+            sum += 1.0 / (double)mw_chooser_pdf(believed, densities);
+    }
+    return sum / 200000.0;
+}
+
+static void parts_are_chosen(void)
+{
+    static const float quarters[3] = {1.0f, 0.0f, 3.0f}, others[3] = {3.0f, 0.0f, 1.0f}, thirds[3] = {1.0f, 1.0f, 1.0f};
+    static const float many[33] = {1.0f, [31] = 1.0f, 1.0f}, tiny[3] = {1.0f, 1e-30f, 1e-30f};
+    mw_chooser chooser, wrong, before;
+    uint32_t rest;
+    float left;
+    CHECK(mw_chooser_init(&chooser, quarters, 3) == MW_OK && mw_chooser_init(&wrong, others, 3) == MW_OK);
+    CHECK(mw_chooser_numerator(&chooser, 0) == 1u << 30 && mw_chooser_numerator(&chooser, 2) == 3u << 30);
+    CHECK(mw_chooser_numerator(&chooser, 1) == 0 && mw_chooser_numerator(&chooser, SIZE_MAX) == 0);
+    CHECK(mw_chooser_pmf(&chooser, 2) == 0.75f && mw_chooser_pmf(&chooser, 1) == 0.0f);
+    CHECK(mw_chooser_pmf(&chooser, 3) == 0.0f && mw_chooser_pmf(&chooser, SIZE_MAX) == 0.0f);
+    CHECK(mw_chooser_choose(&chooser, 0x3fffffff, &rest) == 0 && rest == 0xfffffffe);
+    CHECK(mw_chooser_choose(&chooser, 0x40000000, &rest) == 2 && rest == 0);
+    CHECK(mw_chooser_choose(&chooser, 0xa0000000, &rest) == 2 && rest >> 1 == 0x40000000);
+    CHECK(mw_chooser_choose_uniform(&chooser, 0x1p-40f, &left) == 0 && left == 0x1p-38f);
+    CHECK(mw_chooser_choose_uniform(&chooser, 0.25f, &left) == 2 && left == 0.0f);
+    CHECK(mw_chooser_choose_uniform(&chooser, NAN, &left) == 0 && left == 0.0f);
+    CHECK(mw_chooser_choose_uniform(&chooser, INFINITY, &left) == 2 && left < 1.0f && left > 0.9999f);
+    /* No density is negative, and that of a part without weight, or of none, is not read. */
+    const float one[1] = {2.0f}, sunk[3] = {-1.0f, 5.0f, NAN};
+    CHECK(mw_chooser_pdf(&chooser, quarters) == 2.5f && mw_chooser_pdf(&chooser, sunk) == 0.0f);
+    CHECK(mw_chooser_init(&chooser, tiny, 1) == MW_OK && mw_chooser_pdf(&chooser, one) == 2.0f);
+    /* Of three equal parts one has a word more, and each leaves rests from the least to the largest. */
+    CHECK(mw_chooser_init(&chooser, thirds, 3) == MW_OK);
+    uint64_t start = 0;
+    for (size_t part = 0; part < 3; part++) {
+        const uint64_t count = mw_chooser_numerator(&chooser, part);
+        CHECK(count - 1431655765u <= 1);
+        CHECK(mw_chooser_choose(&chooser, (uint32_t)start, &rest) == part && rest < 3);
+        CHECK(mw_chooser_choose(&chooser, (uint32_t)(start + count - 1), &rest) == part && rest > UINT32_MAX - 3);
+        start += count;
+    }
+    CHECK(start == (uint64_t)1 << 32);
+    CHECK(mw_chooser_init(&chooser, many, 32) == MW_OK && mw_chooser_choose(&chooser, UINT32_MAX, &rest) == 31);
+
+    before = chooser;
+    static const float below[2] = {1.0f, -1.0f}, none[2] = {NAN, 1.0f}, zeros[2] = {0.0f, -0.0f};
+    CHECK(mw_chooser_init(&chooser, NULL, 0) == MW_NO_WEIGHTS);
+    CHECK(mw_chooser_init(&chooser, many, 33) == MW_TOO_MANY_WEIGHTS);
+    CHECK(mw_chooser_init(&chooser, NULL, SIZE_MAX) == MW_TOO_MANY_WEIGHTS);
+    CHECK(mw_chooser_init(&chooser, below, 2) == MW_NEGATIVE_WEIGHT);
+    CHECK(mw_chooser_init(&chooser, none, 2) == MW_NOT_FINITE_WEIGHT);
+    CHECK(mw_chooser_init(&chooser, zeros, 2) == MW_ALL_ZERO && mw_chooser_init(&chooser, tiny, 3) == MW_UNREACHABLE);
+    CHECK(memcmp(&chooser, &before, sizeof chooser) == 0);
+
+    /* Points follow the density, to seven deviations. They do not by other weights, nor by words that have chosen already. */
+    mw_normal normals[3];
+    CHECK(mw_normal_init(&normals[0], 0.0f, 1.0f) == MW_OK && mw_normal_init(&normals[1], 9.0f, 1.0f) == MW_OK);
+    CHECK(mw_normal_init(&normals[2], 1.0f, 0.5f) == MW_OK && mw_chooser_init(&chooser, quarters, 3) == MW_OK);
+    CHECK(near(length_seen(&chooser, &chooser, normals, false), 1.0, 0.02));
+    CHECK(!near(length_seen(&chooser, &wrong, normals, false), 1.0, 0.02));
+    CHECK(!near(length_seen(&chooser, &chooser, normals, true), 1.0, 0.02));
+}
+
 static void maps_are_warps(void)
 {
     uint32_t words[ENTRIES], marginal[2], conditional[6];
@@ -1336,6 +1410,7 @@ int main(void)
     weights_change();
     weights_of_64_bits();
     streams_are_weighted();
+    parts_are_chosen();
     maps_are_warps();
     counts_are_drawn();
     random_quantities_are_drawn();

@@ -476,6 +476,7 @@ static const struct other_subject {
     {"poly cdf of integers", cdf_of_integers},
     {"poly alias", alias},
     {"poly select once", select_once},
+    {"poly Mixture choices", choices},
     {"poly reservoir", reservoir},
     {"poly piecewise of any weights", pictures},
     {"poly sky and curve of any weights", skies},

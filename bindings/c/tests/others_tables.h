@@ -83,6 +83,53 @@ static void select_once(four u, int input, struct out *out)
         put_selection(out, chosen);
 }
 
+/* A generator behind the rest of the word that chose a part. */
+struct led {
+    uint32_t first;
+    bool taken;
+    mw_pcg32 rng;
+};
+
+static bool from_led(void *context, uint32_t *word)
+{
+    struct led *led = context;
+    *word = led->taken ? mw_pcg32_next(&led->rng) : led->first;
+    led->taken = true;
+    return true;
+}
+
+static void choices(four u, int input, struct out *out)
+{
+    const float any[4] = {u[0], fabsf(u[1]), 0.0f, u[2]};
+    mw_pcg32 rng = generator(input);
+    const uint32_t three[3] = {mw_pcg32_next(&rng), 0, UINT32_MAX};
+    mw_tent tent;
+    mw_chooser chooser;
+    expect_error(out, MW_OK, mw_tent_init(&tent, 1.0f));
+    if (!made(out, mw_chooser_init(&chooser, any, 4)))
+        return;
+    uint32_t left[3];
+    for (int i = 0; i < 3; i++) {
+        put_size_t(out, mw_chooser_choose(&chooser, three[i], &left[i]));
+        put_uint32_t(out, left[i]);
+    }
+    put_uint32_t(out, (uint32_t)mw_chooser_numerator(&chooser, 1));
+    put_float(out, mw_chooser_pmf(&chooser, 3));
+    put_float(out, mw_chooser_pdf(&chooser, u));
+
+    /* A point of a mixture of four tents with its density, and one that is drawn. */
+    float rest, x, densities[4];
+    const size_t part = mw_chooser_choose_uniform(&chooser, u[3], &rest);
+    const float its = mw_tent_sample_with_pdf(&tent, rest, &x);
+    for (size_t i = 0; i < 4; i++)
+        densities[i] = i == part ? its : mw_tent_pdf(&tent, x);
+    put_float(out, mw_chooser_pdf(&chooser, densities));
+    struct led led = {left[0], false, rng};
+    const mw_source source = {from_led, &led};
+    expect_error(out, MW_OK, mw_tent_draw_from(&tent, &source, &x));
+    put_float(out, x);
+}
+
 static void reservoir(four u, int input, struct out *out)
 {
     const float offered[4] = {u[0], u[1], 1e30f * u[2], 1e-30f * u[3]};

@@ -191,8 +191,8 @@ macro_rules! structs {
 /// The structs of what is no warp.
 pub fn structs() -> Vec<(&'static str, Stored)> {
     use microwarp::discrete::{
-        Binomial, DiscreteGaussian, DiscreteLaplace, Geometric, LightReservoir, Poisson, Reservoir,
-        WeightedReservoir,
+        Binomial, DiscreteGaussian, DiscreteLaplace, Geometric, LightReservoir, Mixture, Poisson,
+        Reservoir, WeightedReservoir,
     };
     use microwarp::estimate::{Integral, Moments, WeightedMean};
     use microwarp::rejection::{self, ZigguratExponential, ZigguratNormal};
@@ -203,6 +203,7 @@ pub fn structs() -> Vec<(&'static str, Stored)> {
     use microwarp::{fixed, poly};
     structs! {
         "frame" Frame;
+        "chooser" Mixture<[poly::Disk; 32], 32>;
         "geometric" Geometric;
         "poisson" Poisson;
         "binomial" Binomial;
