@@ -84,8 +84,9 @@
  *     ggx_visible_reflected_pdf, ggx_visible_g1, ggx_visible_unmasked, ggx_visible_visibility,
  *     ggx_distribution
  *   Tables of weights
- *     cdf, alias, sum_tree, sum_tree_64, select_once, select_once_uniform, piecewise_constant_1d,
- *     piecewise_linear_1d, piecewise_constant_2d, lat_long_map, mesh, mesh_u16
+ *     cdf, alias, sum_tree, sum_tree_64, select_once, select_once_uniform, chooser,
+ *     piecewise_constant_1d, piecewise_linear_1d, piecewise_constant_2d, lat_long_map, mesh,
+ *     mesh_u16
  *   Counts and other integers
  *     geometric, poisson, binomial, discrete_gaussian, discrete_laplace
  *   Resampling
@@ -1603,6 +1604,27 @@ bool mw_sum_tree_select_exact(const mw_sum_tree *tree, uint32_t word, mw_exact_s
 mw_error mw_select_once(const float *weights, size_t entries, uint32_t word, mw_selection *chosen);
 mw_error mw_select_once_uniform(const float *weights, size_t entries, float u,
         mw_selection *chosen);
+
+/**
+ * One of up to 32 parts of a mixture by weight, and what is left for the part of the word or the
+ * uniform that chose it: the first that the part takes. Parts have the probabilities that a mw_cdf
+ * gives them, exactly, which are within 2^-32 of their shares in the sum. MW_NO_WEIGHTS;
+ * MW_TOO_MANY_WEIGHTS above 32; MW_NEGATIVE_WEIGHT, MW_NOT_FINITE_WEIGHT, MW_ALL_ZERO;
+ * MW_UNREACHABLE for a positive weight too small for one word among so many.
+ */
+typedef struct mw_chooser { uint64_t words[64]; } mw_chooser;
+mw_error mw_chooser_init(mw_chooser *chooser, const float *weights, size_t parts);
+/** A part of weight 0 is never chosen. A u outside [0, 1), or NaN, is brought into range. */
+size_t mw_chooser_choose(const mw_chooser *chooser, uint32_t word, uint32_t *rest);
+size_t mw_chooser_choose_uniform(const mw_chooser *chooser, float u, float *rest);
+/** How many of the 2^32 words choose a part, and its probability; 0 beyond the last. */
+uint64_t mw_chooser_numerator(const mw_chooser *chooser, size_t part);
+float mw_chooser_pmf(const mw_chooser *chooser, size_t part);
+/**
+ * The density of the mixture at a point, from those of its parts there; NaN and what is below 0 count
+ * as 0. Those of parts of weight 0 are not read.
+ */
+float mw_chooser_pdf(const mw_chooser *chooser, const float *densities);
 
 /**
  * Piecewise constant on equal cells of [low, high), with the weights as the masses of the cells.

@@ -102,6 +102,7 @@ pub const LAYOUT: &[(&str, usize, usize, usize)] = &[
     ("mw_mesh", 8, 0, 8),
     ("mw_mesh_u16", 8, 0, 8),
     ("mw_frame", 0, 36, 4),
+    ("mw_chooser", 0, 512, 8),
     ("mw_geometric", 0, 304, 8),
     ("mw_poisson", 0, 56, 8),
     ("mw_binomial", 0, 592, 8),
