@@ -5,7 +5,7 @@
 //! one law. Otherwise a sample of them is tried.
 
 use crate::{GRID, STEP};
-use host::docs::of_floats;
+use host::docs::row_of;
 use host::figures::{Exact, Figures, sample_error};
 use host::parallel::{in_parallel, threads};
 use host::registry::{Entry, Measure, entries};
@@ -23,10 +23,7 @@ const PARTS: u32 = 64;
 
 /// The error that the documentation states for the samples of an entry; none for what is made of other warps.
 fn stated(entry: &Entry) -> Option<f64> {
-    let name = entry.name.split(' ').next()?;
-    let rows = of_floats(name);
-    let (_, cells) = rows.iter().find(|(title, _)| title.starts_with("sample"))?;
-    let bound = &cells[usize::from(entry.tier == "poly")];
+    let bound = row_of(entry.name.split(' ').next()?, entry.tier, "sample")?;
     let value = |name: &String| entry.variable(name).expect("a parameter of the entry");
     Some(bound.eval(&bound.names().iter().map(value).collect::<Vec<_>>()))
 }

@@ -1,6 +1,6 @@
 //! The density that comes with a sample: that of its point, or one as near to it as both statements allow.
 
-use host::docs::{Statement, of_floats};
+use host::docs::{Statement, row_of};
 use host::errors::or_infinite;
 use host::figures::{Exact, at_open_end};
 use host::moved::Moved;
@@ -15,12 +15,9 @@ struct Bounds {
 impl Bounds {
     fn of(entry: &Entry) -> Self {
         let name = entry.name.split(' ').next().unwrap();
-        let stated = of_floats(name);
-        let tier = usize::from(entry.tier == "poly");
         let row = |title: &str| {
-            let row = stated.iter().find(|(row, _)| row == title);
-            let (_, cells) = row.unwrap_or_else(|| panic!("{name} states no {title}"));
-            cells[tier].clone()
+            let row = row_of(name, entry.tier, title);
+            row.unwrap_or_else(|| panic!("{name} states no {title}"))
         };
         let titles = [
             "pdf with the sample, relative",

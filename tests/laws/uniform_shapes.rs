@@ -1,7 +1,7 @@
 //! Rings, balls, rotations, polygons and simplices: what the registry's three coordinates do not show, and laws that
 //! hold for a shape alone.
 
-use host::docs::{Doc, of_floats};
+use host::docs::{Doc, row_of};
 use host::errors::ulp;
 use host::{speed, stats, truth};
 use microwarp::tier::{Libm, Poly, Tier};
@@ -26,10 +26,7 @@ fn edgy(rng: &mut Pcg32) -> f32 {
 
 /// The bound of a row in the column of a tier, for the value of its only parameter if it has one.
 fn stated<T: Tier>(name: &str, row: &str, value: f64) -> f64 {
-    let rows = of_floats(name);
-    let found = rows.iter().find(|(title, _)| title.starts_with(row));
-    let (_, cells) = found.expect("a row of the table");
-    let cell = &cells[usize::from(T::NAME == "poly")];
+    let cell = row_of(name, T::NAME, row).expect("a row of the table");
     cell.eval(&vec![value; cell.names().len()])
 }
 

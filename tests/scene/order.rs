@@ -2,6 +2,7 @@
 //! stay. Pixels that are in another order have errors of their own.
 
 use crate::light::{PANEL, lit_by};
+use host::mean::{mean_and_variance, over_neighbours};
 use host::parallel::{in_parallel, threads};
 use host::speed;
 use microwarp::tier::Poly;
@@ -59,34 +60,21 @@ fn picture<S: Source>(samples: u32, seed: u32) -> Vec<f64> {
     pixels.map(light).collect()
 }
 
-/// Means over 3 × 3 neighbours within the picture.
-fn filtered(picture: &[f64]) -> Vec<f64> {
-    let side = SIDE as usize;
-    let inner = (1..side - 1).flat_map(|y| (1..side - 1).map(move |x| y * side + x));
-    let mean = |at: usize| {
-        let rows = [at - side, at, at + side];
-        let near = rows.iter().flat_map(|row| &picture[row - 1..row + 2]);
-        near.sum::<f64>() / 9.0
-    };
-    inner.map(mean).collect()
-}
-
 /// The deviation of a pixel from its mean over the pictures.
 fn deviation(pictures: &[Vec<f64>]) -> f64 {
-    let count = pictures.len() as f64;
-    let squares = (0..pictures[0].len()).map(|k| {
-        let mean = pictures.iter().map(|picture| picture[k]).sum::<f64>() / count;
-        let square = |picture: &Vec<f64>| (picture[k] - mean).powi(2);
-        pictures.iter().map(square).sum::<f64>() / (count - 1.0)
-    });
-    (squares.sum::<f64>() / pictures[0].len() as f64).sqrt()
+    let pixels = 0..pictures[0].len();
+    let variance = |k: usize| mean_and_variance(pictures.iter().map(|picture| picture[k])).1;
+    (pixels.clone().map(variance).sum::<f64>() / pixels.len() as f64).sqrt()
 }
 
 /// The errors of pixels, and of means over their neighbours. Every picture has the same mean, so that they are the deviations.
 fn errors<S: Source>(samples: u32, seeds: u32) -> [f64; 2] {
     let seeds: Vec<u32> = (0..seeds).collect();
     let pictures = in_parallel(threads(), &seeds, |seed| picture::<S>(samples, *seed));
-    let smooth: Vec<_> = pictures.iter().map(|picture| filtered(picture)).collect();
+    let smooth = pictures.iter();
+    let smooth: Vec<_> = smooth
+        .map(|picture| over_neighbours(picture, SIDE as usize))
+        .collect();
     [pictures, smooth].map(|pictures| deviation(&pictures))
 }
 

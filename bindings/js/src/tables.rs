@@ -60,8 +60,8 @@ unsafe fn behind<'a>(table: *mut Head, words: usize) -> &'a mut [u32] {
 }
 
 /// Makes a table of a kind of the weights at `weights`, by the head at `table`: 0 `Cdf`, 1 `Alias`, 2 constant on
-/// pieces, 3 linear on pieces, 4 constant on cells, 5 a sky; 6 the chooser of a mixture, which has a head of its own. 0, or the code of the refusal and the index of a weight
-/// times 32.
+/// pieces, 3 linear on pieces, 4 constant on cells, 5 a sky; 6 the chooser of a mixture, which has a head of its own. 0, or the
+/// code of the refusal and the index of a weight times 32.
 ///
 /// # Safety
 /// The weights lie there; there is room for a word each, and for each row; with `Alias` for three words a bin.

@@ -254,6 +254,13 @@ pub fn of_floats(name: &str) -> Vec<(String, [Statement; 2])> {
         .collect()
 }
 
+/// What a row that begins so states in one tier.
+pub fn row_of(name: &str, tier: &str, row: &str) -> Option<Statement> {
+    let mut rows = of_floats(name).into_iter();
+    let (_, [libm, poly]) = rows.find(|(title, _)| title.starts_with(row))?;
+    Some(if tier == "poly" { poly } else { libm })
+}
+
 /// A figure is stale where it is more than so many times what is measured.
 pub const STALE: f64 = 1.25;
 

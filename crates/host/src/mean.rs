@@ -23,6 +23,17 @@ impl Mean {
     }
 }
 
+/// Means over 3 × 3 neighbours within a square picture of this side.
+pub fn over_neighbours(picture: &[f64], side: usize) -> Vec<f64> {
+    let inner = (1..side - 1).flat_map(|y| (1..side - 1).map(move |x| y * side + x));
+    let mean = |at: usize| {
+        let rows = [at - side, at, at + side];
+        let near = rows.iter().flat_map(|row| &picture[row - 1..row + 2]);
+        near.sum::<f64>() / 9.0
+    };
+    inner.map(mean).collect()
+}
+
 /// Mean and unbiased variance of numbers, in two passes.
 pub fn mean_and_variance(samples: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = samples.clone().count() as f64;

@@ -1,6 +1,7 @@
 //! Errors of pictures whose pixels share a set: of single pixels, of means over neighbours, and by frequency.
 
 use host::docs::Doc;
+use host::mean::over_neighbours;
 use host::parallel::{in_parallel, threads};
 use host::speed;
 use microwarp::uniform::{ByPosition, Points, Screen, Sobol};
@@ -95,18 +96,8 @@ fn errors(way: Way, of: &Integrand, logs: [u32; 2], seed: u32) -> Vec<f64> {
 
 /// The sums of the squares of errors, and of their means over 3 × 3 neighbours within the picture.
 fn squares(errors: &[f64], side: usize) -> [f64; 2] {
-    let inner = (1..side - 1).flat_map(|y| (1..side - 1).map(move |x| y * side + x));
-    let mean = |at: usize| {
-        let rows = [at - side, at, at + side];
-        rows.iter()
-            .flat_map(|row| &errors[row - 1..row + 2])
-            .sum::<f64>()
-            / 9.0
-    };
-    [
-        errors.iter().map(|e| e * e).sum(),
-        inner.map(|at| mean(at).powi(2)).sum(),
-    ]
+    let sum = |errors: &[f64]| errors.iter().map(|e| e * e).sum();
+    [sum(errors), sum(&over_neighbours(errors, side))]
 }
 
 /// By what factors errors are below those of another way: of single pixels, and of means over neighbours.
