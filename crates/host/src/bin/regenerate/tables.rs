@@ -17,13 +17,13 @@ pub fn block(name: &str, sources: &Sources) -> Outcome<String> {
         "listed Directions" => listed(Group::Directions),
         "selections" => beside(
             sources,
-            SELECTIONS,
+            "selections",
             "| | ns, PCG32 included | Cortex-M4F, PCG32 included | Cortex-M0, PCG32 included |",
         ),
-        "chains" => beside(sources, CHAINS, "| | ns | Cortex-M4F | Cortex-M0 |"),
+        "chains" => beside(sources, "chains", "| | ns | Cortex-M4F | Cortex-M0 |"),
         "generators" => beside(
             sources,
-            GENERATORS,
+            "generators",
             "| a word; `fixed::Disk::draw` | ns | Cortex-M4F | Cortex-M0 |",
         ),
         "integers" => integers(sources),
@@ -132,43 +132,37 @@ fn listed(group: Group) -> Outcome<String> {
     Ok(lines.collect::<String>() + "//! ")
 }
 
-/// A warp of the float tiers, its kernel, which is the name of its bench, and the row of its errors.
-struct Warp {
+/// A row of a table.
+struct Row {
     label: &'static str,
-    name: &'static str,
-    error: &'static str,
-    kernel: &'static str,
+    /// The benches on the host; or a type, and the row of its table of errors.
+    of: &'static str,
+    kernels: Vec<&'static str>,
 }
 
-const fn warp(
-    label: &'static str,
-    name: &'static str,
-    error: &'static str,
-    kernel: &'static str,
-) -> Warp {
-    Warp {
-        label,
-        name,
-        error,
-        kernel,
+impl Row {
+    /// Those of a table.
+    fn all(table: &str) -> impl Iterator<Item = Self> {
+        let lines = include_str!("rows.txt").lines();
+        lines.filter_map(move |line| {
+            let mut cells = line.split('|').map(str::trim);
+            (cells.next() == Some(table)).then(|| {
+                let mut cell = || cells.next().unwrap_or_default();
+                Self {
+                    label: cell(),
+                    of: cell(),
+                    kernels: cell().split(", ").collect(),
+                }
+            })
+        })
+    }
+
+    /// A type, the row of its errors, and a kernel.
+    fn stated(&self) -> (&'static str, &'static str, &'static str) {
+        let (name, error) = self.of.split_once(": ").unwrap_or_default();
+        (name, error, self.kernels[0])
     }
 }
-
-#[rustfmt::skip]
-const WARPS: [Warp; 12] = [
-    warp("`Disk`", "Disk", "sample", "disk"),
-    warp("`DiskConcentric`", "DiskConcentric", "sample", "disk_concentric"),
-    warp("`Sphere`", "Sphere", "sample", "sphere"),
-    warp("`Hemisphere`", "Hemisphere", "sample", "hemisphere"),
-    warp("`CosineHemisphere`", "CosineHemisphere", "sample", "cosine_hemisphere"),
-    warp("`PhongLobe`, n = 50: sin θ", "PhongLobe", "sin θ, ulp", "phong_lobe_50"),
-    warp("`Cone`: sin θ", "Cone", "sin θ, ulp", "cone"),
-    warp("`Triangle`", "Triangle", "sample", "triangle"),
-    warp("`Exponential`", "Exponential", "sample, ulp", "exponential_1"),
-    warp("`TruncatedExponential`", "TruncatedExponential", "sample, ulp", "truncated_exponential_2_3"),
-    warp("`Normal`", "Normal", "sample, ulp", "normal"),
-    warp("`NormalPair`, of its reach 5.77σ", "NormalPair", "sample", "normal_pair"),
-];
 
 /// The rows of the README's table.
 const SIX: [&str; 6] = [
@@ -186,21 +180,19 @@ fn six(sources: &Sources) -> Outcome<String> {
          |---|--:|--:|--:|--:|--:|--:|\n",
     );
     for name in SIX {
-        let warp = WARPS.iter().find(|warp| warp.name == name);
-        let warp = warp.ok_or_else(|| format!("no warp {name}"))?;
+        let mut warps = Row::all("warps").map(|row| row.stated());
+        let warp = warps.find(|(warp, ..)| *warp == name);
+        let (_, error, kernel) = warp.ok_or_else(|| format!("no warp {name}"))?;
         let integer = GRADED_WARPS.iter().find(|warp| warp.name == name);
         let integer = integer.and_then(|warp| warp.kernels.first());
         let integer = integer.ok_or_else(|| format!("no integer warp beside {name}"))?;
-        let kernel = format!("poly_{}_pcg32", warp.kernel);
-        let unit = if warp.error.contains("ulp") {
-            " ulp"
-        } else {
-            ""
-        };
+        let nanoseconds = sources.nanoseconds("warps", &format!("poly::draw::{kernel}"))?;
+        let kernel = format!("poly_{kernel}_pcg32");
+        let unit = if error.contains("ulp") { " ulp" } else { "" };
         text += &rows(&[vec![
             format!("`{name}`"),
-            sources.stated(name, warp.error, "poly")? + unit,
-            sources.nanoseconds("warps", &format!("poly::draw::{}", warp.kernel))?,
+            sources.stated(name, error, "poly")? + unit,
+            nanoseconds,
             grouped(sources.instructions("m4f", &kernel)?),
             grouped(sources.instructions("m0", &kernel)?),
             grouped(sources.instructions("m0", &format!("fine_{integer}_pcg32"))?),
@@ -239,16 +231,11 @@ fn warps(sources: &Sources) -> Outcome<String> {
         "| warp | error, `libm` | error, `poly` | ns, `libm` | ns, `poly` | ns filled, `poly` | Cortex-M4F, `poly` | Cortex-M0, `poly` | WASM, `poly` | flash on M4F |\n\
          |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
-    for Warp {
-        label,
-        name,
-        error,
-        kernel,
-    } in WARPS
-    {
+    for row in Row::all("warps") {
+        let (name, error, kernel) = row.stated();
         let drawn = format!("poly_{kernel}_pcg32");
         let unit = if error.contains("ulp") { " ulp" } else { "" };
-        let mut cells = vec![label.to_string()];
+        let mut cells = vec![row.label.to_string()];
         for tier in ["libm", "poly"] {
             cells.push(sources.stated(name, error, tier)? + unit);
         }
@@ -264,77 +251,25 @@ fn warps(sources: &Sources) -> Outcome<String> {
     Ok(text)
 }
 
-/// A label, the benches on the host, the kernels (or what was counted without one).
-type Row = (
-    &'static str,
-    &'static [&'static str],
-    &'static [&'static str],
-);
-
-/// Rows of the table of generators.
-#[rustfmt::skip]
-const GENERATORS: &[Row] = &[
-    ("`Pcg32` of `rand_pcg`, which the other tables count", &["tables a_floor_of_one_word"], &["pcg32_word", "fine_disk_pcg32"]),
-    ("`Sfc32` of `rand_sfc`", &[], &["sfc32_word", "sfc32_disk"]),
-    ("`XorShiftRng` of `rand_xorshift`", &[], &["xorshift_word", "xorshift_disk"]),
-    ("`Xoroshiro64Star` of `rand_xoshiro`", &[], &["xoroshiro64_word", "xoroshiro64_disk"]),
-    ("`Xoshiro128PlusPlus` of `rand_xoshiro`, the `SmallRng` of 32-bit targets", &[], &["xoshiro128_word", "xoshiro128_disk"]),
-];
-
-#[rustfmt::skip]
-const SELECTIONS: &[Row] = &[
-    ("one word of PCG32", &["tables a_floor_of_one_word"], &["pcg32_word"]),
-    ("`draw_index` from a `Cdf` of 6, of 1,024 `u32`", &["tables cdf_u32_index_only::6", "tables cdf_u32_index_only::1024"], &["cdf_6_index", "cdf_1024_pcg32"]),
-    ("`draw`, with pmf and leftover", &["tables cdf_u32::6", "tables cdf_u32::1024"], &["cdf_6", "cdf_1024"]),
-    ("`draw_exact` from a `Cdf` of 64 `u32`, with numerator and leftover", &[], &["cdf_64_exact_pcg32"]),
-    ("`draw_index` from an `Alias` of 1,024 `u32`", &[], &["alias_1024_pcg32"]),
-    ("`draw`, with pmf and leftover, of 6, of 2²⁰", &["tables alias_u32::6", "tables alias_u32::1048576"], &["alias_1024"]),
-    ("`PiecewiseConstant1d` of 1,024; of 64 on the microcontrollers", &["tables piecewise_1d_of_1024"], &["piecewise_constant_1d_64_pcg32"]),
-    ("`PiecewiseConstant2d` of 256 × 128; of 32 × 16 on the microcontrollers", &["tables piecewise_2d_of_256_by_128"], &["piecewise_2d_32_16"]),
-    ("`select_once` over 2, 8, 64 weights; over 4, 16 on the microcontrollers, without a generator", &["tables select_once_over::2", "tables select_once_over::8", "tables select_once_over::64"], &["select_once_4", "select_once_16"]),
-    ("`Reservoir::offer`", &["tables reservoir_offer"], &["reservoir_offer"]),
-    ("`DiskRejection`, `BallRejection`", &["tables rejection_disk", "tables rejection_ball"], &["rejection_disk_pcg32", "rejection_ball_pcg32"]),
-    ("`ZigguratStandardNormal`, `ZigguratStandardExponential`", &["peers normal", "peers exponential"], &["rejection_ziggurat_standard_normal_pcg32", "rejection_ziggurat_standard_exponential_pcg32"]),
-    ("`fixed::DiskRejection16`, `fixed::DiskRejection`", &[], &["fixed_rejection_disk_16_pcg32", "fixed_rejection_disk_pcg32"]),
-    ("a step of a chain of `u32` weights, `UniformIndex`", &[], &["chain_integers_uniform_index"]),
-    ("`Moments::push`, `Integral::push`, without a generator on the microcontrollers", &["tables moments_push", "tables integral_push"], &["moments_push", "integral_push"]),
-];
-
-#[rustfmt::skip]
-const CHAINS: &[Row] = &[
-    ("`UniformStep`, 1 coordinate", &["chains uniform_1"], &["chain_uniform_1"]),
-    ("`BoxStep`, in ℝ; wrapped", &["chains box_1", "chains box_wrapped_1"], &["chain_box_1", "chain_box_wrapped_1"]),
-    ("`Mixture` of both, 9 : 1", &["chains box_and_uniform_1"], &["chain_box_and_uniform_1"]),
-    ("`NormalStep`, 2 coordinates, `LogDensity`", &["chains normal_2"], &["chain_normal_2"]),
-    ("`LargeSmall` with `LogUniformStep`, 2 and 32 coordinates", &["chains large_and_exponential::2", "chains large_and_exponential::32"], &["chain_large_exponential_2", "chain_large_exponential_32"]),
-    ("`OneCoordinate` of 32", &["chains one_coordinate::32"], &["chain_one_coordinate_32"]),
-    ("a Phong lobe driven through the unit square", &["chains lobe_driven"], &["chain_lobe"]),
-    ("`Independence` of a `Cdf` of 64", &["chains independence_of_a_table_of_64"], &["chain_independence_cdf_64"]),
-    ("`UniformIndex`", &["chains any_of_65536_indices"], &["chain_uniform_index"]),
-    ("`Autocorrelation::push`, 16 and 64 lags, without a generator on the microcontrollers", &["chains health_push::16", "chains health_push::64"], &["health_push_16", "health_push_64"]),
-];
-
 /// Nanoseconds, and instructions on an M4F and an M0.
-fn beside(sources: &Sources, list: &[Row], header: &str) -> Outcome<String> {
+fn beside(sources: &Sources, table: &str, header: &str) -> Outcome<String> {
     let mut text = format!("{header}\n|---|--:|--:|--:|\n");
-    for (label, benches, kernels) in list {
-        let nanoseconds = |bench: &&str| match bench.split_once(' ') {
+    for line in Row::all(table) {
+        let benches = line.of.split(", ").filter(|bench| !bench.is_empty());
+        let nanoseconds = |bench: &str| match bench.split_once(' ') {
             Some(("peers", family)) => rejection(sources, family),
             Some((bench, name)) => sources.nanoseconds(bench, name),
             None => Err(format!("no bench {bench}")),
         };
         let on = |core| {
-            kernels
+            line.kernels
                 .iter()
                 .map(|kernel| Ok(grouped(sources.instructions(core, kernel)?)))
                 .collect()
         };
-        let cells: [Outcome<Vec<String>>; 3] = [
-            benches.iter().map(nanoseconds).collect(),
-            on("m4f"),
-            on("m0"),
-        ];
-        let mut row = vec![label.to_string()];
+        let cells: [Outcome<Vec<String>>; 3] =
+            [benches.map(nanoseconds).collect(), on("m4f"), on("m0")];
+        let mut row = vec![line.label.to_string()];
         for cell in cells {
             row.push(cell?.join(", "));
         }
@@ -352,30 +287,6 @@ fn rejection(sources: &Sources, family: &str) -> Outcome<String> {
     Ok(format!("{value:.1}"))
 }
 
-/// A label, what states its errors and in which row, its kernel, and that of the float tiers where one draws the same.
-type Integer = (
-    &'static str,
-    &'static str,
-    &'static str,
-    &'static str,
-    Option<&'static str>,
-);
-
-#[rustfmt::skip]
-const INTEGERS: [Integer; 11] = [
-    ("`sincos_turns`", "Grade", "`sincos_turns`", "sincos_turns", None),
-    ("`sqrt`", "Grade", "`sqrt`", "sqrt", None),
-    ("`Disk`", "Disk", "sample, max", "disk", Some("disk")),
-    ("`Sphere`", "Sphere", "sample, max", "sphere", Some("sphere")),
-    ("`Hemisphere`", "Hemisphere", "sample, max", "hemisphere", Some("hemisphere")),
-    ("`CosineHemisphere`", "CosineHemisphere", "sample, max", "cosine_hemisphere", Some("cosine_hemisphere")),
-    ("`Cone`, of the sine of its angle", "Cone", "sample, max", "cone", Some("cone")),
-    ("`PhongLobe`, n = 50; errors for every n", "PhongLobe", "sample, max", "phong_lobe_50", Some("phong_lobe_50")),
-    ("`StandardExponential`", "StandardExponential", "sample, max", "standard_exponential", Some("exponential_1")),
-    ("`StandardNormalPair`", "StandardNormalPair", "sample, max", "standard_normal_pair", Some("normal_pair")),
-    ("`Triangle`", "Triangle", "sample, max", "triangle", Some("triangle")),
-];
-
 /// The first number of a statement: of several, or of a formula whose first is the factor or the most.
 fn first_number(statement: &str) -> &str {
     let start = statement.find(|c: char| c.is_ascii_digit()).unwrap_or(0);
@@ -389,7 +300,9 @@ fn integers(sources: &Sources) -> Outcome<String> {
         "| | error, fine, coarse | M0: fine | coarse | compact | `f32` over fine | `poly` | `libm` | M3: fine | coarse | `poly` | flash on M0, fine | stack |\n\
          |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
     );
-    for (label, name, title, kernel, float) in INTEGERS {
+    for line in Row::all("integers") {
+        let (name, title, kernel) = line.stated();
+        let float = line.kernels.get(1).copied();
         let grades: &[&str] = if name == "Grade" {
             &["[`Fine`]", "[`Coarse`]"]
         } else {
@@ -399,7 +312,7 @@ fn integers(sources: &Sources) -> Outcome<String> {
         for grade in grades {
             errors.push(first_number(&sources.stated(name, title, grade)?).to_string());
         }
-        let mut row = vec![label.to_string(), errors.join(", ")];
+        let mut row = vec![line.label.to_string(), errors.join(", ")];
         let columns = [
             ("m0", "fine", Some(kernel)),
             ("m0", "coarse", Some(kernel)),
