@@ -15,7 +15,7 @@ use microwarp::discrete::{
 use microwarp::estimate::{balance_heuristic, power_heuristic};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::{Screen, Sobol};
-use microwarp::warp::{Cone, GgxVisible, MalleyHemisphere, Tent};
+use microwarp::warp::{Cone, Ggx, GgxVisible, MalleyHemisphere, Tent};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
@@ -40,8 +40,11 @@ pub fn reflection() -> Contest<Weighed<Vector>> {
 /// What a view sees of the microfacets.
 pub fn masking() -> Contest<Weighed<Vector>> {
     fn ours<T: Tier>(point: Vector, alpha: [f32; 2], _: [f32; 2]) -> Weighed<Vector> {
-        let normals = GgxVisible::<T>::new(view(point), alpha);
-        (point, normals.map_or(0.0, |normals| normals.g1()))
+        let surface = Ggx::<T>::new(alpha);
+        (
+            point,
+            surface.map_or(0.0, |surface| surface.g1(view(point))),
+        )
     }
     let peer = |point, alpha, _| (point, kit::ggx_g1(view(point), alpha));
     anew(ALPHA, ours::<Libm>, ours::<Poly>, peer)

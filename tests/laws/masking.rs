@@ -7,9 +7,10 @@ use microwarp::{Error, uniform};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
-/// The errors that the documentation states: of G₁, of G₂/G₁, of visibility and of D.
-const STATED: [f64; 4] = [5.5e-7, 8.5e-7, 7e-7, 1.1e-6];
-const NAMES: [&str; 4] = ["G1", "G2/G1", "visibility", "D"];
+/// The errors that the documentation states: of G₁, of G₂/G₁, of visibility, of D, and of G₁ of a light.
+const STATED: [f64; FIGURES] = [5.5e-7, 8.5e-7, 7e-7, 1.1e-6, 3.5e-7];
+const NAMES: [&str; FIGURES] = ["G1", "G2/G1", "visibility", "D", "G1 of a light"];
+const FIGURES: usize = 5;
 
 /// A case: view and light above the surface, a normal, and the roughness.
 #[derive(Clone, Copy)]
@@ -72,8 +73,8 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
     v.map(|x| x / length)
 }
 
-/// The four figures by Λ, and D by the tangent and the cosine. The view is one of any length; light and normal are as they are.
-fn exact(case: &Case) -> [f64; 4] {
+/// The figures by Λ, and D by the tangent and the cosine. The view is one of any length; light and normal are as they are.
+fn exact(case: &Case) -> [f64; FIGURES] {
     let alpha = case.alpha.map(f64::from);
     let view = unit(case.view.map(f64::from));
     let [light, normal] = [case.light, case.normal].map(|v| v.map(f64::from));
@@ -87,21 +88,24 @@ fn exact(case: &Case) -> [f64; 4] {
         both * (1.0 + of_view),
         both / (4.0 * view[2] * light[2]),
         1.0 / facets,
+        1.0 / (1.0 + of_light),
     ]
 }
 
-fn ours(case: &Case) -> Result<[f32; 4], Error> {
+fn ours(case: &Case) -> Result<[f32; FIGURES], Error> {
     let visible = GgxVisible::new(case.view, case.alpha)?;
+    let surface = Ggx::new(case.alpha)?;
     Ok([
         visible.g1(),
         visible.unmasked(case.light),
         visible.visibility(case.light),
-        Ggx::new(case.alpha)?.distribution(case.normal),
+        surface.distribution(case.normal),
+        surface.g1(case.light),
     ])
 }
 
 /// As most renderers write them: by the square of the tangent and Λ, and D by 1 − z².
-fn by_tangents(case: &Case) -> [f32; 4] {
+fn by_tangents(case: &Case) -> [f32; FIGURES] {
     let alpha = case.alpha;
     let lambda = |[x, y, z]: [f32; 3]| {
         let square = z * z;
@@ -123,19 +127,20 @@ fn by_tangents(case: &Case) -> [f32; 4] {
         both * (1.0 + view),
         both / (4.0 * case.view[2] * case.light[2]),
         1.0 / facets,
+        1.0 / (1.0 + light),
     ]
 }
 
 /// The relative errors of the figures; infinite for NaN.
-fn errors(case: &Case, of: impl Fn(&Case) -> [f32; 4]) -> [f64; 4] {
+fn errors(case: &Case, of: impl Fn(&Case) -> [f32; FIGURES]) -> [f64; FIGURES] {
     let (got, want) = (of(case), exact(case));
     std::array::from_fn(|i| or_infinite((f64::from(got[i]) / want[i] - 1.0).abs()))
 }
 
 /// The largest error of each figure over random cases, and where it is.
-fn worst(cases: u32, of: impl Fn(&Case) -> [f32; 4]) -> [(f64, Case); 4] {
+fn worst(cases: u32, of: impl Fn(&Case) -> [f32; FIGURES]) -> [(f64, Case); FIGURES] {
     let mut rng = Pcg32::new(2, 34);
-    let mut worst = [(0.0, case(&mut rng)); 4];
+    let mut worst = [(0.0, case(&mut rng)); FIGURES];
     for _ in 0..cases {
         let case = case(&mut rng);
         for (worst, error) in worst.iter_mut().zip(errors(&case, &of)) {
@@ -191,7 +196,7 @@ fn climbed(mut case: Case, figure: usize, steps: u32) -> (f64, Case) {
 }
 
 /// What earlier searches have found, in bits: view, light, normal and roughness.
-const FOUND: [[u32; 11]; 4] = [
+const FOUND: [[u32; 11]; FIGURES] = [
     [
         3208615148,
         3207187730,
@@ -244,9 +249,22 @@ const FOUND: [[u32; 11]; 4] = [
         958286607,
         1040252191,
     ],
+    [
+        989942409,
+        0,
+        160768618,
+        0,
+        1065353174,
+        991073470,
+        0,
+        0,
+        0x3f80_0000,
+        956722746,
+        1049187943,
+    ],
 ];
 
-fn found() -> [Case; 4] {
+fn found() -> [Case; FIGURES] {
     FOUND.map(|bits| {
         let [a, b, c, d, e, f, g, h, i, x, y] = bits.map(f32::from_bits);
         Case {
@@ -335,9 +353,13 @@ fn masking_ends_where_it_should() {
             }
             let d = surface.distribution([x, 0.0, z]);
             assert!((0.0..=f32::MAX).contains(&d), "{x} {z}: {d}");
+            let g1 = surface.g1([x, 0.0, z]);
+            assert!((0.0..=1.0).contains(&g1), "{x} {z}: {g1}");
         }
     }
     assert_eq!(surface.distribution([1.0, 0.0, 0.0]), 0.0);
+    assert_eq!(surface.g1([1.0, 0.0, 0.0]), 0.0);
+    assert_eq!(surface.g1([0.0, 0.0, 1.0]), 1.0);
     assert_eq!(
         GgxVisible::new([0.0, 0.0, 1.0], [0.3; 2]).unwrap().g1(),
         1.0

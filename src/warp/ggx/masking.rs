@@ -23,6 +23,34 @@ impl<T: Tier> Ggx<T> {
             0.0
         }
     }
+
+    /// G₁ of a unit vector, `2w_z/(w_z + ℓ(w))` with `ℓ(w) = √(αx² w_x² + αy² w_y² + w_z²)`: the visible part of the microfacets
+    /// that face it, from 0 to 1. 0 on the horizon and below it.
+    ///
+    /// It takes no [`GgxVisible`] of that view, where only masking is asked for. For every roughness and cosines from 1 to 1e-30 it is right
+    /// to 3.5e-7, relatively, by a search and with a margin.
+    ///
+    /// # Examples
+    /// ```
+    /// use microwarp::poly as mw;
+    /// let view = [0.6, 0.0, 0.8];
+    /// let masking = mw::Ggx::new([0.3, 0.1])?.g1(view);
+    /// assert!((masking - mw::GgxVisible::new(view, [0.3, 0.1])?.g1()).abs() < 1e-6);
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    #[doc(alias = "smith")]
+    #[doc(alias = "masking")]
+    #[must_use]
+    #[inline]
+    pub fn g1(&self, direction: [f32; 3]) -> f32 {
+        let [_, _, z] = direction;
+        if z > 0.0 && is_direction(direction) {
+            let part = 2.0 * (z / (z + squeezed_length::<T>(self.alpha, direction)));
+            if part < 1.0 { part } else { 1.0 }
+        } else {
+            0.0
+        }
+    }
 }
 
 /// Masking and shadowing, after Smith, with heights that view and light share. With the light l and
@@ -91,12 +119,18 @@ impl<T: Tier> GgxVisible<T> {
     /// `l_z` and `l_z + ℓ(l) w_z/ℓ(w)`, of a direction above the surface.
     #[inline]
     fn joint(&self, direction: [f32; 3]) -> Option<(f32, f32)> {
-        let ([ax, ay], [x, y, z]) = (self.alpha, direction);
+        let [_, _, z] = direction;
         if !(z > 0.0 && is_direction(direction)) {
             return None;
         }
-        let (x, y) = (ax * x, ay * y);
-        let length = T::sqrt(x * x + y * y + z * z);
+        let length = squeezed_length::<T>(self.alpha, direction);
         Some((z, above_zero(z + self.cos * length)))
     }
+}
+
+/// ℓ(w), the length of a unit vector where the surface is a hemisphere.
+#[inline]
+fn squeezed_length<T: Tier>([ax, ay]: [f32; 2], [x, y, z]: [f32; 3]) -> f32 {
+    let (x, y) = (ax * x, ay * y);
+    T::sqrt(x * x + y * y + z * z)
 }
