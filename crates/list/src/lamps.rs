@@ -159,3 +159,10 @@ pub fn masking<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
         },
     );
 }
+
+/// Masking of any direction.
+pub fn masked<T: Tier>([a, b, c, d]: [f32; 4], _: usize, out: &mut Out) {
+    with(Ggx::<T>::new([0.05 + 0.9 * c, 1.0]), out, |surface, out| {
+        out.float(surface.g1([a - 0.5, b - 0.5, d]));
+    });
+}

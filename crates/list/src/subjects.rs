@@ -1022,4 +1022,5 @@ float_warps!(subjects {
     "rejection shares" => gammas::shares::<T>,
     "lamps seen" => lamps::seen::<T>,
     "masking" => lamps::masking::<T>,
+    "masked" => lamps::masked::<T>,
 });
