@@ -36,5 +36,6 @@ pub(crate) use self::segment::{Segment, extent, neighbour};
 #[cfg(feature = "fixed")]
 pub(crate) use self::word::NARROW;
 pub(crate) use self::word::{
-    folded, folded_exactly, happens, middle, nearest, up_to, up_to_by_two, up_to_carried,
+    float, folded, folded_exactly, folded_tail, happens, middle, nearest, up_to, up_to_by_two,
+    up_to_carried,
 };

@@ -25,7 +25,9 @@ pub(crate) use self::quantile::{
     normal_quantile, normal_quantile_of_word, normal_quantiles_of_word,
 };
 pub(crate) use self::sqrt::sqrt;
-pub(crate) use self::table::{log2, neg_log2_1m, neg_log2_1m_of_word, times_exp2};
+pub(crate) use self::table::{
+    log2, neg_log2_1m, neg_log2_1m_of_word, neg_log2_1m_of_word_ahead, times_exp2,
+};
 pub(crate) use self::turns::exchanged;
 
 mod sealed {

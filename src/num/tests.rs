@@ -8,7 +8,7 @@
 )]
 
 use super::word::up_to_on;
-use super::{up_to, up_to_by_two};
+use super::{float, folded, folded_tail, up_to, up_to_by_two};
 use host::speed;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -115,4 +115,19 @@ fn each_integer_has_its_share_of_all_words() {
     // What is not fair: the remainder, whose words are not next to each other; and a uniform of fewer bits.
     assert_eq!(unfair(2..4, |n, word| word % n), Some(2));
     assert_eq!(unfair(1..300, |n, word| ((word >> 4) * n) >> 12), Some(3));
+}
+
+#[test]
+fn integers_that_go_in_by_halves_are_floats_as_converted() {
+    let mut rng = Pcg32::new(6, 6);
+    let random = (0..speed::of("random integers", 100_000, 100_000_000)).map(|_| rng.next_u32());
+    for word in structured().into_iter().chain(random) {
+        let n = word as i32;
+        assert_eq!(float(n).to_bits(), (n as f32).to_bits(), "{n}");
+        assert_eq!(
+            folded_tail(word).to_bits(),
+            folded(word).0.to_bits(),
+            "{word}"
+        );
+    }
 }

@@ -83,6 +83,41 @@ pub(crate) fn middle(word: u32) -> f32 {
     (word as f32 + 0.5) * (f32::EPSILON / 512.0)
 }
 
+/// The float nearest to n - 2³¹, or to n where `offset` is 0, each half of n going in as digits.
+///
+/// On x86-64 the instruction that converts an integer keeps the rest of its register. In a loop of draws that may be with what the
+/// last one ends, and the compiler does not always break such a dependency.
+#[inline]
+const fn by_halves(n: u32, offset: f32) -> f32 {
+    // 2³⁹ and the upper half, less 2³⁹ and 2²³; and 2²³ and the lower half. Only their sum is rounded.
+    let high = f32::from_bits(0x5300_0000 | n >> 16) - (549_764_202_496.0 + offset);
+    high + f32::from_bits(0x4b00_0000 | n & 0xffff)
+}
+
+/// An integer as a float, for what is followed by a long chain of operations.
+#[inline]
+#[expect(clippy::cast_sign_loss, reason = "its bits")]
+pub(crate) const fn float(n: i32) -> f32 {
+    if cfg!(target_arch = "x86_64") {
+        by_halves(n as u32 ^ 1 << 31, 2_147_483_648.0)
+    } else {
+        n as f32
+    }
+}
+
+/// The tail of [`folded`], likewise.
+#[inline]
+pub(crate) const fn folded_tail(word: u32) -> f32 {
+    let rank = if word >> 31 == 1 { !word } else { word };
+    let middle = rank << 1 | 1;
+    let middle = if cfg!(target_arch = "x86_64") {
+        by_halves(middle, 0.0)
+    } else {
+        middle as f32
+    };
+    middle * (f32::EPSILON / 1024.0)
+}
+
 /// The tail of a word of a symmetric distribution: the probability beyond its point, in (0, 1/2], as the middle of the
 /// words that round to it; and whether the tail is the upper one.
 #[inline]

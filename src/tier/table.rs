@@ -5,7 +5,7 @@
 //! number is 0 on both sides of 1.
 
 use crate::num::doubles::{exp, ln};
-use crate::num::{Scaled, nearest_integer, power_of_two, power_of_two_times};
+use crate::num::{Scaled, float, nearest_integer, power_of_two, power_of_two_times};
 use core::f64::consts::{LN_2, LOG2_E};
 
 /// The cells of a table from 1 to 2.
@@ -67,26 +67,38 @@ fn beside(log: f32, h: f32) -> f32 {
     (log - h) - h * h * (SQUARE + CUBE * h)
 }
 
-/// -log₂ of 1 and this fraction of 32 bits, less 1 from [`CARRY`] on.
+/// -log₂ of 1 and this fraction of 32 bits, less 1 from [`CARRY`] on, with a conversion to floats.
 #[inline]
 #[expect(clippy::cast_possible_wrap, reason = "a distance with its sign")]
-fn neg_log2_of(fraction: u32) -> f32 {
+fn neg_log2_of(fraction: u32, float: impl Fn(i32) -> f32) -> f32 {
     let cell = cell(fraction);
     let (slope, log) = of_cell(cell);
     let distance = fraction.wrapping_sub(cell << 26) as i32;
-    beside(log, distance as f32 * slope)
+    beside(log, float(distance) * slope)
 }
 
 /// -log₂(1 - u) of the middle u of a word's cell, of all its digits: a whole number and a rest.
 #[inline]
 pub(crate) fn neg_log2_1m_of_word(word: u32) -> (f32, f32) {
+    neg_log2_1m_by(word, |n| n as f32)
+}
+
+/// The same for what is followed by a long chain of operations.
+#[inline]
+pub(crate) fn neg_log2_1m_of_word_ahead(word: u32) -> (f32, f32) {
+    neg_log2_1m_by(word, float)
+}
+
+#[inline]
+#[expect(clippy::cast_possible_wrap, reason = "at most 33")]
+fn neg_log2_1m_by(word: u32, float: impl Fn(i32) -> f32 + Copy) -> (f32, f32) {
     // 1 - u is 2·left + 1 in units of 2⁻³³.
     let left = !word;
     let zeros = left.leading_zeros();
     // Of the number without its leading 1. Where only that is left, masking the shift makes a fraction of 2⁻³² of 0.
     let fraction = (left << 1 | 1).wrapping_shl(zeros);
     let whole = zeros.wrapping_add(u32::from(fraction < CARRY));
-    (whole as f32, neg_log2_of(fraction))
+    (float(whole as i32), neg_log2_of(fraction, float))
 }
 
 /// -log₂(1 - u) of a uniform in [0, 1): a whole number and a rest.
@@ -112,7 +124,7 @@ pub(crate) fn neg_log2_1m(u: f32) -> (f32, f32) {
 pub(crate) fn log2(x: f32) -> (f32, f32) {
     let bits = x.to_bits();
     let whole = (bits.wrapping_sub(0x3f00_0000 | CARRY >> 9) as i32) >> 23;
-    (whole as f32, -neg_log2_of(bits << 9))
+    (whole as f32, -neg_log2_of(bits << 9, |n| n as f32))
 }
 
 /// 2^((exact + small)/64) times a number, for sums up to 2²²: what overflows is the largest number.

@@ -8,7 +8,7 @@ use crate::num::{
     Scaled, head, into_unit, power_of_two, remainder, representable, two_product, two_sum,
 };
 use crate::tier::{
-    Tier, exp2_neg_pair, log2_1p, log2_of_sum, neg_log2_1m, neg_log2_1m_of_word, sqrt, times,
+    Tier, exp2_neg_pair, log2_1p, log2_of_sum, neg_log2_1m, neg_log2_1m_of_word_ahead, sqrt, times,
 };
 use core::f32::consts::LN_2;
 
@@ -64,7 +64,7 @@ impl Degrees {
     /// The distance of the middle of a word's cell, likewise.
     #[inline]
     pub(super) fn radius_of_word(&self, word: u32) -> f32 {
-        self.beyond(neg_log2_1m_of_word(word))
+        self.beyond(neg_log2_1m_of_word_ahead(word))
     }
 
     /// The distance beyond which a probability lies that is given by its negative log₂.

@@ -4,7 +4,7 @@ use super::degrees::{Degrees, Square};
 use super::location_scale::LocationScale;
 use super::{Invert, Warp};
 use crate::error::{Error, tried};
-use crate::num::{LARGEST, folded};
+use crate::num::{LARGEST, folded_tail};
 use crate::tier::Tier;
 use crate::uniform::Canonical;
 
@@ -131,8 +131,8 @@ impl<T: Tier> Warp for StudentT<T> {
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn sample_words(&self, [a, b]: [u32; 2]) -> f32 {
-        let (half, _) = folded(b);
-        self.at(self.degrees.radius_of_word(a), half, b & 1 << 31)
+        let radius = self.degrees.radius_of_word(a);
+        self.at(radius, folded_tail(b), b & 1 << 31)
     }
 
     #[inline]
