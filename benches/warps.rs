@@ -158,7 +158,7 @@ macro_rules! benches {
     (($tier:ident) $($type:ident {
         golden $golden:tt
         cost { $($name:literal $u:tt -> $out:ty = $warp:expr,)* $(none $reason:literal)? }
-        page $page:tt bind $bind:tt
+        bind $bind:tt
     })*) => {
         mod $tier {
             use super::{Bencher, Timed, finished, ok, stored};

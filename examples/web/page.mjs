@@ -1,9 +1,8 @@
-// The page: the selection, the drawing and the timing. The module samples. The tab with scenes and the one with code are parts
-// of their own, in `page/scene.mjs` and `page/code.mjs`.
+// The page: the selection and the drawing. The npm package samples. The tab with scenes and the one with code are parts of
+// their own, in `page/scene.mjs` and `page/code.mjs`.
 
-import { MOST, SOURCES, load } from "./page/module.mjs";
-import { verify } from "./page/golden.mjs";
-import { TIER_LABELS, families_of, realised } from "./page/catalogue.mjs";
+import { MOST, SOURCES, documented, is_offered, nanoseconds, sample } from "./page/sample.mjs";
+import { corner, families_of } from "./page/catalogue.mjs";
 import { choices, parameters, readings } from "./page/controls.mjs";
 import * as scenes from "./page/scene.mjs";
 import * as code from "./page/code.mjs";
@@ -19,12 +18,10 @@ const figure = (x) => (x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 
 // The tabs beside those of samplers.
 const TABS = { code: { label: "In JavaScript", part: code }, scene: { label: "A scene", part: scenes } };
 
-const state = {
-  family: null, entry: null, tier: "poly", source: "random", values: [], seed: 1,
-  running: null, count: 0, tallied: null, scene: null, speed: null, clock: null,
-};
-let module;
+const state = { family: null, entry: null, source: "random", values: [], seed: 1, running: null, count: 0, tallied: null, scene: null, speed: null, clock: null };
+let microwarp;
 let families;
+let docs;
 
 // --- what is chosen ----------------------------------------------------------------------------------
 
@@ -46,43 +43,21 @@ function choose_family(name) {
 
 function choose_subject(name) {
   state.entry = state.family.subjects.find((entry) => entry.name === name);
-  choose_tier(state.entry.tiers.includes(state.tier) ? state.tier : state.entry.tiers.at(state.entry.tiers.length > 1 ? 1 : 0));
-  show_choices();
-}
-
-function choose_tier(tier) {
-  const before = (state.entry.lists[state.tier] ?? []).map(({ label }) => label).join();
-  const list = state.entry.lists[tier];
-  const same = state.shown === state.entry && before === list.map(({ label }) => label).join();
-  state.tier = tier;
-  if (!same) {
-    state.values = list.map(({ value }) => value);
-    parameters(at("parameters"), list, (values) => {
-      state.values = values;
-      renew();
-    });
-  }
-  state.shown = state.entry;
+  state.values = state.entry.parameters.map(({ value }) => value);
+  choices(at("subjects"), "subject", state.family.subjects.map(({ name }) => ({ value: name, label: name })), name, choose_subject);
+  parameters(at("parameters"), state.entry.parameters, (values) => {
+    state.values = values;
+    renew();
+  });
   renew();
 }
 
-// What the documentation says of a sampler, in the family of its tier where that has its own: a sentence, or bounds.
-function documented({ documented: name }, tier, what) {
-  const { float, integer } = module.documented[what];
-  const own = name.startsWith("fixed::") || ["fine", "coarse", "compact"].includes(tier) ? integer : float;
-  const type = name.replace("fixed::", "");
-  return own[type] ?? float[type] ?? integer[type];
-}
-
-function show_choices() {
-  const { family, entry, tier, source } = state;
-  choices(at("subjects"), "subject", family.subjects.map(({ name, label }) => ({ value: name, label })), entry.name, choose_subject);
-  choices(at("tiers"), "tier", entry.tiers.map((value) => ({ value, label: TIER_LABELS[value] })), tier, choose_tier);
-  choices(at("sources"), "source", SOURCES.map((value) => ({ value, label: value, disabled: !entry.plans && value !== "random" })),
-    entry.plans ? source : "random", (value) => {
-      state.source = value;
-      renew();
-    });
+function show_sources(each) {
+  const offered = SOURCES.map((value) => ({ value, label: value, disabled: !is_offered(value, each) }));
+  choices(at("sources"), "source", offered, is_offered(state.source, each) ? state.source : "random", (value) => {
+    state.source = value;
+    renew();
+  });
 }
 
 // --- what is drawn --------------------------------------------------------------------------------
@@ -91,38 +66,44 @@ function show_choices() {
 function renew() {
   Object.assign(state, { count: 0, tallied: null, speed: null });
   refresh(false);
-  measure_speed_soon();
-}
-
-function refresh(keep) {
-  const { entry, tier, seed, values } = state;
-  const count = Math.min(MOST, 2 ** Number(at("count").value));
-  at("count-text").textContent = whole(count);
-  at("seed").textContent = String(seed);
-  const p = values.map((value) => realised(entry, tier, value));
-  const source = entry.plans ? state.source : "random";
-  const request = { subject: entry.name, place: entry.places[tier], tier, source, dimensions: entry.words, count, seed, parameters: p };
-  const drawn = module.sample(request);
-  at("summary").textContent = documented(entry, tier, "summaries");
-  document.body.dataset.shown = `${entry.name} ${tier}`;
-  if (drawn.refused) return show_refusal(drawn.refused, request);
-  const frame = (keep ? state.scene?.frame : null) ?? framed(drawn, entry.flat);
-  state.count = count + (keep ? state.count : 0);
-  if (entry.view === "line" || entry.view === "bars") state.tallied = line.tally(keep ? state.tallied : null, { entry, drawn, frame });
-  state.scene = { entry, drawn, frame, request, tallied: state.tallied };
-  draw(keep);
-  show_readings();
-}
-
-// Measures speed only after a moment without changes, so that dragging a slider stays smooth.
-function measure_speed_soon() {
+  // Only after a moment without changes, so that dragging a slider stays smooth.
   clearTimeout(state.clock);
   state.clock = setTimeout(measure_speed, 200);
 }
 
+const view_of = ({ indices, dimensions }, family) => {
+  if (indices) return "bars";
+  return dimensions === 1 ? "line" : dimensions === 3 && (family === "directions" || family === "tables") ? "sphere" : "plane";
+};
+
+function refresh(keep) {
+  const { entry, seed, values } = state;
+  const count = Math.min(MOST, 2 ** Number(at("count").value));
+  at("count-text").textContent = whole(count);
+  at("seed").textContent = String(seed);
+  at("summary").textContent = docs[entry.of]?.summary ?? "";
+  document.body.dataset.shown = entry.name;
+  let made, drawn;
+  try {
+    made = entry.make(values);
+    show_sources(made.uniforms ?? 0);
+    const source = is_offered(state.source, made.uniforms ?? 0) ? state.source : "random";
+    drawn = sample(microwarp, made, { source, count, seed });
+  } catch (refusal) {
+    return show_refusal(refusal);
+  }
+  const view = view_of(drawn, entry.family);
+  const frame = (keep ? state.scene?.frame : null) ?? framed(drawn, view === "plane" && drawn.dimensions > 2 ? corner : undefined);
+  state.count = count + (keep ? state.count : 0);
+  state.scene = { entry: { ...entry, view }, made, drawn, frame, tallied: null };
+  if (view === "line" || view === "bars") state.scene.tallied = state.tallied = line.tally(keep ? state.tallied : null, state.scene);
+  draw(keep);
+  show_readings();
+}
+
 function measure_speed() {
   if (!state.scene || state.running) return;
-  state.speed = module.time(state.scene.request);
+  state.speed = nanoseconds(microwarp, state.scene.made);
   show_readings();
 }
 
@@ -131,58 +112,39 @@ function measure_speed() {
 function draw(keep) {
   const { scene } = state;
   if (!scene || at("bench").hidden) return;
-  const { entry } = scene;
+  const { entry: { view }, drawn } = scene;
   const pictures = { line: line.draw, bars: line.draw_bars, plane: plane.draw, sphere: sphere.draw };
-  const turnable = entry.view === "sphere";
   at("refusal").hidden = true;
-  at("uniforms").hidden = entry.words !== 2 || !["plane", "sphere"].includes(entry.view);
-  at("view").classList.toggle("turnable", turnable);
-  at("view").tabIndex = turnable ? 0 : -1;
-  pictures[entry.view](at("view"), { ...scene, keep: keep && entry.view === "plane" && state.count < 1 << 18 });
+  at("uniforms").hidden = drawn.each !== 2 || !["plane", "sphere"].includes(view);
+  at("view").classList.toggle("turnable", view === "sphere");
+  at("view").tabIndex = view === "sphere" ? 0 : -1;
+  pictures[view](at("view"), { ...scene, keep: keep && view === "plane" && state.count < 1 << 18 });
   if (!at("uniforms").hidden) plane.draw_uniforms(at("square"), { ...scene, keep: false });
 }
 
-// The column of a tier in the documentation's tables of errors.
-const COLUMN = { libm: 0, poly: 1, exact: 0, fine: 0, coarse: 1, compact: 2 };
-
-// What a rejection, and what a chain reports of itself.
-function of_family(family, [first, second]) {
-  const percent = (share) => `${(100 * share).toFixed(1)} %`;
-  if (family === "rejection") return [{ label: "Accepted", value: percent(first / second), note: `of ${whole(second)} tries` }];
-  if (family !== "chains") return [];
-  return [
-    { label: "Accepted", value: percent(first), note: "of the proposals" },
-    { label: "Autocorrelation time", value: second > 0 ? second.toFixed(1) : "–", note: second > 0 ? "steps" : "longer than 256 steps" },
-  ];
-}
-
-function show_readings() {
-  const { scene: { entry, drawn, request }, speed } = state;
-  const densities = drawn.densities.subarray(0, drawn.count);
-  const [least, most] = [densities.reduce((a, b) => Math.min(a, b)), densities.reduce((a, b) => Math.max(a, b))];
-  readings(at("readings"), [
-    ...Object.entries(documented(entry, request.tier, "bounds") ?? {}).map(([quantity, cells]) => (
-      { label: `Error of ${quantity}`, value: `≤ ${cells[COLUMN[request.tier]]}`, note: "stated" })),
-    { label: "Density", value: least === most ? figure(least) : `${figure(least)} to ${figure(most)}`, note: "reported at the points" },
-    ...of_family(entry.family, drawn.report),
-    speed ? {
-      label: "Speed", value: figure(1e3 / speed.point), unit: "million/s",
-      note: `${figure(speed.point)} ns a point; a word of PCG32 alone ${figure(speed.word)}`,
-    } : { label: "Speed", value: "…", note: "in this browser, PCG32 included" },
-  ]);
-  Object.assign(document.body.dataset, { density: `${least} ${most}`, refused: "", count: String(request.count) });
-  at("caption").textContent = captions[entry.view](entry);
-  at("view").setAttribute("aria-label", `${entry.label}, ${TIER_LABELS[request.tier]}: ${whole(request.count)} points. ${captions[entry.view](entry)}`);
-}
-
 const captions = {
-  line: () => "Bars: the points drawn. Line: the density that is reported.",
-  bars: () => "Bars: how often each index was selected. Lines: the shares that are reported.",
-  plane: (entry) => (entry.trail ? "States in the order of their colours." : "Points in the colour of their first uniform."),
-  sphere: () => "Turn it by dragging or with the arrow keys; Home turns it back. +z is up.",
+  line: "Bars: the points drawn. Line: the density that is reported.",
+  bars: "Bars: how often each index was selected. Lines: the shares that are reported.",
+  plane: "Points in the colour of their first uniform, or of their turn.",
+  sphere: "Turn it by dragging or with the arrow keys; Home turns it back. +z is up.",
 };
 
-function show_refusal({ name, meaning }, request) {
+function show_readings() {
+  const { scene: { entry, made, drawn }, speed } = state;
+  const [least, most] = [drawn.densities.reduce((a, b) => Math.min(a, b)), drawn.densities.reduce((a, b) => Math.max(a, b))];
+  readings(at("readings"), [
+    ...(docs[entry.of]?.bounds ?? []).map(([quantity, bound]) => ({ label: `Error of ${quantity}`, value: `≤ ${bound}`, note: "stated" })),
+    { label: "Density", value: least === most ? figure(least) : `${figure(least)} to ${figure(most)}`, note: "reported at the points" },
+    ...(made.acceptanceRate === undefined ? [] : [{ label: "Accepted", value: `${(100 * made.acceptanceRate).toFixed(1)} %`, note: "of the proposals" }]),
+    speed ? { label: "Speed", value: figure(1e3 / speed), unit: "million/s", note: `${figure(speed)} ns a point` }
+      : { label: "Speed", value: "…", note: "in this browser, PCG32 included" },
+  ]);
+  Object.assign(document.body.dataset, { density: `${least} ${most}`, refused: "", count: String(drawn.count) });
+  at("caption").textContent = captions[entry.view];
+  at("view").setAttribute("aria-label", `${entry.name}: ${whole(drawn.count)} points. ${captions[entry.view]}`);
+}
+
+function show_refusal({ name, message, code }) {
   state.scene = null;
   stop();
   const context = at("view").getContext("2d");
@@ -190,12 +152,12 @@ function show_refusal({ name, meaning }, request) {
   at("uniforms").hidden = true;
   const refusal = at("refusal");
   refusal.hidden = false;
-  refusal.querySelector("strong").textContent = name;
-  refusal.querySelector("span").textContent = meaning;
+  refusal.querySelector("strong").textContent = code === undefined ? name : `${name}, code ${code}`;
+  refusal.querySelector("span").textContent = message;
   at("caption").textContent = "";
-  at("view").setAttribute("aria-label", `${request.subject}: nothing is drawn, ${name}`);
+  at("view").setAttribute("aria-label", `${state.entry.name}: nothing is drawn, ${message}`);
   readings(at("readings"), []);
-  Object.assign(document.body.dataset, { refused: name, density: "", count: "0" });
+  Object.assign(document.body.dataset, { refused: message, density: "", count: "0" });
 }
 
 // --- running -----------------------------------------------------------------------------------------
@@ -224,7 +186,6 @@ function wire() {
     renew();
   });
   at("run").addEventListener("click", () => (state.running ? stop() : start()));
-  at("clock").addEventListener("click", measure_speed);
   at("controls").addEventListener("submit", (event) => event.preventDefault());
   sphere.make_turnable(at("view"), () => state.scene?.entry.view === "sphere", () => draw(false));
   new ResizeObserver(() => draw(false)).observe(at("view"));
@@ -238,14 +199,22 @@ function browser() {
   return brand ? `${brand.brand} ${brand.version}` : (/(Firefox|Chrome|Version)\/[\d.]+/.exec(navigator.userAgent)?.[0] ?? "this browser");
 }
 
+const text = async (url) => {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: ${response.status}`);
+  return response.text();
+};
+
+// As the test of the package compares them, in this browser.
 async function show_golden() {
   const said = at("golden");
   try {
-    const { cases, agreed, problems } = await verify(module, "golden.csv");
-    said.dataset.state = problems.length === 0 ? "verified" : "mismatch";
-    said.textContent = problems.length === 0
-      ? `Golden bits verified: all ${whole(agreed)} words of ${whole(cases)} cases agree in ${browser()}.`
-      : `Golden bits MISMATCH: ${whole(problems.length)} of ${whole(agreed + problems.length)} do not agree in ${browser()}. First: ${problems[0]}.`;
+    const { differing } = await import("./lines.mjs");
+    const { cases, wrong } = differing(microwarp, JSON.parse(await text("expected.json")), await text("golden.csv"));
+    said.dataset.state = wrong.length === 0 ? "verified" : "mismatch";
+    said.textContent = wrong.length === 0
+      ? `Golden bits verified: all ${whole(cases)} cases of the package agree in ${browser()}.`
+      : `Golden bits MISMATCH: ${whole(wrong.length)} of ${whole(cases)} cases do not agree in ${browser()}. First: ${wrong[0]}.`;
   } catch (problem) {
     said.dataset.state = "mismatch";
     said.textContent = `Golden bits NOT verified: ${problem.message}.`;
@@ -253,14 +222,14 @@ async function show_golden() {
 }
 
 try {
-  module = await load("microwarp.wasm");
-  families = families_of(module.subjects);
-  at("module").textContent = `The module is ${whole(module.size)} bytes, imports ${module.imports === 0 ? "nothing and cannot panic" : `${module.imports} functions`}.`;
+  microwarp = await import("./npm/streaming.js");
+  families = families_of(microwarp);
+  docs = await documented("npm");
   wire();
   choose_family(scenes.asked() ? "scene" : "plane");
   await show_golden();
 } catch (problem) {
   at("golden").dataset.state = "mismatch";
-  at("golden").textContent = `The module could not be loaded: ${problem.message}.`;
+  at("golden").textContent = `The package could not be loaded: ${problem.message}. Build it first: examples/web/build`;
   throw problem;
 }

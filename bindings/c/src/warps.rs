@@ -203,7 +203,7 @@ macro_rules! bound {
 
 /// The blocks of a list, under the prefix of a tier.
 macro_rules! blocks {
-    ($tier:literal $($type:ident { golden $golden:tt cost $cost:tt page $page:tt bind $bind:tt })*) => {
+    ($tier:literal $($type:ident { golden $golden:tt cost $cost:tt bind $bind:tt })*) => {
         $(blocks!(@ $tier $bind);)*
     };
     (@ $tier:literal { none $reason:literal }) => {};

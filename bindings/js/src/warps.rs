@@ -150,7 +150,7 @@ macro_rules! numbered {
 
 macro_rules! bound {
     ($($type:ident {
-        golden $golden:tt cost $cost:tt page $page:tt
+        golden $golden:tt cost $cost:tt
         bind {
             $($name:literal = $warp:ident $(<$n:literal>)? { $($constructors:tt)* })*
             $(none $why:literal)?

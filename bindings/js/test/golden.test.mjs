@@ -6,51 +6,24 @@ import { readFileSync } from "node:fs";
 import test from "node:test";
 import { isDeepStrictEqual } from "node:util";
 import * as microwarp from "microwarp";
+import { bits, differing, hex, lines, made as made_of } from "./lines.mjs";
 
 const { golden, uniforms, runs, densities } = JSON.parse(readFileSync(new URL("expected.json", import.meta.url)));
 const { Alias, Binomial, BinomialRejection, ByPosition, Cdf, Chain, Frame, Integers, LatinHypercube, Pcg32, Permutation, Screen, Sobol, Strata, SumTree, WeightedReservoir, drawWithPdf, sampleWithPdf } = microwarp;
 
-const bits = (numbers) => Array.from(new Uint32Array(Float32Array.from([numbers].flat(Infinity)).buffer));
-const floats = (bits) => Array.from(new Float32Array(Uint32Array.from(bits).buffer));
-// Every NaN is one in the table.
-const words = (...numbers) => bits(numbers).map((word) => ((word & 0x7fffffff) > 0x7f800000 ? 0x7fc00000 : word));
-const hex = (word) => word.toString(16).padStart(8, "0");
-const one_or_all = (numbers) => (numbers.length === 1 ? numbers[0] : numbers);
-
-const made = (name, maker, given) =>
-  maker === "new" ? new microwarp[name](...given) : microwarp[name][maker](...given);
-
-// What a case yields, as a line of the table.
-const line = ([subject, name, maker, given], input) => {
-  const warp = made(name, maker, given);
-  const point = input < uniforms.length
-    ? warp.sample(one_or_all(floats(uniforms[input]).slice(0, warp.uniforms)))
-    : warp.draw(new Pcg32(0x5eed + input, 54));
-  return `poly ${subject} #${input},${words(point, warp.pdf(point), warp.invert(point)).map(hex).join(",")}`;
-};
-const cases = golden.flatMap((subject) => Array.from({ length: 16 }, (_, input) => [subject, input]));
-
-// How many lines are not those of the table.
-const differing = (table) => {
-  const lines = new Set(table.split("\n"));
-  return cases.filter(([subject, input]) => !lines.has(line(subject, input))).map(([[name], input]) => `${name} #${input}`);
-};
+const made = (...of) => made_of(microwarp, ...of);
 const table = readFileSync(new URL("golden.csv", import.meta.url), "utf8");
+const wrong = (table) => differing(microwarp, { golden, uniforms }, table).wrong;
 
 test("every class gives the bits of the golden table", () => {
-  assert.deepEqual(differing(table), []);
+  assert.deepEqual(wrong(table), []);
   const names = new Set(golden.map(([, name]) => name));
   assert.ok(names.size >= 45, `${names.size} classes`);
-  console.log(`${cases.length} cases of ${names.size} classes`);
+  console.log(`${16 * golden.length} cases of ${names.size} classes`);
 });
 
 // How many lines of a subject that is made of other warps are not those of the table.
-const composed = (name, warp) => Array.from({ length: 16 }, (_, input) => {
-  const point = input < uniforms.length
-    ? warp.sample(one_or_all(floats(uniforms[input]).slice(0, warp.uniforms)))
-    : warp.draw(new Pcg32(0x5eed + input, 54));
-  return `poly ${name} #${input},${words(point, warp.pdf(point), warp.invert(point, 0.25)).map(hex).join(",")}`;
-}).filter((line) => !table.includes(`${line}\n`)).length;
+const composed = (name, warp) => lines(microwarp, uniforms, name, warp, 0.25).filter((line) => !table.includes(`${line}\n`)).length;
 
 test("mixtures and reflections give the bits of the golden table, and not those of others", () => {
   const { CosineHemisphere, GgxVisible, Interval, Mixture, Reflected } = microwarp;
@@ -67,7 +40,7 @@ test("mixtures and reflections give the bits of the golden table, and not those 
 test("a table in which one bit is changed is rejected", () => {
   const at = table.indexOf("poly Disk #5,") + "poly Disk #5,".length;
   const changed = table.slice(0, at) + hex(parseInt(table.slice(at, at + 8), 16) ^ 1) + table.slice(at + 8);
-  assert.deepEqual(differing(changed), ["Disk #5"]);
+  assert.deepEqual(wrong(changed), ["Disk #5"]);
 });
 
 const rng = () => new Pcg32(42, 54);

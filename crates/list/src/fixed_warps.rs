@@ -1,13 +1,12 @@
 //! The warps of the integer tier, as far as they run on cores. A new warp is one block here.
 //!
 //! From these blocks come the golden subjects, the cost kernels of `crates/cores`, the probe without floating point,
-//! the subjects of the page and the C functions. A block reads like those of `warps.rs`, with these differences:
+//! and the C functions. A block reads like those of `warps.rs`, with these differences:
 //! - `G` is the grade.
 //! - `golden`: `v` makes a number of the bits of a word and `whole` one of 16 fraction bits.
 //! - `cost`: the names become `fine_name`, `coarse_name`, `compact_name`, and the three with `_pcg32`. Behind the
 //!   uniforms stands their type.
 //! - `bind`: a parameter with a unit is in Q16.16, signed or unsigned.
-//! - `page`: `signed`, `unsigned`, `exponent` and `turns` bring a parameter into its format.
 
 /// Hands all blocks to the macro that is named: the warps that have grades, floats over them, and the others.
 #[macro_export]
@@ -19,7 +18,6 @@ macro_rules! integer_warps {
                 Disk {
                     golden { "Disk" => Ok(Disk::<G>::new()), }
                     cost { "disk" [u, v]: U0F32 -> [I2F30; 2] = Disk::new(), }
-                    page { plane 2: Disk() => Ok(Disk::<G>::new()), }
                     bind { "disk" = Disk { new(), } }
                 }
                 Annulus {
@@ -31,10 +29,6 @@ macro_rules! integer_warps {
                     cost {
                         "annulus_30_50" [u, v]: U0F32 -> [I16F16; 2]
                             = const { ok(Annulus::new(I16F16::lit("30"), I16F16::lit("50"))) },
-                    }
-                    page {
-                        plane 2: Annulus(inner: 1 in 0..10, outer: 2 in 0..10)
-                            => Annulus::<_, G>::new(signed(inner)?, signed(outer)?),
                     }
                     bind {
                         "annulus" = Annulus<U16> {
@@ -49,15 +43,11 @@ macro_rules! integer_warps {
                         "RegularPolygon 1001" => RegularPolygon::<G>::new(black_box(1001)),
                     }
                     cost { "regular_polygon_6" [u, v]: U0F32 -> [I2F30; 2] = const { ok(RegularPolygon::new(6)) }, }
-                    page {
-                        plane 2: RegularPolygon(corners: 6 in 3..20 by 1) => RegularPolygon::<G>::new(corners as u16),
-                    }
                     bind { "regular_polygon" = RegularPolygon { new(corners: u16), } }
                 }
                 Rotation {
                     golden { "Rotation" => Ok(Rotation::<G>::new()), }
                     cost { "rotation" [u, v, w]: U0F32 -> [I2F30; 4] = Rotation::new(), }
-                    page {}
                     bind { "rotation" = Rotation { new(), } }
                 }
                 Simplex {
@@ -69,7 +59,6 @@ macro_rules! integer_warps {
                         "simplex_2" [u, v]: U0F32 -> ([I2F30; 2], I2F30) = Simplex::<2>::new(),
                         "simplex_3" [u, v, w]: U0F32 -> ([I2F30; 3], I2F30) = Simplex::<3>::new(),
                     }
-                    page {}
                     bind {
                         "simplex_2" = Simplex<2> { new(), }
                         "simplex_3" = Simplex<3> { new(), }
@@ -79,19 +68,16 @@ macro_rules! integer_warps {
                 Sphere {
                     golden { "Sphere" => Ok(Sphere::<G>::new()), }
                     cost { "sphere" [u, v]: U0F32 -> [I2F30; 3] = Sphere::new(), }
-                    page { sphere 2: Sphere() => Ok(Sphere::<G>::new()), }
                     bind { "sphere" = Sphere { new(), } }
                 }
                 Hemisphere {
                     golden { "Hemisphere" => Ok(Hemisphere::<G>::new()), }
                     cost { "hemisphere" [u, v]: U0F32 -> [I2F30; 3] = Hemisphere::new(), }
-                    page { sphere 2: Hemisphere() => Ok(Hemisphere::<G>::new()), }
                     bind { "hemisphere" = Hemisphere { new(), } }
                 }
                 CosineHemisphere {
                     golden { "CosineHemisphere" => Ok(CosineHemisphere::<G>::new()), }
                     cost { "cosine_hemisphere" [u, v]: U0F32 -> [I2F30; 3] = CosineHemisphere::new(), }
-                    page { sphere 2: CosineHemisphere() => Ok(CosineHemisphere::<G>::new()), }
                     bind { "cosine_hemisphere" = CosineHemisphere { new(), } }
                 }
                 Cone {
@@ -102,10 +88,6 @@ macro_rules! integer_warps {
                     }
                     cost {
                         "cone" [u, v]: U0F32 -> [I2F30; 3] = const { ok(Cone::from_one_minus_cos(U2F62::lit("0.25"))) },
-                    }
-                    page {
-                        sphere 2: Cone(half_angle_in_turns: 0.1 in 0..0.5 by 0.001)
-                            => Cone::<G>::from_turns(turns(half_angle_in_turns)?),
                     }
                     bind {
                         "cone" = Cone {
@@ -122,10 +104,6 @@ macro_rules! integer_warps {
                         "PhongLobe 1e8" => PhongLobe::<G>::new(v(100_000_000)),
                     }
                     cost { "phong_lobe_50" [u, v]: U0F32 -> [I2F30; 3] = const { ok(PhongLobe::new(U32F32::lit("50"))) }, }
-                    page {
-                        sphere 2: PhongLobe(exponent: 50 in 0..200 by 0.5)
-                            => PhongLobe::<G>::new(self::exponent(exponent)?),
-                    }
                     bind { "phong_lobe" = PhongLobe { new(exponent: U32F32), } }
                 }
                 HenyeyGreenstein {
@@ -138,7 +116,6 @@ macro_rules! integer_warps {
                         "henyey_greenstein_08" [u, v]: U0F32 -> [I2F30; 3]
                             = const { ok(HenyeyGreenstein::new(I2F30::lit("0.8"))) },
                     }
-                    page {}
                     bind {
                         "henyey_greenstein" = HenyeyGreenstein {
                             new(asymmetry: I2F30),
@@ -157,19 +134,11 @@ macro_rules! integer_warps {
                             ok(Bilinear::new(weights))
                         },
                     }
-                    page {
-                        plane 2: Bilinear(at_00: 1 in 0..4, at_10: 3 in 0..4, at_01: 2 in 0..4, at_11: 0 in 0..4)
-                            => Bilinear::<G>::new([
-                                [unsigned(at_00)?, unsigned(at_10)?],
-                                [unsigned(at_01)?, unsigned(at_11)?],
-                            ]),
-                    }
                     bind { "bilinear" = Bilinear { new(weights: [[U16F16; 2]; 2]), } }
                 }
                 Triangle {
                     golden { "Triangle" => Ok(Triangle::<G>::new()), }
                     cost { "triangle" [u, v]: U0F32 -> [I2F30; 3] = Triangle::new(), }
-                    page { plane 2: Triangle() => Ok(Triangle::<G>::new()), }
                     bind { "triangle" = Triangle { new(), } }
                 }
                 TriangleOn {
@@ -194,16 +163,6 @@ macro_rules! integer_warps {
                             ]))
                         },
                     }
-                    page {
-                        plane 2: TriangleOn(
-                            a_x: 0 in -4..4, a_y: 0 in -4..4, b_x: 4 in -4..4,
-                            b_y: 0 in -4..4, c_x: 1 in -4..4, c_y: 3 in -4..4
-                        ) => TriangleOn::<_, 2, G>::new([
-                            [signed(a_x)?, signed(a_y)?],
-                            [signed(b_x)?, signed(b_y)?],
-                            [signed(c_x)?, signed(c_y)?],
-                        ]),
-                    }
                     bind {
                         "triangle_on_2d" = TriangleOn<U16, 2> { new(vertices: [[I16F16; 2]; 3]), }
                         "triangle_on_3d" = TriangleOn<U16, 3> { new(vertices: [[I16F16; 3]; 3]), }
@@ -212,13 +171,11 @@ macro_rules! integer_warps {
                 StandardExponential {
                     golden { "StandardExponential" => Ok(StandardExponential::<G>::new()), }
                     cost { "standard_exponential" u: U0F32 -> U5F27 = StandardExponential::new(), }
-                    page { line 1: StandardExponential() => Ok(StandardExponential::<G>::new()), }
                     bind { "standard_exponential" = StandardExponential { new(), } }
                 }
                 Exponential {
                     golden { "Exponential 20" => Exponential::<_, G>::from_mean(whole::<U16F16>(20)), }
                     cost { "exponential_20" u: U0F32 -> U16F16 = const { ok(Exponential::from_mean(U16F16::lit("20"))) }, }
-                    page { line 1: Exponential(mean: 1 in 0..10) => Exponential::<_, G>::from_mean(unsigned(mean)?), }
                     bind {
                         "exponential" = Exponential<U16> { from_mean(mean: U16F16), from_rate(rate: U32F32), }
                     }
@@ -234,10 +191,6 @@ macro_rules! integer_warps {
                         "truncated_exponential_10_1" u: U0F32 -> U16F16
                             = const { ok(TruncatedExponential::from_mean(U16F16::lit("10"), U16F16::lit("1"))) },
                     }
-                    page {
-                        line 1: TruncatedExponential(mean: 0.5 in 0..10, length: 3 in 0..10)
-                            => TruncatedExponential::<_, G>::from_mean(unsigned(mean)?, unsigned(length)?),
-                    }
                     bind {
                         "truncated_exponential" = TruncatedExponential<U16> {
                             from_mean(mean: U16F16, length: U16F16),
@@ -248,7 +201,6 @@ macro_rules! integer_warps {
                 StandardNormalPair {
                     golden { "StandardNormalPair" => Ok(StandardNormalPair::<G>::new()), }
                     cost { "standard_normal_pair" [u, v]: U0F32 -> [I5F27; 2] = StandardNormalPair::new(), }
-                    page { plane 2: StandardNormalPair() => Ok(StandardNormalPair::<G>::new()), }
                     bind { "standard_normal_pair" = StandardNormalPair { new(), } }
                 }
                 NormalPair {
@@ -259,16 +211,11 @@ macro_rules! integer_warps {
                         "normal_pair_100_5" [u, v]: U0F32 -> [I16F16; 2]
                             = const { ok(NormalPair::new([I16F16::lit("100"); 2], I16F16::lit("5"))) },
                     }
-                    page {
-                        plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, std_dev: 1 in 0..5)
-                            => NormalPair::<_, G>::new([signed(mean_x)?, signed(mean_y)?], signed(std_dev)?),
-                    }
                     bind { "normal_pair" = NormalPair<U16> { new(mean: [I16F16; 2], std_dev: I16F16), } }
                 }
                 Rayleigh {
                     golden { "Rayleigh 5" => Rayleigh::<_, G>::new(whole::<U16F16>(5)), }
                     cost { "rayleigh_5" u: U0F32 -> U16F16 = const { ok(Rayleigh::new(U16F16::lit("5"))) }, }
-                    page { line 1: Rayleigh(sigma: 1 in 0..5) => Rayleigh::<_, G>::new(unsigned(sigma)?), }
                     bind { "rayleigh" = Rayleigh<U16> { new(scale: U16F16), } }
                 }
                 Laplace {
@@ -276,10 +223,6 @@ macro_rules! integer_warps {
                     cost {
                         "laplace_100_5" u: U0F32 -> I16F16
                             = const { ok(Laplace::new(I16F16::lit("100"), I16F16::lit("5"))) },
-                    }
-                    page {
-                        line 1: Laplace(location: 0 in -10..10, scale: 1 in 0..5)
-                            => Laplace::<_, G>::new(signed(location)?, signed(scale)?),
                     }
                     bind { "laplace" = Laplace<U16> { new(location: I16F16, scale: I16F16), } }
                 }
@@ -289,16 +232,11 @@ macro_rules! integer_warps {
                         "logistic_100_5" u: U0F32 -> I16F16
                             = const { ok(Logistic::new(I16F16::lit("100"), I16F16::lit("5"))) },
                     }
-                    page {
-                        line 1: Logistic(location: 0 in -10..10, scale: 1 in 0..5)
-                            => Logistic::<_, G>::new(signed(location)?, signed(scale)?),
-                    }
                     bind { "logistic" = Logistic<U16> { new(location: I16F16, scale: I16F16), } }
                 }
                 Tent {
                     golden { "Tent 2" => Tent::<_, G>::new(whole::<I16F16>(2)), }
                     cost { "tent_2" u: U0F32 -> I16F16 = const { ok(Tent::new(I16F16::lit("2"))) }, }
-                    page { line 1: Tent(radius: 1 in 0..5) => Tent::<_, G>::new(signed(radius)?), }
                     bind { "tent" = Tent<U16> { new(radius: I16F16), } }
                 }
             }
@@ -317,7 +255,6 @@ macro_rules! integer_warps {
                         "float_standard_exponential" u: f32 -> f32 = Float::new(StandardExponential::new()),
                         "float_standard_normal_pair" [u, v]: f32 -> [f32; 2] = Float::new(StandardNormalPair::new()),
                     }
-                    page { plane 2: FloatDisk() => Ok(Float::new(Disk::<G>::new())), }
                     bind { none "the caller calls the float tier, or divides" }
                 }
             }
@@ -329,10 +266,6 @@ macro_rules! integer_warps {
                         "Interval of all words" => Interval::<U0F32>::inclusive(v(0), v(u32::MAX)),
                     }
                     cost { "interval_1_6" u: U0F32 -> i32 = const { ok(Interval::<i32>::inclusive(1, 6)) }, }
-                    page {
-                        line 1: Interval(from: -3 in -10..10, to: 5 in -10..10)
-                            => Interval::<I16F16>::new(signed(from)?, signed(to)?),
-                    }
                     bind {
                         "interval_i32" = Interval<i32> { new(low: i32, high: i32), inclusive(low: i32, last: i32), }
                         "interval_u32" = Interval<u32> { new(low: u32, high: u32), inclusive(low: u32, last: u32), }

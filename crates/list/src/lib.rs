@@ -1,6 +1,6 @@
 //! What runs on cores: the warps of every tier, listed once, and the golden bits.
 //!
-//! `warps.rs` and `fixed_warps.rs` list the warps. What is made of them elsewhere (costs, benches, the page) takes the
+//! `warps.rs` and `fixed_warps.rs` list the warps. What is made of them elsewhere (costs, benches, bindings) takes the
 //! lists alone, without the feature `cases`.
 //!
 //! The golden bits are every public function of microwarp evaluated on fixed inputs, on any target. The host, the WASM
@@ -39,7 +39,7 @@ mod subjects;
 macro_rules! import_panic {
     () => {
         #[cfg(target_arch = "wasm32")]
-        #[link(wasm_import_module = "page")]
+        #[link(wasm_import_module = "host")]
         unsafe extern "C" {
             safe fn panicked() -> !;
         }
@@ -84,7 +84,6 @@ macro_rules! listed {
             $($kernel:literal $u:tt $(: $number:ident)? -> $out:ty = $cost:expr,)*
             $(none $reason:literal)?
         }
-        page $page:tt
         bind { $($bound:literal = $bound_type:ty { $($made:tt)* })* $(none $unbound:literal)? }
     })*) => {
         pub const $list: &[Listed] = &[$(Listed {

@@ -383,7 +383,7 @@ macro_rules! subjects {
         { $($($once:ident)? $name:literal => $function:expr,)* }
         $($type:ident {
             golden { $($($warp_once:ident)? $warp_name:literal => $warp:expr,)* }
-            cost $cost:tt page $page:tt bind $bind:tt
+            cost $cost:tt bind $bind:tt
         })*
     ) => {
         /// The names of all subjects, in the order of their cases: first the warps. And whether they have no tier.

@@ -1,17 +1,15 @@
 //! The warps of the float tiers, as far as they run on cores. A new warp is one block here.
 //!
-//! From these blocks come the golden subjects, the cost kernels of `crates/cores`, the host benches, the subjects of the
-//! page and the bindings for C and JavaScript. What only a host knows, the truths and the cases of the laws, stands in `crates/host`.
+//! From these blocks come the golden subjects, the cost kernels of `crates/cores`, the host benches and the bindings for C
+//! and JavaScript. What only a host knows, the truths and the cases of the laws, stands in `crates/host`.
 //!
-//! A block has the name of the type and four parts. `T` is the tier.
+//! A block has the name of the type and three parts. `T` is the tier.
 //! - `golden`: the warps whose bits every target must reproduce, `"name" => constructor`. `v` hides a parameter from
 //!   the compiler. The table is in the order of the blocks.
 //! - `cost`: the warps whose instructions are counted, `"name" uniforms -> point = warp`, with the aliases of a tier
 //!   module in scope. `poly_name`, `libm_name` and the two with `_pcg32`, which draw, come of it. A warp that the kernel
 //!   loads, because its constructor is not `const` or its fields are many, is `stored(|| constructor)`. A warp without a
 //!   kernel says why: `none "reason"`.
-//! - `page`: the subjects of `examples/web`, `view uniforms: Name(parameter: start in least..most by step) => warp`.
-//!   The view is `line`, `plane` or `sphere`; `by step` may be left out.
 //! - `bind`: what other languages get, `"name" = Type { constructor(parameter: type), }`, with the aliases of a tier module
 //!   in scope. The functions of the C header and the classes for JavaScript come of it. A warp that is not bound says
 //!   why: `none "reason"`.
@@ -30,10 +28,6 @@ macro_rules! float_warps {
                     once "Interval 1 3.1" => Interval::new(v(1.0), v(3.1)),
                 }
                 cost { "interval" u -> f32 = const { ok(Interval::new(-3.0, 5.0)) }, }
-                page {
-                    line 1: Interval(from: -3 in -10..10, to: 5 in -10..10) => Interval::new(from, to),
-                    line 1: IntervalDecreasing(from: -3 in -10..10, to: 5 in -10..10) => Interval::decreasing(from, to),
-                }
                 bind {
                     "interval" = Interval { new(low: f32, high: f32), decreasing(low: f32, high: f32), }
                 }
@@ -47,12 +41,6 @@ macro_rules! float_warps {
                     "Power 1000" => Power::<T>::new(v(1000.0), v(1.0), v(2.0)),
                 }
                 cost { "power" u -> f32 = stored(|| Power::new(2.5, 0.0, 1.0)), }
-                page {
-                    line 1: Power(exponent: 2.5 in -6..10, from: 0 in 0..10, to: 1 in 0..10)
-                        => Power::<T>::new(exponent, from, to),
-                    line 1: PowerDecreasing(exponent: -1 in -6..10, from: 1 in 0..10, to: 10 in 0..10)
-                        => Power::<T>::decreasing(exponent, from, to),
-                }
                 bind {
                     "power" = Power {
                         new(exponent: f32, low: f32, high: f32),
@@ -63,7 +51,6 @@ macro_rules! float_warps {
             PowerMax {
                 golden { once "PowerMax 3" => Ok(PowerMax::<3>::new()), }
                 cost { "power_max_4" [a, b, c, d] -> f32 = PowerMax::<4>::new(), }
-                page { line 4: PowerMax() => Ok(PowerMax::<4>::new()), }
                 bind {
                     "power_max_2" = PowerMax<2> { new(), }
                     "power_max_3" = PowerMax<3> { new(), }
@@ -73,7 +60,6 @@ macro_rules! float_warps {
             Exponential {
                 golden { "Exponential" => Exponential::<T>::from_rate(v(1.5)), }
                 cost { "exponential_1" u -> f32 = const { ok(Exponential::from_rate(1.0)) }, }
-                page { line 1: Exponential(rate: 1 in 0..10) => Exponential::<T>::from_rate(rate), }
                 bind {
                     "exponential" = Exponential { from_rate(rate: f32), from_mean(mean: f32), }
                 }
@@ -81,8 +67,6 @@ macro_rules! float_warps {
             ExponentialTail {
                 golden { "ExponentialTail" => ExponentialTail::<T>::from_rate(v(1.5)), }
                 cost { "exponential_tail_1" u -> f32 = const { ok(ExponentialTail::from_rate(1.0)) }, }
-                // Its uniform is made of two words.
-                page { line 2: ExponentialTail(rate: 1 in 0..10) => ExponentialTail::<T>::from_rate(rate), }
                 bind {
                     "exponential_tail" = ExponentialTail { from_rate(rate: f32), from_mean(mean: f32), }
                 }
@@ -94,10 +78,6 @@ macro_rules! float_warps {
                     "TruncatedExponential -200" => TruncatedExponential::<T>::from_rate(v(-200.0), v(1.0)),
                 }
                 cost { "truncated_exponential_2_3" u -> f32 = stored(|| TruncatedExponential::from_rate(2.0, 3.0)), }
-                page {
-                    line 1: TruncatedExponential(rate: 2 in -20..20, length: 3 in 0..10)
-                        => TruncatedExponential::<T>::from_rate(rate, length),
-                }
                 bind {
                     "truncated_exponential" = TruncatedExponential {
                         from_rate(rate: f32, length: f32),
@@ -112,16 +92,11 @@ macro_rules! float_warps {
                     "EquiAngular 0" => EquiAngular::<T>::new(v(0.0), v(1.0), v(1e6)),
                 }
                 cost { "equi_angular_2" u -> f32 = stored(|| EquiAngular::new(2.0, -5.0, 15.0)), }
-                page {
-                    line 1: EquiAngular(distance: 2 in 0..10 by 0.1, low: -5 in -20..20, high: 15 in -20..20)
-                        => EquiAngular::<T>::new(distance, low, high),
-                }
                 bind { "equi_angular" = EquiAngular { new(distance: f32, low: f32, high: f32), } }
             }
             Tent {
                 golden { once "Tent" => Tent::new(v(2.0)), }
                 cost { "tent_2" u -> f32 = const { ok(Tent::new(2.0)) }, }
-                page { line 1: Tent(radius: 1 in 0..5) => Tent::new(radius), }
                 bind { "tent" = Tent { new(radius: f32), } }
             }
             Linear {
@@ -130,25 +105,16 @@ macro_rules! float_warps {
                     once "Linear from 0" => Linear::new(v(0.0), v(1.0)),
                 }
                 cost { "linear_1_3" u -> f32 = const { ok(Linear::new(1.0, 3.0)) }, }
-                page {
-                    line 1: Linear(density_at_0: 1 in 0..10, density_at_1: 3 in 0..10)
-                        => Linear::new(density_at_0, density_at_1),
-                }
                 bind { "linear" = Linear { new(density_at_0: f32, density_at_1: f32), } }
             }
             Normal {
                 golden { "Normal" => Normal::<T>::new(v(10.0), v(2.0)), }
                 cost { "normal" u -> f32 = const { ok(Normal::new(0.0, 1.0)) }, }
-                page { line 1: Normal(mean: 0 in -10..10, std_dev: 1 in 0..5) => Normal::<T>::new(mean, std_dev), }
                 bind { "normal" = Normal { new(mean: f32, std_dev: f32), } }
             }
             NormalPair {
                 golden { "NormalPair" => NormalPair::<T>::new([v(1.0), v(-1.0)], v(0.5)), }
                 cost { "normal_pair" [u, v] -> [f32; 2] = const { ok(NormalPair::new([0.0; 2], 1.0)) }, }
-                page {
-                    plane 2: NormalPair(mean_x: 0 in -10..10, mean_y: 0 in -10..10, std_dev: 1 in 0..5)
-                        => NormalPair::<T>::new([mean_x, mean_y], std_dev),
-                }
                 bind { "normal_pair" = NormalPair { new(mean: [f32; 2], std_dev: f32), } }
             }
             StudentPair {
@@ -157,10 +123,6 @@ macro_rules! float_warps {
                     "StudentPair 1e20" => StudentPair::<T>::new(v(1e20), [v(0.0), v(2.0)], v(0.5)),
                 }
                 cost { "student_pair" [u, v] -> [f32; 2] = const { ok(StudentPair::new(3.0, [0.0; 2], 1.0)) }, }
-                page {
-                    plane 2: StudentPair(degrees: 3 in 0.3..50, x: 0 in -10..10, y: 0 in -10..10, scale: 1 in 0..5)
-                        => StudentPair::<T>::new(degrees, [x, y], scale),
-                }
                 bind { "student_pair" = StudentPair { new(degrees: f32, location: [f32; 2], scale: f32), } }
             }
             StudentT {
@@ -170,10 +132,6 @@ macro_rules! float_warps {
                     "StudentT 1e20" => StudentT::<T>::new(v(1e20), v(0.0), v(1.0)),
                 }
                 cost { "student_t" [u, v] -> f32 = const { ok(StudentT::new(5.0, 0.0, 1.0)) }, }
-                page {
-                    line 2: StudentT(degrees: 5 in 0.3..50, location: 0 in -10..10, scale: 1 in 0..5)
-                        => StudentT::<T>::new(degrees, location, scale),
-                }
                 bind { "student_t" = StudentT { new(degrees: f32, location: f32, scale: f32), } }
             }
             TruncatedNormal {
@@ -184,10 +142,6 @@ macro_rules! float_warps {
                     "TruncatedNormal below -0.5" => TruncatedNormal::<T>::below(v(0.0), v(2.0), v(-0.5)),
                 }
                 cost { "truncated_normal" u -> f32 = stored(|| TruncatedNormal::new(0.0, 1.0, -1.0, 2.0)), }
-                page {
-                    line 1: TruncatedNormal(mean: 0 in -10..10, std_dev: 1 in 0..5, low: -1 in -20..20, high: 2 in -20..20)
-                        => TruncatedNormal::<T>::new(mean, std_dev, low, high),
-                }
                 bind {
                     "truncated_normal" = TruncatedNormal {
                         new(mean: f32, std_dev: f32, low: f32, high: f32),
@@ -202,19 +156,16 @@ macro_rules! float_warps {
                     "Cauchy 1e19" => Cauchy::<T>::new(v(-1e30), v(1e19)),
                 }
                 cost { "cauchy" u -> f32 = const { ok(Cauchy::new(0.0, 1.0)) }, }
-                page { line 1: Cauchy(location: 0 in -10..10, scale: 1 in 0..5) => Cauchy::<T>::new(location, scale), }
                 bind { "cauchy" = Cauchy { new(location: f32, scale: f32), } }
             }
             Laplace {
                 golden { "Laplace" => Laplace::<T>::new(v(10.0), v(2.0)), }
                 cost { "laplace" u -> f32 = const { ok(Laplace::new(0.0, 1.0)) }, }
-                page { line 1: Laplace(location: 0 in -10..10, scale: 1 in 0..5) => Laplace::<T>::new(location, scale), }
                 bind { "laplace" = Laplace { new(location: f32, scale: f32), } }
             }
             Logistic {
                 golden { "Logistic" => Logistic::<T>::new(v(10.0), v(2.0)), }
                 cost { "logistic" u -> f32 = const { ok(Logistic::new(0.0, 1.0)) }, }
-                page { line 1: Logistic(location: 0 in -10..10, scale: 1 in 0..5) => Logistic::<T>::new(location, scale), }
                 bind { "logistic" = Logistic { new(location: f32, scale: f32), } }
             }
             TruncatedLogistic {
@@ -227,10 +178,6 @@ macro_rules! float_warps {
                 cost {
                     "truncated_logistic" u -> f32 = const { ok(TruncatedLogistic::new(538.0, 69.444_44, 360.0, 830.0)) },
                 }
-                page {
-                    line 1: TruncatedLogistic(location: 538 in 300..900, scale: 69.44 in 0..500, low: 360 in 300..900, high: 830 in 300..900)
-                        => TruncatedLogistic::<T>::new(location, scale, low, high),
-                }
                 bind {
                     "truncated_logistic" = TruncatedLogistic { new(location: f32, scale: f32, low: f32, high: f32), }
                 }
@@ -238,13 +185,11 @@ macro_rules! float_warps {
             Gumbel {
                 golden { "Gumbel" => Gumbel::<T>::new(v(0.0), v(2.0)), }
                 cost { "gumbel" u -> f32 = const { ok(Gumbel::new(0.0, 1.0)) }, }
-                page { line 1: Gumbel(location: 0 in -10..10, scale: 1 in 0..5) => Gumbel::<T>::new(location, scale), }
                 bind { "gumbel" = Gumbel { new(location: f32, scale: f32), } }
             }
             Rayleigh {
                 golden { "Rayleigh" => Rayleigh::<T>::new(v(1.5)), }
                 cost { "rayleigh" u -> f32 = const { ok(Rayleigh::new(1.0)) }, }
-                page { line 1: Rayleigh(scale: 1 in 0..5) => Rayleigh::<T>::new(scale), }
                 bind { "rayleigh" = Rayleigh { new(scale: f32), } }
             }
             Weibull {
@@ -254,7 +199,6 @@ macro_rules! float_warps {
                     "Weibull 1e6" => Weibull::<T>::new(v(1.0), v(1e6)),
                 }
                 cost { "weibull" u -> f32 = stored(|| Weibull::new(1.0, 1.5)), }
-                page { line 1: Weibull(scale: 1 in 0..5, shape: 1.5 in 0..10) => Weibull::<T>::new(scale, shape), }
                 bind { "weibull" = Weibull { new(scale: f32, shape: f32), } }
             }
             Pareto {
@@ -263,7 +207,6 @@ macro_rules! float_warps {
                     "Pareto 0.2" => Pareto::<T>::new(v(1e-30), v(0.2)),
                 }
                 cost { "pareto" u -> f32 = stored(|| Pareto::new(1.0, 2.0)), }
-                page { line 1: Pareto(minimum: 1 in 0..5, shape: 2 in 0..10) => Pareto::<T>::new(minimum, shape), }
                 bind { "pareto" = Pareto { new(minimum: f32, shape: f32), } }
             }
             LogNormal {
@@ -272,10 +215,6 @@ macro_rules! float_warps {
                     "LogNormal 20" => LogNormal::<T>::new(v(-60.0), v(20.0)),
                 }
                 cost { "log_normal" u -> f32 = const { ok(LogNormal::new(0.0, 0.5)) }, }
-                page {
-                    line 1: LogNormal(mean_of_log: 0 in -5..5, std_dev_of_log: 0.5 in 0..5)
-                        => LogNormal::<T>::new(mean_of_log, std_dev_of_log),
-                }
                 bind { "log_normal" = LogNormal { new(mean_of_log: f32, std_dev_of_log: f32), } }
             }
 
@@ -283,14 +222,6 @@ macro_rules! float_warps {
             Inversion {
                 golden { "Inversion" => Ok(Inversion::new(T::sqrt, |x: f32| 2.0 * x, |x: f32| x * x)), }
                 cost { none "it costs what the functions given to it cost" }
-                page {
-                    // p(x) = ½ + x on [0, 1], as a user would write it.
-                    line 1: Inversion() => Ok(Inversion::new(
-                        |u: f32| 4.0 * u / (1.0 + T::sqrt(1.0 + 8.0 * u)),
-                        |x: f32| if (0.0..=1.0).contains(&x) { 0.5 + x } else { 0.0 },
-                        |x: f32| 0.5 * x * (1.0 + x),
-                    )),
-                }
                 bind { none "its functions are the caller's already" }
             }
             Transform {
@@ -298,15 +229,6 @@ macro_rules! float_warps {
                     "Transform" => Interval::new(v(0.0), v(2.0)).map(|i| Transform::new(i, T::exp, T::ln, T::exp)),
                 }
                 cost { none "it costs what the warp and the functions given to it cost" }
-                page {
-                    // y = sin x of x with density 2x on [0, 1].
-                    line 1: Transform() => Linear::new(0.0, 1.0).map(|x| Transform::new(
-                        x,
-                        |x: f32| T::sincos_turns(x * (1.0 / TAU)).0,
-                        |y: f32| T::atan2_turns(y, T::sqrt((1.0 - y) * (1.0 + y))) * TAU,
-                        |x: f32| T::sincos_turns(x * (1.0 / TAU)).1,
-                    )),
-                }
                 bind { none "its functions are the caller's already" }
             }
             MarginalConditional {
@@ -317,13 +239,6 @@ macro_rules! float_warps {
                     }),
                 }
                 cost { none "it costs what the two warps given to it cost" }
-                page {
-                    // Uniform on 0 ≤ y ≤ x ≤ 1: p(x) = 2x, p(y | x) = 1/x.
-                    plane 2: MarginalConditional() => Linear::new(0.0, 1.0).and_then(|marginal| {
-                        let whole = Interval::new(0.0, 1.0)?;
-                        Ok(MarginalConditional::new(marginal, move |x: f32| Interval::new(0.0, x).unwrap_or(whole)))
-                    }),
-                }
                 bind { none "the caller samples one warp and builds the other from its point" }
             }
             Composed {
@@ -334,7 +249,6 @@ macro_rules! float_warps {
                         .map(|weights| Composed::new(weights, Sphere::<T>::new())),
                 }
                 cost { none "it costs what the two warps given to it cost" }
-                page {}
                 bind {
                     none "the caller hands the point of a bilinear patch to another warp and multiplies the densities"
                 }
@@ -345,7 +259,6 @@ macro_rules! float_warps {
                         .map(|height| Product::new(Disk::<T>::new(), height)),
                 }
                 cost { none "it costs what the two warps given to it cost" }
-                page {}
                 bind { none "the caller samples two warps and multiplies the densities" }
             }
             Each {
@@ -356,7 +269,6 @@ macro_rules! float_warps {
                     }),
                 }
                 cost { none "it costs what the warps given to it cost" }
-                page {}
                 bind { none "the caller samples the warps and multiplies the densities" }
             }
 
@@ -364,19 +276,16 @@ macro_rules! float_warps {
             Disk {
                 golden { "Disk" => Ok(Disk::<T>::new()), }
                 cost { "disk" [u, v] -> [f32; 2] = Disk::new(), }
-                page { plane 2: Disk() => Ok(Disk::<T>::new()), }
                 bind { "disk" = Disk { new(), } }
             }
             DiskConcentric {
                 golden { "DiskConcentric" => Ok(DiskConcentric::<T>::new()), }
                 cost { "disk_concentric" [u, v] -> [f32; 2] = DiskConcentric::new(), }
-                page { plane 2: DiskConcentric() => Ok(DiskConcentric::<T>::new()), }
                 bind { "disk_concentric" = DiskConcentric { new(), } }
             }
             Triangle {
                 golden { once "Triangle" => Ok(Triangle::new()), }
                 cost { "triangle" [u, v] -> [f32; 3] = Triangle::new(), }
-                page { plane 2: Triangle() => Ok(Triangle::new()), }
                 bind { "triangle" = Triangle { new(), } }
             }
             MultivariateNormal {
@@ -397,14 +306,6 @@ macro_rules! float_warps {
                         [[0.04, 0.01, 0.002], [0.01, 0.02, -0.001], [0.002, -0.001, 0.0016]],
                     )),
                 }
-                page {
-                    plane 2: MultivariateNormal(
-                        deviation_x: 2 in 0..4, deviation_y: 1 in 0..4, correlation: 0.8 in -1..1 by 0.01
-                    ) => MultivariateNormal::<T, 2>::new([0.0; 2], [
-                        [deviation_x * deviation_x, correlation * deviation_x * deviation_y],
-                        [correlation * deviation_x * deviation_y, deviation_y * deviation_y],
-                    ]),
-                }
                 bind {
                     "multivariate_normal_2" = MultivariateNormal<2> { new(mean: [f32; 2], covariance: [[f32; 2]; 2]), }
                     "multivariate_normal_3" = MultivariateNormal<3> { new(mean: [f32; 3], covariance: [[f32; 3]; 3]), }
@@ -423,11 +324,6 @@ macro_rules! float_warps {
                     "triangle_on" [u, v] -> [f32; 2]
                         = stored(|| TriangleOn::new([[-90.0, 10.0], [300.0, -200.0], [40.0, 250.0]])),
                 }
-                page {
-                    plane 2: TriangleOn(
-                        a_x: 0 in -4..4, a_y: 0 in -4..4, b_x: 4 in -4..4, b_y: 0 in -4..4, c_x: 1 in -4..4, c_y: 3 in -4..4
-                    ) => TriangleOn::new([[a_x, a_y], [b_x, b_y], [c_x, c_y]]),
-                }
                 bind {
                     "triangle_on_2d" = TriangleOn<2> { new(vertices: [[f32; 2]; 3]), }
                     "triangle_on_3d" = TriangleOn<3> { new(vertices: [[f32; 3]; 3]), }
@@ -440,10 +336,6 @@ macro_rules! float_warps {
                     once "Bilinear far" => Bilinear::new([[v(0.0), v(1e-45)], [v(1e-20), v(3e38)]]),
                 }
                 cost { "bilinear" [u, v] -> [f32; 2] = stored(|| Bilinear::new([[1.0, 3.0], [2.0, 0.5]])), }
-                page {
-                    plane 2: Bilinear(at_00: 1 in 0..4, at_10: 3 in 0..4, at_01: 2 in 0..4, at_11: 0 in 0..4)
-                        => Bilinear::new([[at_00, at_10], [at_01, at_11]]),
-                }
                 bind { "bilinear" = Bilinear { new(weights: [[f32; 2]; 2]), } }
             }
 
@@ -451,25 +343,21 @@ macro_rules! float_warps {
             Sphere {
                 golden { "Sphere" => Ok(Sphere::<T>::new()), }
                 cost { "sphere" [u, v] -> [f32; 3] = Sphere::new(), }
-                page { sphere 2: Sphere() => Ok(Sphere::<T>::new()), }
                 bind { "sphere" = Sphere { new(), } }
             }
             Hemisphere {
                 golden { "Hemisphere" => Ok(Hemisphere::<T>::new()), }
                 cost { "hemisphere" [u, v] -> [f32; 3] = Hemisphere::new(), }
-                page { sphere 2: Hemisphere() => Ok(Hemisphere::<T>::new()), }
                 bind { "hemisphere" = Hemisphere { new(), } }
             }
             CosineHemisphere {
                 golden { "CosineHemisphere" => Ok(CosineHemisphere::<T>::new()), }
                 cost { "cosine_hemisphere" [u, v] -> [f32; 3] = CosineHemisphere::new(), }
-                page { sphere 2: CosineHemisphere() => Ok(CosineHemisphere::<T>::new()), }
                 bind { "cosine_hemisphere" = CosineHemisphere { new(), } }
             }
             MalleyHemisphere {
                 golden { "MalleyHemisphere" => Ok(MalleyHemisphere::<T>::new()), }
                 cost { "malley_hemisphere" [u, v] -> [f32; 3] = MalleyHemisphere::new(), }
-                page { sphere 2: MalleyHemisphere() => Ok(MalleyHemisphere::<T>::new()), }
                 bind { "malley_hemisphere" = MalleyHemisphere { new(), } }
             }
             PhongLobe {
@@ -479,7 +367,6 @@ macro_rules! float_warps {
                     "PhongLobe 1e8" => PhongLobe::<T>::new(v(1e8)),
                 }
                 cost { "phong_lobe_50" [u, v] -> [f32; 3] = const { ok(PhongLobe::new(50.0)) }, }
-                page { sphere 2: PhongLobe(exponent: 50 in 0..200 by 0.5) => PhongLobe::<T>::new(exponent), }
                 bind { "phong_lobe" = PhongLobe { new(exponent: f32), } }
             }
             HenyeyGreenstein {
@@ -492,7 +379,6 @@ macro_rules! float_warps {
                     "HenyeyGreenstein 1+g=1e-9" => HenyeyGreenstein::<T>::from_one_plus_g(v(1e-9)),
                 }
                 cost { "henyey_greenstein_08" [u, v] -> [f32; 3] = const { ok(HenyeyGreenstein::new(0.8)) }, }
-                page { sphere 2: HenyeyGreenstein(asymmetry: 0.8 in -0.99..0.99) => HenyeyGreenstein::<T>::new(asymmetry), }
                 bind {
                     "henyey_greenstein" = HenyeyGreenstein {
                         new(asymmetry: f32),
@@ -509,7 +395,6 @@ macro_rules! float_warps {
                     "VonMisesFisher 1e30" => VonMisesFisher::<T>::new(v(1e30)),
                 }
                 cost { "von_mises_fisher_10" [u, v] -> [f32; 3] = stored(|| VonMisesFisher::new(10.0)), }
-                page { sphere 2: VonMisesFisher(concentration: 10 in 0..200 by 0.5) => VonMisesFisher::<T>::new(concentration), }
                 bind { "von_mises_fisher" = VonMisesFisher { new(kappa: f32), } }
             }
             Ggx {
@@ -518,10 +403,6 @@ macro_rules! float_warps {
                     "Ggx 1e-4 1" => Ggx::<T>::new([v(1e-4), v(1.0)]),
                 }
                 cost { "ggx_03" [u, v] -> [f32; 3] = const { ok(Ggx::new([0.3, 0.3])) }, }
-                page {
-                    sphere 2: Ggx(roughness_along_x: 0.1 in 0.001..1, roughness_along_y: 0.5 in 0.001..1)
-                        => Ggx::<T>::new([roughness_along_x, roughness_along_y]),
-                }
                 bind { "ggx" = Ggx { new(alpha: [f32; 2]), } }
             }
             GgxVisible {
@@ -531,11 +412,6 @@ macro_rules! float_warps {
                     "GgxVisible bounded" => GgxVisible::<T>::bounded([v(0.6), v(0.0), v(0.8)], [v(0.5), v(0.5)]),
                 }
                 cost { "ggx_visible_03" [u, v] -> [f32; 3] = stored(|| GgxVisible::new([0.6, 0.0, 0.8], [0.3, 0.3])), }
-                page {
-                    sphere 2: GgxVisible(view_in_turns: 0.15 in 0..0.25, roughness: 0.3 in 0.001..1)
-                        => Spherical::<T>::from_turns(1.0, view_in_turns, 0.0)
-                            .and_then(|view| GgxVisible::<T>::new(view.to_cartesian(), [roughness, roughness])),
-                }
                 bind {
                     "ggx_visible" = GgxVisible {
                         new(view: [f32; 3], alpha: [f32; 2]),
@@ -553,7 +429,6 @@ macro_rules! float_warps {
                     "reflected_03" [u, v] -> [f32; 3]
                         = stored(|| GgxVisible::new([0.6, 0.0, 0.8], [0.3, 0.3]).map(Reflected::new)),
                 }
-                page {}
                 bind { none "`mw_ggx_visible_reflect` gives the direction with its normal and its density" }
             }
             Cone {
@@ -564,7 +439,6 @@ macro_rules! float_warps {
                     "Cone sphere" => Cone::<T>::from_sine(v(0.5)),
                 }
                 cost { "cone" [u, v] -> [f32; 3] = const { ok(Cone::from_one_minus_cos(0.25)) }, }
-                page { sphere 2: Cone(half_angle_in_rad: 0.6 in 0..3.14) => Cone::<T>::from_radians(half_angle_in_rad), }
                 bind {
                     "cone" = Cone {
                         from_one_minus_cos(one_minus_cos: f32),
@@ -589,24 +463,12 @@ macro_rules! float_warps {
                         core::hint::black_box(0.5),
                     )),
                 }
-                page {
-                    sphere 2: VisibleSphere(distance: 2 in 0..10 by 0.01, radius: 1 in 0..10 by 0.01)
-                        => VisibleSphere::<T>::new([0.0; 3], [0.0, 0.6 * distance, 0.8 * distance], radius),
-                }
                 bind { "visible_sphere" = VisibleSphere { new(point: [f32; 3], centre: [f32; 3], radius: f32), } }
             }
             SphericalPatch {
                 golden { "SphericalPatch" => SphericalPatch::<T>::from_turns(v(0.1), v(0.4), v(-0.25), v(0.5)), }
                 cost {
                     "spherical_patch" [u, v] -> [f32; 3] = stored(|| SphericalPatch::from_turns(0.2, 0.3, -0.1, 0.4)),
-                }
-                page {
-                    sphere 2: SphericalPatch(
-                        theta_from_in_turns: 0 in 0..0.5 by 0.001, theta_to_in_turns: 0.25 in 0..0.5 by 0.001,
-                        phi_from_in_turns: 0 in -1..1 by 0.001, phi_to_in_turns: 0.25 in -1..1 by 0.001
-                    ) => SphericalPatch::<T>::from_turns(
-                        theta_from_in_turns, theta_to_in_turns, phi_from_in_turns, phi_to_in_turns,
-                    ),
                 }
                 bind {
                     "spherical_patch" = SphericalPatch {
@@ -640,13 +502,6 @@ macro_rules! float_warps {
                         core::hint::black_box([[-0.6, -0.5, 0.8], [0.7, -0.4, 0.9], [0.1, 0.8, 0.6]]),
                     )),
                 }
-                page {
-                    sphere 2: SphericalTriangle(x: 0 in -2..2, y: 0 in -2..2, height: 1 in 0.01..5)
-                        => SphericalTriangle::<T>::new(
-                            [x, y, 0.0],
-                            [[1.0, 0.0, height], [-0.5, 0.9, height], [-0.5, -0.9, height]],
-                        ),
-                }
                 bind { "spherical_triangle" = SphericalTriangle { new(point: [f32; 3], vertices: [[f32; 3]; 3]), } }
             }
             SphericalRectangle {
@@ -674,10 +529,6 @@ macro_rules! float_warps {
                         core::hint::black_box([[1.2, 0.1, 0.1], [-0.1, 1.0, 0.2]]),
                     )),
                 }
-                page {
-                    sphere 2: SphericalRectangle(x: 0 in -2..2, y: 0 in -2..2, height: 1 in 0.01..5)
-                        => SphericalRectangle::<T>::new([x, y, 0.0], [-0.5, -0.7, height], [[1.0, 0.0, 0.0], [0.0, 1.4, 0.0]]),
-                }
                 bind {
                     "spherical_rectangle" = SphericalRectangle {
                         new(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]),
@@ -690,11 +541,6 @@ macro_rules! float_warps {
                         .map(|f| Oriented::new(CosineHemisphere::<T>::new(), f)),
                 }
                 cost { none "it costs what the warp given to it costs, and a turn" }
-                page {
-                    sphere 2: Oriented(normal_x: 1 in -3..3, normal_y: 2 in -3..3, normal_z: 3 in -3..3)
-                        => Frame::new([normal_x, normal_y, normal_z])
-                            .map(|frame| Oriented::new(CosineHemisphere::<T>::new(), frame)),
-                }
                 bind { none "the caller turns the point of a warp with a frame" }
             }
 
@@ -702,10 +548,6 @@ macro_rules! float_warps {
             Aabb {
                 golden { once "Aabb" => Aabb::new([v(-1.0), v(0.0), v(2.0)], [v(1.0), v(0.5), v(4.0)]), }
                 cost { none "it costs an Interval a coordinate" }
-                page {
-                    plane 2: Aabb(left: -1 in -10..10, right: 1 in -10..10, bottom: 2 in -10..10, top: 2.5 in -10..10)
-                        => Aabb::new([left, bottom], [right, top]),
-                }
                 bind {
                     "aabb_2d" = Aabb<2> { new(low: [f32; 2], high: [f32; 2]), }
                     "aabb_3d" = Aabb<3> { new(low: [f32; 3], high: [f32; 3]), }
@@ -719,11 +561,6 @@ macro_rules! float_warps {
                     "Annulus sector" => Annulus::<T>::sector(v(0.0), v(1e15), v(-0.7), v(0.1)),
                 }
                 cost { "annulus" [u, v] -> [f32; 2] = const { ok(Annulus::new(1.0, 2.0)) }, }
-                page {
-                    plane 2: Annulus(
-                        inner: 1 in 0..10, outer: 2 in 0..10, from_in_turns: 0 in -1..1 by 0.001, to_in_turns: 1 in -1..2 by 0.001
-                    ) => Annulus::<T>::sector(inner, outer, from_in_turns, to_in_turns),
-                }
                 bind {
                     "annulus" = Annulus {
                         new(inner: f32, outer: f32),
@@ -734,13 +571,11 @@ macro_rules! float_warps {
             Ball {
                 golden { "Ball" => Ok(Ball::<T>::new()), }
                 cost { "ball" [u, v, w] -> [f32; 3] = Ball::new(), }
-                page { plane 3: Ball() => Ok(Ball::<T>::new()), }
                 bind { "ball" = Ball { new(), } }
             }
             Rotation {
                 golden { "Rotation" => Ok(Rotation::<T>::new()), }
                 cost { "rotation" [u, v, w] -> [f32; 4] = Rotation::new(), }
-                page { plane 3: Rotation() => Ok(Rotation::<T>::new()), }
                 bind { "rotation" = Rotation { new(), } }
             }
             RegularPolygon {
@@ -749,7 +584,6 @@ macro_rules! float_warps {
                     "RegularPolygon 1001" => RegularPolygon::<T>::new(black_box(1001)),
                 }
                 cost { "regular_polygon_6" [u, v] -> [f32; 2] = stored(|| RegularPolygon::new(6)), }
-                page { plane 2: RegularPolygon(corners: 6 in 3..20 by 1) => RegularPolygon::<T>::new(corners as u16), }
                 bind { "regular_polygon" = RegularPolygon { new(corners: u16), } }
             }
             Simplex {
@@ -760,10 +594,6 @@ macro_rules! float_warps {
                 cost {
                     "simplex_2" [u, v] -> ([f32; 2], f32) = Simplex::<2>::new(),
                     "simplex_3" [u, v, w] -> ([f32; 3], f32) = Simplex::<3>::new(),
-                }
-                page {
-                    plane 2: Simplex() => Ok(Simplex::<T, 2>::new()),
-                    plane 3: SimplexOf3() => Ok(Simplex::<T, 3>::new()),
                 }
                 bind {
                     "simplex_2" = Simplex<2> { new(), }
@@ -780,10 +610,6 @@ macro_rules! float_warps {
                     "box_surface" [u, v] -> microwarp::warp::SurfacePoint
                         = stored(|| BoxSurface::new([-1.0, 0.0, 0.25], [1.0, 1.0, 0.75])),
                 }
-                page {
-                    plane 2: BoxSurface(width: 2 in 0..10, depth: 1 in 0..10, height: 1 in 0..10)
-                        => BoxSurface::new([0.0; 3], [width, depth, height]),
-                }
                 bind { "box_surface" = BoxSurface { new(low: [f32; 3], high: [f32; 3]), } }
             }
             FrustumSurface {
@@ -795,12 +621,6 @@ macro_rules! float_warps {
                 cost {
                     "frustum_surface" [u, v] -> microwarp::warp::SurfacePoint
                         = stored(|| FrustumSurface::new([1.0, 0.5], 2.0)),
-                }
-                page {
-                    plane 2: FrustumSurface(lower: 1 in 0..5, upper: 0.5 in 0..5, height: 2 in 0..10)
-                        => FrustumSurface::<T>::new([lower, upper], height),
-                    plane 2: FrustumSurfaceTube(lower: 1 in 0..5, upper: 0.5 in 0..5, height: 2 in 0..10)
-                        => FrustumSurface::<T>::tube([lower, upper], height),
                 }
                 bind {
                     "frustum_surface" = FrustumSurface {
@@ -818,14 +638,10 @@ macro_rules! float_warps {
                     "capsule_surface" [u, v] -> microwarp::warp::SurfacePoint
                         = stored(|| CapsuleSurface::new(1.0, 0.5)),
                 }
-                page {
-                    plane 2: CapsuleSurface(height: 1 in 0..10, radius: 0.5 in 0..5)
-                        => CapsuleSurface::<T>::new(height, radius),
-                }
                 bind { "capsule_surface" = CapsuleSurface { new(height: f32, radius: f32), } }
             }
 
-            // Tables that are warps. The page shows them among the tables, which have no tier.
+            // Tables that are warps.
             PiecewiseConstant1d {
                 golden {
                     once "PiecewiseConstant1d" => PiecewiseConstant1d::new(&weights(), v(-3.0), v(5.0)),
@@ -833,7 +649,6 @@ macro_rules! float_warps {
                         => PiecewiseConstant1d::new_u64(&weights(), v(-3e38), v(3e38)),
                 }
                 cost { none "its kernels are those of the tables" }
-                page {}
                 bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             PiecewiseConstant2d {
@@ -850,7 +665,6 @@ macro_rules! float_warps {
                     ),
                 }
                 cost { none "its kernels are those of the tables" }
-                page {}
                 bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             PiecewiseLinear1d {
@@ -860,7 +674,6 @@ macro_rules! float_warps {
                         => PiecewiseLinear1d::new_u64(&weights(), v(0.0), v(1e-3)),
                 }
                 cost { none "its kernels are those of the tables" }
-                page {}
                 bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             Mixture {
@@ -875,7 +688,6 @@ macro_rules! float_warps {
                     }),
                 }
                 cost { none "its kernels are those of the tables" }
-                page {}
                 bind { none "the caller picks a part by a table and adds the densities" }
             }
             Mesh {
@@ -886,7 +698,6 @@ macro_rules! float_warps {
                         .and_then(|table| Mesh::from_trusted_parts(&VERTICES, &FACES, &AREAS, table)),
                 }
                 cost { none "it costs a selection from a table and a triangle" }
-                page {}
                 bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
             LatLongMap {
@@ -896,7 +707,6 @@ macro_rules! float_warps {
                         => LatLongMap::<T, _, _>::new_u64(&[weights(), [v(1e-30); 6]]),
                 }
                 cost { none "its kernels are those of the tables" }
-                page {}
                 bind { none "it lies in memory of the caller, so it is bound with the tables" }
             }
         }

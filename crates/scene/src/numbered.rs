@@ -1,5 +1,4 @@
-//! Pictures by numbers: which scene, in which tier, by which points. The module of the page and the program of the host that
-//! it is held against both render by this, so that they differ in nothing but the machine.
+//! Pictures by numbers: which scene, in which tier, by which points, as the module of the page takes them.
 
 use crate::golden::{Fog, Room, Sensor, Shot, Slit, Slivers};
 use crate::source::{Owen, Strata};
@@ -17,14 +16,7 @@ pub const SCENES: [&str; 5] = [
     Sensor::NAME,
 ];
 pub const TIERS: [&str; 2] = ["libm", "poly"];
-pub const POINTS: [&str; 4] = ["random", "position", "strata", "sobol"];
-
-/// The pictures that the host hashes: one of each seed for every scene, tier and point set.
-pub const HOST: Plan = Plan {
-    size: [144, 96],
-    samples: 4,
-    seed: 42,
-};
+pub const POINTS: [&str; 4] = ["pcg32", "by_position", "strata", "sobol"];
 
 /// The halves of a picture have seeds that follow one another.
 pub const HALVES: u32 = 2;

@@ -1,80 +1,116 @@
-// What the page shows. Names, views, tiers and parameters come from the module, and stated bounds from the
-// documentation. This file adds what neither knows.
+// What the page shows: for each way to make something of the package a line with its parameters, `name: start in least..most
+// by step`, and a function of them where they are not what the constructor takes. The test holds the list to the classes of the
+// package.
 
-const INTEGER = ["fine", "coarse", "compact"];
+const location = "location: 0 in -10..10, scale: 1 in 0..5";
+const normal = "mean: 0 in -10..10, std dev: 1 in 0..5";
+const ends = "low: -1 in -20..20, high: 2 in -20..20";
+const weights = [3, 1, 0, 5, 2, 4].map((weight, k) => `weight ${k}: ${weight} in 0..10 by 0.1`).join(", ");
+const place = "x: 0 in -2..2, y: 0 in -2..2, height: 1 in 0.01..5";
+const frustum = "lower: 1 in 0..5, upper: 0.5 in 0..5, height: 2 in 0..10";
+const together = (...values) => [values];
+const about = (...values) => [values.slice(0, 2), ...values.slice(2)];
+const view = (turns, roughness) => [[Math.sin(2 * Math.PI * turns), 0, Math.cos(2 * Math.PI * turns)], [roughness, roughness]];
+const viewed = "view in turns: 0.15 in 0..0.25, roughness: 0.3 in 0.001..1";
+
+// e^(3 (cos 2π(x + y) + cos 2π(x − 2y) − 2)), whose period is 1 in both coordinates.
+const hills = ([x, y]) => Math.exp(3 * (Math.cos(2 * Math.PI * (x + y)) + Math.cos(2 * Math.PI * (x - 2 * y)) - 2));
+// Clouds of a brightness with a sun among them, and a dark column.
+const sky = (c, sun) => [[1, c, 1, 0, c, 1, c, c, 1, 0, sun, 1, 1, c, c, 0, 1, 1, 1, 1, c, 0, c, c], [6, 4]];
+
+const FAMILIES = {
+  line: ["Line", [
+    ["Interval", "from: -3 in -10..10, to: 5 in -10..10"],
+    ["Interval.decreasing", "from: -3 in -10..10, to: 5 in -10..10"],
+    ["Power", "exponent: 2.5 in -6..10, from: 0 in 0..10, to: 1 in 0..10"],
+    ["Power.decreasing", "exponent: -1 in -6..10, from: 1 in 0..10, to: 10 in 0..10"],
+    ["PowerMax2"], ["PowerMax3"], ["PowerMax4"],
+    ["Exponential.fromRate", "rate: 1 in 0..10"],
+    ["ExponentialTail.fromRate", "rate: 1 in 0..10"],
+    ["TruncatedExponential.fromRate", "rate: 2 in -20..20, length: 3 in 0..10"],
+    ["EquiAngular", "distance: 2 in 0..10 by 0.1, low: -5 in -20..20, high: 15 in -20..20"],
+    ["Tent", "radius: 1 in 0..5"],
+    ["Linear", "density at 0: 1 in 0..10, density at 1: 3 in 0..10"],
+    ["Normal", normal],
+    ["TruncatedNormal", `${normal}, ${ends}`],
+    ["StudentT", `degrees: 5 in 0.3..50, ${location}`],
+    ["Cauchy", location], ["Laplace", location], ["Logistic", location],
+    ["TruncatedLogistic", `${location}, ${ends}`],
+    ["Gumbel", location],
+    ["Rayleigh", "scale: 1 in 0..5"],
+    ["Weibull", "scale: 1 in 0..5, shape: 1.5 in 0..10"],
+    ["Pareto", "minimum: 1 in 0..5, shape: 2 in 0..10"],
+    ["LogNormal", "mean of log: 0 in -5..5, std dev of log: 0.5 in 0..5"],
+    ["Gamma", "shape: 2.5 in 0..10, scale: 1 in 0..5"],
+    ["VonMises", "mean: 1 in -6..6, concentration: 5 in 0..50"],
+    ["Mixture", "first mean: -2 in -10..10, second mean: 2 in -10..10, first weight: 1 in 0..10, second weight: 2 in 0..10",
+      (a, b, ...shares) => ({ Normal }) => [[new Normal(a, 1), new Normal(b, 1)], shares]],
+  ]],
+  plane: ["Plane", [
+    ["Disk"], ["DiskConcentric"], ["Triangle"], ["Simplex2"],
+    ["NormalPair", "mean x: 0 in -10..10, mean y: 0 in -10..10, std dev: 1 in 0..5", about],
+    ["StudentPair", "degrees: 3 in 0.3..50, x: 0 in -10..10, y: 0 in -10..10, scale: 1 in 0..5", (n, x, y, s) => [n, [x, y], s]],
+    ["MultivariateNormal2", "deviation x: 2 in 0..4, deviation y: 1 in 0..4, correlation: 0.8 in -1..1",
+      (x, y, c) => [[0, 0], [[x * x, c * x * y], [c * x * y, y * y]]]],
+    ["TriangleOn2d", "a x: 0 in -4..4, a y: 0 in -4..4, b x: 4 in -4..4, b y: 0 in -4..4, c x: 1 in -4..4, c y: 3 in -4..4", together],
+    ["Bilinear", "at 00: 1 in 0..4, at 10: 3 in 0..4, at 01: 2 in 0..4, at 11: 0 in 0..4", together],
+    ["Aabb2d", "left: -1 in -10..10, bottom: 2 in -10..10, right: 1 in -10..10, top: 2.5 in -10..10", (a, b, c, d) => [[a, b], [c, d]]],
+    ["Annulus.sector", "inner: 1 in 0..10, outer: 2 in 0..10, from in turns: 0 in -1..1, to in turns: 1 in -1..2"],
+    ["RegularPolygon", "corners: 6 in 3..20 by 1"],
+  ]],
+  directions: ["Directions", [
+    ["Sphere"], ["Hemisphere"], ["CosineHemisphere"], ["MalleyHemisphere"],
+    ["PhongLobe", "exponent: 50 in 0..200 by 0.5"],
+    ["HenyeyGreenstein", "asymmetry: 0.8 in -0.99..0.99"],
+    ["VonMisesFisher", "concentration: 10 in 0..200 by 0.5"],
+    ["Ggx", "roughness along x: 0.1 in 0.001..1, roughness along y: 0.5 in 0.001..1", together],
+    ["GgxVisible", viewed, view], ["GgxVisible.bounded", viewed, view],
+    ["Reflected", viewed, (...of) => ({ GgxVisible }) => [new GgxVisible(...view(...of))]],
+    ["Cone.fromRadians", "half angle in rad: 0.6 in 0..3.14"],
+    ["VisibleSphere", "distance: 2 in 0..10, radius: 1 in 0..10", (d, radius) => [[0, 0, 0], [0, 0.6 * d, 0.8 * d], radius]],
+    ["SphericalPatch.fromTurns", "theta from in turns: 0 in 0..0.5, theta to in turns: 0.25 in 0..0.5, phi from in turns: 0 in -1..1, phi to in turns: 0.25 in -1..1"],
+    ["SphericalTriangle", place, (x, y, h) => [[x, y, 0], [[1, 0, h], [-0.5, 0.9, h], [-0.5, -0.9, h]]]],
+    ["SphericalRectangle", place, (x, y, h) => [[x, y, 0], [-0.5, -0.7, h], [[1, 0, 0], [0, 1.4, 0]]]],
+  ]],
+  space: ["Space", [
+    ["Ball"], ["Rotation"], ["Simplex3"], ["Simplex4"],
+    ["Aabb3d", "width: 2 in 0..10, depth: 1 in 0..10, height: 1 in 0..10", (...size) => [[0, 0, 0], size]],
+    ["BoxSurface", "width: 2 in 0..10, depth: 1 in 0..10, height: 1 in 0..10", (...size) => [[0, 0, 0], size]],
+    ["FrustumSurface", frustum, about], ["FrustumSurface.tube", frustum, about],
+    ["CapsuleSurface", "height: 1 in 0..10, radius: 0.5 in 0..5"],
+    ["TriangleOn3d", "x: 1 in 0..4, y: 2 in 0..4, z: 3 in 0..4", (x, y, z) => [[[x, 0, 0], [0, y, 0], [0, 0, z]]]],
+    ["MultivariateNormal3", "deviation x: 2 in 0..4, deviation y: 1 in 0..4, deviation z: 0.5 in 0..4",
+      (x, y, z) => [[0, 0, 0], [[x * x, 0, 0], [0, y * y, 0], [0, 0, z * z]]]],
+  ]],
+  tables: ["Tables", [
+    ["Cdf", weights, together], ["Alias", weights, together], ["SumTree", weights, (...of) => [of.map(Math.floor)]],
+    ["Binomial", "trials: 10 in 1..50 by 1, probability: 0.3 in 0..1"],
+    ["PiecewiseConstant1d", weights, (...of) => [of, 0, 1]], ["PiecewiseLinear1d", weights, (...of) => [of, 0, 1]],
+    ["PiecewiseConstant2d", "clouds: 3 in 0..10 by 0.1, sun: 30 in 0..100 by 0.5", (...of) => [...sky(...of), [0, 1.5], [0, 1]]],
+    ["LatLongMap", "clouds: 3 in 0..10 by 0.1, sun: 30 in 0..100 by 0.5", sky],
+  ]],
+  chains: ["Chains", [
+    ["Chain", "step deviation: 0.1 in 0..0.5 by 0.005, large steps: 0.2 in 0..1", (d, cube) => [hills, [0, 0], { normal: [d, d], cube }]],
+  ]],
+};
 
 // Space seen from a corner, z upwards.
 export const corner = ([x, y, z]) => [(y - x) / Math.sqrt(2), (2 * z - x - y) / Math.sqrt(6)];
 
-// By name: a `label`, or where it is `documented`, where that is not the name; `flat`, which places a point of space on
-// paper; `trail`, where points follow one another; and `fraction`, the bits behind the point of an integer warp's parameters,
-// where they are not 16.
-const KNOWN = {
-  IntervalDecreasing: { label: "Interval::decreasing" },
-  PowerDecreasing: { label: "Power::decreasing" },
-  PowerMax: { label: "PowerMax<4>" },
-  Inversion: { label: "Inversion, ½ + x" },
-  Transform: { label: "Transform, sin x" },
-  FloatDisk: { label: "Float<Disk>" },
-  Simplex: { label: "Simplex<2>" },
-  SimplexOf3: { label: "Simplex<3>", flat: corner },
-  BoxSurface: { flat: corner },
-  FrustumSurface: { flat: corner },
-  FrustumSurfaceTube: { flat: corner, label: "FrustumSurface::tube" },
-  CapsuleSurface: { flat: corner },
-  PhongLobe: { fraction: 32 },
-  Cone: { fraction: 32 },
-  Oriented: { label: "Oriented cosine" },
-  SelectOnce: { label: "select_once" },
-  IntegerDiskRejection: { label: "fixed::DiskRejection", documented: "fixed::DiskRejection" },
-  IntegerDiskRejection16: { label: "fixed::DiskRejection16", documented: "fixed::DiskRejection16" },
-  Region: { label: "Region, a ring" },
-  Bounded: { label: "Bounded, a bump" },
-  Chain: { label: "Chain, three hills", trail: true },
-  IntegerChain: { label: "Chain of integer weights" },
+const parameter = (text) => {
+  const [, label, value, min, max, step = "0.01"] = /^(.+): (\S+) in (\S+?)\.\.(\S+)(?: by (\S+))?$/.exec(text);
+  return { label, value: Number(value), min, max, step };
 };
 
-// A parameter's name as a label: `half_angle_in_turns` is "half angle, turns".
-const label_of = (name) => name.replaceAll("_", " ").replace(/ in (\w+)$/, ", $1");
-const FAMILY_OF = { line: "line", plane: "plane", sphere: "directions" };
-const FAMILY_LABELS = {
-  line: "Line", plane: "Plane", directions: "Directions", tables: "Tables", rejection: "Rejection", chains: "Chains",
-};
-
-// One entry a name, of all that the module tells under it: each tier has its own place and parameters.
-function entries_of(told, known) {
-  const entries = {};
-  for (const { name, type, family, view, words, parameters, tiers, place } of told) {
-    entries[name] ??= {
-      name, label: name, documented: type, family: family || FAMILY_OF[view], view, words, tiers: [], places: {}, lists: {},
-      plans: words > 0 && family !== "rejection",
-      ...known[name],
+// The families with their subjects: each with its class, and with how it is made.
+export const families_of = (microwarp) => Object.entries(FAMILIES).map(([name, [label, subjects]]) => ({
+  name, label, subjects: subjects.map(([subject, list = "", given = (...values) => values]) => {
+    const [of, maker] = subject.split(".");
+    const make = (values) => {
+      const all = given(...values);
+      const parameters = typeof all === "function" ? all(microwarp) : all;
+      return maker ? microwarp[of][maker](...parameters) : new microwarp[of](...parameters);
     };
-    for (const tier of tiers) {
-      entries[name].tiers.push(tier);
-      entries[name].places[tier] = place;
-      entries[name].lists[tier] = parameters.map(({ label, step = 0.01, ...rest }) => ({ ...rest, label: label_of(label), step }));
-    }
-  }
-  const missing = Object.keys(known).filter((name) => !(name in entries));
-  if (missing.length > 0) throw new Error(`the module does not know ${missing.join(", ")}`);
-  return Object.values(entries);
-}
-
-// The families with their subjects.
-export function families_of(told, known = KNOWN) {
-  const entries = entries_of(told, known);
-  return Object.entries(FAMILY_LABELS).map(([name, label]) => ({ name, label, subjects: entries.filter(({ family }) => family === name) }));
-}
-
-export const TIER_LABELS = {
-  libm: "libm", poly: "poly", fine: "fixed, fine", coarse: "fixed, coarse", compact: "fixed, compact", exact: "no tier",
-};
-
-// The number that a tier makes of a parameter: the nearest f32, and in the integer tier cut to steps of 2⁻¹⁶, or to
-// 2⁻³² where a format has them, which an f32 of that size has no more of.
-export function realised(entry, tier, value) {
-  const single = Math.fround(value);
-  if (!INTEGER.includes(tier) || entry.fraction === 32) return single;
-  return Number.isFinite(single) ? Math.trunc(single * 65536) / 65536 : single;
-}
+    return { name: subject, of, family: name, make, parameters: list ? list.split(", ").map(parameter) : [] };
+  }),
+}));

@@ -3,6 +3,7 @@
 import { SNIPPETS } from "./snippets.mjs";
 import { corner } from "./catalogue.mjs";
 import { choices } from "./controls.mjs";
+import { spread } from "./sample.mjs";
 import { framed } from "../view/frame.mjs";
 import * as line from "../view/line.mjs";
 import * as plane from "../view/plane.mjs";
@@ -54,13 +55,10 @@ function refuse(problem) {
   at("code-refusal").firstElementChild.textContent = problem;
 }
 
-// Numbers as the views take them, three a point.
 function show({ shown, dimensions, count, densities, indices }) {
-  const points = new Float64Array(3 * count);
-  shown.forEach((x, k) => (points[3 * Math.floor(k / dimensions) + (k % dimensions)] = x));
-  const drawn = { count, points, densities, words: [] };
+  const drawn = { count, points: spread(shown, dimensions), densities, each: 0 };
   const round = dimensions === 3 && shown.every((x) => Math.abs(x) <= 1.0001);
-  const entry = { view: indices ? "bars" : dimensions === 1 ? "line" : round ? "sphere" : "plane", words: 0, plans: false };
+  const entry = { view: indices ? "bars" : dimensions === 1 ? "line" : round ? "sphere" : "plane" };
   const frame = framed(drawn, dimensions === 3 && !round ? corner : undefined);
   scene = { entry, drawn, frame };
   if (dimensions === 1) scene.tallied = line.tally(null, scene);

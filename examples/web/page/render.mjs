@@ -3,9 +3,9 @@
 //   in   { job, scene, tier, points, width, height, samples, seed }, all of them names and whole numbers; { job } stops
 //   out  { ready: { scenes, tiers, points, plan, most, size, imports } }, { broken }, { job, refused }
 //        { job, samples, from, light, rate }: rows of the mean of both halves, and samples a second
-//        { job, samples, hashes, error, last }: a pass has ended
-// A pass begins anew, since strata are laid out for a number of samples, and so that each is a picture which the host can
-// render too. All passes before the last take as long as that one.
+//        { job, hash }: that of the picture in the golden table, which is rendered before
+//        { job, samples, error, last }: a pass has ended
+// A pass begins anew, since strata are laid out for a number of samples. All passes before the last take as long as that one.
 
 const HALVES = 2;
 // How long rows are rendered before the next message is looked for, in milliseconds.
@@ -42,6 +42,14 @@ class Module {
     return this.row(0);
   }
 
+  // The hash of the picture in the golden table, of one seed.
+  golden(choices) {
+    this.ask({ ...choices, ...this.plan });
+    this.request[5] = this.plan.samples;
+    for (let row = 0; row < this.plan.height; row += 1) this.exports.render(0, row);
+    return this.exports.hash(0) >>> 0;
+  }
+
   row(row) {
     for (let half = 0; half < HALVES; half += 1) {
       const refused = this.exports.render(half, row);
@@ -68,6 +76,8 @@ let latest = null;
 async function render(module, { job, width, height, samples: most, ...choices }) {
   const refused = module.ask({ width, height, ...choices });
   if (refused) return postMessage({ job, refused });
+  postMessage({ job, hash: module.golden(choices) });
+  module.ask({ width, height, ...choices });
   let [paths, milliseconds] = [0, 0];
   for (let samples = 1; samples <= most; samples *= 2) {
     module.request[5] = samples;
@@ -82,8 +92,7 @@ async function render(module, { job, width, height, samples: most, ...choices })
       await turn();
       if (latest !== job) return undefined;
     }
-    const hashes = module.halves.map((_, half) => module.exports.hash(half) >>> 0);
-    postMessage({ job, samples: HALVES * samples, hashes, error: error(module.halves, width * height), last: 2 * samples > most });
+    postMessage({ job, samples: HALVES * samples, error: error(module.halves, width * height), last: 2 * samples > most });
   }
   return undefined;
 }

@@ -1,7 +1,6 @@
 // The tab "A scene": what is chosen, and what the worker tells of the picture. The worker and its module are loaded when the
 // tab is opened for the first time.
 
-import { parse } from "./golden.mjs";
 import { choices, readings } from "./controls.mjs";
 import { expose } from "../view/film.mjs";
 
@@ -15,11 +14,11 @@ const SCENES = {
   slit: ["Light through a slit", "A dark room, lit through a slit in its wall: what paths find hard."],
   sensor: ["A range sensor in fog", "What a range sensor with a lamp of its own reports in a foggy hall: near is yellow, far is blue."],
 };
-const POINTS = { random: "random", position: "by position", strata: "strata", sobol: "Sobol’" };
+const POINTS = { pcg32: "random", by_position: "by position", strata: "strata", sobol: "Sobol’" };
 const WIDTHS = [48, 96, 144, 288];
 const RATIO = 2 / 3;
 
-const state = { scene: "room", tier: "poly", points: "sobol", width: null, seed: null, job: 0, running: false, told: null };
+const state = { scene: "room", tier: "poly", points: "sobol", width: 144, seed: 42, job: 0, running: false, told: null };
 let worker;
 let module;
 let hashes;
@@ -56,7 +55,7 @@ function number(asked, name) {
 function from_address() {
   const asked = new URLSearchParams(location.search);
   for (const name of ["scene", "tier", "points"]) state[name] = asked.get(name) ?? state[name];
-  for (const name of ["width", "seed"]) state[name] = asked.has(name) ? number(asked.get(name), name) : (state[name] ?? module.plan[name]);
+  for (const name of ["width", "seed"]) if (asked.has(name)) state[name] = number(asked.get(name), name);
 }
 
 // --- the worker --------------------------------------------------------------------------------------
@@ -69,10 +68,10 @@ function begin() {
   const { scene, tier, points, width, seed } = state;
   const height = Math.floor(width * RATIO);
   state.job += 1;
-  state.told = { samples: 0, rate: null, error: null, hashes: null, request: { scene, tier, points, width, height, seed } };
+  state.told = { samples: 0, rate: null, error: null, request: { scene, tier, points, width, height, seed } };
   at("scene-refusal").hidden = true;
   Object.assign(at("scene").dataset, { shown: `${scene} ${tier} ${points}`, refused: "", samples: "0", error: "" });
-  judge();
+  verdict("waiting", "To be compared with the golden table.");
   if (width > 0 && height > 0 && width * height <= module.most) Object.assign(at("film"), { width, height });
   worker.postMessage({ job: state.job, ...state.told.request, samples: most() / 2 });
   running(true);
@@ -90,14 +89,15 @@ function running(runs) {
   at("render").textContent = runs ? "Stop" : "Render again";
 }
 
-function heard({ ready, broken, job, refused, light, ...told }) {
+function heard({ ready, broken, job, refused, hash, light, ...told }) {
   if (broken) return refuse("The scenes could not be loaded", `${broken}.`);
   if (ready) return opened(ready);
   if (job !== state.job) return undefined;
   if (refused) return refuse("No picture", refused);
+  if (hash !== undefined) return judge(hash);
   if (light) expose(at("film"), { ...state.told.request, from: told.from, light });
   Object.assign(state.told, told);
-  if (told.hashes) passed(told);
+  if (told.error !== undefined) passed(told);
   if (told.last) running(false);
   return show_readings();
 }
@@ -107,7 +107,6 @@ function passed({ samples, error }) {
   const { scene, tier, points } = state.told.request;
   Object.assign(at("scene").dataset, { samples: String(samples), error: String(error) });
   at("film").setAttribute("aria-label", `${SCENES[scene][0]}, ${tier}, ${POINTS[points]}: ${whole(samples)} samples a pixel, error ${percent(error)}`);
-  judge();
 }
 
 function refuse(name, meaning) {
@@ -119,7 +118,7 @@ function refuse(name, meaning) {
   refusal.querySelector("strong").textContent = name;
   refusal.querySelector("span").textContent = meaning;
   at("scene").dataset.refused = meaning;
-  verdict("waiting", "Nothing to compare with the host.");
+  verdict("waiting", "Nothing to compare.");
   readings(at("scene-readings"), []);
 }
 
@@ -128,13 +127,12 @@ function refuse(name, meaning) {
 const percent = (x) => (Number.isFinite(x) ? `${(100 * x).toPrecision(3)} %` : "not known");
 
 function show_readings() {
-  const { samples, error, rate, hashes: words, compared } = state.told;
+  const { samples, error, rate } = state.told;
   const last = whole(most());
   readings(at("scene-readings"), [
     { label: "Error of the picture", value: error === null ? "…" : percent(error), note: "of its mean light: the noise, root mean square" },
     { label: "Samples a pixel", value: whole(samples), note: state.running ? `on the way to ${last}` : "rendering has stopped" },
     { label: "Speed", value: rate ? whole(Math.round(rate / 1000)) : "…", unit: "thousand samples/s", note: rate ? `${(1e6 / rate).toPrecision(3)} µs a path, in one worker` : "in one worker" },
-    { label: "Hash of the picture", value: words ? words.map(hex).join(" ") : "…", note: words ? "both halves of the last pass" : "once a pass has ended", above: compared === false },
   ]);
 }
 
@@ -146,23 +144,15 @@ function verdict(kind, text) {
   if (place.textContent !== text) place.textContent = text;
 }
 
-// Compares the hashes of a pass with those of the host, where it has rendered the same picture.
-function judge() {
-  const { request, samples, hashes: got } = state.told;
-  const { scene, tier, points, width, height, seed } = request;
-  const { plan } = module;
-  if (hashes instanceof Error) return verdict("mismatch", `NOT compared with the host: ${hashes.message}.`);
-  if (width !== plan.width || height !== plan.height || seed !== plan.seed) {
-    return verdict("waiting", `The host has rendered ${plan.width} × ${plan.height} pixels with seed ${plan.seed}. Choose these to compare.`);
-  }
-  if (!got) return verdict("waiting", `To be compared with the host's at ${2 * plan.samples} samples a pixel.`);
-  if (samples !== 2 * plan.samples) return undefined;
-  const due = got.map((_, half) => hashes.get(`${scene} ${tier} ${points} ${width}x${height} ${plan.samples} ${seed + half}`));
-  state.told.compared = got.every((word, half) => word === due[half]);
-  const list = (words) => words.map((word) => (word === undefined ? "none" : hex(word))).join(" and ");
-  return state.told.compared
-    ? verdict("verified", `The same bits as on the host: at ${samples} samples a pixel the hashes of both halves are ${list(got)} there as well.`)
-    : verdict("mismatch", `MISMATCH with the host: at ${samples} samples a pixel the hashes of both halves are ${list(got)} here, ${list(due)} there.`);
+// Compares the hash of a small picture with the one that every target reproduces.
+function judge(hash) {
+  if (hashes instanceof Error) return verdict("mismatch", `NOT compared with the golden table: ${hashes.message}.`);
+  const { request: { scene, tier, points } } = state.told;
+  const { width, height, samples, seed } = module.plan;
+  const [got, due] = [hex(hash), hashes.get(`${scene} ${tier} ${points} ${width}x${height} ${samples} ${seed}`)];
+  return got === due
+    ? verdict("verified", `The same bits as on every other target: ${width} × ${height} pixels of this scene have the hash ${got}.`)
+    : verdict("mismatch", `MISMATCH with the golden table: ${width} × ${height} pixels of this scene have the hash ${got} here, ${due} there.`);
 }
 
 // --- opening and closing -----------------------------------------------------------------------------
@@ -170,7 +160,7 @@ function judge() {
 async function table(url) {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status}`);
-  return new Map(parse(await response.text()).map(({ name, words: [hash] }) => [name, hash]));
+  return new Map((await response.text()).trim().split("\n").map((row) => row.split(",")));
 }
 
 // The module is there, and perhaps the tab has been left.
@@ -197,8 +187,6 @@ function resume() {
   try {
     from_address();
   } catch (problem) {
-    state.width ??= module.plan.width;
-    state.seed ??= module.plan.seed;
     show_choices();
     return refuse("No picture", problem.message);
   }

@@ -1,118 +1,117 @@
-//! Every sampler of microwarp behind plain exports that take and return numbers.
-//!
-//! This file has the exports and the memory that the page and the module share. `float`, `integer`, `tables`, `rejected`
-//! and `chains` have a list of subjects each; `run` samples and times them, and `source` supplies the words. The panic
-//! handler calls an import. A module without reachable panics needs no import, and the page and its test check that.
+//! The scenes behind plain exports that take and return numbers. A picture has two halves, each a picture of its own seed:
+//! their mean is shown, and half of their difference is its error.
 #![no_std]
 #![allow(unsafe_code)]
 
-mod chains;
-mod float;
-mod integer;
-mod numbers;
-mod rejected;
-mod run;
-mod shared;
-mod source;
-mod subject;
-mod tables;
-mod visit;
-
-use run::{Samples, Timing};
-use shared::{Shared, shared};
-use visit::{LISTS, visit};
+use microwarp_scene::golden::PLAN;
+use microwarp_scene::numbered::{HALVES, MOST, POINTS, Request, SCENES, TIERS, row};
+use microwarp_scene::vector::Vector;
+use microwarp_scene::{Hash, Plan};
 
 microwarp_list::import_panic!();
 
-/// A sentence and the bounds of each type from the crate's documentation, as JSON.
-static DOCUMENTED: &str = include_str!(concat!(env!("OUT_DIR"), "/documented.json"));
+/// Both sides know this layout.
+#[repr(C)]
+pub struct Shared {
+    halves: [[Vector; MOST as usize]; HALVES as usize],
+    /// Scene, tier and points; columns, rows and samples; the seed of the first half.
+    request: [u32; 7],
+    /// Why a row was refused.
+    text: [u8; 64],
+}
 
-/// Where the memory is that both sides use; its layout is that of [`Shared`].
+/// The one instance.
+fn shared() -> &'static mut Shared {
+    static mut SHARED: Shared = Shared {
+        halves: [[[0.0; 3]; MOST as usize]; HALVES as usize],
+        request: [0; 7],
+        text: [0; 64],
+    };
+    // SAFETY: a module instance has one thread, each export takes this once, and none calls another.
+    unsafe { &mut *core::ptr::addr_of_mut!(SHARED) }
+}
+
+const START: [u32; 7] = {
+    let [width, height] = PLAN.size;
+    [0, 1, 3, width, height, PLAN.samples, PLAN.seed]
+};
+
+/// Where the shared memory is, with the request for a picture of the golden table in it.
 #[unsafe(no_mangle)]
 pub extern "C" fn shared_memory() -> *const Shared {
-    &raw const *shared()
-}
-
-/// What a list of subjects tells of them, in JSON but for a comma behind the last of several; there are so many lists
-/// until one is empty.
-fn told(list: usize) -> &'static str {
-    LISTS.get(list).copied().unwrap_or("")
-}
-
-/// Where the text of a list is.
-#[unsafe(no_mangle)]
-pub extern "C" fn subjects(list: usize) -> *const u8 {
-    told(list).as_ptr()
-}
-
-/// How many bytes that has.
-#[unsafe(no_mangle)]
-pub extern "C" fn subjects_length(list: usize) -> usize {
-    told(list).len()
-}
-
-/// The documentation, as JSON.
-#[unsafe(no_mangle)]
-pub extern "C" fn documented() -> *const u8 {
-    DOCUMENTED.as_ptr()
-}
-
-/// How many bytes that has.
-#[unsafe(no_mangle)]
-pub extern "C" fn documented_length() -> usize {
-    DOCUMENTED.len()
-}
-
-/// Draws `count` points of a subject of a list in a tier with the parameters in the shared memory, from random words (source
-/// 0), stratified ones (1) or ones of low discrepancy (2) along the first `dimensions`. Returns 0, or how many bytes
-/// of the text say why not.
-#[unsafe(no_mangle)]
-pub extern "C" fn sample(
-    list: u32,
-    subject: u32,
-    tier: u32,
-    source: u32,
-    dimensions: u32,
-    count: u32,
-    seed: u32,
-) -> usize {
+    // Not where it is defined: all of it would then lie in the module as bytes.
     let shared = shared();
-    shared.report = [0.0; 16];
-    let parameters = shared.parameters;
-    let words = source::Words::new(source, dimensions, count, seed);
-    let mut samples = Samples::new(words, count, shared);
-    match visit(list, subject, tier, &parameters, &mut samples) {
+    shared.request = START;
+    &raw const *shared
+}
+
+/// The pixels of a half, or fewer.
+#[unsafe(no_mangle)]
+pub extern "C" fn most_pixels() -> u32 {
+    MOST
+}
+
+/// The names of scenes (list 0), tiers (1) and point sets (2), an empty one behind the last.
+fn named(list: usize, number: usize) -> &'static str {
+    let lists: [&[&str]; 3] = [&SCENES, &TIERS, &POINTS];
+    let name = lists.get(list).and_then(|names| names.get(number));
+    name.copied().unwrap_or("")
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn name(list: usize, number: usize) -> *const u8 {
+    named(list, number).as_ptr()
+}
+
+/// How many bytes that has.
+#[unsafe(no_mangle)]
+pub extern "C" fn name_length(list: usize, number: usize) -> usize {
+    named(list, number).len()
+}
+
+/// Renders a row of one half of the picture that is requested. Returns 0, or how many bytes of the text say why not.
+#[unsafe(no_mangle)]
+pub extern "C" fn render(half: u32, line: u32) -> usize {
+    let Shared {
+        halves,
+        request: [scene, tier, points, width, height, samples, seed],
+        text,
+    } = shared();
+    let plan = Plan {
+        size: [*width, *height],
+        samples: *samples,
+        seed: seed.wrapping_add(half),
+    };
+    let picture = Request {
+        scene: *scene,
+        tier: *tier,
+        points: *points,
+        plan,
+    };
+    let start = line.wrapping_mul(*width) as usize;
+    let end = start.wrapping_add(*width as usize);
+    let pixels = halves.get_mut(half as usize);
+    let colours = pixels.and_then(|pixels| pixels.get_mut(start..end));
+    match row(&picture, line, colours.unwrap_or_default()) {
         Ok(()) => 0,
-        Err(refusal) => refusal.write(&mut shared.text),
+        Err(refusal) => {
+            let message = refusal.message().as_bytes();
+            let bytes = text.iter_mut().zip(message);
+            bytes.map(|(slot, byte)| *slot = *byte).count()
+        }
     }
 }
 
-/// Draws `count` points from PCG32 and keeps none, for the page to look at its clock before and after. Returns the
-/// exclusive or of their bits, so that none can be left out.
+/// The hash of a half.
 #[unsafe(no_mangle)]
-pub extern "C" fn time(list: u32, subject: u32, tier: u32, count: u32, seed: u32) -> u32 {
-    let parameters = shared().parameters;
-    let mut timing = Timing::new(count, seed);
-    match visit(list, subject, tier, &parameters, &mut timing) {
-        Ok(()) => timing.bits(),
-        Err(_) => 0,
-    }
-}
-
-/// Draws `count` words from PCG32 and keeps none: what the generator alone takes.
-#[unsafe(no_mangle)]
-pub extern "C" fn time_words(count: u32, seed: u32) -> u32 {
-    run::words(count, seed)
-}
-
-/// How many golden cases there are.
-#[unsafe(no_mangle)]
-pub extern "C" fn golden_cases() -> usize {
-    microwarp_list::cases()
-}
-
-/// Evaluates one golden case into the words of the shared memory; returns how many.
-#[unsafe(no_mangle)]
-pub extern "C" fn golden_evaluate(index: usize) -> usize {
-    microwarp_list::evaluate(index, &mut shared().golden)
+pub extern "C" fn hash(half: usize) -> u32 {
+    let Shared {
+        halves, request, ..
+    } = shared();
+    let [.., width, height, _, _] = *request;
+    let picture = halves.get(half).into_iter().flatten();
+    let colours = picture.take(width.wrapping_mul(height) as usize);
+    colours
+        .fold(Hash::EMPTY, |hash, colour| hash.with(*colour))
+        .word()
 }

@@ -1,8 +1,5 @@
-// What the test does in the tab "In JavaScript": every snippet, code with errors, code without an end; and that the npm
-// package gives the points of the page's own module.
+// What the test does in the tab "In JavaScript": every snippet, code with errors, code without an end.
 
-import { pathToFileURL } from "node:url";
-import { Microwarp } from "../page/module.mjs";
 import { SNIPPETS } from "../page/snippets.mjs";
 import { choose } from "./walk.mjs";
 
@@ -51,34 +48,4 @@ export async function snippets(page, check) {
   const { printed } = await run(page, `console.log("a", 1, [2n], new Float32Array(1));`);
   check(printed === `a 1 ["2n"] [0]`, `printed is ${printed}`);
   return Object.keys(SNIPPETS);
-}
-
-// Of every sampler whose class takes the numbers of the page: its points and densities in the module and in the package.
-export async function same_points(binary, folder, check) {
-  const npm = await import(pathToFileURL(`${folder}/index.js`));
-  const module = new WebAssembly.Module(binary);
-  const page = new Microwarp(module, new WebAssembly.Instance(module).exports);
-  const compared = [];
-  for (const { name, tiers, place, parameters } of page.subjects.filter(({ tiers }) => tiers.includes("poly"))) {
-    const values = parameters.map(({ value }) => value);
-    let warp;
-    try {
-      warp = new npm[name](...values);
-    } catch (problem) {
-      if (problem instanceof TypeError) continue;
-      throw problem;
-    }
-    if (!(warp instanceof npm.Warp)) continue;
-    const drawn = page.sample({ place, tier: "poly", source: "random", dimensions: 0, count: 500, seed: 9, parameters: values });
-    const rng = new npm.Pcg32(9, 54);
-    for (let k = 0; k < drawn.count; k += 1) {
-      const point = [warp.draw(rng)].flat();
-      const same = point.slice(0, 3).every((x, i) => x === drawn.points[3 * k + i]);
-      const density = warp.pdf(point.length === 1 ? point[0] : point);
-      if (!check(same && density === drawn.densities[k], `${name}: point ${k} is ${point} in the package, ${drawn.points.slice(3 * k, 3 * k + 3)} in the module`)) break;
-    }
-    compared.push(name);
-  }
-  check(compared.length >= 25, `only ${compared.length} samplers are compared with the package: ${compared.join(", ")}`);
-  return compared;
 }

@@ -1,14 +1,14 @@
 // Tests the page's promises in headless Chromium.
 //   node test/run.mjs SITE PANICS.wasm PICTURES
-// SITE has the modules and what they are held against as `build` left them; PANICS.wasm is a module that can panic; PICTURES is
+// SITE has the package, the module and what they are held against as `build` left them; PANICS.wasm is a module that can panic; PICTURES is
 // where the screenshots go. Every check that could pass by seeing nothing has a control that it must reject.
 
 import { mkdir, readFile, readdir, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { serve } from "../serve.mjs";
 import { launch } from "./browser.mjs";
-import { same_points, snippets } from "./code.mjs";
+import { snippets } from "./code.mjs";
 import { NO_SCENE, one_bit_wider, refused_scenes, rendered, verdict } from "./scene.mjs";
 import { drawn, every_subject, most_points, refusals, shown, turns } from "./walk.mjs";
 
@@ -28,30 +28,21 @@ function check(holds, fault) {
   return holds;
 }
 
-// The table as it is: how many cases, how many words.
-function counted(table) {
-  const rows = table.split("\n").filter((row) => row.trim() !== "" && !row.startsWith("#"));
-  return { cases: rows.length, words: rows.reduce((sum, row) => sum + row.split(",").length - 1, 0) };
-}
-
-// The table with the lowest bit of the last word of its middle row changed.
-function one_bit_changed(table) {
-  const rows = table.split("\n");
-  const middle = Math.floor(rows.length / 2);
-  rows[middle] = rows[middle].replace(/[0-9a-f]$/, (digit) => (parseInt(digit, 16) ^ 1).toString(16));
-  return rows.join("\n");
-}
+// A row with the lowest bit of its last word changed.
+const one_bit_changed = (row) => row.replace(/[0-9a-f]$/, (digit) => (parseInt(digit, 16) ^ 1).toString(16));
+const row_of = (table, start) => table.split("\n").find((row) => row.startsWith(start));
 
 function edited(text, from, to) {
   if (!text.includes(from)) throw new Error(`a control edits what is not there: ${from}`);
   return text.replace(from, to);
 }
 
-const module = await readFile(join(site, "microwarp.wasm"));
+const microwarp = await import(pathToFileURL(`${site}/npm/index.js`));
+const expected = await readFile(join(site, "expected.json"), "utf8");
 const table = await readFile(join(site, "golden.csv"), "utf8");
 const scenes = await readFile(join(site, "scene.wasm"));
 const hashes = await readFile(join(site, "scene.csv"), "utf8");
-const built = { "microwarp.wasm": module, "golden.csv": table, "scene.wasm": scenes, "scene.csv": hashes };
+const built = { "golden.csv": table, "expected.json": expected, "lines.mjs": await readFile(join(site, "lines.mjs")), "scene.wasm": scenes, "scene.csv": hashes };
 for (const name of await readdir(join(site, "npm"))) built[`npm/${name}`] = await readFile(join(site, "npm", name));
 const browser = await launch();
 
@@ -89,32 +80,29 @@ async function picture(page, name) {
 
 function modules(panicking, readme) {
   const imports = (binary) => WebAssembly.Module.imports(new WebAssembly.Module(binary)).map(({ name }) => name);
-  for (const one of [module, scenes]) check(imports(one).length === 0, `a module imports ${imports(one).join(", ")}: it can panic`);
+  check(imports(scenes).length === 0, `the module imports ${imports(scenes).join(", ")}: it can panic`);
   check(imports(panicking).includes("panicked"), "control: a module that can panic does not show it");
   const stated = Number(/(\d+) kB/.exec(readme)?.[1]);
   check(Math.abs(scenes.length / 1000 / stated - 1) < 0.05, `the module of the scenes has ${scenes.length} bytes, README.md says ${stated} kB`);
-  say(`modules: ${module.length} bytes, that of the scenes ${scenes.length}; no import, so no panic; in a module that panics the import was seen`);
+  say(`the module of the scenes: ${scenes.length} bytes; no import, so no panic; in a module that panics the import was seen`);
 }
 
 // --- the page ----------------------------------------------------------------------------------------
 
 async function on_a_desk() {
   await with_page("desk", DESK, {}, async (page, golden) => {
-    const { cases, words } = counted(table);
-    const stated = (golden.text.match(/[\d,]+(?= words| cases)/g) ?? []).map((number) => Number(number.replaceAll(",", "")));
+    const cases = 16 * JSON.parse(expected).golden.length;
     check(golden.state === "verified" && /verified/.test(golden.text), `golden bits: ${golden.text}`);
-    check(stated[0] === words && stated[1] === cases, `the page says "${golden.text}", the table has ${words} words of ${cases} cases`);
+    check(golden.text.includes(`all ${cases.toLocaleString("en")} cases`), `the page says "${golden.text}", the package has ${cases} cases`);
     say(golden.text);
-    const seen = await every_subject(page, module, check);
-    say(`every sampler in every tier: ${seen.length} pictures, each with positive densities and the bounds stated`);
+    const seen = await every_subject(page, microwarp, check);
+    say(`${new Set(seen).size} samplers by every plan of uniforms: ${seen.length} pictures, each with positive densities and the bounds stated`);
     const refused = await refusals(page, check);
-    say(`refused, each with its typed error: ${refused.join("; ")}`);
+    say(`refused, each with its reason: ${refused.join("; ")}`);
     await most_points(page, check);
     await turns(page, check);
     await page.call(() => document.querySelector('input[name="family"][value="directions"]').click());
-    for (const choice of ['[name="subject"][value="CosineHemisphere"]', '[name="tier"][value="poly"]']) {
-      await page.call((which) => document.querySelector(`input${which}`).click(), choice);
-    }
+    await page.call(() => document.querySelector('input[name="subject"][value="CosineHemisphere"]').click());
     await page.until(`/million/.test(document.getElementById("readings").textContent)`);
     await picture(page, "desk.png");
     await sound("desk", page);
@@ -140,8 +128,6 @@ async function on_small_screens() {
 // --- the tab with code -------------------------------------------------------------------------------
 
 async function with_code() {
-  const compared = await same_points(module, join(site, "npm"), check);
-  say(`the npm package gives the points and densities of the module: ${compared.length} samplers`);
   for (const [what, screen] of [["code", DESK], ["code, narrow", { ...NARROW, features: DARK_AND_STILL }]]) {
     await with_page(what, screen, {}, async (page) => {
       say(`${what}: ${(await snippets(page, check)).join(", ")} run; errors are shown, and code without an end is stopped`);
@@ -151,10 +137,6 @@ async function with_code() {
       await picture(page, `${what.replace(", ", "-")}.png`);
     });
   }
-  await with_page("control: no package", DESK, { "npm/streaming.js": null }, async (page) => {
-    await page.call(() => document.querySelector('input[name="family"][value="code"]').click());
-    await page.until(`document.getElementById("code").dataset.state === "refused"`);
-  });
 }
 
 // --- the tab with scenes -----------------------------------------------------------------------------
@@ -163,7 +145,7 @@ async function with_scenes() {
   const began = performance.now();
   await with_page("scenes", DESK, {}, async (page) => {
     const { count, pictures: compared, errors } = await rendered(page, scenes, hashes, check);
-    say(`scenes: ${compared} pictures, each of the host's bits in both halves; the table has ${count}`);
+    say(`scenes: ${compared} choices, each with the golden hash; the table has ${count}`);
     say(`scenes: error from ${errors.first} to ${errors.last}; once estimated ${errors.estimated}, against a finer picture ${errors.real}`);
     await sound("scenes", page);
   });
@@ -172,8 +154,7 @@ async function with_scenes() {
     await sound("scenes, refused", page);
     await picture(page, "scene-narrow.png");
   }, NO_SCENE);
-  const row = "room poly sobol 144x96 4 43,";
-  const line = hashes.split("\n").find((text) => text.startsWith(row));
+  const line = row_of(hashes, "room poly sobol 48x32 4 1,");
   const changed = edited(hashes, line, one_bit_changed(line));
   for (const [what, instead, due] of [
     ["a changed bit of a hash", { "scene.csv": changed }, /^MISMATCH/],
@@ -187,7 +168,7 @@ async function with_scenes() {
   await with_page("scenes on a desk", DESK, {}, async (page) => {
     await page.until(`Number(document.getElementById("scene").dataset.samples) >= 16`, 60);
     await picture(page, "scene.png");
-    check((await verdict(page)).state === "verified", "the host's verdict is gone after further passes");
+    check((await verdict(page)).state === "verified", "the verdict is gone after further passes");
     await sound("scenes on a desk", page);
   }, "?scene=fog");
   say(`the tab with scenes took ${((performance.now() - began) / 1000).toFixed(1)} s`);
@@ -196,31 +177,36 @@ async function with_scenes() {
 // --- controls ----------------------------------------------------------------------------------------
 
 async function controls() {
-  await with_page("control: a changed bit", DESK, { "golden.csv": one_bit_changed(table) }, async (page, golden) => {
+  const row = row_of(table, "poly Normal #3,");
+  await with_page("control: a changed bit", DESK, { "golden.csv": edited(table, row, one_bit_changed(row)) }, async (page, golden) => {
     check(golden.state === "mismatch" && /MISMATCH: 1 of/.test(golden.text), `control: one changed bit, and the page says: ${golden.text}`);
     say(`control, one bit changed: ${golden.text}`);
   });
-  await with_page("control: no table", DESK, { "golden.csv": null }, async (page, golden) => {
-    check(golden.state === "mismatch" && page.problems.length > 0, "control: a table that is missing is not noticed");
-  });
+  for (const missing of ["golden.csv", "npm/streaming.js"]) {
+    await with_page(`control: no ${missing}`, DESK, { [missing]: null }, async (page, golden) => {
+      check(golden.state === "mismatch" && page.problems.length > 0, `control: no ${missing}, which is not noticed`);
+    });
+  }
   const html = await readFile(join(web, "index.html"), "utf8");
   const noisy = edited(html, "</body>", `<script>console.error("control")</script></body>`);
   await with_page("control: a console error", DESK, { "index.html": noisy }, async (page) => {
     check(page.problems.some((problem) => problem.includes("control")), "control: an error in the console is not noticed");
   });
-  const loader = await readFile(join(web, "page/module.mjs"), "utf8");
-  const zero = edited(loader, "    return { count, points,", "    densities[7] = 0;\n    return { count, points,");
-  await with_page("control: a density of 0", DESK, { "page/module.mjs": zero }, async (page) => {
+  const sampling = await readFile(join(web, "page/sample.mjs"), "utf8");
+  const zero = edited(sampling, "    return { count, points:", "    densities[7] = 0;\n    return { count, points:");
+  await with_page("control: a density of 0", DESK, { "page/sample.mjs": zero }, async (page) => {
     const found = [];
-    drawn("NormalPair poly", await page.call(shown), (holds, fault) => holds || found.push(fault));
+    drawn("Disk", await page.call(shown), (holds, fault) => holds || found.push(fault));
     check(found.length === 1 && /densities/.test(found[0]), `control: of a density of 0 is noticed ${found}`);
   });
   const catalogue = await readFile(join(web, "page/catalogue.mjs"), "utf8");
-  const unknown = edited(catalogue, "\n  PhongLobe: {", "\n  PhongLobes: {");
-  await with_page("control: a label of nothing", DESK, { "page/catalogue.mjs": unknown }, async (page) => {
-    check(page.problems.length > 0, "control: an unknown sampler in the catalogue is not noticed");
+  const fewer = edited(catalogue, '["PowerMax2"], ', "");
+  await with_page("control: a class too few", DESK, { "page/catalogue.mjs": fewer }, async (page) => {
+    const found = [];
+    await every_subject(page, microwarp, (holds, fault) => holds || found.push(fault));
+    check(found.length === 1 && /does not show PowerMax2$/.test(found[0]), `control: of a class too few is noticed ${found}`);
   });
-  say("controls: a missing table, an error in the console, a density of 0 and an unknown sampler were noticed");
+  say("controls: a missing table or package, an error in the console, a density of 0 and a class too few were noticed");
 }
 
 await mkdir(pictures, { recursive: true });

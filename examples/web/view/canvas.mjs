@@ -79,6 +79,4 @@ export function label(context, text, x, y, colour, align = "center", baseline = 
 }
 
 // Which colour a point has: that of its first uniform, or of its turn where it has none.
-export const shade_of = (entry, { words, count }) => (entry.words > 0
-  ? (k) => words[4 * k + 4 - entry.words] / 2 ** 32
-  : (k) => k / count);
+export const shade_of = ({ uniforms, each, count }) => (each > 0 ? (k) => uniforms[each * k] : (k) => k / count);

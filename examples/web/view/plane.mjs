@@ -2,14 +2,14 @@
 
 import { colours, grain, label, prepare, scatter, shade_of, short } from "./canvas.mjs";
 
-export function draw(canvas, { entry, drawn, frame, keep }) {
+export function draw(canvas, { drawn, frame, keep }) {
   const { context, width, height } = prepare(canvas, keep);
   const theme = colours();
   const [left, right, bottom, top] = frame.box;
-  const place = fitted(frame.box, width, height, entry.words === 2 && entry.plans && width > 600 ? INSET : 0);
+  const place = fitted(frame.box, width, height, drawn.each === 2 && width > 600 ? INSET : 0);
   const flat = frame.flat ?? ((point) => point);
   const { size, alpha } = grain(drawn.count);
-  scatter(context, drawn.count, theme.ramp, shade_of(entry, drawn),
+  scatter(context, drawn.count, theme.ramp, shade_of(drawn),
     (k) => place(flat(drawn.points.subarray(3 * k, 3 * k + 3))), size, alpha);
   if (keep || frame.flat) return;
   const [west, south] = place([left, bottom]);
@@ -38,14 +38,13 @@ function fitted([left, right, bottom, top], width, height, inset) {
 }
 
 // The unit square that the same points come from, in the same colours.
-export function draw_uniforms(canvas, { entry, drawn, keep }) {
+export function draw_uniforms(canvas, { drawn, keep }) {
   const { context, width, height } = prepare(canvas, keep);
   const theme = colours();
   const { size, alpha } = grain(drawn.count);
   const edge = Math.min(width, height) - 2;
-  const [first, second] = [4 - entry.words, 5 - entry.words];
-  scatter(context, drawn.count, theme.ramp, shade_of(entry, drawn),
-    (k) => [1 + (drawn.words[4 * k + first] / 2 ** 32) * edge, 1 + (1 - drawn.words[4 * k + second] / 2 ** 32) * edge],
+  scatter(context, drawn.count, theme.ramp, shade_of(drawn),
+    (k) => [1 + drawn.uniforms[2 * k] * edge, 1 + (1 - drawn.uniforms[2 * k + 1]) * edge],
     size * 0.7, alpha);
   context.strokeStyle = theme.rule;
   context.strokeRect(0.5, 0.5, edge + 1, edge + 1);

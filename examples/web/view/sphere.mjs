@@ -41,7 +41,7 @@ function seen([x, y, z]) {
   return [right, z * Math.cos(turn.pitch) + away * Math.sin(turn.pitch), z * Math.sin(turn.pitch) - away * Math.cos(turn.pitch)];
 }
 
-export function draw(canvas, { entry, drawn }) {
+export function draw(canvas, { drawn }) {
   const { context, width, height } = prepare(canvas);
   const theme = colours();
   const radius = Math.min(width, height) / 2 - 22;
@@ -57,7 +57,7 @@ export function draw(canvas, { entry, drawn }) {
     const point = seen(drawn.points.subarray(3 * k, 3 * k + 3));
     return point[2] >= 0 === front ? place(point) : null;
   };
-  const shade = shade_of(entry, drawn);
+  const shade = shade_of(drawn);
   scatter(context, drawn.count, theme.ramp, shade, side(false), size, alpha * 0.22);
   graticule(context, place, true);
   scatter(context, drawn.count, theme.ramp, shade, side(true), size, alpha);

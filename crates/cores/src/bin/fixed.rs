@@ -48,13 +48,13 @@ where
 macro_rules! warps {
     (
         in every grade { $($graded:ident {
-            golden { $($name:literal => $warp:expr,)* } cost $cost:tt page $page:tt bind $bind:tt
+            golden { $($name:literal => $warp:expr,)* } cost $cost:tt bind $bind:tt
         })* }
         with floats { $($float:ident {
-            golden { $($float_name:literal => $float_warp:expr,)* } cost $float_cost:tt page $float_page:tt bind $float_bind:tt
+            golden { $($float_name:literal => $float_warp:expr,)* } cost $float_cost:tt bind $float_bind:tt
         })* }
         without grade { $($plain:ident {
-            golden { $($plain_name:literal => $plain_warp:expr,)* } cost $plain_cost:tt page $plain_page:tt bind $plain_bind:tt
+            golden { $($plain_name:literal => $plain_warp:expr,)* } cost $plain_cost:tt bind $plain_bind:tt
         })* }
     ) => {
         fn grade<G: Grade>(rng: &mut Pcg32) {

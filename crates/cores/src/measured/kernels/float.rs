@@ -8,7 +8,7 @@ macro_rules! entries {
     (($list:ident $varied:ident $($tier:tt)*) $($type:ident {
         golden $golden:tt
         cost { $($name:literal $u:tt -> $out:ty = $warp:expr,)* $(none $reason:literal)? }
-        page $page:tt bind $bind:tt
+        bind $bind:tt
     })*) => {
         entries! { @ $list ($($tier)* "") $($($type $name $u f32 -> $out = $warp,)*)* }
         varied_entries! { $varied ($($tier)* "") $($type $bind)* }

@@ -22,7 +22,7 @@ macro_rules! entries {
     (@ $list:ident ($varied:ident $($tier:tt)*) [$($type:ident {
         golden $golden:tt
         cost { $($name:literal $u:tt: $number:ident -> $out:ty = $warp:expr,)* $(none $reason:literal)? }
-        page $page:tt bind $bind:tt
+        bind $bind:tt
     })*]) => {
         entries! { @ list $list ($($tier)*) $($($type $name $u $number -> $out = $warp,)*)* }
         varied_entries! { $varied ($($tier)*) $($type $bind)* }

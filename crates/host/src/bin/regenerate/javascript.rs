@@ -73,7 +73,7 @@ fn v(x: f32) -> f32 {
 macro_rules! classes {
     ($($type:ident {
         golden { $($($once:ident)? $golden:literal => $warp:expr,)* }
-        cost $cost:tt page $page:tt
+        cost $cost:tt
         bind {
             $($name:literal = $bound:ident $(<$n:literal>)? { $($new:ident($($p:ident: $ty:ty),*),)* })*
             $(none $why:literal)?

@@ -90,7 +90,7 @@ where
 
 macro_rules! blocks {
     ($tier:literal $($type:ident {
-        golden { $($($once:ident)? $subject:literal => $golden:expr,)* } cost $cost:tt page $page:tt bind $bind:tt
+        golden { $($($once:ident)? $subject:literal => $golden:expr,)* } cost $cost:tt bind $bind:tt
     })*) => {
         vec![$(Block {
             type_name: stringify!($type),
