@@ -3,14 +3,14 @@
 use crate::error::{Code, code};
 use crate::generators::{Pcg32, Source};
 use crate::tables::Selection;
-use crate::warps::{as_declared, given, memory};
+use crate::warps::{as_declared, given, makers, memory};
 use core_crate::discrete::{
     Binomial, DiscreteGaussian, DiscreteLaplace, Geometric, LightReservoir, Poisson, Reservoir,
     resampling, select_once, select_once_uniform,
 };
 
 macro_rules! counts {
-    ($($name:literal $law:ty, $number:ident by $of_word:ident { $($init:literal $constructor:ident($($parameter:ident: $type:ty),*);)* })*) => {$(
+    ($($name:literal $law:ty, $number:ident by $of_word:ident;)*) => {$(
         const _: () = {
             const _: () = as_declared::<$law>(&["mw_", $name]);
 
@@ -39,36 +39,27 @@ macro_rules! counts {
                 law.pmf(number)
             }
         };
-        $(const _: () = {
-            #[unsafe(export_name = concat!("mw_", $name, $init))]
-            unsafe extern "C" fn init(law: *mut $law, $($parameter: $type),*) -> Code {
-                // SAFETY: the promise of the header.
-                code(<$law>::$constructor($($parameter),*), |made| unsafe { law.write(made) })
-            }
-        };)*
     )*};
 }
 
 counts! {
-    "geometric" Geometric, u32 by count {
-        "_init" new(p: f32);
-        "_init_from_ratio" from_ratio(successes: u32, trials: u32);
-    }
-    "poisson" Poisson, u32 by count {
-        "_init" new(mean: f32);
-        "_init_from_ratio" from_ratio(events: u32, intervals: u32);
-    }
-    "binomial" Binomial, u32 by count {
-        "_init" new(trials: u32, p: f32);
-        "_init_from_ratio" from_ratio(trials: u32, part: u32, whole: u32);
-    }
-    "discrete_gaussian" DiscreteGaussian, i32 by integer {
-        "_init" new(centre: f32, scale: f32);
-    }
-    "discrete_laplace" DiscreteLaplace, i32 by integer {
-        "_init" new(scale: f32);
-        "_init_from_ratio" from_ratio(part: u32, whole: u32);
-    }
+    "geometric" Geometric, u32 by count;
+    "poisson" Poisson, u32 by count;
+    "binomial" Binomial, u32 by count;
+    "discrete_gaussian" DiscreteGaussian, i32 by integer;
+    "discrete_laplace" DiscreteLaplace, i32 by integer;
+}
+
+makers! {
+    "geometric_init" Geometric, (p: f32) { Geometric::new(p) }
+    "geometric_init_from_ratio" Geometric, (successes: u32, trials: u32) { Geometric::from_ratio(successes, trials) }
+    "poisson_init" Poisson, (mean: f32) { Poisson::new(mean) }
+    "poisson_init_from_ratio" Poisson, (events: u32, intervals: u32) { Poisson::from_ratio(events, intervals) }
+    "binomial_init" Binomial, (trials: u32, p: f32) { Binomial::new(trials, p) }
+    "binomial_init_from_ratio" Binomial, (trials: u32, part: u32, whole: u32) { Binomial::from_ratio(trials, part, whole) }
+    "discrete_gaussian_init" DiscreteGaussian, (centre: f32, scale: f32) { DiscreteGaussian::new(centre, scale) }
+    "discrete_laplace_init" DiscreteLaplace, (scale: f32) { DiscreteLaplace::new(scale) }
+    "discrete_laplace_init_from_ratio" DiscreteLaplace, (part: u32, whole: u32) { DiscreteLaplace::from_ratio(part, whole) }
 }
 
 const _: () = as_declared::<Reservoir<u32>>(&["mw_reservoir"]);

@@ -48,33 +48,27 @@ impl fmt::Display for SourceFailed {
 
 impl core::error::Error for SourceFailed {}
 
-macro_rules! by_words {
-    ($error:ty) => {
-        type Error = $error;
-
-        #[inline]
-        fn try_next_u64(&mut self) -> Result<u64, $error> {
-            next_u64_via_u32(self)
-        }
-
-        #[inline]
-        fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), $error> {
-            fill_bytes_via_next_word(bytes, || self.try_next_u32())
-        }
-    };
-}
-
 impl TryRng for Pcg32 {
-    by_words!(Infallible);
+    type Error = Infallible;
 
     #[inline]
     fn try_next_u32(&mut self) -> Result<u32, Infallible> {
         Ok(self.next())
     }
+
+    #[inline]
+    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+        next_u64_via_u32(self)
+    }
+
+    #[inline]
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+        fill_bytes_via_next_word(bytes, || self.try_next_u32())
+    }
 }
 
 impl TryRng for Source {
-    by_words!(SourceFailed);
+    type Error = SourceFailed;
 
     #[inline]
     fn try_next_u32(&mut self) -> Result<u32, SourceFailed> {
@@ -87,6 +81,16 @@ impl TryRng for Source {
         } else {
             Err(SourceFailed)
         }
+    }
+
+    #[inline]
+    fn try_next_u64(&mut self) -> Result<u64, SourceFailed> {
+        next_u64_via_u32(self)
+    }
+
+    #[inline]
+    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), SourceFailed> {
+        fill_bytes_via_next_word(bytes, || self.try_next_u32())
     }
 }
 

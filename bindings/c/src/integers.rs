@@ -56,26 +56,28 @@ drawn! {
     "ratio" (part: u32, all: u32) -> bool = Chance::from_ratio(part, all), draw try_draw;
 }
 
-/// What a range makes of a word, and how many words give an integer.
-macro_rules! words_of {
-    ($($name:literal ($($parameter:ident: $type:ty),*) -> $value:ty = $made:expr;)*) => {$(
-        const _: () = {
-            #[unsafe(export_name = concat!("mw_", $name, "_select"))]
-            extern "C" fn select(word: u32, $($parameter: $type,)* value: &mut $value, rest: &mut u32) -> Code {
-                code($made, |made| (*value, *rest) = made.select(word))
-            }
-
-            #[unsafe(export_name = concat!("mw_", $name, "_numerator"))]
-            extern "C" fn numerator($($parameter: $type,)* value: $value, words: &mut u64) -> Code {
-                code($made, |made| *words = made.numerator(value))
-            }
-        };
-    )*};
+#[unsafe(export_name = "mw_below_select")]
+extern "C" fn below_of(word: u32, n: u32, value: &mut u32, rest: &mut u32) -> Code {
+    code(Range::below(n), |made| (*value, *rest) = made.select(word))
 }
 
-words_of! {
-    "below" (n: u32) -> u32 = Range::below(n);
-    "range" (low: i32, high: i32) -> i32 = Range::signed(low, high);
+#[unsafe(export_name = "mw_range_select")]
+extern "C" fn range_of(word: u32, low: i32, high: i32, value: &mut i32, rest: &mut u32) -> Code {
+    code(Range::signed(low, high), |made| {
+        (*value, *rest) = made.select(word)
+    })
+}
+
+#[unsafe(export_name = "mw_below_numerator")]
+extern "C" fn words_of_below(n: u32, value: u32, words: &mut u64) -> Code {
+    code(Range::below(n), |made| *words = made.numerator(value))
+}
+
+#[unsafe(export_name = "mw_range_numerator")]
+extern "C" fn words_of_range(low: i32, high: i32, value: i32, words: &mut u64) -> Code {
+    code(Range::signed(low, high), |made| {
+        *words = made.numerator(value)
+    })
 }
 
 #[unsafe(export_name = "mw_chance_numerator")]

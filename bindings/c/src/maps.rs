@@ -18,41 +18,12 @@ type Sky = poly::LatLongMap<Words, Words>;
 type LongMesh = Mesh<'static, u32, Words>;
 type ShortMesh = Mesh<'static, u16, Words>;
 
-macro_rules! maps {
-    ($($name:literal $warp:ty;)*) => {$(
-        const _: () = {
-            const _: () = as_declared::<$warp>(&["mw_", $name]);
-            functions! { "" $name $warp, (this) this }
-        };
-    )*};
-}
-
-maps! {
-    "piecewise_constant_1d" Cells;
-    "piecewise_linear_1d" Curve;
-    "piecewise_constant_2d" Picture;
-    "lat_long_map" Sky;
-    "mesh" LongMesh;
-    "mesh_u16" ShortMesh;
-}
-
-/// A function that makes a handle: its name, what it takes, and what it calls on slices.
-macro_rules! makers {
-    ($($name:literal $warp:ty, ($($parameter:ident: $type:ty),*) $made:block)*) => {$(
-        const _: () = {
-            unsafe fn made($($parameter: $type),*) -> Result<$warp, Error> {
-                // SAFETY: the promise of the header.
-                unsafe { $made }
-            }
-
-            #[unsafe(export_name = concat!("mw_", $name))]
-            unsafe extern "C" fn make(warp: *mut $warp, $($parameter: $type),*) -> Code {
-                // SAFETY: the promise of the header.
-                unsafe { code(made($($parameter),*), |made| warp.write(made)) }
-            }
-        };
-    )*};
-}
+bound! { "" "piecewise_constant_1d" Cells {} }
+bound! { "" "piecewise_linear_1d" Curve {} }
+bound! { "" "piecewise_constant_2d" Picture {} }
+bound! { "" "lat_long_map" Sky {} }
+bound! { "" "mesh" LongMesh {} }
+bound! { "" "mesh_u16" ShortMesh {} }
 
 makers! {
     "piecewise_constant_1d_build" Cells,

@@ -2,7 +2,7 @@
 
 use crate::error::{Code, code};
 use crate::generators::{Pcg32, Source};
-use crate::warps::as_declared;
+use crate::warps::{as_declared, makers};
 use core_crate::uniform::{
     ChoiceInOrder, ChoiceOfStream, LatinHypercube, Permutation, Points, Screen, Sobol, choose_with,
     shuffle_with, try_choose_with, try_shuffle_with,
@@ -73,12 +73,14 @@ const _: () = as_declared::<Permutation>(&["mw_permutation"]);
 const _: () = as_declared::<LatinHypercube>(&["mw_latin_hypercube"]);
 const _: () = as_declared::<Screen<Sobol<8>>>(&["mw_screen"]);
 
-#[unsafe(export_name = "mw_choice_in_order_init")]
-unsafe extern "C" fn in_order(choice: *mut ChoiceInOrder, chosen: u32, count: u32) -> Code {
-    // SAFETY: the promise of the header.
-    code(ChoiceInOrder::new(chosen, count), |made| unsafe {
-        choice.write(made)
-    })
+makers! {
+    "choice_in_order_init" ChoiceInOrder, (chosen: u32, count: u32) { ChoiceInOrder::new(chosen, count) }
+    "choice_of_stream_init" ChoiceOfStream, (places: u32) { ChoiceOfStream::new(places) }
+    "permutation_init" Permutation, (count: u32, seed: u32) { Permutation::new(count, seed) }
+    "latin_hypercube_init" LatinHypercube, (count: u32, seed: u32) { LatinHypercube::new(count, seed) }
+    "screen_init" Screen<Sobol<8>>, (width: u32, height: u32, log2_samples: u32, seed: u32) {
+        Sobol::new(seed).and_then(|set| Screen::new(set, [width, height], log2_samples, seed))
+    }
 }
 
 #[unsafe(export_name = "mw_choice_in_order_take")]
@@ -89,14 +91,6 @@ extern "C" fn in_order_take(choice: &mut ChoiceInOrder, word: u32) -> bool {
 #[unsafe(export_name = "mw_choice_in_order_draw")]
 extern "C" fn in_order_draw(choice: &mut ChoiceInOrder, rng: &mut Pcg32) -> bool {
     choice.draw(rng)
-}
-
-#[unsafe(export_name = "mw_choice_of_stream_init")]
-unsafe extern "C" fn of_stream(choice: *mut ChoiceOfStream, places: u32) -> Code {
-    // SAFETY: the promise of the header.
-    code(ChoiceOfStream::new(places), |made| unsafe {
-        choice.write(made)
-    })
 }
 
 /// Whether there is a number, which then goes to its place.
@@ -121,14 +115,6 @@ extern "C" fn of_stream_draw(
     put(choice.draw(rng), place)
 }
 
-#[unsafe(export_name = "mw_permutation_init")]
-unsafe extern "C" fn permutation(order: *mut Permutation, count: u32, seed: u32) -> Code {
-    // SAFETY: the promise of the header.
-    code(Permutation::new(count, seed), |made| unsafe {
-        order.write(made)
-    })
-}
-
 #[unsafe(export_name = "mw_permutation_get")]
 extern "C" fn permutation_get(order: &Permutation, place: u32, number: &mut u32) -> Code {
     code(order.get(place).ok_or(OUTSIDE), |found| *number = found)
@@ -143,31 +129,9 @@ extern "C" fn permutation_index_of(order: &Permutation, number: u32, place: &mut
 
 const OUTSIDE: core_crate::Error = core_crate::Error::OutOfRange(1);
 
-#[unsafe(export_name = "mw_latin_hypercube_init")]
-unsafe extern "C" fn latin_hypercube(set: *mut LatinHypercube, count: u32, seed: u32) -> Code {
-    // SAFETY: the promise of the header.
-    code(LatinHypercube::new(count, seed), |made| unsafe {
-        set.write(made)
-    })
-}
-
 #[unsafe(export_name = "mw_latin_hypercube_word")]
 extern "C" fn latin_hypercube_word(set: &LatinHypercube, index: u32, dimension: u32) -> u32 {
     set.word(index, dimension)
-}
-
-#[unsafe(export_name = "mw_screen_init")]
-unsafe extern "C" fn screen(
-    screen: *mut Screen<Sobol<8>>,
-    width: u32,
-    height: u32,
-    log2_samples: u32,
-    seed: u32,
-) -> Code {
-    let made =
-        Sobol::new(seed).and_then(|set| Screen::new(set, [width, height], log2_samples, seed));
-    // SAFETY: the promise of the header.
-    code(made, |made| unsafe { screen.write(made) })
 }
 
 #[unsafe(export_name = "mw_screen_word")]

@@ -1,7 +1,7 @@
 //! Points that are a function of indices: Sobol', a recurrence, and random numbers by position; strata.
 
 use crate::error::{Code, code};
-use crate::warps::as_declared;
+use crate::warps::{as_declared, makers};
 use core_crate::uniform::{ByPosition, Points, Recurrence, Sobol, Strata1d, Strata2d};
 
 macro_rules! sets {
@@ -49,23 +49,14 @@ extern "C" fn by_position(seed: u32, pixel: u32, index: u32, dimension: u32) -> 
 const _: () = as_declared::<Strata1d>(&["mw_strata_1d"]);
 const _: () = as_declared::<Strata2d>(&["mw_strata_2d"]);
 
-#[unsafe(export_name = "mw_strata_1d_init")]
-unsafe extern "C" fn line(strata: *mut Strata1d, count: u32) -> Code {
-    // SAFETY: the promise of the header.
-    code(Strata1d::new(count), |made| unsafe { strata.write(made) })
+makers! {
+    "strata_1d_init" Strata1d, (count: u32) { Strata1d::new(count) }
+    "strata_2d_init" Strata2d, (columns: u32, rows: u32) { Strata2d::new(columns, rows) }
 }
 
 #[unsafe(export_name = "mw_strata_1d_point")]
 extern "C" fn line_point(strata: &Strata1d, i: u32, u: f32) -> f32 {
     strata.point(i, u)
-}
-
-#[unsafe(export_name = "mw_strata_2d_init")]
-unsafe extern "C" fn square(strata: *mut Strata2d, columns: u32, rows: u32) -> Code {
-    // SAFETY: the promise of the header.
-    code(Strata2d::new(columns, rows), |made| unsafe {
-        strata.write(made)
-    })
 }
 
 #[unsafe(export_name = "mw_strata_2d_point")]

@@ -4,14 +4,14 @@
 use crate::error::{Code, OK, code};
 use crate::generators::{Pcg32, Source, forget_registers};
 use crate::value::Value;
-use crate::warps::{Given, InMemory, as_declared};
+use crate::warps::{Given, InMemory, as_declared, makers};
 use core::ffi::c_void;
 use core_crate::rejection::{
     self, Accepted, Bounded, Failure, Region, Rejection, ZigguratExponential, ZigguratNormal,
     ZigguratStandardExponential, ZigguratStandardNormal, budget_for,
 };
 use core_crate::warp::{Aabb, Interval};
-use core_crate::{Error, fixed, poly};
+use core_crate::{fixed, poly};
 
 /// A drawn point, and the tries where the caller wants them.
 ///
@@ -128,41 +128,26 @@ unsafe extern "C" fn draw_ln_from(
     unsafe { drawn(sampler.try_draw_ln(&mut { *source }), ln, tries) }
 }
 
-macro_rules! inits {
-    ($($name:literal $sampler:ty, ($($parameter:ident: $type:ty),*) $made:expr;)*) => {$(
-        const _: () = {
-            #[unsafe(export_name = concat!("mw_", $name))]
-            unsafe extern "C" fn init(sampler: *mut $sampler, $($parameter: Given<$type>),*) -> Code {
-                // SAFETY: the promise of the header.
-                $(let $parameter = unsafe { <$type>::read($parameter) };)*
-                let made: Result<$sampler, Error> = $made;
-                // SAFETY: the promise of the header.
-                code(made, |made| unsafe { sampler.write(made) })
-            }
-        };
-    )*};
-}
-
-inits! {
-    "ziggurat_standard_normal_init" ZigguratStandardNormal, () Ok(Default::default());
-    "ziggurat_standard_exponential_init" ZigguratStandardExponential, () Ok(Default::default());
-    "disk_rejection_init" rejection::DiskRejection, () Ok(Default::default());
-    "ball_rejection_init" rejection::BallRejection, () Ok(Default::default());
-    "fixed_disk_rejection_init" fixed::DiskRejection, () Ok(Default::default());
-    "fixed_disk_rejection_16_init" fixed::DiskRejection16, () Ok(Default::default());
-    "ziggurat_normal_init" ZigguratNormal, (mean: f32, std_dev: f32) ZigguratNormal::new(mean, std_dev);
-    "ziggurat_exponential_init" ZigguratExponential, (rate: f32) ZigguratExponential::from_rate(rate);
-    "ziggurat_exponential_init_from_mean" ZigguratExponential, (mean: f32) ZigguratExponential::from_mean(mean);
-    "poisson_rejection_init" poly::PoissonRejection, (mean: f32) poly::PoissonRejection::new(mean);
-    "binomial_rejection_init" poly::BinomialRejection, (trials: u32, p: f32) poly::BinomialRejection::new(trials, p);
-    "gamma_init" poly::Gamma, (shape: f32, scale: f32) poly::Gamma::new(shape, scale);
-    "gamma_init_chi_squared" poly::Gamma, (degrees: f32) poly::Gamma::chi_squared(degrees);
-    "beta_init" poly::Beta, (a: f32, b: f32) poly::Beta::new(a, b);
-    "dirichlet_3_init" poly::Dirichlet<3>, (shapes: [f32; 3]) poly::Dirichlet::new(shapes);
-    "dirichlet_4_init" poly::Dirichlet<4>, (shapes: [f32; 4]) poly::Dirichlet::new(shapes);
-    "dirichlet_6_init" poly::Dirichlet<6>, (shapes: [f32; 6]) poly::Dirichlet::new(shapes);
-    "dirichlet_8_init" poly::Dirichlet<8>, (shapes: [f32; 8]) poly::Dirichlet::new(shapes);
-    "von_mises_init" poly::VonMises, (mean: f32, concentration: f32) poly::VonMises::new(mean, concentration);
+makers! {
+    "ziggurat_standard_normal_init" ZigguratStandardNormal, () { Ok(Default::default()) }
+    "ziggurat_standard_exponential_init" ZigguratStandardExponential, () { Ok(Default::default()) }
+    "disk_rejection_init" rejection::DiskRejection, () { Ok(Default::default()) }
+    "ball_rejection_init" rejection::BallRejection, () { Ok(Default::default()) }
+    "fixed_disk_rejection_init" fixed::DiskRejection, () { Ok(Default::default()) }
+    "fixed_disk_rejection_16_init" fixed::DiskRejection16, () { Ok(Default::default()) }
+    "ziggurat_normal_init" ZigguratNormal, (mean: f32, std_dev: f32) { ZigguratNormal::new(mean, std_dev) }
+    "ziggurat_exponential_init" ZigguratExponential, (rate: f32) { ZigguratExponential::from_rate(rate) }
+    "ziggurat_exponential_init_from_mean" ZigguratExponential, (mean: f32) { ZigguratExponential::from_mean(mean) }
+    "poisson_rejection_init" poly::PoissonRejection, (mean: f32) { poly::PoissonRejection::new(mean) }
+    "binomial_rejection_init" poly::BinomialRejection, (trials: u32, p: f32) { poly::BinomialRejection::new(trials, p) }
+    "gamma_init" poly::Gamma, (shape: f32, scale: f32) { poly::Gamma::new(shape, scale) }
+    "gamma_init_chi_squared" poly::Gamma, (degrees: f32) { poly::Gamma::chi_squared(degrees) }
+    "beta_init" poly::Beta, (a: f32, b: f32) { poly::Beta::new(a, b) }
+    "dirichlet_3_init" poly::Dirichlet<3>, (shapes: *const [f32; 3]) { poly::Dirichlet::new(shapes.read()) }
+    "dirichlet_4_init" poly::Dirichlet<4>, (shapes: *const [f32; 4]) { poly::Dirichlet::new(shapes.read()) }
+    "dirichlet_6_init" poly::Dirichlet<6>, (shapes: *const [f32; 6]) { poly::Dirichlet::new(shapes.read()) }
+    "dirichlet_8_init" poly::Dirichlet<8>, (shapes: *const [f32; 8]) { poly::Dirichlet::new(shapes.read()) }
+    "von_mises_init" poly::VonMises, (mean: f32, concentration: f32) { poly::VonMises::new(mean, concentration) }
 }
 
 #[unsafe(export_name = "mw_budget_for")]

@@ -161,7 +161,26 @@ macro_rules! functions {
     };
 }
 
-pub(crate) use functions;
+/// A function that makes a struct: its name, what it takes, and what it calls.
+macro_rules! makers {
+    ($($name:literal $made:ty, ($($parameter:ident: $type:ty),*) $body:block)*) => {$(
+        const _: () = {
+            unsafe fn made($($parameter: $type),*) -> Result<$made, core_crate::Error> {
+                // SAFETY: the promise of the header.
+                #[allow(unused_unsafe, reason = "not all read memory")]
+                unsafe { $body }
+            }
+
+            #[unsafe(export_name = concat!("mw_", $name))]
+            unsafe extern "C" fn make(place: *mut $made, $($parameter: $type),*) -> crate::error::Code {
+                // SAFETY: the promise of the header.
+                unsafe { crate::error::code(made($($parameter),*), |made| place.write(made)) }
+            }
+        };
+    )*};
+}
+
+pub(crate) use makers;
 
 macro_rules! init {
     ($tier:literal $name:literal $warp:ty, new $parameters:tt) => {
@@ -201,8 +220,16 @@ macro_rules! bound {
     };
 }
 
-/// The blocks of a list, under the prefix of a tier.
+pub(crate) use {bound, functions};
+
+/// The blocks of a list, under the prefix of a tier; of the integer tier those that have grades, or the others.
 macro_rules! blocks {
+    ($tier:literal in every grade { $($graded:tt)* } with floats $floats:tt without grade $plain:tt) => {
+        blocks! { $tier $($graded)* }
+    };
+    (in every grade $graded:tt with floats $floats:tt without grade { $($plain:tt)* }) => {
+        blocks! { "fixed_" $($plain)* }
+    };
     ($tier:literal $($type:ident { golden $golden:tt cost $cost:tt bind $bind:tt })*) => {
         $(blocks!(@ $tier $bind);)*
     };
@@ -218,18 +245,6 @@ mod poly {
     float_warps!(blocks "");
 }
 
-macro_rules! of_grade {
-    ($tier:literal in every grade { $($graded:tt)* } with floats $floats:tt without grade $plain:tt) => {
-        blocks! { $tier $($graded)* }
-    };
-}
-
-macro_rules! without_grade {
-    (in every grade $graded:tt with floats $floats:tt without grade { $($plain:tt)* }) => {
-        blocks! { "fixed_" $($plain)* }
-    };
-}
-
 /// The integer tier, a module for each grade.
 macro_rules! grades {
     ($($module:ident $tier:literal $($path:ident)::+;)*) => {$(
@@ -238,7 +253,7 @@ macro_rules! grades {
             use core_crate::$($path)::+::*;
             use fixed::types::extra::U16;
             use fixed::types::{I2F30, I16F16, U0F32, U2F62, U16F16, U32F32};
-            integer_warps!(of_grade $tier);
+            integer_warps!(blocks $tier);
         }
     )*};
 }
@@ -253,5 +268,5 @@ mod plain {
     use super::*;
     use core_crate::fixed::Interval;
     use fixed::types::{I16F16, U16F16};
-    integer_warps!(without_grade);
+    integer_warps!(blocks);
 }

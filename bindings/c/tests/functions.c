@@ -1,6 +1,6 @@
 /*
- * What is no warp: errors, tables, counts, rejection, estimators, chains and points. Each is tried
- * on something that works, with results that are known without the library, and on bad input.
+ * What is no warp: errors, tables, counts, rejection, estimators, chains and points. Golden bits are
+ * those of golden.c; here what is drawn from a source is what is drawn, and bad input is refused.
  */
 #include "check.h"
 /* The weights below, as the tool `table` writes them. */
@@ -51,8 +51,7 @@ static void integers_are_drawn(void)
 {
     mw_pcg32 rng = seeded(7), same = seeded(7);
     mw_source source = {from_pcg32, &same}, dry = {fails, NULL};
-    int faces[6] = {0}, offsets[5] = {0}, lost = 0, sixes = 0;
-    for (int i = 0; i < 60000; i++) {
+    for (int i = 0; i < 1000; i++) {
         uint32_t face, face_from;
         int32_t offset, offset_from;
         bool happens, happens_from;
@@ -62,24 +61,13 @@ static void integers_are_drawn(void)
         CHECK(mw_below_from(&source, 6, &face_from) == MW_OK && face == face_from);
         CHECK(mw_range(&rng, -2, 2, &offset) == MW_OK && offset >= -2 && offset <= 2);
         CHECK(mw_range_from(&source, -2, 2, &offset_from) == MW_OK && offset == offset_from);
-        faces[face]++;
-        offsets[offset + 2]++;
         CHECK(mw_chance(&rng, 0.1f, &happens) == MW_OK);
         CHECK(mw_chance_from(&source, 0.1f, &happens_from) == MW_OK && happens == happens_from);
-        lost += happens;
         CHECK(mw_ratio(&rng, 1, 6, &happens) == MW_OK);
         CHECK(mw_ratio_from(&source, 1, 6, &happens_from) == MW_OK && happens == happens_from);
-        sixes += happens;
         float u = mw_uniform(&rng), v;
         CHECK(mw_uniform_from(&source, &v) == MW_OK && u == v && u >= 0.0f && u < 1.0f);
     }
-    /* Six standard deviations. */
-    for (int i = 0; i < 6; i++)
-        CHECK(near(faces[i], 10000, 548));
-    for (int i = 0; i < 5; i++)
-        CHECK(near(offsets[i], 12000, 588));
-    CHECK(near(lost, 6000, 441) && near(sixes, 10000, 548));
-
     const mw_pcg32 before = rng;
     uint32_t value = 77;
     int32_t number = 77;
@@ -145,19 +133,14 @@ static void tables_select(void)
     CHECK(written_alias.entries == ENTRIES && memcmp(written_alias.bins, bins, sizeof bins) == 0);
     mw_cdf checked;
     CHECK(mw_cdf_init(&checked, words_in_flash, 3) == MW_OK);
-    int counts[2][ENTRIES] = {{0}, {0}};
-    mw_pcg32 rng = seeded(1);
+    mw_pcg32 rng = seeded(1), same = seeded(1);
     mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
-    for (int i = 0; i < 80000; i++) {
-        counts[0][mw_cdf_draw(&cdf, &rng).index]++;
-        counts[1][mw_alias_draw_index(&alias, &rng)]++;
+    for (int i = 0; i < 100; i++) {
+        CHECK(mw_cdf_draw(&cdf, &rng).index == mw_cdf_draw_index(&cdf, &same));
+        CHECK(mw_alias_draw(&alias, &rng).index == mw_alias_draw_index(&alias, &same));
     }
-    for (int i = 0; i < ENTRIES; i++) {
-        float p = weights[i] / 8.0f;
-        CHECK(mw_cdf_pmf(&cdf, (size_t)i) == p && mw_alias_pmf(&alias, (size_t)i) == p);
-        for (int table = 0; table < 2; table++)
-            CHECK(near(counts[table][i], 80000.0 * (double)p, p > 0.0f ? 700.0 : 0.0));
-    }
+    for (size_t i = 0; i < ENTRIES; i++)
+        CHECK(mw_cdf_pmf(&cdf, i) == weights[i] / 8.0f && mw_alias_pmf(&alias, i) == weights[i] / 8.0f);
     mw_selection chosen = mw_cdf_select(&cdf, 0x20000000);
     CHECK(chosen.index == 2 && chosen.pmf == 0.25f && chosen.leftover == 0.0f);
     chosen = mw_cdf_select_uniform(&cdf, 0.0f);
@@ -215,33 +198,54 @@ static void tables_refuse(void)
     CHECK(mw_select_once_uniform(weights, 0, 0.5f, &chosen) == MW_NO_WEIGHTS);
 }
 
-static void weights_change(void)
+/* Of 32 bits and of 64: the weights 3, 0, 5 and 8 of so many, whose words begin with the same four bits. */
+#define A_TREE(tree, uint, UNIT, MOST)                                                          \
+    static void tree##_changes(void)                                                            \
+    {                                                                                           \
+        const uint unit = UNIT, quarter = MOST / 16 * 3 + 3;                                    \
+        uint changing[4] = {3 * unit, 0, 5 * unit, 8 * unit}, taken[4];                         \
+        size_t index = 9, places[4];                                                            \
+        mw_##tree of = {0};                                                                     \
+        mw_pcg32 rng = seeded(5);                                                               \
+        mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};                             \
+        mw_selection chosen;                                                                    \
+        CHECK(mw_##tree##_init(&of, NULL, 0) == MW_NO_WEIGHTS && mw_##tree##_total(&of) == 0);  \
+        CHECK(!mw_##tree##_index(&of, 0, &index) && index == 9);                                \
+        CHECK(mw_##tree##_set(&of, 0, 1) == MW_NO_WEIGHTS);                                     \
+        CHECK(mw_##tree##_init(&of, changing, 4) == MW_OK && mw_##tree##_total(&of) == 16 * unit); \
+        CHECK(mw_##tree##_index(&of, quarter, &index) && index == 2);                           \
+        CHECK(mw_##tree##_index(&of, quarter - 1, &index) && index == 0);                       \
+        CHECK(mw_##tree##_select(&of, quarter, &chosen) && chosen.index == 2);                  \
+        CHECK(chosen.pmf == 0.3125f && chosen.leftover == 0.0f && mw_##tree##_pmf(&of, 3) == 0.5f); \
+        CHECK(mw_##tree##_set(&of, 1, MOST - 16 * unit + 1) == MW_TOO_LARGE);                   \
+        CHECK(mw_##tree##_set(&of, 4, 0) == MW_OUT_OF_RANGE && mw_##tree##_total(&of) == 16 * unit); \
+        CHECK(mw_##tree##_draw_from(&of, &source, &chosen) == MW_OK && chosen.index != 1);      \
+        CHECK(mw_##tree##_draw_from(&of, &dry, &chosen) == MW_SOURCE_FAILED);                   \
+        CHECK(mw_##tree##_set(&of, 3, 0) == MW_OK && mw_##tree##_get(&of, 3) == 0);             \
+        CHECK(mw_##tree##_get(&of, 2) == 5 * unit);                                             \
+        CHECK(mw_##tree##_draw_distinct(&of, &rng, places, taken, 4) == 2);                     \
+        CHECK(places[0] + places[1] == 2 && taken[0] + taken[1] == 8 * unit);                   \
+        CHECK(mw_##tree##_total(&of) == 8 * unit);                                              \
+        CHECK(mw_##tree##_draw(&of, &rng, &chosen) && (chosen.index == 0 || chosen.index == 2)); \
+        CHECK(mw_##tree##_draw_index(&of, &rng, &index) && (index == 0 || index == 2));         \
+        CHECK(mw_##tree##_set(&of, 0, 0) == MW_OK && mw_##tree##_set(&of, 2, 0) == MW_OK);      \
+        CHECK(mw_##tree##_draw_from(&of, &source, &chosen) == MW_ALL_ZERO);                     \
+        CHECK(mw_##tree##_set(&of, 2, unit) == MW_OK);                                          \
+        mw_##tree##_into_weights(&of);                                                          \
+        CHECK(changing[0] == 0 && changing[1] == 0 && changing[2] == unit && changing[3] == 0); \
+    }
+
+A_TREE(sum_tree, uint32_t, 1, UINT32_MAX)
+A_TREE(sum_tree_64, uint64_t, UINT64_C(1) << 40, UINT64_MAX)
+
+static void a_tree_is_exact(void)
 {
-    uint32_t changing[4] = {3, 0, 5, 8}, taken[4];
-    size_t index = 9, places[4];
-    mw_sum_tree tree = {0};
-    mw_pcg32 rng;
-    mw_selection chosen;
+    uint32_t changing[4] = {3, 0, 5, 8};
+    mw_sum_tree tree;
     mw_exact_selection exact;
-    mw_pcg32_init(&rng, 1, 1);
-    CHECK(mw_sum_tree_init(&tree, NULL, 0) == MW_NO_WEIGHTS && mw_sum_tree_total(&tree) == 0);
-    CHECK(!mw_sum_tree_index(&tree, 0, &index) && index == 9);
-    CHECK(mw_sum_tree_set(&tree, 0, 1) == MW_NO_WEIGHTS);
-    CHECK(mw_sum_tree_init(&tree, changing, 4) == MW_OK && mw_sum_tree_total(&tree) == 16);
-    CHECK(mw_sum_tree_index(&tree, 0x30000000, &index) && index == 2);
-    CHECK(mw_sum_tree_select(&tree, 0x30000000, &chosen) && chosen.index == 2);
-    CHECK(chosen.pmf == 0.3125f && chosen.leftover == 0.0f && mw_sum_tree_pmf(&tree, 3) == 0.5f);
+    CHECK(mw_sum_tree_init(&tree, changing, 4) == MW_OK);
     CHECK(mw_sum_tree_select_exact(&tree, UINT32_MAX, &exact) && exact.index == 3);
     CHECK(exact.numerator == 1u << 31 && mw_sum_tree_numerator(&tree, 0) == 3u << 28);
-    CHECK(mw_sum_tree_set(&tree, 1, UINT32_MAX - 15) == MW_TOO_LARGE);
-    CHECK(mw_sum_tree_set(&tree, 4, 0) == MW_OUT_OF_RANGE && mw_sum_tree_total(&tree) == 16);
-    CHECK(mw_sum_tree_set(&tree, 3, 0) == MW_OK && mw_sum_tree_get(&tree, 3) == 0);
-    CHECK(mw_sum_tree_draw_distinct(&tree, &rng, places, taken, 4) == 2);
-    CHECK(places[0] + places[1] == 2 && taken[0] + taken[1] == 8 && mw_sum_tree_total(&tree) == 8);
-    CHECK(mw_sum_tree_draw(&tree, &rng, &chosen) && (chosen.index == 0 || chosen.index == 2));
-    CHECK(mw_sum_tree_draw_index(&tree, &rng, &index) && (index == 0 || index == 2));
-    mw_sum_tree_into_weights(&tree);
-    CHECK(changing[0] == 3 && changing[1] == 0 && changing[2] == 5 && changing[3] == 0);
 }
 
 /* By two words, and of 64 bits: the same from a source, the ends, and what is refused. */
@@ -252,20 +256,14 @@ static void integers_by_two_words(void)
     uint32_t face = 77, face_from;
     int32_t offset, offset_from;
     uint64_t large = 77, large_from;
-    int faces[6] = {0}, halves[2] = {0};
-    for (int i = 0; i < 60000; i++) {
+    for (int i = 0; i < 1000; i++) {
         CHECK(mw_below_wide(&rng, 6, &face) == MW_OK && face < 6);
         CHECK(mw_below_wide_from(&source, 6, &face_from) == MW_OK && face == face_from);
         CHECK(mw_range_wide(&rng, -2, 2, &offset) == MW_OK && offset >= -2 && offset <= 2);
         CHECK(mw_range_wide_from(&source, -2, 2, &offset_from) == MW_OK && offset == offset_from);
         CHECK(mw_range_u64(&rng, 5, UINT64_C(1) << 40, &large) == MW_OK && large >= 5 && large >> 40 <= 1);
         CHECK(mw_range_u64_from(&source, 5, UINT64_C(1) << 40, &large_from) == MW_OK && large == large_from);
-        faces[face]++;
-        halves[large >> 39 & 1]++;
     }
-    for (int i = 0; i < 6; i++)
-        CHECK(near(faces[i], 10000, 548));
-    CHECK(near(halves[0], 30000, 735));
     /* All integers of 64 bits: the two words themselves, the leading one first. */
     same = rng;
     CHECK(mw_range_u64(&rng, 0, UINT64_MAX, &large) == MW_OK);
@@ -282,35 +280,6 @@ static void integers_by_two_words(void)
     CHECK(memcmp(&rng, &before, sizeof rng) == 0);
 }
 
-/* The tree of 64 bits does what that of 32 does, beyond its sums. */
-static void weights_of_64_bits(void)
-{
-    uint64_t large[4] = {UINT64_C(3) << 40, 0, UINT64_C(5) << 40, UINT64_C(8) << 40}, taken[4];
-    mw_pcg32 rng = seeded(5);
-    mw_source source = {from_pcg32, &rng}, dry = {fails, NULL};
-    size_t index = 9, places[4];
-    mw_selection chosen;
-    mw_sum_tree_64 tree = {0};
-    CHECK(mw_sum_tree_64_init(&tree, NULL, 0) == MW_NO_WEIGHTS && mw_sum_tree_64_total(&tree) == 0);
-    CHECK(!mw_sum_tree_64_index(&tree, 0, &index) && index == 9);
-    CHECK(mw_sum_tree_64_init(&tree, large, 4) == MW_OK && mw_sum_tree_64_total(&tree) == UINT64_C(1) << 44);
-    CHECK(mw_sum_tree_64_index(&tree, UINT64_C(3) << 60, &index) && index == 2);
-    CHECK(mw_sum_tree_64_index(&tree, (UINT64_C(3) << 60) - 1, &index) && index == 0);
-    CHECK(mw_sum_tree_64_select(&tree, UINT64_C(3) << 60, &chosen) && chosen.index == 2);
-    CHECK(chosen.pmf == 0.3125f && chosen.leftover == 0.0f && mw_sum_tree_64_pmf(&tree, 3) == 0.5f);
-    CHECK(mw_sum_tree_64_set(&tree, 1, UINT64_MAX - (UINT64_C(1) << 44) + 1) == MW_TOO_LARGE);
-    CHECK(mw_sum_tree_64_set(&tree, 4, 0) == MW_OUT_OF_RANGE && mw_sum_tree_64_set(&tree, 3, 0) == MW_OK);
-    CHECK(mw_sum_tree_64_get(&tree, 3) == 0 && mw_sum_tree_64_get(&tree, 2) == UINT64_C(5) << 40);
-    CHECK(mw_sum_tree_64_draw_distinct(&tree, &rng, places, taken, 4) == 2);
-    CHECK(places[0] + places[1] == 2 && taken[0] + taken[1] == UINT64_C(8) << 40);
-    CHECK(mw_sum_tree_64_draw(&tree, &rng, &chosen) && (chosen.index == 0 || chosen.index == 2));
-    CHECK(mw_sum_tree_64_draw_index(&tree, &rng, &index) && (index == 0 || index == 2));
-    CHECK(mw_sum_tree_64_draw_from(&tree, &source, &chosen) == MW_OK && chosen.index != 1);
-    CHECK(mw_sum_tree_64_draw_from(&tree, &dry, &chosen) == MW_SOURCE_FAILED);
-    mw_sum_tree_64_into_weights(&tree);
-    CHECK(large[0] == UINT64_C(3) << 40 && large[1] == 0 && large[3] == 0);
-}
-
 /* What is held is what the same words hold in parts that are merged, and the heaviest comes first. */
 static void streams_are_weighted(void)
 {
@@ -320,7 +289,6 @@ static void streams_are_weighted(void)
     mw_weighted_reservoir whole, same, parts[2], none = {NULL, 0};
     mw_weighted_reservoir of_zeros = {zeros, HELD};
     uint32_t item = 77, other;
-    int first[3] = {0};
     bool taken = true;
     mw_pcg32 rng = seeded(3), again = seeded(3);
     mw_source source = {from_pcg32, &again}, dry = {fails, NULL};
@@ -354,44 +322,16 @@ static void streams_are_weighted(void)
     mw_weighted_reservoir_merge(&whole, &whole);
     CHECK(mw_weighted_reservoir_item(&whole, 0, &item) && item == 2);
     CHECK(mw_weighted_reservoir_item(&whole, 1, &item) && item == 0);
-    /* The first of three has the share of its weight. */
-    for (int run = 0; run < 60000; run++) {
-        mw_weighted_reservoir_init(&whole, memory[0], 2);
-        for (uint32_t i = 0; i < 3; i++)
-            mw_weighted_reservoir_offer(&whole, i, i + 1, &rng);
-        CHECK(mw_weighted_reservoir_item(&whole, 0, &item));
-        first[item]++;
-    }
-    CHECK(near(first[0], 10000, 548) && near(first[1], 20000, 693) && near(first[2], 30000, 735));
-}
-
-/* A law with a density is one that f/density integrates under; the interval from 0 to 1 has length 1. */
-static double length_seen(const mw_chooser *chosen, const mw_chooser *believed, const mw_normal normals[3], bool whole)
-{
-    mw_pcg32 rng = seeded(21);
-    double sum = 0.0;
-    for (int i = 0; i < 200000; i++) {
-        const uint32_t word = mw_pcg32_next(&rng);
-        uint32_t rest;
-        const size_t part = mw_chooser_choose(chosen, word, &rest);
-        const float x = mw_normal_sample(&normals[part], ldexpf((float)((whole ? word : rest) >> 8), -24));
-        float densities[3];
-        for (int k = 0; k < 3; k++)
-            densities[k] = k == 1 ? NAN : mw_normal_pdf(&normals[k], x);
-        if (x >= 0.0f && x < 1.0f)
-            sum += 1.0 / (double)mw_chooser_pdf(believed, densities);
-    }
-    return sum / 200000.0;
 }
 
 static void parts_are_chosen(void)
 {
-    static const float quarters[3] = {1.0f, 0.0f, 3.0f}, others[3] = {3.0f, 0.0f, 1.0f}, thirds[3] = {1.0f, 1.0f, 1.0f};
+    static const float quarters[3] = {1.0f, 0.0f, 3.0f}, thirds[3] = {1.0f, 1.0f, 1.0f};
     static const float many[33] = {1.0f, [31] = 1.0f, 1.0f}, tiny[3] = {1.0f, 1e-30f, 1e-30f};
-    mw_chooser chooser, wrong, before;
+    mw_chooser chooser, before;
     uint32_t rest;
     float left;
-    CHECK(mw_chooser_init(&chooser, quarters, 3) == MW_OK && mw_chooser_init(&wrong, others, 3) == MW_OK);
+    CHECK(mw_chooser_init(&chooser, quarters, 3) == MW_OK);
     CHECK(mw_chooser_numerator(&chooser, 0) == 1u << 30 && mw_chooser_numerator(&chooser, 2) == 3u << 30);
     CHECK(mw_chooser_numerator(&chooser, 1) == 0 && mw_chooser_numerator(&chooser, SIZE_MAX) == 0);
     CHECK(mw_chooser_pmf(&chooser, 2) == 0.75f && mw_chooser_pmf(&chooser, 1) == 0.0f);
@@ -429,14 +369,6 @@ static void parts_are_chosen(void)
     CHECK(mw_chooser_init(&chooser, none, 2) == MW_NOT_FINITE_WEIGHT);
     CHECK(mw_chooser_init(&chooser, zeros, 2) == MW_ALL_ZERO && mw_chooser_init(&chooser, tiny, 3) == MW_UNREACHABLE);
     CHECK(memcmp(&chooser, &before, sizeof chooser) == 0);
-
-    /* Points follow the density, to seven deviations. They do not by other weights, nor by words that have chosen already. */
-    mw_normal normals[3];
-    CHECK(mw_normal_init(&normals[0], 0.0f, 1.0f) == MW_OK && mw_normal_init(&normals[1], 9.0f, 1.0f) == MW_OK);
-    CHECK(mw_normal_init(&normals[2], 1.0f, 0.5f) == MW_OK && mw_chooser_init(&chooser, quarters, 3) == MW_OK);
-    CHECK(near(length_seen(&chooser, &chooser, normals, false), 1.0, 0.02));
-    CHECK(!near(length_seen(&chooser, &wrong, normals, false), 1.0, 0.02));
-    CHECK(!near(length_seen(&chooser, &chooser, normals, true), 1.0, 0.02));
 }
 
 static void maps_are_warps(void)
@@ -542,7 +474,6 @@ static void counts_are_drawn(void)
         CHECK(mw_binomial_rejection_draw_from(&crowd, &source, &other, NULL) == MW_OK && other == count);
     }
     CHECK(mw_geometric_pmf(&coin, 1) == 0.1875f && mw_geometric_count(&coin, 0) == 0);
-    CHECK(near((double)mw_poisson_pmf(&events, 3), exp(-3.5) * 3.5 * 3.5 * 3.5 / 6.0, 1e-7));
     CHECK(mw_poisson_sample(&events, NAN) == 0 && mw_poisson_count(&events, 0) == 0);
     uint32_t count = 77;
     CHECK(mw_geometric_draw_from(&coin, &dry, &count) == MW_SOURCE_FAILED && count == 77);
@@ -610,10 +541,7 @@ static void random_quantities_are_drawn(void)
         CHECK(integer == mw_discrete_laplace_draw(&tails, &rng));
     }
 
-    CHECK(near((double)mw_gamma_pdf(&wait, 10.0f), pow(2.5, 1.5) * exp(-2.5) / (4.0 * tgamma(2.5)), 1e-7));
     CHECK(mw_gamma_pdf(&wait, -1.0f) == 0.0f && mw_gamma_pdf(&wait, NAN) == 0.0f);
-    CHECK(near((double)mw_von_mises_pdf(&heading, 1.0f), 0.5 / acos(-1.0), 1e-7));
-    CHECK(near((double)mw_discrete_laplace_pmf(&tails, -3), exp(-1.2) * tanh(0.2), 1e-7));
     CHECK(mw_discrete_laplace_sample(&tails, NAN) == -55 && mw_discrete_laplace_integer(&tails, UINT32_MAX) == 55);
     CHECK(mw_discrete_gaussian_sample(&peak, 2.0f) == mw_discrete_gaussian_integer(&peak, 0xffffff00u));
     CHECK(mw_discrete_gaussian_integer(&peak, 0) == 1 - mw_discrete_gaussian_integer(&peak, UINT32_MAX));
@@ -664,20 +592,15 @@ static void resampling_keeps_its_shares(void)
 
     mw_reservoir reservoir;
     mw_pcg32 rng = seeded(5);
-    int kept[3] = {0, 0, 0};
-    for (int run = 0; run < 8000; run++) {
-        bool taken;
-        uint32_t item = 9;
-        mw_reservoir_init(&reservoir);
-        CHECK(!mw_reservoir_item(&reservoir, &item) && item == 9);
-        for (uint32_t i = 0; i < 3; i++)
-            CHECK(mw_reservoir_offer(&reservoir, i, weights[i], &rng, &taken) == MW_OK);
-        CHECK(mw_reservoir_item(&reservoir, &item) && item < 3);
-        kept[item]++;
-    }
-    CHECK(kept[0] == 0 && near(kept[1], 8000.0 / 3.0, 250.0));
-    CHECK(near((double)mw_reservoir_pmf(&reservoir), 0.5, 0.17));
     bool taken = true;
+    uint32_t item = 9;
+    mw_reservoir_init(&reservoir);
+    CHECK(!mw_reservoir_item(&reservoir, &item) && item == 9);
+    for (uint32_t i = 0; i < 3; i++)
+        CHECK(mw_reservoir_offer(&reservoir, i, weights[i], &rng, &taken) == MW_OK && (i > 0 || !taken));
+    CHECK(mw_reservoir_item(&reservoir, &item) && (item == 1 || item == 2));
+    CHECK(mw_reservoir_pmf(&reservoir) == (float)item / 3.0f);
+    taken = true;
     CHECK(mw_reservoir_offer(&reservoir, 1, NAN, &rng, &taken) != MW_OK && taken);
 }
 
@@ -715,7 +638,6 @@ static void rejection_ends(void)
 {
     mw_pcg32 rng = seeded(6), same = seeded(6);
     mw_source source = {from_pcg32, &same}, dry = {fails, NULL};
-    mw_moments sum;
     mw_ziggurat_standard_normal a;
     mw_ziggurat_normal b;
     mw_ziggurat_standard_exponential c;
@@ -779,7 +701,7 @@ static void rejection_ends(void)
     CHECK(mw_region_1d_draw(&line, &none, 10, &rng, &x, &tries) == MW_BUDGET_SPENT && tries == 10);
     CHECK(mw_region_1d_draw(&line, &none, 0, &rng, &x, &tries) == MW_NOT_POSITIVE && x == 77.0f);
     mw_density_1d ramp = {twice, NULL};
-    mw_moments_init(&sum);
+    mw_moments sum = {0};
     for (int i = 0; i < 20000; i++) {
         CHECK(mw_bounded_1d_draw(&line, &ramp, 2.0f, 200, &rng, &x, NULL) == MW_OK);
         mw_moments_push(&sum, x);
@@ -1227,56 +1149,42 @@ static void orders_are_whole(void)
     CHECK(mw_choice_in_order_init(&in_order, 4, 3) == MW_OUT_OF_RANGE);
     CHECK(mw_choice_of_stream_init(&of_stream, 0) == MW_EMPTY);
     CHECK(mw_latin_hypercube_init(&cube, 0, 7) == MW_EMPTY);
-    CHECK(mw_permutation_init(&order, 1000, 7) == MW_OK);
-    for (uint32_t i = 0; i < 1000; i++) {
-        CHECK(mw_permutation_get(&order, i, &number) == MW_OK && number < 1000);
-        CHECK(mw_permutation_index_of(&order, number, &place) == MW_OK && place == i);
-    }
-    CHECK(mw_latin_hypercube_init(&cube, 4, 7) == MW_OK);
-    uint32_t strata = 0;
-    for (uint32_t i = 0; i < 4; i++)
-        strata |= 1u << (mw_latin_hypercube_word(&cube, i, 5) >> 30);
-    CHECK(strata == 15);
+    CHECK(mw_permutation_init(&order, 9, 7) == MW_OK);
+    CHECK(mw_permutation_get(&order, 9, &number) == MW_OUT_OF_RANGE && number == 77);
+    CHECK(mw_permutation_index_of(&order, 9, &place) == MW_OUT_OF_RANGE && place == 77);
 
     mw_screen screen;
-    mw_sobol_8d set;
     CHECK(mw_screen_init(&screen, 0, 8, 2, 7) == MW_EMPTY);
     CHECK(mw_screen_init(&screen, 65536, 1, 1, 7) == MW_TOO_LARGE);
-    CHECK(mw_screen_init(&screen, 8, 8, 2, 7) == MW_OK && mw_sobol_8d_init(&set, 7) == MW_OK);
-    bool taken[256] = {false};
-    for (uint32_t i = 0; i < 256; i++) {
-        uint32_t words[8];
-        const uint32_t x = i >> 2 & 7, y = i >> 5;
-        const uint32_t index = mw_screen_index(&screen, x, y, i & 3);
-        CHECK(index < 256 && !taken[index]);
-        taken[index] = true;
-        mw_sobol_8d_words(&set, index, words);
-        CHECK(words[5] == mw_screen_word(&screen, x, y, i & 3, 5));
-    }
 }
+
+/* What points and words have in common; their bits are golden. */
+#define A_SET(SET, D)                                                                           \
+    do {                                                                                        \
+        mw_##SET set;                                                                           \
+        float u[D];                                                                             \
+        uint32_t words[D];                                                                      \
+        CHECK(mw_##SET##_init(&set, 7) == MW_OK);                                               \
+        for (uint32_t i = 0; i < 64; i++) {                                                     \
+            mw_##SET##_point(&set, i, u);                                                       \
+            mw_##SET##_words(&set, i, words);                                                   \
+            for (int k = 0; k < D; k++)                                                         \
+                CHECK(near((double)u[k], words[k] / 4294967296.0, 1e-6) && u[k] < 1.0f);        \
+        }                                                                                       \
+    } while (0)
 
 static void points_cover(void)
 {
-    mw_sobol_2d sobol;
-    mw_recurrence_3d recurrence;
     mw_strata_1d line;
     mw_strata_2d square;
-    int quarter[4] = {0, 0, 0, 0};
-    CHECK(mw_sobol_2d_init(&sobol, 7) == MW_OK && mw_recurrence_3d_init(&recurrence, 7) == MW_OK);
-    for (uint32_t i = 0; i < 64; i++) {
-        float u[3];
-        uint32_t words[3];
-        mw_sobol_2d_point(&sobol, i, u);
-        CHECK(u[0] >= 0.0f && u[0] < 1.0f && u[1] >= 0.0f && u[1] < 1.0f);
-        quarter[(u[0] >= 0.5f) + 2 * (u[1] >= 0.5f)]++;
-        mw_sobol_2d_words(&sobol, i, words);
-        CHECK(near((double)u[0], words[0] / 4294967296.0, 1e-6));
-        mw_recurrence_3d_point(&recurrence, i, u);
-        mw_recurrence_3d_words(&recurrence, i, words);
-        CHECK(near((double)u[2], words[2] / 4294967296.0, 1e-6));
-    }
-    for (int i = 0; i < 4; i++)
-        CHECK(quarter[i] == 16);
+    A_SET(sobol_1d, 1);
+    A_SET(sobol_2d, 2);
+    A_SET(sobol_3d, 3);
+    A_SET(sobol_4d, 4);
+    A_SET(sobol_8d, 8);
+    A_SET(recurrence_1d, 1);
+    A_SET(recurrence_2d, 2);
+    A_SET(recurrence_3d, 3);
     /* As in Rust and in JavaScript: tests/uniforms/points/neighbours.rs. */
     static const uint32_t indices[3] = {0, 1, UINT32_MAX};
     static const uint32_t known[3][3] = {{0x93d8a563, 0xb22cb017, 0x9f114892},
@@ -1288,13 +1196,7 @@ static void points_cover(void)
             CHECK(mw_pcg32_next(&rng) == known[i][k]);
     }
     CHECK(mw_word_by_position(42, 1, 0, 0) != mw_word_by_position(42, 1, 0, 1));
-    CHECK(mw_strata_1d_init(&line, 4) == MW_OK && mw_strata_1d_point(&line, 2, 0.5f) == 0.625f);
     CHECK(mw_strata_1d_init(&line, 0) != MW_OK);
-    static const float u[2] = {0.5f, 0.5f};
-    float point[2];
-    CHECK(mw_strata_2d_init(&square, 2, 2) == MW_OK);
-    mw_strata_2d_point(&square, 3, u, point);
-    CHECK(point[0] == 0.75f && point[1] == 0.75f);
     CHECK(mw_strata_2d_init(&square, 0, 2) != MW_OK && mw_strata_2d_init(&square, 1, 0) != MW_OK);
 }
 
@@ -1381,14 +1283,6 @@ static void sources_serve(void)
     CHECK(mw_resample_stratified(copies[1], 2, 8, &rng) == MW_OK && copies[0][0] == copies[1][0]);
     CHECK(mw_resample_stratified_from(copies[0], 2, 8, &dry) == MW_SOURCE_FAILED);
     CHECK(mw_resample_stratified_from(copies[0], 0, 8, &dry) == MW_NO_WEIGHTS);
-    uint32_t changing[2] = {0, 1};
-    mw_selection chosen;
-    mw_sum_tree tree;
-    CHECK(mw_sum_tree_init(&tree, changing, 2) == MW_OK);
-    CHECK(mw_sum_tree_draw_from(&tree, &dry, &chosen) == MW_SOURCE_FAILED);
-    CHECK(mw_sum_tree_draw_from(&tree, &source, &chosen) == MW_OK && chosen.index == 1);
-    CHECK(mw_sum_tree_set(&tree, 1, 0) == MW_OK);
-    CHECK(mw_sum_tree_draw_from(&tree, &source, &chosen) == MW_ALL_ZERO && chosen.index == 1);
     mw_reservoir reservoir;
     bool taken = false;
     uint32_t item;
@@ -1407,8 +1301,9 @@ int main(void)
     tables_select();
     tables_refuse();
     integers_by_two_words();
-    weights_change();
-    weights_of_64_bits();
+    sum_tree_changes();
+    sum_tree_64_changes();
+    a_tree_is_exact();
     streams_are_weighted();
     parts_are_chosen();
     maps_are_warps();
