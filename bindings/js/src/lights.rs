@@ -8,6 +8,7 @@ use microwarp::Error;
 use microwarp::discrete::LightReservoir;
 use microwarp::estimate::{balance_heuristic_of, power_heuristic_of, roulette};
 use microwarp::poly::{Ggx, GgxVisible, SphericalRectangle, SphericalTriangle, VisibleSphere};
+use microwarp::warp::LightSample;
 use microwarp_js_hot::Words;
 
 pub const LIGHTS: bool = linked("lights");
@@ -133,30 +134,67 @@ fn techniques(what: u32, buffers: &mut Buffers, count: usize, own: usize) {
     unsafe { put(to(buffers), weight) };
 }
 
+/// A place on a lamp, or the density of any direction to it.
+///
+/// # Safety
+/// A uniform lies in the input, and there is room for a place.
+unsafe fn lit<L>(
+    lamp: &L,
+    what: u32,
+    (from, to): (*const f32, *mut f32),
+    words: &mut Words,
+    draw: impl Fn(&L, &mut Words) -> LightSample,
+    sample: impl Fn(&L, [f32; 2]) -> LightSample,
+    density: impl Fn(&L) -> f32,
+) {
+    // SAFETY: as the caller says.
+    unsafe {
+        let place = match what {
+            DRAW => draw(lamp, words),
+            SAMPLE => sample(lamp, get(from)),
+            _ => return put(to, density(lamp)),
+        };
+        put(to, place.direction);
+        put(to.add(3), [place.distance, place.pdf]);
+        put(to.add(5), place.place);
+    }
+}
+
 /// A place on a lamp, and of any direction to it the density; a reflection, and its kin.
 unsafe fn seen(kind: u32, what: u32, of: *const u32, buffers: &mut Buffers) {
     let input = buffers.input.as_ptr();
     let (from, to) = (input.cast::<f32>(), to(buffers));
-    macro_rules! lamp {
-        ($lamp:ty, $words:ident) => {{
-            let lamp = &*of.cast::<$lamp>();
-            let place = match what {
-                DRAW => lamp.draw_light(&mut $words),
-                SAMPLE => lamp.sample_light(get(from)),
-                _ => return put(to, lamp.density()),
-            };
-            put(to, place.direction);
-            put(to.add(3), [place.distance, place.pdf]);
-            put(to.add(5), place.place);
-        }};
-    }
     // SAFETY: as the caller says.
     unsafe {
         let mut words = Words::new(input);
         match kind {
-            LAMP => lamp!(VisibleSphere, words),
-            34 => lamp!(SphericalTriangle, words),
-            35 => lamp!(SphericalRectangle, words),
+            LAMP => lit(
+                &*of.cast(),
+                what,
+                (from, to),
+                &mut words,
+                VisibleSphere::draw_light,
+                VisibleSphere::sample_light,
+                VisibleSphere::density,
+            ),
+            34 => lit(
+                &*of.cast(),
+                what,
+                (from, to),
+                &mut words,
+                SphericalTriangle::draw_light,
+                SphericalTriangle::sample_light,
+                SphericalTriangle::density,
+            ),
+            35 => lit(
+                &*of.cast(),
+                what,
+                (from, to),
+                &mut words,
+                SphericalRectangle::draw_light,
+                SphericalRectangle::sample_light,
+                SphericalRectangle::density,
+            ),
             GLOSS => {
                 let gloss = &*of.cast::<GgxVisible>();
                 let bounce = match what {

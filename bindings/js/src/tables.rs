@@ -173,7 +173,12 @@ pub unsafe extern "C" fn look_up(
                             from_raw_parts_mut(output.cast(), count),
                         );
                     } else {
-                        chosen_by_cdf(cdf, what, arrays);
+                        chosen(
+                            what,
+                            arrays,
+                            |u| cdf.select_uniform(u),
+                            |index| cdf.pmf(index),
+                        );
                     }
                 }
             }
@@ -191,7 +196,12 @@ pub unsafe extern "C" fn look_up(
                             from_raw_parts_mut(output.cast(), count),
                         );
                     } else {
-                        chosen_by_alias(alias, what, arrays);
+                        chosen(
+                            what,
+                            arrays,
+                            |u| alias.select_uniform(u),
+                            |index| alias.pmf(index),
+                        );
                     }
                 }
             }
@@ -260,27 +270,24 @@ pub unsafe fn piece(kind: u32, what: u32, table: *mut Head, arrays: Arrays) {
     }
 }
 
-/// A table of indices, whichever it is.
-macro_rules! indices {
-    ($($chosen:ident: $table:ty,)*) => {$(
-        unsafe fn $chosen(table: $table, what: u32, mut arrays: Arrays) {
-            while arrays.count > 0 {
-                // SAFETY: as the caller of `look_up` says.
-                unsafe {
-                    if what == SAMPLE {
-                        let Selection { index, pmf, leftover, .. } = table.select_uniform(get(arrays.input));
-                        put(arrays.output, [f32::from_bits(index as u32), pmf, leftover]);
-                    } else {
-                        put(arrays.output, table.pmf(get::<u32>(arrays.input) as usize));
-                    }
-                }
-                arrays.next();
+/// Selects by a uniform, or tells the probability of an index, element by element.
+unsafe fn chosen(
+    what: u32,
+    mut arrays: Arrays,
+    select: impl Fn(f32) -> Selection,
+    pmf: impl Fn(usize) -> f32,
+) {
+    while arrays.count > 0 {
+        // SAFETY: as the caller of `look_up` says.
+        unsafe {
+            if what == SAMPLE {
+                let of = select(get(arrays.input));
+                let index = f32::from_bits(of.index as u32);
+                put(arrays.output, [index, of.pmf, of.leftover]);
+            } else {
+                put(arrays.output, pmf(get::<u32>(arrays.input) as usize));
             }
         }
-    )*};
-}
-
-indices! {
-    chosen_by_cdf: Cdf<&[u32]>,
-    chosen_by_alias: Alias<&[AliasEntry<u32>]>,
+        arrays.next();
+    }
 }
