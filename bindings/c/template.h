@@ -140,12 +140,14 @@ float mw_ggx_visible_reflected_pdf(const mw_ggx_visible *gloss, const float norm
  * D, masking and shadowing after Smith, for cosines from 1 to 1e-30. g1: G1 of the view, to 5.5e-7.
  * unmasked: G2/G1 of a light direction, to 8.5e-7; times Fresnel's term it is the weight of a
  * reflection. visibility: G2/(4 cos cos), to 7e-7; times D and Fresnel's term it is the model.
- * distribution: D of a normal, to 1.1e-6. Below the surface they are 0.
+ * distribution: D of a normal, to 1.1e-6; mw_ggx_g1: G1 of any unit vector, to 3.5e-7. Below the
+ * surface they are 0.
  */
 float mw_ggx_visible_g1(const mw_ggx_visible *gloss);
 float mw_ggx_visible_unmasked(const mw_ggx_visible *gloss, const float direction[3]);
 float mw_ggx_visible_visibility(const mw_ggx_visible *gloss, const float direction[3]);
 float mw_ggx_distribution(const mw_ggx *surface, const float normal[3]);
+float mw_ggx_g1(const mw_ggx *surface, const float direction[3]);
 
 /* ---- Tables of weights ----------------------------------------------------------------------- */
 

@@ -68,6 +68,8 @@ export interface Gloss {
 export interface Surface {
   /** D of a normal, per area of the surface and per steradian: right to 1.1e-6. 0 below the surface. */
   distribution(normal: Vector3): number;
+  /** G₁ of a unit vector, the visible part of the microfacets that face it, from 0 to 1: right to 3.5e-7. 0 below the surface. */
+  g1(direction: Vector3): number;
 }
 
 /**

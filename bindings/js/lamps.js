@@ -24,6 +24,11 @@ const extended = (of, kind, members) => {
   return Class;
 };
 const vector = (at) => point(at, 3);
+const figure = (asks, value, what, direction) => {
+  put(direction, 3);
+  asks(value, what, 0);
+  return point(OUT, 1);
+};
 
 export const lamp = (kind, ...of) => extended(of, kind, (asks) => {
   const seen = (value, what, random) => {
@@ -51,11 +56,6 @@ export const gloss = (...of) => extended(of, GLOSS, (asks) => {
     asks(value, what, random);
     return { normal: vector(OUT), direction: vector(OUT + 3), pdf: point(OUT + 6, 1) };
   };
-  const figure = (value, what, direction) => {
-    put(direction, 3);
-    asks(value, what, 0);
-    return point(OUT, 1);
-  };
   return class {
     reflect(uniforms) {
       put(uniforms, 2);
@@ -65,24 +65,25 @@ export const gloss = (...of) => extended(of, GLOSS, (asks) => {
       return bounce(this, DRAW, ready(source, 2, 1));
     }
     reflectedPdf(normal) {
-      return figure(this, REFLECTED_PDF, normal);
+      return figure(asks, this, REFLECTED_PDF, normal);
     }
     get g1() {
-      return figure(this, G1, [0, 0, 0]);
+      return figure(asks, this, G1, [0, 0, 0]);
     }
     unmasked(direction) {
-      return figure(this, UNMASKED, direction);
+      return figure(asks, this, UNMASKED, direction);
     }
     visibility(direction) {
-      return figure(this, VISIBILITY, direction);
+      return figure(asks, this, VISIBILITY, direction);
     }
   };
 });
 
 export const surface = (...of) => extended(of, SURFACE, (asks) => class {
   distribution(normal) {
-    put(normal, 3);
-    asks(this, 0, 0);
-    return point(OUT, 1);
+    return figure(asks, this, 0, normal);
+  }
+  g1(direction) {
+    return figure(asks, this, 1, direction);
   }
 });

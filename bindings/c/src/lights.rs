@@ -111,6 +111,12 @@ unsafe extern "C" fn distribution(surface: &Ggx, normal: *const Direction) -> f3
     surface.distribution(unsafe { Value::read(normal) })
 }
 
+#[unsafe(export_name = "mw_ggx_g1")]
+unsafe extern "C" fn masked(surface: &Ggx, direction: *const Direction) -> f32 {
+    // SAFETY: the promise of the header.
+    surface.g1(unsafe { Value::read(direction) })
+}
+
 #[unsafe(export_name = "mw_ggx_visible_g1")]
 extern "C" fn masking(gloss: &GgxVisible) -> f32 {
     gloss.g1()

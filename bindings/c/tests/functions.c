@@ -1244,6 +1244,7 @@ static void lamps_are_total(void)
     CHECK(mw_ggx_visible_g1(&gloss) == 0.0f && mw_ggx_visible_unmasked(&gloss, down) == 0.0f);
     CHECK(mw_ggx_visible_visibility(&gloss, down) == 0.0f && mw_ggx_distribution(&surface, down) == 0.0f);
     CHECK(mw_ggx_visible_visibility(&gloss, nothing) == 0.0f && mw_ggx_distribution(&surface, nothing) == 0.0f);
+    CHECK(mw_ggx_g1(&surface, down) == 0.0f && mw_ggx_g1(&surface, nothing) == 0.0f);
     CHECK(mw_ggx_visible_reflected_pdf(&gloss, nothing) == 0.0f);
     bounce.pdf = 7.0f;
     CHECK(mw_ggx_visible_draw_reflection_from(&gloss, &dry, &bounce) == MW_SOURCE_FAILED && bounce.pdf == 7.0f);

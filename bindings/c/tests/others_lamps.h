@@ -118,3 +118,13 @@ static void masking(four u, int input, struct out *out)
     if (made(out, mw_ggx_init(&surface, alpha)))
         put_float(out, mw_ggx_distribution(&surface, bounce.normal));
 }
+
+static void masked(four u, int input, struct out *out)
+{
+    const float direction[3] = {u[0] - 0.5f, u[1] - 0.5f, u[3]};
+    const float alpha[2] = {0.05f + 0.9f * u[2], 1.0f};
+    mw_ggx surface;
+    (void)input;
+    if (made(out, mw_ggx_init(&surface, alpha)))
+        put_float(out, mw_ggx_g1(&surface, direction));
+}

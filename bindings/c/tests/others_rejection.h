@@ -499,6 +499,7 @@ static const struct other_subject {
     {"poly lamps seen", lamps_seen},
     {"poly draws of places", draws_of_places},
     {"poly masking", masking},
+    {"poly masked", masked},
     {"poly light reservoirs", light_reservoirs},
     {"poly light reservoirs merged", merged_lights},
     {"poly integer selections", integer_selections},

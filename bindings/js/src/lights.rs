@@ -209,7 +209,14 @@ unsafe fn seen(kind: u32, what: u32, of: *const u32, buffers: &mut Buffers) {
                 put(to.add(3), bounce.direction);
                 put(to.add(6), bounce.pdf);
             }
-            SURFACE => put(to, (*of.cast::<Ggx>()).distribution(get(from))),
+            SURFACE => {
+                let surface = &*of.cast::<Ggx>();
+                let figure = match what {
+                    0 => surface.distribution(get(from)),
+                    _ => surface.g1(get(from)),
+                };
+                put(to, figure);
+            }
             _ => {}
         }
     }

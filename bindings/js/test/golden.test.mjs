@@ -207,6 +207,7 @@ const actual = {
       const bounces = [...Array.from({ length: 4 }, () => gloss.drawReflection(words)), ...PAIRS.map((u) => gloss.reflect(u))];
       const figures = ({ normal, direction, pdf }) => [
         normal, direction, pdf, gloss.reflectedPdf(normal), gloss.unmasked(direction), gloss.visibility(direction), surface.distribution(normal),
+        surface.g1(direction),
       ];
       return [...bits([...bounces.map(figures), gloss.g1]), ...with_densities(new microwarp.Reflected(gloss))];
     });

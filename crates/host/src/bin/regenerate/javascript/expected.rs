@@ -240,6 +240,7 @@ fn reflections() -> String {
                 gloss.unmasked(l),
                 gloss.visibility(l),
                 surface.distribution(m),
+                surface.g1(l),
             ];
             [m.bits(), l.bits(), figures.bits()].concat()
         });
