@@ -82,7 +82,7 @@
  *     spherical_rectangle_density, spherical_triangle_sample_light, spherical_triangle_draw_light,
  *     spherical_triangle_density, ggx_visible_reflect, ggx_visible_draw_reflection,
  *     ggx_visible_reflected_pdf, ggx_visible_g1, ggx_visible_unmasked, ggx_visible_visibility,
- *     ggx_distribution
+ *     ggx_distribution, ggx_g1
  *   Tables of weights
  *     cdf, alias, sum_tree, sum_tree_64, select_once, select_once_uniform, chooser,
  *     piecewise_constant_1d, piecewise_linear_1d, piecewise_constant_2d, lat_long_map, mesh,
@@ -1437,12 +1437,14 @@ float mw_ggx_visible_reflected_pdf(const mw_ggx_visible *gloss, const float norm
  * D, masking and shadowing after Smith, for cosines from 1 to 1e-30. g1: G1 of the view, to 5.5e-7.
  * unmasked: G2/G1 of a light direction, to 8.5e-7; times Fresnel's term it is the weight of a
  * reflection. visibility: G2/(4 cos cos), to 7e-7; times D and Fresnel's term it is the model.
- * distribution: D of a normal, to 1.1e-6. Below the surface they are 0.
+ * distribution: D of a normal, to 1.1e-6; mw_ggx_g1: G1 of any unit vector, to 3.5e-7. Below the
+ * surface they are 0.
  */
 float mw_ggx_visible_g1(const mw_ggx_visible *gloss);
 float mw_ggx_visible_unmasked(const mw_ggx_visible *gloss, const float direction[3]);
 float mw_ggx_visible_visibility(const mw_ggx_visible *gloss, const float direction[3]);
 float mw_ggx_distribution(const mw_ggx *surface, const float normal[3]);
+float mw_ggx_g1(const mw_ggx *surface, const float direction[3]);
 
 /* ---- Tables of weights ----------------------------------------------------------------------- */
 
