@@ -2,14 +2,13 @@
 // their own, in `page/scene.mjs` and `page/code.mjs`.
 
 import { MOST, SOURCES, documented, is_offered, nanoseconds, sample } from "./page/sample.mjs";
-import { corner, families_of } from "./page/catalogue.mjs";
+import { families_of } from "./page/catalogue.mjs";
 import { choices, parameters, readings } from "./page/controls.mjs";
 import * as scenes from "./page/scene.mjs";
 import * as code from "./page/code.mjs";
-import { framed } from "./view/frame.mjs";
-import * as line from "./view/line.mjs";
-import * as plane from "./view/plane.mjs";
-import * as sphere from "./view/sphere.mjs";
+import { draw as draw_picture, pictured } from "./view/picture.mjs";
+import { draw_uniforms } from "./view/plane.mjs";
+import { make_turnable } from "./view/sphere.mjs";
 
 const at = (id) => document.getElementById(id);
 const whole = (n) => n.toLocaleString("en");
@@ -18,7 +17,7 @@ const figure = (x) => (x === 0 ? "0" : Math.abs(x) < 1e-2 || Math.abs(x) >= 1e5 
 // The tabs beside those of samplers.
 const TABS = { code: { label: "In JavaScript", part: code }, scene: { label: "A scene", part: scenes } };
 
-const state = { family: null, entry: null, source: "random", values: [], seed: 1, running: null, count: 0, tallied: null, scene: null, speed: null, clock: null };
+const state = { family: null, entry: null, source: "random", values: [], seed: 1, running: null, count: 0, scene: null, speed: null, clock: null };
 let microwarp;
 let families;
 let docs;
@@ -64,17 +63,12 @@ function show_sources(each) {
 
 // The selection has changed: drop everything kept for the old one.
 function renew() {
-  Object.assign(state, { count: 0, tallied: null, speed: null });
+  Object.assign(state, { count: 0, speed: null });
   refresh(false);
   // Only after a moment without changes, so that dragging a slider stays smooth.
   clearTimeout(state.clock);
   state.clock = setTimeout(measure_speed, 200);
 }
-
-const view_of = ({ indices, dimensions }, family) => {
-  if (indices) return "bars";
-  return dimensions === 1 ? "line" : dimensions === 3 && (family === "directions" || family === "tables") ? "sphere" : "plane";
-};
 
 function refresh(keep) {
   const { entry, seed, values } = state;
@@ -92,11 +86,8 @@ function refresh(keep) {
   } catch (refusal) {
     return show_refusal(refusal);
   }
-  const view = view_of(drawn, entry.family);
-  const frame = (keep ? state.scene?.frame : null) ?? framed(drawn, view === "plane" && drawn.dimensions > 2 ? corner : undefined);
   state.count = count + (keep ? state.count : 0);
-  state.scene = { entry: { ...entry, view }, made, drawn, frame, tallied: null };
-  if (view === "line" || view === "bars") state.scene.tallied = state.tallied = line.tally(keep ? state.tallied : null, state.scene);
+  state.scene = { ...pictured(drawn, keep ? state.scene : null), entry, made };
   draw(keep);
   show_readings();
 }
@@ -112,14 +103,13 @@ function measure_speed() {
 function draw(keep) {
   const { scene } = state;
   if (!scene || at("bench").hidden) return;
-  const { entry: { view }, drawn } = scene;
-  const pictures = { line: line.draw, bars: line.draw_bars, plane: plane.draw, sphere: sphere.draw };
+  const { view, drawn } = scene;
   at("refusal").hidden = true;
   at("uniforms").hidden = drawn.each !== 2 || !["plane", "sphere"].includes(view);
   at("view").classList.toggle("turnable", view === "sphere");
   at("view").tabIndex = view === "sphere" ? 0 : -1;
-  pictures[view](at("view"), { ...scene, keep: keep && view === "plane" && state.count < 1 << 18 });
-  if (!at("uniforms").hidden) plane.draw_uniforms(at("square"), { ...scene, keep: false });
+  draw_picture(at("view"), { ...scene, keep: keep && view === "plane" && state.count < 1 << 18 });
+  if (!at("uniforms").hidden) draw_uniforms(at("square"), scene);
 }
 
 const captions = {
@@ -130,7 +120,7 @@ const captions = {
 };
 
 function show_readings() {
-  const { scene: { entry, made, drawn }, speed } = state;
+  const { scene: { entry, made, view, drawn }, speed } = state;
   const [least, most] = [drawn.densities.reduce((a, b) => Math.min(a, b)), drawn.densities.reduce((a, b) => Math.max(a, b))];
   readings(at("readings"), [
     ...(docs[entry.of]?.bounds ?? []).map(([quantity, bound]) => ({ label: `Error of ${quantity}`, value: `≤ ${bound}`, note: "stated" })),
@@ -140,8 +130,8 @@ function show_readings() {
       : { label: "Speed", value: "…", note: "in this browser, PCG32 included" },
   ]);
   Object.assign(document.body.dataset, { density: `${least} ${most}`, refused: "", count: String(drawn.count) });
-  at("caption").textContent = captions[entry.view];
-  at("view").setAttribute("aria-label", `${entry.name}: ${whole(drawn.count)} points. ${captions[entry.view]}`);
+  at("caption").textContent = captions[view];
+  at("view").setAttribute("aria-label", `${entry.name}: ${whole(drawn.count)} points. ${captions[view]}`);
 }
 
 function show_refusal({ name, message, code }) {
@@ -187,7 +177,7 @@ function wire() {
   });
   at("run").addEventListener("click", () => (state.running ? stop() : start()));
   at("controls").addEventListener("submit", (event) => event.preventDefault());
-  sphere.make_turnable(at("view"), () => state.scene?.entry.view === "sphere", () => draw(false));
+  make_turnable(at("view"), () => state.scene?.view === "sphere", () => draw(false));
   new ResizeObserver(() => draw(false)).observe(at("view"));
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw(false));
 }

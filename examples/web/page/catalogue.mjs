@@ -94,9 +94,6 @@ const FAMILIES = {
   ]],
 };
 
-// Space seen from a corner, z upwards.
-export const corner = ([x, y, z]) => [(y - x) / Math.sqrt(2), (2 * z - x - y) / Math.sqrt(6)];
-
 const parameter = (text) => {
   const [, label, value, min, max, step = "0.01"] = /^(.+): (\S+) in (\S+?)\.\.(\S+)(?: by (\S+))?$/.exec(text);
   return { label, value: Number(value), min, max, step };
@@ -111,6 +108,6 @@ export const families_of = (microwarp) => Object.entries(FAMILIES).map(([name, [
       const parameters = typeof all === "function" ? all(microwarp) : all;
       return maker ? microwarp[of][maker](...parameters) : new microwarp[of](...parameters);
     };
-    return { name: subject, of, family: name, make, parameters: list ? list.split(", ").map(parameter) : [] };
+    return { name: subject, of, make, parameters: list ? list.split(", ").map(parameter) : [] };
   }),
 }));

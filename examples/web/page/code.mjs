@@ -1,13 +1,10 @@
 // The tab "In JavaScript": code that a visitor may change, run with the npm package in a worker, and what it shows and prints.
 
 import { SNIPPETS } from "./snippets.mjs";
-import { corner } from "./catalogue.mjs";
 import { choices } from "./controls.mjs";
 import { spread } from "./sample.mjs";
-import { framed } from "../view/frame.mjs";
-import * as line from "../view/line.mjs";
-import * as plane from "../view/plane.mjs";
-import * as sphere from "../view/sphere.mjs";
+import { draw as draw_picture, pictured } from "../view/picture.mjs";
+import { make_turnable } from "../view/sphere.mjs";
 
 // Code that runs for longer is stopped, in seconds.
 const LONGEST = 10;
@@ -56,19 +53,13 @@ function refuse(problem) {
 }
 
 function show({ shown, dimensions, count, densities, indices }) {
-  const drawn = { count, points: spread(shown, dimensions), densities, each: 0 };
-  const round = dimensions === 3 && shown.every((x) => Math.abs(x) <= 1.0001);
-  const entry = { view: indices ? "bars" : dimensions === 1 ? "line" : round ? "sphere" : "plane" };
-  const frame = framed(drawn, dimensions === 3 && !round ? corner : undefined);
-  scene = { entry, drawn, frame };
-  if (dimensions === 1) scene.tallied = line.tally(null, scene);
+  scene = pictured({ count, points: spread(shown, dimensions), densities, each: 0, dimensions, indices });
   draw();
 }
 
 function draw() {
   if (at("code").hidden) return;
-  const pictures = { line: line.draw, bars: line.draw_bars, plane: plane.draw, sphere: sphere.draw };
-  if (scene) pictures[scene.entry.view](at("shown"), scene);
+  if (scene) draw_picture(at("shown"), scene);
   else at("shown").getContext("2d").clearRect(0, 0, at("shown").width, at("shown").height);
 }
 
@@ -76,7 +67,7 @@ function draw() {
 export function open() {
   if (at("snippets").dataset.options) return draw();
   at("go").addEventListener("click", run);
-  sphere.make_turnable(at("shown"), () => scene?.entry.view === "sphere", draw);
+  make_turnable(at("shown"), () => scene?.view === "sphere", draw);
   new ResizeObserver(draw).observe(at("shown"));
   return choose("normals");
 }

@@ -62,11 +62,11 @@ export function parameters(fieldset, list, changed) {
   fieldset.hidden = list.length === 0;
 }
 
-// A list of readings: { label, value, unit, note, above }.
+// A list of readings: { label, value, unit, note }.
 export function readings(list, entries) {
-  list.replaceChildren(...entries.map(({ label, value, unit = "", note = "", above = false }) => {
+  list.replaceChildren(...entries.map(({ label, value, unit = "", note = "" }) => {
     const figure = element("dd", {}, element("span", { className: "value" }, value, unit ? " " : "", element("small", { textContent: unit })));
     figure.append(element("span", { className: "note", textContent: note }));
-    return element("div", { className: above ? "above" : "" }, element("dt", { textContent: label }), figure);
+    return element("div", {}, element("dt", { textContent: label }), figure);
   }));
 }

@@ -6,8 +6,8 @@ const BINS = 72;
 const MARGIN = { left: 14, right: 14, top: 16, bottom: 34 };
 
 // Counts points into a tally that goes on from picture to picture while the page runs.
-export function tally(previous, { entry, drawn, frame }) {
-  const bars = entry.view === "bars";
+export function tally(previous, { view, drawn, frame }) {
+  const bars = view === "bars";
   const [low, high] = bars ? [-0.5, frame.shares.length - 0.5] : frame.range;
   const bins = bars ? frame.shares.length : BINS;
   const same = previous && previous.low === low && previous.high === high && previous.counts.length === bins;

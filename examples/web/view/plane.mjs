@@ -38,8 +38,8 @@ function fitted([left, right, bottom, top], width, height, inset) {
 }
 
 // The unit square that the same points come from, in the same colours.
-export function draw_uniforms(canvas, { drawn, keep }) {
-  const { context, width, height } = prepare(canvas, keep);
+export function draw_uniforms(canvas, { drawn }) {
+  const { context, width, height } = prepare(canvas);
   const theme = colours();
   const { size, alpha } = grain(drawn.count);
   const edge = Math.min(width, height) - 2;
