@@ -84,12 +84,13 @@ export const written = (words, head, numbers, write) => {
   return new Loaded(u32.slice(at, at + (-result || words))).at(at);
 };
 
-// A refusal of the module: a code, and the index of a weight times 32.
+// A refusal of the module: a code, and the index of a weight or the number of a parameter, from 1, times 32.
 export const refuse = (refusal) => {
   if (refusal === 0) return;
-  const code = refusal & 31;
-  const reason = reasons[code - 1]?.replace("#", refusal >>> 5) ?? "the module was built without this";
-  throw Object.assign(new RangeError(reason), { code });
+  const [code, index] = [refusal & 31, refusal >>> 5];
+  const reason = reasons[code - 1]?.replace("#", index) ?? "the module was built without this";
+  const parameter = (code < 10 && index) - 1;
+  throw Object.assign(new RangeError(parameter < 0 ? reason : reason.replace("a parameter", `parameter ${index}`)), { code, parameter });
 };
 
 // --- what a caller gives -------------------------------------------------------------------------------

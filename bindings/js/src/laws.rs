@@ -4,7 +4,7 @@
 use crate::buffers::Buffers;
 use crate::lights::LIGHTS;
 use crate::parts::{NOT_LINKED, linked};
-use crate::warps::DENSITIES;
+use crate::warps::{DENSITIES, refused};
 use crate::{counts, lights, rejection};
 use microwarp::Error;
 
@@ -32,7 +32,7 @@ pub unsafe fn written<L>(law: Result<L, Error>, place: *mut L) -> i32 {
             unsafe { place.write(law) };
             const { -(size_of::<L>().div_ceil(4) as i32) }
         }
-        Err(refusal) => refusal.code().into(),
+        Err(refusal) => refused(refusal) as i32,
     }
 }
 

@@ -102,9 +102,16 @@ fn write<W>(made: Result<W, Error>, warp: *mut f32) -> i32 {
     match made {
         // SAFETY: the caller has room for the largest warp.
         Ok(made) => unsafe { warp.cast::<W>().write(made) },
-        Err(refusal) => return refusal.code().into(),
+        Err(refusal) => return refused(refusal) as i32,
     }
     const { -((size_of::<W>() / 4) as i32) }
+}
+
+/// The code of a refusal, and 32 times the number of the parameter it lies in, from 1, if it lies in one.
+#[inline(never)]
+pub fn refused(refusal: Error) -> u32 {
+    let number = refusal.parameter().map_or(0, |place| place as u32 + 1);
+    u32::from(refusal.code()) | number << 5
 }
 
 /// A warp from parameters that lie one behind the other. What takes none cannot refuse.

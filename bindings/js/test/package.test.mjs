@@ -29,9 +29,9 @@ test("every constructor refuses NaN, and what are not its numbers", () => {
 });
 
 test("a refusal is a RangeError with the words and the code of the crate", () => {
-  assert.throws(() => new Normal(0, -1), { name: "RangeError", message: "a parameter that must be positive is not", code: 5 });
+  assert.throws(() => new Normal(0, -1), { name: "RangeError", message: "parameter 2 must be positive", code: 5, parameter: 1 });
   assert.throws(() => Exponential.fromRate(Infinity), refused(1));
-  assert.throws(() => new microwarp.Interval(2, 1), { message: "the lower bound is above the upper bound", code: 2 });
+  assert.throws(() => new microwarp.Interval(2, 1), { message: "parameter 2 is below its lower bound", code: 2, parameter: 1 });
   assert.throws(() => new Cdf([1, 2, -3]), { message: "weight 2 is negative", code: 13 });
   assert.throws(() => new Alias([0, 0]), refused(14));
   assert.throws(() => new Cdf([]), refused(10));

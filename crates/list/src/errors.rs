@@ -1,4 +1,4 @@
-//! The reasons for a refusal, in the order of their codes. `cargo regenerate` refuses a list that is not that of
+//! The reasons for a refusal, in the order of their codes, each of the first parameter or weight. `cargo regenerate` refuses a list that is not that of
 //! `src/error.rs`.
 
 /// Hands all reasons to the macro that is named.
@@ -6,15 +6,15 @@
 macro_rules! errors {
     ($then:ident) => {
         $then! {
-            Error::NotFinite(Error::NO_PLACE),
-            Error::Reversed(Error::NO_PLACE),
-            Error::Empty(Error::NO_PLACE),
-            Error::TooLarge(Error::NO_PLACE),
-            Error::NotPositive(Error::NO_PLACE),
-            Error::Negative(Error::NO_PLACE),
-            Error::OutOfRange(Error::NO_PLACE),
-            Error::NotNormalizable(Error::NO_PLACE),
-            Error::ZeroLength(Error::NO_PLACE),
+            Error::NotFinite(0),
+            Error::Reversed(0),
+            Error::Empty(0),
+            Error::TooLarge(0),
+            Error::NotPositive(0),
+            Error::Negative(0),
+            Error::OutOfRange(0),
+            Error::NotNormalizable(0),
+            Error::ZeroLength(0),
             Error::NoWeights,
             Error::TooManyWeights,
             Error::NotFiniteWeight(0),

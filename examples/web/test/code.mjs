@@ -26,7 +26,7 @@ async function run(page, code) {
 }
 
 const WRONG = [
-  [`import { Normal } from "microwarp";\nnew Normal(0, -1);`, /^RangeError: a parameter that must be positive is not$/],
+  [`import { Normal } from "microwarp";\nnew Normal(0, -1);`, /^RangeError: parameter 2 must be positive$/],
   ["const = 1;", /^SyntaxError/],
   ["for (;;);", /^Stopped after \d+ seconds\.$/],
   ["show(new Float32Array(4), 4);", /^RangeError: points of 1, 2 or 3/],

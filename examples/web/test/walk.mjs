@@ -77,8 +77,8 @@ function refusal() {
 
 // Parameters that a constructor refuses, and the code and words that are due; then good ones.
 const REFUSED = [
-  ["line", "Interval", ["5", "-5"], "code 2 the lower bound is above", ["-3", "5"]],
-  ["line", "Exponential.fromRate", ["nan"], "code 1 a parameter is NaN or infinite", ["1"]],
+  ["line", "Interval", ["5", "-5"], "code 2 parameter 2 is below its lower bound", ["-3", "5"]],
+  ["line", "Exponential.fromRate", ["nan"], "code 1 parameter 1 is NaN or infinite", ["1"]],
   ["line", "Tent", ["inf"], "code 1", ["1"]],
   ["line", "Power", ["-1", "0", "1"], "code 8", ["1", "0", "1"]],
   ["plane", "TriangleOn2d", ["0", "0", "1", "1", "2", "2"], "code 3", ["0", "0", "4", "0", "1", "3"]],

@@ -8,12 +8,13 @@ use microwarp_host::upkeep::{Outcome, errors};
 pub fn reasons() -> Outcome<String> {
     let mut lines = String::from(
         "// Why a constructor refuses its parameters, by `cargo regenerate` from src/error.rs: the codes from 1 on. `#` is the\n\
-         // index of a weight.\nexport const reasons = [\n",
+         // index of a weight; `a parameter` is the one that is refused.\nexport const reasons = [\n",
     );
     for (error, _) in errors()? {
+        let text = error.to_string().replace("weight 0", "weight #");
         lines += &format!(
             "  {:?},\n",
-            error.to_string().replace("weight 0", "weight #")
+            text.replace("the first parameter", "a parameter")
         );
     }
     Ok(lines + "];\n")
