@@ -10,7 +10,7 @@ import { serve } from "../serve.mjs";
 import { launch } from "./browser.mjs";
 import { snippets } from "./code.mjs";
 import { NO_SCENE, one_bit_wider, refused_scenes, rendered, verdict } from "./scene.mjs";
-import { drawn, every_subject, most_points, refusals, shown, turns } from "./walk.mjs";
+import { drawn, every_subject, most_points, refusals, shown, subjects_of, turns } from "./walk.mjs";
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const [site, panics, pictures] = process.argv.slice(2);
@@ -203,7 +203,7 @@ async function controls() {
   const fewer = edited(catalogue, '["PowerMax2"], ', "");
   await with_page("control: a class too few", DESK, { "page/catalogue.mjs": fewer }, async (page) => {
     const found = [];
-    await every_subject(page, microwarp, (holds, fault) => holds || found.push(fault));
+    await subjects_of(page, microwarp, (holds, fault) => holds || found.push(fault));
     check(found.length === 1 && /does not show PowerMax2$/.test(found[0]), `control: of a class too few is noticed ${found}`);
   });
   say("controls: a missing table or package, an error in the console, a density of 0 and a class too few were noticed");

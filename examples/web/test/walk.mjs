@@ -31,14 +31,26 @@ export function drawn(what, { shown: name, summary, refused, count, inked, densi
   check(least > 0 && most < Infinity, `${what}: its densities are from ${least} to ${most}`);
 }
 
-// Chooses every sampler once, and for each every plan of uniforms. Gives what was seen. `microwarp` is the package, none of whose
-// classes may be missing.
+// The families of samplers, each with its subjects; none of the package's classes may be missing.
+export async function subjects_of(page, microwarp, check) {
+  const found = [];
+  for (const family of (await page.call(options, "family")).filter((name) => !["code", "scene"].includes(name))) {
+    await page.call(choose, "family", family);
+    found.push([family, await page.call(options, "subject")]);
+  }
+  const names = found.flatMap(([, subjects]) => subjects.map((subject) => subject.split(".")[0]));
+  const warps = Object.keys(microwarp).filter((name) => microwarp[name].prototype instanceof microwarp.Warp);
+  const missing = [...warps, "Alias", "Cdf", "Chain"].filter((name) => !names.includes(name));
+  check(warps.length >= 59 && missing.length === 0, `of ${warps.length} warps the page does not show ${missing.join(", ")}`);
+  return found;
+}
+
+// Chooses every sampler once, and for each every plan of uniforms. Gives what was seen.
 export async function every_subject(page, microwarp, check) {
   const seen = [];
-  const families = await page.call(options, "family");
-  for (const family of families.filter((name) => !["code", "scene"].includes(name))) {
+  for (const [family, subjects] of await subjects_of(page, microwarp, check)) {
     await page.call(choose, "family", family);
-    for (const subject of await page.call(options, "subject")) {
+    for (const subject of subjects) {
       await page.call(choose, "subject", subject);
       // What is no warp has no such table, nor has a mixture, which adds to the errors of its parts, or a reflection.
       const stated = subject in microwarp ? microwarp[subject].prototype instanceof microwarp.Warp : true;
@@ -54,10 +66,6 @@ export async function every_subject(page, microwarp, check) {
       await page.call(choose, "source", "random");
     }
   }
-  const is_shown = (name) => seen.some((subject) => subject.split(".")[0] === name);
-  const warps = Object.keys(microwarp).filter((name) => microwarp[name].prototype instanceof microwarp.Warp);
-  const missing = [...warps, "Alias", "Cdf", "Chain"].filter((name) => !is_shown(name));
-  check(warps.length >= 59 && missing.length === 0, `of ${warps.length} warps the page does not show ${missing.join(", ")}`);
   return seen;
 }
 
