@@ -6,6 +6,8 @@ use crate::layout::LAYOUT;
 use crate::value::Value;
 use core::slice;
 use core_crate::{Invert, Warp};
+use fixed::types::extra::U16;
+use fixed::types::{I2F30, I16F16, U0F32, U2F62, U16F16, U32F32};
 use microwarp_list::{float_warps, integer_warps};
 
 pub type Given<T> = <T as Value>::Given;
@@ -246,27 +248,26 @@ mod poly {
 }
 
 /// The integer tier, a module for each grade.
-macro_rules! grades {
-    ($($module:ident $tier:literal $($path:ident)::+;)*) => {$(
-        mod $module {
-            use super::*;
-            use core_crate::$($path)::+::*;
-            use fixed::types::extra::U16;
-            use fixed::types::{I2F30, I16F16, U0F32, U2F62, U16F16, U32F32};
-            integer_warps!(blocks $tier);
-        }
-    )*};
+mod fine {
+    use super::*;
+    use core_crate::fixed::*;
+    integer_warps!(blocks "fixed_");
 }
 
-grades! {
-    fine "fixed_" fixed;
-    coarse "coarse_" fixed::coarse;
-    compact "compact_" fixed::compact;
+mod coarse {
+    use super::*;
+    use core_crate::fixed::coarse::*;
+    integer_warps!(blocks "coarse_");
+}
+
+mod compact {
+    use super::*;
+    use core_crate::fixed::compact::*;
+    integer_warps!(blocks "compact_");
 }
 
 mod plain {
     use super::*;
     use core_crate::fixed::Interval;
-    use fixed::types::{I16F16, U16F16};
     integer_warps!(blocks);
 }
