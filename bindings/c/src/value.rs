@@ -112,42 +112,34 @@ macro_rules! by_pointer {
 /// One number.
 pub trait Number: Copy {}
 
-macro_rules! numbers {
-    ($([$($of:tt)*] $number:ty,)*) => {$(
-        impl<$($of)*> Number for $number {}
+impl Number for f32 {}
+impl Number for u16 {}
+impl Number for u32 {}
+impl Number for i32 {}
+impl<F: LeEqU32> Number for FixedU32<F> {}
+impl<F: LeEqU32> Number for FixedI32<F> {}
+impl<F: LeEqU64> Number for FixedU64<F> {}
 
-        impl<$($of)*> Value for $number {
-            same_in_c!();
-            type Given = Self;
-            type Place = Returned;
-            type Result = Self;
+impl<T: Number> Value for T {
+    same_in_c!();
+    type Given = Self;
+    type Place = Returned;
+    type Result = Self;
 
-            #[inline]
-            fn given(c: &Self) -> Self {
-                *c
-            }
+    #[inline]
+    fn given(c: &Self) -> Self {
+        *c
+    }
 
-            #[inline]
-            unsafe fn read(given: Self) -> Self {
-                given
-            }
+    #[inline]
+    unsafe fn read(given: Self) -> Self {
+        given
+    }
 
-            #[inline]
-            unsafe fn yielded(self, _: Returned) -> Self {
-                self
-            }
-        }
-    )*};
-}
-
-numbers! {
-    [] f32,
-    [] u16,
-    [] u32,
-    [] i32,
-    [F: LeEqU32] FixedU32<F>,
-    [F: LeEqU32] FixedI32<F>,
-    [F: LeEqU64] FixedU64<F>,
+    #[inline]
+    unsafe fn yielded(self, _: Returned) -> Self {
+        self
+    }
 }
 
 /// Read number by number. A load of two numbers at once waits until both have left the processor's queue of stores, and

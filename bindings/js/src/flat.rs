@@ -17,20 +17,23 @@ pub trait Flat: Copy {
 #[repr(C)]
 pub struct Both<A, B>(pub A, pub B);
 
-macro_rules! as_it_is {
-    ($([$($n:ident)*] $type:ty)*) => {$(
-        impl<$(const $n: usize)*> Flat for $type {
-            type Raw = Self;
-            fn raw(self) -> Self {
-                self
-            }
-            fn of(raw: Self) -> Self {
-                raw
-            }
-        }
-    )*};
+/// What lies there as it is.
+pub trait Plain: Copy {}
+impl Plain for f32 {}
+impl Plain for u32 {}
+impl<const N: usize> Plain for [f32; N] {}
+impl<const N: usize> Plain for [[f32; 2]; N] {}
+impl<const N: usize> Plain for [[f32; 3]; N] {}
+
+impl<T: Plain> Flat for T {
+    type Raw = Self;
+    fn raw(self) -> Self {
+        self
+    }
+    fn of(raw: Self) -> Self {
+        raw
+    }
 }
-as_it_is!([] f32 [] u32 [N] [f32; N] [N] [[f32; 2]; N] [N] [[f32; 3]; N]);
 
 /// A count; what is none becomes 0, which no constructor takes.
 impl Flat for u16 {
