@@ -62,7 +62,7 @@ pub fn complements<'a>(tape: &'a Tape, small: Range, first: bool) -> [Traced<'a>
 }
 
 /// Whether it is the uniform that is at most a half, or its complement, which is at least 2⁻²⁴: whatever may be.
-fn given(small: Range) -> impl Iterator<Item = bool> {
+pub fn given(small: Range) -> impl Iterator<Item = bool> {
     let complement = small.low >= UNIT;
     [true, false]
         .into_iter()
@@ -118,7 +118,7 @@ pub fn pieces<F: Form, const N: usize>(
     parts.into_iter().flatten().collect()
 }
 
-fn halves(Range { low, high }: Range) -> [Range; 2] {
+pub fn halves(Range { low, high }: Range) -> [Range; 2] {
     let middle = 0.5 * (low + high);
     [(low, middle), (middle, high)].map(|(low, high)| Range { low, high })
 }
@@ -136,7 +136,7 @@ fn of_box<F: Form>(form: &F, parameters: &[Range], small: Range, first: bool) ->
     pieces
 }
 
-fn piece(tape: &Tape, place: &[Traced]) -> Piece {
+pub fn piece(tape: &Tape, place: &[Traced]) -> Piece {
     let [r, z] = [place[0], place[1]];
     let one = Range::only(1.0);
     let [off, height] = [r, z].map(|x| tape.error(&[(x, one)]));

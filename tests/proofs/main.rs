@@ -8,11 +8,14 @@
 //! In the quick speed one of every few inputs is tried, so that what is called proven is so only nearly.
 //! `MICROWARP_WRITE=1 cargo test --test proofs` writes the figures anew.
 
+mod bilinear;
 mod bounds;
 mod cover;
 mod direct;
+mod fisher;
 mod formed;
 mod forms;
+mod gappa;
 mod inputs;
 mod interval;
 mod kept;
@@ -33,10 +36,12 @@ mod range;
 mod reached;
 mod report;
 mod rounding;
+mod script;
 mod search;
 mod several;
 mod shapes;
 mod sweeps;
+mod swept;
 mod tables;
 mod tape;
 mod unit;

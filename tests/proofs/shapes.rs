@@ -20,7 +20,7 @@ use microwarp::warp::RegularPolygon;
 use std::f64::consts::{PI, TAU};
 
 /// A range cut into so many parts.
-fn parts_of(low: f64, high: f64, parts: u32) -> Vec<Range> {
+pub fn parts_of(low: f64, high: f64, parts: u32) -> Vec<Range> {
     let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(parts);
     let each = (0..parts).map(|i| Range {
         low: at(i),
