@@ -3,4 +3,5 @@
 //! Overflow checks are on, so that a sweep that comes to its end is also the proof that no plain operator overflows.
 
 mod kernels;
+mod raw;
 mod warps;

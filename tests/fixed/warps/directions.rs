@@ -1,13 +1,14 @@
 //! The disk and the directions.
 
 use super::figures::{Figures, WORD, hold, over_pairs, sample_rows};
+use crate::raw::{Raw, raw, signed};
 use fixed::types::{I2F30, U0F32, U2F62, U32F32};
 use host::truth::{self, Truth};
 use microwarp::fixed::warp::{
     Cone, CosineHemisphere, Disk, Hemisphere, HenyeyGreenstein, PhongLobe, Sphere,
 };
-use microwarp::fixed::{Coarse, Compact, Density, Fine, Grade};
-use microwarp::{Error, Invert, Warp};
+use microwarp::fixed::{Coarse, Compact, Fine, Grade};
+use microwarp::{Error, Warp};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 const PAIRS: u64 = 1 << 20;
@@ -46,28 +47,27 @@ fn exact(truth: &dyn Truth, pair: [u32; 2]) -> [f64; 3] {
     truth.sample([u, v, 0.0, 0.0])
 }
 
-fn measured<W>(warp: &W, truth: &dyn Truth) -> Measured
-where
-    W: Invert<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + Sync,
-{
-    let point = |pair: [u32; 2]| warp.sample(pair.map(U0F32::from_bits));
+/// The step of a coordinate.
+const STEP: f64 = 4.0 * WORD;
+
+fn measured(warp: Box<dyn Raw>, truth: &dyn Truth) -> Measured {
+    let point = |pair: [u32; 2]| -> [f64; 3] { signed(warp.sample(&pair), STEP) };
     let sample = over_pairs(PAIRS, |pair, observe| {
-        let got = point(pair);
-        assert!(warp.pdf(got) > 0, "{pair:?}");
-        for (got, due) in got.into_iter().zip(exact(truth, pair)) {
-            observe(got.to_num::<f64>() - due);
+        assert!(warp.pdf(&warp.sample(&pair)) > 0, "{pair:?}");
+        for (got, due) in point(pair).into_iter().zip(exact(truth, pair)) {
+            observe(got - due);
         }
     });
     let length = over_pairs(PAIRS / 4, |pair, observe| {
-        let square: f64 = point(pair).map(|c| c.to_num::<f64>().powi(2)).iter().sum();
+        let square: f64 = point(pair).map(|c| c.powi(2)).iter().sum();
         observe(square.sqrt() - 1.0);
     });
     let back = over_pairs(PAIRS / 4, |pair, observe| {
-        let back = warp.invert(point(pair)).map(|u| u.to_num::<f64>());
-        let [u, v] = pair.map(|w| f64::from(w) * WORD);
-        observe(back[0] - u);
+        let back = warp.invert(&warp.sample(&pair));
+        let [u, v] = [0, 1].map(|i| [back[i], pair[i]].map(|w| f64::from(w) * WORD));
+        observe(u[0] - u[1]);
         let sine = exact(truth, [pair[0], 0])[0];
-        observe(turned(back[1], v) * sine);
+        observe(turned(v[0], v[1]) * sine);
     });
     Measured {
         sample,
@@ -85,24 +85,28 @@ fn rows(all: [Measured; 3]) -> Vec<(&'static str, [f64; 3])> {
 
 #[test]
 fn the_disk_keeps_its_stated_errors() {
-    fn of<G: Grade>() -> [Figures; 2] {
-        let warp = Disk::<G>::new();
+    fn of(warp: Box<dyn Raw>) -> [Figures; 2] {
         let sample = over_pairs(PAIRS, |pair, observe| {
-            let got = warp.sample(pair.map(U0F32::from_bits));
-            assert!(warp.pdf(got) > 0, "{pair:?}");
+            let got = warp.sample(&pair);
+            assert!(warp.pdf(&got) > 0, "{pair:?}");
+            let got: [f64; 2] = signed(got, STEP);
             for (got, due) in got.into_iter().zip(exact(&truth::Disk, pair)) {
-                observe(got.to_num::<f64>() - due);
+                observe(got - due);
             }
         });
         let back = over_pairs(PAIRS / 4, |pair, observe| {
-            let back = warp.invert(warp.sample(pair.map(U0F32::from_bits)));
-            let [u, v] = pair.map(|w| f64::from(w) * WORD);
-            observe(back[0].to_num::<f64>() - f64::from(pair[0]) * WORD);
-            observe(turned(back[1].to_num(), v) * u.sqrt());
+            let back = warp.invert(&warp.sample(&pair));
+            let [u, v] = [0, 1].map(|i| [back[i], pair[i]].map(|w| f64::from(w) * WORD));
+            observe(u[0] - u[1]);
+            observe(turned(v[0], v[1]) * u[1].sqrt());
         });
         [sample, back]
     }
-    let all = [of::<Fine>(), of::<Coarse>(), of::<Compact>()];
+    let all = [
+        of(raw(Disk::<Fine>::new())),
+        of(raw(Disk::<Coarse>::new())),
+        of(raw(Disk::<Compact>::new())),
+    ];
     let mut rows = sample_rows(all.map(|[sample, _]| sample)).to_vec();
     rows.push(("round trip", all.map(|[_, back]| back.max)));
     hold("Disk", &rows);
@@ -113,9 +117,9 @@ fn the_sphere_keeps_its_stated_errors() {
     let truth = truth::sphere();
     let truth = truth.as_ref();
     let all = [
-        measured(&Sphere::<Fine>::new(), truth),
-        measured(&Sphere::<Coarse>::new(), truth),
-        measured(&Sphere::<Compact>::new(), truth),
+        measured(raw(Sphere::<Fine>::new()), truth),
+        measured(raw(Sphere::<Coarse>::new()), truth),
+        measured(raw(Sphere::<Compact>::new()), truth),
     ];
     hold("Sphere", &rows(all));
 }
@@ -125,9 +129,9 @@ fn the_hemisphere_keeps_its_stated_errors() {
     let truth = truth::hemisphere();
     let truth = truth.as_ref();
     let all = [
-        measured(&Hemisphere::<Fine>::new(), truth),
-        measured(&Hemisphere::<Coarse>::new(), truth),
-        measured(&Hemisphere::<Compact>::new(), truth),
+        measured(raw(Hemisphere::<Fine>::new()), truth),
+        measured(raw(Hemisphere::<Coarse>::new()), truth),
+        measured(raw(Hemisphere::<Compact>::new()), truth),
     ];
     hold("Hemisphere", &rows(all));
 }
@@ -137,9 +141,9 @@ fn the_cosine_hemisphere_keeps_its_stated_errors() {
     let truth = truth::cosine_hemisphere();
     let truth = truth.as_ref();
     let all = [
-        measured(&CosineHemisphere::<Fine>::new(), truth),
-        measured(&CosineHemisphere::<Coarse>::new(), truth),
-        measured(&CosineHemisphere::<Compact>::new(), truth),
+        measured(raw(CosineHemisphere::<Fine>::new()), truth),
+        measured(raw(CosineHemisphere::<Coarse>::new()), truth),
+        measured(raw(CosineHemisphere::<Compact>::new()), truth),
     ];
     hold("CosineHemisphere", &rows(all));
     let warp = CosineHemisphere::<Fine>::new();
@@ -155,7 +159,7 @@ fn the_cosine_hemisphere_keeps_its_stated_errors() {
 fn the_cone_keeps_its_stated_errors() {
     fn of<G: Grade>(k: f64) -> Measured {
         let warp = Cone::<G>::from_one_minus_cos(U2F62::from_num(k)).unwrap();
-        measured(&warp, truth::cone(k, 2.0 - k).as_ref())
+        measured(raw(warp), truth::cone(k, 2.0 - k).as_ref())
     }
     fn all<G: Grade>() -> Measured {
         let mut all = of::<G>(0.3);
@@ -174,7 +178,7 @@ fn the_cone_keeps_its_stated_errors() {
 fn the_phase_function_keeps_its_stated_errors() {
     fn of<G: Grade>(g: f32) -> Measured {
         let warp = HenyeyGreenstein::<G>::new(I2F30::from_num(g)).unwrap();
-        measured(&warp, truth::henyey_greenstein(g).as_ref())
+        measured(raw(warp), truth::henyey_greenstein(g).as_ref())
     }
     fn all<G: Grade>() -> Measured {
         let mut all = of::<G>(0.8);
@@ -235,14 +239,14 @@ fn narrow_cones_and_lobes_keep_their_digits() {
     // Of the size of the cone or lobe itself.
     for k in [1e-5, 1e-8] {
         let warp = Cone::<Fine>::from_one_minus_cos(U2F62::from_num(k)).unwrap();
-        let found = measured(&warp, truth::cone(k, 2.0 - k).as_ref());
+        let found = measured(raw(warp), truth::cone(k, 2.0 - k).as_ref());
         let size = (2.0 * k).sqrt();
         println!("cone {k:e}: {:e} of {size:e}", found.sample.max);
         assert!(found.sample.max <= 1e-6 * size + 4.0 * 0.5_f64.powi(30));
     }
     for n in [1e5_f64, 1e8, 4e9] {
         let warp = PhongLobe::<Fine>::new(U32F32::from_num(n)).unwrap();
-        let found = measured(&warp, truth::phong(n as f32).as_ref());
+        let found = measured(raw(warp), truth::phong(n as f32).as_ref());
         let size = (2.0 / n).sqrt();
         println!("lobe {n:e}: {:e} of {size:e}", found.sample.max);
         assert!(found.sample.max <= 4e-6 * size + 4.0 * 0.5_f64.powi(30));
@@ -251,9 +255,11 @@ fn narrow_cones_and_lobes_keep_their_digits() {
 
 #[test]
 fn the_lobe_keeps_its_stated_errors() {
+    fn lobe<G: Grade>(n: f64) -> Box<dyn Raw> {
+        raw(PhongLobe::<G>::new(U32F32::from_num(n)).unwrap())
+    }
     fn of<G: Grade>(n: f64) -> Measured {
-        let warp = PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
-        measured(&warp, truth::phong(n as f32).as_ref())
+        measured(lobe::<G>(n), truth::phong(n as f32).as_ref())
     }
     fn all<G: Grade>() -> Measured {
         let mut all = of::<G>(50.0);
@@ -263,22 +269,21 @@ fn the_lobe_keeps_its_stated_errors() {
         all
     }
     /// The density at points of its own, of that on the axis.
-    fn density<G: Grade>() -> f64 {
+    fn density(lobe: fn(f64) -> Box<dyn Raw>) -> f64 {
         let mut largest = 0.0_f64;
         for n in [0.0, 0.5, 1.0, 2.0, 10.0, 50.0, 1e3] {
-            let warp = PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
-            let (peak, truth) = ((n + 1.0) / TAU, truth::phong(n as f32));
+            let (warp, peak, truth) = (lobe(n), (n + 1.0) / TAU, truth::phong(n as f32));
             let figures = over_pairs(PAIRS / 16, |pair, observe| {
-                let point = warp.sample(pair.map(U0F32::from_bits));
-                let due = truth.pdf(point.map(|c| c.to_num::<f64>()));
-                observe((warp.pdf(point).to_num::<f64>() - due) / peak);
+                let point = warp.sample(&pair);
+                let due = truth.pdf(signed(point, STEP));
+                observe((warp.pdf(&point).to_num::<f64>() - due) / peak);
             });
             largest = largest.max(figures.max);
         }
         largest
     }
     let mut rows = rows([all::<Fine>(), all::<Coarse>(), all::<Compact>()]);
-    let densities = [density::<Fine>(), density::<Coarse>(), density::<Compact>()];
+    let densities = [lobe::<Fine>, lobe::<Coarse>, lobe::<Compact>].map(density);
     rows.push(("pdf, of that on the axis", densities));
     hold("PhongLobe", &rows);
 }

@@ -1,6 +1,7 @@
 //! Triangles on vertices.
 
 use super::figures::{Figures, WORD, hold, over_pairs};
+use crate::raw::{Raw, Words, accepted, raw};
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U16};
 use fixed::types::{I16F16, I32F0, U0F32};
@@ -25,17 +26,20 @@ fn weights([u, v]: [u32; 2]) -> [f64; 3] {
 
 /// Points against the truth, of the extent of a coordinate beyond half a step; inside the box, of the density that
 /// the area has, and with an inverse that leads back.
-fn sample_error<const D: usize, G: Grade>(vertices: [[i32; D]; 3]) -> Figures {
-    let warp = new::<U16, D, G>(vertices);
+fn sample_error<const D: usize>(
+    warp: Box<dyn Raw>,
+    stated: f64,
+    vertices: [[i32; D]; 3],
+) -> Figures {
     let [a, b, c] = vertices;
     let low: Vec<i32> = (0..D).map(|k| a[k].min(b[k]).min(c[k])).collect();
     let high: Vec<i32> = (0..D).map(|k| a[k].max(b[k]).max(c[k])).collect();
     let density = density(vertices) * 2_f64.powi(32);
     over_pairs(PAIRS, |pair, observe| {
-        let point = warp.sample(pair.map(U0F32::from_bits));
+        let point = warp.sample(&pair);
         let [u, v, w] = weights(pair);
         for k in 0..D {
-            let x = point[k].to_bits();
+            let x = point[k] as i32;
             assert!((low[k]..=high[k]).contains(&x), "{vertices:?} {pair:x?}");
             let due = f64::from(a[k]) * u + f64::from(b[k]) * v + f64::from(c[k]) * w;
             let extent = f64::from(high[k]) - f64::from(low[k]);
@@ -44,20 +48,20 @@ fn sample_error<const D: usize, G: Grade>(vertices: [[i32; D]; 3]) -> Figures {
                 observe(error.max(0.0) / extent);
             }
         }
-        let got = warp.pdf(point).to_num::<f64>();
+        let got = warp.pdf(&point).to_num::<f64>();
         assert!(got > 0.0, "{vertices:?} {pair:x?}");
         assert!(
             (got - density.max(WORD)).abs() <= WORD + 1e-8 * density,
             "{got} for {density}"
         );
-        let again = warp.sample(warp.invert(point));
-        let (off, bound) = returned::<D, G>(vertices, point, again);
+        let again = warp.sample(&warp.invert(&point));
+        let (off, bound) = returned(vertices, stated, point, again);
         assert!(off <= bound, "{vertices:?} {pair:x?}: {off}, {bound}");
     })
 }
 
 /// 1/area in steps, by exact minors.
-fn density<const D: usize>([a, b, c]: [[i32; D]; 3]) -> f64 {
+pub fn density<const D: usize>([a, b, c]: [[i32; D]; 3]) -> f64 {
     let side = |v: [i32; D], k: usize| i128::from(v[k]) - i128::from(a[k]);
     let mut squares = 0.0;
     for i in 0..D {
@@ -71,10 +75,11 @@ fn density<const D: usize>([a, b, c]: [[i32; D]; 3]) -> f64 {
 
 /// How many steps lie between a point and the sample of its inverse, and how many may: four, and twice the error that the
 /// page states of a sample, of the extent.
-fn returned<const D: usize, G: Grade>(
+fn returned<const D: usize>(
     [a, b, c]: [[i32; D]; 3],
-    point: [I16F16; D],
-    again: [I16F16; D],
+    stated: f64,
+    point: Words,
+    again: Words,
 ) -> (f64, f64) {
     let most = |numbers: [i64; D]| numbers.into_iter().max().unwrap() as f64;
     let extent = most(std::array::from_fn(|k| {
@@ -82,14 +87,18 @@ fn returned<const D: usize, G: Grade>(
         row.into_iter().max().unwrap() - row.into_iter().min().unwrap()
     }));
     let off = most(std::array::from_fn(|k| {
-        (i64::from(point[k].to_bits()) - i64::from(again[k].to_bits())).abs()
+        (i64::from(point[k] as i32) - i64::from(again[k] as i32)).abs()
     }));
-    let error = match G::NAME {
+    (off, 4.0 + 2.0 * stated * extent)
+}
+
+/// The error that the page states of a sample.
+pub fn stated<G: Grade>() -> f64 {
+    match G::NAME {
         "fine" => 2.0e-7,
         "coarse" => 1.9e-5,
         _ => 6.2e-8,
-    };
-    (off, 4.0 + 2.0 * error * extent)
+    }
 }
 
 /// Triangles a few steps wide, at any angle and of any length, with any vertex in the middle; every fourth one of any
@@ -125,9 +134,9 @@ fn word(rng: &mut Pcg32) -> u32 {
 }
 
 /// The weights of a point's exact parts of the area, none below 0: what the inverse must not be.
-fn by_parts([a, b, c]: [[i32; 2]; 3], x: [I16F16; 2]) -> [U0F32; 2] {
+fn by_parts([a, b, c]: [[i32; 2]; 3], x: Words) -> [u32; 2] {
     let [a, b, c] = [a, b, c].map(|v| v.map(i128::from));
-    let x = x.map(|x| i128::from(x.to_bits()));
+    let x = [0, 1].map(|k| i128::from(x[k] as i32));
     let part = |p: [i128; 2], q: [i128; 2], r: [i128; 2]| {
         (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
     };
@@ -136,31 +145,30 @@ fn by_parts([a, b, c]: [[i32; 2]; 3], x: [I16F16; 2]) -> [U0F32; 2] {
         [part(b, c, x), part(c, a, x), part(a, b, x)].map(|part| (part * sign).max(0) as f64);
     let both = (v + w) / (u + v + w);
     let second = if v + w > 0.0 { v / (v + w) } else { 0.0 };
-    [both * both, second].map(U0F32::saturating_from_num)
+    [both * both, second].map(|u| U0F32::saturating_from_num(u).to_bits())
 }
 
 /// How many inverses of samples do not lead back, of those of a warp and of those by parts.
-fn astray<const D: usize, G: Grade>(
-    by_parts: impl Fn([[i32; D]; 3], [I16F16; D]) -> [U0F32; 2],
-) -> [u32; 2] {
+fn astray<const D: usize, G: Grade>(by_parts: fn([[i32; D]; 3], Words) -> [u32; 2]) -> [u32; 2] {
     let mut rng = Pcg32::new(21, D as u64);
     let (mut astray, mut wrong) = (0, 0);
     for _ in 0..speed::of("slivers", 20_000, 1_000_000) {
         let vertices = sliver::<D>(&mut rng);
-        let Ok(warp) = TriangleOn::<U16, D, G>::new(vertices.map(|v| v.map(FixedI32::from_bits)))
-        else {
+        let bits = vertices.map(|v| v.map(FixedI32::from_bits));
+        let Some(warp) = accepted(TriangleOn::<U16, D, G>::new(bits)) else {
             continue;
         };
         let pair = [word(&mut rng), word(&mut rng)];
-        let point = warp.sample(pair.map(U0F32::from_bits));
-        assert!(warp.pdf(point) > 0, "{vertices:?} {pair:x?}");
-        let (off, bound) = returned::<D, G>(vertices, point, warp.sample(warp.invert(point)));
+        let point = warp.sample(&pair);
+        assert!(warp.pdf(&point) > 0, "{vertices:?} {pair:x?}");
+        let again = warp.sample(&warp.invert(&point));
+        let (off, bound) = returned(vertices, stated::<G>(), point, again);
         if off > bound {
             println!("{vertices:?} {pair:x?}: {off} for {bound}");
             astray += 1;
         }
-        let other = warp.sample(by_parts(vertices, point));
-        let (off, bound) = returned::<D, G>(vertices, point, other);
+        let other = warp.sample(&by_parts(vertices, point));
+        let (off, bound) = returned(vertices, stated::<G>(), point, other);
         wrong += u32::from(off > bound);
     }
     [astray, wrong]
@@ -173,8 +181,8 @@ fn the_inverse_leads_back_in_any_sliver() {
     assert!(fine == 0 && wrong > 500, "{fine} {wrong}");
     assert_eq!(astray::<2, Coarse>(by_parts)[0], 0);
     assert_eq!(astray::<2, Compact>(by_parts)[0], 0);
-    assert_eq!(astray::<3, Fine>(|_, _| [U0F32::ZERO; 2])[0], 0);
-    assert_eq!(astray::<5, Fine>(|_, _| [U0F32::ZERO; 2])[0], 0);
+    assert_eq!(astray::<3, Fine>(|_, _| [0; 2])[0], 0);
+    assert_eq!(astray::<5, Fine>(|_, _| [0; 2])[0], 0);
     // It once led 1.15e9 steps off, and the other one is next to the first vertex, where the first word has few digits.
     for (vertices, words) in [
         (
@@ -190,9 +198,10 @@ fn the_inverse_leads_back_in_any_sliver() {
             [1, 0xe3b2_8e6c],
         ),
     ] {
-        let warp = new::<U16, 2, Fine>(vertices);
-        let point = warp.sample(words.map(U0F32::from_bits));
-        let (off, _) = returned::<2, Fine>(vertices, point, warp.sample(warp.invert(point)));
+        let warp = raw(new::<U16, 2, Fine>(vertices));
+        let point = warp.sample(&words);
+        let again = warp.sample(&warp.invert(&point));
+        let (off, _) = returned(vertices, 0.0, point, again);
         assert!(off <= 4.0, "{vertices:?}: {off}");
     }
 }
@@ -270,8 +279,9 @@ const SOLID: [[[i32; 3]; 3]; 4] = [
 ];
 
 fn worst<G: Grade>() -> f64 {
-    let flat = FLAT.map(sample_error::<2, G>);
-    let solid = SOLID.map(sample_error::<3, G>);
+    let stated = stated::<G>();
+    let flat = FLAT.map(|v| sample_error(raw(new::<U16, 2, G>(v)), stated, v));
+    let solid = SOLID.map(|v| sample_error(raw(new::<U16, 3, G>(v)), stated, v));
     flat.iter().chain(&solid).map(|f| f.max).fold(0.0, f64::max)
 }
 
@@ -283,11 +293,13 @@ fn a_point_is_in_the_box_right_to_a_step_and_of_the_area_s_density() {
 
 #[test]
 fn four_dimensions_are_no_obstacle() {
-    let figures = sample_error::<4, Fine>([
+    let vertices = [
         [0, 1, 2, 3],
         [1 << 20, -(1 << 19), 40, -5],
         [77, 1 << 18, -(1 << 20), 1 << 22],
-    ]);
+    ];
+    let warp = raw(new::<U16, 4, Fine>(vertices));
+    let figures = sample_error(warp, stated::<Fine>(), vertices);
     assert!(figures.max <= 5e-7, "{figures:?}");
 }
 

@@ -1,6 +1,7 @@
 //! The truncated exponential.
 
 use super::figures::{Figures, WORD, hold, over_words, sample_rows};
+use crate::raw::{Raw, raw};
 use fixed::FixedU32;
 use fixed::types::extra::{LeEqU32, U0, U16, U32};
 use fixed::types::{U0F32, U16F16};
@@ -42,25 +43,35 @@ const SETS: [[u32; 2]; 14] = [
     [1 << 24, u32::MAX],
 ];
 
+/// A warp of some parameters.
+type New = fn([u32; 2]) -> Box<dyn Raw>;
+
+/// Each grade in the format of most digits.
+const NEW: [New; 3] = [
+    |set| raw(parameters::<U32, Fine>(set)),
+    |set| raw(parameters::<U32, Coarse>(set)),
+    |set| raw(parameters::<U32, Compact>(set)),
+];
+
 fn parameters<Frac: LeEqU32, G: Grade>([mean, length]: [u32; 2]) -> TruncatedExponential<Frac, G> {
     let bits = FixedU32::from_bits;
     TruncatedExponential::from_mean(bits(mean), bits(length)).unwrap()
 }
 
 /// The largest error beyond a word and a step, and the root mean square and the mean of the plain one.
-fn sample_error<G: Grade>() -> Figures {
+fn sample_error(new: New) -> Figures {
     let mut total = Figures::default();
     for set in SETS {
-        let (warp, [mean, length]) = (parameters::<U32, G>(set), set.map(f64::from));
+        let (warp, [mean, length]) = (new(set), set.map(f64::from));
         let (z, unit) = (length / mean, (length / mean).min(1.0));
         let mut figures = over_words(100_003, |w, observe| {
-            let x = f64::from(warp.sample(U0F32::from_bits(w)).to_bits());
+            let x = f64::from(warp.sample(&[w])[0]);
             assert!(x < length, "{set:?} {w:#x}");
             observe((x / mean - truth(f64::from(w), z)) / unit);
         });
         figures.max = 0.0;
         figures.join(&over_words(100_003, |w, observe| {
-            let x = f64::from(warp.sample(U0F32::from_bits(w)).to_bits());
+            let x = f64::from(warp.sample(&[w])[0]);
             observe(beyond(x / mean, w, z, 1.0 / mean) / unit);
         }));
         total.join(&figures);
@@ -68,15 +79,15 @@ fn sample_error<G: Grade>() -> Figures {
     total
 }
 
-fn pdf_error<G: Grade>() -> f64 {
+fn pdf_error(new: New) -> f64 {
     let mut worst: f64 = 0.0;
     for set in SETS {
-        let (warp, [mean, length]) = (parameters::<U32, G>(set), set.map(f64::from));
+        let (warp, [mean, length]) = (new(set), set.map(f64::from));
         let peak = 1.0 / (mean * WORD) / -(-length / mean).exp_m1();
         let figures = over_words(200_003, |w, observe| {
-            let sample = warp.sample(U0F32::from_bits(w)).to_bits();
+            let sample = warp.sample(&[w])[0];
             for x in [sample, (f64::from(w) * WORD * length) as u32] {
-                let got = warp.pdf(FixedU32::from_bits(x));
+                let got = warp.pdf(&[x]);
                 assert!(got > 0);
                 let due = (-f64::from(x) / mean).exp() * peak;
                 observe((got.to_num::<f64>() - due).abs() / peak);
@@ -87,12 +98,12 @@ fn pdf_error<G: Grade>() -> f64 {
     worst
 }
 
-fn round_trip<G: Grade>() -> f64 {
+fn round_trip(new: New) -> f64 {
     let mut worst: f64 = 0.0;
     for set in SETS {
-        let warp = parameters::<U32, G>(set);
+        let warp = new(set);
         let figures = over_words(200_003, |w, observe| {
-            let back = warp.invert(warp.sample(U0F32::from_bits(w))).to_bits();
+            let back = warp.invert(&warp.sample(&[w]))[0];
             observe((f64::from(back) - f64::from(w)) * WORD);
         });
         worst = worst.max(figures.max);
@@ -102,28 +113,9 @@ fn round_trip<G: Grade>() -> f64 {
 
 #[test]
 fn the_truncated_exponential_keeps_its_stated_errors() {
-    let samples = [
-        sample_error::<Fine>(),
-        sample_error::<Coarse>(),
-        sample_error::<Compact>(),
-    ];
-    let mut rows = sample_rows(samples).to_vec();
-    rows.push((
-        "pdf",
-        [
-            pdf_error::<Fine>(),
-            pdf_error::<Coarse>(),
-            pdf_error::<Compact>(),
-        ],
-    ));
-    rows.push((
-        "round trip",
-        [
-            round_trip::<Fine>(),
-            round_trip::<Coarse>(),
-            round_trip::<Compact>(),
-        ],
-    ));
+    let mut rows = sample_rows(NEW.map(sample_error)).to_vec();
+    rows.push(("pdf", NEW.map(pdf_error)));
+    rows.push(("round trip", NEW.map(round_trip)));
     hold("TruncatedExponential", &rows);
 }
 

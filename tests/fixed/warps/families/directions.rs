@@ -2,12 +2,12 @@
 
 use super::family::{Family, STEP, Subject, WORD, beyond, check, family, uniform};
 use super::plane::{around, turns};
-use fixed::types::{I2F30, U0F32, U2F62, U32F32};
-use microwarp::Invert;
+use crate::raw::{Raw, accepted, raw, signed};
+use fixed::types::{U0F32, U2F62, U32F32};
+use microwarp::fixed::Grade;
 use microwarp::fixed::warp::{
     Cone, CosineHemisphere, Hemisphere, HenyeyGreenstein, PhongLobe, Sphere,
 };
-use microwarp::fixed::{Density, Grade};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
 /// Sine and cosine of the polar angle at a uniform.
@@ -15,20 +15,17 @@ type Polar = Box<dyn Fn(f64) -> (f64, f64)>;
 /// The density at a point.
 type Height = Box<dyn Fn([f64; 3]) -> f64>;
 
-fn directions<W>(
-    warp: W,
+fn directions(
+    warp: Box<dyn Raw>,
     variables: Vec<(&'static str, f64)>,
     [polar, other]: [Polar; 2],
     height: Height,
     // What an error of the density is a part of (0: of the density itself), and how much of it is none.
     (peak, free): (f64, f64),
-) -> Option<Subject>
-where
-    W: Invert<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + 'static,
-{
+) -> Option<Subject> {
     Subject::new(variables, move |words, errors| {
-        let sample = warp.sample(words.map(U0F32::from_bits));
-        let got = warp.pdf(sample);
+        let sample = warp.sample(&words);
+        let got = warp.pdf(&sample);
         check(got > 0, "no density at a sample")?;
         // Between the points of both.
         let dues = [&polar, &other].map(|polar| {
@@ -37,7 +34,7 @@ where
             [x, y, cos]
         });
         let sin = polar(uniform(words[0])).0;
-        let point = sample.map(|c| c.to_num::<f64>());
+        let point: [f64; 3] = signed(sample, STEP);
         let off = [0, 1, 2].map(|i| {
             let middle = 0.5 * (dues[0][i] + dues[1][i]);
             beyond(point[i] - middle, 0.5 * (dues[0][i] - dues[1][i]).abs())
@@ -53,8 +50,8 @@ where
         let due = height(point).max(WORD);
         let whole = if peak > 0.0 { peak } else { due };
         let density = beyond(got.to_num::<f64>() - due, free) / whole;
-        let back = warp.invert(sample);
-        let first = back[0].to_num::<f64>() - uniform(words[0]);
+        let back = warp.invert(&sample);
+        let first = uniform(back[0]) - uniform(words[0]);
         errors[2] = largest(&[first, turns(back[1], words[1]) * sin]);
         // Where no row states it, nothing is left.
         match errors.get_mut(3) {
@@ -85,14 +82,11 @@ fn cone<G: Grade>(p: &[u32]) -> Option<Subject> {
             k as f64 * 0.5_f64.powi(62),
         )
     };
-    cone_of(warp.ok()?, k)
+    cone_of(accepted(warp)?, k)
 }
 
 /// A warp beside the truth of the cone of 1 − cos θ = k.
-pub(super) fn cone_of<W>(warp: W, k: f64) -> Option<Subject>
-where
-    W: Invert<Uniforms = [U0F32; 2], Point = [I2F30; 3], Density = Density> + 'static,
-{
+pub(super) fn cone_of(warp: Box<dyn Raw>, k: f64) -> Option<Subject> {
     let density = 1.0 / (TAU * k);
     let size = if k < 1.0 { of_complement(k).0 } else { 1.0 };
     // Of an angle, and of the 31 digits that are kept.
@@ -102,10 +96,7 @@ where
     directions(warp, vec![("w", size)], kept, height, (density, WORD))
 }
 
-fn lobe<G: Grade>(p: &[u32]) -> Option<Subject> {
-    let n = (u64::from(p[1]) << 32 | u64::from(p[2])) >> (p[0] % 64);
-    let warp = PhongLobe::<G>::new(U32F32::from_bits(n)).ok()?;
-    let n = n as f64 * WORD;
+fn lobe(warp: Box<dyn Raw>, n: f64) -> Option<Subject> {
     let size = (2.0 / (n + 1.0)).sqrt().min(1.0);
     let polar =
         || -> Polar { Box::new(move |u| of_complement(-((-u).ln_1p() / (n + 1.0)).exp_m1())) };
@@ -128,13 +119,8 @@ fn lobe<G: Grade>(p: &[u32]) -> Option<Subject> {
     )
 }
 
-fn henyey_greenstein<G: Grade>(p: &[u32]) -> Option<Subject> {
-    // 1 - |g| of all magnitudes, to either side.
-    let least = (u64::from(p[1]) << 32 | u64::from(p[2])) >> (2 + (p[0] >> 1) % 18);
-    let back = p[0] % 2 == 1;
-    let complement = if back { (1 << 63) - least } else { least };
-    let warp = HenyeyGreenstein::<G>::from_one_minus(U2F62::from_bits(complement)).ok()?;
-    let a = least as f64 * 0.5_f64.powi(62);
+/// Of 1 - |g|, to either side.
+fn henyey_greenstein(warp: Box<dyn Raw>, a: f64, back: bool) -> Option<Subject> {
     let h = 1.0 - a;
     let polar = || -> Polar {
         Box::new(move |u| {
@@ -173,7 +159,7 @@ pub(super) fn families(all: &mut Vec<Family>) {
     family!(all, "Sphere", ROWS, 0, |_p, G| {
         let polar = || -> Polar { Box::new(|u| (2.0 * (u * (1.0 - u)).sqrt(), 1.0 - 2.0 * u)) };
         directions(
-            Sphere::<G>::new(),
+            raw(Sphere::<G>::new()),
             vec![],
             [polar(), polar()],
             Box::new(|_| FRAC_1_PI / 4.0),
@@ -183,7 +169,7 @@ pub(super) fn families(all: &mut Vec<Family>) {
     family!(all, "Hemisphere", ROWS, 0, |_p, G| {
         let polar = || -> Polar { Box::new(|u| (((1.0 - u) * (1.0 + u)).sqrt(), u)) };
         directions(
-            Hemisphere::<G>::new(),
+            raw(Hemisphere::<G>::new()),
             vec![],
             [polar(), polar()],
             Box::new(|_| FRAC_1_PI / 2.0),
@@ -193,7 +179,7 @@ pub(super) fn families(all: &mut Vec<Family>) {
     family!(all, "CosineHemisphere", ROWS, 0, |_p, G| {
         let polar = || -> Polar { Box::new(|u| (u.sqrt(), (1.0 - u).sqrt())) };
         directions(
-            CosineHemisphere::<G>::new(),
+            raw(CosineHemisphere::<G>::new()),
             vec![],
             [polar(), polar()],
             Box::new(|[_, _, z]| z * FRAC_1_PI),
@@ -202,7 +188,16 @@ pub(super) fn families(all: &mut Vec<Family>) {
     });
     family!(all, "Cone", CONE, 3, |p, G| cone::<G>(p));
     family!(all, "HenyeyGreenstein", CONE, 3, |p, G| {
-        henyey_greenstein::<G>(p)
+        // 1 - |g| of all magnitudes.
+        let least = (u64::from(p[1]) << 32 | u64::from(p[2])) >> (2 + (p[0] >> 1) % 18);
+        let back = p[0] % 2 == 1;
+        let complement = U2F62::from_bits(if back { (1 << 63) - least } else { least });
+        let warp = accepted(HenyeyGreenstein::<G>::from_one_minus(complement));
+        henyey_greenstein(warp?, least as f64 * 0.5_f64.powi(62), back)
     });
-    family!(all, "PhongLobe", LOBE, 3, |p, G| lobe::<G>(p));
+    family!(all, "PhongLobe", LOBE, 3, |p, G| {
+        let n = (u64::from(p[1]) << 32 | u64::from(p[2])) >> (p[0] % 64);
+        let warp = accepted(PhongLobe::<G>::new(U32F32::from_bits(n)));
+        lobe(warp?, n as f64 * WORD)
+    });
 }

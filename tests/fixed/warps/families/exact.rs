@@ -1,111 +1,59 @@
 //! Warps that are exact, against long integers, and the route of `f32`.
 
 use super::family::{Family, Subject, WORD, check, family};
+use crate::raw::{OfWords, Raw, accepted};
 use fixed::types::extra::{U0, U16};
-use fixed::types::{I0F32, I16F16, I32F0, U0F32, U2F62, U16F16, U32F32};
+use fixed::types::{I0F32, I16F16, I32F0, U2F62, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32};
 use microwarp::fixed::warp::{
     Cone, Disk, NormalPair, PhongLobe, StandardNormalPair, Tent, Triangle, TruncatedExponential,
 };
-use microwarp::fixed::{Density, Float, FloatPoint, FloatUniforms, Grade, Interval, Number};
+use microwarp::fixed::{Density, Float, FloatPoint, FloatUniforms, Grade, Interval};
 use microwarp::{Invert, Warp};
 
 /// All values from the first on, in words, against exact shares.
-fn interval<T>(
-    warp: Interval<T>,
-    first: u32,
-    count: u64,
-    fraction: u32,
-    nth: fn(u32) -> T,
-) -> Option<Subject>
-where
-    T: Number + PartialEq + 'static,
-{
+fn interval(warp: Box<dyn Raw>, first: u32, count: u64, fraction: u32) -> Option<Subject> {
     // 1/length in steps is this over the count.
     let whole = 1_i128 << (32 + fraction);
     let most = i128::from(u64::MAX) * i128::from(count);
     let due = whole.clamp(i128::from(count), most);
     Subject::new(vec![], move |[w, other], errors| {
         let steps = (u64::from(w) * count) >> 32;
-        let x = nth(first.wrapping_add(steps as u32));
-        check(
-            warp.sample(U0F32::from_bits(w)) == x,
-            "not the value of the word",
-        )?;
+        let x = first.wrapping_add(steps as u32);
+        check(warp.sample(&[w])[0] == x, "not the value of the word")?;
         // The first word of a value.
         let word = (u128::from(steps) << 32).div_ceil(u128::from(count));
         check(
-            u128::from(warp.invert(x).to_bits()) == word,
+            u128::from(warp.invert(&[x])[0]) == word,
             "not the first word",
         )?;
-        let got = warp.pdf(x);
+        let got = warp.pdf(&[x]);
         check(got > 0, "no density at a sample")?;
         let off = i128::from(got.to_bits()) * i128::from(count) - due;
         errors[0] = off as f64 / count as f64 * WORD;
         let inside = u64::from(other.wrapping_sub(first)) < count;
-        check((warp.pdf(nth(other)) > 0) == inside, "density outside")
+        check((warp.pdf(&[other]) > 0) == inside, "density outside")
     })
 }
 
 fn any_interval(p: &[u32]) -> Option<Subject> {
     let [a, b] = [p[1], p[2]];
-    let signed = |bits: u32| bits as i32;
-    let (unsigned_count, signed_count) = (
+    let (unsigned, signed) = (
         (i64::from(b) - i64::from(a)) as u64,
-        (i64::from(signed(b)) - i64::from(signed(a))) as u64,
+        (i64::from(b as i32) - i64::from(a as i32)) as u64,
     );
-    let halves = FixedU32::<U16>::from_bits;
+    macro_rules! of {
+        ($of:ty, $new:ident) => {
+            accepted(Interval::<$of>::$new(OfWords::of(&[a]), OfWords::of(&[b])))?
+        };
+    }
     match p[0] % 6 {
-        0 => interval(
-            Interval::<u32>::new(a, b).ok()?,
-            a,
-            unsigned_count,
-            0,
-            |x| x,
-        ),
-        1 => interval(
-            Interval::<i32>::new(signed(a), signed(b)).ok()?,
-            a,
-            signed_count,
-            0,
-            |x| x as i32,
-        ),
-        2 => interval(
-            Interval::<i32>::inclusive(signed(a), signed(b)).ok()?,
-            a,
-            signed_count + 1,
-            0,
-            |x| x as i32,
-        ),
-        3 => interval(
-            Interval::<U16F16>::new(halves(a), halves(b)).ok()?,
-            a,
-            unsigned_count,
-            16,
-            U16F16::from_bits,
-        ),
-        4 => {
-            let [low, high] = [a, b].map(|x| I0F32::from_bits(signed(x)));
-            let nth = |x| I0F32::from_bits(x as i32);
-            interval(
-                Interval::<I0F32>::new(low, high).ok()?,
-                a,
-                signed_count,
-                32,
-                nth,
-            )
-        }
-        _ => {
-            let [low, high] = [a, b].map(|x| I16F16::from_bits(signed(x)));
-            let nth = |x| I16F16::from_bits(x as i32);
-            interval(
-                Interval::<I16F16>::inclusive(low, high).ok()?,
-                a,
-                signed_count + 1,
-                16,
-                nth,
-            )
-        }
+        0 => interval(of!(u32, new), a, unsigned, 0),
+        1 => interval(of!(i32, new), a, signed, 0),
+        2 => interval(of!(i32, inclusive), a, signed + 1, 0),
+        3 => interval(of!(U16F16, new), a, unsigned, 16),
+        4 => interval(of!(I0F32, new), a, signed, 32),
+        _ => interval(of!(I16F16, inclusive), a, signed + 1, 16),
     }
 }
 

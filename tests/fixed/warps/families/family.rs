@@ -158,23 +158,28 @@ pub fn density_error(got: microwarp::fixed::Density, due: f64, peak: f64) -> f64
     beyond(got.to_num::<f64>() - due, WORD) / peak
 }
 
-/// Calls a function of a format and a grade in the format that a word chooses.
+/// What is made of the format that a word chooses.
 macro_rules! in_format {
-    ($word:expr, $function:ident, $grade:ty, $($argument:expr),*) => {{
+    ($word:expr, $format:ident, $made:expr) => {{
         use fixed::types::extra::{U0, U1, U8, U16, U27, U30, U31, U32};
-        match $word % 8 {
-            0 => $function::<U0, $grade>($($argument),*),
-            1 => $function::<U1, $grade>($($argument),*),
-            2 => $function::<U8, $grade>($($argument),*),
-            3 => $function::<U16, $grade>($($argument),*),
-            4 => $function::<U27, $grade>($($argument),*),
-            5 => $function::<U30, $grade>($($argument),*),
-            6 => $function::<U31, $grade>($($argument),*),
-            _ => $function::<U32, $grade>($($argument),*),
-        }
+        in_format!(@ $word, $format, $made, 0 U0, 1 U1, 2 U8, 3 U16, 4 U27, 5 U30, 6 U31, 7 U32)
     }};
+    (@ $word:expr, $format:ident, $made:expr, $($place:literal $of:ident),*) => {
+        match $word % 8 {
+            $($place => {
+                type $format = $of;
+                $made
+            })*
+            _ => unreachable!(),
+        }
+    };
 }
 pub(super) use in_format;
+
+/// How many steps of the format that a word chooses are 1.
+pub fn one(word: u32) -> f64 {
+    2_f64.powi([0, 1, 8, 16, 27, 30, 31, 32][word as usize % 8])
+}
 
 /// A family in each of the grades.
 macro_rules! family {

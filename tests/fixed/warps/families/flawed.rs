@@ -2,6 +2,7 @@
 
 use super::directions;
 use super::family::{Family, Subject};
+use crate::raw::raw;
 use fixed::types::{I2F30, U0F32, U2F62};
 use host::adversary::search::{Budget, USUAL};
 use host::adversary::{Family as Attacked, attack};
@@ -67,14 +68,12 @@ fn halved(p: &[u32]) -> Option<Subject> {
     let warp = Cone::<Fine>::from_one_minus_cos(U2F62::from_bits(k)).ok()?;
     let doublings = k.leading_zeros() - 1;
     let half = (k << 1) << doublings;
-    directions::cone_of(
-        Halved {
-            warp,
-            half,
-            doublings,
-        },
-        k as f64 * 0.5_f64.powi(62),
-    )
+    let halved = Halved {
+        warp,
+        half,
+        doublings,
+    };
+    directions::cone_of(raw(halved), k as f64 * 0.5_f64.powi(62))
 }
 
 #[test]

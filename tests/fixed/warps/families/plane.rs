@@ -1,12 +1,11 @@
 //! The disk and the normals.
 
-use super::family::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
-use fixed::types::extra::LeEqU32;
-use fixed::types::{U0F32, U32F0};
-use fixed::{FixedI32, types::I5F27};
-use microwarp::fixed::Grade;
+use super::family::{
+    Family, STEP, Subject, beyond, check, density_error, family, in_format, one, uniform,
+};
+use crate::raw::{OfWords, Raw, Words, accepted, raw, signed};
+use fixed::types::U32F0;
 use microwarp::fixed::warp::{Bilinear, Disk, NormalPair, StandardNormalPair};
-use microwarp::{Invert, Warp};
 use std::f64::consts::TAU;
 
 /// The point of a radius at a phase.
@@ -23,25 +22,24 @@ pub fn around(radius: f64, phase: u32) -> [f64; 2] {
 }
 
 /// The distance of a number of turns from a phase.
-pub fn turns(got: U0F32, phase: u32) -> f64 {
-    f64::from(got.to_bits().wrapping_sub(phase) as i32) * super::family::WORD
+pub fn turns(got: u32, phase: u32) -> f64 {
+    f64::from(got.wrapping_sub(phase) as i32) * super::family::WORD
 }
 
-fn disk<G: Grade>() -> Option<Subject> {
-    let warp = Disk::<G>::new();
+fn disk(warp: Box<dyn Raw>) -> Option<Subject> {
     Subject::new(vec![], move |words, errors| {
-        let point = warp.sample(words.map(U0F32::from_bits));
-        let [x, y] = point.map(|c| i64::from(c.to_bits()));
+        let sample = warp.sample(&words);
+        let [x, y] = [0, 1].map(|i| i64::from(sample[i] as i32));
         check(x * x + y * y <= 1 << 60, "outside")?;
-        check(warp.pdf(point) > 0, "no density at a sample")?;
+        check(warp.pdf(&sample) > 0, "no density at a sample")?;
         let r = uniform(words[0]).sqrt();
-        let due = around(r, words[1]);
+        let (point, due): ([f64; 2], _) = (signed(sample, STEP), around(r, words[1]));
         errors[0] = [0, 1]
-            .map(|i| (point[i].to_num::<f64>() - due[i]).abs())
+            .map(|i| (point[i] - due[i]).abs())
             .into_iter()
             .fold(0.0, f64::max);
-        let back = warp.invert(point);
-        let first = (back[0].to_num::<f64>() - uniform(words[0])).abs();
+        let back = warp.invert(&sample);
+        let first = (uniform(back[0]) - uniform(words[0])).abs();
         errors[1] = first.max((turns(back[1], words[1]) * r).abs());
         Ok(())
     })
@@ -52,60 +50,61 @@ fn radius(u: u32) -> f64 {
 }
 
 /// The round trip of the first uniform, and of the second as a distance along the circle of the radius.
-fn back_error(back: [U0F32; 2], words: [u32; 2]) -> f64 {
-    let first = (back[0].to_num::<f64>() - uniform(words[0])).abs();
+fn back_error(back: Words, words: [u32; 2]) -> f64 {
+    let first = (uniform(back[0]) - uniform(words[0])).abs();
     first.max((turns(back[1], words[1]) * TAU * radius(words[0]).min(1.0)).abs())
 }
 
-fn standard<G: Grade>() -> Option<Subject> {
-    let warp = StandardNormalPair::<G>::new();
+fn standard(warp: Box<dyn Raw>) -> Option<Subject> {
+    const STEP: f64 = 1.0 / 134_217_728.0;
     Subject::new(vec![], move |words, errors| {
-        let sample = warp.sample(words.map(U0F32::from_bits));
-        check(sample.iter().all(|c| c.abs() <= 6.661), "outside")?;
-        check(warp.pdf(sample) > 0, "no density at a sample")?;
+        let sample = warp.sample(&words);
+        let point: [f64; 2] = signed(sample, STEP);
+        check(point.iter().all(|c| c.abs() <= 6.661), "outside")?;
+        check(warp.pdf(&sample) > 0, "no density at a sample")?;
         let due = around(radius(words[0]), words[1]);
-        let [dx, dy] = [0, 1].map(|i| sample[i].to_num::<f64>() - due[i]);
-        errors[0] = dx.hypot(dy);
-        for point in [sample, words.map(|w| I5F27::from_bits(w as i32))] {
-            let [x, y] = point.map(|c| c.to_num::<f64>());
+        errors[0] = (point[0] - due[0]).hypot(point[1] - due[1]);
+        for point in [[sample[0], sample[1]], words] {
+            let [x, y] = point.map(|c| f64::from(c as i32) * STEP);
             let due = (-0.5 * (x * x + y * y)).exp() / TAU;
-            errors[1] = errors[1].max(density_error(warp.pdf(point), due, 1.0));
+            errors[1] = errors[1].max(density_error(warp.pdf(&point), due, 1.0));
         }
-        errors[2] = back_error(warp.invert(sample), words);
+        errors[2] = back_error(warp.invert(&sample), words);
         Ok(())
     })
 }
 
-fn normal<Frac: LeEqU32 + 'static, G: Grade>(means: [u32; 2], deviation: u32) -> Option<Subject> {
-    let bits = FixedI32::<Frac>::from_bits;
-    let d = f64::from(deviation);
-    // Means anywhere that the deviation leaves room for.
+/// Means anywhere that the deviation leaves room for.
+fn room(means: [u32; 2], deviation: u32) -> [u32; 2] {
     let room = (i64::from(i32::MAX) - ((i64::from(deviation) * 427) >> 6) - 1).max(0);
-    let means = means.map(|m| ((i64::from(m as i32) * room) >> 31) as i32);
-    let warp = NormalPair::<Frac, G>::new(means.map(bits), bits(deviation as i32)).ok()?;
-    let sigma = d / 2_f64.powi(Frac::U32 as i32);
+    means.map(|m| ((i64::from(m as i32) * room) >> 31) as u32)
+}
+
+fn normal(warp: Box<dyn Raw>, one: f64, means: [u32; 2], deviation: u32) -> Option<Subject> {
+    let (d, means) = (f64::from(deviation), means.map(|m| m as i32));
+    let sigma = d / one;
     let peak = 1.0 / (TAU * sigma * sigma);
-    let density = move |point: [FixedI32<Frac>; 2]| {
-        let [x, y] = [0, 1].map(|i| (f64::from(point[i].to_bits()) - f64::from(means[i])) / d);
+    let density = move |point: [u32; 2]| {
+        let [x, y] = [0, 1].map(|i| (f64::from(point[i] as i32) - f64::from(means[i])) / d);
         peak * (-0.5 * (x * x + y * y)).exp()
     };
     Subject::new(vec![("n", d)], move |words, errors| {
-        let sample = warp.sample(words.map(U0F32::from_bits));
-        check(warp.pdf(sample) > 0, "no density at a sample")?;
+        let sample = warp.sample(&words);
+        check(warp.pdf(&sample) > 0, "no density at a sample")?;
         let due = around(radius(words[0]), words[1]);
         let off = [0, 1].map(|i| {
             let due = f64::from(means[i]) + due[i] * d;
-            beyond(f64::from(sample[i].to_bits()) - due, 0.5) / d
+            beyond(f64::from(sample[i] as i32) - due, 0.5) / d
         });
         errors[0] = off[0].hypot(off[1]);
         let any = [0, 1].map(|i| {
             let off = (i64::from(words[i] as i32) * i64::from(deviation)) >> 29;
-            bits((i64::from(means[i]) + off).clamp(i32::MIN.into(), i32::MAX.into()) as i32)
+            (i64::from(means[i]) + off).clamp(i32::MIN.into(), i32::MAX.into()) as u32
         });
-        for point in [sample, any] {
-            errors[1] = errors[1].max(density_error(warp.pdf(point), density(point), peak));
+        for point in [[sample[0], sample[1]], any] {
+            errors[1] = errors[1].max(density_error(warp.pdf(&point), density(point), peak));
         }
-        errors[2] = back_error(warp.invert(sample), words);
+        errors[2] = back_error(warp.invert(&sample), words);
         Ok(())
     })
 }
@@ -120,30 +119,27 @@ pub fn linear([a, b]: [f64; 2], u: f64) -> f64 {
     }
 }
 
-fn bilinear<G: Grade>(weights: [[u32; 2]; 2]) -> Option<Subject> {
-    let words = weights.map(|row| row.map(U32F0::from_bits));
-    let warp = Bilinear::<G>::new(words).ok()?;
+fn bilinear(warp: Box<dyn Raw>, weights: [[u32; 2]; 2]) -> Option<Subject> {
     let exact = weights.map(|row| row.map(f64::from));
     let [low, high] = exact.map(|[a, b]| a + b);
     let scale = 4.0 / (low + high);
     let peak = scale * exact.into_iter().flatten().fold(0.0, f64::max);
     let ends = move |y: f64| [0, 1].map(|x| (1.0 - y) * exact[0][x] + y * exact[1][x]);
     Subject::new(vec![], move |words, errors| {
-        let words = words.map(U0F32::from_bits);
-        let sample = warp.sample(words);
-        let [u, v] = words.map(|u| u.to_num::<f64>());
-        let [x, y] = sample.map(|c| c.to_num::<f64>());
-        check(warp.pdf(sample) > 0, "no density at a sample")?;
+        let sample = warp.sample(&words);
+        let point = [sample[0], sample[1]];
+        let ([u, v], [x, y]) = (words.map(uniform), point.map(uniform));
+        check(warp.pdf(&sample) > 0, "no density at a sample")?;
         // x for the y that is returned.
         let off = [x - linear(ends(y), u), y - linear([low, high], v)];
         errors[0] = off[0].abs().max(off[1].abs());
-        for point in [sample, words] {
-            let [x, y] = point.map(|c| c.to_num::<f64>());
+        for point in [point, words] {
+            let [x, y] = point.map(uniform);
             let [a, b] = ends(y);
             let due = scale * ((1.0 - x) * a + x * b);
-            errors[1] = errors[1].max(density_error(warp.pdf(point), due, peak));
+            errors[1] = errors[1].max(density_error(warp.pdf(&point), due, peak));
         }
-        let back = warp.invert(sample).map(|u| u.to_num::<f64>());
+        let back = warp.invert(&sample).map(uniform);
         errors[2] = (back[0] - u).abs().max((back[1] - v).abs());
         Ok(())
     })
@@ -157,7 +153,7 @@ pub(super) fn families(all: &mut Vec<Family>) {
         "Disk",
         &["sample, max", "round trip"],
         0,
-        |_p, G| disk::<G>()
+        |_p, G| disk(raw(Disk::<G>::new()))
     );
     family!(all, "Bilinear", ROWS, 4, |p, G| {
         // Words of all magnitudes, and zeros.
@@ -168,16 +164,21 @@ pub(super) fn families(all: &mut Vec<Family>) {
                 p[i] >> (p[i] % 32)
             }
         };
-        bilinear::<G>([[some(0), some(1)], [some(2), some(3)]])
+        let weights = [[some(0), some(1)], [some(2), some(3)]];
+        let words = weights.map(|row| row.map(U32F0::from_bits));
+        bilinear(accepted(Bilinear::<G>::new(words))?, weights)
     });
     family!(all, "StandardNormalPair", ROWS, 0, |_p, G| {
-        standard::<G>()
+        standard(raw(StandardNormalPair::<G>::new()))
     });
-    family!(all, "NormalPair", ROWS, 4, |p, G| in_format!(
-        p[0],
-        normal,
-        G,
-        [p[1], p[2]],
-        p[3]
-    ));
+    family!(all, "NormalPair", ROWS, 4, |p, G| {
+        let (means, deviation) = (room([p[1], p[2]], p[3]), &p[3..]);
+        let warp = in_format!(p[0], F, {
+            accepted(NormalPair::<F, G>::new(
+                OfWords::of(&means),
+                OfWords::of(deviation),
+            ))
+        });
+        normal(warp?, one(p[0]), means, p[3])
+    });
 }

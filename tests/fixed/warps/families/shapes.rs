@@ -1,16 +1,13 @@
 //! Rings, polygons, rotations and simplices.
 
 use super::family::{
-    Family, Subject, WORD, beyond, check, density_error, family, in_format, uniform,
+    Family, STEP, Subject, WORD, beyond, check, density_error, family, in_format, one, uniform,
 };
 use super::plane::{around, turns};
-use fixed::FixedI32;
-use fixed::types::extra::LeEqU32;
-use fixed::types::{I2F30, U0F32};
+use crate::raw::{OfWords, Raw, accepted, raw, signed};
 use host::truth;
 use microwarp::fixed::Grade;
 use microwarp::fixed::warp::{Annulus, RegularPolygon, Rotation, Simplex};
-use microwarp::{Invert, Warp};
 use std::f64::consts::{PI, TAU};
 
 /// The largest magnitude; NaN counts as that.
@@ -28,30 +25,38 @@ fn slack<G: Grade>() -> f64 {
     }
 }
 
-fn annulus<Frac: LeEqU32 + 'static, G: Grade>(p: &[u32]) -> Option<Subject> {
-    let bits = FixedI32::<Frac>::from_bits;
-    // Outer radii of all magnitudes, and inner ones that are 0, anything, or near them.
+/// Outer radii of all magnitudes, and inner ones that are 0, anything, or near them.
+fn radii(p: &[u32]) -> [u32; 2] {
     let outer = ((p[1] >> 1).min((1 << 30) + 1)) >> (p[0] >> 8 & 31);
     let inner = match p[0] >> 13 & 3 {
         0 => 0,
         1 => ((u64::from(p[2]) * u64::from(outer)) >> 32) as u32 >> (p[0] >> 20 & 15),
         _ => outer.saturating_sub(p[2] >> (p[0] >> 15 & 31)),
     };
-    let [inner_radius, radius] = [inner, outer].map(|r| bits(r as i32));
-    let whole = p[0] >> 7 & 1 == 0;
+    [inner, outer]
+}
+
+/// The sides of a sector; none of a whole ring.
+fn sides(p: &[u32]) -> Option<[u32; 2]> {
     let width = p[4] >> (p[0] >> 24 & 31);
-    let (warp, start, width) = if whole {
-        (Annulus::<Frac, G>::new(inner_radius, radius), 0, 1 << 32)
-    } else {
-        let sides = [p[3], p[3].wrapping_add(width)].map(U0F32::from_bits);
-        let warp = Annulus::<Frac, G>::sector(inner_radius, radius, sides);
-        (warp, p[3], u64::from(width))
+    (p[0] >> 7 & 1 != 0).then_some([p[3], p[3].wrapping_add(width)])
+}
+
+fn annulus(
+    warp: Box<dyn Raw>,
+    one: f64,
+    [inner, outer]: [u32; 2],
+    sides: Option<[u32; 2]>,
+    slack: f64,
+) -> Option<Subject> {
+    let (start, width) = match sides {
+        None => (0, 1 << 32),
+        Some([first, second]) => (first, u64::from(second.wrapping_sub(first))),
     };
-    let warp = warp.ok()?;
     let [low, n] = [inner, outer].map(f64::from);
     let steps = (n - low) * (n + low);
     let w = width as f64 * WORD;
-    let density = 4_f64.powi(Frac::U32 as i32) / (PI * steps * w);
+    let density = one * one / (PI * steps * w);
     let variables = vec![("n", n), ("s", steps / (n * n)), ("w", w)];
     Subject::new(variables, move |words, errors| {
         let [u, v] = words.map(uniform);
@@ -62,15 +67,15 @@ fn annulus<Frac: LeEqU32 + 'static, G: Grade>(p: &[u32]) -> Option<Subject> {
         let [x, y] = around(r, ((quarter as u64 % 4) << 30) as u32);
         let (sin, cos) = (TAU * (turn - 0.25 * quarter)).sin_cos();
         let due = [x * cos - y * sin, y * cos + x * sin];
-        let sample = warp.sample(words.map(U0F32::from_bits));
-        let point = sample.map(|c| f64::from(c.to_bits()));
+        let sample = warp.sample(&words);
+        let point: [f64; 2] = signed(sample, 1.0);
         errors[0] = largest(&[0, 1].map(|i| beyond(point[i] - due[i], 0.5) / n));
-        let got = warp.pdf(sample);
+        let got = warp.pdf(&sample);
         check(got > 0, "no density at a sample")?;
         errors[1] = density_error(got, density, density.max(WORD));
-        let back = warp.invert(sample);
-        errors[2] = back[0].to_num::<f64>() - u;
-        let off = back[1].to_num::<f64>() - v;
+        let back = warp.invert(&sample);
+        errors[2] = uniform(back[0]) - u;
+        let off = uniform(back[1]) - v;
         // Where the gap is narrower than the sector, its sides are next to each other.
         let off = if w > 0.5 { off - off.round() } else { off };
         errors[3] = off * r / n;
@@ -86,23 +91,20 @@ fn annulus<Frac: LeEqU32 + 'static, G: Grade>(p: &[u32]) -> Option<Subject> {
         };
         // How far outside, at least: the sine is at least this beside its angle.
         let outside = (low - r).max(r - n).max(4.0 * aside.min(0.25) * r);
-        let got = warp.pdf(any.map(bits));
+        let any = any.map(|c| c as u32);
+        let got = warp.pdf(&any);
         check(outside > 0.0 || got > 0, "no density inside")?;
+        check(outside <= n * slack + 4.0 || got == 0, "density outside")?;
+        let _ = warp.invert(&words);
         check(
-            outside <= n * slack::<G>() + 4.0 || got == 0,
-            "density outside",
-        )?;
-        let _ = warp.invert(words.map(|word| bits(word as i32)));
-        check(
-            warp.pdf(warp.sample(warp.invert(any.map(bits)))) > 0,
+            warp.pdf(&warp.sample(&warp.invert(&any))) > 0,
             "no density at an inverse",
         )
     })
 }
 
-fn polygon<G: Grade>(corners: u32) -> Option<Subject> {
-    let warp = RegularPolygon::<G>::new(corners as u16).ok()?;
-    let n = f64::from(warp.corners());
+fn polygon(warp: Box<dyn Raw>, corners: u16, slack: f64) -> Option<Subject> {
+    let n = f64::from(corners);
     let density = 2.0 / (n * (TAU / n).sin());
     let apothem = (PI / n).cos();
     let corner = move |k: u64| {
@@ -111,119 +113,100 @@ fn polygon<G: Grade>(corners: u32) -> Option<Subject> {
     };
     Subject::new(vec![], move |words, errors| {
         let root = uniform(words[0]).sqrt();
-        let place = u64::from(words[1]) * u64::from(warp.corners());
+        let place = u64::from(words[1]) * u64::from(corners);
         let (side, along) = (place >> 32, uniform(place as u32));
         let (a, b) = (corner(side), corner(side + 1));
-        let sample = warp.sample(words.map(U0F32::from_bits));
-        let point = sample.map(|c| c.to_num::<f64>());
+        let sample = warp.sample(&words);
+        let point: [f64; 2] = signed(sample, STEP);
         errors[0] = largest(&[0, 1].map(|i| point[i] - root * (a[i] + along * (b[i] - a[i]))));
-        let got = warp.pdf(sample);
+        let got = warp.pdf(&sample);
         check(got > 0, "no density at a sample")?;
         errors[1] = got.to_num::<f64>() - density;
-        let back = warp.invert(sample);
-        let first = back[0].to_num::<f64>() - uniform(words[0]);
+        let back = warp.invert(&sample);
+        let first = uniform(back[0]) - uniform(words[0]);
         errors[2] = largest(&[first, turns(back[1], words[1]) * root]);
         // Anywhere.
-        let any = words.map(|word| I2F30::from_bits(word as i32));
-        let [x, y] = any.map(|c| c.to_num::<f64>());
+        let [x, y] = words.map(|word| f64::from(word as i32) * STEP);
         let middle = (y.atan2(x) / TAU * n - 0.5).round() + 0.5;
         let (s, c) = (TAU * middle / n).sin_cos();
         let beyond = x * c + y * s - apothem;
-        let got = warp.pdf(any);
+        let got = warp.pdf(&words);
         check(beyond > 0.0 || got > 0, "no density inside")?;
-        check(beyond <= slack::<G>() || got == 0, "density outside")?;
+        check(beyond <= slack || got == 0, "density outside")?;
         check(
-            warp.pdf(warp.sample(warp.invert(any))) > 0,
+            warp.pdf(&warp.sample(&warp.invert(&words))) > 0,
             "no density at an inverse",
         )
     })
 }
 
-fn rotation<G: Grade>() -> Option<Subject> {
-    let warp = Rotation::<G>::new();
+fn rotation(warp: Box<dyn Raw>) -> Option<Subject> {
     Subject::of_four(vec![], move |[a, b, c, d], errors| {
         let words = [a, b, c];
         let [u, v, _] = words.map(uniform);
-        let sample = warp.sample(words.map(U0F32::from_bits));
-        check(sample[3] >= 0, "a negative w")?;
+        let sample = warp.sample(&words);
+        let point: [f64; 4] = signed(sample, STEP);
+        check(point[3] >= 0.0, "a negative w")?;
         let [x, y] = around(u.sqrt(), c);
         let (sin, cos) = (PI * (v - 0.5)).sin_cos();
         let rest = (1.0 - u).sqrt();
         let due = [x, y, rest * sin, rest * cos];
-        let point = sample.map(|c| c.to_num::<f64>());
         errors[0] = largest(&[0, 1, 2, 3].map(|i| point[i] - due[i]));
         errors[1] = point.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0;
-        let density = warp.pdf(sample).to_num::<f64>() - 1.0 / (PI * PI);
+        let density = warp.pdf(&sample).to_num::<f64>() - 1.0 / (PI * PI);
         check(density.abs() <= 0.5 * WORD, "a wrong density")?;
-        let back = warp.invert(sample);
-        let [first, second] = [(0, u), (1, v)].map(|(i, u)| back[i].to_num::<f64>() - u);
+        let back = warp.invert(&sample);
+        let [first, second] = [(0, u), (1, v)].map(|(i, u)| uniform(back[i]) - u);
         errors[2] = largest(&[first, second * rest, turns(back[2], c) * u.sqrt()]);
         // Any quaternion and its negative are one rotation.
-        let any = [a, b, c, d].map(|word| I2F30::from_bits(word as i32));
-        let turned = any.map(I2F30::saturating_neg);
-        let same = any.contains(&I2F30::MIN) || any[3] == 0;
+        let any = [a, b, c, d];
+        let same = any.contains(&(1 << 31)) || d == 0;
         check(
-            same || warp.invert(any) == warp.invert(turned),
+            same || warp.invert(&any) == warp.invert(&any.map(u32::wrapping_neg)),
             "two inverses of a rotation",
         )
     })
 }
 
 /// Uniforms after the fourth are parameters.
-fn simplex<const N: usize, G: Grade>(p: &[u32]) -> Option<Subject> {
-    let warp = Simplex::<N, G>::new();
+fn simplex(warp: Box<dyn Raw>, n: usize, p: &[u32]) -> Option<Subject> {
     let more: Vec<u32> = p[1..].to_vec();
-    let density: f64 = (1..=N).map(|k| k as f64).product();
-    Subject::of_four(vec![("n", N as f64)], move |words, errors| {
-        let words: [u32; N] = std::array::from_fn(|i| if i < 4 { words[i] } else { more[i - 4] });
-        let sample = warp.sample(words.map(U0F32::from_bits));
-        let (shares, rest) = sample;
-        let point: Vec<I2F30> = shares.into_iter().chain([rest]).collect();
-        let sum: i64 = point.iter().map(|x| i64::from(x.to_bits())).sum();
+    let density: f64 = (1..=n).map(|k| k as f64).product();
+    Subject::of_four(vec![("n", n as f64)], move |words, errors| {
+        let uniforms: Vec<u32> = words.iter().chain(&more).copied().take(n).collect();
+        let sample = warp.sample(&uniforms);
+        let point: Vec<i32> = sample[..=n].iter().map(|x| *x as i32).collect();
+        let sum: i64 = point.iter().map(|x| i64::from(*x)).sum();
         check(point.iter().all(|x| *x >= 0) && sum == 1 << 30, "outside")?;
-        check(warp.pdf(sample) == density, "no density at a sample")?;
-        let due = truth::Simplex::shares(&words.map(uniform));
-        let off: Vec<f64> = point
-            .iter()
-            .zip(&due)
-            .map(|(x, due)| x.to_num::<f64>() - due)
-            .collect();
+        check(warp.pdf(&sample) == density, "no density at a sample")?;
+        let u: Vec<f64> = uniforms.iter().map(|word| uniform(*word)).collect();
+        let due = truth::Simplex::shares(&u);
+        let shares = point.iter().map(|x| f64::from(*x) * STEP);
+        let off: Vec<f64> = shares.zip(&due).map(|(x, due)| x - due).collect();
         errors[0] = largest(&off);
-        let back = warp.invert(sample);
+        let back = warp.invert(&sample);
         let left = |j: usize| due[j..].iter().sum::<f64>();
-        let off: Vec<f64> = (0..N)
-            .map(|j| (back[j].to_num::<f64>() - uniform(words[j])) * left(j))
+        let off: Vec<f64> = (0..n)
+            .map(|j| (uniform(back[j]) - u[j]) * left(j))
             .collect();
         errors[1] = largest(&off);
-        let any = words.map(|word| I2F30::from_bits(word as i32));
-        let sum = any.iter().fold(0.0, |sum, x| sum + x.to_num::<f64>());
-        let rest = I2F30::from_bits(words[0].rotate_left(7) as i32);
-        let outside = any.iter().any(|x| *x < 0) || rest < 0;
-        let whole = (sum + rest.to_num::<f64>() - 1.0).abs() <= 1e-6;
-        check(
-            warp.pdf((any, rest)) == 0 || whole && !outside,
-            "density outside",
-        )?;
-        let again = warp.sample(warp.invert((any, rest)));
-        check(warp.pdf(again) > 0, "no density at an inverse")
+        // Anywhere: the words themselves as shares, and a rest beside them.
+        let mut any = uniforms;
+        any.push(words[0].rotate_left(7));
+        let there: Vec<f64> = any.iter().map(|x| f64::from(*x as i32) * STEP).collect();
+        let outside = there.iter().any(|x| *x < 0.0);
+        let whole = (there.iter().sum::<f64>() - 1.0).abs() <= 1e-6;
+        check(warp.pdf(&any) == 0 || whole && !outside, "density outside")?;
+        let again = warp.sample(&warp.invert(&any));
+        check(warp.pdf(&again) > 0, "no density at an inverse")
     })
 }
 
-fn any_simplex<G: Grade>(p: &[u32]) -> Option<Subject> {
-    match p[0] % 12 {
-        0 => simplex::<1, G>(p),
-        1 => simplex::<2, G>(p),
-        2 => simplex::<3, G>(p),
-        3 => simplex::<4, G>(p),
-        4 => simplex::<5, G>(p),
-        5 => simplex::<6, G>(p),
-        6 => simplex::<7, G>(p),
-        7 => simplex::<8, G>(p),
-        8 => simplex::<9, G>(p),
-        9 => simplex::<10, G>(p),
-        10 => simplex::<11, G>(p),
-        _ => simplex::<12, G>(p),
+fn simplices<G: Grade>() -> [Box<dyn Raw>; 12] {
+    macro_rules! of {
+        ($($n:literal)*) => { [$(raw(Simplex::<$n, G>::new())),*] };
     }
+    of!(1 2 3 4 5 6 7 8 9 10 11 12)
 }
 
 const RING: &[&str] = &[
@@ -235,17 +218,28 @@ const RING: &[&str] = &[
 const POLYGON: &[&str] = &["sample, max", "pdf", "round trip"];
 
 pub(super) fn families(all: &mut Vec<Family>) {
-    family!(all, "Annulus", RING, 5, |p, G| in_format!(
-        p[0], annulus, G, p
-    ));
+    family!(all, "Annulus", RING, 5, |p, G| {
+        let (radii, sides) = (radii(p), sides(p));
+        let warp = in_format!(p[0], F, {
+            let [inner, outer] = [0, 1].map(|i| OfWords::of(&radii[i..]));
+            accepted(match sides {
+                None => Annulus::<F, G>::new(inner, outer),
+                Some(sides) => Annulus::<F, G>::sector(inner, outer, OfWords::of(&sides)),
+            })
+        });
+        annulus(warp?, one(p[0]), radii, sides, slack::<G>())
+    });
     family!(all, "RegularPolygon", POLYGON, 2, |p, G| {
         // Of all magnitudes, and often few.
-        polygon::<G>((p[0] >> 16 >> (p[1] % 14)).max(3))
+        let corners = (p[0] >> 16 >> (p[1] % 14)).max(3) as u16;
+        let warp = accepted(RegularPolygon::<G>::new(corners));
+        polygon(warp?, corners, slack::<G>())
     });
     family!(all, "Rotation", &["sample, max", "unit length", "round trip"], 0, words 4, |_p, G| {
-        rotation::<G>()
+        rotation(raw(Rotation::<G>::new()))
     });
     family!(all, "Simplex", &["sample, max", "round trip"], 9, words 4, |p, G| {
-        any_simplex::<G>(p)
+        let place = p[0] as usize % 12;
+        simplex(simplices::<G>().into_iter().nth(place)?, place + 1, p)
     });
 }

@@ -1,12 +1,12 @@
 //! Triangles.
 
-use super::family::{Family, Subject, beyond, check, density_error, family, in_format, uniform};
+use super::family::{
+    Family, STEP, Subject, beyond, check, density_error, family, in_format, one, uniform,
+};
+use crate::raw::{Raw, accepted, raw, signed};
+use crate::warps::triangle_on::{density, stated};
 use fixed::FixedI32;
-use fixed::types::U0F32;
-use fixed::types::extra::LeEqU32;
-use microwarp::fixed::Grade;
 use microwarp::fixed::warp::{Triangle, TriangleOn};
-use microwarp::{Invert, Warp};
 
 /// Barycentric coordinates.
 fn weights([u, v]: [u32; 2]) -> [f64; 3] {
@@ -15,54 +15,44 @@ fn weights([u, v]: [u32; 2]) -> [f64; 3] {
     [(1.0 - u) / (1.0 + s), s * v, s * (1.0 - v)]
 }
 
-fn triangle<G: Grade>() -> Option<Subject> {
-    let warp = Triangle::<G>::new();
+fn triangle(warp: Box<dyn Raw>) -> Option<Subject> {
     Subject::new(vec![], move |words, errors| {
-        let sample = warp.sample(words.map(U0F32::from_bits));
+        let sample = warp.sample(&words);
+        let point: [f64; 3] = signed(sample, STEP);
+        // Sums of so few digits are exact.
         check(
-            sample.iter().all(|c| *c >= 0) && sample[0] + sample[1] + sample[2] == 1,
+            point.iter().all(|c| *c >= 0.0) && point.iter().sum::<f64>() == 1.0,
             "outside",
         )?;
-        check(warp.pdf(sample) == 2, "no density at a sample")?;
+        check(warp.pdf(&sample) == 2, "no density at a sample")?;
         let due = weights(words);
         errors[0] = [0, 1, 2]
-            .map(|i| (sample[i].to_num::<f64>() - due[i]).abs())
+            .map(|i| (point[i] - due[i]).abs())
             .into_iter()
             .fold(0.0, f64::max);
-        let back = warp.invert(sample);
-        let [u, v] = [0, 1].map(|i| back[i].to_num::<f64>() - uniform(words[i]));
+        let back = warp.invert(&sample);
+        let [u, v] = [0, 1].map(|i| uniform(back[i]) - uniform(words[i]));
         errors[1] = u.abs().max((v * uniform(words[0]).sqrt()).abs());
         Ok(())
     })
 }
 
-/// 1/area by exact minors, in steps.
-fn density<const D: usize>([a, b, c]: [[i32; D]; 3]) -> f64 {
-    let side = |v: [i32; D], k: usize| i128::from(v[k]) - i128::from(a[k]);
-    let mut squares = 0.0;
-    for i in 0..D {
-        for j in 0..i {
-            let minor = side(b, i) * side(c, j) - side(b, j) * side(c, i);
-            squares += (minor as f64).powi(2);
-        }
-    }
-    2.0 / squares.sqrt()
-}
-
-fn on<Frac: LeEqU32 + 'static, G: Grade, const D: usize>(
+/// The error is that which the page states of a sample.
+fn on<const D: usize>(
+    warp: Box<dyn Raw>,
+    one: f64,
+    error: f64,
     vertices: [[i32; D]; 3],
 ) -> Option<Subject> {
-    let bits = FixedI32::<Frac>::from_bits;
-    let warp = TriangleOn::<Frac, D, G>::new(vertices.map(|v| v.map(bits))).ok()?;
-    let density = density(vertices) * 4_f64.powi(Frac::U32 as i32);
+    let density = density(vertices) * one * one;
     let [a, b, c] = vertices;
     let low: [i32; D] = std::array::from_fn(|k| a[k].min(b[k]).min(c[k]));
     let high: [i32; D] = std::array::from_fn(|k| a[k].max(b[k]).max(c[k]));
     Subject::new(vec![], move |words, errors| {
-        let sample = warp.sample(words.map(U0F32::from_bits));
+        let sample = warp.sample(&words);
         let [u, v, w] = weights(words);
         for k in 0..D {
-            let x = sample[k].to_bits();
+            let x = sample[k] as i32;
             check((low[k]..=high[k]).contains(&x), "outside")?;
             // From the least coordinate, so that nothing far off is rounded.
             let from_low = |x: i32| f64::from(x) - f64::from(low[k]);
@@ -73,31 +63,25 @@ fn on<Frac: LeEqU32 + 'static, G: Grade, const D: usize>(
                 errors[0] = errors[0].max(error / extent);
             }
         }
-        let got = warp.pdf(sample);
+        let got = warp.pdf(&sample);
         check(got > 0, "no density at a sample")?;
         errors[1] = density_error(got, density, density);
-        let again = warp.sample(warp.invert(sample));
-        check(warp.pdf(again) > 0, "no density at a sample's inverse")?;
-        // Four steps, and twice what the page states of a sample, of the extent.
-        let error = match G::NAME {
-            "fine" => 2.0e-7,
-            "coarse" => 1.9e-5,
-            _ => 6.2e-8,
-        };
+        let again = warp.sample(&warp.invert(&sample));
+        check(warp.pdf(&again) > 0, "no density at a sample's inverse")?;
+        // Four steps, and twice the error, of the extent.
         let most = |of: [i64; D]| of.into_iter().max().unwrap_or(0) as f64;
         let extent = most(std::array::from_fn(|k| {
             i64::from(high[k]) - i64::from(low[k])
         }));
-        let off =
-            std::array::from_fn(|k| i64::from(again[k].to_bits()) - i64::from(sample[k].to_bits()));
+        let off = std::array::from_fn(|k| i64::from(again[k] as i32) - i64::from(sample[k] as i32));
         check(
             most(off.map(i64::abs)) <= 4.0 + 2.0 * error * extent,
             "an inverse that leads elsewhere",
         )?;
-        let any = std::array::from_fn(|k| bits((words[k % 2].rotate_left(k as u32)) as i32));
-        let _ = warp.pdf(any);
+        let any: [u32; D] = std::array::from_fn(|k| words[k % 2].rotate_left(k as u32));
+        let _ = warp.pdf(&any);
         check(
-            warp.pdf(warp.sample(warp.invert(any))) > 0,
+            warp.pdf(&warp.sample(&warp.invert(&any))) > 0,
             "no density at an inverse",
         )
     })
@@ -130,27 +114,25 @@ fn vertices<const D: usize>(p: &[u32]) -> [[i32; D]; 3] {
     [a, b, c]
 }
 
-fn flat<Frac: LeEqU32 + 'static, G: Grade>(p: &[u32]) -> Option<Subject> {
-    on::<Frac, G, 2>(vertices(p))
-}
-
-fn solid<Frac: LeEqU32 + 'static, G: Grade>(p: &[u32]) -> Option<Subject> {
-    on::<Frac, G, 3>(vertices(p))
-}
-
 pub(super) fn families(all: &mut Vec<Family>) {
     family!(
         all,
         "Triangle",
         &["sample, max", "round trip"],
         0,
-        |_p, G| triangle::<G>()
+        |_p, G| triangle(raw(Triangle::<G>::new()))
     );
     family!(all, "TriangleOn", &["sample, max", "pdf"], 12, |p, G| {
-        if p[0] & 8 == 0 {
-            in_format!(p[0], flat, G, p)
-        } else {
-            in_format!(p[0], solid, G, p)
+        macro_rules! on {
+            ($dimensions:literal) => {{
+                let vertices = vertices::<$dimensions>(p);
+                let warp = in_format!(p[0], F, {
+                    let bits = vertices.map(|v| v.map(FixedI32::from_bits));
+                    accepted(TriangleOn::<F, $dimensions, G>::new(bits))
+                });
+                on(warp?, one(p[0]), stated::<G>(), vertices)
+            }};
         }
+        if p[0] & 8 == 0 { on!(2) } else { on!(3) }
     });
 }
