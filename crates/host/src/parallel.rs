@@ -14,23 +14,29 @@ pub fn in_parallel<T: Sync, R: Send>(
     items: &[T],
     job: impl Fn(&T) -> R + Sync,
 ) -> Vec<R> {
+    let results: Vec<Mutex<Option<R>>> = items.iter().map(|_| Mutex::new(None)).collect();
+    on_threads(threads, items.len(), &|i| {
+        let result = job(&items[i]);
+        *results[i].lock().expect("nobody else writes there") = Some(result);
+    });
+    let done = |result: Mutex<Option<R>>| result.into_inner().ok().flatten();
+    let results = results.into_iter().map(done);
+    results.map(|of| of.expect("no job is left out")).collect()
+}
+
+/// What is the same for items and results of any type, and so compiled once.
+fn on_threads(threads: usize, count: usize, job: &(dyn Fn(usize) + Sync)) {
     let next = AtomicUsize::new(0);
-    let results = Mutex::new(Vec::with_capacity(items.len()));
     std::thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
-                while let Some((i, item)) = {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    items.get(i).map(|item| (i, item))
-                } {
-                    let result = job(item);
-                    let mut results = results.lock().expect("no thread has panicked");
-                    results.push((i, result));
+                loop {
+                    match next.fetch_add(1, Ordering::Relaxed) {
+                        i if i < count => job(i),
+                        _ => break,
+                    }
                 }
             });
         }
     });
-    let mut results = results.into_inner().expect("no thread has panicked");
-    results.sort_by_key(|(i, _)| *i);
-    results.into_iter().map(|(_, result)| result).collect()
 }

@@ -495,6 +495,17 @@ impl<const M: usize, const N: usize> Flat<N> for ([f32; M], f32) {
     }
 }
 
+/// Compiled once for all warps of one kind of points, here and below.
+#[inline(never)]
+fn flat_all<P: Flat<N>, const N: usize>(all: &[P]) -> Vec<[f32; N]> {
+    all.iter().map(|x| x.flat()).collect()
+}
+
+#[inline(never)]
+fn unflat_all<P: Flat<N>, const N: usize>(all: &[[f32; N]]) -> Vec<P> {
+    all.iter().map(|x| P::unflat(*x)).collect()
+}
+
 /// Erases the types of a warp.
 pub fn erased<W>(warp: W) -> Arc<dyn Erased>
 where
@@ -534,22 +545,22 @@ where
         self.0.draw(&mut Cycle::new(&[word])).flat()
     }
     fn fill(&self, rng: &mut Pcg32, n: usize) -> Vec<Point> {
-        let mut points = vec![W::Point::unflat([0.0; 3]); n];
+        let mut points = unflat_all(&vec![[0.0; 3]; n]);
         self.0.fill(rng, &mut points);
-        points.into_iter().map(Flat::flat).collect()
+        flat_all(&points)
     }
     fn map(&self, u: &[Uniforms]) -> (Vec<Point>, Vec<(Point, f32)>) {
-        let u: Vec<_> = u.iter().map(|&u| W::Uniforms::unflat(u)).collect();
-        let mut points = vec![W::Point::unflat([0.0; 3]); u.len()];
+        let (u, nowhere) = (unflat_all(u), vec![[0.0; 3]; u.len()]);
+        let [mut points, mut same] = [unflat_all(&nowhere), unflat_all(&nowhere)];
         self.0.map(&u, &mut points);
-        let (mut same, mut densities) = (points.clone(), vec![-1.0; u.len()]);
+        let mut densities = vec![-1.0; u.len()];
         self.0.map_with_pdf(&u, &mut same, &mut densities);
-        let same = same.into_iter().map(Flat::flat).zip(densities);
-        (points.into_iter().map(Flat::flat).collect(), same.collect())
+        let same = flat_all(&same).into_iter().zip(densities);
+        (flat_all(&points), same.collect())
     }
     fn block(&self, filled: bool) -> Box<dyn FnMut()> {
         let (warp, mut kept) = (Arc::clone(&self.0), generator());
-        let mut points = vec![W::Point::unflat([0.0; 3]); POINTS];
+        let mut points: Vec<W::Point> = unflat_all(&[[0.0; 3]; POINTS]);
         Box::new(move || {
             let mut rng = kept.clone();
             if filled {
@@ -622,50 +633,74 @@ where
     W::Uniforms: Flat<4>,
     W::Point: Flat<3> + Flat<4>,
 {
-    let truth = truth.into();
-    let first = truth.sample([0.0; 4]);
-    let density = truth.pdf(first);
-    let usable = density > 0.0 && density < f64::INFINITY;
-    let uniforms = <W::Uniforms as microwarp::uniform::Uniforms>::COUNT;
-    let turned = matches!(domain, Domain::Directions | Domain::World);
-    Entry {
-        name,
-        parameters: "",
+    let of = Erasure {
         tier: T::NAME,
         tiered: type_name::<W>().contains(type_name::<T>()),
-        domain,
-        uniforms,
-        words: uniforms,
-        measure,
-        resolved: true,
-        round_trip: true,
-        open: !usable && (first[0] <= 0.0 || domain != Domain::Line),
-        folds: false,
-        composed: false,
-        own_density: false,
-        deep: false,
-        middle: false,
-        closures: false,
-        azimuth: turned,
-        polar: domain == Domain::Directions,
-        cosine: true,
-        ends: Ends::Bounds,
-        slack: if domain == Domain::Line {
-            f64::INFINITY
-        } else {
-            2e-6
-        },
-        jumps: false,
-        inside: |_| true,
-        outside: None,
-        rims: &[],
-        picture: None,
-        trade: None,
-        place: None,
+        uniforms: <W::Uniforms as microwarp::uniform::Uniforms>::COUNT,
         warp: erased(warp),
-        chart: Arc::clone(&truth),
-        truth,
-        variables: Vec::new(),
+    };
+    of.entry(name, domain, measure, truth.into())
+}
+
+/// What is left of the types of an entry.
+struct Erasure {
+    tier: &'static str,
+    tiered: bool,
+    uniforms: usize,
+    warp: Arc<dyn Erased>,
+}
+
+impl Erasure {
+    fn entry(
+        self,
+        name: &'static str,
+        domain: Domain,
+        measure: Measure,
+        truth: Arc<dyn Truth>,
+    ) -> Entry {
+        let first = truth.sample([0.0; 4]);
+        let density = truth.pdf(first);
+        let usable = density > 0.0 && density < f64::INFINITY;
+        let turned = matches!(domain, Domain::Directions | Domain::World);
+        Entry {
+            name,
+            parameters: "",
+            tier: self.tier,
+            tiered: self.tiered,
+            domain,
+            uniforms: self.uniforms,
+            words: self.uniforms,
+            measure,
+            resolved: true,
+            round_trip: true,
+            open: !usable && (first[0] <= 0.0 || domain != Domain::Line),
+            folds: false,
+            composed: false,
+            own_density: false,
+            deep: false,
+            middle: false,
+            closures: false,
+            azimuth: turned,
+            polar: domain == Domain::Directions,
+            cosine: true,
+            ends: Ends::Bounds,
+            slack: if domain == Domain::Line {
+                f64::INFINITY
+            } else {
+                2e-6
+            },
+            jumps: false,
+            inside: |_| true,
+            outside: None,
+            rims: &[],
+            picture: None,
+            trade: None,
+            place: None,
+            warp: self.warp,
+            chart: Arc::clone(&truth),
+            truth,
+            variables: Vec::new(),
+        }
     }
 }
 

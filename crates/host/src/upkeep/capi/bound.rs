@@ -92,12 +92,13 @@ macro_rules! blocks {
     ($tier:literal $($type:ident {
         golden { $($($once:ident)? $subject:literal => $golden:expr,)* } cost $cost:tt bind $bind:tt
     })*) => {
-        vec![$(Block {
+        // A function for each: one for all would be compiled for seconds.
+        [$((|| Block {
             type_name: stringify!($type),
             bound: blocks!(@ bound $tier $bind),
             reason: blocks!(@ reason $bind),
             golden: vec![$(($subject, stringify!($golden))),*],
-        }),*]
+        }) as fn() -> Block),*].iter().map(|block| block()).collect()
     };
     (@ reason { none $reason:literal }) => { Some($reason) };
     (@ reason $bind:tt) => { None };
