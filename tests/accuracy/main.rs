@@ -86,10 +86,10 @@ fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
         panic!("no entry");
     };
     let stride = match thorough {
-        true => speed::of("one grid input tried of every", 151, 1),
-        false => speed::of("one grid input tried of every, further sets", 4095, 65),
+        true => speed::of("one grid input tried of every", 251, 1),
+        false => speed::of("one grid input tried of every, further sets", 8255, 65),
     };
-    let fewer = speed::of("one pair of uniforms tried of every", 48, 1);
+    let fewer = speed::of("one pair of uniforms tried of every", 80, 1);
     let points = if thorough { GRID / 8 } else { GRID / 32 } / fewer;
     let mut figures = vec![Figures::default(); tiers.len()];
     let mut at = |u: Uniforms, deep: bool, polar: bool| {

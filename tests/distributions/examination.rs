@@ -156,12 +156,16 @@ impl<'a> Examination<'a> {
             average(&|x, u| (coordinates.of(x, u)[k] - centre[k]).powi(2)).sqrt()
         });
         (self.centre, self.spread) = (centre, spread);
+        let nodes = nodes.iter().map(|&(x, u, p)| (self.standard(x, u), p));
+        let nodes: Vec<(Point, f64)> = nodes.collect();
         let mut skewness = 0.0_f64;
         let mut means = Vec::new();
         for moment in moments(self.entry.domain) {
-            let value = |x, u| moment.of(&self.standard(x, u));
-            let mean = average(&value);
-            let central = |power| average(&|x, u| (value(x, u) - mean).powi(power));
+            let average = |f: &dyn Fn(f64) -> f64| {
+                nodes.iter().map(|(t, p)| p * f(moment.of(t))).sum::<f64>()
+            };
+            let mean = average(&|value| value);
+            let central = |power| average(&|value| (value - mean).powi(power));
             skewness = skewness.max(central(3).abs() / central(2).powf(1.5));
             means.push(mean);
         }

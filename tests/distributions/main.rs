@@ -26,14 +26,8 @@ use std::time::Instant;
 static SAMPLES: LazyLock<usize> =
     LazyLock::new(|| speed::of("samples of each warp", 120_000, 2_000_000));
 /// Samples for its further parameters.
-static FURTHER: LazyLock<usize> = LazyLock::new(|| {
-    speed::or_all(
-        "samples of further parameters",
-        120_000,
-        500_000,
-        10_000_000,
-    )
-});
+static FURTHER: LazyLock<usize> =
+    LazyLock::new(|| speed::or_all("samples of further parameters", 30_000, 500_000, 10_000_000));
 
 /// The seed of an entry's run: fixed, and another one for every entry.
 fn seed(index: usize) -> u64 {

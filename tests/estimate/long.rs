@@ -1,4 +1,4 @@
-//! 10⁸ samples, in the quick speed 10⁷, whose mean is 1000 deviations: the figures stay right, one by one and merged, where plain
+//! 10⁸ samples, in the quick speed 4·10⁶, whose mean is 1000 deviations: the figures stay right, one by one and merged, where plain
 //! sums and Welford's recurrence in f32 do not.
 
 use crate::{Exact, Largest, at_most, errors, relative};
@@ -10,7 +10,7 @@ use rand_pcg::Pcg32;
 use std::sync::LazyLock;
 
 static SAMPLES: LazyLock<u64> =
-    LazyLock::new(|| speed::of("samples of a long run", 10_000_000, 100_000_000));
+    LazyLock::new(|| speed::of("samples of a long run", 4_000_000, 100_000_000));
 
 /// Samples between two looks at the figures.
 fn checkpoint() -> u64 {

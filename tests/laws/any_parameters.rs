@@ -8,7 +8,7 @@ use rand_pcg::Pcg32;
 use std::sync::LazyLock;
 
 static ROUNDS: LazyLock<u32> =
-    LazyLock::new(|| speed::of("parameters of each constructor", 2_500, 6_000));
+    LazyLock::new(|| speed::of("parameters of each constructor", 1_200, 6_000));
 
 /// Uniforms at which maps break, and some between.
 const UNIFORMS: [[f32; 4]; 10] = [

@@ -58,7 +58,7 @@ const HEIGHTS: [f32; 4] = [1.0, 0.05, 0.004, 0.001];
 
 /// The irradiance that a grid of uniforms estimates with a density.
 fn irradiance(light: &Light, density: impl Fn([f32; 3], f32) -> f64) -> f64 {
-    let n = speed::of("uniforms a side of a light", 700, 1_400);
+    let n = speed::of("uniforms a side of a light", 450, 1_400);
     let middle = |k: i32| (k as f32 + 0.5) / n as f32;
     let mut sum = 0.0;
     for i in 0..n {
@@ -112,7 +112,7 @@ fn irradiance_is_that_of_lambert_at_every_height() {
 
 /// The integral of the density over all directions, in logarithmic rings about the horizon.
 fn integral(light: &Light) -> f64 {
-    let (rings, turns) = speed::of("rings and turns", (1_200, 700), (4_000, 2_000));
+    let (rings, turns) = speed::of("rings and turns", (800, 500), (4_000, 2_000));
     let deepest = 14.0;
     let mut sum = 0.0;
     for i in 0..rings {

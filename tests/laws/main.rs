@@ -67,7 +67,7 @@ fn for_any_uniforms(entry: &Entry, mut law: impl FnMut(Uniforms)) {
         }
     }
     // A coarse walk over the grid beside the special values.
-    for k in 0..speed::of("points of each warp", 4_096_u32, 32_768) {
+    for k in 0..speed::of("points of each warp", 2_048_u32, 32_768) {
         let u = |m: u32| (k.wrapping_mul(m) >> 8) as f32 / 16_777_216.0;
         law([
             u(0x9e37_79b9),

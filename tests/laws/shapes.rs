@@ -114,7 +114,7 @@ fn once_inside(v: [[f32; 2]; 3], x: [f32; 2]) -> bool {
 
 fn own_samples<const D: usize>(mut once: impl FnMut([[f32; D]; 3], [f32; D]) -> bool) -> u32 {
     let mut rng = Pcg32::new(13, D as u64);
-    let count = speed::of("triangles", 120_000, 1_200_000);
+    let count = speed::of("triangles", 60_000, 1_200_000);
     let (mut lost, mut accepted, mut near) = (0, 0, 0);
     for _ in 0..count {
         let v = triangle::<D>(&mut rng);

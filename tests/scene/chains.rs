@@ -90,7 +90,7 @@ fn agrees<K: Kit, P: Film, M: Material, L: Light, E: Sky, F: Fog>(
     camera: Camera,
     times: u32,
 ) {
-    let pictures = times * speed::of("pictures", 1000, 10_000);
+    let pictures = times * speed::of("pictures", 600, 10_000);
     let truth = plain::<K, P, _, _, _, _>(scene, camera, 4 * pictures);
     let view = View::<K>::new(camera, SIZE).unwrap();
     let found = means(pictures, |seed| {
