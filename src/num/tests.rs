@@ -2,6 +2,7 @@
 #![allow(
     clippy::arithmetic_side_effects,
     clippy::cast_lossless,
+    clippy::cast_possible_wrap,
     clippy::indexing_slicing,
     clippy::integer_division_remainder_used,
     reason = "tests run where there are panics"
