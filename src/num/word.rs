@@ -105,11 +105,17 @@ pub(crate) const fn float(n: i32) -> f32 {
     }
 }
 
+/// The middle of a word's cell, counted from the nearer end in units of 2⁻³³.
+#[inline]
+const fn middle_from_the_end(word: u32) -> u32 {
+    let rank = if word >> 31 == 1 { !word } else { word };
+    rank << 1 | 1
+}
+
 /// The tail of [`folded`], likewise.
 #[inline]
 pub(crate) const fn folded_tail(word: u32) -> f32 {
-    let rank = if word >> 31 == 1 { !word } else { word };
-    let middle = rank << 1 | 1;
+    let middle = middle_from_the_end(word);
     let middle = if cfg!(target_arch = "x86_64") {
         by_halves(middle, 0.0)
     } else {
@@ -122,22 +128,19 @@ pub(crate) const fn folded_tail(word: u32) -> f32 {
 /// words that round to it; and whether the tail is the upper one.
 #[inline]
 pub(crate) fn folded(word: u32) -> (f32, bool) {
-    let upper = word >> 31 == 1;
-    let rank = if upper { !word } else { word };
     // The middle of the cell, rounded once.
-    ((rank << 1 | 1) as f32 * (f32::EPSILON / 1024.0), upper)
+    let tail = middle_from_the_end(word) as f32 * (f32::EPSILON / 1024.0);
+    (tail, word >> 31 == 1)
 }
 
 /// The same with all digits of the tail: its first 24 bits and the rest.
 #[inline]
 pub(crate) fn folded_exactly(word: u32) -> ((f32, f32), bool) {
-    let upper = word >> 31 == 1;
-    let rank = if upper { !word } else { word };
-    let middle = rank << 1 | 1;
+    let middle = middle_from_the_end(word);
     let zeros = middle.leading_zeros();
     let digits = middle.wrapping_shl(zeros);
     // 2⁻³³ in units of the last digit.
     let unit = power_of_two((-33_i32).wrapping_sub_unsigned(zeros));
     let high = (digits >> 8) as f32 * (256.0 * unit);
-    ((high, (digits & 0xff) as f32 * unit), upper)
+    ((high, (digits & 0xff) as f32 * unit), word >> 31 == 1)
 }

@@ -71,9 +71,10 @@ impl Links {
 
     /// By how much the quotient, 1 - cos θ or 1 + cos θ, is off relatively, in units of 2⁻²⁴, of a range of it and of concentrations.
     ///
-    /// L is the quotient times κ. Uniforms leave at least 2⁻²⁴ of 1, so that it is below 16.7 in front and below 17.7 behind. In front, of a product up to a half, the logarithm's error is that of the product,
-    /// (e^L - 1)/L times, and the kernel's. Of a larger one u is more than a half and 1 - u exact: the logarithm is off by what the
-    /// sum is, over L. Behind, 1 - u is exact, too, and the product counts (1 - e^-L)/L times.
+    /// L is the quotient times κ. Uniforms leave at least 2⁻²⁴ of 1, so that it is below 16.7 in front and below 17.7 behind. In
+    /// front, of a product up to a half, the logarithm's error is that of the product, (e^L - 1)/L times, and the kernel's. Of a
+    /// larger one u is more than a half and 1 - u exact: the logarithm is off by what the sum is, over L. Behind, 1 - u is exact,
+    /// too, and the product counts (1 - e^-L)/L times.
     fn quotient(&self, kappa: Range, small: Range) -> f64 {
         let [kappa, small] = [kappa, small].map(|Range { low, high }| Range {
             low: low * (1.0 - APART),

@@ -85,24 +85,22 @@ impl Program for Place {
     }
 }
 
-/// Of one range of the uniform, or of what it leaves: what the record proves and what Gappa does.
-fn of_range<P: Program>(small: Range, first: bool, flawed: bool) -> [f64; 2] {
+/// Of one range of the uniform, or of what it leaves: what the record proves.
+fn recorded<P: Program>(small: Range, first: bool) -> f64 {
     let tape = Tape::default();
-    let others: Vec<_> = P::others()
-        .into_iter()
-        .map(|range| tape.input(range))
-        .collect();
+    let others = P::others().into_iter().map(|range| tape.input(range));
+    let others: Vec<_> = others.collect();
     let made = P::run(&others, complements(&tape, small, first));
+    tape.error(&[(made, Range::only(1.0))])
+}
+
+/// What Gappa proves of it.
+fn by_gappa<P: Program>(small: Range, first: bool, flawed: bool) -> f64 {
     let script = Script::new(flawed);
-    let others: Vec<_> = P::others()
-        .into_iter()
-        .map(|range| script.input(range))
-        .collect();
+    let others = P::others().into_iter().map(|range| script.input(range));
+    let others: Vec<_> = others.collect();
     let written = P::run(&others, script.complements(small, first));
-    [
-        tape.error(&[(made, Range::only(1.0))]),
-        script.bound(written).unwrap_or(f64::INFINITY),
-    ]
+    script.bound(written).unwrap_or(f64::INFINITY)
 }
 
 /// Holds the bounds to each other, over ranges of the uniform; with a flaw, that of Gappa is far larger.
@@ -111,8 +109,8 @@ fn compare<P: Program>() {
     let mut apart = Range::NONE;
     for small in parts_of(1.0 / 64.0, 0.5, 31) {
         for first in [true, false] {
-            let [recorded, gappa] = of_range::<P>(small, first, false);
-            let [_, flawed] = of_range::<P>(small, first, true);
+            let recorded = recorded::<P>(small, first);
+            let [gappa, flawed] = [false, true].map(|flaw| by_gappa::<P>(small, first, flaw));
             apart.take_all(&[gappa / recorded; 4]);
             for (most, bound) in most.iter_mut().zip([recorded, gappa, flawed]) {
                 raise(most, bound);

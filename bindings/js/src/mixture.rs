@@ -6,7 +6,9 @@ use crate::buffers::Arrays;
 use crate::flat::{Flat, get, put};
 use crate::parts::linked;
 use crate::tables;
-use crate::warps::{DRAW, DRAW_WITH_PDF, INVERT, KINDS, PDF, RUN, SAMPLE, SAMPLE_WITH_PDF};
+use crate::warps::{
+    DRAW, DRAW_WITH_PDF, INVERT, KINDS, PDF, RUN, SAMPLE, SAMPLE_WITH_PDF, refused_weight,
+};
 use core::ptr::null;
 use microwarp::Warp;
 use microwarp::discrete::{InvertParts, Mixture, Parts};
@@ -191,7 +193,7 @@ pub unsafe fn made(mixed: *mut Mixed, weights: *const f32) -> u32 {
                 (&raw mut (*mixed).chooser).write(chooser);
                 0
             }
-            Err(refusal) => u32::from(refusal.code()) | (refusal.index().unwrap_or(0) as u32) << 5,
+            Err(refusal) => refused_weight(refusal),
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::flat::{get, put};
 use crate::lights::LIGHTS;
 use crate::mixture::{self, MIXTURES, kind};
 use crate::parts::{NOT_LINKED, linked};
-use crate::warps::{DRAW, SAMPLE, all};
+use crate::warps::{DRAW, SAMPLE, all, refused_weight};
 use core::slice::{from_raw_parts, from_raw_parts_mut};
 use microwarp::Error;
 use microwarp::discrete::{
@@ -123,10 +123,7 @@ pub unsafe extern "C" fn tabulate(kind: u32, table: *mut Head, weights: *const f
             }
         }
     };
-    made.map_or_else(
-        |refusal| u32::from(refusal.code()) | (refusal.index().unwrap_or(0) as u32) << 5,
-        |()| 0,
-    )
+    made.map_or_else(refused_weight, |()| 0)
 }
 
 /// Does to each element what `evaluate` does, for a table by its kind. Of `Cdf` and `Alias` the drawn points are indices,

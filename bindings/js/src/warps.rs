@@ -114,6 +114,11 @@ pub fn refused(refusal: Error) -> u32 {
     u32::from(refusal.code()) | number << 5
 }
 
+/// The code of a refusal, and 32 times the index of the weight it lies in, if it lies in one.
+pub fn refused_weight(refusal: Error) -> u32 {
+    u32::from(refusal.code()) | (refusal.index().unwrap_or(0) as u32) << 5
+}
+
 /// A warp from parameters that lie one behind the other. What takes none cannot refuse.
 macro_rules! made {
     ($warp:ty, $new:ident(), $from:ident) => {{

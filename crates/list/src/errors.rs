@@ -1,5 +1,5 @@
-//! The reasons for a refusal, in the order of their codes, each of the first parameter or weight. `cargo regenerate` refuses a list that is not that of
-//! `src/error.rs`.
+//! The reasons for a refusal, in the order of their codes, each of the first parameter or weight. `cargo regenerate` refuses
+//! a list that is not that of `src/error.rs`.
 
 /// Hands all reasons to the macro that is named.
 #[macro_export]

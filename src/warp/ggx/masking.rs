@@ -24,11 +24,11 @@ impl<T: Tier> Ggx<T> {
         }
     }
 
-    /// G₁ of a unit vector, `2w_z/(w_z + ℓ(w))` with `ℓ(w) = √(αx² w_x² + αy² w_y² + w_z²)`: the visible part of the microfacets
-    /// that face it, from 0 to 1. 0 on the horizon and below it.
+    /// G₁ of a unit vector, `2w_z/(w_z + ℓ(w))` with `ℓ(w) = √(αx² w_x² + αy² w_y² + w_z²)`: the visible part of the
+    /// microfacets that face it, from 0 to 1. 0 on the horizon and below it.
     ///
-    /// It takes no [`GgxVisible`] of that view, where only masking is asked for. For every roughness and cosines from 1 to 1e-30 it is right
-    /// to 3.5e-7, relatively, by a search and with a margin.
+    /// It takes no [`GgxVisible`] of that view, where only masking is asked for. For every roughness and cosines from 1
+    /// to 1e-30 it is right to 3.5e-7, relatively, by a search and with a margin.
     ///
     /// # Examples
     /// ```

@@ -5,6 +5,7 @@
 //! exact; what may never happen whatever the words is a fault.
 
 use crate::warps::figures::statements;
+use fixed::types::extra::Unsigned;
 use host::adversary::words::Kind;
 use host::adversary::{self, Case, Observe, Uniforms};
 use host::docs::{self, Doc, Statement};
@@ -178,7 +179,7 @@ pub(super) use in_format;
 
 /// How many steps of the format that a word chooses are 1.
 pub fn one(word: u32) -> f64 {
-    2_f64.powi([0, 1, 8, 16, 27, 30, 31, 32][word as usize % 8])
+    in_format!(word, Frac, 2_f64.powi(<Frac as Unsigned>::I32))
 }
 
 /// A family in each of the grades.
