@@ -1,6 +1,6 @@
 //! A picture of all directions by latitude and longitude, as a distribution of directions.
 
-use super::piecewise2d::PiecewiseConstant2d;
+use super::piecewise2d::{PiecewiseConstant2d, try_words};
 use super::selection::amount;
 use super::storage::{Grid, OwnedStorage, Storage};
 use super::word::Word;
@@ -431,12 +431,6 @@ where
         around::<T>(sin, if south { -cos } else { cos }, turn, &mut direction);
         ([column, share.index], direction, zone)
     }
-}
-
-/// The words of a draw, which have nothing left over below their last bit.
-#[inline]
-fn try_words<W: Word, R: TryRng + ?Sized>(rng: &mut R) -> Result<[(W, f32); 2], R::Error> {
-    Ok([(W::try_draw(rng)?, 0.0), (W::try_draw(rng)?, 0.0)])
 }
 
 impl<T, W, M, C> Warp for LatLongMap<T, M, C>

@@ -272,15 +272,17 @@ impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
         self.cells.find(x)
     }
 
-    /// The cell that a point lies in and its probability; nothing outside and for a weight of zero.
+    /// The cell that a point lies in; nothing outside.
     #[inline]
-    pub(crate) fn mass_at(&self, x: f32) -> Option<(usize, f32)> {
-        if !self.cells.contains(x) {
-            return None;
-        }
-        let index = self.cells.find(x);
+    pub(crate) fn cell_at(&self, x: f32) -> Option<usize> {
+        self.cells.contains(x).then(|| self.cells.find(x))
+    }
+
+    /// The probability of a cell; nothing for a weight of zero.
+    #[inline]
+    pub(crate) fn mass(&self, index: usize) -> Option<f32> {
         let (_, count) = self.cdf.mass(index)?;
-        Some((index, amount(count) * W::STEP))
+        Some(amount(count) * W::STEP)
     }
 
     #[inline]
@@ -289,11 +291,29 @@ impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
     }
 
     /// The cell that a word, and what lies below it, selects; and the point within it.
-    #[inline]
+    #[allow(
+        clippy::inline_always,
+        reason = "of a draw nothing lies below the word, which saves a sum"
+    )]
+    #[inline(always)]
     pub(crate) fn cell_and_place(&self, (word, fraction): (W, f32)) -> (usize, f32) {
         let share = self.cdf.locate(word);
         let x = self.cells.place(share.index, share.leftover(fraction));
         (share.index, x)
+    }
+
+    /// The density in a cell.
+    #[inline]
+    fn density(&self, index: usize) -> f32 {
+        self.mass(index)
+            .map_or(0.0, |mass| representable(self.cells.density(index, mass)))
+    }
+
+    /// The point of a word, and what lies below it, with the density: that of the cell, which need not be found again.
+    #[inline]
+    fn with_density(&self, place: (W, f32)) -> (f32, f32) {
+        let (index, x) = self.cell_and_place(place);
+        (x, self.density(index))
     }
 }
 
@@ -309,10 +329,12 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
-        match self.mass_at(x) {
-            Some((index, mass)) => representable(self.cells.density(index, mass)),
-            None => 0.0,
-        }
+        self.cell_at(x).map_or(0.0, |index| self.density(index))
+    }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+        self.with_density(W::from_uniform(u))
     }
 
     #[inline]
@@ -323,6 +345,11 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
         Ok(self.cell_and_place((W::try_draw(rng)?, 0.0)).1)
+    }
+
+    #[inline]
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
+        Ok(self.with_density((W::try_draw(rng)?, 0.0)))
     }
 }
 

@@ -554,13 +554,52 @@ where
         PiecewiseConstant1d::within(Cdf::trusted(words), self.columns)
     }
 
-    /// The point of exact words, along u and along v.
-    #[inline]
-    fn at(&self, [along_u, along_v]: [W; 2]) -> [f32; 2] {
-        let (row, v) = self.marginal.cell_and_place((along_v, 0.0));
-        let (_, u) = self.conditional(row).cell_and_place((along_u, 0.0));
-        [u, v]
+    /// The cell, by its column and row, and the point of two words and what lies below them, along u and along v.
+    #[allow(
+        clippy::inline_always,
+        reason = "of a draw nothing lies below the words, which saves two sums"
+    )]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
+    fn cell_and_place(&self, [along_u, along_v]: [(W, f32); 2]) -> ([usize; 2], [f32; 2]) {
+        let (row, v) = self.marginal.cell_and_place(along_v);
+        let (column, u) = self.conditional(row).cell_and_place(along_u);
+        ([column, row], [u, v])
     }
+
+    /// The density in a cell.
+    #[inline]
+    fn density(&self, [column, row]: [usize; 2]) -> f32 {
+        let Some(along_v) = self.marginal.mass(row) else {
+            return 0.0;
+        };
+        let Some(along_u) = self.conditional(row).mass(column) else {
+            return 0.0;
+        };
+        let (columns, rows) = (&self.columns, self.marginal.cells());
+        // The narrower side first: over the wider one alone the density may be subnormal and lose bits
+        // that the product of the two has.
+        representable(if columns.narrower(rows) {
+            rows.density(row, columns.density(column, along_u) * along_v)
+        } else {
+            columns.density(column, rows.density(row, along_v) * along_u)
+        })
+    }
+
+    /// The point with the density: that of the cell, which need not be found again.
+    #[inline]
+    fn with_density(&self, places: [(W, f32); 2]) -> ([f32; 2], f32) {
+        let (cell, point) = self.cell_and_place(places);
+        (point, self.density(cell))
+    }
+}
+
+/// The words of a draw, which have nothing left over below their last bit.
+#[inline]
+pub(super) fn try_words<W: Word, R: TryRng + ?Sized>(
+    rng: &mut R,
+) -> Result<[(W, f32); 2], R::Error> {
+    Ok([(W::try_draw(rng)?, 0.0), (W::try_draw(rng)?, 0.0)])
 }
 
 impl<W, M, C> Warp for PiecewiseConstant2d<M, C>
@@ -575,42 +614,41 @@ where
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<[f32; 2]>) -> [f32; 2] {
-        let [along_u, along_v] = u.each();
-        let (row, v) = self.marginal.cell_and_place(W::from_uniform(along_v));
-        let (_, u) = self
-            .conditional(row)
-            .cell_and_place(W::from_uniform(along_u));
-        [u, v]
+        self.cell_and_place(u.each().map(W::from_uniform)).1
     }
 
     #[inline]
     fn pdf(&self, [u, v]: [f32; 2]) -> f32 {
-        let Some((row, along_v)) = self.marginal.mass_at(v) else {
-            return 0.0;
-        };
-        let Some((column, along_u)) = self.conditional(row).mass_at(u) else {
-            return 0.0;
-        };
-        let (columns, rows) = (&self.columns, self.marginal.cells());
-        // The narrower side first: over the wider one alone the density may be subnormal and lose bits
-        // that the product of the two has.
-        representable(if columns.narrower(rows) {
-            rows.density(row, columns.density(column, along_u) * along_v)
+        let inside = self.columns.contains(u) && self.marginal.cells().contains(v);
+        if inside {
+            self.density(self.cell([u, v]))
         } else {
-            columns.density(column, rows.density(row, along_v) * along_u)
-        })
+            0.0
+        }
     }
 
     #[inline]
-    fn sample_words(&self, [along_u, along_v]: [u32; 2]) -> [f32; 2] {
-        self.at([W::from_bits(along_u), W::from_bits(along_v)])
+    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 2], f32) {
+        self.with_density(u.each().map(W::from_uniform))
+    }
+
+    #[inline]
+    fn sample_words(&self, words: [u32; 2]) -> [f32; 2] {
+        let places = words.map(|word| (W::from_bits(word), 0.0));
+        self.cell_and_place(places).1
     }
 
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<[f32; 2], R::Error> {
-        let along_u = W::try_draw(rng)?;
-        let along_v = W::try_draw(rng)?;
-        Ok(self.at([along_u, along_v]))
+        Ok(self.cell_and_place(try_words(rng)?).1)
+    }
+
+    #[inline]
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+    ) -> Result<([f32; 2], f32), R::Error> {
+        Ok(self.with_density(try_words(rng)?))
     }
 }
 

@@ -282,15 +282,36 @@ where
         Slope::new(weight(index), weight(index.wrapping_add(1)))
     }
 
-    /// The point that a word, and what lies below it, leads to.
+    /// The cell that a word, and what lies below it, selects; and the point within it.
     #[inline]
-    fn at(&self, (word, fraction): (W, f32)) -> f32 {
+    pub(super) fn cell_and_place(&self, (word, fraction): (W, f32)) -> (usize, f32) {
         let share = self.cdf().locate(word);
         let slope = self.slope(share.index);
         let place = slope.place(&share, fraction);
-        self.cells
-            .cells()
-            .place_from(share.index, place, slope.low == 0.0)
+        let cells = self.cells.cells();
+        let x = cells.place_from(share.index, place, slope.low == 0.0);
+        (share.index, x)
+    }
+
+    /// The density at a point of a cell.
+    #[inline]
+    fn density(&self, index: usize, x: f32) -> f32 {
+        let Some(mass) = self.cells.mass(index) else {
+            return 0.0;
+        };
+        let (slope, cells) = (self.slope(index), self.cells.cells());
+        if cells.is_end(index, x, [slope.low == 0.0, slope.high == 0.0]) {
+            return 0.0;
+        }
+        let scale = cells.density(index, mass / (0.5 + 0.5 * slope.ratio));
+        representable(slope.density(cells.parts(index, x), scale))
+    }
+
+    /// The point of a word, and what lies below it, with the density: its cell need not be found again.
+    #[inline]
+    fn with_density(&self, place: (W, f32)) -> (f32, f32) {
+        let (index, x) = self.cell_and_place(place);
+        (x, self.density(index, x))
     }
 }
 
@@ -398,30 +419,34 @@ where
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<f32>) -> f32 {
-        self.at(W::from_uniform(u))
+        self.cell_and_place(W::from_uniform(u)).1
     }
 
     #[inline]
     fn pdf(&self, x: f32) -> f32 {
-        let Some((index, mass)) = self.cells.mass_at(x) else {
-            return 0.0;
-        };
-        let (slope, cells) = (self.slope(index), self.cells.cells());
-        if cells.is_end(index, x, [slope.low == 0.0, slope.high == 0.0]) {
-            return 0.0;
-        }
-        let scale = cells.density(index, mass / (0.5 + 0.5 * slope.ratio));
-        representable(slope.density(cells.parts(index, x), scale))
+        self.cells
+            .cell_at(x)
+            .map_or(0.0, |index| self.density(index, x))
+    }
+
+    #[inline]
+    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+        self.with_density(W::from_uniform(u))
     }
 
     #[inline]
     fn sample_words(&self, word: u32) -> f32 {
-        self.at((W::from_bits(word), 0.0))
+        self.cell_and_place((W::from_bits(word), 0.0)).1
     }
 
     #[inline]
     fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<f32, R::Error> {
-        Ok(self.at((W::try_draw(rng)?, 0.0)))
+        Ok(self.cell_and_place((W::try_draw(rng)?, 0.0)).1)
+    }
+
+    #[inline]
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
+        Ok(self.with_density((W::try_draw(rng)?, 0.0)))
     }
 }
 

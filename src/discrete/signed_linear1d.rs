@@ -1,10 +1,10 @@
 //! A function of either sign that is linear between equally spaced points, sampled by its size, with signed weights.
 
 use super::PiecewiseLinear1d;
-use crate::Warp;
+use super::word::Word;
 use crate::error::{Error, tried};
 use crate::num::{Scaled, quick_two_sum, two_sum};
-use crate::uniform::infallible;
+use crate::uniform::{Uniforms, infallible};
 use rand_core::{Rng, TryRng};
 
 /// A function f of either sign, linear between equally spaced vertices: points in proportion to |f|, each with the weight by which
@@ -135,7 +135,16 @@ impl<const N: usize> SignedLinear1d<N> {
     /// The weight of a point.
     #[must_use]
     pub fn weight(&self, x: f32) -> f32 {
-        let Some((index, mass)) = self.sizes.cells().mass_at(x) else {
+        match self.sizes.cells().cell_at(x) {
+            Some(index) => self.weight_in(index, x),
+            None => 0.0,
+        }
+    }
+
+    /// The weight of a point of a cell.
+    #[inline]
+    fn weight_in(&self, index: usize, x: f32) -> f32 {
+        let Some(mass) = self.sizes.cells().mass(index) else {
             return 0.0;
         };
         let vertex = |index: usize| self.vertices.get(index).copied().unwrap_or(0.0);
@@ -156,8 +165,14 @@ impl<const N: usize> SignedLinear1d<N> {
     #[must_use]
     #[inline]
     pub fn sample(&self, u: f32) -> (f32, f32) {
-        let x = self.sizes.sample(u);
-        (x, self.weight(x))
+        self.with_weight(u32::from_uniform(u.canonical()))
+    }
+
+    /// The point of a word, and what lies below it, with the weight: its cell need not be found again.
+    #[inline]
+    fn with_weight(&self, place: (u32, f32)) -> (f32, f32) {
+        let (index, x) = self.sizes.cell_and_place(place);
+        (x, self.weight_in(index, x))
     }
 
     /// Draws a point and its weight from a generator that can fail.
@@ -166,8 +181,7 @@ impl<const N: usize> SignedLinear1d<N> {
     /// The generator's own error.
     #[inline]
     pub fn try_draw<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
-        let x = self.sizes.try_draw(rng)?;
-        Ok((x, self.weight(x)))
+        Ok(self.with_weight((u32::try_draw(rng)?, 0.0)))
     }
 
     /// Draws a point and its weight.
