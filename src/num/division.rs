@@ -1,10 +1,30 @@
-//! Long division, digit by digit.
+//! Long division: by the processor where it has 64 bits, else digit by digit.
 //!
-//! The compiler's own routine for 128 bits is two to four times as fast on a host, but takes three kilobytes of flash on
-//! a Cortex-M0.
+//! The compiler's own routine for 128 bits takes three kilobytes of flash on a Cortex-M0, and one or two as WASM.
+
+/// Whether the processor divides numbers of 64 bits.
+const DIVIDES: bool = cfg!(target_pointer_width = "64");
 
 /// `floor(x · 2^bits / total)` and whether there is a remainder, for `x <= total < 2^127`.
+#[inline]
 pub(crate) const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
+    scaled_on::<DIVIDES>(x, total, bits)
+}
+
+/// The same where the processor divides, or not.
+pub(super) const fn scaled_on<const DIVIDES: bool>(
+    x: u128,
+    total: u128,
+    bits: u32,
+) -> (u128, bool) {
+    if DIVIDES && bits <= x.leading_zeros() {
+        let dividend = x << bits;
+        if let (Some(quotient), Some(rest)) =
+            (dividend.checked_div(total), dividend.checked_rem(total))
+        {
+            return (quotient, rest > 0);
+        }
+    }
     let mut quotient = 0_u128;
     let mut rest = x;
     // The integer part is 0 or 1. The rest is below the total from here on.
@@ -26,7 +46,17 @@ pub(crate) const fn scaled(x: u128, total: u128, bits: u32) -> (u128, bool) {
 }
 
 /// `floor(x · 2^31 / d)` and whether there is a remainder, for `d <= x + x` and `x < d + d`.
+#[inline]
 pub(crate) const fn quotient(x: u64, d: u64) -> (u32, bool) {
+    quotient_on::<DIVIDES>(x, d)
+}
+
+/// The same where the processor divides, or not.
+pub(super) const fn quotient_on<const DIVIDES: bool>(x: u64, d: u64) -> (u32, bool) {
+    if DIVIDES {
+        let (quotient, inexact) = scaled_on::<true>(x as u128, d as u128, 31);
+        return (quotient as u32, inexact);
+    }
     let (mut rest, mut digits) = if x >= d {
         (x.wrapping_sub(d), 1_u32)
     } else {
