@@ -2,7 +2,7 @@
 
 use super::total::Total;
 use super::word::Word as _;
-use crate::error::Error;
+use crate::error::{Error, finite, positive};
 use crate::num::{Long, Scaled};
 use crate::uniform::infallible;
 use rand_core::{Rng, TryRng};
@@ -108,19 +108,16 @@ impl<T> LightReservoir<T> {
         density: f32,
         bits: u64,
     ) -> Result<bool, Error> {
-        let weight = Total::of(target, 1)?;
-        let divisor = Total::of(density, 2).map_err(|error| match error {
-            Error::Negative(place) => Error::NotPositive(place),
-            other => other,
-        })?;
-        if divisor.is_zero() {
-            return Err(Error::NotPositive(2));
+        finite(target, 1)?;
+        if target < 0.0 {
+            return Err(Error::Negative(1));
         }
+        positive(density, 2)?;
         if self.count == u32::MAX {
             self.cap(HALF);
         }
         self.count = self.count.wrapping_add(1);
-        if weight.is_zero() {
+        if target == 0.0 {
             return Ok(false);
         }
         let weight = Total::of_scaled(Scaled::of(target).over(Scaled::of(density)));

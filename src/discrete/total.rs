@@ -115,16 +115,9 @@ impl Total {
             None => 0,
         };
         let (sum, carried) = large.mantissa.overflowing_add(aligned);
-        if carried {
-            Self {
-                mantissa: sum >> 1 | 1 << 63,
-                exponent: large.exponent.wrapping_add(1),
-            }
-        } else {
-            Self {
-                mantissa: sum,
-                exponent: large.exponent,
-            }
+        Self {
+            mantissa: if carried { sum >> 1 | 1 << 63 } else { sum },
+            exponent: large.exponent.wrapping_add(carried as i32),
         }
     }
 
