@@ -78,7 +78,17 @@ pub(super) const fn quotient_on<const DIVIDES: bool>(x: u64, d: u64) -> (u32, bo
 }
 
 /// `floor(x · 2^32 / d)` and whether there is a remainder, for `x < d`.
+#[inline]
 pub(crate) const fn fraction(x: u64, d: u64) -> (u32, bool) {
+    fraction_on::<DIVIDES>(x, d)
+}
+
+/// The same where the processor divides, or not.
+pub(super) const fn fraction_on<const DIVIDES: bool>(x: u64, d: u64) -> (u32, bool) {
+    if DIVIDES {
+        let (quotient, inexact) = scaled_on::<true>(x as u128, d as u128, 32);
+        return (quotient as u32, inexact);
+    }
     let (mut rest, mut digits) = (x, 1_u32);
     loop {
         // Compares twice the rest with d without forming it, since it may not fit.

@@ -8,7 +8,7 @@
     reason = "tests run where there are panics"
 )]
 
-use super::division::{quotient_on, scaled_on};
+use super::division::{fraction_on, quotient_on, scaled_on};
 use super::word::up_to_on;
 use super::{float, folded, folded_tail, up_to, up_to_by_two};
 use host::speed;
@@ -134,44 +134,48 @@ fn integers_that_go_in_by_halves_are_floats_as_converted() {
     }
 }
 
-/// The first dividend and divisor of which a function is not ⌊2³¹x/d⌋ and whether that is inexact.
-fn wrong_quotient(form: impl Fn(u64, u64) -> (u32, bool)) -> Option<[u64; 2]> {
+/// Divisors of all lengths, each with dividends from half of it to just below it, and to just below twice as much.
+fn divisions() -> impl Iterator<Item = [u64; 2]> {
     let mut rng = Pcg32::new(6, 6);
     let mut divisors: Vec<u64> = (0..1 << 16)
         .map(|_| rng.next_u64() >> (rng.next_u32() & 63))
         .filter(|&d| d > 1)
         .collect();
     divisors.extend((1..64).flat_map(|bit| [1 << bit, (1 << bit) + 1, u64::MAX >> (bit - 1)]));
-    let pairs = divisors.into_iter().flat_map(|d| {
+    divisors.into_iter().flat_map(move |d| {
         let least = d.div_ceil(2);
         let most = d.saturating_mul(2).saturating_sub(1);
         let within = least + rng.next_u64() % (most - least + 1);
         [least, d - 1, d, within, most].map(|x| [x.max(least), d])
-    });
-    pairs.into_iter().find(|&[x, d]| {
-        let (dividend, d) = (u128::from(x) << 31, u128::from(d));
-        form(x, d as u64) != ((dividend / d) as u32, dividend % d > 0)
+    })
+}
+
+/// The first of these of which a function is not so many binary digits of the quotient and whether that is inexact.
+fn wrong_quotient(digits: u32, form: impl Fn(u64, u64) -> (u32, bool)) -> Option<[u64; 2]> {
+    divisions().find(|&[x, d]| {
+        let (dividend, divisor) = (u128::from(x) << digits, u128::from(d));
+        let (quotient, rest) = (dividend / divisor, dividend % divisor);
+        // Where a fraction is asked for, the dividend is the smaller one.
+        (digits == 31 || x < d) && form(x, d) != (quotient as u32, rest > 0)
     })
 }
 
 #[test]
 fn both_kinds_of_cores_divide_alike() {
-    assert_eq!(wrong_quotient(quotient_on::<true>), None);
-    assert_eq!(wrong_quotient(quotient_on::<false>), None);
-    assert_eq!(
-        wrong_quotient(|x, d| {
-            let (quotient, inexact) = scaled_on::<false>(x.into(), d.into(), 31);
-            (quotient as u32, inexact)
-        }),
-        None
-    );
+    let scaled = |x: u64, d: u64| {
+        let (quotient, inexact) = scaled_on::<false>(x.into(), d.into(), 31);
+        (quotient as u32, inexact)
+    };
+    assert_eq!(wrong_quotient(31, quotient_on::<true>), None);
+    assert_eq!(wrong_quotient(31, quotient_on::<false>), None);
+    assert_eq!(wrong_quotient(31, scaled), None);
+    assert_eq!(wrong_quotient(32, fraction_on::<true>), None);
+    assert_eq!(wrong_quotient(32, fraction_on::<false>), None);
     // A last digit that is not worked out, and a remainder that is not looked at, are seen.
-    assert!(
-        wrong_quotient(|x, d| {
-            let (quotient, inexact) = quotient_on::<false>(x, d);
-            (quotient & !1, inexact)
-        })
-        .is_some()
-    );
-    assert!(wrong_quotient(|x, d| (quotient_on::<false>(x, d).0, true)).is_some());
+    let short = |x, d| {
+        let (quotient, inexact) = quotient_on::<false>(x, d);
+        (quotient & !1, inexact)
+    };
+    assert!(wrong_quotient(31, short).is_some());
+    assert!(wrong_quotient(32, |x, d| (fraction_on::<false>(x, d).0, true)).is_some());
 }
