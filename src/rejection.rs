@@ -201,20 +201,21 @@ pub(crate) fn draw_first_ahead<S: Rejection + ?Sized, R: TryRng + ?Sized>(
 #[allow(clippy::inline_always, reason = "breaks a false dependency")]
 #[cfg_attr(target_arch = "x86_64", inline(always))]
 #[cfg_attr(not(target_arch = "x86_64"), inline)]
-pub(crate) fn draw_first_alone<S: Rejection + ?Sized, R: TryRng + ?Sized>(
+pub(crate) fn draw_first_alone<S: Rejection + Copy, R: TryRng + ?Sized>(
     sampler: &S,
     rng: &mut R,
 ) -> Result<Accepted<S::Point>, Failure<R::Error>> {
+    // Of a copy, so that the compiler keeps apart what the first try needs.
     #[inline(never)]
-    fn others<S: Rejection + ?Sized, R: TryRng + ?Sized>(
-        sampler: &S,
+    fn others<S: Rejection + Copy, R: TryRng + ?Sized>(
+        sampler: S,
         rng: &mut R,
     ) -> Result<Accepted<S::Point>, Failure<R::Error>> {
-        draw_after(1, sampler, rng)
+        draw_after(1, &sampler, rng)
     }
     match sampler.try_once(rng)? {
         Some(point) => Ok(Accepted { point, tries: 1 }),
-        None => others(sampler, rng),
+        None => others(*sampler, rng),
     }
 }
 

@@ -29,6 +29,8 @@ use rand_core::TryRng;
 ///
 /// The default budget of 32 tries for both shares together is spent with a probability below 2⁻⁶⁴.
 ///
+/// Where one is made for a single draw, the compiler leaves out what its density takes, as where the shapes are odds that change with each draw.
+///
 /// # Examples
 /// ```
 /// use microwarp::{constant, poly as mw, rejection::Rejection};
@@ -63,6 +65,8 @@ impl<T: Tier> Beta<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] for a shape
     /// below 1e-30 or above 1e6.
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
+    #[inline(always)]
     pub const fn new(a: f32, b: f32) -> Result<Self, Error> {
         // Both are one parameter there.
         let place = if is_shape(a) { 1 } else { 0 };

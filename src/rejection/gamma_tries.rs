@@ -88,6 +88,7 @@ impl Tries {
     };
 
     /// Refuses what is not a shape from 1e-30 to 1e6.
+    #[inline]
     pub(super) const fn new(shape: f32) -> Result<Self, Error> {
         const THIRD: f32 = (1.0 / 3.0_f64) as f32;
         tried!(positive(shape, 0));
@@ -165,13 +166,14 @@ impl Tries {
         }
         let fourth = (z * z) * (z * z);
         let accepted =
-            (!decision) as f32 > self.squeeze * fourth || self.decides::<T>(w, fourth, decision);
+            (!decision) as f32 > self.squeeze * fourth || self.decide::<T>(w, fourth, decision);
         accepted.then_some(self.depth * (t * t * t))
     }
 
     /// Whether a decision accepts, where the squeeze does not say.
+    // Of a copy, so that the compiler keeps apart what an accepted try needs.
     #[inline(never)]
-    fn decides<T: Tier>(&self, w: f32, fourth: f32, decision: u32) -> bool {
+    fn decide<T: Tier>(self, w: f32, fourth: f32, decision: u32) -> bool {
         happens(T::exp(-self.exponent::<T>(w, fourth)), decision)
     }
 

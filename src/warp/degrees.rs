@@ -126,7 +126,17 @@ impl Degrees {
         into_unit(-T::exp_m1(log))
     }
 
+    /// The density of one dimension at its location, of a scale below all usual ones.
+    #[cold]
+    #[inline(never)]
+    pub(super) const fn steepest(self, scale: f32) -> f32 {
+        self.peak() / scale
+    }
+
     /// Γ((ν+1)/2)/(√(νπ) Γ(ν/2)), the density of one dimension at its location.
+    // With a loop that counts, so that the compiler sees that it ends, and leaves it out where no density is asked for.
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
+    #[inline(always)]
     pub(super) const fn peak(&self) -> f32 {
         const FRAC_1_SQRT_PI: f32 = 0.5 * core::f32::consts::FRAC_2_SQRT_PI;
         if self.count >= NORMAL {
@@ -134,8 +144,9 @@ impl Degrees {
         }
         // Up to where Stirling's series ends after a few terms, by Γ(x + 1) = xΓ(x).
         let (mut above, mut below): (DoubleWord, DoubleWord) = ((1.0, 0.0), (1.0, 0.0));
-        let mut steps = 0.0;
-        while self.count + 2.0 * steps < 16.0 {
+        let (mut steps, mut left) = (0.0, 8_u32);
+        while left > 0 && self.count + 2.0 * steps < 16.0 {
+            left = left.wrapping_sub(1);
             above = double_word::times(above, two_sum(self.count, 2.0 * steps));
             below = double_word::times(below, two_sum(self.count, 2.0 * steps + 1.0));
             steps += 1.0;

@@ -96,14 +96,20 @@ impl<T> LocationScale<T> {
         let peak = peak / scale;
         tried!(checked(location, scale, reach, place));
         if peak.is_finite() {
-            Ok(Self {
-                location,
-                scale,
-                peak,
-                tier: PhantomData,
-            })
+            Ok(Self::of(location, scale, peak))
         } else {
             Err(Error::Empty(place.wrapping_add(1)))
+        }
+    }
+
+    /// Of numbers that have been looked at; the peak is divided by the scale.
+    #[inline]
+    pub(super) const fn of(location: f32, scale: f32, peak: f32) -> Self {
+        Self {
+            location,
+            scale,
+            peak,
+            tier: PhantomData,
         }
     }
 }

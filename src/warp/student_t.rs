@@ -1,7 +1,7 @@
 //! Student's t: one number from two uniforms, without a loop.
 
 use super::degrees::{Degrees, Square};
-use super::location_scale::LocationScale;
+use super::location_scale::{LocationScale, checked};
 use super::{Invert, Warp};
 use crate::error::{Error, tried};
 use crate::num::{LARGEST, folded_tail};
@@ -79,12 +79,18 @@ impl<T: Tier> StudentT<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for degrees or a scale of 0 or less,
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
+    #[inline(always)]
     pub const fn new(degrees: f32, location: f32, scale: f32) -> Result<Self, Error> {
         let (degrees, reach) = tried!(Degrees::new(degrees));
-        let own = LocationScale::new(location, scale, degrees.peak(), reach, 1);
+        tried!(checked(location, scale, reach, 1));
+        // No density of scale 1 is above 1.
+        if scale < f32::MIN_POSITIVE && !degrees.steepest(scale).is_finite() {
+            return Err(Error::Empty(2));
+        }
         Ok(Self {
             degrees,
-            own: tried!(own),
+            own: LocationScale::of(location, scale, degrees.peak() / scale),
         })
     }
 
