@@ -2,7 +2,7 @@
 
 use crate::args::{FLOOR, INDEX, LIBM, POLY, RAND_DISTR, REJECTION};
 use crate::draws::{self, accepted, word};
-use crate::{fills, kit, lamps, tables};
+use crate::{anew, fills, kit, lamps, tables};
 use host::contest::{Contest, Standings};
 use host::peers::theirs;
 use host::registry::{of_libm, of_poly};
@@ -105,6 +105,11 @@ families! {
     Draw "shuffle of 52" "shuffle of rand" tables::shuffle(52);
     Draw "shuffle of 1000" "shuffle of rand" tables::shuffle(1000);
     Draw "choice of 5 of 52" "partial_shuffle of rand" tables::choose(52, 5);
+    Draw "gamma, shape 1 to 5, anew" "Gamma" anew::gamma();
+    Draw "beta, shapes 1 to 5 and 2, anew" "Beta" anew::beta();
+    Draw "Student's t of 1 to 5 degrees, anew" "StudentT" anew::student_t();
+    Draw "Poisson, mean 1 to 5, anew" "Poisson" anew::poisson();
+    Draw "cdf of 64, anew" "WeightedIndex" anew::cdf();
     Fill "disk" "UnitDisc" fills::disk();
     Fill "sphere" "UnitSphere" fills::sphere();
     Fill "hemisphere" "UnitSphere, folded" fills::hemisphere();

@@ -4,6 +4,7 @@
 //! How times are taken and compared is in `host::contest`, what the peers are in `host::peers`, who meets
 //! whom in `families.rs`. This file runs the steps.
 
+mod anew;
 mod args;
 mod draws;
 mod families;

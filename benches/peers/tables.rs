@@ -10,13 +10,13 @@ use rand_pcg::rand_core::Rng;
 use std::hint::black_box;
 
 /// Whole numbers below 4,096, the same for all; a few are 0.
-fn weights(n: usize) -> Vec<f32> {
+pub fn weights(n: usize) -> Vec<f32> {
     let mut rng = Pcg32::new(2, 2);
     (0..n).map(|_| (rng.next_u32() >> 20) as f32).collect()
 }
 
 /// A contest of indices with the generator alone.
-fn of_indices() -> Contest<usize> {
+pub fn of_indices() -> Contest<usize> {
     Contest::new(0).draw(FLOOR, |rng| rng.next_u32() as usize)
 }
 
