@@ -56,7 +56,7 @@ pub struct SurfaceSample {
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, of the size | 9e-7 | 8e-7 | found |
+/// | sample, of the size | 9e-7 | 9e-7 | found |
 /// | unit length | 4.5e-7 | 4.5e-7 | found |
 /// | pdf, relative | 7.8e-7 | 7.8e-7 | found |
 /// | realised density, relative | 7.8e-7 | 7.8e-7 | found |
