@@ -27,7 +27,7 @@ pub struct Node {
     pub rounded: Range,
     /// How far apart these may be, relatively.
     drift: f64,
-    lost: Lost,
+    pub lost: Lost,
 }
 
 /// Values that are no farther apart than this are as good as one where an error is relative to them.
@@ -141,6 +141,23 @@ impl Tape {
 
     /// Of a sum of which the derivatives by outputs are given, and these times the outputs.
     fn sum<'a>(&self, outputs: impl IntoIterator<Item = (Traced<'a>, Range, Range)>) -> f64 {
+        let by = self.derivatives(outputs);
+        let nodes = self.nodes.borrow();
+        let mut sum = 0.0;
+        for (node, [d, s]) in nodes.iter().zip(by).rev() {
+            let lost = node.lost;
+            let part = |size: f64, of: Range| if size == 0.0 { 0.0 } else { size * of.size() };
+            // The smaller, or the one that is a number.
+            sum += part(lost.absolute, d).min(part(lost.relative, s) + part(lost.floor, d));
+        }
+        sum * (1.0 + 3.0 * NEAR)
+    }
+
+    /// The derivatives of such a sum by all values, and these times the values.
+    pub fn derivatives<'a>(
+        &self,
+        outputs: impl IntoIterator<Item = (Traced<'a>, Range, Range)>,
+    ) -> Vec<[Range; 2]> {
         let nodes = self.nodes.borrow();
         // The derivative of the sum by each value, and that times the value.
         let mut by = vec![Range::only(0.0); nodes.len()];
@@ -150,15 +167,11 @@ impl Tape {
             by[i] = by[i] + derivative;
             scaled[i] = scaled[i] + times_value;
         }
-        let mut sum = 0.0;
         for (i, node) in nodes.iter().enumerate().rev() {
-            let (value, lost) = (node.value, node.lost);
+            let value = node.value;
             scaled[i] = scaled[i].and(by[i] * value);
             by[i] = by[i].and(scaled[i] / value);
             let (d, s) = (by[i], scaled[i]);
-            let part = |size: f64, of: Range| if size == 0.0 { 0.0 } else { size * of.size() };
-            // The smaller, or the one that is a number.
-            sum += part(lost.absolute, d).min(part(lost.relative, s) + part(lost.floor, d));
             let mut add = |j: usize, more: Range, more_scaled: Range| {
                 let v = nodes[j].value;
                 by[j] = by[j] + more.and(more_scaled / v);
@@ -195,7 +208,7 @@ impl Tape {
                 Op::Sqrt(a) => add(a, d / (value * Range::only(2.0)), s * Range::only(0.5)),
             }
         }
-        sum * (1.0 + 3.0 * NEAR)
+        by.into_iter().zip(scaled).map(|(d, s)| [d, s]).collect()
     }
 }
 
