@@ -233,7 +233,7 @@ pub struct Reflection {
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 2.5e-7 + 4.2e-7*q | found |
+/// | sample, of the size | 6.6e-7 + 6.3e-7*q | found |
 /// | unit length | 2.2e-7 | found |
 /// | pdf, relative | 8.5e-7 + 2.2*s | found |
 /// | realised density, relative | 1.4e-6 + 6.6·s + 8e-7·q | found |
