@@ -16,6 +16,7 @@ mod fisher;
 mod formed;
 mod forms;
 mod gappa;
+mod ggx_visible;
 mod inputs;
 mod interval;
 mod kept;

@@ -102,6 +102,13 @@ pub fn reach(all: &[Vector], enough: f64) -> f64 {
     most * (1.0 + 4.0 * NEAR)
 }
 
+/// The largest length of a sum by the fine net.
+pub fn length(all: &[Vector]) -> f64 {
+    let all: Vec<_> = all.iter().map(|v| parts(*v)).collect();
+    let [_, fine] = &*NETS;
+    fine.longest(&all) * fine.missed * (1.0 + 4.0 * NEAR)
+}
+
 /// The middles and half the widths of a vector's ranges.
 fn parts(vector: Vector) -> [[f64; 3]; 2] {
     let middle = vector.map(|Range { low, high }| 0.5 * (low + high));
