@@ -1,6 +1,7 @@
 //! Arithmetic of ranges: each result holds all results for numbers of the operands, whatever doubles round.
 
 use crate::range::Range;
+use std::f64::consts::TAU;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// Moves both ends outward by more than an operation of doubles rounds.
@@ -46,6 +47,39 @@ impl Range {
 
     pub fn sqrt(self) -> Self {
         outward(self.low.max(0.0).sqrt(), self.high.sqrt())
+    }
+
+    /// The sine of turns, of which at most a quarter counts either way.
+    pub fn sine(self) -> Self {
+        let of = |x: f64| (TAU * x.clamp(-0.25, 0.25)).sin();
+        // Beyond a quarter it falls again.
+        let past = of(0.5 - self.high.max(0.25));
+        outward(of(self.low).min(past), of(self.high)).wider(0.0)
+    }
+
+    /// How fast that grows with the turns.
+    pub fn slope_of_sine(self) -> Self {
+        let of = |x: f64| TAU * (TAU * x).cos();
+        self.by_distance_from_0(of)
+    }
+
+    /// How fast it grows relatively as the turns grow relatively, x/tan x in radians.
+    pub fn sine_relatively(self) -> Self {
+        let of = |x: f64| {
+            if x == 0.0 {
+                1.0
+            } else {
+                TAU * x / (TAU * x).tan()
+            }
+        };
+        self.by_distance_from_0(of)
+    }
+
+    /// Of an even function that falls from 0 on.
+    fn by_distance_from_0(self, of: impl Fn(f64) -> f64) -> Self {
+        let near = self.low.max(-self.high).max(0.0);
+        let [low, high] = [self.size(), near].map(of);
+        Self { low, high }.wider(4e-15)
     }
 
     /// The share that a number of this range, 0 or more, has in its sum with one of the other.
@@ -121,5 +155,12 @@ fn ranges_hold_their_results() {
     holds(a / b, -1.0 / 3.0, 2.0 / 3.0);
     holds(b.sqrt(), 3.0_f64.sqrt(), 2.0);
     holds(b.share(b), 3.0 / 7.0, 4.0 / 7.0);
+    let turns = Range {
+        low: -0.125,
+        high: 0.25,
+    };
+    holds(turns.sine(), -0.5_f64.sqrt(), 1.0);
+    holds(turns.slope_of_sine(), 0.0, TAU);
+    holds(turns.sine_relatively(), 0.0, 1.0);
     assert!((b / a).low == f64::NEG_INFINITY && (b * Range::only(0.0)).size() < 1e-300);
 }

@@ -41,7 +41,7 @@ pub fn largest(name: &str, title: &str) -> [f64; 2] {
         }
     }
     largest.map(|figures| match title {
-        "sample" => figures.sample,
+        _ if title.starts_with("sample") => figures.sample,
         "unit length" => figures.length,
         _ => figures.sine,
     })

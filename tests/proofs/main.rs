@@ -8,10 +8,12 @@
 //! In the quick speed one of every few inputs is tried, so that what is called proven is so only nearly.
 //! `MICROWARP_WRITE=1 cargo test --test proofs` writes the figures anew.
 
+mod angles;
 mod bilinear;
 mod bounds;
 mod cover;
 mod direct;
+mod equi_angular;
 mod fisher;
 mod formed;
 mod forms;
@@ -39,6 +41,7 @@ mod report;
 mod rounding;
 mod script;
 mod search;
+mod segments;
 mod several;
 mod shapes;
 mod sphere_bound;

@@ -63,6 +63,24 @@ impl Traced<'_> {
         }
     }
 
+    /// Says that the number is at least this, with all rounding and with none.
+    pub fn at_least(self, x: f64) -> Self {
+        let node = &mut self.tape.nodes.borrow_mut()[self.index];
+        node.rounded.low = node.rounded.low.max(x);
+        node.value.low = node.value.low.max(x);
+        if node.value.low > node.value.high || node.rounded.low > node.rounded.high {
+            self.tape.impossible.set(true);
+            node.value.high = node.value.low;
+            node.rounded.high = node.rounded.low;
+        }
+        self
+    }
+
+    /// The sine of turns, within a quarter either way.
+    pub fn sine(self) -> Self {
+        self.of(self, Op::Sine(self.index), |x, _| x.sine(), Lost::of)
+    }
+
     fn is_power_of_two(self) -> bool {
         let Range { low, high } = self.rounded();
         low == high && low.to_bits() << 12 == 0

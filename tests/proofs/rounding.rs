@@ -31,6 +31,16 @@ impl Lost {
         }
     }
 
+    /// A part of a number of a range, in units of 2⁻²⁴.
+    pub fn part(value: Range, units: f64) -> Self {
+        let relative = units * UNIT;
+        Self {
+            absolute: relative * value.size(),
+            relative,
+            floor: 0.0,
+        }
+    }
+
     pub fn times(self, by: f64) -> Self {
         Self {
             absolute: by * self.absolute,

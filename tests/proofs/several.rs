@@ -15,7 +15,7 @@ use crate::products::{ball, normal_pair, rotation};
 use crate::range::Range;
 use crate::report::{Line, differs, table_of};
 use crate::rounding::UNIT;
-use crate::{fisher, kept, lobe, shapes, sweeps};
+use crate::{equi_angular, fisher, kept, lobe, shapes, sweeps};
 use host::docs::STALE;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
@@ -100,6 +100,7 @@ fn rows() -> Vec<Proven> {
     let mut rows = shapes::rows(cells);
     rows.extend(lobe::rows(cells));
     rows.extend(fisher::rows(cells));
+    rows.extend(equi_angular::rows());
     rows.extend([
         (
             "Triangle",

@@ -17,6 +17,8 @@ pub enum Op {
     Mul(usize, usize),
     Div(usize, usize),
     Sqrt(usize),
+    /// Of turns, within a quarter either way.
+    Sine(usize),
 }
 
 pub struct Node {
@@ -78,7 +80,7 @@ impl Tape {
                 (a + b) / value.low.max(0.0)
             }
             Op::Mul(a, b) | Op::Div(a, b) => drift(a) + drift(b),
-            Op::Sqrt(a) => drift(a),
+            Op::Sqrt(a) | Op::Sine(a) => drift(a),
         };
         let drift = (before + lost.relative) * (1.0 + NEAR);
         // Whether the error is written as a part of the value, or as a difference from it.
@@ -206,6 +208,10 @@ impl Tape {
                     add(b, minus(d * value / y), minus(s));
                 }
                 Op::Sqrt(a) => add(a, d / (value * Range::only(2.0)), s * Range::only(0.5)),
+                Op::Sine(a) => {
+                    let turns = nodes[a].value;
+                    add(a, d * turns.slope_of_sine(), s * turns.sine_relatively());
+                }
             }
         }
         by.into_iter().zip(scaled).map(|(d, s)| [d, s]).collect()
@@ -223,14 +229,16 @@ impl<'a> Traced<'a> {
 
     /// The same number with an error of its own, of so many halves of an ulp.
     pub fn off(self, halves: f64) -> Self {
-        let (value, rounded) = (self.value(), self.rounded());
-        let more = Lost::of(rounded).times(halves).absolute;
+        self.off_by(Lost::of(self.rounded()).times(halves))
+    }
+
+    /// The same of an error that is known otherwise.
+    pub fn off_by(self, lost: Lost) -> Self {
+        let ranges = [self.value(), self.rounded().wider(lost.absolute)];
         // As a product with 1.
         let one = self.like(1.0);
         let op = Op::Mul(self.index, one.index);
-        self.tape.push(op, [value, rounded.wider(more)], |_| {
-            Lost::of(rounded).times(halves)
-        })
+        self.tape.push(op, ranges, |_| lost)
     }
 
     pub fn of(
