@@ -53,6 +53,7 @@
 //! | [`TruncatedExponential`] | 1 | Q, unsigned | mean, in Q, or rate; length, in Q | per unit of length |
 //! | [`StandardNormalPair`] | 2 | `[I5F27; 2]` | none: mean 0, standard deviation 1 | per unit of area |
 //! | [`NormalPair`] | 2 | `[Q; 2]`, signed | means and standard deviation, in Q | per unit of area |
+//! | [`MultivariateNormal`] | D, or D + 1 | `[Q; D]`, signed | means and deviations, in Q; correlations in `I2F30` | per unit of content |
 //! | [`Disk`] | 2 | `[I2F30; 2]` | none | 1/π |
 //! | [`Annulus`] | 2 | `[Q; 2]`, signed | radii, in Q; sides in turns | 1/area |
 //! | [`Bilinear`] | 2 | `[U0F32; 2]` | weights at the corners, in any `FixedU32` | per unit of area |
@@ -125,6 +126,7 @@ mod interval;
 mod kernel;
 mod lobe;
 mod minors;
+mod multivariate_normal;
 mod normal;
 mod number;
 mod rayleigh;
@@ -164,6 +166,7 @@ macro_rules! each_warp {
             hemisphere::Hemisphere "Uniform over the hemisphere about +z; two words",
             henyey_greenstein::HenyeyGreenstein "The phase function of Henyey and Greenstein, of fog, clouds and skin; two words",
             lobe::PhongLobe "In proportion to a power of the cosine over the hemisphere about +z (the Phong lobe); two words",
+            multivariate_normal::MultivariateNormal[Frac, const D: usize][Frac, D] "Several correlated normal numbers (Gaussians), of deviations and correlations, which may be singular; D words, of an odd D one more",
             normal::NormalPair[Frac][Frac] "Two independent normals (Gaussians) with a mean point and a standard deviation; two words",
             normal::StandardNormalPair "Two independent normals (Gaussians) of mean 0 and standard deviation 1; two words",
             rayleigh::Rayleigh[Frac][Frac] "The Rayleigh distribution, the distance of two normals from their mean; one word",
@@ -205,6 +208,7 @@ crate::warp::taken_by! {
     [G] warp::Hemisphere<G>: SolidAngle;
     [G] warp::HenyeyGreenstein<G>: SolidAngle;
     [G] warp::PhongLobe<G>: SolidAngle;
+    [Frac, const D: usize, G] warp::MultivariateNormal<Frac, D, G>: Content<D>;
     [Frac, G] warp::NormalPair<Frac, G>: Content<2>;
     [G] warp::StandardNormalPair<G>: Content<2>;
     [Frac, G] warp::Rayleigh<Frac, G>: Content<1>;

@@ -91,7 +91,7 @@ pub(super) fn radius<G: Kernels>(u: u32) -> u32 {
 /// The point at this distance in the direction of a phase. No grade uses a shorter product here: most radii are far
 /// below the largest, and would keep few digits.
 #[inline]
-fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
+pub(super) fn around<G: Kernels>(radius: u32, phase: u32) -> [i32; 2] {
     let (sin, cos) = G::sincos(phase);
     [near_signed(radius, cos), near_signed(radius, sin)]
 }

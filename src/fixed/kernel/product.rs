@@ -66,6 +66,28 @@ pub(super) const fn by_signed_half_on<const NARROW: bool>(a: u32, b: i32) -> i32
     }
 }
 
+/// a·b/2³² of two signed numbers, less by up to 3.
+#[inline]
+pub(in crate::fixed) const fn near_of_signed(a: i32, b: i32) -> i32 {
+    let (ah, bh, bl) = (a >> 16, b >> 16, b & 0xffff);
+    signed_by_half(a, bh) + ((ah * bl) >> 16)
+}
+
+/// ⌊a·b/2¹⁶⌋ of a signed a and −2¹⁵ ≤ b < 2¹⁵, exactly.
+#[inline]
+const fn signed_by_half(a: i32, b: i32) -> i32 {
+    on_this_core!(signed_by_half_on(a, b))
+}
+
+#[inline]
+pub(super) const fn signed_by_half_on<const NARROW: bool>(a: i32, b: i32) -> i32 {
+    if NARROW {
+        (a >> 16) * b + (((a & 0xffff) * b) >> 16)
+    } else {
+        ((a as i64 * b as i64) >> 16) as i32
+    }
+}
+
 /// a·b/2³² of a signed b of at most 2³⁰ in magnitude, from the first 15 bits of a and 17 of b: one narrow product.
 #[inline]
 pub(in crate::fixed) const fn rough_signed(a: u32, b: i32) -> i32 {

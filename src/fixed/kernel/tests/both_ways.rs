@@ -37,7 +37,7 @@ const fn signed_half(b: u32) -> i32 {
 
 #[test]
 fn both_kinds_of_products_give_the_same_bits() {
-    use product::{by_half_on, by_signed_half_on, high_on};
+    use product::{by_half_on, by_signed_half_on, high_on, signed_by_half_on};
     assert!(agree(high_on::<true>, high_on::<false>));
     assert!(agree(
         |a, b| by_half_on::<true>(a, half(b)),
@@ -46,6 +46,10 @@ fn both_kinds_of_products_give_the_same_bits() {
     assert!(agree(
         |a, b| by_signed_half_on::<true>(a, signed_half(b)),
         |a, b| by_signed_half_on::<false>(a, signed_half(b))
+    ));
+    assert!(agree(
+        |a, b| signed_by_half_on::<true>(a as i32, signed_half(b)),
+        |a, b| signed_by_half_on::<false>(a as i32, signed_half(b))
     ));
     // The comparison itself sees a carry that is lost, and a sign.
     let careless = |a: u32, b: u32| (a >> 16) * (b >> 16) + (((a >> 16) * (b & 0xffff)) >> 16);
@@ -84,6 +88,14 @@ fn products_are_as_exact_as_they_say() {
             w::near_signed(a, b as i32).into(),
             2
         ),
+        |_, _| true
+    ));
+    let both_signed = |a: i32, b: i32| i128::from(a) * i128::from(b);
+    assert!(agree(
+        |a, b| {
+            let [a, b] = [a, b].map(|x| x as i32);
+            below(both_signed(a, b) >> 32, w::near_of_signed(a, b).into(), 2)
+        },
         |_, _| true
     ));
     assert!(agree(
