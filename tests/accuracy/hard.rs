@@ -56,6 +56,46 @@ fn words(text: &str) -> Vec<u32> {
         .collect()
 }
 
+/// Means and deviations in Q16, and correlations in Q30, of the integer tier: hardly any words are those of a law.
+const CORRELATED: [&[i32]; 4] = [
+    &[0, 7, 1 << 16, 1 << 25, 1 << 30, 1 << 29, 1 << 29, 1 << 30],
+    &[-9, 0, 77, 5 << 16, 1 << 30, -1 << 30, -1 << 30, 1 << 30],
+    &[
+        0,
+        1 << 20,
+        -5,
+        1 << 16,
+        77,
+        1 << 25,
+        1 << 30,
+        1 << 29,
+        -1 << 28,
+        1 << 29,
+        1 << 30,
+        1 << 27,
+        -1 << 28,
+        1 << 27,
+        1 << 30,
+    ],
+    &[
+        0,
+        0,
+        0,
+        1 << 16,
+        0,
+        1 << 10,
+        1 << 30,
+        0,
+        1 << 30,
+        0,
+        1 << 30,
+        0,
+        1 << 30,
+        0,
+        1 << 30,
+    ],
+];
+
 /// Each line once.
 fn table() -> String {
     let (mut lines, worst) = (Vec::new(), kept("accuracy/worst.csv"));
@@ -94,6 +134,10 @@ fn table() -> String {
             "fixed {name};;;{}",
             hex(words(&uniforms).into_iter())
         ));
+    }
+    for parameters in CORRELATED {
+        let words = parameters.iter().map(|x| *x as u32);
+        add(format!("fixed MultivariateNormal;new;{};", hex(words)));
     }
     let mut text = String::from(HEAD);
     for line in lines {

@@ -5,7 +5,7 @@ use crate::Out;
 use crate::subjects::{generator, refusal, with};
 use core::hint::black_box;
 use fixed::types::extra::{LeEqU32, Unsigned};
-use fixed::types::{I2F30, I16F16, U0F32, U2F62, U5F27, U16F16, U32F32};
+use fixed::types::{I2F30, I16F16, I32F0, U0F32, U2F62, U5F27, U16F16, U32F32};
 use fixed::{FixedI32, FixedU32, FixedU64};
 use microwarp::fixed::warp::*;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, Grade};

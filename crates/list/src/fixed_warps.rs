@@ -213,6 +213,43 @@ macro_rules! integer_warps {
                     }
                     bind { "normal_pair" = NormalPair<U16> { new(mean: [I16F16; 2], std_dev: I16F16), } }
                 }
+                MultivariateNormal {
+                    golden {
+                        "MultivariateNormal 2" => MultivariateNormal::<_, 2, G>::new(
+                            [whole::<I16F16>(100), whole(0xfffe)],
+                            [whole(5), v(77_777)],
+                            [[v(1 << 30), v(0xcccc_cccd)], [v(0xcccc_cccd), v(1 << 30)]],
+                        ),
+                        "MultivariateNormal 3 singular" => MultivariateNormal::<_, 3, G>::new(
+                            [v::<I2F30>(0), v(1 << 30), v(0xf000_0000)],
+                            [v(1 << 20), v(0x0012_3456), v(1 << 24)],
+                            [
+                                [v(1 << 30), v(0xc000_0000), v(1 << 28)],
+                                [v(0xc000_0000), v(1 << 30), v(0xf000_0000)],
+                                [v(1 << 28), v(0xf000_0000), v(1 << 30)],
+                            ],
+                        ),
+                        "MultivariateNormal 1" => MultivariateNormal::<_, 1, G>::new([v::<I32F0>(7)], [v(1000)], [[v(1 << 30)]]),
+                    }
+                    cost {
+                        "multivariate_normal_3" [u, v, w, x]: U0F32 -> [I16F16; 3] = const {
+                            let [none, some, one] = [I2F30::lit("-0.3"), I2F30::lit("0.5"), I2F30::ONE];
+                            ok(MultivariateNormal::new(
+                                [I16F16::lit("100"), I16F16::lit("100"), I16F16::lit("0.1")],
+                                [I16F16::lit("5"), I16F16::lit("2"), I16F16::lit("0.04")],
+                                [[one, some, none], [some, one, some], [none, some, one]],
+                            ))
+                        },
+                    }
+                    bind {
+                        "multivariate_normal_2" = MultivariateNormal<U16, 2> {
+                            new(means: [I16F16; 2], deviations: [I16F16; 2], correlations: [[I2F30; 2]; 2]),
+                        }
+                        "multivariate_normal_3" = MultivariateNormal<U16, 3> {
+                            new(means: [I16F16; 3], deviations: [I16F16; 3], correlations: [[I2F30; 3]; 3]),
+                        }
+                    }
+                }
                 Rayleigh {
                     golden { "Rayleigh 5" => Rayleigh::<_, G>::new(whole::<U16F16>(5)), }
                     cost { "rayleigh_5" u: U0F32 -> U16F16 = const { ok(Rayleigh::new(U16F16::lit("5"))) }, }

@@ -176,6 +176,30 @@ impl Truth for OnLine {
 const PLANE: [[i32; 2]; 3] = [[-300, 20], [400, -30], [-100, 500]];
 const SPACE: [[i32; 3]; 3] = [[-300, 20, 1000], [400, -30, 0], [-100, 500, 70]];
 
+/// Deviations and correlations.
+const POSE: ([f64; 3], [[f64; 3]; 3]) = (
+    [5.0, 20.0, 50.0],
+    [[1.0, 0.5, -0.3], [0.5, 1.0, 0.4], [-0.3, 0.4, 1.0]],
+);
+
+/// The uniforms of the first two normals, and of the third by itself.
+pub fn pose(point: [f64; 3]) -> [f64; 3] {
+    let (deviations, [_, [a, ..], [b, c, _]]) = POSE;
+    let means = [100.0, -20.0, 3.0];
+    let [x, y, z]: [f64; 3] = std::array::from_fn(|i| (point[i] - means[i]) / deviations[i]);
+    // What the others leave is 1 - a² and 1 - b² of the variances; the larger comes first.
+    let root = (1.0 - b * b).sqrt();
+    let third = (z - b * x) / root;
+    let part = (c - a * b) / root;
+    let second = (y - a * x - part * third) / (1.0 - a * a - part * part).sqrt();
+    let [u, v, ..] = truth::NormalPair {
+        mean: [0.0; 2],
+        deviation: 1.0,
+    }
+    .invert([x, second, 0.0]);
+    [u, v, truth::normal_cdf(third)]
+}
+
 fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
     let q16 = U16F16::from_num::<f64>;
     let lobe = |n| PhongLobe::<G>::new(U32F32::from_num(n)).unwrap();
@@ -243,6 +267,20 @@ fn of_grade<G: Grade>(power: &Power) -> Vec<Shape> {
             Box::new(truth::OnTriangle(solid));
         "Tent 2" => Tent::<_, G>::new(I16F16::from_num(2)).unwrap(), truth::tent(2.0);
     };
+    // Of four words, the first two and the normal of the others, of which one is not used.
+    let law = MultivariateNormal::<_, 3, G>::new(
+        [100, -20, 3].map(I16F16::from_num),
+        POSE.0.map(short),
+        POSE.1.map(|row| row.map(I2F30::from_num)),
+    );
+    for axes in [[0, 1], [0, 2], [1, 2]] {
+        let back = move |point: [I16F16; 3]| {
+            let uniforms = pose(point.map(|x| x.to_num()));
+            axes.map(|axis: usize| uniforms[axis])
+        };
+        let name = format!("MultivariateNormal {axes:?} {}", G::NAME);
+        shapes.push(mapped(name, power, law.unwrap(), back));
+    }
     // Of more uniforms, every two.
     for [i, j] in [[0, 1], [0, 2], [1, 2]] {
         let name = |of: &str| format!("{of} {i}{j} {}", G::NAME);

@@ -2,7 +2,7 @@
 //! with as few samples and cells as any grade gets.
 
 use super::distributions::{examine, threshold};
-use super::shapes::{Shape, fewest, shapes};
+use super::shapes::{Shape, fewest, pose, shapes};
 use host::truth::{self, Truth};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -41,6 +41,33 @@ fn lobe(power: f64, [u, v]: [f64; 2]) -> [f64; 3] {
     turned((1.0 - cos * cos).sqrt(), v, cos)
 }
 
+/// The law that `pose` leads back from, but for the sign of its last correlation.
+fn turned_pose() -> Shape {
+    let fill = |rng: &mut Pcg32, uniforms: &mut [[f64; 2]]| {
+        for uniforms in uniforms {
+            let mut pair = || {
+                let [u, v] = [(); 2].map(|()| f64::from(rng.next_u32()) / 4_294_967_296.0);
+                normal(u, v)
+            };
+            let ([x, y, _], [z, ..]) = (pair(), pair());
+            let z = -0.3 * x + 0.91_f64.sqrt() * z;
+            // Of x with 0.5, and of z with -0.4.
+            let part = |of: f64, other: f64| (of + 0.3 * other) / 0.91;
+            let (a, c) = (part(0.5, -0.4), part(-0.4, 0.5));
+            let left = 1.0 - 0.5 * a + 0.4 * c;
+            let y = a * x + c * z + left.sqrt() * y;
+            let [u, v, _] = pose([100.0 + 5.0 * x, -20.0 + 20.0 * y, 3.0 + 50.0 * z]);
+            *uniforms = [u, v];
+        }
+        None
+    };
+    Shape::new(
+        "three normals with a wrong sign of one correlation".to_owned(),
+        2,
+        Box::new(fill),
+    )
+}
+
 fn disk() -> Box<dyn Truth> {
     Box::new(truth::Disk)
 }
@@ -54,6 +81,7 @@ fn normals() -> Box<dyn Truth> {
 
 fn wrong() -> Vec<Shape> {
     vec![
+        turned_pose(),
         shape("disk with r = u", 2, |[u, v]| turned(u, v, 0.0), disk()),
         shape(
             "disk whose angles lean the more the farther out",

@@ -7,6 +7,7 @@ mod families;
 mod figures;
 mod float;
 mod interval;
+mod multivariate_normal;
 mod normal;
 mod parameters;
 mod tent;

@@ -4,7 +4,7 @@
 #![no_main]
 
 use core::hint::black_box;
-use fixed::types::{I2F30, I16F16, U0F32, U16F16, U32F32};
+use fixed::types::{I2F30, I16F16, I32F0, U0F32, U16F16, U32F32};
 use microwarp::fixed::warp::*;
 use microwarp::fixed::{Coarse, Compact, Fine, Float, FloatPoint, FloatUniforms, Grade};
 use microwarp::{Error, Invert};

@@ -5,6 +5,7 @@ mod exact;
 mod family;
 mod flawed;
 mod line;
+mod normals;
 pub mod plane;
 mod shapes;
 mod triangle;
@@ -16,6 +17,7 @@ fn families() -> Vec<adversary::Family> {
     let mut all = Vec::new();
     line::families(&mut all);
     plane::families(&mut all);
+    normals::families(&mut all);
     triangle::families(&mut all);
     directions::families(&mut all);
     shapes::families(&mut all);
