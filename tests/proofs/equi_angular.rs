@@ -19,7 +19,7 @@ use microwarp::tier::{Libm, Poly};
 use std::f64::consts::TAU;
 
 /// Boxes of larger errors are cut, in `libm` and in `poly`, and so often at most.
-const FINE: [f64; 2] = [15.19, 14.97];
+const FINE: [f64; 2] = [15.29, 14.97];
 const DEPTH: u32 = 40;
 
 /// Turns below which an angle counts as its sine.
