@@ -136,8 +136,8 @@ impl Frame {
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, of the size | 5e-7 | 5e-7 | found |
-/// | unit length | 4.5e-7 | 4.5e-7 | found |
+/// | sample, of the size | 5.8e-7 | 5.8e-7 | found |
+/// | unit length | 5.2e-7 | 5.2e-7 | found |
 /// | pdf, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s | found |
 /// | realised density, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s | found |
 /// | pdf with the sample, relative | 5.2e-7 + 2*s | 4.2e-7 + 1.6*s | found |

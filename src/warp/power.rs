@@ -41,10 +41,10 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, ulp | 1 | 3.2 + 4.2·min(1/k, k·d·d) | found |
-/// | pdf, relative | 1.3e-7 | 1.3e-7 | found |
-/// | realised density, relative | 1.3e-7 + s | 1.3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
-/// | pdf with the sample, relative | 4.6e-7 + s | 3.5e-7 + 3e-7·min(1/k, k·d·d) + s | found |
+/// | sample, ulp | 1.2 | 3.4 + 4.5·min(1/k, k·d·d) | found |
+/// | pdf, relative | 1.6e-7 | 1.6e-7 | found |
+/// | realised density, relative | 1.3e-7 + s | 1.4e-7 + (3.4 + 4.5·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
+/// | pdf with the sample, relative | 4.6e-7 + s | 3.7e-7 + 3.2e-7·min(1/k, k·d·d) + 1.1*s | found |
 /// | inverse | 3e-7 | 3e-7 | found |
 /// | round trip | 3e-7 + 1.1*r | 3e-7 + (3.2 + 4.2·min(1/k, k·d·d))·r | found |
 ///

@@ -55,9 +55,9 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, of the size | 8.1e-7*q | 7.8e-7*q | found |
+/// | sample, of the size | 1.1e-6*q | 9e-7*q | found |
 /// | unit length | 1.9e-7 | 1.9e-7 | found |
-/// | place on it | 5.6e-7 + (2.3 + 1.1·q)·p | 5.6e-7 + (2.3 + 1.1·q)·p | found |
+/// | place on it | 6.5e-7 + (2.7 + 1.3·q)·p | 6.5e-7 + (2.7 + 1.3·q)·p | found |
 /// | pdf, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
 /// | realised density, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
 /// | pdf with the sample, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |

@@ -58,8 +58,8 @@ pub struct SurfaceSample {
 /// |---|--:|--:|---|
 /// | sample, of the size | 9e-7 | 9e-7 | found |
 /// | unit length | 4.5e-7 | 4.5e-7 | found |
-/// | pdf, relative | 7.8e-7 | 7.8e-7 | found |
-/// | realised density, relative | 7.8e-7 | 7.8e-7 | found |
+/// | pdf, relative | 8.3e-7 | 8.3e-7 | found |
+/// | realised density, relative | 8.3e-7 | 8.3e-7 | found |
 /// | inverse | min(1, 5e-7 + 13*r) | min(1, 5e-7 + 13*r) | found |
 /// | round trip | min(1, 5e-7 + 5.1*r) | min(1, 5e-7 + 5.1*r) | found |
 ///
