@@ -445,9 +445,9 @@ impl GgxVisible {
         let (s, c) = self.azimuth().sin_cos();
         [along * c - side * s, along * s + side * c, height]
     }
-    /// The azimuth from which the second uniform counts.
+    /// The azimuth from which the second uniform counts; 0 of a view along the normal, whatever the signs of its zeros.
     fn azimuth(&self) -> Real {
-        let [x, y, _] = self.stretched;
+        let [x, y, _] = self.stretched.map(|c| c + 0.0);
         y.atan2(x)
     }
 }
