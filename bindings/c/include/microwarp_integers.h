@@ -24,10 +24,10 @@
  *   Samplers without a floating-point operation
  *     in three grades, fixed_NAME, coarse_NAME, compact_NAME:
  *       annulus, bilinear, cone, cosine_hemisphere, disk, exponential, hemisphere,
- *       henyey_greenstein, laplace, logistic, normal_pair, phong_lobe, rayleigh, regular_polygon,
- *       rotation, simplex_2, simplex_3, simplex_4, sphere, standard_exponential,
- *       standard_normal_pair, tent, triangle, triangle_on_2d, triangle_on_3d,
- *       truncated_exponential
+ *       henyey_greenstein, laplace, logistic, multivariate_normal_2, multivariate_normal_3,
+ *       normal_pair, phong_lobe, rayleigh, regular_polygon, rotation, simplex_2, simplex_3,
+ *       simplex_4, sphere, standard_exponential, standard_normal_pair, tent, triangle,
+ *       triangle_on_2d, triangle_on_3d, truncated_exponential
  *     and
  *     fixed_interval_i32, fixed_interval_u32, fixed_interval_q16, fixed_interval_uq16
  */
@@ -732,6 +732,68 @@ void mw_fixed_normal_pair_invert(const mw_fixed_normal_pair *warp, const int32_t
         uint32_t u[2]);
 
 /**
+ * Several correlated normal numbers (Gaussians), of deviations and correlations, which may be
+ * singular; D words, of an odd D one more.
+ * Formats: means Q16.16, deviations Q16.16, correlations Q2.30, point Q16.16.
+ * Point: each coordinate up to 6.67*sqrt p*sigma_i from its mean, of p pairs of words.
+ * Errors of init: MW_EMPTY for D = 0. MW_NEGATIVE for a deviation below 0, MW_TOO_LARGE for one of
+ * 1/32 of the format's range or more, or if a mean and 6.67*sqrt p*sigma_i overflow the format, of
+ * p pairs of words. MW_OUT_OF_RANGE for a correlation beyond 1, one of a coordinate with itself
+ * that is not 1, or a matrix that is not symmetric; MW_NOT_NORMALIZABLE for one that is not
+ * semi-definite.
+ */
+typedef struct mw_fixed_multivariate_normal_2 { uint32_t words[14]; } mw_fixed_multivariate_normal_2;
+mw_error mw_fixed_multivariate_normal_2_init(mw_fixed_multivariate_normal_2 *warp,
+        const int32_t means[2], const int32_t deviations[2], const int32_t correlations[2][2]);
+void mw_fixed_multivariate_normal_2_sample(const mw_fixed_multivariate_normal_2 *warp,
+        const uint32_t u[2], int32_t point[2]);
+uint64_t mw_fixed_multivariate_normal_2_sample_with_pdf(const mw_fixed_multivariate_normal_2 *warp,
+        const uint32_t u[2], int32_t point[2]);
+void mw_fixed_multivariate_normal_2_draw(const mw_fixed_multivariate_normal_2 *warp, mw_pcg32 *rng,
+        int32_t point[2]);
+mw_error mw_fixed_multivariate_normal_2_draw_from(const mw_fixed_multivariate_normal_2 *warp,
+        const mw_source *source, int32_t point[2]);
+void mw_fixed_multivariate_normal_2_fill(const mw_fixed_multivariate_normal_2 *warp, mw_pcg32 *rng,
+        int32_t (*points)[2], size_t count);
+mw_error mw_fixed_multivariate_normal_2_fill_from(const mw_fixed_multivariate_normal_2 *warp,
+        const mw_source *source, int32_t (*points)[2], size_t count);
+uint64_t mw_fixed_multivariate_normal_2_pdf(const mw_fixed_multivariate_normal_2 *warp,
+        const int32_t point[2]);
+void mw_fixed_multivariate_normal_2_invert(const mw_fixed_multivariate_normal_2 *warp,
+        const int32_t point[2], uint32_t u[2]);
+
+/**
+ * Several correlated normal numbers (Gaussians), of deviations and correlations, which may be
+ * singular; D words, of an odd D one more.
+ * Formats: means Q16.16, deviations Q16.16, correlations Q2.30, point Q16.16.
+ * Point: each coordinate up to 6.67*sqrt p*sigma_i from its mean, of p pairs of words.
+ * Errors of init: MW_EMPTY for D = 0. MW_NEGATIVE for a deviation below 0, MW_TOO_LARGE for one of
+ * 1/32 of the format's range or more, or if a mean and 6.67*sqrt p*sigma_i overflow the format, of
+ * p pairs of words. MW_OUT_OF_RANGE for a correlation beyond 1, one of a coordinate with itself
+ * that is not 1, or a matrix that is not symmetric; MW_NOT_NORMALIZABLE for one that is not
+ * semi-definite.
+ */
+typedef struct mw_fixed_multivariate_normal_3 { uint32_t words[22]; } mw_fixed_multivariate_normal_3;
+mw_error mw_fixed_multivariate_normal_3_init(mw_fixed_multivariate_normal_3 *warp,
+        const int32_t means[3], const int32_t deviations[3], const int32_t correlations[3][3]);
+void mw_fixed_multivariate_normal_3_sample(const mw_fixed_multivariate_normal_3 *warp,
+        const uint32_t u[4], int32_t point[3]);
+uint64_t mw_fixed_multivariate_normal_3_sample_with_pdf(const mw_fixed_multivariate_normal_3 *warp,
+        const uint32_t u[4], int32_t point[3]);
+void mw_fixed_multivariate_normal_3_draw(const mw_fixed_multivariate_normal_3 *warp, mw_pcg32 *rng,
+        int32_t point[3]);
+mw_error mw_fixed_multivariate_normal_3_draw_from(const mw_fixed_multivariate_normal_3 *warp,
+        const mw_source *source, int32_t point[3]);
+void mw_fixed_multivariate_normal_3_fill(const mw_fixed_multivariate_normal_3 *warp, mw_pcg32 *rng,
+        int32_t (*points)[3], size_t count);
+mw_error mw_fixed_multivariate_normal_3_fill_from(const mw_fixed_multivariate_normal_3 *warp,
+        const mw_source *source, int32_t (*points)[3], size_t count);
+uint64_t mw_fixed_multivariate_normal_3_pdf(const mw_fixed_multivariate_normal_3 *warp,
+        const int32_t point[3]);
+void mw_fixed_multivariate_normal_3_invert(const mw_fixed_multivariate_normal_3 *warp,
+        const int32_t point[3], uint32_t u[4]);
+
+/**
  * The Rayleigh distribution, the distance of two normals from their mean; one word.
  * Largest errors: sample, max: 3e-6.
  * Formats: scale UQ16.16, point UQ16.16.
@@ -1385,6 +1447,68 @@ void mw_coarse_normal_pair_invert(const mw_coarse_normal_pair *warp, const int32
         uint32_t u[2]);
 
 /**
+ * Several correlated normal numbers (Gaussians), of deviations and correlations, which may be
+ * singular; D words, of an odd D one more.
+ * Formats: means Q16.16, deviations Q16.16, correlations Q2.30, point Q16.16.
+ * Point: each coordinate up to 6.67*sqrt p*sigma_i from its mean, of p pairs of words.
+ * Errors of init: MW_EMPTY for D = 0. MW_NEGATIVE for a deviation below 0, MW_TOO_LARGE for one of
+ * 1/32 of the format's range or more, or if a mean and 6.67*sqrt p*sigma_i overflow the format, of
+ * p pairs of words. MW_OUT_OF_RANGE for a correlation beyond 1, one of a coordinate with itself
+ * that is not 1, or a matrix that is not symmetric; MW_NOT_NORMALIZABLE for one that is not
+ * semi-definite.
+ */
+typedef struct mw_coarse_multivariate_normal_2 { uint32_t words[14]; } mw_coarse_multivariate_normal_2;
+mw_error mw_coarse_multivariate_normal_2_init(mw_coarse_multivariate_normal_2 *warp,
+        const int32_t means[2], const int32_t deviations[2], const int32_t correlations[2][2]);
+void mw_coarse_multivariate_normal_2_sample(const mw_coarse_multivariate_normal_2 *warp,
+        const uint32_t u[2], int32_t point[2]);
+uint64_t mw_coarse_multivariate_normal_2_sample_with_pdf(
+        const mw_coarse_multivariate_normal_2 *warp, const uint32_t u[2], int32_t point[2]);
+void mw_coarse_multivariate_normal_2_draw(const mw_coarse_multivariate_normal_2 *warp,
+        mw_pcg32 *rng, int32_t point[2]);
+mw_error mw_coarse_multivariate_normal_2_draw_from(const mw_coarse_multivariate_normal_2 *warp,
+        const mw_source *source, int32_t point[2]);
+void mw_coarse_multivariate_normal_2_fill(const mw_coarse_multivariate_normal_2 *warp,
+        mw_pcg32 *rng, int32_t (*points)[2], size_t count);
+mw_error mw_coarse_multivariate_normal_2_fill_from(const mw_coarse_multivariate_normal_2 *warp,
+        const mw_source *source, int32_t (*points)[2], size_t count);
+uint64_t mw_coarse_multivariate_normal_2_pdf(const mw_coarse_multivariate_normal_2 *warp,
+        const int32_t point[2]);
+void mw_coarse_multivariate_normal_2_invert(const mw_coarse_multivariate_normal_2 *warp,
+        const int32_t point[2], uint32_t u[2]);
+
+/**
+ * Several correlated normal numbers (Gaussians), of deviations and correlations, which may be
+ * singular; D words, of an odd D one more.
+ * Formats: means Q16.16, deviations Q16.16, correlations Q2.30, point Q16.16.
+ * Point: each coordinate up to 6.67*sqrt p*sigma_i from its mean, of p pairs of words.
+ * Errors of init: MW_EMPTY for D = 0. MW_NEGATIVE for a deviation below 0, MW_TOO_LARGE for one of
+ * 1/32 of the format's range or more, or if a mean and 6.67*sqrt p*sigma_i overflow the format, of
+ * p pairs of words. MW_OUT_OF_RANGE for a correlation beyond 1, one of a coordinate with itself
+ * that is not 1, or a matrix that is not symmetric; MW_NOT_NORMALIZABLE for one that is not
+ * semi-definite.
+ */
+typedef struct mw_coarse_multivariate_normal_3 { uint32_t words[22]; } mw_coarse_multivariate_normal_3;
+mw_error mw_coarse_multivariate_normal_3_init(mw_coarse_multivariate_normal_3 *warp,
+        const int32_t means[3], const int32_t deviations[3], const int32_t correlations[3][3]);
+void mw_coarse_multivariate_normal_3_sample(const mw_coarse_multivariate_normal_3 *warp,
+        const uint32_t u[4], int32_t point[3]);
+uint64_t mw_coarse_multivariate_normal_3_sample_with_pdf(
+        const mw_coarse_multivariate_normal_3 *warp, const uint32_t u[4], int32_t point[3]);
+void mw_coarse_multivariate_normal_3_draw(const mw_coarse_multivariate_normal_3 *warp,
+        mw_pcg32 *rng, int32_t point[3]);
+mw_error mw_coarse_multivariate_normal_3_draw_from(const mw_coarse_multivariate_normal_3 *warp,
+        const mw_source *source, int32_t point[3]);
+void mw_coarse_multivariate_normal_3_fill(const mw_coarse_multivariate_normal_3 *warp,
+        mw_pcg32 *rng, int32_t (*points)[3], size_t count);
+mw_error mw_coarse_multivariate_normal_3_fill_from(const mw_coarse_multivariate_normal_3 *warp,
+        const mw_source *source, int32_t (*points)[3], size_t count);
+uint64_t mw_coarse_multivariate_normal_3_pdf(const mw_coarse_multivariate_normal_3 *warp,
+        const int32_t point[3]);
+void mw_coarse_multivariate_normal_3_invert(const mw_coarse_multivariate_normal_3 *warp,
+        const int32_t point[3], uint32_t u[4]);
+
+/**
  * The Rayleigh distribution, the distance of two normals from their mean; one word.
  * Largest errors: sample, max: 2e-4.
  * Formats: scale UQ16.16, point UQ16.16.
@@ -1944,6 +2068,68 @@ mw_error mw_compact_normal_pair_fill_from(const mw_compact_normal_pair *warp,
 uint64_t mw_compact_normal_pair_pdf(const mw_compact_normal_pair *warp, const int32_t point[2]);
 void mw_compact_normal_pair_invert(const mw_compact_normal_pair *warp, const int32_t point[2],
         uint32_t u[2]);
+
+/**
+ * Several correlated normal numbers (Gaussians), of deviations and correlations, which may be
+ * singular; D words, of an odd D one more.
+ * Formats: means Q16.16, deviations Q16.16, correlations Q2.30, point Q16.16.
+ * Point: each coordinate up to 6.67*sqrt p*sigma_i from its mean, of p pairs of words.
+ * Errors of init: MW_EMPTY for D = 0. MW_NEGATIVE for a deviation below 0, MW_TOO_LARGE for one of
+ * 1/32 of the format's range or more, or if a mean and 6.67*sqrt p*sigma_i overflow the format, of
+ * p pairs of words. MW_OUT_OF_RANGE for a correlation beyond 1, one of a coordinate with itself
+ * that is not 1, or a matrix that is not symmetric; MW_NOT_NORMALIZABLE for one that is not
+ * semi-definite.
+ */
+typedef struct mw_compact_multivariate_normal_2 { uint32_t words[14]; } mw_compact_multivariate_normal_2;
+mw_error mw_compact_multivariate_normal_2_init(mw_compact_multivariate_normal_2 *warp,
+        const int32_t means[2], const int32_t deviations[2], const int32_t correlations[2][2]);
+void mw_compact_multivariate_normal_2_sample(const mw_compact_multivariate_normal_2 *warp,
+        const uint32_t u[2], int32_t point[2]);
+uint64_t mw_compact_multivariate_normal_2_sample_with_pdf(
+        const mw_compact_multivariate_normal_2 *warp, const uint32_t u[2], int32_t point[2]);
+void mw_compact_multivariate_normal_2_draw(const mw_compact_multivariate_normal_2 *warp,
+        mw_pcg32 *rng, int32_t point[2]);
+mw_error mw_compact_multivariate_normal_2_draw_from(const mw_compact_multivariate_normal_2 *warp,
+        const mw_source *source, int32_t point[2]);
+void mw_compact_multivariate_normal_2_fill(const mw_compact_multivariate_normal_2 *warp,
+        mw_pcg32 *rng, int32_t (*points)[2], size_t count);
+mw_error mw_compact_multivariate_normal_2_fill_from(const mw_compact_multivariate_normal_2 *warp,
+        const mw_source *source, int32_t (*points)[2], size_t count);
+uint64_t mw_compact_multivariate_normal_2_pdf(const mw_compact_multivariate_normal_2 *warp,
+        const int32_t point[2]);
+void mw_compact_multivariate_normal_2_invert(const mw_compact_multivariate_normal_2 *warp,
+        const int32_t point[2], uint32_t u[2]);
+
+/**
+ * Several correlated normal numbers (Gaussians), of deviations and correlations, which may be
+ * singular; D words, of an odd D one more.
+ * Formats: means Q16.16, deviations Q16.16, correlations Q2.30, point Q16.16.
+ * Point: each coordinate up to 6.67*sqrt p*sigma_i from its mean, of p pairs of words.
+ * Errors of init: MW_EMPTY for D = 0. MW_NEGATIVE for a deviation below 0, MW_TOO_LARGE for one of
+ * 1/32 of the format's range or more, or if a mean and 6.67*sqrt p*sigma_i overflow the format, of
+ * p pairs of words. MW_OUT_OF_RANGE for a correlation beyond 1, one of a coordinate with itself
+ * that is not 1, or a matrix that is not symmetric; MW_NOT_NORMALIZABLE for one that is not
+ * semi-definite.
+ */
+typedef struct mw_compact_multivariate_normal_3 { uint32_t words[22]; } mw_compact_multivariate_normal_3;
+mw_error mw_compact_multivariate_normal_3_init(mw_compact_multivariate_normal_3 *warp,
+        const int32_t means[3], const int32_t deviations[3], const int32_t correlations[3][3]);
+void mw_compact_multivariate_normal_3_sample(const mw_compact_multivariate_normal_3 *warp,
+        const uint32_t u[4], int32_t point[3]);
+uint64_t mw_compact_multivariate_normal_3_sample_with_pdf(
+        const mw_compact_multivariate_normal_3 *warp, const uint32_t u[4], int32_t point[3]);
+void mw_compact_multivariate_normal_3_draw(const mw_compact_multivariate_normal_3 *warp,
+        mw_pcg32 *rng, int32_t point[3]);
+mw_error mw_compact_multivariate_normal_3_draw_from(const mw_compact_multivariate_normal_3 *warp,
+        const mw_source *source, int32_t point[3]);
+void mw_compact_multivariate_normal_3_fill(const mw_compact_multivariate_normal_3 *warp,
+        mw_pcg32 *rng, int32_t (*points)[3], size_t count);
+mw_error mw_compact_multivariate_normal_3_fill_from(const mw_compact_multivariate_normal_3 *warp,
+        const mw_source *source, int32_t (*points)[3], size_t count);
+uint64_t mw_compact_multivariate_normal_3_pdf(const mw_compact_multivariate_normal_3 *warp,
+        const int32_t point[3]);
+void mw_compact_multivariate_normal_3_invert(const mw_compact_multivariate_normal_3 *warp,
+        const int32_t point[3], uint32_t u[4]);
 
 /**
  * The Rayleigh distribution, the distance of two normals from their mean; one word.
