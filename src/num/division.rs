@@ -17,14 +17,6 @@ pub(super) const fn scaled_on<const DIVIDES: bool>(
     total: u128,
     bits: u32,
 ) -> (u128, bool) {
-    if DIVIDES && bits <= x.leading_zeros() {
-        let dividend = x << bits;
-        if let (Some(quotient), Some(rest)) =
-            (dividend.checked_div(total), dividend.checked_rem(total))
-        {
-            return (quotient, rest > 0);
-        }
-    }
     let mut quotient = 0_u128;
     let mut rest = x;
     // The integer part is 0 or 1. The rest is below the total from here on.
@@ -33,6 +25,14 @@ pub(super) const fn scaled_on<const DIVIDES: bool>(
         quotient = 1;
     }
     let mut left = bits;
+    if DIVIDES && total.leading_zeros() > 32 {
+        while left > 0 {
+            let count = if left < 32 { left } else { 32 };
+            let (digits, more) = next_digits(rest, total, count);
+            (quotient, rest) = (quotient.wrapping_shl(count) | digits as u128, more);
+            left = left.wrapping_sub(count);
+        }
+    }
     while left > 0 {
         rest <<= 1;
         quotient <<= 1;
@@ -43,6 +43,31 @@ pub(super) const fn scaled_on<const DIVIDES: bool>(
         left = left.wrapping_sub(1);
     }
     (quotient, rest > 0)
+}
+
+/// The next so many binary digits of a quotient, at most 32, and the rest, for `rest < total < 2^95`. By a division of 64 bits:
+/// the compiler's of 128 is a function that a program in C may lack.
+const fn next_digits(rest: u128, total: u128, count: u32) -> (u64, u128) {
+    let up = total.leading_zeros();
+    let (high, divisor) = (rest.wrapping_shl(up) >> 64, total.wrapping_shl(up) >> 64);
+    // The divisor has 32 bits or more left and is too small by less than one, so that this is too large by two at most, and too
+    // small by one, since the dividend is cut.
+    let mut digits = match (high as u64).checked_div((divisor as u64) >> count) {
+        Some(digits) => digits,
+        None => 0,
+    };
+    let (product, total) = (total.wrapping_mul(digits as u128), total as i128);
+    let mut rest = rest.wrapping_shl(count).wrapping_sub(product) as i128;
+    // Counted, since words of a table may be wrong.
+    let mut left = 3_u32;
+    while left > 0 && rest < 0 {
+        (rest, digits) = (rest.wrapping_add(total), digits.wrapping_sub(1));
+        left = left.wrapping_sub(1);
+    }
+    if rest >= total {
+        (rest, digits) = (rest.wrapping_sub(total), digits.wrapping_add(1));
+    }
+    (digits, rest as u128)
 }
 
 /// `floor(x · 2^31 / d)` and whether there is a remainder, for `d <= x + x` and `x < d + d`.

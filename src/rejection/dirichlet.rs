@@ -80,8 +80,11 @@ pub struct Dirichlet<T, const N: usize> {
 }
 
 /// The product of the peaks of all shapes.
-#[allow(clippy::inline_always, reason = "what is not used is not computed")]
-#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "what is not used is not computed; as WASM it would take room"
+)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 const fn peaks(mut shapes: &[f32]) -> Scaled {
     let mut product = Scaled::ONE;
     while let [shape, others @ ..] = shapes {
@@ -103,8 +106,11 @@ impl<T: Tier, const N: usize> Dirichlet<T, N> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] for a shape
     /// below 1e-30 or above 1e6.
-    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
-    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "what is not used is not computed; as WASM it would take room"
+    )]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub const fn new(shapes: [f32; N]) -> Result<Self, Error> {
         const { assert!(N > 0, "a whole has a share") };
         let mut tries = [Tries::NONE; N];
