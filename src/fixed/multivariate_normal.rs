@@ -142,8 +142,10 @@ const PER_ROOT_TAU: Scaled = Scaled::normal(1_713_444_047, 0);
 
 /// How far points lie from their means, at most, of a deviation in steps.
 const fn reach(deviation: i32, numbers: usize) -> i64 {
-    // 6.67² of each pair, in Q32; a step for rounding.
-    let squares = (((numbers as u64 + 1) >> 1) * 2_915_625) << 16;
+    /// 6.67², of each pair.
+    const SQUARE: u64 = 2_915_625;
+    // In Q32; a step for rounding.
+    let squares = (((numbers as u64 + 1) >> 1) * SQUARE) << 16;
     ((deviation as i64 * (squares.isqrt() as i64 + 1)) >> 16) + 1
 }
 

@@ -214,6 +214,18 @@ pub fn numbers() -> Vec<Number> {
             32,
         ),
         one("direction.rs", per_angle, FRAC_1_PI / 2.0, 32),
+        one(
+            "multivariate_normal.rs",
+            "const PER_ROOT_TAU: Scaled = Scaled::normal(",
+            (FRAC_1_PI / 2.0).sqrt(),
+            32,
+        ),
+        one(
+            "multivariate_normal.rs",
+            "const SQUARE: u64 = ",
+            6.67 * 6.67,
+            16,
+        ),
         one("exponential.rs", "const LARGEST: u32 = ", largest, 32),
         one("rayleigh.rs", "const LARGEST: u32 = ", widest, 32),
         one("truncated.rs", "const LN_2: u64 = ", LN_2, 32),
