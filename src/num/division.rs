@@ -47,6 +47,10 @@ pub(super) const fn scaled_on<const DIVIDES: bool>(
 
 /// The next so many binary digits of a quotient, at most 32, and the rest, for `rest < total < 2^95`. By a division of 64 bits:
 /// the compiler's of 128 is a function that a program in C may lack.
+#[expect(
+    clippy::cast_possible_wrap,
+    reason = "they are below 2^127, and a difference has its sign"
+)]
 const fn next_digits(rest: u128, total: u128, count: u32) -> (u64, u128) {
     let up = total.leading_zeros();
     let (high, divisor) = (rest.wrapping_shl(up) >> 64, total.wrapping_shl(up) >> 64);
