@@ -65,10 +65,7 @@ impl<T: Tier> Beta<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] for a shape
     /// below 1e-30 or above 1e6.
-    #[allow(
-        clippy::inline_always,
-        reason = "what is not used is not computed; as WASM it would take room"
-    )]
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub const fn new(a: f32, b: f32) -> Result<Self, Error> {
         // Both are one parameter there.

@@ -80,10 +80,7 @@ pub struct Dirichlet<T, const N: usize> {
 }
 
 /// The product of the peaks of all shapes.
-#[allow(
-    clippy::inline_always,
-    reason = "what is not used is not computed; as WASM it would take room"
-)]
+#[allow(clippy::inline_always, reason = "what is not used is not computed")]
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 const fn peaks(mut shapes: &[f32]) -> Scaled {
     let mut product = Scaled::ONE;
@@ -106,10 +103,7 @@ impl<T: Tier, const N: usize> Dirichlet<T, N> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] for a shape
     /// below 1e-30 or above 1e6.
-    #[allow(
-        clippy::inline_always,
-        reason = "what is not used is not computed; as WASM it would take room"
-    )]
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub const fn new(shapes: [f32; N]) -> Result<Self, Error> {
         const { assert!(N > 0, "a whole has a share") };

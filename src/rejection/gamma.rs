@@ -113,10 +113,7 @@ impl<T: Tier> Gamma<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for 0 or less, [`Error::OutOfRange`] for a shape
     /// below 1e-30 or above 1e6, [`Error::Empty`] for a scale below 2⁻¹²⁵, [`Error::TooLarge`] if a number could overflow.
-    #[allow(
-        clippy::inline_always,
-        reason = "what is not used is not computed; as WASM it would take room"
-    )]
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub const fn new(shape: f32, scale: f32) -> Result<Self, Error> {
         let tries = tried!(Tries::new(shape));

@@ -86,10 +86,7 @@ impl Bits {
 ///
 /// A small shape is raised to 8 and more by Γ(a + 1) = a Γ(a).
 // With a loop that counts, so that the compiler sees that it ends, and leaves it out where no density is asked for.
-#[allow(
-    clippy::inline_always,
-    reason = "what is not used is not computed; as WASM it would take room"
-)]
+#[allow(clippy::inline_always, reason = "what is not used is not computed")]
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 pub(super) const fn peak(shape: f32) -> Scaled {
     // ½ log₂ 2π.

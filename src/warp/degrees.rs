@@ -135,10 +135,7 @@ impl Degrees {
 
     /// Γ((ν+1)/2)/(√(νπ) Γ(ν/2)), the density of one dimension at its location.
     // With a loop that counts, so that the compiler sees that it ends, and leaves it out where no density is asked for.
-    #[allow(
-        clippy::inline_always,
-        reason = "what is not used is not computed; as WASM it would take room"
-    )]
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) const fn peak(&self) -> f32 {
         const FRAC_1_SQRT_PI: f32 = 0.5 * core::f32::consts::FRAC_2_SQRT_PI;

@@ -79,10 +79,7 @@ impl<T: Tier> StudentT<T> {
     /// # Errors
     /// [`Error::NotFinite`] for NaN or infinity, [`Error::NotPositive`] for degrees or a scale of 0 or less,
     /// [`Error::TooLarge`] if a sample could overflow, [`Error::Empty`] if the density could.
-    #[allow(
-        clippy::inline_always,
-        reason = "what is not used is not computed; as WASM it would take room"
-    )]
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub const fn new(degrees: f32, location: f32, scale: f32) -> Result<Self, Error> {
         let (degrees, reach) = tried!(Degrees::new(degrees));
