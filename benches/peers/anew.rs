@@ -27,18 +27,26 @@ fn contest() -> Contest<f32> {
     Contest::new(0.0).draw(FLOOR, by(|parameter, rng| parameter * uniform(rng)))
 }
 
+/// Ours in both tiers beside rand_distr's.
+fn of_tiers(
+    libm: impl Fn(f32, &mut Pcg32) -> f32 + 'static,
+    poly: impl Fn(f32, &mut Pcg32) -> f32 + 'static,
+    peer: impl Fn(f32, &mut Pcg32) -> f32 + 'static,
+) -> Contest<f32> {
+    contest()
+        .draw(LIBM, by(libm))
+        .draw(POLY, by(poly))
+        .draw(RAND_DISTR, by(peer))
+}
+
 pub fn gamma() -> Contest<f32> {
     fn ours<T: Tier>(shape: f32, rng: &mut Pcg32) -> f32 {
         let gamma = Gamma::<T>::new(shape, 1.0).unwrap();
         gamma.draw(rng).unwrap().point
     }
-    contest()
-        .draw(LIBM, by(ours::<Libm>))
-        .draw(POLY, by(ours::<Poly>))
-        .draw(
-            RAND_DISTR,
-            by(|shape, rng| rand_distr::Gamma::new(shape, 1.0).unwrap().sample(rng)),
-        )
+    of_tiers(ours::<Libm>, ours::<Poly>, |shape, rng| {
+        rand_distr::Gamma::new(shape, 1.0).unwrap().sample(rng)
+    })
 }
 
 pub fn beta() -> Contest<f32> {
@@ -46,26 +54,18 @@ pub fn beta() -> Contest<f32> {
         let [share, _] = Beta::<T>::new(a, 2.0).unwrap().draw(rng).unwrap().point;
         share
     }
-    contest()
-        .draw(LIBM, by(ours::<Libm>))
-        .draw(POLY, by(ours::<Poly>))
-        .draw(
-            RAND_DISTR,
-            by(|a, rng| rand_distr::Beta::new(a, 2.0).unwrap().sample(rng)),
-        )
+    of_tiers(ours::<Libm>, ours::<Poly>, |a, rng| {
+        rand_distr::Beta::new(a, 2.0).unwrap().sample(rng)
+    })
 }
 
 pub fn student_t() -> Contest<f32> {
     fn ours<T: Tier>(degrees: f32, rng: &mut Pcg32) -> f32 {
         StudentT::<T>::new(degrees, 0.0, 1.0).unwrap().draw(rng)
     }
-    contest()
-        .draw(LIBM, by(ours::<Libm>))
-        .draw(POLY, by(ours::<Poly>))
-        .draw(
-            RAND_DISTR,
-            by(|degrees, rng| rand_distr::StudentT::new(degrees).unwrap().sample(rng)),
-        )
+    of_tiers(ours::<Libm>, ours::<Poly>, |degrees, rng| {
+        rand_distr::StudentT::new(degrees).unwrap().sample(rng)
+    })
 }
 
 pub fn poisson() -> Contest<f32> {
