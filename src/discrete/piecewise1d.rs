@@ -293,7 +293,7 @@ impl<W: Word, S: Storage<Item = W>> PiecewiseConstant1d<S> {
     /// The cell that a word, and what lies below it, selects; and the point within it.
     #[allow(
         clippy::inline_always,
-        reason = "of a draw nothing lies below the word, which saves a sum"
+        reason = "programs with tables of two dimensions take 130 bytes less and more"
     )]
     #[inline(always)]
     pub(crate) fn cell_and_place(&self, (word, fraction): (W, f32)) -> (usize, f32) {

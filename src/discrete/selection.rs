@@ -73,11 +73,7 @@ pub(crate) struct Share<W> {
 
 impl<W: Word> Share<W> {
     /// The place within the share; `fraction` is the part of a word below the word.
-    #[allow(
-        clippy::inline_always,
-        reason = "of a draw nothing lies below the word, which saves a sum"
-    )]
-    #[inline(always)]
+    #[inline]
     pub(crate) fn leftover(&self, fraction: f32) -> f32 {
         let quotient = (self.offset.as_f32() + fraction) / amount(self.count);
         if quotient < 1.0 { quotient } else { LARGEST }

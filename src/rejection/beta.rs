@@ -29,7 +29,8 @@ use rand_core::TryRng;
 ///
 /// The default budget of 32 tries for both shares together is spent with a probability below 2⁻⁶⁴.
 ///
-/// Where one is made for a single draw, the compiler leaves out what its density takes, as where the shapes are odds that change with each draw.
+/// Where one is made for a single draw, as with odds that change each time, the compiler leaves out what its density takes, but not
+/// as WASM.
 ///
 /// # Examples
 /// ```

@@ -45,7 +45,7 @@ const LEAST: f32 = power_of_two(-80);
 ///
 /// The default budget of 16 tries a share, for all together, is spent with a probability below 2⁻⁶⁴. One below N is always spent.
 ///
-/// Where one is made for a single draw, the compiler leaves out what its density takes: two thirds of the time.
+/// Where one is made for a single draw, the compiler leaves out what its density takes, two thirds of the time, but not as WASM.
 ///
 /// # Examples
 /// ```

@@ -52,7 +52,7 @@ use rand_core::{Rng, TryRng};
 ///
 /// The default budget of 16 tries is spent with a probability below 2⁻⁶⁴.
 ///
-/// Where one is made for a single draw, the compiler leaves out what its density takes: two thirds of the time.
+/// Where one is made for a single draw, the compiler leaves out what its density takes, two thirds of the time, but not as WASM.
 ///
 /// # Examples
 /// ```
