@@ -332,8 +332,12 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
         self.cell_at(x).map_or(0.0, |index| self.density(index))
     }
 
+    // Written as the trait writes it: what compares public items takes another spelling for a change.
     #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+    fn sample_canonical_with_pdf(
+        &self,
+        u: Canonical<Self::Uniforms>,
+    ) -> (Self::Point, Self::Density) {
         self.with_density(W::from_uniform(u))
     }
 
@@ -348,7 +352,13 @@ impl<W: Word, S: Storage<Item = W>> Warp for PiecewiseConstant1d<S> {
     }
 
     #[inline]
-    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+    ) -> Result<(Self::Point, Self::Density), R::Error>
+    where
+        Self: Sized,
+    {
         Ok(self.with_density((W::try_draw(rng)?, 0.0)))
     }
 }

@@ -627,8 +627,12 @@ where
         }
     }
 
+    // Written as the trait writes it: what compares public items takes another spelling for a change.
     #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<[f32; 2]>) -> ([f32; 2], f32) {
+    fn sample_canonical_with_pdf(
+        &self,
+        u: Canonical<Self::Uniforms>,
+    ) -> (Self::Point, Self::Density) {
         self.with_density(u.each().map(W::from_uniform))
     }
 
@@ -647,7 +651,10 @@ where
     fn try_draw_with_pdf<R: TryRng + ?Sized>(
         &self,
         rng: &mut R,
-    ) -> Result<([f32; 2], f32), R::Error> {
+    ) -> Result<(Self::Point, Self::Density), R::Error>
+    where
+        Self: Sized,
+    {
         Ok(self.with_density(try_words(rng)?))
     }
 }

@@ -429,8 +429,12 @@ where
             .map_or(0.0, |index| self.density(index, x))
     }
 
+    // Written as the trait writes it: what compares public items takes another spelling for a change.
     #[inline]
-    fn sample_canonical_with_pdf(&self, u: Canonical<f32>) -> (f32, f32) {
+    fn sample_canonical_with_pdf(
+        &self,
+        u: Canonical<Self::Uniforms>,
+    ) -> (Self::Point, Self::Density) {
         self.with_density(W::from_uniform(u))
     }
 
@@ -445,7 +449,13 @@ where
     }
 
     #[inline]
-    fn try_draw_with_pdf<R: TryRng + ?Sized>(&self, rng: &mut R) -> Result<(f32, f32), R::Error> {
+    fn try_draw_with_pdf<R: TryRng + ?Sized>(
+        &self,
+        rng: &mut R,
+    ) -> Result<(Self::Point, Self::Density), R::Error>
+    where
+        Self: Sized,
+    {
         Ok(self.with_density((W::try_draw(rng)?, 0.0)))
     }
 }
