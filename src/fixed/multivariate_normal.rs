@@ -405,10 +405,12 @@ where
     #[inline]
     fn sample_canonical(&self, u: Canonical<Self::Uniforms>) -> [FixedI32<Frac>; D] {
         let mut z = [0; D];
-        for (z, u) in z.chunks_mut(2).zip(u.get().as_ref().chunks_exact(2)) {
-            if let [u1, u2] = u {
-                let [x, y] = around::<G>(radius::<G>(u1.to_bits()), u2.to_bits());
-                for (z, x) in z.iter_mut().zip([x, y]) {
+        let (u, mut numbers) = (u.get(), z.iter_mut());
+        // Chunks divide by their length where the code is to be small, and may panic.
+        let mut words = u.as_ref().iter();
+        while let (Some(u1), Some(u2)) = (words.next(), words.next()) {
+            for x in around::<G>(radius::<G>(u1.to_bits()), u2.to_bits()) {
+                if let Some(z) = numbers.next() {
                     *z = x;
                 }
             }
@@ -448,17 +450,12 @@ where
     fn invert(&self, point: [FixedI32<Frac>; D]) -> Self::Uniforms {
         let (z, _) = self.standardised(point);
         let mut words = <[Uniform; D]>::ZEROS;
-        for (words, z) in words.as_mut().chunks_exact_mut(2).zip(z.chunks(2)) {
-            let (x, y) = match z {
-                [x, y] => (*x, *y),
-                [x] => (*x, 0),
-                _ => (0, 0),
-            };
-            if let [u1, u2] = words {
-                let square = square_of([x, y].map(i32::unsigned_abs));
-                *u1 = Uniform::from_bits(outside::<G>(square));
-                *u2 = Uniform::from_bits(G::angle(y, x));
-            }
+        let (mut numbers, mut places) = (z.into_iter(), words.as_mut().iter_mut());
+        while let (Some(u1), Some(u2)) = (places.next(), places.next()) {
+            let [x, y] = [numbers.next(), numbers.next()].map(Option::unwrap_or_default);
+            let square = square_of([x, y].map(i32::unsigned_abs));
+            *u1 = Uniform::from_bits(outside::<G>(square));
+            *u2 = Uniform::from_bits(G::angle(y, x));
         }
         words
     }
