@@ -56,7 +56,7 @@ use rand_core::{Rng, TryRng};
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, of the size | 1.6e-6 | found |
-/// | unit length | 2.4e-7 | found |
+/// | unit length | 2.8e-7 | found |
 /// | pdf, relative | 5e-7 | found |
 /// | realised density, relative | 5e-7 | found |
 /// | inverse | 3.5e-7 + 3.5*r | found |

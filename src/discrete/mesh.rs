@@ -43,7 +43,7 @@ use rand_core::TryRng;
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, of the size | 2e-7 | found |
-/// | place on it | 4.9e-7 | found |
+/// | place on it | 5.5e-7 | found |
 /// | pdf, relative | 3.9e-7 | found |
 /// | realised density, relative | 3.9e-7 | found |
 /// | inverse | 2.3e-7 | found |

@@ -40,12 +40,12 @@ use rand_core::TryRng;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 4.7e-7 | found |
-/// | pdf, relative | 4.5e-7 + 1.9*s | found |
-/// | realised density, relative | 5e-7 + 5.4*s | found |
-/// | pdf with the sample, relative | 7.5e-7 | found |
+/// | sample, of the size | 6.9e-7 | found |
+/// | pdf, relative | 4.5e-7 + 2.7*s | found |
+/// | realised density, relative | 5e-7 + 7.3*s | found |
+/// | pdf with the sample, relative | 8.6e-7 | found |
 /// | inverse | 3.9e-7 + 3.4*r | found |
-/// | round trip | 4.4e-7 + 4.9*r | found |
+/// | round trip | 4.4e-7 + 5.8*r | found |
 ///
 /// # Cost
 /// That of the two warps.

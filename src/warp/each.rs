@@ -51,10 +51,10 @@ fn product(densities: impl Iterator<Item = f32> + Clone) -> f32 {
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 1.3e-7 | found |
-/// | pdf, relative | 2e-7 | found |
+/// | sample, of the size | 1.6e-7 | found |
+/// | pdf, relative | 2.6e-7 | found |
 /// | realised density, relative | 3.2e-7 + 2.4*s | found |
-/// | pdf with the sample, relative | 1.8e-7 | found |
+/// | pdf with the sample, relative | 2.6e-7 | found |
 /// | inverse | 9e-8 | found |
 /// | round trip | 9e-8 | found |
 ///

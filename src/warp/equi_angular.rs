@@ -33,10 +33,10 @@ use core::marker::PhantomData;
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
 /// | sample, ulp of itself or of a length | 15.3 | 15 | proven |
-/// | pdf, relative | 6.1e-7 | 5.2e-7 | found |
-/// | realised density, relative | 5.6e-7 + 6.8*s | 5.6e-7 + 6.8*s | found |
-/// | inverse | 4e-7 | 4.8e-7 | found |
-/// | round trip | 3.2e-7 + 2.1*r | 3.2e-7 + 2.1*r | found |
+/// | pdf, relative | 6.1e-7 | 6.1e-7 | found |
+/// | realised density, relative | 6.6e-7 + 6.8*s | 6.6e-7 + 6.8*s | found |
+/// | inverse | 4.7e-7 | 5.6e-7 | found |
+/// | round trip | 4.5e-7 + 2.1*r | 4.5e-7 + 2.1*r | found |
 ///
 /// An ulp is that of t. Where the segment passes the foot it is that of D, or of the longer part where that is
 /// shorter than D, as long as t is below. s and r: by how much the exact density, relatively, and the exact inverse

@@ -36,11 +36,11 @@ use core::marker::PhantomData;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 4.6e-7 | found |
-/// | pdf, relative | 5e-7 | found |
-/// | realised density, relative | 5e-7 | found |
-/// | inverse | min(1, 4.8e-7 + 8e-7*g) | found |
-/// | round trip | min(1, 5.8e-7 + 9.6e-7*g) | found |
+/// | sample, of the size | 5.3e-7 | found |
+/// | pdf, relative | 6e-7 | found |
+/// | realised density, relative | 6e-7 | found |
+/// | inverse | min(1, 5.7e-7 + 9.4e-7*g) | found |
+/// | round trip | min(1, 6.6e-7 + 1.1e-6*g) | found |
 ///
 /// g is the share of the side in the area, times the size over the length ℓ of the side: above 2 for a narrow ring alone.
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 3.4e-7, absolutely.

@@ -33,11 +33,11 @@ use crate::uniform::Canonical;
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, ulp of location or distance | 5.9 | proven |
-/// | pdf, relative | 2.2e-6 | found |
-/// | realised density, relative | 5e-7 + 4.8*s/max(0, 1 - w/1e6) | found |
+/// | pdf, relative | 3.2e-6 | found |
+/// | realised density, relative | 5e-7 + 6*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 5e-7 | proven |
-/// | inverse | 9.5e-8 | found |
-/// | round trip | 1e-7 + 2.2*r | found |
+/// | inverse | 1.3e-7 | found |
+/// | round trip | 1.4e-7 + 2.2*r | found |
 ///
 /// The errors of a sample and of the density with it are proven for all parameters and uniforms: see `docs/proofs.md`.
 ///

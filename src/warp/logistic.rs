@@ -34,11 +34,11 @@ use crate::uniform::Canonical;
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, ulp of location or distance | 5.8 | proven |
-/// | pdf, relative | 5.8e-7 | found |
-/// | realised density, relative | 5e-7 + 3.3*s/max(0, 1 - w/1e6) | found |
+/// | pdf, relative | 8.9e-7 | found |
+/// | realised density, relative | 5e-7 + 4.5*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 3e-7 | proven |
-/// | inverse | 1.1e-7 | found |
-/// | round trip | 1.1e-7 + 1.9*r | found |
+/// | inverse | 1.6e-7 | found |
+/// | round trip | 1.5e-7 + 1.9*r | found |
 ///
 /// The errors of a sample and of the density with it are proven for all parameters and uniforms: see `docs/proofs.md`.
 ///

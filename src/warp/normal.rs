@@ -54,8 +54,8 @@ const REACH: f32 = 14.5;
 /// | pdf, relative | 7e-7 | found |
 /// | realised density, relative | 7.7e-7 + 5.2*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 4.8e-7 | proven |
-/// | inverse | 2.2e-7 | found |
-/// | round trip | 1.5e-7 + 3*r | found |
+/// | inverse | 2.5e-7 | found |
+/// | round trip | 1.8e-7 + 3*r | found |
 ///
 /// The errors of a sample and of the density with it are proven for all parameters and uniforms: see `docs/proofs.md`.
 ///
@@ -243,7 +243,7 @@ impl<T: Tier> Invert for Normal<T> {
 /// | sample, of the size | 3.6e-7 | proven |
 /// | pdf, relative | 4.2e-7 | found |
 /// | realised density, relative | 7.2e-7 + 5.3*s/max(0, 1 - w/1e6) | found |
-/// | pdf with the sample, relative | 3.4e-7 | found |
+/// | pdf with the sample, relative | 3.9e-7 | found |
 /// | inverse | 1.9e-7 | found |
 /// | round trip | 1.5e-7 + 1.8*r | found |
 ///

@@ -167,11 +167,11 @@ impl<T: Tier> Spherical<T> {
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
 /// | sample, of the size | 6.1e-7 | 6.1e-7 | found |
-/// | unit length | 2.3e-7 | 2.9e-7 | found |
-/// | pdf, relative | 6.5e-7 | 6.5e-7 | found |
-/// | realised density, relative | 6.5e-7 | 6.5e-7 | found |
-/// | inverse | min(1, 2.1e-7 + 5.2e-7*q/c + 1.5e-7/w) | min(1, 2.4e-7 + 6e-7*q/c + 1.3e-7/w) | found |
-/// | round trip | min(1, 2.4e-7 + 7e-7*q/c + 1.7e-7/w) | min(1, 2.1e-7 + 6.2e-7*q/c + 1.2e-7/w) | found |
+/// | unit length | 2.7e-7 | 3.3e-7 | found |
+/// | pdf, relative | 7.5e-7 | 7.5e-7 | found |
+/// | realised density, relative | 7.5e-7 | 7.5e-7 | found |
+/// | inverse | min(1, 2.9e-7 + 7.1e-7*q/c + 2.1e-7/w) | min(1, 3e-7 + 7.3e-7*q/c + 1.6e-7/w) | found |
+/// | round trip | min(1, 2.8e-7 + 8.1e-7*q/c + 2e-7/w) | min(1, 2.7e-7 + 7.9e-7*q/c + 1.6e-7/w) | found |
 ///
 /// These hold for every patch: c is cos θ₀ − cos θ₁, w the width φ₁ − φ₀ in turns, and q the smaller of 1 − cos θ₁
 /// and 1 + cos θ₀.

@@ -41,10 +41,10 @@ use core::marker::PhantomData;
 /// |---|--:|---|
 /// | sample, of the size | 9.7e-7*q | found |
 /// | unit length | 2e-7 | found |
-/// | place on it | 6.9e-7 + (2.3 + 0.7·q)·p | found |
-/// | pdf, relative | 7.6e-7 + 3.8e-7*q + 7.6e-15/g | found |
-/// | realised density, relative | 7.6e-7 + 3.8e-7*q + 7.6e-15/g | found |
-/// | pdf with the sample, relative | 7.6e-7 + 3.8e-7*q + 7.6e-15/g | found |
+/// | place on it | 7.8e-7 + (2.6 + 0.79·q)·p | found |
+/// | pdf, relative | 9.6e-7 + 4.8e-7*q + 7.6e-15/g | found |
+/// | realised density, relative | 9.6e-7 + 4.8e-7*q + 7.6e-15/g | found |
+/// | pdf with the sample, relative | 9.6e-7 + 4.8e-7*q + 7.6e-15/g | found |
 /// | inverse | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
 /// | round trip | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
 ///

@@ -58,11 +58,11 @@ use core::marker::PhantomData;
 /// | sample, of the size | 1.1e-6*q | 9e-7*q | found |
 /// | unit length | 1.9e-7 | 1.9e-7 | found |
 /// | place on it | 6.5e-7 + (2.7 + 1.3·q)·p | 6.5e-7 + (2.7 + 1.3·q)·p | found |
-/// | pdf, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
-/// | realised density, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
-/// | pdf with the sample, relative | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | 8.5e-7 + 4.2e-7*q + 8.5e-15/g | found |
-/// | inverse | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | found |
-/// | round trip | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | min(1, 4e-6 + 4e-6·q + (75 + 5.4·q)·r + 1.1e-6/h) | found |
+/// | pdf, relative | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | found |
+/// | realised density, relative | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | found |
+/// | pdf with the sample, relative | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | found |
+/// | inverse | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h) | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h) | found |
+/// | round trip | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h) | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h) | found |
 ///
 /// These hold for every triangle accepted. p is the change of the place when each uniform and each coordinate of the
 /// direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of the

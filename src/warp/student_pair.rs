@@ -35,9 +35,9 @@ use core::marker::PhantomData;
 /// |---|--:|---|
 /// | sample, of the distance or the location | 8e-7 | found |
 /// | pdf, relative | 7.4e-7 | found |
-/// | realised density, relative | 8.6e-7 + 9.2*s/max(0, 1 - w/1e6) | found |
+/// | realised density, relative | 8.6e-7 + 12*s/max(0, 1 - w/1e6) | found |
 /// | inverse | 2e-7 | found |
-/// | round trip | 2.2e-7 + 3.3*r | found |
+/// | round trip | 3e-7 + 4.5*r | found |
 ///
 /// w is the larger |location| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the density
 /// and the change of the inverse when the point moves by 2⁻²⁴ of the unit of the sample's error.
