@@ -242,7 +242,7 @@ pub struct Reflection {
 /// | round trip | 8.3e-7 + 8.6*r | found |
 ///
 /// Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
-/// sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 1e-12, next to the pole
+/// sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 2⁻⁴⁰, next to the pole
 /// of the cap: there it is the rounding of the normal. The grid has no such u₁ but 0.
 ///
 /// # Cost

@@ -30,7 +30,7 @@ use crate::uniform::Canonical;
 /// bounds are stated: at a roughness of 1e-4 a direction is off by up to 1e-3, as twice its normal. *Sample* is the distance from the exact direction,
 /// *unit length* the error of the length. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
 /// of the uniforms; s and r are what one ulp of the direction changes in density and inverse. The azimuth is not held where
-/// u₁ is below 1e-12, next to the pole of the cap. [What each row means](crate::warp#stated-errors).
+/// u₁ is below 2⁻⁴⁰, next to the pole of the cap. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
