@@ -17,18 +17,26 @@ use words::Kind;
 
 /// The worst of each row of each family, found by all threads of the machine.
 pub fn attack(families: &[Family], budget: Budget) -> Vec<Vec<Worst>> {
-    in_parallel(threads(), families, |family| search::worst(family, budget))
+    let known = vec![Vec::new(); families.len()];
+    attack_from(families, budget, &known)
+}
+
+fn attack_from(families: &[Family], budget: Budget, known: &[Vec<Worst>]) -> Vec<Vec<Worst>> {
+    let jobs: Vec<_> = families.iter().zip(known).collect();
+    in_parallel(threads(), &jobs, |(family, known)| {
+        search::worst(family, budget, known)
+    })
 }
 
 /// Holds the statements of all families against the worst cases: those kept in a file beside the test and those found
 /// now. A statement fails when it is exceeded, and when the worst case known is less of it than its kind asks for; also,
 /// in the full speed, when the search of the usual budget by itself comes so near to no bound of a statement.
 ///
-/// `MICROWARP_SEARCH=seconds` searches each family for so long, from seeds that differ from run to run;
-/// `MICROWARP_WRITE=1` keeps the worst cases.
+/// `MICROWARP_SEARCH=seconds` searches each family for so long, from the worst cases kept as well; a second number is another
+/// seed. `MICROWARP_WRITE=1` keeps the worst cases.
 pub fn hold(families: &[Family], file: &str) {
     let kept = kept::read(file, families);
-    let found = attack(families, Budget::of_environment());
+    let found = attack_from(families, Budget::of_environment(), &kept);
     let mut complaints = Vec::new();
     let mut alone: BTreeMap<&str, f64> = BTreeMap::new();
     let mut known: BTreeMap<(&str, &str), (f64, docs::Kind)> = BTreeMap::new();
@@ -42,15 +50,12 @@ pub fn hold(families: &[Family], file: &str) {
             let worst = if kept.ratio > now { kept } else { found };
             let (most, _) = known.entry((statement, title)).or_insert((0.0, *kind));
             raise_to(most, worst.ratio);
-            println!(
-                "{}; {title}: found {now:.3}, known {:.3} of what is stated",
-                family.label, worst.ratio
-            );
+            let line = format!("{}; {title}: {}", family.label, worst.describe(family));
+            println!("{line}; found {now:.3}");
             // Written so that NaN complains, here and below.
             let holds = worst.ratio <= 1.0;
             if !holds {
-                let worst = worst.describe(family);
-                complaints.push(format!("{}; {title}: {worst}", family.label));
+                complaints.push(line);
             }
             worst_known.push((family, title.clone(), worst));
         }

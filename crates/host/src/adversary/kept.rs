@@ -2,6 +2,8 @@
 
 use super::search::{Worst, raise};
 use super::{Family, Uniforms};
+use crate::speed;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -49,20 +51,33 @@ pub fn read(file: &str, families: &[Family]) -> Vec<Vec<Worst>> {
     worst
 }
 
-/// Writes the worst case of each row.
+/// Writes the worst case of each row. The cases of families that [`speed::wants`] leaves out stay.
 pub fn write(file: &str, worst: &[(&Family, String, Worst)]) {
+    let words = |words: &[u32]| {
+        let words: Vec<_> = words.iter().map(|w| format!("{w:08x}")).collect();
+        words.join(" ")
+    };
+    let mut lines = BTreeMap::<String, String>::new();
+    for (family, title, worst) in worst.iter().filter(|(.., worst)| worst.ratio > 0.0) {
+        let (p, u) = (words(&worst.parameters), words(&worst.uniforms));
+        let lines = lines.entry(family.label.clone()).or_default();
+        let _ = writeln!(lines, "{};{title};{p};{u}", family.label);
+    }
     let mut text = String::from(
         "# The worst cases that searches have found, a row of each statement: family; row; parameters; uniforms (words in hex).\n",
     );
-    for (family, title, worst) in worst {
-        let words = |words: &[u32]| {
-            let words: Vec<_> = words.iter().map(|w| format!("{w:08x}")).collect();
-            words.join(" ")
-        };
-        if worst.ratio > 0.0 {
-            let (p, u) = (words(&worst.parameters), words(&worst.uniforms));
-            let _ = writeln!(text, "{};{title};{p};{u}", family.label);
+    let before = std::fs::read_to_string(path(file)).unwrap_or_default();
+    for line in before.lines().filter(|line| !line.starts_with('#')) {
+        let label = line.split(';').next().unwrap_or_default();
+        if let Some(now) = lines.remove(label) {
+            text.push_str(&now);
+        } else if !speed::wants(label) {
+            let _ = writeln!(text, "{line}");
         }
     }
+    let added = worst
+        .iter()
+        .filter_map(|(family, ..)| lines.remove(&family.label));
+    text.extend(added);
     std::fs::write(path(file), text).unwrap();
 }

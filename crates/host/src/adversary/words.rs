@@ -115,25 +115,38 @@ impl Kind {
         }
     }
 
-    /// A word near to this one: a few steps away, or of another exponent, or with other low bits.
-    pub fn mutate(self, word: u32, rng: &mut Pcg32) -> u32 {
-        let steps = 1_u32 << below(rng, 12);
-        let by = below(rng, steps).wrapping_add(1);
-        let near = if rng.next_u32() & 1 == 0 {
-            word.wrapping_add(by)
-        } else {
-            word.wrapping_sub(by)
+    /// A word of ordinary size, often near to where formulas have structure: a power of two, a small number, or one.
+    pub fn ordinary(self, rng: &mut Pcg32) -> u32 {
+        let power = 2_f32.powi(below(rng, 12) as i32 - 8);
+        let size = match below(rng, 7) {
+            0 => power,
+            1 => power * (1.0 - log_uniform(rng, 1e-7, 1e-2)),
+            2 => log_uniform(rng, 1e-4, 1e-2),
+            3 => 1.0 - log_uniform(rng, 1e-7, 1e-1),
+            4 => log_uniform(rng, 1e-3, 1e3),
+            _ => unit(rng) as f32,
         };
-        let changed = match below(rng, 8) {
-            0..=3 => near,
-            4 => word ^ (1 << below(rng, 32)),
-            5 => word ^ (rng.next_u32() >> below(rng, 32)),
-            6 if self != Self::Word => {
-                let x = f32::from_bits(word);
-                (x * (0.5 + unit(rng) as f32)).to_bits()
-            }
-            6 => word.rotate_left(1),
-            _ => return self.draw(rng),
+        let x = match self {
+            Self::Any => signed(rng, size),
+            Self::Within(low, _) if low < 0.0 => signed(rng, size),
+            _ => size,
+        };
+        let drawn = self.draw(rng);
+        if self == Self::Word {
+            drawn
+        } else {
+            self.confined(x.to_bits(), drawn)
+        }
+    }
+
+    /// A word of up to 2^`far` steps beside this one; now and then one with another bit, as the sign.
+    pub fn step(self, word: u32, far: f64, rng: &mut Pcg32) -> u32 {
+        let most = (unit(rng) * far).exp2() as u32;
+        let by = 1 + below(rng, most);
+        let changed = match below(rng, 32) {
+            0 => word ^ (1 << below(rng, 32)),
+            k if k % 2 == 0 => word.wrapping_add(by),
+            _ => word.wrapping_sub(by),
         };
         self.confined(changed, word)
     }
@@ -154,11 +167,11 @@ impl Kind {
     /// A number beside another of the same sampler, where differences cancel.
     pub fn beside(self, other: u32, rng: &mut Pcg32) -> u32 {
         let by = 1_u32 << below(rng, 23);
-        let near = if rng.next_u32() & 1 == 0 {
-            other.wrapping_add(below(rng, by).wrapping_add(1))
-        } else {
-            let x = f32::from_bits(other);
-            (x * log_uniform(rng, 0.5, 8.0)).to_bits()
+        let near = match below(rng, 4) {
+            0 => other,
+            1 => other.wrapping_add(below(rng, by) + 1),
+            2 => other.wrapping_sub(below(rng, by) + 1),
+            _ => (f32::from_bits(other) * log_uniform(rng, 0.5, 8.0)).to_bits(),
         };
         let drawn = self.draw(rng);
         self.confined(near, drawn)
