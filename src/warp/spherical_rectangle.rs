@@ -45,8 +45,8 @@ use core::marker::PhantomData;
 /// | pdf, relative | 9.6e-7 + 4.8e-7*q + 7.6e-15/g | found |
 /// | realised density, relative | 9.6e-7 + 4.8e-7*q + 7.6e-15/g | found |
 /// | pdf with the sample, relative | 9.6e-7 + 4.8e-7*q + 7.6e-15/g | found |
-/// | inverse | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
-/// | round trip | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h) | found |
+/// | inverse | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h + 8e-8/g) | found |
+/// | round trip | min(1, 2.5e-6 + 2.5e-6·q + (54 + 2·q)·r + 8e-7/h + 8e-8/g) | found |
 ///
 /// These hold for every rectangle accepted. p is the change of the place when each uniform and each coordinate of the
 /// direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of the

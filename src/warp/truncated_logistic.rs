@@ -57,7 +57,7 @@ fn reached(share: f32) -> f32 {
 /// | realised density, relative | 1e-6 + 4*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 7.2e-7 | found |
 /// | inverse | 6.6e-7 | found |
-/// | round trip | 6e-7 + 4.5*r | found |
+/// | round trip | 7e-7 + 4.5*r | found |
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. w is |x₀|/s. No realised density is stated from
 /// 1e6 on, where the densities of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the
