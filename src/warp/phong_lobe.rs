@@ -39,7 +39,7 @@ use rand_core::TryRng;
 /// | sample, of the size | 2.5e-7 | 3e-7 | proven |
 /// | sin θ, ulp | 3.9 | 3.9 | found |
 /// | cos θ, ulp | 44 | 56 | found |
-/// | unit length | 1.8e-7 | 2.1e-7 | proven |
+/// | unit length | 1.9e-7 | 2.1e-7 | proven |
 /// | pdf, relative | 5.1e-7 | 5.1e-7 | found |
 /// | realised density, relative | min(1.1e-5, 8.1e-7 + 27*s) | min(1.1e-5, 8.1e-7 + 27*s) | found |
 /// | pdf with the sample, relative | 5e-7 + 3e-6/(1 + k) | 5e-7 + 3e-6/(1 + k) | found |
