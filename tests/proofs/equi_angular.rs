@@ -11,7 +11,7 @@ use crate::number::Number;
 use crate::range::Range;
 use crate::rounding::{Lost, UNIT};
 use crate::segments::{LINEAR, across, beside, next_to};
-use crate::several::{Proven, complaint};
+use crate::several::{Cells, Proven, complaint};
 use crate::tape::{NEAR, Tape, Traced, each_way};
 use host::errors::{raise, ulp};
 use host::speed;
@@ -355,7 +355,7 @@ fn bound(links: &Links, fine: f64) -> f64 {
 }
 
 /// What is proven of it.
-pub fn rows() -> Vec<Proven> {
+pub fn rows(_: &Cells) -> Vec<Proven> {
     let tiers = [
         bound(&Links::of::<Libm>(ANGLE, 0.0), FINE[0]),
         bound(&Links::of::<Poly>(ANGLE, 0.0), FINE[1]),

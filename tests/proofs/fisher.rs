@@ -53,10 +53,10 @@ static KEPT: LazyLock<[Swept; 3]> = LazyLock::new(|| {
 });
 
 /// How far the kernels are off: ln(1 - x), ln x and ln(1 + x).
-struct Links([Swept; 3]);
+pub struct Links(pub [Swept; 3]);
 
 impl Links {
-    fn of<T: Tier>() -> Self {
+    pub fn of<T: Tier>() -> Self {
         // A smaller argument is its own logarithm.
         for exponent in 31..149 {
             let x = 1.5 * 0.5_f32.powi(exponent);
@@ -65,7 +65,7 @@ impl Links {
         Self([
             Swept::kernel([FLAT, 0.5], |x| T::ln_1p(-x), |x| (-x).ln_1p()),
             Swept::kernel([0.5 * f32::EPSILON, 0.5001], |x| T::ln(x), f64::ln),
-            Swept::kernel([FLAT, 3e17], |x| T::ln_1p(x), f64::ln_1p),
+            Swept::kernel([FLAT, 6e34], |x| T::ln_1p(x), f64::ln_1p),
         ])
     }
 
@@ -137,7 +137,7 @@ impl Links {
 const APART: f64 = 1e-6;
 
 /// By what part of itself a number of a range is rounded, in units of 2⁻²⁴.
-fn rounded(range: Range) -> f64 {
+pub fn rounded(range: Range) -> f64 {
     (Lost::of(range).absolute / range.low / UNIT).min(1.0)
 }
 

@@ -51,6 +51,7 @@ mod sweeps;
 mod swept;
 mod tables;
 mod tape;
+mod truncated;
 mod unit;
 
 use bounds::Roundings;

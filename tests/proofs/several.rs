@@ -15,7 +15,7 @@ use crate::products::{ball, normal_pair, rotation};
 use crate::range::Range;
 use crate::report::{Line, differs, table_of};
 use crate::rounding::UNIT;
-use crate::{equi_angular, fisher, kept, lobe, shapes, sweeps};
+use crate::{equi_angular, fisher, kept, lobe, shapes, sweeps, truncated};
 use host::docs::STALE;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
@@ -83,9 +83,8 @@ fn fogs() -> Vec<Piece> {
     all
 }
 
-/// What is proven.
-fn rows() -> Vec<Proven> {
-    let cells = &*CELLS;
+/// What is proven of cones and of fog.
+fn polar(cells: &Cells) -> Vec<Proven> {
     // The length is right whatever 1 - cos θ is off by, since sine and cosine are both made of it.
     let polar = bins(&alone(&Polar, &binades(-44, 1.0 + 64.0 * UNIT, 512)));
     let length = cells
@@ -97,30 +96,47 @@ fn rows() -> Vec<Proven> {
         samples(&libm, cells, Roundings::PLAIN)[0],
         samples(&poly, cells, Roundings::PLAIN)[1],
     ];
-    let mut rows = shapes::rows(cells);
-    rows.extend(lobe::rows(cells));
-    rows.extend(fisher::rows(cells));
-    rows.extend(equi_angular::rows());
-    rows.extend([
-        (
-            "Triangle",
-            "sample",
-            [triangle(&Triangle { once_more: false }, &[], &uniforms(4)); 2],
-        ),
+    let fog = "HenyeyGreenstein";
+    vec![
+        ("Cone", "sample", cone),
+        ("Cone", "unit length", length),
+        (fog, "sample", samples(&fogs, cells, Roundings::PLAIN)),
+        (fog, "sin θ, ulp", sine(&fogs)),
+        (fog, "unit length", length),
+    ]
+}
+
+/// What is proven of a point of a triangle or a ball, of a rotation and of a normal pair.
+fn others(cells: &Cells) -> Vec<Proven> {
+    let of_triangles = triangle(&Triangle { once_more: false }, &[], &uniforms(4));
+    vec![
+        ("Triangle", "sample", [of_triangles; 2]),
         ("Ball", "sample", ball(cells)),
         ("Rotation", "sample", rotation(cells)),
         ("NormalPair", "sample", normal_pair(cells)),
-        ("Cone", "sample", cone),
-        ("Cone", "unit length", length),
+    ]
+}
+
+/// How the rows of some warps are worked out.
+type Rows = fn(&Cells) -> Vec<Proven>;
+
+/// What is proven, of the warps that are asked for.
+fn rows() -> Vec<Proven> {
+    let of: [(&[&str], Rows); 7] = [
         (
-            "HenyeyGreenstein",
-            "sample",
-            samples(&fogs, cells, Roundings::PLAIN),
+            &["TriangleOn", "Annulus", "Ggx", "RegularPolygon"],
+            shapes::rows,
         ),
-        ("HenyeyGreenstein", "sin θ, ulp", sine(&fogs)),
-        ("HenyeyGreenstein", "unit length", length),
-    ]);
-    rows
+        (&["PhongLobe"], lobe::rows),
+        (&["VonMisesFisher"], fisher::rows),
+        (&["EquiAngular"], equi_angular::rows),
+        (&["TruncatedExponential"], truncated::rows),
+        (&["Triangle", "Ball", "Rotation", "NormalPair"], others),
+        (&["Cone", "HenyeyGreenstein"], polar),
+    ];
+    let wanted = |(names, _): &(&[&str], Rows)| names.iter().any(|name| speed::wants(name));
+    let wanted = of.into_iter().filter(wanted);
+    wanted.flat_map(|(_, rows)| rows(&CELLS)).collect()
 }
 
 /// What is wrong with a bound. In the quick speed it is that of some of the boxes.

@@ -24,10 +24,17 @@ use std::f64::consts::LN_2;
 
 /// The largest of the numbers of inputs 0 to `last`, of which one of so many is tried.
 fn largest(last: u32, stride: u32, of: impl Fn(u32) -> f64 + Sync) -> f64 {
-    let parts = in_parts(last, stride, |most, i| {
-        raise(most, of(i));
+    largest_of_two(last, stride, |i| [of(i), 0.0])[0]
+}
+
+/// The same of two numbers of each input.
+fn largest_of_two(last: u32, stride: u32, of: impl Fn(u32) -> [f64; 2] + Sync) -> [f64; 2] {
+    let parts = in_parts(last, stride, |most: &mut [f64; 2], i| {
+        let numbers = of(i);
+        raise(&mut most[0], numbers[0]);
+        raise(&mut most[1], numbers[1]);
     });
-    parts.into_iter().fold(0.0, f64::max)
+    [0, 1].map(|k| parts.iter().map(|most| most[k]).fold(0.0, f64::max))
 }
 
 fn stride(quick: u32, full: u32) -> u32 {
@@ -91,22 +98,30 @@ fn in_ulp(constant: f64, rising: f64) -> Parts {
     Parts([constant + 1.0 + MARGIN, rising * (1.0 + 1e-4) + MARGIN])
 }
 
-/// What is proven of log-normal numbers. The exponent is a rounded step times the normal quantile, rounded again; of a word it
-/// is rounded twice more, since its factors are another.
-fn of_log_normal(powers: f64, of: &Registered, normal: &Unit) -> Parts {
+/// What exponents of log-normal numbers are off by at most in both tiers, in proportion to σ. An exponent is a rounded step times the
+/// normal quantile, rounded again; of a word it is rounded twice more, since its factors are another. Of two words that are as far from
+/// the median the quantile is one number, which is worked out once.
+fn of_quantiles(normals: &[Unit; 2]) -> [f64; 2] {
     let link = |x: f32, exact: f64, roundings: f64| {
         (f64::from(x) - exact).abs() / UNIT + exact.abs() * (roundings + 1e-3)
     };
-    let of_uniforms = largest(1.0_f32.to_bits() - 1, stride(8009, 61), |bits| {
+    let of_uniforms = largest_of_two(1.0_f32.to_bits() - 1, stride(8009, 61), |bits| {
         let u = f32::from_bits(bits);
-        let x = normal.sample(u);
-        link(x, normal.exact(u.into(), x), 2.0)
+        let samples = normals.each_ref().map(|normal| normal.sample(u));
+        let exact = normals[0].exact(u.into(), samples[0]);
+        samples.map(|x| link(x, exact, 2.0))
     });
-    let of_words = largest(u32::MAX, stride(40_009, 257), |word| {
-        let x = normal.drawn(word);
-        link(x, normal.exact(middle(word), x), 4.0)
+    let of_words = largest_of_two(u32::MAX >> 1, stride(40_009, 257), |word| {
+        let near = normals[0].drawn(word);
+        let exact = normals[0].exact(middle(word), near);
+        let off = |normal: &Unit| {
+            let either = [normal.drawn(word), -normal.drawn(!word)];
+            let [one, other] = either.map(|x| link(x, exact, 4.0));
+            one.max(other)
+        };
+        normals.each_ref().map(off)
     });
-    in_ulp(powers + of_medians(of), of_uniforms.max(of_words))
+    [0, 1].map(|tier| of_uniforms[tier].max(of_words[tier]))
 }
 
 /// What is proven of Pareto numbers. The exponent is (whole + rest)/α in units of 1/64: 1/α is good to 2⁻³⁶, its head times the whole
@@ -147,10 +162,12 @@ pub fn lines() -> Vec<Line> {
     let mut lines = Vec::new();
     if speed::wants("LogNormal") {
         let tiers = ["libm", "poly"].map(|tier| by_name("LogNormal", tier));
-        let parts = tiers.each_ref().map(|of| {
-            let normal = Unit::new(&by_name("Normal", of.tier), &[0.0, 1.0]);
-            of_log_normal(powers, of, &normal)
+        let normals = tiers.each_ref().map(|of| {
+            let normal = by_name("Normal", of.tier);
+            Unit::new(&normal, &[0.0, 1.0])
         });
+        let rising = of_quantiles(&normals);
+        let parts = [0, 1].map(|tier| in_ulp(powers + of_medians(&tiers[tier]), rising[tier]));
         lines.push(line("LogNormal", parts.to_vec(), &tiers));
     }
     if speed::wants("Pareto") {
