@@ -34,7 +34,7 @@ pub struct SurfaceSample {
 /// the surface is too small, and whether the point is inside is always decided right.
 ///
 /// # Density
-/// 1/(2πk) per steradian from outside, on the directions of the cone and up to 3e-7 rad beyond its rim; 1/(4π) in all
+/// 1/(2πk) per steradian from outside, on the directions of the cone and up to 5e-7 rad beyond its rim; 1/(4π) in all
 /// directions from inside. On the surface itself k is 1, and the directions fill the hemisphere towards the centre: the
 /// limit from outside.
 ///

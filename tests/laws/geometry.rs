@@ -46,13 +46,46 @@ fn normals() -> Vec<[f32; 3]> {
 /// The bounds that the documentation of `Frame` states: the lengths of the axes, their angles, the
 /// direction of the third, and of directions turned into the world and back.
 const FRAME_ERRORS: [(&str, f64); 6] = [
-    ("length", 1.0e-7),
-    ("orthogonal", 2.4e-7),
-    ("normal", 1.2e-7),
-    ("turned", 3.0e-7),
-    ("turned, length", 2.4e-7),
-    ("there and back", 4.5e-7),
+    ("length", 1.3e-7),
+    ("orthogonal", 3.8e-7),
+    ("normal", 1.4e-7),
+    ("turned", 5.1e-7),
+    ("turned, length", 3.9e-7),
+    ("there and back", 7.4e-7),
 ];
+
+/// The worst normals, and directions about them, that a search by steps of a few ulp has found.
+const WORST: [[[f32; 3]; 2]; 6] = [
+    [
+        [-0.208_627_37, 0.133_775_6, 7.410_459_5e-5],
+        [0.0, 0.0, 1.0],
+    ],
+    [
+        [-0.047_246_91, 0.529_150_3, 0.000_510_729_8],
+        [0.0, 0.0, 1.0],
+    ],
+    [
+        [0.876_895_3, 0.886_993_7, 0.001_654_073_2],
+        [-0.706_027_45, -0.305_316_06, 0.002_709_663_2],
+    ],
+    [
+        [0.386_494_76, 0.392_713_3, -0.000_164_372_96],
+        [0.711_865_5, -0.914_456_5, -0.849_297_76],
+    ],
+    [
+        [0.936_351_4, 0.912_272_93, -0.001_792_424_8],
+        [-0.187_273_79, 0.545_586_47, 0.816_854_95],
+    ],
+    [
+        [-0.553_858_76, 0.887_518_7, 0.002_190_133],
+        [-0.598_977_6, 0.299_184_86, -0.116_624_97],
+    ],
+];
+
+/// The unit vector that the crate makes of one.
+fn unit(direction: [f32; 3]) -> [f32; 3] {
+    Frame::new(direction).unwrap().normal()
+}
 
 fn length(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
@@ -92,15 +125,16 @@ fn every_normal_has_an_orthonormal_frame() {
     let mut worst = [0.0_f64; 6];
     // What a frame would show whose normal is divided by its length and no more.
     let mut unmended = [0.0_f64; 2];
-    for normal in normals() {
+    let random = normals().into_iter().map(|normal| {
+        let n = [(); 3].map(|()| 2.0 * f64::from(uniform::grid(&mut rng)) - 1.0);
+        (normal, n.map(|c| (c / length(n)) as f32))
+    });
+    let kept = WORST.map(|[normal, local]| (normal, unit(local)));
+    for (normal, local) in random.chain(kept) {
         let frame = Frame::new(normal).unwrap_or_else(|e| panic!("{normal:?}: {e}"));
         let [tangent, bitangent] = frame.tangents().map(wide);
         let axes = [tangent, bitangent, wide(frame.normal())];
         let [lengths, angles, direction] = axis_errors(axes, normal);
-        let local = {
-            let n = [(); 3].map(|()| 2.0 * f64::from(uniform::grid(&mut rng)) - 1.0);
-            n.map(|c| (c / length(n)) as f32)
-        };
         let world = frame.to_world(local);
         let exact = turned(wide(local), normal);
         let errors = [
@@ -123,7 +157,7 @@ fn every_normal_has_an_orthonormal_frame() {
     for (worst, (what, bound)) in worst.iter().zip(FRAME_ERRORS) {
         assert!(bound <= 1.4 * worst, "stale: {what} {worst:.2e}");
     }
-    assert!(unmended[0] > FRAME_ERRORS[0].1 && unmended[1] > FRAME_ERRORS[1].1);
+    assert!(unmended[0] > FRAME_ERRORS[0].1 && unmended[1] > worst[1]);
 }
 
 /// The normal divided by its rounded length.
@@ -327,7 +361,7 @@ fn poles_and_origin_have_coordinates() {
     assert!(far.volume_jacobian() == f32::MAX);
 }
 
-/// Up to 3e-7 rad beyond where a cone ends, its turned copy has its density, and a little farther there is none.
+/// Up to 5e-7 rad beyond where a cone ends, its turned copy has its density, and a little farther there is none.
 #[test]
 fn the_rim_of_a_turned_cone_is_as_wide_as_stated() {
     for k in [0.1, 0.4, 0.6, 2.0 / 3.0, 0.7, 0.9, 1.0, 1.5_f32] {
@@ -346,7 +380,7 @@ fn the_rim_of_a_turned_cone_is_as_wide_as_stated() {
                 let steps = (0..100).map(|n| 2e-8 * f64::from(n));
                 let within = |beyond: &f64| cone.pdf(local(*beyond).map(|x| x as f32)) > 0.0;
                 let end = steps.take_while(within).last().unwrap();
-                assert!(density(end + 1e-7) == density(-1e-3), "{k} {normal:?}");
+                assert!(density(end + 2.5e-7) == density(-1e-3), "{k} {normal:?}");
                 assert!(density(end + 1e-6) == 0.0, "{k} {normal:?}");
             }
         }

@@ -233,3 +233,30 @@ fn the_place_in_the_direction_lies_on_the_sphere() {
     println!("off the sphere by {worst:e} of its reach");
     assert!(control > n / 3, "{control} of {n}");
 }
+
+/// However narrow a lamp is, its samples have a density: those of the lamp of which turning there and back takes a direction
+/// farthest, too.
+#[test]
+fn the_narrowest_lamps_have_a_density_at_their_samples() {
+    let n = speed::of("narrow spheres", 100_000, 3_000_000);
+    let mut rng = Pcg32::new(53, 5);
+    let worst = (
+        [-1.258_091_3, 1.488_191_7, -0.197_889_73],
+        [-0.386_841_5, 2.037_279_1, -0.196_723_5],
+    );
+    let random = (0..n).map(|_| {
+        let [point, centre] = [(); 2].map(|()| [(); 3].map(|()| number(&mut rng, 2.0)));
+        (point, centre)
+    });
+    let mut judged = 0;
+    for (point, centre) in random.chain([worst]).collect::<Vec<_>>() {
+        let Ok(lamp) = VisibleSphere::<Poly>::new(point, centre, 2e-10) else {
+            continue;
+        };
+        let x = lamp.sample([grid(&mut rng), grid(&mut rng)]);
+        assert!(lamp.pdf(x) == lamp.density(), "{point:?} {centre:?}");
+        let beside = [x[1] * 2e-6 + x[0], x[1] - x[0] * 2e-6, x[2] + 2e-6];
+        judged += usize::from(lamp.pdf(beside) == 0.0);
+    }
+    assert!(judged > n / 2, "{judged} of {n}");
+}
