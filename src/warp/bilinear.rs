@@ -33,7 +33,7 @@ use crate::uniform::{Canonical, LARGEST, SMALLEST, deep};
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 5.1e-7 | found |
+/// | sample, of the size | 5.6e-7 | proven |
 /// | pdf, relative | 6e-7 | found |
 /// | realised density, relative | 5.2e-7 + 4.5*s | found |
 /// | pdf with the sample, relative | 7.2e-7 | found |

@@ -15,7 +15,7 @@ use crate::products::{ball, normal_pair, rotation};
 use crate::range::Range;
 use crate::report::{Line, differs, table_of};
 use crate::rounding::UNIT;
-use crate::{equi_angular, fisher, kept, lobe, shapes, sweeps, truncated};
+use crate::{bilinear, equi_angular, fisher, kept, lobe, shapes, sweeps, truncated};
 use host::docs::STALE;
 use host::speed;
 use microwarp::tier::{Libm, Poly, Tier};
@@ -122,7 +122,7 @@ type Rows = fn(&Cells) -> Vec<Proven>;
 
 /// What is proven, of the warps that are asked for.
 fn rows() -> Vec<Proven> {
-    let of: [(&[&str], Rows); 7] = [
+    let of: [(&[&str], Rows); 8] = [
         (
             &["TriangleOn", "Annulus", "Ggx", "RegularPolygon"],
             shapes::rows,
@@ -131,6 +131,7 @@ fn rows() -> Vec<Proven> {
         (&["VonMisesFisher"], fisher::rows),
         (&["EquiAngular"], equi_angular::rows),
         (&["TruncatedExponential"], truncated::rows),
+        (&["Bilinear"], bilinear::rows),
         (&["Triangle", "Ball", "Rotation", "NormalPair"], others),
         (&["Cone", "HenyeyGreenstein"], polar),
     ];

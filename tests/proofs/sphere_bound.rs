@@ -260,7 +260,7 @@ fn a_bound_of_directions_to_spheres_is_proven() {
         rows: rows.to_vec(),
         formula: None,
     };
-    assert_eq!(differs("So with `VisibleSphere`", &table_of(&[line])), None);
+    assert_eq!(differs("Beyond what is stated", &table_of(&[line])), None);
     // Where the bound is largest: an axis on the horizon between x and y, and the rim next to the surface.
     let worst = [FRAC_PI_2, FRAC_PI_4, PI / 3.0, 4.07, 1.01].map(|x| Range::only(x).wider(1e-7));
     let at = |caps| reach(&of_box(&worst, &CELLS[1], Way::Plain, caps), PROVEN);
