@@ -78,7 +78,7 @@ use sealed::InPairs;
 /// | round trip | 1.2e-6 + (1.15/n + 1.6e-7)*d/k | 9.4e-5 + (1.15/n + 1.6e-7)*d/k | 9.2e-7 + (1.15/n + 1.6e-7)*d/k | found |
 ///
 /// # Cost
-/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed MultivariateNormal -->601 instructions and 748 bytes of code on an M0, 289 instructions on an M3<!-- -->. A law has 4 D² + 14 D + 9
+/// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed MultivariateNormal -->647 instructions and 748 bytes of code on an M0, 289 instructions on an M3<!-- -->. A law has 4 D² + 14 D + 9
 /// bytes, rounded up to whole words.
 ///
 /// # Examples
