@@ -2,6 +2,7 @@
 //! rows and x under the weights at y, by boxes of the two weights and the uniform.
 
 use crate::cover::{binades, complements, given};
+use crate::laws::by_name;
 use crate::number::Number;
 use crate::programs::{DRAWS, between, uniform};
 use crate::range::Range;
@@ -9,13 +10,13 @@ use crate::rounding::UNIT;
 use crate::several::{Cells, Proven};
 use crate::shapes::parts_of;
 use crate::tape::Tape;
-use host::registry::registered;
 use host::speed;
 use microwarp::Warp;
 use microwarp::uniform::LARGEST;
 use microwarp::warp::Bilinear;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::sync::LazyLock;
 
 /// Where a density that is `a` at 0 and `b` at 1 has its share u[0] below, and what that leaves of 1, both times a power of 2. A
 /// control rounds the root once more.
@@ -160,25 +161,26 @@ fn most(off: f64, more: bool, of: impl Fn(&Place) -> f64) -> f64 {
 /// its complement is off by. By a part of the quotient of the weights x changes ab x(1 - x)/((a + b)((1 - x)a + xb)) times, which is a
 /// quarter of √(x(1 - x)) at most, since both sums are at least twice a geometric mean. What is subnormal, and what smaller uniforms
 /// count as where a weight is 0, is below 1e-14.
-fn points() -> [f64; 2] {
+static POINTS: LazyLock<[f64; 2]> = LazyLock::new(|| {
     let apart = most(1.0, false, |place| place.apart) + 4.0 * UNIT;
     let y = most(1.0, false, |place| place.off);
     let x = most(0.0, false, |place| {
         place.off + (0.25 * place.mean + 1e-3 * UNIT) * apart
     });
     [x, y]
-}
+});
 
+/// What is proven of it.
 pub fn rows(_: &Cells) -> Vec<Proven> {
-    let [x, y] = points();
+    let [x, y] = *POINTS;
     vec![("Bilinear", "sample, of the size", [x.hypot(y) + 1e-13; 2])]
 }
 
 /// A rounding more of the root is noticed.
 #[test]
 fn a_rounding_more_of_bilinear_points_is_noticed() {
-    let [plain, more] = [false, true].map(|more| most(1.0, more, |place| place.off));
-    assert!(more > plain + 0.5 * UNIT, "{more:e} {plain:e}");
+    let ([_, y], more) = (*POINTS, most(1.0, true, |place| place.off));
+    assert!(more > y + 0.5 * UNIT, "{more:e} {y:e}");
 }
 
 /// A point by the operations that are examined, of numbers that are not near the smallest or the largest.
@@ -193,11 +195,7 @@ fn by_operations<N: Number>(weights: [[N; 2]; 2], [u, v]: [[N; 2]; 2]) -> [N; 2]
 /// On `f32` the bits are those of the crate, and on `f64` the point is the truth.
 #[test]
 fn bilinear_points_are_two_places() {
-    let all = registered();
-    let of = all
-        .iter()
-        .find(|of| of.name == "Bilinear")
-        .expect("a density");
+    let of = by_name("Bilinear", "poly");
     for k in 0..*DRAWS {
         let weights = [0, 1, 2, 3].map(|i| between(4 * k + i, 1e-6, 1e6));
         let [a, b, c, d] = weights;

@@ -5,6 +5,7 @@ use crate::bounds::Roundings;
 use crate::cover::{Piece, binades, bins, piece};
 use crate::inputs::in_parallel;
 use crate::kept::largest;
+use crate::laws::by_name;
 use crate::line::stated;
 use crate::maps::{Row, mirrored};
 use crate::number::Number;
@@ -17,7 +18,6 @@ use crate::shapes::parts_of;
 use crate::swept::{Swept, relative};
 use crate::tape::each_way;
 use host::errors::raise;
-use host::registry::{Registered, registered};
 use host::speed;
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
@@ -55,8 +55,12 @@ static KEPT: LazyLock<[Swept; 3]> = LazyLock::new(|| {
 /// How far the kernels are off: ln(1 - x), ln x and ln(1 + x).
 pub struct Links(pub [Swept; 3]);
 
+/// In both tiers.
+pub static LINKS: LazyLock<[Links; 2]> =
+    LazyLock::new(|| [Links::of::<Libm>(), Links::of::<Poly>()]);
+
 impl Links {
-    pub fn of<T: Tier>() -> Self {
+    fn of<T: Tier>() -> Self {
         // A smaller argument is its own logarithm.
         for exponent in 31..149 {
             let x = 1.5 * 0.5_f32.powi(exponent);
@@ -216,10 +220,7 @@ fn length(cells: &[Cell]) -> f64 {
 
 /// What is proven of it.
 pub fn rows([libm, poly]: &Cells) -> Vec<Proven> {
-    let sample = [
-        samples(libm, &Links::of::<Libm>(), 0.0),
-        samples(poly, &Links::of::<Poly>(), 0.0),
-    ];
+    let sample = [samples(libm, &LINKS[0], 0.0), samples(poly, &LINKS[1], 0.0)];
     let name = "VonMisesFisher";
     vec![
         (name, "sample", sample),
@@ -248,7 +249,8 @@ fn by_operations<T: Tier>(law: &VonMisesFisher<T>, u: [f32; 2], ulps: u32) -> ([
     ([sin * c, sin * s, cos], exact)
 }
 
-fn directions_are_made_so<T: Tier>(of: &Registered) {
+fn directions_are_made_so<T: Tier>() {
+    let of = by_name("VonMisesFisher", T::NAME);
     let mut noticed = 0;
     for k in 0..*DRAWS {
         let kappa = between(k, 1e-10, 1e10);
@@ -270,14 +272,8 @@ fn directions_are_made_so<T: Tier>(of: &Registered) {
 
 #[test]
 fn directions_of_von_mises_and_fisher_are_a_logarithm_over_the_concentration() {
-    let all = registered();
-    let of = |tier| {
-        let mut all = all.iter();
-        all.find(|of| of.name == "VonMisesFisher" && of.tier == tier)
-            .expect("a law")
-    };
-    directions_are_made_so::<Libm>(of("libm"));
-    directions_are_made_so::<Poly>(of("poly"));
+    directions_are_made_so::<Libm>();
+    directions_are_made_so::<Poly>();
 }
 
 /// A rounding more of the quotient is noticed.
@@ -286,12 +282,11 @@ fn a_law_of_von_mises_and_fisher_of_another_logarithm_is_noticed() {
     let [_, poly] = &*CELLS;
     let (_, [_, stated]) = stated("VonMisesFisher", "sample");
     let [_, found] = largest("VonMisesFisher", "sample");
-    let links = Links::of::<Poly>();
     let judged = |more| {
         complaint(
             stated,
             Row {
-                proven: samples(poly, &links, more),
+                proven: samples(poly, &LINKS[1], more),
                 found,
             },
         )

@@ -1,13 +1,13 @@
 //! Samples of segments by the operations that are examined: over any kind of number, and on `f32` the bits of the crate.
 
 use crate::angles::{ANGLE, Links, from_the_diagonal};
+use crate::laws::by_name;
 use crate::number::Number;
 use crate::programs::{DRAWS, between as any_between, uniform};
 use crate::range::Range;
 use crate::rounding::UNIT;
 use crate::search::spread;
 use crate::tape::{NEAR, Traced};
-use host::registry::registered;
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::EquiAngular;
@@ -185,11 +185,7 @@ fn segment(k: u32) -> [f32; 3] {
 
 fn samples_are_made_so<T: Tier>() {
     let links = Links::of::<T>(ANGLE, 0.0);
-    let all = registered();
-    let of = all
-        .iter()
-        .find(|of| of.name == "EquiAngular" && of.tier == T::NAME)
-        .expect("a law");
+    let of = by_name("EquiAngular", T::NAME);
     let mut noticed = 0;
     for k in 0..*DRAWS {
         let [d, a, b] = segment(5 * k);

@@ -2,11 +2,11 @@
 //! direction of the centre, written over any kind of number. On `f32` the bits are those of the crate, and on `f64` it is the truth.
 
 use crate::fisher::Halves;
+use crate::laws::by_name;
 use crate::maps::mirrored;
 use crate::number::Number;
 use crate::programs::{DRAWS, between, kept, uniform};
 use crate::rounding::UNIT;
-use host::registry::{Registered, registered};
 use host::truth::SeenSphere;
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
@@ -62,7 +62,8 @@ fn by_operations<T: Tier>(sphere: &VisibleSphere<T>, u: [f32; 2], ulps: u32) -> 
     turned(corrected(normal), [sin * c, sin * s, cos], sign)
 }
 
-fn directions_are_made_so<T: Tier>(of: &Registered) {
+fn directions_are_made_so<T: Tier>() {
+    let of = by_name("VisibleSphere", T::NAME);
     let mut noticed = 0;
     for i in 0..*DRAWS {
         let number = |j: u32| 4.0 * uniform(7 * i + j + *DRAWS) - 2.0;
@@ -111,12 +112,6 @@ fn directions_are_made_so<T: Tier>(of: &Registered) {
 
 #[test]
 fn directions_to_spheres_are_a_part_of_k_and_a_frame() {
-    let all = registered();
-    let of = |tier| {
-        let mut all = all.iter();
-        all.find(|of| of.name == "VisibleSphere" && of.tier == tier)
-            .expect("spheres")
-    };
-    directions_are_made_so::<Libm>(of("libm"));
-    directions_are_made_so::<Poly>(of("poly"));
+    directions_are_made_so::<Libm>();
+    directions_are_made_so::<Poly>();
 }

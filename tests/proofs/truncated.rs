@@ -2,9 +2,10 @@
 //! a series; elsewhere a logarithm over the rate, off by what the constructor's e^(-z) is off by, as the logarithm counts it.
 
 use crate::cover::{binades, complements, given};
-use crate::fisher::{Links, rounded};
+use crate::fisher::{LINKS, Links, rounded};
 use crate::inputs::in_parallel;
 use crate::kept::largest;
+use crate::laws::by_name;
 use crate::line::stated;
 use crate::maps::Row;
 use crate::number::Number;
@@ -16,7 +17,6 @@ use crate::shapes::parts_of;
 use crate::swept::{Swept, relative};
 use crate::tape::each_way;
 use host::errors::raise;
-use host::registry::{Registered, registered};
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::{LARGEST, SMALLEST};
@@ -49,8 +49,9 @@ struct Kept {
 }
 
 impl Kept {
-    /// e^(-z) is 2^k(1 + rise). The product with log₂e of 36 digits is off by 2⁻³⁴ of itself at most, the rise by 2⁻⁴⁰ beside that. Kept are the sum of 2^k - 1 and 2^k·rise, and the one of
-    /// 1 and the rise, each rounded once, without what the rise has been rounded by.
+    /// e^(-z) is 2^k(1 + rise). The product with log₂e of 36 digits is off by 2⁻³⁴ of itself at most, the rise by 2⁻⁴⁰ beside that.
+    /// Kept are the sum of 2^k - 1 and 2^k·rise, and the one of 1 and the rise, each rounded once, without what the rise has been
+    /// rounded by.
     fn of(rising: bool, z: Range) -> Self {
         let z = Range {
             low: z.low * (1.0 - APART),
@@ -267,8 +268,8 @@ fn of_series() -> f64 {
 }
 
 /// What is proven of a tier. The quotient by the rate is rounded by an ulp at most.
-fn bound<T: Tier>(more: f64) -> f64 {
-    let logarithm = logarithm::<T>(&Links::of::<T>(), more) + 1.0;
+fn bound<T: Tier>(links: &Links, more: f64) -> f64 {
+    let logarithm = logarithm::<T>(links, more) + 1.0;
     let parts = [logarithm, far::<T>(), of_series()];
     println!("truncated exponential law: {parts:?}");
     parts.into_iter().fold(0.0, f64::max)
@@ -276,7 +277,7 @@ fn bound<T: Tier>(more: f64) -> f64 {
 
 /// What is proven of it.
 pub fn rows(_: &Cells) -> Vec<Proven> {
-    let tiers = [bound::<Libm>(0.0), bound::<Poly>(0.0)];
+    let tiers = [bound::<Libm>(&LINKS[0], 0.0), bound::<Poly>(&LINKS[1], 0.0)];
     vec![("TruncatedExponential", "sample, ulp", tiers)]
 }
 
@@ -309,7 +310,8 @@ fn by_operations<T: Tier>(law: &TruncatedExponential<T>, u: f32, ulps: u32) -> f
 }
 
 /// Samples are made so, and what is kept is as good as is said.
-fn samples_are_made_so<T: Tier>(of: &Registered) {
+fn samples_are_made_so<T: Tier>() {
+    let of = by_name("TruncatedExponential", T::NAME);
     let mut noticed = 0;
     for k in 0..4 * *DRAWS {
         let length = between(k, 1e-30, 1e30);
@@ -351,14 +353,8 @@ fn samples_are_made_so<T: Tier>(of: &Registered) {
 
 #[test]
 fn truncated_exponential_samples_are_a_logarithm_or_a_series() {
-    let all = registered();
-    let of = |tier| {
-        let mut all = all.iter();
-        all.find(|of| of.name == "TruncatedExponential" && of.tier == tier)
-            .expect("a law")
-    };
-    samples_are_made_so::<Libm>(of("libm"));
-    samples_are_made_so::<Poly>(of("poly"));
+    samples_are_made_so::<Libm>();
+    samples_are_made_so::<Poly>();
 }
 
 /// A rounding more of what is kept is noticed.
@@ -367,7 +363,7 @@ fn a_truncated_law_of_another_power_is_noticed() {
     let (_, [stated, _]) = stated("TruncatedExponential", "sample");
     let [found, _] = largest("TruncatedExponential", "sample");
     let judged = |more| {
-        let proven = bound::<Libm>(more);
+        let proven = bound::<Libm>(&LINKS[0], more);
         complaint(stated, Row { proven, found })
     };
     assert_eq!(judged(0.0), None);

@@ -58,6 +58,11 @@ pub fn wants(family: &str) -> bool {
     std::env::var("MICROWARP_FAMILY").map_or(true, |name| family.starts_with(&name))
 }
 
+/// Whether `MICROWARP_FAMILY` leaves some families out.
+pub fn is_narrowed() -> bool {
+    std::env::var_os("MICROWARP_FAMILY").is_some()
+}
+
 /// One of two numbers of samples, strides or the like, by the speed. Says which.
 pub fn of<T: Debug>(what: &str, quick: T, full: T) -> T {
     of_three(what, [quick, full], None)
