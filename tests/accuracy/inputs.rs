@@ -1,8 +1,9 @@
 //! Samples of one uniform, for all listed parameters, over all inputs there are: the whole grid, and all words where a
 //! draw reads its word more deeply.
 //!
-//! `MICROWARP_FULL=all cargo test --test accuracy inputs` tries every input, in hours; with `MICROWARP_FAMILY=Normal` those of
-//! one law. Otherwise a sample of them is tried.
+//! `MICROWARP_FULL=all cargo test --test accuracy inputs::grid` tries the whole grid, in some minutes, and `inputs::words` every
+//! word, in minutes for each entry and days for all; with `MICROWARP_FAMILY=Normal` those of one law. Otherwise a sample
+//! of them is tried.
 
 use crate::{GRID, STEP};
 use host::docs::row_of;
@@ -12,7 +13,7 @@ use host::registry::{Entry, Measure, entries};
 use host::speed;
 
 /// What is tried of an entry by one thread.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Part {
     Grid,
     /// One of so many equal parts of all words.
@@ -60,19 +61,16 @@ fn worst(entry: &Entry, part: Part, beside: i32) -> f64 {
     figures.sample
 }
 
-/// The entries of one uniform that state an error, and by how many times the worst input exceeds it.
-fn ratios(beside: i32) -> Vec<(Entry, f64)> {
+/// The entries of one uniform that have such parts and state an error, and by how many times the worst input exceeds it.
+fn ratios(parts: &[Part], beside: i32) -> Vec<(Entry, f64)> {
     let all: Vec<(Entry, f64)> = entries()
         .into_iter()
         .filter(|entry| entry.uniforms == 1 && speed::wants(entry.name))
+        .filter(|entry| entry.middle || parts == [Part::Grid])
         .filter_map(|entry| stated(&entry).map(|bound| (entry, bound)))
         .collect();
     let jobs: Vec<(usize, Part)> = (0..all.len())
-        .flat_map(|i| {
-            let words = if all[i].0.middle { PARTS } else { 0 };
-            let words = (0..words).map(Part::Words);
-            words.chain([Part::Grid]).map(move |part| (i, part))
-        })
+        .flat_map(|i| parts.iter().map(move |&part| (i, part)))
         .collect();
     let found = in_parallel(threads(), &jobs, |&(i, part)| {
         worst(&all[i].0, part, beside) / all[i].1
@@ -85,25 +83,46 @@ fn ratios(beside: i32) -> Vec<(Entry, f64)> {
     entries.zip(most).collect()
 }
 
-#[test]
-fn no_input_of_one_uniform_exceeds_what_is_stated() {
-    let found = ratios(0);
+/// All words where a draw reads its word more deeply than to the grid.
+fn words() -> Vec<Part> {
+    (0..PARTS).map(Part::Words).collect()
+}
+
+fn holds(parts: &[Part], least: usize) {
+    let found = ratios(parts, 0);
     for (entry, ratio) in &found {
         println!("{entry}: {ratio:.3} of what is stated");
         assert!(*ratio <= 1.0, "{entry}: {ratio} of what is stated");
     }
-    assert!(found.len() > 60 || speed::is_narrowed());
+    assert!(found.len() > least || speed::is_narrowed());
+}
+
+#[test]
+fn grid_inputs_do_not_exceed_what_is_stated() {
+    holds(&[Part::Grid], 60);
+}
+
+#[test]
+fn words_do_not_exceed_what_is_stated() {
+    holds(&words(), 60);
 }
 
 /// Of every law that states less than seven ulp of its samples, points that lie eight numbers beside are too far off.
 #[test]
 fn points_beside_are_noticed() {
-    let mut seen = 0;
-    for (entry, ratio) in ratios(8) {
-        if matches!(entry.measure, Measure::Ulp) && stated(&entry).is_some_and(|ulp| ulp < 7.0) {
-            assert!(ratio > 1.0, "{entry}: {ratio}");
-            seen += 1;
+    let mut seen = [0, 0];
+    for (parts, seen) in [vec![Part::Grid], words()].iter().zip(&mut seen) {
+        for (entry, ratio) in ratios(parts, 8) {
+            if matches!(entry.measure, Measure::Ulp) && stated(&entry).is_some_and(|ulp| ulp < 7.0)
+            {
+                assert!(ratio > 1.0, "{entry}: {ratio}");
+                *seen += 1;
+            }
         }
     }
-    assert!(seen > 60 || speed::is_narrowed());
+    let [grid, words] = seen;
+    assert!(
+        (grid > 60 && words > 15) || speed::is_narrowed(),
+        "{grid}, {words}"
+    );
 }

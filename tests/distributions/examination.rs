@@ -147,30 +147,40 @@ impl<'a> Examination<'a> {
 
     /// Computes centre, spread and exact moments; returns the largest skewness of what is averaged.
     fn standardise(&mut self, nodes: &[(Point, Point, f64)]) -> f64 {
-        let average = |f: &dyn Fn(Point, Point) -> f64| {
-            nodes.iter().map(|&(x, u, p)| p * f(x, u)).sum::<f64>()
-        };
         let coordinates = self.coordinates;
-        let centre: Point = std::array::from_fn(|k| average(&|x, u| coordinates.of(x, u)[k]));
-        let spread: Point = std::array::from_fn(|k| {
-            average(&|x, u| (coordinates.of(x, u)[k] - centre[k]).powi(2)).sqrt()
-        });
-        (self.centre, self.spread) = (centre, spread);
-        let nodes = nodes.iter().map(|&(x, u, p)| (self.standard(x, u), p));
-        let nodes: Vec<(Point, f64)> = nodes.collect();
-        let mut skewness = 0.0_f64;
-        let mut means = Vec::new();
-        for moment in moments(self.entry.domain) {
-            let average = |f: &dyn Fn(f64) -> f64| {
-                nodes.iter().map(|(t, p)| p * f(moment.of(t))).sum::<f64>()
-            };
-            let mean = average(&|value| value);
-            let central = |power| average(&|value| (value - mean).powi(power));
-            skewness = skewness.max(central(3).abs() / central(2).powf(1.5));
-            means.push(mean);
+        let mut centre = [0.0; 3];
+        for &(x, u, p) in nodes {
+            let at = coordinates.of(x, u);
+            centre = std::array::from_fn(|k| centre[k] + p * at[k]);
         }
-        self.means = means;
-        skewness
+        let mut squares = [0.0; 3];
+        for &(x, u, p) in nodes {
+            let off = coordinates.of(x, u);
+            squares = std::array::from_fn(|k| squares[k] + p * (off[k] - centre[k]).powi(2));
+        }
+        (self.centre, self.spread) = (centre, squares.map(f64::sqrt));
+        let moments = moments(self.entry.domain);
+        // Of each moment's value, its square and its cube; of standardised points no digits are lost below.
+        let mut sums = vec![[0.0; 3]; moments.len()];
+        for &(x, u, p) in nodes {
+            let t = self.standard(x, u);
+            for (sums, moment) in sums.iter_mut().zip(&moments) {
+                let value = moment.of(&t);
+                let square = value * value;
+                *sums = [
+                    sums[0] + p * value,
+                    sums[1] + p * square,
+                    sums[2] + p * square * value,
+                ];
+            }
+        }
+        self.means = sums.iter().map(|[mean, ..]| *mean).collect();
+        let skewness = sums.iter().map(|&[mean, square, cube]| {
+            let variance = square - mean * mean;
+            let third = cube - mean * (3.0 * square - 2.0 * mean * mean);
+            third.abs() / variance.powf(1.5)
+        });
+        skewness.fold(0.0, f64::max)
     }
 
     fn standard(&self, x: Point, u: Point) -> Point {

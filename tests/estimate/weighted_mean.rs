@@ -3,6 +3,7 @@
 
 use crate::{Z, at_most};
 use host::mean::mean_and_variance;
+use host::speed;
 use microwarp::estimate::{Integral, Moments, WeightedMean};
 use microwarp::uniform;
 use rand_pcg::Pcg32;
@@ -62,10 +63,11 @@ fn slope(biases: &[Bias]) -> (f64, f64) {
 #[test]
 fn the_bias_vanishes_as_one_over_n() {
     let runs = [1, 2, 4, 8, 16, 32, 64];
+    let repetitions = speed::of("repetitions of weighted means", 150_000, 300_000);
     let (mut of_ratio, mut of_integral) = (Vec::new(), Vec::new());
     println!("   N       bias  N times it  standard error   unbiased  standard error");
     for n in runs {
-        let [ratio, integral] = biases(n, 300_000);
+        let [ratio, integral] = biases(n, repetitions);
         println!(
             "{n:>4}  {:>9.2e}  {:>10.4}  {:>14.1e}  {:>9.1e}  {:>14.1e}",
             ratio.bias,

@@ -137,13 +137,13 @@ fn every_way_to_draw_with_a_density_gives_the_same() {
         for seed in 0..20 {
             let rng = rand_pcg::Pcg32::new(seed, 8);
             let ways = entry.warp.ways_with_pdf(&rng);
-            assert_eq!(ways.len(), 7);
+            assert_eq!(ways.len(), 3);
             let due = ways[0].2.to_bits();
             for (way, x, density) in ways {
                 let x = x.map(f32::to_bits);
                 // Some draw more words than there are uniforms, or read them more deeply than the grid.
                 let own = entry.own_density && !entry.composed && !entry.deep;
-                if way.starts_with("sampled") && !own {
+                if way == "sampled" && !own {
                     continue;
                 }
                 assert_eq!(x, drawn(&rng), "{entry}: {way}");

@@ -127,7 +127,7 @@ pub const FULL: Plan = Plan {
 pub fn plan() -> Plan {
     let quick = Plan {
         batches: 128,
-        steps: 3000,
+        steps: 1500,
         ..FULL
     };
     if speed::full() { FULL } else { quick }

@@ -91,7 +91,7 @@ pub fn pieces<F: Form, const N: usize>(
     uniforms: &[Range],
     (fine, depth): (f64, u32),
 ) -> Vec<Piece> {
-    let stride = speed::of("one range of parameters tried of every", 19, 1);
+    let stride = speed::of("one range of parameters tried of every", 41, 1);
     let parameters: Vec<_> = parameters.iter().rev().step_by(stride).collect();
     let parts = in_parallel(parameters.len() as u32, |i| {
         let mut pieces = Vec::new();

@@ -81,7 +81,7 @@ impl Reach {
 
 /// One of how many inputs is tried: of every `f32`, of the grid, and of words.
 static EVERY: LazyLock<u32> =
-    LazyLock::new(|| speed::or_all("one f32 of [0, 1) tried of every", 8009, 61, 1));
+    LazyLock::new(|| speed::or_all("one f32 of [0, 1) tried of every", 32_003, 61, 1));
 static GRID: LazyLock<u32> =
     LazyLock::new(|| speed::of("one uniform of the grid tried of every", 251, 1));
 static WORDS: LazyLock<u32> =

@@ -64,7 +64,7 @@ impl Swept {
         kernel: impl Fn(f32) -> f32 + Sync,
         exact: impl Fn(f64) -> f64 + Sync,
     ) -> Self {
-        let stride = speed::or_all("one argument of a logarithm tried of every", 8009, 61, 1);
+        let stride = speed::or_all("one argument of a logarithm tried of every", 32_003, 61, 1);
         let [swept] = Self::of(ends, stride, |x| [relative(kernel(x), exact(x.into()))]);
         swept
     }

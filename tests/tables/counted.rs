@@ -56,9 +56,6 @@ fn claimed(
     counts
 }
 
-/// More entries than this are not galloped through at 64 bits.
-const FEW: usize = 5000;
-
 /// A table of u32 as counted, or the refusal that the weights deserve.
 fn check_narrow(
     what: &str,
@@ -115,7 +112,7 @@ fn check_narrow(
 fn check_wide(what: &str, weights: &[f32], exact: &Exact, memory: &mut [u64], one_by_one: bool) {
     let n = weights.len();
     let table = Cdf::<&[u64]>::new_in(weights, memory).unwrap();
-    let counted = if n > FEW {
+    let counted = if n > speed::of("entries that are galloped through at 64 bits", 300, 5000) {
         let words = |i| table.words_of(i).map(RangeInclusive::into_inner);
         claimed(n, u64::MAX, words, |word| table.index(word))
     } else {

@@ -23,7 +23,7 @@ use crate::truth::Truth;
 use evidence::{Control, Moment, Peer};
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::uniform::Uniforms as _;
-use microwarp::{Error, Invert, Warp, warp::Transform};
+use microwarp::{Error, Invert};
 use picture::{Picture, View};
 use rand_pcg::Pcg32;
 use std::any::type_name;
@@ -575,47 +575,26 @@ where
         })
     }
     fn ways_with_pdf(&self, rng: &Pcg32) -> Vec<(&'static str, Point, f32)> {
-        let same = Transform::new(&*self.0, |x| x, |x| x, |_| 1.0);
         let one = self.0.draw_with_pdf(&mut rng.clone());
         let mut filled = [one; 3];
         self.0.fill_with_pdf(&mut rng.clone(), &mut filled);
         let words = W::Uniforms::try_words(&mut rng.clone()).unwrap();
-        let u = W::Uniforms::from_words(words);
-        let all = [
-            ("drawn", one),
-            ("filled", filled[0]),
-            ("by reference", (&&*self.0).draw_with_pdf(&mut rng.clone())),
-            ("transformed", same.draw_with_pdf(&mut rng.clone())),
-            ("sampled", self.0.sample_canonical_with_pdf(u)),
-            (
-                "sampled, by reference",
-                (&&*self.0).sample_canonical_with_pdf(u),
-            ),
-            ("sampled, transformed", same.sample_canonical_with_pdf(u)),
-        ];
+        let sampled = self
+            .0
+            .sample_canonical_with_pdf(W::Uniforms::from_words(words));
+        let all = [("drawn", one), ("filled", filled[0]), ("sampled", sampled)];
         all.map(|(way, (x, density))| (way, x.flat(), density))
             .into()
     }
     fn ways(&self, rng: &Pcg32) -> Vec<(&'static str, Point)> {
-        let words = || W::Uniforms::try_words(&mut rng.clone()).unwrap();
+        let words = W::Uniforms::try_words(&mut rng.clone()).unwrap();
         // One of a block, of what is left of one, and alone.
         let filled = |n| self.fill(&mut rng.clone(), n)[0];
-        let same = Transform::new(&*self.0, |x| x, |x| x, |_| 1.0);
-        let mut through = [same.draw(&mut rng.clone()); 9];
-        same.fill(&mut rng.clone(), &mut through);
         vec![
             ("drawn", self.0.draw(&mut rng.clone()).flat()),
             ("filled", filled(9)),
             ("filled alone", filled(1)),
-            ("by reference", (&&*self.0).draw(&mut rng.clone()).flat()),
-            ("transformed", same.draw(&mut rng.clone()).flat()),
-            ("transformed, filled", through[0].flat()),
-            ("of words", self.0.sample_words(words()).flat()),
-            (
-                "of words, by reference",
-                (&&*self.0).sample_words(words()).flat(),
-            ),
-            ("of words, transformed", same.sample_words(words()).flat()),
+            ("of words", self.0.sample_words(words).flat()),
         ]
     }
 }

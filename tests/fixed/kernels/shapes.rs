@@ -91,7 +91,7 @@ const COARSE: Power = Power {
 };
 
 /// The samples of any shape, and by how much more than in the full speed controls are wrong.
-const QUICK: (usize, f64) = (1 << 18, 4.0);
+const QUICK: (usize, f64) = (1 << 16, 8.0);
 
 /// The fewest samples that a shape gets, and how wrong its negative controls are.
 pub fn fewest() -> (usize, f64) {

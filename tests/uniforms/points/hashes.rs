@@ -182,7 +182,7 @@ fn words_by_position_are_as_random_ones() {
 /// As many equal words as chance has; and as many equal pairs of words, which is none.
 #[test]
 fn no_two_positions_share_their_words() {
-    let count: u32 = 1 << 20;
+    let count: u32 = speed::of("positions", 1 << 19, 1 << 20);
     let (mut words, mut pairs) = (HashSet::new(), HashSet::new());
     for at in positions(count) {
         words.insert(by_position(at));

@@ -29,7 +29,7 @@ impl Budget {
     pub fn of_environment() -> Self {
         let Ok(asked) = std::env::var("MICROWARP_SEARCH") else {
             let what = "points of the search a family";
-            return Self::Points(speed::of(what, USUAL / 40, USUAL));
+            return Self::Points(speed::of(what, USUAL / 100, USUAL));
         };
         let mut words = asked.split_whitespace();
         let seconds = words.next().and_then(|s| s.parse().ok());
