@@ -42,7 +42,7 @@ use rand_core::TryRng;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 2e-7 | found |
+/// | sample, of the size | 2.1e-7 | found |
 /// | place on it | 5.5e-7 | found |
 /// | pdf, relative | 3.9e-7 | found |
 /// | realised density, relative | 3.9e-7 | found |

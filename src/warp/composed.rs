@@ -40,8 +40,8 @@ use rand_core::TryRng;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 6.9e-7 | found |
-/// | pdf, relative | 4.5e-7 + 2.7*s | found |
+/// | sample, of the size | 7.5e-7 | found |
+/// | pdf, relative | 5e-7 + 3.1*s | found |
 /// | realised density, relative | 5e-7 + 7.3*s | found |
 /// | pdf with the sample, relative | 8.6e-7 | found |
 /// | inverse | 3.9e-7 + 3.4*r | found |

@@ -5,8 +5,8 @@
 //! - `MICROWARP_FULL=1` is what CI runs: sweeps are exhaustive wherever that takes minutes, distributions take all their
 //!   samples, and what the documentation says was measured is measured again and compared.
 //! - `MICROWARP_FULL=all` also tries every one of the 2³² words in the kernels of the integer tier, which takes half an
-//!   hour, every `f32` and every word in those of the line, which takes an hour, and every input of every sampler of one
-//!   uniform (`tests/accuracy/inputs.rs`), which takes hours.
+//!   hour, every `f32` and every word in those of the line, which takes some hours of a processor, and every input of every
+//!   sampler of one uniform (`tests/accuracy/inputs.rs`): of the grid in half an hour, of words in days.
 //!
 //! Each choice is printed, past the test harness, which keeps to itself what passing tests print.
 
