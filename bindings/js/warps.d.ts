@@ -2346,14 +2346,14 @@ export interface SphericalTriangle extends Lamp {}
  *
  * | error | `poly` | kind |
  * |---|--:|---|
- * | sample, of the size | 9e-7*q | found |
- * | unit length | 1.9e-7 | found |
- * | place on it | 6.5e-7 + (2.7 + 1.3·q)·p | found |
- * | pdf, relative | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | found |
- * | realised density, relative | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | found |
- * | pdf with the sample, relative | 9.8e-7 + 4.9e-7*q + 8.5e-15/g | found |
- * | inverse | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h) | found |
- * | round trip | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h) | found |
+ * | sample, of the size | 9.5e-7*q | found |
+ * | unit length | 2e-7 | found |
+ * | place on it | 6.5e-7 + (3.9 + 1.9·q)·p | found |
+ * | pdf, relative | 1.1e-6 + 5.5e-7*q + 1e-14/g | found |
+ * | realised density, relative | 1.1e-6 + 5.5e-7*q + 1e-14/g | found |
+ * | pdf with the sample, relative | 1.1e-6 + 5.5e-7*q + 1e-14/g | found |
+ * | inverse | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h + 8e-8/g) | found |
+ * | round trip | min(1, 5.5e-6 + 5.5e-6·q + (110 + 7.4·q)·r + 1.5e-6/h + 8e-8/g) | found |
  *
  * These hold for every triangle accepted. p is the change of the place when each uniform and each coordinate of the
  * direction moves by 2⁻²⁴, r the change of the uniforms when each coordinate of the direction does. h is the sine of
