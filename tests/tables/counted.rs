@@ -6,6 +6,7 @@ use host::speed;
 use microwarp::Error;
 use microwarp::discrete::Cdf;
 use std::ops::RangeInclusive;
+use std::sync::LazyLock;
 
 /// What must hold of counts out of 2^bits: each within `slack` 2^-32 steps of its part, none for a weight of zero.
 fn objections(exact: &Exact, counts: &[u128], bits: u32, slack: u64) -> Vec<String> {
@@ -55,6 +56,10 @@ fn claimed(
     assert_eq!(next, None, "words without an entry");
     counts
 }
+
+/// More entries than this are not galloped through at 64 bits.
+static FEW: LazyLock<usize> =
+    LazyLock::new(|| speed::of("entries that are galloped through at 64 bits", 300, 5000));
 
 /// A table of u32 as counted, or the refusal that the weights deserve.
 fn check_narrow(
@@ -112,7 +117,7 @@ fn check_narrow(
 fn check_wide(what: &str, weights: &[f32], exact: &Exact, memory: &mut [u64], one_by_one: bool) {
     let n = weights.len();
     let table = Cdf::<&[u64]>::new_in(weights, memory).unwrap();
-    let counted = if n > speed::of("entries that are galloped through at 64 bits", 300, 5000) {
+    let counted = if n > *FEW {
         let words = |i| table.words_of(i).map(RangeInclusive::into_inner);
         claimed(n, u64::MAX, words, |word| table.index(word))
     } else {

@@ -579,9 +579,8 @@ where
         let mut filled = [one; 3];
         self.0.fill_with_pdf(&mut rng.clone(), &mut filled);
         let words = W::Uniforms::try_words(&mut rng.clone()).unwrap();
-        let sampled = self
-            .0
-            .sample_canonical_with_pdf(W::Uniforms::from_words(words));
+        let u = W::Uniforms::from_words(words);
+        let sampled = self.0.sample_canonical_with_pdf(u);
         let all = [("drawn", one), ("filled", filled[0]), ("sampled", sampled)];
         all.map(|(way, (x, density))| (way, x.flat(), density))
             .into()
