@@ -36,7 +36,7 @@ use core::marker::PhantomData;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 5.3e-7 | found |
+/// | sample, of the size | 5.6e-7 | found |
 /// | pdf, relative | 6e-7 | found |
 /// | realised density, relative | 6e-7 | found |
 /// | inverse | min(1, 5.7e-7 + 9.4e-7*g) | found |
