@@ -77,20 +77,21 @@ fn spread(k: u32) -> Uniforms {
     })
 }
 
-/// Measures one warp in each tier that it has, in the full speed over every grid input where the input is one number, over 2^21
-/// points of the grid where it is several, always with all edges. Draws, densities and inverses, which cost most to judge, are
-/// measured at every 7th or 8th of them. Further parameter sets of the same warp are swept with an
-/// odd stride, which visits every residue of a power of two. The quick speed takes longer strides everywhere, multiples of these.
+/// Measures one warp in each tier that it has, in the full speed over one of five grid inputs where the input is one number, over
+/// 2^19 points of the grid where it is several, always with all edges. Draws, densities and inverses, which cost most to judge,
+/// are measured at every 7th or 8th of them. Further parameter sets of the same warp get fewer. Strides are odd, and so visit
+/// every residue of a power of two. The quick speed takes longer strides everywhere, multiples of these. All inputs of one number
+/// are tried by `inputs`, and by the proofs.
 fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
     let [first, ..] = tiers else {
         panic!("no entry");
     };
     let stride = match thorough {
-        true => speed::of("one grid input tried of every", 251, 1),
-        false => speed::of("one grid input tried of every, further sets", 8255, 65),
+        true => speed::of("one grid input tried of every", 255, 5),
+        false => speed::of("one grid input tried of every, further sets", 8125, 325),
     };
-    let fewer = speed::of("one pair of uniforms tried of every", 80, 1);
-    let points = if thorough { GRID / 8 } else { GRID / 32 } / fewer;
+    let fewer = speed::of("one pair of uniforms tried of every", 20, 1);
+    let points = if thorough { GRID / 32 } else { GRID / 128 } / fewer;
     let mut figures = vec![Figures::default(); tiers.len()];
     let mut at = |u: Uniforms, deep: bool, polar: bool| {
         let exact = Exact::of(first, u, deep);

@@ -147,9 +147,10 @@ case that exceeds them. It goes on for as long as one likes and might still meet
 margin: at least 1.3 times the worst that a long search has met. The tests search anew, know the worst cases of earlier
 searches (`tests/*/worst.csv`), and refuse a bound that is exceeded, and one that no known case reaches 1/2.5 of.
 
-- Warps of one uniform, and sin θ and cos θ of directions: all 2^24 inputs of the grid for the first parameter set of a warp, every
-  65th for the others; draws, densities and inverses at every 7th of these.
-- Warps of several uniforms: 2^21 points of the grid for the first set, 2^19 for the others.
+- Warps of one uniform, and sin θ and cos θ of directions: every 5th of the 2^24 inputs of the grid for the first parameter set of
+  a warp, every 325th for the others; draws, densities and inverses at every 7th of these. All inputs stay below what is stated
+  (`tests/accuracy/inputs.rs`).
+- Warps of several uniforms: 2^19 points of the grid for the first set, 2^17 for the others.
 - All edges of the unit cube are always included.
 - *pdf*: the density at the returned point. *Realised*: against the density with which the map arrives there.
 - *Place*: on a light, in barycentric coordinates or along its edges.

@@ -27,7 +27,7 @@ static SAMPLES: LazyLock<usize> =
     LazyLock::new(|| speed::of("samples of each warp", 90_000, 2_000_000));
 /// Samples for its further parameters.
 static FURTHER: LazyLock<usize> =
-    LazyLock::new(|| speed::or_all("samples of further parameters", 15_000, 500_000, 10_000_000));
+    LazyLock::new(|| speed::or_all("samples of further parameters", 15_000, 200_000, 10_000_000));
 
 /// The seed of an entry's run: fixed, and another one for every entry.
 fn seed(index: usize) -> u64 {

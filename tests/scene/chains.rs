@@ -90,7 +90,7 @@ fn agrees<K: Kit, P: Film, M: Material, L: Light, E: Sky, F: Fog>(
     camera: Camera,
     times: u32,
 ) {
-    let pictures = times * speed::of("pictures", 400, 10_000);
+    let pictures = times * speed::of("pictures", 400, 4000);
     let truth = plain::<K, P, _, _, _, _>(scene, camera, 4 * pictures);
     let view = View::<K>::new(camera, SIZE).unwrap();
     let found = means(pictures, |seed| {
@@ -226,7 +226,7 @@ fn by_hand(way: Way, brightness: f32, pictures: u32) -> [Mean; 4] {
 
 #[test]
 fn chains_that_are_wrong_on_purpose_are_found_out() {
-    let pictures = speed::of("pictures", 4000, 30_000);
+    let pictures = speed::of("pictures", 4000, 12_000);
     let truth = plain::<Poly, Colour, _, _, _, _>(&room::SCENE, room::CAMERA, 8 * pictures);
     let brightness = truth.iter().map(|m| m.mean).sum::<f64>() / f64::from(SIZE[0] * SIZE[1]);
     let off = |way| {
