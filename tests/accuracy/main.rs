@@ -81,7 +81,7 @@ fn spread(k: u32) -> Uniforms {
 /// 2^19 points of the grid where it is several, always with all edges. Draws, densities and inverses, which cost most to judge,
 /// are measured at every 7th or 8th of them. Further parameter sets of the same warp get fewer. Strides are odd, and so visit
 /// every residue of a power of two. The quick speed takes longer strides everywhere, multiples of these. All inputs of one number
-/// are tried by `inputs`, and by the proofs.
+/// are tried by `inputs`, with `MICROWARP_FULL=all`.
 fn measure(tiers: &[Entry], thorough: bool) -> Vec<Figures> {
     let [first, ..] = tiers else {
         panic!("no entry");

@@ -148,8 +148,8 @@ margin: at least 1.3 times the worst that a long search has met. The tests searc
 searches (`tests/*/worst.csv`), and refuse a bound that is exceeded, and one that no known case reaches 1/2.5 of.
 
 - Warps of one uniform, and sin θ and cos θ of directions: every 5th of the 2^24 inputs of the grid for the first parameter set of
-  a warp, every 325th for the others; draws, densities and inverses at every 7th of these. All inputs stay below what is stated
-  (`tests/accuracy/inputs.rs`).
+  a warp, every 325th for the others; draws, densities and inverses at every 7th of these. `MICROWARP_FULL=all` tries all
+  inputs (`tests/accuracy/inputs.rs`).
 - Warps of several uniforms: 2^19 points of the grid for the first set, 2^17 for the others.
 - All edges of the unit cube are always included.
 - *pdf*: the density at the returned point. *Realised*: against the density with which the map arrives there.

@@ -30,7 +30,7 @@ fn attack_from(families: &[Family], budget: Budget, known: &[Vec<Worst>]) -> Vec
 
 /// Holds the statements of all families against the worst cases: those kept in a file beside the test and those found
 /// now. A statement fails when it is exceeded, and when the worst case known is less of it than its kind asks for; also,
-/// in the full speed, when the search of the usual budget by itself comes so near to no bound of a statement.
+/// in the full speed, when the search by itself comes so near to no bound of a statement.
 ///
 /// `MICROWARP_SEARCH=seconds` searches each family for so long, from the worst cases kept as well; a second number is another
 /// seed. `MICROWARP_WRITE=1` keeps the worst cases.

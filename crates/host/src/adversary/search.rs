@@ -20,12 +20,12 @@ pub enum Budget {
     Time(Duration, u64),
 }
 
-/// Points with which the search of any family comes near its worst case: about half a second. CI searches for a quarter of it.
+/// Points with which the search of any family comes near its worst case: about half a second.
 pub const USUAL: u32 = 320_000;
 
 impl Budget {
-    /// `MICROWARP_SEARCH="seconds seed"` for each family, where the seed may be left out; otherwise the usual budget, or less in
-    /// the quick speed.
+    /// `MICROWARP_SEARCH="seconds seed"` for each family, where the seed may be left out; otherwise a quarter of
+    /// the usual budget, or less in the quick speed.
     pub fn of_environment() -> Self {
         let Ok(asked) = std::env::var("MICROWARP_SEARCH") else {
             let what = "points of the search a family";
