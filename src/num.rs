@@ -3,7 +3,6 @@
 //! Nothing here knows a tier, a uniform or a warp.
 
 mod bounds;
-mod cube_root;
 pub(crate) mod division;
 pub(crate) mod double_word;
 pub(crate) mod doubles;
@@ -11,6 +10,7 @@ mod error_free;
 mod exact_sum;
 mod exponent;
 mod long;
+mod roots;
 mod scaled;
 mod segment;
 #[cfg(test)]
@@ -22,7 +22,6 @@ pub use self::bounds::{LARGEST, SMALLEST};
 pub(crate) use self::bounds::{
     VECTORS, above_zero, clamp, into_unit, representable, saturated, tail,
 };
-pub(crate) use self::cube_root::cube_root;
 pub(crate) use self::error_free::{
     head, pair, product, quick_two_sum, remainder, two_product, two_sum,
 };
@@ -31,6 +30,7 @@ pub(crate) use self::exponent::{
     is_plain, ldexp, nearest_integer, normalised, power_of_two, power_of_two_times,
 };
 pub(crate) use self::long::{Long, high};
+pub(crate) use self::roots::{cube_root, inverse_square_root, square_root};
 pub(crate) use self::scaled::Scaled;
 pub(crate) use self::segment::{Segment, extent, neighbour};
 #[cfg(feature = "fixed")]

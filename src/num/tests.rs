@@ -1,4 +1,5 @@
-//! Integers up to a last one: both kinds of cores give the same, and each integer gets the words that are its share.
+//! Integers up to a last one: both kinds of cores give the same, and each integer gets the words that are its share. Square
+//! roots are those of real numbers.
 #![allow(
     clippy::arithmetic_side_effects,
     clippy::cast_lossless,
@@ -10,7 +11,9 @@
 
 use super::division::{fraction_on, quotient_on, scaled_on};
 use super::word::up_to_on;
-use super::{float, folded, folded_tail, up_to, up_to_by_two};
+use super::{
+    Scaled, float, folded, folded_tail, inverse_square_root, square_root, up_to, up_to_by_two,
+};
 use host::speed;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -178,4 +181,38 @@ fn both_kinds_of_cores_divide_alike() {
     };
     assert!(wrong_quotient(31, short).is_some());
     assert!(wrong_quotient(32, |x, d| (fraction_on::<false>(x, d).0, true)).is_some());
+}
+
+/// The largest error of a root of numbers of two neighbouring exponents, which stand for all, in units in the last place.
+fn error_of_root(root: impl Fn(f32) -> f32, exact: impl Fn(f64) -> f64) -> f64 {
+    let step = speed::of("stride of numbers of which roots are taken", 41, 1);
+    let errors = (0..1_u32 << 24).step_by(step).map(|i| {
+        let x = f32::from_bits(1.0_f32.to_bits() + i);
+        let truth = exact(x.into());
+        let last_place = (truth.log2().floor() - 23.0).exp2();
+        (f64::from(root(x)) - truth).abs() / last_place
+    });
+    errors.fold(0.0, f64::max)
+}
+
+#[test]
+fn square_roots_are_good_to_half_a_unit() {
+    let inverse = |x: f64| 1.0 / x.sqrt();
+    for (root, exact) in [
+        (
+            square_root as fn(Scaled) -> f32,
+            f64::sqrt as fn(f64) -> f64,
+        ),
+        (inverse_square_root, inverse),
+    ] {
+        let error = error_of_root(|x| root(Scaled::of(x)), exact);
+        assert!(error <= 0.501, "{error}");
+        // A root that is rounded twice is seen.
+        let error = error_of_root(|x| root(Scaled::of(x)) * 3.0 / 3.0, exact);
+        assert!(error > 0.501, "{error}");
+        for x in [f32::from_bits(1), f32::MIN_POSITIVE, f32::MAX] {
+            let (found, truth) = (f64::from(root(Scaled::of(x))), exact(x.into()));
+            assert!((found / truth - 1.0).abs() <= 6e-8, "{x}: {found}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 
 use crate::error::{Error, positive, tried};
 use crate::num::double_word::{by_64, reciprocal};
-use crate::num::{SMALLEST, Scaled, happens};
+use crate::num::{SMALLEST, Scaled, happens, inverse_square_root};
 use crate::tier::{Tier, neg_log2_1m_of_word, normal_quantile_of_word, times_exp2};
 use core::f32::consts::LN_2;
 
@@ -88,7 +88,9 @@ impl Tries {
     };
 
     /// Refuses what is not a shape from 1e-30 to 1e6.
-    #[inline]
+    #[allow(clippy::inline_always, reason = "what is not used is not computed")]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     pub(super) const fn new(shape: f32) -> Result<Self, Error> {
         const THIRD: f32 = (1.0 / 3.0_f64) as f32;
         tried!(positive(shape, 0));
@@ -100,8 +102,7 @@ impl Tries {
         } else {
             shape - THIRD
         };
-        let slope = Scaled::of(9.0 * depth);
-        let slope = Scaled::ONE.times_power(slope.log2(), (-0.5, 0.0)).value();
+        let slope = inverse_square_root(Scaled::of(9.0 * depth));
         // Of proposals, 1 − e^(−g) are rejected: that is least slope²/12·z⁴ near the mode, and this bounds it for every z. The
         // nearest it comes is a factor of 1.004, for the smallest depth.
         let rejected = slope * slope * (1.0 / 12.0) * (1.07 + 3.24 * slope);
