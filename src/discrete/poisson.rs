@@ -91,14 +91,19 @@ pub(super) const fn exp_neg(x: Long) -> Long {
     // In units of 2^-57, so that it fits.
     let units = Long::of(x.mantissa, x.exponent.saturating_sub(7)).fraction();
     let halvings = high(units, LOG2_E) >> 56;
-    // Between 0 and a little above ln 2.
+    // Between 0 and a little above ln 2, of which a sixteenth is taken.
     let rest = ((units as u128) << 7).wrapping_sub((halvings as u128).wrapping_mul(LN_2 as u128));
-    let (rest, mut power) = (rest as u64, u64::MAX);
-    // 1 − x(1 − x/2(1 − x/3(…))).
-    let (mut terms, _) = RECIPROCALS.split_at(20);
+    let (rest, mut power) = ((rest >> 4) as u64, u64::MAX);
+    // 1 − x(1 − x/2(1 − x/3(…))), to the sixteenth power.
+    let (mut terms, _) = RECIPROCALS.split_at(9);
     while let [others @ .., reciprocal] = terms {
         power = u64::MAX.wrapping_sub(high(high(rest, power), *reciprocal));
         terms = others;
+    }
+    let mut squarings = 4_u32;
+    while squarings > 0 {
+        power = high(power, power);
+        squarings = squarings.wrapping_sub(1);
     }
     Long::of(power, 0_i32.wrapping_sub(halvings as i32))
 }
