@@ -39,7 +39,7 @@ use core::marker::PhantomData;
 /// | pdf, relative | 7.8e-8 | found |
 /// | realised density, relative | 7.8e-8 | found |
 /// | inverse | 2e-7/w | found |
-/// | round trip | 1.8e-7/w + 3.3*r | found |
+/// | round trip | 1.8e-7/w + 3.9*r | found |
 ///
 /// w is the width in turns. r is the change of the inverse when the point moves by 2⁻²⁴ of the outer radius. Before its
 /// coordinates are rounded, the radius is that of a uniform at most 3.3e-7 away, in a ring of any width.

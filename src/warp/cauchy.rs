@@ -37,7 +37,7 @@ const LEAST: f32 = 1.0 / 18_446_744_073_709_551_616.0;
 /// |---|--:|--:|---|
 /// | sample, ulp of location or distance | 6.4 | 5.9 | proven |
 /// | pdf, relative | 6.3e-7 | 6.8e-7 | found |
-/// | realised density, relative | 5.7e-7 + 2.9*s/max(0, 1 - w/1e6) | 5.8e-7 + 3.4*s/max(0, 1 - w/1e6) | found |
+/// | realised density, relative | 5.7e-7 + 2.9*s/max(0, 1 - w/1e6) | 6.5e-7 + 3.4*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 6e-7 | 6e-7 | proven |
 /// | inverse | 1.9e-7 | 9.4e-8 | found |
 /// | round trip | 1.5e-7 + 3*r | 7e-8 + 2*r | found |

@@ -40,7 +40,7 @@ use rand_core::TryRng;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the size | 7.5e-7 | found |
+/// | sample, of the size | 7.9e-7 | found |
 /// | pdf, relative | 5e-7 + 3.1*s | found |
 /// | realised density, relative | 5e-7 + 7.3*s | found |
 /// | pdf with the sample, relative | 8.6e-7 | found |

@@ -40,7 +40,7 @@ use core::marker::PhantomData;
 /// | pdf, relative | 6e-7 | found |
 /// | realised density, relative | 6e-7 | found |
 /// | inverse | min(1, 5.7e-7 + 9.4e-7*g) | found |
-/// | round trip | min(1, 6.6e-7 + 1.1e-6*g) | found |
+/// | round trip | min(1, 6.6e-7 + 1.4e-6*g) | found |
 ///
 /// g is the share of the side in the area, times the size over the length ℓ of the side: above 2 for a narrow ring alone.
 /// The azimuth of a point nearer to the axis than 2⁻¹²⁵ is lost. The normal is right to 3.4e-7, absolutely.

@@ -92,7 +92,7 @@ const fn sharpness([ax, ay]: [f32; 2]) -> f32 {
 /// | unit length | 2.2e-7 | 2.2e-7 | found |
 /// | pdf, relative | 1.3e-6 | 1.3e-6 | found |
 /// | realised density, relative | 1.5e-6 + 1.8*s | 1.5e-6 + 1.8*s | found |
-/// | pdf with the sample, relative | 1.5e-6 | 1.7e-6 | found |
+/// | pdf with the sample, relative | 1.6e-6 | 1.7e-6 | found |
 /// | inverse | 1.7e-7 | 1.7e-7 | found |
 /// | round trip | 2.1e-7 + 0.66*r | 2.1e-7 + 0.66*r | found |
 ///
@@ -234,12 +234,12 @@ pub struct Reflection {
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, of the size | 6.6e-7 + 6.3e-7*q | found |
-/// | unit length | 2.3e-7 | found |
-/// | pdf, relative | 1.2e-6 + 2.3*s | found |
-/// | realised density, relative | 1.4e-6 + 7.9·s + 8e-7·q | found |
+/// | unit length | 2.4e-7 | found |
+/// | pdf, relative | 1.2e-6 + 2.5*s | found |
+/// | realised density, relative | 1.4e-6 + 8.3·s + 8e-7·q | found |
 /// | pdf with the sample, relative | 1.2e-6 + 9.7e-7*q | found |
-/// | inverse | 7.7e-7 + 9.8*r | found |
-/// | round trip | 8.3e-7 + 8.6*r | found |
+/// | inverse | 8e-7 + 9.8*r | found |
+/// | round trip | 8.3e-7 + 9.9*r | found |
 ///
 /// Here q is the larger roughness over the smaller one: where they differ, the azimuth of the normal is that much more
 /// sensitive than the azimuth of the sum. The azimuth of the inverse is not held where u₁ is below 2⁻⁴⁰, next to the pole

@@ -31,10 +31,10 @@ use crate::tier::Tier;
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, ulp of location or distance | 4 | proven |
-/// | pdf, relative | 7e-7 | found |
-/// | realised density, relative | 6e-7 + 2.4*s/max(0, 1 - w/1e6) | found |
+/// | pdf, relative | 8.1e-7 | found |
+/// | realised density, relative | 6e-7 + 2.6*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 1.6e-7 | proven |
-/// | inverse | 8.2e-8 | found |
+/// | inverse | 8.5e-8 | found |
 /// | round trip | 6e-8 + 2*r | found |
 ///
 /// The errors of a sample and of the density with it are proven for all parameters and uniforms: see `docs/proofs.md`.

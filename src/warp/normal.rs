@@ -51,8 +51,8 @@ const REACH: f32 = 14.5;
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, ulp of location or distance | 7.1 | proven |
-/// | pdf, relative | 7e-7 | found |
-/// | realised density, relative | 7.7e-7 + 5.2*s/max(0, 1 - w/1e6) | found |
+/// | pdf, relative | 7.9e-7 | found |
+/// | realised density, relative | 7.7e-7 + 5.4*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 4.8e-7 | proven |
 /// | inverse | 2.5e-7 | found |
 /// | round trip | 1.8e-7 + 3*r | found |
@@ -241,10 +241,10 @@ impl<T: Tier> Invert for Normal<T> {
 /// | error | bound | kind |
 /// |---|--:|---|
 /// | sample, of the size | 3.6e-7 | proven |
-/// | pdf, relative | 4.2e-7 | found |
+/// | pdf, relative | 4.4e-7 | found |
 /// | realised density, relative | 7.2e-7 + 5.3*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 3.9e-7 | found |
-/// | inverse | 1.9e-7 | found |
+/// | inverse | 2.1e-7 | found |
 /// | round trip | 1.5e-7 + 1.8*r | found |
 ///
 /// w is the larger |μ| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the

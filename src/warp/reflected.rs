@@ -37,10 +37,10 @@ use crate::uniform::Canonical;
 /// | sample, of the size | 3.2e-6 | found |
 /// | unit length | 2.2e-7 | found |
 /// | pdf, relative | 1.8e-6 + 5.8*s | found |
-/// | realised density, relative | 2.4e-6 + 7*s | found |
+/// | realised density, relative | 2.7e-6 + 7*s | found |
 /// | pdf with the sample, relative | 4.8e-6 | found |
 /// | inverse | 2.8e-6 + 16*r | found |
-/// | round trip | 3e-6 + 26*r | found |
+/// | round trip | 3e-6 + 29*r | found |
 ///
 /// # Cost
 /// That of the normal, and some twenty products.

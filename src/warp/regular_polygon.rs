@@ -37,8 +37,8 @@ use core::marker::PhantomData;
 /// | sample, of the size | 3.8e-7 | 3.8e-7 | proven |
 /// | pdf, relative | 2.9e-7 | 2.8e-7 | found |
 /// | realised density, relative | 2.9e-7 | 2.8e-7 | found |
-/// | inverse | 5.9e-7 | 7.4e-7 | found |
-/// | round trip | 8.9e-7 | 1.2e-6 | found |
+/// | inverse | 6.2e-7 | 7.4e-7 | found |
+/// | round trip | 1.1e-6 | 1.2e-6 | found |
 ///
 /// The error of a sample is proven for all polygons and every pair of uniforms: see `docs/proofs.md`.
 ///

@@ -33,7 +33,7 @@ use core::marker::PhantomData;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, of the distance or the location | 8e-7 | found |
+/// | sample, of the distance or the location | 8.3e-7 | found |
 /// | pdf, relative | 7.4e-7 | found |
 /// | realised density, relative | 8.6e-7 + 12*s/max(0, 1 - w/1e6) | found |
 /// | inverse | 2e-7 | found |

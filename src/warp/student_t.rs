@@ -34,7 +34,7 @@ use crate::uniform::Canonical;
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
-/// | sample, ulp of location or distance | 13 | found |
+/// | sample, ulp of location or distance | 14 | found |
 /// | pdf, relative | 7.6e-7 | found |
 /// | realised density, relative | 7.8e-7 + 9.7*s/max(0, 1 - w/1e6) | found |
 /// | inverse | 1.8e-7 | found |

@@ -20,7 +20,8 @@ pub enum Budget {
     Time(Duration, u64),
 }
 
-/// Points with which the search of any family comes near its worst case: about half a second.
+/// Points of about half a second. A search of a family of one or two parameters comes within a fifth of the worst case of a
+/// minute, that of five parameters within a half.
 pub const USUAL: u32 = 320_000;
 
 impl Budget {
