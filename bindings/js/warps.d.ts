@@ -84,7 +84,7 @@ export declare class Interval extends Warp<number, number> {
  *
  * | error | `poly` | kind |
  * |---|--:|---|
- * | sample, ulp | 3.7 + 4.5·min(1/k, k·d·d) | found |
+ * | sample, ulp | 3.7 + 4.7·min(1/k, k·d·d) | found |
  * | pdf, relative | 1.6e-7 | found |
  * | realised density, relative | 1.7e-7 + (3.4 + 4.5·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
  * | pdf with the sample, relative | 4.3e-7 + 3.2e-7·min(1/k, k·d·d) + 1.8*s | found |
@@ -2094,7 +2094,7 @@ export interface GgxVisible extends Gloss {}
  * | sample, of the size | 6.6e-7 + 6.3e-7*q | found |
  * | unit length | 2.4e-7 | found |
  * | pdf, relative | 1.2e-6 + 2.5*s | found |
- * | realised density, relative | 1.4e-6 + 8.3·s + 8e-7·q | found |
+ * | realised density, relative | 1.4e-6 + 8.3·s + 8.4e-7·q | found |
  * | pdf with the sample, relative | 1.2e-6 + 9.7e-7*q | found |
  * | inverse | 8e-7 + 9.8*r | found |
  * | round trip | 8.3e-7 + 9.9*r | found |

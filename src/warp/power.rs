@@ -41,7 +41,7 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, ulp | 1.5 | 3.7 + 4.5·min(1/k, k·d·d) | found |
+/// | sample, ulp | 1.5 | 3.7 + 4.7·min(1/k, k·d·d) | found |
 /// | pdf, relative | 1.6e-7 | 1.6e-7 | found |
 /// | realised density, relative | 1.8e-7 + s | 1.7e-7 + (3.4 + 4.5·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
 /// | pdf with the sample, relative | 5.7e-7 + s | 4.3e-7 + 3.2e-7·min(1/k, k·d·d) + 1.8*s | found |

@@ -84,6 +84,26 @@ pub fn hold(families: &[Family], file: &str) {
     assert!(complaints.is_empty(), "\n{}\n", complaints.join("\n"));
 }
 
+/// The rows, with the kept case of each, that such a case leaves no margin that their kind asks for.
+pub fn without_margin(families: &[Family], kept: &[Vec<Worst>]) -> Vec<String> {
+    let mut close = Vec::new();
+    for (family, kept) in families.iter().zip(kept) {
+        let rows = family.rows.iter().zip(&family.kinds);
+        for ((title, kind), worst) in rows.zip(kept) {
+            // Written so that NaN is close.
+            let has_margin = worst.ratio <= kind.most();
+            if !has_margin {
+                close.push(format!(
+                    "{}; {title}: {}",
+                    family.label,
+                    worst.describe(family)
+                ));
+            }
+        }
+    }
+    close
+}
+
 fn raise_to(most: &mut f64, ratio: f64) {
     *most = most.max(ratio);
 }

@@ -33,7 +33,14 @@ pub fn cases(file: &str) -> Vec<(String, Vec<u32>, Uniforms)> {
     cases.collect()
 }
 
-/// What the kept cases of each family reach now, row by row.
+/// The label of a family without its tier: in both, the same cases are bad ones.
+fn without_tier(label: &str) -> &str {
+    let tiers = [" libm", " poly"];
+    let without = tiers.iter().find_map(|tier| label.strip_suffix(tier));
+    without.unwrap_or(label)
+}
+
+/// What the kept cases of each family reach now, row by row, with those of the same family in another tier.
 pub fn read(file: &str, families: &[Family]) -> Vec<Vec<Worst>> {
     let mut worst: Vec<_> = families
         .iter()
@@ -41,11 +48,14 @@ pub fn read(file: &str, families: &[Family]) -> Vec<Vec<Worst>> {
         .collect();
     for (label, parameters, uniforms) in cases(file) {
         // A sampler that has gone takes its cases with it when the file is written anew.
-        let Some(i) = families.iter().position(|f| f.label == label) else {
-            continue;
-        };
-        if let Some(case) = (families[i].build)(&parameters) {
-            raise(case.as_ref(), &parameters, uniforms, &mut worst[i]);
+        let own = families
+            .iter()
+            .zip(&mut worst)
+            .filter(|(family, _)| without_tier(&family.label) == without_tier(&label));
+        for (family, worst) in own {
+            if let Some(case) = (family.build)(&parameters) {
+                raise(case.as_ref(), &parameters, uniforms, worst);
+            }
         }
     }
     worst

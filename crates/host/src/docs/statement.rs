@@ -92,4 +92,12 @@ impl Kind {
             Self::Found => 1.0 / 2.5,
         }
     }
+
+    /// The largest part of such a bound that a case kept from a search may reach: what is found has a margin.
+    pub fn most(self) -> f64 {
+        match self {
+            Self::Proven | Self::Exhaustive => 1.0,
+            Self::Found => 1.0 / 1.3,
+        }
+    }
 }
