@@ -14,6 +14,7 @@ use super::word::up_to_on;
 use super::{
     Scaled, float, folded, folded_tail, inverse_square_root, square_root, up_to, up_to_by_two,
 };
+use host::errors::ulps;
 use host::speed;
 use rand_core::Rng;
 use rand_pcg::Pcg32;
@@ -188,9 +189,7 @@ fn error_of_root(root: impl Fn(f32) -> f32, exact: impl Fn(f64) -> f64) -> f64 {
     let step = speed::of("stride of numbers of which roots are taken", 41, 1);
     let errors = (0..1_u32 << 24).step_by(step).map(|i| {
         let x = f32::from_bits(1.0_f32.to_bits() + i);
-        let truth = exact(x.into());
-        let last_place = (truth.log2().floor() - 23.0).exp2();
-        (f64::from(root(x)) - truth).abs() / last_place
+        ulps(root(x), exact(x.into()))
     });
     errors.fold(0.0, f64::max)
 }

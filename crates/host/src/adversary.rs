@@ -50,7 +50,7 @@ pub fn hold(families: &[Family], file: &str) {
             let worst = if kept.ratio > now { kept } else { found };
             let (most, _) = known.entry((statement, title)).or_insert((0.0, *kind));
             raise_to(most, worst.ratio);
-            let line = format!("{}; {title}: {}", family.label, worst.describe(family));
+            let line = family.line(title, &worst);
             println!("{line}; found {now:.3}");
             // Written so that NaN complains, here and below.
             let holds = worst.ratio <= 1.0;
@@ -93,11 +93,7 @@ pub fn without_margin(families: &[Family], kept: &[Vec<Worst>]) -> Vec<String> {
             // Written so that NaN is close.
             let has_margin = worst.ratio <= kind.most();
             if !has_margin {
-                close.push(format!(
-                    "{}; {title}: {}",
-                    family.label,
-                    worst.describe(family)
-                ));
+                close.push(family.line(title, worst));
             }
         }
     }
@@ -140,4 +136,11 @@ pub struct Family {
     pub build: Box<Build>,
     /// Parameters that someone has listed, to start from.
     pub seeds: Vec<Vec<u32>>,
+}
+
+impl Family {
+    /// What is reported of a row: its worst case.
+    fn line(&self, title: &str, worst: &Worst) -> String {
+        format!("{}; {title}: {}", self.label, worst.describe(self))
+    }
 }

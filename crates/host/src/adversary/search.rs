@@ -20,8 +20,8 @@ pub enum Budget {
     Time(Duration, u64),
 }
 
-/// Points of about half a second. A search of a family of one or two parameters comes within a fifth of the worst case of a
-/// minute, that of five parameters within a half.
+/// Points of about half a second. A search by so many comes within some third of the worst cases known where there are two or
+/// three parameters, and of five to about half of them.
 pub const USUAL: u32 = 320_000;
 
 impl Budget {
