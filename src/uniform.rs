@@ -347,10 +347,16 @@ pub const fn open_from_word(word: u32) -> f32 {
 #[inline]
 pub const fn deep_from_word(word: u32) -> f32 {
     // The low bit is the half step, and 24 significant bits fit an f32 exactly.
-    if word < 1 << 23 {
-        ((word << 1) | 1) as f32 * (STEP / 512.0)
+    let (place, unit) = if word < 1 << 23 {
+        (word, 1.0 / 512.0)
     } else {
-        ((word >> 8) | 1) as f32 * STEP
+        (word >> 9, 1.0)
+    };
+    if cfg!(target_arch = "x86_64") {
+        // Exactly the same. A conversion there waits for what its register held, often the draw before.
+        (f32::from_bits(1.0_f32.to_bits() | place) - LARGEST) * unit
+    } else {
+        ((place << 1) | 1) as f32 * (STEP * unit)
     }
 }
 
