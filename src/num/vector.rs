@@ -1,6 +1,7 @@
 //! Vectors of three coordinates.
 
 use super::clamp;
+use core::ops::RangeInclusive;
 
 #[inline]
 pub(crate) fn dot(p: [f32; 3], q: [f32; 3]) -> f32 {
@@ -46,9 +47,20 @@ pub(crate) fn magnitude<const N: usize>(numbers: [f32; N]) -> f32 {
     f32::from_bits(largest.to_bits() & 0x7f80_0000)
 }
 
+/// 2⁻⁶⁰ and its reciprocal: a vector of a square between these has the same direction, to the bit, as one that is scaled
+/// before.
+const ORDINARY: RangeInclusive<f32> = 8.673_617_4e-19..=1_152_921_504_606_846_976.0;
+
+/// Whether a vector of this square needs no scale.
+#[inline]
+pub(crate) fn is_ordinary(square: f32) -> bool {
+    ORDINARY.contains(&square)
+}
+
 /// A power of two near the largest coordinate, and the point divided by it, whose squares neither overflow nor
 /// underflow.
 pub(crate) fn scaled(point: [f32; 3]) -> (f32, [f32; 3]) {
     let scale = magnitude(point);
-    (scale, point.map(|c| c / scale))
+    // Exact, as is a quotient.
+    (scale, times(point, 1.0 / scale))
 }

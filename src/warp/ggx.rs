@@ -7,7 +7,7 @@ use super::direction::{azimuth, is_direction, length, normalised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, positive, tried};
-use crate::num::vector::scaled;
+use crate::num::vector::{is_ordinary, scaled};
 use crate::num::{above_zero, into_unit, remainder, representable};
 use crate::tier::{Tier, sqrt};
 use core::f32::consts::FRAC_1_PI;
@@ -293,6 +293,49 @@ pub struct GgxVisible<T> {
     tier: PhantomData<T>,
 }
 
+/// A view of any length, in some unit.
+struct View {
+    unit: [f32; 3],
+    length: f32,
+    z: f32,
+    /// x and y in a unit of their own, and that unit.
+    flat: [f32; 2],
+    part: f32,
+}
+
+impl View {
+    /// An ordinary one, of this square. Its numbers are those of `of_any`, but for powers of two.
+    #[inline]
+    fn of(view: [f32; 3], square: f32) -> Self {
+        let [x, y, z] = view;
+        let length = sqrt(square);
+        Self {
+            unit: view.map(|c| c / length),
+            length,
+            z,
+            flat: [x, y],
+            part: 1.0,
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn of_any(view: [f32; 3]) -> Result<Self, Error> {
+        let unit = normalised(view, 0)?;
+        let (scale, scaled_view) = scaled(view);
+        let ([x, y, _], [_, _, z]) = (view, scaled_view);
+        // The azimuth has a scale of its own, so that beside a far larger z neither squares nor digits are lost.
+        let (flat_scale, [x, y, _]) = scaled([x, y, 0.0]);
+        Ok(Self {
+            unit,
+            length: length(scaled_view),
+            z,
+            flat: [x, y],
+            part: flat_scale / scale,
+        })
+    }
+}
+
 impl<T: Tier> GgxVisible<T> {
     /// The normals seen from `view`, a direction of any length, of roughness `alpha` along x and along y.
     ///
@@ -312,18 +355,27 @@ impl<T: Tier> GgxVisible<T> {
         Self::of(view, alpha, true)
     }
 
+    #[inline]
     fn of(view: [f32; 3], alpha: [f32; 2], bounded: bool) -> Result<Self, Error> {
         let [ax, ay] = checked_alphas(alpha, 1)?;
-        let unit = normalised(view, 0)?;
-        let (scale, scaled_view) = scaled(view);
-        let [_, _, z] = scaled_view;
+        let [x, y, z] = view;
+        let flat = x * x + y * y;
+        let square = flat + z * z;
+        let View {
+            unit,
+            length,
+            z,
+            flat: [x, y],
+            part,
+        } = if is_ordinary(flat) && is_ordinary(square) {
+            View::of(view, square)
+        } else {
+            View::of_any([x, y, z])?
+        };
         if z < 0.0 {
             return Err(Error::OutOfRange(0));
         }
-        // The azimuth has a scale of its own, so that beside a far larger z neither squares nor digits are lost.
-        let [x, y, _] = view;
-        let (flat_scale, [x, y, _]) = scaled([x, y, 0.0]);
-        let (x, y, part) = (ax * x, ay * y, flat_scale / scale);
+        let (x, y) = (ax * x, ay * y);
         let flat = sqrt(x * x + y * y);
         let axis = if flat > 0.0 {
             [x / flat, y / flat]
@@ -355,7 +407,7 @@ impl<T: Tier> GgxVisible<T> {
             cos,
             down: sin * (flat / twice),
             half_way: [x * part / twice, y * part / twice],
-            length: squeezed / length(scaled_view),
+            length: squeezed / length,
             height,
             short,
             sharpness: sharpness(alpha) / height,
