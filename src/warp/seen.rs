@@ -19,6 +19,14 @@ const SHORT: f32 = 8.0 / LONG;
 const LARGE: f32 = 1_099_511_627_776.0;
 const SMALL: f32 = 1.525_878_9e-5;
 
+/// 2²⁰ and 2⁻¹⁰: where the size of a light and its distance together lie between these, products of three lengths neither
+/// overflow, nor do those of two such products.
+const FAR: f32 = 1_048_576.0;
+const NEAR: f32 = 1.0 / 1024.0;
+
+/// 2⁻⁶⁰: where a volume or the product of two halves is as large, no part of it that counts has lost its digits.
+const FULL: f32 = 8.673_617_4e-19;
+
 /// How many times the volume of a way and two edges may be smaller than their cross product, and that smaller than the product
 /// of the edges, before lost digits show; and how many times as far as another the first corner may be.
 pub(super) const EDGE_ON: f32 = 4.0;
@@ -202,6 +210,41 @@ pub(super) fn refusal(cosine: f32, nearest: f32, size: f32, all: usize) -> Error
 #[inline]
 pub(super) fn is_seen(sine: f32, cosine: f32, nearest: f32, size: f32) -> bool {
     sine >= LEAST && sine > -cosine * ON && nearest >= ON_CORNER * size
+}
+
+/// Whether the ways to the corners give the density without their directions: those of a light that [`is_seen`] without doubt, in
+/// plain units. The half solid angle is a sine and a cosine times `whole`, a product of distances; not a number cannot.
+#[inline]
+pub(super) fn is_simple([sine, cosine, whole]: [f32; 3], nearest: f32, size: f32) -> bool {
+    (NEAR..=FAR).contains(&size)
+        && sine >= FULL
+        && sine >= 4.0 * LEAST * whole
+        && sine > -cosine * (2.0 * ON)
+        && nearest >= 2.0 * ON_CORNER * size
+}
+
+/// The length of a vector by its coordinates.
+#[inline]
+pub(super) fn length(x: f32, y: f32, z: f32) -> f32 {
+    sqrt(x * x + y * y + z * z)
+}
+
+/// What [`sums`] gives first, times the distances of the corners, from the ways to those by axis; and the least 1/2 + cosine of a
+/// side, times the distances of its ends: below 0 where a side is longer than a third of a turn.
+#[inline]
+pub(super) fn long_sum(
+    [[a, b, c], [d, e, f], [g, h, i]]: [[f32; 3]; 3],
+    [p, q, r]: [f32; 3],
+) -> [f32; 2] {
+    let (pq, qr, rp) = (
+        a * b + d * e + g * h,
+        b * c + e * f + h * i,
+        c * a + f * d + i * g,
+    );
+    let (x, y, z) = (p * q, q * r, r * p);
+    let sum = (x + pq) * r + (qr * p + rp * q);
+    let rise = least(pq + 0.5 * x, least(qr + 0.5 * y, rp + 0.5 * z));
+    [sum, rise]
 }
 
 /// 1 + the cosines of the sides of a triangle of corners a, b and c, whose angle with the volume is half the solid angle;

@@ -34,8 +34,8 @@ use core::marker::PhantomData;
 ///
 /// # Accuracy
 /// *Sample* is the distance from the exact direction, *unit length* the error of the length, *place on it* that of the
-/// coordinates along the edges. *Pdf* and *realised density* are relative, *inverse* and *round trip* are absolute errors
-/// of the uniforms. [What each row means](crate::warp#stated-errors).
+/// coordinates along the edges. *Pdf*, which holds for [`density_of`](Self::density_of) as well, and *realised density* are
+/// relative, *inverse* and *round trip* are absolute errors of the uniforms. [What each row means](crate::warp#stated-errors).
 ///
 /// | error | bound | kind |
 /// |---|--:|---|
@@ -144,12 +144,17 @@ impl<T: Tier> SphericalRectangle<T> {
     #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[inline(always)]
     pub fn new(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]) -> Result<Self, Error> {
+        // What calls take by reference would lie in memory from the start, so rare ones get copies.
+        let ([ox, oy, oz], [cx, cy, cz]) = (point, corner);
+        let copies = || ([ox, oy, oz], [cx, cy, cz]);
+        let (point, corner) = copies();
         let [mut x, mut y] = edges;
         let mut p = vector::minus(corner, point);
         let mut unit = 1.0;
         let size = vector::span(p) + vector::span(x) + vector::span(y);
         if !seen::is_plain(size) {
-            unit = seen::rectangle_unit(size, point, corner, edges)?;
+            let (point, corner) = copies();
+            unit = seen::rectangle_unit(size, point, corner, [x, y])?;
             [p, x, y] = [p, x, y].map(|way| vector::times(way, unit));
         }
         let (mut q, mut r, mut s) = (
@@ -164,6 +169,7 @@ impl<T: Tier> SphericalRectangle<T> {
             vector::dot(s, s),
         );
         if seen::least(q2, seen::least(r2, s2)) < FAR_NEARER * p2 {
+            let (point, corner) = copies();
             [q, r, s] = seen::other_corners(point, corner, [x, y], unit);
             [q2, r2, s2] = [q, r, s].map(|way| vector::dot(way, way));
         }
@@ -191,6 +197,7 @@ impl<T: Tier> SphericalRectangle<T> {
         let sharp = seen::SHARP * spread <= vector::span(x) * vector::span(y);
         let edge_on = seen::EDGE_ON * volume.abs() <= spread;
         if sharp || (edge_on && !(before && even)) {
+            let (point, corner) = copies();
             volume = ip * seen::rectangle_volume(point, corner, [x, y], unit);
         }
         let sign = if volume < 0.0 { -1.0 } else { 1.0 };
@@ -237,6 +244,70 @@ impl<T: Tier> SphericalRectangle<T> {
             density: 1.0 / (4.0 * PI) / half,
             tier: PhantomData,
         })
+    }
+
+    /// The density of every direction from `point` to the rectangle, per steradian, as `new` and [`density`](Self::density) give it
+    /// but for rounding: for a direction that another technique has found, at a point where no sample is drawn. It takes half of
+    /// their time.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    ///
+    /// # Examples
+    /// ```
+    /// use microwarp::poly as mw;
+    /// let (eye, corner, edges) = ([0.0; 3], [-1.0, -0.5, 3.0], [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    /// let seen = mw::SphericalRectangle::new(eye, corner, edges)?;
+    /// let alone = mw::SphericalRectangle::density_of(eye, corner, edges)?;
+    /// assert!((alone / seen.density() - 1.0).abs() < 1e-6);
+    /// # Ok::<(), microwarp::Error>(())
+    /// ```
+    #[inline]
+    pub fn density_of(
+        point: [f32; 3],
+        corner: [f32; 3],
+        edges: [[f32; 3]; 2],
+    ) -> Result<f32, Error> {
+        let ([ox, oy, oz], [cx, cy, cz]) = (point, corner);
+        let [[xx, xy, xz], [yx, yy, yz]] = edges;
+        let (px, py, pz) = (cx - ox, cy - oy, cz - oz);
+        let ([qx, qy, qz], [sx, sy, sz]) =
+            ([px + xx, py + xy, pz + xz], [px + yx, py + yy, pz + yz]);
+        let [rx, ry, rz] = [px + (xx + yx), py + (xy + yy), pz + (xz + yz)];
+        let (lp, lq, lr, ls) = (
+            seen::length(px, py, pz),
+            seen::length(qx, qy, qz),
+            seen::length(rx, ry, rz),
+            seen::length(sx, sy, sz),
+        );
+        let [sum0, rise0] =
+            seen::long_sum([[px, qx, rx], [py, qy, ry], [pz, qz, rz]], [lp, lq, lr]);
+        let [sum1, rise1] =
+            seen::long_sum([[px, sx, rx], [py, sy, ry], [pz, sz, rz]], [lp, ls, lr]);
+        let (way, x, y) = ([px, py, pz], [xx, xy, xz], [yx, yy, yz]);
+        let normal = vector::cross(x, y);
+        let (volume, spread) = (vector::dot(way, normal).abs(), vector::span(normal));
+        // The product of both halves as complex numbers.
+        let (sine, cosine) = (volume * (sum0 + sum1), sum0 * sum1 - volume * volume);
+        let size = vector::span(way) + vector::span(x) + vector::span(y);
+        let others = seen::least(lq, seen::least(lr, ls));
+        let nearest = seen::least(lp, others);
+        let blunt = seen::SHARP * spread > vector::span(x) * vector::span(y);
+        let ahead = seen::EDGE_ON * volume > spread * lp;
+        let plain = seen::least(rise0, rise1) >= 0.0 && others * others >= FAR_NEARER * (lp * lp);
+        let half = [sine, cosine, (lp * lq * lr) * (lp * ls * lr)];
+        if plain && blunt && ahead && seen::is_simple(half, nearest, size) {
+            Ok(1.0 / (4.0 * PI) / T::atan2_turns(sine, cosine))
+        } else {
+            Self::density_made([ox, oy, oz], [cx, cy, cz], [[xx, xy, xz], [yx, yy, yz]])
+        }
+    }
+
+    /// The same by all that a sample needs, where few digits are left.
+    #[cold]
+    #[inline(never)]
+    fn density_made(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]) -> Result<f32, Error> {
+        Self::new(point, corner, edges).map(|light| light.density)
     }
 
     /// The solid angle of the rectangle, in steradians.

@@ -161,7 +161,7 @@ impl<T: Tier> VisibleSphere<T> {
                 gap,
             }
         } else {
-            compensated(point, centre, radius)?
+            compensated([px, py, pz], [cx, cy, cz], radius)?
         };
         Ok(Self {
             point,

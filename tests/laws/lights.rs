@@ -321,9 +321,21 @@ fn is_valid(direction: [f32; 3], densities: [f32; 2], place: &[f32], back: [f32;
         && back.iter().all(good)
 }
 
+/// Whether the density alone is refused for the same reason as the light, or else is a density, too.
+fn agree(density: Result<f32, Error>, alone: Result<f32, Error>) -> bool {
+    match (density, alone) {
+        (Ok(_), Ok(alone)) => alone > 0.0 && alone.is_finite(),
+        (Err(light), Err(alone)) => light == alone,
+        _ => false,
+    }
+}
+
 /// Whether a triangle is seen; then its sample is valid.
 fn seen_triangle(point: [f32; 3], vertices: [[f32; 3]; 3], u: [f32; 2]) -> bool {
-    SphericalTriangle::<Poly>::new(point, vertices).is_ok_and(|light| {
+    let light = SphericalTriangle::<Poly>::new(point, vertices);
+    let alone = SphericalTriangle::<Poly>::density_of(point, vertices);
+    assert!(agree(light.map(|light| light.density()), alone));
+    light.is_ok_and(|light| {
         let there = light.locate(u);
         let densities = [there.pdf, light.pdf(there.direction)];
         let back = light.invert(there.direction);
@@ -337,7 +349,10 @@ fn seen_triangle(point: [f32; 3], vertices: [[f32; 3]; 3], u: [f32; 2]) -> bool 
 
 /// The same of a rectangle.
 fn seen_rectangle(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2], u: [f32; 2]) -> bool {
-    SphericalRectangle::<Poly>::new(point, corner, edges).is_ok_and(|light| {
+    let light = SphericalRectangle::<Poly>::new(point, corner, edges);
+    let alone = SphericalRectangle::<Poly>::density_of(point, corner, edges);
+    assert!(agree(light.map(|light| light.density()), alone));
+    light.is_ok_and(|light| {
         let there = light.locate(u);
         let densities = [there.pdf, light.pdf(there.direction)];
         let back = light.invert(there.direction);
@@ -376,6 +391,10 @@ fn whatever_the_point_a_light_is_refused_or_valid() {
     }
     println!("{seen} lights, {refused} refused");
     assert!(seen > 0 && refused > 0);
+    // What disagrees is noticed.
+    let reasons = [Error::Empty(0), Error::NotNormalizable(0)];
+    assert!(!agree(Ok(1.0), Err(reasons[0])) && !agree(Err(reasons[0]), Ok(1.0)));
+    assert!(!agree(Err(reasons[0]), Err(reasons[1])) && !agree(Ok(1.0), Ok(f32::NAN)));
 }
 
 /// Lights whose samples had the density 0: by a short side as the difference of two long ones, and as thin ones that are not.

@@ -239,6 +239,10 @@ pub fn density_and_inverse_error(entry: &Entry, exact: &Exact, x: Point, figures
     let at_point = entry.truth.pdf(point);
     if normal.contains(&at_point) && normal.contains(&exact.density) {
         raise(&mut figures.pdf, relative(at_point));
+        if let Some(alone) = entry.alone {
+            let error = (f64::from(alone) - at_point).abs() / at_point;
+            raise(&mut figures.pdf, error);
+        }
         if entry.resolved && exact.u[..entry.uniforms].iter().all(|u| *u >= GRID_STEP) {
             raise(&mut figures.realised, relative(exact.density));
         }

@@ -174,6 +174,8 @@ pub struct Entry {
     pub trade: Option<Trade>,
     /// The place on a light that uniforms lead to, and the exact one.
     pub place: Option<Arc<Place>>,
+    /// The density of all its points as a function gives it without the warp.
+    pub alone: Option<f32>,
     pub warp: Arc<dyn Erased>,
     pub truth: Arc<dyn Truth>,
     /// Coordinates in the unit square in which cells for a test of shape are laid out: the inverse of
@@ -674,6 +676,7 @@ impl Erasure {
             picture: None,
             trade: None,
             place: None,
+            alone: None,
             warp: self.warp,
             chart: Arc::clone(&truth),
             truth,

@@ -56,6 +56,8 @@ fn triangle<T: Tier>(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<Entry, 
         exact!(Light::triangle(point, vertices)),
     );
     entry.place = Some(Arc::new(place));
+    let alone = SphericalTriangle::<T>::density_of(point, vertices);
+    entry.alone = Some(alone.unwrap_or(f32::NAN));
     Ok(entry)
 }
 
@@ -77,6 +79,8 @@ fn rectangle<T: Tier>(
         exact!(Light::rectangle(point, corner, edges)),
     );
     entry.place = Some(Arc::new(place));
+    let alone = SphericalRectangle::<T>::density_of(point, corner, edges);
+    entry.alone = Some(alone.unwrap_or(f32::NAN));
     Ok(entry)
 }
 
