@@ -3,8 +3,8 @@
 use crate::args::{FLOOR, LIBM, POLY, PUBLISHED};
 use crate::draws::word;
 use host::contest::Contest;
+use host::peers::drawn;
 use host::peers::renderer::{self, Vector, Weighed};
-use host::peers::{drawn, uniform};
 use microwarp::Warp;
 use microwarp::tier::{Libm, Poly, Tier};
 use microwarp::warp::{
@@ -46,6 +46,13 @@ where
         .draw(LIBM, move |rng| libm.draw_with_pdf(rng))
         .draw(POLY, move |rng| poly.draw_with_pdf(rng))
         .draw(PUBLISHED, peer)
+}
+
+/// A uniform of 23 bits, without a conversion: on x86-64 one waits for what its register held, so that whether a draw waits for the
+/// one before would hang on the compiler's choice of registers.
+#[inline]
+fn uniform(rng: &mut Pcg32) -> f32 {
+    f32::from_bits(1.0_f32.to_bits() | (word(rng).to_bits() >> 9)) - 1.0
 }
 
 /// A point beside the middle of the scene, another for every draw.
@@ -129,8 +136,8 @@ pub fn rectangle_density() -> Contest<Weighed<Vector>> {
         (corner, edges): Parallelogram,
         _: [f32; 2],
     ) -> Weighed<Vector> {
-        let lamp = SphericalRectangle::<T>::new(point, corner, edges);
-        (point, lamp.map_or(0.0, |lamp| lamp.density()))
+        let density = SphericalRectangle::<T>::density_of(point, corner, edges);
+        (point, density.unwrap_or(0.0))
     }
     let peer = |point, (corner, edges), u| renderer::rectangle_lamp(point, corner, edges, u);
     anew((CORNER, EDGES), ours::<Libm>, ours::<Poly>, peer)
@@ -139,8 +146,8 @@ pub fn rectangle_density() -> Contest<Weighed<Vector>> {
 /// Likewise.
 pub fn triangle_density() -> Contest<Weighed<Vector>> {
     fn ours<T: Tier>(point: Vector, vertices: [Vector; 3], _: [f32; 2]) -> Weighed<Vector> {
-        let lamp = SphericalTriangle::<T>::new(point, vertices);
-        (point, lamp.map_or(0.0, |lamp| lamp.density()))
+        let density = SphericalTriangle::<T>::density_of(point, vertices);
+        (point, density.unwrap_or(0.0))
     }
     anew(
         TRIANGLE,

@@ -71,26 +71,31 @@ pub fn ball(rng: &mut Pcg32) -> [f32; 3] {
 }
 
 /// An integer below n: `random_range`.
+#[inline]
 pub fn below(n: u32) -> impl Fn(&mut Pcg32) -> u32 {
     move |rng| rng.random_range(0..n)
 }
 
 /// An integer of a range: `random_range`.
+#[inline]
 pub fn range(low: i32, high: i32) -> impl Fn(&mut Pcg32) -> i32 {
     move |rng| rng.random_range(low..=high)
 }
 
 /// An integer of 64 bits below n: `random_range`.
+#[inline]
 pub fn below_of_64_bits(n: u64) -> impl Fn(&mut Pcg32) -> u64 {
     move |rng| rng.random_range(0..n)
 }
 
 /// Whether an event happens: `random_bool`.
+#[inline]
 pub fn chance(p: f64) -> impl Fn(&mut Pcg32) -> bool {
     move |rng| rng.random_bool(p)
 }
 
 /// A random order of numbers, again and again, of which the first is given: `SliceRandom::shuffle`.
+#[inline]
 pub fn shuffle(mut items: Vec<u32>) -> impl FnMut(&mut Pcg32) -> u32 {
     move |rng| {
         items.shuffle(rng);
@@ -99,6 +104,7 @@ pub fn shuffle(mut items: Vec<u32>) -> impl FnMut(&mut Pcg32) -> u32 {
 }
 
 /// So many numbers in random order, of which the first is given: `SliceRandom::partial_shuffle`.
+#[inline]
 pub fn choose(mut items: Vec<u32>, chosen: usize) -> impl FnMut(&mut Pcg32) -> u32 {
     move |rng| {
         let (chosen, _) = items.partial_shuffle(rng, chosen);
@@ -107,18 +113,21 @@ pub fn choose(mut items: Vec<u32>, chosen: usize) -> impl FnMut(&mut Pcg32) -> u
 }
 
 /// Indices by running sums: `WeightedIndex<f32>`.
+#[inline]
 pub fn cumulative(weights: &[f32]) -> impl Fn(&mut Pcg32) -> usize + use<> {
     let table = WeightedIndex::new(weights.iter().copied()).expect("weights");
     move |rng| table.sample(rng)
 }
 
 /// Indices by Walker's aliases: `WeightedAliasIndex<f32>`.
+#[inline]
 pub fn aliases(weights: &[f32]) -> impl Fn(&mut Pcg32) -> usize + use<> {
     let table = WeightedAliasIndex::new(weights.to_vec()).expect("weights");
     move |rng| table.sample(rng)
 }
 
 /// Indices by a tree of sums, of which the drawn one gets another weight: `WeightedTreeIndex<u32>`.
+#[inline]
 pub fn tree(weights: Vec<u32>) -> impl FnMut(&mut Pcg32) -> usize {
     let mut tree = WeightedTreeIndex::new(weights).expect("weights");
     move |rng| {

@@ -16,26 +16,32 @@ pub type Weighed<P> = (P, f32);
 
 const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
+#[inline]
 fn zip(a: Vector, b: Vector, f: impl Fn(f32, f32) -> f32) -> Vector {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2])]
 }
 
+#[inline]
 fn plus(a: Vector, b: Vector) -> Vector {
     zip(a, b, |a, b| a + b)
 }
 
+#[inline]
 fn minus(a: Vector, b: Vector) -> Vector {
     zip(a, b, |a, b| a - b)
 }
 
+#[inline]
 fn times(s: f32, a: Vector) -> Vector {
     a.map(|x| s * x)
 }
 
+#[inline]
 pub(super) fn dot(a: Vector, b: Vector) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+#[inline]
 fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -44,21 +50,25 @@ fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
+#[inline]
 fn normalised(a: Vector) -> Vector {
     let length = dot(a, a).sqrt();
     a.map(|x| x / length)
 }
 
 /// The root of what rounding may have taken below 0.
+#[inline]
 fn root(x: f32) -> f32 {
     x.max(0.0).sqrt()
 }
 
+#[inline]
 pub(super) fn between(t: f32, a: f32, b: f32) -> f32 {
     (1.0 - t) * a + t * b
 }
 
 /// The angle between directions, by half angles.
+#[inline]
 fn angle(a: Vector, b: Vector) -> f32 {
     let half = |v: Vector| 2.0 * (0.5 * dot(v, v).sqrt()).min(1.0).asin();
     if dot(a, b) < 0.0 {
@@ -71,6 +81,7 @@ fn angle(a: Vector, b: Vector) -> f32 {
 /// Two directions that make a frame with this one.
 ///
 /// Source: T. Duff et al., "Building an Orthonormal Basis, Revisited", Journal of Computer Graphics Techniques, 2017.
+#[inline]
 fn beside(n: Vector) -> [Vector; 2] {
     let [x, y, z] = n;
     let sign = 1.0_f32.copysign(z);
@@ -82,11 +93,13 @@ fn beside(n: Vector) -> [Vector; 2] {
     ]
 }
 
+#[inline]
 fn in_frame(normal: Vector, [x, y, z]: Vector) -> Vector {
     let [s, t] = beside(normal);
     plus(plus(times(x, s), times(y, t)), times(z, normal))
 }
 
+#[inline]
 fn around(sin: f32, cos: f32, u: f32) -> Vector {
     let (s, c) = (TAU * u).sin_cos();
     [sin * c, sin * s, cos]
@@ -269,6 +282,7 @@ pub fn ggx_visible(view: Vector, alpha: [f32; 2], [u1, u2]: [f32; 2]) -> Weighed
 }
 
 /// Linear between two densities at the ends of [0, 1).
+#[inline]
 pub(super) fn linear(u: f32, a: f32, b: f32) -> f32 {
     if u == 0.0 && a == 0.0 {
         return 0.0;
